@@ -1,0 +1,91 @@
+# SPDX-License-Identifier: MIT
+# A thin layer over Meson: what people type.  `make help` lists it.
+BUILD ?= build
+PREFIX ?= /usr/local
+# Arguments for `luxel render` in `make run`, and for `meson test` in the checks.
+RUN ?= -o report.png
+TESTS ?=
+# Compilers for `make check-sanitize`.
+SANITIZE ?= gcc clang
+
+# Asked for anew each time, because `make setup` may just have installed them.  The distribution's own come first:
+# others in PATH may run on a Python that lacks the modules that the tests need.
+MESON = $(shell test -x /usr/bin/meson && echo /usr/bin/meson || echo meson)
+PYTHON = $(shell test -x /usr/bin/python3 && echo /usr/bin/python3 || echo python3)
+JOBS = $(shell nproc 2>/dev/null || echo 2)
+
+COMPILE = $(MESON) compile -j $(JOBS) -C
+RUN_TESTS = $(PYTHON) tools/run_tests.py $(MESON)
+VALGRIND = valgrind -q --error-exitcode=99 --leak-check=full --errors-for-leak-kinds=definite,indirect,possible
+WARNINGS_ARE_ERRORS = --werror
+
+# One thing at a time: the parallel work is Ninja's.
+.NOTPARALLEL:
+.PHONY: build help setup run check bench install clean check-clang check-sanitize check-valgrind format
+
+build: $(BUILD)/build.ninja
+	@$(COMPILE) $(BUILD)
+
+help:
+	@echo 'make                 build the library and the luxel command in $(BUILD)/'
+	@echo 'make setup           install what is missing for that (Debian; uses sudo when not root)'
+	@echo 'make run             build, compute the scene "report", print its table, write report.png'
+	@echo 'make check           build and run every test; ends with "N passed, N failed"'
+	@echo 'make check-clang     the same with clang, warnings being errors'
+	@echo 'make check-sanitize  the same with address and undefined-behaviour sanitizers (SANITIZE="gcc clang")'
+	@echo 'make check-valgrind  the unit tests under valgrind'
+	@echo 'make bench           run the benchmarks'
+	@echo 'make install         install under PREFIX ($(PREFIX)); DESTDIR is honoured'
+	@echo 'make format          format the C sources with clang-format'
+	@echo 'make clean           remove what was built'
+	@echo
+	@echo 'Variables: BUILD (build folder), RUN (arguments of luxel render), TESTS (arguments of meson test).'
+
+setup:
+	@tools/setup
+
+# Order-only: what is installed does not make the build folder old; Ninja knows when to configure again.
+$(BUILD)/build.ninja: | setup
+	@$(MESON) setup $(BUILD) --prefix $(PREFIX)
+
+run: setup $(BUILD)/build.ninja
+	@$(COMPILE) $(BUILD) luxel:executable
+	@$(BUILD)/cli/luxel render $(RUN)
+
+check: setup build
+	@$(RUN_TESTS) $(BUILD) --num-processes $(JOBS) $(TESTS)
+
+bench: build
+	@$(MESON) test -C $(BUILD) --benchmark --verbose $(TESTS)
+
+check-clang:
+	@tools/setup clang
+	@test -e build-clang/build.ninja || CC=clang CXX=clang++ $(MESON) setup build-clang $(WARNINGS_ARE_ERRORS)
+	@$(COMPILE) build-clang
+	@$(RUN_TESTS) build-clang --num-processes $(JOBS) $(TESTS)
+
+# The sanitizers' runtime is not linked into shared libraries by clang: b_lundef=false.
+check-sanitize: $(SANITIZE:%=sanitize-%)
+
+sanitize-%:
+	@tools/setup $(filter clang,$*)
+	@test -e build-sanitize-$*/build.ninja || CC=$* $(MESON) setup build-sanitize-$* $(WARNINGS_ARE_ERRORS) \
+	    -Db_sanitize=address,undefined -Db_lundef=false -Doptimization=1
+	@$(COMPILE) build-sanitize-$*
+	@UBSAN_OPTIONS=print_stacktrace=1:halt_on_error=1 ASAN_OPTIONS=detect_stack_use_after_return=1 \
+	    $(RUN_TESTS) build-sanitize-$* --num-processes $(JOBS) --timeout-multiplier 10 $(TESTS)
+
+check-valgrind: build
+	@tools/setup valgrind
+	@$(VALGRIND) $(BUILD)/cli/luxel render -o $(BUILD)/valgrind.png -o $(BUILD)/valgrind.npy >/dev/null
+	@$(VALGRIND) $(BUILD)/cli/luxel probe --json >/dev/null
+	@$(RUN_TESTS) $(BUILD) --num-processes $(JOBS) --suite unit --timeout-multiplier 50 --wrapper='$(VALGRIND)'
+
+install: build
+	@$(MESON) install -C $(BUILD) --no-rebuild
+
+format:
+	@find include src cli tests bench fuzz -name '*.[ch]' 2>/dev/null | xargs clang-format -i
+
+clean:
+	@rm -rf $(BUILD) build-clang build-sanitize-gcc build-sanitize-clang

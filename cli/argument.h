@@ -1,0 +1,18 @@
+/* SPDX-License-Identifier: MIT */
+/* Numbers in arguments: decimal, with a point, nothing before or after them, in every locale. */
+#ifndef LUXEL_CLI_ARGUMENT_H
+#define LUXEL_CLI_ARGUMENT_H
+
+#include <stdbool.h>
+#include <stddef.h>
+
+/* Reads one number.  False, with a message that names `option` and the number that is wrong, if it is none. */
+bool argument_number(const char *option, const char *text, double *value);
+
+/* Reads exactly `count` numbers with commas between them; `form` shows how they are expected: "X,Y". */
+bool argument_numbers(const char *option, const char *form, const char *text, double *values, size_t count);
+
+/* Reads a whole number from least to most. */
+bool argument_whole(const char *option, const char *text, unsigned least, unsigned most, unsigned *value);
+
+#endif

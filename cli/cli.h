@@ -1,0 +1,64 @@
+/* SPDX-License-Identifier: MIT */
+/* What every file of the tool shares: its exit codes, its commands, and the mark for texts that people read. */
+#ifndef LUXEL_CLI_CLI_H
+#define LUXEL_CLI_CLI_H
+
+#include <stddef.h>
+
+/*
+ * Every text for people goes through one of these: _() where it is printed, N_() where a constant table holds
+ * it and the printing place calls _() later.  They are the names that gettext's tools look for.
+ */
+#define _(text) (text)
+#define N_(text) text
+
+#define COUNT_OF(array) (sizeof(array) / sizeof(array)[0])
+
+enum exit_code {
+    EXIT_DONE = 0,
+    EXIT_USAGE = 2,     /* a wrong option, argument or key path */
+    EXIT_SCENE = 3,     /* the scene has errors, or asks for more than memory or the precision holds */
+    EXIT_FILE = 4,      /* a file, standard input or standard output could not be read or written */
+    EXIT_TOLERANCE = 5, /* an error is larger than the tolerance asked for; the values are printed */
+    EXIT_INTERRUPTED = 130
+};
+
+/* One bit for each command, so that an option can say which commands take it. */
+enum command_bit {
+    COMMAND_RENDER = 1 << 0,
+    COMMAND_PROBE = 1 << 1,
+    COMMAND_CHECK = 1 << 2,
+    COMMAND_SCENE = 1 << 3,
+    COMMAND_HELP = 1 << 4,
+    COMMAND_NONE = 1 << 5, /* `luxel --version` */
+    COMMAND_ANY = COMMAND_RENDER | COMMAND_PROBE | COMMAND_CHECK | COMMAND_SCENE | COMMAND_HELP
+};
+
+struct options;
+
+struct command {
+    const char *name;
+    unsigned bit;
+    const char *operand;                       /* as the usage line shows it */
+    const char *summary;                       /* one line */
+    const char *description;                   /* a paragraph */
+    const char *examples;                      /* command lines, one a line */
+    int (*run)(const struct options *options); /* returns an enum exit_code */
+};
+
+extern const struct command command_render, command_probe, command_check, command_scene, command_help;
+
+enum { COMMAND_COUNT = 5 };
+
+/* All of them, in the order of the help. */
+extern const struct command *const commands[COMMAND_COUNT];
+
+/* The command of that name, or NULL. */
+const struct command *find_command(const char *name);
+
+/* `luxel` alone: what it is, its commands and some examples, on standard output. */
+void help_print_usage(void);
+/* The full help of one command. */
+void help_print_command(const struct command *command);
+
+#endif

@@ -1,0 +1,91 @@
+/* SPDX-License-Identifier: MIT */
+/* luxel help: the commands, and what they do with which options.  Scene keys are help_key.c's. */
+#include "command_help.h"
+
+#include <string.h>
+
+#include <luxel/luxel.h>
+
+#include "cli.h"
+#include "message.h"
+#include "options.h"
+#include "text.h"
+
+enum { INDENT = 12 };
+
+static void print_examples(const char *examples) {
+    fputs(_("\nExamples:\n"), stdout);
+    while (*examples) {
+        const size_t length = strcspn(examples, "\n");
+
+        printf("  %.*s\n", (int)length, examples);
+        examples += length + (examples[length] != '\0');
+    }
+}
+
+void help_print_usage(void) {
+    fputs(_("luxel computes how light sources brighten a surface.\n"
+            "\n"
+            "Usage: luxel COMMAND [SCENE] [OPTION]...\n"
+            "\n"),
+          stdout);
+    for (size_t i = 0; i < COMMAND_COUNT; i++) {
+        char term[TEXT_SIZE];
+
+        text_definition(stdout, text_format(term, "  %s", commands[i]->name), INDENT, _(commands[i]->summary));
+    }
+    fputc('\n', stdout);
+    text_definition(stdout, "", 0,
+                    _("SCENE is a file, the name of a built-in scene, or - for standard input; without one it is "
+                      "\"report\". luxel help COMMAND and luxel help KEY, a key of a scene, tell more."));
+    print_examples("luxel render -o report.png\n"
+                   "luxel render my.yaml -s 'lights[0].position=[1500,800,2400]' -o sphere.png -o sphere.npy\n"
+                   "luxel probe my.yaml -p 0,0 -p -150,0 --json\n"
+                   "luxel scene report > my.yaml\n"
+                   "luxel help shininess");
+}
+
+void help_print_command(const struct command *command) {
+    printf(_("Usage: luxel %s [%s] [OPTION]...\n\n"), command->name, _(command->operand));
+    text_definition(stdout, "", 0, _(command->summary));
+    fputc('\n', stdout);
+    text_definition(stdout, "", 0, _(command->description));
+    fputs(_("\nOptions:\n"), stdout);
+    options_print_help(stdout, command->bit);
+    print_examples(command->examples);
+    fputc('\n', stdout);
+    text_definition(
+        stdout, "", 0,
+        _("Exit codes: 0 done, 2 wrong usage, 3 a scene with errors, 4 a file could not be read or written, "
+          "5 a tolerance was not reached, 130 interrupted."));
+}
+
+static int run(const struct options *options) {
+    const struct command *command = options->operand ? find_command(options->operand) : NULL;
+
+    if (!options->operand && !options->json) {
+        help_print_usage();
+        return EXIT_DONE;
+    }
+    if (!command)
+        return help_print_keys(options->operand, options->json);
+    if (options->json) {
+        message_error(_("the help of a command has no JSON form"));
+        return EXIT_USAGE;
+    }
+    help_print_command(command);
+    return EXIT_DONE;
+}
+
+const struct command command_help = {
+    .name = "help",
+    .bit = COMMAND_HELP,
+    .operand = N_("TOPIC"),
+    .summary = N_("explain a command or a key of a scene"),
+    .description = N_("TOPIC is a command, a key such as lights[].intensity or just intensity, or a type of surface or "
+                      "light such as spot. With --json keys are described as JSON; all of them without a TOPIC."),
+    .examples = "luxel help render\n"
+                "luxel help shininess\n"
+                "luxel help 'lights[0].intensity'",
+    .run = run,
+};

@@ -1,0 +1,224 @@
+/* SPDX-License-Identifier: MIT */
+/*
+ * luxel render: the picture of a scene, as files and as a table of its numbers.  The files are written before
+ * anything is printed, so that a reader of the table who goes away never costs a file.
+ */
+#include <libgen.h>
+#include <limits.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include <luxel/luxel.h>
+
+#include "cli.h"
+#include "load.h"
+#include "message.h"
+#include "options.h"
+#include "progress.h"
+#include "result.h"
+#include "text.h"
+
+/* The full path of an output that may not exist yet, to tell whether two outputs are one; NULL if unknown. */
+static char *full_path(const char *path) {
+    char *folder_copy, *name_copy, *folder, *joined = NULL;
+    char *existing = realpath(path, NULL);
+
+    if (existing)
+        return existing;
+    folder_copy = strdup(path);
+    name_copy = strdup(path);
+    folder = folder_copy ? realpath(dirname(folder_copy), NULL) : NULL;
+    if (folder && name_copy && asprintf(&joined, "%s/%s", folder, basename(name_copy)) < 0)
+        joined = NULL;
+    free(folder);
+    free(folder_copy);
+    free(name_copy);
+    return joined;
+}
+
+static bool same_target(const char *a, const char *b) {
+    char *full_a = full_path(a), *full_b = full_path(b);
+    const bool same = strcmp(a, b) == 0 || (full_a && full_b && strcmp(full_a, full_b) == 0);
+
+    free(full_a);
+    free(full_b);
+    return same;
+}
+
+/* What can be known to fail is refused before anything is computed. */
+static int check_outputs(const struct options *options) {
+    luxel_diagnostics *diagnostics = message_new_diagnostics();
+    int code = EXIT_DONE;
+
+    for (size_t i = 0; i < options->output_count; i++) {
+        const luxel_status status = luxel_check_output_name(options->outputs[i], diagnostics);
+
+        if (status != LUXEL_OK)
+            code = message_failure(status, diagnostics);
+        luxel_diagnostics_clear(diagnostics);
+        for (size_t k = 0; k < i; k++)
+            if (same_target(options->outputs[i], options->outputs[k])) {
+                message_error(_("-o %s and -o %s are the same file"), options->outputs[k], options->outputs[i]);
+                code = EXIT_USAGE;
+            }
+    }
+    luxel_diagnostics_free(diagnostics);
+    return code;
+}
+
+/* A file that fails does not stop the others. */
+static int write_outputs(const struct options *options, const luxel_field *field, luxel_diagnostics *diagnostics) {
+    int code = EXIT_DONE;
+
+    for (size_t i = 0; i < options->output_count; i++) {
+        const luxel_status status = luxel_field_write(field, options->outputs[i], diagnostics);
+
+        if (status != LUXEL_OK)
+            code = message_failure(status, diagnostics);
+        luxel_diagnostics_clear(diagnostics);
+    }
+    return code;
+}
+
+static void add_extremum(struct text_table *table, const char *name, const luxel_extremum *extremum) {
+    char value[TEXT_SIZE], pixel[TEXT_SIZE], screen[TEXT_SIZE];
+
+    if (!extremum->exists) {
+        text_table_row(table, TEXT_CELLS(name, _("none"), "", ""));
+        return;
+    }
+    text_table_row(table, TEXT_CELLS(name, text_format(value, "%.6g", extremum->value),
+                                     text_format(pixel, "(%u, %u)", extremum->column, extremum->row),
+                                     text_lengths((const double[]){extremum->x_mm, extremum->y_mm}, 2, screen)));
+}
+
+static void print_statistics(const struct result *result) {
+    const luxel_statistics *statistics = luxel_field_statistics(result->field);
+    struct text_table *table = text_table_new("lrrr");
+    char heading[TEXT_SIZE], mean[TEXT_SIZE], lit[TEXT_SIZE];
+
+    text_table_row(table, TEXT_CELLS("", text_format(heading, _("value (%s)"), result_unit(result)), _("pixel (u, v)"),
+                                     _("screen x, y (mm)")));
+    add_extremum(table, _("maximum"), &statistics->maximum);
+    add_extremum(table, _("minimum above 0"), &statistics->minimum);
+    if (statistics->has_surface) {
+        text_table_row(table, TEXT_CELLS(_("mean"), text_format(mean, "%.6g", statistics->mean), "", ""));
+        text_table_row(table, TEXT_CELLS(_("lit"), text_format(lit, "%.2f %%", 100.0 * statistics->lit), "", ""));
+    } else {
+        text_table_line(table, _("no pixel shows a surface"));
+    }
+    text_table_print(table, stdout, 2);
+}
+
+/* A point with a value is a row; one without is a line that says why. */
+static void add_point(struct text_table *table, const struct result *result, size_t i) {
+    const luxel_probe *probe = result->probes[i];
+    char name[TEXT_SIZE], value[TEXT_SIZE], error[TEXT_SIZE], pixel_value[TEXT_SIZE], pixel[TEXT_SIZE];
+
+    result_point_name(result, i, name);
+    if (!probe->has_value) {
+        text_table_line(table, result_no_value(result, i, value));
+        return;
+    }
+    if (probe->has_pixel)
+        text_format(pixel, "(%u, %u)", probe->column, probe->row);
+    else
+        text_format(pixel, "%s", _("off the screen"));
+    text_table_row(
+        table, TEXT_CELLS(name, text_format(value, "%.12g", probe->value), text_format(error, "%.1e", probe->error),
+                          probe->has_pixel_value ? text_format(pixel_value, "%.6g", probe->pixel_value) : "", pixel));
+}
+
+static void print_points(const struct result *result) {
+    struct text_table *table = text_table_new("lrrrr");
+
+    text_table_row(table, TEXT_CELLS(_("point x, y (mm)"), _("exact value"), _("error at most"), _("pixel value"),
+                                     _("pixel (u, v)")));
+    for (size_t i = 0; i < result->count; i++)
+        add_point(table, result, i);
+    text_table_print(table, stdout, 2);
+}
+
+static void print_text(const struct result *result, const char *name) {
+    text_print_escaped(stdout, name);
+    printf(_(": %s in %s, %u × %u pixels\n\n"), result_quantity_word(result), result_unit(result),
+           luxel_field_columns(result->field), luxel_field_rows(result->field));
+    print_statistics(result);
+    if (result->count > 0) {
+        fputc('\n', stdout);
+        print_points(result);
+    }
+    fputc('\n', stdout);
+    result_print_conventions(result);
+}
+
+/* The picture, and what Ctrl-C does to it. */
+static int compute(const struct options *options, const struct loaded *loaded, luxel_field **field) {
+    luxel_settings settings = options->settings;
+    struct progress progress;
+    luxel_status status;
+
+    settings.progress = progress_report;
+    settings.progress_data = &progress;
+    progress_begin(&progress, options->quiet);
+    status = luxel_render(loaded->scene, &settings, loaded->diagnostics, field);
+    if (progress_end(&progress) && status == LUXEL_OK) {
+        luxel_field_free(*field);
+        status = LUXEL_CANCELLED;
+    }
+    return status == LUXEL_OK ? EXIT_DONE : message_failure(status, loaded->diagnostics);
+}
+
+/* The points' values in the picture are the picture's. */
+static void take_pixel_values(struct result *result, const luxel_field *field) {
+    result->field = field;
+    for (size_t i = 0; i < result->count; i++) {
+        luxel_probe *probe = result->probes[i];
+
+        if (probe->has_pixel_value)
+            probe->pixel_value = luxel_field_value(field, probe->column, probe->row);
+    }
+}
+
+static int render(const struct options *options, const struct loaded *loaded) {
+    luxel_field *field;
+    struct result result;
+    int code = compute(options, loaded, &field), write_code;
+
+    if (code != EXIT_DONE)
+        return code;
+    code = result_probe(options, loaded->scene, loaded->diagnostics, &result);
+    if (code == EXIT_DONE || code == EXIT_TOLERANCE) {
+        take_pixel_values(&result, field);
+        write_code = write_outputs(options, field, loaded->diagnostics);
+        if (write_code != EXIT_DONE)
+            code = write_code;
+        if (options->json)
+            result_print_json(&result);
+        else
+            print_text(&result, loaded->name);
+    }
+    result_clear(&result);
+    luxel_field_free(field);
+    return code;
+}
+
+static int run(const struct options *options) {
+    const int code = check_outputs(options);
+
+    return code == EXIT_DONE ? load_and(options, render) : code;
+}
+
+const struct command command_render = {
+    .name = "render",
+    .bit = COMMAND_RENDER,
+    .operand = N_("SCENE"),
+    .summary = N_("compute the picture, print its numbers, write it to files"),
+    .description =
+        N_("Prints the maximum, the minimum above 0 and the mean of the picture, and the exact value at each "
+           "point of the scene. Each FILE appears whole or not at all."),
+    .examples = "luxel render\n"
+                "luxel render my.yaml -o sphere.png -o sphere.npy\n"
+                "luxel render -s 'lights[0].position=[1500,800,2400]' -s 'surfaces[0].material.shininess=60'",
+    .run = run,
+};

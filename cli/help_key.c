@@ -1,0 +1,236 @@
+/* SPDX-License-Identifier: MIT */
+/*
+ * What a scene key means.  A topic is compared with the paths of the parameter table component by component,
+ * so that "lights[0].intensity", "lights.0.intensity", "lights[].intensity" and "intensity" all find the key,
+ * "material" finds its group, and "spot" the keys of a type.
+ */
+#include <ctype.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include <luxel/luxel.h>
+
+#include "cli.h"
+#include "command_help.h"
+#include "json.h"
+#include "message.h"
+#include "text.h"
+
+/* How a parameter answers to a topic; a better match is greater. */
+enum match { MATCH_NONE, MATCH_BELOW, MATCH_EXACT };
+
+/* The path with every index as "[]": "lights.0.position" and "lights[0].position" are "lights[].position". */
+static char *normal_path(const char *topic) {
+    char *path = message_allocate(2 * strlen(topic) + 1, 1);
+    char *out = path;
+
+    while (*topic) {
+        const size_t skip = *topic == '[' || *topic == '.';
+        const size_t digits = skip ? strspn(topic + 1, "0123456789") : 0;
+        const char end = skip ? topic[1 + digits] : '\0';
+
+        if ((*topic == '[' && end == ']') || (*topic == '.' && digits > 0 && (end == '.' || end == '\0'))) {
+            out = stpcpy(out, "[]");
+            topic += 1 + digits + (end == ']');
+        } else {
+            *out++ = *topic++;
+        }
+    }
+    return path;
+}
+
+static bool is_boundary(char character) {
+    return character == '\0' || character == '.' || character == '[';
+}
+
+/* A topic names the parameter if it is the end of its path, and a group above it if it stands inside. */
+static enum match match_path(const char *topic, const char *path) {
+    const size_t length = strlen(topic);
+    enum match best = MATCH_NONE;
+
+    for (const char *at = strstr(path, topic); at && length > 0; at = strstr(at + 1, topic)) {
+        if (at != path && at[-1] != '.')
+            continue;
+        if (at[length] == '\0')
+            return MATCH_EXACT;
+        if (is_boundary(at[length]) || topic[length - 1] == ']')
+            best = MATCH_BELOW;
+    }
+    return best;
+}
+
+static enum match match_parameter(const char *topic, const luxel_parameter *parameter) {
+    enum match match;
+
+    if (!topic)
+        return MATCH_EXACT;
+    match = match_path(topic, parameter->path);
+    if (match == MATCH_NONE && parameter->variant && strcmp(topic, parameter->variant) == 0)
+        match = MATCH_BELOW;
+    return match;
+}
+
+static bool same_text(const char *a, const char *b) {
+    return (!a && !b) || (a && b && strcmp(a, b) == 0);
+}
+
+/* Whether two rows of the table say the same but for the type that they belong to. */
+static bool same_parameter(const luxel_parameter *a, const luxel_parameter *b) {
+    return same_text(a->path, b->path) && same_text(a->type, b->type) && same_text(a->choices, b->choices) &&
+           same_text(a->unit, b->unit) && same_text(a->default_value, b->default_value) && a->required == b->required &&
+           same_text(a->legal, b->legal) && same_text(a->advised, b->advised) && same_text(a->meaning, b->meaning);
+}
+
+static bool is_first_of_its_kind(size_t i) {
+    for (size_t k = 0; k < i; k++)
+        if (same_parameter(luxel_parameter_get(k), luxel_parameter_get(i)))
+            return false;
+    return true;
+}
+
+/* "point, spot": the types that have parameter i as it stands; "" for all. */
+static const char *list_variants(size_t i, char buffer[TEXT_SIZE]) {
+    const luxel_parameter *parameter = luxel_parameter_get(i);
+    size_t used = 0;
+
+    buffer[0] = '\0';
+    for (size_t k = i; parameter->variant && k < luxel_parameter_count(); k++) {
+        const luxel_parameter *other = luxel_parameter_get(k);
+
+        if (!same_parameter(parameter, other) || !other->variant || used >= TEXT_SIZE)
+            continue;
+        used += (size_t)snprintf(buffer + used, TEXT_SIZE - used, "%s%s", used > 0 ? ", " : "", other->variant);
+    }
+    return buffer;
+}
+
+static void add_line(struct text_table *table, const char *name, const char *value) {
+    if (value && *value)
+        text_table_row(table, TEXT_CELLS(name, value));
+}
+
+static void print_parameter(size_t i) {
+    const luxel_parameter *parameter = luxel_parameter_get(i);
+    struct text_table *table = text_table_new("ll");
+    char variants[TEXT_SIZE];
+
+    printf("%s\n", parameter->path);
+    text_definition(stdout, "", 2, _(parameter->meaning));
+    add_line(table, _("of type"), list_variants(i, variants));
+    add_line(table, _("type"), parameter->type);
+    add_line(table, _("choices"), parameter->choices);
+    add_line(table, _("unit"), parameter->unit);
+    add_line(table, _("default"), parameter->required ? _("none, it is required") : parameter->default_value);
+    add_line(table, _("legal"), parameter->legal);
+    add_line(table, _("advised"), parameter->advised);
+    text_table_print(table, stdout, 2);
+}
+
+static void print_text(const char *topic, enum match wanted) {
+    const char *separator = "";
+
+    for (size_t i = 0; i < luxel_parameter_count(); i++) {
+        if (match_parameter(topic, luxel_parameter_get(i)) != wanted || !is_first_of_its_kind(i))
+            continue;
+        fputs(separator, stdout);
+        print_parameter(i);
+        separator = "\n";
+    }
+}
+
+/* What lies below the keys that were explained, a line each. */
+static void print_below(const char *topic) {
+    struct text_table *table = text_table_new("lll");
+    size_t count = 0;
+
+    for (size_t i = 0; i < luxel_parameter_count(); i++) {
+        const luxel_parameter *parameter = luxel_parameter_get(i);
+
+        if (match_parameter(topic, parameter) != MATCH_BELOW)
+            continue;
+        if (count++ == 0)
+            text_table_line(table, _("keys below:"));
+        text_table_row(
+            table, TEXT_CELLS(parameter->path, parameter->variant ? parameter->variant : "", _(parameter->meaning)));
+    }
+    if (count > 0)
+        fputc('\n', stdout);
+    text_table_print(table, stdout, 2);
+}
+
+static void print_json(const char *topic) {
+    struct json json = {.stream = stdout};
+
+    json_open(&json, NULL, '{');
+    json_open(&json, "keys", '[');
+    for (size_t i = 0; i < luxel_parameter_count(); i++) {
+        const luxel_parameter *parameter = luxel_parameter_get(i);
+
+        if (match_parameter(topic, parameter) == MATCH_NONE)
+            continue;
+        json_open(&json, NULL, '{');
+        json_text(&json, "path", parameter->path);
+        json_text(&json, "of_type", parameter->variant);
+        json_text(&json, "type", parameter->type);
+        json_text(&json, "choices", parameter->choices);
+        json_text(&json, "unit", parameter->unit);
+        json_text(&json, "default", parameter->default_value);
+        json_bool(&json, "required", parameter->required);
+        json_text(&json, "legal", parameter->legal);
+        json_text(&json, "advised", parameter->advised);
+        json_text(&json, "meaning", parameter->meaning);
+        json_close(&json, '}');
+    }
+    json_close(&json, ']');
+    json_close(&json, '}');
+}
+
+static const char *last_component(const char *path) {
+    const char *dot = strrchr(path, '.');
+
+    return dot ? dot + 1 : path;
+}
+
+static int report_unknown_topic(const char *topic) {
+    const size_t parameters = luxel_parameter_count();
+    const char **words = message_allocate(COMMAND_COUNT + 3 * parameters, sizeof *words);
+    size_t count = 0;
+
+    for (size_t i = 0; i < COMMAND_COUNT; i++)
+        words[count++] = commands[i]->name;
+    for (size_t i = 0; i < parameters; i++) {
+        const luxel_parameter *parameter = luxel_parameter_get(i);
+
+        words[count++] = last_component(parameter->path);
+        words[count++] = parameter->path;
+        words[count++] = parameter->variant;
+    }
+    message_error(_("there is no help about \"%s\""), topic);
+    message_did_you_mean(luxel_nearest_word(topic, words, count));
+    free(words);
+    return EXIT_USAGE;
+}
+
+int help_print_keys(const char *topic, bool as_json) {
+    char *path = topic ? normal_path(topic) : NULL;
+    enum match best = MATCH_NONE;
+    int code = EXIT_DONE;
+
+    for (size_t i = 0; i < luxel_parameter_count(); i++) {
+        const enum match match = match_parameter(path, luxel_parameter_get(i));
+
+        best = match > best ? match : best;
+    }
+    if (best == MATCH_NONE) {
+        code = report_unknown_topic(topic);
+    } else if (as_json) {
+        print_json(path);
+    } else {
+        print_text(path, best);
+        if (best == MATCH_EXACT)
+            print_below(path);
+    }
+    free(path);
+    return code;
+}

@@ -1,0 +1,169 @@
+/* SPDX-License-Identifier: MIT */
+/* Reads scenes from where the command line says, and reports all that is wrong with them in one go. */
+#include "load.h"
+
+#include <errno.h>
+#include <stdlib.h>
+#include <string.h>
+#include <unistd.h>
+
+#include "cli.h"
+#include "message.h"
+
+static const char default_scene[] = "report";
+
+size_t load_find_builtin(const char *name) {
+    size_t i = 0;
+
+    while (i < luxel_builtin_scene_count() && strcmp(luxel_builtin_scene_name(i), name ? name : default_scene) != 0)
+        i++;
+    return i;
+}
+
+static void suggest_builtin(const char *typed) {
+    const size_t count = luxel_builtin_scene_count();
+    const char **names = message_allocate(count, sizeof *names);
+
+    for (size_t i = 0; i < count; i++)
+        names[i] = luxel_builtin_scene_name(i);
+    message_did_you_mean(luxel_nearest_word(typed, names, count));
+    free(names);
+}
+
+/* Reads a little more than the library accepts at most, so that it is the library that refuses. */
+static int read_standard_input(char **text, size_t *length) {
+    const size_t most = ((size_t)64 << 20) + 1;
+    size_t capacity = (size_t)1 << 16;
+
+    *text = message_allocate(capacity, 1);
+    *length = 0;
+    for (;;) {
+        const ssize_t got = read(STDIN_FILENO, *text + *length, capacity - *length);
+
+        if (got < 0) {
+            message_error(_("standard input could not be read: %s"), strerror(errno));
+            return EXIT_FILE;
+        }
+        *length += (size_t)got;
+        if (got == 0 || *length >= most)
+            return EXIT_DONE;
+        if (*length == capacity) {
+            char *bigger = message_allocate(2 * capacity, 1);
+
+            memcpy(bigger, *text, *length);
+            free(*text);
+            *text = bigger;
+            capacity *= 2;
+        }
+    }
+}
+
+static int open_standard_input(struct loaded *loaded) {
+    char *text;
+    size_t length;
+    int code;
+
+    loaded->name = "<stdin>";
+    code = read_standard_input(&text, &length);
+    if (code == EXIT_DONE) {
+        const luxel_status status =
+            luxel_scene_read_text(text, length, loaded->name, loaded->diagnostics, &loaded->scene);
+
+        code = status == LUXEL_OK ? EXIT_DONE : message_failure(status, loaded->diagnostics);
+    }
+    free(text);
+    return code;
+}
+
+static int open_builtin(const char *name, struct loaded *loaded) {
+    luxel_status status;
+
+    if (load_find_builtin(name) == luxel_builtin_scene_count()) {
+        message_error(_("there is no built-in scene \"%s\""), name);
+        suggest_builtin(name);
+        return EXIT_USAGE;
+    }
+    status = luxel_scene_open_builtin(name, loaded->diagnostics, &loaded->scene);
+    return status == LUXEL_OK ? EXIT_DONE : message_failure(status, loaded->diagnostics);
+}
+
+static int open_file(const char *path, struct loaded *loaded) {
+    luxel_status status;
+
+    if (access(path, F_OK) != 0 && errno == ENOENT) {
+        message_error(_("%s: no such file, and no built-in scene of that name"), path);
+        suggest_builtin(path);
+        return EXIT_FILE;
+    }
+    status = luxel_scene_read_file(path, loaded->diagnostics, &loaded->scene);
+    return status == LUXEL_OK ? EXIT_DONE : message_failure(status, loaded->diagnostics);
+}
+
+/* A file goes before a built-in scene of the same name, so that a new built-in never takes a file away. */
+static int open_scene(const char *operand, bool only_builtin, struct loaded *loaded) {
+    const bool is_builtin = load_find_builtin(operand) < luxel_builtin_scene_count();
+
+    loaded->name = operand ? operand : default_scene;
+    if (!operand || only_builtin)
+        return open_builtin(loaded->name, loaded);
+    if (strcmp(operand, "-") == 0)
+        return open_standard_input(loaded);
+    if (is_builtin && access(operand, F_OK) != 0)
+        return open_builtin(operand, loaded);
+    return open_file(operand, loaded);
+}
+
+/* Goes on after an error, to report all of them; a path that names nothing weighs most. */
+static luxel_status change_and_commit(const struct options *options, const struct loaded *loaded) {
+    luxel_status worst = LUXEL_OK;
+
+    for (size_t i = 0; i <= options->assignment_count; i++) {
+        const luxel_status status = i < options->assignment_count
+                                        ? luxel_scene_set(loaded->scene, options->assignments[i], loaded->diagnostics)
+                                        : luxel_scene_commit(loaded->scene, loaded->diagnostics);
+
+        if (worst == LUXEL_OK || status == LUXEL_ERROR_PATH)
+            worst = status;
+    }
+    return worst;
+}
+
+static int refuse_advice(const struct loaded *loaded) {
+    const luxel_status status = luxel_scene_advise(loaded->scene, loaded->diagnostics);
+
+    if (status != LUXEL_OK)
+        return message_failure(status, loaded->diagnostics);
+    if (luxel_diagnostics_total(loaded->diagnostics, LUXEL_SEVERITY_ADVICE) == 0)
+        return EXIT_DONE;
+    message_diagnostics(stderr, loaded->diagnostics, LUXEL_SEVERITY_ADVICE, LUXEL_SEVERITY_ERROR);
+    return EXIT_SCENE;
+}
+
+int load_scene(const struct options *options, bool only_builtin, struct loaded *loaded) {
+    luxel_status status;
+    int code;
+
+    *loaded = (struct loaded){.diagnostics = message_new_diagnostics()};
+    code = open_scene(options->operand, only_builtin, loaded);
+    if (code != EXIT_DONE)
+        return code;
+    status = change_and_commit(options, loaded);
+    if (status != LUXEL_OK)
+        return message_failure(status, loaded->diagnostics);
+    return options->strict ? refuse_advice(loaded) : EXIT_DONE;
+}
+
+void load_clear(struct loaded *loaded) {
+    luxel_scene_free(loaded->scene);
+    luxel_diagnostics_free(loaded->diagnostics);
+}
+
+int load_and(const struct options *options, int (*action)(const struct options *, const struct loaded *)) {
+    struct loaded loaded;
+    int code = load_scene(options, false, &loaded);
+
+    if (code == EXIT_DONE)
+        code = action(options, &loaded);
+    load_clear(&loaded);
+    return code;
+}

@@ -1,0 +1,32 @@
+/* SPDX-License-Identifier: MIT */
+/* From the command line to a scene that is ready: the SCENE argument, its changes by -s, its checks. */
+#ifndef LUXEL_CLI_LOAD_H
+#define LUXEL_CLI_LOAD_H
+
+#include <stdbool.h>
+
+#include <luxel/luxel.h>
+
+#include "options.h"
+
+struct loaded {
+    luxel_scene *scene;             /* NULL if it could not even be read */
+    const char *name;               /* as results show it */
+    luxel_diagnostics *diagnostics; /* everything that was found; with --strict the advice too */
+};
+
+/*
+ * Reads the scene, applies -s, commits, and with --strict turns advice into errors.  Errors are printed here.
+ * Returns an enum exit_code; load_clear() is due in either case.  SCENE is `-`, a file, or where no such file
+ * exists a built-in name; only the last where `only_builtin` is true.
+ */
+int load_scene(const struct options *options, bool only_builtin, struct loaded *loaded);
+void load_clear(struct loaded *loaded);
+
+/* Loads a scene and, if it is ready, does `action` with it.  Returns an enum exit_code. */
+int load_and(const struct options *options, int (*action)(const struct options *, const struct loaded *));
+
+/* The index of a built-in scene (NULL: the default one), or the number of them. */
+size_t load_find_builtin(const char *name);
+
+#endif

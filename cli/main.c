@@ -1,0 +1,89 @@
+/* SPDX-License-Identifier: MIT */
+/* The tool's way in and out: standard streams, dispatch to a command, exit code. */
+#include <errno.h>
+#include <fcntl.h>
+#include <signal.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <unistd.h>
+
+#include <luxel/luxel.h>
+
+#include "cli.h"
+#include "message.h"
+#include "options.h"
+#include "progress.h"
+
+const struct command *const commands[COMMAND_COUNT] = {&command_render, &command_probe, &command_check, &command_scene,
+                                                       &command_help};
+
+const struct command *find_command(const char *name) {
+    for (size_t i = 0; i < COMMAND_COUNT; i++)
+        if (strcmp(commands[i]->name, name) == 0)
+            return commands[i];
+    return NULL;
+}
+
+/*
+ * A standard stream that the caller closed must not become the first file that is opened.  Each is replaced by
+ * one that fails in its own use: input that cannot be read, output that cannot be written.
+ */
+static void keep_standard_streams(void) {
+    static const int modes[] = {O_WRONLY, O_RDONLY, O_RDONLY};
+
+    for (int i = 0; i < (int)COUNT_OF(modes); i++)
+        if (fcntl(i, F_GETFD) < 0 && errno == EBADF && open("/dev/null", modes[i]) < 0)
+            _exit(EXIT_FILE);
+}
+
+/* Results that did not arrive are an error, whatever else went well. */
+static int finish_output(int code) {
+    if (fflush(stdout) == 0 && !ferror(stdout) && fclose(stdout) == 0)
+        return code;
+    message_error(_("standard output could not be written: %s"), strerror(errno));
+    return EXIT_FILE;
+}
+
+/* The set that a computation without further wishes would take. */
+static void print_version(void) {
+    const char *forced = getenv("LUXEL_ISA");
+    const char *name;
+
+    printf("luxel %s\n", luxel_version());
+    for (size_t i = 0; (name = luxel_instruction_set_name(i)) != NULL; i++)
+        if (luxel_instruction_set_runs(i) && (!forced || !*forced || strcmp(name, forced) == 0)) {
+            printf(_("instruction set: %s\n"), name);
+            return;
+        }
+    printf(_("instruction set: none, this machine has no \"%s\"\n"), forced ? forced : "");
+}
+
+static int run(const struct options *options) {
+    if (options->version) {
+        print_version();
+        return EXIT_DONE;
+    }
+    if (options->help && options->command) {
+        help_print_command(options->command);
+        return EXIT_DONE;
+    }
+    if (options->command)
+        return options->command->run(options);
+    help_print_usage();
+    return EXIT_DONE;
+}
+
+int main(int argc, char **argv) {
+    struct options options;
+    int code;
+
+    keep_standard_streams();
+    signal(SIGPIPE, SIG_IGN); /* a reader who goes away is an error of output like any other */
+    progress_catch_interrupt();
+    code = options_read(argc, argv, &options);
+    if (code == EXIT_DONE)
+        code = run(&options);
+    options_clear(&options);
+    return finish_output(code);
+}

@@ -1,0 +1,170 @@
+/* SPDX-License-Identifier: MIT */
+/*
+ * Messages on standard error.  A diagnostic of the library is shown the way compilers do: its place, the
+ * offending line, a mark under the offending text, and a hint.  Colour is used on a terminal only.
+ */
+#include "message.h"
+
+#include <stdarg.h>
+#include <stdlib.h>
+#include <string.h>
+#include <unistd.h>
+
+#include "cli.h"
+#include "text.h"
+
+static bool wants_colour(FILE *stream) {
+    const char *no_colour = getenv("NO_COLOR");
+    const char *terminal = getenv("TERM");
+
+    return !(no_colour && *no_colour) && terminal && strcmp(terminal, "dumb") != 0 && isatty(fileno(stream));
+}
+
+/* The word that starts a message, in bold red or blue where colour is welcome. */
+static void print_severity(FILE *stream, luxel_severity severity) {
+    const char *word = severity == LUXEL_SEVERITY_ERROR ? _("error:") : _("advice:");
+
+    if (wants_colour(stream))
+        fprintf(stream, "\033[1;%dm%s\033[0m ", severity == LUXEL_SEVERITY_ERROR ? 31 : 34, word);
+    else
+        fprintf(stream, "%s ", word);
+}
+
+/* Arguments of the user may hold anything, so the finished text is escaped as a whole. */
+static void print_formatted(const char *format, va_list arguments) {
+    char *text = NULL;
+
+    if (vasprintf(&text, format, arguments) < 0)
+        return;
+    text_print_escaped(stderr, text);
+    fputc('\n', stderr);
+    free(text);
+}
+
+void message_error(const char *format, ...) {
+    va_list arguments;
+
+    fputs("luxel: ", stderr);
+    print_severity(stderr, LUXEL_SEVERITY_ERROR);
+    va_start(arguments, format);
+    print_formatted(format, arguments);
+    va_end(arguments);
+}
+
+void message_hint(const char *format, ...) {
+    va_list arguments;
+
+    fputs(_("  hint: "), stderr);
+    va_start(arguments, format);
+    print_formatted(format, arguments);
+    va_end(arguments);
+}
+
+void message_did_you_mean(const char *nearest) {
+    if (nearest)
+        message_hint(_("did you mean %s?"), nearest);
+}
+
+void message_note(const char *format, ...) {
+    va_list arguments;
+
+    fputs("luxel: ", stderr);
+    va_start(arguments, format);
+    print_formatted(format, arguments);
+    va_end(arguments);
+}
+
+static int exit_code_of(luxel_status status) {
+    switch (status) {
+    case LUXEL_OK: return EXIT_DONE;
+    case LUXEL_ERROR_ARGUMENT:
+    case LUXEL_ERROR_PATH: return EXIT_USAGE;
+    case LUXEL_ERROR_FILE: return EXIT_FILE;
+    case LUXEL_CANCELLED: return EXIT_INTERRUPTED;
+    case LUXEL_ERROR_SCENE:
+    case LUXEL_ERROR_MEMORY:
+    case LUXEL_ERROR_RANGE: break;
+    }
+    return EXIT_SCENE;
+}
+
+static void print_repeated(FILE *stream, char character, unsigned count) {
+    for (unsigned i = 0; i < count; i++)
+        fputc(character, stream);
+}
+
+/* The offending line, already escaped by the library, and the mark under it. */
+static void print_excerpt(FILE *stream, const luxel_diagnostic *entry) {
+    fprintf(stream, "    %s\n    ", entry->excerpt);
+    print_repeated(stream, ' ', entry->mark_offset);
+    fputc('^', stream);
+    print_repeated(stream, '~', entry->mark_length > 1 ? entry->mark_length - 1 : 0);
+    fputc('\n', stream);
+}
+
+static void print_entry(FILE *stream, const luxel_diagnostics *diagnostics, size_t i, luxel_severity shown_as) {
+    const luxel_diagnostic *entry = luxel_diagnostics_get(diagnostics, i);
+    char *message = luxel_diagnostics_message(diagnostics, i, NULL, NULL);
+    char *hint = luxel_diagnostics_hint(diagnostics, i, NULL, NULL);
+
+    text_print_escaped(stream, entry->source ? entry->source : "luxel");
+    if (entry->line > 0)
+        fprintf(stream, ":%u:%u", entry->line, entry->column);
+    fputs(": ", stream);
+    print_severity(stream, shown_as);
+    fprintf(stream, "%s\n", message ? message : entry->id);
+    if (entry->excerpt)
+        print_excerpt(stream, entry);
+    if (hint && *hint)
+        fprintf(stream, _("  hint: %s\n"), hint);
+    luxel_text_free(message);
+    luxel_text_free(hint);
+}
+
+void message_diagnostics(FILE *stream, const luxel_diagnostics *diagnostics, luxel_severity severity,
+                         luxel_severity shown_as) {
+    const size_t count = luxel_diagnostics_count(diagnostics);
+    size_t left = luxel_diagnostics_total(diagnostics, severity);
+
+    for (size_t i = 0; i < count; i++) {
+        if (luxel_diagnostics_get(diagnostics, i)->severity != severity)
+            continue;
+        print_entry(stream, diagnostics, i, shown_as);
+        left--;
+    }
+    if (left > 0 && shown_as == LUXEL_SEVERITY_ERROR)
+        fprintf(stream, left == 1 ? _("and %zu more error\n") : _("and %zu more errors\n"), left);
+    else if (left > 0)
+        fprintf(stream, _("and %zu more lines of advice\n"), left);
+}
+
+int message_failure(luxel_status status, luxel_diagnostics *diagnostics) {
+    if (luxel_diagnostics_total(diagnostics, LUXEL_SEVERITY_ERROR) > 0)
+        message_diagnostics(stderr, diagnostics, LUXEL_SEVERITY_ERROR, LUXEL_SEVERITY_ERROR);
+    else if (status == LUXEL_ERROR_MEMORY)
+        message_error(_("memory ran out"));
+    else if (status != LUXEL_CANCELLED)
+        message_error(_("the library failed with status %d"), (int)status);
+    return exit_code_of(status);
+}
+
+static _Noreturn void die_of_memory(void) {
+    message_error(_("memory ran out"));
+    exit(EXIT_SCENE);
+}
+
+luxel_diagnostics *message_new_diagnostics(void) {
+    luxel_diagnostics *diagnostics = luxel_diagnostics_new();
+
+    if (!diagnostics)
+        die_of_memory();
+    return diagnostics;
+}
+
+void *message_allocate(size_t count, size_t size) {
+    void *memory = calloc(count > 0 ? count : 1, size);
+
+    if (!memory)
+        die_of_memory();
+    return memory;
+}

@@ -1,0 +1,195 @@
+/* SPDX-License-Identifier: MIT */
+/* Results in their common forms.  JSON is an interface: its words are never translated. */
+#include "result.h"
+
+#include <stdlib.h>
+
+#include "cli.h"
+#include "json.h"
+#include "message.h"
+
+/* The i-th place that is asked for. */
+static luxel_status probe_place(const struct result *result, size_t i, luxel_diagnostics *diagnostics,
+                                luxel_probe **probe) {
+    const struct options *options = result->options;
+    const double *numbers = options->place_count > 0 ? options->places[i].numbers : NULL;
+    double point[2];
+
+    if (!numbers) {
+        const luxel_status status = luxel_scene_point(result->scene, i, &point[0], &point[1]);
+
+        if (status != LUXEL_OK)
+            return status;
+        numbers = point;
+    } else if (options->places[i].is_element) {
+        return luxel_probe_element(result->scene, &options->settings, numbers, numbers + 3, diagnostics, probe);
+    }
+    return luxel_probe_screen(result->scene, &options->settings, numbers[0], numbers[1], diagnostics, probe);
+}
+
+int result_probe(const struct options *options, const luxel_scene *scene, luxel_diagnostics *diagnostics,
+                 struct result *result) {
+    const size_t count = options->place_count > 0 ? options->place_count : luxel_scene_point_count(scene);
+    int code = EXIT_DONE;
+
+    *result = (struct result){.scene = scene, .options = options};
+    result->probes = message_allocate(count, sizeof *result->probes);
+    for (; result->count < count; result->count++) {
+        luxel_probe **probe = &result->probes[result->count];
+        const luxel_status status = probe_place(result, result->count, diagnostics, probe);
+
+        if (status != LUXEL_OK)
+            return message_failure(status, diagnostics);
+        if (options->settings.tolerance > 0.0 && (*probe)->has_value && !(*probe)->tolerance_reached)
+            code = EXIT_TOLERANCE;
+    }
+    return code;
+}
+
+void result_clear(struct result *result) {
+    for (size_t i = 0; i < result->count; i++)
+        luxel_probe_free(result->probes[i]);
+    free(result->probes);
+}
+
+const char *result_quantity_word(const struct result *result) {
+    return result->options->settings.quantity == LUXEL_IRRADIANCE ? "irradiance" : "brightness";
+}
+
+const char *result_unit(const struct result *result) {
+    return luxel_scene_unit(result->scene, result->options->settings.quantity);
+}
+
+/* Why a point of a surface has no value. */
+static const char *reason_of(const luxel_probe *probe, char buffer[TEXT_SIZE]) {
+    return text_format(buffer, _("the source lights[%zu] lies on the element"), probe->blocking_light);
+}
+
+const char *result_point_name(const struct result *result, size_t i, char buffer[TEXT_SIZE]) {
+    const luxel_probe *probe = result->probes[i];
+    char place[TEXT_SIZE];
+
+    if (probe->has_screen)
+        text_lengths((const double[]){probe->x_mm, probe->y_mm}, 2, place);
+    else
+        text_lengths(probe->position_mm, 3, place);
+    return text_format(buffer, "P%zu %s", i + 1, place);
+}
+
+const char *result_no_value(const struct result *result, size_t i, char buffer[TEXT_SIZE]) {
+    const luxel_probe *probe = result->probes[i];
+    const bool off_screen = probe->has_screen && !probe->has_pixel;
+    char name[TEXT_SIZE], reason[TEXT_SIZE];
+
+    result_point_name(result, i, name);
+    return text_format(buffer, "%s: %s%s", name, probe->on_surface ? reason_of(probe, reason) : _("off the surface"),
+                       off_screen ? _(", off the screen") : "");
+}
+
+static void write_extremum(struct json *json, const char *key, const luxel_extremum *extremum) {
+    if (!extremum || !extremum->exists) {
+        json_null(json, key);
+        return;
+    }
+    json_open(json, key, '{');
+    json_number(json, "value", extremum->value);
+    json_wholes(json, "pixel", (const unsigned[]){extremum->column, extremum->row}, 2);
+    json_numbers(json, "screen", (const double[]){extremum->x_mm, extremum->y_mm}, 2);
+    json_close(json, '}');
+}
+
+static void write_statistics(struct json *json, const luxel_field *field) {
+    const luxel_statistics *statistics = field ? luxel_field_statistics(field) : NULL;
+
+    write_extremum(json, "max", statistics ? &statistics->maximum : NULL);
+    write_extremum(json, "min", statistics ? &statistics->minimum : NULL);
+    if (statistics && statistics->has_surface) {
+        json_number(json, "mean", statistics->mean);
+        json_number(json, "lit", statistics->lit);
+    } else {
+        json_null(json, "mean");
+        json_null(json, "lit");
+    }
+}
+
+static void write_share(struct json *json, const luxel_light_share *share) {
+    json_open(json, NULL, '{');
+    json_text(json, "type", share->type);
+    json_number(json, "irradiance", share->irradiance);
+    json_number(json, "diffuse", share->diffuse);
+    json_number(json, "specular", share->specular);
+    json_number(json, "error", share->error);
+    json_whole(json, "index", share->light);
+    if (share->name)
+        json_text(json, "name", share->name);
+    json_close(json, '}');
+}
+
+static void write_number_if(struct json *json, const char *key, bool exists, double value) {
+    if (exists)
+        json_number(json, key, value);
+    else
+        json_null(json, key);
+}
+
+static void write_numbers_if(struct json *json, const char *key, bool exist, const double *values, size_t count) {
+    if (exist)
+        json_numbers(json, key, values, count);
+    else
+        json_null(json, key);
+}
+
+static void write_probe(struct json *json, const luxel_probe *probe) {
+    char reason[TEXT_SIZE];
+
+    json_open(json, NULL, '{');
+    write_numbers_if(json, "screen", probe->has_screen, (const double[]){probe->x_mm, probe->y_mm}, 2);
+    if (probe->has_pixel)
+        json_wholes(json, "pixel", (const unsigned[]){probe->column, probe->row}, 2);
+    else
+        json_null(json, "pixel");
+    json_bool(json, "on_surface", probe->on_surface);
+    write_number_if(json, "value", probe->has_value, probe->value);
+    write_number_if(json, "pixel_value", probe->on_surface && probe->has_pixel_value, probe->pixel_value);
+    write_number_if(json, "error", probe->has_value, probe->error);
+    write_numbers_if(json, "position", probe->on_surface, probe->position_mm, 3);
+    write_numbers_if(json, "normal", probe->on_surface, probe->normal, 3);
+    json_open(json, "lights", '[');
+    for (size_t i = 0; probe->has_value && i < probe->share_count; i++)
+        write_share(json, &probe->shares[i]);
+    json_close(json, ']');
+    if (probe->source_on_element)
+        json_text(json, "reason", reason_of(probe, reason));
+    json_close(json, '}');
+}
+
+void result_print_json(const struct result *result) {
+    struct json json = {.stream = stdout};
+    unsigned resolution[2] = {0, 0};
+
+    luxel_scene_resolution(result->scene, &resolution[0], &resolution[1]);
+    json_open(&json, NULL, '{');
+    json_text(&json, "quantity", result_quantity_word(result));
+    json_text(&json, "unit", result_unit(result));
+    json_wholes(&json, "resolution", resolution, 2);
+    write_statistics(&json, result->field);
+    json_open(&json, "points", '[');
+    for (size_t i = 0; i < result->count; i++)
+        write_probe(&json, result->probes[i]);
+    json_close(&json, ']');
+    json_open(&json, "conventions", '{');
+    for (size_t i = 0; i < luxel_scene_convention_count(result->scene); i++)
+        json_text(&json, luxel_scene_convention_key(result->scene, i), luxel_scene_convention_value(result->scene, i));
+    json_close(&json, '}');
+    json_close(&json, '}');
+}
+
+void result_print_conventions(const struct result *result) {
+    const size_t count = luxel_scene_convention_count(result->scene);
+
+    fputs(_("Conventions:"), stdout);
+    for (size_t i = 0; i < count; i++)
+        printf("%s %s %s", i > 0 ? "," : "", luxel_scene_convention_key(result->scene, i),
+               luxel_scene_convention_value(result->scene, i));
+    fputc('\n', stdout);
+}

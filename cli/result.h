@@ -1,0 +1,42 @@
+/* SPDX-License-Identifier: MIT */
+/* What render and probe share: the probes of their points, and the JSON object of their results. */
+#ifndef LUXEL_CLI_RESULT_H
+#define LUXEL_CLI_RESULT_H
+
+#include <luxel/luxel.h>
+
+#include "options.h"
+#include "text.h"
+
+struct result {
+    const luxel_scene *scene;
+    const struct options *options;
+    const luxel_field *field; /* NULL: no picture was computed */
+    luxel_probe **probes;
+    size_t count;
+};
+
+/*
+ * Probes the places of -p and --at or, where there are none, the scene's own points.  Returns an enum
+ * exit_code; errors are printed here.  EXIT_TOLERANCE goes with a complete result.  result_clear() is due in
+ * every case.
+ */
+int result_probe(const struct options *options, const luxel_scene *scene, luxel_diagnostics *diagnostics,
+                 struct result *result);
+void result_clear(struct result *result);
+
+/* Prints the object of SPEC's `--json`, on standard output. */
+void result_print_json(const struct result *result);
+
+/* The line of text that tells under which conventions the numbers were made. */
+void result_print_conventions(const struct result *result);
+
+/* "P2 (150.0, 0.0)": how the text calls the i-th point. */
+const char *result_point_name(const struct result *result, size_t i, char buffer[TEXT_SIZE]);
+/* "P2 (400.0, 0.0): off the surface", of a point that has no value. */
+const char *result_no_value(const struct result *result, size_t i, char buffer[TEXT_SIZE]);
+/* "brightness" or "irradiance" */
+const char *result_quantity_word(const struct result *result);
+const char *result_unit(const struct result *result);
+
+#endif

@@ -1,0 +1,44 @@
+/* SPDX-License-Identifier: MIT */
+/* Texts on standard output: numbers, places and tables with aligned columns. */
+#ifndef LUXEL_CLI_TEXT_H
+#define LUXEL_CLI_TEXT_H
+
+#include <stdbool.h>
+#include <stddef.h>
+#include <stdio.h>
+
+enum { TEXT_SIZE = 160 }; /* room for any cell built here */
+
+/* A length in millimetres with one to four decimals: 0.0, -150.0, 177.5766. */
+const char *text_length(double value_mm, char buffer[TEXT_SIZE]);
+/* "(0.0, 150.0)": `count` lengths, at most three. */
+const char *text_lengths(const double *values_mm, size_t count, char buffer[TEXT_SIZE]);
+/* printf into a cell. */
+const char *text_format(char buffer[TEXT_SIZE], const char *format, ...) __attribute__((format(printf, 2, 3)));
+
+/* Prints a text that is not ours with its control characters escaped. */
+void text_print_escaped(FILE *stream, const char *text);
+
+/*
+ * Prints a term and beside it, from column `indent` on, its text, wrapped before column 80.  A term that is
+ * too long has a line of its own; "" gives a plain indented paragraph.
+ */
+void text_definition(FILE *stream, const char *term, int indent, const char *text);
+
+enum { TEXT_COLUMNS = 8 };
+
+/* A table: rows of cells, printed with columns as wide as their widest cell. */
+struct text_table;
+
+/* `alignment` has one letter for each column: l or r. */
+struct text_table *text_table_new(const char *alignment);
+/* Adds a row of as many texts as the table has columns; they are copied. */
+void text_table_row(struct text_table *table, const char *const *cells);
+/* Adds a line that takes no part in the columns. */
+void text_table_line(struct text_table *table, const char *line);
+/* Prints the table, each line indented, and frees it. */
+void text_table_print(struct text_table *table, FILE *stream, int indent);
+
+#define TEXT_CELLS(...) ((const char *const[]){__VA_ARGS__})
+
+#endif

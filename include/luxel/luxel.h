@@ -1,0 +1,27 @@
+/* SPDX-License-Identifier: MIT */
+/*
+ * Luxel: how light sources brighten a surface.  This header brings in the whole library:
+ *
+ *     luxel_scene *scene;
+ *     luxel_field *field;
+ *     if (luxel_scene_open_builtin("report", NULL, &scene) == LUXEL_OK &&
+ *         luxel_scene_commit(scene, NULL) == LUXEL_OK &&
+ *         luxel_render(scene, NULL, NULL, &field) == LUXEL_OK)
+ *             luxel_field_write(field, "report.png", NULL);
+ *
+ * Link with pkg-config's `luxel`.  The library keeps no global state, prints nothing and never exits.
+ */
+#ifndef LUXEL_LUXEL_H
+#define LUXEL_LUXEL_H
+
+#include <luxel/diagnostics.h>
+#include <luxel/field.h>
+#include <luxel/parameter.h>
+#include <luxel/probe.h>
+#include <luxel/render.h>
+#include <luxel/scene.h>
+#include <luxel/status.h>
+#include <luxel/text.h>
+#include <luxel/version.h>
+
+#endif

@@ -1,0 +1,38 @@
+/* SPDX-License-Identifier: MIT */
+/*
+ * Parameters: every key of a scene with its type, unit, default, ranges and meaning, for help texts, forms
+ * and references.  The list is constant; every pointer lives as long as the program.
+ */
+#ifndef LUXEL_PARAMETER_H
+#define LUXEL_PARAMETER_H
+
+#include <stdbool.h>
+#include <stddef.h>
+
+#include <luxel/status.h>
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+typedef struct luxel_parameter {
+    const char *path;          /* "screen.width", "lights[].intensity"; a list element is [] */
+    const char *variant;       /* the type of surface or light it belongs to ("spot"), NULL for all */
+    const char *type;          /* in words: "number", "whole number", "3 numbers", "one of", "yes or no", ... */
+    const char *choices;       /* "nodes, centers", or NULL */
+    const char *unit;          /* radiometric unit in UTF-8, "" where it has none */
+    const char *default_value; /* as YAML; NULL where there is none */
+    bool required;
+    const char *legal;         /* the legal range in words, or NULL: any */
+    const char *advised;       /* the advised range in words, or NULL: none */
+    const char *meaning;       /* one sentence, English */
+} luxel_parameter;
+
+LUXEL_API size_t luxel_parameter_count(void);
+/* NULL beyond the last. */
+LUXEL_API const luxel_parameter *luxel_parameter_get(size_t i);
+
+#ifdef __cplusplus
+}
+#endif
+#endif

@@ -1,0 +1,57 @@
+/* SPDX-License-Identifier: MIT */
+/*
+ * Rendering: from a committed scene to a field, in parallel rows.
+ *
+ * The result has the same bytes for any number of threads.  Every instruction set keeps the same bounds
+ * (luxel_precision).  The call blocks; it may be cancelled through the progress callback.
+ */
+#ifndef LUXEL_RENDER_H
+#define LUXEL_RENDER_H
+
+#include <luxel/field.h>
+#include <luxel/scene.h>
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/*
+ * Called now and then from the calling thread with the share done, 0 to 1; returning false cancels the
+ * rendering, which then ends with LUXEL_CANCELLED.
+ */
+typedef bool (*luxel_progress)(double done, void *data);
+
+typedef struct luxel_settings {
+    luxel_quantity quantity;     /* brightness */
+    luxel_precision precision;   /* single */
+    unsigned threads;            /* 0: one per processor; at most 1024 */
+    const char *instruction_set; /* NULL: what LUXEL_ISA says, else the best of this machine */
+    double tolerance;            /* of probes, relative; 0: 1e-9 where there is no closed form */
+    double light_error;          /* 0: every source is summed; else the error allowed for leaving far ones out */
+    luxel_progress progress;     /* NULL: none */
+    void *progress_data;
+} luxel_settings;
+
+/* Sets every member to its default, given above. */
+LUXEL_API void luxel_settings_init(luxel_settings *settings);
+
+/*
+ * Computes the scene's picture.  `settings` NULL: the defaults.
+ * LUXEL_ERROR_ARGUMENT: the scene is not committed, a setting is out of its range, the instruction set is
+ * unknown or not of this machine.  LUXEL_ERROR_MEMORY: the picture would not fit (the message says how much
+ * it needs).  LUXEL_ERROR_RANGE: a value is beyond the precision.  LUXEL_CANCELLED.
+ */
+LUXEL_API luxel_status luxel_render(const luxel_scene *scene, const luxel_settings *settings,
+                                    luxel_diagnostics *diagnostics, luxel_field **field);
+
+/*
+ * The instruction sets this library was built with, best first: the name of the i-th (NULL beyond), and
+ * whether this machine can run it.
+ */
+LUXEL_API const char *luxel_instruction_set_name(size_t i);
+LUXEL_API bool luxel_instruction_set_runs(size_t i);
+
+#ifdef __cplusplus
+}
+#endif
+#endif

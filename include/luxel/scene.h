@@ -1,0 +1,85 @@
+/* SPDX-License-Identifier: MIT */
+/*
+ * Scenes: what the user wrote, as a tree of keys and values with their places in the text.
+ *
+ * A scene is made from a built-in text, a file or a string, changed by key paths, and then committed:
+ * luxel_scene_commit() checks everything at once and makes the scene ready for luxel_render() and the
+ * probes.  A change takes the readiness away until the next commit.  Lengths are millimetres.
+ *
+ * Threads: a committed scene may be read (rendered, probed, written) by several threads at once; changing,
+ * committing and freeing need it for themselves.  Separate scenes are independent.
+ */
+#ifndef LUXEL_SCENE_H
+#define LUXEL_SCENE_H
+
+#include <stdbool.h>
+#include <stddef.h>
+
+#include <luxel/diagnostics.h>
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+typedef struct luxel_scene luxel_scene;
+
+/* The built-in scenes: their number; the name, one-line title (English) and YAML text of the i-th (NULL beyond). */
+LUXEL_API size_t luxel_builtin_scene_count(void);
+LUXEL_API const char *luxel_builtin_scene_name(size_t i);
+LUXEL_API const char *luxel_builtin_scene_title(size_t i);
+LUXEL_API const char *luxel_builtin_scene_text(size_t i);
+
+/*
+ * Makes a scene from a built-in name, a file, or `length` bytes of YAML or JSON (`source` is the name shown
+ * in messages).  Only the text itself is checked here: that it is one well-formed document within the limits
+ * (64 MB, 32 levels, no anchors or aliases).
+ * LUXEL_ERROR_SCENE: malformed text.  LUXEL_ERROR_FILE: cannot be read.  LUXEL_ERROR_ARGUMENT: no such name.
+ */
+LUXEL_API luxel_status luxel_scene_open_builtin(const char *name, luxel_diagnostics *diagnostics, luxel_scene **scene);
+LUXEL_API luxel_status luxel_scene_read_file(const char *path, luxel_diagnostics *diagnostics, luxel_scene **scene);
+LUXEL_API luxel_status luxel_scene_read_text(const char *text, size_t length, const char *source,
+                                             luxel_diagnostics *diagnostics, luxel_scene **scene);
+
+/*
+ * Changes one value: `assignment` is KEY=VALUE, where KEY is a path such as lights[0].intensity or
+ * lights.0.intensity and VALUE is YAML.  Keys with defaults that the scene does not write yet are added.
+ * LUXEL_ERROR_PATH: no '=', or no such key or element (the scene stays as it was).
+ * LUXEL_ERROR_SCENE: VALUE is no YAML.  Whether the value is legal is for luxel_scene_commit() to say.
+ */
+LUXEL_API luxel_status luxel_scene_set(luxel_scene *scene, const char *assignment, luxel_diagnostics *diagnostics);
+
+/* Checks the whole scene, all errors at once, and makes it ready.  LUXEL_ERROR_SCENE: it has errors. */
+LUXEL_API luxel_status luxel_scene_commit(luxel_scene *scene, luxel_diagnostics *diagnostics);
+
+/* Whether the last commit succeeded and nothing has been changed since. */
+LUXEL_API bool luxel_scene_is_committed(const luxel_scene *scene);
+
+/* Appends advice about a committed scene: values outside advised ranges, unused keys, surfaces out of view. */
+LUXEL_API luxel_status luxel_scene_advise(const luxel_scene *scene, luxel_diagnostics *diagnostics);
+
+/* The scene as YAML text that reads back as the same scene; the caller's, free it with luxel_text_free(). */
+LUXEL_API luxel_status luxel_scene_write_text(const luxel_scene *scene, char **text);
+
+/* An independent copy (committed if `scene` is), or NULL when memory is short. */
+LUXEL_API luxel_scene *luxel_scene_copy(const luxel_scene *scene);
+LUXEL_API void luxel_scene_free(luxel_scene *scene);
+
+/* Of a committed scene: the number of its measuring points, and the i-th as x, y on the screen. */
+LUXEL_API size_t luxel_scene_point_count(const luxel_scene *scene);
+LUXEL_API luxel_status luxel_scene_point(const luxel_scene *scene, size_t i, double *x_mm, double *y_mm);
+
+/* Of a committed scene: its pixels. */
+LUXEL_API luxel_status luxel_scene_resolution(const luxel_scene *scene, unsigned *columns, unsigned *rows);
+
+/*
+ * Of a committed scene: the conventions that decide the numbers, as pairs of words ("sampling", "nodes");
+ * keys that differ between lights or surfaces are joined by commas.  NULL beyond the last.
+ */
+LUXEL_API size_t luxel_scene_convention_count(const luxel_scene *scene);
+LUXEL_API const char *luxel_scene_convention_key(const luxel_scene *scene, size_t i);
+LUXEL_API const char *luxel_scene_convention_value(const luxel_scene *scene, size_t i);
+
+#ifdef __cplusplus
+}
+#endif
+#endif

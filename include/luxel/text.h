@@ -1,0 +1,32 @@
+/* SPDX-License-Identifier: MIT */
+/*
+ * Texts for people: what every front end needs to answer an argument that it does not understand in the same
+ * way as the library answers a wrong scene.  The functions may be called by several threads at once.
+ */
+#ifndef LUXEL_TEXT_H
+#define LUXEL_TEXT_H
+
+#include <stddef.h>
+
+#include <luxel/status.h>
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/*
+ * The word that was probably meant by what was typed: one of `count` words, of which some may be NULL, or NULL
+ * where none is near enough.
+ */
+LUXEL_API const char *luxel_nearest_word(const char *typed, const char *const *words, size_t count);
+
+/*
+ * A copy that may be shown on a terminal: control characters and bytes that are no UTF-8 as \xNN, invisible
+ * characters as \uNNNN.  The caller's: free it with luxel_text_free().  NULL when memory is short.
+ */
+LUXEL_API char *luxel_escaped_text(const char *text);
+
+#ifdef __cplusplus
+}
+#endif
+#endif

@@ -1,0 +1,194 @@
+/* SPDX-License-Identifier: MIT */
+/* Probes: the reference summed over the lights, and the picture's value at the same pixel. */
+#include <luxel/probe.h>
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "session.h"
+#include "../base/diagnostics.h"
+#include "../base/memory.h"
+#include "../scene/scene.h"
+#include "../shade/camera.h"
+#include "../shade/reference.h"
+#include "../shade/shader.h"
+
+void luxel_probe_free(luxel_probe *probe)
+{
+    if (!probe)
+        return;
+    for (size_t i = 0; i < probe->share_count; i++)
+        free((char *)probe->shares[i].name);
+    free(probe->shares);
+    free(probe);
+}
+
+/* One share for each enabled light, with its words. */
+static int name_shares(const struct lx_scene_parameters *scene, luxel_probe *probe)
+{
+    probe->shares = lx_new_array(scene->lights.count, sizeof *probe->shares);
+    if (!probe->shares)
+        return -1;
+    for (size_t i = 0; i < scene->lights.count; i++) {
+        const struct lx_item *item = &scene->lights.items[i];
+        const struct lx_light_common *common = item->common;
+        if (!common->enabled)
+            continue;
+        luxel_light_share *share = &probe->shares[probe->share_count++];
+        *share = (luxel_light_share){.light = i, .type = item->variant->name};
+        if (common->name) {
+            share->name = lx_copy_text(common->name, strlen(common->name));
+            if (!share->name)
+                return -1;
+        }
+    }
+    return 0;
+}
+
+/* Adds up the emitters, light by light; stops at one that lies on the element. */
+static void sum_lights(const struct lx_session *session, const struct lx_element *element, luxel_probe *probe)
+{
+    const struct lx_prepared *prepared = &session->prepared;
+    lx_bounded total = lx_exact(0);
+    size_t next = 0;
+    for (size_t s = 0; s < probe->share_count; s++) {
+        luxel_light_share *share = &probe->shares[s];
+        lx_bounded irradiance = lx_exact(0), diffuse = lx_exact(0), specular = lx_exact(0);
+        for (; next < prepared->emitters.count && prepared->emitters.items[next].light == share->light; next++) {
+            struct lx_lighting light = lx_light_element(prepared, element, &prepared->emitters.items[next]);
+            if (light.on_element) {
+                probe->source_on_element = true;
+                probe->blocking_light = share->light;
+                return;
+            }
+            irradiance = lx_add(irradiance, light.irradiance);
+            diffuse = lx_add(diffuse, light.diffuse);
+            specular = lx_add(specular, light.specular);
+        }
+        lx_bounded value = session->settings.quantity == LUXEL_IRRADIANCE ? irradiance : lx_add(diffuse, specular);
+        share->irradiance = irradiance.value;
+        share->diffuse = diffuse.value;
+        share->specular = specular.value;
+        share->error = value.error;
+        total = lx_add(total, value);
+    }
+    probe->has_value = true;
+    probe->value = total.value;
+    probe->error = total.error;
+    /* Where there is a closed form the default tolerance is always met; an explicit one is checked. */
+    double tolerance = session->settings.tolerance;
+    probe->tolerance_reached = tolerance == 0 || probe->error <= tolerance * fabs(probe->value);
+}
+
+static int probe_element(const struct lx_session *session, const struct lx_element *element, luxel_probe *probe)
+{
+    const lx_bounded3 *place = &element->place_mm, *normal = &element->normal;
+    probe->on_surface = true;
+    probe->position_mm[0] = place->x.value, probe->position_mm[1] = place->y.value;
+    probe->position_mm[2] = place->z.value;
+    probe->normal[0] = normal->x.value, probe->normal[1] = normal->y.value, probe->normal[2] = normal->z.value;
+    if (name_shares(session->prepared.scene, probe))
+        return -1;
+    sum_lights(session, element, probe);
+    return 0;
+}
+
+/* The value that the picture has at the probe's pixel. */
+static int probe_pixel(const struct lx_session *session, luxel_probe *probe)
+{
+    const struct lx_screen *screen = &session->prepared.scene->screen;
+    double x[LX_LANES] = {lx_column_x_mm(screen, probe->column)}, value;
+    uint8_t mask;
+    struct lx_shader_memory *memory = lx_shader_memory_new();
+    if (!memory)
+        return -1;
+    lx_shade_points(&session->plan, memory, lx_row_y_mm(screen, probe->row), x, 1, NULL, false, &value, &mask);
+    free(memory);
+    probe->has_pixel_value = true;
+    probe->pixel_value = session->settings.precision == LUXEL_DOUBLE ? value : (double)(float)value;
+    return 0;
+}
+
+static luxel_status finish(struct lx_session *session, int failed, luxel_diagnostics *diagnostics, luxel_probe *made,
+                           luxel_probe **probe)
+{
+    lx_session_clear(session);
+    if (failed) {
+        luxel_probe_free(made);
+        return lx_out_of_memory(diagnostics);
+    }
+    *probe = made;
+    return LUXEL_OK;
+}
+
+static luxel_status open_session(const luxel_scene *scene, const luxel_settings *settings, bool is_finite,
+                                 luxel_diagnostics *diagnostics, struct lx_session *session)
+{
+    luxel_status status = lx_session_open(scene, settings, diagnostics, session);
+    if (status == LUXEL_OK && !is_finite) {
+        lx_report(diagnostics, LUXEL_SEVERITY_ERROR, NULL, LX_MSG_BAD_PLACE, NULL);
+        status = LUXEL_ERROR_ARGUMENT;
+    }
+    if (status != LUXEL_OK)
+        lx_session_clear(session);
+    return status;
+}
+
+luxel_status luxel_probe_screen(const luxel_scene *scene, const luxel_settings *settings, double x_mm, double y_mm,
+                                luxel_diagnostics *diagnostics, luxel_probe **probe)
+{
+    struct lx_session session;
+    luxel_status status = open_session(scene, settings, isfinite(x_mm) && isfinite(y_mm), diagnostics, &session);
+    if (status != LUXEL_OK)
+        return status;
+    luxel_probe *made = lx_new_array(1, sizeof *made);
+    int failed = made == NULL;
+    if (made) {
+        struct lx_element element;
+        made->has_screen = true;
+        made->x_mm = x_mm;
+        made->y_mm = y_mm;
+        made->tolerance_reached = true;
+        made->has_pixel = lx_pixel_at(&session.prepared.scene->screen, x_mm, y_mm, &made->column, &made->row);
+        if (lx_element_seen(&session.prepared, x_mm, y_mm, &element))
+            failed = probe_element(&session, &element, made);
+        if (!failed && made->on_surface && made->has_pixel)
+            failed = probe_pixel(&session, made);
+    }
+    return finish(&session, failed, diagnostics, made, probe);
+}
+
+luxel_status luxel_probe_element(const luxel_scene *scene, const luxel_settings *settings, const double position_mm[3],
+                                 const double normal[3], luxel_diagnostics *diagnostics, luxel_probe **probe)
+{
+    struct lx_session session;
+    bool is_finite = true, is_zero = true;
+    for (int i = 0; i < 3; i++) {
+        is_finite = is_finite && isfinite(position_mm[i]) && isfinite(normal[i]);
+        is_zero = is_zero && normal[i] == 0;
+    }
+    luxel_status status = open_session(scene, settings, is_finite && !is_zero, diagnostics, &session);
+    if (status != LUXEL_OK)
+        return status;
+    luxel_probe *made = lx_new_array(1, sizeof *made);
+    int failed = made == NULL;
+    if (made) {
+        struct lx_element element = lx_element_at(&session.prepared, position_mm, normal);
+        made->tolerance_reached = true;
+        failed = probe_element(&session, &element, made);
+    }
+    return finish(&session, failed, diagnostics, made, probe);
+}
+
+const char *luxel_scene_unit(const luxel_scene *scene, luxel_quantity quantity)
+{
+    struct lx_prepared prepared;
+    const char *unit = "relative";
+    if (!scene || !luxel_scene_is_committed(scene))
+        return unit;
+    if (lx_prepare(lx_scene_parameters(scene), &prepared) == 0)
+        unit = lx_unit_of(&prepared, quantity);
+    lx_prepared_clear(&prepared);
+    return unit;
+}

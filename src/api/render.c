@@ -1,0 +1,173 @@
+/* SPDX-License-Identifier: MIT */
+/* luxel_render(): the plan's pixels, row by row in parallel, into a field with its statistics. */
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <unistd.h>
+
+#include "session.h"
+#include "../base/diagnostics.h"
+#include "../base/memory.h"
+#include "../base/number.h"
+#include "../base/rows.h"
+#include "../field/field.h"
+#include "../shade/camera.h"
+#include "../shade/shader.h"
+
+struct rendering {
+    const struct lx_plan *plan;
+    struct luxel_field *field;
+    struct lx_control *control;
+    struct lx_shader_memory **memories; /* one for each worker */
+    struct lx_row_statistics *rows;
+};
+
+static void render_row(struct rendering *rendering, struct lx_shader_memory *memory, bool is_caller, unsigned row)
+{
+    struct luxel_field *field = rendering->field;
+    double x[LX_BLOCK], values[LX_BLOCK], y = lx_row_y_mm(&field->screen, row);
+    uint8_t mask[LX_BLOCK];
+    for (unsigned first = 0; first < field->columns; first += LX_BLOCK) {
+        unsigned left = field->columns - first, count = left < LX_BLOCK ? left : LX_BLOCK;
+        for (unsigned i = 0; i < count; i++)
+            x[i] = lx_column_x_mm(&field->screen, first + i);
+        lx_shade_points(rendering->plan, memory, y, x, count, rendering->control, is_caller, values, mask);
+        lx_field_store(field, row, first, values, mask, count);
+        if (!lx_control_goes_on(rendering->control, is_caller))
+            return;
+    }
+    rendering->rows[row] = lx_gather_row(field, row);
+}
+
+static void render_rows(void *data, unsigned worker, bool is_caller, unsigned first, unsigned last)
+{
+    struct rendering *rendering = data;
+    for (unsigned row = first; row < last; row++)
+        render_row(rendering, rendering->memories[worker], is_caller, row);
+}
+
+static unsigned thread_count(const luxel_settings *settings, unsigned columns, unsigned rows)
+{
+    long processors = sysconf(_SC_NPROCESSORS_ONLN);
+    unsigned threads = settings->threads ? settings->threads : processors > 0 ? (unsigned)processors : 1;
+    /* A thread costs more than a tiny picture. */
+    unsigned worth = (unsigned)((double)columns * rows / 8192) + 1;
+    return threads < worth ? threads : worth;
+}
+
+/* Memory that can be had, by the system's own estimate; what it does not tell is no limit. */
+static double available_bytes(void)
+{
+    double available = HUGE_VAL, kilobytes;
+    char line[128];
+    FILE *file = fopen("/proc/meminfo", "re");
+    while (file && fgets(line, sizeof line, file))
+        if (sscanf(line, "MemAvailable: %lf kB", &kilobytes) == 1)
+            available = kilobytes * 1024;
+    if (file)
+        fclose(file);
+    return available;
+}
+
+static const char *gigabytes(double bytes, char buffer[LX_NUMBER_SIZE + 4])
+{
+    char number[LX_NUMBER_SIZE];
+    snprintf(buffer, LX_NUMBER_SIZE + 4, "%s GB", lx_write_digits(bytes / 1e9, 3, number));
+    return buffer;
+}
+
+static luxel_status too_large(const struct lx_screen *screen, double needed, double available,
+                              luxel_diagnostics *diagnostics)
+{
+    char columns[LX_NUMBER_SIZE], rows[LX_NUMBER_SIZE], need[LX_NUMBER_SIZE + 4], have[LX_NUMBER_SIZE + 4];
+    lx_report(diagnostics, LUXEL_SEVERITY_ERROR, NULL, LX_MSG_PICTURE_TOO_LARGE,
+              LX_ARGS(lx_write_number(screen->resolution[0], columns), lx_write_number(screen->resolution[1], rows),
+                      gigabytes(needed, need), gigabytes(available, have)));
+    lx_hint(diagnostics, LX_MSG_SMALLER_PICTURE, NULL);
+    return LUXEL_ERROR_MEMORY;
+}
+
+static luxel_status new_field(const struct lx_session *session, luxel_diagnostics *diagnostics,
+                              struct luxel_field **field)
+{
+    const struct lx_scene_parameters *scene = session->prepared.scene;
+    const struct lx_screen *screen = &scene->screen;
+    luxel_precision precision = session->settings.precision;
+    double needed = (double)lx_field_bytes(screen->resolution[0], screen->resolution[1], precision);
+    double available = available_bytes();
+    if (needed == 0 || needed > available)
+        return too_large(screen, needed, available, diagnostics);
+    *field = lx_field_new(scene, precision);
+    if (!*field)
+        return too_large(screen, needed, needed < available ? 0 : available, diagnostics);
+    (*field)->quantity = session->settings.quantity;
+    (*field)->unit = lx_unit_of(&session->prepared, session->settings.quantity);
+    (*field)->instruction_set = session->kernels->name;
+    return LUXEL_OK;
+}
+
+static luxel_status check_range(const struct luxel_field *field, luxel_diagnostics *diagnostics)
+{
+    const luxel_extremum *maximum = &field->statistics.maximum;
+    if (!maximum->exists || isfinite(maximum->value))
+        return LUXEL_OK;
+    bool single = field->precision == LUXEL_SINGLE;
+    lx_report(diagnostics, LUXEL_SEVERITY_ERROR, NULL, LX_MSG_VALUE_TOO_LARGE, LX_ARGS(single ? "single" : "double"));
+    lx_hint(diagnostics, single ? LX_MSG_USE_DOUBLE : LX_MSG_LOWER_STRENGTHS, NULL);
+    return LUXEL_ERROR_RANGE;
+}
+
+static void free_memories(struct lx_shader_memory **memories, unsigned threads)
+{
+    for (unsigned i = 0; memories && i < threads; i++)
+        free(memories[i]);
+    free(memories);
+}
+
+static luxel_status run(struct rendering *rendering, const luxel_settings *settings, luxel_diagnostics *diagnostics)
+{
+    struct luxel_field *field = rendering->field;
+    unsigned threads = thread_count(settings, field->columns, field->rows);
+    bool complete = true;
+    rendering->memories = lx_new_array(threads, sizeof *rendering->memories);
+    rendering->rows = lx_new_array(field->rows, sizeof *rendering->rows);
+    for (unsigned i = 0; rendering->memories && i < threads; i++)
+        complete &= (rendering->memories[i] = lx_shader_memory_new()) != NULL;
+
+    luxel_status status = LUXEL_OK;
+    if (!rendering->memories || !rendering->rows || !complete)
+        status = lx_out_of_memory(diagnostics);
+    else if (!lx_rows_run(rendering->control, threads, render_rows, rendering))
+        status = LUXEL_CANCELLED;
+    else
+        lx_finish_statistics(field, rendering->rows);
+    free_memories(rendering->memories, threads);
+    free(rendering->rows);
+    return status != LUXEL_OK ? status : check_range(field, diagnostics);
+}
+
+luxel_status luxel_render(const luxel_scene *scene, const luxel_settings *settings, luxel_diagnostics *diagnostics,
+                          luxel_field **field)
+{
+    if (!field) {
+        lx_report(diagnostics, LUXEL_SEVERITY_ERROR, NULL, LX_MSG_MISSING_ARGUMENT, LX_ARGS("field"));
+        return LUXEL_ERROR_ARGUMENT;
+    }
+    struct lx_session session;
+    struct luxel_field *made = NULL;
+    luxel_status status = lx_session_open(scene, settings, diagnostics, &session);
+    if (status == LUXEL_OK)
+        status = new_field(&session, diagnostics, &made);
+    if (status == LUXEL_OK) {
+        struct lx_control control = {
+            .rows = made->rows, .progress = session.settings.progress, .data = session.settings.progress_data};
+        struct rendering rendering = {.plan = &session.plan, .field = made, .control = &control};
+        status = run(&rendering, &session.settings, diagnostics);
+    }
+    lx_session_clear(&session);
+    if (status == LUXEL_OK)
+        *field = made;
+    else
+        luxel_field_free(made);
+    return status;
+}

@@ -1,0 +1,100 @@
+/* SPDX-License-Identifier: MIT */
+/* Settings: their defaults and checks, the choice of kernels, and preparing the scene by them. */
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "session.h"
+#include "../base/diagnostics.h"
+#include "../base/number.h"
+
+enum { MAXIMUM_THREADS = 1024 };
+
+void luxel_settings_init(luxel_settings *settings)
+{
+    *settings = (luxel_settings){.quantity = LUXEL_BRIGHTNESS, .precision = LUXEL_SINGLE};
+}
+
+const char *luxel_instruction_set_name(size_t i)
+{
+    const struct lx_kernels *kernels = lx_kernels_get(i);
+    return kernels ? kernels->name : NULL;
+}
+
+bool luxel_instruction_set_runs(size_t i)
+{
+    const struct lx_kernels *kernels = lx_kernels_get(i);
+    return kernels && kernels->runs();
+}
+
+static luxel_status out_of_range(luxel_diagnostics *diagnostics, const char *setting, double value, const char *range)
+{
+    char number[LX_NUMBER_SIZE];
+    lx_report(diagnostics, LUXEL_SEVERITY_ERROR, NULL, LX_MSG_SETTING_OUT_OF_RANGE,
+              LX_ARGS(setting, lx_write_number(value, number), range));
+    return LUXEL_ERROR_ARGUMENT;
+}
+
+static luxel_status check_settings(const luxel_settings *settings, luxel_diagnostics *diagnostics)
+{
+    luxel_status status = LUXEL_OK;
+    if (settings->quantity != LUXEL_BRIGHTNESS && settings->quantity != LUXEL_IRRADIANCE)
+        status = out_of_range(diagnostics, "quantity", (double)settings->quantity, "brightness or irradiance");
+    if (settings->precision != LUXEL_SINGLE && settings->precision != LUXEL_DOUBLE)
+        status = out_of_range(diagnostics, "precision", (double)settings->precision, "single or double");
+    if (settings->threads > MAXIMUM_THREADS)
+        status = out_of_range(diagnostics, "threads", settings->threads, "0 to 1024");
+    if (!(settings->tolerance >= 0 && settings->tolerance < 1))
+        status = out_of_range(diagnostics, "tolerance", settings->tolerance, "from 0 to below 1");
+    if (!(settings->light_error >= 0 && settings->light_error < 1))
+        status = out_of_range(diagnostics, "light_error", settings->light_error, "from 0 to below 1");
+    return status;
+}
+
+static luxel_status choose_kernels(struct lx_session *session, luxel_diagnostics *diagnostics)
+{
+    session->kernels = lx_kernels_choose(session->settings.instruction_set);
+    if (session->kernels)
+        return LUXEL_OK;
+    char known[128] = "";
+    size_t used = 0;
+    for (size_t i = 0; luxel_instruction_set_name(i); i++)
+        if (luxel_instruction_set_runs(i) && used < sizeof known)
+            used += (size_t)snprintf(known + used, sizeof known - used, "%s%s", used ? ", " : "",
+                                     luxel_instruction_set_name(i));
+    const char *wanted = session->settings.instruction_set;
+    lx_report(diagnostics, LUXEL_SEVERITY_ERROR, NULL, LX_MSG_NO_INSTRUCTION_SET,
+              LX_ARGS(wanted ? wanted : getenv("LUXEL_ISA")));
+    lx_hint(diagnostics, LX_MSG_INSTRUCTION_SETS, LX_ARGS(known));
+    return LUXEL_ERROR_ARGUMENT;
+}
+
+luxel_status lx_session_open(const luxel_scene *scene, const luxel_settings *settings, luxel_diagnostics *diagnostics,
+                             struct lx_session *session)
+{
+    memset(session, 0, sizeof *session);
+    if (!scene || !luxel_scene_is_committed(scene)) {
+        lx_report(diagnostics, LUXEL_SEVERITY_ERROR, NULL, LX_MSG_NOT_COMMITTED, NULL);
+        return LUXEL_ERROR_ARGUMENT;
+    }
+    luxel_settings_init(&session->settings);
+    if (settings)
+        session->settings = *settings;
+    luxel_status status = check_settings(&session->settings, diagnostics);
+    if (status == LUXEL_OK)
+        status = choose_kernels(session, diagnostics);
+    if (status != LUXEL_OK)
+        return status;
+    if (lx_prepare(lx_scene_parameters(scene), &session->prepared) ||
+        lx_plan_make(&session->prepared, session->kernels, session->settings.quantity, session->settings.precision,
+                     &session->plan))
+        return lx_out_of_memory(diagnostics);
+    return LUXEL_OK;
+}
+
+void lx_session_clear(struct lx_session *session)
+{
+    lx_plan_clear(&session->plan);
+    lx_prepared_clear(&session->prepared);
+}

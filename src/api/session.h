@@ -1,0 +1,25 @@
+/* SPDX-License-Identifier: MIT */
+/*
+ * What rendering and probing share: checked settings, chosen kernels, the prepared scene, and the plan of its
+ * picture.
+ */
+#ifndef LX_API_SESSION_H
+#define LX_API_SESSION_H
+
+#include <luxel/render.h>
+
+#include "../shade/plan.h"
+
+struct lx_session {
+    luxel_settings settings;
+    const struct lx_kernels *kernels;
+    struct lx_prepared prepared;
+    struct lx_plan plan;
+};
+
+/* Release with lx_session_clear() whatever it returns.  Errors as luxel_render() lists them. */
+luxel_status lx_session_open(const luxel_scene *scene, const luxel_settings *settings, luxel_diagnostics *diagnostics,
+                             struct lx_session *session);
+void lx_session_clear(struct lx_session *session);
+
+#endif

@@ -1,0 +1,275 @@
+/* SPDX-License-Identifier: MIT */
+/*
+ * The diagnostics object, public functions included: a list of entries, each a message with arguments and a
+ * place, of which the line, column and excerpt are worked out when it is reported, since the text may be gone
+ * when it is read.
+ */
+#include <stdlib.h>
+#include <string.h>
+
+#include "diagnostics.h"
+#include "memory.h"
+#include "text.h"
+
+enum { SEVERITIES = 2, EXCERPT_COLUMNS = 110, EXCERPT_BEFORE = 60, NO_HINT = -1 };
+
+struct words {
+    int message;
+    char **arguments; /* NULL-terminated */
+};
+
+struct entry {
+    luxel_diagnostic shown;
+    struct words message, hint;
+    char *source, *key, *excerpt;
+};
+
+struct luxel_diagnostics {
+    struct entry *entries;
+    size_t count, capacity;
+    size_t total[SEVERITIES], kept[SEVERITIES];
+    bool last_kept;
+};
+
+static const struct {
+    const char *id, *english;
+} messages[LX_MSG_COUNT] = {
+#define LX_MESSAGE(name, id, english) {id, english},
+#include "messages.def"
+#undef LX_MESSAGE
+};
+
+/* ---- making and freeing ---- */
+
+luxel_diagnostics *luxel_diagnostics_new(void)
+{
+    return lx_new_array(1, sizeof(luxel_diagnostics));
+}
+
+static void words_clear(struct words *words)
+{
+    for (size_t i = 0; words->arguments && words->arguments[i]; i++)
+        free(words->arguments[i]);
+    free(words->arguments);
+    words->arguments = NULL;
+}
+
+static void entry_clear(struct entry *entry)
+{
+    words_clear(&entry->message);
+    words_clear(&entry->hint);
+    free(entry->source);
+    free(entry->key);
+    free(entry->excerpt);
+}
+
+void luxel_diagnostics_clear(luxel_diagnostics *diagnostics)
+{
+    if (!diagnostics)
+        return;
+    for (size_t i = 0; i < diagnostics->count; i++)
+        entry_clear(&diagnostics->entries[i]);
+    free(diagnostics->entries);
+    *diagnostics = (luxel_diagnostics){0};
+}
+
+void luxel_diagnostics_free(luxel_diagnostics *diagnostics)
+{
+    luxel_diagnostics_clear(diagnostics);
+    free(diagnostics);
+}
+
+/* ---- reporting ---- */
+
+static bool words_set(struct words *words, enum lx_message message, const char *const *arguments)
+{
+    size_t count = 0;
+    while (arguments && arguments[count])
+        count++;
+    words->message = (int)message;
+    words->arguments = lx_new_array(count + 1, sizeof *words->arguments);
+    for (size_t i = 0; words->arguments && i < count; i++) {
+        struct lx_text text = {0};
+        lx_text_add_escaped(&text, arguments[i], strlen(arguments[i]));
+        words->arguments[i] = lx_text_take(&text);
+        if (!words->arguments[i])
+            return false;
+    }
+    return words->arguments != NULL;
+}
+
+static bool is_break(char c)
+{
+    return c == '\n' || c == '\r';
+}
+
+static size_t character_size(const char *text, size_t length)
+{
+    uint32_t code;
+    size_t size = lx_next_character(text, length, &code);
+    return size ? size : 1;
+}
+
+/* Sets line and column, both from 1, and returns where the line starts. */
+static size_t locate(const char *text, size_t length, size_t at, luxel_diagnostic *shown)
+{
+    size_t start = length >= 3 && memcmp(text, "\xEF\xBB\xBF", 3) == 0 ? 3 : 0;
+    unsigned line = 1, column = 1;
+    for (size_t i = start; i < at; i++) {
+        if (!is_break(text[i]) || (text[i] == '\r' && i + 1 < length && text[i + 1] == '\n'))
+            continue;
+        line++;
+        start = i + 1;
+    }
+    for (size_t i = start; i < at; i += character_size(text + i, length - i))
+        column++;
+    shown->line = line;
+    shown->column = column;
+    return start;
+}
+
+/* Cuts the line around the mark to what fits a terminal, with an ellipsis where something is left out. */
+static bool take_excerpt(const struct lx_place *place, size_t line, size_t start, size_t end, struct entry *entry)
+{
+    const char *text = place->text;
+    size_t from = start, to, columns = 0;
+    while (from > line && columns < EXCERPT_BEFORE) {
+        from--;
+        if (((unsigned char)text[from] & 0xC0) != 0x80)
+            columns++;
+    }
+    for (to = from, columns = 0; to < place->length && !is_break(text[to]) && columns < EXCERPT_COLUMNS; columns++)
+        to += character_size(text + to, place->length - to);
+
+    struct lx_text excerpt = {0};
+    size_t offset = 0, width = 0;
+    if (from > line) {
+        lx_text_puts(&excerpt, "…");
+        offset = 1;
+    }
+    size_t mark = start < to ? start : to, mark_end = end < to ? end : to;
+    offset += lx_text_add_escaped(&excerpt, text + from, mark - from);
+    if (mark_end > mark)
+        width = lx_text_add_escaped(&excerpt, text + mark, mark_end - mark);
+    else
+        mark_end = mark;
+    lx_text_add_escaped(&excerpt, text + mark_end, to - mark_end);
+    if (to < place->length && !is_break(text[to]))
+        lx_text_puts(&excerpt, "…");
+    entry->excerpt = lx_text_take(&excerpt);
+    entry->shown.mark_offset = (unsigned)offset;
+    entry->shown.mark_length = width ? (unsigned)width : 1;
+    return entry->excerpt != NULL;
+}
+
+static bool place_set(struct entry *entry, const struct lx_place *place)
+{
+    if (place->source && !(entry->source = lx_copy_text(place->source, strlen(place->source))))
+        return false;
+    if (place->key && !(entry->key = lx_copy_text(place->key, strlen(place->key))))
+        return false;
+    if (!place->text)
+        return true;
+    size_t start = place->start < place->length ? place->start : place->length;
+    size_t end = place->end < place->length ? place->end : place->length;
+    size_t line = locate(place->text, place->length, start, &entry->shown);
+    return take_excerpt(place, line, start > line ? start : line, end, entry);
+}
+
+void lx_report(luxel_diagnostics *diagnostics, luxel_severity severity, const struct lx_place *place,
+               enum lx_message message, const char *const *arguments)
+{
+    if (!diagnostics)
+        return;
+    diagnostics->total[severity]++;
+    diagnostics->last_kept = false;
+    if (diagnostics->kept[severity] >= LUXEL_DIAGNOSTICS_KEPT ||
+        lx_reserve(&diagnostics->entries, &diagnostics->capacity, diagnostics->count + 1,
+                   sizeof *diagnostics->entries) < 0)
+        return;
+    struct entry entry = {.shown = {.severity = severity, .id = messages[message].id}, .hint = {NO_HINT, NULL}};
+    if (!words_set(&entry.message, message, arguments) || (place && !place_set(&entry, place))) {
+        entry_clear(&entry);
+        return;
+    }
+    entry.shown.source = entry.source;
+    entry.shown.key = entry.key;
+    entry.shown.excerpt = entry.excerpt;
+    diagnostics->entries[diagnostics->count++] = entry;
+    diagnostics->kept[severity]++;
+    diagnostics->last_kept = true;
+}
+
+void lx_hint(luxel_diagnostics *diagnostics, enum lx_message message, const char *const *arguments)
+{
+    if (!diagnostics || !diagnostics->last_kept)
+        return;
+    struct words *hint = &diagnostics->entries[diagnostics->count - 1].hint;
+    words_clear(hint);
+    if (!words_set(hint, message, arguments)) {
+        words_clear(hint);
+        hint->message = NO_HINT;
+    }
+}
+
+luxel_status lx_out_of_memory(luxel_diagnostics *diagnostics)
+{
+    lx_report(diagnostics, LUXEL_SEVERITY_ERROR, NULL, LX_MSG_OUT_OF_MEMORY, NULL);
+    return LUXEL_ERROR_MEMORY;
+}
+
+/* ---- reading ---- */
+
+size_t luxel_diagnostics_total(const luxel_diagnostics *diagnostics, luxel_severity severity)
+{
+    return diagnostics && (unsigned)severity < SEVERITIES ? diagnostics->total[severity] : 0;
+}
+
+size_t luxel_diagnostics_count(const luxel_diagnostics *diagnostics)
+{
+    return diagnostics ? diagnostics->count : 0;
+}
+
+const luxel_diagnostic *luxel_diagnostics_get(const luxel_diagnostics *diagnostics, size_t i)
+{
+    return i < luxel_diagnostics_count(diagnostics) ? &diagnostics->entries[i].shown : NULL;
+}
+
+/* Puts the arguments into the template. */
+static char *in_words(const struct words *words, luxel_translate translate, void *data)
+{
+    struct lx_text text = {0};
+    if (words->message == NO_HINT)
+        return lx_text_take(&text);
+    const char *template = messages[words->message].english;
+    if (translate)
+        template = translate(template, data);
+    size_t count = 0;
+    while (words->arguments[count])
+        count++;
+    for (const char *c = template; *c; c++) {
+        size_t argument = (size_t)(c[1] - '0');
+        if (c[0] == '{' && c[1] >= '0' && c[1] <= '9' && c[2] == '}' && argument < count) {
+            lx_text_puts(&text, words->arguments[argument]);
+            c += 2;
+        } else {
+            lx_text_add(&text, c, 1);
+        }
+    }
+    return lx_text_take(&text);
+}
+
+char *luxel_diagnostics_message(const luxel_diagnostics *diagnostics, size_t i, luxel_translate translate, void *data)
+{
+    return i < luxel_diagnostics_count(diagnostics) ? in_words(&diagnostics->entries[i].message, translate, data) : NULL;
+}
+
+char *luxel_diagnostics_hint(const luxel_diagnostics *diagnostics, size_t i, luxel_translate translate, void *data)
+{
+    return i < luxel_diagnostics_count(diagnostics) ? in_words(&diagnostics->entries[i].hint, translate, data) : NULL;
+}
+
+void luxel_text_free(char *text)
+{
+    free(text);
+}

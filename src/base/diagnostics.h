@@ -1,0 +1,45 @@
+/* SPDX-License-Identifier: MIT */
+/*
+ * Reporting into the caller's luxel_diagnostics: a message id with arguments and a place.  The one who
+ * detects an error reports it; the others only hand its status on.  Every function accepts a NULL object.
+ */
+#ifndef LX_BASE_DIAGNOSTICS_H
+#define LX_BASE_DIAGNOSTICS_H
+
+#include <luxel/diagnostics.h>
+
+/* The messages: messages.def lists LX_MESSAGE(NAME, "stable-id", "English template with {0}, {1}"). */
+enum lx_message {
+#define LX_MESSAGE(name, id, english) LX_MSG_##name,
+#include "messages.def"
+#undef LX_MESSAGE
+    LX_MSG_COUNT
+};
+
+/* A stretch of a source text. */
+struct lx_place {
+    const char *source;    /* name of the source, or NULL */
+    const char *text;      /* the whole text of the source, or NULL */
+    size_t length;         /* bytes of text */
+    size_t start, end;     /* bytes: the offending stretch; start == end marks a single column */
+    const char *key;       /* the scene key that is meant, or NULL */
+};
+
+/*
+ * Appends an entry.  `place` may be NULL.  `arguments` is a NULL-terminated array of strings for {0}, {1} ...
+ * (NULL: none); all strings are copied.  Line, column and excerpt are worked out here; control characters in
+ * arguments are escaped here.
+ */
+void lx_report(luxel_diagnostics *diagnostics, luxel_severity severity, const struct lx_place *place,
+               enum lx_message message, const char *const *arguments);
+
+/* Gives the last entry appended a hint that says how to mend it. */
+void lx_hint(luxel_diagnostics *diagnostics, enum lx_message message, const char *const *arguments);
+
+/* Shorthand for the arguments: LX_ARGS(a, b) is a NULL-terminated array of strings. */
+#define LX_ARGS(...) ((const char *const[]){__VA_ARGS__, NULL})
+
+/* Reports that memory ran out and returns LUXEL_ERROR_MEMORY. */
+luxel_status lx_out_of_memory(luxel_diagnostics *diagnostics);
+
+#endif

@@ -1,0 +1,60 @@
+/* SPDX-License-Identifier: MIT */
+/* Checked allocation: every size is multiplied with care, and memory that ran out is an answer, not an end. */
+#include <stdint.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "memory.h"
+
+enum { ALIGNMENT = 64, FIRST_CAPACITY = 8 };
+
+void *lx_new_array(size_t count, size_t size)
+{
+    return calloc(count ? count : 1, size ? size : 1);
+}
+
+void *lx_new_aligned(size_t count, size_t size)
+{
+    size_t bytes;
+    if (__builtin_mul_overflow(count, size, &bytes) || bytes > SIZE_MAX - ALIGNMENT)
+        return NULL;
+    /* aligned_alloc wants a multiple of the alignment */
+    bytes = (bytes + ALIGNMENT - 1) / ALIGNMENT * ALIGNMENT;
+    return aligned_alloc(ALIGNMENT, bytes ? bytes : ALIGNMENT);
+}
+
+int lx_reserve(void *items, size_t *capacity, size_t needed, size_t size)
+{
+    if (needed <= *capacity)
+        return 0;
+    size_t wanted = *capacity > SIZE_MAX / 2 ? needed : 2 * *capacity;
+    if (wanted < needed)
+        wanted = needed;
+    if (wanted < FIRST_CAPACITY)
+        wanted = FIRST_CAPACITY;
+    size_t bytes;
+    if (__builtin_mul_overflow(wanted, size, &bytes))
+        return -1;
+    /* The pointer is of the caller's type: it is copied as bytes, so that no two types meet in one object. */
+    void *array;
+    memcpy(&array, items, sizeof array);
+    array = realloc(array, bytes);
+    if (!array)
+        return -1;
+    memcpy(items, &array, sizeof array);
+    *capacity = wanted;
+    return 0;
+}
+
+char *lx_copy_text(const char *text, size_t length)
+{
+    if (length == SIZE_MAX)
+        return NULL;
+    char *copy = malloc(length + 1);
+    if (copy) {
+        if (length)
+            memcpy(copy, text, length);
+        copy[length] = 0;
+    }
+    return copy;
+}

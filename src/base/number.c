@@ -1,0 +1,105 @@
+/* SPDX-License-Identifier: MIT */
+/*
+ * Numbers as text.  The grammar is checked here and the value formed by the C library under its own "C"
+ * locale, so neither the program's locale nor a thread's matters.
+ */
+#include <locale.h>
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "memory.h"
+#include "number.h"
+
+/* glibc hands out its built-in object here, so this neither fails nor costs. */
+static locale_t c_locale(void)
+{
+    return newlocale(LC_ALL_MASK, "C", (locale_t)0);
+}
+
+static size_t skip_digits(const char *text, size_t length, size_t i)
+{
+    while (i < length && text[i] >= '0' && text[i] <= '9')
+        i++;
+    return i;
+}
+
+bool lx_looks_like_number(const char *text, size_t length)
+{
+    size_t i = 0;
+    if (i < length && (text[i] == '+' || text[i] == '-'))
+        i++;
+    size_t whole = skip_digits(text, length, i) - i;
+    i += whole;
+    size_t fraction = 0;
+    if (i < length && text[i] == '.') {
+        i++;
+        fraction = skip_digits(text, length, i) - i;
+        i += fraction;
+    }
+    if (whole + fraction == 0)
+        return false;
+    if (i < length && (text[i] == 'e' || text[i] == 'E')) {
+        i++;
+        if (i < length && (text[i] == '+' || text[i] == '-'))
+            i++;
+        size_t exponent = skip_digits(text, length, i) - i;
+        if (exponent == 0)
+            return false;
+        i += exponent;
+    }
+    return i == length;
+}
+
+bool lx_read_number(const char *text, size_t length, double *value)
+{
+    char buffer[64];
+    if (!lx_looks_like_number(text, length))
+        return false;
+    char *copy = length < sizeof buffer ? buffer : lx_copy_text(text, length);
+    if (!copy)
+        return false;
+    if (copy == buffer) {
+        memcpy(buffer, text, length);
+        buffer[length] = 0;
+    }
+    locale_t locale = c_locale();
+    double number = strtod_l(copy, NULL, locale);
+    freelocale(locale);
+    if (copy != buffer)
+        free(copy);
+    if (!isfinite(number))
+        return false;
+    *value = number;
+    return true;
+}
+
+static void print_digits(double value, int digits, char buffer[LX_NUMBER_SIZE])
+{
+    locale_t locale = c_locale();
+    locale_t before = uselocale(locale);
+    snprintf(buffer, LX_NUMBER_SIZE, "%.*g", digits, value);
+    uselocale(before);
+    freelocale(locale);
+}
+
+char *lx_write_number(double value, char buffer[LX_NUMBER_SIZE])
+{
+    /* 15 digits always survive, and %g drops their zeros; only subnormal numbers may need fewer. */
+    int digits = fabs(value) < 2.3e-308 ? 1 : 15;
+    for (; digits <= 17; digits++) {
+        double back;
+        print_digits(value, digits, buffer);
+        if (lx_read_number(buffer, strlen(buffer), &back) && back == value)
+            break;
+    }
+    return buffer;
+}
+
+char *lx_write_digits(double value, int digits, char buffer[LX_NUMBER_SIZE])
+{
+    enum { MOST = LX_NUMBER_SIZE - 10 }; /* beside sign, point and exponent */
+    print_digits(value, digits < MOST ? digits : MOST, buffer);
+    return buffer;
+}

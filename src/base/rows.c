@@ -1,0 +1,77 @@
+/* SPDX-License-Identifier: MIT */
+/* The threads behind rows in parallel: each takes the next block of rows until none is left. */
+#include <pthread.h>
+#include <stdlib.h>
+
+#include "rows.h"
+#include "memory.h"
+
+/* Small enough to share the work evenly and to notice a stop, large enough not to fight for the counter. */
+enum { BLOCK_ROWS = 4 };
+
+struct job {
+    struct lx_control *control;
+    lx_rows_work *work;
+    void *data;
+    atomic_uint next;
+};
+
+struct worker {
+    struct job *job;
+    unsigned index;
+    pthread_t thread;
+};
+
+bool lx_control_goes_on(struct lx_control *control, bool is_caller)
+{
+    if (is_caller && control->progress) {
+        struct timespec now;
+        clock_gettime(CLOCK_MONOTONIC, &now);
+        long elapsed_ms = (long)(now.tv_sec - control->last.tv_sec) * 1000 + (now.tv_nsec - control->last.tv_nsec) / 1000000;
+        if (elapsed_ms >= 5) {
+            control->last = now;
+            if (!control->progress((double)atomic_load(&control->rows_done) / control->rows, control->data))
+                atomic_store(&control->stop, true);
+        }
+    }
+    return !atomic_load_explicit(&control->stop, memory_order_relaxed);
+}
+
+static void take_rows(struct job *job, unsigned index, bool is_caller)
+{
+    struct lx_control *control = job->control;
+    while (lx_control_goes_on(control, is_caller)) {
+        unsigned first = atomic_fetch_add(&job->next, BLOCK_ROWS);
+        if (first >= control->rows)
+            return;
+        unsigned last = control->rows - first < BLOCK_ROWS ? control->rows : first + BLOCK_ROWS;
+        job->work(job->data, index, is_caller, first, last);
+        atomic_fetch_add(&control->rows_done, last - first);
+    }
+}
+
+static void *run_worker(void *argument)
+{
+    struct worker *worker = argument;
+    take_rows(worker->job, worker->index, false);
+    return NULL;
+}
+
+bool lx_rows_run(struct lx_control *control, unsigned threads, lx_rows_work *work, void *data)
+{
+    struct job job = {.control = control, .work = work, .data = data};
+    unsigned started = 0;
+    struct worker *workers = threads > 1 ? lx_new_array(threads - 1, sizeof *workers) : NULL;
+    /* A thread that cannot be had is done without: the others take its rows. */
+    for (unsigned i = 0; workers && i < threads - 1; i++) {
+        workers[started] = (struct worker){.job = &job, .index = started + 1};
+        if (pthread_create(&workers[started].thread, NULL, run_worker, &workers[started]) != 0)
+            break;
+        started++;
+    }
+    take_rows(&job, 0, true);
+    for (unsigned i = 0; i < started; i++)
+        pthread_join(workers[i].thread, NULL);
+    free(workers);
+    return !atomic_load(&control->stop);
+}

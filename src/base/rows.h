@@ -1,0 +1,35 @@
+/* SPDX-License-Identifier: MIT */
+/*
+ * Rows in parallel: blocks of rows are handed to threads, which come and go with the call.  Each row's result
+ * must depend on the row alone; then it is the same for any number of threads.
+ */
+#ifndef LX_BASE_ROWS_H
+#define LX_BASE_ROWS_H
+
+#include <stdatomic.h>
+#include <stdbool.h>
+#include <time.h>
+
+/* Progress and cancelling of one piece of work.  Only the calling thread reports. */
+struct lx_control {
+    atomic_bool stop;
+    atomic_uint rows_done;
+    unsigned rows;
+    bool (*progress)(double done, void *data); /* NULL: none; false stops the work */
+    void *data;
+    struct timespec last; /* when progress was last reported */
+};
+
+/*
+ * Whether the work goes on.  To be asked often, at least every few milliseconds; `is_caller` tells the calling
+ * thread, which then reports progress about 200 times a second.
+ */
+bool lx_control_goes_on(struct lx_control *control, bool is_caller);
+
+/* Does rows first to last - 1 with the worker's own memory; `is_caller` as above. */
+typedef void lx_rows_work(void *data, unsigned worker, bool is_caller, unsigned first, unsigned last);
+
+/* Does control->rows rows with up to `threads` threads, the calling one among them.  False: it was stopped. */
+bool lx_rows_run(struct lx_control *control, unsigned threads, lx_rows_work *work, void *data);
+
+#endif

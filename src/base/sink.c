@@ -1,0 +1,143 @@
+/* SPDX-License-Identifier: MIT */
+/* Whole-or-nothing output: buffering, the first failure and its report.  Names and places are staged.c's. */
+#include "sink.h"
+
+#include <errno.h>
+#include <stdint.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "reason.h"
+#include "staged.h"
+
+enum { LX_SINK_BUFFER = 1 << 16, LX_LARGEST_WRITE = 1 << 30 };
+
+struct lx_sink {
+    struct lx_staged staged;
+    luxel_diagnostics *diagnostics;
+    char *path;          /* as the user wrote it */
+    luxel_status status; /* what the first failure was reported as */
+    size_t used;         /* bytes of buffer */
+    unsigned char buffer[LX_SINK_BUFFER];
+};
+
+static luxel_status report(luxel_diagnostics *diagnostics, enum lx_message message, const char *path, int error) {
+    if (error == ENOMEM) {
+        return lx_out_of_memory(diagnostics);
+    }
+    lx_report(diagnostics, LUXEL_SEVERITY_ERROR, NULL, message, LX_ARGS(path, lx_reason(error)));
+    return LUXEL_ERROR_FILE;
+}
+
+luxel_status lx_sink_open(const char *path, const struct lx_sink_system *system, luxel_diagnostics *diagnostics,
+                          struct lx_sink **sink) {
+    struct lx_sink *made = malloc(sizeof *made);
+    char *copy = strdup(path);
+
+    if (made == NULL || copy == NULL) {
+        free(made);
+        free(copy);
+        return lx_out_of_memory(diagnostics);
+    }
+    made->diagnostics = diagnostics;
+    made->path = copy;
+    made->status = LUXEL_OK;
+    made->used = 0;
+
+    int error = lx_staged_open(&made->staged, path, system != NULL ? system : &lx_sink_real_system);
+    if (error != 0) {
+        luxel_status status = report(diagnostics, LX_MSG_FILE_NOT_CREATED, path, error);
+        lx_sink_abort(made);
+        return status;
+    }
+    *sink = made;
+    return LUXEL_OK;
+}
+
+/* Writes all of the bytes, in as many calls as the system wants.  0 or an errno value. */
+static int write_all(const struct lx_staged *staged, const unsigned char *bytes, size_t count) {
+    while (count > 0) {
+        ssize_t written =
+            staged->system->write(staged->file, bytes, count < LX_LARGEST_WRITE ? count : LX_LARGEST_WRITE);
+
+        if (written < 0 && errno == EINTR) {
+            continue;
+        }
+        if (written <= 0) {
+            return written < 0 ? errno : EIO; /* a file that takes nothing would keep us here for ever */
+        }
+        bytes += written;
+        count -= (size_t)written;
+    }
+    return 0;
+}
+
+/* Writes out the buffer and then the bytes. */
+static void flush_with(struct lx_sink *sink, const void *bytes, size_t count) {
+    int error = write_all(&sink->staged, sink->buffer, sink->used);
+
+    sink->used = 0;
+    if (error == 0) {
+        error = write_all(&sink->staged, bytes, count);
+    }
+    if (error != 0) {
+        sink->status = report(sink->diagnostics, LX_MSG_FILE_NOT_WRITTEN, sink->path, error);
+    }
+}
+
+luxel_status lx_sink_write(struct lx_sink *sink, const void *bytes, size_t count) {
+    if (sink->status != LUXEL_OK || count == 0) {
+        return sink->status;
+    }
+    if (count >= LX_SINK_BUFFER) {
+        flush_with(sink, bytes, count);
+        return sink->status;
+    }
+    if (count > LX_SINK_BUFFER - sink->used) {
+        flush_with(sink, NULL, 0);
+    }
+    memcpy(sink->buffer + sink->used, bytes, count);
+    sink->used += count;
+    return sink->status;
+}
+
+luxel_status lx_sink_status(const struct lx_sink *sink) {
+    return sink->status;
+}
+
+luxel_status lx_sink_fail(struct lx_sink *sink, enum lx_message message, const char *detail) {
+    if (sink->status == LUXEL_OK) {
+        lx_report(sink->diagnostics, LUXEL_SEVERITY_ERROR, NULL, message, LX_ARGS(sink->path, detail));
+        sink->status = LUXEL_ERROR_FILE;
+    }
+    return sink->status;
+}
+
+luxel_status lx_sink_commit(struct lx_sink *sink) {
+    if (sink->status == LUXEL_OK) {
+        flush_with(sink, NULL, 0);
+    }
+    /* The bytes must be on the disk before the name is: otherwise a power cut could leave an empty file there. */
+    if (sink->status == LUXEL_OK && !sink->staged.direct && sink->staged.system->sync(sink->staged.file) != 0 &&
+        errno != EINVAL) { /* EINVAL: a file system without fsync */
+        sink->status = report(sink->diagnostics, LX_MSG_FILE_NOT_WRITTEN, sink->path, errno);
+    }
+    if (sink->status == LUXEL_OK) {
+        int error = lx_staged_publish(&sink->staged);
+
+        if (error != 0) {
+            sink->status = report(sink->diagnostics, LX_MSG_FILE_NOT_REPLACED, sink->path, error);
+        }
+    }
+    luxel_status status = sink->status;
+    lx_sink_abort(sink);
+    return status;
+}
+
+void lx_sink_abort(struct lx_sink *sink) {
+    if (sink != NULL) {
+        lx_staged_close(&sink->staged);
+        free(sink->path);
+        free(sink);
+    }
+}

@@ -1,0 +1,47 @@
+/* SPDX-License-Identifier: MIT */
+/* The field: the grid of numbers behind luxel_field, with what is needed to read it without the scene. */
+#ifndef LX_FIELD_FIELD_H
+#define LX_FIELD_FIELD_H
+
+#include <luxel/field.h>
+
+#include "../scene/scene.h"
+
+/* What is gathered of one row, and of all rows together. */
+struct lx_row_statistics {
+    double maximum, minimum; /* minimum: of the values from LX_LEAST_LIT up */
+    unsigned maximum_column, minimum_column;
+    size_t surface_pixels, lit_pixels;
+    double sum;
+};
+
+/* The smallest value that counts as light: below it float32 has no normal numbers. */
+#define LX_LEAST_LIT 1.2e-38
+
+struct luxel_field {
+    unsigned columns, rows;
+    luxel_quantity quantity;
+    luxel_precision precision;
+    const char *unit, *instruction_set; /* constants of the program */
+    void *values;                       /* float or double */
+    uint8_t *mask;
+    struct lx_screen screen;
+    struct lx_picture picture;
+    struct luxel_statistics statistics;
+};
+
+/* Bytes that a field of this size needs in memory; 0 where the number itself is too large. */
+size_t lx_field_bytes(unsigned columns, unsigned rows, luxel_precision precision);
+
+/* A field of the scene's resolution, its values not set yet; NULL when memory is short. */
+struct luxel_field *lx_field_new(const struct lx_scene_parameters *scene, luxel_precision precision);
+
+/* Stores values of a row from `column` on, rounded to the field's precision. */
+void lx_field_store(struct luxel_field *field, unsigned row, unsigned column, const double *values, const uint8_t *mask,
+                    size_t count);
+
+/* Gathers a finished row; then puts the rows' statistics (one for each row) together, in their order. */
+struct lx_row_statistics lx_gather_row(const struct luxel_field *field, unsigned row);
+void lx_finish_statistics(struct luxel_field *field, const struct lx_row_statistics *rows);
+
+#endif

@@ -1,0 +1,69 @@
+/* SPDX-License-Identifier: MIT */
+/* Statistics of a field, gathered row by row and put together in the order of the rows. */
+#include <math.h>
+
+#include "field.h"
+#include "../shade/camera.h"
+
+struct lx_row_statistics lx_gather_row(const struct luxel_field *field, unsigned row)
+{
+    struct lx_row_statistics result = {.maximum = -HUGE_VAL, .minimum = HUGE_VAL};
+    const uint8_t *mask = &field->mask[(size_t)row * field->columns];
+    for (unsigned i = 0; i < field->columns; i++) {
+        if (!mask[i])
+            continue;
+        double value = luxel_field_value(field, i, row);
+        result.surface_pixels++;
+        result.sum += value;
+        /* A value that is no number must not hide: it becomes the maximum. */
+        if (!(value <= result.maximum)) {
+            result.maximum = value;
+            result.maximum_column = i;
+        }
+        if (!(value >= LX_LEAST_LIT))
+            continue;
+        result.lit_pixels++;
+        if (value < result.minimum) {
+            result.minimum = value;
+            result.minimum_column = i;
+        }
+    }
+    return result;
+}
+
+static luxel_extremum extremum(const struct luxel_field *field, double value, unsigned column, unsigned row)
+{
+    return (luxel_extremum){
+        .exists = true,
+        .value = value,
+        .column = column,
+        .row = row,
+        .x_mm = lx_column_x_mm(&field->screen, column),
+        .y_mm = lx_row_y_mm(&field->screen, row),
+    };
+}
+
+void lx_finish_statistics(struct luxel_field *field, const struct lx_row_statistics *rows)
+{
+    luxel_statistics *all = &field->statistics;
+    size_t lit = 0;
+    double sum = 0;
+    *all = (luxel_statistics){0};
+    for (unsigned row = 0; row < field->rows; row++) {
+        const struct lx_row_statistics *one = &rows[row];
+        if (one->surface_pixels == 0)
+            continue;
+        if (!all->maximum.exists || !(one->maximum <= all->maximum.value))
+            all->maximum = extremum(field, one->maximum, one->maximum_column, row);
+        if (one->lit_pixels > 0 && (!all->minimum.exists || one->minimum < all->minimum.value))
+            all->minimum = extremum(field, one->minimum, one->minimum_column, row);
+        all->surface_pixels += one->surface_pixels;
+        lit += one->lit_pixels;
+        sum += one->sum;
+    }
+    all->has_surface = all->surface_pixels > 0;
+    if (all->has_surface) {
+        all->mean = sum / (double)all->surface_pixels;
+        all->lit = (double)lit / (double)all->surface_pixels;
+    }
+}

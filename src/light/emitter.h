@@ -1,0 +1,79 @@
+/* SPDX-License-Identifier: MIT */
+/*
+ * Emitters: the few simple sources that every light is made of, and their float64 reference.
+ *
+ * uniform    adds its irradiance to every element, whatever its normal
+ * direction  parallel light: one direction L and one irradiance E_perp
+ * point      a point with radiant intensity I, an attenuation law a(r) and an angular profile g(theta):
+ *            E_perp = I g(theta) a(r), r in metres, theta measured from the axis
+ *
+ * The kernels of the shade room hold the same formulas for whole blocks of elements.
+ */
+#ifndef LX_LIGHT_EMITTER_H
+#define LX_LIGHT_EMITTER_H
+
+#include <stddef.h>
+
+#include "../base/bounded.h"
+
+enum lx_emitter_type { LX_UNIFORM, LX_DIRECTION, LX_POINT };
+
+/* The attenuation laws a(r): 1/r^2, 1/(k + r), 1. */
+enum lx_attenuation { LX_INVERSE_SQUARE, LX_PRACTICAL, LX_NO_ATTENUATION };
+
+/* How a cone falls from 1 at its inner to 0 at its outer angle; LX_NO_CONE: 1 everywhere. */
+enum lx_falloff { LX_SMOOTHSTEP, LX_SQUARED, LX_LINEAR, LX_HARD, LX_NO_CONE };
+
+/*
+ * The angular profile g = f(theta) * max(0, cos theta)^exponent, with x^0 = 1.  The cone's angles stand as
+ * angles and as versines 1 - cos, whose differences keep their digits where cosines lose them.
+ */
+struct lx_profile {
+    enum lx_falloff falloff;
+    double exponent;
+    lx_bounded3 axis; /* unit */
+    lx_bounded inner_rad, outer_rad, inner_versine, outer_versine;
+};
+
+struct lx_emitter {
+    enum lx_emitter_type type;
+    size_t light;          /* index of the light in the scene that it belongs to */
+    double strength;       /* irradiance, or a point's radiant intensity */
+    lx_bounded3 towards;   /* direction: the unit vector to the light */
+    double position_mm[3]; /* point */
+    enum lx_attenuation attenuation;
+    double k_mm;           /* of the practical law */
+    struct lx_profile profile;
+};
+
+/* A growing list; zero-initialise, free with lx_emitters_clear(). */
+struct lx_emitters {
+    struct lx_emitter *items;
+    size_t count, capacity;
+};
+
+/* Appends a copy; 0, or -1 when memory ran out. */
+int lx_emitters_append(struct lx_emitters *emitters, const struct lx_emitter *emitter);
+void lx_emitters_clear(struct lx_emitters *emitters);
+
+/* The profile that is 1 everywhere. */
+struct lx_profile lx_profile_isotropic(void);
+
+/* max(0, cos theta)^exponent about an axis. */
+struct lx_profile lx_profile_cosine(lx_bounded3 axis, double exponent);
+
+/* A cone with its angles in degrees; equal angles make it hard. */
+struct lx_profile lx_profile_cone(lx_bounded3 axis, enum lx_falloff falloff, double inner_deg, double outer_deg,
+                                  double exponent);
+
+/* What one emitter gives at a place. */
+struct lx_sample {
+    lx_bounded3 towards; /* L, unit; for a direction or point */
+    lx_bounded e_perp;   /* irradiance on a plane facing the light; the irradiance itself for uniform */
+    bool on_element;     /* the point cannot be told from the place itself: there is no L */
+};
+
+/* The reference: the emitter's light at a place (mm). */
+struct lx_sample lx_emitter_sample(const struct lx_emitter *emitter, lx_bounded3 place_mm);
+
+#endif

@@ -1,0 +1,22 @@
+/* SPDX-License-Identifier: MIT */
+/*
+ * Kinds of lights.  A kind describes its authored parameters by a table and lowers them to emitters, so that
+ * kernels and references exist once per emitter and not once per light.  To add a kind: a file like
+ * distant.c, and a line in registry.c.
+ */
+#ifndef LX_LIGHT_LIGHT_H
+#define LX_LIGHT_LIGHT_H
+
+#include "../parameter/table.h"
+#include "emitter.h"
+
+struct lx_light_kind {
+    struct lx_variant variant; /* first, so that a variant of the list `lights` is its kind */
+    /* Appends the emitters that this light is made of; 0, or -1 when memory ran out.  Pure. */
+    int (*prepare)(const void *parameters, struct lx_emitters *emitters);
+};
+
+/* NULL-terminated: the variants of the list `lights`. */
+extern const struct lx_variant *const lx_light_variants[];
+
+#endif

@@ -1,0 +1,26 @@
+/* SPDX-License-Identifier: MIT */
+/* The authored material of a surface: its parameter table and the struct behind it. */
+#ifndef LX_MATERIAL_MATERIAL_H
+#define LX_MATERIAL_MATERIAL_H
+
+#include "../parameter/table.h"
+
+enum lx_model { LX_BLINN_PHONG, LX_PHONG, LX_LAMBERT };
+enum lx_highlight { LX_HIGHLIGHT_PLAIN, LX_HIGHLIGHT_GATED, LX_HIGHLIGHT_COSINE };
+
+struct lx_material {
+    uint64_t given;
+    int model;     /* enum lx_model */
+    double diffuse, specular, shininess;
+    double ambient; /* meaningful where given; else the diffuse weight counts */
+    bool over_pi;
+    int highlight; /* enum lx_highlight */
+    bool normalized;
+};
+
+extern const struct lx_table lx_material_table;
+
+/* ka: the ambient weight, kd where it is not given. */
+double lx_material_ambient(const struct lx_material *material);
+
+#endif

@@ -1,0 +1,339 @@
+/* SPDX-License-Identifier: MIT */
+/*
+ * The walk of tables over a document: which keys are there, unknown, doubled or missing, groups within groups,
+ * and lists whose elements say by their key `type` which table is theirs.
+ */
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "../base/memory.h"
+#include "../base/number.h"
+#include "decode.h"
+
+/* ---- defaults ---- */
+
+static void table_defaults(const struct lx_table *table, void *parameters)
+{
+    for (size_t i = 0; i < table->count; i++)
+        lx_set_default(&table->parameters[i], lx_member(&table->parameters[i], parameters));
+}
+
+static void numbers_default(const char *initial, unsigned count, double *numbers)
+{
+    for (unsigned i = 0; i < count; i++) {
+        initial += strspn(initial, "[, ");
+        size_t length = strcspn(initial, ",] ");
+        lx_read_number(initial, length, &numbers[i]);
+        initial += length;
+    }
+}
+
+static int choice_default(const struct lx_parameter *parameter)
+{
+    for (int i = 0; parameter->choices[i]; i++)
+        if (strcmp(parameter->choices[i], parameter->initial) == 0)
+            return i;
+    return 0;
+}
+
+void lx_set_default(const struct lx_parameter *parameter, void *value)
+{
+    double number = 0;
+    if (parameter->type == LX_GROUP)
+        table_defaults(parameter->group, value);
+    if (!parameter->initial)
+        return;
+    switch (parameter->type) {
+    case LX_REAL: numbers_default(parameter->initial, 1, value); break;
+    case LX_WHOLE:
+        numbers_default(parameter->initial, 1, &number);
+        *(unsigned *)value = (unsigned)number;
+        break;
+    case LX_REALS: numbers_default(parameter->initial, parameter->count, value); break;
+    case LX_BOOLEAN: *(bool *)value = strcmp(parameter->initial, "true") == 0; break;
+    case LX_CHOICE: *(int *)value = choice_default(parameter); break;
+    case LX_CHOICE_OR_PAIR: ((struct lx_choice_or_pair *)value)->choice = choice_default(parameter); break;
+    default: break;
+    }
+}
+
+/* ---- freeing ---- */
+
+static void list_clear(const struct lx_parameter *parameter, struct lx_list *list)
+{
+    for (size_t i = 0; i < list->count; i++) {
+        struct lx_item *item = &list->items[i];
+        if (item->variant) {
+            lx_parameters_clear(item->variant->table, item->parameters);
+            lx_parameters_clear(parameter->group, item->common);
+        }
+        free(item->parameters); /* common lies in the same memory */
+    }
+    free(list->items);
+    *list = (struct lx_list){0};
+}
+
+void lx_parameters_clear(const struct lx_table *table, void *parameters)
+{
+    for (size_t i = 0; i < table->count; i++) {
+        const struct lx_parameter *parameter = &table->parameters[i];
+        void *value = lx_member(parameter, parameters);
+        if (parameter->type == LX_GROUP) {
+            lx_parameters_clear(parameter->group, value);
+        } else if (parameter->type == LX_POINTS) {
+            free(((struct lx_points *)value)->xy);
+            *(struct lx_points *)value = (struct lx_points){0};
+        } else if (parameter->type == LX_VARIANTS) {
+            list_clear(parameter, value);
+        }
+    }
+}
+
+/* ---- mappings ---- */
+
+enum { MOST_TABLES = 2 };
+
+/* One mapping and the tables its keys come from: one, or an element's own and the one common to its list. */
+struct mapping {
+    struct lx_walk *walk;
+    const struct lx_step *step; /* to the mapping */
+    lx_node_id id;
+    const struct lx_parameter *list; /* of an element: the parameter whose variants it is one of */
+    size_t table_count;
+    const struct lx_table *tables[MOST_TABLES];
+    void *parameters[MOST_TABLES];
+    uint64_t seen[MOST_TABLES];
+    bool type_seen;
+};
+
+static bool decode_parameter(struct lx_walk *walk, const struct lx_step *step, const struct lx_parameter *parameter,
+                             lx_node_id id, void *value);
+
+static void report_key(const struct mapping *mapping, lx_node_id id, enum lx_message message)
+{
+    struct lx_step step = {mapping->step, lx_document_key(mapping->walk->document, id), 0};
+    lx_walk_report(mapping->walk, LUXEL_SEVERITY_ERROR, lx_document_key_place(mapping->walk->document, id), &step,
+                   message, step.key, NULL);
+}
+
+/* Decodes one key with its value; each is known to one of the tables, doubled, or unknown. */
+static void decode_key(struct mapping *mapping, lx_node_id id)
+{
+    struct lx_walk *walk = mapping->walk;
+    const char *key = lx_document_key(walk->document, id);
+    if (mapping->list && strcmp(key, "type") == 0) {
+        if (mapping->type_seen)
+            report_key(mapping, id, LX_MSG_DOUBLED_KEY);
+        mapping->type_seen = true;
+        return;
+    }
+    for (size_t t = 0; t < mapping->table_count; t++) {
+        const struct lx_parameter *parameter = lx_find_parameter(mapping->tables[t], key);
+        if (!parameter)
+            continue;
+        uint64_t bit = (uint64_t)1 << (parameter - mapping->tables[t]->parameters);
+        if (mapping->seen[t] & bit) {
+            report_key(mapping, id, LX_MSG_DOUBLED_KEY);
+            return;
+        }
+        mapping->seen[t] |= bit;
+        struct lx_step step = {mapping->step, key, 0};
+        if (decode_parameter(walk, &step, parameter, id, lx_member(parameter, mapping->parameters[t])))
+            *(uint64_t *)mapping->parameters[t] |= bit;
+        return;
+    }
+    report_key(mapping, id, LX_MSG_UNKNOWN_KEY);
+    lx_hint_unknown_key(walk->diagnostics, key, mapping->tables, mapping->table_count, mapping->list);
+}
+
+static void report_missing(struct mapping *mapping, const struct lx_parameter *parameter)
+{
+    struct lx_walk *walk = mapping->walk;
+    struct lx_step step = {mapping->step, parameter->name, 0};
+    struct lx_text expected = {0};
+    lx_walk_report(walk, LUXEL_SEVERITY_ERROR, lx_document_place(walk->document, mapping->id), &step,
+                   LX_MSG_MISSING_KEY, NULL, NULL);
+    lx_text_puts(&expected, parameter->meaning);
+    if (parameter->type != LX_GROUP && parameter->type != LX_VARIANTS) {
+        lx_text_puts(&expected, " (");
+        lx_add_type(&expected, parameter);
+        const char *unit = lx_unit_word(parameter->unit, walk->photometric);
+        if (parameter->legal.given || unit[0])
+            lx_text_puts(&expected, parameter->legal.given ? " " : " in ");
+        if (parameter->legal.given)
+            lx_add_range(&expected, &parameter->legal, unit);
+        else
+            lx_text_puts(&expected, unit);
+        lx_text_puts(&expected, ")");
+    }
+    char *words = lx_text_take(&expected);
+    if (words)
+        lx_hint(walk->diagnostics, LX_MSG_HINT_EXPECTED, LX_ARGS(words));
+    free(words);
+}
+
+/* Decodes all keys of a mapping; false where anything below it is wrong. */
+static bool decode_mapping(struct mapping *mapping)
+{
+    struct lx_walk *walk = mapping->walk;
+    bool failed_before = walk->failed;
+    walk->failed = false;
+    for (size_t t = 0; t < mapping->table_count; t++)
+        table_defaults(mapping->tables[t], mapping->parameters[t]);
+    for (lx_node_id id = lx_document_node(walk->document, mapping->id)->first; id && !walk->out_of_memory;
+         id = lx_document_node(walk->document, id)->next)
+        decode_key(mapping, id);
+    for (size_t t = 0; t < mapping->table_count; t++) {
+        const struct lx_table *table = mapping->tables[t];
+        for (size_t i = 0; i < table->count; i++)
+            if (table->parameters[i].required && !(mapping->seen[t] >> i & 1))
+                report_missing(mapping, &table->parameters[i]);
+        lx_check_rules(walk, mapping->step, table, mapping->parameters[t], mapping->seen[t], mapping->id);
+    }
+    bool good = !walk->failed && !walk->out_of_memory;
+    walk->failed = walk->failed || failed_before;
+    return good;
+}
+
+static bool is_mapping(struct lx_walk *walk, const struct lx_step *step, lx_node_id id, enum lx_node_kind kind)
+{
+    if (lx_document_node(walk->document, id)->kind == kind)
+        return true;
+    struct lx_text found = {0};
+    lx_add_found(&found, walk->document, id);
+    char *words = lx_text_take(&found);
+    lx_walk_report(walk, LUXEL_SEVERITY_ERROR, lx_document_place(walk->document, id), step,
+                   kind == LX_MAPPING ? LX_MSG_WRONG_GROUP : LX_MSG_WRONG_LIST, NULL, words ? words : "");
+    free(words);
+    return false;
+}
+
+/* ---- lists of variants ---- */
+
+/* The variant that an element's type names; NULL, and reported, where it names none. */
+static const struct lx_variant *find_variant(struct lx_walk *walk, const struct lx_step *step,
+                                             const struct lx_parameter *list, lx_node_id id)
+{
+    const struct lx_document *document = walk->document;
+    struct lx_text words = {0}, found = {0};
+    lx_add_variants(&words, list->variants);
+    char *known = lx_text_take(&words);
+    struct lx_step type_step = {step, "type", 0};
+    lx_node_id type = lx_document_find(document, id, "type");
+    if (!type) {
+        lx_walk_report(walk, LUXEL_SEVERITY_ERROR, lx_document_place(document, id), &type_step, LX_MSG_MISSING_KEY,
+                       NULL, NULL);
+        lx_hint(walk->diagnostics, LX_MSG_HINT_KNOWN_TYPES, LX_ARGS(known ? known : ""));
+        free(known);
+        return NULL;
+    }
+    bool scalar = lx_document_node(document, type)->kind == LX_SCALAR;
+    const char *name = scalar ? lx_document_text(document, type) : "";
+    struct lx_nearest nearest = {.word = name, .length = strlen(name)};
+    const struct lx_variant *variant = lx_find_variant(list, name);
+    for (size_t i = 0; list->variants[i]; i++)
+        lx_nearest_offer(&nearest, list->variants[i]->name);
+    lx_add_found(&found, document, type);
+    char *wrong = lx_text_take(&found);
+    if (!variant) {
+        lx_walk_report(walk, LUXEL_SEVERITY_ERROR, lx_document_place(document, type), &type_step, LX_MSG_WRONG_CHOICE,
+                       known ? known : "", wrong ? wrong : "");
+        lx_hint_nearest(walk->diagnostics, &nearest);
+    }
+    free(known);
+    free(wrong);
+    return variant;
+}
+
+static void decode_item(struct lx_walk *walk, const struct lx_step *step, const struct lx_parameter *list,
+                        lx_node_id id, struct lx_item *item)
+{
+    if (!is_mapping(walk, step, id, LX_MAPPING))
+        return;
+    const struct lx_variant *variant = find_variant(walk, step, list, id);
+    if (!variant)
+        return;
+    size_t own = (variant->table->size + _Alignof(max_align_t) - 1) / _Alignof(max_align_t) * _Alignof(max_align_t);
+    char *memory = lx_new_array(1, own + list->group->size);
+    if (!memory) {
+        walk->out_of_memory = true;
+        return;
+    }
+    struct mapping mapping = {
+        .walk = walk,
+        .step = step,
+        .id = id,
+        .list = list,
+        .table_count = 2,
+        .tables = {variant->table, list->group},
+        .parameters = {memory, memory + own},
+    };
+    *item = (struct lx_item){variant, memory, memory + own};
+    if (!decode_mapping(&mapping)) {
+        lx_parameters_clear(variant->table, item->parameters);
+        lx_parameters_clear(list->group, item->common);
+        free(memory);
+        *item = (struct lx_item){0};
+    }
+}
+
+static bool decode_variants(struct lx_walk *walk, const struct lx_step *step, const struct lx_parameter *list,
+                            lx_node_id id, struct lx_list *result)
+{
+    if (!is_mapping(walk, step, id, LX_SEQUENCE))
+        return false;
+    size_t count = lx_document_size(walk->document, id), i = 0;
+    if (count < list->count) {
+        char least[24];
+        snprintf(least, sizeof least, "%u", list->count);
+        lx_walk_report(walk, LUXEL_SEVERITY_ERROR, lx_document_place(walk->document, id), step, LX_MSG_TOO_FEW, least,
+                       NULL);
+        return false;
+    }
+    result->items = lx_new_array(count, sizeof *result->items);
+    if (!result->items) {
+        walk->out_of_memory = true;
+        return false;
+    }
+    result->count = count;
+    bool good = true;
+    for (id = lx_document_node(walk->document, id)->first; id && !walk->out_of_memory;
+         id = lx_document_node(walk->document, id)->next, i++) {
+        struct lx_step element = {step, NULL, i};
+        decode_item(walk, &element, list, id, &result->items[i]);
+        good = good && result->items[i].variant;
+    }
+    return good;
+}
+
+static bool decode_parameter(struct lx_walk *walk, const struct lx_step *step, const struct lx_parameter *parameter,
+                             lx_node_id id, void *value)
+{
+    if (parameter->type == LX_VARIANTS)
+        return decode_variants(walk, step, parameter, id, value);
+    if (parameter->type != LX_GROUP)
+        return lx_decode_value(walk, step, parameter, id, value);
+    if (!is_mapping(walk, step, id, LX_MAPPING))
+        return false;
+    struct mapping mapping = {
+        .walk = walk, .step = step, .id = id, .table_count = 1, .tables = {parameter->group}, .parameters = {value}};
+    return decode_mapping(&mapping);
+}
+
+luxel_status lx_decode(struct lx_walk *walk, const struct lx_table *table, void *parameters)
+{
+    memset(parameters, 0, table->size);
+    walk->failed = walk->out_of_memory = false;
+    if (is_mapping(walk, NULL, walk->document->root, LX_MAPPING)) {
+        struct mapping mapping = {.walk = walk,
+                                  .id = walk->document->root,
+                                  .table_count = 1,
+                                  .tables = {table},
+                                  .parameters = {parameters}};
+        decode_mapping(&mapping);
+    }
+    if (walk->out_of_memory)
+        return lx_out_of_memory(walk->diagnostics);
+    return walk->failed ? LUXEL_ERROR_SCENE : LUXEL_OK;
+}

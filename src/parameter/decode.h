@@ -1,0 +1,86 @@
+/* SPDX-License-Identifier: MIT */
+/* From a document to the structs that tables describe, with every error on the way reported. */
+#ifndef LX_PARAMETER_DECODE_H
+#define LX_PARAMETER_DECODE_H
+
+#include "document.h"
+#include "table.h"
+#include "words.h"
+
+/* What a walk over a document and its tables carries along. */
+struct lx_walk {
+    const struct lx_document *document;
+    luxel_diagnostics *diagnostics;
+    bool photometric; /* which words the units have */
+    bool failed, out_of_memory;
+};
+
+/*
+ * Fills *parameters, of table->size bytes, from the document's root, which must be a mapping: values that were
+ * written, defaults for the rest.  A `given` bit is set where a key was written and its value is good, also
+ * when the whole fails; a list's item with errors has no variant then.  Free with lx_parameters_clear() in
+ * any case.  LUXEL_ERROR_SCENE, LUXEL_ERROR_MEMORY.
+ */
+luxel_status lx_decode(struct lx_walk *walk, const struct lx_table *table, void *parameters);
+
+/* Frees what the struct holds, not itself. */
+void lx_parameters_clear(const struct lx_table *table, void *parameters);
+
+/* Appends advice on what was written: values outside advised ranges, keys without effect. */
+void lx_advise_parameters(struct lx_walk *walk, const struct lx_table *table, const void *parameters);
+
+/* ---- shared by the files of this room ---- */
+
+/* The parameter of a table with this name, or NULL. */
+const struct lx_parameter *lx_find_parameter(const struct lx_table *table, const char *name);
+
+static inline void *lx_member(const struct lx_parameter *parameter, void *parameters)
+{
+    return (char *)parameters + parameter->offset;
+}
+
+static inline const void *lx_const_member(const struct lx_parameter *parameter, const void *parameters)
+{
+    return (const char *)parameters + parameter->offset;
+}
+
+/* A number that was written plainly. */
+bool lx_read_real(const struct lx_document *document, lx_node_id id, double *value);
+
+/* Reports about a place; {0} is the end of the step's path, `first` and `second` (or NULL) are {1} and {2}. */
+void lx_walk_report(struct lx_walk *walk, luxel_severity severity, struct lx_place place, const struct lx_step *step,
+                    enum lx_message message, const char *first, const char *second);
+
+/* Decodes one value into its place in the struct; false where it is wrong, which is reported. */
+bool lx_decode_value(struct lx_walk *walk, const struct lx_step *step, const struct lx_parameter *parameter,
+                     lx_node_id id, void *value);
+
+/* Sets a value to its default (zero where there is none). */
+void lx_set_default(const struct lx_parameter *parameter, void *value);
+
+/* Hints at the nearest of the words, if one is near. */
+bool lx_hint_nearest(luxel_diagnostics *diagnostics, const struct lx_nearest *nearest);
+
+/*
+ * Hints at what was meant by a key that is in none of the tables: a key of other types of `list` (NULL where the
+ * keys are not those of a list's element), the nearest one, or all known ones.
+ */
+void lx_hint_unknown_key(luxel_diagnostics *diagnostics, const char *key, const struct lx_table *const *tables,
+                         size_t count, const struct lx_parameter *list);
+
+/* The variant of a list with this name, or NULL. */
+const struct lx_variant *lx_find_variant(const struct lx_parameter *list, const char *name);
+
+/*
+ * Checks the rules of a table; `mapping` is where the keys stand, `seen` the bits of those written, good or not.
+ * False where one is broken.
+ */
+bool lx_check_rules(struct lx_walk *walk, const struct lx_step *up, const struct lx_table *table,
+                    const void *parameters, uint64_t seen, lx_node_id mapping);
+
+/* The word that a parameter of type LX_CHOICE has now. */
+const char *lx_chosen(const struct lx_parameter *parameter, const void *parameters);
+/* Whether the rule's `other` has one of the rule's words now. */
+bool lx_rule_applies(const struct lx_rule *rule, const struct lx_table *table, const void *parameters);
+
+#endif

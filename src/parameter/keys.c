@@ -1,0 +1,73 @@
+/* SPDX-License-Identifier: MIT */
+/* Finding keys in tables, and what to say about those that are in none. */
+#include <stdlib.h>
+#include <string.h>
+
+#include "decode.h"
+
+const struct lx_parameter *lx_find_parameter(const struct lx_table *table, const char *name)
+{
+    for (size_t i = 0; table && i < table->count; i++)
+        if (strcmp(table->parameters[i].name, name) == 0)
+            return &table->parameters[i];
+    return NULL;
+}
+
+static void add_word(struct lx_text *text, const char *word)
+{
+    if (text->length)
+        lx_text_puts(text, ", ");
+    lx_text_puts(text, word);
+}
+
+/* The types of the list that have a key of this name, "" for none. */
+static char *types_with(const struct lx_parameter *list, const char *key)
+{
+    struct lx_text types = {0};
+    for (size_t i = 0; list && list->variants[i]; i++)
+        if (lx_find_parameter(list->variants[i]->table, key))
+            add_word(&types, list->variants[i]->name);
+    return lx_text_take(&types);
+}
+
+void lx_hint_unknown_key(luxel_diagnostics *diagnostics, const char *key, const struct lx_table *const *tables,
+                         size_t count, const struct lx_parameter *list)
+{
+    char *types = types_with(list, key);
+    if (types && types[0]) {
+        lx_hint(diagnostics, LX_MSG_HINT_OTHER_TYPES, LX_ARGS(key, types));
+        free(types);
+        return;
+    }
+    free(types);
+    struct lx_nearest nearest = {.word = key, .length = strlen(key)};
+    struct lx_text known = {0};
+    if (list) {
+        lx_nearest_offer(&nearest, "type");
+        add_word(&known, "type");
+    }
+    for (size_t t = 0; t < count; t++)
+        for (size_t i = 0; i < tables[t]->count; i++) {
+            lx_nearest_offer(&nearest, tables[t]->parameters[i].name);
+            add_word(&known, tables[t]->parameters[i].name);
+        }
+    char *words = lx_text_take(&known);
+    if (!lx_hint_nearest(diagnostics, &nearest) && words)
+        lx_hint(diagnostics, LX_MSG_HINT_KNOWN_KEYS, LX_ARGS(words));
+    free(words);
+}
+
+bool lx_hint_nearest(luxel_diagnostics *diagnostics, const struct lx_nearest *nearest)
+{
+    if (nearest->best)
+        lx_hint(diagnostics, LX_MSG_DID_YOU_MEAN, LX_ARGS(nearest->best));
+    return nearest->best != NULL;
+}
+
+const struct lx_variant *lx_find_variant(const struct lx_parameter *list, const char *name)
+{
+    for (size_t i = 0; list->variants[i]; i++)
+        if (strcmp(list->variants[i]->name, name) == 0)
+            return list->variants[i];
+    return NULL;
+}

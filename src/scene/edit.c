@@ -1,0 +1,119 @@
+/* SPDX-License-Identifier: MIT */
+/*
+ * Changing a scene by assignments, luxel_scene_set() itself included.  The value is read into new nodes behind
+ * the scene's own and only linked in at the end, so a failure leaves nothing behind; what a change replaces
+ * stays as garbage until it outweighs the scene, and is then left out by copying.
+ */
+#include <string.h>
+
+#include "../base/memory.h"
+#include "path.h"
+#include "yaml.h"
+
+/* Garbage worth leaving alone. */
+static const size_t SLACK_BYTES = 64 * 1024;
+
+static luxel_status refuse(struct lx_place place, size_t start, enum lx_message message, luxel_status status,
+                           luxel_diagnostics *diagnostics)
+{
+    place.start = start;
+    place.end = place.length;
+    lx_report(diagnostics, LUXEL_SEVERITY_ERROR, &place, message, NULL);
+    lx_hint(diagnostics, LX_MSG_HINT_ASSIGNMENT, NULL);
+    return status;
+}
+
+/* Gives a node the key of a segment. */
+static int name_node(struct lx_document *document, lx_node_id id, const struct lx_segment *segment)
+{
+    uint32_t key;
+    if (lx_document_add_text(document, segment->key, strlen(segment->key), &key) < 0)
+        return -1;
+    document->nodes[id].key = key;
+    document->nodes[id].key_start = (uint32_t)segment->start;
+    document->nodes[id].key_end = (uint32_t)segment->end;
+    return 0;
+}
+
+/*
+ * Hangs the value into the scene, in groups that are made where they are missing.  Nothing that was there is
+ * touched before all memory is at hand.
+ */
+static int link_value(struct lx_document *document, const struct lx_path *path, lx_node_id value)
+{
+    size_t i = path->count;
+    lx_node_id child = value;
+    for (;; i--) {
+        const struct lx_segment *segment = &path->segments[i - 1];
+        if (!segment->is_index && name_node(document, child, segment) < 0)
+            return -1;
+        lx_node_id parent = path->nodes[i - 1];
+        if (parent && lx_document_node(document, parent)->kind != LX_SCALAR)
+            break;
+        struct lx_node group = *lx_document_node(document, value);
+        group.kind = LX_MAPPING;
+        group.first = child;
+        group.next = 0;
+        if (lx_document_add_node(document, group, &child) < 0)
+            return -1;
+    }
+    if (path->nodes[i])
+        lx_document_replace(document, path->nodes[i - 1], path->nodes[i], child);
+    else
+        lx_document_append(document, path->nodes[i - 1], child);
+    return 0;
+}
+
+/* A replaced element of a list keeps no key, a replaced key its old one: both are right as they are. */
+static luxel_status assign(luxel_scene *scene, const struct lx_path *path, size_t value_start,
+                           luxel_diagnostics *diagnostics)
+{
+    struct lx_document *document = &scene->document;
+    struct lx_document_mark mark = lx_document_mark(document);
+    const struct lx_place *place = &path->place;
+    char *text = lx_copy_text(place->text, place->length);
+    luxel_status status = LUXEL_OK;
+    if (!text || lx_document_add_source(document, place->source, text, place->length) < 0)
+        return lx_out_of_memory(diagnostics);
+    lx_node_id value = 0;
+    status = lx_yaml_read(document, document->source_count - 1, value_start, (unsigned)path->count, diagnostics, &value);
+    if (status == LUXEL_OK && !value)
+        status = refuse(*place, value_start, LX_MSG_NO_VALUE, LUXEL_ERROR_SCENE, diagnostics);
+    if (status == LUXEL_OK && link_value(document, path, value) < 0)
+        status = lx_out_of_memory(diagnostics);
+    if (status != LUXEL_OK)
+        lx_document_rewind(document, mark);
+    return status;
+}
+
+/* Leaves the garbage out once it outweighs the rest; where memory is short, another time. */
+static void compact(luxel_scene *scene)
+{
+    struct lx_document copy;
+    if (lx_document_bytes(&scene->document) < 2 * scene->compact_bytes + SLACK_BYTES ||
+        lx_document_copy(&scene->document, &copy) < 0)
+        return;
+    lx_document_clear(&scene->document);
+    scene->document = copy;
+    scene->compact_bytes = lx_document_bytes(&copy);
+}
+
+luxel_status luxel_scene_set(luxel_scene *scene, const char *assignment, luxel_diagnostics *diagnostics)
+{
+    if (!scene || !assignment)
+        return LUXEL_ERROR_ARGUMENT;
+    struct lx_place place = {.source = "-s", .text = assignment, .length = strlen(assignment)};
+    const char *equals = strchr(assignment, '=');
+    if (!equals)
+        return refuse(place, 0, LX_MSG_NO_EQUALS, LUXEL_ERROR_PATH, diagnostics);
+    struct lx_path path;
+    size_t key_length = (size_t)(equals - assignment);
+    luxel_status status = lx_follow_path(scene, &place, key_length, diagnostics, &path);
+    if (status == LUXEL_OK)
+        status = assign(scene, &path, key_length + 1, diagnostics);
+    if (status == LUXEL_OK) {
+        lx_scene_uncommit(scene);
+        compact(scene);
+    }
+    return status;
+}

@@ -1,0 +1,43 @@
+/* SPDX-License-Identifier: MIT */
+/* The scene object itself, for the files of this room. */
+#ifndef LX_SCENE_OBJECT_H
+#define LX_SCENE_OBJECT_H
+
+#include "../parameter/decode.h"
+#include "../parameter/document.h"
+#include "scene.h"
+
+struct lx_convention {
+    const char *key;
+    char *value;
+};
+
+struct luxel_scene {
+    struct lx_document document;
+    size_t compact_bytes; /* what the document held when it was last without garbage */
+    bool committed;
+    struct lx_scene_parameters parameters; /* meaningful where committed, and so are the conventions */
+    struct lx_convention *conventions;
+    size_t convention_count, convention_capacity;
+};
+
+/* Takes the readiness away and frees what it consists of. */
+void lx_scene_uncommit(luxel_scene *scene);
+
+/* A walk over the scene's document. */
+struct lx_walk lx_scene_walk(const luxel_scene *scene, luxel_diagnostics *diagnostics);
+
+/* The node of a key in a group of the scene, 0 where it is not written. */
+lx_node_id lx_scene_node(const luxel_scene *scene, const char *group, const char *key);
+
+/*
+ * What must hold between the parts of a scene, as far as they are good themselves: square pixels, an observer
+ * above all surfaces.  Sets walk->failed.
+ */
+void lx_validate_scene(struct lx_walk *walk, const luxel_scene *scene);
+
+/* Collects the conventions of the decoded scene; 0, or -1 when memory ran out. */
+int lx_collect_conventions(luxel_scene *scene);
+void lx_clear_conventions(luxel_scene *scene);
+
+#endif

@@ -1,0 +1,37 @@
+/* SPDX-License-Identifier: MIT */
+/* Key paths such as lights[0].intensity, and what they lead to in a scene. */
+#ifndef LX_SCENE_PATH_H
+#define LX_SCENE_PATH_H
+
+#include "object.h"
+
+enum { LX_MOST_SEGMENTS = 8 };
+
+/* A part of a path: a key, or the index of an element. */
+struct lx_segment {
+    size_t start, end; /* bytes of the path's text */
+    bool is_index;
+    size_t index;
+    char key[64];
+};
+
+/* A path, checked against the tables and the scene. */
+struct lx_path {
+    struct lx_place place; /* the whole assignment */
+    size_t count;
+    struct lx_segment segments[LX_MOST_SEGMENTS];
+    /*
+     * nodes[i] is what segments 0 to i-1 lead to, nodes[0] the scene's root; 0: not written yet.  Only groups
+     * may be unwritten on the way.
+     */
+    lx_node_id nodes[LX_MOST_SEGMENTS + 1];
+};
+
+/*
+ * Reads the path in the place's first `length` bytes and follows it through the scene.
+ * LUXEL_ERROR_PATH: it is malformed or leads to no key or element, and reported.
+ */
+luxel_status lx_follow_path(const luxel_scene *scene, const struct lx_place *place, size_t length,
+                            luxel_diagnostics *diagnostics, struct lx_path *path);
+
+#endif

@@ -1,0 +1,187 @@
+/* SPDX-License-Identifier: MIT */
+/*
+ * The scene object, public functions included: made from a text, committed (decoded, validated, its conventions
+ * collected), copied, freed, and asked for what it says.
+ */
+#include <stdlib.h>
+#include <string.h>
+
+#include "../base/memory.h"
+#include "guard.h"
+#include "input.h"
+#include "object.h"
+#include "yaml.h"
+
+/* ---- making ---- */
+
+/* Makes a scene of a text that malloc() gave and that becomes the scene's. */
+static luxel_status make_scene(char *text, size_t length, const char *source, luxel_diagnostics *diagnostics,
+                               luxel_scene **result)
+{
+    luxel_scene *scene = lx_new_array(1, sizeof *scene);
+    if (!scene) {
+        free(text);
+        return lx_out_of_memory(diagnostics);
+    }
+    uint32_t empty;
+    luxel_status status = LUXEL_OK;
+    if (lx_document_add_source(&scene->document, source, text, length) < 0 ||
+        lx_document_add_text(&scene->document, "", 0, &empty) < 0)
+        status = lx_out_of_memory(diagnostics);
+    if (status == LUXEL_OK)
+        status = lx_yaml_read(&scene->document, 0, 0, 0, diagnostics, &scene->document.root);
+    lx_node_id root = scene->document.root;
+    if (status == LUXEL_OK && (!root || lx_document_node(&scene->document, root)->kind != LX_MAPPING)) {
+        struct lx_place place =
+            root ? lx_document_place(&scene->document, root) : lx_document_stretch(&scene->document, 0, 0, 0);
+        lx_report(diagnostics, LUXEL_SEVERITY_ERROR, &place, LX_MSG_NO_MAPPING, NULL);
+        lx_hint(diagnostics, LX_MSG_HINT_EXAMPLE, NULL);
+        status = LUXEL_ERROR_SCENE;
+    }
+    scene->compact_bytes = lx_document_bytes(&scene->document);
+    if (status == LUXEL_OK)
+        *result = scene;
+    else
+        luxel_scene_free(scene);
+    return status;
+}
+
+luxel_status luxel_scene_read_text(const char *text, size_t length, const char *source, luxel_diagnostics *diagnostics,
+                                   luxel_scene **scene)
+{
+    if (!scene || (!text && length))
+        return LUXEL_ERROR_ARGUMENT;
+    if (!source)
+        source = "<text>";
+    if (length > LX_LARGEST_TEXT)
+        return lx_refuse_size(source, diagnostics);
+    char *copy = lx_copy_text(text, length);
+    return copy ? make_scene(copy, length, source, diagnostics, scene) : lx_out_of_memory(diagnostics);
+}
+
+luxel_status luxel_scene_read_file(const char *path, luxel_diagnostics *diagnostics, luxel_scene **scene)
+{
+    char *text = NULL;
+    size_t length = 0;
+    if (!path || !scene)
+        return LUXEL_ERROR_ARGUMENT;
+    luxel_status status = lx_read_input(path, diagnostics, &text, &length);
+    return status == LUXEL_OK ? make_scene(text, length, path, diagnostics, scene) : status;
+}
+
+luxel_scene *luxel_scene_copy(const luxel_scene *scene)
+{
+    luxel_scene *copy = scene ? lx_new_array(1, sizeof *copy) : NULL;
+    if (!copy)
+        return NULL;
+    if (lx_document_copy(&scene->document, &copy->document) < 0 ||
+        (scene->committed && luxel_scene_commit(copy, NULL) != LUXEL_OK)) {
+        luxel_scene_free(copy);
+        return NULL;
+    }
+    copy->compact_bytes = lx_document_bytes(&copy->document);
+    return copy;
+}
+
+void luxel_scene_free(luxel_scene *scene)
+{
+    if (!scene)
+        return;
+    lx_scene_uncommit(scene);
+    lx_document_clear(&scene->document);
+    free(scene);
+}
+
+/* ---- committing ---- */
+
+void lx_scene_uncommit(luxel_scene *scene)
+{
+    lx_parameters_clear(&lx_scene_table, &scene->parameters);
+    lx_clear_conventions(scene);
+    memset(&scene->parameters, 0, sizeof scene->parameters);
+    scene->committed = false;
+}
+
+lx_node_id lx_scene_node(const luxel_scene *scene, const char *group, const char *key)
+{
+    lx_node_id mapping = lx_document_find(&scene->document, scene->document.root, group);
+    return mapping ? lx_document_find(&scene->document, mapping, key) : 0;
+}
+
+struct lx_walk lx_scene_walk(const luxel_scene *scene, luxel_diagnostics *diagnostics)
+{
+    lx_node_id units = lx_document_find(&scene->document, scene->document.root, "units");
+    bool photometric = units && lx_document_node(&scene->document, units)->kind == LX_SCALAR &&
+                       strcmp(lx_document_text(&scene->document, units), "photometric") == 0;
+    return (struct lx_walk){.document = &scene->document, .diagnostics = diagnostics, .photometric = photometric};
+}
+
+luxel_status luxel_scene_commit(luxel_scene *scene, luxel_diagnostics *diagnostics)
+{
+    if (!scene)
+        return LUXEL_ERROR_ARGUMENT;
+    lx_scene_uncommit(scene);
+    struct lx_walk walk = lx_scene_walk(scene, diagnostics);
+    luxel_status status = lx_decode(&walk, &lx_scene_table, &scene->parameters);
+    if (status != LUXEL_ERROR_MEMORY)
+        lx_validate_scene(&walk, scene);
+    if (walk.failed && status == LUXEL_OK)
+        status = LUXEL_ERROR_SCENE;
+    if (status == LUXEL_OK && lx_collect_conventions(scene) < 0)
+        status = lx_out_of_memory(diagnostics);
+    if (status == LUXEL_OK)
+        scene->committed = true;
+    else
+        lx_scene_uncommit(scene);
+    return status;
+}
+
+bool luxel_scene_is_committed(const luxel_scene *scene)
+{
+    return scene && scene->committed;
+}
+
+const struct lx_scene_parameters *lx_scene_parameters(const luxel_scene *scene)
+{
+    return luxel_scene_is_committed(scene) ? &scene->parameters : NULL;
+}
+
+/* ---- asking ---- */
+
+size_t luxel_scene_point_count(const luxel_scene *scene)
+{
+    return luxel_scene_is_committed(scene) ? scene->parameters.points.count : 0;
+}
+
+luxel_status luxel_scene_point(const luxel_scene *scene, size_t i, double *x_mm, double *y_mm)
+{
+    if (i >= luxel_scene_point_count(scene) || !x_mm || !y_mm)
+        return LUXEL_ERROR_ARGUMENT;
+    *x_mm = scene->parameters.points.xy[i][0];
+    *y_mm = scene->parameters.points.xy[i][1];
+    return LUXEL_OK;
+}
+
+luxel_status luxel_scene_resolution(const luxel_scene *scene, unsigned *columns, unsigned *rows)
+{
+    if (!luxel_scene_is_committed(scene) || !columns || !rows)
+        return LUXEL_ERROR_ARGUMENT;
+    *columns = scene->parameters.screen.resolution[0];
+    *rows = scene->parameters.screen.resolution[1];
+    return LUXEL_OK;
+}
+
+size_t luxel_scene_convention_count(const luxel_scene *scene)
+{
+    return luxel_scene_is_committed(scene) ? scene->convention_count : 0;
+}
+
+const char *luxel_scene_convention_key(const luxel_scene *scene, size_t i)
+{
+    return i < luxel_scene_convention_count(scene) ? scene->conventions[i].key : NULL;
+}
+
+const char *luxel_scene_convention_value(const luxel_scene *scene, size_t i)
+{
+    return i < luxel_scene_convention_count(scene) ? scene->conventions[i].value : NULL;
+}

@@ -1,0 +1,74 @@
+/* SPDX-License-Identifier: MIT */
+/*
+ * The scene: the document that the user wrote (a tree with places) and, once committed, the structs decoded
+ * from it through the parameter tables.
+ */
+#ifndef LX_SCENE_SCENE_H
+#define LX_SCENE_SCENE_H
+
+#include <luxel/scene.h>
+
+#include "../material/material.h"
+#include "../parameter/table.h"
+
+enum lx_units { LX_RADIOMETRIC, LX_PHOTOMETRIC };
+enum lx_shadows { LX_SHADOWS_POINTS, LX_SHADOWS_NONE };
+enum lx_sampling { LX_CENTERS, LX_NODES };
+enum lx_projection { LX_ORTHOGRAPHIC, LX_PERSPECTIVE };
+enum lx_view { LX_VIEW_PARALLEL, LX_VIEW_OBSERVER };
+enum lx_range { LX_RANGE_MAX, LX_RANGE_MINMAX, LX_RANGE_LOG };
+enum lx_rounding { LX_TRUNCATE, LX_NEAREST };
+
+struct lx_screen {
+    uint64_t given;
+    double width_mm, height_mm;
+    unsigned resolution[2]; /* columns, rows */
+    int sampling;           /* enum lx_sampling */
+};
+
+struct lx_observer {
+    uint64_t given;
+    double z_mm;
+    int projection; /* enum lx_projection */
+    int view;       /* enum lx_view */
+};
+
+struct lx_picture {
+    uint64_t given;
+    struct lx_choice_or_pair range; /* enum lx_range, or the pair */
+    int rounding;                   /* enum lx_rounding */
+};
+
+/* The keys that every surface and every light has beside those of its kind. */
+struct lx_surface_common {
+    uint64_t given;
+    const char *name;
+    struct lx_material material;
+};
+
+struct lx_light_common {
+    uint64_t given;
+    const char *name; /* NULL where it has none */
+    bool enabled;
+};
+
+/* The whole authored scene; lx_scene_table describes it. */
+struct lx_scene_parameters {
+    uint64_t given;
+    unsigned luxel;
+    int units;   /* enum lx_units */
+    int shadows; /* enum lx_shadows */
+    struct lx_screen screen;
+    struct lx_observer observer;
+    struct lx_list surfaces; /* variants are lx_surface_kind, common lx_surface_common */
+    struct lx_list lights;   /* variants are lx_light_kind, common lx_light_common */
+    struct lx_points points;
+    struct lx_picture picture;
+};
+
+extern const struct lx_table lx_scene_table;
+
+/* The decoded parameters of a committed scene, NULL before; they live until the scene changes. */
+const struct lx_scene_parameters *lx_scene_parameters(const luxel_scene *scene);
+
+#endif

@@ -1,0 +1,265 @@
+/* SPDX-License-Identifier: MIT */
+/* The tables of what a scene holds beside its surfaces, materials and lights, and the table of the whole. */
+#include <math.h>
+
+#include "../light/light.h"
+#include "../surface/surface.h"
+#include "scene.h"
+
+static const char *const units_names[] = {"radiometric", "photometric", NULL};
+static const char *const shadows_names[] = {"points", "none", NULL};
+static const char *const sampling_names[] = {"centers", "nodes", NULL};
+static const char *const projection_names[] = {"orthographic", "perspective", NULL};
+static const char *const view_names[] = {"parallel", "observer", NULL};
+static const char *const range_names[] = {"max", "minmax", "log", NULL};
+static const char *const rounding_names[] = {"truncate", "nearest", NULL};
+
+/* ---- screen ---- */
+
+static const struct lx_parameter screen_parameters[] = {
+    {
+        .name = "width",
+        .type = LX_REAL,
+        .offset = offsetof(struct lx_screen, width_mm),
+        .unit = LX_UNIT_MM,
+        .required = true,
+        .legal = LX_ABOVE(0),
+        .advised = {LX_BETWEEN(100, 10000)},
+        .meaning = "the width of the screen, along x",
+    },
+    {
+        .name = "height",
+        .type = LX_REAL,
+        .offset = offsetof(struct lx_screen, height_mm),
+        .unit = LX_UNIT_MM,
+        .required = true,
+        .legal = LX_ABOVE(0),
+        .advised = {LX_BETWEEN(100, 10000)},
+        .meaning = "the height of the screen, along y",
+    },
+    {
+        .name = "resolution",
+        .type = LX_WHOLES,
+        .offset = offsetof(struct lx_screen, resolution),
+        .count = 2,
+        .required = true,
+        .legal = LX_BETWEEN(1, 65536),
+        .advised = {LX_BETWEEN(200, 800)},
+        .meaning = "the number of pixels, [horizontal, vertical]; pixels must be square",
+    },
+    {
+        .name = "sampling",
+        .type = LX_CHOICE,
+        .offset = offsetof(struct lx_screen, sampling),
+        .initial = "centers",
+        .choices = sampling_names,
+        .meaning = "where samples lie: in the centres of pixels, or on nodes from one edge of the screen to the other",
+    },
+};
+
+static const struct lx_table screen_table = {
+    .parameters = screen_parameters,
+    .count = LX_COUNT(screen_parameters),
+    .size = sizeof(struct lx_screen),
+};
+
+/* ---- observer ---- */
+
+static const struct lx_parameter observer_parameters[] = {
+    {
+        .name = "z",
+        .type = LX_REAL,
+        .offset = offsetof(struct lx_observer, z_mm),
+        .unit = LX_UNIT_MM,
+        .required = true,
+        .advised = {LX_BETWEEN(100, 10000)},
+        .meaning = "the height of the observer above the screen, at (0, 0, z), above the front of every surface",
+    },
+    {
+        .name = "projection",
+        .type = LX_CHOICE,
+        .offset = offsetof(struct lx_observer, projection),
+        .initial = "orthographic",
+        .choices = projection_names,
+        .meaning = "how points of the screen see the surface: along z, or from the observer through the point",
+    },
+    {
+        .name = "view",
+        .type = LX_CHOICE,
+        .offset = offsetof(struct lx_observer, view),
+        .initial = "parallel",
+        .choices = view_names,
+        .meaning = "the view vector of the highlight: (0, 0, 1) everywhere, or from each point to the observer",
+    },
+};
+
+static const struct lx_rule observer_rules[] = {
+    {LX_RULE_USED, "view", "projection", "orthographic"},
+};
+
+static const struct lx_table observer_table = {
+    .parameters = observer_parameters,
+    .count = LX_COUNT(observer_parameters),
+    .rules = observer_rules,
+    .rule_count = LX_COUNT(observer_rules),
+    .size = sizeof(struct lx_observer),
+};
+
+/* ---- picture ---- */
+
+static const struct lx_parameter picture_parameters[] = {
+    {
+        .name = "range",
+        .type = LX_CHOICE_OR_PAIR,
+        .offset = offsetof(struct lx_picture, range),
+        .initial = "max",
+        .choices = range_names,
+        .meaning = "which values become black and white: 0 and the maximum, the least and greatest value on a "
+                   "surface, a logarithmic scale of four decades, or [low, high]",
+    },
+    {
+        .name = "rounding",
+        .type = LX_CHOICE,
+        .offset = offsetof(struct lx_picture, rounding),
+        .initial = "truncate",
+        .choices = rounding_names,
+        .meaning = "how grey levels become whole numbers",
+    },
+};
+
+static const struct lx_table picture_table = {
+    .parameters = picture_parameters,
+    .count = LX_COUNT(picture_parameters),
+    .size = sizeof(struct lx_picture),
+};
+
+/* ---- what all surfaces and all lights have ---- */
+
+static const struct lx_parameter surface_common_parameters[] = {
+    {
+        .name = "name",
+        .type = LX_TEXT,
+        .offset = offsetof(struct lx_surface_common, name),
+        .meaning = "a name for messages and tables",
+    },
+    {
+        .name = "material",
+        .type = LX_GROUP,
+        .offset = offsetof(struct lx_surface_common, material),
+        .group = &lx_material_table,
+        .meaning = "how the surface turns light into brightness",
+    },
+};
+
+static const struct lx_table surface_common_table = {
+    .parameters = surface_common_parameters,
+    .count = LX_COUNT(surface_common_parameters),
+    .size = sizeof(struct lx_surface_common),
+};
+
+static const struct lx_parameter light_common_parameters[] = {
+    {
+        .name = "name",
+        .type = LX_TEXT,
+        .offset = offsetof(struct lx_light_common, name),
+        .meaning = "a name for messages and tables",
+    },
+    {
+        .name = "enabled",
+        .type = LX_BOOLEAN,
+        .offset = offsetof(struct lx_light_common, enabled),
+        .initial = "true",
+        .meaning = "whether the light shines",
+    },
+};
+
+static const struct lx_table light_common_table = {
+    .parameters = light_common_parameters,
+    .count = LX_COUNT(light_common_parameters),
+    .size = sizeof(struct lx_light_common),
+};
+
+/* ---- the scene ---- */
+
+static const struct lx_parameter scene_parameters[] = {
+    {
+        .name = "luxel",
+        .type = LX_WHOLE,
+        .offset = offsetof(struct lx_scene_parameters, luxel),
+        .required = true,
+        .legal = LX_BETWEEN(1, 1),
+        .meaning = "the version of the scene format",
+    },
+    {
+        .name = "units",
+        .type = LX_CHOICE,
+        .offset = offsetof(struct lx_scene_parameters, units),
+        .initial = "radiometric",
+        .choices = units_names,
+        .meaning = "the names of the units: watts or lumens; numbers stay as they are",
+    },
+    {
+        .name = "shadows",
+        .type = LX_CHOICE,
+        .offset = offsetof(struct lx_scene_parameters, shadows),
+        .initial = "points",
+        .choices = shadows_names,
+        .meaning = "whether surfaces take the light of point-like and distant sources from one another",
+    },
+    {
+        .name = "screen",
+        .type = LX_GROUP,
+        .offset = offsetof(struct lx_scene_parameters, screen),
+        .required = true,
+        .group = &screen_table,
+        .meaning = "the screen in the plane z = 0, centred on the origin",
+    },
+    {
+        .name = "observer",
+        .type = LX_GROUP,
+        .offset = offsetof(struct lx_scene_parameters, observer),
+        .required = true,
+        .group = &observer_table,
+        .meaning = "who looks, along -z",
+    },
+    {
+        .name = "surfaces",
+        .type = LX_VARIANTS,
+        .offset = offsetof(struct lx_scene_parameters, surfaces),
+        .count = 1,
+        .required = true,
+        .group = &surface_common_table,
+        .variants = lx_surface_variants,
+        .meaning = "the surfaces, at least one",
+    },
+    {
+        .name = "lights",
+        .type = LX_VARIANTS,
+        .offset = offsetof(struct lx_scene_parameters, lights),
+        .required = true,
+        .group = &light_common_table,
+        .variants = lx_light_variants,
+        .meaning = "the lights; the list may be empty",
+    },
+    {
+        .name = "points",
+        .type = LX_POINTS,
+        .offset = offsetof(struct lx_scene_parameters, points),
+        .unit = LX_UNIT_MM,
+        .initial = "[]",
+        .meaning = "points of the screen whose values are printed with the picture",
+    },
+    {
+        .name = "picture",
+        .type = LX_GROUP,
+        .offset = offsetof(struct lx_scene_parameters, picture),
+        .group = &picture_table,
+        .meaning = "how values become grey levels",
+    },
+};
+
+const struct lx_table lx_scene_table = {
+    .parameters = scene_parameters,
+    .count = LX_COUNT(scene_parameters),
+    .size = sizeof(struct lx_scene_parameters),
+};

@@ -1,0 +1,46 @@
+/* SPDX-License-Identifier: MIT */
+/* Sampling of the screen and lines of sight; both axes go by the same rule, y downwards from the top. */
+#include <math.h>
+
+#include "camera.h"
+
+/* Distance of sample i of n from the edge of an axis that is `length` long. */
+static double sample_position(int sampling, double length, unsigned n, unsigned i)
+{
+    if (sampling == LX_CENTERS)
+        return (i + 0.5) * length / n;
+    return n > 1 ? i * length / (n - 1) : length / 2; /* a single node has no edges to lie on */
+}
+
+double lx_column_x_mm(const struct lx_screen *screen, unsigned column)
+{
+    return -screen->width_mm / 2 + sample_position(screen->sampling, screen->width_mm, screen->resolution[0], column);
+}
+
+double lx_row_y_mm(const struct lx_screen *screen, unsigned row)
+{
+    return screen->height_mm / 2 - sample_position(screen->sampling, screen->height_mm, screen->resolution[1], row);
+}
+
+/* The sample whose cell holds a distance from the edge; the far edge belongs to the last. */
+static bool sample_at(int sampling, double length, unsigned n, double distance, unsigned *i)
+{
+    if (!(distance >= 0 && distance <= length))
+        return false;
+    double place = sampling == LX_NODES ? round(distance / length * (n - 1)) : floor(distance / length * n);
+    *i = place < n ? (unsigned)place : n - 1;
+    return true;
+}
+
+bool lx_pixel_at(const struct lx_screen *screen, double x_mm, double y_mm, unsigned *column, unsigned *row)
+{
+    return sample_at(screen->sampling, screen->width_mm, screen->resolution[0], x_mm + screen->width_mm / 2, column) &&
+           sample_at(screen->sampling, screen->height_mm, screen->resolution[1], screen->height_mm / 2 - y_mm, row);
+}
+
+struct lx_ray lx_line_of_sight(const struct lx_observer *observer, double x_mm, double y_mm)
+{
+    if (observer->projection == LX_PERSPECTIVE)
+        return (struct lx_ray){.origin_mm = {0, 0, observer->z_mm}, .direction = {x_mm, y_mm, -observer->z_mm}};
+    return (struct lx_ray){.origin_mm = {x_mm, y_mm, observer->z_mm}, .direction = {0, 0, -1}};
+}

@@ -1,0 +1,19 @@
+/* SPDX-License-Identifier: MIT */
+/* The camera: between pixels, places on the screen, and lines of sight. */
+#ifndef LX_SHADE_CAMERA_H
+#define LX_SHADE_CAMERA_H
+
+#include "../scene/scene.h"
+#include "../surface/surface.h"
+
+/* Where the samples of a column and a row lie on the screen. */
+double lx_column_x_mm(const struct lx_screen *screen, unsigned column);
+double lx_row_y_mm(const struct lx_screen *screen, unsigned row);
+
+/* The pixel that a screen point falls in; false off the screen. */
+bool lx_pixel_at(const struct lx_screen *screen, double x_mm, double y_mm, unsigned *column, unsigned *row);
+
+/* The line of sight through a screen point. */
+struct lx_ray lx_line_of_sight(const struct lx_observer *observer, double x_mm, double y_mm);
+
+#endif

@@ -1,0 +1,44 @@
+/* SPDX-License-Identifier: MIT */
+/* The table of instruction sets and the choice among them. */
+#include <stdlib.h>
+#include <string.h>
+#include <strings.h>
+
+#include "kernel.h"
+
+extern const struct lx_kernels lx_kernels_generic;
+#if defined __x86_64__
+extern const struct lx_kernels lx_kernels_x86_64, lx_kernels_x86_64_v3, lx_kernels_x86_64_v4;
+#endif
+
+static const struct lx_kernels *const sets[] = {
+#if defined __x86_64__
+    &lx_kernels_x86_64_v4,
+    &lx_kernels_x86_64_v3,
+    &lx_kernels_x86_64,
+#endif
+    &lx_kernels_generic,
+};
+
+const struct lx_kernels *lx_kernels_get(size_t i)
+{
+    return i < sizeof sets / sizeof sets[0] ? sets[i] : NULL;
+}
+
+/* "x86-64-v3" is also known as "v3" and "-v3". */
+static bool is_called(const struct lx_kernels *kernels, const char *name)
+{
+    const char *level = strrchr(kernels->name, '-');
+    return strcasecmp(kernels->name, name) == 0 ||
+           (level && level[1] == 'v' && (strcasecmp(level, name) == 0 || strcasecmp(level + 1, name) == 0));
+}
+
+const struct lx_kernels *lx_kernels_choose(const char *name)
+{
+    if (!name)
+        name = getenv("LUXEL_ISA");
+    for (size_t i = 0; lx_kernels_get(i); i++)
+        if (lx_kernels_get(i)->runs() && (!name || !*name || is_called(lx_kernels_get(i), name)))
+            return lx_kernels_get(i);
+    return NULL;
+}

@@ -1,0 +1,176 @@
+/* SPDX-License-Identifier: MIT */
+/*
+ * The kernels of one instruction set: this file is compiled once for each, with LX_ISA its name as a C word,
+ * LX_ISA_NAME as users write it, LX_ISA_LEVEL its x86-64 level (0: not of that family), and the compiler flags
+ * that allow its instructions.
+ */
+#include <math.h>
+#include <stdint.h>
+
+#include "kernel.h"
+
+#define REAL float
+#define NAME(x) x##_single
+#define BITS uint32_t
+#define MANTISSA 23
+#define BIAS 127
+#define MAGIC 12582912.0F
+#define SMALLEST 1.17549435e-38
+#define SQRT sqrtf
+#define LOG_TERMS 5
+#define EXP_TERMS 8
+#include "kernel_real.h"
+#undef REAL
+#undef NAME
+#undef BITS
+#undef MANTISSA
+#undef BIAS
+#undef MAGIC
+#undef SMALLEST
+#undef SQRT
+#undef LOG_TERMS
+#undef EXP_TERMS
+
+#define REAL double
+#define NAME(x) x##_double
+#define BITS uint64_t
+#define MANTISSA 52
+#define BIAS 1023
+#define MAGIC 6755399441055744.0
+#define SMALLEST 2.2250738585072014e-308
+#define SQRT sqrt
+#define LOG_TERMS 11
+#define EXP_TERMS 14
+#include "kernel_real.h"
+
+/* Of a sphere seen along -z: the normal at (x, y) is (dx, dy, sqrt(R^2 - dx^2 - dy^2))/R. */
+static void meet_parallel_lines(const struct lx_shape *sphere, const struct lx_row_view *view,
+                                const double *restrict x_mm, size_t count, double *restrict depth, double *restrict nx,
+                                double *restrict ny, double *restrict nz)
+{
+    const double radius = sphere->radius_mm, inverse = 1 / radius, dy = view->y_mm - sphere->anchor_mm[1];
+    for (size_t i = 0; i < count; i++) {
+        double dx = x_mm[i] - sphere->anchor_mm[0];
+        double below = radius * radius - dy * dy - dx * dx;
+        double height = sqrt(below > 0 ? below : 0);
+        depth[i] = below >= 0 ? view->observer_z_mm - sphere->anchor_mm[2] - height : HUGE_VAL;
+        nx[i] = dx * inverse;
+        ny[i] = dy * inverse;
+        nz[i] = height * inverse;
+    }
+}
+
+/* Of a sphere seen from a point, as surface/sphere.c explains it: d the line, c from the centre to the observer. */
+static void meet_central_lines(const struct lx_shape *sphere, const struct lx_row_view *view,
+                               const double *restrict x_mm, size_t count, double *restrict depth, double *restrict nx,
+                               double *restrict ny, double *restrict nz)
+{
+    const double radius = sphere->radius_mm;
+    const double cx = -sphere->anchor_mm[0], cy = -sphere->anchor_mm[1];
+    const double cz = view->observer_z_mm - sphere->anchor_mm[2];
+    const double dy = view->y_mm, dz = -view->observer_z_mm;
+    for (size_t i = 0; i < count; i++) {
+        double dx = x_mm[i];
+        double wx = dy * cz - dz * cy, wy = dz * cx - dx * cz, wz = dx * cy - dy * cx;
+        double a = dx * dx + dy * dy + dz * dz;
+        double below = a * (radius * radius) - (wx * wx + wy * wy + wz * wz);
+        double root = sqrt(below > 0 ? below : 0);
+        double inverse = 1 / (a * radius);
+        depth[i] = below >= 0 ? -(dx * cx + dy * cy + dz * cz + root) / a : HUGE_VAL;
+        nx[i] = (wy * dz - wz * dy - dx * root) * inverse;
+        ny[i] = (wz * dx - wx * dz - dy * root) * inverse;
+        nz[i] = (wx * dy - wy * dx - dz * root) * inverse;
+    }
+}
+
+static void meet_sphere(const struct lx_shape *sphere, const struct lx_row_view *view, const double *x_mm, size_t count,
+                        double *depth, double *nx, double *ny, double *nz)
+{
+    if (view->perspective)
+        meet_central_lines(sphere, view, x_mm, lx_padded(count), depth, nx, ny, nz);
+    else
+        meet_parallel_lines(sphere, view, x_mm, lx_padded(count), depth, nx, ny, nz);
+}
+
+static void look_at(const double observer_mm[3], struct lx_block_double *block, size_t count)
+{
+    for (size_t i = 0; i < count; i++) {
+        double x = observer_mm[0] - block->px[i], y = observer_mm[1] - block->py[i], z = observer_mm[2] - block->pz[i];
+        double inverse = 1 / sqrt(x * x + y * y + z * z);
+        block->vx[i] = x * inverse;
+        block->vy[i] = y * inverse;
+        block->vz[i] = z * inverse;
+    }
+}
+
+static void complete_sphere(const struct lx_shape *sphere, const double *observer_mm, struct lx_block_double *block,
+                            struct lx_block_single *copy, size_t count)
+{
+    const double radius = sphere->radius_mm;
+    count = lx_padded(count);
+    for (size_t i = 0; i < count; i++) {
+        block->px[i] = radius * block->nx[i];
+        block->py[i] = radius * block->ny[i];
+        block->pz[i] = radius * block->nz[i];
+        block->vx[i] = 0;
+        block->vy[i] = 0;
+        block->vz[i] = 1;
+    }
+    if (observer_mm)
+        look_at(observer_mm, block, count);
+    for (size_t i = 0; i < count; i++) {
+        copy->px[i] = (float)block->px[i], copy->py[i] = (float)block->py[i], copy->pz[i] = (float)block->pz[i];
+        copy->nx[i] = (float)block->nx[i], copy->ny[i] = (float)block->ny[i], copy->nz[i] = (float)block->nz[i];
+        copy->vx[i] = (float)block->vx[i], copy->vy[i] = (float)block->vy[i], copy->vz[i] = (float)block->vz[i];
+    }
+}
+
+/* As sphere_blocks() of surface/sphere.c. */
+static void block_by_sphere(const struct lx_blocker *blocker, const struct lx_block_double *block, size_t count,
+                            float *restrict open)
+{
+    const double *center = blocker->shape.anchor_mm, radius = blocker->shape.radius_mm;
+    const double farthest = blocker->is_point ? 1 : HUGE_VAL, place = blocker->is_point ? 1 : 0;
+    count = lx_padded(count);
+    for (size_t i = 0; i < count; i++) {
+        double x = block->px[i] - center[0], y = block->py[i] - center[1], z = block->pz[i] - center[2];
+        double tx = blocker->light[0] - place * block->px[i], ty = blocker->light[1] - place * block->py[i];
+        double tz = blocker->light[2] - place * block->pz[i];
+        double t = -(x * tx + y * ty + z * tz) / (tx * tx + ty * ty + tz * tz);
+        t = t > 0 ? t : 0;
+        t = t < farthest ? t : farthest;
+        x += t * tx;
+        y += t * ty;
+        z += t * tz;
+        open[i] = x * x + y * y + z * z < radius * radius ? 0 : open[i];
+    }
+}
+
+static bool runs(void)
+{
+#if LX_ISA_LEVEL >= 4
+    if (!__builtin_cpu_supports("avx512f") || !__builtin_cpu_supports("avx512bw") ||
+        !__builtin_cpu_supports("avx512cd") || !__builtin_cpu_supports("avx512dq") ||
+        !__builtin_cpu_supports("avx512vl"))
+        return false;
+#endif
+#if LX_ISA_LEVEL >= 3
+    if (!__builtin_cpu_supports("avx2") || !__builtin_cpu_supports("fma") || !__builtin_cpu_supports("bmi2"))
+        return false;
+#endif
+    return true;
+}
+
+#define TABLE_OF(isa) TABLE_NAME(isa)
+#define TABLE_NAME(isa) lx_kernels_##isa
+
+extern const struct lx_kernels TABLE_OF(LX_ISA);
+const struct lx_kernels TABLE_OF(LX_ISA) = {
+    .name = LX_ISA_NAME,
+    .runs = runs,
+    .shade_single = shade_single,
+    .shade_double = shade_double,
+    .meet_lines = {[LX_SPHERE] = meet_sphere},
+    .complete_block = {[LX_SPHERE] = complete_sphere},
+    .block_light = {[LX_SPHERE] = block_by_sphere},
+};

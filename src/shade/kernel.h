@@ -1,0 +1,113 @@
+/* SPDX-License-Identifier: MIT */
+/*
+ * Kernels: the light of one emitter on a block of elements of one surface, in float32 and float64, and the
+ * geometry of the shapes for a row of lines of sight.  One plain source, kernel.c with kernel_real.h, is
+ * compiled once for each instruction set; lx_kernels_choose() picks at run time.
+ *
+ * Elements stand as a structure of arrays.  The kernels work on whole lanes: they read and write up to
+ * lx_padded(count) entries of each array, and an element's result depends on that element alone, so the same
+ * element gives the same bytes wherever it stands in a block.
+ *
+ * Lengths are mm; places are offsets from the surface's anchor.  The formulas are those of the references in
+ * light/emitter.c, material/lobe.c and surface/sphere.c.
+ */
+#ifndef LX_SHADE_KERNEL_H
+#define LX_SHADE_KERNEL_H
+
+#include <stdbool.h>
+#include <stddef.h>
+
+#include "../light/emitter.h"
+#include "../material/lobe.h"
+#include "../surface/surface.h"
+
+enum { LX_BLOCK = 128, LX_LANES = 16 };
+
+static inline size_t lx_padded(size_t count)
+{
+    return (count + LX_LANES - 1) / LX_LANES * LX_LANES;
+}
+
+/* The constants of an emitter and a lobe, and a block of elements, once in each precision. */
+#define LX_KERNEL_TYPES(real, suffix)                                                                                  \
+    struct lx_light_##suffix {                                                                                         \
+        bool is_point;          /* else a direction */                                                                 \
+        real x, y, z;           /* a point's place from the anchor, or the unit vector L */                            \
+        real gain;              /* E_perp = gain * a, with a by law: 1/r^2, 1/(k + r), 1; r in mm */                   \
+        enum lx_attenuation law;                                                                                       \
+        real k;                                                                                                        \
+        enum lx_falloff falloff;                                                                                       \
+        real axis_x, axis_y, axis_z, half_exponent; /* g: exponent / 2 */                                              \
+        real edge;              /* of the cone: the outer versine, or the outer angle where it is linear */            \
+        real edge_slope;        /* 1 / (outer - inner) of the same */                                                  \
+    };                                                                                                                 \
+    struct lx_lobe_##suffix {                                                                                          \
+        enum lx_model model;                                                                                           \
+        enum lx_highlight highlight;                                                                                   \
+        real diffuse, specular, half_exponent;                                                                         \
+    };                                                                                                                 \
+    struct lx_block_##suffix {                                                                                         \
+        real px[LX_BLOCK], py[LX_BLOCK], pz[LX_BLOCK]; /* place from the anchor */                                     \
+        real nx[LX_BLOCK], ny[LX_BLOCK], nz[LX_BLOCK]; /* normal, unit */                                              \
+        real vx[LX_BLOCK], vy[LX_BLOCK], vz[LX_BLOCK]; /* to the observer, unit */                                     \
+    };                                                                                                                 \
+    typedef void lx_shade_##suffix(const struct lx_light_##suffix *light, const struct lx_lobe_##suffix *lobe,         \
+                                   const struct lx_block_##suffix *block, const float *open, size_t count, real *sum)
+
+/*
+ * lx_shade_single, lx_shade_double: add to sum[i] the brightness that the light gives to element i.  open[i]
+ * is 1 where the way to the light is free, 0 where it is blocked; NULL: free everywhere.
+ */
+LX_KERNEL_TYPES(float, single);
+LX_KERNEL_TYPES(double, double);
+
+/* The lines of sight of a row of pixels. */
+struct lx_row_view {
+    bool perspective;
+    double observer_z_mm;
+    double y_mm; /* of the row on the screen */
+};
+
+/*
+ * For the screen points (x[i], y): depth[i], how far along the line of sight the shape is met (infinite where
+ * it is not; comparable between shapes), and the unit normal there.
+ */
+typedef void lx_meet_lines(const struct lx_shape *shape, const struct lx_row_view *view, const double *x_mm,
+                           size_t count, double *depth, double *nx, double *ny, double *nz);
+
+/*
+ * Fills in the places and view vectors of a block whose normals are set, and copies the block to float32.
+ * `observer_mm` is the observer's place from the shape's anchor; NULL: the view vector is (0, 0, 1).
+ */
+typedef void lx_complete_block(const struct lx_shape *shape, const double *observer_mm, struct lx_block_double *block,
+                               struct lx_block_single *copy, size_t count);
+
+/* A shape in the way of light: its anchor stands relative to the block's; the light is a place or a direction. */
+struct lx_blocker {
+    struct lx_shape shape;
+    bool is_point;
+    double light[3];
+};
+
+/* Sets open[i] to 0 for the elements that the shape takes the light from; leaves the others. */
+typedef void lx_block_light(const struct lx_blocker *blocker, const struct lx_block_double *block, size_t count,
+                            float *open);
+
+struct lx_kernels {
+    const char *name;
+    bool (*runs)(void); /* whether this machine has the instruction set */
+    lx_shade_single *shade_single;
+    lx_shade_double *shade_double;
+    /* by the type of the shape */
+    lx_meet_lines *meet_lines[LX_SHAPE_TYPES];
+    lx_complete_block *complete_block[LX_SHAPE_TYPES];
+    lx_block_light *block_light[LX_SHAPE_TYPES];
+};
+
+/* The kernels by name ("x86-64-v3", "v3" ...; NULL: by LUXEL_ISA, else the best that runs here); NULL: none. */
+const struct lx_kernels *lx_kernels_choose(const char *name);
+
+/* The sets that were built, best first; NULL beyond the last. */
+const struct lx_kernels *lx_kernels_get(size_t i);
+
+#endif

@@ -1,0 +1,212 @@
+/* SPDX-License-Identifier: MIT */
+/* Making the plan: kernel constants, possible blockers, and the choice of precision. */
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "plan.h"
+#include "camera.h"
+#include "precision.h"
+#include "shader.h"
+#include "../base/memory.h"
+
+/* The picture's maximum is bounded from below by this many samples on each axis. */
+enum { SAMPLES = 16 };
+
+static void set_exact(const struct lx_emitter *emitter, const struct lx_shape *shape, struct lx_light_double *light)
+{
+    const struct lx_profile *profile = &emitter->profile;
+    *light = (struct lx_light_double){
+        .is_point = emitter->type == LX_POINT,
+        .x = emitter->towards.x.value,
+        .y = emitter->towards.y.value,
+        .z = emitter->towards.z.value,
+        .gain = emitter->strength,
+        .law = emitter->attenuation,
+        .k = emitter->k_mm,
+        .falloff = emitter->type == LX_POINT ? profile->falloff : LX_NO_CONE,
+        .axis_x = profile->axis.x.value,
+        .axis_y = profile->axis.y.value,
+        .axis_z = profile->axis.z.value,
+        .half_exponent = profile->exponent / 2,
+    };
+    if (!light->is_point)
+        return;
+    light->x = emitter->position_mm[0] - shape->anchor_mm[0];
+    light->y = emitter->position_mm[1] - shape->anchor_mm[1];
+    light->z = emitter->position_mm[2] - shape->anchor_mm[2];
+    /* The laws are in metres, the kernel's distances in mm. */
+    light->gain *= light->law == LX_INVERSE_SQUARE ? 1e6 : light->law == LX_PRACTICAL ? 1e3 : 1;
+    bool by_angle = profile->falloff == LX_LINEAR;
+    light->edge = by_angle ? profile->outer_rad.value : profile->outer_versine.value;
+    double inner = by_angle ? profile->inner_rad.value : profile->inner_versine.value;
+    light->edge_slope = profile->falloff == LX_HARD || profile->falloff == LX_NO_CONE ? 0 : 1 / (light->edge - inner);
+}
+
+static void set_single(const struct lx_light_double *exact, struct lx_light_single *light)
+{
+    *light = (struct lx_light_single){
+        .is_point = exact->is_point,
+        .x = (float)exact->x,
+        .y = (float)exact->y,
+        .z = (float)exact->z,
+        .gain = (float)exact->gain,
+        .law = exact->law,
+        .k = (float)exact->k,
+        .falloff = exact->falloff,
+        .axis_x = (float)exact->axis_x,
+        .axis_y = (float)exact->axis_y,
+        .axis_z = (float)exact->axis_z,
+        .half_exponent = (float)exact->half_exponent,
+        .edge = (float)exact->edge,
+        .edge_slope = (float)exact->edge_slope,
+    };
+}
+
+static double half_diagonal(const struct lx_planned_surface *surface)
+{
+    const double *low = surface->low_mm, *high = surface->high_mm;
+    return hypot(hypot(high[0] - low[0], high[1] - low[1]), high[2] - low[2]) / 2;
+}
+
+/* Whether a surface comes near the ways from the elements of another to the light, seen as a thick line. */
+static bool may_block(const struct lx_planned_surface *blocker, const struct lx_planned_surface *lit,
+                      const struct lx_light_double *light)
+{
+    double way[3] = {light->x, light->y, light->z}, offset[3], along = 0, square = 0;
+    for (int i = 0; i < 3; i++) {
+        offset[i] = blocker->shape.anchor_mm[i] - lit->shape.anchor_mm[i];
+        along += offset[i] * way[i];
+        square += way[i] * way[i];
+    }
+    double t = square > 0 ? fmax(along / square, 0) : 0;
+    if (light->is_point)
+        t = fmin(t, 1);
+    double gap = hypot(hypot(offset[0] - t * way[0], offset[1] - t * way[1]), offset[2] - t * way[2]);
+    return !(gap > (half_diagonal(blocker) + half_diagonal(lit)) * (1 + 1e-9));
+}
+
+static int find_blockers(const struct lx_plan *plan, const struct lx_planned_surface *lit,
+                         struct lx_planned_light *light)
+{
+    size_t capacity = 0;
+    for (size_t s = 0; plan->prepared->shadows && s < plan->surface_count; s++) {
+        const struct lx_planned_surface *other = &plan->surfaces[s];
+        if (other == lit || !may_block(other, lit, &light->exact))
+            continue;
+        if (lx_reserve(&light->blockers, &capacity, light->blocker_count + 1, sizeof *light->blockers))
+            return -1;
+        struct lx_blocker *blocker = &light->blockers[light->blocker_count++];
+        *blocker = (struct lx_blocker){
+            .shape = other->shape,
+            .is_point = light->exact.is_point,
+            .light = {light->exact.x, light->exact.y, light->exact.z},
+        };
+        for (int i = 0; i < 3; i++)
+            blocker->shape.anchor_mm[i] -= lit->shape.anchor_mm[i];
+    }
+    return 0;
+}
+
+static int plan_surface(const struct lx_plan *plan, const struct lx_lobe *lobe, struct lx_planned_surface *surface)
+{
+    const struct lx_prepared *prepared = plan->prepared;
+    surface->lobe_exact = (struct lx_lobe_double){
+        .model = lobe->specular.value > 0 ? lobe->model : LX_LAMBERT,
+        .highlight = lobe->highlight,
+        .diffuse = lobe->diffuse.value,
+        .specular = lobe->specular.value,
+        .half_exponent = lobe->exponent / 2,
+    };
+    surface->lobe_single = (struct lx_lobe_single){
+        .model = surface->lobe_exact.model,
+        .highlight = lobe->highlight,
+        .diffuse = (float)lobe->diffuse.value,
+        .specular = (float)lobe->specular.value,
+        .half_exponent = (float)(lobe->exponent / 2),
+    };
+    surface->lights = lx_new_array(prepared->emitters.count, sizeof *surface->lights);
+    if (!surface->lights)
+        return -1;
+    for (size_t i = 0; i < prepared->emitters.count; i++) {
+        const struct lx_emitter *emitter = &prepared->emitters.items[i];
+        if (emitter->type == LX_UNIFORM) {
+            surface->uniform += lobe->ambient.value * emitter->strength;
+            continue;
+        }
+        struct lx_planned_light *light = &surface->lights[surface->light_count++];
+        light->in_double = true;
+        set_exact(emitter, &surface->shape, &light->exact);
+        set_single(&light->exact, &light->single);
+        lx_bound_light(prepared, &surface->shape, lobe, emitter, light);
+        if (find_blockers(plan, surface, light))
+            return -1;
+    }
+    return 0;
+}
+
+/* A lower bound of the picture's maximum: the largest of some of its own pixels, in float64. */
+static int least_maximum(const struct lx_plan *plan, double *maximum)
+{
+    const struct lx_screen *screen = &plan->prepared->scene->screen;
+    struct lx_shader_memory *memory = lx_shader_memory_new();
+    double x[LX_LANES], values[LX_LANES];
+    uint8_t mask[LX_LANES];
+    _Static_assert((int)SAMPLES <= (int)LX_LANES, "a row of samples fits in one padded block");
+    *maximum = 0;
+    if (!memory)
+        return -1;
+    for (unsigned j = 0; j < SAMPLES; j++) {
+        unsigned row = (unsigned)((j + 0.5) / SAMPLES * screen->resolution[1]);
+        for (unsigned i = 0; i < SAMPLES; i++)
+            x[i] = lx_column_x_mm(screen, (unsigned)((i + 0.5) / SAMPLES * screen->resolution[0]));
+        lx_shade_points(plan, memory, lx_row_y_mm(screen, row), x, SAMPLES, NULL, false, values, mask);
+        for (unsigned i = 0; i < SAMPLES; i++)
+            *maximum = fmax(*maximum, values[i]);
+    }
+    free(memory);
+    return 0;
+}
+
+int lx_plan_make(const struct lx_prepared *prepared, const struct lx_kernels *kernels, luxel_quantity quantity,
+                 luxel_precision precision, struct lx_plan *plan)
+{
+    *plan = (struct lx_plan){
+        .prepared = prepared,
+        .kernels = kernels,
+        .surfaces = lx_new_array(prepared->surface_count, sizeof *plan->surfaces),
+        .surface_count = prepared->surface_count,
+    };
+    if (!plan->surfaces)
+        return -1;
+    for (size_t s = 0; s < plan->surface_count; s++) {
+        const struct lx_prepared_surface *surface = &prepared->surfaces[s];
+        plan->surfaces[s].shape = surface->shape;
+        surface->kind->extent(surface->parameters, plan->surfaces[s].low_mm, plan->surfaces[s].high_mm);
+    }
+    struct lx_lobe irradiance = lx_lobe_irradiance();
+    for (size_t s = 0; s < plan->surface_count; s++) {
+        const struct lx_lobe *lobe = quantity == LUXEL_IRRADIANCE ? &irradiance : &prepared->surfaces[s].lobe;
+        if (plan_surface(plan, lobe, &plan->surfaces[s]))
+            return -1;
+    }
+    if (precision == LUXEL_DOUBLE)
+        return 0;
+    double maximum;
+    if (least_maximum(plan, &maximum))
+        return -1;
+    for (size_t s = 0; s < plan->surface_count; s++)
+        lx_choose_precision(&plan->surfaces[s], maximum);
+    return 0;
+}
+
+void lx_plan_clear(struct lx_plan *plan)
+{
+    for (size_t s = 0; plan->surfaces && s < plan->surface_count; s++) {
+        for (size_t i = 0; i < plan->surfaces[s].light_count; i++)
+            free(plan->surfaces[s].lights[i].blockers);
+        free(plan->surfaces[s].lights);
+    }
+    free(plan->surfaces);
+    *plan = (struct lx_plan){0};
+}

@@ -1,0 +1,168 @@
+/* SPDX-License-Identifier: MIT */
+/*
+ * A-priori bounds of the float32 kernels' rounding errors.
+ *
+ * With u the unit roundoff of float32, a light at the distance D from the centre of a sphere of radius R, and
+ * r its least distance from the surface, the direction L is off by at most about u((D + R)/r + 3); the normal,
+ * the view vector and the products add a few u.  The diffuse part inherits these absolutely.  A lobe S^n turns
+ * an error d of its angle into at most max(1, 0.61 sqrt(n)) d, the largest slope of exp(-n a^2/2), because the
+ * kernel takes the logarithm from the sine.  E_perp has a relative error, which is harmless in itself.  What
+ * float32 cannot do at all (jumps, and slopes that are infinite) has an infinite bound.
+ */
+#include <math.h>
+
+#include "precision.h"
+
+static const double unit = 5.9604644775390625e-08; /* u = 2^-24 */
+
+/* Of the 2e-6 of the maximum that a picture may be off, what is left to the lights' roundings. */
+static const double allowance = 1.5e-6;
+
+/* Beyond these sizes (mm; or strengths) products could leave the range of float32. */
+static bool is_moderate(double size)
+{
+    return size == 0 || (fabs(size) > 1e-7 && fabs(size) < 1e9);
+}
+
+static double distance(const double a[3], const double b[3])
+{
+    return hypot(hypot(a[0] - b[0], a[1] - b[1]), a[2] - b[2]);
+}
+
+/* The error of S^n for an error of its angle; also of cos^m, whose angle is that from the axis. */
+static double power_slope(double exponent)
+{
+    if (exponent == 0)
+        return 0;
+    return exponent < 1 ? HUGE_VAL : fmax(1, 0.61 * sqrt(exponent));
+}
+
+/* The relative error that a profile adds, for an error of the direction (it is 1 where it is greatest). */
+static double profile_error(const struct lx_profile *profile, double off)
+{
+    double error = power_slope(profile->exponent) * off;
+    double outer = profile->outer_rad.value;
+    switch (profile->falloff) {
+    case LX_NO_CONE:
+        return error;
+    case LX_HARD:
+        return HUGE_VAL;
+    case LX_LINEAR:
+        return error + off / (outer - profile->inner_rad.value);
+    case LX_SMOOTHSTEP:
+    case LX_SQUARED:
+        break;
+    }
+    double width = profile->outer_versine.value - profile->inner_versine.value;
+    return error + 2 * off * fmax(sin(outer), off) / width;
+}
+
+/* The least length of L + V over the surface: 2 cos of half the largest angle between L and V. */
+static double least_half_length(const struct lx_prepared *prepared, const struct lx_shape *shape,
+                                const struct lx_emitter *emitter, double light_distance)
+{
+    const struct lx_observer *observer = &prepared->scene->observer;
+    const double *center = shape->anchor_mm, radius = shape->radius_mm;
+    double eye[3] = {-center[0], -center[1], observer->z_mm - center[2]}, light[3];
+    double spread = 0; /* how far L and V turn over the surface */
+    if (observer->projection == LX_ORTHOGRAPHIC && observer->view == LX_VIEW_PARALLEL)
+        eye[0] = eye[1] = 0, eye[2] = 1;
+    else
+        spread += asin(fmin(1, radius / distance((double[]){0, 0, observer->z_mm}, center)));
+    if (emitter->type == LX_POINT)
+        for (int i = 0; i < 3; i++)
+            light[i] = emitter->position_mm[i] - center[i];
+    else
+        light[0] = emitter->towards.x.value, light[1] = emitter->towards.y.value, light[2] = emitter->towards.z.value;
+    if (emitter->type == LX_POINT)
+        spread += asin(fmin(1, radius / light_distance));
+    double zero[3] = {0, 0, 0};
+    double cosine = (eye[0] * light[0] + eye[1] * light[1] + eye[2] * light[2]) /
+                    (distance(eye, zero) * distance(light, zero));
+    double angle = fmin(acos(fmax(-1, fmin(1, cosine))) + spread, M_PI);
+    return 2 * cos(angle / 2);
+}
+
+static double greatest_attenuation(const struct lx_emitter *emitter, double nearest_mm)
+{
+    double nearest_m = fmax(nearest_mm, 1e-6) / 1000;
+    switch (emitter->attenuation) {
+    case LX_INVERSE_SQUARE:
+        return 1 / (nearest_m * nearest_m);
+    case LX_PRACTICAL:
+        return 1 / (emitter->k_mm / 1000 + nearest_m);
+    case LX_NO_ATTENUATION:
+        break;
+    }
+    return 1;
+}
+
+/* The error of the brightness for a unit of E_perp. */
+static double lobe_error(const struct lx_prepared *prepared, const struct lx_shape *shape, const struct lx_lobe *lobe,
+                         const struct lx_emitter *emitter, double light_distance, double off)
+{
+    double error = lobe->diffuse.value * (off + 2 * unit);
+    if (!(lobe->specular.value > 0))
+        return error;
+    if (lobe->highlight == LX_HIGHLIGHT_GATED)
+        return HUGE_VAL;
+    double angle = off + 4 * unit;
+    if (lobe->model == LX_BLINN_PHONG)
+        angle = (off + 2 * unit) / least_half_length(prepared, shape, emitter, light_distance) + 3 * unit;
+    double weight = lobe->highlight == LX_HIGHLIGHT_COSINE ? off + unit : 0;
+    return error + lobe->specular.value * (power_slope(lobe->exponent) * angle + weight + 4 * unit);
+}
+
+void lx_bound_light(const struct lx_prepared *prepared, const struct lx_shape *shape, const struct lx_lobe *lobe,
+                    const struct lx_emitter *emitter, struct lx_planned_light *light)
+{
+    double radius = shape->radius_mm, off = unit, attenuation = 1, away = 0;
+    light->relative = 2 * unit;
+    if (emitter->type == LX_POINT) {
+        away = distance(emitter->position_mm, shape->anchor_mm);
+        double nearest = fabs(away - radius);
+        double moved = unit * (away + radius) / nearest;
+        off = moved + 3 * unit;
+        light->relative = 2 * moved + 4 * unit + profile_error(&emitter->profile, off + 2 * unit);
+        attenuation = greatest_attenuation(emitter, nearest);
+    }
+    double greatest = emitter->strength * attenuation;
+    light->bound = greatest * lobe_error(prepared, shape, lobe, emitter, away, off);
+    bool moderate = is_moderate(radius) && is_moderate(away) && is_moderate(emitter->strength) &&
+                    is_moderate(emitter->k_mm) && is_moderate(greatest) && is_moderate(lobe->diffuse.value) &&
+                    is_moderate(lobe->specular.value);
+    if (!moderate || !(light->bound >= 0))
+        light->bound = HUGE_VAL;
+}
+
+/*
+ * Roundings of different lights are independent: their sum grows like its root mean square, but not below a
+ * third of the plain sum, since no light reaches its own bound.
+ */
+static bool keeps_accuracy(double sum, double sum_of_squares, double least_maximum)
+{
+    return fmax(sqrt(sum_of_squares), sum / 3) <= allowance * least_maximum;
+}
+
+enum { STEPS = 10 };
+
+void lx_choose_precision(struct lx_planned_surface *surface, double least_maximum)
+{
+    /* Lights are left to float32 in the order of powers of two of their bounds, the smallest first. */
+    double sum = 0, sum_of_squares = 0;
+    for (size_t i = 0; i < surface->light_count; i++)
+        surface->lights[i].in_double = true;
+    for (int step = STEPS; step >= 0; step--) {
+        double limit = allowance * least_maximum * ldexp(1, -step);
+        for (size_t i = 0; i < surface->light_count; i++) {
+            struct lx_planned_light *light = &surface->lights[i];
+            double bound = light->bound;
+            if (!light->in_double || bound > limit || light->relative > allowance / 2 ||
+                !keeps_accuracy(sum + bound, sum_of_squares + bound * bound, least_maximum))
+                continue;
+            light->in_double = false;
+            sum += bound;
+            sum_of_squares += bound * bound;
+        }
+    }
+}

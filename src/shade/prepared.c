@@ -1,0 +1,91 @@
+/* SPDX-License-Identifier: MIT */
+/* Lowering a scene to surfaces and emitters, and naming the unit of the result. */
+#include <stdlib.h>
+
+#include "prepared.h"
+#include "../base/memory.h"
+#include "../light/light.h"
+
+static int prepare_lights(const struct lx_list *lights, struct lx_emitters *emitters)
+{
+    for (size_t i = 0; i < lights->count; i++) {
+        const struct lx_item *item = &lights->items[i];
+        const struct lx_light_common *common = item->common;
+        const struct lx_light_kind *kind = (const struct lx_light_kind *)item->variant;
+        size_t first = emitters->count;
+        if (common->enabled && kind->prepare(item->parameters, emitters))
+            return -1;
+        for (size_t k = first; k < emitters->count; k++)
+            emitters->items[k].light = i;
+    }
+    return 0;
+}
+
+int lx_prepare(const struct lx_scene_parameters *scene, struct lx_prepared *prepared)
+{
+    const struct lx_list *surfaces = &scene->surfaces;
+    *prepared = (struct lx_prepared){
+        .scene = scene,
+        .surfaces = lx_new_array(surfaces->count, sizeof *prepared->surfaces),
+        .surface_count = surfaces->count,
+        .shadows = scene->shadows == LX_SHADOWS_POINTS && surfaces->count > 1,
+    };
+    if (!prepared->surfaces)
+        return -1;
+    for (size_t i = 0; i < surfaces->count; i++) {
+        const struct lx_item *item = &surfaces->items[i];
+        const struct lx_surface_common *common = item->common;
+        const struct lx_surface_kind *kind = (const struct lx_surface_kind *)item->variant;
+        prepared->surfaces[i] = (struct lx_prepared_surface){
+            .kind = kind,
+            .parameters = item->parameters,
+            .shape = kind->shape(item->parameters),
+            .lobe = lx_lobe_prepare(&common->material),
+        };
+    }
+    return prepare_lights(&scene->lights, &prepared->emitters);
+}
+
+void lx_prepared_clear(struct lx_prepared *prepared)
+{
+    free(prepared->surfaces);
+    lx_emitters_clear(&prepared->emitters);
+    *prepared = (struct lx_prepared){0};
+}
+
+/* What the lights' laws have in common. */
+enum laws { ALL_UNATTENUATED, ALL_PHYSICAL, MIXED };
+
+static enum laws common_law(const struct lx_emitters *emitters)
+{
+    size_t unattenuated = 0, physical = 0;
+    for (size_t i = 0; i < emitters->count; i++) {
+        const struct lx_emitter *emitter = &emitters->items[i];
+        if (emitter->type != LX_POINT || emitter->attenuation == LX_INVERSE_SQUARE)
+            physical++;
+        else if (emitter->attenuation == LX_NO_ATTENUATION)
+            unattenuated++;
+    }
+    if (unattenuated == emitters->count)
+        return ALL_UNATTENUATED;
+    return physical == emitters->count ? ALL_PHYSICAL : MIXED;
+}
+
+const char *lx_unit_of(const struct lx_prepared *prepared, luxel_quantity quantity)
+{
+    const struct lx_list *surfaces = &prepared->scene->surfaces;
+    bool photometric = prepared->scene->units == LX_PHOTOMETRIC;
+    size_t over_pi = 0;
+    for (size_t i = 0; quantity == LUXEL_BRIGHTNESS && i < surfaces->count; i++)
+        over_pi += ((const struct lx_surface_common *)surfaces->items[i].common)->material.over_pi;
+    bool all = over_pi == surfaces->count && over_pi > 0, none = over_pi == 0;
+
+    enum laws laws = common_law(&prepared->emitters);
+    if (laws == ALL_UNATTENUATED && none)
+        return photometric ? "cd" : "W/sr";
+    if (laws == ALL_PHYSICAL && none)
+        return photometric ? "lx" : "W/m²";
+    if (laws == ALL_PHYSICAL && all)
+        return photometric ? "cd/m²" : "W/(sr·m²)";
+    return "relative";
+}

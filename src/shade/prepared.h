@@ -1,0 +1,37 @@
+/* SPDX-License-Identifier: MIT */
+/*
+ * The prepared scene: a committed scene lowered to surfaces with lobes and to emitters.  It points into the
+ * scene's parameters, which must outlive it, and is not changed once made.
+ */
+#ifndef LX_SHADE_PREPARED_H
+#define LX_SHADE_PREPARED_H
+
+#include "../light/emitter.h"
+#include "../material/lobe.h"
+#include "../scene/scene.h"
+#include "../surface/surface.h"
+#include <luxel/field.h>
+
+struct lx_prepared_surface {
+    const struct lx_surface_kind *kind;
+    const void *parameters;
+    struct lx_shape shape;
+    struct lx_lobe lobe;
+};
+
+struct lx_prepared {
+    const struct lx_scene_parameters *scene;
+    struct lx_prepared_surface *surfaces;
+    size_t surface_count;
+    struct lx_emitters emitters; /* of the enabled lights, in their order */
+    bool shadows;                /* whether surfaces take light from each other */
+};
+
+/* 0, or -1 when memory ran out.  Release with lx_prepared_clear() in either case. */
+int lx_prepare(const struct lx_scene_parameters *scene, struct lx_prepared *prepared);
+void lx_prepared_clear(struct lx_prepared *prepared);
+
+/* The unit of a quantity in this scene, UTF-8, as the attenuation laws, over_pi and `units` make it. */
+const char *lx_unit_of(const struct lx_prepared *prepared, luxel_quantity quantity);
+
+#endif

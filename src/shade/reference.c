@@ -1,0 +1,87 @@
+/* SPDX-License-Identifier: MIT */
+/* Seeing and lighting one surface element in float64 with error bounds. */
+#include "reference.h"
+#include "camera.h"
+
+static lx_bounded3 observer_place(const struct lx_observer *observer)
+{
+    return lx_exact3((const double[]){0, 0, observer->z_mm});
+}
+
+static lx_bounded3 view_from(const struct lx_observer *observer, lx_bounded3 place_mm)
+{
+    if (observer->projection == LX_ORTHOGRAPHIC && observer->view == LX_VIEW_PARALLEL)
+        return lx_exact3((const double[]){0, 0, 1});
+    return lx_unit3(lx_sub3(observer_place(observer), place_mm));
+}
+
+bool lx_element_seen(const struct lx_prepared *prepared, double x_mm, double y_mm, struct lx_element *element)
+{
+    const struct lx_observer *observer = &prepared->scene->observer;
+    struct lx_ray ray = lx_line_of_sight(observer, x_mm, y_mm);
+    struct lx_hit nearest = {.exists = false};
+    for (size_t i = 0; i < prepared->surface_count; i++) {
+        const struct lx_prepared_surface *surface = &prepared->surfaces[i];
+        struct lx_hit hit = surface->kind->hit(surface->parameters, &ray);
+        if (!hit.exists || (nearest.exists && hit.t >= nearest.t))
+            continue;
+        nearest = hit;
+        *element = (struct lx_element){
+            .place_mm = hit.place_mm, .normal = hit.normal, .lobe = &surface->lobe, .own = surface};
+    }
+    if (nearest.exists)
+        element->view = view_from(observer, element->place_mm);
+    return nearest.exists;
+}
+
+struct lx_element lx_element_at(const struct lx_prepared *prepared, const double place_mm[3], const double normal[3])
+{
+    lx_bounded3 place = lx_exact3(place_mm);
+    struct lx_element element = {
+        .place_mm = place,
+        .normal = lx_unit3(lx_exact3(normal)),
+        .view = lx_unit3(lx_sub3(observer_place(&prepared->scene->observer), place)),
+        .lobe = &prepared->surfaces[0].lobe,
+    };
+    for (size_t i = 0; i < prepared->surface_count && !element.own; i++)
+        if (prepared->surfaces[i].kind->holds(prepared->surfaces[i].parameters, place_mm))
+            element.own = &prepared->surfaces[i];
+    return element;
+}
+
+/* 1 where the way from the element to the emitter is free, 0 where another surface stands in it. */
+static lx_bounded openness(const struct lx_prepared *prepared, const struct lx_element *element,
+                           const struct lx_emitter *emitter)
+{
+    lx_bounded open = lx_exact(1);
+    bool endless = emitter->type == LX_DIRECTION;
+    lx_bounded3 way = endless ? emitter->towards : lx_sub3(lx_exact3(emitter->position_mm), element->place_mm);
+    for (size_t i = 0; prepared->shadows && i < prepared->surface_count; i++) {
+        const struct lx_prepared_surface *surface = &prepared->surfaces[i];
+        if (surface == element->own)
+            continue;
+        lx_bounded blocked = surface->kind->blocks(surface->parameters, element->place_mm, way, endless);
+        open = lx_mul(open, lx_sub(lx_exact(1), blocked));
+    }
+    return open;
+}
+
+struct lx_lighting lx_light_element(const struct lx_prepared *prepared, const struct lx_element *element,
+                                    const struct lx_emitter *emitter)
+{
+    struct lx_sample sample = lx_emitter_sample(emitter, element->place_mm);
+    if (sample.on_element)
+        return (struct lx_lighting){.on_element = true};
+    if (emitter->type == LX_UNIFORM)
+        return (struct lx_lighting){
+            .irradiance = sample.e_perp,
+            .diffuse = lx_mul(element->lobe->ambient, sample.e_perp),
+        };
+    struct lx_reflection reflection = lx_lobe_reflect(element->lobe, element->normal, element->view, sample.towards);
+    lx_bounded e_perp = lx_mul(sample.e_perp, openness(prepared, element, emitter));
+    return (struct lx_lighting){
+        .irradiance = lx_mul(e_perp, reflection.cosine),
+        .diffuse = lx_mul(e_perp, reflection.diffuse),
+        .specular = lx_mul(e_perp, reflection.specular),
+    };
+}

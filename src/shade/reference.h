@@ -1,0 +1,31 @@
+/* SPDX-License-Identifier: MIT */
+/*
+ * The reference: the light of one emitter on one surface element, in float64 with an error bound.  Probes are
+ * made of it, and the kernels are tested against it.
+ */
+#ifndef LX_SHADE_REFERENCE_H
+#define LX_SHADE_REFERENCE_H
+
+#include "prepared.h"
+
+struct lx_element {
+    lx_bounded3 place_mm, normal, view;
+    const struct lx_lobe *lobe;
+    const struct lx_prepared_surface *own; /* the surface that it belongs to, NULL for a free one */
+};
+
+/* What is seen through a screen point; false: nothing. */
+bool lx_element_seen(const struct lx_prepared *prepared, double x_mm, double y_mm, struct lx_element *element);
+
+/* A free element; the normal need not be of unit length.  Its own surface is one that it lies on. */
+struct lx_element lx_element_at(const struct lx_prepared *prepared, const double place_mm[3], const double normal[3]);
+
+struct lx_lighting {
+    bool on_element; /* the emitter lies on the element: there is no value */
+    lx_bounded irradiance, diffuse, specular;
+};
+
+struct lx_lighting lx_light_element(const struct lx_prepared *prepared, const struct lx_element *element,
+                                    const struct lx_emitter *emitter);
+
+#endif

@@ -1,0 +1,178 @@
+/* SPDX-License-Identifier: MIT */
+/*
+ * Shading a run of pixels: which surface each shows, the elements of each surface gathered into one block, all
+ * lights over the block, and the sums scattered back.
+ */
+#include <math.h>
+#include <string.h>
+
+#include "shader.h"
+#include "../base/memory.h"
+
+/* Lights in float32 are summed in groups of this many before they join the float64 sum. */
+enum { GROUP = 16, LIGHTS_BETWEEN_CHECKS = 256 };
+
+struct lines {
+    double depth[LX_BLOCK], nx[LX_BLOCK], ny[LX_BLOCK], nz[LX_BLOCK];
+};
+
+struct lx_shader_memory {
+    struct lines nearest, candidate;
+    struct lx_block_double block;
+    struct lx_block_single copy;
+    double sum[LX_BLOCK];
+    float group[LX_BLOCK], open[LX_BLOCK];
+    size_t shown[LX_BLOCK]; /* surface of each pixel, from 1; 0: none */
+    unsigned place[LX_BLOCK]; /* pixel of each element of the block */
+};
+
+struct lx_shader_memory *lx_shader_memory_new(void)
+{
+    return lx_new_aligned(1, sizeof(struct lx_shader_memory));
+}
+
+/* Whether a surface may be seen through a row at all; in perspective only the lines themselves tell. */
+static bool may_show(const struct lx_planned_surface *surface, const struct lx_row_view *view, const double *x_mm,
+                     size_t count)
+{
+    return view->perspective || (view->y_mm >= surface->low_mm[1] && view->y_mm <= surface->high_mm[1] &&
+                                 x_mm[count - 1] >= surface->low_mm[0] && x_mm[0] <= surface->high_mm[0]);
+}
+
+static void meet(const struct lx_plan *plan, const struct lx_planned_surface *surface, const struct lx_row_view *view,
+                 const double *x_mm, size_t count, struct lines *lines)
+{
+    plan->kernels->meet_lines[surface->shape.type](&surface->shape, view, x_mm, count, lines->depth, lines->nx,
+                                                   lines->ny, lines->nz);
+}
+
+/* Finds the nearest surface of each pixel; returns the number of pixels that show one. */
+static size_t find_nearest(const struct lx_plan *plan, struct lx_shader_memory *memory, double y_mm, const double *x_mm,
+                           size_t count)
+{
+    const struct lx_observer *observer = &plan->prepared->scene->observer;
+    struct lx_row_view view = {
+        .perspective = observer->projection == LX_PERSPECTIVE, .observer_z_mm = observer->z_mm, .y_mm = y_mm};
+    struct lines *nearest = &memory->nearest, *candidate = &memory->candidate;
+    size_t found = 0;
+    for (size_t i = 0; i < count; i++) {
+        memory->shown[i] = 0;
+        nearest->depth[i] = HUGE_VAL;
+    }
+    for (size_t s = 0; s < plan->surface_count; s++) {
+        if (!may_show(&plan->surfaces[s], &view, x_mm, count))
+            continue;
+        meet(plan, &plan->surfaces[s], &view, x_mm, count, candidate);
+        for (size_t i = 0; i < count; i++) {
+            if (candidate->depth[i] >= nearest->depth[i])
+                continue;
+            found += memory->shown[i] == 0;
+            memory->shown[i] = s + 1;
+            nearest->depth[i] = candidate->depth[i];
+            nearest->nx[i] = candidate->nx[i];
+            nearest->ny[i] = candidate->ny[i];
+            nearest->nz[i] = candidate->nz[i];
+        }
+    }
+    return found;
+}
+
+/* Gathers the elements of a surface; the lanes beyond the last repeat the first. */
+static size_t gather(struct lx_shader_memory *memory, size_t surface, size_t count)
+{
+    size_t elements = 0;
+    for (size_t i = 0; i < count; i++)
+        if (memory->shown[i] == surface + 1)
+            memory->place[elements++] = (unsigned)i;
+    for (size_t k = 0; k < lx_padded(elements); k++) {
+        unsigned i = memory->place[k < elements ? k : 0];
+        memory->block.nx[k] = memory->nearest.nx[i];
+        memory->block.ny[k] = memory->nearest.ny[i];
+        memory->block.nz[k] = memory->nearest.nz[i];
+    }
+    return elements;
+}
+
+/* Where the view vectors of a surface start, from its anchor; NULL where they are all the same. */
+static const double *observer_from(const struct lx_plan *plan, const struct lx_planned_surface *surface, double from[3])
+{
+    const struct lx_observer *observer = &plan->prepared->scene->observer;
+    if (observer->projection == LX_ORTHOGRAPHIC && observer->view == LX_VIEW_PARALLEL)
+        return NULL;
+    from[0] = -surface->shape.anchor_mm[0];
+    from[1] = -surface->shape.anchor_mm[1];
+    from[2] = observer->z_mm - surface->shape.anchor_mm[2];
+    return from;
+}
+
+static const float *find_open(const struct lx_plan *plan, const struct lx_planned_light *light,
+                              struct lx_shader_memory *memory, size_t count)
+{
+    if (light->blocker_count == 0)
+        return NULL;
+    for (size_t i = 0; i < lx_padded(count); i++)
+        memory->open[i] = 1;
+    for (size_t b = 0; b < light->blocker_count; b++) {
+        const struct lx_blocker *blocker = &light->blockers[b];
+        plan->kernels->block_light[blocker->shape.type](blocker, &memory->block, count, memory->open);
+    }
+    return memory->open;
+}
+
+static void flush_group(struct lx_shader_memory *memory, size_t count)
+{
+    for (size_t i = 0; i < count; i++) {
+        memory->sum[i] += (double)memory->group[i];
+        memory->group[i] = 0;
+    }
+}
+
+/* Sums all lights over the gathered block. */
+static void light_block(const struct lx_plan *plan, const struct lx_planned_surface *surface,
+                        struct lx_shader_memory *memory, size_t count, struct lx_control *control, bool is_caller)
+{
+    unsigned grouped = 0;
+    memset(memory->group, 0, sizeof memory->group);
+    for (size_t i = 0; i < lx_padded(count); i++)
+        memory->sum[i] = surface->uniform;
+    for (size_t i = 0; i < surface->light_count; i++) {
+        const struct lx_planned_light *light = &surface->lights[i];
+        const float *open = find_open(plan, light, memory, count);
+        if (light->in_double) {
+            plan->kernels->shade_double(&light->exact, &surface->lobe_exact, &memory->block, open, count, memory->sum);
+        } else {
+            plan->kernels->shade_single(&light->single, &surface->lobe_single, &memory->copy, open, count,
+                                        memory->group);
+            if (++grouped % GROUP == 0)
+                flush_group(memory, count);
+        }
+        if (control && i % LIGHTS_BETWEEN_CHECKS == LIGHTS_BETWEEN_CHECKS - 1 && !lx_control_goes_on(control, is_caller))
+            return;
+    }
+    flush_group(memory, count);
+}
+
+void lx_shade_points(const struct lx_plan *plan, struct lx_shader_memory *memory, double y_mm, double *x_mm,
+                     size_t count, struct lx_control *control, bool is_caller, double *values, uint8_t *mask)
+{
+    for (size_t i = count; i < lx_padded(count); i++)
+        x_mm[i] = x_mm[count - 1];
+    size_t left = find_nearest(plan, memory, y_mm, x_mm, count);
+    for (size_t i = 0; i < count; i++) {
+        values[i] = 0;
+        mask[i] = memory->shown[i] != 0;
+    }
+    for (size_t s = 0; left > 0 && s < plan->surface_count; s++) {
+        const struct lx_planned_surface *surface = &plan->surfaces[s];
+        size_t elements = gather(memory, s, count);
+        if (elements == 0)
+            continue;
+        double from[3];
+        plan->kernels->complete_block[surface->shape.type](&surface->shape, observer_from(plan, surface, from),
+                                                           &memory->block, &memory->copy, elements);
+        light_block(plan, surface, memory, elements, control, is_caller);
+        for (size_t k = 0; k < elements; k++)
+            values[memory->place[k]] = memory->sum[k];
+        left -= elements;
+    }
+}

@@ -1,0 +1,23 @@
+/* SPDX-License-Identifier: MIT */
+/* Shading by a plan: the values of a run of pixels in one row, whatever surfaces they show. */
+#ifndef LX_SHADE_SHADER_H
+#define LX_SHADE_SHADER_H
+
+#include <stdint.h>
+
+#include "../base/rows.h"
+#include "plan.h"
+
+/* Scratch memory of one thread; allocate with lx_shader_memory_new(), free with free(). */
+struct lx_shader_memory;
+struct lx_shader_memory *lx_shader_memory_new(void);
+
+/*
+ * The values through the screen points (x[i], y), 0 off every surface, and the mask, 1 on a surface; count is
+ * at most LX_BLOCK, and x has room for lx_padded(count).  `control` may be NULL; where it says stop, the call
+ * returns early with values unfinished.
+ */
+void lx_shade_points(const struct lx_plan *plan, struct lx_shader_memory *memory, double y_mm, double *x_mm,
+                     size_t count, struct lx_control *control, bool is_caller, double *values, uint8_t *mask);
+
+#endif

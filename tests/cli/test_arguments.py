@@ -1,0 +1,195 @@
+# SPDX-License-Identifier: MIT
+"""Arguments: the wrong ones end with exit code 2 and say what was expected, the right ones are understood."""
+import os
+import re
+
+from tap import Tap
+from tool import SCENE, run_tests
+
+# (arguments, words that the message must have)
+WRONG = [
+    ("rendr", "rendr render"),
+    ("render report more", "more"),
+    ("--json", "command"),
+    ("render --jsno", "--jsno --json"),
+    ("render --outptu x.png", "--outptu --output"),
+    ("render -x", "-x"),
+    ("render -j", "-j"),
+    ("render -qx", "-x"),
+    ("render --p", "--p"),
+    ("render -o", "-o FILE"),
+    ("render -s", "-s KEY=VALUE"),
+    ("render --threads", "--threads N"),
+    ("render --json=yes", "--json"),
+    ("render -p 0,0", "point probe"),
+    ("render --at 0,0,0,0,0,1", "at probe"),
+    ("probe -o x.png", "output render"),
+    ("check --list", "list scene"),
+    ("render -o x", "x"),
+    ("render -o x.jpg", "x.jpg .png"),
+    ("render -o x.png.", "x.png."),
+    ("render -o .png.txt", ".png.txt"),
+    ("render -o -", "-"),
+    ("render -o x.png -o x.png", "x.png"),
+    ("render -o x.png -o ./x.png", "./x.png"),
+    ("render -o x.png -o ../%s/x.png", "x.png"),
+    ("render --quantity brightnes", "brightnes brightness irradiance"),
+    ("render --quantity=", "brightness"),
+    ("render --precision triple", "triple single double"),
+    ("render --precision Double", "Double double"),
+    ("render --threads 0", "0 1024"),
+    ("render --threads -1", "-1"),
+    ("render --threads 1025", "1025"),
+    ("render --threads 2.0", "2.0"),
+    ("render --threads two", "two"),
+    ("render --threads 99999999999999999999", "99999999999999999999"),
+    ("render --threads 0x2", "0x2"),
+    ("render --tolerance 0", "0"),
+    ("render --tolerance 1", "1"),
+    ("render --tolerance -1e-3", "-1e-3"),
+    ("render --tolerance nan", "nan"),
+    ("render --tolerance 1e-9x", "1e-9x"),
+    ("render --tolerance 0,5", "0,5"),
+    ("render --light-error 1", "1"),
+    ("render --light-error -0.1", "-0.1"),
+    ("render --light-error inf", "inf"),
+    ("probe -p 0", "0 X,Y"),
+    ("probe -p 0,0,0", "X,Y 3"),
+    ("probe -p 0,", "missing X,Y"),
+    ("probe -p ,0", "missing"),
+    ("probe -p 0;0", "0;0"),
+    ("probe -p 1.5.2,0", "1.5.2"),
+    ("probe -p nan,0", "nan"),
+    ("probe -p 0,inf", "inf"),
+    ("probe -p 0,-Infinity", "-Infinity"),
+    ("probe -p 0x1,0", "0x1"),
+    ("probe -p 1e,0", "1e"),
+    ("probe -p 1e999,0", "1e999"),
+    ("probe -p 1mm,0", "1mm"),
+    ("probe -p --1,0", "--1"),
+    ("probe -p 0,0x", "0x"),
+    ("probe -p (0,0)", "(0"),
+    ("probe -p -json", "json"),
+    ("probe --at 0,0,0", "X,Y,Z,NX,NY,NZ 3 6"),
+    ("probe --at 0,0,0,0,0,0", "normal zero"),
+    ("probe --at 0,0,0,0,0,nan", "nan"),
+    ("probe --at 0,0,0,0,0,1,2", "7"),
+    ("render -s intensity", "="),
+    ("render -s =5", "="),
+    ("render -s lights[0].intensty=5", "intensty intensity"),
+    ("render -s lights[1].intensity=5", "lights[1]"),
+    ("render -s lights[-1].intensity=5", "lights"),
+    ("render -s lights[x].intensity=5", "lights"),
+    ("render -s lights[0.intensity=5", "lights"),
+    ("render -s lights[0]intensity=5", "lights"),
+    ("render -s lights..intensity=5", "lights"),
+    ("render -s .screen.width=5", "screen"),
+    ("render -s screen.=5", "screen"),
+    ("render -s screen.width.x=5", "width"),
+    ("render -s screen.widht=5", "widht width"),
+    ("render -s scren.width=5", "scren screen"),
+    ("render -s surfaces[0].material.shinyness=5", "shinyness shininess"),
+    ("render -s surfaces[9].radius=5", "surfaces"),
+    ("render -s screen.resolution[5]=5", "resolution"),
+    ("scene nosuch", "nosuch"),
+    ("scene --list report", "--list"),
+    ("help nosuchthing", "nosuchthing"),
+    ("help shinines", "shinines shininess"),
+    ("help rendr", "rendr render"),
+]
+
+# A known key with an illegal value: as in a file.
+ILLEGAL = [
+    "screen.width=0", "screen.width=-5", "screen.width=wide", "screen.width=", "screen.width=[1", "screen.width={",
+    "screen.width=1e999", "screen.width=.nan", "screen.resolution=[0,0]", "screen.resolution=[36]",
+    "screen.resolution=[36,30]", "lights[0].intensity=-1", "lights[0].type=sun", "lights=5", "surfaces=[]",
+    "observer.z=0", "surfaces[0].radius=0", "surfaces[0].material.shininess=0", "luxel=2", "points=[[0]]",
+    "picture.range=[1]", "lights[0].position=[1,2]", "units=5", "lights=[{type: point}]",
+]
+
+
+def wrong(tap, tool):
+    for text, words in WRONG:
+        arguments = [part.replace("%s", os.path.basename(tool.folder)) for part in text.split(" ")]
+        result = tool.run(*arguments)
+        missing = [word for word in words.split() if word not in result.err]
+        good = (result.code == 2 and not result.out and not missing and tool.files() == [] and result.seconds < 2 and
+                "error:" in result.err)
+        tap.ok(good, "luxel " + text, "missing: %s" % missing, result)
+
+
+def illegal_values(tap, tool):
+    for assignment in ILLEGAL:
+        result = tool.run("render", "-s", assignment, "-o", "x.png")
+        key = re.split(r"[=]", assignment)[0]
+        good = (result.code == 3 and not result.out and tool.files() == [] and result.seconds < 2 and
+                "error:" in result.err)
+        tap.ok(good and key.split(".")[-1].split("[")[0] in result.err, "-s " + assignment, result)
+
+
+def hostile_texts(tap, tool):
+    long = "x" * 100000
+    for arguments in (("render", long), ("render", "-s", long), ("render", "-s", long + "=1"), ("probe", "-p", long),
+                      (long,), ("--" + long,), ("help", long), ("scene", long), ("render", "-o", long + ".png"),
+                      ("render", "-s", "screen.width=" + long), ("render", "-s", "a" + "[0]" * 30000 + "=1"),
+                      ("render", "-s", "lights=" + "[" * 50000)):
+        result = tool.run(*arguments)
+        tap.ok(result.code in (2, 3, 4) and result.seconds < 2, "a long argument: " + " ".join(arguments)[:30],
+               str(result)[:500])
+    for text in "\x1b[31m", "\x01", "\n", "\x7f":
+        for arguments in (("render", text), (text,), ("render", "-s", text + "=1"), ("probe", "-p", text),
+                          ("render", "--quantity", text), ("render", "-o", text + ".txt"), ("help", text)):
+            result = tool.run(*arguments)
+            tap.ok(result.code in (2, 4) and not re.search(r"[\x00-\x09\x0b-\x1f\x7f]", result.err),
+                   "a control character is escaped: %r" % (arguments,), repr(result.err))
+
+
+def right(tap, tool):
+    base = tool.run("render", "--json").out
+    for options in (["--quantity", "brightness"], ["--quantity=brightness"], ["--precision", "single"], ["--quiet"],
+                    ["-q"], ["--threads", "3"], ["--threads=1024"], ["--light-error", "0"], ["--tolerance", "0.5"],
+                    ["--tolerance", "1e-9"], ["--tolerance", "+.5"]):
+        tap.equal(tool.run("render", "--json", *options).out, base, "render " + " ".join(options))
+    tap.equal(tool.run("--json", "render").out, base, "an option before the command")
+    tap.equal(tool.run("render", "--json", "report").out, base, "an option before the scene")
+    tap.equal(tool.run("render", "--js").out, base, "a shortened option")
+    double = tool.run("render", "--precision", "double", "--json").json()
+    tap.near(double["max"]["value"], 11.7475, 1e-5, "--precision double")
+    irradiance = tool.run("probe", "--quantity", "irradiance", "--json").json()
+    tap.equal(irradiance["quantity"], "irradiance", "--quantity irradiance")
+    point = irradiance["points"][0]
+    tap.near(point["value"], point["lights"][0]["irradiance"], 1e-12, "its value")
+    expected = tool.run("probe", "--json", "-p", "-150,0").out
+    for form in ("-p-150,0", "--point=-150,0", "-p-1.5e2,0.0", "-p-150.,0e5", "-p-150,-0"):
+        values = [answer["points"][0]["value"] for answer in
+                  (tool.run("probe", "--json", form).json(), tool.run("probe", "--json", "-p", "-150,0").json())]
+        tap.equal(values[0], values[1], form)
+    tap.ok("-150" in expected, "a negative number is a value")
+    negative = tool.run("probe", "--at", "-1,-2,-3,-1,0,0", "--json").json()["points"][0]
+    tap.equal((negative["position"], negative["normal"]), ([-1, -2, -3], [-1, 0, 0]), "--at with negative numbers")
+
+
+def version_and_usage(tap, tool):
+    alone = tool.run()
+    tap.ok(alone.code == 0 and not alone.err and "luxel render" in alone.out, "luxel alone", alone)
+    tap.equal(tool.run("--help").out, alone.out, "luxel --help")
+    tap.equal(tool.run("help").out, alone.out, "luxel help")
+    version = tool.run("--version")
+    tap.ok(version.code == 0 and re.match(r"luxel 0\.1\.0\ninstruction set: [\w-]+\n$", version.out), "--version",
+           version)
+    for command in "render", "probe", "check", "scene", "help":
+        for word in (command, "--help"), ("help", command), (command, "-h"):
+            result = tool.run(*word)
+            tap.ok(result.code == 0 and result.out.startswith("Usage: luxel " + command), " ".join(word), result)
+        tap.equal(tool.run(command, "--version").out, version.out, command + " --version")
+        for option in "--set", "--quantity", "--json", "--strict", "--tolerance", "--threads", "--precision":
+            tap.ok(option in tool.run(command, "--help").out, "%s --help tells %s" % (command, option))
+    forced = tool.run("--version", environment={"LUXEL_ISA": "generic"})
+    tap.ok("instruction set: generic\n" in forced.out, "LUXEL_ISA", forced)
+    tap.equal(tool.run("render", environment={"LUXEL_ISA": "nonsense"}).code, 2, "an unknown LUXEL_ISA")
+    tool.write("my.yaml", SCENE)
+    hint = tool.run("my.yaml")
+    tap.ok(hint.code == 2 and "luxel render my.yaml" in hint.err, "a scene for a command", hint)
+
+
+run_tests(Tap(), wrong, illegal_values, hostile_texts, right, version_and_usage)

@@ -1,0 +1,92 @@
+# SPDX-License-Identifier: MIT
+"""Runs luxel the way a shell does, for the tests of the command line."""
+import contextlib
+import json
+import os
+import subprocess
+import sys
+import tempfile
+import time
+
+SCENE = """\
+luxel: 1
+units: radiometric
+screen: {width: 500, height: 500, resolution: [36, 36], sampling: nodes}
+observer: {z: 1500, projection: orthographic, view: parallel}
+surfaces:
+  - type: sphere
+    center: [0, 0, 1000]
+    radius: 200
+    material: {model: blinn-phong, diffuse: 0.8, specular: 0.5, shininess: 20, highlight: plain}
+lights:
+  - {type: point, position: [2000, 0, 2000], intensity: 10, attenuation: none}
+points: [[0, 0], [150, 0], [-150, 0]]
+picture: {range: max, rounding: truncate}
+"""
+
+
+class Result:
+    """What a run ended with."""
+
+    def __init__(self, arguments, code, out, err, seconds):
+        self.arguments, self.code, self.out, self.err, self.seconds = arguments, code, out, err, seconds
+
+    def json(self):
+        return json.loads(self.out, parse_constant=lambda word: self.fail("no JSON: " + word))
+
+    def fail(self, reason):
+        raise AssertionError("%s\n%s" % (reason, self))
+
+    def __str__(self):
+        return "luxel %s\nexit code %s after %.2f s\nstdout: %s\nstderr: %s" % (
+            " ".join(self.arguments), self.code, self.seconds, self.out[:2000], self.err[:4000])
+
+
+class Tool:
+    """The executable named by the test's first argument, run inside a folder of its own."""
+
+    def __init__(self, folder):
+        self.path = os.path.abspath(sys.argv[1])
+        self.folder = folder
+
+    def run(self, *arguments, stdin="", environment=None, timeout=60, **more):
+        variables = {**os.environ, **(environment or {})}
+        if "LUXEL_ISA" not in (environment or {}):
+            variables.pop("LUXEL_ISA", None)
+        if isinstance(stdin, str):
+            stdin = stdin.encode("utf-8")
+        start = time.monotonic()
+        done = subprocess.run([self.path, *arguments], input=stdin, cwd=self.folder, env=variables, timeout=timeout,
+                              **{"stdout": subprocess.PIPE, "stderr": subprocess.PIPE, **more})
+        return Result(arguments, done.returncode, (done.stdout or b"").decode("utf-8"),
+                      (done.stderr or b"").decode("utf-8", "replace"), time.monotonic() - start)
+
+    def write(self, name, text):
+        with open(os.path.join(self.folder, name), "wb") as file:
+            file.write(text if isinstance(text, bytes) else text.encode("utf-8"))
+        return name
+
+    def file(self, name):
+        return os.path.join(self.folder, name)
+
+    def read(self, name):
+        with open(self.file(name), "rb") as file:
+            return file.read()
+
+    def files(self):
+        return sorted(os.listdir(self.folder))
+
+
+@contextlib.contextmanager
+def new_tool():
+    """A tool in an empty folder, which vanishes afterwards."""
+    with tempfile.TemporaryDirectory() as folder:
+        yield Tool(folder)
+
+
+def run_tests(tap, *tests):
+    """Calls each test with the tap and a tool of its own, and ends the process."""
+    for test in tests:
+        with new_tool() as tool:
+            tap.run(test, tap, tool)
+    tap.finish()

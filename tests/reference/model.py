@@ -1,0 +1,290 @@
+# SPDX-License-Identifier: MIT
+"""The truth that luxel's numbers are held against: the lighting model in 50-digit arithmetic.
+
+Written from the description of the model, one formula after the other, for the light of point-like sources
+(ambient, point, distant, spot) on spheres and on free elements.  Numbers of a scene count as the float64 that
+they are read as; lengths are millimetres and become metres where an attenuation law asks for them.
+"""
+from collections import namedtuple
+from fractions import Fraction
+
+from mpmath import mp, mpf
+
+from completion import completed
+
+mp.dps = 50
+
+# What one light gives to an element: its three shares, and what tells how well conditioned they are:
+# N.L, the lobe's S before its power, and how far the element is from the edge of a cone (in cos theta).
+Share = namedtuple('Share', 'irradiance diffuse specular cosine lobe edge')
+Element = namedtuple('Element', 'position normal view material own')
+Answer = namedtuple('Answer', 'element shares brightness irradiance')
+
+
+# Vectors are lists of three numbers.
+
+def vector(numbers):
+    return [mpf(number) for number in numbers]
+
+
+def add(a, b):
+    return [x + y for x, y in zip(a, b)]
+
+
+def subtract(a, b):
+    return [x - y for x, y in zip(a, b)]
+
+
+def scale(a, factor):
+    return [x * factor for x in a]
+
+
+def dot(a, b):
+    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
+
+
+def length(a):
+    return mp.sqrt(dot(a, a))
+
+
+def unit(a):
+    return scale(a, 1 / length(a))
+
+
+def power(base, exponent):
+    """base^exponent for base >= 0, with x^0 = 1."""
+    if exponent == 0:
+        return mpf(1)
+    return mp.power(base, exponent) if base > 0 else mpf(0)
+
+
+# What is seen.
+
+def observer_position(scene):
+    return vector([0, 0, scene['observer']['z']])
+
+
+def sphere_crossings(start, direction, sphere):
+    """The two t, in order, at which start + t direction crosses the sphere; none where it misses it."""
+    offset = subtract(start, vector(sphere['center']))
+    a = dot(direction, direction)
+    b = dot(direction, offset)
+    root = b * b - a * (dot(offset, offset) - mpf(sphere['radius']) ** 2)
+    if root < 0:
+        return []
+    root = mp.sqrt(root)
+    return [(-b - root) / a, (-b + root) / a]
+
+
+def seen_element(scene, x, y):
+    """The element that is seen through the screen point (x, y), or None."""
+    observer = observer_position(scene)
+    perspective = scene['observer']['projection'] == 'perspective'
+    if perspective:
+        start, direction = observer, [mpf(x), mpf(y), -observer[2]]
+    else:
+        start, direction = [mpf(x), mpf(y), observer[2]], vector([0, 0, -1])
+    hits = []
+    for index, surface in enumerate(scene['surfaces']):
+        crossings = sphere_crossings(start, direction, surface)
+        if crossings:
+            if crossings[0] > 0:
+                hits.append((crossings[0], index))
+    if not hits:
+        return None
+    distance, index = min(hits)
+    surface = scene['surfaces'][index]
+    position = add(start, scale(direction, distance))
+    normal = scale(subtract(position, vector(surface['center'])), 1 / mpf(surface['radius']))
+    if perspective or scene['observer']['view'] == 'observer':
+        view = unit(subtract(observer, position))
+    else:
+        view = vector([0, 0, 1])
+    return Element(position, normal, view, surface['material'], index)
+
+
+def free_element(scene, numbers):
+    """The element of a probe --at: position and normal; it is no surface's own and has the first's material."""
+    position = vector(numbers[:3])
+    view = unit(subtract(observer_position(scene), position))
+    return Element(position, unit(vector(numbers[3:])), view, scene['surfaces'][0]['material'], None)
+
+
+# What a light gives.
+
+def attenuation(light, distance_mm):
+    distance = distance_mm / 1000
+    law = light['attenuation']
+    if law == 'none':
+        return mpf(1)
+    if law == 'inverse-square':
+        return 1 / distance ** 2
+    return 1 / (mpf(light['k']) / 1000 + distance)
+
+
+def axis_of(light):
+    if 'aim' in light:
+        return unit(subtract(vector(light['aim']), vector(light['position'])))
+    return unit(vector(light['axis']))
+
+
+def pattern(light, cosine):
+    """g of a point source, and the distance of its angle from a jump (it has none)."""
+    exponent = {'isotropic': 0, 'lambertian': 1, 'cosine': light['exponent']}[light['pattern']]
+    return power(max(mpf(0), cosine), exponent), mp.inf
+
+
+def cone(light, cosine):
+    """f max(0, cos)^m of a spot, and the distance of the cosine from the cone's edges."""
+    inner, outer = mp.radians(mpf(light['inner'])), mp.radians(mpf(light['outer']))
+    cos_inner, cos_outer = mp.cos(inner), mp.cos(outer)
+    falloff = 'hard' if inner == outer else light['falloff']
+    edge = min(abs(cosine - cos_inner), abs(cosine - cos_outer))
+    if cosine < cos_outer:
+        return mpf(0), edge
+    if falloff == 'hard' or cosine >= cos_inner:
+        factor = mpf(1)
+    elif falloff == 'linear':
+        factor = (outer - mp.acos(cosine)) / (outer - inner)
+    else:
+        t = (cosine - cos_outer) / (cos_inner - cos_outer)
+        factor = t * t if falloff == 'squared' else t * t * (3 - 2 * t)
+    return factor * power(max(mpf(0), cosine), light['exponent']), edge
+
+
+def sample(light, position):
+    """Direction towards the light (unit), irradiance facing it, distance in mm, distance from a cone's edge."""
+    if light['type'] == 'distant':
+        return scale(unit(vector(light['direction'])), mpf(-1)), mpf(light['irradiance']), mp.inf, mp.inf
+    way = subtract(vector(light['position']), position)
+    distance = length(way)
+    direction = scale(way, 1 / distance)
+    cosine = -dot(axis_of(light), direction)
+    factor, edge = (pattern if light['type'] == 'point' else cone)(light, cosine)
+    return direction, mpf(light['intensity']) * factor * attenuation(light, distance), distance, edge
+
+
+def is_blocked(scene, element, direction, distance):
+    """Whether another surface stands between the element and the source."""
+    surfaces = scene['surfaces']
+    if scene['shadows'] == 'none' or len(surfaces) == 1:
+        return False
+    for index, surface in enumerate(surfaces):
+        if index != element.own:
+            if any(0 < t < distance for t in sphere_crossings(element.position, direction, surface)):
+                return True
+    return False
+
+
+# What the material makes of it.
+
+def lobe(material, normal, light, view):
+    """S: the cosine that the highlight is a power of."""
+    if material['model'] == 'lambert':
+        return mpf(0)
+    if material['model'] == 'phong':
+        mirrored = subtract(scale(normal, 2 * dot(normal, light)), light)
+        return max(mpf(0), dot(mirrored, view))
+    between = add(light, view)
+    size = length(between)
+    return max(mpf(0), dot(normal, between) / size) if size > 0 else mpf(0)
+
+
+def normalization(material):
+    """c."""
+    n = mpf(material['shininess'])
+    if not material['normalized']:
+        return mpf(1)
+    if material['model'] == 'phong':
+        return (n + 2) / 2
+    return (n + 2) * (n + 4) / (8 * (n + mpf(2) ** (-n / 2)))
+
+
+def share(scene, element, light):
+    """What one light gives to the element."""
+    material = element.material
+    p = 1 / mp.pi if material['over_pi'] else mpf(1)
+    if light['type'] == 'ambient':
+        irradiance = mpf(light['irradiance'])
+        return Share(irradiance, p * mpf(material['ambient']) * irradiance, mpf(0), mpf(1), mpf(1), mp.inf)
+
+    direction, facing, distance, edge = sample(light, element.position)
+    cosine = dot(element.normal, direction)
+    s = lobe(material, element.normal, direction, element.view)
+    if is_blocked(scene, element, direction, distance):
+        facing = mpf(0)
+    received = max(mpf(0), cosine)
+    weight = {'plain': mpf(1), 'gated': mpf(1 if cosine > 0 else 0), 'cosine': received}[material['highlight']]
+    if material['model'] == 'lambert':
+        weight = mpf(0)
+    highlight = weight * power(s, mpf(material['shininess'])) if facing * weight > 0 else mpf(0)
+    return Share(facing * received, facing * p * mpf(material['diffuse']) * received,
+                 facing * p * mpf(material['specular']) * normalization(material) * highlight, cosine, s, edge)
+
+
+def answer(scene, element):
+    shares = [share(scene, element, light) for light in scene['lights']]
+    return Answer(element, shares, mp.fsum(part.diffuse + part.specular for part in shares),
+                  mp.fsum(part.irradiance for part in shares))
+
+
+# The questions that tests ask; `scene` is as the user wrote it.
+
+def probe_screen(scene, x, y):
+    """Answer for what is seen through (x, y), or None off every surface."""
+    scene = completed(scene)
+    element = seen_element(scene, x, y)
+    return answer(scene, element) if element else None
+
+
+def probe_element(scene, numbers):
+    """Answer for the free element x, y, z, nx, ny, nz."""
+    scene = completed(scene)
+    return answer(scene, free_element(scene, numbers))
+
+
+def pixel_of(scene, x, y):
+    """[column, row] of the pixel that the screen point falls in, None off the screen; in exact fractions."""
+    screen = completed(scene)['screen']
+    width, height = Fraction(screen['width']), Fraction(screen['height'])
+    across, down = (Fraction(x) + width / 2) / width, (height / 2 - Fraction(y)) / height
+    if not (0 <= across <= 1 and 0 <= down <= 1):
+        return None
+    pixel = []
+    for place, count in zip((across, down), screen['resolution']):
+        if screen['sampling'] == 'nodes':
+            pixel.append(int(place * (count - 1) + Fraction(1, 2)))
+        else:
+            pixel.append(min(int(place * count), count - 1))
+    return pixel
+
+
+def sample_of(scene, column, row):
+    """The screen point x, y that the pixel shows."""
+    screen = completed(scene)['screen']
+    place = []
+    for index, count, size in zip((column, row), screen['resolution'], (screen['width'], screen['height'])):
+        if screen['sampling'] == 'nodes':
+            place.append(-mpf(size) / 2 + index * mpf(size) / (count - 1))
+        else:
+            place.append(-mpf(size) / 2 + (index + mpf('0.5')) * mpf(size) / count)
+    return place[0], -place[1]
+
+
+def unit_of(scene, quantity):
+    """The unit that results are printed in; None where the description leaves it open."""
+    scene = completed(scene)
+    photometric = scene['units'] == 'photometric'
+    laws = {light.get('attenuation', light['type']) for light in scene['lights']}
+    over_pi = {surface['material']['over_pi'] for surface in scene['surfaces']}
+    if 'practical' in laws or {'none', 'inverse-square'} <= laws:
+        return 'relative'
+    if quantity == 'brightness' and len(over_pi) > 1 or not laws:
+        return None
+    if laws == {'none'}:
+        return ('cd' if photometric else 'W/sr') if over_pi == {False} else None
+    if 'none' in laws:
+        return None
+    if quantity == 'irradiance' or over_pi == {False}:
+        return 'lx' if photometric else 'W/m²'
+    return 'cd/m²' if photometric else 'W/(sr·m²)'

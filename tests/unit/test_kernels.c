@@ -1,0 +1,272 @@
+/* SPDX-License-Identifier: MIT */
+/*
+ * Every instruction set's kernels against the float64 reference, on random and on nasty scenes: grazing and
+ * backward light, sources just above the surface and very far, all laws, profiles, lobes and projections, odd
+ * numbers of pixels.  Asserts which set really ran, that float32 pictures keep 2e-6 and float64 pictures 1e-11
+ * of their maximum, and that a pixel has the same bytes wherever it stands in a block.
+ */
+#include <math.h>
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include <cmocka.h>
+
+#include "base/memory.h"
+#include "shade/camera.h"
+#include "shade/reference.h"
+#include "shade/shader.h"
+
+enum { COLUMNS = 67, ROWS = 53, MAXIMUM_LIGHTS = 4, MAXIMUM_SURFACES = 3 };
+
+/* xorshift64*: the same scenes on every machine */
+struct randomness {
+    uint64_t state;
+};
+
+static double uniform(struct randomness *random, double low, double high)
+{
+    random->state ^= random->state >> 12;
+    random->state ^= random->state << 25;
+    random->state ^= random->state >> 27;
+    return low + (high - low) * ((double)((random->state * UINT64_C(0x2545F4914F6CDD1D)) >> 11) * 0x1p-53);
+}
+
+static int pick(struct randomness *random, int count)
+{
+    return (int)uniform(random, 0, count);
+}
+
+static double logarithmic(struct randomness *random, double low, double high)
+{
+    return exp(uniform(random, log(low), log(high)));
+}
+
+struct test_scene {
+    struct lx_scene_parameters scene;
+    struct lx_sphere_parameters spheres[MAXIMUM_SURFACES];
+    struct lx_item items[MAXIMUM_SURFACES];
+    struct lx_prepared_surface surfaces[MAXIMUM_SURFACES];
+    struct lx_emitter lights[MAXIMUM_LIGHTS];
+    struct lx_prepared prepared;
+};
+
+static struct lx_material random_material(struct randomness *random)
+{
+    return (struct lx_material){
+        .model = pick(random, 3),
+        .diffuse = pick(random, 5) ? uniform(random, 0, 1) : 0,
+        .specular = uniform(random, 0, 1),
+        .shininess = pick(random, 2) ? logarithmic(random, 0.1, 10000) : uniform(random, 1, 60),
+        .over_pi = pick(random, 2),
+        .highlight = pick(random, 3),
+        .normalized = pick(random, 3) == 0,
+    };
+}
+
+static struct lx_profile random_profile(struct randomness *random, const double from[3], const double at[3])
+{
+    lx_bounded3 axis = lx_unit3(lx_sub3(lx_exact3(at), lx_exact3(from)));
+    double outer = uniform(random, 0.5, 90);
+    switch (pick(random, 4)) {
+    case 0:
+        return lx_profile_cosine(axis, pick(random, 2) ? 1 : logarithmic(random, 0.1, 100));
+    case 1:
+        return lx_profile_cone(axis, (enum lx_falloff)pick(random, 4), uniform(random, 0, outer), outer,
+                               pick(random, 2) ? 0 : uniform(random, 0, 10));
+    default:
+        return lx_profile_isotropic();
+    }
+}
+
+/* A place from just above a sphere to far away, in any direction, sometimes inside. */
+static void random_place(struct randomness *random, const struct lx_sphere_parameters *sphere, double place[3])
+{
+    double direction[3], length = 0;
+    for (int i = 0; i < 3; i++) {
+        direction[i] = uniform(random, -1, 1);
+        length = hypot(length, direction[i]);
+    }
+    double distance = sphere->radius_mm + logarithmic(random, 0.01, 1e7);
+    if (pick(random, 3))
+        distance = sphere->radius_mm + logarithmic(random, 50, 10000);
+    if (pick(random, 20) == 0)
+        distance = uniform(random, 0, sphere->radius_mm);
+    for (int i = 0; i < 3; i++)
+        place[i] = sphere->center_mm[i] + direction[i] / length * distance;
+}
+
+static struct lx_emitter random_emitter(struct randomness *random, const struct lx_sphere_parameters *sphere)
+{
+    struct lx_emitter emitter = {.strength = logarithmic(random, 0.01, 10000)};
+    double place[3], aim[3];
+    random_place(random, sphere, place);
+    for (int i = 0; i < 3; i++)
+        aim[i] = sphere->center_mm[i] + uniform(random, -1, 1) * sphere->radius_mm;
+    emitter.type = pick(random, 8) == 0 ? LX_UNIFORM : pick(random, 5) == 0 ? LX_DIRECTION : LX_POINT;
+    emitter.attenuation = (enum lx_attenuation)pick(random, 3);
+    emitter.k_mm = logarithmic(random, 10, 2000);
+    memcpy(emitter.position_mm, place, sizeof place);
+    emitter.profile = random_profile(random, place, aim);
+    emitter.towards = lx_unit3(lx_sub3(lx_exact3(place), lx_exact3(aim)));
+    return emitter;
+}
+
+static void make_scene(struct randomness *random, struct test_scene *test)
+{
+    size_t surfaces = pick(random, 3) ? 1 : MAXIMUM_SURFACES;
+    *test = (struct test_scene){
+        .scene.screen = {.width_mm = 670, .height_mm = 530, .resolution = {COLUMNS, ROWS}, .sampling = pick(random, 2)},
+        .scene.observer = {.z_mm = 5000, .projection = pick(random, 2), .view = pick(random, 2)},
+    };
+    for (size_t i = 0; i < surfaces; i++) {
+        struct lx_sphere_parameters *sphere = &test->spheres[i];
+        sphere->radius_mm = surfaces == 1 ? logarithmic(random, 60, 600) : uniform(random, 60, 200);
+        double reach = surfaces == 1 ? 50 : 300;
+        sphere->center_mm[0] = uniform(random, -reach, reach);
+        sphere->center_mm[1] = uniform(random, -reach, reach);
+        sphere->center_mm[2] = uniform(random, 500, 2000);
+        struct lx_material material = random_material(random);
+        const struct lx_surface_kind *kind = (const struct lx_surface_kind *)lx_surface_variants[0];
+        test->surfaces[i] = (struct lx_prepared_surface){
+            .kind = kind, .parameters = sphere, .shape = kind->shape(sphere), .lobe = lx_lobe_prepare(&material)};
+    }
+    size_t lights = 1 + (size_t)pick(random, MAXIMUM_LIGHTS);
+    for (size_t i = 0; i < lights; i++)
+        test->lights[i] = random_emitter(random, &test->spheres[0]);
+    test->prepared = (struct lx_prepared){
+        .scene = &test->scene,
+        .surfaces = test->surfaces,
+        .surface_count = surfaces,
+        .emitters = {.items = test->lights, .count = lights},
+        .shadows = surfaces > 1,
+    };
+}
+
+/* The reference picture and, for each pixel, how far it may be trusted. */
+static double reference_picture(const struct test_scene *test, lx_bounded picture[ROWS][COLUMNS])
+{
+    double maximum = 0;
+    for (unsigned row = 0; row < ROWS; row++)
+        for (unsigned column = 0; column < COLUMNS; column++) {
+            struct lx_element element;
+            picture[row][column] = lx_exact(0);
+            if (!lx_element_seen(&test->prepared, lx_column_x_mm(&test->scene.screen, column),
+                                 lx_row_y_mm(&test->scene.screen, row), &element))
+                continue;
+            for (size_t i = 0; i < test->prepared.emitters.count; i++) {
+                struct lx_lighting light = lx_light_element(&test->prepared, &element, &test->lights[i]);
+                picture[row][column] = lx_add(picture[row][column], lx_add(light.diffuse, light.specular));
+            }
+            maximum = fmax(maximum, picture[row][column].value);
+        }
+    return maximum;
+}
+
+static double worst_pixel(const struct test_scene *test, const struct lx_kernels *kernels, luxel_precision precision,
+                          lx_bounded picture[ROWS][COLUMNS], double maximum, double *share_single)
+{
+    struct lx_plan plan;
+    struct lx_shader_memory *memory = lx_shader_memory_new();
+    double x[LX_BLOCK], values[LX_BLOCK], one[LX_BLOCK], worst = 0, bound = precision == LUXEL_DOUBLE ? 1e-11 : 2e-6;
+    uint8_t mask[LX_BLOCK];
+    assert_non_null(memory);
+    assert_int_equal(lx_plan_make(&test->prepared, kernels, LUXEL_BRIGHTNESS, precision, &plan), 0);
+    assert_ptr_equal(plan.kernels, kernels);
+    size_t singles = 0, lights = 0;
+    for (size_t s = 0; s < plan.surface_count; s++)
+        for (size_t i = 0; i < plan.surfaces[s].light_count; i++, lights++)
+            singles += !plan.surfaces[s].lights[i].in_double;
+    *share_single = lights ? (double)singles / (double)lights : 0;
+    for (unsigned row = 0; row < ROWS; row++) {
+        double y = lx_row_y_mm(&test->scene.screen, row);
+        for (unsigned column = 0; column < COLUMNS; column++)
+            x[column] = lx_column_x_mm(&test->scene.screen, column);
+        lx_shade_points(&plan, memory, y, x, COLUMNS, NULL, false, values, mask);
+        unsigned alone = (row * 31) % COLUMNS;
+        double there = x[alone];
+        x[0] = there;
+        lx_shade_points(&plan, memory, y, x, 1, NULL, false, one, mask);
+        assert_memory_equal(&one[0], &values[alone], sizeof one[0]);
+        for (unsigned column = 0; column < COLUMNS; column++) {
+            lx_bounded exact = picture[row][column];
+            assert_true(isfinite(values[column]) && values[column] >= 0);
+            /* Where the exact value itself jumps within the rounding of float64, either side is right. */
+            if (exact.error > bound / 10 * maximum)
+                continue;
+            double off = fabs(values[column] - exact.value);
+            if (maximum > 0)
+                worst = fmax(worst, off / maximum);
+        }
+    }
+    free(memory);
+    lx_plan_clear(&plan);
+    return worst;
+}
+
+static void check_precision(luxel_precision precision, double bound)
+{
+    static lx_bounded picture[ROWS][COLUMNS];
+    const char *campaign = getenv("LUXEL_TEST_SCENES");
+    int scenes = campaign ? atoi(campaign) : 250;
+    double worst = 0, single = 0;
+    for (int i = 0; i < scenes; i++) {
+        struct randomness random = {.state = UINT64_C(0x9E3779B97F4A7C15) * ((uint64_t)i + 1)};
+        struct test_scene test;
+        make_scene(&random, &test);
+        double maximum = reference_picture(&test, picture);
+        for (size_t k = 0; lx_kernels_get(k); k++) {
+            const struct lx_kernels *kernels = lx_kernels_get(k);
+            double share;
+            if (!kernels->runs())
+                continue;
+            double off = worst_pixel(&test, kernels, precision, picture, maximum, &share);
+            single += k == 0 ? share : 0;
+            if (off > bound)
+                print_message("# scene %d, %s: off by %.3g of the maximum\n", i, kernels->name, off);
+            worst = fmax(worst, off);
+        }
+    }
+    print_message("# worst pixel: %.3g of the maximum; %.0f %% of the lights in float32\n", worst, 100 * single / scenes);
+    assert_true(worst <= bound);
+}
+
+static void test_single(void **state)
+{
+    (void)state;
+    check_precision(LUXEL_SINGLE, 2e-6);
+}
+
+static void test_double(void **state)
+{
+    (void)state;
+    check_precision(LUXEL_DOUBLE, 1e-11);
+}
+
+static void test_choice(void **state)
+{
+    (void)state;
+    assert_non_null(lx_kernels_choose("generic"));
+    assert_string_equal(lx_kernels_choose("generic")->name, "generic");
+    assert_null(lx_kernels_choose("z80"));
+    setenv("LUXEL_ISA", "generic", 1);
+    assert_string_equal(lx_kernels_choose(NULL)->name, "generic");
+    unsetenv("LUXEL_ISA");
+    for (size_t i = 0; lx_kernels_get(i); i++)
+        if (lx_kernels_get(i)->runs())
+            assert_ptr_equal(lx_kernels_choose(lx_kernels_get(i)->name), lx_kernels_get(i));
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_choice),
+        cmocka_unit_test(test_single),
+        cmocka_unit_test(test_double),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
