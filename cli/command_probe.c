@@ -29,10 +29,10 @@ static void print_shares(const luxel_probe *probe) {
         char name[TEXT_SIZE], irradiance[TEXT_SIZE], diffuse[TEXT_SIZE], specular[TEXT_SIZE], error[TEXT_SIZE];
 
         name_light(share, name);
-        text_table_row(table, TEXT_CELLS(name, share->type, text_format(irradiance, "%.12g", share->irradiance),
-                                         text_format(diffuse, "%.12g", share->diffuse),
-                                         text_format(specular, "%.12g", share->specular),
-                                         text_format(error, "%.1e", share->error)));
+        text_table_row(table,
+                       TEXT_CELLS(name, share->type, text_format(irradiance, "%.12g", share->irradiance),
+                                  text_format(diffuse, "%.12g", share->diffuse),
+                                  text_format(specular, "%.12g", share->specular), text_error(share->error, error)));
     }
     text_table_print(table, stdout, 4);
 }
@@ -51,13 +51,13 @@ static void print_pixel(const luxel_probe *probe) {
 
 static void print_point(const struct result *result, size_t i) {
     const luxel_probe *probe = result->probes[i];
-    char name[TEXT_SIZE], position[TEXT_SIZE];
+    char name[TEXT_SIZE], error[TEXT_SIZE], position[TEXT_SIZE];
 
     if (!probe->has_value) {
         printf("%s\n", result_no_value(result, i, name));
         return;
     }
-    printf("%s: %.15g ± %.1e %s\n", result_point_name(result, i, name), probe->value, probe->error,
+    printf("%s: %.15g ± %s %s\n", result_point_name(result, i, name), probe->value, text_error(probe->error, error),
            result_unit(result));
     printf(_("  position %s mm, normal (%.9g, %.9g, %.9g)\n"), text_lengths(probe->position_mm, 3, position),
            probe->normal[0] + 0.0, probe->normal[1] + 0.0, probe->normal[2] + 0.0);

@@ -124,9 +124,9 @@ static void add_point(struct text_table *table, const struct result *result, siz
         text_format(pixel, "(%u, %u)", probe->column, probe->row);
     else
         text_format(pixel, "%s", _("off the screen"));
-    text_table_row(
-        table, TEXT_CELLS(name, text_format(value, "%.12g", probe->value), text_format(error, "%.1e", probe->error),
-                          probe->has_pixel_value ? text_format(pixel_value, "%.6g", probe->pixel_value) : "", pixel));
+    text_table_row(table, TEXT_CELLS(name, text_format(value, "%.12g", probe->value), text_error(probe->error, error),
+                                     probe->has_pixel_value ? text_format(pixel_value, "%.6g", probe->pixel_value) : "",
+                                     pixel));
 }
 
 static void print_points(const struct result *result) {

@@ -82,21 +82,21 @@ static bool same_parameter(const luxel_parameter *a, const luxel_parameter *b) {
            same_text(a->legal, b->legal) && same_text(a->advised, b->advised) && same_text(a->meaning, b->meaning);
 }
 
-static bool is_first_of_its_kind(size_t i) {
+static bool is_first_of_its_kind(const luxel_parameters *keys, size_t i) {
     for (size_t k = 0; k < i; k++)
-        if (same_parameter(luxel_parameter_get(k), luxel_parameter_get(i)))
+        if (same_parameter(luxel_parameters_get(keys, k), luxel_parameters_get(keys, i)))
             return false;
     return true;
 }
 
 /* "point, spot": the types that have parameter i as it stands; "" for all. */
-static const char *list_variants(size_t i, char buffer[TEXT_SIZE]) {
-    const luxel_parameter *parameter = luxel_parameter_get(i);
+static const char *list_variants(const luxel_parameters *keys, size_t i, char buffer[TEXT_SIZE]) {
+    const luxel_parameter *parameter = luxel_parameters_get(keys, i);
     size_t used = 0;
 
     buffer[0] = '\0';
-    for (size_t k = i; parameter->variant && k < luxel_parameter_count(); k++) {
-        const luxel_parameter *other = luxel_parameter_get(k);
+    for (size_t k = i; parameter->variant && k < luxel_parameters_count(keys); k++) {
+        const luxel_parameter *other = luxel_parameters_get(keys, k);
 
         if (!same_parameter(parameter, other) || !other->variant || used >= TEXT_SIZE)
             continue;
@@ -110,14 +110,14 @@ static void add_line(struct text_table *table, const char *name, const char *val
         text_table_row(table, TEXT_CELLS(name, value));
 }
 
-static void print_parameter(size_t i) {
-    const luxel_parameter *parameter = luxel_parameter_get(i);
+static void print_parameter(const luxel_parameters *keys, size_t i) {
+    const luxel_parameter *parameter = luxel_parameters_get(keys, i);
     struct text_table *table = text_table_new("ll");
     char variants[TEXT_SIZE];
 
     printf("%s\n", parameter->path);
     text_definition(stdout, "", 2, _(parameter->meaning));
-    add_line(table, _("of type"), list_variants(i, variants));
+    add_line(table, _("of type"), list_variants(keys, i, variants));
     add_line(table, _("type"), parameter->type);
     add_line(table, _("choices"), parameter->choices);
     add_line(table, _("unit"), parameter->unit);
@@ -127,25 +127,25 @@ static void print_parameter(size_t i) {
     text_table_print(table, stdout, 2);
 }
 
-static void print_text(const char *topic, enum match wanted) {
+static void print_text(const luxel_parameters *keys, const char *topic, enum match wanted) {
     const char *separator = "";
 
-    for (size_t i = 0; i < luxel_parameter_count(); i++) {
-        if (match_parameter(topic, luxel_parameter_get(i)) != wanted || !is_first_of_its_kind(i))
+    for (size_t i = 0; i < luxel_parameters_count(keys); i++) {
+        if (match_parameter(topic, luxel_parameters_get(keys, i)) != wanted || !is_first_of_its_kind(keys, i))
             continue;
         fputs(separator, stdout);
-        print_parameter(i);
+        print_parameter(keys, i);
         separator = "\n";
     }
 }
 
 /* What lies below the keys that were explained, a line each. */
-static void print_below(const char *topic) {
+static void print_below(const luxel_parameters *keys, const char *topic) {
     struct text_table *table = text_table_new("lll");
     size_t count = 0;
 
-    for (size_t i = 0; i < luxel_parameter_count(); i++) {
-        const luxel_parameter *parameter = luxel_parameter_get(i);
+    for (size_t i = 0; i < luxel_parameters_count(keys); i++) {
+        const luxel_parameter *parameter = luxel_parameters_get(keys, i);
 
         if (match_parameter(topic, parameter) != MATCH_BELOW)
             continue;
@@ -159,13 +159,13 @@ static void print_below(const char *topic) {
     text_table_print(table, stdout, 2);
 }
 
-static void print_json(const char *topic) {
+static void print_json(const luxel_parameters *keys, const char *topic) {
     struct json json = {.stream = stdout};
 
     json_open(&json, NULL, '{');
     json_open(&json, "keys", '[');
-    for (size_t i = 0; i < luxel_parameter_count(); i++) {
-        const luxel_parameter *parameter = luxel_parameter_get(i);
+    for (size_t i = 0; i < luxel_parameters_count(keys); i++) {
+        const luxel_parameter *parameter = luxel_parameters_get(keys, i);
 
         if (match_parameter(topic, parameter) == MATCH_NONE)
             continue;
@@ -192,15 +192,15 @@ static const char *last_component(const char *path) {
     return dot ? dot + 1 : path;
 }
 
-static int report_unknown_topic(const char *topic) {
-    const size_t parameters = luxel_parameter_count();
+static int report_unknown_topic(const luxel_parameters *keys, const char *topic) {
+    const size_t parameters = luxel_parameters_count(keys);
     const char **words = message_allocate(COMMAND_COUNT + 3 * parameters, sizeof *words);
     size_t count = 0;
 
     for (size_t i = 0; i < COMMAND_COUNT; i++)
         words[count++] = commands[i]->name;
     for (size_t i = 0; i < parameters; i++) {
-        const luxel_parameter *parameter = luxel_parameter_get(i);
+        const luxel_parameter *parameter = luxel_parameters_get(keys, i);
 
         words[count++] = last_component(parameter->path);
         words[count++] = parameter->path;
@@ -213,24 +213,28 @@ static int report_unknown_topic(const char *topic) {
 }
 
 int help_print_keys(const char *topic, bool as_json) {
+    luxel_parameters *keys = luxel_parameters_new();
     char *path = topic ? normal_path(topic) : NULL;
     enum match best = MATCH_NONE;
     int code = EXIT_DONE;
 
-    for (size_t i = 0; i < luxel_parameter_count(); i++) {
-        const enum match match = match_parameter(path, luxel_parameter_get(i));
+    for (size_t i = 0; keys && i < luxel_parameters_count(keys); i++) {
+        const enum match match = match_parameter(path, luxel_parameters_get(keys, i));
 
         best = match > best ? match : best;
     }
-    if (best == MATCH_NONE) {
-        code = report_unknown_topic(topic);
+    if (!keys) {
+        code = message_failure(LUXEL_ERROR_MEMORY, NULL);
+    } else if (best == MATCH_NONE) {
+        code = report_unknown_topic(keys, topic);
     } else if (as_json) {
-        print_json(path);
+        print_json(keys, path);
     } else {
-        print_text(path, best);
+        print_text(keys, path, best);
         if (best == MATCH_EXACT)
-            print_below(path);
+            print_below(keys, path);
     }
     free(path);
+    luxel_parameters_free(keys);
     return code;
 }

@@ -185,11 +185,17 @@ void result_print_json(const struct result *result) {
 }
 
 void result_print_conventions(const struct result *result) {
-    const size_t count = luxel_scene_convention_count(result->scene);
+    char *line = NULL;
+    size_t length;
+    FILE *stream = open_memstream(&line, &length);
 
-    fputs(_("Conventions:"), stdout);
-    for (size_t i = 0; i < count; i++)
-        printf("%s %s %s", i > 0 ? "," : "", luxel_scene_convention_key(result->scene, i),
-               luxel_scene_convention_value(result->scene, i));
-    fputc('\n', stdout);
+    if (!stream)
+        return;
+    fputs(_("Conventions:"), stream);
+    for (size_t i = 0; i < luxel_scene_convention_count(result->scene); i++)
+        fprintf(stream, "%s %s %s", i > 0 ? ";" : "", luxel_scene_convention_key(result->scene, i),
+                luxel_scene_convention_value(result->scene, i));
+    if (fclose(stream) == 0)
+        text_definition(stdout, "", 0, line);
+    free(line);
 }

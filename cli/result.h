@@ -28,7 +28,7 @@ void result_clear(struct result *result);
 /* Prints the object of SPEC's `--json`, on standard output. */
 void result_print_json(const struct result *result);
 
-/* The line of text that tells under which conventions the numbers were made. */
+/* The lines of text that tell under which conventions the numbers were made. */
 void result_print_conventions(const struct result *result);
 
 /* "P2 (150.0, 0.0)": how the text calls the i-th point. */

@@ -68,6 +68,10 @@ const char *text_lengths(const double *values_mm, size_t count, char buffer[TEXT
     return buffer;
 }
 
+const char *text_error(double error, char buffer[TEXT_SIZE]) {
+    return text_format(buffer, error > 0.0 ? "%.1e" : "%.0f", error);
+}
+
 void text_print_escaped(FILE *stream, const char *text) {
     char *escaped = luxel_escaped_text(text);
 

@@ -13,6 +13,8 @@ enum { TEXT_SIZE = 160 }; /* room for any cell built here */
 const char *text_length(double value_mm, char buffer[TEXT_SIZE]);
 /* "(0.0, 150.0)": `count` lengths, at most three. */
 const char *text_lengths(const double *values_mm, size_t count, char buffer[TEXT_SIZE]);
+/* A bound of an error, with two digits. */
+const char *text_error(double error, char buffer[TEXT_SIZE]);
 /* printf into a cell. */
 const char *text_format(char buffer[TEXT_SIZE], const char *format, ...) __attribute__((format(printf, 2, 3)));
 

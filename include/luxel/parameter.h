@@ -1,7 +1,8 @@
 /* SPDX-License-Identifier: MIT */
 /*
  * Parameters: every key of a scene with its type, unit, default, ranges and meaning, for help texts, forms
- * and references.  The list is constant; every pointer lives as long as the program.
+ * and references.  A list is the caller's and never changes, so several threads may read it; every pointer in
+ * it lives as long as the list.
  */
 #ifndef LUXEL_PARAMETER_H
 #define LUXEL_PARAMETER_H
@@ -28,9 +29,15 @@ typedef struct luxel_parameter {
     const char *meaning;       /* one sentence, English */
 } luxel_parameter;
 
-LUXEL_API size_t luxel_parameter_count(void);
+typedef struct luxel_parameters luxel_parameters;
+
+/* The list of all parameters, in the order of the scene file; NULL when memory is short. */
+LUXEL_API luxel_parameters *luxel_parameters_new(void);
+LUXEL_API void luxel_parameters_free(luxel_parameters *parameters);
+
+LUXEL_API size_t luxel_parameters_count(const luxel_parameters *parameters);
 /* NULL beyond the last. */
-LUXEL_API const luxel_parameter *luxel_parameter_get(size_t i);
+LUXEL_API const luxel_parameter *luxel_parameters_get(const luxel_parameters *parameters, size_t i);
 
 #ifdef __cplusplus
 }

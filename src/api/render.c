@@ -55,7 +55,10 @@ static unsigned thread_count(const luxel_settings *settings, unsigned columns, u
     return threads < worth ? threads : worth;
 }
 
-/* Memory that can be had, by the system's own estimate; what it does not tell is no limit. */
+/*
+ * Memory that a picture may take: four fifths of what the system says can be had, so that writing it and everybody
+ * else find room too.  What the system does not tell is no limit.
+ */
 static double available_bytes(void)
 {
     double available = HUGE_VAL, kilobytes;
@@ -63,7 +66,7 @@ static double available_bytes(void)
     FILE *file = fopen("/proc/meminfo", "re");
     while (file && fgets(line, sizeof line, file))
         if (sscanf(line, "MemAvailable: %lf kB", &kilobytes) == 1)
-            available = kilobytes * 1024;
+            available = kilobytes * 1024 * 0.8;
     if (file)
         fclose(file);
     return available;

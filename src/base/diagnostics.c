@@ -136,10 +136,12 @@ static bool take_excerpt(const struct lx_place *place, size_t line, size_t start
     while (from > line && columns < EXCERPT_BEFORE) {
         from--;
         if (((unsigned char)text[from] & 0xC0) != 0x80)
-            columns++;
+            columns += lx_escaped_width(text + from, start - from);
     }
-    for (to = from, columns = 0; to < place->length && !is_break(text[to]) && columns < EXCERPT_COLUMNS; columns++)
+    for (to = from, columns = 0; to < place->length && !is_break(text[to]) && columns < EXCERPT_COLUMNS;) {
+        columns += lx_escaped_width(text + to, place->length - to);
         to += character_size(text + to, place->length - to);
+    }
 
     struct lx_text excerpt = {0};
     size_t offset = 0, width = 0;
@@ -176,6 +178,11 @@ static bool place_set(struct entry *entry, const struct lx_place *place)
     return take_excerpt(place, line, start > line ? start : line, end, entry);
 }
 
+bool lx_keeps(const luxel_diagnostics *diagnostics, luxel_severity severity)
+{
+    return diagnostics && diagnostics->kept[severity] < LUXEL_DIAGNOSTICS_KEPT;
+}
+
 void lx_report(luxel_diagnostics *diagnostics, luxel_severity severity, const struct lx_place *place,
                enum lx_message message, const char *const *arguments)
 {
@@ -183,7 +190,7 @@ void lx_report(luxel_diagnostics *diagnostics, luxel_severity severity, const st
         return;
     diagnostics->total[severity]++;
     diagnostics->last_kept = false;
-    if (diagnostics->kept[severity] >= LUXEL_DIAGNOSTICS_KEPT ||
+    if (!lx_keeps(diagnostics, severity) ||
         lx_reserve(&diagnostics->entries, &diagnostics->capacity, diagnostics->count + 1,
                    sizeof *diagnostics->entries) < 0)
         return;

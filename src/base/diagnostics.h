@@ -6,6 +6,8 @@
 #ifndef LX_BASE_DIAGNOSTICS_H
 #define LX_BASE_DIAGNOSTICS_H
 
+#include <stdbool.h>
+
 #include <luxel/diagnostics.h>
 
 /* The messages: messages.def lists LX_MESSAGE(NAME, "stable-id", "English template with {0}, {1}"). */
@@ -32,6 +34,9 @@ struct lx_place {
  */
 void lx_report(luxel_diagnostics *diagnostics, luxel_severity severity, const struct lx_place *place,
                enum lx_message message, const char *const *arguments);
+
+/* Whether another entry would be kept, so that it is worth while to work out its words. */
+bool lx_keeps(const luxel_diagnostics *diagnostics, luxel_severity severity);
 
 /* Gives the last entry appended a hint that says how to mend it. */
 void lx_hint(luxel_diagnostics *diagnostics, enum lx_message message, const char *const *arguments);

@@ -137,6 +137,13 @@ size_t lx_text_add_escaped(struct lx_text *text, const char *bytes, size_t lengt
     return columns;
 }
 
+size_t lx_escaped_width(const char *bytes, size_t length)
+{
+    char out[12];
+    size_t size, escaped = escape(bytes, length, &size, out);
+    return escaped ? escaped : 1;
+}
+
 bool lx_is_printable(const char *bytes, size_t length)
 {
     char out[12];

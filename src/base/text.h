@@ -29,6 +29,9 @@ size_t lx_text_add_escaped(struct lx_text *text, const char *bytes, size_t lengt
 char *lx_text_take(struct lx_text *text);
 void lx_text_clear(struct lx_text *text);
 
+/* How many columns lx_text_add_escaped() adds for the character at the start of the bytes. */
+size_t lx_escaped_width(const char *bytes, size_t length);
+
 /* Whether no character of it would be escaped. */
 bool lx_is_printable(const char *bytes, size_t length);
 

@@ -104,6 +104,7 @@ struct mapping {
     const struct lx_table *tables[MOST_TABLES];
     void *parameters[MOST_TABLES];
     uint64_t seen[MOST_TABLES];
+    uint64_t meant[MOST_TABLES]; /* what a misspelt key seems to mean is not reported as missing, too */
     bool type_seen;
 };
 
@@ -143,8 +144,17 @@ static void decode_key(struct mapping *mapping, lx_node_id id)
             *(uint64_t *)mapping->parameters[t] |= bit;
         return;
     }
+    bool worth_a_hint = lx_keeps(walk->diagnostics, LUXEL_SEVERITY_ERROR);
     report_key(mapping, id, LX_MSG_UNKNOWN_KEY);
-    lx_hint_unknown_key(walk->diagnostics, key, mapping->tables, mapping->table_count, mapping->list);
+    if (!worth_a_hint)
+        return;
+    const char *meant =
+        lx_hint_unknown_key(walk->diagnostics, key, mapping->tables, mapping->table_count, mapping->list);
+    for (size_t t = 0; meant && t < mapping->table_count; t++) {
+        const struct lx_parameter *parameter = lx_find_parameter(mapping->tables[t], meant);
+        if (parameter)
+            mapping->meant[t] |= (uint64_t)1 << (parameter - mapping->tables[t]->parameters);
+    }
 }
 
 static void report_missing(struct mapping *mapping, const struct lx_parameter *parameter)
@@ -186,10 +196,11 @@ static bool decode_mapping(struct mapping *mapping)
         decode_key(mapping, id);
     for (size_t t = 0; t < mapping->table_count; t++) {
         const struct lx_table *table = mapping->tables[t];
+        uint64_t there = mapping->seen[t] | mapping->meant[t];
         for (size_t i = 0; i < table->count; i++)
-            if (table->parameters[i].required && !(mapping->seen[t] >> i & 1))
+            if (table->parameters[i].required && !(there >> i & 1))
                 report_missing(mapping, &table->parameters[i]);
-        lx_check_rules(walk, mapping->step, table, mapping->parameters[t], mapping->seen[t], mapping->id);
+        lx_check_rules(walk, mapping->step, table, mapping->parameters[t], mapping->seen[t], there, mapping->id);
     }
     bool good = !walk->failed && !walk->out_of_memory;
     walk->failed = walk->failed || failed_before;

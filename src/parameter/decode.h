@@ -63,20 +63,20 @@ bool lx_hint_nearest(luxel_diagnostics *diagnostics, const struct lx_nearest *ne
 
 /*
  * Hints at what was meant by a key that is in none of the tables: a key of other types of `list` (NULL where the
- * keys are not those of a list's element), the nearest one, or all known ones.
+ * keys are not those of a list's element), the nearest one, or all known ones.  Returns the nearest one, or NULL.
  */
-void lx_hint_unknown_key(luxel_diagnostics *diagnostics, const char *key, const struct lx_table *const *tables,
-                         size_t count, const struct lx_parameter *list);
+const char *lx_hint_unknown_key(luxel_diagnostics *diagnostics, const char *key, const struct lx_table *const *tables,
+                                size_t count, const struct lx_parameter *list);
 
 /* The variant of a list with this name, or NULL. */
 const struct lx_variant *lx_find_variant(const struct lx_parameter *list, const char *name);
 
 /*
- * Checks the rules of a table; `mapping` is where the keys stand, `seen` the bits of those written, good or not.
- * False where one is broken.
+ * Checks the rules of a table; `mapping` is where the keys stand, `seen` the bits of those written, good or not,
+ * `there` of those that need not be missed.
  */
-bool lx_check_rules(struct lx_walk *walk, const struct lx_step *up, const struct lx_table *table,
-                    const void *parameters, uint64_t seen, lx_node_id mapping);
+void lx_check_rules(struct lx_walk *walk, const struct lx_step *up, const struct lx_table *table,
+                    const void *parameters, uint64_t seen, uint64_t there, lx_node_id mapping);
 
 /* The word that a parameter of type LX_CHOICE has now. */
 const char *lx_chosen(const struct lx_parameter *parameter, const void *parameters);

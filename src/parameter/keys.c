@@ -30,14 +30,14 @@ static char *types_with(const struct lx_parameter *list, const char *key)
     return lx_text_take(&types);
 }
 
-void lx_hint_unknown_key(luxel_diagnostics *diagnostics, const char *key, const struct lx_table *const *tables,
-                         size_t count, const struct lx_parameter *list)
+const char *lx_hint_unknown_key(luxel_diagnostics *diagnostics, const char *key, const struct lx_table *const *tables,
+                                size_t count, const struct lx_parameter *list)
 {
     char *types = types_with(list, key);
     if (types && types[0]) {
         lx_hint(diagnostics, LX_MSG_HINT_OTHER_TYPES, LX_ARGS(key, types));
         free(types);
-        return;
+        return NULL;
     }
     free(types);
     struct lx_nearest nearest = {.word = key, .length = strlen(key)};
@@ -55,6 +55,7 @@ void lx_hint_unknown_key(luxel_diagnostics *diagnostics, const char *key, const 
     if (!lx_hint_nearest(diagnostics, &nearest) && words)
         lx_hint(diagnostics, LX_MSG_HINT_KNOWN_KEYS, LX_ARGS(words));
     free(words);
+    return nearest.best;
 }
 
 bool lx_hint_nearest(luxel_diagnostics *diagnostics, const struct lx_nearest *nearest)

@@ -34,7 +34,6 @@ struct check {
     const struct lx_step *up;
     const struct lx_table *table;
     const void *parameters;
-    uint64_t seen;
     lx_node_id mapping;
 };
 
@@ -95,12 +94,10 @@ static void check_distinct(const struct check *check, const struct lx_parameter 
         report(check, key->name, LX_MSG_SAME_PLACE, other->name, NULL);
 }
 
-bool lx_check_rules(struct lx_walk *walk, const struct lx_step *up, const struct lx_table *table,
-                    const void *parameters, uint64_t seen, lx_node_id mapping)
+void lx_check_rules(struct lx_walk *walk, const struct lx_step *up, const struct lx_table *table,
+                    const void *parameters, uint64_t seen, uint64_t there, lx_node_id mapping)
 {
-    const struct check check = {walk, up, table, parameters, seen, mapping};
-    bool failed_before = walk->failed;
-    walk->failed = false;
+    const struct check check = {walk, up, table, parameters, mapping};
     for (size_t i = 0; i < table->rule_count; i++) {
         const struct lx_rule *rule = &table->rules[i];
         const struct lx_parameter *key = lx_find_parameter(table, rule->key);
@@ -110,14 +107,11 @@ bool lx_check_rules(struct lx_walk *walk, const struct lx_step *up, const struct
         bool key_good = good & bit_of(&check, key), other_good = good & bit_of(&check, other);
         if (rule->kind == LX_RULE_EXCLUSIVE && key_seen && other_seen)
             report_exclusive(&check, rule);
-        else if (rule->kind == LX_RULE_NEEDED && !key_seen && other_seen == other_good)
+        else if (rule->kind == LX_RULE_NEEDED && !(there & bit_of(&check, key)) && other_seen == other_good)
             check_needed(&check, rule);
         else if (rule->kind == LX_RULE_ORDERED && key_good && other_good)
             check_ordered(&check, key, other);
         else if (rule->kind == LX_RULE_DISTINCT && key_good && other_good)
             check_distinct(&check, key, other);
     }
-    bool good = !walk->failed;
-    walk->failed = walk->failed || failed_before;
-    return good;
 }

@@ -13,6 +13,12 @@
 void lx_walk_report(struct lx_walk *walk, luxel_severity severity, struct lx_place place, const struct lx_step *step,
                     enum lx_message message, const char *first, const char *second)
 {
+    if (severity == LUXEL_SEVERITY_ERROR)
+        walk->failed = true;
+    if (!lx_keeps(walk->diagnostics, severity)) {
+        lx_report(walk->diagnostics, severity, NULL, message, NULL);
+        return;
+    }
     struct lx_text path = {0}, end = {0};
     lx_add_path(&path, step);
     lx_add_path_end(&end, step);
@@ -23,8 +29,6 @@ void lx_walk_report(struct lx_walk *walk, luxel_severity severity, struct lx_pla
     lx_report(walk->diagnostics, severity, &place, message, LX_ARGS(name ? name : "", first ? first : "", second));
     free(key);
     free(name);
-    if (severity == LUXEL_SEVERITY_ERROR)
-        walk->failed = true;
 }
 
 /* What is being decoded: the parameter, the way to it and the node. */
@@ -108,7 +112,11 @@ static bool not_a_number(const struct value *value, enum lx_message message)
     char *words = lx_text_take(&text);
     wrong(value, message, words ? words : "");
     free(words);
-    hint_number(value);
+    double read;
+    if (message == LX_MSG_WRONG_WHOLE && lx_read_real(value->walk->document, value->id, &read))
+        lx_hint(value->walk->diagnostics, LX_MSG_HINT_WHOLE, NULL);
+    else
+        hint_number(value);
     return false;
 }
 

@@ -46,7 +46,7 @@ static double beyond_edge(const struct lx_scene_parameters *scene, const struct 
 
 static void advise_view(struct lx_walk *walk, const struct lx_scene_parameters *scene, lx_node_id surfaces)
 {
-    static const char *const sides[2][2] = {{"left", "right"}, {"lower", "upper"}};
+    static const char *const sides[2][2] = {{"left", "right"}, {"bottom", "top"}};
     lx_node_id id = lx_document_node(walk->document, surfaces)->first;
     for (size_t i = 0; i < scene->surfaces.count; i++, id = lx_document_node(walk->document, id)->next) {
         struct bounds bounds = bounds_of(&scene->surfaces.items[i]);
@@ -85,7 +85,8 @@ static bool is_behind(const struct bounds *bounds, const double place_mm[3])
 
 static void advise_lights(struct lx_walk *walk, const struct lx_scene_parameters *scene, lx_node_id lights)
 {
-    for (size_t i = 0; i < scene->lights.count; i++) {
+    lx_node_id id = lx_document_node(walk->document, lights)->first;
+    for (size_t i = 0; i < scene->lights.count; i++, id = lx_document_node(walk->document, id)->next) {
         const struct lx_item *light = &scene->lights.items[i];
         const struct lx_light_common *common = light->common;
         const struct lx_parameter *position = lx_find_parameter(light->variant->table, "position");
@@ -98,18 +99,19 @@ static void advise_lights(struct lx_walk *walk, const struct lx_scene_parameters
         }
         if (!behind)
             continue;
-        lx_node_id element = lx_document_element(walk->document, lights, i);
         struct lx_step list = {NULL, "lights", 0}, item = {&list, NULL, i}, step = {&item, "position", 0};
         lx_walk_report(walk, LUXEL_SEVERITY_ADVICE,
-                       lx_document_place(walk->document, lx_document_find(walk->document, element, "position")), &step,
+                       lx_document_place(walk->document, lx_document_find(walk->document, id, "position")), &step,
                        LX_MSG_LIGHT_BEHIND, NULL, NULL);
     }
 }
 
 luxel_status luxel_scene_advise(const luxel_scene *scene, luxel_diagnostics *diagnostics)
 {
-    if (!luxel_scene_is_committed(scene))
+    if (!luxel_scene_is_committed(scene)) {
+        lx_report(diagnostics, LUXEL_SEVERITY_ERROR, NULL, LX_MSG_NOT_COMMITTED, NULL);
         return LUXEL_ERROR_ARGUMENT;
+    }
     struct lx_walk walk = lx_scene_walk(scene, diagnostics);
     lx_node_id root = scene->document.root;
     lx_advise_parameters(&walk, &lx_scene_table, &scene->parameters);

@@ -1,28 +1,37 @@
 /* SPDX-License-Identifier: MIT */
-/*
- * The public list of parameters: the scene's table flattened once, by whichever thread asks first, and kept for
- * the rest of the program.
- */
-#include <pthread.h>
+/* The public list of parameters: the scene's table flattened. */
+#include <stdlib.h>
 
+#include "../base/memory.h"
 #include "../parameter/reflect.h"
 #include "scene.h"
 
-static pthread_once_t once = PTHREAD_ONCE_INIT;
-static struct lx_reflection reflection; /* written once, before anybody reads it */
+struct luxel_parameters {
+    struct lx_reflection reflection;
+};
 
-static void reflect(void)
+luxel_parameters *luxel_parameters_new(void)
 {
-    lx_reflect(&lx_scene_table, &reflection);
+    luxel_parameters *parameters = lx_new_array(1, sizeof *parameters);
+    if (!parameters || lx_reflect(&lx_scene_table, &parameters->reflection) == 0)
+        return parameters;
+    free(parameters);
+    return NULL;
 }
 
-size_t luxel_parameter_count(void)
+void luxel_parameters_free(luxel_parameters *parameters)
 {
-    pthread_once(&once, reflect);
-    return reflection.count;
+    if (parameters)
+        lx_reflection_clear(&parameters->reflection);
+    free(parameters);
 }
 
-const luxel_parameter *luxel_parameter_get(size_t i)
+size_t luxel_parameters_count(const luxel_parameters *parameters)
 {
-    return i < luxel_parameter_count() ? &reflection.items[i].shown : NULL;
+    return parameters->reflection.count;
+}
+
+const luxel_parameter *luxel_parameters_get(const luxel_parameters *parameters, size_t i)
+{
+    return i < parameters->reflection.count ? &parameters->reflection.items[i].shown : NULL;
 }

@@ -9,7 +9,7 @@
 #include "../parameter/plain.h"
 #include "object.h"
 
-enum { LINE_COLUMNS = 110, INDENT = 2 };
+enum { LINE_COLUMNS = 118, INDENT = 2 };
 
 struct writer {
     const struct lx_document *document;

@@ -129,20 +129,26 @@ static void complete_sphere(const struct lx_shape *sphere, const double *observe
 static void block_by_sphere(const struct lx_blocker *blocker, const struct lx_block_double *block, size_t count,
                             float *restrict open)
 {
-    const double *center = blocker->shape.anchor_mm, radius = blocker->shape.radius_mm;
+    const double *center = blocker->shape.anchor_mm, *light = blocker->light;
+    const double r2 = blocker->shape.radius_mm * blocker->shape.radius_mm;
     const double farthest = blocker->is_point ? 1 : HUGE_VAL, place = blocker->is_point ? 1 : 0;
+    const double lx = light[0] - center[0], ly = light[1] - center[1], lz = light[2] - center[2];
+    const bool light_inside = blocker->is_point && lx * lx + ly * ly + lz * lz < r2;
+    const double own_r2 = light_inside ? r2 : 0; /* elements nearer than this share the inside with the light */
     count = lx_padded(count);
     for (size_t i = 0; i < count; i++) {
         double x = block->px[i] - center[0], y = block->py[i] - center[1], z = block->pz[i] - center[2];
-        double tx = blocker->light[0] - place * block->px[i], ty = blocker->light[1] - place * block->py[i];
-        double tz = blocker->light[2] - place * block->pz[i];
+        double tx = light[0] - place * block->px[i], ty = light[1] - place * block->py[i];
+        double tz = light[2] - place * block->pz[i];
+        double from = x * x + y * y + z * z;
         double t = -(x * tx + y * ty + z * tz) / (tx * tx + ty * ty + tz * tz);
         t = t > 0 ? t : 0;
         t = t < farthest ? t : farthest;
         x += t * tx;
         y += t * ty;
         z += t * tz;
-        open[i] = x * x + y * y + z * z < radius * radius ? 0 : open[i];
+        float reached = x * x + y * y + z * z < r2 ? 0 : open[i];
+        open[i] = from < own_r2 ? open[i] : reached;
     }
 }
 

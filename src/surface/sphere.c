@@ -104,7 +104,9 @@ static struct lx_hit sphere_hit(const void *parameters, const struct lx_ray *ray
         return (struct lx_hit){.exists = false};
 
     lx_bounded root = lx_sqrt(below);
-    double along = ray->direction[0] * from[0].high + ray->direction[1] * from[1].high + ray->direction[2] * from[2].high;
+    double along = 0;
+    for (int i = 0; i < 3; i++)
+        along += ray->direction[i] * from[i].high;
     lx_bounded3 foot = lx_cross3(w, direction);
     lx_bounded3 before = lx_mul3(direction, root);
     lx_bounded3 offset = lx_sub3(foot, before);
@@ -120,17 +122,24 @@ static struct lx_hit sphere_hit(const void *parameters, const struct lx_ray *ray
 
 /*
  * The nearest point of the way to the centre lies at t = -(p . d)/d^2, p the place from the centre, cut to the
- * way's ends; the sphere blocks where that point is nearer than the radius.
+ * way's ends.  The sphere blocks where that point is nearer than the radius, unless both ends are inside: then the
+ * way does not cross the surface.
  */
 static lx_bounded sphere_blocks(const void *parameters, lx_bounded3 place_mm, lx_bounded3 towards, bool endless)
 {
     const struct lx_sphere_parameters *sphere = parameters;
+    lx_bounded radius = lx_exact(sphere->radius_mm);
     lx_bounded3 p = lx_sub3(place_mm, lx_exact3(sphere->center_mm));
     lx_bounded t = lx_positive(lx_div(lx_negate(lx_dot3(p, towards)), lx_square3(towards)));
     if (!endless && t.value >= 1)
         t = (lx_bounded){1, t.error};
     lx_bounded3 nearest = lx_add3(p, lx_mul3(towards, t));
-    return lx_step(lx_sub(lx_exact(sphere->radius_mm), lx_length3(nearest)), false);
+    lx_bounded reached = lx_step(lx_sub(radius, lx_length3(nearest)), false);
+    if (endless)
+        return reached;
+    lx_bounded from_inside = lx_step(lx_sub(radius, lx_length3(p)), false);
+    lx_bounded to_inside = lx_step(lx_sub(radius, lx_length3(lx_add3(p, towards))), false);
+    return lx_mul(reached, lx_sub(lx_exact(1), lx_mul(from_inside, to_inside)));
 }
 
 static bool sphere_holds(const void *parameters, const double place_mm[3])

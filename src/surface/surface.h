@@ -44,8 +44,8 @@ struct lx_surface_kind {
     struct lx_shape (*shape)(const void *parameters);
     /* The reference: the first point of the surface on the ray, seen from outside. */
     struct lx_hit (*hit)(const void *parameters, const struct lx_ray *ray);
-    /* Whether the surface stands on the open way from a place to `towards` away from it, that is between the
-     * parameters 0 and 1 of place + t towards; `endless`: from 0 on.  1, 0, or its bound in doubt. */
+    /* Whether the surface crosses the open way from a place to `towards` away from it, that is between the
+     * parameters 0 and 1 of place + t towards; `endless`: from 0 on.  1 or 0, the error 1 where it is in doubt. */
     lx_bounded (*blocks)(const void *parameters, lx_bounded3 place_mm, lx_bounded3 towards, bool endless);
     /* Whether a place lies on the surface, to 1e-9 of its size. */
     bool (*holds)(const void *parameters, const double place_mm[3]);

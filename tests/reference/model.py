@@ -13,6 +13,7 @@ from mpmath import mp, mpf
 from completion import completed
 
 mp.dps = 50
+TIE = mpf('1e-40')  # cosines that near to each other are equal: only the 50 digits tell them apart
 
 # What one light gives to an element: its three shares, and what tells how well conditioned they are:
 # N.L, the lobe's S before its power, and how far the element is from the edge of a cone (in cos theta).
@@ -140,7 +141,7 @@ def cone(light, cosine):
     cos_inner, cos_outer = mp.cos(inner), mp.cos(outer)
     falloff = 'hard' if inner == outer else light['falloff']
     edge = min(abs(cosine - cos_inner), abs(cosine - cos_outer))
-    if cosine < cos_outer:
+    if cosine < cos_outer - TIE:
         return mpf(0), edge
     if falloff == 'hard' or cosine >= cos_inner:
         factor = mpf(1)
@@ -187,7 +188,7 @@ def lobe(material, normal, light, view):
         return max(mpf(0), dot(mirrored, view))
     between = add(light, view)
     size = length(between)
-    return max(mpf(0), dot(normal, between) / size) if size > 0 else mpf(0)
+    return max(mpf(0), dot(normal, between) / size) if size > TIE else mpf(0)
 
 
 def normalization(material):
@@ -214,7 +215,7 @@ def share(scene, element, light):
     if is_blocked(scene, element, direction, distance):
         facing = mpf(0)
     received = max(mpf(0), cosine)
-    weight = {'plain': mpf(1), 'gated': mpf(1 if cosine > 0 else 0), 'cosine': received}[material['highlight']]
+    weight = {'plain': mpf(1), 'gated': mpf(1 if cosine > TIE else 0), 'cosine': received}[material['highlight']]
     if material['model'] == 'lambert':
         weight = mpf(0)
     highlight = weight * power(s, mpf(material['shininess'])) if facing * weight > 0 else mpf(0)

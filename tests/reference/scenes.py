@@ -306,6 +306,38 @@ def _rim(rng):
     return Case(scene, [[half, 0], [-half, 0], [half * 0.99, half * 0.1]], [])
 
 
+def _whole(rng):
+    """Whole numbers and round angles: exact ties, right angles, sources straight above, below and inside."""
+    def place(low, high):
+        return [rng.randint(low, high) * rng.choice([0, 1, 1, 10]) for _ in range(3)]
+
+    def axis():
+        return rng.choice([[0, 0, -1], [0, 0, 2], [1, 0, -1], [-3, 0, -4], [0, -1, 0], [1, 1, -1]])
+
+    case = _generic(rng)
+    scene, sphere = case.scene, case.scene['surfaces'][0]
+    sphere.update(center=[rng.randint(-2, 2), rng.randint(-2, 2), rng.randint(-5, 20)], radius=13)
+    sphere['material'].update(diffuse=0.5, specular=0.25, shininess=rng.choice([1, 2, 4, 0.5]))
+    scene['observer']['z'] = sphere['center'][2] + 13 + rng.choice([1, 10, 100])
+    scene['screen'].update(width=60, height=46, resolution=[60, 46])
+    if scene['screen']['sampling'] == 'nodes':
+        scene['screen'].update(width=61, height=47, resolution=[61, 47])
+    scene['lights'] = []
+    for _ in range(rng.randint(1, 3)):
+        light = {'type': 'point', 'position': place(-12, 12), 'intensity': rng.randint(1, 9), **_laws(rng)}
+        if rng.random() < 0.5:
+            inner, outer = sorted([rng.choice([0, 30, 45, 60, 90]), rng.choice([30, 45, 60, 90])])
+            light.update(type='spot', inner=inner, outer=outer, axis=axis(), exponent=rng.choice([0, 0, 1, 2]),
+                         falloff=rng.choice(['smoothstep', 'squared', 'linear', 'hard', 'hard']))
+        elif rng.random() < 0.5:
+            light.update(pattern='cosine', exponent=rng.choice([0, 1, 2]), axis=axis())
+        elif rng.random() < 0.3:
+            light = {'type': 'distant', 'direction': axis(), 'irradiance': 2}
+        scene['lights'].append(light)
+    x, y, _ = sphere['center']
+    return Case(scene, [[x + a, y + b] for a, b in ((0, 0), (0, 5), (12, 0), (3, 4), (-4, 12), (-4, -3), (0, -13))], [])
+
+
 def _sizes(rng):
     """Lengths and intensities some powers of ten away from the usual."""
     return _rescaled(_generic(rng), _log_uniform(rng, 1e-3, 1e3), _log_uniform(rng, 1e-20, 1e20))
@@ -339,8 +371,8 @@ def enlarged(scene, longer, stronger):
 # Kinds whose numbers are well conditioned at most places, and those made to be hard.
 GENERIC = {'orthographic': _orthographic, 'perspective': _perspective, 'shininess': _shininess, 'cones': _cones,
            'shadows': _shadows, 'elements': _elements, 'far': _far}
-NASTY = {'grazing': _grazing, 'limb': _limb, 'near': _near, 'behind': _behind, 'rim': _rim, 'sizes': _sizes,
-         'extremes': _extremes}
+NASTY = {'grazing': _grazing, 'limb': _limb, 'near': _near, 'behind': _behind, 'rim': _rim, 'whole': _whole,
+         'sizes': _sizes, 'extremes': _extremes}
 KINDS = {**GENERIC, **NASTY}
 # Those that make a picture in float32.
 PICTURES = [kind for kind in KINDS if kind not in ('elements', 'extremes')]
