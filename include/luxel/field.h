@@ -19,55 +19,69 @@
 extern "C" {
 #endif
 
+/* What is computed for each element of a surface. */
 typedef enum luxel_quantity {
     LUXEL_BRIGHTNESS, /* sum of the lights' brightness by the material */
     LUXEL_IRRADIANCE  /* sum of E_perp max(0, N.L) and ambient irradiance */
 } luxel_quantity;
 
+/* How exactly a picture is computed, and the type of its values. */
 typedef enum luxel_precision {
     LUXEL_SINGLE, /* float32: within 2e-6 of the picture's maximum */
     LUXEL_DOUBLE  /* float64: within 1e-11 of the picture's maximum */
 } luxel_precision;
 
+/* A computed picture; made by luxel_render(), the caller's, freed with luxel_field_free(). */
 typedef struct luxel_field luxel_field;
 
-/* One extreme value; `exists` is false where no pixel qualifies. */
+/* One extreme value and where it is. */
 typedef struct luxel_extremum {
-    bool exists;
-    double value;
-    unsigned column, row;
-    double x_mm, y_mm; /* of the sample on the screen */
+    bool exists;     /* false where no pixel qualifies; then the rest is 0 */
+    double value;    /* in the field's unit */
+    unsigned column; /* of its pixel, from 0 at the left */
+    unsigned row;    /* of its pixel, from 0 at the top */
+    double x_mm;     /* of the pixel's sample on the screen */
+    double y_mm;     /* of the pixel's sample on the screen */
 } luxel_extremum;
 
+/* What is read off a field at a glance. */
 typedef struct luxel_statistics {
-    luxel_extremum maximum;
+    luxel_extremum maximum;  /* the largest value on a surface; ties: first in row order */
     luxel_extremum minimum;  /* the smallest value of at least 1.2e-38; ties: first in row order */
     bool has_surface;        /* whether any pixel shows a surface; the next two are 0 otherwise */
     double mean;             /* plain mean over the pixels on a surface */
     double lit;              /* share of them from 1.2e-38 up */
-    size_t surface_pixels;
+    size_t surface_pixels;   /* how many pixels show a surface */
 } luxel_statistics;
 
+/* Frees a field; NULL is harmless. */
 LUXEL_API void luxel_field_free(luxel_field *field);
 
+/* The number of columns, the horizontal resolution. */
 LUXEL_API unsigned luxel_field_columns(const luxel_field *field);
+/* The number of rows, the vertical resolution. */
 LUXEL_API unsigned luxel_field_rows(const luxel_field *field);
-LUXEL_API unsigned luxel_field_channels(const luxel_field *field); /* 1 */
+/* The number of values a pixel, 1. */
+LUXEL_API unsigned luxel_field_channels(const luxel_field *field);
+/* What the values are. */
 LUXEL_API luxel_quantity luxel_field_quantity(const luxel_field *field);
+/* What type the values have. */
 LUXEL_API luxel_precision luxel_field_precision(const luxel_field *field);
 /* The unit in UTF-8, such as "W/sr", "cd/m²" or "relative". */
 LUXEL_API const char *luxel_field_unit(const luxel_field *field);
 /* The instruction set whose kernels made it, such as "x86-64-v3". */
 LUXEL_API const char *luxel_field_instruction_set(const luxel_field *field);
 
-/* The values, rows x columns; each returns NULL for a field of the other precision. */
+/* The values, rows x columns, which live as long as the field; NULL for a field of double precision. */
 LUXEL_API const float *luxel_field_single(const luxel_field *field);
+/* The values, rows x columns, which live as long as the field; NULL for a field of single precision. */
 LUXEL_API const double *luxel_field_double(const luxel_field *field);
 /* rows x columns bytes: 1 on a surface, 0 off. */
 LUXEL_API const uint8_t *luxel_field_mask(const luxel_field *field);
 /* One value whatever the precision; 0 outside the grid. */
 LUXEL_API double luxel_field_value(const luxel_field *field, unsigned column, unsigned row);
 
+/* The field's statistics, which live as long as the field. */
 LUXEL_API const luxel_statistics *luxel_field_statistics(const luxel_field *field);
 
 /* Fills rows x columns bytes with the grey levels 0..255 by the rule of the scene's `picture`. */

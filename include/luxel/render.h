@@ -21,6 +21,7 @@ extern "C" {
  */
 typedef bool (*luxel_progress)(double done, void *data);
 
+/* How to compute; luxel_settings_init() sets the defaults, which the comments name. */
 typedef struct luxel_settings {
     luxel_quantity quantity;     /* brightness */
     luxel_precision precision;   /* single */
@@ -29,7 +30,7 @@ typedef struct luxel_settings {
     double tolerance;            /* of probes, relative; 0: 1e-9 where there is no closed form */
     double light_error;          /* 0: every source is summed; else the error allowed for leaving far ones out */
     luxel_progress progress;     /* NULL: none */
-    void *progress_data;
+    void *progress_data;         /* handed to `progress`; NULL */
 } luxel_settings;
 
 /* Sets every member to its default, given above. */
@@ -44,11 +45,9 @@ LUXEL_API void luxel_settings_init(luxel_settings *settings);
 LUXEL_API luxel_status luxel_render(const luxel_scene *scene, const luxel_settings *settings,
                                     luxel_diagnostics *diagnostics, luxel_field **field);
 
-/*
- * The instruction sets this library was built with, best first: the name of the i-th (NULL beyond), and
- * whether this machine can run it.
- */
+/* The name of the i-th instruction set that this library was built with, best first; NULL beyond the last. */
 LUXEL_API const char *luxel_instruction_set_name(size_t i);
+/* Whether this machine can run the i-th instruction set; false beyond the last. */
 LUXEL_API bool luxel_instruction_set_runs(size_t i);
 
 #ifdef __cplusplus

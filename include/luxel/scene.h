@@ -21,22 +21,31 @@
 extern "C" {
 #endif
 
+/* A scene, owned by the caller; freed with luxel_scene_free(). */
 typedef struct luxel_scene luxel_scene;
 
-/* The built-in scenes: their number; the name, one-line title (English) and YAML text of the i-th (NULL beyond). */
+/* The number of built-in scenes. */
 LUXEL_API size_t luxel_builtin_scene_count(void);
+/* The name of the i-th built-in scene, such as "report"; NULL beyond the last. */
 LUXEL_API const char *luxel_builtin_scene_name(size_t i);
+/* Its title in one line, English; NULL beyond the last. */
 LUXEL_API const char *luxel_builtin_scene_title(size_t i);
+/* Its YAML text; NULL beyond the last. */
 LUXEL_API const char *luxel_builtin_scene_text(size_t i);
 
-/*
- * Makes a scene from a built-in name, a file, or `length` bytes of YAML or JSON (`source` is the name shown
- * in messages).  Only the text itself is checked here: that it is one well-formed document within the limits
- * (64 MB, 32 levels, no anchors or aliases).
- * LUXEL_ERROR_SCENE: malformed text.  LUXEL_ERROR_FILE: cannot be read.  LUXEL_ERROR_ARGUMENT: no such name.
- */
+/* Makes a scene from the built-in one of this name.  LUXEL_ERROR_ARGUMENT: no such name. */
 LUXEL_API luxel_status luxel_scene_open_builtin(const char *name, luxel_diagnostics *diagnostics, luxel_scene **scene);
+/*
+ * Makes a scene from a file of YAML or JSON.  Only the text itself is checked here: that it is one well-formed
+ * document within the limits (64 MB, 32 levels, no anchors or aliases).
+ * LUXEL_ERROR_SCENE: malformed text.  LUXEL_ERROR_FILE: cannot be read.
+ */
 LUXEL_API luxel_status luxel_scene_read_file(const char *path, luxel_diagnostics *diagnostics, luxel_scene **scene);
+/*
+ * Makes a scene from `length` bytes of YAML or JSON; `source` is the name shown in messages.  Checks as much as
+ * luxel_scene_read_file().
+ * LUXEL_ERROR_SCENE: malformed text.
+ */
 LUXEL_API luxel_status luxel_scene_read_text(const char *text, size_t length, const char *source,
                                              luxel_diagnostics *diagnostics, luxel_scene **scene);
 
@@ -62,21 +71,22 @@ LUXEL_API luxel_status luxel_scene_write_text(const luxel_scene *scene, char **t
 
 /* An independent copy (committed if `scene` is), or NULL when memory is short. */
 LUXEL_API luxel_scene *luxel_scene_copy(const luxel_scene *scene);
+/* Frees a scene; NULL is harmless. */
 LUXEL_API void luxel_scene_free(luxel_scene *scene);
 
-/* Of a committed scene: the number of its measuring points, and the i-th as x, y on the screen. */
+/* Of a committed scene: the number of its measuring points. */
 LUXEL_API size_t luxel_scene_point_count(const luxel_scene *scene);
+/* Of a committed scene: its i-th measuring point on the screen.  LUXEL_ERROR_ARGUMENT: not committed, or no such. */
 LUXEL_API luxel_status luxel_scene_point(const luxel_scene *scene, size_t i, double *x_mm, double *y_mm);
 
 /* Of a committed scene: its pixels. */
 LUXEL_API luxel_status luxel_scene_resolution(const luxel_scene *scene, unsigned *columns, unsigned *rows);
 
-/*
- * Of a committed scene: the conventions that decide the numbers, as pairs of words ("sampling", "nodes");
- * keys that differ between lights or surfaces are joined by commas.  NULL beyond the last.
- */
+/* Of a committed scene: the number of conventions that decide its numbers, pairs of words ("sampling", "nodes"). */
 LUXEL_API size_t luxel_scene_convention_count(const luxel_scene *scene);
+/* The word for the i-th convention, such as "sampling"; NULL beyond the last. */
 LUXEL_API const char *luxel_scene_convention_key(const luxel_scene *scene, size_t i);
+/* What was chosen, such as "nodes"; values that differ between lights or surfaces are joined by commas. */
 LUXEL_API const char *luxel_scene_convention_value(const luxel_scene *scene, size_t i);
 
 #ifdef __cplusplus

@@ -17,8 +17,9 @@ extern "C" {
 #define LUXEL_API
 #endif
 
+/* Success, or the kind of failure. */
 typedef enum luxel_status {
-    LUXEL_OK = 0,
+    LUXEL_OK = 0,          /* done */
     LUXEL_ERROR_ARGUMENT,  /* the call itself is wrong: a missing pointer, a setting out of its range */
     LUXEL_ERROR_PATH,      /* a key path names no key or element, or an assignment has no '=' */
     LUXEL_ERROR_SCENE,     /* the scene has errors */

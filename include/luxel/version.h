@@ -9,11 +9,14 @@
 extern "C" {
 #endif
 
+/* The first number of the headers' version. */
 #define LUXEL_VERSION_MAJOR 0
+/* The second number of the headers' version. */
 #define LUXEL_VERSION_MINOR 1
+/* The third number of the headers' version. */
 #define LUXEL_VERSION_PATCH 0
 
-/* "0.1.0" */
+/* The version of the library that is linked, such as "0.1.0". */
 LUXEL_API const char *luxel_version(void);
 
 #ifdef __cplusplus

@@ -190,9 +190,8 @@ void lx_report(luxel_diagnostics *diagnostics, luxel_severity severity, const st
         return;
     diagnostics->total[severity]++;
     diagnostics->last_kept = false;
-    if (!lx_keeps(diagnostics, severity) ||
-        lx_reserve(&diagnostics->entries, &diagnostics->capacity, diagnostics->count + 1,
-                   sizeof *diagnostics->entries) < 0)
+    if (!lx_keeps(diagnostics, severity) || lx_reserve(&diagnostics->entries, &diagnostics->capacity,
+                                                       diagnostics->count + 1, sizeof *diagnostics->entries) < 0)
         return;
     struct entry entry = {.shown = {.severity = severity, .id = messages[message].id}, .hint = {NO_HINT, NULL}};
     if (!words_set(&entry.message, message, arguments) || (place && !place_set(&entry, place))) {
@@ -268,7 +267,8 @@ static char *in_words(const struct words *words, luxel_translate translate, void
 
 char *luxel_diagnostics_message(const luxel_diagnostics *diagnostics, size_t i, luxel_translate translate, void *data)
 {
-    return i < luxel_diagnostics_count(diagnostics) ? in_words(&diagnostics->entries[i].message, translate, data) : NULL;
+    return i < luxel_diagnostics_count(diagnostics) ? in_words(&diagnostics->entries[i].message, translate, data)
+                                                    : NULL;
 }
 
 char *luxel_diagnostics_hint(const luxel_diagnostics *diagnostics, size_t i, luxel_translate translate, void *data)

@@ -20,11 +20,11 @@ enum lx_message {
 
 /* A stretch of a source text. */
 struct lx_place {
-    const char *source;    /* name of the source, or NULL */
-    const char *text;      /* the whole text of the source, or NULL */
-    size_t length;         /* bytes of text */
-    size_t start, end;     /* bytes: the offending stretch; start == end marks a single column */
-    const char *key;       /* the scene key that is meant, or NULL */
+    const char *source; /* name of the source, or NULL */
+    const char *text;   /* the whole text of the source, or NULL */
+    size_t length;      /* bytes of text */
+    size_t start, end;  /* bytes: the offending stretch; start == end marks a single column */
+    const char *key;    /* the scene key that is meant, or NULL */
 };
 
 /*

@@ -35,6 +35,12 @@ static int prepare_ambient(const void *parameters, struct lx_emitters *emitters)
 }
 
 const struct lx_light_kind lx_ambient_kind = {
-    .variant = {.name = "ambient", .meaning = "scattered light without a direction", .table = &ambient_table},
+    .variant =
+        {
+            .name = "ambient",
+            .meaning = "scattered light without a direction",
+            .example = "{type: ambient, irradiance: 60}",
+            .table = &ambient_table,
+        },
     .prepare = prepare_ambient,
 };

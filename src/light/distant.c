@@ -49,6 +49,12 @@ static int prepare_distant(const void *parameters, struct lx_emitters *emitters)
 }
 
 const struct lx_light_kind lx_distant_kind = {
-    .variant = {.name = "distant", .meaning = "parallel light from one direction", .table = &distant_table},
+    .variant =
+        {
+            .name = "distant",
+            .meaning = "parallel light from one direction",
+            .example = "{type: distant, direction: [-1, -0.6, -0.5], irradiance: 900}",
+            .table = &distant_table,
+        },
     .prepare = prepare_distant,
 };

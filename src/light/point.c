@@ -66,6 +66,12 @@ static int prepare_point(const void *parameters, struct lx_emitters *emitters)
 }
 
 const struct lx_light_kind lx_point_kind = {
-    .variant = {.name = "point", .meaning = "a small source at a place, such as a bulb", .table = &point_table},
+    .variant =
+        {
+            .name = "point",
+            .meaning = "a small source at a place, such as a bulb",
+            .example = "{type: point, position: [1300, 700, 2600], intensity: 30}",
+            .table = &point_table,
+        },
     .prepare = prepare_point,
 };

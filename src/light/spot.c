@@ -80,6 +80,13 @@ static int prepare_spot(const void *parameters, struct lx_emitters *emitters)
 }
 
 const struct lx_light_kind lx_spot_kind = {
-    .variant = {.name = "spot", .meaning = "a point source that shines within a cone", .table = &spot_table},
+    .variant =
+        {
+            .name = "spot",
+            .meaning = "a point source that shines within a cone",
+            .example = "{type: spot, position: [900, 700, 2400], aim: [0, 0, 1000], intensity: 1200, "
+                       "inner: 8, outer: 12}",
+            .table = &spot_table,
+        },
     .prepare = prepare_spot,
 };

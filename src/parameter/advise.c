@@ -45,8 +45,7 @@ static bool advise_unused(struct lx_walk *walk, const struct lx_step *step, cons
 {
     for (size_t i = 0; i < table->rule_count; i++) {
         const struct lx_rule *rule = &table->rules[i];
-        if (rule->kind != LX_RULE_USED || strcmp(rule->key, step->key) != 0 ||
-            lx_rule_applies(rule, table, parameters))
+        if (rule->kind != LX_RULE_USED || strcmp(rule->key, step->key) != 0 || lx_rule_applies(rule, table, parameters))
             continue;
         lx_walk_report(walk, LUXEL_SEVERITY_ADVICE, lx_document_key_place(walk->document, id), step, LX_MSG_NOT_USED,
                        rule->other, lx_chosen(lx_find_parameter(table, rule->other), parameters));

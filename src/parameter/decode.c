@@ -222,38 +222,45 @@ static bool is_mapping(struct lx_walk *walk, const struct lx_step *step, lx_node
 
 /* ---- lists of variants ---- */
 
+/* Reports that an element's type is missing (`type` 0) or names no variant. */
+static void report_type(struct lx_walk *walk, const struct lx_step *up, const struct lx_parameter *list,
+                        lx_node_id element, lx_node_id type)
+{
+    const struct lx_document *document = walk->document;
+    const struct lx_step step = {up, "type", 0};
+    struct lx_text words = {0};
+    lx_add_variants(&words, list->variants);
+    char *known = lx_text_take(&words);
+    if (!type) {
+        lx_walk_report(walk, LUXEL_SEVERITY_ERROR, lx_document_place(document, element), &step, LX_MSG_MISSING_KEY,
+                       NULL, NULL);
+        if (known)
+            lx_hint(walk->diagnostics, LX_MSG_HINT_KNOWN_TYPES, LX_ARGS(known));
+    } else {
+        lx_add_found(&words, document, type);
+        char *found = lx_text_take(&words);
+        lx_walk_report(walk, LUXEL_SEVERITY_ERROR, lx_document_place(document, type), &step, LX_MSG_WRONG_CHOICE, known,
+                       found ? found : "");
+        free(found);
+        const char *name = lx_document_text(document, type);
+        struct lx_nearest nearest = {.word = name, .length = strlen(name)};
+        for (size_t i = 0; list->variants[i]; i++)
+            lx_nearest_offer(&nearest, list->variants[i]->name);
+        lx_hint_nearest(walk->diagnostics, &nearest);
+    }
+    free(known);
+}
+
 /* The variant that an element's type names; NULL, and reported, where it names none. */
 static const struct lx_variant *find_variant(struct lx_walk *walk, const struct lx_step *step,
                                              const struct lx_parameter *list, lx_node_id id)
 {
-    const struct lx_document *document = walk->document;
-    struct lx_text words = {0}, found = {0};
-    lx_add_variants(&words, list->variants);
-    char *known = lx_text_take(&words);
-    struct lx_step type_step = {step, "type", 0};
-    lx_node_id type = lx_document_find(document, id, "type");
-    if (!type) {
-        lx_walk_report(walk, LUXEL_SEVERITY_ERROR, lx_document_place(document, id), &type_step, LX_MSG_MISSING_KEY,
-                       NULL, NULL);
-        lx_hint(walk->diagnostics, LX_MSG_HINT_KNOWN_TYPES, LX_ARGS(known ? known : ""));
-        free(known);
-        return NULL;
-    }
-    bool scalar = lx_document_node(document, type)->kind == LX_SCALAR;
-    const char *name = scalar ? lx_document_text(document, type) : "";
-    struct lx_nearest nearest = {.word = name, .length = strlen(name)};
-    const struct lx_variant *variant = lx_find_variant(list, name);
-    for (size_t i = 0; list->variants[i]; i++)
-        lx_nearest_offer(&nearest, list->variants[i]->name);
-    lx_add_found(&found, document, type);
-    char *wrong = lx_text_take(&found);
-    if (!variant) {
-        lx_walk_report(walk, LUXEL_SEVERITY_ERROR, lx_document_place(document, type), &type_step, LX_MSG_WRONG_CHOICE,
-                       known ? known : "", wrong ? wrong : "");
-        lx_hint_nearest(walk->diagnostics, &nearest);
-    }
-    free(known);
-    free(wrong);
+    const struct lx_variant *variant = NULL;
+    lx_node_id type = lx_document_find(walk->document, id, "type");
+    if (type && lx_document_node(walk->document, type)->kind == LX_SCALAR)
+        variant = lx_find_variant(list, lx_document_text(walk->document, type));
+    if (!variant)
+        report_type(walk, step, list, id, type);
     return variant;
 }
 
@@ -337,11 +344,8 @@ luxel_status lx_decode(struct lx_walk *walk, const struct lx_table *table, void 
     memset(parameters, 0, table->size);
     walk->failed = walk->out_of_memory = false;
     if (is_mapping(walk, NULL, walk->document->root, LX_MAPPING)) {
-        struct mapping mapping = {.walk = walk,
-                                  .id = walk->document->root,
-                                  .table_count = 1,
-                                  .tables = {table},
-                                  .parameters = {parameters}};
+        struct mapping mapping = {
+            .walk = walk, .id = walk->document->root, .table_count = 1, .tables = {table}, .parameters = {parameters}};
         decode_mapping(&mapping);
     }
     if (walk->out_of_memory)

@@ -80,6 +80,8 @@ void lx_check_rules(struct lx_walk *walk, const struct lx_step *up, const struct
 
 /* The word that a parameter of type LX_CHOICE has now. */
 const char *lx_chosen(const struct lx_parameter *parameter, const void *parameters);
+/* Whether a word is one of the rule's. */
+bool lx_rule_lists(const struct lx_rule *rule, const char *word);
 /* Whether the rule's `other` has one of the rule's words now. */
 bool lx_rule_applies(const struct lx_rule *rule, const struct lx_table *table, const void *parameters);
 

@@ -88,8 +88,7 @@ int lx_document_add_source(struct lx_document *document, const char *name, char 
 int lx_document_add_node(struct lx_document *document, struct lx_node node, lx_node_id *id)
 {
     size_t first = document->node_count ? document->node_count : 1;
-    if (first > UINT32_MAX / 2 ||
-        lx_reserve(&document->nodes, &document->node_capacity, first + 1, sizeof node) < 0)
+    if (first > UINT32_MAX / 2 || lx_reserve(&document->nodes, &document->node_capacity, first + 1, sizeof node) < 0)
         return -1;
     if (first == 1)
         memset(document->nodes, 0, sizeof node);

@@ -18,14 +18,14 @@ enum lx_node_kind { LX_SCALAR, LX_SEQUENCE, LX_MAPPING };
 typedef uint32_t lx_node_id; /* 0: no node */
 
 struct lx_node {
-    lx_node_id next, first;     /* the following sibling; the first child */
-    uint32_t key;               /* in a mapping: offset of the key's text */
+    lx_node_id next, first;      /* the following sibling; the first child */
+    uint32_t key;                /* in a mapping: offset of the key's text */
     uint32_t key_start, key_end; /* its place in the source */
-    uint32_t text;              /* of a scalar: offset of its text, quotes and escapes undone */
-    uint32_t start, end;        /* place in the source; start == end: nothing was written there */
+    uint32_t text;               /* of a scalar: offset of its text, quotes and escapes undone */
+    uint32_t start, end;         /* place in the source; start == end: nothing was written there */
     uint32_t source : 29;
-    uint32_t kind : 2;          /* enum lx_node_kind */
-    uint32_t plain : 1;         /* a scalar without quotes */
+    uint32_t kind : 2;  /* enum lx_node_kind */
+    uint32_t plain : 1; /* a scalar without quotes */
 };
 
 struct lx_source;

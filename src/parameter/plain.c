@@ -21,8 +21,8 @@ static bool is_digit(char c)
 
 bool lx_plain_is_text(const char *text)
 {
-    static const char *const words[] = {"",     "~",     "null",  "Null", "NULL", "true", "True", "TRUE", "false",
-                                        "False", "FALSE", ".nan",  ".NaN", ".NAN", ".inf", ".Inf", ".INF", NULL};
+    static const char *const words[] = {"",      "~",     "null", "Null", "NULL", "true", "True", "TRUE", "false",
+                                        "False", "FALSE", ".nan", ".NaN", ".NAN", ".inf", ".Inf", ".INF", NULL};
     for (size_t i = 0; words[i]; i++)
         if (strcmp(text, words[i]) == 0)
             return false;

@@ -7,6 +7,13 @@
 #include "reflect.h"
 #include "words.h"
 
+static void free_rules(struct lx_reflected *item)
+{
+    for (size_t i = 0; i < item->shown.rule_count; i++)
+        free((char *)item->rules[i].choices);
+    free(item->rules);
+}
+
 void lx_reflection_clear(struct lx_reflection *reflection)
 {
     for (size_t i = 0; i < reflection->count; i++) {
@@ -16,25 +23,59 @@ void lx_reflection_clear(struct lx_reflection *reflection)
         free(item->choices);
         free(item->legal);
         free(item->advised);
+        free_rules(item);
     }
     free(reflection->items);
+    free(reflection->kinds);
     *reflection = (struct lx_reflection){0};
 }
 
-/* "100 to 10000 mm", or by component: "x -10 to 10, y -10 to 10, z 0 to 10 mm". */
+/* NULL where nothing is advised, or memory ran out. */
 static char *advised_words(const struct lx_parameter *parameter, const char *unit)
 {
-    static const char *const names[] = {"x ", ", y ", ", z "};
     struct lx_text text = {0};
     if (!parameter->advised[0].given)
         return NULL;
-    bool by_component = parameter->advised[1].given;
-    for (size_t i = 0; i < (by_component ? LX_COMPONENTS : 1); i++) {
-        if (by_component)
-            lx_text_puts(&text, names[i]);
-        lx_add_range(&text, &parameter->advised[i], !by_component || i == LX_COMPONENTS - 1 ? unit : "");
-    }
+    lx_add_advised(&text, parameter, unit);
     return lx_text_take(&text);
+}
+
+/* A rule of a table as the key `key` sees it; false where it says nothing about that key. */
+static bool see_rule(const struct lx_rule *rule, const char *key, luxel_rule *seen)
+{
+    static const luxel_rule_kind kinds[] = {
+        [LX_RULE_EXCLUSIVE] = LUXEL_RULE_EXCLUDES, [LX_RULE_NEEDED] = LUXEL_RULE_NEEDED,
+        [LX_RULE_USED] = LUXEL_RULE_USED,          [LX_RULE_ORDERED] = LUXEL_RULE_AT_MOST,
+        [LX_RULE_DISTINCT] = LUXEL_RULE_DIFFERS,   [LX_RULE_POSITIVE] = LUXEL_RULE_POSITIVE,
+    };
+    bool is_key = strcmp(rule->key, key) == 0;
+    if (!is_key && !(rule->kind == LX_RULE_EXCLUSIVE && strcmp(rule->other, key) == 0))
+        return false;
+    *seen = (luxel_rule){.kind = kinds[rule->kind], .other = is_key ? rule->other : rule->key};
+    return true;
+}
+
+/* Gives an item the rules of its table; 0, or -1 when memory ran out. */
+static int add_rules(struct lx_reflected *item, const struct lx_table *table, const char *key)
+{
+    item->rules = lx_new_array(table->rule_count, sizeof *item->rules);
+    if (!item->rules)
+        return -1;
+    item->shown.rules = item->rules;
+    for (size_t i = 0; i < table->rule_count; i++) {
+        luxel_rule seen;
+        if (!see_rule(&table->rules[i], key, &seen))
+            continue;
+        struct lx_text words = {0};
+        if (table->rules[i].choices) {
+            lx_add_rule_choices(&words, &table->rules[i], ", ");
+            seen.choices = lx_text_take(&words);
+        }
+        if (table->rules[i].choices && !seen.choices)
+            return -1;
+        item->rules[item->shown.rule_count++] = seen;
+    }
+    return 0;
 }
 
 /* Appends a parameter; `path` and `choices` become the list's. */
@@ -85,11 +126,26 @@ static char *join_path(const char *up, const char *key)
 static int reflect_table(struct lx_reflection *reflection, const struct lx_table *table, const char *up,
                          const char *variant);
 
+static int append_kinds(struct lx_reflection *reflection, const struct lx_parameter *list)
+{
+    for (size_t i = 0; list->variants[i]; i++) {
+        const struct lx_variant *variant = list->variants[i];
+        if (lx_reserve(&reflection->kinds, &reflection->kind_capacity, reflection->kind_count + 1,
+                       sizeof *reflection->kinds) < 0)
+            return -1;
+        reflection->kinds[reflection->kind_count++] = (luxel_kind){
+            .list = list->name, .name = variant->name, .meaning = variant->meaning, .example = variant->example};
+    }
+    return 0;
+}
+
 /* The key `type` of a list's elements, the keys common to them, and those of each variant. */
 static int reflect_list(struct lx_reflection *reflection, const struct lx_parameter *list, const char *path)
 {
-    static const struct lx_parameter type = {
-        .name = "type", .type = LX_CHOICE, .required = true, .meaning = "which kind it is, which decides its other keys"};
+    static const struct lx_parameter type = {.name = "type",
+                                             .type = LX_CHOICE,
+                                             .required = true,
+                                             .meaning = "which kind it is, which decides its other keys"};
     struct lx_text element = {0}, names = {0};
     lx_text_puts(&element, path);
     lx_text_puts(&element, "[]");
@@ -101,6 +157,8 @@ static int reflect_list(struct lx_reflection *reflection, const struct lx_parame
         return -1;
     }
     int result = append(reflection, &type, NULL, join_path(up, "type"), choices);
+    if (result == 0)
+        result = append_kinds(reflection, list);
     if (result == 0)
         result = reflect_table(reflection, list->group, up, NULL);
     for (size_t i = 0; result == 0 && list->variants[i]; i++)
@@ -121,6 +179,8 @@ static int reflect_table(struct lx_reflection *reflection, const struct lx_table
         size_t index = reflection->count;
         result = append(reflection, parameter, variant, join_path(up, parameter->name),
                         parameter->choices ? lx_text_take(&choices) : NULL);
+        if (result == 0)
+            result = add_rules(&reflection->items[index], table, parameter->name);
         if (result < 0)
             break;
         const char *path = reflection->items[index].path;

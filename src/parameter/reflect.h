@@ -10,11 +10,14 @@
 struct lx_reflected {
     luxel_parameter shown; /* its texts are those below, or the tables' */
     char *path, *type, *choices, *legal, *advised;
+    luxel_rule *rules; /* their choices are texts of their own */
 };
 
 struct lx_reflection {
     struct lx_reflected *items;
     size_t count, capacity;
+    luxel_kind *kinds; /* their texts are the tables' */
+    size_t kind_count, kind_capacity;
 };
 
 /* Lists all parameters of a table and of those below it; 0, or -1 when memory ran out (the list is then empty). */

@@ -5,11 +5,10 @@
 #include "../base/number.h"
 #include "decode.h"
 
-/* Whether `word` is one of the words separated by '|'. */
-static bool is_listed(const char *words, const char *word)
+bool lx_rule_lists(const struct lx_rule *rule, const char *word)
 {
     size_t length = strlen(word);
-    for (const char *at = words; at; at = strchr(at, '|')) {
+    for (const char *at = rule->choices; at; at = strchr(at, '|')) {
         at += *at == '|';
         if (strncmp(at, word, length) == 0 && (at[length] == '|' || !at[length]))
             return true;
@@ -24,8 +23,7 @@ const char *lx_chosen(const struct lx_parameter *parameter, const void *paramete
 
 bool lx_rule_applies(const struct lx_rule *rule, const struct lx_table *table, const void *parameters)
 {
-    const struct lx_parameter *other = lx_find_parameter(table, rule->other);
-    return is_listed(rule->choices, lx_chosen(other, parameters));
+    return lx_rule_lists(rule, lx_chosen(lx_find_parameter(table, rule->other), parameters));
 }
 
 /* A table whose rules are checked. */
@@ -94,6 +92,15 @@ static void check_distinct(const struct check *check, const struct lx_parameter 
         report(check, key->name, LX_MSG_SAME_PLACE, other->name, NULL);
 }
 
+static void check_positive(const struct check *check, const struct lx_rule *rule, const struct lx_parameter *key)
+{
+    double value = *(const double *)lx_const_member(key, check->parameters);
+    if (value > 0 || !lx_rule_applies(rule, check->table, check->parameters))
+        return;
+    const struct lx_parameter *other = lx_find_parameter(check->table, rule->other);
+    report(check, key->name, LX_MSG_NOT_POSITIVE, rule->other, lx_chosen(other, check->parameters));
+}
+
 void lx_check_rules(struct lx_walk *walk, const struct lx_step *up, const struct lx_table *table,
                     const void *parameters, uint64_t seen, uint64_t there, lx_node_id mapping)
 {
@@ -113,5 +120,7 @@ void lx_check_rules(struct lx_walk *walk, const struct lx_step *up, const struct
             check_ordered(&check, key, other);
         else if (rule->kind == LX_RULE_DISTINCT && key_good && other_good)
             check_distinct(&check, key, other);
+        else if (rule->kind == LX_RULE_POSITIVE && key_good && other_seen == other_good)
+            check_positive(&check, rule, key);
     }
 }

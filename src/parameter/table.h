@@ -65,7 +65,8 @@ enum lx_rule_kind {
     LX_RULE_NEEDED,    /* key must be given where other is one of choices */
     LX_RULE_USED,      /* key has an effect only where other is one of choices (else: advice when it is given) */
     LX_RULE_ORDERED,   /* key <= other (numbers) */
-    LX_RULE_DISTINCT   /* where both are given, the vectors key and other must differ */
+    LX_RULE_DISTINCT,  /* where both are given, the vectors key and other must differ */
+    LX_RULE_POSITIVE   /* the number key must be > 0 where other is one of choices */
 };
 
 struct lx_rule {
@@ -87,6 +88,7 @@ struct lx_table {
 struct lx_variant {
     const char *name;
     const char *meaning;
+    const char *example; /* an element of the list as YAML on one line, for references and forms */
     const struct lx_table *table;
 };
 

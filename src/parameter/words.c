@@ -45,6 +45,17 @@ void lx_add_range(struct lx_text *text, const struct lx_interval *range, const c
     lx_text_puts(text, unit);
 }
 
+void lx_add_advised(struct lx_text *text, const struct lx_parameter *parameter, const char *unit)
+{
+    static const char *const names[] = {"x ", ", y ", ", z "};
+    bool by_component = parameter->advised[1].given;
+    for (size_t i = 0; i < (by_component ? LX_COMPONENTS : 1); i++) {
+        if (by_component)
+            lx_text_puts(text, names[i]);
+        lx_add_range(text, &parameter->advised[i], !by_component || i == LX_COMPONENTS - 1 ? unit : "");
+    }
+}
+
 static void add_listed(struct lx_text *text, const char *word, bool first)
 {
     if (!first)
@@ -62,6 +73,17 @@ void lx_add_variants(struct lx_text *text, const struct lx_variant *const *varia
 {
     for (size_t i = 0; variants[i]; i++)
         add_listed(text, variants[i]->name, i == 0);
+}
+
+void lx_add_rule_choices(struct lx_text *text, const struct lx_rule *rule, const char *separator)
+{
+    for (const char *at = rule->choices; at && *at;) {
+        size_t length = strcspn(at, "|");
+        if (at > rule->choices)
+            lx_text_puts(text, separator);
+        lx_text_add(text, at, length);
+        at += length + (at[length] == '|');
+    }
 }
 
 void lx_add_type(struct lx_text *text, const struct lx_parameter *parameter)

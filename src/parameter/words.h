@@ -12,10 +12,14 @@ const char *lx_unit_word(enum lx_unit unit, bool photometric);
 
 /* Adds "> 0 mm", "0 to 90°", "any" where the range is not given. */
 void lx_add_range(struct lx_text *text, const struct lx_interval *range, const char *unit);
+/* Adds the advised range, "100 to 10000 mm", or ranges: "x -10 to 10, y -10 to 10, z 0 to 10 mm". */
+void lx_add_advised(struct lx_text *text, const struct lx_parameter *parameter, const char *unit);
 /* Adds "nodes, centers". */
 void lx_add_choices(struct lx_text *text, const char *const *choices);
 /* Adds the names of the variants, "point, spot". */
 void lx_add_variants(struct lx_text *text, const struct lx_variant *const *variants);
+/* Adds the words that a rule asks for, "lambertian or cosine" where the separator is " or ". */
+void lx_add_rule_choices(struct lx_text *text, const struct lx_rule *rule, const char *separator);
 /* Adds "number", "3 numbers", "yes or no" and the like. */
 void lx_add_type(struct lx_text *text, const struct lx_parameter *parameter);
 /* Adds a value as the user wrote it, shortened: 5, "5", [...], {...}. */

@@ -76,7 +76,8 @@ static luxel_status assign(luxel_scene *scene, const struct lx_path *path, size_
     if (!text || lx_document_add_source(document, place->source, text, place->length) < 0)
         return lx_out_of_memory(diagnostics);
     lx_node_id value = 0;
-    status = lx_yaml_read(document, document->source_count - 1, value_start, (unsigned)path->count, diagnostics, &value);
+    status =
+        lx_yaml_read(document, document->source_count - 1, value_start, (unsigned)path->count, diagnostics, &value);
     if (status == LUXEL_OK && !value)
         status = refuse(*place, value_start, LX_MSG_NO_VALUE, LUXEL_ERROR_SCENE, diagnostics);
     if (status == LUXEL_OK && link_value(document, path, value) < 0)

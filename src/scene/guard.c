@@ -10,8 +10,8 @@
 #include "guard.h"
 
 enum {
-    SHORT_TEXT = 256 * 1024,     /* harmless whatever it holds */
-    LONGEST_KEY = 256 * 1024     /* bytes of a list or mapping that could be a key */
+    SHORT_TEXT = 256 * 1024, /* harmless whatever it holds */
+    LONGEST_KEY = 256 * 1024 /* bytes of a list or mapping that could be a key */
 };
 
 static luxel_status refuse(const struct lx_place *place, size_t start, size_t end, enum lx_message message,

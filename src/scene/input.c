@@ -35,8 +35,7 @@ static luxel_status read_all(int file, const char *path, luxel_diagnostics *diag
     *text = NULL;
     *length = 0;
     for (;;) {
-        if (*length == capacity &&
-            lx_reserve((void **)text, &capacity, capacity ? 2 * capacity : FIRST_BLOCK, 1) < 0)
+        if (*length == capacity && lx_reserve((void **)text, &capacity, capacity ? 2 * capacity : FIRST_BLOCK, 1) < 0)
             return lx_out_of_memory(diagnostics);
         ssize_t got = read(file, *text + *length, capacity - *length);
         if (got < 0 && errno == EINTR)

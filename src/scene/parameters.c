@@ -1,9 +1,10 @@
 /* SPDX-License-Identifier: MIT */
-/* The public list of parameters: the scene's table flattened. */
+/* The public list of parameters, which is the scene's table flattened, and the schema made from it. */
 #include <stdlib.h>
 
 #include "../base/memory.h"
 #include "../parameter/reflect.h"
+#include "../parameter/schema.h"
 #include "scene.h"
 
 struct luxel_parameters {
@@ -31,7 +32,33 @@ size_t luxel_parameters_count(const luxel_parameters *parameters)
     return parameters->reflection.count;
 }
 
+size_t luxel_parameters_kind_count(const luxel_parameters *parameters)
+{
+    return parameters->reflection.kind_count;
+}
+
+const luxel_kind *luxel_parameters_kind(const luxel_parameters *parameters, size_t i)
+{
+    return i < parameters->reflection.kind_count ? &parameters->reflection.kinds[i] : NULL;
+}
+
 const luxel_parameter *luxel_parameters_get(const luxel_parameters *parameters, size_t i)
 {
     return i < parameters->reflection.count ? &parameters->reflection.items[i].shown : NULL;
+}
+
+luxel_status luxel_scene_schema(char **text)
+{
+    static const char beyond[] =
+        "luxel check refuses some scenes that this schema accepts, because a schema cannot compare values: pixels that "
+        "are not square; an observer that is not above the front of every surface; an aim that is the light's "
+        "position; an inner angle greater than the outer one within one degree; a range [low, high] that does not "
+        "rise between two of the steps listed there. It reads numbers and words as they are written: 360.0 is no "
+        "whole number, and only true and false are truth values. Doubled keys, anchors, aliases, tags and further "
+        "documents are errors of the text and unknown to a schema.";
+    char *schema = lx_schema(&lx_scene_table, "Luxel scene", beyond);
+    if (!schema)
+        return LUXEL_ERROR_MEMORY;
+    *text = schema;
+    return LUXEL_OK;
 }

@@ -13,11 +13,11 @@
 struct position {
     lx_node_id node; /* 0: not written */
     size_t table_count;
-    const struct lx_table *tables[2];      /* inside a mapping: whose keys it has */
-    const struct lx_parameter *list;       /* inside an element: the list's parameter */
-    bool any_type;                         /* inside an element of unknown type: the keys of all types */
-    const struct lx_parameter *parameter;  /* at a value: which; NULL inside a mapping */
-    unsigned depth;                        /* list brackets passed within the parameter's value */
+    const struct lx_table *tables[2];     /* inside a mapping: whose keys it has */
+    const struct lx_parameter *list;      /* inside an element: the list's parameter */
+    bool any_type;                        /* inside an element of unknown type: the keys of all types */
+    const struct lx_parameter *parameter; /* at a value: which; NULL inside a mapping */
+    unsigned depth;                       /* list brackets passed within the parameter's value */
 };
 
 static luxel_status refuse(const struct lx_path *path, size_t start, size_t end, enum lx_message message,
@@ -141,9 +141,9 @@ static luxel_status follow_key(const struct lx_document *document, const struct 
     static const struct lx_parameter type = {.name = "type", .type = LX_TEXT};
     const struct lx_segment *segment = &path->segments[i];
     if (position->table_count == 0)
-        return refuse_segment(path, i, position->depth || position->parameter->type != LX_VARIANTS ? LX_MSG_NO_KEYS
-                                                                                                   : LX_MSG_NEEDS_INDEX,
-                              segment->key, diagnostics);
+        return refuse_segment(
+            path, i, position->depth || position->parameter->type != LX_VARIANTS ? LX_MSG_NO_KEYS : LX_MSG_NEEDS_INDEX,
+            segment->key, diagnostics);
     if (position->node && lx_document_node(document, position->node)->kind != LX_MAPPING &&
         !(lx_document_is_null(document, position->node) && !position->list))
         return refuse_segment(path, i, LX_MSG_NOT_A_MAPPING, NULL, diagnostics);

@@ -95,6 +95,7 @@ static const struct lx_parameter observer_parameters[] = {
 
 static const struct lx_rule observer_rules[] = {
     {LX_RULE_USED, "view", "projection", "orthographic"},
+    {LX_RULE_POSITIVE, "z", "projection", "perspective"},
 };
 
 static const struct lx_table observer_table = {

@@ -82,12 +82,9 @@ static void check_observer(struct lx_walk *walk, const luxel_scene *scene)
     const struct lx_observer *observer = &scene->parameters.observer;
     struct lx_place place = lx_document_place(walk->document, lx_scene_node(scene, "observer", "z"));
     struct lx_step group = {NULL, "observer", 0}, step = {&group, "z", 0};
-    char number[LX_NUMBER_SIZE], z[LX_NUMBER_SIZE];
-    if (observer->projection == LX_PERSPECTIVE && !(observer->z_mm > 0)) {
-        lx_walk_report(walk, LUXEL_SEVERITY_ERROR, place, &step, LX_MSG_OBSERVER_BELOW_SCREEN,
-                       lx_write_number(observer->z_mm, z), NULL);
-        return;
-    }
+    char number[LX_NUMBER_SIZE];
+    if (observer->projection == LX_PERSPECTIVE && !(observer->z_mm > 0))
+        return; /* a rule of its table, and reported by it */
     double highest;
     size_t surface = highest_surface(&scene->parameters.surfaces, &highest);
     if (surface < scene->parameters.surfaces.count && !(observer->z_mm > highest)) {

@@ -151,7 +151,8 @@ static luxel_status on_scalar(struct reader *reader, struct fy_event *event, siz
     bool plain = fy_token_scalar_style(event->scalar.value) == FYSS_PLAIN;
     if (plain && start == end && level && !level->mapping)
         find_dash(reader, &start, &end);
-    struct lx_node node = {.kind = LX_SCALAR, .plain = plain, .text = text, .start = (uint32_t)start, .end = (uint32_t)end};
+    struct lx_node node = {
+        .kind = LX_SCALAR, .plain = plain, .text = text, .start = (uint32_t)start, .end = (uint32_t)end};
     lx_node_id id;
     return place_node(reader, node, &id);
 }
@@ -247,8 +248,9 @@ static luxel_status report_syntax(struct reader *reader, size_t start, struct fy
     struct fy_diag_error *error = fy_diag_errors_iterate(diag, &iterator);
     while (error && error->type != FYET_ERROR)
         error = fy_diag_errors_iterate(diag, &iterator);
-    if (!error || !error->msg)
-        return out_of_memory(reader);
+    if (!error || !error->msg) /* for some texts the parser gives no reason */
+        return refuse(reader, reader->last_end, reader->last_end, LX_MSG_SYNTAX,
+                      LX_ARGS("unreadable behind this place"));
     const struct fy_mark *mark = error->fyt ? fy_token_start_mark(error->fyt) : NULL;
     size_t from = position(reader, mark, find_position(reader, start, error->line, error->column));
     size_t to = position(reader, error->fyt ? fy_token_end_mark(error->fyt) : NULL, from);

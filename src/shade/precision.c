@@ -15,8 +15,12 @@
 
 static const double unit = 5.9604644775390625e-08; /* u = 2^-24 */
 
-/* Of the 2e-6 of the maximum that a picture may be off, what is left to the lights' roundings. */
-static const double allowance = 1.5e-6;
+/*
+ * How large the bounds may be, as a share of the picture's maximum, which may be off by 2e-6: no picture comes near
+ * its bounds.  With this allowance the worst of 12 000 random scenes is off by 7e-7, with 4e-6 by 1.05e-6
+ * (tests/unit/test_kernels.c).
+ */
+static const double allowance = 2.5e-6;
 
 /* Beyond these sizes (mm; or strengths) products could leave the range of float32. */
 static bool is_moderate(double size)

@@ -150,7 +150,13 @@ static bool sphere_holds(const void *parameters, const double place_mm[3])
 }
 
 const struct lx_surface_kind lx_sphere_kind = {
-    .variant = {.name = "sphere", .meaning = "a sphere, seen from outside", .table = &sphere_table},
+    .variant =
+        {
+            .name = "sphere",
+            .meaning = "a sphere, seen from outside",
+            .example = "{type: sphere, center: [0, 0, 1000], radius: 200, material: {diffuse: 0.7, shininess: 40}}",
+            .table = &sphere_table,
+        },
     .extent = sphere_extent,
     .shape = sphere_shape,
     .hit = sphere_hit,

@@ -63,7 +63,7 @@ def material(rng, shininess=None):
 def _stage(rng, shininess=None, spheres=1, projection=None):
     """A scene without lights: spheres, an observer in front of them, a screen that shows the first one."""
     radius = _log_uniform(rng, 30, 600)
-    center = [rng.uniform(-0.5, 0.5) * radius, rng.uniform(-0.5, 0.5) * radius, rng.uniform(0, 3) * radius + 100]
+    center = [rng.uniform(-0.5, 0.5) * radius, rng.uniform(-0.5, 0.5) * radius, rng.uniform(-2, 5) * radius]
     surfaces = [{'type': 'sphere', 'center': center, 'radius': radius, 'material': material(rng, shininess)}]
     for _ in range(spheres - 1):
         away = _add(center, _direction(rng), radius * rng.uniform(0.9, 2.5))
@@ -71,7 +71,7 @@ def _stage(rng, shininess=None, spheres=1, projection=None):
                          'material': material(rng, shininess)})
     front = max(surface['center'][2] + surface['radius'] for surface in surfaces)
     projection = projection or rng.choice(['orthographic', 'perspective'])
-    observer = front + radius * _log_uniform(rng, 0.3, 30)
+    observer = max(front, 0) + radius * _log_uniform(rng, 0.3, 30)
     magnified = observer / (observer - center[2]) if projection == 'perspective' else 1
     resolution = rng.choice(RESOLUTIONS)
     pitch = 2 * radius * magnified * rng.uniform(0.8, 1.6) / sorted(resolution)[0 if min(resolution) > 40 else 1]
@@ -273,6 +273,34 @@ def _near(rng):
     return _with_places(scene, places)
 
 
+def _touching(rng):
+    """A light a hundredth of a millimetre above the place that one of the picture's own samples shows."""
+    scene = _stage(rng, projection='orthographic')
+    scene['screen']['sampling'] = 'centers'
+    sphere, screen = scene['surfaces'][0], scene['screen']
+    # The sample nearest to a place near the middle of the sphere.
+    point = [sphere['center'][i] + sphere['radius'] * rng.uniform(-0.4, 0.4) for i in (0, 1)]
+    for i, size in enumerate((screen['width'], screen['height'])):
+        pitch = size / screen['resolution'][i]
+        index = min(max(round((point[i] + size / 2) / pitch - 0.5), 0), screen['resolution'][i] - 1)
+        point[i] = (index + 0.5) * pitch - size / 2
+    beside = [(x - c) / sphere['radius'] for x, c in zip(point, sphere['center'])]
+    if _dot(beside, beside) > 0.9:
+        return _touching(rng)
+    normal = [*beside, math.sqrt(1 - _dot(beside, beside))]
+    place = Place(_add(sphere['center'], normal, sphere['radius']), normal, sphere['radius'])
+    direction = _tilted(place, _beside(rng, normal), rng.uniform(0.5, 5))
+    scene['lights'] = [_point(rng, _add(place.position, direction, 0.01), place.position, 0.003)]
+    return _with_places(scene, [place])
+
+
+def _vanishing(rng):
+    """Highlights far from their peak, beyond what float64 can tell from darkness."""
+    case = _generic(rng, shininess=_log_uniform(rng, 300, 10000))
+    case.scene['surfaces'][0]['material'].update(model=rng.choice(['blinn-phong', 'phong']), diffuse=0)
+    return case
+
+
 def _far(rng):
     """Lights at up to 10 km."""
     scene = _stage(rng)
@@ -371,8 +399,8 @@ def enlarged(scene, longer, stronger):
 # Kinds whose numbers are well conditioned at most places, and those made to be hard.
 GENERIC = {'orthographic': _orthographic, 'perspective': _perspective, 'shininess': _shininess, 'cones': _cones,
            'shadows': _shadows, 'elements': _elements, 'far': _far}
-NASTY = {'grazing': _grazing, 'limb': _limb, 'near': _near, 'behind': _behind, 'rim': _rim, 'whole': _whole,
-         'sizes': _sizes, 'extremes': _extremes}
+NASTY = {'grazing': _grazing, 'limb': _limb, 'rim': _rim, 'near': _near, 'touching': _touching, 'behind': _behind,
+         'vanishing': _vanishing, 'whole': _whole, 'sizes': _sizes, 'extremes': _extremes}
 KINDS = {**GENERIC, **NASTY}
 # Those that make a picture in float32.
 PICTURES = [kind for kind in KINDS if kind not in ('elements', 'extremes')]

@@ -97,10 +97,11 @@ def reflected_share(luxel, material):
 def test_albedo(tap, luxel):
     for model in ('blinn-phong', 'phong'):
         for shininess in (0.1, 1, 20, 300, 10000):
-            material = {'model': model, 'diffuse': 0, 'specular': 0.37, 'shininess': shininess,
-                        'highlight': 'cosine', 'normalized': True}
-            tap.near(reflected_share(luxel, material), 0.37, 1e-10, f'a normalized {model} lobe, {shininess}, reflects ks')
-    tap.near(reflected_share(luxel, {'model': 'lambert', 'diffuse': 0.73}), 0.73, 1e-11, 'a diffuse surface reflects kd')
+            lobe = reflected_share(luxel, {'model': model, 'diffuse': 0, 'specular': 0.37, 'shininess': shininess,
+                                           'highlight': 'cosine', 'normalized': True})
+            tap.near(lobe, 0.37, 1e-10, f'a normalized {model} lobe, {shininess}, reflects ks')
+    matt = reflected_share(luxel, {'model': 'lambert', 'diffuse': 0.73})
+    tap.near(matt, 0.73, 1e-11, 'a diffuse surface reflects kd')
 
 
 def main():

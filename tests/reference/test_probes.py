@@ -17,7 +17,7 @@ from tap import Tap
 SCENES = 40           # of each kind
 # Relative accuracy up to a condition: the relative change of the value per relative move of the place.
 ACCURACY = ((50, 1e-12), (1000, 1e-11))
-STATED = 5e-13        # the stated error, relative, per 1 + condition
+STATED = 3e-12        # the stated error, relative, per 1 + condition
 MOVE = mpf('1e-20')   # how far the place moves to find the condition
 SMALLEST = mpf('1e-290')  # values below are left to subnormal numbers
 SHOWN = 5             # failures of a sort that are printed in full

@@ -171,7 +171,8 @@ def brightness_per_irradiance(material, elements, direction, cosine, decisions):
         elif material['highlight'] == 'cosine':
             weight = received
         s = lobe(material, elements.normal, direction, elements.view)
-        result = result + real(material['specular']) * normalization(material) * weight * power(s, material['shininess'])
+        highlight = weight * power(s, material['shininess'])
+        result = result + real(material['specular']) * normalization(material) * highlight
     return result / PI if material['over_pi'] else result
 
 

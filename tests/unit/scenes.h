@@ -27,7 +27,11 @@ struct expected {
     const char *key;
     const char *message; /* a part of it */
     const char *hint;    /* a part of it */
+    char end;            /* nothing: see below */
 };
+
+/* So described, in order or by name, the rest not mattering (the last member keeps compilers from asking for it). */
+#define WANTED(...) ((struct expected){__VA_ARGS__, .end = 0})
 
 /* Asserts that entry i is as expected. */
 void expect_entry(const luxel_diagnostics *diagnostics, size_t i, struct expected expected);

@@ -151,8 +151,9 @@ static void accepts_null(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(places),        cmocka_unit_test(places_at_the_end), cmocka_unit_test(cuts_long_lines),
-        cmocka_unit_test(escapes_what_it_shows), cmocka_unit_test(keeps_twenty), cmocka_unit_test(translates),
+        cmocka_unit_test(places),          cmocka_unit_test(places_at_the_end),
+        cmocka_unit_test(cuts_long_lines), cmocka_unit_test(escapes_what_it_shows),
+        cmocka_unit_test(keeps_twenty),    cmocka_unit_test(translates),
         cmocka_unit_test(accepts_null),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

@@ -107,15 +107,16 @@ static void finds_the_nearest(void **state)
 static void tells_texts_from_numbers(void **state)
 {
     (void)state;
-    static const char *const no_texts[] = {"", "~", "null", "true", "False", "5", "-1.5e3", ".5", "0x1F", "0o17",
-                                           ".nan", "-.inf", "+.Inf"};
+    static const char *const no_texts[] = {"",   "~",    "null", "true", "False", "5",    "-1.5e3",
+                                           ".5", "0x1F", "0o17", ".nan", "-.inf", "+.Inf"};
     static const char *const texts[] = {"none", "a", "nan", "5mm", "1_000", "yes", "Null?", "0x", "-", "point"};
     for (size_t i = 0; i < sizeof no_texts / sizeof no_texts[0]; i++)
         assert_false(lx_plain_is_text(no_texts[i]));
     for (size_t i = 0; i < sizeof texts / sizeof texts[0]; i++)
         assert_true(lx_plain_is_text(texts[i]));
-    static const char *const unsafe[] = {"", "5", "yes", "On", "null", "~", "a: b", "a #b", "- a", "[a", "a,b", " a", "a ",
-                                         "*a", "\"a\"", "a\nb", "\xC2\x85", "n", "1e3", ".a", "@a", "!a"};
+    static const char *const unsafe[] = {"",         "5",  "yes", "On", "null", "~",  "a: b",  "a #b",
+                                         "- a",      "[a", "a,b", " a", "a ",   "*a", "\"a\"", "a\nb",
+                                         "\xC2\x85", "n",  "1e3", ".a", "@a",   "!a"};
     static const char *const safe[] = {"point", "blinn-phong", "key light 2", "лампа", "a.b", "none", "lamp (left)"};
     for (size_t i = 0; i < sizeof unsafe / sizeof unsafe[0]; i++)
         assert_false(lx_plain_is_safe(unsafe[i]));
@@ -126,8 +127,10 @@ static void tells_texts_from_numbers(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(escapes),           cmocka_unit_test(grows),
-        cmocka_unit_test(measures_words),    cmocka_unit_test(finds_the_nearest),
+        cmocka_unit_test(escapes),
+        cmocka_unit_test(grows),
+        cmocka_unit_test(measures_words),
+        cmocka_unit_test(finds_the_nearest),
         cmocka_unit_test(tells_texts_from_numbers),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

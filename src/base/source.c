@@ -1,0 +1,186 @@
+/* SPDX-License-Identifier: MIT */
+/* Sources: files read in place, pipes taken into memory, and the first failure with its report. */
+#include "source.h"
+
+#include <errno.h>
+#include <fcntl.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include "memory.h"
+#include "reason.h"
+
+enum { FIRST_BLOCK = 64 * 1024, LARGEST_READ = 1 << 30 };
+
+struct lx_source {
+    luxel_diagnostics *diagnostics;
+    char *name;
+    luxel_status status;        /* what the first failure was reported as */
+    int file;                   /* -1: everything is in memory */
+    const unsigned char *bytes; /* what is in memory */
+    unsigned char *owned;       /* the same where it must be freed */
+    uint64_t size;
+};
+
+luxel_status lx_source_fail(struct lx_source *source, luxel_status status, enum lx_message message,
+                            const char *const *arguments)
+{
+    struct lx_place place = {.source = source->name};
+    if (source->status == LUXEL_OK) {
+        source->status = status;
+        lx_report(source->diagnostics, LUXEL_SEVERITY_ERROR, &place, message, arguments);
+    }
+    return source->status;
+}
+
+luxel_status lx_source_out_of_memory(struct lx_source *source)
+{
+    if (source->status == LUXEL_OK)
+        source->status = lx_out_of_memory(source->diagnostics);
+    return source->status;
+}
+
+/* A file that the system does not give: without a place, like one that cannot be written. */
+static luxel_status cannot_read(struct lx_source *source, int reason)
+{
+    if (source->status == LUXEL_OK) {
+        source->status = LUXEL_ERROR_FILE;
+        lx_report(source->diagnostics, LUXEL_SEVERITY_ERROR, NULL, LX_MSG_FILE_NOT_READ,
+                  LX_ARGS(source->name, lx_reason(reason)));
+    }
+    return source->status;
+}
+
+static luxel_status new_source(const char *name, luxel_diagnostics *diagnostics, struct lx_source **result)
+{
+    struct lx_source *source = lx_new_array(1, sizeof *source);
+    char *copy = lx_copy_text(name, strlen(name));
+    if (!source || !copy) {
+        free(source);
+        free(copy);
+        return lx_out_of_memory(diagnostics);
+    }
+    *source = (struct lx_source){.diagnostics = diagnostics, .name = copy, .file = -1};
+    *result = source;
+    return LUXEL_OK;
+}
+
+/* Takes what the file gives until its end, or one byte beyond the limit. */
+static luxel_status take_all(struct lx_source *source, size_t most)
+{
+    size_t length = 0, capacity = 0;
+    while (length <= most) {
+        if (length == capacity &&
+            lx_reserve(&source->owned, &capacity, capacity ? 2 * capacity : (size_t)FIRST_BLOCK, 1) < 0)
+            return lx_source_out_of_memory(source);
+        size_t room = capacity - length, left = most - length;
+        if (room > left)
+            room = left + 1;
+        ssize_t got = read(source->file, source->owned + length, room < LARGEST_READ ? room : LARGEST_READ);
+        if (got < 0 && errno == EINTR)
+            continue;
+        if (got < 0)
+            return cannot_read(source, errno);
+        if (got == 0)
+            break;
+        length += (size_t)got;
+    }
+    source->bytes = source->owned;
+    source->size = length;
+    close(source->file);
+    source->file = -1;
+    return LUXEL_OK;
+}
+
+static luxel_status open_file(struct lx_source *source, size_t most)
+{
+    struct stat about;
+    source->file = open(source->name, O_RDONLY | O_CLOEXEC | O_NOCTTY);
+    if (source->file < 0 || fstat(source->file, &about) < 0)
+        return cannot_read(source, errno);
+    if (S_ISDIR(about.st_mode))
+        return cannot_read(source, EISDIR);
+    source->size = (uint64_t)about.st_size;
+    /* Files made up by the system, as in /proc, say that they are empty. */
+    return S_ISREG(about.st_mode) && about.st_size > 0 ? LUXEL_OK : take_all(source, most);
+}
+
+luxel_status lx_source_open(const char *path, size_t most, luxel_diagnostics *diagnostics, struct lx_source **source)
+{
+    struct lx_source *made = NULL;
+    luxel_status status = new_source(path, diagnostics, &made);
+    if (status == LUXEL_OK)
+        status = open_file(made, most);
+    if (status == LUXEL_OK)
+        *source = made;
+    else
+        lx_source_close(made);
+    return status;
+}
+
+luxel_status lx_source_of_bytes(const char *name, const void *bytes, size_t length, luxel_diagnostics *diagnostics,
+                                struct lx_source **source)
+{
+    luxel_status status = new_source(name, diagnostics, source);
+    if (status == LUXEL_OK) {
+        (*source)->bytes = bytes;
+        (*source)->size = length;
+    }
+    return status;
+}
+
+void lx_source_close(struct lx_source *source)
+{
+    if (!source)
+        return;
+    if (source->file >= 0)
+        close(source->file);
+    free(source->owned);
+    free(source->name);
+    free(source);
+}
+
+const char *lx_source_name(const struct lx_source *source)
+{
+    return source->name;
+}
+
+uint64_t lx_source_size(const struct lx_source *source)
+{
+    return source->size;
+}
+
+luxel_diagnostics *lx_source_diagnostics(const struct lx_source *source)
+{
+    return source->diagnostics;
+}
+
+luxel_status lx_source_status(const struct lx_source *source)
+{
+    return source->status;
+}
+
+luxel_status lx_source_read(struct lx_source *source, uint64_t offset, void *bytes, size_t count)
+{
+    if (source->status != LUXEL_OK)
+        return source->status;
+    if (offset > source->size || count > source->size - offset)
+        return lx_source_fail(source, LUXEL_ERROR_FILE, LX_MSG_FILE_ENDS, NULL);
+    if (source->file < 0 && count > 0)
+        memcpy(bytes, source->bytes + offset, count);
+    for (size_t done = 0; source->file >= 0 && done < count;) {
+        size_t left = count - done;
+        ssize_t got = pread(source->file, (char *)bytes + done, left < LARGEST_READ ? left : LARGEST_READ,
+                            (off_t)(offset + done));
+        if (got < 0 && errno == EINTR)
+            continue;
+        if (got < 0)
+            return cannot_read(source, errno);
+        if (got == 0) /* it became shorter in the meantime */
+            return lx_source_fail(source, LUXEL_ERROR_FILE, LX_MSG_FILE_ENDS, NULL);
+        done += (size_t)got;
+    }
+    return LUXEL_OK;
+}
