@@ -26,8 +26,8 @@ typedef struct lx_bounded3 {
 
 #define LX_ROUNDING (DBL_EPSILON / 2)
 #define LX_BOUND_SLACK (1 + 16 * DBL_EPSILON)
-/* Absolute rounding of a result that may have left the normal numbers. */
-#define LX_UNDERFLOW DBL_TRUE_MIN
+/* Absolute rounding of a result, and of its bound, that may have left the normal numbers. */
+#define LX_UNDERFLOW (4 * DBL_TRUE_MIN)
 
 static inline lx_bounded lx_exact(double value)
 {
@@ -38,6 +38,11 @@ static inline lx_bounded lx_exact(double value)
 static inline lx_bounded lx_rounded(double value, double inherited, double units)
 {
     return (lx_bounded){value, (inherited + units * LX_ROUNDING * fabs(value)) * LX_BOUND_SLACK};
+}
+
+static inline bool lx_is_zero(lx_bounded a)
+{
+    return a.value == 0 && a.error == 0;
 }
 
 static inline lx_bounded lx_negate(lx_bounded a)
@@ -59,7 +64,7 @@ static inline lx_bounded lx_mul(lx_bounded a, lx_bounded b)
 {
     double inherited = fabs(a.value) * b.error + fabs(b.value) * a.error + a.error * b.error;
     double value = a.value * b.value;
-    if (fabs(value) < DBL_MIN && a.value != 0 && b.value != 0)
+    if (fabs(value) < DBL_MIN && !lx_is_zero(a) && !lx_is_zero(b))
         inherited += LX_UNDERFLOW;
     return lx_rounded(value, inherited, 1);
 }
@@ -78,7 +83,7 @@ static inline lx_bounded lx_div(lx_bounded a, lx_bounded b)
     if (!(least > 0))
         return (lx_bounded){value, HUGE_VAL};
     double inherited = (a.error + fabs(value) * b.error) / least;
-    if (fabs(value) < DBL_MIN && a.value != 0)
+    if (fabs(value) < DBL_MIN && !lx_is_zero(a))
         inherited += LX_UNDERFLOW;
     return lx_rounded(value, inherited, 2);
 }
@@ -162,6 +167,19 @@ static inline lx_bounded lx_step(lx_bounded a, bool yes_at_zero)
     bool yes = a.value > 0 || (yes_at_zero && a.value == 0);
     bool certain = fabs(a.value) > a.error || a.error == 0;
     return (lx_bounded){yes ? 1 : 0, certain ? 0 : 1};
+}
+
+/* The other answer. */
+static inline lx_bounded lx_not(lx_bounded step)
+{
+    return (lx_bounded){1 - step.value, step.error};
+}
+
+/* Whether both answers are yes. */
+static inline lx_bounded lx_both(lx_bounded a, lx_bounded b)
+{
+    bool no = lx_is_zero(a) || lx_is_zero(b);
+    return (lx_bounded){a.value * b.value, no ? 0 : fmax(a.error, b.error)};
 }
 
 static inline lx_bounded3 lx_exact3(const double v[3])

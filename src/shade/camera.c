@@ -27,7 +27,8 @@ static bool sample_at(int sampling, double length, unsigned n, double distance, 
 {
     if (!(distance >= 0 && distance <= length))
         return false;
-    double place = sampling == LX_NODES ? round(distance / length * (n - 1)) : floor(distance / length * n);
+    /* Multiplied before it is divided: a border between pixels that is a whole number stays one. */
+    double place = sampling == LX_NODES ? round(distance * (n - 1) / length) : floor(distance * n / length);
     *i = place < n ? (unsigned)place : n - 1;
     return true;
 }

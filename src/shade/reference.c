@@ -61,7 +61,7 @@ static lx_bounded openness(const struct lx_prepared *prepared, const struct lx_e
         if (surface == element->own)
             continue;
         lx_bounded blocked = surface->kind->blocks(surface->parameters, element->place_mm, way, endless);
-        open = lx_mul(open, lx_sub(lx_exact(1), blocked));
+        open = lx_both(open, lx_not(blocked));
     }
     return open;
 }

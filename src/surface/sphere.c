@@ -139,7 +139,7 @@ static lx_bounded sphere_blocks(const void *parameters, lx_bounded3 place_mm, lx
         return reached;
     lx_bounded from_inside = lx_step(lx_sub(radius, lx_length3(p)), false);
     lx_bounded to_inside = lx_step(lx_sub(radius, lx_length3(lx_add3(p, towards))), false);
-    return lx_mul(reached, lx_sub(lx_exact(1), lx_mul(from_inside, to_inside)));
+    return lx_both(reached, lx_not(lx_both(from_inside, to_inside)));
 }
 
 static bool sphere_holds(const void *parameters, const double place_mm[3])
