@@ -27,8 +27,9 @@ bool lx_control_goes_on(struct lx_control *control, bool is_caller)
     if (is_caller && control->progress) {
         struct timespec now;
         clock_gettime(CLOCK_MONOTONIC, &now);
-        long elapsed_ms = (long)(now.tv_sec - control->last.tv_sec) * 1000 + (now.tv_nsec - control->last.tv_nsec) / 1000000;
-        if (elapsed_ms >= 5) {
+        double seconds = difftime(now.tv_sec, control->last.tv_sec);
+        seconds += (double)(now.tv_nsec - control->last.tv_nsec) * 1e-9;
+        if (seconds >= 0.005) {
             control->last = now;
             if (!control->progress((double)atomic_load(&control->rows_done) / control->rows, control->data))
                 atomic_store(&control->stop, true);

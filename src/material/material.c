@@ -14,7 +14,7 @@ static const struct lx_parameter material_parameters[] = {
         .offset = offsetof(struct lx_material, model),
         .choices = model_names,
         .initial = "blinn-phong",
-        .meaning = "the highlight's shape: by the half vector (blinn-phong), by the mirrored ray (phong), or none (lambert)",
+        .meaning = "the shape of the highlight: by the half vector, by the mirrored ray, or no highlight (lambert)",
     },
     {
         .name = "diffuse",
@@ -64,14 +64,14 @@ static const struct lx_parameter material_parameters[] = {
         .offset = offsetof(struct lx_material, highlight),
         .choices = highlight_names,
         .initial = "plain",
-        .meaning = "the factor of the highlight: 1 (plain), 1 only where the light is in front (gated), or N.L (cosine)",
+        .meaning = "the factor of the highlight: 1, 1 only where the light is in front (gated), or N.L (cosine)",
     },
     {
         .name = "normalized",
         .type = LX_BOOLEAN,
         .offset = offsetof(struct lx_material, normalized),
         .initial = "false",
-        .meaning = "whether the highlight is scaled so that, with over_pi and highlight cosine, it reflects ks of the light",
+        .meaning = "whether the highlight is scaled so that, with over_pi and the cosine, it reflects ks of the light",
     },
 };
 

@@ -43,29 +43,34 @@
 #define EXP_TERMS 14
 #include "kernel_real.h"
 
-/* Of a sphere seen along -z: the normal at (x, y) is (dx, dy, sqrt(R^2 - dx^2 - dy^2))/R. */
+/*
+ * Of a sphere seen along -z: the place is (dx, dy, sqrt(R^2 - dx^2 - dy^2)).  What is the same in the whole row is
+ * formed in twice the precision, so that sources just above the surface find it where it is.
+ */
 static void meet_parallel_lines(const struct lx_shape *sphere, const struct lx_row_view *view,
-                                const double *restrict x_mm, size_t count, double *restrict depth, double *restrict nx,
-                                double *restrict ny, double *restrict nz)
+                                const double *restrict x_mm, size_t count, double *restrict depth, double *restrict px,
+                                double *restrict py, double *restrict pz)
 {
-    const double radius = sphere->radius_mm, inverse = 1 / radius, dy = view->y_mm - sphere->anchor_mm[1];
+    const double dy = view->y_mm - sphere->anchor_mm[1], radius = sphere->radius_mm;
+    double error;
+    const struct lx_pair rest = lx_exact_dot(2, (double[]){radius, -dy}, (double[]){radius, dy}, &error);
     for (size_t i = 0; i < count; i++) {
         double dx = x_mm[i] - sphere->anchor_mm[0];
-        double below = radius * radius - dy * dy - dx * dx;
+        double below = rest.high - dx * dx + rest.low;
         double height = sqrt(below > 0 ? below : 0);
         depth[i] = below >= 0 ? view->observer_z_mm - sphere->anchor_mm[2] - height : HUGE_VAL;
-        nx[i] = dx * inverse;
-        ny[i] = dy * inverse;
-        nz[i] = height * inverse;
+        px[i] = dx;
+        py[i] = dy;
+        pz[i] = height;
     }
 }
 
 /* Of a sphere seen from a point, as surface/sphere.c explains it: d the line, c from the centre to the observer. */
 static void meet_central_lines(const struct lx_shape *sphere, const struct lx_row_view *view,
-                               const double *restrict x_mm, size_t count, double *restrict depth, double *restrict nx,
-                               double *restrict ny, double *restrict nz)
+                               const double *restrict x_mm, size_t count, double *restrict depth, double *restrict px,
+                               double *restrict py, double *restrict pz)
 {
-    const double radius = sphere->radius_mm;
+    const double r2 = sphere->radius_mm * sphere->radius_mm;
     const double cx = -sphere->anchor_mm[0], cy = -sphere->anchor_mm[1];
     const double cz = view->observer_z_mm - sphere->anchor_mm[2];
     const double dy = view->y_mm, dz = -view->observer_z_mm;
@@ -73,23 +78,22 @@ static void meet_central_lines(const struct lx_shape *sphere, const struct lx_ro
         double dx = x_mm[i];
         double wx = dy * cz - dz * cy, wy = dz * cx - dx * cz, wz = dx * cy - dy * cx;
         double a = dx * dx + dy * dy + dz * dz;
-        double below = a * (radius * radius) - (wx * wx + wy * wy + wz * wz);
+        double below = a * r2 - (wx * wx + wy * wy + wz * wz);
         double root = sqrt(below > 0 ? below : 0);
-        double inverse = 1 / (a * radius);
         depth[i] = below >= 0 ? -(dx * cx + dy * cy + dz * cz + root) / a : HUGE_VAL;
-        nx[i] = (wy * dz - wz * dy - dx * root) * inverse;
-        ny[i] = (wz * dx - wx * dz - dy * root) * inverse;
-        nz[i] = (wx * dy - wy * dx - dz * root) * inverse;
+        px[i] = (wy * dz - wz * dy - dx * root) / a;
+        py[i] = (wz * dx - wx * dz - dy * root) / a;
+        pz[i] = (wx * dy - wy * dx - dz * root) / a;
     }
 }
 
 static void meet_sphere(const struct lx_shape *sphere, const struct lx_row_view *view, const double *x_mm, size_t count,
-                        double *depth, double *nx, double *ny, double *nz)
+                        double *depth, double *px, double *py, double *pz)
 {
     if (view->perspective)
-        meet_central_lines(sphere, view, x_mm, lx_padded(count), depth, nx, ny, nz);
+        meet_central_lines(sphere, view, x_mm, lx_padded(count), depth, px, py, pz);
     else
-        meet_parallel_lines(sphere, view, x_mm, lx_padded(count), depth, nx, ny, nz);
+        meet_parallel_lines(sphere, view, x_mm, lx_padded(count), depth, px, py, pz);
 }
 
 static void look_at(const double observer_mm[3], struct lx_block_double *block, size_t count)
@@ -106,12 +110,12 @@ static void look_at(const double observer_mm[3], struct lx_block_double *block, 
 static void complete_sphere(const struct lx_shape *sphere, const double *observer_mm, struct lx_block_double *block,
                             struct lx_block_single *copy, size_t count)
 {
-    const double radius = sphere->radius_mm;
+    const double inverse = 1 / sphere->radius_mm;
     count = lx_padded(count);
     for (size_t i = 0; i < count; i++) {
-        block->px[i] = radius * block->nx[i];
-        block->py[i] = radius * block->ny[i];
-        block->pz[i] = radius * block->nz[i];
+        block->nx[i] = block->px[i] * inverse;
+        block->ny[i] = block->py[i] * inverse;
+        block->nz[i] = block->pz[i] * inverse;
         block->vx[i] = 0;
         block->vy[i] = 0;
         block->vz[i] = 1;

@@ -13,7 +13,7 @@
 enum { GROUP = 16, LIGHTS_BETWEEN_CHECKS = 256 };
 
 struct lines {
-    double depth[LX_BLOCK], nx[LX_BLOCK], ny[LX_BLOCK], nz[LX_BLOCK];
+    double depth[LX_BLOCK], px[LX_BLOCK], py[LX_BLOCK], pz[LX_BLOCK];
 };
 
 struct lx_shader_memory {
@@ -42,8 +42,8 @@ static bool may_show(const struct lx_planned_surface *surface, const struct lx_r
 static void meet(const struct lx_plan *plan, const struct lx_planned_surface *surface, const struct lx_row_view *view,
                  const double *x_mm, size_t count, struct lines *lines)
 {
-    plan->kernels->meet_lines[surface->shape.type](&surface->shape, view, x_mm, count, lines->depth, lines->nx,
-                                                   lines->ny, lines->nz);
+    plan->kernels->meet_lines[surface->shape.type](&surface->shape, view, x_mm, count, lines->depth, lines->px,
+                                                   lines->py, lines->pz);
 }
 
 /* Finds the nearest surface of each pixel; returns the number of pixels that show one. */
@@ -69,9 +69,9 @@ static size_t find_nearest(const struct lx_plan *plan, struct lx_shader_memory *
             found += memory->shown[i] == 0;
             memory->shown[i] = s + 1;
             nearest->depth[i] = candidate->depth[i];
-            nearest->nx[i] = candidate->nx[i];
-            nearest->ny[i] = candidate->ny[i];
-            nearest->nz[i] = candidate->nz[i];
+            nearest->px[i] = candidate->px[i];
+            nearest->py[i] = candidate->py[i];
+            nearest->pz[i] = candidate->pz[i];
         }
     }
     return found;
@@ -86,9 +86,9 @@ static size_t gather(struct lx_shader_memory *memory, size_t surface, size_t cou
             memory->place[elements++] = (unsigned)i;
     for (size_t k = 0; k < lx_padded(elements); k++) {
         unsigned i = memory->place[k < elements ? k : 0];
-        memory->block.nx[k] = memory->nearest.nx[i];
-        memory->block.ny[k] = memory->nearest.ny[i];
-        memory->block.nz[k] = memory->nearest.nz[i];
+        memory->block.px[k] = memory->nearest.px[i];
+        memory->block.py[k] = memory->nearest.py[i];
+        memory->block.pz[k] = memory->nearest.pz[i];
     }
     return elements;
 }
@@ -146,7 +146,8 @@ static void light_block(const struct lx_plan *plan, const struct lx_planned_surf
             if (++grouped % GROUP == 0)
                 flush_group(memory, count);
         }
-        if (control && i % LIGHTS_BETWEEN_CHECKS == LIGHTS_BETWEEN_CHECKS - 1 && !lx_control_goes_on(control, is_caller))
+        bool check = control && i % LIGHTS_BETWEEN_CHECKS == LIGHTS_BETWEEN_CHECKS - 1;
+        if (check && !lx_control_goes_on(control, is_caller))
             return;
     }
     flush_group(memory, count);

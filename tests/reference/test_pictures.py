@@ -80,18 +80,20 @@ class Worst:
 
 
 def place_rounding(scene):
-    """How far 1/r^2 may be off because places are rounded to float64, for a source just above a surface.
+    """How far a picture may be off because places are rounded to float64, for a source just above a surface.
 
-    A place on a sphere of radius R is known to about 2^-52 R; of a source at the distance d that makes 2^-51 R/d.
-    It exceeds 1e-11 where d is below some R/20000, and docs/MATHS.md says so.
+    Samples and places on a sphere are known to about 2^-52 (R + W); seen from a source at the distance d, that turns
+    directions by 2^-52 (R + W)/d, which moves 1/r^2 by twice and a highlight by sqrt(n) times as much.  It exceeds
+    1e-11 only where d is below some R/10000, and docs/MATHS.md says so.
     """
-    limit = 0.0
-    for light in scene['lights']:
-        for sphere in scene['surfaces']:
-            if 'position' in light:
-                gap = abs(math.dist(light['position'], sphere['center']) - sphere['radius'])
-                limit = max(limit, 2.0 ** -52 * sphere['radius'] / gap if gap else math.inf)
-    return 2 * limit
+    gaps, slopes = [], []
+    size = max(scene['screen']['width'], scene['screen']['height'])
+    for sphere in scene['surfaces']:
+        slopes.append(max(2.0, math.sqrt(sphere['material']['shininess'])) * (sphere['radius'] + size))
+        gaps += [abs(math.dist(light['position'], sphere['center']) - sphere['radius'])
+                 for light in scene['lights'] if 'position' in light]
+    nearest = min(gaps, default=math.inf)
+    return 2.0 ** -52 * max(slopes) / nearest if nearest else math.inf
 
 
 def test_accuracy(tap, options, kind, sets, folder):

@@ -231,7 +231,8 @@ static void check_precision(luxel_precision precision, double bound)
             worst = fmax(worst, off);
         }
     }
-    print_message("# worst pixel: %.3g of the maximum; %.0f %% of the lights in float32\n", worst, 100 * single / scenes);
+    print_message("# worst pixel: %.3g of the maximum; %.0f %% of the lights in float32\n", worst,
+                  100 * single / scenes);
     assert_true(worst <= bound);
 }
 
