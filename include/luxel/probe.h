@@ -51,6 +51,7 @@ typedef struct luxel_probe {
 /*
  * Probes what is seen through the screen point (x, y), which may lie off the screen.
  * The probe is the caller's: free it with luxel_probe_free().
+ * Errors as luxel_render() lists them; LUXEL_ERROR_RANGE: the value is beyond float64.
  */
 LUXEL_API luxel_status luxel_probe_screen(const luxel_scene *scene, const luxel_settings *settings, double x_mm,
                                           double y_mm, luxel_diagnostics *diagnostics, luxel_probe **probe);

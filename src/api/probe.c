@@ -75,7 +75,7 @@ static void sum_lights(const struct lx_session *session, const struct lx_element
     }
     probe->has_value = true;
     probe->value = total.value;
-    probe->error = total.error;
+    probe->error = total.error >= 0 ? total.error : HUGE_VAL; /* the bound itself may leave the range */
     /* Where there is a closed form the default tolerance is always met; an explicit one is checked. */
     double tolerance = session->settings.tolerance;
     probe->tolerance_reached = tolerance == 0 || probe->error <= tolerance * fabs(probe->value);
@@ -105,21 +105,28 @@ static int probe_pixel(const struct lx_session *session, luxel_probe *probe)
         return -1;
     lx_shade_points(&session->plan, memory, lx_row_y_mm(screen, probe->row), x, 1, NULL, false, &value, &mask);
     free(memory);
-    probe->has_pixel_value = true;
     probe->pixel_value = session->settings.precision == LUXEL_DOUBLE ? value : (double)(float)value;
+    probe->has_pixel_value = isfinite(probe->pixel_value);
     return 0;
 }
 
 static luxel_status finish(struct lx_session *session, int failed, luxel_diagnostics *diagnostics, luxel_probe *made,
                            luxel_probe **probe)
 {
+    luxel_status status = LUXEL_OK;
     lx_session_clear(session);
     if (failed) {
-        luxel_probe_free(made);
-        return lx_out_of_memory(diagnostics);
+        status = lx_out_of_memory(diagnostics);
+    } else if (made->has_value && !isfinite(made->value)) {
+        lx_report(diagnostics, LUXEL_SEVERITY_ERROR, NULL, LX_MSG_VALUE_TOO_LARGE, LX_ARGS("double"));
+        lx_hint(diagnostics, LX_MSG_LOWER_STRENGTHS, NULL);
+        status = LUXEL_ERROR_RANGE;
     }
-    *probe = made;
-    return LUXEL_OK;
+    if (status == LUXEL_OK)
+        *probe = made;
+    else
+        luxel_probe_free(made);
+    return status;
 }
 
 static luxel_status open_session(const luxel_scene *scene, const luxel_settings *settings, bool is_finite,
