@@ -52,14 +52,14 @@ static void test_refusals(void **state)
     expect_error(luxel_render(scene, &settings, diagnostics, &field), LUXEL_ERROR_ARGUMENT, diagnostics,
                  "setting-out-of-range");
     luxel_settings_init(&settings);
-    settings.tolerance = NAN;
+    settings.tolerance = nan("");
     expect_error(luxel_probe_screen(scene, &settings, 0, 0, diagnostics, &probe), LUXEL_ERROR_ARGUMENT, diagnostics,
                  "setting-out-of-range");
     luxel_settings_init(&settings);
     settings.instruction_set = "z80";
     expect_error(luxel_render(scene, &settings, diagnostics, &field), LUXEL_ERROR_ARGUMENT, diagnostics,
                  "no-instruction-set");
-    expect_error(luxel_probe_screen(scene, NULL, INFINITY, 0, diagnostics, &probe), LUXEL_ERROR_ARGUMENT, diagnostics,
+    expect_error(luxel_probe_screen(scene, NULL, HUGE_VAL, 0, diagnostics, &probe), LUXEL_ERROR_ARGUMENT, diagnostics,
                  "bad-place");
     const double place[3] = {0, 0, 0}, zero[3] = {0, 0, 0};
     expect_error(luxel_probe_element(scene, NULL, place, zero, diagnostics, &probe), LUXEL_ERROR_ARGUMENT, diagnostics,
