@@ -21,7 +21,8 @@ WARNINGS_ARE_ERRORS = --werror
 
 # One thing at a time: the parallel work is Ninja's.
 .NOTPARALLEL:
-.PHONY: build help setup run check bench install clean check-clang check-sanitize check-valgrind format
+.PHONY: build help setup run check bench install clean check-clang check-sanitize check-valgrind format \
+    docs abi po packages check-packages
 
 build: $(BUILD)/build.ninja
 	@$(COMPILE) $(BUILD)
@@ -36,7 +37,12 @@ help:
 	@echo 'make check-valgrind  the unit tests under valgrind'
 	@echo 'make bench           run the benchmarks'
 	@echo 'make install         install under PREFIX ($(PREFIX)); DESTDIR is honoured'
+	@echo 'make docs            the reference pages of the library in $(BUILD)/docs/reference/html, by Doxygen'
+	@echo 'make packages        the Debian packages in $(BUILD)/packages, judged by lintian'
+	@echo 'make check-packages  the same, installed into a fresh Debian and tried there'
+	@echo 'make abi             add new functions to the list of exported symbols'
 	@echo 'make format          format the C sources with clang-format'
+	@echo 'make po              take new texts from the sources into the translations (po/)'
 	@echo 'make clean           remove what was built'
 	@echo
 	@echo 'Variables: BUILD (build folder), RUN (arguments of luxel render), TESTS (arguments of meson test).'
@@ -81,8 +87,38 @@ check-valgrind: build
 	@$(VALGRIND) $(BUILD)/cli/luxel probe --json >/dev/null
 	@$(RUN_TESTS) $(BUILD) --num-processes $(JOBS) --suite unit --timeout-multiplier 50 --wrapper='$(VALGRIND)'
 
-install: build
+# A PREFIX that is given now holds, whatever the folder was configured for.
+install: $(BUILD)/build.ninja
+	@$(if $(filter command environment,$(firstword $(origin PREFIX))),$(MESON) configure $(BUILD) --prefix $(PREFIX))
+	@$(COMPILE) $(BUILD)
 	@$(MESON) install -C $(BUILD) --no-rebuild
+	@test -n "$(DESTDIR)" || test "$$(id -u)" != 0 || ldconfig 2>/dev/null || true
+
+docs: $(BUILD)/build.ninja
+	@tools/setup docs
+	@test -e $(BUILD)/docs/reference/Doxyfile || $(MESON) setup --reconfigure $(BUILD) >/dev/null
+	@$(COMPILE) $(BUILD) docs
+	@echo "$(BUILD)/docs/reference/html/index.html"
+
+abi: build
+	@$(COMPILE) $(BUILD) abi
+
+packages:
+	@tools/setup packages
+	@tools/packages $(BUILD)/packages
+
+check-packages: packages
+	@tools/check_packages $(BUILD)/packages
+
+# What is not translated yet is listed at the end.
+po: setup $(BUILD)/build.ninja
+	@$(COMPILE) $(BUILD) luxel-pot
+	@for language in $$(grep -v '^#' po/LINGUAS); do \
+	    msgmerge --quiet --update --backup=none --no-fuzzy-matching --add-location=file po/$$language.po po/luxel.pot && \
+	    msgattrib --no-obsolete --output-file=po/$$language.po po/$$language.po && \
+	    msgattrib --untranslated --no-location po/$$language.po && \
+	    msgfmt --check --statistics --output-file=/dev/null po/$$language.po || exit 1; \
+	done
 
 format:
 	@find include src cli tests bench fuzz -name '*.[ch]' 2>/dev/null | xargs clang-format -i

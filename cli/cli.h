@@ -3,13 +3,16 @@
 #ifndef LUXEL_CLI_CLI_H
 #define LUXEL_CLI_CLI_H
 
+#include <libintl.h>
+#include <stdbool.h>
 #include <stddef.h>
 
 /*
  * Every text for people goes through one of these: _() where it is printed, N_() where a constant table holds
- * it and the printing place calls _() later.  They are the names that gettext's tools look for.
+ * it and the printing place calls _() later, ngettext() where a number decides its form.  They are the names that
+ * gettext's tools look for.  JSON is never translated.
  */
-#define _(text) (text)
+#define _(text) gettext(text)
 #define N_(text) text
 
 #define COUNT_OF(array) (sizeof(array) / sizeof(array)[0])
@@ -31,7 +34,18 @@ enum command_bit {
     COMMAND_SCENE = 1 << 3,
     COMMAND_HELP = 1 << 4,
     COMMAND_NONE = 1 << 5, /* `luxel --version` */
-    COMMAND_ANY = COMMAND_RENDER | COMMAND_PROBE | COMMAND_CHECK | COMMAND_SCENE | COMMAND_HELP
+    COMMAND_SCHEMA = 1 << 6,
+    COMMAND_SET = 1 << 7,
+    COMMAND_ANY = COMMAND_RENDER | COMMAND_PROBE | COMMAND_CHECK | COMMAND_SCENE | COMMAND_SET | COMMAND_SCHEMA |
+                  COMMAND_HELP
+};
+
+/* What may stand behind a command, for those who complete it. */
+enum operand_kind {
+    OPERAND_SCENE, /* a file, a built-in scene, or - */
+    OPERAND_NAME,  /* a built-in scene */
+    OPERAND_TOPIC, /* a command, a key or a kind */
+    OPERAND_NONE
 };
 
 struct options;
@@ -39,22 +53,33 @@ struct options;
 struct command {
     const char *name;
     unsigned bit;
-    const char *operand;                       /* as the usage line shows it */
+    const char *operand;                       /* as the usage line shows it; NULL: it takes none */
+    enum operand_kind operand_kind;
+    const char *assignments;                   /* operands behind it, as the usage line shows each; NULL: none */
     const char *summary;                       /* one line */
     const char *description;                   /* a paragraph */
     const char *examples;                      /* command lines, one a line */
     int (*run)(const struct options *options); /* returns an enum exit_code */
 };
 
-extern const struct command command_render, command_probe, command_check, command_scene, command_help;
+extern const struct command command_render, command_probe, command_check, command_scene, command_set, command_schema,
+    command_help;
 
-enum { COMMAND_COUNT = 5 };
+enum { COMMAND_COUNT = 7 };
 
 /* All of them, in the order of the help. */
 extern const struct command *const commands[COMMAND_COUNT];
 
 /* The command of that name, or NULL. */
 const struct command *find_command(const char *name);
+
+/* The exit codes with their meanings, in words; the last has none. */
+struct exit_meaning {
+    int code;
+    const char *meaning;
+};
+
+extern const struct exit_meaning exit_meanings[];
 
 /* `luxel` alone: what it is, its commands and some examples, on standard output. */
 void help_print_usage(void);

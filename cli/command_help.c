@@ -2,6 +2,7 @@
 /* luxel help: the commands, and what they do with which options.  Scene keys are help_key.c's. */
 #include "command_help.h"
 
+#include <stdlib.h>
 #include <string.h>
 
 #include <luxel/luxel.h>
@@ -45,8 +46,32 @@ void help_print_usage(void) {
                    "luxel help shininess");
 }
 
+/* "Exit codes: 0 done, 2 wrong usage, ..." */
+static void print_exit_codes(void)
+{
+    char *line = NULL;
+    size_t size;
+    FILE *text = open_memstream(&line, &size);
+
+    if (!text)
+        return;
+    fputs(_("Exit codes:"), text);
+    for (size_t i = 0; exit_meanings[i].meaning; i++)
+        fprintf(text, "%s %d %s", i > 0 ? "," : "", exit_meanings[i].code, _(exit_meanings[i].meaning));
+    fputc('.', text);
+    if (fclose(text) == 0)
+        text_definition(stdout, "", 0, line);
+    free(line);
+}
+
 void help_print_command(const struct command *command) {
-    printf(_("Usage: luxel %s [%s] [OPTION]...\n\n"), command->name, _(command->operand));
+    if (command->assignments)
+        printf(_("Usage: luxel %s %s %s... [OPTION]...\n\n"), command->name, _(command->operand),
+               _(command->assignments));
+    else if (command->operand)
+        printf(_("Usage: luxel %s [%s] [OPTION]...\n\n"), command->name, _(command->operand));
+    else
+        printf(_("Usage: luxel %s [OPTION]...\n\n"), command->name);
     text_definition(stdout, "", 0, _(command->summary));
     fputc('\n', stdout);
     text_definition(stdout, "", 0, _(command->description));
@@ -54,10 +79,7 @@ void help_print_command(const struct command *command) {
     options_print_help(stdout, command->bit);
     print_examples(command->examples);
     fputc('\n', stdout);
-    text_definition(
-        stdout, "", 0,
-        _("Exit codes: 0 done, 2 wrong usage, 3 a scene with errors, 4 a file could not be read or written, "
-          "5 a tolerance was not reached, 130 interrupted."));
+    print_exit_codes();
 }
 
 static int run(const struct options *options) {
@@ -81,6 +103,7 @@ const struct command command_help = {
     .name = "help",
     .bit = COMMAND_HELP,
     .operand = N_("TOPIC"),
+    .operand_kind = OPERAND_TOPIC,
     .summary = N_("explain a command or a key of a scene"),
     .description = N_("TOPIC is a command, a key such as lights[].intensity or just intensity, or a type of surface or "
                       "light such as spot. With --json keys are described as JSON; all of them without a TOPIC."),

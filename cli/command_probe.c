@@ -58,7 +58,7 @@ static void print_point(const struct result *result, size_t i) {
         return;
     }
     printf("%s: %.15g ± %s %s\n", result_point_name(result, i, name), probe->value, text_error(probe->error, error),
-           result_unit(result));
+           _(result_unit(result)));
     printf(_("  position %s mm, normal (%.9g, %.9g, %.9g)\n"), text_lengths(probe->position_mm, 3, position),
            probe->normal[0] + 0.0, probe->normal[1] + 0.0, probe->normal[2] + 0.0);
     print_pixel(probe);
@@ -68,7 +68,7 @@ static void print_point(const struct result *result, size_t i) {
 
 static void print_text(const struct result *result, const char *name) {
     text_print_escaped(stdout, name);
-    printf(_(": %s in %s\n\n"), result_quantity_word(result), result_unit(result));
+    printf(_(": %s in %s\n\n"), _(result_quantity_word(result)), _(result_unit(result)));
     for (size_t i = 0; i < result->count; i++) {
         print_point(result, i);
         fputc('\n', stdout);

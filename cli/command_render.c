@@ -97,8 +97,8 @@ static void print_statistics(const struct result *result) {
     struct text_table *table = text_table_new("lrrr");
     char heading[TEXT_SIZE], mean[TEXT_SIZE], lit[TEXT_SIZE];
 
-    text_table_row(table, TEXT_CELLS("", text_format(heading, _("value (%s)"), result_unit(result)), _("pixel (u, v)"),
-                                     _("screen x, y (mm)")));
+    text_format(heading, _("value (%s)"), _(result_unit(result)));
+    text_table_row(table, TEXT_CELLS("", heading, _("pixel (u, v)"), _("screen x, y (mm)")));
     add_extremum(table, _("maximum"), &statistics->maximum);
     add_extremum(table, _("minimum above 0"), &statistics->minimum);
     if (statistics->has_surface) {
@@ -141,7 +141,7 @@ static void print_points(const struct result *result) {
 
 static void print_text(const struct result *result, const char *name) {
     text_print_escaped(stdout, name);
-    printf(_(": %s in %s, %u × %u pixels\n\n"), result_quantity_word(result), result_unit(result),
+    printf(_(": %s in %s, %u × %u pixels\n\n"), _(result_quantity_word(result)), _(result_unit(result)),
            luxel_field_columns(result->field), luxel_field_rows(result->field));
     print_statistics(result);
     if (result->count > 0) {

@@ -14,6 +14,7 @@
 #include "cli.h"
 #include "command_help.h"
 #include "json.h"
+#include "language.h"
 #include "message.h"
 #include "text.h"
 
@@ -75,11 +76,22 @@ static bool same_text(const char *a, const char *b) {
     return (!a && !b) || (a && b && strcmp(a, b) == 0);
 }
 
+static bool same_rules(const luxel_parameter *a, const luxel_parameter *b)
+{
+    bool same = a->rule_count == b->rule_count;
+
+    for (size_t i = 0; same && i < a->rule_count; i++)
+        same = a->rules[i].kind == b->rules[i].kind && strcmp(a->rules[i].other, b->rules[i].other) == 0 &&
+               same_text(a->rules[i].choices, b->rules[i].choices);
+    return same;
+}
+
 /* Whether two rows of the table say the same but for the type that they belong to. */
 static bool same_parameter(const luxel_parameter *a, const luxel_parameter *b) {
     return same_text(a->path, b->path) && same_text(a->type, b->type) && same_text(a->choices, b->choices) &&
            same_text(a->unit, b->unit) && same_text(a->default_value, b->default_value) && a->required == b->required &&
-           same_text(a->legal, b->legal) && same_text(a->advised, b->advised) && same_text(a->meaning, b->meaning);
+           same_text(a->legal, b->legal) && same_text(a->advised, b->advised) && same_text(a->meaning, b->meaning) &&
+           same_rules(a, b);
 }
 
 static bool is_first_of_its_kind(const luxel_parameters *keys, size_t i) {
@@ -110,13 +122,34 @@ static void add_line(struct text_table *table, const char *name, const char *val
         text_table_row(table, TEXT_CELLS(name, value));
 }
 
+static void add_rule(struct text_table *table, const luxel_rule *rule)
+{
+    char words[TEXT_SIZE];
+    const char *choices = rule->choices ? rule->choices : "";
+
+    switch (rule->kind) {
+    case LUXEL_RULE_EXCLUDES: add_line(table, _("excludes"), rule->other); break;
+    case LUXEL_RULE_NEEDED:
+        add_line(table, _("required"), text_format(words, _("with %s: %s"), rule->other, choices));
+        break;
+    case LUXEL_RULE_USED:
+        add_line(table, _("has effect"), text_format(words, _("only with %s: %s"), rule->other, choices));
+        break;
+    case LUXEL_RULE_AT_MOST: add_line(table, _("at most"), rule->other); break;
+    case LUXEL_RULE_DIFFERS: add_line(table, _("must differ"), text_format(words, _("from %s"), rule->other)); break;
+    case LUXEL_RULE_POSITIVE:
+        add_line(table, _("must be > 0"), text_format(words, _("with %s: %s"), rule->other, choices));
+        break;
+    }
+}
+
 static void print_parameter(const luxel_parameters *keys, size_t i) {
     const luxel_parameter *parameter = luxel_parameters_get(keys, i);
     struct text_table *table = text_table_new("ll");
     char variants[TEXT_SIZE];
 
     printf("%s\n", parameter->path);
-    text_definition(stdout, "", 2, _(parameter->meaning));
+    text_definition(stdout, "", 2, parameter->meaning);
     add_line(table, _("of type"), list_variants(keys, i, variants));
     add_line(table, _("type"), parameter->type);
     add_line(table, _("choices"), parameter->choices);
@@ -124,11 +157,31 @@ static void print_parameter(const luxel_parameters *keys, size_t i) {
     add_line(table, _("default"), parameter->required ? _("none, it is required") : parameter->default_value);
     add_line(table, _("legal"), parameter->legal);
     add_line(table, _("advised"), parameter->advised);
+    for (size_t r = 0; r < parameter->rule_count; r++)
+        add_rule(table, &parameter->rules[r]);
     text_table_print(table, stdout, 2);
 }
 
-static void print_text(const luxel_parameters *keys, const char *topic, enum match wanted) {
+/* What a topic such as "spot" is, with an example. */
+static const char *print_kinds(const luxel_parameters *keys, const char *topic)
+{
     const char *separator = "";
+    const luxel_kind *kind;
+
+    for (size_t i = 0; (kind = luxel_parameters_kind(keys, i)) != NULL; i++) {
+        if (!topic || strcmp(kind->name, topic) != 0)
+            continue;
+        printf(_("%s%s of the list %s\n"), separator, kind->name, kind->list);
+        text_definition(stdout, "", 2, kind->meaning);
+        if (kind->example)
+            printf(_("  such as  %s\n"), kind->example);
+        separator = "\n";
+    }
+    return separator;
+}
+
+static void print_text(const luxel_parameters *keys, const char *topic, enum match wanted) {
+    const char *separator = print_kinds(keys, topic);
 
     for (size_t i = 0; i < luxel_parameters_count(keys); i++) {
         if (match_parameter(topic, luxel_parameters_get(keys, i)) != wanted || !is_first_of_its_kind(keys, i))
@@ -152,11 +205,53 @@ static void print_below(const luxel_parameters *keys, const char *topic) {
         if (count++ == 0)
             text_table_line(table, _("keys below:"));
         text_table_row(
-            table, TEXT_CELLS(parameter->path, parameter->variant ? parameter->variant : "", _(parameter->meaning)));
+            table, TEXT_CELLS(parameter->path, parameter->variant ? parameter->variant : "", parameter->meaning));
     }
     if (count > 0)
         fputc('\n', stdout);
     text_table_print(table, stdout, 2);
+}
+
+static const char *rule_word(luxel_rule_kind kind)
+{
+    static const char *const words[] = {
+        [LUXEL_RULE_EXCLUDES] = "excludes",   [LUXEL_RULE_NEEDED] = "required_with",
+        [LUXEL_RULE_USED] = "used_only_with", [LUXEL_RULE_AT_MOST] = "at_most",
+        [LUXEL_RULE_DIFFERS] = "differs",     [LUXEL_RULE_POSITIVE] = "positive_with",
+    };
+
+    return words[kind];
+}
+
+static void write_rules(struct json *json, const luxel_parameter *parameter)
+{
+    json_open(json, "rules", '[');
+    for (size_t r = 0; r < parameter->rule_count; r++) {
+        json_open(json, NULL, '{');
+        json_text(json, "rule", rule_word(parameter->rules[r].kind));
+        json_text(json, "key", parameter->rules[r].other);
+        json_text(json, "choices", parameter->rules[r].choices);
+        json_close(json, '}');
+    }
+    json_close(json, ']');
+}
+
+static void write_kinds(struct json *json, const luxel_parameters *keys, const char *topic)
+{
+    const luxel_kind *kind;
+
+    json_open(json, "kinds", '[');
+    for (size_t i = 0; (kind = luxel_parameters_kind(keys, i)) != NULL; i++) {
+        if (topic && strcmp(topic, kind->name) != 0)
+            continue;
+        json_open(json, NULL, '{');
+        json_text(json, "list", kind->list);
+        json_text(json, "name", kind->name);
+        json_text(json, "meaning", kind->meaning);
+        json_text(json, "example", kind->example);
+        json_close(json, '}');
+    }
+    json_close(json, ']');
 }
 
 static void print_json(const luxel_parameters *keys, const char *topic) {
@@ -180,9 +275,11 @@ static void print_json(const luxel_parameters *keys, const char *topic) {
         json_text(&json, "legal", parameter->legal);
         json_text(&json, "advised", parameter->advised);
         json_text(&json, "meaning", parameter->meaning);
+        write_rules(&json, parameter);
         json_close(&json, '}');
     }
     json_close(&json, ']');
+    write_kinds(&json, keys, topic);
     json_close(&json, '}');
 }
 
@@ -213,7 +310,8 @@ static int report_unknown_topic(const luxel_parameters *keys, const char *topic)
 }
 
 int help_print_keys(const char *topic, bool as_json) {
-    luxel_parameters *keys = luxel_parameters_new();
+    luxel_parameters *keys =
+        luxel_parameters_new_translated(as_json ? NULL : language_translate, NULL);
     char *path = topic ? normal_path(topic) : NULL;
     enum match best = MATCH_NONE;
     int code = EXIT_DONE;

@@ -8,6 +8,7 @@
 #include <unistd.h>
 
 #include "cli.h"
+#include "language.h"
 #include "message.h"
 
 static const char default_scene[] = "report";
@@ -41,7 +42,7 @@ static int read_standard_input(char **text, size_t *length) {
         const ssize_t got = read(STDIN_FILENO, *text + *length, capacity - *length);
 
         if (got < 0) {
-            message_error(_("standard input could not be read: %s"), strerror(errno));
+            message_error(_("standard input could not be read: %s"), language_reason(errno));
             return EXIT_FILE;
         }
         *length += (size_t)got;
@@ -99,18 +100,47 @@ static int open_file(const char *path, struct loaded *loaded) {
     return status == LUXEL_OK ? EXIT_DONE : message_failure(status, loaded->diagnostics);
 }
 
-/* A file goes before a built-in scene of the same name, so that a new built-in never takes a file away. */
-static int open_scene(const char *operand, bool only_builtin, struct loaded *loaded) {
+/*
+ * A file goes before a built-in scene of the same name, so that a new built-in never takes a file away; but where
+ * built-in ones are asked for, they go first, or `luxel scene report > report` would read what it is about to write.
+ */
+static int open_scene(const char *operand, bool builtin_first, struct loaded *loaded)
+{
     const bool is_builtin = load_find_builtin(operand) < luxel_builtin_scene_count();
+    const bool is_file = operand && access(operand, F_OK) == 0;
 
     loaded->name = operand ? operand : default_scene;
-    if (!operand || only_builtin)
-        return open_builtin(loaded->name, loaded);
-    if (strcmp(operand, "-") == 0)
+    if (operand && strcmp(operand, "-") == 0)
         return open_standard_input(loaded);
-    if (is_builtin && access(operand, F_OK) != 0)
-        return open_builtin(operand, loaded);
+    if (!operand || (is_builtin && (builtin_first || !is_file)) || (builtin_first && !is_file))
+        return open_builtin(loaded->name, loaded);
     return open_file(operand, loaded);
+}
+
+static bool was_given(const struct options *options, const char *name)
+{
+    for (size_t i = 0; options_row(i); i++)
+        if (strcmp(options_row(i)->name, name) == 0)
+            return (options->given & 1U << i) != 0;
+    return false;
+}
+
+/* The options as they count for this scene: a picture's own settings are the defaults of those not given. */
+static struct options with_settings_of(const struct options *options, const luxel_scene *scene)
+{
+    struct options merged = *options;
+
+    if (!luxel_scene_settings(scene, &merged.settings))
+        return merged;
+    if (was_given(options, "quantity"))
+        merged.settings.quantity = options->settings.quantity;
+    if (was_given(options, "precision"))
+        merged.settings.precision = options->settings.precision;
+    if (was_given(options, "tolerance"))
+        merged.settings.tolerance = options->settings.tolerance;
+    if (was_given(options, "light-error"))
+        merged.settings.light_error = options->settings.light_error;
+    return merged;
 }
 
 /* Goes on after an error, to report all of them; a path that names nothing weighs most. */
@@ -139,12 +169,12 @@ static int refuse_advice(const struct loaded *loaded) {
     return EXIT_SCENE;
 }
 
-int load_scene(const struct options *options, bool only_builtin, struct loaded *loaded) {
+int load_scene(const struct options *options, bool builtin_first, struct loaded *loaded) {
     luxel_status status;
     int code;
 
     *loaded = (struct loaded){.diagnostics = message_new_diagnostics()};
-    code = open_scene(options->operand, only_builtin, loaded);
+    code = open_scene(options->operand, builtin_first, loaded);
     if (code != EXIT_DONE)
         return code;
     status = change_and_commit(options, loaded);
@@ -162,8 +192,11 @@ int load_and(const struct options *options, int (*action)(const struct options *
     struct loaded loaded;
     int code = load_scene(options, false, &loaded);
 
-    if (code == EXIT_DONE)
-        code = action(options, &loaded);
+    if (code == EXIT_DONE) {
+        const struct options merged = with_settings_of(options, loaded.scene);
+
+        code = action(&merged, &loaded);
+    }
     load_clear(&loaded);
     return code;
 }

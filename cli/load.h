@@ -17,13 +17,16 @@ struct loaded {
 
 /*
  * Reads the scene, applies -s, commits, and with --strict turns advice into errors.  Errors are printed here.
- * Returns an enum exit_code; load_clear() is due in either case.  SCENE is `-`, a file, or where no such file
- * exists a built-in name; only the last where `only_builtin` is true.
+ * Returns an enum exit_code; load_clear() is due in either case.  SCENE is `-`, a file (a scene, or a picture that
+ * carries one) or a built-in name; of a name that is both it is the file, unless `builtin_first`.
  */
-int load_scene(const struct options *options, bool only_builtin, struct loaded *loaded);
+int load_scene(const struct options *options, bool builtin_first, struct loaded *loaded);
 void load_clear(struct loaded *loaded);
 
-/* Loads a scene and, if it is ready, does `action` with it.  Returns an enum exit_code. */
+/*
+ * Loads a scene and, if it is ready, does `action` with it and with the options as they count for it: those that are
+ * not given are the settings that a picture carries.  Returns an enum exit_code.
+ */
 int load_and(const struct options *options, int (*action)(const struct options *, const struct loaded *));
 
 /* The index of a built-in scene (NULL: the default one), or the number of them. */

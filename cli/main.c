@@ -11,19 +11,10 @@
 #include <luxel/luxel.h>
 
 #include "cli.h"
+#include "language.h"
 #include "message.h"
 #include "options.h"
 #include "progress.h"
-
-const struct command *const commands[COMMAND_COUNT] = {&command_render, &command_probe, &command_check, &command_scene,
-                                                       &command_help};
-
-const struct command *find_command(const char *name) {
-    for (size_t i = 0; i < COMMAND_COUNT; i++)
-        if (strcmp(commands[i]->name, name) == 0)
-            return commands[i];
-    return NULL;
-}
 
 /*
  * A standard stream that the caller closed must not become the first file that is opened.  Each is replaced by
@@ -41,7 +32,7 @@ static void keep_standard_streams(void) {
 static int finish_output(int code) {
     if (fflush(stdout) == 0 && !ferror(stdout) && fclose(stdout) == 0)
         return code;
-    message_error(_("standard output could not be written: %s"), strerror(errno));
+    message_error(_("standard output could not be written: %s"), language_reason(errno));
     return EXIT_FILE;
 }
 
@@ -79,6 +70,7 @@ int main(int argc, char **argv) {
     int code;
 
     keep_standard_streams();
+    language_begin();
     signal(SIGPIPE, SIG_IGN); /* a reader who goes away is an error of output like any other */
     progress_catch_interrupt();
     code = options_read(argc, argv, &options);

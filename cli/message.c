@@ -11,6 +11,7 @@
 #include <unistd.h>
 
 #include "cli.h"
+#include "language.h"
 #include "text.h"
 
 static bool wants_colour(FILE *stream) {
@@ -104,8 +105,8 @@ static void print_excerpt(FILE *stream, const luxel_diagnostic *entry) {
 
 static void print_entry(FILE *stream, const luxel_diagnostics *diagnostics, size_t i, luxel_severity shown_as) {
     const luxel_diagnostic *entry = luxel_diagnostics_get(diagnostics, i);
-    char *message = luxel_diagnostics_message(diagnostics, i, NULL, NULL);
-    char *hint = luxel_diagnostics_hint(diagnostics, i, NULL, NULL);
+    char *message = luxel_diagnostics_message(diagnostics, i, language_translate, NULL);
+    char *hint = luxel_diagnostics_hint(diagnostics, i, language_translate, NULL);
 
     text_print_escaped(stream, entry->source ? entry->source : "luxel");
     if (entry->line > 0)
@@ -133,9 +134,9 @@ void message_diagnostics(FILE *stream, const luxel_diagnostics *diagnostics, lux
         left--;
     }
     if (left > 0 && shown_as == LUXEL_SEVERITY_ERROR)
-        fprintf(stream, left == 1 ? _("and %zu more error\n") : _("and %zu more errors\n"), left);
+        fprintf(stream, ngettext("and %zu more error\n", "and %zu more errors\n", left), left);
     else if (left > 0)
-        fprintf(stream, _("and %zu more lines of advice\n"), left);
+        fprintf(stream, ngettext("and %zu more line of advice\n", "and %zu more lines of advice\n", left), left);
 }
 
 int message_failure(luxel_status status, luxel_diagnostics *diagnostics) {

@@ -15,15 +15,8 @@
 #include "message.h"
 #include "text.h"
 
-struct option_row {
-    const char *name;
-    char letter;                                                 /* 0: none */
-    const char *argument;                                        /* as the help shows it; NULL: a flag */
-    unsigned commands;                                           /* those that take it */
-    bool (*take)(struct options *options, const char *argument); /* reports what is wrong itself */
-    size_t flag; /* of a flag: the offset of its bool in struct options */
-    const char *help;
-};
+static const char *const quantity_words[] = {"brightness", "irradiance", NULL};
+static const char *const precision_words[] = {"single", "double", NULL};
 
 static bool take_output(struct options *options, const char *argument) {
     options->outputs[options->output_count++] = argument;
@@ -54,31 +47,29 @@ static bool take_assignment(struct options *options, const char *argument) {
     return true;
 }
 
-/* Finds a word among a few; reports the nearest if it is none of them. */
-static bool take_word(const char *option, const char *argument, const char *const *words, size_t count, size_t *found) {
-    for (*found = 0; *found < count; ++*found)
+/* Finds a word among two; reports the nearer if it is none of them. */
+static bool take_word(const char *option, const char *argument, const char *const *words, size_t *found) {
+    for (*found = 0; words[*found]; ++*found)
         if (strcmp(argument, words[*found]) == 0)
             return true;
     message_error(_("%s %s: %s or %s is expected"), option, argument, words[0], words[1]);
-    message_did_you_mean(luxel_nearest_word(argument, words, count));
+    message_did_you_mean(luxel_nearest_word(argument, words, *found));
     return false;
 }
 
 static bool take_quantity(struct options *options, const char *argument) {
-    static const char *const words[] = {"brightness", "irradiance"};
     size_t found;
 
-    if (!take_word("--quantity", argument, words, COUNT_OF(words), &found))
+    if (!take_word("--quantity", argument, quantity_words, &found))
         return false;
     options->settings.quantity = found == 0 ? LUXEL_BRIGHTNESS : LUXEL_IRRADIANCE;
     return true;
 }
 
 static bool take_precision(struct options *options, const char *argument) {
-    static const char *const words[] = {"single", "double"};
     size_t found;
 
-    if (!take_word("--precision", argument, words, COUNT_OF(words), &found))
+    if (!take_word("--precision", argument, precision_words, &found))
         return false;
     options->settings.precision = found == 0 ? LUXEL_SINGLE : LUXEL_DOUBLE;
     return true;
@@ -116,22 +107,25 @@ static bool take_threads(struct options *options, const char *argument) {
 
 #define TAKES(function) .take = (function)
 #define SETS(member) .flag = offsetof(struct options, member)
+#define WORDS(list) .value = VALUE_WORD, .words = (list)
 
 static const struct option_row rows[] = {
-    {"output", 'o', N_("FILE"), COMMAND_RENDER, TAKES(take_output),
-     .help = N_("write the picture, by the ending of the name: .png (8-bit grey), .pfm, .npy; may be repeated")},
+    {"output", 'o', N_("FILE"), COMMAND_RENDER | COMMAND_SET, TAKES(take_output), .value = VALUE_OUTPUT,
+     .help = N_("write the scene (luxel set; - is standard output) or the picture, in the format that the ending of "
+                "the name says; may be repeated")},
+    {"dry-run", 'n', NULL, COMMAND_SET, SETS(dry_run), .help = N_("print the changed scene and write no file")},
     {"point", 'p', N_("X,Y"), COMMAND_PROBE, TAKES(take_point),
      .help = N_("probe this point of the screen, in mm, instead of the scene's own points; may be repeated")},
     {"at", 0, N_("X,Y,Z,NX,NY,NZ"), COMMAND_PROBE, TAKES(take_element),
      .help = N_("probe a free surface element: its position in mm and its normal; may be repeated")},
     {"list", 0, NULL, COMMAND_SCENE, SETS(list), .help = N_("list the built-in scenes")},
-    {"set", 's', N_("KEY=VALUE"), COMMAND_ANY, TAKES(take_assignment),
+    {"set", 's', N_("KEY=VALUE"), COMMAND_ANY, TAKES(take_assignment), .value = VALUE_ASSIGNMENT,
      .help = N_("change one value of the scene, such as lights[0].intensity=20; the value is YAML; may be repeated")},
-    {"quantity", 0, N_("NAME"), COMMAND_ANY, TAKES(take_quantity),
+    {"quantity", 0, N_("NAME"), COMMAND_ANY, TAKES(take_quantity), WORDS(quantity_words),
      .help = N_("what to compute: brightness (default) or irradiance")},
     {"tolerance", 0, N_("T"), COMMAND_ANY, TAKES(take_tolerance),
      .help = N_("relative error that a probe may have, above 0 and below 1; exit code 5 where it is not reached")},
-    {"precision", 0, N_("NAME"), COMMAND_ANY, TAKES(take_precision),
+    {"precision", 0, N_("NAME"), COMMAND_ANY, TAKES(take_precision), WORDS(precision_words),
      .help = N_("numbers of the picture: single (default) or double")},
     {"threads", 0, N_("N"), COMMAND_ANY, TAKES(take_threads),
      .help = N_("threads to compute with, 1 to 1024; the default is one per processor; results do not depend on it")},
@@ -146,6 +140,11 @@ static const struct option_row rows[] = {
 };
 
 enum { ROW_COUNT = COUNT_OF(rows), LONG_BASE = 256 }; /* getopt's value of a long option is LONG_BASE + row */
+
+const struct option_row *options_row(size_t i)
+{
+    return i < ROW_COUNT ? &rows[i] : NULL;
+}
 
 static const struct option_row *row_of_value(int value) {
     if (value >= LONG_BASE)
@@ -259,7 +258,20 @@ static bool report_unknown_command(const char *typed) {
     return false;
 }
 
-/* COMMAND [SCENE], and nothing more. */
+/* Operands behind the first one: assignments, where the command takes them. */
+static bool read_more_operands(int count, char **operands, struct options *options)
+{
+    if (options->command->assignments) {
+        for (int i = 0; i < count; i++)
+            take_assignment(options, operands[i]);
+        return true;
+    }
+    message_error(_("luxel %s takes one %s at most: \"%s\" is one too many"), options->command->name,
+                  _(options->command->operand), operands[0]);
+    return false;
+}
+
+/* COMMAND [SCENE], and for some KEY=VALUE... */
 static bool read_operands(int count, char **operands, struct options *options) {
     if (count == 0)
         return true;
@@ -268,11 +280,13 @@ static bool read_operands(int count, char **operands, struct options *options) {
         return report_unknown_command(operands[0]);
     if (count > 1)
         options->operand = operands[1];
-    if (count <= 2)
+    if (count <= (options->command->operand ? 2 : 1))
         return true;
-    message_error(_("luxel %s takes one %s at most: \"%s\" is one too many"), options->command->name,
-                  _(options->command->operand), operands[2]);
-    return false;
+    if (!options->command->operand) {
+        message_error(_("luxel %s takes no argument: \"%s\" is one too many"), options->command->name, operands[1]);
+        return false;
+    }
+    return read_more_operands(count - 2, operands + 2, options);
 }
 
 /* Every option that was given must be one that the command takes. */
@@ -287,7 +301,7 @@ static bool check_commands(const struct options *options) {
         else
             message_error(_("--%s needs a command before it"), rows[i].name);
         for (size_t k = 0; k < COMMAND_COUNT; k++)
-            if (rows[i].commands == commands[k]->bit)
+            if ((rows[i].commands & commands[k]->bit) && (rows[i].commands & COMMAND_ANY) != COMMAND_ANY)
                 message_hint(_("luxel %s takes it"), commands[k]->name);
         return false;
     }
@@ -315,17 +329,32 @@ void options_clear(struct options *options) {
     free(options->places);
 }
 
+/* The help of an option; that of an output with the endings that there are. */
+static const char *help_of(const struct option_row *row, char buffer[2 * TEXT_SIZE])
+{
+    const char *help = _(row->help);
+    size_t used = strlen(help);
+
+    if (row->value != VALUE_OUTPUT)
+        return help;
+    snprintf(buffer, 2 * TEXT_SIZE, "%s", help);
+    for (size_t i = 0; luxel_output_ending(i) && used < 2 * TEXT_SIZE; i++)
+        used += (size_t)snprintf(buffer + used, 2 * TEXT_SIZE - used, "%s%s", i > 0 ? ", " : ": ",
+                                 luxel_output_ending(i));
+    return buffer;
+}
+
 void options_print_help(FILE *stream, unsigned command_bit) {
     enum { INDENT = 24 };
 
     for (size_t i = 0; i < ROW_COUNT; i++) {
-        char left[TEXT_SIZE], letter[TEXT_SIZE];
+        char left[TEXT_SIZE], letter[TEXT_SIZE], help[2 * TEXT_SIZE];
 
         if (!(rows[i].commands & command_bit))
             continue;
         text_format(letter, "-%c,", rows[i].letter);
         text_format(left, "  %3s --%s%s%s", rows[i].letter != 0 ? letter : "", rows[i].name,
                     rows[i].argument ? " " : "", rows[i].argument ? _(rows[i].argument) : "");
-        text_definition(stream, left, INDENT, _(rows[i].help));
+        text_definition(stream, left, INDENT, help_of(&rows[i], help));
     }
 }

@@ -27,9 +27,32 @@ struct options {
     struct option_place *places; /* of -p and --at, in order */
     size_t place_count;
     luxel_settings settings; /* its tolerance is 0 unless one was asked for */
-    bool strict, json, quiet, list, help, version;
+    bool strict, json, quiet, list, dry_run, help, version;
     unsigned given; /* one bit for each row of the table */
 };
+
+/* What an option's argument may be, for those who complete it. */
+enum option_value {
+    VALUE_FREE,      /* nothing that could be listed, or no argument */
+    VALUE_WORD,      /* one of `words` */
+    VALUE_OUTPUT,    /* a file with one of the endings that pictures have */
+    VALUE_ASSIGNMENT /* KEY=VALUE */
+};
+
+struct option_row {
+    const char *name;
+    char letter;                                                 /* 0: none */
+    const char *argument;                                        /* as the help shows it; NULL: a flag */
+    unsigned commands;                                           /* those that take it */
+    bool (*take)(struct options *options, const char *argument); /* reports what is wrong itself */
+    size_t flag; /* of a flag: the offset of its bool in struct options */
+    enum option_value value;
+    const char *const *words; /* of VALUE_WORD, NULL-terminated */
+    const char *help;
+};
+
+/* The i-th option of the table, NULL beyond the last. */
+const struct option_row *options_row(size_t i);
 
 /*
  * Reads the command line; the texts stay argv's.  Returns an enum exit_code: a wrong one is reported here.

@@ -8,6 +8,8 @@
 #include <math.h>
 #include <signal.h>
 #include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
 #include <time.h>
 #include <unistd.h>
 
@@ -36,7 +38,10 @@ static double now_s(void) {
 }
 
 void progress_begin(struct progress *progress, bool quiet) {
-    *progress = (struct progress){.wanted = !quiet && isatty(STDERR_FILENO), .start_s = now_s()};
+    const char *terminal = getenv("TERM");
+    const bool erases = terminal && strcmp(terminal, "dumb") != 0;
+
+    *progress = (struct progress){.wanted = !quiet && erases && isatty(STDERR_FILENO), .start_s = now_s()};
     cancellable = 1;
 }
 
@@ -53,7 +58,9 @@ bool progress_report(double done, void *data) {
     if (now - progress->start_s < patience_s || now - progress->last_s < pause_s || !(done > 0.0))
         return true;
     left_s = (now - progress->start_s) * (1.0 - done) / done;
-    fprintf(stderr, _("\r%3.0f %%, %.0f s left\033[K"), 100.0 * done, ceil(left_s));
+    fputc('\r', stderr);
+    fprintf(stderr, _("%3.0f %%, %.0f s left"), 100.0 * done, ceil(left_s));
+    fputs("\033[K", stderr);
     progress->last_s = now;
     return true;
 }

@@ -6,7 +6,7 @@
 #include <stdbool.h>
 
 struct progress {
-    bool wanted; /* standard error is a terminal and the user did not ask for quiet */
+    bool wanted; /* standard error is a terminal that can erase, and the user did not ask for quiet */
     double start_s, last_s;
 };
 

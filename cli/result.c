@@ -53,17 +53,15 @@ void result_clear(struct result *result) {
 }
 
 const char *result_quantity_word(const struct result *result) {
-    return result->options->settings.quantity == LUXEL_IRRADIANCE ? "irradiance" : "brightness";
+    return result->options->settings.quantity == LUXEL_IRRADIANCE ? N_("irradiance") : N_("brightness");
 }
 
 const char *result_unit(const struct result *result) {
     return luxel_scene_unit(result->scene, result->options->settings.quantity);
 }
 
-/* Why a point of a surface has no value. */
-static const char *reason_of(const luxel_probe *probe, char buffer[TEXT_SIZE]) {
-    return text_format(buffer, _("the source lights[%zu] lies on the element"), probe->blocking_light);
-}
+/* Why a point of a surface has no value: a format for the number of the light. */
+static const char on_element[] = N_("the source lights[%zu] lies on the element");
 
 const char *result_point_name(const struct result *result, size_t i, char buffer[TEXT_SIZE]) {
     const luxel_probe *probe = result->probes[i];
@@ -82,7 +80,8 @@ const char *result_no_value(const struct result *result, size_t i, char buffer[T
     char name[TEXT_SIZE], reason[TEXT_SIZE];
 
     result_point_name(result, i, name);
-    return text_format(buffer, "%s: %s%s", name, probe->on_surface ? reason_of(probe, reason) : _("off the surface"),
+    text_format(reason, probe->on_surface ? _(on_element) : _("off the surface"), probe->blocking_light);
+    return text_format(buffer, "%s: %s%s", name, reason,
                        off_screen ? _(", off the screen") : "");
 }
 
@@ -159,7 +158,7 @@ static void write_probe(struct json *json, const luxel_probe *probe) {
         write_share(json, &probe->shares[i]);
     json_close(json, ']');
     if (probe->source_on_element)
-        json_text(json, "reason", reason_of(probe, reason));
+        json_text(json, "reason", text_format(reason, on_element, probe->blocking_light));
     json_close(json, '}');
 }
 

@@ -4,7 +4,7 @@
  *
  * Row 0 is the top of the picture (largest y), column 0 the smallest x; values lie row by row.  A pixel off
  * every surface holds 0 and is off the mask.  A field is never changed after it was made, so several threads
- * may read it; it keeps nothing of the scene alive.
+ * may read it; it keeps the text of its scene, but nothing of the scene alive.
  */
 #ifndef LUXEL_FIELD_H
 #define LUXEL_FIELD_H
@@ -31,7 +31,7 @@ typedef enum luxel_precision {
     LUXEL_DOUBLE  /* float64: within 1e-11 of the picture's maximum */
 } luxel_precision;
 
-/* A computed picture; made by luxel_render(), the caller's, freed with luxel_field_free(). */
+/* A computed picture; made by luxel_render() or luxel_field_read(), the caller's, freed with luxel_field_free(). */
 typedef struct luxel_field luxel_field;
 
 /* One extreme value and where it is. */
@@ -67,10 +67,16 @@ LUXEL_API unsigned luxel_field_channels(const luxel_field *field);
 LUXEL_API luxel_quantity luxel_field_quantity(const luxel_field *field);
 /* What type the values have. */
 LUXEL_API luxel_precision luxel_field_precision(const luxel_field *field);
-/* The unit in UTF-8, such as "W/sr", "cd/m²" or "relative". */
+/* The unit in UTF-8, such as "W/sr", "cd/m²" or "relative", which lives as long as the field; "" where not known. */
 LUXEL_API const char *luxel_field_unit(const luxel_field *field);
-/* The instruction set whose kernels made it, such as "x86-64-v3". */
+/* The instruction set whose kernels made it, such as "x86-64-v3"; "" for one that was read. */
 LUXEL_API const char *luxel_field_instruction_set(const luxel_field *field);
+/* The scene it shows, as YAML text that lives as long as the field; NULL where it is not known. */
+LUXEL_API const char *luxel_field_scene(const luxel_field *field);
+/* The places of the columns' samples on the screen, from the left, in mm; NULL where they are not known. */
+LUXEL_API const double *luxel_field_x_mm(const luxel_field *field);
+/* The places of the rows' samples on the screen, from the top, in mm; NULL where they are not known. */
+LUXEL_API const double *luxel_field_y_mm(const luxel_field *field);
 
 /* The values, rows x columns, which live as long as the field; NULL for a field of double precision. */
 LUXEL_API const float *luxel_field_single(const luxel_field *field);
@@ -89,13 +95,36 @@ LUXEL_API void luxel_field_grey(const luxel_field *field, uint8_t *grey);
 
 /*
  * Writes the field to a file, by the ending of its name: .png (8-bit grey), .pfm (float32), .npy (float32 or
- * float64).  The file appears whole or not at all; one that was there stays until the new one is complete.
- * LUXEL_ERROR_ARGUMENT: unknown ending.  LUXEL_ERROR_FILE: it could not be written.
+ * float64), .csv (a line for each pixel on a surface: x_mm, y_mm, value), .exr (float32).  PNG and EXR carry the
+ * scene, the quantity, the precision and the unit, so that luxel_scene_read_file() can read the scene from them.
+ * The file appears whole or not at all; one that was there stays until the new one is complete.
+ * LUXEL_ERROR_ARGUMENT: unknown ending, or .csv for a field without places.  LUXEL_ERROR_FILE: it could not be
+ * written.
  */
 LUXEL_API luxel_status luxel_field_write(const luxel_field *field, const char *path, luxel_diagnostics *diagnostics);
 
 /* Whether luxel_field_write() knows the ending of this name; if not, says so in the diagnostics. */
 LUXEL_API luxel_status luxel_check_output_name(const char *path, luxel_diagnostics *diagnostics);
+
+/*
+ * Reads a field from an .npy, .pfm, .csv or .exr file, known by its content or else by its ending; the statistics are
+ * calculated.  Its size is at most 65536 x 65536.
+ *
+ * .npy: (rows, columns) of float32 or float64, either order of bytes and axes.  .pfm: grey, either order of bytes.
+ * .exr: scan lines of a single channel of any name, float32, float16 or whole numbers (which become float32),
+ * compressed without loss.  .csv: the pixels in any order; the field is the smallest grid that holds them, of single
+ * precision if each value is written as .csv files of single precision are.
+ *
+ * What the file does not tell: the mask is then 1 where the value is not 0, as off the surfaces it is 0; the unit is
+ * ""; the quantity is brightness; the places are NULL and those of the extrema NaN.  An .exr file with its scene
+ * tells them all but the mask.
+ * LUXEL_ERROR_FILE: it cannot be read, is damaged or of another kind.  LUXEL_ERROR_MEMORY: it would not fit.
+ * The field is the caller's.
+ */
+LUXEL_API luxel_status luxel_field_read(const char *path, luxel_diagnostics *diagnostics, luxel_field **field);
+
+/* The endings that luxel_field_write() knows: the i-th with its dot, such as ".png"; NULL beyond the last. */
+LUXEL_API const char *luxel_output_ending(size_t i);
 
 #ifdef __cplusplus
 }

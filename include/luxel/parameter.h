@@ -10,13 +10,13 @@
 #include <stdbool.h>
 #include <stddef.h>
 
+#include <luxel/diagnostics.h>
 #include <luxel/status.h>
 
 #ifdef __cplusplus
 extern "C" {
 #endif
 
-/* One key of a scene; the texts are English, in UTF-8. */
 /* What must hold between a key and another one of the same mapping. */
 typedef enum luxel_rule_kind {
     LUXEL_RULE_EXCLUDES, /* the two must not both be given */
@@ -27,12 +27,14 @@ typedef enum luxel_rule_kind {
     LUXEL_RULE_POSITIVE  /* the key must be > 0 where the other is one of the choices */
 } luxel_rule_kind;
 
+/* One such rule, as the key sees it that has the rule. */
 typedef struct luxel_rule {
-    luxel_rule_kind kind;
-    const char *other;
-    const char *choices; /* "lambertian, cosine", or NULL where the kind has none */
+    luxel_rule_kind kind; /* what must hold */
+    const char *other;    /* the other key's name */
+    const char *choices;  /* words of the other key, "lambertian, cosine"; NULL where the kind has none */
 } luxel_rule;
 
+/* One key of a scene; the texts are English unless the list was translated, in UTF-8. */
 typedef struct luxel_parameter {
     const char *path;          /* "screen.width", "lights[].intensity"; a list element is [] */
     const char *variant;       /* the type of surface or light it belongs to ("spot"), NULL for all */
@@ -43,17 +45,17 @@ typedef struct luxel_parameter {
     bool required;             /* whether a scene must write it */
     const char *legal;         /* the legal range in words, or NULL: any */
     const char *advised;       /* the advised range in words, or NULL: none */
-    const char *meaning;       /* one sentence, English */
-    const luxel_rule *rules;   /* rule_count of them */
-    size_t rule_count;
+    const char *meaning;       /* one sentence */
+    const luxel_rule *rules;   /* what must hold between it and other keys: rule_count of them */
+    size_t rule_count;         /* how many rules it has */
 } luxel_parameter;
 
 /* One kind of surface or light: what the key `type` of a list's element may be. */
 typedef struct luxel_kind {
     const char *list;    /* "surfaces" or "lights" */
     const char *name;    /* "spot" */
-    const char *meaning; /* a few words, English */
-    const char *example; /* an element of the list as YAML on one line */
+    const char *meaning; /* a few words */
+    const char *example; /* an element of the list as YAML on one line, or NULL */
 } luxel_kind;
 
 /* A list of parameters, owned by the caller; made by luxel_parameters_new(). */
@@ -61,6 +63,11 @@ typedef struct luxel_parameters luxel_parameters;
 
 /* The list of all parameters, in the order of the scene file; NULL when memory is short. */
 LUXEL_API luxel_parameters *luxel_parameters_new(void);
+/*
+ * The same list with types, units, ranges and meanings in the language of `translate` (NULL: English), which is
+ * called with `data` while the list is made; keys, choices and values stay as they are.  NULL when memory is short.
+ */
+LUXEL_API luxel_parameters *luxel_parameters_new_translated(luxel_translate translate, void *data);
 /* Frees the list and every text in it; NULL is harmless. */
 LUXEL_API void luxel_parameters_free(luxel_parameters *parameters);
 
@@ -69,8 +76,9 @@ LUXEL_API size_t luxel_parameters_count(const luxel_parameters *parameters);
 /* The i-th parameter, which lives as long as the list; NULL beyond the last. */
 LUXEL_API const luxel_parameter *luxel_parameters_get(const luxel_parameters *parameters, size_t i);
 
-/* How many kinds of surfaces and lights there are, and the i-th of them (NULL beyond the last). */
+/* The number of kinds of surfaces and lights. */
 LUXEL_API size_t luxel_parameters_kind_count(const luxel_parameters *parameters);
+/* The i-th kind, which lives as long as the list; NULL beyond the last. */
 LUXEL_API const luxel_kind *luxel_parameters_kind(const luxel_parameters *parameters, size_t i);
 
 /*

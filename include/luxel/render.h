@@ -37,6 +37,13 @@ typedef struct luxel_settings {
 LUXEL_API void luxel_settings_init(luxel_settings *settings);
 
 /*
+ * For a scene that was read from a picture: sets quantity, precision, tolerance and light_error to those that the
+ * picture was made with, so that rendering repeats it byte for byte (on the same instruction set), and returns true.
+ * For any other scene it changes nothing and returns false.
+ */
+LUXEL_API bool luxel_scene_settings(const luxel_scene *scene, luxel_settings *settings);
+
+/*
  * Computes the scene's picture.  `settings` NULL: the defaults.
  * LUXEL_ERROR_ARGUMENT: the scene is not committed, a setting is out of its range, the instruction set is
  * unknown or not of this machine.  LUXEL_ERROR_MEMORY: the picture would not fit (the message says how much

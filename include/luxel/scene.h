@@ -36,15 +36,17 @@ LUXEL_API const char *luxel_builtin_scene_text(size_t i);
 /* Makes a scene from the built-in one of this name.  LUXEL_ERROR_ARGUMENT: no such name. */
 LUXEL_API luxel_status luxel_scene_open_builtin(const char *name, luxel_diagnostics *diagnostics, luxel_scene **scene);
 /*
- * Makes a scene from a file of YAML or JSON.  Only the text itself is checked here: that it is one well-formed
- * document within the limits (64 MB, 32 levels, no anchors or aliases).
- * LUXEL_ERROR_SCENE: malformed text.  LUXEL_ERROR_FILE: cannot be read.
+ * Makes a scene from a file of YAML or JSON, or from a picture that carries its scene: a .png or .exr file of
+ * luxel_field_write(), which is known by its content, whatever its name is; luxel_scene_settings() tells what else
+ * it carries.  Only the text itself is checked here: that it is one well-formed document within the limits (64 MB,
+ * 32 levels, no anchors or aliases).
+ * LUXEL_ERROR_SCENE: malformed text, or a picture that is damaged or carries no scene.  LUXEL_ERROR_FILE: cannot be
+ * read.
  */
 LUXEL_API luxel_status luxel_scene_read_file(const char *path, luxel_diagnostics *diagnostics, luxel_scene **scene);
 /*
- * Makes a scene from `length` bytes of YAML or JSON; `source` is the name shown in messages.  Checks as much as
- * luxel_scene_read_file().
- * LUXEL_ERROR_SCENE: malformed text.
+ * Makes a scene from `length` bytes of YAML or JSON, or of a picture that carries its scene; `source` is the name
+ * shown in messages.  Checks as much as luxel_scene_read_file(), with the same errors.
  */
 LUXEL_API luxel_status luxel_scene_read_text(const char *text, size_t length, const char *source,
                                              luxel_diagnostics *diagnostics, luxel_scene **scene);
@@ -66,8 +68,20 @@ LUXEL_API bool luxel_scene_is_committed(const luxel_scene *scene);
 /* Appends advice about a committed scene: values outside advised ranges, unused keys, surfaces out of view. */
 LUXEL_API luxel_status luxel_scene_advise(const luxel_scene *scene, luxel_diagnostics *diagnostics);
 
-/* The scene as YAML text that reads back as the same scene; the caller's, free it with luxel_text_free(). */
+/*
+ * The scene as text that reads back as the same scene: the very text that it was made from, byte for byte, in which
+ * only the values changed since then are replaced, as they were given to luxel_scene_set(), and only the keys added
+ * since then are new.  So comments, order and layout stay; JSON stays JSON, and values are written as such there.  The
+ * text is the caller's: free it with luxel_text_free().
+ */
 LUXEL_API luxel_status luxel_scene_write_text(const luxel_scene *scene, char **text);
+/*
+ * Writes that text to a file, whatever its ending, and whether the scene is committed or not.  The file appears whole
+ * or not at all; one that was there keeps its permissions, and a symbolic link stays one.
+ * LUXEL_ERROR_FILE: it could not be written.
+ */
+LUXEL_API luxel_status luxel_scene_write_file(const luxel_scene *scene, const char *path,
+                                              luxel_diagnostics *diagnostics);
 
 /* An independent copy (committed if `scene` is), or NULL when memory is short. */
 LUXEL_API luxel_scene *luxel_scene_copy(const luxel_scene *scene);

@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: MIT */
 /* luxel_render(): the plan's pixels, row by row in parallel, into a field with its statistics. */
 #include <math.h>
-#include <stdio.h>
 #include <stdlib.h>
+#include <string.h>
 #include <unistd.h>
 
 #include "session.h"
@@ -11,7 +11,7 @@
 #include "../base/number.h"
 #include "../base/rows.h"
 #include "../field/field.h"
-#include "../shade/camera.h"
+#include "../format/tags.h"
 #include "../shade/shader.h"
 
 struct rendering {
@@ -25,12 +25,11 @@ struct rendering {
 static void render_row(struct rendering *rendering, struct lx_shader_memory *memory, bool is_caller, unsigned row)
 {
     struct luxel_field *field = rendering->field;
-    double x[LX_BLOCK], values[LX_BLOCK], y = lx_row_y_mm(&field->screen, row);
+    double x[LX_BLOCK], values[LX_BLOCK], y = field->y_mm[row];
     uint8_t mask[LX_BLOCK];
     for (unsigned first = 0; first < field->columns; first += LX_BLOCK) {
         unsigned left = field->columns - first, count = left < LX_BLOCK ? left : LX_BLOCK;
-        for (unsigned i = 0; i < count; i++)
-            x[i] = lx_column_x_mm(&field->screen, first + i);
+        memcpy(x, field->x_mm + first, count * sizeof *x);
         lx_shade_points(rendering->plan, memory, y, x, count, rendering->control, is_caller, values, mask);
         lx_field_store(field, row, first, values, mask, count);
         if (!lx_control_goes_on(rendering->control, is_caller))
@@ -55,39 +54,37 @@ static unsigned thread_count(const luxel_settings *settings, unsigned columns, u
     return threads < worth ? threads : worth;
 }
 
-/*
- * Memory that a picture may take: four fifths of what the system says can be had, so that writing it and everybody
- * else find room too.  What the system does not tell is no limit.
- */
-static double available_bytes(void)
-{
-    double available = HUGE_VAL, kilobytes;
-    char line[128];
-    FILE *file = fopen("/proc/meminfo", "re");
-    while (file && fgets(line, sizeof line, file))
-        if (sscanf(line, "MemAvailable: %lf kB", &kilobytes) == 1)
-            available = kilobytes * 1024 * 0.8;
-    if (file)
-        fclose(file);
-    return available;
-}
-
-static const char *gigabytes(double bytes, char buffer[LX_NUMBER_SIZE + 4])
-{
-    char number[LX_NUMBER_SIZE];
-    snprintf(buffer, LX_NUMBER_SIZE + 4, "%s GB", lx_write_digits(bytes / 1e9, 3, number));
-    return buffer;
-}
-
 static luxel_status too_large(const struct lx_screen *screen, double needed, double available,
                               luxel_diagnostics *diagnostics)
 {
-    char columns[LX_NUMBER_SIZE], rows[LX_NUMBER_SIZE], need[LX_NUMBER_SIZE + 4], have[LX_NUMBER_SIZE + 4];
+    char columns[LX_NUMBER_SIZE], rows[LX_NUMBER_SIZE], need[LX_AMOUNT_SIZE], have[LX_AMOUNT_SIZE];
     lx_report(diagnostics, LUXEL_SEVERITY_ERROR, NULL, LX_MSG_PICTURE_TOO_LARGE,
               LX_ARGS(lx_write_number(screen->resolution[0], columns), lx_write_number(screen->resolution[1], rows),
-                      gigabytes(needed, need), gigabytes(available, have)));
+                      lx_write_amount(needed, need), lx_write_amount(available, have)));
     lx_hint(diagnostics, LX_MSG_SMALLER_PICTURE, NULL);
     return LUXEL_ERROR_MEMORY;
+}
+
+/*
+ * What the field keeps of where it came from.  A scene that is larger than can be read again is left out.
+ */
+static luxel_status keep_origin(const struct lx_session *session, const luxel_scene *scene,
+                                luxel_diagnostics *diagnostics, struct luxel_field *field)
+{
+    const luxel_settings *settings = &session->settings;
+    const char *unit = lx_unit_of(&session->prepared, settings->quantity);
+    field->quantity = settings->quantity;
+    field->tolerance = settings->tolerance;
+    field->light_error = settings->light_error;
+    field->instruction_set = session->kernels->name;
+    field->unit = lx_copy_text(unit, strlen(unit));
+    if (!field->unit || luxel_scene_write_text(scene, &field->scene) != LUXEL_OK)
+        return lx_out_of_memory(diagnostics);
+    if (strlen(field->scene) > LX_LARGEST_TAG) {
+        free(field->scene);
+        field->scene = NULL;
+    }
+    return LUXEL_OK;
 }
 
 static luxel_status new_field(const struct lx_session *session, luxel_diagnostics *diagnostics,
@@ -97,15 +94,12 @@ static luxel_status new_field(const struct lx_session *session, luxel_diagnostic
     const struct lx_screen *screen = &scene->screen;
     luxel_precision precision = session->settings.precision;
     double needed = (double)lx_field_bytes(screen->resolution[0], screen->resolution[1], precision);
-    double available = available_bytes();
+    double available = lx_available_bytes();
     if (needed == 0 || needed > available)
         return too_large(screen, needed, available, diagnostics);
     *field = lx_field_new(scene, precision);
     if (!*field)
         return too_large(screen, needed, needed < available ? 0 : available, diagnostics);
-    (*field)->quantity = session->settings.quantity;
-    (*field)->unit = lx_unit_of(&session->prepared, session->settings.quantity);
-    (*field)->instruction_set = session->kernels->name;
     return LUXEL_OK;
 }
 
@@ -161,6 +155,8 @@ luxel_status luxel_render(const luxel_scene *scene, const luxel_settings *settin
     luxel_status status = lx_session_open(scene, settings, diagnostics, &session);
     if (status == LUXEL_OK)
         status = new_field(&session, diagnostics, &made);
+    if (status == LUXEL_OK)
+        status = keep_origin(&session, scene, diagnostics, made);
     if (status == LUXEL_OK) {
         struct lx_control control = {
             .rows = made->rows, .progress = session.settings.progress, .data = session.settings.progress_data};

@@ -32,7 +32,7 @@ static luxel_status out_of_range(luxel_diagnostics *diagnostics, const char *set
 {
     char number[LX_NUMBER_SIZE];
     lx_report(diagnostics, LUXEL_SEVERITY_ERROR, NULL, LX_MSG_SETTING_OUT_OF_RANGE,
-              LX_ARGS(setting, lx_write_number(value, number), range));
+              LX_ARGS(setting, lx_write_number(value, number), LX_TERM(range)));
     return LUXEL_ERROR_ARGUMENT;
 }
 
@@ -40,15 +40,15 @@ static luxel_status check_settings(const luxel_settings *settings, luxel_diagnos
 {
     luxel_status status = LUXEL_OK;
     if (settings->quantity != LUXEL_BRIGHTNESS && settings->quantity != LUXEL_IRRADIANCE)
-        status = out_of_range(diagnostics, "quantity", (double)settings->quantity, "brightness or irradiance");
+        status = out_of_range(diagnostics, "quantity", (double)settings->quantity, LX_N("brightness or irradiance"));
     if (settings->precision != LUXEL_SINGLE && settings->precision != LUXEL_DOUBLE)
-        status = out_of_range(diagnostics, "precision", (double)settings->precision, "single or double");
+        status = out_of_range(diagnostics, "precision", (double)settings->precision, LX_N("single or double"));
     if (settings->threads > MAXIMUM_THREADS)
-        status = out_of_range(diagnostics, "threads", settings->threads, "0 to 1024");
+        status = out_of_range(diagnostics, "threads", settings->threads, LX_N("0 to 1024"));
     if (!(settings->tolerance >= 0 && settings->tolerance < 1))
-        status = out_of_range(diagnostics, "tolerance", settings->tolerance, "from 0 to below 1");
+        status = out_of_range(diagnostics, "tolerance", settings->tolerance, LX_N("from 0 to below 1"));
     if (!(settings->light_error >= 0 && settings->light_error < 1))
-        status = out_of_range(diagnostics, "light_error", settings->light_error, "from 0 to below 1");
+        status = out_of_range(diagnostics, "light_error", settings->light_error, LX_N("from 0 to below 1"));
     return status;
 }
 

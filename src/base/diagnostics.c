@@ -15,7 +15,7 @@ enum { SEVERITIES = 2, EXCERPT_COLUMNS = 110, EXCERPT_BEFORE = 60, NO_HINT = -1 
 
 struct words {
     int message;
-    char **arguments; /* NULL-terminated */
+    char **arguments; /* NULL-terminated texts with phrases */
 };
 
 struct entry {
@@ -88,9 +88,9 @@ static bool words_set(struct words *words, enum lx_message message, const char *
         count++;
     words->message = (int)message;
     words->arguments = lx_new_array(count + 1, sizeof *words->arguments);
-    for (size_t i = 0; words->arguments && i < count; i++) {
+    for (size_t i = 0; words->arguments && count && *arguments; i++) {
         struct lx_text text = {0};
-        lx_text_add_escaped(&text, arguments[i], strlen(arguments[i]));
+        arguments = lx_add_argument(&text, arguments);
         words->arguments[i] = lx_text_take(&text);
         if (!words->arguments[i])
             return false;
@@ -241,27 +241,12 @@ const luxel_diagnostic *luxel_diagnostics_get(const luxel_diagnostics *diagnosti
     return i < luxel_diagnostics_count(diagnostics) ? &diagnostics->entries[i].shown : NULL;
 }
 
-/* Puts the arguments into the template. */
 static char *in_words(const struct words *words, luxel_translate translate, void *data)
 {
     struct lx_text text = {0};
-    if (words->message == NO_HINT)
-        return lx_text_take(&text);
-    const char *template = messages[words->message].english;
-    if (translate)
-        template = translate(template, data);
-    size_t count = 0;
-    while (words->arguments[count])
-        count++;
-    for (const char *c = template; *c; c++) {
-        size_t argument = (size_t)(c[1] - '0');
-        if (c[0] == '{' && c[1] >= '0' && c[1] <= '9' && c[2] == '}' && argument < count) {
-            lx_text_puts(&text, words->arguments[argument]);
-            c += 2;
-        } else {
-            lx_text_add(&text, c, 1);
-        }
-    }
+    if (words->message != NO_HINT)
+        lx_add_rendered(&text, messages[words->message].english, (const char *const *)words->arguments, translate,
+                        data);
     return lx_text_take(&text);
 }
 

@@ -10,6 +10,8 @@
 
 #include <luxel/diagnostics.h>
 
+#include "phrase.h"
+
 /* The messages: messages.def lists LX_MESSAGE(NAME, "stable-id", "English template with {0}, {1}"). */
 enum lx_message {
 #define LX_MESSAGE(name, id, english) LX_MSG_##name,
@@ -28,9 +30,9 @@ struct lx_place {
 };
 
 /*
- * Appends an entry.  `place` may be NULL.  `arguments` is a NULL-terminated array of strings for {0}, {1} ...
- * (NULL: none); all strings are copied.  Line, column and excerpt are worked out here; control characters in
- * arguments are escaped here.
+ * Appends an entry.  `place` may be NULL.  `arguments` are those of {0}, {1} ..., in LX_ARGS (NULL: none): plain
+ * texts, or words that the front end translates in LX_TERM or LX_WORDS (phrase.h).  All strings are copied.  Line,
+ * column and excerpt are worked out here; control characters in arguments are escaped here.
  */
 void lx_report(luxel_diagnostics *diagnostics, luxel_severity severity, const struct lx_place *place,
                enum lx_message message, const char *const *arguments);
@@ -40,9 +42,6 @@ bool lx_keeps(const luxel_diagnostics *diagnostics, luxel_severity severity);
 
 /* Gives the last entry appended a hint that says how to mend it. */
 void lx_hint(luxel_diagnostics *diagnostics, enum lx_message message, const char *const *arguments);
-
-/* Shorthand for the arguments: LX_ARGS(a, b) is a NULL-terminated array of strings. */
-#define LX_ARGS(...) ((const char *const[]){__VA_ARGS__, NULL})
 
 /* Reports that memory ran out and returns LUXEL_ERROR_MEMORY. */
 luxel_status lx_out_of_memory(luxel_diagnostics *diagnostics);

@@ -1,10 +1,13 @@
 /* SPDX-License-Identifier: MIT */
 /* Checked allocation: every size is multiplied with care, and memory that ran out is an answer, not an end. */
+#include <math.h>
 #include <stdint.h>
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
 #include "memory.h"
+#include "number.h"
 
 enum { ALIGNMENT = 64, FIRST_CAPACITY = 8 };
 
@@ -57,4 +60,22 @@ char *lx_copy_text(const char *text, size_t length)
         copy[length] = 0;
     }
     return copy;
+}
+
+double lx_available_bytes(void)
+{
+    double available = HUGE_VAL, kilobytes;
+    char line[128];
+    FILE *file = fopen("/proc/meminfo", "re");
+    while (file && fgets(line, sizeof line, file))
+        if (sscanf(line, "MemAvailable: %lf kB", &kilobytes) == 1)
+            available = kilobytes * 1024 * 0.8;
+    if (file)
+        fclose(file);
+    return available;
+}
+
+char *lx_write_amount(double bytes, char buffer[LX_AMOUNT_SIZE])
+{
+    return lx_write_digits(bytes / 1e9, 3, buffer);
 }

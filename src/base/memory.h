@@ -18,6 +18,16 @@ void *lx_new_aligned(size_t count, size_t size);
  */
 int lx_reserve(void *items, size_t *capacity, size_t needed, size_t size);
 
+/*
+ * Memory that something large may take: four fifths of what the system says can be had, so that everybody else
+ * finds room too; infinite where the system does not tell.
+ */
+double lx_available_bytes(void);
+
+/* An amount of memory in GB, "1.5"; returns buffer. */
+enum { LX_AMOUNT_SIZE = 48 };
+char *lx_write_amount(double bytes, char buffer[LX_AMOUNT_SIZE]);
+
 /* A copy of length bytes with a terminating 0, or NULL. */
 char *lx_copy_text(const char *text, size_t length);
 

@@ -25,7 +25,7 @@ static luxel_status report(luxel_diagnostics *diagnostics, enum lx_message messa
     if (error == ENOMEM) {
         return lx_out_of_memory(diagnostics);
     }
-    lx_report(diagnostics, LUXEL_SEVERITY_ERROR, NULL, message, LX_ARGS(path, lx_reason(error)));
+    lx_report(diagnostics, LUXEL_SEVERITY_ERROR, NULL, message, LX_ARGS(path, LX_TERM(lx_reason(error))));
     return LUXEL_ERROR_FILE;
 }
 
@@ -107,7 +107,7 @@ luxel_status lx_sink_status(const struct lx_sink *sink) {
 
 luxel_status lx_sink_fail(struct lx_sink *sink, enum lx_message message, const char *detail) {
     if (sink->status == LUXEL_OK) {
-        lx_report(sink->diagnostics, LUXEL_SEVERITY_ERROR, NULL, message, LX_ARGS(sink->path, detail));
+        lx_report(sink->diagnostics, LUXEL_SEVERITY_ERROR, NULL, message, LX_ARGS(sink->path, LX_TERM(detail)));
         sink->status = LUXEL_ERROR_FILE;
     }
     return sink->status;

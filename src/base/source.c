@@ -17,7 +17,10 @@ enum { FIRST_BLOCK = 64 * 1024, LARGEST_READ = 1 << 30 };
 struct lx_source {
     luxel_diagnostics *diagnostics;
     char *name;
-    luxel_status status;        /* what the first failure was reported as */
+    luxel_status status;  /* what the first failure was reported as */
+    luxel_status refusal; /* what it holds is refused with */
+    const char *start;    /* what stands for its beginning in reports; NULL: nothing */
+    size_t start_length;
     int file;                   /* -1: everything is in memory */
     const unsigned char *bytes; /* what is in memory */
     unsigned char *owned;       /* the same where it must be freed */
@@ -27,12 +30,25 @@ struct lx_source {
 luxel_status lx_source_fail(struct lx_source *source, luxel_status status, enum lx_message message,
                             const char *const *arguments)
 {
-    struct lx_place place = {.source = source->name};
+    struct lx_place place = {
+        .source = source->name, .text = source->start, .length = source->start_length, .end = source->start_length};
     if (source->status == LUXEL_OK) {
         source->status = status;
         lx_report(source->diagnostics, LUXEL_SEVERITY_ERROR, &place, message, arguments);
     }
     return source->status;
+}
+
+luxel_status lx_source_refuse(struct lx_source *source, enum lx_message message, const char *const *arguments)
+{
+    return lx_source_fail(source, source->refusal, message, arguments);
+}
+
+void lx_source_judge(struct lx_source *source, luxel_status refusal, const char *text, size_t length)
+{
+    source->refusal = refusal;
+    source->start = text;
+    source->start_length = length;
 }
 
 luxel_status lx_source_out_of_memory(struct lx_source *source)
@@ -48,7 +64,7 @@ static luxel_status cannot_read(struct lx_source *source, int reason)
     if (source->status == LUXEL_OK) {
         source->status = LUXEL_ERROR_FILE;
         lx_report(source->diagnostics, LUXEL_SEVERITY_ERROR, NULL, LX_MSG_FILE_NOT_READ,
-                  LX_ARGS(source->name, lx_reason(reason)));
+                  LX_ARGS(source->name, LX_TERM(lx_reason(reason))));
     }
     return source->status;
 }
@@ -62,7 +78,7 @@ static luxel_status new_source(const char *name, luxel_diagnostics *diagnostics,
         free(copy);
         return lx_out_of_memory(diagnostics);
     }
-    *source = (struct lx_source){.diagnostics = diagnostics, .name = copy, .file = -1};
+    *source = (struct lx_source){.diagnostics = diagnostics, .name = copy, .refusal = LUXEL_ERROR_FILE, .file = -1};
     *result = source;
     return LUXEL_OK;
 }
@@ -167,7 +183,7 @@ luxel_status lx_source_read(struct lx_source *source, uint64_t offset, void *byt
     if (source->status != LUXEL_OK)
         return source->status;
     if (offset > source->size || count > source->size - offset)
-        return lx_source_fail(source, LUXEL_ERROR_FILE, LX_MSG_FILE_ENDS, NULL);
+        return lx_source_refuse(source, LX_MSG_FILE_ENDS, NULL);
     if (source->file < 0 && count > 0)
         memcpy(bytes, source->bytes + offset, count);
     for (size_t done = 0; source->file >= 0 && done < count;) {
@@ -179,7 +195,7 @@ luxel_status lx_source_read(struct lx_source *source, uint64_t offset, void *byt
         if (got < 0)
             return cannot_read(source, errno);
         if (got == 0) /* it became shorter in the meantime */
-            return lx_source_fail(source, LUXEL_ERROR_FILE, LX_MSG_FILE_ENDS, NULL);
+            return lx_source_refuse(source, LX_MSG_FILE_ENDS, NULL);
         done += (size_t)got;
     }
     return LUXEL_OK;

@@ -52,7 +52,16 @@ luxel_status lx_source_read(struct lx_source *source, uint64_t offset, void *byt
 luxel_status lx_source_fail(struct lx_source *source, luxel_status status, enum lx_message message,
                             const char *const *arguments);
 
-/* The same for memory that ran out. */
+/* lx_source_fail() because of what the source holds, with the status of lx_source_judge(). */
+luxel_status lx_source_refuse(struct lx_source *source, enum lx_message message, const char *const *arguments);
+
+/*
+ * From here on what the source holds is refused with this status (LUXEL_ERROR_FILE before), at the beginning of the
+ * source, which reports show as this text (as long as the source lives).
+ */
+void lx_source_judge(struct lx_source *source, luxel_status refusal, const char *text, size_t length);
+
+/* lx_source_fail() for memory that ran out. */
 luxel_status lx_source_out_of_memory(struct lx_source *source);
 
 #endif

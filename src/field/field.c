@@ -5,6 +5,7 @@
 
 #include "field.h"
 #include "../base/memory.h"
+#include "../shade/camera.h"
 
 size_t lx_field_bytes(unsigned columns, unsigned rows, luxel_precision precision)
 {
@@ -13,6 +14,22 @@ size_t lx_field_bytes(unsigned columns, unsigned rows, luxel_precision precision
         __builtin_mul_overflow(pixels, value + 1, &bytes))
         return 0;
     return bytes;
+}
+
+double *lx_new_column_places(const struct lx_screen *screen)
+{
+    double *places = lx_new_array(screen->resolution[0], sizeof *places);
+    for (unsigned column = 0; places && column < screen->resolution[0]; column++)
+        places[column] = lx_column_x_mm(screen, column);
+    return places;
+}
+
+double *lx_new_row_places(const struct lx_screen *screen)
+{
+    double *places = lx_new_array(screen->resolution[1], sizeof *places);
+    for (unsigned row = 0; places && row < screen->resolution[1]; row++)
+        places[row] = lx_row_y_mm(screen, row);
+    return places;
 }
 
 struct luxel_field *lx_field_new(const struct lx_scene_parameters *scene, luxel_precision precision)
@@ -28,10 +45,11 @@ struct luxel_field *lx_field_new(const struct lx_scene_parameters *scene, luxel_
         .precision = precision,
         .values = lx_new_aligned(pixels, precision == LUXEL_DOUBLE ? sizeof(double) : sizeof(float)),
         .mask = lx_new_aligned(pixels, 1),
-        .screen = scene->screen,
+        .x_mm = lx_new_column_places(&scene->screen),
+        .y_mm = lx_new_row_places(&scene->screen),
         .picture = scene->picture,
     };
-    if (field->values && field->mask)
+    if (field->values && field->mask && field->x_mm && field->y_mm)
         return field;
     luxel_field_free(field);
     return NULL;
@@ -43,6 +61,10 @@ void luxel_field_free(luxel_field *field)
         return;
     free(field->values);
     free(field->mask);
+    free(field->x_mm);
+    free(field->y_mm);
+    free(field->unit);
+    free(field->scene);
     free(field);
 }
 
@@ -94,6 +116,21 @@ const char *luxel_field_unit(const luxel_field *field)
 const char *luxel_field_instruction_set(const luxel_field *field)
 {
     return field->instruction_set;
+}
+
+const char *luxel_field_scene(const luxel_field *field)
+{
+    return field->scene;
+}
+
+const double *luxel_field_x_mm(const luxel_field *field)
+{
+    return field->x_mm;
+}
+
+const double *luxel_field_y_mm(const luxel_field *field)
+{
+    return field->y_mm;
 }
 
 const float *luxel_field_single(const luxel_field *field)

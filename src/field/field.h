@@ -22,10 +22,13 @@ struct luxel_field {
     unsigned columns, rows;
     luxel_quantity quantity;
     luxel_precision precision;
-    const char *unit, *instruction_set; /* constants of the program */
-    void *values;                       /* float or double */
+    double tolerance, light_error; /* of the settings that it was made with; 0: the defaults */
+    char *unit;
+    const char *instruction_set; /* a constant of the program */
+    char *scene;                 /* as text; NULL: not known */
+    void *values;                /* float or double */
     uint8_t *mask;
-    struct lx_screen screen;
+    double *x_mm, *y_mm; /* the places of the columns and of the rows; NULL: not known */
     struct lx_picture picture;
     struct luxel_statistics statistics;
 };
@@ -33,7 +36,11 @@ struct luxel_field {
 /* Bytes that a field of this size needs in memory; 0 where the number itself is too large. */
 size_t lx_field_bytes(unsigned columns, unsigned rows, luxel_precision precision);
 
-/* A field of the scene's resolution, its values not set yet; NULL when memory is short. */
+/* The places of a screen's columns or rows; NULL when memory is short. */
+double *lx_new_column_places(const struct lx_screen *screen);
+double *lx_new_row_places(const struct lx_screen *screen);
+
+/* A field of the scene's resolution, neither its values nor its unit set yet; NULL when memory is short. */
 struct luxel_field *lx_field_new(const struct lx_scene_parameters *scene, luxel_precision precision);
 
 /* Stores values of a row from `column` on, rounded to the field's precision. */
@@ -43,5 +50,7 @@ void lx_field_store(struct luxel_field *field, unsigned row, unsigned column, co
 /* Gathers a finished row; then puts the rows' statistics (one for each row) together, in their order. */
 struct lx_row_statistics lx_gather_row(const struct luxel_field *field, unsigned row);
 void lx_finish_statistics(struct luxel_field *field, const struct lx_row_statistics *rows);
+/* Both, of a field that is complete; 0, or -1 when memory ran out. */
+int lx_gather_statistics(struct luxel_field *field);
 
 #endif

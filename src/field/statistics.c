@@ -1,9 +1,10 @@
 /* SPDX-License-Identifier: MIT */
 /* Statistics of a field, gathered row by row and put together in the order of the rows. */
 #include <math.h>
+#include <stdlib.h>
 
 #include "field.h"
-#include "../shade/camera.h"
+#include "../base/memory.h"
 
 struct lx_row_statistics lx_gather_row(const struct luxel_field *field, unsigned row)
 {
@@ -38,8 +39,8 @@ static luxel_extremum extremum(const struct luxel_field *field, double value, un
         .value = value,
         .column = column,
         .row = row,
-        .x_mm = lx_column_x_mm(&field->screen, column),
-        .y_mm = lx_row_y_mm(&field->screen, row),
+        .x_mm = field->x_mm ? field->x_mm[column] : (double)NAN,
+        .y_mm = field->y_mm ? field->y_mm[row] : (double)NAN,
     };
 }
 
@@ -66,4 +67,16 @@ void lx_finish_statistics(struct luxel_field *field, const struct lx_row_statist
         all->mean = sum / (double)all->surface_pixels;
         all->lit = (double)lit / (double)all->surface_pixels;
     }
+}
+
+int lx_gather_statistics(struct luxel_field *field)
+{
+    struct lx_row_statistics *rows = lx_new_array(field->rows, sizeof *rows);
+    if (!rows)
+        return -1;
+    for (unsigned row = 0; row < field->rows; row++)
+        rows[row] = lx_gather_row(field, row);
+    lx_finish_statistics(field, rows);
+    free(rows);
+    return 0;
 }

@@ -1,103 +1,134 @@
 /* SPDX-License-Identifier: MIT */
-/* The table of file formats, and what they have in common: the choice by ending, and rows of numbers as bytes. */
+/* The table of file formats, and the choice from it by ending and by content. */
 #include "format.h"
 
-#include <stdbool.h>
-#include <stdint.h>
+#include <stdlib.h>
 #include <string.h>
 #include <strings.h>
 
-enum { LX_ROW_PART = 512 }; /* samples turned into bytes at a time */
+enum { LONGEST_MAGIC = 8, MOST_OF_A_PIPE = 1 << 30 };
 
-/* In the order in which messages name them. */
-static const struct lx_format *const FORMATS[] = {&lx_format_png, &lx_format_npy, &lx_format_pfm};
+static const struct lx_format *const FORMATS[] = {&lx_format_png, &lx_format_npy, &lx_format_pfm, &lx_format_csv,
+                                                  &lx_format_exr};
 enum { FORMAT_COUNT = sizeof FORMATS / sizeof FORMATS[0] };
 
+const char *lx_format_ending(size_t i)
+{
+    return i < FORMAT_COUNT ? FORMATS[i]->ending : NULL;
+}
+
 /* The ending of the last name in a path with its dot, or NULL.  A dot that begins a name begins no ending. */
-static const char *ending_of(const char *path) {
+static const char *ending_of(const char *path)
+{
     const char *slash = strrchr(path, '/');
-    const char *name = slash != NULL ? slash + 1 : path;
+    const char *name = slash ? slash + 1 : path;
     const char *dot = strrchr(name, '.');
-
-    return dot != NULL && dot != name && dot[1] != '\0' ? dot : NULL;
+    return dot && dot != name && dot[1] != '\0' ? dot : NULL;
 }
 
-static void report_unknown(const char *path, const char *ending, luxel_diagnostics *diagnostics) {
-    char known[FORMAT_COUNT * 8] = ""; /* each ending and its separator are shorter than 8 */
-
-    for (size_t i = 0; i < FORMAT_COUNT; i++) {
-        strcat(strcat(known, i > 0 ? ", " : ""), FORMATS[i]->ending);
-    }
-    lx_report(diagnostics, LUXEL_SEVERITY_ERROR, NULL, ending != NULL ? LX_MSG_UNKNOWN_ENDING : LX_MSG_NO_ENDING,
-              LX_ARGS(path, ending));
-    lx_hint(diagnostics, LX_MSG_KNOWN_ENDINGS, LX_ARGS(known));
+/* The format of an ending, or NULL. */
+static const struct lx_format *format_of_ending(const char *ending)
+{
+    for (size_t i = 0; ending && i < FORMAT_COUNT; i++)
+        if (strcasecmp(ending, FORMATS[i]->ending) == 0)
+            return FORMATS[i];
+    return NULL;
 }
 
-luxel_status lx_find_format(const char *path, luxel_diagnostics *diagnostics, const struct lx_format **format) {
+/* ".png, .npy": the endings of all formats, or of those that fields can be read from. */
+static const char *list_endings(bool readable, char list[FORMAT_COUNT * 8])
+{
+    list[0] = '\0'; /* each ending and its separator are shorter than 8 */
+    for (size_t i = 0; i < FORMAT_COUNT; i++)
+        if (!readable || FORMATS[i]->read)
+            strcat(strcat(list, list[0] ? ", " : ""), FORMATS[i]->ending);
+    return list;
+}
+
+luxel_status lx_find_format(const char *path, luxel_diagnostics *diagnostics, const struct lx_format **format)
+{
     const char *ending = ending_of(path);
-
-    for (size_t i = 0; ending != NULL && i < FORMAT_COUNT; i++) {
-        if (strcasecmp(ending, FORMATS[i]->ending) == 0) {
-            *format = FORMATS[i];
-            return LUXEL_OK;
-        }
+    const struct lx_format *found = format_of_ending(ending);
+    char known[FORMAT_COUNT * 8];
+    if (found) {
+        *format = found;
+        return LUXEL_OK;
     }
-    report_unknown(path, ending, diagnostics);
+    lx_report(diagnostics, LUXEL_SEVERITY_ERROR, NULL, ending ? LX_MSG_UNKNOWN_ENDING : LX_MSG_NO_ENDING,
+              LX_ARGS(path, ending));
+    lx_hint(diagnostics, LX_MSG_KNOWN_ENDINGS, LX_ARGS(list_endings(false, known)));
     return LUXEL_ERROR_ARGUMENT;
 }
 
-luxel_status lx_write_image(const char *path, const struct lx_image *image, luxel_diagnostics *diagnostics) {
+const struct lx_format *lx_format_of_content(struct lx_source *source)
+{
+    char start[LONGEST_MAGIC];
+    uint64_t size = lx_source_size(source);
+    size_t length = size < LONGEST_MAGIC ? (size_t)size : LONGEST_MAGIC;
+    if (lx_source_read(source, 0, start, length) != LUXEL_OK)
+        return NULL;
+    for (size_t i = 0; i < FORMAT_COUNT; i++)
+        if (FORMATS[i]->magic && FORMATS[i]->magic_length <= length &&
+            memcmp(start, FORMATS[i]->magic, FORMATS[i]->magic_length) == 0)
+            return FORMATS[i];
+    return NULL;
+}
+
+luxel_status lx_write_image(const char *path, const struct lx_image *image, luxel_diagnostics *diagnostics)
+{
     const struct lx_format *format;
     struct lx_sink *sink;
     luxel_status status = lx_find_format(path, diagnostics, &format);
-
-    if (status != LUXEL_OK) {
+    if (status != LUXEL_OK)
         return status;
-    }
-    if ((format->samples & (unsigned)image->sample) == 0 || image->channels != 1 || image->columns == 0 ||
+    bool no_places = format->needs_places && (!image->x_mm || !image->y_mm);
+    if (no_places || (format->samples & (unsigned)image->sample) == 0 || image->channels != 1 || image->columns == 0 ||
         image->rows == 0) {
-        lx_report(diagnostics, LUXEL_SEVERITY_ERROR, NULL, LX_MSG_UNFIT_IMAGE, LX_ARGS(path, format->name));
+        lx_report(diagnostics, LUXEL_SEVERITY_ERROR, NULL, no_places ? LX_MSG_NO_PLACES : LX_MSG_UNFIT_IMAGE,
+                  LX_ARGS(path, format->name));
         return LUXEL_ERROR_ARGUMENT;
     }
     status = lx_sink_open(path, NULL, diagnostics, &sink);
-    if (status != LUXEL_OK) {
+    if (status != LUXEL_OK)
         return status;
-    }
     format->write(image, sink);
     return lx_sink_commit(sink);
 }
 
-/* The bits of a sample as a number of `width` bytes. */
-static uint64_t sample_bits(const struct lx_image *image, size_t i, size_t width) {
-    bool is_double = image->sample == LX_SAMPLE_F64;
-    uint64_t bits64;
-    uint32_t bits32;
-
-    if (width == sizeof(double)) {
-        double value = is_double ? ((const double *)image->data)[i] : (double)((const float *)image->data)[i];
-        memcpy(&bits64, &value, sizeof bits64);
-        return bits64;
-    }
-    float value = is_double ? (float)((const double *)image->data)[i] : ((const float *)image->data)[i];
-    memcpy(&bits32, &value, sizeof bits32);
-    return bits32;
+/* The content decides; where it tells nothing the ending does, and the format says what is wrong with the content. */
+static luxel_status read_source(struct lx_source *source, struct lx_loaded *loaded)
+{
+    const struct lx_format *format = lx_format_of_content(source);
+    char known[FORMAT_COUNT * 8];
+    if (lx_source_status(source) != LUXEL_OK)
+        return lx_source_status(source);
+    if (!format)
+        format = format_of_ending(ending_of(lx_source_name(source)));
+    if (format && format->read)
+        return format->read(source, loaded);
+    luxel_status status = format ? lx_source_refuse(source, LX_MSG_NO_VALUES, LX_ARGS(format->name))
+                                 : lx_source_refuse(source, LX_MSG_UNKNOWN_CONTENT, NULL);
+    lx_hint(lx_source_diagnostics(source), LX_MSG_READABLE_FORMATS, LX_ARGS(list_endings(true, known)));
+    return status;
 }
 
-luxel_status lx_write_row(const struct lx_image *image, unsigned row, size_t width, struct lx_sink *sink) {
-    unsigned char bytes[LX_ROW_PART * sizeof(double)];
-    size_t start = (size_t)row * image->columns, end = start + image->columns;
-    luxel_status status = LUXEL_OK;
-
-    while (start < end && status == LUXEL_OK) {
-        size_t used = 0;
-
-        for (size_t part = 0; part < LX_ROW_PART && start < end; part++, start++) {
-            uint64_t bits = sample_bits(image, start, width);
-            for (size_t byte = 0; byte < width; byte++) {
-                bytes[used++] = (unsigned char)(bits >> (8 * byte));
-            }
-        }
-        status = lx_sink_write(sink, bytes, used);
-    }
+luxel_status lx_read_image(const char *path, luxel_diagnostics *diagnostics, struct lx_loaded *loaded)
+{
+    struct lx_source *source = NULL;
+    luxel_status status = lx_source_open(path, MOST_OF_A_PIPE, diagnostics, &source);
+    if (status == LUXEL_OK)
+        status = read_source(source, loaded);
+    lx_source_close(source);
     return status;
+}
+
+void lx_loaded_clear(struct lx_loaded *loaded)
+{
+    free(loaded->values);
+    free(loaded->mask);
+    free(loaded->x_mm);
+    free(loaded->y_mm);
+    free(loaded->unit);
+    lx_tags_clear(&loaded->tags);
+    *loaded = (struct lx_loaded){0};
 }

@@ -1,40 +1,77 @@
 /* SPDX-License-Identifier: MIT */
 /*
- * File formats for arrays of numbers, in one table by the ending of the file's name.  A format takes a plain
- * image and writes it to a sink; it knows nothing of scenes and fields.  To add one: a file like pfm.c, and a
- * line in the table of format.c.
+ * File formats for arrays of numbers, in one table by the ending of the file's name.  A format writes a plain image
+ * to a sink and reads one from a source; it knows nothing of scenes and fields.  To add one: a file like pfm.c, and
+ * a line in the table of format.c.
  */
 #ifndef LX_FORMAT_FORMAT_H
 #define LX_FORMAT_FORMAT_H
 
 #include "../base/sink.h"
+#include "../base/source.h"
+#include "tags.h"
+
+/* The most columns and rows that are read. */
+enum { LX_MOST_PIXELS = 65536 };
 
 /* What the samples of an image are; one bit each, so that a format can name several. */
 enum lx_sample { LX_SAMPLE_U8 = 1, LX_SAMPLE_F32 = 2, LX_SAMPLE_F64 = 4 };
 
-/* An image: rows x columns x channels samples, row 0 on top, without gaps.  The data are the caller's. */
+/*
+ * An image to write: rows x columns x channels samples, row 0 on top, without gaps.  All is the caller's.  What
+ * comes behind the data may be left out; a format that has no place for it passes over it.
+ */
 struct lx_image {
     unsigned columns, rows;
     unsigned channels; /* 1: no format takes more yet */
     enum lx_sample sample;
-    const void *data; /* uint8_t, float or double in the host's byte order */
+    const void *data;          /* uint8_t, float or double in the host's byte order */
+    const uint8_t *mask;       /* rows x columns, 1 where there is a value; NULL: everywhere */
+    const double *x_mm, *y_mm; /* the places of the columns and of the rows; NULL: not known */
+    const char *unit;          /* of the samples; NULL: not known */
+    const struct lx_tag *tags; /* texts that belong to the image */
+    size_t tag_count;
+};
+
+/* An image that was read; start with {0}.  It owns everything. */
+struct lx_loaded {
+    unsigned columns, rows;
+    enum lx_sample sample; /* LX_SAMPLE_F32 or LX_SAMPLE_F64 */
+    void *values;          /* float or double, aligned for vectors */
+    uint8_t *mask;         /* NULL: the file tells none */
+    double *x_mm, *y_mm;   /* NULL: the file tells no places */
+    char *unit;            /* NULL: the file tells none */
+    struct lx_tags tags;
 };
 
 struct lx_format {
     const char *ending; /* lower case, with its dot: ".png" */
     const char *name;   /* as people call it: "PNG" */
     unsigned samples;   /* the kinds of samples that it takes: bits of enum lx_sample */
+    bool needs_places;  /* whether an image without x_mm and y_mm cannot be written */
+    const char *magic;  /* the bytes that its files begin with; NULL: any */
+    size_t magic_length;
     /* Writes an image that it takes, row by row.  A failure is the sink's to keep. */
     void (*write)(const struct lx_image *image, struct lx_sink *sink);
+    /* Reads an image; NULL: its files hold no values.  A failure is the source's to keep, and is returned. */
+    luxel_status (*read)(struct lx_source *source, struct lx_loaded *loaded);
+    /* Reads only the tags, whatever the image is like; NULL: its files carry none. */
+    luxel_status (*read_tags)(struct lx_source *source, struct lx_tags *tags);
 };
 
-extern const struct lx_format lx_format_png, lx_format_npy, lx_format_pfm;
+extern const struct lx_format lx_format_png, lx_format_npy, lx_format_pfm, lx_format_csv, lx_format_exr;
 
 /*
  * The format for the ending of a file's name, in whatever case: "a/b.PNG".  Where there is none, says so with
  * the endings that are known.  LUXEL_ERROR_ARGUMENT.
  */
 luxel_status lx_find_format(const char *path, luxel_diagnostics *diagnostics, const struct lx_format **format);
+
+/* The format that a file's first bytes tell, whatever its name is; NULL where they tell none. */
+const struct lx_format *lx_format_of_content(struct lx_source *source);
+
+/* The ending of the i-th format, NULL beyond the last. */
+const char *lx_format_ending(size_t i);
 
 /*
  * Writes an image to a file, whole or not at all, in the format of its ending.
@@ -43,9 +80,39 @@ luxel_status lx_find_format(const char *path, luxel_diagnostics *diagnostics, co
 luxel_status lx_write_image(const char *path, const struct lx_image *image, luxel_diagnostics *diagnostics);
 
 /*
+ * Reads an image in the format that its content tells or else its ending.  lx_loaded_clear() is due in any case.
+ * LUXEL_ERROR_FILE: it cannot be read, or is none.  LUXEL_ERROR_MEMORY: it would not fit.
+ */
+luxel_status lx_read_image(const char *path, luxel_diagnostics *diagnostics, struct lx_loaded *loaded);
+void lx_loaded_clear(struct lx_loaded *loaded);
+
+/*
  * For the formats: writes one row of floating-point samples as little-endian numbers of `width` bytes (4 or 8),
  * rounding where the image has more.
  */
 luxel_status lx_write_row(const struct lx_image *image, unsigned row, size_t width, struct lx_sink *sink);
+
+/*
+ * For the formats: makes room for the values of an image whose size and kind of samples are set, zeroed, after
+ * checking that both are within the limits.
+ */
+luxel_status lx_loaded_allocate(struct lx_source *source, struct lx_loaded *loaded);
+
+/* For the formats: checks that the source has as many bytes as the image behind a header of this length. */
+luxel_status lx_check_size(struct lx_source *source, const char *name, const struct lx_loaded *loaded, size_t header);
+
+/*
+ * For the formats: reads `count` numbers of the image's kind from an offset on, and puts them to every `stride`-th
+ * place of the values from place `first` on.
+ */
+luxel_status lx_read_numbers(struct lx_source *source, uint64_t offset, bool big_endian, struct lx_loaded *loaded,
+                             size_t first, size_t stride, size_t count);
+
+/* For the formats: a file that is not as it should be; `part` is the word of the format for what is wrong. */
+luxel_status lx_bad_file(struct lx_source *source, const char *name, const char *part);
+
+/* For the formats: a file in order from which yet no field can be read; `expected` NULL: no hint. */
+luxel_status lx_unfit_file(struct lx_source *source, const char *name, const char *part, const char *value,
+                           const char *expected);
 
 #endif

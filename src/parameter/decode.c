@@ -114,8 +114,12 @@ static bool decode_parameter(struct lx_walk *walk, const struct lx_step *step, c
 static void report_key(const struct mapping *mapping, lx_node_id id, enum lx_message message)
 {
     struct lx_step step = {mapping->step, lx_document_key(mapping->walk->document, id), 0};
+    struct lx_text escaped = {0};
+    lx_text_add_escaped(&escaped, step.key, strlen(step.key));
+    char *key = lx_text_take(&escaped);
     lx_walk_report(mapping->walk, LUXEL_SEVERITY_ERROR, lx_document_key_place(mapping->walk->document, id), &step,
-                   message, step.key, NULL);
+                   message, key ? key : "", NULL);
+    free(key);
 }
 
 /* Decodes one key with its value; each is known to one of the tables, doubled, or unknown. */
@@ -157,6 +161,16 @@ static void decode_key(struct mapping *mapping, lx_node_id id)
     }
 }
 
+/* Adds "in mm". */
+static void add_unit(struct lx_text *text, const char *unit)
+{
+    struct lx_text phrase = {0};
+    lx_add_phrase(&phrase, unit, NULL);
+    char *words = lx_text_take(&phrase);
+    lx_add_phrase(text, LX_N("in {0}"), LX_ARGS(words ? words : ""));
+    free(words);
+}
+
 static void report_missing(struct mapping *mapping, const struct lx_parameter *parameter)
 {
     struct lx_walk *walk = mapping->walk;
@@ -164,22 +178,22 @@ static void report_missing(struct mapping *mapping, const struct lx_parameter *p
     struct lx_text expected = {0};
     lx_walk_report(walk, LUXEL_SEVERITY_ERROR, lx_document_place(walk->document, mapping->id), &step,
                    LX_MSG_MISSING_KEY, NULL, NULL);
-    lx_text_puts(&expected, parameter->meaning);
+    lx_add_phrase(&expected, parameter->meaning, NULL);
     if (parameter->type != LX_GROUP && parameter->type != LX_VARIANTS) {
         lx_text_puts(&expected, " (");
         lx_add_type(&expected, parameter);
         const char *unit = lx_unit_word(parameter->unit, walk->photometric);
         if (parameter->legal.given || unit[0])
-            lx_text_puts(&expected, parameter->legal.given ? " " : " in ");
+            lx_text_puts(&expected, " ");
         if (parameter->legal.given)
             lx_add_range(&expected, &parameter->legal, unit);
-        else
-            lx_text_puts(&expected, unit);
+        else if (unit[0])
+            add_unit(&expected, unit);
         lx_text_puts(&expected, ")");
     }
     char *words = lx_text_take(&expected);
     if (words)
-        lx_hint(walk->diagnostics, LX_MSG_HINT_EXPECTED, LX_ARGS(words));
+        lx_hint(walk->diagnostics, LX_MSG_HINT_EXPECTED, LX_ARGS(LX_WORDS(words)));
     free(words);
 }
 

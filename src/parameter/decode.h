@@ -47,7 +47,10 @@ static inline const void *lx_const_member(const struct lx_parameter *parameter, 
 /* A number that was written plainly. */
 bool lx_read_real(const struct lx_document *document, lx_node_id id, double *value);
 
-/* Reports about a place; {0} is the end of the step's path, `first` and `second` (or NULL) are {1} and {2}. */
+/*
+ * Reports about a place; {0} is the end of the step's path; `first` and `second` (or NULL), which are texts with
+ * phrases, are {1} and {2}.
+ */
 void lx_walk_report(struct lx_walk *walk, luxel_severity severity, struct lx_place place, const struct lx_step *step,
                     enum lx_message message, const char *first, const char *second);
 

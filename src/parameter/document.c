@@ -8,16 +8,18 @@
 #include <string.h>
 
 #include "../base/memory.h"
+#include "../base/number.h"
 #include "document.h"
+#include "plain.h"
 
 /* A source text, shared by the copies of a document, which may live in different threads. */
-struct lx_source {
+struct lx_source_text {
     atomic_size_t users;
     char *name, *text;
     size_t length;
 };
 
-static void source_release(struct lx_source *source)
+static void source_release(struct lx_source_text *source)
 {
     if (atomic_fetch_sub(&source->users, 1) > 1)
         return;
@@ -40,7 +42,7 @@ size_t lx_document_bytes(const struct lx_document *document)
 {
     size_t bytes = document->node_count * sizeof *document->nodes + document->text_length;
     for (size_t i = 0; i < document->source_count; i++)
-        bytes += sizeof(struct lx_source) + document->sources[i]->length;
+        bytes += sizeof(struct lx_source_text) + document->sources[i]->length;
     return bytes;
 }
 
@@ -57,11 +59,11 @@ void lx_document_rewind(struct lx_document *document, struct lx_document_mark ma
         source_release(document->sources[--document->source_count]);
 }
 
-static int hold_source(struct lx_document *document, struct lx_source *source)
+static int hold_source(struct lx_document *document, struct lx_source_text *source)
 {
     if (document->source_count >= LX_MOST_SOURCES ||
         lx_reserve(&document->sources, &document->source_capacity, document->source_count + 1,
-                   sizeof(struct lx_source *)) < 0)
+                   sizeof(struct lx_source_text *)) < 0)
         return -1;
     document->sources[document->source_count++] = source;
     return 0;
@@ -69,7 +71,7 @@ static int hold_source(struct lx_document *document, struct lx_source *source)
 
 int lx_document_add_source(struct lx_document *document, const char *name, char *text, size_t length)
 {
-    struct lx_source *source = lx_new_array(1, sizeof *source);
+    struct lx_source_text *source = lx_new_array(1, sizeof *source);
     if (!source) {
         free(text);
         return -1;
@@ -166,9 +168,60 @@ bool lx_document_is_null(const struct lx_document *document, lx_node_id id)
     return false;
 }
 
+/* ---- comparing ---- */
+
+/* What a plain scalar that is no text means: the words of a truth value in one case, others as they are. */
+static const char *one_case(const char *text)
+{
+    if (strcmp(text, "True") == 0 || strcmp(text, "TRUE") == 0)
+        return "true";
+    return strcmp(text, "False") == 0 || strcmp(text, "FALSE") == 0 ? "false" : text;
+}
+
+static bool same_scalar(const struct lx_document *one, lx_node_id id, const struct lx_document *other,
+                        lx_node_id other_id, bool exact)
+{
+    const char *text = lx_document_text(one, id), *other_text = lx_document_text(other, other_id);
+    bool plain = lx_document_node(one, id)->plain, other_plain = lx_document_node(other, other_id)->plain;
+    bool is_null = lx_document_is_null(one, id);
+    if (is_null || lx_document_is_null(other, other_id))
+        return is_null && lx_document_is_null(other, other_id);
+    if (plain == other_plain || lx_plain_is_text(plain ? text : other_text))
+        if (strcmp(text, other_text) == 0)
+            return true;
+    double number, other_number;
+    if (exact || !plain || !other_plain)
+        return false;
+    if (lx_read_number(text, strlen(text), &number) && lx_read_number(other_text, strlen(other_text), &other_number))
+        return number >= other_number && number <= other_number;
+    return strcmp(one_case(text), one_case(other_text)) == 0;
+}
+
+bool lx_document_same(const struct lx_document *one, lx_node_id id, const struct lx_document *other,
+                      lx_node_id other_id, bool exact)
+{
+    const struct lx_node *node = lx_document_node(one, id), *other_node = lx_document_node(other, other_id);
+    if (node->kind != other_node->kind)
+        return false;
+    if (node->kind == LX_SCALAR)
+        return same_scalar(one, id, other, other_id, exact);
+    bool mapping = node->kind == LX_MAPPING;
+    id = node->first;
+    other_id = other_node->first;
+    while (id && other_id) {
+        if (mapping && strcmp(lx_document_key(one, id), lx_document_key(other, other_id)) != 0)
+            return false;
+        if (!lx_document_same(one, id, other, other_id, exact))
+            return false;
+        id = lx_document_node(one, id)->next;
+        other_id = lx_document_node(other, other_id)->next;
+    }
+    return !id && !other_id;
+}
+
 struct lx_place lx_document_stretch(const struct lx_document *document, size_t source, size_t start, size_t end)
 {
-    const struct lx_source *from = document->sources[source];
+    const struct lx_source_text *from = document->sources[source];
     return (struct lx_place){from->name, from->text, from->length, start, end, NULL};
 }
 
@@ -195,7 +248,7 @@ struct copying {
 static int copy_source(struct copying *copying, uint32_t index, uint32_t *copied)
 {
     if (!copying->sources[index]) {
-        struct lx_source *source = copying->from->sources[index];
+        struct lx_source_text *source = copying->from->sources[index];
         if (hold_source(copying->to, source) < 0)
             return -1;
         atomic_fetch_add(&source->users, 1);

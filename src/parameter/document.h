@@ -28,14 +28,14 @@ struct lx_node {
     uint32_t plain : 1; /* a scalar without quotes */
 };
 
-struct lx_source;
+struct lx_source_text;
 
 struct lx_document {
     struct lx_node *nodes; /* [0] is no node */
     size_t node_count, node_capacity;
     char *texts; /* of keys and scalars, each ended by a 0 byte */
     size_t text_length, text_capacity;
-    struct lx_source **sources;
+    struct lx_source_text **sources;
     size_t source_count, source_capacity;
     lx_node_id root;
 };
@@ -96,6 +96,13 @@ size_t lx_document_size(const struct lx_document *document, lx_node_id id);
 
 /* A plain scalar that YAML reads as null: empty, ~ or null. */
 bool lx_document_is_null(const struct lx_document *document, lx_node_id id);
+
+/*
+ * Whether two nodes, of the same or of two documents, hold the same values under the same keys in the same order.
+ * `exact`: numbers and truth values must be written alike, too; quotes never matter where they change nothing.
+ */
+bool lx_document_same(const struct lx_document *one, lx_node_id id, const struct lx_document *other,
+                      lx_node_id other_id, bool exact);
 
 /* The place of a node, and of its key. */
 struct lx_place lx_document_place(const struct lx_document *document, lx_node_id id);

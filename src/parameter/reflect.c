@@ -4,6 +4,7 @@
 #include <string.h>
 
 #include "../base/memory.h"
+#include "../base/phrase.h"
 #include "reflect.h"
 #include "words.h"
 
@@ -19,25 +20,56 @@ void lx_reflection_clear(struct lx_reflection *reflection)
     for (size_t i = 0; i < reflection->count; i++) {
         struct lx_reflected *item = &reflection->items[i];
         free(item->path);
-        free(item->type);
         free(item->choices);
-        free(item->legal);
-        free(item->advised);
         free_rules(item);
     }
+    for (size_t i = 0; i < reflection->word_count; i++)
+        free(reflection->words[i]);
+    free(reflection->words);
     free(reflection->items);
     free(reflection->kinds);
     *reflection = (struct lx_reflection){0};
 }
 
-/* NULL where nothing is advised, or memory ran out. */
-static char *advised_words(const struct lx_parameter *parameter, const char *unit)
+/* Words of the tables in the reflection's language, kept by it; NULL where memory ran out. */
+static const char *keep_words(struct lx_reflection *reflection, struct lx_text *words)
+{
+    char *text = lx_text_render(words, reflection->translate, reflection->data);
+    if (!text || lx_reserve(&reflection->words, &reflection->word_capacity, reflection->word_count + 1,
+                            sizeof *reflection->words) < 0) {
+        free(text);
+        return NULL;
+    }
+    return reflection->words[reflection->word_count++] = text;
+}
+
+static const char *keep_phrase(struct lx_reflection *reflection, const char *english)
 {
     struct lx_text text = {0};
+    lx_add_phrase(&text, english, NULL);
+    return keep_words(reflection, &text);
+}
+
+/* A parameter in words; false where memory ran out. */
+static bool describe(struct lx_reflection *reflection, const struct lx_parameter *parameter, luxel_parameter *shown)
+{
+    const char *unit = lx_unit_word(parameter->unit, false);
+    struct lx_text type = {0}, legal = {0}, advised = {0};
+    lx_add_type(&type, parameter);
+    lx_add_range(&legal, &parameter->legal, unit);
+    if (parameter->advised[0].given)
+        lx_add_advised(&advised, parameter, unit);
+    shown->type = keep_words(reflection, &type);
+    shown->legal = keep_words(reflection, &legal);
+    shown->advised = keep_words(reflection, &advised);
+    shown->unit = keep_phrase(reflection, unit);
+    shown->meaning = keep_phrase(reflection, parameter->meaning);
+    bool whole = shown->type && shown->legal && shown->advised && shown->unit && shown->meaning;
+    if (!parameter->legal.given)
+        shown->legal = NULL;
     if (!parameter->advised[0].given)
-        return NULL;
-    lx_add_advised(&text, parameter, unit);
-    return lx_text_take(&text);
+        shown->advised = NULL;
+    return whole;
 }
 
 /* A rule of a table as the key `key` sees it; false where it says nothing about that key. */
@@ -88,27 +120,15 @@ static int append(struct lx_reflection *reflection, const struct lx_parameter *p
         free(choices);
         return -1;
     }
-    const char *unit = lx_unit_word(parameter->unit, false);
-    struct lx_text type = {0}, legal = {0};
-    lx_add_type(&type, parameter);
-    lx_add_range(&legal, &parameter->legal, unit);
-    struct lx_reflected item = {.path = path, .type = lx_text_take(&type), .choices = choices};
-    item.legal = lx_text_take(&legal);
-    item.advised = advised_words(parameter, unit);
-    bool whole = item.path && item.type && item.legal && (item.choices || !parameter->choices) &&
-                 (item.advised || !parameter->advised[0].given);
+    struct lx_reflected item = {.path = path, .choices = choices};
     item.shown = (luxel_parameter){
-        .path = item.path,
+        .path = path,
         .variant = variant,
-        .type = item.type,
-        .choices = item.choices,
-        .unit = unit,
+        .choices = choices,
         .default_value = parameter->initial,
         .required = parameter->required,
-        .legal = parameter->legal.given ? item.legal : NULL,
-        .advised = item.advised,
-        .meaning = parameter->meaning,
     };
+    bool whole = path && (choices || !parameter->choices) && describe(reflection, parameter, &item.shown);
     reflection->items[reflection->count++] = item;
     return whole ? 0 : -1;
 }
@@ -133,8 +153,11 @@ static int append_kinds(struct lx_reflection *reflection, const struct lx_parame
         if (lx_reserve(&reflection->kinds, &reflection->kind_capacity, reflection->kind_count + 1,
                        sizeof *reflection->kinds) < 0)
             return -1;
+        const char *meaning = keep_phrase(reflection, variant->meaning);
+        if (!meaning)
+            return -1;
         reflection->kinds[reflection->kind_count++] = (luxel_kind){
-            .list = list->name, .name = variant->name, .meaning = variant->meaning, .example = variant->example};
+            .list = list->name, .name = variant->name, .meaning = meaning, .example = variant->example};
     }
     return 0;
 }
@@ -192,9 +215,9 @@ static int reflect_table(struct lx_reflection *reflection, const struct lx_table
     return result;
 }
 
-int lx_reflect(const struct lx_table *table, struct lx_reflection *reflection)
+int lx_reflect(const struct lx_table *table, luxel_translate translate, void *data, struct lx_reflection *reflection)
 {
-    *reflection = (struct lx_reflection){0};
+    *reflection = (struct lx_reflection){.translate = translate, .data = data};
     int result = reflect_table(reflection, table, "", NULL);
     if (result < 0)
         lx_reflection_clear(reflection);

@@ -41,7 +41,7 @@ static void add_advised(struct lx_text *text, const struct lx_parameter *paramet
 {
     struct lx_text words = {0};
     lx_add_advised(&words, parameter, lx_unit_word(parameter->unit, false));
-    char *range = lx_text_take(&words);
+    char *range = lx_text_render(&words, NULL, NULL);
     if (range)
         add_sentence(text, "Advised: ", range);
     else

@@ -161,7 +161,7 @@ void lx_describe_rules(struct lx_text *text, const struct lx_table *table, const
 
 void lx_add_rising_pair(struct lx_json *json)
 {
-    static const double steps[] = {-1000, -100, -10, -1, 0,  0.01, 0.02, 0.05, 0.1, 0.2, 0.5,  1,
+    static const double steps[] = {-1000, -100, -10, -1, 0,  0.01, 0.02, 0.05, 0.1,  0.2,  0.5,  1,
                                    2,     5,    10,  20, 50, 100,  200,  500,  1000, 2000, 5000, 10000};
     lx_json_open(json, "allOf", '[');
     for (size_t i = 0; i < LX_COUNT(steps); i++) {

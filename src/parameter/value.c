@@ -26,7 +26,8 @@ void lx_walk_report(struct lx_walk *walk, luxel_severity severity, struct lx_pla
     if (!key || !name)
         walk->out_of_memory = true;
     place.key = key;
-    lx_report(walk->diagnostics, severity, &place, message, LX_ARGS(name ? name : "", first ? first : "", second));
+    lx_report(walk->diagnostics, severity, &place, message,
+              LX_ARGS(name ? name : "", LX_WORDS(first ? first : ""), LX_WORDS(second)));
     free(key);
     free(name);
 }

@@ -4,6 +4,7 @@
 #include <string.h>
 
 #include "../base/number.h"
+#include "../base/phrase.h"
 #include "words.h"
 
 enum { LONGEST_FOUND = 40 };
@@ -11,10 +12,10 @@ enum { LONGEST_FOUND = 40 };
 const char *lx_unit_word(enum lx_unit unit, bool photometric)
 {
     switch (unit) {
-    case LX_UNIT_MM: return "mm";
+    case LX_UNIT_MM: return LX_N("mm");
     case LX_UNIT_DEGREES: return "°";
-    case LX_UNIT_INTENSITY: return photometric ? "cd" : "W/sr";
-    case LX_UNIT_IRRADIANCE: return photometric ? "lx" : "W/m²";
+    case LX_UNIT_INTENSITY: return photometric ? LX_N("cd") : LX_N("W/sr");
+    case LX_UNIT_IRRADIANCE: return photometric ? LX_N("lx") : LX_N("W/m²");
     case LX_UNIT_NONE: break;
     }
     return "";
@@ -29,20 +30,20 @@ static void add_number(struct lx_text *text, double value)
 void lx_add_range(struct lx_text *text, const struct lx_interval *range, const char *unit)
 {
     if (!range->given) {
-        lx_text_puts(text, "any");
+        lx_add_phrase(text, LX_N("any"), NULL);
     } else if (range->low == range->high) {
         add_number(text, range->low);
     } else if (isinf(range->high)) {
         lx_text_puts(text, range->low_open ? "> " : "≥ ");
         add_number(text, range->low);
     } else {
-        add_number(text, range->low);
-        lx_text_puts(text, " to ");
-        add_number(text, range->high);
+        char low[LX_NUMBER_SIZE], high[LX_NUMBER_SIZE];
+        lx_add_phrase(text, LX_N("{0} to {1}"),
+                      LX_ARGS(lx_write_number(range->low, low), lx_write_number(range->high, high)));
     }
     if (unit[0] && strcmp(unit, "°") != 0)
         lx_text_puts(text, " ");
-    lx_text_puts(text, unit);
+    lx_add_phrase(text, unit, NULL);
 }
 
 void lx_add_advised(struct lx_text *text, const struct lx_parameter *parameter, const char *unit)
@@ -88,19 +89,21 @@ void lx_add_rule_choices(struct lx_text *text, const struct lx_rule *rule, const
 
 void lx_add_type(struct lx_text *text, const struct lx_parameter *parameter)
 {
-    switch (parameter->type) {
-    case LX_REAL: lx_text_puts(text, "number"); break;
-    case LX_WHOLE: lx_text_puts(text, "whole number"); break;
-    case LX_BOOLEAN: lx_text_puts(text, "true or false"); break;
-    case LX_CHOICE: lx_text_puts(text, "one of"); break;
-    case LX_TEXT: lx_text_puts(text, "text"); break;
-    case LX_REALS: lx_text_printf(text, "%u numbers", parameter->count); break;
-    case LX_WHOLES: lx_text_printf(text, "%u whole numbers", parameter->count); break;
-    case LX_CHOICE_OR_PAIR: lx_text_puts(text, "one of, or [low, high]"); break;
-    case LX_GROUP: lx_text_puts(text, "group of keys"); break;
-    case LX_POINTS: lx_text_puts(text, "list of points [x, y]"); break;
-    case LX_VARIANTS: lx_text_puts(text, "list"); break;
-    }
+    static const char *const words[] = {
+        [LX_REAL] = LX_N("number"),
+        [LX_WHOLE] = LX_N("whole number"),
+        [LX_BOOLEAN] = LX_N("true or false"),
+        [LX_CHOICE] = LX_N("one of"),
+        [LX_TEXT] = LX_N("text"),
+        [LX_REALS] = LX_N("{0} numbers"),
+        [LX_WHOLES] = LX_N("{0} whole numbers"),
+        [LX_CHOICE_OR_PAIR] = LX_N("one of, or [low, high]"),
+        [LX_GROUP] = LX_N("group of keys"),
+        [LX_POINTS] = LX_N("list of points [x, y]"),
+        [LX_VARIANTS] = LX_N("list"),
+    };
+    char count[LX_NUMBER_SIZE];
+    lx_add_phrase(text, words[parameter->type], LX_ARGS(lx_write_number(parameter->count, count)));
 }
 
 void lx_add_found(struct lx_text *text, const struct lx_document *document, lx_node_id id)
@@ -112,7 +115,7 @@ void lx_add_found(struct lx_text *text, const struct lx_document *document, lx_n
     }
     const char *found = lx_document_text(document, id);
     if (node->plain && !found[0]) {
-        lx_text_puts(text, "empty");
+        lx_add_phrase(text, LX_N("empty"), NULL);
         return;
     }
     size_t length = strlen(found), shown = 0;
@@ -123,7 +126,7 @@ void lx_add_found(struct lx_text *text, const struct lx_document *document, lx_n
     }
     const char *quote = node->plain ? "" : "\"";
     lx_text_puts(text, quote);
-    lx_text_add(text, found, shown);
+    lx_text_add_escaped(text, found, shown);
     if (shown < length)
         lx_text_puts(text, "…");
     lx_text_puts(text, quote);

@@ -46,7 +46,7 @@ static double beyond_edge(const struct lx_scene_parameters *scene, const struct 
 
 static void advise_view(struct lx_walk *walk, const struct lx_scene_parameters *scene, lx_node_id surfaces)
 {
-    static const char *const sides[2][2] = {{"left", "right"}, {"bottom", "top"}};
+    static const char *const sides[2][2] = {{LX_N("left"), LX_N("right")}, {LX_N("bottom"), LX_N("top")}};
     lx_node_id id = lx_document_node(walk->document, surfaces)->first;
     for (size_t i = 0; i < scene->surfaces.count; i++, id = lx_document_node(walk->document, id)->next) {
         struct bounds bounds = bounds_of(&scene->surfaces.items[i]);
@@ -57,7 +57,7 @@ static void advise_view(struct lx_walk *walk, const struct lx_scene_parameters *
                 if (!(beyond_edge(scene, &bounds, axis, side ? 1 : -1) > tiny))
                     continue;
                 lx_text_puts(&edges, edges.length ? ", " : "");
-                lx_text_puts(&edges, sides[axis][side]);
+                lx_add_phrase(&edges, sides[axis][side], NULL);
             }
         struct lx_step list = {NULL, "surfaces", 0}, step = {&list, NULL, i};
         if (edges.length)

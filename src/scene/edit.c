@@ -50,10 +50,13 @@ static int link_value(struct lx_document *document, const struct lx_path *path, 
         lx_node_id parent = path->nodes[i - 1];
         if (parent && lx_document_node(document, parent)->kind != LX_SCALAR)
             break;
-        struct lx_node group = *lx_document_node(document, value);
-        group.kind = LX_MAPPING;
-        group.first = child;
-        group.next = 0;
+        /* it stands on its key in the path, and so before the '=', where nothing else of a value is */
+        const struct lx_segment *own = &path->segments[i - 2];
+        struct lx_node group = {.kind = LX_MAPPING,
+                                .first = child,
+                                .start = (uint32_t)own->start,
+                                .end = (uint32_t)own->end,
+                                .source = lx_document_node(document, value)->source};
         if (lx_document_add_node(document, group, &child) < 0)
             return -1;
     }

@@ -94,7 +94,7 @@ static luxel_status scan_close(struct scan *scan, luxel_diagnostics *diagnostics
     scan->fresh = false;
     size_t start = scan->open[scan->depth].start;
     if (scan->open[scan->depth].may_be_key && scan->at - start > LONGEST_KEY)
-        return refuse(scan->place, start, start + 1, LX_MSG_LONG_LIST, LX_ARGS("256 kB"), diagnostics);
+        return refuse(scan->place, start, start + 1, LX_MSG_LONG_LIST, LX_ARGS(LX_TERM(LX_N("256 kB"))), diagnostics);
     return LUXEL_OK;
 }
 

@@ -1,77 +1,67 @@
 /* SPDX-License-Identifier: MIT */
 /*
- * Reading a scene file.  Pipes and devices are read like files, up to the limit, so a text without end is
- * refused like one that is too large.
+ * Getting at the text of a scene.  Pipes and devices are read like files, up to the limit, so a text without end is
+ * refused like one that is too large; a picture may be as large as it likes, for only its texts are read.
  */
-#include <errno.h>
-#include <fcntl.h>
 #include <stdlib.h>
-#include <sys/stat.h>
-#include <unistd.h>
 
 #include "../base/memory.h"
-#include "../base/reason.h"
+#include "../format/format.h"
 #include "guard.h"
 #include "input.h"
 
-enum { FIRST_BLOCK = 64 * 1024 };
-
-luxel_status lx_refuse_size(const char *source, luxel_diagnostics *diagnostics)
+static luxel_status refuse_size(struct lx_source *source)
 {
-    struct lx_place place = {.source = source};
-    lx_report(diagnostics, LUXEL_SEVERITY_ERROR, &place, LX_MSG_TEXT_TOO_LARGE, LX_ARGS("64 MB"));
-    return LUXEL_ERROR_SCENE;
+    return lx_source_fail(source, LUXEL_ERROR_SCENE, LX_MSG_TEXT_TOO_LARGE, LX_ARGS(LX_TERM(LX_N("64 MB"))));
 }
 
-static luxel_status cannot_read(const char *path, int reason, luxel_diagnostics *diagnostics)
+static luxel_status read_text(struct lx_source *source, struct lx_input *input)
 {
-    lx_report(diagnostics, LUXEL_SEVERITY_ERROR, NULL, LX_MSG_FILE_NOT_READ, LX_ARGS(path, lx_reason(reason)));
-    return LUXEL_ERROR_FILE;
+    if (lx_source_size(source) > LX_LARGEST_TEXT)
+        return refuse_size(source);
+    input->length = (size_t)lx_source_size(source);
+    input->text = lx_new_array(input->length + 1, 1);
+    if (!input->text)
+        return lx_source_out_of_memory(source);
+    return lx_source_read(source, 0, input->text, input->length);
 }
 
-static luxel_status read_all(int file, const char *path, luxel_diagnostics *diagnostics, char **text, size_t *length)
+static luxel_status refuse_picture(struct lx_source *source, const struct lx_format *format)
 {
-    size_t capacity = 0;
-    *text = NULL;
-    *length = 0;
-    for (;;) {
-        if (*length == capacity && lx_reserve((void **)text, &capacity, capacity ? 2 * capacity : FIRST_BLOCK, 1) < 0)
-            return lx_out_of_memory(diagnostics);
-        ssize_t got = read(file, *text + *length, capacity - *length);
-        if (got < 0 && errno == EINTR)
-            continue;
-        if (got < 0)
-            return cannot_read(path, errno, diagnostics);
-        if (got == 0)
-            return LUXEL_OK;
-        *length += (size_t)got;
-        if (*length > LX_LARGEST_TEXT)
-            return lx_refuse_size(path, diagnostics);
-    }
+    luxel_status status = lx_source_refuse(source, LX_MSG_NO_SCENE_INSIDE, LX_ARGS(format->name));
+    lx_hint(lx_source_diagnostics(source), LX_MSG_HINT_CARRIES, NULL);
+    return status;
 }
 
-luxel_status lx_read_input(const char *path, luxel_diagnostics *diagnostics, char **text, size_t *length)
+static luxel_status read_picture(struct lx_source *source, const struct lx_format *format, struct lx_input *input)
 {
-    struct stat about;
-    int file = open(path, O_RDONLY | O_CLOEXEC | O_NOCTTY);
-    if (file < 0 || fstat(file, &about) < 0) {
-        luxel_status status = cannot_read(path, errno, diagnostics);
-        if (file >= 0)
-            close(file);
-        return status;
-    }
-    char *read_text = NULL;
-    luxel_status status;
-    if (S_ISDIR(about.st_mode))
-        status = cannot_read(path, EISDIR, diagnostics);
-    else if (S_ISREG(about.st_mode) && about.st_size > LX_LARGEST_TEXT)
-        status = lx_refuse_size(path, diagnostics);
-    else
-        status = read_all(file, path, diagnostics, &read_text, length);
-    close(file);
+    struct lx_tags tags = {0};
+    lx_source_judge(source, LUXEL_ERROR_SCENE, format->magic, format->magic_length);
+    luxel_status status = format->read_tags ? format->read_tags(source, &tags) : LUXEL_OK;
+    const struct lx_read_tag *tag = lx_tags_find(&tags, LX_TAG_SCENE);
+    if (status == LUXEL_OK && !tag)
+        status = refuse_picture(source, format);
     if (status == LUXEL_OK)
-        *text = read_text;
+        status = lx_carried_read(source, &tags, &input->carried);
+    if (status == LUXEL_OK) {
+        input->length = tag->length;
+        input->text = lx_copy_text(tag->value, tag->length);
+        status = input->text ? LUXEL_OK : lx_source_out_of_memory(source);
+    }
+    lx_tags_clear(&tags);
+    return status;
+}
+
+luxel_status lx_read_input(struct lx_source *source, struct lx_input *input)
+{
+    struct lx_input read = {.text = NULL};
+    const struct lx_format *format = lx_format_of_content(source);
+    luxel_status status = lx_source_status(source);
+    if (status == LUXEL_OK)
+        status = format ? read_picture(source, format, &read) : read_text(source, &read);
+    if (status == LUXEL_OK)
+        *input = read;
     else
-        free(read_text);
+        free(read.text);
     return status;
 }

@@ -5,6 +5,7 @@
 
 #include "../parameter/decode.h"
 #include "../parameter/document.h"
+#include "carried.h"
 #include "scene.h"
 
 struct lx_convention {
@@ -19,6 +20,7 @@ struct luxel_scene {
     struct lx_scene_parameters parameters; /* meaningful where committed, and so are the conventions */
     struct lx_convention *conventions;
     size_t convention_count, convention_capacity;
+    struct lx_carried carried; /* of the picture that it was read from */
 };
 
 /* Takes the readiness away and frees what it consists of. */

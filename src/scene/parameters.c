@@ -11,13 +11,18 @@ struct luxel_parameters {
     struct lx_reflection reflection;
 };
 
-luxel_parameters *luxel_parameters_new(void)
+luxel_parameters *luxel_parameters_new_translated(luxel_translate translate, void *data)
 {
     luxel_parameters *parameters = lx_new_array(1, sizeof *parameters);
-    if (!parameters || lx_reflect(&lx_scene_table, &parameters->reflection) == 0)
+    if (!parameters || lx_reflect(&lx_scene_table, translate, data, &parameters->reflection) == 0)
         return parameters;
     free(parameters);
     return NULL;
+}
+
+luxel_parameters *luxel_parameters_new(void)
+{
+    return luxel_parameters_new_translated(NULL, NULL);
 }
 
 void luxel_parameters_free(luxel_parameters *parameters)

@@ -46,27 +46,36 @@ static luxel_status make_scene(char *text, size_t length, const char *source, lu
     return status;
 }
 
+/* Makes a scene of what a source holds, and closes it. */
+static luxel_status read_source(struct lx_source *source, luxel_diagnostics *diagnostics, luxel_scene **scene)
+{
+    struct lx_input input;
+    luxel_status status = lx_read_input(source, &input);
+    if (status == LUXEL_OK)
+        status = make_scene(input.text, input.length, lx_source_name(source), diagnostics, scene);
+    if (status == LUXEL_OK)
+        (*scene)->carried = input.carried;
+    lx_source_close(source);
+    return status;
+}
+
 luxel_status luxel_scene_read_text(const char *text, size_t length, const char *source, luxel_diagnostics *diagnostics,
                                    luxel_scene **scene)
 {
     if (!scene || (!text && length))
         return LUXEL_ERROR_ARGUMENT;
-    if (!source)
-        source = "<text>";
-    if (length > LX_LARGEST_TEXT)
-        return lx_refuse_size(source, diagnostics);
-    char *copy = lx_copy_text(text, length);
-    return copy ? make_scene(copy, length, source, diagnostics, scene) : lx_out_of_memory(diagnostics);
+    struct lx_source *bytes;
+    luxel_status status = lx_source_of_bytes(source ? source : "<text>", text, length, diagnostics, &bytes);
+    return status == LUXEL_OK ? read_source(bytes, diagnostics, scene) : status;
 }
 
 luxel_status luxel_scene_read_file(const char *path, luxel_diagnostics *diagnostics, luxel_scene **scene)
 {
-    char *text = NULL;
-    size_t length = 0;
     if (!path || !scene)
         return LUXEL_ERROR_ARGUMENT;
-    luxel_status status = lx_read_input(path, diagnostics, &text, &length);
-    return status == LUXEL_OK ? make_scene(text, length, path, diagnostics, scene) : status;
+    struct lx_source *file;
+    luxel_status status = lx_source_open(path, LX_LARGEST_TEXT, diagnostics, &file);
+    return status == LUXEL_OK ? read_source(file, diagnostics, scene) : status;
 }
 
 luxel_scene *luxel_scene_copy(const luxel_scene *scene)
@@ -80,6 +89,7 @@ luxel_scene *luxel_scene_copy(const luxel_scene *scene)
         return NULL;
     }
     copy->compact_bytes = lx_document_bytes(&copy->document);
+    copy->carried = scene->carried;
     return copy;
 }
 

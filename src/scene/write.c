@@ -1,151 +1,87 @@
 /* SPDX-License-Identifier: MIT */
 /*
- * The scene as YAML text, luxel_scene_write_text() itself included: keys of the scene, surfaces and long lists
- * in block style, small mappings and lists of numbers on one line.
+ * The scene as text, the public functions: what the user wrote, with what was changed spliced in.  What comes out
+ * is read again and compared with the scene; should it ever say something else, the whole is written anew.
  */
+#include <stdlib.h>
 #include <string.h>
 
-#include "../base/text.h"
-#include "../parameter/plain.h"
+#include "../base/memory.h"
+#include "../base/sink.h"
 #include "object.h"
+#include "splice.h"
+#include "tidy.h"
+#include "yaml.h"
 
-enum { LINE_COLUMNS = 118, INDENT = 2 };
-
-struct writer {
-    const struct lx_document *document;
-    struct lx_text text;
-};
-
-static void write_quoted(struct lx_text *text, const char *string)
+/* Whether a text reads as what the document holds. */
+static luxel_status check_text(const struct lx_document *document, const struct lx_text *text, bool *same)
 {
-    lx_text_puts(text, "\"");
-    size_t length = strlen(string);
-    for (size_t i = 0, size; i < length; i += size) {
-        uint32_t code;
-        size = lx_next_character(string + i, length - i, &code);
-        size = size ? size : 1;
-        if (string[i] == '"' || string[i] == '\\')
-            lx_text_puts(text, "\\");
-        lx_text_add_escaped(text, string + i, size);
+    struct lx_document again = {0};
+    luxel_status status = text->failed ? LUXEL_ERROR_MEMORY : lx_yaml_read_text(text->bytes, text->length, &again);
+    *same = status == LUXEL_OK && again.root && lx_document_same(document, document->root, &again, again.root, false);
+    lx_document_clear(&again);
+    return status == LUXEL_ERROR_MEMORY ? status : LUXEL_OK;
+}
+
+/* Writes the whole anew, JSON as JSON. */
+static void write_anew(const struct lx_document *document, bool json, struct lx_text *text)
+{
+    lx_text_clear(text);
+    if (json) {
+        lx_write_flow(text, document, document->root, true);
+        lx_text_puts(text, "\n");
+    } else {
+        lx_write_tidy(text, document);
     }
-    lx_text_puts(text, "\"");
 }
 
-/* A text, without quotes where it stays a text without. */
-static void write_word(struct lx_text *text, const char *string)
+static luxel_status write_changed(const struct lx_document *document, struct lx_text *text)
 {
-    if (lx_plain_is_safe(string))
-        lx_text_puts(text, string);
-    else
-        write_quoted(text, string);
-}
-
-static void write_scalar(struct writer *writer, lx_node_id id)
-{
-    const char *string = lx_document_text(writer->document, id);
-    if (!lx_document_node(writer->document, id)->plain)
-        write_word(&writer->text, string);
-    else if (!string[0])
-        lx_text_puts(&writer->text, "null");
-    else if (lx_plain_is_writable(string))
-        lx_text_puts(&writer->text, string);
-    else
-        write_quoted(&writer->text, string);
-}
-
-static void write_key(struct writer *writer, lx_node_id id)
-{
-    write_word(&writer->text, lx_document_key(writer->document, id));
-    lx_text_puts(&writer->text, ":");
-}
-
-/* Writes on one line; false as soon as it is longer than `end`. */
-static bool write_flow(struct writer *writer, lx_node_id id, size_t end)
-{
-    const struct lx_node *node = lx_document_node(writer->document, id);
-    if (node->kind == LX_SCALAR) {
-        write_scalar(writer, id);
-        return writer->text.length <= end;
-    }
-    bool mapping = node->kind == LX_MAPPING;
-    lx_text_puts(&writer->text, mapping ? "{" : "[");
-    for (lx_node_id child = node->first; child; child = lx_document_node(writer->document, child)->next) {
-        if (child != node->first)
-            lx_text_puts(&writer->text, ", ");
-        if (mapping) {
-            write_key(writer, child);
-            lx_text_puts(&writer->text, " ");
-        }
-        if (!write_flow(writer, child, end))
-            return false;
-    }
-    lx_text_puts(&writer->text, mapping ? "}" : "]");
-    return writer->text.length <= end;
-}
-
-/* Whether a mapping stands anywhere below. */
-static bool holds_mapping(const struct lx_document *document, lx_node_id id)
-{
-    for (id = lx_document_node(document, id)->first; id; id = lx_document_node(document, id)->next)
-        if (lx_document_node(document, id)->kind == LX_MAPPING || holds_mapping(document, id))
-            return true;
-    return false;
-}
-
-/* Writes on the rest of the line what is simple and fits there; else writes nothing and returns false. */
-static bool write_on_line(struct writer *writer, lx_node_id id, size_t line_start)
-{
-    const struct lx_node *node = lx_document_node(writer->document, id);
-    if (node->kind == LX_SCALAR || !node->first)
-        return write_flow(writer, id, SIZE_MAX);
-    size_t before = writer->text.length;
-    if (!holds_mapping(writer->document, id) && write_flow(writer, id, line_start + LINE_COLUMNS))
-        return true;
-    writer->text.length = before;
-    return false;
-}
-
-/* Writes the children on lines of their own; the first one starts where the text ends. */
-static void write_block(struct writer *writer, lx_node_id id, size_t indent)
-{
-    const struct lx_node *node = lx_document_node(writer->document, id);
-    for (lx_node_id child = node->first; child; child = lx_document_node(writer->document, child)->next) {
-        if (child != node->first)
-            lx_text_fill(&writer->text, ' ', indent);
-        size_t line_start = writer->text.length - indent;
-        if (node->kind == LX_SEQUENCE)
-            lx_text_puts(&writer->text, "-");
-        else
-            write_key(writer, child);
-        size_t before = writer->text.length;
-        lx_text_puts(&writer->text, " ");
-        if (write_on_line(writer, child, line_start)) {
-            lx_text_puts(&writer->text, "\n");
-        } else if (node->kind == LX_SEQUENCE) {
-            write_block(writer, child, indent + INDENT);
-        } else {
-            writer->text.length = before;
-            lx_text_puts(&writer->text, "\n");
-            lx_text_fill(&writer->text, ' ', indent + INDENT);
-            write_block(writer, child, indent + INDENT);
-        }
-        if (writer->text.failed)
-            return;
-    }
+    struct lx_place written = lx_document_place(document, document->root);
+    bool json = false, same = false;
+    enum lx_splice_result result = lx_splice(document, document->root, written.text, written.length, text, &json);
+    luxel_status status = result == LX_SPLICE_NO_MEMORY ? LUXEL_ERROR_MEMORY : LUXEL_OK;
+    if (result == LX_SPLICED)
+        status = check_text(document, text, &same);
+    if (status == LUXEL_OK && !same)
+        write_anew(document, json, text);
+    return status;
 }
 
 luxel_status luxel_scene_write_text(const luxel_scene *scene, char **text)
 {
     if (!scene || !text)
         return LUXEL_ERROR_ARGUMENT;
-    struct writer writer = {.document = &scene->document};
-    if (lx_document_node(&scene->document, scene->document.root)->first)
-        write_block(&writer, scene->document.root, 0);
+    const struct lx_document *document = &scene->document;
+    struct lx_place written = lx_document_place(document, document->root);
+    struct lx_text words = {0};
+    luxel_status status = LUXEL_OK;
+    if (lx_is_as_read(document, document->root))
+        lx_text_add(&words, written.text, written.length);
     else
-        lx_text_puts(&writer.text, "{}\n");
-    char *written = lx_text_take(&writer.text);
-    if (!written)
-        return LUXEL_ERROR_MEMORY;
-    *text = written;
-    return LUXEL_OK;
+        status = write_changed(document, &words);
+    if (status == LUXEL_OK && words.failed)
+        status = LUXEL_ERROR_MEMORY;
+    if (status == LUXEL_OK)
+        *text = lx_text_take(&words);
+    lx_text_clear(&words);
+    return status;
+}
+
+luxel_status luxel_scene_write_file(const luxel_scene *scene, const char *path, luxel_diagnostics *diagnostics)
+{
+    struct lx_sink *sink;
+    char *text = NULL;
+    if (!scene || !path)
+        return LUXEL_ERROR_ARGUMENT;
+    luxel_status status = luxel_scene_write_text(scene, &text);
+    if (status == LUXEL_ERROR_MEMORY)
+        return lx_out_of_memory(diagnostics);
+    status = lx_sink_open(path, NULL, diagnostics, &sink);
+    if (status == LUXEL_OK) {
+        lx_sink_write(sink, text, strlen(text));
+        status = lx_sink_commit(sink);
+    }
+    free(text);
+    return status;
 }

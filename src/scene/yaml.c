@@ -99,7 +99,7 @@ static luxel_status place_node(struct reader *reader, struct lx_node node, lx_no
         level->has_key = false;
     }
     if (reader->document->node_count >= LX_MOST_NODES)
-        return refuse(reader, node.start, node.end, LX_MSG_TOO_MANY_VALUES, LX_ARGS("16 million"));
+        return refuse(reader, node.start, node.end, LX_MSG_TOO_MANY_VALUES, LX_ARGS(LX_TERM(LX_N("16 million"))));
     if (lx_document_add_node(reader->document, node, id) < 0)
         return out_of_memory(reader);
     if (!level)
@@ -250,7 +250,7 @@ static luxel_status report_syntax(struct reader *reader, size_t start, struct fy
         error = fy_diag_errors_iterate(diag, &iterator);
     if (!error || !error->msg) /* for some texts the parser gives no reason */
         return refuse(reader, reader->last_end, reader->last_end, LX_MSG_SYNTAX,
-                      LX_ARGS("unreadable behind this place"));
+                      LX_ARGS(LX_TERM(LX_N("unreadable behind this place"))));
     const struct fy_mark *mark = error->fyt ? fy_token_start_mark(error->fyt) : NULL;
     size_t from = position(reader, mark, find_position(reader, start, error->line, error->column));
     size_t to = position(reader, error->fyt ? fy_token_end_mark(error->fyt) : NULL, from);
@@ -264,7 +264,9 @@ static luxel_status report_syntax(struct reader *reader, size_t start, struct fy
                 from = reader->document->nodes[reader->levels[i].id].start;
                 return refuse(reader, from, from + 1, LX_MSG_NOT_CLOSED, NULL);
             }
-    return refuse(reader, from, to, LX_MSG_SYNTAX, LX_ARGS(error->msg));
+    if (strncmp(error->msg, "invalid escape", strlen("invalid escape")) == 0) /* it quotes the escape */
+        return refuse(reader, from, to, LX_MSG_BAD_ESCAPE, NULL);
+    return refuse(reader, from, to, LX_MSG_SYNTAX, LX_ARGS(LX_TERM(error->msg)));
 }
 
 static luxel_status read_events(struct reader *reader, const char *text, size_t length, size_t start)
@@ -351,4 +353,14 @@ luxel_status lx_yaml_read(struct lx_document *document, size_t source, size_t st
     if (status == LUXEL_OK)
         *root = reader.root;
     return status;
+}
+
+luxel_status lx_yaml_read_text(const char *text, size_t length, struct lx_document *document)
+{
+    uint32_t empty;
+    char *copy = lx_copy_text(text, length);
+    if (!copy || lx_document_add_source(document, "", copy, length) < 0 ||
+        lx_document_add_text(document, "", 0, &empty) < 0)
+        return LUXEL_ERROR_MEMORY;
+    return lx_yaml_read(document, 0, 0, 0, NULL, &document->root);
 }

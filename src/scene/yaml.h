@@ -13,4 +13,10 @@
 luxel_status lx_yaml_read(struct lx_document *document, size_t source, size_t start, unsigned depth,
                           luxel_diagnostics *diagnostics, lx_node_id *root);
 
+/*
+ * Reads a text as a document of its own, which starts as {0}, root included; nothing is reported.  The document is to
+ * be cleared in any case.  LUXEL_ERROR_SCENE, LUXEL_ERROR_MEMORY.
+ */
+luxel_status lx_yaml_read_text(const char *text, size_t length, struct lx_document *document);
+
 #endif

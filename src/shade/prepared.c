@@ -4,6 +4,7 @@
 
 #include "prepared.h"
 #include "../base/memory.h"
+#include "../base/phrase.h"
 #include "../light/light.h"
 
 static int prepare_lights(const struct lx_list *lights, struct lx_emitters *emitters)
@@ -82,10 +83,10 @@ const char *lx_unit_of(const struct lx_prepared *prepared, luxel_quantity quanti
 
     enum laws laws = common_law(&prepared->emitters);
     if (laws == ALL_UNATTENUATED && none)
-        return photometric ? "cd" : "W/sr";
+        return photometric ? LX_N("cd") : LX_N("W/sr");
     if (laws == ALL_PHYSICAL && none)
-        return photometric ? "lx" : "W/m²";
+        return photometric ? LX_N("lx") : LX_N("W/m²");
     if (laws == ALL_PHYSICAL && all)
-        return photometric ? "cd/m²" : "W/(sr·m²)";
-    return "relative";
+        return photometric ? LX_N("cd/m²") : LX_N("W/(sr·m²)");
+    return LX_N("relative");
 }

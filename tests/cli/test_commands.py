@@ -59,7 +59,10 @@ def scenes(tap, tool):
     tap.equal(tool.run("scene", "--list", "report").code, 2, "scene --list takes no name")
     wrong = tool.run("scene", "reprot")
     tap.ok(wrong.code == 2 and "did you mean report?" in wrong.err and not wrong.out, "an unknown scene", wrong)
-    tap.equal(tool.run("scene", "my.yaml").code, 2, "scene takes no file")
+    tool.write("a.yaml", tool.run("scene", "my.yaml").out)
+    tap.equal(tool.run("render", "a.yaml", "--json").out, expected, "scene takes a file")
+    tool.write("report", "no scene")
+    tap.equal(tool.run("scene", "report").out, text.out, "a built-in scene goes before a file of its name")
     tap.equal(tool.run("scene", "-s", "screen.width=-1").code, 3, "scene -s with an illegal value")
 
 

@@ -1,5 +1,7 @@
 # SPDX-License-Identifier: MIT
 """luxel help KEY: every key of a scene is explained, however it is written."""
+import re
+
 from tap import Tap
 from tool import run_tests
 
@@ -36,4 +38,38 @@ def forms(tap, tool):
     tap.equal(tool.run("help", "render", "--json").code, 2, "a command has no JSON help")
 
 
-run_tests(Tap(), every_key, forms)
+def rules(tap, tool):
+    for topic, words in (("lights[].k", "required with attenuation: practical"), ("axis", "excludes aim"),
+                         ("aim", "excludes axis"), ("inner", "at most outer"), ("aim", "must differ from position"),
+                         ("observer.z", "must be > 0 with projection: perspective"),
+                         ("shininess", "has effect only with model: blinn-phong, phong")):
+        result = tool.run("help", topic)
+        tap.ok(words in " ".join(result.out.split()), "help %s: %s" % (topic, words), result)
+    keys = {(key["path"], key["of_type"]): key["rules"] for key in tool.run("help", "--json").json()["keys"]}
+    tap.ok({"rule": "excludes", "key": "aim", "choices": None} in keys["lights[].axis", "spot"], "rules as JSON")
+    tap.equal(keys["screen.width", None], [], "a key without rules")
+
+
+def kinds(tap, tool):
+    kinds = tool.run("help", "--json").json()["kinds"]
+    choices = {key["path"]: key["choices"] for key in tool.run("help", "--json").json()["keys"]}
+    for name in "surfaces", "lights":
+        tap.equal(", ".join(kind["name"] for kind in kinds if kind["list"] == name), choices[name + "[].type"],
+                  "the kinds of " + name)
+    for kind in kinds:
+        result = tool.run("help", kind["name"])
+        tap.ok(kind["meaning"] in " ".join(result.out.split()) and kind["example"] in result.out,
+               "help %s has its meaning and an example" % kind["name"], result)
+
+
+def commands(tap, tool):
+    usage = tool.run("help").out
+    for command in re.findall(r"^  (\w+)  +\w", usage, re.M):
+        text = tool.run("help", command).out
+        tap.ok(text.startswith("Usage: luxel " + command) and "Examples:" in text, "help " + command, text)
+        for code in "0 done", "2 wrong usage", "3 a scene", "4 a file", "5 a tolerance", "130 interrupted":
+            tap.ok(code in " ".join(text.split()), "help %s tells exit code %s" % (command, code.split()[0]))
+        tap.ok(max(map(len, text.split("\n"))) <= 100, "help %s is not too wide" % command)
+
+
+run_tests(Tap(), every_key, forms, rules, kinds, commands)

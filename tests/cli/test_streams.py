@@ -83,7 +83,9 @@ def locales(tap, tool):
             continue
         environment = {"LC_ALL": name, "LANGUAGE": name[:2]}
         for command, out in plain.items():
-            tap.ok(tool.run(*command, environment=environment).out == out, "LC_ALL=%s %s" % (name, " ".join(command)))
+            if not name.startswith("ru") or "--json" in command:  # Russian texts have their own test
+                result = tool.run(*command, environment=environment)
+                tap.ok(result.out == out, "LC_ALL=%s %s" % (name, " ".join(command)), result)
         result = tool.run("probe", "-p", "1,5", "--json", environment=environment)
         tap.equal(result.json()["points"][0]["screen"], [1, 5], "LC_ALL=%s: 1,5 is two numbers" % name)
         result = tool.run("probe", "-p", "1.5,-0.25", "--json", environment=environment)

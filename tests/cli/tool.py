@@ -50,7 +50,7 @@ class Tool:
         self.folder = folder
 
     def run(self, *arguments, stdin="", environment=None, timeout=60, **more):
-        variables = {**os.environ, **(environment or {})}
+        variables = {**os.environ, "LC_ALL": "C.UTF-8", "LANGUAGE": "", **(environment or {})}
         if "LUXEL_ISA" not in (environment or {}):
             variables.pop("LUXEL_ISA", None)
         if isinstance(stdin, str):

@@ -43,9 +43,9 @@ static void sets_values(void **state)
         {"points=[]", "points: []"},
         {"shadows=none", "shadows: none"},
         {"picture.range=[0, 5]", "range: [0, 5]"},
-        {"lights=[{type: ambient, irradiance: 3}]", "  - {type: ambient, irradiance: 3}"},
+        {"lights=[{type: ambient, irradiance: 3}]", "lights: [{type: ambient, irradiance: 3}]"},
         {"lights[0]={type: distant, direction: [0, 0, -1], irradiance: 3}",
-         "  - {type: distant, direction: [0, 0, -1]"},
+         "lights: [{type: distant, direction: [0, 0, -1], irradiance: 3}]"},
         {"observer=z: 1600\nprojection: perspective", "observer: {z: 1600, projection: perspective}"},
         {"lights=[]", "lights: []"},
     };
@@ -77,7 +77,7 @@ static void makes_missing_groups(void **state)
         assert_int_equal(luxel_scene_set(scene, assignments[i], NULL), LUXEL_OK);
     assert_int_equal(luxel_scene_commit(scene, NULL), LUXEL_OK);
     expect_text(scene, "screen: {width: 100, height: 100, resolution: [2, 2]}\n", true);
-    expect_text(scene, "    material: {over_pi: true}\n", true);
+    expect_text(scene, "{type: sphere, center: [0,0,5], radius: 5, material: {over_pi: true}}", true);
     expect_text(scene, "picture: {rounding: nearest}\n", true);
     luxel_scene_free(scene);
 }

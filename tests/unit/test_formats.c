@@ -27,7 +27,8 @@ struct folder {
     size_t length;
 };
 
-static int make_folder(void **state) {
+static int make_folder(void **state)
+{
     struct folder *folder = calloc(1, sizeof *folder);
 
     strcpy(folder->path, "/tmp/luxel-formats-XXXXXX");
@@ -35,7 +36,8 @@ static int make_folder(void **state) {
     return mkdtemp(folder->path) != NULL ? 0 : -1;
 }
 
-static int remove_folder(void **state) {
+static int remove_folder(void **state)
+{
     struct folder *folder = *state;
 
     unlink(folder->file);
@@ -45,7 +47,8 @@ static int remove_folder(void **state) {
 }
 
 /* Writes an image to a file of this ending and reads its bytes. */
-static void write_and_read(struct folder *folder, const char *ending, const struct lx_image *image) {
+static void write_and_read(struct folder *folder, const char *ending, const struct lx_image *image)
+{
     snprintf(folder->file, sizeof folder->file, "%s/image%s", folder->path, ending);
     assert_int_equal(lx_write_image(folder->file, image, NULL), LUXEL_OK);
     FILE *file = fopen(folder->file, "rb");
@@ -55,24 +58,28 @@ static void write_and_read(struct folder *folder, const char *ending, const stru
 }
 
 /* A value that tells its place, and needs all the digits of its type. */
-static double value_at(unsigned row, unsigned column) {
+static double value_at(unsigned row, unsigned column)
+{
     return (1.0 + row) / 3.0 + 10.0 * column;
 }
 
-static void fill_single(float *values) {
+static void fill_single(float *values)
+{
     for (unsigned i = 0; i < ROWS * COLUMNS; i++) {
         values[i] = (float)value_at(i / COLUMNS, i % COLUMNS);
     }
 }
 
-static void fill_double(double *values) {
+static void fill_double(double *values)
+{
     for (unsigned i = 0; i < ROWS * COLUMNS; i++) {
         values[i] = value_at(i / COLUMNS, i % COLUMNS);
     }
 }
 
 /* Little-endian numbers, put together by arithmetic. */
-static double read_single(const unsigned char *bytes) {
+static double read_single(const unsigned char *bytes)
+{
     uint32_t bits = bytes[0] + 256u * (bytes[1] + 256u * (bytes[2] + 256u * bytes[3]));
     int exponent = (int)(bits >> 23 & 255);
     double fraction = (double)(bits & 0x7fffff);
@@ -80,7 +87,8 @@ static double read_single(const unsigned char *bytes) {
     return (bits >> 31 ? -1 : 1) * (exponent == 0 ? ldexp(fraction, -149) : ldexp(fraction + 0x800000, exponent - 150));
 }
 
-static double read_double(const unsigned char *bytes) {
+static double read_double(const unsigned char *bytes)
+{
     uint64_t bits = 0;
 
     for (int i = 7; i >= 0; i--) {
@@ -93,7 +101,8 @@ static double read_double(const unsigned char *bytes) {
 /* ---- NPY ---- */
 
 /* Checks the header; returns where the numbers begin. */
-static const unsigned char *npy_numbers(const struct folder *folder, const char *dictionary, size_t width) {
+static const unsigned char *npy_numbers(const struct folder *folder, const char *dictionary, size_t width)
+{
     const unsigned char *bytes = folder->bytes;
     size_t header = 10u + bytes[8] + 256u * bytes[9];
 
@@ -108,9 +117,10 @@ static const unsigned char *npy_numbers(const struct folder *folder, const char 
     return bytes + header;
 }
 
-static void test_npy_single(void **state) {
+static void test_npy_single(void **state)
+{
     float values[ROWS * COLUMNS];
-    struct lx_image image = {COLUMNS, ROWS, 1, LX_SAMPLE_F32, values};
+    struct lx_image image = {.columns = COLUMNS, .rows = ROWS, .channels = 1, .sample = LX_SAMPLE_F32, .data = values};
 
     fill_single(values);
     write_and_read(*state, ".npy", &image);
@@ -121,9 +131,10 @@ static void test_npy_single(void **state) {
     }
 }
 
-static void test_npy_double(void **state) {
+static void test_npy_double(void **state)
+{
     double values[ROWS * COLUMNS];
-    struct lx_image image = {COLUMNS, ROWS, 1, LX_SAMPLE_F64, values};
+    struct lx_image image = {.columns = COLUMNS, .rows = ROWS, .channels = 1, .sample = LX_SAMPLE_F64, .data = values};
 
     fill_double(values);
     write_and_read(*state, ".npy", &image);
@@ -137,7 +148,8 @@ static void test_npy_double(void **state) {
 /* ---- PFM ---- */
 
 /* Checks header and numbers: the picture's bottom row comes first. */
-static void assert_pfm(const struct folder *folder) {
+static void assert_pfm(const struct folder *folder)
+{
     static const char header[] = "Pf\n5 3\n-1.0\n";
     const unsigned char *numbers = folder->bytes + sizeof header - 1;
 
@@ -149,18 +161,20 @@ static void assert_pfm(const struct folder *folder) {
     }
 }
 
-static void test_pfm_single(void **state) {
+static void test_pfm_single(void **state)
+{
     float values[ROWS * COLUMNS];
-    struct lx_image image = {COLUMNS, ROWS, 1, LX_SAMPLE_F32, values};
+    struct lx_image image = {.columns = COLUMNS, .rows = ROWS, .channels = 1, .sample = LX_SAMPLE_F32, .data = values};
 
     fill_single(values);
     write_and_read(*state, ".pfm", &image);
     assert_pfm(*state);
 }
 
-static void test_pfm_from_double(void **state) {
+static void test_pfm_from_double(void **state)
+{
     double values[ROWS * COLUMNS];
-    struct lx_image image = {COLUMNS, ROWS, 1, LX_SAMPLE_F64, values};
+    struct lx_image image = {.columns = COLUMNS, .rows = ROWS, .channels = 1, .sample = LX_SAMPLE_F64, .data = values};
 
     fill_double(values);
     write_and_read(*state, ".pfm", &image);
@@ -168,12 +182,13 @@ static void test_pfm_from_double(void **state) {
 }
 
 /* Signs, the smallest and the largest numbers, in rows longer than what is turned into bytes at a time. */
-static void test_nasty_numbers(void **state) {
+static void test_nasty_numbers(void **state)
+{
     struct folder *folder = *state;
     enum { WIDE = 1031 };
     static const float nasty[] = {0.0f, -1.5f, 1e-45f, 1.2e-38f, 3.4028235e38f, -7e-40f, 16777215.0f};
     float *values = malloc(2 * WIDE * sizeof *values);
-    struct lx_image image = {WIDE, 2, 1, LX_SAMPLE_F32, values};
+    struct lx_image image = {.columns = WIDE, .rows = 2, .channels = 1, .sample = LX_SAMPLE_F32, .data = values};
 
     for (unsigned i = 0; i < 2 * WIDE; i++) {
         values[i] = nasty[i % 7];
@@ -188,12 +203,14 @@ static void test_nasty_numbers(void **state) {
 
 /* ---- PNG ---- */
 
-static uint8_t grey_at(unsigned row, unsigned column) {
+static uint8_t grey_at(unsigned row, unsigned column)
+{
     return (uint8_t)(200 - 60 * row + 7 * column);
 }
 
 /* By libpng's simplified reader for the values, and by its place in the file for the kind. */
-static void assert_png(const struct folder *folder, unsigned columns, unsigned rows) {
+static void assert_png(const struct folder *folder, unsigned columns, unsigned rows)
+{
     static const unsigned char grey8[] = {8, 0, 0, 0, 0}; /* depth, colour, compression, filter, interlace */
     png_image reader = {.version = PNG_IMAGE_VERSION};
     uint8_t *pixels = malloc((size_t)columns * rows);
@@ -211,9 +228,10 @@ static void assert_png(const struct folder *folder, unsigned columns, unsigned r
     free(pixels);
 }
 
-static void png_of_size(struct folder *folder, unsigned columns, unsigned rows) {
+static void png_of_size(struct folder *folder, unsigned columns, unsigned rows)
+{
     uint8_t *values = malloc((size_t)columns * rows);
-    struct lx_image image = {columns, rows, 1, LX_SAMPLE_U8, values};
+    struct lx_image image = {.columns = columns, .rows = rows, .channels = 1, .sample = LX_SAMPLE_U8, .data = values};
 
     for (size_t i = 0; i < (size_t)columns * rows; i++) {
         values[i] = grey_at((unsigned)(i / columns), (unsigned)(i % columns));
@@ -223,14 +241,16 @@ static void png_of_size(struct folder *folder, unsigned columns, unsigned rows) 
     free(values);
 }
 
-static void test_png(void **state) {
+static void test_png(void **state)
+{
     png_of_size(*state, COLUMNS, ROWS);
     png_of_size(*state, 1, 1);
     png_of_size(*state, 65536, 2);
     png_of_size(*state, 3, 5000);
 }
 
-static void test_png_same_bytes(void **state) {
+static void test_png_same_bytes(void **state)
+{
     struct folder *folder = *state;
 
     png_of_size(folder, 300, 200);
@@ -246,21 +266,26 @@ static void test_png_same_bytes(void **state) {
 
 /* ---- the table, and failures ---- */
 
-static void assert_format(const char *path, const struct lx_format *expected) {
+static void assert_format(const char *path, const struct lx_format *expected)
+{
     const struct lx_format *format = NULL;
 
     assert_int_equal(lx_find_format(path, NULL, &format), LUXEL_OK);
     assert_ptr_equal(format, expected);
 }
 
-static void test_endings(void **state) {
+static void test_endings(void **state)
+{
     (void)state;
     assert_format("a.png", &lx_format_png);
     assert_format("some.folder/b.c.NpY", &lx_format_npy);
     assert_format("/x.npy/..pfm", &lx_format_pfm);
+    assert_format("a.CSV", &lx_format_csv);
+    assert_format("a.exr", &lx_format_exr);
 }
 
-static void test_unknown_endings(void **state) {
+static void test_unknown_endings(void **state)
+{
     static const char *const paths[] = {"a.gif", "a", "a.png/b", ".png", "a.png.", "a.pngx", "", "png", "a.png "};
     luxel_diagnostics *diagnostics = luxel_diagnostics_new();
     const struct lx_format *format = NULL;
@@ -271,7 +296,7 @@ static void test_unknown_endings(void **state) {
         assert_null(format);
         assert_int_equal(luxel_diagnostics_count(diagnostics), i + 1);
         char *hint = luxel_diagnostics_hint(diagnostics, i, NULL, NULL);
-        assert_string_equal(hint, "known endings: .png, .npy, .pfm");
+        assert_string_equal(hint, "known endings: .png, .npy, .pfm, .csv, .exr");
         luxel_text_free(hint);
     }
     char *text = luxel_diagnostics_message(diagnostics, 0, NULL, NULL);
@@ -281,11 +306,13 @@ static void test_unknown_endings(void **state) {
 }
 
 /* An image that a format cannot hold leaves no file. */
-static void test_unfit_images(void **state) {
+static void test_unfit_images(void **state)
+{
     struct folder *folder = *state;
     double values[3] = {0};
-    const struct lx_image unfit[] = {
-        {1, 1, 1, LX_SAMPLE_F32, values}, {1, 1, 3, LX_SAMPLE_U8, values}, {0, 1, 1, LX_SAMPLE_U8, values}};
+    const struct lx_image unfit[] = {{.columns = 1, .rows = 1, .channels = 1, .sample = LX_SAMPLE_F32, .data = values},
+                                     {.columns = 1, .rows = 1, .channels = 3, .sample = LX_SAMPLE_U8, .data = values},
+                                     {.columns = 0, .rows = 1, .channels = 1, .sample = LX_SAMPLE_U8, .data = values}};
 
     snprintf(folder->file, sizeof folder->file, "%s/image.png", folder->path);
     for (size_t i = 0; i < sizeof unfit / sizeof unfit[0]; i++) {
@@ -295,15 +322,22 @@ static void test_unfit_images(void **state) {
 }
 
 /* Every format stops at a full disk, with one report. */
-static void test_full_disk(void **state) {
-    static const char *const endings[] = {".png", ".npy", ".pfm"};
-    static const enum lx_sample samples[] = {LX_SAMPLE_U8, LX_SAMPLE_F32, LX_SAMPLE_F64};
+static void test_full_disk(void **state)
+{
+    static const char *const endings[] = {".png", ".npy", ".pfm", ".exr", ".csv"};
+    static const enum lx_sample samples[] = {LX_SAMPLE_U8, LX_SAMPLE_F32, LX_SAMPLE_F64, LX_SAMPLE_F64, LX_SAMPLE_F32};
     struct folder *folder = *state;
     double *values = calloc(300 * 300, sizeof *values);
 
-    for (size_t i = 0; i < 3; i++) {
+    for (size_t i = 0; i < sizeof samples / sizeof samples[0]; i++) {
         luxel_diagnostics *diagnostics = luxel_diagnostics_new();
-        struct lx_image image = {300, 300, 1, samples[i], values};
+        struct lx_image image = {.columns = 300,
+                                 .rows = 300,
+                                 .channels = 1,
+                                 .sample = samples[i],
+                                 .data = values,
+                                 .x_mm = values,
+                                 .y_mm = values};
 
         snprintf(folder->file, sizeof folder->file, "%s/image%s", folder->path, endings[i]);
         assert_int_equal(symlink("/dev/full", folder->file), 0);
@@ -317,10 +351,12 @@ static void test_full_disk(void **state) {
 }
 
 /* A picture that libpng refuses is a failure that names the file, not the end of the process. */
-static void test_png_refuses(void **state) {
+static void test_png_refuses(void **state)
+{
     struct folder *folder = *state;
     luxel_diagnostics *diagnostics = luxel_diagnostics_new();
-    struct lx_image image = {UINT32_C(0x80000001), 1, 1, LX_SAMPLE_U8, ""};
+    struct lx_image image = {
+        .columns = UINT32_C(0x80000001), .rows = 1, .channels = 1, .sample = LX_SAMPLE_U8, .data = ""};
 
     snprintf(folder->file, sizeof folder->file, "%s/image.png", folder->path);
     assert_int_equal(lx_write_image(folder->file, &image, diagnostics), LUXEL_ERROR_FILE);
@@ -332,7 +368,8 @@ static void test_png_refuses(void **state) {
 
 #define CASE(name) cmocka_unit_test_setup_teardown(test_##name, make_folder, remove_folder)
 
-int main(void) {
+int main(void)
+{
     const struct CMUnitTest tests[] = {
         CASE(npy_single),    CASE(npy_double),  CASE(pfm_single),      CASE(pfm_from_double),
         CASE(nasty_numbers), CASE(png),         CASE(png_same_bytes),  CASE(endings),

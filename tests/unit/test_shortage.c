@@ -102,13 +102,20 @@ static void copying_and_writing(void **state)
         assert_true((copy == NULL) == failed);
         luxel_scene_free(copy);
     }
-    for (long i = 0; i == 0 || failed; i++) {
-        char *text = NULL;
-        arm(i);
-        luxel_status status = luxel_scene_write_text(scene, &text);
-        armed = false;
-        assert_int_equal(status, failed ? LUXEL_ERROR_MEMORY : LUXEL_OK);
-        luxel_text_free(text);
+    /* as it was read, and then with values replaced and added in both styles */
+    static const char *const changes[] = {NULL, "lights[0].intensity=20", "shadows=none", "lights[0].name=a",
+                                          "surfaces=[{type: sphere}]", "surfaces[0].material.model=phong"};
+    for (size_t change = 0; change < sizeof changes / sizeof changes[0]; change++) {
+        if (changes[change])
+            assert_int_equal(luxel_scene_set(scene, changes[change], NULL), LUXEL_OK);
+        for (long i = 0; i == 0 || failed; i++) {
+            char *text = NULL;
+            arm(i);
+            luxel_status status = luxel_scene_write_text(scene, &text);
+            armed = false;
+            assert_int_equal(status, failed ? LUXEL_ERROR_MEMORY : LUXEL_OK);
+            luxel_text_free(text);
+        }
     }
     luxel_scene_free(scene);
 }
@@ -167,11 +174,30 @@ static void listing_parameters(void **state)
     }
 }
 
+static void writing_the_schema(void **state)
+{
+    (void)state;
+    char *whole = NULL;
+    assert_int_equal(luxel_scene_schema(&whole), LUXEL_OK);
+    for (long i = 0; i == 0 || failed; i++) {
+        char *text = NULL;
+        arm(i);
+        luxel_status status = luxel_scene_schema(&text);
+        armed = false;
+        assert_int_equal(status, failed ? LUXEL_ERROR_MEMORY : LUXEL_OK);
+        if (text)
+            assert_string_equal(text, whole);
+        luxel_text_free(text);
+    }
+    luxel_text_free(whole);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(loading),   cmocka_unit_test(setting),  cmocka_unit_test(copying_and_writing),
         cmocka_unit_test(reporting), cmocka_unit_test(advising), cmocka_unit_test(listing_parameters),
+        cmocka_unit_test(writing_the_schema),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -7,15 +7,17 @@
 
 enum { COLUMNS = 7, ROWS = 4 };
 
-static int write_as(const char *folder, const char *name, enum lx_sample sample, const void *data) {
-    struct lx_image image = {COLUMNS, ROWS, 1, sample, data};
+static int write_as(const char *folder, const char *name, enum lx_sample sample, const void *data)
+{
+    struct lx_image image = {.columns = COLUMNS, .rows = ROWS, .channels = 1, .sample = sample, .data = data};
     char path[4096];
 
     snprintf(path, sizeof path, "%s/%s", folder, name);
     return lx_write_image(path, &image, NULL) != LUXEL_OK;
 }
 
-int main(int count, char **arguments) {
+int main(int count, char **arguments)
+{
     double doubles[ROWS * COLUMNS];
     float singles[ROWS * COLUMNS];
     uint8_t greys[ROWS * COLUMNS];

@@ -1,0 +1,150 @@
+/* SPDX-License-Identifier: MIT */
+/* luxel set: changes values of a scene file in place, and leaves its comments and layout as they are. */
+#include <errno.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <luxel/luxel.h>
+
+#include "cli.h"
+#include "json.h"
+#include "load.h"
+#include "message.h"
+#include "options.h"
+
+/* Whether a file holds exactly this text; one that cannot be read does not. */
+static bool holds(const char *path, const char *text)
+{
+    const size_t length = strlen(text);
+    char *bytes = message_allocate(length + 1, 1);
+    FILE *file = fopen(path, "rb");
+    bool same = false;
+
+    if (file) {
+        same = fread(bytes, 1, length + 1, file) == length && !ferror(file) && memcmp(bytes, text, length) == 0;
+        fclose(file);
+    }
+    free(bytes);
+    return same;
+}
+
+static int print(const struct options *options, const struct loaded *loaded, const char *text)
+{
+    if (options->json) {
+        struct json json = {.stream = stdout};
+        char *name = luxel_escaped_text(loaded->name); /* a file's name may be no UTF-8 */
+
+        json_open(&json, NULL, '{');
+        json_text(&json, "name", name);
+        json_text(&json, "text", text);
+        json_close(&json, '}');
+        luxel_text_free(name);
+    } else {
+        fputs(text, stdout);
+    }
+    return EXIT_DONE;
+}
+
+static int write_file(const struct loaded *loaded, const char *path)
+{
+    const luxel_status status = luxel_scene_write_file(loaded->scene, path, loaded->diagnostics);
+
+    return status == LUXEL_OK ? EXIT_DONE : message_failure(status, loaded->diagnostics);
+}
+
+/* To the files of -o; all of them are tried. */
+static int write_outputs(const struct options *options, const struct loaded *loaded, const char *text)
+{
+    int worst = EXIT_DONE;
+
+    for (size_t i = 0; i < options->output_count; i++) {
+        const char *path = options->outputs[i];
+        const int code = strcmp(path, "-") == 0 ? print(options, loaded, text) : write_file(loaded, path);
+
+        worst = code != EXIT_DONE ? code : worst;
+    }
+    return worst;
+}
+
+/* To where the scene came from: its file, or else standard output.  A file that would stay the same is not touched. */
+static int write_back(const struct options *options, const struct loaded *loaded, const char *text)
+{
+    luxel_settings settings;
+    struct stat about;
+
+    luxel_settings_init(&settings);
+    if (options->dry_run)
+        return print(options, loaded, text);
+    if (luxel_scene_settings(loaded->scene, &settings)) {
+        message_error(_("%s is a picture: its scene cannot be changed in place"), loaded->name);
+        message_hint(_("-o FILE writes the changed scene"));
+        return EXIT_USAGE;
+    }
+    if (strcmp(options->operand, "-") == 0 || stat(options->operand, &about) != 0 || !S_ISREG(about.st_mode))
+        return print(options, loaded, text);
+    return holds(options->operand, text) ? EXIT_DONE : write_file(loaded, options->operand);
+}
+
+static int set(const struct options *options, const struct loaded *loaded)
+{
+    char *text = NULL;
+    const luxel_status status = luxel_scene_write_text(loaded->scene, &text);
+    int code;
+
+    if (status != LUXEL_OK)
+        return message_failure(status, loaded->diagnostics);
+    if (options->output_count > 0 && !options->dry_run)
+        code = write_outputs(options, loaded, text);
+    else
+        code = write_back(options, loaded, text);
+    luxel_text_free(text);
+    return code;
+}
+
+/* A scene under the name of a picture would be one that nothing can show. */
+static bool names_scenes(const struct options *options)
+{
+    for (size_t i = 0; i < options->output_count; i++)
+        if (luxel_check_output_name(options->outputs[i], NULL) == LUXEL_OK) {
+            message_error(_("-o %s: luxel set writes scenes, not pictures"), options->outputs[i]);
+            message_hint(_("luxel render -s KEY=VALUE -o FILE writes the picture of a changed scene"));
+            return false;
+        }
+    return true;
+}
+
+static int run(const struct options *options)
+{
+    struct loaded loaded;
+    int code;
+
+    if (!names_scenes(options))
+        return EXIT_USAGE;
+    if (!options->operand || options->assignment_count == 0) {
+        message_error(_("luxel set needs a SCENE and what to change in it"));
+        message_hint(_("for example: luxel set my.yaml 'lights[0].intensity=20'"));
+        return EXIT_USAGE;
+    }
+    code = load_scene(options, false, &loaded);
+    if (code == EXIT_DONE)
+        code = set(options, &loaded);
+    load_clear(&loaded);
+    return code;
+}
+
+const struct command command_set = {
+    .name = "set",
+    .bit = COMMAND_SET,
+    .operand = N_("SCENE"),
+    .assignments = N_("KEY=VALUE"),
+    .summary = N_("change values of a scene file, keeping its comments and layout"),
+    .description = N_("Writes the new values into the file and leaves the rest of it as it is. A scene that would have "
+                      "errors is not written. What is read from standard input, or a built-in scene, goes to "
+                      "standard output."),
+    .examples = "luxel set my.yaml 'lights[0].intensity=20' screen.sampling=nodes\n"
+                "luxel set my.yaml 'surfaces[0].material.shininess=60' --dry-run\n"
+                "luxel set report observer.view=observer -o my.yaml",
+    .run = run,
+};

@@ -1,0 +1,117 @@
+/* SPDX-License-Identifier: MIT */
+/* Reading a field from a file: its values, and what else the file tells about it. */
+#include <stdlib.h>
+#include <string.h>
+
+#include "../base/diagnostics.h"
+#include "../base/memory.h"
+#include "../field/field.h"
+#include "../format/format.h"
+#include "../scene/carried.h"
+
+static double value_of(const struct lx_loaded *loaded, size_t i)
+{
+    return loaded->sample == LX_SAMPLE_F64 ? ((const double *)loaded->values)[i]
+                                           : (double)((const float *)loaded->values)[i];
+}
+
+/* Where a file tells no mask: off the surfaces a field is 0, and hardly anywhere else. */
+static uint8_t *mask_of_values(const struct lx_loaded *loaded)
+{
+    size_t pixels = (size_t)loaded->columns * loaded->rows;
+    uint8_t *mask = lx_new_aligned(pixels, 1);
+    for (size_t i = 0; mask && i < pixels; i++)
+        mask[i] = value_of(loaded, i) != 0;
+    return mask;
+}
+
+/* Moves what was read into a field. */
+static struct luxel_field *make_field(struct lx_loaded *loaded)
+{
+    const struct lx_read_tag *tag = lx_tags_find(&loaded->tags, LX_TAG_UNIT);
+    const char *unit = loaded->unit ? loaded->unit : tag ? tag->value : "";
+    struct luxel_field *field = lx_new_array(1, sizeof *field);
+    if (!field)
+        return NULL;
+    *field = (struct luxel_field){
+        .columns = loaded->columns,
+        .rows = loaded->rows,
+        .precision = loaded->sample == LX_SAMPLE_F64 ? LUXEL_DOUBLE : LUXEL_SINGLE,
+        .unit = lx_copy_text(unit, strlen(unit)),
+        .instruction_set = "",
+        .values = loaded->values,
+        .mask = loaded->mask ? loaded->mask : mask_of_values(loaded),
+        .x_mm = loaded->x_mm,
+        .y_mm = loaded->y_mm,
+    };
+    loaded->values = loaded->mask = NULL;
+    loaded->x_mm = loaded->y_mm = NULL;
+    if (field->unit && field->mask)
+        return field;
+    luxel_field_free(field);
+    return NULL;
+}
+
+/*
+ * What the scene that the file carries tells: the places of the pixels and their grey levels.  A scene that cannot be
+ * read or is of another picture tells nothing; the values are good without it.
+ */
+static luxel_status take_scene(struct luxel_field *field, const struct lx_tags *tags)
+{
+    const struct lx_read_tag *tag = lx_tags_find(tags, LX_TAG_SCENE);
+    luxel_scene *scene = NULL;
+    luxel_status status = LUXEL_OK;
+    if (!tag || luxel_scene_read_text(tag->value, tag->length, NULL, NULL, &scene) != LUXEL_OK)
+        return LUXEL_OK;
+    const struct lx_scene_parameters *parameters =
+        luxel_scene_commit(scene, NULL) == LUXEL_OK ? lx_scene_parameters(scene) : NULL;
+    if (parameters && parameters->screen.resolution[0] == field->columns &&
+        parameters->screen.resolution[1] == field->rows) {
+        field->picture = parameters->picture;
+        field->x_mm = lx_new_column_places(&parameters->screen);
+        field->y_mm = lx_new_row_places(&parameters->screen);
+        field->scene = lx_copy_text(tag->value, tag->length);
+        status = field->x_mm && field->y_mm && field->scene ? LUXEL_OK : LUXEL_ERROR_MEMORY;
+    }
+    luxel_scene_free(scene);
+    return status;
+}
+
+/* The settings that the file tells; its own values tell the precision. */
+static void take_settings(struct luxel_field *field, const char *path, const struct lx_tags *tags)
+{
+    struct lx_carried carried = {0};
+    struct lx_source *silent = NULL;
+    if (lx_source_of_bytes(path, "", 0, NULL, &silent) == LUXEL_OK &&
+        lx_carried_read(silent, tags, &carried) == LUXEL_OK) {
+        field->quantity = carried.quantity;
+        field->tolerance = carried.tolerance;
+        field->light_error = carried.light_error;
+    }
+    lx_source_close(silent);
+}
+
+luxel_status luxel_field_read(const char *path, luxel_diagnostics *diagnostics, luxel_field **field)
+{
+    if (!path || !field) {
+        lx_report(diagnostics, LUXEL_SEVERITY_ERROR, NULL, LX_MSG_MISSING_ARGUMENT, LX_ARGS(path ? "field" : "path"));
+        return LUXEL_ERROR_ARGUMENT;
+    }
+    struct lx_loaded loaded = {0};
+    luxel_status status = lx_read_image(path, diagnostics, &loaded);
+    struct luxel_field *made = status == LUXEL_OK ? make_field(&loaded) : NULL;
+    if (made) {
+        take_settings(made, path, &loaded.tags);
+        status = take_scene(made, &loaded.tags);
+        if (status == LUXEL_OK && lx_gather_statistics(made) < 0)
+            status = LUXEL_ERROR_MEMORY;
+    }
+    if ((status == LUXEL_OK && !made) || (made && status == LUXEL_ERROR_MEMORY))
+        status = lx_out_of_memory(diagnostics);
+    lx_loaded_clear(&loaded);
+    if (status == LUXEL_OK)
+        *field = made;
+    else
+        luxel_field_free(made);
+    return status;
+}

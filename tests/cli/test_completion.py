@@ -1,0 +1,120 @@
+# SPDX-License-Identifier: MIT
+"""Completion in the shells that are installed here: test_completion.py LUXEL BASH_SCRIPT ZSH_SCRIPT FISH_SCRIPT."""
+import os
+import re
+import sys
+
+import shells
+from tap import Tap
+from tool import run_tests
+
+# (line, every word that is offered); words are what stands in the place of the last one.
+EXACT = [
+    ("luxel rend", "render"),
+    ("luxel sch", "schema"),
+    ("luxel render --qua", "--quantity"),
+    ("luxel render --quantity ", "brightness irradiance"),
+    ("luxel render --quantity b", "brightness"),
+    ("luxel probe --precision ", "single double"),
+    ("luxel probe --poi", "--point"),
+    ("luxel --json render --qua", "--quantity"),
+    ("luxel render --threads 2 --precision d", "double"),
+    ("luxel scene thr", "three-lights"),
+    ("luxel scene --lis", "--list"),
+    ("luxel render my", "my.yaml"),
+    ("luxel render -q my", "my.yaml"),
+    ("luxel check -- -od", "-odd.yaml"),
+    ("luxel help shini", "shininess"),
+    ("luxel help probe", "probe"),
+    ("luxel help spo", "spot"),
+    ("luxel set my.yaml units", "units="),
+    ("luxel set my.yaml -q screen.width=5 lights.0.att", "lights.0.attenuation="),
+    ("luxel set my.yaml -o new", "new.yaml"),
+    ("luxel render my.yaml my", ""),
+    ("luxel render -s units", "units="),
+    ("luxel render -s screen.w", "screen.width="),
+    ("luxel render --set screen.samp", "screen.sampling="),
+    ("luxel render -s lights.3.att", "lights.3.attenuation="),
+    ("luxel render -s surfaces.0.material.over", "surfaces.0.material.over_pi="),
+]
+
+# (line, words that are offered, words that are not)
+SOME = [
+    ("luxel ", "render probe check scene schema help", "report my.yaml"),
+    ("luxel render --", "--output --set --quantity --json --quiet --help --version", "--point --list"),
+    ("luxel probe --", "--point --at --set", "--output --list"),
+    ("luxel --", "--help --version", "--output --json"),
+    ("luxel render ", "report spot two-spheres my.yaml", "notes.txt render"),
+    ("luxel scene ", "report spot", "my.yaml render"),
+    ("luxel schema ", "", "report my.yaml render"),
+    ("luxel render -o sphere", "sphere.png sphere.npy sphere.pfm", "report"),
+    ("luxel render -o sphere.p", "sphere.png sphere.pfm", "sphere.npy"),
+    ("luxel help ", "render intensity spot screen", "my.yaml"),
+    ("luxel render -s obs", "observer.z= observer.view=", "observer= screen.width="),
+    ("luxel render -s li", "lights.0.intensity= lights.0.type=", "lights= lights[].intensity="),
+]
+
+# (line, the line after Tab) on a terminal, by bash and by zsh
+INSERTED = [
+    ("luxel rend", "luxel render ", None),
+    ("luxel render --quantity=b", "luxel render --quantity=brightness ", None),
+    ("luxel render --quan", "luxel render --quantity ", "luxel render --quantity="),
+    ("luxel render -s screen.w", "luxel render -s screen.width=", None),
+    ("luxel render -s observer.view=obs", "luxel render -s observer.view=observer ", None),
+    ("luxel render -s lights.2.attenuation=pr", "luxel render -s lights.2.attenuation=practical ", None),
+    ("luxel render -s 'lights[2].patt", "luxel render -s 'lights[2].pattern=", None),
+    ("luxel render -s 'lights[2].pattern=lam", "luxel render -s 'lights[2].pattern=lambertian' ", None),
+    ("luxel render -s lights[2].patt", "luxel render -s lights[2].pattern=", r"luxel render -s lights\[2\].pattern="),
+    ("luxel render --set=units=ph", "luxel render --set=units=photometric ", None),
+    ("luxel render -o pic/sphere.n", "luxel render -o pic/sphere.npy ", None),
+    ("luxel check my", "luxel check my.yaml ", None),
+    ("luxel check 'two w", "luxel check 'two words.yaml' ", None),
+    ("luxel check pi", "luxel check pic/", None),
+]
+
+
+def files(folder):
+    os.makedirs(os.path.join(folder, "pic"))
+    for name in "my.yaml", "-odd.yaml", "notes.txt", "two words.yaml":
+        open(os.path.join(folder, name), "w").close()
+
+
+def offered(tap, shell):
+    for line, words in EXACT:
+        tap.equal(shell.offers(line), set(words.split()), "%s: %s" % (shell.name, line))
+    for line, wanted, unwanted in SOME:
+        offers = shell.offers(line)
+        tap.ok(set(wanted.split()) <= offers and not set(unwanted.split()) & offers, "%s: %s" % (shell.name, line),
+               sorted(offers))
+
+
+def every_command(tap, tool, shell):
+    usage = tool.run("help").out
+    commands = set(re.findall(r"^  (\w+)  +\w", usage, re.M))
+    tap.equal(shell.offers("luxel ") & commands, commands, "%s: every command" % shell.name)
+    for command in sorted(commands):
+        options = set(re.findall(r"^ +(?:-\w, )?(--[\w-]+)", tool.run("help", command).out, re.M))
+        tap.ok(options, "luxel %s has options" % command)
+        tap.equal({word for word in shell.offers("luxel %s --" % command) if word.startswith("--")}, options,
+                  "%s: every option of %s" % (shell.name, command))
+
+
+def every_key(tap, tool, shell):
+    keys = tool.run("help", "--json").json()["keys"]
+    paths = {key["path"].replace("[]", ".0") for key in keys}
+    leaves = {path + "=" for path in paths if not any(other.startswith(path + ".") for other in paths)}
+    tap.equal(shell.offers("luxel render -s "), leaves, "%s: every key" % shell.name)
+
+
+def completion(tap, tool):
+    for shell in shells.installed(tool.folder, sys.argv[2:5]):
+        files(shell.folder)
+        tap.run(offered, tap, shell)
+        tap.run(every_command, tap, tool, shell)
+        tap.run(every_key, tap, tool, shell)
+        for line, after, after_in_zsh in INSERTED if shell.inserted else ():
+            wanted = after_in_zsh if shell.name == "zsh" and after_in_zsh else after
+            tap.equal(shell.inserted(line), wanted, "%s: Tab after %s" % (shell.name, line))
+
+
+run_tests(Tap(), completion)

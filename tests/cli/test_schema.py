@@ -1,0 +1,215 @@
+# SPDX-License-Identifier: MIT
+"""The schema and the tool judge scenes alike, but for what a schema cannot say and what only the text tells."""
+import json
+import os
+import random
+import sys
+
+import jsonschema
+import yaml
+from good_scenes import good_scene
+from malformed import LIGHT, SPOT, TEXTS, scenes
+from tap import Tap
+from tool import SCENE, run_tests
+from yaml12 import read
+
+sys.path.append(os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "reference"))
+import scenes as reference  # noqa: E402  (another generator, of scenes whose numbers are compared)
+
+# The only scenes of malformed.py that the schema accepts, each with the rule that it cannot say.
+BEYOND = {
+    "pixels that are not square": "pixels are square",
+    "screen whose pixels are not square": "pixels are square",
+    "observer inside the sphere": "the observer is above every surface",
+    "observer below the sphere": "the observer is above every surface",
+}
+
+# More of what is wrong, as (title, piece, replacement).
+MORE = [
+    ("version as a text", "luxel: 1", 'luxel: "1"'),
+    ("version of a fraction", "luxel: 1", "luxel: 1.5"),
+    ("true for the version", "luxel: 1", "luxel: true"),
+    ("unknown shadows", "units: radiometric", "shadows: soft"),
+    ("one resolution", "[36, 36]", "[36]"),
+    ("three resolutions", "[36, 36]", "[36, 36, 1]"),
+    ("resolution without list", "[36, 36]", "36"),
+    ("resolution of texts", "[36, 36]", '["36", "36"]'),
+    ("perspective at the screen", "z: 1500, projection: orthographic", "z: 0, projection: perspective"),
+    ("perspective behind the screen", "z: 1500, projection: orthographic", "z: -1, projection: perspective"),
+    ("nan for z", "z: 1500", "z: .nan"),
+    ("infinity for z", "z: 1500", "z: -.inf"),
+    ("number for a name", "radius: 200", "radius: 200\n    name: 5"),
+    ("true for a name", "radius: 200", "radius: 200\n    name: true"),
+    ("null for a name", "radius: 200", "radius: 200\n    name:"),
+    ("list for a name", "radius: 200", "radius: 200\n    name: [a]"),
+    ("a character that no name has", "radius: 200", 'radius: 200\n    name: "a\\0b"'),
+    ("empty material", "material: {model: blinn-phong, diffuse: 0.8, specular: 0.5, shininess: 20, highlight: plain}",
+     "material:"),
+    ("radius of a light", "intensity: 10", "intensity: 10, radius: 5"),
+    ("intensity of a sphere", "radius: 200", "radius: 200\n    intensity: 5"),
+    ("text for yes or no", "diffuse: 0.8", 'over_pi: "true"'),
+    ("null for yes or no", "diffuse: 0.8", "over_pi: ~"),
+    ("negative shininess", "shininess: 20", "shininess: -1"),
+    ("negative ambient", "diffuse: 0.8", "ambient: -0.1"),
+    ("text in the center", "center: [0, 0, 1000]", "center: [0, 0, far]"),
+    ("number for type", "type: point", "type: 5"),
+    ("list for type", "type: point", "type: [point]"),
+    ("type in the wrong case", "type: point", "type: Point"),
+    ("light that is a list", LIGHT, "[point]"),
+    ("light that is null", LIGHT, "~"),
+    ("enabled by a word", "intensity: 10", "intensity: 10, enabled: on"),
+    ("enabled by a number", "intensity: 10", "intensity: 10, enabled: 1"),
+    ("practical without k for a spot", LIGHT, "{%s, inner: 1, outer: 2, attenuation: practical}" % SPOT),
+    ("negative k that is not used", "attenuation: none", "attenuation: none, k: -1"),
+    ("cosine without exponent and pattern quoted", "attenuation: none", 'pattern: "cosine"'),
+    ("negative exponent", "attenuation: none", "pattern: cosine, exponent: -1"),
+    ("axis and aim of a spot", LIGHT, "{%s, inner: 1, outer: 2, axis: [0, 0, 1], aim: [0, 0, 1]}" % SPOT),
+    ("axis and aim of no use", "attenuation: none", "axis: [0, 0, 1], aim: [0, 0, 1]"),
+    ("zero axis of no use", "attenuation: none", "axis: [0, -0.0, 0e5]"),
+    ("aim of two numbers", "attenuation: none", "pattern: lambertian, aim: [0, 0]"),
+    ("direction without list", LIGHT, "{type: distant, direction: down, irradiance: 1}"),
+    ("distant without direction", LIGHT, "{type: distant, irradiance: 1}"),
+    ("distant without irradiance", LIGHT, "{type: distant, direction: [0, 0, 1]}"),
+    ("distant with a position", LIGHT, "{type: distant, direction: [0, 0, 1], irradiance: 1, position: [0, 0, 0]}"),
+    ("ambient without irradiance", LIGHT, "{type: ambient}"),
+    ("ambient with attenuation", LIGHT, "{type: ambient, irradiance: 1, attenuation: none}"),
+    ("negative irradiance", LIGHT, "{type: ambient, irradiance: -1}"),
+    ("spot without inner", LIGHT, "{%s, outer: 20}" % SPOT),
+    ("spot with angles of texts", LIGHT, "{%s, inner: a, outer: b}" % SPOT),
+    ("inner little beyond outer", LIGHT, "{%s, inner: 20, outer: 19.999}" % SPOT),
+    ("inner beyond an outer of 0", LIGHT, "{%s, inner: 1, outer: 0}" % SPOT),
+    ("inner beyond outer, both fractions", LIGHT, "{%s, inner: 20.5, outer: 19.5}" % SPOT),
+    ("spot with a pattern", LIGHT, "{%s, inner: 1, outer: 2, pattern: cosine}" % SPOT),
+    ("point that is a mapping", "[150, 0]", "{x: 150, y: 0}"),
+    ("point of three numbers", "[150, 0]", "[150, 0, 0]"),
+    ("point of texts", "[150, 0]", '["150", "0"]'),
+    ("points that are null", "points: [[0, 0], [150, 0], [-150, 0]]", "points:"),
+    ("range of one number", "range: max", "range: [1]"),
+    ("range of three numbers", "range: max", "range: [1, 2, 3]"),
+    ("range of equal numbers", "range: max", "range: [0.3, 0.3]"),
+    ("range that falls", "range: max", "range: [10, 0]"),
+    ("range that falls a little", "range: max", "range: [2, 1.9]"),
+    ("range that falls below zero", "range: max", "range: [-1, -20]"),
+    ("range of texts", "range: max", "range: [a, b]"),
+    ("range that is a number", "range: max", "range: 5"),
+    ("range that is a mapping", "range: max", "range: {low: 0, high: 1}"),
+    ("range of infinity", "range: max", "range: [0, .inf]"),
+    ("unknown key of the picture", "range: max", "ranges: max"),
+    ("unknown key of the observer", "z: 1500", "z: 1500, x: 0"),
+    ("picture that is a word", "picture: {range: max, rounding: truncate}", "picture: max"),
+]
+
+# What only the tool refuses, for the reasons that the schema's $comment gives.
+INEXPRESSIBLE = [
+    ("pixels are square", "[36, 36]", "[36, 35]"),
+    ("the observer is above every surface", "z: 1500", "z: 1199"),
+    ("aim differs from position", "attenuation: none", "pattern: lambertian, aim: [2000, 0, 2000]"),
+    ("inner is at most outer within one degree", LIGHT, "{%s, inner: 20.6, outer: 20.5}" % SPOT),
+    ("a range rises between two steps", "range: max", "range: [1.9, 1.8]"),
+    ("360.0 is no whole number", "[36, 36]", "[36.0, 36]"),
+    ("truth values are true and false", "diffuse: 0.8", "over_pi: True"),
+]
+
+
+class Judges:
+    """Both judges of a scene."""
+
+    def __init__(self, tool):
+        self.tool = tool
+        schema = tool.run("schema").json()
+        jsonschema.Draft7Validator.check_schema(schema)
+        self.validator = jsonschema.Draft7Validator(schema)
+
+    def tool_accepts(self, text):
+        self.tool.write("scene.yaml", text)
+        code = self.tool.run("check", "scene.yaml").code
+        if code not in (0, 3, 4):  # 4: a damaged picture
+            raise AssertionError("exit code %d" % code)
+        return code == 0
+
+    def complaints(self, value):
+        return ["%s: %s" % ("/".join(map(str, error.absolute_path)), error.message[:200])
+                for error in self.validator.iter_errors(value)]
+
+
+def builtin_scenes(tap, tool):
+    judges = Judges(tool)
+    for entry in tool.run("scene", "--list", "--json").json()["scenes"]:
+        text = tool.run("scene", entry["name"]).out
+        complaints = judges.complaints(read(text))
+        tap.ok(judges.tool_accepts(text) and not complaints, "built-in " + entry["name"], *complaints)
+
+
+def examples(tap, tool):
+    judges = Judges(tool)
+    for kind in tool.run("help", "--json").json()["kinds"]:
+        scene = read(SCENE)
+        scene[kind["list"]] = [read(kind["example"])]
+        complaints = judges.complaints(scene)
+        tap.ok(judges.tool_accepts(json.dumps(scene)) and not complaints, "example of " + kind["name"], *complaints)
+        tap.equal(scene[kind["list"]][0]["type"], kind["name"], "it is one")
+
+
+def random_scenes(tap, tool):
+    judges = Judges(tool)
+    rng = random.Random(7)
+    made = [("scene %d" % i, good_scene(rng)) for i in range(120)]
+    made += [("%s %d" % (kind, i), reference.random_case(rng, kind).scene) for kind in reference.KINDS
+             for i in range(3)]
+    used = set()
+    for title, scene in made:
+        complaints = judges.complaints(scene)
+        tap.ok(judges.tool_accepts(json.dumps(scene)) and not complaints, "good " + title, json.dumps(scene),
+               *complaints)
+        used |= {key for item in scene["surfaces"] + scene["lights"] + [scene] for key in item}
+    paths = {key["path"] for key in tool.run("help", "--json").json()["keys"]}
+    keys = {path.split(".")[1 if "[]." in path else 0] for path in paths}
+    tap.ok(keys <= used | {"surfaces[]", "lights[]"}, "every key was used", sorted(keys - used))
+
+
+def malformed(tap, tool):
+    judges = Judges(tool)
+    cases = [(title, text) for title, text, _, _ in scenes()]
+    cases += [(title, SCENE.replace(piece, replacement, 1)) for title, piece, replacement in MORE]
+    cases += [(title, text) for title, text, _ in TEXTS if len(text) < 1 << 16]
+    compared = 0
+    for title, text in cases:
+        tap.ok(not judges.tool_accepts(text), "the tool refuses: " + title)
+        try:
+            value = read(text)
+        except (yaml.YAMLError, UnicodeDecodeError, RecursionError):
+            continue
+        compared += 1
+        accepted = not judges.complaints(value)
+        tap.equal(accepted, title in BEYOND, "the schema %s: %s" % (
+            "cannot say that " + BEYOND[title] if title in BEYOND else "refuses", title))
+    tap.ok(compared >= 140, "malformed scenes were compared", compared)
+
+
+def beyond(tap, tool):
+    judges = Judges(tool)
+    for title, piece, replacement in INEXPRESSIBLE:
+        text = SCENE.replace(piece, replacement, 1)
+        tap.ok(not judges.tool_accepts(text) and not judges.complaints(read(text)), "only the tool knows: " + title)
+    comment = tool.run("schema").json()["$comment"]
+    for word in "square", "observer", "aim", "inner", "rise", "360.0", "true", "Doubled", "anchors", "tags":
+        tap.ok(word in comment, "the schema's comment tells of %s" % word)
+
+
+def form(tap, tool):
+    result = tool.run("schema")
+    tap.ok(result.code == 0 and not result.err and result.out.endswith("}\n"), "luxel schema", result.err)
+    tap.equal(tool.run("schema", "--json").out, result.out, "--json changes nothing")
+    tap.equal(tool.run("schema", environment={"LC_ALL": "ru_RU.utf8", "LANGUAGE": "ru"}).out, result.out,
+              "nor does the language")
+    extra = tool.run("schema", "report")
+    tap.ok(extra.code == 2 and "report" in extra.err, "it takes no argument", extra)
+    schema = result.json()
+    keys = tool.run("help", "--json").json()["keys"]
+    for key in keys:
+        if "." not in key["path"]:
+            described = schema["properties"][key["path"]]["description"]
+            tap.ok(key["meaning"][1:] in described, "%s has its meaning" % key["path"], described)
+
+
+run_tests(Tap(), form, builtin_scenes, examples, random_scenes, malformed, beyond)

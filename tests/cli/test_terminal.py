@@ -1,0 +1,127 @@
+# SPDX-License-Identifier: MIT
+"""What depends on a terminal: colour and NO_COLOR, progress with the time that is left, -q; and what -- ends."""
+import os
+import re
+import sys
+import time
+
+from tap import Tap
+from terminal import Terminal
+from tool import SCENE, run_tests
+
+LONG = SCENE.replace("[36, 36]", "[4000, 4000]").replace("lights:\n", "lights:\n" + "".join(
+    "  - {type: point, position: [%d, 800, 2500], intensity: 1}\n" % i for i in range(120)))
+PROGRESS = re.compile(r"\r *(\d+) %, (\d+) s left\x1b\[K")
+
+
+def on_terminal(tool, *arguments, seconds=120, **variables):
+    environment = {"PATH": os.environ["PATH"], "LC_ALL": "C.UTF-8", "TERM": "xterm", **variables}
+    terminal = Terminal([tool.path, *arguments], tool.folder, environment)
+    try:
+        return terminal.finish(seconds)
+    finally:
+        terminal.close()
+
+
+def colour(tap, tool):
+    tool.write("bad.yaml", SCENE.replace("radius: 200", "radius: -200"))
+    tool.write("wide.yaml", SCENE.replace("radius: 200", "radius: 30"))
+    for title, variables, expected in (
+            ("a terminal", {}, True), ("NO_COLOR=1", {"NO_COLOR": "1"}, False),
+            ("NO_COLOR=0", {"NO_COLOR": "0"}, False),
+            ("an empty NO_COLOR", {"NO_COLOR": ""}, True), ("TERM=dumb", {"TERM": "dumb"}, False)):
+        text, code = on_terminal(tool, "check", "bad.yaml", **variables)
+        tap.equal(("\x1b[1;31merror:\x1b[0m" in text, "\x1b" in text, code), (expected, expected, 3),
+                  "%s: an error in red" % title)
+        text, code = on_terminal(tool, "check", "wide.yaml", **variables)
+        tap.equal(("\x1b[1;34madvice:\x1b[0m" in text, "\x1b" in text, code), (expected, expected, 0),
+                  "%s: advice in blue" % title)
+    text, code = on_terminal(tool, "rendr")
+    tap.ok(code == 2 and "luxel: \x1b[1;31merror:\x1b[0m unknown command" in text, "wrong usage in red", text)
+    for arguments in ("check", "bad.yaml"), ("check", "wide.yaml"), ("rendr",):
+        result = tool.run(*arguments, environment={"TERM": "xterm"})
+        tap.ok("\x1b" not in result.out + result.err, "no colour without a terminal: " + " ".join(arguments), result)
+    for arguments in ("render",), ("probe",), ("help", "render"), ("help", "radius"), ("scene", "--list"):
+        text, code = on_terminal(tool, *arguments)
+        tap.ok(code == 0 and "\x1b" not in text, "no colour in results: " + " ".join(arguments), text)
+
+
+def progress(tap, tool):
+    tool.write("long.yaml", LONG)
+    start = time.monotonic()
+    quiet, code = on_terminal(tool, "render", "long.yaml", "-q", "--precision", "double", "--threads", "1")
+    seconds = time.monotonic() - start
+    tap.ok(code == 0 and "s left" not in quiet and "\x1b" not in quiet, "-q: no progress in %.1f s" % seconds, quiet)
+    tap.ok("maximum" in quiet, "-q: the results")
+    if not tap.ok(seconds > 1.5, "the picture takes long enough to show progress", "%.2f s" % seconds):
+        return
+    text, code = on_terminal(tool, "render", "long.yaml", "--precision", "double", "--threads", "1")
+    steps = PROGRESS.findall(text)
+    tap.ok(code == 0 and steps, "progress is shown", text[:2000])
+    shares = [int(share) for share, _ in steps]
+    tap.ok(shares == sorted(shares) and shares[-1] <= 100, "it goes on", shares)
+    tap.ok(len(steps) <= 10 * seconds + 20, "not more often than ten times a second", len(steps))
+    last = PROGRESS.sub("", text)
+    tap.ok(last.startswith("\r\x1b[K"), "its line is erased before the results", last[:80])
+    tap.equal(last[len("\r\x1b[K"):].replace("\r\n", "\n"), quiet.replace("\r\n", "\n"), "the results are the same")
+    text, _ = on_terminal(tool, "render", "long.yaml", "--precision", "double", "--threads", "1", TERM="dumb")
+    tap.ok("s left" not in text and "\x1b" not in text, "none on a terminal that cannot erase")
+    result = tool.run("render", "long.yaml", "--precision", "double", "--threads", "1")
+    tap.ok(not result.err, "none without a terminal", result.err)
+
+
+def first_progress(tap, tool):
+    """Nothing within the first second, then the share done and an honest guess of the time that is left."""
+    tool.write("long.yaml", LONG.replace("[4000, 4000]", "[16000, 16000]"))
+    environment = {"PATH": os.environ["PATH"], "LC_ALL": "C.UTF-8", "TERM": "xterm"}
+    terminal = Terminal([tool.path, "render", "long.yaml", "--threads", "1"], tool.folder, environment)
+    try:
+        start = time.monotonic()
+        share = int(terminal.wait_for(r"(\d+) %, \d+ s left", 60))
+        after = time.monotonic() - start
+        left = int(terminal.wait_for(r"%, (\d+) s left", 60))
+        tap.ok(after >= 0.9, "the first after a second", "%.2f s" % after)
+        tap.ok(share < 100 and left > 0, "its numbers", share, left)
+        terminal.send("\x03")
+        text, code = terminal.finish(20)
+        tap.ok(code == 130 and text.endswith("\r\x1b[K"), "Ctrl-C erases it", code, repr(text[-80:]))
+    finally:
+        terminal.close()
+
+
+def short_work(tap, tool):
+    text, code = on_terminal(tool, "render", "report")
+    tap.ok(code == 0 and "left" not in text and "\x1b" not in text, "no progress for short work", text)
+
+
+def quiet(tap, tool):
+    tool.write("good.yaml", SCENE.replace("[36, 36]", "[360, 360]"))
+    tool.write("bare.yaml", SCENE.replace("points: [[0, 0], [150, 0], [-150, 0]]", "points: []"))
+    tap.ok("valid" in tool.run("check", "good.yaml").out, "check confirms")
+    tap.equal((tool.run("check", "good.yaml", "-q").out, tool.run("check", "good.yaml", "-q").err), ("", ""),
+              "check -q does not")
+    tap.ok("points" in tool.run("probe", "bare.yaml").err, "probe notes that there are no points")
+    tap.equal(tool.run("probe", "bare.yaml", "-q").err, "", "probe -q does not")
+    result = tool.run("render", "-q", "nosuch.yaml")
+    tap.ok(result.code == 4 and "error:" in result.err, "errors are not quiet", result)
+    result = tool.run("check", "-q", "good.yaml", "-s", "surfaces[0].radius=20")
+    tap.ok(result.code == 0 and "advice" in result.out, "nor is advice, which is check's result", result)
+
+
+def dashes(tap, tool):
+    for name in "--json", "-q", "-s", "-x.yaml", "--":
+        tool.write(name, SCENE.replace("[36, 36]", "[360, 360]"))
+        result = tool.run("check", "--", name)
+        tap.ok(result.code == 0 and name in result.out, "check -- " + name, result)
+    tap.equal(tool.run("--", "check", "--json").code, 0, "-- before the command")
+    tap.equal(tool.run("check", "-q", "--", "-x.yaml").out, "", "options before it count")
+    result = tool.run("check", "--", "-x.yaml", "-q")
+    tap.ok(result.code == 2 and "-q" in result.err, "what is behind it is no option", result)
+    tap.ok(tool.run("check", "--").out.startswith("report"), "-- at the end")
+    tap.equal(tool.run("render", "-s", "--", "report").code, 2, "an option's argument may be --")
+    tap.equal(tool.run("check", "-").code, 3, "- alone is standard input")
+
+
+if not hasattr(os, "waitstatus_to_exitcode"):
+    sys.exit("Python 3.9 or newer is needed")
+run_tests(Tap(), colour, short_work, progress, first_progress, quiet, dashes)
