@@ -12,12 +12,14 @@
 #include "cli.h"
 #include "message.h"
 
-static size_t digits(const char *text) {
+static size_t digits(const char *text)
+{
     return strspn(text, "0123456789");
 }
 
 /* The length of the decimal number that text starts with; 0 where there is none. */
-static size_t number_length(const char *text) {
+static size_t number_length(const char *text)
+{
     const char *at = text + (*text == '+' || *text == '-');
     const size_t whole = digits(at);
     size_t fraction = 0;
@@ -40,7 +42,8 @@ static size_t number_length(const char *text) {
 }
 
 /* One number that ends where `length` says; `whole_text` is what the message shows beside it. */
-static bool read_number(const char *option, const char *whole_text, const char *text, size_t length, double *value) {
+static bool read_number(const char *option, const char *whole_text, const char *text, size_t length, double *value)
+{
     char *end;
 
     if (length == 0)
@@ -54,14 +57,16 @@ static bool read_number(const char *option, const char *whole_text, const char *
     return false;
 }
 
-bool argument_number(const char *option, const char *text, double *value) {
+bool argument_number(const char *option, const char *text, double *value)
+{
     if (read_number(option, text, text, strlen(text), value))
         return true;
     message_hint(_("a decimal number with a point is expected, such as 0.5 or 1e-9"));
     return false;
 }
 
-static size_t count_parts(const char *text) {
+static size_t count_parts(const char *text)
+{
     size_t parts = 1;
 
     for (; *text; text++)
@@ -69,7 +74,8 @@ static size_t count_parts(const char *text) {
     return parts;
 }
 
-bool argument_numbers(const char *option, const char *form, const char *text, double *values, size_t count) {
+bool argument_numbers(const char *option, const char *form, const char *text, double *values, size_t count)
+{
     const size_t parts = count_parts(text);
     const char *at = text;
 
@@ -91,7 +97,8 @@ wrong:
     return false;
 }
 
-bool argument_whole(const char *option, const char *text, unsigned least, unsigned most, unsigned *value) {
+bool argument_whole(const char *option, const char *text, unsigned least, unsigned most, unsigned *value)
+{
     const size_t length = strlen(text);
 
     /* Nine digits always fit. */

@@ -36,8 +36,8 @@ enum command_bit {
     COMMAND_NONE = 1 << 5, /* `luxel --version` */
     COMMAND_SCHEMA = 1 << 6,
     COMMAND_SET = 1 << 7,
-    COMMAND_ANY = COMMAND_RENDER | COMMAND_PROBE | COMMAND_CHECK | COMMAND_SCENE | COMMAND_SET | COMMAND_SCHEMA |
-                  COMMAND_HELP
+    COMMAND_ANY =
+        COMMAND_RENDER | COMMAND_PROBE | COMMAND_CHECK | COMMAND_SCENE | COMMAND_SET | COMMAND_SCHEMA | COMMAND_HELP
 };
 
 /* What may stand behind a command, for those who complete it. */
@@ -53,7 +53,7 @@ struct options;
 struct command {
     const char *name;
     unsigned bit;
-    const char *operand;                       /* as the usage line shows it; NULL: it takes none */
+    const char *operand; /* as the usage line shows it; NULL: it takes none */
     enum operand_kind operand_kind;
     const char *assignments;                   /* operands behind it, as the usage line shows each; NULL: none */
     const char *summary;                       /* one line */

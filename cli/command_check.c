@@ -9,14 +9,16 @@
 #include "options.h"
 #include "text.h"
 
-static void write_place(struct json *json, const char *key, unsigned number) {
+static void write_place(struct json *json, const char *key, unsigned number)
+{
     if (number > 0)
         json_whole(json, key, number);
     else
         json_null(json, key);
 }
 
-static void write_entry(struct json *json, const luxel_diagnostics *diagnostics, size_t i) {
+static void write_entry(struct json *json, const luxel_diagnostics *diagnostics, size_t i)
+{
     const luxel_diagnostic *entry = luxel_diagnostics_get(diagnostics, i);
     char *message = luxel_diagnostics_message(diagnostics, i, NULL, NULL);
     char *hint = luxel_diagnostics_hint(diagnostics, i, NULL, NULL);
@@ -36,14 +38,16 @@ static void write_entry(struct json *json, const luxel_diagnostics *diagnostics,
     luxel_text_free(source);
 }
 
-static void write_entries(struct json *json, const luxel_diagnostics *diagnostics, luxel_severity severity) {
+static void write_entries(struct json *json, const luxel_diagnostics *diagnostics, luxel_severity severity)
+{
     for (size_t i = 0; i < luxel_diagnostics_count(diagnostics); i++)
         if (luxel_diagnostics_get(diagnostics, i)->severity == severity)
             write_entry(json, diagnostics, i);
 }
 
 /* With --strict advice is listed among the errors. */
-static void print_json(const luxel_diagnostics *diagnostics, bool valid, bool strict) {
+static void print_json(const luxel_diagnostics *diagnostics, bool valid, bool strict)
+{
     struct json json = {.stream = stdout};
     size_t errors = luxel_diagnostics_total(diagnostics, LUXEL_SEVERITY_ERROR);
     size_t advice = luxel_diagnostics_total(diagnostics, LUXEL_SEVERITY_ADVICE);
@@ -68,7 +72,8 @@ static void print_json(const luxel_diagnostics *diagnostics, bool valid, bool st
     json_close(&json, '}');
 }
 
-static void print_text(const struct loaded *loaded, bool quiet) {
+static void print_text(const struct loaded *loaded, bool quiet)
+{
     if (!quiet) {
         text_print_escaped(stdout, loaded->name);
         fputs(_(": valid\n"), stdout);
@@ -77,7 +82,8 @@ static void print_text(const struct loaded *loaded, bool quiet) {
 }
 
 /* A scene that could not be read at all has no result. */
-static int report(const struct options *options, const struct loaded *loaded, int code) {
+static int report(const struct options *options, const struct loaded *loaded, int code)
+{
     if (code == EXIT_DONE && !options->strict) {
         const luxel_status status = luxel_scene_advise(loaded->scene, loaded->diagnostics);
 
@@ -91,7 +97,8 @@ static int report(const struct options *options, const struct loaded *loaded, in
     return code;
 }
 
-static int run(const struct options *options) {
+static int run(const struct options *options)
+{
     struct loaded loaded;
     int code = load_scene(options, false, &loaded);
 

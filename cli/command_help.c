@@ -14,7 +14,8 @@
 
 enum { INDENT = 12 };
 
-static void print_examples(const char *examples) {
+static void print_examples(const char *examples)
+{
     fputs(_("\nExamples:\n"), stdout);
     while (*examples) {
         const size_t length = strcspn(examples, "\n");
@@ -24,7 +25,8 @@ static void print_examples(const char *examples) {
     }
 }
 
-void help_print_usage(void) {
+void help_print_usage(void)
+{
     fputs(_("luxel computes how light sources brighten a surface.\n"
             "\n"
             "Usage: luxel COMMAND [SCENE] [OPTION]...\n"
@@ -64,7 +66,8 @@ static void print_exit_codes(void)
     free(line);
 }
 
-void help_print_command(const struct command *command) {
+void help_print_command(const struct command *command)
+{
     if (command->assignments)
         printf(_("Usage: luxel %s %s %s... [OPTION]...\n\n"), command->name, _(command->operand),
                _(command->assignments));
@@ -82,7 +85,8 @@ void help_print_command(const struct command *command) {
     print_exit_codes();
 }
 
-static int run(const struct options *options) {
+static int run(const struct options *options)
+{
     const struct command *command = options->operand ? find_command(options->operand) : NULL;
 
     if (!options->operand && !options->json) {

@@ -12,14 +12,16 @@
 #include "text.h"
 
 /* "lights[0] window" */
-static void name_light(const luxel_light_share *share, char buffer[TEXT_SIZE]) {
+static void name_light(const luxel_light_share *share, char buffer[TEXT_SIZE])
+{
     char *name = share->name ? luxel_escaped_text(share->name) : NULL;
 
     text_format(buffer, "lights[%zu]%s%s", share->light, name ? " " : "", name ? name : "");
     luxel_text_free(name);
 }
 
-static void print_shares(const luxel_probe *probe) {
+static void print_shares(const luxel_probe *probe)
+{
     struct text_table *table = text_table_new("llrrrr");
 
     text_table_row(
@@ -38,7 +40,8 @@ static void print_shares(const luxel_probe *probe) {
 }
 
 /* Where the point lies in the picture. */
-static void print_pixel(const luxel_probe *probe) {
+static void print_pixel(const luxel_probe *probe)
+{
     if (!probe->has_screen)
         return;
     if (!probe->has_pixel)
@@ -49,7 +52,8 @@ static void print_pixel(const luxel_probe *probe) {
         printf(_("  pixel (%u, %u)\n"), probe->column, probe->row);
 }
 
-static void print_point(const struct result *result, size_t i) {
+static void print_point(const struct result *result, size_t i)
+{
     const luxel_probe *probe = result->probes[i];
     char name[TEXT_SIZE], error[TEXT_SIZE], position[TEXT_SIZE];
 
@@ -66,7 +70,8 @@ static void print_point(const struct result *result, size_t i) {
         print_shares(probe);
 }
 
-static void print_text(const struct result *result, const char *name) {
+static void print_text(const struct result *result, const char *name)
+{
     text_print_escaped(stdout, name);
     printf(_(": %s in %s\n\n"), _(result_quantity_word(result)), _(result_unit(result)));
     for (size_t i = 0; i < result->count; i++) {
@@ -76,7 +81,8 @@ static void print_text(const struct result *result, const char *name) {
     result_print_conventions(result);
 }
 
-static int probe(const struct options *options, const struct loaded *loaded) {
+static int probe(const struct options *options, const struct loaded *loaded)
+{
     struct result result;
     const int code = result_probe(options, loaded->scene, loaded->diagnostics, &result);
 
@@ -92,7 +98,8 @@ static int probe(const struct options *options, const struct loaded *loaded) {
     return code;
 }
 
-static int run(const struct options *options) {
+static int run(const struct options *options)
+{
     return load_and(options, probe);
 }
 

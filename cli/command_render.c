@@ -19,7 +19,8 @@
 #include "text.h"
 
 /* The full path of an output that may not exist yet, to tell whether two outputs are one; NULL if unknown. */
-static char *full_path(const char *path) {
+static char *full_path(const char *path)
+{
     char *folder_copy, *name_copy, *folder, *joined = NULL;
     char *existing = realpath(path, NULL);
 
@@ -36,7 +37,8 @@ static char *full_path(const char *path) {
     return joined;
 }
 
-static bool same_target(const char *a, const char *b) {
+static bool same_target(const char *a, const char *b)
+{
     char *full_a = full_path(a), *full_b = full_path(b);
     const bool same = strcmp(a, b) == 0 || (full_a && full_b && strcmp(full_a, full_b) == 0);
 
@@ -46,7 +48,8 @@ static bool same_target(const char *a, const char *b) {
 }
 
 /* What can be known to fail is refused before anything is computed. */
-static int check_outputs(const struct options *options) {
+static int check_outputs(const struct options *options)
+{
     luxel_diagnostics *diagnostics = message_new_diagnostics();
     int code = EXIT_DONE;
 
@@ -67,7 +70,8 @@ static int check_outputs(const struct options *options) {
 }
 
 /* A file that fails does not stop the others. */
-static int write_outputs(const struct options *options, const luxel_field *field, luxel_diagnostics *diagnostics) {
+static int write_outputs(const struct options *options, const luxel_field *field, luxel_diagnostics *diagnostics)
+{
     int code = EXIT_DONE;
 
     for (size_t i = 0; i < options->output_count; i++) {
@@ -80,7 +84,8 @@ static int write_outputs(const struct options *options, const luxel_field *field
     return code;
 }
 
-static void add_extremum(struct text_table *table, const char *name, const luxel_extremum *extremum) {
+static void add_extremum(struct text_table *table, const char *name, const luxel_extremum *extremum)
+{
     char value[TEXT_SIZE], pixel[TEXT_SIZE], screen[TEXT_SIZE];
 
     if (!extremum->exists) {
@@ -92,7 +97,8 @@ static void add_extremum(struct text_table *table, const char *name, const luxel
                                      text_lengths((const double[]){extremum->x_mm, extremum->y_mm}, 2, screen)));
 }
 
-static void print_statistics(const struct result *result) {
+static void print_statistics(const struct result *result)
+{
     const luxel_statistics *statistics = luxel_field_statistics(result->field);
     struct text_table *table = text_table_new("lrrr");
     char heading[TEXT_SIZE], mean[TEXT_SIZE], lit[TEXT_SIZE];
@@ -111,7 +117,8 @@ static void print_statistics(const struct result *result) {
 }
 
 /* A point with a value is a row; one without is a line that says why. */
-static void add_point(struct text_table *table, const struct result *result, size_t i) {
+static void add_point(struct text_table *table, const struct result *result, size_t i)
+{
     const luxel_probe *probe = result->probes[i];
     char name[TEXT_SIZE], value[TEXT_SIZE], error[TEXT_SIZE], pixel_value[TEXT_SIZE], pixel[TEXT_SIZE];
 
@@ -129,7 +136,8 @@ static void add_point(struct text_table *table, const struct result *result, siz
                                      pixel));
 }
 
-static void print_points(const struct result *result) {
+static void print_points(const struct result *result)
+{
     struct text_table *table = text_table_new("lrrrr");
 
     text_table_row(table, TEXT_CELLS(_("point x, y (mm)"), _("exact value"), _("error at most"), _("pixel value"),
@@ -139,7 +147,8 @@ static void print_points(const struct result *result) {
     text_table_print(table, stdout, 2);
 }
 
-static void print_text(const struct result *result, const char *name) {
+static void print_text(const struct result *result, const char *name)
+{
     text_print_escaped(stdout, name);
     printf(_(": %s in %s, %u × %u pixels\n\n"), _(result_quantity_word(result)), _(result_unit(result)),
            luxel_field_columns(result->field), luxel_field_rows(result->field));
@@ -153,7 +162,8 @@ static void print_text(const struct result *result, const char *name) {
 }
 
 /* The picture, and what Ctrl-C does to it. */
-static int compute(const struct options *options, const struct loaded *loaded, luxel_field **field) {
+static int compute(const struct options *options, const struct loaded *loaded, luxel_field **field)
+{
     luxel_settings settings = options->settings;
     struct progress progress;
     luxel_status status;
@@ -170,7 +180,8 @@ static int compute(const struct options *options, const struct loaded *loaded, l
 }
 
 /* The points' values in the picture are the picture's. */
-static void take_pixel_values(struct result *result, const luxel_field *field) {
+static void take_pixel_values(struct result *result, const luxel_field *field)
+{
     result->field = field;
     for (size_t i = 0; i < result->count; i++) {
         luxel_probe *probe = result->probes[i];
@@ -180,7 +191,8 @@ static void take_pixel_values(struct result *result, const luxel_field *field) {
     }
 }
 
-static int render(const struct options *options, const struct loaded *loaded) {
+static int render(const struct options *options, const struct loaded *loaded)
+{
     luxel_field *field;
     struct result result;
     int code = compute(options, loaded, &field), write_code;
@@ -203,7 +215,8 @@ static int render(const struct options *options, const struct loaded *loaded) {
     return code;
 }
 
-static int run(const struct options *options) {
+static int run(const struct options *options)
+{
     const int code = check_outputs(options);
 
     return code == EXIT_DONE ? load_and(options, render) : code;

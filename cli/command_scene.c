@@ -21,7 +21,8 @@ static void write_scene(struct json *json, const char *name, const char *title, 
     json_close(json, '}');
 }
 
-static void print_list(bool as_json) {
+static void print_list(bool as_json)
+{
     const size_t count = luxel_builtin_scene_count();
 
     if (as_json) {
@@ -68,7 +69,8 @@ static int print_scene(const struct options *options, const struct loaded *loade
     return EXIT_DONE;
 }
 
-static int run(const struct options *options) {
+static int run(const struct options *options)
+{
     struct loaded loaded;
     int code;
 

@@ -22,7 +22,8 @@
 enum match { MATCH_NONE, MATCH_BELOW, MATCH_EXACT };
 
 /* The path with every index as "[]": "lights.0.position" and "lights[0].position" are "lights[].position". */
-static char *normal_path(const char *topic) {
+static char *normal_path(const char *topic)
+{
     char *path = message_allocate(2 * strlen(topic) + 1, 1);
     char *out = path;
 
@@ -41,12 +42,14 @@ static char *normal_path(const char *topic) {
     return path;
 }
 
-static bool is_boundary(char character) {
+static bool is_boundary(char character)
+{
     return character == '\0' || character == '.' || character == '[';
 }
 
 /* A topic names the parameter if it is the end of its path, and a group above it if it stands inside. */
-static enum match match_path(const char *topic, const char *path) {
+static enum match match_path(const char *topic, const char *path)
+{
     const size_t length = strlen(topic);
     enum match best = MATCH_NONE;
 
@@ -61,7 +64,8 @@ static enum match match_path(const char *topic, const char *path) {
     return best;
 }
 
-static enum match match_parameter(const char *topic, const luxel_parameter *parameter) {
+static enum match match_parameter(const char *topic, const luxel_parameter *parameter)
+{
     enum match match;
 
     if (!topic)
@@ -72,7 +76,8 @@ static enum match match_parameter(const char *topic, const luxel_parameter *para
     return match;
 }
 
-static bool same_text(const char *a, const char *b) {
+static bool same_text(const char *a, const char *b)
+{
     return (!a && !b) || (a && b && strcmp(a, b) == 0);
 }
 
@@ -87,14 +92,16 @@ static bool same_rules(const luxel_parameter *a, const luxel_parameter *b)
 }
 
 /* Whether two rows of the table say the same but for the type that they belong to. */
-static bool same_parameter(const luxel_parameter *a, const luxel_parameter *b) {
+static bool same_parameter(const luxel_parameter *a, const luxel_parameter *b)
+{
     return same_text(a->path, b->path) && same_text(a->type, b->type) && same_text(a->choices, b->choices) &&
            same_text(a->unit, b->unit) && same_text(a->default_value, b->default_value) && a->required == b->required &&
            same_text(a->legal, b->legal) && same_text(a->advised, b->advised) && same_text(a->meaning, b->meaning) &&
            same_rules(a, b);
 }
 
-static bool is_first_of_its_kind(const luxel_parameters *keys, size_t i) {
+static bool is_first_of_its_kind(const luxel_parameters *keys, size_t i)
+{
     for (size_t k = 0; k < i; k++)
         if (same_parameter(luxel_parameters_get(keys, k), luxel_parameters_get(keys, i)))
             return false;
@@ -102,7 +109,8 @@ static bool is_first_of_its_kind(const luxel_parameters *keys, size_t i) {
 }
 
 /* "point, spot": the types that have parameter i as it stands; "" for all. */
-static const char *list_variants(const luxel_parameters *keys, size_t i, char buffer[TEXT_SIZE]) {
+static const char *list_variants(const luxel_parameters *keys, size_t i, char buffer[TEXT_SIZE])
+{
     const luxel_parameter *parameter = luxel_parameters_get(keys, i);
     size_t used = 0;
 
@@ -117,7 +125,8 @@ static const char *list_variants(const luxel_parameters *keys, size_t i, char bu
     return buffer;
 }
 
-static void add_line(struct text_table *table, const char *name, const char *value) {
+static void add_line(struct text_table *table, const char *name, const char *value)
+{
     if (value && *value)
         text_table_row(table, TEXT_CELLS(name, value));
 }
@@ -143,7 +152,8 @@ static void add_rule(struct text_table *table, const luxel_rule *rule)
     }
 }
 
-static void print_parameter(const luxel_parameters *keys, size_t i) {
+static void print_parameter(const luxel_parameters *keys, size_t i)
+{
     const luxel_parameter *parameter = luxel_parameters_get(keys, i);
     struct text_table *table = text_table_new("ll");
     char variants[TEXT_SIZE];
@@ -180,7 +190,8 @@ static const char *print_kinds(const luxel_parameters *keys, const char *topic)
     return separator;
 }
 
-static void print_text(const luxel_parameters *keys, const char *topic, enum match wanted) {
+static void print_text(const luxel_parameters *keys, const char *topic, enum match wanted)
+{
     const char *separator = print_kinds(keys, topic);
 
     for (size_t i = 0; i < luxel_parameters_count(keys); i++) {
@@ -193,7 +204,8 @@ static void print_text(const luxel_parameters *keys, const char *topic, enum mat
 }
 
 /* What lies below the keys that were explained, a line each. */
-static void print_below(const luxel_parameters *keys, const char *topic) {
+static void print_below(const luxel_parameters *keys, const char *topic)
+{
     struct text_table *table = text_table_new("lll");
     size_t count = 0;
 
@@ -204,8 +216,8 @@ static void print_below(const luxel_parameters *keys, const char *topic) {
             continue;
         if (count++ == 0)
             text_table_line(table, _("keys below:"));
-        text_table_row(
-            table, TEXT_CELLS(parameter->path, parameter->variant ? parameter->variant : "", parameter->meaning));
+        text_table_row(table,
+                       TEXT_CELLS(parameter->path, parameter->variant ? parameter->variant : "", parameter->meaning));
     }
     if (count > 0)
         fputc('\n', stdout);
@@ -254,7 +266,8 @@ static void write_kinds(struct json *json, const luxel_parameters *keys, const c
     json_close(json, ']');
 }
 
-static void print_json(const luxel_parameters *keys, const char *topic) {
+static void print_json(const luxel_parameters *keys, const char *topic)
+{
     struct json json = {.stream = stdout};
 
     json_open(&json, NULL, '{');
@@ -283,13 +296,15 @@ static void print_json(const luxel_parameters *keys, const char *topic) {
     json_close(&json, '}');
 }
 
-static const char *last_component(const char *path) {
+static const char *last_component(const char *path)
+{
     const char *dot = strrchr(path, '.');
 
     return dot ? dot + 1 : path;
 }
 
-static int report_unknown_topic(const luxel_parameters *keys, const char *topic) {
+static int report_unknown_topic(const luxel_parameters *keys, const char *topic)
+{
     const size_t parameters = luxel_parameters_count(keys);
     const char **words = message_allocate(COMMAND_COUNT + 3 * parameters, sizeof *words);
     size_t count = 0;
@@ -309,9 +324,9 @@ static int report_unknown_topic(const luxel_parameters *keys, const char *topic)
     return EXIT_USAGE;
 }
 
-int help_print_keys(const char *topic, bool as_json) {
-    luxel_parameters *keys =
-        luxel_parameters_new_translated(as_json ? NULL : language_translate, NULL);
+int help_print_keys(const char *topic, bool as_json)
+{
+    luxel_parameters *keys = luxel_parameters_new_translated(as_json ? NULL : language_translate, NULL);
     char *path = topic ? normal_path(topic) : NULL;
     enum match best = MATCH_NONE;
     int code = EXIT_DONE;

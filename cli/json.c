@@ -4,7 +4,8 @@
 
 #include <math.h>
 
-static void write_quoted(FILE *stream, const char *text) {
+static void write_quoted(FILE *stream, const char *text)
+{
     fputc('"', stream);
     for (; *text; text++) {
         const unsigned char byte = (unsigned char)*text;
@@ -21,7 +22,8 @@ static void write_quoted(FILE *stream, const char *text) {
     fputc('"', stream);
 }
 
-static void begin(struct json *json, const char *key) {
+static void begin(struct json *json, const char *key)
+{
     if (json->comma)
         fputs(", ", json->stream);
     if (key) {
@@ -31,36 +33,42 @@ static void begin(struct json *json, const char *key) {
     json->comma = true;
 }
 
-void json_open(struct json *json, const char *key, char bracket) {
+void json_open(struct json *json, const char *key, char bracket)
+{
     begin(json, key);
     fputc(bracket, json->stream);
     json->comma = false;
     json->depth++;
 }
 
-void json_close(struct json *json, char bracket) {
+void json_close(struct json *json, char bracket)
+{
     fputc(bracket, json->stream);
     json->comma = true;
     if (--json->depth == 0)
         fputc('\n', json->stream);
 }
 
-void json_null(struct json *json, const char *key) {
+void json_null(struct json *json, const char *key)
+{
     begin(json, key);
     fputs("null", json->stream);
 }
 
-void json_bool(struct json *json, const char *key, bool value) {
+void json_bool(struct json *json, const char *key, bool value)
+{
     begin(json, key);
     fputs(value ? "true" : "false", json->stream);
 }
 
-void json_whole(struct json *json, const char *key, size_t value) {
+void json_whole(struct json *json, const char *key, size_t value)
+{
     begin(json, key);
     fprintf(json->stream, "%zu", value);
 }
 
-void json_number(struct json *json, const char *key, double value) {
+void json_number(struct json *json, const char *key, double value)
+{
     if (!isfinite(value)) {
         json_null(json, key);
         return;
@@ -69,7 +77,8 @@ void json_number(struct json *json, const char *key, double value) {
     fprintf(json->stream, "%.17g", value + 0.0); /* -0 becomes 0 */
 }
 
-void json_text(struct json *json, const char *key, const char *value) {
+void json_text(struct json *json, const char *key, const char *value)
+{
     if (!value) {
         json_null(json, key);
         return;
@@ -78,14 +87,16 @@ void json_text(struct json *json, const char *key, const char *value) {
     write_quoted(json->stream, value);
 }
 
-void json_numbers(struct json *json, const char *key, const double *values, size_t count) {
+void json_numbers(struct json *json, const char *key, const double *values, size_t count)
+{
     json_open(json, key, '[');
     for (size_t i = 0; i < count; i++)
         json_number(json, NULL, values[i]);
     json_close(json, ']');
 }
 
-void json_wholes(struct json *json, const char *key, const unsigned *values, size_t count) {
+void json_wholes(struct json *json, const char *key, const unsigned *values, size_t count)
+{
     json_open(json, key, '[');
     for (size_t i = 0; i < count; i++)
         json_whole(json, NULL, values[i]);

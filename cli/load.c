@@ -13,7 +13,8 @@
 
 static const char default_scene[] = "report";
 
-size_t load_find_builtin(const char *name) {
+size_t load_find_builtin(const char *name)
+{
     size_t i = 0;
 
     while (i < luxel_builtin_scene_count() && strcmp(luxel_builtin_scene_name(i), name ? name : default_scene) != 0)
@@ -21,7 +22,8 @@ size_t load_find_builtin(const char *name) {
     return i;
 }
 
-static void suggest_builtin(const char *typed) {
+static void suggest_builtin(const char *typed)
+{
     const size_t count = luxel_builtin_scene_count();
     const char **names = message_allocate(count, sizeof *names);
 
@@ -32,7 +34,8 @@ static void suggest_builtin(const char *typed) {
 }
 
 /* Reads a little more than the library accepts at most, so that it is the library that refuses. */
-static int read_standard_input(char **text, size_t *length) {
+static int read_standard_input(char **text, size_t *length)
+{
     const size_t most = ((size_t)64 << 20) + 1;
     size_t capacity = (size_t)1 << 16;
 
@@ -59,7 +62,8 @@ static int read_standard_input(char **text, size_t *length) {
     }
 }
 
-static int open_standard_input(struct loaded *loaded) {
+static int open_standard_input(struct loaded *loaded)
+{
     char *text;
     size_t length;
     int code;
@@ -76,7 +80,8 @@ static int open_standard_input(struct loaded *loaded) {
     return code;
 }
 
-static int open_builtin(const char *name, struct loaded *loaded) {
+static int open_builtin(const char *name, struct loaded *loaded)
+{
     luxel_status status;
 
     if (load_find_builtin(name) == luxel_builtin_scene_count()) {
@@ -88,7 +93,8 @@ static int open_builtin(const char *name, struct loaded *loaded) {
     return status == LUXEL_OK ? EXIT_DONE : message_failure(status, loaded->diagnostics);
 }
 
-static int open_file(const char *path, struct loaded *loaded) {
+static int open_file(const char *path, struct loaded *loaded)
+{
     luxel_status status;
 
     if (access(path, F_OK) != 0 && errno == ENOENT) {
@@ -144,7 +150,8 @@ static struct options with_settings_of(const struct options *options, const luxe
 }
 
 /* Goes on after an error, to report all of them; a path that names nothing weighs most. */
-static luxel_status change_and_commit(const struct options *options, const struct loaded *loaded) {
+static luxel_status change_and_commit(const struct options *options, const struct loaded *loaded)
+{
     luxel_status worst = LUXEL_OK;
 
     for (size_t i = 0; i <= options->assignment_count; i++) {
@@ -158,7 +165,8 @@ static luxel_status change_and_commit(const struct options *options, const struc
     return worst;
 }
 
-static int refuse_advice(const struct loaded *loaded) {
+static int refuse_advice(const struct loaded *loaded)
+{
     const luxel_status status = luxel_scene_advise(loaded->scene, loaded->diagnostics);
 
     if (status != LUXEL_OK)
@@ -169,7 +177,8 @@ static int refuse_advice(const struct loaded *loaded) {
     return EXIT_SCENE;
 }
 
-int load_scene(const struct options *options, bool builtin_first, struct loaded *loaded) {
+int load_scene(const struct options *options, bool builtin_first, struct loaded *loaded)
+{
     luxel_status status;
     int code;
 
@@ -183,12 +192,14 @@ int load_scene(const struct options *options, bool builtin_first, struct loaded 
     return options->strict ? refuse_advice(loaded) : EXIT_DONE;
 }
 
-void load_clear(struct loaded *loaded) {
+void load_clear(struct loaded *loaded)
+{
     luxel_scene_free(loaded->scene);
     luxel_diagnostics_free(loaded->diagnostics);
 }
 
-int load_and(const struct options *options, int (*action)(const struct options *, const struct loaded *)) {
+int load_and(const struct options *options, int (*action)(const struct options *, const struct loaded *))
+{
     struct loaded loaded;
     int code = load_scene(options, false, &loaded);
 

@@ -20,7 +20,8 @@
  * A standard stream that the caller closed must not become the first file that is opened.  Each is replaced by
  * one that fails in its own use: input that cannot be read, output that cannot be written.
  */
-static void keep_standard_streams(void) {
+static void keep_standard_streams(void)
+{
     static const int modes[] = {O_WRONLY, O_RDONLY, O_RDONLY};
 
     for (int i = 0; i < (int)COUNT_OF(modes); i++)
@@ -29,7 +30,8 @@ static void keep_standard_streams(void) {
 }
 
 /* Results that did not arrive are an error, whatever else went well. */
-static int finish_output(int code) {
+static int finish_output(int code)
+{
     if (fflush(stdout) == 0 && !ferror(stdout) && fclose(stdout) == 0)
         return code;
     message_error(_("standard output could not be written: %s"), language_reason(errno));
@@ -37,7 +39,8 @@ static int finish_output(int code) {
 }
 
 /* The set that a computation without further wishes would take. */
-static void print_version(void) {
+static void print_version(void)
+{
     const char *forced = getenv("LUXEL_ISA");
     const char *name;
 
@@ -50,7 +53,8 @@ static void print_version(void) {
     printf(_("instruction set: none, this machine has no \"%s\"\n"), forced ? forced : "");
 }
 
-static int run(const struct options *options) {
+static int run(const struct options *options)
+{
     if (options->version) {
         print_version();
         return EXIT_DONE;
@@ -65,7 +69,8 @@ static int run(const struct options *options) {
     return EXIT_DONE;
 }
 
-int main(int argc, char **argv) {
+int main(int argc, char **argv)
+{
     struct options options;
     int code;
 

@@ -14,7 +14,8 @@
 #include "language.h"
 #include "text.h"
 
-static bool wants_colour(FILE *stream) {
+static bool wants_colour(FILE *stream)
+{
     const char *no_colour = getenv("NO_COLOR");
     const char *terminal = getenv("TERM");
 
@@ -22,7 +23,8 @@ static bool wants_colour(FILE *stream) {
 }
 
 /* The word that starts a message, in bold red or blue where colour is welcome. */
-static void print_severity(FILE *stream, luxel_severity severity) {
+static void print_severity(FILE *stream, luxel_severity severity)
+{
     const char *word = severity == LUXEL_SEVERITY_ERROR ? _("error:") : _("advice:");
 
     if (wants_colour(stream))
@@ -32,7 +34,8 @@ static void print_severity(FILE *stream, luxel_severity severity) {
 }
 
 /* Arguments of the user may hold anything, so the finished text is escaped as a whole. */
-static void print_formatted(const char *format, va_list arguments) {
+static void print_formatted(const char *format, va_list arguments)
+{
     char *text = NULL;
 
     if (vasprintf(&text, format, arguments) < 0)
@@ -42,7 +45,8 @@ static void print_formatted(const char *format, va_list arguments) {
     free(text);
 }
 
-void message_error(const char *format, ...) {
+void message_error(const char *format, ...)
+{
     va_list arguments;
 
     fputs("luxel: ", stderr);
@@ -52,7 +56,8 @@ void message_error(const char *format, ...) {
     va_end(arguments);
 }
 
-void message_hint(const char *format, ...) {
+void message_hint(const char *format, ...)
+{
     va_list arguments;
 
     fputs(_("  hint: "), stderr);
@@ -61,12 +66,14 @@ void message_hint(const char *format, ...) {
     va_end(arguments);
 }
 
-void message_did_you_mean(const char *nearest) {
+void message_did_you_mean(const char *nearest)
+{
     if (nearest)
         message_hint(_("did you mean %s?"), nearest);
 }
 
-void message_note(const char *format, ...) {
+void message_note(const char *format, ...)
+{
     va_list arguments;
 
     fputs("luxel: ", stderr);
@@ -75,7 +82,8 @@ void message_note(const char *format, ...) {
     va_end(arguments);
 }
 
-static int exit_code_of(luxel_status status) {
+static int exit_code_of(luxel_status status)
+{
     switch (status) {
     case LUXEL_OK: return EXIT_DONE;
     case LUXEL_ERROR_ARGUMENT:
@@ -89,13 +97,15 @@ static int exit_code_of(luxel_status status) {
     return EXIT_SCENE;
 }
 
-static void print_repeated(FILE *stream, char character, unsigned count) {
+static void print_repeated(FILE *stream, char character, unsigned count)
+{
     for (unsigned i = 0; i < count; i++)
         fputc(character, stream);
 }
 
 /* The offending line, already escaped by the library, and the mark under it. */
-static void print_excerpt(FILE *stream, const luxel_diagnostic *entry) {
+static void print_excerpt(FILE *stream, const luxel_diagnostic *entry)
+{
     fprintf(stream, "    %s\n    ", entry->excerpt);
     print_repeated(stream, ' ', entry->mark_offset);
     fputc('^', stream);
@@ -103,7 +113,8 @@ static void print_excerpt(FILE *stream, const luxel_diagnostic *entry) {
     fputc('\n', stream);
 }
 
-static void print_entry(FILE *stream, const luxel_diagnostics *diagnostics, size_t i, luxel_severity shown_as) {
+static void print_entry(FILE *stream, const luxel_diagnostics *diagnostics, size_t i, luxel_severity shown_as)
+{
     const luxel_diagnostic *entry = luxel_diagnostics_get(diagnostics, i);
     char *message = luxel_diagnostics_message(diagnostics, i, language_translate, NULL);
     char *hint = luxel_diagnostics_hint(diagnostics, i, language_translate, NULL);
@@ -123,7 +134,8 @@ static void print_entry(FILE *stream, const luxel_diagnostics *diagnostics, size
 }
 
 void message_diagnostics(FILE *stream, const luxel_diagnostics *diagnostics, luxel_severity severity,
-                         luxel_severity shown_as) {
+                         luxel_severity shown_as)
+{
     const size_t count = luxel_diagnostics_count(diagnostics);
     size_t left = luxel_diagnostics_total(diagnostics, severity);
 
@@ -139,7 +151,8 @@ void message_diagnostics(FILE *stream, const luxel_diagnostics *diagnostics, lux
         fprintf(stream, ngettext("and %zu more line of advice\n", "and %zu more lines of advice\n", left), left);
 }
 
-int message_failure(luxel_status status, luxel_diagnostics *diagnostics) {
+int message_failure(luxel_status status, luxel_diagnostics *diagnostics)
+{
     if (luxel_diagnostics_total(diagnostics, LUXEL_SEVERITY_ERROR) > 0)
         message_diagnostics(stderr, diagnostics, LUXEL_SEVERITY_ERROR, LUXEL_SEVERITY_ERROR);
     else if (status == LUXEL_ERROR_MEMORY)
@@ -149,12 +162,14 @@ int message_failure(luxel_status status, luxel_diagnostics *diagnostics) {
     return exit_code_of(status);
 }
 
-static _Noreturn void die_of_memory(void) {
+static _Noreturn void die_of_memory(void)
+{
     message_error(_("memory ran out"));
     exit(EXIT_SCENE);
 }
 
-luxel_diagnostics *message_new_diagnostics(void) {
+luxel_diagnostics *message_new_diagnostics(void)
+{
     luxel_diagnostics *diagnostics = luxel_diagnostics_new();
 
     if (!diagnostics)
@@ -162,7 +177,8 @@ luxel_diagnostics *message_new_diagnostics(void) {
     return diagnostics;
 }
 
-void *message_allocate(size_t count, size_t size) {
+void *message_allocate(size_t count, size_t size)
+{
     void *memory = calloc(count > 0 ? count : 1, size);
 
     if (!memory)

@@ -18,18 +18,21 @@
 static const char *const quantity_words[] = {"brightness", "irradiance", NULL};
 static const char *const precision_words[] = {"single", "double", NULL};
 
-static bool take_output(struct options *options, const char *argument) {
+static bool take_output(struct options *options, const char *argument)
+{
     options->outputs[options->output_count++] = argument;
     return true;
 }
 
-static bool take_point(struct options *options, const char *argument) {
+static bool take_point(struct options *options, const char *argument)
+{
     struct option_place *place = &options->places[options->place_count++];
 
     return argument_numbers("-p", "X,Y", argument, place->numbers, 2);
 }
 
-static bool take_element(struct options *options, const char *argument) {
+static bool take_element(struct options *options, const char *argument)
+{
     struct option_place *place = &options->places[options->place_count++];
     const double *normal = place->numbers + 3;
 
@@ -42,13 +45,15 @@ static bool take_element(struct options *options, const char *argument) {
     return false;
 }
 
-static bool take_assignment(struct options *options, const char *argument) {
+static bool take_assignment(struct options *options, const char *argument)
+{
     options->assignments[options->assignment_count++] = argument;
     return true;
 }
 
 /* Finds a word among two; reports the nearer if it is none of them. */
-static bool take_word(const char *option, const char *argument, const char *const *words, size_t *found) {
+static bool take_word(const char *option, const char *argument, const char *const *words, size_t *found)
+{
     for (*found = 0; words[*found]; ++*found)
         if (strcmp(argument, words[*found]) == 0)
             return true;
@@ -57,7 +62,8 @@ static bool take_word(const char *option, const char *argument, const char *cons
     return false;
 }
 
-static bool take_quantity(struct options *options, const char *argument) {
+static bool take_quantity(struct options *options, const char *argument)
+{
     size_t found;
 
     if (!take_word("--quantity", argument, quantity_words, &found))
@@ -66,7 +72,8 @@ static bool take_quantity(struct options *options, const char *argument) {
     return true;
 }
 
-static bool take_precision(struct options *options, const char *argument) {
+static bool take_precision(struct options *options, const char *argument)
+{
     size_t found;
 
     if (!take_word("--precision", argument, precision_words, &found))
@@ -75,7 +82,8 @@ static bool take_precision(struct options *options, const char *argument) {
     return true;
 }
 
-static bool take_tolerance(struct options *options, const char *argument) {
+static bool take_tolerance(struct options *options, const char *argument)
+{
     double value;
 
     if (!argument_number("--tolerance", argument, &value))
@@ -88,7 +96,8 @@ static bool take_tolerance(struct options *options, const char *argument) {
     return false;
 }
 
-static bool take_light_error(struct options *options, const char *argument) {
+static bool take_light_error(struct options *options, const char *argument)
+{
     double value;
 
     if (!argument_number("--light-error", argument, &value))
@@ -101,7 +110,8 @@ static bool take_light_error(struct options *options, const char *argument) {
     return false;
 }
 
-static bool take_threads(struct options *options, const char *argument) {
+static bool take_threads(struct options *options, const char *argument)
+{
     return argument_whole("--threads", argument, 1, 1024, &options->settings.threads);
 }
 
@@ -146,7 +156,8 @@ const struct option_row *options_row(size_t i)
     return i < ROW_COUNT ? &rows[i] : NULL;
 }
 
-static const struct option_row *row_of_value(int value) {
+static const struct option_row *row_of_value(int value)
+{
     if (value >= LONG_BASE)
         return &rows[value - LONG_BASE];
     for (size_t i = 0; i < ROW_COUNT; i++)
@@ -156,13 +167,15 @@ static const struct option_row *row_of_value(int value) {
 }
 
 /* As the user typed it, which getopt tells by the value: "--output" or "-o". */
-static const char *option_name(int value, char buffer[TEXT_SIZE]) {
+static const char *option_name(int value, char buffer[TEXT_SIZE])
+{
     if (value >= LONG_BASE)
         return text_format(buffer, "--%s", rows[value - LONG_BASE].name);
     return text_format(buffer, "-%c", value);
 }
 
-static void report_unknown_long(const char *typed) {
+static void report_unknown_long(const char *typed)
+{
     const size_t length = strcspn(typed + 2, "=");
     char *name = message_allocate(length + 1, 1);
     const char *names[ROW_COUNT], *nearest;
@@ -184,7 +197,8 @@ static void report_unknown_long(const char *typed) {
 }
 
 /* getopt_long answered '?' or ':'; `typed` is the argument that it stood at. */
-static void report_bad_option(int answer, int value, const char *typed) {
+static void report_bad_option(int answer, int value, const char *typed)
+{
     char name[TEXT_SIZE];
     const struct option_row *row = row_of_value(value);
 
@@ -201,7 +215,8 @@ static void report_bad_option(int answer, int value, const char *typed) {
 }
 
 /* getopt_long's tables from ours. */
-static void build_tables(struct option longs[ROW_COUNT + 1], char letters[2 * ROW_COUNT + 2]) {
+static void build_tables(struct option longs[ROW_COUNT + 1], char letters[2 * ROW_COUNT + 2])
+{
     *letters++ = ':'; /* tells a missing argument from an unknown option */
     for (int i = 0; i < ROW_COUNT; i++) {
         const int has_argument = rows[i].argument ? required_argument : no_argument;
@@ -218,7 +233,8 @@ static void build_tables(struct option longs[ROW_COUNT + 1], char letters[2 * RO
 }
 
 /* Reads what begins with a dash; getopt moves the operands behind it. */
-static bool read_dashed(int argc, char **argv, struct options *options) {
+static bool read_dashed(int argc, char **argv, struct options *options)
+{
     struct option longs[ROW_COUNT + 1];
     char letters[2 * ROW_COUNT + 2];
     int value;
@@ -242,7 +258,8 @@ static bool read_dashed(int argc, char **argv, struct options *options) {
     return true;
 }
 
-static bool report_unknown_command(const char *typed) {
+static bool report_unknown_command(const char *typed)
+{
     const char *names[COMMAND_COUNT], *nearest;
 
     for (size_t i = 0; i < COMMAND_COUNT; i++)
@@ -272,7 +289,8 @@ static bool read_more_operands(int count, char **operands, struct options *optio
 }
 
 /* COMMAND [SCENE], and for some KEY=VALUE... */
-static bool read_operands(int count, char **operands, struct options *options) {
+static bool read_operands(int count, char **operands, struct options *options)
+{
     if (count == 0)
         return true;
     options->command = find_command(operands[0]);
@@ -290,7 +308,8 @@ static bool read_operands(int count, char **operands, struct options *options) {
 }
 
 /* Every option that was given must be one that the command takes. */
-static bool check_commands(const struct options *options) {
+static bool check_commands(const struct options *options)
+{
     const unsigned bit = options->command ? options->command->bit : COMMAND_NONE;
 
     for (size_t i = 0; i < ROW_COUNT; i++) {
@@ -308,7 +327,8 @@ static bool check_commands(const struct options *options) {
     return true;
 }
 
-int options_read(int argc, char **argv, struct options *options) {
+int options_read(int argc, char **argv, struct options *options)
+{
     const size_t room = (size_t)argc;
 
     *options = (struct options){
@@ -323,7 +343,8 @@ int options_read(int argc, char **argv, struct options *options) {
     return EXIT_DONE;
 }
 
-void options_clear(struct options *options) {
+void options_clear(struct options *options)
+{
     free(options->assignments);
     free(options->outputs);
     free(options->places);
@@ -339,12 +360,13 @@ static const char *help_of(const struct option_row *row, char buffer[2 * TEXT_SI
         return help;
     snprintf(buffer, 2 * TEXT_SIZE, "%s", help);
     for (size_t i = 0; luxel_output_ending(i) && used < 2 * TEXT_SIZE; i++)
-        used += (size_t)snprintf(buffer + used, 2 * TEXT_SIZE - used, "%s%s", i > 0 ? ", " : ": ",
-                                 luxel_output_ending(i));
+        used +=
+            (size_t)snprintf(buffer + used, 2 * TEXT_SIZE - used, "%s%s", i > 0 ? ", " : ": ", luxel_output_ending(i));
     return buffer;
 }
 
-void options_print_help(FILE *stream, unsigned command_bit) {
+void options_print_help(FILE *stream, unsigned command_bit)
+{
     enum { INDENT = 24 };
 
     for (size_t i = 0; i < ROW_COUNT; i++) {

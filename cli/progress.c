@@ -17,27 +17,31 @@
 
 static volatile sig_atomic_t interrupted, cancellable;
 
-static void on_interrupt(int signal_number) {
+static void on_interrupt(int signal_number)
+{
     (void)signal_number;
     if (!cancellable || interrupted)
         _exit(EXIT_INTERRUPTED);
     interrupted = 1;
 }
 
-void progress_catch_interrupt(void) {
+void progress_catch_interrupt(void)
+{
     const struct sigaction action = {.sa_handler = on_interrupt};
 
     sigaction(SIGINT, &action, NULL);
 }
 
-static double now_s(void) {
+static double now_s(void)
+{
     struct timespec now;
 
     clock_gettime(CLOCK_MONOTONIC, &now);
     return (double)now.tv_sec + 1e-9 * (double)now.tv_nsec;
 }
 
-void progress_begin(struct progress *progress, bool quiet) {
+void progress_begin(struct progress *progress, bool quiet)
+{
     const char *terminal = getenv("TERM");
     const bool erases = terminal && strcmp(terminal, "dumb") != 0;
 
@@ -45,7 +49,8 @@ void progress_begin(struct progress *progress, bool quiet) {
     cancellable = 1;
 }
 
-bool progress_report(double done, void *data) {
+bool progress_report(double done, void *data)
+{
     const double patience_s = 1.0, pause_s = 0.1;
     struct progress *progress = data;
     double now, left_s;
@@ -65,7 +70,8 @@ bool progress_report(double done, void *data) {
     return true;
 }
 
-bool progress_end(struct progress *progress) {
+bool progress_end(struct progress *progress)
+{
     cancellable = 0;
     if (progress->last_s > 0.0)
         fputs("\r\033[K", stderr);

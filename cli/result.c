@@ -10,7 +10,8 @@
 
 /* The i-th place that is asked for. */
 static luxel_status probe_place(const struct result *result, size_t i, luxel_diagnostics *diagnostics,
-                                luxel_probe **probe) {
+                                luxel_probe **probe)
+{
     const struct options *options = result->options;
     const double *numbers = options->place_count > 0 ? options->places[i].numbers : NULL;
     double point[2];
@@ -28,7 +29,8 @@ static luxel_status probe_place(const struct result *result, size_t i, luxel_dia
 }
 
 int result_probe(const struct options *options, const luxel_scene *scene, luxel_diagnostics *diagnostics,
-                 struct result *result) {
+                 struct result *result)
+{
     const size_t count = options->place_count > 0 ? options->place_count : luxel_scene_point_count(scene);
     int code = EXIT_DONE;
 
@@ -46,24 +48,28 @@ int result_probe(const struct options *options, const luxel_scene *scene, luxel_
     return code;
 }
 
-void result_clear(struct result *result) {
+void result_clear(struct result *result)
+{
     for (size_t i = 0; i < result->count; i++)
         luxel_probe_free(result->probes[i]);
     free(result->probes);
 }
 
-const char *result_quantity_word(const struct result *result) {
+const char *result_quantity_word(const struct result *result)
+{
     return result->options->settings.quantity == LUXEL_IRRADIANCE ? N_("irradiance") : N_("brightness");
 }
 
-const char *result_unit(const struct result *result) {
+const char *result_unit(const struct result *result)
+{
     return luxel_scene_unit(result->scene, result->options->settings.quantity);
 }
 
 /* Why a point of a surface has no value: a format for the number of the light. */
 static const char on_element[] = N_("the source lights[%zu] lies on the element");
 
-const char *result_point_name(const struct result *result, size_t i, char buffer[TEXT_SIZE]) {
+const char *result_point_name(const struct result *result, size_t i, char buffer[TEXT_SIZE])
+{
     const luxel_probe *probe = result->probes[i];
     char place[TEXT_SIZE];
 
@@ -74,18 +80,19 @@ const char *result_point_name(const struct result *result, size_t i, char buffer
     return text_format(buffer, "P%zu %s", i + 1, place);
 }
 
-const char *result_no_value(const struct result *result, size_t i, char buffer[TEXT_SIZE]) {
+const char *result_no_value(const struct result *result, size_t i, char buffer[TEXT_SIZE])
+{
     const luxel_probe *probe = result->probes[i];
     const bool off_screen = probe->has_screen && !probe->has_pixel;
     char name[TEXT_SIZE], reason[TEXT_SIZE];
 
     result_point_name(result, i, name);
     text_format(reason, probe->on_surface ? _(on_element) : _("off the surface"), probe->blocking_light);
-    return text_format(buffer, "%s: %s%s", name, reason,
-                       off_screen ? _(", off the screen") : "");
+    return text_format(buffer, "%s: %s%s", name, reason, off_screen ? _(", off the screen") : "");
 }
 
-static void write_extremum(struct json *json, const char *key, const luxel_extremum *extremum) {
+static void write_extremum(struct json *json, const char *key, const luxel_extremum *extremum)
+{
     if (!extremum || !extremum->exists) {
         json_null(json, key);
         return;
@@ -97,7 +104,8 @@ static void write_extremum(struct json *json, const char *key, const luxel_extre
     json_close(json, '}');
 }
 
-static void write_statistics(struct json *json, const luxel_field *field) {
+static void write_statistics(struct json *json, const luxel_field *field)
+{
     const luxel_statistics *statistics = field ? luxel_field_statistics(field) : NULL;
 
     write_extremum(json, "max", statistics ? &statistics->maximum : NULL);
@@ -111,7 +119,8 @@ static void write_statistics(struct json *json, const luxel_field *field) {
     }
 }
 
-static void write_share(struct json *json, const luxel_light_share *share) {
+static void write_share(struct json *json, const luxel_light_share *share)
+{
     json_open(json, NULL, '{');
     json_text(json, "type", share->type);
     json_number(json, "irradiance", share->irradiance);
@@ -124,21 +133,24 @@ static void write_share(struct json *json, const luxel_light_share *share) {
     json_close(json, '}');
 }
 
-static void write_number_if(struct json *json, const char *key, bool exists, double value) {
+static void write_number_if(struct json *json, const char *key, bool exists, double value)
+{
     if (exists)
         json_number(json, key, value);
     else
         json_null(json, key);
 }
 
-static void write_numbers_if(struct json *json, const char *key, bool exist, const double *values, size_t count) {
+static void write_numbers_if(struct json *json, const char *key, bool exist, const double *values, size_t count)
+{
     if (exist)
         json_numbers(json, key, values, count);
     else
         json_null(json, key);
 }
 
-static void write_probe(struct json *json, const luxel_probe *probe) {
+static void write_probe(struct json *json, const luxel_probe *probe)
+{
     char reason[TEXT_SIZE];
 
     json_open(json, NULL, '{');
@@ -162,7 +174,8 @@ static void write_probe(struct json *json, const luxel_probe *probe) {
     json_close(json, '}');
 }
 
-void result_print_json(const struct result *result) {
+void result_print_json(const struct result *result)
+{
     struct json json = {.stream = stdout};
     unsigned resolution[2] = {0, 0};
 
@@ -183,7 +196,8 @@ void result_print_json(const struct result *result) {
     json_close(&json, '}');
 }
 
-void result_print_conventions(const struct result *result) {
+void result_print_conventions(const struct result *result)
+{
     char *line = NULL;
     size_t length;
     FILE *stream = open_memstream(&line, &length);

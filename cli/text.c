@@ -25,7 +25,8 @@ struct text_table {
     struct row *rows;
 };
 
-const char *text_format(char buffer[TEXT_SIZE], const char *format, ...) {
+const char *text_format(char buffer[TEXT_SIZE], const char *format, ...)
+{
     va_list arguments;
     int length;
 
@@ -42,7 +43,8 @@ const char *text_format(char buffer[TEXT_SIZE], const char *format, ...) {
     return buffer;
 }
 
-const char *text_length(double value_mm, char buffer[TEXT_SIZE]) {
+const char *text_length(double value_mm, char buffer[TEXT_SIZE])
+{
     const double size = fabs(value_mm);
     size_t length;
 
@@ -57,7 +59,8 @@ const char *text_length(double value_mm, char buffer[TEXT_SIZE]) {
     return buffer;
 }
 
-const char *text_lengths(const double *values_mm, size_t count, char buffer[TEXT_SIZE]) {
+const char *text_lengths(const double *values_mm, size_t count, char buffer[TEXT_SIZE])
+{
     char number[TEXT_SIZE];
     size_t used = 0;
 
@@ -68,11 +71,13 @@ const char *text_lengths(const double *values_mm, size_t count, char buffer[TEXT
     return buffer;
 }
 
-const char *text_error(double error, char buffer[TEXT_SIZE]) {
+const char *text_error(double error, char buffer[TEXT_SIZE])
+{
     return text_format(buffer, error > 0.0 ? "%.1e" : "%.0f", error);
 }
 
-void text_print_escaped(FILE *stream, const char *text) {
+void text_print_escaped(FILE *stream, const char *text)
+{
     char *escaped = luxel_escaped_text(text);
 
     if (escaped)
@@ -81,7 +86,8 @@ void text_print_escaped(FILE *stream, const char *text) {
 }
 
 /* Columns that a UTF-8 text takes: one for each character, which holds for every text of this tool. */
-static size_t text_width(const char *text) {
+static size_t text_width(const char *text)
+{
     size_t width = 0;
 
     for (; *text; text++)
@@ -89,11 +95,13 @@ static size_t text_width(const char *text) {
     return width;
 }
 
-static void print_blanks(FILE *stream, size_t count) {
+static void print_blanks(FILE *stream, size_t count)
+{
     fprintf(stream, "%*s", (int)count, "");
 }
 
-void text_definition(FILE *stream, const char *term, int indent, const char *text) {
+void text_definition(FILE *stream, const char *term, int indent, const char *text)
+{
     enum { WIDTH = 80 };
     const size_t start = (size_t)indent;
     size_t column = text_width(term);
@@ -127,13 +135,15 @@ void text_definition(FILE *stream, const char *term, int indent, const char *tex
     fputc('\n', stream);
 }
 
-static char *copy(const char *text) {
+static char *copy(const char *text)
+{
     const size_t size = strlen(text) + 1;
 
     return memcpy(message_allocate(size, 1), text, size);
 }
 
-struct text_table *text_table_new(const char *alignment) {
+struct text_table *text_table_new(const char *alignment)
+{
     struct text_table *table = message_allocate(1, sizeof *table);
 
     table->alignment = alignment;
@@ -141,7 +151,8 @@ struct text_table *text_table_new(const char *alignment) {
     return table;
 }
 
-static struct row *add_row(struct text_table *table) {
+static struct row *add_row(struct text_table *table)
+{
     if (table->count == table->capacity) {
         const size_t capacity = table->capacity > 0 ? 2 * table->capacity : 16;
         struct row *rows = message_allocate(capacity, sizeof *rows);
@@ -155,18 +166,21 @@ static struct row *add_row(struct text_table *table) {
     return &table->rows[table->count++];
 }
 
-void text_table_row(struct text_table *table, const char *const *cells) {
+void text_table_row(struct text_table *table, const char *const *cells)
+{
     struct row *row = add_row(table);
 
     for (size_t i = 0; i < table->columns; i++)
         row->cells[i] = copy(cells[i]);
 }
 
-void text_table_line(struct text_table *table, const char *line) {
+void text_table_line(struct text_table *table, const char *line)
+{
     add_row(table)->line = copy(line);
 }
 
-static void print_row(const struct text_table *table, const struct row *row, const size_t *widths, FILE *stream) {
+static void print_row(const struct text_table *table, const struct row *row, const size_t *widths, FILE *stream)
+{
     size_t columns = table->columns;
 
     while (columns > 0 && row->cells[columns - 1][0] == '\0')
@@ -184,7 +198,8 @@ static void print_row(const struct text_table *table, const struct row *row, con
     }
 }
 
-void text_table_print(struct text_table *table, FILE *stream, int indent) {
+void text_table_print(struct text_table *table, FILE *stream, int indent)
+{
     size_t widths[TEXT_COLUMNS] = {0};
 
     for (size_t r = 0; r < table->count; r++)

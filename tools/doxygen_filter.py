@@ -29,7 +29,10 @@ def returned(text):
 
 
 def converted(match, source):
-    """What stands in the place of one comment.  The licence line opens the file's page, the first paragraph fills it."""
+    """What stands in the place of one comment.
+
+    The licence line opens the file's page, the first paragraph fills it.
+    """
     inside = match.group(1)
     before = source[source.rfind("\n", 0, match.start()) + 1:match.start()]
     above = source[:match.start()]

@@ -46,7 +46,10 @@ typedef struct luxel_diagnostic {
     unsigned mark_length;    /* columns of the excerpt to underline, at least 1 where there is an excerpt */
 } luxel_diagnostic;
 
-/* Returns the translation of an English message template, or the template itself; like gettext(). */
+/*
+ * Returns the translation of English words, or the words themselves; like gettext().  It is called with the templates
+ * of messages, and with words that stand in them: units, ranges, types, meanings of keys, reasons of the system.
+ */
 typedef const char *(*luxel_translate)(const char *english, void *data);
 
 /* An empty list; the caller's, free it with luxel_diagnostics_free().  NULL when memory is short. */
@@ -67,11 +70,11 @@ LUXEL_API const luxel_diagnostic *luxel_diagnostics_get(const luxel_diagnostics 
  * The message of entry i in words, without its place.  `translate` may be NULL (English).  The text is the
  * caller's: free it with luxel_text_free().  NULL beyond the last entry or when memory is short.
  */
-LUXEL_API char *luxel_diagnostics_message(const luxel_diagnostics *diagnostics, size_t i,
-                                          luxel_translate translate, void *data);
+LUXEL_API char *luxel_diagnostics_message(const luxel_diagnostics *diagnostics, size_t i, luxel_translate translate,
+                                          void *data);
 /* How to mend what entry i reports, "" where there is no hint; else as luxel_diagnostics_message(). */
-LUXEL_API char *luxel_diagnostics_hint(const luxel_diagnostics *diagnostics, size_t i,
-                                       luxel_translate translate, void *data);
+LUXEL_API char *luxel_diagnostics_hint(const luxel_diagnostics *diagnostics, size_t i, luxel_translate translate,
+                                       void *data);
 
 /* Frees a text that a function of this library returned as the caller's; NULL is harmless. */
 LUXEL_API void luxel_text_free(char *text);

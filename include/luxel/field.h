@@ -46,12 +46,12 @@ typedef struct luxel_extremum {
 
 /* What is read off a field at a glance. */
 typedef struct luxel_statistics {
-    luxel_extremum maximum;  /* the largest value on a surface; ties: first in row order */
-    luxel_extremum minimum;  /* the smallest value of at least 1.2e-38; ties: first in row order */
-    bool has_surface;        /* whether any pixel shows a surface; the next two are 0 otherwise */
-    double mean;             /* plain mean over the pixels on a surface */
-    double lit;              /* share of them from 1.2e-38 up */
-    size_t surface_pixels;   /* how many pixels show a surface */
+    luxel_extremum maximum; /* the largest value on a surface; ties: first in row order */
+    luxel_extremum minimum; /* the smallest value of at least 1.2e-38; ties: first in row order */
+    bool has_surface;       /* whether any pixel shows a surface; the next two are 0 otherwise */
+    double mean;            /* plain mean over the pixels on a surface */
+    double lit;             /* share of them from 1.2e-38 up */
+    size_t surface_pixels;  /* how many pixels show a surface */
 } luxel_statistics;
 
 /* Frees a field; NULL is harmless. */

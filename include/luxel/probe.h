@@ -27,24 +27,24 @@ typedef struct luxel_light_share {
 
 /* The answer of a probe.  Numbers of the scene's unit are those of luxel_scene_unit(). */
 typedef struct luxel_probe {
-    bool has_screen;          /* false for a free element; then there is no x_mm, y_mm */
-    double x_mm;              /* the place on the screen */
-    double y_mm;              /* the place on the screen */
-    bool has_pixel;           /* false for a free element and off the screen; then there is no column, row */
-    unsigned column;          /* of the pixel that the place falls in, from 0 at the left */
-    unsigned row;             /* of the pixel that the place falls in, from 0 at the top */
-    bool on_surface;          /* true for a free element */
-    bool has_value;           /* false off every surface and where a source lies on the element */
-    double value;             /* the exact value, the sum over the lights */
-    double error;             /* bounds |value - truth| */
-    bool tolerance_reached;   /* whether error <= tolerance * |value| for an explicit tolerance */
-    bool has_pixel_value;     /* false where there is no pixel, or it has no value */
-    double pixel_value;       /* the picture's value at the pixel */
-    double position_mm[3];    /* the element's place, where on_surface */
-    double normal[3];         /* the element's unit normal, where on_surface */
-    bool source_on_element;   /* whether a source lies on the element, which then has no value */
-    size_t blocking_light;    /* that source's light, as an index in the scene's list */
-    size_t share_count;       /* one for each enabled light, where has_value */
+    bool has_screen;           /* false for a free element; then there is no x_mm, y_mm */
+    double x_mm;               /* the place on the screen */
+    double y_mm;               /* the place on the screen */
+    bool has_pixel;            /* false for a free element and off the screen; then there is no column, row */
+    unsigned column;           /* of the pixel that the place falls in, from 0 at the left */
+    unsigned row;              /* of the pixel that the place falls in, from 0 at the top */
+    bool on_surface;           /* true for a free element */
+    bool has_value;            /* false off every surface and where a source lies on the element */
+    double value;              /* the exact value, the sum over the lights */
+    double error;              /* bounds |value - truth| */
+    bool tolerance_reached;    /* whether error <= tolerance * |value| for an explicit tolerance */
+    bool has_pixel_value;      /* false where there is no pixel, or it has no value */
+    double pixel_value;        /* the picture's value at the pixel */
+    double position_mm[3];     /* the element's place, where on_surface */
+    double normal[3];          /* the element's unit normal, where on_surface */
+    bool source_on_element;    /* whether a source lies on the element, which then has no value */
+    size_t blocking_light;     /* that source's light, as an index in the scene's list */
+    size_t share_count;        /* one for each enabled light, where has_value */
     luxel_light_share *shares; /* the lights' shares, in the scene's order */
 } luxel_probe;
 

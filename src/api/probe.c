@@ -6,13 +6,13 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "session.h"
 #include "../base/diagnostics.h"
 #include "../base/memory.h"
 #include "../scene/scene.h"
 #include "../shade/camera.h"
 #include "../shade/reference.h"
 #include "../shade/shader.h"
+#include "session.h"
 
 void luxel_probe_free(luxel_probe *probe)
 {

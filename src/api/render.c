@@ -5,7 +5,6 @@
 #include <string.h>
 #include <unistd.h>
 
-#include "session.h"
 #include "../base/diagnostics.h"
 #include "../base/memory.h"
 #include "../base/number.h"
@@ -13,6 +12,7 @@
 #include "../field/field.h"
 #include "../format/tags.h"
 #include "../shade/shader.h"
+#include "session.h"
 
 struct rendering {
     const struct lx_plan *plan;

@@ -5,9 +5,9 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "session.h"
 #include "../base/diagnostics.h"
 #include "../base/number.h"
+#include "session.h"
 
 enum { MAXIMUM_THREADS = 1024 };
 

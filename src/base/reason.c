@@ -5,7 +5,8 @@
 #include <stddef.h>
 #include <string.h>
 
-const char *lx_reason(int number) {
+const char *lx_reason(int number)
+{
     const char *text = strerrordesc_np(number);
 
     return text != NULL ? text : "unknown error";

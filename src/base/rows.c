@@ -3,8 +3,8 @@
 #include <pthread.h>
 #include <stdlib.h>
 
-#include "rows.h"
 #include "memory.h"
+#include "rows.h"
 
 /* Small enough to share the work evenly and to notice a stop, large enough not to fight for the counter. */
 enum { BLOCK_ROWS = 4 };

@@ -21,7 +21,8 @@ struct lx_sink {
     unsigned char buffer[LX_SINK_BUFFER];
 };
 
-static luxel_status report(luxel_diagnostics *diagnostics, enum lx_message message, const char *path, int error) {
+static luxel_status report(luxel_diagnostics *diagnostics, enum lx_message message, const char *path, int error)
+{
     if (error == ENOMEM) {
         return lx_out_of_memory(diagnostics);
     }
@@ -30,7 +31,8 @@ static luxel_status report(luxel_diagnostics *diagnostics, enum lx_message messa
 }
 
 luxel_status lx_sink_open(const char *path, const struct lx_sink_system *system, luxel_diagnostics *diagnostics,
-                          struct lx_sink **sink) {
+                          struct lx_sink **sink)
+{
     struct lx_sink *made = malloc(sizeof *made);
     char *copy = strdup(path);
 
@@ -55,7 +57,8 @@ luxel_status lx_sink_open(const char *path, const struct lx_sink_system *system,
 }
 
 /* Writes all of the bytes, in as many calls as the system wants.  0 or an errno value. */
-static int write_all(const struct lx_staged *staged, const unsigned char *bytes, size_t count) {
+static int write_all(const struct lx_staged *staged, const unsigned char *bytes, size_t count)
+{
     while (count > 0) {
         ssize_t written =
             staged->system->write(staged->file, bytes, count < LX_LARGEST_WRITE ? count : LX_LARGEST_WRITE);
@@ -73,7 +76,8 @@ static int write_all(const struct lx_staged *staged, const unsigned char *bytes,
 }
 
 /* Writes out the buffer and then the bytes. */
-static void flush_with(struct lx_sink *sink, const void *bytes, size_t count) {
+static void flush_with(struct lx_sink *sink, const void *bytes, size_t count)
+{
     int error = write_all(&sink->staged, sink->buffer, sink->used);
 
     sink->used = 0;
@@ -85,7 +89,8 @@ static void flush_with(struct lx_sink *sink, const void *bytes, size_t count) {
     }
 }
 
-luxel_status lx_sink_write(struct lx_sink *sink, const void *bytes, size_t count) {
+luxel_status lx_sink_write(struct lx_sink *sink, const void *bytes, size_t count)
+{
     if (sink->status != LUXEL_OK || count == 0) {
         return sink->status;
     }
@@ -101,11 +106,13 @@ luxel_status lx_sink_write(struct lx_sink *sink, const void *bytes, size_t count
     return sink->status;
 }
 
-luxel_status lx_sink_status(const struct lx_sink *sink) {
+luxel_status lx_sink_status(const struct lx_sink *sink)
+{
     return sink->status;
 }
 
-luxel_status lx_sink_fail(struct lx_sink *sink, enum lx_message message, const char *detail) {
+luxel_status lx_sink_fail(struct lx_sink *sink, enum lx_message message, const char *detail)
+{
     if (sink->status == LUXEL_OK) {
         lx_report(sink->diagnostics, LUXEL_SEVERITY_ERROR, NULL, message, LX_ARGS(sink->path, LX_TERM(detail)));
         sink->status = LUXEL_ERROR_FILE;
@@ -113,7 +120,8 @@ luxel_status lx_sink_fail(struct lx_sink *sink, enum lx_message message, const c
     return sink->status;
 }
 
-luxel_status lx_sink_commit(struct lx_sink *sink) {
+luxel_status lx_sink_commit(struct lx_sink *sink)
+{
     if (sink->status == LUXEL_OK) {
         flush_with(sink, NULL, 0);
     }
@@ -134,7 +142,8 @@ luxel_status lx_sink_commit(struct lx_sink *sink) {
     return status;
 }
 
-void lx_sink_abort(struct lx_sink *sink) {
+void lx_sink_abort(struct lx_sink *sink)
+{
     if (sink != NULL) {
         lx_staged_close(&sink->staged);
         free(sink->path);

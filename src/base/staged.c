@@ -35,23 +35,27 @@ enum {
 static const mode_t NEW_FILE = 0666; /* the umask takes its bits away */
 static const mode_t PERMISSIONS = 0777;
 
-static int open_unnamed(int folder, mode_t mode) {
+static int open_unnamed(int folder, mode_t mode)
+{
     return openat(folder, ".", O_TMPFILE | O_WRONLY | O_CLOEXEC, mode);
 }
 
-static int rename_within(int folder, const char *from, const char *to) {
+static int rename_within(int folder, const char *from, const char *to)
+{
     return renameat(folder, from, folder, to);
 }
 
 const struct lx_sink_system lx_sink_real_system = {open_unnamed, write, fsync, rename_within};
 
 /* The name by which an open file without one can be linked. */
-static void proc_name(int file, char name[LX_PROC_SIZE]) {
+static void proc_name(int file, char name[LX_PROC_SIZE])
+{
     snprintf(name, LX_PROC_SIZE, "/proc/self/fd/%d", file);
 }
 
 /* The hidden name number `slot` of a target; its length does not depend on the target's. */
-static void hidden_name(const char *target, unsigned slot, char name[LX_HIDDEN_SIZE]) {
+static void hidden_name(const char *target, unsigned slot, char name[LX_HIDDEN_SIZE])
+{
     uint64_t hash = UINT64_C(0xcbf29ce484222325); /* FNV-1a */
 
     for (const char *c = target; *c != '\0'; c++) {
@@ -61,7 +65,8 @@ static void hidden_name(const char *target, unsigned slot, char name[LX_HIDDEN_S
 }
 
 /* Whether the name in the folder still means this open file. */
-static bool has_name(int folder, const char *name, int file) {
+static bool has_name(int folder, const char *name, int file)
+{
     struct stat named, opened;
 
     return fstatat(folder, name, &named, AT_SYMLINK_NOFOLLOW) == 0 && fstat(file, &opened) == 0 &&
@@ -69,7 +74,8 @@ static bool has_name(int folder, const char *name, int file) {
 }
 
 /* Removes the hidden file of this name if its process is dead. */
-static void sweep(int folder, const char *name) {
+static void sweep(int folder, const char *name)
+{
     int file = openat(folder, name, O_WRONLY | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC);
 
     if (file < 0) {
@@ -81,7 +87,8 @@ static void sweep(int folder, const char *name) {
     close(file);
 }
 
-static void sweep_all(int folder, const char *target) {
+static void sweep_all(int folder, const char *target)
+{
     char name[LX_HIDDEN_SIZE];
 
     for (unsigned slot = 0; slot < LX_SLOTS; slot++) {
@@ -91,7 +98,8 @@ static void sweep_all(int folder, const char *target) {
 }
 
 /* Makes a file of this hidden name, with its lock.  EEXIST: another process has it. */
-static int create_hidden(struct lx_staged *staged, const char *name) {
+static int create_hidden(struct lx_staged *staged, const char *name)
+{
     int file = openat(staged->folder, name, O_CREAT | O_EXCL | O_WRONLY | O_NOFOLLOW | O_CLOEXEC, NEW_FILE);
 
     if (file < 0) {
@@ -107,7 +115,8 @@ static int create_hidden(struct lx_staged *staged, const char *name) {
 }
 
 /* Gives the unnamed file, which is locked already, a name. */
-static int link_unnamed(const struct lx_staged *staged, const char *name) {
+static int link_unnamed(const struct lx_staged *staged, const char *name)
+{
     char unnamed[LX_PROC_SIZE];
 
     proc_name(staged->file, unnamed);
@@ -115,7 +124,8 @@ static int link_unnamed(const struct lx_staged *staged, const char *name) {
 }
 
 /* Makes the file under a free hidden name, or gives that name to the one there is. */
-static int take_hidden_name(struct lx_staged *staged) {
+static int take_hidden_name(struct lx_staged *staged)
+{
     static const struct timespec pause = {.tv_nsec = 1000000};
     char name[LX_HIDDEN_SIZE];
 
@@ -137,7 +147,8 @@ static int take_hidden_name(struct lx_staged *staged) {
 }
 
 /* Opens the file to write to: unnamed if that is possible and can be named later, else hidden. */
-static int create(struct lx_staged *staged) {
+static int create(struct lx_staged *staged)
+{
     char name[LX_PROC_SIZE];
     struct stat status;
 
@@ -157,7 +168,8 @@ static int create(struct lx_staged *staged) {
 }
 
 /* Takes over what a new file should inherit from the one that it replaces, if there is one. */
-static int inherit(const struct lx_staged *staged) {
+static int inherit(const struct lx_staged *staged)
+{
     struct stat old, new;
 
     if (fstatat(staged->folder, staged->target, &old, AT_SYMLINK_NOFOLLOW) != 0) {
@@ -180,7 +192,8 @@ static int inherit(const struct lx_staged *staged) {
  * Follows the symbolic links at the end of the path; *place is the caller's.  Links of the process' own open
  * files are left alone: their text is no path.
  */
-static int follow(const char *path, char **place) {
+static int follow(const char *path, char **place)
+{
     char link[PATH_MAX];
 
     *place = strdup(path);
@@ -209,7 +222,8 @@ static int follow(const char *path, char **place) {
 }
 
 /* Opens the folder of a place and keeps the name in it. */
-static int open_folder(struct lx_staged *staged, char *place) {
+static int open_folder(struct lx_staged *staged, char *place)
+{
     char *slash = strrchr(place, '/');
     const char *name = slash != NULL ? slash + 1 : place;
 
@@ -232,13 +246,15 @@ static int open_folder(struct lx_staged *staged, char *place) {
 }
 
 /* Opens something that cannot be replaced.  No retry after EINTR: a pipe that nobody reads must not trap us. */
-static int open_direct(struct lx_staged *staged, const char *place) {
+static int open_direct(struct lx_staged *staged, const char *place)
+{
     staged->direct = true;
     staged->file = open(place, O_WRONLY | O_NOCTTY | O_CLOEXEC);
     return staged->file >= 0 ? 0 : errno;
 }
 
-int lx_staged_open(struct lx_staged *staged, const char *path, const struct lx_sink_system *system) {
+int lx_staged_open(struct lx_staged *staged, const char *path, const struct lx_sink_system *system)
+{
     struct stat status;
     char *place = NULL;
     int error;
@@ -270,7 +286,8 @@ int lx_staged_open(struct lx_staged *staged, const char *path, const struct lx_s
     return error;
 }
 
-int lx_staged_publish(struct lx_staged *staged) {
+int lx_staged_publish(struct lx_staged *staged)
+{
     if (staged->direct) {
         return 0;
     }
@@ -295,7 +312,8 @@ int lx_staged_publish(struct lx_staged *staged) {
     return 0;
 }
 
-void lx_staged_close(struct lx_staged *staged) {
+void lx_staged_close(struct lx_staged *staged)
+{
     if (staged->hidden[0] != '\0') {
         unlinkat(staged->folder, staged->hidden, 0);
     }

@@ -3,9 +3,9 @@
 #include <math.h>
 #include <stdlib.h>
 
-#include "field.h"
 #include "../base/memory.h"
 #include "../shade/camera.h"
+#include "field.h"
 
 size_t lx_field_bytes(unsigned columns, unsigned rows, luxel_precision precision)
 {

@@ -3,8 +3,8 @@
 #include <math.h>
 #include <stdlib.h>
 
-#include "field.h"
 #include "../base/memory.h"
+#include "field.h"
 
 struct lx_row_statistics lx_gather_row(const struct luxel_field *field, unsigned row)
 {

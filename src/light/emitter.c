@@ -2,8 +2,8 @@
 /* The emitters' float64 reference with its error bound, and the making of angular profiles. */
 #include <stdlib.h>
 
-#include "emitter.h"
 #include "../base/memory.h"
+#include "emitter.h"
 
 int lx_emitters_append(struct lx_emitters *emitters, const struct lx_emitter *emitter)
 {
@@ -70,8 +70,7 @@ static lx_bounded cone(const struct lx_profile *profile, lx_bounded cosine, lx_b
     lx_bounded inside = lx_sub(profile->outer_versine, versine);
     lx_bounded t;
     switch (profile->falloff) {
-    case LX_HARD:
-        return lx_step(inside, true);
+    case LX_HARD: return lx_step(inside, true);
     case LX_LINEAR:
         t = lx_div(lx_sub(profile->outer_rad, lx_angle(lx_sqrt(sine_squared), cosine)),
                    lx_sub(profile->outer_rad, profile->inner_rad));
@@ -82,8 +81,7 @@ static lx_bounded cone(const struct lx_profile *profile, lx_bounded cosine, lx_b
     case LX_SQUARED:
         t = clamp01(lx_div(inside, lx_sub(profile->outer_versine, profile->inner_versine)));
         return lx_mul(t, t);
-    case LX_NO_CONE:
-        break;
+    case LX_NO_CONE: break;
     }
     return one;
 }
@@ -108,12 +106,9 @@ static lx_bounded attenuation(const struct lx_emitter *emitter, lx_bounded dista
 {
     lx_bounded one = lx_exact(1);
     switch (emitter->attenuation) {
-    case LX_INVERSE_SQUARE:
-        return lx_div(one, lx_mul(distance_m, distance_m));
-    case LX_PRACTICAL:
-        return lx_div(one, lx_add(metres(lx_exact(emitter->k_mm)), distance_m));
-    case LX_NO_ATTENUATION:
-        break;
+    case LX_INVERSE_SQUARE: return lx_div(one, lx_mul(distance_m, distance_m));
+    case LX_PRACTICAL: return lx_div(one, lx_add(metres(lx_exact(emitter->k_mm)), distance_m));
+    case LX_NO_ATTENUATION: break;
     }
     return one;
 }
@@ -135,12 +130,9 @@ static struct lx_sample sample_point(const struct lx_emitter *emitter, lx_bounde
 struct lx_sample lx_emitter_sample(const struct lx_emitter *emitter, lx_bounded3 place_mm)
 {
     switch (emitter->type) {
-    case LX_POINT:
-        return sample_point(emitter, place_mm);
-    case LX_DIRECTION:
-        return (struct lx_sample){.towards = emitter->towards, .e_perp = lx_exact(emitter->strength)};
-    case LX_UNIFORM:
-        break;
+    case LX_POINT: return sample_point(emitter, place_mm);
+    case LX_DIRECTION: return (struct lx_sample){.towards = emitter->towards, .e_perp = lx_exact(emitter->strength)};
+    case LX_UNIFORM: break;
     }
     return (struct lx_sample){.e_perp = lx_exact(emitter->strength)};
 }

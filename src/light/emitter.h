@@ -42,7 +42,7 @@ struct lx_emitter {
     lx_bounded3 towards;   /* direction: the unit vector to the light */
     double position_mm[3]; /* point */
     enum lx_attenuation attenuation;
-    double k_mm;           /* of the practical law */
+    double k_mm; /* of the practical law */
     struct lx_profile profile;
 };
 

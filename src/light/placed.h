@@ -31,54 +31,53 @@ extern const char *const lx_attenuation_names[];
         .advised = {LX_BETWEEN(-10000, 10000), LX_BETWEEN(-10000, 10000), LX_BETWEEN(100, 10000)},                     \
         .meaning = "where the source stands",                                                                          \
     },                                                                                                                 \
+        {                                                                                                              \
+            .name = "intensity",                                                                                       \
+            .type = LX_REAL,                                                                                           \
+            .offset = offsetof(type_, placed.intensity),                                                               \
+            .unit = LX_UNIT_INTENSITY,                                                                                 \
+            .required = true,                                                                                          \
+            .legal = LX_FROM(0),                                                                                       \
+            .advised = {LX_BETWEEN(0.01, 10000)},                                                                      \
+            .meaning = "the radiant intensity, along the axis where it depends on the direction",                      \
+        },                                                                                                             \
+        {                                                                                                              \
+            .name = "attenuation",                                                                                     \
+            .type = LX_CHOICE,                                                                                         \
+            .offset = offsetof(type_, placed.attenuation),                                                             \
+            .choices = lx_attenuation_names,                                                                           \
+            .initial = "inverse-square",                                                                               \
+            .meaning = "how light weakens with the distance r in metres: 1/r^2, 1/(k + r), or not at all",             \
+        },                                                                                                             \
+        {                                                                                                              \
+            .name = "k",                                                                                               \
+            .type = LX_REAL,                                                                                           \
+            .offset = offsetof(type_, placed.k_mm),                                                                    \
+            .unit = LX_UNIT_MM,                                                                                        \
+            .legal = LX_ABOVE(0),                                                                                      \
+            .advised = {LX_BETWEEN(10, 2000)},                                                                         \
+            .meaning = "the length k of the practical law 1/(k + r), which keeps it finite near the source",           \
+        },                                                                                                             \
+        {                                                                                                              \
+            .name = "axis",                                                                                            \
+            .type = LX_REALS,                                                                                          \
+            .offset = offsetof(type_, placed.axis),                                                                    \
+            .count = 3,                                                                                                \
+            .nonzero = true,                                                                                           \
+            .initial = "[0, 0, -1]",                                                                                   \
+            .meaning = "the direction in which the source shines, of any length",                                      \
+        },                                                                                                             \
     {                                                                                                                  \
-        .name = "intensity",                                                                                           \
-        .type = LX_REAL,                                                                                               \
-        .offset = offsetof(type_, placed.intensity),                                                                   \
-        .unit = LX_UNIT_INTENSITY,                                                                                     \
-        .required = true,                                                                                              \
-        .legal = LX_FROM(0),                                                                                           \
-        .advised = {LX_BETWEEN(0.01, 10000)},                                                                          \
-        .meaning = "the radiant intensity, along the axis where it depends on the direction",                          \
-    },                                                                                                                 \
-    {                                                                                                                  \
-        .name = "attenuation",                                                                                         \
-        .type = LX_CHOICE,                                                                                             \
-        .offset = offsetof(type_, placed.attenuation),                                                                 \
-        .choices = lx_attenuation_names,                                                                               \
-        .initial = "inverse-square",                                                                                   \
-        .meaning = "how light weakens with the distance r in metres: 1/r^2, 1/(k + r), or not at all",                 \
-    },                                                                                                                 \
-    {                                                                                                                  \
-        .name = "k",                                                                                                   \
-        .type = LX_REAL,                                                                                               \
-        .offset = offsetof(type_, placed.k_mm),                                                                        \
-        .unit = LX_UNIT_MM,                                                                                            \
-        .legal = LX_ABOVE(0),                                                                                          \
-        .advised = {LX_BETWEEN(10, 2000)},                                                                             \
-        .meaning = "the length k of the practical law 1/(k + r), which keeps it finite near the source",               \
-    },                                                                                                                 \
-    {                                                                                                                  \
-        .name = "axis",                                                                                                \
-        .type = LX_REALS,                                                                                              \
-        .offset = offsetof(type_, placed.axis),                                                                        \
-        .count = 3,                                                                                                    \
-        .nonzero = true,                                                                                               \
-        .initial = "[0, 0, -1]",                                                                                       \
-        .meaning = "the direction in which the source shines, of any length",                                          \
-    },                                                                                                                 \
-    {                                                                                                                  \
-        .name = "aim",                                                                                                 \
-        .type = LX_REALS,                                                                                              \
-        .offset = offsetof(type_, placed.aim_mm),                                                                      \
-        .count = 3,                                                                                                    \
-        .unit = LX_UNIT_MM,                                                                                            \
+        .name = "aim", .type = LX_REALS, .offset = offsetof(type_, placed.aim_mm), .count = 3, .unit = LX_UNIT_MM,     \
         .meaning = "the point at which the source is aimed, instead of axis",                                          \
     }
 
 #define LX_PLACED_RULES                                                                                                \
     {LX_RULE_NEEDED, "k", "attenuation", "practical"}, {LX_RULE_USED, "k", "attenuation", "practical"},                \
-        {LX_RULE_EXCLUSIVE, "axis", "aim", NULL}, {LX_RULE_DISTINCT, "aim", "position", NULL}
+        {LX_RULE_EXCLUSIVE, "axis", "aim", NULL},                                                                      \
+    {                                                                                                                  \
+        LX_RULE_DISTINCT, "aim", "position", NULL                                                                      \
+    }
 
 /* The unit axis: towards the aim where one is given (`table` tells), else along the axis. */
 lx_bounded3 lx_placed_axis(const struct lx_table *table, const void *parameters, const struct lx_placed *placed);

@@ -73,9 +73,9 @@ static int prepare_spot(const void *parameters, struct lx_emitters *emitters)
 {
     const struct spot_parameters *spot = parameters;
     lx_bounded3 axis = lx_placed_axis(&spot_table, parameters, &spot->placed);
-    struct lx_emitter emitter = lx_placed_emitter(
-        &spot->placed, lx_profile_cone(axis, (enum lx_falloff)spot->falloff, spot->inner_deg, spot->outer_deg,
-                                       spot->exponent));
+    struct lx_emitter emitter =
+        lx_placed_emitter(&spot->placed, lx_profile_cone(axis, (enum lx_falloff)spot->falloff, spot->inner_deg,
+                                                         spot->outer_deg, spot->exponent));
     return lx_emitters_append(emitters, &emitter);
 }
 

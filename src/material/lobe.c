@@ -51,12 +51,9 @@ static lx_bounded lobe_power(const struct lx_lobe *lobe, lx_bounded3 normal, lx_
 static lx_bounded highlight_weight(const struct lx_lobe *lobe, lx_bounded n_dot_l)
 {
     switch (lobe->highlight) {
-    case LX_HIGHLIGHT_GATED:
-        return lx_step(n_dot_l, false);
-    case LX_HIGHLIGHT_COSINE:
-        return lx_positive(n_dot_l);
-    case LX_HIGHLIGHT_PLAIN:
-        break;
+    case LX_HIGHLIGHT_GATED: return lx_step(n_dot_l, false);
+    case LX_HIGHLIGHT_COSINE: return lx_positive(n_dot_l);
+    case LX_HIGHLIGHT_PLAIN: break;
     }
     return lx_exact(1);
 }
@@ -68,7 +65,7 @@ struct lx_reflection lx_lobe_reflect(const struct lx_lobe *lobe, lx_bounded3 nor
     struct lx_reflection result = {.cosine = lx_positive(n_dot_l)};
     result.diffuse = lx_mul(lobe->diffuse, result.cosine);
     if (lobe->specular.value > 0)
-        result.specular = lx_mul(lx_mul(lobe->specular, highlight_weight(lobe, n_dot_l)),
-                                 lobe_power(lobe, normal, view, towards));
+        result.specular =
+            lx_mul(lx_mul(lobe->specular, highlight_weight(lobe, n_dot_l)), lobe_power(lobe, normal, view, towards));
     return result;
 }

@@ -10,7 +10,7 @@ enum lx_highlight { LX_HIGHLIGHT_PLAIN, LX_HIGHLIGHT_GATED, LX_HIGHLIGHT_COSINE 
 
 struct lx_material {
     uint64_t given;
-    int model;     /* enum lx_model */
+    int model; /* enum lx_model */
     double diffuse, specular, shininess;
     double ambient; /* meaningful where given; else the diffuse weight counts */
     bool over_pi;

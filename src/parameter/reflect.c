@@ -156,8 +156,8 @@ static int append_kinds(struct lx_reflection *reflection, const struct lx_parame
         const char *meaning = keep_phrase(reflection, variant->meaning);
         if (!meaning)
             return -1;
-        reflection->kinds[reflection->kind_count++] = (luxel_kind){
-            .list = list->name, .name = variant->name, .meaning = meaning, .example = variant->example};
+        reflection->kinds[reflection->kind_count++] =
+            (luxel_kind){.list = list->name, .name = variant->name, .meaning = meaning, .example = variant->example};
     }
     return 0;
 }

@@ -14,17 +14,17 @@
 #include <stdint.h>
 
 enum lx_parameter_type {
-    LX_REAL,            /* double */
-    LX_WHOLE,           /* unsigned */
-    LX_BOOLEAN,         /* bool */
-    LX_CHOICE,          /* int: index into choices */
-    LX_TEXT,            /* const char *: the document's */
-    LX_REALS,           /* double[count] */
-    LX_WHOLES,          /* unsigned[count] */
-    LX_CHOICE_OR_PAIR,  /* struct lx_choice_or_pair: one of choices, or [low, high] */
-    LX_GROUP,           /* a struct of its own, by `group`, in place */
-    LX_POINTS,          /* struct lx_points: a list of pairs of numbers */
-    LX_VARIANTS         /* struct lx_list: a list of structs, each of one of `variants`, told by its key `type` */
+    LX_REAL,           /* double */
+    LX_WHOLE,          /* unsigned */
+    LX_BOOLEAN,        /* bool */
+    LX_CHOICE,         /* int: index into choices */
+    LX_TEXT,           /* const char *: the document's */
+    LX_REALS,          /* double[count] */
+    LX_WHOLES,         /* unsigned[count] */
+    LX_CHOICE_OR_PAIR, /* struct lx_choice_or_pair: one of choices, or [low, high] */
+    LX_GROUP,          /* a struct of its own, by `group`, in place */
+    LX_POINTS,         /* struct lx_points: a list of pairs of numbers */
+    LX_VARIANTS        /* struct lx_list: a list of structs, each of one of `variants`, told by its key `type` */
 };
 
 /* Units by what they measure; their words depend on the scene's `units`. */
@@ -46,17 +46,17 @@ struct lx_parameter {
     const char *name;
     enum lx_parameter_type type;
     size_t offset;
-    unsigned count;               /* numbers in LX_REALS and LX_WHOLES; least number of elements of LX_VARIANTS */
+    unsigned count; /* numbers in LX_REALS and LX_WHOLES; least number of elements of LX_VARIANTS */
     enum lx_unit unit;
     bool required;
-    bool nonzero;                 /* LX_REALS: a vector that must not be zero */
-    const char *initial;          /* default as YAML, NULL where there is none ("required", or "not given") */
-    struct lx_interval legal;     /* of each number */
+    bool nonzero;             /* LX_REALS: a vector that must not be zero */
+    const char *initial;      /* default as YAML, NULL where there is none ("required", or "not given") */
+    struct lx_interval legal; /* of each number */
     struct lx_interval advised[LX_COMPONENTS]; /* by component; where only the first is given it goes for all */
-    const char *const *choices;   /* NULL-terminated; LX_CHOICE and LX_CHOICE_OR_PAIR */
+    const char *const *choices;                /* NULL-terminated; LX_CHOICE and LX_CHOICE_OR_PAIR */
     const struct lx_table *group; /* LX_GROUP; LX_VARIANTS: the keys that all variants have beside their own */
     const struct lx_variant *const *variants; /* LX_VARIANTS, NULL-terminated */
-    const char *meaning;          /* one sentence without a full stop */
+    const char *meaning;                      /* one sentence without a full stop */
 };
 
 /* What must hold between the keys of one table. */
@@ -118,8 +118,17 @@ struct lx_list {
 bool lx_is_given(const struct lx_table *table, const void *parameters, const char *name);
 
 #define LX_COUNT(array) (sizeof(array) / sizeof(array)[0])
-#define LX_ABOVE(bound) {.given = true, .low = (bound), .high = HUGE_VAL, .low_open = true}
-#define LX_FROM(bound) {.given = true, .low = (bound), .high = HUGE_VAL}
-#define LX_BETWEEN(lowest, highest) {.given = true, .low = (lowest), .high = (highest)}
+#define LX_ABOVE(bound)                                                                                                \
+    {                                                                                                                  \
+        .given = true, .low = (bound), .high = HUGE_VAL, .low_open = true                                              \
+    }
+#define LX_FROM(bound)                                                                                                 \
+    {                                                                                                                  \
+        .given = true, .low = (bound), .high = HUGE_VAL                                                                \
+    }
+#define LX_BETWEEN(lowest, highest)                                                                                    \
+    {                                                                                                                  \
+        .given = true, .low = (lowest), .high = (highest)                                                              \
+    }
 
 #endif

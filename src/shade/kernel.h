@@ -31,15 +31,15 @@ static inline size_t lx_padded(size_t count)
 /* The constants of an emitter and a lobe, and a block of elements, once in each precision. */
 #define LX_KERNEL_TYPES(real, suffix)                                                                                  \
     struct lx_light_##suffix {                                                                                         \
-        bool is_point;          /* else a direction */                                                                 \
-        real x, y, z;           /* a point's place from the anchor, or the unit vector L */                            \
-        real gain;              /* E_perp = gain * a, with a by law: 1/r^2, 1/(k + r), 1; r in mm */                   \
+        bool is_point; /* else a direction */                                                                          \
+        real x, y, z;  /* a point's place from the anchor, or the unit vector L */                                     \
+        real gain;     /* E_perp = gain * a, with a by law: 1/r^2, 1/(k + r), 1; r in mm */                            \
         enum lx_attenuation law;                                                                                       \
         real k;                                                                                                        \
         enum lx_falloff falloff;                                                                                       \
         real axis_x, axis_y, axis_z, half_exponent; /* g: exponent / 2 */                                              \
-        real edge;              /* of the cone: the outer versine, or the outer angle where it is linear */            \
-        real edge_slope;        /* 1 / (outer - inner) of the same */                                                  \
+        real edge;       /* of the cone: the outer versine, or the outer angle where it is linear */                   \
+        real edge_slope; /* 1 / (outer - inner) of the same */                                                         \
     };                                                                                                                 \
     struct lx_lobe_##suffix {                                                                                          \
         enum lx_model model;                                                                                           \

@@ -97,9 +97,9 @@ static inline REAL NAME(angle_of_half_tangent)(REAL t)
 }
 
 /* L and E_perp of a point without its profile */
-static inline __attribute__((always_inline)) void NAME(towards)(const struct NAME(lx_light) *light,
-                                                                const struct NAME(lx_block) *block, size_t count,
-                                                                enum lx_attenuation law, struct NAME(rays) *rays)
+static inline __attribute__((always_inline)) void NAME(towards)(const struct NAME(lx_light) * light,
+                                                                const struct NAME(lx_block) * block, size_t count,
+                                                                enum lx_attenuation law, struct NAME(rays) * rays)
 {
     const REAL nearest = (REAL)1e-6; /* mm */
     for (size_t i = 0; i < count; i++) {
@@ -125,7 +125,7 @@ static inline __attribute__((always_inline)) void NAME(towards)(const struct NAM
     }
 }
 
-static void NAME(same_direction)(const struct NAME(lx_light) *light, size_t count, struct NAME(rays) *rays)
+static void NAME(same_direction)(const struct NAME(lx_light) * light, size_t count, struct NAME(rays) * rays)
 {
     for (size_t i = 0; i < count; i++) {
         rays->lx[i] = light->x;
@@ -136,8 +136,8 @@ static void NAME(same_direction)(const struct NAME(lx_light) *light, size_t coun
 }
 
 /* Multiplies E_perp by the cone of this falloff, or, for LX_NO_CONE, by the power of the cosine. */
-static inline __attribute__((always_inline)) void NAME(profile)(const struct NAME(lx_light) *light, size_t count,
-                                                                enum lx_falloff falloff, struct NAME(rays) *rays)
+static inline __attribute__((always_inline)) void NAME(profile)(const struct NAME(lx_light) * light, size_t count,
+                                                                enum lx_falloff falloff, struct NAME(rays) * rays)
 {
     for (size_t i = 0; i < count; i++) {
         REAL ax = light->axis_x, ay = light->axis_y, az = light->axis_z;
@@ -168,10 +168,10 @@ static inline __attribute__((always_inline)) void NAME(profile)(const struct NAM
 }
 
 /* Adds the brightness that the rays make by the lobe. */
-static inline __attribute__((always_inline)) void NAME(reflect)(const struct NAME(lx_lobe) *lobe,
-                                                                const struct NAME(lx_block) *block, size_t count,
+static inline __attribute__((always_inline)) void NAME(reflect)(const struct NAME(lx_lobe) * lobe,
+                                                                const struct NAME(lx_block) * block, size_t count,
                                                                 enum lx_model model, enum lx_highlight highlight,
-                                                                const struct NAME(rays) *rays, REAL *restrict sum)
+                                                                const struct NAME(rays) * rays, REAL *restrict sum)
 {
     const REAL diffuse = lobe->diffuse, specular = lobe->specular, half_exponent = lobe->half_exponent;
     for (size_t i = 0; i < count; i++) {
@@ -197,8 +197,8 @@ static inline __attribute__((always_inline)) void NAME(reflect)(const struct NAM
             REAL cosine = ax * bx + ay * by + az * bz;
             REAL cx = ay * bz - az * by, cy = az * bx - ax * bz, cz = ax * by - ay * bx;
             REAL inverse = 1 / length_squared;
-            REAL power = NAME(cosine_power)(cosine, cosine * cosine * inverse,
-                                            (cx * cx + cy * cy + cz * cz) * inverse, half_exponent);
+            REAL power = NAME(cosine_power)(cosine, cosine * cosine * inverse, (cx * cx + cy * cy + cz * cz) * inverse,
+                                            half_exponent);
             REAL w = highlight == LX_HIGHLIGHT_PLAIN   ? 1
                      : highlight == LX_HIGHLIGHT_GATED ? (n_dot_l > 0 ? 1 : 0)
                                                        : front;
@@ -208,8 +208,8 @@ static inline __attribute__((always_inline)) void NAME(reflect)(const struct NAM
     }
 }
 
-static void NAME(find_rays)(const struct NAME(lx_light) *light, const struct NAME(lx_block) *block, size_t count,
-                            struct NAME(rays) *rays)
+static void NAME(find_rays)(const struct NAME(lx_light) * light, const struct NAME(lx_block) * block, size_t count,
+                            struct NAME(rays) * rays)
 {
     if (!light->is_point)
         NAME(same_direction)(light, count, rays);
@@ -221,7 +221,7 @@ static void NAME(find_rays)(const struct NAME(lx_light) *light, const struct NAM
         NAME(towards)(light, block, count, LX_NO_ATTENUATION, rays);
 }
 
-static void NAME(weigh_rays)(const struct NAME(lx_light) *light, size_t count, struct NAME(rays) *rays)
+static void NAME(weigh_rays)(const struct NAME(lx_light) * light, size_t count, struct NAME(rays) * rays)
 {
     if (light->falloff == LX_LINEAR)
         NAME(profile)(light, count, LX_LINEAR, rays);
@@ -235,8 +235,8 @@ static void NAME(weigh_rays)(const struct NAME(lx_light) *light, size_t count, s
         NAME(profile)(light, count, LX_NO_CONE, rays);
 }
 
-static void NAME(shade)(const struct NAME(lx_light) *light, const struct NAME(lx_lobe) *lobe,
-                        const struct NAME(lx_block) *block, const float *open, size_t count, REAL *sum)
+static void NAME(shade)(const struct NAME(lx_light) * light, const struct NAME(lx_lobe) * lobe,
+                        const struct NAME(lx_block) * block, const float *open, size_t count, REAL *sum)
 {
     struct NAME(rays) rays;
     count = lx_padded(count);

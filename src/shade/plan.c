@@ -4,11 +4,11 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "plan.h"
+#include "../base/memory.h"
 #include "camera.h"
+#include "plan.h"
 #include "precision.h"
 #include "shader.h"
-#include "../base/memory.h"
 
 /* The picture's maximum is bounded from below by this many samples on each axis. */
 enum { SAMPLES = 16 };

@@ -47,15 +47,11 @@ static double profile_error(const struct lx_profile *profile, double off)
     double error = power_slope(profile->exponent) * off;
     double outer = profile->outer_rad.value;
     switch (profile->falloff) {
-    case LX_NO_CONE:
-        return error;
-    case LX_HARD:
-        return HUGE_VAL;
-    case LX_LINEAR:
-        return error + off / (outer - profile->inner_rad.value);
+    case LX_NO_CONE: return error;
+    case LX_HARD: return HUGE_VAL;
+    case LX_LINEAR: return error + off / (outer - profile->inner_rad.value);
     case LX_SMOOTHSTEP:
-    case LX_SQUARED:
-        break;
+    case LX_SQUARED: break;
     }
     double width = profile->outer_versine.value - profile->inner_versine.value;
     return error + 2 * off * fmax(sin(outer), off) / width;
@@ -81,8 +77,8 @@ static double least_half_length(const struct lx_prepared *prepared, const struct
     if (emitter->type == LX_POINT)
         spread += asin(fmin(1, radius / light_distance));
     double zero[3] = {0, 0, 0};
-    double cosine = (eye[0] * light[0] + eye[1] * light[1] + eye[2] * light[2]) /
-                    (distance(eye, zero) * distance(light, zero));
+    double cosine =
+        (eye[0] * light[0] + eye[1] * light[1] + eye[2] * light[2]) / (distance(eye, zero) * distance(light, zero));
     double angle = fmin(acos(fmax(-1, fmin(1, cosine))) + spread, M_PI);
     return 2 * cos(angle / 2);
 }
@@ -91,12 +87,9 @@ static double greatest_attenuation(const struct lx_emitter *emitter, double near
 {
     double nearest_m = fmax(nearest_mm, 1e-6) / 1000;
     switch (emitter->attenuation) {
-    case LX_INVERSE_SQUARE:
-        return 1 / (nearest_m * nearest_m);
-    case LX_PRACTICAL:
-        return 1 / (emitter->k_mm / 1000 + nearest_m);
-    case LX_NO_ATTENUATION:
-        break;
+    case LX_INVERSE_SQUARE: return 1 / (nearest_m * nearest_m);
+    case LX_PRACTICAL: return 1 / (emitter->k_mm / 1000 + nearest_m);
+    case LX_NO_ATTENUATION: break;
     }
     return 1;
 }

@@ -2,10 +2,10 @@
 /* Lowering a scene to surfaces and emitters, and naming the unit of the result. */
 #include <stdlib.h>
 
-#include "prepared.h"
 #include "../base/memory.h"
 #include "../base/phrase.h"
 #include "../light/light.h"
+#include "prepared.h"
 
 static int prepare_lights(const struct lx_list *lights, struct lx_emitters *emitters)
 {

@@ -26,8 +26,8 @@ bool lx_element_seen(const struct lx_prepared *prepared, double x_mm, double y_m
         if (!hit.exists || (nearest.exists && hit.t >= nearest.t))
             continue;
         nearest = hit;
-        *element = (struct lx_element){
-            .place_mm = hit.place_mm, .normal = hit.normal, .lobe = &surface->lobe, .own = surface};
+        *element =
+            (struct lx_element){.place_mm = hit.place_mm, .normal = hit.normal, .lobe = &surface->lobe, .own = surface};
     }
     if (nearest.exists)
         element->view = view_from(observer, element->place_mm);

@@ -6,8 +6,8 @@
 #include <math.h>
 #include <string.h>
 
-#include "shader.h"
 #include "../base/memory.h"
+#include "shader.h"
 
 /* Lights in float32 are summed in groups of this many before they join the float64 sum. */
 enum { GROUP = 16, LIGHTS_BETWEEN_CHECKS = 256 };
@@ -22,7 +22,7 @@ struct lx_shader_memory {
     struct lx_block_single copy;
     double sum[LX_BLOCK];
     float group[LX_BLOCK], open[LX_BLOCK];
-    size_t shown[LX_BLOCK]; /* surface of each pixel, from 1; 0: none */
+    size_t shown[LX_BLOCK];   /* surface of each pixel, from 1; 0: none */
     unsigned place[LX_BLOCK]; /* pixel of each element of the block */
 };
 

@@ -74,13 +74,13 @@ static lx_bounded discriminant(const struct lx_ray *ray, const struct lx_pair fr
     struct lx_pair square = lx_exact_dot(3, d, d, &errors[3]);
     struct lx_pair r2 = lx_exact_product(radius, radius);
     double rest;
-    struct lx_pair result = lx_exact_dot(
-        9,
-        (double[]){square.high, square.high, square.low, -cross[0].high, -cross[1].high, -cross[2].high,
-                   -2 * cross[0].high, -2 * cross[1].high, -2 * cross[2].high},
-        (double[]){r2.high, r2.low, r2.high, cross[0].high, cross[1].high, cross[2].high, cross[0].low, cross[1].low,
-                   cross[2].low},
-        &rest);
+    struct lx_pair result =
+        lx_exact_dot(9,
+                     (double[]){square.high, square.high, square.low, -cross[0].high, -cross[1].high, -cross[2].high,
+                                -2 * cross[0].high, -2 * cross[1].high, -2 * cross[2].high},
+                     (double[]){r2.high, r2.low, r2.high, cross[0].high, cross[1].high, cross[2].high, cross[0].low,
+                                cross[1].low, cross[2].low},
+                     &rest);
     /* the parts' errors, and the products of two low parts that were left out */
     double w_error = errors[0] + errors[1] + errors[2];
     double w_size = fabs(cross[0].high) + fabs(cross[1].high) + fabs(cross[2].high);

@@ -60,7 +60,8 @@ def check_program(place, path, static, name):
         tap.ok(False, name + " exists")
         return
     needed = subprocess.run(["readelf", "-d", path], capture_output=True, text=True, check=True).stdout
-    tap.equal("libluxel.so.1" in needed, not static, name + (" holds the library" if static else " needs libluxel.so.1"))
+    tap.equal("libluxel.so.1" in needed, not static,
+              name + (" holds the library" if static else " needs libluxel.so.1"))
     environment = dict(place.environment)
     if not static:
         environment["LD_LIBRARY_PATH"] = place.library

@@ -67,7 +67,8 @@ def compare_conventions(program, _):
         tap.ok(abs(float(maxima[1].group(2)) - 11.7475) > 1e-3, "and another one", both.stdout)
     late = run(program, "-1")
     tap.equal(late.returncode, 1, "when the time is over it fails")
-    tap.ok(re.fullmatch(r"(observer\.view=\w+: cancelled at \d+ %\n){2}", late.stdout), "both are cancelled", late.stdout)
+    tap.ok(re.fullmatch(r"(observer\.view=\w+: cancelled at \d+ %\n){2}", late.stdout), "both are cancelled",
+           late.stdout)
 
 
 def main():

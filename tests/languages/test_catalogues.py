@@ -31,12 +31,13 @@ def template(tap):
     arguments = re.findall(r"'(--[^']*)'", (PO / "meson.build").read_text())
     with tempfile.TemporaryDirectory() as folder:
         fresh = os.path.join(folder, "fresh.pot")
-        subprocess.run([sys.executable, ROOT / "tools" / "extract_messages.py", "-D", ROOT, "-f", PO / "POTFILES", "-k_",
-                        "-o", fresh, *arguments], check=True, cwd=folder)
+        subprocess.run([sys.executable, ROOT / "tools" / "extract_messages.py", "-D", ROOT, "-f", PO / "POTFILES",
+                        "-k_", "-o", fresh, *arguments], check=True, cwd=folder)
         wanted = catalogue.english(catalogue.read(fresh))
     found = catalogue.english(catalogue.read(PO / "luxel.pot"))
     tap.ok(found == wanted, "luxel.pot follows the sources", "run: make po",
-           *["new: %r" % text for text in sorted(wanted - found)], *["gone: %r" % text for text in sorted(found - wanted)])
+           *["new: %r" % text for text in sorted(wanted - found)],
+           *["gone: %r" % text for text in sorted(found - wanted)])
 
 
 def sources(tap):
@@ -48,8 +49,8 @@ def sources(tap):
             tap.ok("cli/" + path.name in listed, "cli/%s is in POTFILES" % path.name)
 
     messages = (ROOT / "src" / "base" / "messages.def").read_text(encoding="utf-8")
-    for name, literals in re.findall(r'LX_MESSAGE\((\w+),\s*"[^"]*",\s*((?:%s\s*)+)\)' % LITERAL.replace("(", "(?:", 1),
-                                     messages):
+    parts = LITERAL.replace("(", "(?:", 1)
+    for name, literals in re.findall(r'LX_MESSAGE\((\w+),\s*"[^"]*",\s*((?:%s\s*)+)\)' % parts, messages):
         text = "".join(re.findall(LITERAL, literals)).replace('\\"', '"')
         tap.ok(text in found, "message %s is in luxel.pot" % name, text)
     tap.equal(messages.count("\nLX_MESSAGE("), len(re.findall(r"\nLX_MESSAGE\(\w+,\s*\"", messages)), "messages are read")
@@ -72,12 +73,13 @@ def completeness(tap, language):
               "%s.po has every text of luxel.pot" % language)
     tap.equal([entry.english[0] for entry in entries if not all(entry.translations) or not entry.translations], [],
               "%s.po: everything is translated" % language)
-    tap.equal([entry.english[0] for entry in entries if "fuzzy" in entry.flags], [], "%s.po: nothing is fuzzy" % language)
+    tap.equal([entry.english[0] for entry in entries if "fuzzy" in entry.flags], [],
+              "%s.po: nothing is fuzzy" % language)
     if not shutil.which("msgfmt"):
         tap.skip("%s.po passes msgfmt" % language, "msgfmt is not installed")
         return
-    result = subprocess.run(["msgfmt", "--check", "--statistics", "--output-file", os.devnull, path], capture_output=True,
-                            encoding="utf-8", env={**os.environ, "LC_ALL": "C"}, check=False)
+    result = subprocess.run(["msgfmt", "--check", "--statistics", "--output-file", os.devnull, path],
+                            capture_output=True, encoding="utf-8", env={**os.environ, "LC_ALL": "C"}, check=False)
     tap.ok(result.returncode == 0 and re.fullmatch(r"\d+ translated messages\.\n", result.stderr),
            "%s.po passes msgfmt" % language, result.stderr)
 
@@ -90,7 +92,8 @@ def forms(tap, language):
     def edges(text):
         return text[:len(text) - len(text.lstrip())], text[len(text.rstrip()):]
 
-    pairs = [(entry, translation) for entry in catalogue.read(PO / (language + ".po")) for translation in entry.translations]
+    entries = catalogue.read(PO / (language + ".po"))
+    pairs = [(entry, translation) for entry in entries for translation in entry.translations]
     tap.equal([entry.english[0] for entry, text in pairs if set(PLACEHOLDER.findall(entry.english[-1])) !=
                set(PLACEHOLDER.findall(text))], [], "%s.po: the same {0}, {1} ..." % language)
     tap.equal([entry.english[0] for entry, text in pairs if "c-format" in entry.flags and

@@ -63,9 +63,9 @@ COMMANDS = [
     ["set"], ["set", "scene.yaml"], ["set", "report", "lights[0].foo=1"],
 ]
 # Scenes with errors of the text, for standard input.
-TEXTS = ["", "5", "a: b: c", "{a: [1, 2}", "[1, 2", "luxel: 1\nluxel: 1", "luxel: 1\n---\nluxel: 1", "a: &b 1", "%FOO\n---\n",
-         "a: \"\\q\"", "? [1]\n: 2", "\x07", "a:\n\t- 1", "a: 'b", "luxel: 1\nlight: []", "a: @b", "- [a, b]]", "a: |x\n b",
-         SCENE.replace("500", "800", 1), "[" * 40]
+TEXTS = ["", "5", "a: b: c", "{a: [1, 2}", "[1, 2", "luxel: 1\nluxel: 1", "luxel: 1\n---\nluxel: 1", "a: &b 1",
+         "%FOO\n---\n", "a: \"\\q\"", "? [1]\n: 2", "\x07", "a:\n\t- 1", "a: 'b", "luxel: 1\nlight: []", "a: @b",
+         "- [a, b]]", "a: |x\n b", "luxel: 1\n" + "".join("k%d: 1\n" % i for i in range(25)), SCENE.replace("500", "800", 1), "[" * 40]
 FIELDS = ["render", "probe", "check", "help", "help spot", "help intensity", "scene --list", "scene", "schema"]
 
 

@@ -11,7 +11,8 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
-int make_place(void **state) {
+int make_place(void **state)
+{
     struct place *place = malloc(sizeof *place);
 
     strcpy(place->folder, "/tmp/luxel-sink-XXXXXX");
@@ -24,7 +25,8 @@ int make_place(void **state) {
     return 0;
 }
 
-int remove_place(void **state) {
+int remove_place(void **state)
+{
     struct place *place = *state;
     char path[PATH_MAX];
     DIR *folder = opendir(place->folder);
@@ -39,7 +41,8 @@ int remove_place(void **state) {
     return 0;
 }
 
-int entries(const struct place *place) {
+int entries(const struct place *place)
+{
     DIR *folder = opendir(place->folder);
     int count = -2; /* "." and ".." */
 
@@ -50,7 +53,8 @@ int entries(const struct place *place) {
     return count;
 }
 
-void put(const char *path, const char *text) {
+void put(const char *path, const char *text)
+{
     FILE *file = fopen(path, "w");
 
     assert_non_null(file);
@@ -58,7 +62,8 @@ void put(const char *path, const char *text) {
     fclose(file);
 }
 
-void assert_content(const char *path, const char *text) {
+void assert_content(const char *path, const char *text)
+{
     char found[256] = "";
     FILE *file = fopen(path, "r");
 
@@ -69,7 +74,8 @@ void assert_content(const char *path, const char *text) {
 }
 
 luxel_status sink_text(const char *path, const struct lx_sink_system *system, const char *text,
-                       luxel_diagnostics *diagnostics) {
+                       luxel_diagnostics *diagnostics)
+{
     struct lx_sink *sink;
     luxel_status status = lx_sink_open(path, system, diagnostics, &sink);
 
@@ -80,14 +86,16 @@ luxel_status sink_text(const char *path, const struct lx_sink_system *system, co
     return lx_sink_commit(sink);
 }
 
-static int no_unnamed(int folder, mode_t mode) {
+static int no_unnamed(int folder, mode_t mode)
+{
     (void)folder;
     (void)mode;
     errno = EOPNOTSUPP;
     return -1;
 }
 
-struct lx_sink_system make_system(bool unnamed) {
+struct lx_sink_system make_system(bool unnamed)
+{
     struct lx_sink_system system = lx_sink_real_system;
 
     if (!unnamed) {
@@ -96,7 +104,8 @@ struct lx_sink_system make_system(bool unnamed) {
     return system;
 }
 
-int in_child(void (*part)(const struct place *), const struct place *place) {
+int in_child(void (*part)(const struct place *), const struct place *place)
+{
     int status;
     pid_t child = fork();
 

@@ -45,10 +45,12 @@ int in_child(void (*part)(const struct place *), const struct place *place);
 
 /* Each promise that does not depend on how the file is made is tried in both ways. */
 #define BOTH_WAYS(name)                                                                                                \
-    static void test_##name##_unnamed(void **state) {                                                                  \
+    static void test_##name##_unnamed(void **state)                                                                    \
+    {                                                                                                                  \
         name(*state, true);                                                                                            \
     }                                                                                                                  \
-    static void test_##name##_hidden(void **state) {                                                                   \
+    static void test_##name##_hidden(void **state)                                                                     \
+    {                                                                                                                  \
         name(*state, false);                                                                                           \
     }
 #define CASE(name) cmocka_unit_test_setup_teardown(test_##name, make_place, remove_place)

@@ -73,13 +73,11 @@ static struct lx_profile random_profile(struct randomness *random, const double 
     lx_bounded3 axis = lx_unit3(lx_sub3(lx_exact3(at), lx_exact3(from)));
     double outer = uniform(random, 0.5, 90);
     switch (pick(random, 4)) {
-    case 0:
-        return lx_profile_cosine(axis, pick(random, 2) ? 1 : logarithmic(random, 0.1, 100));
+    case 0: return lx_profile_cosine(axis, pick(random, 2) ? 1 : logarithmic(random, 0.1, 100));
     case 1:
         return lx_profile_cone(axis, (enum lx_falloff)pick(random, 4), uniform(random, 0, outer), outer,
                                pick(random, 2) ? 0 : uniform(random, 0, 10));
-    default:
-        return lx_profile_isotropic();
+    default: return lx_profile_isotropic();
     }
 }
 

@@ -103,8 +103,12 @@ static void copying_and_writing(void **state)
         luxel_scene_free(copy);
     }
     /* as it was read, and then with values replaced and added in both styles */
-    static const char *const changes[] = {NULL, "lights[0].intensity=20", "shadows=none", "lights[0].name=a",
-                                          "surfaces=[{type: sphere}]", "surfaces[0].material.model=phong"};
+    static const char *const changes[] = {NULL,
+                                          "lights[0].intensity=20",
+                                          "shadows=none",
+                                          "lights[0].name=a",
+                                          "surfaces=[{type: sphere}]",
+                                          "surfaces[0].material.model=phong"};
     for (size_t change = 0; change < sizeof changes / sizeof changes[0]; change++) {
         if (changes[change])
             assert_int_equal(luxel_scene_set(scene, changes[change], NULL), LUXEL_OK);
@@ -195,8 +199,12 @@ static void writing_the_schema(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(loading),   cmocka_unit_test(setting),  cmocka_unit_test(copying_and_writing),
-        cmocka_unit_test(reporting), cmocka_unit_test(advising), cmocka_unit_test(listing_parameters),
+        cmocka_unit_test(loading),
+        cmocka_unit_test(setting),
+        cmocka_unit_test(copying_and_writing),
+        cmocka_unit_test(reporting),
+        cmocka_unit_test(advising),
+        cmocka_unit_test(listing_parameters),
         cmocka_unit_test(writing_the_schema),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

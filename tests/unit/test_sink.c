@@ -18,7 +18,8 @@
 /* ---- stand-ins for system calls ---- */
 
 /* Takes a few bytes at a time, and is interrupted now and then. */
-static ssize_t write_little(int file, const void *bytes, size_t count) {
+static ssize_t write_little(int file, const void *bytes, size_t count)
+{
     static unsigned calls;
     size_t few = 1 + ++calls % 4999;
 
@@ -29,7 +30,8 @@ static ssize_t write_little(int file, const void *bytes, size_t count) {
     return write(file, bytes, count < few ? count : few);
 }
 
-static ssize_t write_full_disk(int file, const void *bytes, size_t count) {
+static ssize_t write_full_disk(int file, const void *bytes, size_t count)
+{
     if (lseek(file, 0, SEEK_CUR) == 0) {
         return write(file, bytes, count / 2); /* half of it still fits */
     }
@@ -37,20 +39,23 @@ static ssize_t write_full_disk(int file, const void *bytes, size_t count) {
     return -1;
 }
 
-static ssize_t write_nothing(int file, const void *bytes, size_t count) {
+static ssize_t write_nothing(int file, const void *bytes, size_t count)
+{
     (void)file;
     (void)bytes;
     (void)count;
     return 0;
 }
 
-static int sync_fails(int file) {
+static int sync_fails(int file)
+{
     (void)file;
     errno = EIO;
     return -1;
 }
 
-static int rename_fails(int folder, const char *from, const char *to) {
+static int rename_fails(int folder, const char *from, const char *to)
+{
     (void)folder;
     (void)from;
     (void)to;
@@ -59,7 +64,8 @@ static int rename_fails(int folder, const char *from, const char *to) {
 }
 
 /* Opening or writing fails with one report of this id that names the path and has this reason. */
-static void assert_fails(const char *path, const struct lx_sink_system *system, const char *id, const char *reason) {
+static void assert_fails(const char *path, const struct lx_sink_system *system, const char *id, const char *reason)
+{
     luxel_diagnostics *diagnostics = luxel_diagnostics_new();
 
     assert_int_equal(sink_text(path, system, "new", diagnostics), LUXEL_ERROR_FILE);
@@ -74,7 +80,8 @@ static void assert_fails(const char *path, const struct lx_sink_system *system, 
 
 /* ---- what works ---- */
 
-static void new_file(struct place *place, bool unnamed) {
+static void new_file(struct place *place, bool unnamed)
+{
     struct lx_sink_system system = make_system(unnamed);
     struct stat status;
     mode_t old = umask(027);
@@ -87,7 +94,8 @@ static void new_file(struct place *place, bool unnamed) {
     assert_int_equal(entries(place), 1);
 }
 
-static void replaced_file(struct place *place, bool unnamed) {
+static void replaced_file(struct place *place, bool unnamed)
+{
     struct lx_sink_system system = make_system(unnamed);
     struct stat status;
 
@@ -100,7 +108,8 @@ static void replaced_file(struct place *place, bool unnamed) {
     assert_int_equal(entries(place), 1);
 }
 
-static void aborted(struct place *place, bool unnamed) {
+static void aborted(struct place *place, bool unnamed)
+{
     struct lx_sink_system system = make_system(unnamed);
     struct lx_sink *sink;
 
@@ -114,7 +123,8 @@ static void aborted(struct place *place, bool unnamed) {
 }
 
 /* Many writes of many lengths around the buffer's, by a system that takes them in pieces. */
-static void pieces(struct place *place, bool unnamed) {
+static void pieces(struct place *place, bool unnamed)
+{
     static const size_t lengths[] = {0, 1, 65535, 1, 65536, 65537, 3, 0, 200000, 5};
     struct lx_sink_system system = make_system(unnamed);
     unsigned char *bytes = malloc(200000), *found = malloc(500000);
@@ -142,7 +152,8 @@ static void pieces(struct place *place, bool unnamed) {
     free(found);
 }
 
-static void test_links(void **state) {
+static void test_links(void **state)
+{
     struct place *place = *state;
     char link[128], other[128];
 
@@ -168,7 +179,8 @@ static void test_links(void **state) {
     assert_fails(link, NULL, "file-not-created", "symbolic links");
 }
 
-static void test_streams(void **state) {
+static void test_streams(void **state)
+{
     struct place *place = *state;
     char found[8] = "";
     int status;
@@ -194,7 +206,8 @@ static void test_streams(void **state) {
     assert_true(readlink(place->file, found, sizeof found) > 0);
 }
 
-static void test_names(void **state) {
+static void test_names(void **state)
+{
     struct place *place = *state;
     char path[PATH_MAX] = "";
 
@@ -215,7 +228,8 @@ static void test_names(void **state) {
 
 /* ---- what fails ---- */
 
-static void failing_calls(struct place *place, bool unnamed) {
+static void failing_calls(struct place *place, bool unnamed)
+{
     struct lx_sink_system system = make_system(unnamed);
 
     put(place->file, "old");
@@ -233,7 +247,8 @@ static void failing_calls(struct place *place, bool unnamed) {
     assert_int_equal(entries(place), 1);
 }
 
-static void test_places(void **state) {
+static void test_places(void **state)
+{
     struct place *place = *state;
     char path[128];
 
@@ -250,7 +265,8 @@ static void test_places(void **state) {
 }
 
 /* A failure is told once, and a later one not again. */
-static void test_one_report(void **state) {
+static void test_one_report(void **state)
+{
     struct place *place = *state;
     struct lx_sink_system system = make_system(true);
     luxel_diagnostics *diagnostics = luxel_diagnostics_new();
@@ -268,7 +284,8 @@ static void test_one_report(void **state) {
 }
 
 /* As a user without root's privileges: neither a protected folder nor a protected file is written to. */
-static void write_protected(const struct place *place) {
+static void write_protected(const struct place *place)
+{
     char inside[128];
 
     if (geteuid() == 0 && (setgid(NOBODY) != 0 || setuid(NOBODY) != 0)) {
@@ -281,7 +298,8 @@ static void write_protected(const struct place *place) {
               : 1);
 }
 
-static void test_protected(void **state) {
+static void test_protected(void **state)
+{
     struct place *place = *state;
 
     put(place->file, "old");
@@ -300,7 +318,8 @@ BOTH_WAYS(aborted)
 BOTH_WAYS(pieces)
 BOTH_WAYS(failing_calls)
 
-int main(void) {
+int main(void)
+{
     const struct CMUnitTest tests[] = {
         CASES(new_file), CASES(replaced_file), CASES(aborted), CASES(pieces),    CASE(links),     CASE(streams),
         CASE(names),     CASES(failing_calls), CASE(places),   CASE(one_report), CASE(protected),

@@ -14,7 +14,8 @@
 
 #include "place.h"
 
-static int rename_dies(int folder, const char *from, const char *to) {
+static int rename_dies(int folder, const char *from, const char *to)
+{
     (void)folder;
     (void)from;
     (void)to;
@@ -24,7 +25,8 @@ static int rename_dies(int folder, const char *from, const char *to) {
 
 /* ---- processes that die, and processes that meet ---- */
 
-static void die_writing(const struct place *place, bool unnamed) {
+static void die_writing(const struct place *place, bool unnamed)
+{
     struct lx_sink_system system = make_system(unnamed);
     struct lx_sink *sink;
     char bytes[70000] = "";
@@ -35,26 +37,31 @@ static void die_writing(const struct place *place, bool unnamed) {
     }
 }
 
-static void die_writing_unnamed(const struct place *place) {
+static void die_writing_unnamed(const struct place *place)
+{
     die_writing(place, true);
 }
 
-static void die_writing_hidden(const struct place *place) {
+static void die_writing_hidden(const struct place *place)
+{
     die_writing(place, false);
 }
 
-static void die_renaming(const struct place *place) {
+static void die_renaming(const struct place *place)
+{
     struct lx_sink_system system = make_system(true);
 
     system.rename = rename_dies;
     sink_text(place->file, &system, "new", NULL);
 }
 
-static void assert_killed(int status) {
+static void assert_killed(int status)
+{
     assert_true(WIFSIGNALED(status) && WTERMSIG(status) == SIGKILL);
 }
 
-static void test_killed_unnamed(void **state) {
+static void test_killed_unnamed(void **state)
+{
     struct place *place = *state;
 
     put(place->file, "old");
@@ -64,7 +71,8 @@ static void test_killed_unnamed(void **state) {
 }
 
 /* Where the dead could not clean up, the next one does. */
-static void test_leftovers(void **state) {
+static void test_leftovers(void **state)
+{
     struct place *place = *state;
 
     put(place->file, "old");
@@ -81,7 +89,8 @@ static void test_leftovers(void **state) {
 }
 
 /* One of many that write the same file over and over: 3000 times the same letter. */
-static void compete(const struct place *place, bool unnamed, char letter) {
+static void compete(const struct place *place, bool unnamed, char letter)
+{
     struct lx_sink_system system = make_system(unnamed);
     char bytes[3000];
 
@@ -100,7 +109,8 @@ static void compete(const struct place *place, bool unnamed, char letter) {
     _exit(0);
 }
 
-static void contest(struct place *place, bool unnamed) {
+static void contest(struct place *place, bool unnamed)
+{
     enum { COMPETITORS = 12 }; /* more than there are hidden names */
     char bytes[4096];
     int running = COMPETITORS, status;
@@ -134,12 +144,14 @@ BOTH_WAYS(contest)
 /* ---- a disk that fills up ---- */
 
 /* Puts a file system of 64 kB on the folder, in a name space of this process alone. */
-static bool mount_small(const struct place *place) {
+static bool mount_small(const struct place *place)
+{
     return unshare(CLONE_NEWNS) == 0 && mount("none", "/", "none", MS_REC | MS_PRIVATE, NULL) == 0 &&
            mount("luxel", place->folder, "tmpfs", 0, "size=64k") == 0;
 }
 
-static void fill_disk(const struct place *place) {
+static void fill_disk(const struct place *place)
+{
     char bytes[4096] = "";
     struct lx_sink *sink;
     luxel_status status = LUXEL_OK;
@@ -162,24 +174,28 @@ static void fill_disk(const struct place *place) {
     _exit(fread(bytes, 1, sizeof bytes, file) == 3 && memcmp(bytes, "old", 3) == 0 ? 0 : 3);
 }
 
-static void test_full_disk(void **state) {
+static void test_full_disk(void **state)
+{
     assert_int_equal(in_child(fill_disk, *state), 0);
 }
 
 /* ---- what this machine can try ---- */
 
-static void try_mount(const struct place *place) {
+static void try_mount(const struct place *place)
+{
     _exit(mount_small(place) ? 0 : CANNOT_TRY);
 }
 
-static void try_unnamed(const struct place *place) {
+static void try_unnamed(const struct place *place)
+{
     int folder = open(place->folder, O_RDONLY | O_DIRECTORY);
 
     _exit(lx_sink_real_system.open_unnamed(folder, 0600) >= 0 ? 0 : CANNOT_TRY);
 }
 
 /* Whether a test makes sense here; one that does not is left out, so that it does not count as passed. */
-static bool possible(void (*part)(const struct place *), const char *test) {
+static bool possible(void (*part)(const struct place *), const char *test)
+{
     void *place;
 
     make_place(&place);
@@ -192,7 +208,8 @@ static bool possible(void (*part)(const struct place *), const char *test) {
     return works;
 }
 
-int main(void) {
+int main(void)
+{
     struct CMUnitTest tests[] = {CASE(leftovers), CASES(contest), CASE(full_disk), CASE(killed_unnamed)};
     const struct CMUnitTest last = tests[sizeof tests / sizeof tests[0] - 1];
     size_t count = sizeof tests / sizeof tests[0] - 2;
