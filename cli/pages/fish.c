@@ -20,19 +20,11 @@ static void quote(FILE *out, const char *text)
 
 static void print_words(FILE *out, const luxel_parameters *parameters)
 {
-    char words[256];
-
     fputs("set -g __luxel_endings", out);
     for (size_t i = 0; luxel_output_ending(i); i++)
         fprintf(out, " %s", luxel_output_ending(i));
     fputs("\n# A key of a scene, and the words that it may have.\nset -g __luxel_keys", out);
-    for (size_t i = 0; i < luxel_parameters_count(parameters); i++)
-        if (pages_is_key(parameters, i)) {
-            const luxel_parameter *parameter = luxel_parameters_get(parameters, i);
-            const char *choices = pages_key_words(parameter, words);
-
-            fprintf(out, " \\\n    '%s%s%s'", parameter->path, *choices ? " " : "", choices);
-        }
+    pages_print_keys(out, parameters, " \\\n    ", "");
     fputs("\n\nfunction __luxel_with_argument\n    string join \\n --", out);
     for (size_t i = 0; options_row(i); i++) {
         if (!options_row(i)->argument)

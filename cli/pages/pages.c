@@ -39,6 +39,19 @@ const char *pages_key_words(const luxel_parameter *parameter, char buffer[256])
     return buffer;
 }
 
+void pages_print_keys(FILE *out, const luxel_parameters *parameters, const char *before, const char *after)
+{
+    char words[256];
+
+    for (size_t i = 0; i < luxel_parameters_count(parameters); i++)
+        if (pages_is_key(parameters, i)) {
+            const luxel_parameter *parameter = luxel_parameters_get(parameters, i);
+            const char *choices = pages_key_words(parameter, words);
+
+            fprintf(out, "%s'%s%s%s'%s", before, parameter->path, *choices ? " " : "", choices, after);
+        }
+}
+
 const char *pages_last_name(const char *path)
 {
     const char *dot = strrchr(path, '.');

@@ -25,6 +25,8 @@ void pages_fish(FILE *out, const luxel_parameters *parameters);
 bool pages_is_key(const luxel_parameters *parameters, size_t i);
 /* The words that such a key may have with blanks between them, "" where it has none. */
 const char *pages_key_words(const luxel_parameter *parameter, char buffer[256]);
+/* Prints the keys with their words in single quotes, each between two texts. */
+void pages_print_keys(FILE *out, const luxel_parameters *parameters, const char *before, const char *after);
 /* The last name of a path: "intensity" of "lights[].intensity". */
 const char *pages_last_name(const char *path);
 /* Whether no parameter before the i-th has the same last name. */

@@ -43,16 +43,8 @@ static void print_words(FILE *out, const luxel_parameters *parameters)
 
 static void print_keys(FILE *out, const luxel_parameters *parameters)
 {
-    char words[256];
-
     fputs("# A key of a scene, and the words that it may have.\ntypeset -ga _luxel_keys=(\n", out);
-    for (size_t i = 0; i < luxel_parameters_count(parameters); i++)
-        if (pages_is_key(parameters, i)) {
-            const luxel_parameter *parameter = luxel_parameters_get(parameters, i);
-            const char *choices = pages_key_words(parameter, words);
-
-            fprintf(out, "    '%s%s%s'\n", parameter->path, *choices ? " " : "", choices);
-        }
+    pages_print_keys(out, parameters, "    ", "\n");
     fputs(")\n", out);
 }
 

@@ -54,7 +54,7 @@ static char (*column_texts(const struct lx_image *image))[LX_NUMBER_SIZE]
 {
     char(*texts)[LX_NUMBER_SIZE] = lx_new_array(image->columns, LX_NUMBER_SIZE);
     for (unsigned column = 0; texts && column < image->columns; column++)
-        lx_write_number(image->x_mm[column], texts[column]);
+        lx_write_digits(image->x_mm[column], LX_CSV_PLACE_DIGITS, texts[column]);
     return texts;
 }
 
@@ -62,7 +62,7 @@ static void add_row(struct lx_text *lines, const struct lx_image *image, unsigne
 {
     char y[LX_NUMBER_SIZE], number[LX_NUMBER_SIZE];
     size_t first = (size_t)row * image->columns;
-    lx_write_number(image->y_mm[row], y);
+    lx_write_digits(image->y_mm[row], LX_CSV_PLACE_DIGITS, y);
     for (unsigned column = 0; column < image->columns; column++) {
         if (image->mask && !image->mask[first + column])
             continue;

@@ -12,6 +12,8 @@
 
 /* So many digits tell one float32 from every other. */
 enum { LX_CSV_SINGLE_DIGITS = 9 };
+/* Digits of a place on the screen: enough for any picture, too few to show the roundings of its samples. */
+enum { LX_CSV_PLACE_DIGITS = 12 };
 
 /*
  * Reads a table of pixels, in any order, into the smallest grid that holds them all; what is missing of it is off the

@@ -53,7 +53,7 @@ def sources(tap):
     for name, literals in re.findall(r'LX_MESSAGE\((\w+),\s*"[^"]*",\s*((?:%s\s*)+)\)' % parts, messages):
         text = "".join(re.findall(LITERAL, literals)).replace('\\"', '"')
         tap.ok(text in found, "message %s is in luxel.pot" % name, text)
-    tap.equal(messages.count("\nLX_MESSAGE("), len(re.findall(r"\nLX_MESSAGE\(\w+,\s*\"", messages)), "messages are read")
+    tap.equal(len(re.findall(r"\nLX_MESSAGE\(\w+,\s*\"", messages)), messages.count("\nLX_MESSAGE("), "all are read")
 
     keys = json.loads(subprocess.check_output([LUXEL, "help", "--json"]))
     for item in [*keys["keys"], *keys["kinds"]]:

@@ -15,7 +15,7 @@ NUMBER = re.compile(r"(?<![\w.])[-+]?\d+(?:\.\d+)?(?:e[-+]?\d+)?")
 WORD = re.compile(r"[A-Za-z][A-Za-z_-]*[A-Za-z]")
 # Names of things, in every language.
 NAMES = set("""luxel YAML JSON Schema UTF png pfm npy exr csv PNG NPY PFM EXR CSV OpenEXR libpng zlib stdin
-    NX NY NZ yaml-language-server luxel.schema json yaml NULL x_mm y_mm value_ single double
+    NX NY NZ yaml-language-server luxel.schema json yaml NULL x_mm y_mm value_ single double NUMPY Pf quantity brightnesz
     kd ks ka my render probe check scene set schema help report three-lights two-spheres""".split())
 
 COMMANDS = [
@@ -65,7 +65,8 @@ COMMANDS = [
 # Scenes with errors of the text, for standard input.
 TEXTS = ["", "5", "a: b: c", "{a: [1, 2}", "[1, 2", "luxel: 1\nluxel: 1", "luxel: 1\n---\nluxel: 1", "a: &b 1",
          "%FOO\n---\n", "a: \"\\q\"", "? [1]\n: 2", "\x07", "a:\n\t- 1", "a: 'b", "luxel: 1\nlight: []", "a: @b",
-         "- [a, b]]", "a: |x\n b", "luxel: 1\n" + "".join("k%d: 1\n" % i for i in range(25)), SCENE.replace("500", "800", 1), "[" * 40]
+         "- [a, b]]", "a: |x\n b",
+         "luxel: 1\n" + "".join("k%d: 1\n" % i for i in range(25)), SCENE.replace("500", "800", 1), "[" * 40]
 FIELDS = ["render", "probe", "check", "help", "help spot", "help intensity", "scene --list", "scene", "schema"]
 
 
@@ -140,6 +141,22 @@ def texts(tap, tool, russian):
     keys = tool.run("help", "--json", environment=ENGLISH).json()
     for topic in sorted({key["path"] for key in keys["keys"]} | {kind["name"] for kind in keys["kinds"]}):
         compare(tap, tool, russian, known, ["help", topic])
+
+
+def pictures(tap, tool, russian):
+    """Pictures as scenes, whole and damaged."""
+    tool.run("render", "-s", "screen.resolution=[36,36]", "-o", "a.png", "-o", "a.exr", "-o", "a.npy", "-o", "a.pfm")
+    known = known_words(tool)
+    damaged = bytearray(tool.read("a.png"))
+    damaged[200] ^= 1
+    tool.write("damaged.png", bytes(damaged))
+    for ending in "png", "exr":
+        tool.write("cut." + ending, tool.read("a." + ending)[:300])
+    tool.write("quantity.exr", tool.read("a.exr").replace(b"brightness", b"brightnesz"))
+    for name in "a.png", "a.exr", "a.npy", "a.pfm", "damaged.png", "cut.png", "cut.exr", "quantity.exr":
+        compare(tap, tool, russian, known, ["check", name])
+    compare(tap, tool, russian, known, ["set", "a.png", "lights[0].intensity=2"])
+    compare(tap, tool, russian, known, ["set", "report", "lights[0].intensity=2", "-o", "b.png"])
 
 
 def json_stays(tap, tool, russian):
@@ -224,7 +241,7 @@ def main():
             tap.skip("Russian texts", "this machine has no locale for them")
         for name, way in list(ways.items())[:1]:
             tap.note("With " + name)
-            for test in texts, json_stays, tables, readme:
+            for test in texts, pictures, json_stays, tables, readme:
                 with new_tool() as tool:
                     tap.run(test, tap, tool, way)
     finally:
