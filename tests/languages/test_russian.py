@@ -14,9 +14,9 @@ CYRILLIC = re.compile("[а-яёА-ЯЁ]")
 NUMBER = re.compile(r"(?<![\w.])[-+]?\d+(?:\.\d+)?(?:e[-+]?\d+)?")
 WORD = re.compile(r"[A-Za-z][A-Za-z_-]*[A-Za-z]")
 # Names of things, in every language.
-NAMES = set("""luxel YAML JSON Schema UTF png pfm npy exr csv PNG NPY PFM EXR CSV OpenEXR libpng zlib stdin
-    NX NY NZ yaml-language-server luxel.schema json yaml NULL x_mm y_mm value_ single double NUMPY Pf quantity brightnesz
-    kd ks ka my render probe check scene set schema help report three-lights two-spheres""".split())
+NAMES = set("""luxel YAML JSON Schema UTF png pfm npy exr csv PNG NPY PFM EXR CSV OpenEXR libpng zlib stdin NX NY NZ
+    yaml-language-server luxel.schema json yaml NULL x_mm y_mm value_ single double NUMPY Pf quantity
+    brightnesz kd ks ka my render probe check scene set schema help report three-lights two-spheres""".split())
 
 COMMANDS = [
     [], ["help"], ["--help"], ["--version"], *[["help", name] for name in (
@@ -154,7 +154,7 @@ def pictures(tap, tool, russian):
         tool.write("cut." + ending, tool.read("a." + ending)[:300])
     tool.write("quantity.exr", tool.read("a.exr").replace(b"brightness", b"brightnesz"))
     for name in "a.png", "a.exr", "a.npy", "a.pfm", "damaged.png", "cut.png", "cut.exr", "quantity.exr":
-        compare(tap, tool, russian, known, ["check", name])
+        compare(tap, tool, russian, known | {"brightness"}, ["check", name])
     compare(tap, tool, russian, known, ["set", "a.png", "lights[0].intensity=2"])
     compare(tap, tool, russian, known, ["set", "report", "lights[0].intensity=2", "-o", "b.png"])
 
