@@ -62,7 +62,7 @@ check: setup build
 	@$(RUN_TESTS) $(BUILD) --num-processes $(JOBS) $(TESTS)
 
 bench: build
-	@$(MESON) test -C $(BUILD) --benchmark --verbose $(TESTS)
+	@$(BUILD)/bench/bench_render
 
 check-clang:
 	@tools/setup clang

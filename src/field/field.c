@@ -148,15 +148,10 @@ const uint8_t *luxel_field_mask(const luxel_field *field)
     return field->mask;
 }
 
-static double value_at(const struct luxel_field *field, size_t i)
-{
-    return field->precision == LUXEL_DOUBLE ? ((const double *)field->values)[i]
-                                            : (double)((const float *)field->values)[i];
-}
-
 double luxel_field_value(const luxel_field *field, unsigned column, unsigned row)
 {
-    return column < field->columns && row < field->rows ? value_at(field, (size_t)row * field->columns + column) : 0;
+    return column < field->columns && row < field->rows ? lx_field_value(field, (size_t)row * field->columns + column)
+                                                        : 0;
 }
 
 const luxel_statistics *luxel_field_statistics(const luxel_field *field)
@@ -176,8 +171,8 @@ static void linear_range(const struct luxel_field *field, double *black, double 
     } else if (range->choice == LX_RANGE_MINMAX) {
         *black = HUGE_VAL; /* the least on a surface, which may be 0 */
         for (size_t i = 0; i < (size_t)field->columns * field->rows; i++)
-            if (field->mask[i] && value_at(field, i) < *black)
-                *black = value_at(field, i);
+            if (field->mask[i] && lx_field_value(field, i) < *black)
+                *black = lx_field_value(field, i);
     }
 }
 
@@ -198,7 +193,7 @@ void luxel_field_grey(const luxel_field *field, uint8_t *grey)
     bool nearest = field->picture.rounding == LX_NEAREST;
     linear_range(field, &black, &white);
     for (size_t i = 0; i < (size_t)field->columns * field->rows; i++) {
-        double level = field->mask[i] ? 255 * shade_of(field, value_at(field, i), black, white) : 0;
+        double level = field->mask[i] ? 255 * shade_of(field, lx_field_value(field, i), black, white) : 0;
         level = level > 0 ? level < 255 ? level : 255 : 0;
         grey[i] = (uint8_t)(nearest ? round(level) : level);
     }

@@ -47,6 +47,13 @@ struct luxel_field *lx_field_new(const struct lx_scene_parameters *scene, luxel_
 void lx_field_store(struct luxel_field *field, unsigned row, unsigned column, const double *values, const uint8_t *mask,
                     size_t count);
 
+/* The i-th value, row by row, whatever the precision. */
+static inline double lx_field_value(const struct luxel_field *field, size_t i)
+{
+    return field->precision == LUXEL_DOUBLE ? ((const double *)field->values)[i]
+                                            : (double)((const float *)field->values)[i];
+}
+
 /* Gathers a finished row; then puts the rows' statistics (one for each row) together, in their order. */
 struct lx_row_statistics lx_gather_row(const struct luxel_field *field, unsigned row);
 void lx_finish_statistics(struct luxel_field *field, const struct lx_row_statistics *rows);

@@ -9,11 +9,12 @@
 struct lx_row_statistics lx_gather_row(const struct luxel_field *field, unsigned row)
 {
     struct lx_row_statistics result = {.maximum = -HUGE_VAL, .minimum = HUGE_VAL};
-    const uint8_t *mask = &field->mask[(size_t)row * field->columns];
+    const size_t first = (size_t)row * field->columns;
+    const uint8_t *mask = &field->mask[first];
     for (unsigned i = 0; i < field->columns; i++) {
         if (!mask[i])
             continue;
-        double value = luxel_field_value(field, i, row);
+        double value = lx_field_value(field, first + i);
         result.surface_pixels++;
         result.sum += value;
         /* A value that is no number must not hide: it becomes the maximum. */

@@ -22,7 +22,7 @@ struct lx_shader_memory {
     struct lx_block_single copy;
     double sum[LX_BLOCK];
     float group[LX_BLOCK], open[LX_BLOCK];
-    size_t shown[LX_BLOCK];   /* surface of each pixel, from 1; 0: none */
+    uint32_t shown[LX_BLOCK]; /* surface of each pixel, from 1; 0: none */
     unsigned place[LX_BLOCK]; /* pixel of each element of the block */
 };
 
@@ -46,6 +46,22 @@ static void meet(const struct lx_plan *plan, const struct lx_planned_surface *su
                                                    lines->py, lines->pz);
 }
 
+/* Takes over what a further surface hides of the nearest so far. */
+static void merge(struct lx_shader_memory *memory, uint32_t surface, size_t count)
+{
+    struct lines *nearest = &memory->nearest;
+    const struct lines *candidate = &memory->candidate;
+    for (size_t i = 0; i < count; i++) {
+        if (candidate->depth[i] >= nearest->depth[i])
+            continue;
+        memory->shown[i] = surface + 1;
+        nearest->depth[i] = candidate->depth[i];
+        nearest->px[i] = candidate->px[i];
+        nearest->py[i] = candidate->py[i];
+        nearest->pz[i] = candidate->pz[i];
+    }
+}
+
 /* Finds the nearest surface of each pixel; returns the number of pixels that show one. */
 static size_t find_nearest(const struct lx_plan *plan, struct lx_shader_memory *memory, double y_mm, const double *x_mm,
                            size_t count)
@@ -53,26 +69,22 @@ static size_t find_nearest(const struct lx_plan *plan, struct lx_shader_memory *
     const struct lx_observer *observer = &plan->prepared->scene->observer;
     struct lx_row_view view = {
         .perspective = observer->projection == LX_PERSPECTIVE, .observer_z_mm = observer->z_mm, .y_mm = y_mm};
-    struct lines *nearest = &memory->nearest, *candidate = &memory->candidate;
-    size_t found = 0;
-    for (size_t i = 0; i < count; i++) {
-        memory->shown[i] = 0;
-        nearest->depth[i] = HUGE_VAL;
-    }
-    for (size_t s = 0; s < plan->surface_count; s++) {
+    bool any = false;
+    for (uint32_t s = 0; s < plan->surface_count; s++) {
         if (!may_show(&plan->surfaces[s], &view, x_mm, count))
             continue;
-        meet(plan, &plan->surfaces[s], &view, x_mm, count, candidate);
-        for (size_t i = 0; i < count; i++) {
-            if (candidate->depth[i] >= nearest->depth[i])
-                continue;
-            found += memory->shown[i] == 0;
-            memory->shown[i] = s + 1;
-            nearest->depth[i] = candidate->depth[i];
-            nearest->px[i] = candidate->px[i];
-            nearest->py[i] = candidate->py[i];
-            nearest->pz[i] = candidate->pz[i];
-        }
+        meet(plan, &plan->surfaces[s], &view, x_mm, count, any ? &memory->candidate : &memory->nearest);
+        if (any)
+            merge(memory, s, count);
+        else
+            for (size_t i = 0; i < count; i++)
+                memory->shown[i] = memory->nearest.depth[i] < HUGE_VAL ? s + 1 : 0;
+        any = true;
+    }
+    size_t found = 0;
+    for (size_t i = 0; i < count; i++) {
+        memory->shown[i] = any ? memory->shown[i] : 0;
+        found += memory->shown[i] != 0;
     }
     return found;
 }
