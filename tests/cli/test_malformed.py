@@ -92,7 +92,11 @@ def pictures_too_large(tap, tool):
     huge = ("render", "-s", "screen.resolution=[65536,65536]", "--precision", "double", "-o", "a.npy")
     limit = 4 << 30
     memory = os.sysconf("SC_PAGE_SIZE") * os.sysconf("SC_PHYS_PAGES")
-    ways = {"a limit": {"preexec_fn": lambda: resource.setrlimit(resource.RLIMIT_AS, (limit, limit))}}
+    ways = {}
+    if os.environ.get("LUXEL_SANITIZED"):
+        tap.skip("a picture that a limit cannot hold", "sanitizers need all addresses for themselves")
+    else:
+        ways["a limit"] = {"preexec_fn": lambda: resource.setrlimit(resource.RLIMIT_AS, (limit, limit))}
     if memory < 30 << 30:
         ways["the machine"] = {}
     for name, way in ways.items():
