@@ -43,7 +43,11 @@ static bool stand_in(void)
 
     if (!encoding || (strncasecmp(encoding, ".utf-8", 6) != 0 && strncasecmp(encoding, ".utf8", 5) != 0))
         return false;
-    return setlocale(LC_MESSAGES, "C.UTF-8") && setenv("LANGUAGE", wanted, 0) == 0;
+    if (!setlocale(LC_MESSAGES, "C.UTF-8"))
+        return false;
+    /* An empty LANGUAGE counts as none. */
+    const char *chosen = getenv("LANGUAGE");
+    return (chosen && *chosen) || setenv("LANGUAGE", wanted, 1) == 0;
 }
 
 /* Whether a folder holds catalogues; the Russian one is always among them. */

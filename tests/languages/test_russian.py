@@ -228,7 +228,8 @@ def choice(tap, tool, folder, made):
 def main():
     tap = Tap()
     folder, made = languages()
-    ways = {"ru_RU.UTF-8 that is not generated": {"LC_ALL": "ru_RU.UTF-8", "LANGUAGE": "", "LOCPATH": "/nonexistent"}}
+    # Generated or not: where it is not, C.UTF-8 stands in, which every Debian has.
+    ways = {"ru_RU.UTF-8 as it is here": {"LC_ALL": "ru_RU.UTF-8", "LANGUAGE": ""}}
     if "UTF-8" in made:
         ways["a generated ru_RU.UTF-8"] = {"LC_ALL": "ru_RU.UTF-8", "LANGUAGE": "", "LOCPATH": folder}
     try:
