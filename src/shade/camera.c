@@ -39,6 +39,11 @@ bool lx_pixel_at(const struct lx_screen *screen, double x_mm, double y_mm, unsig
            sample_at(screen->sampling, screen->height_mm, screen->resolution[1], screen->height_mm / 2 - y_mm, row);
 }
 
+bool lx_views_along_z(const struct lx_observer *observer)
+{
+    return observer->projection == LX_ORTHOGRAPHIC && observer->view == LX_VIEW_PARALLEL;
+}
+
 struct lx_ray lx_line_of_sight(const struct lx_observer *observer, double x_mm, double y_mm)
 {
     if (observer->projection == LX_PERSPECTIVE)

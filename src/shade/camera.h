@@ -13,6 +13,9 @@ double lx_row_y_mm(const struct lx_screen *screen, unsigned row);
 /* The pixel that a screen point falls in; false off the screen. */
 bool lx_pixel_at(const struct lx_screen *screen, double x_mm, double y_mm, unsigned *column, unsigned *row);
 
+/* Whether the view vector is (0, 0, 1) everywhere; else it points to the observer. */
+bool lx_views_along_z(const struct lx_observer *observer);
+
 /* The line of sight through a screen point. */
 struct lx_ray lx_line_of_sight(const struct lx_observer *observer, double x_mm, double y_mm);
 

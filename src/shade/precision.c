@@ -11,6 +11,7 @@
  */
 #include <math.h>
 
+#include "camera.h"
 #include "precision.h"
 
 static const double unit = 5.9604644775390625e-08; /* u = 2^-24 */
@@ -65,17 +66,17 @@ static double least_half_length(const struct lx_prepared *prepared, const struct
     const double *center = shape->anchor_mm, radius = shape->radius_mm;
     double eye[3] = {-center[0], -center[1], observer->z_mm - center[2]}, light[3];
     double spread = 0; /* how far L and V turn over the surface */
-    if (observer->projection == LX_ORTHOGRAPHIC && observer->view == LX_VIEW_PARALLEL)
+    if (lx_views_along_z(observer))
         eye[0] = eye[1] = 0, eye[2] = 1;
     else
         spread += asin(fmin(1, radius / distance((double[]){0, 0, observer->z_mm}, center)));
-    if (emitter->type == LX_POINT)
+    if (emitter->type == LX_POINT) {
         for (int i = 0; i < 3; i++)
             light[i] = emitter->position_mm[i] - center[i];
-    else
-        light[0] = emitter->towards.x.value, light[1] = emitter->towards.y.value, light[2] = emitter->towards.z.value;
-    if (emitter->type == LX_POINT)
         spread += asin(fmin(1, radius / light_distance));
+    } else {
+        light[0] = emitter->towards.x.value, light[1] = emitter->towards.y.value, light[2] = emitter->towards.z.value;
+    }
     double zero[3] = {0, 0, 0};
     double cosine =
         (eye[0] * light[0] + eye[1] * light[1] + eye[2] * light[2]) / (distance(eye, zero) * distance(light, zero));
@@ -147,8 +148,6 @@ void lx_choose_precision(struct lx_planned_surface *surface, double least_maximu
 {
     /* Lights are left to float32 in the order of powers of two of their bounds, the smallest first. */
     double sum = 0, sum_of_squares = 0;
-    for (size_t i = 0; i < surface->light_count; i++)
-        surface->lights[i].in_double = true;
     for (int step = STEPS; step >= 0; step--) {
         double limit = allowance * least_maximum * ldexp(1, -step);
         for (size_t i = 0; i < surface->light_count; i++) {

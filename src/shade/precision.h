@@ -9,7 +9,10 @@
 void lx_bound_light(const struct lx_prepared *prepared, const struct lx_shape *shape, const struct lx_lobe *lobe,
                     const struct lx_emitter *emitter, struct lx_planned_light *light);
 
-/* Leaves as many lights to float32 as the picture's accuracy allows, given a lower bound of its maximum. */
+/*
+ * Of lights that are all in float64, leaves as many to float32 as the picture's accuracy allows, given a lower bound
+ * of its maximum.
+ */
 void lx_choose_precision(struct lx_planned_surface *surface, double least_maximum);
 
 #endif

@@ -10,7 +10,7 @@ static lx_bounded3 observer_place(const struct lx_observer *observer)
 
 static lx_bounded3 view_from(const struct lx_observer *observer, lx_bounded3 place_mm)
 {
-    if (observer->projection == LX_ORTHOGRAPHIC && observer->view == LX_VIEW_PARALLEL)
+    if (lx_views_along_z(observer))
         return lx_exact3((const double[]){0, 0, 1});
     return lx_unit3(lx_sub3(observer_place(observer), place_mm));
 }

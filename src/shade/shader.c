@@ -7,6 +7,7 @@
 #include <string.h>
 
 #include "../base/memory.h"
+#include "camera.h"
 #include "shader.h"
 
 /* Lights in float32 are summed in groups of this many before they join the float64 sum. */
@@ -109,7 +110,7 @@ static size_t gather(struct lx_shader_memory *memory, size_t surface, size_t cou
 static const double *observer_from(const struct lx_plan *plan, const struct lx_planned_surface *surface, double from[3])
 {
     const struct lx_observer *observer = &plan->prepared->scene->observer;
-    if (observer->projection == LX_ORTHOGRAPHIC && observer->view == LX_VIEW_PARALLEL)
+    if (lx_views_along_z(observer))
         return NULL;
     from[0] = -surface->shape.anchor_mm[0];
     from[1] = -surface->shape.anchor_mm[1];
