@@ -22,7 +22,7 @@ WARNINGS_ARE_ERRORS = --werror
 # One thing at a time: the parallel work is Ninja's.
 .NOTPARALLEL:
 .PHONY: build help setup run check bench install clean check-clang check-sanitize check-valgrind format \
-    docs abi po packages check-packages
+    docs validation abi po packages check-packages
 
 build: $(BUILD)/build.ninja
 	@$(COMPILE) $(BUILD)
@@ -38,6 +38,7 @@ help:
 	@echo 'make bench           run the benchmarks'
 	@echo 'make install         install under PREFIX ($(PREFIX)); DESTDIR is honoured'
 	@echo 'make docs            the reference pages of the library in $(BUILD)/docs/reference/html, by Doxygen'
+	@echo 'make validation      write docs/VALIDATION.md anew from what the built command gives'
 	@echo 'make packages        the Debian packages in $(BUILD)/packages, judged by lintian'
 	@echo 'make check-packages  the same, installed into a fresh Debian and tried there'
 	@echo 'make abi             add new functions to the list of exported symbols'
@@ -99,6 +100,12 @@ docs: $(BUILD)/build.ninja
 	@test -e $(BUILD)/docs/reference/Doxyfile || $(MESON) setup --reconfigure $(BUILD) >/dev/null
 	@$(COMPILE) $(BUILD) docs
 	@echo "$(BUILD)/docs/reference/html/index.html"
+
+# Whole or not at all, so that a failure leaves the old page.
+validation: build
+	@PYTHONPATH=tests PYTHONDONTWRITEBYTECODE=1 $(PYTHON) tests/reference/make_validation.py $(BUILD)/cli/luxel \
+	    >$(BUILD)/VALIDATION.md && cp $(BUILD)/VALIDATION.md docs/VALIDATION.md
+	@echo docs/VALIDATION.md
 
 abi: build
 	@$(COMPILE) $(BUILD) abi

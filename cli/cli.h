@@ -36,8 +36,9 @@ enum command_bit {
     COMMAND_NONE = 1 << 5, /* `luxel --version` */
     COMMAND_SCHEMA = 1 << 6,
     COMMAND_SET = 1 << 7,
-    COMMAND_ANY =
-        COMMAND_RENDER | COMMAND_PROBE | COMMAND_CHECK | COMMAND_SCENE | COMMAND_SET | COMMAND_SCHEMA | COMMAND_HELP
+    COMMAND_GRID = 1 << 8,
+    COMMAND_ANY = COMMAND_GRID | COMMAND_RENDER | COMMAND_PROBE | COMMAND_CHECK | COMMAND_SCENE | COMMAND_SET |
+                  COMMAND_SCHEMA | COMMAND_HELP
 };
 
 /* What may stand behind a command, for those who complete it. */
@@ -62,10 +63,10 @@ struct command {
     int (*run)(const struct options *options); /* returns an enum exit_code */
 };
 
-extern const struct command command_render, command_probe, command_check, command_scene, command_set, command_schema,
-    command_help;
+extern const struct command command_render, command_probe, command_grid, command_check, command_scene, command_set,
+    command_schema, command_help;
 
-enum { COMMAND_COUNT = 7 };
+enum { COMMAND_COUNT = 8 };
 
 /* All of them, in the order of the help. */
 extern const struct command *const commands[COMMAND_COUNT];

@@ -20,21 +20,29 @@ static void name_light(const luxel_light_share *share, char buffer[TEXT_SIZE])
     luxel_text_free(name);
 }
 
+/* The number of points only where some source was split into such. */
 static void print_shares(const luxel_probe *probe)
 {
-    struct text_table *table = text_table_new("llrrrr");
+    bool split = false;
 
-    text_table_row(
-        table, TEXT_CELLS(_("light"), _("type"), _("irradiance"), _("diffuse"), _("highlight"), _("error at most")));
+    for (size_t i = 0; i < probe->share_count; i++)
+        split = split || probe->shares[i].parts > 0;
+
+    struct text_table *table = text_table_new(split ? "llrrrrr" : "llrrrr");
+
+    text_table_row(table, TEXT_CELLS(_("light"), _("type"), _("irradiance"), _("diffuse"), _("highlight"),
+                                     _("error at most"), split ? _("parts") : NULL));
     for (size_t i = 0; i < probe->share_count; i++) {
         const luxel_light_share *share = &probe->shares[i];
         char name[TEXT_SIZE], irradiance[TEXT_SIZE], diffuse[TEXT_SIZE], specular[TEXT_SIZE], error[TEXT_SIZE];
+        char parts[TEXT_SIZE];
 
         name_light(share, name);
         text_table_row(table,
                        TEXT_CELLS(name, share->type, text_format(irradiance, "%.12g", share->irradiance),
                                   text_format(diffuse, "%.12g", share->diffuse),
-                                  text_format(specular, "%.12g", share->specular), text_error(share->error, error)));
+                                  text_format(specular, "%.12g", share->specular), text_error(share->error, error),
+                                  split ? text_format(parts, "%zu", share->parts) : NULL));
     }
     text_table_print(table, stdout, 4);
 }
@@ -78,7 +86,7 @@ static void print_text(const struct result *result, const char *name)
         print_point(result, i);
         fputc('\n', stdout);
     }
-    result_print_conventions(result);
+    result_print_conventions(result->scene);
 }
 
 static int probe(const struct options *options, const struct loaded *loaded)

@@ -3,71 +3,16 @@
  * luxel render: the picture of a scene, as files and as a table of its numbers.  The files are written before
  * anything is printed, so that a reader of the table who goes away never costs a file.
  */
-#include <libgen.h>
-#include <limits.h>
-#include <stdlib.h>
-#include <string.h>
-
 #include <luxel/luxel.h>
 
 #include "cli.h"
 #include "load.h"
 #include "message.h"
 #include "options.h"
+#include "outputs.h"
 #include "progress.h"
 #include "result.h"
 #include "text.h"
-
-/* The full path of an output that may not exist yet, to tell whether two outputs are one; NULL if unknown. */
-static char *full_path(const char *path)
-{
-    char *folder_copy, *name_copy, *folder, *joined = NULL;
-    char *existing = realpath(path, NULL);
-
-    if (existing)
-        return existing;
-    folder_copy = strdup(path);
-    name_copy = strdup(path);
-    folder = folder_copy ? realpath(dirname(folder_copy), NULL) : NULL;
-    if (folder && name_copy && asprintf(&joined, "%s/%s", folder, basename(name_copy)) < 0)
-        joined = NULL;
-    free(folder);
-    free(folder_copy);
-    free(name_copy);
-    return joined;
-}
-
-static bool same_target(const char *a, const char *b)
-{
-    char *full_a = full_path(a), *full_b = full_path(b);
-    const bool same = strcmp(a, b) == 0 || (full_a && full_b && strcmp(full_a, full_b) == 0);
-
-    free(full_a);
-    free(full_b);
-    return same;
-}
-
-/* What can be known to fail is refused before anything is computed. */
-static int check_outputs(const struct options *options)
-{
-    luxel_diagnostics *diagnostics = message_new_diagnostics();
-    int code = EXIT_DONE;
-
-    for (size_t i = 0; i < options->output_count; i++) {
-        const luxel_status status = luxel_check_output_name(options->outputs[i], diagnostics);
-
-        if (status != LUXEL_OK)
-            code = message_failure(status, diagnostics);
-        luxel_diagnostics_clear(diagnostics);
-        for (size_t k = 0; k < i; k++)
-            if (same_target(options->outputs[i], options->outputs[k])) {
-                message_error(_("-o %s and -o %s are the same file"), options->outputs[k], options->outputs[i]);
-                code = EXIT_USAGE;
-            }
-    }
-    luxel_diagnostics_free(diagnostics);
-    return code;
-}
 
 /* A file that fails does not stop the others. */
 static int write_outputs(const struct options *options, const luxel_field *field, luxel_diagnostics *diagnostics)
@@ -158,7 +103,7 @@ static void print_text(const struct result *result, const char *name)
         print_points(result);
     }
     fputc('\n', stdout);
-    result_print_conventions(result);
+    result_print_conventions(result->scene);
 }
 
 /* The picture, and what Ctrl-C does to it. */
@@ -217,7 +162,7 @@ static int render(const struct options *options, const struct loaded *loaded)
 
 static int run(const struct options *options)
 {
-    const int code = check_outputs(options);
+    const int code = outputs_check(options, luxel_check_output_name);
 
     return code == EXIT_DONE ? load_and(options, render) : code;
 }

@@ -86,7 +86,7 @@ static bool same_rules(const luxel_parameter *a, const luxel_parameter *b)
     bool same = a->rule_count == b->rule_count;
 
     for (size_t i = 0; same && i < a->rule_count; i++)
-        same = a->rules[i].kind == b->rules[i].kind && strcmp(a->rules[i].other, b->rules[i].other) == 0 &&
+        same = a->rules[i].kind == b->rules[i].kind && same_text(a->rules[i].other, b->rules[i].other) &&
                same_text(a->rules[i].choices, b->rules[i].choices);
     return same;
 }
@@ -149,6 +149,7 @@ static void add_rule(struct text_table *table, const luxel_rule *rule)
     case LUXEL_RULE_POSITIVE:
         add_line(table, _("must be > 0"), text_format(words, _("with %s: %s"), rule->other, choices));
         break;
+    case LUXEL_RULE_ONE_OF: add_line(table, _("exactly one of"), choices); break;
     }
 }
 
@@ -230,6 +231,7 @@ static const char *rule_word(luxel_rule_kind kind)
         [LUXEL_RULE_EXCLUDES] = "excludes",   [LUXEL_RULE_NEEDED] = "required_with",
         [LUXEL_RULE_USED] = "used_only_with", [LUXEL_RULE_AT_MOST] = "at_most",
         [LUXEL_RULE_DIFFERS] = "differs",     [LUXEL_RULE_POSITIVE] = "positive_with",
+        [LUXEL_RULE_ONE_OF] = "one_of",
     };
 
     return words[kind];

@@ -123,14 +123,6 @@ static int open_scene(const char *operand, bool builtin_first, struct loaded *lo
     return open_file(operand, loaded);
 }
 
-static bool was_given(const struct options *options, const char *name)
-{
-    for (size_t i = 0; options_row(i); i++)
-        if (strcmp(options_row(i)->name, name) == 0)
-            return (options->given & 1U << i) != 0;
-    return false;
-}
-
 /* The options as they count for this scene: a picture's own settings are the defaults of those not given. */
 static struct options with_settings_of(const struct options *options, const luxel_scene *scene)
 {
@@ -138,13 +130,13 @@ static struct options with_settings_of(const struct options *options, const luxe
 
     if (!luxel_scene_settings(scene, &merged.settings))
         return merged;
-    if (was_given(options, "quantity"))
+    if (options_given(options, "quantity"))
         merged.settings.quantity = options->settings.quantity;
-    if (was_given(options, "precision"))
+    if (options_given(options, "precision"))
         merged.settings.precision = options->settings.precision;
-    if (was_given(options, "tolerance"))
+    if (options_given(options, "tolerance"))
         merged.settings.tolerance = options->settings.tolerance;
-    if (was_given(options, "light-error"))
+    if (options_given(options, "light-error"))
         merged.settings.light_error = options->settings.light_error;
     return merged;
 }

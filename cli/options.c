@@ -120,9 +120,9 @@ static bool take_threads(struct options *options, const char *argument)
 #define WORDS(list) .value = VALUE_WORD, .words = (list)
 
 static const struct option_row rows[] = {
-    {"output", 'o', N_("FILE"), COMMAND_RENDER | COMMAND_SET, TAKES(take_output), .value = VALUE_OUTPUT,
-     .help = N_("write the scene (luxel set; - is standard output) or the picture, in the format that the ending of "
-                "the name says; may be repeated")},
+    {"output", 'o', N_("FILE"), COMMAND_RENDER | COMMAND_GRID | COMMAND_SET, TAKES(take_output), .value = VALUE_OUTPUT,
+     .help = N_("write the scene (luxel set; - is standard output), the measuring grids (luxel grid, as .csv) or the "
+                "picture, in the format that the ending of the name says; may be repeated")},
     {"dry-run", 'n', NULL, COMMAND_SET, SETS(dry_run), .help = N_("print the changed scene and write no file")},
     {"point", 'p', N_("X,Y"), COMMAND_PROBE, TAKES(take_point),
      .help = N_("probe this point of the screen, in mm, instead of the scene's own points; may be repeated")},
@@ -132,9 +132,11 @@ static const struct option_row rows[] = {
     {"set", 's', N_("KEY=VALUE"), COMMAND_ANY, TAKES(take_assignment), .value = VALUE_ASSIGNMENT,
      .help = N_("change one value of the scene, such as lights[0].intensity=20; the value is YAML; may be repeated")},
     {"quantity", 0, N_("NAME"), COMMAND_ANY, TAKES(take_quantity), WORDS(quantity_words),
-     .help = N_("what to compute: brightness (default) or irradiance")},
+     .help = N_("what to compute: brightness (default) or irradiance, which luxel grid always measures")},
     {"tolerance", 0, N_("T"), COMMAND_ANY, TAKES(take_tolerance),
-     .help = N_("relative error that a probe may have, above 0 and below 1; exit code 5 where it is not reached")},
+     .help =
+         N_("relative error that the value of a probe or of a grid's cell may have, above 0 and below 1; exit code 5 "
+            "where it is not reached")},
     {"precision", 0, N_("NAME"), COMMAND_ANY, TAKES(take_precision), WORDS(precision_words),
      .help = N_("numbers of the picture: single (default) or double")},
     {"threads", 0, N_("N"), COMMAND_ANY, TAKES(take_threads),
@@ -154,6 +156,14 @@ enum { ROW_COUNT = COUNT_OF(rows), LONG_BASE = 256 }; /* getopt's value of a lon
 const struct option_row *options_row(size_t i)
 {
     return i < ROW_COUNT ? &rows[i] : NULL;
+}
+
+bool options_given(const struct options *options, const char *name)
+{
+    for (size_t i = 0; i < ROW_COUNT; i++)
+        if (strcmp(rows[i].name, name) == 0)
+            return (options->given & 1U << i) != 0;
+    return false;
 }
 
 static const struct option_row *row_of_value(int value)

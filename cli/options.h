@@ -54,6 +54,9 @@ struct option_row {
 /* The i-th option of the table, NULL beyond the last. */
 const struct option_row *options_row(size_t i);
 
+/* Whether the option of this name was given. */
+bool options_given(const struct options *options, const char *name);
+
 /*
  * Reads the command line; the texts stay argv's.  Returns an enum exit_code: a wrong one is reported here.
  * options_clear() is due in either case.

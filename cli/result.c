@@ -5,7 +5,6 @@
 #include <stdlib.h>
 
 #include "cli.h"
-#include "json.h"
 #include "message.h"
 
 /* The i-th place that is asked for. */
@@ -42,7 +41,7 @@ int result_probe(const struct options *options, const luxel_scene *scene, luxel_
 
         if (status != LUXEL_OK)
             return message_failure(status, diagnostics);
-        if (options->settings.tolerance > 0.0 && (*probe)->has_value && !(*probe)->tolerance_reached)
+        if ((*probe)->has_value && !(*probe)->tolerance_reached)
             code = EXIT_TOLERANCE;
     }
     return code;
@@ -128,6 +127,8 @@ static void write_share(struct json *json, const luxel_light_share *share)
     json_number(json, "specular", share->specular);
     json_number(json, "error", share->error);
     json_whole(json, "index", share->light);
+    if (share->parts > 0)
+        json_whole(json, "parts", share->parts);
     if (share->name)
         json_text(json, "name", share->name);
     json_close(json, '}');
@@ -174,6 +175,14 @@ static void write_probe(struct json *json, const luxel_probe *probe)
     json_close(json, '}');
 }
 
+void result_write_conventions(struct json *json, const luxel_scene *scene)
+{
+    json_open(json, "conventions", '{');
+    for (size_t i = 0; i < luxel_scene_convention_count(scene); i++)
+        json_text(json, luxel_scene_convention_key(scene, i), luxel_scene_convention_value(scene, i));
+    json_close(json, '}');
+}
+
 void result_print_json(const struct result *result)
 {
     struct json json = {.stream = stdout};
@@ -189,14 +198,11 @@ void result_print_json(const struct result *result)
     for (size_t i = 0; i < result->count; i++)
         write_probe(&json, result->probes[i]);
     json_close(&json, ']');
-    json_open(&json, "conventions", '{');
-    for (size_t i = 0; i < luxel_scene_convention_count(result->scene); i++)
-        json_text(&json, luxel_scene_convention_key(result->scene, i), luxel_scene_convention_value(result->scene, i));
-    json_close(&json, '}');
+    result_write_conventions(&json, result->scene);
     json_close(&json, '}');
 }
 
-void result_print_conventions(const struct result *result)
+void result_print_conventions(const luxel_scene *scene)
 {
     char *line = NULL;
     size_t length;
@@ -205,9 +211,9 @@ void result_print_conventions(const struct result *result)
     if (!stream)
         return;
     fputs(_("Conventions:"), stream);
-    for (size_t i = 0; i < luxel_scene_convention_count(result->scene); i++)
-        fprintf(stream, "%s %s %s", i > 0 ? ";" : "", luxel_scene_convention_key(result->scene, i),
-                luxel_scene_convention_value(result->scene, i));
+    for (size_t i = 0; i < luxel_scene_convention_count(scene); i++)
+        fprintf(stream, "%s %s %s", i > 0 ? ";" : "", luxel_scene_convention_key(scene, i),
+                luxel_scene_convention_value(scene, i));
     if (fclose(stream) == 0)
         text_definition(stdout, "", 0, line);
     free(line);

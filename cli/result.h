@@ -5,6 +5,7 @@
 
 #include <luxel/luxel.h>
 
+#include "json.h"
 #include "options.h"
 #include "text.h"
 
@@ -25,11 +26,13 @@ int result_probe(const struct options *options, const luxel_scene *scene, luxel_
                  struct result *result);
 void result_clear(struct result *result);
 
+/* Writes the conventions as a member of an object. */
+void result_write_conventions(struct json *json, const luxel_scene *scene);
+/* The lines of text that tell under which conventions the numbers were made. */
+void result_print_conventions(const luxel_scene *scene);
+
 /* Prints the object of SPEC's `--json`, on standard output. */
 void result_print_json(const struct result *result);
-
-/* The lines of text that tell under which conventions the numbers were made. */
-void result_print_conventions(const struct result *result);
 
 /* "P2 (150.0, 0.0)": how the text calls the i-th point. */
 const char *result_point_name(const struct result *result, size_t i, char buffer[TEXT_SIZE]);

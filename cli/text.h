@@ -27,7 +27,7 @@ void text_print_escaped(FILE *stream, const char *text);
  */
 void text_definition(FILE *stream, const char *term, int indent, const char *text);
 
-enum { TEXT_COLUMNS = 8 };
+enum { TEXT_COLUMNS = 24 };
 
 /* A table: rows of cells, printed with columns as wide as their widest cell. */
 struct text_table;

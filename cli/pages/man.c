@@ -230,8 +230,8 @@ static void print_files(FILE *out)
         roff_placeholder(out, name);
     }
     fputc('\n', out);
-    roff_text(out, _("pictures that luxel render writes. Each appears whole or not at all: one that was there stays "
-                     "until the new one is complete."));
+    roff_text(out, _("pictures that luxel render writes, and as .csv the grids that luxel grid measures. Each appears "
+                     "whole or not at all: one that was there stays until the new one is complete."));
     fputs("\n", out);
 }
 

@@ -17,8 +17,8 @@ static const char conventions[] =
     "(0, 0, z) and looks along -z.\n"
     "- Lengths are millimetres, angles degrees. A distance that enters an attenuation law is converted to metres "
     "first.\n"
-    "- Units are given here by their radiometric names. `units: photometric` makes W/sr cd and W/m² lx; numbers stay "
-    "as they are.\n"
+    "- Units are given here by their radiometric names. `units: photometric` makes W/sr cd, W/m² lx, W/(sr·m²) cd/m² "
+    "and W lm; numbers stay as they are.\n"
     "- Numbers are decimal, with a point, and finite. Words and truth values are written as they stand here: `true`, "
     "not `True`.\n"
     "- A value outside its legal range is an error, and so is an unknown, doubled or missing key. A value outside its "
@@ -70,6 +70,8 @@ static void print_value(FILE *out, const luxel_parameter *parameter)
         print_words(out, parameter->choices, ", ");
         if (strstr(parameter->type, "[low, high]"))
             fputs(", or [low, high]", out);
+        if (strstr(parameter->type, "whole number"))
+            fprintf(out, ", or a whole number, %s", parameter->legal ? parameter->legal : "any");
     } else if (parameter->legal) {
         fprintf(out, "%s, %s", parameter->type, parameter->legal);
     } else {
@@ -80,15 +82,18 @@ static void print_value(FILE *out, const luxel_parameter *parameter)
 static void print_rule(FILE *out, const luxel_rule *rule)
 {
     static const char *const starts[] = {
-        [LUXEL_RULE_EXCLUDES] = "Not together with",   [LUXEL_RULE_NEEDED] = "Required with",
-        [LUXEL_RULE_USED] = "Has an effect only with", [LUXEL_RULE_AT_MOST] = "At most",
-        [LUXEL_RULE_DIFFERS] = "Must differ from",     [LUXEL_RULE_POSITIVE] = "Must be > 0 with",
+        [LUXEL_RULE_EXCLUDES] = "Not together with",     [LUXEL_RULE_NEEDED] = "Required with",
+        [LUXEL_RULE_USED] = "Has an effect only with",   [LUXEL_RULE_AT_MOST] = "At most",
+        [LUXEL_RULE_DIFFERS] = "Must differ from",       [LUXEL_RULE_POSITIVE] = "Must be > 0 with",
+        [LUXEL_RULE_ONE_OF] = "Exactly one is given of",
     };
 
-    fprintf(out, " %s %s", starts[rule->kind], rule->other);
+    fprintf(out, " %s", starts[rule->kind]);
+    if (rule->other)
+        fprintf(out, " %s", rule->other);
     if (rule->choices) {
         fputc(' ', out);
-        print_words(out, rule->choices, " or ");
+        print_words(out, rule->choices, rule->other ? " or " : ", ");
     }
     fputc('.', out);
 }
@@ -148,6 +153,16 @@ static void print_kind(FILE *out, const luxel_parameters *parameters, const luxe
     }
 }
 
+static bool has_kinds(const luxel_parameters *parameters, const char *list)
+{
+    const luxel_kind *kind;
+
+    for (size_t i = 0; (kind = luxel_parameters_kind(parameters, i)) != NULL; i++)
+        if (strcmp(kind->list, list) == 0)
+            return true;
+    return false;
+}
+
 /* The group's own parameter gives its meaning; a list's is without the "[]" of its elements. */
 static void print_group_heading(FILE *out, const luxel_parameters *parameters, const luxel_parameter *first)
 {
@@ -168,8 +183,39 @@ static void print_group_heading(FILE *out, const luxel_parameters *parameters, c
         if (strcmp(parameter->path, path) != 0)
             continue;
         print_sentence(out, parameter->meaning);
-        fputs(strchr(first->path + length - 2, ']') ? " Each has these keys, and those of its type.\n\n" : "\n\n", out);
+        if (strchr(first->path + length - 2, ']'))
+            fputs(has_kinds(parameters, path) ? " Each has these keys, and those of its type."
+                                              : " Each has these keys.",
+                  out);
+        fputs("\n\n", out);
         return;
+    }
+}
+
+/* Whether it stands in a group of its type: lights[].rectangle.size. */
+static bool is_below_kind(const luxel_parameter *parameter)
+{
+    const char *end = strstr(parameter->path, "[].");
+
+    return parameter->variant && end && strchr(end + 3, '.');
+}
+
+/* "lights: rectangle of type planar", and the meaning that the key of the group has. */
+static void print_group_of_kind(FILE *out, const luxel_parameters *parameters, const luxel_parameter *first)
+{
+    const size_t length = group_length(first->path) - 1;
+    const char *list_end = strstr(first->path, "[].");
+
+    fprintf(out, "#### %.*s: %.*s of type %s\n\n", (int)(list_end - first->path), first->path,
+            (int)(first->path + length - list_end - 3), list_end + 3, first->variant);
+    for (size_t i = 0; i < luxel_parameters_count(parameters); i++) {
+        const luxel_parameter *parameter = luxel_parameters_get(parameters, i);
+
+        if (!parameter->variant || strcmp(parameter->variant, first->variant) != 0 ||
+            strncmp(parameter->path, first->path, length) != 0 || parameter->path[length] != '\0')
+            continue;
+        print_sentence(out, parameter->meaning);
+        fputs("\n\n", out);
     }
 }
 
@@ -178,7 +224,9 @@ static void print_group(FILE *out, const luxel_parameters *parameters, size_t i)
     const luxel_parameter *first = luxel_parameters_get(parameters, i);
 
     fputc('\n', out);
-    if (first->variant)
+    if (is_below_kind(first))
+        print_group_of_kind(out, parameters, first);
+    else if (first->variant)
         print_kind(out, parameters, first);
     else
         print_group_heading(out, parameters, first);

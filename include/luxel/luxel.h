@@ -16,6 +16,7 @@
 
 #include <luxel/diagnostics.h>
 #include <luxel/field.h>
+#include <luxel/grid.h>
 #include <luxel/parameter.h>
 #include <luxel/probe.h>
 #include <luxel/render.h>

@@ -24,14 +24,15 @@ typedef enum luxel_rule_kind {
     LUXEL_RULE_USED,     /* the key has an effect only where the other is one of the choices */
     LUXEL_RULE_AT_MOST,  /* the key must not be greater than the other */
     LUXEL_RULE_DIFFERS,  /* the two, if both are given, must not be the same vector */
-    LUXEL_RULE_POSITIVE  /* the key must be > 0 where the other is one of the choices */
+    LUXEL_RULE_POSITIVE, /* the key must be > 0 where the other is one of the choices */
+    LUXEL_RULE_ONE_OF    /* exactly one of the choices, which are keys and this is one of them, must be given */
 } luxel_rule_kind;
 
 /* One such rule, as the key sees it that has the rule. */
 typedef struct luxel_rule {
     luxel_rule_kind kind; /* what must hold */
-    const char *other;    /* the other key's name */
-    const char *choices;  /* words of the other key, "lambertian, cosine"; NULL where the kind has none */
+    const char *other;    /* the other key's name; NULL of LUXEL_RULE_ONE_OF */
+    const char *choices;  /* words of the other key, "lambertian, cosine", or keys; NULL where the kind has none */
 } luxel_rule;
 
 /* One key of a scene; the texts are English unless the list was translated, in UTF-8. */
@@ -42,7 +43,7 @@ typedef struct luxel_parameter {
     const char *choices;       /* "nodes, centers", or NULL */
     const char *unit;          /* radiometric unit in UTF-8, "" where it has none */
     const char *default_value; /* as YAML; NULL where there is none */
-    bool required;             /* whether a scene must write it */
+    bool required;             /* whether a scene must write it, where it writes what the key stands in */
     const char *legal;         /* the legal range in words, or NULL: any */
     const char *advised;       /* the advised range in words, or NULL: none */
     const char *meaning;       /* one sentence */

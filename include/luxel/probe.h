@@ -23,6 +23,7 @@ typedef struct luxel_light_share {
     double diffuse;    /* its diffuse (or ambient) brightness */
     double specular;   /* its highlight */
     double error;      /* bounds the error of its share of the value */
+    size_t parts;      /* points that an extended source was split into; 0: there is a closed form */
 } luxel_light_share;
 
 /* The answer of a probe.  Numbers of the scene's unit are those of luxel_scene_unit(). */
@@ -37,7 +38,7 @@ typedef struct luxel_probe {
     bool has_value;            /* false off every surface and where a source lies on the element */
     double value;              /* the exact value, the sum over the lights */
     double error;              /* bounds |value - truth| */
-    bool tolerance_reached;    /* whether error <= tolerance * |value| for an explicit tolerance */
+    bool tolerance_reached;    /* whether error <= tolerance * |value|; see luxel_settings */
     bool has_pixel_value;      /* false where there is no pixel, or it has no value */
     double pixel_value;        /* the picture's value at the pixel */
     double position_mm[3];     /* the element's place, where on_surface */

@@ -59,7 +59,11 @@ LUXEL_API luxel_status luxel_scene_read_text(const char *text, size_t length, co
  */
 LUXEL_API luxel_status luxel_scene_set(luxel_scene *scene, const char *assignment, luxel_diagnostics *diagnostics);
 
-/* Checks the whole scene, all errors at once, and makes it ready.  LUXEL_ERROR_SCENE: it has errors. */
+/*
+ * Checks the whole scene, all errors at once, and makes it ready.  Files that the scene names, such as meshes, are read
+ * now: relative to the folder of the file that the scene was read from, or else to the current one.
+ * LUXEL_ERROR_SCENE: it has errors.  LUXEL_ERROR_FILE: it has none but that files it names cannot be read.
+ */
 LUXEL_API luxel_status luxel_scene_commit(luxel_scene *scene, luxel_diagnostics *diagnostics);
 
 /* Whether the last commit succeeded and nothing has been changed since. */
@@ -83,7 +87,7 @@ LUXEL_API luxel_status luxel_scene_write_text(const luxel_scene *scene, char **t
 LUXEL_API luxel_status luxel_scene_write_file(const luxel_scene *scene, const char *path,
                                               luxel_diagnostics *diagnostics);
 
-/* An independent copy (committed if `scene` is), or NULL when memory is short. */
+/* An independent copy (committed if `scene` is, with what was read from files then), or NULL when memory is short. */
 LUXEL_API luxel_scene *luxel_scene_copy(const luxel_scene *scene);
 /* Frees a scene; NULL is harmless. */
 LUXEL_API void luxel_scene_free(luxel_scene *scene);

@@ -2,6 +2,7 @@
 /* Probes: the reference summed over the lights, and the picture's value at the same pixel. */
 #include <luxel/probe.h>
 
+#include <float.h>
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -46,6 +47,16 @@ static int name_shares(const struct lx_scene_parameters *scene, luxel_probe *pro
     return 0;
 }
 
+/* Where there are closed forms the default tolerance is always met; an explicit one, or an integral, is checked. */
+static bool is_reached(const struct lx_session *session, const luxel_probe *probe)
+{
+    bool integrated = false;
+    for (size_t i = 0; i < probe->share_count; i++)
+        integrated = integrated || probe->shares[i].parts > 0;
+    bool check = session->settings.tolerance > 0 || integrated;
+    return !check || probe->error <= fmax(session->prepared.tolerance * fabs(probe->value), DBL_MIN);
+}
+
 /* Adds up the emitters, light by light; stops at one that lies on the element. */
 static void sum_lights(const struct lx_session *session, const struct lx_element *element, luxel_probe *probe)
 {
@@ -62,6 +73,7 @@ static void sum_lights(const struct lx_session *session, const struct lx_element
                 probe->blocking_light = share->light;
                 return;
             }
+            share->parts += light.parts;
             irradiance = lx_add(irradiance, light.irradiance);
             diffuse = lx_add(diffuse, light.diffuse);
             specular = lx_add(specular, light.specular);
@@ -76,9 +88,7 @@ static void sum_lights(const struct lx_session *session, const struct lx_element
     probe->has_value = true;
     probe->value = total.value;
     probe->error = total.error >= 0 ? total.error : HUGE_VAL; /* the bound itself may leave the range */
-    /* Where there is a closed form the default tolerance is always met; an explicit one is checked. */
-    double tolerance = session->settings.tolerance;
-    probe->tolerance_reached = tolerance == 0 || probe->error <= tolerance * fabs(probe->value);
+    probe->tolerance_reached = is_reached(session, probe);
 }
 
 static int probe_element(const struct lx_session *session, const struct lx_element *element, luxel_probe *probe)
@@ -94,17 +104,22 @@ static int probe_element(const struct lx_session *session, const struct lx_eleme
     return 0;
 }
 
-/* The value that the picture has at the probe's pixel. */
+/* The value that the picture has at the probe's pixel, which may depend on the block of pixels that it is in. */
 static int probe_pixel(const struct lx_session *session, luxel_probe *probe)
 {
     const struct lx_screen *screen = &session->prepared.scene->screen;
-    double x[LX_LANES] = {lx_column_x_mm(screen, probe->column)}, value;
-    uint8_t mask;
-    struct lx_shader_memory *memory = lx_shader_memory_new();
+    unsigned first = probe->column / LX_BLOCK * LX_BLOCK, left = screen->resolution[0] - first;
+    unsigned count = left < LX_BLOCK ? left : LX_BLOCK;
+    double x[LX_BLOCK], values[LX_BLOCK];
+    uint8_t mask[LX_BLOCK];
+    struct lx_shader_memory *memory = lx_shader_memory_new(&session->plan);
     if (!memory)
         return -1;
-    lx_shade_points(&session->plan, memory, lx_row_y_mm(screen, probe->row), x, 1, NULL, false, &value, &mask);
+    for (unsigned i = 0; i < count; i++)
+        x[i] = lx_column_x_mm(screen, first + i);
+    lx_shade_points(&session->plan, memory, lx_row_y_mm(screen, probe->row), x, count, NULL, false, values, mask);
     free(memory);
+    double value = values[probe->column - first];
     probe->pixel_value = session->settings.precision == LUXEL_DOUBLE ? value : (double)(float)value;
     probe->has_pixel_value = isfinite(probe->pixel_value);
     return 0;
@@ -194,7 +209,7 @@ const char *luxel_scene_unit(const luxel_scene *scene, luxel_quantity quantity)
     const char *unit = "relative";
     if (!scene || !luxel_scene_is_committed(scene))
         return unit;
-    if (lx_prepare(lx_scene_parameters(scene), &prepared) == 0)
+    if (lx_prepare(lx_scene_parameters(scene), LX_DEFAULT_TOLERANCE, &prepared) == 0)
         unit = lx_unit_of(&prepared, quantity);
     lx_prepared_clear(&prepared);
     return unit;

@@ -3,7 +3,6 @@
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
-#include <unistd.h>
 
 #include "../base/diagnostics.h"
 #include "../base/memory.h"
@@ -47,11 +46,8 @@ static void render_rows(void *data, unsigned worker, bool is_caller, unsigned fi
 
 static unsigned thread_count(const luxel_settings *settings, unsigned columns, unsigned rows)
 {
-    long processors = sysconf(_SC_NPROCESSORS_ONLN);
-    unsigned threads = settings->threads ? settings->threads : processors > 0 ? (unsigned)processors : 1;
     /* A thread costs more than a tiny picture. */
-    unsigned worth = (unsigned)((double)columns * rows / 8192) + 1;
-    return threads < worth ? threads : worth;
+    return lx_thread_count(settings->threads, (unsigned)((double)columns * rows / 8192) + 1);
 }
 
 static luxel_status too_large(const struct lx_screen *screen, double needed, double available,
@@ -129,7 +125,7 @@ static luxel_status run(struct rendering *rendering, const luxel_settings *setti
     rendering->memories = lx_new_array(threads, sizeof *rendering->memories);
     rendering->rows = lx_new_array(field->rows, sizeof *rendering->rows);
     for (unsigned i = 0; rendering->memories && i < threads; i++)
-        complete &= (rendering->memories[i] = lx_shader_memory_new()) != NULL;
+        complete &= (rendering->memories[i] = lx_shader_memory_new(rendering->plan)) != NULL;
 
     luxel_status status = LUXEL_OK;
     if (!rendering->memories || !rendering->rows || !complete)

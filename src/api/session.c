@@ -86,9 +86,10 @@ luxel_status lx_session_open(const luxel_scene *scene, const luxel_settings *set
         status = choose_kernels(session, diagnostics);
     if (status != LUXEL_OK)
         return status;
-    if (lx_prepare(lx_scene_parameters(scene), &session->prepared) ||
+    double tolerance = session->settings.tolerance > 0 ? session->settings.tolerance : LX_DEFAULT_TOLERANCE;
+    if (lx_prepare(lx_scene_parameters(scene), tolerance, &session->prepared) ||
         lx_plan_make(&session->prepared, session->kernels, session->settings.quantity, session->settings.precision,
-                     &session->plan))
+                     session->settings.tolerance, &session->plan))
         return lx_out_of_memory(diagnostics);
     return LUXEL_OK;
 }

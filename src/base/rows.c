@@ -2,6 +2,7 @@
 /* The threads behind rows in parallel: each takes the next block of rows until none is left. */
 #include <pthread.h>
 #include <stdlib.h>
+#include <unistd.h>
 
 #include "memory.h"
 #include "rows.h"
@@ -36,6 +37,13 @@ bool lx_control_goes_on(struct lx_control *control, bool is_caller)
         }
     }
     return !atomic_load_explicit(&control->stop, memory_order_relaxed);
+}
+
+unsigned lx_thread_count(unsigned wanted, unsigned most)
+{
+    long processors = sysconf(_SC_NPROCESSORS_ONLN);
+    unsigned threads = wanted ? wanted : processors > 0 ? (unsigned)processors : 1;
+    return threads < most ? threads : most;
 }
 
 static void take_rows(struct job *job, unsigned index, bool is_caller)

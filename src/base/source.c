@@ -19,6 +19,7 @@ struct lx_source {
     char *name;
     luxel_status status;  /* what the first failure was reported as */
     luxel_status refusal; /* what it holds is refused with */
+    const char *reason;   /* why the system does not give it */
     const char *start;    /* what stands for its beginning in reports; NULL: nothing */
     size_t start_length;
     int file;                   /* -1: everything is in memory */
@@ -63,8 +64,9 @@ static luxel_status cannot_read(struct lx_source *source, int reason)
 {
     if (source->status == LUXEL_OK) {
         source->status = LUXEL_ERROR_FILE;
+        source->reason = lx_reason(reason);
         lx_report(source->diagnostics, LUXEL_SEVERITY_ERROR, NULL, LX_MSG_FILE_NOT_READ,
-                  LX_ARGS(source->name, LX_TERM(lx_reason(reason))));
+                  LX_ARGS(source->name, LX_TERM(source->reason)));
     }
     return source->status;
 }
@@ -134,6 +136,19 @@ luxel_status lx_source_open(const char *path, size_t most, luxel_diagnostics *di
     else
         lx_source_close(made);
     return status;
+}
+
+struct lx_source *lx_source_try(const char *path, size_t most)
+{
+    struct lx_source *source = NULL;
+    if (new_source(path, NULL, &source) == LUXEL_OK)
+        open_file(source, most);
+    return source;
+}
+
+const char *lx_source_reason(const struct lx_source *source)
+{
+    return source->reason;
 }
 
 luxel_status lx_source_of_bytes(const char *name, const void *bytes, size_t length, luxel_diagnostics *diagnostics,

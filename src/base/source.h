@@ -25,6 +25,15 @@ struct lx_source;
  */
 luxel_status lx_source_open(const char *path, size_t most, luxel_diagnostics *diagnostics, struct lx_source **source);
 
+/*
+ * The same for a file whose failures others report, at a place of their own: always a source, which may have failed
+ * already; NULL: memory ran out.
+ */
+struct lx_source *lx_source_try(const char *path, size_t most);
+
+/* Why the file cannot be read, a term (phrase.h); NULL where it can. */
+const char *lx_source_reason(const struct lx_source *source);
+
 /* A source of bytes in memory, which must outlive it, under a name for its reports. */
 luxel_status lx_source_of_bytes(const char *name, const void *bytes, size_t length, luxel_diagnostics *diagnostics,
                                 struct lx_source **source);

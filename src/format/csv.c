@@ -15,8 +15,7 @@
 #include "../base/text.h"
 #include "csv_read.h"
 
-/* A field of the first line; in quotes where it has a character that would end it. */
-static void add_field(struct lx_text *line, const char *field)
+void lx_csv_add_field(struct lx_text *line, const char *field)
 {
     if (!strpbrk(field, ",\"\r\n")) {
         lx_text_puts(line, field);
@@ -34,7 +33,7 @@ static void add_heading(struct lx_text *line, const struct lx_image *image)
     lx_text_puts(&field, LX_CSV_VALUE);
     lx_text_puts(&field, image->unit ? image->unit : "");
     lx_text_puts(line, LX_CSV_PLACES);
-    add_field(line, field.failed ? "" : field.bytes);
+    lx_csv_add_field(line, field.failed ? "" : field.bytes);
     lx_text_puts(line, "\n");
     line->failed |= field.failed;
     lx_text_clear(&field);

@@ -3,6 +3,7 @@
 #ifndef LX_FORMAT_CSV_READ_H
 #define LX_FORMAT_CSV_READ_H
 
+#include "../base/text.h"
 #include "format.h"
 
 #define LX_CSV_NAME "CSV"
@@ -14,6 +15,9 @@
 enum { LX_CSV_SINGLE_DIGITS = 9 };
 /* Digits of a place on the screen: enough for any picture, too few to show the roundings of its samples. */
 enum { LX_CSV_PLACE_DIGITS = 12 };
+
+/* Adds a field to a line; in quotes where it has a character that would end it. */
+void lx_csv_add_field(struct lx_text *line, const char *field);
 
 /*
  * Reads a table of pixels, in any order, into the smallest grid that holds them all; what is missing of it is off the

@@ -4,17 +4,22 @@
 
 #include "../base/memory.h"
 #include "emitter.h"
+#include "extended.h"
 
 int lx_emitters_append(struct lx_emitters *emitters, const struct lx_emitter *emitter)
 {
-    if (lx_reserve(&emitters->items, &emitters->capacity, emitters->count + 1, sizeof *emitter))
+    if (lx_reserve(&emitters->items, &emitters->capacity, emitters->count + 1, sizeof *emitter)) {
+        lx_facets_free(emitter->facets);
         return -1;
+    }
     emitters->items[emitters->count++] = *emitter;
     return 0;
 }
 
 void lx_emitters_clear(struct lx_emitters *emitters)
 {
+    for (size_t i = 0; i < emitters->count; i++)
+        lx_facets_free(emitters->items[i].facets);
     free(emitters->items);
     *emitters = (struct lx_emitters){0};
 }
@@ -132,7 +137,7 @@ struct lx_sample lx_emitter_sample(const struct lx_emitter *emitter, lx_bounded3
     switch (emitter->type) {
     case LX_POINT: return sample_point(emitter, place_mm);
     case LX_DIRECTION: return (struct lx_sample){.towards = emitter->towards, .e_perp = lx_exact(emitter->strength)};
-    case LX_UNIFORM: break;
+    default: break;
     }
     return (struct lx_sample){.e_perp = lx_exact(emitter->strength)};
 }

@@ -6,6 +6,8 @@
  * direction  parallel light: one direction L and one irradiance E_perp
  * point      a point with radiant intensity I, an attenuation law a(r) and an angular profile g(theta):
  *            E_perp = I g(theta) a(r), r in metres, theta measured from the axis
+ * facets, disk, ball, cylinder
+ *            shells of uniform radiance; extended.h says more
  *
  * The kernels of the shade room hold the same formulas for whole blocks of elements.
  */
@@ -16,7 +18,9 @@
 
 #include "../base/bounded.h"
 
-enum lx_emitter_type { LX_UNIFORM, LX_DIRECTION, LX_POINT };
+enum lx_emitter_type { LX_UNIFORM, LX_DIRECTION, LX_POINT, LX_FACETS, LX_DISK, LX_BALL, LX_CYLINDER };
+
+struct lx_facets;
 
 /* The attenuation laws a(r): 1/r^2, 1/(k + r), 1. */
 enum lx_attenuation { LX_INVERSE_SQUARE, LX_PRACTICAL, LX_NO_ATTENUATION };
@@ -44,7 +48,18 @@ struct lx_emitter {
     enum lx_attenuation attenuation;
     double k_mm; /* of the practical law */
     struct lx_profile profile;
+    /* the extended ones: */
+    lx_bounded radiance;      /* W/(sr m^2) */
+    struct lx_facets *facets; /* of LX_FACETS; belongs to the list that the emitter is in */
+    double center_mm[3];      /* of a disk, ball, cylinder */
+    double radius_mm, height_mm;
+    lx_bounded3 axis; /* unit: the way a disk shines; along a cylinder */
 };
+
+static inline bool lx_is_extended(const struct lx_emitter *emitter)
+{
+    return emitter->type >= LX_FACETS;
+}
 
 /* A growing list; zero-initialise, free with lx_emitters_clear(). */
 struct lx_emitters {
@@ -52,7 +67,7 @@ struct lx_emitters {
     size_t count, capacity;
 };
 
-/* Appends a copy; 0, or -1 when memory ran out. */
+/* Appends a copy, which takes over the facets; 0, or -1 when memory ran out (then they are freed, too). */
 int lx_emitters_append(struct lx_emitters *emitters, const struct lx_emitter *emitter);
 void lx_emitters_clear(struct lx_emitters *emitters);
 
@@ -73,7 +88,7 @@ struct lx_sample {
     bool on_element;     /* the point cannot be told from the place itself: there is no L */
 };
 
-/* The reference: the emitter's light at a place (mm). */
+/* The reference: the light at a place (mm) of an emitter that is not extended. */
 struct lx_sample lx_emitter_sample(const struct lx_emitter *emitter, lx_bounded3 place_mm);
 
 #endif

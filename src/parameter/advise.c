@@ -23,9 +23,29 @@ static void advise_number(struct lx_walk *walk, const struct lx_step *step, cons
 }
 
 static void advise_numbers(struct lx_walk *walk, const struct lx_step *step, const struct lx_parameter *parameter,
+                           lx_node_id id);
+
+/* Each of a list of tuples. */
+static void advise_tuples(struct lx_walk *walk, const struct lx_step *step, const struct lx_parameter *parameter,
+                          lx_node_id id)
+{
+    struct lx_parameter tuple = *parameter;
+    tuple.type = LX_REALS;
+    size_t i = 0;
+    for (id = lx_document_node(walk->document, id)->first; id; id = lx_document_node(walk->document, id)->next, i++) {
+        struct lx_step element = {step, NULL, i};
+        advise_numbers(walk, &element, &tuple, id);
+    }
+}
+
+static void advise_numbers(struct lx_walk *walk, const struct lx_step *step, const struct lx_parameter *parameter,
                            lx_node_id id)
 {
     const struct lx_document *document = walk->document;
+    if (parameter->type == LX_POINTS || parameter->type == LX_VECTORS) {
+        advise_tuples(walk, step, parameter, id);
+        return;
+    }
     if (lx_document_node(document, id)->kind == LX_SCALAR) {
         advise_number(walk, step, parameter, &parameter->advised[0], id);
         return;
@@ -69,6 +89,16 @@ static void advise_list(struct lx_walk *walk, const struct lx_step *step, const 
     }
 }
 
+static void advise_groups(struct lx_walk *walk, const struct lx_step *step, const struct lx_table *table,
+                          const struct lx_groups *groups, lx_node_id sequence)
+{
+    lx_node_id id = lx_document_node(walk->document, sequence)->first;
+    for (size_t i = 0; i < groups->count; i++, id = lx_document_node(walk->document, id)->next) {
+        struct lx_step element = {step, NULL, i};
+        advise_mapping(walk, &element, table, (const char *)groups->items + i * table->size, id);
+    }
+}
+
 static void advise_mapping(struct lx_walk *walk, const struct lx_step *up, const struct lx_table *table,
                            const void *parameters, lx_node_id mapping)
 {
@@ -81,6 +111,8 @@ static void advise_mapping(struct lx_walk *walk, const struct lx_step *up, const
         const void *value = lx_const_member(parameter, parameters);
         if (parameter->type == LX_GROUP)
             advise_mapping(walk, &step, parameter->group, value, id);
+        else if (parameter->type == LX_GROUPS)
+            advise_groups(walk, &step, parameter->group, value, id);
         else if (parameter->type == LX_VARIANTS)
             advise_list(walk, &step, parameter, value, id);
         else

@@ -54,6 +54,7 @@ void lx_set_default(const struct lx_parameter *parameter, void *value)
     case LX_BOOLEAN: *(bool *)value = strcmp(parameter->initial, "true") == 0; break;
     case LX_CHOICE: *(int *)value = choice_default(parameter); break;
     case LX_CHOICE_OR_PAIR: ((struct lx_choice_or_pair *)value)->choice = choice_default(parameter); break;
+    case LX_CHOICE_OR_WHOLE: ((struct lx_choice_or_whole *)value)->choice = choice_default(parameter); break;
     default: break;
     }
 }
@@ -74,8 +75,18 @@ static void list_clear(const struct lx_parameter *parameter, struct lx_list *lis
     *list = (struct lx_list){0};
 }
 
+static void groups_clear(const struct lx_table *table, struct lx_groups *groups)
+{
+    for (size_t i = 0; i < groups->count; i++)
+        lx_parameters_clear(table, (char *)groups->items + i * table->size);
+    free(groups->items);
+    *groups = (struct lx_groups){0};
+}
+
 void lx_parameters_clear(const struct lx_table *table, void *parameters)
 {
+    if (table->release)
+        table->release(parameters);
     for (size_t i = 0; i < table->count; i++) {
         const struct lx_parameter *parameter = &table->parameters[i];
         void *value = lx_member(parameter, parameters);
@@ -84,6 +95,11 @@ void lx_parameters_clear(const struct lx_table *table, void *parameters)
         } else if (parameter->type == LX_POINTS) {
             free(((struct lx_points *)value)->xy);
             *(struct lx_points *)value = (struct lx_points){0};
+        } else if (parameter->type == LX_VECTORS) {
+            free(((struct lx_vectors *)value)->xyz);
+            *(struct lx_vectors *)value = (struct lx_vectors){0};
+        } else if (parameter->type == LX_GROUPS) {
+            groups_clear(parameter->group, value);
         } else if (parameter->type == LX_VARIANTS) {
             list_clear(parameter, value);
         }
@@ -179,7 +195,7 @@ static void report_missing(struct mapping *mapping, const struct lx_parameter *p
     lx_walk_report(walk, LUXEL_SEVERITY_ERROR, lx_document_place(walk->document, mapping->id), &step,
                    LX_MSG_MISSING_KEY, NULL, NULL);
     lx_add_phrase(&expected, parameter->meaning, NULL);
-    if (parameter->type != LX_GROUP && parameter->type != LX_VARIANTS) {
+    if (!lx_has_tables(parameter)) {
         lx_text_puts(&expected, " (");
         lx_add_type(&expected, parameter);
         const char *unit = lx_unit_word(parameter->unit, walk->photometric);
@@ -197,6 +213,24 @@ static void report_missing(struct mapping *mapping, const struct lx_parameter *p
     free(words);
 }
 
+/* Judges the keys of one table together; what its own check() sees is good as far as rules can tell. */
+static void judge_table(struct mapping *mapping, size_t t)
+{
+    struct lx_walk *walk = mapping->walk;
+    const struct lx_table *table = mapping->tables[t];
+    void *parameters = mapping->parameters[t];
+    uint64_t there = mapping->seen[t] | mapping->meant[t];
+    size_t errors = walk->errors;
+    for (size_t i = 0; i < table->count; i++)
+        if (table->parameters[i].required && !(there >> i & 1))
+            report_missing(mapping, &table->parameters[i]);
+    const struct lx_check check = {walk, mapping->step, table, parameters, mapping->id};
+    lx_check_rules(&check, mapping->seen[t], there);
+    bool sound = walk->errors == errors && mapping->seen[t] == *(uint64_t *)parameters && !mapping->meant[t];
+    if (table->check && sound && !walk->out_of_memory)
+        table->check(&check, parameters);
+}
+
 /* Decodes all keys of a mapping; false where anything below it is wrong. */
 static bool decode_mapping(struct mapping *mapping)
 {
@@ -208,14 +242,8 @@ static bool decode_mapping(struct mapping *mapping)
     for (lx_node_id id = lx_document_node(walk->document, mapping->id)->first; id && !walk->out_of_memory;
          id = lx_document_node(walk->document, id)->next)
         decode_key(mapping, id);
-    for (size_t t = 0; t < mapping->table_count; t++) {
-        const struct lx_table *table = mapping->tables[t];
-        uint64_t there = mapping->seen[t] | mapping->meant[t];
-        for (size_t i = 0; i < table->count; i++)
-            if (table->parameters[i].required && !(there >> i & 1))
-                report_missing(mapping, &table->parameters[i]);
-        lx_check_rules(walk, mapping->step, table, mapping->parameters[t], mapping->seen[t], there, mapping->id);
-    }
+    for (size_t t = 0; t < mapping->table_count; t++)
+        judge_table(mapping, t);
     bool good = !walk->failed && !walk->out_of_memory;
     walk->failed = walk->failed || failed_before;
     return good;
@@ -231,6 +259,20 @@ static bool is_mapping(struct lx_walk *walk, const struct lx_step *step, lx_node
     lx_walk_report(walk, LUXEL_SEVERITY_ERROR, lx_document_place(walk->document, id), step,
                    kind == LX_MAPPING ? LX_MSG_WRONG_GROUP : LX_MSG_WRONG_LIST, NULL, words ? words : "");
     free(words);
+    return false;
+}
+
+/* The number of elements of a list; false, and reported, where they are too few. */
+static bool has_enough(struct lx_walk *walk, const struct lx_step *step, const struct lx_parameter *list, lx_node_id id,
+                       size_t *count)
+{
+    *count = lx_document_size(walk->document, id);
+    if (*count >= list->count)
+        return true;
+    char least[24];
+    snprintf(least, sizeof least, "%u", list->count);
+    lx_walk_report(walk, LUXEL_SEVERITY_ERROR, lx_document_place(walk->document, id), step, LX_MSG_TOO_FEW, least,
+                   NULL);
     return false;
 }
 
@@ -315,14 +357,9 @@ static bool decode_variants(struct lx_walk *walk, const struct lx_step *step, co
 {
     if (!is_mapping(walk, step, id, LX_SEQUENCE))
         return false;
-    size_t count = lx_document_size(walk->document, id), i = 0;
-    if (count < list->count) {
-        char least[24];
-        snprintf(least, sizeof least, "%u", list->count);
-        lx_walk_report(walk, LUXEL_SEVERITY_ERROR, lx_document_place(walk->document, id), step, LX_MSG_TOO_FEW, least,
-                       NULL);
+    size_t count, i = 0;
+    if (!has_enough(walk, step, list, id, &count))
         return false;
-    }
     result->items = lx_new_array(count, sizeof *result->items);
     if (!result->items) {
         walk->out_of_memory = true;
@@ -339,30 +376,64 @@ static bool decode_variants(struct lx_walk *walk, const struct lx_step *step, co
     return good;
 }
 
-static bool decode_parameter(struct lx_walk *walk, const struct lx_step *step, const struct lx_parameter *parameter,
-                             lx_node_id id, void *value)
+/* ---- groups ---- */
+
+static bool decode_group(struct lx_walk *walk, const struct lx_step *step, const struct lx_table *table, lx_node_id id,
+                         void *parameters)
 {
-    if (parameter->type == LX_VARIANTS)
-        return decode_variants(walk, step, parameter, id, value);
-    if (parameter->type != LX_GROUP)
-        return lx_decode_value(walk, step, parameter, id, value);
     if (!is_mapping(walk, step, id, LX_MAPPING))
         return false;
     struct mapping mapping = {
-        .walk = walk, .step = step, .id = id, .table_count = 1, .tables = {parameter->group}, .parameters = {value}};
+        .walk = walk, .step = step, .id = id, .table_count = 1, .tables = {table}, .parameters = {parameters}};
     return decode_mapping(&mapping);
+}
+
+static bool decode_groups(struct lx_walk *walk, const struct lx_step *step, const struct lx_parameter *list,
+                          lx_node_id id, struct lx_groups *result)
+{
+    size_t count, i = 0;
+    if (!is_mapping(walk, step, id, LX_SEQUENCE) || !has_enough(walk, step, list, id, &count))
+        return false;
+    result->items = lx_new_array(count, list->group->size);
+    if (!result->items) {
+        walk->out_of_memory = true;
+        return false;
+    }
+    result->count = count;
+    bool good = true;
+    for (id = lx_document_node(walk->document, id)->first; id && !walk->out_of_memory;
+         id = lx_document_node(walk->document, id)->next, i++) {
+        struct lx_step element = {step, NULL, i};
+        good = decode_group(walk, &element, list->group, id, (char *)result->items + i * list->group->size) && good;
+    }
+    return good;
+}
+
+static bool decode_parameter(struct lx_walk *walk, const struct lx_step *step, const struct lx_parameter *parameter,
+                             lx_node_id id, void *value)
+{
+    switch (parameter->type) {
+    case LX_VARIANTS: return decode_variants(walk, step, parameter, id, value);
+    case LX_GROUPS: return decode_groups(walk, step, parameter, id, value);
+    case LX_GROUP: return decode_group(walk, step, parameter->group, id, value);
+    default: return lx_decode_value(walk, step, parameter, id, value);
+    }
+}
+
+luxel_status lx_walk_status(struct lx_walk *walk)
+{
+    if (walk->out_of_memory)
+        return lx_out_of_memory(walk->diagnostics);
+    if (!walk->failed)
+        return LUXEL_OK;
+    return walk->unread > 0 && walk->unread == walk->errors ? LUXEL_ERROR_FILE : LUXEL_ERROR_SCENE;
 }
 
 luxel_status lx_decode(struct lx_walk *walk, const struct lx_table *table, void *parameters)
 {
     memset(parameters, 0, table->size);
     walk->failed = walk->out_of_memory = false;
-    if (is_mapping(walk, NULL, walk->document->root, LX_MAPPING)) {
-        struct mapping mapping = {
-            .walk = walk, .id = walk->document->root, .table_count = 1, .tables = {table}, .parameters = {parameters}};
-        decode_mapping(&mapping);
-    }
-    if (walk->out_of_memory)
-        return lx_out_of_memory(walk->diagnostics);
-    return walk->failed ? LUXEL_ERROR_SCENE : LUXEL_OK;
+    walk->errors = walk->unread = 0;
+    decode_group(walk, NULL, table, walk->document->root, parameters);
+    return lx_walk_status(walk);
 }

@@ -11,17 +11,24 @@
 struct lx_walk {
     const struct lx_document *document;
     luxel_diagnostics *diagnostics;
-    bool photometric; /* which words the units have */
+    bool photometric;         /* which words the units have */
+    const char *folder;       /* where files that the document names are looked for; NULL: the current folder */
+    struct lx_meshes *meshes; /* those that the scene has read already, and where further ones go; NULL: nowhere */
     bool failed, out_of_memory;
+    size_t errors, unread; /* errors reported, and how many of them are files that cannot be read */
 };
 
 /*
  * Fills *parameters, of table->size bytes, from the document's root, which must be a mapping: values that were
  * written, defaults for the rest.  A `given` bit is set where a key was written and its value is good, also
  * when the whole fails; a list's item with errors has no variant then.  Free with lx_parameters_clear() in
- * any case.  LUXEL_ERROR_SCENE, LUXEL_ERROR_MEMORY.
+ * any case.  LUXEL_ERROR_SCENE, LUXEL_ERROR_FILE, LUXEL_ERROR_MEMORY.
  */
 luxel_status lx_decode(struct lx_walk *walk, const struct lx_table *table, void *parameters);
+
+/* What a walk has come to: LUXEL_ERROR_FILE where nothing is wrong but that files cannot be read.  Memory that ran
+ * out is reported here. */
+luxel_status lx_walk_status(struct lx_walk *walk);
 
 /* Frees what the struct holds, not itself. */
 void lx_parameters_clear(const struct lx_table *table, void *parameters);
@@ -30,6 +37,12 @@ void lx_parameters_clear(const struct lx_table *table, void *parameters);
 void lx_advise_parameters(struct lx_walk *walk, const struct lx_table *table, const void *parameters);
 
 /* ---- shared by the files of this room ---- */
+
+/* Whether a parameter's value consists of mappings of their own. */
+static inline bool lx_has_tables(const struct lx_parameter *parameter)
+{
+    return parameter->type == LX_GROUP || parameter->type == LX_GROUPS || parameter->type == LX_VARIANTS;
+}
 
 /* The parameter of a table with this name, or NULL. */
 const struct lx_parameter *lx_find_parameter(const struct lx_table *table, const char *name);
@@ -48,9 +61,11 @@ static inline const void *lx_const_member(const struct lx_parameter *parameter, 
 bool lx_read_real(const struct lx_document *document, lx_node_id id, double *value);
 
 /*
- * Reports about a place; {0} is the end of the step's path; `first` and `second` (or NULL), which are texts with
- * phrases, are {1} and {2}.
+ * Reports about a place; {0} is the end of the step's path; `arguments`, as lx_report() takes them, are {1}, {2} ...
+ * `first` and `second` (or NULL), which are texts with phrases, are {1} and {2}.
  */
+void lx_walk_tell(struct lx_walk *walk, luxel_severity severity, struct lx_place place, const struct lx_step *step,
+                  enum lx_message message, const char *const *arguments);
 void lx_walk_report(struct lx_walk *walk, luxel_severity severity, struct lx_place place, const struct lx_step *step,
                     enum lx_message message, const char *first, const char *second);
 
@@ -74,17 +89,25 @@ const char *lx_hint_unknown_key(luxel_diagnostics *diagnostics, const char *key,
 /* The variant of a list with this name, or NULL. */
 const struct lx_variant *lx_find_variant(const struct lx_parameter *list, const char *name);
 
-/*
- * Checks the rules of a table; `mapping` is where the keys stand, `seen` the bits of those written, good or not,
- * `there` of those that need not be missed.
- */
-void lx_check_rules(struct lx_walk *walk, const struct lx_step *up, const struct lx_table *table,
-                    const void *parameters, uint64_t seen, uint64_t there, lx_node_id mapping);
+/* A mapping whose keys are judged together: the way to it, its table, its struct, its node. */
+struct lx_check {
+    struct lx_walk *walk;
+    const struct lx_step *up;
+    const struct lx_table *table;
+    const void *parameters;
+    lx_node_id mapping;
+};
+
+/* Checks the rules of a table; `seen` has the bits of the keys written, good or not, `there` of those that need not be
+ * missed. */
+void lx_check_rules(const struct lx_check *check, uint64_t seen, uint64_t there);
 
 /* The word that a parameter of type LX_CHOICE has now. */
 const char *lx_chosen(const struct lx_parameter *parameter, const void *parameters);
 /* Whether a word is one of the rule's. */
 bool lx_rule_lists(const struct lx_rule *rule, const char *word);
+/* The parameter of the rule's i-th word, for rules whose words are keys; NULL beyond the last. */
+const struct lx_parameter *lx_rule_key(const struct lx_rule *rule, const struct lx_table *table, size_t i);
 /* Whether the rule's `other` has one of the rule's words now. */
 bool lx_rule_applies(const struct lx_rule *rule, const struct lx_table *table, const void *parameters);
 

@@ -30,6 +30,17 @@ static char *types_with(const struct lx_parameter *list, const char *key)
     return lx_text_take(&types);
 }
 
+/* The groups of the tables that have a key of this name, "" for none. */
+static char *groups_with(const struct lx_table *const *tables, size_t count, const char *key)
+{
+    struct lx_text groups = {0};
+    for (size_t t = 0; t < count; t++)
+        for (size_t i = 0; i < tables[t]->count; i++)
+            if (tables[t]->parameters[i].type == LX_GROUP && lx_find_parameter(tables[t]->parameters[i].group, key))
+                add_word(&groups, tables[t]->parameters[i].name);
+    return lx_text_take(&groups);
+}
+
 const char *lx_hint_unknown_key(luxel_diagnostics *diagnostics, const char *key, const struct lx_table *const *tables,
                                 size_t count, const struct lx_parameter *list)
 {
@@ -40,6 +51,13 @@ const char *lx_hint_unknown_key(luxel_diagnostics *diagnostics, const char *key,
         return NULL;
     }
     free(types);
+    char *groups = groups_with(tables, count, key);
+    if (groups && groups[0]) {
+        lx_hint(diagnostics, LX_MSG_HINT_BELOW, LX_ARGS(key, groups));
+        free(groups);
+        return NULL;
+    }
+    free(groups);
     struct lx_nearest nearest = {.word = key, .length = strlen(key)};
     struct lx_text known = {0};
     if (list) {

@@ -5,6 +5,7 @@
 
 #include "../base/memory.h"
 #include "../base/phrase.h"
+#include "decode.h"
 #include "reflect.h"
 #include "words.h"
 
@@ -79,7 +80,12 @@ static bool see_rule(const struct lx_rule *rule, const char *key, luxel_rule *se
         [LX_RULE_EXCLUSIVE] = LUXEL_RULE_EXCLUDES, [LX_RULE_NEEDED] = LUXEL_RULE_NEEDED,
         [LX_RULE_USED] = LUXEL_RULE_USED,          [LX_RULE_ORDERED] = LUXEL_RULE_AT_MOST,
         [LX_RULE_DISTINCT] = LUXEL_RULE_DIFFERS,   [LX_RULE_POSITIVE] = LUXEL_RULE_POSITIVE,
+        [LX_RULE_ONE] = LUXEL_RULE_ONE_OF,
     };
+    if (rule->kind == LX_RULE_ONE) {
+        *seen = (luxel_rule){.kind = LUXEL_RULE_ONE_OF};
+        return lx_rule_lists(rule, key);
+    }
     bool is_key = strcmp(rule->key, key) == 0;
     if (!is_key && !(rule->kind == LX_RULE_EXCLUSIVE && strcmp(rule->other, key) == 0))
         return false;
@@ -190,6 +196,18 @@ static int reflect_list(struct lx_reflection *reflection, const struct lx_parame
     return result;
 }
 
+static int reflect_groups(struct lx_reflection *reflection, const struct lx_parameter *list, const char *path,
+                          const char *variant)
+{
+    struct lx_text element = {0};
+    lx_text_puts(&element, path);
+    lx_text_puts(&element, "[]");
+    char *up = lx_text_take(&element);
+    int result = up ? reflect_table(reflection, list->group, up, variant) : -1;
+    free(up);
+    return result;
+}
+
 static int reflect_table(struct lx_reflection *reflection, const struct lx_table *table, const char *up,
                          const char *variant)
 {
@@ -209,6 +227,8 @@ static int reflect_table(struct lx_reflection *reflection, const struct lx_table
         const char *path = reflection->items[index].path;
         if (parameter->type == LX_GROUP)
             result = reflect_table(reflection, parameter->group, path, variant);
+        else if (parameter->type == LX_GROUPS)
+            result = reflect_groups(reflection, parameter, path, variant);
         else if (parameter->type == LX_VARIANTS)
             result = reflect_list(reflection, parameter, path);
     }

@@ -1,9 +1,11 @@
 /* SPDX-License-Identifier: MIT */
-/* The rules between the keys of a table. */
+/* The rules between the keys of a table, and reports about what no rule can say. */
+#include <stdlib.h>
 #include <string.h>
 
 #include "../base/number.h"
-#include "decode.h"
+#include "../base/pose.h"
+#include "check.h"
 
 bool lx_rule_lists(const struct lx_rule *rule, const char *word)
 {
@@ -26,31 +28,41 @@ bool lx_rule_applies(const struct lx_rule *rule, const struct lx_table *table, c
     return lx_rule_lists(rule, lx_chosen(lx_find_parameter(table, rule->other), parameters));
 }
 
-/* A table whose rules are checked. */
-struct check {
-    struct lx_walk *walk;
-    const struct lx_step *up;
-    const struct lx_table *table;
-    const void *parameters;
-    lx_node_id mapping;
-};
-
-static uint64_t bit_of(const struct check *check, const struct lx_parameter *parameter)
+static uint64_t bit_of(const struct lx_check *check, const struct lx_parameter *parameter)
 {
     return (uint64_t)1 << (parameter - check->table->parameters);
 }
 
-/* Reports at the value of `key`. */
-static void report(const struct check *check, const char *key, enum lx_message message, const char *first,
-                   const char *second)
+void lx_check_report(const struct lx_check *check, const char *key, size_t element, enum lx_message message,
+                     const char *const *arguments)
 {
     const struct lx_document *document = check->walk->document;
-    struct lx_step step = {check->up, key, 0};
+    struct lx_step step = {check->up, key, 0}, below = {&step, NULL, element};
     lx_node_id id = lx_document_find(document, check->mapping, key);
-    lx_walk_report(check->walk, LUXEL_SEVERITY_ERROR, lx_document_place(document, id), &step, message, first, second);
+    lx_node_id part = id && element != LX_ALL_OF_IT ? lx_document_element(document, id, element) : 0;
+    id = part ? part : id ? id : check->mapping;
+    lx_walk_tell(check->walk, LUXEL_SEVERITY_ERROR, lx_document_place(document, id), part ? &below : &step, message,
+                 arguments);
 }
 
-static void report_exclusive(const struct check *check, const struct lx_rule *rule)
+void lx_check_hint(const struct lx_check *check, enum lx_message message, const char *const *arguments)
+{
+    lx_hint(check->walk->diagnostics, message, arguments);
+}
+
+static void report(const struct lx_check *check, const char *key, enum lx_message message, const char *first,
+                   const char *second)
+{
+    lx_check_report(check, key, LX_ALL_OF_IT, message, LX_ARGS(first, second));
+}
+
+void lx_check_pose(const struct lx_check *check, const double axis[3], const double up[3])
+{
+    if (lx_is_given(check->table, check->parameters, "up") && lx_are_parallel(axis, up))
+        report(check, "up", LX_MSG_UP_PARALLEL, NULL, NULL);
+}
+
+static void report_exclusive(const struct lx_check *check, const struct lx_rule *rule)
 {
     const struct lx_document *document = check->walk->document;
     lx_node_id key = lx_document_find(document, check->mapping, rule->key);
@@ -63,7 +75,59 @@ static void report_exclusive(const struct check *check, const struct lx_rule *ru
                    LX_MSG_EXCLUSIVE_KEYS, late == key ? rule->other : rule->key, NULL);
 }
 
-static void check_needed(const struct check *check, const struct lx_rule *rule)
+const struct lx_parameter *lx_rule_key(const struct lx_rule *rule, const struct lx_table *table, size_t i)
+{
+    const char *word = rule->choices;
+    for (; word && i > 0; i--) {
+        word = strchr(word, '|');
+        word += word != NULL;
+    }
+    size_t length = word ? strcspn(word, "|") : 0;
+    for (size_t k = 0; word && k < table->count; k++)
+        if (strncmp(table->parameters[k].name, word, length) == 0 && !table->parameters[k].name[length])
+            return &table->parameters[k];
+    return NULL;
+}
+
+/* The keys of the rule that are among these bits, and the one of them that comes first in the text. */
+static size_t count_given(const struct lx_check *check, const struct lx_rule *rule, uint64_t bits, lx_node_id *first)
+{
+    const struct lx_parameter *key;
+    size_t count = 0;
+    *first = 0;
+    for (size_t i = 0; (key = lx_rule_key(rule, check->table, i)) != NULL; i++) {
+        lx_node_id id = lx_document_find(check->walk->document, check->mapping, key->name);
+        count += (bits & bit_of(check, key)) != 0;
+        if (id && (!*first || id < *first))
+            *first = id;
+    }
+    return count;
+}
+
+/* Each key but the first is one too many. */
+static void check_one(const struct lx_check *check, const struct lx_rule *rule, uint64_t seen, uint64_t there)
+{
+    const struct lx_document *document = check->walk->document;
+    const struct lx_parameter *key;
+    struct lx_text text = {0};
+    lx_node_id first;
+    lx_add_rule_choices(&text, rule, ", ");
+    char *keys = lx_text_take(&text);
+    if (count_given(check, rule, there, &first) == 0)
+        lx_walk_report(check->walk, LUXEL_SEVERITY_ERROR, lx_document_place(document, check->mapping), check->up,
+                       LX_MSG_ONE_KEY, keys, NULL);
+    for (size_t i = 0; (key = lx_rule_key(rule, check->table, i)) != NULL; i++) {
+        lx_node_id id = lx_document_find(document, check->mapping, key->name);
+        struct lx_step step = {check->up, key->name, 0};
+        if (!(seen & bit_of(check, key)) || id == first)
+            continue;
+        lx_walk_tell(check->walk, LUXEL_SEVERITY_ERROR, lx_document_key_place(document, id), &step, LX_MSG_MORE_KEYS,
+                     LX_ARGS(lx_document_key(document, first), keys ? keys : ""));
+    }
+    free(keys);
+}
+
+static void check_needed(const struct lx_check *check, const struct lx_rule *rule)
 {
     const struct lx_parameter *other = lx_find_parameter(check->table, rule->other);
     if (!lx_rule_applies(rule, check->table, check->parameters))
@@ -73,7 +137,8 @@ static void check_needed(const struct check *check, const struct lx_rule *rule)
                    LX_MSG_NEEDED_KEY, rule->other, lx_chosen(other, check->parameters));
 }
 
-static void check_ordered(const struct check *check, const struct lx_parameter *key, const struct lx_parameter *other)
+static void check_ordered(const struct lx_check *check, const struct lx_parameter *key,
+                          const struct lx_parameter *other)
 {
     char number[LX_NUMBER_SIZE];
     double low = *(const double *)lx_const_member(key, check->parameters);
@@ -82,7 +147,8 @@ static void check_ordered(const struct check *check, const struct lx_parameter *
         report(check, key->name, LX_MSG_WRONG_ORDER, other->name, lx_write_number(high, number));
 }
 
-static void check_distinct(const struct check *check, const struct lx_parameter *key, const struct lx_parameter *other)
+static void check_distinct(const struct lx_check *check, const struct lx_parameter *key,
+                           const struct lx_parameter *other)
 {
     const double *a = lx_const_member(key, check->parameters), *b = lx_const_member(other, check->parameters);
     bool same = true;
@@ -92,7 +158,7 @@ static void check_distinct(const struct check *check, const struct lx_parameter 
         report(check, key->name, LX_MSG_SAME_PLACE, other->name, NULL);
 }
 
-static void check_positive(const struct check *check, const struct lx_rule *rule, const struct lx_parameter *key)
+static void check_positive(const struct lx_check *check, const struct lx_rule *rule, const struct lx_parameter *key)
 {
     double value = *(const double *)lx_const_member(key, check->parameters);
     if (value > 0 || !lx_rule_applies(rule, check->table, check->parameters))
@@ -101,26 +167,29 @@ static void check_positive(const struct check *check, const struct lx_rule *rule
     report(check, key->name, LX_MSG_NOT_POSITIVE, rule->other, lx_chosen(other, check->parameters));
 }
 
-void lx_check_rules(struct lx_walk *walk, const struct lx_step *up, const struct lx_table *table,
-                    const void *parameters, uint64_t seen, uint64_t there, lx_node_id mapping)
+void lx_check_rules(const struct lx_check *check, uint64_t seen, uint64_t there)
 {
-    const struct check check = {walk, up, table, parameters, mapping};
+    const struct lx_table *table = check->table;
     for (size_t i = 0; i < table->rule_count; i++) {
         const struct lx_rule *rule = &table->rules[i];
+        if (rule->kind == LX_RULE_ONE) {
+            check_one(check, rule, seen, there);
+            continue;
+        }
         const struct lx_parameter *key = lx_find_parameter(table, rule->key);
         const struct lx_parameter *other = lx_find_parameter(table, rule->other);
-        uint64_t good = *(const uint64_t *)parameters;
-        bool key_seen = seen & bit_of(&check, key), other_seen = seen & bit_of(&check, other);
-        bool key_good = good & bit_of(&check, key), other_good = good & bit_of(&check, other);
+        uint64_t good = *(const uint64_t *)check->parameters;
+        bool key_seen = seen & bit_of(check, key), other_seen = seen & bit_of(check, other);
+        bool key_good = good & bit_of(check, key), other_good = good & bit_of(check, other);
         if (rule->kind == LX_RULE_EXCLUSIVE && key_seen && other_seen)
-            report_exclusive(&check, rule);
-        else if (rule->kind == LX_RULE_NEEDED && !(there & bit_of(&check, key)) && other_seen == other_good)
-            check_needed(&check, rule);
+            report_exclusive(check, rule);
+        else if (rule->kind == LX_RULE_NEEDED && !(there & bit_of(check, key)) && other_seen == other_good)
+            check_needed(check, rule);
         else if (rule->kind == LX_RULE_ORDERED && key_good && other_good)
-            check_ordered(&check, key, other);
+            check_ordered(check, key, other);
         else if (rule->kind == LX_RULE_DISTINCT && key_good && other_good)
-            check_distinct(&check, key, other);
+            check_distinct(check, key, other);
         else if (rule->kind == LX_RULE_POSITIVE && key_good && other_seen == other_good)
-            check_positive(&check, rule, key);
+            check_positive(check, rule, key);
     }
 }

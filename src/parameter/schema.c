@@ -152,11 +152,26 @@ static void add_choice_or_pair(struct lx_json *json, const struct lx_parameter *
     lx_json_close(json, ']');
 }
 
-static void add_points(struct lx_json *json, const struct lx_parameter *parameter)
+static void add_choice_or_whole(struct lx_json *json, const struct lx_parameter *parameter)
+{
+    lx_json_open(json, "anyOf", '[');
+    lx_json_open_line(json, NULL, '{');
+    add_choices(json, parameter->choices);
+    lx_json_close(json, '}');
+    lx_json_open_line(json, NULL, '{');
+    add_number(json, parameter, true);
+    lx_json_close(json, '}');
+    lx_json_close(json, ']');
+}
+
+/* A list of lists of `width` numbers. */
+static void add_tuples(struct lx_json *json, const struct lx_parameter *parameter, unsigned width)
 {
     lx_json_text(json, "type", "array");
+    if (parameter->count)
+        lx_json_number(json, "minItems", parameter->count);
     lx_json_open(json, "items", '{');
-    add_numbers(json, parameter, 2, false);
+    add_numbers(json, parameter, width, false);
     lx_json_close(json, '}');
 }
 
@@ -168,9 +183,22 @@ static void add_list(struct lx_json *json, const struct lx_parameter *parameter)
     add_reference(json, "items", parameter->name, NULL);
 }
 
+static void add_object(struct lx_json *json, const struct lx_table *const *tables, size_t count,
+                       const struct lx_variant *variant);
+
+static void add_groups(struct lx_json *json, const struct lx_parameter *parameter)
+{
+    lx_json_text(json, "type", "array");
+    if (parameter->count)
+        lx_json_number(json, "minItems", parameter->count);
+    lx_json_open(json, "items", '{');
+    add_object(json, &parameter->group, 1, NULL);
+    lx_json_close(json, '}');
+}
+
 static void add_default(struct lx_json *json, const struct lx_parameter *parameter)
 {
-    bool is_word = parameter->type == LX_CHOICE || parameter->type == LX_CHOICE_OR_PAIR || parameter->type == LX_TEXT;
+    bool is_word = parameter->choices || parameter->type == LX_TEXT;
     if (parameter->initial && is_word)
         lx_json_text(json, "default", parameter->initial);
     else if (parameter->initial)
@@ -178,9 +206,6 @@ static void add_default(struct lx_json *json, const struct lx_parameter *paramet
 }
 
 /* ---- mappings ---- */
-
-static void add_object(struct lx_json *json, const struct lx_table *const *tables, size_t count,
-                       const struct lx_variant *variant);
 
 static void add_parameter(struct lx_json *json, const struct lx_table *table, const struct lx_parameter *parameter)
 {
@@ -199,7 +224,10 @@ static void add_parameter(struct lx_json *json, const struct lx_table *table, co
     case LX_WHOLES: add_numbers(json, parameter, parameter->count, true); break;
     case LX_CHOICE_OR_PAIR: add_choice_or_pair(json, parameter); break;
     case LX_GROUP: add_object(json, &parameter->group, 1, NULL); break;
-    case LX_POINTS: add_points(json, parameter); break;
+    case LX_CHOICE_OR_WHOLE: add_choice_or_whole(json, parameter); break;
+    case LX_POINTS: add_tuples(json, parameter, 2); break;
+    case LX_VECTORS: add_tuples(json, parameter, 3); break;
+    case LX_GROUPS: add_groups(json, parameter); break;
     case LX_VARIANTS: add_list(json, parameter); break;
     }
     add_default(json, parameter);

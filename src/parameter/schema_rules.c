@@ -62,17 +62,37 @@ static void add_positive(struct lx_json *json, const struct lx_table *table, con
 }
 
 /* Where the one is given, the other must not be: an editor then marks that key and not the whole object. */
-static void add_exclusive(struct lx_json *json, const struct lx_rule *rule)
+static void add_exclusive(struct lx_json *json, const char *key, const char *other)
 {
     lx_json_open_line(json, NULL, '{');
     lx_json_open(json, "dependencies", '{');
-    lx_json_open(json, rule->key, '{');
+    lx_json_open(json, key, '{');
     lx_json_open(json, "properties", '{');
-    lx_json_boolean(json, rule->other, false);
+    lx_json_boolean(json, other, false);
     lx_json_close(json, '}');
     lx_json_close(json, '}');
     lx_json_close(json, '}');
     lx_json_close(json, '}');
+}
+
+/* At least one, and no two of them. */
+static void add_one(struct lx_json *json, const struct lx_table *table, const struct lx_rule *rule)
+{
+    const struct lx_parameter *key, *other;
+    lx_json_open_line(json, NULL, '{');
+    lx_json_open(json, "anyOf", '[');
+    for (size_t i = 0; (key = lx_rule_key(rule, table, i)) != NULL; i++) {
+        lx_json_open(json, NULL, '{');
+        lx_json_open(json, "required", '[');
+        lx_json_text(json, NULL, key->name);
+        lx_json_close(json, ']');
+        lx_json_close(json, '}');
+    }
+    lx_json_close(json, ']');
+    lx_json_close(json, '}');
+    for (size_t i = 0; (key = lx_rule_key(rule, table, i)) != NULL; i++)
+        for (size_t k = i + 1; (other = lx_rule_key(rule, table, k)) != NULL; k++)
+            add_exclusive(json, key->name, other->name);
 }
 
 static void add_minimum(struct lx_json *json, const char *key, double minimum)
@@ -107,6 +127,8 @@ static void add_ordered(struct lx_json *json, const struct lx_table *table, cons
 static bool is_enforced(const struct lx_table *table, const struct lx_rule *rule)
 {
     enum { MOST_STEPS = 360 };
+    if (rule->kind == LX_RULE_ONE)
+        return true;
     const struct lx_interval *range = &lx_find_parameter(table, rule->key)->legal;
     if (rule->kind == LX_RULE_ORDERED)
         return range->given && range->high - range->low <= MOST_STEPS;
@@ -116,7 +138,8 @@ static bool is_enforced(const struct lx_table *table, const struct lx_rule *rule
 static void add_rule(struct lx_json *json, const struct lx_table *table, const struct lx_rule *rule)
 {
     switch (rule->kind) {
-    case LX_RULE_EXCLUSIVE: add_exclusive(json, rule); break;
+    case LX_RULE_EXCLUSIVE: add_exclusive(json, rule->key, rule->other); break;
+    case LX_RULE_ONE: add_one(json, table, rule); break;
     case LX_RULE_NEEDED: add_needed(json, table, rule); break;
     case LX_RULE_POSITIVE: add_positive(json, table, rule); break;
     case LX_RULE_ORDERED: add_ordered(json, table, rule); break;

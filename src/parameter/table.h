@@ -14,21 +14,32 @@
 #include <stdint.h>
 
 enum lx_parameter_type {
-    LX_REAL,           /* double */
-    LX_WHOLE,          /* unsigned */
-    LX_BOOLEAN,        /* bool */
-    LX_CHOICE,         /* int: index into choices */
-    LX_TEXT,           /* const char *: the document's */
-    LX_REALS,          /* double[count] */
-    LX_WHOLES,         /* unsigned[count] */
-    LX_CHOICE_OR_PAIR, /* struct lx_choice_or_pair: one of choices, or [low, high] */
-    LX_GROUP,          /* a struct of its own, by `group`, in place */
-    LX_POINTS,         /* struct lx_points: a list of pairs of numbers */
-    LX_VARIANTS        /* struct lx_list: a list of structs, each of one of `variants`, told by its key `type` */
+    LX_REAL,            /* double */
+    LX_WHOLE,           /* unsigned */
+    LX_BOOLEAN,         /* bool */
+    LX_CHOICE,          /* int: index into choices */
+    LX_TEXT,            /* const char *: the document's */
+    LX_REALS,           /* double[count] */
+    LX_WHOLES,          /* unsigned[count] */
+    LX_CHOICE_OR_PAIR,  /* struct lx_choice_or_pair: one of choices, or [low, high] */
+    LX_GROUP,           /* a struct of its own, by `group`, in place */
+    LX_POINTS,          /* struct lx_points: a list of pairs of numbers */
+    LX_VECTORS,         /* struct lx_vectors: a list of triples of numbers, at least `count` of them */
+    LX_CHOICE_OR_WHOLE, /* struct lx_choice_or_whole: one of choices, or a whole number in the legal range */
+    LX_GROUPS,          /* struct lx_groups: a list of structs, all by `group` */
+    LX_VARIANTS         /* struct lx_list: a list of structs, each of one of `variants`, told by its key `type` */
 };
 
 /* Units by what they measure; their words depend on the scene's `units`. */
-enum lx_unit { LX_UNIT_NONE, LX_UNIT_MM, LX_UNIT_DEGREES, LX_UNIT_INTENSITY, LX_UNIT_IRRADIANCE };
+enum lx_unit {
+    LX_UNIT_NONE,
+    LX_UNIT_MM,
+    LX_UNIT_DEGREES,
+    LX_UNIT_INTENSITY,
+    LX_UNIT_IRRADIANCE,
+    LX_UNIT_RADIANCE,
+    LX_UNIT_POWER
+};
 
 /* A range; a bound is included unless it is open.  All zero means: any value. */
 struct lx_interval {
@@ -41,20 +52,22 @@ enum { LX_COMPONENTS = 3 };
 
 struct lx_table;
 struct lx_variant;
+struct lx_check;
 
 struct lx_parameter {
     const char *name;
     enum lx_parameter_type type;
     size_t offset;
-    unsigned count; /* numbers in LX_REALS and LX_WHOLES; least number of elements of LX_VARIANTS */
+    unsigned count; /* numbers in LX_REALS and LX_WHOLES; least number of elements of a list */
     enum lx_unit unit;
     bool required;
     bool nonzero;             /* LX_REALS: a vector that must not be zero */
     const char *initial;      /* default as YAML, NULL where there is none ("required", or "not given") */
     struct lx_interval legal; /* of each number */
     struct lx_interval advised[LX_COMPONENTS]; /* by component; where only the first is given it goes for all */
-    const char *const *choices;                /* NULL-terminated; LX_CHOICE and LX_CHOICE_OR_PAIR */
-    const struct lx_table *group; /* LX_GROUP; LX_VARIANTS: the keys that all variants have beside their own */
+    const char *const *choices;                /* NULL-terminated; LX_CHOICE, LX_CHOICE_OR_PAIR, LX_CHOICE_OR_WHOLE */
+    const struct lx_table
+        *group; /* LX_GROUP, LX_GROUPS; LX_VARIANTS: the keys that all variants have beside their own */
     const struct lx_variant *const *variants; /* LX_VARIANTS, NULL-terminated */
     const char *meaning;                      /* one sentence without a full stop */
 };
@@ -66,7 +79,8 @@ enum lx_rule_kind {
     LX_RULE_USED,      /* key has an effect only where other is one of choices (else: advice when it is given) */
     LX_RULE_ORDERED,   /* key <= other (numbers) */
     LX_RULE_DISTINCT,  /* where both are given, the vectors key and other must differ */
-    LX_RULE_POSITIVE   /* the number key must be > 0 where other is one of choices */
+    LX_RULE_POSITIVE,  /* the number key must be > 0 where other is one of choices */
+    LX_RULE_ONE        /* exactly one of the keys named in choices must be given; key is the first of them */
 };
 
 struct lx_rule {
@@ -82,6 +96,10 @@ struct lx_table {
     const struct lx_rule *rules;
     size_t rule_count;
     size_t size; /* of the struct */
+    /* Judges what no rule can say, of parameters that are good by themselves, and loads what they name (check.h). */
+    void (*check)(const struct lx_check *check, void *parameters);
+    /* Frees what check() has put into the struct; harmless where that is nothing. */
+    void (*release)(void *parameters);
 };
 
 /* One kind of surface or light, as its `type` names it. */
@@ -100,6 +118,22 @@ struct lx_choice_or_pair {
 
 struct lx_points {
     double (*xy)[2];
+    size_t count;
+};
+
+struct lx_vectors {
+    double (*xyz)[3];
+    size_t count;
+};
+
+struct lx_choice_or_whole {
+    int choice; /* -1: the number */
+    unsigned whole;
+};
+
+/* `items` holds count structs of the group's table->size bytes, one after the other. */
+struct lx_groups {
+    void *items;
     size_t count;
 };
 

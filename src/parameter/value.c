@@ -10,11 +10,15 @@
 #include "decode.h"
 #include "plain.h"
 
-void lx_walk_report(struct lx_walk *walk, luxel_severity severity, struct lx_place place, const struct lx_step *step,
-                    enum lx_message message, const char *first, const char *second)
+void lx_walk_tell(struct lx_walk *walk, luxel_severity severity, struct lx_place place, const struct lx_step *step,
+                  enum lx_message message, const char *const *arguments)
 {
-    if (severity == LUXEL_SEVERITY_ERROR)
+    enum { MOST_ARGUMENTS = 16 };
+    const char *all[MOST_ARGUMENTS + 2] = {""};
+    if (severity == LUXEL_SEVERITY_ERROR) {
         walk->failed = true;
+        walk->errors++;
+    }
     if (!lx_keeps(walk->diagnostics, severity)) {
         lx_report(walk->diagnostics, severity, NULL, message, NULL);
         return;
@@ -26,10 +30,18 @@ void lx_walk_report(struct lx_walk *walk, luxel_severity severity, struct lx_pla
     if (!key || !name)
         walk->out_of_memory = true;
     place.key = key;
-    lx_report(walk->diagnostics, severity, &place, message,
-              LX_ARGS(name ? name : "", LX_WORDS(first ? first : ""), LX_WORDS(second)));
+    all[0] = name ? name : "";
+    for (size_t i = 0; arguments && arguments[i] && i < MOST_ARGUMENTS; i++)
+        all[i + 1] = arguments[i];
+    lx_report(walk->diagnostics, severity, &place, message, all);
     free(key);
     free(name);
+}
+
+void lx_walk_report(struct lx_walk *walk, luxel_severity severity, struct lx_place place, const struct lx_step *step,
+                    enum lx_message message, const char *first, const char *second)
+{
+    lx_walk_tell(walk, severity, place, step, message, LX_ARGS(LX_WORDS(first ? first : ""), LX_WORDS(second)));
 }
 
 /* What is being decoded: the parameter, the way to it and the node. */
@@ -260,27 +272,75 @@ static bool decode_numbers(const struct value *value, double *reals, unsigned *w
     return good;
 }
 
-static bool decode_points(const struct value *value, struct lx_points *points)
+/* A list of lists of `width` numbers each, one behind the other; *numbers is the caller's, also after an error. */
+static bool decode_tuples(const struct value *value, unsigned width, double **numbers, size_t *count)
 {
     const struct lx_document *document = value->walk->document;
-    if (lx_document_node(document, value->id)->kind != LX_SEQUENCE)
-        return wrong(value, LX_MSG_WRONG_POINTS, NULL);
-    size_t count = lx_document_size(document, value->id), i = 0;
-    double(*xy)[2] = lx_new_array(count, sizeof *xy);
-    if (!xy) {
+    size_t i = 0;
+    *count = lx_document_size(document, value->id);
+    *numbers = lx_new_array(*count, width * sizeof **numbers);
+    if (!*numbers) {
         value->walk->out_of_memory = true;
         return false;
     }
     bool good = true;
-    struct lx_parameter pair = *value->parameter;
-    pair.count = 2;
+    struct lx_parameter tuple = *value->parameter;
+    tuple.count = width;
     for (lx_node_id id = lx_document_node(document, value->id)->first; id; id = lx_document_node(document, id)->next) {
         struct lx_step step = {value->step, NULL, i};
-        struct value point = {value->walk, &step, &pair, id};
-        good = decode_numbers(&point, xy[i++], NULL) && good;
+        struct value part = {value->walk, &step, &tuple, id};
+        good = decode_numbers(&part, *numbers + width * i++, NULL) && good;
     }
-    points->xy = xy;
-    points->count = good ? count : 0;
+    return good;
+}
+
+static bool is_list(const struct value *value)
+{
+    return lx_document_node(value->walk->document, value->id)->kind == LX_SEQUENCE;
+}
+
+static bool decode_points(const struct value *value, struct lx_points *points)
+{
+    double *numbers = NULL;
+    if (!is_list(value))
+        return wrong(value, LX_MSG_WRONG_POINTS, NULL);
+    bool good = decode_tuples(value, 2, &numbers, &points->count);
+    points->xy = (double(*)[2])numbers;
+    points->count = good ? points->count : 0;
+    return good;
+}
+
+static bool decode_vectors(const struct value *value, struct lx_vectors *vectors)
+{
+    const struct lx_document *document = value->walk->document;
+    double *numbers = NULL;
+    if (!is_list(value))
+        return wrong(value, LX_MSG_WRONG_VECTORS, NULL);
+    size_t found = lx_document_size(document, value->id);
+    if (found < value->parameter->count) {
+        char least[24], words[24];
+        snprintf(least, sizeof least, "%u", value->parameter->count);
+        snprintf(words, sizeof words, "%zu", found);
+        lx_walk_report(value->walk, LUXEL_SEVERITY_ERROR, lx_document_place(document, value->id), value->step,
+                       LX_MSG_TOO_FEW_VECTORS, least, words);
+        return false;
+    }
+    bool good = decode_tuples(value, 3, &numbers, &vectors->count);
+    vectors->xyz = (double(*)[3])numbers;
+    vectors->count = good ? vectors->count : 0;
+    return good;
+}
+
+/* What has the form of a number is meant as one. */
+static bool decode_choice_or_whole(const struct value *value, struct lx_choice_or_whole *result)
+{
+    const char *text = scalar_text(value, true);
+    struct lx_choice_or_whole read = {.choice = -1};
+    bool good = text && lx_looks_like_number(text, strlen(text))
+                    ? decode_whole(value, &read.whole)
+                    : decode_choice(value, LX_MSG_WRONG_CHOICE_OR_WHOLE, &read.choice);
+    if (good)
+        *result = read;
     return good;
 }
 
@@ -317,8 +377,11 @@ bool lx_decode_value(struct lx_walk *walk, const struct lx_step *step, const str
     case LX_REALS: return decode_numbers(&v, value, NULL);
     case LX_WHOLES: return decode_numbers(&v, NULL, value);
     case LX_CHOICE_OR_PAIR: return decode_choice_or_pair(&v, value);
+    case LX_CHOICE_OR_WHOLE: return decode_choice_or_whole(&v, value);
     case LX_POINTS: return decode_points(&v, value);
+    case LX_VECTORS: return decode_vectors(&v, value);
     case LX_GROUP:
+    case LX_GROUPS:
     case LX_VARIANTS: break; /* they hold tables of their own */
     }
     return false;

@@ -16,6 +16,8 @@ const char *lx_unit_word(enum lx_unit unit, bool photometric)
     case LX_UNIT_DEGREES: return "°";
     case LX_UNIT_INTENSITY: return photometric ? LX_N("cd") : LX_N("W/sr");
     case LX_UNIT_IRRADIANCE: return photometric ? LX_N("lx") : LX_N("W/m²");
+    case LX_UNIT_RADIANCE: return photometric ? LX_N("cd/m²") : LX_N("W/(sr·m²)");
+    case LX_UNIT_POWER: return photometric ? LX_N("lm") : LX_N("W");
     case LX_UNIT_NONE: break;
     }
     return "";
@@ -100,6 +102,9 @@ void lx_add_type(struct lx_text *text, const struct lx_parameter *parameter)
         [LX_CHOICE_OR_PAIR] = LX_N("one of, or [low, high]"),
         [LX_GROUP] = LX_N("group of keys"),
         [LX_POINTS] = LX_N("list of points [x, y]"),
+        [LX_VECTORS] = LX_N("list of {0} or more places [x, y, z]"),
+        [LX_CHOICE_OR_WHOLE] = LX_N("one of, or a whole number"),
+        [LX_GROUPS] = LX_N("list of groups of keys"),
         [LX_VARIANTS] = LX_N("list"),
     };
     char count[LX_NUMBER_SIZE];

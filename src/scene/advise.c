@@ -10,38 +10,22 @@
 #include "../surface/surface.h"
 #include "object.h"
 
-/* A surface as its extent shows it: the centre and half the size along each axis. */
-struct bounds {
-    double center_mm[3], half_mm[3];
-};
-
-static struct bounds bounds_of(const struct lx_item *surface)
-{
-    double low[3], high[3];
-    struct bounds bounds;
-    ((const struct lx_surface_kind *)surface->variant)->extent(surface->parameters, low, high);
-    for (int i = 0; i < 3; i++) {
-        bounds.center_mm[i] = low[i] / 2 + high[i] / 2;
-        bounds.half_mm[i] = high[i] / 2 - low[i] / 2;
-    }
-    return bounds;
-}
-
 /*
  * How far a surface reaches beyond the edge of the screen on the side where `axis` (0: x, 1: y) has this sign, in
- * mm; negative: not at all.  The surface counts as the ellipsoid in its bounds, which is exact for a sphere.
- * In perspective the edge is the plane through the observer and the screen's edge.
+ * mm; negative: not at all.  In perspective the edge is the plane through the observer and the screen's edge.
  */
-static double beyond_edge(const struct lx_scene_parameters *scene, const struct bounds *bounds, int axis, double sign)
+static double beyond_edge(const struct lx_scene_parameters *scene, const struct lx_item *surface, int axis, double sign)
 {
+    const struct lx_surface_kind *kind = (const struct lx_surface_kind *)surface->variant;
     double half = (axis == 0 ? scene->screen.width_mm : scene->screen.height_mm) / 2;
-    double across = sign * bounds->center_mm[axis];
+    double normal[3] = {0, 0, 0};
+    normal[axis] = sign;
     if (scene->observer.projection == LX_ORTHOGRAPHIC)
-        return across + bounds->half_mm[axis] - half;
+        return kind->farthest(surface->parameters, normal) - half;
     double eye = scene->observer.z_mm, length = hypot(eye, half);
-    double normal_across = eye / length, normal_z = half / length;
-    double distance = across * normal_across + (bounds->center_mm[2] - eye) * normal_z;
-    return distance + hypot(bounds->half_mm[axis] * normal_across, bounds->half_mm[2] * normal_z);
+    normal[axis] = sign * eye / length;
+    normal[2] = half / length;
+    return kind->farthest(surface->parameters, normal) - eye * normal[2];
 }
 
 static void advise_view(struct lx_walk *walk, const struct lx_scene_parameters *scene, lx_node_id surfaces)
@@ -49,12 +33,11 @@ static void advise_view(struct lx_walk *walk, const struct lx_scene_parameters *
     static const char *const sides[2][2] = {{LX_N("left"), LX_N("right")}, {LX_N("bottom"), LX_N("top")}};
     lx_node_id id = lx_document_node(walk->document, surfaces)->first;
     for (size_t i = 0; i < scene->surfaces.count; i++, id = lx_document_node(walk->document, id)->next) {
-        struct bounds bounds = bounds_of(&scene->surfaces.items[i]);
         struct lx_text edges = {0};
         for (int axis = 0; axis < 2; axis++)
             for (int side = 0; side < 2; side++) {
                 double tiny = 1e-9 * (scene->screen.width_mm + scene->screen.height_mm);
-                if (!(beyond_edge(scene, &bounds, axis, side ? 1 : -1) > tiny))
+                if (!(beyond_edge(scene, &scene->surfaces.items[i], axis, side ? 1 : -1) > tiny))
                     continue;
                 lx_text_puts(&edges, edges.length ? ", " : "");
                 lx_add_phrase(&edges, sides[axis][side], NULL);
@@ -65,22 +48,6 @@ static void advise_view(struct lx_walk *walk, const struct lx_scene_parameters *
                            LX_MSG_NOT_IN_VIEW, edges.bytes, NULL);
         lx_text_clear(&edges);
     }
-}
-
-/*
- * Whether a source here lights nothing of the surface that the observer sees: it is inside, or behind and in
- * the shadow of the outline.  Exact for a sphere seen along z.
- */
-static bool is_behind(const struct bounds *bounds, const double place_mm[3])
-{
-    double q[3];
-    for (int i = 0; i < 3; i++) {
-        if (!(bounds->half_mm[i] > 0))
-            return false;
-        q[i] = (place_mm[i] - bounds->center_mm[i]) / bounds->half_mm[i];
-    }
-    double across = q[0] * q[0] + q[1] * q[1];
-    return across + (q[2] < 0 ? 0 : q[2] * q[2]) <= 1;
 }
 
 static void advise_lights(struct lx_walk *walk, const struct lx_scene_parameters *scene, lx_node_id lights)
@@ -94,8 +61,9 @@ static void advise_lights(struct lx_walk *walk, const struct lx_scene_parameters
             continue;
         bool behind = true;
         for (size_t s = 0; s < scene->surfaces.count && behind; s++) {
-            struct bounds bounds = bounds_of(&scene->surfaces.items[s]);
-            behind = is_behind(&bounds, lx_const_member(position, light->parameters));
+            const struct lx_item *surface = &scene->surfaces.items[s];
+            const struct lx_surface_kind *kind = (const struct lx_surface_kind *)surface->variant;
+            behind = kind->is_dark(surface->parameters, lx_const_member(position, light->parameters));
         }
         if (!behind)
             continue;

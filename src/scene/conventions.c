@@ -75,6 +75,15 @@ static int add_choice_or_pair(luxel_scene *scene, const struct lx_parameter *par
     return add(scene, parameter->name, words);
 }
 
+static int add_choice_or_whole(luxel_scene *scene, const struct lx_parameter *parameter,
+                               const struct lx_choice_or_whole *value)
+{
+    if (value->choice >= 0)
+        return add(scene, parameter->name, parameter->choices[value->choice]);
+    char number[LX_NUMBER_SIZE];
+    return add(scene, parameter->name, lx_write_number(value->whole, number));
+}
+
 static bool has_effect(const struct lx_table *table, const struct lx_parameter *parameter, const void *parameters)
 {
     for (size_t i = 0; i < table->rule_count; i++)
@@ -115,6 +124,8 @@ static int collect_table(luxel_scene *scene, const struct lx_table *table, const
             result = add(scene, parameter->name, lx_chosen(parameter, parameters));
         else if (parameter->type == LX_CHOICE_OR_PAIR)
             result = add_choice_or_pair(scene, parameter, value);
+        else if (parameter->type == LX_CHOICE_OR_WHOLE)
+            result = add_choice_or_whole(scene, parameter, value);
         else if (parameter->type == LX_BOOLEAN && booleans)
             result = add(scene, parameter->name, *(const bool *)value ? "true" : "false");
         else if (parameter->type == LX_GROUP)

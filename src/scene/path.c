@@ -16,6 +16,7 @@ struct position {
     const struct lx_table *tables[2];     /* inside a mapping: whose keys it has */
     const struct lx_parameter *list;      /* inside an element: the list's parameter */
     bool any_type;                        /* inside an element of unknown type: the keys of all types */
+    bool is_element;                      /* inside an element of a list */
     const struct lx_parameter *parameter; /* at a value: which; NULL inside a mapping */
     unsigned depth;                       /* list brackets passed within the parameter's value */
 };
@@ -141,11 +142,10 @@ static luxel_status follow_key(const struct lx_document *document, const struct 
     static const struct lx_parameter type = {.name = "type", .type = LX_TEXT};
     const struct lx_segment *segment = &path->segments[i];
     if (position->table_count == 0)
-        return refuse_segment(
-            path, i, position->depth || position->parameter->type != LX_VARIANTS ? LX_MSG_NO_KEYS : LX_MSG_NEEDS_INDEX,
-            segment->key, diagnostics);
+        return refuse_segment(path, i, lx_has_tables(position->parameter) ? LX_MSG_NEEDS_INDEX : LX_MSG_NO_KEYS,
+                              segment->key, diagnostics);
     if (position->node && lx_document_node(document, position->node)->kind != LX_MAPPING &&
-        !(lx_document_is_null(document, position->node) && !position->list))
+        !(lx_document_is_null(document, position->node) && !position->is_element))
         return refuse_segment(path, i, LX_MSG_NOT_A_MAPPING, NULL, diagnostics);
     const struct lx_parameter *found = find_key(position, segment->key);
     if (!found && position->list && strcmp(segment->key, "type") == 0)
@@ -164,15 +164,19 @@ static luxel_status follow_key(const struct lx_document *document, const struct 
     return LUXEL_OK;
 }
 
-/* Enters element `node` of a list: its own type decides which keys it has. */
+/* Enters element `node` of a list: the list or its own type decides which keys it has. */
 static void enter_element(const struct lx_document *document, lx_node_id node, struct position *position)
 {
     const struct lx_parameter *list = position->parameter;
+    if (list->type == LX_GROUPS) {
+        *position = (struct position){.node = node, .is_element = true, .table_count = 1, .tables = {list->group}};
+        return;
+    }
     lx_node_id type = lx_document_find(document, node, "type");
     const struct lx_variant *variant = NULL;
     if (type && lx_document_node(document, type)->kind == LX_SCALAR)
         variant = lx_find_variant(list, lx_document_text(document, type));
-    *position = (struct position){.node = node, .list = list, .any_type = !variant};
+    *position = (struct position){.node = node, .list = list, .any_type = !variant, .is_element = true};
     position->tables[position->table_count++] = list->group;
     if (variant)
         position->tables[position->table_count++] = variant->table;
@@ -185,8 +189,10 @@ static unsigned list_depth(const struct lx_parameter *parameter)
     case LX_REALS:
     case LX_WHOLES:
     case LX_CHOICE_OR_PAIR:
+    case LX_GROUPS:
     case LX_VARIANTS: return 1;
-    case LX_POINTS: return 2;
+    case LX_POINTS:
+    case LX_VECTORS: return 2;
     default: return 0;
     }
 }
@@ -215,7 +221,7 @@ static luxel_status follow_index(const struct lx_document *document, const struc
         free(up);
         return LUXEL_ERROR_PATH;
     }
-    if (position->parameter->type == LX_VARIANTS) {
+    if (lx_has_tables(position->parameter)) {
         enter_element(document, node, position);
     } else {
         position->node = node;

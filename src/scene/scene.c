@@ -74,17 +74,33 @@ luxel_status luxel_scene_read_file(const char *path, luxel_diagnostics *diagnost
     if (!path || !scene)
         return LUXEL_ERROR_ARGUMENT;
     struct lx_source *file;
+    const char *slash = strrchr(path, '/');
+    luxel_scene *made = NULL;
     luxel_status status = lx_source_open(path, LX_LARGEST_TEXT, diagnostics, &file);
-    return status == LUXEL_OK ? read_source(file, diagnostics, scene) : status;
+    if (status == LUXEL_OK)
+        status = read_source(file, diagnostics, &made);
+    if (status == LUXEL_OK && slash) {
+        made->folder = lx_copy_text(path, (size_t)(slash - path) + 1);
+        status = made->folder ? LUXEL_OK : lx_out_of_memory(diagnostics);
+    }
+    if (status == LUXEL_OK)
+        *scene = made;
+    else
+        luxel_scene_free(made);
+    return status;
 }
+
+static luxel_status commit(luxel_scene *scene, luxel_diagnostics *diagnostics);
 
 luxel_scene *luxel_scene_copy(const luxel_scene *scene)
 {
     luxel_scene *copy = scene ? lx_new_array(1, sizeof *copy) : NULL;
     if (!copy)
         return NULL;
-    if (lx_document_copy(&scene->document, &copy->document) < 0 ||
-        (scene->committed && luxel_scene_commit(copy, NULL) != LUXEL_OK)) {
+    if (scene->folder)
+        copy->folder = lx_copy_text(scene->folder, strlen(scene->folder));
+    if ((scene->folder && !copy->folder) || lx_document_copy(&scene->document, &copy->document) < 0 ||
+        lx_meshes_copy(&scene->meshes, &copy->meshes) < 0 || (scene->committed && commit(copy, NULL) != LUXEL_OK)) {
         luxel_scene_free(copy);
         return NULL;
     }
@@ -99,6 +115,8 @@ void luxel_scene_free(luxel_scene *scene)
         return;
     lx_scene_uncommit(scene);
     lx_document_clear(&scene->document);
+    lx_meshes_clear(&scene->meshes);
+    free(scene->folder);
     free(scene);
 }
 
@@ -126,17 +144,18 @@ struct lx_walk lx_scene_walk(const luxel_scene *scene, luxel_diagnostics *diagno
     return (struct lx_walk){.document = &scene->document, .diagnostics = diagnostics, .photometric = photometric};
 }
 
-luxel_status luxel_scene_commit(luxel_scene *scene, luxel_diagnostics *diagnostics)
+/* Files that the scene has read already are not read again. */
+static luxel_status commit(luxel_scene *scene, luxel_diagnostics *diagnostics)
 {
-    if (!scene)
-        return LUXEL_ERROR_ARGUMENT;
     lx_scene_uncommit(scene);
     struct lx_walk walk = lx_scene_walk(scene, diagnostics);
+    walk.folder = scene->folder;
+    walk.meshes = &scene->meshes;
     luxel_status status = lx_decode(&walk, &lx_scene_table, &scene->parameters);
-    if (status != LUXEL_ERROR_MEMORY)
+    if (status != LUXEL_ERROR_MEMORY) {
         lx_validate_scene(&walk, scene);
-    if (walk.failed && status == LUXEL_OK)
-        status = LUXEL_ERROR_SCENE;
+        status = lx_walk_status(&walk);
+    }
     if (status == LUXEL_OK && lx_collect_conventions(scene) < 0)
         status = lx_out_of_memory(diagnostics);
     if (status == LUXEL_OK)
@@ -144,6 +163,14 @@ luxel_status luxel_scene_commit(luxel_scene *scene, luxel_diagnostics *diagnosti
     else
         lx_scene_uncommit(scene);
     return status;
+}
+
+luxel_status luxel_scene_commit(luxel_scene *scene, luxel_diagnostics *diagnostics)
+{
+    if (!scene)
+        return LUXEL_ERROR_ARGUMENT;
+    lx_meshes_clear(&scene->meshes);
+    return commit(scene, diagnostics);
 }
 
 bool luxel_scene_is_committed(const luxel_scene *scene)

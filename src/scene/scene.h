@@ -39,6 +39,16 @@ struct lx_picture {
     int rounding;                   /* enum lx_rounding */
 };
 
+/* A measuring plane: the irradiance at the centres of its cells is asked for. */
+struct lx_grid {
+    uint64_t given;
+    const char *name; /* NULL where it has none */
+    double center_mm[3];
+    double size_mm[2];
+    double axis[3], up[3]; /* as of a rectangle: the normal of the elements; along the rows' order */
+    unsigned n[2];         /* columns, rows */
+};
+
 /* The keys that every surface and every light has beside those of its kind. */
 struct lx_surface_common {
     uint64_t given;
@@ -64,6 +74,7 @@ struct lx_scene_parameters {
     struct lx_list lights;   /* variants are lx_light_kind, common lx_light_common */
     struct lx_points points;
     struct lx_picture picture;
+    struct lx_groups grids; /* of struct lx_grid */
 };
 
 extern const struct lx_table lx_scene_table;

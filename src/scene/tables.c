@@ -2,7 +2,9 @@
 /* The tables of what a scene holds beside its surfaces, materials and lights, and the table of the whole. */
 #include <math.h>
 
+#include "../base/number.h"
 #include "../light/light.h"
+#include "../parameter/check.h"
 #include "../surface/surface.h"
 #include "scene.h"
 
@@ -180,6 +182,86 @@ static const struct lx_table light_common_table = {
     .size = sizeof(struct lx_light_common),
 };
 
+/* ---- measuring grids ---- */
+
+static const struct lx_parameter grid_parameters[] = {
+    {
+        .name = "name",
+        .type = LX_TEXT,
+        .offset = offsetof(struct lx_grid, name),
+        .meaning = "a name for messages and tables",
+    },
+    {
+        .name = "center",
+        .type = LX_REALS,
+        .offset = offsetof(struct lx_grid, center_mm),
+        .count = 3,
+        .unit = LX_UNIT_MM,
+        .required = true,
+        .meaning = "the centre of the measuring plane",
+    },
+    {
+        .name = "size",
+        .type = LX_REALS,
+        .offset = offsetof(struct lx_grid, size_mm),
+        .count = 2,
+        .unit = LX_UNIT_MM,
+        .required = true,
+        .legal = LX_ABOVE(0),
+        .meaning = "the width and the height of the measuring plane; the height runs along up",
+    },
+    {
+        .name = "axis",
+        .type = LX_REALS,
+        .offset = offsetof(struct lx_grid, axis),
+        .count = 3,
+        .nonzero = true,
+        .initial = "[0, 0, 1]",
+        .meaning = "the normal of the measuring plane, of any length: the side that it is lit from",
+    },
+    {
+        .name = "up",
+        .type = LX_REALS,
+        .offset = offsetof(struct lx_grid, up),
+        .count = 3,
+        .nonzero = true,
+        .initial = "[0, 1, 0]",
+        .meaning = "the direction along which the height runs, made perpendicular to axis; where it is not given and "
+                   "the axis runs along y, (0, 0, 1)",
+    },
+    {
+        .name = "n",
+        .type = LX_WHOLES,
+        .offset = offsetof(struct lx_grid, n),
+        .count = 2,
+        .required = true,
+        .legal = LX_BETWEEN(1, 65536),
+        .advised = {LX_BETWEEN(2, 500)},
+        .meaning = "the number of cells, [columns, rows], at most ten million; the irradiance is measured at the "
+                   "centre of each",
+    },
+};
+
+static void check_grid(const struct lx_check *check, void *parameters)
+{
+    enum { MOST_CELLS = 10000000 };
+    const struct lx_grid *grid = parameters;
+    lx_check_pose(check, grid->axis, grid->up);
+    if ((uint64_t)grid->n[0] * grid->n[1] <= MOST_CELLS)
+        return;
+    char columns[LX_NUMBER_SIZE], rows[LX_NUMBER_SIZE], most[LX_NUMBER_SIZE];
+    lx_check_report(check, "n", LX_ALL_OF_IT, LX_MSG_TOO_MANY_CELLS,
+                    LX_ARGS(lx_write_number(grid->n[0], columns), lx_write_number(grid->n[1], rows),
+                            lx_write_number(MOST_CELLS, most)));
+}
+
+static const struct lx_table grid_table = {
+    .parameters = grid_parameters,
+    .count = LX_COUNT(grid_parameters),
+    .size = sizeof(struct lx_grid),
+    .check = check_grid,
+};
+
 /* ---- the scene ---- */
 
 static const struct lx_parameter scene_parameters[] = {
@@ -256,6 +338,14 @@ static const struct lx_parameter scene_parameters[] = {
         .offset = offsetof(struct lx_scene_parameters, picture),
         .group = &picture_table,
         .meaning = "how values become grey levels",
+    },
+    {
+        .name = "grids",
+        .type = LX_GROUPS,
+        .offset = offsetof(struct lx_scene_parameters, grids),
+        .initial = "[]",
+        .group = &grid_table,
+        .meaning = "measuring planes of luxel grid: the irradiance at the centres of their cells",
     },
 };
 

@@ -58,49 +58,81 @@ static void check_square(struct lx_walk *walk, const luxel_scene *scene)
     }
 }
 
-/* The index of the surface that reaches highest among those without errors, and how high; count: none. */
-static size_t highest_surface(const struct lx_list *surfaces, double *z_mm)
-{
-    size_t highest = surfaces->count;
-    *z_mm = -HUGE_VAL;
-    for (size_t i = 0; i < surfaces->count; i++) {
-        const struct lx_item *item = &surfaces->items[i];
-        if (!item->variant)
-            continue;
-        double low[3], high[3];
-        ((const struct lx_surface_kind *)item->variant)->extent(item->parameters, low, high);
-        if (highest == surfaces->count || high[2] > *z_mm) {
-            highest = i;
-            *z_mm = high[2];
-        }
-    }
-    return highest;
-}
-
-static void check_observer(struct lx_walk *walk, const luxel_scene *scene)
-{
-    const struct lx_observer *observer = &scene->parameters.observer;
-    struct lx_place place = lx_document_place(walk->document, lx_scene_node(scene, "observer", "z"));
-    struct lx_step group = {NULL, "observer", 0}, step = {&group, "z", 0};
-    char number[LX_NUMBER_SIZE];
-    if (observer->projection == LX_PERSPECTIVE && !(observer->z_mm > 0))
-        return; /* a rule of its table, and reported by it */
-    double highest;
-    size_t surface = highest_surface(&scene->parameters.surfaces, &highest);
-    if (surface < scene->parameters.surfaces.count && !(observer->z_mm > highest)) {
-        char name[40];
-        snprintf(name, sizeof name, "surfaces[%zu]", surface);
-        lx_walk_report(walk, LUXEL_SEVERITY_ERROR, place, &step, LX_MSG_OBSERVER_TOO_LOW, name,
-                       lx_write_number(highest, number));
-        if (isfinite(highest))
-            lx_hint(walk->diagnostics, LX_MSG_HINT_RAISE_OBSERVER, LX_ARGS(number));
-    }
-}
-
 /* Whether a key of a group of the scene is written and good. */
 static bool is_good(const char *group, const void *parameters, const char *key)
 {
     return lx_is_given(lx_find_parameter(&lx_scene_table, group)->group, parameters, key);
+}
+
+/* What an observer of the scene has to do with surface i; false: it has errors of its own. */
+static bool standing_of(const luxel_scene *scene, size_t i, enum lx_standing *standing, double *highest_mm)
+{
+    const struct lx_observer *observer = &scene->parameters.observer;
+    const struct lx_item *item = &scene->parameters.surfaces.items[i];
+    const struct lx_surface_kind *kind = (const struct lx_surface_kind *)item->variant;
+    if (!kind)
+        return false;
+    double low[3], high[3];
+    kind->extent(item->parameters, low, high);
+    *highest_mm = high[2];
+    *standing = kind->standing(item->parameters, observer->z_mm, observer->projection == LX_PERSPECTIVE);
+    return true;
+}
+
+/* Of a surface that shows its back: at the observer's height, or at the surface's axis. */
+static void report_back(struct lx_walk *walk, const luxel_scene *scene, size_t i, enum lx_standing standing)
+{
+    const struct lx_document *document = walk->document;
+    char name[40];
+    snprintf(name, sizeof name, "surfaces[%zu]", i);
+    if (standing == LX_STANDS_BEHIND) {
+        struct lx_step group = {NULL, "observer", 0}, step = {&group, "z", 0};
+        lx_walk_report(walk, LUXEL_SEVERITY_ERROR, lx_document_place(document, lx_scene_node(scene, "observer", "z")),
+                       &step, LX_MSG_OBSERVER_BEHIND, name, NULL);
+        lx_hint(walk->diagnostics, LX_MSG_HINT_TURN_ROUND, NULL);
+        return;
+    }
+    lx_node_id list = lx_document_find(document, document->root, "surfaces");
+    lx_node_id id = lx_document_node(document, list)->first;
+    for (size_t k = 0; k < i; k++)
+        id = lx_document_node(document, id)->next;
+    struct lx_step surfaces = {NULL, "surfaces", 0}, item = {&surfaces, NULL, i}, step = {&item, "axis", 0};
+    lx_walk_report(walk, LUXEL_SEVERITY_ERROR, lx_document_place(document, lx_document_find(document, id, "axis")),
+                   &step, LX_MSG_TURNED_AWAY, name, NULL);
+    lx_hint(walk->diagnostics, LX_MSG_HINT_TURN_UP, NULL);
+}
+
+/* Of the surfaces that the observer is not above only the one that reaches highest is reported. */
+static void check_observer(struct lx_walk *walk, const luxel_scene *scene)
+{
+    const struct lx_observer *observer = &scene->parameters.observer;
+    if (observer->projection == LX_PERSPECTIVE && !(observer->z_mm > 0))
+        return; /* a rule of its table, and reported by it */
+    if (lx_scene_node(scene, "observer", "projection") && !is_good("observer", observer, "projection"))
+        return;
+    size_t count = scene->parameters.surfaces.count, highest = count;
+    double highest_mm = -HUGE_VAL;
+    for (size_t i = 0; i < count; i++) {
+        enum lx_standing standing;
+        double top_mm;
+        if (!standing_of(scene, i, &standing, &top_mm) || standing == LX_STANDS_BEFORE)
+            continue;
+        if (standing != LX_STANDS_TOO_LOW) {
+            report_back(walk, scene, i, standing);
+        } else if (highest == count || top_mm > highest_mm) {
+            highest = i;
+            highest_mm = top_mm;
+        }
+    }
+    if (highest == count)
+        return;
+    char name[40], number[LX_NUMBER_SIZE];
+    snprintf(name, sizeof name, "surfaces[%zu]", highest);
+    struct lx_step group = {NULL, "observer", 0}, step = {&group, "z", 0};
+    lx_walk_report(walk, LUXEL_SEVERITY_ERROR, lx_document_place(walk->document, lx_scene_node(scene, "observer", "z")),
+                   &step, LX_MSG_OBSERVER_TOO_LOW, name, lx_write_number(highest_mm, number));
+    if (isfinite(highest_mm))
+        lx_hint(walk->diagnostics, LX_MSG_HINT_RAISE_OBSERVER, LX_ARGS(number));
 }
 
 void lx_validate_scene(struct lx_walk *walk, const luxel_scene *scene)

@@ -6,6 +6,7 @@
  */
 #include <math.h>
 #include <stdint.h>
+#include <string.h>
 
 #include "kernel.h"
 
@@ -20,6 +21,7 @@
 #define LOG_TERMS 5
 #define EXP_TERMS 8
 #include "kernel_real.h"
+#include "kernel_samples.h"
 #undef REAL
 #undef NAME
 #undef BITS
@@ -42,6 +44,11 @@
 #define LOG_TERMS 11
 #define EXP_TERMS 14
 #include "kernel_real.h"
+#include "kernel_samples.h"
+
+#include "kernel_angle.h"
+#include "kernel_facets.h"
+#include "kernel_round.h"
 
 /*
  * Of a sphere seen along -z: the place is (dx, dy, sqrt(R^2 - dx^2 - dy^2)).  What is the same in the whole row is
@@ -107,15 +114,11 @@ static void look_at(const double observer_mm[3], struct lx_block_double *block, 
     }
 }
 
-static void complete_sphere(const struct lx_shape *sphere, const double *observer_mm, struct lx_block_double *block,
-                            struct lx_block_single *copy, size_t count)
+/* The view vectors of a block whose places and normals are set, and the copy of all in float32. */
+static void finish_block(const double *observer_mm, struct lx_block_double *block, struct lx_block_single *copy,
+                         size_t count)
 {
-    const double inverse = 1 / sphere->radius_mm;
-    count = lx_padded(count);
     for (size_t i = 0; i < count; i++) {
-        block->nx[i] = block->px[i] * inverse;
-        block->ny[i] = block->py[i] * inverse;
-        block->nz[i] = block->pz[i] * inverse;
         block->vx[i] = 0;
         block->vy[i] = 0;
         block->vz[i] = 1;
@@ -127,6 +130,19 @@ static void complete_sphere(const struct lx_shape *sphere, const double *observe
         copy->nx[i] = (float)block->nx[i], copy->ny[i] = (float)block->ny[i], copy->nz[i] = (float)block->nz[i];
         copy->vx[i] = (float)block->vx[i], copy->vy[i] = (float)block->vy[i], copy->vz[i] = (float)block->vz[i];
     }
+}
+
+static void complete_sphere(const struct lx_shape *sphere, const double *observer_mm, struct lx_block_double *block,
+                            struct lx_block_single *copy, size_t count)
+{
+    const double inverse = 1 / sphere->radius_mm;
+    count = lx_padded(count);
+    for (size_t i = 0; i < count; i++) {
+        block->nx[i] = block->px[i] * inverse;
+        block->ny[i] = block->py[i] * inverse;
+        block->nz[i] = block->pz[i] * inverse;
+    }
+    finish_block(observer_mm, block, copy, count);
 }
 
 /* As sphere_blocks() of surface/sphere.c. */
@@ -156,6 +172,8 @@ static void block_by_sphere(const struct lx_blocker *blocker, const struct lx_bl
     }
 }
 
+#include "kernel_plate.h"
+
 static bool runs(void)
 {
 #if LX_ISA_LEVEL >= 4
@@ -180,7 +198,13 @@ const struct lx_kernels TABLE_OF(LX_ISA) = {
     .runs = runs,
     .shade_single = shade_single,
     .shade_double = shade_double,
-    .meet_lines = {[LX_SPHERE] = meet_sphere},
-    .complete_block = {[LX_SPHERE] = complete_sphere},
-    .block_light = {[LX_SPHERE] = block_by_sphere},
+    .samples_single = samples_single,
+    .samples_double = samples_double,
+    .light_by_shell = {[LX_FACETS] = light_by_facets,
+                       [LX_DISK] = light_by_disk,
+                       [LX_BALL] = light_by_ball,
+                       [LX_CYLINDER] = light_by_cylinder},
+    .meet_lines = {[LX_SPHERE] = meet_sphere, [LX_PLATE] = meet_plate},
+    .complete_block = {[LX_SPHERE] = complete_sphere, [LX_PLATE] = complete_plate},
+    .block_light = {[LX_SPHERE] = block_by_sphere, [LX_PLATE] = block_by_plate},
 };

@@ -9,7 +9,8 @@
  * element gives the same bytes wherever it stands in a block.
  *
  * Lengths are mm; places are offsets from the surface's anchor.  The formulas are those of the references in
- * light/emitter.c, material/lobe.c and surface/sphere.c.
+ * light/emitter.c, material/lobe.c and surface/sphere.c; those for extended sources stand in kernel_facets.h and
+ * kernel_round.h.
  */
 #ifndef LX_SHADE_KERNEL_H
 #define LX_SHADE_KERNEL_H
@@ -21,7 +22,7 @@
 #include "../material/lobe.h"
 #include "../surface/surface.h"
 
-enum { LX_BLOCK = 128, LX_LANES = 16 };
+enum { LX_BLOCK = 128, LX_LANES = 16, LX_MOST_SAMPLES = 36 };
 
 static inline size_t lx_padded(size_t count)
 {
@@ -51,12 +52,27 @@ static inline size_t lx_padded(size_t count)
         real nx[LX_BLOCK], ny[LX_BLOCK], nz[LX_BLOCK]; /* normal, unit */                                              \
         real vx[LX_BLOCK], vy[LX_BLOCK], vz[LX_BLOCK]; /* to the observer, unit */                                     \
     };                                                                                                                 \
+    struct lx_samples_##suffix {                                                                                       \
+        real x[LX_MOST_SAMPLES], y[LX_MOST_SAMPLES], z[LX_MOST_SAMPLES];    /* place from the anchor */                \
+        real nx[LX_MOST_SAMPLES], ny[LX_MOST_SAMPLES], nz[LX_MOST_SAMPLES]; /* normal, unit */                         \
+        real height[LX_MOST_SAMPLES]; /* normal.place, with room for rounding: it shines on what is above */           \
+        real gain[LX_MOST_SAMPLES];                                                                                    \
+        enum lx_attenuation law;                                                                                       \
+        real k;                                                                                                        \
+    };                                                                                                                 \
     typedef void lx_shade_##suffix(const struct lx_light_##suffix *light, const struct lx_lobe_##suffix *lobe,         \
-                                   const struct lx_block_##suffix *block, const float *open, size_t count, real *sum)
+                                   const struct lx_block_##suffix *block, const float *open, size_t count, real *sum); \
+    typedef void lx_shade_samples_##suffix(const struct lx_samples_##suffix *samples, size_t first, size_t count,      \
+                                           const struct lx_lobe_##suffix *lobe, const struct lx_block_##suffix *block, \
+                                           size_t start, real *sum)
 
 /*
  * lx_shade_single, lx_shade_double: add to sum[i] the brightness that the light gives to element i.  open[i]
  * is 1 where the way to the light is free, 0 where it is blocked; NULL: free everywhere.
+ *
+ * lx_shade_samples_single, lx_shade_samples_double: samples of Lambertian shells.  Set sum[0 ... LX_LANES - 1] to the
+ * brightness that `count` of them, from the first on, give to the elements from `start` on.  A sample gives
+ * gain cos(its angle) a, with a by law: 1/r^2, 1/(k + r), 1; r in mm.
  */
 LX_KERNEL_TYPES(float, single);
 LX_KERNEL_TYPES(double, double);
@@ -93,11 +109,51 @@ struct lx_blocker {
 typedef void lx_block_light(const struct lx_blocker *blocker, const struct lx_block_double *block, size_t count,
                             float *open);
 
+/* An extended source, as offsets from the anchor of a surface or from the source's centre. */
+struct lx_shell_face {
+    double normal[3]; /* unit */
+    double height;    /* of its plane over the source's centre */
+};
+
+struct lx_shell_edge {
+    double from[3], to[3], along[3]; /* from the centre; along = to - from */
+    double moment[3];                /* from x to */
+    int left, right;                 /* as in struct lx_edge */
+};
+
+struct lx_shell {
+    enum lx_emitter_type type;
+    double radiance;
+    double center[3];  /* from the anchor */
+    double radius_mm;  /* of a sphere about the centre around all of it */
+    double touch_mm;   /* heights below this are rounding */
+    double axis[3];    /* of a disk or cylinder */
+    double round_mm;   /* radius of a disk, ball, cylinder */
+    double half_mm;    /* half the height of a cylinder */
+    struct lx_shell_face *faces;
+    struct lx_shell_edge *edges;
+    size_t face_count, edge_count;
+    const struct lx_facets *facets; /* what they were made of */
+};
+
+/* A ball around the places of a block. */
+struct lx_around {
+    double center[3], radius;
+};
+
+/* Adds `diffuse` times the irradiance by the law 1/r^2, r in mm and the shell in mm. */
+typedef void lx_light_by_shell(const struct lx_shell *shell, double diffuse, const struct lx_block_double *block,
+                               const struct lx_around *around, size_t count, double *sum);
+
 struct lx_kernels {
     const char *name;
     bool (*runs)(void); /* whether this machine has the instruction set */
     lx_shade_single *shade_single;
     lx_shade_double *shade_double;
+    lx_shade_samples_single *samples_single;
+    lx_shade_samples_double *samples_double;
+    /* by the type of the emitter; NULL for those that are not extended */
+    lx_light_by_shell *light_by_shell[LX_CYLINDER + 1];
     /* by the type of the shape */
     lx_meet_lines *meet_lines[LX_SHAPE_TYPES];
     lx_complete_block *complete_block[LX_SHAPE_TYPES];

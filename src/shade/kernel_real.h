@@ -167,45 +167,50 @@ static inline __attribute__((always_inline)) void NAME(profile)(const struct NAM
     }
 }
 
+/* What the lobe makes of light from L, for each unit of E_perp. */
+static inline __attribute__((always_inline)) REAL NAME(weight_of)(const struct NAME(lx_lobe) * lobe,
+                                                                  const struct NAME(lx_block) * block, size_t i,
+                                                                  enum lx_model model, enum lx_highlight highlight,
+                                                                  REAL lx, REAL ly, REAL lz)
+{
+    REAL nx = block->nx[i], ny = block->ny[i], nz = block->nz[i];
+    REAL n_dot_l = nx * lx + ny * ly + nz * lz;
+    REAL front = n_dot_l > 0 ? n_dot_l : 0;
+    REAL weight = lobe->diffuse * front;
+    if (model == LX_LAMBERT)
+        return weight;
+    /* the vectors whose angle makes the lobe, and the squared length of the second */
+    REAL ax, ay, az, bx, by, bz, length_squared;
+    REAL vx = block->vx[i], vy = block->vy[i], vz = block->vz[i];
+    if (model == LX_BLINN_PHONG) {
+        ax = nx, ay = ny, az = nz;
+        bx = lx + vx, by = ly + vy, bz = lz + vz;
+        REAL length = bx * bx + by * by + bz * bz;
+        length_squared = length > (REAL)SMALLEST ? length : (REAL)SMALLEST;
+    } else {
+        ax = vx, ay = vy, az = vz;
+        bx = 2 * n_dot_l * nx - lx, by = 2 * n_dot_l * ny - ly, bz = 2 * n_dot_l * nz - lz;
+        length_squared = 1;
+    }
+    REAL cosine = ax * bx + ay * by + az * bz;
+    REAL cx = ay * bz - az * by, cy = az * bx - ax * bz, cz = ax * by - ay * bx;
+    REAL inverse = 1 / length_squared;
+    REAL power = NAME(cosine_power)(cosine, cosine * cosine * inverse, (cx * cx + cy * cy + cz * cz) * inverse,
+                                    lobe->half_exponent);
+    REAL w = highlight == LX_HIGHLIGHT_PLAIN ? 1 : highlight == LX_HIGHLIGHT_GATED ? (n_dot_l > 0 ? 1 : 0) : front;
+    return weight + lobe->specular * w * power;
+}
+
 /* Adds the brightness that the rays make by the lobe. */
 static inline __attribute__((always_inline)) void NAME(reflect)(const struct NAME(lx_lobe) * lobe,
                                                                 const struct NAME(lx_block) * block, size_t count,
                                                                 enum lx_model model, enum lx_highlight highlight,
                                                                 const struct NAME(rays) * rays, REAL *restrict sum)
 {
-    const REAL diffuse = lobe->diffuse, specular = lobe->specular, half_exponent = lobe->half_exponent;
-    for (size_t i = 0; i < count; i++) {
-        REAL lx = rays->lx[i], ly = rays->ly[i], lz = rays->lz[i];
-        REAL nx = block->nx[i], ny = block->ny[i], nz = block->nz[i];
-        REAL n_dot_l = nx * lx + ny * ly + nz * lz;
-        REAL front = n_dot_l > 0 ? n_dot_l : 0;
-        REAL weight = diffuse * front;
-        if (model != LX_LAMBERT) {
-            /* the vectors whose angle makes the lobe, and the squared length of the second */
-            REAL ax, ay, az, bx, by, bz, length_squared;
-            REAL vx = block->vx[i], vy = block->vy[i], vz = block->vz[i];
-            if (model == LX_BLINN_PHONG) {
-                ax = nx, ay = ny, az = nz;
-                bx = lx + vx, by = ly + vy, bz = lz + vz;
-                REAL length = bx * bx + by * by + bz * bz;
-                length_squared = length > (REAL)SMALLEST ? length : (REAL)SMALLEST;
-            } else {
-                ax = vx, ay = vy, az = vz;
-                bx = 2 * n_dot_l * nx - lx, by = 2 * n_dot_l * ny - ly, bz = 2 * n_dot_l * nz - lz;
-                length_squared = 1;
-            }
-            REAL cosine = ax * bx + ay * by + az * bz;
-            REAL cx = ay * bz - az * by, cy = az * bx - ax * bz, cz = ax * by - ay * bx;
-            REAL inverse = 1 / length_squared;
-            REAL power = NAME(cosine_power)(cosine, cosine * cosine * inverse, (cx * cx + cy * cy + cz * cz) * inverse,
-                                            half_exponent);
-            REAL w = highlight == LX_HIGHLIGHT_PLAIN   ? 1
-                     : highlight == LX_HIGHLIGHT_GATED ? (n_dot_l > 0 ? 1 : 0)
-                                                       : front;
-            weight += specular * w * power;
-        }
-        sum[i] += rays->e[i] * weight;
-    }
+    const struct NAME(lx_lobe) constants = *lobe;
+    for (size_t i = 0; i < count; i++)
+        sum[i] += rays->e[i] * NAME(weight_of)(&constants, block, i, model, highlight, rays->lx[i], rays->ly[i],
+                                               rays->lz[i]);
 }
 
 static void NAME(find_rays)(const struct NAME(lx_light) * light, const struct NAME(lx_block) * block, size_t count,

@@ -13,6 +13,9 @@
 /* The picture's maximum is bounded from below by this many samples on each axis. */
 enum { SAMPLES = 16 };
 
+/* Of the highlights of extended sources. */
+static const double USUAL_TOLERANCE = 1e-3;
+
 static void set_exact(const struct lx_emitter *emitter, const struct lx_shape *shape, struct lx_light_double *light)
 {
     const struct lx_profile *profile = &emitter->profile;
@@ -108,9 +111,19 @@ static int find_blockers(const struct lx_plan *plan, const struct lx_planned_sur
     return 0;
 }
 
-static int plan_surface(const struct lx_plan *plan, const struct lx_lobe *lobe, struct lx_planned_surface *surface)
+static struct lx_lobe_single single_lobe(const struct lx_lobe_double *lobe)
 {
-    const struct lx_prepared *prepared = plan->prepared;
+    return (struct lx_lobe_single){
+        .model = lobe->model,
+        .highlight = lobe->highlight,
+        .diffuse = (float)lobe->diffuse,
+        .specular = (float)lobe->specular,
+        .half_exponent = (float)lobe->half_exponent,
+    };
+}
+
+static void set_lobes(const struct lx_lobe *lobe, struct lx_planned_surface *surface)
+{
     surface->lobe_exact = (struct lx_lobe_double){
         .model = lobe->specular.value > 0 ? lobe->model : LX_LAMBERT,
         .highlight = lobe->highlight,
@@ -118,13 +131,57 @@ static int plan_surface(const struct lx_plan *plan, const struct lx_lobe *lobe, 
         .specular = lobe->specular.value,
         .half_exponent = lobe->exponent / 2,
     };
-    surface->lobe_single = (struct lx_lobe_single){
-        .model = surface->lobe_exact.model,
-        .highlight = lobe->highlight,
-        .diffuse = (float)lobe->diffuse.value,
-        .specular = (float)lobe->specular.value,
-        .half_exponent = (float)(lobe->exponent / 2),
-    };
+    surface->matte_exact = surface->glossy_exact = surface->lobe_exact;
+    surface->matte_exact.model = LX_LAMBERT;
+    surface->glossy_exact.diffuse = 0;
+    surface->matte_lobe = *lobe;
+    surface->matte_lobe.specular = lx_exact(0);
+    surface->lobe_single = single_lobe(&surface->lobe_exact);
+    surface->glossy_single = single_lobe(&surface->glossy_exact);
+    surface->matte_single = single_lobe(&surface->matte_exact);
+}
+
+static int plan_shells(struct lx_plan *plan, struct lx_planned_surface *surface)
+{
+    const struct lx_emitters *emitters = &plan->prepared->emitters;
+    size_t count = 0, patches = 0;
+    for (size_t i = 0; i < emitters->count; i++)
+        count += lx_is_extended(&emitters->items[i]);
+    if (count == 0)
+        return 0;
+    surface->shells = lx_new_array(count, sizeof *surface->shells);
+    surface->glossy = lx_new_array(count, sizeof *surface->glossy);
+    surface->matte = lx_new_array(count, sizeof *surface->matte);
+    if (!surface->shells || !surface->glossy || !surface->matte)
+        return -1;
+    for (size_t i = 0; i < emitters->count; i++) {
+        const struct lx_emitter *emitter = &emitters->items[i];
+        if (!lx_is_extended(emitter))
+            continue;
+        struct lx_planned_shell *planned = &surface->shells[surface->shell_count];
+        planned->emitter = emitter;
+        int failed = lx_shell_make(emitter, &surface->shape, &planned->shell);
+        struct lx_sampled *sampled = &surface->glossy[surface->shell_count++];
+        if (failed)
+            return -1;
+        *sampled = (struct lx_sampled){.shell = &planned->shell, .law = emitter->attenuation, .k_mm = emitter->k_mm};
+        if (emitter->attenuation != LX_INVERSE_SQUARE) {
+            surface->matte[surface->matte_count] = *sampled;
+            surface->matte[surface->matte_count++].in_double = true;
+        }
+        sampled->in_double = plan->precision == LUXEL_DOUBLE ||
+                             !lx_samples_fit_single(&surface->shape, &surface->glossy_exact, &planned->shell,
+                                                    plan->tolerance);
+        patches += lx_patch_limit(&planned->shell);
+    }
+    plan->most_patches = patches;
+    return 0;
+}
+
+static int plan_surface(struct lx_plan *plan, const struct lx_lobe *lobe, struct lx_planned_surface *surface)
+{
+    const struct lx_prepared *prepared = plan->prepared;
+    set_lobes(lobe, surface);
     surface->lights = lx_new_array(prepared->emitters.count, sizeof *surface->lights);
     if (!surface->lights)
         return -1;
@@ -134,6 +191,8 @@ static int plan_surface(const struct lx_plan *plan, const struct lx_lobe *lobe, 
             surface->uniform += lobe->ambient.value * emitter->strength;
             continue;
         }
+        if (lx_is_extended(emitter))
+            continue;
         struct lx_planned_light *light = &surface->lights[surface->light_count++];
         light->in_double = true;
         set_exact(emitter, &surface->shape, &light->exact);
@@ -142,14 +201,14 @@ static int plan_surface(const struct lx_plan *plan, const struct lx_lobe *lobe, 
         if (find_blockers(plan, surface, light))
             return -1;
     }
-    return 0;
+    return plan_shells(plan, surface);
 }
 
-/* A lower bound of the picture's maximum: the largest of some of its own pixels, in float64. */
-static int least_maximum(const struct lx_plan *plan, double *maximum)
+/* The largest of some of the picture's own pixels, in float64. */
+static int sample_maximum(const struct lx_plan *plan, double *maximum)
 {
     const struct lx_screen *screen = &plan->prepared->scene->screen;
-    struct lx_shader_memory *memory = lx_shader_memory_new();
+    struct lx_shader_memory *memory = lx_shader_memory_new(plan);
     double x[LX_LANES], values[LX_LANES];
     uint8_t mask[LX_LANES];
     _Static_assert((int)SAMPLES <= (int)LX_LANES, "a row of samples fits in one padded block");
@@ -168,12 +227,32 @@ static int least_maximum(const struct lx_plan *plan, double *maximum)
     return 0;
 }
 
+/* Finds a lower bound of the picture's maximum, for which a rough look at the highlights is enough, and chooses by it. */
+static int plan_accuracy(struct lx_plan *plan)
+{
+    const double rough = 0.1, tolerance = plan->tolerance;
+    bool is_sampled = plan->most_patches > 0, is_double = plan->precision == LUXEL_DOUBLE;
+    double maximum;
+    if (is_double && !is_sampled)
+        return 0;
+    plan->tolerance = fmax(tolerance, rough);
+    if (sample_maximum(plan, &maximum))
+        return -1;
+    plan->tolerance = tolerance;
+    plan->least_maximum = is_sampled ? (1 - rough) * maximum : maximum;
+    for (size_t s = 0; s < plan->surface_count && !is_double; s++)
+        lx_choose_precision(&plan->surfaces[s], plan->least_maximum);
+    return 0;
+}
+
 int lx_plan_make(const struct lx_prepared *prepared, const struct lx_kernels *kernels, luxel_quantity quantity,
-                 luxel_precision precision, struct lx_plan *plan)
+                 luxel_precision precision, double tolerance, struct lx_plan *plan)
 {
     *plan = (struct lx_plan){
         .prepared = prepared,
         .kernels = kernels,
+        .precision = precision,
+        .tolerance = tolerance > 0 ? tolerance : USUAL_TOLERANCE,
         .surfaces = lx_new_array(prepared->surface_count, sizeof *plan->surfaces),
         .surface_count = prepared->surface_count,
     };
@@ -183,6 +262,10 @@ int lx_plan_make(const struct lx_prepared *prepared, const struct lx_kernels *ke
         const struct lx_prepared_surface *surface = &prepared->surfaces[s];
         plan->surfaces[s].shape = surface->shape;
         surface->kind->extent(surface->parameters, plan->surfaces[s].low_mm, plan->surfaces[s].high_mm);
+        for (int i = 0; i < 3; i++) {
+            plan->surfaces[s].low_mm[i] -= 2 * surface->shape.touch_mm;
+            plan->surfaces[s].high_mm[i] += 2 * surface->shape.touch_mm;
+        }
     }
     struct lx_lobe irradiance = lx_lobe_irradiance();
     for (size_t s = 0; s < plan->surface_count; s++) {
@@ -190,14 +273,7 @@ int lx_plan_make(const struct lx_prepared *prepared, const struct lx_kernels *ke
         if (plan_surface(plan, lobe, &plan->surfaces[s]))
             return -1;
     }
-    if (precision == LUXEL_DOUBLE)
-        return 0;
-    double maximum;
-    if (least_maximum(plan, &maximum))
-        return -1;
-    for (size_t s = 0; s < plan->surface_count; s++)
-        lx_choose_precision(&plan->surfaces[s], maximum);
-    return 0;
+    return plan_accuracy(plan);
 }
 
 void lx_plan_clear(struct lx_plan *plan)
@@ -205,7 +281,12 @@ void lx_plan_clear(struct lx_plan *plan)
     for (size_t s = 0; plan->surfaces && s < plan->surface_count; s++) {
         for (size_t i = 0; i < plan->surfaces[s].light_count; i++)
             free(plan->surfaces[s].lights[i].blockers);
+        for (size_t i = 0; i < plan->surfaces[s].shell_count; i++)
+            lx_shell_clear(&plan->surfaces[s].shells[i].shell);
         free(plan->surfaces[s].lights);
+        free(plan->surfaces[s].shells);
+        free(plan->surfaces[s].glossy);
+        free(plan->surfaces[s].matte);
     }
     free(plan->surfaces);
     *plan = (struct lx_plan){0};

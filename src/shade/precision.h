@@ -15,4 +15,8 @@ void lx_bound_light(const struct lx_prepared *prepared, const struct lx_shape *s
  */
 void lx_choose_precision(struct lx_planned_surface *surface, double least_maximum);
 
+/* Whether float32 samples of a shell are good enough for a tolerance. */
+bool lx_samples_fit_single(const struct lx_shape *shape, const struct lx_lobe_double *lobe,
+                           const struct lx_shell *shell, double tolerance);
+
 #endif

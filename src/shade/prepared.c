@@ -22,13 +22,14 @@ static int prepare_lights(const struct lx_list *lights, struct lx_emitters *emit
     return 0;
 }
 
-int lx_prepare(const struct lx_scene_parameters *scene, struct lx_prepared *prepared)
+int lx_prepare(const struct lx_scene_parameters *scene, double tolerance, struct lx_prepared *prepared)
 {
     const struct lx_list *surfaces = &scene->surfaces;
     *prepared = (struct lx_prepared){
         .scene = scene,
         .surfaces = lx_new_array(surfaces->count, sizeof *prepared->surfaces),
         .surface_count = surfaces->count,
+        .tolerance = tolerance,
         .shadows = scene->shadows == LX_SHADOWS_POINTS && surfaces->count > 1,
     };
     if (!prepared->surfaces)
@@ -62,7 +63,8 @@ static enum laws common_law(const struct lx_emitters *emitters)
     size_t unattenuated = 0, physical = 0;
     for (size_t i = 0; i < emitters->count; i++) {
         const struct lx_emitter *emitter = &emitters->items[i];
-        if (emitter->type != LX_POINT || emitter->attenuation == LX_INVERSE_SQUARE)
+        bool has_law = emitter->type == LX_POINT || lx_is_extended(emitter);
+        if (!has_law || emitter->attenuation == LX_INVERSE_SQUARE)
             physical++;
         else if (emitter->attenuation == LX_NO_ATTENUATION)
             unattenuated++;

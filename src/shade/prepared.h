@@ -12,6 +12,9 @@
 #include "../surface/surface.h"
 #include <luxel/field.h>
 
+/* Of probes where nothing else is asked for. */
+#define LX_DEFAULT_TOLERANCE 1e-9
+
 struct lx_prepared_surface {
     const struct lx_surface_kind *kind;
     const void *parameters;
@@ -24,11 +27,12 @@ struct lx_prepared {
     struct lx_prepared_surface *surfaces;
     size_t surface_count;
     struct lx_emitters emitters; /* of the enabled lights, in their order */
+    double tolerance;            /* of integrals, relative to the value that they are a part of */
     bool shadows;                /* whether surfaces take light from each other */
 };
 
 /* 0, or -1 when memory ran out.  Release with lx_prepared_clear() in either case. */
-int lx_prepare(const struct lx_scene_parameters *scene, struct lx_prepared *prepared);
+int lx_prepare(const struct lx_scene_parameters *scene, double tolerance, struct lx_prepared *prepared);
 void lx_prepared_clear(struct lx_prepared *prepared);
 
 /* The unit of a quantity in this scene, UTF-8, as the attenuation laws, over_pi and `units` make it. */

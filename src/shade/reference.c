@@ -2,6 +2,8 @@
 /* Seeing and lighting one surface element in float64 with error bounds. */
 #include "reference.h"
 #include "camera.h"
+#include "../light/extended.h"
+#include "cubature.h"
 
 static lx_bounded3 observer_place(const struct lx_observer *observer)
 {
@@ -22,7 +24,7 @@ bool lx_element_seen(const struct lx_prepared *prepared, double x_mm, double y_m
     struct lx_hit nearest = {.exists = false};
     for (size_t i = 0; i < prepared->surface_count; i++) {
         const struct lx_prepared_surface *surface = &prepared->surfaces[i];
-        struct lx_hit hit = surface->kind->hit(surface->parameters, &ray);
+        struct lx_hit hit = surface->kind->hit(&surface->shape, &ray);
         if (!hit.exists || (nearest.exists && hit.t >= nearest.t))
             continue;
         nearest = hit;
@@ -44,7 +46,7 @@ struct lx_element lx_element_at(const struct lx_prepared *prepared, const double
         .lobe = &prepared->surfaces[0].lobe,
     };
     for (size_t i = 0; i < prepared->surface_count && !element.own; i++)
-        if (prepared->surfaces[i].kind->holds(prepared->surfaces[i].parameters, place_mm))
+        if (prepared->surfaces[i].kind->holds(&prepared->surfaces[i].shape, place_mm))
             element.own = &prepared->surfaces[i];
     return element;
 }
@@ -60,15 +62,40 @@ static lx_bounded openness(const struct lx_prepared *prepared, const struct lx_e
         const struct lx_prepared_surface *surface = &prepared->surfaces[i];
         if (surface == element->own)
             continue;
-        lx_bounded blocked = surface->kind->blocks(surface->parameters, element->place_mm, way, endless);
+        lx_bounded blocked = surface->kind->blocks(&surface->shape, element->place_mm, way, endless);
         open = lx_both(open, lx_not(blocked));
     }
     return open;
 }
 
+/* Closed form where there is one, else to the tolerance. */
+static struct lx_lighting light_by_extended(const struct lx_prepared *prepared, const struct lx_element *element,
+                                            const struct lx_emitter *emitter)
+{
+    if (lx_extended_touches(emitter, element->place_mm))
+        return (struct lx_lighting){.on_element = true};
+    const struct lx_lobe *lobe = element->lobe;
+    bool closed = emitter->attenuation == LX_INVERSE_SQUARE;
+    struct lx_lighting lighting = {.irradiance = lx_exact(0), .specular = lx_exact(0)};
+    if (closed)
+        lighting.irradiance = lx_extended_irradiance(emitter, element->place_mm, element->normal);
+    if (!closed || lobe->specular.value > 0) {
+        double known = lobe->diffuse.value * lighting.irradiance.value;
+        struct lx_cubature integral = lx_integrate(emitter, element, !closed, known, prepared->tolerance);
+        if (!closed)
+            lighting.irradiance = integral.irradiance;
+        lighting.specular = integral.specular;
+        lighting.parts = integral.parts;
+    }
+    lighting.diffuse = lx_mul(lobe->diffuse, lighting.irradiance);
+    return lighting;
+}
+
 struct lx_lighting lx_light_element(const struct lx_prepared *prepared, const struct lx_element *element,
                                     const struct lx_emitter *emitter)
 {
+    if (lx_is_extended(emitter))
+        return light_by_extended(prepared, element, emitter);
     struct lx_sample sample = lx_emitter_sample(emitter, element->place_mm);
     if (sample.on_element)
         return (struct lx_lighting){.on_element = true};

@@ -23,6 +23,7 @@ struct lx_element lx_element_at(const struct lx_prepared *prepared, const double
 struct lx_lighting {
     bool on_element; /* the emitter lies on the element: there is no value */
     lx_bounded irradiance, diffuse, specular;
+    size_t parts; /* points of an extended emitter that were looked at; 0: a closed form did */
 };
 
 struct lx_lighting lx_light_element(const struct lx_prepared *prepared, const struct lx_element *element,

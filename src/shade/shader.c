@@ -7,7 +7,9 @@
 #include <string.h>
 
 #include "../base/memory.h"
+#include "../light/extended.h"
 #include "camera.h"
+#include "cubature.h"
 #include "shader.h"
 
 /* Lights in float32 are summed in groups of this many before they join the float64 sum. */
@@ -25,11 +27,18 @@ struct lx_shader_memory {
     float group[LX_BLOCK], open[LX_BLOCK];
     uint32_t shown[LX_BLOCK]; /* surface of each pixel, from 1; 0: none */
     unsigned place[LX_BLOCK]; /* pixel of each element of the block */
+    struct lx_sampling_memory *sampling;
 };
 
-struct lx_shader_memory *lx_shader_memory_new(void)
+struct lx_shader_memory *lx_shader_memory_new(const struct lx_plan *plan)
 {
-    return lx_new_aligned(1, sizeof(struct lx_shader_memory));
+    enum { ALIGNMENT = 64 };
+    size_t head = (sizeof(struct lx_shader_memory) + ALIGNMENT - 1) / ALIGNMENT * ALIGNMENT;
+    size_t size = plan->most_patches > 0 ? lx_sampling_memory_size(plan->most_patches) : 0;
+    struct lx_shader_memory *memory = lx_new_aligned(1, head + size);
+    if (memory && size > 0)
+        memory->sampling = lx_sampling_memory_of((char *)memory + head, plan->most_patches);
+    return memory;
 }
 
 /* Whether a surface may be seen through a row at all; in perspective only the lines themselves tell. */
@@ -140,7 +149,7 @@ static void flush_group(struct lx_shader_memory *memory, size_t count)
     }
 }
 
-/* Sums all lights over the gathered block. */
+/* Sums all lights but the extended ones over the gathered block. */
 static void light_block(const struct lx_plan *plan, const struct lx_planned_surface *surface,
                         struct lx_shader_memory *memory, size_t count, struct lx_control *control, bool is_caller)
 {
@@ -166,6 +175,96 @@ static void light_block(const struct lx_plan *plan, const struct lx_planned_surf
     flush_group(memory, count);
 }
 
+/* The diffuse light of one element by an extended source whose law has no closed form. */
+static double integrate(const struct lx_plan *plan, const struct lx_planned_surface *surface,
+                        const struct lx_emitter *emitter, const struct lx_block_double *block, size_t i)
+{
+    const double *anchor = surface->shape.anchor_mm, tolerance = plan->precision == LUXEL_DOUBLE ? 1e-12 : 1e-7;
+    struct lx_element element = {
+        .place_mm = lx_exact3((double[]){anchor[0] + block->px[i], anchor[1] + block->py[i], anchor[2] + block->pz[i]}),
+        .normal = lx_exact3((double[]){block->nx[i], block->ny[i], block->nz[i]}),
+        .view = lx_exact3((double[]){block->vx[i], block->vy[i], block->vz[i]}),
+        .lobe = &surface->matte_lobe,
+    };
+    if (lx_extended_touches(emitter, element.place_mm))
+        return 0;
+    double irradiance = lx_integrate(emitter, &element, true, 0, tolerance).irradiance.value;
+    return irradiance > 0 ? surface->matte_lobe.diffuse.value * irradiance : 0;
+}
+
+/* Whether the source is above the horizon of every element of a run. */
+static bool is_above(const struct lx_shell *shell, const struct lx_block_double *block, size_t start)
+{
+    for (size_t i = start; i < start + LX_LANES; i++) {
+        double x = shell->center[0] - block->px[i], y = shell->center[1] - block->py[i];
+        double z = shell->center[2] - block->pz[i];
+        if (!(block->nx[i] * x + block->ny[i] * y + block->nz[i] * z > shell->radius_mm))
+            return false;
+    }
+    return true;
+}
+
+/* Adds the diffuse light of extended sources by the laws without closed forms to a run of elements: by samples, which
+ * converge fast where no horizon cuts the sources, else for each element alone. */
+static void light_by_laws(const struct lx_plan *plan, const struct lx_planned_surface *surface,
+                          struct lx_shader_memory *memory, size_t start, size_t count)
+{
+    const double share = 1e-7; /* of the maximum */
+    const struct lx_sampler sampling = {
+        .kernels = plan->kernels,
+        .sources = surface->matte,
+        .source_count = surface->matte_count,
+        .lobe = &surface->matte_exact,
+        .lobe_single = &surface->matte_single,
+        .tolerance = share,
+        .least_maximum = plan->least_maximum,
+    };
+    bool by_samples = plan->precision == LUXEL_SINGLE;
+    for (size_t s = 0; s < surface->matte_count; s++)
+        by_samples = by_samples && is_above(surface->matte[s].shell, &memory->block, start);
+    if (by_samples) {
+        lx_sample_run(&sampling, memory->sampling, &memory->block, &memory->copy, start, memory->sum + start);
+        return;
+    }
+    size_t last = start + LX_LANES < count ? start + LX_LANES : count;
+    for (size_t s = 0; s < surface->shell_count; s++) {
+        const struct lx_emitter *emitter = surface->shells[s].emitter;
+        for (size_t i = start; i < last && emitter->attenuation != LX_INVERSE_SQUARE; i++)
+            memory->sum[i] += integrate(plan, surface, emitter, &memory->block, i);
+    }
+}
+
+/* Adds the extended sources' light: first all that is diffuse, as the highlights need be exact only beside the rest. */
+static void light_by_shells(const struct lx_plan *plan, const struct lx_planned_surface *surface,
+                            struct lx_shader_memory *memory, size_t count, struct lx_control *control, bool is_caller)
+{
+    const struct lx_around around = lx_block_around(&memory->block, 0, count);
+    const double diffuse = surface->lobe_exact.diffuse;
+    for (size_t s = 0; s < surface->shell_count && diffuse > 0; s++) {
+        const struct lx_planned_shell *planned = &surface->shells[s];
+        if (planned->emitter->attenuation == LX_INVERSE_SQUARE)
+            plan->kernels->light_by_shell[planned->shell.type](&planned->shell, diffuse, &memory->block, &around,
+                                                               count, memory->sum);
+    }
+    const struct lx_sampler sampling = {
+        .kernels = plan->kernels,
+        .sources = surface->glossy,
+        .source_count = surface->shell_count,
+        .lobe = &surface->glossy_exact,
+        .lobe_single = &surface->glossy_single,
+        .tolerance = plan->tolerance,
+        .least_maximum = plan->least_maximum,
+    };
+    for (size_t start = 0; start < count; start += LX_LANES) {
+        if (surface->matte_count > 0 && diffuse > 0)
+            light_by_laws(plan, surface, memory, start, count);
+        if (surface->glossy_exact.model != LX_LAMBERT)
+            lx_sample_run(&sampling, memory->sampling, &memory->block, &memory->copy, start, memory->sum + start);
+        if (control && !lx_control_goes_on(control, is_caller))
+            return;
+    }
+}
+
 void lx_shade_points(const struct lx_plan *plan, struct lx_shader_memory *memory, double y_mm, double *x_mm,
                      size_t count, struct lx_control *control, bool is_caller, double *values, uint8_t *mask)
 {
@@ -185,6 +284,8 @@ void lx_shade_points(const struct lx_plan *plan, struct lx_shader_memory *memory
         plan->kernels->complete_block[surface->shape.type](&surface->shape, observer_from(plan, surface, from),
                                                            &memory->block, &memory->copy, elements);
         light_block(plan, surface, memory, elements, control, is_caller);
+        if (surface->shell_count > 0)
+            light_by_shells(plan, surface, memory, elements, control, is_caller);
         for (size_t k = 0; k < elements; k++)
             values[memory->place[k]] = memory->sum[k];
         left -= elements;

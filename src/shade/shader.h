@@ -8,9 +8,9 @@
 #include "../base/rows.h"
 #include "plan.h"
 
-/* Scratch memory of one thread; allocate with lx_shader_memory_new(), free with free(). */
+/* Scratch memory of one thread for one plan; allocate with lx_shader_memory_new(), free with free(). */
 struct lx_shader_memory;
-struct lx_shader_memory *lx_shader_memory_new(void);
+struct lx_shader_memory *lx_shader_memory_new(const struct lx_plan *plan);
 
 /*
  * The values through the screen points (x[i], y), 0 off every surface, and the mask, 1 on a surface; count is

@@ -2,9 +2,10 @@
 /* The kinds of surfaces, each listed once. */
 #include "surface.h"
 
-extern const struct lx_surface_kind lx_sphere_kind;
+extern const struct lx_surface_kind lx_sphere_kind, lx_plate_kind;
 
 const struct lx_variant *const lx_surface_variants[] = {
     &lx_sphere_kind.variant,
+    &lx_plate_kind.variant,
     NULL,
 };

@@ -46,6 +46,15 @@ static void sphere_extent(const void *parameters, double low_mm[3], double high_
     }
 }
 
+static double sphere_farthest(const void *parameters, const double direction[3])
+{
+    const struct lx_sphere_parameters *sphere = parameters;
+    double length = hypot(hypot(direction[0], direction[1]), direction[2]), along = 0;
+    for (int i = 0; i < 3; i++)
+        along += sphere->center_mm[i] * direction[i];
+    return along + sphere->radius_mm * length;
+}
+
 static struct lx_shape sphere_shape(const void *parameters)
 {
     const struct lx_sphere_parameters *sphere = parameters;
@@ -91,12 +100,11 @@ static lx_bounded discriminant(const struct lx_ray *ray, const struct lx_pair fr
     return lx_rounded(result.high, rest + errors[3] * r2.high + (2 * w_size + w_error) * w_error + left_out, 1);
 }
 
-static struct lx_hit sphere_hit(const void *parameters, const struct lx_ray *ray)
+static struct lx_hit sphere_hit(const struct lx_shape *sphere, const struct lx_ray *ray)
 {
-    const struct lx_sphere_parameters *sphere = parameters;
     struct lx_pair from[3];
     for (int i = 0; i < 3; i++)
-        from[i] = lx_exact_difference(ray->origin_mm[i], sphere->center_mm[i]);
+        from[i] = lx_exact_difference(ray->origin_mm[i], sphere->anchor_mm[i]);
     lx_bounded3 w, direction = lx_exact3(ray->direction);
     lx_bounded a;
     lx_bounded below = discriminant(ray, from, sphere->radius_mm, &w, &a);
@@ -115,7 +123,7 @@ static struct lx_hit sphere_hit(const void *parameters, const struct lx_ray *ray
     return (struct lx_hit){
         .exists = true,
         .t = (-along - root.value) / a.value,
-        .place_mm = lx_add3(lx_exact3(sphere->center_mm), offset),
+        .place_mm = lx_add3(lx_exact3(sphere->anchor_mm), offset),
         .normal = {lx_div(offset.x, radius), lx_div(offset.y, radius), lx_div(offset.z, radius)},
     };
 }
@@ -125,11 +133,10 @@ static struct lx_hit sphere_hit(const void *parameters, const struct lx_ray *ray
  * way's ends.  The sphere blocks where that point is nearer than the radius, unless both ends are inside: then the
  * way does not cross the surface.
  */
-static lx_bounded sphere_blocks(const void *parameters, lx_bounded3 place_mm, lx_bounded3 towards, bool endless)
+static lx_bounded sphere_blocks(const struct lx_shape *sphere, lx_bounded3 place_mm, lx_bounded3 towards, bool endless)
 {
-    const struct lx_sphere_parameters *sphere = parameters;
     lx_bounded radius = lx_exact(sphere->radius_mm);
-    lx_bounded3 p = lx_sub3(place_mm, lx_exact3(sphere->center_mm));
+    lx_bounded3 p = lx_sub3(place_mm, lx_exact3(sphere->anchor_mm));
     lx_bounded t = lx_positive(lx_div(lx_negate(lx_dot3(p, towards)), lx_square3(towards)));
     if (!endless && t.value >= 1)
         t = (lx_bounded){1, t.error};
@@ -142,11 +149,27 @@ static lx_bounded sphere_blocks(const void *parameters, lx_bounded3 place_mm, lx
     return lx_both(reached, lx_not(lx_both(from_inside, to_inside)));
 }
 
-static bool sphere_holds(const void *parameters, const double place_mm[3])
+static bool sphere_holds(const struct lx_shape *sphere, const double place_mm[3])
+{
+    lx_bounded3 p = lx_sub3(lx_exact3(place_mm), lx_exact3(sphere->anchor_mm));
+    return fabs(lx_length3(p).value - sphere->radius_mm) <= 1e-9 * sphere->radius_mm;
+}
+
+static enum lx_standing sphere_standing(const void *parameters, double observer_z_mm, bool perspective)
 {
     const struct lx_sphere_parameters *sphere = parameters;
-    lx_bounded3 p = lx_sub3(lx_exact3(place_mm), lx_exact3(sphere->center_mm));
-    return fabs(lx_length3(p).value - sphere->radius_mm) <= 1e-9 * sphere->radius_mm;
+    (void)perspective;
+    return observer_z_mm > sphere->center_mm[2] + sphere->radius_mm ? LX_STANDS_BEFORE : LX_STANDS_TOO_LOW;
+}
+
+/* The source is inside, or behind and in the shadow of the outline. */
+static bool sphere_is_dark(const void *parameters, const double place_mm[3])
+{
+    const struct lx_sphere_parameters *sphere = parameters;
+    double q[3];
+    for (int i = 0; i < 3; i++)
+        q[i] = (place_mm[i] - sphere->center_mm[i]) / sphere->radius_mm;
+    return q[0] * q[0] + q[1] * q[1] + (q[2] < 0 ? 0 : q[2] * q[2]) <= 1;
 }
 
 const struct lx_surface_kind lx_sphere_kind = {
@@ -158,8 +181,11 @@ const struct lx_surface_kind lx_sphere_kind = {
             .table = &sphere_table,
         },
     .extent = sphere_extent,
+    .farthest = sphere_farthest,
     .shape = sphere_shape,
     .hit = sphere_hit,
     .blocks = sphere_blocks,
     .holds = sphere_holds,
+    .standing = sphere_standing,
+    .is_dark = sphere_is_dark,
 };

@@ -1,5 +1,16 @@
 # SPDX-License-Identifier: MIT
 """Random good scenes that use every key of the parameter table sooner or later, the same for the same seed."""
+import math
+
+# A file that they name: a cube, in both formats.
+CORNERS = [(x, y, z) for z in (1900, 2100) for y in (-100, 100) for x in (-100, 100)]
+FACES = [(0, 2, 3, 1), (4, 5, 7, 6), (0, 1, 5, 4), (2, 6, 7, 3), (0, 4, 6, 2), (1, 3, 7, 5)]
+FILES = {
+    "cube.off": "OFF\n8 6 12\n" + "".join("%d %d %d\n" % corner for corner in CORNERS)
+                + "".join("4 %d %d %d %d\n" % face for face in FACES),
+    "cube.obj": "".join("v %d %d %d\n" % corner for corner in CORNERS)
+                + "".join("f %d %d %d %d\n" % tuple(i + 1 for i in face) for face in FACES),
+}
 
 
 def _number(rng, low=-1000.0, high=1000.0):
@@ -59,14 +70,79 @@ def _spot(rng):
         "exponent": lambda: _from_zero(rng)})}
 
 
+def _size(rng):
+    return rng.choice([1e-3, 1, 250, 1e4, rng.uniform(0.1, 1000)])
+
+
+def _outline(rng):
+    """The corners of a star or a convex polygon in some plane."""
+    count, center, radius = rng.randint(3, 9), [_number(rng) for _ in range(3)], _size(rng) + 1
+    dent = rng.choice([1, 1, 0.3]) if count % 2 == 0 and count > 4 else 1
+    turn, tilt = rng.uniform(0, 7), rng.uniform(0, 7)
+    corners = []
+    for i in range(count):
+        angle, reach = turn + 2 * math.pi * i / count, radius * (dent if i % 2 else 1)
+        x, y = reach * math.cos(angle), reach * math.sin(angle)
+        corners.append([center[0] + x, center[1] + y * math.cos(tilt), center[2] + y * math.sin(tilt)])
+    return corners
+
+
+def _way(rng, center):
+    """An axis, a point to aim at, or neither."""
+    return rng.choice([{}, {"axis": _vector(rng)}, {"aim": [center[0] + 3, center[1] + 5, center[2] - 7]}])
+
+
+def _spread(rng, strengths):
+    """What lights of some size have in common."""
+    law = rng.choice([None, "none", "inverse-square", "practical"])
+    light = {rng.choice(strengths): _from_zero(rng)}
+    if law:
+        light["attenuation"] = law
+    if law == "practical" or rng.random() < 0.2:
+        light["k"] = _above(rng)
+    return {**light, **_some(rng, {"parts": lambda: rng.choice(["converged", 1, 3, 1000])})}
+
+
+def _planar(rng):
+    center = [_number(rng) for _ in range(3)]
+    way = _way(rng, center)
+    # whatever the axis is, these are not parallel to it
+    up = _some(rng, {"up": lambda: [0.3, 1, 0.7]})
+    outline = rng.choice([{"vertices": _outline(rng)},
+                          {"rectangle": {"center": center, "size": [_size(rng), _size(rng)], **way, **up}},
+                          {"disk": {"center": center, "radius": _size(rng), **way}}])
+    return {"type": "planar", **outline, **_spread(rng, ["intensity", "radiance", "power"])}
+
+
+def _volume(rng):
+    center = [_number(rng) for _ in range(3)]
+    body = rng.choice([
+        {"box": {"center": center, "size": [_size(rng) for _ in range(3)]}},
+        {"sphere": {"center": center, "radius": _size(rng), **_some(rng, {"facets": lambda: rng.randint(4, 60)})}},
+        {"cylinder": {"center": center, "radius": _size(rng), "height": _size(rng),
+                      **_some(rng, {"facets": lambda: rng.randint(3, 60), "axis": lambda: _vector(rng)})}},
+        {"mesh": rng.choice(sorted(FILES))}])
+    return {"type": "volume", **body, **_spread(rng, ["radiance", "power"])}
+
+
+def _grid(rng):
+    return {"center": [_number(rng) for _ in range(3)], "size": [_size(rng), _size(rng)],
+            "n": rng.choice([[1, 1], [7, 65536], [3, 4]]),
+            **_some(rng, {"name": lambda: _name(rng), "axis": lambda: _vector(rng), "up": lambda: [0.3, 1, 0.7]})}
+
+
 def _light(rng):
-    kind = rng.choice(["point", "point", "spot", "spot", "distant", "ambient"])
+    kind = rng.choice(["point", "point", "spot", "spot", "distant", "ambient", "planar", "planar", "volume", "volume"])
     if kind == "point":
         light = _point(rng)
     elif kind == "spot":
         light = _spot(rng)
     elif kind == "distant":
         light = {"type": kind, "direction": _vector(rng), "irradiance": _from_zero(rng)}
+    elif kind == "planar":
+        light = _planar(rng)
+    elif kind == "volume":
+        light = _volume(rng)
     else:
         light = {"type": kind, "irradiance": _from_zero(rng)}
     return {**light, **_some(rng, {"name": lambda: _name(rng), "enabled": lambda: rng.random() < 0.7})}
@@ -85,14 +161,26 @@ def _range(rng):
     return rng.choice(["max", "minmax", "log", [low, low + rng.choice([1e-9, 1, 100]) * max(1, abs(low))]])
 
 
+def _surface(rng):
+    """A surface, and how high an observer must stand to see its front."""
+    center = [_number(rng) for _ in range(3)]
+    common = _some(rng, {"name": lambda: _name(rng), "material": lambda: _material(rng)})
+    if rng.random() < 0.6:
+        radius = rng.uniform(1e-3, 1000)
+        return {"type": "sphere", "center": center, "radius": radius, **common}, center[2] + radius
+    size = [rng.uniform(1e-3, 1000) for _ in range(2)]
+    keys = _some(rng, {"axis": lambda: rng.choice([[0, 0, 1e-300], [rng.uniform(-3, 3), 2.5, 10]]),
+                       "up": lambda: rng.choice([[0, 1, 0], [-1, 0, 0], [1e300, -1e300, 0]])})
+    lean = 0.3 * (abs(center[0]) + abs(center[1]))
+    return {"type": "rectangle", "center": center, "size": size, **keys, **common}, center[2] + sum(size) + lean
+
+
 def good_scene(rng):
     """A scene as a mapping that both the tool and the schema must accept."""
     columns, rows = rng.choice([(1, 1), (360, 360), (500, 400), (65536, 1), (7, 131)])
     pitch = rng.choice([1, 0.5, 1e-3, 1e3])
-    surfaces = [{"type": "sphere", "center": [_number(rng) for _ in range(3)], "radius": rng.uniform(1e-3, 1000),
-                 **_some(rng, {"name": lambda: _name(rng), "material": lambda: _material(rng)})}
-                for _ in range(rng.randint(1, 3))]
-    front = max(surface["center"][2] + surface["radius"] for surface in surfaces)
+    surfaces, fronts = zip(*(_surface(rng) for _ in range(rng.randint(1, 3))))
+    surfaces, front = list(surfaces), max(fronts)
     projection = rng.choice([None, "orthographic", "perspective"])
     above = max(front, 0) if projection == "perspective" else front
     scene = {
@@ -106,6 +194,7 @@ def good_scene(rng):
         **_some(rng, {
             "units": lambda: rng.choice(["radiometric", "photometric"]),
             "shadows": lambda: rng.choice(["points", "none"]),
+            "grids": lambda: [_grid(rng) for _ in range(rng.randint(0, 2))],
             "points": lambda: [[_number(rng), _number(rng)] for _ in range(rng.randint(0, 4))],
             "picture": lambda: _some(rng, {"range": lambda: _range(rng),
                                            "rounding": lambda: rng.choice(["truncate", "nearest"])})}),

@@ -7,9 +7,16 @@ not part of the scene; without it only the line of the replacement counts.  The 
 from tool import SCENE
 
 RADIUS = "radius: 200"
+SPHERE = "type: sphere\n    center: [0, 0, 1000]\n    radius: 200"
+PLATE = "type: rectangle\n    center: [0, 0, 1000]\n    size: [200, 100]"
 MATERIAL = "material: {model: blinn-phong, diffuse: 0.8, specular: 0.5, shininess: 20, highlight: plain}"
 LIGHT = "{type: point, position: [2000, 0, 2000], intensity: 10, attenuation: none}"
 SPOT = "type: spot, position: [2000, 0, 2000], intensity: 10"
+CENTER = "center: [0, 0, 2000]"
+FLAT = "{type: planar, rectangle: {%s, size: [100, 50]}, " % CENTER
+SQUARE = "[0, 0, 2000], [0, 9, 2000], [9, 9, 2000]"
+PICTURE = "picture: {range: max, rounding: truncate}"
+GRID = "grids: [{%s, size: [10, 10], " % CENTER
 SCREEN = "screen: {width: 500, height: 500, resolution: [36, 36], sampling: nodes}"
 
 PIECES = [
@@ -111,6 +118,72 @@ PIECES = [
     ("negative inner", LIGHT, "{%s, inner: ^-1, outer: 30}" % SPOT, "-1"),
     ("unknown falloff", LIGHT, "{%s, inner: 10, outer: 30, falloff: ^smooth}" % SPOT, "smoothstep"),
     ("no surfaces", SCENE[SCENE.index("surfaces"):SCENE.index("lights")], "surfaces: ^[]\n", ""),
+    ("rectangle without size", SPHERE, "^type: rectangle\n    center: [0, 0, 1000]", "size"),
+    ("rectangle with a radius", SPHERE, PLATE + "\n    ^radius: 100", "radius sphere"),
+    ("rectangle without width", SPHERE, "type: rectangle\n    center: [0, 0, 1000]\n    size: [^0, 100]", "> 0 mm"),
+    ("rectangle of one side", SPHERE, "type: rectangle\n    center: [0, 0, 1000]\n    size: ^[100]", "2"),
+    ("rectangle with a zero axis", SPHERE, PLATE + "\n    axis: ^[0, 0, 0]", "axis"),
+    ("rectangle with a zero up", SPHERE, PLATE + "\n    up: ^[0, 0, 0]", "up"),
+    ("rectangle with up along its axis", SPHERE, PLATE + "\n    axis: [0.1, 0.2, 0.3]\n    up: ^[-3, -6, -9]",
+     "parallel"),
+    ("rectangle that shows its back", SPHERE, PLATE + "\n    axis: ^[0, 1, -0.1]", "surfaces[0]"),
+    # lights of some size
+    ("planar without outline", LIGHT, "^{type: planar, radiance: 1}", "vertices rectangle disk"),
+    ("planar with two outlines", LIGHT, FLAT + "^disk: {%s, radius: 5}, radiance: 1}" % CENTER, "rectangle disk"),
+    ("planar with a late outline", LIGHT, "{type: planar, disk: {%s, radius: 5}, radiance: 1, ^vertices: [%s]}" % (
+        CENTER, SQUARE), "disk vertices"),
+    ("planar without strength", LIGHT, "^" + FLAT.rstrip(", ") + "}", "intensity radiance power"),
+    ("planar with two strengths", LIGHT, FLAT + "radiance: 1, ^power: 1}", "radiance power"),
+    ("planar with all strengths", LIGHT, FLAT + "radiance: 1, ^power: 1, intensity: 1}", "radiance power intensity"),
+    ("negative radiance", LIGHT, FLAT + "radiance: ^-1}", "W/(sr·m²)"),
+    ("negative power", LIGHT, FLAT + "power: ^-1}", "W"),
+    ("keys of a rectangle outside it", LIGHT, "{type: planar, ^center: [0, 0, 2000], radiance: 1}", "rectangle disk"),
+    ("outline that is a list", LIGHT, "{type: planar, rectangle: ^[1, 2], radiance: 1}", "rectangle"),
+    ("outline without center", LIGHT, "{type: planar, rectangle: ^{size: [1, 2]}, radiance: 1}", "center"),
+    ("unknown key of an outline", LIGHT, FLAT.replace("size", "^sise") + "radiance: 1}", "sise size"),
+    ("outline of no height", LIGHT, FLAT.replace("50", "^0") + "radiance: 1}", "> 0 mm"),
+    ("axis and aim of an outline", LIGHT, FLAT.replace("size", "axis: [0, 0, 1], ^aim: [0, 0, 1], size")
+     + "radiance: 1}", "axis aim"),
+    ("aim at the center", LIGHT, FLAT.replace("size", "aim: ^[0, 0, 2000], size") + "radiance: 1}", "aim center"),
+    ("up along the axis", LIGHT, FLAT.replace("size", "up: ^[0, 0, 3], size") + "radiance: 1}", "up parallel"),
+    ("up along the aim", LIGHT, FLAT.replace("size", "up: ^[1, 2, 3], aim: [-1, -2, 1997], size") + "radiance: 1}",
+     "up parallel"),
+    ("two vertices", LIGHT, "{type: planar, vertices: ^[[0, 0, 2000], [1, 1, 2000]], radiance: 1}", "3"),
+    ("vertices of two numbers", LIGHT, "{type: planar, vertices: [^[0, 2000], [1, 1, 2], [2, 3, 4]], radiance: 1}",
+     "3"),
+    ("vertices that are one", LIGHT, "{type: planar, vertices: ^5, radiance: 1}", "[x, y, z]"),
+    ("vertices with a text", LIGHT, "{type: planar, vertices: [%s, [9, ^far, 2000]], radiance: 1}" % SQUARE, "far"),
+    ("a corner twice", LIGHT, "{type: planar, vertices: [%s, ^[9, 9, 2000]], radiance: 1}" % SQUARE, "vertices[3]"),
+    ("corners on a line", LIGHT, "{type: planar, vertices: ^[[0, 0, 0], [1, 1, 1], [2, 2, 2]], radiance: 1}", "area"),
+    ("corners in no plane", LIGHT, "{type: planar, vertices: [%s, [9, 0, 2001]], radiance: 1}" % SQUARE, "plane"),
+    ("edges that cross", LIGHT, "{type: planar, vertices: [[0, 0, 20], [9, 9, 20], [9, 0, 20], [0, 5, 20]], power: 1}",
+     "cross"),
+    ("an area beyond reason", LIGHT, "{type: planar, disk: ^{%s, radius: 1e-60}, radiance: 1}" % CENTER, "area disk"),
+    ("no parts", LIGHT, FLAT + "radiance: 1, parts: ^0}", "1 to 1000"),
+    ("half a part", LIGHT, FLAT + "radiance: 1, parts: ^0.5}", "whole"),
+    ("parts in words", LIGHT, FLAT + "radiance: 1, parts: ^many}", "converged"),
+    ("nearly converged", LIGHT, FLAT + "radiance: 1, parts: ^converge}", 'mean "converged"'),
+    ("practical without k for a panel", LIGHT, "^" + FLAT + "radiance: 1, attenuation: practical}", "k"),
+    ("volume without body", LIGHT, "^{type: volume, radiance: 1}", "box sphere cylinder mesh"),
+    ("volume with two bodies", LIGHT, "{type: volume, mesh: a.off, ^sphere: {%s, radius: 5}, radiance: 1}" % CENTER,
+     "mesh sphere"),
+    ("volume with an intensity", LIGHT, "{type: volume, sphere: {%s, radius: 5}, ^intensity: 1}" % CENTER, "intensity"),
+    ("sphere of three facets", LIGHT, "{type: volume, sphere: {%s, radius: 5, facets: ^3}, power: 1}" % CENTER,
+     "4 to 1000"),
+    ("cylinder of two facets", LIGHT, "{type: volume, cylinder: {%s, radius: 5, height: 1, facets: ^2}, power: 1}"
+     % CENTER, "3 to 1000"),
+    ("cylinder without height", LIGHT, "{type: volume, cylinder: ^{%s, radius: 5}, power: 1}" % CENTER, "height"),
+    ("box of two lengths", LIGHT, "{type: volume, box: {%s, size: ^[5, 5]}, power: 1}" % CENTER, "3"),
+    ("mesh by a number", LIGHT, "{type: volume, mesh: ^5, power: 1}", "text"),
+    ("mesh that is the scene", LIGHT, "{type: volume, mesh: ^scene.yaml, power: 1}", "OFF OBJ"),
+    # grids
+    ("grid without cells", PICTURE, "grids: [^{%s, size: [10, 10]}]" % CENTER, "n"),
+    ("grid of no columns", PICTURE, GRID + "n: [^0, 5]}]", "1 to 65536"),
+    ("grid of too many cells", PICTURE, GRID + "n: ^[65536, 65536]}]", "10000000"),
+    ("grid with up along its axis", PICTURE, GRID + "n: [1, 1], up: ^[0, 0, -1]}]", "up parallel"),
+    ("grid with a type", PICTURE, GRID + "n: [1, 1], ^type: plane}]", "type"),
+    ("grids without list", PICTURE, "grids: ^{n: [1, 1]}", "list"),
+    ("grid that is a number", PICTURE, "grids: [^5]", "mapping"),
     ("observer inside the sphere", "z: 1500", "z: 1000", ""),
     ("observer below the sphere", "z: 1500", "z: -100", ""),
     # the text

@@ -177,7 +177,7 @@ def version_and_usage(tap, tool):
     version = tool.run("--version")
     tap.ok(version.code == 0 and re.match(r"luxel 0\.1\.0\ninstruction set: [\w-]+\n$", version.out), "--version",
            version)
-    for command in "render", "probe", "check", "scene", "help":
+    for command in "render", "probe", "grid", "check", "scene", "help":
         for word in (command, "--help"), ("help", command), (command, "-h"):
             result = tool.run(*word)
             tap.ok(result.code == 0 and result.out.startswith("Usage: luxel " + command), " ".join(word), result)

@@ -40,7 +40,7 @@ EXACT = [
 
 # (line, words that are offered, words that are not)
 SOME = [
-    ("luxel ", "render probe check scene schema help", "report my.yaml"),
+    ("luxel ", "render probe grid check scene schema help", "report my.yaml"),
     ("luxel render --", "--output --set --quantity --json --quiet --help --version", "--point --list"),
     ("luxel probe --", "--point --at --set", "--output --list"),
     ("luxel --", "--help --version", "--output --json"),

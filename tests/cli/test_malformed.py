@@ -51,7 +51,7 @@ def whole_texts(tap, tool):
 
 def every_command_agrees(tap, tool):
     tool.write("scene.yaml", SCENE.replace("radius: 200", "radius: -200"))
-    for command in "render", "probe", "check":
+    for command in "render", "probe", "grid", "check":
         result = tool.run(command, "scene.yaml")
         tap.ok(result.code == 3 and "scene.yaml:8:13: error:" in result.err and not result.out, command, result)
     result = tool.run("render", "-", stdin=tool.read("scene.yaml"))

@@ -7,7 +7,7 @@ import sys
 
 import jsonschema
 import yaml
-from good_scenes import good_scene
+from good_scenes import FILES, good_scene
 from malformed import LIGHT, SPOT, TEXTS, scenes
 from tap import Tap
 from tool import SCENE, run_tests
@@ -22,6 +22,19 @@ BEYOND = {
     "screen whose pixels are not square": "pixels are square",
     "observer inside the sphere": "the observer is above every surface",
     "observer below the sphere": "the observer is above every surface",
+    "rectangle with up along its axis": "up and axis are not parallel",
+    "grid with up along its axis": "up and axis are not parallel",
+    "up along the axis": "up and axis are not parallel",
+    "up along the aim": "up and axis are not parallel",
+    "aim at the center": "aim differs from center",
+    "a corner twice": "an outline encloses an area",
+    "corners on a line": "an outline encloses an area",
+    "an area beyond reason": "an outline encloses an area",
+    "corners in no plane": "an outline lies in a plane",
+    "edges that cross": "the edges of an outline do not cross",
+    "mesh that is the scene": "a mesh is an OFF or OBJ file",
+    "grid of too many cells": "a grid has ten million cells at most",
+    "rectangle that shows its back": "the observer sees the front of every rectangle",
 }
 
 # More of what is wrong, as (title, piece, replacement).
@@ -105,6 +118,9 @@ INEXPRESSIBLE = [
     ("the observer is above every surface", "z: 1500", "z: 1199"),
     ("aim differs from position", "attenuation: none", "pattern: lambertian, aim: [2000, 0, 2000]"),
     ("inner is at most outer within one degree", LIGHT, "{%s, inner: 20.6, outer: 20.5}" % SPOT),
+    ("up is not parallel to axis", LIGHT, "{type: planar, rectangle: {center: [0, 0, 2000], size: [1, 1], axis: "
+     "[1, 0, 0], up: [-2, 0, 0]}, power: 1}"),
+    ("a mesh is closed", LIGHT, "{type: volume, mesh: gone.off, power: 1}"),
     ("a range rises between two steps", "range: max", "range: [1.9, 1.8]"),
     ("360.0 is no whole number", "[36, 36]", "[36.0, 36]"),
     ("truth values are true and false", "diffuse: 0.8", "over_pi: True"),
@@ -116,6 +132,8 @@ class Judges:
 
     def __init__(self, tool):
         self.tool = tool
+        for name, text in FILES.items():
+            tool.write(name, text)
         schema = tool.run("schema").json()
         jsonschema.Draft7Validator.check_schema(schema)
         self.validator = jsonschema.Draft7Validator(schema)
@@ -150,6 +168,18 @@ def examples(tap, tool):
         tap.equal(scene[kind["list"]][0]["type"], kind["name"], "it is one")
 
 
+def used_paths(up, value):
+    """The paths of all keys, as luxel help writes them."""
+    if isinstance(value, dict):
+        for key, below in value.items():
+            path = up + "." + key if up else key
+            yield path
+            yield from used_paths(path, below)
+    elif isinstance(value, list):
+        for element in value:
+            yield from used_paths(up + "[]", element)
+
+
 def random_scenes(tap, tool):
     judges = Judges(tool)
     rng = random.Random(7)
@@ -161,10 +191,9 @@ def random_scenes(tap, tool):
         complaints = judges.complaints(scene)
         tap.ok(judges.tool_accepts(json.dumps(scene)) and not complaints, "good " + title, json.dumps(scene),
                *complaints)
-        used |= {key for item in scene["surfaces"] + scene["lights"] + [scene] for key in item}
+        used |= set(used_paths("", scene))
     paths = {key["path"] for key in tool.run("help", "--json").json()["keys"]}
-    keys = {path.split(".")[1 if "[]." in path else 0] for path in paths}
-    tap.ok(keys <= used | {"surfaces[]", "lights[]"}, "every key was used", sorted(keys - used))
+    tap.ok(paths <= used, "every key was used", sorted(paths - used))
 
 
 def malformed(tap, tool):
@@ -192,7 +221,8 @@ def beyond(tap, tool):
         text = SCENE.replace(piece, replacement, 1)
         tap.ok(not judges.tool_accepts(text) and not judges.complaints(read(text)), "only the tool knows: " + title)
     comment = tool.run("schema").json()["$comment"]
-    for word in "square", "observer", "aim", "inner", "rise", "360.0", "true", "Doubled", "anchors", "tags":
+    for word in ("square", "observer", "aim", "parallel", "plane", "cross", "mesh", "cells", "inner", "rise", "360.0",
+                 "true", "Doubled", "anchors", "tags"):
         tap.ok(word in comment, "the schema's comment tells of %s" % word)
 
 

@@ -8,7 +8,9 @@ import time
 from tap import Tap
 from tool import SCENE, run_tests
 
-COMMANDS = [("render",), ("render", "--json"), ("probe",), ("probe", "--json"), ("check",), ("check", "--json"),
+GRIDS = "grids=[{center: [0,0,1000], size: [100,100], n: [3,2]}]"
+COMMANDS = [("render",), ("render", "--json"), ("probe",), ("probe", "--json"), ("grid", "-s", GRIDS),
+            ("grid", "-s", GRIDS, "--json"), ("check",), ("check", "--json"),
             ("scene",), ("scene", "--list"), ("help",), ("help", "radius"), ("--version",), ()]
 
 

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: MIT
 """One example program, run as its comment says: arguments are the program and the root of the sources."""
+import math
 import os
 import re
 import subprocess
@@ -71,10 +72,25 @@ def compare_conventions(program, _):
            late.stdout)
 
 
+def measure_plane(program, root):
+    floor = run(program)
+    form = r"(\d+) x \1 cells: average \S+, minimum \S+, maximum \S+ lx, U0 \S+, flux (\S+) lm"
+    lines = [re.fullmatch(form, line) for line in floor.stdout.splitlines()]
+    if tap.ok(floor.returncode == 0 and len(lines) > 2 and all(lines), "the floor is measured", floor):
+        tap.equal([int(line[1]) for line in lines], [2 ** (i + 1) for i in range(len(lines))], "with finer cells")
+        # The power from a Lambertian point on a square below it: I h^2 times the integral of 1/r^4.
+        a, h = 2.0, 3.0
+        root_of = math.sqrt(a * a + h * h)
+        exact = 4000 * (a / root_of) * math.atan(a / root_of)
+        tap.near(float(lines[-1][2]), exact, 2e-3, "the flux")
+    missing = run(program, os.path.join(root, "data", "scenes", "report.yaml"))
+    tap.ok(missing.returncode == 1 and "grids" in missing.stderr, "a scene without grids", missing.stderr)
+
+
 def main():
     program, root = map(os.path.abspath, sys.argv[1:])
     name = os.path.basename(program)
-    tap.run({"render_to_png": render_to_png, "probe_points": probe_points,
+    tap.run({"render_to_png": render_to_png, "probe_points": probe_points, "measure_plane": measure_plane,
              "compare_conventions": compare_conventions}[name], program, root)
     tap.finish()
 

@@ -13,6 +13,8 @@ LIGHT = {
     'distant': {},
     'point': {'pattern': 'isotropic', 'exponent': 0, 'axis': [0, 0, -1], 'attenuation': 'inverse-square'},
     'spot': {'falloff': 'smoothstep', 'exponent': 0, 'axis': [0, 0, -1], 'attenuation': 'inverse-square'},
+    'planar': {'attenuation': 'inverse-square', 'parts': 'converged'},
+    'volume': {'attenuation': 'inverse-square', 'parts': 'converged'},
 }
 
 

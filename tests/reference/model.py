@@ -1,25 +1,30 @@
 # SPDX-License-Identifier: MIT
 """The truth that luxel's numbers are held against: the lighting model in 50-digit arithmetic.
 
-Written from the description of the model, one formula after the other, for the light of point-like sources
-(ambient, point, distant, spot) on spheres and on free elements.  Numbers of a scene count as the float64 that
-they are read as; lengths are millimetres and become metres where an attenuation law asks for them.
+Written from the description of the model, one formula after the other, for every light on spheres, on plates and on
+free elements.  Numbers of a scene count as the float64 that they are read as; lengths are millimetres and become
+metres where an attenuation law asks for them.  What extended sources give that has no closed form comes from
+cubature.py with a statement of how certain it is.
 """
+import math
 from collections import namedtuple
 from fractions import Fraction
 
 from mpmath import mp, mpf
 
+import cubature
+import extended
 from completion import completed
 
 mp.dps = 50
 TIE = mpf('1e-40')  # cosines that near to each other are equal: only the 50 digits tell them apart
 
 # What one light gives to an element: its three shares, and what tells how well conditioned they are:
-# N.L, the lobe's S before its power, and how far the element is from the edge of a cone (in cos theta).
-Share = namedtuple('Share', 'irradiance diffuse specular cosine lobe edge')
+# N.L, the lobe's S before its power, and how far the element is from the edge of a cone (in cos theta); then how
+# certain irradiance and brightness are (0: to all digits).
+Share = namedtuple('Share', 'irradiance diffuse specular cosine lobe edge irradiance_doubt doubt', defaults=(0, 0))
 Element = namedtuple('Element', 'position normal view material own')
-Answer = namedtuple('Answer', 'element shares brightness irradiance')
+Answer = namedtuple('Answer', 'element shares brightness irradiance doubt irradiance_doubt')
 
 
 # Vectors are lists of three numbers.
@@ -77,6 +82,40 @@ def sphere_crossings(start, direction, sphere):
     return [(-b - root) / a, (-b + root) / a]
 
 
+def plate_crossing(start, direction, plate):
+    """The t at which start + t direction crosses a rectangle, edges included, and the cosine it comes in with."""
+    center, wide, high, axis = extended.rectangle_frame(plate, [0, 0, 1])
+    slope = dot(direction, axis)
+    if slope == 0:
+        return None
+    t = dot(subtract(center, start), axis) / slope
+    met = subtract(add(start, scale(direction, t)), center)
+    w, h = (mpf(size) / 2 for size in plate['size'])
+    return (t, -slope) if abs(dot(met, wide)) <= w and abs(dot(met, high)) <= h else None
+
+
+def seen_distance(start, direction, surface):
+    """The t at which the line of sight meets the front of a surface, or None."""
+    if surface['type'] == 'rectangle':
+        crossing = plate_crossing(start, direction, surface)
+        return crossing[0] if crossing and crossing[1] > 0 and crossing[0] > 0 else None
+    crossings = sphere_crossings(start, direction, surface)
+    return crossings[0] if crossings and crossings[0] > 0 else None
+
+
+def normal_at(surface, position):
+    if surface['type'] == 'rectangle':
+        return extended.rectangle_frame(surface, [0, 0, 1])[3]
+    return scale(subtract(position, vector(surface['center'])), 1 / mpf(surface['radius']))
+
+
+def reach_of(surface):
+    """How far a surface reaches from its center."""
+    if surface['type'] == 'rectangle':
+        return math.hypot(*surface['size']) / 2
+    return surface['radius']
+
+
 def seen_element(scene, x, y):
     """The element that is seen through the screen point (x, y), or None."""
     observer = observer_position(scene)
@@ -87,16 +126,15 @@ def seen_element(scene, x, y):
         start, direction = [mpf(x), mpf(y), observer[2]], vector([0, 0, -1])
     hits = []
     for index, surface in enumerate(scene['surfaces']):
-        crossings = sphere_crossings(start, direction, surface)
-        if crossings:
-            if crossings[0] > 0:
-                hits.append((crossings[0], index))
+        met = seen_distance(start, direction, surface)
+        if met is not None:
+            hits.append((met, index))
     if not hits:
         return None
     distance, index = min(hits)
     surface = scene['surfaces'][index]
     position = add(start, scale(direction, distance))
-    normal = scale(subtract(position, vector(surface['center'])), 1 / mpf(surface['radius']))
+    normal = normal_at(surface, position)
     if perspective or scene['observer']['view'] == 'observer':
         view = unit(subtract(observer, position))
     else:
@@ -172,7 +210,12 @@ def is_blocked(scene, element, direction, distance):
         return False
     for index, surface in enumerate(surfaces):
         if index != element.own:
-            if any(0 < t < distance for t in sphere_crossings(element.position, direction, surface)):
+            if surface['type'] == 'rectangle':
+                crossing = plate_crossing(element.position, direction, surface)
+                crossings = [crossing[0]] if crossing else []
+            else:
+                crossings = sphere_crossings(element.position, direction, surface)
+            if any(0 < t < distance for t in crossings):
                 return True
     return False
 
@@ -201,7 +244,7 @@ def normalization(material):
     return (n + 2) * (n + 4) / (8 * (n + mpf(2) ** (-n / 2)))
 
 
-def share(scene, element, light):
+def share(scene, element, light, highlights=True):
     """What one light gives to the element."""
     material = element.material
     p = 1 / mp.pi if material['over_pi'] else mpf(1)
@@ -209,11 +252,19 @@ def share(scene, element, light):
         irradiance = mpf(light['irradiance'])
         return Share(irradiance, p * mpf(material['ambient']) * irradiance, mpf(0), mpf(1), mpf(1), mp.inf)
 
+    if light['type'] in ('planar', 'volume'):
+        return extended_share(element, light, p, highlights)
+
     direction, facing, distance, edge = sample(light, element.position)
-    cosine = dot(element.normal, direction)
-    s = lobe(material, element.normal, direction, element.view)
     if is_blocked(scene, element, direction, distance):
         facing = mpf(0)
+    return point_share(element, p, direction, facing, edge)
+
+
+def point_share(element, p, direction, facing, edge):
+    material = element.material
+    cosine = dot(element.normal, direction)
+    s = lobe(material, element.normal, direction, element.view)
     received = max(mpf(0), cosine)
     weight = {'plain': mpf(1), 'gated': mpf(1 if cosine > TIE else 0), 'cosine': received}[material['highlight']]
     if material['model'] == 'lambert':
@@ -223,25 +274,68 @@ def share(scene, element, light):
                  facing * p * mpf(material['specular']) * normalization(material) * highlight, cosine, s, edge)
 
 
-def answer(scene, element):
-    shares = [share(scene, element, light) for light in scene['lights']]
+def extended_share(element, light, p, highlights):
+    """What a planar or volume source gives.  It casts no shadow, so only the element counts."""
+    source = extended.source_of(light)
+    if light['parts'] != 'converged':
+        return parts_share(element, light, source, p)
+    material = element.material
+    position, normal = element.position, element.normal
+    exponent = mpf(material['shininess'])
+    received = glossy = received_doubt = glossy_doubt = mpf(0)
+    for shape in source.shapes:
+        if source.attenuation == 'inverse-square':
+            part = cubature.irradiance(shape, position, normal)
+        else:
+            part = cubature.integral(shape, position, 'diffuse', 'plain', 1, normal, normal, source.attenuation, source.k)
+        received, received_doubt = received + part.value, received_doubt + part.certainty
+        if highlights and material['model'] != 'lambert' and material['specular'] > 0:
+            kind = 'mirror' if material['model'] == 'phong' else 'half'
+            part = cubature.integral(shape, position, kind, material['highlight'], exponent, normal, element.view,
+                                     source.attenuation, source.k)
+            glossy, glossy_doubt = glossy + part.value, glossy_doubt + part.certainty
+    diffuse = source.radiance * p * mpf(material['diffuse'])
+    specular = source.radiance * p * mpf(material['specular']) * normalization(material)
+    return Share(source.radiance * received, diffuse * received, specular * glossy, None, None, mp.inf,
+                 source.radiance * received_doubt, diffuse * received_doubt + specular * glossy_doubt)
+
+
+def parts_share(element, light, source, p):
+    """The sum over the points that stand for the parts, each with its share of the intensity."""
+    shares = []
+    for shape in source.shapes:
+        for part in extended.parts_of(shape, light['parts']):
+            way = subtract(part.position, element.position)
+            distance = length(way)
+            direction = scale(way, 1 / distance)
+            intensity = source.radiance * part.area / 10 ** 6
+            facing = intensity * max(mpf(0), -dot(part.normal, direction)) * attenuation(light, distance)
+            shares.append(point_share(element, p, direction, facing, mp.inf))
+    sums = [mp.fsum(share[i] for share in shares) for i in range(3)]
+    return Share(*sums, None, None, mp.inf)
+
+
+def answer(scene, element, highlights=True):
+    """Without highlights of extended sources, which take time, where only the irradiance is asked for."""
+    shares = [share(scene, element, light, highlights) for light in scene['lights']]
     return Answer(element, shares, mp.fsum(part.diffuse + part.specular for part in shares),
-                  mp.fsum(part.irradiance for part in shares))
+                  mp.fsum(part.irradiance for part in shares), mp.fsum(part.doubt for part in shares),
+                  mp.fsum(part.irradiance_doubt for part in shares))
 
 
 # The questions that tests ask; `scene` is as the user wrote it.
 
-def probe_screen(scene, x, y):
+def probe_screen(scene, x, y, highlights=True):
     """Answer for what is seen through (x, y), or None off every surface."""
     scene = completed(scene)
     element = seen_element(scene, x, y)
-    return answer(scene, element) if element else None
+    return answer(scene, element, highlights) if element else None
 
 
-def probe_element(scene, numbers):
+def probe_element(scene, numbers, highlights=True):
     """Answer for the free element x, y, z, nx, ny, nz."""
     scene = completed(scene)
-    return answer(scene, free_element(scene, numbers))
+    return answer(scene, free_element(scene, numbers), highlights)
 
 
 def pixel_of(scene, x, y):

@@ -393,12 +393,54 @@ def enlarged(scene, longer, stronger):
                 light[key] *= stronger
     return {**scene, 'screen': lengths(scene['screen'], ('width', 'height')),
             'observer': lengths(scene['observer'], ('z',)),
-            'surfaces': [lengths(surface, ('center', 'radius')) for surface in scene['surfaces']], 'lights': lights}
+            'surfaces': [lengths(surface, ('center', 'radius', 'size')) for surface in scene['surfaces']], 'lights': lights}
+
+
+def _plate(rng, sphere, behind):
+    """A rectangle behind a sphere or beside it, seen from the front."""
+    radius = sphere['radius']
+    axis = _unit(_add(_direction(rng), [0, 0, 1], rng.uniform(1.2, 5)))
+    center = _add(sphere['center'], [*_direction(rng)[:2], 0], radius * rng.uniform(0, 1))
+    center[2] -= radius * (rng.uniform(1, 2.5) if behind else 0)
+    plate = {'type': 'rectangle', 'center': center, 'size': [radius * rng.uniform(1, 6) for _ in range(2)]}
+    if rng.random() < 0.7:
+        stretch = _log_uniform(rng, 0.01, 100)
+        plate['axis'] = [x * stretch for x in axis]
+    if rng.random() < 0.5:
+        plate['up'] = _add(_beside(rng, _unit(plate.get('axis', [0, 0, 1]))), axis, rng.random())
+    return {**plate, 'material': material(rng)}
+
+
+def _plate_places(rng, scene, plate, count):
+    """Places on a plate, whether seen or hidden behind something."""
+    axis = _unit(plate.get('axis', [0, 0, 1]))
+    reach = min(plate['size']) / 2
+    return [Place(_add(plate['center'], _beside(rng, axis), reach * rng.uniform(0, 0.95)), axis, reach)
+            for _ in range(count)]
+
+
+def _plates(rng):
+    """A plate alone, or with a sphere before it or beside it and one in the other's shadow."""
+    scene = _stage(rng)
+    sphere = scene['surfaces'][0]
+    plate = _plate(rng, sphere, rng.random() < 0.7)
+    places = _plate_places(rng, scene, plate, 4)
+    if rng.random() < 0.3:
+        scene['surfaces'] = [plate]
+    else:
+        scene['surfaces'].insert(rng.choice([0, 1]), plate)
+        places += [_visible_place(rng, {**scene, 'surfaces': [sphere]}) for _ in range(3)]
+    scene['observer']['z'] += 3 * max(plate['size'])
+    axis = _unit(plate.get('axis', [0, 0, 1]))
+    if _dot(axis, _add([0, 0, scene['observer']['z']], plate['center'], -1)) <= 0:
+        return _plates(rng)
+    scene['lights'] = [_light(rng, rng.choice(places)) for _ in range(rng.randint(1, 3))]
+    return _with_places(scene, places)
 
 
 # Kinds whose numbers are well conditioned at most places, and those made to be hard.
 GENERIC = {'orthographic': _orthographic, 'perspective': _perspective, 'shininess': _shininess, 'cones': _cones,
-           'shadows': _shadows, 'elements': _elements, 'far': _far}
+           'shadows': _shadows, 'plates': _plates, 'elements': _elements, 'far': _far}
 NASTY = {'grazing': _grazing, 'limb': _limb, 'rim': _rim, 'near': _near, 'touching': _touching, 'behind': _behind,
          'vanishing': _vanishing, 'whole': _whole, 'sizes': _sizes, 'extremes': _extremes}
 KINDS = {**GENERIC, **NASTY}

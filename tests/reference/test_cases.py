@@ -6,7 +6,7 @@ import tempfile
 
 import numpy as np
 
-from cases import CASES, places
+from cases import CASES, absolute_tolerance, places
 from luxel import arguments
 from tap import Tap
 
@@ -32,7 +32,7 @@ def test_case(tap, luxel, case):
         if expected is None:
             tap.equal(value, None, f'{name} at {place}')
         else:
-            tap.near(value, expected, case['relative_tolerance'], f'{name} at {place}')
+            tap.near(value, expected, case['relative_tolerance'], f'{name} at {place}', absolute_tolerance(case))
     printed = case.get('printed', {'values': []})
     for index, (place, value, expected) in enumerate(zip(where, found, printed['values'])):
         if index not in printed.get('skip', []):

@@ -88,12 +88,20 @@ def place_rounding(scene):
     """
     gaps, slopes = [], []
     size = max(scene['screen']['width'], scene['screen']['height'])
-    for sphere in scene['surfaces']:
-        slopes.append(max(2.0, math.sqrt(sphere['material']['shininess'])) * (sphere['radius'] + size))
-        gaps += [abs(math.dist(light['position'], sphere['center']) - sphere['radius'])
-                 for light in scene['lights'] if 'position' in light]
+    for surface in scene['surfaces']:
+        reach = surface['radius'] if surface['type'] == 'sphere' else math.hypot(*surface['size']) / 2
+        slopes.append(max(2.0, math.sqrt(surface['material']['shininess'])) * (reach + size))
+        gaps += [gap_of(surface, light['position']) for light in scene['lights'] if 'position' in light]
     nearest = min(gaps, default=math.inf)
     return 2.0 ** -52 * max(slopes) / nearest if nearest else math.inf
+
+
+def gap_of(surface, position):
+    """The distance of a light from a surface; of a plate: from its plane."""
+    if surface['type'] == 'sphere':
+        return abs(math.dist(position, surface['center']) - surface['radius'])
+    axis = surface.get('axis', [0, 0, 1])
+    return abs(sum(a * (p - c) for a, p, c in zip(axis, position, surface['center']))) / math.hypot(*axis)
 
 
 def test_accuracy(tap, options, kind, sets, folder):

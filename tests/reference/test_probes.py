@@ -41,7 +41,7 @@ class Asked:
         """The largest relative change of the value for a relative move of the place by one."""
         if not self.value:
             return mp.inf
-        sizes = [self.scene['surfaces'][0]['radius'] + max(map(abs, self.place[:3]))] * len(self.place)
+        sizes = [model.reach_of(self.scene['surfaces'][0]) + max(map(abs, self.place[:3]))] * len(self.place)
         if self.is_element:
             sizes[3:] = [max(map(abs, self.place[3:]))] * 3
         worst = mpf(0)
@@ -88,7 +88,7 @@ def check_place(findings, asked, found):
     if element:
         depth = abs(model.dot(element.normal, element.view)) if element.own is not None else mpf(1)
         reach = mpf('1e-12') / max(depth, mpf('1e-8'))
-        scale = asked.scene['surfaces'][0]['radius'] + model.length(element.position)
+        scale = model.reach_of(asked.scene['surfaces'][0]) + model.length(element.position)
         for key, truth, size in (('position', element.position, scale), ('normal', element.normal, 1)):
             if max(abs(mpf(number) - true) for number, true in zip(found[key], truth)) > reach * size:
                 findings.fail('place', asked, found, f'{key} {[float(number) for number in truth]}')

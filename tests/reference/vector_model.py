@@ -57,6 +57,40 @@ def crossings(start, direction, sphere):
     return (-b - root) / a, (-b + root) / a
 
 
+def plate_frame(plate):
+    """Center, unit vectors along w and h, axis, as columns."""
+    center = column(plate['center'])
+    axis = unit(column(plate.get('axis', [0, 0, 1])))
+    up = column(plate.get('up', [0, 1, 0]))
+    if 'up' not in plate and not cross(up, axis).any():
+        up = column([0, 0, 1])
+    high = unit(up - dot(up, axis) * axis)
+    return center, cross(high, axis), high, axis
+
+
+def plate_crossing(start, direction, plate):
+    """Where rays cross a rectangle: t, NaN where they miss it; and whether they come from its front."""
+    center, wide, high, axis = plate_frame(plate)
+    slope = dot(direction, axis)
+    t = dot(center - start, axis) / slope
+    met = start + t * direction - center
+    w, h = (real(size) / 2 for size in plate['size'])
+    return np.where((np.abs(dot(met, wide)) <= w) & (np.abs(dot(met, high)) <= h), t, np.nan), slope < 0
+
+
+def seen_distance(start, direction, surface):
+    if surface['type'] == 'rectangle':
+        t, front = plate_crossing(start, direction, surface)
+        return np.where(front, t, np.nan)
+    return crossings(start, direction, surface)[0]
+
+
+def all_crossings(start, direction, surface):
+    if surface['type'] == 'rectangle':
+        return [plate_crossing(start, direction, surface)[0]]
+    return crossings(start, direction, surface)
+
+
 def seen_elements(scene, x, y):
     observer = column([0, 0, scene['observer']['z']])
     perspective = scene['observer']['projection'] == 'perspective'
@@ -71,15 +105,19 @@ def seen_elements(scene, x, y):
     own = np.full(x.shape, -1)
     normal = np.zeros_like(start)
     for index, surface in enumerate(scene['surfaces']):
-        distance = crossings(start, direction, surface)[0]
+        distance = seen_distance(start, direction, surface)
         closer = (distance > 0) & (distance < nearest)
         nearest = np.where(closer, distance, nearest)
         own = np.where(closer, index, own)
-        outwards = unit(start + distance * direction - column(surface['center']))
+        if surface['type'] == 'rectangle':
+            outwards = plate_frame(surface)[3] + np.zeros_like(start)
+        else:
+            outwards = unit(start + distance * direction - column(surface['center']))
         normal = np.where(closer, outwards, normal)
     position = np.where(own < 0, 0, start + nearest * direction)
     for index, surface in enumerate(scene['surfaces']):
-        position = np.where(own == index, column(surface['center']) + real(surface['radius']) * normal, position)
+        if surface['type'] == 'sphere':
+            position = np.where(own == index, column(surface['center']) + real(surface['radius']) * normal, position)
     if perspective or scene['observer']['view'] == 'observer':
         view = unit(observer - position)
     else:
@@ -137,7 +175,7 @@ def blocked(scene, elements, direction, distance):
     if scene['shadows'] == 'none':
         return result
     for index, surface in enumerate(scene['surfaces']):
-        for t in crossings(elements.position, direction, surface):
+        for t in all_crossings(elements.position, direction, surface):
             result |= (elements.own != index) & (t > 0) & (t < distance)
     return result
 

@@ -5,7 +5,7 @@
 #include <string.h>
 
 #include "base/memory.h"
-#include "parameter/decode.h"
+#include "parameter/check.h"
 #include "scene/yaml.h"
 #include "scenes.h"
 
@@ -22,6 +22,19 @@ struct shelf {
     int wood;
 };
 
+struct box {
+    uint64_t given;
+    double width, height;
+    const char *label;
+};
+
+/* Exactly one of three keys, and what its table's own functions do. */
+struct lid {
+    uint64_t given;
+    double round, square, oval, hole;
+    char *checked;
+};
+
 struct stock {
     uint64_t given;
     double real;
@@ -33,6 +46,10 @@ struct stock {
     struct lx_points points;
     struct shelf shelf;
     struct lx_list pebbles;
+    struct lx_vectors corners;
+    struct lx_choice_or_whole parts;
+    struct lx_groups boxes;
+    struct lid lid;
 };
 
 static const char *const woods[] = {"oak", "pine", NULL};
@@ -56,6 +73,48 @@ static const struct lx_parameter shelf_parameters[] = {
 };
 static const struct lx_table shelf_table = {.parameters = shelf_parameters, .count = 2, .size = sizeof(struct shelf)};
 
+static const struct lx_parameter box_parameters[] = {
+    {.name = "width",
+     .type = LX_REAL,
+     .offset = offsetof(struct box, width),
+     .required = true,
+     .legal = LX_ABOVE(0),
+     .meaning = "width"},
+    {.name = "height", .type = LX_REAL, .offset = offsetof(struct box, height), .initial = "3", .meaning = "height"},
+    {.name = "label", .type = LX_TEXT, .offset = offsetof(struct box, label), .meaning = "label"},
+};
+static const struct lx_table box_table = {.parameters = box_parameters, .count = 3, .size = sizeof(struct box)};
+
+/* A lid with a hole as large as a million is wrong, and marked before that. */
+static void check_lid(const struct lx_check *check, void *parameters)
+{
+    struct lid *lid = parameters;
+    free(lid->checked);
+    lid->checked = lx_copy_text("yes", 3);
+    if (lid->hole > 1e6)
+        lx_check_report(check, "hole", LX_ALL_OF_IT, LX_MSG_NOT_FLAT, NULL);
+}
+
+static void release_lid(void *parameters)
+{
+    free(((struct lid *)parameters)->checked);
+    ((struct lid *)parameters)->checked = NULL;
+}
+
+#define LID(member)                                                                                                    \
+    {                                                                                                                  \
+        .name = #member, .type = LX_REAL, .offset = offsetof(struct lid, member), .meaning = #member                   \
+    }
+static const struct lx_parameter lid_parameters[] = {LID(round), LID(square), LID(oval), LID(hole)};
+static const struct lx_rule lid_rules[] = {{LX_RULE_ONE, "round", NULL, "round|square|oval"}};
+static const struct lx_table lid_table = {.parameters = lid_parameters,
+                                          .count = 4,
+                                          .rules = lid_rules,
+                                          .rule_count = 1,
+                                          .size = sizeof(struct lid),
+                                          .check = check_lid,
+                                          .release = release_lid};
+
 #define AT(member) .offset = offsetof(struct stock, member), .meaning = #member
 static const struct lx_parameter stock_parameters[] = {
     {.name = "real", .type = LX_REAL, AT(real), .initial = "-2.5e-3"},
@@ -67,6 +126,15 @@ static const struct lx_parameter stock_parameters[] = {
     {.name = "points", .type = LX_POINTS, AT(points)},
     {.name = "shelf", .type = LX_GROUP, AT(shelf), .group = &shelf_table},
     {.name = "pebbles", .type = LX_VARIANTS, AT(pebbles), .group = &shelf_table, .variants = pebbles},
+    {.name = "corners", .type = LX_VECTORS, AT(corners), .count = 2},
+    {.name = "parts",
+     .type = LX_CHOICE_OR_WHOLE,
+     AT(parts),
+     .choices = woods,
+     .initial = "pine",
+     .legal = LX_BETWEEN(2, 9)},
+    {.name = "boxes", .type = LX_GROUPS, AT(boxes), .group = &box_table},
+    {.name = "lid", .type = LX_GROUP, AT(lid), .group = &lid_table},
 };
 static const struct lx_table stock_table = {
     .parameters = stock_parameters, .count = LX_COUNT(stock_parameters), .size = sizeof(struct stock)};
@@ -114,7 +182,77 @@ static void sets_defaults(void **state)
     assert_true(stock.shelf.open);
     assert_int_equal(stock.shelf.wood, 1);
     assert_int_equal(stock.pebbles.count, 0);
+    assert_int_equal(stock.corners.count, 0);
+    assert_int_equal(stock.parts.choice, 1);
+    assert_int_equal(stock.boxes.count, 0);
+    assert_true(stock.lid.given == 0 && !stock.lid.checked); /* a group that is not there needs nothing */
     clear(&document, &stock);
+}
+
+static void decodes_groups_and_vectors(void **state)
+{
+    (void)state;
+    struct lx_document document;
+    struct stock stock;
+    assert_int_equal(decode("corners: [[1, 2, 3], [4, 5, 6]]\nparts: 7\nlid: {square: 5}\n"
+                            "boxes: [{width: 2, label: a}, {width: 4, height: 5}]\n",
+                            &document, &stock),
+                     LUXEL_OK);
+    assert_true(stock.given == 0x1E00);
+    assert_int_equal(stock.corners.count, 2);
+    assert_true(stock.corners.xyz[0][2] == 3 && stock.corners.xyz[1][0] == 4);
+    assert_int_equal(stock.parts.choice, -1);
+    assert_int_equal(stock.parts.whole, 7);
+    assert_int_equal(stock.boxes.count, 2);
+    const struct box *boxes = stock.boxes.items;
+    assert_true(boxes[0].width == 2 && boxes[0].height == 3 && boxes[0].given == 5);
+    assert_string_equal(boxes[0].label, "a");
+    assert_true(boxes[1].width == 4 && boxes[1].height == 5 && boxes[1].given == 3);
+    assert_true(stock.lid.given == 2 && stock.lid.square == 5);
+    assert_string_equal(stock.lid.checked, "yes");
+    clear(&document, &stock);
+    assert_int_equal(decode("parts: oak\nboxes: []\n", &document, &stock), LUXEL_OK);
+    assert_true(stock.parts.choice == 0 && stock.boxes.count == 0);
+    clear(&document, &stock);
+}
+
+static void refuses_groups_and_vectors(void **state)
+{
+    (void)state;
+    static const char *const cases[] = {
+        "corners: [[1, 2, 3]]",
+        "corners: [[1, 2, 3], [4, 5]]",
+        "corners: {}",
+        "corners: [[1, 2, 3], [4, 5, x]]",
+        "corners: [1, 2, 3]",
+        "parts: 1",
+        "parts: 10",
+        "parts: 2.5",
+        "parts: ash",
+        "parts: [2]",
+        "parts: \"7\"",
+        "boxes: {width: 1}",
+        "boxes: [{}]",
+        "boxes: [{width: 0}]",
+        "boxes: [{width: 1, depth: 2}]",
+        "boxes: [5]",
+        "lid: {}",
+        "lid: {hole: 1}",
+        "lid: {round: 1, oval: 2}",
+        "lid: {round: 1, hole: 2e6}",
+        "lid: {round: x}",
+        "lid: {round: 1, square: 1, oval: 2}",
+    };
+    for (size_t i = 0; i < LX_COUNT(cases); i++) {
+        struct lx_document document;
+        struct stock stock;
+        if (decode(cases[i], &document, &stock) != LUXEL_ERROR_SCENE || stock.given)
+            fail_msg("%s", cases[i]);
+        /* what is wrong by itself or by a rule is not checked any further */
+        bool checked = stock.lid.checked != NULL;
+        assert_true(checked == (strstr(cases[i], "2e6") != NULL));
+        clear(&document, &stock);
+    }
 }
 
 static void decodes_every_type(void **state)
@@ -241,9 +379,14 @@ static void knows_places(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(sets_defaults),           cmocka_unit_test(decodes_every_type),
-        cmocka_unit_test(gives_only_what_is_good), cmocka_unit_test(links_and_finds),
-        cmocka_unit_test(copies_without_garbage),  cmocka_unit_test(knows_places),
+        cmocka_unit_test(sets_defaults),
+        cmocka_unit_test(decodes_every_type),
+        cmocka_unit_test(decodes_groups_and_vectors),
+        cmocka_unit_test(refuses_groups_and_vectors),
+        cmocka_unit_test(gives_only_what_is_good),
+        cmocka_unit_test(links_and_finds),
+        cmocka_unit_test(copies_without_garbage),
+        cmocka_unit_test(knows_places),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -2,8 +2,9 @@
 /*
  * Every instruction set's kernels against the float64 reference, on random and on nasty scenes: grazing and
  * backward light, sources just above the surface and very far, all laws, profiles, lobes and projections, odd
- * numbers of pixels.  Asserts which set really ran, that float32 pictures keep 2e-6 and float64 pictures 1e-11
- * of their maximum, and that a pixel has the same bytes wherever it stands in a block.
+ * numbers of pixels; spheres alone, and plates alone and among spheres.  Asserts which set really ran, that float32
+ * pictures keep 2e-6 and float64 pictures 1e-11 of their maximum, and that a pixel has the same bytes wherever it
+ * stands in a block.
  */
 #include <math.h>
 #include <setjmp.h>
@@ -49,6 +50,7 @@ static double logarithmic(struct randomness *random, double low, double high)
 struct test_scene {
     struct lx_scene_parameters scene;
     struct lx_sphere_parameters spheres[MAXIMUM_SURFACES];
+    struct lx_plate_parameters plates[MAXIMUM_SURFACES];
     struct lx_item items[MAXIMUM_SURFACES];
     struct lx_prepared_surface surfaces[MAXIMUM_SURFACES];
     struct lx_emitter lights[MAXIMUM_LIGHTS];
@@ -81,30 +83,55 @@ static struct lx_profile random_profile(struct randomness *random, const double 
     }
 }
 
-/* A place from just above a sphere to far away, in any direction, sometimes inside. */
-static void random_place(struct randomness *random, const struct lx_sphere_parameters *sphere, double place[3])
+static void random_direction(struct randomness *random, double direction[3])
 {
-    double direction[3], length = 0;
+    double length = 0;
     for (int i = 0; i < 3; i++) {
         direction[i] = uniform(random, -1, 1);
         length = hypot(length, direction[i]);
     }
+    for (int i = 0; i < 3; i++)
+        direction[i] /= length;
+}
+
+/* A place from just above a sphere to far away, in any direction, sometimes inside. */
+static void place_at_sphere(struct randomness *random, const struct lx_shape *sphere, double place[3])
+{
+    double direction[3];
+    random_direction(random, direction);
     double distance = sphere->radius_mm + logarithmic(random, 0.01, 1e7);
     if (pick(random, 3))
         distance = sphere->radius_mm + logarithmic(random, 50, 10000);
     if (pick(random, 20) == 0)
         distance = uniform(random, 0, sphere->radius_mm);
     for (int i = 0; i < 3; i++)
-        place[i] = sphere->center_mm[i] + direction[i] / length * distance;
+        place[i] = sphere->anchor_mm[i] + direction[i] * distance;
 }
 
-static struct lx_emitter random_emitter(struct randomness *random, const struct lx_sphere_parameters *sphere)
+/* A place just above a plate or farther, above its edges or beside it, sometimes behind, in its plane or on it. */
+static void place_at_plate(struct randomness *random, const struct lx_shape *plate, double place[3])
+{
+    double height = pick(random, 3) ? logarithmic(random, 50, 10000) : logarithmic(random, 0.01, 1e7);
+    int special = pick(random, 20);
+    height = special == 0 ? 0 : special == 1 ? -height : height;
+    double beside = pick(random, 3) ? 1 : uniform(random, 1, 4);
+    double across = uniform(random, -beside, beside) * plate->half_mm[0];
+    double upward = uniform(random, -beside, beside) * plate->half_mm[1];
+    for (int i = 0; i < 3; i++)
+        place[i] =
+            plate->anchor_mm[i] + height * plate->axis[i] + across * plate->across[i] + upward * plate->upward[i];
+}
+
+static struct lx_emitter random_emitter(struct randomness *random, const struct lx_shape *shape)
 {
     struct lx_emitter emitter = {.strength = logarithmic(random, 0.01, 10000)};
     double place[3], aim[3];
-    random_place(random, sphere, place);
+    if (shape->type == LX_PLATE)
+        place_at_plate(random, shape, place);
+    else
+        place_at_sphere(random, shape, place);
     for (int i = 0; i < 3; i++)
-        aim[i] = sphere->center_mm[i] + uniform(random, -1, 1) * sphere->radius_mm;
+        aim[i] = shape->anchor_mm[i] + uniform(random, -1, 1) * shape->radius_mm;
     emitter.type = pick(random, 8) == 0 ? LX_UNIFORM : pick(random, 5) == 0 ? LX_DIRECTION : LX_POINT;
     emitter.attenuation = (enum lx_attenuation)pick(random, 3);
     emitter.k_mm = logarithmic(random, 10, 2000);
@@ -114,7 +141,47 @@ static struct lx_emitter random_emitter(struct randomness *random, const struct 
     return emitter;
 }
 
-static void make_scene(struct randomness *random, struct test_scene *test)
+static const struct lx_surface_kind *kind_called(const char *name)
+{
+    for (size_t i = 0; lx_surface_variants[i]; i++)
+        if (strcmp(lx_surface_variants[i]->name, name) == 0)
+            return (const struct lx_surface_kind *)lx_surface_variants[i];
+    fail_msg("no surface is called %s", name);
+    return NULL;
+}
+
+static const void *random_sphere(struct randomness *random, bool is_alone, struct lx_sphere_parameters *sphere)
+{
+    sphere->radius_mm = is_alone ? logarithmic(random, 60, 600) : uniform(random, 60, 200);
+    double reach = is_alone ? 50 : 300;
+    sphere->center_mm[0] = uniform(random, -reach, reach);
+    sphere->center_mm[1] = uniform(random, -reach, reach);
+    sphere->center_mm[2] = uniform(random, 500, 2000);
+    return sphere;
+}
+
+/* Its front towards the observer, or, where others are in the picture, any way. */
+static const void *random_plate(struct randomness *random, bool is_alone, struct lx_plate_parameters *plate)
+{
+    double reach = is_alone ? 50 : 300;
+    for (int i = 0; i < 2; i++) {
+        plate->size_mm[i] = is_alone ? logarithmic(random, 30, 2000) : uniform(random, 100, 600);
+        plate->center_mm[i] = uniform(random, -reach, reach);
+    }
+    plate->center_mm[2] = uniform(random, 500, 2000);
+    random_direction(random, plate->axis);
+    if (is_alone || pick(random, 4))
+        plate->axis[2] = fabs(plate->axis[2]);
+    if (pick(random, 4) == 0)
+        plate->axis[0] = plate->axis[1] = 0;
+    if (pick(random, 2)) {
+        plate->given = 1 << 3;
+        random_direction(random, plate->up);
+    }
+    return plate;
+}
+
+static void make_scene(struct randomness *random, bool with_plates, struct test_scene *test)
 {
     size_t surfaces = pick(random, 3) ? 1 : MAXIMUM_SURFACES;
     *test = (struct test_scene){
@@ -122,20 +189,19 @@ static void make_scene(struct randomness *random, struct test_scene *test)
         .scene.observer = {.z_mm = 5000, .projection = pick(random, 2), .view = pick(random, 2)},
     };
     for (size_t i = 0; i < surfaces; i++) {
-        struct lx_sphere_parameters *sphere = &test->spheres[i];
-        sphere->radius_mm = surfaces == 1 ? logarithmic(random, 60, 600) : uniform(random, 60, 200);
-        double reach = surfaces == 1 ? 50 : 300;
-        sphere->center_mm[0] = uniform(random, -reach, reach);
-        sphere->center_mm[1] = uniform(random, -reach, reach);
-        sphere->center_mm[2] = uniform(random, 500, 2000);
+        bool is_plate = with_plates && (surfaces == 1 || pick(random, 2));
+        const void *parameters = is_plate ? random_plate(random, surfaces == 1, &test->plates[i])
+                                          : random_sphere(random, surfaces == 1, &test->spheres[i]);
         struct lx_material material = random_material(random);
-        const struct lx_surface_kind *kind = (const struct lx_surface_kind *)lx_surface_variants[0];
-        test->surfaces[i] = (struct lx_prepared_surface){
-            .kind = kind, .parameters = sphere, .shape = kind->shape(sphere), .lobe = lx_lobe_prepare(&material)};
+        const struct lx_surface_kind *kind = kind_called(is_plate ? "rectangle" : "sphere");
+        test->surfaces[i] = (struct lx_prepared_surface){.kind = kind,
+                                                         .parameters = parameters,
+                                                         .shape = kind->shape(parameters),
+                                                         .lobe = lx_lobe_prepare(&material)};
     }
     size_t lights = 1 + (size_t)pick(random, MAXIMUM_LIGHTS);
     for (size_t i = 0; i < lights; i++)
-        test->lights[i] = random_emitter(random, &test->spheres[0]);
+        test->lights[i] = random_emitter(random, &test->surfaces[0].shape);
     test->prepared = (struct lx_prepared){
         .scene = &test->scene,
         .surfaces = test->surfaces,
@@ -169,11 +235,11 @@ static double worst_pixel(const struct test_scene *test, const struct lx_kernels
                           lx_bounded picture[ROWS][COLUMNS], double maximum, double *share_single)
 {
     struct lx_plan plan;
-    struct lx_shader_memory *memory = lx_shader_memory_new();
     double x[LX_BLOCK], values[LX_BLOCK], one[LX_BLOCK], worst = 0, bound = precision == LUXEL_DOUBLE ? 1e-11 : 2e-6;
     uint8_t mask[LX_BLOCK];
+    assert_int_equal(lx_plan_make(&test->prepared, kernels, LUXEL_BRIGHTNESS, precision, 0, &plan), 0);
+    struct lx_shader_memory *memory = lx_shader_memory_new(&plan);
     assert_non_null(memory);
-    assert_int_equal(lx_plan_make(&test->prepared, kernels, LUXEL_BRIGHTNESS, precision, &plan), 0);
     assert_ptr_equal(plan.kernels, kernels);
     size_t singles = 0, lights = 0;
     for (size_t s = 0; s < plan.surface_count; s++)
@@ -206,7 +272,7 @@ static double worst_pixel(const struct test_scene *test, const struct lx_kernels
     return worst;
 }
 
-static void check_precision(luxel_precision precision, double bound)
+static void check_precision(luxel_precision precision, bool with_plates, double bound)
 {
     static lx_bounded picture[ROWS][COLUMNS];
     const char *campaign = getenv("LUXEL_TEST_SCENES");
@@ -215,7 +281,7 @@ static void check_precision(luxel_precision precision, double bound)
     for (int i = 0; i < scenes; i++) {
         struct randomness random = {.state = UINT64_C(0x9E3779B97F4A7C15) * ((uint64_t)i + 1)};
         struct test_scene test;
-        make_scene(&random, &test);
+        make_scene(&random, with_plates, &test);
         double maximum = reference_picture(&test, picture);
         for (size_t k = 0; lx_kernels_get(k); k++) {
             const struct lx_kernels *kernels = lx_kernels_get(k);
@@ -237,13 +303,25 @@ static void check_precision(luxel_precision precision, double bound)
 static void test_single(void **state)
 {
     (void)state;
-    check_precision(LUXEL_SINGLE, 2e-6);
+    check_precision(LUXEL_SINGLE, false, 2e-6);
 }
 
 static void test_double(void **state)
 {
     (void)state;
-    check_precision(LUXEL_DOUBLE, 1e-11);
+    check_precision(LUXEL_DOUBLE, false, 1e-11);
+}
+
+static void test_plates_single(void **state)
+{
+    (void)state;
+    check_precision(LUXEL_SINGLE, true, 2e-6);
+}
+
+static void test_plates_double(void **state)
+{
+    (void)state;
+    check_precision(LUXEL_DOUBLE, true, 1e-11);
 }
 
 static void test_choice(void **state)
@@ -263,9 +341,8 @@ static void test_choice(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_choice),
-        cmocka_unit_test(test_single),
-        cmocka_unit_test(test_double),
+        cmocka_unit_test(test_choice),        cmocka_unit_test(test_single),        cmocka_unit_test(test_double),
+        cmocka_unit_test(test_plates_single), cmocka_unit_test(test_plates_double),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -5,8 +5,10 @@
  * the place of malloc() and its kin (see meson.build).
  */
 #include <stdbool.h>
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <unistd.h>
 
 #include "scenes.h"
 
@@ -63,6 +65,38 @@ static void loading(void **state)
         assert_int_equal(status, failed ? LUXEL_ERROR_MEMORY : LUXEL_OK);
         luxel_scene_free(scene);
     }
+}
+
+/* A mesh, outlines, groups and lists of groups. */
+static void loading_lights_of_some_size(void **state)
+{
+    (void)state;
+    char mesh[] = "/tmp/luxel-shortage-XXXXXX", words[1024];
+    static const char body[] = "OFF\n4 4 6\n0 0 1500\n90 0 1500\n0 90 1500\n0 0 1590\n"
+                               "3 0 2 1\n3 0 1 3\n3 1 2 3\n3 0 3 2\n";
+    int file = mkstemp(mesh);
+    assert_true(file >= 0 && write(file, body, sizeof body - 1) == sizeof body - 1 && close(file) == 0);
+    snprintf(words, sizeof words,
+             "grids: [{center: [0, 0, 0], size: [9, 9], n: [2, 2]}]\n"
+             "lights:\n  - {type: volume, mesh: %s, power: 1}\n"
+             "  - {type: volume, sphere: {center: [0, 0, 1800], radius: 9, facets: 5}, power: 1}\n"
+             "  - {type: planar, rectangle: {center: [0, 0, 1800], size: [9, 5]}, power: 1, parts: 2}\n"
+             "  - {type: planar, vertices: [[0, 0, 1800], [0, 9, 1800], [9, 9, 1800], [1, 8, 1800]], power: 1}\n",
+             mesh);
+    char *text = changed("lights:\n", words);
+    for (long i = 0; i == 0 || failed; i++) {
+        luxel_scene *scene = NULL;
+        arm(i);
+        luxel_status status = load(text, NULL, &scene);
+        luxel_scene *copy = status == LUXEL_OK ? luxel_scene_copy(scene) : NULL;
+        armed = false;
+        if (!(status == LUXEL_OK && (copy || failed)) && !(failed && status == LUXEL_ERROR_MEMORY))
+            fail_msg("status %d at allocation %ld", (int)status, i);
+        luxel_scene_free(copy);
+        luxel_scene_free(scene);
+    }
+    free(text);
+    unlink(mesh);
 }
 
 static void setting(void **state)
@@ -196,16 +230,53 @@ static void writing_the_schema(void **state)
     luxel_text_free(whole);
 }
 
+/* A grid and its file: both are whole or not there at all. */
+static void measuring(void **state)
+{
+    (void)state;
+    luxel_scene *scene = NULL;
+    char folder[] = "/tmp/luxel-shortage-XXXXXX", path[64];
+    char *text = changed("points:", "grids: [{name: a, center: [0, 0, 0], size: [9, 9], n: [2, 3]}]\npoints:");
+    assert_non_null(mkdtemp(folder));
+    snprintf(path, sizeof path, "%s/grid.csv", folder);
+    assert_int_equal(load(text, NULL, &scene), LUXEL_OK);
+    luxel_grid *grid = NULL;
+    failed = true;
+    for (long i = 0; failed; i++) {
+        luxel_grid_free(grid);
+        grid = NULL;
+        arm(i);
+        luxel_status status = luxel_measure(scene, NULL, 0, NULL, &grid);
+        armed = false;
+        assert_true(status == LUXEL_OK || (failed && status == LUXEL_ERROR_MEMORY && !grid));
+    }
+    assert_int_equal(grid->measured, 6);
+    failed = true;
+    for (long i = 0; failed; i++) {
+        arm(i);
+        luxel_status status = luxel_grids_write((const luxel_grid *const *)&grid, 1, path, NULL);
+        armed = false;
+        assert_true(status == LUXEL_OK || failed);
+        assert_int_equal(unlink(path), status == LUXEL_OK ? 0 : -1);
+    }
+    luxel_grid_free(grid);
+    assert_int_equal(rmdir(folder), 0);
+    luxel_scene_free(scene);
+    free(text);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(loading),
+        cmocka_unit_test(loading_lights_of_some_size),
         cmocka_unit_test(setting),
         cmocka_unit_test(copying_and_writing),
         cmocka_unit_test(reporting),
         cmocka_unit_test(advising),
         cmocka_unit_test(listing_parameters),
         cmocka_unit_test(writing_the_schema),
+        cmocka_unit_test(measuring),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

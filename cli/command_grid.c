@@ -1,0 +1,356 @@
+/* SPDX-License-Identifier: MIT */
+/*
+ * luxel grid: the irradiance on a scene's measuring planes.  As with pictures, the files are written before anything is
+ * printed.
+ */
+#include <stdlib.h>
+
+#include <luxel/luxel.h>
+
+#include "cli.h"
+#include "json.h"
+#include "load.h"
+#include "message.h"
+#include "options.h"
+#include "outputs.h"
+#include "progress.h"
+#include "result.h"
+#include "text.h"
+
+/* Larger grids are not printed as a table: lines would not fit, and nobody reads them. */
+enum { MOST_COLUMNS = 20, MOST_ROWS = 100 };
+
+struct grids {
+    const luxel_scene *scene;
+    luxel_grid **list;
+    size_t count;
+};
+
+/* Progress of all grids together, by their cells. */
+struct share {
+    struct progress *progress;
+    double before, own, all;
+};
+
+static bool report_share(double done, void *data)
+{
+    const struct share *share = data;
+
+    return progress_report((share->before + done * share->own) / share->all, share->progress);
+}
+
+static double count_cells(const luxel_scene *scene, size_t i)
+{
+    unsigned columns = 0, rows = 0;
+
+    luxel_scene_grid_resolution(scene, i, &columns, &rows);
+    return (double)columns * rows;
+}
+
+/* Measures all grids of the scene; grids_clear() is due in every case. */
+static luxel_status measure(const struct options *options, const struct loaded *loaded, struct grids *grids)
+{
+    const size_t count = luxel_scene_grid_count(loaded->scene);
+    luxel_settings settings = options->settings;
+    struct progress progress;
+    struct share share = {.progress = &progress};
+    luxel_status status = LUXEL_OK;
+
+    *grids = (struct grids){.scene = loaded->scene, .list = message_allocate(count, sizeof *grids->list)};
+    for (size_t i = 0; i < count; i++)
+        share.all += count_cells(loaded->scene, i);
+    settings.progress = report_share;
+    settings.progress_data = &share;
+    progress_begin(&progress, options->quiet);
+    while (status == LUXEL_OK && grids->count < count) {
+        share.own = count_cells(loaded->scene, grids->count);
+        status = luxel_measure(loaded->scene, &settings, grids->count, loaded->diagnostics, &grids->list[grids->count]);
+        grids->count += status == LUXEL_OK;
+        share.before += share.own;
+    }
+    if (progress_end(&progress) && status == LUXEL_OK)
+        status = LUXEL_CANCELLED;
+    return status;
+}
+
+static void grids_clear(struct grids *grids)
+{
+    for (size_t i = 0; i < grids->count; i++)
+        luxel_grid_free(grids->list[i]);
+    free(grids->list);
+}
+
+static void write_extremum(struct json *json, const char *key, const luxel_grid *grid,
+                           const luxel_grid_extremum *extremum)
+{
+    if (grid->measured == 0) {
+        json_null(json, key);
+        return;
+    }
+    json_open(json, key, '{');
+    json_number(json, "value", extremum->value);
+    json_wholes(json, "cell", (const unsigned[]){extremum->column, extremum->row}, 2);
+    json_numbers(json, "position", extremum->position_mm, 3);
+    json_close(json, '}');
+}
+
+/* The values or their bounds, row by row, null where there is none. */
+static void write_cells(struct json *json, const char *key, const luxel_grid *grid, const double *numbers)
+{
+    json_open(json, key, '[');
+    for (unsigned row = 0; row < grid->rows; row++) {
+        json_open(json, NULL, '[');
+        for (unsigned column = 0; column < grid->columns; column++) {
+            const size_t cell = (size_t)row * grid->columns + column;
+
+            if (grid->mask[cell])
+                json_number(json, NULL, numbers[cell]);
+            else
+                json_null(json, NULL);
+        }
+        json_close(json, ']');
+    }
+    json_close(json, ']');
+}
+
+static void write_number_if(struct json *json, const char *key, bool exists, double value)
+{
+    if (exists)
+        json_number(json, key, value);
+    else
+        json_null(json, key);
+}
+
+static void write_grid(struct json *json, const luxel_grid *grid)
+{
+    const bool measured = grid->measured > 0;
+
+    json_open(json, NULL, '{');
+    json_text(json, "name", grid->name);
+    json_numbers(json, "center", grid->center_mm, 3);
+    json_numbers(json, "size", grid->size_mm, 2);
+    json_numbers(json, "axis", grid->axis, 3);
+    json_numbers(json, "up", grid->up, 3);
+    json_wholes(json, "n", (const unsigned[]){grid->columns, grid->rows}, 2);
+    write_number_if(json, "average", measured, grid->average);
+    write_extremum(json, "minimum", grid, &grid->minimum);
+    write_extremum(json, "maximum", grid, &grid->maximum);
+    write_number_if(json, "u0", grid->has_evenness, grid->u0);
+    write_number_if(json, "ud", grid->has_evenness, grid->ud);
+    write_number_if(json, "flux", grid->flux_unit != NULL, grid->flux);
+    json_text(json, "flux_unit", grid->flux_unit);
+    write_number_if(json, "error", measured, grid->error);
+    write_number_if(json, "average_error", measured, grid->average_error);
+    json_whole(json, "measured", grid->measured);
+    write_cells(json, "values", grid, grid->values);
+    write_cells(json, "errors", grid, grid->errors);
+    json_close(json, '}');
+}
+
+static void print_json(const struct grids *grids)
+{
+    struct json json = {.stream = stdout};
+
+    json_open(&json, NULL, '{');
+    json_text(&json, "quantity", "irradiance");
+    json_text(&json, "unit", luxel_scene_unit(grids->scene, LUXEL_IRRADIANCE));
+    json_open(&json, "grids", '[');
+    for (size_t i = 0; i < grids->count; i++)
+        write_grid(&json, grids->list[i]);
+    json_close(&json, ']');
+    result_write_conventions(&json, grids->scene);
+    json_close(&json, '}');
+}
+
+/* "floor", or "grid 2". */
+static void print_name(const luxel_grid *grid, size_t i)
+{
+    if (grid->name)
+        text_print_escaped(stdout, grid->name);
+    else
+        printf(_("grid %zu"), i + 1);
+}
+
+static void print_plane(const luxel_grid *grid)
+{
+    char center[TEXT_SIZE], width[TEXT_SIZE], height[TEXT_SIZE];
+    const double *axis = grid->axis, *up = grid->up;
+
+    printf(_(": %u × %u cells, %s × %s mm around %s\n"), grid->columns, grid->rows,
+           text_length(grid->size_mm[0], width), text_length(grid->size_mm[1], height),
+           text_lengths(grid->center_mm, 3, center));
+    printf(_("  normal (%.6g, %.6g, %.6g), up (%.6g, %.6g, %.6g)\n\n"), axis[0] + 0.0, axis[1] + 0.0, axis[2] + 0.0,
+           up[0] + 0.0, up[1] + 0.0, up[2] + 0.0);
+}
+
+/* The values as the plane is seen from its front, with the numbers of the columns above and of the rows at the left. */
+static void print_values(const luxel_grid *grid)
+{
+    char alignment[MOST_COLUMNS + 2] = {0}, numbers[MOST_COLUMNS + 1][TEXT_SIZE];
+    const char *cells[MOST_COLUMNS + 1] = {""};
+    struct text_table *table;
+
+    for (unsigned i = 0; i <= grid->columns; i++)
+        alignment[i] = 'r';
+    table = text_table_new(alignment);
+    for (unsigned column = 0; column < grid->columns; column++)
+        cells[column + 1] = text_format(numbers[column + 1], "%u", column);
+    text_table_row(table, cells);
+    for (unsigned row = 0; row < grid->rows; row++) {
+        cells[0] = text_format(numbers[0], "%u", row);
+        for (unsigned column = 0; column < grid->columns; column++) {
+            const size_t cell = (size_t)row * grid->columns + column;
+
+            text_format(numbers[column + 1], grid->mask[cell] ? "%.5g" : "-", grid->values[cell]);
+            cells[column + 1] = numbers[column + 1];
+        }
+        text_table_row(table, cells);
+    }
+    text_table_print(table, stdout, 2);
+    fputc('\n', stdout);
+}
+
+static void add_number(struct text_table *table, const char *name, bool exists, double value)
+{
+    char number[TEXT_SIZE];
+
+    text_table_row(table, TEXT_CELLS(name, exists ? text_format(number, "%.6g", value) : _("none"), "", ""));
+}
+
+static void add_extremum(struct text_table *table, const char *name, const luxel_grid *grid,
+                         const luxel_grid_extremum *extremum)
+{
+    char value[TEXT_SIZE], cell[TEXT_SIZE], position[TEXT_SIZE];
+
+    if (grid->measured == 0) {
+        add_number(table, name, false, 0.0);
+        return;
+    }
+    text_table_row(table, TEXT_CELLS(name, text_format(value, "%.6g", extremum->value),
+                                     text_format(cell, "(%u, %u)", extremum->column, extremum->row),
+                                     text_lengths(extremum->position_mm, 3, position)));
+}
+
+static void print_statistics(const luxel_grid *grid)
+{
+    struct text_table *table = text_table_new("lrrr");
+    char heading[TEXT_SIZE], flux[TEXT_SIZE], error[TEXT_SIZE];
+    const bool measured = grid->measured > 0;
+
+    text_format(heading, _("value (%s)"), _(grid->unit));
+    text_table_row(table, TEXT_CELLS("", heading, _("cell (column, row)"), _("position x, y, z (mm)")));
+    add_number(table, _("average"), measured, grid->average);
+    add_extremum(table, _("minimum"), grid, &grid->minimum);
+    add_extremum(table, _("maximum"), grid, &grid->maximum);
+    text_table_row(table,
+                   TEXT_CELLS(_("error at most"), measured ? text_error(grid->error, error) : _("none"), "", ""));
+    add_number(table, _("U0 = minimum / average"), grid->has_evenness, grid->u0);
+    add_number(table, _("Ud = minimum / maximum"), grid->has_evenness, grid->ud);
+    if (grid->flux_unit) {
+        text_format(flux, _("flux = average × area (%s)"), _(grid->flux_unit));
+        add_number(table, flux, true, grid->flux);
+    }
+    text_table_print(table, stdout, 2);
+}
+
+static void print_grid(const luxel_grid *grid, size_t i)
+{
+    const size_t without = (size_t)grid->columns * grid->rows - grid->measured;
+
+    print_name(grid, i);
+    print_plane(grid);
+    if (grid->columns <= MOST_COLUMNS && grid->rows <= MOST_ROWS)
+        print_values(grid);
+    print_statistics(grid);
+    if (without > 0)
+        printf(ngettext("  %zu cell lies on a source, lights[%zu], and has no value\n",
+                        "  %zu cells lie on a source, the first of them on lights[%zu], and have no value\n", without),
+               without, grid->blocking_light);
+    if (grid->columns > MOST_COLUMNS || grid->rows > MOST_ROWS)
+        printf(_("  too many values for a table: --json prints them, -o FILE.csv writes them\n"));
+    fputc('\n', stdout);
+}
+
+static void print_text(const struct grids *grids, const char *name)
+{
+    text_print_escaped(stdout, name);
+    printf(_(": %s in %s\n\n"), _("irradiance"), _(luxel_scene_unit(grids->scene, LUXEL_IRRADIANCE)));
+    for (size_t i = 0; i < grids->count; i++)
+        print_grid(grids->list[i], i);
+    result_print_conventions(grids->scene);
+}
+
+/* A file that fails does not stop the others. */
+static int write_outputs(const struct options *options, const struct grids *grids, luxel_diagnostics *diagnostics)
+{
+    int code = EXIT_DONE;
+
+    for (size_t i = 0; i < options->output_count; i++) {
+        const luxel_status status =
+            luxel_grids_write((const luxel_grid *const *)grids->list, grids->count, options->outputs[i], diagnostics);
+
+        if (status != LUXEL_OK)
+            code = message_failure(status, diagnostics);
+        luxel_diagnostics_clear(diagnostics);
+    }
+    return code;
+}
+
+static int finish(const struct options *options, const struct loaded *loaded, const struct grids *grids)
+{
+    const int code = write_outputs(options, grids, loaded->diagnostics);
+
+    if (options->json)
+        print_json(grids);
+    else
+        print_text(grids, loaded->name);
+    for (size_t i = 0; i < grids->count && code == EXIT_DONE; i++)
+        if (!grids->list[i]->tolerance_reached)
+            return EXIT_TOLERANCE;
+    return code;
+}
+
+static int grid(const struct options *options, const struct loaded *loaded)
+{
+    struct grids grids;
+    luxel_status status;
+    int code;
+
+    if (luxel_scene_grid_count(loaded->scene) == 0) {
+        message_error(_("%s has no measuring grids"), loaded->name);
+        message_hint(_("add some under the key grids, or try %s"),
+                     "-s 'grids=[{center: [0,0,0], size: [1000,1000], n: [10,10]}]'");
+        return EXIT_USAGE;
+    }
+    status = measure(options, loaded, &grids);
+    code = status == LUXEL_OK ? finish(options, loaded, &grids) : message_failure(status, loaded->diagnostics);
+    grids_clear(&grids);
+    return code;
+}
+
+static int run(const struct options *options)
+{
+    int code;
+
+    if (options_given(options, "quantity") && options->settings.quantity != LUXEL_IRRADIANCE) {
+        message_error(_("luxel grid measures the irradiance: a measuring plane has no material to be bright by"));
+        return EXIT_USAGE;
+    }
+    code = outputs_check(options, luxel_check_grid_output_name);
+    return code == EXIT_DONE ? load_and(options, grid) : code;
+}
+
+const struct command command_grid = {
+    .name = "grid",
+    .bit = COMMAND_GRID,
+    .operand = N_("SCENE"),
+    .summary = N_("measure the irradiance on planes, and how evenly they are lit"),
+    .description = N_("Prints the irradiance at the centres of the cells of each measuring grid of the scene (its key "
+                      "grids), seen from the front of the plane, with the average, the minimum, the maximum, how "
+                      "evenly the plane is lit and the flux that falls on it. Each FILE, of comma-separated values, "
+                      "appears whole or not at all."),
+    .examples = "luxel grid room.yaml\n"
+                "luxel grid room.yaml --json -o room.csv\n"
+                "luxel grid spot -s 'grids=[{center: [0,0,0], size: [1000,1000], n: [10,10]}]'",
+    .run = run,
+};

@@ -1,0 +1,16 @@
+/* SPDX-License-Identifier: MIT */
+/* The files of -o, looked at before anything is computed. */
+#ifndef LUXEL_CLI_OUTPUTS_H
+#define LUXEL_CLI_OUTPUTS_H
+
+#include <luxel/luxel.h>
+
+#include "options.h"
+
+/*
+ * Refuses what can be known to fail: names that `check` does not take, and two that are the same file.  Returns an enum
+ * exit_code; errors are printed here.
+ */
+int outputs_check(const struct options *options, luxel_status (*check)(const char *, luxel_diagnostics *));
+
+#endif

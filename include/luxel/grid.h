@@ -1,0 +1,102 @@
+/* SPDX-License-Identifier: MIT */
+/*
+ * Measuring grids: the irradiance at the centres of the cells of a scene's measuring planes, and what lighting
+ * designers read off them: average, minimum, maximum, and how evenly the plane is lit.
+ *
+ * A grid lies as a rectangle does: its axis is the normal of its elements, its rows are stacked along `up` made
+ * perpendicular to the axis, its columns stand side by side along up x axis.  Row 0 is the top one, farthest along up;
+ * column 0 is the first along up x axis, the left one for who looks at the front.  Values lie row by row.
+ *
+ * Each value is that of a free surface element at the cell's centre, in float64 with a bound of its error, as
+ * luxel_probe_element() has it.  The quantity is the irradiance, whatever the settings say: a measuring plane has no
+ * material.  The numbers are the same for any number of threads.  Threads as for luxel_render().
+ */
+#ifndef LUXEL_GRID_H
+#define LUXEL_GRID_H
+
+#include <luxel/render.h>
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/* The least or the greatest value of a grid and its cell; ties: first in row order. */
+typedef struct luxel_grid_extremum {
+    double value;          /* in the grid's unit */
+    unsigned column;       /* of its cell */
+    unsigned row;          /* of its cell */
+    double position_mm[3]; /* the cell's centre */
+} luxel_grid_extremum;
+
+/*
+ * A measured grid.  Its texts and arrays live as long as the grid.  What is read off the values takes in the cells
+ * that have one: average, extrema and what is made of them exist where `measured` is above 0, and are 0 elsewhere.
+ */
+typedef struct luxel_grid {
+    const char *name;            /* in the scene, NULL where it has none */
+    unsigned columns;            /* cells along up x axis */
+    unsigned rows;               /* cells along up */
+    double center_mm[3];         /* of the plane */
+    double size_mm[2];           /* along up x axis, and along up */
+    double axis[3];              /* unit: the normal of the elements */
+    double up[3];                /* unit, perpendicular to the axis */
+    double across[3];            /* unit: up x axis */
+    const char *unit;            /* of the values, in UTF-8, that of luxel_scene_unit() for the irradiance */
+    const double *values;        /* rows x columns; 0 for a cell without a value */
+    const double *errors;        /* rows x columns: bounds of |value - truth|; 0 for a cell without a value */
+    const uint8_t *mask;         /* rows x columns: 1 where the cell has a value, 0 where it lies on a source */
+    size_t measured;             /* the number of cells that have a value */
+    size_t blocking_light;       /* where not all have one: the light on the first without, as an index in the scene */
+    double error;                /* the largest of the bounds */
+    double average;              /* the plain mean of the values */
+    double average_error;        /* bounds its distance from the mean of the true values at the cells' centres */
+    luxel_grid_extremum minimum; /* the least value */
+    luxel_grid_extremum maximum; /* the greatest value */
+    bool has_evenness;           /* false where no cell has a value above 0; then the next two are 0 */
+    double u0;                   /* minimum / average, the uniformity U0 (EN 12665) */
+    double ud;                   /* minimum / maximum, the diversity Ud */
+    const char *flux_unit;       /* "W" or "lm"; NULL where the unit is no power by area or a cell has no value */
+    double flux;                 /* average times area: the power that falls on the plane, by the midpoint rule */
+    bool tolerance_reached;      /* whether each error is at most the tolerance times the value (for a dark cell, times
+                                    the maximum or, where all is dark, what the lights bring to it): the settings'
+                                    tolerance, or 1e-9 where there is no closed form */
+} luxel_grid;
+
+/* Of a committed scene: the number of its measuring grids. */
+LUXEL_API size_t luxel_scene_grid_count(const luxel_scene *scene);
+/* Of a committed scene: the cells of its i-th grid.  LUXEL_ERROR_ARGUMENT: not committed, or no such. */
+LUXEL_API luxel_status luxel_scene_grid_resolution(const luxel_scene *scene, size_t i, unsigned *columns,
+                                                   unsigned *rows);
+
+/*
+ * Measures the scene's i-th grid.  `settings` NULL: the defaults.  The call blocks; it may be cancelled as rendering
+ * may.  The grid is the caller's: free it with luxel_grid_free().
+ * Errors as luxel_render() lists them.  LUXEL_ERROR_ARGUMENT: no such grid, too.  LUXEL_ERROR_RANGE: a value is beyond
+ * float64.
+ */
+LUXEL_API luxel_status luxel_measure(const luxel_scene *scene, const luxel_settings *settings, size_t i,
+                                     luxel_diagnostics *diagnostics, luxel_grid **grid);
+
+/* Frees a grid with its values; NULL is harmless. */
+LUXEL_API void luxel_grid_free(luxel_grid *grid);
+
+/* The centre of a cell, of which there need be none: the plane goes on. */
+LUXEL_API void luxel_grid_position(const luxel_grid *grid, unsigned column, unsigned row, double position_mm[3]);
+
+/* Whether grids can be written to a file of this name: ".csv" is the ending that goes.  LUXEL_ERROR_ARGUMENT. */
+LUXEL_API luxel_status luxel_check_grid_output_name(const char *path, luxel_diagnostics *diagnostics);
+
+/*
+ * Writes `count` grids of one unit to a .csv file, whole or not at all: under a line with the columns' names
+ * (grid,column,row,x_mm,y_mm,z_mm,irradiance_UNIT,error_UNIT) a line for each cell, grid by grid and row by row.  A
+ * grid goes by its name or, where it has none, by "grid 1" and so on, as it stands in the list; the last two fields of
+ * a cell without a value are empty.
+ * LUXEL_ERROR_ARGUMENT: another ending, or no grid.  LUXEL_ERROR_FILE: it could not be written.
+ */
+LUXEL_API luxel_status luxel_grids_write(const luxel_grid *const *grids, size_t count, const char *path,
+                                         luxel_diagnostics *diagnostics);
+
+#ifdef __cplusplus
+}
+#endif
+#endif

@@ -1,0 +1,308 @@
+/* SPDX-License-Identifier: MIT */
+/* Measuring grids: the reference at the centre of each cell, in parallel, and what is read off the values. */
+#include "grid.h"
+
+#include <float.h>
+#include <limits.h>
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "../base/diagnostics.h"
+#include "../base/memory.h"
+#include "../base/number.h"
+#include "../base/rows.h"
+#include "../scene/scene.h"
+#include "session.h"
+
+void luxel_grid_free(luxel_grid *grid)
+{
+    if (!grid)
+        return;
+    free((char *)grid->name);
+    free((double *)grid->values);
+    free((double *)grid->errors);
+    free((uint8_t *)grid->mask);
+    free(grid);
+}
+
+size_t luxel_scene_grid_count(const luxel_scene *scene)
+{
+    return scene && luxel_scene_is_committed(scene) ? lx_scene_parameters(scene)->grids.count : 0;
+}
+
+static const struct lx_grid *find_grid(const luxel_scene *scene, size_t i)
+{
+    return i < luxel_scene_grid_count(scene) ? (const struct lx_grid *)lx_scene_parameters(scene)->grids.items + i
+                                             : NULL;
+}
+
+luxel_status luxel_scene_grid_resolution(const luxel_scene *scene, size_t i, unsigned *columns, unsigned *rows)
+{
+    const struct lx_grid *grid = find_grid(scene, i);
+    if (!grid || !columns || !rows)
+        return LUXEL_ERROR_ARGUMENT;
+    *columns = grid->n[0];
+    *rows = grid->n[1];
+    return LUXEL_OK;
+}
+
+/* One measurement under way. */
+struct measuring {
+    const struct lx_prepared *prepared;
+    struct lx_control *control;
+    struct lx_lobe lobe;
+    struct lx_measured *made;
+    double *values, *errors;
+    uint8_t *mask;
+};
+
+/* The sum over the lights; false where one of them lies on the element, with that light. */
+static bool measure_cell(const struct measuring *measuring, size_t cell, lx_bounded *sum, size_t *blocking_light)
+{
+    const struct lx_prepared *prepared = measuring->prepared;
+    unsigned columns = measuring->made->grid.columns;
+    struct lx_element element = lx_cell_element(prepared, &measuring->made->cells, (unsigned)(cell % columns),
+                                                (unsigned)(cell / columns), &measuring->lobe);
+    *sum = lx_exact(0);
+    for (size_t i = 0; i < prepared->emitters.count; i++) {
+        const struct lx_emitter *emitter = &prepared->emitters.items[i];
+        struct lx_lighting light = lx_light_element(prepared, &element, emitter);
+        if (light.on_element) {
+            *blocking_light = emitter->light;
+            return false;
+        }
+        *sum = lx_add(*sum, light.irradiance);
+    }
+    return true;
+}
+
+/* For the pool a cell is a row: one alone may be worth a thread, where it takes an integral. */
+static void measure_cells(void *data, unsigned worker, bool is_caller, unsigned first, unsigned last)
+{
+    struct measuring *measuring = data;
+    (void)worker;
+    for (unsigned cell = first; cell < last && lx_control_goes_on(measuring->control, is_caller); cell++) {
+        lx_bounded sum;
+        size_t light;
+        if (!measure_cell(measuring, cell, &sum, &light))
+            continue;
+        measuring->mask[cell] = 1;
+        measuring->values[cell] = sum.value;
+        measuring->errors[cell] = sum.error >= 0 ? sum.error : HUGE_VAL; /* the bound itself may leave the range */
+    }
+}
+
+static void note_extremum(const struct measuring *measuring, size_t cell, luxel_grid_extremum *extremum)
+{
+    unsigned columns = measuring->made->grid.columns;
+    extremum->value = measuring->values[cell];
+    extremum->column = (unsigned)(cell % columns);
+    extremum->row = (unsigned)(cell / columns);
+    luxel_grid_position(&measuring->made->grid, extremum->column, extremum->row, extremum->position_mm);
+}
+
+/* Average and extrema, in row order.  The sum is wide, so that it adds nothing to the error of many cells. */
+static void gather(const struct measuring *measuring)
+{
+    luxel_grid *grid = &measuring->made->grid;
+    size_t cells = (size_t)grid->columns * grid->rows, least = cells, greatest = cells;
+    lx_wide sum = lx_wide_of(0), errors = lx_wide_of(0);
+    for (size_t i = 0; i < cells; i++) {
+        if (!measuring->mask[i]) {
+            if (grid->measured == i)
+                measure_cell(measuring, i, &(lx_bounded){0}, &grid->blocking_light);
+            continue;
+        }
+        double value = measuring->values[i];
+        grid->measured++;
+        sum = lx_wide_add(sum, lx_wide_of(value));
+        errors = lx_wide_add(errors, lx_wide_of(measuring->errors[i]));
+        grid->error = fmax(grid->error, measuring->errors[i]);
+        if (least == cells || value < measuring->values[least])
+            least = i;
+        if (greatest == cells || value > measuring->values[greatest])
+            greatest = i;
+    }
+    if (grid->measured == 0)
+        return;
+    double count = (double)grid->measured;
+    lx_bounded total = {lx_wide_value(sum), 0};
+    total.error = isfinite(grid->error) ? lx_wide_value(errors) + LX_ROUNDING * (1 + 0x1p-20) * total.value : HUGE_VAL;
+    lx_bounded average = lx_div((lx_bounded){total.value, total.error * LX_BOUND_SLACK}, lx_exact(count));
+    grid->average = average.value;
+    grid->average_error = average.error;
+    note_extremum(measuring, least, &grid->minimum);
+    note_extremum(measuring, greatest, &grid->maximum);
+}
+
+/* Whether some light has no closed form, so that its share is an integral to a tolerance. */
+static bool integrates(const struct lx_emitters *emitters)
+{
+    for (size_t i = 0; i < emitters->count; i++)
+        if (lx_is_extended(&emitters->items[i]) && emitters->items[i].attenuation != LX_INVERSE_SQUARE)
+            return true;
+    return false;
+}
+
+/* What the lights bring to a cell, however it is turned: E_perp, and of extended ones pi times the radiance. */
+static double light_around(const struct measuring *measuring, size_t cell)
+{
+    unsigned columns = measuring->made->grid.columns;
+    lx_bounded3 place = lx_cell_place(&measuring->made->cells, (unsigned)(cell % columns), (unsigned)(cell / columns));
+    double sum = 0;
+    for (size_t i = 0; i < measuring->prepared->emitters.count; i++) {
+        const struct lx_emitter *emitter = &measuring->prepared->emitters.items[i];
+        sum +=
+            lx_is_extended(emitter) ? M_PI * emitter->radiance.value : lx_emitter_sample(emitter, place).e_perp.value;
+    }
+    return sum;
+}
+
+/* What the error of a cell is compared with.  That of a dark one may be the rounding of a cosine. */
+static double size_of(const struct measuring *measuring, size_t cell)
+{
+    double value = measuring->values[cell], maximum = measuring->made->grid.maximum.value;
+    return value > 0 ? value : maximum > 0 ? maximum : light_around(measuring, cell);
+}
+
+static bool reaches(const struct measuring *measuring, bool is_asked_for)
+{
+    const luxel_grid *grid = &measuring->made->grid;
+    size_t cells = (size_t)grid->columns * grid->rows;
+    if (!is_asked_for && !integrates(&measuring->prepared->emitters))
+        return true;
+    for (size_t i = 0; i < cells; i++)
+        if (measuring->mask[i] && measuring->errors[i] > DBL_MIN &&
+            !(measuring->errors[i] <= measuring->prepared->tolerance * size_of(measuring, i)))
+            return false;
+    return true;
+}
+
+/* The flux is known where values by area are. */
+static void judge(const struct measuring *measuring, bool is_tolerance_asked_for)
+{
+    luxel_grid *grid = &measuring->made->grid;
+    bool photometric = strcmp(grid->unit, "lx") == 0, radiometric = strcmp(grid->unit, "W/m²") == 0;
+    grid->has_evenness = grid->measured > 0 && grid->maximum.value > 0;
+    if (grid->has_evenness) {
+        grid->u0 = grid->minimum.value / grid->average;
+        grid->ud = grid->minimum.value / grid->maximum.value;
+    }
+    if ((photometric || radiometric) && grid->measured == (size_t)grid->columns * grid->rows) {
+        grid->flux_unit = photometric ? "lm" : "W";
+        grid->flux = grid->average * (grid->size_mm[0] / 1000) * (grid->size_mm[1] / 1000);
+    }
+    grid->tolerance_reached = reaches(measuring, is_tolerance_asked_for);
+}
+
+static void value_of(lx_bounded3 a, double value[3])
+{
+    value[0] = a.x.value, value[1] = a.y.value, value[2] = a.z.value;
+}
+
+static void describe(const struct lx_grid *from, struct lx_measured *made)
+{
+    luxel_grid *grid = &made->grid;
+    made->cells = lx_cells_of(from);
+    grid->columns = from->n[0];
+    grid->rows = from->n[1];
+    memcpy(grid->center_mm, from->center_mm, sizeof grid->center_mm);
+    memcpy(grid->size_mm, from->size_mm, sizeof grid->size_mm);
+    value_of(lx_wide3_direction(made->cells.pose.axis), grid->axis);
+    value_of(lx_wide3_direction(made->cells.pose.upward), grid->up);
+    value_of(lx_wide3_direction(made->cells.pose.across), grid->across);
+}
+
+static luxel_status too_large(const struct lx_grid *grid, double needed, double available,
+                              luxel_diagnostics *diagnostics)
+{
+    char columns[LX_NUMBER_SIZE], rows[LX_NUMBER_SIZE], need[LX_AMOUNT_SIZE], have[LX_AMOUNT_SIZE];
+    lx_report(diagnostics, LUXEL_SEVERITY_ERROR, NULL, LX_MSG_GRID_TOO_LARGE,
+              LX_ARGS(lx_write_number(grid->n[0], columns), lx_write_number(grid->n[1], rows),
+                      lx_write_amount(needed, need), lx_write_amount(available, have)));
+    lx_hint(diagnostics, LX_MSG_SMALLER_GRID, NULL);
+    return LUXEL_ERROR_MEMORY;
+}
+
+/* The grid without its values, which get their memory. */
+static luxel_status new_grid(const struct lx_session *session, const struct lx_grid *from,
+                             luxel_diagnostics *diagnostics, struct measuring *measuring)
+{
+    size_t cells = (size_t)from->n[0] * from->n[1];
+    double needed = (double)cells * (2 * sizeof(double) + 1), available = lx_available_bytes();
+    if (needed > available || cells > UINT_MAX)
+        return too_large(from, needed, available, diagnostics);
+    measuring->made = lx_new_array(1, sizeof *measuring->made);
+    if (!measuring->made)
+        return lx_out_of_memory(diagnostics);
+    luxel_grid *grid = &measuring->made->grid;
+    grid->values = measuring->values = lx_new_array(cells, sizeof *measuring->values);
+    grid->errors = measuring->errors = lx_new_array(cells, sizeof *measuring->errors);
+    grid->mask = measuring->mask = lx_new_array(cells, sizeof *measuring->mask);
+    if (from->name)
+        grid->name = lx_copy_text(from->name, strlen(from->name));
+    if (!grid->values || !grid->errors || !grid->mask || (from->name && !grid->name))
+        return lx_out_of_memory(diagnostics);
+    describe(from, measuring->made);
+    grid->unit = lx_unit_of(&session->prepared, LUXEL_IRRADIANCE);
+    return LUXEL_OK;
+}
+
+static luxel_status run(const struct lx_session *session, struct measuring *measuring, luxel_diagnostics *diagnostics)
+{
+    luxel_grid *grid = &measuring->made->grid;
+    const luxel_settings *settings = &session->settings;
+    struct lx_control control = {
+        .rows = grid->columns * grid->rows, .progress = settings->progress, .data = settings->progress_data};
+    measuring->control = &control;
+    if (!lx_rows_run(&control, lx_thread_count(settings->threads, control.rows / 4 + 1), measure_cells, measuring))
+        return LUXEL_CANCELLED;
+    gather(measuring);
+    if (grid->measured > 0 && !isfinite(grid->average)) {
+        lx_report(diagnostics, LUXEL_SEVERITY_ERROR, NULL, LX_MSG_VALUE_TOO_LARGE, LX_ARGS("double"));
+        lx_hint(diagnostics, LX_MSG_LOWER_STRENGTHS, NULL);
+        return LUXEL_ERROR_RANGE;
+    }
+    judge(measuring, settings->tolerance > 0);
+    return LUXEL_OK;
+}
+
+/* Errors of the call itself. */
+static luxel_status check_call(const luxel_scene *scene, size_t i, luxel_grid **grid, luxel_diagnostics *diagnostics)
+{
+    char index[LX_NUMBER_SIZE];
+    if (!grid)
+        lx_report(diagnostics, LUXEL_SEVERITY_ERROR, NULL, LX_MSG_MISSING_ARGUMENT, LX_ARGS("grid"));
+    else if (!find_grid(scene, i))
+        lx_report(diagnostics, LUXEL_SEVERITY_ERROR, NULL, LX_MSG_NO_SUCH_GRID,
+                  LX_ARGS(lx_write_number((double)i, index)));
+    else
+        return LUXEL_OK;
+    return LUXEL_ERROR_ARGUMENT;
+}
+
+luxel_status luxel_measure(const luxel_scene *scene, const luxel_settings *settings, size_t i,
+                           luxel_diagnostics *diagnostics, luxel_grid **grid)
+{
+    struct lx_session session;
+    struct measuring measuring = {.prepared = &session.prepared, .lobe = lx_lobe_irradiance()};
+    luxel_status status = lx_session_open(scene, settings, diagnostics, &session);
+    if (status == LUXEL_OK)
+        status = check_call(scene, i, grid, diagnostics);
+    if (status == LUXEL_OK)
+        status = new_grid(&session, find_grid(scene, i), diagnostics, &measuring);
+    if (status == LUXEL_OK)
+        status = run(&session, &measuring, diagnostics);
+    lx_session_clear(&session);
+    if (status == LUXEL_OK)
+        *grid = &measuring.made->grid;
+    else if (measuring.made)
+        luxel_grid_free(&measuring.made->grid);
+    return status;
+}
+
+void luxel_grid_position(const luxel_grid *grid, unsigned column, unsigned row, double position_mm[3])
+{
+    value_of(lx_cell_place(&((const struct lx_measured *)grid)->cells, column, row), position_mm);
+}

@@ -1,0 +1,69 @@
+/* SPDX-License-Identifier: MIT */
+/*
+ * Extended emitters: Lambertian shells of uniform radiance.
+ *
+ * facets    a convex polygon that shines from its front, or the shell of a convex polyhedron that shines outwards
+ * disk      a flat disk that shines along its axis
+ * ball      a sphere that shines outwards
+ * cylinder  a right circular cylinder, both caps included, that shines outwards
+ *
+ * Each is convex, so what an element sees of it is bounded by one convex contour, which the element's horizon cuts
+ * in two places at most.  With the law 1/r^2 the irradiance depends on that contour alone and has a closed form,
+ *
+ *     E = radiance/2 * closed integral of N.(r x dr)/|r|^2      (r from the element to the contour)
+ *
+ * (Lambert 1760; for edges Le/2 sum theta_i (N.g_i), Baum, Rushmeier, Winget 1989), here to 1e-12 relative
+ * everywhere: the terms are summed as wide numbers, so they may cancel.  The other laws and the highlights are
+ * integrals over the source (shade/cubature.h).
+ *
+ * Corners are wide because a corner made of centre, size and axis is no float64 number, and an element next to it
+ * would see the difference.
+ */
+#ifndef LX_LIGHT_EXTENDED_H
+#define LX_LIGHT_EXTENDED_H
+
+#include "../base/wide.h"
+#include "emitter.h"
+
+enum { LX_NO_FACE = -1 };
+
+/* A convex face: the corners loop[first] ... in counter-clockwise order as seen from the side that it shines to. */
+struct lx_face {
+    unsigned first, count;
+    lx_wide3 normal; /* unit */
+    double area_mm2;
+};
+
+/* An edge runs from one corner to another along the loop of the face `left`; `right`, the face beyond it, runs along
+ * it the other way; LX_NO_FACE where there is none. */
+struct lx_edge {
+    unsigned from, to;
+    int left, right;
+};
+
+struct lx_facets {
+    lx_wide3 *corners_mm;
+    size_t corner_count;
+    unsigned *loop;
+    struct lx_face *faces;
+    size_t face_count;
+    struct lx_edge *edges;
+    size_t edge_count;
+    double center_mm[3]; /* of a sphere around it, near to the centroid */
+    double radius_mm;    /* of that sphere */
+    double area_mm2;     /* of all faces */
+};
+
+void lx_facets_free(struct lx_facets *facets); /* NULL is harmless */
+
+/* Whether the place lies on the source, as far as its error tells: there is no L from every part of it. */
+bool lx_extended_touches(const struct lx_emitter *emitter, lx_bounded3 place_mm);
+
+/* The irradiance by the law 1/r^2 of an element that the source does not touch; its normal is a unit vector. */
+lx_bounded lx_extended_irradiance(const struct lx_emitter *emitter, lx_bounded3 place_mm, lx_bounded3 normal);
+
+/* Appends the point emitters that stand for the source when it is cut into parts (SPEC: `parts: N`): facets by
+ * lx_facets_cut() of facets.h, the round ones by lx_round_cut() of round.h.  0, or -1 when memory ran out. */
+int lx_extended_cut(const struct lx_emitter *emitter, unsigned parts, struct lx_emitters *emitters);
+
+#endif

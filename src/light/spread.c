@@ -1,0 +1,92 @@
+/* SPDX-License-Identifier: MIT */
+/* The part of preparing a light of some size that all of them share. */
+#include "spread.h"
+
+#include <math.h>
+
+#include "../base/number.h"
+
+const char *const lx_parts_names[] = {"converged", NULL};
+
+/* The areas that the strength of a light may be divided by, in mm^2. */
+static const double LEAST_AREA = 1e-100, MOST_AREA = 1e100;
+
+static lx_bounded pi(void)
+{
+    return lx_rounded(M_PI, 0, 1);
+}
+
+/* Of facets it was summed as it stands, from the rounded areas of the faces. */
+static lx_bounded area_of(const struct lx_emitter *shape)
+{
+    lx_bounded radius = lx_exact(shape->radius_mm), square = lx_mul(radius, radius);
+    switch (shape->type) {
+    case LX_FACETS: return lx_rounded(shape->facets->area_mm2, 0, 4 + (double)shape->facets->face_count);
+    case LX_DISK: return lx_mul(pi(), square);
+    case LX_BALL: return lx_scale(lx_mul(pi(), square), 4);
+    case LX_CYLINDER: return lx_scale(lx_mul(pi(), lx_add(square, lx_mul(radius, lx_exact(shape->height_mm)))), 2);
+    default: break;
+    }
+    return lx_exact(0);
+}
+
+int lx_shapes_add(struct lx_shapes *shapes, const struct lx_emitter *shape)
+{
+    if (shape->type == LX_FACETS && !shape->facets)
+        return -1;
+    shapes->area_mm2 = lx_add(shapes->area_mm2, area_of(shape));
+    return lx_emitters_append(&shapes->emitters, shape);
+}
+
+int lx_shapes_add_facets(struct lx_shapes *shapes, struct lx_facets *facets)
+{
+    struct lx_emitter shape = {.type = LX_FACETS, .facets = facets};
+    return lx_shapes_add(shapes, &shape);
+}
+
+void lx_shapes_clear(struct lx_shapes *shapes)
+{
+    lx_emitters_clear(&shapes->emitters);
+    *shapes = (struct lx_shapes){0};
+}
+
+lx_bounded lx_shapes_area(const struct lx_shapes *shapes)
+{
+    return lx_div(shapes->area_mm2, lx_exact(1e6));
+}
+
+lx_bounded lx_radiance_of_power(double power, const struct lx_shapes *shapes)
+{
+    return lx_div(lx_exact(power), lx_mul(pi(), lx_shapes_area(shapes)));
+}
+
+void lx_check_area(const struct lx_check *check, const char *key, const struct lx_shapes *shapes)
+{
+    double area = shapes->area_mm2.value;
+    char number[LX_NUMBER_SIZE];
+    if (area >= LEAST_AREA && area <= MOST_AREA)
+        return;
+    bool written = isfinite(area);
+    lx_check_report(check, key, LX_ALL_OF_IT, LX_MSG_AREA_OUT_OF_RANGE,
+                    LX_ARGS(written ? lx_write_digits(area, 3, number) : "∞"));
+}
+
+int lx_spread_emit(const struct lx_spread *spread, lx_bounded radiance, struct lx_shapes *shapes,
+                   struct lx_emitters *emitters)
+{
+    int result = 0;
+    for (size_t i = 0; i < shapes->emitters.count && result == 0; i++) {
+        struct lx_emitter *emitter = &shapes->emitters.items[i];
+        emitter->radiance = radiance;
+        emitter->attenuation = (enum lx_attenuation)spread->attenuation;
+        emitter->k_mm = spread->k_mm;
+        if (spread->parts.choice == LX_CONVERGED) {
+            result = lx_emitters_append(emitters, emitter);
+            emitter->facets = NULL; /* they are the list's now */
+        } else {
+            result = lx_extended_cut(emitter, spread->parts.whole, emitters);
+        }
+    }
+    lx_shapes_clear(shapes);
+    return result;
+}

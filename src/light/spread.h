@@ -1,0 +1,110 @@
+/* SPDX-License-Identifier: MIT */
+/*
+ * What all lights of some size have in common: a uniform radiance, given as such or by what the whole gives, the
+ * attenuation, and into how many parts they are cut.  A kind puts a struct lx_spread named `spread` into its
+ * parameters and LX_SPREAD_PARAMETERS and LX_SPREAD_RULES into its table.
+ */
+#ifndef LX_LIGHT_SPREAD_H
+#define LX_LIGHT_SPREAD_H
+
+#include "../parameter/check.h"
+#include "extended.h"
+#include "facets.h"
+#include "light.h"
+#include "placed.h"
+
+struct lx_spread {
+    double radiance; /* W/(sr m^2) or cd/m^2 */
+    double power;    /* W or lm */
+    int attenuation; /* enum lx_attenuation */
+    double k_mm;
+    struct lx_choice_or_whole parts; /* LX_CONVERGED, or how many */
+};
+
+enum { LX_CONVERGED };
+
+extern const char *const lx_parts_names[];
+
+/* Where a source of some size may well stand, as the advised ranges of the key. */
+#define LX_SPREAD_PLACES                                                                                               \
+    {                                                                                                                  \
+        LX_BETWEEN(-10000, 10000), LX_BETWEEN(-10000, 10000), LX_BETWEEN(100, 10000)                                   \
+    }
+
+#define LX_SPREAD_PARAMETERS(type_)                                                                                    \
+    {                                                                                                                  \
+        .name = "radiance",                                                                                            \
+        .type = LX_REAL,                                                                                               \
+        .offset = offsetof(type_, spread.radiance),                                                                    \
+        .unit = LX_UNIT_RADIANCE,                                                                                      \
+        .legal = LX_FROM(0),                                                                                           \
+        .advised = {LX_BETWEEN(0.01, 1e6)},                                                                            \
+        .meaning = "the radiance, the same everywhere and in all directions of the lit side",                          \
+    },                                                                                                                 \
+        {                                                                                                              \
+            .name = "power",                                                                                           \
+            .type = LX_REAL,                                                                                           \
+            .offset = offsetof(type_, spread.power),                                                                   \
+            .unit = LX_UNIT_POWER,                                                                                     \
+            .legal = LX_FROM(0),                                                                                       \
+            .advised = {LX_BETWEEN(0.01, 1e5)},                                                                        \
+            .meaning = "the power that it emits in all: pi times the radiance times the area",                         \
+        },                                                                                                             \
+        {                                                                                                              \
+            .name = "attenuation",                                                                                     \
+            .type = LX_CHOICE,                                                                                         \
+            .offset = offsetof(type_, spread.attenuation),                                                             \
+            .choices = lx_attenuation_names,                                                                           \
+            .initial = "inverse-square",                                                                               \
+            .meaning = "how light weakens with the distance r in metres: 1/r^2, 1/(k + r), or not at all",             \
+        },                                                                                                             \
+        {                                                                                                              \
+            .name = "k",                                                                                               \
+            .type = LX_REAL,                                                                                           \
+            .offset = offsetof(type_, spread.k_mm),                                                                    \
+            .unit = LX_UNIT_MM,                                                                                        \
+            .legal = LX_ABOVE(0),                                                                                      \
+            .advised = {LX_BETWEEN(10, 2000)},                                                                         \
+            .meaning = "the length k of the practical law 1/(k + r), which keeps it finite near the source",           \
+        },                                                                                                             \
+    {                                                                                                                  \
+        .name = "parts", .type = LX_CHOICE_OR_WHOLE, .offset = offsetof(type_, spread.parts),                          \
+        .choices = lx_parts_names, .initial = "converged", .legal = LX_BETWEEN(1, 1000),                               \
+        .advised = {LX_BETWEEN(1, 100)},                                                                               \
+        .meaning = "into how many parts each way the source is cut, each a point at its centre; converged: so many "   \
+                   "that more change nothing",                                                                         \
+    }
+
+#define LX_SPREAD_RULES                                                                                                \
+    {LX_RULE_NEEDED, "k", "attenuation", "practical"},                                                                 \
+    {                                                                                                                  \
+        LX_RULE_USED, "k", "attenuation", "practical"                                                                  \
+    }
+
+/* The shapes that a light consists of: emitters that have only their type and place yet. */
+struct lx_shapes {
+    struct lx_emitters emitters;
+    lx_bounded area_mm2;
+};
+
+/* Adds a shape, whose facets it takes over; facets of NULL, of LX_FACETS, are memory that ran out.  0, or -1. */
+int lx_shapes_add(struct lx_shapes *shapes, const struct lx_emitter *shape);
+/* The same of facets. */
+int lx_shapes_add_facets(struct lx_shapes *shapes, struct lx_facets *facets);
+void lx_shapes_clear(struct lx_shapes *shapes);
+
+/* The area in m^2. */
+lx_bounded lx_shapes_area(const struct lx_shapes *shapes);
+
+/* The radiance of a light that emits this power in all. */
+lx_bounded lx_radiance_of_power(double power, const struct lx_shapes *shapes);
+
+/* Reports an area that is too small or too large to be divided by, at the key of the shape. */
+void lx_check_area(const struct lx_check *check, const char *key, const struct lx_shapes *shapes);
+
+/* Appends the emitters of the shapes, which it takes over, cut into parts where that is wanted.  0, or -1 when memory
+ * ran out. */
+int lx_spread_emit(const struct lx_spread *spread, lx_bounded radiance, struct lx_shapes *shapes,
+                   struct lx_emitters *emitters);
+
+#endif

@@ -1,0 +1,349 @@
+/* SPDX-License-Identifier: MIT */
+/*
+ * The volume source: a convex body whose whole surface shines outwards with the same radiance everywhere, such as an
+ * opal globe or a tube.  Sphere and cylinder are exact, or polyhedra where `facets` says so.
+ */
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "../base/number.h"
+#include "../format/mesh.h"
+#include "spread.h"
+
+struct box_parameters {
+    uint64_t given;
+    double center_mm[3], size_mm[3];
+};
+
+struct sphere_parameters {
+    uint64_t given;
+    double center_mm[3];
+    double radius_mm;
+    unsigned facets;
+};
+
+struct cylinder_parameters {
+    uint64_t given;
+    double center_mm[3];
+    double radius_mm, height_mm;
+    double axis[3];
+    unsigned facets;
+};
+
+struct volume_parameters {
+    uint64_t given;
+    struct box_parameters box;
+    struct sphere_parameters sphere;
+    struct cylinder_parameters cylinder;
+    const char *mesh_file;
+    struct lx_spread spread;
+    struct lx_mesh *mesh; /* what was read of the file */
+};
+
+/* ---- tables ---- */
+
+#define CENTER(type_)                                                                                                  \
+    {                                                                                                                  \
+        .name = "center", .type = LX_REALS, .offset = offsetof(type_, center_mm), .count = 3, .unit = LX_UNIT_MM,      \
+        .required = true, .advised = LX_SPREAD_PLACES, .meaning = "where its centre lies",                             \
+    }
+
+#define LENGTH(name_, type_, member_, meaning_)                                                                        \
+    {                                                                                                                  \
+        .name = name_, .type = LX_REAL, .offset = offsetof(type_, member_), .unit = LX_UNIT_MM, .required = true,      \
+        .legal = LX_ABOVE(0), .advised = {LX_BETWEEN(1, 5000)}, .meaning = meaning_,                                   \
+    }
+
+static const struct lx_parameter box_parameters[] = {
+    CENTER(struct box_parameters),
+    {
+        .name = "size",
+        .type = LX_REALS,
+        .offset = offsetof(struct box_parameters, size_mm),
+        .count = 3,
+        .unit = LX_UNIT_MM,
+        .required = true,
+        .legal = LX_ABOVE(0),
+        .advised = {LX_BETWEEN(1, 10000)},
+        .meaning = "its lengths along x, y and z",
+    },
+};
+
+static const struct lx_table box_table = {
+    .parameters = box_parameters,
+    .count = LX_COUNT(box_parameters),
+    .size = sizeof(struct box_parameters),
+};
+
+static const struct lx_parameter sphere_parameters[] = {
+    CENTER(struct sphere_parameters),
+    LENGTH("radius", struct sphere_parameters, radius_mm, "its radius"),
+    {
+        .name = "facets",
+        .type = LX_WHOLE,
+        .offset = offsetof(struct sphere_parameters, facets),
+        .legal = LX_BETWEEN(4, 1000),
+        .advised = {LX_BETWEEN(6, 100)},
+        .meaning = "makes it the polyhedron of so many meridians, and half as many bands from pole to pole along z, "
+                   "whose corners lie on the sphere; not given: the sphere itself",
+    },
+};
+
+static const struct lx_table sphere_table = {
+    .parameters = sphere_parameters,
+    .count = LX_COUNT(sphere_parameters),
+    .size = sizeof(struct sphere_parameters),
+};
+
+static const struct lx_parameter cylinder_parameters[] = {
+    CENTER(struct cylinder_parameters),
+    LENGTH("radius", struct cylinder_parameters, radius_mm, "its radius"),
+    LENGTH("height", struct cylinder_parameters, height_mm, "its length along the axis; both ends are closed"),
+    {
+        .name = "axis",
+        .type = LX_REALS,
+        .offset = offsetof(struct cylinder_parameters, axis),
+        .count = 3,
+        .nonzero = true,
+        .initial = "[0, 0, 1]",
+        .meaning = "the direction of its axis, of any length",
+    },
+    {
+        .name = "facets",
+        .type = LX_WHOLE,
+        .offset = offsetof(struct cylinder_parameters, facets),
+        .legal = LX_BETWEEN(3, 1000),
+        .advised = {LX_BETWEEN(6, 100)},
+        .meaning =
+            "makes it the prism of so many sides whose edges lie on the cylinder; not given: the cylinder itself",
+    },
+};
+
+static const struct lx_table cylinder_table = {
+    .parameters = cylinder_parameters,
+    .count = LX_COUNT(cylinder_parameters),
+    .size = sizeof(struct cylinder_parameters),
+};
+
+static const struct lx_parameter volume_parameters[] = {
+    {
+        .name = "box",
+        .type = LX_GROUP,
+        .offset = offsetof(struct volume_parameters, box),
+        .group = &box_table,
+        .meaning = "a box with its edges along x, y and z as the body",
+    },
+    {
+        .name = "sphere",
+        .type = LX_GROUP,
+        .offset = offsetof(struct volume_parameters, sphere),
+        .group = &sphere_table,
+        .meaning = "a sphere as the body",
+    },
+    {
+        .name = "cylinder",
+        .type = LX_GROUP,
+        .offset = offsetof(struct volume_parameters, cylinder),
+        .group = &cylinder_table,
+        .meaning = "a cylinder as the body",
+    },
+    {
+        .name = "mesh",
+        .type = LX_TEXT,
+        .offset = offsetof(struct volume_parameters, mesh_file),
+        .meaning =
+            "an OFF or OBJ file with the body, closed and convex, in mm; relative to the folder of the scene, or "
+            "to the current one where the scene comes from standard input",
+    },
+    LX_SPREAD_PARAMETERS(struct volume_parameters),
+};
+
+static const struct lx_rule volume_rules[] = {
+    {LX_RULE_ONE, "box", NULL, "box|sphere|cylinder|mesh"},
+    {LX_RULE_ONE, "radiance", NULL, "radiance|power"},
+    LX_SPREAD_RULES,
+};
+
+static void check_volume(const struct lx_check *check, void *parameters);
+
+static void release_volume(void *parameters)
+{
+    struct volume_parameters *volume = parameters;
+    lx_mesh_release(volume->mesh);
+    volume->mesh = NULL;
+}
+
+static const struct lx_table volume_table = {
+    .parameters = volume_parameters,
+    .count = LX_COUNT(volume_parameters),
+    .rules = volume_rules,
+    .rule_count = LX_COUNT(volume_rules),
+    .size = sizeof(struct volume_parameters),
+    .check = check_volume,
+    .release = release_volume,
+};
+
+/* ---- shapes ---- */
+
+static int add_sphere(const struct sphere_parameters *sphere, bool round, struct lx_shapes *shapes)
+{
+    if (!round && lx_is_given(&sphere_table, sphere, "facets"))
+        return lx_shapes_add_facets(shapes, lx_facets_of_sphere(sphere->center_mm, sphere->radius_mm, sphere->facets));
+    struct lx_emitter shape = {.type = LX_BALL, .radius_mm = sphere->radius_mm};
+    memcpy(shape.center_mm, sphere->center_mm, sizeof shape.center_mm);
+    return lx_shapes_add(shapes, &shape);
+}
+
+static int add_cylinder(const struct cylinder_parameters *cylinder, bool round, struct lx_shapes *shapes)
+{
+    if (!round && lx_is_given(&cylinder_table, cylinder, "facets"))
+        return lx_shapes_add_facets(shapes,
+                                    lx_facets_of_cylinder(cylinder->center_mm, cylinder->radius_mm, cylinder->height_mm,
+                                                          cylinder->axis, cylinder->facets));
+    struct lx_emitter shape = {
+        .type = LX_CYLINDER,
+        .radius_mm = cylinder->radius_mm,
+        .height_mm = cylinder->height_mm,
+        .axis = lx_unit3(lx_exact3(cylinder->axis)),
+    };
+    memcpy(shape.center_mm, cylinder->center_mm, sizeof shape.center_mm);
+    return lx_shapes_add(shapes, &shape);
+}
+
+static const char *body_of(const struct volume_parameters *volume)
+{
+    static const char *const bodies[] = {"box", "sphere", "cylinder"};
+    for (size_t i = 0; i < LX_COUNT(bodies); i++)
+        if (lx_is_given(&volume_table, volume, bodies[i]))
+            return bodies[i];
+    return "mesh";
+}
+
+/* The body, or what is wrong with its mesh; `round`: without the facets of spheres and cylinders. */
+static struct lx_shape_report make_shapes(const struct volume_parameters *volume, bool round, struct lx_shapes *shapes)
+{
+    struct lx_shape_report report = {LX_SHAPE_GOOD, 0, 0};
+    const char *body = body_of(volume);
+    int result;
+    if (strcmp(body, "box") == 0) {
+        result = lx_shapes_add_facets(shapes, lx_facets_of_box(volume->box.center_mm, volume->box.size_mm));
+    } else if (strcmp(body, "sphere") == 0) {
+        result = add_sphere(&volume->sphere, round, shapes);
+    } else if (strcmp(body, "cylinder") == 0) {
+        result = add_cylinder(&volume->cylinder, round, shapes);
+    } else {
+        const struct lx_mesh *mesh = volume->mesh;
+        struct lx_facets *facets = NULL;
+        report = lx_facets_of_mesh((const double(*)[3])mesh->corners, mesh->corner_count, mesh->loop, mesh->counts,
+                                   mesh->face_count, &facets);
+        if (report.fault != LX_SHAPE_GOOD)
+            return report;
+        result = lx_shapes_add_facets(shapes, facets);
+    }
+    if (result < 0)
+        report.fault = LX_SHAPE_OUT_OF_MEMORY;
+    return report;
+}
+
+/* ---- checking ---- */
+
+/* What is wrong with the body of a mesh, at the face of its file. */
+static void report_mesh(const struct lx_check *check, const struct volume_parameters *volume, const char *path,
+                        struct lx_shape_report report)
+{
+    const struct lx_mesh *mesh = volume->mesh;
+    char number[LX_NUMBER_SIZE], line[LX_NUMBER_SIZE];
+    struct lx_mesh_origin origin = mesh->origins[report.first < mesh->face_count ? report.first : 0];
+    enum lx_message message = LX_MSG_MESH_NO_AREA;
+    lx_write_number(origin.number, number);
+    lx_write_number(origin.line, line);
+    switch (report.fault) {
+    case LX_SHAPE_OUT_OF_MEMORY: check->walk->out_of_memory = true; return;
+    case LX_SHAPE_NOT_FLAT: message = LX_MSG_MESH_NOT_FLAT; break;
+    case LX_SHAPE_NOT_CLOSED: message = LX_MSG_MESH_NOT_CLOSED; break;
+    case LX_SHAPE_NOT_CONVEX: message = LX_MSG_MESH_NOT_CONVEX; break;
+    case LX_SHAPE_INWARD: message = LX_MSG_MESH_INWARD; break;
+    default: break;
+    }
+    lx_check_report(check, "mesh", LX_ALL_OF_IT, message, LX_ARGS(path, number, line));
+    if (report.fault == LX_SHAPE_INWARD)
+        lx_check_hint(check, LX_MSG_HINT_TURN_FACES, NULL);
+}
+
+/* Reads the file of a mesh, unless the scene has done so already; false where that failed, which is reported. */
+static bool load_mesh(const struct lx_check *check, struct volume_parameters *volume, const char *path)
+{
+    struct lx_meshes *meshes = check->walk->meshes;
+    struct lx_mesh *mesh = meshes ? lx_meshes_find(meshes, path) : NULL;
+    char line[LX_NUMBER_SIZE];
+    size_t length;
+    if (mesh) {
+        volume->mesh = lx_mesh_hold(mesh);
+        return true;
+    }
+    char *text = lx_check_read(check, "mesh", path, LX_LARGEST_MESH, &length);
+    if (!text)
+        return false;
+    struct lx_mesh_report report = lx_mesh_read(path, text, length, &volume->mesh);
+    free(text);
+    if (report.message == LX_MSG_OUT_OF_MEMORY)
+        check->walk->out_of_memory = true;
+    else if (report.message != LX_MSG_COUNT)
+        lx_check_report(check, "mesh", LX_ALL_OF_IT, report.message,
+                        LX_ARGS(path, lx_write_number((double)report.line, line)));
+    if (report.message != LX_MSG_COUNT)
+        return false;
+    if (meshes && lx_meshes_keep(meshes, path, volume->mesh) < 0)
+        check->walk->out_of_memory = true;
+    return true;
+}
+
+static void check_volume(const struct lx_check *check, void *parameters)
+{
+    struct volume_parameters *volume = parameters;
+    const char *body = body_of(volume);
+    bool is_mesh = strcmp(body, "mesh") == 0;
+    char *path = is_mesh ? lx_check_path(check, volume->mesh_file) : NULL;
+    struct lx_shapes shapes = {0};
+    if (is_mesh && (!path || !load_mesh(check, volume, path))) {
+        free(path);
+        return;
+    }
+    struct lx_shape_report report = make_shapes(volume, true, &shapes); /* an area as good as any */
+    if (report.fault == LX_SHAPE_GOOD)
+        lx_check_area(check, body, &shapes);
+    else if (is_mesh)
+        report_mesh(check, volume, path, report);
+    else
+        check->walk->out_of_memory = true; /* nothing else can be wrong with the others */
+    lx_shapes_clear(&shapes);
+    free(path);
+}
+
+/* ---- the kind ---- */
+
+static int prepare_volume(const void *parameters, struct lx_emitters *emitters)
+{
+    const struct volume_parameters *volume = parameters;
+    struct lx_shapes shapes = {0};
+    if (make_shapes(volume, false, &shapes).fault != LX_SHAPE_GOOD) {
+        lx_shapes_clear(&shapes);
+        return -1;
+    }
+    lx_bounded radiance = lx_is_given(&volume_table, volume, "radiance")
+                              ? lx_exact(volume->spread.radiance)
+                              : lx_radiance_of_power(volume->spread.power, &shapes);
+    return lx_spread_emit(&volume->spread, radiance, &shapes, emitters);
+}
+
+const struct lx_light_kind lx_volume_kind = {
+    .variant =
+        {
+            .name = "volume",
+            .meaning = "a convex body that shines outwards all over, such as an opal globe",
+            .example = "{type: volume, sphere: {center: [700, 600, 2000], radius: 150}, power: 250}",
+            .table = &volume_table,
+        },
+    .prepare = prepare_volume,
+};

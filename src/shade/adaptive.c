@@ -1,0 +1,122 @@
+/* SPDX-License-Identifier: MIT */
+/* The rule of Gauss and Kronrod, when to believe it, and the choice of the panel to halve. */
+#include <math.h>
+
+#include "adaptive.h"
+
+enum { HALF = 10, NODES = 2 * HALF + 1, PLACES = NODES + 2 }; /* places: with the ends */
+
+/* Positive nodes from the outermost to the middle one; the Gauss rule has every second of them. */
+static const double nodes[HALF + 1] = {0.995657163025808080735527280689003,
+                                       0.973906528517171720077964012084452,
+                                       0.930157491355708226001207180059508,
+                                       0.865063366688984510732096688423493,
+                                       0.780817726586416897063717578345042,
+                                       0.679409568299024406234327365114874,
+                                       0.562757134668604683339000099272694,
+                                       0.433395394129247190799265943165784,
+                                       0.294392862701460198131126603103866,
+                                       0.148874338981631210884826001129720,
+                                       0};
+static const double kronrod[HALF + 1] = {
+    0.011694638867371874278064396062192, 0.032558162307964727478818972459390, 0.054755896574351996031381300244580,
+    0.075039674810919952767043140916190, 0.093125454583697605535065465083366, 0.109387158802297641899210590325805,
+    0.123491976262065851077958109585166, 0.134709217311473325928054001771707, 0.142775938577060080797094273138717,
+    0.147739104901338491374841515972068, 0.149445554002916905664936468389821};
+static const double gauss[HALF / 2] = {0.066671344308688137593568809893332, 0.149451349150580593145863396957658,
+                                       0.219086362515982043995534934228163, 0.269266719309996355091226921569469,
+                                       0.295524224714752870173815619188769};
+
+/* Where the function begins like a small power, K21 is off by up to the plain difference. */
+static const double CAUTION = 10;
+
+/* Neighbouring places may differ by this in their logarithms, unless both are below the top by the second. */
+static const double STEEPEST = 6, NEGLIGIBLE = 40;
+/* Where the function vanishes at one of two neighbours its support ends between them: looked for down to this. */
+static const double NARROWEST = 1e-7;
+
+/* Falling towards an end like a power is steep between the places next to it, and hides nothing. */
+static bool falls_to_end(int i, double rise)
+{
+    return (i < 2 && rise > 0) || (i >= PLACES - 3 && rise < 0);
+}
+
+static bool is_resolved(const double logs[PLACES], double top, double width)
+{
+    for (int i = 0; i + 1 < PLACES; i++) {
+        double rise = logs[i + 1] - logs[i], higher = fmax(logs[i], logs[i + 1]);
+        bool vanishes = isinf(rise) && width <= NARROWEST;
+        if (higher > top - NEGLIGIBLE && fabs(rise) > STEEPEST && !falls_to_end(i, rise) && !vanishes)
+            return false;
+    }
+    return true;
+}
+
+static void evaluate(const struct lx_integrand *integrand, struct lx_panel *panel, double *top)
+{
+    double logs[PLACES], middle = panel->from + (panel->to - panel->from) / 2, half = (panel->to - panel->from) / 2;
+    double by_kronrod = 0, by_gauss = 0, inherited = 0, greatest = 0;
+    for (int i = 0; i < PLACES; i++) {
+        bool end = i == 0 || i == PLACES - 1;
+        int k = i <= HALF + 1 ? i - 1 : NODES - i;
+        double offset = end ? half : nodes[k] * half;
+        struct lx_point_value point =
+            integrand->at(integrand->data, panel->interval, middle + (i <= HALF ? -offset : offset));
+        logs[i] = log(point.value);
+        *top = fmax(*top, logs[i]);
+        greatest = fmax(greatest, point.value);
+        if (end)
+            continue;
+        by_kronrod += kronrod[k] * point.value;
+        by_gauss += k % 2 ? gauss[k / 2] * point.value : 0;
+        inherited += kronrod[k] * point.error;
+    }
+    panel->value = by_kronrod * half;
+    panel->inherited = inherited * half;
+    panel->estimate = CAUTION * fabs(by_kronrod - by_gauss) * half;
+    if (!is_resolved(logs, *top, panel->to - panel->from))
+        panel->estimate = fmax(panel->estimate, 2 * half * greatest);
+}
+
+static struct lx_integral sum(const struct lx_panels *panels)
+{
+    struct lx_integral all = {0, 0, 0};
+    for (size_t i = 0; i < panels->count; i++) {
+        all.value += panels->items[i].value;
+        all.error += panels->items[i].estimate;
+        all.inherited += panels->items[i].inherited;
+    }
+    return all;
+}
+
+static struct lx_panel *worst(struct lx_panels *panels)
+{
+    struct lx_panel *found = &panels->items[0];
+    for (size_t i = 1; i < panels->count; i++)
+        if (panels->items[i].estimate > found->estimate)
+            found = &panels->items[i];
+    return found;
+}
+
+struct lx_integral lx_integrate_panels(const struct lx_integrand *integrand, struct lx_panels *panels)
+{
+    const double floor = 1e-14; /* of a panel's value: below it the estimate is rounding */
+    double top = -HUGE_VAL;
+    for (size_t i = 0; i < panels->count; i++)
+        evaluate(integrand, &panels->items[i], &top);
+    struct lx_integral all = sum(panels);
+    while (panels->count > 0 && panels->count < panels->capacity &&
+           all.error > integrand->target(integrand->data, &all)) {
+        struct lx_panel *first = worst(panels), *second = &panels->items[panels->count];
+        double middle = first->from + (first->to - first->from) / 2;
+        if (first->estimate <= floor * first->value || !(middle > first->from && middle < first->to))
+            break;
+        *second = (struct lx_panel){.interval = first->interval, .from = middle, .to = first->to};
+        first->to = middle;
+        panels->count++;
+        evaluate(integrand, first, &top);
+        evaluate(integrand, second, &top);
+        all = sum(panels);
+    }
+    return all;
+}

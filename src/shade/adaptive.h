@@ -1,0 +1,47 @@
+/* SPDX-License-Identifier: MIT */
+/*
+ * Adaptive integration of functions >= 0 over a list of intervals: the rule of Gauss and Kronrod with 10 and 21
+ * points (Piessens et al., QUADPACK, 1983) in each panel, the panel with the greatest error estimate halved until the
+ * sum of the estimates is small enough.  The estimate is 10 |K21 - G10|, which the error of K21 stays far below where
+ * the panel is resolved; where the function varies too much between neighbouring points for that to be
+ * believed, the panel's whole possible content counts as its error.
+ */
+#ifndef LX_SHADE_ADAPTIVE_H
+#define LX_SHADE_ADAPTIVE_H
+
+#include <stdbool.h>
+#include <stddef.h>
+
+/* The function at a point. */
+struct lx_point_value {
+    double value, error; /* error: of the value, from elsewhere; it is integrated beside it */
+};
+
+struct lx_panel {
+    size_t interval; /* which function of the list it belongs to */
+    double from, to;
+    double value, estimate, inherited;
+};
+
+struct lx_panels {
+    struct lx_panel *items;
+    size_t count, capacity; /* intervals first; the capacity limits the work */
+};
+
+struct lx_integral {
+    double value;
+    double error;     /* the sum of the estimates */
+    double inherited; /* the integral of the points' errors */
+};
+
+struct lx_integrand {
+    struct lx_point_value (*at)(void *data, size_t interval, double x);
+    /* How small the sum of the estimates must become, told the integral so far. */
+    double (*target)(void *data, const struct lx_integral *integral);
+    void *data;
+};
+
+/* Integrates over the panels that are in the list, of which interval, from and to are set; leaves them refined. */
+struct lx_integral lx_integrate_panels(const struct lx_integrand *integrand, struct lx_panels *panels);
+
+#endif

@@ -1,0 +1,342 @@
+/* SPDX-License-Identifier: MIT */
+/* The integrand, its borders and peaks on an arc, and the integral along it. */
+#include <math.h>
+#include <stdlib.h>
+
+#include "along.h"
+
+enum { INNER_PANELS = 256 };
+
+/* Cuts nearer to each other than this are the same one. */
+static const double NARROWEST = 1e-14;
+
+/* Work that is never exceeded; what was reached by then is told by the error. */
+static const size_t MOST_PARTS = 4000000;
+
+/* Values are relative to the top; where one is found that is higher by this (a logarithm), all begins anew. */
+static const double HIGHEST = 100;
+
+static double square(double a)
+{
+    return a * a;
+}
+
+static double cross_square(const double a[3], const double b[3])
+{
+    return square(a[1] * b[2] - a[2] * b[1]) + square(a[2] * b[0] - a[0] * b[2]) + square(a[0] * b[1] - a[1] * b[0]);
+}
+
+/* ---- the integrand ---- */
+
+/* r^2 a(r), r in metres: the law relative to the inverse square */
+static double law(const struct lx_emitter *emitter, double distance_mm)
+{
+    double r = distance_mm / 1000;
+    switch (emitter->attenuation) {
+    case LX_INVERSE_SQUARE: return 1;
+    case LX_PRACTICAL: return r * r / (emitter->k_mm / 1000 + r);
+    case LX_NO_ATTENUATION: break;
+    }
+    return r * r;
+}
+
+/* The logarithm of S^n towards L, and the relative error that it brings along; -HUGE_VAL where S <= 0. */
+static double lobe_log(const struct lx_problem *problem, const double towards[3], double distance_mm, double *error)
+{
+    double exponent = problem->lobe->exponent, cosine, sine2, scale = 1, half[3];
+    double moved = problem->place_error_mm / distance_mm + problem->view_error + 2 * DBL_EPSILON;
+    if (problem->lobe->model == LX_BLINN_PHONG) {
+        for (int i = 0; i < 3; i++)
+            half[i] = towards[i] + problem->view[i];
+        double length2 = lx_dot_plain(half, half);
+        scale = 2 / sqrt(length2);
+        cosine = lx_dot_plain(problem->normal, half) / sqrt(length2);
+        sine2 = cross_square(problem->normal, half) / length2;
+    } else {
+        cosine = lx_dot_plain(problem->mirrored, towards);
+        sine2 = cross_square(problem->mirrored, towards);
+        moved += problem->normal_error;
+    }
+    if (!(cosine > 0))
+        return -HUGE_VAL;
+    double off = problem->normal_error + moved * scale;
+    *error = exponent * off * fmin(sqrt(sine2) / cosine, 1 / off);
+    return exponent * (sine2 < 0.5 ? log1p(-sine2) / 2 : log(cosine));
+}
+
+/* What is integrated at tau: f r^2 a cos(tau), relative to exp(top). */
+static struct lx_point_value value_at(struct lx_problem *problem, double tau)
+{
+    double cos_tau = cos(tau), sin_tau = sin(tau), towards[3], incidence;
+    for (int i = 0; i < 3; i++)
+        towards[i] = problem->arc.direction[i] * cos_tau + problem->sweep->frame.z[i] * sin_tau;
+    double distance = lx_sweep_distance(problem->sweep, &problem->arc, cos_tau, sin_tau, &incidence);
+    double cosine = lx_dot_plain(problem->normal, towards), weight = law(problem->emitter, distance) * cos_tau;
+    double moved = problem->place_error_mm / distance, error = 16 * DBL_EPSILON + 4 * moved;
+    if (moved > 0)
+        error += fmin(moved / incidence, 1);
+    double log_value = 0, turned = problem->normal_error + moved + DBL_EPSILON;
+    problem->parts++;
+    if (problem->lobe) {
+        double lobe_error = 0;
+        log_value = lobe_log(problem, towards, distance, &lobe_error);
+        if (!(log_value > -HUGE_VAL))
+            return (struct lx_point_value){0, 0};
+        error += lobe_error;
+        problem->highest = fmax(problem->highest, log_value);
+        weight *= exp(fmin(log_value - problem->top, HIGHEST));
+        if (problem->lobe->highlight == LX_HIGHLIGHT_COSINE)
+            error *= fmax(cosine, 0), error += turned;
+    } else {
+        error = error * fmax(cosine, 0) + turned;
+    }
+    bool by_cosine = !problem->lobe || problem->lobe->highlight == LX_HIGHLIGHT_COSINE;
+    double value = by_cosine ? weight * fmax(cosine, 0) : weight;
+    return (struct lx_point_value){value, weight * error};
+}
+
+/* ---- one arc ---- */
+
+static double ease(double t)
+{
+    return t * t * t * (10 - 15 * t + 6 * t * t);
+}
+
+/* The t for a value of ease(). */
+static double uneased(double value)
+{
+    enum { STEPS = 40 };
+    double low = 0, high = 1;
+    for (int i = 0; i < STEPS; i++)
+        *(ease((low + high) / 2) < value ? &low : &high) = (low + high) / 2;
+    return (low + high) / 2;
+}
+
+static double ease_slope(double t)
+{
+    return 30 * t * t * (1 - t) * (1 - t);
+}
+
+/* On the arc, g.L = amplitude cos(tau - peak). */
+void lx_along_arc(const struct lx_condition *condition, const struct lx_sweep *sweep, const struct lx_arc *arc,
+                  double *amplitude, double *peak)
+{
+    double a = lx_dot_plain(condition->g, arc->direction), b = lx_dot_plain(condition->g, sweep->frame.z);
+    *amplitude = hypot(a, b);
+    *peak = atan2(b, a);
+}
+
+/* Keeps of the intervals what lies within `half` of the peak, modulo a full turn. */
+static size_t cut_intervals(struct lx_stretch *intervals, size_t count, double peak, double half)
+{
+    struct lx_stretch kept[MOST_INTERVALS];
+    size_t found = 0;
+    for (size_t i = 0; i < count; i++)
+        for (int turn = -1; turn <= 1; turn++) {
+            double from = fmax(intervals[i].from, peak - half + turn * 2 * M_PI);
+            double to = fmin(intervals[i].to, peak + half + turn * 2 * M_PI);
+            bool eased = intervals[i].eased || from > intervals[i].from || to < intervals[i].to;
+            if (from < to && found < MOST_INTERVALS)
+                kept[found++] = (struct lx_stretch){from, to, eased};
+        }
+    for (size_t i = 0; i < found; i++)
+        intervals[i] = kept[i];
+    return found;
+}
+
+/* The parts of an arc where all conditions hold. */
+static size_t find_intervals(struct lx_problem *problem, const struct lx_sweep *sweep, const struct lx_arc *arc,
+                             struct lx_stretch intervals[MOST_INTERVALS])
+{
+    size_t count = arc->width > 0;
+    intervals[0] = (struct lx_stretch){arc->from, arc->from + arc->width, false};
+    for (size_t i = 0; i < problem->condition_count; i++) {
+        double amplitude, peak, limit = problem->conditions[i].limit;
+        lx_along_arc(&problem->conditions[i], sweep, arc, &amplitude, &peak);
+        if (limit >= amplitude)
+            return 0;
+        if (limit > -amplitude)
+            count = cut_intervals(intervals, count, peak, acos(limit / amplitude));
+    }
+    return count;
+}
+
+/* The variable along an arc: tau as an offset from the arc's start; of a round arc the angle whose sine tau is. */
+static double to_variable(const struct lx_arc *arc, double tau)
+{
+    return arc->round ? asin(fmax(-1, fmin(1, 2 * (tau - arc->from) / arc->width - 1))) : tau - arc->from;
+}
+
+static struct lx_point_value along(void *data, size_t index, double t)
+{
+    struct lx_problem *problem = data;
+    const struct lx_arc *arc = &problem->arc;
+    const struct lx_stretch *interval = &problem->intervals[index];
+    double length = interval->to - interval->from;
+    double x = interval->from + length * (interval->eased ? ease(t) : t);
+    double slope = length * (interval->eased ? ease_slope(t) : 1);
+    double tau = arc->from + (arc->round ? arc->width / 2 * (1 + sin(x)) : x);
+    if (arc->round)
+        slope *= arc->width / 2 * cos(x);
+    struct lx_point_value point = value_at(problem, tau);
+    point.value *= slope;
+    point.error *= slope;
+    return point;
+}
+
+bool lx_outgrew_top(const struct lx_problem *problem)
+{
+    return problem->highest > problem->top + HIGHEST;
+}
+
+bool lx_goes_on(const struct lx_problem *problem)
+{
+    return problem->parts < MOST_PARTS && !lx_outgrew_top(problem);
+}
+
+/* Nothing is gained by estimates smaller than the error that places and roundings bring. */
+static double arc_target(void *data, const struct lx_integral *integral)
+{
+    const struct lx_problem *problem = data;
+    double wanted = fmax(problem->wanted, 0.1 * problem->tolerance * integral->value);
+    return lx_goes_on(problem) ? fmax(wanted, integral->inherited) : HUGE_VAL;
+}
+
+/*
+ * Newton's method for the place on the arc where N.H is greatest: its square is a^2/(2 + 2b) with a = N.L + N.V and
+ * b = V.L, so that 2 (1 + b) a' = a b'.
+ */
+static double climb(const struct lx_problem *problem, const struct lx_arc *arc, double tau)
+{
+    enum { STEPS = 6 };
+    const double *pole = problem->sweep->frame.z;
+    double a_cos = lx_dot_plain(problem->normal, arc->direction), a_sin = lx_dot_plain(problem->normal, pole);
+    double b_cos = lx_dot_plain(problem->view, arc->direction), b_sin = lx_dot_plain(problem->view, pole);
+    for (int i = 0; i < STEPS; i++) {
+        double c = cos(tau), s = sin(tau), a1 = a_sin * c - a_cos * s, a2 = -(a_cos * c + a_sin * s);
+        double b1 = b_sin * c - b_cos * s, b2 = -(b_cos * c + b_sin * s), a = problem->n_dot_v - a2, b = 1 - b2;
+        double slope = 2 * b * a2 + a1 * b1 - a * b2;
+        double step = (2 * b * a1 - a * b1) / slope;
+        if (!(slope < 0) || !(fabs(step) < 1))
+            break;
+        tau -= step;
+    }
+    return tau;
+}
+
+/*
+ * Where S may have a sharp peak on the arc: of R.V at the place nearest to the mirrored view M.  N.H is the same on
+ * both sides of the plane of N and V: its ridge is where the arc crosses that plane.  Near L = -V it changes within
+ * the distance from there.
+ */
+static size_t find_places(const struct lx_problem *problem, const struct lx_arc *arc, double places[MOST_PLACES])
+{
+    static const double SHARP = 8, NEAR = 0.9;
+    const double *pole = problem->sweep->frame.z, *n = problem->normal, *v = problem->view;
+    size_t count = 0;
+    if (!problem->lobe)
+        return 0;
+    bool sharp = problem->lobe->exponent > SHARP, half_vector = problem->lobe->model == LX_BLINN_PHONG;
+    double nearest = atan2(lx_dot_plain(problem->mirrored, pole), lx_dot_plain(problem->mirrored, arc->direction));
+    if (half_vector) {
+        double a = -lx_dot_plain(v, arc->direction), b = -lx_dot_plain(v, pole);
+        if (sharp || hypot(a, b) > NEAR)
+            places[count++] = atan2(b, a);
+    }
+    if (!sharp)
+        return count;
+    places[count++] = half_vector ? climb(problem, arc, nearest) : nearest;
+    if (half_vector) {
+        double plane[3] = {n[1] * v[2] - n[2] * v[1], n[2] * v[0] - n[0] * v[2], n[0] * v[1] - n[1] * v[0]};
+        double crossing = atan(-lx_dot_plain(plane, arc->direction) / lx_dot_plain(plane, pole));
+        places[count++] = crossing;
+        places[count++] = climb(problem, arc, crossing);
+    }
+    return count;
+}
+
+static int by_value(const void *a, const void *b)
+{
+    double x = *(const double *)a, y = *(const double *)b;
+    return (x > y) - (x < y);
+}
+
+/* The panels of each interval. */
+static void start_panels(const struct lx_problem *problem, size_t count, struct lx_panels *panels)
+{
+    double places[MOST_PLACES], cuts[MOST_PLACES + 1];
+    size_t place_count = find_places(problem, &problem->arc, places);
+    for (size_t i = 0; i < count; i++) {
+        const struct lx_stretch *interval = &problem->intervals[i];
+        size_t cut_count = 0;
+        for (size_t k = 0; k < place_count; k++) {
+            double share = (to_variable(&problem->arc, places[k]) - interval->from) / (interval->to - interval->from);
+            if (share > 0 && share < 1)
+                cuts[cut_count++] = interval->eased ? uneased(share) : share;
+        }
+        cuts[cut_count++] = 1;
+        qsort(cuts, cut_count, sizeof *cuts, by_value);
+        double from = 0;
+        for (size_t k = 0; k < cut_count; k++) {
+            if (cuts[k] - from > NARROWEST)
+                panels->items[panels->count++] = (struct lx_panel){.interval = i, .from = from, .to = cuts[k]};
+            from = cuts[k];
+        }
+    }
+}
+
+/* The integral along the arc at x, times the sweep's measure. */
+struct lx_point_value lx_integrate_arc(void *data, size_t index, double t)
+{
+    struct lx_problem *problem = data;
+    const struct lx_piece *piece = &problem->pieces[index];
+    double length = piece->range.to - piece->range.from;
+    double x = piece->range.from + length * (piece->range.eased ? ease(t) : t);
+    problem->sweep = &problem->sweeps->items[piece->sweep];
+    problem->arc = lx_sweep_arc(problem->sweep, x);
+    const struct lx_arc *arc = &problem->arc;
+    struct lx_stretch *intervals = problem->intervals;
+    size_t count = find_intervals(problem, problem->sweep, arc, intervals);
+    struct lx_panel memory[INNER_PANELS];
+    struct lx_panels panels = {memory, 0, INNER_PANELS};
+    for (size_t i = 0; i < count; i++) {
+        if (intervals[i].eased && problem->lobe && problem->lobe->highlight == LX_HIGHLIGHT_GATED) {
+            double ends = fmax(value_at(problem, intervals[i].from).value, value_at(problem, intervals[i].to).value);
+            problem->at_border = fmax(problem->at_border, ends);
+        }
+        bool whole = !intervals[i].eased && !arc->round;
+        intervals[i].from = whole ? 0 : to_variable(arc, intervals[i].from);
+        intervals[i].to = whole ? arc->width : to_variable(arc, intervals[i].to);
+    }
+    start_panels(problem, count, &panels);
+    double slope = arc->measure * length * (piece->range.eased ? ease_slope(t) : 1);
+    double share = 0.1 * problem->tolerance * (problem->known + problem->running);
+    problem->wanted = slope > 0 ? share / (double)problem->piece_count / slope : 0;
+    struct lx_integrand integrand = {along, arc_target, problem};
+    struct lx_integral integral = lx_integrate_panels(&integrand, &panels);
+    return (struct lx_point_value){
+        .value = integral.value * slope,
+        .error = (integral.error + integral.inherited) * slope,
+    };
+}
+
+/* Looks how great the lobe gets on the arc at x. */
+void lx_look_at(struct lx_problem *problem, const struct lx_sweep *sweep, double x)
+{
+    enum { STEPS = 4 };
+    problem->sweep = sweep;
+    problem->arc = lx_sweep_arc(sweep, x);
+    const struct lx_arc *arc = &problem->arc;
+    size_t count = find_intervals(problem, sweep, arc, problem->intervals);
+    double places[MOST_PLACES], unused;
+    size_t place_count = find_places(problem, arc, places);
+    for (size_t i = 0; i < count; i++)
+        for (size_t step = 0; step <= STEPS + place_count; step++) {
+            double from = problem->intervals[i].from, to = problem->intervals[i].to, towards[3];
+            double tau = step > STEPS ? fmax(from, fmin(to, places[step - STEPS - 1]))
+                                      : from + (to - from) * (double)step / STEPS;
+            for (int j = 0; j < 3; j++)
+                towards[j] = arc->direction[j] * cos(tau) + sweep->frame.z[j] * sin(tau);
+            problem->top = fmax(problem->top, lobe_log(problem, towards, arc->distance_mm, &unused));
+        }
+}

@@ -1,0 +1,30 @@
+/* SPDX-License-Identifier: MIT */
+/*
+ * The cells of a measuring grid as free surface elements.  Row 0 is the top one, farthest along up; column 0 is the
+ * first along up x axis.
+ */
+#ifndef LX_SHADE_CELLS_H
+#define LX_SHADE_CELLS_H
+
+#include "../base/pose.h"
+#include "reference.h"
+
+struct lx_cells {
+    struct lx_pose pose;
+    lx_bounded3 normal;
+    double center_mm[3];
+    double size_mm[2]; /* across, upward */
+    unsigned n[2];     /* columns, rows */
+};
+
+/* Of a grid of a committed scene. */
+struct lx_cells lx_cells_of(const struct lx_grid *grid);
+
+/* The centre of a cell. */
+lx_bounded3 lx_cell_place(const struct lx_cells *cells, unsigned column, unsigned row);
+
+/* The element at the centre of a cell; the lobe is the one to light it with. */
+struct lx_element lx_cell_element(const struct lx_prepared *prepared, const struct lx_cells *cells, unsigned column,
+                                  unsigned row, const struct lx_lobe *lobe);
+
+#endif

@@ -1,0 +1,268 @@
+/* SPDX-License-Identifier: MIT */
+/*
+ * The integrals over an extended source: cutting its sweeps where arcs change their kind, and the adaptive rule across
+ * the arcs.  The longitudes at which a border of the integrand (along.h) reaches an end of the arc, or an arc begins
+ * to meet it, are found before, and no panel reaches across them.
+ */
+#include <math.h>
+#include <stdlib.h>
+
+#include "../base/memory.h"
+#include "along.h"
+#include "cubature.h"
+
+enum {
+    OUTER_PANELS = 1024,
+    SCANS = 16, /* samples in which changes of the arcs are looked for */
+    MOST_CUTS = 64
+};
+
+/* Cuts nearer to each other than this are the same one. */
+static const double NARROWEST = 1e-14;
+
+/* Of a whole integral, relative: sweeps are made in float64. */
+static const double ROUNDING = 1e-13;
+
+/* A top below this vanishes among the float64 numbers, whatever comes on top of it. */
+static const double INVISIBLE = -1500;
+
+static double error_of(lx_bounded3 a)
+{
+    return a.x.error + a.y.error + a.z.error;
+}
+
+static void values_of(lx_bounded3 a, double result[3])
+{
+    result[0] = a.x.value, result[1] = a.y.value, result[2] = a.z.value;
+}
+
+/* ---- where arcs change their kind ---- */
+
+/* Quantities of an arc whose changes of sign are borders for the outer integral. */
+enum { ENDS = 2, EXTREMES = 2, LONGITUDES = 2, MARKS = MOST_CONDITIONS * (ENDS + EXTREMES) + LONGITUDES };
+
+static void marks_of(const struct lx_problem *problem, const struct lx_sweep *sweep, double x, double marks[MARKS])
+{
+    struct lx_arc arc = lx_sweep_arc(sweep, x);
+    size_t m = 0;
+    for (size_t i = 0; i < problem->condition_count; i++) {
+        double amplitude, peak, limit = problem->conditions[i].limit, to = arc.from + arc.width;
+        lx_along_arc(&problem->conditions[i], sweep, &arc, &amplitude, &peak);
+        double first = amplitude * cos(arc.from - peak) - limit, last = amplitude * cos(to - peak) - limit;
+        double low = peak - M_PI > arc.from ? peak - M_PI : peak + M_PI;
+        marks[m++] = first;
+        marks[m++] = last;
+        marks[m++] = peak > arc.from && peak < to ? amplitude - limit : fmax(first, last);
+        marks[m++] = low > arc.from && low < to ? -amplitude - limit : fmin(first, last);
+    }
+    const double *special[LONGITUDES] = {problem->mirrored, problem->view};
+    for (size_t i = 0; problem->lobe && i < LONGITUDES; i++) {
+        const struct lx_frame *frame = &sweep->frame;
+        marks[m++] = lx_dot_plain(arc.direction, frame->x) * lx_dot_plain(special[i], frame->y) -
+                     lx_dot_plain(arc.direction, frame->y) * lx_dot_plain(special[i], frame->x);
+    }
+    while (m < MARKS)
+        marks[m++] = 1;
+}
+
+/* The place between two where a mark changes its sign. */
+static double find_change(const struct lx_problem *problem, const struct lx_sweep *sweep, size_t mark, double from,
+                          double to)
+{
+    enum { STEPS = 60 };
+    double marks[MARKS];
+    marks_of(problem, sweep, from, marks);
+    bool positive = marks[mark] > 0;
+    for (int i = 0; i < STEPS && to - from > 1e-15; i++) {
+        double middle = (from + to) / 2;
+        marks_of(problem, sweep, middle, marks);
+        *((marks[mark] > 0) == positive ? &from : &to) = middle;
+    }
+    return (from + to) / 2;
+}
+
+struct cut {
+    double x;
+    bool border; /* of an arc's parts, not just of a quarter of the sky */
+};
+
+static int by_place(const void *a, const void *b)
+{
+    double x = ((const struct cut *)a)->x, y = ((const struct cut *)b)->x;
+    return (x > y) - (x < y);
+}
+
+/* Cuts a sweep where its marks change, and looks how great the lobe gets on it. */
+static size_t cut_sweep(struct lx_problem *problem, const struct lx_sweep *sweep, struct cut cuts[MOST_CUTS])
+{
+    double before[MARKS], marks[MARKS];
+    size_t count = 0;
+    cuts[count++] = (struct cut){0, false};
+    for (int i = 0; i <= SCANS; i++) {
+        /* the ends themselves are where corners and rims lie, and their marks are often 0 */
+        double x = i == 0 ? 1e-9 : i == SCANS ? 1 - 1e-9 : (double)i / SCANS;
+        double previous = i <= 1 ? 1e-9 : (double)(i - 1) / SCANS;
+        marks_of(problem, sweep, x, marks);
+        for (size_t m = 0; i > 0 && m < MARKS; m++)
+            if ((marks[m] > 0) != (before[m] > 0) && count < MOST_CUTS - 1)
+                cuts[count++] = (struct cut){find_change(problem, sweep, m, previous, x),
+                                             m < problem->condition_count * (ENDS + EXTREMES)};
+        for (size_t m = 0; m < MARKS; m++)
+            before[m] = marks[m];
+        if (problem->lobe)
+            lx_look_at(problem, sweep, x);
+    }
+    cuts[count++] = (struct cut){1, false};
+    qsort(cuts, count, sizeof *cuts, by_place);
+    return count;
+}
+
+/* ---- the whole ---- */
+
+static double outer_target(void *data, const struct lx_integral *integral)
+{
+    struct lx_problem *problem = data;
+    problem->running = integral->value;
+    return lx_goes_on(problem) ? 0.6 * problem->tolerance * (problem->known + integral->value) : HUGE_VAL;
+}
+
+/* Cuts all sweeps into pieces, with a panel for each. */
+static int make_pieces(struct lx_problem *problem, struct lx_panels *panels)
+{
+    size_t capacity = 0;
+    for (size_t i = 0; i < problem->sweeps->count; i++) {
+        struct cut cuts[MOST_CUTS];
+        size_t count = cut_sweep(problem, &problem->sweeps->items[i], cuts);
+        if (lx_reserve(&problem->pieces, &capacity, problem->piece_count + count, sizeof *problem->pieces))
+            return -1;
+        for (size_t k = 0; k + 1 < count; k++)
+            if (cuts[k + 1].x - cuts[k].x > NARROWEST)
+                problem->pieces[problem->piece_count++] =
+                    (struct lx_piece){i, {cuts[k].x, cuts[k + 1].x, cuts[k].border || cuts[k + 1].border}};
+    }
+    panels->capacity = problem->piece_count + OUTER_PANELS;
+    panels->items = lx_new_array(panels->capacity, sizeof *panels->items);
+    return panels->items ? 0 : -1;
+}
+
+/* The angle under which the source is seen at most, and how near it comes. */
+static double greatest_angle(const struct lx_emitter *emitter, const double place_mm[3])
+{
+    bool is_facets = emitter->type == LX_FACETS;
+    const double *center = is_facets ? emitter->facets->center_mm : emitter->center_mm;
+    double radius = is_facets ? emitter->facets->radius_mm : hypot(emitter->radius_mm, emitter->height_mm / 2);
+    double distance = hypot(hypot(center[0] - place_mm[0], center[1] - place_mm[1]), center[2] - place_mm[2]);
+    return distance > radius ? 2 * asin(radius / distance) : M_PI;
+}
+
+/* Integrates the problem over the source as it is seen from a place. */
+static lx_bounded integrate(struct lx_problem *problem, const double place_mm[3])
+{
+    struct lx_sweeps sweeps = {0};
+    struct lx_panels panels = {0};
+    lx_bounded result = {0, HUGE_VAL};
+    const double *across_which =
+        problem->lobe && problem->lobe->model == LX_PHONG ? problem->mirrored : problem->normal;
+    struct lx_integrand integrand = {lx_integrate_arc, outer_target, problem};
+    problem->sweeps = &sweeps;
+    problem->top = problem->lobe ? -HUGE_VAL : 0;
+    problem->at_border = problem->running = 0;
+    problem->highest = -HUGE_VAL;
+    problem->pieces = NULL;
+    problem->piece_count = 0;
+    if (!lx_sweeps_make(problem->emitter, place_mm, across_which, &sweeps) && !make_pieces(problem, &panels)) {
+        if (problem->top == -HUGE_VAL)
+            problem->top = 0; /* the lobe was met nowhere */
+        if (problem->top < INVISIBLE)
+            problem->piece_count = 0;
+        struct lx_integral all;
+        do {
+            problem->top = fmax(problem->top, problem->highest);
+            for (size_t i = 0; i < problem->piece_count; i++)
+                panels.items[i] = (struct lx_panel){.interval = i, .from = 0, .to = 1};
+            panels.count = problem->piece_count;
+            all = lx_integrate_panels(&integrand, &panels);
+        } while (lx_outgrew_top(problem));
+        /* A border that is moved by an angle takes along a strip of the source. */
+        double moved = problem->normal_error + problem->view_error + 4 * DBL_EPSILON;
+        double strip = 4 * moved * problem->at_border * greatest_angle(problem->emitter, place_mm);
+        double scale = exp(problem->top);
+        result.value = all.value * scale;
+        result.error =
+            (all.error + all.inherited + strip + ROUNDING * all.value) * scale + (problem->top < 0 ? DBL_MIN : 0);
+    }
+    free(panels.items);
+    free(problem->pieces);
+    free(sweeps.items);
+    return result;
+}
+
+/* How far the shape is off that the sweeps are made of, in mm. */
+static double shape_error(const struct lx_emitter *emitter, const double place_mm[3])
+{
+    if (emitter->type == LX_FACETS)
+        return 0;
+    double size = emitter->radius_mm + emitter->height_mm / 2, rounding = 0;
+    for (int i = 0; i < 3; i++)
+        rounding += fabs(emitter->center_mm[i] - place_mm[i]);
+    rounding += size;
+    return rounding * (2 * DBL_EPSILON + (emitter->type == LX_BALL ? 0 : error_of(emitter->axis)));
+}
+
+static void set_condition(struct lx_problem *problem, const double g[3], double limit)
+{
+    struct lx_condition *condition = &problem->conditions[problem->condition_count++];
+    for (int i = 0; i < 3; i++)
+        condition->g[i] = g[i];
+    condition->limit = limit;
+}
+
+/* Where the lobe ends, and where its weight does. */
+static void set_conditions(struct lx_problem *problem)
+{
+    bool front_only = !problem->lobe || problem->lobe->highlight != LX_HIGHLIGHT_PLAIN;
+    problem->condition_count = 0;
+    if (problem->lobe && problem->lobe->model == LX_BLINN_PHONG) {
+        double limit = -problem->n_dot_v;
+        set_condition(problem, problem->normal, front_only ? fmax(limit, 0) : limit);
+        return;
+    }
+    if (problem->lobe)
+        set_condition(problem, problem->mirrored, 0);
+    if (front_only)
+        set_condition(problem, problem->normal, 0);
+}
+
+struct lx_cubature lx_integrate(const struct lx_emitter *emitter, const struct lx_element *element, bool diffuse,
+                                double known, double tolerance)
+{
+    struct lx_cubature result = {.irradiance = lx_exact(0), .specular = lx_exact(0)};
+    const struct lx_lobe *lobe = element->lobe;
+    double radiance = emitter->radiance.value, place[3];
+    struct lx_problem problem = {.emitter = emitter, .tolerance = tolerance};
+    values_of(element->place_mm, place);
+    values_of(element->normal, problem.normal);
+    values_of(element->view, problem.view);
+    problem.n_dot_v = lx_dot_plain(problem.normal, problem.view);
+    for (int i = 0; i < 3; i++)
+        problem.mirrored[i] = 2 * problem.n_dot_v * problem.normal[i] - problem.view[i];
+    problem.place_error_mm = error_of(element->place_mm) + shape_error(emitter, place);
+    problem.normal_error = error_of(element->normal);
+    problem.view_error = error_of(element->view);
+    if (!(radiance > 0))
+        return result;
+    if (diffuse) {
+        set_conditions(&problem);
+        result.irradiance = lx_mul(emitter->radiance, integrate(&problem, place));
+        known += result.irradiance.value * lobe->diffuse.value;
+    }
+    if (lobe->specular.value > 0) {
+        lx_bounded strength = lx_mul(emitter->radiance, lobe->specular);
+        problem.lobe = lobe;
+        problem.known = known / strength.value;
+        set_conditions(&problem);
+        result.specular = lx_mul(strength, integrate(&problem, place));
+    }
+    result.parts = problem.parts;
+    return result;
+}

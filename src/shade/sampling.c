@@ -1,0 +1,421 @@
+/* SPDX-License-Identifier: MIT */
+/* Adaptive sampling of extended sources for runs of elements. */
+#include <math.h>
+
+#include "sampling.h"
+
+enum { MOST_CELLS = 2048, DEEPEST = 14, QUARTERS = 4, RULE = 3, RULE_POINTS = RULE * RULE };
+
+/* Cells up to this share of the lobe's width are begun with one sample against four. */
+static const double TINY = 0.25;
+
+/* Shares of the tolerance for what is dropped unseen, and for what is not looked at again. */
+static const double DROPPED = 0.125, SETTLED = 0.125;
+
+struct cell {
+    const struct lx_sampled *source;
+    const struct lx_patch *patch;
+    struct lx_cell part;
+    int depth;
+    bool is_tiny;                         /* coarse is one sample, the quarters are one each */
+    double coarse[LX_LANES];              /* by the rule in all of it */
+    double quarters[QUARTERS][LX_LANES];  /* by the rule in each quarter */
+};
+
+struct pending {
+    const struct lx_sampled *source;
+    const struct lx_patch *patch;
+    struct lx_cell part;
+    int depth;
+};
+
+struct lx_sampling_memory {
+    struct lx_samples_double samples;
+    struct lx_samples_single copy;
+    size_t cell_count, pending_count;
+    double worst[MOST_CELLS]; /* the largest difference in each cell */
+    struct cell cells[MOST_CELLS];
+    struct lx_patch *patches;
+    struct pending *pending;
+};
+
+/* Halving one of those that are pending leaves three more. */
+static size_t most_pending(size_t most_patches)
+{
+    return most_patches + 3 * DEEPEST + 1;
+}
+
+size_t lx_sampling_memory_size(size_t most_patches)
+{
+    return sizeof(struct lx_sampling_memory) + most_patches * sizeof(struct lx_patch) +
+           most_pending(most_patches) * sizeof(struct pending);
+}
+
+struct lx_sampling_memory *lx_sampling_memory_of(void *bytes, size_t most_patches)
+{
+    struct lx_sampling_memory *memory = bytes;
+    memory->patches = (void *)((char *)bytes + sizeof *memory);
+    memory->pending = (void *)(memory->patches + most_patches);
+    return memory;
+}
+
+/* ---- what a run of elements has in common ---- */
+
+/* A bundle of directions: all are within `spread` of the axis. */
+struct bundle {
+    double axis[3], spread;
+};
+
+struct run {
+    const struct lx_sampler *sampling;
+    struct lx_sampling_memory *memory;
+    const struct lx_block_double *block;
+    const struct lx_block_single *copy;
+    size_t start;
+    struct lx_around around;
+    struct bundle normals, mirrored;
+    double width; /* of the lobe, as an angle of L */
+    double known[LX_LANES], value[LX_LANES], error[LX_LANES]; /* error: of cells that are still looked at */
+    double dropped, settled;                                 /* of those that are not */
+};
+
+static double dot(const double a[3], const double b[3])
+{
+    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+}
+
+static double angle_between(const double a[3], const double b[3])
+{
+    return acos(fmax(-1, fmin(1, dot(a, b))));
+}
+
+struct lx_around lx_block_around(const struct lx_block_double *block, size_t start, size_t count)
+{
+    const double *places[3] = {block->px + start, block->py + start, block->pz + start};
+    struct lx_around around = {.radius = 0};
+    for (int k = 0; k < 3; k++) {
+        double low = places[k][0], high = places[k][0];
+        for (size_t i = 1; i < count; i++) {
+            low = fmin(low, places[k][i]);
+            high = fmax(high, places[k][i]);
+        }
+        around.center[k] = low + (high - low) / 2;
+        around.radius = hypot(around.radius, (high - low) / 2);
+    }
+    around.radius *= 1 + 1e-12;
+    return around;
+}
+
+/* The bundle of a run's directions; a half sky and more counts as all of it. */
+static struct bundle bundle_of(const double directions[LX_LANES][3])
+{
+    struct bundle bundle = {.spread = 0};
+    for (int i = 0; i < LX_LANES; i++)
+        for (int k = 0; k < 3; k++)
+            bundle.axis[k] += directions[i][k];
+    double length = sqrt(dot(bundle.axis, bundle.axis));
+    if (!(length > 0.1 * LX_LANES)) {
+        bundle.axis[0] = 1, bundle.axis[1] = bundle.axis[2] = 0;
+        bundle.spread = M_PI;
+        return bundle;
+    }
+    double least = 1;
+    for (int k = 0; k < 3; k++)
+        bundle.axis[k] /= length;
+    for (int i = 0; i < LX_LANES; i++)
+        least = fmin(least, dot(bundle.axis, directions[i]));
+    bundle.spread = acos(fmax(-1, least)) + 1e-7;
+    return bundle;
+}
+
+static void find_bundles(struct run *run)
+{
+    const double grazing = 0.15; /* lobes of half vectors get narrow towards the rim; below this the cells stay */
+    const struct lx_block_double *block = run->block;
+    const struct lx_lobe_double *lobe = run->sampling->lobe;
+    double normals[LX_LANES][3], mirrored[LX_LANES][3], least = 1;
+    for (size_t lane = 0; lane < LX_LANES; lane++) {
+        size_t i = run->start + lane;
+        double n[3] = {block->nx[i], block->ny[i], block->nz[i]}, v[3] = {block->vx[i], block->vy[i], block->vz[i]};
+        double facing = dot(n, v);
+        for (int k = 0; k < 3; k++) {
+            normals[lane][k] = n[k];
+            mirrored[lane][k] = 2 * facing * n[k] - v[k];
+        }
+        least = fmin(least, facing);
+    }
+    run->normals = bundle_of(normals);
+    run->mirrored = bundle_of(mirrored);
+    run->width = 1;
+    if (lobe->model == LX_LAMBERT)
+        return;
+    double sigma = 1 / sqrt(fmax(2 * lobe->half_exponent, 1));
+    run->width = lobe->model == LX_PHONG ? sigma : fmin(1, 2 * fmax(least, grazing) * sigma);
+}
+
+/* ---- bounds of cells ---- */
+
+/* How a run sees a cell. */
+struct sight {
+    double nearest;   /* the least distance, 0 where it is among the elements */
+    double angle;     /* no place of the cell is seen farther from its middle than this, by any element */
+    double deviation; /* nor from the direction between both middles */
+    double direction[3];
+};
+
+static struct sight see(const struct run *run, const struct lx_around *cell)
+{
+    struct sight sight = {.angle = M_PI, .deviation = M_PI};
+    for (int k = 0; k < 3; k++)
+        sight.direction[k] = cell->center[k] - run->around.center[k];
+    double distance = sqrt(dot(sight.direction, sight.direction)), both = cell->radius + run->around.radius;
+    if (!(distance > both))
+        return sight;
+    for (int k = 0; k < 3; k++)
+        sight.direction[k] /= distance;
+    sight.nearest = distance - both;
+    sight.deviation = asin(both / distance);
+    double from_nearest = distance - run->around.radius;
+    sight.angle = asin(cell->radius / from_nearest);
+    return sight;
+}
+
+static double attenuate(const struct lx_sampled *source, double distance_mm)
+{
+    switch (source->law) {
+    case LX_INVERSE_SQUARE: return 1 / (distance_mm * distance_mm);
+    case LX_PRACTICAL: return 1e-3 / (source->k_mm + distance_mm);
+    case LX_NO_ATTENUATION: break;
+    }
+    return 1e-6;
+}
+
+/* No element of the run gets more light from a cell than this. */
+static double bound_of(const struct run *run, const struct lx_sampled *source, const struct lx_around *cell,
+                       const struct sight *sight)
+{
+    const struct lx_lobe_double *lobe = run->sampling->lobe;
+    double above = angle_between(sight->direction, run->normals.axis) - run->normals.spread - sight->deviation;
+    bool by_cosine = lobe->model == LX_LAMBERT || lobe->highlight != LX_HIGHLIGHT_PLAIN;
+    if (by_cosine && above >= M_PI / 2)
+        return 0;
+    if (!(sight->nearest > 0))
+        return HUGE_VAL;
+    double strength = source->shell->radiance * M_PI * cell->radius * cell->radius * attenuate(source, sight->nearest);
+    if (lobe->model == LX_LAMBERT)
+        return strength * lobe->diffuse;
+    /* The angle between N and H is at least half the one between the mirrored view and L. */
+    double off = angle_between(sight->direction, run->mirrored.axis) - run->mirrored.spread - sight->deviation;
+    off = fmax(off, 0) / (lobe->model == LX_BLINN_PHONG ? 2 : 1);
+    if (off >= M_PI / 2)
+        return 0;
+    return strength * lobe->specular * pow(cos(off), 2 * lobe->half_exponent);
+}
+
+/* What the error may reach. */
+static double allowed(const struct run *run)
+{
+    double greatest = run->sampling->least_maximum;
+    for (int i = 0; i < LX_LANES; i++)
+        greatest = fmax(greatest, run->known[i] + run->value[i] - run->error[i]);
+    return run->sampling->tolerance * greatest;
+}
+
+/* ---- evaluating cells ---- */
+
+static void copy_samples(const struct lx_samples_double *from, size_t count, struct lx_samples_single *to)
+{
+    for (size_t i = 0; i < count; i++) {
+        to->x[i] = (float)from->x[i], to->y[i] = (float)from->y[i], to->z[i] = (float)from->z[i];
+        to->nx[i] = (float)from->nx[i], to->ny[i] = (float)from->ny[i], to->nz[i] = (float)from->nz[i];
+        to->height[i] = (float)from->height[i];
+        to->gain[i] = (float)from->gain[i];
+    }
+    to->law = from->law;
+    to->k = (float)from->k;
+}
+
+/* The light of samples of the memory. */
+static void shade_samples(const struct run *run, const struct lx_sampled *source, size_t first, size_t count,
+                          double *result)
+{
+    const struct lx_sampler *sampling = run->sampling;
+    struct lx_sampling_memory *memory = run->memory;
+    if (source->in_double) {
+        sampling->kernels->samples_double(&memory->samples, first, count, sampling->lobe, run->block, run->start,
+                                          result);
+        return;
+    }
+    float values[LX_LANES];
+    sampling->kernels->samples_single(&memory->copy, first, count, sampling->lobe_single, run->copy, run->start,
+                                      values);
+    for (int i = 0; i < LX_LANES; i++)
+        result[i] = (double)values[i];
+}
+
+static struct lx_cell quarter_of(const struct lx_cell *cell, int quarter)
+{
+    double ds = cell->ds / 2, dt = cell->dt / 2;
+    return (struct lx_cell){cell->s + (quarter & 1 ? ds : 0), cell->t + (quarter & 2 ? dt : 0), ds, dt};
+}
+
+/* Puts samples of a cell into the memory. */
+static void take_samples(const struct run *run, const struct lx_sampled *source, const struct lx_patch *patch,
+                         const struct lx_cell *part, unsigned side, size_t first)
+{
+    static const double metres[] = {[LX_INVERSE_SQUARE] = 1, [LX_PRACTICAL] = 1e-3, [LX_NO_ATTENUATION] = 1e-6};
+    struct lx_samples_double *samples = &run->memory->samples;
+    samples->law = source->law;
+    samples->k = source->k_mm;
+    lx_cell_samples(patch, part, side, source->shell->touch_mm, source->shell->radiance * metres[source->law], first,
+                    samples);
+}
+
+static void finish_samples(const struct run *run, const struct lx_sampled *source, size_t count)
+{
+    if (!source->in_double)
+        copy_samples(&run->memory->samples, count, &run->memory->copy);
+}
+
+static void shade_whole(const struct run *run, struct cell *cell, unsigned side)
+{
+    take_samples(run, cell->source, cell->patch, &cell->part, side, 0);
+    finish_samples(run, cell->source, (size_t)side * side);
+    shade_samples(run, cell->source, 0, (size_t)side * side, cell->coarse);
+}
+
+static void shade_quarters(const struct run *run, struct cell *cell)
+{
+    unsigned side = cell->is_tiny ? 1 : RULE, points = side * side;
+    for (int q = 0; q < QUARTERS; q++) {
+        struct lx_cell part = quarter_of(&cell->part, q);
+        take_samples(run, cell->source, cell->patch, &part, side, (size_t)q * points);
+    }
+    finish_samples(run, cell->source, (size_t)QUARTERS * points);
+    for (int q = 0; q < QUARTERS; q++)
+        shade_samples(run, cell->source, (size_t)q * points, points, cell->quarters[q]);
+}
+
+/* Adds (sign 1) or takes off (-1) what a cell has by its quarters, and the difference; returns the largest one. */
+static double account(struct run *run, const struct cell *cell, double sign, bool is_open)
+{
+    double worst = 0;
+    for (int i = 0; i < LX_LANES; i++) {
+        double fine = cell->quarters[0][i] + cell->quarters[1][i] + cell->quarters[2][i] + cell->quarters[3][i];
+        double difference = fabs(fine - cell->coarse[i]);
+        run->value[i] += sign * fine;
+        run->error[i] += is_open ? sign * difference : 0;
+        worst = fmax(worst, difference);
+    }
+    return worst;
+}
+
+/* Takes a cell whose rules have been applied into the list, or only into the sums where it hardly matters. */
+static void enlist(struct run *run, const struct cell *cell)
+{
+    struct lx_sampling_memory *memory = run->memory;
+    double worst = account(run, cell, 1, false), limit = SETTLED * allowed(run);
+    bool is_full = memory->cell_count == MOST_CELLS || cell->depth >= DEEPEST;
+    if (is_full || (run->settled + worst <= limit && worst <= limit / 64)) {
+        run->settled += worst;
+        return;
+    }
+    account(run, cell, -1, false);
+    account(run, cell, 1, true);
+    memory->worst[memory->cell_count] = worst;
+    memory->cells[memory->cell_count++] = *cell;
+}
+
+/* Drops, halves or evaluates what is pending. */
+static void work_off(struct run *run)
+{
+    const double widest = 0.5, widths = 2; /* half sizes: in radians, and in widths of the lobe */
+    struct lx_sampling_memory *memory = run->memory;
+    while (memory->pending_count > 0) {
+        struct pending next = memory->pending[--memory->pending_count];
+        struct lx_around around = lx_cell_around(next.patch, &next.part);
+        struct sight sight = see(run, &around);
+        double bound = bound_of(run, next.source, &around, &sight);
+        if (bound == 0 || run->dropped + bound <= DROPPED * allowed(run)) {
+            run->dropped += bound;
+            continue;
+        }
+        bool is_wide = sight.angle > fmin(widest, widths * run->width);
+        if (is_wide && next.depth < DEEPEST && memory->cell_count < MOST_CELLS) {
+            for (int q = 0; q < QUARTERS; q++)
+                memory->pending[memory->pending_count++] =
+                    (struct pending){next.source, next.patch, quarter_of(&next.part, q), next.depth + 1};
+            continue;
+        }
+        struct cell cell = {.source = next.source, .patch = next.patch, .part = next.part, .depth = next.depth};
+        cell.is_tiny = sight.angle < TINY * fmin(widest, run->width);
+        shade_whole(run, &cell, cell.is_tiny ? 1 : RULE);
+        shade_quarters(run, &cell);
+        enlist(run, &cell);
+    }
+}
+
+/* Replaces a cell by its quarters; one of few samples by the same with more. */
+static void refine(struct run *run, size_t index)
+{
+    struct lx_sampling_memory *memory = run->memory;
+    struct cell parent = memory->cells[index];
+    account(run, &parent, -1, true);
+    memory->cell_count--;
+    memory->cells[index] = memory->cells[memory->cell_count];
+    memory->worst[index] = memory->worst[memory->cell_count];
+    if (parent.is_tiny) {
+        parent.is_tiny = false;
+        shade_whole(run, &parent, RULE);
+        shade_quarters(run, &parent);
+        enlist(run, &parent);
+        return;
+    }
+    for (int q = 0; q < QUARTERS; q++) {
+        struct cell part = {.source = parent.source, .patch = parent.patch, .depth = parent.depth + 1};
+        part.part = quarter_of(&parent.part, q);
+        for (int i = 0; i < LX_LANES; i++)
+            part.coarse[i] = parent.quarters[q][i];
+        shade_quarters(run, &part);
+        enlist(run, &part);
+    }
+}
+
+static bool is_done(const struct run *run)
+{
+    double greatest = 0;
+    for (int i = 0; i < LX_LANES; i++)
+        greatest = fmax(greatest, run->error[i]);
+    return greatest + run->dropped + run->settled <= allowed(run);
+}
+
+void lx_sample_run(const struct lx_sampler *sampling, struct lx_sampling_memory *memory,
+                   const struct lx_block_double *block, const struct lx_block_single *copy, size_t start, double *sum)
+{
+    struct run run = {.sampling = sampling, .memory = memory, .block = block, .copy = copy, .start = start};
+    run.around = lx_block_around(block, start, LX_LANES);
+    find_bundles(&run);
+    for (int i = 0; i < LX_LANES; i++)
+        run.known[i] = sum[i];
+    memory->cell_count = memory->pending_count = 0;
+    size_t patches = 0;
+    for (size_t s = 0; s < sampling->source_count; s++) {
+        const struct lx_sampled *source = &sampling->sources[s];
+        size_t count = lx_patches_make(source->shell, &run.around, memory->patches + patches);
+        for (size_t i = 0; i < count; i++)
+            memory->pending[memory->pending_count++] =
+                (struct pending){source, memory->patches + patches + i, {0, 0, 1, 1}, 0};
+        patches += count;
+    }
+    work_off(&run);
+    while (memory->cell_count > 0 && memory->cell_count + QUARTERS < MOST_CELLS && !is_done(&run)) {
+        size_t index = 0;
+        for (size_t i = 1; i < memory->cell_count; i++)
+            index = memory->worst[i] > memory->worst[index] ? i : index;
+        if (!(memory->worst[index] > 0))
+            break;
+        refine(&run, index);
+    }
+    for (int i = 0; i < LX_LANES; i++)
+        sum[i] += run.value[i] > 0 ? run.value[i] : 0;
+}

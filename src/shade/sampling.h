@@ -1,0 +1,49 @@
+/* SPDX-License-Identifier: MIT */
+/*
+ * Sampling: the highlights of extended sources in pictures, and their diffuse light by laws other than 1/r^2, as sums
+ * over samples.
+ *
+ * A run of LX_LANES elements is treated at once.  The sources are cut into cells.  A cell that is large against the
+ * lobe is halved both ways unseen, one that cannot matter by a bound of its light is dropped; each other is integrated
+ * by a product rule of Gauss and again by its four quarters, and the cell with the largest difference between the two
+ * is replaced by its quarters until the sum of the differences, which the errors stay below, is small enough for every
+ * element of the run.
+ */
+#ifndef LX_SHADE_SAMPLING_H
+#define LX_SHADE_SAMPLING_H
+
+#include "shell.h"
+
+/* One source for a lobe. */
+struct lx_sampled {
+    const struct lx_shell *shell;
+    enum lx_attenuation law;
+    double k_mm;
+    bool in_double;
+};
+
+struct lx_sampler {
+    const struct lx_kernels *kernels;
+    const struct lx_sampled *sources;
+    size_t source_count;
+    const struct lx_lobe_double *lobe; /* what is summed: a lobe without its diffuse part, or that alone */
+    const struct lx_lobe_single *lobe_single;
+    double tolerance, least_maximum; /* errors may reach tolerance times the greatest value of the picture, which is
+                                        no less than least_maximum, nor than what is in the run itself */
+};
+
+/* Scratch memory of one thread, for sources of so many patches together: its size, and making it of zeroed bytes that
+ * are aligned as lx_new_aligned() does. */
+struct lx_sampling_memory;
+size_t lx_sampling_memory_size(size_t most_patches);
+struct lx_sampling_memory *lx_sampling_memory_of(void *bytes, size_t most_patches);
+
+/* Adds the light to sum[0 ... LX_LANES - 1] of the elements from `start` on, of which the last may be repetitions. */
+void lx_sample_run(const struct lx_sampler *sampling, struct lx_sampling_memory *memory,
+                   const struct lx_block_double *block, const struct lx_block_single *copy, size_t start,
+                   double *sum);
+
+/* A ball around the places from start to start + count. */
+struct lx_around lx_block_around(const struct lx_block_double *block, size_t start, size_t count);
+
+#endif

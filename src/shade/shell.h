@@ -1,0 +1,47 @@
+/* SPDX-License-Identifier: MIT */
+/*
+ * Extended sources for pictures: what the kernels need of one, as seen from a surface's anchor, and its cutting into
+ * patches, cells and samples, over which highlights are integrated.
+ */
+#ifndef LX_SHADE_SHELL_H
+#define LX_SHADE_SHELL_H
+
+#include "kernel.h"
+
+/* 0, or -1 when memory ran out.  Release with lx_shell_clear() in either case. */
+int lx_shell_make(const struct lx_emitter *emitter, const struct lx_shape *lit, struct lx_shell *shell);
+void lx_shell_clear(struct lx_shell *shell);
+
+/*
+ * A smooth part of a shell over the unit square (s, t).
+ *
+ * flat   o + s a + t b + s t g
+ * disk   o + s radius (a cos + b sin)(2 pi t)
+ * ball   o + radius (n cos + (a cos + b sin)(2 pi t) sin)(s reach)
+ * side   o + n (s - 1/2) length + radius (a cos + b sin)((2 t - 1) reach)
+ */
+enum lx_patch_kind { LX_PATCH_FLAT, LX_PATCH_DISK, LX_PATCH_BALL, LX_PATCH_SIDE };
+
+struct lx_patch {
+    enum lx_patch_kind kind;
+    double o[3], a[3], b[3], g[3], n[3]; /* from the anchor; n is the normal of a flat one or a disk */
+    double radius, length, reach;
+};
+
+/* The patches of a shell that some place within a ball may see; at most lx_patch_limit() of them. */
+size_t lx_patch_limit(const struct lx_shell *shell);
+size_t lx_patches_make(const struct lx_shell *shell, const struct lx_around *around, struct lx_patch *patches);
+
+/* A part of a patch: s from s to s + ds, t from t to t + dt. */
+struct lx_cell {
+    double s, t, ds, dt;
+};
+
+/* A ball around a cell. */
+struct lx_around lx_cell_around(const struct lx_patch *patch, const struct lx_cell *cell);
+
+/* The product rules of Gauss with side x side points, side from 1 to 3; they weigh area. */
+void lx_cell_samples(const struct lx_patch *patch, const struct lx_cell *cell, unsigned side, double touch_mm,
+                     double gain, size_t first, struct lx_samples_double *samples);
+
+#endif

@@ -1,0 +1,389 @@
+/* SPDX-License-Identifier: MIT */
+/* Cutting sources into sweeps, and the arcs of each kind. */
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "../base/memory.h"
+#include "sweep.h"
+
+/* ---- plain vectors ---- */
+
+static double dot(const double a[3], const double b[3])
+{
+    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+}
+
+static void cross(const double a[3], const double b[3], double result[3])
+{
+    result[0] = a[1] * b[2] - a[2] * b[1];
+    result[1] = a[2] * b[0] - a[0] * b[2];
+    result[2] = a[0] * b[1] - a[1] * b[0];
+}
+
+static double normalize(double a[3])
+{
+    double length = hypot(hypot(a[0], a[1]), a[2]);
+    for (int i = 0; i < 3 && length > 0; i++)
+        a[i] /= length;
+    return length;
+}
+
+static void to_doubles(lx_wide3 a, double result[3])
+{
+    result[0] = lx_wide_value(a.x), result[1] = lx_wide_value(a.y), result[2] = lx_wide_value(a.z);
+}
+
+/* A frame with this x and, as far as that leaves the choice, its pole perpendicular to `across`. */
+static struct lx_frame frame_about(const double x[3], const double across[3])
+{
+    struct lx_frame frame;
+    memcpy(frame.x, x, sizeof frame.x);
+    cross(x, across, frame.z);
+    if (normalize(frame.z) < 1e-6) {
+        double other[3] = {0, 0, 0};
+        other[fabs(x[0]) < 0.6 ? 0 : fabs(x[1]) < 0.6 ? 1 : 2] = 1;
+        cross(x, other, frame.z);
+        normalize(frame.z);
+    }
+    cross(frame.z, x, frame.y);
+    normalize(frame.y);
+    return frame;
+}
+
+static int append(struct lx_sweeps *sweeps, const struct lx_sweep *sweep)
+{
+    if (lx_reserve(&sweeps->items, &sweeps->capacity, sweeps->count + 1, sizeof *sweep))
+        return -1;
+    sweeps->items[sweeps->count++] = *sweep;
+    return 0;
+}
+
+/* ---- polygons ---- */
+
+/* A corner in the plane of its face, as an offset from the source's centre: across and along the arcs. */
+struct corner {
+    double y, s;
+};
+
+static int by_value(const void *a, const void *b)
+{
+    double x = *(const double *)a, y = *(const double *)b;
+    return (x > y) - (x < y);
+}
+
+/* Where the edge from a to b is at y, between its ends. */
+static double edge_at(struct corner a, struct corner b, double y)
+{
+    return fabs(y - a.y) < fabs(y - b.y) ? a.s + (b.s - a.s) * ((y - a.y) / (b.y - a.y))
+                                         : b.s + (a.s - b.s) * ((y - b.y) / (a.y - b.y));
+}
+
+/* The strip of a convex polygon between two values of y with no corner between them. */
+static bool cut_strip(const struct corner *corners, unsigned count, struct lx_sweep *strip)
+{
+    double middle = strip->y1_mm + (strip->y2_mm - strip->y1_mm) / 2, at1[2], at2[2];
+    unsigned found = 0;
+    for (unsigned i = 0; i < count && found < 2; i++) {
+        struct corner a = corners[i], b = corners[(i + 1) % count];
+        if ((a.y <= middle) == (b.y <= middle))
+            continue;
+        at1[found] = edge_at(a, b, strip->y1_mm);
+        at2[found++] = edge_at(a, b, strip->y2_mm);
+    }
+    if (found < 2)
+        return false;
+    bool swap = at1[0] + at2[0] > at1[1] + at2[1];
+    strip->s1_mm = at1[swap];
+    strip->s2_mm = at2[swap];
+    strip->width1_mm = fmax(at1[!swap] - at1[swap], 0);
+    strip->width2_mm = fmax(at2[!swap] - at2[swap], 0);
+    return strip->width1_mm > 0 || strip->width2_mm > 0;
+}
+
+static int sweep_face(const struct lx_facets *facets, const struct lx_face *face, const double place_mm[3],
+                      const double across[3], struct lx_sweeps *sweeps)
+{
+    const unsigned *loop = facets->loop + face->first;
+    lx_wide3 place = lx_wide3_of(place_mm), center = lx_wide3_of(facets->center_mm);
+    double height = lx_wide_value(lx_wide3_dot(face->normal, lx_wide3_sub(place, facets->corners_mm[loop[0]])));
+    if (!(height > 0))
+        return 0;
+    double normal[3], to_center[3];
+    to_doubles(face->normal, normal);
+    for (int i = 0; i < 3; i++)
+        normal[i] = -normal[i];
+    struct lx_sweep strip = {.kind = LX_SWEEP_STRIP, .frame = frame_about(normal, across), .height_mm = height};
+    to_doubles(lx_wide3_sub(center, place), to_center);
+    strip.y_mm = dot(strip.frame.y, to_center);
+    strip.s_mm = dot(strip.frame.z, to_center);
+
+    struct corner *corners = lx_new_array(face->count, sizeof *corners);
+    double *cuts = lx_new_array(face->count + 1, sizeof *cuts);
+    int failed = corners && cuts ? 0 : -1;
+    for (unsigned i = 0; i < face->count && !failed; i++) {
+        double offset[3];
+        to_doubles(lx_wide3_sub(facets->corners_mm[loop[i]], center), offset);
+        corners[i] = (struct corner){dot(strip.frame.y, offset), dot(strip.frame.z, offset)};
+        cuts[i] = corners[i].y;
+    }
+    if (!failed) {
+        cuts[face->count] = -strip.y_mm; /* the foot: arcs on both sides of it are kept apart */
+        qsort(cuts, face->count + 1, sizeof *cuts, by_value);
+    }
+    for (unsigned i = 0; i < face->count && !failed; i++) {
+        strip.y1_mm = cuts[i];
+        strip.y2_mm = cuts[i + 1];
+        if (strip.y2_mm > strip.y1_mm && cut_strip(corners, face->count, &strip))
+            failed = append(sweeps, &strip);
+    }
+    free(corners);
+    free(cuts);
+    return failed;
+}
+
+/* A line in a flat source's plane. */
+struct line {
+    double from_end; /* of the end of its range that is farther from the foot, in mm */
+    double y;        /* from the foot, towards that end */
+    double measure;  /* d beta/d share */
+};
+
+/*
+ * Lines are chosen evenly in w, y = h sinh(w), which knows both lengths: the plane's distance h and the source's size.
+ * d beta = dw/cosh(w).  `share` of the range is gone through between near and far (>= 0, from the foot); y is found
+ * from the end where nothing cancels.
+ */
+static struct line line_at(double h, double near, double far, double span, double share)
+{
+    double to_near = hypot(h, near), to_far = hypot(h, far);
+    double range = asinh(span * (far + near) / (far * to_near + near * to_far));
+    double gone = share * range / 2, left = (1 - share) * range / 2;
+    struct line line;
+    if (left < 0.5) {
+        line.from_end = fmin(2 * sinh(left) * (to_far * cosh(left) - far * sinh(left)), span);
+        line.y = far - line.from_end;
+    } else {
+        line.y = near + 2 * sinh(gone) * (to_near * cosh(gone) + near * sinh(gone));
+        line.from_end = far - line.y;
+    }
+    line.measure = range * (h / hypot(h, line.y));
+    return line;
+}
+
+/* The arc of a flat source along a line that begins at s and is `width` long. */
+static struct lx_arc flat_arc(const struct lx_sweep *flat, double y, double s, double width)
+{
+    double h = flat->height_mm, c = hypot(h, y);
+    struct lx_arc arc = {
+        .from = atan2(s, c),
+        .width = atan2(c * width, c * c + s * (s + width)),
+        .distance_mm = c,
+    };
+    for (int i = 0; i < 3; i++)
+        arc.direction[i] = flat->frame.x[i] * (h / c) + flat->frame.y[i] * (y / c);
+    return arc;
+}
+
+static struct lx_arc strip_arc(const struct lx_sweep *strip, double x)
+{
+    double y1 = strip->y_mm + strip->y1_mm, y2 = strip->y_mm + strip->y2_mm, span = strip->y2_mm - strip->y1_mm;
+    bool upwards = y1 + y2 > 0; /* the far end is y2 */
+    struct line line = upwards ? line_at(strip->height_mm, fmax(y1, 0), y2, span, x)
+                               : line_at(strip->height_mm, fmax(-y2, 0), -y1, span, 1 - x);
+    double share = line.from_end / span, at1 = upwards ? share : 1 - share, at2 = upwards ? 1 - share : share;
+    double width = at1 * strip->width1_mm + at2 * strip->width2_mm;
+    double s = strip->s_mm + (at1 * strip->s1_mm + at2 * strip->s2_mm);
+    struct lx_arc arc = flat_arc(strip, upwards ? line.y : -line.y, s, width);
+    arc.measure = line.measure;
+    return arc;
+}
+
+/* ---- round sources ---- */
+
+static int sweep_disk(const double center_mm[3], const double axis[3], double radius_mm, const double place_mm[3],
+                      const double across[3], struct lx_sweeps *sweeps)
+{
+    double inwards[3], to_center[3], height = 0;
+    for (int i = 0; i < 3; i++) {
+        inwards[i] = -axis[i];
+        to_center[i] = center_mm[i] - place_mm[i];
+        height += inwards[i] * to_center[i];
+    }
+    if (!(height > 0))
+        return 0;
+    struct lx_sweep disk = {
+        .kind = LX_SWEEP_DISK, .frame = frame_about(inwards, across), .height_mm = height, .radius_mm = radius_mm};
+    disk.y_mm = dot(disk.frame.y, to_center);
+    disk.s_mm = dot(disk.frame.z, to_center);
+    double low = disk.y_mm - radius_mm, high = disk.y_mm + radius_mm;
+    disk.y1_mm = low;
+    disk.y2_mm = low < 0 && high > 0 ? 0 : high;
+    if (append(sweeps, &disk))
+        return -1;
+    disk.y1_mm = disk.y2_mm;
+    disk.y2_mm = high;
+    return disk.y1_mm < high ? append(sweeps, &disk) : 0;
+}
+
+/* From rim to rim, or to the foot; as the square of a sine, for the chords' lengths go like roots at a rim. */
+static struct lx_arc disk_arc(const struct lx_sweep *disk, double x)
+{
+    double y1 = disk->y1_mm, y2 = disk->y2_mm, root = sin(M_PI_2 * x), share = root * root;
+    bool upwards = y1 + y2 > 0, whole = y1 > 0 || y2 < 0; /* whole: the foot lies outside */
+    double span = whole ? 2 * disk->radius_mm : y2 - y1;
+    struct line line = upwards ? line_at(disk->height_mm, fmax(y1, 0), y2, span, share)
+                               : line_at(disk->height_mm, fmax(-y2, 0), -y1, span, 1 - share);
+    double half = sqrt(line.from_end * fmax(2 * disk->radius_mm - line.from_end, 0));
+    struct lx_arc arc = flat_arc(disk, upwards ? line.y : -line.y, disk->s_mm - half, 2 * half);
+    arc.measure = line.measure * M_PI_2 * sin(M_PI * x);
+    return arc;
+}
+
+static int sweep_ball(const struct lx_emitter *ball, const double place_mm[3], const double across[3],
+                      struct lx_sweeps *sweeps)
+{
+    double towards[3];
+    for (int i = 0; i < 3; i++)
+        towards[i] = ball->center_mm[i] - place_mm[i];
+    double distance = normalize(towards);
+    if (!(distance > ball->radius_mm))
+        return 0;
+    struct lx_sweep sweep = {
+        .kind = LX_SWEEP_BALL,
+        .frame = frame_about(towards, across),
+        .height_mm = distance,
+        .radius_mm = ball->radius_mm,
+        .angle1 = -M_PI_2,
+        .angle = M_PI_2,
+    };
+    if (append(sweeps, &sweep))
+        return -1;
+    sweep.angle1 = 0;
+    return append(sweeps, &sweep);
+}
+
+/* sin(beta) = sin(alpha) sin(t), alpha half the angle under which the ball is seen */
+static struct lx_arc ball_arc(const struct lx_sweep *ball, double x)
+{
+    double t = ball->angle1 + x * ball->angle, sin_alpha = ball->radius_mm / ball->height_mm;
+    double cos_alpha = sqrt((1 - sin_alpha) * (1 + sin_alpha));
+    double sine = sin_alpha * sin(t), half = sin_alpha * fmax(cos(t), 0), cosine = hypot(cos_alpha, half);
+    double latitude = atan2(half, cos_alpha);
+    struct lx_arc arc = {
+        .measure = half / cosine * ball->angle,
+        .from = -latitude,
+        .width = 2 * latitude,
+        .round = true,
+        .distance_mm = ball->height_mm,
+    };
+    for (int i = 0; i < 3; i++)
+        arc.direction[i] = ball->frame.x[i] * cosine + ball->frame.y[i] * sine;
+    return arc;
+}
+
+static int sweep_cylinder(const struct lx_emitter *cylinder, const double place_mm[3], const double across[3],
+                          struct lx_sweeps *sweeps)
+{
+    const double axis[3] = {cylinder->axis.x.value, cylinder->axis.y.value, cylinder->axis.z.value};
+    double away[3], offset[3], half = cylinder->height_mm / 2, caps[2][3], backwards[3];
+    for (int i = 0; i < 3; i++) {
+        offset[i] = cylinder->center_mm[i] - place_mm[i];
+        backwards[i] = -axis[i];
+        caps[0][i] = cylinder->center_mm[i] + half * axis[i];
+        caps[1][i] = cylinder->center_mm[i] - half * axis[i];
+    }
+    double along = dot(offset, axis);
+    for (int i = 0; i < 3; i++)
+        away[i] = offset[i] - along * axis[i];
+    double distance = normalize(away);
+    if (distance > cylinder->radius_mm) {
+        struct lx_sweep side = {
+            .kind = LX_SWEEP_SIDE,
+            .height_mm = distance,
+            .radius_mm = cylinder->radius_mm,
+            .s_mm = along - half,
+            .length_mm = cylinder->height_mm,
+            .angle1 = -M_PI_2,
+            .angle = M_PI_2,
+        };
+        memcpy(side.frame.x, away, sizeof away);
+        memcpy(side.frame.z, axis, sizeof axis);
+        cross(axis, away, side.frame.y);
+        if (append(sweeps, &side))
+            return -1;
+        side.angle1 = 0;
+        if (append(sweeps, &side))
+            return -1;
+    }
+    if (sweep_disk(caps[0], axis, cylinder->radius_mm, place_mm, across, sweeps))
+        return -1;
+    return sweep_disk(caps[1], backwards, cylinder->radius_mm, place_mm, across, sweeps);
+}
+
+/* sin(beta) = (R/rho) sin(t), t the angle of incidence */
+static struct lx_arc side_arc(const struct lx_sweep *side, double x)
+{
+    double t = side->angle1 + x * side->angle, ratio = side->radius_mm / side->height_mm, slant = fmax(cos(t), 0);
+    double sine = ratio * sin(t), cosine = sqrt((1 - ratio) * (1 + ratio) + ratio * slant * ratio * slant);
+    double c = (side->height_mm - side->radius_mm) * (side->height_mm + side->radius_mm) /
+               (side->height_mm * cosine + side->radius_mm * slant);
+    double s = side->s_mm, end = s + side->length_mm;
+    struct lx_arc arc = {
+        .measure = ratio * slant / cosine * side->angle,
+        .from = atan2(s, c),
+        .width = atan2(c * side->length_mm, c * c + s * end),
+        .distance_mm = c,
+        .slant = slant,
+    };
+    for (int i = 0; i < 3; i++)
+        arc.direction[i] = side->frame.x[i] * cosine + side->frame.y[i] * sine;
+    return arc;
+}
+
+/* ---- the kinds together ---- */
+
+int lx_sweeps_make(const struct lx_emitter *emitter, const double place_mm[3], const double across[3],
+                   struct lx_sweeps *sweeps)
+{
+    if (emitter->type == LX_FACETS) {
+        const struct lx_facets *facets = emitter->facets;
+        for (size_t i = 0; i < facets->face_count; i++)
+            if (sweep_face(facets, &facets->faces[i], place_mm, across, sweeps))
+                return -1;
+        return 0;
+    }
+    if (emitter->type == LX_BALL)
+        return sweep_ball(emitter, place_mm, across, sweeps);
+    if (emitter->type == LX_CYLINDER)
+        return sweep_cylinder(emitter, place_mm, across, sweeps);
+    const double axis[3] = {emitter->axis.x.value, emitter->axis.y.value, emitter->axis.z.value};
+    return sweep_disk(emitter->center_mm, axis, emitter->radius_mm, place_mm, across, sweeps);
+}
+
+struct lx_arc lx_sweep_arc(const struct lx_sweep *sweep, double x)
+{
+    switch (sweep->kind) {
+    case LX_SWEEP_STRIP: return strip_arc(sweep, x);
+    case LX_SWEEP_DISK: return disk_arc(sweep, x);
+    case LX_SWEEP_BALL: return ball_arc(sweep, x);
+    case LX_SWEEP_SIDE: break;
+    }
+    return side_arc(sweep, x);
+}
+
+double lx_sweep_distance(const struct lx_sweep *sweep, const struct lx_arc *arc, double cos_tau, double sin_tau,
+                         double *incidence)
+{
+    if (sweep->kind == LX_SWEEP_BALL) {
+        /* the cosine and the squared sine of the angle from the ball's centre */
+        double d = sweep->height_mm, r = sweep->radius_mm, x = dot(arc->direction, sweep->frame.x);
+        double y = dot(arc->direction, sweep->frame.y), sine2 = y * y + x * x * sin_tau * sin_tau;
+        double root = sqrt(fmax(r * r - d * d * sine2, 0));
+        *incidence = root / r;
+        return (d - r) * (d + r) / (d * x * cos_tau + root);
+    }
+    double distance = arc->distance_mm / cos_tau;
+    *incidence = sweep->kind == LX_SWEEP_SIDE ? arc->slant * cos_tau : sweep->height_mm / distance;
+    return distance;
+}

@@ -1,0 +1,67 @@
+/* SPDX-License-Identifier: MIT */
+/*
+ * Sweeps: an extended source, as an element sees it, covered by arcs of great circles.  An arc runs in latitude tau
+ * about a pole d at the longitude beta; its directions are L = e(beta) cos(tau) + d sin(tau), and
+ *
+ *     integral over the source of f dw = sum over the sweeps of integral_0^1 dx measure(x) integral dtau cos(tau) f.
+ *
+ * The straight lines of a flat source that are parallel to d are such arcs, and so are a cylinder's generators.
+ * Each sweep is smooth in x; where it would not be, the source is cut into several.
+ */
+#ifndef LX_SHADE_SWEEP_H
+#define LX_SHADE_SWEEP_H
+
+#include <stddef.h>
+
+#include "../light/extended.h"
+
+/* Right-handed: e(beta) = x cos(beta) + y sin(beta), the pole z. */
+struct lx_frame {
+    double x[3], y[3], z[3];
+};
+
+enum lx_sweep_kind { LX_SWEEP_STRIP, LX_SWEEP_DISK, LX_SWEEP_BALL, LX_SWEEP_SIDE };
+
+struct lx_sweep {
+    enum lx_sweep_kind kind;
+    struct lx_frame frame;
+    double height_mm; /* of a flat source's plane over the element; from the axis of a cylinder, from a ball's centre */
+    double radius_mm; /* of the round ones */
+    double y_mm, s_mm; /* the centre in the source's plane, from the element's foot: across and along the arcs; for
+                          a side s is its lower end */
+    double length_mm;  /* of a cylinder's side */
+    /* of a strip, offsets from the centre: from y1 to y2, there from s1 to s1 + width1, here to s2 + width2; of a
+     * disk y1 and y2 from the foot */
+    double y1_mm, y2_mm, s1_mm, s2_mm, width1_mm, width2_mm;
+    double angle1, angle; /* a ball's or side's range of its parameter: first, width */
+};
+
+struct lx_arc {
+    double direction[3]; /* at tau = 0 */
+    double measure;      /* d beta/d x */
+    double from, width;  /* in tau */
+    bool round;          /* its ends are tangent to the source: integrands may go like square roots there */
+    double distance_mm;  /* to the place at tau = 0 */
+    double slant;        /* cosine of incidence at tau = 0, of a side */
+};
+
+/* A list; zero-initialise, free `items` with free(). */
+struct lx_sweeps {
+    struct lx_sweep *items;
+    size_t count, capacity;
+};
+
+/*
+ * The sweeps of what an element at a place sees of a source, horizon apart.  Arcs of flat sources and balls run
+ * perpendicularly to `across`, so that its angle from L is easy along them.  0, or -1 when memory ran out.
+ */
+int lx_sweeps_make(const struct lx_emitter *emitter, const double place_mm[3], const double across[3],
+                   struct lx_sweeps *sweeps);
+
+struct lx_arc lx_sweep_arc(const struct lx_sweep *sweep, double x);
+
+/* How far the source is along the direction at tau, and the cosine of its incidence there (>= 0). */
+double lx_sweep_distance(const struct lx_sweep *sweep, const struct lx_arc *arc, double cos_tau, double sin_tau,
+                         double *incidence);
+
+#endif

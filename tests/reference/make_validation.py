@@ -1,0 +1,342 @@
+# SPDX-License-Identifier: MIT
+"""Writes docs/VALIDATION.md from what it measures with the built luxel command, or checks that page.
+
+    make_validation.py LUXEL               prints the page
+    make_validation.py LUXEL --check PAGE  a test: the page holds, to its printed digits, what luxel gives now
+
+Deviations are printed as the next power of ten above them, so that the page is the same for every compiler.
+"""
+import argparse
+import math
+
+import numpy as np
+from mpmath import mp, mpf
+
+import model
+from cases import CASES
+from luxel import Luxel
+from tap import Tap
+
+STAGE = {
+    'luxel': 1,
+    'screen': {'width': 100, 'height': 100, 'resolution': [10, 10]},
+    'observer': {'z': 2000},
+    'surfaces': [{'type': 'sphere', 'center': [0, 0, -9000], 'radius': 100}],
+}
+LEAST = -14       # nearer to float64's own resolution, compilers may differ
+UNIT_RADIANCE = 1 / math.pi  # so that the irradiance is the configuration factor
+
+HEAD = """\
+# Validation
+
+What Luxel gives where the right answer is known: the tests of CIE 171:2006 (*Test cases to assess the accuracy of
+lighting computer programs*), configuration factors of radiative heat transfer, and integrals of highlights.
+This page is written by a program, `tests/reference/make_validation.py`, from what it measures with the built command.
+`make validation` writes it anew; a test of `make check` compares it with what the command gives.
+
+- *Luxel*: the value of `luxel probe` or `luxel grid`.
+- *exact*: the same in 50-digit arithmetic by an independent program (`tests/reference/model.py`), or the closed form
+  that stands with the table. The exact values take the numbers of the scene as the float64 numbers that they are.
+- *printed*: what the publication prints; *reference*: values to 8 digits by the closed forms that are named there.
+- *off the exact*: |Luxel - exact| / exact, rounded up to a power of ten, 1e-14 at least.
+- *off the printed*, *off the reference*: Luxel / that - 1, in percent.
+"""
+
+
+class Page:
+    def __init__(self, luxel):
+        self.luxel = luxel
+        self.lines = HEAD.splitlines()
+
+    def heading(self, title, *paragraphs):
+        self.lines += ['', '## ' + title]
+        for paragraph in paragraphs:
+            self.lines += ['', *paragraph.splitlines()]
+
+    def table(self, columns, rows):
+        self.lines += ['', '| ' + ' | '.join(columns) + ' |', '|' + '---|' * len(columns)]
+        self.lines += ['| ' + ' | '.join(row) + ' |' for row in rows]
+
+    def text(self):
+        return '\n'.join(self.lines) + '\n'
+
+
+def off_exact(value, exact):
+    if exact == 0:
+        return '0' if value == 0 else power_above(abs(mpf(value))) + ' (absolute)'
+    return power_above(abs(mpf(value) / exact - 1))
+
+
+def power_above(number):
+    if number == 0:
+        return f'1e{LEAST}'
+    return f'1e{max(LEAST, int(mp.ceil(mp.log10(number))))}'
+
+
+def off_printed(value, printed):
+    if not printed:
+        return ''
+    text = f'{100 * (value / printed - 1):+.3f}'
+    return ('0.000' if float(text) == 0 else text) + ' %'
+
+
+def figures(number, digits=10):
+    return f'{float(number):.{digits}g}' if abs(number) > 1e-14 else '0'
+
+
+def case_named(name):
+    return next(case for case in CASES if case['id'] == name)
+
+
+def exact_irradiance(scene, element):
+    return model.probe_element(scene, element, highlights=False).irradiance
+
+
+def elements_table(page, scene, elements, unit, printed=(), skip=(), places=None, digits=10):
+    """One row per element: place and normal, the values, the deviations."""
+    found = page.luxel.values_at(scene, elements=elements, options=['--quantity', 'irradiance'])
+    rows = []
+    for index, (element, value) in enumerate(zip(elements, found)):
+        where = places[index] if places else ', '.join(f'{x:g}' for x in element[:3])
+        print_value = printed[index] if index < len(printed) and index not in skip else None
+        row = [where, *([] if places else [direction_words(element[3:])]), figures(exact_irradiance(scene, element), digits),
+               figures(value, digits)]
+        if printed:
+            row.append(f'{print_value:g}' if print_value else '')
+        row.append(off_exact(value, exact_irradiance(scene, element)))
+        if printed:
+            row.append(off_printed(value, print_value))
+        rows.append(row)
+    columns = ['place'] if places else ['x, y, z (mm)', 'faces']
+    columns += [f'exact ({unit})', f'Luxel ({unit})'] + ([f'printed ({unit})'] if printed else [])
+    page.table(columns + ['off the exact'] + (['off the printed'] if printed else []), rows)
+
+
+def direction_words(normal):
+    words = {(0, 0, 1): 'up, +z', (0, 0, -1): 'down, -z', (0, 1, 0): '+y', (1, 0, 0): '+x'}
+    return words.get(tuple(normal), ', '.join(f'{x:.4g}' for x in normal))
+
+
+# CIE 171.
+
+def cie(page):
+    case = case_named('cie171-5.2')
+    page.heading('CIE 171, test 5.2: a point source over a plane',
+                 'A point source of 1000 cd with a Lambertian pattern, I = 1000 cos θ, hangs 3 m above a horizontal\n'
+                 'plane. Illuminance on the plane at places around the foot of the source.')
+    elements_table(page, {**case['scene'], 'units': 'photometric'}, case['elements'], 'lx', case['printed']['values'])
+
+    case = case_named('cie171-5.3')
+    page.heading('CIE 171, test 5.3: an area source',
+                 'A square Lambertian source of 1 m × 1 m in the middle of the ceiling of a black room of\n'
+                 '4 m × 4 m × 3 m; luminance 1000 cd/m². Illuminance on a wall (y = 0) and on the floor, along the line\n'
+                 'under the middle of the source.')
+    elements_table(page, {**case['scene'], 'units': 'photometric'}, case['elements'], 'lx', case['printed']['values'])
+
+    closed_room(page)
+
+    for size, words in (('500', '0.5 m'), ('4000', '4 m'), ('500000', '500 m')):
+        case = case_named(f'cie171-5.6-{size}mm')
+        printed = case.get('printed', {})
+        page.heading(f'CIE 171, test 5.6: a square of {words}',
+                     f'A uniform square Lambertian source of {words} × {words} lies on the floor around the middle of a\n'
+                     'room of 4 m × 4 m × 3 m and shines upwards. Configuration factors in percent (the irradiance for an\n'
+                     'exitance of 100) on a wall (y = 0) and on the ceiling.'
+                     + ('' if size == '4000' else ' No printed values of this size are at hand.'))
+        elements_table(page, case['scene'], case['elements'], '%', printed.get('values', ()), printed.get('skip', ()))
+
+
+def closed_room(page):
+    """Test 5.4, light conservation."""
+    page.heading('CIE 171, test 5.4: no light is lost',
+                 'An isotropic point source of 10 000 lm (10 000/4π cd) in a closed room of 4 m × 4 m × 3 m, off its middle.\n'
+                 'What `luxel grid` finds on the six walls, each a grid of square cells: the average illuminance times the\n'
+                 'area, summed. The midpoint of each cell stands for the cell, so the sum has an error of order 2 in its size.')
+    rows = []
+    for cells_per_metre in (5, 10, 20, 40):
+        grids = []
+        for axis, center, size in (([0, 0, 1], [0, 0, 0], [4, 4]), ([0, 0, -1], [0, 0, 3], [4, 4]),
+                                   ([1, 0, 0], [-2, 0, 1.5], [4, 3]), ([-1, 0, 0], [2, 0, 1.5], [4, 3]),
+                                   ([0, 1, 0], [0, -2, 1.5], [4, 3]), ([0, -1, 0], [0, 2, 1.5], [4, 3])):
+            grids.append({'center': [1000 * x for x in center], 'size': [1000 * x for x in size], 'axis': axis,
+                          'up': [0, 1, 0] if axis[2] else [0, 0, 1], 'n': [x * cells_per_metre for x in size]})
+        scene = {**STAGE, 'units': 'photometric', 'grids': grids, 'observer': {'z': 20000},
+                 'lights': [{'type': 'point', 'position': [500, -300, 1800], 'intensity': 10000 / (4 * math.pi)}]}
+        found = page.luxel.run(['grid', '-'], scene)['grids']
+        total = math.fsum(grid['flux'] for grid in found)
+        cells = sum(grid['n'][0] * grid['n'][1] for grid in found)
+        rows.append([f'{1000 / cells_per_metre:g}', f'{cells}', f'{total:.4f}', '10000', f'{total / 100 - 100:+.4f} %'])
+    page.table(['cell (mm)', 'cells in all', 'Luxel, six walls (lm)', 'exact (lm)', 'off the exact'], rows)
+
+
+# Configuration factors.
+
+def flat(shape, **keys):
+    return {**STAGE, 'lights': [{'type': 'planar', shape: keys, 'radiance': UNIT_RADIANCE}]}
+
+
+def factors(page):
+    page.heading('Configuration factors',
+                 'The part of the light of a Lambertian source of exitance 1 that an element receives: irradiance for the\n'
+                 'radiance 1/π. Reference: J. R. Howell, *A Catalog of Radiation Heat Transfer Configuration Factors*\n'
+                 '(the corner; its B-13 for tilted elements); R. Siegel, J. R. Howell, *Thermal Radiation Heat Transfer*.')
+    square = flat('rectangle', center=[500, 500, 1000], size=[1000, 1000])
+    upright = flat('rectangle', center=[1000, 500, 500], size=[1000, 1000], axis=[-1, 0, 0])
+    full = flat('disk', center=[0, 0, 1000], radius=1000)
+    ball = {**STAGE, 'observer': {'z': 9000}, 'lights': [{
+        'type': 'volume', 'sphere': {'center': [0, 0, 2000], 'radius': 1000}, 'radiance': UNIT_RADIANCE}]}
+    rows = []
+
+    def row(words, scene, element, printed):
+        value = page.luxel.values_at(scene, elements=[element], options=['--quantity', 'irradiance'])[0]
+        exact = exact_irradiance(scene, element)
+        rows.append([words, figures(exact), figures(value), printed, off_exact(value, exact),
+                     off_printed(value, float(printed)) if printed else ''])
+
+    row('unit square at the distance 1, the element under a corner and parallel to it', square, [0, 0, 0, 0, 0, 1],
+        '0.13853161')
+    row('unit square at the distance 1, the element level with its lower edge, under a corner, its plane upright to it', upright,
+        [0, 0, 0, 0, 0, 1], '')
+    row('disk of radius 1 at the height 1, on its axis, parallel', full, [0, 0, 0, 0, 0, 1], '0.5')
+    row('the same, 0.5 off the axis', full, [500, 0, 0, 0, 0, 1], '0.43798263')
+    row('disk of radius 1 at the height 2, 1.5 off the axis, parallel', full, [1500, 0, -1000, 0, 0, 1], '0.10228414')
+    for degrees, printed in ((30, '0.4330127'), (60, '0.25735206'), (90, '0.09084506')):
+        normal = [math.sin(math.radians(degrees)), 0, math.cos(math.radians(degrees)) if degrees != 90 else 0]
+        row(f'disk of radius 1 at the height 1, on its axis, the element tilted by {degrees}°', full,
+            [0, 0, 0, *normal], printed)
+    for degrees, printed in ((0, '0.25'), (30, '0.21650635'), (60, '0.125'), (75, '0.07041043'), (90, '0.02883444'),
+                             (105, '0.00570567'), (115, '0.00039471')):
+        normal = [math.sin(math.radians(degrees)), 0, math.cos(math.radians(degrees)) if degrees != 90 else 0]
+        row(f'sphere of radius 1 whose centre is at the distance 2, {degrees}° off the normal', ball,
+            [0, 0, 0, *normal], printed)
+    page.table(['geometry (lengths in m)', 'exact (1)', 'Luxel (1)', 'reference (1)', 'off the exact', 'off the reference'],
+               rows)
+
+
+def sphere_means(page):
+    """The mean over a sphere, by Gauss between the polar angles at which the disk begins and ceases to be cut."""
+    page.heading('The mean irradiance of a sphere under a coaxial disk',
+                 'A disk of radius 1, coaxial with a sphere whose centre is 0.5 away from it. Averaged over the whole sphere,\n'
+                 'the irradiance for the exitance 1 is the disk\'s solid angle over 4π, (1 - 1/√5)/2, whatever the sphere\'s\n'
+                 'radius. The manual of EES (Engineering Equation Solver) prints 0.2764. Luxel: 120 elements around the sphere,\n'
+                 'summed by a Gauss rule.')
+    scene = flat('disk', center=[0, 0, 500], radius=1000)
+    exact = (1 - 1 / mp.sqrt(5)) / 2
+    nodes, weights = np.polynomial.legendre.leggauss(40)
+    rows = []
+    for radius in (50, 200, 400):
+        tilt, half = math.atan2(1, 0.5), math.acos(radius / 1000 / math.hypot(1, 0.5))
+        total = 0.0
+        for low, high in ((0, half - tilt), (half - tilt, tilt + half), (tilt + half, math.pi)):
+            # Quadratic at both ends, where the cut sets in with a power of 3/2.
+            share = (1 + nodes) / 2
+            angles = low + (high - low) * share ** 2 * (3 - 2 * share)
+            spans = weights / 2 * (high - low) * 6 * share * (1 - share)
+            elements = [[radius * math.sin(t), 0, radius * math.cos(t), math.sin(t), 0, math.cos(t)] for t in angles]
+            values = page.luxel.values_at(scene, elements=elements, options=['--quantity', 'irradiance'])
+            total += math.fsum(value * span * math.sin(t) / 2 for value, span, t in zip(values, spans, angles))
+        rows.append([f'{radius / 1000:g}', figures(exact), figures(total), '0.2764', off_exact(total, exact),
+                     off_printed(total, 0.2764)])
+    page.table(['radius of the sphere (m)', 'exact (1)', 'Luxel, mean (1)', 'printed (1)', 'off the exact',
+                'off the printed'], rows)
+
+
+# Highlights.
+
+PHONG_MOMENTS = (
+    ((0, 0, 1), ((0, '.80543168'), (1, '.75227469'), (2, '.70394207'), (10, '.44067944'), (50, '.12300602'))),
+    ((1, 0, 2), ((1, '.67285494'), (10, '.25030005'), (50, '.06150973'))),
+)
+TINY = 1e-15  # stands for the exponent 0, which a material may not have
+
+
+def gloss(model_name, shininess, **keys):
+    return {'model': model_name, 'diffuse': 0, 'specular': 1, 'shininess': shininess, **keys}
+
+
+def glossy_value(page, scene, element):
+    return page.luxel.values_at(scene, elements=[element])[0]
+
+
+def highlights(page):
+    page.heading('Phong highlights of a square: axial moments',
+                 'A unit square, centred on +z at the distance 1 and seen from the origin, has the radiance 1. With kd = 0,\n'
+                 'ks = 1 the highlight is ∫ max(0, w·u)^n dω over its directions u, w being the mirrored view. J. Arvo,\n'
+                 '*Applications of irradiance tensors to the simulation of non-Lambertian phenomena* (1995), gives it in\n'
+                 'closed form for whole n; here it comes from the cubature that serves every exponent.')
+    rows = []
+    for axis, moments in PHONG_MOMENTS:
+        size = math.sqrt(sum(x * x for x in axis))
+        # The view is +z; the normal halfway between makes the axis its mirror image.
+        normal = [axis[0] / size, axis[1] / size, axis[2] / size + 1]
+        for exponent, printed in moments:
+            surface = {**STAGE['surfaces'][0], 'material': gloss('phong', exponent or TINY)}
+            scene = {**flat('rectangle', center=[0, 0, 1000], size=[1000, 1000]), 'surfaces': [surface]}
+            scene['lights'][0]['radiance'] = 1
+            element = [0, 0, 0, *normal]
+            exact = model.probe_element(scene, element).brightness
+            value = glossy_value(page, scene, element)
+            rows.append(['(0, 0, 1)' if axis[0] == 0 else '(1, 0, 2)/√5', f'{exponent}', figures(exact), figures(value),
+                         '0' + printed, off_exact(value, exact), off_printed(value, float(printed))])
+    page.table(['w', 'n', 'exact (sr)', 'Luxel (sr)', 'reference (sr)', 'off the exact',
+                'off the reference'], rows)
+
+    page.heading('Blinn-Phong: what a surface reflects of light from everywhere',
+                 'At normal view, under a sky of radiance 1 over the whole hemisphere (a disk of 10^9 mm radius at 1 mm),\n'
+                 'with kd = 0, ks = 1 and `highlight: cosine`: ∫ (N·H)^n (N·L) dω = 8π (2^(-n/2) + n) / ((n + 2)(n + 4)).\n'
+                 'The same closed form, times 1/π, is what `normalized` divides by. What the disk leaves free at its rim,\n'
+                 '10^-9 rad, holds 10^-18 of the integral.')
+    rows = []
+    for exponent in (1, 2, 10, 20, 50, 300, 1000, 10000):
+        surface = {**STAGE['surfaces'][0], 'material': gloss('blinn-phong', exponent, highlight='cosine')}
+        scene = {**flat('disk', center=[0, 0, 1], radius=1e9), 'surfaces': [surface]}
+        scene['lights'][0]['radiance'] = 1
+        n = mpf(exponent)
+        exact = 8 * mp.pi * (mpf(2) ** (-n / 2) + n) / ((n + 2) * (n + 4))
+        value = glossy_value(page, scene, [0, 0, 0, 0, 0, 1])
+        rows.append([f'{exponent}', figures(exact), figures(value), off_exact(value, exact)])
+    page.table(['n', 'exact (sr)', 'Luxel (sr)', 'off the exact'], rows)
+
+
+def page_of(luxel):
+    page = Page(luxel)
+    for part in (cie, factors, sphere_means, highlights):
+        part(page)
+    return page.text()
+
+
+def check(luxel, path):
+    """The page and a fresh one, line by line."""
+    tap = Tap()
+    fresh = page_of(luxel).splitlines()
+    with open(path, encoding='utf-8') as stream:
+        held = stream.read().splitlines()
+    tap.equal(len(held), len(fresh), 'the page has as many lines as a fresh one')
+    title = 'head'
+    differing = []
+    for old, new in zip(held + [''] * len(fresh), fresh):
+        if new.startswith('## '):
+            finish_part(tap, title, differing)
+            title, differing = new[3:], []
+        if old != new:
+            differing += [f'held:  {old}', f'fresh: {new}']
+    finish_part(tap, title, differing)
+    tap.finish()
+
+
+def finish_part(tap, title, differing):
+    tap.ok(not differing, f'up to date: {title}', *differing, '`make validation` writes the page anew')
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument('luxel', type=Luxel, help='the luxel executable')
+    parser.add_argument('--check', metavar='PAGE', help='compare this page with a fresh one')
+    arguments = parser.parse_args()
+    if arguments.check:
+        check(arguments.luxel, arguments.check)
+    else:
+        print(page_of(arguments.luxel), end='')
+
+
+main()

@@ -1,0 +1,308 @@
+/* SPDX-License-Identifier: MIT */
+/*
+ * Pictures of extended sources against the float64 reference, pixel by pixel, in every instruction set: facets, disks,
+ * balls and cylinders, near and far, tiny and huge, in front of surfaces, behind them, cut by their horizons, standing
+ * on them; every law, lobe and projection.  Their diffuse light keeps 2e-6 of the picture's maximum, in float64 and by
+ * the law 1/r^2 1e-11; highlights keep the tolerance.
+ */
+#include <math.h>
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include <cmocka.h>
+
+#include "light/extended.h"
+#include "light/facets.h"
+#include "shade/camera.h"
+#include "shade/reference.h"
+#include "shade/shader.h"
+
+enum { COLUMNS = 75, ROWS = 7, MAXIMUM_LIGHTS = 2 };
+
+/* xorshift64*: the same scenes on every machine */
+struct randomness {
+    uint64_t state;
+};
+
+static double uniform(struct randomness *random, double low, double high)
+{
+    random->state ^= random->state >> 12;
+    random->state ^= random->state << 25;
+    random->state ^= random->state >> 27;
+    return low + (high - low) * ((double)((random->state * UINT64_C(0x2545F4914F6CDD1D)) >> 11) * 0x1p-53);
+}
+
+static int pick(struct randomness *random, int count)
+{
+    return (int)uniform(random, 0, count);
+}
+
+static double logarithmic(struct randomness *random, double low, double high)
+{
+    return exp(uniform(random, log(low), log(high)));
+}
+
+static void random_direction(struct randomness *random, double direction[3])
+{
+    double length = 0;
+    for (int i = 0; i < 3; i++) {
+        direction[i] = uniform(random, -1, 1);
+        length = hypot(length, direction[i]);
+    }
+    for (int i = 0; i < 3; i++)
+        direction[i] /= length;
+}
+
+struct test_scene {
+    struct lx_scene_parameters scene;
+    struct lx_sphere_parameters sphere;
+    struct lx_plate_parameters plate;
+    struct lx_prepared_surface surface;
+    struct lx_emitters emitters;
+    struct lx_prepared prepared;
+    bool has_laws;
+};
+
+/* What is asked of the pictures of a run of scenes. */
+struct demand {
+    luxel_quantity quantity;
+    luxel_precision precision;
+    bool inverse_square; /* only */
+    double bound, tolerance;
+};
+
+static struct lx_material random_material(struct randomness *random)
+{
+    return (struct lx_material){
+        .model = 1 + pick(random, 2),
+        .diffuse = pick(random, 5) ? uniform(random, 0, 1) : 0,
+        .specular = uniform(random, 0, 1),
+        .shininess = pick(random, 3) ? uniform(random, 1, 60) : logarithmic(random, 0.1, 10000),
+        .over_pi = pick(random, 2),
+        .highlight = pick(random, 3),
+        .normalized = pick(random, 3) == 0,
+    };
+}
+
+static void set_surface(struct randomness *random, struct test_scene *test)
+{
+    bool is_plate = pick(random, 2);
+    const char *name = is_plate ? "rectangle" : "sphere";
+    const struct lx_surface_kind *kind = NULL;
+    for (size_t i = 0; lx_surface_variants[i]; i++)
+        if (strcmp(lx_surface_variants[i]->name, name) == 0)
+            kind = (const struct lx_surface_kind *)lx_surface_variants[i];
+    assert_non_null(kind);
+    test->sphere = (struct lx_sphere_parameters){.center_mm = {10, -20, 1000}, .radius_mm = 240};
+    test->plate = (struct lx_plate_parameters){.center_mm = {10, -20, 1000}, .size_mm = {460, 420}, .axis = {0, 0, 1}};
+    if (pick(random, 2)) {
+        random_direction(random, test->plate.axis);
+        test->plate.axis[2] = fabs(test->plate.axis[2]) + 0.2;
+    }
+    const void *parameters = is_plate ? (const void *)&test->plate : (const void *)&test->sphere;
+    struct lx_material material = random_material(random);
+    test->surface = (struct lx_prepared_surface){.kind = kind,
+                                                 .parameters = parameters,
+                                                 .shape = kind->shape(parameters),
+                                                 .lobe = lx_lobe_prepare(&material)};
+}
+
+/* Where a source of this size may stand: before the surface, beside it, just above it, or anywhere. */
+static void random_place(struct randomness *random, const struct lx_shape *shape, double size, double place[3])
+{
+    double direction[3], distance = shape->radius_mm + logarithmic(random, 1, 10) * size;
+    random_direction(random, direction);
+    if (pick(random, 4))
+        direction[2] = fabs(direction[2]);
+    if (pick(random, 3) == 0)
+        distance = shape->radius_mm + logarithmic(random, 0.1, 10000);
+    for (int i = 0; i < 3; i++)
+        place[i] = shape->anchor_mm[i] + direction[i] * distance;
+}
+
+static struct lx_facets *random_facets(struct randomness *random, const struct lx_shape *shape, double size,
+                                       const double place[3], const double axis[3])
+{
+    double sizes[3], up[3];
+    random_direction(random, up);
+    for (int i = 0; i < 3; i++)
+        sizes[i] = size * logarithmic(random, 0.1, 1);
+    double center[3] = {place[0], place[1], place[2]};
+    switch (pick(random, 6)) {
+    case 0: return lx_facets_of_box(place, sizes);
+    case 1: return lx_facets_of_sphere(place, size, 3 + (unsigned)pick(random, 9));
+    case 2: return lx_facets_of_cylinder(place, size, sizes[0], axis, 3 + (unsigned)pick(random, 9));
+    case 3: /* stands on the plane through the anchor, which is a plate's own */
+        center[0] = shape->anchor_mm[0] + 100, center[1] = shape->anchor_mm[1];
+        center[2] = shape->anchor_mm[2] + sizes[0] / 2;
+        return lx_facets_of_cylinder(center, sizes[1], sizes[0], (double[]){0, 0, 1}, 12);
+    default: break;
+    }
+    return lx_facets_of_rectangle(place, sizes, axis, up);
+}
+
+static void add_emitter(struct randomness *random, bool inverse_square, struct test_scene *test)
+{
+    const struct lx_shape *shape = &test->surface.shape;
+    struct lx_emitter emitter = {.radiance = lx_exact(logarithmic(random, 0.01, 100))};
+    double size = logarithmic(random, 1, 1000), axis[3], place[3];
+    random_place(random, shape, size, place);
+    random_direction(random, axis);
+    if (pick(random, 4))
+        for (int i = 0; i < 3; i++)
+            axis[i] = shape->anchor_mm[i] + uniform(random, -1, 1) * shape->radius_mm - place[i];
+    emitter.type = (enum lx_emitter_type)(LX_FACETS + pick(random, 4));
+    emitter.attenuation = inverse_square || pick(random, 2) ? LX_INVERSE_SQUARE : (enum lx_attenuation)pick(random, 3);
+    emitter.k_mm = logarithmic(random, 10, 2000);
+    test->has_laws = test->has_laws || emitter.attenuation != LX_INVERSE_SQUARE;
+    memcpy(emitter.center_mm, place, sizeof place);
+    emitter.radius_mm = size;
+    emitter.height_mm = size * logarithmic(random, 0.1, 10);
+    emitter.axis = lx_unit3(lx_exact3(axis));
+    if (emitter.type == LX_FACETS) {
+        emitter.facets = random_facets(random, shape, size, place, axis);
+        assert_non_null(emitter.facets);
+    }
+    assert_int_equal(lx_emitters_append(&test->emitters, &emitter), 0);
+}
+
+static void make_scene(struct randomness *random, const struct demand *demand, struct test_scene *test)
+{
+    *test = (struct test_scene){
+        .scene.screen = {.width_mm = 520, .height_mm = 530, .resolution = {COLUMNS, ROWS}, .sampling = pick(random, 2)},
+        .scene.observer = {.z_mm = 5000, .projection = pick(random, 2), .view = pick(random, 2)},
+    };
+    set_surface(random, test);
+    for (int i = 0, count = 1 + pick(random, MAXIMUM_LIGHTS); i < count; i++)
+        add_emitter(random, demand->inverse_square, test);
+    test->prepared = (struct lx_prepared){
+        .scene = &test->scene,
+        .surfaces = &test->surface,
+        .surface_count = 1,
+        .emitters = test->emitters,
+        .tolerance = fmin(demand->bound / 4, 1e-4),
+    };
+}
+
+/* The reference picture; emitters that lie on an element, or around it, count as 0 there. */
+static double reference_picture(const struct test_scene *test, luxel_quantity quantity,
+                                lx_bounded picture[ROWS][COLUMNS])
+{
+    const struct lx_lobe irradiance = lx_lobe_irradiance();
+    double maximum = 0;
+    for (unsigned row = 0; row < ROWS; row++)
+        for (unsigned column = 0; column < COLUMNS; column++) {
+            struct lx_element element;
+            picture[row][column] = lx_exact(0);
+            if (!lx_element_seen(&test->prepared, lx_column_x_mm(&test->scene.screen, column),
+                                 lx_row_y_mm(&test->scene.screen, row), &element))
+                continue;
+            if (quantity == LUXEL_IRRADIANCE)
+                element.lobe = &irradiance;
+            for (size_t i = 0; i < test->prepared.emitters.count; i++) {
+                struct lx_lighting light =
+                    lx_light_element(&test->prepared, &element, &test->prepared.emitters.items[i]);
+                if (!light.on_element)
+                    picture[row][column] = lx_add(picture[row][column], lx_add(light.diffuse, light.specular));
+            }
+            maximum = fmax(maximum, picture[row][column].value);
+        }
+    return maximum;
+}
+
+static double worst_pixel(const struct test_scene *test, const struct lx_kernels *kernels, const struct demand *demand,
+                          lx_bounded picture[ROWS][COLUMNS], double maximum)
+{
+    struct lx_plan plan;
+    double x[LX_BLOCK], values[LX_BLOCK], worst = 0;
+    uint8_t mask[LX_BLOCK];
+    assert_int_equal(
+        lx_plan_make(&test->prepared, kernels, demand->quantity, demand->precision, demand->tolerance, &plan), 0);
+    struct lx_shader_memory *memory = lx_shader_memory_new(&plan);
+    assert_non_null(memory);
+    assert_true(plan.least_maximum <= maximum * (1 + 1e-6));
+    for (unsigned row = 0; row < ROWS; row++) {
+        for (unsigned column = 0; column < COLUMNS; column++)
+            x[column] = lx_column_x_mm(&test->scene.screen, column);
+        lx_shade_points(&plan, memory, lx_row_y_mm(&test->scene.screen, row), x, COLUMNS, NULL, false, values, mask);
+        for (unsigned column = 0; column < COLUMNS; column++) {
+            lx_bounded exact = picture[row][column];
+            assert_true(isfinite(values[column]) && values[column] >= 0);
+            /* Where the reference itself is in doubt there is nothing to compare with. */
+            if (exact.error > demand->bound / 2 * maximum)
+                continue;
+            double off = fabs(values[column] - exact.value) - exact.error;
+            if (maximum > 0)
+                worst = fmax(worst, off / maximum);
+        }
+    }
+    free(memory);
+    lx_plan_clear(&plan);
+    return worst;
+}
+
+static void check(const struct demand *demand, int scenes)
+{
+    static lx_bounded picture[ROWS][COLUMNS];
+    const char *campaign = getenv("LUXEL_TEST_SCENES");
+    double worst = 0;
+    scenes = campaign ? atoi(campaign) : scenes;
+    for (int i = 0; i < scenes; i++) {
+        struct randomness random = {.state = UINT64_C(0x9E3779B97F4A7C15) * ((uint64_t)i + 1)};
+        struct test_scene test;
+        make_scene(&random, demand, &test);
+        double maximum = reference_picture(&test, demand->quantity, picture);
+        for (size_t k = 0; lx_kernels_get(k); k++) {
+            const struct lx_kernels *kernels = lx_kernels_get(k);
+            if (!kernels->runs())
+                continue;
+            double off = worst_pixel(&test, kernels, demand, picture, maximum);
+            if (off > demand->bound)
+                print_message("# scene %d, %s: off by %.3g of the maximum\n", i, kernels->name, off);
+            worst = fmax(worst, off);
+        }
+        lx_emitters_clear(&test.emitters);
+    }
+    print_message("# worst pixel: %.3g of the maximum\n", worst);
+    assert_true(worst <= demand->bound);
+}
+
+static void test_closed_forms(void **state)
+{
+    (void)state;
+    check(&(struct demand){LUXEL_IRRADIANCE, LUXEL_DOUBLE, true, 1e-11, 0}, 300);
+}
+
+static void test_laws(void **state)
+{
+    (void)state;
+    check(&(struct demand){LUXEL_IRRADIANCE, LUXEL_SINGLE, false, 2e-6, 0}, 30);
+}
+
+static void test_highlights(void **state)
+{
+    (void)state;
+    check(&(struct demand){LUXEL_BRIGHTNESS, LUXEL_SINGLE, true, 1e-3, 0}, 60);
+}
+
+static void test_fine_highlights(void **state)
+{
+    (void)state;
+    check(&(struct demand){LUXEL_BRIGHTNESS, LUXEL_DOUBLE, true, 1e-5, 1e-5}, 20);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_closed_forms),
+        cmocka_unit_test(test_laws),
+        cmocka_unit_test(test_highlights),
+        cmocka_unit_test(test_fine_highlights),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}

@@ -1,0 +1,170 @@
+/* SPDX-License-Identifier: MIT */
+/* Reading polyhedra: what OFF and OBJ files may look like, what is refused and where, and keeping what was read. */
+#include <stdlib.h>
+#include <string.h>
+
+#include "base/memory.h"
+#include "format/mesh.h"
+#include "scenes.h"
+
+static struct lx_mesh_report read_text(const char *name, const char *text, struct lx_mesh **mesh)
+{
+    char *copy = lx_copy_text(text, strlen(text));
+    assert_non_null(copy);
+    *mesh = NULL;
+    struct lx_mesh_report report = lx_mesh_read(name, copy, strlen(text), mesh);
+    free(copy);
+    assert_true((report.message == LX_MSG_COUNT) == (*mesh != NULL));
+    return report;
+}
+
+/* A tetrahedron in either format, however it is written. */
+static void expect_tetrahedron(const char *name, const char *text)
+{
+    struct lx_mesh *mesh;
+    struct lx_mesh_report report = read_text(name, text, &mesh);
+    if (report.message != LX_MSG_COUNT)
+        fail_msg("message %d in line %zu of\n%s", (int)report.message, report.line, text);
+    assert_int_equal(mesh->corner_count, 4);
+    assert_int_equal(mesh->face_count, 4);
+    static const unsigned loop[] = {0, 2, 1, 0, 1, 3, 1, 2, 3, 0, 3, 2};
+    assert_memory_equal(mesh->loop, loop, sizeof loop);
+    for (size_t i = 0; i < 4; i++) {
+        assert_int_equal(mesh->counts[i], 3);
+        assert_int_equal(mesh->origins[i].number, i + 1);
+    }
+    assert_true(mesh->corners[1][0] == 1.5 && mesh->corners[2][1] == 1e2 && mesh->corners[3][2] == 3);
+    lx_mesh_release(mesh);
+}
+
+#define OFF_FACES "3 0 2 1\n3 0 1 3\n3 1 2 3\n3 0 3 2\n"
+#define OBJ_CORNERS "v 0 0 0\nv 1.5 0 0\nv 0 1e2 0\nv 0 0 3\n"
+#define OBJ_FACES "f 1 3 2\nf 1 2 4\nf 2 3 4\nf 1 4 3\n"
+
+static void reads_off(void **state)
+{
+    (void)state;
+    expect_tetrahedron("a.off", "OFF\n4 4 6\n0 0 0\n1.5 0 0\n0 1e2 0\n0 0 3\n" OFF_FACES);
+    expect_tetrahedron("a.OFF",
+                       "# made by hand\nOFF 4 4\n\n 0 0 0 # the first\n+1.5 -0 0.\n\t0 100 0\n0 0 3\n" OFF_FACES);
+    expect_tetrahedron("mesh", "OFF\r\n4 4 0\r\n0 0 0\r\n1.5 0 0\r\n0 1e+2 0\r\n0 0 3\r\n3 0 2 1\r\n3 0 1 3\r\n"
+                               "3 1 2 3\r\n3 0 3 2");
+    expect_tetrahedron("a.off", "4 4 6\n0 0 0\n1.5 0 0\n0 1e2 0\n0 0 3\n" OFF_FACES);
+    expect_tetrahedron("a",
+                       "COFF\n4 4 6\n0 0 0 255 0 0 255\n1.5 0 0 1 1 1 1\n0 1e2 0 1 1 1 1\n0 0 3 1 1 1 1\n" OFF_FACES);
+    expect_tetrahedron("a", "OFF\n4 4 6\n0 0 0\n1.5 0 0\n0 1e2 0\n0 0 3\n3 0 2 1 255 0 0\n3 0 1 3 0.5 0.5 0.5\n"
+                            "3 1 2 3 7\n3 0 3 2\nand more\n");
+}
+
+static void reads_obj(void **state)
+{
+    (void)state;
+    expect_tetrahedron("a.obj", OBJ_CORNERS OBJ_FACES);
+    expect_tetrahedron("a.txt",
+                       "mtllib a.mtl\no lamp\n" OBJ_CORNERS "vn 0 0 1\nvt 0 0\nusemtl glass\ns off\n" OBJ_FACES);
+    expect_tetrahedron("a", "v 0 0 0 1\nv 1.5 0 0 0.1 0.2 0.3\nv 0 1e2 0\nv 0 0 3\nf 1/1 3/2 2/3\nf 1//7 2//7 4//7\n"
+                            "f 2/1/1 3/1/1 4/1/1\nf 1/ 4 3");
+    expect_tetrahedron("a", OBJ_CORNERS "f -4 -2 -3\nf 1 -3 -1\nf -3 3 4\nf 1 4 3\n");
+    expect_tetrahedron("a", OBJ_CORNERS "f 1 3 \\\n2\nf \\\r\n 1 2 4\n f\t2 3 4 # comment\nf 1 4 3\n");
+    expect_tetrahedron("a", OBJ_FACES OBJ_CORNERS);
+}
+
+static void brings_corners_together(void **state)
+{
+    (void)state;
+    struct lx_mesh *mesh;
+    /* each face has corners of its own, one corner has no face, one face is an edge only, one has a corner twice */
+    static const char text[] = "v 9 9 9\nv 0 0 0\nv 0 1 0\nv 1 0 0\nf -3 -2 -1\nv 0 0 0\nv 1 0 0\nv 0 0 1\nf -3 -2 -1\n"
+                               "v 1 0 0\nv 0 1 0\nv -0 0 1\nf -3 -2 -1 -1\nf 2 5 3\nf 2 10 3\n";
+    assert_int_equal(read_text("a.obj", text, &mesh).message, LX_MSG_COUNT);
+    assert_int_equal(mesh->corner_count, 4);
+    assert_int_equal(mesh->face_count, 4);
+    assert_int_equal(mesh->counts[2], 3);
+    assert_int_equal(mesh->origins[3].number, 5);
+    assert_int_equal(mesh->origins[3].line, 15);
+    static const unsigned loop[] = {0, 1, 2, 0, 2, 3, 2, 1, 3, 0, 3, 1};
+    assert_memory_equal(mesh->loop, loop, sizeof loop);
+    lx_mesh_release(mesh);
+}
+
+static void names_the_line(void **state)
+{
+    (void)state;
+    static const struct {
+        const char *text;
+        enum lx_message message;
+        size_t line;
+    } cases[] = {
+        {"", LX_MSG_MESH_FORMAT, 0},
+        {"# nothing\n", LX_MSG_MESH_FORMAT, 0},
+        {"luxel: 1\n", LX_MSG_MESH_FORMAT, 0},
+        {"4OFF\n1 1 1\n", LX_MSG_MESH_FORMAT, 0},
+        {"OFF BINARY\n\1\2", LX_MSG_MESH_FORMAT, 1},
+        {"solid stl\n", LX_MSG_MESH_FORMAT, 0},
+        {"OFF\n", LX_MSG_MESH_ENDS, 1},
+        {"OFF\n\n4\n", LX_MSG_MESH_COUNTS, 3},
+        {"OFF\n-1 4 0\n", LX_MSG_MESH_COUNTS, 2},
+        {"OFF\n4.0 4 0\n", LX_MSG_MESH_COUNTS, 2},
+        {"OFF\n99999999999999999999999 4 0\n", LX_MSG_MESH_COUNTS, 2},
+        {"OFF\n4 1000001 0\n", LX_MSG_MESH_TOO_LARGE, 2},
+        {"OFF\n2000001 4 0\n", LX_MSG_MESH_TOO_LARGE, 2},
+        {"OFF\n2000000 1000000 0\n0 0 0\n", LX_MSG_MESH_ENDS, 3},
+        {"OFF\n1 1 0\n0 0\n", LX_MSG_MESH_CORNER, 3},
+        {"OFF\n1 1 0\n0 0 x\n", LX_MSG_MESH_CORNER, 3},
+        {"OFF\n1 1 0\n0 0 nan\n", LX_MSG_MESH_CORNER, 3},
+        {"OFF\n1 1 0\n0 0 1e999\n", LX_MSG_MESH_CORNER, 3},
+        {"OFF\n1 1 0\n0 0 0,5\n", LX_MSG_MESH_CORNER, 3},
+        {"OFF\n1 1 0\n0 0 0x1\n", LX_MSG_MESH_CORNER, 3},
+        {"OFF\n1 1 0\n0 0 0\n\n# a face\n2 0 0\n", LX_MSG_OFF_FACE, 6},
+        {"OFF\n1 1 0\n0 0 0\n3 0 0\n", LX_MSG_OFF_FACE, 4},
+        {"OFF\n1 1 0\n0 0 0\n3 0 0 -1\n", LX_MSG_OFF_FACE, 4},
+        {"OFF\n1 1 0\n0 0 0\n4000000000 0 0 0\n", LX_MSG_OFF_FACE, 4},
+        {"OFF\n1 1 0\n0 0 0\n3 0 0 1\n", LX_MSG_MESH_INDEX, 4},
+        {"OFF\n3 0 0\n0 0 0\n1 1 1\n2 2 2\n", LX_MSG_MESH_EMPTY, 0},
+        {"OFF\n1 1 0\n0 0 0\n3 0 0 0\n", LX_MSG_MESH_EMPTY, 0},
+        {"v 1 2\n", LX_MSG_MESH_CORNER, 1},
+        {"v 1 2 3\nf 1 2\n", LX_MSG_OBJ_FACE, 2},
+        {"v 1 2 3\nf 1 1 0\n", LX_MSG_OBJ_FACE, 2},
+        {"v 1 2 3\nf 1 1 -2\n", LX_MSG_OBJ_FACE, 2},
+        {"v 1 2 3\nf 1 1 one\n", LX_MSG_OBJ_FACE, 2},
+        {"v 1 2 3\nf 1 1 1.5\n", LX_MSG_OBJ_FACE, 2},
+        {"v 1 2 3\nf 1 1 99999999999999999999\n", LX_MSG_OBJ_FACE, 2},
+        {"v 1 2 3\n\\\n\\\nf 1 \\\n1 \\\n2\n", LX_MSG_MESH_INDEX, 2},
+        {"v 1 2 3 \\\n\nf 1 1 1\nf 1 2 2\n", LX_MSG_MESH_INDEX, 4},
+        {"v 1 2 3\n", LX_MSG_MESH_EMPTY, 0},
+    };
+    for (size_t i = 0; i < sizeof cases / sizeof cases[0]; i++) {
+        struct lx_mesh *mesh;
+        struct lx_mesh_report report = read_text("a", cases[i].text, &mesh);
+        if (report.message != cases[i].message || (cases[i].line && report.line != cases[i].line))
+            fail_msg("message %d in line %zu of\n%s", (int)report.message, report.line, cases[i].text);
+    }
+}
+
+static void keeps_by_path(void **state)
+{
+    (void)state;
+    struct lx_meshes meshes = {0}, copy = {0};
+    struct lx_mesh *mesh;
+    assert_int_equal(read_text("a", OBJ_CORNERS OBJ_FACES, &mesh).message, LX_MSG_COUNT);
+    assert_null(lx_meshes_find(&meshes, "a"));
+    assert_int_equal(lx_meshes_keep(&meshes, "a", mesh), 0);
+    lx_mesh_release(mesh);
+    assert_ptr_equal(lx_meshes_find(&meshes, "a"), mesh);
+    assert_int_equal(lx_meshes_copy(&meshes, &copy), 0);
+    lx_meshes_clear(&meshes);
+    assert_null(lx_meshes_find(&meshes, "a"));
+    assert_ptr_equal(lx_meshes_find(&copy, "a"), mesh);
+    assert_int_equal(mesh->face_count, 4);
+    lx_meshes_clear(&copy);
+    lx_mesh_release(NULL);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(reads_off),      cmocka_unit_test(reads_obj),     cmocka_unit_test(brings_corners_together),
+        cmocka_unit_test(names_the_line), cmocka_unit_test(keeps_by_path),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
