@@ -180,6 +180,15 @@ lx_wide lx_wide_log(lx_wide a)
     return lx_wide_add(log_m, lx_wide_mul(LN2, lx_wide_of(exponent)));
 }
 
+lx_wide lx_wide_atanh(lx_wide a)
+{
+    static const double NEAR = 0.05;
+    lx_wide one = lx_wide_of(1);
+    if (fabs(a.high) < NEAR)
+        return odd_series(a, lx_wide_mul(a, a));
+    return lx_wide_scale(lx_wide_log(lx_wide_div(lx_wide_add(one, a), lx_wide_sub(one, a))), 0.5);
+}
+
 /* ---- vectors ---- */
 
 lx_wide3 lx_wide3_of(const double v[3])

@@ -18,7 +18,7 @@ typedef struct lx_wide3 {
     lx_wide x, y, z;
 } lx_wide3;
 
-/* Bounds the relative error of + - * / sqrt, and of atan2 and log relative to their result. */
+/* Bounds the relative error of + - * / sqrt, and of atan2, log and atanh relative to their result. */
 #define LX_WIDE_ROUNDING 0x1p-98
 
 lx_wide lx_wide_of(double value);
@@ -33,6 +33,7 @@ lx_wide lx_wide_scale(lx_wide a, double power_of_two);
 lx_wide lx_wide_sqrt(lx_wide a);              /* 0 for a <= 0 */
 lx_wide lx_wide_atan2(lx_wide y, lx_wide x);  /* 0 for (0, 0) */
 lx_wide lx_wide_log(lx_wide a);               /* a > 0 */
+lx_wide lx_wide_atanh(lx_wide a);             /* |a| < 1 */
 lx_wide lx_wide_pi(void);
 int lx_wide_compare(lx_wide a, lx_wide b);    /* < 0, 0, > 0 */
 

@@ -229,7 +229,7 @@ static double corner_error(const struct lx_facets *facets, unsigned corner)
 {
     const lx_wide3 *at = &facets->corners_mm[corner];
     bool exact = at->x.low == 0 && at->y.low == 0 && at->z.low == 0;
-    return exact ? 0 : ROUNDING * (size(*at) + facets->radius_mm);
+    return exact ? 0 : 0x1p-93 * facets->radius_mm + 0x1p-97 * size(*at);
 }
 
 /* 1 where the contour runs along the edge, -1 where against it, 0 where the edge is no part of it. */

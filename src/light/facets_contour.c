@@ -44,20 +44,28 @@ static lx_wide segment_series(lx_wide square)
 
 static double size(lx_wide3 a)
 {
-    return hypot(hypot(a.x.high, a.y.high), a.z.high);
+    return sqrt(a.x.high * a.x.high + a.y.high * a.y.high + a.z.high * a.z.high);
+}
+
+static lx_wide3 scaled(lx_wide3 a, double scale)
+{
+    return (lx_wide3){lx_wide_scale(a.x, scale), lx_wide_scale(a.y, scale), lx_wide_scale(a.z, scale)};
+}
+
+static lx_wide3 negate(lx_wide3 a)
+{
+    return (lx_wide3){lx_wide_negate(a.x), lx_wide_negate(a.y), lx_wide_negate(a.z)};
 }
 
 /* The way from one corner to another. */
 static lx_wide3 between(const struct lx_contour *contour, unsigned from, unsigned to)
 {
-    lx_wide3 way = lx_wide3_sub(contour->corners_mm[to], contour->corners_mm[from]);
-    return lx_wide3_mul(way, lx_wide_of(contour->scale));
+    return scaled(lx_wide3_sub(contour->corners_mm[to], contour->corners_mm[from]), contour->scale);
 }
 
 static lx_wide3 from_element(const struct lx_contour *contour, unsigned corner)
 {
-    lx_wide3 way = lx_wide3_sub(contour->corners_mm[corner], contour->place_mm);
-    return lx_wide3_mul(way, lx_wide_of(contour->scale));
+    return scaled(lx_wide3_sub(contour->corners_mm[corner], contour->place_mm), contour->scale);
 }
 
 struct lx_contour lx_contour_start(const lx_wide3 *corners_mm, lx_wide3 place_mm, lx_wide3 normal, double scale,
@@ -105,16 +113,24 @@ static void find_direction(const struct lx_contour *contour, struct lx_contour_v
 void lx_contour_set_base(struct lx_contour *contour, unsigned corner)
 {
     struct lx_contour_vertex *base = &contour->base_vertex;
-    contour->base = corner;
+    contour->base = contour->known = corner;
     *base = (struct lx_contour_vertex){.a = from_element(contour, corner), .lambda = 1};
     base->distance = lx_wide3_length(base->a);
+    base->height = lx_wide3_dot(contour->normal, base->a);
+    contour->known_vertex = *base;
 }
 
+/* Of a corner below the horizon nothing but that is of interest. */
 static struct lx_contour_vertex at_corner(const struct lx_contour *contour, unsigned corner)
 {
     if (corner == contour->base)
         return contour->base_vertex;
+    if (corner == contour->known)
+        return contour->known_vertex;
     struct lx_contour_vertex vertex = {.a = from_element(contour, corner), .lambda = 1};
+    vertex.height = lx_wide3_dot(contour->normal, vertex.a);
+    if (vertex.height.high < 0)
+        return vertex;
     vertex.w = between(contour, contour->base, corner);
     vertex.distance = lx_wide3_length(vertex.a);
     vertex.extent = size(vertex.w);
@@ -122,22 +138,20 @@ static struct lx_contour_vertex at_corner(const struct lx_contour *contour, unsi
     return vertex;
 }
 
-/* Where the way e from a corner, so far above the horizon, meets it; *share is the part of e that leads there. */
-static struct lx_contour_vertex at_horizon(const struct lx_contour *contour, unsigned corner, lx_wide3 e,
-                                           lx_wide height, lx_wide height_beyond, lx_wide *share)
+/* Where the way e from a vertex, to so far below the horizon, meets it; *share is the part of e that leads there. */
+static struct lx_contour_vertex at_horizon(const struct lx_contour *contour, const struct lx_contour_vertex *seen,
+                                           lx_wide3 e, lx_wide height_beyond, lx_wide *share)
 {
     lx_wide fall = lx_wide_negate(lx_wide3_dot(contour->normal, e));
-    if (lx_wide_compare(fall, height) <= 0) /* by rounding only */
-        fall = lx_wide_sub(height, height_beyond);
-    *share = lx_wide_div(height, fall);
-    struct lx_contour_vertex vertex = at_corner(contour, corner);
+    if (lx_wide_compare(fall, seen->height) <= 0) /* by rounding only */
+        fall = lx_wide_sub(seen->height, height_beyond);
+    *share = lx_wide_div(seen->height, fall);
     lx_wide3 way = lx_wide3_mul(e, *share);
-    double before = vertex.distance.high, length = size(way);
-    vertex.a = lx_wide3_add(vertex.a, way);
-    vertex.w = lx_wide3_add(vertex.w, way);
+    double length = size(way);
+    struct lx_contour_vertex vertex = {.a = lx_wide3_add(seen->a, way), .w = lx_wide3_add(seen->w, way)};
     vertex.distance = lx_wide3_length(vertex.a);
-    vertex.extent += length;
-    vertex.lambda = fmax(1, (before + length) / vertex.distance.high);
+    vertex.extent = seen->extent + length;
+    vertex.lambda = fmax(1, (seen->distance.high + length) / vertex.distance.high);
     find_direction(contour, &vertex);
     return vertex;
 }
@@ -245,28 +259,22 @@ static void add_sweep(struct lx_contour *contour, double length, double highest,
 
 void lx_contour_add(struct lx_contour *contour, unsigned from, unsigned to, double corner_error_mm)
 {
-    lx_wide from_height = lx_contour_height(contour, from), to_height = lx_contour_height(contour, to);
-    bool from_seen = from_height.high >= 0, to_seen = to_height.high >= 0;
-    if (!from_seen && !to_seen)
+    struct lx_contour_vertex begin = at_corner(contour, from), end = at_corner(contour, to), p = begin, r = end;
+    contour->known = from;
+    contour->known_vertex = begin;
+    bool begin_seen = begin.height.high >= 0, end_seen = end.height.high >= 0;
+    if (!begin_seen && !end_seen)
         return;
     lx_wide3 e = between(contour, from, to);
     lx_wide share = lx_wide_of(1);
-    struct lx_contour_vertex p, r;
-    if (from_seen)
-        p = at_corner(contour, from);
-    if (to_seen)
-        r = at_corner(contour, to);
-    if (!from_seen) {
-        lx_wide3 back = lx_wide3_mul(e, lx_wide_of(-1));
-        p = at_horizon(contour, to, back, to_height, from_height, &share);
-    }
-    if (!to_seen)
-        r = at_horizon(contour, from, e, from_height, to_height, &share);
-    lx_wide3 one = from_element(contour, from), other = from_element(contour, to);
-    add_segment(contour, &p, &r, size(one) < size(other) ? one : other, e, share);
+    if (!begin_seen)
+        p = at_horizon(contour, &end, negate(e), begin.height, &share);
+    if (!end_seen)
+        r = at_horizon(contour, &begin, e, end.height, &share);
+    add_segment(contour, &p, &r, size(begin.a) < size(end.a) ? begin.a : end.a, e, share);
     add_chord(contour, &p, &r);
     if (corner_error_mm > 0)
-        add_sweep(contour, size(e) * share.high, fmax(from_height.high, to_height.high), corner_error_mm);
-    if (from_seen != to_seen)
-        add_crossing(contour, from_seen ? &r : &p, from_seen);
+        add_sweep(contour, size(e) * share.high, fmax(begin.height.high, end.height.high), corner_error_mm);
+    if (begin_seen != end_seen)
+        add_crossing(contour, begin_seen ? &r : &p, begin_seen);
 }

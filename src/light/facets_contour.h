@@ -13,6 +13,7 @@ struct lx_contour_vertex {
     lx_wide3 a;       /* from the element, scaled */
     lx_wide3 w;       /* from the base, scaled */
     lx_wide distance; /* |a| */
+    lx_wide height;   /* above the horizon */
     lx_wide3 d;       /* its direction minus that of the base */
     double extent;    /* bounds what w was summed of */
     double spread;    /* bounds |d|, and what d was made of */
@@ -27,6 +28,8 @@ struct lx_contour {
     lx_wide normal_length;
     unsigned base;
     struct lx_contour_vertex base_vertex;
+    unsigned known; /* a corner, and where it is seen: edges follow each other */
+    struct lx_contour_vertex known_vertex;
     lx_wide sum;  /* twice the area */
     double error; /* bounds its error, but for that of the corners, places and normals themselves */
     bool crossed; /* the contour was seen to cross the horizon, the first time here: */

@@ -295,6 +295,13 @@ static struct lx_shape_report cut_face(const struct lx_facets *facets, size_t in
     const struct lx_face *face = &facets->faces[index];
     const unsigned *loop = facets->loop + face->first;
     unsigned *made = pieces->loop + pieces->used, *counts = pieces->counts + pieces->count;
+    if (face->count == 3) {
+        memcpy(made, loop, 3 * sizeof *made);
+        counts[0] = 3;
+        pieces->used += 3;
+        pieces->count++;
+        return GOOD;
+    }
     struct lx_plane plane = lx_best_plane(facets->corners_mm, loop, face->count);
     lx_flatten(facets->corners_mm, loop, face->count, plane.normal, xy);
     const lx_wide(*corners)[2] = (const lx_wide(*)[2])xy;

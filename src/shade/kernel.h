@@ -29,6 +29,18 @@ static inline size_t lx_padded(size_t count)
     return (count + LX_LANES - 1) / LX_LANES * LX_LANES;
 }
 
+/*
+ * How the samples of a source lie.
+ *
+ * flat  at (x, y, z) from the anchor, in a plane of the unit normal n
+ * ball  on a ball around o, in a polar frame of each element's own, so that what it sees is all there is: at the angle
+ *       2 atan(x T) from the direction to the element, T = sqrt((d - R)/(d + R)), and turned from a by the angle whose
+ *       cosine and sine are y and z
+ * side  on a cylinder around o along n, likewise: x along n, at the angle 2 atan(y T) from the direction to the
+ *       element
+ */
+enum lx_bend { LX_FLAT, LX_BALL_SHAPED, LX_SIDE };
+
 /* The constants of an emitter and a lobe, and a block of elements, once in each precision. */
 #define LX_KERNEL_TYPES(real, suffix)                                                                                  \
     struct lx_light_##suffix {                                                                                         \
@@ -53,10 +65,12 @@ static inline size_t lx_padded(size_t count)
         real vx[LX_BLOCK], vy[LX_BLOCK], vz[LX_BLOCK]; /* to the observer, unit */                                     \
     };                                                                                                                 \
     struct lx_samples_##suffix {                                                                                       \
-        real x[LX_MOST_SAMPLES], y[LX_MOST_SAMPLES], z[LX_MOST_SAMPLES];    /* place from the anchor */                \
-        real nx[LX_MOST_SAMPLES], ny[LX_MOST_SAMPLES], nz[LX_MOST_SAMPLES]; /* normal, unit */                         \
-        real height[LX_MOST_SAMPLES]; /* normal.place, with room for rounding: it shines on what is above */           \
+        enum lx_bend bend;                                                                                             \
+        real x[LX_MOST_SAMPLES], y[LX_MOST_SAMPLES], z[LX_MOST_SAMPLES];                                               \
         real gain[LX_MOST_SAMPLES];                                                                                    \
+        real ox, oy, oz, ax, ay, az, nx, ny, nz, radius;                                                               \
+        real height; /* normal.place of a flat one, with room for rounding: it shines on what is above */              \
+        real touch;  /* elements that near to the others lie on them */                                                \
         enum lx_attenuation law;                                                                                       \
         real k;                                                                                                        \
     };                                                                                                                 \
@@ -72,7 +86,8 @@ static inline size_t lx_padded(size_t count)
  *
  * lx_shade_samples_single, lx_shade_samples_double: samples of Lambertian shells.  Set sum[0 ... LX_LANES - 1] to the
  * brightness that `count` of them, from the first on, give to the elements from `start` on.  A sample gives
- * gain cos(its angle) a, with a by law: 1/r^2, 1/(k + r), 1; r in mm.
+ * gain cos(its angle) a, with a by law: 1/r^2, 1/(k + r), 1; r in mm.  Of a ball gain is area, over R^2, for a unit of
+ * x and of the turn, but for sin(angle) d angle/dx; of a side over R for a unit of length and y, but for d angle/dy.
  */
 LX_KERNEL_TYPES(float, single);
 LX_KERNEL_TYPES(double, double);

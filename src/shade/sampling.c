@@ -4,7 +4,7 @@
 
 #include "sampling.h"
 
-enum { MOST_CELLS = 2048, DEEPEST = 14, QUARTERS = 4, RULE = 3, RULE_POINTS = RULE * RULE };
+enum { MOST_CELLS = LX_MOST_CELLS, DEEPEST = 14, QUARTERS = 4, RULE = 3, RULE_POINTS = RULE * RULE };
 
 /* Cells up to this share of the lobe's width are begun with one sample against four. */
 static const double TINY = 0.25;
@@ -157,26 +157,46 @@ static void find_bundles(struct run *run)
 
 /* How a run sees a cell. */
 struct sight {
-    double nearest;   /* the least distance, 0 where it is among the elements */
-    double angle;     /* no place of the cell is seen farther from its middle than this, by any element */
-    double deviation; /* nor from the direction between both middles */
+    double radius;    /* of a ball around it for all elements */
+    double nearest;   /* the least distance, 0 where it is not known to be more */
+    bool is_wide;     /* too large for the rule of Gauss */
+    bool is_tiny;
+    double deviation; /* no element sees a place of the cell farther from the direction between both middles */
     double direction[3];
 };
 
-static struct sight see(const struct run *run, const struct lx_around *cell)
+/* The least distance of an element of the run to a place. */
+static double least_distance(const struct run *run, const double place[3])
 {
-    struct sight sight = {.angle = M_PI, .deviation = M_PI};
+    double least = HUGE_VAL;
+    for (size_t i = run->start; i < run->start + LX_LANES; i++) {
+        double x = place[0] - run->block->px[i], y = place[1] - run->block->py[i], z = place[2] - run->block->pz[i];
+        least = fmin(least, x * x + y * y + z * z);
+    }
+    return sqrt(least);
+}
+
+static struct sight see(const struct run *run, const struct lx_patch *patch, const struct lx_around *cell)
+{
+    const double widest = 0.5, widths = 2; /* half sizes: in radians, and in widths of the lobe */
+    const double far = 4;
+    struct sight sight = {.radius = cell->radius + patch->slack, .deviation = M_PI};
     for (int k = 0; k < 3; k++)
         sight.direction[k] = cell->center[k] - run->around.center[k];
-    double distance = sqrt(dot(sight.direction, sight.direction)), both = cell->radius + run->around.radius;
-    if (!(distance > both))
-        return sight;
-    for (int k = 0; k < 3; k++)
-        sight.direction[k] /= distance;
-    sight.nearest = distance - both;
-    sight.deviation = asin(both / distance);
-    double from_nearest = distance - run->around.radius;
-    sight.angle = asin(cell->radius / from_nearest);
+    double distance = sqrt(dot(sight.direction, sight.direction)), both = sight.radius + run->around.radius;
+    if (distance > both) {
+        for (int k = 0; k < 3; k++)
+            sight.direction[k] /= distance;
+        sight.deviation = asin(both / distance);
+    }
+    double from_elements =
+        distance > far * run->around.radius ? distance - run->around.radius : least_distance(run, cell->center);
+    sight.nearest = fmax(from_elements - sight.radius, 0);
+    /* where a ball bends towards some elements, sizes are taken against it */
+    double against = sight.nearest > 0 || !(patch->slack > 0) ? sight.nearest : patch->radius;
+    double angle = cell->radius / against, width = fmin(widest, widths * run->width);
+    sight.is_wide = !(angle <= width);
+    sight.is_tiny = angle < TINY * width;
     return sight;
 }
 
@@ -191,8 +211,7 @@ static double attenuate(const struct lx_sampled *source, double distance_mm)
 }
 
 /* No element of the run gets more light from a cell than this. */
-static double bound_of(const struct run *run, const struct lx_sampled *source, const struct lx_around *cell,
-                       const struct sight *sight)
+static double bound_of(const struct run *run, const struct lx_sampled *source, const struct sight *sight)
 {
     const struct lx_lobe_double *lobe = run->sampling->lobe;
     double above = angle_between(sight->direction, run->normals.axis) - run->normals.spread - sight->deviation;
@@ -201,7 +220,7 @@ static double bound_of(const struct run *run, const struct lx_sampled *source, c
         return 0;
     if (!(sight->nearest > 0))
         return HUGE_VAL;
-    double strength = source->shell->radiance * M_PI * cell->radius * cell->radius * attenuate(source, sight->nearest);
+    double strength = source->shell->radiance * M_PI * sight->radius * sight->radius * attenuate(source, sight->nearest);
     if (lobe->model == LX_LAMBERT)
         return strength * lobe->diffuse;
     /* The angle between N and H is at least half the one between the mirrored view and L. */
@@ -227,10 +246,15 @@ static void copy_samples(const struct lx_samples_double *from, size_t count, str
 {
     for (size_t i = 0; i < count; i++) {
         to->x[i] = (float)from->x[i], to->y[i] = (float)from->y[i], to->z[i] = (float)from->z[i];
-        to->nx[i] = (float)from->nx[i], to->ny[i] = (float)from->ny[i], to->nz[i] = (float)from->nz[i];
-        to->height[i] = (float)from->height[i];
         to->gain[i] = (float)from->gain[i];
     }
+    to->bend = from->bend;
+    to->ox = (float)from->ox, to->oy = (float)from->oy, to->oz = (float)from->oz;
+    to->ax = (float)from->ax, to->ay = (float)from->ay, to->az = (float)from->az;
+    to->nx = (float)from->nx, to->ny = (float)from->ny, to->nz = (float)from->nz;
+    to->radius = (float)from->radius;
+    to->height = (float)from->height;
+    to->touch = (float)from->touch;
     to->law = from->law;
     to->k = (float)from->k;
 }
@@ -267,8 +291,8 @@ static void take_samples(const struct run *run, const struct lx_sampled *source,
     struct lx_samples_double *samples = &run->memory->samples;
     samples->law = source->law;
     samples->k = source->k_mm;
-    lx_cell_samples(patch, part, side, source->shell->touch_mm, source->shell->radiance * metres[source->law], first,
-                    samples);
+    lx_patch_samples(patch, source->shell->touch_mm, samples);
+    lx_cell_samples(patch, part, side, source->shell->radiance * metres[source->law], first, samples);
 }
 
 static void finish_samples(const struct run *run, const struct lx_sampled *source, size_t count)
@@ -329,26 +353,24 @@ static void enlist(struct run *run, const struct cell *cell)
 /* Drops, halves or evaluates what is pending. */
 static void work_off(struct run *run)
 {
-    const double widest = 0.5, widths = 2; /* half sizes: in radians, and in widths of the lobe */
     struct lx_sampling_memory *memory = run->memory;
     while (memory->pending_count > 0) {
         struct pending next = memory->pending[--memory->pending_count];
         struct lx_around around = lx_cell_around(next.patch, &next.part);
-        struct sight sight = see(run, &around);
-        double bound = bound_of(run, next.source, &around, &sight);
+        struct sight sight = see(run, next.patch, &around);
+        double bound = bound_of(run, next.source, &sight);
         if (bound == 0 || run->dropped + bound <= DROPPED * allowed(run)) {
             run->dropped += bound;
             continue;
         }
-        bool is_wide = sight.angle > fmin(widest, widths * run->width);
-        if (is_wide && next.depth < DEEPEST && memory->cell_count < MOST_CELLS) {
+        if (sight.is_wide && next.depth < DEEPEST && memory->cell_count < MOST_CELLS) {
             for (int q = 0; q < QUARTERS; q++)
                 memory->pending[memory->pending_count++] =
                     (struct pending){next.source, next.patch, quarter_of(&next.part, q), next.depth + 1};
             continue;
         }
         struct cell cell = {.source = next.source, .patch = next.patch, .part = next.part, .depth = next.depth};
-        cell.is_tiny = sight.angle < TINY * fmin(widest, run->width);
+        cell.is_tiny = sight.is_tiny;
         shade_whole(run, &cell, cell.is_tiny ? 1 : RULE);
         shade_quarters(run, &cell);
         enlist(run, &cell);
@@ -389,7 +411,7 @@ static bool is_done(const struct run *run)
     return greatest + run->dropped + run->settled <= allowed(run);
 }
 
-void lx_sample_run(const struct lx_sampler *sampling, struct lx_sampling_memory *memory,
+bool lx_sample_run(const struct lx_sampler *sampling, struct lx_sampling_memory *memory,
                    const struct lx_block_double *block, const struct lx_block_single *copy, size_t start, double *sum)
 {
     struct run run = {.sampling = sampling, .memory = memory, .block = block, .copy = copy, .start = start};
@@ -408,7 +430,7 @@ void lx_sample_run(const struct lx_sampler *sampling, struct lx_sampling_memory 
         patches += count;
     }
     work_off(&run);
-    while (memory->cell_count > 0 && memory->cell_count + QUARTERS < MOST_CELLS && !is_done(&run)) {
+    while (memory->cell_count > 0 && memory->cell_count + QUARTERS < sampling->most_cells && !is_done(&run)) {
         size_t index = 0;
         for (size_t i = 1; i < memory->cell_count; i++)
             index = memory->worst[i] > memory->worst[index] ? i : index;
@@ -418,4 +440,5 @@ void lx_sample_run(const struct lx_sampler *sampling, struct lx_sampling_memory 
     }
     for (int i = 0; i < LX_LANES; i++)
         sum[i] += run.value[i] > 0 ? run.value[i] : 0;
+    return is_done(&run);
 }

@@ -14,6 +14,8 @@
 
 #include "shell.h"
 
+enum { LX_MOST_CELLS = 2048 };
+
 /* One source for a lobe. */
 struct lx_sampled {
     const struct lx_shell *shell;
@@ -30,6 +32,7 @@ struct lx_sampler {
     const struct lx_lobe_single *lobe_single;
     double tolerance, least_maximum; /* errors may reach tolerance times the greatest value of the picture, which is
                                         no less than least_maximum, nor than what is in the run itself */
+    size_t most_cells; /* how many may be looked at again, up to LX_MOST_CELLS */
 };
 
 /* Scratch memory of one thread, for sources of so many patches together: its size, and making it of zeroed bytes that
@@ -38,8 +41,9 @@ struct lx_sampling_memory;
 size_t lx_sampling_memory_size(size_t most_patches);
 struct lx_sampling_memory *lx_sampling_memory_of(void *bytes, size_t most_patches);
 
-/* Adds the light to sum[0 ... LX_LANES - 1] of the elements from `start` on, of which the last may be repetitions. */
-void lx_sample_run(const struct lx_sampler *sampling, struct lx_sampling_memory *memory,
+/* Adds the light to sum[0 ... LX_LANES - 1] of the elements from `start` on, of which the last may be repetitions.
+ * Returns whether the tolerance was reached. */
+bool lx_sample_run(const struct lx_sampler *sampling, struct lx_sampling_memory *memory,
                    const struct lx_block_double *block, const struct lx_block_single *copy, size_t start,
                    double *sum);
 

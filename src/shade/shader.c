@@ -210,6 +210,7 @@ static void light_by_laws(const struct lx_plan *plan, const struct lx_planned_su
                           struct lx_shader_memory *memory, size_t start, size_t count)
 {
     const double share = 1e-7; /* of the maximum */
+    enum { CELLS = 128 };      /* more cost as much as integrals for each element */
     const struct lx_sampler sampling = {
         .kernels = plan->kernels,
         .sources = surface->matte,
@@ -218,12 +219,15 @@ static void light_by_laws(const struct lx_plan *plan, const struct lx_planned_su
         .lobe_single = &surface->matte_single,
         .tolerance = share,
         .least_maximum = plan->least_maximum,
+        .most_cells = CELLS,
     };
     bool by_samples = plan->precision == LUXEL_SINGLE;
+    double sum[LX_LANES];
+    memcpy(sum, memory->sum + start, sizeof sum);
     for (size_t s = 0; s < surface->matte_count; s++)
         by_samples = by_samples && is_above(surface->matte[s].shell, &memory->block, start);
-    if (by_samples) {
-        lx_sample_run(&sampling, memory->sampling, &memory->block, &memory->copy, start, memory->sum + start);
+    if (by_samples && lx_sample_run(&sampling, memory->sampling, &memory->block, &memory->copy, start, sum)) {
+        memcpy(memory->sum + start, sum, sizeof sum);
         return;
     }
     size_t last = start + LX_LANES < count ? start + LX_LANES : count;
@@ -254,6 +258,7 @@ static void light_by_shells(const struct lx_plan *plan, const struct lx_planned_
         .lobe_single = &surface->glossy_single,
         .tolerance = plan->tolerance,
         .least_maximum = plan->least_maximum,
+        .most_cells = LX_MOST_CELLS,
     };
     for (size_t start = 0; start < count; start += LX_LANES) {
         if (surface->matte_count > 0 && diffuse > 0)

@@ -170,14 +170,17 @@ static size_t disk_patch(const struct lx_shell *shell, const struct lx_around *a
     return above > shell->touch_mm;
 }
 
-/* The largest angle between the direction to the middle of the ball of places and to what one of them sees of a round
- * shape of this radius: acos(R/d) of a place at the distance d, itself turned away by up to asin(r/D). */
-static double round_reach(double radius, double distance, double around)
+/* T and the slack of a round patch; false where no element is outside. */
+static bool set_round(double distance, double around, struct lx_patch *patch)
 {
-    double nearest = distance - around, farthest = distance + around;
-    if (!(nearest > 0))
-        return farthest > radius ? M_PI : 0;
-    return farthest > radius ? fmin(M_PI, acos(fmin(1, radius / farthest)) + asin(around / distance)) : 0;
+    const double turned = 2.5; /* the axes of a frame turn by twice its pole's angle at most */
+    double radius = patch->radius, nearest = fmax(distance - around, radius), farthest = distance + around;
+    double middle = fmax(distance, radius);
+    patch->tangent = sqrt((middle - radius) / (middle + radius));
+    double spread = distance > around ? turned * asin(around / distance) : 2;
+    double reaches = acos(radius / fmax(farthest, radius)) - acos(radius / nearest);
+    patch->slack = radius * fmin(spread + reaches, 2);
+    return farthest > radius;
 }
 
 static size_t ball_patch(const struct lx_shell *shell, const struct lx_around *around, struct lx_patch *patch)
@@ -189,12 +192,11 @@ static size_t ball_patch(const struct lx_shell *shell, const struct lx_around *a
     }
     double distance = sqrt(dot(patch->n, patch->n));
     if (!(distance > 0))
-        return 0;
+        patch->n[0] = 1;
     for (int i = 0; i < 3; i++)
-        patch->n[i] /= distance;
+        patch->n[i] /= distance > 0 ? distance : 1;
     make_frame(patch->n, patch->a, patch->b);
-    patch->reach = round_reach(shell->round_mm, distance, around->radius);
-    return patch->reach > 0;
+    return set_round(distance, around->radius, patch);
 }
 
 static size_t side_patch(const struct lx_shell *shell, const struct lx_around *around, struct lx_patch *patch)
@@ -210,14 +212,12 @@ static size_t side_patch(const struct lx_shell *shell, const struct lx_around *a
     for (int i = 0; i < 3; i++)
         patch->a[i] = offset[i] - height * patch->n[i];
     double distance = sqrt(dot(patch->a, patch->a));
-    if (distance > around->radius)
-        for (int i = 0; i < 3; i++)
-            patch->a[i] /= distance;
-    else
+    if (!(distance > 0))
         make_frame(patch->n, patch->a, patch->b);
+    for (int i = 0; i < 3; i++)
+        patch->a[i] /= distance > 0 ? distance : 1;
     cross(patch->n, patch->a, patch->b);
-    patch->reach = round_reach(shell->round_mm, distance, around->radius);
-    return patch->reach > 0;
+    return set_round(distance, around->radius, patch);
 }
 
 size_t lx_patches_make(const struct lx_shell *shell, const struct lx_around *around, struct lx_patch *patches)
@@ -237,89 +237,117 @@ size_t lx_patches_make(const struct lx_shell *shell, const struct lx_around *aro
 
 /* ---- cells ---- */
 
-/* A place on a patch, the unit normal there, and the area for a unit of s and t. */
-static double place_at(const struct lx_patch *patch, double s, double t, double place[3], double normal[3])
+/* A place on a flat patch, and the area for a unit of s and t. */
+static double flat_place(const struct lx_patch *patch, double s, double t, double place[3])
 {
-    double turn = patch->kind == LX_PATCH_SIDE ? (2 * t - 1) * patch->reach : 2 * M_PI * t;
-    if (patch->kind == LX_PATCH_FLAT) {
-        double by_s[3], by_t[3], area[3];
-        for (int i = 0; i < 3; i++) {
-            place[i] = patch->o[i] + s * patch->a[i] + t * patch->b[i] + s * t * patch->g[i];
-            normal[i] = patch->n[i];
-            by_s[i] = patch->a[i] + t * patch->g[i];
-            by_t[i] = patch->b[i] + s * patch->g[i];
-        }
-        cross(by_s, by_t, area);
-        return fmax(dot(area, patch->n), 0);
-    }
-    double cosine = cos(turn), sine = sin(turn), angle = s * patch->reach;
-    bool is_ball = patch->kind == LX_PATCH_BALL, is_disk = patch->kind == LX_PATCH_DISK;
-    double out = is_ball ? sin(angle) : is_disk ? s : 1;
-    double up = is_ball ? patch->radius * cos(angle) : is_disk ? 0 : (s - 0.5) * patch->length;
+    double by_s[3], by_t[3], area[3];
     for (int i = 0; i < 3; i++) {
-        double across = patch->a[i] * cosine + patch->b[i] * sine;
-        place[i] = patch->o[i] + up * patch->n[i] + patch->radius * out * across;
-        normal[i] = is_ball ? patch->n[i] * cos(angle) + across * out : is_disk ? patch->n[i] : across;
+        place[i] = patch->o[i] + s * patch->a[i] + t * patch->b[i] + s * t * patch->g[i];
+        by_s[i] = patch->a[i] + t * patch->g[i];
+        by_t[i] = patch->b[i] + s * patch->g[i];
     }
-    if (is_disk)
-        return 2 * M_PI * patch->radius * patch->radius * s;
-    if (is_ball)
-        return 2 * M_PI * patch->radius * patch->radius * patch->reach * out;
-    return patch->length * patch->radius * 2 * patch->reach;
+    cross(by_s, by_t, area);
+    return fmax(dot(area, patch->n), 0);
+}
+
+static struct lx_around flat_around(const struct lx_patch *patch, const struct lx_cell *cell)
+{
+    struct lx_around around = {.radius = 0};
+    flat_place(patch, cell->s + cell->ds / 2, cell->t + cell->dt / 2, around.center);
+    for (int corner = 0; corner < 4; corner++) {
+        double place[3];
+        flat_place(patch, cell->s + (corner & 1) * cell->ds, cell->t + (corner >> 1) * cell->dt, place);
+        for (int i = 0; i < 3; i++)
+            place[i] -= around.center[i];
+        around.radius = fmax(around.radius, sqrt(dot(place, place)));
+    }
+    return around;
 }
 
 struct lx_around lx_cell_around(const struct lx_patch *patch, const struct lx_cell *cell)
 {
-    struct lx_around around;
-    double normal[3], along = 0, turn = 0;
-    place_at(patch, cell->s + cell->ds / 2, cell->t + cell->dt / 2, around.center, normal);
+    const double s = cell->s + cell->ds / 2, t = cell->t + cell->dt / 2, end = cell->s + cell->ds;
+    double by_a = 0, by_b = 0, by_n = 0, half_s = 0, half_t = 0; /* half the cell's size along s and t */
     switch (patch->kind) {
-    case LX_PATCH_FLAT:
-        around.radius = 0;
-        for (int corner = 0; corner < 4; corner++) {
-            double place[3];
-            place_at(patch, cell->s + (corner & 1) * cell->ds, cell->t + (corner >> 1) * cell->dt, place, normal);
-            for (int i = 0; i < 3; i++)
-                place[i] -= around.center[i];
-            around.radius = fmax(around.radius, sqrt(dot(place, place)));
-        }
-        return around;
+    case LX_PATCH_FLAT: return flat_around(patch, cell);
     case LX_PATCH_DISK:
-        along = patch->radius * cell->ds / 2;
-        turn = M_PI * cell->dt * (cell->s + cell->ds);
+        by_a = patch->radius * s * cos(2 * M_PI * t);
+        by_b = patch->radius * s * sin(2 * M_PI * t);
+        half_s = patch->radius * cell->ds / 2;
+        half_t = patch->radius * end * fmin(M_PI * cell->dt, 2);
         break;
     case LX_PATCH_BALL: {
-        double last = patch->reach * (cell->s + cell->ds);
-        along = patch->radius * patch->reach * cell->ds / 2;
-        turn = M_PI * cell->dt * (last < M_PI / 2 ? sin(last) : 1);
+        double angle = 2 * atan(s * patch->tangent), last = 2 * atan(end * patch->tangent);
+        by_n = patch->radius * cos(angle);
+        by_a = patch->radius * sin(angle) * cos(2 * M_PI * t);
+        by_b = patch->radius * sin(angle) * sin(2 * M_PI * t);
+        half_s = patch->radius * patch->tangent * cell->ds;
+        half_t = patch->radius * sin(last) * fmin(M_PI * cell->dt, 2);
         break;
     }
-    case LX_PATCH_SIDE:
-        along = patch->length * cell->ds / 2;
-        turn = patch->reach * cell->dt;
+    case LX_PATCH_SIDE: {
+        double angle = 2 * atan((2 * t - 1) * patch->tangent);
+        by_n = (s - 0.5) * patch->length;
+        by_a = patch->radius * cos(angle);
+        by_b = patch->radius * sin(angle);
+        half_s = patch->length * cell->ds / 2;
+        half_t = patch->radius * fmin(2 * patch->tangent * cell->dt, 2);
         break;
     }
-    bool straight = patch->kind == LX_PATCH_SIDE;
-    double across = patch->radius * fmin(turn, 2);
-    around.radius = straight ? hypot(along, across) : along + across;
+    }
+    struct lx_around around = {.radius = half_s + half_t};
+    for (int i = 0; i < 3; i++)
+        around.center[i] = patch->o[i] + by_n * patch->n[i] + by_a * patch->a[i] + by_b * patch->b[i];
     return around;
 }
 
-void lx_cell_samples(const struct lx_patch *patch, const struct lx_cell *cell, unsigned side, double touch_mm,
-                     double gain, size_t first, struct lx_samples_double *samples)
+void lx_patch_samples(const struct lx_patch *patch, double touch_mm, struct lx_samples_double *samples)
+{
+    static const enum lx_bend bends[] = {LX_FLAT, LX_FLAT, LX_BALL_SHAPED, LX_SIDE};
+    samples->bend = bends[patch->kind];
+    samples->ox = patch->o[0], samples->oy = patch->o[1], samples->oz = patch->o[2];
+    samples->ax = patch->a[0], samples->ay = patch->a[1], samples->az = patch->a[2];
+    samples->nx = patch->n[0], samples->ny = patch->n[1], samples->nz = patch->n[2];
+    samples->radius = patch->radius;
+    samples->height = dot(patch->o, patch->n) + touch_mm;
+    samples->touch = touch_mm;
+}
+
+/* What stands for a sample at s, t, told cosine and sine of 2 pi t; and its area for a unit of both. */
+static double sample_at(const struct lx_patch *patch, double s, double t, double cosine, double sine, double place[3])
+{
+    switch (patch->kind) {
+    case LX_PATCH_FLAT: return flat_place(patch, s, t, place);
+    case LX_PATCH_BALL:
+        place[0] = s, place[1] = cosine, place[2] = sine;
+        return 2 * M_PI;
+    case LX_PATCH_SIDE:
+        place[0] = (s - 0.5) * patch->length, place[1] = 2 * t - 1, place[2] = 0;
+        return 2 * patch->length;
+    case LX_PATCH_DISK: break;
+    }
+    for (int i = 0; i < 3; i++)
+        place[i] = patch->o[i] + patch->radius * s * (cosine * patch->a[i] + sine * patch->b[i]);
+    return 2 * M_PI * patch->radius * patch->radius * s;
+}
+
+void lx_cell_samples(const struct lx_patch *patch, const struct lx_cell *cell, unsigned side, double gain, size_t first,
+                     struct lx_samples_double *samples)
 {
     static const double places[3][3] = {
         {0.5}, {0.21132486540518712, 0.78867513459481288}, {0.11270166537925831, 0.5, 0.88729833462074169}};
     static const double weights[3][3] = {{1}, {0.5, 0.5}, {5.0 / 18, 8.0 / 18, 5.0 / 18}};
     const double *x = places[side - 1], *w = weights[side - 1];
-    for (unsigned i = 0; i < side * side; i++) {
-        unsigned j = i / side, k = i % side;
-        double place[3], normal[3];
-        double area = place_at(patch, cell->s + x[j] * cell->ds, cell->t + x[k] * cell->dt, place, normal);
-        size_t at = first + i;
-        samples->x[at] = place[0], samples->y[at] = place[1], samples->z[at] = place[2];
-        samples->nx[at] = normal[0], samples->ny[at] = normal[1], samples->nz[at] = normal[2];
-        samples->height[at] = dot(place, normal) + touch_mm;
-        samples->gain[at] = gain * area * w[j] * w[k] * cell->ds * cell->dt;
+    for (unsigned k = 0; k < side; k++) {
+        const double t = cell->t + x[k] * cell->dt;
+        bool turns = patch->kind == LX_PATCH_DISK || patch->kind == LX_PATCH_BALL;
+        const double cosine = turns ? cos(2 * M_PI * t) : 0, sine = turns ? sin(2 * M_PI * t) : 0;
+        for (unsigned j = 0; j < side; j++) {
+            const double s = cell->s + x[j] * cell->ds;
+            double place[3], area = sample_at(patch, s, t, cosine, sine, place);
+            size_t at = first + (size_t)k * side + j;
+            samples->x[at] = place[0], samples->y[at] = place[1], samples->z[at] = place[2];
+            samples->gain[at] = gain * area * w[j] * w[k] * cell->ds * cell->dt;
+        }
     }
 }

@@ -17,15 +17,18 @@ void lx_shell_clear(struct lx_shell *shell);
  *
  * flat   o + s a + t b + s t g
  * disk   o + s radius (a cos + b sin)(2 pi t)
- * ball   o + radius (n cos + (a cos + b sin)(2 pi t) sin)(s reach)
- * side   o + n (s - 1/2) length + radius (a cos + b sin)((2 t - 1) reach)
+ * ball   LX_BALL_SHAPED of kernel.h, x = s, turned by 2 pi t
+ * side   LX_SIDE of kernel.h, x = (s - 1/2) length, y = 2 t - 1
+ *
+ * On the latter two each element has places of its own; those of the middle of the elements, in the frame n, a, b, are
+ * within `slack` of them all.
  */
 enum lx_patch_kind { LX_PATCH_FLAT, LX_PATCH_DISK, LX_PATCH_BALL, LX_PATCH_SIDE };
 
 struct lx_patch {
     enum lx_patch_kind kind;
     double o[3], a[3], b[3], g[3], n[3]; /* from the anchor; n is the normal of a flat one or a disk */
-    double radius, length, reach;
+    double radius, length, tangent, slack; /* tangent: T of the middle */
 };
 
 /* The patches of a shell that some place within a ball may see; at most lx_patch_limit() of them. */
@@ -37,11 +40,14 @@ struct lx_cell {
     double s, t, ds, dt;
 };
 
-/* A ball around a cell. */
+/* A ball around a cell, but for the patch's slack. */
 struct lx_around lx_cell_around(const struct lx_patch *patch, const struct lx_cell *cell);
 
+/* Sets what all samples on a patch have in common. */
+void lx_patch_samples(const struct lx_patch *patch, double touch_mm, struct lx_samples_double *samples);
+
 /* The product rules of Gauss with side x side points, side from 1 to 3; they weigh area. */
-void lx_cell_samples(const struct lx_patch *patch, const struct lx_cell *cell, unsigned side, double touch_mm,
-                     double gain, size_t first, struct lx_samples_double *samples);
+void lx_cell_samples(const struct lx_patch *patch, const struct lx_cell *cell, unsigned side, double gain, size_t first,
+                     struct lx_samples_double *samples);
 
 #endif

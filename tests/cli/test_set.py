@@ -36,6 +36,37 @@ def same_value(tap, tool):
     tap.equal((after.st_mtime_ns, after.st_ino), (before.st_mtime_ns, before.st_ino), "the file is not touched")
 
 
+def into_groups_and_lists(tap, tool):
+    lamp = "{type: planar, vertices: [[0, 0, 2000], [0, 90, 2000], [90, 0, 2000]], radiance: 5}  # a corner"
+    grid = "grids: [{center: [0, 0, 0], size: [10, 10], n: [3, 3]}]\n"
+    text = COMMENTED.replace("{type: point, position: [2000, 0, 2000], intensity: 10, attenuation: none}", lamp)
+    tool.write("a.yaml", text + "\n" + grid)
+    changes = [("lights[0].vertices[1]=[0, 80, 2000]", "[0, 90, 2000]", "[0, 80, 2000]"),
+               ("lights[0].vertices[2][0]=70", "[90, 0, 2000]", "[70, 0, 2000]"),
+               ("lights.0.parts=3", "radiance: 5}", "radiance: 5, parts: 3}"),
+               ("lights[0].parts=converged", "parts: 3}", "parts: converged}"),
+               ("grids[0].n[1]=4", "n: [3, 3]", "n: [3, 4]"),
+               ("grids[0].up=[1, 1, 0]", "n: [3, 4]}", "n: [3, 4], up: [1, 1, 0]}")]
+    for change, old, new in changes:
+        before = tool.read("a.yaml").decode()
+        result = tool.run("set", "a.yaml", change)
+        tap.equal((result.code, tool.read("a.yaml").decode()), (0, before.replace(old, new)), change)
+    outline = "lights[0]={type: planar, rectangle: {center: [0, 0, 2000], size: [9, 9]}, power: 1}"
+    tap.equal(tool.run("set", "a.yaml", outline, "lights[0].rectangle.size=[100, 200]",
+                       "lights[0].rectangle.aim=[5, 5, 0]").code, 0, "a group, and keys in it")
+    tap.ok("rectangle: {center: [0, 0, 2000], size: [100, 200], aim: [5, 5, 0]}" in tool.read("a.yaml").decode(),
+           "both are there", tool.read("a.yaml"))
+    before = tool.read("a.yaml")
+    for change, code, words in [
+            ("lights[0].disk.radius=5", 3, ["disk", "rectangle"]), ("lights[0].rectangle.sise=5", 2, ["size"]),
+            ("grids[1].n=[1, 1]", 2, ["grids[0]"]), ("grids.n=[1, 1]", 2, ["grids[0].n"]),
+            ("grids[0].n[2]=1", 2, ["grids[0].n[1]"]), ("lights[0].parts[0]=1", 2, ["parts", "list"]),
+            ("lights[0].rectangle[0]=1", 2, ["rectangle", "list"]), ("grids[0].n=[9999, 9999]", 3, ["10000000"])]:
+        result = tool.run("set", "a.yaml", change)
+        tap.ok(result.code == code and all(word in result.err for word in words) and tool.read("a.yaml") == before,
+               change, result)
+
+
 def errors(tap, tool):
     tool.write("a.yaml", COMMENTED)
     tool.write("bad.yaml", COMMENTED.replace("width: 500", "width: -5"))
@@ -135,4 +166,5 @@ def json_scenes(tap, tool):
     tap.equal(json.loads(after)["units"], "photometric", "and is JSON")
 
 
-run_tests(Tap(), in_place, same_value, errors, elsewhere, pictures, links_and_folders, json_scenes)
+run_tests(Tap(), in_place, same_value, into_groups_and_lists, errors, elsewhere, pictures, links_and_folders,
+          json_scenes)

@@ -301,8 +301,14 @@ def monotone_arcs(body, integrand, samples=129):
         h = integrand.central(curve.at(cuts))
         with np.errstate(all='ignore'):
             tops += list(dot(h, integrand.pole) / np.sqrt(dot(h, h)))
-        for low, high in zip(cuts, cuts[1:]):
+        spans = list(zip(cuts, cuts[1:]))
+        while spans:
+            low, high = spans.pop()
             phis = unwrapped(curve, integrand, low, high)
+            # A meridian's plane would meet a longer arc twice, once behind the pole.
+            if abs(phis[1] - phis[0]) > 1.5 and high - low > 1e-15:
+                spans += [(low, (low + high) / 2), ((low + high) / 2, high)]
+                continue
             # The pole itself is on every meridian: an arc that begins or ends there begins a little later.
             short = 1e-8 * (high - low)
             arcs.append(MonotoneArc(curve, low + short * in_pole(curve, integrand, low),

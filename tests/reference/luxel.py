@@ -40,6 +40,8 @@ class Failed(Exception):
 
 
 class Luxel:
+    timeout_s = 120
+
     def __init__(self, path):
         self.path = os.path.abspath(path)
 
@@ -50,7 +52,7 @@ class Luxel:
         if instruction_set:
             environment['LUXEL_ISA'] = instruction_set
         result = subprocess.run([self.path, *arguments, '--json'], input=json.dumps(scene), env=environment,
-                                capture_output=True, encoding='utf-8', timeout=120)
+                                capture_output=True, encoding='utf-8', timeout=self.timeout_s)
         if result.returncode not in accept:
             raise Failed(result, scene)
         return json.loads(result.stdout)

@@ -14,7 +14,7 @@ from mpmath import mp, mpf
 
 import model
 from cases import CASES
-from luxel import Luxel
+from luxel import TOLERANCE, Luxel
 from tap import Tap
 
 STAGE = {
@@ -35,8 +35,9 @@ This page is written by a program, `tests/reference/make_validation.py`, from wh
 `make validation` writes it anew; a test of `make check` compares it with what the command gives.
 
 - *Luxel*: the value of `luxel probe` or `luxel grid`.
-- *exact*: the same in 50-digit arithmetic by an independent program (`tests/reference/model.py`), or the closed form
-  that stands with the table. The exact values take the numbers of the scene as the float64 numbers that they are.
+- *exact*: the same by an independent program (`tests/reference/model.py`), in 50-digit arithmetic or, for highlights,
+  by another cubature that is certain to some 1e-14; or the closed form that stands with the table. The numbers of the
+  scene count as the float64 numbers that they are read as.
 - *printed*: what the publication prints; *reference*: values to 8 digits by the closed forms that are named there.
 - *off the exact*: |Luxel - exact| / exact, rounded up to a power of ten, 1e-14 at least.
 - *off the printed*, *off the reference*: Luxel / that - 1, in percent.
@@ -129,8 +130,8 @@ def cie(page):
     case = case_named('cie171-5.3')
     page.heading('CIE 171, test 5.3: an area source',
                  'A square Lambertian source of 1 m × 1 m in the middle of the ceiling of a black room of\n'
-                 '4 m × 4 m × 3 m; luminance 1000 cd/m². Illuminance on a wall (y = 0) and on the floor, along the line\n'
-                 'under the middle of the source.')
+                 '4 m × 4 m × 3 m; luminance 1000 cd/m². The origin is a corner of the room. Illuminance on a wall\n'
+                 '(y = 0) and on the floor, along the line under the middle of the source.')
     elements_table(page, {**case['scene'], 'units': 'photometric'}, case['elements'], 'lx', case['printed']['values'])
 
     closed_room(page)
@@ -141,7 +142,7 @@ def cie(page):
         page.heading(f'CIE 171, test 5.6: a square of {words}',
                      f'A uniform square Lambertian source of {words} × {words} lies on the floor around the middle of a\n'
                      'room of 4 m × 4 m × 3 m and shines upwards. Configuration factors in percent (the irradiance for an\n'
-                     'exitance of 100) on a wall (y = 0) and on the ceiling.'
+                     'exitance of 100) on a wall (y = 0) and on the ceiling; the origin is a corner of the room.'
                      + ('' if size == '4000' else ' No printed values of this size are at hand.'))
         elements_table(page, case['scene'], case['elements'], '%', printed.get('values', ()), printed.get('skip', ()))
 
@@ -255,7 +256,8 @@ def gloss(model_name, shininess, **keys):
 
 
 def glossy_value(page, scene, element):
-    return page.luxel.values_at(scene, elements=[element])[0]
+    # A sky that is ten million times larger than its distance may be known to less than the tolerance.
+    return page.luxel.probe(scene, elements=[element], accept=(0, TOLERANCE))['points'][0]['value']
 
 
 def highlights(page):
@@ -263,7 +265,8 @@ def highlights(page):
                  'A unit square, centred on +z at the distance 1 and seen from the origin, has the radiance 1. With kd = 0,\n'
                  'ks = 1 the highlight is ∫ max(0, w·u)^n dω over its directions u, w being the mirrored view. J. Arvo,\n'
                  '*Applications of irradiance tensors to the simulation of non-Lambertian phenomena* (1995), gives it in\n'
-                 'closed form for whole n; here it comes from the cubature that serves every exponent.')
+                 'closed form for whole n; here it comes from the cubature that serves every exponent. For n = 0 the material has\n'
+                 'the exponent 10^-15, since it must be above 0.')
     rows = []
     for axis, moments in PHONG_MOMENTS:
         size = math.sqrt(sum(x * x for x in axis))
@@ -282,14 +285,14 @@ def highlights(page):
                 'off the reference'], rows)
 
     page.heading('Blinn-Phong: what a surface reflects of light from everywhere',
-                 'At normal view, under a sky of radiance 1 over the whole hemisphere (a disk of 10^9 mm radius at 1 mm),\n'
+                 'At normal view, under a sky of radiance 1 over the whole hemisphere (a disk of 10^7 mm radius at 1 mm),\n'
                  'with kd = 0, ks = 1 and `highlight: cosine`: ∫ (N·H)^n (N·L) dω = 8π (2^(-n/2) + n) / ((n + 2)(n + 4)).\n'
                  'The same closed form, times 1/π, is what `normalized` divides by. What the disk leaves free at its rim,\n'
-                 '10^-9 rad, holds 10^-18 of the integral.')
+                 '10^-7 rad, holds 10^-14 of the integral.')
     rows = []
     for exponent in (1, 2, 10, 20, 50, 300, 1000, 10000):
         surface = {**STAGE['surfaces'][0], 'material': gloss('blinn-phong', exponent, highlight='cosine')}
-        scene = {**flat('disk', center=[0, 0, 1], radius=1e9), 'surfaces': [surface]}
+        scene = {**flat('disk', center=[0, 0, 1], radius=1e7), 'surfaces': [surface]}
         scene['lights'][0]['radiance'] = 1
         n = mpf(exponent)
         exact = 8 * mp.pi * (mpf(2) ** (-n / 2) + n) / ((n + 2) * (n + 4))

@@ -9,7 +9,7 @@ import numpy as np
 
 import extended_scenes
 import scenes
-from luxel import Failed, arguments, generator
+from luxel import TOLERANCE, arguments, generator
 from tap import Tap
 
 SCENES = 4
@@ -27,7 +27,8 @@ LENGTHS = ('radius', 'height', 'size', 'k')
 
 
 def found(luxel, scene, elements, options=()):
-    points = luxel.probe(scene, elements=elements, options=options)['points']
+    # Slivers may be known to less than the tolerance: their stated error says so.
+    points = luxel.probe(scene, elements=elements, options=options, accept=(0, TOLERANCE))['points']
     return [point['value'] for point in points], [point['error'] for point in points]
 
 
@@ -200,15 +201,14 @@ def test_far(tap, options):
         scene = scene_of({'type': 'planar' if intensity else 'volume', **light})
         errors = []
         for distance in (1000, 2000, 4000):
-            # From the middle of the outline, 37 degrees off its axis.
-            middle = [0, 0, 0] if 'vertices' not in light else [0, 0, 0]
-            element = [middle[0] + 0.6 * distance, middle[1], -0.8 * distance, -0.6, 0, 0.8]
+            # 16 degrees off its axis.
+            element = [0.28 * distance, 0, -0.96 * distance, -0.28, 0, 0.96]
             value = found(options.luxel, scene, [element], IRRADIANCE)[0][0]
-            law = (7 * 0.8 if intensity else 1.0) / (distance / 1000) ** 2
+            law = (7 * 0.96 if intensity else 1.0) / (distance / 1000) ** 2
             errors.append(value / law - 1)
-        ratios = [a / b for a, b in zip(errors, errors[1:])]
-        good = all(3.9 < ratio < 4.1 for ratio in ratios) or max(map(abs, errors)) < 1e-12
-        tap.ok(good, f'far from {next(iter(light))} the point law holds with order 2', errors, ratios)
+        # A ball is its point law exactly.
+        good = max(map(abs, errors)) < 1e-12 or all(3.9 * abs(b) < abs(a) < 4.1 * abs(b) for a, b in zip(errors, errors[1:]))
+        tap.ok(good, f'far from {next(iter(light))} the point law holds with order 2', errors)
 
 
 def test_parts(tap, options):
@@ -325,8 +325,8 @@ def test_places(tap, options):
         tap.ok(all(a['value'] is None and 'lights[0]' in a.get('reason', '') for a in answers),
                f'{name}: no value on the source, and the reason', [a for a in answers if a['value'] is not None][:3])
         answers = options.luxel.probe(scene, elements=[place + n for place in dark for n in normals])['points']
-        tap.ok(all(a['value'] == 0 and a['error'] == 0 for a in answers), f'{name}: 0 where nothing shines',
-               [a for a in answers if a['value'] != 0][:3])
+        tap.ok(all(a['value'] == 0 and a['error'] < 1e-12 for a in answers), f'{name}: 0 where nothing shines',
+               [a for a in answers if a['value'] != 0 or a['error'] >= 1e-12][:3])
 
 
 def test_pictures(tap, options):

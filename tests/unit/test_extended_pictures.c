@@ -79,7 +79,7 @@ struct demand {
 static struct lx_material random_material(struct randomness *random)
 {
     return (struct lx_material){
-        .model = 1 + pick(random, 2),
+        .model = pick(random, 2) ? LX_BLINN_PHONG : LX_PHONG,
         .diffuse = pick(random, 5) ? uniform(random, 0, 1) : 0,
         .specular = uniform(random, 0, 1),
         .shininess = pick(random, 3) ? uniform(random, 1, 60) : logarithmic(random, 0.1, 10000),
