@@ -47,14 +47,21 @@ static int name_shares(const struct lx_scene_parameters *scene, luxel_probe *pro
     return 0;
 }
 
+/* What is below this share of the sources' radiance is as good as 0: in a source's plane the rounding is all there is. */
+static const double NOTHING = 1e-20;
+
 /* Where there are closed forms the default tolerance is always met; an explicit one, or an integral, is checked. */
 static bool is_reached(const struct lx_session *session, const luxel_probe *probe)
 {
+    const struct lx_prepared *prepared = &session->prepared;
     bool integrated = false;
+    double radiance = 0;
     for (size_t i = 0; i < probe->share_count; i++)
         integrated = integrated || probe->shares[i].parts > 0;
-    bool check = session->settings.tolerance > 0 || integrated;
-    return !check || probe->error <= fmax(session->prepared.tolerance * fabs(probe->value), DBL_MIN);
+    for (size_t i = 0; i < prepared->emitters.count; i++)
+        radiance = fmax(radiance, prepared->emitters.items[i].radiance.value);
+    double allowed = fmax(prepared->tolerance * fabs(probe->value), fmax(NOTHING * radiance, DBL_MIN));
+    return !(session->settings.tolerance > 0 || integrated) || probe->error <= allowed;
 }
 
 /* Adds up the emitters, light by light; stops at one that lies on the element. */

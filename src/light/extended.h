@@ -49,9 +49,10 @@ struct lx_facets {
     size_t face_count;
     struct lx_edge *edges;
     size_t edge_count;
-    double center_mm[3]; /* of a sphere around it, near to the centroid */
-    double radius_mm;    /* of that sphere */
-    double area_mm2;     /* of all faces */
+    double center_mm[3];    /* of a sphere around it, near to the centroid */
+    double radius_mm;       /* of that sphere */
+    double area_mm2;        /* of all faces */
+    double corner_error_mm; /* how far the corners may be from where they should be: 0 where nothing was rounded */
 };
 
 void lx_facets_free(struct lx_facets *facets); /* NULL is harmless */

@@ -32,6 +32,12 @@ static const double ROUNDING = 0x1p-92;
 /* A bit more, for bounds that are computed in float64. */
 static const double MORE = 1 + 0x1p-40;
 
+/* A sum that is good to this is good enough; areas above SMALL go for some of all sides of the element. */
+static const double ENOUGH = 0x1p-50, SMALL = 0.5;
+
+/* Bounds the area of what is above the horizon but for rounding, a square of roundings. */
+static const double UNSEEN = 0x1p-180;
+
 struct view {
     const struct lx_facets *facets;
     double place_mm[3];
@@ -88,7 +94,7 @@ static double exact_height(const struct view *view, const struct lx_face *face, 
     const lx_wide3 *corner = corner_of(view->facets, face, 0);
     lx_wide3 way = lx_wide3_sub(view->place, *corner);
     double height = lx_wide3_dot(face->normal, way).high;
-    *error = ROUNDING * (size(way) * narrowness(view->facets, face) + view->facets->radius_mm + size(*corner));
+    *error = ROUNDING * size(way) * narrowness(view->facets, face) + 2 * view->facets->corner_error_mm;
     if (is_along_axis(face->normal.x.high, face->normal.y.high, face->normal.z.high))
         *error = 0;
     return fabs(height) <= *error ? 0 : height;
@@ -224,14 +230,6 @@ static bool is_set(const struct view *view, const double normal[3], double norma
 
 /* ---- the contour ---- */
 
-/* Corners with a low part were rounded, others are what they were given as. */
-static double corner_error(const struct lx_facets *facets, unsigned corner)
-{
-    const lx_wide3 *at = &facets->corners_mm[corner];
-    bool exact = at->x.low == 0 && at->y.low == 0 && at->z.low == 0;
-    return exact ? 0 : 0x1p-93 * facets->radius_mm + 0x1p-97 * size(*at);
-}
-
 /* 1 where the contour runs along the edge, -1 where against it, 0 where the edge is no part of it. */
 static int weight_of(const struct view *view, const struct lx_edge *edge)
 {
@@ -254,7 +252,8 @@ static bool find_base(const struct view *view, struct lx_contour *contour)
     return false;
 }
 
-static void add_edges(const struct view *view, struct lx_contour *contour)
+/* Adds the edges to the contour, or, where `low` is given, to that. */
+static void add_edges(const struct view *view, struct lx_contour *contour, struct lx_low_area *low)
 {
     const struct lx_facets *facets = view->facets;
     for (size_t i = 0; i < facets->edge_count; i++) {
@@ -263,9 +262,28 @@ static void add_edges(const struct view *view, struct lx_contour *contour)
         if (weight == 0)
             continue;
         /* As the element sees it a face's loop runs clockwise about the normal. */
-        double error = fmax(corner_error(facets, edge->from), corner_error(facets, edge->to));
-        lx_contour_add(contour, weight > 0 ? edge->to : edge->from, weight > 0 ? edge->from : edge->to, error);
+        unsigned from = weight > 0 ? edge->to : edge->from, to = weight > 0 ? edge->from : edge->to;
+        if (low)
+            lx_contour_add_low(contour, from, to, low);
+        else
+            lx_contour_add(contour, from, to, facets->corner_error_mm);
     }
+}
+
+/* The area within the contour; what it cancels to is found in another way where it is low above the horizon. */
+static double area_of(const struct view *view, struct lx_contour *contour, double *error)
+{
+    add_edges(view, contour, NULL);
+    double area = fmax(0, lx_wide_value(lx_wide_scale(contour->sum, 0.5)));
+    *error = contour->error + contour->corners_error;
+    if (contour->error <= ENOUGH * area || !(area + *error < SMALL))
+        return area;
+    struct lx_low_area low = {.error = contour->corners_error};
+    add_edges(view, contour, &low);
+    if (low.failed || !(low.error < *error))
+        return area;
+    *error = low.error;
+    return fmax(0, lx_wide_value(lx_wide_scale(low.sum, 0.5)));
 }
 
 /* What the bounds of place and normal, and roundings, change. */
@@ -296,12 +314,11 @@ lx_bounded lx_facets_irradiance(const struct lx_facets *facets, lx_bounded3 plac
         double scale = ldexp(1, -ilogb(fmax(center_distance(&view), facets->radius_mm)));
         struct lx_contour contour =
             lx_contour_start(facets->corners_mm, view.place, lx_wide3_of(n), scale, fmax(distance, 0));
-        if (find_base(&view, &contour)) {
-            add_edges(&view, &contour);
-            value = fmax(0, lx_wide_value(lx_wide_scale(contour.sum, 0.5)));
-        }
-        error += contour.error + LX_ROUNDING * value;
-        error += 0x1p-180; /* corners taken to be above or below the horizon by rounding */
+        double left = 0;
+        if (find_base(&view, &contour))
+            value = area_of(&view, &contour, &left);
+        error += left + LX_ROUNDING * value;
+        error += UNSEEN;
     }
     double most = M_PI * (1 + normal_error) * MORE;
     error *= MORE;

@@ -57,13 +57,12 @@ static lx_wide3 negate(lx_wide3 a)
     return (lx_wide3){lx_wide_negate(a.x), lx_wide_negate(a.y), lx_wide_negate(a.z)};
 }
 
-/* The way from one corner to another. */
-static lx_wide3 between(const struct lx_contour *contour, unsigned from, unsigned to)
+lx_wide3 lx_contour_between(const struct lx_contour *contour, unsigned from, unsigned to)
 {
     return scaled(lx_wide3_sub(contour->corners_mm[to], contour->corners_mm[from]), contour->scale);
 }
 
-static lx_wide3 from_element(const struct lx_contour *contour, unsigned corner)
+lx_wide3 lx_contour_way(const struct lx_contour *contour, unsigned corner)
 {
     return scaled(lx_wide3_sub(contour->corners_mm[corner], contour->place_mm), contour->scale);
 }
@@ -83,7 +82,7 @@ struct lx_contour lx_contour_start(const lx_wide3 *corners_mm, lx_wide3 place_mm
 
 lx_wide lx_contour_height(const struct lx_contour *contour, unsigned corner)
 {
-    return lx_wide3_dot(contour->normal, from_element(contour, corner));
+    return lx_wide3_dot(contour->normal, lx_contour_way(contour, corner));
 }
 
 /* ---- vertices ---- */
@@ -114,7 +113,7 @@ void lx_contour_set_base(struct lx_contour *contour, unsigned corner)
 {
     struct lx_contour_vertex *base = &contour->base_vertex;
     contour->base = contour->known = corner;
-    *base = (struct lx_contour_vertex){.a = from_element(contour, corner), .lambda = 1};
+    *base = (struct lx_contour_vertex){.a = lx_contour_way(contour, corner), .lambda = 1};
     base->distance = lx_wide3_length(base->a);
     base->height = lx_wide3_dot(contour->normal, base->a);
     contour->known_vertex = *base;
@@ -127,11 +126,11 @@ static struct lx_contour_vertex at_corner(const struct lx_contour *contour, unsi
         return contour->base_vertex;
     if (corner == contour->known)
         return contour->known_vertex;
-    struct lx_contour_vertex vertex = {.a = from_element(contour, corner), .lambda = 1};
+    struct lx_contour_vertex vertex = {.a = lx_contour_way(contour, corner), .lambda = 1};
     vertex.height = lx_wide3_dot(contour->normal, vertex.a);
     if (vertex.height.high < 0)
         return vertex;
-    vertex.w = between(contour, contour->base, corner);
+    vertex.w = lx_contour_between(contour, contour->base, corner);
     vertex.distance = lx_wide3_length(vertex.a);
     vertex.extent = size(vertex.w);
     find_direction(contour, &vertex);
@@ -254,7 +253,7 @@ static void add_sweep(struct lx_contour *contour, double length, double highest,
 {
     double d = contour->nearest, moved = corner_error_mm * contour->scale;
     double area = moved * fmin(length / d, M_PI) / d * fmin(1, (highest + moved) / d);
-    contour->error += 4 * area + 4 * (moved / d) * (moved / d);
+    contour->corners_error += 4 * area + 4 * (moved / d) * (moved / d);
 }
 
 void lx_contour_add(struct lx_contour *contour, unsigned from, unsigned to, double corner_error_mm)
@@ -265,7 +264,7 @@ void lx_contour_add(struct lx_contour *contour, unsigned from, unsigned to, doub
     bool begin_seen = begin.height.high >= 0, end_seen = end.height.high >= 0;
     if (!begin_seen && !end_seen)
         return;
-    lx_wide3 e = between(contour, from, to);
+    lx_wide3 e = lx_contour_between(contour, from, to);
     lx_wide share = lx_wide_of(1);
     if (!begin_seen)
         p = at_horizon(contour, &end, negate(e), begin.height, &share);

@@ -30,10 +30,11 @@ struct lx_contour {
     struct lx_contour_vertex base_vertex;
     unsigned known; /* a corner, and where it is seen: edges follow each other */
     struct lx_contour_vertex known_vertex;
-    lx_wide sum;  /* twice the area */
-    double error; /* bounds its error, but for that of the corners, places and normals themselves */
-    bool crossed; /* the contour was seen to cross the horizon, the first time here: */
-    bool exited;  /* it was leaving then */
+    lx_wide sum;          /* twice the area */
+    double error;         /* bounds its error, but for that of corners, places, normals */
+    double corners_error; /* bounds what rounded corners add to it */
+    bool crossed;         /* the contour was seen to cross the horizon, the first time here: */
+    bool exited;          /* it was leaving then */
     struct lx_contour_vertex crossing;
 };
 
@@ -48,5 +49,18 @@ void lx_contour_set_base(struct lx_contour *contour, unsigned corner);
 
 /* Adds the edge from one corner to another, which may be wrong by so much. */
 void lx_contour_add(struct lx_contour *contour, unsigned from, unsigned to, double corner_error_mm);
+
+/* The ways from the element to a corner, and from one corner to another, scaled. */
+lx_wide3 lx_contour_way(const struct lx_contour *contour, unsigned corner);
+lx_wide3 lx_contour_between(const struct lx_contour *contour, unsigned from, unsigned to);
+
+/* The area within a contour that is low above the horizon and does not go round the normal, by an integral. */
+struct lx_low_area {
+    lx_wide sum; /* twice the area */
+    double error;
+    bool failed; /* it is not low, or is touched */
+};
+
+void lx_contour_add_low(const struct lx_contour *contour, unsigned from, unsigned to, struct lx_low_area *low);
 
 #endif

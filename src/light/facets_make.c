@@ -190,7 +190,21 @@ static struct lx_facets *finished(struct lx_facets *facets, bool closed)
     return NULL;
 }
 
+void lx_facets_were_rounded(struct lx_facets *facets)
+{
+    if (!facets)
+        return;
+    const double *center = facets->center_mm;
+    double away = fabs(center[0]) + fabs(center[1]) + fabs(center[2]);
+    facets->corner_error_mm = 0x1p-92 * facets->radius_mm + 0x1p-96 * away;
+}
+
 /* ---- polygons and boxes ---- */
+
+static bool is_axis(lx_wide3 a)
+{
+    return (a.x.high == 0) + (a.y.high == 0) + (a.z.high == 0) == 2;
+}
 
 struct lx_facets *lx_facets_of_pose(const double center_mm[3], const double size_mm[2], const struct lx_pose *pose)
 {
@@ -206,6 +220,8 @@ struct lx_facets *lx_facets_of_pose(const double center_mm[3], const double size
     }
     lx_facets_add_loop(facets, corners, 4);
     facets = finished(facets, false);
+    if (!is_axis(pose->axis) || !is_axis(pose->across))
+        lx_facets_were_rounded(facets);
     if (facets) /* a thin one knows its own normal less well */
         facets->faces[0].normal = pose->axis;
     return facets;
@@ -334,7 +350,9 @@ struct lx_facets *lx_facets_of_sphere(const double center_mm[3], double radius_m
         }
     }
     add_sphere_faces(facets, bands, meridians);
-    return finished(facets, true);
+    facets = finished(facets, true);
+    lx_facets_were_rounded(facets);
+    return facets;
 }
 
 struct lx_facets *lx_facets_of_cylinder(const double center_mm[3], double radius_mm, double height_mm,
@@ -366,5 +384,7 @@ struct lx_facets *lx_facets_of_cylinder(const double center_mm[3], double radius
         for (unsigned i = 0; i < sides; i++)
             loop[i] = cap ? sides + i : sides - 1 - i;
     }
-    return finished(facets, true);
+    facets = finished(facets, true);
+    lx_facets_were_rounded(facets);
+    return facets;
 }

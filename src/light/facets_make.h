@@ -21,6 +21,9 @@ void lx_facets_add_loop(struct lx_facets *facets, const unsigned corners[], unsi
  * have one partner. */
 struct lx_shape_report lx_facets_finish(struct lx_facets *facets, bool closed);
 
+/* Says that corners are only what wide numbers can tell, some sixty operations of them; NULL is harmless. */
+void lx_facets_were_rounded(struct lx_facets *facets);
+
 /* Twice the area of a loop of corners times its normal (Newell's vector), seen from its first corner. */
 lx_wide3 lx_newell(const lx_wide3 *corners_mm, const unsigned *loop, size_t count);
 

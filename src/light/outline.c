@@ -300,6 +300,7 @@ struct outline {
     lx_wide (*xy)[2];
     unsigned *loop, *pieces, *piece_counts;
     struct lx_plane plane;
+    bool is_moved; /* corners were, into the plane */
 };
 
 static void clear_outline(struct outline *outline)
@@ -337,8 +338,8 @@ static struct lx_shape_report flatten(struct outline *outline, double largest_mm
         return (struct lx_shape_report){LX_SHAPE_TOO_SMALL, 0, 0};
     if (plane->deviation_mm > LX_SHAPE_TOLERANCE * plane->size_mm)
         return (struct lx_shape_report){LX_SHAPE_NOT_FLAT, plane->farthest, 0};
-    bool rounded = plane->deviation_mm <= ROUNDED * (plane->size_mm + largest_mm);
-    for (size_t i = 0; i < outline->count && !rounded; i++) {
+    outline->is_moved = plane->deviation_mm > ROUNDED * (plane->size_mm + largest_mm);
+    for (size_t i = 0; i < outline->count && outline->is_moved; i++) {
         lx_wide3 *corner = &outline->corners_mm[i];
         *corner = lx_wide3_sub(*corner, lx_wide3_mul(plane->normal, lx_height_over(plane, *corner)));
     }
@@ -360,6 +361,8 @@ static struct lx_facets *make_piece(const struct outline *outline, const unsigne
         lx_facets_free(facets);
         return NULL;
     }
+    if (outline->is_moved)
+        lx_facets_were_rounded(facets);
     facets->faces[0].normal = outline->plane.normal; /* a thin piece knows it less well */
     return facets;
 }

@@ -1,6 +1,8 @@
 /* SPDX-License-Identifier: MIT */
 /* Adaptive sampling of extended sources for runs of elements. */
+#include <float.h>
 #include <math.h>
+#include <stdlib.h>
 
 #include "sampling.h"
 
@@ -27,6 +29,9 @@ struct pending {
     const struct lx_patch *patch;
     struct lx_cell part;
     int depth;
+    double bound; /* no element gets more light from it */
+    bool is_wide; /* too large for the rule of Gauss */
+    bool is_tiny;
 };
 
 struct lx_sampling_memory {
@@ -59,12 +64,7 @@ struct lx_sampling_memory *lx_sampling_memory_of(void *bytes, size_t most_patche
     return memory;
 }
 
-/* ---- what a run of elements has in common ---- */
-
-/* A bundle of directions: all are within `spread` of the axis. */
-struct bundle {
-    double axis[3], spread;
-};
+/* ---- a run of elements ---- */
 
 struct run {
     const struct lx_sampler *sampling;
@@ -73,20 +73,15 @@ struct run {
     const struct lx_block_single *copy;
     size_t start;
     struct lx_around around;
-    struct bundle normals, mirrored;
-    double width; /* of the lobe, as an angle of L */
+    double mirrored[LX_LANES][3];                             /* views */
+    double width[LX_LANES];                                   /* of the lobe, as an angle of L */
     double known[LX_LANES], value[LX_LANES], error[LX_LANES]; /* error: of cells that are still looked at */
-    double dropped, settled;                                 /* of those that are not */
+    double dropped, settled;                                  /* of those that are not */
 };
 
 static double dot(const double a[3], const double b[3])
 {
     return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-}
-
-static double angle_between(const double a[3], const double b[3])
-{
-    return acos(fmax(-1, fmin(1, dot(a, b))));
 }
 
 struct lx_around lx_block_around(const struct lx_block_double *block, size_t start, size_t count)
@@ -106,98 +101,77 @@ struct lx_around lx_block_around(const struct lx_block_double *block, size_t sta
     return around;
 }
 
-/* The bundle of a run's directions; a half sky and more counts as all of it. */
-static struct bundle bundle_of(const double directions[LX_LANES][3])
-{
-    struct bundle bundle = {.spread = 0};
-    for (int i = 0; i < LX_LANES; i++)
-        for (int k = 0; k < 3; k++)
-            bundle.axis[k] += directions[i][k];
-    double length = sqrt(dot(bundle.axis, bundle.axis));
-    if (!(length > 0.1 * LX_LANES)) {
-        bundle.axis[0] = 1, bundle.axis[1] = bundle.axis[2] = 0;
-        bundle.spread = M_PI;
-        return bundle;
-    }
-    double least = 1;
-    for (int k = 0; k < 3; k++)
-        bundle.axis[k] /= length;
-    for (int i = 0; i < LX_LANES; i++)
-        least = fmin(least, dot(bundle.axis, directions[i]));
-    bundle.spread = acos(fmax(-1, least)) + 1e-7;
-    return bundle;
-}
-
-static void find_bundles(struct run *run)
+static void find_lobes(struct run *run)
 {
     const double grazing = 0.15; /* lobes of half vectors get narrow towards the rim; below this the cells stay */
     const struct lx_block_double *block = run->block;
     const struct lx_lobe_double *lobe = run->sampling->lobe;
-    double normals[LX_LANES][3], mirrored[LX_LANES][3], least = 1;
+    double sigma = 1 / sqrt(fmax(2 * lobe->half_exponent, 1));
     for (size_t lane = 0; lane < LX_LANES; lane++) {
         size_t i = run->start + lane;
         double n[3] = {block->nx[i], block->ny[i], block->nz[i]}, v[3] = {block->vx[i], block->vy[i], block->vz[i]};
         double facing = dot(n, v);
-        for (int k = 0; k < 3; k++) {
-            normals[lane][k] = n[k];
-            mirrored[lane][k] = 2 * facing * n[k] - v[k];
-        }
-        least = fmin(least, facing);
+        for (int k = 0; k < 3; k++)
+            run->mirrored[lane][k] = 2 * facing * n[k] - v[k];
+        run->width[lane] = lobe->model == LX_LAMBERT ? 1
+                           : lobe->model == LX_PHONG ? sigma
+                                                     : fmin(1, 2 * fmax(facing, grazing) * sigma);
     }
-    run->normals = bundle_of(normals);
-    run->mirrored = bundle_of(mirrored);
-    run->width = 1;
-    if (lobe->model == LX_LAMBERT)
-        return;
-    double sigma = 1 / sqrt(fmax(2 * lobe->half_exponent, 1));
-    run->width = lobe->model == LX_PHONG ? sigma : fmin(1, 2 * fmax(least, grazing) * sigma);
 }
 
 /* ---- bounds of cells ---- */
 
 /* How a run sees a cell. */
 struct sight {
-    double radius;    /* of a ball around it for all elements */
-    double nearest;   /* the least distance, 0 where it is not known to be more */
-    bool is_wide;     /* too large for the rule of Gauss */
-    bool is_tiny;
-    double deviation; /* no element sees a place of the cell farther from the direction between both middles */
-    double direction[3];
+    double radius[LX_LANES];     /* of a ball around it */
+    double towards[LX_LANES][3]; /* unit, to its middle */
+    double distance[LX_LANES];
+    bool may[LX_LANES]; /* whether it may light the element at all */
 };
 
-/* The least distance of an element of the run to a place. */
-static double least_distance(const struct run *run, const double place[3])
+/* Finds the directions, and for which elements the cell is in front of both. */
+static void look(const struct run *run, const struct pending *cell, struct sight *sight)
 {
-    double least = HUGE_VAL;
-    for (size_t i = run->start; i < run->start + LX_LANES; i++) {
-        double x = place[0] - run->block->px[i], y = place[1] - run->block->py[i], z = place[2] - run->block->pz[i];
-        least = fmin(least, x * x + y * y + z * z);
+    const struct lx_block_double *block = run->block;
+    const struct lx_lobe_double *lobe = run->sampling->lobe;
+    const struct lx_patch *patch = cell->patch;
+    bool is_flat = patch->kind == LX_PATCH_FLAT || patch->kind == LX_PATCH_DISK;
+    bool by_cosine = lobe->model == LX_LAMBERT || lobe->highlight != LX_HIGHLIGHT_PLAIN;
+    double middle[3], radius = 0;
+    for (size_t lane = 0; lane < LX_LANES; lane++) {
+        size_t i = run->start + lane;
+        double place[3] = {block->px[i], block->py[i], block->pz[i]}, *towards = sight->towards[lane], above = 1;
+        if (!is_flat || lane == 0)
+            radius = lx_cell_look(patch, &cell->part, place, middle);
+        for (int k = 0; k < 3; k++)
+            towards[k] = middle[k] - place[k];
+        double distance = sqrt(dot(towards, towards));
+        if (is_flat)
+            above = -dot(towards, patch->n);
+        double height = block->nx[i] * towards[0] + block->ny[i] * towards[1] + block->nz[i] * towards[2];
+        sight->may[lane] = radius >= 0 && above > 0 && (!by_cosine || height > -radius);
+        sight->radius[lane] = radius;
+        sight->distance[lane] = distance;
+        for (int k = 0; k < 3; k++)
+            towards[k] /= fmax(distance, DBL_MIN);
     }
-    return sqrt(least);
 }
 
-static struct sight see(const struct run *run, const struct lx_patch *patch, const struct lx_around *cell)
+/*
+ * The largest square of S over the cell's places, for an element.  With A the angle between L and the mirrored view
+ * and the cell seen under no more than rho from its middle, it is at most the square of cos(A - rho); the angle
+ * between N and H is at least half that of L and the mirrored view.
+ */
+static double greatest_square(const struct run *run, const struct sight *sight, int lane)
 {
-    const double widest = 0.5, widths = 2; /* half sizes: in radians, and in widths of the lobe */
-    const double far = 4;
-    struct sight sight = {.radius = cell->radius + patch->slack, .deviation = M_PI};
-    for (int k = 0; k < 3; k++)
-        sight.direction[k] = cell->center[k] - run->around.center[k];
-    double distance = sqrt(dot(sight.direction, sight.direction)), both = sight.radius + run->around.radius;
-    if (distance > both) {
-        for (int k = 0; k < 3; k++)
-            sight.direction[k] /= distance;
-        sight.deviation = asin(both / distance);
-    }
-    double from_elements =
-        distance > far * run->around.radius ? distance - run->around.radius : least_distance(run, cell->center);
-    sight.nearest = fmax(from_elements - sight.radius, 0);
-    /* where a ball bends towards some elements, sizes are taken against it */
-    double against = sight.nearest > 0 || !(patch->slack > 0) ? sight.nearest : patch->radius;
-    double angle = cell->radius / against, width = fmin(widest, widths * run->width);
-    sight.is_wide = !(angle <= width);
-    sight.is_tiny = angle < TINY * width;
-    return sight;
+    double cosine = fmin(dot(sight->towards[lane], run->mirrored[lane]), 1), size = sight->radius[lane] / sight->distance[lane];
+    if (!(size < 1))
+        return 1;
+    double around = sqrt(1 - size * size), sine = sqrt(fmax(1 - cosine * cosine, 0));
+    double nearest = cosine >= around ? 1 : fmin(cosine * around + sine * size, 1);
+    if (run->sampling->lobe->model == LX_BLINN_PHONG)
+        return (1 + nearest) / 2;
+    return nearest > 0 ? nearest * nearest : 0;
 }
 
 static double attenuate(const struct lx_sampled *source, double distance_mm)
@@ -210,25 +184,39 @@ static double attenuate(const struct lx_sampled *source, double distance_mm)
     return 1e-6;
 }
 
-/* No element of the run gets more light from a cell than this. */
-static double bound_of(const struct run *run, const struct lx_sampled *source, const struct sight *sight)
+/* Sets the bound and the size of a cell.  What an element sees of less than `hardly` does not matter for the size. */
+static void see(const struct run *run, double hardly, struct pending *cell)
 {
+    const double widest = 0.5, widths = 2; /* half sizes: in radians, and in widths of the lobe */
     const struct lx_lobe_double *lobe = run->sampling->lobe;
-    double above = angle_between(sight->direction, run->normals.axis) - run->normals.spread - sight->deviation;
-    bool by_cosine = lobe->model == LX_LAMBERT || lobe->highlight != LX_HIGHLIGHT_PLAIN;
-    if (by_cosine && above >= M_PI / 2)
-        return 0;
-    if (!(sight->nearest > 0))
-        return HUGE_VAL;
-    double strength = source->shell->radiance * M_PI * sight->radius * sight->radius * attenuate(source, sight->nearest);
-    if (lobe->model == LX_LAMBERT)
-        return strength * lobe->diffuse;
-    /* The angle between N and H is at least half the one between the mirrored view and L. */
-    double off = angle_between(sight->direction, run->mirrored.axis) - run->mirrored.spread - sight->deviation;
-    off = fmax(off, 0) / (lobe->model == LX_BLINN_PHONG ? 2 : 1);
-    if (off >= M_PI / 2)
-        return 0;
-    return strength * lobe->specular * pow(cos(off), 2 * lobe->half_exponent);
+    bool is_matte = lobe->model == LX_LAMBERT;
+    struct sight sight;
+    look(run, cell, &sight);
+    double weight = M_PI * cell->source->shell->radiance * (is_matte ? lobe->diffuse : lobe->specular);
+    double greatest = 0, square = 0;
+    for (int lane = 0; lane < LX_LANES; lane++) {
+        double nearest = sight.distance[lane] - sight.radius[lane], radius = sight.radius[lane];
+        double own = nearest > 0 ? weight * radius * radius * attenuate(cell->source, nearest) : HUGE_VAL;
+        greatest = sight.may[lane] ? fmax(greatest, own) : greatest;
+    }
+    /* from where on S^n is worth looking at */
+    double least_square = is_matte || !(hardly > 0) ? 0 : pow(fmin(hardly / greatest, 1), 1 / lobe->half_exponent);
+    cell->is_wide = false;
+    cell->is_tiny = true;
+    for (int lane = 0; lane < LX_LANES; lane++) {
+        if (!sight.may[lane])
+            continue;
+        double own = is_matte ? 1 : greatest_square(run, &sight, lane);
+        square = fmax(square, own);
+        if (own < least_square)
+            continue;
+        double width = fmin(widest, widths * run->width[lane]), radius = sight.radius[lane];
+        double from = sight.distance[lane] - radius;
+        cell->is_wide = cell->is_wide || !(radius <= width * from);
+        cell->is_tiny = cell->is_tiny && radius < TINY * width * from;
+    }
+    double power = is_matte ? 1 : pow(square, lobe->half_exponent);
+    cell->bound = !(square > 0) ? 0 : greatest < HUGE_VAL ? greatest * power : greatest;
 }
 
 /* What the error may reach. */
@@ -350,27 +338,48 @@ static void enlist(struct run *run, const struct cell *cell)
     memory->cells[memory->cell_count++] = *cell;
 }
 
+static int by_bound(const void *a, const void *b)
+{
+    double x = ((const struct pending *)a)->bound, y = ((const struct pending *)b)->bound;
+    return (x > y) - (x < y);
+}
+
+/* Looks at the last ones of what is pending; the brightest comes first then, so that soon it is known what matters. */
+static void sort_out(struct run *run, size_t count)
+{
+    const double hardly = 1e-4; /* of what is allowed */
+    struct lx_sampling_memory *memory = run->memory;
+    struct pending *last = memory->pending + memory->pending_count - count;
+    double limit = hardly * allowed(run);
+    for (size_t i = 0; i < count; i++)
+        see(run, limit, &last[i]);
+    qsort(last, count, sizeof *last, by_bound);
+}
+
 /* Drops, halves or evaluates what is pending. */
 static void work_off(struct run *run)
 {
     struct lx_sampling_memory *memory = run->memory;
+    sort_out(run, memory->pending_count);
     while (memory->pending_count > 0) {
         struct pending next = memory->pending[--memory->pending_count];
-        struct lx_around around = lx_cell_around(next.patch, &next.part);
-        struct sight sight = see(run, next.patch, &around);
-        double bound = bound_of(run, next.source, &sight);
-        if (bound == 0 || run->dropped + bound <= DROPPED * allowed(run)) {
-            run->dropped += bound;
+        if (next.bound == 0 || run->dropped + next.bound <= DROPPED * allowed(run)) {
+            run->dropped += next.bound;
             continue;
         }
-        if (sight.is_wide && next.depth < DEEPEST && memory->cell_count < MOST_CELLS) {
+        if (next.is_wide && next.depth < DEEPEST && memory->cell_count < MOST_CELLS) {
             for (int q = 0; q < QUARTERS; q++)
-                memory->pending[memory->pending_count++] =
-                    (struct pending){next.source, next.patch, quarter_of(&next.part, q), next.depth + 1};
+                memory->pending[memory->pending_count++] = (struct pending){
+                    .source = next.source,
+                    .patch = next.patch,
+                    .part = quarter_of(&next.part, q),
+                    .depth = next.depth + 1,
+                };
+            sort_out(run, QUARTERS);
             continue;
         }
         struct cell cell = {.source = next.source, .patch = next.patch, .part = next.part, .depth = next.depth};
-        cell.is_tiny = sight.is_tiny;
+        cell.is_tiny = next.is_tiny;
         shade_whole(run, &cell, cell.is_tiny ? 1 : RULE);
         shade_quarters(run, &cell);
         enlist(run, &cell);
@@ -416,7 +425,7 @@ bool lx_sample_run(const struct lx_sampler *sampling, struct lx_sampling_memory 
 {
     struct run run = {.sampling = sampling, .memory = memory, .block = block, .copy = copy, .start = start};
     run.around = lx_block_around(block, start, LX_LANES);
-    find_bundles(&run);
+    find_lobes(&run);
     for (int i = 0; i < LX_LANES; i++)
         run.known[i] = sum[i];
     memory->cell_count = memory->pending_count = 0;
@@ -426,7 +435,7 @@ bool lx_sample_run(const struct lx_sampler *sampling, struct lx_sampling_memory 
         size_t count = lx_patches_make(source->shell, &run.around, memory->patches + patches);
         for (size_t i = 0; i < count; i++)
             memory->pending[memory->pending_count++] =
-                (struct pending){source, memory->patches + patches + i, {0, 0, 1, 1}, 0};
+                (struct pending){.source = source, .patch = memory->patches + patches + i, .part = {0, 0, 1, 1}};
         patches += count;
     }
     work_off(&run);

@@ -170,54 +170,32 @@ static size_t disk_patch(const struct lx_shell *shell, const struct lx_around *a
     return above > shell->touch_mm;
 }
 
-/* T and the slack of a round patch; false where no element is outside. */
-static bool set_round(double distance, double around, struct lx_patch *patch)
-{
-    const double turned = 2.5; /* the axes of a frame turn by twice its pole's angle at most */
-    double radius = patch->radius, nearest = fmax(distance - around, radius), farthest = distance + around;
-    double middle = fmax(distance, radius);
-    patch->tangent = sqrt((middle - radius) / (middle + radius));
-    double spread = distance > around ? turned * asin(around / distance) : 2;
-    double reaches = acos(radius / fmax(farthest, radius)) - acos(radius / nearest);
-    patch->slack = radius * fmin(spread + reaches, 2);
-    return farthest > radius;
-}
-
 static size_t ball_patch(const struct lx_shell *shell, const struct lx_around *around, struct lx_patch *patch)
 {
     *patch = (struct lx_patch){.kind = LX_PATCH_BALL, .radius = shell->round_mm};
+    double towards[3];
     for (int i = 0; i < 3; i++) {
         patch->o[i] = shell->center[i];
-        patch->n[i] = around->center[i] - shell->center[i];
+        towards[i] = around->center[i] - shell->center[i];
     }
-    double distance = sqrt(dot(patch->n, patch->n));
-    if (!(distance > 0))
-        patch->n[0] = 1;
+    double distance = sqrt(dot(towards, towards));
     for (int i = 0; i < 3; i++)
-        patch->n[i] /= distance > 0 ? distance : 1;
-    make_frame(patch->n, patch->a, patch->b);
-    return set_round(distance, around->radius, patch);
+        towards[i] = distance > 0 ? towards[i] / distance : i == 0;
+    make_frame(towards, patch->a, patch->b);
+    return distance + around->radius > patch->radius;
 }
 
 static size_t side_patch(const struct lx_shell *shell, const struct lx_around *around, struct lx_patch *patch)
 {
     *patch = (struct lx_patch){.kind = LX_PATCH_SIDE, .radius = shell->round_mm, .length = 2 * shell->half_mm};
-    double offset[3];
+    double offset[3], across[3];
     for (int i = 0; i < 3; i++) {
         patch->o[i] = shell->center[i];
         patch->n[i] = shell->axis[i];
         offset[i] = around->center[i] - shell->center[i];
     }
-    double height = dot(offset, patch->n);
-    for (int i = 0; i < 3; i++)
-        patch->a[i] = offset[i] - height * patch->n[i];
-    double distance = sqrt(dot(patch->a, patch->a));
-    if (!(distance > 0))
-        make_frame(patch->n, patch->a, patch->b);
-    for (int i = 0; i < 3; i++)
-        patch->a[i] /= distance > 0 ? distance : 1;
-    cross(patch->n, patch->a, patch->b);
-    return set_round(distance, around->radius, patch);
+    cross(offset, patch->n, across);
+    return sqrt(dot(across, across)) + around->radius > patch->radius;
 }
 
 size_t lx_patches_make(const struct lx_shell *shell, const struct lx_around *around, struct lx_patch *patches)
@@ -250,55 +228,74 @@ static double flat_place(const struct lx_patch *patch, double s, double t, doubl
     return fmax(dot(area, patch->n), 0);
 }
 
-static struct lx_around flat_around(const struct lx_patch *patch, const struct lx_cell *cell)
+/* The place on a ball or side at s, t for an element, as kernel_samples.h has it; returns the element's T. */
+static double round_place(const struct lx_patch *patch, double s, double t, const double element[3], double place[3])
 {
-    struct lx_around around = {.radius = 0};
-    flat_place(patch, cell->s + cell->ds / 2, cell->t + cell->dt / 2, around.center);
+    bool is_side = patch->kind == LX_PATCH_SIDE;
+    double n[3], a[3], b[3];
+    for (int i = 0; i < 3; i++)
+        n[i] = element[i] - patch->o[i];
+    double along = is_side ? dot(n, patch->n) : 0;
+    for (int i = 0; i < 3; i++)
+        n[i] -= along * patch->n[i];
+    double distance = fmax(sqrt(dot(n, n)), patch->radius * 1e-15), slant = dot(n, patch->a) / distance;
+    for (int i = 0; i < 3; i++) {
+        n[i] /= distance;
+        a[i] = is_side ? patch->n[i] : patch->a[i] - slant * n[i];
+    }
+    double length = fmax(sqrt(dot(a, a)), 1e-15);
+    for (int i = 0; i < 3; i++)
+        a[i] /= length;
+    cross(n, a, b);
+    double above = fmax(distance - patch->radius, 0), share = is_side ? 2 * t - 1 : s;
+    double whole = sqrt(above / (distance + patch->radius)), tangent = share * whole;
+    double inverse = 1 / (1 + tangent * tangent);
+    double cosine = (1 - tangent * tangent) * inverse, sine = 2 * tangent * inverse;
+    double by_a = is_side ? 0 : sine * cos(2 * M_PI * t), by_b = is_side ? sine : sine * sin(2 * M_PI * t);
+    double up = is_side ? (s - 0.5) * patch->length : 0;
+    for (int i = 0; i < 3; i++)
+        place[i] = patch->o[i] + up * patch->n[i] + patch->radius * (cosine * n[i] + by_a * a[i] + by_b * b[i]);
+    return whole;
+}
+
+static void disk_place(const struct lx_patch *patch, double s, double cosine, double sine, double place[3])
+{
+    for (int i = 0; i < 3; i++)
+        place[i] = patch->o[i] + patch->radius * s * (cosine * patch->a[i] + sine * patch->b[i]);
+}
+
+/* The middle of a flat cell and the distance of its farthest corner. */
+static double look_at_flat(const struct lx_patch *patch, const struct lx_cell *cell, double middle[3])
+{
+    double farthest = 0;
+    flat_place(patch, cell->s + cell->ds / 2, cell->t + cell->dt / 2, middle);
     for (int corner = 0; corner < 4; corner++) {
         double place[3];
         flat_place(patch, cell->s + (corner & 1) * cell->ds, cell->t + (corner >> 1) * cell->dt, place);
         for (int i = 0; i < 3; i++)
-            place[i] -= around.center[i];
-        around.radius = fmax(around.radius, sqrt(dot(place, place)));
+            place[i] -= middle[i];
+        farthest = fmax(farthest, dot(place, place));
     }
-    return around;
+    return sqrt(farthest);
 }
 
-struct lx_around lx_cell_around(const struct lx_patch *patch, const struct lx_cell *cell)
+double lx_cell_look(const struct lx_patch *patch, const struct lx_cell *cell, const double element[3],
+                    double middle[3])
 {
-    const double s = cell->s + cell->ds / 2, t = cell->t + cell->dt / 2, end = cell->s + cell->ds;
-    double by_a = 0, by_b = 0, by_n = 0, half_s = 0, half_t = 0; /* half the cell's size along s and t */
-    switch (patch->kind) {
-    case LX_PATCH_FLAT: return flat_around(patch, cell);
-    case LX_PATCH_DISK:
-        by_a = patch->radius * s * cos(2 * M_PI * t);
-        by_b = patch->radius * s * sin(2 * M_PI * t);
-        half_s = patch->radius * cell->ds / 2;
-        half_t = patch->radius * end * fmin(M_PI * cell->dt, 2);
-        break;
-    case LX_PATCH_BALL: {
-        double angle = 2 * atan(s * patch->tangent), last = 2 * atan(end * patch->tangent);
-        by_n = patch->radius * cos(angle);
-        by_a = patch->radius * sin(angle) * cos(2 * M_PI * t);
-        by_b = patch->radius * sin(angle) * sin(2 * M_PI * t);
-        half_s = patch->radius * patch->tangent * cell->ds;
-        half_t = patch->radius * sin(last) * fmin(M_PI * cell->dt, 2);
-        break;
+    const double s = cell->s + cell->ds / 2, t = cell->t + cell->dt / 2, radius = patch->radius;
+    const double end = cell->s + cell->ds, turn = fmin(M_PI * cell->dt, 2);
+    if (patch->kind == LX_PATCH_FLAT)
+        return look_at_flat(patch, cell, middle);
+    if (patch->kind == LX_PATCH_DISK) {
+        disk_place(patch, s, cos(2 * M_PI * t), sin(2 * M_PI * t), middle);
+        return radius * (cell->ds / 2 + end * turn);
     }
-    case LX_PATCH_SIDE: {
-        double angle = 2 * atan((2 * t - 1) * patch->tangent);
-        by_n = (s - 0.5) * patch->length;
-        by_a = patch->radius * cos(angle);
-        by_b = patch->radius * sin(angle);
-        half_s = patch->length * cell->ds / 2;
-        half_t = patch->radius * fmin(2 * patch->tangent * cell->dt, 2);
-        break;
-    }
-    }
-    struct lx_around around = {.radius = half_s + half_t};
-    for (int i = 0; i < 3; i++)
-        around.center[i] = patch->o[i] + by_n * patch->n[i] + by_a * patch->a[i] + by_b * patch->b[i];
-    return around;
+    double tangent = round_place(patch, s, t, element, middle), last = end * tangent;
+    if (!(tangent > 0))
+        return -1;
+    if (patch->kind == LX_PATCH_BALL)
+        return radius * (tangent * cell->ds + 2 * last / (1 + last * last) * turn);
+    return patch->length * cell->ds / 2 + radius * fmin(2 * tangent * cell->dt, 2);
 }
 
 void lx_patch_samples(const struct lx_patch *patch, double touch_mm, struct lx_samples_double *samples)
@@ -326,8 +323,7 @@ static double sample_at(const struct lx_patch *patch, double s, double t, double
         return 2 * patch->length;
     case LX_PATCH_DISK: break;
     }
-    for (int i = 0; i < 3; i++)
-        place[i] = patch->o[i] + patch->radius * s * (cosine * patch->a[i] + sine * patch->b[i]);
+    disk_place(patch, s, cosine, sine, place);
     return 2 * M_PI * patch->radius * patch->radius * s;
 }
 

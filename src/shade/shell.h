@@ -20,15 +20,14 @@ void lx_shell_clear(struct lx_shell *shell);
  * ball   LX_BALL_SHAPED of kernel.h, x = s, turned by 2 pi t
  * side   LX_SIDE of kernel.h, x = (s - 1/2) length, y = 2 t - 1
  *
- * On the latter two each element has places of its own; those of the middle of the elements, in the frame n, a, b, are
- * within `slack` of them all.
+ * On the latter two each element has places of its own.
  */
 enum lx_patch_kind { LX_PATCH_FLAT, LX_PATCH_DISK, LX_PATCH_BALL, LX_PATCH_SIDE };
 
 struct lx_patch {
     enum lx_patch_kind kind;
     double o[3], a[3], b[3], g[3], n[3]; /* from the anchor; n is the normal of a flat one or a disk */
-    double radius, length, tangent, slack; /* tangent: T of the middle */
+    double radius, length;
 };
 
 /* The patches of a shell that some place within a ball may see; at most lx_patch_limit() of them. */
@@ -40,8 +39,10 @@ struct lx_cell {
     double s, t, ds, dt;
 };
 
-/* A ball around a cell, but for the patch's slack. */
-struct lx_around lx_cell_around(const struct lx_patch *patch, const struct lx_cell *cell);
+/* The middle of a cell, the same for all elements unless the patch is a ball's or a side's, and how far away from it
+ * its places are at most; less than 0 where the element is in the body. */
+double lx_cell_look(const struct lx_patch *patch, const struct lx_cell *cell, const double element[3],
+                    double middle[3]);
 
 /* Sets what all samples on a patch have in common. */
 void lx_patch_samples(const struct lx_patch *patch, double touch_mm, struct lx_samples_double *samples);

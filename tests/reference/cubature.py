@@ -370,6 +370,8 @@ def meetings(arcs, integrand, phi):
             t = crossing(beside, np.full(len(hit), arc.low), np.full(len(hit), arc.high))
             h = integrand.central(arc.curve.at(t))
             column[hit] = np.arctan2(dot(h, tangent), dot(h, integrand.pole))
+            if (column[hit] < -1e-6).any():
+                raise ArithmeticError('a meridian meets an arc behind the pole')
         theta.append(column)
     theta = np.stack(theta, axis=1)
     return theta[:, ~np.isnan(theta).all(axis=0)] if theta.size else theta

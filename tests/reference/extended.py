@@ -243,6 +243,31 @@ def shines_to(shape, place):
     return length(cross(away, shape.axis)) > shape.radius
 
 
+def touches(shape, place):
+    """Whether the place lies on the shape, its edges included (to what 50 digits can tell)."""
+    tiny = mpf('1e-30')
+    if isinstance(shape, Polygon):
+        size = mp.sqrt(shape.area)
+        corners = [subtract(corner, place) for corner in shape.vertices]
+        if abs(dot(corners[0], shape.normal)) > tiny * size:
+            return False
+        turn = mpf(0)
+        for a, b in zip(corners, corners[1:] + corners[:1]):
+            along = dot(cross(a, b), shape.normal)
+            if abs(along) <= tiny * size * size and dot(a, b) <= tiny * size * size:
+                return True
+            turn += mp.atan2(along, dot(a, b))
+        return abs(turn) > mp.pi
+    away = subtract(place, shape.center)
+    near = tiny * shape.radius
+    if isinstance(shape, Ball):
+        return abs(length(away) - shape.radius) <= near
+    height, beside = dot(away, shape.axis), length(cross(away, shape.axis))
+    if isinstance(shape, Disk):
+        return abs(height) <= near and beside <= shape.radius + near
+    return abs(beside - shape.radius) <= near and abs(height) <= shape.height / 2 + near
+
+
 # Irradiance by the law 1/r^2, for a radiance of 1.
 
 def irradiance(shape, place, normal):

@@ -323,19 +323,27 @@ def answer(scene, element, highlights=True):
                   mp.fsum(part.irradiance_doubt for part in shares))
 
 
+def on_source(scene, element):
+    """Whether a planar or volume source lies on the element, so that there is no value."""
+    return any(extended.touches(shape, element.position) for light in scene['lights']
+               if light['type'] in ('planar', 'volume') and light['parts'] == 'converged'
+               for shape in extended.source_of(light).shapes)
+
+
 # The questions that tests ask; `scene` is as the user wrote it.
 
 def probe_screen(scene, x, y, highlights=True):
-    """Answer for what is seen through (x, y), or None off every surface."""
+    """Answer for what is seen through (x, y), or None off every surface or on a source."""
     scene = completed(scene)
     element = seen_element(scene, x, y)
-    return answer(scene, element, highlights) if element else None
+    return answer(scene, element, highlights) if element and not on_source(scene, element) else None
 
 
 def probe_element(scene, numbers, highlights=True):
-    """Answer for the free element x, y, z, nx, ny, nz."""
+    """Answer for the free element x, y, z, nx, ny, nz, or None on a source."""
     scene = completed(scene)
-    return answer(scene, free_element(scene, numbers), highlights)
+    element = free_element(scene, numbers)
+    return None if on_source(scene, element) else answer(scene, element, highlights)
 
 
 def pixel_of(scene, x, y):

@@ -349,7 +349,7 @@ def test_pictures(tap, options):
                     points = [[(i + 0.5) * pitch - scene['screen']['width'] / 2,
                                scene['screen']['height'] / 2 - (j + 0.5) * pitch]
                               for j in range(rows) for i in range(columns)]
-                    probes = options.luxel.probe(scene, points=points, options=switches)['points']
+                    probes = options.luxel.probe(scene, points=points, options=switches, accept=(0, TOLERANCE))['points']
                     options.luxel.render(scene, output, options=[*switches, '--precision', precision])
                     picture = np.load(output).astype(float).ravel()
                     values = np.array([0 if probe['value'] is None else probe['value'] for probe in probes])

@@ -331,6 +331,12 @@ static const struct facets_case {
      {500, 100, 0x1.f3ffdf3b645a2p+9},
      {0, 0, 1},
      0x1.87ce976146084p-37, 0x1.2bc741245c25ap-91},
+    {"1e-9 mm below the plane, upwards", RECTANGLE, 11, {
+        0, 0, 1000, 600, 400, 0, 0, -1, 0, 1, 0,
+     },
+     {500, 100, 0x1.f3fffffffdda4p+9},
+     {0, 0, 1},
+     0x1.aec9886b70e84p-77, 0x1.a62ee97a30220p-131},
     {"1 nm below the plane, sideways", RECTANGLE, 11, {
         0, 0, 1000, 600, 400, 0, 0, -1, 0, 1, 0,
      },
@@ -571,6 +577,54 @@ static const struct facets_case {
      },
      {-1300, 0, 0},
      {-0x1.6a09e6bdd9f86p-1, 0, 0x1.6a09e667f3bcdp-1},
+     0, 0},
+    {"1e-10 of an edge above", OUTLINE, 9, {
+        0, 0, -400, 0, 0, 0x1.ad7f29abcaf48p-24, 0, 300, 0x1.ad7f29abcaf48p-24,
+     },
+     {-500, 10, 0},
+     {0, 0, 1},
+     0x1.79a0f479fd0f3p-67, 0x1.2eb927e665f3bp-122},
+    {"1e-10 of a corner above", OUTLINE, 9, {
+        0, -300, -400, 0, 0, 0x1.ad7f29abcaf48p-24, 0, 300, -500,
+     },
+     {-500, 10, 0},
+     {0, 0, 1},
+     0x1.23d54b9c744fep-99, 0x1.4354dcde3e401p-156},
+    {"1e-10 of a box's corner above", BOX, 6, {
+        0, 0, -250, 300, 200, 0x1.f40000035afe5p+8,
+     },
+     {-500, 400, 0},
+     {0, 0, 1},
+     0x1.59bc6c9695045p-67, 0x1.646009d6e5161p-121},
+    {"edge, tilted by 1e-10", RECTANGLE, 11, {
+        0, 0, 1000, 600, 400, 0, 0, -1, 0, 1, 0,
+     },
+     {-1300, 0, 0},
+     {-0x1.6a09e668cfa3dp-1, 0, 0x1.6a09e667f3bcdp-1},
+     0, 0},
+    {"1e-12 of an edge above", OUTLINE, 9, {
+        0, 0, -400, 0, 0, 0x1.12e0be826d695p-30, 0, 300, 0x1.12e0be826d695p-30,
+     },
+     {-500, 10, 0},
+     {0, 0, 1},
+     0x1.355a7c17374c9p-80, -0x1.a40486802b3adp-134},
+    {"1e-12 of a corner above", OUTLINE, 9, {
+        0, -300, -400, 0, 0, 0x1.12e0be826d695p-30, 0, 300, -500,
+     },
+     {-500, 10, 0},
+     {0, 0, 1},
+     0x1.32025fc558142p-119, 0x1.4299de52a73e0p-173},
+    {"1e-12 of a box's corner above", BOX, 6, {
+        0, 0, -250, 300, 200, 0x1.f400000008970p+8,
+     },
+     {-500, 400, 0},
+     {0, 0, 1},
+     0x1.1b38937db9d30p-80, -0x1.ee1f177c1496cp-134},
+    {"edge, tilted by 1e-12", RECTANGLE, 11, {
+        0, 0, 1000, 600, 400, 0, 0, -1, 0, 1, 0,
+     },
+     {-1300, 0, 0},
+     {-0x1.6a09e667f5efcp-1, 0, 0x1.6a09e667f3bcdp-1},
      0, 0},
     {"small, above the horizon by its size", RECTANGLE, 11, {
         1000, 0, 1, 1, 1, -1, 0, 0, 0, 0, 1,

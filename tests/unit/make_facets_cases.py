@@ -1,4 +1,3 @@
-#!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
 """Writes facets_cases.h: the irradiance by facets, computed with 80 digits.
 
@@ -192,6 +191,7 @@ def cases():
     yield "on an edge's line", PANEL, [500, 200, 1000], [-0.6, 0, 0.8]
     yield "right below an edge's line", PANEL, [500, 200, 999.9999999999], [-1, 0, 0]
     yield "0.001 mm below the plane, upwards", PANEL, [500, 100, 999.999], UP
+    yield "1e-9 mm below the plane, upwards", PANEL, [500, 100, 999.999999999], UP
     yield "1 nm below the plane, sideways", PANEL, [500, 100, 999.999999], [-1, 0, 0]
     yield "in the plane of a box's face beside it", CUBE, [700, 20, 2500], [-0.6, 0, 0.8]
     yield "on the line of a box's edge", CUBE, [700, 500, 2500], [-0.6, 0, 0.8]
@@ -212,7 +212,7 @@ def cases():
     yield "horizon through a corner", outline([0, 0, 0], [400, 0, 400], [0, 300, 400]), [-500, 0, 0], UP
     yield "horizon along an edge, above", outline([0, 0, 0], [0, 300, 0], [0, 0, 400]), [-500, 10, 0], UP
     yield "horizon along an edge, below", outline([0, 0, -400], [0, 0, 0], [0, 300, 0]), [-500, 10, 0], UP
-    for k in (1, 3, 6, 8):
+    for k in (1, 3, 6, 8, 10, 12):
         low = 1000.0 / 10 ** k
         yield f"1e-{k} of an edge above", outline([0, 0, -400], [0, 0, low], [0, 300, low]), [-500, 10, 0], UP
         yield f"1e-{k} of a corner above", outline([0, -300, -400], [0, 0, low], [0, 300, -500]), [-500, 10, 0], UP
