@@ -1,13 +1,15 @@
 /* SPDX-License-Identifier: MIT */
 /*
  * How fast pictures are made: every instruction set that runs here, one thread and all of them, one source and
- * sixteen, on a sphere that fills most of an 800 x 800 picture.  Prints the best of several runs, in milliseconds for
+ * sixteen, and each extended source with and without its highlight, on a sphere that fills most of an 800 x 800
+ * picture.  Prints the best of several runs, in milliseconds for
  * the whole picture and in nanoseconds for each pixel on the sphere and source.  Absolute times depend on the machine
  * and what else it does; compare the rows of one run.
  */
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
+#include <string.h>
 #include <time.h>
 
 #include <luxel/luxel.h>
@@ -20,22 +22,27 @@ static const char scene_head[] = "luxel: 1\n"
                                  "surfaces: [{type: sphere, center: [0, 0, 1000], radius: 240}]\n"
                                  "lights:\n";
 
-/* A ring of point sources in front of the sphere. */
-static luxel_scene *ring_of_lights(int lights)
+static luxel_scene *scene_of(const char *text)
 {
-    char text[8192];
     luxel_scene *scene = NULL;
-    int used = snprintf(text, sizeof text, "%s", scene_head);
-    for (int i = 0; i < lights; i++)
-        used += snprintf(text + used, sizeof text - (size_t)used,
-                         "  - {type: point, position: [%.3f, %.3f, 2500], intensity: 10}\n",
-                         2000 * cos(2 * M_PI * i / lights), 2000 * sin(2 * M_PI * i / lights));
-    if (luxel_scene_read_text(text, (size_t)used, "ring", NULL, &scene) != LUXEL_OK ||
+    if (luxel_scene_read_text(text, strlen(text), "benchmark", NULL, &scene) != LUXEL_OK ||
         luxel_scene_commit(scene, NULL) != LUXEL_OK) {
         fputs("the scene of the benchmark has errors\n", stderr);
         exit(EXIT_FAILURE);
     }
     return scene;
+}
+
+/* A ring of point sources in front of the sphere. */
+static luxel_scene *ring_of_lights(int lights)
+{
+    char text[8192];
+    int used = snprintf(text, sizeof text, "%s", scene_head);
+    for (int i = 0; i < lights; i++)
+        used += snprintf(text + used, sizeof text - (size_t)used,
+                         "  - {type: point, position: [%.3f, %.3f, 2500], intensity: 10}\n",
+                         2000 * cos(2 * M_PI * i / lights), 2000 * sin(2 * M_PI * i / lights));
+    return scene_of(text);
 }
 
 static double seconds(void)
@@ -76,6 +83,46 @@ static void measure(const char *set, luxel_precision precision, unsigned threads
     luxel_scene_free(scene);
 }
 
+static const char *const extended[][2] = {
+    {"rectangle", "planar, rectangle: {center: [300, 400, 2200], size: [1000, 600], aim: [0, 0, 1000]}"},
+    {"disk", "planar, disk: {center: [300, 400, 2200], radius: 400, aim: [0, 0, 1000]}"},
+    {"box", "volume, box: {center: [300, 400, 2200], size: [600, 600, 600]}"},
+    {"sphere", "volume, sphere: {center: [300, 400, 2200], radius: 400}"},
+    {"cylinder", "volume, cylinder: {center: [300, 400, 2200], radius: 100, height: 1000, axis: [1, 1, 0]}"},
+};
+
+static void measure_extended(const char *set, size_t source)
+{
+    char text[1024];
+    double times[4];
+    size_t pixels;
+    snprintf(text, sizeof text, "%s  - {type: %s, radiance: 10}\n", scene_head, extended[source][1]);
+    luxel_scene *scene = scene_of(text);
+    for (unsigned i = 0; i < 4; i++) {
+        luxel_settings settings;
+        luxel_settings_init(&settings);
+        settings.instruction_set = set;
+        settings.threads = i & 1;
+        settings.quantity = i & 2 ? LUXEL_BRIGHTNESS : LUXEL_IRRADIANCE;
+        times[i] = best_time(scene, &settings, &pixels);
+    }
+    printf("%-10s  %-9s  %9.2f  %9.2f  %9.2f  %9.2f  %9.2f\n", set, extended[source][0], 1e3 * times[0],
+           1e3 * times[1], 1e9 * times[1] / (double)pixels, 1e3 * times[2], 1e3 * times[3]);
+    luxel_scene_free(scene);
+}
+
+/* Absolute times beside a target: 60 ms and 250 ms for the rectangle on two processors. */
+static void measure_all_extended(void)
+{
+    printf("\nextended sources: irradiance, and brightness with the highlight to 1e-3 of the maximum\n");
+    printf("%-10s  %-9s  %9s  %9s  %9s  %9s  %9s\n", "", "", "E, ms", "E, ms", "E, ns/px", "B, ms", "B, ms");
+    printf("%-10s  %-9s  %9s  %9s  %9s  %9s  %9s\n", "set", "source", "all thr.", "1 thread", "1 thread", "all thr.",
+           "1 thread");
+    for (size_t i = 0; luxel_instruction_set_name(i); i++)
+        for (size_t k = 0; luxel_instruction_set_runs(i) && k < sizeof extended / sizeof extended[0]; k++)
+            measure_extended(luxel_instruction_set_name(i), k);
+}
+
 int main(void)
 {
     printf("%d x %d pixels, Blinn-Phong, shininess 20, inverse-square; best of %d runs\n", SIDE, SIDE, RUNS);
@@ -89,5 +136,6 @@ int main(void)
                 measure(set, LUXEL_SINGLE, threads, lights);
         measure(set, LUXEL_DOUBLE, 1, 16);
     }
+    measure_all_extended();
     return 0;
 }

@@ -47,7 +47,7 @@ static int name_shares(const struct lx_scene_parameters *scene, luxel_probe *pro
     return 0;
 }
 
-/* What is below this share of the sources' radiance is as good as 0: in a source's plane the rounding is all there is. */
+/* What is below this share of the sources' radiance is as good as 0: in a source's plane there is only rounding. */
 static const double NOTHING = 1e-20;
 
 /* Where there are closed forms the default tolerance is always met; an explicit one, or an integral, is checked. */

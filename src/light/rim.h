@@ -73,10 +73,6 @@ void lx_add_disk(struct lx_wide_sum *sum, const struct lx_rim *rim, const struct
 double lx_cut_disk_integral(const struct lx_rim *rim, const struct lx_horizon *horizon, double *relative);
 double lx_side_integral(const struct lx_rim rims[2], const struct lx_horizon horizons[2], double *relative);
 
-/* Gauss's rule with 16 nodes on (-1, 1): the positive nodes and their weights. */
-enum { LX_GAUSS_HALF = 8 };
-extern const double lx_gauss_nodes[LX_GAUSS_HALF], lx_gauss_weights[LX_GAUSS_HALF];
-
 /* Twice the irradiance by a cylinder of the half height g about (rho, 0, middle), middle >= 0, from outside. */
 void lx_add_cylinder(struct lx_wide_sum *sum, lx_wide rho, lx_wide middle, lx_wide radius, lx_wide half_height,
                      lx_wide3 normal);

@@ -13,10 +13,11 @@
  * The inner panels keep away from z = +-i sqrt(s), the outer ones from w = pi +- i log(rho/R), where s vanishes; these
  * are then halved until both halves together agree with the whole.
  */
+#include "gauss.h"
 #include "rim.h"
 
-enum { MOST_PANELS = 200, MOST_HALVINGS = 30, MOST_REFINED = 2000, ROOTS = 6 };
-static const double CLEARANCE = 3, AGREED = 0x1p-46;
+enum { MOST_HALVINGS = 30, MOST_REFINED = 2000, ROOTS = 6 };
+static const double AGREED = 0x1p-46;
 
 /* Places that w is measured from, all in (0, 2 pi): where it touches, where each rim sets and rises. */
 enum root { FIRST, LAST, RISE, SET };
@@ -70,23 +71,22 @@ static double height_at(const struct side *side, const struct piece *piece, int 
 /* The integral of a linear function, first at z = from, last at z = to, over (s + z^2)^2; length = to - from. */
 static double along(struct side *side, double s, double from, double length, double first, double last)
 {
-    double sum = 0, begin = 0, root = sqrt(s);
-    for (int k = 0; k < MOST_PANELS && begin < 1 && side->complete; k++) {
-        double end = 1;
-        while (hypot(from + length * (begin + end) / 2, root) < CLEARANCE * length * (end - begin) / 2)
-            end = begin + (end - begin) / 2;
+    struct lx_pole pole = {-from / length, sqrt(s) / length};
+    double sum = 0, begin = 0;
+    for (int k = 0; k < LX_MOST_PANELS && begin < 1 && side->complete; k++) {
+        double end = lx_panel_end(begin, 1, &pole, 1);
         double middle = (begin + end) / 2, half = (end - begin) / 2, part = 0;
-        for (int i = 0; i < 2 * LX_GAUSS_HALF; i++) {
-            double node = i < LX_GAUSS_HALF ? lx_gauss_nodes[i] : -lx_gauss_nodes[i - LX_GAUSS_HALF];
-            double t = middle + half * node, rest = (1 - end) + half * (1 - node), z = from + length * t;
-            double d2 = s + z * z;
+        for (int i = 0; i < LX_GAUSS_NODES; i++) {
+            double t = middle + half * lx_gauss[i].place, rest = (1 - end) + half * lx_gauss[i].rest;
+            double z = from + length * t, d2 = s + z * z;
             side->nearest2 = fmin(side->nearest2, d2);
-            part += lx_gauss_weights[i % LX_GAUSS_HALF] * (first * rest + last * t) / (d2 * d2);
+            part += lx_gauss[i].weight * (first * rest + last * t) / (d2 * d2);
         }
         sum += half * part;
+        side->complete = end > begin;
         begin = end;
     }
-    side->complete = side->complete && begin == 1;
+    side->complete = side->complete && !(begin < 1);
     return sum * length;
 }
 
@@ -112,10 +112,9 @@ static double panel(struct side *side, const struct piece *piece, double from, d
 {
     side->refined++;
     double middle = (from + to) / 2, half = (to - from) / 2, sum = 0;
-    for (int i = 0; i < 2 * LX_GAUSS_HALF; i++) {
-        double node = i < LX_GAUSS_HALF ? lx_gauss_nodes[i] : -lx_gauss_nodes[i - LX_GAUSS_HALF];
-        double right = (piece->length - to) + half * (1 - node);
-        sum += lx_gauss_weights[i % LX_GAUSS_HALF] * generator(side, piece, middle + half * node, right);
+    for (int i = 0; i < LX_GAUSS_NODES; i++) {
+        double right = (piece->length - to) + half * lx_gauss[i].rest;
+        sum += lx_gauss[i].weight * generator(side, piece, middle + half * lx_gauss[i].place, right);
     }
     return half * sum;
 }
@@ -143,15 +142,15 @@ static double refine(struct side *side, const struct piece *piece, double from, 
 
 static double over_piece(struct side *side, const struct piece *piece)
 {
-    double off_axis = log1p(side->gap / side->radius), sum = 0, from = 0;
-    for (int k = 0; k < MOST_PANELS && from < piece->length && side->complete; k++) {
-        double to = piece->length;
-        while (hypot(piece->from_middle + (from + to) / 2, off_axis) < CLEARANCE * (to - from) / 2)
-            to = from + (to - from) / 2;
+    struct lx_pole pole = {-piece->from_middle, log1p(side->gap / side->radius)};
+    double sum = 0, from = 0;
+    for (int k = 0; k < LX_MOST_PANELS && from < piece->length && side->complete; k++) {
+        double to = lx_panel_end(from, piece->length, &pole, 1);
         sum += refine(side, piece, from, to, panel(side, piece, from, to), MOST_HALVINGS);
+        side->complete = side->complete && to > from;
         from = to;
     }
-    side->complete = side->complete && from == piece->length;
+    side->complete = side->complete && !(from < piece->length);
     return sum;
 }
 

@@ -8,6 +8,7 @@
 #include <string.h>
 
 #include "../base/number.h"
+#include "../base/phrase.h"
 #include "../format/mesh.h"
 #include "spread.h"
 
@@ -78,7 +79,7 @@ static const struct lx_table box_table = {
 
 static const struct lx_parameter sphere_parameters[] = {
     CENTER(struct sphere_parameters),
-    LENGTH("radius", struct sphere_parameters, radius_mm, "its radius"),
+    LENGTH("radius", struct sphere_parameters, radius_mm, LX_N("its radius")),
     {
         .name = "facets",
         .type = LX_WHOLE,
@@ -98,8 +99,8 @@ static const struct lx_table sphere_table = {
 
 static const struct lx_parameter cylinder_parameters[] = {
     CENTER(struct cylinder_parameters),
-    LENGTH("radius", struct cylinder_parameters, radius_mm, "its radius"),
-    LENGTH("height", struct cylinder_parameters, height_mm, "its length along the axis; both ends are closed"),
+    LENGTH("radius", struct cylinder_parameters, radius_mm, LX_N("its radius")),
+    LENGTH("height", struct cylinder_parameters, height_mm, LX_N("its length along the axis; both ends are closed")),
     {
         .name = "axis",
         .type = LX_REALS,

@@ -134,8 +134,7 @@ static void set_lobes(const struct lx_lobe *lobe, struct lx_planned_surface *sur
     surface->matte_exact = surface->glossy_exact = surface->lobe_exact;
     surface->matte_exact.model = LX_LAMBERT;
     surface->glossy_exact.diffuse = 0;
-    surface->matte_lobe = *lobe;
-    surface->matte_lobe.specular = lx_exact(0);
+    surface->lobe = *lobe;
     surface->lobe_single = single_lobe(&surface->lobe_exact);
     surface->glossy_single = single_lobe(&surface->glossy_exact);
     surface->matte_single = single_lobe(&surface->matte_exact);

@@ -35,6 +35,7 @@ struct lx_planned_shell {
 
 struct lx_planned_surface {
     struct lx_shape shape;
+    struct lx_lobe lobe;
     double low_mm[3], high_mm[3]; /* its extent, and what rounding cannot tell from it */
     struct lx_lobe_single lobe_single;
     struct lx_lobe_double lobe_exact;
@@ -47,7 +48,6 @@ struct lx_planned_surface {
     size_t shell_count, matte_count;
     struct lx_lobe_single glossy_single, matte_single; /* the lobe's two parts */
     struct lx_lobe_double glossy_exact, matte_exact;
-    struct lx_lobe matte_lobe;
 };
 
 struct lx_plan {

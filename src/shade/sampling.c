@@ -3,6 +3,7 @@
 #include <float.h>
 #include <math.h>
 #include <stdlib.h>
+#include <string.h>
 
 #include "sampling.h"
 
@@ -10,6 +11,9 @@ enum { MOST_CELLS = LX_MOST_CELLS, DEEPEST = 14, QUARTERS = 4, RULE = 3, RULE_PO
 
 /* Cells up to this share of the lobe's width are begun with one sample against four. */
 static const double TINY = 0.25;
+
+/* Of the light of a cell that a jump cuts this share is in doubt: a strip of this width lies between samples. */
+static const double CUT_SHARE = 0.1;
 
 /* Shares of the tolerance for what is dropped unseen, and for what is not looked at again. */
 static const double DROPPED = 0.125, SETTLED = 0.125;
@@ -20,6 +24,7 @@ struct cell {
     struct lx_cell part;
     int depth;
     bool is_tiny;                         /* coarse is one sample, the quarters are one each */
+    double doubt[LX_LANES];               /* where the lobe jumps in the cell: the difference counts as no less */
     double coarse[LX_LANES];              /* by the rule in all of it */
     double quarters[QUARTERS][LX_LANES];  /* by the rule in each quarter */
 };
@@ -32,6 +37,7 @@ struct pending {
     double bound; /* no element gets more light from it */
     bool is_wide; /* too large for the rule of Gauss */
     bool is_tiny;
+    double doubt[LX_LANES];
 };
 
 struct lx_sampling_memory {
@@ -157,6 +163,27 @@ static void look(const struct run *run, const struct pending *cell, struct sight
     }
 }
 
+/* Whether the lobe jumps in the cell: at the horizon where it is gated, and, where S^n begins with an infinite slope,
+ * at S = 0, that is N.L = -N.V or R.V = 0. */
+static bool is_cut(const struct run *run, const struct sight *sight, size_t lane)
+{
+    const struct lx_block_double *block = run->block;
+    const struct lx_lobe_double *lobe = run->sampling->lobe;
+    const double *l = sight->towards[lane], size = sight->radius[lane] / sight->distance[lane];
+    size_t i = run->start + lane;
+    if (lobe->model == LX_LAMBERT)
+        return false;
+    double height = block->nx[i] * l[0] + block->ny[i] * l[1] + block->nz[i] * l[2];
+    if (lobe->highlight == LX_HIGHLIGHT_GATED && fabs(height) < size)
+        return true;
+    if (lobe->half_exponent >= 0.5)
+        return false;
+    if (lobe->model == LX_PHONG)
+        return fabs(dot(l, run->mirrored[lane])) < size;
+    double facing = block->nx[i] * block->vx[i] + block->ny[i] * block->vy[i] + block->nz[i] * block->vz[i];
+    return fabs(height + facing) < size;
+}
+
 /*
  * The largest square of S over the cell's places, for an element.  With A the angle between L and the mirrored view
  * and the cell seen under no more than rho from its middle, it is at most the square of cos(A - rho); the angle
@@ -204,16 +231,22 @@ static void see(const struct run *run, double hardly, struct pending *cell)
     cell->is_wide = false;
     cell->is_tiny = true;
     for (int lane = 0; lane < LX_LANES; lane++) {
+        cell->doubt[lane] = 0;
         if (!sight.may[lane])
             continue;
         double own = is_matte ? 1 : greatest_square(run, &sight, lane);
         square = fmax(square, own);
         if (own < least_square)
             continue;
+        if (is_cut(run, &sight, (size_t)lane)) {
+            double content = weight * 2 / M_PI * sight.radius[lane] * sight.radius[lane];
+            content *= attenuate(cell->source, sight.distance[lane]) * pow(own, lobe->half_exponent);
+            cell->doubt[lane] = CUT_SHARE * content;
+        }
         double width = fmin(widest, widths * run->width[lane]), radius = sight.radius[lane];
         double from = sight.distance[lane] - radius;
         cell->is_wide = cell->is_wide || !(radius <= width * from);
-        cell->is_tiny = cell->is_tiny && radius < TINY * width * from;
+        cell->is_tiny = cell->is_tiny && cell->doubt[lane] == 0 && radius < TINY * width * from;
     }
     double power = is_matte ? 1 : pow(square, lobe->half_exponent);
     cell->bound = !(square > 0) ? 0 : greatest < HUGE_VAL ? greatest * power : greatest;
@@ -314,7 +347,7 @@ static double account(struct run *run, const struct cell *cell, double sign, boo
     double worst = 0;
     for (int i = 0; i < LX_LANES; i++) {
         double fine = cell->quarters[0][i] + cell->quarters[1][i] + cell->quarters[2][i] + cell->quarters[3][i];
-        double difference = fabs(fine - cell->coarse[i]);
+        double difference = fmax(fabs(fine - cell->coarse[i]), cell->doubt[i]);
         run->value[i] += sign * fine;
         run->error[i] += is_open ? sign * difference : 0;
         worst = fmax(worst, difference);
@@ -380,10 +413,24 @@ static void work_off(struct run *run)
         }
         struct cell cell = {.source = next.source, .patch = next.patch, .part = next.part, .depth = next.depth};
         cell.is_tiny = next.is_tiny;
+        memcpy(cell.doubt, next.doubt, sizeof cell.doubt);
         shade_whole(run, &cell, cell.is_tiny ? 1 : RULE);
         shade_quarters(run, &cell);
         enlist(run, &cell);
     }
+}
+
+/* What is in doubt in a part of a cell; nothing where nothing was in all of it. */
+static void find_doubt(const struct run *run, const struct cell *parent, struct cell *part)
+{
+    bool any = false;
+    for (int i = 0; i < LX_LANES; i++)
+        any = any || parent->doubt[i] > 0;
+    if (!any)
+        return;
+    struct pending look = {.source = part->source, .patch = part->patch, .part = part->part};
+    see(run, 0, &look);
+    memcpy(part->doubt, look.doubt, sizeof part->doubt);
 }
 
 /* Replaces a cell by its quarters; one of few samples by the same with more. */
@@ -405,6 +452,7 @@ static void refine(struct run *run, size_t index)
     for (int q = 0; q < QUARTERS; q++) {
         struct cell part = {.source = parent.source, .patch = parent.patch, .depth = parent.depth + 1};
         part.part = quarter_of(&parent.part, q);
+        find_doubt(run, &parent, &part);
         for (int i = 0; i < LX_LANES; i++)
             part.coarse[i] = parent.quarters[q][i];
         shade_quarters(run, &part);

@@ -14,7 +14,7 @@
 
 #include "shell.h"
 
-enum { LX_MOST_CELLS = 2048 };
+enum { LX_MOST_CELLS = 1024 };
 
 /* One source for a lobe. */
 struct lx_sampled {

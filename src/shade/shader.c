@@ -175,21 +175,49 @@ static void light_block(const struct lx_plan *plan, const struct lx_planned_surf
     flush_group(memory, count);
 }
 
-/* The diffuse light of one element by an extended source whose law has no closed form. */
-static double integrate(const struct lx_plan *plan, const struct lx_planned_surface *surface,
-                        const struct lx_emitter *emitter, const struct lx_block_double *block, size_t i)
+/* An element of the block as the references take it. */
+static struct lx_element element_of(const struct lx_planned_surface *surface, const struct lx_block_double *block,
+                                    size_t i)
 {
-    const double *anchor = surface->shape.anchor_mm, tolerance = plan->precision == LUXEL_DOUBLE ? 1e-12 : 1e-7;
-    struct lx_element element = {
-        .place_mm = lx_exact3((double[]){anchor[0] + block->px[i], anchor[1] + block->py[i], anchor[2] + block->pz[i]}),
+    const double *anchor = surface->shape.anchor_mm;
+    double place[3] = {anchor[0] + block->px[i], anchor[1] + block->py[i], anchor[2] + block->pz[i]};
+    return (struct lx_element){
+        .place_mm = lx_exact3(place),
         .normal = lx_exact3((double[]){block->nx[i], block->ny[i], block->nz[i]}),
         .view = lx_exact3((double[]){block->vx[i], block->vy[i], block->vz[i]}),
-        .lobe = &surface->matte_lobe,
+        .lobe = &surface->lobe,
     };
+}
+
+/* The diffuse light of one element by an extended source whose law has no closed form. */
+static double integrate_matte(const struct lx_plan *plan, const struct lx_planned_surface *surface,
+                              const struct lx_emitter *emitter, const struct lx_block_double *block, size_t i)
+{
+    struct lx_lobe matte = surface->lobe;
+    matte.specular = lx_exact(0);
+    struct lx_element element = element_of(surface, block, i);
+    element.lobe = &matte;
     if (lx_extended_touches(emitter, element.place_mm))
         return 0;
+    double tolerance = plan->precision == LUXEL_DOUBLE ? 1e-12 : 1e-7;
     double irradiance = lx_integrate(emitter, &element, true, 0, tolerance).irradiance.value;
-    return irradiance > 0 ? surface->matte_lobe.diffuse.value * irradiance : 0;
+    return irradiance > 0 ? matte.diffuse.value * irradiance : 0;
+}
+
+/* The highlights of one element. */
+static double integrate_glossy(const struct lx_plan *plan, const struct lx_planned_surface *surface, double known,
+                               const struct lx_block_double *block, size_t i)
+{
+    const struct lx_element element = element_of(surface, block, i);
+    double sum = 0;
+    for (size_t s = 0; s < surface->shell_count; s++) {
+        const struct lx_emitter *emitter = surface->shells[s].emitter;
+        if (lx_extended_touches(emitter, element.place_mm))
+            continue;
+        double specular = lx_integrate(emitter, &element, false, known, plan->tolerance / 2).specular.value;
+        sum += specular > 0 ? specular : 0;
+    }
+    return sum;
 }
 
 /* Whether the source is above the horizon of every element of a run. */
@@ -234,7 +262,34 @@ static void light_by_laws(const struct lx_plan *plan, const struct lx_planned_su
     for (size_t s = 0; s < surface->shell_count; s++) {
         const struct lx_emitter *emitter = surface->shells[s].emitter;
         for (size_t i = start; i < last && emitter->attenuation != LX_INVERSE_SQUARE; i++)
-            memory->sum[i] += integrate(plan, surface, emitter, &memory->block, i);
+            memory->sum[i] += integrate_matte(plan, surface, emitter, &memory->block, i);
+    }
+}
+
+/* Adds the highlights of the extended sources to a run of elements. */
+static void light_by_highlights(const struct lx_plan *plan, const struct lx_planned_surface *surface,
+                                struct lx_shader_memory *memory, size_t start, size_t count)
+{
+    const struct lx_sampler sampling = {
+        .kernels = plan->kernels,
+        .sources = surface->glossy,
+        .source_count = surface->shell_count,
+        .lobe = &surface->glossy_exact,
+        .lobe_single = &surface->glossy_single,
+        .tolerance = plan->tolerance,
+        .least_maximum = plan->least_maximum,
+        .most_cells = LX_MOST_CELLS,
+    };
+    double sum[LX_LANES];
+    memcpy(sum, memory->sum + start, sizeof sum);
+    if (lx_sample_run(&sampling, memory->sampling, &memory->block, &memory->copy, start, sum)) {
+        memcpy(memory->sum + start, sum, sizeof sum);
+        return;
+    }
+    size_t last = start + LX_LANES < count ? start + LX_LANES : count;
+    for (size_t i = start; i < last; i++) {
+        double known = fmax(plan->least_maximum, memory->sum[i]);
+        memory->sum[i] += integrate_glossy(plan, surface, known, &memory->block, i);
     }
 }
 
@@ -250,21 +305,11 @@ static void light_by_shells(const struct lx_plan *plan, const struct lx_planned_
             plan->kernels->light_by_shell[planned->shell.type](&planned->shell, diffuse, &memory->block, &around,
                                                                count, memory->sum);
     }
-    const struct lx_sampler sampling = {
-        .kernels = plan->kernels,
-        .sources = surface->glossy,
-        .source_count = surface->shell_count,
-        .lobe = &surface->glossy_exact,
-        .lobe_single = &surface->glossy_single,
-        .tolerance = plan->tolerance,
-        .least_maximum = plan->least_maximum,
-        .most_cells = LX_MOST_CELLS,
-    };
     for (size_t start = 0; start < count; start += LX_LANES) {
         if (surface->matte_count > 0 && diffuse > 0)
             light_by_laws(plan, surface, memory, start, count);
         if (surface->glossy_exact.model != LX_LAMBERT)
-            lx_sample_run(&sampling, memory->sampling, &memory->block, &memory->copy, start, memory->sum + start);
+            light_by_highlights(plan, surface, memory, start, count);
         if (control && !lx_control_goes_on(control, is_caller))
             return;
     }

@@ -16,11 +16,17 @@ WORD = re.compile(r"[A-Za-z][A-Za-z_-]*[A-Za-z]")
 # Names of things, in every language.
 NAMES = set("""luxel YAML JSON Schema UTF png pfm npy exr csv PNG NPY PFM EXR CSV OpenEXR libpng zlib stdin NX NY NZ
     yaml-language-server luxel.schema json yaml NULL x_mm y_mm value_ single double NUMPY Pf quantity
-    brightnesz kd ks ka my render probe check scene set schema help report three-lights two-spheres""".split())
+    brightnesz kd ks ka my render probe grid check scene set schema help report three-lights two-spheres desk OFF OBJ
+    FILE U0 Ud window disk-lamp box-lamp ball-lamp tube lampshade all-sources""".split())
 
 COMMANDS = [
     [], ["help"], ["--help"], ["--version"], *[["help", name] for name in (
-        "render", "probe", "check", "scene", "schema", "set", "help")],
+        "render", "probe", "grid", "check", "scene", "schema", "set", "help")],
+    ["grid"], ["grid", "desk"], ["grid", "desk", "-o", "a.png"], ["grid", "desk", "--quantity", "brightness"],
+    ["grid", "desk", "-s", "grids[0].n=[40,30]"], ["grid", "desk", "-s", "grids[0].n=[9000,9000]"],
+    ["probe", "window", "-p", "-120,90"], ["check", "-s", "lights=[{type: planar, radiance: 1}]"],
+    ["check", "-s", "lights=[{type: planar, vertices: [[0,0,0],[1,1,0],[1,0,0],[0,1,0]], radiance: 1}]"],
+    ["check", "-s", "lights=[{type: volume, mesh: none.off, radiance: 1}]"],
     ["render"], ["render", "spot"], ["render", "three-lights"], ["render", "-s", "lights=[]"], ["render", "-q"],
     ["render", "-s", "screen.resolution=[36,36]", "-s", "points=[[0,0],[400,0],[100,50]]"],
     ["render", "-s", "surfaces[0].center=[9000,0,1000]"], ["render", "-s", "units=photometric"],

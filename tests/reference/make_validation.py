@@ -8,6 +8,7 @@ Deviations are printed as the next power of ten above them, so that the page is 
 """
 import argparse
 import math
+import textwrap
 
 import numpy as np
 from mpmath import mp, mpf
@@ -23,6 +24,7 @@ STAGE = {
     'observer': {'z': 2000},
     'surfaces': [{'type': 'sphere', 'center': [0, 0, -9000], 'radius': 100}],
 }
+WIDTH = 118       # of the page's text
 LEAST = -14       # nearer to float64's own resolution, compilers may differ
 UNIT_RADIANCE = 1 / math.pi  # so that the irradiance is the configuration factor
 
@@ -52,7 +54,7 @@ class Page:
     def heading(self, title, *paragraphs):
         self.lines += ['', '## ' + title]
         for paragraph in paragraphs:
-            self.lines += ['', *paragraph.splitlines()]
+            self.lines += ['', *textwrap.wrap(paragraph, WIDTH, break_long_words=False, break_on_hyphens=False)]
 
     def table(self, columns, rows):
         self.lines += ['', '| ' + ' | '.join(columns) + ' |', '|' + '---|' * len(columns)]
@@ -100,11 +102,12 @@ def elements_table(page, scene, elements, unit, printed=(), skip=(), places=None
     for index, (element, value) in enumerate(zip(elements, found)):
         where = places[index] if places else ', '.join(f'{x:g}' for x in element[:3])
         print_value = printed[index] if index < len(printed) and index not in skip else None
-        row = [where, *([] if places else [direction_words(element[3:])]), figures(exact_irradiance(scene, element), digits),
-               figures(value, digits)]
+        exact = exact_irradiance(scene, element)
+        row = [where, *([] if places else [direction_words(element[3:])])]
+        row += [figures(exact, digits), figures(value, digits)]
         if printed:
             row.append(f'{print_value:g}' if print_value else '')
-        row.append(off_exact(value, exact_irradiance(scene, element)))
+        row.append(off_exact(value, exact))
         if printed:
             row.append(off_printed(value, print_value))
         rows.append(row)
@@ -123,15 +126,15 @@ def direction_words(normal):
 def cie(page):
     case = case_named('cie171-5.2')
     page.heading('CIE 171, test 5.2: a point source over a plane',
-                 'A point source of 1000 cd with a Lambertian pattern, I = 1000 cos θ, hangs 3 m above a horizontal\n'
+                 'A point source of 1000 cd with a Lambertian pattern, I = 1000 cos θ, hangs 3 m above a horizontal '
                  'plane. Illuminance on the plane at places around the foot of the source.')
     elements_table(page, {**case['scene'], 'units': 'photometric'}, case['elements'], 'lx', case['printed']['values'])
 
     case = case_named('cie171-5.3')
     page.heading('CIE 171, test 5.3: an area source',
-                 'A square Lambertian source of 1 m × 1 m in the middle of the ceiling of a black room of\n'
-                 '4 m × 4 m × 3 m; luminance 1000 cd/m². The origin is a corner of the room. Illuminance on a wall\n'
-                 '(y = 0) and on the floor, along the line under the middle of the source.')
+                 'A square Lambertian source of 1 m × 1 m in the middle of the ceiling of a black room of 4 m × 4 m '
+                 '× 3 m; luminance 1000 cd/m². The origin is a corner of the room. Illuminance on a wall (y = 0) and '
+                 'on the floor, along the line under the middle of the source.')
     elements_table(page, {**case['scene'], 'units': 'photometric'}, case['elements'], 'lx', case['printed']['values'])
 
     closed_room(page)
@@ -140,9 +143,9 @@ def cie(page):
         case = case_named(f'cie171-5.6-{size}mm')
         printed = case.get('printed', {})
         page.heading(f'CIE 171, test 5.6: a square of {words}',
-                     f'A uniform square Lambertian source of {words} × {words} lies on the floor around the middle of a\n'
-                     'room of 4 m × 4 m × 3 m and shines upwards. Configuration factors in percent (the irradiance for an\n'
-                     'exitance of 100) on a wall (y = 0) and on the ceiling; the origin is a corner of the room.'
+                     f'A uniform square Lambertian source of {words} × {words} lies on the floor around the middle of '
+                     'a room of 4 m × 4 m × 3 m and shines upwards. Configuration factors in percent (the irradiance '
+                     'for an exitance of 100) on a wall (y = 0) and on the ceiling; the origin is a corner of the room.'
                      + ('' if size == '4000' else ' No printed values of this size are at hand.'))
         elements_table(page, case['scene'], case['elements'], '%', printed.get('values', ()), printed.get('skip', ()))
 
@@ -150,9 +153,10 @@ def cie(page):
 def closed_room(page):
     """Test 5.4, light conservation."""
     page.heading('CIE 171, test 5.4: no light is lost',
-                 'An isotropic point source of 10 000 lm (10 000/4π cd) in a closed room of 4 m × 4 m × 3 m, off its middle.\n'
-                 'What `luxel grid` finds on the six walls, each a grid of square cells: the average illuminance times the\n'
-                 'area, summed. The midpoint of each cell stands for the cell, so the sum has an error of order 2 in its size.')
+                 'An isotropic point source of 10 000 lm (10 000/4π cd) in a closed room of 4 m × 4 m × 3 m, off its '
+                 'middle. What `luxel grid` finds on the six walls, each a grid of square cells: the average '
+                 'illuminance times the area, summed. The midpoint of each cell stands for the cell, so the sum has '
+                 'an error of order 2 in its size.')
     rows = []
     for cells_per_metre in (5, 10, 20, 40):
         grids = []
@@ -178,9 +182,10 @@ def flat(shape, **keys):
 
 def factors(page):
     page.heading('Configuration factors',
-                 'The part of the light of a Lambertian source of exitance 1 that an element receives: irradiance for the\n'
-                 'radiance 1/π. Reference: J. R. Howell, *A Catalog of Radiation Heat Transfer Configuration Factors*\n'
-                 '(the corner; its B-13 for tilted elements); R. Siegel, J. R. Howell, *Thermal Radiation Heat Transfer*.')
+                 'The part of the light of a Lambertian source of exitance 1 that an element receives: irradiance '
+                 'for the radiance 1/π. Reference: J. R. Howell, *A Catalog of Radiation Heat Transfer Configuration '
+                 'Factors* (the corner; its B-13 for tilted elements); R. Siegel, J. R. Howell, *Thermal Radiation '
+                 'Heat Transfer*.')
     square = flat('rectangle', center=[500, 500, 1000], size=[1000, 1000])
     upright = flat('rectangle', center=[1000, 500, 500], size=[1000, 1000], axis=[-1, 0, 0])
     full = flat('disk', center=[0, 0, 1000], radius=1000)
@@ -196,8 +201,8 @@ def factors(page):
 
     row('unit square at the distance 1, the element under a corner and parallel to it', square, [0, 0, 0, 0, 0, 1],
         '0.13853161')
-    row('unit square at the distance 1, the element level with its lower edge, under a corner, its plane upright to it', upright,
-        [0, 0, 0, 0, 0, 1], '')
+    row('unit square at the distance 1, the element level with its lower edge, opposite a corner, and upright to it',
+        upright, [0, 0, 0, 0, 0, 1], '')
     row('disk of radius 1 at the height 1, on its axis, parallel', full, [0, 0, 0, 0, 0, 1], '0.5')
     row('the same, 0.5 off the axis', full, [500, 0, 0, 0, 0, 1], '0.43798263')
     row('disk of radius 1 at the height 2, 1.5 off the axis, parallel', full, [1500, 0, -1000, 0, 0, 1], '0.10228414')
@@ -210,17 +215,17 @@ def factors(page):
         normal = [math.sin(math.radians(degrees)), 0, math.cos(math.radians(degrees)) if degrees != 90 else 0]
         row(f'sphere of radius 1 whose centre is at the distance 2, {degrees}° off the normal', ball,
             [0, 0, 0, *normal], printed)
-    page.table(['geometry (lengths in m)', 'exact (1)', 'Luxel (1)', 'reference (1)', 'off the exact', 'off the reference'],
-               rows)
+    page.table(['geometry (lengths in m)', 'exact (1)', 'Luxel (1)', 'reference (1)', 'off the exact',
+                'off the reference'], rows)
 
 
 def sphere_means(page):
     """The mean over a sphere, by Gauss between the polar angles at which the disk begins and ceases to be cut."""
     page.heading('The mean irradiance of a sphere under a coaxial disk',
-                 'A disk of radius 1, coaxial with a sphere whose centre is 0.5 away from it. Averaged over the whole sphere,\n'
-                 'the irradiance for the exitance 1 is the disk\'s solid angle over 4π, (1 - 1/√5)/2, whatever the sphere\'s\n'
-                 'radius. The manual of EES (Engineering Equation Solver) prints 0.2764. Luxel: 120 elements around the sphere,\n'
-                 'summed by a Gauss rule.')
+                 'A disk of radius 1, coaxial with a sphere whose centre is 0.5 away from it. Averaged over the '
+                 'whole sphere, the irradiance for the exitance 1 is the solid angle of the disk over 4π, (1 - '
+                 '1/√5)/2, whatever the radius of the sphere. The manual of EES (Engineering Equation Solver) prints '
+                 '0.2764. Luxel: 120 elements around the sphere, summed by a Gauss rule.')
     scene = flat('disk', center=[0, 0, 500], radius=1000)
     exact = (1 - 1 / mp.sqrt(5)) / 2
     nodes, weights = np.polynomial.legendre.leggauss(40)
@@ -262,11 +267,11 @@ def glossy_value(page, scene, element):
 
 def highlights(page):
     page.heading('Phong highlights of a square: axial moments',
-                 'A unit square, centred on +z at the distance 1 and seen from the origin, has the radiance 1. With kd = 0,\n'
-                 'ks = 1 the highlight is ∫ max(0, w·u)^n dω over its directions u, w being the mirrored view. J. Arvo,\n'
-                 '*Applications of irradiance tensors to the simulation of non-Lambertian phenomena* (1995), gives it in\n'
-                 'closed form for whole n; here it comes from the cubature that serves every exponent. For n = 0 the material has\n'
-                 'the exponent 10^-15, since it must be above 0.')
+                 'A unit square, centred on +z at the distance 1 and seen from the origin, has the radiance 1. With '
+                 'kd = 0, ks = 1 the highlight is ∫ max(0, w·u)^n dω over its directions u, w being the mirrored '
+                 'view. J. Arvo, *Applications of irradiance tensors to the simulation of non-Lambertian phenomena* '
+                 '(1995), gives it in closed form for whole n; here it comes from the cubature that serves every '
+                 'exponent. For n = 0 the material has the exponent 10^-15, since it must be above 0.')
     rows = []
     for axis, moments in PHONG_MOMENTS:
         size = math.sqrt(sum(x * x for x in axis))
@@ -285,10 +290,10 @@ def highlights(page):
                 'off the reference'], rows)
 
     page.heading('Blinn-Phong: what a surface reflects of light from everywhere',
-                 'At normal view, under a sky of radiance 1 over the whole hemisphere (a disk of 10^7 mm radius at 1 mm),\n'
-                 'with kd = 0, ks = 1 and `highlight: cosine`: ∫ (N·H)^n (N·L) dω = 8π (2^(-n/2) + n) / ((n + 2)(n + 4)).\n'
-                 'The same closed form, times 1/π, is what `normalized` divides by. What the disk leaves free at its rim,\n'
-                 '10^-7 rad, holds 10^-14 of the integral.')
+                 'At normal view, under a sky of radiance 1 over the whole hemisphere (a disk of 10^7 mm radius at 1 '
+                 'mm), with kd = 0, ks = 1 and `highlight: cosine`: ∫ (N·H)^n (N·L) dω = 8π (2^(-n/2) + n) / ((n + '
+                 '2)(n + 4)). The same closed form, times 1/π, is what `normalized` divides by. What the disk leaves '
+                 'free at its rim, 10^-7 rad, holds 10^-14 of the integral.')
     rows = []
     for exponent in (1, 2, 10, 20, 50, 300, 1000, 10000):
         surface = {**STAGE['surfaces'][0], 'material': gloss('blinn-phong', exponent, highlight='cosine')}

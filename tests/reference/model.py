@@ -287,7 +287,8 @@ def extended_share(element, light, p, highlights):
         if source.attenuation == 'inverse-square':
             part = cubature.irradiance(shape, position, normal)
         else:
-            part = cubature.integral(shape, position, 'diffuse', 'plain', 1, normal, normal, source.attenuation, source.k)
+            part = cubature.integral(shape, position, 'diffuse', 'plain', 1, normal, normal, source.attenuation,
+                                     source.k)
         received, received_doubt = received + part.value, received_doubt + part.certainty
         if highlights and material['model'] != 'lambert' and material['specular'] > 0:
             kind = 'mirror' if material['model'] == 'phong' else 'half'

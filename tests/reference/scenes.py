@@ -393,7 +393,8 @@ def enlarged(scene, longer, stronger):
                 light[key] *= stronger
     return {**scene, 'screen': lengths(scene['screen'], ('width', 'height')),
             'observer': lengths(scene['observer'], ('z',)),
-            'surfaces': [lengths(surface, ('center', 'radius', 'size')) for surface in scene['surfaces']], 'lights': lights}
+            'surfaces': [lengths(surface, ('center', 'radius', 'size')) for surface in scene['surfaces']],
+            'lights': lights}
 
 
 def _plate(rng, sphere, behind):

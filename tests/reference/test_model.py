@@ -65,8 +65,8 @@ def test_closed(tap, kind):
             element = model.seen_element(scene, *place) if len(place) == 2 else model.free_element(scene, place)
             for shape in extended.source_of(scene['lights'][0]).shapes if element else []:
                 closed = cubature.irradiance(shape, element.position, element.normal)
-                other = cubature.integral(shape, element.position, 'diffuse', 'plain', 1, element.normal, element.normal,
-                                          'inverse-square', 0)
+                other = cubature.integral(shape, element.position, 'diffuse', 'plain', 1, element.normal,
+                                          element.normal, 'inverse-square', 0)
                 places += closed.value > 0
                 doubt = closed.certainty + other.certainty + mpf('1e-12') * closed.value
                 if abs(closed.value - other.value) > doubt:
