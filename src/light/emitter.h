@@ -42,6 +42,7 @@ struct lx_profile {
 struct lx_emitter {
     enum lx_emitter_type type;
     size_t light;          /* index of the light in the scene that it belongs to */
+    bool is_part;          /* a point that stands for a part of an extended source: surfaces do not hide it */
     double strength;       /* irradiance, or a point's radiant intensity */
     lx_bounded3 towards;   /* direction: the unit vector to the light */
     double position_mm[3]; /* point */

@@ -4,14 +4,15 @@
  * the source's axis, and what of it is uncertain.
  *
  * Each value is the closed form for the float64 place and normal and the unit vector along the float64 axis.  The
- * true ones may be off by p, e and t.  Turning the axis by t moves the source by t times the distance of its centre,
- * and turns it against the normal, as seen from the element.  What the element sees of the source has the solid angle
- * Omega, its highest place the elevation with the sine mu, its least distance is d, all taken for the worst place
- * within reach; A is the area that it may see.  Then
+ * true ones may be off by p, e and t.  Turning the axis by t moves no place of the source by more than t times the
+ * reach from its centre; this is added to p.  What the element sees of the source has the solid angle Omega, its
+ * highest place the elevation with the sine mu, its least distance is d, all taken for the worst place within reach; A
+ * is the area that it may see.  Then
  *
  *     |dE| <= e Omega                                           N.w changes by e
  *     |dE| <= p mu (length of the visible contour over r^2)     the region's border moves by p/r
  *     |dE| <= p (5 Omega/d + mu min(A/d^3, c pi/d))             the gradient of cos cos'/r^2 under the integral
+ *             + t mu A/d^2                                      its change with the source's normal
  *
  * where c pi/d bounds the integral of 1/r^3 over a flat (c = 3) or convex (c = 12) surface.  A ball turns by p/d of its
  * centre, and its cone opens by p tan/d.  Where the source may be touched, E is between 0 and pi.
@@ -26,8 +27,9 @@ struct sight {
     enum lx_emitter_type type;
     lx_wide rho, height, radius, half_height; /* the centre is (rho, 0, height) in the frame of rim.h */
     lx_wide3 normal;
-    double place_error, normal_error;
-    double reach; /* an upper bound of |r| on the source */
+    double place_error, normal_error; /* how far places of the source may be off, from the element, and N */
+    double turned, tilted;            /* how far the axis may be, and what that does to the element's height */
+    double reach;                     /* an upper bound of |r| on the source */
 };
 
 struct estimate {
@@ -117,6 +119,7 @@ static struct sight sight_of(const struct lx_emitter *emitter, lx_bounded3 place
         height = lx_wide_negate(height);
     }
     lx_wide3 u = towards(center, a), v = lx_wide3_cross(a, u);
+    double size = hypot(emitter->radius_mm, emitter->height_mm / 2) * scale;
     struct sight sight = {
         .type = emitter->type,
         .rho = emitter->type == LX_BALL ? lx_wide_of(0) : lx_wide3_dot(center, u),
@@ -124,8 +127,10 @@ static struct sight sight_of(const struct lx_emitter *emitter, lx_bounded3 place
         .radius = lx_wide_of(emitter->radius_mm * scale),
         .half_height = lx_wide_of(emitter->type == LX_CYLINDER ? emitter->height_mm * scale / 2 : 0),
         .normal = {lx_wide3_dot(n, u), lx_wide3_dot(n, v), lx_wide3_dot(n, a)},
-        .place_error = error_norm(place_mm) * scale + (turned + OWN) * distance,
-        .normal_error = error_norm(normal) + turned + OWN,
+        .place_error = error_norm(place_mm) * scale + OWN * distance + turned * size,
+        .normal_error = error_norm(normal) + OWN,
+        .turned = turned,
+        .tilted = turned * distance,
     };
     if (sight.rho.high < 0)
         sight.rho = lx_wide_of(0);
@@ -176,17 +181,20 @@ static double surface_bound(const struct sight *sight, double distance, double m
     if (!(distance > 0))
         return M_PI;
     double d = distance, omega = fmin(2 * M_PI, area / (d * d));
+    double highest = fmax(sight->height.high, 0) + sight->place_error + sight->tilted; /* above the disk */
     if (sight->type == LX_DISK)
-        omega = fmin(omega, area * fmin(1, (fmax(sight->height.high, 0) + sight->place_error) / d) / (d * d));
-    double by_area = 5 * omega / d + mu * fmin(area / (d * d * d), c * M_PI / d), by_contour = mu * contour;
-    double bound = omega * sight->normal_error + fmin(by_area, by_contour) * sight->place_error;
+        omega = fmin(omega, area * fmin(1, highest / d) / (d * d));
+    double by_area = (5 * omega / d + mu * fmin(area / (d * d * d), c * M_PI / d)) * sight->place_error;
+    by_area += sight->turned * mu * area / (d * d);
+    double by_contour = mu * contour * sight->place_error;
+    double bound = omega * sight->normal_error + fmin(by_area, by_contour);
     return fmin(bound * (1 + 1e-9), M_PI);
 }
 
 static double disk_bound(const struct sight *sight, const struct lx_rim *rim, const struct lx_horizon *horizon)
 {
     double moved = moved_by(sight), h = fabs(sight->height.high), r = sight->radius.high;
-    if (sight->height.high + sight->place_error <= 0)
+    if (sight->height.high + sight->place_error + sight->tilted <= 0)
         return 0; /* behind it for certain */
     double beyond = fmax(lx_wide_sub(sight->rho, sight->radius).high, 0);
     double distance = hypot(beyond, h) * (1 - 1e-12) - sight->place_error;
@@ -280,7 +288,8 @@ static double cylinder_bound(const struct sight *sight, double beyond, double ov
     double slope = fabs(sight->normal.z.high) * (1 - 1e-12), length = 2 * g;
     if (length * slope > above)
         length = fmax(above, 0) / slope;
-    double tangent = sqrt(fmax(beyond, 0)) * sqrt(fmax(beyond, 0) + 2 * r) - sight->place_error;
+    double tangent = sqrt(fmax(beyond, 0)) * sqrt(fmax(beyond, 0) + 2 * r);
+    tangent -= sight->place_error + sight->tilted;
     contour += 2 * fmin(tangent > 0 ? M_PI / tangent : HUGE_VAL, length / (distance * distance));
     double area = M_PI * r * r * share_of(tau[0]) + fmin(M_PI, 2 * angle) * r * length;
     return surface_bound(sight, distance, mu, area, contour, 12);

@@ -161,6 +161,43 @@ static double caution_for(const struct lx_lobe *lobe)
     return lobe && lobe->exponent < 1 ? 10 : 1;
 }
 
+/*
+ * How far the shape is off that the sweeps are made of, in mm: the rounding of where it lies, and the turn of an
+ * uncertain axis about the centre.  A disk's rim is turned with it by as much as the angles of `normal_error` tell.
+ */
+static double shape_error(const struct lx_emitter *emitter, const double place_mm[3])
+{
+    if (emitter->type == LX_FACETS)
+        return 0;
+    double away = emitter->type == LX_DISK ? 0 : emitter->radius_mm + emitter->height_mm / 2;
+    for (int i = 0; i < 3; i++)
+        away += fabs(emitter->center_mm[i] - place_mm[i]);
+    return away * (2 * DBL_EPSILON + (emitter->type == LX_BALL ? 0 : error_of(emitter->axis)));
+}
+
+/*
+ * The relative error of the area of facets whose corners stand as float64 offsets from the centre: large for needles.
+ * Of many faces, the average goes for all.
+ */
+static double facets_error(const struct lx_facets *facets)
+{
+    enum { FEW = 64 };
+    double rounding = 4 * DBL_EPSILON * facets->radius_mm, worst = 0, lengths = 0;
+    for (size_t f = 0; f < facets->face_count; f++) {
+        const struct lx_face *face = &facets->faces[f];
+        double perimeter = 0;
+        for (unsigned i = 0; i < face->count; i++) {
+            lx_wide3 from = facets->corners_mm[facets->loop[face->first + i]];
+            lx_wide3 to = facets->corners_mm[facets->loop[face->first + (i + 1) % face->count]];
+            double x = to.x.high - from.x.high, y = to.y.high - from.y.high, z = to.z.high - from.z.high;
+            perimeter += sqrt(x * x + y * y + z * z);
+        }
+        worst = fmax(worst, rounding * perimeter / face->area_mm2);
+        lengths += perimeter;
+    }
+    return facets->face_count <= FEW ? worst : rounding * lengths / facets->area_mm2;
+}
+
 /* Integrates the problem over the source as it is seen from a place. */
 static lx_bounded integrate(struct lx_problem *problem, const double place_mm[3])
 {
@@ -194,26 +231,16 @@ static lx_bounded integrate(struct lx_problem *problem, const double place_mm[3]
         double strip = 4 * moved * problem->at_border * greatest_angle(problem->emitter, place_mm);
         double scale = exp(problem->top);
         result.value = all.value * scale;
-        double estimate = caution_for(problem->lobe) * all.error;
-        result.error = (estimate + all.inherited + strip + ROUNDING * all.value) * scale;
+        double estimate = caution_for(problem->lobe) * all.error, rounding = ROUNDING;
+        if (problem->emitter->type == LX_FACETS)
+            rounding += facets_error(problem->emitter->facets);
+        result.error = (estimate + all.inherited + strip + rounding * all.value) * scale;
         result.error += problem->top < 0 ? DBL_MIN : 0;
     }
     free(panels.items);
     free(problem->pieces);
     free(sweeps.items);
     return result;
-}
-
-/* How far the shape is off that the sweeps are made of, in mm. */
-static double shape_error(const struct lx_emitter *emitter, const double place_mm[3])
-{
-    if (emitter->type == LX_FACETS)
-        return 0;
-    double size = emitter->radius_mm + emitter->height_mm / 2, rounding = 0;
-    for (int i = 0; i < 3; i++)
-        rounding += fabs(emitter->center_mm[i] - place_mm[i]);
-    rounding += size;
-    return rounding * (2 * DBL_EPSILON + (emitter->type == LX_BALL ? 0 : error_of(emitter->axis)));
 }
 
 static void set_condition(struct lx_problem *problem, const double g[3], double limit)
@@ -254,7 +281,7 @@ struct lx_cubature lx_integrate(const struct lx_emitter *emitter, const struct l
     for (int i = 0; i < 3; i++)
         problem.mirrored[i] = 2 * problem.n_dot_v * problem.normal[i] - problem.view[i];
     problem.place_error_mm = error_of(element->place_mm) + shape_error(emitter, place);
-    problem.normal_error = error_of(element->normal);
+    problem.normal_error = error_of(element->normal) + (emitter->type == LX_DISK ? error_of(emitter->axis) : 0);
     problem.view_error = error_of(element->view);
     if (!(radiance > 0))
         return result;

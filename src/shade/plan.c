@@ -168,9 +168,9 @@ static int plan_shells(struct lx_plan *plan, struct lx_planned_surface *surface)
             surface->matte[surface->matte_count] = *sampled;
             surface->matte[surface->matte_count++].in_double = true;
         }
-        sampled->in_double = plan->precision == LUXEL_DOUBLE ||
-                             !lx_samples_fit_single(&surface->shape, &surface->glossy_exact, &planned->shell,
-                                                    plan->tolerance);
+        sampled->in_double =
+            plan->precision == LUXEL_DOUBLE ||
+            !lx_samples_fit_single(&surface->shape, &surface->glossy_exact, &planned->shell, plan->tolerance);
         patches += lx_patch_limit(&planned->shell);
     }
     plan->most_patches = patches;
@@ -197,7 +197,7 @@ static int plan_surface(struct lx_plan *plan, const struct lx_lobe *lobe, struct
         set_exact(emitter, &surface->shape, &light->exact);
         set_single(&light->exact, &light->single);
         lx_bound_light(prepared, &surface->shape, lobe, emitter, light);
-        if (find_blockers(plan, surface, light))
+        if (!emitter->is_part && find_blockers(plan, surface, light))
             return -1;
     }
     return plan_shells(plan, surface);
@@ -226,7 +226,7 @@ static int sample_maximum(const struct lx_plan *plan, double *maximum)
     return 0;
 }
 
-/* Finds a lower bound of the picture's maximum, for which a rough look at the highlights is enough, and chooses by it. */
+/* Finds a lower bound of the picture's maximum, by a rough look at the highlights, and chooses by it. */
 static int plan_accuracy(struct lx_plan *plan)
 {
     const double rough = 0.1, tolerance = plan->tolerance;

@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: MIT */
 /* Seeing and lighting one surface element in float64 with error bounds. */
 #include "reference.h"
-#include "camera.h"
 #include "../light/extended.h"
+#include "camera.h"
 #include "cubature.h"
 
 static lx_bounded3 observer_place(const struct lx_observer *observer)
@@ -58,7 +58,7 @@ static lx_bounded openness(const struct lx_prepared *prepared, const struct lx_e
     lx_bounded open = lx_exact(1);
     bool endless = emitter->type == LX_DIRECTION;
     lx_bounded3 way = endless ? emitter->towards : lx_sub3(lx_exact3(emitter->position_mm), element->place_mm);
-    for (size_t i = 0; prepared->shadows && i < prepared->surface_count; i++) {
+    for (size_t i = 0; prepared->shadows && !emitter->is_part && i < prepared->surface_count; i++) {
         const struct lx_prepared_surface *surface = &prepared->surfaces[i];
         if (surface == element->own)
             continue;

@@ -15,6 +15,9 @@ static const double TINY = 0.25;
 /* Of the light of a cell that a jump cuts this share is in doubt: a strip of this width lies between samples. */
 static const double CUT_SHARE = 0.1;
 
+/* What the difference of the two rules counts for: even at kinks the finer one is that much better than the other. */
+static const double DIFFERENCE_SHARE = 1.0 / 3;
+
 /* Shares of the tolerance for what is dropped unseen, and for what is not looked at again. */
 static const double DROPPED = 0.125, SETTLED = 0.125;
 
@@ -53,7 +56,7 @@ struct lx_sampling_memory {
 /* Halving one of those that are pending leaves three more. */
 static size_t most_pending(size_t most_patches)
 {
-    return most_patches + 3 * DEEPEST + 1;
+    return QUARTERS * most_patches + 3 * DEEPEST + 1;
 }
 
 size_t lx_sampling_memory_size(size_t most_patches)
@@ -191,7 +194,8 @@ static bool is_cut(const struct run *run, const struct sight *sight, size_t lane
  */
 static double greatest_square(const struct run *run, const struct sight *sight, int lane)
 {
-    double cosine = fmin(dot(sight->towards[lane], run->mirrored[lane]), 1), size = sight->radius[lane] / sight->distance[lane];
+    double cosine = fmin(dot(sight->towards[lane], run->mirrored[lane]), 1);
+    double size = sight->radius[lane] / sight->distance[lane];
     if (!(size < 1))
         return 1;
     double around = sqrt(1 - size * size), sine = sqrt(fmax(1 - cosine * cosine, 0));
@@ -214,7 +218,7 @@ static double attenuate(const struct lx_sampled *source, double distance_mm)
 /* Sets the bound and the size of a cell.  What an element sees of less than `hardly` does not matter for the size. */
 static void see(const struct run *run, double hardly, struct pending *cell)
 {
-    const double widest = 0.5, widths = 2; /* half sizes: in radians, and in widths of the lobe */
+    const double widest = 0.7, widths = 4; /* half sizes: in radians, and in widths of the lobe */
     const struct lx_lobe_double *lobe = run->sampling->lobe;
     bool is_matte = lobe->model == LX_LAMBERT;
     struct sight sight;
@@ -347,7 +351,7 @@ static double account(struct run *run, const struct cell *cell, double sign, boo
     double worst = 0;
     for (int i = 0; i < LX_LANES; i++) {
         double fine = cell->quarters[0][i] + cell->quarters[1][i] + cell->quarters[2][i] + cell->quarters[3][i];
-        double difference = fmax(fabs(fine - cell->coarse[i]), cell->doubt[i]);
+        double difference = fmax(DIFFERENCE_SHARE * fabs(fine - cell->coarse[i]), cell->doubt[i]);
         run->value[i] += sign * fine;
         run->error[i] += is_open ? sign * difference : 0;
         worst = fmax(worst, difference);
@@ -468,6 +472,16 @@ static bool is_done(const struct run *run)
     return greatest + run->dropped + run->settled <= allowed(run);
 }
 
+/* A patch as the first cells; full turns are too long for the rule of Gauss. */
+static void begin(struct run *run, const struct lx_sampled *source, const struct lx_patch *patch)
+{
+    struct lx_sampling_memory *memory = run->memory;
+    int parts = patch->kind == LX_PATCH_FLAT ? 1 : patch->kind == LX_PATCH_SIDE ? 2 : 4;
+    for (int i = 0; i < parts; i++)
+        memory->pending[memory->pending_count++] = (struct pending){
+            .source = source, .patch = patch, .part = {0, (double)i / parts, 1, 1.0 / parts}};
+}
+
 bool lx_sample_run(const struct lx_sampler *sampling, struct lx_sampling_memory *memory,
                    const struct lx_block_double *block, const struct lx_block_single *copy, size_t start, double *sum)
 {
@@ -482,8 +496,7 @@ bool lx_sample_run(const struct lx_sampler *sampling, struct lx_sampling_memory 
         const struct lx_sampled *source = &sampling->sources[s];
         size_t count = lx_patches_make(source->shell, &run.around, memory->patches + patches);
         for (size_t i = 0; i < count; i++)
-            memory->pending[memory->pending_count++] =
-                (struct pending){.source = source, .patch = memory->patches + patches + i, .part = {0, 0, 1, 1}};
+            begin(&run, source, memory->patches + patches + i);
         patches += count;
     }
     work_off(&run);

@@ -331,6 +331,26 @@ def test_places(tap, options):
                [a for a in answers if a['value'] != 0 or a['error'] >= 1e-12][:3])
 
 
+def test_unhidden(tap, options):
+    """A sphere between an extended source and a plate takes no light away, whole or in parts, as a point's it does."""
+    surfaces = [{'type': 'rectangle', 'center': [0, 0, 0], 'size': [400, 400]},
+                {'type': 'sphere', 'center': [0, 0, 300], 'radius': 50}]
+    screen = {'width': 400, 'height': 400, 'resolution': [8, 8]}
+    lamp = {'rectangle': {'center': [200, 0, 600], 'size': [20, 20], 'aim': [-100, 0, 0]}, 'radiance': 100}
+    for name, light, hidden in (
+            ('converged', {'type': 'planar', **lamp}, False),
+            ('in parts', {'type': 'planar', 'parts': 3, **lamp}, False),
+            ('a point', {'type': 'point', 'position': [200, 0, 600], 'intensity': 0.04}, True)):
+        scene = {**STAGE, 'screen': screen, 'surfaces': surfaces, 'lights': [light]}
+        alone = {**scene, 'surfaces': surfaces[:1]}
+        element, switches = [[-200, 0, 0, 0, 0, 1]], IRRADIANCE
+        value = options.luxel.probe(scene, elements=element, options=switches)['points'][0]['value']
+        expected = options.luxel.probe(alone, elements=element, options=switches)['points'][0]['value']
+        tap.ok(expected > 0 and value == (0 if hidden else expected), f'behind a sphere, {name}', value, expected)
+        point = options.luxel.probe(scene, points=[[-175, 25]], options=switches)['points'][0]
+        tap.ok(abs(point['value'] - point['pixel_value']) <= 4e-6 * expected, f'in the picture, {name}', point)
+
+
 def test_pictures(tap, options):
     """Every pixel against the probe of its own place."""
     with tempfile.TemporaryDirectory() as folder:
@@ -341,8 +361,8 @@ def test_pictures(tap, options):
                 scene = dict(extended_scenes.random_case(rng, kind).scene)
                 if any('solid' in light for light in scene['lights']):
                     continue
-                columns, rows = 13, 11
-                pitch = scene['screen']['height'] / scene['screen']['resolution'][1] * 4
+                columns, rows = 9, 7
+                pitch = scene['screen']['height'] / scene['screen']['resolution'][1] * 6
                 scene['screen'] = {**scene['screen'], 'width': columns * pitch, 'height': rows * pitch,
                                    'resolution': [columns, rows], 'sampling': 'centers'}
                 for quantity, precision, share in (('irradiance', 'single', 2e-6), ('irradiance', 'double', 1e-11),
@@ -369,7 +389,7 @@ def main():
     options = arguments(__doc__)
     tap = Tap()
     for test in (test_superposition, test_turned, test_scaled, test_split, test_reversed, test_far, test_parts,
-                 test_one_part, test_faceted, test_sphere_mean, test_places, test_pictures):
+                 test_one_part, test_faceted, test_sphere_mean, test_places, test_unhidden, test_pictures):
         if not options.kind or test.__name__.removeprefix('test_') in options.kind:
             tap.run(test, tap, options)
     tap.finish()

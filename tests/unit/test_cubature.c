@@ -165,6 +165,28 @@ static void diffuse_as_in_closed_form(void **unused)
     }
 }
 
+/* Of a needle even the area is rounded: 30 mm x 0.0001 mm. */
+static void needles(void **unused)
+{
+    uint64_t random = 23;
+    (void)unused;
+    for (int i = 0; i < 50; i++) {
+        const double center[3] = {uniform(&random, -50, 50), uniform(&random, -50, 50), 1000}, size[2] = {30, 1e-4};
+        const double axis[3] = {uniform(&random, -1, 1), 0.2, -1}, up[3] = {uniform(&random, -1, 1), 2, 0.3};
+        struct lx_emitter emitter = {.type = LX_FACETS, .radiance = lx_exact(1)};
+        struct lx_lobe lobe = lx_lobe_irradiance();
+        lx_bounded3 normal = lx_exact3((const double[]){0, 0, 1});
+        struct lx_element element = element_at_origin(&lobe, normal, normal);
+        emitter.facets = lx_facets_of_rectangle(center, size, axis, up);
+        assert_non_null(emitter.facets);
+        lx_bounded closed = lx_extended_irradiance(&emitter, element.place_mm, element.normal);
+        lx_bounded found = lx_integrate(&emitter, &element, true, 0, 1e-9).irradiance;
+        assert_near(found.value, closed.value, found.error + closed.error, "needle");
+        assert_true(found.error < 1e-9 * found.value && closed.error < 1e-12 * closed.value);
+        lx_facets_free(emitter.facets);
+    }
+}
+
 /* The bounds of coarse integrals hold the fine ones. */
 static void errors_are_honest(void **unused)
 {
@@ -261,6 +283,7 @@ int main(void)
         cmocka_unit_test(axial_moments),
         cmocka_unit_test(albedo),
         cmocka_unit_test(diffuse_as_in_closed_form),
+        cmocka_unit_test(needles),
         cmocka_unit_test(errors_are_honest),
         cmocka_unit_test(shares_add_up),
         cmocka_unit_test(dark_places),
