@@ -106,8 +106,8 @@ static void measure_extended(const char *set, size_t source)
         settings.quantity = i & 2 ? LUXEL_BRIGHTNESS : LUXEL_IRRADIANCE;
         times[i] = best_time(scene, &settings, &pixels);
     }
-    printf("%-10s  %-9s  %9.2f  %9.2f  %9.2f  %9.2f  %9.2f\n", set, extended[source][0], 1e3 * times[0],
-           1e3 * times[1], 1e9 * times[1] / (double)pixels, 1e3 * times[2], 1e3 * times[3]);
+    printf("%-10s  %-9s  %9.2f  %9.2f  %9.2f  %9.2f  %9.2f\n", set, extended[source][0], 1e3 * times[0], 1e3 * times[1],
+           1e9 * times[1] / (double)pixels, 1e3 * times[2], 1e3 * times[3]);
     luxel_scene_free(scene);
 }
 

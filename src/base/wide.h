@@ -30,12 +30,12 @@ lx_wide lx_wide_sub(lx_wide a, lx_wide b);
 lx_wide lx_wide_mul(lx_wide a, lx_wide b);
 lx_wide lx_wide_div(lx_wide a, lx_wide b);
 lx_wide lx_wide_scale(lx_wide a, double power_of_two);
-lx_wide lx_wide_sqrt(lx_wide a);              /* 0 for a <= 0 */
-lx_wide lx_wide_atan2(lx_wide y, lx_wide x);  /* 0 for (0, 0) */
-lx_wide lx_wide_log(lx_wide a);               /* a > 0 */
-lx_wide lx_wide_atanh(lx_wide a);             /* |a| < 1 */
+lx_wide lx_wide_sqrt(lx_wide a);             /* 0 for a <= 0 */
+lx_wide lx_wide_atan2(lx_wide y, lx_wide x); /* 0 for (0, 0) */
+lx_wide lx_wide_log(lx_wide a);              /* a > 0 */
+lx_wide lx_wide_atanh(lx_wide a);            /* |a| < 1 */
 lx_wide lx_wide_pi(void);
-int lx_wide_compare(lx_wide a, lx_wide b);    /* < 0, 0, > 0 */
+int lx_wide_compare(lx_wide a, lx_wide b); /* < 0, 0, > 0 */
 
 lx_wide3 lx_wide3_of(const double v[3]);
 lx_wide3 lx_wide3_add(lx_wide3 a, lx_wide3 b);

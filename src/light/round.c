@@ -111,7 +111,8 @@ static struct sight sight_of(const struct lx_emitter *emitter, lx_bounded3 place
         a = distance > 0 ? lx_wide3_unit(center) : lx_wide3_of((const double[]){0, 0, 1});
     } else {
         a = lx_wide3_unit(wide_of(bounded_axis));
-        turned = 2 * error_norm(bounded_axis);
+        turned = error_norm(bounded_axis);
+        turned *= 1 + turned; /* of a unit vector along it */
     }
     lx_wide height = lx_wide3_dot(center, a);
     if (emitter->type == LX_DISK || height.high < 0) { /* away from the element; a disk's front is towards it */

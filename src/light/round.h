@@ -1,13 +1,13 @@
 /* SPDX-License-Identifier: MIT */
 /*
- * Disks, balls and cylinders.  A circle is seen under an elliptic cone; in the cone's own frame, z along its axis,
- * its contour is r = (p cos t, q sin t, 1), and all parts of the contour integral are elementary:
+ * Disks, balls and cylinders: what an element sees of them is bounded by arcs of circles and straight ways, for which
+ * the contour integral of extended.h is elementary (rim.h).  Where nothing of a disk is below the element's horizon,
  *
- *     N.(r x r') = -Nx q cos t - Ny p sin t + Nz p q,      |r|^2 = 1 + p^2 cos^2 t + q^2 sin^2 t
+ *     E = 2 pi R^2/(W (K + W)) ((h^2 + t) N.a + h rho N.u)
+ *     K = rho^2 + h^2 + R^2,  X = rho^2 + h^2 - R^2,  W = sqrt(X^2 + 4 h^2 R^2),  t = 2 h^2 R^2/(W + X)
  *
- * For a disk of radius R whose plane is at the distance h from the element, the foot of the perpendicular rho away
- * from its centre: X = rho^2 + h^2 - R^2, W = sqrt(X^2 + 4 h^2 R^2), p = 2 h R/(W + X), q^2 = 2 R^2/(W + X); a ball
- * has p = q = R/sqrt(d^2 - R^2).
+ * its plane being at the distance h along a, the foot of the perpendicular rho away from its centre, which lies in the
+ * direction u from there; a ball is seen as a disk with rho = 0, h = sqrt(d^2 - R^2).
  */
 #ifndef LX_LIGHT_ROUND_H
 #define LX_LIGHT_ROUND_H

@@ -9,8 +9,6 @@
  * of the chord, which is the point w of the rim with w - w0 = +-f and cos w = -K/kappa; and where |r|^2 has a double
  * root in y, (R s + rho cos w0)^2 + h^2 = 0.
  */
-#include <complex.h>
-
 #include "gauss.h"
 #include "rim.h"
 
@@ -73,20 +71,25 @@ static double panel(struct sliver *sliver, double from, double to)
     return half * sum;
 }
 
-/* Where the outer integrand is singular, w0 being the angle of the highest place. */
+/* The place whose cosine is x + i y, y > 0: x = cos(along) cosh(off), y = sin(along) sinh(off). */
+static struct lx_pole pole_of_cosine(double x, double y)
+{
+    double b = (x - 1) * (x + 1) + y * y, root = hypot(b, 2 * y);
+    double sinh_off = b < 0 ? y * sqrt(2 / (root - b)) : sqrt((root + b) / 2);
+    return (struct lx_pole){atan2(y / sinh_off, x / hypot(1, sinh_off)), asinh(sinh_off)};
+}
+
+/* Where the outer integrand is singular, and again on both sides of 0 and of pi; w0: the angle of the highest place. */
 static void find_poles(const struct lx_rim *rim, struct lx_mark top, struct lx_pole poles[POLES])
 {
     double rho = rim->rho.high, radius = rim->radius.high, height = rim->height.high;
+    poles[0].along = fabs(atan2(top.sine.high, -top.cosine.high));
     /* arcosh(K/kappa) = 2 artanh(lambda) off the side of the rim that is nearest to the element */
-    double complex places[2] = {
-        CMPLX(fabs(atan2(top.sine.high, -top.cosine.high)), fmin(2 * atanh(fmin(rim->lambda.high, 1)), FAR)),
-        cacos(CMPLX(-rho * top.cosine.high / radius, height / radius)),
-    };
+    poles[0].off = fmin(2 * atanh(fmin(rim->lambda.high, 1)), FAR);
+    poles[1] = pole_of_cosine(-rho * top.cosine.high / radius, height / radius);
     for (int i = 0; i < 2; i++) {
-        double along = creal(places[i]), off = cimag(places[i]);
-        poles[3 * i] = (struct lx_pole){along, off};
-        poles[3 * i + 1] = (struct lx_pole){-along, off};
-        poles[3 * i + 2] = (struct lx_pole){2 * M_PI - along, off};
+        poles[2 + i] = (struct lx_pole){-poles[i].along, poles[i].off};
+        poles[4 + i] = (struct lx_pole){2 * M_PI - poles[i].along, poles[i].off};
     }
 }
 

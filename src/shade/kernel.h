@@ -139,12 +139,12 @@ struct lx_shell_edge {
 struct lx_shell {
     enum lx_emitter_type type;
     double radiance;
-    double center[3];  /* from the anchor */
-    double radius_mm;  /* of a sphere about the centre around all of it */
-    double touch_mm;   /* heights below this are rounding */
-    double axis[3];    /* of a disk or cylinder */
-    double round_mm;   /* radius of a disk, ball, cylinder */
-    double half_mm;    /* half the height of a cylinder */
+    double center[3]; /* from the anchor */
+    double radius_mm; /* of a sphere about the centre around all of it */
+    double touch_mm;  /* heights below this are rounding */
+    double axis[3];   /* of a disk or cylinder */
+    double round_mm;  /* radius of a disk, ball, cylinder */
+    double half_mm;   /* half the height of a cylinder */
     struct lx_shell_face *faces;
     struct lx_shell_edge *edges;
     size_t face_count, edge_count;

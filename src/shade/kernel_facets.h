@@ -104,7 +104,7 @@ LANE double clipped_edge(struct lane lane, struct lane3 u, struct lane3 e, doubl
     double first = from < 0 ? cross : 0, last = to < 0 ? cross : 1, part = last - first;
     double term = edge_term(lane, along3(u, first, e), along3(u, last, e), scale3(e, part), part * moment);
     double down = from < 0 ? 0 : weight, up = to < 0 ? 0 : weight; /* along the edge, or against it */
-    double leaves = (to < 0 ? down : 0) - (from < 0 ? up : 0); /* 1: goes below the horizon; -1: comes up again */
+    double leaves = (to < 0 ? down : 0) - (from < 0 ? up : 0);     /* 1: goes below the horizon; -1: comes up again */
     struct lane3 place = along3(u, cross, e);
     passage->exit = select3(leaves > 0, place, passage->exit);
     passage->entry = select3(leaves < 0, place, passage->entry);
@@ -160,8 +160,7 @@ static void add_edge(const struct lx_shell *shell, const struct lx_shell_edge *e
         struct lane lane = lane_of(shell, block, i);
         struct passage passage = passage_of(contour, i);
         double from = dot3(lane.n, along3(lane.c, 1, u)) + touch, to = dot3(lane.n, along3(lane.c, 1, w)) + touch;
-        contour->sum[i] +=
-            clipped_edge(lane, u, e, dot3(lane.n, moment), from, to, contour->weight[i], &passage);
+        contour->sum[i] += clipped_edge(lane, u, e, dot3(lane.n, moment), from, to, contour->weight[i], &passage);
         contour->exit_x[i] = passage.exit.x, contour->exit_y[i] = passage.exit.y;
         contour->exit_z[i] = passage.exit.z;
         contour->entry_x[i] = passage.entry.x, contour->entry_y[i] = passage.entry.y;

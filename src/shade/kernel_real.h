@@ -209,8 +209,8 @@ static inline __attribute__((always_inline)) void NAME(reflect)(const struct NAM
 {
     const struct NAME(lx_lobe) constants = *lobe;
     for (size_t i = 0; i < count; i++)
-        sum[i] += rays->e[i] * NAME(weight_of)(&constants, block, i, model, highlight, rays->lx[i], rays->ly[i],
-                                               rays->lz[i]);
+        sum[i] +=
+            rays->e[i] * NAME(weight_of)(&constants, block, i, model, highlight, rays->lx[i], rays->ly[i], rays->lz[i]);
 }
 
 static void NAME(find_rays)(const struct NAME(lx_light) * light, const struct NAME(lx_block) * block, size_t count,

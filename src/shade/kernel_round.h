@@ -43,7 +43,7 @@ LANE struct circle circle_of(struct lane lane, struct lane3 o, struct lane3 n, s
     double w = sqrt((less * less + height2) * (more * more + height2));
     w = greatest(w, SMALLEST);
     double d = rho * rho + height2 + radius * radius, product = 2 * radius * rho;
-    double beyond = 2 * dot3(lane.c, o) + dot3(o, o) + radius * radius; /* d - c^2 */
+    double beyond = 2 * dot3(lane.c, o) + dot3(o, o) + radius * radius;        /* d - c^2 */
     double below = (product * product - beyond * (square + d)) / (square + w); /* c^2 - W */
     return (struct circle){
         .o = o,
@@ -150,8 +150,8 @@ LANE double disk_irradiance(struct lane lane, struct lane3 o, struct lane3 axis,
     double past = rho * rho - radius * radius - height * height, w = circle.w;
     double half_sum = rho * rho + height * height + radius * radius + w;
     double inside = past > 0 ? 4 * height * height * rho * rho / (w + past) : w - past;
-    double whole = M_PI * radius / w *
-                   (circle.b * height * dot3(lane.n, u) - radius * inside / half_sum * dot3(lane.n, axis));
+    double whole =
+        M_PI * radius / w * (circle.b * height * dot3(lane.n, u) - radius * inside / half_sum * dot3(lane.n, axis));
     struct turn from = cut_of(slice, -1), to = cut_of(slice, 1);
     struct passage passage = {on_circle(circle, to), on_circle(circle, from), 1};
     double part = -0.5 * (arc_term(lane, circle, from, to) + chord_term(lane, passage));

@@ -91,9 +91,9 @@ SAMPLE_LANE void NAME(add_samples)(const struct NAME(lx_samples) * samples, size
             r2 = r2 > (REAL)1e-30 ? r2 : (REAL)1e-30;
             REAL inverse = 1 / SQRT(r2);
             REAL e = NAME(sample_strength)(law, k, above, inverse, r2 * inverse);
-            total[lane] += area * e *
-                           NAME(weight_of)(&constants, block, i, model, highlight, x * inverse, y * inverse,
-                                           z * inverse);
+            total[lane] +=
+                area * e *
+                NAME(weight_of)(&constants, block, i, model, highlight, x * inverse, y * inverse, z * inverse);
         }
     }
     for (size_t lane = 0; lane < LX_LANES; lane++)

@@ -7,10 +7,10 @@
 
 #include "sampling.h"
 
-enum { MOST_CELLS = LX_MOST_CELLS, DEEPEST = 14, QUARTERS = 4, RULE = 3, RULE_POINTS = RULE * RULE };
+enum { MOST_CELLS = LX_MOST_CELLS, DEEPEST = 14, QUARTERS = 4, RULE = 3 };
 
 /* Cells up to this share of the lobe's width are begun with one sample against four. */
-static const double TINY = 0.25;
+static const double TINY = 0.0625;
 
 /* Of the light of a cell that a jump cuts this share is in doubt: a strip of this width lies between samples. */
 static const double CUT_SHARE = 0.1;
@@ -26,10 +26,10 @@ struct cell {
     const struct lx_patch *patch;
     struct lx_cell part;
     int depth;
-    bool is_tiny;                         /* coarse is one sample, the quarters are one each */
-    double doubt[LX_LANES];               /* where the lobe jumps in the cell: the difference counts as no less */
-    double coarse[LX_LANES];              /* by the rule in all of it */
-    double quarters[QUARTERS][LX_LANES];  /* by the rule in each quarter */
+    bool is_tiny;                        /* coarse is one sample, the quarters are one each */
+    double doubt[LX_LANES];              /* where the lobe jumps in the cell: the difference counts as no less */
+    double coarse[LX_LANES];             /* by the rule in all of it */
+    double quarters[QUARTERS][LX_LANES]; /* by the rule in each quarter */
 };
 
 struct pending {
@@ -348,10 +348,10 @@ static void shade_quarters(const struct run *run, struct cell *cell)
 /* Adds (sign 1) or takes off (-1) what a cell has by its quarters, and the difference; returns the largest one. */
 static double account(struct run *run, const struct cell *cell, double sign, bool is_open)
 {
-    double worst = 0;
+    double worst = 0, share = cell->is_tiny ? 1 : DIFFERENCE_SHARE;
     for (int i = 0; i < LX_LANES; i++) {
         double fine = cell->quarters[0][i] + cell->quarters[1][i] + cell->quarters[2][i] + cell->quarters[3][i];
-        double difference = fmax(DIFFERENCE_SHARE * fabs(fine - cell->coarse[i]), cell->doubt[i]);
+        double difference = fmax(share * fabs(fine - cell->coarse[i]), cell->doubt[i]);
         run->value[i] += sign * fine;
         run->error[i] += is_open ? sign * difference : 0;
         worst = fmax(worst, difference);
@@ -478,8 +478,8 @@ static void begin(struct run *run, const struct lx_sampled *source, const struct
     struct lx_sampling_memory *memory = run->memory;
     int parts = patch->kind == LX_PATCH_FLAT ? 1 : patch->kind == LX_PATCH_SIDE ? 2 : 4;
     for (int i = 0; i < parts; i++)
-        memory->pending[memory->pending_count++] = (struct pending){
-            .source = source, .patch = patch, .part = {0, (double)i / parts, 1, 1.0 / parts}};
+        memory->pending[memory->pending_count++] =
+            (struct pending){.source = source, .patch = patch, .part = {0, (double)i / parts, 1, 1.0 / parts}};
 }
 
 bool lx_sample_run(const struct lx_sampler *sampling, struct lx_sampling_memory *memory,

@@ -32,7 +32,7 @@ struct lx_sampler {
     const struct lx_lobe_single *lobe_single;
     double tolerance, least_maximum; /* errors may reach tolerance times the greatest value of the picture, which is
                                         no less than least_maximum, nor than what is in the run itself */
-    size_t most_cells; /* how many may be looked at again, up to LX_MOST_CELLS */
+    size_t most_cells;               /* how many may be looked at again, up to LX_MOST_CELLS */
 };
 
 /* Scratch memory of one thread, for sources of so many patches together: its size, and making it of zeroed bytes that
@@ -44,8 +44,7 @@ struct lx_sampling_memory *lx_sampling_memory_of(void *bytes, size_t most_patche
 /* Adds the light to sum[0 ... LX_LANES - 1] of the elements from `start` on, of which the last may be repetitions.
  * Returns whether the tolerance was reached. */
 bool lx_sample_run(const struct lx_sampler *sampling, struct lx_sampling_memory *memory,
-                   const struct lx_block_double *block, const struct lx_block_single *copy, size_t start,
-                   double *sum);
+                   const struct lx_block_double *block, const struct lx_block_single *copy, size_t start, double *sum);
 
 /* A ball around the places from start to start + count. */
 struct lx_around lx_block_around(const struct lx_block_double *block, size_t start, size_t count);

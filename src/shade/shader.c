@@ -302,8 +302,8 @@ static void light_by_shells(const struct lx_plan *plan, const struct lx_planned_
     for (size_t s = 0; s < surface->shell_count && diffuse > 0; s++) {
         const struct lx_planned_shell *planned = &surface->shells[s];
         if (planned->emitter->attenuation == LX_INVERSE_SQUARE)
-            plan->kernels->light_by_shell[planned->shell.type](&planned->shell, diffuse, &memory->block, &around,
-                                                               count, memory->sum);
+            plan->kernels->light_by_shell[planned->shell.type](&planned->shell, diffuse, &memory->block, &around, count,
+                                                               memory->sum);
     }
     for (size_t start = 0; start < count; start += LX_LANES) {
         if (surface->matte_count > 0 && diffuse > 0)

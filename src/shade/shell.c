@@ -279,8 +279,7 @@ static double look_at_flat(const struct lx_patch *patch, const struct lx_cell *c
     return sqrt(farthest);
 }
 
-double lx_cell_look(const struct lx_patch *patch, const struct lx_cell *cell, const double element[3],
-                    double middle[3])
+double lx_cell_look(const struct lx_patch *patch, const struct lx_cell *cell, const double element[3], double middle[3])
 {
     const double s = cell->s + cell->ds / 2, t = cell->t + cell->dt / 2, radius = patch->radius;
     const double end = cell->s + cell->ds, turn = fmin(M_PI * cell->dt, 2);
@@ -315,9 +314,7 @@ static double sample_at(const struct lx_patch *patch, double s, double t, double
 {
     switch (patch->kind) {
     case LX_PATCH_FLAT: return flat_place(patch, s, t, place);
-    case LX_PATCH_BALL:
-        place[0] = s, place[1] = cosine, place[2] = sine;
-        return 2 * M_PI;
+    case LX_PATCH_BALL: place[0] = s, place[1] = cosine, place[2] = sine; return 2 * M_PI;
     case LX_PATCH_SIDE:
         place[0] = (s - 0.5) * patch->length, place[1] = 2 * t - 1, place[2] = 0;
         return 2 * patch->length;

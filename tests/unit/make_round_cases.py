@@ -324,7 +324,7 @@ def written(x):
 
 def main():
     print('/* SPDX-License-Identifier: MIT */\n'
-          '/* The irradiance by round sources of radiance 1, as two float64 numbers; by make_round_cases.py. The numbers:\n'
+          '/* The irradiance by round sources of radiance 1, as two float64 numbers; by make_round_cases.py:\n'
           ' * centre, radius, height of a cylinder, axis of a disk or cylinder. */\n'
           '/* clang-format off */\n'
           'static const struct round_case {\n'

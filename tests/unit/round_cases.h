@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* The irradiance by round sources of radiance 1, as two float64 numbers; by make_round_cases.py.  The numbers:
+/* The irradiance by round sources of radiance 1, as two float64 numbers; by make_round_cases.py:
  * centre, radius, height of a cylinder, axis of a disk or cylinder. */
 /* clang-format off */
 static const struct round_case {

@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: MIT */
 /*
  * Disks, balls and cylinders: their irradiance against values computed with 80 digits in easy and in hard places
- * (round_cases.h), against printed ones, and what must be so anyway: the integrals agree with the contours' closed forms,
- * a ball is a disk under the same cone, polyhedra approach the round bodies, a body's flux passes through any sphere
+ * (round_cases.h), against printed ones, and what must be so anyway: the integrals agree with the closed forms, a ball is
+ * a disk under the same cone, polyhedra approach the round bodies, a body's flux passes through any sphere
  * around it, sizes and mirrors do not matter, errors hold for uncertain places, parts add up to the whole.
  */
 #include <math.h>
@@ -15,6 +15,7 @@
 
 #include <cmocka.h>
 
+#include "base/pose.h"
 #include "light/facets.h"
 #include "light/rim.h"
 #include "light/round.h"
@@ -43,7 +44,7 @@ static struct lx_emitter disk(const double center[3], double radius, const doubl
         .type = LX_DISK,
         .center_mm = {center[0], center[1], center[2]},
         .radius_mm = radius,
-        .axis = lx_unit3(lx_exact3(axis)),
+        .axis = lx_wide3_direction(lx_wide3_unit(lx_wide3_of(axis))),
         .radiance = lx_exact(1),
     };
 }
@@ -244,7 +245,7 @@ static struct lx_facets *polygon(const struct lx_emitter *lamp, unsigned sides)
     return whole;
 }
 
-/* Polygons, prisms and polyhedra with 32 and 64 sides: four times nearer with twice as many. */
+/* Polygons, prisms and polyhedra with 32 and 64 sides lie inside, with twice as many four times nearer. */
 static void polyhedra(void **unused)
 {
     static const double center[3] = {0, 0, 1000}, down[3] = {0, 0, -1};
@@ -264,8 +265,9 @@ static void polyhedra(void **unused)
                              : lx_facets_of_cylinder(center, 200, 700, (const double[]){2, -1, 2}, sides);
                 off[j] = value - light_and_free(facets, places[i], normals[i]);
             }
-            assert_true(off[1] > 0 && off[1] < 0.01 * value);
-            assert_true(off[0] / off[1] > 3 && off[0] / off[1] < 5);
+            /* of a sphere or a cylinder the outline is one or another of the edges */
+            assert_true(off[0] > off[1] && off[1] > 0 && off[0] < 0.02 * value && off[1] < 0.005 * value);
+            assert_true(k > 0 || (off[0] / off[1] > 3.5 && off[0] / off[1] < 4.5));
         }
 }
 
