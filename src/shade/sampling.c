@@ -15,9 +15,6 @@ static const double TINY = 0.0625;
 /* Of the light of a cell that a jump cuts this share is in doubt: a strip of this width lies between samples. */
 static const double CUT_SHARE = 0.1;
 
-/* What the difference of the two rules counts for: even at kinks the finer one is that much better than the other. */
-static const double DIFFERENCE_SHARE = 1.0 / 3;
-
 /* Shares of the tolerance for what is dropped unseen, and for what is not looked at again. */
 static const double DROPPED = 0.125, SETTLED = 0.125;
 
@@ -348,10 +345,10 @@ static void shade_quarters(const struct run *run, struct cell *cell)
 /* Adds (sign 1) or takes off (-1) what a cell has by its quarters, and the difference; returns the largest one. */
 static double account(struct run *run, const struct cell *cell, double sign, bool is_open)
 {
-    double worst = 0, share = cell->is_tiny ? 1 : DIFFERENCE_SHARE;
+    double worst = 0;
     for (int i = 0; i < LX_LANES; i++) {
         double fine = cell->quarters[0][i] + cell->quarters[1][i] + cell->quarters[2][i] + cell->quarters[3][i];
-        double difference = fmax(share * fabs(fine - cell->coarse[i]), cell->doubt[i]);
+        double difference = fmax(fabs(fine - cell->coarse[i]), cell->doubt[i]);
         run->value[i] += sign * fine;
         run->error[i] += is_open ? sign * difference : 0;
         worst = fmax(worst, difference);

@@ -1,9 +1,9 @@
 /* SPDX-License-Identifier: MIT */
 /*
  * Disks, balls and cylinders: their irradiance against values computed with 80 digits in easy and in hard places
- * (round_cases.h), against printed ones, and what must be so anyway: the integrals agree with the closed forms, a
- * ball is a disk under the same cone, polyhedra approach the round bodies, a body's flux passes through any sphere
- * around it, sizes and mirrors do not matter, errors hold for uncertain places, parts add up to the whole.
+ * (round_cases.h), against printed ones, and what must be so anyway: the integrals agree with the closed forms, a ball
+ * is a disk under the same cone, polyhedra approach the round bodies, a body's flux passes through any sphere around
+ * it, sizes and mirrors do not matter, errors hold for uncertain places, parts add up to the whole.
  */
 #include <math.h>
 #include <setjmp.h>
