@@ -14,13 +14,22 @@
 #ifndef LUXEL_LUXEL_H
 #define LUXEL_LUXEL_H
 
+#include <luxel/alternatives.h>
+#include <luxel/compare.h>
 #include <luxel/diagnostics.h>
+#include <luxel/document.h>
+#include <luxel/evaluator.h>
+#include <luxel/exercise.h>
+#include <luxel/extrema.h>
 #include <luxel/field.h>
 #include <luxel/grid.h>
+#include <luxel/isophotes.h>
 #include <luxel/parameter.h>
 #include <luxel/probe.h>
+#include <luxel/profile.h>
 #include <luxel/render.h>
 #include <luxel/scene.h>
+#include <luxel/statistics.h>
 #include <luxel/status.h>
 #include <luxel/text.h>
 #include <luxel/version.h>

@@ -11,7 +11,7 @@
 #include "../base/memory.h"
 #include "../scene/scene.h"
 #include "../shade/camera.h"
-#include "../shade/reference.h"
+#include "../shade/evaluate.h"
 #include "../shade/shader.h"
 #include "session.h"
 
@@ -72,23 +72,17 @@ static void sum_lights(const struct lx_session *session, const struct lx_element
     size_t next = 0;
     for (size_t s = 0; s < probe->share_count; s++) {
         luxel_light_share *share = &probe->shares[s];
-        lx_bounded irradiance = lx_exact(0), diffuse = lx_exact(0), specular = lx_exact(0);
-        for (; next < prepared->emitters.count && prepared->emitters.items[next].light == share->light; next++) {
-            struct lx_lighting light = lx_light_element(prepared, element, &prepared->emitters.items[next]);
-            if (light.on_element) {
-                probe->source_on_element = true;
-                probe->blocking_light = share->light;
-                return;
-            }
-            share->parts += light.parts;
-            irradiance = lx_add(irradiance, light.irradiance);
-            diffuse = lx_add(diffuse, light.diffuse);
-            specular = lx_add(specular, light.specular);
+        struct lx_share light;
+        if (!lx_light_share(prepared, element, share->light, &next, &light)) {
+            probe->source_on_element = true;
+            probe->blocking_light = share->light;
+            return;
         }
-        lx_bounded value = session->settings.quantity == LUXEL_IRRADIANCE ? irradiance : lx_add(diffuse, specular);
-        share->irradiance = irradiance.value;
-        share->diffuse = diffuse.value;
-        share->specular = specular.value;
+        lx_bounded value = lx_share_value(&light, session->settings.quantity);
+        share->parts = light.parts;
+        share->irradiance = light.irradiance.value;
+        share->diffuse = light.diffuse.value;
+        share->specular = light.specular.value;
         share->error = value.error;
         total = lx_add(total, value);
     }

@@ -70,28 +70,40 @@ static luxel_status choose_kernels(struct lx_session *session, luxel_diagnostics
     return LUXEL_ERROR_ARGUMENT;
 }
 
-luxel_status lx_session_open(const luxel_scene *scene, const luxel_settings *settings, luxel_diagnostics *diagnostics,
-                             struct lx_session *session)
+luxel_status lx_settings_check(const luxel_scene *scene, const luxel_settings *settings,
+                               luxel_diagnostics *diagnostics, luxel_settings *checked)
 {
-    memset(session, 0, sizeof *session);
     if (!scene || !luxel_scene_is_committed(scene)) {
         lx_report(diagnostics, LUXEL_SEVERITY_ERROR, NULL, LX_MSG_NOT_COMMITTED, NULL);
         return LUXEL_ERROR_ARGUMENT;
     }
-    luxel_settings_init(&session->settings);
+    luxel_settings_init(checked);
     if (settings)
-        session->settings = *settings;
-    luxel_status status = check_settings(&session->settings, diagnostics);
+        *checked = *settings;
+    return check_settings(checked, diagnostics);
+}
+
+luxel_status lx_session_prepare(const luxel_scene *scene, const luxel_settings *settings,
+                                luxel_diagnostics *diagnostics, struct lx_prepared *prepared)
+{
+    double tolerance = settings->tolerance > 0 ? settings->tolerance : LX_DEFAULT_TOLERANCE;
+    return lx_prepare(lx_scene_parameters(scene), tolerance, prepared) ? lx_out_of_memory(diagnostics) : LUXEL_OK;
+}
+
+luxel_status lx_session_open(const luxel_scene *scene, const luxel_settings *settings, luxel_diagnostics *diagnostics,
+                             struct lx_session *session)
+{
+    memset(session, 0, sizeof *session);
+    luxel_status status = lx_settings_check(scene, settings, diagnostics, &session->settings);
     if (status == LUXEL_OK)
         status = choose_kernels(session, diagnostics);
-    if (status != LUXEL_OK)
-        return status;
-    double tolerance = session->settings.tolerance > 0 ? session->settings.tolerance : LX_DEFAULT_TOLERANCE;
-    if (lx_prepare(lx_scene_parameters(scene), tolerance, &session->prepared) ||
+    if (status == LUXEL_OK)
+        status = lx_session_prepare(scene, &session->settings, diagnostics, &session->prepared);
+    if (status == LUXEL_OK &&
         lx_plan_make(&session->prepared, session->kernels, session->settings.quantity, session->settings.precision,
                      session->settings.tolerance, &session->plan))
-        return lx_out_of_memory(diagnostics);
-    return LUXEL_OK;
+        status = lx_out_of_memory(diagnostics);
+    return status;
 }
 
 void lx_session_clear(struct lx_session *session)

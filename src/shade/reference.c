@@ -51,6 +51,22 @@ struct lx_element lx_element_at(const struct lx_prepared *prepared, const double
     return element;
 }
 
+bool lx_element_on_sphere(const struct lx_prepared *prepared, size_t surface, const double normal[3],
+                          struct lx_element *element)
+{
+    const struct lx_prepared_surface *own = &prepared->surfaces[surface];
+    if (own->shape.type != LX_SPHERE)
+        return false;
+    lx_bounded3 unit = lx_unit3(lx_exact3(normal));
+    lx_bounded3 place = lx_add3(lx_exact3(own->shape.anchor_mm), lx_mul3(unit, lx_exact(own->shape.radius_mm)));
+    *element = (struct lx_element){.place_mm = place,
+                                   .normal = unit,
+                                   .view = view_from(&prepared->scene->observer, place),
+                                   .lobe = &own->lobe,
+                                   .own = own};
+    return true;
+}
+
 /* 1 where the way from the element to the emitter is free, 0 where another surface stands in it. */
 static lx_bounded openness(const struct lx_prepared *prepared, const struct lx_element *element,
                            const struct lx_emitter *emitter)

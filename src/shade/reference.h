@@ -20,6 +20,10 @@ bool lx_element_seen(const struct lx_prepared *prepared, double x_mm, double y_m
 /* A free element; the normal need not be of unit length.  Its own surface is one that it lies on. */
 struct lx_element lx_element_at(const struct lx_prepared *prepared, const double place_mm[3], const double normal[3]);
 
+/* The point of a sphere that lies from its centre along `normal`, of any length but 0; false: it is no sphere. */
+bool lx_element_on_sphere(const struct lx_prepared *prepared, size_t surface, const double normal[3],
+                          struct lx_element *element);
+
 struct lx_lighting {
     bool on_element; /* the emitter lies on the element: there is no value */
     lx_bounded irradiance, diffuse, specular;

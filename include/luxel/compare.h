@@ -1,0 +1,37 @@
+/* SPDX-License-Identifier: MIT */
+/* Comparing two pictures: how far their values are apart, and where. */
+#ifndef LUXEL_COMPARE_H
+#define LUXEL_COMPARE_H
+
+#include <luxel/field.h>
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/* Differences are those of B from A: b - a.  They are taken over the pixels that show a surface in both. */
+typedef struct luxel_comparison {
+    size_t pixels;           /* that show a surface in both; without any the numbers below are 0 */
+    size_t only_a, only_b;   /* pixels that show a surface in one only */
+    luxel_extremum largest;  /* the largest |b - a|; its value is that magnitude; ties: first in row order */
+    double a, b;             /* the two values there */
+    double mean;             /* of b - a */
+    double mean_magnitude;   /* of |b - a| */
+    double rms;              /* root of the mean square of b - a */
+    double scale;            /* the largest |a| or |b| */
+    double largest_relative; /* largest / scale; 0 where scale is 0 */
+    double rms_relative;     /* rms / scale; 0 where scale is 0 */
+} luxel_comparison;
+
+/*
+ * Compares two pictures.  `difference` NULL, or takes a field of the values b - a, 0 where one of them shows no surface,
+ * of single precision if both are; it is the caller's.
+ * LUXEL_ERROR_ARGUMENT: they differ in their resolution, or in the places of their pixels.  LUXEL_ERROR_MEMORY.
+ */
+LUXEL_API luxel_status luxel_compare(const luxel_field *a, const luxel_field *b, luxel_diagnostics *diagnostics,
+                                     luxel_comparison *comparison, luxel_field **difference);
+
+#ifdef __cplusplus
+}
+#endif
+#endif

@@ -1,0 +1,66 @@
+/* SPDX-License-Identifier: MIT */
+/*
+ * Evaluators: a scene prepared once for many exact values, where a probe would prepare it anew each time.
+ *
+ * An evaluator gives at any place of the screen the number that luxel_probe_screen() gives there, to the last bit.  It
+ * is what extrema, isophotes and profiles are found with, and what a front end keeps while the pointer moves.
+ *
+ * The scene must outlive the evaluator and must not be changed while it lives.  An evaluator is never changed after it
+ * was made, so several threads may use one at once.
+ */
+#ifndef LUXEL_EVALUATOR_H
+#define LUXEL_EVALUATOR_H
+
+#include <luxel/render.h>
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/* A scene prepared for exact values of one quantity; the caller's, freed with luxel_evaluator_free(). */
+typedef struct luxel_evaluator luxel_evaluator;
+
+/* What is found at one place. */
+typedef struct luxel_value {
+    bool on_surface;       /* whether a surface is seen there; without one all else is 0 */
+    size_t surface;        /* its index in the scene's list */
+    double position_mm[3]; /* the place on it */
+    double normal[3];      /* its unit normal there */
+    bool has_value;        /* false where a source lies on the element */
+    double value;          /* the exact value, in the unit of luxel_scene_unit() */
+    double error;          /* bounds |value - truth| */
+} luxel_value;
+
+/*
+ * Prepares a committed scene for the settings' quantity and tolerance; `settings` NULL: the defaults.
+ * Errors as luxel_render() lists them.
+ */
+LUXEL_API luxel_status luxel_evaluator_new(const luxel_scene *scene, const luxel_settings *settings,
+                                           luxel_diagnostics *diagnostics, luxel_evaluator **evaluator);
+
+/* Frees an evaluator; NULL is harmless. */
+LUXEL_API void luxel_evaluator_free(luxel_evaluator *evaluator);
+
+/* The quantity whose values it gives. */
+LUXEL_API luxel_quantity luxel_evaluator_quantity(const luxel_evaluator *evaluator);
+
+/* The number of lights of the scene, whether they are enabled or not. */
+LUXEL_API size_t luxel_evaluator_light_count(const luxel_evaluator *evaluator);
+
+/*
+ * The value seen through a screen point, which may lie off the screen.  `shares` NULL, or room for a number for each
+ * light of the scene: what each gives of the value, 0 where there is none.
+ */
+LUXEL_API luxel_value luxel_evaluate(const luxel_evaluator *evaluator, double x_mm, double y_mm, double *shares);
+
+/*
+ * The value at a point of the scene's surface with this index: the point that a line from its centre along `normal`
+ * meets, whether it is seen from the observer or not.  Only spheres: on_surface is false for another surface.
+ */
+LUXEL_API luxel_value luxel_evaluate_sphere(const luxel_evaluator *evaluator, size_t surface, const double normal[3],
+                                            double *shares);
+
+#ifdef __cplusplus
+}
+#endif
+#endif

@@ -1,0 +1,58 @@
+/* SPDX-License-Identifier: MIT */
+/*
+ * Exercises: numbered variants of the exercise that students are given, and the judgement of their answers.
+ */
+#ifndef LUXEL_EXERCISE_H
+#define LUXEL_EXERCISE_H
+
+#include <luxel/alternatives.h>
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/* Variants are numbered from 1 to this. */
+#define LUXEL_LAST_VARIANT 1000000u
+
+/*
+ * The YAML text of the variant with this number: always the same for the same number, all values round and within the
+ * ranges of the exercise, a pronounced peak in view, the whole sphere in view, one or two sources, five points.
+ * The text is the caller's: free it with luxel_text_free().  LUXEL_ERROR_ARGUMENT: no such number.
+ */
+LUXEL_API luxel_status luxel_variant_text(unsigned number, luxel_diagnostics *diagnostics, char **text);
+
+/* What an answer is found to be. */
+typedef enum luxel_verdict {
+    LUXEL_ANSWER_RIGHT,     /* within the tolerance of the exact value */
+    LUXEL_ANSWER_CONVENTION, /* within the tolerance of what another convention gives: `explanations` name it */
+    LUXEL_ANSWER_WRONG      /* neither */
+} luxel_verdict;
+
+/* The judgement of one answer.  Its arrays and texts live as long as it. */
+typedef struct luxel_judgement {
+    luxel_verdict verdict;
+    bool has_value;                    /* whether there is a right value: false off every surface */
+    double value;                      /* the exact value */
+    double error;                      /* bounds |value - truth| */
+    size_t explanation_count;          /* for LUXEL_ANSWER_CONVENTION: choices that together give the answer: one, or
+                                          two where no single one does */
+    const luxel_alternative *explanations;
+} luxel_judgement;
+
+/*
+ * Judges the answer for a point of the screen: right if |answer - value| <= tolerance |value| + half a unit of the last
+ * digit that was given (`rounding`, 0: none).  The judgement is the caller's: free it with luxel_judgement_free().
+ * An answer NaN stands for "off the surface", which is right where that is so.
+ * Errors as luxel_probe_screen().  LUXEL_ERROR_ARGUMENT: tolerance or rounding negative or not finite, too.
+ */
+LUXEL_API luxel_status luxel_judge_answer(const luxel_scene *scene, const luxel_settings *settings, double x_mm,
+                                          double y_mm, double answer, double tolerance, double rounding,
+                                          luxel_diagnostics *diagnostics, luxel_judgement **judgement);
+
+/* Frees a judgement; NULL is harmless. */
+LUXEL_API void luxel_judgement_free(luxel_judgement *judgement);
+
+#ifdef __cplusplus
+}
+#endif
+#endif

@@ -1,0 +1,105 @@
+/* SPDX-License-Identifier: MIT */
+/*
+ * Figures: pictures for people, drawn to PNG, SVG or PDF: false colour or grey with a colour bar, axes in mm, labelled
+ * isophotes, outlines, marks and the plots of sections.
+ *
+ * These functions are in a library of their own, luxel-figure (pkg-config luxel-figure), because they need cairo and
+ * pango.  Fonts are embedded in PDF and outlines in SVG, so that a figure looks the same everywhere.
+ */
+#ifndef LUXEL_FIGURE_H
+#define LUXEL_FIGURE_H
+
+#include <luxel/document.h>
+#include <luxel/extrema.h>
+#include <luxel/isophotes.h>
+#include <luxel/profile.h>
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/* How values become colours. */
+typedef enum luxel_bands {
+    LUXEL_SMOOTH,   /* one colour for each value */
+    LUXEL_BANDS,    /* steps: one colour from each level to the next */
+    LUXEL_CONTOURS, /* smooth colours under labelled isophotes */
+    LUXEL_LINES     /* isophotes alone, coloured, on white */
+} luxel_bands;
+
+/* What a section is drawn through. */
+typedef enum luxel_section {
+    LUXEL_SECTION_NONE,
+    LUXEL_SECTION_CENTER, /* the screen's centre */
+    LUXEL_SECTION_MAXIMUM,
+    LUXEL_SECTION_POINT
+} luxel_section;
+
+/* What a figure shows; luxel_figure_settings_init() sets the defaults, which the comments name. */
+typedef struct luxel_figure_settings {
+    const char *palette;       /* a name of luxel_palette_name(): NULL: viridis */
+    double low, high;          /* the range of the bar; NaN: what the scene's picture says, or the picture's values */
+    bool logarithmic;          /* the bar by powers of ten; false */
+    luxel_bands bands;         /* contours */
+    size_t levels;             /* about so many, 1 to 50; 8 */
+    bool extrema;              /* mark the maximum; true */
+    bool points;               /* mark the scene's points; true */
+    luxel_section section;     /* none; else the plots of the horizontal and the vertical section stand below */
+    double section_mm[2];      /* of LUXEL_SECTION_POINT */
+    bool stacked;              /* in sections: the lights' shares on top of each other, else as lines; false */
+    const char *title;         /* NULL: the name of the scene or none; "" for none */
+    const char *label;         /* of the bar; NULL: the quantity with its unit */
+    double width_mm;           /* of the whole figure on paper, 40 to 1000; 160 */
+    double dots_per_inch;      /* of a PNG, 30 to 2400; 200 */
+    bool dark;                 /* light lines on a dark ground, for projectors; false */
+    bool small_print;          /* the parameters under the picture; true */
+    const luxel_language *language; /* NULL: English */
+} luxel_figure_settings;
+
+LUXEL_API void luxel_figure_settings_init(luxel_figure_settings *settings);
+
+/* The name of the i-th palette, such as "viridis"; NULL beyond the last. */
+LUXEL_API const char *luxel_palette_name(size_t i);
+/* What the i-th palette is for, English, to be translated; NULL beyond the last. */
+LUXEL_API const char *luxel_palette_meaning(size_t i);
+/* The colour of a palette (NULL: viridis) at t from 0 to 1 (clipped), as red, green, blue from 0 to 1; false: no such
+ * palette. */
+LUXEL_API bool luxel_palette_color(const char *name, double t, double color[3]);
+
+/*
+ * Draws the scene's figure to a file by the ending of its name: .png, .svg or .pdf, whole or not at all.
+ * `settings` are those of the values; `figure` NULL: the defaults.
+ * LUXEL_ERROR_ARGUMENT: another ending, an unknown palette, a setting out of its range.  LUXEL_ERROR_FILE: it could not
+ * be written.  Errors as luxel_render() lists them, too.
+ */
+LUXEL_API luxel_status luxel_figure_write(const luxel_scene *scene, const luxel_settings *settings,
+                                          const luxel_figure_settings *figure, const char *path,
+                                          luxel_diagnostics *diagnostics);
+
+/* Whether luxel_figure_write() knows the ending of this name; if not, says so in the diagnostics. */
+LUXEL_API luxel_status luxel_check_figure_name(const char *path, luxel_diagnostics *diagnostics);
+
+/* What a report says of itself; all may be NULL. */
+typedef struct luxel_report_settings {
+    const char *title, *author, *group;
+    const char *date;               /* as it is to stand there; NULL: none, so that reports can be repeated */
+    const luxel_language *language; /* NULL: English */
+    const char *palette;            /* of the false colour */
+} luxel_report_settings;
+
+/*
+ * Writes the report that the exercise asks for, by the ending of the name: .pdf (A4), .html (one file), .md, .tex:
+ * task, conventions and formulas, pictures, sections, points, extrema, conclusions, and the scene for repetition.
+ * `report` NULL: none of its texts.
+ * LUXEL_ERROR_ARGUMENT: another ending.  LUXEL_ERROR_FILE.  Errors as luxel_render() lists them, too.
+ */
+LUXEL_API luxel_status luxel_report_write(const luxel_scene *scene, const luxel_settings *settings,
+                                          const luxel_report_settings *report, const char *path,
+                                          luxel_diagnostics *diagnostics);
+
+/* Whether luxel_report_write() knows the ending of this name; if not, says so in the diagnostics. */
+LUXEL_API luxel_status luxel_check_report_name(const char *path, luxel_diagnostics *diagnostics);
+
+#ifdef __cplusplus
+}
+#endif
+#endif

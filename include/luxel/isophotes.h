@@ -1,0 +1,58 @@
+/* SPDX-License-Identifier: MIT */
+/*
+ * Isophotes: the lines of equal value on what the screen shows.
+ *
+ * They are found in the picture by marching squares, a saddle being decided by the asymptotic decider (Nielson and
+ * Hamann 1991), and chained.  With an evaluator each vertex is refined on the exact function and lies on its level to
+ * 1e-9 relative; a line then also reaches the edge of a surface and of the screen, where it ends.  Along a line the
+ * greater values lie to the left.
+ */
+#ifndef LUXEL_ISOPHOTES_H
+#define LUXEL_ISOPHOTES_H
+
+#include <luxel/evaluator.h>
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/* One line.  A closed one does not repeat its first vertex. */
+typedef struct luxel_isophote {
+    double level;
+    bool closed;
+    size_t count;       /* of vertices, 2 at least */
+    const double *x_mm; /* on the screen */
+    const double *y_mm;
+} luxel_isophote;
+
+/* All lines, level by level in the order in which the levels were given.  The arrays live as long as it does. */
+typedef struct luxel_isophotes {
+    size_t count;
+    const luxel_isophote *lines;
+} luxel_isophotes;
+
+/*
+ * Finds the lines of `count` levels.  `evaluator` NULL: as the picture has them, else on the exact function of the same
+ * scene and quantity.  The same result for any number of threads; the result is the caller's.
+ * LUXEL_ERROR_ARGUMENT: a level is not finite, the field does not know its places or is not of the evaluator's scene.
+ * LUXEL_ERROR_MEMORY.  LUXEL_CANCELLED: the evaluator's progress said so.
+ */
+LUXEL_API luxel_status luxel_find_isophotes(const luxel_field *field, const luxel_evaluator *evaluator,
+                                            const double *levels, size_t count, luxel_diagnostics *diagnostics,
+                                            luxel_isophotes **isophotes);
+
+/* Frees isophotes; NULL is harmless. */
+LUXEL_API void luxel_isophotes_free(luxel_isophotes *isophotes);
+
+/*
+ * Fills at most `room` levels that a reader takes in at a glance: round numbers (1, 2 or 5 times a power of ten) in
+ * equal steps between low and high, both excluded, or, logarithmic, 1, 2 and 5 times each power of ten; about `wanted`
+ * of them.  Returns how many.
+ */
+LUXEL_API size_t luxel_round_levels(double low, double high, bool logarithmic, size_t wanted, double *levels,
+                                    size_t room);
+
+#ifdef __cplusplus
+}
+#endif
+#endif

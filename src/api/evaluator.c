@@ -1,0 +1,38 @@
+/* SPDX-License-Identifier: MIT */
+/* Evaluators: checked settings and a prepared scene, kept. */
+#include <luxel/evaluator.h>
+
+#include <stdlib.h>
+
+#include "../base/diagnostics.h"
+#include "../base/memory.h"
+#include "../shade/evaluate.h"
+#include "session.h"
+
+void luxel_evaluator_free(luxel_evaluator *evaluator)
+{
+    if (!evaluator)
+        return;
+    lx_prepared_clear(&evaluator->prepared);
+    free(evaluator);
+}
+
+luxel_status luxel_evaluator_new(const luxel_scene *scene, const luxel_settings *settings,
+                                 luxel_diagnostics *diagnostics, luxel_evaluator **evaluator)
+{
+    if (!evaluator) {
+        lx_report(diagnostics, LUXEL_SEVERITY_ERROR, NULL, LX_MSG_MISSING_ARGUMENT, LX_ARGS("evaluator"));
+        return LUXEL_ERROR_ARGUMENT;
+    }
+    struct luxel_evaluator *made = lx_new_array(1, sizeof *made);
+    if (!made)
+        return lx_out_of_memory(diagnostics);
+    luxel_status status = lx_settings_check(scene, settings, diagnostics, &made->settings);
+    if (status == LUXEL_OK)
+        status = lx_session_prepare(scene, &made->settings, diagnostics, &made->prepared);
+    if (status == LUXEL_OK)
+        *evaluator = made;
+    else
+        luxel_evaluator_free(made);
+    return status;
+}

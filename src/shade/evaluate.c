@@ -1,0 +1,100 @@
+/* SPDX-License-Identifier: MIT */
+/* Summing the lights' shares at an element. */
+#include "evaluate.h"
+
+#include <math.h>
+#include <string.h>
+
+#include "../surface/surface.h"
+
+bool lx_light_share(const struct lx_prepared *prepared, const struct lx_element *element, size_t light, size_t *next,
+                    struct lx_share *share)
+{
+    *share = (struct lx_share){.irradiance = lx_exact(0), .diffuse = lx_exact(0), .specular = lx_exact(0)};
+    for (; *next < prepared->emitters.count && prepared->emitters.items[*next].light == light; ++*next) {
+        struct lx_lighting lighting = lx_light_element(prepared, element, &prepared->emitters.items[*next]);
+        if (lighting.on_element)
+            return false;
+        share->parts += lighting.parts;
+        share->irradiance = lx_add(share->irradiance, lighting.irradiance);
+        share->diffuse = lx_add(share->diffuse, lighting.diffuse);
+        share->specular = lx_add(share->specular, lighting.specular);
+    }
+    return true;
+}
+
+lx_bounded lx_share_value(const struct lx_share *share, luxel_quantity quantity)
+{
+    return quantity == LUXEL_IRRADIANCE ? share->irradiance : lx_add(share->diffuse, share->specular);
+}
+
+static void copy3(double to[3], const lx_bounded3 *from)
+{
+    to[0] = from->x.value;
+    to[1] = from->y.value;
+    to[2] = from->z.value;
+}
+
+luxel_value lx_evaluate_element(const struct luxel_evaluator *evaluator, const struct lx_element *element,
+                                double *shares)
+{
+    const struct lx_prepared *prepared = &evaluator->prepared;
+    luxel_value result = {.on_surface = true, .has_value = true};
+    lx_bounded total = lx_exact(0);
+    size_t lights = prepared->scene->lights.count;
+    if (element->own)
+        result.surface = (size_t)(element->own - prepared->surfaces);
+    copy3(result.position_mm, &element->place_mm);
+    copy3(result.normal, &element->normal);
+    if (shares)
+        memset(shares, 0, lights * sizeof *shares);
+    for (size_t next = 0; next < prepared->emitters.count;) {
+        size_t light = prepared->emitters.items[next].light;
+        struct lx_share share;
+        if (!lx_light_share(prepared, element, light, &next, &share)) {
+            if (shares)
+                memset(shares, 0, lights * sizeof *shares);
+            result.has_value = false;
+            return result;
+        }
+        lx_bounded value = lx_share_value(&share, evaluator->settings.quantity);
+        if (shares)
+            shares[light] = value.value;
+        total = lx_add(total, value);
+    }
+    result.value = total.value;
+    result.error = total.error >= 0 ? total.error : HUGE_VAL; /* the bound itself may leave the range */
+    return result;
+}
+
+luxel_value luxel_evaluate(const luxel_evaluator *evaluator, double x_mm, double y_mm, double *shares)
+{
+    struct lx_element element;
+    if (lx_element_seen(&evaluator->prepared, x_mm, y_mm, &element))
+        return lx_evaluate_element(evaluator, &element, shares);
+    if (shares)
+        memset(shares, 0, luxel_evaluator_light_count(evaluator) * sizeof *shares);
+    return (luxel_value){.on_surface = false};
+}
+
+luxel_value luxel_evaluate_sphere(const luxel_evaluator *evaluator, size_t surface, const double normal[3],
+                                  double *shares)
+{
+    const struct lx_prepared *prepared = &evaluator->prepared;
+    struct lx_element element;
+    if (surface < prepared->surface_count && lx_element_on_sphere(prepared, surface, normal, &element))
+        return lx_evaluate_element(evaluator, &element, shares);
+    if (shares)
+        memset(shares, 0, luxel_evaluator_light_count(evaluator) * sizeof *shares);
+    return (luxel_value){.on_surface = false};
+}
+
+luxel_quantity luxel_evaluator_quantity(const luxel_evaluator *evaluator)
+{
+    return evaluator->settings.quantity;
+}
+
+size_t luxel_evaluator_light_count(const luxel_evaluator *evaluator)
+{
+    return evaluator->prepared.scene->lights.count;
+}

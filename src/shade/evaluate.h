@@ -1,0 +1,35 @@
+/* SPDX-License-Identifier: MIT */
+/* Exact values: what all lights together give at an element, by the reference, from a scene prepared once. */
+#ifndef LX_SHADE_EVALUATE_H
+#define LX_SHADE_EVALUATE_H
+
+#include <luxel/evaluator.h>
+
+#include "reference.h"
+
+struct luxel_evaluator {
+    luxel_settings settings;
+    struct lx_prepared prepared;
+};
+
+/* What one light gives at an element. */
+struct lx_share {
+    lx_bounded irradiance, diffuse, specular;
+    size_t parts;
+};
+
+/*
+ * The share of the lights from *next on, which counts emitters; moves it behind this light's.  False: the light lies on
+ * the element.
+ */
+bool lx_light_share(const struct lx_prepared *prepared, const struct lx_element *element, size_t light, size_t *next,
+                    struct lx_share *share);
+
+/* What a share adds to the value of a quantity. */
+lx_bounded lx_share_value(const struct lx_share *share, luxel_quantity quantity);
+
+/* The value of an element that is seen: sums its lights. */
+luxel_value lx_evaluate_element(const struct luxel_evaluator *evaluator, const struct lx_element *element,
+                                double *shares);
+
+#endif
