@@ -19,10 +19,11 @@
 
 enum exit_code {
     EXIT_DONE = 0,
-    EXIT_USAGE = 2,     /* a wrong option, argument or key path */
-    EXIT_SCENE = 3,     /* the scene has errors, or asks for more than memory or the precision holds */
-    EXIT_FILE = 4,      /* a file, standard input or standard output could not be read or written */
-    EXIT_TOLERANCE = 5, /* an error is larger than the tolerance asked for; the values are printed */
+    EXIT_DIFFERENCE = 1, /* a comparison found a difference, or an answer is wrong */
+    EXIT_USAGE = 2,      /* a wrong option, argument or key path */
+    EXIT_SCENE = 3,      /* the scene has errors, or asks for more than memory or the precision holds */
+    EXIT_FILE = 4,       /* a file, standard input or standard output could not be read or written */
+    EXIT_TOLERANCE = 5,  /* an error is larger than the tolerance asked for; the values are printed */
     EXIT_INTERRUPTED = 130
 };
 
@@ -37,8 +38,17 @@ enum command_bit {
     COMMAND_SCHEMA = 1 << 6,
     COMMAND_SET = 1 << 7,
     COMMAND_GRID = 1 << 8,
-    COMMAND_ANY = COMMAND_GRID | COMMAND_RENDER | COMMAND_PROBE | COMMAND_CHECK | COMMAND_SCENE | COMMAND_SET |
-                  COMMAND_SCHEMA | COMMAND_HELP
+    COMMAND_STATS = 1 << 9,
+    COMMAND_PROFILE = 1 << 10,
+    COMMAND_ISOPHOTES = 1 << 11,
+    COMMAND_COMPARE = 1 << 12,
+    COMMAND_FIGURE = 1 << 13,
+    COMMAND_EXPLAIN = 1 << 14,
+    COMMAND_REPORT = 1 << 15,
+    COMMAND_ADVISE = 1 << 16,
+    COMMAND_VARIANT = 1 << 17,
+    COMMAND_GRADE = 1 << 18,
+    COMMAND_ANY = ((1 << 19) - 1) & ~COMMAND_NONE
 };
 
 /* What may stand behind a command, for those who complete it. */
@@ -46,6 +56,7 @@ enum operand_kind {
     OPERAND_SCENE, /* a file, a built-in scene, or - */
     OPERAND_NAME,  /* a built-in scene */
     OPERAND_TOPIC, /* a command, a key or a kind */
+    OPERAND_FILE,  /* any file */
     OPERAND_NONE
 };
 
@@ -56,20 +67,26 @@ struct command {
     unsigned bit;
     const char *operand; /* as the usage line shows it; NULL: it takes none */
     enum operand_kind operand_kind;
-    const char *assignments;                   /* operands behind it, as the usage line shows each; NULL: none */
-    const char *summary;                       /* one line */
-    const char *description;                   /* a paragraph */
-    const char *examples;                      /* command lines, one a line */
+    const char *more;            /* operands behind it, as the usage line shows each; NULL: none */
+    enum operand_kind more_kind; /* OPERAND_NONE: assignments KEY=VALUE, as -s takes them */
+    unsigned most_operands;      /* how many in all where there are more, 0: any number */
+    const char *endings;         /* of the files that -o writes: ".svg .pdf"; NULL: those of luxel_output_ending() */
+    const char *summary;         /* one line */
+    const char *description;     /* a paragraph */
+    const char *examples;        /* command lines, one a line */
     int (*run)(const struct options *options); /* returns an enum exit_code */
 };
 
 extern const struct command command_render, command_probe, command_grid, command_check, command_scene, command_set,
-    command_schema, command_help;
+    command_schema, command_help, command_figure, command_report;
 
-enum { COMMAND_COUNT = 8 };
+enum { COMMAND_COUNT = 10 };
 
 /* All of them, in the order of the help. */
 extern const struct command *const commands[COMMAND_COUNT];
+
+/* The endings of the files that a command's -o writes, with blanks between them. */
+const char *command_endings(const struct command *command, char *buffer, size_t size);
 
 /* The command of that name, or NULL. */
 const struct command *find_command(const char *name);

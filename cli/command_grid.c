@@ -344,6 +344,7 @@ const struct command command_grid = {
     .name = "grid",
     .bit = COMMAND_GRID,
     .operand = N_("SCENE"),
+    .endings = ".csv",
     .summary = N_("measure the irradiance on planes, and how evenly they are lit"),
     .description = N_("Prints the irradiance at the centres of the cells of each measuring grid of the scene (its key "
                       "grids), seen from the front of the plane, with the average, the minimum, the maximum, how "

@@ -66,11 +66,21 @@ static void print_exit_codes(void)
     free(line);
 }
 
+/* What a command that writes files can write. */
+static void print_endings(const struct command *command)
+{
+    char endings[TEXT_SIZE];
+
+    for (size_t i = 0; options_row(i); i++)
+        if (options_row(i)->value == VALUE_OUTPUT && (options_row(i)->commands & command->bit))
+            printf(_("\nEndings of FILE: %s\n"), command_endings(command, endings, sizeof endings));
+}
+
 void help_print_command(const struct command *command)
 {
-    if (command->assignments)
-        printf(_("Usage: luxel %s %s %s... [OPTION]...\n\n"), command->name, _(command->operand),
-               _(command->assignments));
+    if (command->more)
+        printf(_("Usage: luxel %s %s %s%s [OPTION]...\n\n"), command->name, _(command->operand), _(command->more),
+               command->most_operands > 0 ? "" : "...");
     else if (command->operand)
         printf(_("Usage: luxel %s [%s] [OPTION]...\n\n"), command->name, _(command->operand));
     else
@@ -80,6 +90,7 @@ void help_print_command(const struct command *command)
     text_definition(stdout, "", 0, _(command->description));
     fputs(_("\nOptions:\n"), stdout);
     options_print_help(stdout, command->bit);
+    print_endings(command);
     print_examples(command->examples);
     fputc('\n', stdout);
     print_exit_codes();

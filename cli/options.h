@@ -5,6 +5,7 @@
 
 #include <stdbool.h>
 #include <stddef.h>
+#include <stdint.h>
 #include <stdio.h>
 
 #include <luxel/luxel.h>
@@ -17,10 +18,45 @@ struct option_place {
     double numbers[6];
 };
 
+/* How --csv writes numbers and fields. */
+enum option_csv {
+    CSV_NONE,
+    CSV_RFC4180, /* commas between fields, points in numbers */
+    CSV_EXCEL_RU /* semicolons, decimal commas and a byte order mark, as spreadsheets in Russia read them */
+};
+
+enum {
+    OPTION_LEVELS = 64, /* that may be listed */
+    OPTIONS_MOST = 64   /* rows that the table may have */
+};
+
+/* What stats, profile, isophotes and compare look at; numbers are NaN and counts 0 where none were given. */
+struct option_analysis {
+    luxel_region region; /* the whole where none was given */
+    bool histogram, logarithmic, from_picture, arc;
+    unsigned bins, samples;
+    double scale[2]; /* low, high */
+    double from_mm[2], to_mm[2], through_mm[2];
+    double angle_deg;
+    unsigned wanted_levels;       /* about so many round ones */
+    double levels[OPTION_LEVELS]; /* or just these */
+    size_t level_count;
+};
+
+/* What figures and reports look like; texts are NULL where none were given. */
+struct option_drawing {
+    const char *palette, *label, *title, *author, *group, *date, *section;
+    bool palettes, contours, bands, lines, plain, no_extrema, no_points, stacked, dark;
+    double width_mm, dots_per_inch; /* 0: the default */
+};
+
 struct options {
     const struct command *command; /* NULL: none was named */
+    char *const *arguments;        /* the whole command line, argv */
     const char *operand;           /* SCENE, NAME or TOPIC; NULL: none was given */
-    const char **assignments;      /* of -s, in order */
+    const char **operands;         /* all of them, of commands that take several; the first is `operand` */
+    size_t operand_count;
+    const char **assignments; /* of -s, in order */
     size_t assignment_count;
     const char **outputs; /* of -o, in order */
     size_t output_count;
@@ -28,15 +64,20 @@ struct options {
     size_t place_count;
     luxel_settings settings; /* its tolerance is 0 unless one was asked for */
     bool strict, json, quiet, list, dry_run, help, version;
-    unsigned given; /* one bit for each row of the table */
+    struct option_analysis analysis;
+    struct option_drawing drawing;
+    enum option_csv csv;
+    size_t format;  /* index in option_formats */
+    uint64_t given; /* one bit for each row of the table */
 };
 
 /* What an option's argument may be, for those who complete it. */
 enum option_value {
-    VALUE_FREE,      /* nothing that could be listed, or no argument */
-    VALUE_WORD,      /* one of `words` */
-    VALUE_OUTPUT,    /* a file with one of the endings that pictures have */
-    VALUE_ASSIGNMENT /* KEY=VALUE */
+    VALUE_FREE,       /* nothing that could be listed, or no argument */
+    VALUE_WORD,       /* one of `words` */
+    VALUE_OUTPUT,     /* a file with one of the endings that pictures have */
+    VALUE_ASSIGNMENT, /* KEY=VALUE */
+    VALUE_OPTIONAL    /* one of `words`, or no argument at all */
 };
 
 struct option_row {
@@ -50,6 +91,9 @@ struct option_row {
     const char *const *words; /* of VALUE_WORD, NULL-terminated */
     const char *help;
 };
+
+/* The words of --format, in the order of luxel_document_format. */
+extern const char *const option_formats[];
 
 /* The i-th option of the table, NULL beyond the last. */
 const struct option_row *options_row(size_t i);

@@ -14,10 +14,9 @@ static void print_commands(FILE *out)
     fputs("'\n_luxel_scenes='", out);
     for (size_t i = 0; i < luxel_builtin_scene_count(); i++)
         fprintf(out, "%s%s", i > 0 ? " " : "", luxel_builtin_scene_name(i));
-    fputs("'\n_luxel_endings='", out);
-    for (size_t i = 0; luxel_output_ending(i); i++)
-        fprintf(out, "%s%s", i > 0 ? " " : "", luxel_output_ending(i));
-    fputs("'\n", out);
+    fputs("'\n# A command that writes files, and what their names end in.\n_luxel_endings=(\n", out);
+    pages_print_endings(out, "    ", "\n");
+    fputs(")\n", out);
 }
 
 static void print_topics(FILE *out, const luxel_parameters *parameters)
@@ -71,23 +70,25 @@ static void print_options(FILE *out)
     fputs("' ;;\n    esac\n}\n", out);
 }
 
-static void print_values(FILE *out)
+/* Those that want an argument, or those that may have one behind a = sign. */
+static void print_values(FILE *out, bool optional)
 {
     static const char *const kinds[] = {
         [VALUE_FREE] = "free", [VALUE_OUTPUT] = "output", [VALUE_ASSIGNMENT] = "assignment"};
     const struct option_row *row;
 
-    fputs("\n# What an option takes: a kind, or the words themselves; nothing for a flag.\n"
-          "_luxel_value() {\n    case $1 in\n",
+    fputs(optional ? "\n# What an option may have behind a = sign.\n_luxel_optional() {\n    case $1 in\n"
+                   : "\n# What an option takes: a kind, or the words themselves; nothing for a flag.\n"
+                     "_luxel_value() {\n    case $1 in\n",
           out);
     for (size_t i = 0; (row = options_row(i)) != NULL; i++) {
-        if (!row->argument)
+        if (!row->argument || (row->value == VALUE_OPTIONAL) != optional)
             continue;
         if (row->letter != 0)
             fprintf(out, "    -%c | --%s) echo '", row->letter, row->name);
         else
             fprintf(out, "    --%s) echo '", row->name);
-        if (row->value == VALUE_WORD)
+        if (row->words)
             for (size_t k = 0; row->words[k]; k++)
                 fprintf(out, "%s%s", k > 0 ? " " : "", row->words[k]);
         else
@@ -99,8 +100,11 @@ static void print_values(FILE *out)
 
 static void print_operands(FILE *out)
 {
-    static const char *const kinds[] = {
-        [OPERAND_SCENE] = "scene", [OPERAND_NAME] = "name", [OPERAND_TOPIC] = "topic", [OPERAND_NONE] = "free"};
+    static const char *const kinds[] = {[OPERAND_SCENE] = "scene",
+                                        [OPERAND_NAME] = "name",
+                                        [OPERAND_TOPIC] = "topic",
+                                        [OPERAND_FILE] = "file",
+                                        [OPERAND_NONE] = "free"};
 
     fputs("\n# What may stand behind a command.\n_luxel_operand() {\n    case $1 in\n", out);
     for (size_t i = 0; i < COMMAND_COUNT; i++)
@@ -108,8 +112,9 @@ static void print_operands(FILE *out)
     fputs("    esac\n}\n", out);
     fputs("\n# What may stand behind that.\n_luxel_more() {\n    case $1 in\n", out);
     for (size_t i = 0; i < COMMAND_COUNT; i++)
-        if (commands[i]->assignments)
-            fprintf(out, "    %s) echo assignment ;;\n", commands[i]->name);
+        if (commands[i]->more)
+            fprintf(out, "    %s) echo %s ;;\n", commands[i]->name,
+                    commands[i]->more_kind == OPERAND_NONE ? "assignment" : kinds[commands[i]->more_kind]);
     fputs("    *) echo free ;;\n    esac\n}\n", out);
 }
 
@@ -119,6 +124,7 @@ void pages_bash(FILE *out, const luxel_parameters *parameters)
     print_topics(out, parameters);
     print_keys(out, parameters);
     print_options(out);
-    print_values(out);
+    print_values(out, false);
+    print_values(out, true);
     print_operands(out);
 }

@@ -20,14 +20,13 @@ static void quote(FILE *out, const char *text)
 
 static void print_words(FILE *out, const luxel_parameters *parameters)
 {
-    fputs("set -g __luxel_endings", out);
-    for (size_t i = 0; luxel_output_ending(i); i++)
-        fprintf(out, " %s", luxel_output_ending(i));
+    fputs("# A command that writes files, and what their names end in.\nset -g __luxel_endings", out);
+    pages_print_endings(out, " \\\n    ", "");
     fputs("\n# A key of a scene, and the words that it may have.\nset -g __luxel_keys", out);
     pages_print_keys(out, parameters, " \\\n    ", "");
     fputs("\n\nfunction __luxel_with_argument\n    string join \\n --", out);
     for (size_t i = 0; options_row(i); i++) {
-        if (!options_row(i)->argument)
+        if (!options_row(i)->argument || options_row(i)->value == VALUE_OPTIONAL)
             continue;
         if (options_row(i)->letter != 0)
             fprintf(out, " -%c", options_row(i)->letter);
@@ -57,8 +56,8 @@ static void print_option(FILE *out, const struct option_row *row)
     if (row->letter != 0)
         fprintf(out, " -s %c", row->letter);
     fprintf(out, " -l %s", row->name);
-    if (row->value == VALUE_WORD) {
-        fputs(" -x -a '", out);
+    if (row->words) {
+        fputs(row->value == VALUE_OPTIONAL ? " -a '" : " -x -a '", out);
         for (size_t i = 0; row->words[i]; i++)
             fprintf(out, "%s%s", i > 0 ? " " : "", row->words[i]);
         fputc('\'', out);
@@ -120,9 +119,9 @@ void pages_fish(FILE *out, const luxel_parameters *parameters)
         print_option(out, row);
     print_scenes(out);
     for (size_t i = 0; i < COMMAND_COUNT; i++)
-        if (commands[i]->assignments)
-            fprintf(out, "complete -c luxel -n '__luxel_wants_more %s' -x -a '(__luxel_assignments)'\n",
-                    commands[i]->name);
+        if (commands[i]->more)
+            fprintf(out, "complete -c luxel -n '__luxel_wants_more %s' %s\n", commands[i]->name,
+                    commands[i]->more_kind == OPERAND_NONE ? "-x -a '(__luxel_assignments)'" : "-F");
     for (size_t i = 0; i < COMMAND_COUNT; i++)
         print_topic(out, commands[i]->name, _(commands[i]->summary));
     for (size_t i = 0; (kind = luxel_parameters_kind(parameters, i)) != NULL; i++)

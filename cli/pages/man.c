@@ -38,12 +38,12 @@ static void print_usage_line(FILE *out, const struct command *command)
 
     snprintf(line, sizeof line, "luxel %s", command->name);
     roff_typed(out, line);
-    if (command->assignments) {
+    if (command->more) {
         fputc(' ', out);
         roff_placeholder(out, _(command->operand));
         fputc(' ', out);
-        roff_placeholder(out, _(command->assignments));
-        fputs("...", out);
+        roff_placeholder(out, _(command->more));
+        fputs(command->most_operands > 0 ? "" : "...", out);
     } else if (command->operand) {
         fputs(" [", out);
         roff_placeholder(out, _(command->operand));
@@ -85,8 +85,9 @@ static void print_option(FILE *out, const struct option_row *row)
     snprintf(name, sizeof name, "--%s", row->name);
     roff_typed(out, name);
     if (row->argument) {
-        fputc(' ', out);
+        fputs(row->value == VALUE_OPTIONAL ? "[=" : " ", out);
         roff_placeholder(out, _(row->argument));
+        fputs(row->value == VALUE_OPTIONAL ? "]" : "", out);
     }
     fputc('\n', out);
     roff_text(out, _(row->help));

@@ -7,6 +7,9 @@
 
 #include <string.h>
 
+#include "../cli.h"
+#include "../options.h"
+
 static const char placeholder[] = "@TABLES@\n";
 
 bool pages_is_key(const luxel_parameters *parameters, size_t i)
@@ -67,6 +70,18 @@ bool pages_is_first_name(const luxel_parameters *parameters, size_t i)
         if (strcmp(name, pages_last_name(luxel_parameters_get(parameters, k)->path)) == 0)
             return false;
     return true;
+}
+
+void pages_print_endings(FILE *out, const char *before, const char *after)
+{
+    for (size_t i = 0; i < COMMAND_COUNT; i++)
+        for (size_t k = 0; options_row(k); k++) {
+            char endings[128];
+
+            if (options_row(k)->value == VALUE_OUTPUT && (options_row(k)->commands & commands[i]->bit))
+                fprintf(out, "%s'%s %s'%s", before, commands[i]->name,
+                        command_endings(commands[i], endings, sizeof endings), after);
+        }
 }
 
 void pages_quote(FILE *out, const char *text)

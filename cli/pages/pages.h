@@ -32,6 +32,9 @@ const char *pages_last_name(const char *path);
 /* Whether no parameter before the i-th has the same last name. */
 bool pages_is_first_name(const luxel_parameters *parameters, size_t i);
 
+/* Prints each command that writes files with their endings, in single quotes, between two texts. */
+void pages_print_endings(FILE *out, const char *before, const char *after);
+
 /* Prints a text in single quotes as bash and zsh read it. */
 void pages_quote(FILE *out, const char *text);
 

@@ -28,9 +28,8 @@ static void print_words(FILE *out, const luxel_parameters *parameters)
     fputs(")\ntypeset -ga _luxel_scenes=(\n", out);
     for (size_t i = 0; i < luxel_builtin_scene_count(); i++)
         print_described(out, luxel_builtin_scene_name(i), luxel_builtin_scene_title(i));
-    fputs(")\ntypeset -ga _luxel_endings=(", out);
-    for (size_t i = 0; luxel_output_ending(i); i++)
-        fprintf(out, "%s%s", i > 0 ? " " : "", luxel_output_ending(i));
+    fputs(")\n# A command that writes files, and what their names end in.\ntypeset -ga _luxel_endings=(\n", out);
+    pages_print_endings(out, "    ", "\n");
     fputs(")\ntypeset -ga _luxel_topics=(\n", out);
     for (size_t i = 0; (kind = luxel_parameters_kind(parameters, i)) != NULL; i++)
         print_described(out, kind->name, _(kind->meaning));
@@ -74,12 +73,12 @@ static void print_option(FILE *out, const struct option_row *row, bool is_long, 
     if (!is_offered)
         fputc('!', text);
     if (is_long)
-        fprintf(text, "*--%s%s", row->name, row->argument ? "=" : "");
+        fprintf(text, "*--%s%s", row->name, row->value == VALUE_OPTIONAL ? "=-" : row->argument ? "=" : "");
     else
         fprintf(text, "*-%c%s", row->letter, row->argument ? "+" : "");
     add_description(text, _(row->help));
-    if (row->value == VALUE_WORD) {
-        fprintf(text, ":%s:(", row->argument);
+    if (row->words) {
+        fprintf(text, "%s%s:(", row->value == VALUE_OPTIONAL ? "::" : ":", row->argument);
         for (size_t i = 0; row->words[i]; i++)
             fprintf(text, "%s%s", i > 0 ? " " : "", row->words[i]);
         fputc(')', text);
@@ -112,8 +111,10 @@ static void print_options_of(FILE *out, const char *name, unsigned bit)
 
 void pages_zsh(FILE *out, const luxel_parameters *parameters)
 {
-    static const char *const operands[] = {
-        [OPERAND_SCENE] = "_luxel_scene", [OPERAND_NAME] = "_luxel_name", [OPERAND_TOPIC] = "_luxel_topic"};
+    static const char *const operands[] = {[OPERAND_SCENE] = "_luxel_scene",
+                                           [OPERAND_NAME] = "_luxel_name",
+                                           [OPERAND_TOPIC] = "_luxel_topic",
+                                           [OPERAND_FILE] = "_files"};
 
     print_words(out, parameters);
     print_keys(out, parameters);
@@ -124,8 +125,9 @@ void pages_zsh(FILE *out, const luxel_parameters *parameters)
         print_options_of(out, commands[i]->name, commands[i]->bit);
         if (commands[i]->operand_kind != OPERAND_NONE)
             fprintf(out, "        '1:%s:%s'\n", commands[i]->operand, operands[commands[i]->operand_kind]);
-        if (commands[i]->assignments)
-            fprintf(out, "        '*:%s:_luxel_assignment'\n", commands[i]->assignments);
+        if (commands[i]->more)
+            fprintf(out, "        '*:%s:%s'\n", commands[i]->more,
+                    commands[i]->more_kind == OPERAND_NONE ? "_luxel_assignment" : operands[commands[i]->more_kind]);
         fputs("    ) ;;\n", out);
     }
     print_options_of(out, "*", COMMAND_NONE);

@@ -40,7 +40,9 @@ typedef struct luxel_figure_settings {
     double low, high;          /* the range of the bar; NaN: what the scene's picture says, or the picture's values */
     bool logarithmic;          /* the bar by powers of ten; false */
     luxel_bands bands;         /* contours */
-    size_t levels;             /* about so many, 1 to 50; 8 */
+    size_t levels;             /* about so many round ones, 1 to 50; 8 */
+    const double *level_list;  /* or just these; NULL */
+    size_t level_list_count;   /* of them */
     bool extrema;              /* mark the maximum; true */
     bool points;               /* mark the scene's points; true */
     luxel_section section;     /* none; else the plots of the horizontal and the vertical section stand below */

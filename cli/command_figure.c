@@ -1,0 +1,19 @@
+/* SPDX-License-Identifier: MIT */
+/* luxel figure: a picture for people.  What it does is in draw/. */
+#include "cli.h"
+#include "drawing.h"
+
+const struct command command_figure = {
+    .name = "figure",
+    .bit = COMMAND_FIGURE,
+    .operand = N_("SCENE"),
+    .endings = ".png .svg .pdf",
+    .summary = N_("draw a figure: false colour with axes, isophotes and sections"),
+    .description = N_("Draws the picture of the scene for people: in false colour with a colour bar in the unit of the "
+                      "values, axes in mm, labelled isophotes, the outlines of the surfaces, the points and the true "
+                      "maximum, and below it, if wanted, the plots of two sections."),
+    .examples = "luxel figure -o figure.pdf\n"
+                "luxel figure my.yaml -o figure.svg --palette cividis --levels 5 --section=maximum\n"
+                "luxel figure my.yaml -o slide.png --dark --width 300 --title 'Two lamps'",
+    .run = drawing_figure,
+};

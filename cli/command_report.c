@@ -1,0 +1,18 @@
+/* SPDX-License-Identifier: MIT */
+/* luxel report: what the exercise asks students to hand in.  What it does is in draw/. */
+#include "cli.h"
+#include "drawing.h"
+
+const struct command command_report = {
+    .name = "report",
+    .bit = COMMAND_REPORT,
+    .operand = N_("SCENE"),
+    .endings = ".pdf .html .md .tex",
+    .summary = N_("write the report of the exercise"),
+    .description = N_("Writes the report that the exercise asks for: the task with its parameters, the formulas of "
+                      "exactly the conventions that were used, the pictures, the sections, the table of points, the "
+                      "extrema, conclusions, and the scene for repetition. A .html is one file without outside links."),
+    .examples = "luxel report -o report.pdf --author 'A. Student' --group 4321\n"
+                "luxel report my.yaml -o report.html --title 'Laboratory work 4'",
+    .run = drawing_report,
+};

@@ -1,0 +1,367 @@
+/* SPDX-License-Identifier: MIT */
+/*
+ * The table of options, with the functions that take their arguments.  getopt_long's own tables, the check that a
+ * command takes an option, the help, the man page and the completions are made from it; a new option is one row and, if
+ * it is no plain flag, one function that takes its argument.
+ */
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "argument.h"
+#include "cli.h"
+#include "message.h"
+#include "options.h"
+#include "text.h"
+
+static const char *const quantity_words[] = {"brightness", "irradiance", NULL};
+static const char *const precision_words[] = {"single", "double", NULL};
+static const char *const csv_words[] = {"rfc4180", "excel-ru", NULL};
+static const char *const section_words[] = {"center", "maximum", NULL};
+const char *const option_formats[] = {"text", "markdown", "latex", "html", NULL};
+
+static bool take_output(struct options *options, const char *argument)
+{
+    options->outputs[options->output_count++] = argument;
+    return true;
+}
+
+static bool take_point(struct options *options, const char *argument)
+{
+    struct option_place *place = &options->places[options->place_count++];
+
+    return argument_numbers("-p", "X,Y", argument, place->numbers, 2);
+}
+
+static bool take_element(struct options *options, const char *argument)
+{
+    struct option_place *place = &options->places[options->place_count++];
+    const double *normal = place->numbers + 3;
+
+    place->is_element = true;
+    if (!argument_numbers("--at", "X,Y,Z,NX,NY,NZ", argument, place->numbers, 6))
+        return false;
+    if (normal[0] != 0.0 || normal[1] != 0.0 || normal[2] != 0.0)
+        return true;
+    message_error(_("--at %s: the normal NX,NY,NZ must not be zero"), argument);
+    return false;
+}
+
+static bool take_assignment(struct options *options, const char *argument)
+{
+    options->assignments[options->assignment_count++] = argument;
+    return true;
+}
+
+/* Finds a word in a list; names them all, and the nearest, if it is none of them. */
+static bool take_word(const char *option, const char *argument, const char *const *words, size_t *found)
+{
+    char list[TEXT_SIZE] = "";
+    size_t used = 0;
+
+    for (*found = 0; words[*found]; ++*found)
+        if (strcmp(argument, words[*found]) == 0)
+            return true;
+    for (size_t i = 0; i < *found && used < sizeof list; i++)
+        used += (size_t)snprintf(list + used, sizeof list - used, "%s%s", i > 0 ? ", " : "", words[i]);
+    message_error(_("%s %s: one of %s is expected"), option, argument, list);
+    message_did_you_mean(luxel_nearest_word(argument, words, *found));
+    return false;
+}
+
+static bool take_quantity(struct options *options, const char *argument)
+{
+    size_t found;
+
+    if (!take_word("--quantity", argument, quantity_words, &found))
+        return false;
+    options->settings.quantity = found == 0 ? LUXEL_BRIGHTNESS : LUXEL_IRRADIANCE;
+    return true;
+}
+
+static bool take_precision(struct options *options, const char *argument)
+{
+    size_t found;
+
+    if (!take_word("--precision", argument, precision_words, &found))
+        return false;
+    options->settings.precision = found == 0 ? LUXEL_SINGLE : LUXEL_DOUBLE;
+    return true;
+}
+
+static bool take_tolerance(struct options *options, const char *argument)
+{
+    double value;
+
+    if (!argument_number("--tolerance", argument, &value))
+        return false;
+    if (value > 0.0 && value < 1.0) {
+        options->settings.tolerance = value;
+        return true;
+    }
+    message_error(_("--tolerance %s: a number above 0 and below 1 is expected"), argument);
+    return false;
+}
+
+static bool take_light_error(struct options *options, const char *argument)
+{
+    double value;
+
+    if (!argument_number("--light-error", argument, &value))
+        return false;
+    if (value >= 0.0 && value < 1.0) {
+        options->settings.light_error = value;
+        return true;
+    }
+    message_error(_("--light-error %s: a number from 0 to below 1 is expected"), argument);
+    return false;
+}
+
+static bool take_threads(struct options *options, const char *argument)
+{
+    return argument_whole("--threads", argument, 1, 1024, &options->settings.threads);
+}
+
+/* X,Y,W,H is a rectangle around X,Y; X,Y,R a circle. */
+static bool take_region(struct options *options, const char *argument)
+{
+    luxel_region *region = &options->analysis.region;
+    size_t commas = 0;
+    double numbers[4];
+
+    for (const char *at = argument; *at; at++)
+        commas += *at == ',';
+    region->type = commas == 2 ? LUXEL_REGION_CIRCLE : LUXEL_REGION_RECTANGLE;
+    if (!argument_numbers("--region", "X,Y,W,H or X,Y,R", argument, numbers, commas == 2 ? 3 : 4))
+        return false;
+    memcpy(region->center_mm, numbers, sizeof region->center_mm);
+    memcpy(region->size_mm, numbers + 2, sizeof region->size_mm);
+    region->radius_mm = numbers[2];
+    if (numbers[2] > 0.0 && (commas == 2 || numbers[3] > 0.0))
+        return true;
+    message_error(_("--region %s: width, height and radius must be above 0"), argument);
+    return false;
+}
+
+static bool take_bins(struct options *options, const char *argument)
+{
+    return argument_whole("--bins", argument, 1, 65536, &options->analysis.bins);
+}
+
+static bool take_samples(struct options *options, const char *argument)
+{
+    return argument_whole("--samples", argument, 2, 10000000, &options->analysis.samples);
+}
+
+static bool take_scale(struct options *options, const char *argument)
+{
+    double *scale = options->analysis.scale;
+
+    if (!argument_numbers("--scale", "LOW,HIGH", argument, scale, 2))
+        return false;
+    if (scale[0] < scale[1])
+        return true;
+    message_error(_("--scale %s: LOW must be below HIGH"), argument);
+    return false;
+}
+
+static bool take_from(struct options *options, const char *argument)
+{
+    return argument_numbers("--from", "X,Y", argument, options->analysis.from_mm, 2);
+}
+
+static bool take_to(struct options *options, const char *argument)
+{
+    return argument_numbers("--to", "X,Y", argument, options->analysis.to_mm, 2);
+}
+
+static bool take_through(struct options *options, const char *argument)
+{
+    return argument_numbers("--through", "X,Y", argument, options->analysis.through_mm, 2);
+}
+
+static bool take_angle(struct options *options, const char *argument)
+{
+    return argument_number("--angle", argument, &options->analysis.angle_deg);
+}
+
+/* One whole number is how many levels are wanted; anything with a comma or a point is the levels themselves. */
+static bool take_levels(struct options *options, const char *argument)
+{
+    struct option_analysis *analysis = &options->analysis;
+    size_t count = 1;
+
+    if (!strpbrk(argument, ",.eE"))
+        return argument_whole("--levels", argument, 1, 50, &analysis->wanted_levels);
+    for (const char *at = argument; *at; at++)
+        count += *at == ',';
+    if (count > 1 && argument[strlen(argument) - 1] == ',')
+        count--; /* "5," is the one level 5 */
+    if (count > OPTION_LEVELS) {
+        message_error(_("--levels: %zu levels are too many, %d may be given"), count, OPTION_LEVELS);
+        return false;
+    }
+    analysis->level_count = count;
+    if (argument[strlen(argument) - 1] != ',')
+        return argument_numbers("--levels", "L1,L2,...", argument, analysis->levels, count);
+
+    char *shorter = message_allocate(strlen(argument) + 1, 1);
+    bool ok;
+
+    memcpy(shorter, argument, strlen(argument) - 1);
+    ok = argument_numbers("--levels", "L1,L2,...", shorter, analysis->levels, count);
+    free(shorter);
+    return ok;
+}
+
+static bool take_csv(struct options *options, const char *argument)
+{
+    size_t found = 0;
+
+    if (argument && !take_word("--csv", argument, csv_words, &found))
+        return false;
+    options->csv = found == 0 ? CSV_RFC4180 : CSV_EXCEL_RU;
+    return true;
+}
+
+static bool take_format(struct options *options, const char *argument)
+{
+    return take_word("--format", argument, option_formats, &options->format);
+}
+
+static bool take_width(struct options *options, const char *argument)
+{
+    return argument_number("--width", argument, &options->drawing.width_mm);
+}
+
+static bool take_dpi(struct options *options, const char *argument)
+{
+    return argument_number("--dpi", argument, &options->drawing.dots_per_inch);
+}
+
+static bool take_section(struct options *options, const char *argument)
+{
+    options->drawing.section = argument ? argument : "center";
+    return true;
+}
+
+#define TAKES_TEXT(member)                                                                                             \
+    static bool take_##member(struct options *options, const char *argument)                                           \
+    {                                                                                                                  \
+        options->drawing.member = argument;                                                                            \
+        return true;                                                                                                   \
+    }
+TAKES_TEXT(palette)
+TAKES_TEXT(label)
+TAKES_TEXT(title)
+TAKES_TEXT(author)
+TAKES_TEXT(group)
+TAKES_TEXT(date)
+
+#define TAKES(function) .take = (function)
+#define SETS(member) .flag = offsetof(struct options, member)
+#define WORDS(list) .value = VALUE_WORD, .words = (list)
+
+/* The commands that write files, and those whose results are tables. */
+enum {
+    WRITING = COMMAND_RENDER | COMMAND_GRID | COMMAND_SET | COMMAND_PROFILE | COMMAND_ISOPHOTES | COMMAND_COMPARE |
+              COMMAND_FIGURE | COMMAND_EXPLAIN | COMMAND_REPORT | COMMAND_VARIANT,
+    TABLES = COMMAND_STATS | COMMAND_PROFILE | COMMAND_ISOPHOTES | COMMAND_COMPARE | COMMAND_GRADE
+};
+
+static const struct option_row rows[] = {
+    {"output", 'o', N_("FILE"), WRITING, TAKES(take_output), .value = VALUE_OUTPUT,
+     .help = N_("write the result to a file, in the format that the ending of the name says; may be repeated")},
+    {"dry-run", 'n', NULL, COMMAND_SET, SETS(dry_run), .help = N_("print the changed scene and write no file")},
+    {"point", 'p', N_("X,Y"), COMMAND_PROBE | COMMAND_EXPLAIN, TAKES(take_point),
+     .help = N_("take this point of the screen, in mm, instead of the scene's own points; may be repeated")},
+    {"at", 0, N_("X,Y,Z,NX,NY,NZ"), COMMAND_PROBE, TAKES(take_element),
+     .help = N_("probe a free surface element: its position in mm and its normal; may be repeated")},
+    {"from", 0, N_("X,Y"), COMMAND_PROFILE, TAKES(take_from),
+     .help = N_("where the line begins on the screen, in mm; goes with --to")},
+    {"to", 0, N_("X,Y"), COMMAND_PROFILE, TAKES(take_to), .help = N_("where the line ends on the screen, in mm")},
+    {"through", 0, N_("X,Y"), COMMAND_PROFILE, TAKES(take_through),
+     .help = N_("a point of the line across the whole screen, in mm; the default is the centre")},
+    {"angle", 0, N_("DEGREES"), COMMAND_PROFILE, TAKES(take_angle),
+     .help = N_("the angle of that line from the x axis: 0 (the default) is horizontal, 90 vertical")},
+    {"arc", 0, NULL, COMMAND_PROFILE, SETS(analysis.arc),
+     .help = N_("go along the great circle of the sphere through the two places seen at --from and --to, in degrees")},
+    {"samples", 0, N_("N"), COMMAND_PROFILE, TAKES(take_samples),
+     .help = N_("how many values, 2 to 10000000; the default is one for each pixel of the longer side, or 181 on an "
+                "arc")},
+    {"picture", 0, NULL, COMMAND_PROFILE | COMMAND_ISOPHOTES, SETS(analysis.from_picture),
+     .help = N_("take the values of the picture's pixels instead of the exact ones between them")},
+    {"region", 0, N_("X,Y,W,H"), COMMAND_STATS, TAKES(take_region),
+     .help = N_("look at a rectangle around X,Y alone, W wide and H high, in mm; X,Y,R is a circle")},
+    {"histogram", 0, NULL, COMMAND_STATS, SETS(analysis.histogram), .help = N_("print the histogram too")},
+    {"bins", 0, N_("N"), COMMAND_STATS, TAKES(take_bins),
+     .help = N_("steps of the histogram, 1 to 65536; the default is 16")},
+    {"levels", 0, N_("N"), COMMAND_ISOPHOTES | COMMAND_FIGURE, TAKES(take_levels),
+     .help =
+         N_("about so many round levels, 1 to 50; or the levels themselves: L1,L2,... (\"5,\" is the one level 5)")},
+    {"scale", 0, N_("LOW,HIGH"), COMMAND_STATS | COMMAND_ISOPHOTES | COMMAND_FIGURE, TAKES(take_scale),
+     .help = N_("the range of values of the histogram, the levels or the colours")},
+    {"log", 0, NULL, COMMAND_STATS | COMMAND_ISOPHOTES | COMMAND_FIGURE, SETS(analysis.logarithmic),
+     .help = N_("in steps of the logarithm")},
+    {"label", 0, N_("TEXT"), COMMAND_FIGURE, TAKES(take_label),
+     .help = N_("the label of the colour bar, instead of the quantity with its unit")},
+    {"contour", 0, NULL, COMMAND_FIGURE, SETS(drawing.contours),
+     .help = N_("draw labelled isophotes over smooth colours (the default)")},
+    {"bands", 0, NULL, COMMAND_FIGURE, SETS(drawing.bands), .help = N_("draw one colour from each level to the next")},
+    {"lines", 0, NULL, COMMAND_FIGURE, SETS(drawing.lines), .help = N_("draw the isophotes alone, coloured")},
+    {"plain", 0, NULL, COMMAND_FIGURE, SETS(drawing.plain), .help = N_("draw smooth colours without isophotes")},
+    {"no-extrema", 0, NULL, COMMAND_FIGURE, SETS(drawing.no_extrema), .help = N_("do not mark the maximum")},
+    {"no-points", 0, NULL, COMMAND_FIGURE, SETS(drawing.no_points), .help = N_("do not mark the scene's points")},
+    {"palette", 0, N_("NAME"), COMMAND_FIGURE | COMMAND_REPORT, TAKES(take_palette),
+     .help = N_("the colours: viridis (default) or another of --palettes")},
+    {"palettes", 0, NULL, COMMAND_FIGURE, SETS(drawing.palettes), .help = N_("list the palettes")},
+    {"section", 0, N_("PLACE"), COMMAND_FIGURE, TAKES(take_section), .value = VALUE_OPTIONAL, .words = section_words,
+     .help = N_("plot the horizontal and the vertical section below, through the center (the default), the maximum or "
+                "a point: --section=X,Y")},
+    {"stacked", 0, NULL, COMMAND_FIGURE, SETS(drawing.stacked),
+     .help = N_("in the sections, put the lights' shares on top of each other")},
+    {"dark", 0, NULL, COMMAND_FIGURE, SETS(drawing.dark), .help = N_("light lines on a dark ground, for projectors")},
+    {"width", 0, N_("MM"), COMMAND_FIGURE, TAKES(take_width),
+     .help = N_("the width of the figure on paper, 40 to 1000 mm; the default is 160")},
+    {"dpi", 0, N_("N"), COMMAND_FIGURE, TAKES(take_dpi),
+     .help = N_("dots per inch of a .png, 30 to 2400; the default is 200")},
+    {"title", 0, N_("TEXT"), COMMAND_FIGURE | COMMAND_REPORT, TAKES(take_title), .help = N_("the title")},
+    {"author", 0, N_("TEXT"), COMMAND_REPORT, TAKES(take_author), .help = N_("who hands the report in")},
+    {"group", 0, N_("TEXT"), COMMAND_REPORT, TAKES(take_group), .help = N_("the author's group")},
+    {"date", 0, N_("TEXT"), COMMAND_REPORT, TAKES(take_date),
+     .help = N_("the date as it is to stand in the report; the default is none, so that it can be repeated byte for "
+                "byte")},
+    {"format", 0, N_("NAME"), COMMAND_EXPLAIN, TAKES(take_format), .value = VALUE_WORD, .words = option_formats,
+     .help = N_("print as text (default), markdown, latex or html")},
+    {"csv", 0, N_("VARIANT"), TABLES, TAKES(take_csv), .value = VALUE_OPTIONAL, .words = csv_words,
+     .help = N_("print as comma-separated values (RFC 4180), or with --csv=excel-ru as spreadsheets in Russia read "
+                "them: semicolons, decimal commas")},
+    {"list", 0, NULL, COMMAND_SCENE, SETS(list), .help = N_("list the built-in scenes")},
+    {"set", 's', N_("KEY=VALUE"), COMMAND_ANY, TAKES(take_assignment), .value = VALUE_ASSIGNMENT,
+     .help = N_("change one value of the scene, such as lights[0].intensity=20; the value is YAML; may be repeated")},
+    {"quantity", 0, N_("NAME"), COMMAND_ANY, TAKES(take_quantity), WORDS(quantity_words),
+     .help = N_("what to compute: brightness (default) or irradiance, which luxel grid always measures")},
+    {"tolerance", 0, N_("T"), COMMAND_ANY, TAKES(take_tolerance),
+     .help =
+         N_("relative error that the value of a probe or of a grid's cell may have, above 0 and below 1; exit code 5 "
+            "where it is not reached")},
+    {"precision", 0, N_("NAME"), COMMAND_ANY, TAKES(take_precision), WORDS(precision_words),
+     .help = N_("numbers of the picture: single (default) or double")},
+    {"threads", 0, N_("N"), COMMAND_ANY, TAKES(take_threads),
+     .help = N_("threads to compute with, 1 to 1024; the default is one per processor; results do not depend on it")},
+    {"light-error", 0, N_("E"), COMMAND_ANY, TAKES(take_light_error),
+     .help = N_("error allowed for leaving far sources out, from 0 (the default: every source counts) to below 1")},
+    {"strict", 0, NULL, COMMAND_ANY, SETS(strict), .help = N_("treat advice about the scene as an error")},
+    {"json", 0, NULL, COMMAND_ANY, SETS(json), .help = N_("print the results as one JSON object")},
+    {"quiet", 'q', NULL, COMMAND_ANY, SETS(quiet), .help = N_("print no progress, notes and confirmations")},
+    {"help", 'h', NULL, COMMAND_ANY | COMMAND_NONE, SETS(help), .help = N_("print this help and do nothing else")},
+    {"version", 'V', NULL, COMMAND_ANY | COMMAND_NONE, SETS(version),
+     .help = N_("print the version and the instruction set that would be used")},
+};
+
+_Static_assert(COUNT_OF(rows) <= OPTIONS_MOST, "each option has a bit of options.given");
+
+const struct option_row *options_row(size_t i)
+{
+    return i < COUNT_OF(rows) ? &rows[i] : NULL;
+}
