@@ -1,0 +1,142 @@
+/* SPDX-License-Identifier: MIT */
+/*
+ * Evaluators: the numbers of probes to the last bit, over every built-in scene; light by light; places on spheres that
+ * are not seen; and what is refused.
+ */
+#include <math.h>
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include <cmocka.h>
+
+#include <luxel/luxel.h>
+
+static luxel_scene *builtin(const char *name)
+{
+    luxel_scene *scene = NULL;
+    assert_int_equal(luxel_scene_open_builtin(name, NULL, &scene), LUXEL_OK);
+    assert_int_equal(luxel_scene_commit(scene, NULL), LUXEL_OK);
+    return scene;
+}
+
+static luxel_evaluator *evaluator_of(const luxel_scene *scene, luxel_quantity quantity)
+{
+    luxel_settings settings;
+    luxel_evaluator *evaluator = NULL;
+    luxel_settings_init(&settings);
+    settings.quantity = quantity;
+    assert_int_equal(luxel_evaluator_new(scene, &settings, NULL, &evaluator), LUXEL_OK);
+    assert_int_equal(luxel_evaluator_quantity(evaluator), quantity);
+    return evaluator;
+}
+
+/* Each light's number is that of its share in the probe; lights that are off and places without a value have 0. */
+static void same_shares(const luxel_probe *probe, luxel_quantity quantity, const double *shares, size_t lights)
+{
+    double expected[64] = {0};
+    assert_true(lights <= 64);
+    for (size_t i = 0; probe->has_value && i < probe->share_count; i++) {
+        const luxel_light_share *share = &probe->shares[i];
+        expected[share->light] = quantity == LUXEL_IRRADIANCE ? share->irradiance : share->diffuse + share->specular;
+    }
+    assert_memory_equal(shares, expected, lights * sizeof *shares);
+}
+
+static void same_as_probe(const luxel_scene *scene, const luxel_evaluator *evaluator, double x, double y)
+{
+    luxel_quantity quantity = luxel_evaluator_quantity(evaluator);
+    size_t lights = luxel_evaluator_light_count(evaluator);
+    double shares[64];
+    luxel_settings settings;
+    luxel_probe *probe = NULL;
+    luxel_settings_init(&settings);
+    settings.quantity = quantity;
+    assert_int_equal(luxel_probe_screen(scene, &settings, x, y, NULL, &probe), LUXEL_OK);
+    luxel_value value = luxel_evaluate(evaluator, x, y, shares);
+    assert_int_equal(value.on_surface, probe->on_surface);
+    assert_int_equal(value.has_value, probe->has_value);
+    assert_true(value.value == probe->value && value.error == probe->error);
+    assert_memory_equal(value.position_mm, probe->position_mm, sizeof value.position_mm);
+    assert_memory_equal(value.normal, probe->normal, sizeof value.normal);
+    same_shares(probe, quantity, shares, lights);
+    luxel_value again = luxel_evaluate(evaluator, x, y, NULL);
+    assert_true(again.value == value.value);
+    luxel_probe_free(probe);
+}
+
+static void test_probes(void **state)
+{
+    (void)state;
+    for (size_t i = 0; luxel_builtin_scene_name(i); i++)
+        for (int quantity = 0; quantity < 2; quantity++) {
+            luxel_scene *scene = builtin(luxel_builtin_scene_name(i));
+            luxel_evaluator *evaluator = evaluator_of(scene, quantity ? LUXEL_IRRADIANCE : LUXEL_BRIGHTNESS);
+            for (int k = 0; k < 9; k++)
+                same_as_probe(scene, evaluator, -237.5 + 71.25 * (k % 3) * 3, -210 + 65.5 * (k / 3) * 3);
+            luxel_evaluator_free(evaluator);
+            luxel_scene_free(scene);
+        }
+}
+
+/* The sphere of the report: centre (0, 0, 1000), radius 300; through its front it is what the screen shows. */
+static void test_sphere(void **state)
+{
+    (void)state;
+    luxel_scene *scene = builtin("report");
+    luxel_evaluator *evaluator = evaluator_of(scene, LUXEL_BRIGHTNESS);
+    for (int i = 0; i < 50; i++) {
+        double x = 290 * cos(i) * (i / 50.0), y = 290 * sin(i) * (i / 50.0), z = sqrt(90000 - x * x - y * y);
+        double shares[1];
+        luxel_value seen = luxel_evaluate(evaluator, x, y, NULL);
+        luxel_value there = luxel_evaluate_sphere(evaluator, 0, (const double[]){2 * x, 2 * y, 2 * z}, shares);
+        assert_true(seen.has_value && there.has_value && there.surface == 0);
+        assert_true(fabs(seen.value - there.value) <= 1e-11 * (seen.value + 1e-6));
+        assert_true(shares[0] == there.value);
+    }
+    luxel_value behind = luxel_evaluate_sphere(evaluator, 0, (const double[]){0, 0, -1}, NULL);
+    assert_true(behind.has_value && behind.position_mm[2] == 700);
+    double shares[1] = {5};
+    assert_false(luxel_evaluate_sphere(evaluator, 1, (const double[]){0, 0, 1}, shares).on_surface);
+    assert_true(shares[0] == 0);
+    luxel_evaluator_free(evaluator);
+    luxel_scene_free(scene);
+
+    scene = builtin("desk");
+    evaluator = evaluator_of(scene, LUXEL_BRIGHTNESS);
+    assert_false(luxel_evaluate_sphere(evaluator, 0, (const double[]){0, 0, 1}, NULL).on_surface);
+    luxel_evaluator_free(evaluator);
+    luxel_scene_free(scene);
+}
+
+static void test_refused(void **state)
+{
+    (void)state;
+    luxel_scene *scene = NULL;
+    luxel_evaluator *evaluator = NULL;
+    luxel_settings settings;
+    luxel_settings_init(&settings);
+    assert_int_equal(luxel_evaluator_new(NULL, NULL, NULL, &evaluator), LUXEL_ERROR_ARGUMENT);
+    assert_int_equal(luxel_scene_open_builtin("report", NULL, &scene), LUXEL_OK);
+    assert_int_equal(luxel_evaluator_new(scene, NULL, NULL, &evaluator), LUXEL_ERROR_ARGUMENT);
+    assert_int_equal(luxel_scene_commit(scene, NULL), LUXEL_OK);
+    assert_int_equal(luxel_evaluator_new(scene, NULL, NULL, NULL), LUXEL_ERROR_ARGUMENT);
+    settings.tolerance = 2;
+    assert_int_equal(luxel_evaluator_new(scene, &settings, NULL, &evaluator), LUXEL_ERROR_ARGUMENT);
+    assert_null(evaluator);
+    luxel_evaluator_free(NULL);
+    luxel_scene_free(scene);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_probes),
+        cmocka_unit_test(test_sphere),
+        cmocka_unit_test(test_refused),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
