@@ -51,6 +51,9 @@ bool lx_document_failed(const struct luxel_document *document);
 /* The translation of an English constant into the document's language. */
 const char *lx_document_word(const struct luxel_document *document, const char *english);
 
+/* A text with phrases (base/phrase.h) in the document's language, the caller's; NULL where memory ran out. */
+char *lx_document_rendered(const struct luxel_document *document, struct lx_text *text);
+
 /* The document's title; one line each of which may stand below it (author, group, date): plain texts. */
 void lx_document_title(struct luxel_document *document, const char *english, const struct lx_span *spans);
 void lx_document_byline(struct luxel_document *document, const char *plain);

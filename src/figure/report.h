@@ -1,0 +1,53 @@
+/* SPDX-License-Identifier: MIT */
+/* What a report is made of: the numbers that its sections tell, computed once. */
+#ifndef LX_FIGURE_REPORT_H
+#define LX_FIGURE_REPORT_H
+
+#include <luxel/compare.h>
+#include <luxel/figure.h>
+#include <luxel/probe.h>
+#include <luxel/version.h>
+
+#include "../document/document.h"
+#include "../scene/scene.h"
+
+/* How far from the maximum the value falls to half of it, along a line. */
+struct lx_report_width {
+    bool exists[2]; /* to both sides; false where it does not fall so far on the surface */
+    double mm[2];
+};
+
+struct lx_report {
+    const luxel_scene *scene;
+    const struct lx_scene_parameters *parameters;
+    const luxel_settings *settings;
+    const luxel_report_settings *texts;
+    luxel_diagnostics *diagnostics;
+    struct luxel_document *document;
+    luxel_field *field;
+    luxel_extrema extrema;
+    luxel_summary summary;
+    luxel_probe **probes; /* of the scene's points */
+    size_t probe_count;
+    luxel_probe *peak;                /* at the maximum; NULL where there is none */
+    struct lx_report_width widths[2]; /* along x, along y */
+    const char *unit;                 /* in the document's language */
+};
+
+/* Computes everything but the document.  lx_report_clear() is due whatever it returns. */
+luxel_status lx_report_compute(struct lx_report *report);
+void lx_report_clear(struct lx_report *report);
+
+/* The sections, each with its heading. */
+void lx_report_task(struct lx_report *report);
+void lx_report_results(struct lx_report *report);
+void lx_report_conclusions(struct lx_report *report);
+void lx_report_repetition(struct lx_report *report);
+
+/* The pictures: grey, false colour with isophotes, sections. */
+luxel_status lx_report_pictures(struct lx_report *report);
+
+/* A number with seven significant digits, as reports show them. */
+const char *lx_report_number(double value, char *buffer);
+
+#endif
