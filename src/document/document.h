@@ -29,11 +29,26 @@ struct lx_span {
     const char *text;
 };
 
-#define LX_PLAIN(text) {LX_SPAN_PLAIN, (text)}
-#define LX_TERM_SPAN(english) {LX_SPAN_TERM, (english)}
-#define LX_CODE(text) {LX_SPAN_CODE, (text)}
-#define LX_MATH(formula) {LX_SPAN_FORMULA, (formula)}
-#define LX_STRONG(english) {LX_SPAN_STRONG, (english)}
+#define LX_PLAIN(text)                                                                                                 \
+    {                                                                                                                  \
+        LX_SPAN_PLAIN, (text)                                                                                          \
+    }
+#define LX_TERM_SPAN(english)                                                                                          \
+    {                                                                                                                  \
+        LX_SPAN_TERM, (english)                                                                                        \
+    }
+#define LX_CODE(text)                                                                                                  \
+    {                                                                                                                  \
+        LX_SPAN_CODE, (text)                                                                                           \
+    }
+#define LX_MATH(formula)                                                                                               \
+    {                                                                                                                  \
+        LX_SPAN_FORMULA, (formula)                                                                                     \
+    }
+#define LX_STRONG(english)                                                                                             \
+    {                                                                                                                  \
+        LX_SPAN_STRONG, (english)                                                                                      \
+    }
 #define LX_SPANS(...) ((const struct lx_span[]){__VA_ARGS__, {LX_SPAN_END, NULL}})
 
 /* How a picture in a document is drawn: to a cairo context of the given width in points; see figure/. */

@@ -17,20 +17,20 @@
 #include "../base/text.h"
 
 enum lx_formula_type {
-    LX_FORMULA_ROW,         /* children side by side */
-    LX_FORMULA_LETTER,      /* a variable: italic */
-    LX_FORMULA_BOLD,        /* a vector: bold upright */
-    LX_FORMULA_UPRIGHT,     /* names of functions, units */
-    LX_FORMULA_NUMBER,      /* a number */
-    LX_FORMULA_OPERATOR,    /* a relation or an operation, with its space */
-    LX_FORMULA_FENCE,       /* a bracket; `tall` where \left or \right made it */
-    LX_FORMULA_WORDS,       /* \text{...} */
-    LX_FORMULA_SPACE,       /* of `width` em */
-    LX_FORMULA_FRACTION,    /* children: above, below */
-    LX_FORMULA_ROOT,        /* child: what is under it */
-    LX_FORMULA_SCRIPTS,     /* children: base, below or NULL, above or NULL */
-    LX_FORMULA_ACCENT,      /* child; `text` is the mark above it */
-    LX_FORMULA_LINES        /* children: ROWs, one a line; a SPACE of width 0 marks where they are aligned */
+    LX_FORMULA_ROW,      /* children side by side */
+    LX_FORMULA_LETTER,   /* a variable: italic */
+    LX_FORMULA_BOLD,     /* a vector: bold upright */
+    LX_FORMULA_UPRIGHT,  /* names of functions, units */
+    LX_FORMULA_NUMBER,   /* a number */
+    LX_FORMULA_OPERATOR, /* a relation or an operation, with its space */
+    LX_FORMULA_FENCE,    /* a bracket; `tall` where \left or \right made it */
+    LX_FORMULA_WORDS,    /* \text{...} */
+    LX_FORMULA_SPACE,    /* of `width` em */
+    LX_FORMULA_FRACTION, /* children: above, below */
+    LX_FORMULA_ROOT,     /* child: what is under it */
+    LX_FORMULA_SCRIPTS,  /* children: base, below or NULL, above or NULL */
+    LX_FORMULA_ACCENT,   /* child; `text` is the mark above it */
+    LX_FORMULA_LINES     /* children: ROWs, one a line; a SPACE of width 0 marks where they are aligned */
 };
 
 struct lx_formula {

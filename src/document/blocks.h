@@ -1,0 +1,74 @@
+/* SPDX-License-Identifier: MIT */
+/* The blocks of a document as its writers see them: texts are in the document's language, formulas in notation. */
+#ifndef LX_DOCUMENT_BLOCKS_H
+#define LX_DOCUMENT_BLOCKS_H
+
+#include "document.h"
+
+/* A piece of a text: in which the words of a sentence and what stands in for {0}, {1} ... follow each other. */
+struct lx_piece {
+    enum lx_span_type type; /* PLAIN, CODE, FORMULA or STRONG: terms have become plain */
+    char *text;
+};
+
+struct lx_pieces {
+    struct lx_piece *items;
+    size_t count, capacity;
+};
+
+enum lx_block_type {
+    LX_BLOCK_HEADING,
+    LX_BLOCK_PARAGRAPH,
+    LX_BLOCK_ITEM,
+    LX_BLOCK_FORMULA,
+    LX_BLOCK_CODE,
+    LX_BLOCK_TABLE,
+    LX_BLOCK_PICTURE
+};
+
+struct lx_row {
+    struct lx_pieces *cells; /* as many as the table has columns */
+    bool marked;
+};
+
+struct lx_block {
+    enum lx_block_type type;
+    int level;              /* of a heading: 1 or 2 */
+    struct lx_pieces words; /* of heading, paragraph, item; the caption of a picture */
+    char *text;             /* the notation of a formula; code; the alignment of a table, a letter a column */
+    struct lx_row *rows;    /* of a table; the first is its heading */
+    size_t row_count, row_capacity;
+    unsigned char *png; /* of a picture; NULL: none */
+    size_t png_length;
+    struct lx_drawing drawing; /* draw is NULL where there is none */
+};
+
+struct luxel_document {
+    luxel_language language; /* its code is a copy */
+    bool failed;             /* memory ran out */
+    struct lx_pieces title;
+    char **bylines;
+    size_t byline_count, byline_capacity;
+    struct lx_block *blocks;
+    size_t block_count, block_capacity;
+};
+
+/* The columns of a table. */
+size_t lx_block_columns(const struct lx_block *table);
+
+/* Whether a block is followed by another of the same type, as items of one list are. */
+bool lx_block_goes_on(const struct luxel_document *document, size_t i);
+
+/* The text of pieces as a reader of plain text sees it: formulas in Unicode. */
+void lx_pieces_add_plain(struct lx_text *text, const struct lx_pieces *pieces);
+
+/* The writers: each adds the whole document. */
+void lx_document_write_plain(const struct luxel_document *document, struct lx_text *text);
+void lx_document_write_markdown(const struct luxel_document *document, struct lx_text *text);
+void lx_document_write_latex(const struct luxel_document *document, struct lx_text *text);
+void lx_document_write_html(const struct luxel_document *document, struct lx_text *text);
+
+/* Adds a picture as the address that holds it: data:image/png;base64,... */
+void lx_add_data_address(struct lx_text *text, const unsigned char *bytes, size_t length);
+
+#endif

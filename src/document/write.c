@@ -1,0 +1,66 @@
+/* SPDX-License-Identifier: MIT */
+/* Documents out: the choice of a writer by format or by the ending of a file, and pictures as addresses. */
+#include <string.h>
+
+#include "../base/diagnostics.h"
+#include "../base/ending.h"
+#include "../base/sink.h"
+#include "blocks.h"
+
+static const char *const endings[] = {".txt", ".md", ".tex", ".html", NULL};
+
+static void (*const writers[])(const struct luxel_document *, struct lx_text *) = {
+    [LUXEL_DOCUMENT_TEXT] = lx_document_write_plain,
+    [LUXEL_DOCUMENT_MARKDOWN] = lx_document_write_markdown,
+    [LUXEL_DOCUMENT_LATEX] = lx_document_write_latex,
+    [LUXEL_DOCUMENT_HTML] = lx_document_write_html,
+};
+
+char *luxel_document_write_text(const luxel_document *document, luxel_document_format format)
+{
+    struct lx_text text = {0};
+    if (!document || document->failed || (size_t)format >= sizeof writers / sizeof writers[0])
+        return NULL;
+    writers[format](document, &text);
+    return lx_text_take(&text);
+}
+
+luxel_status luxel_check_document_name(const char *path, luxel_diagnostics *diagnostics)
+{
+    size_t found;
+    return lx_find_ending(path, endings, diagnostics, &found);
+}
+
+luxel_status luxel_document_write(const luxel_document *document, const char *path, luxel_diagnostics *diagnostics)
+{
+    size_t format;
+    struct lx_sink *sink;
+    luxel_status status = lx_find_ending(path, endings, diagnostics, &format);
+    if (status != LUXEL_OK)
+        return status;
+    char *text = luxel_document_write_text(document, (luxel_document_format)format);
+    if (!text)
+        return lx_out_of_memory(diagnostics);
+    status = lx_sink_open(path, NULL, diagnostics, &sink);
+    if (status == LUXEL_OK) {
+        lx_sink_write(sink, text, strlen(text));
+        status = lx_sink_commit(sink);
+    }
+    luxel_text_free(text);
+    return status;
+}
+
+void lx_add_data_address(struct lx_text *text, const unsigned char *bytes, size_t length)
+{
+    static const char signs[] = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+    lx_text_puts(text, "data:image/png;base64,");
+    for (size_t i = 0; i < length; i += 3) {
+        size_t left = length - i;
+        unsigned three =
+            (unsigned)bytes[i] << 16 | (left > 1 ? (unsigned)bytes[i + 1] << 8 : 0) | (left > 2 ? bytes[i + 2] : 0);
+        char four[4];
+        for (int k = 0; k < 4; k++)
+            four[k] = (size_t)k <= left ? signs[three >> (18 - 6 * k) & 63] : '=';
+        lx_text_add(text, four, sizeof four);
+    }
+}

@@ -1,0 +1,180 @@
+/* SPDX-License-Identifier: MIT */
+/* Documents as CommonMark with tables; formulas between dollars, as most readers of Markdown show them. */
+#include <string.h>
+
+#include "blocks.h"
+
+/* Characters that mean something in Markdown, with a backslash; ends of lines as blanks. */
+static void add_escaped(struct lx_text *text, const char *plain)
+{
+    struct lx_text printable = {0};
+    lx_text_add_escaped(&printable, plain, strlen(plain));
+    for (const char *at = printable.bytes ? printable.bytes : ""; *at; at++) {
+        if (strchr("\\`*_{}[]<>#|$~&", *at))
+            lx_text_puts(text, "\\");
+        lx_text_add(text, at, 1);
+    }
+    text->failed = text->failed || printable.failed;
+    lx_text_clear(&printable);
+}
+
+/* Code within a line: between more backquotes than it has in a row. */
+static void add_code(struct lx_text *text, const char *code)
+{
+    size_t longest = 0;
+    for (const char *at = code; (at = strchr(at, '`')) != NULL;) {
+        size_t run = strspn(at, "`");
+        longest = run > longest ? run : longest;
+        at += run;
+    }
+    const char *blank = longest > 0 ? " " : "";
+    lx_text_fill(text, '`', longest + 1);
+    lx_text_puts(text, blank);
+    lx_text_add_escaped(text, code, strlen(code));
+    lx_text_puts(text, blank);
+    lx_text_fill(text, '`', longest + 1);
+}
+
+static void add_pieces(struct lx_text *text, const struct lx_pieces *pieces)
+{
+    for (size_t i = 0; i < pieces->count; i++) {
+        const struct lx_piece *piece = &pieces->items[i];
+        switch (piece->type) {
+        case LX_SPAN_CODE: add_code(text, piece->text); break;
+        case LX_SPAN_FORMULA:
+            lx_text_puts(text, "$");
+            lx_text_puts(text, piece->text);
+            lx_text_puts(text, "$");
+            break;
+        case LX_SPAN_STRONG:
+            lx_text_puts(text, "**");
+            add_escaped(text, piece->text);
+            lx_text_puts(text, "**");
+            break;
+        default: add_escaped(text, piece->text); break;
+        }
+    }
+}
+
+/* A paragraph may begin with what would make it something else: a number with a point, a sign of a list. */
+static void add_paragraph(struct lx_text *text, const struct lx_pieces *pieces)
+{
+    const char *first = pieces->count > 0 && pieces->items[0].type == LX_SPAN_PLAIN ? pieces->items[0].text : "";
+    if (*first && strchr("+-=", *first))
+        lx_text_puts(text, "\\");
+    add_pieces(text, pieces);
+    lx_text_puts(text, "\n");
+}
+
+/* Cells are parted by |, which therefore must not stand in a formula or code as it is. */
+static void add_cell(struct lx_text *text, const struct lx_pieces *pieces)
+{
+    struct lx_text cell = {0};
+    add_pieces(&cell, pieces);
+    const char *before = "";
+    for (const char *at = cell.bytes ? cell.bytes : ""; *at; before = at++) {
+        if (*at == '|' && *before != '\\')
+            lx_text_puts(text, "\\");
+        lx_text_add(text, at, 1);
+    }
+    text->failed = text->failed || cell.failed;
+    lx_text_clear(&cell);
+}
+
+static void add_table(struct lx_text *text, const struct lx_block *table)
+{
+    size_t columns = lx_block_columns(table);
+    for (size_t r = 0; r < table->row_count; r++) {
+        const char *strong = table->rows[r].marked ? "**" : "";
+        lx_text_puts(text, "|");
+        for (size_t c = 0; c < columns; c++) {
+            bool filled = table->rows[r].cells[c].count > 0;
+            lx_text_puts(text, " ");
+            lx_text_puts(text, filled ? strong : "");
+            add_cell(text, &table->rows[r].cells[c]);
+            lx_text_puts(text, filled ? strong : "");
+            lx_text_puts(text, " |");
+        }
+        lx_text_puts(text, r == 0 ? "\n|" : "\n");
+        for (size_t c = 0; r == 0 && c < columns; c++)
+            lx_text_puts(text, table->text[c] == 'r' ? " ---: |" : " --- |");
+        lx_text_puts(text, r == 0 ? "\n" : "");
+    }
+}
+
+/* A fence longer than any row of backquotes in it. */
+static void add_block_of_code(struct lx_text *text, const char *code)
+{
+    size_t fence = 3;
+    for (const char *at = code; (at = strchr(at, '`')) != NULL;) {
+        size_t run = strspn(at, "`");
+        fence = run >= fence ? run + 1 : fence;
+        at += run;
+    }
+    lx_text_fill(text, '`', fence);
+    lx_text_puts(text, "yaml\n");
+    while (*code) {
+        size_t length = strcspn(code, "\n");
+        lx_text_add_escaped(text, code, length);
+        lx_text_puts(text, "\n");
+        code += length + (code[length] == '\n');
+    }
+    lx_text_fill(text, '`', fence);
+    lx_text_puts(text, "\n");
+}
+
+static void add_picture(struct lx_text *text, const struct lx_block *picture)
+{
+    lx_text_puts(text, picture->png_length > 0 ? "![" : "*");
+    add_pieces(text, &picture->words);
+    if (picture->png_length > 0) {
+        lx_text_puts(text, "](");
+        lx_add_data_address(text, picture->png, picture->png_length);
+        lx_text_puts(text, ")\n\n*");
+        add_pieces(text, &picture->words);
+    }
+    lx_text_puts(text, "*\n");
+}
+
+static void add_block(struct lx_text *text, const struct lx_block *block)
+{
+    switch (block->type) {
+    case LX_BLOCK_HEADING:
+        lx_text_puts(text, block->level == 1 ? "## " : "### ");
+        add_pieces(text, &block->words);
+        lx_text_puts(text, "\n");
+        break;
+    case LX_BLOCK_PARAGRAPH: add_paragraph(text, &block->words); break;
+    case LX_BLOCK_ITEM:
+        lx_text_puts(text, "- ");
+        add_paragraph(text, &block->words);
+        break;
+    case LX_BLOCK_FORMULA: {
+        bool lines = strstr(block->text, "\\\\") != NULL;
+        lx_text_puts(text, lines ? "$$\n\\begin{aligned}\n" : "$$\n");
+        lx_text_puts(text, block->text);
+        lx_text_puts(text, lines ? "\n\\end{aligned}\n$$\n" : "\n$$\n");
+        break;
+    }
+    case LX_BLOCK_CODE: add_block_of_code(text, block->text); break;
+    case LX_BLOCK_TABLE: add_table(text, block); break;
+    case LX_BLOCK_PICTURE: add_picture(text, block); break;
+    }
+}
+
+void lx_document_write_markdown(const struct luxel_document *document, struct lx_text *text)
+{
+    lx_text_puts(text, "# ");
+    add_pieces(text, &document->title);
+    lx_text_puts(text, "\n");
+    for (size_t i = 0; i < document->byline_count; i++) {
+        lx_text_puts(text, i == 0 ? "\n" : "");
+        add_escaped(text, document->bylines[i]);
+        lx_text_puts(text, i + 1 < document->byline_count ? "\\\n" : "\n");
+    }
+    for (size_t i = 0; i < document->block_count; i++) {
+        bool in_list = i > 0 && document->blocks[i].type == LX_BLOCK_ITEM && lx_block_goes_on(document, i - 1);
+        lx_text_puts(text, in_list ? "" : "\n");
+        add_block(text, &document->blocks[i]);
+    }
+}

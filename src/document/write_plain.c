@@ -1,0 +1,279 @@
+/* SPDX-License-Identifier: MIT */
+/* Documents as text for a terminal: lines of at most 100 columns, tables in columns, formulas in Unicode. */
+#include <stdlib.h>
+#include <string.h>
+
+#include "../base/memory.h"
+#include "blocks.h"
+#include "formula.h"
+
+enum { COLUMNS = 100, GAP = 2 };
+
+static void add_formula(struct lx_text *text, const char *notation)
+{
+    struct lx_formula *formula = lx_formula_parse(notation, NULL);
+    if (formula)
+        lx_formula_add_text(text, formula);
+    else
+        lx_text_puts(text, notation);
+    lx_formula_free(formula);
+}
+
+void lx_pieces_add_plain(struct lx_text *text, const struct lx_pieces *pieces)
+{
+    for (size_t i = 0; i < pieces->count; i++) {
+        const struct lx_piece *piece = &pieces->items[i];
+        if (piece->type == LX_SPAN_FORMULA)
+            add_formula(text, piece->text);
+        else
+            lx_text_add_escaped(text, piece->text, strlen(piece->text));
+    }
+}
+
+/* Columns of a terminal; marks above letters take none. */
+static size_t width_of(const char *text, size_t length)
+{
+    size_t columns = 0;
+    for (size_t at = 0; at < length;) {
+        uint32_t code;
+        size_t bytes = lx_next_character(text + at, length - at, &code);
+        bool is_mark = (code >= 0x300 && code < 0x370) || (code >= 0x20d0 && code < 0x2100);
+        columns += bytes > 0 && is_mark ? 0 : 1;
+        at += bytes > 0 ? bytes : 1;
+    }
+    return columns;
+}
+
+/* Words between blanks, wrapped; the first line has `first` before it, the others `later`. */
+static void add_wrapped(struct lx_text *text, const char *words, const char *first, const char *later)
+{
+    size_t column = width_of(first, strlen(first));
+    bool begins = true;
+    lx_text_puts(text, first);
+    while (*words) {
+        size_t length = strcspn(words, " "), width = width_of(words, length);
+        if (!begins && column + 1 + width > COLUMNS) {
+            lx_text_puts(text, "\n");
+            lx_text_puts(text, later);
+            column = width_of(later, strlen(later));
+            begins = true;
+        }
+        if (!begins) {
+            lx_text_puts(text, " ");
+            column++;
+        }
+        lx_text_add(text, words, length);
+        column += width;
+        begins = false;
+        words += length + (words[length] == ' ');
+    }
+    lx_text_puts(text, "\n");
+}
+
+static void add_pieces(struct lx_text *text, const struct lx_pieces *pieces, const char *first, const char *later)
+{
+    struct lx_text words = {0};
+    lx_pieces_add_plain(&words, pieces);
+    add_wrapped(text, words.bytes ? words.bytes : "", first, later);
+    text->failed = text->failed || words.failed;
+    lx_text_clear(&words);
+}
+
+/* Lines each indented by the same. */
+static void add_indented(struct lx_text *text, const char *lines)
+{
+    while (*lines) {
+        size_t length = strcspn(lines, "\n");
+        lx_text_puts(text, length > 0 ? "    " : "");
+        lx_text_add_escaped(text, lines, length);
+        lx_text_puts(text, "\n");
+        lines += length + (lines[length] == '\n');
+    }
+}
+
+/* ---- tables ---- */
+
+/* The cells of a table as plain texts, rows x columns, with the widths of the columns. */
+struct cells {
+    char **texts;
+    size_t *widths;
+    size_t rows, columns;
+};
+
+static void clear_cells(struct cells *cells)
+{
+    for (size_t i = 0; cells->texts && i < cells->rows * cells->columns; i++)
+        free(cells->texts[i]);
+    free(cells->texts);
+    free(cells->widths);
+}
+
+static bool make_cells(const struct lx_block *table, struct cells *cells)
+{
+    *cells = (struct cells){.rows = table->row_count, .columns = lx_block_columns(table)};
+    cells->texts = lx_new_array(cells->rows * cells->columns + 1, sizeof *cells->texts);
+    cells->widths = lx_new_array(cells->columns + 1, sizeof *cells->widths);
+    if (!cells->texts || !cells->widths)
+        return false;
+    for (size_t r = 0; r < cells->rows; r++)
+        for (size_t c = 0; c < cells->columns; c++) {
+            struct lx_text text = {0};
+            lx_text_puts(&text, c == 0 && table->rows[r].marked ? "→ " : "");
+            lx_pieces_add_plain(&text, &table->rows[r].cells[c]);
+            char *taken = text.bytes || text.failed ? lx_text_take(&text) : lx_copy_text("", 0);
+            if (!taken)
+                return false;
+            size_t width = width_of(taken, strlen(taken));
+            cells->texts[r * cells->columns + c] = taken;
+            cells->widths[c] = width > cells->widths[c] ? width : cells->widths[c];
+        }
+    return true;
+}
+
+/* The column that wraps where the table is too wide: the widest one that is aligned left. */
+static size_t find_wrapping(const struct lx_block *table, const struct cells *cells, size_t *room)
+{
+    size_t widest = cells->columns, total = 0;
+    for (size_t c = 0; c < cells->columns; c++) {
+        total += cells->widths[c] + (c > 0 ? GAP : 0);
+        if (table->text[c] == 'l' && (widest == cells->columns || cells->widths[c] > cells->widths[widest]))
+            widest = c;
+    }
+    if (total <= COLUMNS || widest == cells->columns)
+        return cells->columns;
+    size_t others = total - cells->widths[widest];
+    *room = others + 16 < COLUMNS ? COLUMNS - others : 16;
+    return widest;
+}
+
+/* As much of a text as fits, up to a blank; what is left stands behind *text. */
+static size_t take_line(const char **text, size_t room)
+{
+    size_t fits = 0;
+    for (size_t at = 0;; at++) {
+        if ((*text)[at] != ' ' && (*text)[at])
+            continue;
+        if (fits > 0 && width_of(*text, at) > room)
+            break;
+        fits = at;
+        if (!(*text)[at])
+            break;
+    }
+    const char *rest = *text + fits;
+    *text = rest + (*rest == ' ');
+    return fits;
+}
+
+static void add_cell(struct lx_text *text, const char *bytes, size_t length, size_t width, bool right, bool last)
+{
+    size_t used = width_of(bytes, length), blanks = used < width ? width - used : 0;
+    if (right)
+        lx_text_fill(text, ' ', blanks);
+    lx_text_add(text, bytes, length);
+    if (!right && !last)
+        lx_text_fill(text, ' ', blanks);
+    if (!last)
+        lx_text_fill(text, ' ', GAP);
+}
+
+static void trim_line(struct lx_text *text)
+{
+    while (text->length > 0 && text->bytes[text->length - 1] == ' ')
+        text->bytes[--text->length] = '\0';
+}
+
+static void add_row(struct lx_text *text, const struct lx_block *table, const struct cells *cells, size_t row,
+                    size_t wrapping)
+{
+    const char *rest = wrapping < cells->columns ? cells->texts[row * cells->columns + wrapping] : "";
+    bool first = true;
+    do {
+        for (size_t c = 0; c < cells->columns; c++) {
+            const char *cell = first && c != wrapping ? cells->texts[row * cells->columns + c] : "";
+            size_t length = strlen(cell);
+            if (c == wrapping) {
+                cell = rest;
+                length = take_line(&rest, cells->widths[c]);
+            }
+            add_cell(text, cell, length, cells->widths[c], table->text[c] == 'r', c + 1 == cells->columns);
+        }
+        trim_line(text);
+        lx_text_puts(text, "\n");
+        first = false;
+    } while (*rest);
+}
+
+static void add_table(struct lx_text *text, const struct lx_block *table)
+{
+    struct cells cells;
+    if (make_cells(table, &cells)) {
+        size_t room = 0, wrapping = find_wrapping(table, &cells, &room);
+        if (wrapping < cells.columns)
+            cells.widths[wrapping] = room;
+        for (size_t r = 0; r < cells.rows; r++) {
+            add_row(text, table, &cells, r, wrapping);
+            for (size_t c = 0; r == 0 && c < cells.columns; c++) {
+                lx_text_puts(text, c > 0 ? "  " : "");
+                for (size_t i = 0; i < cells.widths[c]; i++)
+                    lx_text_puts(text, "─");
+            }
+            lx_text_puts(text, r == 0 ? "\n" : "");
+        }
+    } else {
+        text->failed = true;
+    }
+    clear_cells(&cells);
+}
+
+/* ---- blocks ---- */
+
+static void add_heading(struct lx_text *text, const struct lx_block *heading)
+{
+    struct lx_text words = {0};
+    lx_pieces_add_plain(&words, &heading->words);
+    const char *line = heading->level == 1 ? "═" : "─";
+    if (words.bytes) {
+        lx_text_puts(text, words.bytes);
+        lx_text_puts(text, "\n");
+        for (size_t i = width_of(words.bytes, words.length); i > 0; i--)
+            lx_text_puts(text, line);
+        lx_text_puts(text, "\n");
+    }
+    text->failed = text->failed || words.failed;
+    lx_text_clear(&words);
+}
+
+static void add_formula_lines(struct lx_text *text, const char *notation)
+{
+    struct lx_text lines = {0};
+    add_formula(&lines, notation);
+    if (lines.bytes)
+        add_indented(text, lines.bytes);
+    text->failed = text->failed || lines.failed;
+    lx_text_clear(&lines);
+}
+
+static void add_block(struct lx_text *text, const struct lx_block *block)
+{
+    switch (block->type) {
+    case LX_BLOCK_HEADING: add_heading(text, block); break;
+    case LX_BLOCK_PARAGRAPH: add_pieces(text, &block->words, "", ""); break;
+    case LX_BLOCK_ITEM: add_pieces(text, &block->words, "  • ", "    "); break;
+    case LX_BLOCK_FORMULA: add_formula_lines(text, block->text); break;
+    case LX_BLOCK_CODE: add_indented(text, block->text); break;
+    case LX_BLOCK_TABLE: add_table(text, block); break;
+    case LX_BLOCK_PICTURE: add_pieces(text, &block->words, "[", " "); break;
+    }
+}
+
+void lx_document_write_plain(const struct luxel_document *document, struct lx_text *text)
+{
+    add_pieces(text, &document->title, "", "");
+    for (size_t i = 0; i < document->byline_count; i++)
+        add_wrapped(text, document->bylines[i], "", "");
+    for (size_t i = 0; i < document->block_count; i++) {
+        bool in_list = i > 0 && document->blocks[i].type == LX_BLOCK_ITEM && lx_block_goes_on(document, i - 1);
+        lx_text_puts(text, in_list ? "" : "\n");
+        add_block(text, &document->blocks[i]);
+    }
+}
