@@ -10,9 +10,9 @@
 #include "message.h"
 #include "options.h"
 #include "outputs.h"
-#include "progress.h"
 #include "result.h"
 #include "text.h"
+#include "work.h"
 
 /* A file that fails does not stop the others. */
 static int write_outputs(const struct options *options, const luxel_field *field, luxel_diagnostics *diagnostics)
@@ -109,19 +109,17 @@ static void print_text(const struct result *result, const char *name)
 /* The picture, and what Ctrl-C does to it. */
 static int compute(const struct options *options, const struct loaded *loaded, luxel_field **field)
 {
-    luxel_settings settings = options->settings;
-    struct progress progress;
+    struct work work;
     luxel_status status;
+    int code;
 
-    settings.progress = progress_report;
-    settings.progress_data = &progress;
-    progress_begin(&progress, options->quiet);
-    status = luxel_render(loaded->scene, &settings, loaded->diagnostics, field);
-    if (progress_end(&progress) && status == LUXEL_OK) {
+    *field = NULL;
+    work_begin(&work, options);
+    status = luxel_render(loaded->scene, &work.settings, loaded->diagnostics, field);
+    code = work_end(&work, status, loaded->diagnostics);
+    if (code != EXIT_DONE)
         luxel_field_free(*field);
-        status = LUXEL_CANCELLED;
-    }
-    return status == LUXEL_OK ? EXIT_DONE : message_failure(status, loaded->diagnostics);
+    return code;
 }
 
 /* The points' values in the picture are the picture's. */

@@ -123,8 +123,7 @@ static int open_scene(const char *operand, bool builtin_first, struct loaded *lo
     return open_file(operand, loaded);
 }
 
-/* The options as they count for this scene: a picture's own settings are the defaults of those not given. */
-static struct options with_settings_of(const struct options *options, const luxel_scene *scene)
+struct options load_options(const struct options *options, const luxel_scene *scene)
 {
     struct options merged = *options;
 
@@ -196,7 +195,7 @@ int load_and(const struct options *options, int (*action)(const struct options *
     int code = load_scene(options, false, &loaded);
 
     if (code == EXIT_DONE) {
-        const struct options merged = with_settings_of(options, loaded.scene);
+        const struct options merged = load_options(options, loaded.scene);
 
         code = action(&merged, &loaded);
     }

@@ -29,6 +29,9 @@ void load_clear(struct loaded *loaded);
  */
 int load_and(const struct options *options, int (*action)(const struct options *, const struct loaded *));
 
+/* The options as they count for this scene: a picture's own settings are the defaults of those not given. */
+struct options load_options(const struct options *options, const luxel_scene *scene);
+
 /* The index of a built-in scene (NULL: the default one), or the number of them. */
 size_t load_find_builtin(const char *name);
 

@@ -59,3 +59,10 @@ int outputs_check(const struct options *options, luxel_status (*check)(const cha
     luxel_diagnostics_free(diagnostics);
     return code;
 }
+
+luxel_status outputs_check_csv(const char *path, luxel_diagnostics *diagnostics)
+{
+    static const char *const endings[] = {".csv"};
+
+    return luxel_check_ending(path, endings, COUNT_OF(endings), diagnostics);
+}

@@ -13,4 +13,7 @@
  */
 int outputs_check(const struct options *options, luxel_status (*check)(const char *, luxel_diagnostics *));
 
+/* For outputs_check(): the name of a table, which is written as .csv. */
+luxel_status outputs_check_csv(const char *path, luxel_diagnostics *diagnostics);
+
 #endif

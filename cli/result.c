@@ -90,7 +90,7 @@ const char *result_no_value(const struct result *result, size_t i, char buffer[T
     return text_format(buffer, "%s: %s%s", name, reason, off_screen ? _(", off the screen") : "");
 }
 
-static void write_extremum(struct json *json, const char *key, const luxel_extremum *extremum)
+void result_write_extremum(struct json *json, const char *key, const luxel_extremum *extremum)
 {
     if (!extremum || !extremum->exists) {
         json_null(json, key);
@@ -107,8 +107,8 @@ static void write_statistics(struct json *json, const luxel_field *field)
 {
     const luxel_statistics *statistics = field ? luxel_field_statistics(field) : NULL;
 
-    write_extremum(json, "max", statistics ? &statistics->maximum : NULL);
-    write_extremum(json, "min", statistics ? &statistics->minimum : NULL);
+    result_write_extremum(json, "max", statistics ? &statistics->maximum : NULL);
+    result_write_extremum(json, "min", statistics ? &statistics->minimum : NULL);
     if (statistics && statistics->has_surface) {
         json_number(json, "mean", statistics->mean);
         json_number(json, "lit", statistics->lit);

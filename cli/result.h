@@ -31,6 +31,9 @@ void result_write_conventions(struct json *json, const luxel_scene *scene);
 /* The lines of text that tell under which conventions the numbers were made. */
 void result_print_conventions(const luxel_scene *scene);
 
+/* Writes an extremum as SPEC's `max` and `min` are written; null where there is none. */
+void result_write_extremum(struct json *json, const char *key, const luxel_extremum *extremum);
+
 /* Prints the object of SPEC's `--json`, on standard output. */
 void result_print_json(const struct result *result);
 

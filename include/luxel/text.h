@@ -8,7 +8,7 @@
 
 #include <stddef.h>
 
-#include <luxel/status.h>
+#include <luxel/diagnostics.h>
 
 #ifdef __cplusplus
 extern "C" {
@@ -25,6 +25,17 @@ LUXEL_API const char *luxel_nearest_word(const char *typed, const char *const *w
  * characters as \uNNNN.  The caller's: free it with luxel_text_free().  NULL when memory is short.
  */
 LUXEL_API char *luxel_escaped_text(const char *text);
+
+/*
+ * Writes a text to a file, which appears whole or not at all; one that was there stays until the new one is complete.
+ * LUXEL_ERROR_FILE: it could not be written.
+ */
+LUXEL_API luxel_status luxel_text_write(const char *path, const char *text, size_t length,
+                                        luxel_diagnostics *diagnostics);
+
+/* Whether a file's name ends in one of `count` endings such as ".csv", in whatever case.  LUXEL_ERROR_ARGUMENT. */
+LUXEL_API luxel_status luxel_check_ending(const char *path, const char *const *endings, size_t count,
+                                          luxel_diagnostics *diagnostics);
 
 #ifdef __cplusplus
 }

@@ -8,12 +8,13 @@
 #include "diagnostics.h"
 #include "text.h"
 
-luxel_status lx_find_ending(const char *path, const char *const *endings, luxel_diagnostics *diagnostics, size_t *found)
+luxel_status lx_find_ending(const char *path, const char *const *endings, size_t count, luxel_diagnostics *diagnostics,
+                            size_t *found)
 {
     const char *slash = strrchr(path, '/'), *name = slash ? slash + 1 : path, *dot = strrchr(name, '.');
     const char *ending = dot && dot != name ? dot : NULL;
     struct lx_text known = {0};
-    for (*found = 0; endings[*found]; ++*found) {
+    for (*found = 0; *found < count; ++*found) {
         if (ending && strcasecmp(ending, endings[*found]) == 0) {
             lx_text_clear(&known);
             return LUXEL_OK;

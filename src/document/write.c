@@ -7,7 +7,7 @@
 #include "../base/sink.h"
 #include "blocks.h"
 
-static const char *const endings[] = {".txt", ".md", ".tex", ".html", NULL};
+static const char *const endings[] = {".txt", ".md", ".tex", ".html"};
 
 static void (*const writers[])(const struct luxel_document *, struct lx_text *) = {
     [LUXEL_DOCUMENT_TEXT] = lx_document_write_plain,
@@ -28,14 +28,14 @@ char *luxel_document_write_text(const luxel_document *document, luxel_document_f
 luxel_status luxel_check_document_name(const char *path, luxel_diagnostics *diagnostics)
 {
     size_t found;
-    return lx_find_ending(path, endings, diagnostics, &found);
+    return lx_find_ending(path, endings, sizeof endings / sizeof endings[0], diagnostics, &found);
 }
 
 luxel_status luxel_document_write(const luxel_document *document, const char *path, luxel_diagnostics *diagnostics)
 {
     size_t format;
     struct lx_sink *sink;
-    luxel_status status = lx_find_ending(path, endings, diagnostics, &format);
+    luxel_status status = lx_find_ending(path, endings, sizeof endings / sizeof endings[0], diagnostics, &format);
     if (status != LUXEL_OK)
         return status;
     char *text = luxel_document_write_text(document, (luxel_document_format)format);
