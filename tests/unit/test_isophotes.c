@@ -1,0 +1,320 @@
+/* SPDX-License-Identifier: MIT */
+/*
+ * Isophotes: every vertex on its level to 1e-9, circles in space on a sphere under a distant source, circles on a plate
+ * under a point, a saddle, lines that end at limbs, other surfaces and the screen's edge, the same lines for any number
+ * of threads, and round levels.
+ */
+#include <math.h>
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include <cmocka.h>
+
+#include <luxel/luxel.h>
+
+struct view {
+    luxel_scene *scene;
+    luxel_evaluator *evaluator;
+    luxel_field *field;
+};
+
+static struct view view_with(const char *text, luxel_quantity quantity, unsigned threads)
+{
+    struct view view = {0};
+    luxel_settings settings;
+    luxel_settings_init(&settings);
+    settings.quantity = quantity;
+    settings.threads = threads;
+    if (luxel_scene_open_builtin(text, NULL, &view.scene) != LUXEL_OK)
+        assert_int_equal(luxel_scene_read_text(text, strlen(text), "test", NULL, &view.scene), LUXEL_OK);
+    assert_int_equal(luxel_scene_commit(view.scene, NULL), LUXEL_OK);
+    assert_int_equal(luxel_evaluator_new(view.scene, &settings, NULL, &view.evaluator), LUXEL_OK);
+    assert_int_equal(luxel_render(view.scene, &settings, NULL, &view.field), LUXEL_OK);
+    return view;
+}
+
+static void view_clear(struct view *view)
+{
+    luxel_field_free(view->field);
+    luxel_evaluator_free(view->evaluator);
+    luxel_scene_free(view->scene);
+}
+
+static luxel_isophotes *lines_of(const struct view *view, const double *levels, size_t count)
+{
+    luxel_isophotes *lines = NULL;
+    assert_int_equal(luxel_find_isophotes(view->field, view->evaluator, levels, count, NULL, &lines), LUXEL_OK);
+    return lines;
+}
+
+/* Every vertex has its level, and no two neighbours are farther apart than cells are wide. */
+static void assert_on_level(const struct view *view, const luxel_isophotes *lines)
+{
+    const double pixel = luxel_field_x_mm(view->field)[1] - luxel_field_x_mm(view->field)[0];
+    for (size_t i = 0; i < lines->count; i++) {
+        const luxel_isophote *line = &lines->lines[i];
+        assert_true(line->count >= 2);
+        for (size_t k = 0; k < line->count; k++) {
+            luxel_value value = luxel_evaluate(view->evaluator, line->x_mm[k], line->y_mm[k], NULL);
+            if (!value.has_value || !(fabs(value.value - line->level) <= 1e-9 * line->level))
+                fail_msg("(%.17g, %.17g): %.17g is not %.17g", line->x_mm[k], line->y_mm[k], value.value, line->level);
+            if (k > 0)
+                assert_true(hypot(line->x_mm[k] - line->x_mm[k - 1], line->y_mm[k] - line->y_mm[k - 1]) < 1.5 * pixel);
+        }
+    }
+}
+
+/* The greater values are at the left of every segment. */
+static void assert_turned_left(const struct view *view, const luxel_isophotes *lines)
+{
+    for (size_t i = 0; i < lines->count; i++) {
+        const luxel_isophote *line = &lines->lines[i];
+        for (size_t k = line->count / 2; k < line->count / 2 + 1 && k + 1 < line->count; k++) {
+            double dx = line->x_mm[k + 1] - line->x_mm[k], dy = line->y_mm[k + 1] - line->y_mm[k];
+            double x = (line->x_mm[k + 1] + line->x_mm[k]) / 2, y = (line->y_mm[k + 1] + line->y_mm[k]) / 2;
+            luxel_value left = luxel_evaluate(view->evaluator, x - 0.1 * dy, y + 0.1 * dx, NULL);
+            luxel_value right = luxel_evaluate(view->evaluator, x + 0.1 * dy, y - 0.1 * dx, NULL);
+            assert_true(left.value > right.value);
+        }
+    }
+}
+
+static void test_builtins(void **state)
+{
+    static const char *const names[] = {"report", "spot", "two-spheres", "three-lights", "distant", "desk"};
+    (void)state;
+    for (size_t i = 0; i < sizeof names / sizeof names[0]; i++) {
+        struct view view = view_with(names[i], LUXEL_BRIGHTNESS, 0);
+        double levels[16];
+        size_t count = luxel_round_levels(0, luxel_field_statistics(view.field)->maximum.value, false, 8, levels, 16);
+        luxel_isophotes *lines = lines_of(&view, levels, count);
+        assert_true(count > 4 && lines->count >= count);
+        assert_on_level(&view, lines);
+        luxel_isophotes_free(lines);
+        view_clear(&view);
+    }
+}
+
+#define LAMBERT "surfaces: [{type: sphere, center: [10, -20, 900], radius: %d, material: {model: lambert}}]\n"
+
+/* E = kd E0 N.L: the normals of a line make one angle with L. */
+static void test_circles_on_a_sphere(void **state)
+{
+    static const char *const cameras[] = {"{z: 1500}", "{z: 1500, projection: perspective}"};
+    static const char *const samplings[] = {"nodes", "centers"};
+    (void)state;
+    for (int k = 0; k < 4; k++) {
+        char text[800];
+        snprintf(
+            text, sizeof text,
+            "luxel: 1\nscreen: {width: 500, height: 500, resolution: [100, 100], sampling: %s}\nobserver: %s\n" LAMBERT
+            "lights: [{type: distant, direction: [-2, 1, -2], irradiance: 5}]\n",
+            samplings[k % 2], cameras[k / 2], k < 2 ? 210 : 80);
+        struct view view = view_with(text, LUXEL_BRIGHTNESS, 0);
+        const double levels[] = {0.5, 1, 2, 3, 3.9}, toward[3] = {2 / 3.0, -1 / 3.0, 2 / 3.0};
+        luxel_isophotes *lines = lines_of(&view, levels, 5);
+        assert_int_equal(lines->count, 5);
+        assert_on_level(&view, lines);
+        assert_turned_left(&view, lines);
+        for (size_t i = 0; i < lines->count; i++) {
+            const luxel_isophote *line = &lines->lines[i];
+            for (size_t v = 0; v < line->count; v++) {
+                luxel_value value = luxel_evaluate(view.evaluator, line->x_mm[v], line->y_mm[v], NULL);
+                double cosine = value.normal[0] * toward[0] + value.normal[1] * toward[1] + value.normal[2] * toward[2];
+                assert_true(fabs(cosine - line->level / 4) <= 1e-9 * cosine);
+            }
+            /* a circle all of which is seen is closed: L is 48.2 degrees from the z axis, the circle of 3 41.4 from L,
+             * and the limb at 90 degrees, or in perspective before */
+            assert_int_equal(line->closed, k < 2 ? line->level >= 3 : line->level > 3);
+        }
+        luxel_isophotes_free(lines);
+        view_clear(&view);
+    }
+}
+
+static const char plate[] =
+    "luxel: 1\nscreen: {width: 400, height: 200, resolution: [80, 40]}\nobserver: {z: 1000}\n"
+    "surfaces: [{type: rectangle, center: [0, 0, 0], size: [1000, 1000], material: {model: lambert, diffuse: 1}}]\n"
+    "lights: [%s]\n";
+
+/* Under a point at the height h: I h/(h^2 + d^2)^(3/2). */
+static void test_circles_on_a_plate(void **state)
+{
+    char text[800];
+    const double radii[] = {30, 60, 99, 130};
+    double levels[4];
+    (void)state;
+    snprintf(text, sizeof text, plate, "{type: point, position: [20, 0, 80], intensity: 1}");
+    struct view view = view_with(text, LUXEL_BRIGHTNESS, 0);
+    for (int i = 0; i < 4; i++)
+        levels[i] = 0.08 / pow(0.0064 + radii[i] * radii[i] * 1e-6, 1.5);
+    luxel_isophotes *lines = lines_of(&view, levels, 4);
+    assert_on_level(&view, lines);
+    assert_int_equal(lines->count, 5); /* the widest leaves the screen above and below: two arcs */
+    for (size_t i = 0; i < lines->count; i++) {
+        const luxel_isophote *line = &lines->lines[i];
+        double radius = radii[i < 4 ? i : 3];
+        assert_int_equal(line->closed, i < 3);
+        for (size_t v = 0; v < line->count; v++)
+            assert_true(fabs(hypot(line->x_mm[v] - 20, line->y_mm[v]) - radius) <= 1e-8 * radius);
+        for (int end = 0; end < 2 && !line->closed; end++) /* on the screen's edge */
+            assert_true(fabs(fabs(line->y_mm[end ? line->count - 1 : 0]) - 100) < 1e-9);
+    }
+    luxel_isophotes_free(lines);
+    view_clear(&view);
+}
+
+/* Two equal lamps: below the value in the middle one line goes around both, above it one around each. */
+static void test_saddle(void **state)
+{
+    static const char *const lamps[] = {"{type: point, position: [70.3, 1.7, 50], intensity: 1}, {type: point, "
+                                        "position: [-69.7, 1.7, 50], intensity: 1}",
+                                        "{type: point, position: [30.3, 31.7, 30], intensity: 1}, {type: point, "
+                                        "position: [-29.7, -28.3, 30], intensity: 1}"};
+    (void)state;
+    for (int i = 0; i < 4; i++) {
+        char text[800];
+        bool above = i % 2;
+        snprintf(text, sizeof text, plate, lamps[i / 2]);
+        struct view view = view_with(text, LUXEL_BRIGHTNESS, 0);
+        double level = luxel_evaluate(view.evaluator, 0.3, 1.7, NULL).value * (above ? 1.01 : 0.99);
+        luxel_isophotes *lines = lines_of(&view, &level, 1);
+        assert_int_equal(lines->count, above ? 2 : 1);
+        assert_on_level(&view, lines);
+        for (size_t k = 0; k < lines->count; k++)
+            assert_true(lines->lines[k].closed);
+        luxel_isophotes_free(lines);
+        view_clear(&view);
+    }
+}
+
+/* A line ends at the limb itself, not a pixel before it. */
+static void test_ends(void **state)
+{
+    (void)state;
+    struct view view =
+        view_with("luxel: 1\nscreen: {width: 500, height: 500, resolution: [60, 60]}\nobserver: {z: 1500}\n"
+                  "surfaces: [{type: sphere, center: [0, 0, 900], radius: 210, material: {model: lambert}}]\n"
+                  "lights: [{type: distant, direction: [-3, 1, -1], irradiance: 5}]\n",
+                  LUXEL_IRRADIANCE, 0);
+    const double levels[] = {1, 2, 3, 4};
+    luxel_isophotes *lines = lines_of(&view, levels, 4);
+    assert_int_equal(lines->count, 4);
+    assert_on_level(&view, lines);
+    for (size_t i = 0; i < lines->count; i++) {
+        const luxel_isophote *line = &lines->lines[i];
+        assert_false(line->closed);
+        for (int end = 0; end < 2; end++) {
+            size_t v = end ? line->count - 1 : 0;
+            if (!(fabs(hypot(line->x_mm[v], line->y_mm[v]) - 210) < 1e-3))
+                fail_msg("%g: (%.9g, %.9g) is %.9g from the axis", line->level, line->x_mm[v], line->y_mm[v],
+                         hypot(line->x_mm[v], line->y_mm[v]));
+        }
+    }
+    luxel_isophotes_free(lines);
+    view_clear(&view);
+}
+
+/* A hard cone's edge jumps: no vertex lies on it, as none of a level between would be true. */
+static void test_jumps(void **state)
+{
+    char text[800];
+    (void)state;
+    snprintf(
+        text, sizeof text, plate,
+        "{type: spot, position: [0, 0, 300], intensity: 1, inner: 10, outer: 10}, {type: ambient, irradiance: 0.1}");
+    struct view view = view_with(text, LUXEL_BRIGHTNESS, 0);
+    const double levels[] = {5};
+    luxel_isophotes *lines = lines_of(&view, levels, 1);
+    assert_int_equal(lines->count, 0);
+    luxel_isophotes_free(lines);
+    view_clear(&view);
+}
+
+static void test_threads(void **state)
+{
+    (void)state;
+    luxel_isophotes *lines[2];
+    for (int i = 0; i < 2; i++) {
+        struct view view = view_with("two-spheres", LUXEL_BRIGHTNESS, i ? 7 : 1);
+        const double levels[] = {0.1, 0.5, 1, 2};
+        lines[i] = lines_of(&view, levels, 4);
+        view_clear(&view);
+    }
+    assert_int_equal(lines[0]->count, lines[1]->count);
+    for (size_t i = 0; i < lines[0]->count; i++) {
+        const luxel_isophote *a = &lines[0]->lines[i], *b = &lines[1]->lines[i];
+        assert_int_equal(a->count, b->count);
+        assert_memory_equal(a->x_mm, b->x_mm, a->count * sizeof *a->x_mm);
+        assert_memory_equal(a->y_mm, b->y_mm, a->count * sizeof *a->y_mm);
+    }
+    luxel_isophotes_free(lines[0]);
+    luxel_isophotes_free(lines[1]);
+}
+
+/* From the picture alone a line is near, and levels that nothing reaches have none. */
+static void test_picture(void **state)
+{
+    (void)state;
+    struct view view = view_with("report", LUXEL_BRIGHTNESS, 0);
+    const double levels[] = {6, 0, -1, 100};
+    luxel_isophotes *lines = NULL;
+    assert_int_equal(luxel_find_isophotes(view.field, NULL, levels, 4, NULL, &lines), LUXEL_OK);
+    assert_int_equal(lines->count, 1);
+    for (size_t v = 0; v < lines->lines[0].count; v++) {
+        double value = luxel_evaluate(view.evaluator, lines->lines[0].x_mm[v], lines->lines[0].y_mm[v], NULL).value;
+        assert_true(fabs(value - 6) < 0.01);
+    }
+    luxel_isophotes_free(lines);
+    const double bad = NAN;
+    assert_int_equal(luxel_find_isophotes(view.field, NULL, &bad, 1, NULL, &lines), LUXEL_ERROR_ARGUMENT);
+    struct view other = view_with("spot", LUXEL_BRIGHTNESS, 0);
+    assert_int_equal(luxel_find_isophotes(view.field, other.evaluator, levels, 1, NULL, &lines), LUXEL_ERROR_ARGUMENT);
+    view_clear(&other);
+    view_clear(&view);
+}
+
+static void assert_levels(double low, double high, bool logarithmic, size_t wanted, const double *expected,
+                          size_t count)
+{
+    double levels[32];
+    size_t found = luxel_round_levels(low, high, logarithmic, wanted, levels, 32);
+    assert_int_equal(found, count);
+    for (size_t i = 0; i < count; i++)
+        if (levels[i] != expected[i])
+            fail_msg("level %zu is %.17g, not %.17g", i, levels[i], expected[i]);
+}
+
+static void test_round_levels(void **state)
+{
+    (void)state;
+    assert_levels(0, 11.7, false, 5, (const double[]){2, 4, 6, 8, 10}, 5);
+    assert_levels(0, 1, false, 9, (const double[]){0.1, 0.2, 0.3, 0.4, 0.5, 0.6, 0.7, 0.8, 0.9}, 9);
+    assert_levels(-3, 3, false, 5, (const double[]){-2, -1, 0, 1, 2}, 5);
+    assert_levels(1e-9, 5e-9, false, 4, (const double[]){2e-9, 3e-9, 4e-9}, 3);
+    assert_levels(0.05, 30, true, 9, (const double[]){0.1, 0.2, 0.5, 1, 2, 5, 10, 20}, 8);
+    assert_levels(1e-6, 1e6, true, 4, (const double[]){1e-4, 1e-2, 1, 100, 1e4}, 5);
+    assert_levels(1, 1, false, 4, NULL, 0);
+    assert_levels(0, NAN, false, 4, NULL, 0);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_builtins),
+        cmocka_unit_test(test_circles_on_a_sphere),
+        cmocka_unit_test(test_circles_on_a_plate),
+        cmocka_unit_test(test_saddle),
+        cmocka_unit_test(test_ends),
+        cmocka_unit_test(test_jumps),
+        cmocka_unit_test(test_threads),
+        cmocka_unit_test(test_picture),
+        cmocka_unit_test(test_round_levels),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
