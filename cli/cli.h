@@ -78,9 +78,10 @@ struct command {
 };
 
 extern const struct command command_render, command_probe, command_grid, command_check, command_scene, command_set,
-    command_schema, command_help, command_figure, command_report, command_stats, command_profile, command_compare;
+    command_schema, command_help, command_figure, command_report, command_stats, command_profile, command_compare,
+    command_isophotes;
 
-enum { COMMAND_COUNT = 13 };
+enum { COMMAND_COUNT = 14 };
 
 /* All of them, in the order of the help. */
 extern const struct command *const commands[COMMAND_COUNT];

@@ -170,11 +170,20 @@ static int compare(const struct options *options, const struct picture *a, const
     return code != EXIT_DONE ? code : comparing.same ? EXIT_DONE : EXIT_DIFFERENCE;
 }
 
-/* Where just one of two pictures is of a file, its quantity is not known: the scene's counts. */
+/* -s is for scenes: where one of the two is a file of values, for the other alone. */
+static int open_one(const struct options *options, size_t i, struct picture *picture)
+{
+    struct options rendering = *options;
+
+    rendering.settings.tolerance = 0.0; /* it is that of the comparison */
+    if (picture_holds_values(options->operands[i]) && !picture_holds_values(options->operands[1 - i]))
+        rendering.assignment_count = 0;
+    return picture_open(&rendering, options->operands[i], picture);
+}
+
 static int run(const struct options *options)
 {
     struct picture a = {.field = NULL}, b = {.field = NULL};
-    struct options rendering = *options;
     int code;
 
     if (options->operand_count != 2) {
@@ -184,10 +193,9 @@ static int run(const struct options *options)
     code = outputs_check(options, luxel_check_output_name);
     if (code != EXIT_DONE)
         return code;
-    rendering.settings.tolerance = 0.0; /* it is that of the comparison */
-    code = picture_open(&rendering, options->operands[0], &a);
+    code = open_one(options, 0, &a);
     if (code == EXIT_DONE)
-        code = picture_open(&rendering, options->operands[1], &b);
+        code = open_one(options, 1, &b);
     if (code == EXIT_DONE)
         code = compare(options, &a, &b);
     picture_close(&a);

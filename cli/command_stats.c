@@ -93,12 +93,18 @@ static void add_pixel(struct text_table *table, const char *name, const luxel_ex
               text_format(pixel, _("pixel (%u, %u)"), extremum->column, extremum->row));
 }
 
+/* A place between the pixels: to six decimals of a millimetre. */
+static const char *micro(double value_mm, char buffer[TEXT_SIZE])
+{
+    return text_format(buffer, "%.6f", fabs(value_mm) < 5e-7 ? 0.0 : value_mm);
+}
+
 static void add_peak(struct text_table *table, const char *name, const luxel_peak *peak)
 {
-    char value[TEXT_SIZE], screen[TEXT_SIZE];
+    char value[TEXT_SIZE], screen[2 * TEXT_SIZE], x[TEXT_SIZE], y[TEXT_SIZE];
 
     text_table_row(table, TEXT_CELLS(name, text_format(value, "%.15g", peak->value),
-                                     text_format(screen, "(%.8g, %.8g)", peak->x_mm + 0.0, peak->y_mm + 0.0),
+                                     text_format(screen, "(%s, %s)", micro(peak->x_mm, x), micro(peak->y_mm, y)),
                                      _(place_words[peak->place])));
 }
 

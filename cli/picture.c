@@ -11,7 +11,7 @@
 #include "work.h"
 
 /* A .png holds no values: it is a picture that may carry its scene. */
-static bool holds_values(const char *operand)
+bool picture_holds_values(const char *operand)
 {
     static const char *const endings[] = {".npy", ".pfm", ".exr", ".csv"};
     const char *dot = operand ? strrchr(operand, '.') : NULL;
@@ -43,7 +43,7 @@ int picture_open(const struct options *options, const char *operand, struct pict
 
     *picture = (struct picture){.options = *options};
     picture->options.operand = operand;
-    if (holds_values(operand))
+    if (picture_holds_values(operand))
         return read_values(operand, picture);
     code = load_scene(&picture->options, false, &picture->loaded);
     if (code != EXIT_DONE)

@@ -11,6 +11,9 @@ struct picture {
     luxel_field *field;
 };
 
+/* Whether a name ends as that of a file of values. */
+bool picture_holds_values(const char *operand);
+
 /*
  * Computes the picture of a scene, or reads a file whose name ends as files of values do.  Returns an enum exit_code;
  * errors are printed here.  picture_close() is due in either case.

@@ -9,7 +9,10 @@
 extern "C" {
 #endif
 
-/* Differences are those of B from A: b - a.  They are taken over the pixels that show a surface in both. */
+/*
+ * Differences are those of B from A: b - a.  They are taken over the pixels that show a surface in both; of a field read
+ * from a file that does not tell which do, those of the other one count.
+ */
 typedef struct luxel_comparison {
     size_t pixels;           /* that show a surface in both; without any the numbers below are 0 */
     size_t only_a, only_b;   /* pixels that show a surface in one only */

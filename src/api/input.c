@@ -41,6 +41,7 @@ static struct luxel_field *make_field(struct lx_loaded *loaded)
         .instruction_set = "",
         .values = loaded->values,
         .mask = loaded->mask ? loaded->mask : mask_of_values(loaded),
+        .mask_is_guess = !loaded->mask,
         .x_mm = loaded->x_mm,
         .y_mm = loaded->y_mm,
     };

@@ -109,12 +109,15 @@ static luxel_status walk(const struct luxel_field *a, const struct luxel_field *
     struct sums sums = {.signed_sum = lx_wide_of(0), .magnitudes = lx_wide_of(0)};
     const struct luxel_field *placed = a->x_mm && a->y_mm ? a : b;
     for (size_t i = 0; i < (size_t)a->columns * a->rows; i++) {
-        bool shown = a->mask[i] && b->mask[i];
+        /* where one of them only guesses what is a surface, the other one knows */
+        bool in_mask_a = a->mask_is_guess && !b->mask_is_guess ? b->mask[i] : a->mask[i];
+        bool in_mask_b = b->mask_is_guess && !a->mask_is_guess ? a->mask[i] : b->mask[i];
+        bool shown = in_mask_a && in_mask_b;
         double in_a = lx_field_value(a, i), in_b = lx_field_value(b, i), away = shown ? in_b - in_a : 0;
         if (!isfinite(in_a) || !isfinite(in_b))
             return lx_not_finite(isfinite(in_a) ? b : a, i, diagnostics);
-        made->only_a += a->mask[i] && !b->mask[i];
-        made->only_b += b->mask[i] && !a->mask[i];
+        made->only_a += in_mask_a && !in_mask_b;
+        made->only_b += in_mask_b && !in_mask_a;
         if (difference)
             store(difference, i, away, shown);
         if (!shown)
