@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /*
- * The commands that draw, handed to luxel-draw: the one beside this program, as it stands where it was built, or else
- * the installed one.
+ * The commands that draw, handed to luxel-draw: the one beside this program, as it stands where it was built, or the
+ * one that was installed with it, wherever that was moved.
  */
 #include <errno.h>
 #include <limits.h>
@@ -13,33 +13,29 @@
 #include "language.h"
 #include "message.h"
 
-#define NAME "/luxel-draw"
+#define NAME "luxel-draw"
 
-/* The program beside this one; false if this one's place is not known. */
-static bool neighbour(char path[PATH_MAX + sizeof NAME])
+/* The program at a place relative to this one's folder, if this one's place is known. */
+static void try_relative(const char *place, char *const *arguments)
 {
-    const ssize_t length = readlink("/proc/self/exe", path, PATH_MAX);
-    char *slash;
+    char path[PATH_MAX];
+    ssize_t length = readlink("/proc/self/exe", path, sizeof path - 1);
 
-    if (length <= 0 || length >= PATH_MAX)
-        return false;
-    path[length] = '\0';
-    slash = strrchr(path, '/');
-    if (!slash)
-        return false;
-    strcpy(slash, NAME);
-    return true;
+    while (length > 0 && path[length - 1] != '/')
+        length--;
+    if (length > 0 && (size_t)length + strlen(place) < sizeof path) {
+        strcpy(path + length, place);
+        execv(path, arguments);
+    }
 }
 
 static int draw(const struct options *options)
 {
-    char path[PATH_MAX + sizeof NAME];
-
-    if (neighbour(path))
-        execv(path, options->arguments);
-    execv(LUXEL_LIBEXECDIR NAME, options->arguments);
+    try_relative(NAME, options->arguments);
+    try_relative("../libexec/luxel/" NAME, options->arguments);
+    execv(LUXEL_LIBEXECDIR "/" NAME, options->arguments);
     message_error(_("luxel %s cannot run luxel-draw, which draws: %s"), options->command->name, language_reason(errno));
-    message_hint(_("install the library luxel-figure with its program, or build Luxel where cairo and pango are"));
+    message_hint(_("install Luxel with its drawings, or build it where cairo and pango are"));
     return EXIT_FILE;
 }
 

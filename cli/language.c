@@ -61,7 +61,7 @@ static bool has_catalogues(const char *folder)
 /* Beside the program, wherever it was moved (installed, or in the build folder); else where it was to be installed. */
 static const char *find_catalogues(char folder[PATH_MAX])
 {
-    static const char *const places[] = {"/../share/locale", "/../po"};
+    static const char *const places[] = {"/../share/locale", "/../../share/locale", "/../po"};
     char program[PATH_MAX];
     const ssize_t length = readlink("/proc/self/exe", program, sizeof program - 1);
     char *slash;
@@ -99,6 +99,12 @@ const char *language_translate(const char *english, void *data)
 {
     (void)data;
     return gettext(english);
+}
+
+const char *language_code(void)
+{
+    /* TRANSLATORS: the code of your language by BCP 47, such as ru */
+    return _("en");
 }
 
 const char *language_reason(int number)

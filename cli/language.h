@@ -12,6 +12,9 @@ void language_begin(void);
 /* A luxel_translate. */
 const char *language_translate(const char *english, void *data);
 
+/* The code of the language that messages are in, such as "ru". */
+const char *language_code(void);
+
 /* Why a system call failed, in the user's language. */
 const char *language_reason(int number);
 

@@ -6,15 +6,126 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "../argument.h"
 #include "../cli.h"
 #include "../drawing.h"
 #include "../language.h"
 #include "../load.h"
 #include "../message.h"
 #include "../outputs.h"
+#include "../text.h"
+#include "../work.h"
+
+static int list_palettes(void)
+{
+    for (size_t i = 0; luxel_palette_name(i); i++) {
+        char term[TEXT_SIZE];
+
+        text_definition(stdout, text_format(term, "  %s", luxel_palette_name(i)), 14, _(luxel_palette_meaning(i)));
+    }
+    return EXIT_DONE;
+}
+
+/* center, maximum, or a point. */
+static bool take_section(const char *argument, luxel_figure_settings *figure)
+{
+    static const char *const words[] = {"center", "maximum"};
+    const char *nearest;
+
+    if (strcmp(argument, words[0]) == 0) {
+        figure->section = LUXEL_SECTION_CENTER;
+        return true;
+    }
+    if (strcmp(argument, words[1]) == 0) {
+        figure->section = LUXEL_SECTION_MAXIMUM;
+        return true;
+    }
+    figure->section = LUXEL_SECTION_POINT;
+    if (strchr(argument, ','))
+        return argument_numbers("--section", "X,Y", argument, figure->section_mm, 2);
+    message_error(_("--section %s: center, maximum or X,Y is expected"), argument);
+    nearest = luxel_nearest_word(argument, words, COUNT_OF(words));
+    message_did_you_mean(nearest);
+    return false;
+}
+
+static bool take_bands(const struct option_drawing *drawing, luxel_figure_settings *figure)
+{
+    if (drawing->contours + drawing->bands + drawing->lines + drawing->plain > 1) {
+        message_error(_("only one of --contour, --bands, --lines and --plain can be drawn"));
+        return false;
+    }
+    figure->bands = drawing->bands   ? LUXEL_BANDS
+                    : drawing->lines ? LUXEL_LINES
+                    : drawing->plain ? LUXEL_SMOOTH
+                                     : LUXEL_CONTOURS;
+    return true;
+}
+
+static bool take_settings(const struct options *options, const luxel_language *language, luxel_figure_settings *figure)
+{
+    const struct option_drawing *drawing = &options->drawing;
+    const struct option_analysis *analysis = &options->analysis;
+
+    luxel_figure_settings_init(figure);
+    figure->language = language;
+    figure->palette = drawing->palette;
+    figure->title = drawing->title;
+    figure->label = drawing->label;
+    figure->low = analysis->scale[0];
+    figure->high = analysis->scale[1];
+    figure->logarithmic = analysis->logarithmic;
+    figure->extrema = !drawing->no_extrema;
+    figure->points = !drawing->no_points;
+    figure->stacked = drawing->stacked;
+    figure->dark = drawing->dark;
+    if (analysis->wanted_levels > 0)
+        figure->levels = analysis->wanted_levels;
+    figure->level_list = analysis->levels;
+    figure->level_list_count = analysis->level_count;
+    if (options_given(options, "width"))
+        figure->width_mm = drawing->width_mm;
+    if (options_given(options, "dpi"))
+        figure->dots_per_inch = drawing->dots_per_inch;
+    return take_bands(drawing, figure) && (!drawing->section || take_section(drawing->section, figure));
+}
+
+/* A file that fails does not stop the others. */
+static int figure(const struct options *options, const struct loaded *loaded)
+{
+    const luxel_language language = {.translate = language_translate, .code = language_code()};
+    luxel_figure_settings settings;
+    int code = EXIT_DONE;
+
+    if (!take_settings(options, &language, &settings))
+        return EXIT_USAGE;
+    for (size_t i = 0; i < options->output_count; i++) {
+        struct work work;
+        luxel_status status;
+        int one;
+
+        work_begin(&work, options);
+        status = luxel_figure_write(loaded->scene, &work.settings, &settings, options->outputs[i], loaded->diagnostics);
+        one = work_end(&work, status, loaded->diagnostics);
+        luxel_diagnostics_clear(loaded->diagnostics);
+        code = one == EXIT_DONE ? code : one;
+        if (one == EXIT_INTERRUPTED || status == LUXEL_ERROR_ARGUMENT)
+            break;
+    }
+    return code;
+}
 
 int drawing_figure(const struct options *options)
 {
-    (void)options;
-    return EXIT_USAGE;
+    int code;
+
+    if (options->drawing.palettes)
+        return list_palettes();
+    if (options->output_count == 0) {
+        message_error(_("luxel figure needs a file to write to"));
+        message_hint(_("add -o FILE.png, -o FILE.svg or -o FILE.pdf"));
+        return EXIT_USAGE;
+    }
+    code = outputs_check(options, luxel_check_figure_name);
+    return code == EXIT_DONE ? load_and(options, figure) : code;
 }

@@ -1,0 +1,143 @@
+/* SPDX-License-Identifier: MIT */
+/* Ticks, labels and frames. */
+#include "axes.h"
+
+#include <luxel/isophotes.h>
+#include <math.h>
+#include <stdio.h>
+
+#include "../base/number.h"
+
+static const double TICK = 0.35, GAP = 0.35, LINE = 0.06; /* of the letters' size */
+
+double lx_scale_place(const struct lx_scale *scale, double value)
+{
+    if (scale->logarithmic)
+        return value > 0 ? log(value / scale->low) / log(scale->high / scale->low) : -1;
+    return (value - scale->low) / (scale->high - scale->low);
+}
+
+const char *lx_tick_text(double value, char buffer[LX_TICK_TEXT])
+{
+    char number[LX_NUMBER_SIZE];
+    const char *at = lx_write_digits(value == 0 ? 0 : value, 6, number);
+    size_t used = 0;
+    /* a true minus sign, as wide as a plus */
+    for (; *at && used + 4 < LX_TICK_TEXT; at++)
+        used += (size_t)snprintf(buffer + used, LX_TICK_TEXT - used, *at == '-' ? "−" : "%c", *at);
+    buffer[used] = '\0';
+    return buffer;
+}
+
+struct lx_ticks lx_ticks_of(const struct lx_scale *scale, size_t wanted)
+{
+    struct lx_ticks ticks = {.count = 0};
+    double beyond = 1e-9 * (scale->high - scale->low);
+    double low = scale->logarithmic ? scale->low * (1 - 1e-9) : scale->low - beyond;
+    double high = scale->logarithmic ? scale->high * (1 + 1e-9) : scale->high + beyond;
+    ticks.count = luxel_round_levels(low, high, scale->logarithmic, wanted, ticks.values, LX_MOST_TICKS);
+    for (size_t i = 0; i < ticks.count; i++) {
+        if (fabs(ticks.values[i]) < 1e-12 * (scale->high - scale->low) && !scale->logarithmic)
+            ticks.values[i] = 0;
+        lx_tick_text(ticks.values[i], ticks.texts[i]);
+    }
+    return ticks;
+}
+
+double lx_plot_x(const struct lx_plot *plot, double value)
+{
+    return plot->box.x + plot->box.width * lx_scale_place(&plot->x, value);
+}
+
+double lx_plot_y(const struct lx_plot *plot, double value)
+{
+    return plot->box.y + plot->box.height * (1 - lx_scale_place(&plot->y, value));
+}
+
+/* As many ticks as stand apart: along x by the width of their labels, along y by their height. */
+static struct lx_ticks ticks_along(const struct lx_canvas *canvas, const struct lx_scale *scale, double length,
+                                   double size, bool upright)
+{
+    const struct lx_type type = {.size = size};
+    struct lx_ticks ticks = {.count = 0};
+    for (size_t wanted = 7; wanted > 0; wanted--) {
+        double room = 0;
+        ticks = lx_ticks_of(scale, wanted);
+        for (size_t i = 0; i < ticks.count; i++) {
+            struct lx_box text = lx_measure(canvas, ticks.texts[i], &type);
+            room += upright ? 1.6 * text.height : text.width + 1.2 * size;
+        }
+        if (room <= length)
+            return ticks;
+    }
+    return ticks;
+}
+
+struct lx_margins lx_plot_margins(const struct lx_canvas *canvas, const struct lx_plot *plot)
+{
+    const struct lx_type type = {.size = plot->size};
+    struct lx_ticks ticks = ticks_along(canvas, &plot->y, plot->box.height, plot->size, true);
+    double widest = 0, height = lx_measure(canvas, "0", &type).height;
+    for (size_t i = 0; i < ticks.count; i++)
+        widest = fmax(widest, lx_measure(canvas, ticks.texts[i], &type).width);
+    return (struct lx_margins){.left = widest + (TICK + GAP) * plot->size + height + GAP * plot->size,
+                               .below = (TICK + GAP) * plot->size + 2 * height};
+}
+
+static void line(const struct lx_canvas *canvas, double x1, double y1, double x2, double y2)
+{
+    cairo_move_to(canvas->cairo, x1, y1);
+    cairo_line_to(canvas->cairo, x2, y2);
+    cairo_stroke(canvas->cairo);
+}
+
+static void draw_x(const struct lx_canvas *canvas, const struct lx_plot *plot, const char *label, bool grid)
+{
+    const struct lx_type type = {.size = plot->size};
+    const struct lx_box *box = &plot->box;
+    struct lx_ticks ticks = ticks_along(canvas, &plot->x, box->width, plot->size, false);
+    double bottom = box->y + box->height, below = bottom + (TICK + GAP) * plot->size;
+    for (size_t i = 0; i < ticks.count; i++) {
+        double x = lx_plot_x(plot, ticks.values[i]);
+        if (grid) {
+            lx_color(canvas, canvas->faint, 0.25);
+            line(canvas, x, box->y, x, bottom);
+        }
+        lx_color(canvas, canvas->ink, 1);
+        line(canvas, x, bottom, x, bottom + TICK * plot->size);
+        lx_write(canvas, ticks.texts[i], &type, x, below, 0.5, 0, 0);
+    }
+    double height = lx_measure(canvas, "0", &type).height;
+    lx_write(canvas, label, &type, box->x + box->width / 2, below + height, 0.5, 0, 0);
+}
+
+static void draw_y(const struct lx_canvas *canvas, const struct lx_plot *plot, const char *label, bool grid)
+{
+    const struct lx_type type = {.size = plot->size};
+    const struct lx_box *box = &plot->box;
+    struct lx_ticks ticks = ticks_along(canvas, &plot->y, box->height, plot->size, true);
+    double right = box->x - (TICK + GAP) * plot->size, widest = 0;
+    for (size_t i = 0; i < ticks.count; i++) {
+        double y = lx_plot_y(plot, ticks.values[i]);
+        if (grid) {
+            lx_color(canvas, canvas->faint, 0.25);
+            line(canvas, box->x, y, box->x + box->width, y);
+        }
+        lx_color(canvas, canvas->ink, 1);
+        line(canvas, box->x - TICK * plot->size, y, box->x, y);
+        lx_write(canvas, ticks.texts[i], &type, right, y, 1, 0.5, 0);
+        widest = fmax(widest, lx_measure(canvas, ticks.texts[i], &type).width);
+    }
+    lx_write(canvas, label, &type, right - widest - GAP * plot->size, box->y + box->height / 2, 0.5, 1, -M_PI / 2);
+}
+
+void lx_draw_axes(const struct lx_canvas *canvas, const struct lx_plot *plot, const char *x_label, const char *y_label,
+                  bool grid)
+{
+    cairo_set_line_width(canvas->cairo, LINE * plot->size);
+    draw_x(canvas, plot, x_label, grid);
+    draw_y(canvas, plot, y_label, grid);
+    lx_color(canvas, canvas->ink, 1);
+    cairo_rectangle(canvas->cairo, plot->box.x, plot->box.y, plot->box.width, plot->box.height);
+    cairo_stroke(canvas->cairo);
+}

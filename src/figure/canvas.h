@@ -1,0 +1,47 @@
+/* SPDX-License-Identifier: MIT */
+/* A canvas: a cairo context with texts by pango, measured before they are placed.  Lengths are points. */
+#ifndef LX_FIGURE_CANVAS_H
+#define LX_FIGURE_CANVAS_H
+
+#include <cairo.h>
+#include <stdbool.h>
+#include <stddef.h>
+
+struct lx_canvas {
+    cairo_t *cairo;
+    void *fonts; /* a PangoContext; made and freed with the canvas */
+    double ink[3], ground[3], faint[3];
+};
+
+struct lx_box {
+    double x, y, width, height;
+};
+
+/* `dark`: light ink on a dark ground. */
+struct lx_canvas lx_canvas_of(cairo_t *cairo, bool dark);
+void lx_canvas_clear(struct lx_canvas *canvas);
+
+/* How a text stands: its size, weight, its colour (NULL: ink), and where it is wrapped (0: not). */
+struct lx_type {
+    double size;
+    bool bold;
+    const double *color;
+    double wrap;
+    const double *halo; /* the colour of a seam around the letters; NULL: none */
+};
+
+/* Width and height of a text. */
+struct lx_box lx_measure(const struct lx_canvas *canvas, const char *text, const struct lx_type *type);
+
+/*
+ * Draws a text so that the point of it at (across, down), shares of its width and height, stands at (x, y); turned
+ * around that point by an angle in radians, clockwise.
+ */
+void lx_write(const struct lx_canvas *canvas, const char *text, const struct lx_type *type, double x, double y,
+              double across, double down, double turned);
+
+void lx_color(const struct lx_canvas *canvas, const double color[3], double opacity);
+
+bool lx_boxes_meet(const struct lx_box *a, const struct lx_box *b);
+
+#endif

@@ -1,0 +1,74 @@
+/* SPDX-License-Identifier: MIT */
+/* A figure, computed: all that is drawn, whatever it is drawn to. */
+#ifndef LX_FIGURE_FIGURE_H
+#define LX_FIGURE_FIGURE_H
+
+#include <luxel/figure.h>
+
+#include "../document/document.h"
+#include "../scene/scene.h"
+#include "axes.h"
+
+enum { LX_MOST_LEVELS = 64, LX_MOST_BOXES = 256 };
+
+/* Outlines of surfaces on the screen, as chains of places. */
+struct lx_outline {
+    double (*places_mm)[2];
+    size_t count, capacity;
+};
+
+struct lx_figure {
+    luxel_figure_settings settings;
+    const struct lx_scene_parameters *scene;
+    luxel_scene *copy; /* of the scene, which the rest points into */
+    luxel_field *field;
+    luxel_isophotes *isophotes; /* NULL: none are drawn */
+    luxel_extrema extrema;
+    double levels[LX_MOST_LEVELS];
+    size_t level_count;
+    struct lx_scale scale;       /* of the colours */
+    char *title, *label, *print; /* the small print */
+    struct lx_outline *outlines; /* one for each chain */
+    size_t outline_count, outline_capacity;
+    luxel_profile *sections[2]; /* horizontal, vertical; NULL: none */
+    double section_mm[2];
+    char **lights; /* the names of those that are on, in the order of the shares */
+    size_t *light_places;
+    size_t light_count;
+    char *unit; /* in the figure's language */
+};
+
+/* Computes a figure; the scene is copied.  lx_figure_free() is due whatever it returns. */
+luxel_status lx_figure_make(const luxel_scene *scene, const luxel_settings *settings,
+                            const luxel_figure_settings *wanted, luxel_diagnostics *diagnostics,
+                            struct lx_figure **figure);
+void lx_figure_free(struct lx_figure *figure);
+
+/* The outlines of the surfaces as they are seen; 0, or -1 when memory ran out. */
+int lx_figure_outline(struct lx_figure *figure, const luxel_evaluator *evaluator);
+
+/* Draws it `width` points wide from (0, 0) on, or with `cairo` NULL only measures; returns the height. */
+double lx_figure_draw(const struct lx_figure *figure, cairo_t *cairo, double width);
+
+/* The parts, each on its own rectangle. */
+void lx_draw_map(const struct lx_figure *figure, const struct lx_canvas *canvas, const struct lx_plot *plot);
+void lx_draw_bar(const struct lx_figure *figure, const struct lx_canvas *canvas, const struct lx_box *box, double size);
+void lx_draw_section(const struct lx_figure *figure, const struct lx_canvas *canvas, const struct lx_plot *plot,
+                     int which);
+/* The colours of the lights' shares. */
+void lx_light_color(const struct lx_figure *figure, size_t light, double color[3]);
+
+/* A text in the figure's language. */
+const char *lx_figure_word(const struct lx_figure *figure, const char *english);
+
+/* The colour of a value. */
+void lx_figure_color(const struct lx_figure *figure, double value, double color[3]);
+
+/* The figure as a PNG file's bytes, the caller's; LUXEL_ERROR_MEMORY. */
+luxel_status lx_figure_png(const struct lx_figure *figure, luxel_diagnostics *diagnostics, unsigned char **bytes,
+                           size_t *length);
+
+/* A figure as a drawing of a document, which takes the figure over. */
+struct lx_drawing lx_figure_drawing(struct lx_figure *figure);
+
+#endif

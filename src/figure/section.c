@@ -1,0 +1,109 @@
+/* SPDX-License-Identifier: MIT */
+/* The plots of sections: the whole as a bold line, each light's share as a line or on top of the others. */
+#include <math.h>
+#include <string.h>
+
+#include "../base/phrase.h"
+#include "figure.h"
+
+static const double LINE = 0.14;
+
+/* Colours that keep apart for those who are colour-blind, too (M. Okabe and K. Ito 2008). */
+void lx_light_color(const struct lx_figure *figure, size_t light, double color[3])
+{
+    static const unsigned char colors[][3] = {{230, 159, 0}, {86, 180, 233}, {0, 158, 115}, {204, 121, 167},
+                                              {213, 94, 0},  {0, 114, 178},  {240, 228, 66}};
+    (void)figure;
+    for (int i = 0; i < 3; i++)
+        color[i] = colors[light % (sizeof colors / sizeof colors[0])][i] / 255.0;
+}
+
+static double place_of(const luxel_profile *profile, size_t i, int which)
+{
+    return which == 0 ? profile->samples[i].x_mm : profile->samples[i].y_mm;
+}
+
+static double share_of(const struct lx_figure *figure, const luxel_profile *profile, size_t i, size_t light)
+{
+    return profile->shares[i * profile->lights + figure->light_places[light]];
+}
+
+/* What a line shows at a sample: the whole, a share, or the sum of the shares up to one. */
+static double value_of(const struct lx_figure *figure, const luxel_profile *profile, size_t i, size_t light, bool sum)
+{
+    double value = 0;
+    if (light == figure->light_count)
+        return profile->samples[i].value;
+    for (size_t k = sum ? 0 : light; k <= light; k++)
+        value += share_of(figure, profile, i, k);
+    return value;
+}
+
+static void draw_curve(const struct lx_figure *figure, const struct lx_canvas *canvas, const struct lx_plot *plot,
+                       int which, size_t light)
+{
+    const luxel_profile *profile = figure->sections[which];
+    bool open = false;
+    for (size_t i = 0; i < profile->count; i++) {
+        bool has = profile->samples[i].has_value;
+        if (has) {
+            double x = lx_plot_x(plot, place_of(profile, i, which));
+            double y = lx_plot_y(plot, value_of(figure, profile, i, light, false));
+            if (open)
+                cairo_line_to(canvas->cairo, x, y);
+            else
+                cairo_move_to(canvas->cairo, x, y);
+        }
+        open = has;
+    }
+    cairo_stroke(canvas->cairo);
+}
+
+/* Between the sum up to this light and that before it, run by run of samples with a value. */
+static void fill_share(const struct lx_figure *figure, const struct lx_canvas *canvas, const struct lx_plot *plot,
+                       int which, size_t light)
+{
+    const luxel_profile *profile = figure->sections[which];
+    for (size_t first = 0; first < profile->count;) {
+        size_t last = first;
+        while (last < profile->count && profile->samples[last].has_value)
+            last++;
+        for (size_t i = first; i < last; i++)
+            cairo_line_to(canvas->cairo, lx_plot_x(plot, place_of(profile, i, which)),
+                          lx_plot_y(plot, value_of(figure, profile, i, light, true)));
+        for (size_t i = last; i > first; i--)
+            cairo_line_to(canvas->cairo, lx_plot_x(plot, place_of(profile, i - 1, which)),
+                          lx_plot_y(plot, light > 0 ? value_of(figure, profile, i - 1, light - 1, true) : 0));
+        cairo_close_path(canvas->cairo);
+        cairo_fill(canvas->cairo);
+        first = last + 1;
+    }
+}
+
+void lx_draw_section(const struct lx_figure *figure, const struct lx_canvas *canvas, const struct lx_plot *plot,
+                     int which)
+{
+    size_t lights = figure->light_count > 1 ? figure->light_count : 0;
+    cairo_t *cairo = canvas->cairo;
+    lx_draw_axes(canvas, plot,
+                 which == 0 ? lx_figure_word(figure, LX_N("x, mm")) : lx_figure_word(figure, LX_N("y, mm")),
+                 figure->label, true);
+    cairo_save(cairo);
+    cairo_rectangle(cairo, plot->box.x, plot->box.y, plot->box.width, plot->box.height);
+    cairo_clip(cairo);
+    cairo_set_line_join(cairo, CAIRO_LINE_JOIN_ROUND);
+    for (size_t i = 0; i < lights; i++) {
+        double color[3];
+        lx_light_color(figure, i, color);
+        lx_color(canvas, color, figure->settings.stacked ? 0.75 : 1);
+        cairo_set_line_width(cairo, LINE * plot->size);
+        if (figure->settings.stacked)
+            fill_share(figure, canvas, plot, which, i);
+        else
+            draw_curve(figure, canvas, plot, which, i);
+    }
+    lx_color(canvas, canvas->ink, 1);
+    cairo_set_line_width(cairo, 1.5 * LINE * plot->size);
+    draw_curve(figure, canvas, plot, which, figure->light_count);
+    cairo_restore(cairo);
+}
