@@ -1,0 +1,236 @@
+/* SPDX-License-Identifier: MIT */
+/* luxel_explain(): the document about one value. */
+#include "explain.h"
+
+#include <math.h>
+#include <stdlib.h>
+
+#include "../base/diagnostics.h"
+#include "../base/number.h"
+#include "../base/phrase.h"
+#include "alternatives.h"
+#include "parameter_tables.h"
+
+enum { MOST_LIGHTS = 12, RESULT_DIGITS = 15 };
+
+/* One explanation under way. */
+struct explaining {
+    struct luxel_document *document;
+    const luxel_scene *scene;
+    const luxel_settings *settings;
+    const luxel_probe *probe;
+    const char *unit;
+    luxel_quantity quantity;
+};
+
+static const char *digits(double value, int count, char buffer[LX_NUMBER_SIZE])
+{
+    return lx_write_digits(value == 0 ? 0 : value, count, buffer);
+}
+
+static void add_title(const struct explaining *explaining)
+{
+    char x[LX_NUMBER_SIZE], y[LX_NUMBER_SIZE];
+    lx_document_title(
+        explaining->document,
+        explaining->quantity == LUXEL_IRRADIANCE ? LX_N("The irradiance seen at x = {0}, y = {1} mm")
+                                                 : LX_N("The brightness seen at x = {0}, y = {1} mm"),
+        LX_SPANS(LX_PLAIN(digits(explaining->probe->x_mm, 9, x)), LX_PLAIN(digits(explaining->probe->y_mm, 9, y))));
+}
+
+static void add_result(const struct explaining *explaining)
+{
+    const luxel_probe *probe = explaining->probe;
+    char value[LX_NUMBER_SIZE], error[LX_NUMBER_SIZE], pixel[LX_NUMBER_SIZE];
+    lx_document_paragraph(explaining->document, LX_N("The value is {0} {1}, with an error of at most {2}."),
+                          LX_SPANS(LX_PLAIN(digits(probe->value, RESULT_DIGITS, value)), LX_PLAIN(explaining->unit),
+                                   LX_PLAIN(digits(probe->error, 2, error))));
+    if (!probe->has_pixel)
+        lx_document_paragraph(explaining->document, LX_N("The point lies off the screen: no pixel shows it."), NULL);
+    else if (probe->has_pixel_value)
+        lx_document_paragraph(explaining->document,
+                              LX_N("The pixel that the point falls in has the value {0}, taken at its own sample."),
+                              LX_SPANS(LX_PLAIN(digits(probe->pixel_value, 7, pixel))));
+}
+
+/* ---- lights ---- */
+
+static double share_value(const struct explaining *explaining, const luxel_light_share *share)
+{
+    return explaining->quantity == LUXEL_IRRADIANCE ? share->irradiance : share->diffuse + share->specular;
+}
+
+/* Whether a light is among the MOST_LIGHTS that give most; ties: the first ones. */
+static bool is_told(const struct explaining *explaining, size_t i)
+{
+    const luxel_probe *probe = explaining->probe;
+    double own = share_value(explaining, &probe->shares[i]);
+    size_t before = 0;
+    for (size_t k = 0; k < probe->share_count; k++) {
+        double other = share_value(explaining, &probe->shares[k]);
+        before += other > own || (other == own && k < i);
+    }
+    return before < MOST_LIGHTS;
+}
+
+static void add_lights(const struct explaining *explaining, const struct lx_steps *steps)
+{
+    const luxel_probe *probe = explaining->probe;
+    double rest = 0;
+    size_t left = 0;
+    lx_document_heading(explaining->document, 1, LX_N("What the lights give"), NULL);
+    if (probe->share_count == 0)
+        lx_document_paragraph(explaining->document, LX_N("The scene has no lights that are on."), NULL);
+    if (explaining->quantity == LUXEL_BRIGHTNESS && probe->share_count > 0)
+        lx_document_paragraph(
+            explaining->document,
+            LX_N("The factors {0} of the material stand as one number each, {1} being 1, or 1/π where "
+                 "the scene says over_pi, and {2} being 1 unless the highlight is normalized."),
+            LX_SPANS(LX_MATH("p\\, k_d,\\; p\\, k_s\\, c,\\; p\\, k_a"), LX_MATH("p"), LX_MATH("c")));
+    for (size_t i = 0; i < probe->share_count; i++) {
+        if (is_told(explaining, i)) {
+            lx_explain_light(steps, &probe->shares[i]);
+        } else {
+            rest += share_value(explaining, &probe->shares[i]);
+            left++;
+        }
+    }
+    if (left > 0) {
+        char count[LX_NUMBER_SIZE], sum[LX_NUMBER_SIZE];
+        lx_document_paragraph(explaining->document, LX_N("The other {0} lights, which give less, add up to {1}."),
+                              LX_SPANS(LX_PLAIN(lx_write_number((double)left, count)), LX_PLAIN(digits(rest, 7, sum))));
+    }
+}
+
+static void add_sum(const struct explaining *explaining)
+{
+    const luxel_probe *probe = explaining->probe;
+    struct lx_text line = {0};
+    char number[LX_NUMBER_SIZE];
+    lx_document_heading(explaining->document, 1, LX_N("The sum"), NULL);
+    lx_text_puts(&line, explaining->quantity == LUXEL_IRRADIANCE ? "E = " : "B = ");
+    for (size_t i = 0; i < probe->share_count && probe->share_count <= MOST_LIGHTS && probe->share_count > 1; i++) {
+        lx_text_puts(&line, i > 0 ? " + " : "");
+        lx_add_math_number(&line, share_value(explaining, &probe->shares[i]));
+    }
+    lx_text_puts(&line, probe->share_count > 1 && probe->share_count <= MOST_LIGHTS ? " = " : "");
+    lx_add_math_number(&line, probe->value);
+    if (line.bytes)
+        lx_document_formula(explaining->document, line.bytes);
+    lx_text_clear(&line);
+    lx_document_paragraph(explaining->document, LX_N("To all its digits: {0} {1}."),
+                          LX_SPANS(LX_PLAIN(lx_write_number(probe->value, number)), LX_PLAIN(explaining->unit)));
+}
+
+/* ---- conventions ---- */
+
+static void add_alternative(const struct explaining *explaining, const luxel_alternative *alternative, bool names)
+{
+    char value[LX_NUMBER_SIZE], difference[LX_NUMBER_SIZE + 2] = "";
+    double away = alternative->value - explaining->probe->value;
+    struct lx_span number = LX_PLAIN(digits(alternative->value, 7, value)), none = LX_PLAIN("–");
+    struct lx_span name = LX_TERM_SPAN(alternative->convention), blank = LX_PLAIN("");
+    struct lx_span choice = LX_CODE(alternative->choice), place = LX_TERM_SPAN(alternative->choice);
+    if (!alternative->is_present && alternative->has_value)
+        digits(away, 3, difference + (away > 0));
+    if (!alternative->is_present && alternative->has_value && away > 0)
+        difference[0] = '+';
+    lx_document_row(explaining->document,
+                    LX_SPANS(names ? name : blank, alternative->assignment ? choice : place,
+                             LX_TERM_SPAN(alternative->meaning), alternative->has_value ? number : none,
+                             LX_PLAIN(difference)),
+                    alternative->is_present);
+}
+
+static void add_alternatives(const struct explaining *explaining, const luxel_alternatives *alternatives)
+{
+    const char *before = "";
+    lx_document_heading(explaining->document, 1, LX_N("What other conventions give"), NULL);
+    lx_document_paragraph(explaining->document,
+                          LX_N("Each row changes one convention and leaves all else as it is. The marked rows are what "
+                               "this scene says; find your number among the others to see what made it."),
+                          NULL);
+    lx_document_table(explaining->document, "lllrr");
+    lx_document_row(explaining->document,
+                    LX_SPANS(LX_TERM_SPAN(LX_N("convention")), LX_TERM_SPAN(LX_N("choice")),
+                             LX_TERM_SPAN(LX_N("meaning")), LX_TERM_SPAN(LX_N("value")),
+                             LX_TERM_SPAN(LX_N("difference"))),
+                    false);
+    for (size_t i = 0; i < alternatives->count; i++) {
+        add_alternative(explaining, &alternatives->list[i], alternatives->list[i].convention != before);
+        before = alternatives->list[i].convention;
+    }
+}
+
+/* ---- the whole ---- */
+
+static luxel_status explain_value(const struct explaining *explaining, luxel_diagnostics *diagnostics)
+{
+    const luxel_probe *probe = explaining->probe;
+    struct lx_prepared prepared;
+    struct lx_element element;
+    luxel_alternatives *alternatives = NULL;
+    double tolerance = explaining->settings && explaining->settings->tolerance > 0 ? explaining->settings->tolerance
+                                                                                   : LX_DEFAULT_TOLERANCE;
+    luxel_status status = lx_prepare(lx_scene_parameters(explaining->scene), tolerance, &prepared)
+                              ? lx_out_of_memory(diagnostics)
+                              : LUXEL_OK;
+    if (status == LUXEL_OK)
+        status = luxel_find_alternatives(explaining->scene, explaining->settings, probe->x_mm, probe->y_mm, diagnostics,
+                                         &alternatives);
+    if (status == LUXEL_OK && lx_element_seen(&prepared, probe->x_mm, probe->y_mm, &element)) {
+        struct lx_steps steps = {explaining->document, &prepared, &element, explaining->quantity};
+        add_result(explaining);
+        lx_explain_place(&steps, probe->x_mm, probe->y_mm);
+        add_lights(explaining, &steps);
+        add_sum(explaining);
+        add_alternatives(explaining, alternatives);
+    }
+    luxel_alternatives_free(alternatives);
+    lx_prepared_clear(&prepared);
+    return status;
+}
+
+/* Where there is no value there is a reason. */
+static void explain_nothing(const struct explaining *explaining)
+{
+    const luxel_probe *probe = explaining->probe;
+    char light[LX_NUMBER_SIZE];
+    if (!probe->on_surface)
+        lx_document_paragraph(explaining->document,
+                              LX_N("The line of sight through this point meets no surface: there is no value."), NULL);
+    else
+        lx_document_paragraph(explaining->document,
+                              LX_N("The source lights[{0}] lies on the very point of the surface that is seen here: "
+                                   "there is no value."),
+                              LX_SPANS(LX_PLAIN(lx_write_number((double)probe->blocking_light, light))));
+}
+
+luxel_status luxel_explain(const luxel_scene *scene, const luxel_settings *settings, double x_mm, double y_mm,
+                           const luxel_language *language, luxel_diagnostics *diagnostics, luxel_document **document)
+{
+    luxel_probe *probe = NULL;
+    struct explaining explaining = {.scene = scene, .settings = settings};
+    luxel_status status = luxel_probe_screen(scene, settings, x_mm, y_mm, diagnostics, &probe);
+    if (status != LUXEL_OK)
+        return status;
+    explaining.probe = probe;
+    explaining.quantity = settings ? settings->quantity : LUXEL_BRIGHTNESS;
+    explaining.document = lx_document_new(language);
+    if (explaining.document) {
+        explaining.unit = lx_document_word(explaining.document, luxel_scene_unit(scene, explaining.quantity));
+        add_title(&explaining);
+        if (probe->has_value)
+            status = explain_value(&explaining, diagnostics);
+        else
+            explain_nothing(&explaining);
+    }
+    luxel_probe_free(probe);
+    if (status == LUXEL_OK && (!explaining.document || lx_document_failed(explaining.document)))
+        status = lx_out_of_memory(diagnostics);
+    if (status == LUXEL_OK)
+        *document = explaining.document;
+    else
+        luxel_document_free(explaining.document);
+    return status;
+}

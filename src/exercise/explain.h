@@ -1,0 +1,30 @@
+/* SPDX-License-Identifier: MIT */
+/* The formulas of a scene, in general and with the numbers of one point put in. */
+#ifndef LX_EXERCISE_EXPLAIN_H
+#define LX_EXERCISE_EXPLAIN_H
+
+#include <luxel/probe.h>
+
+#include "../document/document.h"
+#include "../shade/reference.h"
+
+/* The formulas of just the conventions that a scene uses, without numbers: place, normal, view, lights, material. */
+void lx_explain_model(struct luxel_document *document, const struct lx_prepared *prepared, luxel_quantity quantity);
+
+/* Texts of numbers in the notation of formulas: 7 digits, 1.2e-7 as 1.2\cdot 10^{-7}. */
+void lx_add_math_number(struct lx_text *text, double value);
+void lx_add_math_vector(struct lx_text *text, const lx_bounded3 *vector);
+
+/* One point, step by step. */
+struct lx_steps {
+    struct luxel_document *document;
+    const struct lx_prepared *prepared;
+    const struct lx_element *element;
+    luxel_quantity quantity;
+};
+
+void lx_explain_place(const struct lx_steps *steps, double x_mm, double y_mm);
+/* The share of one light of the probe. */
+void lx_explain_light(const struct lx_steps *steps, const luxel_light_share *share);
+
+#endif

@@ -1,0 +1,213 @@
+/* SPDX-License-Identifier: MIT */
+/* The formulas of a scene in general: each once, in the order of the calculation, and only those that it uses. */
+#include <string.h>
+
+#include "../base/phrase.h"
+#include "../light/placed.h"
+#include "../parameter/decode.h"
+#include "../shade/camera.h"
+#include "explain.h"
+
+/* What of the kinds of lights there is in a scene. */
+struct used {
+    bool ambient, distant, point, spot, extended, laws[3], lambertian, cosine, falloffs[5];
+};
+
+static struct used find_used(const struct lx_prepared *prepared)
+{
+    struct used used = {0};
+    for (size_t i = 0; i < prepared->emitters.count; i++) {
+        const struct lx_emitter *emitter = &prepared->emitters.items[i];
+        const struct lx_profile *profile = &emitter->profile;
+        used.ambient |= emitter->type == LX_UNIFORM;
+        used.distant |= emitter->type == LX_DIRECTION;
+        used.extended |= lx_is_extended(emitter) || emitter->is_part;
+        if (lx_is_extended(emitter) || emitter->type == LX_POINT)
+            used.laws[emitter->attenuation] = true;
+        if (emitter->type != LX_POINT || emitter->is_part)
+            continue;
+        used.point = true;
+        used.spot |= profile->falloff != LX_NO_CONE;
+        used.falloffs[profile->falloff] = true;
+        used.lambertian |= profile->exponent == 1;
+        used.cosine |= profile->exponent > 0 && profile->exponent != 1;
+    }
+    return used;
+}
+
+static void explain_places(struct luxel_document *document, const struct lx_prepared *prepared)
+{
+    const struct lx_observer *observer = &prepared->scene->observer;
+    bool spheres = false, plates = false;
+    for (size_t i = 0; i < prepared->surface_count; i++) {
+        spheres |= prepared->surfaces[i].shape.type == LX_SPHERE;
+        plates |= prepared->surfaces[i].shape.type == LX_PLATE;
+    }
+    if (observer->projection == LX_ORTHOGRAPHIC) {
+        lx_document_paragraph(document,
+                              LX_N("Lines of sight run along −z (orthographic projection). Through the point (x, y) of "
+                                   "the screen they meet a surface in the point {0}, the nearest to the observer:"),
+                              LX_SPANS(LX_MATH("\\mathbf{P}")));
+        if (spheres)
+            lx_document_formula(document, "\\mathbf{P} = (x,\\, y,\\, z), \\qquad z = z_C + \\sqrt{R^2 - (x - x_C)^2 - "
+                                          "(y - y_C)^2}");
+    } else {
+        lx_document_paragraph(document,
+                              LX_N("Lines of sight run from the observer {0} through the point (x, y) of the screen "
+                                   "(perspective projection) and meet a surface in the point {1}, the nearest one:"),
+                              LX_SPANS(LX_MATH("\\mathbf{O} = (0,\\, 0,\\, z_O)"), LX_MATH("\\mathbf{P}")));
+        lx_document_formula(document, "\\mathbf{P} = \\mathbf{O} + t\\,(x,\\, y,\\, -z_O), \\qquad t > 0");
+    }
+    if (spheres)
+        lx_document_paragraph(
+            document, LX_N("The normal of a sphere with the centre {0} and the radius {1} there is {2}."),
+            LX_SPANS(LX_MATH("\\mathbf{C}"), LX_MATH("R"), LX_MATH("\\mathbf{N} = (\\mathbf{P} - \\mathbf{C}) / R")));
+    if (plates)
+        lx_document_paragraph(document, LX_N("The normal {0} of a plate is its axis."),
+                              LX_SPANS(LX_MATH("\\mathbf{N}")));
+    if (lx_views_along_z(observer))
+        lx_document_paragraph(document, LX_N("The view vector is {0} everywhere."),
+                              LX_SPANS(LX_MATH("\\mathbf{V} = (0,\\, 0,\\, 1)")));
+    else
+        lx_document_paragraph(
+            document, LX_N("The view vector points to the observer: {0}."),
+            LX_SPANS(LX_MATH("\\mathbf{V} = (\\mathbf{O} - \\mathbf{P}) / |\\mathbf{O} - \\mathbf{P}|")));
+}
+
+static void explain_laws(struct luxel_document *document, const struct used *used)
+{
+    if (used->laws[LX_INVERSE_SQUARE])
+        lx_document_item(document, LX_N("attenuation by the inverse square of the distance in metres: {0}"),
+                         LX_SPANS(LX_MATH("a(r) = 1 / r^2")));
+    if (used->laws[LX_PRACTICAL])
+        lx_document_item(document, LX_N("attenuation by the practical law, distances in metres: {0}"),
+                         LX_SPANS(LX_MATH("a(r) = 1 / (k + r)")));
+    if (used->laws[LX_NO_ATTENUATION])
+        lx_document_item(document, LX_N("no attenuation: {0}"), LX_SPANS(LX_MATH("a(r) = 1")));
+    if (used->lambertian)
+        lx_document_item(document, LX_N("the Lambertian pattern, by the angle from the source's axis: {0}"),
+                         LX_SPANS(LX_MATH("g = \\max(0, \\cos \\theta)")));
+    if (used->cosine)
+        lx_document_item(document, LX_N("the pattern of a power of the cosine, by the angle from the axis: {0}"),
+                         LX_SPANS(LX_MATH("g = \\max(0, \\cos \\theta)^m")));
+    if (used->falloffs[LX_SMOOTHSTEP])
+        lx_document_item(
+            document, LX_N("the cone of a spotlight, smooth between the inner angle a and the outer angle b: {0}"),
+            LX_SPANS(LX_MATH("f = t^2 (3 - 2 t), \\quad t = \\frac{\\cos \\theta - \\cos b}{\\cos a - \\cos b}")));
+    if (used->falloffs[LX_SQUARED])
+        lx_document_item(document,
+                         LX_N("the cone of a spotlight, squared between the inner angle a and the outer angle b: {0}"),
+                         LX_SPANS(LX_MATH("f = t^2, \\quad t = \\frac{\\cos \\theta - \\cos b}{\\cos a - \\cos b}")));
+    if (used->falloffs[LX_LINEAR])
+        lx_document_item(document,
+                         LX_N("the cone of a spotlight, linear between the inner angle a and the outer angle b: {0}"),
+                         LX_SPANS(LX_MATH("f = \\frac{b - \\theta}{b - a}")));
+    if (used->falloffs[LX_HARD])
+        lx_document_item(document, LX_N("the hard cone of a spotlight: {0} up to its outer angle, 0 beyond"),
+                         LX_SPANS(LX_MATH("f = 1")));
+}
+
+static void explain_lights(struct luxel_document *document, const struct used *used)
+{
+    if (used->point) {
+        lx_document_paragraph(document,
+                              LX_N("A source at {0} with the intensity {1} lies in the direction {2} at the distance "
+                                   "{3} and gives a surface that faces it the irradiance {4}:"),
+                              LX_SPANS(LX_MATH("\\mathbf{S}"), LX_MATH("I"), LX_MATH("\\mathbf{L}"), LX_MATH("r"),
+                                       LX_MATH("E_{\\perp}")));
+        lx_document_formula(
+            document, used->spot ? "\\mathbf{L} = \\frac{\\mathbf{S} - \\mathbf{P}}{r}, \\qquad r = |\\mathbf{S} - "
+                                   "\\mathbf{P}|, \\qquad E_{\\perp} = I\\, f\\, g\\, a(r)"
+                                 : "\\mathbf{L} = \\frac{\\mathbf{S} - \\mathbf{P}}{r}, \\qquad r = |\\mathbf{S} - "
+                                   "\\mathbf{P}|, \\qquad E_{\\perp} = I\\, g\\, a(r)");
+    }
+    if (used->point || used->extended)
+        explain_laws(document, used);
+    if (used->point && !used->lambertian && !used->cosine)
+        lx_document_item(document, LX_N("the same in all directions: {0}"), LX_SPANS(LX_MATH("g = 1")));
+    if (used->distant)
+        lx_document_paragraph(document,
+                              LX_N("A distant source has the same direction {0} and irradiance {1} everywhere."),
+                              LX_SPANS(LX_MATH("\\mathbf{L}"), LX_MATH("E_{\\perp}")));
+    if (used->extended) {
+        lx_document_paragraph(document,
+                              LX_N("An extended source with the radiance {0} is the integral over what of it "
+                                   "faces the point, each part of it with its own direction and distance:"),
+                              LX_SPANS(LX_MATH("L_e")));
+        lx_document_formula(document, "dE_{\\perp} = L_e\\, \\max(0, \\cos \\theta')\\, a(r)\\, dA'");
+    }
+}
+
+/* The highlight's factor beside ks S^n. */
+static const char *weight_formula(const struct lx_material *material)
+{
+    static const char *const formulas[] = {
+        [LX_HIGHLIGHT_PLAIN] = "w = 1",
+        [LX_HIGHLIGHT_GATED] = "w = 1 \\text{ where } \\mathbf{N} \\cdot \\mathbf{L} > 0, \\text{ else } 0",
+        [LX_HIGHLIGHT_COSINE] = "w = \\max(0, \\mathbf{N} \\cdot \\mathbf{L})",
+    };
+    return formulas[material->highlight];
+}
+
+static void explain_material(struct luxel_document *document, const struct lx_material *material, const char *name)
+{
+    bool phong = material->model == LX_PHONG;
+    if (name)
+        lx_document_paragraph(document, LX_N("Of {0}:"), LX_SPANS(LX_PLAIN(name)));
+    if (material->model == LX_LAMBERT) {
+        lx_document_formula(document, material->over_pi
+                                          ? "B = \\frac{1}{\\pi}\\, E_{\\perp} k_d \\max(0, \\mathbf{N} "
+                                            "\\cdot \\mathbf{L})"
+                                          : "B = E_{\\perp} k_d \\max(0, \\mathbf{N} \\cdot \\mathbf{L})");
+        return;
+    }
+    lx_document_formula(document, phong
+                                      ? "\\mathbf{R} = 2 (\\mathbf{N} \\cdot \\mathbf{L}) \\mathbf{N} - \\mathbf{L}, "
+                                        "\\qquad S = \\max(0, \\mathbf{R} \\cdot \\mathbf{V})"
+                                      : "\\mathbf{H} = \\frac{\\mathbf{L} + \\mathbf{V}}{|\\mathbf{L} + \\mathbf{V}|}, "
+                                        "\\qquad S = \\max(0, \\mathbf{N} \\cdot \\mathbf{H})");
+    lx_document_formula(document,
+                        material->over_pi && material->normalized
+                            ? "B = \\frac{1}{\\pi}\\, E_{\\perp} \\left( k_d \\max(0, \\mathbf{N} \\cdot \\mathbf{L}) "
+                              "+ k_s\\, c\\, w\\, S^n \\right)"
+                        : material->over_pi
+                            ? "B = \\frac{1}{\\pi}\\, E_{\\perp} \\left( k_d \\max(0, \\mathbf{N} \\cdot \\mathbf{L}) "
+                              "+ k_s\\, w\\, S^n \\right)"
+                        : material->normalized
+                            ? "B = E_{\\perp} \\left( k_d \\max(0, \\mathbf{N} \\cdot \\mathbf{L}) + k_s\\, c\\, w\\, "
+                              "S^n \\right)"
+                            : "B = E_{\\perp} \\left( k_d \\max(0, \\mathbf{N} \\cdot \\mathbf{L}) + k_s\\, w\\, S^n "
+                              "\\right)");
+    lx_document_formula(document, weight_formula(material));
+    if (material->normalized)
+        lx_document_formula(document, phong ? "c = \\frac{n + 2}{2}"
+                                            : "c = \\frac{(n + 2)(n + 4)}{8 \\left( n + 2^{-n/2} \\right)}");
+}
+
+void lx_explain_model(struct luxel_document *document, const struct lx_prepared *prepared, luxel_quantity quantity)
+{
+    const struct lx_scene_parameters *scene = prepared->scene;
+    struct used used = find_used(prepared);
+    explain_places(document, prepared);
+    explain_lights(document, &used);
+    if (quantity == LUXEL_IRRADIANCE) {
+        lx_document_paragraph(document, LX_N("The irradiance is the sum over the sources:"), NULL);
+        lx_document_formula(document, used.ambient
+                                          ? "E = E_a + \\sum E_{\\perp} \\max(0, \\mathbf{N} \\cdot \\mathbf{L})"
+                                          : "E = \\sum E_{\\perp} \\max(0, \\mathbf{N} \\cdot \\mathbf{L})");
+        return;
+    }
+    lx_document_paragraph(document, LX_N("The brightness is the sum over the sources of what the surface reflects:"),
+                          NULL);
+    for (size_t i = 0; i < scene->surfaces.count; i++) {
+        const struct lx_surface_common *common = scene->surfaces.items[i].common;
+        struct lx_text name = {0};
+        if (scene->surfaces.count > 1)
+            lx_text_printf(&name, "surfaces[%zu]", i);
+        explain_material(document, &common->material, name.bytes);
+        lx_text_clear(&name);
+    }
+    if (used.ambient)
+        lx_document_paragraph(document, LX_N("Ambient light of the irradiance {0} adds {1}, whatever the normal."),
+                              LX_SPANS(LX_MATH("E_a"), LX_MATH("k_a E_a")));
+}

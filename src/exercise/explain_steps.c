@@ -1,0 +1,429 @@
+/* SPDX-License-Identifier: MIT */
+/* One point step by step: each formula with the numbers of the library's own reference put in. */
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "../base/number.h"
+#include "../base/phrase.h"
+#include "../light/placed.h"
+#include "../shade/camera.h"
+#include "explain.h"
+#include "parameter_tables.h"
+
+enum { DIGITS = 7 };
+
+void lx_add_math_number(struct lx_text *text, double value)
+{
+    char number[LX_NUMBER_SIZE];
+    char *power = strchr(lx_write_digits(value == 0 ? 0 : value, DIGITS, number), 'e');
+    if (!power) {
+        lx_text_puts(text, number);
+        return;
+    }
+    *power = '\0';
+    lx_text_puts(text, number);
+    lx_text_printf(text, " \\cdot 10^{%ld}", strtol(power + 1, NULL, 10));
+}
+
+void lx_add_math_vector(struct lx_text *text, const lx_bounded3 *vector)
+{
+    const double values[3] = {vector->x.value, vector->y.value, vector->z.value};
+    double largest = fmax(fabs(values[0]), fmax(fabs(values[1]), fabs(values[2])));
+    lx_text_puts(text, "(");
+    for (int i = 0; i < 3; i++) {
+        lx_text_puts(text, i > 0 ? ",\\, " : "");
+        /* rounding beside the others is 0 */
+        lx_add_math_number(text, fabs(values[i]) < 1e-14 * largest ? 0 : values[i]);
+    }
+    lx_text_puts(text, ")");
+}
+
+/* A formula in the making: text and numbers one after the other; the last part is NULL. */
+struct line {
+    struct lx_text text;
+};
+
+static void say(struct line *line, const char *notation)
+{
+    lx_text_puts(&line->text, notation);
+}
+
+static void number(struct line *line, double value)
+{
+    lx_add_math_number(&line->text, value);
+}
+
+/* In a product a negative factor stands in brackets. */
+static void factor(struct line *line, double value)
+{
+    say(line, value < 0 ? "(" : "");
+    number(line, value);
+    say(line, value < 0 ? ")" : "");
+}
+
+static void vector(struct line *line, const lx_bounded3 *value)
+{
+    lx_add_math_vector(&line->text, value);
+}
+
+static void end(const struct lx_steps *steps, struct line *line)
+{
+    if (line->text.bytes)
+        lx_document_formula(steps->document, line->text.bytes);
+    lx_text_clear(&line->text);
+}
+
+/* ---- the place ---- */
+
+/* z = zC + sqrt(R^2 - dx^2 - dy^2) */
+static void explain_height(const struct lx_steps *steps, double x_mm, double y_mm)
+{
+    const struct lx_shape *shape = &steps->element->own->shape;
+    struct line line = {{0}};
+    say(&line, "z = z_C + \\sqrt{R^2 - (x - x_C)^2 - (y - y_C)^2} = ");
+    number(&line, shape->anchor_mm[2]);
+    say(&line, " + \\sqrt{");
+    number(&line, shape->radius_mm);
+    say(&line, "^2 - (");
+    number(&line, x_mm);
+    say(&line, " - ");
+    factor(&line, shape->anchor_mm[0]);
+    say(&line, ")^2 - (");
+    number(&line, y_mm);
+    say(&line, " - ");
+    factor(&line, shape->anchor_mm[1]);
+    say(&line, ")^2} = ");
+    number(&line, steps->element->place_mm.z.value);
+    say(&line, "\\;\\mathrm{mm}");
+    end(steps, &line);
+}
+
+void lx_explain_place(const struct lx_steps *steps, double x_mm, double y_mm)
+{
+    const struct lx_observer *observer = &steps->prepared->scene->observer;
+    const struct lx_element *element = steps->element;
+    bool sphere = element->own->shape.type == LX_SPHERE, parallel = observer->projection == LX_ORTHOGRAPHIC;
+    struct line line = {{0}};
+    lx_document_heading(steps->document, 1, LX_N("The point of the surface"), NULL);
+    lx_document_paragraph(steps->document,
+                          parallel ? LX_N("The line of sight runs along −z through the point of the screen "
+                                          "(orthographic projection) and meets the surface first here:")
+                                   : LX_N("The line of sight runs from the observer through the point of the screen "
+                                          "(perspective projection) and meets the surface first here:"),
+                          NULL);
+    if (sphere && parallel)
+        explain_height(steps, x_mm, y_mm);
+    say(&line, "\\mathbf{P} = ");
+    vector(&line, &element->place_mm);
+    say(&line, "\\;\\mathrm{mm}");
+    end(steps, &line);
+    lx_document_paragraph(steps->document, LX_N("The normal there and the view vector:"), NULL);
+    say(&line, sphere ? "\\mathbf{N} = \\frac{\\mathbf{P} - \\mathbf{C}}{R} = " : "\\mathbf{N} = ");
+    vector(&line, &element->normal);
+    end(steps, &line);
+    say(&line, lx_views_along_z(observer)
+                   ? "\\mathbf{V} = "
+                   : "\\mathbf{V} = \\frac{\\mathbf{O} - \\mathbf{P}}{|\\mathbf{O} - \\mathbf{P}|} = ");
+    vector(&line, &element->view);
+    end(steps, &line);
+}
+
+/* ---- a point-like light ---- */
+
+static double length_of(const lx_bounded3 *vector)
+{
+    return sqrt(vector->x.value * vector->x.value + vector->y.value * vector->y.value +
+                vector->z.value * vector->z.value);
+}
+
+static double dot(const lx_bounded3 *a, const lx_bounded3 *b)
+{
+    return a->x.value * b->x.value + a->y.value * b->y.value + a->z.value * b->z.value;
+}
+
+static double attenuation_at(const struct lx_emitter *emitter, double r_m)
+{
+    return emitter->attenuation == LX_INVERSE_SQUARE ? 1 / (r_m * r_m)
+           : emitter->attenuation == LX_PRACTICAL    ? 1 / (emitter->k_mm / 1000 + r_m)
+                                                     : 1;
+}
+
+static void explain_distance(const struct lx_steps *steps, const struct lx_emitter *emitter, double *r_m)
+{
+    lx_bounded3 source = lx_exact3(emitter->position_mm), way = lx_sub3(source, steps->element->place_mm);
+    struct line line = {{0}};
+    *r_m = length_of(&way) / 1000;
+    say(&line, "r = |\\mathbf{S} - \\mathbf{P}| = |");
+    vector(&line, &source);
+    say(&line, " - ");
+    vector(&line, &steps->element->place_mm);
+    say(&line, "| = ");
+    number(&line, 1000 * *r_m);
+    say(&line, "\\;\\mathrm{mm} = ");
+    number(&line, *r_m);
+    say(&line, "\\;\\mathrm{m}");
+    end(steps, &line);
+}
+
+static void explain_attenuation(const struct lx_steps *steps, const struct lx_emitter *emitter, double r_m)
+{
+    struct line line = {{0}};
+    if (emitter->attenuation == LX_NO_ATTENUATION) {
+        say(&line, "a(r) = 1");
+    } else if (emitter->attenuation == LX_INVERSE_SQUARE) {
+        say(&line, "a(r) = \\frac{1}{r^2} = \\frac{1}{");
+        number(&line, r_m);
+        say(&line, "^2} = ");
+        number(&line, attenuation_at(emitter, r_m));
+    } else {
+        say(&line, "a(r) = \\frac{1}{k + r} = \\frac{1}{");
+        number(&line, emitter->k_mm / 1000);
+        say(&line, " + ");
+        number(&line, r_m);
+        say(&line, "} = ");
+        number(&line, attenuation_at(emitter, r_m));
+    }
+    end(steps, &line);
+}
+
+/* What pattern and cone leave of the intensity: g f as one number, with the angle from the axis. */
+static void explain_profile(const struct lx_steps *steps, const struct lx_emitter *emitter, lx_bounded3 towards,
+                            double left)
+{
+    const struct lx_profile *profile = &emitter->profile;
+    struct line line = {{0}};
+    if (profile->falloff == LX_NO_CONE && profile->exponent == 0)
+        return;
+    double cosine = -dot(&profile->axis, &towards);
+    say(&line, "\\cos \\theta = -\\mathbf{L} \\cdot \\mathbf{A} = ");
+    number(&line, cosine);
+    say(&line, ", \\qquad \\theta = ");
+    number(&line, acos(fmax(-1, fmin(1, cosine))) * (180 / M_PI));
+    say(&line, "\\degree, \\qquad ");
+    say(&line, profile->falloff == LX_NO_CONE ? "g = " : profile->exponent > 0 ? "f\\, g = " : "f = ");
+    number(&line, left);
+    end(steps, &line);
+}
+
+static void explain_irradiance(const struct lx_steps *steps, const struct lx_emitter *emitter,
+                               const struct lx_sample *sample)
+{
+    struct line line = {{0}};
+    bool has_cone = emitter->profile.falloff != LX_NO_CONE, has_pattern = emitter->profile.exponent > 0;
+    double r_m = 0, left = 1;
+    if (emitter->type == LX_DIRECTION) {
+        say(&line, "\\mathbf{L} = ");
+        vector(&line, &sample->towards);
+        say(&line, ", \\qquad E_{\\perp} = ");
+        number(&line, sample->e_perp.value);
+        end(steps, &line);
+        return;
+    }
+    explain_distance(steps, emitter, &r_m);
+    say(&line, "\\mathbf{L} = \\frac{\\mathbf{S} - \\mathbf{P}}{r} = ");
+    vector(&line, &sample->towards);
+    end(steps, &line);
+    explain_attenuation(steps, emitter, r_m);
+    if (emitter->strength > 0)
+        left = sample->e_perp.value / (emitter->strength * attenuation_at(emitter, r_m));
+    explain_profile(steps, emitter, sample->towards, left);
+    say(&line, has_cone && has_pattern ? "E_{\\perp} = I\\, f\\, g\\, a(r) = "
+               : has_cone              ? "E_{\\perp} = I\\, f\\, a(r) = "
+               : has_pattern           ? "E_{\\perp} = I\\, g\\, a(r) = "
+                                       : "E_{\\perp} = I\\, a(r) = ");
+    number(&line, emitter->strength);
+    if (has_cone || has_pattern) {
+        say(&line, " \\cdot ");
+        factor(&line, left);
+    }
+    say(&line, " \\cdot ");
+    number(&line, attenuation_at(emitter, r_m));
+    say(&line, " = ");
+    number(&line, sample->e_perp.value);
+    end(steps, &line);
+}
+
+/* What is reflected of a sample that nothing hides. */
+static void explain_diffuse(const struct lx_steps *steps, const struct lx_sample *sample, double hidden,
+                            const luxel_light_share *share)
+{
+    const struct lx_lobe *lobe = steps->element->lobe;
+    double cosine = dot(&steps->element->normal, &sample->towards);
+    struct line line = {{0}};
+    say(&line, "\\mathbf{N} \\cdot \\mathbf{L} = ");
+    number(&line, cosine);
+    end(steps, &line);
+    if (hidden < 1) {
+        lx_document_paragraph(steps->document,
+                              LX_N("Another surface stands between them and takes this light away: it gives nothing."),
+                              NULL);
+        return;
+    }
+    say(&line, "E = E_{\\perp} \\max(0, \\mathbf{N} \\cdot \\mathbf{L}) = ");
+    number(&line, sample->e_perp.value);
+    say(&line, " \\cdot ");
+    number(&line, fmax(0, cosine));
+    say(&line, " = ");
+    number(&line, share->irradiance);
+    end(steps, &line);
+    if (steps->quantity == LUXEL_IRRADIANCE)
+        return;
+    say(&line, "B_d = p\\, k_d E = ");
+    number(&line, lobe->diffuse.value);
+    say(&line, " \\cdot ");
+    number(&line, share->irradiance);
+    say(&line, " = ");
+    number(&line, share->diffuse);
+    end(steps, &line);
+}
+
+static void explain_highlight(const struct lx_steps *steps, const struct lx_sample *sample,
+                              const luxel_light_share *share)
+{
+    const struct lx_element *element = steps->element;
+    const struct lx_lobe *lobe = element->lobe;
+    struct line line = {{0}};
+    double cosine = dot(&element->normal, &sample->towards), base;
+    double weight = lobe->highlight == LX_HIGHLIGHT_PLAIN   ? 1
+                    : lobe->highlight == LX_HIGHLIGHT_GATED ? cosine > 0
+                                                            : fmax(0, cosine);
+    if (lobe->model == LX_PHONG) {
+        lx_bounded3 mirrored = lx_sub3(
+            lx_mul3(element->normal, lx_mul(lx_exact(2), lx_dot3(element->normal, sample->towards))), sample->towards);
+        say(&line, "\\mathbf{R} = 2 (\\mathbf{N} \\cdot \\mathbf{L}) \\mathbf{N} - \\mathbf{L} = ");
+        vector(&line, &mirrored);
+        base = fmax(0, dot(&mirrored, &element->view));
+        end(steps, &line);
+        say(&line, "S = \\max(0, \\mathbf{R} \\cdot \\mathbf{V}) = ");
+    } else {
+        lx_bounded3 half = lx_unit3(lx_add3(sample->towards, element->view));
+        say(&line, "\\mathbf{H} = \\frac{\\mathbf{L} + \\mathbf{V}}{|\\mathbf{L} + \\mathbf{V}|} = ");
+        vector(&line, &half);
+        base = fmax(0, dot(&half, &element->normal));
+        end(steps, &line);
+        say(&line, "S = \\max(0, \\mathbf{N} \\cdot \\mathbf{H}) = ");
+    }
+    number(&line, base);
+    say(&line, ", \\qquad S^n = S^{");
+    number(&line, lobe->exponent);
+    say(&line, "} = ");
+    number(&line, pow(base, lobe->exponent));
+    say(&line, ", \\qquad w = ");
+    number(&line, weight);
+    end(steps, &line);
+    say(&line, "B_s = E_{\\perp}\\, p\\, k_s\\, c\\, w\\, S^n = ");
+    number(&line, sample->e_perp.value);
+    say(&line, " \\cdot ");
+    number(&line, lobe->specular.value);
+    say(&line, " \\cdot ");
+    number(&line, weight);
+    say(&line, " \\cdot ");
+    number(&line, pow(base, lobe->exponent));
+    say(&line, " = ");
+    number(&line, share->specular);
+    end(steps, &line);
+}
+
+/* ---- the other lights ---- */
+
+static void explain_ambient(const struct lx_steps *steps, const luxel_light_share *share)
+{
+    struct line line = {{0}};
+    say(&line, "E_a = ");
+    number(&line, share->irradiance);
+    if (steps->quantity == LUXEL_BRIGHTNESS) {
+        say(&line, ", \\qquad B = p\\, k_a E_a = ");
+        number(&line, steps->element->lobe->ambient.value);
+        say(&line, " \\cdot ");
+        number(&line, share->irradiance);
+        say(&line, " = ");
+        number(&line, share->diffuse);
+    }
+    end(steps, &line);
+}
+
+static void explain_extended(const struct lx_steps *steps, const luxel_light_share *share, size_t emitters)
+{
+    struct line line = {{0}};
+    char parts[LX_NUMBER_SIZE];
+    if (emitters > 1)
+        lx_document_paragraph(steps->document, LX_N("It is the sum of {0} parts."),
+                              LX_SPANS(LX_PLAIN(lx_write_number((double)emitters, parts))));
+    if (share->parts > 0)
+        lx_document_paragraph(steps->document,
+                              LX_N("The integral over the source was computed from {0} of its points, until its error "
+                                   "was small enough; what is diffuse by the inverse square is a closed form."),
+                              LX_SPANS(LX_PLAIN(lx_write_number((double)share->parts, parts))));
+    else if (emitters == 1)
+        lx_document_paragraph(steps->document, LX_N("The integral over the source has a closed form."), NULL);
+    say(&line, "E = ");
+    number(&line, share->irradiance);
+    if (steps->quantity == LUXEL_BRIGHTNESS) {
+        say(&line, ", \\qquad B_d = p\\, k_d E = ");
+        number(&line, share->diffuse);
+        if (steps->element->lobe->model != LX_LAMBERT) {
+            say(&line, ", \\qquad B_s = ");
+            number(&line, share->specular);
+        }
+    }
+    end(steps, &line);
+}
+
+static void sum_parts(const struct lx_steps *steps, const luxel_light_share *share)
+{
+    struct line line = {{0}};
+    if (steps->quantity == LUXEL_IRRADIANCE || steps->element->lobe->model == LX_LAMBERT)
+        return;
+    say(&line, "B = B_d + B_s = ");
+    number(&line, share->diffuse);
+    say(&line, " + ");
+    number(&line, share->specular);
+    say(&line, " = ");
+    number(&line, share->diffuse + share->specular);
+    end(steps, &line);
+}
+
+void lx_explain_light(const struct lx_steps *steps, const luxel_light_share *share)
+{
+    const struct lx_emitters *emitters = &steps->prepared->emitters;
+    const struct lx_emitter *first = NULL;
+    struct lx_text name = {0};
+    size_t count = 0;
+    for (size_t i = 0; i < emitters->count; i++) {
+        if (emitters->items[i].light != share->light)
+            continue;
+        first = first ? first : &emitters->items[i];
+        count++;
+    }
+    lx_add_element_name(&name, "lights", share->light, share->name);
+    if (name.bytes)
+        lx_document_heading(
+            steps->document, 2, "{0}: {1}",
+            LX_SPANS(LX_PLAIN(name.bytes),
+                     LX_TERM_SPAN(steps->prepared->scene->lights.items[share->light].variant->meaning)));
+    lx_text_clear(&name);
+    if (!first)
+        return;
+    if (first->type == LX_UNIFORM) {
+        explain_ambient(steps, share);
+        return;
+    }
+    if (lx_is_extended(first) || first->is_part || count > 1) {
+        explain_extended(steps, share, count);
+        sum_parts(steps, share);
+        return;
+    }
+    struct lx_sample sample = lx_emitter_sample(first, steps->element->place_mm);
+    struct lx_lighting lighting = lx_light_element(steps->prepared, steps->element, first);
+    struct lx_reflection free =
+        lx_lobe_reflect(steps->element->lobe, steps->element->normal, steps->element->view, sample.towards);
+    double seen = sample.e_perp.value * (free.diffuse.value + free.specular.value);
+    bool hidden = seen > 0 && lighting.diffuse.value + lighting.specular.value == 0;
+    explain_irradiance(steps, first, &sample);
+    explain_diffuse(steps, &sample, hidden ? 0 : 1, share);
+    if (hidden || steps->quantity == LUXEL_IRRADIANCE || steps->element->lobe->model == LX_LAMBERT)
+        return;
+    explain_highlight(steps, &sample, share);
+    sum_parts(steps, share);
+}
