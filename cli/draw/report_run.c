@@ -2,19 +2,53 @@
 /* luxel report, as luxel-draw runs it. */
 #include <luxel/figure.h>
 
-#include <math.h>
-#include <stdio.h>
-#include <string.h>
-
 #include "../cli.h"
 #include "../drawing.h"
 #include "../language.h"
 #include "../load.h"
 #include "../message.h"
 #include "../outputs.h"
+#include "../work.h"
+
+/* A file that fails does not stop the others. */
+static int report(const struct options *options, const struct loaded *loaded)
+{
+    const luxel_language language = {.translate = language_translate, .code = language_code()};
+    const luxel_report_settings settings = {
+        .title = options->drawing.title,
+        .author = options->drawing.author,
+        .group = options->drawing.group,
+        .date = options->drawing.date,
+        .palette = options->drawing.palette,
+        .language = &language,
+    };
+    int code = EXIT_DONE;
+
+    for (size_t i = 0; i < options->output_count; i++) {
+        struct work work;
+        luxel_status status;
+        int one;
+
+        work_begin(&work, options);
+        status = luxel_report_write(loaded->scene, &work.settings, &settings, options->outputs[i], loaded->diagnostics);
+        one = work_end(&work, status, loaded->diagnostics);
+        luxel_diagnostics_clear(loaded->diagnostics);
+        code = one == EXIT_DONE ? code : one;
+        if (one == EXIT_INTERRUPTED || status == LUXEL_ERROR_ARGUMENT)
+            break;
+    }
+    return code;
+}
 
 int drawing_report(const struct options *options)
 {
-    (void)options;
-    return EXIT_USAGE;
+    int code;
+
+    if (options->output_count == 0) {
+        message_error(_("luxel report needs a file to write to"));
+        message_hint(_("add -o FILE.pdf, -o FILE.html, -o FILE.md or -o FILE.tex"));
+        return EXIT_USAGE;
+    }
+    code = outputs_check(options, luxel_check_report_name);
+    return code == EXIT_DONE ? load_and(options, report) : code;
 }

@@ -1,0 +1,160 @@
+/* SPDX-License-Identifier: MIT */
+/* Reports: the numbers, the document made of them, its pictures, and the file. */
+#include "report.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+#include "../base/diagnostics.h"
+#include "../base/ending.h"
+#include "../base/phrase.h"
+#include "../base/sink.h"
+#include "../exercise/explain.h"
+#include "../shade/prepared.h"
+#include "figure.h"
+#include "pages.h"
+
+static const char *const endings[] = {".pdf", ".html", ".md", ".tex"};
+enum { PDF, HTML, MARKDOWN, LATEX };
+
+enum { GREY_MM = 105, FALSE_COLOUR_MM = 150, PICTURE_DPI = 150 };
+
+luxel_status luxel_check_report_name(const char *path, luxel_diagnostics *diagnostics)
+{
+    size_t found;
+    return lx_find_ending(path, endings, sizeof endings / sizeof endings[0], diagnostics, &found);
+}
+
+static bool is_irradiance(const struct lx_report *report)
+{
+    return report->settings && report->settings->quantity == LUXEL_IRRADIANCE;
+}
+
+static void add_title(struct lx_report *report)
+{
+    const luxel_report_settings *texts = report->texts;
+    if (texts->title)
+        lx_document_title(report->document, "{0}", LX_SPANS(LX_PLAIN(texts->title)));
+    else
+        lx_document_title(report->document,
+                          is_irradiance(report) ? LX_N("Distribution of the irradiance over lit surfaces")
+                                                : LX_N("Distribution of the brightness over lit surfaces"),
+                          NULL);
+    const char *const lines[] = {texts->author, texts->group, texts->date};
+    for (size_t i = 0; i < sizeof lines / sizeof lines[0]; i++)
+        if (lines[i] && *lines[i])
+            lx_document_byline(report->document, lines[i]);
+}
+
+static luxel_status add_method(struct lx_report *report)
+{
+    struct lx_prepared prepared;
+    luxel_status status = LUXEL_OK;
+    lx_document_heading(report->document, 1, LX_N("Method"), NULL);
+    if (lx_prepare(report->parameters, LX_DEFAULT_TOLERANCE, &prepared) == 0)
+        lx_explain_model(report->document, &prepared, is_irradiance(report) ? LUXEL_IRRADIANCE : LUXEL_BRIGHTNESS);
+    else
+        status = lx_out_of_memory(report->diagnostics);
+    lx_prepared_clear(&prepared);
+    return status;
+}
+
+/* One picture, as bytes and as a drawing. */
+static luxel_status add_picture(struct lx_report *report, const luxel_figure_settings *settings, const char *english)
+{
+    struct lx_figure *figure = NULL;
+    unsigned char *bytes = NULL;
+    size_t length = 0;
+    luxel_status status = lx_figure_make(report->scene, report->settings, settings, report->diagnostics, &figure);
+    if (status == LUXEL_OK)
+        status = lx_figure_png(figure, report->diagnostics, &bytes, &length);
+    if (status == LUXEL_OK) {
+        struct lx_drawing drawing = lx_figure_drawing(figure);
+        lx_document_picture(report->document, bytes, length, &drawing, english, NULL);
+    } else {
+        lx_figure_free(figure);
+    }
+    free(bytes);
+    return status;
+}
+
+luxel_status lx_report_pictures(struct lx_report *report)
+{
+    luxel_figure_settings settings;
+    luxel_figure_settings_init(&settings);
+    settings.language = report->texts->language;
+    settings.width_mm = GREY_MM;
+    settings.dots_per_inch = PICTURE_DPI;
+    settings.small_print = false;
+    lx_document_heading(report->document, 1, LX_N("Pictures"), NULL);
+    settings.palette = "grey";
+    settings.bands = LUXEL_SMOOTH;
+    settings.points = settings.extrema = false;
+    luxel_status status = add_picture(report, &settings, LX_N("The picture in grey levels."));
+    settings.width_mm = FALSE_COLOUR_MM;
+    settings.palette = report->texts->palette;
+    settings.bands = LUXEL_CONTOURS;
+    settings.points = settings.extrema = true;
+    settings.section = report->extrema.maximum.exists ? LUXEL_SECTION_MAXIMUM : LUXEL_SECTION_NONE;
+    if (status == LUXEL_OK)
+        status = add_picture(report, &settings,
+                             LX_N("False colour with lines of equal value, and the sections through the maximum."));
+    return status;
+}
+
+static luxel_status build(struct lx_report *report)
+{
+    luxel_status status = lx_report_compute(report);
+    if (status != LUXEL_OK)
+        return status;
+    report->document = lx_document_new(report->texts->language);
+    if (!report->document)
+        return lx_out_of_memory(report->diagnostics);
+    report->unit = lx_document_word(report->document, luxel_field_unit(report->field));
+    add_title(report);
+    lx_report_task(report);
+    status = add_method(report);
+    if (status == LUXEL_OK)
+        status = lx_report_pictures(report);
+    if (status != LUXEL_OK)
+        return status;
+    lx_report_results(report);
+    lx_report_conclusions(report);
+    lx_report_repetition(report);
+    return lx_document_failed(report->document) ? lx_out_of_memory(report->diagnostics) : LUXEL_OK;
+}
+
+static luxel_status write_pages(const struct lx_report *report, const char *path)
+{
+    struct lx_sink *sink;
+    luxel_status status = lx_sink_open(path, NULL, report->diagnostics, &sink);
+    if (status != LUXEL_OK)
+        return status;
+    status = lx_pages_write(report->document, sink, report->diagnostics);
+    if (status == LUXEL_OK)
+        return lx_sink_commit(sink);
+    lx_sink_abort(sink);
+    return status;
+}
+
+luxel_status luxel_report_write(const luxel_scene *scene, const luxel_settings *settings,
+                                const luxel_report_settings *texts, const char *path, luxel_diagnostics *diagnostics)
+{
+    const luxel_report_settings none = {0};
+    struct lx_report report = {
+        .scene = scene, .settings = settings, .texts = texts ? texts : &none, .diagnostics = diagnostics};
+    size_t format;
+    luxel_status status = lx_find_ending(path, endings, sizeof endings / sizeof endings[0], diagnostics, &format);
+    if (status == LUXEL_OK && (!scene || !luxel_scene_is_committed(scene))) {
+        lx_report(diagnostics, LUXEL_SEVERITY_ERROR, NULL, LX_MSG_NOT_COMMITTED, NULL);
+        status = LUXEL_ERROR_ARGUMENT;
+    }
+    if (status != LUXEL_OK)
+        return status;
+    report.parameters = lx_scene_parameters(scene);
+    status = build(&report);
+    if (status == LUXEL_OK)
+        status = format == PDF ? write_pages(&report, path) : luxel_document_write(report.document, path, diagnostics);
+    lx_report_clear(&report);
+    return status;
+}
