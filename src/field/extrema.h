@@ -26,21 +26,21 @@ struct lx_chart {
     double first[3], second[3];
 };
 
-enum lx_edge_type {
-    LX_EDGE_LIMB,       /* of the own sphere */
-    LX_EDGE_SIDE,       /* of the own plate */
-    LX_EDGE_HIDDEN,     /* behind another surface */
-    LX_EDGE_SCREEN,     /* the sides of the screen */
-    LX_EDGE_REGION,     /* the sides of the region, or its circle */
-    LX_EDGE_SHADOW,     /* of another surface: jumps */
-    LX_EDGE_CONE,       /* an angle of a spotlight's cone: jumps where it is hard */
-    LX_EDGE_TERMINATOR, /* where the light sets: N.L = 0; jumps where highlights are gated */
-    LX_EDGE_LOBE,       /* where the highlight ends */
-    LX_EDGE_PATTERN     /* where a light's pattern ends */
+enum lx_brink_type {
+    LX_BRINK_LIMB,       /* of the own sphere */
+    LX_BRINK_SIDE,       /* of the own plate */
+    LX_BRINK_HIDDEN,     /* behind another surface */
+    LX_BRINK_SCREEN,     /* the sides of the screen */
+    LX_BRINK_REGION,     /* the sides of the region, or its circle */
+    LX_BRINK_SHADOW,     /* of another surface: jumps */
+    LX_BRINK_CONE,       /* an angle of a spotlight's cone: jumps where it is hard */
+    LX_BRINK_TERMINATOR, /* where the light sets: N.L = 0; jumps where highlights are gated */
+    LX_BRINK_LOBE,       /* where the highlight ends */
+    LX_BRINK_PATTERN     /* where a light's pattern ends */
 };
 
-struct lx_edge {
-    enum lx_edge_type type;
+struct lx_brink {
+    enum lx_brink_type type;
     unsigned side;    /* of screen, region or plate: 0 to 3 */
     bool closed;      /* whether what is on the line belongs to the inside, where the function is above 0 */
     size_t surface;   /* that hides or shades */
@@ -48,9 +48,9 @@ struct lx_edge {
     double angle_rad; /* of a cone */
 };
 
-static inline bool lx_edge_is_wall(const struct lx_edge *edge)
+static inline bool lx_brink_is_wall(const struct lx_brink *edge)
 {
-    return edge->type <= LX_EDGE_REGION;
+    return edge->type <= LX_BRINK_REGION;
 }
 
 /* The lobes of a surface where highlights are gated: as if the gate were open, and shut. */
@@ -72,13 +72,13 @@ struct lx_hunt {
     struct lx_prepared bare;  /* of the pieces: the edges know of the shadows */
     const luxel_region *region;
     double sign;
-    double scale_mm;    /* of the coordinates, for what rounding leaves of them */
-    double pixel_mm;    /* between the samples */
-    bool costly;        /* a value needs integrals */
-    bool knows_lights;  /* whether there are edges of lights; else their number is too large */
-    struct lx_gates *gates; /* of each surface */
-    struct lx_edge *edges;  /* of the surface `edged` */
-    size_t edge_count, edge_capacity, edged;
+    double scale_mm;         /* of the coordinates, for what rounding leaves of them */
+    double pixel_mm;         /* between the samples */
+    bool costly;             /* a value needs integrals */
+    bool knows_lights;       /* whether there are edges of lights; else their number is too large */
+    struct lx_gates *gates;  /* of each surface */
+    struct lx_brink *brinks; /* of the surface `edged` */
+    size_t brink_count, brink_capacity, edged;
     signed char *sides; /* on which side of each edge the climb stands: 1, -1 */
     size_t side_capacity;
     struct lx_summit *summits;
@@ -97,8 +97,7 @@ struct lx_chart lx_spot_chart(const struct lx_hunt *hunt, const struct lx_spot *
 struct lx_spot lx_spot_moved(const struct lx_hunt *hunt, const struct lx_spot *spot, const struct lx_chart *chart,
                              const double step_mm[2]);
 /* The spot of what was found through the screen. */
-struct lx_spot lx_spot_of(const struct lx_hunt *hunt, size_t surface, const double place_mm[3],
-                          const double normal[3]);
+struct lx_spot lx_spot_of(const struct lx_hunt *hunt, size_t surface, const double place_mm[3], const double normal[3]);
 void lx_spot_place(const struct lx_hunt *hunt, const struct lx_spot *spot, double place_mm[3], double normal[3]);
 struct lx_element lx_spot_element(const struct lx_hunt *hunt, const struct lx_spot *spot);
 /* Where on the screen a place is seen. */
@@ -107,22 +106,24 @@ void lx_screen_of(const struct lx_hunt *hunt, const double place_mm[3], double s
 double lx_sphere_front(const struct lx_hunt *hunt, size_t surface, double front[3]);
 /* The way from a place to the observer; returns whether it is without end. */
 bool lx_way_to_observer(const struct lx_hunt *hunt, const double place_mm[3], double way[3]);
+/* What is seen through a screen point; false: nothing. */
+bool lx_spot_shown(const struct lx_hunt *hunt, const double screen_mm[2], struct lx_spot *spot);
 /* The value seen through a screen point, roughly; false: nothing is seen there, or there is no value. */
 bool lx_spot_seen(struct lx_hunt *hunt, const double screen_mm[2], struct lx_spot *spot, double *value);
 
 /* -- edges (extrema_edge.c) -- */
 
 /* Lists the edges of a surface, unless they are listed; false: memory ran out. */
-bool lx_edges_of(struct lx_hunt *hunt, size_t surface);
+bool lx_brinks_of(struct lx_hunt *hunt, size_t surface);
 /* How far inside of an edge a spot lies, about in mm. */
-double lx_edge_distance(const struct lx_hunt *hunt, const struct lx_edge *edge, const struct lx_spot *spot);
+double lx_brink_distance(const struct lx_hunt *hunt, const struct lx_brink *edge, const struct lx_spot *spot);
 /* Takes the sides on which a spot stands; false: it lies outside of a wall. */
-bool lx_edges_enter(struct lx_hunt *hunt, const struct lx_spot *spot);
+bool lx_brinks_enter(struct lx_hunt *hunt, const struct lx_spot *spot);
 /* The unit direction towards the side on which the climb stands; false: there is none. */
-bool lx_edge_inward(const struct lx_hunt *hunt, size_t edge, const struct lx_spot *spot, const struct lx_chart *chart,
-                    double inward[2]);
+bool lx_brink_inward(const struct lx_hunt *hunt, size_t edge, const struct lx_spot *spot, const struct lx_chart *chart,
+                     double inward[2]);
 /* Moves a spot onto an edge; false: the edge is not near. */
-bool lx_edge_reach(const struct lx_hunt *hunt, size_t edge, struct lx_spot *spot);
+bool lx_brink_reach(const struct lx_hunt *hunt, size_t edge, struct lx_spot *spot);
 
 /* The piece of the function on the sides where the climb stands: sign * value, and the bound of its error.  NaN: there
  * is no value, or the search has ended. */
@@ -138,8 +139,9 @@ struct lx_climb {
     double length_mm; /* over which the function changes */
     size_t active[2]; /* the edges that it stands on */
     unsigned active_count;
-    bool flat;  /* all around is the same */
-    bool known; /* it comes to a summit that was found before */
+    bool looked; /* whether the length is more than a guess */
+    bool flat;   /* all around is the same */
+    bool known;  /* it comes to a summit that was found before */
 };
 
 /* Climbs from climb->at until it goes no higher; the sides must have been taken. */
@@ -162,6 +164,29 @@ struct lx_seeds {
 /* The places to begin at, the best first; false: stopped, or memory ran out.  Free items with free(). */
 bool lx_hunt_seeds(struct lx_hunt *hunt, const luxel_field *field, struct lx_seeds *seeds);
 
+/* What seeds are gathered in. */
+struct lx_gathering {
+    struct lx_hunt *hunt;
+    struct lx_seeds *seeds;
+    double low[2], high[2]; /* the box around screen and region */
+};
+
+void lx_gather_spot(struct lx_gathering *gathering, const struct lx_spot *spot, double value, double margin);
+/* How much more than a value a climb may find where no neighbour tells. */
+double lx_untold_margin(const struct lx_hunt *hunt, double value);
+/* What is seen through a screen point, or, off the screen or the region, through the nearest point of their box, and
+ * the sign * value there; false: nothing. */
+bool lx_look_through(struct lx_gathering *gathering, const double screen_mm[2], struct lx_spot *spot, double *value);
+/* The sign * value of a spot; false: it is hidden or off the screen. */
+bool lx_look_at_spot(struct lx_hunt *hunt, const struct lx_spot *spot, double *value);
+
+/* -- along the edges (extrema_rim.c) -- */
+
+/* The peaks along the rim of a surface, and beside it of surfaces behind. */
+void lx_gather_rim(struct lx_gathering *gathering, size_t surface);
+/* The same along the screen or the region, and places inside a region. */
+void lx_gather_border(struct lx_gathering *gathering);
+
 /* -- small vectors -- */
 
 static inline double lx_dot(const double a[3], const double b[3])
@@ -172,7 +197,9 @@ static inline double lx_dot(const double a[3], const double b[3])
 /* The length of a vector, which becomes of unit length unless it is 0. */
 static inline double lx_normalize(double a[3])
 {
-    double length = hypot(hypot(a[0], a[1]), a[2]);
+    double length = sqrt(lx_dot(a, a));
+    if (!(length > 1e-140 && length < 1e140)) /* squares out of the range */
+        length = hypot(hypot(a[0], a[1]), a[2]);
     for (int i = 0; i < 3 && length > 0; i++)
         a[i] /= length;
     return length;

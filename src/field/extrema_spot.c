@@ -69,8 +69,8 @@ void lx_spot_place(const struct lx_hunt *hunt, const struct lx_spot *spot, doubl
     const struct lx_shape *shape = lx_spot_shape(hunt, spot);
     bool round = shape->type == LX_SPHERE;
     for (int i = 0; i < 3; i++) {
-        double offset = round ? shape->radius_mm * spot->at[i]
-                              : spot->at[0] * shape->across[i] + spot->at[1] * shape->upward[i];
+        double offset =
+            round ? shape->radius_mm * spot->at[i] : spot->at[0] * shape->across[i] + spot->at[1] * shape->upward[i];
         place_mm[i] = shape->anchor_mm[i] + offset;
         normal[i] = round ? spot->at[i] : shape->axis[i];
     }
@@ -131,14 +131,28 @@ double lx_sphere_front(const struct lx_hunt *hunt, size_t surface, double front[
     return endless ? 0 : shape->radius_mm / distance_mm;
 }
 
+static struct lx_spot spot_of_element(const struct lx_hunt *hunt, const struct lx_element *element)
+{
+    double place[3] = {element->place_mm.x.value, element->place_mm.y.value, element->place_mm.z.value};
+    double normal[3] = {element->normal.x.value, element->normal.y.value, element->normal.z.value};
+    return lx_spot_of(hunt, (size_t)(element->own - hunt->prepared->surfaces), place, normal);
+}
+
+bool lx_spot_shown(const struct lx_hunt *hunt, const double screen_mm[2], struct lx_spot *spot)
+{
+    struct lx_element element;
+    if (!lx_element_seen(hunt->prepared, screen_mm[0], screen_mm[1], &element))
+        return false;
+    *spot = spot_of_element(hunt, &element);
+    return true;
+}
+
 bool lx_spot_seen(struct lx_hunt *hunt, const double screen_mm[2], struct lx_spot *spot, double *value)
 {
     struct lx_element element;
     if (!lx_hunt_goes_on(hunt) || !lx_element_seen(hunt->prepared, screen_mm[0], screen_mm[1], &element))
         return false;
-    double place[3] = {element.place_mm.x.value, element.place_mm.y.value, element.place_mm.z.value};
-    double normal[3] = {element.normal.x.value, element.normal.y.value, element.normal.z.value};
-    *spot = lx_spot_of(hunt, (size_t)(element.own - hunt->prepared->surfaces), place, normal);
+    *spot = spot_of_element(hunt, &element);
     bool is_irradiance = hunt->evaluator->settings.quantity == LUXEL_IRRADIANCE;
     if (is_irradiance) /* spares the integrals of the highlight */
         element.lobe = &hunt->gates[spot->surface].shut;

@@ -8,6 +8,7 @@
 #include "../base/memory.h"
 #include "../base/rows.h"
 #include "../light/extended.h"
+#include "../shade/camera.h"
 #include "isophotes.h"
 
 void luxel_isophotes_free(luxel_isophotes *isophotes)
@@ -222,9 +223,27 @@ static int make_lines(const struct search *search, struct lx_lines *lines)
     return failed;
 }
 
-static luxel_status check(const luxel_field *field, const struct luxel_evaluator *evaluator, const double *levels,
-                          size_t count, luxel_diagnostics *diagnostics)
+/* Whether a picture's pixels are those of the screen that the evaluator looks through, and its quantity the same. */
+static bool is_of_scene(const luxel_field *field, const struct luxel_evaluator *evaluator)
 {
+    const struct lx_screen *screen = &evaluator->prepared.scene->screen;
+    bool fits = field->columns == screen->resolution[0] && field->rows == screen->resolution[1] &&
+                field->quantity == evaluator->settings.quantity;
+    for (unsigned i = 0; fits && i < field->columns; i++)
+        fits = field->x_mm[i] == lx_column_x_mm(screen, i);
+    for (unsigned i = 0; fits && i < field->rows; i++)
+        fits = field->y_mm[i] == lx_row_y_mm(screen, i);
+    return fits;
+}
+
+static luxel_status check(const luxel_field *field, const struct luxel_evaluator *evaluator, const double *levels,
+                          size_t count, luxel_isophotes **isophotes, luxel_diagnostics *diagnostics)
+{
+    const char *missing = !field ? "field" : !isophotes ? "isophotes" : !levels && count > 0 ? "levels" : NULL;
+    if (missing) {
+        lx_report(diagnostics, LUXEL_SEVERITY_ERROR, NULL, LX_MSG_MISSING_ARGUMENT, LX_ARGS(missing));
+        return LUXEL_ERROR_ARGUMENT;
+    }
     enum lx_message message = LX_MSG_BAD_LEVEL;
     bool ok = true;
     for (size_t i = 0; i < count; i++)
@@ -233,11 +252,9 @@ static luxel_status check(const luxel_field *field, const struct luxel_evaluator
         message = LX_MSG_FIELD_WITHOUT_PLACES;
         ok = false;
     }
-    if (ok && evaluator) {
-        const struct lx_screen *screen = &evaluator->prepared.scene->screen;
+    if (ok && evaluator && !is_of_scene(field, evaluator)) {
         message = LX_MSG_OTHER_SCENE;
-        ok = field->columns == screen->resolution[0] && field->rows == screen->resolution[1] &&
-             field->quantity == evaluator->settings.quantity;
+        ok = false;
     }
     if (!ok)
         lx_report(diagnostics, LUXEL_SEVERITY_ERROR, NULL, message, NULL);
@@ -267,7 +284,7 @@ luxel_status luxel_find_isophotes(const luxel_field *field, const luxel_evaluato
 {
     struct search search = {.field = field, .levels = levels, .level_count = count};
     struct lx_lines lines = {0};
-    luxel_status status = check(field, evaluator, levels, count, diagnostics);
+    luxel_status status = check(field, evaluator, levels, count, isophotes, diagnostics);
     if (status != LUXEL_OK)
         return status;
     luxel_isophotes *made = lx_new_array(1, sizeof *made);

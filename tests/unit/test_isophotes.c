@@ -276,6 +276,19 @@ static void test_picture(void **state)
     struct view other = view_with("spot", LUXEL_BRIGHTNESS, 0);
     assert_int_equal(luxel_find_isophotes(view.field, other.evaluator, levels, 1, NULL, &lines), LUXEL_ERROR_ARGUMENT);
     view_clear(&other);
+    assert_int_equal(luxel_find_isophotes(NULL, NULL, levels, 1, NULL, &lines), LUXEL_ERROR_ARGUMENT);
+    assert_int_equal(luxel_find_isophotes(view.field, NULL, NULL, 1, NULL, &lines), LUXEL_ERROR_ARGUMENT);
+    assert_int_equal(luxel_find_isophotes(view.field, NULL, levels, 1, NULL, NULL), LUXEL_ERROR_ARGUMENT);
+    /* of as many pixels, but of another screen */
+    luxel_scene *wider = luxel_scene_copy(view.scene);
+    luxel_evaluator *evaluator = NULL;
+    assert_int_equal(luxel_scene_set(wider, "screen={width: 510, height: 510, resolution: [360, 360]}", NULL),
+                     LUXEL_OK);
+    assert_int_equal(luxel_scene_commit(wider, NULL), LUXEL_OK);
+    assert_int_equal(luxel_evaluator_new(wider, NULL, NULL, &evaluator), LUXEL_OK);
+    assert_int_equal(luxel_find_isophotes(view.field, evaluator, levels, 1, NULL, &lines), LUXEL_ERROR_ARGUMENT);
+    luxel_evaluator_free(evaluator);
+    luxel_scene_free(wider);
     view_clear(&view);
 }
 
@@ -299,6 +312,19 @@ static void test_round_levels(void **state)
     assert_levels(1e-9, 5e-9, false, 4, (const double[]){2e-9, 3e-9, 4e-9}, 3);
     assert_levels(0.05, 30, true, 9, (const double[]){0.1, 0.2, 0.5, 1, 2, 5, 10, 20}, 8);
     assert_levels(1e-6, 1e6, true, 4, (const double[]){1e-4, 1e-2, 1, 100, 1e4}, 5);
+    /* rounded once, so that no level is a neighbour of the round number */
+    assert_levels(0, 1e-23, false, 4, (const double[]){2e-24, 4e-24, 6e-24, 8e-24}, 4);
+    assert_levels(0, 3e22, false, 4, (const double[]){5e21, 1e22, 1.5e22, 2e22, 2.5e22}, 5);
+    /* the ends of what doubles can hold, and ranges too narrow for steps */
+    assert_levels(-1.7e308, 1.7e308, false, 3, (const double[]){-1e308, 0, 1e308}, 3);
+    assert_levels(1e-300, 1e300, true, 5, (const double[]){1e-240, 1e-160, 1e-80, 1, 1e80, 1e160, 1e240}, 7);
+    assert_levels(1e17, 1e17 + 64, false, 5, NULL, 0);
+    assert_levels(1, nextafter(1, 2), false, 5, NULL, 0);
+    assert_levels(0, 5e-324, false, 3, NULL, 0);
+    assert_levels(0, 5e-324, true, 3, NULL, 0);
+    double few[3];
+    assert_int_equal(luxel_round_levels(0, 1, false, SIZE_MAX, few, 3), 1);
+    assert_true(few[0] == 0.5);
     assert_levels(1, 1, false, 4, NULL, 0);
     assert_levels(0, NAN, false, 4, NULL, 0);
 }

@@ -1,0 +1,344 @@
+/* SPDX-License-Identifier: MIT */
+/* Edges: where what is seen of a surface ends, and where what it gives jumps or has a kink. */
+#include <string.h>
+
+#include "../base/memory.h"
+#include "extrema.h"
+
+/* Roundings of the coordinates that may stand beyond an edge. */
+static const double SLACK = 1e-13;
+
+static const struct lx_emitter *emitter_of(const struct lx_hunt *hunt, const struct lx_brink *edge)
+{
+    return &hunt->prepared->emitters.items[edge->emitter];
+}
+
+static bool add(struct lx_hunt *hunt, struct lx_brink edge)
+{
+    if (lx_reserve(&hunt->brinks, &hunt->brink_capacity, hunt->brink_count + 1, sizeof edge)) {
+        hunt->short_of_memory = true;
+        return false;
+    }
+    hunt->brinks[hunt->brink_count++] = edge;
+    return true;
+}
+
+static bool add_walls(struct lx_hunt *hunt, size_t surface)
+{
+    const struct lx_prepared *prepared = hunt->prepared;
+    bool round = prepared->surfaces[surface].shape.type == LX_SPHERE;
+    bool done = !round || add(hunt, (struct lx_brink){.type = LX_BRINK_LIMB, .closed = true});
+    unsigned region_sides = !hunt->region                                  ? 0
+                            : hunt->region->type == LUXEL_REGION_RECTANGLE ? 4
+                            : hunt->region->type == LUXEL_REGION_CIRCLE    ? 1
+                                                                           : 0;
+    for (unsigned i = 0; done && i < 4; i++) {
+        done = round || add(hunt, (struct lx_brink){.type = LX_BRINK_SIDE, .side = i, .closed = true});
+        done = done && add(hunt, (struct lx_brink){.type = LX_BRINK_SCREEN, .side = i, .closed = true});
+        if (i < region_sides)
+            done = done && add(hunt, (struct lx_brink){.type = LX_BRINK_REGION, .side = i, .closed = true});
+    }
+    for (size_t i = 0; done && i < prepared->surface_count; i++)
+        if (i != surface)
+            done = add(hunt, (struct lx_brink){.type = LX_BRINK_HIDDEN, .surface = i});
+    return done;
+}
+
+/* The edges of a light that comes from one place or direction. */
+static bool add_light(struct lx_hunt *hunt, size_t surface, size_t index)
+{
+    const struct lx_prepared *prepared = hunt->prepared;
+    const struct lx_emitter *emitter = &prepared->emitters.items[index];
+    const struct lx_lobe *lobe = &prepared->surfaces[surface].lobe;
+    const struct lx_profile *profile = &emitter->profile;
+    struct lx_brink edge = {.emitter = index, .closed = true};
+    bool done = true, casts = prepared->shadows && !emitter->is_part;
+    for (size_t i = 0; casts && done && i < prepared->surface_count; i++) {
+        edge.type = LX_BRINK_SHADOW, edge.surface = i;
+        done = i == surface || add(hunt, edge);
+    }
+    edge.type = LX_BRINK_TERMINATOR, edge.closed = false;
+    done = done && add(hunt, edge);
+    edge.type = LX_BRINK_LOBE, edge.closed = true;
+    if (lobe->specular.value > 0 && lobe->exponent < 2)
+        done = done && add(hunt, edge);
+    if (emitter->type != LX_POINT)
+        return done;
+    edge.type = LX_BRINK_PATTERN;
+    if (profile->exponent > 0 && profile->exponent < 2)
+        done = done && add(hunt, edge);
+    edge.type = LX_BRINK_CONE, edge.angle_rad = profile->outer_rad.value;
+    if (profile->falloff == LX_HARD || profile->falloff == LX_LINEAR)
+        done = done && add(hunt, edge);
+    edge.angle_rad = profile->inner_rad.value;
+    if (profile->falloff == LX_SQUARED || profile->falloff == LX_LINEAR)
+        done = done && add(hunt, edge);
+    return done;
+}
+
+bool lx_brinks_of(struct lx_hunt *hunt, size_t surface)
+{
+    const struct lx_emitters *emitters = &hunt->prepared->emitters;
+    if (hunt->brink_count > 0 && hunt->edged == surface)
+        return true;
+    hunt->brink_count = 0;
+    hunt->edged = surface;
+    bool done = add_walls(hunt, surface);
+    for (size_t i = 0; done && hunt->knows_lights && i < emitters->count; i++)
+        if (emitters->items[i].type == LX_POINT || emitters->items[i].type == LX_DIRECTION)
+            done = add_light(hunt, surface, i);
+    if (done && lx_reserve(&hunt->sides, &hunt->side_capacity, hunt->brink_count, sizeof *hunt->sides)) {
+        hunt->short_of_memory = true;
+        done = false;
+    }
+    return done;
+}
+
+/* How far the way from a place passes outside of a sphere. */
+static double beside_sphere(const struct lx_shape *sphere, const double place[3], const double way[3], bool endless)
+{
+    double from[3], nearest[3];
+    for (int i = 0; i < 3; i++)
+        from[i] = place[i] - sphere->anchor_mm[i];
+    double t = fmax(-lx_dot(from, way) / lx_dot(way, way), 0);
+    if (!endless && t > 1)
+        t = 1;
+    for (int i = 0; i < 3; i++)
+        nearest[i] = from[i] + t * way[i];
+    return hypot(hypot(nearest[0], nearest[1]), nearest[2]) - sphere->radius_mm;
+}
+
+/* The same of a plate: above it, where the way leads away from it, or where it crosses the plane outside. */
+static double beside_plate(const struct lx_shape *plate, const double place[3], const double way[3], bool endless)
+{
+    double from[3], crossing[3];
+    for (int i = 0; i < 3; i++)
+        from[i] = place[i] - plate->anchor_mm[i];
+    double height = lx_dot(from, plate->axis), change = lx_dot(way, plate->axis);
+    double end = endless ? change : height + change;
+    if (end == 0 || change == 0)
+        return plate->radius_mm;
+    double above = end > 0 ? height : -height; /* on the side to which the way leads */
+    if (above >= 0)
+        return above;
+    for (int i = 0; i < 3; i++)
+        crossing[i] = from[i] - height / change * way[i];
+    double across = fabs(lx_dot(crossing, plate->across)) - plate->half_mm[0];
+    double upward = fabs(lx_dot(crossing, plate->upward)) - plate->half_mm[1];
+    return fmax(above, fmax(across, upward));
+}
+
+static double beside(const struct lx_hunt *hunt, size_t surface, const double place[3], const double way[3],
+                     bool endless)
+{
+    const struct lx_shape *shape = &hunt->prepared->surfaces[surface].shape;
+    return shape->type == LX_SPHERE ? beside_sphere(shape, place, way, endless)
+                                    : beside_plate(shape, place, way, endless);
+}
+
+/* How far inside of a side of a rectangle: left, right, lower, upper. */
+static double from_side(unsigned side, const double place[2], const double center[2], const double half[2])
+{
+    double offset = place[side / 2] - center[side / 2];
+    return half[side / 2] + (side % 2 ? -offset : offset);
+}
+
+static double wall_distance(const struct lx_hunt *hunt, const struct lx_brink *edge, const struct lx_spot *spot,
+                            const double place[3], const double normal[3])
+{
+    const struct lx_shape *shape = lx_spot_shape(hunt, spot);
+    const struct lx_screen *screen = &hunt->prepared->scene->screen;
+    double way[3], seen[2];
+    if (edge->type == LX_BRINK_LIMB) {
+        double rim = lx_sphere_front(hunt, spot->surface, way);
+        return shape->radius_mm * (lx_dot(normal, way) - rim);
+    }
+    if (edge->type == LX_BRINK_SIDE) {
+        double half[2] = {shape->half_mm[0] - shape->touch_mm, shape->half_mm[1] - shape->touch_mm};
+        return from_side(edge->side, spot->at, (double[]){0, 0}, half);
+    }
+    if (edge->type == LX_BRINK_HIDDEN) {
+        bool endless = lx_way_to_observer(hunt, place, way);
+        return beside(hunt, edge->surface, place, way, endless);
+    }
+    lx_screen_of(hunt, place, seen);
+    if (edge->type == LX_BRINK_SCREEN)
+        return from_side(edge->side, seen, (double[]){0, 0}, (double[]){screen->width_mm / 2, screen->height_mm / 2});
+    const luxel_region *region = hunt->region;
+    if (region->type == LUXEL_REGION_CIRCLE)
+        return region->radius_mm - hypot(seen[0] - region->center_mm[0], seen[1] - region->center_mm[1]);
+    return from_side(edge->side, seen, region->center_mm, (double[]){region->size_mm[0] / 2, region->size_mm[1] / 2});
+}
+
+static void values_of(const lx_bounded3 *from, double to[3])
+{
+    to[0] = from->x.value, to[1] = from->y.value, to[2] = from->z.value;
+}
+
+/* How far inside of a cone, along its distance from the light. */
+static double inside_cone(const struct lx_emitter *emitter, double angle_rad, const double way[3])
+{
+    double axis[3], cross[3];
+    values_of(&emitter->profile.axis, axis);
+    for (int i = 0; i < 3; i++) {
+        int j = (i + 1) % 3, k = (i + 2) % 3;
+        cross[i] = axis[j] * way[k] - axis[k] * way[j];
+    }
+    double theta = atan2(sqrt(lx_dot(cross, cross)), -lx_dot(axis, way));
+    return sqrt(lx_dot(way, way)) * (angle_rad - theta);
+}
+
+static double light_distance(const struct lx_hunt *hunt, const struct lx_brink *edge, const struct lx_spot *spot,
+                             const double place[3], const double normal[3])
+{
+    const struct lx_emitter *emitter = emitter_of(hunt, edge);
+    double size_mm = lx_spot_shape(hunt, spot)->radius_mm, way[3], view[3], axis[3];
+    bool endless = emitter->type == LX_DIRECTION;
+    if (endless)
+        values_of(&emitter->towards, way);
+    for (int i = 0; i < 3 && !endless; i++)
+        way[i] = emitter->position_mm[i] - place[i];
+    if (edge->type == LX_BRINK_SHADOW)
+        return beside(hunt, edge->surface, place, way, endless);
+    if (edge->type == LX_BRINK_CONE)
+        return inside_cone(emitter, edge->angle_rad, way);
+    lx_normalize(way);
+    if (edge->type == LX_BRINK_TERMINATOR)
+        return size_mm * lx_dot(normal, way);
+    if (edge->type == LX_BRINK_PATTERN) {
+        values_of(&emitter->profile.axis, axis);
+        return -size_mm * lx_dot(axis, way);
+    }
+    struct lx_element element = lx_spot_element(hunt, spot);
+    values_of(&element.view, view);
+    if (element.lobe->model == LX_BLINN_PHONG)
+        return size_mm * (lx_dot(normal, way) + lx_dot(normal, view));
+    return size_mm * (2 * lx_dot(normal, way) * lx_dot(normal, view) - lx_dot(way, view));
+}
+
+double lx_brink_distance(const struct lx_hunt *hunt, const struct lx_brink *edge, const struct lx_spot *spot)
+{
+    double place[3], normal[3];
+    lx_spot_place(hunt, spot, place, normal);
+    return lx_brink_is_wall(edge) ? wall_distance(hunt, edge, spot, place, normal)
+                                  : light_distance(hunt, edge, spot, place, normal);
+}
+
+bool lx_brinks_enter(struct lx_hunt *hunt, const struct lx_spot *spot)
+{
+    if (!lx_brinks_of(hunt, spot->surface))
+        return false;
+    for (size_t i = 0; i < hunt->brink_count; i++) {
+        const struct lx_brink *edge = &hunt->brinks[i];
+        double distance = lx_brink_distance(hunt, edge, spot);
+        if (lx_brink_is_wall(edge) && !(distance >= -hunt->scale_mm * SLACK))
+            return false;
+        bool inside = lx_brink_is_wall(edge) || distance > 0 || (distance == 0 && edge->closed);
+        hunt->sides[i] = inside ? 1 : -1;
+    }
+    return true;
+}
+
+bool lx_brink_inward(const struct lx_hunt *hunt, size_t edge, const struct lx_spot *spot, const struct lx_chart *chart,
+                     double inward[2])
+{
+    double step = 1e-6 * lx_spot_shape(hunt, spot)->radius_mm;
+    for (int i = 0; i < 2; i++) {
+        double ahead[2] = {0, 0}, back[2] = {0, 0};
+        ahead[i] = step, back[i] = -step;
+        struct lx_spot a = lx_spot_moved(hunt, spot, chart, ahead), b = lx_spot_moved(hunt, spot, chart, back);
+        double rise =
+            lx_brink_distance(hunt, &hunt->brinks[edge], &a) - lx_brink_distance(hunt, &hunt->brinks[edge], &b);
+        inward[i] = hunt->sides[edge] * rise / (2 * step);
+    }
+    double length = hypot(inward[0], inward[1]);
+    if (!(length > 1e-9 && isfinite(length)))
+        return false;
+    inward[0] /= length, inward[1] /= length;
+    return true;
+}
+
+bool lx_brink_reach(const struct lx_hunt *hunt, size_t edge, struct lx_spot *spot)
+{
+    const struct lx_brink *it = &hunt->brinks[edge];
+    double size_mm = lx_spot_shape(hunt, spot)->radius_mm, step = 1e-6 * size_mm;
+    double distance = lx_brink_distance(hunt, it, spot);
+    for (int tries = 0; tries < 12 && distance != 0; tries++) {
+        struct lx_chart chart = lx_spot_chart(hunt, spot);
+        double inward[2];
+        if (!lx_brink_inward(hunt, edge, spot, &chart, inward))
+            return false;
+        double ahead[2] = {step * inward[0], step * inward[1]}, back[2] = {-ahead[0], -ahead[1]};
+        struct lx_spot a = lx_spot_moved(hunt, spot, &chart, ahead), b = lx_spot_moved(hunt, spot, &chart, back);
+        double slope = (lx_brink_distance(hunt, it, &a) - lx_brink_distance(hunt, it, &b)) / (2 * step);
+        double way = -distance / slope;
+        if (!(fabs(way) < size_mm))
+            return false;
+        struct lx_spot moved = lx_spot_moved(hunt, spot, &chart, (double[]){way * inward[0], way * inward[1]});
+        double left = lx_brink_distance(hunt, it, &moved);
+        if (!(fabs(left) < fabs(distance)))
+            break;
+        *spot = moved;
+        distance = left;
+    }
+    return fabs(distance) <= 10 * SLACK * hunt->scale_mm;
+}
+
+/* What the edges say of an emitter, from the first one of it at *next on. */
+struct verdict {
+    bool dark, whole_cone, gate_open, gate_shut;
+};
+
+static struct verdict judge(const struct lx_hunt *hunt, const struct lx_lobe *lobe, size_t emitter, size_t *next)
+{
+    struct verdict verdict = {.dark = false};
+    while (*next < hunt->brink_count &&
+           (lx_brink_is_wall(&hunt->brinks[*next]) || hunt->brinks[*next].emitter < emitter))
+        ++*next;
+    for (; *next < hunt->brink_count && hunt->brinks[*next].emitter == emitter; ++*next) {
+        const struct lx_brink *edge = &hunt->brinks[*next];
+        bool inside = hunt->sides[*next] > 0;
+        bool hard = edge->type == LX_BRINK_CONE && emitter_of(hunt, edge)->profile.falloff == LX_HARD;
+        if (edge->type == LX_BRINK_SHADOW || hard)
+            verdict.dark |= !inside;
+        verdict.whole_cone |= hard && inside;
+        if (edge->type == LX_BRINK_TERMINATOR && lobe->highlight == LX_HIGHLIGHT_GATED) {
+            verdict.gate_open = inside;
+            verdict.gate_shut = !inside;
+        }
+    }
+    return verdict;
+}
+
+double lx_piece_value(struct lx_hunt *hunt, const struct lx_spot *spot, double *error)
+{
+    const struct lx_prepared *bare = &hunt->bare;
+    struct lx_element element = lx_spot_element(hunt, spot);
+    const struct lx_lobe *lobe = element.lobe;
+    const struct lx_gates *gates = &hunt->gates[spot->surface];
+    bool is_irradiance = hunt->evaluator->settings.quantity == LUXEL_IRRADIANCE;
+    lx_bounded total = lx_exact(0);
+    size_t next = 0;
+    *error = 0;
+    if (!lx_hunt_goes_on(hunt))
+        return (double)NAN;
+    for (size_t i = 0; i < bare->emitters.count; i++) {
+        const struct lx_emitter *emitter = &bare->emitters.items[i];
+        struct verdict verdict = judge(hunt, lobe, i, &next);
+        if (verdict.dark)
+            continue;
+        struct lx_emitter changed;
+        if (verdict.whole_cone) {
+            changed = *emitter;
+            changed.profile.falloff = LX_NO_CONE;
+            emitter = &changed;
+        }
+        element.lobe = verdict.gate_open ? &gates->open : is_irradiance || verdict.gate_shut ? &gates->shut : lobe;
+        struct lx_lighting lighting = lx_light_element(bare, &element, emitter);
+        if (lighting.on_element)
+            return (double)NAN;
+        total = lx_add(total, is_irradiance ? lighting.irradiance : lx_add(lighting.diffuse, lighting.specular));
+    }
+    *error = total.error;
+    return hunt->sign * total.value;
+}

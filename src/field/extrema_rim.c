@@ -1,0 +1,155 @@
+/* SPDX-License-Identifier: MIT */
+/* Where to begin along edges, of which pixels tell little: the rims of the surfaces, the screen and the region. */
+#include "extrema.h"
+
+/* Places along a rim: fewer where a value is costly, and where there are many surfaces. */
+enum { RIM_PLACES = 96, RIM_PLACES_COSTLY = 16, LEAST_RIM_PLACES = 12, MOST_RIM_PLACES = 768 };
+/* Places along each side of screen or region, and in each direction inside a region. */
+enum { BORDER_PLACES = 40, BORDER_PLACES_COSTLY = 2, REGION_PLACES = 5 };
+enum { RING_PLACES = 4 * BORDER_PLACES };
+
+/* Places in a ring, one beside the other. */
+struct ring {
+    struct lx_spot spots[RING_PLACES];
+    double values[RING_PLACES]; /* -HUGE_VAL: nothing is seen there */
+    int count;
+};
+
+/* The peaks of a ring. */
+static void gather_ring(struct lx_gathering *gathering, const struct ring *ring)
+{
+    for (int i = 0; i < ring->count; i++) {
+        double value = ring->values[i], margin = 0.02 * fabs(value);
+        bool lone = false, peak = value > -HUGE_VAL;
+        for (int step = -1; peak && step <= 1; step += 2) {
+            int next = (i + step + ring->count) % ring->count;
+            bool alike = ring->spots[next].surface == ring->spots[i].surface;
+            double beside = alike ? ring->values[next] : -HUGE_VAL;
+            peak = beside <= value;
+            lone = lone || beside == -HUGE_VAL;
+            margin = fmax(margin, 2 * (value - beside));
+        }
+        if (peak)
+            lx_gather_spot(gathering, &ring->spots[i], value, lone ? lx_untold_margin(gathering->hunt, value) : margin);
+    }
+}
+
+static bool is_in_box(const struct lx_gathering *gathering, const double screen_mm[2])
+{
+    return screen_mm[0] >= gathering->low[0] && screen_mm[0] <= gathering->high[0] &&
+           screen_mm[1] >= gathering->low[1] && screen_mm[1] <= gathering->high[1];
+}
+
+/* What is seen beside the rim of a surface, of another one behind. */
+static bool look_beside(struct lx_gathering *gathering, const struct lx_spot *rim, const double center[2],
+                        struct lx_spot *spot, double *value)
+{
+    double place[3], normal[3], screen[2];
+    lx_spot_place(gathering->hunt, rim, place, normal);
+    lx_screen_of(gathering->hunt, place, screen);
+    for (int i = 0; i < 2; i++)
+        screen[i] += 1e-6 * (screen[i] - center[i]);
+    return is_in_box(gathering, screen) && lx_look_through(gathering, screen, spot, value);
+}
+
+static struct lx_spot rim_spot(size_t surface, const double front[3], double rim, const double away[3])
+{
+    struct lx_spot spot = {.surface = surface};
+    double out[3], along = lx_dot(away, front), sine = sqrt(1 - rim * rim);
+    for (int i = 0; i < 3; i++)
+        out[i] = away[i] - along * front[i];
+    lx_normalize(out);
+    for (int i = 0; i < 3; i++)
+        spot.at[i] = rim * front[i] + sine * out[i];
+    return spot;
+}
+
+static int rim_places(const struct lx_hunt *hunt)
+{
+    size_t all = hunt->costly ? RIM_PLACES_COSTLY : RIM_PLACES, share = MOST_RIM_PLACES / hunt->prepared->surface_count;
+    return (int)(share < LEAST_RIM_PLACES ? LEAST_RIM_PLACES : share < all ? share : all);
+}
+
+static void ring_of_sphere(const struct lx_hunt *hunt, size_t surface, struct ring *ring)
+{
+    struct lx_spot middle = {.surface = surface};
+    double rim = lx_sphere_front(hunt, surface, middle.at);
+    struct lx_chart chart = lx_spot_chart(hunt, &middle);
+    for (int i = 0; i < ring->count; i++) {
+        double away[3], turn = 2 * M_PI * i / ring->count;
+        for (int k = 0; k < 3; k++)
+            away[k] = cos(turn) * chart.first[k] + sin(turn) * chart.second[k];
+        ring->spots[i] = rim_spot(surface, middle.at, rim, away);
+    }
+}
+
+/* Around a square, from -1, -1 counter-clockwise: the corners are among the places if their number is a multiple of 4. */
+static void around_square(int i, int count, double at[2])
+{
+    int side = 4 * i / count;
+    double along = 2 * (4.0 * i / count - side) - 1;
+    at[0] = side == 0 ? along : side == 1 ? 1 : side == 2 ? -along : -1;
+    at[1] = side == 0 ? -1 : side == 1 ? along : side == 2 ? 1 : -along;
+}
+
+static void ring_of_plate(const struct lx_hunt *hunt, size_t surface, struct ring *ring)
+{
+    const struct lx_shape *shape = &hunt->prepared->surfaces[surface].shape;
+    for (int i = 0; i < ring->count; i++) {
+        double at[2];
+        around_square(i, ring->count, at);
+        for (int k = 0; k < 2; k++)
+            at[k] *= shape->half_mm[k] - shape->touch_mm;
+        ring->spots[i] = (struct lx_spot){surface, {at[0], at[1]}};
+    }
+}
+
+void lx_gather_rim(struct lx_gathering *gathering, size_t surface)
+{
+    struct lx_hunt *hunt = gathering->hunt;
+    const struct lx_shape *shape = &hunt->prepared->surfaces[surface].shape;
+    struct ring ring = {.count = rim_places(hunt) / 4 * 4}, behind;
+    double center[2];
+    if (shape->type == LX_SPHERE)
+        ring_of_sphere(hunt, surface, &ring);
+    else
+        ring_of_plate(hunt, surface, &ring);
+    behind.count = hunt->prepared->surface_count > 1 ? ring.count : 0;
+    lx_screen_of(hunt, shape->anchor_mm, center);
+    for (int i = 0; i < ring.count; i++) {
+        if (!lx_look_at_spot(hunt, &ring.spots[i], &ring.values[i]))
+            ring.values[i] = -HUGE_VAL;
+        if (behind.count > 0 && !look_beside(gathering, &ring.spots[i], center, &behind.spots[i], &behind.values[i]))
+            behind.values[i] = -HUGE_VAL;
+    }
+    gather_ring(gathering, &ring);
+    gather_ring(gathering, &behind);
+}
+
+void lx_gather_border(struct lx_gathering *gathering)
+{
+    const luxel_region *region = gathering->hunt->region;
+    struct ring ring = {.count = 4 * (gathering->hunt->costly ? BORDER_PLACES_COSTLY : BORDER_PLACES)};
+    int grid = region && region->type != LUXEL_REGION_ALL ? REGION_PLACES : 0;
+    double middle[2], half[2], at[2];
+    for (int k = 0; k < 2; k++) {
+        middle[k] = (gathering->low[k] + gathering->high[k]) / 2;
+        half[k] = (gathering->high[k] - gathering->low[k]) / 2;
+    }
+    for (int i = 0; i < ring.count; i++) {
+        around_square(i, ring.count, at);
+        for (int k = 0; k < 2; k++)
+            at[k] = middle[k] + at[k] * half[k];
+        if (!lx_look_through(gathering, at, &ring.spots[i], &ring.values[i]))
+            ring.values[i] = -HUGE_VAL;
+    }
+    gather_ring(gathering, &ring);
+    for (int i = 0; i < grid * grid; i++) { /* a region may be smaller than a pixel */
+        double part[2] = {i % grid / (grid - 1.0), i / grid / (grid - 1.0)}, value;
+        struct lx_spot spot;
+        for (int k = 0; k < 2; k++)
+            at[k] = middle[k] + (2 * part[k] - 1) * half[k];
+        if (lx_look_through(gathering, at, &spot, &value))
+            lx_gather_spot(gathering, &spot, value, lx_untold_margin(gathering->hunt, value));
+    }
+}

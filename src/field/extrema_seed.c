@@ -1,0 +1,427 @@
+/* SPDX-License-Identifier: MIT */
+/*
+ * Where to begin: the picture's own peaks, the places that face a light or mirror it (which may be narrower than a
+ * pixel), and what extrema_rim.c finds along the edges.
+ */
+#include <stdlib.h>
+#include <string.h>
+
+#include "../base/memory.h"
+#include "../light/extended.h"
+#include "../shade/camera.h"
+#include "extrema.h"
+#include "field.h"
+
+/* The picture is cut into blocks, each of which proposes its best pixel: at most so many a side. */
+enum { MOST_BLOCKS = 256, LEAST_BLOCK = 4 };
+/* How many pixels are looked at more closely. */
+enum { MOST_PIXELS = 40, MOST_PIXELS_COSTLY = 16, MOST_EQUAL = 200 };
+/* Lights that are looked at one by one, and how often with each surface. */
+enum { MOST_LIGHTS = 64, MOST_PAIRS = 2048 };
+/* What a climb may find beyond its beginning, relative, where no pixel tells. */
+static const double UNTOLD_MARGIN = 0.5, UNTOLD_MARGIN_COSTLY = 0.1;
+
+double lx_untold_margin(const struct lx_hunt *hunt, double value)
+{
+    return (hunt->costly ? UNTOLD_MARGIN_COSTLY : UNTOLD_MARGIN) * fabs(value);
+}
+
+void lx_gather_spot(struct lx_gathering *gathering, const struct lx_spot *spot, double value, double margin)
+{
+    struct lx_seeds *seeds = gathering->seeds;
+    if (lx_reserve(&seeds->items, &seeds->capacity, seeds->count + 1, sizeof *seeds->items)) {
+        gathering->hunt->short_of_memory = true;
+        return;
+    }
+    seeds->items[seeds->count] = (struct lx_seed){*spot, value, margin, seeds->count};
+    seeds->count++;
+}
+
+bool lx_look_through(struct lx_gathering *gathering, const double screen_mm[2], struct lx_spot *spot, double *value)
+{
+    double at[2];
+    for (int i = 0; i < 2; i++)
+        at[i] = fmin(fmax(screen_mm[i], gathering->low[i]), gathering->high[i]);
+    const luxel_region *region = gathering->hunt->region;
+    if (region && region->type == LUXEL_REGION_CIRCLE) {
+        double out[2] = {at[0] - region->center_mm[0], at[1] - region->center_mm[1]};
+        double share = region->radius_mm / hypot(out[0], out[1]);
+        for (int i = 0; i < 2 && share < 1; i++)
+            at[i] = region->center_mm[i] + (1 - 1e-12) * share * out[i];
+    }
+    return lx_spot_seen(gathering->hunt, at, spot, value);
+}
+
+bool lx_look_at_spot(struct lx_hunt *hunt, const struct lx_spot *spot, double *value)
+{
+    double error;
+    if (!lx_brinks_enter(hunt, spot))
+        return false;
+    *value = lx_piece_value(hunt, spot, &error);
+    return isfinite(*value);
+}
+
+static void add_screen(struct lx_gathering *gathering, const double screen_mm[2])
+{
+    struct lx_spot spot;
+    double value;
+    if (lx_look_through(gathering, screen_mm, &spot, &value))
+        lx_gather_spot(gathering, &spot, value, lx_untold_margin(gathering->hunt, value));
+}
+
+static void add_place(struct lx_gathering *gathering, const struct lx_spot *spot)
+{
+    double place[3], normal[3], screen[2];
+    lx_spot_place(gathering->hunt, spot, place, normal);
+    lx_screen_of(gathering->hunt, place, screen);
+    add_screen(gathering, screen);
+}
+
+static void add_if_seen(struct lx_gathering *gathering, const struct lx_spot *spot)
+{
+    double value;
+    if (lx_look_at_spot(gathering->hunt, spot, &value))
+        lx_gather_spot(gathering, spot, value, lx_untold_margin(gathering->hunt, value));
+}
+
+/* -- the picture -- */
+
+struct pixel {
+    double value, margin;
+    size_t index;
+};
+
+static double pixel_value(const struct lx_gathering *gathering, const luxel_field *field, size_t i)
+{
+    return gathering->hunt->sign * lx_field_value(field, i);
+}
+
+static bool counts(const struct lx_gathering *gathering, const luxel_field *field, unsigned column, unsigned row)
+{
+    size_t i = (size_t)row * field->columns + column;
+    return field->mask[i] && luxel_region_holds(gathering->hunt->region, field->x_mm[column], field->y_mm[row]);
+}
+
+/* Whether a pixel is no lower than its neighbours; how much they differ from it. */
+static bool is_peak(const struct lx_gathering *gathering, const luxel_field *field, struct pixel *pixel)
+{
+    unsigned column = (unsigned)(pixel->index % field->columns), row = (unsigned)(pixel->index / field->columns);
+    unsigned left = column > 0 ? column - 1 : 0, top = row > 0 ? row - 1 : 0;
+    pixel->margin = 0;
+    for (unsigned y = top; y <= row + 1 && y < field->rows; y++)
+        for (unsigned x = left; x <= column + 1 && x < field->columns; x++) {
+            if (!counts(gathering, field, x, y))
+                continue;
+            double value = pixel_value(gathering, field, (size_t)y * field->columns + x);
+            if (value > pixel->value)
+                return false;
+            pixel->margin = fmax(pixel->margin, 2 * (pixel->value - value));
+        }
+    return true;
+}
+
+static struct pixel best_of_block(const struct lx_gathering *gathering, const luxel_field *field,
+                                  const unsigned first[2], const unsigned last[2])
+{
+    struct pixel best = {.value = -HUGE_VAL};
+    for (unsigned row = first[1]; row < last[1]; row++)
+        for (unsigned column = first[0]; column < last[0]; column++) {
+            size_t i = (size_t)row * field->columns + column;
+            double value = pixel_value(gathering, field, i);
+            if (value > best.value && counts(gathering, field, column, row))
+                best = (struct pixel){.value = value, .index = i};
+        }
+    return best;
+}
+
+static int compare_pixels(const void *left, const void *right)
+{
+    const struct pixel *a = left, *b = right;
+    if (a->value != b->value)
+        return a->value > b->value ? -1 : 1;
+    return a->index < b->index ? -1 : a->index > b->index;
+}
+
+/* A pixel is near enough to the value that is found there: within 1e-3 of the maximum where that is costly. */
+static void add_pixel(struct lx_gathering *gathering, const luxel_field *field, const struct pixel *pixel)
+{
+    struct lx_hunt *hunt = gathering->hunt;
+    struct lx_spot spot;
+    double screen[2] = {field->x_mm[pixel->index % field->columns], field->y_mm[pixel->index / field->columns]}, value;
+    double doubt = hunt->costly ? 2e-3 * field->statistics.maximum.value : 1e-5 * fabs(pixel->value);
+    if (hunt->costly ? lx_spot_shown(hunt, screen, &spot) : lx_spot_seen(hunt, screen, &spot, &value))
+        lx_gather_spot(gathering, &spot, hunt->costly ? pixel->value : value, pixel->margin + doubt);
+}
+
+/* The best pixels; of many that are equal, as in the dark, some from everywhere. */
+static void add_best_pixels(struct lx_gathering *gathering, const luxel_field *field, struct pixel *pixels,
+                            size_t count)
+{
+    bool costly = gathering->hunt->costly;
+    size_t most = costly ? MOST_PIXELS_COSTLY : MOST_PIXELS, most_equal = costly ? MOST_PIXELS_COSTLY : MOST_EQUAL;
+    size_t equal = 0, taken;
+    qsort(pixels, count, sizeof *pixels, compare_pixels);
+    while (equal < count && pixels[equal].value == pixels[0].value)
+        equal++;
+    size_t stride = (equal + most_equal - 1) / most_equal;
+    for (taken = 0; taken < equal; taken += stride)
+        add_pixel(gathering, field, &pixels[taken]);
+    for (size_t i = equal; i < count && i < equal + most; i++)
+        if (pixels[i].value + pixels[i].margin + 0.02 * fabs(pixels[i].value) >= pixels[0].value)
+            add_pixel(gathering, field, &pixels[i]);
+}
+
+static void add_pixels(struct lx_gathering *gathering, const luxel_field *field)
+{
+    unsigned size[2] = {field->columns, field->rows}, block[2], blocks[2];
+    for (int i = 0; i < 2; i++) {
+        block[i] = size[i] / MOST_BLOCKS + 1 > LEAST_BLOCK ? size[i] / MOST_BLOCKS + 1 : LEAST_BLOCK;
+        blocks[i] = (size[i] + block[i] - 1) / block[i];
+    }
+    struct pixel *pixels = lx_new_array((size_t)blocks[0] * blocks[1], sizeof *pixels);
+    size_t count = 0;
+    gathering->hunt->short_of_memory |= !pixels;
+    for (unsigned i = 0; pixels && i < blocks[0] * blocks[1]; i++) {
+        unsigned first[2] = {i % blocks[0] * block[0], i / blocks[0] * block[1]};
+        unsigned last[2] = {first[0] + block[0] < size[0] ? first[0] + block[0] : size[0],
+                            first[1] + block[1] < size[1] ? first[1] + block[1] : size[1]};
+        struct pixel best = best_of_block(gathering, field, first, last);
+        if (best.value > -HUGE_VAL && is_peak(gathering, field, &best))
+            pixels[count++] = best;
+    }
+    if (count > 0)
+        add_best_pixels(gathering, field, pixels, count);
+    free(pixels);
+}
+
+/* -- lights -- */
+
+static void values_of(const lx_bounded3 *from, double to[3])
+{
+    to[0] = from->x.value, to[1] = from->y.value, to[2] = from->z.value;
+}
+
+/* The way from a place to a light's middle; returns whether it is without end. */
+static bool way_to_light(const struct lx_emitter *emitter, const double place[3], double way[3])
+{
+    const double *from = emitter->type == LX_POINT    ? emitter->position_mm
+                         : emitter->type == LX_FACETS ? emitter->facets->center_mm
+                                                      : emitter->center_mm;
+    if (emitter->type == LX_DIRECTION) {
+        values_of(&emitter->towards, way);
+        return true;
+    }
+    for (int i = 0; i < 3; i++)
+        way[i] = from[i] - place[i];
+    return false;
+}
+
+/* The unit view vector at a place. */
+static void view_from(const struct lx_hunt *hunt, const double place[3], double view[3])
+{
+    const struct lx_observer *observer = &hunt->prepared->scene->observer;
+    bool fixed = lx_views_along_z(observer);
+    for (int i = 0; i < 2; i++)
+        view[i] = fixed ? 0 : -place[i];
+    view[2] = fixed ? 1 : observer->z_mm - place[2];
+    lx_normalize(view);
+}
+
+/* Where a sphere mirrors a light to the observer: between the two directions, where both make the same angle. */
+static struct lx_spot mirror_on_sphere(const struct lx_hunt *hunt, size_t surface, const struct lx_emitter *emitter)
+{
+    const double *center = hunt->prepared->surfaces[surface].shape.anchor_mm;
+    struct lx_spot spot = {.surface = surface};
+    double eye[3], light[3], across[3], place[3], normal[3], way[3], view[3];
+    view_from(hunt, center, eye);
+    way_to_light(emitter, center, light);
+    lx_normalize(light);
+    double along = lx_dot(eye, light);
+    for (int i = 0; i < 3; i++)
+        across[i] = light[i] - along * eye[i];
+    double angle = atan2(lx_normalize(across), along), low = 0, high = angle;
+    for (int step = 0; step < 60; step++) {
+        double middle = (low + high) / 2;
+        for (int i = 0; i < 3; i++)
+            spot.at[i] = cos(middle) * eye[i] + sin(middle) * across[i];
+        lx_spot_place(hunt, &spot, place, normal);
+        view_from(hunt, place, view);
+        way_to_light(emitter, place, way);
+        lx_normalize(way);
+        if (lx_dot(normal, way) < lx_dot(normal, view))
+            low = middle;
+        else
+            high = middle;
+    }
+    return spot;
+}
+
+/* Where a plate mirrors it; false: nowhere. */
+static bool mirror_on_plate(const struct lx_hunt *hunt, size_t surface, const struct lx_emitter *emitter,
+                            struct lx_spot *spot)
+{
+    const struct lx_observer *observer = &hunt->prepared->scene->observer;
+    const struct lx_shape *plate = &hunt->prepared->surfaces[surface].shape;
+    const double eye[3] = {0, 0, observer->z_mm};
+    double to_light[3], to_eye[3], place[3];
+    bool far_light = way_to_light(emitter, plate->anchor_mm, to_light), far_eye = lx_views_along_z(observer);
+    for (int i = 0; i < 3; i++)
+        to_eye[i] = far_eye ? i == 2 : eye[i] - plate->anchor_mm[i];
+    double light_height = lx_dot(to_light, plate->axis), eye_height = lx_dot(to_eye, plate->axis);
+    if (!(light_height > 0 && eye_height > 0) || (far_light && far_eye))
+        return false;
+    /* from the nearer of the two, against the mirrored direction to the other */
+    const double *from = far_light ? to_eye : to_light, *other = far_light ? to_light : to_eye;
+    double height = far_light ? eye_height : light_height, other_height = far_light ? light_height : eye_height;
+    for (int i = 0; i < 3; i++) {
+        double mirrored = 2 * other_height * plate->axis[i] - other[i]; /* of a direction, or of a place */
+        double share = far_light || far_eye ? height / other_height : height / (height + other_height);
+        place[i] = far_light || far_eye ? from[i] - share * mirrored
+                                        : from[i] + share * (other[i] - 2 * other_height * plate->axis[i] - from[i]);
+    }
+    *spot = (struct lx_spot){surface, {lx_dot(place, plate->across), lx_dot(place, plate->upward)}};
+    return true;
+}
+
+/* Whether a brink keeps what an emitter would give at a spot from being seen. */
+static bool takes_away(const struct lx_hunt *hunt, size_t brink, size_t emitter, const struct lx_spot *spot)
+{
+    const struct lx_brink *it = &hunt->brinks[brink];
+    bool cuts = it->type == LX_BRINK_SHADOW || it->type == LX_BRINK_CONE;
+    return (lx_brink_is_wall(it) || (cuts && it->emitter == emitter)) && lx_brink_distance(hunt, it, spot) < 0;
+}
+
+/* A place where geometry puts a peak: itself or, where it is hidden, off the screen or in the shade, the next place that
+ * is not, for the peak may be narrow. */
+static void add_towards(struct lx_gathering *gathering, struct lx_spot spot, size_t emitter)
+{
+    struct lx_hunt *hunt = gathering->hunt;
+    add_place(gathering, &spot);
+    if (!lx_brinks_of(hunt, spot.surface))
+        return;
+    bool moved = false;
+    double step_mm = 1e-6 * lx_spot_shape(hunt, &spot)->radius_mm;
+    for (size_t i = 0; i < 2 * hunt->brink_count; i++) { /* twice, for where two of them meet */
+        size_t brink = i % hunt->brink_count;
+        if (!takes_away(hunt, brink, emitter, &spot))
+            continue;
+        double inward[2];
+        hunt->sides[brink] = 1;
+        struct lx_chart chart;
+        if (!lx_brink_reach(hunt, brink, &spot))
+            return;
+        chart = lx_spot_chart(hunt, &spot);
+        if (!lx_brink_inward(hunt, brink, &spot, &chart, inward))
+            return;
+        spot = lx_spot_moved(hunt, &spot, &chart, (double[]){step_mm * inward[0], step_mm * inward[1]});
+        moved = true;
+    }
+    if (moved)
+        add_if_seen(gathering, &spot);
+}
+
+/* What the middle of a light's beam hits. */
+static void add_beam(struct lx_gathering *gathering, const struct lx_emitter *emitter)
+{
+    const struct lx_prepared *prepared = gathering->hunt->prepared;
+    struct lx_ray ray;
+    values_of(&emitter->profile.axis, ray.direction);
+    memcpy(ray.origin_mm, emitter->position_mm, sizeof ray.origin_mm);
+    for (size_t i = 0; i < prepared->surface_count; i++) {
+        struct lx_hit hit = prepared->surfaces[i].kind->hit(&prepared->surfaces[i].shape, &ray);
+        double place[3], screen[2];
+        if (!hit.exists)
+            continue;
+        values_of(&hit.place_mm, place);
+        lx_screen_of(gathering->hunt, place, screen);
+        add_screen(gathering, screen);
+    }
+}
+
+static void add_light(struct lx_gathering *gathering, size_t surface, size_t index)
+{
+    struct lx_hunt *hunt = gathering->hunt;
+    const struct lx_emitter *emitter = &hunt->prepared->emitters.items[index];
+    const struct lx_shape *shape = &hunt->prepared->surfaces[surface].shape;
+    struct lx_spot spot = {.surface = surface};
+    double way[3];
+    bool endless = way_to_light(emitter, shape->anchor_mm, way);
+    if (shape->type == LX_SPHERE) {
+        memcpy(spot.at, way, sizeof way);
+        lx_normalize(spot.at);
+        add_towards(gathering, spot, index);
+        for (int i = 0; i < 3; i++)
+            spot.at[i] = -spot.at[i];
+        if (hunt->sign < 0)
+            add_towards(gathering, spot, index);
+        add_towards(gathering, mirror_on_sphere(hunt, surface, emitter), index);
+        return;
+    }
+    spot.at[0] = lx_dot(way, shape->across), spot.at[1] = lx_dot(way, shape->upward);
+    if (!endless)
+        add_towards(gathering, spot, index);
+    if (mirror_on_plate(hunt, surface, emitter, &spot))
+        add_towards(gathering, spot, index);
+}
+
+static void add_lights(struct lx_gathering *gathering)
+{
+    struct lx_hunt *hunt = gathering->hunt;
+    const struct lx_emitters *emitters = &hunt->prepared->emitters;
+    size_t most = MOST_PAIRS / hunt->prepared->surface_count;
+    most = most > MOST_LIGHTS ? MOST_LIGHTS : most > 0 ? most : 1;
+    size_t stride = emitters->count > most ? (emitters->count + most - 1) / most : 1;
+    for (size_t i = 0; i < emitters->count && lx_hunt_goes_on(hunt); i += stride) {
+        const struct lx_emitter *emitter = &emitters->items[i];
+        if (emitter->type == LX_UNIFORM)
+            continue;
+        for (size_t k = 0; k < hunt->prepared->surface_count; k++)
+            add_light(gathering, k, i);
+        if (emitter->type == LX_POINT && !(emitter->profile.falloff == LX_NO_CONE && emitter->profile.exponent == 0))
+            add_beam(gathering, emitter);
+    }
+}
+
+static int compare_seeds(const void *left, const void *right)
+{
+    const struct lx_seed *a = left, *b = right;
+    if (a->value != b->value)
+        return a->value > b->value ? -1 : 1;
+    return a->order < b->order ? -1 : a->order > b->order;
+}
+
+static void set_box(struct lx_gathering *gathering)
+{
+    const struct lx_screen *screen = &gathering->hunt->prepared->scene->screen;
+    const luxel_region *region = gathering->hunt->region;
+    double half[2] = {screen->width_mm / 2, screen->height_mm / 2};
+    for (int i = 0; i < 2; i++) {
+        gathering->low[i] = -half[i], gathering->high[i] = half[i];
+        if (!region || region->type == LUXEL_REGION_ALL)
+            continue;
+        double reach = region->type == LUXEL_REGION_CIRCLE ? region->radius_mm : region->size_mm[i] / 2;
+        gathering->low[i] = fmax(gathering->low[i], region->center_mm[i] - reach);
+        gathering->high[i] = fmin(gathering->high[i], region->center_mm[i] + reach);
+    }
+}
+
+bool lx_hunt_seeds(struct lx_hunt *hunt, const luxel_field *field, struct lx_seeds *seeds)
+{
+    struct lx_gathering gathering = {.hunt = hunt, .seeds = seeds};
+    set_box(&gathering);
+    if (!(gathering.low[0] <= gathering.high[0] && gathering.low[1] <= gathering.high[1]))
+        return true; /* the region lies off the screen */
+    add_pixels(&gathering, field);
+    add_lights(&gathering);
+    lx_gather_border(&gathering);
+    for (size_t i = 0; i < hunt->prepared->surface_count && lx_hunt_goes_on(hunt); i++) {
+        struct lx_spot middle = {.surface = i};
+        if (hunt->prepared->surfaces[i].shape.type == LX_SPHERE)
+            lx_sphere_front(hunt, i, middle.at);
+        add_place(&gathering, &middle);
+        lx_gather_rim(&gathering, i);
+    }
+    if (seeds->count > 0)
+        qsort(seeds->items, seeds->count, sizeof *seeds->items, compare_seeds);
+    return lx_hunt_goes_on(hunt);
+}
