@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /* The map of a figure: the picture in its colours, outlines, isophotes with their labels, and marks. */
 #include <math.h>
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -12,14 +13,39 @@
 static const double LINE = 0.1;   /* widths of lines, of the letters' size */
 static const double LABEL = 0.85; /* size of labels in the map */
 
-/* What has been labelled so far, so that nothing covers anything else. */
+enum { MARK_TEXT = 48 };
+
+/* A mark or a text of the map, placed before anything is drawn. */
+struct mark {
+    enum { TEXT, RING, CROSS } type;
+    char text[MARK_TEXT];
+    double x, y, across, down, angle;
+    double color[3], halo[3];
+    bool bold;
+    struct lx_box gap; /* of a label on a line: the line's room that it takes; no width: none */
+};
+
+/* All of them, with the boxes that they take, so that nothing covers anything else. */
 struct labels {
     const struct lx_figure *figure;
     const struct lx_canvas *canvas;
     const struct lx_plot *plot;
     struct lx_box boxes[LX_MOST_BOXES];
     size_t count;
+    struct mark marks[LX_MOST_BOXES];
+    size_t mark_count;
 };
+
+static struct mark *add_mark(struct labels *labels, double x, double y, const double color[3], const double halo[3])
+{
+    /* more than there is room for replace the last one */
+    labels->mark_count += labels->mark_count < LX_MOST_BOXES;
+    struct mark *mark = &labels->marks[labels->mark_count - 1];
+    *mark = (struct mark){.x = x, .y = y};
+    memcpy(mark->color, color, sizeof mark->color);
+    memcpy(mark->halo, halo, sizeof mark->halo);
+    return mark;
+}
 
 static bool fits(const struct labels *labels, const struct lx_box *box)
 {
@@ -138,8 +164,34 @@ static void trace(const struct lx_plot *plot, cairo_t *cairo, const luxel_isopho
         cairo_close_path(cairo);
 }
 
-static void draw_lines(const struct lx_figure *figure, const struct lx_canvas *canvas, const struct lx_plot *plot)
+/* Lines are left out under their labels, where they would strike out a decimal point. */
+static void clip_gaps(const struct labels *labels)
 {
+    const struct lx_box *map = &labels->plot->box;
+    cairo_t *cairo = labels->canvas->cairo;
+    cairo_rectangle(cairo, map->x, map->y, map->width, map->height);
+    for (size_t i = 0; i < labels->mark_count; i++) {
+        const struct mark *mark = &labels->marks[i];
+        if (!(mark->gap.width > 0))
+            continue;
+        cairo_save(cairo);
+        cairo_translate(cairo, mark->x, mark->y);
+        cairo_rotate(cairo, mark->angle);
+        cairo_rectangle(cairo, -mark->gap.width / 2, -mark->gap.height / 2, mark->gap.width, mark->gap.height);
+        cairo_restore(cairo);
+    }
+    cairo_set_fill_rule(cairo, CAIRO_FILL_RULE_EVEN_ODD);
+    cairo_clip(cairo);
+    cairo_set_fill_rule(cairo, CAIRO_FILL_RULE_WINDING);
+}
+
+static void draw_lines(const struct labels *labels)
+{
+    const struct lx_figure *figure = labels->figure;
+    const struct lx_canvas *canvas = labels->canvas;
+    const struct lx_plot *plot = labels->plot;
+    cairo_save(canvas->cairo);
+    clip_gaps(labels);
     cairo_set_line_join(canvas->cairo, CAIRO_LINE_JOIN_ROUND);
     for (size_t i = 0; figure->isophotes && i < figure->isophotes->count; i++) {
         const luxel_isophote *line = &figure->isophotes->lines[i];
@@ -150,6 +202,7 @@ static void draw_lines(const struct lx_figure *figure, const struct lx_canvas *c
         trace(plot, canvas->cairo, line);
         cairo_stroke(canvas->cairo);
     }
+    cairo_restore(canvas->cairo);
 }
 
 static void draw_outlines(const struct lx_figure *figure, const struct lx_canvas *canvas, const struct lx_plot *plot)
@@ -250,7 +303,7 @@ static void label_line(struct labels *labels, const luxel_isophote *line)
     struct lx_type type = {.size = LABEL * labels->plot->size, .color = color, .halo = halo};
     struct lx_box size = lx_measure(labels->canvas, text, &type);
     if (make_track(labels->plot, line, &track)) {
-        double total = track.length[track.count - 1], best = 0.6, angle = 0, middle[2] = {0, 0};
+        double total = track.length[track.count - 1], best = 1, angle = 0, middle[2] = {0, 0};
         for (int i = 1; i < TRIES; i++) {
             double there = 0, at[2], badness = try_place(labels, &track, total * i / TRIES, &size, &there, at);
             if (badness >= best)
@@ -259,9 +312,13 @@ static void label_line(struct labels *labels, const luxel_isophote *line)
             angle = there;
             memcpy(middle, at, sizeof middle);
         }
-        if (best < 0.6) {
+        if (best < 1) {
+            struct mark *mark = add_mark(labels, middle[0], middle[1], color, halo);
             labels->boxes[labels->count++] = turned_box(&size, middle[0], middle[1], angle);
-            lx_write(labels->canvas, text, &type, middle[0], middle[1], 0.5, 0.5, angle);
+            snprintf(mark->text, sizeof mark->text, "%s", text);
+            mark->across = mark->down = 0.5;
+            mark->angle = angle;
+            mark->gap = (struct lx_box){.width = size.width + 0.3 * type.size, .height = 0.8 * size.height};
         }
     }
     free(track.at);
@@ -270,8 +327,8 @@ static void label_line(struct labels *labels, const luxel_isophote *line)
 
 /* ---- marks ---- */
 
-/* A text beside a mark, on the side where there is room; false where there is none. */
-static bool label_mark(struct labels *labels, const char *text, double x, double y, const double color[3],
+/* A text beside a mark, on the side where there is room; none where there is none. */
+static void label_mark(struct labels *labels, const char *text, double x, double y, const double color[3],
                        const double halo[3])
 {
     static const double sides[][2] = {{0, 1}, {0, 0}, {1, 1}, {1, 0}, {0.5, 1.6}, {0.5, -0.6}};
@@ -284,11 +341,14 @@ static bool label_mark(struct labels *labels, const char *text, double x, double
         struct lx_box box = {left - sides[i][0] * size.width, top - sides[i][1] * size.height, size.width, size.height};
         if (!fits(labels, &box))
             continue;
+        struct mark *mark = add_mark(labels, left, top, color, halo);
         labels->boxes[labels->count++] = box;
-        lx_write(labels->canvas, text, &type, left, top, sides[i][0], sides[i][1], 0);
-        return true;
+        snprintf(mark->text, sizeof mark->text, "%s", text);
+        mark->across = sides[i][0];
+        mark->down = sides[i][1];
+        mark->bold = true;
+        return;
     }
-    return false;
 }
 
 /* The colours that stand out where a mark is. */
@@ -335,15 +395,11 @@ static void mark_maximum(struct labels *labels)
 {
     const luxel_peak *peak = &labels->figure->extrema.maximum;
     double x = lx_plot_x(labels->plot, peak->x_mm), y = lx_plot_y(labels->plot, peak->y_mm), color[3], halo[3];
-    double reach = 0.45 * labels->plot->size;
     struct lx_text text = {0};
     char number[LX_NUMBER_SIZE];
     mark_colors(labels, peak->x_mm, peak->y_mm, color, halo);
     keep_free(labels, x, y);
-    lx_color(labels->canvas, color, 1);
-    cairo_set_line_width(labels->canvas->cairo, 1.3 * LINE * labels->plot->size);
-    cairo_arc(labels->canvas->cairo, x, y, reach, 0, 2 * M_PI);
-    cairo_stroke(labels->canvas->cairo);
+    add_mark(labels, x, y, color, halo)->type = RING;
     lx_text_puts(&text, lx_figure_word(labels->figure, LX_N("max")));
     lx_text_puts(&text, " ");
     lx_text_puts(&text, lx_write_digits(peak->value, 6, number));
@@ -364,9 +420,7 @@ static void mark_points(struct labels *labels)
         double x = lx_plot_x(labels->plot, at[0]), y = lx_plot_y(labels->plot, at[1]);
         mark_colors(labels, at[0], at[1], color, halo);
         keep_free(labels, x, y);
-        lx_color(labels->canvas, color, 1);
-        cairo_set_line_width(labels->canvas->cairo, 1.3 * LINE * labels->plot->size);
-        draw_cross(labels->canvas, x, y, 0.4 * labels->plot->size);
+        add_mark(labels, x, y, color, halo)->type = CROSS;
         lx_text_printf(&name, "P%zu", i + 1);
         if (name.bytes)
             label_mark(labels, name.bytes, x, y, color, halo);
@@ -394,22 +448,53 @@ static void draw_section_lines(const struct lx_figure *figure, const struct lx_c
     cairo_set_dash(canvas->cairo, NULL, 0, 0);
 }
 
+static void draw_mark(const struct labels *labels, const struct mark *mark)
+{
+    const struct lx_canvas *canvas = labels->canvas;
+    const struct lx_type type = {
+        .size = LABEL * labels->plot->size, .color = mark->color, .halo = mark->halo, .bold = mark->bold};
+    lx_color(canvas, mark->color, 1);
+    cairo_set_line_width(canvas->cairo, 1.3 * LINE * labels->plot->size);
+    if (mark->type == RING) {
+        cairo_arc(canvas->cairo, mark->x, mark->y, 0.45 * labels->plot->size, 0, 2 * M_PI);
+        cairo_stroke(canvas->cairo);
+    } else if (mark->type == CROSS) {
+        draw_cross(canvas, mark->x, mark->y, 0.4 * labels->plot->size);
+    } else {
+        lx_write(canvas, mark->text, &type, mark->x, mark->y, mark->across, mark->down, mark->angle);
+    }
+}
+
+/* Marks first, then the labels of lines, where there is room left. */
+static void place_labels(struct labels *labels)
+{
+    const struct lx_figure *figure = labels->figure;
+    const luxel_peak *peak = &figure->extrema.maximum;
+    if (figure->settings.extrema && peak->exists && peak->value > 0 && peak->place != LUXEL_PEAK_PLATEAU)
+        mark_maximum(labels);
+    if (figure->settings.points)
+        mark_points(labels);
+    for (size_t i = 0; figure->isophotes && i < figure->isophotes->count; i++)
+        label_line(labels, &figure->isophotes->lines[i]);
+}
+
 void lx_draw_map(const struct lx_figure *figure, const struct lx_canvas *canvas, const struct lx_plot *plot)
 {
-    struct labels labels = {.figure = figure, .canvas = canvas, .plot = plot};
-    const luxel_peak *peak = &figure->extrema.maximum;
+    struct labels *labels = lx_new_array(1, sizeof *labels);
     cairo_save(canvas->cairo);
     cairo_rectangle(canvas->cairo, plot->box.x, plot->box.y, plot->box.width, plot->box.height);
     cairo_clip(canvas->cairo);
     draw_image(figure, canvas, plot);
-    draw_lines(figure, canvas, plot);
-    draw_outlines(figure, canvas, plot);
     draw_section_lines(figure, canvas, plot);
-    if (figure->settings.extrema && peak->exists && peak->value > 0 && peak->place != LUXEL_PEAK_PLATEAU)
-        mark_maximum(&labels);
-    if (figure->settings.points)
-        mark_points(&labels);
-    for (size_t i = 0; figure->isophotes && i < figure->isophotes->count; i++)
-        label_line(&labels, &figure->isophotes->lines[i]);
+    if (labels) {
+        *labels = (struct labels){.figure = figure, .canvas = canvas, .plot = plot};
+        place_labels(labels);
+        draw_lines(labels);
+    }
+    draw_outlines(figure, canvas, plot);
+    if (labels)
+        for (size_t i = 0; i < labels->mark_count; i++)
+            draw_mark(labels, &labels->marks[i]);
     cairo_restore(canvas->cairo);
+    free(labels);
 }

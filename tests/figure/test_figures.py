@@ -1,0 +1,162 @@
+# SPDX-License-Identifier: MIT
+"""luxel figure and luxel report: every built-in scene in every format, sizes, texts and fonts, the same bytes again, even
+palettes, and what is refused.  test_figures.py LUXEL, on the path of the tests of the command line."""
+import math
+import re
+import struct
+import subprocess
+import xml.etree.ElementTree as ElementTree
+import zlib
+
+from tap import Tap
+from tool import run_tests
+
+
+def png_parts(data):
+    """Width, height, dots per metre and the rows of an 8-bit RGB picture."""
+    at, parts = 8, {}
+    while at < len(data):
+        length, kind = struct.unpack(">I4s", data[at:at + 8])
+        parts[kind] = parts.get(kind, b"") + data[at + 8:at + 8 + length]
+        at += 12 + length
+    width, height, depth, color = struct.unpack(">IIBB", parts[b"IHDR"][:10])
+    assert (depth, color) == (8, 2)
+    raw, stride = zlib.decompress(parts[b"IDAT"]), 3 * width + 1
+    rows = [raw[i * stride + 1:(i + 1) * stride] for i in range(height)]
+    assert not any(raw[i * stride] for i in range(height))  # no filters
+    return width, height, struct.unpack(">I", parts[b"pHYs"][:4])[0], rows
+
+
+def text_of(tool, name):
+    return subprocess.run(["pdftotext", "-layout", tool.file(name), "-"], capture_output=True, text=True,
+                          check=True).stdout
+
+
+def builtin_scenes(tool):
+    return re.findall(r"^([a-z-]+) +", tool.run("scene", "--list").out, re.M)
+
+
+def every_scene(tap, tool):
+    names = builtin_scenes(tool)
+    tap.ok(len(names) >= 14, "built-in scenes", names)
+    for name in names:
+        result = tool.run("figure", name, "-o", "f.png", "-o", "f.svg", "-o", "f.pdf", "--section=maximum")
+        tap.equal((result.code, result.out, result.err), (0, "", ""), "figures of " + name)
+        width, height, density, rows = png_parts(tool.read("f.png"))
+        tap.equal((width, density), (round(160 / 25.4 * 200), round(200 / 0.0254)), "%s: as wide as asked for" % name)
+        tap.ok(0.5 < height / width < 3 and len({bytes(row) for row in rows}) > 100, "%s: something is drawn" % name)
+        ElementTree.fromstring(tool.read("f.svg"))
+        text = text_of(tool, "f.pdf")
+        unit = tool.run("render", name, "--json").json()["unit"]
+        tap.ok("brightness, " + unit in " ".join(text.split()) and "mm" in text, "%s: labels with units" % name, text)
+
+
+def numbers(tap, tool):
+    """What stands in the figure is what the other commands say."""
+    tool.run("figure", "-o", "f.pdf", "--levels", "2.5,6.25", "--title", "Two <levels> & a title")
+    text = text_of(tool, "f.pdf")
+    maximum = tool.run("stats", "--json").json()["maximum"]["value"]
+    tap.ok("max %.6g" % maximum in text, "the true maximum", text)
+    # turned labels come out letter by letter
+    tap.ok(re.search(r"25\s+6\.", text) and "Two <levels> & a title" in text, "levels and title", text)
+    tap.ok("highlight plain" in text and "point (2000, 0, 2000) mm, 10 W/sr" in text, "small print", text)
+    fonts = subprocess.run(["pdffonts", tool.file("f.pdf")], capture_output=True, text=True, check=True).stdout
+    embedded = [line.split()[-5] for line in fonts.splitlines()[2:]]
+    tap.ok(embedded and set(embedded) == {"yes"}, "fonts are embedded", fonts)
+
+
+def repeated(tap, tool):
+    for ending in ("png", "svg", "pdf"):
+        for name in ("a", "b"):
+            tool.run("figure", "three-lights", "-o", "%s.%s" % (name, ending), "--threads", "1" if name == "a" else "5")
+        tap.equal(tool.read("a." + ending), tool.read("b." + ending), "the same bytes again: ." + ending)
+    for ending in ("pdf", "html", "md", "tex"):
+        for name in ("a", "b"):
+            result = tool.run("report", "-o", "%s.%s" % (name, ending), "--author", "Ann <b> $x$ \\O")
+            tap.equal((result.code, result.err), (0, ""), "a report ." + ending)
+        tap.equal(tool.read("a." + ending), tool.read("b." + ending), "the same bytes again: report." + ending)
+
+
+def shapes(tap, tool):
+    """Wide and high screens, narrow paper, marks and bands: drawn, and as large as asked for."""
+    for size, resolution in (("width=1500", "200,40"), ("height=1500", "40,200")):
+        other = "screen.height=300" if size.startswith("width") else "screen.width=300"
+        for paper in (60, 90, 300):
+            result = tool.run("figure", "-s", "screen." + size, "-s", other, "-s", "screen.resolution=[%s]" % resolution,
+                              "-o", "f.png", "--width", str(paper), "--dpi", "100", "--section")
+            tap.equal((result.code, result.err), (0, ""), "%s on %d mm" % (size, paper))
+            tap.equal(png_parts(tool.read("f.png"))[0], round(paper / 25.4 * 100), "its width")
+    for option in ("--bands", "--lines", "--plain", "--log", "--dark", "--stacked", "--no-extrema", "--no-points"):
+        result = tool.run("figure", "three-lights", "-o", option + ".png", option, "--dpi", "60", "--section")
+        tap.equal((result.code, result.err), (0, ""), option)
+    plain = tool.read("--plain.png")
+    tap.ok(all(tool.read(option + ".png") != plain for option in ("--bands", "--lines", "--log", "--dark")),
+           "which changes the picture")
+
+
+def lightness(color):
+    """CIE L* of an sRGB colour of 0 to 255."""
+    linear = [c / 255 / 12.92 if c <= 10.31 else ((c / 255 + 0.055) / 1.055) ** 2.4 for c in color]
+    y = 0.2126 * linear[0] + 0.7152 * linear[1] + 0.0722 * linear[2]
+    return 116 * y ** (1 / 3) - 16 if y > 0.008856 else 903.3 * y
+
+
+def palettes(tap, tool):
+    """The bar's colours: their lightness rises evenly, but for the one with a middle."""
+    names = re.findall(r"^  (\w+)", tool.run("figure", "--palettes").out, re.M)
+    tap.ok({"viridis", "cividis", "inferno", "magma", "plasma", "grey", "coolwarm"} <= set(names), "palettes", names)
+    for name in names:
+        tool.run("figure", "distant", "-o", "f.png", "--palette", name, "--plain")
+        width, height, _, rows = png_parts(tool.read("f.png"))
+        # the column of the bar: the one with the most different colours in a row without repeats
+        column = max(range(int(width * 0.8), width), key=lambda x: len({row[3 * x:3 * x + 3] for row in rows}))
+        colors = [tuple(row[3 * column:3 * column + 3]) for row in rows]
+        first, last = min(i for i, c in enumerate(colors) if c != (255, 255, 255)), None
+        last = max(i for i, c in enumerate(colors[:int(height * 0.88)]) if c != (255, 255, 255))
+        steps = [lightness(c) for c in colors[first + 4:last - 4]]
+        changes = [a - b for a, b in zip(steps, steps[1:])]
+        if name != "coolwarm":
+            tap.ok(min(changes) > -0.8, "%s: never darker towards higher values" % name, min(changes))
+            tap.ok(steps[0] - steps[-1] > 55, "%s: from dark to light" % name, steps[0], steps[-1])
+
+
+REFUSED = [
+    (["figure"], "needs a file"),
+    (["figure", "-o", "f.bmp"], "known endings: .png, .svg, .pdf"),
+    (["figure", "-o", "f.png", "--palette", "jet"], "the palettes are viridis"),
+    (["figure", "-o", "f.png", "--width", "5"], "40 to 1000"),
+    (["figure", "-o", "f.png", "--dpi", "5"], "30 to 2400"),
+    (["figure", "-o", "f.png", "--bands", "--lines"], "only one"),
+    (["figure", "-o", "f.png", "--section=top"], "center, maximum or X,Y"),
+    (["figure", "-o", "f.png", "--section=0,9000"], "does not cross"),
+    (["figure", "-o", "f.png", "--log", "--scale", "0,5"], "above 0"),
+    (["report"], "needs a file"),
+    (["report", "-o", "r.doc"], "known endings: .pdf"),
+]
+
+
+def refused(tap, tool):
+    for arguments, words in REFUSED:
+        result = tool.run(*arguments)
+        tap.equal((result.code, result.out), (2, ""), "refused: " + " ".join(arguments))
+        tap.ok(words in result.err, "and said why", result.err)
+    result = tool.run("figure", "-o", "nowhere/f.png")
+    tap.equal(result.code, 4, "a folder that is not there")
+    tap.equal(tool.files(), [], "nothing was written")
+
+
+def reports(tap, tool):
+    for name in builtin_scenes(tool):
+        result = tool.run("report", name, "-o", "r.pdf", "-o", "r.html", "--author", "A. Student", "--group", "4321")
+        tap.equal((result.code, result.out, result.err), (0, "", ""), "report on " + name)
+        text, page = " ".join(text_of(tool, "r.pdf").split()), tool.read("r.html").decode()
+        for i, point in enumerate(tool.run("probe", name, "--json").json()["points"]):
+            if point["value"]:
+                tap.ok("%.12g" % point["value"] in text and "%.12g" % point["value"] in page,
+                       "%s: the value of P%d" % (name, i + 1), text[:3000])
+        maximum = tool.run("stats", name, "--json").json()["maximum"]["value"]
+        tap.ok("%.7g" % maximum in page, "%s: the true maximum" % name)
+        tap.ok(not re.search(r"(src|href)=\"(?!data:|#)", page) and "<script" not in page, "%s: no outside links" % name)
+
+
+run_tests(Tap(), every_scene, numbers, repeated, shapes, palettes, refused, reports)
