@@ -79,9 +79,9 @@ struct command {
 
 extern const struct command command_render, command_probe, command_grid, command_check, command_scene, command_set,
     command_schema, command_help, command_figure, command_report, command_stats, command_profile, command_compare,
-    command_isophotes;
+    command_isophotes, command_explain, command_advise, command_variant, command_grade;
 
-enum { COMMAND_COUNT = 14 };
+enum { COMMAND_COUNT = 18 };
 
 /* All of them, in the order of the help. */
 extern const struct command *const commands[COMMAND_COUNT];

@@ -62,11 +62,23 @@ bool lx_block_goes_on(const struct luxel_document *document, size_t i);
 /* The text of pieces as a reader of plain text sees it: formulas in Unicode. */
 void lx_pieces_add_plain(struct lx_text *text, const struct lx_pieces *pieces);
 
+/* The columns that a text takes on a terminal; marks above letters take none. */
+size_t lx_width_of(const char *text, size_t length);
+
+/*
+ * The room of each of the columns of words that must break their lines, of a table whose columns are so wide; those
+ * that are no wider fit.  `line` is what there is, `gap` what stands between two columns.
+ */
+size_t lx_table_room(const char *alignment, const size_t *widths, size_t line, size_t gap);
+
 /* The writers: each adds the whole document. */
 void lx_document_write_plain(const struct luxel_document *document, struct lx_text *text);
 void lx_document_write_markdown(const struct luxel_document *document, struct lx_text *text);
 void lx_document_write_latex(const struct luxel_document *document, struct lx_text *text);
 void lx_document_write_html(const struct luxel_document *document, struct lx_text *text);
+
+/* Adds a formula for LaTeX and its like; in a table of Markdown, | would end the cell. */
+void lx_add_tex_formula(struct lx_text *text, const char *notation, bool in_cell);
 
 /* Adds a picture as the address that holds it: data:image/png;base64,... */
 void lx_add_data_address(struct lx_text *text, const unsigned char *bytes, size_t length);

@@ -6,6 +6,7 @@
 #include "../base/memory.h"
 #include "../base/phrase.h"
 #include "blocks.h"
+#include "formula.h"
 
 static const char *translated(const struct luxel_document *document, const char *english)
 {
@@ -95,6 +96,17 @@ bool lx_block_goes_on(const struct luxel_document *document, size_t i)
     return i + 1 < document->block_count && document->blocks[i + 1].type == document->blocks[i].type;
 }
 
+/* Whether the notation of a formula can be read; LaTeX and Markdown would hand on whatever it is. */
+static bool is_formula(struct luxel_document *document, const char *notation)
+{
+    size_t at = 0;
+    struct lx_formula *formula = lx_formula_parse(notation, &at);
+    bool read = formula != NULL;
+    document->failed = document->failed || (!read && at == SIZE_MAX);
+    lx_formula_free(formula);
+    return read;
+}
+
 /* ---- pieces ---- */
 
 static void add_piece(struct luxel_document *document, struct lx_pieces *pieces, enum lx_span_type type,
@@ -130,6 +142,8 @@ static void add_span(struct luxel_document *document, struct lx_pieces *pieces, 
         return;
     }
     const char *text = is_term ? translated(document, span->text) : span->text;
+    if (type == LX_SPAN_FORMULA && !is_formula(document, text))
+        type = LX_SPAN_CODE;
     add_piece(document, pieces, type, text, strlen(text));
 }
 
@@ -227,7 +241,7 @@ void lx_document_item(struct luxel_document *document, const char *english, cons
 
 void lx_document_formula(struct luxel_document *document, const char *formula)
 {
-    add_text(document, LX_BLOCK_FORMULA, formula);
+    add_text(document, is_formula(document, formula) ? LX_BLOCK_FORMULA : LX_BLOCK_CODE, formula);
 }
 
 void lx_document_code(struct luxel_document *document, const char *text)

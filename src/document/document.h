@@ -20,7 +20,7 @@ enum lx_span_type {
     LX_SPAN_PLAIN,   /* a text as it is: a number, a name of the user */
     LX_SPAN_TERM,    /* an English constant, translated */
     LX_SPAN_CODE,    /* a key, a command, a file: as typed */
-    LX_SPAN_FORMULA, /* see formula.h */
+    LX_SPAN_FORMULA, /* see formula.h; shown as code if it is not in that notation */
     LX_SPAN_STRONG   /* a translated term that is to be noticed */
 };
 

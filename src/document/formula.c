@@ -10,9 +10,9 @@
 enum { DEEPEST = 40 };
 
 struct parser {
-    const char *start, *at;
+    const char *at;
     int depth;
-    bool failed;
+    bool failed, starved; /* no more of it is parsed; because memory ran out */
 };
 
 void lx_formula_free(struct lx_formula *formula)
@@ -42,7 +42,7 @@ static struct lx_formula *new_formula(struct parser *parser, enum lx_formula_typ
     if (made && !made->children)
         made->count = 0;
     lx_formula_free(made);
-    parser->failed = true;
+    parser->failed = parser->starved = true;
     return NULL;
 }
 
@@ -58,7 +58,7 @@ static void append(struct parser *parser, struct lx_formula *row, struct lx_form
     struct lx_formula **longer = realloc(row->children, (row->count + 1) * sizeof *longer);
     if (!longer) {
         lx_formula_free(child);
-        parser->failed = true;
+        parser->failed = parser->starved = true;
         return;
     }
     row->children = longer;
@@ -79,25 +79,25 @@ static const struct word words[] = {
     {"le", LX_FORMULA_OPERATOR, "≤", 0},         {"ge", LX_FORMULA_OPERATOR, "≥", 0},
     {"ne", LX_FORMULA_OPERATOR, "≠", 0},         {"approx", LX_FORMULA_OPERATOR, "≈", 0},
     {"pm", LX_FORMULA_OPERATOR, "±", 0},         {"to", LX_FORMULA_OPERATOR, "→", 0},
-    {"infty", LX_FORMULA_UPRIGHT, "∞", 0},       {"degree", LX_FORMULA_UPRIGHT, "°", 0},
-    {"sum", LX_FORMULA_UPRIGHT, "∑", 0},         {"int", LX_FORMULA_UPRIGHT, "∫", 0},
-    {"max", LX_FORMULA_UPRIGHT, "max", 0},       {"min", LX_FORMULA_UPRIGHT, "min", 0},
-    {"cos", LX_FORMULA_UPRIGHT, "cos", 0},       {"sin", LX_FORMULA_UPRIGHT, "sin", 0},
-    {"tan", LX_FORMULA_UPRIGHT, "tan", 0},       {"log", LX_FORMULA_UPRIGHT, "log", 0},
-    {"exp", LX_FORMULA_UPRIGHT, "exp", 0},       {"arctan", LX_FORMULA_UPRIGHT, "arctan", 0},
-    {"arccos", LX_FORMULA_UPRIGHT, "arccos", 0}, {"alpha", LX_FORMULA_LETTER, "α", 0},
-    {"beta", LX_FORMULA_LETTER, "β", 0},         {"gamma", LX_FORMULA_LETTER, "γ", 0},
-    {"delta", LX_FORMULA_LETTER, "δ", 0},        {"varepsilon", LX_FORMULA_LETTER, "ε", 0},
-    {"eta", LX_FORMULA_LETTER, "η", 0},          {"theta", LX_FORMULA_LETTER, "θ", 0},
-    {"lambda", LX_FORMULA_LETTER, "λ", 0},       {"mu", LX_FORMULA_LETTER, "μ", 0},
-    {"nu", LX_FORMULA_LETTER, "ν", 0},           {"pi", LX_FORMULA_LETTER, "π", 0},
-    {"rho", LX_FORMULA_LETTER, "ρ", 0},          {"sigma", LX_FORMULA_LETTER, "σ", 0},
-    {"tau", LX_FORMULA_LETTER, "τ", 0},          {"varphi", LX_FORMULA_LETTER, "φ", 0},
-    {"omega", LX_FORMULA_LETTER, "ω", 0},        {"Delta", LX_FORMULA_UPRIGHT, "Δ", 0},
-    {"Sigma", LX_FORMULA_UPRIGHT, "Σ", 0},       {"Phi", LX_FORMULA_UPRIGHT, "Φ", 0},
-    {"Omega", LX_FORMULA_UPRIGHT, "Ω", 0},       {"lfloor", LX_FORMULA_FENCE, "⌊", 0},
-    {"rfloor", LX_FORMULA_FENCE, "⌋", 0},        {"quad", LX_FORMULA_SPACE, "", 1},
-    {"qquad", LX_FORMULA_SPACE, "", 2},
+    {"perp", LX_FORMULA_UPRIGHT, "⊥", 0},        {"infty", LX_FORMULA_UPRIGHT, "∞", 0},
+    {"degree", LX_FORMULA_UPRIGHT, "°", 0},      {"sum", LX_FORMULA_UPRIGHT, "∑", 0},
+    {"int", LX_FORMULA_UPRIGHT, "∫", 0},         {"max", LX_FORMULA_UPRIGHT, "max", 0},
+    {"min", LX_FORMULA_UPRIGHT, "min", 0},       {"cos", LX_FORMULA_UPRIGHT, "cos", 0},
+    {"sin", LX_FORMULA_UPRIGHT, "sin", 0},       {"tan", LX_FORMULA_UPRIGHT, "tan", 0},
+    {"log", LX_FORMULA_UPRIGHT, "log", 0},       {"exp", LX_FORMULA_UPRIGHT, "exp", 0},
+    {"arctan", LX_FORMULA_UPRIGHT, "arctan", 0}, {"arccos", LX_FORMULA_UPRIGHT, "arccos", 0},
+    {"alpha", LX_FORMULA_LETTER, "α", 0},        {"beta", LX_FORMULA_LETTER, "β", 0},
+    {"gamma", LX_FORMULA_LETTER, "γ", 0},        {"delta", LX_FORMULA_LETTER, "δ", 0},
+    {"varepsilon", LX_FORMULA_LETTER, "ε", 0},   {"eta", LX_FORMULA_LETTER, "η", 0},
+    {"theta", LX_FORMULA_LETTER, "θ", 0},        {"lambda", LX_FORMULA_LETTER, "λ", 0},
+    {"mu", LX_FORMULA_LETTER, "μ", 0},           {"nu", LX_FORMULA_LETTER, "ν", 0},
+    {"pi", LX_FORMULA_LETTER, "π", 0},           {"rho", LX_FORMULA_LETTER, "ρ", 0},
+    {"sigma", LX_FORMULA_LETTER, "σ", 0},        {"tau", LX_FORMULA_LETTER, "τ", 0},
+    {"varphi", LX_FORMULA_LETTER, "φ", 0},       {"omega", LX_FORMULA_LETTER, "ω", 0},
+    {"Delta", LX_FORMULA_UPRIGHT, "Δ", 0},       {"Sigma", LX_FORMULA_UPRIGHT, "Σ", 0},
+    {"Phi", LX_FORMULA_UPRIGHT, "Φ", 0},         {"Omega", LX_FORMULA_UPRIGHT, "Ω", 0},
+    {"lfloor", LX_FORMULA_FENCE, "⌊", 0},        {"rfloor", LX_FORMULA_FENCE, "⌋", 0},
+    {"quad", LX_FORMULA_SPACE, "", 1},           {"qquad", LX_FORMULA_SPACE, "", 2},
 };
 
 /* Commands of which the braces hold words or a letter. */
@@ -124,7 +124,7 @@ static const struct word *find_word(const struct word *list, size_t count, const
 
 /* ---- the grammar ---- */
 
-static struct lx_formula *parse_row(struct parser *parser, const char *ends);
+static struct lx_formula *parse_row(struct parser *parser);
 
 static bool take(struct parser *parser, const char *text)
 {
@@ -148,17 +148,17 @@ static struct lx_formula *parse_braces(struct parser *parser)
         parser->failed = true;
         return NULL;
     }
-    struct lx_formula *row = parse_row(parser, "}");
+    struct lx_formula *row = parse_row(parser);
     if (!take(parser, "}"))
         parser->failed = true;
     return row;
 }
 
-/* \mathbf{N}: the braces hold plain characters. */
+/* \mathbf{N}: the braces hold plain characters, none of which means anything in LaTeX. */
 static struct lx_formula *parse_lettered(struct parser *parser, enum lx_formula_type type)
 {
     const char *start = parser->at + 1;
-    size_t length = *parser->at == '{' ? strcspn(start, "{}") : 0;
+    size_t length = *parser->at == '{' ? strcspn(start, "{}\\$&#^_~%\"\n") : 0;
     if (*parser->at != '{' || start[length] != '}') {
         parser->failed = true;
         return NULL;
@@ -176,18 +176,36 @@ static struct lx_formula *parse_parts(struct parser *parser, enum lx_formula_typ
     return made;
 }
 
-/* \left( and \right): a bracket as tall as what it holds. */
-static struct lx_formula *parse_tall_fence(struct parser *parser)
+/* Behind \left or \right: a bracket as tall as what the two hold. */
+static struct lx_formula *parse_tall_fence(struct parser *parser, bool closes)
 {
     if (!*parser->at || !strchr("()[]|.", *parser->at)) {
         parser->failed = true;
         return NULL;
     }
     struct lx_formula *made = new_formula(parser, LX_FORMULA_FENCE, parser->at, *parser->at == '.' ? 0 : 1, 0);
-    if (made)
+    if (made) {
         made->tall = true;
+        made->closes = closes;
+    }
     parser->at++;
     return made;
+}
+
+/* Behind \left: a row of its own, to which what stands below and above belongs. */
+static struct lx_formula *parse_fenced(struct parser *parser)
+{
+    struct lx_formula *row = new_formula(parser, LX_FORMULA_ROW, NULL, 0, 0);
+    if (!row)
+        return NULL;
+    append(parser, row, parse_tall_fence(parser, false));
+    if (!parser->failed)
+        append(parser, row, parse_row(parser));
+    if (!parser->failed && take(parser, "\\right"))
+        append(parser, row, parse_tall_fence(parser, true));
+    else
+        parser->failed = true;
+    return row;
 }
 
 static struct lx_formula *parse_space(struct parser *parser, double width)
@@ -218,6 +236,8 @@ static struct lx_formula *parse_command(struct parser *parser)
         struct lx_formula *made = sign(parser, word->type, word->text);
         if (made)
             made->width = word->width;
+        if (made && word->type == LX_FORMULA_FENCE)
+            made->closes = *word->name == 'r';
         return made;
     }
     if (letters)
@@ -228,8 +248,8 @@ static struct lx_formula *parse_command(struct parser *parser)
         return parse_parts(parser, LX_FORMULA_FRACTION, NULL, 2);
     if (length == 4 && strncmp(name, "sqrt", 4) == 0)
         return parse_parts(parser, LX_FORMULA_ROOT, NULL, 1);
-    if ((length == 4 && strncmp(name, "left", 4) == 0) || (length == 5 && strncmp(name, "right", 5) == 0))
-        return parse_tall_fence(parser);
+    if (length == 4 && strncmp(name, "left", 4) == 0)
+        return parse_fenced(parser);
     parser->at = name;
     parser->failed = true;
     return NULL;
@@ -255,7 +275,7 @@ static struct lx_formula *parse_nucleus(struct parser *parser)
         return parse_braces(parser);
     if (c >= '0' && c <= '9')
         return parse_number(parser);
-    if (c == '&') {
+    if (c == '&' && parser->depth == 1) {
         parser->at++;
         return parse_space(parser, 0);
     }
@@ -271,17 +291,19 @@ static struct lx_formula *parse_nucleus(struct parser *parser)
         return new_formula(parser, LX_FORMULA_OPERATOR, start, 1, 0);
     }
     if (c && strchr("()[]|,.;:!'", c)) {
+        struct lx_formula *made =
+            new_formula(parser, strchr("()[]|", c) ? LX_FORMULA_FENCE : LX_FORMULA_UPRIGHT, start, 1, 0);
+        if (made)
+            made->closes = c == ')' || c == ']';
         parser->at++;
-        return new_formula(parser, strchr("()[]|", c) ? LX_FORMULA_FENCE : LX_FORMULA_UPRIGHT, start, 1, 0);
+        return made;
     }
-    uint32_t code;
-    size_t length = lx_next_character(parser->at, strlen(parser->at), &code);
-    if (length < 2) {
-        parser->failed = true;
-        return NULL;
-    }
-    parser->at += length;
-    return new_formula(parser, LX_FORMULA_UPRIGHT, start, length, 0);
+    if (take(parser, "⊥"))
+        return sign(parser, LX_FORMULA_UPRIGHT, "⊥");
+    if (take(parser, "°"))
+        return sign(parser, LX_FORMULA_UPRIGHT, "°");
+    parser->failed = true;
+    return NULL;
 }
 
 /* What stands below or above: a group, or one sign. */
@@ -312,19 +334,23 @@ static struct lx_formula *parse_scripted(struct parser *parser)
     return made;
 }
 
-/* Signs up to one of `ends` or a new line. */
-static struct lx_formula *parse_row(struct parser *parser, const char *ends)
+static bool ends_row(const char *at)
+{
+    return !*at || *at == '}' || strncmp(at, "\\\\", 2) == 0 || strncmp(at, "\\right", 6) == 0;
+}
+
+/* Signs up to a closing brace, a new line or a \right. */
+static struct lx_formula *parse_row(struct parser *parser)
 {
     struct lx_formula *row = new_formula(parser, LX_FORMULA_ROW, NULL, 0, 0);
     if (!row || ++parser->depth > DEEPEST) {
         parser->failed = true;
         return row;
     }
-    for (skip_blanks(parser); *parser->at && !strchr(ends, *parser->at) && strncmp(parser->at, "\\\\", 2) != 0;
-         skip_blanks(parser)) {
+    for (skip_blanks(parser); !ends_row(parser->at); skip_blanks(parser)) {
         append(parser, row, parse_scripted(parser));
         if (parser->failed)
-            break;
+            return row;
     }
     parser->depth--;
     return row;
@@ -332,11 +358,11 @@ static struct lx_formula *parse_row(struct parser *parser, const char *ends)
 
 struct lx_formula *lx_formula_parse(const char *notation, size_t *at)
 {
-    struct parser parser = {.start = notation, .at = notation};
+    struct parser parser = {.at = notation};
     struct lx_formula *lines = new_formula(&parser, LX_FORMULA_LINES, NULL, 0, 0);
     while (lines && !parser.failed) {
-        append(&parser, lines, parse_row(&parser, "}"));
-        if (!take(&parser, "\\\\"))
+        append(&parser, lines, parse_row(&parser));
+        if (parser.failed || !take(&parser, "\\\\"))
             break;
     }
     if (!parser.failed && !*parser.at) {
@@ -348,7 +374,46 @@ struct lx_formula *lx_formula_parse(const char *notation, size_t *at)
         return only;
     }
     if (at)
-        *at = (size_t)(parser.at - notation);
+        *at = parser.starved ? SIZE_MAX : (size_t)(parser.at - notation);
     lx_formula_free(lines);
     return NULL;
+}
+
+/* ---- what writers ask ---- */
+
+const struct lx_formula *lx_formula_nucleus(const struct lx_formula *formula)
+{
+    return formula->type == LX_FORMULA_SCRIPTS ? formula->children[0] : formula;
+}
+
+bool lx_formula_is_fence(const struct lx_formula *formula, bool closes)
+{
+    return formula->type == LX_FORMULA_FENCE && strcmp(formula->text, "|") != 0 && formula->closes == closes;
+}
+
+bool lx_formula_is_word(const struct lx_formula *formula)
+{
+    const struct lx_formula *name = lx_formula_nucleus(formula);
+    char first = name->type == LX_FORMULA_UPRIGHT ? name->text[0] : '\0';
+    return ((first >= 'A' && first <= 'Z') || (first >= 'a' && first <= 'z')) && name->text[1];
+}
+
+bool lx_formula_is_comma(const struct lx_formula *formula)
+{
+    return formula->type == LX_FORMULA_UPRIGHT && (strcmp(formula->text, ",") == 0 || strcmp(formula->text, ";") == 0);
+}
+
+bool lx_formula_is_sign(const struct lx_formula *row, size_t i)
+{
+    const char *sign = row->children[i]->text;
+    size_t k = i;
+    if (row->children[i]->type != LX_FORMULA_OPERATOR ||
+        (strcmp(sign, "−") != 0 && strcmp(sign, "+") != 0 && strcmp(sign, "±") != 0))
+        return false;
+    while (k > 0 && row->children[k - 1]->type == LX_FORMULA_SPACE)
+        k--;
+    if (k == 0)
+        return true;
+    const struct lx_formula *before = row->children[k - 1];
+    return before->type == LX_FORMULA_OPERATOR || lx_formula_is_fence(before, false) || lx_formula_is_comma(before);
 }

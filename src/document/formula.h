@@ -3,10 +3,11 @@
  * Formulas, written in a small part of LaTeX's notation and put out as Unicode in one line, as MathML, or as boxes that
  * a canvas draws.  LaTeX takes the notation as it is.
  *
- * The notation: letters (italic), numbers, + - = < > ( ) [ ] | , / and spaces as LaTeX has them; a_{b}, a^{b},
- * \frac{a}{b}, \sqrt{a}, \sum_{i=1}^{n}, \left( \right) and \left| \right|, \mathbf{a} (vectors), \mathrm{a} (upright),
- * \text{words}, \vec{a}, \hat{a}, \dot products \cdot and \times, \le \ge \ne \approx \pm \to \infty \degree,
- * \max \min \cos \sin \log \exp \arctan, Greek letters, \qquad \quad \, and \\ with & for lines of an aligned whole.
+ * The notation: letters (italic), numbers, + - = < > ( ) [ ] | , . ; : ! ' / ⊥ ° and blanks, which mean nothing; a_{b},
+ * a^{b}; \frac{a}{b}, \sqrt{a}; \sum and \int; \left( \right) with ( [ | or nothing (.) in pairs; \mathbf{a} (vectors),
+ * \mathrm{a} (upright), \text{words}, the braces of which hold plain characters; \vec{a}, \hat{a}; \cdot \times \le \ge
+ * \ne \approx \pm \to \infty \perp \degree \lfloor \rfloor; \max \min \cos \sin \tan \log \exp \arctan \arccos; Greek
+ * letters; \qquad \quad \, \; and \% ; \\ parts the lines of a whole, each aligned at its &.
  */
 #ifndef LX_DOCUMENT_FORMULA_H
 #define LX_DOCUMENT_FORMULA_H
@@ -35,16 +36,29 @@ enum lx_formula_type {
 
 struct lx_formula {
     enum lx_formula_type type;
-    char *text; /* UTF-8 of what shows a sign */
-    bool tall;
+    char *text;        /* UTF-8 of what shows a sign */
+    bool tall, closes; /* of a fence; whether it ends what it holds */
     double width;
     size_t count;
     struct lx_formula **children; /* some may be NULL */
 };
 
-/* The tree of a formula, or NULL: memory ran out, or it is not in the notation (then `at` tells where). */
+/*
+ * The tree of a formula, or NULL: it is not in the notation, then `at` (NULL: not wanted) tells where; or memory ran
+ * out, then it is SIZE_MAX.
+ */
 struct lx_formula *lx_formula_parse(const char *notation, size_t *at);
 void lx_formula_free(struct lx_formula *formula);
+
+/* The sign that bears what stands below and above it; the formula itself where nothing does. */
+const struct lx_formula *lx_formula_nucleus(const struct lx_formula *formula);
+/* A bracket that opens or closes; | is neither. */
+bool lx_formula_is_fence(const struct lx_formula *formula, bool closes);
+/* cos, max with its scripts, mm: upright words, which stand apart from their neighbours. */
+bool lx_formula_is_word(const struct lx_formula *formula);
+bool lx_formula_is_comma(const struct lx_formula *formula);
+/* Whether the i-th of a row is a sign rather than an operation: −a, (−2), = ±1. */
+bool lx_formula_is_sign(const struct lx_formula *row, size_t i);
 
 /* Adds the formula in one line of Unicode: "I / r²", "√(a + b)". */
 void lx_formula_add_text(struct lx_text *text, const struct lx_formula *formula);

@@ -12,9 +12,9 @@ struct script {
 static const struct script scripts[] = {
     {"0", "₀", "⁰"}, {"1", "₁", "¹"}, {"2", "₂", "²"}, {"3", "₃", "³"}, {"4", "₄", "⁴"}, {"5", "₅", "⁵"},
     {"6", "₆", "⁶"}, {"7", "₇", "⁷"}, {"8", "₈", "⁸"}, {"9", "₉", "⁹"}, {"−", "₋", "⁻"}, {"+", "₊", "⁺"},
-    {"n", "ₙ", "ⁿ"}, {"i", "ᵢ", "ⁱ"}, {"m", "ₘ", "ᵐ"}, {"k", "ₖ", "ᵏ"}, {"a", "ₐ", "ᵃ"}, {"e", "ₑ", "ᵉ"},
-    {"s", "ₛ", "ˢ"}, {"x", "ₓ", "ˣ"}, {"p", "ₚ", "ᵖ"}, {"t", "ₜ", "ᵗ"}, {"j", "ⱼ", "ʲ"}, {"r", "ᵣ", "ʳ"},
-    {"o", "ₒ", "ᵒ"}, {"l", "ₗ", "ˡ"}, {"h", "ₕ", "ʰ"}, {"v", "ᵥ", "ᵛ"}, {"u", "ᵤ", "ᵘ"},
+    {"=", "₌", "⁼"}, {"n", "ₙ", "ⁿ"}, {"i", "ᵢ", "ⁱ"}, {"m", "ₘ", "ᵐ"}, {"k", "ₖ", "ᵏ"}, {"a", "ₐ", "ᵃ"},
+    {"e", "ₑ", "ᵉ"}, {"s", "ₛ", "ˢ"}, {"x", "ₓ", "ˣ"}, {"p", "ₚ", "ᵖ"}, {"t", "ₜ", "ᵗ"}, {"j", "ⱼ", "ʲ"},
+    {"r", "ᵣ", "ʳ"}, {"o", "ₒ", "ᵒ"}, {"l", "ₗ", "ˡ"}, {"h", "ₕ", "ʰ"}, {"v", "ᵥ", "ᵛ"}, {"u", "ᵤ", "ᵘ"},
 };
 
 static void add(struct lx_text *text, const struct lx_formula *formula);
@@ -56,20 +56,27 @@ static bool add_script_signs(struct lx_text *text, const struct lx_formula *form
     return true;
 }
 
+/* Whether a row is held by a \left and its \right. */
+static bool is_fenced(const struct lx_formula *formula)
+{
+    return formula->type == LX_FORMULA_ROW && formula->count > 0 && formula->children[0]->type == LX_FORMULA_FENCE &&
+           formula->children[0]->tall;
+}
+
 /* Whether a part must be bracketed where it meets a stronger bond, such as a fraction's line. */
 static bool is_compound(const struct lx_formula *formula)
 {
     int depth = 0;
+    bool in_bars = false;
     if (formula->type == LX_FORMULA_FRACTION)
         return true;
     for (size_t i = 0; formula->type == LX_FORMULA_ROW && i < formula->count; i++) {
         const struct lx_formula *child = formula->children[i];
         bool is_sign = child->type == LX_FORMULA_OPERATOR || child->type == LX_FORMULA_FRACTION;
-        if (child->type == LX_FORMULA_FENCE && strchr("([", child->text[0]))
-            depth++;
-        else if (child->type == LX_FORMULA_FENCE && strchr(")]", child->text[0]))
-            depth--;
-        else if (is_sign && depth == 0)
+        bool is_row = child->type == LX_FORMULA_ROW && !is_fenced(child) && is_compound(child);
+        depth += lx_formula_is_fence(child, false) ? 1 : lx_formula_is_fence(child, true) ? -1 : 0;
+        in_bars ^= child->type == LX_FORMULA_FENCE && strcmp(child->text, "|") == 0;
+        if ((is_sign || is_row) && depth == 0 && !in_bars)
             return true;
     }
     return false;
@@ -84,13 +91,16 @@ static void add_bracketed(struct lx_text *text, const struct lx_formula *formula
 
 static bool is_single(const struct lx_formula *formula)
 {
-    return formula->type != LX_FORMULA_ROW ? formula->type != LX_FORMULA_FRACTION
-                                           : formula->count == 1 && is_single(formula->children[0]);
+    if (formula->type == LX_FORMULA_WORDS)
+        return !strchr(formula->text, ' ');
+    return formula->type == LX_FORMULA_ROW
+               ? is_fenced(formula) || (formula->count == 1 && is_single(formula->children[0]))
+               : formula->type != LX_FORMULA_FRACTION;
 }
 
 static void add_scripts(struct lx_text *text, const struct lx_formula *formula)
 {
-    add(text, formula->children[0]);
+    add_bracketed(text, formula->children[0], is_compound(formula->children[0]));
     for (int place = 1; place < 3; place++) {
         const struct lx_formula *child = formula->children[place];
         struct lx_text signs = {0};
@@ -107,37 +117,69 @@ static void add_scripts(struct lx_text *text, const struct lx_formula *formula)
     }
 }
 
-/* An operator has blanks around it, but for a sign before the first number or behind a bracket or another operator. */
-static bool is_prefix(const struct lx_formula *row, size_t i)
+/* Something that is multiplied by what stands beside it. */
+static bool is_factor(const struct lx_formula *formula)
 {
-    size_t k = i;
-    while (k > 0 && row->children[k - 1]->type == LX_FORMULA_SPACE)
-        k--;
-    if (k == 0)
-        return true;
-    const struct lx_formula *before = row->children[k - 1];
-    return before->type == LX_FORMULA_OPERATOR || (before->type == LX_FORMULA_FENCE && strchr("([", before->text[0])) ||
-           (before->type == LX_FORMULA_UPRIGHT && strcmp(before->text, ",") == 0);
+    const struct lx_formula *sign = lx_formula_nucleus(formula);
+    bool is_mark =
+        sign->type == LX_FORMULA_UPRIGHT && (strchr(",.;:!'%", sign->text[0]) || strcmp(sign->text, "°") == 0);
+    return sign->type != LX_FORMULA_OPERATOR && sign->type != LX_FORMULA_SPACE && sign->type != LX_FORMULA_WORDS &&
+           !lx_formula_is_fence(sign, true) && !is_mark;
 }
 
-static bool is_function(const struct lx_formula *formula)
+/* Whether the scripts of a sign had no Unicode, so that what follows would seem to belong to them. */
+static bool has_plain_script(struct lx_text *text, const struct lx_formula *formula)
 {
-    const struct lx_formula *name = formula->type == LX_FORMULA_SCRIPTS ? formula->children[0] : formula;
-    return name->type == LX_FORMULA_UPRIGHT && name->text[0] >= 'a' && name->text[0] <= 'z' && name->text[1];
+    bool plain = false;
+    for (size_t place = 1; formula->type == LX_FORMULA_SCRIPTS && place < 3; place++) {
+        struct lx_text signs = {0};
+        plain = plain || (formula->children[place] && !add_script_signs(&signs, formula->children[place], place == 2));
+        text->failed = text->failed || signs.failed;
+        lx_text_clear(&signs);
+    }
+    return plain;
+}
+
+static bool are_set_apart(struct lx_text *text, const struct lx_formula *left, const struct lx_formula *right)
+{
+    bool opens = lx_formula_is_fence(lx_formula_nucleus(right), false) || is_fenced(lx_formula_nucleus(right));
+    if (lx_formula_is_fence(left, false))
+        return false;
+    if (lx_formula_is_comma(left))
+        return right->type != LX_FORMULA_SPACE && !lx_formula_is_fence(right, true);
+    if (!is_factor(right))
+        return false;
+    if (!is_factor(left) && !lx_formula_is_fence(lx_formula_nucleus(left), true))
+        return false;
+    if (lx_formula_is_word(left))
+        return !opens;
+    if (left->type == LX_FORMULA_SCRIPTS && lx_formula_nucleus(left)->type == LX_FORMULA_UPRIGHT)
+        return true; /* a sum with its limits */
+    return lx_formula_is_word(right) || left->type == LX_FORMULA_FRACTION || right->type == LX_FORMULA_FRACTION ||
+           lx_formula_nucleus(right)->type == LX_FORMULA_NUMBER || (has_plain_script(text, left) && !opens) ||
+           lx_formula_nucleus(right)->type == LX_FORMULA_UPRIGHT;
+}
+
+/* A fraction that is multiplied by what follows. */
+static bool is_divided_factor(const struct lx_formula *row, size_t i)
+{
+    size_t k = i + 1;
+    while (k < row->count && row->children[k]->type == LX_FORMULA_SPACE)
+        k++;
+    return row->children[i]->type == LX_FORMULA_FRACTION && k < row->count && is_factor(row->children[k]) &&
+           row->children[k]->type != LX_FORMULA_WORDS;
 }
 
 static void add_row(struct lx_text *text, const struct lx_formula *row)
 {
     for (size_t i = 0; i < row->count; i++) {
         const struct lx_formula *child = row->children[i];
-        bool is_operator = child->type == LX_FORMULA_OPERATOR && !is_prefix(row, i);
-        if (is_operator)
+        bool is_operator = child->type == LX_FORMULA_OPERATOR && !lx_formula_is_sign(row, i);
+        bool begins = i == 0 || (i == 1 && row->children[0]->type == LX_FORMULA_SPACE);
+        if ((is_operator && !begins) || (i > 0 && are_set_apart(text, row->children[i - 1], child)))
             lx_text_puts(text, " ");
-        add(text, child);
-        bool before_fence = i + 1 < row->count && row->children[i + 1]->type == LX_FORMULA_FENCE;
-        bool comma = child->type == LX_FORMULA_UPRIGHT && strcmp(child->text, ",") == 0;
-        bool space_follows = i + 1 < row->count && row->children[i + 1]->type == LX_FORMULA_SPACE;
-        if (is_operator || (is_function(child) && !before_fence && i + 1 < row->count) || (comma && !space_follows))
+        add_bracketed(text, child, is_divided_factor(row, i));
+        if (is_operator)
             lx_text_puts(text, " ");
     }
 }

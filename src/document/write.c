@@ -1,11 +1,13 @@
 /* SPDX-License-Identifier: MIT */
-/* Documents out: the choice of a writer by format or by the ending of a file, and pictures as addresses. */
+/* Documents out: the choice of a writer by format or by the ending of a file, and what several writers add alike. */
 #include <string.h>
 
 #include "../base/diagnostics.h"
 #include "../base/ending.h"
 #include "../base/sink.h"
 #include "blocks.h"
+
+enum { LEAST = 12 }; /* columns of a terminal that a column of words is given even where there is none left */
 
 static const char *const endings[] = {".txt", ".md", ".tex", ".html"};
 
@@ -48,6 +50,50 @@ luxel_status luxel_document_write(const luxel_document *document, const char *pa
     }
     luxel_text_free(text);
     return status;
+}
+
+size_t lx_table_room(const char *alignment, const size_t *widths, size_t line, size_t gap)
+{
+    size_t columns = strlen(alignment), total = 0, room = line, wide = 0, before;
+    for (size_t c = 0; c < columns; c++)
+        total += widths[c] + (c > 0 ? gap : 0);
+    if (total <= line)
+        return line;
+    room = 0;
+    do { /* those that fit leave room to the others */
+        size_t taken = 0;
+        before = wide;
+        wide = 0;
+        for (size_t c = 0; c < columns; c++) {
+            bool breaks = alignment[c] == 'l' && (room == 0 || widths[c] > room);
+            wide += breaks;
+            taken += (breaks ? 0 : widths[c]) + (c > 0 ? gap : 0);
+        }
+        room = wide > 0 && taken < line ? (line - taken) / wide : 0;
+        room = room > LEAST ? room : LEAST;
+    } while (wide != before && wide > 0);
+    return room;
+}
+
+void lx_add_tex_formula(struct lx_text *text, const char *notation, bool in_cell)
+{
+    static const char *const signs[][2] = {{"⊥", "\\perp "}, {"°", "^\\circ "}, {"\\degree", "^\\circ "}};
+    enum { COUNT = sizeof signs / sizeof signs[0] };
+    while (*notation) {
+        size_t i = 0;
+        while (i < COUNT && strncmp(notation, signs[i][0], strlen(signs[i][0])) != 0)
+            i++;
+        if (i < COUNT) {
+            lx_text_puts(text, signs[i][1]);
+            notation += strlen(signs[i][0]);
+            continue;
+        }
+        if (*notation == '|' && in_cell)
+            lx_text_puts(text, "\\vert ");
+        else
+            lx_text_add(text, notation, 1);
+        notation++;
+    }
 }
 
 void lx_add_data_address(struct lx_text *text, const unsigned char *bytes, size_t length)

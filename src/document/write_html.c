@@ -20,12 +20,13 @@ static const char style[] =
     "th{border-bottom:2px solid var(--ink);font-weight:600}.r{text-align:right}tr.marked td{background:var(--mark);"
     "font-weight:600}\n"
     ".table{overflow-x:auto}\n"
-    "code,pre{font:.85em/1.45 'DejaVu Sans Mono',Consolas,monospace}code{overflow-wrap:anywhere}"
+    "code,pre{font:.85em/1.45 'DejaVu Sans Mono',Consolas,monospace}code{overflow-wrap:break-word}"
     "pre{background:var(--wash);padding:.8rem 1rem;overflow-x:auto}\n"
-    "math[display=block]{margin:1rem 0;overflow-x:auto}\n"
+    "math[display=block]{margin:.7rem 0;padding:.3rem 0;overflow-x:auto;overflow-y:hidden}\n"
     "figure{margin:1.5rem 0}figure img{max-width:100%;height:auto}figcaption{color:var(--faint);font-size:.9rem}\n"
     "@media print{@page{size:A4;margin:20mm}body{max-width:none;margin:0;padding:0;font-size:10.5pt}"
-    "h2,h3{break-after:avoid}figure,tr,math[display=block]{break-inside:avoid}pre{white-space:pre-wrap}}\n";
+    "h2,h3{break-after:avoid}figure,tr,math[display=block]{break-inside:avoid}math[display=block]{overflow:visible}pre{"
+    "white-space:pre-wrap}}\n";
 
 static void add_escaped_bytes(struct lx_text *text, const char *plain, size_t length)
 {
@@ -95,7 +96,8 @@ static void add_table(struct lx_text *text, const struct lx_block *table)
         lx_text_puts(text, r == 0 ? "<thead>" : r == 1 ? "<tbody>\n" : "");
         lx_text_puts(text, table->rows[r].marked ? "<tr class=\"marked\">" : "<tr>");
         for (size_t c = 0; c < lx_block_columns(table); c++) {
-            lx_text_printf(text, "<%s%s>", cell, table->text[c] == 'r' ? " class=\"r\"" : "");
+            lx_text_printf(text, "<%s%s%s>", cell, r == 0 ? " scope=\"col\"" : "",
+                           table->text[c] == 'r' ? " class=\"r\"" : "");
             add_pieces(text, &table->rows[r].cells[c]);
             lx_text_printf(text, "</%s>", cell);
         }
@@ -114,8 +116,9 @@ static void add_picture(struct lx_text *text, const struct lx_block *picture)
         lx_text_puts(text, "\" alt=\"");
         lx_pieces_add_plain(&words, &picture->words);
         add_escaped(text, words.bytes ? words.bytes : "");
+        text->failed = text->failed || words.failed;
         lx_text_clear(&words);
-        lx_text_puts(text, "\">");
+        lx_text_puts(text, "\" />");
     }
     add_wrapped(text, "<figcaption>", &picture->words, "</figcaption></figure>\n");
 }
@@ -157,8 +160,8 @@ void lx_document_write_html(const struct luxel_document *document, struct lx_tex
     lx_pieces_add_plain(&title, &document->title);
     lx_text_puts(text, "<!DOCTYPE html>\n<html lang=\"");
     add_escaped(text, document->language.code);
-    lx_text_puts(text, "\">\n<head>\n<meta charset=\"utf-8\">\n"
-                       "<meta name=\"viewport\" content=\"width=device-width,initial-scale=1\">\n<title>");
+    lx_text_puts(text, "\">\n<head>\n<meta charset=\"utf-8\" />\n"
+                       "<meta name=\"viewport\" content=\"width=device-width,initial-scale=1\" />\n<title>");
     add_escaped(text, title.bytes ? title.bytes : "");
     lx_text_puts(text, "</title>\n<style>\n");
     lx_text_puts(text, style);

@@ -35,48 +35,68 @@ static void add_code(struct lx_text *text, const char *code)
     lx_text_fill(text, '`', longest + 1);
 }
 
-static void add_pieces(struct lx_text *text, const struct lx_pieces *pieces)
+/* Where pieces stand: in a table a | would part cells, and words that are strong anyway take no stars of their own. */
+enum place { IN_TEXT, IN_CELL, IN_MARKED_CELL };
+
+static void add_placed(struct lx_text *text, const struct lx_pieces *pieces, enum place place)
 {
     for (size_t i = 0; i < pieces->count; i++) {
         const struct lx_piece *piece = &pieces->items[i];
+        const char *stars = piece->type == LX_SPAN_STRONG && place != IN_MARKED_CELL ? "**" : "";
         switch (piece->type) {
         case LX_SPAN_CODE: add_code(text, piece->text); break;
         case LX_SPAN_FORMULA:
             lx_text_puts(text, "$");
-            lx_text_puts(text, piece->text);
+            lx_add_tex_formula(text, piece->text, place != IN_TEXT);
             lx_text_puts(text, "$");
             break;
-        case LX_SPAN_STRONG:
-            lx_text_puts(text, "**");
+        default:
+            lx_text_puts(text, stars);
             add_escaped(text, piece->text);
-            lx_text_puts(text, "**");
+            lx_text_puts(text, stars);
             break;
-        default: add_escaped(text, piece->text); break;
         }
     }
 }
 
-/* A paragraph may begin with what would make it something else: a number with a point, a sign of a list. */
-static void add_paragraph(struct lx_text *text, const struct lx_pieces *pieces)
+static void add_pieces(struct lx_text *text, const struct lx_pieces *pieces)
 {
-    const char *first = pieces->count > 0 && pieces->items[0].type == LX_SPAN_PLAIN ? pieces->items[0].text : "";
-    if (*first && strchr("+-=", *first))
-        lx_text_puts(text, "\\");
-    add_pieces(text, pieces);
-    lx_text_puts(text, "\n");
+    add_placed(text, pieces, IN_TEXT);
 }
 
-/* Cells are parted by |, which therefore must not stand in a formula or code as it is. */
-static void add_cell(struct lx_text *text, const struct lx_pieces *pieces)
+/* A paragraph may begin with what would make it something else: a sign of a list or a number with a point. */
+static void add_paragraph(struct lx_text *text, const struct lx_pieces *pieces)
+{
+    struct lx_text words = {0};
+    add_pieces(&words, pieces);
+    const char *at = words.bytes ? words.bytes + strspn(words.bytes, " ") : "";
+    size_t digits = strspn(at, "0123456789");
+    if ((*at && strchr("+-=", *at)) || (digits > 0 && (at[digits] == '.' || at[digits] == ')'))) {
+        lx_text_add(text, at, digits);
+        lx_text_puts(text, "\\");
+        at += digits;
+    }
+    lx_text_puts(text, at);
+    lx_text_puts(text, "\n");
+    text->failed = text->failed || words.failed;
+    lx_text_clear(&words);
+}
+
+/* Cells are parted by |, which must not stand in code as it is; in words and formulas it does not any more. */
+static void add_cell(struct lx_text *text, const struct lx_pieces *pieces, bool marked)
 {
     struct lx_text cell = {0};
-    add_pieces(&cell, pieces);
+    if (pieces->count == 0)
+        return;
+    add_placed(&cell, pieces, marked ? IN_MARKED_CELL : IN_CELL);
     const char *before = "";
+    lx_text_puts(text, marked ? "**" : "");
     for (const char *at = cell.bytes ? cell.bytes : ""; *at; before = at++) {
         if (*at == '|' && *before != '\\')
             lx_text_puts(text, "\\");
         lx_text_add(text, at, 1);
     }
+    lx_text_puts(text, marked ? "**" : "");
     text->failed = text->failed || cell.failed;
     lx_text_clear(&cell);
 }
@@ -85,14 +105,10 @@ static void add_table(struct lx_text *text, const struct lx_block *table)
 {
     size_t columns = lx_block_columns(table);
     for (size_t r = 0; r < table->row_count; r++) {
-        const char *strong = table->rows[r].marked ? "**" : "";
         lx_text_puts(text, "|");
         for (size_t c = 0; c < columns; c++) {
-            bool filled = table->rows[r].cells[c].count > 0;
             lx_text_puts(text, " ");
-            lx_text_puts(text, filled ? strong : "");
-            add_cell(text, &table->rows[r].cells[c]);
-            lx_text_puts(text, filled ? strong : "");
+            add_cell(text, &table->rows[r].cells[c], table->rows[r].marked);
             lx_text_puts(text, " |");
         }
         lx_text_puts(text, r == 0 ? "\n|" : "\n");
@@ -150,9 +166,9 @@ static void add_block(struct lx_text *text, const struct lx_block *block)
         add_paragraph(text, &block->words);
         break;
     case LX_BLOCK_FORMULA: {
-        bool lines = strstr(block->text, "\\\\") != NULL;
+        bool lines = strstr(block->text, "\\\\") || strchr(block->text, '&');
         lx_text_puts(text, lines ? "$$\n\\begin{aligned}\n" : "$$\n");
-        lx_text_puts(text, block->text);
+        lx_add_tex_formula(text, block->text, false);
         lx_text_puts(text, lines ? "\n\\end{aligned}\n$$\n" : "\n$$\n");
         break;
     }

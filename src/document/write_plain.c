@@ -15,7 +15,7 @@ static void add_formula(struct lx_text *text, const char *notation)
     if (formula)
         lx_formula_add_text(text, formula);
     else
-        lx_text_puts(text, notation);
+        text->failed = true;
     lx_formula_free(formula);
 }
 
@@ -30,15 +30,23 @@ void lx_pieces_add_plain(struct lx_text *text, const struct lx_pieces *pieces)
     }
 }
 
-/* Columns of a terminal; marks above letters take none. */
-static size_t width_of(const char *text, size_t length)
+/* Signs of East Asia and pictures take two columns. */
+static bool is_wide(uint32_t code)
+{
+    return (code >= 0x1100 && code < 0x1160) || (code >= 0x2e80 && code < 0xa4d0) ||
+           (code >= 0xac00 && code < 0xd7a4) || (code >= 0xf900 && code < 0xfb00) ||
+           (code >= 0xfe30 && code < 0xfe70) || (code >= 0xff00 && code < 0xff61) ||
+           (code >= 0x1f300 && code < 0x1fb00) || (code >= 0x20000 && code < 0x3fffe);
+}
+
+size_t lx_width_of(const char *text, size_t length)
 {
     size_t columns = 0;
     for (size_t at = 0; at < length;) {
         uint32_t code;
         size_t bytes = lx_next_character(text + at, length - at, &code);
         bool is_mark = (code >= 0x300 && code < 0x370) || (code >= 0x20d0 && code < 0x2100);
-        columns += bytes > 0 && is_mark ? 0 : 1;
+        columns += bytes > 0 && is_mark ? 0 : bytes > 0 && is_wide(code) ? 2 : 1;
         at += bytes > 0 ? bytes : 1;
     }
     return columns;
@@ -47,15 +55,15 @@ static size_t width_of(const char *text, size_t length)
 /* Words between blanks, wrapped; the first line has `first` before it, the others `later`. */
 static void add_wrapped(struct lx_text *text, const char *words, const char *first, const char *later)
 {
-    size_t column = width_of(first, strlen(first));
+    size_t column = lx_width_of(first, strlen(first));
     bool begins = true;
     lx_text_puts(text, first);
     while (*words) {
-        size_t length = strcspn(words, " "), width = width_of(words, length);
+        size_t length = strcspn(words, " "), width = lx_width_of(words, length);
         if (!begins && column + 1 + width > COLUMNS) {
             lx_text_puts(text, "\n");
             lx_text_puts(text, later);
-            column = width_of(later, strlen(later));
+            column = lx_width_of(later, strlen(later));
             begins = true;
         }
         if (!begins) {
@@ -74,6 +82,8 @@ static void add_pieces(struct lx_text *text, const struct lx_pieces *pieces, con
 {
     struct lx_text words = {0};
     lx_pieces_add_plain(&words, pieces);
+    if (*first == '[')
+        lx_text_puts(&words, "]");
     add_wrapped(text, words.bytes ? words.bytes : "", first, later);
     text->failed = text->failed || words.failed;
     lx_text_clear(&words);
@@ -123,27 +133,11 @@ static bool make_cells(const struct lx_block *table, struct cells *cells)
             char *taken = text.bytes || text.failed ? lx_text_take(&text) : lx_copy_text("", 0);
             if (!taken)
                 return false;
-            size_t width = width_of(taken, strlen(taken));
+            size_t width = lx_width_of(taken, strlen(taken));
             cells->texts[r * cells->columns + c] = taken;
             cells->widths[c] = width > cells->widths[c] ? width : cells->widths[c];
         }
     return true;
-}
-
-/* The column that wraps where the table is too wide: the widest one that is aligned left. */
-static size_t find_wrapping(const struct lx_block *table, const struct cells *cells, size_t *room)
-{
-    size_t widest = cells->columns, total = 0;
-    for (size_t c = 0; c < cells->columns; c++) {
-        total += cells->widths[c] + (c > 0 ? GAP : 0);
-        if (table->text[c] == 'l' && (widest == cells->columns || cells->widths[c] > cells->widths[widest]))
-            widest = c;
-    }
-    if (total <= COLUMNS || widest == cells->columns)
-        return cells->columns;
-    size_t others = total - cells->widths[widest];
-    *room = others + 16 < COLUMNS ? COLUMNS - others : 16;
-    return widest;
 }
 
 /* As much of a text as fits, up to a blank; what is left stands behind *text. */
@@ -153,7 +147,7 @@ static size_t take_line(const char **text, size_t room)
     for (size_t at = 0;; at++) {
         if ((*text)[at] != ' ' && (*text)[at])
             continue;
-        if (fits > 0 && width_of(*text, at) > room)
+        if (fits > 0 && lx_width_of(*text, at) > room)
             break;
         fits = at;
         if (!(*text)[at])
@@ -166,7 +160,7 @@ static size_t take_line(const char **text, size_t room)
 
 static void add_cell(struct lx_text *text, const char *bytes, size_t length, size_t width, bool right, bool last)
 {
-    size_t used = width_of(bytes, length), blanks = used < width ? width - used : 0;
+    size_t used = lx_width_of(bytes, length), blanks = used < width ? width - used : 0;
     if (right)
         lx_text_fill(text, ' ', blanks);
     lx_text_add(text, bytes, length);
@@ -182,46 +176,54 @@ static void trim_line(struct lx_text *text)
         text->bytes[--text->length] = '\0';
 }
 
+/* A row in as many lines as its cells need; takes the texts apart. */
 static void add_row(struct lx_text *text, const struct lx_block *table, const struct cells *cells, size_t row,
-                    size_t wrapping)
+                    const char **rests)
 {
-    const char *rest = wrapping < cells->columns ? cells->texts[row * cells->columns + wrapping] : "";
-    bool first = true;
-    do {
+    bool more = true;
+    for (size_t c = 0; c < cells->columns; c++)
+        rests[c] = cells->texts[row * cells->columns + c];
+    while (more) {
+        more = false;
         for (size_t c = 0; c < cells->columns; c++) {
-            const char *cell = first && c != wrapping ? cells->texts[row * cells->columns + c] : "";
-            size_t length = strlen(cell);
-            if (c == wrapping) {
-                cell = rest;
-                length = take_line(&rest, cells->widths[c]);
-            }
+            const char *cell = rests[c];
+            size_t length = take_line(&rests[c], cells->widths[c]);
             add_cell(text, cell, length, cells->widths[c], table->text[c] == 'r', c + 1 == cells->columns);
+            more = more || *rests[c];
         }
         trim_line(text);
         lx_text_puts(text, "\n");
-        first = false;
-    } while (*rest);
+    }
+}
+
+static void add_rule(struct lx_text *text, const struct cells *cells)
+{
+    for (size_t c = 0; c < cells->columns; c++) {
+        lx_text_fill(text, ' ', c > 0 ? GAP : 0);
+        for (size_t i = 0; i < cells->widths[c]; i++)
+            lx_text_puts(text, "─");
+    }
+    lx_text_puts(text, "\n");
 }
 
 static void add_table(struct lx_text *text, const struct lx_block *table)
 {
     struct cells cells;
-    if (make_cells(table, &cells)) {
-        size_t room = 0, wrapping = find_wrapping(table, &cells, &room);
-        if (wrapping < cells.columns)
-            cells.widths[wrapping] = room;
+    const char **rests = NULL;
+    if (make_cells(table, &cells) && (rests = lx_new_array(cells.columns + 1, sizeof *rests)) != NULL) {
+        size_t room = lx_table_room(table->text, cells.widths, COLUMNS, GAP);
+        for (size_t c = 0; c < cells.columns; c++)
+            if (table->text[c] == 'l' && cells.widths[c] > room)
+                cells.widths[c] = room;
         for (size_t r = 0; r < cells.rows; r++) {
-            add_row(text, table, &cells, r, wrapping);
-            for (size_t c = 0; r == 0 && c < cells.columns; c++) {
-                lx_text_puts(text, c > 0 ? "  " : "");
-                for (size_t i = 0; i < cells.widths[c]; i++)
-                    lx_text_puts(text, "─");
-            }
-            lx_text_puts(text, r == 0 ? "\n" : "");
+            add_row(text, table, &cells, r, rests);
+            if (r == 0)
+                add_rule(text, &cells);
         }
     } else {
         text->failed = true;
     }
+    free(rests);
     clear_cells(&cells);
 }
 
@@ -231,24 +233,27 @@ static void add_heading(struct lx_text *text, const struct lx_block *heading)
 {
     struct lx_text words = {0};
     lx_pieces_add_plain(&words, &heading->words);
-    const char *line = heading->level == 1 ? "═" : "─";
-    if (words.bytes) {
-        lx_text_puts(text, words.bytes);
-        lx_text_puts(text, "\n");
-        for (size_t i = width_of(words.bytes, words.length); i > 0; i--)
-            lx_text_puts(text, line);
-        lx_text_puts(text, "\n");
-    }
+    size_t width = words.bytes ? lx_width_of(words.bytes, words.length) : 0;
+    add_wrapped(text, words.bytes ? words.bytes : "", "", "");
+    for (size_t i = 0; i < width && i < COLUMNS; i++)
+        lx_text_puts(text, heading->level == 1 ? "═" : "─");
+    lx_text_puts(text, "\n");
     text->failed = text->failed || words.failed;
     lx_text_clear(&words);
 }
 
+/* A formula's lines, each broken at blanks where it is too long. */
 static void add_formula_lines(struct lx_text *text, const char *notation)
 {
     struct lx_text lines = {0};
     add_formula(&lines, notation);
-    if (lines.bytes)
-        add_indented(text, lines.bytes);
+    for (char *at = lines.bytes; at && *at;) {
+        char *end = at + strcspn(at, "\n");
+        bool more = *end != '\0';
+        *end = '\0';
+        add_wrapped(text, at, "    ", "        ");
+        at = end + more;
+    }
     text->failed = text->failed || lines.failed;
     lx_text_clear(&lines);
 }
@@ -269,8 +274,10 @@ static void add_block(struct lx_text *text, const struct lx_block *block)
 void lx_document_write_plain(const struct luxel_document *document, struct lx_text *text)
 {
     add_pieces(text, &document->title, "", "");
-    for (size_t i = 0; i < document->byline_count; i++)
-        add_wrapped(text, document->bylines[i], "", "");
+    for (size_t i = 0; i < document->byline_count; i++) {
+        const struct lx_pieces byline = {.items = &(struct lx_piece){LX_SPAN_PLAIN, document->bylines[i]}, .count = 1};
+        add_pieces(text, &byline, "", "");
+    }
     for (size_t i = 0; i < document->block_count; i++) {
         bool in_list = i > 0 && document->blocks[i].type == LX_BLOCK_ITEM && lx_block_goes_on(document, i - 1);
         lx_text_puts(text, in_list ? "" : "\n");

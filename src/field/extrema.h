@@ -125,6 +125,9 @@ bool lx_brink_inward(const struct lx_hunt *hunt, size_t edge, const struct lx_sp
 /* Moves a spot onto an edge; false: the edge is not near. */
 bool lx_brink_reach(const struct lx_hunt *hunt, size_t edge, struct lx_spot *spot);
 
+/* Moves a spot that lies near to where two edges meet to that place, if they do not only touch there. */
+void lx_brinks_meet(const struct lx_hunt *hunt, const size_t brinks[2], struct lx_spot *spot);
+
 /* The piece of the function on the sides where the climb stands: sign * value, and the bound of its error.  NaN: there
  * is no value, or the search has ended. */
 double lx_piece_value(struct lx_hunt *hunt, const struct lx_spot *spot, double *error);

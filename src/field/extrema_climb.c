@@ -12,7 +12,7 @@
 enum { MOST_STEPS = 160 };
 
 /* Steps of differences: a share of the length over which the function changes; wider where it is rougher. */
-static const double FINE = 1e-4;
+static const double FINE = 2e-5;
 /* A gain that is not worth another step, relative. */
 static const double ENOUGH = 1e-16;
 /* Below this share of the surface's size a region of trust is a point. */
@@ -136,8 +136,12 @@ static enum outcome stop_at_edge(struct lx_hunt *hunt, struct lx_climb *climb, c
         return ENDED;
     if (climb->active_count == 0 && !lx_brink_reach(hunt, edge, &spot))
         return ENDED;
+    if (climb->active_count == 1)
+        lx_brinks_meet(hunt, (size_t[]){climb->active[0], edge}, &spot);
+    /* the climb itself may have stood beyond the edge by as much as rounding allows */
+    double loss = 4 * (climb->noise + SLACK * hunt->scale_mm / climb->length_mm) * fabs(climb->value);
     double value = value_at(hunt, &spot);
-    if (!(value >= climb->value - 4 * climb->noise * fabs(climb->value)))
+    if (!(value >= climb->value - loss))
         return ENDED;
     climb->at = spot;
     climb->value = value;

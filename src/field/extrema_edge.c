@@ -239,42 +239,43 @@ bool lx_brinks_enter(struct lx_hunt *hunt, const struct lx_spot *spot)
     return true;
 }
 
-bool lx_brink_inward(const struct lx_hunt *hunt, size_t edge, const struct lx_spot *spot, const struct lx_chart *chart,
-                     double inward[2])
+/* How the distance to a brink changes along the chart. */
+static void gradient(const struct lx_hunt *hunt, const struct lx_brink *brink, const struct lx_spot *spot,
+                     const struct lx_chart *chart, double slope[2])
 {
     double step = 1e-6 * lx_spot_shape(hunt, spot)->radius_mm;
     for (int i = 0; i < 2; i++) {
         double ahead[2] = {0, 0}, back[2] = {0, 0};
         ahead[i] = step, back[i] = -step;
         struct lx_spot a = lx_spot_moved(hunt, spot, chart, ahead), b = lx_spot_moved(hunt, spot, chart, back);
-        double rise =
-            lx_brink_distance(hunt, &hunt->brinks[edge], &a) - lx_brink_distance(hunt, &hunt->brinks[edge], &b);
-        inward[i] = hunt->sides[edge] * rise / (2 * step);
+        slope[i] = (lx_brink_distance(hunt, brink, &a) - lx_brink_distance(hunt, brink, &b)) / (2 * step);
     }
-    double length = hypot(inward[0], inward[1]);
-    if (!(length > 1e-9 && isfinite(length)))
+}
+
+bool lx_brink_inward(const struct lx_hunt *hunt, size_t brink, const struct lx_spot *spot, const struct lx_chart *chart,
+                     double inward[2])
+{
+    gradient(hunt, &hunt->brinks[brink], spot, chart, inward);
+    double length = hunt->sides[brink] * hypot(inward[0], inward[1]);
+    if (!(fabs(length) > 1e-9 && isfinite(length)))
         return false;
     inward[0] /= length, inward[1] /= length;
     return true;
 }
 
-bool lx_brink_reach(const struct lx_hunt *hunt, size_t edge, struct lx_spot *spot)
+bool lx_brink_reach(const struct lx_hunt *hunt, size_t brink, struct lx_spot *spot)
 {
-    const struct lx_brink *it = &hunt->brinks[edge];
-    double size_mm = lx_spot_shape(hunt, spot)->radius_mm, step = 1e-6 * size_mm;
+    const struct lx_brink *it = &hunt->brinks[brink];
     double distance = lx_brink_distance(hunt, it, spot);
     for (int tries = 0; tries < 12 && distance != 0; tries++) {
         struct lx_chart chart = lx_spot_chart(hunt, spot);
-        double inward[2];
-        if (!lx_brink_inward(hunt, edge, spot, &chart, inward))
+        double slope[2];
+        gradient(hunt, it, spot, &chart, slope);
+        double share = -distance / (slope[0] * slope[0] + slope[1] * slope[1]);
+        double step[2] = {share * slope[0], share * slope[1]};
+        if (!(hypot(step[0], step[1]) < lx_spot_shape(hunt, spot)->radius_mm))
             return false;
-        double ahead[2] = {step * inward[0], step * inward[1]}, back[2] = {-ahead[0], -ahead[1]};
-        struct lx_spot a = lx_spot_moved(hunt, spot, &chart, ahead), b = lx_spot_moved(hunt, spot, &chart, back);
-        double slope = (lx_brink_distance(hunt, it, &a) - lx_brink_distance(hunt, it, &b)) / (2 * step);
-        double way = -distance / slope;
-        if (!(fabs(way) < size_mm))
-            return false;
-        struct lx_spot moved = lx_spot_moved(hunt, spot, &chart, (double[]){way * inward[0], way * inward[1]});
+        struct lx_spot moved = lx_spot_moved(hunt, spot, &chart, step);
         double left = lx_brink_distance(hunt, it, &moved);
         if (!(fabs(left) < fabs(distance)))
             break;
@@ -282,6 +283,28 @@ bool lx_brink_reach(const struct lx_hunt *hunt, size_t edge, struct lx_spot *spo
         distance = left;
     }
     return fabs(distance) <= 10 * SLACK * hunt->scale_mm;
+}
+
+void lx_brinks_meet(const struct lx_hunt *hunt, const size_t brinks[2], struct lx_spot *spot)
+{
+    const struct lx_brink *one = &hunt->brinks[brinks[0]], *other = &hunt->brinks[brinks[1]];
+    double a = lx_brink_distance(hunt, one, spot), b = lx_brink_distance(hunt, other, spot);
+    for (int tries = 0; tries < 6; tries++) {
+        struct lx_chart chart = lx_spot_chart(hunt, spot);
+        double p[2], q[2];
+        gradient(hunt, one, spot, &chart, p);
+        gradient(hunt, other, spot, &chart, q);
+        double area = p[0] * q[1] - p[1] * q[0];
+        double step[2] = {(p[1] * b - q[1] * a) / area, (q[0] * a - p[0] * b) / area};
+        if (!(hypot(step[0], step[1]) < 1e-6 * lx_spot_shape(hunt, spot)->radius_mm))
+            return;
+        struct lx_spot moved = lx_spot_moved(hunt, spot, &chart, step);
+        double a_left = lx_brink_distance(hunt, one, &moved), b_left = lx_brink_distance(hunt, other, &moved);
+        if (!(hypot(a_left, b_left) < hypot(a, b)))
+            return;
+        *spot = moved;
+        a = a_left, b = b_left;
+    }
 }
 
 /* What the edges say of an emitter, from the first one of it at *next on. */

@@ -13,6 +13,7 @@ static void advise_number(struct lx_walk *walk, const struct lx_step *step, cons
     if (!advised->given || !lx_read_real(walk->document, id, &value) ||
         (value >= advised->low && value <= advised->high))
         return;
+    const bool is_kept = lx_keeps(walk->diagnostics, LUXEL_SEVERITY_ADVICE);
     struct lx_text range = {0};
     char number[LX_NUMBER_SIZE];
     lx_add_range(&range, advised, lx_unit_word(parameter->unit, walk->photometric));
@@ -20,6 +21,8 @@ static void advise_number(struct lx_walk *walk, const struct lx_step *step, cons
     lx_walk_report(walk, LUXEL_SEVERITY_ADVICE, lx_document_place(walk->document, id), step, LX_MSG_NOT_ADVISED,
                    words ? words : "", lx_write_number(value, number));
     free(words);
+    if (walk->mend && is_kept)
+        walk->mend(walk, step, value < advised->low ? advised->low : advised->high);
 }
 
 static void advise_numbers(struct lx_walk *walk, const struct lx_step *step, const struct lx_parameter *parameter,
@@ -69,6 +72,7 @@ static bool advise_unused(struct lx_walk *walk, const struct lx_step *step, cons
             continue;
         lx_walk_report(walk, LUXEL_SEVERITY_ADVICE, lx_document_key_place(walk->document, id), step, LX_MSG_NOT_USED,
                        rule->other, lx_chosen(lx_find_parameter(table, rule->other), parameters));
+        lx_hint(walk->diagnostics, LX_MSG_HINT_LEAVE_OUT, NULL);
         return true;
     }
     return false;

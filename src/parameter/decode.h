@@ -16,6 +16,9 @@ struct lx_walk {
     struct lx_meshes *meshes; /* those that the scene has read already, and where further ones go; NULL: nowhere */
     bool failed, out_of_memory;
     size_t errors, unread; /* errors reported, and how many of them are files that cannot be read */
+    /* Gives the advice just reported a hint at what brings a number to the nearest advised one; NULL: none. */
+    void (*mend)(struct lx_walk *walk, const struct lx_step *step, double nearest);
+    const struct luxel_scene *scene; /* for mend() */
 };
 
 /*

@@ -8,16 +8,18 @@
 
 #include "../base/number.h"
 #include "../surface/surface.h"
-#include "object.h"
+#include "mend.h"
 
 /*
- * How far a surface reaches beyond the edge of the screen on the side where `axis` (0: x, 1: y) has this sign, in
- * mm; negative: not at all.  In perspective the edge is the plane through the observer and the screen's edge.
+ * How far a surface reaches beyond the edge of the screen, made `times` as large, on the side where `axis` (0: x,
+ * 1: y) has this sign, in mm; negative: not at all.  In perspective the edge is the plane through the observer and the
+ * screen's edge.
  */
-static double beyond_edge(const struct lx_scene_parameters *scene, const struct lx_item *surface, int axis, double sign)
+static double beyond_edge(const struct lx_scene_parameters *scene, const struct lx_item *surface, int axis, double sign,
+                          double times)
 {
     const struct lx_surface_kind *kind = (const struct lx_surface_kind *)surface->variant;
-    double half = (axis == 0 ? scene->screen.width_mm : scene->screen.height_mm) / 2;
+    double half = times * (axis == 0 ? scene->screen.width_mm : scene->screen.height_mm) / 2;
     double normal[3] = {0, 0, 0};
     normal[axis] = sign;
     if (scene->observer.projection == LX_ORTHOGRAPHIC)
@@ -28,26 +30,92 @@ static double beyond_edge(const struct lx_scene_parameters *scene, const struct 
     return kind->farthest(surface->parameters, normal) - eye * normal[2];
 }
 
+static bool is_beyond(const struct lx_scene_parameters *scene, const struct lx_item *surface, int axis, bool upper,
+                      double times)
+{
+    double tiny = 1e-9 * (scene->screen.width_mm + scene->screen.height_mm);
+    return beyond_edge(scene, surface, axis, upper ? 1 : -1, times) > tiny;
+}
+
+/* The first of some round factors by which the screen must grow to show all surfaces; 0: none will do. */
+static double find_growth(const struct lx_scene_parameters *scene)
+{
+    static const double factors[] = {1.1, 1.2, 1.25, 1.5, 2, 2.5, 3, 4, 5, 6, 8};
+    for (double ten = 1; ten <= 1e4; ten *= 10)
+        for (size_t f = 0; f < LX_COUNT(factors); f++) {
+            bool fits = true;
+            for (size_t i = 0; i < scene->surfaces.count && fits; i++)
+                for (int edge = 0; edge < 4 && fits; edge++)
+                    fits = !is_beyond(scene, &scene->surfaces.items[i], edge / 2, edge % 2, ten * factors[f]);
+            if (fits)
+                return ten * factors[f];
+        }
+    return 0;
+}
+
+static void mend_view(struct lx_walk *walk, const struct lx_scene_parameters *scene, double growth)
+{
+    char width[LX_NUMBER_SIZE], height[LX_NUMBER_SIZE];
+    struct lx_text text = {0};
+    if (!(growth > 0))
+        return;
+    lx_mend_add(&text, "screen.width=%s", lx_write_digits(scene->screen.width_mm * growth, 12, width));
+    lx_mend_add(&text, "screen.height=%s", lx_write_digits(scene->screen.height_mm * growth, 12, height));
+    lx_mend_hint(walk, &text);
+}
+
 static void advise_view(struct lx_walk *walk, const struct lx_scene_parameters *scene, lx_node_id surfaces)
 {
     static const char *const sides[2][2] = {{LX_N("left"), LX_N("right")}, {LX_N("bottom"), LX_N("top")}};
     lx_node_id id = lx_document_node(walk->document, surfaces)->first;
+    double growth = -1; /* not known yet */
     for (size_t i = 0; i < scene->surfaces.count; i++, id = lx_document_node(walk->document, id)->next) {
         struct lx_text edges = {0};
         for (int axis = 0; axis < 2; axis++)
             for (int side = 0; side < 2; side++) {
-                double tiny = 1e-9 * (scene->screen.width_mm + scene->screen.height_mm);
-                if (!(beyond_edge(scene, &scene->surfaces.items[i], axis, side ? 1 : -1) > tiny))
+                if (!is_beyond(scene, &scene->surfaces.items[i], axis, side, 1))
                     continue;
                 lx_text_puts(&edges, edges.length ? ", " : "");
                 lx_add_phrase(&edges, sides[axis][side], NULL);
             }
         struct lx_step list = {NULL, "surfaces", 0}, step = {&list, NULL, i};
-        if (edges.length)
+        if (edges.length) {
             lx_walk_report(walk, LUXEL_SEVERITY_ADVICE, lx_document_place(walk->document, id), &step,
                            LX_MSG_NOT_IN_VIEW, edges.bytes, NULL);
+            growth = growth < 0 ? find_growth(scene) : growth;
+            mend_view(walk, scene, growth);
+        }
         lx_text_clear(&edges);
     }
+}
+
+static bool is_behind(const struct lx_scene_parameters *scene, const double place_mm[3])
+{
+    for (size_t s = 0; s < scene->surfaces.count; s++) {
+        const struct lx_item *surface = &scene->surfaces.items[s];
+        const struct lx_surface_kind *kind = (const struct lx_surface_kind *)surface->variant;
+        if (!kind->is_dark(surface->parameters, place_mm))
+            return false;
+    }
+    return true;
+}
+
+/* The same place, raised above the first surface. */
+static void mend_behind(struct lx_walk *walk, const struct lx_scene_parameters *scene, size_t light,
+                        const double place_mm[3])
+{
+    const struct lx_item *surface = &scene->surfaces.items[0];
+    char numbers[3][LX_NUMBER_SIZE];
+    double low[3], high[3];
+    struct lx_text text = {0};
+    ((const struct lx_surface_kind *)surface->variant)->extent(surface->parameters, low, high);
+    double raised = high[2] + fmax(high[0] - low[0], high[1] - low[1]), step = pow(10, floor(log10(fabs(raised))) - 1);
+    raised = raised != 0 ? ceil(raised / step) * step : 0;
+    if (is_behind(scene, (const double[]){place_mm[0], place_mm[1], raised}))
+        return;
+    lx_mend_add(&text, "lights[%zu].position=[%s, %s, %s]", light, lx_write_number(place_mm[0], numbers[0]),
+                lx_write_number(place_mm[1], numbers[1]), lx_write_digits(raised, 12, numbers[2]));
+    lx_mend_hint(walk, &text);
 }
 
 static void advise_lights(struct lx_walk *walk, const struct lx_scene_parameters *scene, lx_node_id lights)
@@ -59,18 +127,16 @@ static void advise_lights(struct lx_walk *walk, const struct lx_scene_parameters
         const struct lx_parameter *position = lx_find_parameter(light->variant->table, "position");
         if (!position || !common->enabled)
             continue;
-        bool behind = true;
-        for (size_t s = 0; s < scene->surfaces.count && behind; s++) {
-            const struct lx_item *surface = &scene->surfaces.items[s];
-            const struct lx_surface_kind *kind = (const struct lx_surface_kind *)surface->variant;
-            behind = kind->is_dark(surface->parameters, lx_const_member(position, light->parameters));
-        }
-        if (!behind)
+        const double *place_mm = lx_const_member(position, light->parameters);
+        if (!is_behind(scene, place_mm))
             continue;
         struct lx_step list = {NULL, "lights", 0}, item = {&list, NULL, i}, step = {&item, "position", 0};
+        const bool is_kept = lx_keeps(walk->diagnostics, LUXEL_SEVERITY_ADVICE);
         lx_walk_report(walk, LUXEL_SEVERITY_ADVICE,
                        lx_document_place(walk->document, lx_document_find(walk->document, id, "position")), &step,
                        LX_MSG_LIGHT_BEHIND, NULL, NULL);
+        if (is_kept)
+            mend_behind(walk, scene, i, place_mm);
     }
 }
 
@@ -81,6 +147,8 @@ luxel_status luxel_scene_advise(const luxel_scene *scene, luxel_diagnostics *dia
         return LUXEL_ERROR_ARGUMENT;
     }
     struct lx_walk walk = lx_scene_walk(scene, diagnostics);
+    walk.mend = lx_mend_number;
+    walk.scene = scene;
     lx_node_id root = scene->document.root;
     lx_advise_parameters(&walk, &lx_scene_table, &scene->parameters);
     advise_view(&walk, &scene->parameters, lx_document_find(&scene->document, root, "surfaces"));

@@ -1,0 +1,300 @@
+/* SPDX-License-Identifier: MIT */
+/*
+ * Advice that needs a look at what the scene shows: is it dark, does its peak lie in view and stand out, does the
+ * picture's range fit.  With each goes a change that mends it, which was tried on a copy before it is said.
+ */
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+
+#include "../base/number.h"
+#include "../surface/surface.h"
+#include "adviser.h"
+
+/* Below this the highlight raises the maximum by too little to be told from the diffuse light. */
+#define LEAST_RISE 0.1
+/* The highlight's half width: wider than this it has no outline; narrower, in pixels, the picture misses it. */
+#define WIDEST_RAD (35 * M_PI / 180)
+#define LEAST_PIXELS 1.0
+/* The share of what is seen that may be white, and the least grey level of the maximum. */
+#define MOST_WHITE 0.01
+#define LEAST_GREY 32
+
+/* Looks at a changed copy; false where the change does not go, or memory ran out, which the adviser remembers. */
+static bool look(struct lx_adviser *adviser, const char *const *assignments, struct lx_scout *scout)
+{
+    luxel_status status = lx_scout(adviser->scene, assignments, scout);
+    adviser->out_of_memory = adviser->out_of_memory || status == LUXEL_ERROR_MEMORY;
+    return status == LUXEL_OK && !scout->too_large;
+}
+
+static const struct lx_material *material_of(const struct lx_scene_parameters *scene, size_t surface)
+{
+    return &((const struct lx_surface_common *)scene->surfaces.items[surface].common)->material;
+}
+
+/* ---- darkness ---- */
+
+static bool is_lit(struct lx_adviser *adviser, const char *const *assignments)
+{
+    struct lx_scout scout;
+    return look(adviser, assignments, &scout) && scout.maximum >= LX_LEAST_LIT;
+}
+
+/* What may be wrong with a light: it is off, without strength, or not where it could reach the surfaces. */
+static bool mend_dark_light(struct lx_adviser *adviser, size_t light)
+{
+    static const char *const strengths[] = {"intensity=10", "irradiance=10", "radiance=100", "power=100"};
+    char words[LX_ADVICE_SIZE];
+    snprintf(words, sizeof words, "lights[%zu].enabled=true", light);
+    if (lx_try(adviser, is_lit, words, NULL))
+        return true;
+    for (size_t i = 0; i < LX_COUNT(strengths); i++) {
+        snprintf(words, sizeof words, "lights[%zu].%s", light, strengths[i]);
+        if (lx_try(adviser, is_lit, words, NULL))
+            return true;
+    }
+    return lx_try_places(adviser, is_lit, light);
+}
+
+static void advise_dark(struct lx_adviser *adviser)
+{
+    char words[LX_ADVICE_SIZE], place[LX_PLACE_SIZE];
+    const struct lx_scene_parameters *scene = adviser->parameters;
+    lx_advise(adviser, (struct lx_advised){.list = "lights"}, LX_MSG_PICTURE_DARK, NULL);
+    if (scene->lights.count == 0) {
+        lx_write_place(adviser, 1, place);
+        snprintf(words, sizeof words, "lights=[{type: point, position: %s, intensity: 10}]", place);
+        lx_try(adviser, is_lit, words, NULL);
+        return;
+    }
+    for (size_t i = 0; i < scene->lights.count && i < 16; i++)
+        if (mend_dark_light(adviser, i))
+            return;
+    for (size_t i = 0; i < scene->surfaces.count && i < 16; i++) {
+        snprintf(words, sizeof words, "surfaces[%zu].material.diffuse=0.8", i);
+        if (lx_try(adviser, is_lit, words, NULL))
+            return;
+    }
+}
+
+/* ---- the place of the peak ---- */
+
+static bool is_at_edge(const struct lx_scout *scout)
+{
+    return scout->is_seen && (scout->place == LUXEL_PEAK_LIMB || scout->place == LUXEL_PEAK_BORDER);
+}
+
+static bool peaks_inside(struct lx_adviser *adviser, const char *const *assignments)
+{
+    struct lx_scout scout;
+    return look(adviser, assignments, &scout) && scout.is_seen && scout.maximum >= LX_LEAST_LIT && !is_at_edge(&scout);
+}
+
+/* A larger screen of the same form. */
+static bool try_screens(struct lx_adviser *adviser)
+{
+    static const double factors[] = {1.1, 1.2, 1.25, 1.5, 2, 2.5, 3, 4, 5, 8, 10};
+    const struct lx_screen *screen = &adviser->parameters->screen;
+    for (size_t i = 0; i < LX_COUNT(factors); i++) {
+        char width[LX_ADVICE_SIZE], height[LX_ADVICE_SIZE], number[LX_NUMBER_SIZE];
+        snprintf(width, sizeof width, "screen.width=%s", lx_write_digits(screen->width_mm * factors[i], 15, number));
+        snprintf(height, sizeof height, "screen.height=%s",
+                 lx_write_digits(screen->height_mm * factors[i], 15, number));
+        if (lx_try_pair(adviser, peaks_inside, width, height))
+            return true;
+    }
+    return false;
+}
+
+static void advise_place(struct lx_adviser *adviser)
+{
+    const struct lx_scout *now = &adviser->now;
+    if (!is_at_edge(now))
+        return;
+    if (now->place == LUXEL_PEAK_BORDER)
+        lx_advise(adviser, (struct lx_advised){.list = "screen"}, LX_MSG_PEAK_AT_BORDER, NULL);
+    else
+        lx_advise(adviser, (struct lx_advised){.list = "surfaces", .has_index = true, .index = now->surface},
+                  LX_MSG_PEAK_AT_RIM, NULL);
+    if ((now->place == LUXEL_PEAK_BORDER && try_screens(adviser)) || lx_try_places(adviser, peaks_inside, now->strongest))
+        return;
+    /* where that light alone does not do, any other might */
+    for (size_t i = 0; i < adviser->parameters->lights.count && i < 8; i++)
+        if (i != now->strongest && lx_try_places(adviser, peaks_inside, i))
+            return;
+}
+
+/* ---- the highlight ---- */
+
+enum { MOST_SURFACES = 16, MOST_WORDS = MOST_SURFACES + 3 };
+
+/* How far the highlight raises the maximum, as a share of what the diffuse light alone gives; NaN: not known. */
+static double rise_with(struct lx_adviser *adviser, const char *const *assignments, const struct lx_scout *with)
+{
+    char words[MOST_SURFACES][LX_ADVICE_SIZE];
+    const char *list[MOST_WORDS];
+    struct lx_scout without;
+    size_t count = 0;
+    for (; assignments && *assignments; assignments++)
+        list[count++] = *assignments;
+    for (size_t i = 0; i < adviser->parameters->surfaces.count; i++) {
+        snprintf(words[i], sizeof words[i], "surfaces[%zu].material.specular=0", i);
+        list[count++] = words[i];
+    }
+    list[count] = NULL;
+    if (!look(adviser, list, &without))
+        return NAN;
+    return without.maximum > 0 ? with->maximum / without.maximum - 1 : HUGE_VAL;
+}
+
+static bool has_high_peak(struct lx_adviser *adviser, const char *const *assignments)
+{
+    struct lx_scout scout;
+    return look(adviser, assignments, &scout) && rise_with(adviser, assignments, &scout) >= LEAST_RISE;
+}
+
+static void mend_height(struct lx_adviser *adviser)
+{
+    static const char *const speculars[] = {"0.1", "0.2", "0.3", "0.5", "0.7", "1"};
+    static const char *const diffuses[] = {"0.5", "0.3", "0.1"};
+    char specular[LX_ADVICE_SIZE], diffuse[LX_ADVICE_SIZE];
+    size_t surface = adviser->now.surface;
+    for (size_t i = 0; i < LX_COUNT(speculars); i++) {
+        snprintf(specular, sizeof specular, "surfaces[%zu].material.specular=%s", surface, speculars[i]);
+        if (lx_try(adviser, has_high_peak, specular, NULL))
+            return;
+    }
+    if (lx_try_places(adviser, has_high_peak, adviser->now.strongest))
+        return;
+    for (size_t i = 0; i < LX_COUNT(diffuses); i++) {
+        snprintf(diffuse, sizeof diffuse, "surfaces[%zu].material.diffuse=%s", surface, diffuses[i]);
+        if (lx_try_pair(adviser, has_high_peak, specular, diffuse))
+            return;
+    }
+}
+
+/* How far the normal turns from the highlight's middle to where it has fallen to half, under a distant source. */
+static double half_width_rad(const struct lx_material *material)
+{
+    double angle = acos(exp2(-1 / material->shininess));
+    return material->model == LX_PHONG ? angle / 2 : angle; /* the mirrored ray turns twice as far */
+}
+
+static double pixels_of_half(const struct lx_scene_parameters *scene, const struct lx_item *surface)
+{
+    const struct lx_surface_kind *kind = (const struct lx_surface_kind *)surface->variant;
+    const struct lx_material *material = &((const struct lx_surface_common *)surface->common)->material;
+    double pixel = scene->screen.width_mm / scene->screen.resolution[0];
+    return sin(half_width_rad(material)) * kind->shape(surface->parameters).radius_mm / pixel;
+}
+
+/* A value of the shininess with which the highlight is neither too wide nor too narrow, tried in this order. */
+static void mend_width(struct lx_adviser *adviser, const struct lx_item *surface)
+{
+    static const double values[] = {20, 10, 50, 100, 200, 500};
+    struct lx_surface_common common = *(const struct lx_surface_common *)surface->common;
+    const struct lx_item changed = {surface->variant, surface->parameters, &common};
+    for (size_t i = 0; i < LX_COUNT(values); i++) {
+        common.material.shininess = values[i];
+        if (half_width_rad(&common.material) > WIDEST_RAD || pixels_of_half(adviser->parameters, &changed) < LEAST_PIXELS)
+            continue;
+        char words[LX_ADVICE_SIZE], number[LX_NUMBER_SIZE];
+        snprintf(words, sizeof words, "surfaces[%zu].material.shininess=%s", adviser->now.surface,
+                 lx_write_number(values[i], number));
+        lx_suggest(adviser, (const char *const[]){words, NULL});
+        return;
+    }
+}
+
+/* On a sphere, where the normal's turn says how wide the highlight is. */
+static void advise_width(struct lx_adviser *adviser)
+{
+    const struct lx_item *surface = &adviser->parameters->surfaces.items[adviser->now.surface];
+    const struct lx_material *material = material_of(adviser->parameters, adviser->now.surface);
+    const struct lx_advised at = {"surfaces", true, adviser->now.surface, "material", "shininess"};
+    char number[LX_NUMBER_SIZE];
+    if (((const struct lx_surface_kind *)surface->variant)->shape(surface->parameters).type != LX_SPHERE)
+        return;
+    double angle = half_width_rad(material), pixels = pixels_of_half(adviser->parameters, surface);
+    if (angle > WIDEST_RAD)
+        lx_advise(adviser, at, LX_MSG_PEAK_WIDE, lx_write_digits(angle * 180 / M_PI, 2, number));
+    else if (pixels < LEAST_PIXELS && !adviser->now.is_coarse)
+        lx_advise(adviser, at, LX_MSG_PEAK_NARROW, lx_write_digits(pixels, 2, number));
+    else
+        return;
+    mend_width(adviser, surface);
+}
+
+/* Whether some light that shines makes highlights; ambient light does not. */
+static bool may_shine(const struct lx_scene_parameters *scene)
+{
+    for (size_t i = 0; i < scene->lights.count; i++) {
+        const struct lx_item *light = &scene->lights.items[i];
+        if (((const struct lx_light_common *)light->common)->enabled && strcmp(light->variant->name, "ambient") != 0)
+            return true;
+    }
+    return false;
+}
+
+static void advise_highlight(struct lx_adviser *adviser)
+{
+    const struct lx_scout *now = &adviser->now;
+    const struct lx_material *material = material_of(adviser->parameters, now->surface);
+    const struct lx_item *surface = &adviser->parameters->surfaces.items[now->surface];
+    if (material->model == LX_LAMBERT || !may_shine(adviser->parameters) ||
+        adviser->parameters->surfaces.count > MOST_SURFACES)
+        return;
+    /* a highlight that may fall between the samples of a coarse picture is not judged by it */
+    double samples = pixels_of_half(adviser->parameters, surface) * adviser->parameters->screen.width_mm /
+                     adviser->parameters->screen.resolution[0] / now->sample_mm;
+    if (now->is_coarse && samples < 1)
+        return;
+    double rise = rise_with(adviser, NULL, now);
+    if (rise < LEAST_RISE) {
+        char number[LX_NUMBER_SIZE];
+        lx_advise(adviser, (struct lx_advised){"surfaces", true, now->surface, "material", "specular"},
+                  LX_MSG_PEAK_LOW, lx_write_digits(floor(1000 * fmax(rise, 0)) / 10, 2, number));
+        mend_height(adviser);
+    } else if (!isnan(rise)) {
+        advise_width(adviser);
+    }
+}
+
+/* ---- the picture's range ---- */
+
+static void advise_range(struct lx_adviser *adviser)
+{
+    const struct lx_choice_or_pair *range = &adviser->parameters->picture.range;
+    const struct lx_advised at = {.list = "picture", .key = "range"};
+    char number[LX_NUMBER_SIZE];
+    if (range->choice >= 0)
+        return;
+    double grey = floor(255 * fmax(0, (adviser->now.maximum - range->low) / (range->high - range->low)));
+    if (adviser->now.white > MOST_WHITE)
+        lx_advise(adviser, at, LX_MSG_RANGE_CLIPS, lx_write_digits(100 * adviser->now.white, 2, number));
+    else if (grey < LEAST_GREY)
+        lx_advise(adviser, at, LX_MSG_RANGE_DIM, lx_write_number(grey, number));
+    else
+        return;
+    lx_suggest(adviser, (const char *const[]){"picture.range=max", NULL});
+}
+
+luxel_status luxel_scene_advise_peak(const luxel_scene *scene, luxel_diagnostics *diagnostics)
+{
+    struct lx_adviser adviser;
+    luxel_status status = lx_adviser_begin(&adviser, scene, diagnostics);
+    if (status != LUXEL_OK)
+        return status;
+    lx_advise_distances(&adviser);
+    if (!look(&adviser, NULL, &adviser.now) || !adviser.now.is_seen)
+        return adviser.out_of_memory ? lx_out_of_memory(diagnostics) : LUXEL_OK;
+    if (adviser.now.maximum < LX_LEAST_LIT) {
+        advise_dark(&adviser);
+    } else {
+        advise_place(&adviser);
+        advise_highlight(&adviser);
+        advise_range(&adviser);
+    }
+    return adviser.out_of_memory || adviser.walk.out_of_memory ? lx_out_of_memory(diagnostics) : LUXEL_OK;
+}

@@ -1,0 +1,152 @@
+/* SPDX-License-Identifier: MIT */
+/* Puts advice at its place, and words and tries what mends it. */
+#include "adviser.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+
+#include "../base/number.h"
+#include "../surface/surface.h"
+
+luxel_status lx_adviser_begin(struct lx_adviser *adviser, const luxel_scene *scene, luxel_diagnostics *diagnostics)
+{
+    if (!scene || !luxel_scene_is_committed(scene)) {
+        lx_report(diagnostics, LUXEL_SEVERITY_ERROR, NULL, LX_MSG_NOT_COMMITTED, NULL);
+        return LUXEL_ERROR_ARGUMENT;
+    }
+    *adviser = (struct lx_adviser){
+        .scene = scene,
+        .parameters = lx_scene_parameters(scene),
+        .walk = lx_scene_walk(scene, diagnostics),
+    };
+    return LUXEL_OK;
+}
+
+/* The node below `up` with this key, or `up` where it is not written. */
+static lx_node_id below(const struct lx_document *document, lx_node_id up, const char *key)
+{
+    lx_node_id id = key && lx_document_node(document, up)->kind == LX_MAPPING ? lx_document_find(document, up, key) : 0;
+    return id ? id : up;
+}
+
+void lx_advise(struct lx_adviser *adviser, struct lx_advised advised, enum lx_message message, const char *first)
+{
+    const struct lx_document *document = &adviser->scene->document;
+    const struct lx_step list = {NULL, advised.list, 0}, element = {&list, NULL, advised.index};
+    const struct lx_step *top = advised.has_index ? &element : &list;
+    const struct lx_step key = {top, advised.key, 0}, last = {&key, advised.below, 0};
+    lx_node_id id = below(document, document->root, advised.list);
+    if (advised.has_index && lx_document_node(document, id)->kind == LX_SEQUENCE)
+        id = lx_document_element(document, id, advised.index);
+    if (advised.key)
+        id = below(document, id, advised.key);
+    if (advised.below)
+        id = below(document, id, advised.below);
+    lx_walk_report(&adviser->walk, LUXEL_SEVERITY_ADVICE, lx_document_place(document, id),
+                   advised.below ? &last : (advised.key ? &key : top), message, first, NULL);
+}
+
+void lx_suggest(struct lx_adviser *adviser, const char *const *assignments)
+{
+    struct lx_text text = {0};
+    for (; *assignments; assignments++)
+        lx_text_printf(&text, "%s-s '%s'", text.length ? " " : "", *assignments);
+    char *words = lx_text_take(&text);
+    if (words)
+        lx_hint(adviser->walk.diagnostics, LX_MSG_HINT_TRY, LX_ARGS(words));
+    adviser->out_of_memory = adviser->out_of_memory || !words;
+    free(words);
+}
+
+static bool suggest_if(struct lx_adviser *adviser, lx_mends *mends, const char *const *assignments)
+{
+    if (adviser->out_of_memory || !mends(adviser, assignments))
+        return false;
+    lx_suggest(adviser, assignments);
+    return true;
+}
+
+bool lx_try_pair(struct lx_adviser *adviser, lx_mends *mends, const char *first, const char *second)
+{
+    return suggest_if(adviser, mends, (const char *const[]){first, second, NULL});
+}
+
+bool lx_try(struct lx_adviser *adviser, lx_mends *mends, const char *first, const char *second)
+{
+    return suggest_if(adviser, mends, (const char *const[]){first, NULL}) ||
+           (second && lx_try_pair(adviser, mends, first, second));
+}
+
+/* Away from zero to a number of two digits. */
+static double round_out(double value)
+{
+    if (value == 0)
+        return 0;
+    double step = pow(10, floor(log10(fabs(value))) - 1);
+    return copysign(ceil(fabs(value) / step - 1e-9) * step, value);
+}
+
+/* Around and above the middle of all surfaces, as seen from their distance; the steeper ones last. */
+bool lx_write_place(const struct lx_adviser *adviser, size_t i, char buffer[LX_PLACE_SIZE])
+{
+    static const double ways[][3] = {{1, 0.5, 1.5}, {1, 1, 2}, {-1, 1, 2}, {1, -1, 3}, {0, 1, 3}, {0.5, 0, 4}};
+    double low[3] = {HUGE_VAL, HUGE_VAL, HUGE_VAL}, high[3] = {-HUGE_VAL, -HUGE_VAL, -HUGE_VAL}, size = 0;
+    char numbers[3][LX_NUMBER_SIZE];
+    if (i >= LX_COUNT(ways))
+        return false;
+    for (size_t s = 0; s < adviser->parameters->surfaces.count; s++) {
+        const struct lx_item *surface = &adviser->parameters->surfaces.items[s];
+        double from[3], to[3];
+        ((const struct lx_surface_kind *)surface->variant)->extent(surface->parameters, from, to);
+        for (int axis = 0; axis < 3; axis++) {
+            low[axis] = fmin(low[axis], from[axis]);
+            high[axis] = fmax(high[axis], to[axis]);
+        }
+    }
+    for (int axis = 0; axis < 3; axis++)
+        size = fmax(size, high[axis] - low[axis]);
+    for (int axis = 0; axis < 3; axis++) {
+        double from = axis == 2 ? high[2] : (low[axis] + high[axis]) / 2;
+        lx_write_digits(round_out(from + size * ways[i][axis]), 15, numbers[axis]);
+    }
+    snprintf(buffer, LX_PLACE_SIZE, "[%s, %s, %s]", numbers[0], numbers[1], numbers[2]);
+    return true;
+}
+
+/* The key that says where a light of a kind is: its position, or a centre that was given; NULL: there is none. */
+static const char *place_key(const struct lx_item *light, char buffer[LX_KEY_SIZE])
+{
+    const struct lx_table *table = light->variant->table;
+    if (lx_find_parameter(table, "position"))
+        return "position";
+    for (size_t i = 0; i < table->count; i++) {
+        const struct lx_parameter *group = &table->parameters[i];
+        if (group->type != LX_GROUP || !lx_is_given(table, light->parameters, group->name) ||
+            !lx_find_parameter(group->group, "center"))
+            continue;
+        snprintf(buffer, LX_KEY_SIZE, "%s.center", group->name);
+        return buffer;
+    }
+    return NULL;
+}
+
+bool lx_try_places(struct lx_adviser *adviser, lx_mends *mends, size_t light)
+{
+    static const char *const directions[] = {"[-2, -1, -3]", "[-1, -1, -3]", "[0, 0, -1]"};
+    const struct lx_item *item = &adviser->parameters->lights.items[light];
+    char words[LX_ADVICE_SIZE], buffer[LX_KEY_SIZE], place[LX_PLACE_SIZE];
+    bool is_distant = lx_find_parameter(item->variant->table, "direction");
+    const char *key = place_key(item, buffer);
+    for (size_t i = 0; is_distant && i < LX_COUNT(directions); i++) {
+        snprintf(words, sizeof words, "lights[%zu].direction=%s", light, directions[i]);
+        if (lx_try(adviser, mends, words, NULL))
+            return true;
+    }
+    for (size_t i = 0; key && lx_write_place(adviser, i, place); i++) {
+        snprintf(words, sizeof words, "lights[%zu].%s=%s", light, key, place);
+        if (lx_try(adviser, mends, words, NULL))
+            return true;
+    }
+    return false;
+}

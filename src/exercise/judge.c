@@ -1,0 +1,284 @@
+/* SPDX-License-Identifier: MIT */
+/*
+ * Judging answers: compared with the exact value, then with what each other convention gives, then with slips that are
+ * no convention of a scene (a grey level, a share of the maximum, the irradiance), then with two of these together.
+ *
+ * Many pairs make chance matches likely, so a pair must agree ten times as well.
+ */
+#include <math.h>
+#include <stdlib.h>
+
+#include <luxel/exercise.h>
+
+#include "../base/diagnostics.h"
+#include "../base/memory.h"
+#include "../base/number.h"
+#include "../base/phrase.h"
+#include "../field/field.h"
+#include "alternatives.h"
+
+#define PAIR_STRICTNESS 0.1
+
+enum { MOST_EXPLANATIONS = 2, MOST_PIXELS = 4000000 };
+
+struct made {
+    luxel_judgement shown; /* first, so that its address is the whole's */
+    struct lx_choices choices;
+    luxel_alternative explanations[MOST_EXPLANATIONS];
+};
+
+/* What is looked for, and the nearest that was found. */
+struct search {
+    struct made *made;
+    double answer, tolerance, rounding;
+    double distance; /* of the nearest; HUGE_VAL: none goes yet */
+    double maximum;  /* of the picture; 0: there is none */
+    luxel_field *field;
+};
+
+static const luxel_alternative shares = {
+    .convention = LX_N("what is given"),
+    .choice = LX_N("share of the maximum"),
+    .meaning = LX_N("the brightness divided by the picture's maximum"),
+};
+static const luxel_alternative greys = {
+    .convention = LX_N("what is given"),
+    .choice = LX_N("grey level"),
+    .meaning = LX_N("the grey level of the pixel, 0 to 255"),
+};
+static const luxel_alternative irradiances = {
+    .convention = LX_N("what is given"),
+    .choice = LX_N("irradiance"),
+    .meaning = LX_N("the irradiance of the surface, without its material"),
+};
+
+/* How far an answer lies from a value, in units of what is allowed: up to 1 agrees. */
+static double distance_from(const struct search *search, bool has_value, double value, double strictness)
+{
+    if (isnan(search->answer) || !has_value)
+        return isnan(search->answer) && !has_value ? 0 : HUGE_VAL;
+    double allowed = strictness * search->tolerance * fabs(value) + search->rounding;
+    double difference = fabs(search->answer - value);
+    if (difference == 0)
+        return 0;
+    return allowed > 0 ? difference / allowed : HUGE_VAL;
+}
+
+/* Takes an explanation of one or two choices if it agrees, and better than what was found before. */
+static void offer(struct search *search, const luxel_alternative *one, const luxel_alternative *other, bool has_value,
+                  double value)
+{
+    double distance = distance_from(search, has_value, value, other ? PAIR_STRICTNESS : 1);
+    luxel_judgement *shown = &search->made->shown;
+    if (!(distance <= 1) || !(distance < search->distance))
+        return;
+    search->distance = distance;
+    search->made->explanations[0] = *one;
+    if (other)
+        search->made->explanations[1] = *other;
+    for (int i = 0; i < MOST_EXPLANATIONS; i++) {
+        search->made->explanations[i].has_value = has_value;
+        search->made->explanations[i].value = value;
+    }
+    shown->verdict = LUXEL_ANSWER_CONVENTION;
+    shown->explanation_count = other ? 2 : 1;
+    shown->explanations = search->made->explanations;
+}
+
+static luxel_alternative shown_choice(const struct lx_choice *choice)
+{
+    return (luxel_alternative){
+        .convention = choice->convention,
+        .choice = choice->choice,
+        .meaning = choice->meaning,
+        .assignment = choice->assignment,
+    };
+}
+
+/* The value with one choice made, or two; what cannot be computed has none. */
+static luxel_status value_of(const struct lx_choices *choices, size_t one, size_t other, bool *has_value, double *value)
+{
+    const size_t which[] = {one, other};
+    luxel_status status = lx_choices_value(choices, which, one == other ? 1 : 2, NULL, has_value, value);
+    if (status == LUXEL_ERROR_RANGE)
+        *has_value = false;
+    return status == LUXEL_ERROR_RANGE ? LUXEL_OK : status;
+}
+
+/* One choice if `one` and `other` are the same. */
+static luxel_status try_choices(struct search *search, size_t one, size_t other)
+{
+    const struct lx_choices *choices = &search->made->choices;
+    const struct lx_choice *first = &choices->list[one], *second = &choices->list[other];
+    luxel_alternative a = shown_choice(first), b = shown_choice(second);
+    bool has_value;
+    double value;
+    if (first->is_present || second->is_present || (one != other && first->convention == second->convention))
+        return LUXEL_OK;
+    luxel_status status = value_of(choices, one, other, &has_value, &value);
+    if (status == LUXEL_OK)
+        offer(search, &a, one == other ? NULL : &b, has_value, value);
+    return status;
+}
+
+static luxel_status try_irradiance(struct search *search, const luxel_scene *scene)
+{
+    const struct lx_choices *choices = &search->made->choices;
+    luxel_settings settings = choices->settings;
+    luxel_probe *probe = NULL;
+    if (settings.quantity == LUXEL_IRRADIANCE)
+        return LUXEL_OK;
+    settings.quantity = LUXEL_IRRADIANCE;
+    luxel_status status = luxel_probe_screen(scene, &settings, choices->x_mm, choices->y_mm, NULL, &probe);
+    if (status == LUXEL_OK)
+        offer(search, &irradiances, NULL, probe->has_value, probe->value);
+    luxel_probe_free(probe);
+    return status == LUXEL_ERROR_RANGE ? LUXEL_OK : status;
+}
+
+/* The picture, for those who read the answer off it; of very large ones nobody does. */
+static luxel_status render(struct search *search, const luxel_scene *scene)
+{
+    luxel_settings settings = search->made->choices.settings;
+    unsigned columns = 0, rows = 0;
+    luxel_scene_resolution(scene, &columns, &rows);
+    if ((double)columns * rows > MOST_PIXELS)
+        return LUXEL_OK;
+    settings.progress = NULL;
+    luxel_status status = luxel_render(scene, &settings, NULL, &search->field);
+    if (status == LUXEL_OK)
+        search->maximum = luxel_field_statistics(search->field)->maximum.value;
+    return status == LUXEL_ERROR_RANGE ? LUXEL_OK : status;
+}
+
+/* A grey level is a whole number above 0: what is black says nothing. */
+static luxel_status try_grey(struct search *search, const luxel_probe *probe)
+{
+    size_t size = (size_t)luxel_field_columns(search->field) * luxel_field_rows(search->field);
+    if (!(search->answer >= 1 && search->answer <= 255 && floor(search->answer) == search->answer) || !probe->has_pixel)
+        return LUXEL_OK;
+    uint8_t *levels = lx_new_array(size, 1);
+    if (!levels)
+        return LUXEL_ERROR_MEMORY;
+    luxel_field_grey(search->field, levels);
+    size_t pixel = (size_t)probe->row * luxel_field_columns(search->field) + probe->column;
+    if (luxel_field_mask(search->field)[pixel] && levels[pixel] == search->answer)
+        offer(search, &greys, NULL, true, search->answer);
+    free(levels);
+    return LUXEL_OK;
+}
+
+/* The present place (`place` is then itself present), or another, divided by the maximum. */
+static luxel_status try_share(struct search *search, size_t place)
+{
+    const struct lx_choices *choices = &search->made->choices;
+    const struct lx_choice *choice = &choices->list[place];
+    luxel_alternative shown = shown_choice(choice);
+    bool has_value;
+    double value;
+    luxel_status status = value_of(choices, place, place, &has_value, &value);
+    if (status == LUXEL_OK && has_value && search->maximum > 0)
+        offer(search, choice->is_present ? &shares : &shown, choice->is_present ? NULL : &shares, true,
+              value / search->maximum);
+    return status;
+}
+
+static bool is_place(const struct lx_choice *choice)
+{
+    return choice->assignment == NULL;
+}
+
+/* One change alone goes before two. */
+static luxel_status explain(struct search *search, const luxel_scene *scene, const luxel_probe *probe)
+{
+    const struct lx_choices *choices = &search->made->choices;
+    luxel_status status = LUXEL_OK;
+    for (size_t i = 0; status == LUXEL_OK && i < choices->count; i++)
+        status = try_choices(search, i, i);
+    if (status == LUXEL_OK && search->distance > 1)
+        status = try_irradiance(search, scene);
+    if (status != LUXEL_OK || search->distance <= 1)
+        return status;
+    status = render(search, scene);
+    if (status == LUXEL_OK && search->field)
+        status = try_grey(search, probe);
+    for (size_t i = 0; status == LUXEL_OK && i < choices->count; i++)
+        if (is_place(&choices->list[i]) && choices->list[i].is_present)
+            status = try_share(search, i);
+    if (status != LUXEL_OK || search->distance <= 1)
+        return status;
+    for (size_t i = 0; status == LUXEL_OK && i < choices->count; i++)
+        if (is_place(&choices->list[i]) && !choices->list[i].is_present)
+            status = try_share(search, i);
+    for (size_t i = 0; status == LUXEL_OK && i < choices->count; i++)
+        for (size_t k = i + 1; status == LUXEL_OK && k < choices->count; k++)
+            status = try_choices(search, i, k);
+    return status;
+}
+
+static luxel_status judge(struct made *made, struct search *search, const luxel_scene *scene,
+                          const luxel_settings *settings, double x_mm, double y_mm, luxel_diagnostics *diagnostics)
+{
+    luxel_probe *probe = NULL;
+    luxel_status status = luxel_probe_screen(scene, settings, x_mm, y_mm, diagnostics, &probe);
+    if (status != LUXEL_OK)
+        return status;
+    made->shown = (luxel_judgement){.verdict = LUXEL_ANSWER_WRONG, .has_value = probe->has_value};
+    if (probe->has_value) {
+        made->shown.value = probe->value;
+        made->shown.error = probe->error;
+    }
+    if (distance_from(search, probe->has_value, probe->value, 1) <= 1) {
+        made->shown.verdict = LUXEL_ANSWER_RIGHT;
+    } else {
+        status = lx_choices_find(scene, settings, x_mm, y_mm, diagnostics, &made->choices);
+        if (status == LUXEL_OK)
+            status = explain(search, scene, probe);
+        if (status == LUXEL_ERROR_MEMORY)
+            lx_out_of_memory(diagnostics);
+    }
+    luxel_field_free(search->field);
+    luxel_probe_free(probe);
+    return status;
+}
+
+static luxel_status check(const char *name, double value, luxel_diagnostics *diagnostics)
+{
+    char number[LX_NUMBER_SIZE];
+    if (value >= 0 && isfinite(value))
+        return LUXEL_OK;
+    lx_report(diagnostics, LUXEL_SEVERITY_ERROR, NULL, LX_MSG_SETTING_OUT_OF_RANGE,
+              LX_ARGS(name, lx_write_number(value, number), LX_TERM(LX_N("0 or a positive number"))));
+    return LUXEL_ERROR_ARGUMENT;
+}
+
+luxel_status luxel_judge_answer(const luxel_scene *scene, const luxel_settings *settings, double x_mm, double y_mm,
+                                double answer, double tolerance, double rounding, luxel_diagnostics *diagnostics,
+                                luxel_judgement **judgement)
+{
+    luxel_status status = check("tolerance", tolerance, diagnostics);
+    if (status == LUXEL_OK)
+        status = check("rounding", rounding, diagnostics);
+    if (status != LUXEL_OK)
+        return status;
+    struct made *made = lx_new_array(1, sizeof *made);
+    if (!made)
+        return lx_out_of_memory(diagnostics);
+    struct search search = {
+        .made = made, .answer = answer, .tolerance = tolerance, .rounding = rounding, .distance = HUGE_VAL};
+    status = judge(made, &search, scene, settings, x_mm, y_mm, diagnostics);
+    if (status == LUXEL_OK)
+        *judgement = &made->shown;
+    else
+        luxel_judgement_free(&made->shown);
+    return status;
+}
+
+void luxel_judgement_free(luxel_judgement *judgement)
+{
+    struct made *made = (struct made *)judgement;
+    if (!made)
+        return;
+    lx_choices_clear(&made->choices);
+    free(made);
+}

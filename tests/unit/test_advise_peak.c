@@ -1,0 +1,192 @@
+/* SPDX-License-Identifier: MIT */
+/* Advice about what a scene shows, and that every change which a hint suggests does mend what it is about. */
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "scenes.h"
+
+static luxel_scene *open_scene(const char *name, const char *const *assignments)
+{
+    luxel_scene *scene;
+    assert_int_equal(luxel_scene_open_builtin(name, NULL, &scene), LUXEL_OK);
+    for (; assignments && *assignments; assignments++)
+        assert_int_equal(luxel_scene_set(scene, *assignments, NULL), LUXEL_OK);
+    assert_int_equal(luxel_scene_commit(scene, NULL), LUXEL_OK);
+    return scene;
+}
+
+static luxel_diagnostics *advise(const luxel_scene *scene)
+{
+    luxel_diagnostics *diagnostics = luxel_diagnostics_new();
+    assert_int_equal(luxel_scene_advise(scene, diagnostics), LUXEL_OK);
+    assert_int_equal(luxel_scene_advise_peak(scene, diagnostics), LUXEL_OK);
+    return diagnostics;
+}
+
+/* Makes the assignments of a hint, "try -s 'KEY=VALUE' -s 'KEY=VALUE'". */
+static void follow(luxel_scene *scene, const char *hint)
+{
+    const char *at = hint;
+    int count = 0;
+    while ((at = strstr(at, "-s '")) != NULL) {
+        const char *end = strchr(at + 4, '\'');
+        char *assignment = strndup(at + 4, (size_t)(end - at - 4));
+        assert_int_equal(luxel_scene_set(scene, assignment, NULL), LUXEL_OK);
+        free(assignment);
+        at = end;
+        count++;
+    }
+    assert_true(count > 0);
+    assert_int_equal(luxel_scene_commit(scene, NULL), LUXEL_OK);
+}
+
+static bool has(const luxel_diagnostics *diagnostics, const char *id, const char *key)
+{
+    for (size_t i = 0; i < luxel_diagnostics_count(diagnostics); i++) {
+        const luxel_diagnostic *entry = luxel_diagnostics_get(diagnostics, i);
+        if (strcmp(entry->id, id) == 0 && (!key || (entry->key && strcmp(entry->key, key) == 0)))
+            return true;
+    }
+    return false;
+}
+
+struct wanted {
+    const char *scene, *changes[4], *id, *key;
+};
+
+static const struct wanted wanted[] = {
+    {"report", {"surfaces[0].material.specular=0.03"}, "peak-low", "surfaces[0].material.specular"},
+    {"report", {"surfaces[0].material.specular=0"}, "peak-low", "surfaces[0].material.specular"},
+    {"three-lights", {"surfaces[0].material.specular=0.001"}, "peak-low", "surfaces[0].material.specular"},
+    {"window", {"surfaces[0].material.specular=0.001"}, "peak-low", "surfaces[0].material.specular"},
+    {"tube", {"surfaces[0].material.specular=0.001"}, "peak-low", "surfaces[0].material.specular"},
+    {"report", {"surfaces[0].material.shininess=2"}, "peak-wide", "surfaces[0].material.shininess"},
+    {"report", {"surfaces[0].material.model=phong", "surfaces[0].material.shininess=0.5"}, "peak-wide", NULL},
+    {"report", {"surfaces[0].material.shininess=200000"}, "peak-narrow", "surfaces[0].material.shininess"},
+    {"report", {"lights=[]"}, "picture-dark", "lights"},
+    {"report", {"lights[0].enabled=false"}, "picture-dark", "lights"},
+    {"report", {"lights[0].intensity=0"}, "picture-dark", "lights"},
+    {"distant", {"lights[0].irradiance=0", "lights[1].irradiance=0"}, "picture-dark", "lights"},
+    {"window", {"lights[0].radiance=0", "lights[1].irradiance=0"}, "picture-dark", "lights"},
+    {"report", {"surfaces[0].material.diffuse=0", "surfaces[0].material.specular=0"}, "picture-dark", "lights"},
+    {"report", {"lights[0].position=[0,0,1000]", "surfaces[0].material.highlight=gated"}, "picture-dark", "lights"},
+    {"report", {"screen={width: 300, height: 300, resolution: [300, 300]}"}, "peak-at-border", "screen"},
+    {"report", {"screen={width: 303, height: 307, resolution: [303, 307]}"}, "peak-at-border", "screen"},
+    {"distant", {"lights=[{type: distant, direction: [-1, 0, 1], irradiance: 10}]"}, "peak-at-rim", "surfaces[0]"},
+    {"distant", {"lights=[{type: point, position: [2000, 0, 200], intensity: 10}]"}, "peak-at-rim", "surfaces[0]"},
+    {"report", {"picture.range=[0,5]"}, "range-clips", "picture.range"},
+    {"report", {"picture.range=[0,1000]"}, "range-dim", "picture.range"},
+    {"report", {"picture.range=[100,1000]"}, "range-dim", "picture.range"},
+    {"report", {"lights[0].position=[0,0,1305]", "lights[0].attenuation=inverse-square"}, "light-near",
+     "lights[0].position"},
+    {"report", {"lights[0].position=[2e5,0,2e5]", "lights[0].attenuation=inverse-square"}, "light-far",
+     "lights[0].position"},
+    {"report", {"lights[0].attenuation=practical", "lights[0].k=2e6"}, "light-far", "lights[0].position"},
+    {"desk", {"lights[0].position=[0, -150, 901]"}, "light-near", "lights[0].position"},
+    /* and what luxel_scene_advise() says */
+    {"report", {NULL}, "not-in-view", "surfaces[0]"},
+    {"spot", {"surfaces[0].center=[900, 0, 600]"}, "not-in-view", "surfaces[0]"},
+    {"two-spheres", {"surfaces[1].center=[2000, 0, 1330]"}, "not-in-view", "surfaces[1]"},
+    {"report", {"lights[0].position=[10, 0, 300]"}, "light-behind", "lights[0].position"},
+    {"report", {"lights[0].position=[0, 0, 1000]"}, "light-behind", "lights[0].position"},
+    {"report", {"lights[0].intensity=1e6"}, "not-advised", "lights[0].intensity"},
+    {"report", {"lights[0].position=[2000, 2e5, 2000]"}, "not-advised", "lights[0].position[1]"},
+    {"report", {"screen={width: 50, height: 25, resolution: [400, 200]}"}, "not-advised", "screen.width"},
+    {"report", {"screen={width: 20000, height: 10000, resolution: [400, 200]}"}, "not-advised", "screen.width"},
+    {"report", {"screen.resolution=[1000, 1000]"}, "not-advised", "screen.resolution[0]"},
+    {"report", {"screen={width: 300, height: 200, resolution: [150, 100]}"}, "not-advised", "screen.resolution[1]"},
+    {"report", {"observer.z=20000"}, "not-advised", "observer.z"},
+};
+
+/* Each is given, with a hint, and gone after the hint was followed. */
+static void mends_what_it_advises(void **state)
+{
+    (void)state;
+    for (size_t i = 0; i < sizeof wanted / sizeof *wanted; i++) {
+        const struct wanted *w = &wanted[i];
+        luxel_scene *scene = open_scene(w->scene, w->changes);
+        luxel_diagnostics *diagnostics = advise(scene);
+        if (!has(diagnostics, w->id, w->key))
+            fail_msg("case %zu (%s, %s): no %s", i, w->scene, w->changes[0] ? w->changes[0] : "", w->id);
+        for (size_t k = 0; k < luxel_diagnostics_count(diagnostics); k++) {
+            const luxel_diagnostic *entry = luxel_diagnostics_get(diagnostics, k);
+            char *hint = luxel_diagnostics_hint(diagnostics, k, NULL, NULL);
+            assert_int_equal(entry->severity, LUXEL_SEVERITY_ADVICE);
+            if (strcmp(entry->id, w->id) == 0 && !strstr(hint, "-s '"))
+                fail_msg("case %zu (%s): no hint: %s", i, w->id, hint);
+            if (strstr(hint, "-s '")) {
+                luxel_scene *mended = luxel_scene_copy(scene);
+                follow(mended, hint);
+                luxel_diagnostics *after = advise(mended);
+                if (has(after, entry->id, entry->key))
+                    fail_msg("case %zu (%s): %s is still there after: %s", i, w->scene, entry->id, hint);
+                luxel_diagnostics_free(after);
+                luxel_scene_free(mended);
+            }
+            luxel_text_free(hint);
+        }
+        luxel_diagnostics_free(diagnostics);
+        luxel_scene_free(scene);
+    }
+}
+
+/* The built-in scenes are as they are on purpose: only the report's sphere is larger than its screen. */
+static void is_silent_where_all_is_well(void **state)
+{
+    (void)state;
+    for (size_t i = 0; i < luxel_builtin_scene_count(); i++) {
+        luxel_scene *scene = open_scene(luxel_builtin_scene_name(i), NULL);
+        luxel_diagnostics *diagnostics = luxel_diagnostics_new();
+        assert_int_equal(luxel_scene_advise_peak(scene, diagnostics), LUXEL_OK);
+        if (luxel_diagnostics_count(diagnostics) > 0)
+            fail_msg("%s: %s", luxel_builtin_scene_name(i), luxel_diagnostics_get(diagnostics, 0)->id);
+        luxel_diagnostics_free(diagnostics);
+        luxel_scene_free(scene);
+    }
+}
+
+/* What is said is the truth: the rise of the maximum, by two pictures. */
+static void tells_true_numbers(void **state)
+{
+    (void)state;
+    luxel_scene *scene = open_scene("report", (const char *const[]){"screen.width=620", "screen.height=620",
+                                                                    "surfaces[0].material.specular=0.15", NULL});
+    luxel_diagnostics *diagnostics = luxel_diagnostics_new();
+    luxel_field *with, *without;
+    char shown[80];
+    assert_int_equal(luxel_scene_advise_peak(scene, diagnostics), LUXEL_OK);
+    assert_int_equal(luxel_render(scene, NULL, NULL, &with), LUXEL_OK);
+    assert_int_equal(luxel_scene_set(scene, "surfaces[0].material.specular=0", NULL), LUXEL_OK);
+    assert_int_equal(luxel_scene_commit(scene, NULL), LUXEL_OK);
+    assert_int_equal(luxel_render(scene, NULL, NULL, &without), LUXEL_OK);
+    double rise = luxel_field_statistics(with)->maximum.value / luxel_field_statistics(without)->maximum.value - 1;
+    assert_true(rise > 0.01 && rise < 0.1);
+    snprintf(shown, sizeof shown, "only %.1f %%", (int)(1000 * rise) / 10.0);
+    expect_entry(diagnostics, 0, WANTED("peak-low", .message = shown));
+    luxel_field_free(with);
+    luxel_field_free(without);
+    luxel_diagnostics_free(diagnostics);
+    luxel_scene_free(scene);
+}
+
+static void wants_a_committed_scene(void **state)
+{
+    (void)state;
+    luxel_scene *scene = open_scene("report", NULL);
+    assert_int_equal(luxel_scene_set(scene, "lights[0].intensity=1", NULL), LUXEL_OK);
+    assert_int_equal(luxel_scene_advise_peak(scene, NULL), LUXEL_ERROR_ARGUMENT);
+    assert_int_equal(luxel_scene_advise_peak(NULL, NULL), LUXEL_ERROR_ARGUMENT);
+    luxel_scene_free(scene);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(mends_what_it_advises),
+        cmocka_unit_test(is_silent_where_all_is_well),
+        cmocka_unit_test(tells_true_numbers),
+        cmocka_unit_test(wants_a_committed_scene),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}

@@ -1,0 +1,137 @@
+/* SPDX-License-Identifier: MIT */
+/* Documents when memory runs out: every allocation fails once, and the document says so or its writer gives up. */
+#include <stdbool.h>
+#include <stdlib.h>
+
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+
+#include <cmocka.h>
+
+#include "document/formula.h"
+#include "documents.h"
+#ifdef HAS_FIGURES
+#include "base/sink.h"
+#include "figure/pages.h"
+#endif
+
+void *__real_malloc(size_t size);
+void *__real_calloc(size_t count, size_t size);
+void *__real_realloc(void *memory, size_t size);
+void *__wrap_malloc(size_t size);
+void *__wrap_calloc(size_t count, size_t size);
+void *__wrap_realloc(void *memory, size_t size);
+
+static bool armed, failed;
+static long countdown;
+
+static bool runs_out(void)
+{
+    if (!armed || countdown-- > 0)
+        return false;
+    armed = false;
+    failed = true;
+    return true;
+}
+
+void *__wrap_malloc(size_t size)
+{
+    return runs_out() ? NULL : __real_malloc(size);
+}
+
+void *__wrap_calloc(size_t count, size_t size)
+{
+    return runs_out() ? NULL : __real_calloc(count, size);
+}
+
+void *__wrap_realloc(void *memory, size_t size)
+{
+    return runs_out() ? NULL : __real_realloc(memory, size);
+}
+
+static void arm(long number)
+{
+    countdown = number;
+    failed = false;
+    armed = true;
+}
+
+static void building(void **state)
+{
+    (void)state;
+    for (long i = 0; i == 0 || failed; i++) {
+        arm(i);
+        struct luxel_document *document = documents_everything(NULL);
+        armed = false;
+        assert_true(!document || lx_document_failed(document) == failed);
+        assert_true(document || failed);
+        if (failed && document)
+            assert_null(luxel_document_write_text(document, LUXEL_DOCUMENT_TEXT));
+        luxel_document_free(document);
+    }
+}
+
+static void writing(void **state)
+{
+    (void)state;
+    struct luxel_document *document = documents_everything(NULL);
+    for (int format = 0; format < 4; format++)
+        for (long i = 0; i == 0 || failed; i++) {
+            arm(i);
+            char *text = luxel_document_write_text(document, (luxel_document_format)format);
+            armed = false;
+            if (failed != !text)
+                fail_msg("format %d, allocation %ld", format, i);
+            luxel_text_free(text);
+        }
+    luxel_document_free(document);
+}
+
+static void reading_formulas(void **state)
+{
+    (void)state;
+    for (size_t k = 0; documents_formulas[k]; k++)
+        for (long i = 0; i == 0 || failed; i++) {
+            size_t at = 0;
+            arm(i);
+            struct lx_formula *formula = lx_formula_parse(documents_formulas[k], &at);
+            armed = false;
+            assert_true(failed ? !formula && at == SIZE_MAX : formula != NULL);
+            lx_formula_free(formula);
+        }
+}
+
+#ifdef HAS_FIGURES
+/* What cairo and pango allocate does not fail here. */
+static void setting_pages(void **state)
+{
+    (void)state;
+    struct luxel_document *document = documents_everything(NULL);
+    for (long i = 0; i == 0 || failed; i++) {
+        struct lx_sink *sink;
+        assert_int_equal(lx_sink_open("/dev/null", NULL, NULL, &sink), LUXEL_OK);
+        arm(i);
+        luxel_status status = lx_pages_write(document, sink, NULL);
+        armed = false;
+        if (status != (failed ? LUXEL_ERROR_MEMORY : LUXEL_OK))
+            fail_msg("allocation %ld", i);
+        lx_sink_abort(sink);
+    }
+    luxel_document_free(document);
+}
+#endif
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(building),
+        cmocka_unit_test(writing),
+        cmocka_unit_test(reading_formulas),
+#ifdef HAS_FIGURES
+        cmocka_unit_test(setting_pages),
+#endif
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
