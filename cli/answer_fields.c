@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /*
- * Cuts lines into fields.  The separator is told by the first line: a semicolon or a tab if there is one outside quotes,
- * else a comma.  The file is held in memory, and the fields' texts are made in their places.
+ * Cuts lines into fields.  The separator is told by the first line: a semicolon or a tab if there is one outside
+ * quotes, else a comma.  The file is held in memory, and the fields' texts are made in their places.
  */
 #include "answer_fields.h"
 
@@ -147,7 +147,8 @@ static bool is_line_end(char c)
 /* Passes over one character, and knows the lines. */
 static void advance(struct fields *fields)
 {
-    const bool is_end = *fields->at == '\n' || (*fields->at == '\r' && (fields->at + 1 == fields->end || fields->at[1] != '\n'));
+    const bool is_end =
+        *fields->at == '\n' || (*fields->at == '\r' && (fields->at + 1 == fields->end || fields->at[1] != '\n'));
 
     fields->at++;
     if (is_end) {

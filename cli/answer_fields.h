@@ -40,7 +40,8 @@ void fields_close(struct fields *fields);
 bool fields_number(const struct fields *fields, size_t i, double *number, double *rounding);
 
 /* "FILE:line:column: error: ..." at a field of the line last read. */
-void fields_report(const struct fields *fields, size_t i, const char *format, ...) __attribute__((format(printf, 3, 4)));
+void fields_report(const struct fields *fields, size_t i, const char *format, ...)
+    __attribute__((format(printf, 3, 4)));
 
 /* The same at any place of a file. */
 void fields_report_at(const char *path, unsigned line, unsigned column, const char *format, va_list arguments)

@@ -27,10 +27,21 @@ static const struct {
     enum column column;
     const char *name;
 } headings[] = {
-    {VARIANT, "variant"}, {VARIANT, "вариант"}, {VARIANT, "Вариант"}, {POINT, "point"},
-    {POINT, "точка"},     {POINT, "Точка"},     {X, "x"},             {Y, "y"},
-    {VALUE, "value"},     {VALUE, "значение"},  {VALUE, "Значение"},  {STUDENT, "student"},
-    {STUDENT, "name"},    {STUDENT, "студент"}, {STUDENT, "Студент"},
+    {VARIANT, "variant"},
+    {VARIANT, "вариант"},
+    {VARIANT, "Вариант"},
+    {POINT, "point"},
+    {POINT, "точка"},
+    {POINT, "Точка"},
+    {X, "x"},
+    {Y, "y"},
+    {VALUE, "value"},
+    {VALUE, "значение"},
+    {VALUE, "Значение"},
+    {STUDENT, "student"},
+    {STUDENT, "name"},
+    {STUDENT, "студент"},
+    {STUDENT, "Студент"},
 };
 
 struct table {
@@ -52,8 +63,8 @@ static enum column column_of(const char *heading)
     for (size_t i = 0; i < COUNT_OF(headings); i++) {
         const size_t length = strlen(headings[i].name);
 
-        if (strncasecmp(heading, headings[i].name, length) == 0 && (heading[length] == '\0' || heading[length] == '_' ||
-                                                                    heading[length] == ',' || heading[length] == ' '))
+        if (strncasecmp(heading, headings[i].name, length) == 0 &&
+            (heading[length] == '\0' || heading[length] == '_' || heading[length] == ',' || heading[length] == ' '))
             return headings[i].column;
     }
     return COLUMN_COUNT;
@@ -205,7 +216,8 @@ static void read_folder(const char *path, struct answers *answers)
 
     if (count <= 0) {
         answers->mistakes++;
-        message_error(count < 0 ? _("the folder %s could not be read: %s") : _("there is no .csv file in the folder %s"),
+        message_error(count < 0 ? _("the folder %s could not be read: %s")
+                                : _("there is no .csv file in the folder %s"),
                       path, language_reason(errno));
     }
     for (int i = 0; i < count; i++) {

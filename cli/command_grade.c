@@ -301,15 +301,15 @@ const struct command command_grade = {
     .more = N_("ANSWERS"),
     .more_kind = OPERAND_FILE,
     .summary = N_("judge tables of answers to variants of the exercise"),
-    .description =
-        N_("Each ANSWERS is a table of comma-separated values, or a folder of them, whose first line names the columns: "
-           "variant,point,value or variant,x,y,value, and student where there are several. Semicolons and decimal "
-           "commas are understood; \"off\" is the answer for a place off the surface. An answer is right if it agrees "
-           "with the exact value to --tolerance (default 0.001) and the rounding of its digits, of which three are "
-           "asked for. Of a wrong one it is said which convention, or which two, would give it. The result is TAP, "
-           "with a summary of each submission. --json has answers (file, line, student, variant, point, screen, answer, "
-           "verdict: right, convention or wrong, too_few_digits, value, error, explanations), submissions, the totals "
-           "and the number of mistakes in the tables. With -s all variants are changed alike."),
+    .description = N_(
+        "Each ANSWERS is a table of comma-separated values, or a folder of them, whose first line names the columns: "
+        "variant,point,value or variant,x,y,value, and student where there are several. Semicolons and decimal "
+        "commas are understood; \"off\" is the answer for a place off the surface. An answer is right if it agrees "
+        "with the exact value to --tolerance (default 0.001) and the rounding of its digits, of which three are "
+        "asked for. Of a wrong one it is said which convention, or which two, would give it. The result is TAP, "
+        "with a summary of each submission. --json has answers (file, line, student, variant, point, screen, answer, "
+        "verdict: right, convention or wrong, too_few_digits, value, error, explanations), submissions, the totals "
+        "and the number of mistakes in the tables. With -s all variants are changed alike."),
     .examples = "luxel grade answers.csv\n"
                 "luxel grade submissions/ --csv=excel-ru > marks.csv\n"
                 "luxel grade answers.csv --tolerance 0.01 -s lights[0].attenuation=inverse-square",

@@ -42,6 +42,14 @@ static void print_json(unsigned number, const char *text)
     json_close(&json, '}');
 }
 
+/* With --strict advice is an error, as everywhere. */
+static bool has_advice(const luxel_scene *scene, luxel_diagnostics *diagnostics)
+{
+    luxel_scene_advise(scene, diagnostics);
+    message_diagnostics(stderr, diagnostics, LUXEL_SEVERITY_ADVICE, LUXEL_SEVERITY_ERROR);
+    return luxel_diagnostics_total(diagnostics, LUXEL_SEVERITY_ADVICE) > 0;
+}
+
 /* The text with the changes of -s, which must go; NULL where they do not, which is reported. */
 static char *change(const struct options *options, const char *text, luxel_diagnostics *diagnostics, int *code)
 {
@@ -53,9 +61,11 @@ static char *change(const struct options *options, const char *text, luxel_diagn
         status = luxel_scene_set(scene, options->assignments[i], diagnostics);
     if (status == LUXEL_OK)
         status = luxel_scene_commit(scene, diagnostics);
-    if (status == LUXEL_OK)
-        status = luxel_scene_write_text(scene, &changed);
     *code = status == LUXEL_OK ? EXIT_DONE : message_failure(status, diagnostics);
+    if (*code == EXIT_DONE && options->strict && has_advice(scene, diagnostics))
+        *code = EXIT_SCENE;
+    if (*code == EXIT_DONE && luxel_scene_write_text(scene, &changed) != LUXEL_OK)
+        *code = message_failure(LUXEL_ERROR_MEMORY, diagnostics);
     luxel_scene_free(scene);
     return changed;
 }

@@ -19,8 +19,8 @@ struct graded {
 /* A file, or what one student has in it. */
 struct submission {
     size_t file;
-    const char *student;    /* NULL: the whole file */
-    size_t counts[3];       /* by luxel_verdict */
+    const char *student; /* NULL: the whole file */
+    size_t counts[3];    /* by luxel_verdict */
 };
 
 struct grading {

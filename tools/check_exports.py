@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: MIT
-"""What the library shows and keeps: it exports exactly what its headers declare, and has no global state.
+"""What the libraries show and keep: they export exactly what their headers declare, and have no global state.
 
-Arguments: the root, nm, the shared library, the static library, and "sanitized" where the compiler added
-data of its own.
+Arguments: the root, nm, "sanitized" where the compiler added data of its own, else "plain", and pairs of a shared and a
+static library.
 """
 import os
 import re
@@ -14,11 +14,15 @@ from tap import Tap
 DECLARATION = re.compile(r"\bLUXEL_API\b[^;{(]*?\b(\w+)\s*\(")
 
 
-def declared(root):
-    """The functions that the public headers mark as exported."""
+# All others are of libluxel.
+HEADERS_OF_FIGURES = ["figure.h"]
+
+
+def declared(root, headers):
+    """The functions that these public headers mark as exported."""
     names = set()
     folder = os.path.join(root, "include", "luxel")
-    for header in sorted(os.listdir(folder)):
+    for header in sorted(headers):
         with open(os.path.join(folder, header), encoding="utf-8") as file:
             text = re.sub(r"/\*.*?\*/", "", file.read(), flags=re.DOTALL)
         text = re.sub(r"^\s*#.*$", "", text, flags=re.MULTILINE)
@@ -51,21 +55,24 @@ def writable_data(nm, library):
 
 
 def main():
-    root, nm, shared, static, kind = sys.argv[1:]
+    root, nm, kind, *libraries = sys.argv[1:]
     tap = Tap()
-    names, promised = exported(nm, shared), declared(root)
-
-    foreign = sorted(name for name in names if not name.startswith("luxel_"))
-    tap.ok(not foreign, "only luxel_ names are exported", *foreign)
-    missing = sorted(promised - names)
-    tap.ok(promised and not missing, "every function of the headers is exported", *missing)
-    secret = sorted(name for name in names - promised if name.startswith("luxel_"))
-    tap.ok(not secret, "every exported function is in a header", *secret)
-    if kind == "sanitized":
-        tap.skip("the library has no variable of its own", "sanitizers add data")
-    else:
-        state = writable_data(nm, static)
-        tap.ok(not state, "the library has no variable of its own", *state)
+    for shared, static in zip(libraries[::2], libraries[1::2]):
+        name = os.path.basename(shared).split(".so")[0]
+        own = set(HEADERS_OF_FIGURES)
+        headers = own if name == "libluxel-figure" else set(os.listdir(os.path.join(root, "include", "luxel"))) - own
+        names, promised = exported(nm, shared), declared(root, headers)
+        foreign = sorted(name for name in names if not name.startswith("luxel_"))
+        tap.ok(not foreign, "%s: only luxel_ names are exported" % name, *foreign)
+        missing = sorted(promised - names)
+        tap.ok(promised and not missing, "%s: every function of the headers is exported" % name, *missing)
+        secret = sorted(found for found in names - promised if found.startswith("luxel_"))
+        tap.ok(not secret, "%s: every exported function is in a header" % name, *secret)
+        if kind == "sanitized":
+            tap.skip("%s has no variable of its own" % name, "sanitizers add data")
+        else:
+            state = writable_data(nm, static)
+            tap.ok(not state, "%s has no variable of its own" % name, *state)
     tap.finish()
 
 

@@ -25,13 +25,13 @@ typedef struct luxel_alternative {
                                NULL where it is no key of the scene (the place) */
     bool is_present;        /* whether it is what the scene says, and the value the scene's own */
     bool has_value;         /* false where it does not give any, such as off every surface */
-    double value;
+    double value;           /* in the unit of luxel_scene_unit() */
 } luxel_alternative;
 
 /* All of them, convention by convention, the present choice first in each.  Its arrays and texts live as long as it. */
 typedef struct luxel_alternatives {
-    size_t count;
-    const luxel_alternative *list;
+    size_t count;                  /* of the list */
+    const luxel_alternative *list; /* count of them */
 } luxel_alternatives;
 
 /*

@@ -10,14 +10,16 @@ extern "C" {
 #endif
 
 /*
- * Differences are those of B from A: b - a.  They are taken over the pixels that show a surface in both; of a field read
- * from a file that does not tell which do, those of the other one count.
+ * Differences are those of B from A: b - a.  They are taken over the pixels that show a surface in both; of a field
+ * read from a file that does not tell which do, those of the other one count.
  */
 typedef struct luxel_comparison {
     size_t pixels;           /* that show a surface in both; without any the numbers below are 0 */
-    size_t only_a, only_b;   /* pixels that show a surface in one only */
+    size_t only_a;           /* pixels that show a surface in A alone */
+    size_t only_b;           /* pixels that show a surface in B alone */
     luxel_extremum largest;  /* the largest |b - a|; its value is that magnitude; ties: first in row order */
-    double a, b;             /* the two values there */
+    double a;                /* the value of A there */
+    double b;                /* the value of B there */
     double mean;             /* of b - a */
     double mean_magnitude;   /* of |b - a| */
     double rms;              /* root of the mean square of b - a */
@@ -27,8 +29,8 @@ typedef struct luxel_comparison {
 } luxel_comparison;
 
 /*
- * Compares two pictures.  `difference` NULL, or takes a field of the values b - a, 0 where one of them shows no surface,
- * of single precision if both are; it is the caller's.
+ * Compares two pictures.  `difference` NULL, or takes a field of the values b - a, 0 where one of them shows no
+ * surface, of single precision if both are; it is the caller's.
  * LUXEL_ERROR_ARGUMENT: they differ in their resolution, or in the places of their pixels.  LUXEL_ERROR_MEMORY.
  */
 LUXEL_API luxel_status luxel_compare(const luxel_field *a, const luxel_field *b, luxel_diagnostics *diagnostics,

@@ -22,6 +22,7 @@ typedef struct luxel_language {
     const char *code;          /* such as "ru" (BCP 47); NULL: "en" */
 } luxel_language;
 
+/* What a document can be written as. */
 typedef enum luxel_document_format {
     LUXEL_DOCUMENT_TEXT,     /* UTF-8 for a terminal: lines of at most 100 columns, formulas in one line of Unicode */
     LUXEL_DOCUMENT_MARKDOWN, /* CommonMark with tables; formulas as $...$ and $$...$$ */

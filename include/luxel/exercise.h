@@ -22,41 +22,42 @@ extern "C" {
 LUXEL_API luxel_status luxel_variant_text(unsigned number, luxel_diagnostics *diagnostics, char **text);
 
 /*
- * Appends advice about what a committed scene shows: that it is dark, that its peak lies on the edge of the screen or of
- * a surface, that the highlight does not stand out, is too wide or too narrow, that the picture's range does not fit,
- * that sources are so near or far that their attenuation spoils the picture or makes no difference.  Where a change
- * mends it, the hint says which: assignments as luxel_scene_set() takes them, each behind -s and in single quotes.
- * It takes a quick look at a coarse picture, by the default settings; scenes of more than 4096 sources are not looked
- * at.  luxel_scene_advise() gives the advice that needs no look.
+ * Appends advice about what a committed scene shows: that it is dark, that its peak lies on the edge of the screen or
+ * of a surface, that the highlight does not stand out, is too wide or too narrow, that the picture's range does not
+ * fit, that sources are so near or far that their attenuation spoils the picture or makes no difference.  Where a
+ * change mends it, the hint says which: assignments as luxel_scene_set() takes them, each behind -s and in single
+ * quotes. It takes a quick look at a coarse picture, by the default settings; scenes of more than 4096 sources are not
+ * looked at.  luxel_scene_advise() gives the advice that needs no look.
  * LUXEL_ERROR_ARGUMENT: the scene is not committed.  LUXEL_ERROR_MEMORY.
  */
 LUXEL_API luxel_status luxel_scene_advise_peak(const luxel_scene *scene, luxel_diagnostics *diagnostics);
 
 /* What an answer is found to be. */
 typedef enum luxel_verdict {
-    LUXEL_ANSWER_RIGHT,     /* within the tolerance of the exact value */
+    LUXEL_ANSWER_RIGHT,      /* within the tolerance of the exact value */
     LUXEL_ANSWER_CONVENTION, /* within the tolerance of what another convention gives: `explanations` name it */
-    LUXEL_ANSWER_WRONG      /* neither */
+    LUXEL_ANSWER_WRONG       /* neither */
 } luxel_verdict;
 
 /* The judgement of one answer.  Its arrays and texts live as long as it. */
 typedef struct luxel_judgement {
-    luxel_verdict verdict;
-    bool has_value;                    /* whether there is a right value: false off every surface */
-    double value;                      /* the exact value */
-    double error;                      /* bounds |value - truth| */
-    size_t explanation_count;          /* for LUXEL_ANSWER_CONVENTION: choices that together give the answer: one, or
+    luxel_verdict verdict;    /* what the answer is found to be */
+    bool has_value;           /* whether there is a right value: false off every surface */
+    double value;             /* the exact value */
+    double error;             /* bounds |value - truth| */
+    size_t explanation_count; /* for LUXEL_ANSWER_CONVENTION: choices that together give the answer: one, or
                                           two where no single one does */
-    const luxel_alternative *explanations;
+    const luxel_alternative *explanations; /* explanation_count of them */
 } luxel_judgement;
 
 /*
  * Judges the answer for a point of the screen: right if |answer - value| <= tolerance |value| + half a unit of the last
  * digit that was given (`rounding`, 0: none).  So much may lie between a wrong answer and what explains it, too; where
  * two choices together must, a tenth of the tolerance.  Beside luxel_find_alternatives() it knows answers that are the
- * irradiance, a share of the picture's maximum, or a grey level; their `convention` is "what is given".  The judgement is the caller's: free it with luxel_judgement_free().
- * An answer NaN stands for "off the surface", which is right where that is so.
- * Errors as luxel_probe_screen().  LUXEL_ERROR_ARGUMENT: tolerance or rounding negative or not finite, too.
+ * irradiance, a share of the picture's maximum, or a grey level; their `convention` is "what is given".  The judgement
+ * is the caller's: free it with luxel_judgement_free(). An answer NaN stands for "off the surface", which is right
+ * where that is so. Errors as luxel_probe_screen().  LUXEL_ERROR_ARGUMENT: tolerance or rounding negative or not
+ * finite, too.
  */
 LUXEL_API luxel_status luxel_judge_answer(const luxel_scene *scene, const luxel_settings *settings, double x_mm,
                                           double y_mm, double answer, double tolerance, double rounding,

@@ -19,26 +19,30 @@ extern "C" {
 
 /* Where an extremum lies. */
 typedef enum luxel_peak_place {
-    LUXEL_PEAK_INSIDE,  /* within the surface: the function is level there */
-    LUXEL_PEAK_LIMB,    /* on the rim of what is seen of the surface */
-    LUXEL_PEAK_BORDER,  /* on the edge of the screen or of the region */
-    LUXEL_PEAK_JUMP,    /* where the function jumps or has a kink: a shadow's edge, a hard cone's, a gated highlight's */
-    LUXEL_PEAK_PLATEAU  /* in a part of one value, such as what is quite dark: the place is one of many */
+    LUXEL_PEAK_INSIDE, /* within the surface: the function is level there */
+    LUXEL_PEAK_LIMB,   /* on the rim of what is seen of the surface */
+    LUXEL_PEAK_BORDER, /* on the edge of the screen or of the region */
+    LUXEL_PEAK_JUMP,   /* where the function jumps or has a kink: the edge of a shadow, hard cone, gated highlight */
+    LUXEL_PEAK_PLATEAU /* in a part of one value, such as what is quite dark: the place is one of many */
 } luxel_peak_place;
 
+/* One extremum. */
 typedef struct luxel_peak {
-    bool exists;           /* false where no surface is seen; then the rest is 0 */
-    double value;          /* the exact value there */
-    double error;          /* bounds |value - truth at this very place| */
-    double x_mm, y_mm;     /* on the screen */
-    size_t surface;        /* index in the scene's list */
-    double position_mm[3]; /* on the surface */
-    double normal[3];
-    luxel_peak_place place;
+    bool exists;            /* false where no surface is seen; then the rest is 0 */
+    double value;           /* the exact value there */
+    double error;           /* bounds |value - truth at this very place| */
+    double x_mm;            /* on the screen; of a sphere's rim, which it does not resolve, as near as it shows it */
+    double y_mm;            /* on the screen; of a sphere's rim, which it does not resolve, as near as it shows it */
+    size_t surface;         /* index in the scene's list */
+    double position_mm[3];  /* on the surface */
+    double normal[3];       /* the unit normal there */
+    luxel_peak_place place; /* where it lies */
 } luxel_peak;
 
+/* Both. */
 typedef struct luxel_extrema {
-    luxel_peak maximum, minimum;
+    luxel_peak maximum; /* the greatest value */
+    luxel_peak minimum; /* the least value */
 } luxel_extrema;
 
 /*
@@ -46,7 +50,7 @@ typedef struct luxel_extrema {
  * resolution decides how narrow a peak may be that no geometry foretells.  `region` NULL: all that the screen shows.
  * The same result for any number of threads.
  * LUXEL_ERROR_ARGUMENT: the field is not of that scene's screen and quantity, or the region does not go.
- * LUXEL_ERROR_MEMORY.  LUXEL_CANCELLED: the settings' progress said so.
+ * LUXEL_CANCELLED: the settings' progress said so.  LUXEL_ERROR_MEMORY.
  */
 LUXEL_API luxel_status luxel_find_extrema(const luxel_evaluator *evaluator, const luxel_field *field,
                                           const luxel_region *region, luxel_diagnostics *diagnostics,

@@ -36,27 +36,29 @@ typedef enum luxel_section {
 
 /* What a figure shows; luxel_figure_settings_init() sets the defaults, which the comments name. */
 typedef struct luxel_figure_settings {
-    const char *palette;       /* a name of luxel_palette_name(): NULL: viridis */
-    double low, high;          /* the range of the bar; NaN: what the scene's picture says, or the picture's values */
-    bool logarithmic;          /* the bar by powers of ten; false */
-    luxel_bands bands;         /* contours */
-    size_t levels;             /* about so many round ones, 1 to 50; 8 */
-    const double *level_list;  /* or just these; NULL */
-    size_t level_list_count;   /* of them */
-    bool extrema;              /* mark the maximum; true */
-    bool points;               /* mark the scene's points; true */
-    luxel_section section;     /* none; else the plots of the horizontal and the vertical section stand below */
-    double section_mm[2];      /* of LUXEL_SECTION_POINT */
-    bool stacked;              /* in sections: the lights' shares on top of each other, else as lines; false */
-    const char *title;         /* NULL: the name of the scene or none; "" for none */
-    const char *label;         /* of the bar; NULL: the quantity with its unit */
-    double width_mm;           /* of the whole figure on paper, 40 to 1000; 160 */
-    double dots_per_inch;      /* of a PNG, 30 to 2400; 200 */
-    bool dark;                 /* light lines on a dark ground, for projectors; false */
-    bool small_print;          /* the parameters under the picture; true */
+    const char *palette;      /* a name of luxel_palette_name(): NULL: viridis */
+    double low;               /* of the range of the bar; NaN: what the picture of the scene says, or its values */
+    double high;              /* of the range of the bar; NaN likewise */
+    bool logarithmic;         /* the bar by powers of ten; false */
+    luxel_bands bands;        /* contours */
+    size_t levels;            /* about so many round ones, 1 to 50; 8 */
+    const double *level_list; /* or just these; NULL */
+    size_t level_list_count;  /* of them */
+    bool extrema;             /* mark the maximum; true */
+    bool points;              /* mark the scene's points; true */
+    luxel_section section;    /* none; else the plots of the horizontal and the vertical section stand below */
+    double section_mm[2];     /* of LUXEL_SECTION_POINT */
+    bool stacked;             /* in sections: the lights' shares on top of each other, else as lines; false */
+    const char *title;        /* NULL: the name of the scene or none; "" for none */
+    const char *label;        /* of the bar; NULL: the quantity with its unit */
+    double width_mm;          /* of the whole figure on paper, 40 to 1000; 160 */
+    double dots_per_inch;     /* of a PNG, 30 to 2400; 200 */
+    bool dark;                /* light lines on a dark ground, for projectors; false */
+    bool small_print;         /* the parameters under the picture; true */
     const luxel_language *language; /* NULL: English */
 } luxel_figure_settings;
 
+/* Sets every member to its default, given above. */
 LUXEL_API void luxel_figure_settings_init(luxel_figure_settings *settings);
 
 /* The name of the i-th palette, such as "viridis"; NULL beyond the last. */
@@ -82,10 +84,12 @@ LUXEL_API luxel_status luxel_check_figure_name(const char *path, luxel_diagnosti
 
 /* What a report says of itself; all may be NULL. */
 typedef struct luxel_report_settings {
-    const char *title, *author, *group;
+    const char *title;              /* of the report; NULL: one that says what it is about */
+    const char *author;             /* who hands it in */
+    const char *group;              /* the group of the author */
     const char *date;               /* as it is to stand there; NULL: none, so that reports can be repeated */
     const luxel_language *language; /* NULL: English */
-    const char *palette;            /* of the false colour */
+    const char *palette;            /* of the false colour; NULL: viridis */
 } luxel_report_settings;
 
 /*

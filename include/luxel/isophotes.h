@@ -18,24 +18,24 @@ extern "C" {
 
 /* One line.  A closed one does not repeat its first vertex. */
 typedef struct luxel_isophote {
-    double level;
-    bool closed;
+    double level;       /* the value along it */
+    bool closed;        /* whether it comes back to where it began */
     size_t count;       /* of vertices, 2 at least */
     const double *x_mm; /* on the screen */
-    const double *y_mm;
+    const double *y_mm; /* of the vertices, on the screen */
 } luxel_isophote;
 
 /* All lines, level by level in the order in which the levels were given.  The arrays live as long as it does. */
 typedef struct luxel_isophotes {
-    size_t count;
-    const luxel_isophote *lines;
+    size_t count;                /* of the lines */
+    const luxel_isophote *lines; /* count of them */
 } luxel_isophotes;
 
 /*
  * Finds the lines of `count` levels.  `evaluator` NULL: as the picture has them, else on the exact function of the same
  * scene and quantity.  The same result for any number of threads; the result is the caller's.
  * LUXEL_ERROR_ARGUMENT: a level is not finite, the field does not know its places or is not of the evaluator's scene.
- * LUXEL_ERROR_MEMORY.  LUXEL_CANCELLED: the evaluator's progress said so.
+ * LUXEL_CANCELLED: the evaluator's progress said so.  LUXEL_ERROR_MEMORY.
  */
 LUXEL_API luxel_status luxel_find_isophotes(const luxel_field *field, const luxel_evaluator *evaluator,
                                             const double *levels, size_t count, luxel_diagnostics *diagnostics,

@@ -19,28 +19,31 @@ typedef enum luxel_path_type {
                         abscissa is the angle at the sphere's centre from the first place, in degrees */
 } luxel_path_type;
 
+/* A way between two places. */
 typedef struct luxel_path {
-    luxel_path_type type;
-    double from_mm[2], to_mm[2]; /* on the screen; two different places */
-    size_t samples;              /* 2 to 10 000 000, both ends among them, in equal steps of the abscissa */
+    luxel_path_type type; /* what it runs along */
+    double from_mm[2];    /* on the screen; two different places */
+    double to_mm[2];      /* on the screen; two different places */
+    size_t samples;       /* 2 to 10 000 000, both ends among them, in equal steps of the abscissa */
 } luxel_path;
 
 /* One value of a profile. */
 typedef struct luxel_profile_sample {
-    double abscissa;   /* mm or degrees */
-    double x_mm, y_mm; /* on the screen */
-    bool has_value;    /* false off the surfaces, and where a source lies on the element */
-    double value;
-    double error; /* bounds |value - truth|; 0 where the value is the picture's */
+    double abscissa; /* mm or degrees */
+    double x_mm;     /* on the screen */
+    double y_mm;     /* on the screen */
+    bool has_value;  /* false off the surfaces, and where a source lies on the element */
+    double value;    /* in the unit of luxel_scene_unit() */
+    double error;    /* bounds |value - truth|; 0 where the value is the picture's */
 } luxel_profile_sample;
 
 /* A profile.  Its arrays live as long as it does. */
 typedef struct luxel_profile {
-    luxel_path_type type;
-    luxel_quantity quantity;
-    size_t count;
-    const luxel_profile_sample *samples;
-    size_t lights;        /* of the scene; 0 where the values are the picture's */
+    luxel_path_type type;                /* what it runs along */
+    luxel_quantity quantity;             /* what its values are */
+    size_t count;                        /* of the samples */
+    const luxel_profile_sample *samples; /* count of them */
+    size_t lights;                       /* of the scene; 0 where the values are the picture's */
     const double *shares; /* count x lights: what each light gives, 0 where there is no value; NULL where lights is 0 */
 } luxel_profile;
 
@@ -55,7 +58,7 @@ LUXEL_API luxel_status luxel_line_across_screen(const luxel_scene *scene, const 
 /*
  * The exact profile, light by light; the same for any number of threads.  The profile is the caller's.
  * LUXEL_ERROR_ARGUMENT: the path does not go; for an arc: the places are not both on one sphere, or are opposite.
- * LUXEL_ERROR_MEMORY.  LUXEL_CANCELLED.
+ * LUXEL_CANCELLED: the settings' progress said so.  LUXEL_ERROR_MEMORY.
  */
 LUXEL_API luxel_status luxel_find_profile(const luxel_evaluator *evaluator, const luxel_path *path,
                                           luxel_diagnostics *diagnostics, luxel_profile **profile);

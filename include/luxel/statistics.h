@@ -13,6 +13,7 @@
 extern "C" {
 #endif
 
+/* The shape of a region. */
 typedef enum luxel_region_type {
     LUXEL_REGION_ALL,       /* the whole picture */
     LUXEL_REGION_RECTANGLE, /* with sides along x and y */
@@ -21,10 +22,10 @@ typedef enum luxel_region_type {
 
 /* A part of the screen. */
 typedef struct luxel_region {
-    luxel_region_type type;
-    double center_mm[2]; /* of rectangle and circle */
-    double size_mm[2];   /* of the rectangle: width and height, above 0 */
-    double radius_mm;    /* of the circle, above 0 */
+    luxel_region_type type; /* its shape */
+    double center_mm[2];    /* of rectangle and circle */
+    double size_mm[2];      /* of the rectangle: width and height, above 0 */
+    double radius_mm;       /* of the circle, above 0 */
 } luxel_region;
 
 /* Whether a point of the screen lies in the region; NULL is the whole. */
@@ -57,11 +58,12 @@ typedef enum luxel_scale { LUXEL_LINEAR, LUXEL_LOGARITHMIC } luxel_scale;
 
 /* How many pixels have values from where to where.  Its arrays live as long as it does. */
 typedef struct luxel_histogram {
-    luxel_scale scale;
-    size_t bins;
+    luxel_scale scale;    /* of the steps */
+    size_t bins;          /* how many */
     const double *edges;  /* bins + 1, rising: a bin takes in its lower edge, the last its upper one too */
     const size_t *counts; /* bins */
-    size_t below, above;  /* pixels under the lowest and over the highest edge */
+    size_t below;         /* pixels under the lowest edge */
+    size_t above;         /* pixels over the highest edge */
     size_t pixels;        /* all of them */
 } luxel_histogram;
 

@@ -6,8 +6,8 @@
 #include <luxel/diagnostics.h>
 
 /*
- * The index of the ending of a file's name, in whatever case, in a list such as ".svg", ".pdf".  Where there is none, says so with
- * the endings that are known.  LUXEL_ERROR_ARGUMENT.
+ * The index of the ending of a file's name, in whatever case, in a list such as ".svg", ".pdf".  Where there is none,
+ * says so with the endings that are known.  LUXEL_ERROR_ARGUMENT.
  */
 luxel_status lx_find_ending(const char *path, const char *const *endings, size_t count, luxel_diagnostics *diagnostics,
                             size_t *found);

@@ -117,7 +117,8 @@ static void advise_place(struct lx_adviser *adviser)
     else
         lx_advise(adviser, (struct lx_advised){.list = "surfaces", .has_index = true, .index = now->surface},
                   LX_MSG_PEAK_AT_RIM, NULL);
-    if ((now->place == LUXEL_PEAK_BORDER && try_screens(adviser)) || lx_try_places(adviser, peaks_inside, now->strongest))
+    if ((now->place == LUXEL_PEAK_BORDER && try_screens(adviser)) ||
+        lx_try_places(adviser, peaks_inside, now->strongest))
         return;
     /* where that light alone does not do, any other might */
     for (size_t i = 0; i < adviser->parameters->lights.count && i < 8; i++)
@@ -197,7 +198,8 @@ static void mend_width(struct lx_adviser *adviser, const struct lx_item *surface
     const struct lx_item changed = {surface->variant, surface->parameters, &common};
     for (size_t i = 0; i < LX_COUNT(values); i++) {
         common.material.shininess = values[i];
-        if (half_width_rad(&common.material) > WIDEST_RAD || pixels_of_half(adviser->parameters, &changed) < LEAST_PIXELS)
+        if (half_width_rad(&common.material) > WIDEST_RAD ||
+            pixels_of_half(adviser->parameters, &changed) < LEAST_PIXELS)
             continue;
         char words[LX_ADVICE_SIZE], number[LX_NUMBER_SIZE];
         snprintf(words, sizeof words, "surfaces[%zu].material.shininess=%s", adviser->now.surface,
@@ -253,8 +255,8 @@ static void advise_highlight(struct lx_adviser *adviser)
     double rise = rise_with(adviser, NULL, now);
     if (rise < LEAST_RISE) {
         char number[LX_NUMBER_SIZE];
-        lx_advise(adviser, (struct lx_advised){"surfaces", true, now->surface, "material", "specular"},
-                  LX_MSG_PEAK_LOW, lx_write_digits(floor(1000 * fmax(rise, 0)) / 10, 2, number));
+        lx_advise(adviser, (struct lx_advised){"surfaces", true, now->surface, "material", "specular"}, LX_MSG_PEAK_LOW,
+                  lx_write_digits(floor(1000 * fmax(rise, 0)) / 10, 2, number));
         mend_height(adviser);
     } else if (!isnan(rise)) {
         advise_width(adviser);

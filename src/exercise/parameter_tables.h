@@ -10,8 +10,8 @@
 enum { LX_MOST_PARAMETER_TABLES = 12 };
 
 /*
- * Adds them for a committed scene: screen and observer, each surface with its material, each light.  What has no effect,
- * or was not given and has no default, is left out.
+ * Adds them for a committed scene: screen and observer, each surface with its material, each light.  What has no
+ * effect, or was not given and has no default, is left out.
  */
 void lx_add_parameter_tables(struct luxel_document *document, const struct lx_scene_parameters *scene);
 

@@ -14,13 +14,13 @@
 #include "../shade/prepared.h"
 
 enum {
-    SAMPLES = 48,             /* along the shorter side of the screen */
-    SAMPLES_ACROSS = 16,      /* at least, over the smallest surface */
-    MOST_SAMPLES = 300000,    /* in all */
-    MOST_SIDE = 10000,        /* along a side */
+    SAMPLES = 48,            /* along the shorter side of the screen */
+    SAMPLES_ACROSS = 16,     /* at least, over the smallest surface */
+    MOST_SAMPLES = 300000,   /* in all */
+    MOST_SIDE = 10000,       /* along a side */
     MOST_STEPS = 8,          /* of a climb */
-    MOST_EXACT_SOURCES = 64,  /* for the continuous maximum */
-    MOST_SOURCES = 4096       /* for the picture */
+    MOST_EXACT_SOURCES = 64, /* for the continuous maximum */
+    MOST_SOURCES = 4096      /* for the picture */
 };
 
 #define TOLERANCE 1e-2 /* of integrals: advice speaks of percents */
@@ -123,8 +123,11 @@ static void take_pixel(const luxel_evaluator *evaluator, const luxel_field *fiel
 {
     const luxel_extremum *maximum = &summary->maximum;
     luxel_value value = luxel_evaluate(evaluator, maximum->x_mm, maximum->y_mm, NULL);
-    *peak = (luxel_peak){.exists = maximum->exists, .value = maximum->value, .surface = value.surface,
-                         .x_mm = maximum->x_mm, .y_mm = maximum->y_mm};
+    *peak = (luxel_peak){.exists = maximum->exists,
+                         .value = maximum->value,
+                         .surface = value.surface,
+                         .x_mm = maximum->x_mm,
+                         .y_mm = maximum->y_mm};
     /* where all is of one value, or nearly, no place is the brightest */
     bool is_level = maximum->value - summary->mean <= 1e-3 * maximum->value;
     peak->place = is_level ? LUXEL_PEAK_PLATEAU : place_of(field, region, maximum);

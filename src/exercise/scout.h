@@ -12,11 +12,11 @@
 #include "../scene/scene.h"
 
 struct lx_scout {
-    bool too_large;  /* more sources than a quick look can take: nothing else is known */
-    bool is_seen;    /* whether any surface is */
-    bool is_coarse;  /* whether the peak was read off the picture, because some source has no quick exact value */
-    double maximum;  /* the greatest brightness on the screen */
-    size_t surface;  /* where it is seen */
+    bool too_large; /* more sources than a quick look can take: nothing else is known */
+    bool is_seen;   /* whether any surface is */
+    bool is_coarse; /* whether the peak was read off the picture, because some source has no quick exact value */
+    double maximum; /* the greatest brightness on the screen */
+    size_t surface; /* where it is seen */
     luxel_peak_place place;
     size_t strongest; /* the light that gives most of it */
     double white;     /* share of what is seen that is brighter than the picture's range reaches */

@@ -103,7 +103,8 @@ static void draw_sources(uint64_t *state, struct variant *v, int count)
         for (int axis = 0; axis < 2; axis++)
             source->place_mm[axis] = draw(state, -5000, 5000, 100);
         source->place_mm[2] = draw(state, v->center_mm[2] + 200, v->center_mm[2] + 5000, 100);
-        source->intensity_w_sr = DRAW_OF(state, 2, 4, 5, 6, 8, 10, 12, 15, 20, 25, 30, 40, 50, 60, 80, 100, 120, 150, 200);
+        source->intensity_w_sr =
+            DRAW_OF(state, 2, 4, 5, 6, 8, 10, 12, 15, 20, 25, 30, 40, 50, 60, 80, 100, 120, 150, 200);
     }
 }
 
@@ -298,11 +299,12 @@ luxel_status luxel_variant_text(unsigned number, luxel_diagnostics *diagnostics,
     }
     struct variant v = find_variant(number);
     struct lx_text written = {0};
-    lx_text_printf(&written,
-                   "# Variant %u: the brightness of a sphere\n"
-                   "# By the rules of the published solution: the sources shine the same in all directions and are not\n"
-                   "# attenuated by the distance, the highlight is seen along z, values are those of the exact points.\n",
-                   number);
+    lx_text_printf(
+        &written,
+        "# Variant %u: the brightness of a sphere\n"
+        "# By the rules of the published solution: the sources shine the same in all directions and are not\n"
+        "# attenuated by the distance, the highlight is seen along z, values are those of the exact points.\n",
+        number);
     write_scene(&written, &v);
     char *made = lx_text_take(&written);
     if (!made)

@@ -280,7 +280,6 @@ static void climb_from(struct lx_hunt *hunt, const struct lx_seed *seed, luxel_p
 static void search(struct lx_hunt *hunt, const struct lx_seeds *seeds, luxel_peak *best)
 {
     size_t climbs = 0, most = hunt->costly ? MOST_CLIMBS_COSTLY : MOST_CLIMBS;
-    hunt->control.rows = (unsigned)(seeds->count < most ? seeds->count + 1 : most + 1);
     for (size_t i = 0; i < seeds->count && climbs < most && lx_hunt_goes_on(hunt); i++) {
         const struct lx_seed *seed = &seeds->items[i];
         if (best->exists && seed->value + seed->margin <= hunt->sign * best->value)
@@ -349,9 +348,13 @@ static luxel_status hunt_for(const luxel_evaluator *evaluator, const luxel_field
         .bare = evaluator->prepared,
         .region = region,
         .sign = sign,
-        .control = {.rows = 1, .progress = evaluator->settings.progress, .data = evaluator->settings.progress_data},
+        .control = {.rows = 2 * (MOST_CLIMBS + 1),
+                    .progress = evaluator->settings.progress,
+                    .data = evaluator->settings.progress_data},
     };
     struct lx_seeds seeds = {.items = NULL};
+    if (sign < 0) /* the maximum is done */
+        atomic_store(&hunt.control.rows_done, MOST_CLIMBS + 1);
     judge_lights(&hunt);
     set_scales(&hunt, field);
     if (hunt.costly)

@@ -80,7 +80,7 @@ bool lx_brinks_of(struct lx_hunt *hunt, size_t surface)
 {
     const struct lx_emitters *emitters = &hunt->prepared->emitters;
     if (hunt->brink_count > 0 && hunt->edged == surface)
-        return true;
+        return !hunt->short_of_memory;
     hunt->brink_count = 0;
     hunt->edged = surface;
     bool done = add_walls(hunt, surface);

@@ -83,7 +83,7 @@ static void ring_of_sphere(const struct lx_hunt *hunt, size_t surface, struct ri
     }
 }
 
-/* Around a square, from -1, -1 counter-clockwise: the corners are among the places if their number is a multiple of 4. */
+/* Around a square, from -1, -1 counter-clockwise; its corners are among them if their number is a multiple of 4. */
 static void around_square(int i, int count, double at[2])
 {
     int side = 4 * i / count;

@@ -16,8 +16,8 @@
 enum { MOST_BLOCKS = 256, LEAST_BLOCK = 4 };
 /* How many pixels are looked at more closely. */
 enum { MOST_PIXELS = 40, MOST_PIXELS_COSTLY = 16, MOST_EQUAL = 200 };
-/* Lights that are looked at one by one, and how often with each surface. */
-enum { MOST_LIGHTS = 64, MOST_PAIRS = 2048 };
+/* Lights that are looked at one by one, a few where there are very many, and pairs of them and a surface. */
+enum { MOST_LIGHTS = 64, MOST_LIGHTS_OF_MANY = 8, MOST_PAIRS = 2048 };
 /* What a climb may find beyond its beginning, relative, where no pixel tells. */
 static const double UNTOLD_MARGIN = 0.5, UNTOLD_MARGIN_COSTLY = 0.1;
 
@@ -291,8 +291,8 @@ static bool takes_away(const struct lx_hunt *hunt, size_t brink, size_t emitter,
     return (lx_brink_is_wall(it) || (cuts && it->emitter == emitter)) && lx_brink_distance(hunt, it, spot) < 0;
 }
 
-/* A place where geometry puts a peak: itself or, where it is hidden, off the screen or in the shade, the next place that
- * is not, for the peak may be narrow. */
+/* A place where geometry puts a peak; where it is hidden, off the screen or in the shade, also the next place that is
+ * not, for the peak may be narrow. */
 static void add_towards(struct lx_gathering *gathering, struct lx_spot spot, size_t emitter)
 {
     struct lx_hunt *hunt = gathering->hunt;
@@ -369,7 +369,8 @@ static void add_lights(struct lx_gathering *gathering)
     struct lx_hunt *hunt = gathering->hunt;
     const struct lx_emitters *emitters = &hunt->prepared->emitters;
     size_t most = MOST_PAIRS / hunt->prepared->surface_count;
-    most = most > MOST_LIGHTS ? MOST_LIGHTS : most > 0 ? most : 1;
+    size_t lights = emitters->count > MOST_LIGHTS ? MOST_LIGHTS_OF_MANY : MOST_LIGHTS;
+    most = most > lights ? lights : most > 0 ? most : 1;
     size_t stride = emitters->count > most ? (emitters->count + most - 1) / most : 1;
     for (size_t i = 0; i < emitters->count && lx_hunt_goes_on(hunt); i += stride) {
         const struct lx_emitter *emitter = &emitters->items[i];

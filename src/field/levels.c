@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /*
- * Round levels: numbers that a reader takes in at a glance.  Each is a digit times a power of ten, rounded once, so that
- * it is the very number that its few digits stand for.
+ * Round levels: numbers that a reader takes in at a glance.  Each is a digit times a power of ten, rounded once, so
+ * that it is the very number that its few digits stand for.
  */
 #include <luxel/isophotes.h>
 

@@ -54,34 +54,57 @@ double lx_plot_y(const struct lx_plot *plot, double value)
     return plot->box.y + plot->box.height * (1 - lx_scale_place(&plot->y, value));
 }
 
-/* As many ticks as stand apart: along x by the width of their labels, along y by their height. */
-static struct lx_ticks ticks_along(const struct lx_canvas *canvas, const struct lx_scale *scale, double length,
-                                   double size, bool upright)
+/* Whether ticks stand apart: along x by the widths of their labels, along y by their height. */
+static bool stand_apart(const struct lx_canvas *canvas, const struct lx_ticks *ticks, const struct lx_scale *scale,
+                        double length, double size, bool upright)
 {
     const struct lx_type type = {.size = size};
-    struct lx_ticks ticks = {.count = 0};
-    for (size_t wanted = 7; wanted > 0; wanted--) {
-        double room = 0;
-        ticks = lx_ticks_of(scale, wanted);
-        for (size_t i = 0; i < ticks.count; i++) {
-            struct lx_box text = lx_measure(canvas, ticks.texts[i], &type);
-            room += upright ? 1.6 * text.height : text.width + 1.2 * size;
-        }
-        if (room <= length)
-            return ticks;
+    double end = -HUGE_VAL;
+    for (size_t i = 0; i < ticks->count; i++) {
+        struct lx_box text = lx_measure(canvas, ticks->texts[i], &type);
+        double half = (upright ? text.height : text.width) / 2;
+        double at = length * lx_scale_place(scale, ticks->values[i]);
+        if (at - half < end)
+            return false;
+        end = at + half + (upright ? 0.3 : 0.9) * size;
     }
+    return true;
+}
+
+struct lx_ticks lx_ticks_along(const struct lx_canvas *canvas, const struct lx_scale *scale, double length, double size,
+                               bool upright, size_t most)
+{
+    struct lx_ticks ticks = {.count = 0};
+    for (size_t wanted = most; wanted > 0; wanted--) {
+        ticks = lx_ticks_of(scale, wanted);
+        if (stand_apart(canvas, &ticks, scale, length, size, upright))
+            break;
+    }
+    /* where not even those do, the first is left alone */
+    if (!stand_apart(canvas, &ticks, scale, length, size, upright))
+        ticks.count = 1;
     return ticks;
 }
 
-struct lx_margins lx_plot_margins(const struct lx_canvas *canvas, const struct lx_plot *plot)
+/* A label along an axis, which is not longer than that, nor shorter than a word. */
+static struct lx_type label_type(const struct lx_plot *plot, double length)
 {
-    const struct lx_type type = {.size = plot->size};
-    struct lx_ticks ticks = ticks_along(canvas, &plot->y, plot->box.height, plot->size, true);
+    return (struct lx_type){.size = plot->size, .wrap = fmax(length, 6 * plot->size), .centered = true};
+}
+
+struct lx_margins lx_plot_margins(const struct lx_canvas *canvas, const struct lx_plot *plot, const char *y_label)
+{
+    const struct lx_type type = {.size = plot->size}, label = label_type(plot, plot->box.height);
+    struct lx_ticks ticks = lx_ticks_along(canvas, &plot->y, plot->box.height, plot->size, true, 7);
     double widest = 0, height = lx_measure(canvas, "0", &type).height;
     for (size_t i = 0; i < ticks.count; i++)
         widest = fmax(widest, lx_measure(canvas, ticks.texts[i], &type).width);
-    return (struct lx_margins){.left = widest + (TICK + GAP) * plot->size + height + GAP * plot->size,
-                               .below = (TICK + GAP) * plot->size + 2 * height};
+    ticks = lx_ticks_along(canvas, &plot->x, plot->box.width, plot->size, false, 7);
+    return (struct lx_margins){
+        .left = widest + (TICK + 2 * GAP) * plot->size + lx_measure(canvas, y_label, &label).height,
+        .right = ticks.count > 0 ? lx_measure(canvas, ticks.texts[ticks.count - 1], &type).width / 2 : 0,
+        .above = height / 2,
+        .below = (TICK + GAP) * plot->size + 2.1 * height};
 }
 
 static void line(const struct lx_canvas *canvas, double x1, double y1, double x2, double y2)
@@ -95,12 +118,12 @@ static void draw_x(const struct lx_canvas *canvas, const struct lx_plot *plot, c
 {
     const struct lx_type type = {.size = plot->size};
     const struct lx_box *box = &plot->box;
-    struct lx_ticks ticks = ticks_along(canvas, &plot->x, box->width, plot->size, false);
+    struct lx_ticks ticks = lx_ticks_along(canvas, &plot->x, box->width, plot->size, false, 7);
     double bottom = box->y + box->height, below = bottom + (TICK + GAP) * plot->size;
     for (size_t i = 0; i < ticks.count; i++) {
         double x = lx_plot_x(plot, ticks.values[i]);
         if (grid) {
-            lx_color(canvas, canvas->faint, 0.25);
+            lx_color(canvas, canvas->faint, 0.18);
             line(canvas, x, box->y, x, bottom);
         }
         lx_color(canvas, canvas->ink, 1);
@@ -108,19 +131,19 @@ static void draw_x(const struct lx_canvas *canvas, const struct lx_plot *plot, c
         lx_write(canvas, ticks.texts[i], &type, x, below, 0.5, 0, 0);
     }
     double height = lx_measure(canvas, "0", &type).height;
-    lx_write(canvas, label, &type, box->x + box->width / 2, below + height, 0.5, 0, 0);
+    lx_write(canvas, label, &type, box->x + box->width / 2, below + 1.1 * height, 0.5, 0, 0);
 }
 
 static void draw_y(const struct lx_canvas *canvas, const struct lx_plot *plot, const char *label, bool grid)
 {
     const struct lx_type type = {.size = plot->size};
     const struct lx_box *box = &plot->box;
-    struct lx_ticks ticks = ticks_along(canvas, &plot->y, box->height, plot->size, true);
+    struct lx_ticks ticks = lx_ticks_along(canvas, &plot->y, box->height, plot->size, true, 7);
     double right = box->x - (TICK + GAP) * plot->size, widest = 0;
     for (size_t i = 0; i < ticks.count; i++) {
         double y = lx_plot_y(plot, ticks.values[i]);
         if (grid) {
-            lx_color(canvas, canvas->faint, 0.25);
+            lx_color(canvas, canvas->faint, 0.18);
             line(canvas, box->x, y, box->x + box->width, y);
         }
         lx_color(canvas, canvas->ink, 1);
@@ -128,7 +151,8 @@ static void draw_y(const struct lx_canvas *canvas, const struct lx_plot *plot, c
         lx_write(canvas, ticks.texts[i], &type, right, y, 1, 0.5, 0);
         widest = fmax(widest, lx_measure(canvas, ticks.texts[i], &type).width);
     }
-    lx_write(canvas, label, &type, right - widest - GAP * plot->size, box->y + box->height / 2, 0.5, 1, -M_PI / 2);
+    const struct lx_type along = label_type(plot, box->height);
+    lx_write(canvas, label, &along, right - widest - GAP * plot->size, box->y + box->height / 2, 0.5, 1, -M_PI / 2);
 }
 
 void lx_draw_axes(const struct lx_canvas *canvas, const struct lx_plot *plot, const char *x_label, const char *y_label,

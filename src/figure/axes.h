@@ -25,6 +25,10 @@ struct lx_ticks {
 /* About `wanted` round values of a scale, its ends included where they are round. */
 struct lx_ticks lx_ticks_of(const struct lx_scale *scale, size_t wanted);
 
+/* At most so many of them, fewer where their labels would not stand apart on a length; `upright`: along y. */
+struct lx_ticks lx_ticks_along(const struct lx_canvas *canvas, const struct lx_scale *scale, double length, double size,
+                               bool upright, size_t most);
+
 /* A value as bars and isophotes write it. */
 const char *lx_tick_text(double value, char buffer[LX_TICK_TEXT]);
 
@@ -38,11 +42,11 @@ struct lx_plot {
 double lx_plot_x(const struct lx_plot *plot, double value);
 double lx_plot_y(const struct lx_plot *plot, double value);
 
-/* What stands left of a plot's box and under it: the room that ticks and labels need. */
+/* What stands around a plot's box: the room that ticks and labels need; a long label is wrapped along its axis. */
 struct lx_margins {
-    double left, below;
+    double left, right, above, below;
 };
-struct lx_margins lx_plot_margins(const struct lx_canvas *canvas, const struct lx_plot *plot);
+struct lx_margins lx_plot_margins(const struct lx_canvas *canvas, const struct lx_plot *plot, const char *y_label);
 
 /* Draws frame, ticks and labels; `grid`: faint lines at the ticks. */
 void lx_draw_axes(const struct lx_canvas *canvas, const struct lx_plot *plot, const char *x_label, const char *y_label,

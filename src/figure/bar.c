@@ -4,7 +4,8 @@
 
 #include "figure.h"
 
-static const double LINE = 0.06;
+/* Of the letters' size. */
+static const double LINE = 0.06, WIDTH = 1.5, TICK = 0.35, GAP = 0.35, POINT = 1;
 
 /* The colours as an image of one column, so that no file holds hundreds of rectangles with seams between them. */
 static void draw_colors(const struct lx_figure *figure, const struct lx_canvas *canvas, const struct lx_box *box)
@@ -33,53 +34,117 @@ static void draw_colors(const struct lx_figure *figure, const struct lx_canvas *
         }
         cairo_surface_mark_dirty(image);
         cairo_save(canvas->cairo);
-        cairo_rectangle(canvas->cairo, box->x, box->y, box->width, box->height);
-        cairo_clip(canvas->cairo);
         cairo_translate(canvas->cairo, box->x, box->y);
         cairo_scale(canvas->cairo, box->width, box->height / STEPS);
         cairo_set_source_surface(canvas->cairo, image, 0, 0);
         cairo_pattern_set_filter(cairo_get_source(canvas->cairo), CAIRO_FILTER_NEAREST);
-        cairo_pattern_set_extend(cairo_get_source(canvas->cairo), CAIRO_EXTEND_PAD);
         cairo_paint(canvas->cairo);
         cairo_restore(canvas->cairo);
     }
     cairo_surface_destroy(image);
 }
 
-void lx_draw_bar(const struct lx_figure *figure, const struct lx_canvas *canvas, const struct lx_box *box, double size)
+/* The colours at the ends, which the points have, too. */
+static void draw_ends(const struct lx_figure *figure, const struct lx_canvas *canvas, const struct lx_box *box,
+                      double size)
 {
-    const struct lx_type type = {.size = size};
-    struct lx_ticks ticks;
-    double height = lx_measure(canvas, "0", &type).height, widest = 0, right = box->x + box->width;
-    draw_colors(figure, canvas, box);
-    cairo_set_line_width(canvas->cairo, LINE * size);
-    lx_color(canvas, canvas->ink, 1);
-    cairo_rectangle(canvas->cairo, box->x, box->y, box->width, box->height);
-    cairo_stroke(canvas->cairo);
-    for (size_t wanted = 9;; wanted--) {
-        ticks = lx_ticks_of(&figure->scale, wanted);
-        if (wanted == 1 || 1.5 * height * (double)ticks.count <= box->height)
-            break;
+    for (int end = 0; end < 2; end++) {
+        double color[3], half = box->height / 2 + POINT * size;
+        luxel_palette_color(figure->settings.palette, end, color);
+        lx_color(canvas, color, 1);
+        cairo_rectangle(canvas->cairo, box->x, end ? box->y - POINT * size : box->y + box->height / 2, box->width,
+                        half);
+        cairo_fill(canvas->cairo);
     }
-    for (size_t i = 0; i < ticks.count; i++) {
-        double y = box->y + box->height * (1 - lx_scale_place(&figure->scale, ticks.values[i]));
-        lx_color(canvas, canvas->ink, 1);
-        cairo_move_to(canvas->cairo, right, y);
-        cairo_line_to(canvas->cairo, right + 0.35 * size, y);
-        cairo_stroke(canvas->cairo);
-        lx_write(canvas, ticks.texts[i], &type, right + 0.7 * size, y, 0, 0.5, 0);
-        widest = fmax(widest, lx_measure(canvas, ticks.texts[i], &type).width);
-    }
+}
+
+/* The bar's edge, pointed at the ends that have values beyond them. */
+static void trace_edge(const struct lx_figure *figure, const struct lx_canvas *canvas, const struct lx_box *box,
+                       double size)
+{
+    double point = POINT * size, middle = box->x + box->width / 2, bottom = box->y + box->height;
+    cairo_t *cairo = canvas->cairo;
+    cairo_move_to(cairo, box->x, box->y);
+    if (figure->has_above)
+        cairo_line_to(cairo, middle, box->y - point);
+    cairo_line_to(cairo, box->x + box->width, box->y);
+    cairo_line_to(cairo, box->x + box->width, bottom);
+    if (figure->has_below)
+        cairo_line_to(cairo, middle, bottom + point);
+    cairo_line_to(cairo, box->x, bottom);
+    cairo_close_path(cairo);
+}
+
+/* The levels of the isophotes that the map shows. */
+static void draw_levels(const struct lx_figure *figure, const struct lx_canvas *canvas, const struct lx_box *box)
+{
     for (size_t i = 0; figure->isophotes && i < figure->level_count; i++) {
         double t = lx_scale_place(&figure->scale, figure->levels[i]), color[3];
         if (!(t > 0 && t < 1))
             continue;
         luxel_palette_color(figure->settings.palette, t, color);
-        bool dark = 0.3 * color[0] + 0.59 * color[1] + 0.11 * color[2] < 0.5;
+        bool dark = lx_lightness(color) < 0.5;
         lx_color(canvas, dark ? (const double[]){0.97, 0.97, 0.97} : (const double[]){0.08, 0.08, 0.08}, 0.75);
         cairo_move_to(canvas->cairo, box->x, box->y + box->height * (1 - t));
-        cairo_line_to(canvas->cairo, right, box->y + box->height * (1 - t));
+        cairo_line_to(canvas->cairo, box->x + box->width, box->y + box->height * (1 - t));
         cairo_stroke(canvas->cairo);
     }
-    lx_write(canvas, figure->label, &type, right + 1.05 * size + widest, box->y + box->height / 2, 0.5, 0, -M_PI / 2);
+}
+
+static struct lx_ticks bar_ticks(const struct lx_figure *figure, const struct lx_canvas *canvas, double length,
+                                 double size, double *widest)
+{
+    const struct lx_type type = {.size = size};
+    struct lx_ticks ticks = lx_ticks_along(canvas, &figure->scale, length, size, true, 9);
+    *widest = 0;
+    for (size_t i = 0; i < ticks.count; i++)
+        *widest = fmax(*widest, lx_measure(canvas, ticks.texts[i], &type).width);
+    return ticks;
+}
+
+/* The label runs up the bar, wrapped where it is longer. */
+static struct lx_type label_type(double length, double size)
+{
+    return (struct lx_type){.size = size, .wrap = fmax(length, 6 * size), .centered = true};
+}
+
+double lx_bar_room(const struct lx_figure *figure, const struct lx_canvas *canvas, double length, double size)
+{
+    const struct lx_type label = label_type(length, size);
+    double widest;
+    bar_ticks(figure, canvas, length, size, &widest);
+    return (WIDTH + TICK + 2 * GAP) * size + widest + lx_measure(canvas, figure->label, &label).height;
+}
+
+void lx_draw_bar(const struct lx_figure *figure, const struct lx_canvas *canvas, const struct lx_box *place,
+                 double size)
+{
+    const struct lx_type type = {.size = size}, label = label_type(place->height, size);
+    struct lx_box box = *place;
+    double widest, right = box.x + WIDTH * size;
+    box.width = WIDTH * size;
+    box.y += figure->has_above ? POINT * size : 0;
+    box.height -= (figure->has_above + figure->has_below) * POINT * size;
+    struct lx_ticks ticks = bar_ticks(figure, canvas, box.height, size, &widest);
+    cairo_save(canvas->cairo);
+    trace_edge(figure, canvas, &box, size);
+    cairo_clip(canvas->cairo);
+    draw_ends(figure, canvas, &box, size);
+    draw_colors(figure, canvas, &box);
+    cairo_restore(canvas->cairo);
+    cairo_set_line_width(canvas->cairo, LINE * size);
+    draw_levels(figure, canvas, &box);
+    lx_color(canvas, canvas->ink, 1);
+    trace_edge(figure, canvas, &box, size);
+    cairo_stroke(canvas->cairo);
+    for (size_t i = 0; i < ticks.count; i++) {
+        double y = box.y + box.height * (1 - lx_scale_place(&figure->scale, ticks.values[i]));
+        lx_color(canvas, canvas->ink, 1);
+        cairo_move_to(canvas->cairo, right, y);
+        cairo_line_to(canvas->cairo, right + TICK * size, y);
+        cairo_stroke(canvas->cairo);
+        lx_write(canvas, ticks.texts[i], &type, right + (TICK + GAP) * size, y, 0, 0.5, 0);
+    }
+    lx_write(canvas, figure->label, &label, right + (TICK + 2 * GAP) * size + widest, place->y + place->height / 2, 0.5,
+             0, -M_PI / 2);
 }

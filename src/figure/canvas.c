@@ -46,6 +46,7 @@ static PangoLayout *layout_of(const struct lx_canvas *canvas, const char *text, 
     if (type->wrap > 0) {
         pango_layout_set_width(layout, (int)lround(type->wrap * PANGO_SCALE));
         pango_layout_set_wrap(layout, PANGO_WRAP_WORD_CHAR);
+        pango_layout_set_alignment(layout, type->centered ? PANGO_ALIGN_CENTER : PANGO_ALIGN_LEFT);
     }
     pango_layout_set_text(layout, text, -1);
     return layout;
@@ -55,7 +56,9 @@ static struct lx_box size_of(PangoLayout *layout)
 {
     PangoRectangle logical;
     pango_layout_get_extents(layout, NULL, &logical);
-    return (struct lx_box){.width = (double)logical.width / PANGO_SCALE,
+    /* wrapped lines around their middle begin within the room that they have */
+    return (struct lx_box){.x = (double)logical.x / PANGO_SCALE,
+                           .width = (double)logical.width / PANGO_SCALE,
                            .height = (double)logical.height / PANGO_SCALE};
 }
 
@@ -76,14 +79,14 @@ void lx_write(const struct lx_canvas *canvas, const char *text, const struct lx_
     cairo_save(cairo);
     cairo_translate(cairo, x, y);
     cairo_rotate(cairo, turned);
-    cairo_move_to(cairo, -across * size.width, -down * size.height);
+    cairo_move_to(cairo, -across * size.width - size.x, -down * size.height);
     if (type->halo) {
         pango_cairo_layout_path(cairo, layout);
         lx_color(canvas, type->halo, 0.85);
         cairo_set_line_width(cairo, type->size * 0.28);
         cairo_set_line_join(cairo, CAIRO_LINE_JOIN_ROUND);
         cairo_stroke(cairo);
-        cairo_move_to(cairo, -across * size.width, -down * size.height);
+        cairo_move_to(cairo, -across * size.width - size.x, -down * size.height);
     }
     lx_color(canvas, type->color ? type->color : canvas->ink, 1);
     pango_cairo_show_layout(cairo, layout);

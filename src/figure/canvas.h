@@ -28,6 +28,7 @@ struct lx_type {
     const double *color;
     double wrap;
     const double *halo; /* the colour of a seam around the letters; NULL: none */
+    bool centered;      /* wrapped lines around their middle */
 };
 
 /* Width and height of a text. */

@@ -3,7 +3,6 @@
 #include <math.h>
 #include <string.h>
 
-#include "../base/number.h"
 #include "../base/phrase.h"
 #include "figure.h"
 
@@ -21,17 +20,6 @@ static struct layout layout_of(double width)
     return layout;
 }
 
-/* The bar's room beside the map: its colours, ticks and label. */
-static double bar_room(const struct lx_figure *figure, const struct lx_canvas *canvas, double size)
-{
-    const struct lx_type type = {.size = size};
-    struct lx_ticks ticks = lx_ticks_of(&figure->scale, 9);
-    double widest = 0;
-    for (size_t i = 0; i < ticks.count; i++)
-        widest = fmax(widest, lx_measure(canvas, ticks.texts[i], &type).width);
-    return 1.6 * size + 1.1 * size + widest + lx_measure(canvas, figure->label, &type).height;
-}
-
 /* The map as wide as there is room, unless that would make it much higher than wide; the bar at its right. */
 static double draw_map_and_bar(const struct lx_figure *figure, const struct lx_canvas *canvas,
                                const struct layout *layout, double top, bool drawn)
@@ -40,88 +28,93 @@ static double draw_map_and_bar(const struct lx_figure *figure, const struct lx_c
     struct lx_plot plot = {.x = {.low = -screen->width_mm / 2, .high = screen->width_mm / 2},
                            .y = {.low = -screen->height_mm / 2, .high = screen->height_mm / 2},
                            .size = layout->size};
-    double aspect = screen->height_mm / screen->width_mm, bar = bar_room(figure, canvas, layout->size);
-    plot.box = (struct lx_box){.width = 100, .height = 100 * aspect};
+    const char *x_label = lx_figure_word(figure, LX_N("x, mm")), *y_label = lx_figure_word(figure, LX_N("y, mm"));
+    double aspect = screen->height_mm / screen->width_mm, bar_height = 0, room = 0, gap = 0, bar = 0;
     struct lx_margins margins = {0};
-    double room = 0;
-    for (int pass = 0; pass < 2; pass++) { /* the ticks, and with them the margin, depend on the size */
-        margins = lx_plot_margins(canvas, &plot);
-        room = layout->width - 2 * layout->margin - margins.left - 1.2 * layout->size - bar;
+    plot.box = (struct lx_box){.width = layout->width / 2, .height = layout->width / 2 * aspect};
+    for (int pass = 0; pass < 3; pass++) { /* ticks and labels, and with them the room, depend on the size */
+        margins = lx_plot_margins(canvas, &plot, y_label);
+        /* a low map gets a bar that its ticks have room on */
+        bar_height = fmax(plot.box.height, 9 * layout->size);
+        bar = lx_bar_room(figure, canvas, bar_height, layout->size);
+        gap = fmax(1.2 * layout->size, margins.right - 0.5 * layout->size);
+        room = layout->width - 2 * layout->margin - margins.left - gap - bar;
         plot.box.width = fmin(room, 1.15 * layout->width / aspect);
         plot.box.height = plot.box.width * aspect;
     }
-    plot.box.x = layout->margin + margins.left + (room - plot.box.width) / 2;
-    plot.box.y = top + 0.5 * layout->size;
-    /* a low map gets a bar that its ticks have room on */
-    double bar_height = fmax(plot.box.height, 9 * layout->size);
+    bar_height = fmax(plot.box.height, 9 * layout->size);
     double shift = (bar_height - plot.box.height) / 2;
-    plot.box.y += shift;
+    plot.box.x = layout->margin + margins.left + (room - plot.box.width) / 2;
+    plot.box.y = top + margins.above + shift;
     if (drawn) {
+        struct lx_box colors = {plot.box.x + plot.box.width + gap, plot.box.y - shift, bar, bar_height};
         lx_draw_map(figure, canvas, &plot);
-        lx_draw_axes(canvas, &plot, lx_figure_word(figure, LX_N("x, mm")), lx_figure_word(figure, LX_N("y, mm")),
-                     false);
-        struct lx_box colors = {plot.box.x + plot.box.width + 1.2 * layout->size, plot.box.y - shift,
-                                1.6 * layout->size, bar_height};
+        lx_draw_axes(canvas, &plot, x_label, y_label, false);
         lx_draw_bar(figure, canvas, &colors, layout->size);
     }
-    return plot.box.y + fmax(plot.box.height + margins.below, bar_height - shift + 0.5 * layout->size);
+    return plot.box.y + fmax(plot.box.height + margins.below, bar_height - shift + margins.above);
 }
 
-/* The highest value of both sections, so that they can be compared. */
-static double highest(const struct lx_figure *figure)
+/* The values of both sections have one scale, so that they can be compared; by powers of ten as the bar's is. */
+static struct lx_scale section_scale(const struct lx_figure *figure)
 {
     double most = 0;
     for (int which = 0; which < 2; which++)
         for (size_t i = 0; i < figure->sections[which]->count; i++)
             if (figure->sections[which]->samples[i].has_value)
                 most = fmax(most, figure->sections[which]->samples[i].value);
-    return most > 0 ? most : 1;
+    /* sums are areas, which begin at 0 */
+    if (figure->scale.logarithmic && !figure->settings.stacked && most > figure->scale.low)
+        return (struct lx_scale){.low = figure->scale.low, .high = 1.3 * most, .logarithmic = true};
+    return (struct lx_scale){.low = 0, .high = most > 0 ? 1.06 * most : 1};
 }
 
-/* "— lights[0]  — window": a row of names with their colours, wrapped. */
+/* A name of the legend with its line or patch; returns its height, and how wide it is with what keeps it apart. */
+static double draw_name(const struct lx_figure *figure, const struct lx_canvas *canvas, const struct layout *layout,
+                        size_t light, struct lx_box *box, bool drawn)
+{
+    bool whole = light == figure->light_count;
+    const char *name = whole ? lx_figure_word(figure, LX_N("all together")) : figure->lights[light];
+    struct lx_type type = {.size = layout->size, .wrap = layout->width - 2 * layout->margin - 2 * layout->size};
+    struct lx_box text = lx_measure(canvas, name, &type);
+    double line = lx_measure(canvas, "0", &type).height, y = box->y + line / 2, color[3];
+    box->width = text.width + 2 * layout->size;
+    box->height = text.height;
+    if (!drawn)
+        return text.height;
+    memcpy(color, canvas->ink, sizeof color);
+    if (!whole)
+        lx_light_line(figure, canvas, light, layout->size, color);
+    lx_color(canvas, color, 1);
+    cairo_set_line_width(canvas->cairo, (whole ? 0.26 : figure->settings.stacked ? 0.8 : 0.16) * layout->size);
+    cairo_move_to(canvas->cairo, box->x, y);
+    cairo_line_to(canvas->cairo, box->x + 1.6 * layout->size, y);
+    cairo_stroke(canvas->cairo);
+    cairo_set_dash(canvas->cairo, NULL, 0, 0);
+    lx_write(canvas, name, &type, box->x + 2 * layout->size, box->y, 0, 0, 0);
+    return text.height;
+}
+
+/* "— lights[0]  — window": a row of names with their lines, wrapped. */
 static double draw_legend(const struct lx_figure *figure, const struct lx_canvas *canvas, const struct layout *layout,
                           double top, bool drawn)
 {
-    const struct lx_type type = {.size = layout->size};
-    double x = layout->margin, y = top, height = lx_measure(canvas, "0", &type).height;
+    struct lx_box box = {.x = layout->margin, .y = top};
+    double row = 0;
     if (figure->light_count < 2)
         return top;
     for (size_t i = 0; i <= figure->light_count; i++) {
-        bool whole = i == figure->light_count;
-        const char *name = whole ? lx_figure_word(figure, LX_N("all together")) : figure->lights[i];
-        double color[3], width = lx_measure(canvas, name, &type).width + 3.4 * layout->size;
-        memcpy(color, canvas->ink, sizeof color);
-        if (!whole)
-            lx_light_color(figure, i, color);
-        if (x > layout->margin && x + width > layout->width - layout->margin) {
-            x = layout->margin;
-            y += 1.2 * height;
+        double height = draw_name(figure, canvas, layout, i, &box, false);
+        if (box.x > layout->margin && box.x + box.width > layout->width - layout->margin) {
+            box.x = layout->margin;
+            box.y += 1.2 * row;
+            row = 0;
         }
-        if (drawn) {
-            lx_color(canvas, color, 1);
-            cairo_set_line_width(canvas->cairo, (whole ? 0.21 : 0.3) * layout->size);
-            cairo_move_to(canvas->cairo, x, y + height / 2);
-            cairo_line_to(canvas->cairo, x + 1.6 * layout->size, y + height / 2);
-            cairo_stroke(canvas->cairo);
-            lx_write(canvas, name, &type, x + 2 * layout->size, y, 0, 0, 0);
-        }
-        x += width;
+        row = fmax(row, height);
+        draw_name(figure, canvas, layout, i, &box, drawn);
+        box.x += box.width + 1.4 * layout->size;
     }
-    return y + 1.2 * height;
-}
-
-static void section_title(const struct lx_figure *figure, int which, char *text, size_t size)
-{
-    char number[LX_NUMBER_SIZE];
-    struct lx_text phrase = {0};
-    const luxel_language *language = figure->settings.language;
-    lx_write_digits(fabs(figure->section_mm[1 - which]) < 1e-6 ? 0 : figure->section_mm[1 - which], 6, number);
-    lx_add_phrase(&phrase, which == 0 ? LX_N("section along x at y = {0} mm") : LX_N("section along y at x = {0} mm"),
-                  (const char *const[]){number, NULL});
-    char *words = lx_text_render(&phrase, language ? language->translate : NULL, language ? language->data : NULL);
-    text[0] = '\0';
-    strncat(text, words ? words : "", size - 1);
-    luxel_text_free(words);
+    return box.y + 1.2 * row;
 }
 
 /* Side by side where there is room, else one above the other. */
@@ -129,31 +122,31 @@ static double draw_sections(const struct lx_figure *figure, const struct lx_canv
                             double top, bool drawn)
 {
     const struct lx_screen *screen = &figure->scene->screen;
-    const struct lx_type type = {.size = layout->size, .bold = true};
     bool beside = layout->width / layout->size > 40;
-    double most = 1.06 * highest(figure), heading = 1.6 * lx_measure(canvas, "0", &type).height;
-    double inner = layout->width - 2 * layout->margin, column = beside ? (inner - 2 * layout->gap) / 2 : inner;
-    double height = beside ? 0.62 * column : 0.45 * column, bottom = top;
+    double inner = layout->width - 2 * layout->margin;
+    double column = beside ? (inner - 1.5 * layout->gap) / 2 : inner, height = (beside ? 0.62 : 0.45) * column;
+    double bottom = top, end = top;
     for (int which = 0; which < 2; which++) {
         double half = (which == 0 ? screen->width_mm : screen->height_mm) / 2;
-        struct lx_plot plot = {.x = {.low = -half, .high = half}, .y = {.low = 0, .high = most}, .size = layout->size};
-        plot.box.height = height;
-        plot.box.width = column;
-        struct lx_margins margins = lx_plot_margins(canvas, &plot);
-        double left = layout->margin + (beside && which == 1 ? column + 2 * layout->gap : 0);
+        struct lx_plot plot = {
+            .x = {.low = -half, .high = half}, .y = section_scale(figure), .size = layout->size, .box.height = height};
+        struct lx_type title = {.size = layout->size, .bold = true};
+        double left = layout->margin + (beside && which == 1 ? column + 1.5 * layout->gap : 0);
         double start = beside ? top : bottom;
+        plot.box.width = 0.8 * column;
+        struct lx_margins margins = lx_plot_margins(canvas, &plot, figure->label);
+        title.wrap = column - margins.left;
         plot.box.x = left + margins.left;
-        plot.box.y = start + heading;
-        plot.box.width = column - margins.left - (beside ? 0 : layout->gap);
+        plot.box.y = start + lx_measure(canvas, figure->section_titles[which], &title).height + 0.6 * layout->size;
+        plot.box.width = column - margins.left - margins.right;
         if (drawn) {
-            char title[256];
-            section_title(figure, which, title, sizeof title);
-            lx_write(canvas, title, &type, plot.box.x, start, 0, 0, 0);
+            lx_write(canvas, figure->section_titles[which], &title, plot.box.x, start, 0, 0, 0);
             lx_draw_section(figure, canvas, &plot, which);
         }
         bottom = plot.box.y + height + margins.below + layout->gap;
+        end = fmax(end, bottom);
     }
-    return draw_legend(figure, canvas, layout, bottom, drawn);
+    return draw_legend(figure, canvas, layout, end, drawn);
 }
 
 double lx_figure_draw(const struct lx_figure *figure, cairo_t *cairo, double width)

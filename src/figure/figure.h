@@ -28,14 +28,19 @@ struct lx_figure {
     size_t level_count;
     struct lx_scale scale;       /* of the colours */
     char *title, *label, *print; /* the small print */
-    struct lx_outline *outlines; /* one for each chain */
+    bool has_below, has_above;   /* whether the picture has values beyond it */
+    struct lx_outline *outlines; /* one for each chain of what is seen of a contour */
     size_t outline_count, outline_capacity;
+    struct lx_outline *contours; /* closed, one for each surface; together they enclose what shows one */
+    size_t contour_count;
+    struct lx_labels *labels;   /* where the map is labelled, of its last drawing: one is drawn at a time */
     luxel_profile *sections[2]; /* horizontal, vertical; NULL: none */
     double section_mm[2];
     char **lights; /* the names of those that are on, in the order of the shares */
     size_t *light_places;
     size_t light_count;
-    char *unit; /* in the figure's language */
+    char *maximum; /* its mark's words */
+    char *section_titles[2];
 };
 
 /* Computes a figure; the scene is copied.  lx_figure_free() is due whatever it returns. */
@@ -52,12 +57,27 @@ double lx_figure_draw(const struct lx_figure *figure, cairo_t *cairo, double wid
 
 /* The parts, each on its own rectangle. */
 void lx_draw_map(const struct lx_figure *figure, const struct lx_canvas *canvas, const struct lx_plot *plot);
-void lx_draw_bar(const struct lx_figure *figure, const struct lx_canvas *canvas, const struct lx_box *box, double size);
+void lx_draw_bar(const struct lx_figure *figure, const struct lx_canvas *canvas, const struct lx_box *place,
+                 double size);
+/* How wide a bar of this length is with its ticks and label. */
+double lx_bar_room(const struct lx_figure *figure, const struct lx_canvas *canvas, double length, double size);
 void lx_draw_section(const struct lx_figure *figure, const struct lx_canvas *canvas, const struct lx_plot *plot,
                      int which);
-/* The colours of the lights' shares. */
-void lx_light_color(const struct lx_figure *figure, size_t light, double color[3]);
+/* The colour of a light's shares; sets the line's dashes, too, which tell those apart whose colours are the same. */
+void lx_light_line(const struct lx_figure *figure, const struct lx_canvas *canvas, size_t light, double size,
+                   double color[3]);
 
+/* What the map says of colours: of a value with its bands, of a line of a level, of no surface. */
+double lx_shown_value(const struct lx_figure *figure, double value);
+void lx_line_color(const struct lx_figure *figure, const struct lx_canvas *canvas, double value, double color[3]);
+void lx_empty_color(const struct lx_canvas *canvas, double color[3]);
+/* From 0 (black) to 1 (white). */
+double lx_lightness(const double color[3]);
+/* Whether the maximum is marked. */
+bool lx_shows_maximum(const struct lx_figure *figure);
+
+/* Makes all texts, in the figure's language. */
+luxel_status lx_figure_texts(struct lx_figure *figure, luxel_diagnostics *diagnostics);
 /* A text in the figure's language. */
 const char *lx_figure_word(const struct lx_figure *figure, const char *english);
 

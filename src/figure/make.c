@@ -4,8 +4,6 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include <luxel/version.h>
-
 #include "../base/diagnostics.h"
 #include "../base/memory.h"
 #include "../base/number.h"
@@ -13,9 +11,9 @@
 #include "../exercise/parameter_tables.h"
 #include "../parameter/decode.h"
 #include "../parameter/words.h"
-#include "figure.h"
+#include "labels.h"
 
-enum { MOST_PRINTED_LIGHTS = 4, SECTION_SAMPLES = 401 };
+enum { SECTION_SAMPLES = 401 };
 
 void luxel_figure_settings_init(luxel_figure_settings *settings)
 {
@@ -32,12 +30,6 @@ void luxel_figure_settings_init(luxel_figure_settings *settings)
     };
 }
 
-const char *lx_figure_word(const struct lx_figure *figure, const char *english)
-{
-    const luxel_language *language = figure->settings.language;
-    return language && language->translate && *english ? language->translate(english, language->data) : english;
-}
-
 void lx_figure_color(const struct lx_figure *figure, double value, double color[3])
 {
     luxel_palette_color(figure->settings.palette, lx_scale_place(&figure->scale, value), color);
@@ -50,6 +42,10 @@ void lx_figure_free(struct lx_figure *figure)
     for (size_t i = 0; i < figure->outline_count; i++)
         free(figure->outlines[i].places_mm);
     free(figure->outlines);
+    for (size_t i = 0; i < figure->contour_count; i++)
+        free(figure->contours[i].places_mm);
+    free(figure->contours);
+    lx_labels_free(figure->labels);
     for (size_t i = 0; i < figure->light_count; i++)
         free(figure->lights[i]);
     free(figure->lights);
@@ -59,7 +55,9 @@ void lx_figure_free(struct lx_figure *figure)
     free(figure->title);
     free(figure->label);
     free(figure->print);
-    free(figure->unit);
+    free(figure->maximum);
+    for (int i = 0; i < 2; i++)
+        free(figure->section_titles[i]);
     luxel_isophotes_free(figure->isophotes);
     luxel_field_free(figure->field);
     luxel_scene_free(figure->copy);
@@ -134,8 +132,13 @@ static void choose_scale(struct lx_figure *figure, const luxel_summary *summary)
     }
     if (!(scale->high > scale->low))
         scale->high = scale->low + fmax(1, fabs(scale->low));
-    if (scale->logarithmic && !(scale->low > 0))
+    if (scale->logarithmic && !(scale->low > 0)) {
         scale->low = scale->high * 1e-4;
+        if (summary->minimum.value > scale->low && summary->minimum.value < scale->high)
+            scale->low = summary->minimum.value;
+    }
+    figure->has_below = summary->minimum.value < scale->low;
+    figure->has_above = summary->maximum.value > scale->high;
 }
 
 static void choose_levels(struct lx_figure *figure)
@@ -162,153 +165,17 @@ static bool is_slow(const struct lx_figure *figure)
     return false;
 }
 
-/* ---- texts ---- */
-
-static char *take(struct lx_text *text)
-{
-    return text->bytes || text->failed ? lx_text_take(text) : lx_copy_text("", 0);
-}
-
-static void add_vector(struct lx_text *text, const double *values)
-{
-    for (int i = 0; i < 3; i++) {
-        char number[LX_NUMBER_SIZE];
-        lx_text_puts(text, i == 0 ? "(" : ", ");
-        lx_text_puts(text, lx_write_digits(values[i], 6, number));
-    }
-    lx_text_puts(text, ")");
-}
-
-/* "point (2000, 0, 2000) mm, 10 W/sr": what a light is, where, and how strong. */
-static void print_light(const struct lx_figure *figure, const struct lx_item *light, struct lx_text *text)
-{
-    static const char *const places[] = {"position", "direction"};
-    static const char *const strengths[] = {"intensity", "irradiance", "radiance", "power"};
-    const struct lx_table *table = light->variant->table;
-    lx_text_puts(text, light->variant->name);
-    for (size_t i = 0; i < LX_COUNT(places); i++) {
-        const struct lx_parameter *place = lx_find_parameter(table, places[i]);
-        if (!place)
-            continue;
-        lx_text_puts(text, " ");
-        add_vector(text, lx_const_member(place, light->parameters));
-        lx_text_puts(text, i == 0 ? " " : "");
-        lx_text_puts(text, i == 0 ? lx_figure_word(figure, "mm") : "");
-    }
-    for (size_t i = 0; i < LX_COUNT(strengths); i++) {
-        const struct lx_parameter *strength = lx_find_parameter(table, strengths[i]);
-        char number[LX_NUMBER_SIZE];
-        if (!strength || !lx_is_given(table, light->parameters, strengths[i]))
-            continue;
-        lx_text_puts(text, ", ");
-        lx_text_puts(text, lx_write_digits(*(const double *)lx_const_member(strength, light->parameters), 6, number));
-        lx_text_puts(text, " ");
-        lx_text_puts(text,
-                     lx_figure_word(figure, lx_unit_word(strength->unit, figure->scene->units == LX_PHOTOMETRIC)));
-    }
-}
-
-static void print_lights(const struct lx_figure *figure, struct lx_text *text)
-{
-    size_t printed = 0, left = 0;
-    for (size_t i = 0; i < figure->scene->lights.count; i++) {
-        const struct lx_item *light = &figure->scene->lights.items[i];
-        const struct lx_light_common *common = light->common;
-        if (!common->enabled)
-            continue;
-        if (printed == MOST_PRINTED_LIGHTS) {
-            left++;
-            continue;
-        }
-        lx_text_puts(text, printed++ > 0 ? "; " : "");
-        print_light(figure, light, text);
-    }
-    if (left > 0) {
-        char number[LX_NUMBER_SIZE];
-        struct lx_text rest = {0};
-        lx_add_phrase(&rest, LX_N("and {0} more"), LX_ARGS(lx_write_number((double)left, number)));
-        const luxel_language *language = figure->settings.language;
-        char *words = lx_text_render(&rest, language ? language->translate : NULL, language ? language->data : NULL);
-        lx_text_puts(text, " ");
-        lx_text_puts(text, words ? words : "");
-        free(words);
-    }
-    lx_text_puts(text, printed > 0 ? ". " : "");
-}
-
-static char *make_print(const struct lx_figure *figure)
-{
-    struct lx_text text = {0};
-    print_lights(figure, &text);
-    for (size_t i = 0; i < luxel_scene_convention_count(figure->copy); i++) {
-        lx_text_puts(&text, i > 0 ? "; " : "");
-        lx_text_puts(&text, luxel_scene_convention_key(figure->copy, i));
-        lx_text_puts(&text, " ");
-        lx_text_puts(&text, luxel_scene_convention_value(figure->copy, i));
-    }
-    lx_text_puts(&text, ". Luxel ");
-    lx_text_puts(&text, luxel_version());
-    return take(&text);
-}
-
-static char *make_label(const struct lx_figure *figure)
-{
-    struct lx_text text = {0};
-    bool irradiance = luxel_field_quantity(figure->field) == LUXEL_IRRADIANCE;
-    if (figure->settings.label)
-        return lx_copy_text(figure->settings.label, strlen(figure->settings.label));
-    lx_text_puts(&text, lx_figure_word(figure, irradiance ? LX_N("irradiance") : LX_N("brightness")));
-    lx_text_puts(&text, ", ");
-    lx_text_puts(&text, figure->unit);
-    return take(&text);
-}
-
-static luxel_status make_texts(struct lx_figure *figure, luxel_diagnostics *diagnostics)
-{
-    const char *unit = lx_figure_word(figure, luxel_field_unit(figure->field));
-    const char *title = figure->settings.title ? figure->settings.title : "";
-    figure->unit = lx_copy_text(unit, strlen(unit));
-    figure->title = lx_copy_text(title, strlen(title));
-    if (figure->unit)
-        figure->label = make_label(figure);
-    figure->print = figure->settings.small_print ? make_print(figure) : lx_copy_text("", 0);
-    return figure->unit && figure->title && figure->label && figure->print ? LUXEL_OK : lx_out_of_memory(diagnostics);
-}
-
 /* ---- sections ---- */
-
-static luxel_status name_lights(struct lx_figure *figure, luxel_diagnostics *diagnostics)
-{
-    const struct lx_list *lights = &figure->scene->lights;
-    figure->lights = lx_new_array(lights->count + 1, sizeof *figure->lights);
-    figure->light_places = lx_new_array(lights->count + 1, sizeof *figure->light_places);
-    if (!figure->lights || !figure->light_places)
-        return lx_out_of_memory(diagnostics);
-    for (size_t i = 0; i < lights->count; i++) {
-        const struct lx_light_common *common = lights->items[i].common;
-        struct lx_text name = {0};
-        if (!common->enabled)
-            continue;
-        if (common->name)
-            lx_text_add_escaped(&name, common->name, strlen(common->name));
-        else
-            lx_add_element_name(&name, "lights", i, NULL);
-        figure->light_places[figure->light_count] = i;
-        figure->lights[figure->light_count] = take(&name);
-        if (!figure->lights[figure->light_count])
-            return lx_out_of_memory(diagnostics);
-        figure->light_count++;
-    }
-    return LUXEL_OK;
-}
 
 static luxel_status make_sections(struct lx_figure *figure, const luxel_evaluator *evaluator,
                                   luxel_diagnostics *diagnostics)
 {
-    luxel_status status = name_lights(figure, diagnostics);
-    if (figure->settings.section == LUXEL_SECTION_MAXIMUM && figure->extrema.maximum.exists) {
-        figure->section_mm[0] = figure->extrema.maximum.x_mm;
-        figure->section_mm[1] = figure->extrema.maximum.y_mm;
+    const luxel_peak *peak = &figure->extrema.maximum;
+    luxel_status status = LUXEL_OK;
+    /* a plateau has no place of its own: its sections go through the centre */
+    if (figure->settings.section == LUXEL_SECTION_MAXIMUM && peak->exists && peak->place != LUXEL_PEAK_PLATEAU) {
+        figure->section_mm[0] = peak->x_mm;
+        figure->section_mm[1] = peak->y_mm;
     } else if (figure->settings.section == LUXEL_SECTION_POINT) {
         memcpy(figure->section_mm, figure->settings.section_mm, sizeof figure->section_mm);
     }
@@ -324,31 +191,36 @@ static luxel_status make_sections(struct lx_figure *figure, const luxel_evaluato
 
 /* ---- all of it ---- */
 
+/* Whether the true maximum is wanted: to be marked, or for its sections. */
+static bool wants_extrema(const luxel_figure_settings *settings)
+{
+    return settings->extrema || settings->section == LUXEL_SECTION_MAXIMUM;
+}
+
 static luxel_status compute(struct lx_figure *figure, const luxel_settings *settings, luxel_diagnostics *diagnostics)
 {
     luxel_evaluator *evaluator = NULL;
     luxel_summary summary;
-    bool lines = figure->settings.bands == LUXEL_CONTOURS || figure->settings.bands == LUXEL_LINES;
     luxel_status status = luxel_render(figure->copy, settings, diagnostics, &figure->field);
     if (status == LUXEL_OK)
         status = luxel_evaluator_new(figure->copy, settings, diagnostics, &evaluator);
     if (status == LUXEL_OK)
         status = luxel_field_summary(figure->field, NULL, diagnostics, &summary);
-    if (status == LUXEL_OK)
+    if (status == LUXEL_OK && wants_extrema(&figure->settings))
         status = luxel_find_extrema(evaluator, figure->field, NULL, diagnostics, &figure->extrema);
     if (status == LUXEL_OK) {
         choose_scale(figure, &summary);
         choose_levels(figure);
     }
-    if (status == LUXEL_OK && lines)
+    if (status == LUXEL_OK && figure->settings.bands != LUXEL_SMOOTH)
         status = luxel_find_isophotes(figure->field, is_slow(figure) ? NULL : evaluator, figure->levels,
                                       figure->level_count, diagnostics, &figure->isophotes);
-    if (status == LUXEL_OK && lx_figure_outline(figure, evaluator) < 0)
+    if (status == LUXEL_OK && (lx_figure_outline(figure, evaluator) < 0 || lx_labels_prepare(figure) < 0))
         status = lx_out_of_memory(diagnostics);
-    if (status == LUXEL_OK)
-        status = make_texts(figure, diagnostics);
     if (status == LUXEL_OK && figure->settings.section != LUXEL_SECTION_NONE)
         status = make_sections(figure, evaluator, diagnostics);
+    if (status == LUXEL_OK)
+        status = lx_figure_texts(figure, diagnostics);
     luxel_evaluator_free(evaluator);
     return status;
 }

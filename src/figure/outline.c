@@ -88,6 +88,15 @@ static bool is_seen(const struct lx_figure *figure, const luxel_evaluator *evalu
     return value.on_surface && value.surface == surface;
 }
 
+static int append(struct lx_outline *outline, const double at[2])
+{
+    if (lx_reserve((void **)&outline->places_mm, &outline->capacity, outline->count + 1, sizeof *outline->places_mm) <
+        0)
+        return -1;
+    memcpy(outline->places_mm[outline->count++], at, sizeof *outline->places_mm);
+    return 0;
+}
+
 static int add_place(struct lx_figure *figure, bool begins, const double at[2])
 {
     if (begins) {
@@ -96,18 +105,32 @@ static int add_place(struct lx_figure *figure, bool begins, const double at[2])
             return -1;
         figure->outlines[figure->outline_count++] = (struct lx_outline){0};
     }
-    struct lx_outline *outline = &figure->outlines[figure->outline_count - 1];
-    if (lx_reserve((void **)&outline->places_mm, &outline->capacity, outline->count + 1, sizeof *outline->places_mm) <
-        0)
-        return -1;
-    memcpy(outline->places_mm[outline->count++], at, sizeof *outline->places_mm);
-    return 0;
+    return append(&figure->outlines[figure->outline_count - 1], at);
+}
+
+/* All contours run the same way round, so that together they enclose whatever one of them does. */
+static void turn_round(struct lx_outline *contour)
+{
+    double area = 0;
+    for (size_t i = 0; i < contour->count; i++) {
+        const double *a = contour->places_mm[i], *b = contour->places_mm[(i + 1) % contour->count];
+        area += a[0] * b[1] - a[1] * b[0];
+    }
+    for (size_t i = 0; area < 0 && i < contour->count / 2; i++) {
+        double *a = contour->places_mm[i], *b = contour->places_mm[contour->count - 1 - i];
+        const double kept[2] = {a[0], a[1]};
+        memcpy(a, b, sizeof kept);
+        memcpy(b, kept, sizeof kept);
+    }
 }
 
 int lx_figure_outline(struct lx_figure *figure, const luxel_evaluator *evaluator)
 {
     const struct lx_list *surfaces = &figure->scene->surfaces;
     const struct lx_observer *observer = &figure->scene->observer;
+    figure->contours = lx_new_array(surfaces->count + 1, sizeof *figure->contours);
+    if (!figure->contours)
+        return -1;
     for (size_t s = 0; s < surfaces->count; s++) {
         const struct lx_item *surface = &surfaces->items[s];
         bool round = strcmp(surface->variant->name, "sphere") == 0, open = false;
@@ -123,10 +146,12 @@ int lx_figure_outline(struct lx_figure *figure, const luxel_evaluator *evaluator
             else
                 edge_of_plate(observer, surface->parameters, fmod(4.0 * i / STEPS, 4), at);
             bool seen = is_seen(figure, evaluator, s, at, center);
-            if (seen && add_place(figure, !open, at) < 0)
+            if ((i > 0 && append(&figure->contours[s], at) < 0) || (seen && add_place(figure, !open, at) < 0))
                 return -1;
             open = seen;
         }
+        turn_round(&figure->contours[s]);
+        figure->contour_count = s + 1;
     }
     return 0;
 }

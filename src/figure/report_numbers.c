@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* What a report tells, computed: the picture, its statistics, the points, the true extrema and how sharp the peak is. */
+/* What a report tells, computed: the picture, its statistics, points, true extrema, and how sharp the peak is. */
 #include <math.h>
 #include <stdlib.h>
 

@@ -6,16 +6,26 @@
 #include "../base/phrase.h"
 #include "figure.h"
 
-static const double LINE = 0.14;
-
-/* Colours that keep apart for those who are colour-blind, too (M. Okabe and K. Ito 2008). */
-void lx_light_color(const struct lx_figure *figure, size_t light, double color[3])
+/* Colours that keep apart for those who are colour-blind, too (M. Okabe and K. Ito 2008), yellow left out. */
+void lx_light_line(const struct lx_figure *figure, const struct lx_canvas *canvas, size_t light, double size,
+                   double color[3])
 {
-    static const unsigned char colors[][3] = {{230, 159, 0}, {86, 180, 233}, {0, 158, 115}, {204, 121, 167},
-                                              {213, 94, 0},  {0, 114, 178},  {240, 228, 66}};
-    (void)figure;
+    static const unsigned char colors[][3] = {{230, 159, 0},   {86, 180, 233}, {0, 158, 115},
+                                              {204, 121, 167}, {213, 94, 0},   {0, 114, 178}};
+    const size_t count = sizeof colors / sizeof colors[0];
+    const double dashes[][4] = {{0.7, 0.35, 0.7, 0.35}, {0.2, 0.25, 0.2, 0.25}, {0.9, 0.25, 0.2, 0.25}};
+    double lengths[4];
     for (int i = 0; i < 3; i++)
-        color[i] = colors[light % (sizeof colors / sizeof colors[0])][i] / 255.0;
+        color[i] = colors[light % count][i] / 255.0;
+    if (figure->settings.stacked) /* areas have no dashes: they become paler */
+        for (int i = 0; i < 3; i++)
+            color[i] += (canvas->ground[i] - color[i]) * fmin(0.15 + 0.3 * (double)(light / count), 0.75);
+    else if (figure->settings.dark)
+        for (int i = 0; i < 3; i++)
+            color[i] = 1 - (1 - color[i]) * 0.8;
+    for (int i = 0; i < 4; i++)
+        lengths[i] = light < count ? 0 : size * dashes[(light / count - 1) % 3][i];
+    cairo_set_dash(canvas->cairo, lengths, light < count || figure->settings.stacked ? 0 : 4, 0);
 }
 
 static double place_of(const luxel_profile *profile, size_t i, int which)
@@ -92,18 +102,24 @@ void lx_draw_section(const struct lx_figure *figure, const struct lx_canvas *can
     cairo_rectangle(cairo, plot->box.x, plot->box.y, plot->box.width, plot->box.height);
     cairo_clip(cairo);
     cairo_set_line_join(cairo, CAIRO_LINE_JOIN_ROUND);
-    for (size_t i = 0; i < lights; i++) {
+    for (size_t i = 0; i < lights && figure->settings.stacked; i++) {
         double color[3];
-        lx_light_color(figure, i, color);
-        lx_color(canvas, color, figure->settings.stacked ? 0.75 : 1);
-        cairo_set_line_width(cairo, LINE * plot->size);
-        if (figure->settings.stacked)
-            fill_share(figure, canvas, plot, which, i);
-        else
-            draw_curve(figure, canvas, plot, which, i);
+        lx_light_line(figure, canvas, i, plot->size, color);
+        lx_color(canvas, color, 1);
+        fill_share(figure, canvas, plot, which, i);
     }
+    /* the whole below the thinner shares, which it would hide where one light gives all */
+    cairo_set_dash(cairo, NULL, 0, 0);
     lx_color(canvas, canvas->ink, 1);
-    cairo_set_line_width(cairo, 1.5 * LINE * plot->size);
+    cairo_set_line_width(cairo, (lights > 0 ? 0.26 : 0.18) * plot->size);
     draw_curve(figure, canvas, plot, which, figure->light_count);
+    for (size_t i = 0; i < lights && !figure->settings.stacked; i++) {
+        double color[3];
+        lx_light_line(figure, canvas, i, plot->size, color);
+        lx_color(canvas, color, 1);
+        cairo_set_line_width(cairo, 0.12 * plot->size);
+        draw_curve(figure, canvas, plot, which, i);
+    }
+    cairo_set_dash(cairo, NULL, 0, 0);
     cairo_restore(cairo);
 }

@@ -12,8 +12,8 @@ void lx_mend_add(struct lx_text *text, const char *format, ...) __attribute__((f
 void lx_mend_hint(struct lx_walk *walk, struct lx_text *text);
 
 /*
- * As lx_walk.mend: brings a number to the nearest one that is advised; for the screen's, all of them that hang together.
- * Nothing where the scene would not do with it, or is so large that trying takes long.
+ * As lx_walk.mend: brings a number to the nearest one that is advised; for the screen's, all of them that hang
+ * together. Nothing where the scene would not do with it, or is so large that trying takes long.
  */
 void lx_mend_number(struct lx_walk *walk, const struct lx_step *step, double nearest);
 

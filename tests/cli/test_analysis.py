@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: MIT
-"""luxel stats, profile, isophotes, compare and explain: their numbers against NumPy and luxel probe, their forms, and what
-they refuse."""
+"""luxel stats, profile, isophotes, compare and explain: their numbers against NumPy and luxel probe, their forms, and
+what they refuse."""
 import csv
 import io
 import json
@@ -86,10 +86,10 @@ def profiles(tap, tool):
         tap.equal((sample["value"], sample["error"]), (point["value"], point["error"]), "the probe's value, to the bit")
         tap.equal(sample["lights"], [light["diffuse"] + light["specular"] for light in point["lights"]], "its shares")
     arc = tool.run("profile", "--from", "-100,40", "--to", "150,-20", "--arc", "--samples", "11", "--json").json()
-    places = [[*sample["screen"], 1000 + math.sqrt(300 ** 2 - sum(c * c for c in sample["screen"]))]
-              for sample in arc["samples"]]
+    places = [[*sample["screen"], math.sqrt(300 ** 2 - sum(c * c for c in sample["screen"]))]
+              for sample in arc["samples"]]  # from the sphere's centre
     steps = [math.degrees(math.acos(sum(a * b for a, b in zip(p, q)) / 300 ** 2))
-             for p, q in zip([[x, y, z - 1000] for x, y, z in places[:-1]], [[x, y, z - 1000] for x, y, z in places[1:]])]
+             for p, q in zip(places, places[1:])]
     tap.ok(max(steps) - min(steps) < 1e-6, "equal angles", steps)
     tap.near(arc["samples"][-1]["angle"], sum(steps), 1e-9, "which add up")
     tap.near(arc["samples"][5]["value"], tool.run("probe", "-p", "%r,%r" % tuple(arc["samples"][5]["screen"]),

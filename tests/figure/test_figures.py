@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: MIT
-"""luxel figure and luxel report: every built-in scene in every format, sizes, texts and fonts, the same bytes again, even
-palettes, and what is refused.  test_figures.py LUXEL, on the path of the tests of the command line."""
+"""luxel figure and luxel report: every built-in scene in every format, sizes, texts and fonts, the same bytes again,
+even palettes, and what is refused.  test_figures.py LUXEL, on the path of the tests of the command line."""
 import math
 import re
 import struct
@@ -82,7 +82,8 @@ def shapes(tap, tool):
     for size, resolution in (("width=1500", "200,40"), ("height=1500", "40,200")):
         other = "screen.height=300" if size.startswith("width") else "screen.width=300"
         for paper in (60, 90, 300):
-            result = tool.run("figure", "-s", "screen." + size, "-s", other, "-s", "screen.resolution=[%s]" % resolution,
+            result = tool.run("figure", "-s", "screen." + size, "-s", other,
+                              "-s", "screen.resolution=[%s]" % resolution,
                               "-o", "f.png", "--width", str(paper), "--dpi", "100", "--section")
             tap.equal((result.code, result.err), (0, ""), "%s on %d mm" % (size, paper))
             tap.equal(png_parts(tool.read("f.png"))[0], round(paper / 25.4 * 100), "its width")
@@ -156,7 +157,8 @@ def reports(tap, tool):
                        "%s: the value of P%d" % (name, i + 1), text[:3000])
         maximum = tool.run("stats", name, "--json").json()["maximum"]["value"]
         tap.ok("%.7g" % maximum in page, "%s: the true maximum" % name)
-        tap.ok(not re.search(r"(src|href)=\"(?!data:|#)", page) and "<script" not in page, "%s: no outside links" % name)
+        tap.ok(not re.search(r"(src|href)=\"(?!data:|#)", page) and "<script" not in page,
+               "%s: no outside links" % name)
 
 
 run_tests(Tap(), every_scene, numbers, repeated, shapes, palettes, refused, reports)

@@ -17,11 +17,22 @@ WORD = re.compile(r"[A-Za-z][A-Za-z_-]*[A-Za-z]")
 NAMES = set("""luxel YAML JSON Schema UTF png pfm npy exr csv PNG NPY PFM EXR CSV OpenEXR libpng zlib stdin NX NY NZ
     yaml-language-server luxel.schema json yaml NULL x_mm y_mm value_ single double NUMPY Pf quantity
     brightnesz kd ks ka my render probe grid check scene set schema help report three-lights two-spheres desk OFF OBJ
-    FILE U0 Ud window disk-lamp box-lamp ball-lamp tube lampshade all-sources""".split())
+    FILE U0 Ud window grey viridis cividis inferno magma plasma coolwarm HTML PDF SVG LaTeX markdown latex html text
+    figure explain report stats profile isophotes compare variant grade advise LOW HIGH TAP cairo pango luxel-draw
+    center maximum rfc4180
+    svg pdf txt md tex yml excel-ru student off right convention wrong value answers file line answer verdict
+    too_few_digits error explanations submissions key fill rim k_d sky moon bulb spotlight round lamp lantern globe
+    disk-lamp box-lamp ball-lamp tube lampshade all-sources""".split())
 
 COMMANDS = [
     [], ["help"], ["--help"], ["--version"], *[["help", name] for name in (
-        "render", "probe", "grid", "check", "scene", "schema", "set", "help")],
+        "render", "probe", "grid", "check", "scene", "schema", "set", "help", "figure", "explain", "report", "stats",
+        "profile", "isophotes", "compare", "variant", "grade", "advise")],
+    ["stats"], ["stats", "--histogram"], ["profile"], ["profile", "three-lights"], ["isophotes"],
+    ["compare", "report", "report"], ["compare", "report", "three-lights"], ["compare", "report"],
+    ["explain", "-p", "0,0"], ["explain", "all-sources", "-p", "0,0"], ["explain", "-p", "900,0"],
+    ["explain", "spot", "-p", "0,0"], ["advise"], ["advise", "spot"], ["grade", "none.csv"], ["variant"],
+    ["profile", "--from", "0,0"], ["stats", "--region", "0,0,0"], ["isophotes", "--levels", "0"],
     ["grid"], ["grid", "desk"], ["grid", "desk", "-o", "a.png"], ["grid", "desk", "--quantity", "brightness"],
     ["grid", "desk", "-s", "grids[0].n=[40,30]"], ["grid", "desk", "-s", "grids[0].n=[9000,9000]"],
     ["probe", "window", "-p", "-120,90"], ["check", "-s", "lights=[{type: planar, radiance: 1}]"],

@@ -178,9 +178,9 @@ static void refuses_bad_arguments(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(knows_right_answers),  cmocka_unit_test(knows_wrong_answers),
-        cmocka_unit_test(explains_the_report),  cmocka_unit_test(explains_conventions),
-        cmocka_unit_test(explains_slips),       cmocka_unit_test(explains_little_by_chance),
+        cmocka_unit_test(knows_right_answers),   cmocka_unit_test(knows_wrong_answers),
+        cmocka_unit_test(explains_the_report),   cmocka_unit_test(explains_conventions),
+        cmocka_unit_test(explains_slips),        cmocka_unit_test(explains_little_by_chance),
         cmocka_unit_test(refuses_bad_arguments),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

@@ -265,6 +265,94 @@ static void measuring(void **state)
     free(text);
 }
 
+/* The text of a variant. */
+static void writing_variants(void **state)
+{
+    (void)state;
+    failed = true;
+    for (long i = 0; failed; i++) {
+        char *text = NULL;
+        arm(i);
+        luxel_status status = luxel_variant_text(5, NULL, &text);
+        armed = false;
+        assert_int_equal(status, failed ? LUXEL_ERROR_MEMORY : LUXEL_OK);
+        assert_int_equal(text == NULL, failed);
+        luxel_text_free(text);
+    }
+}
+
+/* A right answer, and one that is explained by a pair of slips only after everything else was tried. */
+static void judging_answers(void **state)
+{
+    (void)state;
+    static const double answers[] = {2.7275906525546927, 0.2339910};
+    luxel_scene *scene = NULL;
+    assert_int_equal(luxel_scene_open_builtin("report", NULL, &scene), LUXEL_OK);
+    assert_int_equal(luxel_scene_commit(scene, NULL), LUXEL_OK);
+    for (size_t k = 0; k < 2; k++) {
+        failed = true;
+        for (long i = 0; failed; i += k == 0 || i < 200 ? 1 : 97) {
+            luxel_judgement *judgement = NULL;
+            arm(i);
+            luxel_status status = luxel_judge_answer(scene, NULL, 0, 0, answers[k], 1e-3, 0, NULL, &judgement);
+            armed = false;
+            assert_true(status == LUXEL_OK || (failed && status == LUXEL_ERROR_MEMORY));
+            assert_true(status == LUXEL_OK || judgement == NULL);
+            if (judgement)
+                assert_int_equal(judgement->verdict, k == 0 ? LUXEL_ANSWER_RIGHT : LUXEL_ANSWER_CONVENTION);
+            luxel_judgement_free(judgement);
+        }
+    }
+    luxel_scene_free(scene);
+}
+
+/* Advice with its hints, each of which is tried on copies. */
+static void advising_on_the_peak(void **state)
+{
+    (void)state;
+    luxel_scene *scene = NULL;
+    luxel_diagnostics *diagnostics = luxel_diagnostics_new();
+    assert_int_equal(luxel_scene_open_builtin("report", NULL, &scene), LUXEL_OK);
+    assert_int_equal(luxel_scene_set(scene, "surfaces[0].material.specular=0.02", NULL), LUXEL_OK);
+    assert_int_equal(luxel_scene_commit(scene, NULL), LUXEL_OK);
+    failed = true;
+    for (long i = 0; failed; i += i < 300 ? 1 : 31) {
+        luxel_diagnostics_clear(diagnostics);
+        arm(i);
+        luxel_status status = luxel_scene_advise(scene, diagnostics);
+        if (status == LUXEL_OK)
+            status = luxel_scene_advise_peak(scene, diagnostics);
+        armed = false;
+        assert_true(status == LUXEL_OK || (failed && status == LUXEL_ERROR_MEMORY));
+        assert_true(failed || luxel_diagnostics_count(diagnostics) == 3);
+    }
+    luxel_diagnostics_free(diagnostics);
+    luxel_scene_free(scene);
+}
+
+static void finding_extrema(void **state)
+{
+    (void)state;
+    luxel_scene *scene = NULL;
+    luxel_field *field;
+    luxel_evaluator *evaluator;
+    assert_int_equal(load(good_scene, NULL, &scene), LUXEL_OK);
+    assert_int_equal(luxel_render(scene, NULL, NULL, &field), LUXEL_OK);
+    assert_int_equal(luxel_evaluator_new(scene, NULL, NULL, &evaluator), LUXEL_OK);
+    failed = true;
+    for (long i = 0; failed; i++) {
+        luxel_extrema extrema = {.maximum = {.value = -1}};
+        arm(i);
+        luxel_status status = luxel_find_extrema(evaluator, field, NULL, NULL, &extrema);
+        armed = false;
+        assert_int_equal(status, failed ? LUXEL_ERROR_MEMORY : LUXEL_OK);
+        assert_true(failed ? extrema.maximum.value == -1 : extrema.maximum.exists);
+    }
+    luxel_evaluator_free(evaluator);
+    luxel_field_free(field);
+    luxel_scene_free(scene);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -277,6 +365,10 @@ int main(void)
         cmocka_unit_test(listing_parameters),
         cmocka_unit_test(writing_the_schema),
         cmocka_unit_test(measuring),
+        cmocka_unit_test(finding_extrema),
+        cmocka_unit_test(writing_variants),
+        cmocka_unit_test(judging_answers),
+        cmocka_unit_test(advising_on_the_peak),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -167,8 +167,9 @@ static void refuses_other_numbers(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(stays_the_same),   cmocka_unit_test(has_the_same_bytes), cmocka_unit_test(are_all_different),
-        cmocka_unit_test(deserve_no_advice), cmocka_unit_test(have_a_peak),        cmocka_unit_test(have_five_points),
+        cmocka_unit_test(stays_the_same),        cmocka_unit_test(has_the_same_bytes),
+        cmocka_unit_test(are_all_different),     cmocka_unit_test(deserve_no_advice),
+        cmocka_unit_test(have_a_peak),           cmocka_unit_test(have_five_points),
         cmocka_unit_test(refuses_other_numbers),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
