@@ -133,7 +133,7 @@ static bool take_value(struct table *table, struct answer *answer)
 
     for (size_t i = 0; i < COUNT_OF(off); i++)
         if (strcasecmp(text, off[i]) == 0) {
-            answer->value = NAN;
+            answer->value = (double)NAN;
             return true;
         }
     if (*text != '\0')

@@ -5,6 +5,7 @@
 #include <math.h>
 #include <stdio.h>
 #include <string.h>
+#include <unistd.h>
 
 #include "../argument.h"
 #include "../cli.h"
@@ -90,15 +91,36 @@ static bool take_settings(const struct options *options, const luxel_language *l
     return take_bands(drawing, figure) && (!drawing->section || take_section(drawing->section, figure));
 }
 
+/* That of a built-in scene as it is, else the name of the file; none for what comes from elsewhere. */
+static const char *default_title(const struct options *options, const struct loaded *loaded, char *buffer, size_t size)
+{
+    const size_t builtin = load_find_builtin(options->operand);
+    const char *slash, *dot;
+
+    if (builtin < luxel_builtin_scene_count() && (!options->operand || access(options->operand, F_OK) != 0))
+        return options->assignment_count == 0 ? _(luxel_builtin_scene_title(builtin)) : loaded->name;
+    if (strcmp(options->operand, "-") == 0)
+        return "";
+    slash = strrchr(options->operand, '/');
+    snprintf(buffer, size, "%s", slash ? slash + 1 : options->operand);
+    dot = strrchr(buffer, '.');
+    if (dot && dot > buffer)
+        buffer[dot - buffer] = '\0';
+    return buffer;
+}
+
 /* A file that fails does not stop the others. */
 static int figure(const struct options *options, const struct loaded *loaded)
 {
     const luxel_language language = {.translate = language_translate, .code = language_code()};
     luxel_figure_settings settings;
+    char name[256];
     int code = EXIT_DONE;
 
     if (!take_settings(options, &language, &settings))
         return EXIT_USAGE;
+    if (!settings.title)
+        settings.title = default_title(options, loaded, name, sizeof name);
     for (size_t i = 0; i < options->output_count; i++) {
         struct work work;
         luxel_status status;

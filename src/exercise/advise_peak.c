@@ -145,7 +145,7 @@ static double rise_with(struct lx_adviser *adviser, const char *const *assignmen
     }
     list[count] = NULL;
     if (!look(adviser, list, &without))
-        return NAN;
+        return (double)NAN;
     return without.maximum > 0 ? with->maximum / without.maximum - 1 : HUGE_VAL;
 }
 

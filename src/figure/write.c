@@ -11,6 +11,8 @@
 #include "../base/diagnostics.h"
 #include "../base/ending.h"
 #include "../base/memory.h"
+#include "../base/number.h"
+#include "../base/phrase.h"
 #include "../base/sink.h"
 #include "../base/text.h"
 #include "figure.h"
@@ -100,6 +102,21 @@ static bool draw_png(const struct lx_figure *figure, struct lx_text *bytes)
     return done;
 }
 
+/* Pictures of more dots than that cannot be drawn on. */
+static luxel_status check_dots(const struct lx_figure *figure, luxel_diagnostics *diagnostics)
+{
+    enum { MOST_DOTS = 32767 };
+    double width = figure->settings.width_mm * POINTS, longest = fmax(width, lx_figure_draw(figure, NULL, width));
+    double most = floor(MOST_DOTS / longest * 72);
+    char given[LX_NUMBER_SIZE], number[LX_NUMBER_SIZE], bound[LX_NUMBER_SIZE + 8] = "≤ ";
+    if (figure->settings.dots_per_inch <= most)
+        return LUXEL_OK;
+    strcat(bound, lx_write_number(most, number));
+    lx_report(diagnostics, LUXEL_SEVERITY_ERROR, NULL, LX_MSG_SETTING_OUT_OF_RANGE,
+              LX_ARGS("dots_per_inch", lx_write_number(figure->settings.dots_per_inch, given), bound));
+    return LUXEL_ERROR_ARGUMENT;
+}
+
 luxel_status lx_figure_png(const struct lx_figure *figure, luxel_diagnostics *diagnostics, unsigned char **bytes,
                            size_t *length)
 {
@@ -155,6 +172,8 @@ luxel_status luxel_figure_write(const luxel_scene *scene, const luxel_settings *
     luxel_status status = lx_find_ending(path, endings, sizeof endings / sizeof endings[0], diagnostics, &format);
     if (status == LUXEL_OK)
         status = lx_figure_make(scene, settings, wanted, diagnostics, &figure);
+    if (status == LUXEL_OK && format == PNG)
+        status = check_dots(figure, diagnostics);
     if (status == LUXEL_OK && !(format == PNG ? draw_png(figure, &bytes) : draw_vector(figure, format, &bytes)))
         status = lx_out_of_memory(diagnostics);
     lx_figure_free(figure);
