@@ -43,6 +43,7 @@ static void print_place(const luxel_extremum *largest)
 static void print_text(const struct comparing *comparing)
 {
     const luxel_comparison *made = &comparing->made;
+    const double none = (double)NAN;
     struct text_table *table = text_table_new("lrl");
 
     text_print_escaped(stdout, comparing->a->loaded.name);
@@ -52,12 +53,12 @@ static void print_text(const struct comparing *comparing)
     fputs("\n\n", stdout);
     if (made->pixels > 0) {
         add(table, _("largest difference"), made->largest.value, made->largest_relative);
-        add(table, _("  in the first"), made->a, NAN);
-        add(table, _("  in the second"), made->b, NAN);
-        add(table, _("mean difference"), made->mean, NAN);
-        add(table, _("mean magnitude"), made->mean_magnitude, NAN);
+        add(table, _("  in the first"), made->a, none);
+        add(table, _("  in the second"), made->b, none);
+        add(table, _("mean difference"), made->mean, none);
+        add(table, _("mean magnitude"), made->mean_magnitude, none);
         add(table, _("root mean square"), made->rms, made->rms_relative);
-        add(table, _("scale: the largest value"), made->scale, NAN);
+        add(table, _("scale: the largest value"), made->scale, none);
     } else {
         text_table_line(table, _("no pixel shows a surface in both"));
     }

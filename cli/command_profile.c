@@ -175,7 +175,7 @@ static void print_text(const struct profiling *profiling)
     const size_t step = (profile->count + MOST_LINES - 2) / (MOST_LINES - 1);
     char heading[TEXT_SIZE], names[MOST_LIGHT_COLUMNS][TEXT_SIZE];
     const char *cells[4 + MOST_LIGHT_COLUMNS];
-    struct text_table *table = text_table_new("rrrrrrrrrr" + MOST_LIGHT_COLUMNS - lights);
+    struct text_table *table = text_table_new(&"rrrrrrrrrr"[MOST_LIGHT_COLUMNS - lights]);
     const char *unit = picture_unit(profiling->picture);
 
     picture_print_heading(profiling->picture);

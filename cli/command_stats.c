@@ -273,6 +273,7 @@ static void write_csv(struct csv *csv, const void *data)
     const luxel_summary *summary = &stats->summary;
     const luxel_peak *maximum = &stats->extrema.maximum, *minimum = &stats->extrema.minimum;
     const bool some = summary->pixels > 0;
+    const double none = (double)NAN;
 
     csv_text(csv, "statistic");
     csv_heading(csv, "value", picture_unit(stats->picture));
@@ -283,13 +284,13 @@ static void write_csv(struct csv *csv, const void *data)
     write_csv_line(csv, "minimum", stats->has_extrema, minimum->value, minimum->x_mm, minimum->y_mm);
     write_csv_line(csv, "max", some, summary->maximum.value, summary->maximum.x_mm, summary->maximum.y_mm);
     write_csv_line(csv, "min", some, summary->minimum.value, summary->minimum.x_mm, summary->minimum.y_mm);
-    write_csv_line(csv, "mean", some, summary->mean, NAN, NAN);
-    write_csv_line(csv, "median", some, summary->median, NAN, NAN);
-    write_csv_line(csv, "standard_deviation", some, summary->standard_deviation, NAN, NAN);
-    write_csv_line(csv, "lit", some, summary->lit, NAN, NAN);
-    write_csv_line(csv, "u0", summary->has_evenness, summary->u0, NAN, NAN);
-    write_csv_line(csv, "ud", summary->has_evenness, summary->ud, NAN, NAN);
-    write_csv_line(csv, "pixels", true, (double)summary->pixels, NAN, NAN);
+    write_csv_line(csv, "mean", some, summary->mean, none, none);
+    write_csv_line(csv, "median", some, summary->median, none, none);
+    write_csv_line(csv, "standard_deviation", some, summary->standard_deviation, none, none);
+    write_csv_line(csv, "lit", some, summary->lit, none, none);
+    write_csv_line(csv, "u0", summary->has_evenness, summary->u0, none, none);
+    write_csv_line(csv, "ud", summary->has_evenness, summary->ud, none, none);
+    write_csv_line(csv, "pixels", true, (double)summary->pixels, none, none);
 }
 
 static int run(const struct options *options)

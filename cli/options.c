@@ -231,6 +231,7 @@ static bool check_commands(const struct options *options)
 int options_read(int argc, char **argv, struct options *options)
 {
     const size_t room = (size_t)argc;
+    const double none = (double)NAN;
 
     *options = (struct options){
         .assignments = message_allocate(room, sizeof *options->assignments),
@@ -238,11 +239,11 @@ int options_read(int argc, char **argv, struct options *options)
         .places = message_allocate(room, sizeof *options->places),
         .operands = message_allocate(room, sizeof *options->operands),
         .arguments = argv,
-        .analysis = {.scale = {NAN, NAN},
-                     .from_mm = {NAN, NAN},
-                     .to_mm = {NAN, NAN},
-                     .through_mm = {NAN, NAN},
-                     .angle_deg = NAN},
+        .analysis = {.scale = {none, none},
+                     .from_mm = {none, none},
+                     .to_mm = {none, none},
+                     .through_mm = {none, none},
+                     .angle_deg = none},
     };
     luxel_settings_init(&options->settings);
     if (!read_dashed(argc, argv, options) || !read_operands(argc - optind, argv + optind, options) ||

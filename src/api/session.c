@@ -70,8 +70,8 @@ static luxel_status choose_kernels(struct lx_session *session, luxel_diagnostics
     return LUXEL_ERROR_ARGUMENT;
 }
 
-luxel_status lx_settings_check(const luxel_scene *scene, const luxel_settings *settings,
-                               luxel_diagnostics *diagnostics, luxel_settings *checked)
+luxel_status lx_settings_check(const luxel_scene *scene, const luxel_settings *settings, luxel_diagnostics *diagnostics,
+                               luxel_settings *checked)
 {
     if (!scene || !luxel_scene_is_committed(scene)) {
         lx_report(diagnostics, LUXEL_SEVERITY_ERROR, NULL, LX_MSG_NOT_COMMITTED, NULL);
@@ -99,9 +99,8 @@ luxel_status lx_session_open(const luxel_scene *scene, const luxel_settings *set
         status = choose_kernels(session, diagnostics);
     if (status == LUXEL_OK)
         status = lx_session_prepare(scene, &session->settings, diagnostics, &session->prepared);
-    if (status == LUXEL_OK &&
-        lx_plan_make(&session->prepared, session->kernels, session->settings.quantity, session->settings.precision,
-                     session->settings.tolerance, &session->plan))
+    if (status == LUXEL_OK && lx_plan_make(&session->prepared, session->kernels, session->settings.quantity,
+                                           session->settings.precision, session->settings.tolerance, &session->plan))
         status = lx_out_of_memory(diagnostics);
     return status;
 }

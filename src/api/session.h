@@ -18,8 +18,8 @@ struct lx_session {
 };
 
 /* The scene is committed and the settings (NULL: the defaults) in their ranges; they are copied. */
-luxel_status lx_settings_check(const luxel_scene *scene, const luxel_settings *settings,
-                               luxel_diagnostics *diagnostics, luxel_settings *checked);
+luxel_status lx_settings_check(const luxel_scene *scene, const luxel_settings *settings, luxel_diagnostics *diagnostics,
+                               luxel_settings *checked);
 
 /* The scene prepared for checked settings.  Release with lx_prepared_clear() whatever it returns. */
 luxel_status lx_session_prepare(const luxel_scene *scene, const luxel_settings *settings,

@@ -28,7 +28,7 @@ struct luxel_field {
     char *scene;                 /* as text; NULL: not known */
     void *values;                /* float or double */
     uint8_t *mask;
-    bool mask_is_guess; /* of a file that tells none: the pixels that are not 0 */
+    bool mask_is_guess;  /* of a file that tells none: the pixels that are not 0 */
     double *x_mm, *y_mm; /* the places of the columns and of the rows; NULL: not known */
     struct lx_picture picture;
     struct luxel_statistics statistics;

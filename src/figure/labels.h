@@ -33,7 +33,7 @@ struct lx_labels {
     const struct lx_canvas *canvas;
     const struct lx_plot *plot;
     double size; /* of the letters */
-    /* which line runs through each cell of the map: 0 none, else 1 + its index; LX_CELL_SHARED several, or an outline */
+    /* which line runs through each cell: 0 none, else 1 + its index; LX_CELL_SHARED several, or an outline */
     uint16_t cells[LX_LABEL_CELLS][LX_LABEL_CELLS];
     double (*track)[3]; /* of one line: where it goes, and its length so far; room for the longest one */
     size_t *order;      /* the lines, the longest first */

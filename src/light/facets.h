@@ -9,9 +9,9 @@
 /* What is wrong with an outline or a mesh, and where. */
 enum lx_shape_fault {
     LX_SHAPE_GOOD,
-    LX_SHAPE_TOO_SMALL, /* no area, or fewer than 3 corners, or a doubled corner (`first`) */
-    LX_SHAPE_NOT_FLAT,  /* corner `first` lies out of the plane of the others */
-    LX_SHAPE_CROSSES,   /* edge `first` (from corner first to the next) meets edge `second` */
+    LX_SHAPE_TOO_SMALL,  /* no area, or fewer than 3 corners, or a doubled corner (`first`) */
+    LX_SHAPE_NOT_FLAT,   /* corner `first` lies out of the plane of the others */
+    LX_SHAPE_CROSSES,    /* edge `first` (from corner first to the next) meets edge `second` */
     LX_SHAPE_NOT_CLOSED, /* the edge from corner `second` to the next in face `first` has not just one partner */
     LX_SHAPE_NOT_CONVEX, /* corner `second` lies outside the plane of face `first` */
     LX_SHAPE_INWARD,     /* the faces' corners run clockwise as seen from outside: turn them round */

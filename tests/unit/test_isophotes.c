@@ -271,7 +271,7 @@ static void test_picture(void **state)
         assert_true(fabs(value - 6) < 0.01);
     }
     luxel_isophotes_free(lines);
-    const double bad = NAN;
+    const double bad = (double)NAN;
     assert_int_equal(luxel_find_isophotes(view.field, NULL, &bad, 1, NULL, &lines), LUXEL_ERROR_ARGUMENT);
     struct view other = view_with("spot", LUXEL_BRIGHTNESS, 0);
     assert_int_equal(luxel_find_isophotes(view.field, other.evaluator, levels, 1, NULL, &lines), LUXEL_ERROR_ARGUMENT);
@@ -326,7 +326,7 @@ static void test_round_levels(void **state)
     assert_int_equal(luxel_round_levels(0, 1, false, SIZE_MAX, few, 3), 1);
     assert_true(few[0] == 0.5);
     assert_levels(1, 1, false, 4, NULL, 0);
-    assert_levels(0, NAN, false, 4, NULL, 0);
+    assert_levels(0, (double)NAN, false, 4, NULL, 0);
 }
 
 int main(void)

@@ -55,7 +55,7 @@ static void knows_right_answers(void **state)
     expect_verdict(scene, 0, 0, 2.7275906525546927 * 1.00099, 0, LUXEL_ANSWER_RIGHT);
     expect_verdict(scene, 0, 0, 2.7275906525546927 * 1.00101, 0, LUXEL_ANSWER_WRONG);
     expect_verdict(scene, 0, 0, 2.7275906525546927 * 1.0011, 0.5e-3, LUXEL_ANSWER_RIGHT);
-    expect_verdict(scene, 400, 0, NAN, 0, LUXEL_ANSWER_RIGHT);
+    expect_verdict(scene, 400, 0, (double)NAN, 0, LUXEL_ANSWER_RIGHT);
     luxel_judgement *judgement = judge(scene, 0, 0, 1, 0);
     assert_true(judgement->has_value && fabs(judgement->value - 2.7275906525546927) <= judgement->error + 1e-15);
     luxel_judgement_free(judgement);
@@ -72,7 +72,7 @@ static void knows_wrong_answers(void **state)
     static const double wrong[] = {0, 1e9, -2.7276, 5.123456, HUGE_VAL, -HUGE_VAL};
     for (size_t i = 0; i < sizeof wrong / sizeof *wrong; i++)
         expect_verdict(scene, 0, 0, wrong[i], 0, LUXEL_ANSWER_WRONG);
-    expect_verdict(scene, 0, 0, NAN, 0, LUXEL_ANSWER_WRONG);
+    expect_verdict(scene, 0, 0, (double)NAN, 0, LUXEL_ANSWER_WRONG);
     luxel_scene_free(scene);
 }
 
@@ -160,13 +160,14 @@ static void refuses_bad_arguments(void **state)
     (void)state;
     luxel_scene *scene = open_report(NULL);
     luxel_judgement *judgement = NULL;
-    static const double bad[] = {-1e-9, NAN, HUGE_VAL};
+    static const double bad[] = {-1e-9, (double)NAN, HUGE_VAL};
     for (size_t i = 0; i < 3; i++) {
         assert_int_equal(luxel_judge_answer(scene, NULL, 0, 0, 1, bad[i], 0, NULL, &judgement), LUXEL_ERROR_ARGUMENT);
         assert_int_equal(luxel_judge_answer(scene, NULL, 0, 0, 1, 1e-3, bad[i], NULL, &judgement),
                          LUXEL_ERROR_ARGUMENT);
     }
-    assert_int_equal(luxel_judge_answer(scene, NULL, NAN, 0, 1, 1e-3, 0, NULL, &judgement), LUXEL_ERROR_ARGUMENT);
+    assert_int_equal(luxel_judge_answer(scene, NULL, (double)NAN, 0, 1, 1e-3, 0, NULL, &judgement),
+                     LUXEL_ERROR_ARGUMENT);
     assert_int_equal(luxel_scene_set(scene, "lights[0].intensity=1", NULL), LUXEL_OK);
     assert_int_equal(luxel_judge_answer(scene, NULL, 0, 0, 1, 1e-3, 0, NULL, &judgement), LUXEL_ERROR_ARGUMENT);
     assert_int_equal(luxel_judge_answer(NULL, NULL, 0, 0, 1, 1e-3, 0, NULL, &judgement), LUXEL_ERROR_ARGUMENT);
