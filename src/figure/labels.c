@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* Where labels go: the best of some places for each, the marks' before the lines' and long lines' before short ones'. */
+/* Where labels go: the best of some places for each; first the marks, then the lines, long ones before short ones. */
 #include "labels.h"
 
 #include <math.h>
