@@ -28,7 +28,10 @@ typedef struct luxel_alternative {
     double value;           /* in the unit of luxel_scene_unit() */
 } luxel_alternative;
 
-/* All of them, convention by convention, the present choice first in each.  Its arrays and texts live as long as it. */
+/*
+ * All of them, convention by convention, the present choice first in each; none is the present one where surfaces or
+ * lights differ in a convention.  Its arrays and texts live as long as it.
+ */
 typedef struct luxel_alternatives {
     size_t count;                  /* of the list */
     const luxel_alternative *list; /* count of them */

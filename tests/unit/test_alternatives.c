@@ -1,0 +1,134 @@
+/* SPDX-License-Identifier: MIT */
+/*
+ * Alternatives: each value is what the scene gives once its assignment is made, the present choice is the scene's own
+ * number, the report's two numbers for its first point are told apart, and the scene stays as it is.
+ */
+#include <math.h>
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include <cmocka.h>
+
+#include <luxel/luxel.h>
+
+static luxel_scene *builtin(const char *name)
+{
+    luxel_scene *scene = NULL;
+    assert_int_equal(luxel_scene_open_builtin(name, NULL, &scene), LUXEL_OK);
+    assert_int_equal(luxel_scene_commit(scene, NULL), LUXEL_OK);
+    return scene;
+}
+
+static double probe_value(const luxel_scene *scene, double x, double y, bool *has_value)
+{
+    luxel_probe *probe = NULL;
+    assert_int_equal(luxel_probe_screen(scene, NULL, x, y, NULL, &probe), LUXEL_OK);
+    double value = probe->value;
+    *has_value = probe->has_value;
+    luxel_probe_free(probe);
+    return value;
+}
+
+/* The assignments are joined by " -s ", as the command line takes them. */
+static void assign(luxel_scene *scene, const char *joined)
+{
+    char *text = strdup(joined), *next = text;
+    while (next) {
+        char *end = strstr(next, " -s ");
+        if (end)
+            *end = '\0';
+        assert_int_equal(luxel_scene_set(scene, next, NULL), LUXEL_OK);
+        next = end ? end + 4 : NULL;
+    }
+    free(text);
+    assert_int_equal(luxel_scene_commit(scene, NULL), LUXEL_OK);
+}
+
+static void test_builtins(void **state)
+{
+    (void)state;
+    static const double places[][2] = {{0, 0}, {-60, 35}, {150, -120}, {320, 320}};
+    for (size_t i = 0; i < luxel_builtin_scene_count(); i++) {
+        const char *name = luxel_builtin_scene_name(i);
+        const double *place = places[i % 4];
+        luxel_scene *scene = builtin(name);
+        luxel_alternatives *found = NULL;
+        bool has_value;
+        double own = probe_value(scene, place[0], place[1], &has_value);
+        assert_int_equal(luxel_find_alternatives(scene, NULL, place[0], place[1], NULL, &found), LUXEL_OK);
+        assert_true(found->count > 4);
+        for (size_t k = 0; k < found->count; k++) {
+            const luxel_alternative *each = &found->list[k];
+            bool first = k == 0 || strcmp(each->convention, found->list[k - 1].convention) != 0;
+            assert_true(first || !each->is_present); /* the surfaces or lights may differ in it: then none is */
+            assert_true(each->is_present || k > 0);
+            assert_true(*each->choice && *each->meaning);
+            if (each->is_present) {
+                assert_int_equal(each->has_value, has_value);
+                assert_true(!has_value || each->value == own);
+            } else if (each->assignment) {
+                bool other_has;
+                luxel_scene *other = builtin(name);
+                assign(other, each->assignment);
+                double value = probe_value(other, place[0], place[1], &other_has);
+                assert_int_equal(each->has_value, other_has);
+                assert_true(!other_has || fabs(each->value - value) <= 1e-12 * fabs(value));
+                luxel_scene_free(other);
+            }
+        }
+        luxel_alternatives_free(found);
+        luxel_scene_free(scene);
+    }
+}
+
+static const luxel_alternative *find(const luxel_alternatives *found, const char *convention, const char *choice)
+{
+    for (size_t i = 0; i < found->count; i++)
+        if (strcmp(found->list[i].convention, convention) == 0 && strcmp(found->list[i].choice, choice) == 0)
+            return &found->list[i];
+    fail_msg("no %s: %s", convention, choice);
+    return NULL;
+}
+
+/* The published table has 2.7488 at the centre: the nearest pixel.  At the point itself it is 2.72759. */
+static void test_report(void **state)
+{
+    (void)state;
+    luxel_scene *scene = builtin("report");
+    luxel_alternatives *found = NULL;
+    assert_int_equal(luxel_find_alternatives(scene, NULL, 0, 0, NULL, &found), LUXEL_OK);
+    const luxel_alternative *point = &found->list[0];
+    assert_string_equal(point->convention, "place");
+    assert_true(fabs(point->value - 2.72759) < 5e-6);
+    assert_true(fabs(find(found, "place", "pixel")->value - 2.7488) < 5e-5);
+    assert_null(find(found, "place", "pixel")->assignment);
+    assert_true(fabs(find(found, "division by π", "true")->value - point->value / M_PI) < 1e-12);
+    luxel_alternatives_free(found);
+    luxel_scene_free(scene);
+}
+
+static void test_refused(void **state)
+{
+    (void)state;
+    luxel_scene *scene = builtin("report");
+    luxel_alternatives *found = NULL;
+    assert_int_equal(luxel_find_alternatives(scene, NULL, (double)NAN, 0, NULL, &found), LUXEL_ERROR_ARGUMENT);
+    assert_int_equal(luxel_scene_set(scene, "points=[]", NULL), LUXEL_OK); /* not committed */
+    assert_int_equal(luxel_find_alternatives(scene, NULL, 0, 0, NULL, &found), LUXEL_ERROR_ARGUMENT);
+    assert_null(found);
+    luxel_scene_free(scene);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_builtins),
+        cmocka_unit_test(test_report),
+        cmocka_unit_test(test_refused),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
