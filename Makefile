@@ -71,7 +71,8 @@ check-clang:
 	@$(COMPILE) build-clang
 	@$(RUN_TESTS) build-clang --num-processes $(JOBS) $(TESTS)
 
-# The sanitizers' runtime is not linked into shared libraries by clang: b_lundef=false.
+# The sanitizers' runtime is not linked into shared libraries by clang: b_lundef=false.  What the libraries that draw
+# keep to the end is in tests/leaks.txt.
 check-sanitize: $(SANITIZE:%=sanitize-%)
 
 sanitize-%:
@@ -80,6 +81,7 @@ sanitize-%:
 	    -Db_sanitize=address,undefined -Db_lundef=false -Doptimization=1
 	@$(COMPILE) build-sanitize-$*
 	@UBSAN_OPTIONS=print_stacktrace=1:halt_on_error=1 ASAN_OPTIONS=detect_stack_use_after_return=1 \
+	    LSAN_OPTIONS=suppressions=$(CURDIR)/tests/leaks.txt:print_suppressions=0 \
 	    $(RUN_TESTS) build-sanitize-$* --num-processes $(JOBS) --timeout-multiplier 10 $(TESTS)
 
 check-valgrind: build

@@ -108,10 +108,12 @@ bool fields_open(const char *path, struct fields *fields)
     }
     ok = read_file(file, fields);
     fclose(file);
-    if (!ok)
-        return false;
-    if (memchr(fields->bytes, '\0', (size_t)(fields->end - fields->at))) {
+    if (ok && memchr(fields->bytes, '\0', (size_t)(fields->end - fields->at))) {
         message_error(_("%s is no text in UTF-8: there are zero bytes in it"), path);
+        ok = false;
+    }
+    if (!ok) {
+        fields_close(fields);
         return false;
     }
     if (fields->end - fields->at >= 3 && memcmp(fields->at, "\xef\xbb\xbf", 3) == 0)

@@ -124,9 +124,9 @@ static void advise_far(struct lx_adviser *adviser, const struct lx_prepared *pre
 void lx_advise_distances(struct lx_adviser *adviser)
 {
     struct lx_prepared prepared;
-    if (lx_prepare(adviser->parameters, LX_DEFAULT_TOLERANCE, &prepared))
-        adviser->out_of_memory = true;
-    for (size_t i = 0; !adviser->out_of_memory && i < prepared.emitters.count; i++) {
+    int failed = lx_prepare_few(adviser->parameters, LX_DEFAULT_TOLERANCE, LX_SCOUT_SOURCES, &prepared);
+    adviser->out_of_memory = failed && !prepared.emitters.is_short;
+    for (size_t i = 0; !failed && i < prepared.emitters.count; i++) {
         const struct lx_emitter *emitter = &prepared.emitters.items[i];
         const struct lx_shape *shape;
         double distance;

@@ -23,7 +23,7 @@
 /* Looks at a changed copy; false where the change does not go, or memory ran out, which the adviser remembers. */
 static bool look(struct lx_adviser *adviser, const char *const *assignments, struct lx_scout *scout)
 {
-    luxel_status status = lx_scout(adviser->scene, assignments, scout);
+    luxel_status status = lx_scout(adviser->scene, assignments, &adviser->effort, scout);
     adviser->out_of_memory = adviser->out_of_memory || status == LUXEL_ERROR_MEMORY;
     return status == LUXEL_OK && !scout->too_large;
 }

@@ -19,6 +19,7 @@ luxel_status lx_adviser_begin(struct lx_adviser *adviser, const luxel_scene *sce
         .scene = scene,
         .parameters = lx_scene_parameters(scene),
         .walk = lx_scene_walk(scene, diagnostics),
+        .effort = LX_SCOUT_EFFORT,
     };
     return LUXEL_OK;
 }

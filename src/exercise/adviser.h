@@ -16,6 +16,7 @@ struct lx_adviser {
     const struct lx_scene_parameters *parameters;
     struct lx_walk walk;
     struct lx_scout now; /* of the scene as it is */
+    double effort;       /* what is left for further looks */
     bool out_of_memory;
 };
 

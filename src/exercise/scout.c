@@ -11,6 +11,7 @@
 
 #include "../base/memory.h"
 #include "../base/number.h"
+#include "../light/extended.h"
 #include "../shade/prepared.h"
 
 enum {
@@ -19,28 +20,46 @@ enum {
     MOST_SAMPLES = 300000,   /* in all */
     MOST_SIDE = 10000,       /* along a side */
     MOST_STEPS = 8,          /* of a climb */
-    MOST_EXACT_SOURCES = 64, /* for the continuous maximum */
-    MOST_SOURCES = 4096      /* for the picture */
+    MOST_EXACT_SOURCES = 64 /* for the continuous maximum */
 };
 
 #define TOLERANCE 1e-2 /* of integrals: advice speaks of percents */
+#define EXACT_COST 1e5 /* of the continuous maximum, in pixels */
 
-/* The sources that count: how many, and whether any of them is extended where a surface has a highlight. */
-static int count_sources(const struct lx_scene_parameters *scene, size_t *count, bool *are_slow)
+/* What one source costs at a pixel, about, in ns as measured. */
+static double cost_of(const struct lx_emitter *emitter, bool shines)
+{
+    if (!lx_is_extended(emitter))
+        return 2;
+    double faces = emitter->type == LX_FACETS ? (double)emitter->facets->face_count : 4;
+    /* only of the law 1/r^2 the diffuse light is no integral */
+    return faces * (emitter->attenuation != LX_INVERSE_SQUARE ? 25000 : shines ? 1500 : 200);
+}
+
+/* What the sources are like. */
+struct sources {
+    size_t count;
+    double cost;   /* of all at a pixel */
+    bool are_slow; /* whether any is extended and makes a highlight */
+    bool too_many;
+};
+
+static int count_sources(const struct lx_scene_parameters *scene, struct sources *sources)
 {
     struct lx_prepared prepared;
-    int failed = lx_prepare(scene, TOLERANCE, &prepared);
+    int failed = lx_prepare_few(scene, TOLERANCE, LX_SCOUT_SOURCES, &prepared);
     bool shines = false;
-    *are_slow = false;
+    *sources = (struct sources){.count = prepared.emitters.count, .too_many = prepared.emitters.is_short};
     for (size_t i = 0; !failed && i < prepared.surface_count; i++) {
         const struct lx_lobe *lobe = &prepared.surfaces[i].lobe;
         shines = shines || (lobe->model != LX_LAMBERT && lobe->specular.value > 0);
     }
-    for (size_t i = 0; !failed && i < prepared.emitters.count; i++)
-        *are_slow = *are_slow || (shines && lx_is_extended(&prepared.emitters.items[i]));
-    *count = prepared.emitters.count;
+    for (size_t i = 0; !failed && i < prepared.emitters.count; i++) {
+        sources->cost += cost_of(&prepared.emitters.items[i], shines);
+        sources->are_slow = sources->are_slow || (shines && lx_is_extended(&prepared.emitters.items[i]));
+    }
     lx_prepared_clear(&prepared);
-    return failed;
+    return failed && !sources->too_many ? -1 : 0;
 }
 
 /* How far apart the samples lie: near enough for the screen, and for the smallest surface unless they were too many. */
@@ -194,22 +213,24 @@ static luxel_status look(const luxel_evaluator *evaluator, const luxel_field *fi
 }
 
 /* `copy` is committed, with the scene's own screen. */
-static luxel_status scout_copy(luxel_scene *copy, struct lx_scout *scout)
+static luxel_status scout_copy(luxel_scene *copy, double *effort, struct lx_scout *scout)
 {
     const struct lx_scene_parameters *scene = lx_scene_parameters(copy);
     luxel_region region = own_screen(&scene->screen);
     luxel_settings settings;
     luxel_evaluator *evaluator = NULL;
     luxel_field *field = NULL;
-    size_t sources;
-    bool are_slow;
-    if (count_sources(scene, &sources, &are_slow))
+    struct sources sources;
+    if (count_sources(scene, &sources))
         return LUXEL_ERROR_MEMORY;
-    scout->too_large = sources > MOST_SOURCES;
-    scout->is_coarse = are_slow || sources > MOST_EXACT_SOURCES;
+    scout->is_coarse = sources.are_slow || sources.count > MOST_EXACT_SOURCES;
     scout->sample_mm = choose_step(scene);
+    double pixels = scene->screen.width_mm / scout->sample_mm * (scene->screen.height_mm / scout->sample_mm);
+    double cost = pixels * (sources.cost + 20) + (scout->is_coarse ? 0 : EXACT_COST * sources.cost);
+    scout->too_large = sources.too_many || cost > *effort;
     if (scout->too_large)
         return LUXEL_OK;
+    *effort -= cost;
     luxel_status status = coarsen(copy, scene, scout->sample_mm);
     luxel_settings_init(&settings);
     settings.tolerance = TOLERANCE;
@@ -224,7 +245,8 @@ static luxel_status scout_copy(luxel_scene *copy, struct lx_scout *scout)
     return status;
 }
 
-luxel_status lx_scout(const luxel_scene *scene, const char *const *assignments, struct lx_scout *scout)
+luxel_status lx_scout(const luxel_scene *scene, const char *const *assignments, double *effort,
+                      struct lx_scout *scout)
 {
     *scout = (struct lx_scout){0};
     luxel_scene *copy = luxel_scene_copy(scene);
@@ -234,7 +256,7 @@ luxel_status lx_scout(const luxel_scene *scene, const char *const *assignments, 
     if (status == LUXEL_OK && !luxel_scene_is_committed(copy))
         status = luxel_scene_commit(copy, NULL);
     if (status == LUXEL_OK)
-        status = scout_copy(copy, scout);
+        status = scout_copy(copy, effort, scout);
     luxel_scene_free(copy);
     return status;
 }

@@ -8,7 +8,8 @@
 
 int lx_emitters_append(struct lx_emitters *emitters, const struct lx_emitter *emitter)
 {
-    if (lx_reserve(&emitters->items, &emitters->capacity, emitters->count + 1, sizeof *emitter)) {
+    emitters->is_short = emitters->most > 0 && emitters->count >= emitters->most;
+    if (emitters->is_short || lx_reserve(&emitters->items, &emitters->capacity, emitters->count + 1, sizeof *emitter)) {
         lx_facets_free(emitter->facets);
         return -1;
     }

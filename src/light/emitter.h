@@ -14,6 +14,7 @@
 #ifndef LX_LIGHT_EMITTER_H
 #define LX_LIGHT_EMITTER_H
 
+#include <stdbool.h>
 #include <stddef.h>
 
 #include "../base/bounded.h"
@@ -66,9 +67,11 @@ static inline bool lx_is_extended(const struct lx_emitter *emitter)
 struct lx_emitters {
     struct lx_emitter *items;
     size_t count, capacity;
+    size_t most;   /* how many it may take; 0: as many as there are */
+    bool is_short; /* more of them were appended */
 };
 
-/* Appends a copy, which takes over the facets; 0, or -1 when memory ran out (then they are freed, too). */
+/* Appends a copy, which takes over the facets; 0, or -1 when memory or room ran out (then they are freed, too). */
 int lx_emitters_append(struct lx_emitters *emitters, const struct lx_emitter *emitter);
 void lx_emitters_clear(struct lx_emitters *emitters);
 

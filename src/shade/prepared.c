@@ -24,11 +24,18 @@ static int prepare_lights(const struct lx_list *lights, struct lx_emitters *emit
 
 int lx_prepare(const struct lx_scene_parameters *scene, double tolerance, struct lx_prepared *prepared)
 {
+    return lx_prepare_few(scene, tolerance, 0, prepared);
+}
+
+int lx_prepare_few(const struct lx_scene_parameters *scene, double tolerance, size_t most,
+                   struct lx_prepared *prepared)
+{
     const struct lx_list *surfaces = &scene->surfaces;
     *prepared = (struct lx_prepared){
         .scene = scene,
         .surfaces = lx_new_array(surfaces->count, sizeof *prepared->surfaces),
         .surface_count = surfaces->count,
+        .emitters.most = most,
         .tolerance = tolerance,
         .shadows = scene->shadows == LX_SHADOWS_POINTS && surfaces->count > 1,
     };

@@ -33,6 +33,9 @@ struct lx_prepared {
 
 /* 0, or -1 when memory ran out.  Release with lx_prepared_clear() in either case. */
 int lx_prepare(const struct lx_scene_parameters *scene, double tolerance, struct lx_prepared *prepared);
+/* The same of a scene that has at most so many emitters; else -1, and prepared->emitters.is_short. */
+int lx_prepare_few(const struct lx_scene_parameters *scene, double tolerance, size_t most,
+                   struct lx_prepared *prepared);
 void lx_prepared_clear(struct lx_prepared *prepared);
 
 /* The unit of a quantity in this scene, UTF-8, as the attenuation laws, over_pi and `units` make it. */

@@ -4,6 +4,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "exercise/scout.h"
 #include "scenes.h"
 
 static luxel_scene *open_scene(const char *name, const char *const *assignments)
@@ -174,6 +175,30 @@ static void tells_true_numbers(void **state)
     luxel_scene_free(scene);
 }
 
+/* Switched on, the source of 51 x 25 faces of a million parts each would take all memory. */
+static void leaves_out_what_costs_too_much(void **state)
+{
+    (void)state;
+    static const char *const dark[] = {"lights=[{type: volume, sphere: {center: [0, 0, 2000], radius: 10, facets: 51}, "
+                                       "power: 1, parts: 1000, enabled: false}]",
+                                       NULL};
+    static const char *const enabled[] = {"lights[0].enabled=true", NULL};
+    luxel_scene *scene = open_scene("report", dark);
+    luxel_diagnostics *diagnostics = advise(scene);
+    struct lx_scout scout;
+    double effort = LX_SCOUT_EFFORT;
+    assert_true(has(diagnostics, "picture-dark", "lights"));
+    assert_int_equal(lx_scout(scene, enabled, &effort, &scout), LUXEL_OK);
+    assert_true(scout.too_large && effort == LX_SCOUT_EFFORT);
+    assert_int_equal(lx_scout(scene, NULL, &effort, &scout), LUXEL_OK);
+    assert_true(!scout.too_large && effort < LX_SCOUT_EFFORT);
+    effort = 1; /* hardly any is left */
+    assert_int_equal(lx_scout(scene, NULL, &effort, &scout), LUXEL_OK);
+    assert_true(scout.too_large && effort == 1);
+    luxel_diagnostics_free(diagnostics);
+    luxel_scene_free(scene);
+}
+
 static void wants_a_committed_scene(void **state)
 {
     (void)state;
@@ -190,6 +215,7 @@ int main(void)
         cmocka_unit_test(mends_what_it_advises),
         cmocka_unit_test(is_silent_where_all_is_well),
         cmocka_unit_test(tells_true_numbers),
+        cmocka_unit_test(leaves_out_what_costs_too_much),
         cmocka_unit_test(wants_a_committed_scene),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
