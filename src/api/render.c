@@ -21,20 +21,42 @@ struct rendering {
     struct lx_row_statistics *rows;
 };
 
+/* Of a row whose pixels off the surfaces are 0, and no other is below. */
+static struct lx_row_statistics survey_row(const struct rendering *rendering, unsigned row, size_t surface_pixels)
+{
+    const struct luxel_field *field = rendering->field;
+    const struct lx_kernels *kernels = rendering->plan->kernels;
+    const size_t first = (size_t)row * field->columns;
+    const struct lx_survey survey =
+        field->precision == LUXEL_DOUBLE
+            ? kernels->survey_double((const double *)field->values + first, field->columns, LX_LEAST_LIT)
+            : kernels->survey_single((const float *)field->values + first, field->columns, LX_LEAST_LIT);
+    if (isnan(survey.sum))
+        return lx_gather_row(field, row);
+    return (struct lx_row_statistics){
+        .maximum = survey.maximum,
+        .minimum = survey.minimum,
+        .surface_pixels = surface_pixels,
+        .lit_pixels = survey.at_least,
+        .sum = survey.sum,
+    };
+}
+
 static void render_row(struct rendering *rendering, struct lx_shader_memory *memory, bool is_caller, unsigned row)
 {
     struct luxel_field *field = rendering->field;
     double x[LX_BLOCK], values[LX_BLOCK], y = field->y_mm[row];
     uint8_t mask[LX_BLOCK];
+    size_t shown = 0;
     for (unsigned first = 0; first < field->columns; first += LX_BLOCK) {
         unsigned left = field->columns - first, count = left < LX_BLOCK ? left : LX_BLOCK;
         memcpy(x, field->x_mm + first, count * sizeof *x);
-        lx_shade_points(rendering->plan, memory, y, x, count, rendering->control, is_caller, values, mask);
+        shown += lx_shade_points(rendering->plan, memory, y, x, count, rendering->control, is_caller, values, mask);
         lx_field_store(field, row, first, values, mask, count);
         if (!lx_control_goes_on(rendering->control, is_caller))
             return;
     }
-    rendering->rows[row] = lx_gather_row(field, row);
+    rendering->rows[row] = survey_row(rendering, row, shown);
 }
 
 static void render_rows(void *data, unsigned worker, bool is_caller, unsigned first, unsigned last)

@@ -2,6 +2,7 @@
 /* Making a field, reading it, and its grey levels. */
 #include <math.h>
 #include <stdlib.h>
+#include <string.h>
 
 #include "../base/memory.h"
 #include "../shade/camera.h"
@@ -72,11 +73,9 @@ void lx_field_store(struct luxel_field *field, unsigned row, unsigned column, co
                     size_t count)
 {
     size_t first = (size_t)row * field->columns + column;
-    for (size_t i = 0; i < count; i++)
-        field->mask[first + i] = mask[i];
+    memcpy(&field->mask[first], mask, count);
     if (field->precision == LUXEL_DOUBLE)
-        for (size_t i = 0; i < count; i++)
-            ((double *)field->values)[first + i] = values[i];
+        memcpy((double *)field->values + first, values, count * sizeof *values);
     else
         for (size_t i = 0; i < count; i++)
             ((float *)field->values)[first + i] = (float)values[i];

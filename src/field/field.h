@@ -10,7 +10,6 @@
 /* What is gathered of one row, and of all rows together. */
 struct lx_row_statistics {
     double maximum, minimum; /* minimum: of the values from LX_LEAST_LIT up */
-    unsigned maximum_column, minimum_column;
     size_t surface_pixels, lit_pixels;
     double sum;
 };

@@ -4,50 +4,51 @@
 #include <stdlib.h>
 
 #include "../base/memory.h"
+#include "../shade/kernel.h"
 #include "field.h"
+#include "gather.h"
 
 struct lx_row_statistics lx_gather_row(const struct luxel_field *field, unsigned row)
 {
     struct lx_row_statistics result = {.maximum = -HUGE_VAL, .minimum = HUGE_VAL};
     const size_t first = (size_t)row * field->columns;
     const uint8_t *mask = &field->mask[first];
+    double sums[LX_LANES] = {0}; /* as the kernels sum */
     for (unsigned i = 0; i < field->columns; i++) {
         if (!mask[i])
             continue;
         double value = lx_field_value(field, first + i);
         result.surface_pixels++;
-        result.sum += value;
+        sums[i % LX_LANES] += value;
         /* A value that is no number must not hide: it becomes the maximum. */
-        if (!(value <= result.maximum)) {
+        if (!(value <= result.maximum))
             result.maximum = value;
-            result.maximum_column = i;
-        }
         if (!(value >= LX_LEAST_LIT))
             continue;
         result.lit_pixels++;
-        if (value < result.minimum) {
-            result.minimum = value;
-            result.minimum_column = i;
-        }
+        result.minimum = fmin(result.minimum, value);
     }
+    for (int k = 0; k < LX_LANES; k++)
+        result.sum += sums[k];
     return result;
 }
 
-static luxel_extremum extremum(const struct luxel_field *field, double value, unsigned column, unsigned row)
+/* The first pixel of a row with this value, or, where that is no number, without one. */
+static luxel_extremum find_extremum(const struct luxel_field *field, unsigned row, double value)
 {
-    return (luxel_extremum){
-        .exists = true,
-        .value = value,
-        .column = column,
-        .row = row,
-        .x_mm = field->x_mm ? field->x_mm[column] : (double)NAN,
-        .y_mm = field->y_mm ? field->y_mm[row] : (double)NAN,
-    };
+    size_t pixel = (size_t)row * field->columns, last = pixel + field->columns - 1;
+    for (; pixel < last; pixel++) {
+        double there = lx_field_value(field, pixel);
+        if (field->mask[pixel] && (there == value || (isnan(there) && isnan(value))))
+            break;
+    }
+    return lx_extremum_at(field, pixel, value);
 }
 
 void lx_finish_statistics(struct luxel_field *field, const struct lx_row_statistics *rows)
 {
     luxel_statistics *all = &field->statistics;
+    const struct lx_row_statistics *highest = NULL, *lowest = NULL;
     size_t lit = 0;
     double sum = 0;
     *all = (luxel_statistics){0};
@@ -55,14 +56,18 @@ void lx_finish_statistics(struct luxel_field *field, const struct lx_row_statist
         const struct lx_row_statistics *one = &rows[row];
         if (one->surface_pixels == 0)
             continue;
-        if (!all->maximum.exists || !(one->maximum <= all->maximum.value))
-            all->maximum = extremum(field, one->maximum, one->maximum_column, row);
-        if (one->lit_pixels > 0 && (!all->minimum.exists || one->minimum < all->minimum.value))
-            all->minimum = extremum(field, one->minimum, one->minimum_column, row);
+        if (!highest || !(one->maximum <= highest->maximum))
+            highest = one;
+        if (one->lit_pixels > 0 && (!lowest || one->minimum < lowest->minimum))
+            lowest = one;
         all->surface_pixels += one->surface_pixels;
         lit += one->lit_pixels;
         sum += one->sum;
     }
+    if (highest)
+        all->maximum = find_extremum(field, (unsigned)(highest - rows), highest->maximum);
+    if (lowest)
+        all->minimum = find_extremum(field, (unsigned)(lowest - rows), lowest->minimum);
     all->has_surface = all->surface_pixels > 0;
     if (all->has_surface) {
         all->mean = sum / (double)all->surface_pixels;

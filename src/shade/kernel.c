@@ -11,6 +11,8 @@
 #include "kernel.h"
 
 #define REAL float
+#define LX_IS_SINGLE 1
+#define SUFFIX ps
 #define NAME(x) x##_single
 #define BITS uint32_t
 #define MANTISSA 23
@@ -20,9 +22,14 @@
 #define SQRT sqrtf
 #define LOG_TERMS 5
 #define EXP_TERMS 8
+#include "lanes.h"
+
 #include "kernel_real.h"
 #include "kernel_samples.h"
+#include "kernel_survey.h"
 #undef REAL
+#undef LX_IS_SINGLE
+#undef SUFFIX
 #undef NAME
 #undef BITS
 #undef MANTISSA
@@ -34,6 +41,8 @@
 #undef EXP_TERMS
 
 #define REAL double
+#define LX_IS_SINGLE 0
+#define SUFFIX pd
 #define NAME(x) x##_double
 #define BITS uint64_t
 #define MANTISSA 52
@@ -43,8 +52,11 @@
 #define SQRT sqrt
 #define LOG_TERMS 11
 #define EXP_TERMS 14
+#include "lanes.h"
+
 #include "kernel_real.h"
 #include "kernel_samples.h"
+#include "kernel_survey.h"
 
 #include "kernel_angle.h"
 #include "kernel_facets.h"
@@ -58,14 +70,16 @@ static void meet_parallel_lines(const struct lx_shape *sphere, const struct lx_r
                                 const double *restrict x_mm, size_t count, double *restrict depth, double *restrict px,
                                 double *restrict py, double *restrict pz)
 {
-    const double dy = view->y_mm - sphere->anchor_mm[1], radius = sphere->radius_mm;
+    const double x = sphere->anchor_mm[0], dy = view->y_mm - sphere->anchor_mm[1], radius = sphere->radius_mm;
+    const double top = view->observer_z_mm - sphere->anchor_mm[2];
     double error;
-    const struct lx_pair rest = lx_exact_dot(2, (double[]){radius, -dy}, (double[]){radius, dy}, &error);
+    const struct lx_pair square = lx_exact_dot(2, (double[]){radius, -dy}, (double[]){radius, dy}, &error);
+    const double high = square.high, low = square.low;
     for (size_t i = 0; i < count; i++) {
-        double dx = x_mm[i] - sphere->anchor_mm[0];
-        double below = rest.high - dx * dx + rest.low;
+        double dx = x_mm[i] - x;
+        double below = high - dx * dx + low;
         double height = sqrt(below > 0 ? below : 0);
-        depth[i] = below >= 0 ? view->observer_z_mm - sphere->anchor_mm[2] - height : HUGE_VAL;
+        depth[i] = below >= 0 ? top - height : HUGE_VAL;
         px[i] = dx;
         py[i] = dy;
         pz[i] = height;
@@ -200,6 +214,8 @@ const struct lx_kernels TABLE_OF(LX_ISA) = {
     .shade_double = shade_double,
     .samples_single = samples_single,
     .samples_double = samples_double,
+    .survey_single = survey_single,
+    .survey_double = survey_double,
     .light_by_shell = {[LX_FACETS] = light_by_facets,
                        [LX_DISK] = light_by_disk,
                        [LX_BALL] = light_by_ball,

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /*
  * Kernels: the light of one emitter on a block of elements of one surface, in float32 and float64, and the
- * geometry of the shapes for a row of lines of sight.  One plain source, kernel.c with kernel_real.h, is
+ * geometry of the shapes for a row of lines of sight.  One source, kernel.c with lanes.h and kernel_real.h, is
  * compiled once for each instruction set; lx_kernels_choose() picks at run time.
  *
  * Elements stand as a structure of arrays.  The kernels work on whole lanes: they read and write up to
@@ -41,26 +41,37 @@ static inline size_t lx_padded(size_t count)
  */
 enum lx_bend { LX_FLAT, LX_BALL_SHAPED, LX_SIDE };
 
+/* What a kernel knows of its lights when it is compiled: parallel light, and points by their law; those whose intensity
+ * depends on the direction come with any law. */
+enum lx_light_kind { LX_DISTANT, LX_BY_SQUARE, LX_BY_SUM, LX_UNATTENUATED, LX_PROFILED };
+
 /* The constants of an emitter and a lobe, and a block of elements, once in each precision. */
 #define LX_KERNEL_TYPES(real, suffix)                                                                                  \
+    struct lx_exponent_##suffix {                                                                                      \
+        real value;                                                                                                    \
+        unsigned whole; /* the same where it is whole and not very large; else 0 */                                    \
+    };                                                                                                                 \
     struct lx_light_##suffix {                                                                                         \
-        bool is_point; /* else a direction */                                                                          \
-        real x, y, z;  /* a point's place from the anchor, or the unit vector L */                                     \
-        real gain;     /* E_perp = gain * a, with a by law: 1/r^2, 1/(k + r), 1; r in mm */                            \
+        enum lx_light_kind kind;                                                                                       \
+        real x, y, z; /* a point's place from the anchor, or the unit vector L */                                      \
+        real gain;    /* E_perp = gain * a, with a by law: 1/r^2, 1/(k + r), 1; r in mm */                             \
         enum lx_attenuation law;                                                                                       \
         real k;                                                                                                        \
         enum lx_falloff falloff;                                                                                       \
-        real axis_x, axis_y, axis_z, half_exponent; /* g: exponent / 2 */                                              \
+        real axis_x, axis_y, axis_z;                                                                                   \
+        struct lx_exponent_##suffix exponent; /* of g; 0: none */                                                      \
         real edge;       /* of the cone: the outer versine, or the outer angle where it is linear */                   \
         real edge_slope; /* 1 / (outer - inner) of the same */                                                         \
     };                                                                                                                 \
     struct lx_lobe_##suffix {                                                                                          \
         enum lx_model model;                                                                                           \
         enum lx_highlight highlight;                                                                                   \
-        real diffuse, specular, half_exponent;                                                                         \
+        real diffuse, specular;                                                                                        \
+        struct lx_exponent_##suffix exponent;                                                                          \
     };                                                                                                                 \
     struct lx_block_##suffix {                                                                                         \
-        real px[LX_BLOCK], py[LX_BLOCK], pz[LX_BLOCK]; /* place from the anchor */                                     \
+        _Alignas(64) real px[LX_BLOCK]; /* place from the anchor */                                                    \
+        real py[LX_BLOCK], pz[LX_BLOCK];                                                                               \
         real nx[LX_BLOCK], ny[LX_BLOCK], nz[LX_BLOCK]; /* normal, unit */                                              \
         real vx[LX_BLOCK], vy[LX_BLOCK], vz[LX_BLOCK]; /* to the observer, unit */                                     \
     };                                                                                                                 \
@@ -74,15 +85,16 @@ enum lx_bend { LX_FLAT, LX_BALL_SHAPED, LX_SIDE };
         enum lx_attenuation law;                                                                                       \
         real k;                                                                                                        \
     };                                                                                                                 \
-    typedef void lx_shade_##suffix(const struct lx_light_##suffix *light, const struct lx_lobe_##suffix *lobe,         \
-                                   const struct lx_block_##suffix *block, const float *open, size_t count, real *sum); \
+    typedef void lx_shade_##suffix(const struct lx_light_##suffix *lights, size_t light_count,                         \
+                                   const struct lx_lobe_##suffix *lobe, const struct lx_block_##suffix *block,         \
+                                   const float *open, size_t count, double *sum);                                      \
     typedef void lx_shade_samples_##suffix(const struct lx_samples_##suffix *samples, size_t first, size_t count,      \
                                            const struct lx_lobe_##suffix *lobe, const struct lx_block_##suffix *block, \
                                            size_t start, real *sum)
 
 /*
- * lx_shade_single, lx_shade_double: add to sum[i] the brightness that the light gives to element i.  open[i]
- * is 1 where the way to the light is free, 0 where it is blocked; NULL: free everywhere.
+ * lx_shade_single, lx_shade_double: add to sum[i] the brightness that the lights, at least one and all of one kind, give
+ * to element i.  open[i] is 1 where the way to them is free, 0 where it is blocked; NULL: free everywhere.
  *
  * lx_shade_samples_single, lx_shade_samples_double: samples of Lambertian shells.  Set sum[0 ... LX_LANES - 1] to the
  * brightness that `count` of them, from the first on, give to the elements from `start` on.  A sample gives
@@ -91,6 +103,17 @@ enum lx_bend { LX_FLAT, LX_BALL_SHAPED, LX_SIDE };
  */
 LX_KERNEL_TYPES(float, single);
 LX_KERNEL_TYPES(double, double);
+
+/* What some values have in common, none of which is below 0. */
+struct lx_survey {
+    double maximum;  /* 0 where there are none */
+    double minimum;  /* of those from `least` up; infinite where there are none */
+    size_t at_least; /* how many those are */
+    double sum;      /* by LX_LANES sums of every LX_LANES-th, the same by all sets; NaN where one is */
+};
+
+typedef struct lx_survey lx_survey_single(const float *values, size_t count, double least);
+typedef struct lx_survey lx_survey_double(const double *values, size_t count, double least);
 
 /* The lines of sight of a row of pixels. */
 struct lx_row_view {
@@ -167,6 +190,8 @@ struct lx_kernels {
     lx_shade_double *shade_double;
     lx_shade_samples_single *samples_single;
     lx_shade_samples_double *samples_double;
+    lx_survey_single *survey_single;
+    lx_survey_double *survey_double;
     /* by the type of the emitter; NULL for those that are not extended */
     lx_light_by_shell *light_by_shell[LX_CYLINDER + 1];
     /* by the type of the shape */

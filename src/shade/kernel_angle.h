@@ -54,11 +54,36 @@ LANE double gap(double z)
     return z < series_end ? series : direct;
 }
 
+/*
+ * log2(w) of w = 1 - q, given both: near 1 it comes from q, which keeps the digits that w has lost.  With w = 2^e m, m
+ * within [sqrt(1/2), sqrt(2)): log2 m = 2/ln 2 (s + s^3/3 + s^5/5 ...), s = (m - 1)/(m + 1).
+ */
+LANE double log2_of_rest(double w, double q)
+{
+    const double magic = 6755399441055744.0; /* 1.5 * 2^52 */
+    const uint64_t bias = 1023, mantissa = 52;
+    const union {
+        double real;
+        uint64_t bits;
+    } v = {.real = greatest(w, SMALLEST)}, root = {.real = 0.70710678118654752}, counter = {.real = magic};
+    uint64_t biased = (v.bits - root.bits + (bias << mantissa)) >> mantissa;
+    const union {
+        uint64_t bits;
+        double real;
+    } m = {.bits = v.bits - ((biased - bias) << mantissa)}, whole = {.bits = counter.bits + biased};
+    double exponent = whole.real - (magic + (double)bias);
+    double above = q < 0.25 ? -q : m.real - 1;
+    double s = above / (m.real + 1), s2 = s * s, series = 1.0 / 21;
+    for (int k = 9; k >= 0; k--)
+        series = series * s2 + 1.0 / (2 * k + 1);
+    return exponent + 2.8853900817779268 * s * series;
+}
+
 /* gap(-zeta^2) for 0 <= zeta < 1, told rest = (1 - zeta)/(1 + zeta), too */
 LANE double negative_gap(double zeta, double rest)
 {
     const double half_ln2 = 0.34657359027997264;
-    double direct = 1 + half_ln2 * log2_of_double(rest, 2 * zeta / (1 + zeta)) / greatest(zeta, 0.1);
+    double direct = 1 + half_ln2 * log2_of_rest(rest, 2 * zeta / (1 + zeta)) / greatest(zeta, 0.1);
     double z = zeta * zeta;
     double series = small_gap(-least(z, series_end));
     return z < series_end ? series : direct;

@@ -1,54 +1,54 @@
 /* SPDX-License-Identifier: MIT */
 /*
- * The shading kernel in one precision, written as plain loops over arrays that the compiler turns into vector
- * code.  kernel.c includes it twice, with
+ * The shading kernel in one precision.  kernel.c includes it twice, behind lanes.h, with
  *
- *     REAL      float or double
+ *     REAL      float or double, and LX_IS_SINGLE 1 or 0
  *     NAME(x)   x with the precision's suffix
  *     BITS      an unsigned integer of the same size
  *     MANTISSA  number of bits of the fraction, BIAS of the exponent, MAGIC = 1.5 * 2^MANTISSA
  *     LOG_TERMS, EXP_TERMS   terms of the series
  *
- * A light passes over a block in three loops: towards (L and E_perp), profile, reflect.  What varies between
- * lights and materials is a constant parameter of an inlined loop, so that no loop tests it.
+ * For each vector of elements all lights of one kind are summed in registers.  What varies between kinds of lights and
+ * materials is a constant parameter of an inlined loop.
+ *
+ * Cosines that are raised to a power enter as t = 1 - cos = |a - b|^2 / 2, a and b the unit vectors that make the
+ * angle: a cosine near 1 has lost the digits that tell how far the angle is from 0.
  */
 
-typedef union {
-    REAL real;
-    BITS bits;
-} NAME(pun);
+/* A vector of the elements of a block. */
+struct NAME(elements) {
+    NAME(lanes) px, py, pz, nx, ny, nz, vx, vy, vz;
+};
 
-/* The intermediate results of one light. */
-struct NAME(rays) {
-    REAL lx[LX_BLOCK], ly[LX_BLOCK], lz[LX_BLOCK], e[LX_BLOCK];
+/* The direction to a light, and E_perp. */
+struct NAME(ray) {
+    NAME(lanes) x, y, z, e;
 };
 
 /*
- * log2(w) of a squared cosine w = 1 - q, given both: near 1 the logarithm comes from q, which keeps the digits
- * that w has lost.  With w = 2^e m, m within [sqrt(1/2), sqrt(2)): log2 m = 2/ln 2 (s + s^3/3 + s^5/5 ...),
- * s = (m - 1)/(m + 1).  Error below 3 ulp of the result, plus what q brings.
+ * log2(w + c) of w > 0 and a c that is small beside it.  With w = 2^k m, m within [sqrt(1/2), sqrt(2)):
+ * log2 m = 2/ln 2 (s + s^3/3 + s^5/5 ...), s = (m - 1)/(m + 1).  Error below 3 ulp of the result.
  */
-static inline REAL NAME(log2_of)(REAL w, REAL q)
+LX_LANE NAME(lanes) NAME(log2_of)(NAME(lanes) w, NAME(lanes) c)
 {
-    const REAL smallest = (REAL)SMALLEST;
-    NAME(pun) v = {.real = w > smallest ? w : smallest};
-    NAME(pun) root = {.real = (REAL)0.70710678118654752};
-    BITS biased = (v.bits - root.bits + ((BITS)BIAS << MANTISSA)) >> MANTISSA;
-    NAME(pun) m = {.bits = v.bits - ((biased - BIAS) << MANTISSA)};
-    NAME(pun) whole = {.real = MAGIC}; /* counts in its last bits: a conversion that every set has */
-    whole.bits += biased;
-    REAL exponent = whole.real - (MAGIC + BIAS);
-    REAL above = q < (REAL)0.25 ? -q : m.real - 1;
-    REAL s = above / (m.real + 1);
-    REAL s2 = s * s;
-    REAL series = (REAL)1 / (2 * LOG_TERMS - 1);
+    const union {
+        REAL real;
+        BITS bits;
+    } root = {.real = (REAL)0.70710678118654752}, magic = {.real = MAGIC};
+    NAME(lane_bits) bits = (NAME(lane_bits))NAME(greater)(w, NAME(all)((REAL)SMALLEST));
+    NAME(lane_bits) biased = (bits - root.bits + ((BITS)BIAS << MANTISSA)) >> MANTISSA;
+    NAME(lanes) m = (NAME(lanes))(bits - ((biased - (BITS)BIAS) << MANTISSA));
+    /* counted in the last bits of a number: a conversion that every set has */
+    NAME(lanes) exponent = (NAME(lanes))(biased + magic.bits) - (REAL)(MAGIC + BIAS);
+    NAME(lanes) s = (m - 1) * NAME(inverse)(m + 1), s2 = s * s;
+    NAME(lanes) series = NAME(all)((REAL)1 / (2 * LOG_TERMS - 1));
     for (int k = LOG_TERMS - 2; k >= 0; k--)
         series = series * s2 + (REAL)1 / (REAL)(2 * k + 1);
-    return exponent + (REAL)2.8853900817779268 * s * series;
+    return exponent + ((REAL)2.8853900817779268 * s * series + (REAL)1.4426950408889634 * c);
 }
 
 /* 2^y for y <= 0, 0 below the normal numbers; error below 2 ulp. */
-static inline REAL NAME(exp2_of)(REAL y)
+LX_LANE NAME(lanes) NAME(exp2_of)(NAME(lanes) y)
 {
     static const REAL coefficients[] = {
         (REAL)1,
@@ -66,203 +66,226 @@ static inline REAL NAME(exp2_of)(REAL y)
         (REAL)2.5678435993488204e-11,
         (REAL)1.3691488853904128e-12,
     };
-    const REAL lowest = (REAL)(1 - BIAS);
-    REAL limited = y > lowest ? y : lowest;
-    NAME(pun) whole = {.real = limited + MAGIC};
-    REAL fraction = limited - (whole.real - MAGIC);
-    REAL series = coefficients[EXP_TERMS - 1];
+    const union {
+        REAL real;
+        BITS bits;
+    } magic = {.real = MAGIC};
+    const NAME(lanes) lowest = NAME(all)((REAL)(1 - BIAS));
+    NAME(lanes) limited = NAME(greater)(y, lowest), whole = limited + (REAL)MAGIC;
+    NAME(lanes) fraction = limited - (whole - (REAL)MAGIC);
+    NAME(lanes) series = NAME(all)(coefficients[EXP_TERMS - 1]);
     for (int k = EXP_TERMS - 2; k >= 0; k--)
         series = series * fraction + coefficients[k];
-    NAME(pun) magic = {.real = MAGIC};
-    NAME(pun) scale = {.bits = (BITS)(whole.bits - magic.bits + BIAS) << MANTISSA};
-    return y > lowest ? series * scale.real : 0;
+    NAME(lanes) scale = (NAME(lanes))(((NAME(lane_bits))whole - magic.bits + (BITS)BIAS) << MANTISSA);
+    return NAME(where_above)(y, lowest, series * scale, NAME(all)(0));
 }
 
-/* cosine^(2 half_exponent) of an angle by its cosine and squared sine; 0 where the cosine is not positive */
-static inline REAL NAME(cosine_power)(REAL cosine, REAL cosine_squared, REAL sine_squared, REAL half_exponent)
+/*
+ * (1 - t)^exponent, 0 from t = 1 on.  A whole exponent by squaring: while it is large by squaring the complements,
+ * 1 - (1 - t)^2 = t (2 - t), which keeps the digits of a small t; at last the powers themselves, which keeps those of a
+ * small power.  Others by the logarithm.  Errors, t's own aside: below 6 ulp of 1, by the logarithm 2.
+ */
+LX_LANE NAME(lanes) NAME(power_of)(NAME(lanes) t, struct NAME(lx_exponent) exponent)
 {
-    REAL power = NAME(exp2_of)(half_exponent * NAME(log2_of)(cosine_squared, sine_squared));
-    return cosine > 0 ? power : 0;
+    enum { LEAST_BY_COMPLEMENTS = 12 };
+    t = NAME(lesser)(t, NAME(all)(1));
+    if (exponent.whole > 0) {
+        unsigned bits = exponent.whole;
+        NAME(lanes) power = NAME(all)(1);
+        for (; bits >= LEAST_BY_COMPLEMENTS; bits >>= 1) {
+            if (bits & 1)
+                power -= power * t;
+            t = t * (2 - t);
+        }
+        NAME(lanes) base = 1 - t;
+        for (; !(bits & 1); bits >>= 1)
+            base *= base;
+        power *= base;
+        while (bits >>= 1) {
+            base *= base;
+            if (bits & 1)
+                power *= base;
+        }
+        return power;
+    }
+    NAME(lanes) w = 1 - t, power = NAME(exp2_of)(exponent.value * NAME(log2_of)(w, (1 - w) - t));
+    return NAME(where_above)(w, NAME(all)(0), power, NAME(all)(0));
 }
 
-/* The angle, up to pi/2, of which t is the tangent of the half: the argument is halved twice more. */
-static inline REAL NAME(angle_of_half_tangent)(REAL t)
+/* Half the squared length of a vector. */
+LX_LANE NAME(lanes) NAME(half_square)(NAME(lanes) x, NAME(lanes) y, NAME(lanes) z)
+{
+    return (REAL)0.5 * (x * x + y * y + z * z);
+}
+
+/* The angle, up to pi/2, of which t is the tangent of the half: the argument is halved twice more.  Within 4 ulp. */
+LX_LANE NAME(lanes) NAME(angle_of_half_tangent)(NAME(lanes) t)
 {
     for (int i = 0; i < 2; i++)
-        t = t / (1 + SQRT(1 + t * t));
-    REAL t2 = t * t, series = 0;
+        t = t / (1 + NAME(root)(1 + t * t));
+    NAME(lanes) t2 = t * t, series = NAME(all)(0);
     for (int k = 9; k >= 0; k--)
         series = (REAL)1 / (REAL)(2 * k + 1) - t2 * series;
     return 8 * t * series;
 }
 
-/* L and E_perp of a point without its profile */
-static inline __attribute__((always_inline)) void NAME(towards)(const struct NAME(lx_light) * light,
-                                                                const struct NAME(lx_block) * block, size_t count,
-                                                                enum lx_attenuation law, struct NAME(rays) * rays)
+/* L and E_perp of a point without its profile. */
+LX_LANE struct NAME(ray)
+    NAME(towards)(const struct NAME(lx_light) * light, const struct NAME(elements) * at, enum lx_attenuation law)
 {
-    const REAL nearest = (REAL)1e-6; /* mm */
-    for (size_t i = 0; i < count; i++) {
-        REAL x = light->x - block->px[i], y = light->y - block->py[i], z = light->z - block->pz[i];
-        REAL r2 = x * x + y * y + z * z;
-        if (sizeof(REAL) == sizeof(double)) { /* sources that near are never left to float32 */
-            /* A source on the element itself counts as standing just above it. */
-            REAL lift = r2 > 0 ? 0 : nearest;
-            x += lift * block->nx[i];
-            y += lift * block->ny[i];
-            z += lift * block->nz[i];
-            r2 = r2 > 0 ? r2 : nearest * nearest;
-        }
-        REAL inverse = 1 / SQRT(r2);
-        rays->lx[i] = x * inverse;
-        rays->ly[i] = y * inverse;
-        rays->lz[i] = z * inverse;
-        REAL limited = inverse < 1 / nearest ? inverse : 1 / nearest;
-        REAL distance = r2 * inverse;
-        rays->e[i] = light->gain * (law == LX_INVERSE_SQUARE ? limited * limited
-                                    : law == LX_PRACTICAL    ? 1 / (light->k + distance)
-                                                             : 1);
+    NAME(lanes) x = light->x - at->px, y = light->y - at->py, z = light->z - at->pz;
+    NAME(lanes) r2 = x * x + y * y + z * z, limited;
+    if (LX_IS_SINGLE) { /* sources that stand very near are never left to float32 */
+        limited = NAME(inverse_root)(r2);
+        x *= limited, y *= limited, z *= limited;
+    } else {
+        /* A source on the element itself counts as standing just above it. */
+        const REAL nearest = (REAL)1e-6; /* mm */
+        NAME(lanes) zero = NAME(all)(0), lift = NAME(where_above)(r2, zero, zero, NAME(all)(nearest));
+        x += lift * at->nx, y += lift * at->ny, z += lift * at->nz;
+        r2 = NAME(where_above)(r2, zero, r2, NAME(all)(nearest * nearest));
+        NAME(lanes) inverse = NAME(inverse_root)(r2);
+        x *= inverse, y *= inverse, z *= inverse;
+        limited = NAME(lesser)(inverse, NAME(all)(1 / nearest));
     }
+    NAME(lanes) e = NAME(all)(light->gain);
+    if (law == LX_INVERSE_SQUARE)
+        e *= limited * limited;
+    else if (law == LX_PRACTICAL)
+        e *= NAME(inverse)(light->k + NAME(root)(r2));
+    return (struct NAME(ray)){x, y, z, e};
 }
 
-static void NAME(same_direction)(const struct NAME(lx_light) * light, size_t count, struct NAME(rays) * rays)
+LX_LANE NAME(lanes) NAME(cone)(const struct NAME(lx_light) * light, NAME(lanes) versine)
 {
-    for (size_t i = 0; i < count; i++) {
-        rays->lx[i] = light->x;
-        rays->ly[i] = light->y;
-        rays->lz[i] = light->z;
-        rays->e[i] = light->gain;
-    }
+    const NAME(lanes) zero = NAME(all)(0), one = NAME(all)(1);
+    NAME(lanes) measure = versine;
+    if (light->falloff == LX_HARD)
+        return NAME(where_above)(versine, NAME(all)(light->edge), zero, one);
+    if (light->falloff == LX_LINEAR) /* tan^2 of half the angle */
+        measure = NAME(angle_of_half_tangent)(NAME(root)(versine / (2 - NAME(lesser)(versine, one))));
+    NAME(lanes) t = NAME(lesser)(NAME(greater)((light->edge - measure) * light->edge_slope, zero), one);
+    NAME(lanes) g = light->falloff == LX_SMOOTHSTEP ? t * t * (3 - 2 * t) : light->falloff == LX_SQUARED ? t * t : t;
+    return NAME(where_above)(one, versine, g, zero); /* cones end at 90 degrees */
 }
 
-/* Multiplies E_perp by the cone of this falloff, or, for LX_NO_CONE, by the power of the cosine. */
-static inline __attribute__((always_inline)) void NAME(profile)(const struct NAME(lx_light) * light, size_t count,
-                                                                enum lx_falloff falloff, struct NAME(rays) * rays)
+/* g of the direction from the light, -L. */
+LX_LANE NAME(lanes) NAME(profile)(const struct NAME(lx_light) * light, const struct NAME(ray) * ray)
 {
-    for (size_t i = 0; i < count; i++) {
-        REAL ax = light->axis_x, ay = light->axis_y, az = light->axis_z;
-        REAL x = rays->lx[i], y = rays->ly[i], z = rays->lz[i];
-        REAL cosine = -(ax * x + ay * y + az * z);
-        REAL sx = ay * z - az * y, sy = az * x - ax * z, sz = ax * y - ay * x;
-        REAL sine_squared = sx * sx + sy * sy + sz * sz;
-        REAL g;
-        if (falloff == LX_NO_CONE) {
-            g = NAME(cosine_power)(cosine, cosine * cosine, sine_squared, light->half_exponent);
-        } else {
-            REAL below = cosine > 0 ? 1 + cosine : 1; /* cones end at 90 degrees */
-            REAL versine = cosine > 0 ? sine_squared / below : 1 - cosine;
-            REAL t = (light->edge - versine) * light->edge_slope;
-            if (falloff == LX_LINEAR) {
-                REAL angle = NAME(angle_of_half_tangent)(SQRT(sine_squared) / below);
-                t = cosine > 0 ? (light->edge - angle) * light->edge_slope : 0;
-            }
-            t = t < 0 ? 0 : t;
-            t = t > 1 ? 1 : t;
-            g = falloff == LX_SMOOTHSTEP ? t * t * (3 - 2 * t)
-                : falloff == LX_SQUARED  ? t * t
-                : falloff == LX_LINEAR   ? t
-                                         : (light->edge >= versine ? 1 : 0);
-        }
-        rays->e[i] *= g;
-    }
+    NAME(lanes) versine = NAME(half_square)(light->axis_x + ray->x, light->axis_y + ray->y, light->axis_z + ray->z);
+    NAME(lanes) g = NAME(all)(1);
+    if (light->falloff != LX_NO_CONE)
+        g = NAME(cone)(light, versine);
+    if (light->exponent.value > 0)
+        g *= NAME(power_of)(versine, light->exponent);
+    return g;
+}
+
+LX_LANE struct NAME(ray)
+    NAME(ray_of)(const struct NAME(lx_light) * light, const struct NAME(elements) * at, enum lx_light_kind kind)
+{
+    struct NAME(ray) ray;
+    if (kind == LX_DISTANT)
+        return (struct NAME(ray)){NAME(all)(light->x), NAME(all)(light->y), NAME(all)(light->z),
+                                  NAME(all)(light->gain)};
+    if (kind == LX_BY_SQUARE || (kind == LX_PROFILED && light->law == LX_INVERSE_SQUARE))
+        ray = NAME(towards)(light, at, LX_INVERSE_SQUARE);
+    else if (kind == LX_BY_SUM || (kind == LX_PROFILED && light->law == LX_PRACTICAL))
+        ray = NAME(towards)(light, at, LX_PRACTICAL);
+    else
+        ray = NAME(towards)(light, at, LX_NO_ATTENUATION);
+    if (kind == LX_PROFILED)
+        ray.e *= NAME(profile)(light, &ray);
+    return ray;
 }
 
 /* What the lobe makes of light from L, for each unit of E_perp. */
-static inline __attribute__((always_inline)) REAL NAME(weight_of)(const struct NAME(lx_lobe) * lobe,
-                                                                  const struct NAME(lx_block) * block, size_t i,
-                                                                  enum lx_model model, enum lx_highlight highlight,
-                                                                  REAL lx, REAL ly, REAL lz)
+LX_LANE NAME(lanes)
+    NAME(weight_of)(const struct NAME(lx_lobe) * lobe, const struct NAME(elements) * at, enum lx_model model,
+                    enum lx_highlight highlight, NAME(lanes) lx, NAME(lanes) ly, NAME(lanes) lz)
 {
-    REAL nx = block->nx[i], ny = block->ny[i], nz = block->nz[i];
-    REAL n_dot_l = nx * lx + ny * ly + nz * lz;
-    REAL front = n_dot_l > 0 ? n_dot_l : 0;
-    REAL weight = lobe->diffuse * front;
+    const NAME(lanes) zero = NAME(all)(0);
+    NAME(lanes) n_dot_l = at->nx * lx + at->ny * ly + at->nz * lz, front = NAME(greater)(n_dot_l, zero);
+    NAME(lanes) weight = lobe->diffuse * front;
     if (model == LX_LAMBERT)
         return weight;
-    /* the vectors whose angle makes the lobe, and the squared length of the second */
-    REAL ax, ay, az, bx, by, bz, length_squared;
-    REAL vx = block->vx[i], vy = block->vy[i], vz = block->vz[i];
-    if (model == LX_BLINN_PHONG) {
-        ax = nx, ay = ny, az = nz;
-        bx = lx + vx, by = ly + vy, bz = lz + vz;
-        REAL length = bx * bx + by * by + bz * bz;
-        length_squared = length > (REAL)SMALLEST ? length : (REAL)SMALLEST;
-    } else {
-        ax = vx, ay = vy, az = vz;
-        bx = 2 * n_dot_l * nx - lx, by = 2 * n_dot_l * ny - ly, bz = 2 * n_dot_l * nz - lz;
-        length_squared = 1;
+    NAME(lanes) x = lx + at->vx, y = ly + at->vy, z = lz + at->vz, t;
+    if (model == LX_BLINN_PHONG) { /* from N to the unit vector along L + V */
+        NAME(lanes) square = x * x + y * y + z * z, inverse = NAME(inverse_root)(square);
+        t = NAME(half_square)(at->nx - x * inverse, at->ny - y * inverse, at->nz - z * inverse);
+        if (!LX_IS_SINGLE) /* L = -V has no half vector; float32 never comes near that */
+            t = NAME(where_above)(square, NAME(all)((REAL)SMALLEST), t, NAME(all)(1));
+    } else { /* from the mirrored L, 2 (N.L) N - L, to V */
+        NAME(lanes) twice = 2 * n_dot_l;
+        t = NAME(half_square)(x - twice * at->nx, y - twice * at->ny, z - twice * at->nz);
     }
-    REAL cosine = ax * bx + ay * by + az * bz;
-    REAL cx = ay * bz - az * by, cy = az * bx - ax * bz, cz = ax * by - ay * bx;
-    REAL inverse = 1 / length_squared;
-    REAL power = NAME(cosine_power)(cosine, cosine * cosine * inverse, (cx * cx + cy * cy + cz * cz) * inverse,
-                                    lobe->half_exponent);
-    REAL w = highlight == LX_HIGHLIGHT_PLAIN ? 1 : highlight == LX_HIGHLIGHT_GATED ? (n_dot_l > 0 ? 1 : 0) : front;
-    return weight + lobe->specular * w * power;
+    NAME(lanes) shine = lobe->specular * NAME(power_of)(t, lobe->exponent);
+    if (highlight == LX_HIGHLIGHT_COSINE)
+        shine *= front;
+    if (highlight == LX_HIGHLIGHT_GATED)
+        shine = NAME(where_above)(n_dot_l, zero, shine, zero);
+    return weight + shine;
 }
 
-/* Adds the brightness that the rays make by the lobe. */
-static inline __attribute__((always_inline)) void NAME(reflect)(const struct NAME(lx_lobe) * lobe,
-                                                                const struct NAME(lx_block) * block, size_t count,
-                                                                enum lx_model model, enum lx_highlight highlight,
-                                                                const struct NAME(rays) * rays, REAL *restrict sum)
+LX_LANE struct NAME(elements) NAME(elements_at)(const struct NAME(lx_block) * block, size_t i)
+{
+    return (struct NAME(elements)){NAME(load)(block->px + i), NAME(load)(block->py + i), NAME(load)(block->pz + i),
+                                   NAME(load)(block->nx + i), NAME(load)(block->ny + i), NAME(load)(block->nz + i),
+                                   NAME(load)(block->vx + i), NAME(load)(block->vy + i), NAME(load)(block->vz + i)};
+}
+
+/* Adds the brightness by all the lights, which are of one kind. */
+LX_LANE void NAME(reflect)(const struct NAME(lx_light) * lights, size_t light_count, const struct NAME(lx_lobe) * lobe,
+                           const struct NAME(lx_block) * block, const float *open, size_t count,
+                           enum lx_light_kind kind, enum lx_model model, enum lx_highlight highlight,
+                           double *restrict sum)
 {
     const struct NAME(lx_lobe) constants = *lobe;
+    _Alignas(LX_VECTOR_BYTES) REAL totals[LX_BLOCK];
+    for (size_t i = 0; i < count; i += NAME(LX_WIDTH)) {
+        const struct NAME(elements) at = NAME(elements_at)(block, i);
+        NAME(lanes) total = NAME(all)(0);
+        for (size_t k = 0; k < light_count; k++) {
+            struct NAME(ray) ray = NAME(ray_of)(&lights[k], &at, kind);
+            total += ray.e * NAME(weight_of)(&constants, &at, model, highlight, ray.x, ray.y, ray.z);
+        }
+        NAME(store)(totals + i, total);
+    }
+    for (size_t i = 0; open && i < count; i++)
+        totals[i] *= (REAL)open[i];
     for (size_t i = 0; i < count; i++)
-        sum[i] +=
-            rays->e[i] * NAME(weight_of)(&constants, block, i, model, highlight, rays->lx[i], rays->ly[i], rays->lz[i]);
+        sum[i] += (double)totals[i];
 }
 
-static void NAME(find_rays)(const struct NAME(lx_light) * light, const struct NAME(lx_block) * block, size_t count,
-                            struct NAME(rays) * rays)
+LX_LANE void NAME(by_lobe)(const struct NAME(lx_light) * lights, size_t light_count, const struct NAME(lx_lobe) * lobe,
+                           const struct NAME(lx_block) * block, const float *open, size_t count,
+                           enum lx_light_kind kind, double *sum)
 {
-    if (!light->is_point)
-        NAME(same_direction)(light, count, rays);
-    else if (light->law == LX_INVERSE_SQUARE)
-        NAME(towards)(light, block, count, LX_INVERSE_SQUARE, rays);
-    else if (light->law == LX_PRACTICAL)
-        NAME(towards)(light, block, count, LX_PRACTICAL, rays);
-    else
-        NAME(towards)(light, block, count, LX_NO_ATTENUATION, rays);
-}
-
-static void NAME(weigh_rays)(const struct NAME(lx_light) * light, size_t count, struct NAME(rays) * rays)
-{
-    if (light->falloff == LX_LINEAR)
-        NAME(profile)(light, count, LX_LINEAR, rays);
-    else if (light->falloff == LX_SMOOTHSTEP)
-        NAME(profile)(light, count, LX_SMOOTHSTEP, rays);
-    else if (light->falloff == LX_SQUARED)
-        NAME(profile)(light, count, LX_SQUARED, rays);
-    else if (light->falloff == LX_HARD)
-        NAME(profile)(light, count, LX_HARD, rays);
-    if (light->half_exponent > 0)
-        NAME(profile)(light, count, LX_NO_CONE, rays);
-}
-
-static void NAME(shade)(const struct NAME(lx_light) * light, const struct NAME(lx_lobe) * lobe,
-                        const struct NAME(lx_block) * block, const float *open, size_t count, REAL *sum)
-{
-    struct NAME(rays) rays;
-    count = lx_padded(count);
-    NAME(find_rays)(light, block, count, &rays);
-    NAME(weigh_rays)(light, count, &rays);
-    if (open)
-        for (size_t i = 0; i < count; i++)
-            rays.e[i] *= (REAL)open[i];
-
     if (lobe->model == LX_LAMBERT)
-        NAME(reflect)(lobe, block, count, LX_LAMBERT, LX_HIGHLIGHT_PLAIN, &rays, sum);
+        NAME(reflect)(lights, light_count, lobe, block, open, count, kind, LX_LAMBERT, LX_HIGHLIGHT_PLAIN, sum);
     else if (lobe->model == LX_BLINN_PHONG && lobe->highlight == LX_HIGHLIGHT_PLAIN)
-        NAME(reflect)(lobe, block, count, LX_BLINN_PHONG, LX_HIGHLIGHT_PLAIN, &rays, sum);
+        NAME(reflect)(lights, light_count, lobe, block, open, count, kind, LX_BLINN_PHONG, LX_HIGHLIGHT_PLAIN, sum);
     else if (lobe->model == LX_BLINN_PHONG && lobe->highlight == LX_HIGHLIGHT_GATED)
-        NAME(reflect)(lobe, block, count, LX_BLINN_PHONG, LX_HIGHLIGHT_GATED, &rays, sum);
+        NAME(reflect)(lights, light_count, lobe, block, open, count, kind, LX_BLINN_PHONG, LX_HIGHLIGHT_GATED, sum);
     else if (lobe->model == LX_BLINN_PHONG)
-        NAME(reflect)(lobe, block, count, LX_BLINN_PHONG, LX_HIGHLIGHT_COSINE, &rays, sum);
+        NAME(reflect)(lights, light_count, lobe, block, open, count, kind, LX_BLINN_PHONG, LX_HIGHLIGHT_COSINE, sum);
     else if (lobe->highlight == LX_HIGHLIGHT_PLAIN)
-        NAME(reflect)(lobe, block, count, LX_PHONG, LX_HIGHLIGHT_PLAIN, &rays, sum);
+        NAME(reflect)(lights, light_count, lobe, block, open, count, kind, LX_PHONG, LX_HIGHLIGHT_PLAIN, sum);
     else if (lobe->highlight == LX_HIGHLIGHT_GATED)
-        NAME(reflect)(lobe, block, count, LX_PHONG, LX_HIGHLIGHT_GATED, &rays, sum);
+        NAME(reflect)(lights, light_count, lobe, block, open, count, kind, LX_PHONG, LX_HIGHLIGHT_GATED, sum);
     else
-        NAME(reflect)(lobe, block, count, LX_PHONG, LX_HIGHLIGHT_COSINE, &rays, sum);
+        NAME(reflect)(lights, light_count, lobe, block, open, count, kind, LX_PHONG, LX_HIGHLIGHT_COSINE, sum);
+}
+
+static void NAME(shade)(const struct NAME(lx_light) * lights, size_t light_count, const struct NAME(lx_lobe) * lobe,
+                        const struct NAME(lx_block) * block, const float *open, size_t count, double *sum)
+{
+    count = lx_padded(count);
+    switch (lights->kind) {
+    case LX_DISTANT: NAME(by_lobe)(lights, light_count, lobe, block, open, count, LX_DISTANT, sum); break;
+    case LX_BY_SQUARE: NAME(by_lobe)(lights, light_count, lobe, block, open, count, LX_BY_SQUARE, sum); break;
+    case LX_BY_SUM: NAME(by_lobe)(lights, light_count, lobe, block, open, count, LX_BY_SUM, sum); break;
+    case LX_UNATTENUATED: NAME(by_lobe)(lights, light_count, lobe, block, open, count, LX_UNATTENUATED, sum); break;
+    case LX_PROFILED: NAME(by_lobe)(lights, light_count, lobe, block, open, count, LX_PROFILED, sum); break;
+    }
 }

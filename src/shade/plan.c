@@ -10,17 +10,46 @@
 #include "precision.h"
 #include "shader.h"
 
-/* The picture's maximum is bounded from below by this many samples on each axis. */
-enum { SAMPLES = 16 };
+/* The picture's maximum is bounded from below by this many samples on each axis.  Lights in float32 are summed in runs
+ * before they join the float64 sum. */
+enum { SAMPLES = 16, MOST_IN_RUN = 16 };
 
 /* Of the highlights of extended sources. */
 static const double USUAL_TOLERANCE = 1e-3;
+
+/* Whole exponents beyond this would need more products than the logarithm has. */
+enum { MOST_WHOLE = 65536 };
+
+static struct lx_exponent_double exponent_of(double exponent)
+{
+    bool is_whole = exponent == floor(exponent) && exponent <= MOST_WHOLE;
+    return (struct lx_exponent_double){exponent, is_whole ? (unsigned)exponent : 0};
+}
+
+static struct lx_exponent_single single_exponent(struct lx_exponent_double exponent)
+{
+    return (struct lx_exponent_single){(float)exponent.value, exponent.whole};
+}
+
+static enum lx_light_kind kind_of(const struct lx_emitter *emitter)
+{
+    if (emitter->type != LX_POINT)
+        return LX_DISTANT;
+    if (emitter->profile.falloff != LX_NO_CONE || emitter->profile.exponent > 0)
+        return LX_PROFILED;
+    switch (emitter->attenuation) {
+    case LX_INVERSE_SQUARE: return LX_BY_SQUARE;
+    case LX_PRACTICAL: return LX_BY_SUM;
+    case LX_NO_ATTENUATION: break;
+    }
+    return LX_UNATTENUATED;
+}
 
 static void set_exact(const struct lx_emitter *emitter, const struct lx_shape *shape, struct lx_light_double *light)
 {
     const struct lx_profile *profile = &emitter->profile;
     *light = (struct lx_light_double){
-        .is_point = emitter->type == LX_POINT,
+        .kind = kind_of(emitter),
         .x = emitter->towards.x.value,
         .y = emitter->towards.y.value,
         .z = emitter->towards.z.value,
@@ -31,9 +60,9 @@ static void set_exact(const struct lx_emitter *emitter, const struct lx_shape *s
         .axis_x = profile->axis.x.value,
         .axis_y = profile->axis.y.value,
         .axis_z = profile->axis.z.value,
-        .half_exponent = profile->exponent / 2,
+        .exponent = exponent_of(profile->exponent),
     };
-    if (!light->is_point)
+    if (light->kind == LX_DISTANT)
         return;
     light->x = emitter->position_mm[0] - shape->anchor_mm[0];
     light->y = emitter->position_mm[1] - shape->anchor_mm[1];
@@ -49,7 +78,7 @@ static void set_exact(const struct lx_emitter *emitter, const struct lx_shape *s
 static void set_single(const struct lx_light_double *exact, struct lx_light_single *light)
 {
     *light = (struct lx_light_single){
-        .is_point = exact->is_point,
+        .kind = exact->kind,
         .x = (float)exact->x,
         .y = (float)exact->y,
         .z = (float)exact->z,
@@ -60,7 +89,7 @@ static void set_single(const struct lx_light_double *exact, struct lx_light_sing
         .axis_x = (float)exact->axis_x,
         .axis_y = (float)exact->axis_y,
         .axis_z = (float)exact->axis_z,
-        .half_exponent = (float)exact->half_exponent,
+        .exponent = single_exponent(exact->exponent),
         .edge = (float)exact->edge,
         .edge_slope = (float)exact->edge_slope,
     };
@@ -83,27 +112,27 @@ static bool may_block(const struct lx_planned_surface *blocker, const struct lx_
         square += way[i] * way[i];
     }
     double t = square > 0 ? fmax(along / square, 0) : 0;
-    if (light->is_point)
+    if (light->kind != LX_DISTANT)
         t = fmin(t, 1);
     double gap = hypot(hypot(offset[0] - t * way[0], offset[1] - t * way[1]), offset[2] - t * way[2]);
     return !(gap > (half_diagonal(blocker) + half_diagonal(lit)) * (1 + 1e-9));
 }
 
 static int find_blockers(const struct lx_plan *plan, const struct lx_planned_surface *lit,
-                         struct lx_planned_light *light)
+                         const struct lx_light_double *exact, struct lx_planned_light *light)
 {
     size_t capacity = 0;
     for (size_t s = 0; plan->prepared->shadows && s < plan->surface_count; s++) {
         const struct lx_planned_surface *other = &plan->surfaces[s];
-        if (other == lit || !may_block(other, lit, &light->exact))
+        if (other == lit || !may_block(other, lit, exact))
             continue;
         if (lx_reserve(&light->blockers, &capacity, light->blocker_count + 1, sizeof *light->blockers))
             return -1;
         struct lx_blocker *blocker = &light->blockers[light->blocker_count++];
         *blocker = (struct lx_blocker){
             .shape = other->shape,
-            .is_point = light->exact.is_point,
-            .light = {light->exact.x, light->exact.y, light->exact.z},
+            .is_point = exact->kind != LX_DISTANT,
+            .light = {exact->x, exact->y, exact->z},
         };
         for (int i = 0; i < 3; i++)
             blocker->shape.anchor_mm[i] -= lit->shape.anchor_mm[i];
@@ -118,7 +147,7 @@ static struct lx_lobe_single single_lobe(const struct lx_lobe_double *lobe)
         .highlight = lobe->highlight,
         .diffuse = (float)lobe->diffuse,
         .specular = (float)lobe->specular,
-        .half_exponent = (float)lobe->half_exponent,
+        .exponent = single_exponent(lobe->exponent),
     };
 }
 
@@ -129,7 +158,7 @@ static void set_lobes(const struct lx_lobe *lobe, struct lx_planned_surface *sur
         .highlight = lobe->highlight,
         .diffuse = lobe->diffuse.value,
         .specular = lobe->specular.value,
-        .half_exponent = lobe->exponent / 2,
+        .exponent = exponent_of(lobe->exponent),
     };
     surface->matte_exact = surface->glossy_exact = surface->lobe_exact;
     surface->matte_exact.model = LX_LAMBERT;
@@ -177,12 +206,32 @@ static int plan_shells(struct lx_plan *plan, struct lx_planned_surface *surface)
     return 0;
 }
 
+static void find_runs(struct lx_planned_surface *surface)
+{
+    surface->run_count = 0;
+    for (size_t i = 0; i < surface->light_count; i++) {
+        const struct lx_planned_light *light = &surface->lights[i];
+        struct lx_light_run *last = surface->run_count > 0 ? &surface->runs[surface->run_count - 1] : NULL;
+        bool joins = last && last->count < MOST_IN_RUN && last->in_double == light->in_double &&
+                     surface->exacts[last->first].kind == surface->exacts[i].kind && light->blocker_count == 0 &&
+                     surface->lights[last->first].blocker_count == 0;
+        if (joins)
+            last->count++;
+        else
+            surface->runs[surface->run_count++] = (struct lx_light_run){i, 1, light->in_double};
+    }
+}
+
 static int plan_surface(struct lx_plan *plan, const struct lx_lobe *lobe, struct lx_planned_surface *surface)
 {
     const struct lx_prepared *prepared = plan->prepared;
     set_lobes(lobe, surface);
-    surface->lights = lx_new_array(prepared->emitters.count, sizeof *surface->lights);
-    if (!surface->lights)
+    size_t most = prepared->emitters.count;
+    surface->lights = lx_new_array(most, sizeof *surface->lights);
+    surface->singles = lx_new_array(most, sizeof *surface->singles);
+    surface->exacts = lx_new_array(most, sizeof *surface->exacts);
+    surface->runs = lx_new_array(most, sizeof *surface->runs);
+    if (!surface->lights || !surface->singles || !surface->exacts || !surface->runs)
         return -1;
     for (size_t i = 0; i < prepared->emitters.count; i++) {
         const struct lx_emitter *emitter = &prepared->emitters.items[i];
@@ -192,14 +241,16 @@ static int plan_surface(struct lx_plan *plan, const struct lx_lobe *lobe, struct
         }
         if (lx_is_extended(emitter))
             continue;
-        struct lx_planned_light *light = &surface->lights[surface->light_count++];
+        struct lx_light_double *exact = &surface->exacts[surface->light_count];
+        struct lx_planned_light *light = &surface->lights[surface->light_count];
         light->in_double = true;
-        set_exact(emitter, &surface->shape, &light->exact);
-        set_single(&light->exact, &light->single);
+        set_exact(emitter, &surface->shape, exact);
+        set_single(exact, &surface->singles[surface->light_count++]);
         lx_bound_light(prepared, &surface->shape, lobe, emitter, light);
-        if (!emitter->is_part && find_blockers(plan, surface, light))
+        if (!emitter->is_part && find_blockers(plan, surface, exact, light))
             return -1;
     }
+    find_runs(surface);
     return plan_shells(plan, surface);
 }
 
@@ -239,8 +290,10 @@ static int plan_accuracy(struct lx_plan *plan)
         return -1;
     plan->tolerance = tolerance;
     plan->least_maximum = is_sampled ? (1 - rough) * maximum : maximum;
-    for (size_t s = 0; s < plan->surface_count && !is_double; s++)
+    for (size_t s = 0; s < plan->surface_count && !is_double; s++) {
         lx_choose_precision(&plan->surfaces[s], plan->least_maximum);
+        find_runs(&plan->surfaces[s]);
+    }
     return 0;
 }
 
@@ -283,6 +336,9 @@ void lx_plan_clear(struct lx_plan *plan)
         for (size_t i = 0; i < plan->surfaces[s].shell_count; i++)
             lx_shell_clear(&plan->surfaces[s].shells[i].shell);
         free(plan->surfaces[s].lights);
+        free(plan->surfaces[s].singles);
+        free(plan->surfaces[s].exacts);
+        free(plan->surfaces[s].runs);
         free(plan->surfaces[s].shells);
         free(plan->surfaces[s].glossy);
         free(plan->surfaces[s].matte);

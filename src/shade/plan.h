@@ -21,10 +21,14 @@ struct lx_planned_light {
     bool in_double;
     double bound;    /* of the absolute error in float32; infinite where float32 must not be used */
     double relative; /* and of its error relative to the light's own share */
-    struct lx_light_single single;
-    struct lx_light_double exact;
     struct lx_blocker *blockers; /* surfaces that may stand in its light */
     size_t blocker_count;
+};
+
+/* Lights that a kernel takes together: consecutive ones of one kind and precision.  Without blockers, or alone. */
+struct lx_light_run {
+    size_t first, count;
+    bool in_double;
 };
 
 /* An extended emitter over a surface. */
@@ -41,7 +45,11 @@ struct lx_planned_surface {
     struct lx_lobe_double lobe_exact;
     double uniform; /* brightness by all uniform emitters together */
     struct lx_planned_light *lights;
+    struct lx_light_single *singles; /* their constants for the kernels, in either precision */
+    struct lx_light_double *exacts;
     size_t light_count;
+    struct lx_light_run *runs; /* of all of them */
+    size_t run_count;
     struct lx_planned_shell *shells;
     struct lx_sampled *glossy; /* all of them for the highlight */
     struct lx_sampled *matte;  /* those by laws other than 1/r^2, for the diffuse part */

@@ -6,7 +6,8 @@
  * farther than R from there, and r its least distance from the surface, the direction L is off by at most about
  * u((D + R)/r + 3); the normal, the view vector and the products add a few u.  The diffuse part inherits these
  * absolutely.  A lobe S^n turns an error d of its angle into at most max(1, 0.61 sqrt(n)) d, the largest slope of
- * exp(-n a^2/2), because the kernel takes the logarithm from the sine.  E_perp has a relative error, which is harmless
+ * exp(-n a^2/2), because the kernel raises 1 - t, t = 1 - cos from the difference of the vectors; the power itself is
+ * good to 12 u.  E_perp has a relative error, which is harmless
  * in itself.  What float32 cannot do at all (jumps, and slopes that are infinite) has an infinite bound.
  */
 #include <math.h>
@@ -144,7 +145,7 @@ static double lobe_error(const struct lx_prepared *prepared, const struct lx_sha
     if (lobe->model == LX_BLINN_PHONG)
         angle = (off + 2 * unit) / least_half_length(prepared, shape, emitter, light_distance) + 3 * unit;
     double weight = lobe->highlight == LX_HIGHLIGHT_COSINE ? off + unit : 0;
-    return error + lobe->specular.value * (power_slope(lobe->exponent) * angle + weight + 4 * unit);
+    return error + lobe->specular.value * (power_slope(lobe->exponent) * angle + weight + 12 * unit);
 }
 
 void lx_bound_light(const struct lx_prepared *prepared, const struct lx_shape *shape, const struct lx_lobe *lobe,
@@ -209,7 +210,7 @@ bool lx_samples_fit_single(const struct lx_shape *shape, const struct lx_lobe_do
     double away = distance(shell->center, (double[]){0, 0, 0});
     double nearest = least_distance(shape, shell->center) - shell->radius_mm;
     double off = unit * (away + shell->radius_mm + shape->radius_mm) / nearest + 4 * unit;
-    double error = off * fmax(1, power_slope(2 * lobe->half_exponent));
+    double error = off * fmax(1, power_slope(lobe->exponent.value));
     bool moderate = is_moderate(away) && is_moderate(nearest) && is_moderate(shell->radius_mm) &&
                     is_moderate(shape->radius_mm) && is_moderate(shell->radiance) && is_moderate(lobe->specular);
     return nearest > 0 && moderate && error * margin <= tolerance;

@@ -112,7 +112,7 @@ static void find_lobes(struct run *run)
     const double grazing = 0.15; /* lobes of half vectors get narrow towards the rim; below this the cells stay */
     const struct lx_block_double *block = run->block;
     const struct lx_lobe_double *lobe = run->sampling->lobe;
-    double sigma = 1 / sqrt(fmax(2 * lobe->half_exponent, 1));
+    double sigma = 1 / sqrt(fmax(lobe->exponent.value, 1));
     for (size_t lane = 0; lane < LX_LANES; lane++) {
         size_t i = run->start + lane;
         double n[3] = {block->nx[i], block->ny[i], block->nz[i]}, v[3] = {block->vx[i], block->vy[i], block->vz[i]};
@@ -176,7 +176,7 @@ static bool is_cut(const struct run *run, const struct sight *sight, size_t lane
     double height = block->nx[i] * l[0] + block->ny[i] * l[1] + block->nz[i] * l[2];
     if (lobe->highlight == LX_HIGHLIGHT_GATED && fabs(height) < size)
         return true;
-    if (lobe->half_exponent >= 0.5)
+    if (lobe->exponent.value >= 1)
         return false;
     if (lobe->model == LX_PHONG)
         return fabs(dot(l, run->mirrored[lane])) < size;
@@ -228,7 +228,7 @@ static void see(const struct run *run, double hardly, struct pending *cell)
         greatest = sight.may[lane] ? fmax(greatest, own) : greatest;
     }
     /* from where on S^n is worth looking at */
-    double least_square = is_matte || !(hardly > 0) ? 0 : pow(fmin(hardly / greatest, 1), 1 / lobe->half_exponent);
+    double least_square = is_matte || !(hardly > 0) ? 0 : pow(fmin(hardly / greatest, 1), 2 / lobe->exponent.value);
     cell->is_wide = false;
     cell->is_tiny = true;
     for (int lane = 0; lane < LX_LANES; lane++) {
@@ -241,7 +241,7 @@ static void see(const struct run *run, double hardly, struct pending *cell)
             continue;
         if (is_cut(run, &sight, (size_t)lane)) {
             double content = weight * 2 / M_PI * sight.radius[lane] * sight.radius[lane];
-            content *= attenuate(cell->source, sight.distance[lane]) * pow(own, lobe->half_exponent);
+            content *= attenuate(cell->source, sight.distance[lane]) * pow(own, lobe->exponent.value / 2);
             cell->doubt[lane] = CUT_SHARE * content;
         }
         double width = fmin(widest, widths * run->width[lane]), radius = sight.radius[lane];
@@ -249,7 +249,7 @@ static void see(const struct run *run, double hardly, struct pending *cell)
         cell->is_wide = cell->is_wide || !(radius <= width * from);
         cell->is_tiny = cell->is_tiny && cell->doubt[lane] == 0 && radius < TINY * width * from;
     }
-    double power = is_matte ? 1 : pow(square, lobe->half_exponent);
+    double power = is_matte ? 1 : pow(square, lobe->exponent.value / 2);
     cell->bound = !(square > 0) ? 0 : greatest < HUGE_VAL ? greatest * power : greatest;
 }
 

@@ -12,11 +12,16 @@
 #include "cubature.h"
 #include "shader.h"
 
-/* Lights in float32 are summed in groups of this many before they join the float64 sum. */
-enum { GROUP = 16, LIGHTS_BETWEEN_CHECKS = 256 };
+enum { RUNS_BETWEEN_CHECKS = 16 };
 
 struct lines {
     double depth[LX_BLOCK], px[LX_BLOCK], py[LX_BLOCK], pz[LX_BLOCK];
+};
+
+/* The elements of a surface in a run of pixels. */
+struct gathered {
+    size_t count;
+    unsigned first; /* of their pixels, where these are side by side; else LX_BLOCK */
 };
 
 struct lx_shader_memory {
@@ -24,7 +29,7 @@ struct lx_shader_memory {
     struct lx_block_double block;
     struct lx_block_single copy;
     double sum[LX_BLOCK];
-    float group[LX_BLOCK], open[LX_BLOCK];
+    float open[LX_BLOCK];
     uint32_t shown[LX_BLOCK]; /* surface of each pixel, from 1; 0: none */
     unsigned place[LX_BLOCK]; /* pixel of each element of the block */
     struct lx_sampling_memory *sampling;
@@ -92,27 +97,44 @@ static size_t find_nearest(const struct lx_plan *plan, struct lx_shader_memory *
         any = true;
     }
     size_t found = 0;
-    for (size_t i = 0; i < count; i++) {
-        memory->shown[i] = any ? memory->shown[i] : 0;
+    for (size_t i = 0; any && i < count; i++)
         found += memory->shown[i] != 0;
-    }
     return found;
 }
 
-/* Gathers the elements of a surface; the lanes beyond the last repeat the first. */
-static size_t gather(struct lx_shader_memory *memory, size_t surface, size_t count)
+/* Gathers the elements of a surface; the lanes beyond the last repeat the first.  `all`: every pixel shows it. */
+static struct gathered gather(struct lx_shader_memory *memory, size_t surface, size_t count, bool all)
 {
-    size_t elements = 0;
-    for (size_t i = 0; i < count; i++)
-        if (memory->shown[i] == surface + 1)
-            memory->place[elements++] = (unsigned)i;
-    for (size_t k = 0; k < lx_padded(elements); k++) {
-        unsigned i = memory->place[k < elements ? k : 0];
-        memory->block.px[k] = memory->nearest.px[i];
-        memory->block.py[k] = memory->nearest.py[i];
-        memory->block.pz[k] = memory->nearest.pz[i];
+    size_t elements = all ? count : 0;
+    memory->place[0] = 0;
+    for (size_t i = 0; !all && i < count; i++) {
+        memory->place[elements] = (unsigned)i;
+        elements += memory->shown[i] == surface + 1;
     }
-    return elements;
+    const unsigned first = memory->place[0];
+    const bool in_one = all || (elements > 0 && memory->place[elements - 1] - first == elements - 1);
+    const struct lines *from = &memory->nearest;
+    if (in_one) {
+        memcpy(memory->block.px, from->px + first, elements * sizeof *from->px);
+        memcpy(memory->block.py, from->py + first, elements * sizeof *from->py);
+        memcpy(memory->block.pz, from->pz + first, elements * sizeof *from->pz);
+    }
+    for (size_t k = in_one ? elements : 0; k < lx_padded(elements); k++) {
+        unsigned i = memory->place[k < elements ? k : 0];
+        memory->block.px[k] = from->px[i];
+        memory->block.py[k] = from->py[i];
+        memory->block.pz[k] = from->pz[i];
+    }
+    return (struct gathered){elements, in_one ? first : LX_BLOCK};
+}
+
+/* Puts the sums of the elements where their pixels are. */
+static void scatter(const struct lx_shader_memory *memory, struct gathered gathered, double *values)
+{
+    if (gathered.first < LX_BLOCK)
+        memcpy(values + gathered.first, memory->sum, gathered.count * sizeof *values);
+    for (size_t k = 0; gathered.first == LX_BLOCK && k < gathered.count; k++)
+        values[memory->place[k]] = memory->sum[k];
 }
 
 /* Where the view vectors of a surface start, from its anchor; NULL where they are all the same. */
@@ -141,38 +163,25 @@ static const float *find_open(const struct lx_plan *plan, const struct lx_planne
     return memory->open;
 }
 
-static void flush_group(struct lx_shader_memory *memory, size_t count)
-{
-    for (size_t i = 0; i < count; i++) {
-        memory->sum[i] += (double)memory->group[i];
-        memory->group[i] = 0;
-    }
-}
-
 /* Sums all lights but the extended ones over the gathered block. */
 static void light_block(const struct lx_plan *plan, const struct lx_planned_surface *surface,
                         struct lx_shader_memory *memory, size_t count, struct lx_control *control, bool is_caller)
 {
-    unsigned grouped = 0;
-    memset(memory->group, 0, sizeof memory->group);
     for (size_t i = 0; i < lx_padded(count); i++)
         memory->sum[i] = surface->uniform;
-    for (size_t i = 0; i < surface->light_count; i++) {
-        const struct lx_planned_light *light = &surface->lights[i];
-        const float *open = find_open(plan, light, memory, count);
-        if (light->in_double) {
-            plan->kernels->shade_double(&light->exact, &surface->lobe_exact, &memory->block, open, count, memory->sum);
-        } else {
-            plan->kernels->shade_single(&light->single, &surface->lobe_single, &memory->copy, open, count,
-                                        memory->group);
-            if (++grouped % GROUP == 0)
-                flush_group(memory, count);
-        }
-        bool check = control && i % LIGHTS_BETWEEN_CHECKS == LIGHTS_BETWEEN_CHECKS - 1;
+    for (size_t i = 0; i < surface->run_count; i++) {
+        const struct lx_light_run *run = &surface->runs[i];
+        const float *open = find_open(plan, &surface->lights[run->first], memory, count);
+        if (run->in_double)
+            plan->kernels->shade_double(&surface->exacts[run->first], run->count, &surface->lobe_exact, &memory->block,
+                                        open, count, memory->sum);
+        else
+            plan->kernels->shade_single(&surface->singles[run->first], run->count, &surface->lobe_single, &memory->copy,
+                                        open, count, memory->sum);
+        bool check = control && i % RUNS_BETWEEN_CHECKS == RUNS_BETWEEN_CHECKS - 1;
         if (check && !lx_control_goes_on(control, is_caller))
             return;
     }
-    flush_group(memory, count);
 }
 
 /* An element of the block as the references take it. */
@@ -315,19 +324,21 @@ static void light_by_shells(const struct lx_plan *plan, const struct lx_planned_
     }
 }
 
-void lx_shade_points(const struct lx_plan *plan, struct lx_shader_memory *memory, double y_mm, double *x_mm,
-                     size_t count, struct lx_control *control, bool is_caller, double *values, uint8_t *mask)
+size_t lx_shade_points(const struct lx_plan *plan, struct lx_shader_memory *memory, double y_mm, double *x_mm,
+                       size_t count, struct lx_control *control, bool is_caller, double *values, uint8_t *mask)
 {
     for (size_t i = count; i < lx_padded(count); i++)
         x_mm[i] = x_mm[count - 1];
-    size_t left = find_nearest(plan, memory, y_mm, x_mm, count);
-    for (size_t i = 0; i < count; i++) {
-        values[i] = 0;
+    const size_t found = find_nearest(plan, memory, y_mm, x_mm, count);
+    size_t left = found;
+    memset(values, 0, count * sizeof *values);
+    memset(mask, 0, count);
+    for (size_t i = 0; left > 0 && i < count; i++)
         mask[i] = memory->shown[i] != 0;
-    }
     for (size_t s = 0; left > 0 && s < plan->surface_count; s++) {
         const struct lx_planned_surface *surface = &plan->surfaces[s];
-        size_t elements = gather(memory, s, count);
+        const struct gathered gathered = gather(memory, s, count, plan->surface_count == 1 && left == count);
+        const size_t elements = gathered.count;
         if (elements == 0)
             continue;
         double from[3];
@@ -336,8 +347,8 @@ void lx_shade_points(const struct lx_plan *plan, struct lx_shader_memory *memory
         light_block(plan, surface, memory, elements, control, is_caller);
         if (surface->shell_count > 0)
             light_by_shells(plan, surface, memory, elements, control, is_caller);
-        for (size_t k = 0; k < elements; k++)
-            values[memory->place[k]] = memory->sum[k];
+        scatter(memory, gathered, values);
         left -= elements;
     }
+    return found;
 }

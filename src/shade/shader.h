@@ -15,9 +15,9 @@ struct lx_shader_memory *lx_shader_memory_new(const struct lx_plan *plan);
 /*
  * The values through the screen points (x[i], y), 0 off every surface, and the mask, 1 on a surface; count is
  * at most LX_BLOCK, and x has room for lx_padded(count).  `control` may be NULL; where it says stop, the call
- * returns early with values unfinished.
+ * returns early with values unfinished.  Returns how many pixels show a surface.
  */
-void lx_shade_points(const struct lx_plan *plan, struct lx_shader_memory *memory, double y_mm, double *x_mm,
+size_t lx_shade_points(const struct lx_plan *plan, struct lx_shader_memory *memory, double y_mm, double *x_mm,
                      size_t count, struct lx_control *control, bool is_caller, double *values, uint8_t *mask);
 
 #endif

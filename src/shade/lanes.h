@@ -1,0 +1,141 @@
+/* SPDX-License-Identifier: MIT */
+/*
+ * Lanes: vectors of one precision and the few operations on them that C has no sign for.  kernel.c includes it twice,
+ * as it does kernel_real.h, with SUFFIX ps or pd besides.  Sums, products and comparisons are the compilers' own
+ * (vector extensions of GCC and Clang), who also join products and sums into one operation where the set has it.
+ *
+ * A vector fills a register of the set: 16, 8, 4 numbers of float32, half as many of float64.
+ */
+#if LX_ISA_LEVEL >= 1
+#include <immintrin.h>
+#endif
+
+#ifndef LX_VECTOR_BYTES
+#if LX_ISA_LEVEL >= 4
+#define LX_VECTOR_BYTES 64
+#elif LX_ISA_LEVEL >= 3
+#define LX_VECTOR_BYTES 32
+#else
+#define LX_VECTOR_BYTES 16
+#endif
+#define LX_LANE static inline __attribute__((always_inline))
+#define LX_JOIN(a, b) LX_JOIN_WORDS(a, b)
+#define LX_JOIN_WORDS(a, b) a##b
+#if LX_ISA_LEVEL >= 4
+#define LX_OPERATION(name) LX_JOIN(_mm512_##name##_, SUFFIX)
+#elif LX_ISA_LEVEL >= 3
+#define LX_OPERATION(name) LX_JOIN(_mm256_##name##_, SUFFIX)
+#else
+#define LX_OPERATION(name) LX_JOIN(_mm_##name##_, SUFFIX)
+#endif
+#endif
+
+typedef REAL NAME(lanes) __attribute__((vector_size(LX_VECTOR_BYTES)));
+typedef BITS NAME(lane_bits) __attribute__((vector_size(LX_VECTOR_BYTES)));
+
+enum { NAME(LX_WIDTH) = LX_VECTOR_BYTES / sizeof(REAL) };
+
+/* The same number in every lane. */
+LX_LANE NAME(lanes) NAME(all)(REAL number)
+{
+    return (NAME(lanes)){0} + number;
+}
+
+/* Arrays are aligned to whole vectors. */
+LX_LANE NAME(lanes) NAME(load)(const REAL *from)
+{
+    return *(const NAME(lanes) *)__builtin_assume_aligned(from, LX_VECTOR_BYTES);
+}
+
+LX_LANE void NAME(store)(REAL *to, NAME(lanes) lanes)
+{
+    *(NAME(lanes) *)__builtin_assume_aligned(to, LX_VECTOR_BYTES) = lanes;
+}
+
+#if LX_ISA_LEVEL >= 1
+
+LX_LANE NAME(lanes) NAME(greater)(NAME(lanes) a, NAME(lanes) b)
+{
+    return LX_OPERATION(max)(a, b);
+}
+
+LX_LANE NAME(lanes) NAME(lesser)(NAME(lanes) a, NAME(lanes) b)
+{
+    return LX_OPERATION(min)(a, b);
+}
+
+LX_LANE NAME(lanes) NAME(root)(NAME(lanes) a)
+{
+    return LX_OPERATION(sqrt)(a);
+}
+
+/* Where a > b, `above`, elsewhere `other`. */
+LX_LANE NAME(lanes) NAME(where_above)(NAME(lanes) a, NAME(lanes) b, NAME(lanes) above, NAME(lanes) other)
+{
+#if LX_ISA_LEVEL >= 4
+    return LX_OPERATION(mask_blend)(LX_JOIN(LX_OPERATION(cmp), _mask)(a, b, _CMP_GT_OQ), other, above);
+#elif LX_ISA_LEVEL >= 3
+    return LX_OPERATION(blendv)(other, above, LX_OPERATION(cmp)(a, b, _CMP_GT_OQ));
+#else
+    NAME(lanes) mask = LX_OPERATION(cmpgt)(a, b);
+    return LX_OPERATION(or)(LX_OPERATION(and)(mask, above), LX_OPERATION(andnot)(mask, other));
+#endif
+}
+
+#else
+
+LX_LANE NAME(lanes) NAME(where_above)(NAME(lanes) a, NAME(lanes) b, NAME(lanes) above, NAME(lanes) other)
+{
+    NAME(lane_bits) mask = (NAME(lane_bits))(a > b);
+    return (NAME(lanes))((mask & (NAME(lane_bits))above) | (~mask & (NAME(lane_bits))other));
+}
+
+LX_LANE NAME(lanes) NAME(greater)(NAME(lanes) a, NAME(lanes) b)
+{
+    return NAME(where_above)(a, b, a, b);
+}
+
+LX_LANE NAME(lanes) NAME(lesser)(NAME(lanes) a, NAME(lanes) b)
+{
+    return NAME(where_above)(a, b, b, a);
+}
+
+LX_LANE NAME(lanes) NAME(root)(NAME(lanes) a)
+{
+    for (int i = 0; i < NAME(LX_WIDTH); i++)
+        a[i] = SQRT(a[i]);
+    return a;
+}
+
+#endif
+
+/*
+ * 1 / a and 1 / sqrt(a) of normal numbers whose square and reciprocal are normal, too.  In float32 from the machine's
+ * first guess, whose relative error g is at most 2^-14 (512 bits) or 1.5 * 2^-12, improved by the series in
+ * e = 1 - a g or 1 - a g^2: within 2 ulp, where roots and quotients would take most of a kernel's time.
+ */
+LX_LANE NAME(lanes) NAME(inverse)(NAME(lanes) a)
+{
+#if LX_IS_SINGLE && LX_ISA_LEVEL >= 4
+    NAME(lanes) guess = _mm512_rcp14_ps(a), e = 1 - a * guess;
+    return guess + guess * e;
+#elif LX_IS_SINGLE && LX_ISA_LEVEL >= 1
+    NAME(lanes) guess = LX_OPERATION(rcp)(a), e = 1 - a * guess;
+    return guess + guess * (e + e * e);
+#else
+    return 1 / a;
+#endif
+}
+
+LX_LANE NAME(lanes) NAME(inverse_root)(NAME(lanes) a)
+{
+#if LX_IS_SINGLE && LX_ISA_LEVEL >= 4
+    NAME(lanes) guess = _mm512_rsqrt14_ps(a), e = 1 - a * guess * guess;
+    return guess + (REAL)0.5 * guess * e;
+#elif LX_IS_SINGLE && LX_ISA_LEVEL >= 1
+    NAME(lanes) guess = LX_OPERATION(rsqrt)(a), e = 1 - a * guess * guess;
+    return guess + guess * e * ((REAL)0.5 + (REAL)0.375 * e);
+#else
+    return 1 / NAME(root)(a);
+#endif
+}

@@ -1,0 +1,203 @@
+/* SPDX-License-Identifier: MIT */
+/*
+ * The functions that the kernels of one instruction set are made of, against the C library in long double, over all of
+ * their domain: each error stays below what lanes.h and kernel_real.h state.  Built once for each set; where the
+ * machine does not have it, nothing runs.
+ */
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+#include <stdio.h>
+#include <stdlib.h>
+
+#include <cmocka.h>
+
+#include "shade/kernel.c"
+
+static const long double unit_single = 0x1p-23L, unit_double = 0x1p-52L; /* an ulp of 1 */
+
+/* What a step of the argument does to a worst case. */
+struct worst {
+    long double error;
+    double at;
+};
+
+static void note(struct worst *worst, long double error, double at)
+{
+    if (!(error <= worst->error))
+        *worst = (struct worst){error, at};
+}
+
+static void report(const char *name, const struct worst *worst, double bound)
+{
+    print_message("# %s, %s: %.2Lf ulp at %.9g\n", LX_ISA_NAME, name, worst->error, worst->at);
+    assert_true(worst->error <= (long double)bound);
+}
+
+/* Numbers of a power of two, side by side. */
+static lanes_single numbers_single(int octave, int step, int per_octave)
+{
+    lanes_single x;
+    for (int i = 0; i < LX_WIDTH_single; i++)
+        x[i] = ldexpf(1 + (float)(step + i) / (float)per_octave, octave);
+    return x;
+}
+
+static lanes_double numbers_double(int octave, int step, int per_octave)
+{
+    lanes_double x;
+    for (int i = 0; i < LX_WIDTH_double; i++)
+        x[i] = ldexp(1 + (double)(step + i) / (double)per_octave, octave);
+    return x;
+}
+
+enum { PER_OCTAVE = 1 << 14 };
+
+static void test_inverses(void **state)
+{
+    (void)state;
+    struct worst inverse = {0}, root = {0};
+    for (int octave = -100; octave < 100; octave++)
+        for (int step = 0; step < PER_OCTAVE; step += LX_WIDTH_single) {
+            lanes_single x = numbers_single(octave, step, PER_OCTAVE);
+            lanes_single a = inverse_single(x), b = inverse_root_single(x);
+            for (int i = 0; i < LX_WIDTH_single; i++) {
+                long double exact = x[i];
+                note(&inverse, fabsl((long double)a[i] * exact - 1) / unit_single, (double)x[i]);
+                note(&root, fabsl((long double)b[i] * sqrtl(exact) - 1) / unit_single, (double)x[i]);
+            }
+        }
+    report("1/a in float32", &inverse, 2);
+    report("1/sqrt(a) in float32", &root, 2);
+    inverse = root = (struct worst){0};
+    for (int octave = -300; octave < 300; octave++)
+        for (int step = 0; step < 1024; step += LX_WIDTH_double) {
+            lanes_double x = numbers_double(octave, step, 1024);
+            lanes_double a = inverse_double(x), b = inverse_root_double(x);
+            for (int i = 0; i < LX_WIDTH_double; i++) {
+                long double exact = x[i];
+                note(&inverse, fabsl((long double)a[i] * exact - 1) / unit_double, x[i]);
+                note(&root, fabsl((long double)b[i] * sqrtl(exact) - 1) / unit_double, x[i]);
+            }
+        }
+    report("1/a in float64", &inverse, 2);
+    report("1/sqrt(a) in float64", &root, 2);
+}
+
+/* t from far below the last digit of 1 to 2; its power in ulp of 1. */
+static void check_power_single(double exponent, bool whole, struct worst *worst)
+{
+    const struct lx_exponent_single n = {(float)exponent, whole ? (unsigned)exponent : 0};
+    for (int octave = -40; octave < 1; octave++)
+        for (int step = 0; step < 1024; step += LX_WIDTH_single) {
+            lanes_single t = numbers_single(octave, step, 1024), power = power_of_single(t, n);
+            for (int i = 0; i < LX_WIDTH_single; i++) {
+                long double exact = t[i] < 1 ? expl((long double)n.value * log1pl(-(long double)t[i])) : 0;
+                note(worst, fabsl((long double)power[i] - exact) / unit_single, exponent);
+                assert_true(power[i] >= 0 && power[i] <= 1);
+            }
+        }
+}
+
+static void check_power_double(double exponent, bool whole, struct worst *worst)
+{
+    const struct lx_exponent_double n = {exponent, whole ? (unsigned)exponent : 0};
+    for (int octave = -80; octave < 1; octave++)
+        for (int step = 0; step < 256; step += LX_WIDTH_double) {
+            lanes_double t = numbers_double(octave, step, 256), power = power_of_double(t, n);
+            for (int i = 0; i < LX_WIDTH_double; i++) {
+                long double exact = t[i] < 1 ? expl((long double)n.value * log1pl(-(long double)t[i])) : 0;
+                note(worst, fabsl((long double)power[i] - exact) / unit_double, exponent);
+                assert_true(power[i] >= 0 && power[i] <= 1);
+            }
+        }
+}
+
+static void test_whole_powers(void **state)
+{
+    (void)state;
+    struct worst single = {0}, twice = {0};
+    static const unsigned large[] = {255, 256, 999, 1000, 4095, 10000, 65535, 65536};
+    for (unsigned n = 1; n <= 130; n++) {
+        check_power_single(n, true, &single);
+        check_power_double(n, true, &twice);
+    }
+    for (size_t i = 0; i < sizeof large / sizeof large[0]; i++) {
+        check_power_single(large[i], true, &single);
+        check_power_double(large[i], true, &twice);
+    }
+    report("whole powers in float32", &single, 6);
+    report("whole powers in float64", &twice, 6);
+}
+
+static void test_other_powers(void **state)
+{
+    (void)state;
+    struct worst single = {0}, twice = {0};
+    static const double exponents[] = {1, 1.5, 2.5, 3.7, 10.25, 20.5, 64.125, 333.3, 5000.5, 10000.5, 99999.5};
+    for (size_t i = 0; i < sizeof exponents / sizeof exponents[0]; i++) {
+        check_power_single(exponents[i], false, &single);
+        check_power_double(exponents[i], false, &twice);
+    }
+    report("other powers in float32", &single, 2);
+    report("other powers in float64", &twice, 2);
+}
+
+static void test_angles(void **state)
+{
+    (void)state;
+    struct worst single = {0}, twice = {0};
+    for (int octave = -30; octave < 0; octave++)
+        for (int step = 0; step < 4096; step += LX_WIDTH_single) {
+            lanes_single t = numbers_single(octave, step, 4096), angle = angle_of_half_tangent_single(t);
+            for (int i = 0; i < LX_WIDTH_single; i++)
+                note(&single, fabsl((long double)angle[i] / (2 * atanl((long double)t[i])) - 1) / unit_single,
+                     (double)t[i]);
+        }
+    for (int octave = -60; octave < 0; octave++)
+        for (int step = 0; step < 1024; step += LX_WIDTH_double) {
+            lanes_double t = numbers_double(octave, step, 1024), angle = angle_of_half_tangent_double(t);
+            for (int i = 0; i < LX_WIDTH_double; i++)
+                note(&twice, fabsl((long double)angle[i] / (2 * atanl((long double)t[i])) - 1) / unit_double, t[i]);
+        }
+    report("angles in float32", &single, 4);
+    report("angles in float64", &twice, 4);
+}
+
+/* The survey of values, also of numbers that do not fill the last vector, against plain loops. */
+static void test_survey(void **state)
+{
+    (void)state;
+    float values[100];
+    for (int i = 0; i < 100; i++)
+        values[i] = i % 7 == 3 ? 0 : (float)((i * 37) % 101) / 8;
+    for (size_t count = 0; count <= 100; count++) {
+        double maximum = 0, minimum = HUGE_VAL, sum = 0;
+        size_t lit = 0;
+        for (size_t i = 0; i < count; i++) {
+            maximum = fmax(maximum, (double)values[i]);
+            minimum = values[i] >= 1 ? fmin(minimum, (double)values[i]) : minimum;
+            lit += values[i] >= 1;
+            sum += (double)values[i];
+        }
+        struct lx_survey survey = survey_single(values, count, 1);
+        assert_true(survey.maximum == maximum && survey.minimum == minimum);
+        assert_true(survey.at_least == lit && survey.sum == sum); /* eighths: no rounding */
+    }
+    values[50] = NAN;
+    assert_true(isnan(survey_single(values, 100, 1).sum));
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_inverses), cmocka_unit_test(test_whole_powers), cmocka_unit_test(test_other_powers),
+        cmocka_unit_test(test_angles),   cmocka_unit_test(test_survey),
+    };
+    if (!runs()) {
+        printf("1..0 # SKIP this machine does not have %s\n", LX_ISA_NAME);
+        return 0;
+    }
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
