@@ -93,8 +93,8 @@ enum lx_light_kind { LX_DISTANT, LX_BY_SQUARE, LX_BY_SUM, LX_UNATTENUATED, LX_PR
                                            size_t start, real *sum)
 
 /*
- * lx_shade_single, lx_shade_double: add to sum[i] the brightness that the lights, at least one and all of one kind, give
- * to element i.  open[i] is 1 where the way to them is free, 0 where it is blocked; NULL: free everywhere.
+ * lx_shade_single, lx_shade_double: add to sum[i] what the lights, at least one and all of one kind, give to element i.
+ * open[i] is 1 where the way to them is free, 0 where it is blocked; NULL: free everywhere.
  *
  * lx_shade_samples_single, lx_shade_samples_double: samples of Lambertian shells.  Set sum[0 ... LX_LANES - 1] to the
  * brightness that `count` of them, from the first on, give to the elements from `start` on.  A sample gives
