@@ -31,15 +31,7 @@ struct NAME(ray) {
  */
 LX_LANE NAME(lanes) NAME(log2_of)(NAME(lanes) w, NAME(lanes) c)
 {
-    const union {
-        REAL real;
-        BITS bits;
-    } root = {.real = (REAL)0.70710678118654752}, magic = {.real = MAGIC};
-    NAME(lane_bits) bits = (NAME(lane_bits))NAME(greater)(w, NAME(all)((REAL)SMALLEST));
-    NAME(lane_bits) biased = (bits - root.bits + ((BITS)BIAS << MANTISSA)) >> MANTISSA;
-    NAME(lanes) m = (NAME(lanes))(bits - ((biased - (BITS)BIAS) << MANTISSA));
-    /* counted in the last bits of a number: a conversion that every set has */
-    NAME(lanes) exponent = (NAME(lanes))(biased + magic.bits) - (REAL)(MAGIC + BIAS);
+    NAME(lanes) exponent, m = NAME(split)(NAME(greater)(w, NAME(all)((REAL)SMALLEST)), &exponent);
     NAME(lanes) s = (m - 1) * NAME(inverse)(m + 1), s2 = s * s;
     NAME(lanes) series = NAME(all)((REAL)1 / (2 * LOG_TERMS - 1));
     for (int k = LOG_TERMS - 2; k >= 0; k--)
@@ -47,7 +39,7 @@ LX_LANE NAME(lanes) NAME(log2_of)(NAME(lanes) w, NAME(lanes) c)
     return exponent + ((REAL)2.8853900817779268 * s * series + (REAL)1.4426950408889634 * c);
 }
 
-/* 2^y for y <= 0, 0 below the normal numbers; error below 2 ulp. */
+/* 2^y for y <= 0, about 0 below the normal numbers; error below 2 ulp. */
 LX_LANE NAME(lanes) NAME(exp2_of)(NAME(lanes) y)
 {
     static const REAL coefficients[] = {
@@ -66,18 +58,11 @@ LX_LANE NAME(lanes) NAME(exp2_of)(NAME(lanes) y)
         (REAL)2.5678435993488204e-11,
         (REAL)1.3691488853904128e-12,
     };
-    const union {
-        REAL real;
-        BITS bits;
-    } magic = {.real = MAGIC};
-    const NAME(lanes) lowest = NAME(all)((REAL)(1 - BIAS));
-    NAME(lanes) limited = NAME(greater)(y, lowest), whole = limited + (REAL)MAGIC;
-    NAME(lanes) fraction = limited - (whole - (REAL)MAGIC);
+    NAME(lanes) whole = NAME(whole_of)(y), fraction = y - whole;
     NAME(lanes) series = NAME(all)(coefficients[EXP_TERMS - 1]);
     for (int k = EXP_TERMS - 2; k >= 0; k--)
         series = series * fraction + coefficients[k];
-    NAME(lanes) scale = (NAME(lanes))(((NAME(lane_bits))whole - magic.bits + (BITS)BIAS) << MANTISSA);
-    return NAME(where_above)(y, lowest, series * scale, NAME(all)(0));
+    return NAME(scale)(series, whole);
 }
 
 /*

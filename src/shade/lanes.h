@@ -139,3 +139,53 @@ LX_LANE NAME(lanes) NAME(inverse_root)(NAME(lanes) a)
     return 1 / NAME(root)(a);
 #endif
 }
+
+/*
+ * Numbers as 2^whole times what is left.
+ *
+ * split      of a normal a > 0 what is left, from sqrt(1/2) to sqrt(2)
+ * whole_of   the whole number nearest to a <= 0, or, far below the exponents that there are, some number as low
+ * scale      a 2^whole; where that is below the normal numbers, 0 or less than the least of them
+ */
+#if LX_ISA_LEVEL >= 4
+
+LX_LANE NAME(lanes) NAME(split)(NAME(lanes) a, NAME(lanes) * whole)
+{
+    *whole = LX_OPERATION(getexp)((NAME(lanes))((REAL)1.4142135623730951 * a));
+    return LX_OPERATION(scalef)(a, (NAME(lanes)) - *whole);
+}
+
+LX_LANE NAME(lanes) NAME(whole_of)(NAME(lanes) a)
+{
+    return LX_OPERATION(roundscale)(a, _MM_FROUND_TO_NEAREST_INT | _MM_FROUND_NO_EXC);
+}
+
+LX_LANE NAME(lanes) NAME(scale)(NAME(lanes) a, NAME(lanes) whole)
+{
+    return LX_OPERATION(scalef)(a, whole);
+}
+
+#else
+
+/* Whole numbers are counted in the last bits of numbers about 1.5 * 2^MANTISSA: a conversion that every set has. */
+LX_LANE NAME(lanes) NAME(split)(NAME(lanes) a, NAME(lanes) * whole)
+{
+    const NAME(lane_bits) root = (NAME(lane_bits))NAME(all)((REAL)0.70710678118654752);
+    NAME(lane_bits) bits = (NAME(lane_bits))a, biased = (bits - root + ((BITS)BIAS << MANTISSA)) >> MANTISSA;
+    *whole = (NAME(lanes))(biased + (NAME(lane_bits))NAME(all)((REAL)MAGIC)) - (REAL)(MAGIC + BIAS);
+    return (NAME(lanes))(bits - ((biased - (BITS)BIAS) << MANTISSA));
+}
+
+LX_LANE NAME(lanes) NAME(whole_of)(NAME(lanes) a)
+{
+    return NAME(greater)(a, NAME(all)(-BIAS)) + (REAL)MAGIC - (REAL)MAGIC;
+}
+
+LX_LANE NAME(lanes) NAME(scale)(NAME(lanes) a, NAME(lanes) whole)
+{
+    const NAME(lanes) magic = NAME(all)((REAL)MAGIC), lowest = NAME(all)(-BIAS);
+    NAME(lane_bits) biased = (NAME(lane_bits))(whole + magic) - (NAME(lane_bits))magic + (BITS)BIAS;
+    return NAME(where_above)(whole, lowest, a * (NAME(lanes))(biased << MANTISSA), NAME(all)(0));
+}
+
+#endif
