@@ -35,7 +35,7 @@ help:
 	@echo 'make check-clang     the same with clang, warnings being errors'
 	@echo 'make check-sanitize  the same with address and undefined-behaviour sanitizers (SANITIZE="gcc clang")'
 	@echo 'make check-valgrind  the unit tests under valgrind'
-	@echo 'make bench           run the benchmarks'
+	@echo 'make bench           time pictures and other programs in turn, and write docs/PERFORMANCE.md'
 	@echo 'make install         install under PREFIX ($(PREFIX)); DESTDIR is honoured'
 	@echo 'make docs            the reference pages of the library in $(BUILD)/docs/reference/html, by Doxygen'
 	@echo 'make validation      write docs/VALIDATION.md anew from what the built command gives'
@@ -62,8 +62,10 @@ run: setup $(BUILD)/build.ninja
 check: setup build
 	@$(RUN_TESTS) $(BUILD) --num-processes $(JOBS) $(TESTS)
 
+# Whole or not at all, as the page of the validation.
 bench: build
-	@$(BUILD)/bench/bench_render
+	@$(PYTHON) bench/compare.py $(BUILD) >$(BUILD)/PERFORMANCE.md && cp $(BUILD)/PERFORMANCE.md docs/PERFORMANCE.md
+	@cat docs/PERFORMANCE.md
 
 check-clang:
 	@tools/setup clang

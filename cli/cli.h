@@ -48,7 +48,8 @@ enum command_bit {
     COMMAND_ADVISE = 1 << 16,
     COMMAND_VARIANT = 1 << 17,
     COMMAND_GRADE = 1 << 18,
-    COMMAND_ANY = ((1 << 19) - 1) & ~COMMAND_NONE
+    COMMAND_BENCH = 1 << 19,
+    COMMAND_ANY = ((1 << 20) - 1) & ~COMMAND_NONE
 };
 
 /* What may stand behind a command, for those who complete it. */
@@ -79,9 +80,9 @@ struct command {
 
 extern const struct command command_render, command_probe, command_grid, command_check, command_scene, command_set,
     command_schema, command_help, command_figure, command_report, command_stats, command_profile, command_compare,
-    command_isophotes, command_explain, command_advise, command_variant, command_grade;
+    command_isophotes, command_explain, command_advise, command_variant, command_grade, command_bench;
 
-enum { COMMAND_COUNT = 18 };
+enum { COMMAND_COUNT = 19 };
 
 /* All of them, in the order of the help. */
 extern const struct command *const commands[COMMAND_COUNT];

@@ -219,26 +219,50 @@ LX_LANE struct NAME(elements) NAME(elements_at)(const struct NAME(lx_block) * bl
                                    NAME(load)(block->vx + i), NAME(load)(block->vy + i), NAME(load)(block->vz + i)};
 }
 
-/* Adds the brightness by all the lights, which are of one kind. */
+/* The brightness of a vector of elements by a light whose rays are known. */
+LX_LANE NAME(lanes) NAME(reflected)(const struct NAME(lx_lobe) * lobe, const struct NAME(elements) * at,
+                                    const struct NAME(ray) * ray, enum lx_model model, enum lx_highlight highlight)
+{
+    return ray->e * NAME(weight_of)(lobe, at, model, highlight, ray->x, ray->y, ray->z);
+}
+
+/*
+ * Adds the brightness by all the lights, which are of one kind.  Two vectors at once, their rays first, keep the
+ * machine busy where one would wait for its own results.
+ */
 LX_LANE void NAME(reflect)(const struct NAME(lx_light) * lights, size_t light_count, const struct NAME(lx_lobe) * lobe,
                            const struct NAME(lx_block) * block, const float *open, size_t count,
                            enum lx_light_kind kind, enum lx_model model, enum lx_highlight highlight,
                            double *restrict sum)
 {
     const struct NAME(lx_lobe) constants = *lobe;
+    const size_t width = NAME(LX_WIDTH);
     _Alignas(LX_VECTOR_BYTES) REAL totals[LX_BLOCK];
-    for (size_t i = 0; i < count; i += NAME(LX_WIDTH)) {
+    size_t i = 0;
+    for (; i + 2 * width <= count; i += 2 * width) {
+        const struct NAME(elements) at = NAME(elements_at)(block, i), next = NAME(elements_at)(block, i + width);
+        NAME(lanes) total = NAME(all)(0), total_of_next = total;
+        for (size_t k = 0; k < light_count; k++) {
+            struct NAME(ray) ray = NAME(ray_of)(&lights[k], &at, kind);
+            struct NAME(ray) ray_to_next = NAME(ray_of)(&lights[k], &next, kind);
+            total += NAME(reflected)(&constants, &at, &ray, model, highlight);
+            total_of_next += NAME(reflected)(&constants, &next, &ray_to_next, model, highlight);
+        }
+        NAME(store)(totals + i, total);
+        NAME(store)(totals + i + width, total_of_next);
+    }
+    if (i < count) { /* one vector more */
         const struct NAME(elements) at = NAME(elements_at)(block, i);
         NAME(lanes) total = NAME(all)(0);
         for (size_t k = 0; k < light_count; k++) {
             struct NAME(ray) ray = NAME(ray_of)(&lights[k], &at, kind);
-            total += ray.e * NAME(weight_of)(&constants, &at, model, highlight, ray.x, ray.y, ray.z);
+            total += NAME(reflected)(&constants, &at, &ray, model, highlight);
         }
         NAME(store)(totals + i, total);
     }
-    for (size_t i = 0; open && i < count; i++)
+    for (i = 0; open && i < count; i++)
         totals[i] *= (REAL)open[i];
-    for (size_t i = 0; i < count; i++)
+    for (i = 0; i < count; i++)
         sum[i] += (double)totals[i];
 }
 

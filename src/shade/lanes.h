@@ -110,18 +110,15 @@ LX_LANE NAME(lanes) NAME(root)(NAME(lanes) a)
 #endif
 
 /*
- * 1 / a and 1 / sqrt(a) of normal numbers whose square and reciprocal are normal, too.  In float32 from the machine's
- * first guess, whose relative error g is at most 2^-14 (512 bits) or 1.5 * 2^-12, improved by the series in
- * e = 1 - a g or 1 - a g^2: within 2 ulp, where roots and quotients would take most of a kernel's time.
+ * 1 / a and 1 / sqrt(a) of normal numbers whose square and reciprocal are normal, too; within 2 ulp.  With 512 bits in
+ * float32 from the machine's first guess g, whose relative error is at most 2^-14, and one step of Newton's with
+ * e = 1 - a g or 1 - a g^2, which takes less time than a root and a quotient; with narrower vectors it takes more.
  */
 LX_LANE NAME(lanes) NAME(inverse)(NAME(lanes) a)
 {
 #if LX_IS_SINGLE && LX_ISA_LEVEL >= 4
     NAME(lanes) guess = _mm512_rcp14_ps(a), e = 1 - a * guess;
     return guess + guess * e;
-#elif LX_IS_SINGLE && LX_ISA_LEVEL >= 1
-    NAME(lanes) guess = LX_OPERATION(rcp)(a), e = 1 - a * guess;
-    return guess + guess * (e + e * e);
 #else
     return 1 / a;
 #endif
@@ -132,9 +129,6 @@ LX_LANE NAME(lanes) NAME(inverse_root)(NAME(lanes) a)
 #if LX_IS_SINGLE && LX_ISA_LEVEL >= 4
     NAME(lanes) guess = _mm512_rsqrt14_ps(a), e = 1 - a * guess * guess;
     return guess + (REAL)0.5 * guess * e;
-#elif LX_IS_SINGLE && LX_ISA_LEVEL >= 1
-    NAME(lanes) guess = LX_OPERATION(rsqrt)(a), e = 1 - a * guess * guess;
-    return guess + guess * e * ((REAL)0.5 + (REAL)0.375 * e);
 #else
     return 1 / NAME(root)(a);
 #endif

@@ -18,7 +18,8 @@ NAMES = set("""luxel YAML JSON Schema UTF png pfm npy exr csv PNG NPY PFM EXR CS
     yaml-language-server luxel.schema json yaml NULL x_mm y_mm value_ single double NUMPY Pf quantity
     brightnesz kd ks ka my render probe grid check scene set schema help report three-lights two-spheres desk OFF OBJ
     FILE U0 Ud window grey viridis cividis inferno magma plasma coolwarm HTML PDF SVG LaTeX markdown latex html text
-    figure explain report stats profile isophotes compare variant grade advise LOW HIGH TAP cairo pango luxel-draw
+    figure explain report stats profile isophotes compare variant grade advise bench bench.json
+    LOW HIGH TAP cairo pango luxel-draw
     center maximum rfc4180
     svg pdf txt md tex yml excel-ru student off right convention wrong value answers file line answer verdict
     too_few_digits error explanations submissions key fill rim k_d sky moon bulb spotlight round lamp lantern globe
@@ -27,7 +28,7 @@ NAMES = set("""luxel YAML JSON Schema UTF png pfm npy exr csv PNG NPY PFM EXR CS
 COMMANDS = [
     [], ["help"], ["--help"], ["--version"], *[["help", name] for name in (
         "render", "probe", "grid", "check", "scene", "schema", "set", "help", "figure", "explain", "report", "stats",
-        "profile", "isophotes", "compare", "variant", "grade", "advise")],
+        "profile", "isophotes", "compare", "variant", "grade", "advise", "bench")],
     ["stats"], ["stats", "--histogram"], ["profile"], ["profile", "three-lights"], ["isophotes"],
     ["compare", "report", "report"], ["compare", "report", "three-lights"], ["compare", "report"],
     ["explain", "-p", "0,0"], ["explain", "all-sources", "-p", "0,0"], ["explain", "-p", "900,0"],
