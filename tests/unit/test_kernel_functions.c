@@ -63,7 +63,7 @@ static void test_inverses(void **state)
             lanes_single x = numbers_single(octave, step, PER_OCTAVE);
             lanes_single a = inverse_single(x), b = inverse_root_single(x);
             for (int i = 0; i < LX_WIDTH_single; i++) {
-                long double exact = x[i];
+                long double exact = (long double)x[i];
                 note(&inverse, fabsl((long double)a[i] * exact - 1) / unit_single, (double)x[i]);
                 note(&root, fabsl((long double)b[i] * sqrtl(exact) - 1) / unit_single, (double)x[i]);
             }
@@ -76,7 +76,7 @@ static void test_inverses(void **state)
             lanes_double x = numbers_double(octave, step, 1024);
             lanes_double a = inverse_double(x), b = inverse_root_double(x);
             for (int i = 0; i < LX_WIDTH_double; i++) {
-                long double exact = x[i];
+                long double exact = (long double)x[i];
                 note(&inverse, fabsl((long double)a[i] * exact - 1) / unit_double, x[i]);
                 note(&root, fabsl((long double)b[i] * sqrtl(exact) - 1) / unit_double, x[i]);
             }
