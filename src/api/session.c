@@ -87,7 +87,13 @@ luxel_status lx_session_prepare(const luxel_scene *scene, const luxel_settings *
                                 luxel_diagnostics *diagnostics, struct lx_prepared *prepared)
 {
     double tolerance = settings->tolerance > 0 ? settings->tolerance : LX_DEFAULT_TOLERANCE;
-    return lx_prepare(lx_scene_parameters(scene), tolerance, prepared) ? lx_out_of_memory(diagnostics) : LUXEL_OK;
+    if (lx_prepare(lx_scene_parameters(scene), tolerance, prepared) == 0)
+        return LUXEL_OK;
+    if (!prepared->emitters.is_short)
+        return lx_out_of_memory(diagnostics);
+    lx_report(diagnostics, LUXEL_SEVERITY_ERROR, NULL, LX_MSG_TOO_MANY_PARTS, NULL);
+    lx_hint(diagnostics, LX_MSG_FEWER_PARTS, NULL);
+    return LUXEL_ERROR_MEMORY;
 }
 
 luxel_status lx_session_open(const luxel_scene *scene, const luxel_settings *settings, luxel_diagnostics *diagnostics,

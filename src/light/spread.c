@@ -71,6 +71,14 @@ void lx_check_area(const struct lx_check *check, const char *key, const struct l
                     LX_ARGS(written ? lx_write_digits(area, 3, number) : "∞"));
 }
 
+/* Into how many parts a shape is cut at least. */
+static double least_parts(const struct lx_emitter *shape, const struct lx_spread *spread)
+{
+    double side = spread->parts.choice == LX_CONVERGED ? 1 : (double)spread->parts.whole;
+    double faces = shape->type == LX_FACETS && side > 1 ? (double)shape->facets->face_count : 1;
+    return faces * side * side;
+}
+
 int lx_spread_emit(const struct lx_spread *spread, lx_bounded radiance, struct lx_shapes *shapes,
                    struct lx_emitters *emitters)
 {
@@ -80,7 +88,11 @@ int lx_spread_emit(const struct lx_spread *spread, lx_bounded radiance, struct l
         emitter->radiance = radiance;
         emitter->attenuation = (enum lx_attenuation)spread->attenuation;
         emitter->k_mm = spread->k_mm;
-        if (spread->parts.choice == LX_CONVERGED) {
+        const double parts = least_parts(emitter, spread);
+        if (emitters->most > 0 && (double)emitters->count + parts > (double)emitters->most) {
+            emitters->is_short = true;
+            result = -1;
+        } else if (spread->parts.choice == LX_CONVERGED) {
             result = lx_emitters_append(emitters, emitter);
             emitter->facets = NULL; /* they are the list's now */
         } else {

@@ -1,11 +1,15 @@
 /* SPDX-License-Identifier: MIT */
 /* Lowering a scene to surfaces and emitters, and naming the unit of the result. */
+#include <math.h>
 #include <stdlib.h>
 
 #include "../base/memory.h"
 #include "../base/phrase.h"
 #include "../light/light.h"
 #include "prepared.h"
+
+/* What memory could hold, and more, where it is not known how much there is. */
+static const double MOST_EMITTERS = 1e9;
 
 static int prepare_lights(const struct lx_list *lights, struct lx_emitters *emitters)
 {
@@ -24,11 +28,12 @@ static int prepare_lights(const struct lx_list *lights, struct lx_emitters *emit
 
 int lx_prepare(const struct lx_scene_parameters *scene, double tolerance, struct lx_prepared *prepared)
 {
-    return lx_prepare_few(scene, tolerance, 0, prepared);
+    /* besides the emitters there will be their constants for each surface */
+    double each = (double)(sizeof(struct lx_emitter) + 256 * scene->surfaces.count);
+    return lx_prepare_few(scene, tolerance, (size_t)fmin(lx_available_bytes() / each, MOST_EMITTERS), prepared);
 }
 
-int lx_prepare_few(const struct lx_scene_parameters *scene, double tolerance, size_t most,
-                   struct lx_prepared *prepared)
+int lx_prepare_few(const struct lx_scene_parameters *scene, double tolerance, size_t most, struct lx_prepared *prepared)
 {
     const struct lx_list *surfaces = &scene->surfaces;
     *prepared = (struct lx_prepared){

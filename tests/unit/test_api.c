@@ -191,6 +191,25 @@ static void test_threads(void **state)
     luxel_scene_free(scene);
 }
 
+/* 51 x 25 faces of a million parts each: refused before room is made for them. */
+static void test_too_many_parts(void **state)
+{
+    (void)state;
+    luxel_scene *scene = REPORT_WITH("lights=[{type: volume, sphere: {center: [0, 0, 2000], radius: 10, facets: 51}, "
+                                     "power: 1, parts: 1000}]");
+    luxel_diagnostics *diagnostics = luxel_diagnostics_new();
+    luxel_field *field = NULL;
+    luxel_probe *probe = NULL;
+    assert_int_equal(luxel_render(scene, NULL, diagnostics, &field), LUXEL_ERROR_MEMORY);
+    assert_int_equal(luxel_probe_screen(scene, NULL, 0, 0, diagnostics, &probe), LUXEL_ERROR_MEMORY);
+    assert_int_equal(luxel_diagnostics_count(diagnostics), 2);
+    for (size_t i = 0; i < 2; i++)
+        assert_string_equal(luxel_diagnostics_get(diagnostics, i)->id, "too-many-parts");
+    assert_true(!field && !probe);
+    luxel_diagnostics_free(diagnostics);
+    luxel_scene_free(scene);
+}
+
 static void test_dark(void **state)
 {
     (void)state;
@@ -215,8 +234,8 @@ static void test_dark(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_refusals), cmocka_unit_test(test_range), cmocka_unit_test(test_cancel),
-        cmocka_unit_test(test_threads),  cmocka_unit_test(test_dark),
+        cmocka_unit_test(test_refusals), cmocka_unit_test(test_range),          cmocka_unit_test(test_cancel),
+        cmocka_unit_test(test_threads),  cmocka_unit_test(test_too_many_parts), cmocka_unit_test(test_dark),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
