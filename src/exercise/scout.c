@@ -15,11 +15,11 @@
 #include "../shade/prepared.h"
 
 enum {
-    SAMPLES = 48,            /* along the shorter side of the screen */
-    SAMPLES_ACROSS = 16,     /* at least, over the smallest surface */
-    MOST_SAMPLES = 300000,   /* in all */
-    MOST_SIDE = 10000,       /* along a side */
-    MOST_STEPS = 8,          /* of a climb */
+    SAMPLES = 48,           /* along the shorter side of the screen */
+    SAMPLES_ACROSS = 16,    /* at least, over the smallest surface */
+    MOST_SAMPLES = 300000,  /* in all */
+    MOST_SIDE = 10000,      /* along a side */
+    MOST_STEPS = 8,         /* of a climb */
     MOST_EXACT_SOURCES = 64 /* for the continuous maximum */
 };
 
@@ -245,8 +245,7 @@ static luxel_status scout_copy(luxel_scene *copy, double *effort, struct lx_scou
     return status;
 }
 
-luxel_status lx_scout(const luxel_scene *scene, const char *const *assignments, double *effort,
-                      struct lx_scout *scout)
+luxel_status lx_scout(const luxel_scene *scene, const char *const *assignments, double *effort, struct lx_scout *scout)
 {
     *scout = (struct lx_scout){0};
     luxel_scene *copy = luxel_scene_copy(scene);

@@ -33,7 +33,6 @@ struct lx_scout {
  * that is left; it is estimated, so that advice does not depend on the machine.  Any status that luxel_scene_set(),
  * luxel_scene_commit() or luxel_render() may have: such assignments do not go.
  */
-luxel_status lx_scout(const luxel_scene *scene, const char *const *assignments, double *effort,
-                      struct lx_scout *scout);
+luxel_status lx_scout(const luxel_scene *scene, const char *const *assignments, double *effort, struct lx_scout *scout);
 
 #endif

@@ -19,8 +19,8 @@
 
 struct lx_planned_light {
     bool in_double;
-    double bound;    /* of the absolute error in float32; infinite where float32 must not be used */
-    double relative; /* and of its error relative to the light's own share */
+    double bound;                /* of the absolute error in float32; infinite where float32 must not be used */
+    double relative;             /* and of its error relative to the light's own share */
     struct lx_blocker *blockers; /* surfaces that may stand in its light */
     size_t blocker_count;
 };

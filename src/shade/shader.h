@@ -18,6 +18,6 @@ struct lx_shader_memory *lx_shader_memory_new(const struct lx_plan *plan);
  * returns early with values unfinished.  Returns how many pixels show a surface.
  */
 size_t lx_shade_points(const struct lx_plan *plan, struct lx_shader_memory *memory, double y_mm, double *x_mm,
-                     size_t count, struct lx_control *control, bool is_caller, double *values, uint8_t *mask);
+                       size_t count, struct lx_control *control, bool is_caller, double *values, uint8_t *mask);
 
 #endif

@@ -212,10 +212,8 @@ static void wants_a_committed_scene(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(mends_what_it_advises),
-        cmocka_unit_test(is_silent_where_all_is_well),
-        cmocka_unit_test(tells_true_numbers),
-        cmocka_unit_test(leaves_out_what_costs_too_much),
+        cmocka_unit_test(mends_what_it_advises),   cmocka_unit_test(is_silent_where_all_is_well),
+        cmocka_unit_test(tells_true_numbers),      cmocka_unit_test(leaves_out_what_costs_too_much),
         cmocka_unit_test(wants_a_committed_scene),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
