@@ -52,6 +52,7 @@ LX_LANE void NAME(store)(REAL *to, NAME(lanes) lanes)
     *(NAME(lanes) *)__builtin_assume_aligned(to, LX_VECTOR_BYTES) = lanes;
 }
 
+/* The greater and the lesser of two; b where a is no number. */
 #if LX_ISA_LEVEL >= 1
 
 LX_LANE NAME(lanes) NAME(greater)(NAME(lanes) a, NAME(lanes) b)
@@ -97,7 +98,7 @@ LX_LANE NAME(lanes) NAME(greater)(NAME(lanes) a, NAME(lanes) b)
 
 LX_LANE NAME(lanes) NAME(lesser)(NAME(lanes) a, NAME(lanes) b)
 {
-    return NAME(where_above)(a, b, b, a);
+    return NAME(where_above)(b, a, a, b);
 }
 
 LX_LANE NAME(lanes) NAME(root)(NAME(lanes) a)

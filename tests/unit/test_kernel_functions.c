@@ -165,6 +165,23 @@ static void test_angles(void **state)
     report("angles in float64", &twice, 4);
 }
 
+/* What is no number gives way to the bound that it is held against: highlights without a half vector rest on it. */
+static void test_bounds(void **state)
+{
+    (void)state;
+    const lanes_single none = all_single(NAN), one = all_single(1), two = all_single(2);
+    const lanes_double none_double = all_double((double)NAN), one_double = all_double(1);
+    const struct lx_exponent_single twenty = {20, 20}, odd = {20.5F, 0};
+    for (int i = 0; i < LX_WIDTH_single; i++) {
+        assert_true(lesser_single(none, one)[i] == 1 && greater_single(none, one)[i] == 1);
+        assert_true(lesser_single(one, two)[i] == 1 && lesser_single(two, one)[i] == 1);
+        assert_true(greater_single(one, two)[i] == 2 && greater_single(two, one)[i] == 2);
+        assert_true(power_of_single(none, twenty)[i] == 0 && power_of_single(none, odd)[i] == 0);
+    }
+    for (int i = 0; i < LX_WIDTH_double; i++)
+        assert_true(lesser_double(none_double, one_double)[i] == 1 && greater_double(none_double, one_double)[i] == 1);
+}
+
 /* The survey of values, also of numbers that do not fill the last vector, against plain loops. */
 static void test_survey(void **state)
 {
@@ -193,7 +210,7 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_inverses), cmocka_unit_test(test_whole_powers), cmocka_unit_test(test_other_powers),
-        cmocka_unit_test(test_angles),   cmocka_unit_test(test_survey),
+        cmocka_unit_test(test_bounds),   cmocka_unit_test(test_angles),       cmocka_unit_test(test_survey),
     };
     if (!runs()) {
         printf("1..0 # SKIP this machine does not have %s\n", LX_ISA_NAME);
