@@ -66,6 +66,18 @@ def numbers(tap, tool):
     tap.ok(embedded and set(embedded) == {"yes"}, "fonts are embedded", fonts)
 
 
+def titles(tap, tool):
+    """Without --title: that of a built-in scene as it is, its name where it was changed, the name of a file."""
+    scene = tool.run("scene", "report").out
+    tool.write("my scene.yaml", scene)
+    for arguments, stdin, title in ((["report"], "", "The lab report's sphere"),
+                                    (["report", "-s", "lights[0].intensity=20"], "", "report"),
+                                    (["my scene.yaml"], "", "my scene"), (["-"], scene, "250")):
+        result = tool.run("figure", *arguments, "-o", "f.pdf", stdin=stdin)
+        tap.ok(result.code == 0 and text_of(tool, "f.pdf").strip().startswith(title), "the title of " + arguments[0],
+               result)
+
+
 def repeated(tap, tool):
     for ending in ("png", "svg", "pdf"):
         for name in ("a", "b"):
@@ -128,6 +140,7 @@ REFUSED = [
     (["figure", "-o", "f.png", "--palette", "jet"], "the palettes are viridis"),
     (["figure", "-o", "f.png", "--width", "5"], "40 to 1000"),
     (["figure", "-o", "f.png", "--dpi", "5"], "30 to 2400"),
+    (["figure", "-o", "f.png", "--dpi", "2400", "--width", "1000"], "dots_per_inch"),
     (["figure", "-o", "f.png", "--bands", "--lines"], "only one"),
     (["figure", "-o", "f.png", "--section=top"], "center, maximum or X,Y"),
     (["figure", "-o", "f.png", "--section=0,9000"], "does not cross"),
@@ -162,4 +175,4 @@ def reports(tap, tool):
                "%s: no outside links" % name)
 
 
-run_tests(Tap(), every_scene, numbers, repeated, shapes, palettes, refused, reports)
+run_tests(Tap(), every_scene, numbers, titles, repeated, shapes, palettes, refused, reports)
