@@ -55,7 +55,7 @@ def stdin_that_fails(tap, tool):
 
 def interrupts(tap, tool):
     tool.write("long.yaml", SCENE.replace("[36, 36]", "[16384, 16384]").replace(
-        "lights:\n", "lights:\n" + "  - {type: point, position: [500, 800, 2500], intensity: 1}\n" * 30))
+        "lights:\n", "lights:\n" + "  - {type: point, position: [500, 800, 2500], intensity: 1}\n" * 500))
     for seconds in 0.05, 0.5, 1.5:
         process = subprocess.Popen([tool.path, "render", "long.yaml", "-o", "x.npy", "-o", "x.png"], cwd=tool.folder,
                                    stdout=subprocess.PIPE, stderr=subprocess.PIPE)
