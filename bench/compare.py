@@ -77,7 +77,7 @@ class Peers:
         self.all = [("NumPy, float64, whole arrays, one thread",
                      lambda n: output(python, numpy, str(SIDE), str(n), "2", "attenuated"))]
         if plain:
-            self.all.append(("a plain C loop, float32, vectorised by the compiler, one thread",
+            self.all.append(("a plain C loop for this machine, float32, one thread",
                              lambda n: output(plain, str(SIDE), str(n), "10")))
         if glsl:
             self.all.append(("a GLSL shader, float32, drawn and read back", lambda n: self.shader(glsl, n)))
