@@ -10,10 +10,10 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include <time.h>
 #include <unistd.h>
 
 #include "cli.h"
+#include "machine.h"
 
 static volatile sig_atomic_t interrupted, cancellable;
 
@@ -32,20 +32,12 @@ void progress_catch_interrupt(void)
     sigaction(SIGINT, &action, NULL);
 }
 
-static double now_s(void)
-{
-    struct timespec now;
-
-    clock_gettime(CLOCK_MONOTONIC, &now);
-    return (double)now.tv_sec + 1e-9 * (double)now.tv_nsec;
-}
-
 void progress_begin(struct progress *progress, bool quiet)
 {
     const char *terminal = getenv("TERM");
     const bool erases = terminal && strcmp(terminal, "dumb") != 0;
 
-    *progress = (struct progress){.wanted = !quiet && erases && isatty(STDERR_FILENO), .start_s = now_s()};
+    *progress = (struct progress){.wanted = !quiet && erases && isatty(STDERR_FILENO), .start_s = machine_seconds()};
     cancellable = 1;
 }
 
@@ -59,7 +51,7 @@ bool progress_report(double done, void *data)
         return false;
     if (!progress->wanted)
         return true;
-    now = now_s();
+    now = machine_seconds();
     if (now - progress->start_s < patience_s || now - progress->last_s < pause_s || !(done > 0.0))
         return true;
     left_s = (now - progress->start_s) * (1.0 - done) / done;

@@ -19,3 +19,26 @@ int work_end(struct work *work, luxel_status status, luxel_diagnostics *diagnost
         status = LUXEL_CANCELLED;
     return status == LUXEL_OK ? EXIT_DONE : message_failure(status, diagnostics);
 }
+
+int work_write_each(const struct options *options, const struct loaded *loaded,
+                    luxel_status (*write)(const struct loaded *loaded, const luxel_settings *settings, const void *look,
+                                          const char *path),
+                    const void *look)
+{
+    int code = EXIT_DONE;
+
+    for (size_t i = 0; i < options->output_count; i++) {
+        struct work work;
+        luxel_status status;
+        int one;
+
+        work_begin(&work, options);
+        status = write(loaded, &work.settings, look, options->outputs[i]);
+        one = work_end(&work, status, loaded->diagnostics);
+        luxel_diagnostics_clear(loaded->diagnostics);
+        code = one == EXIT_DONE ? code : one;
+        if (one == EXIT_INTERRUPTED || status == LUXEL_ERROR_ARGUMENT)
+            break;
+    }
+    return code;
+}

@@ -5,6 +5,7 @@
 
 #include <luxel/luxel.h>
 
+#include "load.h"
 #include "options.h"
 #include "progress.h"
 
@@ -21,5 +22,14 @@ void work_begin(struct work *work, const struct options *options);
  * exit_code; what went wrong is reported here.
  */
 int work_end(struct work *work, luxel_status status, luxel_diagnostics *diagnostics);
+
+/*
+ * Writes each file of -o in a work of its own; one that fails does not stop the others, unless it is for what was asked
+ * for or the user has interrupted.  Returns an enum exit_code.
+ */
+int work_write_each(const struct options *options, const struct loaded *loaded,
+                    luxel_status (*write)(const struct loaded *loaded, const luxel_settings *settings, const void *look,
+                                          const char *path),
+                    const void *look);
 
 #endif

@@ -109,32 +109,23 @@ static const char *default_title(const struct options *options, const struct loa
     return buffer;
 }
 
-/* A file that fails does not stop the others. */
+static luxel_status write_figure(const struct loaded *loaded, const luxel_settings *settings, const void *look,
+                                 const char *path)
+{
+    return luxel_figure_write(loaded->scene, settings, look, path, loaded->diagnostics);
+}
+
 static int figure(const struct options *options, const struct loaded *loaded)
 {
     const luxel_language language = {.translate = language_translate, .code = language_code()};
     luxel_figure_settings settings;
     char name[256];
-    int code = EXIT_DONE;
 
     if (!take_settings(options, &language, &settings))
         return EXIT_USAGE;
     if (!settings.title)
         settings.title = default_title(options, loaded, name, sizeof name);
-    for (size_t i = 0; i < options->output_count; i++) {
-        struct work work;
-        luxel_status status;
-        int one;
-
-        work_begin(&work, options);
-        status = luxel_figure_write(loaded->scene, &work.settings, &settings, options->outputs[i], loaded->diagnostics);
-        one = work_end(&work, status, loaded->diagnostics);
-        luxel_diagnostics_clear(loaded->diagnostics);
-        code = one == EXIT_DONE ? code : one;
-        if (one == EXIT_INTERRUPTED || status == LUXEL_ERROR_ARGUMENT)
-            break;
-    }
-    return code;
+    return work_write_each(options, loaded, write_figure, &settings);
 }
 
 int drawing_figure(const struct options *options)

@@ -10,7 +10,12 @@
 #include "../outputs.h"
 #include "../work.h"
 
-/* A file that fails does not stop the others. */
+static luxel_status write_report(const struct loaded *loaded, const luxel_settings *settings, const void *look,
+                                 const char *path)
+{
+    return luxel_report_write(loaded->scene, settings, look, path, loaded->diagnostics);
+}
+
 static int report(const struct options *options, const struct loaded *loaded)
 {
     const luxel_language language = {.translate = language_translate, .code = language_code()};
@@ -22,22 +27,8 @@ static int report(const struct options *options, const struct loaded *loaded)
         .palette = options->drawing.palette,
         .language = &language,
     };
-    int code = EXIT_DONE;
 
-    for (size_t i = 0; i < options->output_count; i++) {
-        struct work work;
-        luxel_status status;
-        int one;
-
-        work_begin(&work, options);
-        status = luxel_report_write(loaded->scene, &work.settings, &settings, options->outputs[i], loaded->diagnostics);
-        one = work_end(&work, status, loaded->diagnostics);
-        luxel_diagnostics_clear(loaded->diagnostics);
-        code = one == EXIT_DONE ? code : one;
-        if (one == EXIT_INTERRUPTED || status == LUXEL_ERROR_ARGUMENT)
-            break;
-    }
-    return code;
+    return work_write_each(options, loaded, write_report, &settings);
 }
 
 int drawing_report(const struct options *options)

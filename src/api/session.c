@@ -6,7 +6,6 @@
 #include <string.h>
 
 #include "../base/diagnostics.h"
-#include "../base/number.h"
 #include "session.h"
 
 enum { MAXIMUM_THREADS = 1024 };
@@ -28,27 +27,21 @@ bool luxel_instruction_set_runs(size_t i)
     return kernels && kernels->runs();
 }
 
-static luxel_status out_of_range(luxel_diagnostics *diagnostics, const char *setting, double value, const char *range)
-{
-    char number[LX_NUMBER_SIZE];
-    lx_report(diagnostics, LUXEL_SEVERITY_ERROR, NULL, LX_MSG_SETTING_OUT_OF_RANGE,
-              LX_ARGS(setting, lx_write_number(value, number), LX_TERM(range)));
-    return LUXEL_ERROR_ARGUMENT;
-}
-
 static luxel_status check_settings(const luxel_settings *settings, luxel_diagnostics *diagnostics)
 {
     luxel_status status = LUXEL_OK;
     if (settings->quantity != LUXEL_BRIGHTNESS && settings->quantity != LUXEL_IRRADIANCE)
-        status = out_of_range(diagnostics, "quantity", (double)settings->quantity, LX_N("brightness or irradiance"));
+        status = lx_setting_out_of_range(diagnostics, "quantity", (double)settings->quantity,
+                                         LX_N("brightness or irradiance"));
     if (settings->precision != LUXEL_SINGLE && settings->precision != LUXEL_DOUBLE)
-        status = out_of_range(diagnostics, "precision", (double)settings->precision, LX_N("single or double"));
+        status =
+            lx_setting_out_of_range(diagnostics, "precision", (double)settings->precision, LX_N("single or double"));
     if (settings->threads > MAXIMUM_THREADS)
-        status = out_of_range(diagnostics, "threads", settings->threads, LX_N("0 to 1024"));
+        status = lx_setting_out_of_range(diagnostics, "threads", settings->threads, LX_N("0 to 1024"));
     if (!(settings->tolerance >= 0 && settings->tolerance < 1))
-        status = out_of_range(diagnostics, "tolerance", settings->tolerance, LX_N("from 0 to below 1"));
+        status = lx_setting_out_of_range(diagnostics, "tolerance", settings->tolerance, LX_N("from 0 to below 1"));
     if (!(settings->light_error >= 0 && settings->light_error < 1))
-        status = out_of_range(diagnostics, "light_error", settings->light_error, LX_N("from 0 to below 1"));
+        status = lx_setting_out_of_range(diagnostics, "light_error", settings->light_error, LX_N("from 0 to below 1"));
     return status;
 }
 

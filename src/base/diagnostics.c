@@ -9,6 +9,7 @@
 
 #include "diagnostics.h"
 #include "memory.h"
+#include "number.h"
 #include "text.h"
 
 enum { SEVERITIES = 2, EXCERPT_COLUMNS = 110, EXCERPT_BEFORE = 60, NO_HINT = -1 };
@@ -264,4 +265,13 @@ char *luxel_diagnostics_hint(const luxel_diagnostics *diagnostics, size_t i, lux
 void luxel_text_free(char *text)
 {
     free(text);
+}
+
+luxel_status lx_setting_out_of_range(luxel_diagnostics *diagnostics, const char *setting, double value,
+                                     const char *range)
+{
+    char number[LX_NUMBER_SIZE];
+    lx_report(diagnostics, LUXEL_SEVERITY_ERROR, NULL, LX_MSG_SETTING_OUT_OF_RANGE,
+              LX_ARGS(setting, lx_write_number(value, number), LX_TERM(range)));
+    return LUXEL_ERROR_ARGUMENT;
 }

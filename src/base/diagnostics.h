@@ -46,4 +46,8 @@ void lx_hint(luxel_diagnostics *diagnostics, enum lx_message message, const char
 /* Reports that memory ran out and returns LUXEL_ERROR_MEMORY. */
 luxel_status lx_out_of_memory(luxel_diagnostics *diagnostics);
 
+/* Reports a setting that is not as `range` (English, to translate) has it; returns LUXEL_ERROR_ARGUMENT. */
+luxel_status lx_setting_out_of_range(luxel_diagnostics *diagnostics, const char *setting, double value,
+                                     const char *range);
+
 #endif

@@ -6,7 +6,6 @@
 
 #include "../base/diagnostics.h"
 #include "../base/memory.h"
-#include "../base/number.h"
 #include "../base/phrase.h"
 #include "../exercise/parameter_tables.h"
 #include "../parameter/decode.h"
@@ -66,14 +65,6 @@ void lx_figure_free(struct lx_figure *figure)
 
 /* ---- settings ---- */
 
-static luxel_status refuse(luxel_diagnostics *diagnostics, const char *setting, double value, const char *range)
-{
-    char number[LX_NUMBER_SIZE];
-    lx_report(diagnostics, LUXEL_SEVERITY_ERROR, NULL, LX_MSG_SETTING_OUT_OF_RANGE,
-              LX_ARGS(setting, lx_write_number(value, number), LX_TERM(range)));
-    return LUXEL_ERROR_ARGUMENT;
-}
-
 static luxel_status check_settings(const luxel_figure_settings *settings, luxel_diagnostics *diagnostics)
 {
     double color[3];
@@ -91,13 +82,14 @@ static luxel_status check_settings(const luxel_figure_settings *settings, luxel_
         return LUXEL_ERROR_ARGUMENT;
     }
     if (!(settings->width_mm >= 40 && settings->width_mm <= 1000))
-        return refuse(diagnostics, "width_mm", settings->width_mm, LX_N("40 to 1000 mm"));
+        return lx_setting_out_of_range(diagnostics, "width_mm", settings->width_mm, LX_N("40 to 1000 mm"));
     if (!(settings->dots_per_inch >= 30 && settings->dots_per_inch <= 2400))
-        return refuse(diagnostics, "dots_per_inch", settings->dots_per_inch, LX_N("30 to 2400"));
+        return lx_setting_out_of_range(diagnostics, "dots_per_inch", settings->dots_per_inch, LX_N("30 to 2400"));
     if (settings->levels < 1 || settings->levels > 50)
-        return refuse(diagnostics, "levels", (double)settings->levels, LX_N("1 to 50"));
+        return lx_setting_out_of_range(diagnostics, "levels", (double)settings->levels, LX_N("1 to 50"));
     if (settings->level_list_count > LX_MOST_LEVELS)
-        return refuse(diagnostics, "level_list_count", (double)settings->level_list_count, LX_N("at most 64"));
+        return lx_setting_out_of_range(diagnostics, "level_list_count", (double)settings->level_list_count,
+                                       LX_N("at most 64"));
     bool has_range = !isnan(settings->low) || !isnan(settings->high);
     if (has_range && !(settings->low < settings->high && isfinite(settings->low) && isfinite(settings->high))) {
         lx_report(diagnostics, LUXEL_SEVERITY_ERROR, NULL, LX_MSG_BAD_RANGE, NULL);

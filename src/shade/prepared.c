@@ -10,6 +10,7 @@
 
 /* What memory could hold, and more, where it is not known how much there is. */
 static const double MOST_EMITTERS = 1e9;
+enum { FEW_EMITTERS = 4096 };
 
 static int prepare_lights(const struct lx_list *lights, struct lx_emitters *emitters)
 {
@@ -28,7 +29,11 @@ static int prepare_lights(const struct lx_list *lights, struct lx_emitters *emit
 
 int lx_prepare(const struct lx_scene_parameters *scene, double tolerance, struct lx_prepared *prepared)
 {
-    /* besides the emitters there will be their constants for each surface */
+    /* The usual scene has few, and need not ask for memory; besides the emitters, each surface has its constants. */
+    int failed = lx_prepare_few(scene, tolerance, FEW_EMITTERS, prepared);
+    if (!failed || !prepared->emitters.is_short)
+        return failed;
+    lx_prepared_clear(prepared);
     double each = (double)(sizeof(struct lx_emitter) + 256 * scene->surfaces.count);
     return lx_prepare_few(scene, tolerance, (size_t)fmin(lx_available_bytes() / each, MOST_EMITTERS), prepared);
 }

@@ -82,3 +82,11 @@ void expect_error(const char *old, const char *new_words, struct expected expect
     expect_text_error(text, expected);
     free(text);
 }
+
+luxel_scene *builtin(const char *name)
+{
+    luxel_scene *scene = NULL;
+    assert_int_equal(luxel_scene_open_builtin(name, NULL, &scene), LUXEL_OK);
+    assert_int_equal(luxel_scene_commit(scene, NULL), LUXEL_OK);
+    return scene;
+}

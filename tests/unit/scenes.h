@@ -20,6 +20,9 @@ char *changed(const char *old, const char *new_words);
 /* Reads and commits a text; where it cannot be read, *scene is NULL.  Returns the status of the last call made. */
 luxel_status load(const char *text, luxel_diagnostics *diagnostics, luxel_scene **scene);
 
+/* A built-in scene, committed. */
+luxel_scene *builtin(const char *name);
+
 /* What an error must look like: NULL and 0 for what does not matter. */
 struct expected {
     const char *id;

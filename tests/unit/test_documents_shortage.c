@@ -12,62 +12,22 @@
 
 #include "document/formula.h"
 #include "documents.h"
+#include "shortage.h"
 #ifdef HAS_FIGURES
 #include "base/sink.h"
 #include "figure/pages.h"
 #endif
 
-void *__real_malloc(size_t size);
-void *__real_calloc(size_t count, size_t size);
-void *__real_realloc(void *memory, size_t size);
-void *__wrap_malloc(size_t size);
-void *__wrap_calloc(size_t count, size_t size);
-void *__wrap_realloc(void *memory, size_t size);
-
-static bool armed, failed;
-static long countdown;
-
-static bool runs_out(void)
-{
-    if (!armed || countdown-- > 0)
-        return false;
-    armed = false;
-    failed = true;
-    return true;
-}
-
-void *__wrap_malloc(size_t size)
-{
-    return runs_out() ? NULL : __real_malloc(size);
-}
-
-void *__wrap_calloc(size_t count, size_t size)
-{
-    return runs_out() ? NULL : __real_calloc(count, size);
-}
-
-void *__wrap_realloc(void *memory, size_t size)
-{
-    return runs_out() ? NULL : __real_realloc(memory, size);
-}
-
-static void arm(long number)
-{
-    countdown = number;
-    failed = false;
-    armed = true;
-}
-
 static void building(void **state)
 {
     (void)state;
-    for (long i = 0; i == 0 || failed; i++) {
-        arm(i);
+    for (long i = 0; i == 0 || shortage_met(); i++) {
+        shortage_begin(i);
         struct luxel_document *document = documents_everything(NULL);
-        armed = false;
-        assert_true(!document || lx_document_failed(document) == failed);
-        assert_true(document || failed);
-        if (failed && document)
+        shortage_end();
+        assert_true(!document || lx_document_failed(document) == shortage_met());
+        assert_true(document || shortage_met());
+        if (shortage_met() && document)
             assert_null(luxel_document_write_text(document, LUXEL_DOCUMENT_TEXT));
         luxel_document_free(document);
     }
@@ -78,11 +38,11 @@ static void writing(void **state)
     (void)state;
     struct luxel_document *document = documents_everything(NULL);
     for (int format = 0; format < 4; format++)
-        for (long i = 0; i == 0 || failed; i++) {
-            arm(i);
+        for (long i = 0; i == 0 || shortage_met(); i++) {
+            shortage_begin(i);
             char *text = luxel_document_write_text(document, (luxel_document_format)format);
-            armed = false;
-            if (failed != !text)
+            shortage_end();
+            if (shortage_met() != !text)
                 fail_msg("format %d, allocation %ld", format, i);
             luxel_text_free(text);
         }
@@ -93,12 +53,12 @@ static void reading_formulas(void **state)
 {
     (void)state;
     for (size_t k = 0; documents_formulas[k]; k++)
-        for (long i = 0; i == 0 || failed; i++) {
+        for (long i = 0; i == 0 || shortage_met(); i++) {
             size_t at = 0;
-            arm(i);
+            shortage_begin(i);
             struct lx_formula *formula = lx_formula_parse(documents_formulas[k], &at);
-            armed = false;
-            assert_true(failed ? !formula && at == SIZE_MAX : formula != NULL);
+            shortage_end();
+            assert_true(shortage_met() ? !formula && at == SIZE_MAX : formula != NULL);
             lx_formula_free(formula);
         }
 }
@@ -109,13 +69,13 @@ static void setting_pages(void **state)
 {
     (void)state;
     struct luxel_document *document = documents_everything(NULL);
-    for (long i = 0; i == 0 || failed; i++) {
+    for (long i = 0; i == 0 || shortage_met(); i++) {
         struct lx_sink *sink;
         assert_int_equal(lx_sink_open("/dev/null", NULL, NULL, &sink), LUXEL_OK);
-        arm(i);
+        shortage_begin(i);
         luxel_status status = lx_pages_write(document, sink, NULL);
-        armed = false;
-        if (status != (failed ? LUXEL_ERROR_MEMORY : LUXEL_OK))
+        shortage_end();
+        if (status != (shortage_met() ? LUXEL_ERROR_MEMORY : LUXEL_OK))
             fail_msg("allocation %ld", i);
         lx_sink_abort(sink);
     }

@@ -13,14 +13,7 @@
 #include <cmocka.h>
 
 #include "csv_field.h"
-
-static luxel_scene *builtin(const char *name)
-{
-    luxel_scene *scene = NULL;
-    assert_int_equal(luxel_scene_open_builtin(name, NULL, &scene), LUXEL_OK);
-    assert_int_equal(luxel_scene_commit(scene, NULL), LUXEL_OK);
-    return scene;
-}
+#include "scenes.h"
 
 static luxel_evaluator *evaluator_of(const luxel_scene *scene, unsigned threads)
 {

@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: MIT */
 /*
  * Memory that runs out: every allocation of the library fails once, and each time the call ends with
- * LUXEL_ERROR_MEMORY or does without, changes nothing and loses nothing.  The linker puts the functions below in
- * the place of malloc() and its kin (see meson.build).
+ * LUXEL_ERROR_MEMORY or does without, changes nothing and loses nothing.  The linker puts the functions of shortage.c
+ * in the place of malloc() and its kin (see meson.build).
  */
 #include <stdbool.h>
 #include <stdio.h>
@@ -11,58 +11,17 @@
 #include <unistd.h>
 
 #include "scenes.h"
-
-void *__real_malloc(size_t size);
-void *__real_calloc(size_t count, size_t size);
-void *__real_realloc(void *memory, size_t size);
-void *__wrap_malloc(size_t size);
-void *__wrap_calloc(size_t count, size_t size);
-void *__wrap_realloc(void *memory, size_t size);
-
-static bool armed;
-static long countdown;
-static bool failed;
-
-static bool runs_out(void)
-{
-    if (!armed || countdown-- > 0)
-        return false;
-    armed = false;
-    failed = true;
-    return true;
-}
-
-void *__wrap_malloc(size_t size)
-{
-    return runs_out() ? NULL : __real_malloc(size);
-}
-
-void *__wrap_calloc(size_t count, size_t size)
-{
-    return runs_out() ? NULL : __real_calloc(count, size);
-}
-
-void *__wrap_realloc(void *memory, size_t size)
-{
-    return runs_out() ? NULL : __real_realloc(memory, size);
-}
-
-static void arm(long number)
-{
-    countdown = number;
-    failed = false;
-    armed = true;
-}
+#include "shortage.h"
 
 static void loading(void **state)
 {
     (void)state;
-    for (long i = 0; i == 0 || failed; i++) {
+    for (long i = 0; i == 0 || shortage_met(); i++) {
         luxel_scene *scene = NULL;
-        arm(i);
+        shortage_begin(i);
         luxel_status status = load(good_scene, NULL, &scene);
-        armed = false;
-        assert_int_equal(status, failed ? LUXEL_ERROR_MEMORY : LUXEL_OK);
+        shortage_end();
+        assert_int_equal(status, shortage_met() ? LUXEL_ERROR_MEMORY : LUXEL_OK);
         luxel_scene_free(scene);
     }
 }
@@ -84,13 +43,13 @@ static void loading_lights_of_some_size(void **state)
              "  - {type: planar, vertices: [[0, 0, 1800], [0, 9, 1800], [9, 9, 1800], [1, 8, 1800]], power: 1}\n",
              mesh);
     char *text = changed("lights:\n", words);
-    for (long i = 0; i == 0 || failed; i++) {
+    for (long i = 0; i == 0 || shortage_met(); i++) {
         luxel_scene *scene = NULL;
-        arm(i);
+        shortage_begin(i);
         luxel_status status = load(text, NULL, &scene);
         luxel_scene *copy = status == LUXEL_OK ? luxel_scene_copy(scene) : NULL;
-        armed = false;
-        if (!(status == LUXEL_OK && (copy || failed)) && !(failed && status == LUXEL_ERROR_MEMORY))
+        shortage_end();
+        if (!(status == LUXEL_OK && (copy || shortage_met())) && !(shortage_met() && status == LUXEL_ERROR_MEMORY))
             fail_msg("status %d at allocation %ld", (int)status, i);
         luxel_scene_free(copy);
         luxel_scene_free(scene);
@@ -108,9 +67,9 @@ static void setting(void **state)
     assert_int_equal(luxel_scene_write_text(scene, &before), LUXEL_OK);
     bool was_set = false;
     for (long i = 0; !was_set; i++) {
-        arm(i);
+        shortage_begin(i);
         luxel_status status = luxel_scene_set(scene, "surfaces[0].material.specular=0.25", NULL);
-        armed = false;
+        shortage_end();
         was_set = status == LUXEL_OK;
         if (was_set)
             break;
@@ -129,11 +88,11 @@ static void copying_and_writing(void **state)
     (void)state;
     luxel_scene *scene;
     assert_int_equal(load(good_scene, NULL, &scene), LUXEL_OK);
-    for (long i = 0; i == 0 || failed; i++) {
-        arm(i);
+    for (long i = 0; i == 0 || shortage_met(); i++) {
+        shortage_begin(i);
         luxel_scene *copy = luxel_scene_copy(scene);
-        armed = false;
-        assert_true((copy == NULL) == failed);
+        shortage_end();
+        assert_true((copy == NULL) == shortage_met());
         luxel_scene_free(copy);
     }
     /* as it was read, and then with values replaced and added in both styles */
@@ -146,12 +105,12 @@ static void copying_and_writing(void **state)
     for (size_t change = 0; change < sizeof changes / sizeof changes[0]; change++) {
         if (changes[change])
             assert_int_equal(luxel_scene_set(scene, changes[change], NULL), LUXEL_OK);
-        for (long i = 0; i == 0 || failed; i++) {
+        for (long i = 0; i == 0 || shortage_met(); i++) {
             char *text = NULL;
-            arm(i);
+            shortage_begin(i);
             luxel_status status = luxel_scene_write_text(scene, &text);
-            armed = false;
-            assert_int_equal(status, failed ? LUXEL_ERROR_MEMORY : LUXEL_OK);
+            shortage_end();
+            assert_int_equal(status, shortage_met() ? LUXEL_ERROR_MEMORY : LUXEL_OK);
             luxel_text_free(text);
         }
     }
@@ -165,13 +124,13 @@ static void reporting(void **state)
     static const char text[] = "luxel: 3\nscreen: {width: -1, height: x, resolution: [1, 2], foo: 1}\nunits: lux\n"
                                "observer: {z: \"5\"}\nsurfaces: []\n"
                                "lights: [{type: point, inner: 3}, {type: sun}, 5, {type: spot, inner: 5, outer: 3}]\n";
-    for (long i = 0; i == 0 || failed; i++) {
+    for (long i = 0; i == 0 || shortage_met(); i++) {
         luxel_scene *scene = NULL;
         luxel_diagnostics *diagnostics = luxel_diagnostics_new();
-        arm(i);
+        shortage_begin(i);
         luxel_status status = load(text, diagnostics, &scene);
-        armed = false;
-        assert_true(status == LUXEL_ERROR_SCENE || (failed && status == LUXEL_ERROR_MEMORY));
+        shortage_end();
+        assert_true(status == LUXEL_ERROR_SCENE || (shortage_met() && status == LUXEL_ERROR_MEMORY));
         for (size_t k = 0; k < luxel_diagnostics_count(diagnostics); k++) {
             char *message = luxel_diagnostics_message(diagnostics, k, NULL, NULL);
             assert_non_null(message);
@@ -188,12 +147,12 @@ static void advising(void **state)
     luxel_scene *scene;
     char *low = changed("z: 1500", "z: 15000");
     assert_int_equal(load(low, NULL, &scene), LUXEL_OK);
-    for (long i = 0; i == 0 || failed; i++) {
+    for (long i = 0; i == 0 || shortage_met(); i++) {
         luxel_diagnostics *diagnostics = luxel_diagnostics_new();
-        arm(i);
+        shortage_begin(i);
         luxel_status status = luxel_scene_advise(scene, diagnostics);
-        armed = false;
-        assert_true(status == LUXEL_OK || (failed && status == LUXEL_ERROR_MEMORY));
+        shortage_end();
+        assert_true(status == LUXEL_OK || (shortage_met() && status == LUXEL_ERROR_MEMORY));
         luxel_diagnostics_free(diagnostics);
     }
     luxel_scene_free(scene);
@@ -203,11 +162,11 @@ static void advising(void **state)
 static void listing_parameters(void **state)
 {
     (void)state;
-    for (long i = 0; i == 0 || failed; i++) {
-        arm(i);
+    for (long i = 0; i == 0 || shortage_met(); i++) {
+        shortage_begin(i);
         luxel_parameters *parameters = luxel_parameters_new();
-        armed = false;
-        assert_true((parameters == NULL) == failed);
+        shortage_end();
+        assert_true((parameters == NULL) == shortage_met());
         luxel_parameters_free(parameters);
     }
 }
@@ -217,12 +176,12 @@ static void writing_the_schema(void **state)
     (void)state;
     char *whole = NULL;
     assert_int_equal(luxel_scene_schema(&whole), LUXEL_OK);
-    for (long i = 0; i == 0 || failed; i++) {
+    for (long i = 0; i == 0 || shortage_met(); i++) {
         char *text = NULL;
-        arm(i);
+        shortage_begin(i);
         luxel_status status = luxel_scene_schema(&text);
-        armed = false;
-        assert_int_equal(status, failed ? LUXEL_ERROR_MEMORY : LUXEL_OK);
+        shortage_end();
+        assert_int_equal(status, shortage_met() ? LUXEL_ERROR_MEMORY : LUXEL_OK);
         if (text)
             assert_string_equal(text, whole);
         luxel_text_free(text);
@@ -241,22 +200,20 @@ static void measuring(void **state)
     snprintf(path, sizeof path, "%s/grid.csv", folder);
     assert_int_equal(load(text, NULL, &scene), LUXEL_OK);
     luxel_grid *grid = NULL;
-    failed = true;
-    for (long i = 0; failed; i++) {
+    for (long i = 0; i == 0 || shortage_met(); i++) {
         luxel_grid_free(grid);
         grid = NULL;
-        arm(i);
+        shortage_begin(i);
         luxel_status status = luxel_measure(scene, NULL, 0, NULL, &grid);
-        armed = false;
-        assert_true(status == LUXEL_OK || (failed && status == LUXEL_ERROR_MEMORY && !grid));
+        shortage_end();
+        assert_true(status == LUXEL_OK || (shortage_met() && status == LUXEL_ERROR_MEMORY && !grid));
     }
     assert_int_equal(grid->measured, 6);
-    failed = true;
-    for (long i = 0; failed; i++) {
-        arm(i);
+    for (long i = 0; i == 0 || shortage_met(); i++) {
+        shortage_begin(i);
         luxel_status status = luxel_grids_write((const luxel_grid *const *)&grid, 1, path, NULL);
-        armed = false;
-        assert_true(status == LUXEL_OK || failed);
+        shortage_end();
+        assert_true(status == LUXEL_OK || shortage_met());
         assert_int_equal(unlink(path), status == LUXEL_OK ? 0 : -1);
     }
     luxel_grid_free(grid);
@@ -269,14 +226,13 @@ static void measuring(void **state)
 static void writing_variants(void **state)
 {
     (void)state;
-    failed = true;
-    for (long i = 0; failed; i++) {
+    for (long i = 0; i == 0 || shortage_met(); i++) {
         char *text = NULL;
-        arm(i);
+        shortage_begin(i);
         luxel_status status = luxel_variant_text(5, NULL, &text);
-        armed = false;
-        assert_int_equal(status, failed ? LUXEL_ERROR_MEMORY : LUXEL_OK);
-        assert_int_equal(text == NULL, failed);
+        shortage_end();
+        assert_int_equal(status, shortage_met() ? LUXEL_ERROR_MEMORY : LUXEL_OK);
+        assert_int_equal(text == NULL, shortage_met());
         luxel_text_free(text);
     }
 }
@@ -290,13 +246,12 @@ static void judging_answers(void **state)
     assert_int_equal(luxel_scene_open_builtin("report", NULL, &scene), LUXEL_OK);
     assert_int_equal(luxel_scene_commit(scene, NULL), LUXEL_OK);
     for (size_t k = 0; k < 2; k++) {
-        failed = true;
-        for (long i = 0; failed; i += k == 0 || i < 200 ? 1 : 97) {
+        for (long i = 0; i == 0 || shortage_met(); i += k == 0 || i < 200 ? 1 : 97) {
             luxel_judgement *judgement = NULL;
-            arm(i);
+            shortage_begin(i);
             luxel_status status = luxel_judge_answer(scene, NULL, 0, 0, answers[k], 1e-3, 0, NULL, &judgement);
-            armed = false;
-            assert_true(status == LUXEL_OK || (failed && status == LUXEL_ERROR_MEMORY));
+            shortage_end();
+            assert_true(status == LUXEL_OK || (shortage_met() && status == LUXEL_ERROR_MEMORY));
             assert_true(status == LUXEL_OK || judgement == NULL);
             if (judgement)
                 assert_int_equal(judgement->verdict, k == 0 ? LUXEL_ANSWER_RIGHT : LUXEL_ANSWER_CONVENTION);
@@ -315,16 +270,15 @@ static void advising_on_the_peak(void **state)
     assert_int_equal(luxel_scene_open_builtin("report", NULL, &scene), LUXEL_OK);
     assert_int_equal(luxel_scene_set(scene, "surfaces[0].material.specular=0.02", NULL), LUXEL_OK);
     assert_int_equal(luxel_scene_commit(scene, NULL), LUXEL_OK);
-    failed = true;
-    for (long i = 0; failed; i += i < 300 ? 1 : 31) {
+    for (long i = 0; i == 0 || shortage_met(); i += i < 300 ? 1 : 31) {
         luxel_diagnostics_clear(diagnostics);
-        arm(i);
+        shortage_begin(i);
         luxel_status status = luxel_scene_advise(scene, diagnostics);
         if (status == LUXEL_OK)
             status = luxel_scene_advise_peak(scene, diagnostics);
-        armed = false;
-        assert_true(status == LUXEL_OK || (failed && status == LUXEL_ERROR_MEMORY));
-        assert_true(failed || luxel_diagnostics_count(diagnostics) == 3);
+        shortage_end();
+        assert_true(status == LUXEL_OK || (shortage_met() && status == LUXEL_ERROR_MEMORY));
+        assert_true(shortage_met() || luxel_diagnostics_count(diagnostics) == 3);
     }
     luxel_diagnostics_free(diagnostics);
     luxel_scene_free(scene);
@@ -339,14 +293,13 @@ static void finding_extrema(void **state)
     assert_int_equal(load(good_scene, NULL, &scene), LUXEL_OK);
     assert_int_equal(luxel_render(scene, NULL, NULL, &field), LUXEL_OK);
     assert_int_equal(luxel_evaluator_new(scene, NULL, NULL, &evaluator), LUXEL_OK);
-    failed = true;
-    for (long i = 0; failed; i++) {
+    for (long i = 0; i == 0 || shortage_met(); i++) {
         luxel_extrema extrema = {.maximum = {.value = -1}};
-        arm(i);
+        shortage_begin(i);
         luxel_status status = luxel_find_extrema(evaluator, field, NULL, NULL, &extrema);
-        armed = false;
-        assert_int_equal(status, failed ? LUXEL_ERROR_MEMORY : LUXEL_OK);
-        assert_true(failed ? extrema.maximum.value == -1 : extrema.maximum.exists);
+        shortage_end();
+        assert_int_equal(status, shortage_met() ? LUXEL_ERROR_MEMORY : LUXEL_OK);
+        assert_true(shortage_met() ? extrema.maximum.value == -1 : extrema.maximum.exists);
     }
     luxel_evaluator_free(evaluator);
     luxel_field_free(field);
