@@ -132,7 +132,7 @@ po: setup $(BUILD)/build.ninja
 	done
 
 format:
-	@find include src cli tests bench fuzz -name '*.[ch]' 2>/dev/null | xargs clang-format -i
+	@find include src front cli app tests bench fuzz -name '*.[ch]' 2>/dev/null | xargs clang-format -i
 
 clean:
 	@rm -rf $(BUILD) build-clang build-sanitize-gcc build-sanitize-clang

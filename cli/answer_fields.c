@@ -11,8 +11,8 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "../front/language.h"
 #include "cli.h"
-#include "language.h"
 #include "message.h"
 #include "text.h"
 

@@ -13,9 +13,9 @@
 
 #include <luxel/luxel.h>
 
+#include "../front/language.h"
 #include "answer_fields.h"
 #include "cli.h"
-#include "language.h"
 #include "message.h"
 
 enum { MOST_FIELDS = 64, NO_COLUMN = MOST_FIELDS };

@@ -1,21 +1,12 @@
 /* SPDX-License-Identifier: MIT */
-/* What every file of the tool shares: its exit codes, its commands, and the mark for texts that people read. */
+/* What every file of the tool shares: its exit codes, its commands, and the words of front ends. */
 #ifndef LUXEL_CLI_CLI_H
 #define LUXEL_CLI_CLI_H
 
-#include <libintl.h>
 #include <stdbool.h>
 #include <stddef.h>
 
-/*
- * Every text for people goes through one of these: _() where it is printed, N_() where a constant table holds
- * it and the printing place calls _() later, ngettext() where a number decides its form.  They are the names that
- * gettext's tools look for.  JSON is never translated.
- */
-#define _(text) gettext(text)
-#define N_(text) text
-
-#define COUNT_OF(array) (sizeof(array) / sizeof(array)[0])
+#include "../front/words.h"
 
 enum exit_code {
     EXIT_DONE = 0,

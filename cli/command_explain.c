@@ -4,9 +4,9 @@
 
 #include <stdlib.h>
 
+#include "../front/language.h"
 #include "cli.h"
 #include "json.h"
-#include "language.h"
 #include "load.h"
 #include "message.h"
 #include "outputs.h"

@@ -8,9 +8,9 @@
 #include <string.h>
 #include <unistd.h>
 
+#include "../front/language.h"
 #include "cli.h"
 #include "drawing.h"
-#include "language.h"
 #include "message.h"
 
 #define NAME "luxel-draw"

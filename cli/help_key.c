@@ -11,10 +11,10 @@
 
 #include <luxel/luxel.h>
 
+#include "../front/language.h"
 #include "cli.h"
 #include "command_help.h"
 #include "json.h"
-#include "language.h"
 #include "message.h"
 #include "text.h"
 

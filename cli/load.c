@@ -7,8 +7,8 @@
 #include <string.h>
 #include <unistd.h>
 
+#include "../front/language.h"
 #include "cli.h"
-#include "language.h"
 #include "message.h"
 
 static const char default_scene[] = "report";

@@ -10,8 +10,8 @@
 
 #include <luxel/luxel.h>
 
+#include "../front/language.h"
 #include "cli.h"
-#include "language.h"
 #include "message.h"
 #include "options.h"
 #include "progress.h"

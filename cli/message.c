@@ -10,8 +10,8 @@
 #include <string.h>
 #include <unistd.h>
 
+#include "../front/language.h"
 #include "cli.h"
-#include "language.h"
 #include "text.h"
 
 static bool wants_colour(FILE *stream)

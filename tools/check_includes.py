@@ -2,7 +2,7 @@
 """The include rules of the house: a room may include only the rooms that stand before it, and its own.
 
 What lies outside the library (commands, app, bindings, examples and their tests) may include the public headers
-only, and the libraries of the desktop stay where they belong.
+only, and what is shared by the front ends (front/); and the libraries of the desktop stay where they belong.
 """
 import os
 import re
@@ -14,7 +14,7 @@ from tap import Tap
 FLOORS = [["base"], ["format"], ["parameter"], ["light", "surface", "material"], ["scene"], ["shade"], ["field"],
           ["document"], ["api"], ["exercise"], ["figure"]]
 # Folders of programs that use the library as any other program would.
-OUTSIDE = ["cli", "app", "web", "bindings", "examples", "tests/cli", "tests/app"]
+OUTSIDE = ["front", "cli", "app", "web", "bindings", "examples", "tests/cli", "tests/app"]
 # Who may include the headers of a foreign library whose name begins so.
 KEEPERS = {"gtk/": "app", "glib": "app", "gio/": "app", "gdk/": "app", "cairo": "figure", "pango": "figure"}
 
@@ -94,7 +94,7 @@ def outside_faults(root, folder):
     for path in sources(root, folder):
         for angle, target in includes(root, path):
             found = None if angle else os.path.normpath(os.path.join(os.path.dirname(path), target))
-            if not angle and not found.startswith(folder + os.sep):
+            if not angle and not found.startswith((folder + os.sep, "front" + os.sep)):
                 yield "%s: \"%s\" is not its own" % (path, target)
             if angle and folder != "app" and any(target.startswith(start) for start in KEEPERS):
                 yield "%s: <%s> has no place here" % (path, target)

@@ -9,7 +9,7 @@ import sys
 
 from tap import Tap
 
-FOLDERS = ["include", "src", "cli", "app", "tests", "tools", "bench", "fuzz", "examples", "data"]
+FOLDERS = ["include", "src", "front", "cli", "app", "tests", "tools", "bench", "fuzz", "examples", "data"]
 C_LIKE = (".c", ".h", ".def", ".inc", ".cpp", ".hpp")
 LONGEST = 600
 TABLE = "_cases.h"  # numbers that a script wrote; they may be as many as they like

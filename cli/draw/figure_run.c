@@ -7,10 +7,10 @@
 #include <string.h>
 #include <unistd.h>
 
+#include "../../front/language.h"
 #include "../argument.h"
 #include "../cli.h"
 #include "../drawing.h"
-#include "../language.h"
 #include "../load.h"
 #include "../message.h"
 #include "../outputs.h"

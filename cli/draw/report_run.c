@@ -2,9 +2,9 @@
 /* luxel report, as luxel-draw runs it. */
 #include <luxel/figure.h>
 
+#include "../../front/language.h"
 #include "../cli.h"
 #include "../drawing.h"
-#include "../language.h"
 #include "../load.h"
 #include "../message.h"
 #include "../outputs.h"

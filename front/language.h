@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /* The user's language: which catalogue of translations is used, and what the library is handed to use it. */
-#ifndef LUXEL_CLI_LANGUAGE_H
-#define LUXEL_CLI_LANGUAGE_H
+#ifndef LUXEL_FRONT_LANGUAGE_H
+#define LUXEL_FRONT_LANGUAGE_H
 
 /*
  * Takes the language of LC_ALL, LC_MESSAGES or LANG, and LANGUAGE, for messages alone: numbers keep their decimal
