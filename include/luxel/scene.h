@@ -52,6 +52,13 @@ LUXEL_API luxel_status luxel_scene_read_text(const char *text, size_t length, co
                                              luxel_diagnostics *diagnostics, luxel_scene **scene);
 
 /*
+ * Makes the folder of a file the one that the files which the scene names are relative to; `path` NULL or without a
+ * folder: the current one.  For a scene that was made from a text, or is about to be saved somewhere else.  It is to
+ * be committed anew.  LUXEL_ERROR_MEMORY.
+ */
+LUXEL_API luxel_status luxel_scene_set_folder_of(luxel_scene *scene, const char *path);
+
+/*
  * Changes one value: `assignment` is KEY=VALUE, where KEY is a path such as lights[0].intensity or
  * lights.0.intensity and VALUE is YAML.  Keys with defaults that the scene does not write yet are added.
  * LUXEL_ERROR_PATH: no '=', or no such key or element (the scene stays as it was).

@@ -69,20 +69,31 @@ luxel_status luxel_scene_read_text(const char *text, size_t length, const char *
     return status == LUXEL_OK ? read_source(bytes, diagnostics, scene) : status;
 }
 
+luxel_status luxel_scene_set_folder_of(luxel_scene *scene, const char *path)
+{
+    if (!scene)
+        return LUXEL_ERROR_ARGUMENT;
+    const char *slash = path ? strrchr(path, '/') : NULL;
+    char *folder = slash ? lx_copy_text(path, (size_t)(slash - path) + 1) : NULL;
+    if (slash && !folder)
+        return LUXEL_ERROR_MEMORY;
+    free(scene->folder);
+    scene->folder = folder;
+    lx_scene_uncommit(scene);
+    return LUXEL_OK;
+}
+
 luxel_status luxel_scene_read_file(const char *path, luxel_diagnostics *diagnostics, luxel_scene **scene)
 {
     if (!path || !scene)
         return LUXEL_ERROR_ARGUMENT;
     struct lx_source *file;
-    const char *slash = strrchr(path, '/');
     luxel_scene *made = NULL;
     luxel_status status = lx_source_open(path, LX_LARGEST_TEXT, diagnostics, &file);
     if (status == LUXEL_OK)
         status = read_source(file, diagnostics, &made);
-    if (status == LUXEL_OK && slash) {
-        made->folder = lx_copy_text(path, (size_t)(slash - path) + 1);
-        status = made->folder ? LUXEL_OK : lx_out_of_memory(diagnostics);
-    }
+    if (status == LUXEL_OK && luxel_scene_set_folder_of(made, path) != LUXEL_OK)
+        status = lx_out_of_memory(diagnostics);
     if (status == LUXEL_OK)
         *scene = made;
     else
