@@ -12,162 +12,9 @@
 #include "scene/object.h"
 #include "scene/splice.h"
 #include "scenes.h"
+#include "styles.h"
 
 enum { TEXTS = 600, SETS = 8, MOST_LINES = 500 };
-
-static unsigned below(uint64_t *seed, unsigned count)
-{
-    *seed = *seed * 6364136223846793005u + 1442695040888963407u;
-    return (unsigned)(*seed >> 33) % count;
-}
-
-/* ---- texts in random styles ---- */
-
-struct writer {
-    const struct lx_document *document;
-    struct lx_text text;
-    uint64_t seed;
-    bool json, crlf, comments;
-    unsigned comment;   /* how many there are */
-    bool in_block_text; /* where a comment would be none */
-};
-
-static void write_break(struct writer *writer)
-{
-    lx_text_puts(&writer->text, writer->crlf ? "\r\n" : "\n");
-}
-
-static void write_comment(struct writer *writer)
-{
-    static const char *const words[] = {"", " plain", "\ttab\t", " свет - лампа", " key: [value", " \"'{"};
-    lx_text_printf(&writer->text, "#~%u~%s", writer->comment++, words[below(&writer->seed, 6)]);
-}
-
-/* Ends a line, with a comment or lines of comments now and then. */
-static void end_line(struct writer *writer, size_t indent)
-{
-    if (writer->in_block_text) {
-        writer->in_block_text = false;
-        write_break(writer);
-        return;
-    }
-    if (writer->comments && below(&writer->seed, 4) == 0) {
-        lx_text_puts(&writer->text, below(&writer->seed, 2) ? " " : " \t ");
-        write_comment(writer);
-    }
-    write_break(writer);
-    if (below(&writer->seed, 8) == 0)
-        write_break(writer);
-    if (writer->comments && below(&writer->seed, 6) == 0) {
-        lx_text_fill(&writer->text, ' ', indent + below(&writer->seed, 3));
-        write_comment(writer);
-        write_break(writer);
-    }
-}
-
-static void write_scalar(struct writer *writer, lx_node_id id, bool flow, size_t indent)
-{
-    const char *string = lx_document_text(writer->document, id);
-    bool number = strspn(string, "+-.0123456789e") == strlen(string) || strcmp(string, "true") == 0 ||
-                  strcmp(string, "false") == 0;
-    unsigned style = number ? 5 : writer->json ? 0 : below(&writer->seed, flow ? 5 : 7);
-    if (style <= 1)
-        lx_text_printf(&writer->text, style ? "'%s'" : "\"%s\"", string);
-    else if (style == 6) {
-        lx_text_puts(&writer->text, below(&writer->seed, 2) ? "|-" : ">-");
-        write_break(writer);
-        lx_text_fill(&writer->text, ' ', indent + 3);
-        lx_text_puts(&writer->text, string);
-        writer->in_block_text = true;
-    } else
-        lx_text_puts(&writer->text, string);
-}
-
-static void write_key(struct writer *writer, lx_node_id id)
-{
-    const char *key = lx_document_key(writer->document, id);
-    lx_text_printf(&writer->text, writer->json || below(&writer->seed, 12) == 0 ? "\"%s\"" : "%s", key);
-}
-
-static void write_flow(struct writer *writer, lx_node_id id, size_t indent)
-{
-    const struct lx_node *node = lx_document_node(writer->document, id);
-    if (node->kind == LX_SCALAR) {
-        write_scalar(writer, id, true, indent);
-        return;
-    }
-    bool mapping = node->kind == LX_MAPPING, lines = below(&writer->seed, 4) == 0;
-    const char *blank = below(&writer->seed, 3) ? "" : " ";
-    lx_text_printf(&writer->text, "%c%s", mapping ? '{' : '[', blank);
-    for (lx_node_id child = node->first; child; child = lx_document_node(writer->document, child)->next) {
-        if (child != node->first)
-            lx_text_puts(&writer->text, below(&writer->seed, 5) || !writer->json ? ", " : ",");
-        if (lines) {
-            end_line(writer, indent);
-            lx_text_fill(&writer->text, ' ', indent + 2);
-        }
-        if (mapping) {
-            write_key(writer, child);
-            lx_text_puts(&writer->text, writer->json && below(&writer->seed, 2) ? ":" : ": ");
-        }
-        write_flow(writer, child, indent + 2);
-    }
-    if (node->first && !writer->json && below(&writer->seed, 6) == 0)
-        lx_text_puts(&writer->text, ",");
-    if (lines) {
-        end_line(writer, indent);
-        lx_text_fill(&writer->text, ' ', indent + 1);
-    }
-    lx_text_printf(&writer->text, "%s%c", blank, mapping ? '}' : ']');
-}
-
-static void write_block(struct writer *writer, lx_node_id id, size_t indent)
-{
-    const struct lx_node *node = lx_document_node(writer->document, id);
-    for (lx_node_id child = node->first; child; child = lx_document_node(writer->document, child)->next) {
-        const struct lx_node *below_it = lx_document_node(writer->document, child);
-        bool mapping = node->kind == LX_MAPPING;
-        size_t step =
-            mapping && below_it->kind == LX_SEQUENCE ? 2 * below(&writer->seed, 2) : 2 + below(&writer->seed, 3);
-        if (child != node->first)
-            lx_text_fill(&writer->text, ' ', indent);
-        if (mapping)
-            write_key(writer, child);
-        lx_text_puts(&writer->text, mapping ? ":" : "-");
-        if (below_it->kind == LX_SCALAR || !below_it->first || below(&writer->seed, 2)) {
-            lx_text_fill(&writer->text, ' ', 1 + (below(&writer->seed, 6) == 0));
-            if (below_it->kind == LX_SCALAR)
-                write_scalar(writer, child, false, indent);
-            else
-                write_flow(writer, child, indent);
-            end_line(writer, indent);
-        } else if (!mapping && below(&writer->seed, 3)) {
-            lx_text_puts(&writer->text, " ");
-            write_block(writer, child, indent + 2);
-        } else {
-            end_line(writer, indent);
-            lx_text_fill(&writer->text, ' ', indent + step);
-            write_block(writer, child, indent + step);
-        }
-    }
-}
-
-static char *write_style(const struct lx_document *document, uint64_t seed, bool *json)
-{
-    struct writer writer = {.document = document, .seed = seed};
-    *json = writer.json = below(&writer.seed, 4) == 0;
-    writer.crlf = below(&writer.seed, 4) == 0;
-    writer.comments = !writer.json && below(&writer.seed, 4);
-    if (!writer.json && below(&writer.seed, 8) == 0)
-        lx_text_puts(&writer.text, "\xEF\xBB\xBF");
-    if (writer.json || below(&writer.seed, 6) == 0)
-        write_flow(&writer, document->root, 0);
-    else
-        write_block(&writer, document->root, 0);
-    char *text = lx_text_take(&writer.text);
-    assert_non_null(text);
-    return text;
-}
 
 /* ---- what must hold ---- */
 
@@ -283,7 +130,7 @@ static void change(const char *text, bool json, uint64_t seed)
     luxel_text_free(after);
     for (unsigned i = 0; i < SETS; i++) {
         char set[200];
-        unsigned which = below(&seed, COUNT);
+        unsigned which = random_below(&seed, COUNT);
         bool whole = false;
         for (unsigned k = 0; k < which; k++)
             whole |= !assignments[k];
@@ -291,7 +138,7 @@ static void change(const char *text, bool json, uint64_t seed)
             continue;
 #pragma GCC diagnostic push
 #pragma GCC diagnostic ignored "-Wformat-nonliteral"
-        snprintf(set, sizeof set, assignments[which], below(&seed, 300));
+        snprintf(set, sizeof set, assignments[which], random_below(&seed, 300));
 #pragma GCC diagnostic pop
         if (luxel_scene_set(scene, set, NULL) != LUXEL_OK)
             continue;
@@ -319,7 +166,7 @@ static void changes_any_style(void **state)
         bool json;
         const char *name = luxel_builtin_scene_name(seed % luxel_builtin_scene_count());
         assert_int_equal(luxel_scene_open_builtin(name, NULL, &scene), LUXEL_OK);
-        char *text = write_style(&scene->document, seed, &json);
+        char *text = random_style(&scene->document, seed, &json);
         luxel_scene_free(scene);
         change(text, json, seed + 1000);
         free(text);
