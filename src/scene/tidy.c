@@ -220,3 +220,13 @@ void lx_write_tidy(struct lx_text *text, const struct lx_document *document)
     else
         lx_text_puts(text, "{}\n");
 }
+
+void lx_write_whole(struct lx_text *text, const struct lx_document *document, bool json)
+{
+    if (!json) {
+        lx_write_tidy(text, document);
+        return;
+    }
+    lx_write_flow(text, document, document->root, true);
+    lx_text_puts(text, "\n");
+}

@@ -23,18 +23,6 @@ static luxel_status check_text(const struct lx_document *document, const struct 
     return status == LUXEL_ERROR_MEMORY ? status : LUXEL_OK;
 }
 
-/* Writes the whole anew, JSON as JSON. */
-static void write_anew(const struct lx_document *document, bool json, struct lx_text *text)
-{
-    lx_text_clear(text);
-    if (json) {
-        lx_write_flow(text, document, document->root, true);
-        lx_text_puts(text, "\n");
-    } else {
-        lx_write_tidy(text, document);
-    }
-}
-
 static luxel_status write_changed(const struct lx_document *document, struct lx_text *text)
 {
     struct lx_place written = lx_document_place(document, document->root);
@@ -43,8 +31,10 @@ static luxel_status write_changed(const struct lx_document *document, struct lx_
     luxel_status status = result == LX_SPLICE_NO_MEMORY ? LUXEL_ERROR_MEMORY : LUXEL_OK;
     if (result == LX_SPLICED)
         status = check_text(document, text, &same);
-    if (status == LUXEL_OK && !same)
-        write_anew(document, json, text);
+    if (status == LUXEL_OK && !same) {
+        lx_text_clear(text);
+        lx_write_whole(text, document, json);
+    }
     return status;
 }
 
