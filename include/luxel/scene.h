@@ -67,6 +67,53 @@ LUXEL_API luxel_status luxel_scene_set_folder_of(luxel_scene *scene, const char 
 LUXEL_API luxel_status luxel_scene_set(luxel_scene *scene, const char *assignment, luxel_diagnostics *diagnostics);
 
 /*
+ * The value of a key as YAML on one line, such as "10", "[0, 0, 1000]", "point" or "{type: ambient, irradiance: 1}":
+ * what the scene writes, or else the key's default; *text is NULL where there is neither.  `key` is a path as
+ * luxel_scene_set() takes it.  `written` is NULL, or takes whether the scene itself writes the key.  The text is the
+ * caller's: free it with luxel_text_free().  It follows the path alone, whatever the size of the scene's text, and
+ * needs no commit.
+ * LUXEL_ERROR_PATH: no such key or element.
+ */
+LUXEL_API luxel_status luxel_scene_get(const luxel_scene *scene, const char *key, luxel_diagnostics *diagnostics,
+                                       bool *written, char **text);
+/*
+ * How many elements a list has: surfaces, lights, points, grids, or the list of places of an outline such as
+ * lights[0].vertices; 0 where it is not written.  LUXEL_ERROR_PATH: no such key or element, or no list.
+ */
+LUXEL_API luxel_status luxel_scene_list_size(const luxel_scene *scene, const char *list, luxel_diagnostics *diagnostics,
+                                             size_t *count);
+
+/*
+ * The next three functions change which elements and keys there are.  All else in the text of luxel_scene_write_text()
+ * stays byte for byte: lists on lines ("- ...") go on as such at the same indentation, lists in brackets in brackets,
+ * JSON as JSON.  A comment behind an element, and comments right above it that begin at its column, go with it where
+ * it has its lines for itself.  Where a text is too odd for that, the list is written anew in brackets.  From then on
+ * reports about the scene tell lines of the changed text.  Whether the result is legal is for luxel_scene_commit() to
+ * say.  Any error leaves the scene as it was, LUXEL_ERROR_MEMORY included.
+ */
+/*
+ * Puts an element, given as YAML, before the element `index` of a list; the list's size as index: at its end.  It is
+ * written on one line.  A list that the scene does not write is added.
+ * LUXEL_ERROR_PATH: no such list, or index beyond its size.  LUXEL_ERROR_SCENE: `value` is no YAML.
+ */
+LUXEL_API luxel_status luxel_scene_insert(luxel_scene *scene, const char *list, size_t index, const char *value,
+                                          luxel_diagnostics *diagnostics);
+/*
+ * Takes out an element of a list ("lights[2]") or a key with its value ("lights[0].name"), with its line or comma.
+ * The last element leaves an empty list, lights: [], the last key an empty mapping.  A key that there may be, but that
+ * the scene does not write, is none to take out: LUXEL_OK, and nothing changes.
+ * LUXEL_ERROR_PATH: no such key or element.
+ */
+LUXEL_API luxel_status luxel_scene_remove(luxel_scene *scene, const char *key, luxel_diagnostics *diagnostics);
+/*
+ * Moves the element `from` of a list to another place: `to` is its index afterwards, and the elements between close up.
+ * The same index: nothing changes.
+ * LUXEL_ERROR_PATH: no such list or elements.
+ */
+LUXEL_API luxel_status luxel_scene_move(luxel_scene *scene, const char *list, size_t from, size_t to,
+                                        luxel_diagnostics *diagnostics);
+
+/*
  * Checks the whole scene, all errors at once, and makes it ready.  Files that the scene names, such as meshes, are read
  * now: relative to the folder of the file that the scene was read from, or else to the current one.
  * LUXEL_ERROR_SCENE: it has errors.  LUXEL_ERROR_FILE: it has none but that files it names cannot be read.

@@ -197,6 +197,28 @@ static unsigned list_depth(const struct lx_parameter *parameter)
     }
 }
 
+/* Reports that the list of so many elements, to which the first `count` segments lead, has no such element. */
+static luxel_status refuse_element(const struct lx_path *path, size_t count, size_t start, size_t end, size_t size,
+                                   luxel_diagnostics *diagnostics)
+{
+    char last[24], number[24];
+    char *up = words_up_to(path, count);
+    snprintf(number, sizeof number, "%zu", size);
+    snprintf(last, sizeof last, "%zu", size - 1);
+    luxel_status status = refuse(path, start, end,
+                                 size == 0   ? LX_MSG_NO_ELEMENTS
+                                 : size == 1 ? LX_MSG_ONE_ELEMENT
+                                             : LX_MSG_NO_SUCH_ELEMENT,
+                                 LX_ARGS(up ? up : "", number, last), diagnostics);
+    free(up);
+    return status;
+}
+
+luxel_status lx_refuse_index(const struct lx_path *path, size_t size, luxel_diagnostics *diagnostics)
+{
+    return refuse_element(path, path->count, 0, path->place.length, size, diagnostics);
+}
+
 static luxel_status follow_index(const struct lx_document *document, const struct lx_path *path, size_t i,
                                  struct position *position, luxel_diagnostics *diagnostics)
 {
@@ -207,20 +229,9 @@ static luxel_status follow_index(const struct lx_document *document, const struc
     if (lx_document_node(document, position->node)->kind != LX_SEQUENCE)
         return refuse_segment(path, i, LX_MSG_NO_LIST_HERE, NULL, diagnostics);
     lx_node_id node = lx_document_element(document, position->node, path->segments[i].index);
-    if (!node) {
-        size_t size = lx_document_size(document, position->node);
-        char last[24], count[24];
-        char *up = words_up_to(path, i);
-        snprintf(count, sizeof count, "%zu", size);
-        snprintf(last, sizeof last, "%zu", size - 1);
-        refuse(path, path->segments[i].start, path->segments[i].end,
-               size == 0   ? LX_MSG_NO_ELEMENTS
-               : size == 1 ? LX_MSG_ONE_ELEMENT
-                           : LX_MSG_NO_SUCH_ELEMENT,
-               LX_ARGS(up ? up : "", count, last), diagnostics);
-        free(up);
-        return LUXEL_ERROR_PATH;
-    }
+    if (!node)
+        return refuse_element(path, i, path->segments[i].start, path->segments[i].end,
+                              lx_document_size(document, position->node), diagnostics);
     if (lx_has_tables(position->parameter)) {
         enter_element(document, node, position);
     } else {
@@ -250,5 +261,28 @@ luxel_status lx_follow_path(const luxel_scene *scene, const struct lx_place *pla
             status = follow_key(&scene->document, path, i, &position, diagnostics);
         path->nodes[i + 1] = position.node;
     }
+    path->parameter = position.parameter;
+    path->depth = position.depth;
     return status;
+}
+
+luxel_status lx_follow_list(const luxel_scene *scene, const struct lx_place *place, luxel_diagnostics *diagnostics,
+                            struct lx_path *path, size_t *size)
+{
+    const struct lx_document *document = &scene->document;
+    luxel_status status = lx_follow_path(scene, place, place->length, diagnostics, path);
+    if (status != LUXEL_OK)
+        return status;
+    lx_node_id list = path->nodes[path->count];
+    bool no_list = !path->parameter || path->depth >= list_depth(path->parameter);
+    if (no_list ||
+        (list && lx_document_node(document, list)->kind != LX_SEQUENCE && !lx_document_is_null(document, list))) {
+        char *up = words_up_to(path, path->count);
+        status = refuse(path, 0, place->length, no_list ? LX_MSG_NOT_A_LIST : LX_MSG_NO_LIST_HERE,
+                        LX_ARGS(up ? up : ""), diagnostics);
+        free(up);
+        return status;
+    }
+    *size = list ? lx_document_size(document, list) : 0;
+    return LUXEL_OK;
 }

@@ -25,6 +25,8 @@ struct lx_path {
      * may be unwritten on the way.
      */
     lx_node_id nodes[LX_MOST_SEGMENTS + 1];
+    const struct lx_parameter *parameter; /* whose value, or part of a value, it leads to; NULL: a list's element */
+    unsigned depth;                       /* list brackets passed within that value */
 };
 
 /*
@@ -33,5 +35,15 @@ struct lx_path {
  */
 luxel_status lx_follow_path(const luxel_scene *scene, const struct lx_place *place, size_t length,
                             luxel_diagnostics *diagnostics, struct lx_path *path);
+
+/*
+ * Follows the path in the whole of the place's text to a list and sets *size to how many elements it has: 0 where it
+ * is not written, or without a value.  LUXEL_ERROR_PATH as lx_follow_path(), and where no list may be, or is.
+ */
+luxel_status lx_follow_list(const luxel_scene *scene, const struct lx_place *place, luxel_diagnostics *diagnostics,
+                            struct lx_path *path, size_t *size);
+
+/* Reports that the list of so many elements has no such element, at the whole path to it. */
+luxel_status lx_refuse_index(const struct lx_path *path, size_t size, luxel_diagnostics *diagnostics);
 
 #endif

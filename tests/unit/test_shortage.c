@@ -117,6 +117,60 @@ static void copying_and_writing(void **state)
     luxel_scene_free(scene);
 }
 
+/* Puts in, takes out and moves, each in one way that patches the text and in one that sets or writes it anew. */
+static luxel_status edit(luxel_scene *scene, unsigned which)
+{
+    switch (which) {
+    case 0: return luxel_scene_insert(scene, "lights", 1, "{type: ambient}", NULL);
+    case 1: return luxel_scene_insert(scene, "grids", 0, "{}", NULL);
+    case 2: return luxel_scene_remove(scene, "surfaces[0].name", NULL);
+    case 3: return luxel_scene_remove(scene, "points[0]", NULL);
+    case 4: return luxel_scene_remove(scene, "units", NULL);
+    default: return luxel_scene_move(scene, "lights", 0, 1, NULL);
+    }
+}
+
+static void changing_elements(void **state)
+{
+    (void)state;
+    static const char text[] = "? luxel\n: 1\n? units\n: x\npoints: [[0, 0]]\nlights: [{}, {type: spot}]\n"
+                               "surfaces:\n- name: b\n  type: sphere\n";
+    for (unsigned which = 0; which < 6; which++) {
+        bool done = false;
+        for (long i = 0; !done; i++) {
+            luxel_scene *scene = NULL;
+            char *after = NULL;
+            assert_int_equal(luxel_scene_read_text(text, sizeof text - 1, "a", NULL, &scene), LUXEL_OK);
+            shortage_begin(i);
+            luxel_status status = edit(scene, which);
+            shortage_end();
+            done = !shortage_met();
+            assert_int_equal(status, done ? LUXEL_OK : LUXEL_ERROR_MEMORY);
+            assert_int_equal(luxel_scene_write_text(scene, &after), LUXEL_OK);
+            assert_true((strcmp(after, text) == 0) == !done);
+            luxel_text_free(after);
+            luxel_scene_free(scene);
+        }
+    }
+}
+
+static void getting(void **state)
+{
+    (void)state;
+    luxel_scene *scene;
+    assert_int_equal(load(good_scene, NULL, &scene), LUXEL_OK);
+    for (long i = 0; i == 0 || shortage_met(); i++) {
+        char *text = NULL;
+        shortage_begin(i);
+        luxel_status status = luxel_scene_get(scene, i % 2 ? "lights" : "shadows", NULL, NULL, &text);
+        shortage_end();
+        assert_int_equal(status, shortage_met() ? LUXEL_ERROR_MEMORY : LUXEL_OK);
+        assert_true((text == NULL) == shortage_met());
+        luxel_text_free(text);
+    }
+    luxel_scene_free(scene);
+}
+
 /* With many errors to report: entries may get lost, but nothing else. */
 static void reporting(void **state)
 {
@@ -313,6 +367,8 @@ int main(void)
         cmocka_unit_test(loading_lights_of_some_size),
         cmocka_unit_test(setting),
         cmocka_unit_test(copying_and_writing),
+        cmocka_unit_test(changing_elements),
+        cmocka_unit_test(getting),
         cmocka_unit_test(reporting),
         cmocka_unit_test(advising),
         cmocka_unit_test(listing_parameters),
