@@ -281,6 +281,7 @@ static void print_json(const luxel_parameters *keys, const char *topic)
             continue;
         json_open(&json, NULL, '{');
         json_text(&json, "path", parameter->path);
+        json_text(&json, "label", parameter->label);
         json_text(&json, "of_type", parameter->variant);
         json_text(&json, "type", parameter->type);
         json_text(&json, "choices", parameter->choices);

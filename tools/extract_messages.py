@@ -1,8 +1,8 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
 """xgettext for this project: runs the real one with the same arguments on what it finds by itself, and on texts that it
-could not find, which are gathered here: the library's messages (LX_MESSAGE, LX_N), the meanings in its parameter
-tables, the titles of the built-in scenes, and what the system and other libraries say (po/others.txt)."""
+could not find, which are gathered here: the library's messages (LX_MESSAGE, LX_N), the labels and meanings in its
+parameter tables, the titles of the built-in scenes, and what the system and other libraries say (po/others.txt)."""
 import os
 import pathlib
 import re
@@ -14,6 +14,7 @@ ROOT = pathlib.Path(__file__).resolve().parent.parent
 LITERAL = r'"(?:[^"\\]|\\.)*"'
 # What stands before a text that is translated; between the parts of a text there may be blanks and line ends.
 BEFORE = [
+    r"\.label\s*=\s*",
     r"\.meaning\s*=\s*",
     r"\bLX_N\(\s*",
     r"\bLX_MESSAGE\(\s*\w+\s*,\s*" + LITERAL + r"\s*,\s*",

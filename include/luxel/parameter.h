@@ -35,20 +35,51 @@ typedef struct luxel_rule {
     const char *choices;  /* words of the other key, "lambertian, cosine", or keys; NULL where the kind has none */
 } luxel_rule;
 
+/* What kind of value a key takes. */
+typedef enum luxel_value_type {
+    LUXEL_NUMBER,          /* a number */
+    LUXEL_WHOLE_NUMBER,    /* a whole number, 0 or greater */
+    LUXEL_YES_OR_NO,       /* true or false */
+    LUXEL_CHOICE,          /* one of the choices */
+    LUXEL_TEXT,            /* a text */
+    LUXEL_NUMBERS,         /* a list of `count` numbers */
+    LUXEL_WHOLE_NUMBERS,   /* a list of `count` whole numbers */
+    LUXEL_CHOICE_OR_PAIR,  /* one of the choices, or [low, high] */
+    LUXEL_GROUP,           /* a mapping, whose keys are parameters of their own */
+    LUXEL_POINTS,          /* a list of pairs of numbers */
+    LUXEL_VECTORS,         /* a list of triples of numbers */
+    LUXEL_CHOICE_OR_WHOLE, /* one of the choices, or a whole number */
+    LUXEL_GROUPS,          /* a list of mappings, all with the same keys, which are parameters of their own */
+    LUXEL_VARIANTS         /* the same with keys by each one's `type`: surfaces, lights */
+} luxel_value_type;
+
+/* A range of numbers. */
+typedef struct luxel_interval {
+    bool given;    /* false: any number */
+    double low;    /* the least number; -infinity where there is none */
+    double high;   /* the greatest number; infinity where there is none */
+    bool low_open; /* the numbers are greater than low, which is not one of them */
+} luxel_interval;
+
 /* One key of a scene; the texts are English unless the list was translated, in UTF-8. */
 typedef struct luxel_parameter {
-    const char *path;          /* "screen.width", "lights[].intensity"; a list element is [] */
-    const char *variant;       /* the type of surface or light it belongs to ("spot"), NULL for all */
-    const char *type;          /* in words: "number", "whole number", "3 numbers", "one of", "yes or no", ... */
-    const char *choices;       /* "nodes, centers", or NULL */
-    const char *unit;          /* radiometric unit in UTF-8, "" where it has none */
-    const char *default_value; /* as YAML; NULL where there is none */
-    bool required;             /* whether a scene must write it, where it writes what the key stands in */
-    const char *legal;         /* the legal range in words, or NULL: any */
-    const char *advised;       /* the advised range in words, or NULL: none */
-    const char *meaning;       /* one sentence */
-    const luxel_rule *rules;   /* what must hold between it and other keys: rule_count of them */
-    size_t rule_count;         /* how many rules it has */
+    const char *path;                /* "screen.width", "lights[].intensity"; a list element is [] */
+    const char *variant;             /* the type of surface or light it belongs to ("spot"), NULL for all */
+    const char *type;                /* in words: "number", "whole number", "3 numbers", "one of", "yes or no", ... */
+    const char *choices;             /* "nodes, centers", or NULL */
+    const char *unit;                /* radiometric unit in UTF-8, "" where it has none */
+    const char *default_value;       /* as YAML; NULL where there is none */
+    bool required;                   /* whether a scene must write it, where it writes what the key stands in */
+    const char *legal;               /* the legal range in words, or NULL: any */
+    const char *advised;             /* the advised range in words, or NULL: none */
+    const char *meaning;             /* one sentence */
+    const luxel_rule *rules;         /* what must hold between it and other keys: rule_count of them */
+    size_t rule_count;               /* how many rules it has */
+    const char *label;               /* a short name for forms, capitalised: "Radius" */
+    luxel_value_type value_type;     /* what `type` says in words */
+    unsigned count;                  /* how many numbers a value has, or each of a list of points; 1 of all others */
+    luxel_interval legal_range;      /* of each number, in its unit */
+    luxel_interval advised_range[3]; /* for sliders: by number, the same for all where `advised` tells just one */
 } luxel_parameter;
 
 /* One kind of surface or light: what the key `type` of a list's element may be. */
@@ -65,8 +96,8 @@ typedef struct luxel_parameters luxel_parameters;
 /* The list of all parameters, in the order of the scene file; NULL when memory is short. */
 LUXEL_API luxel_parameters *luxel_parameters_new(void);
 /*
- * The same list with types, units, ranges and meanings in the language of `translate` (NULL: English), which is
- * called with `data` while the list is made; keys, choices and values stay as they are.  NULL when memory is short.
+ * The same list with types, units, ranges, labels and meanings in the language of `translate` (NULL: English), which
+ * is called with `data` while the list is made; keys, choices and values stay as they are.  NULL when memory is short.
  */
 LUXEL_API luxel_parameters *luxel_parameters_new_translated(luxel_translate translate, void *data);
 /* Frees the list and every text in it; NULL is harmless. */

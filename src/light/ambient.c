@@ -12,6 +12,7 @@ struct ambient_parameters {
 static const struct lx_parameter ambient_parameters[] = {
     {
         .name = "irradiance",
+        .label = "Irradiance",
         .type = LX_REAL,
         .offset = offsetof(struct ambient_parameters, irradiance),
         .unit = LX_UNIT_IRRADIANCE,

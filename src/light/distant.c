@@ -13,6 +13,7 @@ struct distant_parameters {
 static const struct lx_parameter distant_parameters[] = {
     {
         .name = "direction",
+        .label = "Direction",
         .type = LX_REALS,
         .offset = offsetof(struct distant_parameters, direction),
         .count = 3,
@@ -22,6 +23,7 @@ static const struct lx_parameter distant_parameters[] = {
     },
     {
         .name = "irradiance",
+        .label = "Irradiance",
         .type = LX_REAL,
         .offset = offsetof(struct distant_parameters, irradiance),
         .unit = LX_UNIT_IRRADIANCE,

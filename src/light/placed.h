@@ -23,6 +23,7 @@ extern const char *const lx_attenuation_names[];
 #define LX_PLACED_PARAMETERS(type_)                                                                                    \
     {                                                                                                                  \
         .name = "position",                                                                                            \
+        .label = "Position",                                                                                           \
         .type = LX_REALS,                                                                                              \
         .offset = offsetof(type_, placed.position_mm),                                                                 \
         .count = 3,                                                                                                    \
@@ -33,6 +34,7 @@ extern const char *const lx_attenuation_names[];
     },                                                                                                                 \
         {                                                                                                              \
             .name = "intensity",                                                                                       \
+            .label = "Intensity",                                                                                      \
             .type = LX_REAL,                                                                                           \
             .offset = offsetof(type_, placed.intensity),                                                               \
             .unit = LX_UNIT_INTENSITY,                                                                                 \
@@ -43,6 +45,7 @@ extern const char *const lx_attenuation_names[];
         },                                                                                                             \
         {                                                                                                              \
             .name = "attenuation",                                                                                     \
+            .label = "Attenuation",                                                                                    \
             .type = LX_CHOICE,                                                                                         \
             .offset = offsetof(type_, placed.attenuation),                                                             \
             .choices = lx_attenuation_names,                                                                           \
@@ -51,6 +54,7 @@ extern const char *const lx_attenuation_names[];
         },                                                                                                             \
         {                                                                                                              \
             .name = "k",                                                                                               \
+            .label = "Length k",                                                                                       \
             .type = LX_REAL,                                                                                           \
             .offset = offsetof(type_, placed.k_mm),                                                                    \
             .unit = LX_UNIT_MM,                                                                                        \
@@ -60,6 +64,7 @@ extern const char *const lx_attenuation_names[];
         },                                                                                                             \
         {                                                                                                              \
             .name = "axis",                                                                                            \
+            .label = "Axis",                                                                                           \
             .type = LX_REALS,                                                                                          \
             .offset = offsetof(type_, placed.axis),                                                                    \
             .count = 3,                                                                                                \
@@ -68,8 +73,8 @@ extern const char *const lx_attenuation_names[];
             .meaning = "the direction in which the source shines, of any length",                                      \
         },                                                                                                             \
     {                                                                                                                  \
-        .name = "aim", .type = LX_REALS, .offset = offsetof(type_, placed.aim_mm), .count = 3, .unit = LX_UNIT_MM,     \
-        .meaning = "the point at which the source is aimed, instead of axis",                                          \
+        .name = "aim", .label = "Aim", .type = LX_REALS, .offset = offsetof(type_, placed.aim_mm), .count = 3,         \
+        .unit = LX_UNIT_MM, .meaning = "the point at which the source is aimed, instead of axis",                      \
     }
 
 #define LX_PLACED_RULES                                                                                                \

@@ -39,6 +39,7 @@ struct planar_parameters {
 #define CENTER_AND_AIM(type_)                                                                                          \
     {                                                                                                                  \
         .name = "center",                                                                                              \
+        .label = "Centre",                                                                                             \
         .type = LX_REALS,                                                                                              \
         .offset = offsetof(type_, center_mm),                                                                          \
         .count = 3,                                                                                                    \
@@ -49,6 +50,7 @@ struct planar_parameters {
     },                                                                                                                 \
         {                                                                                                              \
             .name = "axis",                                                                                            \
+            .label = "Axis",                                                                                           \
             .type = LX_REALS,                                                                                          \
             .offset = offsetof(type_, axis),                                                                           \
             .count = 3,                                                                                                \
@@ -57,14 +59,15 @@ struct planar_parameters {
             .meaning = "the direction in which it shines, its normal, of any length",                                  \
         },                                                                                                             \
     {                                                                                                                  \
-        .name = "aim", .type = LX_REALS, .offset = offsetof(type_, aim_mm), .count = 3, .unit = LX_UNIT_MM,            \
-        .meaning = "the point at which it is aimed, instead of axis",                                                  \
+        .name = "aim", .label = "Aim", .type = LX_REALS, .offset = offsetof(type_, aim_mm), .count = 3,                \
+        .unit = LX_UNIT_MM, .meaning = "the point at which it is aimed, instead of axis",                              \
     }
 
 static const struct lx_parameter rectangle_parameters[] = {
     CENTER_AND_AIM(struct rectangle_parameters),
     {
         .name = "size",
+        .label = "Size",
         .type = LX_REALS,
         .offset = offsetof(struct rectangle_parameters, size_mm),
         .count = 2,
@@ -76,6 +79,7 @@ static const struct lx_parameter rectangle_parameters[] = {
     },
     {
         .name = "up",
+        .label = "Up direction",
         .type = LX_REALS,
         .offset = offsetof(struct rectangle_parameters, up),
         .count = 3,
@@ -106,6 +110,7 @@ static const struct lx_parameter disk_parameters[] = {
     CENTER_AND_AIM(struct disk_parameters),
     {
         .name = "radius",
+        .label = "Radius",
         .type = LX_REAL,
         .offset = offsetof(struct disk_parameters, radius_mm),
         .unit = LX_UNIT_MM,
@@ -127,6 +132,7 @@ static const struct lx_table disk_table = {
 static const struct lx_parameter planar_parameters[] = {
     {
         .name = "vertices",
+        .label = "Corners",
         .type = LX_VECTORS,
         .offset = offsetof(struct planar_parameters, vertices_mm),
         .count = 3,
@@ -137,6 +143,7 @@ static const struct lx_parameter planar_parameters[] = {
     },
     {
         .name = "rectangle",
+        .label = "Rectangle",
         .type = LX_GROUP,
         .offset = offsetof(struct planar_parameters, rectangle),
         .group = &rectangle_table,
@@ -144,6 +151,7 @@ static const struct lx_parameter planar_parameters[] = {
     },
     {
         .name = "disk",
+        .label = "Disk",
         .type = LX_GROUP,
         .offset = offsetof(struct planar_parameters, disk),
         .group = &disk_table,
@@ -151,6 +159,7 @@ static const struct lx_parameter planar_parameters[] = {
     },
     {
         .name = "intensity",
+        .label = "Intensity",
         .type = LX_REAL,
         .offset = offsetof(struct planar_parameters, intensity),
         .unit = LX_UNIT_INTENSITY,

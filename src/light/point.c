@@ -22,6 +22,7 @@ static const struct lx_parameter point_parameters[] = {
     LX_PLACED_PARAMETERS(struct point_parameters),
     {
         .name = "pattern",
+        .label = "Pattern",
         .type = LX_CHOICE,
         .offset = offsetof(struct point_parameters, pattern),
         .choices = pattern_names,
@@ -30,6 +31,7 @@ static const struct lx_parameter point_parameters[] = {
     },
     {
         .name = "exponent",
+        .label = "Exponent m",
         .type = LX_REAL,
         .offset = offsetof(struct point_parameters, exponent),
         .legal = LX_FROM(0),

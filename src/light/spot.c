@@ -21,6 +21,7 @@ static const struct lx_parameter spot_parameters[] = {
     LX_PLACED_PARAMETERS(struct spot_parameters),
     {
         .name = "inner",
+        .label = "Inner angle",
         .type = LX_REAL,
         .offset = offsetof(struct spot_parameters, inner_deg),
         .unit = LX_UNIT_DEGREES,
@@ -30,6 +31,7 @@ static const struct lx_parameter spot_parameters[] = {
     },
     {
         .name = "outer",
+        .label = "Outer angle",
         .type = LX_REAL,
         .offset = offsetof(struct spot_parameters, outer_deg),
         .unit = LX_UNIT_DEGREES,
@@ -39,6 +41,7 @@ static const struct lx_parameter spot_parameters[] = {
     },
     {
         .name = "falloff",
+        .label = "Falloff",
         .type = LX_CHOICE,
         .offset = offsetof(struct spot_parameters, falloff),
         .choices = falloff_names,
@@ -47,6 +50,7 @@ static const struct lx_parameter spot_parameters[] = {
     },
     {
         .name = "exponent",
+        .label = "Exponent m",
         .type = LX_REAL,
         .offset = offsetof(struct spot_parameters, exponent),
         .initial = "0",

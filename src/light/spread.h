@@ -34,6 +34,7 @@ extern const char *const lx_parts_names[];
 #define LX_SPREAD_PARAMETERS(type_)                                                                                    \
     {                                                                                                                  \
         .name = "radiance",                                                                                            \
+        .label = "Radiance",                                                                                           \
         .type = LX_REAL,                                                                                               \
         .offset = offsetof(type_, spread.radiance),                                                                    \
         .unit = LX_UNIT_RADIANCE,                                                                                      \
@@ -43,6 +44,7 @@ extern const char *const lx_parts_names[];
     },                                                                                                                 \
         {                                                                                                              \
             .name = "power",                                                                                           \
+            .label = "Power",                                                                                          \
             .type = LX_REAL,                                                                                           \
             .offset = offsetof(type_, spread.power),                                                                   \
             .unit = LX_UNIT_POWER,                                                                                     \
@@ -52,6 +54,7 @@ extern const char *const lx_parts_names[];
         },                                                                                                             \
         {                                                                                                              \
             .name = "attenuation",                                                                                     \
+            .label = "Attenuation",                                                                                    \
             .type = LX_CHOICE,                                                                                         \
             .offset = offsetof(type_, spread.attenuation),                                                             \
             .choices = lx_attenuation_names,                                                                           \
@@ -60,6 +63,7 @@ extern const char *const lx_parts_names[];
         },                                                                                                             \
         {                                                                                                              \
             .name = "k",                                                                                               \
+            .label = "Length k",                                                                                       \
             .type = LX_REAL,                                                                                           \
             .offset = offsetof(type_, spread.k_mm),                                                                    \
             .unit = LX_UNIT_MM,                                                                                        \
@@ -68,7 +72,7 @@ extern const char *const lx_parts_names[];
             .meaning = "the length k of the practical law 1/(k + r), which keeps it finite near the source",           \
         },                                                                                                             \
     {                                                                                                                  \
-        .name = "parts", .type = LX_CHOICE_OR_WHOLE, .offset = offsetof(type_, spread.parts),                          \
+        .name = "parts", .label = "Parts", .type = LX_CHOICE_OR_WHOLE, .offset = offsetof(type_, spread.parts),        \
         .choices = lx_parts_names, .initial = "converged", .legal = LX_BETWEEN(1, 1000),                               \
         .advised = {LX_BETWEEN(1, 100)},                                                                               \
         .meaning = "into how many parts each way the source is cut, each a point at its centre; converged: so many "   \

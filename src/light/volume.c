@@ -46,20 +46,21 @@ struct volume_parameters {
 
 #define CENTER(type_)                                                                                                  \
     {                                                                                                                  \
-        .name = "center", .type = LX_REALS, .offset = offsetof(type_, center_mm), .count = 3, .unit = LX_UNIT_MM,      \
-        .required = true, .advised = LX_SPREAD_PLACES, .meaning = "where its centre lies",                             \
+        .name = "center", .label = "Centre", .type = LX_REALS, .offset = offsetof(type_, center_mm), .count = 3,       \
+        .unit = LX_UNIT_MM, .required = true, .advised = LX_SPREAD_PLACES, .meaning = "where its centre lies",         \
     }
 
-#define LENGTH(name_, type_, member_, meaning_)                                                                        \
+#define LENGTH(name_, label_, type_, member_, meaning_)                                                                \
     {                                                                                                                  \
-        .name = name_, .type = LX_REAL, .offset = offsetof(type_, member_), .unit = LX_UNIT_MM, .required = true,      \
-        .legal = LX_ABOVE(0), .advised = {LX_BETWEEN(1, 5000)}, .meaning = meaning_,                                   \
+        .name = name_, .label = label_, .type = LX_REAL, .offset = offsetof(type_, member_), .unit = LX_UNIT_MM,       \
+        .required = true, .legal = LX_ABOVE(0), .advised = {LX_BETWEEN(1, 5000)}, .meaning = meaning_,                 \
     }
 
 static const struct lx_parameter box_parameters[] = {
     CENTER(struct box_parameters),
     {
         .name = "size",
+        .label = "Size",
         .type = LX_REALS,
         .offset = offsetof(struct box_parameters, size_mm),
         .count = 3,
@@ -79,9 +80,10 @@ static const struct lx_table box_table = {
 
 static const struct lx_parameter sphere_parameters[] = {
     CENTER(struct sphere_parameters),
-    LENGTH("radius", struct sphere_parameters, radius_mm, LX_N("its radius")),
+    LENGTH("radius", LX_N("Radius"), struct sphere_parameters, radius_mm, LX_N("its radius")),
     {
         .name = "facets",
+        .label = "Facets",
         .type = LX_WHOLE,
         .offset = offsetof(struct sphere_parameters, facets),
         .legal = LX_BETWEEN(4, 1000),
@@ -99,10 +101,12 @@ static const struct lx_table sphere_table = {
 
 static const struct lx_parameter cylinder_parameters[] = {
     CENTER(struct cylinder_parameters),
-    LENGTH("radius", struct cylinder_parameters, radius_mm, LX_N("its radius")),
-    LENGTH("height", struct cylinder_parameters, height_mm, LX_N("its length along the axis; both ends are closed")),
+    LENGTH("radius", LX_N("Radius"), struct cylinder_parameters, radius_mm, LX_N("its radius")),
+    LENGTH("height", LX_N("Height"), struct cylinder_parameters, height_mm,
+           LX_N("its length along the axis; both ends are closed")),
     {
         .name = "axis",
+        .label = "Axis",
         .type = LX_REALS,
         .offset = offsetof(struct cylinder_parameters, axis),
         .count = 3,
@@ -112,6 +116,7 @@ static const struct lx_parameter cylinder_parameters[] = {
     },
     {
         .name = "facets",
+        .label = "Facets",
         .type = LX_WHOLE,
         .offset = offsetof(struct cylinder_parameters, facets),
         .legal = LX_BETWEEN(3, 1000),
@@ -130,6 +135,7 @@ static const struct lx_table cylinder_table = {
 static const struct lx_parameter volume_parameters[] = {
     {
         .name = "box",
+        .label = "Box",
         .type = LX_GROUP,
         .offset = offsetof(struct volume_parameters, box),
         .group = &box_table,
@@ -137,6 +143,7 @@ static const struct lx_parameter volume_parameters[] = {
     },
     {
         .name = "sphere",
+        .label = "Sphere",
         .type = LX_GROUP,
         .offset = offsetof(struct volume_parameters, sphere),
         .group = &sphere_table,
@@ -144,6 +151,7 @@ static const struct lx_parameter volume_parameters[] = {
     },
     {
         .name = "cylinder",
+        .label = "Cylinder",
         .type = LX_GROUP,
         .offset = offsetof(struct volume_parameters, cylinder),
         .group = &cylinder_table,
@@ -151,6 +159,7 @@ static const struct lx_parameter volume_parameters[] = {
     },
     {
         .name = "mesh",
+        .label = "Mesh file",
         .type = LX_TEXT,
         .offset = offsetof(struct volume_parameters, mesh_file),
         .meaning =

@@ -10,6 +10,7 @@ static const char *const highlight_names[] = {"plain", "gated", "cosine", NULL};
 static const struct lx_parameter material_parameters[] = {
     {
         .name = "model",
+        .label = "Model",
         .type = LX_CHOICE,
         .offset = offsetof(struct lx_material, model),
         .choices = model_names,
@@ -18,6 +19,7 @@ static const struct lx_parameter material_parameters[] = {
     },
     {
         .name = "diffuse",
+        .label = "Diffuse reflection kd",
         .type = LX_REAL,
         .offset = offsetof(struct lx_material, diffuse),
         .initial = "0.8",
@@ -27,6 +29,7 @@ static const struct lx_parameter material_parameters[] = {
     },
     {
         .name = "specular",
+        .label = "Specular reflection ks",
         .type = LX_REAL,
         .offset = offsetof(struct lx_material, specular),
         .initial = "0.5",
@@ -36,6 +39,7 @@ static const struct lx_parameter material_parameters[] = {
     },
     {
         .name = "shininess",
+        .label = "Shininess n",
         .type = LX_REAL,
         .offset = offsetof(struct lx_material, shininess),
         .initial = "20",
@@ -45,6 +49,7 @@ static const struct lx_parameter material_parameters[] = {
     },
     {
         .name = "ambient",
+        .label = "Ambient reflection ka",
         .type = LX_REAL,
         .offset = offsetof(struct lx_material, ambient),
         .legal = LX_FROM(0),
@@ -53,6 +58,7 @@ static const struct lx_parameter material_parameters[] = {
     },
     {
         .name = "over_pi",
+        .label = "Divided by pi",
         .type = LX_BOOLEAN,
         .offset = offsetof(struct lx_material, over_pi),
         .initial = "false",
@@ -60,6 +66,7 @@ static const struct lx_parameter material_parameters[] = {
     },
     {
         .name = "highlight",
+        .label = "Highlight factor",
         .type = LX_CHOICE,
         .offset = offsetof(struct lx_material, highlight),
         .choices = highlight_names,
@@ -68,6 +75,7 @@ static const struct lx_parameter material_parameters[] = {
     },
     {
         .name = "normalized",
+        .label = "Normalised highlight",
         .type = LX_BOOLEAN,
         .offset = offsetof(struct lx_material, normalized),
         .initial = "false",

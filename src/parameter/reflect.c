@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /* The flat list of all parameters, made by walking the tables once. */
+#include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -51,6 +52,53 @@ static const char *keep_phrase(struct lx_reflection *reflection, const char *eng
     return keep_words(reflection, &text);
 }
 
+static luxel_interval interval_of(const struct lx_interval *range)
+{
+    if (!range->given)
+        return (luxel_interval){.low = -HUGE_VAL, .high = HUGE_VAL};
+    return (luxel_interval){.given = true, .low = range->low, .high = range->high, .low_open = range->low_open};
+}
+
+/* How many numbers one value consists of, or one element of a list of points. */
+static unsigned count_numbers(const struct lx_parameter *parameter)
+{
+    switch (parameter->type) {
+    case LX_REALS:
+    case LX_WHOLES: return parameter->count;
+    case LX_CHOICE_OR_PAIR:
+    case LX_POINTS: return 2;
+    case LX_VECTORS: return 3;
+    default: return 1;
+    }
+}
+
+/* What a form needs beside words. */
+static void measure(const struct lx_parameter *parameter, luxel_parameter *shown)
+{
+    static const luxel_value_type types[] = {
+        [LX_REAL] = LUXEL_NUMBER,
+        [LX_WHOLE] = LUXEL_WHOLE_NUMBER,
+        [LX_BOOLEAN] = LUXEL_YES_OR_NO,
+        [LX_CHOICE] = LUXEL_CHOICE,
+        [LX_TEXT] = LUXEL_TEXT,
+        [LX_REALS] = LUXEL_NUMBERS,
+        [LX_WHOLES] = LUXEL_WHOLE_NUMBERS,
+        [LX_CHOICE_OR_PAIR] = LUXEL_CHOICE_OR_PAIR,
+        [LX_GROUP] = LUXEL_GROUP,
+        [LX_POINTS] = LUXEL_POINTS,
+        [LX_VECTORS] = LUXEL_VECTORS,
+        [LX_CHOICE_OR_WHOLE] = LUXEL_CHOICE_OR_WHOLE,
+        [LX_GROUPS] = LUXEL_GROUPS,
+        [LX_VARIANTS] = LUXEL_VARIANTS,
+    };
+    bool by_component = parameter->advised[1].given;
+    shown->value_type = types[parameter->type];
+    shown->count = count_numbers(parameter);
+    shown->legal_range = interval_of(&parameter->legal);
+    for (size_t i = 0; i < LX_COMPONENTS; i++)
+        shown->advised_range[i] = interval_of(&parameter->advised[by_component ? i : 0]);
+}
+
 /* A parameter in words; false where memory ran out. */
 static bool describe(struct lx_reflection *reflection, const struct lx_parameter *parameter, luxel_parameter *shown)
 {
@@ -64,8 +112,9 @@ static bool describe(struct lx_reflection *reflection, const struct lx_parameter
     shown->legal = keep_words(reflection, &legal);
     shown->advised = keep_words(reflection, &advised);
     shown->unit = keep_phrase(reflection, unit);
+    shown->label = keep_phrase(reflection, parameter->label);
     shown->meaning = keep_phrase(reflection, parameter->meaning);
-    bool whole = shown->type && shown->legal && shown->advised && shown->unit && shown->meaning;
+    bool whole = shown->type && shown->legal && shown->advised && shown->unit && shown->label && shown->meaning;
     if (!parameter->legal.given)
         shown->legal = NULL;
     if (!parameter->advised[0].given)
@@ -134,6 +183,7 @@ static int append(struct lx_reflection *reflection, const struct lx_parameter *p
         .default_value = parameter->initial,
         .required = parameter->required,
     };
+    measure(parameter, &item.shown);
     bool whole = path && (choices || !parameter->choices) && describe(reflection, parameter, &item.shown);
     reflection->items[reflection->count++] = item;
     return whole ? 0 : -1;
@@ -172,6 +222,7 @@ static int append_kinds(struct lx_reflection *reflection, const struct lx_parame
 static int reflect_list(struct lx_reflection *reflection, const struct lx_parameter *list, const char *path)
 {
     static const struct lx_parameter type = {.name = "type",
+                                             .label = "Type",
                                              .type = LX_CHOICE,
                                              .required = true,
                                              .meaning = "which kind it is, which decides its other keys"};

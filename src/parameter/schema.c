@@ -210,6 +210,7 @@ static void add_default(struct lx_json *json, const struct lx_parameter *paramet
 static void add_parameter(struct lx_json *json, const struct lx_table *table, const struct lx_parameter *parameter)
 {
     lx_json_open(json, parameter->name, '{');
+    lx_json_text(json, "title", parameter->label);
     add_description(json, table, parameter);
     switch (parameter->type) {
     case LX_REAL: add_number(json, parameter, false); break;

@@ -56,6 +56,7 @@ struct lx_check;
 
 struct lx_parameter {
     const char *name;
+    const char *label; /* a short name for forms, capitalised */
     enum lx_parameter_type type;
     size_t offset;
     unsigned count; /* numbers in LX_REALS and LX_WHOLES; least number of elements of a list */

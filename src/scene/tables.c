@@ -21,6 +21,7 @@ static const char *const rounding_names[] = {"truncate", "nearest", NULL};
 static const struct lx_parameter screen_parameters[] = {
     {
         .name = "width",
+        .label = "Width",
         .type = LX_REAL,
         .offset = offsetof(struct lx_screen, width_mm),
         .unit = LX_UNIT_MM,
@@ -31,6 +32,7 @@ static const struct lx_parameter screen_parameters[] = {
     },
     {
         .name = "height",
+        .label = "Height",
         .type = LX_REAL,
         .offset = offsetof(struct lx_screen, height_mm),
         .unit = LX_UNIT_MM,
@@ -41,6 +43,7 @@ static const struct lx_parameter screen_parameters[] = {
     },
     {
         .name = "resolution",
+        .label = "Resolution",
         .type = LX_WHOLES,
         .offset = offsetof(struct lx_screen, resolution),
         .count = 2,
@@ -51,6 +54,7 @@ static const struct lx_parameter screen_parameters[] = {
     },
     {
         .name = "sampling",
+        .label = "Sampling",
         .type = LX_CHOICE,
         .offset = offsetof(struct lx_screen, sampling),
         .initial = "centers",
@@ -70,6 +74,7 @@ static const struct lx_table screen_table = {
 static const struct lx_parameter observer_parameters[] = {
     {
         .name = "z",
+        .label = "Height z",
         .type = LX_REAL,
         .offset = offsetof(struct lx_observer, z_mm),
         .unit = LX_UNIT_MM,
@@ -79,6 +84,7 @@ static const struct lx_parameter observer_parameters[] = {
     },
     {
         .name = "projection",
+        .label = "Projection",
         .type = LX_CHOICE,
         .offset = offsetof(struct lx_observer, projection),
         .initial = "orthographic",
@@ -87,6 +93,7 @@ static const struct lx_parameter observer_parameters[] = {
     },
     {
         .name = "view",
+        .label = "View vector",
         .type = LX_CHOICE,
         .offset = offsetof(struct lx_observer, view),
         .initial = "parallel",
@@ -113,6 +120,7 @@ static const struct lx_table observer_table = {
 static const struct lx_parameter picture_parameters[] = {
     {
         .name = "range",
+        .label = "Range of values",
         .type = LX_CHOICE_OR_PAIR,
         .offset = offsetof(struct lx_picture, range),
         .initial = "max",
@@ -122,6 +130,7 @@ static const struct lx_parameter picture_parameters[] = {
     },
     {
         .name = "rounding",
+        .label = "Rounding",
         .type = LX_CHOICE,
         .offset = offsetof(struct lx_picture, rounding),
         .initial = "truncate",
@@ -141,12 +150,14 @@ static const struct lx_table picture_table = {
 static const struct lx_parameter surface_common_parameters[] = {
     {
         .name = "name",
+        .label = "Name",
         .type = LX_TEXT,
         .offset = offsetof(struct lx_surface_common, name),
         .meaning = "a name for messages and tables",
     },
     {
         .name = "material",
+        .label = "Material",
         .type = LX_GROUP,
         .offset = offsetof(struct lx_surface_common, material),
         .group = &lx_material_table,
@@ -163,12 +174,14 @@ static const struct lx_table surface_common_table = {
 static const struct lx_parameter light_common_parameters[] = {
     {
         .name = "name",
+        .label = "Name",
         .type = LX_TEXT,
         .offset = offsetof(struct lx_light_common, name),
         .meaning = "a name for messages and tables",
     },
     {
         .name = "enabled",
+        .label = "Enabled",
         .type = LX_BOOLEAN,
         .offset = offsetof(struct lx_light_common, enabled),
         .initial = "true",
@@ -187,12 +200,14 @@ static const struct lx_table light_common_table = {
 static const struct lx_parameter grid_parameters[] = {
     {
         .name = "name",
+        .label = "Name",
         .type = LX_TEXT,
         .offset = offsetof(struct lx_grid, name),
         .meaning = "a name for messages and tables",
     },
     {
         .name = "center",
+        .label = "Centre",
         .type = LX_REALS,
         .offset = offsetof(struct lx_grid, center_mm),
         .count = 3,
@@ -202,6 +217,7 @@ static const struct lx_parameter grid_parameters[] = {
     },
     {
         .name = "size",
+        .label = "Size",
         .type = LX_REALS,
         .offset = offsetof(struct lx_grid, size_mm),
         .count = 2,
@@ -212,6 +228,7 @@ static const struct lx_parameter grid_parameters[] = {
     },
     {
         .name = "axis",
+        .label = "Axis",
         .type = LX_REALS,
         .offset = offsetof(struct lx_grid, axis),
         .count = 3,
@@ -221,6 +238,7 @@ static const struct lx_parameter grid_parameters[] = {
     },
     {
         .name = "up",
+        .label = "Up direction",
         .type = LX_REALS,
         .offset = offsetof(struct lx_grid, up),
         .count = 3,
@@ -231,6 +249,7 @@ static const struct lx_parameter grid_parameters[] = {
     },
     {
         .name = "n",
+        .label = "Cells",
         .type = LX_WHOLES,
         .offset = offsetof(struct lx_grid, n),
         .count = 2,
@@ -267,6 +286,7 @@ static const struct lx_table grid_table = {
 static const struct lx_parameter scene_parameters[] = {
     {
         .name = "luxel",
+        .label = "Format version",
         .type = LX_WHOLE,
         .offset = offsetof(struct lx_scene_parameters, luxel),
         .required = true,
@@ -275,6 +295,7 @@ static const struct lx_parameter scene_parameters[] = {
     },
     {
         .name = "units",
+        .label = "Units",
         .type = LX_CHOICE,
         .offset = offsetof(struct lx_scene_parameters, units),
         .initial = "radiometric",
@@ -283,6 +304,7 @@ static const struct lx_parameter scene_parameters[] = {
     },
     {
         .name = "shadows",
+        .label = "Shadows",
         .type = LX_CHOICE,
         .offset = offsetof(struct lx_scene_parameters, shadows),
         .initial = "points",
@@ -291,6 +313,7 @@ static const struct lx_parameter scene_parameters[] = {
     },
     {
         .name = "screen",
+        .label = "Screen",
         .type = LX_GROUP,
         .offset = offsetof(struct lx_scene_parameters, screen),
         .required = true,
@@ -299,6 +322,7 @@ static const struct lx_parameter scene_parameters[] = {
     },
     {
         .name = "observer",
+        .label = "Observer",
         .type = LX_GROUP,
         .offset = offsetof(struct lx_scene_parameters, observer),
         .required = true,
@@ -307,6 +331,7 @@ static const struct lx_parameter scene_parameters[] = {
     },
     {
         .name = "surfaces",
+        .label = "Surfaces",
         .type = LX_VARIANTS,
         .offset = offsetof(struct lx_scene_parameters, surfaces),
         .count = 1,
@@ -317,6 +342,7 @@ static const struct lx_parameter scene_parameters[] = {
     },
     {
         .name = "lights",
+        .label = "Lights",
         .type = LX_VARIANTS,
         .offset = offsetof(struct lx_scene_parameters, lights),
         .required = true,
@@ -326,6 +352,7 @@ static const struct lx_parameter scene_parameters[] = {
     },
     {
         .name = "points",
+        .label = "Points",
         .type = LX_POINTS,
         .offset = offsetof(struct lx_scene_parameters, points),
         .unit = LX_UNIT_MM,
@@ -334,6 +361,7 @@ static const struct lx_parameter scene_parameters[] = {
     },
     {
         .name = "picture",
+        .label = "Picture",
         .type = LX_GROUP,
         .offset = offsetof(struct lx_scene_parameters, picture),
         .group = &picture_table,
@@ -341,6 +369,7 @@ static const struct lx_parameter scene_parameters[] = {
     },
     {
         .name = "grids",
+        .label = "Measuring grids",
         .type = LX_GROUPS,
         .offset = offsetof(struct lx_scene_parameters, grids),
         .initial = "[]",

@@ -19,6 +19,7 @@
 static const struct lx_parameter plate_parameters[] = {
     {
         .name = "center",
+        .label = "Centre",
         .type = LX_REALS,
         .offset = offsetof(struct lx_plate_parameters, center_mm),
         .count = 3,
@@ -28,6 +29,7 @@ static const struct lx_parameter plate_parameters[] = {
     },
     {
         .name = "size",
+        .label = "Size",
         .type = LX_REALS,
         .offset = offsetof(struct lx_plate_parameters, size_mm),
         .count = 2,
@@ -38,6 +40,7 @@ static const struct lx_parameter plate_parameters[] = {
     },
     {
         .name = "axis",
+        .label = "Axis",
         .type = LX_REALS,
         .offset = offsetof(struct lx_plate_parameters, axis),
         .count = 3,
@@ -47,6 +50,7 @@ static const struct lx_parameter plate_parameters[] = {
     },
     {
         .name = "up",
+        .label = "Up direction",
         .type = LX_REALS,
         .offset = offsetof(struct lx_plate_parameters, up),
         .count = 3,

@@ -11,6 +11,7 @@
 static const struct lx_parameter sphere_parameters[] = {
     {
         .name = "center",
+        .label = "Centre",
         .type = LX_REALS,
         .offset = offsetof(struct lx_sphere_parameters, center_mm),
         .count = 3,
@@ -21,6 +22,7 @@ static const struct lx_parameter sphere_parameters[] = {
     },
     {
         .name = "radius",
+        .label = "Radius",
         .type = LX_REAL,
         .offset = offsetof(struct lx_sphere_parameters, radius_mm),
         .unit = LX_UNIT_MM,

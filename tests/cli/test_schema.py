@@ -240,6 +240,7 @@ def form(tap, tool):
         if "." not in key["path"]:
             described = schema["properties"][key["path"]]["description"]
             tap.ok(key["meaning"][1:] in described, "%s has its meaning" % key["path"], described)
+            tap.equal(schema["properties"][key["path"]]["title"], key["label"], "%s has its label" % key["path"])
 
 
 run_tests(Tap(), form, builtin_scenes, examples, random_scenes, malformed, beyond)

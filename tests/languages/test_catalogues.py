@@ -57,6 +57,8 @@ def sources(tap):
 
     keys = json.loads(subprocess.check_output([LUXEL, "help", "--json"]))
     for item in [*keys["keys"], *keys["kinds"]]:
+        if "label" in item:
+            tap.ok(item["label"] in found, "the label of %s is in luxel.pot" % item["path"])
         tap.ok(item["meaning"] in found, "the meaning of %s is in luxel.pot" % (item.get("path") or item["name"]), item)
     scenes = json.loads(subprocess.check_output([LUXEL, "scene", "--list", "--json"]))["scenes"]
     for scene in scenes:

@@ -1,0 +1,151 @@
+/* SPDX-License-Identifier: MIT */
+/* The list of parameters as forms need it: labels, types and ranges that agree with what it says in words. */
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "scenes.h"
+
+static const luxel_parameter *find(const luxel_parameters *parameters, const char *path, const char *variant)
+{
+    const luxel_parameter *parameter;
+    for (size_t i = 0; (parameter = luxel_parameters_get(parameters, i)) != NULL; i++)
+        if (strcmp(parameter->path, path) == 0 &&
+            (variant ? parameter->variant && strcmp(parameter->variant, variant) == 0 : !parameter->variant))
+            return parameter;
+    fail_msg("there is no %s", path);
+    return NULL;
+}
+
+static void labels(void **state)
+{
+    (void)state;
+    luxel_parameters *parameters = luxel_parameters_new();
+    const luxel_parameter *parameter;
+    for (size_t i = 0; (parameter = luxel_parameters_get(parameters, i)) != NULL; i++) {
+        const char *label = parameter->label;
+        if (!(label && label[0] >= 'A' && label[0] <= 'Z' && strlen(label) >= 3 && strlen(label) <= 30))
+            fail_msg("%s has no good label: %s", parameter->path, label ? label : "none");
+    }
+    assert_string_equal(find(parameters, "surfaces[].radius", "sphere")->label, "Radius");
+    assert_string_equal(find(parameters, "lights[].cylinder.height", "volume")->label, "Height");
+    assert_string_equal(find(parameters, "lights[].type", NULL)->label, "Type");
+    luxel_parameters_free(parameters);
+}
+
+/* Keys of one mapping that go by one name could not be told apart in a form. */
+static void labels_differ(void **state)
+{
+    (void)state;
+    luxel_parameters *parameters = luxel_parameters_new();
+    for (size_t i = 0; i < luxel_parameters_count(parameters); i++)
+        for (size_t k = 0; k < i; k++) {
+            const luxel_parameter *one = luxel_parameters_get(parameters, i);
+            const luxel_parameter *other = luxel_parameters_get(parameters, k);
+            const char *end = strrchr(one->path, '.');
+            size_t length = end ? (size_t)(end - one->path) + 1 : 0;
+            if (strncmp(one->path, other->path, length) != 0 || strchr(other->path + length, '.') ||
+                strcmp(one->path, other->path) == 0)
+                continue;
+            bool together = !one->variant || !other->variant || strcmp(one->variant, other->variant) == 0;
+            if (together && strcmp(one->label, other->label) == 0)
+                fail_msg("%s and %s are both %s", one->path, other->path, one->label);
+        }
+    luxel_parameters_free(parameters);
+}
+
+/* The words for each type, with the count where they have one. */
+static void types(void **state)
+{
+    (void)state;
+    static const struct {
+        luxel_value_type type;
+        const char *words, *path, *variant;
+        unsigned count;
+    } cases[] = {
+        {LUXEL_NUMBER, "number", "surfaces[].radius", "sphere", 1},
+        {LUXEL_WHOLE_NUMBER, "whole number", "luxel", NULL, 1},
+        {LUXEL_YES_OR_NO, "true or false", "lights[].enabled", NULL, 1},
+        {LUXEL_CHOICE, "one of", "screen.sampling", NULL, 1},
+        {LUXEL_TEXT, "text", "lights[].mesh", "volume", 1},
+        {LUXEL_NUMBERS, "3 numbers", "lights[].position", "spot", 3},
+        {LUXEL_NUMBERS, "2 numbers", "lights[].rectangle.size", "planar", 2},
+        {LUXEL_WHOLE_NUMBERS, "2 whole numbers", "screen.resolution", NULL, 2},
+        {LUXEL_CHOICE_OR_PAIR, "one of, or [low, high]", "picture.range", NULL, 2},
+        {LUXEL_GROUP, "group of keys", "surfaces[].material", NULL, 1},
+        {LUXEL_POINTS, "list of points [x, y]", "points", NULL, 2},
+        {LUXEL_VECTORS, "list of 3 or more places [x, y, z]", "lights[].vertices", "planar", 3},
+        {LUXEL_CHOICE_OR_WHOLE, "one of, or a whole number", "lights[].parts", "volume", 1},
+        {LUXEL_GROUPS, "list of groups of keys", "grids", NULL, 1},
+        {LUXEL_VARIANTS, "list", "lights", NULL, 1},
+    };
+    luxel_parameters *parameters = luxel_parameters_new();
+    for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
+        const luxel_parameter *parameter = find(parameters, cases[i].path, cases[i].variant);
+        assert_int_equal(parameter->value_type, cases[i].type);
+        assert_string_equal(parameter->type, cases[i].words);
+        assert_int_equal(parameter->count, cases[i].count);
+    }
+    luxel_parameters_free(parameters);
+}
+
+static void expect_range(luxel_interval range, bool given, double low, double high, bool low_open)
+{
+    assert_int_equal(range.given, given);
+    assert_true(range.low == low && range.high == high);
+    assert_int_equal(range.low_open, low_open);
+}
+
+static void ranges(void **state)
+{
+    (void)state;
+    luxel_parameters *parameters = luxel_parameters_new();
+    const luxel_parameter *parameter;
+    for (size_t i = 0; (parameter = luxel_parameters_get(parameters, i)) != NULL; i++) {
+        assert_int_equal(parameter->legal_range.given, parameter->legal != NULL);
+        for (int k = 0; k < 3; k++) {
+            const luxel_interval *advised = &parameter->advised_range[k], *legal = &parameter->legal_range;
+            assert_int_equal(advised->given, parameter->advised != NULL);
+            assert_true(!advised->given || (advised->low >= legal->low && advised->high <= legal->high));
+        }
+    }
+    parameter = find(parameters, "lights[].position", "point");
+    expect_range(parameter->legal_range, false, -HUGE_VAL, HUGE_VAL, false);
+    expect_range(parameter->advised_range[0], true, -10000, 10000, false);
+    expect_range(parameter->advised_range[1], true, -10000, 10000, false);
+    expect_range(parameter->advised_range[2], true, 100, 10000, false);
+    parameter = find(parameters, "screen.resolution", NULL);
+    expect_range(parameter->legal_range, true, 1, 65536, false);
+    expect_range(parameter->advised_range[1], true, 200, 800, false);
+    parameter = find(parameters, "surfaces[].radius", "sphere");
+    expect_range(parameter->legal_range, true, 0, HUGE_VAL, true);
+    parameter = find(parameters, "lights[].type", NULL);
+    expect_range(parameter->advised_range[0], false, -HUGE_VAL, HUGE_VAL, false);
+    luxel_parameters_free(parameters);
+}
+
+/* A language of which only one word is known. */
+static const char *translate(const char *english, void *data)
+{
+    return strcmp(english, "Radius") == 0 ? data : english;
+}
+
+static void translated_labels(void **state)
+{
+    (void)state;
+    char word[] = "Радиус";
+    luxel_parameters *parameters = luxel_parameters_new_translated(translate, word);
+    assert_string_equal(find(parameters, "surfaces[].radius", "sphere")->label, word);
+    assert_string_equal(find(parameters, "surfaces[].center", "sphere")->label, "Centre");
+    luxel_parameters_free(parameters);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(labels), cmocka_unit_test(labels_differ),     cmocka_unit_test(types),
+        cmocka_unit_test(ranges), cmocka_unit_test(translated_labels),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
