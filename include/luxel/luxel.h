@@ -24,6 +24,7 @@
 #include <luxel/field.h>
 #include <luxel/grid.h>
 #include <luxel/isophotes.h>
+#include <luxel/light.h>
 #include <luxel/parameter.h>
 #include <luxel/probe.h>
 #include <luxel/profile.h>
@@ -33,5 +34,6 @@
 #include <luxel/status.h>
 #include <luxel/text.h>
 #include <luxel/version.h>
+#include <luxel/view.h>
 
 #endif

@@ -151,6 +151,11 @@ LUXEL_API size_t luxel_scene_point_count(const luxel_scene *scene);
 /* Of a committed scene: its i-th measuring point on the screen.  LUXEL_ERROR_ARGUMENT: not committed, or no such. */
 LUXEL_API luxel_status luxel_scene_point(const luxel_scene *scene, size_t i, double *x_mm, double *y_mm);
 
+/* Of a committed scene: the number of its surfaces. */
+LUXEL_API size_t luxel_scene_surface_count(const luxel_scene *scene);
+/* Of a committed scene: the centre of its i-th surface.  LUXEL_ERROR_ARGUMENT: not committed, or no such. */
+LUXEL_API luxel_status luxel_scene_surface_place(const luxel_scene *scene, size_t i, double center_mm[3]);
+
 /* Of a committed scene: its pixels. */
 LUXEL_API luxel_status luxel_scene_resolution(const luxel_scene *scene, unsigned *columns, unsigned *rows);
 

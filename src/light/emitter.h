@@ -69,6 +69,7 @@ struct lx_emitters {
     size_t count, capacity;
     size_t most;   /* how many it may take; 0: as many as there are */
     bool is_short; /* more of them were appended */
+    bool is_whole; /* sources of some size are appended as they are, however many parts they are to be cut into */
 };
 
 /* Appends a copy, which takes over the facets; 0, or -1 when memory or room ran out (then they are freed, too). */

@@ -24,6 +24,21 @@ bool lx_extended_touches(const struct lx_emitter *emitter, lx_bounded3 place_mm)
     return lx_round_touches(emitter, place_mm);
 }
 
+/* Of facets it was summed as it stands, from the rounded areas of the faces. */
+lx_bounded lx_extended_area_mm2(const struct lx_emitter *emitter)
+{
+    lx_bounded pi = lx_rounded(M_PI, 0, 1);
+    lx_bounded radius = lx_exact(emitter->radius_mm), square = lx_mul(radius, radius);
+    switch (emitter->type) {
+    case LX_FACETS: return lx_rounded(emitter->facets->area_mm2, 0, 4 + (double)emitter->facets->face_count);
+    case LX_DISK: return lx_mul(pi, square);
+    case LX_BALL: return lx_scale(lx_mul(pi, square), 4);
+    case LX_CYLINDER: return lx_scale(lx_mul(pi, lx_add(square, lx_mul(radius, lx_exact(emitter->height_mm)))), 2);
+    default: break;
+    }
+    return lx_exact(0);
+}
+
 lx_bounded lx_extended_irradiance(const struct lx_emitter *emitter, lx_bounded3 place_mm, lx_bounded3 normal)
 {
     if (emitter->type == LX_FACETS)

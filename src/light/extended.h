@@ -60,6 +60,9 @@ void lx_facets_free(struct lx_facets *facets); /* NULL is harmless */
 /* Whether the place lies on the source, as far as its error tells: there is no L from every part of it. */
 bool lx_extended_touches(const struct lx_emitter *emitter, lx_bounded3 place_mm);
 
+/* The area that shines. */
+lx_bounded lx_extended_area_mm2(const struct lx_emitter *emitter);
+
 /* The irradiance by the law 1/r^2 of an element that the source does not touch; its normal is a unit vector. */
 lx_bounded lx_extended_irradiance(const struct lx_emitter *emitter, lx_bounded3 place_mm, lx_bounded3 normal);
 

@@ -11,30 +11,11 @@ const char *const lx_parts_names[] = {"converged", NULL};
 /* The areas that the strength of a light may be divided by, in mm^2. */
 static const double LEAST_AREA = 1e-100, MOST_AREA = 1e100;
 
-static lx_bounded pi(void)
-{
-    return lx_rounded(M_PI, 0, 1);
-}
-
-/* Of facets it was summed as it stands, from the rounded areas of the faces. */
-static lx_bounded area_of(const struct lx_emitter *shape)
-{
-    lx_bounded radius = lx_exact(shape->radius_mm), square = lx_mul(radius, radius);
-    switch (shape->type) {
-    case LX_FACETS: return lx_rounded(shape->facets->area_mm2, 0, 4 + (double)shape->facets->face_count);
-    case LX_DISK: return lx_mul(pi(), square);
-    case LX_BALL: return lx_scale(lx_mul(pi(), square), 4);
-    case LX_CYLINDER: return lx_scale(lx_mul(pi(), lx_add(square, lx_mul(radius, lx_exact(shape->height_mm)))), 2);
-    default: break;
-    }
-    return lx_exact(0);
-}
-
 int lx_shapes_add(struct lx_shapes *shapes, const struct lx_emitter *shape)
 {
     if (shape->type == LX_FACETS && !shape->facets)
         return -1;
-    shapes->area_mm2 = lx_add(shapes->area_mm2, area_of(shape));
+    shapes->area_mm2 = lx_add(shapes->area_mm2, lx_extended_area_mm2(shape));
     return lx_emitters_append(&shapes->emitters, shape);
 }
 
@@ -57,7 +38,7 @@ lx_bounded lx_shapes_area(const struct lx_shapes *shapes)
 
 lx_bounded lx_radiance_of_power(double power, const struct lx_shapes *shapes)
 {
-    return lx_div(lx_exact(power), lx_mul(pi(), lx_shapes_area(shapes)));
+    return lx_div(lx_exact(power), lx_mul(lx_rounded(M_PI, 0, 1), lx_shapes_area(shapes)));
 }
 
 void lx_check_area(const struct lx_check *check, const char *key, const struct lx_shapes *shapes)
@@ -71,32 +52,32 @@ void lx_check_area(const struct lx_check *check, const char *key, const struct l
                     LX_ARGS(written ? lx_write_digits(area, 3, number) : "∞"));
 }
 
-/* Into how many parts a shape is cut at least. */
-static double least_parts(const struct lx_emitter *shape, const struct lx_spread *spread)
+/* Into how many parts a shape is cut at least; `side`: how many each way, 0 where it is not cut. */
+static double least_parts(const struct lx_emitter *shape, unsigned side)
 {
-    double side = spread->parts.choice == LX_CONVERGED ? 1 : (double)spread->parts.whole;
     double faces = shape->type == LX_FACETS && side > 1 ? (double)shape->facets->face_count : 1;
-    return faces * side * side;
+    return side > 0 ? faces * side * side : 1;
 }
 
 int lx_spread_emit(const struct lx_spread *spread, lx_bounded radiance, struct lx_shapes *shapes,
                    struct lx_emitters *emitters)
 {
+    const unsigned side = spread->parts.choice == LX_CONVERGED || emitters->is_whole ? 0 : spread->parts.whole;
     int result = 0;
     for (size_t i = 0; i < shapes->emitters.count && result == 0; i++) {
         struct lx_emitter *emitter = &shapes->emitters.items[i];
         emitter->radiance = radiance;
         emitter->attenuation = (enum lx_attenuation)spread->attenuation;
         emitter->k_mm = spread->k_mm;
-        const double parts = least_parts(emitter, spread);
+        const double parts = least_parts(emitter, side);
         if (emitters->most > 0 && (double)emitters->count + parts > (double)emitters->most) {
             emitters->is_short = true;
             result = -1;
-        } else if (spread->parts.choice == LX_CONVERGED) {
+        } else if (side == 0) {
             result = lx_emitters_append(emitters, emitter);
             emitter->facets = NULL; /* they are the list's now */
         } else {
-            result = lx_extended_cut(emitter, spread->parts.whole, emitters);
+            result = lx_extended_cut(emitter, side, emitters);
         }
     }
     lx_shapes_clear(shapes);

@@ -7,6 +7,7 @@
 #include <string.h>
 
 #include "../base/memory.h"
+#include "../surface/surface.h"
 #include "guard.h"
 #include "input.h"
 #include "object.h"
@@ -207,6 +208,22 @@ luxel_status luxel_scene_point(const luxel_scene *scene, size_t i, double *x_mm,
         return LUXEL_ERROR_ARGUMENT;
     *x_mm = scene->parameters.points.xy[i][0];
     *y_mm = scene->parameters.points.xy[i][1];
+    return LUXEL_OK;
+}
+
+size_t luxel_scene_surface_count(const luxel_scene *scene)
+{
+    return luxel_scene_is_committed(scene) ? scene->parameters.surfaces.count : 0;
+}
+
+luxel_status luxel_scene_surface_place(const luxel_scene *scene, size_t i, double center_mm[3])
+{
+    if (i >= luxel_scene_surface_count(scene) || !center_mm)
+        return LUXEL_ERROR_ARGUMENT;
+    const struct lx_item *item = &scene->parameters.surfaces.items[i];
+    const struct lx_surface_kind *kind = (const struct lx_surface_kind *)item->variant;
+    struct lx_shape shape = kind->shape(item->parameters);
+    memcpy(center_mm, shape.anchor_mm, sizeof shape.anchor_mm);
     return LUXEL_OK;
 }
 

@@ -19,4 +19,9 @@ bool lx_views_along_z(const struct lx_observer *observer);
 /* The line of sight through a screen point. */
 struct lx_ray lx_line_of_sight(const struct lx_observer *observer, double x_mm, double y_mm);
 
+/* The screen point at which a place is seen, and the place at a height that is seen at a screen point; false where it
+ * is not in front of an observer in perspective, or not finite. */
+bool lx_project(const struct lx_observer *observer, const double place_mm[3], double screen_mm[2]);
+bool lx_unproject(const struct lx_observer *observer, const double screen_mm[2], double z_mm, double place_mm[3]);
+
 #endif

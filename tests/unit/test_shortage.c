@@ -225,6 +225,30 @@ static void listing_parameters(void **state)
     }
 }
 
+/* Lights are lowered for what is told of them. */
+static void telling_of_lights(void **state)
+{
+    (void)state;
+    char *text = changed("lights:\n", "lights:\n  - {type: planar, rectangle: {center: [0, 0, 1800], size: [9, 5]}, "
+                                      "power: 1, parts: 2}\n");
+    luxel_scene *scene;
+    assert_int_equal(load(text, NULL, &scene), LUXEL_OK);
+    for (long i = 0; i == 0 || shortage_met(); i++) {
+        double flux = 7, place[3] = {7, 7, 7};
+        shortage_begin(i);
+        luxel_status status = luxel_scene_light_flux(scene, 0, &flux);
+        shortage_end();
+        assert_int_equal(status, shortage_met() ? LUXEL_ERROR_MEMORY : LUXEL_OK);
+        assert_true((flux == 7) == shortage_met());
+        shortage_begin(i);
+        bool stands = luxel_scene_light_place(scene, 0, place);
+        shortage_end();
+        assert_true(stands != shortage_met() && (place[0] == 7) == shortage_met());
+    }
+    luxel_scene_free(scene);
+    free(text);
+}
+
 static void writing_the_schema(void **state)
 {
     (void)state;
@@ -372,6 +396,7 @@ int main(void)
         cmocka_unit_test(reporting),
         cmocka_unit_test(advising),
         cmocka_unit_test(listing_parameters),
+        cmocka_unit_test(telling_of_lights),
         cmocka_unit_test(writing_the_schema),
         cmocka_unit_test(measuring),
         cmocka_unit_test(finding_extrema),

@@ -1,0 +1,47 @@
+/* SPDX-License-Identifier: MIT */
+/*
+ * The lights of a committed scene, as front ends show them: how much they give off, where they stand, which way they
+ * shine.  Lights are counted as in the scene's list, and whether one is enabled does not matter.
+ *
+ * Threads: these functions only read the scene; several threads may call them at once.
+ */
+#ifndef LUXEL_LIGHT_H
+#define LUXEL_LIGHT_H
+
+#include <luxel/scene.h>
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/* The number of lights in the scene's list; 0 where it is not committed. */
+LUXEL_API size_t luxel_scene_light_count(const luxel_scene *scene);
+
+/*
+ * The flux that light i gives off in all, in W (lm with photometric units), to 1e-12: its radiant intensity integrated
+ * over the sphere, 4 pi I of an isotropic point, pi I of a lambertian one, 2 pi I/(m + 1) by a power m > 0 of the
+ * cosine; of a planar or volume source pi times its radiance times its area.  The attenuation does not change it.
+ * NaN for ambient and distant light, which have none.
+ * LUXEL_ERROR_ARGUMENT: not committed, or no such light.  LUXEL_ERROR_RANGE: beyond float64.  LUXEL_ERROR_MEMORY.
+ */
+LUXEL_API luxel_status luxel_scene_light_flux(const luxel_scene *scene, size_t i, double *flux);
+
+/*
+ * Where light i stands: its position, the centre of its outline or body, in mm; of a polygon or mesh the centroid of
+ * the area that shines.  False, and nothing is written, for ambient and distant light, which stand nowhere, where there
+ * is no such light, and where memory is short.
+ */
+LUXEL_API bool luxel_scene_light_place(const luxel_scene *scene, size_t i, double position_mm[3]);
+
+/*
+ * The direction in which light i shines, of length 1 up to rounding: that in which distant light travels, the axis of a
+ * spot or of a point whose intensity depends on it, the normal of a planar source.  False, and nothing is written, for
+ * lights that have none, ambient ones, isotropic points and volumes, where there is no such light, and where memory is
+ * short.
+ */
+LUXEL_API bool luxel_scene_light_direction(const luxel_scene *scene, size_t i, double direction[3]);
+
+#ifdef __cplusplus
+}
+#endif
+#endif

@@ -1,0 +1,34 @@
+/* SPDX-License-Identifier: MIT */
+/*
+ * The view of a committed scene: between places in space and the points of the screen, the plane z = 0, at which the
+ * observer sees them.  Whether something stands in the way does not matter.
+ *
+ * Threads: these functions only read the scene; several threads may call them at once.
+ */
+#ifndef LUXEL_VIEW_H
+#define LUXEL_VIEW_H
+
+#include <luxel/scene.h>
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/*
+ * The point (x, y) of the screen, which may lie off its edges, at which a place (x, y, z) is seen: in orthographic
+ * projection straight below it, in perspective on the line from the observer through it.  Both in mm.
+ * False, and nothing is written, for a scene that is not committed, numbers that are not finite, and in perspective
+ * where the place is not in front of the observer, below its height.
+ */
+LUXEL_API bool luxel_scene_project(const luxel_scene *scene, const double position_mm[3], double screen_mm[2]);
+
+/*
+ * The other way: the place at the height z that is seen at a point (x, y) of the screen.  False as above.
+ */
+LUXEL_API bool luxel_scene_unproject(const luxel_scene *scene, const double screen_mm[2], double z_mm,
+                                     double position_mm[3]);
+
+#ifdef __cplusplus
+}
+#endif
+#endif

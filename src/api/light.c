@@ -1,0 +1,62 @@
+/* SPDX-License-Identifier: MIT */
+/* What the lights of a scene are as a whole, each lowered by itself. */
+#include <luxel/light.h>
+
+#include <math.h>
+
+#include "../light/light.h"
+#include "../light/totals.h"
+#include "../scene/scene.h"
+
+size_t luxel_scene_light_count(const luxel_scene *scene)
+{
+    const struct lx_scene_parameters *parameters = lx_scene_parameters(scene);
+    return parameters ? parameters->lights.count : 0;
+}
+
+/* The emitters of light i; to be cleared whatever it returns. */
+static luxel_status lower(const luxel_scene *scene, size_t i, struct lx_emitters *emitters)
+{
+    *emitters = (struct lx_emitters){.is_whole = true};
+    if (i >= luxel_scene_light_count(scene))
+        return LUXEL_ERROR_ARGUMENT;
+    const struct lx_item *item = &lx_scene_parameters(scene)->lights.items[i];
+    const struct lx_light_kind *kind = (const struct lx_light_kind *)item->variant;
+    return kind->prepare(item->parameters, emitters) == 0 ? LUXEL_OK : LUXEL_ERROR_MEMORY;
+}
+
+luxel_status luxel_scene_light_flux(const luxel_scene *scene, size_t i, double *flux)
+{
+    struct lx_emitters emitters;
+    if (!flux)
+        return LUXEL_ERROR_ARGUMENT;
+    luxel_status status = lower(scene, i, &emitters);
+    double sum = status == LUXEL_OK ? lx_emitters_flux(&emitters) : 0;
+    lx_emitters_clear(&emitters);
+    if (status == LUXEL_OK && isinf(sum))
+        status = LUXEL_ERROR_RANGE;
+    if (status == LUXEL_OK)
+        *flux = sum;
+    return status;
+}
+
+/* What one of the totals says of light i. */
+static bool ask(const luxel_scene *scene, size_t i, bool (*total)(const struct lx_emitters *, double[3]),
+                double answer[3])
+{
+    struct lx_emitters emitters;
+    bool is_there = answer && lower(scene, i, &emitters) == LUXEL_OK && total(&emitters, answer);
+    if (answer)
+        lx_emitters_clear(&emitters);
+    return is_there;
+}
+
+bool luxel_scene_light_place(const luxel_scene *scene, size_t i, double position_mm[3])
+{
+    return ask(scene, i, lx_emitters_place, position_mm);
+}
+
+bool luxel_scene_light_direction(const luxel_scene *scene, size_t i, double direction[3])
+{
+    return ask(scene, i, lx_emitters_direction, direction);
+}

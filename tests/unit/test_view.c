@@ -1,0 +1,127 @@
+/* SPDX-License-Identifier: MIT */
+/* Where places are seen on the screen, against the places that probes find there; where surfaces stand. */
+#include <math.h>
+#include <string.h>
+
+#include "scenes.h"
+
+/* Every place that a probe finds through a screen point is seen at it, and found again through it. */
+static void as_probed(const luxel_scene *scene)
+{
+    size_t seen = 0;
+    for (double y = -350; y <= 350; y += 70)
+        for (double x = -350; x <= 350; x += 70) {
+            const double point[2] = {x, y};
+            double screen[2], place[3];
+            luxel_probe *probe = NULL;
+            assert_int_equal(luxel_probe_screen(scene, NULL, x, y, NULL, &probe), LUXEL_OK);
+            if (probe->on_surface) {
+                seen++;
+                assert_true(luxel_scene_project(scene, probe->position_mm, screen));
+                assert_true(fabs(screen[0] - x) < 1e-11 && fabs(screen[1] - y) < 1e-11);
+                assert_true(luxel_scene_unproject(scene, point, probe->position_mm[2], place));
+                for (int i = 0; i < 3; i++)
+                    assert_true(fabs(place[i] - probe->position_mm[i]) < 1e-11);
+            }
+            luxel_probe_free(probe);
+        }
+    assert_true(seen > 20);
+}
+
+static luxel_scene *seen_in(const char *projection)
+{
+    luxel_scene *scene;
+    char *text = changed("orthographic", projection);
+    assert_int_equal(load(text, NULL, &scene), LUXEL_OK);
+    luxel_text_free(text);
+    return scene;
+}
+
+static void orthographic(void **state)
+{
+    (void)state;
+    luxel_scene *scene = seen_in("orthographic");
+    double screen[2], place[3];
+    as_probed(scene);
+    /* also from above the observer, at 1500 */
+    assert_true(luxel_scene_project(scene, (double[]){3, -4, 2000}, screen));
+    assert_true(screen[0] == 3 && screen[1] == -4);
+    assert_true(luxel_scene_unproject(scene, screen, 2000, place));
+    assert_true(place[0] == 3 && place[1] == -4 && place[2] == 2000);
+    luxel_scene_free(scene);
+}
+
+static void perspective(void **state)
+{
+    (void)state;
+    luxel_scene *scene = seen_in("perspective");
+    double screen[2] = {7, 7}, place[3] = {7, 7, 7};
+    as_probed(scene);
+    assert_true(luxel_scene_project(scene, (double[]){100, -50, 1000}, screen));
+    assert_true(fabs(screen[0] - 300) < 1e-12 && fabs(screen[1] + 150) < 1e-12);
+    assert_true(luxel_scene_project(scene, (double[]){100, -50, 0}, screen));
+    assert_true(screen[0] == 100 && screen[1] == -50);
+    /* behind the screen, too */
+    assert_true(luxel_scene_unproject(scene, screen, -1500, place));
+    assert_true(place[0] == 200 && place[1] == -100 && place[2] == -1500);
+
+    assert_false(luxel_scene_project(scene, (double[]){1, 1, 1500}, screen));
+    assert_false(luxel_scene_project(scene, (double[]){1, 1, 1501}, screen));
+    assert_false(luxel_scene_unproject(scene, screen, 1500, place));
+    assert_true(screen[0] == 100 && place[0] == 200);
+    luxel_scene_free(scene);
+}
+
+static void refusals(void **state)
+{
+    (void)state;
+    luxel_scene *scene = seen_in("orthographic");
+    const double nowhere[3] = {0, HUGE_VAL, 0}, high[3] = {0, 0, (double)NAN}, here[3] = {0, 0, 0};
+    double screen[2], place[3];
+    assert_false(luxel_scene_project(scene, nowhere, screen));
+    assert_false(luxel_scene_project(scene, high, screen));
+    assert_false(luxel_scene_unproject(scene, nowhere, 0, place));
+    assert_false(luxel_scene_unproject(scene, here, HUGE_VAL, place));
+    assert_false(luxel_scene_project(scene, NULL, screen));
+    assert_false(luxel_scene_project(scene, here, NULL));
+    assert_false(luxel_scene_unproject(scene, NULL, 0, place));
+    assert_false(luxel_scene_unproject(scene, here, 0, NULL));
+    assert_false(luxel_scene_project(NULL, here, screen));
+    assert_int_equal(luxel_scene_set(scene, "observer.z=2000", NULL), LUXEL_OK);
+    assert_false(luxel_scene_project(scene, here, screen));
+    assert_false(luxel_scene_unproject(scene, here, 0, place));
+    luxel_scene_free(scene);
+}
+
+static void surfaces(void **state)
+{
+    (void)state;
+    char *text = changed("surfaces:\n", "surfaces:\n  - {type: rectangle, center: [1, -2, 3.5], size: [7, 9]}\n");
+    luxel_scene *scene;
+    double place[3];
+    assert_int_equal(load(text, NULL, &scene), LUXEL_OK);
+    assert_int_equal(luxel_scene_surface_count(scene), 2);
+    assert_int_equal(luxel_scene_surface_place(scene, 0, place), LUXEL_OK);
+    assert_true(place[0] == 1 && place[1] == -2 && place[2] == 3.5);
+    assert_int_equal(luxel_scene_surface_place(scene, 1, place), LUXEL_OK);
+    assert_true(place[0] == 0 && place[1] == 0 && place[2] == 1000);
+    assert_int_equal(luxel_scene_surface_place(scene, 2, place), LUXEL_ERROR_ARGUMENT);
+    assert_int_equal(luxel_scene_surface_place(scene, 0, NULL), LUXEL_ERROR_ARGUMENT);
+    assert_int_equal(luxel_scene_set(scene, "observer.z=2000", NULL), LUXEL_OK);
+    assert_int_equal(luxel_scene_surface_count(scene), 0);
+    assert_int_equal(luxel_scene_surface_place(scene, 0, place), LUXEL_ERROR_ARGUMENT);
+    assert_int_equal(luxel_scene_surface_count(NULL), 0);
+    luxel_scene_free(scene);
+    luxel_text_free(text);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(orthographic),
+        cmocka_unit_test(perspective),
+        cmocka_unit_test(refusals),
+        cmocka_unit_test(surfaces),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
