@@ -69,8 +69,8 @@ static luxel_status take_scene(struct luxel_field *field, const struct lx_tags *
     if (parameters && parameters->screen.resolution[0] == field->columns &&
         parameters->screen.resolution[1] == field->rows) {
         field->picture = parameters->picture;
-        field->x_mm = lx_new_column_places(&parameters->screen);
-        field->y_mm = lx_new_row_places(&parameters->screen);
+        field->x_mm = lx_new_column_places(&parameters->screen, 1);
+        field->y_mm = lx_new_row_places(&parameters->screen, 1);
         field->scene = lx_copy_text(tag->value, tag->length);
         status = field->x_mm && field->y_mm && field->scene ? LUXEL_OK : LUXEL_ERROR_MEMORY;
     }

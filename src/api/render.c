@@ -72,19 +72,19 @@ static unsigned thread_count(const luxel_settings *settings, unsigned columns, u
     return lx_thread_count(settings->threads, (unsigned)((double)columns * rows / 8192) + 1);
 }
 
-static luxel_status too_large(const struct lx_screen *screen, double needed, double available,
-                              luxel_diagnostics *diagnostics)
+static luxel_status too_large(const unsigned size[2], double needed, double available, luxel_diagnostics *diagnostics)
 {
     char columns[LX_NUMBER_SIZE], rows[LX_NUMBER_SIZE], need[LX_AMOUNT_SIZE], have[LX_AMOUNT_SIZE];
     lx_report(diagnostics, LUXEL_SEVERITY_ERROR, NULL, LX_MSG_PICTURE_TOO_LARGE,
-              LX_ARGS(lx_write_number(screen->resolution[0], columns), lx_write_number(screen->resolution[1], rows),
-                      lx_write_amount(needed, need), lx_write_amount(available, have)));
+              LX_ARGS(lx_write_number(size[0], columns), lx_write_number(size[1], rows), lx_write_amount(needed, need),
+                      lx_write_amount(available, have)));
     lx_hint(diagnostics, LX_MSG_SMALLER_PICTURE, NULL);
     return LUXEL_ERROR_MEMORY;
 }
 
 /*
- * What the field keeps of where it came from.  A scene that is larger than can be read again is left out.
+ * What the field keeps of where it came from.  A scene that is larger than can be read again is left out, and that of
+ * a quick look, which is not its picture.
  */
 static luxel_status keep_origin(const struct lx_session *session, const luxel_scene *scene,
                                 luxel_diagnostics *diagnostics, struct luxel_field *field)
@@ -96,7 +96,11 @@ static luxel_status keep_origin(const struct lx_session *session, const luxel_sc
     field->light_error = settings->light_error;
     field->instruction_set = session->kernels->name;
     field->unit = lx_copy_text(unit, strlen(unit));
-    if (!field->unit || luxel_scene_write_text(scene, &field->scene) != LUXEL_OK)
+    if (!field->unit)
+        return lx_out_of_memory(diagnostics);
+    if (settings->stride > 1)
+        return LUXEL_OK;
+    if (luxel_scene_write_text(scene, &field->scene) != LUXEL_OK)
         return lx_out_of_memory(diagnostics);
     if (strlen(field->scene) > LX_LARGEST_TAG) {
         free(field->scene);
@@ -109,15 +113,17 @@ static luxel_status new_field(const struct lx_session *session, luxel_diagnostic
                               struct luxel_field **field)
 {
     const struct lx_scene_parameters *scene = session->prepared.scene;
-    const struct lx_screen *screen = &scene->screen;
     luxel_precision precision = session->settings.precision;
-    double needed = (double)lx_field_bytes(screen->resolution[0], screen->resolution[1], precision);
+    unsigned stride = session->settings.stride > 1 ? session->settings.stride : 1;
+    const unsigned size[2] = {lx_strided_count(scene->screen.resolution[0], stride),
+                              lx_strided_count(scene->screen.resolution[1], stride)};
+    double needed = (double)lx_field_bytes(size[0], size[1], precision);
     double available = lx_available_bytes();
     if (needed == 0 || needed > available)
-        return too_large(screen, needed, available, diagnostics);
-    *field = lx_field_new(scene, precision);
+        return too_large(size, needed, available, diagnostics);
+    *field = lx_field_new(scene, stride, precision);
     if (!*field)
-        return too_large(screen, needed, needed < available ? 0 : available, diagnostics);
+        return too_large(size, needed, needed < available ? 0 : available, diagnostics);
     return LUXEL_OK;
 }
 

@@ -8,11 +8,11 @@
 #include "../base/diagnostics.h"
 #include "session.h"
 
-enum { MAXIMUM_THREADS = 1024 };
+enum { MAXIMUM_THREADS = 1024, MAXIMUM_STRIDE = 65536 };
 
 void luxel_settings_init(luxel_settings *settings)
 {
-    *settings = (luxel_settings){.quantity = LUXEL_BRIGHTNESS, .precision = LUXEL_SINGLE};
+    *settings = (luxel_settings){.quantity = LUXEL_BRIGHTNESS, .precision = LUXEL_SINGLE, .stride = 1};
 }
 
 const char *luxel_instruction_set_name(size_t i)
@@ -42,6 +42,8 @@ static luxel_status check_settings(const luxel_settings *settings, luxel_diagnos
         status = lx_setting_out_of_range(diagnostics, "tolerance", settings->tolerance, LX_N("from 0 to below 1"));
     if (!(settings->light_error >= 0 && settings->light_error < 1))
         status = lx_setting_out_of_range(diagnostics, "light_error", settings->light_error, LX_N("from 0 to below 1"));
+    if (settings->stride > MAXIMUM_STRIDE)
+        status = lx_setting_out_of_range(diagnostics, "stride", settings->stride, LX_N("0 to 65536"));
     return status;
 }
 

@@ -145,6 +145,7 @@ static luxel_status render(struct search *search, const luxel_scene *scene)
     if ((double)columns * rows > MOST_PIXELS)
         return LUXEL_OK;
     settings.progress = NULL;
+    settings.stride = 1;
     luxel_status status = luxel_render(scene, &settings, NULL, &search->field);
     if (status == LUXEL_OK)
         search->maximum = luxel_field_statistics(search->field)->maximum.value;

@@ -17,25 +17,40 @@ size_t lx_field_bytes(unsigned columns, unsigned rows, luxel_precision precision
     return bytes;
 }
 
-double *lx_new_column_places(const struct lx_screen *screen)
+unsigned lx_strided_count(unsigned count, unsigned stride)
 {
-    double *places = lx_new_array(screen->resolution[0], sizeof *places);
-    for (unsigned column = 0; places && column < screen->resolution[0]; column++)
-        places[column] = lx_column_x_mm(screen, column);
+    return count / stride + (count % stride != 0);
+}
+
+/* The i-th of `count` columns or rows that a stride takes: the middle one of each run, or the last of them all. */
+static unsigned strided(unsigned count, unsigned stride, unsigned i)
+{
+    unsigned place = stride / 2 + i * stride;
+    return place < count ? place : count - 1;
+}
+
+double *lx_new_column_places(const struct lx_screen *screen, unsigned stride)
+{
+    unsigned count = lx_strided_count(screen->resolution[0], stride);
+    double *places = lx_new_array(count, sizeof *places);
+    for (unsigned i = 0; places && i < count; i++)
+        places[i] = lx_column_x_mm(screen, strided(screen->resolution[0], stride, i));
     return places;
 }
 
-double *lx_new_row_places(const struct lx_screen *screen)
+double *lx_new_row_places(const struct lx_screen *screen, unsigned stride)
 {
-    double *places = lx_new_array(screen->resolution[1], sizeof *places);
-    for (unsigned row = 0; places && row < screen->resolution[1]; row++)
-        places[row] = lx_row_y_mm(screen, row);
+    unsigned count = lx_strided_count(screen->resolution[1], stride);
+    double *places = lx_new_array(count, sizeof *places);
+    for (unsigned i = 0; places && i < count; i++)
+        places[i] = lx_row_y_mm(screen, strided(screen->resolution[1], stride, i));
     return places;
 }
 
-struct luxel_field *lx_field_new(const struct lx_scene_parameters *scene, luxel_precision precision)
+struct luxel_field *lx_field_new(const struct lx_scene_parameters *scene, unsigned stride, luxel_precision precision)
 {
-    unsigned columns = scene->screen.resolution[0], rows = scene->screen.resolution[1];
+    unsigned columns = lx_strided_count(scene->screen.resolution[0], stride);
+    unsigned rows = lx_strided_count(scene->screen.resolution[1], stride);
     size_t pixels = (size_t)columns * rows;
     struct luxel_field *field = lx_new_array(1, sizeof *field);
     if (!field)
@@ -46,8 +61,8 @@ struct luxel_field *lx_field_new(const struct lx_scene_parameters *scene, luxel_
         .precision = precision,
         .values = lx_new_aligned(pixels, precision == LUXEL_DOUBLE ? sizeof(double) : sizeof(float)),
         .mask = lx_new_aligned(pixels, 1),
-        .x_mm = lx_new_column_places(&scene->screen),
-        .y_mm = lx_new_row_places(&scene->screen),
+        .x_mm = lx_new_column_places(&scene->screen, stride),
+        .y_mm = lx_new_row_places(&scene->screen, stride),
         .picture = scene->picture,
     };
     if (field->values && field->mask && field->x_mm && field->y_mm)

@@ -36,12 +36,15 @@ struct luxel_field {
 /* Bytes that a field of this size needs in memory; 0 where the number itself is too large. */
 size_t lx_field_bytes(unsigned columns, unsigned rows, luxel_precision precision);
 
-/* The places of a screen's columns or rows; NULL when memory is short. */
-double *lx_new_column_places(const struct lx_screen *screen);
-double *lx_new_row_places(const struct lx_screen *screen);
+/* How many of `count` columns or rows a field with a stride of at least 1 has. */
+unsigned lx_strided_count(unsigned count, unsigned stride);
 
-/* A field of the scene's resolution, neither its values nor its unit set yet; NULL when memory is short. */
-struct luxel_field *lx_field_new(const struct lx_scene_parameters *scene, luxel_precision precision);
+/* The places of those columns or rows of a screen; NULL when memory is short. */
+double *lx_new_column_places(const struct lx_screen *screen, unsigned stride);
+double *lx_new_row_places(const struct lx_screen *screen, unsigned stride);
+
+/* A field of the scene's picture, neither its values nor its unit set yet; NULL when memory is short. */
+struct luxel_field *lx_field_new(const struct lx_scene_parameters *scene, unsigned stride, luxel_precision precision);
 
 /* Stores values of a row from `column` on, rounded to the field's precision. */
 void lx_field_store(struct luxel_field *field, unsigned row, unsigned column, const double *values, const uint8_t *mask,

@@ -49,6 +49,9 @@ luxel_status lx_figure_make(const luxel_scene *scene, const luxel_settings *sett
                             struct lx_figure **figure);
 void lx_figure_free(struct lx_figure *figure);
 
+/* The settings (NULL: the defaults) for the whole picture, whatever stride they have. */
+luxel_settings lx_whole_picture(const luxel_settings *settings);
+
 /* The outlines of the surfaces as they are seen; 0, or -1 when memory ran out. */
 int lx_figure_outline(struct lx_figure *figure, const luxel_evaluator *evaluator);
 

@@ -189,11 +189,22 @@ static bool wants_extrema(const luxel_figure_settings *settings)
     return settings->extrema || settings->section == LUXEL_SECTION_MAXIMUM;
 }
 
+luxel_settings lx_whole_picture(const luxel_settings *settings)
+{
+    luxel_settings whole;
+    luxel_settings_init(&whole);
+    if (settings)
+        whole = *settings;
+    whole.stride = 1;
+    return whole;
+}
+
 static luxel_status compute(struct lx_figure *figure, const luxel_settings *settings, luxel_diagnostics *diagnostics)
 {
+    const luxel_settings whole = lx_whole_picture(settings);
     luxel_evaluator *evaluator = NULL;
     luxel_summary summary;
-    luxel_status status = luxel_render(figure->copy, settings, diagnostics, &figure->field);
+    luxel_status status = luxel_render(figure->copy, &whole, diagnostics, &figure->field);
     if (status == LUXEL_OK)
         status = luxel_evaluator_new(figure->copy, settings, diagnostics, &evaluator);
     if (status == LUXEL_OK)

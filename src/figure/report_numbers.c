@@ -6,6 +6,7 @@
 #include "../base/diagnostics.h"
 #include "../base/memory.h"
 #include "../base/number.h"
+#include "figure.h"
 #include "report.h"
 
 const char *lx_report_number(double value, char *buffer)
@@ -98,7 +99,8 @@ static luxel_status find_extrema(struct lx_report *report)
 
 luxel_status lx_report_compute(struct lx_report *report)
 {
-    luxel_status status = luxel_render(report->scene, report->settings, report->diagnostics, &report->field);
+    const luxel_settings whole = lx_whole_picture(report->settings);
+    luxel_status status = luxel_render(report->scene, &whole, report->diagnostics, &report->field);
     if (status == LUXEL_OK)
         status = luxel_field_summary(report->field, NULL, report->diagnostics, &report->summary);
     if (status == LUXEL_OK)
