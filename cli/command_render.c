@@ -17,10 +17,11 @@
 /* A file that fails does not stop the others. */
 static int write_outputs(const struct options *options, const luxel_field *field, luxel_diagnostics *diagnostics)
 {
+    const luxel_output how = {.bits = options->bits};
     int code = EXIT_DONE;
 
     for (size_t i = 0; i < options->output_count; i++) {
-        const luxel_status status = luxel_field_write(field, options->outputs[i], diagnostics);
+        const luxel_status status = luxel_field_write_as(field, options->outputs[i], &how, diagnostics);
 
         if (status != LUXEL_OK)
             code = message_failure(status, diagnostics);
@@ -158,11 +159,28 @@ static int render(const struct options *options, const struct loaded *loaded)
     return code;
 }
 
+/* Grey levels are of .png files alone. */
+static bool writes_grey(const struct options *options)
+{
+    static const char *const endings[] = {".png"};
+
+    for (size_t i = 0; i < options->output_count; i++)
+        if (luxel_check_ending(options->outputs[i], endings, COUNT_OF(endings), NULL) == LUXEL_OK)
+            return true;
+    return false;
+}
+
 static int run(const struct options *options)
 {
     const int code = outputs_check(options, luxel_check_output_name);
 
-    return code == EXIT_DONE ? load_and(options, render) : code;
+    if (code != EXIT_DONE)
+        return code;
+    if (options->bits && !writes_grey(options)) {
+        message_error(_("--bits is of a picture in grey levels: -o FILE.png"));
+        return EXIT_USAGE;
+    }
+    return load_and(options, render);
 }
 
 const struct command command_render = {

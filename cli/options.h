@@ -68,6 +68,7 @@ struct options {
     struct option_drawing drawing;
     enum option_csv csv;
     size_t format;  /* index in option_formats */
+    unsigned bits;  /* of a .png's grey levels; 0: none were given */
     uint64_t given; /* one bit for each row of the table */
 };
 

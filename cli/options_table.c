@@ -17,6 +17,7 @@
 static const char *const quantity_words[] = {"brightness", "irradiance", NULL};
 static const char *const precision_words[] = {"single", "double", NULL};
 static const char *const csv_words[] = {"rfc4180", "excel-ru", NULL};
+static const char *const bits_words[] = {"8", "16", NULL};
 static const char *const section_words[] = {"center", "maximum", NULL};
 const char *const option_formats[] = {"text", "markdown", "latex", "html", NULL};
 
@@ -86,6 +87,16 @@ static bool take_precision(struct options *options, const char *argument)
     if (!take_word("--precision", argument, precision_words, &found))
         return false;
     options->settings.precision = found == 0 ? LUXEL_SINGLE : LUXEL_DOUBLE;
+    return true;
+}
+
+static bool take_bits(struct options *options, const char *argument)
+{
+    size_t found;
+
+    if (!take_word("--bits", argument, bits_words, &found))
+        return false;
+    options->bits = found == 0 ? 8 : 16;
     return true;
 }
 
@@ -272,6 +283,8 @@ enum {
 static const struct option_row rows[] = {
     {"output", 'o', N_("FILE"), WRITING, TAKES(take_output), .value = VALUE_OUTPUT,
      .help = N_("write the result to a file, in the format that the ending of the name says; may be repeated")},
+    {"bits", 0, N_("N"), COMMAND_RENDER, TAKES(take_bits), WORDS(bits_words),
+     .help = N_("bits of the grey levels of a .png: 8 (default) or 16, which show differences that 256 levels hide")},
     {"dry-run", 'n', NULL, COMMAND_SET, SETS(dry_run), .help = N_("print the changed scene and write no file")},
     {"point", 'p', N_("X,Y"), COMMAND_PROBE | COMMAND_EXPLAIN, TAKES(take_point),
      .help = N_("take this point of the screen, in mm, instead of the scene's own points; may be repeated")},

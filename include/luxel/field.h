@@ -92,9 +92,11 @@ LUXEL_API const luxel_statistics *luxel_field_statistics(const luxel_field *fiel
 
 /* Fills rows x columns bytes with the grey levels 0..255 by the rule of the scene's `picture`. */
 LUXEL_API void luxel_field_grey(const luxel_field *field, uint8_t *grey);
+/* Fills rows x columns numbers with the grey levels 0..65535 by the same rule, 65535 taking the place of 255. */
+LUXEL_API void luxel_field_grey16(const luxel_field *field, uint16_t *grey);
 
 /*
- * Writes the field to a file, by the ending of its name: .png (8-bit grey), .pfm (float32), .npy (float32 or
+ * Writes the field to a file, by the ending of its name: .png (grey levels), .pfm (float32), .npy (float32 or
  * float64), .csv (a line for each pixel on a surface: x_mm, y_mm, value), .exr (float32).  PNG and EXR carry the
  * scene, the quantity, the precision and the unit, so that luxel_scene_read_file() can read the scene from them.
  * The file appears whole or not at all; one that was there stays until the new one is complete.
@@ -102,6 +104,18 @@ LUXEL_API void luxel_field_grey(const luxel_field *field, uint8_t *grey);
  * written.
  */
 LUXEL_API luxel_status luxel_field_write(const luxel_field *field, const char *path, luxel_diagnostics *diagnostics);
+
+/* How a file is written, where its format leaves a choice; {0} is as luxel_field_write() does. */
+typedef struct luxel_output {
+    unsigned bits; /* of a grey level in .png: 8 or 16; 0: 8.  Other formats hold the values themselves */
+} luxel_output;
+
+/*
+ * Writes the field as luxel_field_write() does; `how` NULL: just so.
+ * LUXEL_ERROR_ARGUMENT: other numbers of bits, too.
+ */
+LUXEL_API luxel_status luxel_field_write_as(const luxel_field *field, const char *path, const luxel_output *how,
+                                            luxel_diagnostics *diagnostics);
 
 /* Whether luxel_field_write() knows the ending of this name; if not, says so in the diagnostics. */
 LUXEL_API luxel_status luxel_check_output_name(const char *path, luxel_diagnostics *diagnostics);

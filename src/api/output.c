@@ -68,25 +68,37 @@ static luxel_status write_image(const luxel_field *field, const char *path, enum
     return lx_write_image(path, &image, diagnostics);
 }
 
-static luxel_status write_grey(const luxel_field *field, const char *path, luxel_diagnostics *diagnostics)
+static luxel_status write_grey(const luxel_field *field, const char *path, bool fine, luxel_diagnostics *diagnostics)
 {
-    uint8_t *grey = lx_new_aligned((size_t)field->columns * field->rows, 1);
+    void *grey = lx_new_aligned((size_t)field->columns * field->rows, fine ? sizeof(uint16_t) : sizeof(uint8_t));
     if (!grey)
         return lx_out_of_memory(diagnostics);
-    luxel_field_grey(field, grey);
-    luxel_status status = write_image(field, path, LX_SAMPLE_U8, grey, diagnostics);
+    if (fine)
+        luxel_field_grey16(field, grey);
+    else
+        luxel_field_grey(field, grey);
+    luxel_status status = write_image(field, path, fine ? LX_SAMPLE_U16 : LX_SAMPLE_U8, grey, diagnostics);
     free(grey);
     return status;
 }
 
-luxel_status luxel_field_write(const luxel_field *field, const char *path, luxel_diagnostics *diagnostics)
+luxel_status luxel_field_write_as(const luxel_field *field, const char *path, const luxel_output *how,
+                                  luxel_diagnostics *diagnostics)
 {
     const struct lx_format *format;
+    const unsigned bits = how && how->bits ? how->bits : 8;
     luxel_status status = lx_find_format(path, diagnostics, &format);
     if (status != LUXEL_OK)
         return status;
+    if (bits != 8 && bits != 16)
+        return lx_setting_out_of_range(diagnostics, "bits", bits, LX_N("8 or 16"));
     if (!(format->samples & (LX_SAMPLE_F32 | LX_SAMPLE_F64)))
-        return write_grey(field, path, diagnostics);
+        return write_grey(field, path, bits == 16, diagnostics);
     enum lx_sample sample = field->precision == LUXEL_DOUBLE ? LX_SAMPLE_F64 : LX_SAMPLE_F32;
     return write_image(field, path, sample, field->values, diagnostics);
+}
+
+luxel_status luxel_field_write(const luxel_field *field, const char *path, luxel_diagnostics *diagnostics)
+{
+    return luxel_field_write_as(field, path, NULL, diagnostics);
 }

@@ -201,14 +201,26 @@ static double shade_of(const struct luxel_field *field, double value, double bla
     return (value - black) / (white - black);
 }
 
+/* The level of a pixel, a whole number from 0 to `most`. */
+static double level_of(const struct luxel_field *field, size_t i, double black, double white, double most)
+{
+    double level = field->mask[i] ? most * shade_of(field, lx_field_value(field, i), black, white) : 0;
+    level = level > 0 ? level < most ? level : most : 0;
+    return field->picture.rounding == LX_NEAREST ? round(level) : trunc(level);
+}
+
 void luxel_field_grey(const luxel_field *field, uint8_t *grey)
 {
     double black, white;
-    bool nearest = field->picture.rounding == LX_NEAREST;
     linear_range(field, &black, &white);
-    for (size_t i = 0; i < (size_t)field->columns * field->rows; i++) {
-        double level = field->mask[i] ? 255 * shade_of(field, lx_field_value(field, i), black, white) : 0;
-        level = level > 0 ? level < 255 ? level : 255 : 0;
-        grey[i] = (uint8_t)(nearest ? round(level) : level);
-    }
+    for (size_t i = 0; i < (size_t)field->columns * field->rows; i++)
+        grey[i] = (uint8_t)level_of(field, i, black, white, 255);
+}
+
+void luxel_field_grey16(const luxel_field *field, uint16_t *grey)
+{
+    double black, white;
+    linear_range(field, &black, &white);
+    for (size_t i = 0; i < (size_t)field->columns * field->rows; i++)
+        grey[i] = (uint16_t)level_of(field, i, black, white, 65535);
 }

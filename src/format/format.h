@@ -15,7 +15,7 @@
 enum { LX_MOST_PIXELS = 65536 };
 
 /* What the samples of an image are; one bit each, so that a format can name several. */
-enum lx_sample { LX_SAMPLE_U8 = 1, LX_SAMPLE_F32 = 2, LX_SAMPLE_F64 = 4 };
+enum lx_sample { LX_SAMPLE_U8 = 1, LX_SAMPLE_F32 = 2, LX_SAMPLE_F64 = 4, LX_SAMPLE_U16 = 8 };
 
 /*
  * An image to write: rows x columns x channels samples, row 0 on top, without gaps.  All is the caller's.  What
@@ -25,7 +25,7 @@ struct lx_image {
     unsigned columns, rows;
     unsigned channels; /* 1: no format takes more yet */
     enum lx_sample sample;
-    const void *data;          /* uint8_t, float or double in the host's byte order */
+    const void *data;          /* uint8_t, uint16_t, float or double in the host's byte order */
     const uint8_t *mask;       /* rows x columns, 1 where there is a value; NULL: everywhere */
     const double *x_mm, *y_mm; /* the places of the columns and of the rows; NULL: not known */
     const char *unit;          /* of the samples; NULL: not known */

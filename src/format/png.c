@@ -1,9 +1,10 @@
 /* SPDX-License-Identifier: MIT */
 /*
- * PNG pictures of 8-bit grey, through libpng, with their tags as iTXt chunks before the picture.  The same image
- * gives the same bytes: nothing of time or place goes in.  Without row filters and at zlib's level 4 an 800 x 800
+ * PNG pictures of 8-bit or 16-bit grey, through libpng, with their tags as iTXt chunks before the picture.  The same
+ * image gives the same bytes: nothing of time or place goes in.  Without row filters and at zlib's level 4 an 800 x 800
  * picture takes 3 ms, a fifth of libpng's defaults, and is hardly larger (48 instead of 45 kB; level 1: 2.3 ms and
- * 77 kB).
+ * 77 kB).  Of 16 bits the line above is taken off: without, the low bytes look like noise (it saves three quarters
+ * of the size and costs no time).
  */
 #include <errno.h>
 #include <png.h>
@@ -72,15 +73,18 @@ static void set_texts(png_structp png, png_infop info, const struct lx_image *im
 static void write_all(png_structp png, png_infop info, const struct lx_image *image, png_text *texts)
 {
     const png_byte *rows = image->data;
-    png_set_IHDR(png, info, image->columns, image->rows, 8, PNG_COLOR_TYPE_GRAY, PNG_INTERLACE_NONE,
+    const size_t width = image->sample == LX_SAMPLE_U16 ? sizeof(uint16_t) : sizeof(uint8_t);
+    png_set_IHDR(png, info, image->columns, image->rows, (int)(8 * width), PNG_COLOR_TYPE_GRAY, PNG_INTERLACE_NONE,
                  PNG_COMPRESSION_TYPE_DEFAULT, PNG_FILTER_TYPE_DEFAULT);
     png_set_compression_level(png, LEVEL);
     png_set_text_compression_level(png, LEVEL);
-    png_set_filter(png, PNG_FILTER_TYPE_BASE, PNG_FILTER_NONE);
+    png_set_filter(png, PNG_FILTER_TYPE_BASE, width > 1 ? PNG_FILTER_UP : PNG_FILTER_NONE);
     set_texts(png, info, image, texts);
     png_write_info(png, info);
+    if (width > 1 && __BYTE_ORDER__ == __ORDER_LITTLE_ENDIAN__)
+        png_set_swap(png);
     for (unsigned row = 0; row < image->rows; row++)
-        png_write_row(png, rows + (size_t)row * image->columns);
+        png_write_row(png, rows + (size_t)row * image->columns * width);
     png_write_end(png, NULL);
 }
 
@@ -103,7 +107,7 @@ static void write_png(const struct lx_image *image, struct lx_sink *sink)
 const struct lx_format lx_format_png = {
     .ending = ".png",
     .name = "PNG",
-    .samples = LX_SAMPLE_U8,
+    .samples = LX_SAMPLE_U8 | LX_SAMPLE_U16,
     .magic = LX_PNG_MAGIC,
     .magic_length = LX_PNG_MAGIC_LENGTH,
     .write = write_png,

@@ -19,6 +19,7 @@ EXACT = [
     ("luxel probe --poi", "--point"),
     ("luxel --json render --qua", "--quantity"),
     ("luxel render --threads 2 --precision d", "double"),
+    ("luxel render --bits ", "16 8"),
     ("luxel scene thr", "three-lights"),
     ("luxel scene --lis", "--list"),
     ("luxel render my", "my.yaml"),

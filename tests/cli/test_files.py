@@ -65,20 +65,46 @@ def precisions(tap, tool):
 
 
 def grey_levels(tap, tool):
-    rules = {"{range: max, rounding: truncate}": lambda v, s: np.floor(np.clip(255 * v / v.max(), 0, 255)),
-             "{range: max, rounding: nearest}": lambda v, s: np.floor(np.clip(255 * v / v.max(), 0, 255) + 0.5),
-             "{range: [1, 4]}": lambda v, s: np.where(s, np.floor(np.clip(255 * (v - 1) / 3, 0, 255)), 0),
-             "{range: minmax}": lambda v, s: np.where(s, np.floor(np.clip(
-                 255 * (v - v[s].min()) / (v[s].max() - v[s].min()), 0, 255)), 0),
-             "{range: log}": lambda v, s: np.floor(255 * np.clip(1 + np.log10(
+    """By each rule of `picture`, with 8 bits and with 16."""
+    rules = {"{range: max, rounding: truncate}": lambda v, s, m: np.floor(np.clip(m * v / v.max(), 0, m)),
+             "{range: max, rounding: nearest}": lambda v, s, m: np.floor(np.clip(m * v / v.max(), 0, m) + 0.5),
+             "{range: [1, 4]}": lambda v, s, m: np.where(s, np.floor(np.clip(m * (v - 1) / 3, 0, m)), 0),
+             "{range: minmax}": lambda v, s, m: np.where(s, np.floor(np.clip(
+                 m * (v - v[s].min()) / (v[s].max() - v[s].min()), 0, m)), 0),
+             "{range: log}": lambda v, s, m: np.floor(m * np.clip(1 + np.log10(
                  np.maximum(v, 1e-300) / v.max()) / 4, 0, 1))}
     surface = surface_of_asymmetric()
     for picture, rule in rules.items():
         tool.write("scene.yaml", ASYMMETRIC.replace("{range: max, rounding: truncate}", picture))
-        tool.run("render", "scene.yaml", "--precision", "double", "-o", "a.npy", "-o", "a.png")
-        values = np.load(tool.file("a.npy"))
-        off = np.abs(read_png(tool.file("a.png")).astype(int) - rule(values, surface).astype(int))
-        tap.ok(off.max() <= 1 and np.count_nonzero(off) <= 5, "picture: " + picture, off.max(), np.count_nonzero(off))
+        for bits in 8, 16:
+            result = tool.run("render", "scene.yaml", "--precision", "double", "-o", "a.npy", "-o", "a.png", "--bits",
+                              str(bits))
+            tap.equal((result.code, result.err), (0, ""), "--bits %d goes with other files, too" % bits)
+            values, levels = np.load(tool.file("a.npy")), read_png(tool.file("a.png"))
+            off = np.abs(levels.astype(int) - rule(values, surface, 2 ** bits - 1).astype(int))
+            tap.ok(levels.itemsize == bits // 8 and off.max() <= 1 and np.count_nonzero(off) <= 5,
+                   "picture: %s, %d bits" % (picture, bits), levels.dtype, off.max(), np.count_nonzero(off))
+
+
+def sixteen_bits(tap, tool):
+    """A .png of 16 bits is a SCENE as one of 8 bits is, and --bits is refused where it says nothing."""
+    tool.write("scene.yaml", ASYMMETRIC)
+    tool.run("render", "scene.yaml", "-o", "a.png", "-o", "b.PNG", "--bits", "16")
+    tool.run("render", "scene.yaml", "-o", "c.png")
+    tap.ok(tool.read("a.png") == tool.read("b.PNG"), "every .png is written so")
+    tap.equal(tool.run("scene", "a.png").out, tool.run("scene", "c.png").out, "it carries the same scene")
+    tool.run("render", "a.png", "-o", "d.png", "-o", "e.npy", "--bits=16")
+    tap.ok(tool.read("d.png") == tool.read("a.png"), "and repeats itself")
+    tool.run("render", "a.png", "-o", "f.png")
+    tool.run("render", "c.png", "-o", "g.png", "--bits=8")
+    tap.ok(tool.read("f.png") == tool.read("c.png") == tool.read("g.png"), "8 bits are the default")
+    for arguments, words in ((["render", "--bits", "16"], "-o FILE.png"),
+                             (["render", "--bits", "16", "-o", "n.npy"], "-o FILE.png"),
+                             (["render", "--bits", "12", "-o", "n.png"], "one of 8, 16"),
+                             (["figure", "--bits", "16", "-o", "n.png"], "luxel render takes it")):
+        result = tool.run(*arguments)
+        tap.ok(result.code == 2 and words in result.err and not os.path.exists(tool.file(arguments[-1])),
+               "refused: " + " ".join(arguments), result)
 
 
 def one_of_them_fails(tap, tool):
@@ -140,4 +166,5 @@ def instruction_sets(tap, tool):
     tap.ok(tried > 0, "an instruction set was tried")
 
 
-run_tests(Tap(), rows_run_down, precisions, grey_levels, one_of_them_fails, old_files, same_bytes, instruction_sets)
+run_tests(Tap(), rows_run_down, precisions, grey_levels, sixteen_bits, one_of_them_fails, old_files,
+          same_bytes, instruction_sets)

@@ -96,7 +96,7 @@ def _numbers(numbers):
 
 
 def read_png(path):
-    """The grey levels of an 8-bit grey PNG without interlacing, as an array of rows."""
+    """The grey levels of an 8-bit or 16-bit grey PNG without interlacing, as an array of rows."""
     data = open(path, 'rb').read()
     if data[:8] != b'\x89PNG\r\n\x1a\n':
         raise ValueError('no PNG')
@@ -106,23 +106,24 @@ def read_png(path):
         body = data[place + 8:place + 8 + size]
         if kind == b'IHDR':
             columns, rows, *form = struct.unpack('>IIBBBBB', body)
-            if form != [8, 0, 0, 0, 0]:
+            if form not in ([8, 0, 0, 0, 0], [16, 0, 0, 0, 0]):
                 raise ValueError(f'PNG of another form: {form}')
         elif kind == b'IDAT':
             pixels += body
         place += 12 + size
-    lines = zlib.decompress(pixels)
-    picture = np.zeros((rows + 1, columns + 1), dtype=np.uint8)
+    lines, width = zlib.decompress(pixels), form[0] // 8
+    length = columns * width
+    picture = np.zeros((rows + 1, length + width), dtype=np.uint8)
     for row in range(rows):
-        line = lines[row * (columns + 1):(row + 1) * (columns + 1)]
-        _unfilter(line[0], line[1:], picture[row], picture[row + 1])
-    return picture[1:, 1:]
+        line = lines[row * (length + 1):(row + 1) * (length + 1)]
+        _unfilter(line[0], line[1:], width, picture[row], picture[row + 1])
+    return np.ascontiguousarray(picture[1:, width:]).view('>u%d' % width)
 
 
-def _unfilter(kind, line, above, out):
-    """Undoes one line's filter; `above` and `out` have a zero on the left."""
-    for i, byte in enumerate(line, 1):
-        left, up, corner = int(out[i - 1]), int(above[i]), int(above[i - 1])
+def _unfilter(kind, line, width, above, out):
+    """Undoes one line's filter; `above` and `out` have the `width` zero bytes of a pixel on the left."""
+    for i, byte in enumerate(line, width):
+        left, up, corner = int(out[i - width]), int(above[i]), int(above[i - width])
         nearest = min((left, up, corner), key=lambda value: abs(left + up - corner - value))
         out[i] = (byte + (0, left, up, (left + up) // 2, nearest)[kind]) & 255
 

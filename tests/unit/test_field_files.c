@@ -182,6 +182,37 @@ static void test_repeats_itself(void **state)
     }
 }
 
+/* The finer levels are those of luxel_field_grey16(), in which the coarser ones are the high parts. */
+static void test_bits(void **state)
+{
+    struct files *files = *state;
+    luxel_diagnostics *diagnostics = luxel_diagnostics_new();
+    luxel_field *field = render_small(LUXEL_SINGLE, LUXEL_BRIGHTNESS);
+    luxel_scene *scene = NULL;
+    uint16_t fine[12 * 8];
+    uint8_t grey[12 * 8];
+    char first[96], second[96];
+
+    luxel_field_grey(field, grey);
+    luxel_field_grey16(field, fine);
+    for (size_t i = 0; i < 12 * 8; i++)
+        assert_int_equal(fine[i] * 255 / 65535, grey[i]);
+    assert_true(fine[4 * 12 + 6] % 257 != 0 || fine[4 * 12 + 7] % 257 != 0);
+    snprintf(first, sizeof first, "%s/a.png", files->folder);
+    snprintf(second, sizeof second, "%s/b.png", files->folder);
+    assert_int_equal(luxel_field_write(field, first, NULL), LUXEL_OK);
+    assert_int_equal(luxel_field_write_as(field, second, &(luxel_output){0}, NULL), LUXEL_OK);
+    assert_same_files(first, second);
+    assert_int_equal(luxel_field_write_as(field, second, &(luxel_output){.bits = 16}, NULL), LUXEL_OK);
+    assert_int_equal(luxel_scene_read_file(second, NULL, &scene), LUXEL_OK);
+    assert_int_equal(luxel_field_write_as(field, second, &(luxel_output){.bits = 4}, diagnostics),
+                     LUXEL_ERROR_ARGUMENT);
+    assert_string_equal(luxel_diagnostics_get(diagnostics, 0)->id, "setting-out-of-range");
+    luxel_scene_free(scene);
+    luxel_field_free(field);
+    luxel_diagnostics_free(diagnostics);
+}
+
 static void test_settings_of_texts(void **state)
 {
     luxel_settings settings;
@@ -264,7 +295,8 @@ static void test_damage(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        FILES_CASE(arrays), FILES_CASE(exr), FILES_CASE(csv), FILES_CASE(repeats_itself), FILES_CASE(settings_of_texts),
+        FILES_CASE(arrays),         FILES_CASE(exr),  FILES_CASE(csv),
+        FILES_CASE(repeats_itself), FILES_CASE(bits), FILES_CASE(settings_of_texts),
         FILES_CASE(damage),
     };
 

@@ -21,6 +21,7 @@ int main(int count, char **arguments)
     double doubles[ROWS * COLUMNS];
     float singles[ROWS * COLUMNS];
     uint8_t greys[ROWS * COLUMNS];
+    uint16_t fine[ROWS * COLUMNS];
 
     if (count != 2) {
         fputs("usage: write_images FOLDER\n", stderr);
@@ -30,8 +31,10 @@ int main(int count, char **arguments)
         doubles[i] = i / COLUMNS + i % COLUMNS / 8.0;
         singles[i] = (float)doubles[i];
         greys[i] = (uint8_t)(doubles[i] * 8);
+        fine[i] = (uint16_t)(doubles[i] * 8 * 259);
     }
     return write_as(arguments[1], "grey.png", LX_SAMPLE_U8, greys) |
+           write_as(arguments[1], "fine.png", LX_SAMPLE_U16, fine) |
            write_as(arguments[1], "single.npy", LX_SAMPLE_F32, singles) |
            write_as(arguments[1], "double.npy", LX_SAMPLE_F64, doubles) |
            write_as(arguments[1], "single.pfm", LX_SAMPLE_F32, singles);
