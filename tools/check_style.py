@@ -12,6 +12,8 @@ from tap import Tap
 FOLDERS = ["include", "src", "front", "cli", "app", "tests", "tools", "bench", "fuzz", "examples", "data"]
 C_LIKE = (".c", ".h", ".def", ".inc", ".cpp", ".hpp")
 LONGEST = 600
+# What others made, under their own licence.
+THEIRS = {os.path.join("src", "figure", "palette_turbo.h"): "Apache-2.0"}
 TABLE = "_cases.h"  # numbers that a script wrote; they may be as many as they like
 WIDEST = 120
 FORBIDDEN = re.compile(r"(?<![\w.>])(v?f?printf|puts|fputs|putchar|perror|exit|_exit|quick_exit|abort|setlocale|assert)"
@@ -44,7 +46,7 @@ def first_paragraph(path, text):
         lines = lines[1:]
     head = "\n".join(lines)
     if path.endswith(C_LIKE):
-        licence = r"/\* SPDX-License-Identifier: MIT \*/\n"
+        licence = r"/\* SPDX-License-Identifier: %s \*/\n" % re.escape(THEIRS.get(path, "MIT"))
         paragraph = r"/\*\s*\n? ?\*? ?\w"
     else:
         licence = r"# SPDX-License-Identifier: MIT\n"

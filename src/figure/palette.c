@@ -7,6 +7,7 @@
 
 #include "../base/phrase.h"
 #include "palette_tables.h"
+#include "palette_turbo.h"
 
 struct palette {
     const char *name, *meaning;
@@ -20,6 +21,7 @@ static const struct palette palettes[] = {
     {"magma", LX_N("black over purple to pale pink, even to the eye"), magma_colors},
     {"plasma", LX_N("blue over red to yellow, even to the eye"), plasma_colors},
     {"coolwarm", LX_N("blue over grey to red, for values on both sides of a middle"), coolwarm_colors},
+    {"turbo", LX_N("blue over green to red, the rainbow that shows most steps, not even to the eye"), turbo_colors},
     {"grey", LX_N("black to white, as the exercise asks"), NULL},
 };
 

@@ -116,9 +116,10 @@ def lightness(color):
 
 
 def palettes(tap, tool):
-    """The bar's colours: their lightness rises evenly, but for the one with a middle."""
+    """The bar's colours: their lightness rises evenly, but for those with a middle."""
     names = re.findall(r"^  (\w+)", tool.run("figure", "--palettes").out, re.M)
-    tap.ok({"viridis", "cividis", "inferno", "magma", "plasma", "grey", "coolwarm"} <= set(names), "palettes", names)
+    tap.ok({"viridis", "cividis", "inferno", "magma", "plasma", "grey", "coolwarm",
+            "turbo"} <= set(names), "palettes", names)
     for name in names:
         tool.run("figure", "distant", "-o", "f.png", "--palette", name, "--plain")
         width, height, _, rows = png_parts(tool.read("f.png"))
@@ -129,7 +130,7 @@ def palettes(tap, tool):
         last = max(i for i, c in enumerate(colors[:int(height * 0.88)]) if c != (255, 255, 255))
         steps = [lightness(c) for c in colors[first + 4:last - 4]]
         changes = [a - b for a, b in zip(steps, steps[1:])]
-        if name != "coolwarm":
+        if name not in ("coolwarm", "turbo"):
             tap.ok(min(changes) > -0.8, "%s: never darker towards higher values" % name, min(changes))
             tap.ok(steps[0] - steps[-1] > 55, "%s: from dark to light" % name, steps[0], steps[-1])
 
