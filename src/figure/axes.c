@@ -92,7 +92,8 @@ static struct lx_type label_type(const struct lx_plot *plot, double length)
     return (struct lx_type){.size = plot->size, .wrap = fmax(length, 6 * plot->size), .centered = true};
 }
 
-struct lx_margins lx_plot_margins(const struct lx_canvas *canvas, const struct lx_plot *plot, const char *y_label)
+struct lx_margins lx_plot_margins(const struct lx_canvas *canvas, const struct lx_plot *plot, const char *x_label,
+                                  const char *y_label)
 {
     const struct lx_type type = {.size = plot->size}, label = label_type(plot, plot->box.height);
     struct lx_ticks ticks = lx_ticks_along(canvas, &plot->y, plot->box.height, plot->size, true, 7);
@@ -101,10 +102,10 @@ struct lx_margins lx_plot_margins(const struct lx_canvas *canvas, const struct l
         widest = fmax(widest, lx_measure(canvas, ticks.texts[i], &type).width);
     ticks = lx_ticks_along(canvas, &plot->x, plot->box.width, plot->size, false, 7);
     return (struct lx_margins){
-        .left = widest + (TICK + 2 * GAP) * plot->size + lx_measure(canvas, y_label, &label).height,
+        .left = widest + (TICK + 2 * GAP) * plot->size + (y_label ? lx_measure(canvas, y_label, &label).height : 0),
         .right = ticks.count > 0 ? lx_measure(canvas, ticks.texts[ticks.count - 1], &type).width / 2 : 0,
         .above = height / 2,
-        .below = (TICK + GAP) * plot->size + 2.1 * height};
+        .below = (TICK + GAP) * plot->size + (x_label ? 2.1 : 1) * height};
 }
 
 static void line(const struct lx_canvas *canvas, double x1, double y1, double x2, double y2)
@@ -131,7 +132,8 @@ static void draw_x(const struct lx_canvas *canvas, const struct lx_plot *plot, c
         lx_write(canvas, ticks.texts[i], &type, x, below, 0.5, 0, 0);
     }
     double height = lx_measure(canvas, "0", &type).height;
-    lx_write(canvas, label, &type, box->x + box->width / 2, below + 1.1 * height, 0.5, 0, 0);
+    if (label)
+        lx_write(canvas, label, &type, box->x + box->width / 2, below + 1.1 * height, 0.5, 0, 0);
 }
 
 static void draw_y(const struct lx_canvas *canvas, const struct lx_plot *plot, const char *label, bool grid)
@@ -152,7 +154,8 @@ static void draw_y(const struct lx_canvas *canvas, const struct lx_plot *plot, c
         widest = fmax(widest, lx_measure(canvas, ticks.texts[i], &type).width);
     }
     const struct lx_type along = label_type(plot, box->height);
-    lx_write(canvas, label, &along, right - widest - GAP * plot->size, box->y + box->height / 2, 0.5, 1, -M_PI / 2);
+    if (label)
+        lx_write(canvas, label, &along, right - widest - GAP * plot->size, box->y + box->height / 2, 0.5, 1, -M_PI / 2);
 }
 
 void lx_draw_axes(const struct lx_canvas *canvas, const struct lx_plot *plot, const char *x_label, const char *y_label,

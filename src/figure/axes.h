@@ -42,13 +42,15 @@ struct lx_plot {
 double lx_plot_x(const struct lx_plot *plot, double value);
 double lx_plot_y(const struct lx_plot *plot, double value);
 
-/* What stands around a plot's box: the room that ticks and labels need; a long label is wrapped along its axis. */
+/* What stands around a plot's box: the room that ticks and labels (NULL: none) need; a long label is wrapped along its
+ * axis. */
 struct lx_margins {
     double left, right, above, below;
 };
-struct lx_margins lx_plot_margins(const struct lx_canvas *canvas, const struct lx_plot *plot, const char *y_label);
+struct lx_margins lx_plot_margins(const struct lx_canvas *canvas, const struct lx_plot *plot, const char *x_label,
+                                  const char *y_label);
 
-/* Draws frame, ticks and labels; `grid`: faint lines at the ticks. */
+/* Draws frame, ticks and labels (NULL: none); `grid`: faint lines at the ticks. */
 void lx_draw_axes(const struct lx_canvas *canvas, const struct lx_plot *plot, const char *x_label, const char *y_label,
                   bool grid);
 

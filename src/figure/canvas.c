@@ -7,13 +7,8 @@
 
 static const char families[] = "DejaVu Sans, Noto Sans, Liberation Sans, sans-serif";
 
-struct lx_canvas lx_canvas_of(cairo_t *cairo, bool dark)
+static void *fonts_of(cairo_t *cairo)
 {
-    struct lx_canvas canvas = {
-        .cairo = cairo, .ink = {0.1, 0.1, 0.1}, .ground = {1, 1, 1}, .faint = {0.45, 0.45, 0.45}};
-    if (dark)
-        canvas = (struct lx_canvas){
-            .cairo = cairo, .ink = {0.93, 0.93, 0.93}, .ground = {0.08, 0.085, 0.09}, .faint = {0.62, 0.62, 0.62}};
     PangoContext *context = pango_cairo_create_context(cairo);
     cairo_font_options_t *options = cairo_font_options_create();
     /* the same widths on every device, so that a figure is laid out alike everywhere */
@@ -24,7 +19,28 @@ struct lx_canvas lx_canvas_of(cairo_t *cairo, bool dark)
     pango_cairo_context_set_resolution(context, 72);
     pango_context_set_round_glyph_positions(context, FALSE);
     cairo_font_options_destroy(options);
-    canvas.fonts = context;
+    return context;
+}
+
+struct lx_canvas lx_canvas_of(cairo_t *cairo, bool dark)
+{
+    struct lx_canvas canvas = {.ink = {0.1, 0.1, 0.1}, .ground = {1, 1, 1}, .faint = {0.45, 0.45, 0.45}};
+    if (dark)
+        canvas =
+            (struct lx_canvas){.ink = {0.93, 0.93, 0.93}, .ground = {0.08, 0.085, 0.09}, .faint = {0.62, 0.62, 0.62}};
+    canvas.cairo = cairo;
+    canvas.fonts = fonts_of(cairo);
+    return canvas;
+}
+
+struct lx_canvas lx_canvas_in(cairo_t *cairo, const double ink[3], const double ground[3])
+{
+    struct lx_canvas canvas = {.cairo = cairo, .fonts = fonts_of(cairo)};
+    for (int i = 0; i < 3; i++) {
+        canvas.ink[i] = ink[i];
+        canvas.ground[i] = ground[i];
+        canvas.faint[i] = ink[i] + 0.38 * (ground[i] - ink[i]);
+    }
     return canvas;
 }
 

@@ -19,6 +19,8 @@ struct lx_box {
 
 /* `dark`: light ink on a dark ground. */
 struct lx_canvas lx_canvas_of(cairo_t *cairo, bool dark);
+/* With colours of one's own. */
+struct lx_canvas lx_canvas_in(cairo_t *cairo, const double ink[3], const double ground[3]);
 void lx_canvas_clear(struct lx_canvas *canvas);
 
 /* How a text stands: its size, weight, its colour (NULL: ink), and where it is wrapped (0: not). */

@@ -7,7 +7,7 @@
 
 #include "../document/document.h"
 #include "../scene/scene.h"
-#include "axes.h"
+#include "parts.h"
 
 enum { LX_MOST_LEVELS = 64, LX_MOST_BOXES = 256 };
 
@@ -58,24 +58,13 @@ int lx_figure_outline(struct lx_figure *figure, const luxel_evaluator *evaluator
 /* Draws it `width` points wide from (0, 0) on, or with `cairo` NULL only measures; returns the height. */
 double lx_figure_draw(const struct lx_figure *figure, cairo_t *cairo, double width);
 
-/* The parts, each on its own rectangle. */
+/* The map, on its own rectangle. */
 void lx_draw_map(const struct lx_figure *figure, const struct lx_canvas *canvas, const struct lx_plot *plot);
-void lx_draw_bar(const struct lx_figure *figure, const struct lx_canvas *canvas, const struct lx_box *place,
-                 double size);
-/* How wide a bar of this length is with its ticks and label. */
-double lx_bar_room(const struct lx_figure *figure, const struct lx_canvas *canvas, double length, double size);
-void lx_draw_section(const struct lx_figure *figure, const struct lx_canvas *canvas, const struct lx_plot *plot,
-                     int which);
-/* The colour of a light's shares; sets the line's dashes, too, which tell those apart whose colours are the same. */
-void lx_light_line(const struct lx_figure *figure, const struct lx_canvas *canvas, size_t light, double size,
-                   double color[3]);
 
 /* What the map says of colours: of a value with its bands, of a line of a level, of no surface. */
 double lx_shown_value(const struct lx_figure *figure, double value);
 void lx_line_color(const struct lx_figure *figure, const struct lx_canvas *canvas, double value, double color[3]);
 void lx_empty_color(const struct lx_canvas *canvas, double color[3]);
-/* From 0 (black) to 1 (white). */
-double lx_lightness(const double color[3]);
 /* Whether the maximum is marked. */
 bool lx_shows_maximum(const struct lx_figure *figure);
 
