@@ -15,7 +15,7 @@ DECLARATION = re.compile(r"\bLUXEL_API\b[^;{(]*?\b(\w+)\s*\(")
 
 
 # All others are of libluxel.
-HEADERS_OF_FIGURES = ["figure.h"]
+HEADERS_OF_FIGURES = ["drawing.h", "figure.h"]
 
 
 def declared(root, headers):

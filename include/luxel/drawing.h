@@ -1,0 +1,102 @@
+/* SPDX-License-Identifier: MIT */
+/*
+ * Drawing on a cairo context: colour bars, profiles and histograms as figures show them, for the screens of programs.
+ *
+ * These functions are in the library luxel-figure.  Each draws on the rectangle from (0, 0) to (width, height) of the
+ * context, in its units, over what is there, and leaves the context as it was but for its current path, which is gone.
+ * Ticks and labels are chosen so that they fit.  Threads: one at a time for a context.
+ *
+ * All return LUXEL_ERROR_ARGUMENT where something is missing or out of what its comment says, with nothing drawn, or
+ * the context cannot be drawn on; and LUXEL_ERROR_MEMORY.
+ */
+#ifndef LUXEL_DRAWING_H
+#define LUXEL_DRAWING_H
+
+#include <cairo.h>
+
+#include <luxel/document.h>
+#include <luxel/profile.h>
+#include <luxel/statistics.h>
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/* How things are drawn; luxel_drawing_style_init() sets the defaults, which the comments name. */
+typedef struct luxel_drawing_style {
+    double letters;   /* the size of the letters, which all lines follow, above 0; 10 */
+    double ink[3];    /* of letters and lines: red, green and blue from 0 to 1; near black or white */
+    double ground[3]; /* what is drawn on, as colours are chosen to stand out from it; white or near black */
+    const luxel_language *language; /* NULL: English */
+} luxel_drawing_style;
+
+/* Sets every member to its default, given above; `dark`: light ink for a dark ground. */
+LUXEL_API void luxel_drawing_style_init(luxel_drawing_style *style, bool dark);
+
+/* A colour bar; {0} has no range: set that. */
+typedef struct luxel_bar {
+    const char *palette; /* a name of luxel_palette_name(); NULL: viridis */
+    double low;          /* the range: finite, low < high */
+    double high;         /* its end */
+    bool logarithmic;    /* by powers of ten; then low > 0 */
+    bool has_below;      /* pointed at the low end: there are values beyond it */
+    bool has_above;      /* pointed at the high end */
+    const char *label;   /* NULL: none */
+} luxel_bar;
+
+/*
+ * Draws a colour bar with its ticks along the longer side: upright at the left with ticks and label at its right, or
+ * lying at the top with them below.  A label for which there is no room across is left out.
+ */
+LUXEL_API luxel_status luxel_draw_bar(cairo_t *cairo, const luxel_drawing_style *style, const luxel_bar *bar,
+                                      double width, double height);
+
+/* How much room a bar of this length takes across, with its ticks and its label; `lying`: from left to right. */
+LUXEL_API luxel_status luxel_measure_bar(const luxel_drawing_style *style, const luxel_bar *bar, double length,
+                                         bool lying, double *room);
+
+/* What a profile is drawn along. */
+typedef enum luxel_along {
+    LUXEL_ALONG_WAY, /* the profile's abscissa: the distance in mm or the angle in degrees */
+    LUXEL_ALONG_X,   /* x on the screen in mm, where the way does not go straight up */
+    LUXEL_ALONG_Y    /* y on the screen in mm, where the way does not go straight across */
+} luxel_along;
+
+/* What a profile shows; luxel_profile_style_init() sets the defaults, which the comments name. */
+typedef struct luxel_profile_style {
+    luxel_along along; /* way */
+    bool stacked;      /* the lights' shares on top of each other, else as lines; false */
+    bool logarithmic;  /* the values by powers of ten, but where they are stacked; false */
+    double low;        /* of the values' axis; NaN: 0, or four decades below high where that is by powers */
+    double high;       /* of the values' axis; NaN: a little above the greatest value */
+    const char *const
+        *names;          /* of the profile's lights, for a legend: one for each; a light without (NULL) is not drawn;
+                               * NULL: all are drawn, without a legend */
+    const char *x_label; /* NULL: what the profile is along, with its unit */
+    const char *y_label; /* NULL: the quantity */
+    double marker;       /* a place along it to be marked, such as the pointer's; NaN: none */
+} luxel_profile_style;
+
+/* Sets every member to its default, given above. */
+LUXEL_API void luxel_profile_style_init(luxel_profile_style *how);
+
+/*
+ * Draws a profile: the sum as a bold line, and where more than one light is drawn the shares, with axes, the legend
+ * below (if there is room for it), and the marker.  `how` NULL: the defaults.
+ */
+LUXEL_API luxel_status luxel_draw_profile(cairo_t *cairo, const luxel_drawing_style *style,
+                                          const luxel_profile *profile, const luxel_profile_style *how, double width,
+                                          double height);
+
+/*
+ * Draws a histogram with its axes.  `colors`: the bins in the colours that their values have in this bar; NULL: in ink.
+ * The labels: NULL: none.
+ */
+LUXEL_API luxel_status luxel_draw_histogram(cairo_t *cairo, const luxel_drawing_style *style,
+                                            const luxel_histogram *histogram, const luxel_bar *colors,
+                                            const char *x_label, const char *y_label, double width, double height);
+
+#ifdef __cplusplus
+}
+#endif
+#endif
