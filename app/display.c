@@ -1,0 +1,149 @@
+/* SPDX-License-Identifier: MIT */
+/* Painting a field through a table of colours. */
+#include "display.h"
+
+#include <math.h>
+#include <string.h>
+
+enum { COLORS = 1024, BYTES = 4 };
+static const double DECADES = 4; /* of the logarithmic range, as of the scene's range `log` */
+
+void app_display_init(AppDisplay *display)
+{
+    *display = (AppDisplay){.palette = "grey", .high = 1, .maximum = TRUE, .marks = TRUE, .outline = TRUE};
+}
+
+gboolean app_display_is_plain(const AppDisplay *display)
+{
+    return strcmp(display->palette, "grey") == 0 && !display->logarithmic && !display->is_locked &&
+           display->exposure == 0;
+}
+
+void app_display_range(const AppDisplay *display, const luxel_field *field, double *low, double *high)
+{
+    const luxel_statistics *statistics = luxel_field_statistics(field);
+    const double maximum = statistics->maximum.exists && statistics->maximum.value > 0 ? statistics->maximum.value : 1;
+    *low = display->is_locked ? display->low : 0;
+    *high = display->is_locked ? display->high : maximum;
+    if (!(*high > *low) || (display->logarithmic && !(*high > 0)))
+        *high = *low >= 0 ? fmax(*low * 2, 1e-30) : 0;
+    if (display->logarithmic && !(*low > 0))
+        *low = *high * pow(10, -DECADES);
+}
+
+static guint32 pack(const double color[3])
+{
+    guint32 bytes[3];
+    for (int i = 0; i < 3; i++)
+        bytes[i] = (guint32)(CLAMP(color[i], 0, 1) * 255 + 0.5);
+    return GUINT32_TO_LE(0xff000000u | bytes[0] << 16 | bytes[1] << 8 | bytes[2]);
+}
+
+static void fill_table(const char *palette, guint32 table[COLORS])
+{
+    for (int i = 0; i < COLORS; i++) {
+        double color[3] = {0, 0, 0};
+        luxel_palette_color(palette, (double)i / (COLORS - 1), color);
+        table[i] = pack(color);
+    }
+}
+
+/* The place of a value among the colours. */
+typedef struct Ramp {
+    float scale, shift;
+    gboolean logarithmic;
+} Ramp;
+
+static Ramp ramp_of(const AppDisplay *display, double low, double high)
+{
+    const double gain = exp2(display->exposure);
+    double scale = gain / (high - low), shift = -low / (high - low);
+    if (display->logarithmic) {
+        scale = 1 / log(high / low);
+        shift = log(gain / low) * scale;
+    }
+    return (Ramp){(float)(scale * (COLORS - 1)), (float)(shift * (COLORS - 1)), display->logarithmic};
+}
+
+static inline int color_of(const Ramp *ramp, float value)
+{
+    if (ramp->logarithmic)
+        value = value > 0 ? logf(value) : -1e30f;
+    float place = value * ramp->scale + ramp->shift + 0.5f;
+    place = place > 0 ? place : 0;
+    place = place < COLORS - 1 ? place : COLORS - 1;
+    return (int)place;
+}
+
+/* One row of values as floats, whatever the field's precision. */
+static const float *row_of(const luxel_field *field, guint row, float *room)
+{
+    const gsize columns = luxel_field_columns(field);
+    const float *single = luxel_field_single(field);
+    if (single)
+        return single + row * columns;
+    const double *values = luxel_field_double(field) + row * columns;
+    for (gsize i = 0; i < columns; i++)
+        room[i] = (float)values[i];
+    return room;
+}
+
+static void paint_grey(const luxel_field *field, guint32 *pixels)
+{
+    const gsize count = (gsize)luxel_field_columns(field) * luxel_field_rows(field);
+    guint8 *grey = (guint8 *)pixels + (BYTES - 1) * count; /* the last quarter, which is overwritten last */
+    luxel_field_grey(field, grey);
+    for (gsize i = 0; i < count; i++)
+        pixels[i] = GUINT32_TO_LE(0xff000000u | grey[i] * 0x010101u);
+}
+
+static void paint_colors(const AppDisplay *display, const luxel_field *field, double low, double high, guint32 *pixels)
+{
+    const guint columns = luxel_field_columns(field), rows = luxel_field_rows(field);
+    const Ramp ramp = ramp_of(display, low, high);
+    guint32 table[COLORS];
+    float *room = g_new(float, columns);
+    fill_table(display->palette, table);
+    for (guint row = 0; row < rows; row++) {
+        const float *values = row_of(field, row, room);
+        guint32 *line = pixels + (gsize)row * columns;
+        for (guint i = 0; i < columns; i++)
+            line[i] = table[color_of(&ramp, values[i])];
+    }
+    g_free(room);
+}
+
+/* Whether a pixel off the surfaces has a neighbour on one. */
+static gboolean is_rim(const guint8 *mask, guint columns, guint rows, guint column, guint row)
+{
+    const guint8 *at = mask + (gsize)row * columns + column;
+    return (column > 0 && at[-1]) || (column + 1 < columns && at[1]) || (row > 0 && *(at - columns)) ||
+           (row + 1 < rows && at[columns]);
+}
+
+/* The background, and on it the outline, which so hides no value. */
+static void paint_outside(const AppDisplay *display, const luxel_field *field, guint32 *pixels)
+{
+    const guint columns = luxel_field_columns(field), rows = luxel_field_rows(field);
+    const guint8 *mask = luxel_field_mask(field);
+    const double lightness = 0.3 * display->background[0] + 0.6 * display->background[1] + 0.1 * display->background[2];
+    const double line[3] = {lightness > 0.5 ? 0.35 : 0.45, lightness > 0.5 ? 0.35 : 0.45, lightness > 0.5 ? 0.35 : 0.45};
+    const guint32 background = pack(display->background), outline = pack(line);
+    for (guint row = 0; row < rows; row++)
+        for (guint column = 0; column < columns; column++) {
+            const gsize i = (gsize)row * columns + column;
+            if (!mask[i])
+                pixels[i] = display->outline && is_rim(mask, columns, rows, column, row) ? outline : background;
+        }
+}
+
+void app_display_paint(const AppDisplay *display, const luxel_field *field, double low, double high, guchar *pixels)
+{
+    guint32 *words = (guint32 *)(void *)pixels;
+    if (app_display_is_plain(display))
+        paint_grey(field, words);
+    else
+        paint_colors(display, field, low, high, words);
+    if (luxel_field_statistics(field)->surface_pixels < (gsize)luxel_field_columns(field) * luxel_field_rows(field))
+        paint_outside(display, field, words);
+}

@@ -1,0 +1,37 @@
+/* SPDX-License-Identifier: MIT */
+/*
+ * How numbers are shown on the screen: colours, range, exposure, background.  It changes neither the scene nor what is
+ * saved of it.
+ */
+#ifndef LUXEL_APP_DISPLAY_H
+#define LUXEL_APP_DISPLAY_H
+
+#include <glib.h>
+#include <luxel/figure.h>
+
+typedef struct AppDisplay {
+    const char *palette;        /* a name of luxel_palette_name(), which lives for ever */
+    gboolean logarithmic;       /* colours by the logarithm of the value */
+    gboolean is_locked;         /* low and high hold, else the picture's own range does */
+    double low, high;           /* low < high */
+    double exposure;            /* in stops: values are multiplied by 2^exposure */
+    double background[3];       /* the colour where no surface is, 0 to 1 */
+    gboolean outline;           /* a line around the surfaces */
+    gboolean isophotes;         /* lines of equal value */
+    gboolean maximum;           /* a mark at the greatest value */
+    gboolean marks;             /* sources, points and the section */
+} AppDisplay;
+
+/* Grey on black, all marks shown. */
+void app_display_init(AppDisplay *display);
+
+/* Whether the picture is shown just as the scene's grey PNG has it. */
+gboolean app_display_is_plain(const AppDisplay *display);
+
+/* The values that get the first and the last colour; always low < high, and 0 < low where logarithmic. */
+void app_display_range(const AppDisplay *display, const luxel_field *field, double *low, double *high);
+
+/* Paints the field as pixels of four bytes, blue, green, red, 255, row by row. */
+void app_display_paint(const AppDisplay *display, const luxel_field *field, double low, double high, guchar *pixels);
+
+#endif

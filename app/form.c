@@ -1,0 +1,400 @@
+/* SPDX-License-Identifier: MIT */
+/* Forms: rows, made once for an element's type and refreshed from the document. */
+#include "form.h"
+
+#include <string.h>
+
+#include "../front/language.h"
+#include "../front/words.h"
+#include "number.h"
+#include "row.h"
+#include "rules.h"
+
+/* One control: a parameter, or one of its numbers. */
+typedef struct Entry {
+    AppForm *form;
+    const luxel_parameter *parameter;
+    const char *english_unit;
+    int component; /* -1: the whole */
+    GtkWidget *row;
+} Entry;
+
+struct _AppForm {
+    GtkBox parent;
+    AppDocument *document;
+    const AppTables *tables;
+    const char *const *prefixes;
+    const char *except;
+    AppKeys keys;
+    char *type;
+    GPtrArray *entries;
+    gboolean is_photometric;
+};
+
+G_DEFINE_FINAL_TYPE(AppForm, app_form, GTK_TYPE_BOX)
+
+AppTables *app_tables_new(void)
+{
+    AppTables *tables = g_new(AppTables, 1);
+    *tables = (AppTables){luxel_parameters_new_translated(language_translate, NULL), luxel_parameters_new()};
+    return tables;
+}
+
+void app_tables_free(AppTables *tables)
+{
+    luxel_parameters_free(tables->shown);
+    luxel_parameters_free(tables->english);
+    g_free(tables);
+}
+
+/* ---- words ---- */
+
+/* Units have photometric names, too. */
+static const char *unit_of(const AppForm *self, const char *radiometric)
+{
+    static const char *const names[][2] = {{"W/sr", "cd"}, {"W/m²", "lx"}, {"W/(sr·m²)", "cd/m²"}, {"W", "lm"}};
+    for (gsize i = 0; i < G_N_ELEMENTS(names) && self->is_photometric; i++)
+        if (strcmp(names[i][0], radiometric) == 0)
+            return gettext(names[i][1]);
+    return *radiometric ? gettext(radiometric) : "";
+}
+
+static const char *component_name(const luxel_parameter *parameter, int component)
+{
+    static const char *const space[] = {"x", "y", "z"};
+    static const char *const pixels[] = {N_("columns"), N_("rows")}, *const sides[] = {N_("width"), N_("height")};
+    if (parameter->value_type == LUXEL_WHOLE_NUMBERS)
+        return _(pixels[component]);
+    return parameter->count == 3 ? space[component] : _(sides[component]);
+}
+
+/* ---- changing ---- */
+
+static void apply(AppForm *self, AppEdits *edits, const Entry *entry)
+{
+    luxel_diagnostics *faults = luxel_diagnostics_new();
+    const AppEdit *list = (const AppEdit *)(void *)edits->list->data;
+    if (!app_document_edit(self->document, list, edits->list->len, NULL, faults)) {
+        char *reason = luxel_diagnostics_message(faults, 0, language_translate, NULL);
+        app_row_set_fault(APP_ROW(entry->row), reason ? reason : _("this cannot be set"));
+        luxel_text_free(reason);
+    }
+    luxel_diagnostics_free(faults);
+}
+
+static void edited(AppRow *row, const char *yaml, Entry *entry)
+{
+    AppEdits *edits = app_edits_new();
+    app_row_set_fault(row, NULL);
+    if (*yaml == '\0' || strcmp(yaml, "\"\"") == 0) {
+        char *path = app_keys_path(&entry->form->keys, entry->parameter);
+        app_edits_add(edits, APP_EDIT_REMOVE, path, NULL, 0, 0);
+        g_free(path);
+    } else
+        app_keys_set(&entry->form->keys, entry->parameter, entry->component, yaml, edits);
+    apply(entry->form, edits, entry);
+    app_edits_free(edits);
+}
+
+/* The default, or what the scene had when it was opened. */
+static void reset(AppRow *row, Entry *entry)
+{
+    AppForm *self = entry->form;
+    AppEdits *edits = app_edits_new();
+    char *path = app_keys_path(&self->keys, entry->parameter);
+    char *opened = app_document_get_opened(self->document, path);
+    (void)row;
+    if (entry->parameter->default_value)
+        app_edits_add(edits, APP_EDIT_REMOVE, path, NULL, 0, 0);
+    else if (opened)
+        app_edits_add(edits, APP_EDIT_SET, path, opened, 0, 0);
+    if (edits->list->len > 0)
+        apply(self, edits, entry);
+    g_free(opened);
+    g_free(path);
+    app_edits_free(edits);
+}
+
+/* ---- the menu of a row ---- */
+
+typedef struct Switch {
+    Entry *entry;
+    const luxel_parameter *to;
+} Switch;
+
+static void menu_reset(GtkButton *button, Entry *entry)
+{
+    gtk_popover_popdown(GTK_POPOVER(gtk_widget_get_ancestor(GTK_WIDGET(button), GTK_TYPE_POPOVER)));
+    reset(NULL, entry);
+}
+
+static void menu_copy(GtkButton *button, Entry *entry)
+{
+    char *path = app_keys_path(&entry->form->keys, entry->parameter);
+    char *value = app_document_get(entry->form->document, path, NULL);
+    char *assignment = g_strdup_printf("%s=%s", path, value ? value : "");
+    gdk_clipboard_set_text(gtk_widget_get_clipboard(GTK_WIDGET(entry->form)), assignment);
+    gtk_popover_popdown(GTK_POPOVER(gtk_widget_get_ancestor(GTK_WIDGET(button), GTK_TYPE_POPOVER)));
+    g_free(assignment);
+    g_free(value);
+    g_free(path);
+}
+
+static void menu_switch(GtkButton *button, Switch *change)
+{
+    AppEdits *edits = app_edits_new();
+    Switch wanted = *change; /* which goes with the menu */
+    app_keys_switch(&wanted.entry->form->keys, wanted.entry->parameter, wanted.to, edits);
+    gtk_popover_popdown(GTK_POPOVER(gtk_widget_get_ancestor(GTK_WIDGET(button), GTK_TYPE_POPOVER)));
+    apply(wanted.entry->form, edits, wanted.entry);
+    app_edits_free(edits);
+}
+
+static void free_switch(gpointer data, GClosure *closure)
+{
+    (void)closure;
+    g_free(data);
+}
+
+static GtkWidget *add_item(GtkWidget *box, const char *text)
+{
+    GtkWidget *item = gtk_button_new_with_label(text);
+    gtk_button_set_has_frame(GTK_BUTTON(item), FALSE);
+    gtk_label_set_xalign(GTK_LABEL(gtk_button_get_child(GTK_BUTTON(item))), 0);
+    gtk_box_append(GTK_BOX(box), item);
+    return item;
+}
+
+static void add_switches(Entry *entry, GtkWidget *box)
+{
+    GPtrArray *names = app_keys_instead(&entry->form->keys, entry->parameter);
+    for (guint i = 0; i < names->len; i++) {
+        const luxel_parameter *to =
+            app_keys_beside(&entry->form->keys, entry->parameter, g_ptr_array_index(names, i));
+        /* TRANSLATORS: a key is given instead of another; %s is its name, such as Radiance */
+        char *text = g_strdup_printf(_("Give “%s” instead"), to->label);
+        Switch *change = g_new(Switch, 1);
+        *change = (Switch){entry, to};
+        g_signal_connect_data(add_item(box, text), "clicked", G_CALLBACK(menu_switch), change, free_switch, 0);
+        g_free(text);
+    }
+    g_ptr_array_unref(names);
+}
+
+static void menu_closed(GtkWidget *popover, gpointer data)
+{
+    (void)data;
+    /* what was clicked is still to be done */
+    g_idle_add_once((GSourceOnceFunc)gtk_widget_unparent, popover);
+}
+
+static void show_menu(AppRow *row, GtkWidget *at, Entry *entry)
+{
+    GtkWidget *popover = gtk_popover_new(), *box = gtk_box_new(GTK_ORIENTATION_VERTICAL, 0);
+    char *text = entry->parameter->default_value
+                     /* TRANSLATORS: %s is a value */
+                     ? g_strdup_printf(_("Back to the default, %s"), entry->parameter->default_value)
+                     : g_strdup(_("Back to what was opened"));
+    (void)row;
+    g_signal_connect(add_item(box, text), "clicked", G_CALLBACK(menu_reset), entry);
+    g_signal_connect(add_item(box, _("Copy as key=value")), "clicked", G_CALLBACK(menu_copy), entry);
+    add_switches(entry, box);
+    g_free(text);
+    gtk_popover_set_child(GTK_POPOVER(popover), box);
+    gtk_widget_set_parent(popover, at);
+    g_signal_connect(popover, "closed", G_CALLBACK(menu_closed), NULL);
+    gtk_popover_popup(GTK_POPOVER(popover));
+}
+
+/* ---- making rows ---- */
+
+static AppRowKind kind_of(luxel_value_type type)
+{
+    switch (type) {
+    case LUXEL_NUMBER:
+    case LUXEL_NUMBERS: return APP_ROW_NUMBER;
+    case LUXEL_WHOLE_NUMBER:
+    case LUXEL_WHOLE_NUMBERS: return APP_ROW_WHOLE;
+    case LUXEL_YES_OR_NO: return APP_ROW_SWITCH;
+    case LUXEL_CHOICE: return APP_ROW_CHOICE;
+    case LUXEL_TEXT: return APP_ROW_TEXT;
+    default: return APP_ROW_YAML;
+    }
+}
+
+static void add_entry(AppForm *self, const luxel_parameter *parameter, const char *english_unit, int component)
+{
+    Entry *entry = g_new0(Entry, 1);
+    char *label = component < 0 ? g_strdup(parameter->label)
+                                : g_strdup_printf("%s, %s", parameter->label, component_name(parameter, component));
+    const AppRowSpec spec = {
+        .kind = kind_of(parameter->value_type),
+        .label = label,
+        .unit = unit_of(self, english_unit),
+        .meaning = parameter->meaning,
+        .choices = parameter->choices,
+        .legal = parameter->legal_range,
+        .advised = parameter->advised_range[MAX(component, 0)],
+        .advised_words = parameter->advised,
+        .hint = parameter->choices ? parameter->choices : parameter->type,
+    };
+    *entry = (Entry){self, parameter, english_unit, component, app_row_new(&spec)};
+    g_signal_connect(entry->row, "edited", G_CALLBACK(edited), entry);
+    g_signal_connect(entry->row, "reset", G_CALLBACK(reset), entry);
+    g_signal_connect(entry->row, "menu", G_CALLBACK(show_menu), entry);
+    gtk_box_append(GTK_BOX(self), entry->row);
+    g_ptr_array_add(self->entries, entry);
+    g_free(label);
+}
+
+static gboolean belongs(const AppForm *self, const char *path)
+{
+    if (self->except && g_str_has_prefix(path, self->except))
+        return FALSE;
+    for (gsize i = 0; self->prefixes[i]; i++) {
+        const char *prefix = self->prefixes[i];
+        /* a prefix without a dot at its end is a whole key */
+        if (g_str_has_suffix(prefix, ".") ? g_str_has_prefix(path, prefix) : strcmp(path, prefix) == 0)
+            return TRUE;
+    }
+    return FALSE;
+}
+
+static void add_entries(AppForm *self, const luxel_parameter *parameter, const char *english_unit)
+{
+    const luxel_value_type type = parameter->value_type;
+    if (type == LUXEL_GROUP || type == LUXEL_GROUPS || type == LUXEL_VARIANTS)
+        return;
+    if ((type == LUXEL_NUMBERS || type == LUXEL_WHOLE_NUMBERS) && parameter->count <= 3)
+        for (guint i = 0; i < parameter->count; i++)
+            add_entry(self, parameter, english_unit, (int)i);
+    else
+        add_entry(self, parameter, english_unit, -1);
+}
+
+static void rebuild(AppForm *self)
+{
+    GtkWidget *child;
+    while ((child = gtk_widget_get_first_child(GTK_WIDGET(self))))
+        gtk_box_remove(GTK_BOX(self), child);
+    g_ptr_array_set_size(self->entries, 0);
+    for (gsize i = 0; i < luxel_parameters_count(self->tables->shown); i++) {
+        const luxel_parameter *parameter = luxel_parameters_get(self->tables->shown, i);
+        if (belongs(self, parameter->path) && app_keys_has(&self->keys, parameter))
+            add_entries(self, parameter, luxel_parameters_get(self->tables->english, i)->unit);
+    }
+}
+
+/* ---- showing ---- */
+
+static void show_value(const AppForm *self, const Entry *entry)
+{
+    double numbers[3];
+    char text[APP_NUMBER_SIZE], *path = app_keys_path(&self->keys, entry->parameter);
+    char *value = app_document_get(self->document, path, NULL);
+    if (entry->component < 0)
+        app_row_set(APP_ROW(entry->row), value);
+    else if (value && app_list_read(value, numbers, 3) > (gsize)entry->component)
+        app_row_set(APP_ROW(entry->row), app_number_write(numbers[entry->component], text));
+    g_free(value);
+    g_free(path);
+}
+
+void app_form_refresh(AppForm *self)
+{
+    char *units = app_document_get(self->document, "units", NULL);
+    const gboolean photometric = g_strcmp0(units, "photometric") == 0;
+    g_free(units);
+    for (guint i = 0; i < self->entries->len; i++) {
+        const Entry *entry = g_ptr_array_index(self->entries, i);
+        const gboolean shown = app_keys_is_shown(&self->keys, entry->parameter);
+        gtk_widget_set_visible(entry->row, shown);
+        if (photometric != self->is_photometric) {
+            self->is_photometric = photometric;
+            for (guint k = 0; k < self->entries->len; k++) {
+                const Entry *other = g_ptr_array_index(self->entries, k);
+                app_row_set_unit(APP_ROW(other->row), unit_of(self, other->english_unit));
+            }
+        }
+        if (shown)
+            show_value(self, entry);
+    }
+}
+
+void app_form_set_element(AppForm *self, gsize index, const char *type)
+{
+    const gboolean is_same = g_strcmp0(type, self->type) == 0 && self->entries->len > 0;
+    self->keys.index = index;
+    if (!is_same) {
+        g_free(self->type);
+        self->type = g_strdup(type);
+        self->keys.type = self->type;
+        rebuild(self);
+    }
+    gtk_widget_set_visible(GTK_WIDGET(self), type != NULL);
+    if (type)
+        app_form_refresh(self);
+}
+
+gboolean app_form_set_fault(AppForm *self, const char *key, const char *reason)
+{
+    gboolean found = FALSE;
+    for (guint i = 0; i < self->entries->len; i++) {
+        const Entry *entry = g_ptr_array_index(self->entries, i);
+        char *path = app_keys_path(&self->keys, entry->parameter);
+        const gsize length = strlen(path);
+        /* a number of a list is the row's, too */
+        gboolean meant = key && strncmp(key, path, length) == 0 && (key[length] == '\0' || key[length] == '[');
+        if (meant || !key)
+            app_row_set_fault(APP_ROW(entry->row), meant ? reason : NULL);
+        found |= meant;
+        g_free(path);
+    }
+    return found;
+}
+
+/* ---- the class ---- */
+
+static void app_form_dispose(GObject *object)
+{
+    AppForm *self = APP_FORM(object);
+    g_clear_object(&self->document);
+    G_OBJECT_CLASS(app_form_parent_class)->dispose(object);
+}
+
+static void app_form_finalize(GObject *object)
+{
+    AppForm *self = APP_FORM(object);
+    g_ptr_array_unref(self->entries);
+    g_free(self->type);
+    G_OBJECT_CLASS(app_form_parent_class)->finalize(object);
+}
+
+static void app_form_class_init(AppFormClass *class)
+{
+    G_OBJECT_CLASS(class)->dispose = app_form_dispose;
+    G_OBJECT_CLASS(class)->finalize = app_form_finalize;
+}
+
+static void app_form_init(AppForm *self)
+{
+    self->entries = g_ptr_array_new_with_free_func(g_free);
+    gtk_orientable_set_orientation(GTK_ORIENTABLE(self), GTK_ORIENTATION_VERTICAL);
+    gtk_box_set_spacing(GTK_BOX(self), 4);
+}
+
+GtkWidget *app_form_new(AppDocument *document, const AppTables *tables, const char *const *prefixes,
+                        const char *except)
+{
+    AppForm *self = g_object_new(APP_TYPE_FORM, NULL);
+    self->document = g_object_ref(document);
+    self->tables = tables;
+    self->prefixes = prefixes;
+    self->except = except;
+    self->keys = (AppKeys){.document = document, .parameters = tables->shown};
+    if (!strstr(prefixes[0], "[]")) {
+        rebuild(self);
+        app_form_refresh(self);
+    }
+    return GTK_WIDGET(self);
+}

@@ -1,0 +1,373 @@
+/* SPDX-License-Identifier: MIT */
+/* The two threads that read numbers off a shot. */
+#include "measures.h"
+
+#include <math.h>
+#include <string.h>
+
+#include "runner.h"
+
+enum { REST_MS = 120, SECTION_SAMPLES = 401, BINS = 64, LEVELS = 8, MOST_LEVELS = 64 };
+
+/* ---- shared ---- */
+
+/* What is kept of a shot as long as it is asked about. */
+typedef struct Kept {
+    AppShot *shot;
+    luxel_evaluator *evaluator; /* NULL: there is none, or it was not asked for yet */
+    guint8 *grey;               /* levels, likewise */
+} Kept;
+
+static void drop(Kept *kept)
+{
+    luxel_evaluator_free(kept->evaluator);
+    app_shot_unref(kept->shot);
+    g_free(kept->grey);
+    *kept = (Kept){0};
+}
+
+static void keep(Kept *kept, AppShot *shot)
+{
+    if (kept->shot == shot)
+        return;
+    drop(kept);
+    kept->shot = app_shot_ref(shot);
+}
+
+static void free_kept(gpointer data)
+{
+    drop(data);
+    g_free(data);
+}
+
+static bool go_on(double done, void *runner)
+{
+    (void)done;
+    return !app_runner_is_outdated(runner);
+}
+
+/* One thread, as pictures have the others; the answers are the same. */
+static luxel_settings settings_of(const AppShot *shot, AppRunner *runner)
+{
+    luxel_settings settings;
+    luxel_settings_init(&settings);
+    settings.quantity = luxel_field_quantity(shot->field);
+    settings.threads = 1;
+    settings.progress = go_on;
+    settings.progress_data = runner;
+    return settings;
+}
+
+static const luxel_evaluator *evaluator_of(Kept *kept, AppRunner *runner, AppShot *shot)
+{
+    luxel_settings settings = settings_of(shot, runner);
+    keep(kept, shot);
+    if (!kept->evaluator && luxel_evaluator_new(shot->moment->scene, &settings, NULL, &kept->evaluator) != LUXEL_OK)
+        kept->evaluator = NULL;
+    return kept->evaluator;
+}
+
+/* The grey level of a pixel of a fine shot. */
+static guint8 grey_at(Kept *kept, AppShot *shot, guint column, guint row)
+{
+    const gsize columns = luxel_field_columns(shot->field);
+    keep(kept, shot);
+    if (!kept->grey) {
+        kept->grey = g_malloc(columns * luxel_field_rows(shot->field));
+        luxel_field_grey(shot->field, kept->grey);
+    }
+    return kept->grey[row * columns + column];
+}
+
+/* The sample nearest to a value among samples that rise or fall; FALSE beyond half a step from the ends. */
+static gboolean nearest(const double *samples, guint count, double value, guint *index)
+{
+    if (count < 2) {
+        *index = 0;
+        return count == 1;
+    }
+    double step = (samples[count - 1] - samples[0]) / (count - 1), place = (value - samples[0]) / step;
+    if (!(place >= -0.5 - 1e-9 && place <= count - 0.5 + 1e-9))
+        return FALSE;
+    *index = (guint)CLAMP(floor(place + 0.5), 0, count - 1);
+    return TRUE;
+}
+
+gboolean app_pixel_at(const luxel_field *field, double x_mm, double y_mm, guint *column, guint *row)
+{
+    return nearest(luxel_field_x_mm(field), luxel_field_columns(field), x_mm, column) &&
+           nearest(luxel_field_y_mm(field), luxel_field_rows(field), y_mm, row);
+}
+
+/* ---- points and sources ---- */
+
+static AppPoint read_point(Kept *kept, AppShot *shot, const luxel_settings *settings, gsize i)
+{
+    AppPoint point = {0};
+    luxel_probe *probe;
+    luxel_scene_point(shot->moment->scene, i, &point.x_mm, &point.y_mm);
+    if (luxel_probe_screen(shot->moment->scene, settings, point.x_mm, point.y_mm, NULL, &probe) != LUXEL_OK)
+        return point;
+    point.on_surface = probe->on_surface;
+    point.has_value = probe->has_value;
+    point.source_on_element = probe->source_on_element;
+    point.value = probe->value;
+    point.error = probe->error;
+    point.has_pixel = probe->has_pixel && probe->has_pixel_value;
+    point.pixel_value = probe->pixel_value;
+    point.column = probe->column;
+    point.row = probe->row;
+    if (point.has_pixel && shot->is_fine)
+        point.grey = grey_at(kept, shot, point.column, point.row);
+    luxel_probe_free(probe);
+    return point;
+}
+
+/* The irradiance that each source gives at the place seen at the first surface's centre. */
+static void read_sources(const AppShot *shot, const luxel_settings *settings, AppMeasures *measures)
+{
+    const luxel_scene *scene = shot->moment->scene;
+    luxel_settings irradiance = *settings;
+    luxel_probe *probe = NULL;
+    double center[3], screen[2];
+    measures->source_count = luxel_scene_light_count(scene);
+    measures->sources = g_new0(AppSource, measures->source_count);
+    irradiance.quantity = LUXEL_IRRADIANCE;
+    irradiance.tolerance = 1e-6;
+    if (luxel_scene_surface_place(scene, 0, center) == LUXEL_OK && luxel_scene_project(scene, center, screen))
+        luxel_probe_screen(scene, &irradiance, screen[0], screen[1], NULL, &probe);
+    for (gsize i = 0; i < measures->source_count; i++) {
+        AppSource *source = &measures->sources[i];
+        source->irradiance = (double)NAN;
+        if (luxel_scene_light_flux(scene, i, &source->flux) != LUXEL_OK)
+            source->flux = (double)NAN;
+    }
+    for (gsize k = 0; probe && k < probe->share_count; k++)
+        measures->sources[probe->shares[k].light].irradiance = probe->shares[k].irradiance;
+    luxel_probe_free(probe);
+}
+
+static AppMeasures *new_measures(const AppQuestion *question)
+{
+    AppMeasures *measures = g_new0(AppMeasures, 1);
+    measures->shot = app_shot_ref(question->shot);
+    return measures;
+}
+
+static void measure_points(AppRunner *runner, const AppQuestion *question, Kept *kept)
+{
+    AppMeasures *measures = new_measures(question);
+    AppShot *shot = question->shot;
+    luxel_settings settings = settings_of(shot, runner);
+    const gsize count = luxel_scene_point_count(shot->moment->scene);
+    settings.progress = NULL;
+    measures->has_points = TRUE;
+    measures->point_count = MIN(count, APP_MOST_POINTS);
+    measures->points_left = count - measures->point_count;
+    measures->points = g_new0(AppPoint, measures->point_count);
+    for (gsize i = 0; i < measures->point_count; i++)
+        measures->points[i] = read_point(kept, shot, &settings, i);
+    read_sources(shot, &settings, measures);
+    app_runner_report(runner, measures);
+}
+
+/* ---- sections ---- */
+
+static luxel_profile *read_section(const AppShot *shot, const luxel_evaluator *evaluator, const double through[2],
+                                   double degrees)
+{
+    luxel_path path = {.type = LUXEL_PATH_LINE, .samples = SECTION_SAMPLES};
+    luxel_profile *profile;
+    if (luxel_line_across_screen(shot->moment->scene, through, degrees, NULL, path.from_mm, path.to_mm) != LUXEL_OK ||
+        luxel_find_profile(evaluator, &path, NULL, &profile) != LUXEL_OK)
+        return NULL;
+    return profile;
+}
+
+static void measure_section(AppRunner *runner, const AppQuestion *question, const luxel_evaluator *evaluator)
+{
+    AppMeasures *measures = new_measures(question);
+    memcpy(measures->section_mm, question->section_mm, sizeof measures->section_mm);
+    measures->profiles[0] = read_section(question->shot, evaluator, question->section_mm, 0);
+    measures->profiles[1] = read_section(question->shot, evaluator, question->section_mm, 90);
+    measures->has_section = TRUE;
+    app_runner_report(runner, measures);
+}
+
+/* ---- what waits for the hand to rest ---- */
+
+static void measure_statistics(AppRunner *runner, const AppQuestion *question, const luxel_evaluator *evaluator)
+{
+    AppMeasures *measures = new_measures(question);
+    const luxel_field *field = question->shot->field;
+    const luxel_scale scale = question->logarithmic ? LUXEL_LOGARITHMIC : LUXEL_LINEAR;
+    measures->has_statistics = luxel_field_summary(field, NULL, NULL, &measures->summary) == LUXEL_OK;
+    if (luxel_field_histogram(field, NULL, scale, (double)NAN, (double)NAN, BINS, NULL, &measures->histogram) !=
+        LUXEL_OK)
+        measures->histogram = NULL;
+    if (!app_runner_is_outdated(runner))
+        measures->has_extrema =
+            luxel_find_extrema(evaluator, field, NULL, NULL, &measures->extrema) == LUXEL_OK;
+    app_runner_report(runner, measures);
+}
+
+static void measure_isophotes(AppRunner *runner, const AppQuestion *question)
+{
+    double levels[MOST_LEVELS];
+    AppMeasures *measures = new_measures(question);
+    const gsize count =
+        luxel_round_levels(question->low, question->high, question->logarithmic, LEVELS, levels, MOST_LEVELS);
+    measures->has_isophotes =
+        luxel_find_isophotes(question->shot->field, NULL, levels, count, NULL, &measures->isophotes) == LUXEL_OK;
+    app_runner_report(runner, measures);
+}
+
+/* A coarse shot gives points and sections, which are exact; what is read off pixels waits for the fine one. */
+static void answer(AppRunner *runner, gpointer job, gpointer state)
+{
+    const AppQuestion *question = job;
+    measure_points(runner, question, state);
+    const luxel_evaluator *evaluator = evaluator_of(state, runner, question->shot);
+    if (evaluator && question->section)
+        measure_section(runner, question, evaluator);
+    if (!question->shot->is_fine)
+        return;
+    if (question->isophotes)
+        measure_isophotes(runner, question);
+    if (evaluator && question->statistics && !app_runner_rest(runner, REST_MS))
+        measure_statistics(runner, question, evaluator);
+}
+
+static void free_question(gpointer data)
+{
+    AppQuestion *question = data;
+    app_shot_unref(question->shot);
+    g_free(question);
+}
+
+static void free_measures(gpointer data)
+{
+    AppMeasures *measures = data;
+    app_shot_unref(measures->shot);
+    g_free(measures->points);
+    g_free(measures->sources);
+    luxel_profile_free(measures->profiles[0]);
+    luxel_profile_free(measures->profiles[1]);
+    luxel_histogram_free(measures->histogram);
+    luxel_isophotes_free(measures->isophotes);
+    g_free(measures);
+}
+
+struct AppMeter {
+    AppRunner *runner;
+    void (*tell)(AppMeasures *measures, gpointer owner);
+    gpointer owner;
+};
+
+static void tell_measures(gpointer report, gpointer owner)
+{
+    AppMeter *meter = owner;
+    meter->tell(report, meter->owner);
+}
+
+AppMeter *app_meter_new(void (*tell)(AppMeasures *measures, gpointer owner), gpointer owner)
+{
+    static const AppRunnerClass class = {"meter", answer, free_question, free_measures, free_kept};
+    AppMeter *meter = g_new0(AppMeter, 1);
+    *meter = (AppMeter){.tell = tell, .owner = owner};
+    meter->runner = app_runner_new(&class, g_new0(Kept, 1), tell_measures, meter);
+    return meter;
+}
+
+void app_meter_free(AppMeter *meter)
+{
+    if (!meter)
+        return;
+    app_runner_stop(meter->runner);
+    g_free(meter);
+}
+
+void app_meter_ask(AppMeter *meter, const AppQuestion *question)
+{
+    AppQuestion *copy = g_memdup2(question, sizeof *question);
+    app_shot_ref(copy->shot);
+    app_runner_post(meter->runner, copy);
+}
+
+/* ---- the pointer ---- */
+
+typedef struct Place {
+    AppShot *shot;
+    double x_mm, y_mm;
+} Place;
+
+struct AppPointer {
+    AppRunner *runner;
+    void (*tell)(const AppReading *reading, gpointer owner);
+    gpointer owner;
+};
+
+static void read_place(AppRunner *runner, gpointer job, gpointer state)
+{
+    const Place *place = job;
+    const luxel_evaluator *evaluator = evaluator_of(state, runner, place->shot);
+    if (!evaluator)
+        return;
+    AppReading *reading = g_new0(AppReading, 1);
+    reading->x_mm = place->x_mm;
+    reading->y_mm = place->y_mm;
+    reading->moment = app_moment_ref(place->shot->moment);
+    reading->share_count = luxel_evaluator_light_count(evaluator);
+    reading->shares = g_new0(double, reading->share_count);
+    reading->value = luxel_evaluate(evaluator, place->x_mm, place->y_mm, reading->shares);
+    reading->has_pixel = place->shot->is_fine &&
+                         app_pixel_at(place->shot->field, place->x_mm, place->y_mm, &reading->column, &reading->row);
+    if (reading->has_pixel)
+        reading->grey = grey_at(state, place->shot, reading->column, reading->row);
+    app_runner_report(runner, reading);
+}
+
+static void free_place(gpointer data)
+{
+    Place *place = data;
+    app_shot_unref(place->shot);
+    g_free(place);
+}
+
+static void free_reading(gpointer data)
+{
+    AppReading *reading = data;
+    app_moment_unref(reading->moment);
+    g_free(reading->shares);
+    g_free(reading);
+}
+
+static void tell_reading(gpointer report, gpointer owner)
+{
+    AppPointer *pointer = owner;
+    pointer->tell(report, pointer->owner);
+}
+
+AppPointer *app_pointer_new(void (*tell)(const AppReading *reading, gpointer owner), gpointer owner)
+{
+    static const AppRunnerClass class = {"pointer", read_place, free_place, free_reading, free_kept};
+    AppPointer *pointer = g_new0(AppPointer, 1);
+    *pointer = (AppPointer){.tell = tell, .owner = owner};
+    pointer->runner = app_runner_new(&class, g_new0(Kept, 1), tell_reading, pointer);
+    return pointer;
+}
+
+void app_pointer_free(AppPointer *pointer)
+{
+    if (!pointer)
+        return;
+    app_runner_stop(pointer->runner);
+    g_free(pointer);
+}
+
+void app_pointer_ask(AppPointer *pointer, AppShot *shot, double x_mm, double y_mm)
+{
+    Place *place = g_new(Place, 1);
+    *place = (Place){app_shot_ref(shot), x_mm, y_mm};
+    app_runner_post(pointer->runner, place);
+}

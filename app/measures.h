@@ -1,0 +1,86 @@
+/* SPDX-License-Identifier: MIT */
+/*
+ * Measures: the numbers beside the picture.  One thread reads them off a shot: points and sections at once, what takes
+ * longer (statistics, true extrema, isophotes) when the hand rests.  Another one answers what is under the pointer.
+ */
+#ifndef LUXEL_APP_MEASURES_H
+#define LUXEL_APP_MEASURES_H
+
+#include "picture.h"
+
+/* What is wanted. */
+typedef struct AppQuestion {
+    AppShot *shot;         /* a reference is taken */
+    gboolean section;      /* the profiles through section_mm */
+    double section_mm[2];
+    gboolean statistics;   /* summary, extrema, histogram */
+    gboolean isophotes;    /* lines at levels of the range low to high */
+    double low, high;
+    gboolean logarithmic;  /* histogram and levels */
+} AppQuestion;
+
+/* A measuring point of the scene. */
+typedef struct AppPoint {
+    double x_mm, y_mm;
+    gboolean on_surface, has_value, has_pixel, source_on_element;
+    double value, error, pixel_value;
+    guint column, row;
+    guint8 grey; /* of the pixel, where has_pixel */
+} AppPoint;
+
+/* A source. */
+typedef struct AppSource {
+    double flux;        /* in W or lm; NaN where it has none */
+    double irradiance;  /* at the place of the first surface that is seen at its centre; NaN: none is */
+} AppSource;
+
+/* The answers, which come in parts: of each flag that is TRUE the rest is meant. */
+typedef struct AppMeasures {
+    AppShot *shot;
+    gboolean has_points; /* the sources, too */
+    AppPoint *points;
+    gsize point_count, points_left; /* points_left: more than are listed */
+    AppSource *sources;
+    gsize source_count;
+    gboolean has_section;
+    luxel_profile *profiles[2]; /* horizontal, vertical; NULL: none */
+    double section_mm[2];
+    gboolean has_statistics, has_extrema;
+    luxel_summary summary;
+    luxel_extrema extrema;
+    luxel_histogram *histogram;
+    gboolean has_isophotes;
+    luxel_isophotes *isophotes;
+} AppMeasures;
+
+enum { APP_MOST_POINTS = 200 };
+
+typedef struct AppMeter AppMeter;
+
+/* `tell` is called in the main loop; the answers are freed afterwards, but for what it steals. */
+AppMeter *app_meter_new(void (*tell)(AppMeasures *measures, gpointer owner), gpointer owner);
+void app_meter_free(AppMeter *meter);
+void app_meter_ask(AppMeter *meter, const AppQuestion *question);
+
+/* What is under the pointer. */
+typedef struct AppReading {
+    double x_mm, y_mm;
+    luxel_value value;
+    double *shares; /* a share for each light */
+    gsize share_count;
+    gboolean has_pixel;
+    guint column, row; /* of the field */
+    guint8 grey;
+    AppMoment *moment;
+} AppReading;
+
+typedef struct AppPointer AppPointer;
+
+AppPointer *app_pointer_new(void (*tell)(const AppReading *reading, gpointer owner), gpointer owner);
+void app_pointer_free(AppPointer *pointer);
+void app_pointer_ask(AppPointer *pointer, AppShot *shot, double x_mm, double y_mm);
+
+/* The pixel of a field whose sample is nearest to a place of the screen; FALSE off the screen. */
+gboolean app_pixel_at(const luxel_field *field, double x_mm, double y_mm, guint *column, guint *row);
+
+#endif

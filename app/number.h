@@ -1,0 +1,41 @@
+/* SPDX-License-Identifier: MIT */
+/*
+ * Numbers as people type them, with a decimal point or comma in every language, and as they are shown, with a point;
+ * and lists of numbers that are pasted, "x, y, z; x, y, z".
+ */
+#ifndef LUXEL_APP_NUMBER_H
+#define LUXEL_APP_NUMBER_H
+
+#include <glib.h>
+
+enum { APP_NUMBER_SIZE = 40 };
+
+/*
+ * Reads one number: "0.45", "0,45", "1e3", "-2", "−2", blanks around it and between groups of three digits allowed
+ * ("10 000").  FALSE for anything else, such as "1,2,3", "" or what is not finite.
+ */
+gboolean app_number_read(const char *text, double *value);
+
+/* Writes the shortest text that reads back as the same number; returns `text`. */
+const char *app_number_write(double value, char text[APP_NUMBER_SIZE]);
+
+/* Writes it with so many significant digits, without zeros at the end; returns `text`. */
+const char *app_number_round(double value, int digits, char text[APP_NUMBER_SIZE]);
+
+/*
+ * Reads groups of `size` numbers with commas, blanks or semicolons between them, the groups set apart by semicolons or
+ * line breaks; brackets around groups are ignored.  Within a group that is set apart by blanks or tabs alone, or by
+ * semicolons in a text whose groups stand on lines of their own, a comma is a decimal comma.
+ * Returns count x size numbers, the caller's; NULL with *fault, the caller's, the group that is no such group.
+ */
+double *app_numbers_read(const char *text, gsize size, gsize *count, char **fault);
+
+/*
+ * Reads one pair, "x, y", "x y" or "x; y"; with blanks alone or a semicolon between them commas are decimal commas.
+ */
+gboolean app_pair_read(const char *text, double pair[2]);
+
+/* Reads the numbers of a YAML list such as "[0, 0, 1000]" or of a single number: at most `room`; returns how many. */
+gsize app_list_read(const char *text, double *numbers, gsize room);
+
+#endif

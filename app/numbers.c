@@ -1,0 +1,443 @@
+/* SPDX-License-Identifier: MIT */
+/* The three pages. */
+#include "numbers.h"
+
+#include <luxel/drawing.h>
+#include <math.h>
+#include <string.h>
+
+#include "../front/language.h"
+#include "../front/words.h"
+#include "number.h"
+#include "row.h"
+
+enum { PLOT_HEIGHT = 230, POINT_COLUMNS = 5, DIGITS = 7, TEXT_COLUMNS = 36 };
+
+/* What the statistics list. */
+typedef enum Line {
+    LINE_MAXIMUM,
+    LINE_MAXIMUM_PLACE,
+    LINE_TRUE_MAXIMUM,
+    LINE_TRUE_MAXIMUM_PLACE,
+    LINE_MINIMUM,
+    LINE_TRUE_MINIMUM,
+    LINE_MEAN,
+    LINE_MEDIAN,
+    LINE_DEVIATION,
+    LINE_LIT,
+    LINE_U0,
+    LINE_UD,
+    LINE_PIXELS,
+    LINES
+} Line;
+
+static const char *const line_names[LINES] = {
+    [LINE_MAXIMUM] = N_("Maximum of the pixels"),
+    [LINE_MAXIMUM_PLACE] = N_("at x, y, mm"),
+    [LINE_TRUE_MAXIMUM] = N_("True maximum"),
+    [LINE_TRUE_MAXIMUM_PLACE] = N_("at x, y, mm"),
+    [LINE_MINIMUM] = N_("Minimum of the pixels"),
+    [LINE_TRUE_MINIMUM] = N_("True minimum"),
+    [LINE_MEAN] = N_("Mean"),
+    [LINE_MEDIAN] = N_("Median"),
+    [LINE_DEVIATION] = N_("Standard deviation"),
+    [LINE_LIT] = N_("Lit, % of the pixels"),
+    [LINE_U0] = N_("Uniformity U0 = minimum / mean"),
+    [LINE_UD] = N_("Diversity Ud = minimum / maximum"),
+    [LINE_PIXELS] = N_("Pixels on a surface"),
+};
+
+struct _AppNumbers {
+    GtkBox parent;
+    AppDocument *document;
+    GtkWidget *stack, *points, *points_left, *unit, *plots[2], *section_place, *histogram;
+    GtkWidget *lines[LINES];
+    guint point_rows;
+    char *unit_name;
+    luxel_profile *profiles[2];
+    double section_mm[2];
+    char **names; /* of the lights, NULL-terminated */
+    gsize name_count;
+    luxel_histogram *bins;
+    const char *palette;
+    double low, high;
+    gboolean logarithmic;
+};
+
+enum { WANTED, SIGNALS };
+static guint signals[SIGNALS];
+
+G_DEFINE_FINAL_TYPE(AppNumbers, app_numbers, GTK_TYPE_BOX)
+
+/* ---- points ---- */
+
+static GtkWidget *cell(AppNumbers *self, int column, guint row)
+{
+    GtkWidget *label = gtk_grid_get_child_at(GTK_GRID(self->points), column, (int)row + 1);
+    if (label)
+        return label;
+    label = gtk_label_new(NULL);
+    gtk_label_set_xalign(GTK_LABEL(label), column == 0 ? 0 : 1);
+    gtk_label_set_selectable(GTK_LABEL(label), column > 0);
+    gtk_widget_add_css_class(label, "numeric");
+    gtk_grid_attach(GTK_GRID(self->points), label, column, (int)row + 1, 1, 1);
+    return label;
+}
+
+/* Labels are only touched when their text is another: laying them out is what costs. */
+static void set_text(GtkWidget *label, const char *text)
+{
+    if (strcmp(gtk_label_get_text(GTK_LABEL(label)), text) != 0)
+        gtk_label_set_text(GTK_LABEL(label), text);
+}
+
+static void set_number(GtkWidget *label, double number)
+{
+    char text[APP_NUMBER_SIZE];
+    set_text(label, app_number_round(number, DIGITS, text));
+}
+
+static void name_cell(GtkWidget *label, const char *column, guint row)
+{
+    char *text = g_strdup_printf("P%u %s: %s", row + 1, column, gtk_label_get_text(GTK_LABEL(label)));
+    gtk_accessible_update_property(GTK_ACCESSIBLE(label), GTK_ACCESSIBLE_PROPERTY_LABEL, text, -1);
+    g_free(text);
+}
+
+static void show_point(AppNumbers *self, const AppPoint *point, guint row)
+{
+    char text[2 * APP_NUMBER_SIZE], x[APP_NUMBER_SIZE], y[APP_NUMBER_SIZE];
+    GtkWidget *value = cell(self, 2, row);
+    g_snprintf(text, sizeof text, "P%u", row + 1);
+    set_text(cell(self, 0, row), text);
+    g_snprintf(text, sizeof text, "%s, %s", app_number_write(point->x_mm, x), app_number_write(point->y_mm, y));
+    set_text(cell(self, 1, row), text);
+    if (!point->on_surface)
+        set_text(value, _("off the surface"));
+    else if (point->source_on_element)
+        set_text(value, _("a source lies here"));
+    else if (point->has_value)
+        set_number(value, point->value);
+    else
+        set_text(value, "–");
+    g_snprintf(text, sizeof text, "± %.1g", point->error);
+    gtk_widget_set_tooltip_text(value, point->has_value ? text : NULL);
+    name_cell(value, _("value"), row);
+    if (point->has_pixel)
+        set_number(cell(self, 3, row), point->pixel_value);
+    else
+        set_text(cell(self, 3, row), "–");
+    g_snprintf(text, sizeof text, "%u", point->grey);
+    set_text(cell(self, 4, row), point->has_pixel ? text : "–");
+}
+
+static void show_points(AppNumbers *self, const AppMeasures *measures)
+{
+    const guint count = (guint)measures->point_count;
+    for (guint row = 0; row < count; row++)
+        show_point(self, &measures->points[row], row);
+    for (guint row = self->point_rows; row > count; row--)
+        gtk_grid_remove_row(GTK_GRID(self->points), (int)row);
+    self->point_rows = count;
+    char *left = g_strdup_printf(ngettext("and %zu more", "and %zu more", measures->points_left), measures->points_left);
+    set_text(self->points_left, measures->points_left > 0 ? left : "");
+    g_free(left);
+}
+
+static GtkWidget *new_points(AppNumbers *self)
+{
+    const char *const heads[POINT_COLUMNS] = {"", _("x, y, mm"), _("value"), _("pixel"), _("grey")};
+    GtkWidget *page = gtk_box_new(GTK_ORIENTATION_VERTICAL, 6), *scrolled = gtk_scrolled_window_new();
+    self->points = gtk_grid_new();
+    self->points_left = gtk_label_new(NULL);
+    self->unit = gtk_label_new(NULL);
+    gtk_grid_set_column_spacing(GTK_GRID(self->points), 12);
+    gtk_grid_set_row_spacing(GTK_GRID(self->points), 4);
+    for (int i = 0; i < POINT_COLUMNS; i++) {
+        GtkWidget *head = gtk_label_new(heads[i]);
+        gtk_label_set_xalign(GTK_LABEL(head), i == 0 ? 0 : 1);
+        gtk_widget_add_css_class(head, "heading");
+        gtk_grid_attach(GTK_GRID(self->points), head, i, 0, 1, 1);
+    }
+    gtk_label_set_xalign(GTK_LABEL(self->unit), 0);
+    gtk_label_set_xalign(GTK_LABEL(self->points_left), 0);
+    gtk_widget_add_css_class(self->unit, "dim-label");
+    gtk_label_set_wrap(GTK_LABEL(self->unit), TRUE);
+    gtk_label_set_max_width_chars(GTK_LABEL(self->unit), TEXT_COLUMNS);
+    gtk_box_append(GTK_BOX(page), self->points);
+    gtk_box_append(GTK_BOX(page), self->points_left);
+    gtk_box_append(GTK_BOX(page), self->unit);
+    gtk_scrolled_window_set_child(GTK_SCROLLED_WINDOW(scrolled), page);
+    return scrolled;
+}
+
+/* ---- plots ---- */
+
+static luxel_drawing_style style_of(GtkWidget *widget, luxel_language *language)
+{
+    luxel_drawing_style style;
+    GdkRGBA ink;
+    gtk_style_context_get_color(gtk_widget_get_style_context(widget), &ink);
+    const double lightness = (double)(ink.red + ink.green + ink.blue) / 3;
+    *language = (luxel_language){.translate = language_translate, .code = language_code()};
+    luxel_drawing_style_init(&style, lightness > 0.5);
+    style.letters = 11;
+    style.language = language;
+    return style;
+}
+
+static void draw_profile(GtkDrawingArea *area, cairo_t *cairo, int width, int height, gpointer data)
+{
+    AppNumbers *self = data;
+    const int which = GTK_WIDGET(area) == self->plots[1];
+    luxel_language language;
+    luxel_drawing_style style = style_of(GTK_WIDGET(area), &language);
+    luxel_profile_style how;
+    const luxel_profile *profile = self->profiles[which];
+    if (!profile)
+        return;
+    luxel_profile_style_init(&how);
+    how.along = which ? LUXEL_ALONG_Y : LUXEL_ALONG_X;
+    how.marker = self->section_mm[which];
+    how.y_label = self->unit_name;
+    if (self->names && profile->lights == self->name_count)
+        how.names = (const char *const *)self->names;
+    luxel_draw_profile(cairo, &style, profile, &how, width, height);
+}
+
+static GtkWidget *new_plot(GtkDrawingAreaDrawFunc draw, AppNumbers *self, const char *name)
+{
+    GtkWidget *area = gtk_drawing_area_new();
+    gtk_drawing_area_set_content_height(GTK_DRAWING_AREA(area), PLOT_HEIGHT);
+    gtk_drawing_area_set_draw_func(GTK_DRAWING_AREA(area), draw, self, NULL);
+    gtk_widget_set_hexpand(area, TRUE);
+    gtk_accessible_update_property(GTK_ACCESSIBLE(area), GTK_ACCESSIBLE_PROPERTY_LABEL, name, -1);
+    return area;
+}
+
+static GtkWidget *new_sections(AppNumbers *self)
+{
+    GtkWidget *page = gtk_box_new(GTK_ORIENTATION_VERTICAL, 8), *scrolled = gtk_scrolled_window_new();
+    self->section_place = gtk_label_new(NULL);
+    gtk_label_set_xalign(GTK_LABEL(self->section_place), 0);
+    gtk_label_set_wrap(GTK_LABEL(self->section_place), TRUE);
+    gtk_label_set_max_width_chars(GTK_LABEL(self->section_place), TEXT_COLUMNS);
+    self->plots[0] = new_plot(draw_profile, self, _("Horizontal section"));
+    self->plots[1] = new_plot(draw_profile, self, _("Vertical section"));
+    gtk_box_append(GTK_BOX(page), self->section_place);
+    gtk_box_append(GTK_BOX(page), self->plots[0]);
+    gtk_box_append(GTK_BOX(page), self->plots[1]);
+    gtk_scrolled_window_set_child(GTK_SCROLLED_WINDOW(scrolled), page);
+    return scrolled;
+}
+
+/* Names for the legend: of a light its own or its type, counted; none of those that are off. */
+static void name_lights(AppNumbers *self)
+{
+    g_strfreev(self->names);
+    self->name_count = app_document_size(self->document, "lights");
+    self->names = g_new0(char *, self->name_count + 1);
+    for (gsize i = 0; i < self->name_count; i++) {
+        char *key = g_strdup_printf("lights[%zu].name", i), *name = app_document_get(self->document, key, NULL);
+        g_free(key);
+        key = g_strdup_printf("lights[%zu].type", i);
+        char *type = app_document_get(self->document, key, NULL), *plain = name ? app_yaml_unquote(name) : NULL;
+        self->names[i] = g_strdup_printf("%zu %s", i + 1, plain ? plain : type ? type : "");
+        g_free(plain);
+        g_free(name);
+        g_free(type);
+        g_free(key);
+    }
+}
+
+static void show_sections(AppNumbers *self, AppMeasures *measures)
+{
+    char x[APP_NUMBER_SIZE], y[APP_NUMBER_SIZE];
+    for (int i = 0; i < 2; i++) {
+        luxel_profile_free(self->profiles[i]);
+        self->profiles[i] = g_steal_pointer(&measures->profiles[i]);
+        self->section_mm[i] = measures->section_mm[i];
+    }
+    name_lights(self);
+    char *text = g_strdup_printf(_("Through x = %s, y = %s mm; drag the lines on the picture"),
+                                 app_number_write(self->section_mm[0], x), app_number_write(self->section_mm[1], y));
+    set_text(self->section_place, text);
+    g_free(text);
+    gtk_widget_queue_draw(self->plots[0]);
+    gtk_widget_queue_draw(self->plots[1]);
+}
+
+/* ---- statistics ---- */
+
+static void draw_histogram(GtkDrawingArea *area, cairo_t *cairo, int width, int height, gpointer data)
+{
+    AppNumbers *self = data;
+    luxel_language language;
+    luxel_drawing_style style = style_of(GTK_WIDGET(area), &language);
+    const luxel_bar bar = {.palette = self->palette, .low = self->low, .high = self->high,
+                           .logarithmic = self->logarithmic};
+    if (self->bins)
+        luxel_draw_histogram(cairo, &style, self->bins, self->palette && self->high > self->low ? &bar : NULL,
+                             self->unit_name, _("pixels"), width, height);
+}
+
+static GtkWidget *new_statistics(AppNumbers *self)
+{
+    GtkWidget *page = gtk_box_new(GTK_ORIENTATION_VERTICAL, 8), *grid = gtk_grid_new();
+    GtkWidget *scrolled = gtk_scrolled_window_new();
+    gtk_grid_set_column_spacing(GTK_GRID(grid), 12);
+    gtk_grid_set_row_spacing(GTK_GRID(grid), 4);
+    for (int i = 0; i < LINES; i++) {
+        GtkWidget *name = gtk_label_new(_(line_names[i]));
+        gtk_label_set_xalign(GTK_LABEL(name), 0);
+        gtk_label_set_wrap(GTK_LABEL(name), TRUE);
+        gtk_label_set_max_width_chars(GTK_LABEL(name), TEXT_COLUMNS / 2);
+        self->lines[i] = gtk_label_new(NULL);
+        gtk_label_set_xalign(GTK_LABEL(self->lines[i]), 1);
+        gtk_label_set_selectable(GTK_LABEL(self->lines[i]), TRUE);
+        gtk_widget_add_css_class(self->lines[i], "numeric");
+        gtk_grid_attach(GTK_GRID(grid), name, 0, i, 1, 1);
+        gtk_grid_attach(GTK_GRID(grid), self->lines[i], 1, i, 1, 1);
+    }
+    self->histogram = new_plot(draw_histogram, self, _("Histogram"));
+    gtk_box_append(GTK_BOX(page), grid);
+    gtk_box_append(GTK_BOX(page), self->histogram);
+    gtk_scrolled_window_set_child(GTK_SCROLLED_WINDOW(scrolled), page);
+    return scrolled;
+}
+
+static void show_place(AppNumbers *self, Line line, double x_mm, double y_mm)
+{
+    char text[2 * APP_NUMBER_SIZE], x[APP_NUMBER_SIZE], y[APP_NUMBER_SIZE];
+    g_snprintf(text, sizeof text, "%s, %s", app_number_round(x_mm, DIGITS, x), app_number_round(y_mm, DIGITS, y));
+    set_text(self->lines[line], text);
+}
+
+static void show_statistics(AppNumbers *self, AppMeasures *measures)
+{
+    const luxel_summary *summary = &measures->summary;
+    const luxel_peak *maximum = &measures->extrema.maximum, *minimum = &measures->extrema.minimum;
+    const double numbers[LINES] = {
+        [LINE_MAXIMUM] = summary->maximum.value, [LINE_TRUE_MAXIMUM] = maximum->value,
+        [LINE_MINIMUM] = summary->minimum.value, [LINE_TRUE_MINIMUM] = minimum->value,
+        [LINE_MEAN] = summary->mean,             [LINE_MEDIAN] = summary->median,
+        [LINE_DEVIATION] = summary->standard_deviation,
+        [LINE_LIT] = 100 * summary->lit,         [LINE_U0] = summary->u0,
+        [LINE_UD] = summary->ud,                 [LINE_PIXELS] = (double)summary->pixels,
+    };
+    for (int i = 0; i < LINES; i++)
+        set_number(self->lines[i], numbers[i]);
+    show_place(self, LINE_MAXIMUM_PLACE, summary->maximum.x_mm, summary->maximum.y_mm);
+    show_place(self, LINE_TRUE_MAXIMUM_PLACE, maximum->x_mm, maximum->y_mm);
+    if (!measures->has_extrema) {
+        set_text(self->lines[LINE_TRUE_MAXIMUM], "–");
+        set_text(self->lines[LINE_TRUE_MAXIMUM_PLACE], "–");
+        set_text(self->lines[LINE_TRUE_MINIMUM], "–");
+    }
+    if (!summary->has_evenness) {
+        set_text(self->lines[LINE_U0], "–");
+        set_text(self->lines[LINE_UD], "–");
+    }
+    luxel_histogram_free(self->bins);
+    self->bins = g_steal_pointer(&measures->histogram);
+    gtk_widget_queue_draw(self->histogram);
+}
+
+/* ---- all ---- */
+
+void app_numbers_show(AppNumbers *self, AppMeasures *measures)
+{
+    const luxel_field *field = measures->shot->field;
+    g_free(self->unit_name);
+    self->unit_name = g_strdup_printf(
+        "%s, %s", luxel_field_quantity(field) == LUXEL_IRRADIANCE ? _("irradiance") : _("brightness"),
+        gettext(luxel_field_unit(field)));
+    if (measures->has_points) {
+        char *text = g_strdup_printf(_("Values: %s. “value” is exact at the point, “pixel” what the picture has there."),
+                                     self->unit_name);
+        set_text(self->unit, text);
+        g_free(text);
+        show_points(self, measures);
+    }
+    if (measures->has_section)
+        show_sections(self, measures);
+    if (measures->has_statistics)
+        show_statistics(self, measures);
+}
+
+void app_numbers_set_colors(AppNumbers *self, const char *palette, double low, double high, gboolean logarithmic)
+{
+    self->palette = palette;
+    self->low = low;
+    self->high = high;
+    self->logarithmic = logarithmic;
+}
+
+static const char *const page_names[] = {"points", "section", "statistics"};
+
+AppPage app_numbers_page(AppNumbers *self)
+{
+    const char *name = gtk_stack_get_visible_child_name(GTK_STACK(self->stack));
+    for (int i = 0; i < (int)G_N_ELEMENTS(page_names); i++)
+        if (g_strcmp0(name, page_names[i]) == 0)
+            return (AppPage)i;
+    return APP_PAGE_POINTS;
+}
+
+void app_numbers_turn_to(AppNumbers *self, AppPage page)
+{
+    gtk_stack_set_visible_child_name(GTK_STACK(self->stack), page_names[page]);
+}
+
+static void page_turned(AppNumbers *self)
+{
+    g_signal_emit(self, signals[WANTED], 0);
+}
+
+static void app_numbers_dispose(GObject *object)
+{
+    AppNumbers *self = APP_NUMBERS(object);
+    g_clear_object(&self->document);
+    G_OBJECT_CLASS(app_numbers_parent_class)->dispose(object);
+}
+
+static void app_numbers_finalize(GObject *object)
+{
+    AppNumbers *self = APP_NUMBERS(object);
+    luxel_profile_free(self->profiles[0]);
+    luxel_profile_free(self->profiles[1]);
+    luxel_histogram_free(self->bins);
+    g_strfreev(self->names);
+    g_free(self->unit_name);
+    G_OBJECT_CLASS(app_numbers_parent_class)->finalize(object);
+}
+
+static void app_numbers_class_init(AppNumbersClass *class)
+{
+    G_OBJECT_CLASS(class)->dispose = app_numbers_dispose;
+    G_OBJECT_CLASS(class)->finalize = app_numbers_finalize;
+    signals[WANTED] = g_signal_new("wanted", APP_TYPE_NUMBERS, G_SIGNAL_RUN_LAST, 0, NULL, NULL, NULL, G_TYPE_NONE, 0);
+}
+
+static void app_numbers_init(AppNumbers *self)
+{
+    gtk_orientable_set_orientation(GTK_ORIENTABLE(self), GTK_ORIENTATION_VERTICAL);
+    gtk_box_set_spacing(GTK_BOX(self), 8);
+}
+
+GtkWidget *app_numbers_new(AppDocument *document)
+{
+    AppNumbers *self = g_object_new(APP_TYPE_NUMBERS, NULL);
+    GtkWidget *switcher = gtk_stack_switcher_new();
+    self->document = g_object_ref(document);
+    self->stack = gtk_stack_new();
+    gtk_stack_add_titled(GTK_STACK(self->stack), new_points(self), page_names[0], _("Points"));
+    gtk_stack_add_titled(GTK_STACK(self->stack), new_sections(self), page_names[1], _("Section"));
+    gtk_stack_add_titled(GTK_STACK(self->stack), new_statistics(self), page_names[2], _("Statistics"));
+    gtk_stack_switcher_set_stack(GTK_STACK_SWITCHER(switcher), GTK_STACK(self->stack));
+    gtk_widget_set_vexpand(self->stack, TRUE);
+    g_signal_connect_swapped(self->stack, "notify::visible-child", G_CALLBACK(page_turned), self);
+    gtk_box_append(GTK_BOX(self), switcher);
+    gtk_box_append(GTK_BOX(self), self->stack);
+    return GTK_WIDGET(self);
+}

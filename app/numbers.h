@@ -1,0 +1,29 @@
+/* SPDX-License-Identifier: MIT */
+/*
+ * The numbers beside the picture: a page each for points, sections and statistics.
+ *
+ * Signal: "wanted" when another page was turned to, which may need other numbers.
+ */
+#ifndef LUXEL_APP_NUMBERS_H
+#define LUXEL_APP_NUMBERS_H
+
+#include <gtk/gtk.h>
+
+#include "document.h"
+#include "measures.h"
+
+#define APP_TYPE_NUMBERS (app_numbers_get_type())
+G_DECLARE_FINAL_TYPE(AppNumbers, app_numbers, APP, NUMBERS, GtkBox)
+
+typedef enum AppPage { APP_PAGE_POINTS, APP_PAGE_SECTION, APP_PAGE_STATISTICS } AppPage;
+
+GtkWidget *app_numbers_new(AppDocument *document);
+AppPage app_numbers_page(AppNumbers *self);
+void app_numbers_turn_to(AppNumbers *self, AppPage page);
+
+/* Shows what the answers have; profiles and histogram are taken out of them. */
+void app_numbers_show(AppNumbers *self, AppMeasures *measures);
+/* The colours of the histogram. */
+void app_numbers_set_colors(AppNumbers *self, const char *palette, double low, double high, gboolean logarithmic);
+
+#endif

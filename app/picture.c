@@ -1,0 +1,396 @@
+/* SPDX-License-Identifier: MIT */
+/*
+ * The painter's work.  From what the last picture took for a pixel it foretells what the next will take: within a
+ * frame it computes every pixel and lets nothing interrupt it, so that a slider that moves all the time is followed
+ * all the time; beyond that it computes as many pixels as a frame allows, shows them, and goes on with the whole.
+ */
+#include "picture.h"
+
+#include <math.h>
+#include <string.h>
+
+#include "runner.h"
+
+static const double FRAME_SECONDS = 0.011; /* of the 16.7 ms of a frame, what painting and showing leave */
+static const double LONG_SECONDS = 0.1;    /* a coarse picture that takes longer may be given up after all */
+enum { FIRST_STRIDE = 8, LARGEST_STRIDE = 64, PERMILLE = 1000 };
+
+struct AppPainter {
+    AppRunner *runner;
+    void (*show)(AppPicture *picture, gpointer owner);
+    gpointer owner;
+    /* shared with the thread */
+    int permille;         /* atomic; -1: nothing is computed */
+    gint64 started;       /* monotonic time; written before permille is set to 0 */
+};
+
+typedef struct Work {
+    AppPainter *painter;
+    AppShot *last;            /* the last fine one */
+    double seconds_per_pixel; /* of the last picture; 0: not known */
+    luxel_quantity quantity;  /* that is wished */
+} Work;
+
+/* ---- moments, shots, pictures ---- */
+
+static void clear_moment(gpointer data)
+{
+    luxel_scene_free(((AppMoment *)data)->scene);
+}
+
+AppMoment *app_moment_ref(AppMoment *moment)
+{
+    return g_atomic_rc_box_acquire(moment);
+}
+
+void app_moment_unref(AppMoment *moment)
+{
+    if (moment)
+        g_atomic_rc_box_release_full(moment, clear_moment);
+}
+
+static void clear_shot(gpointer data)
+{
+    AppShot *shot = data;
+    app_moment_unref(shot->moment);
+    luxel_field_free(shot->field);
+}
+
+AppShot *app_shot_ref(AppShot *shot)
+{
+    return g_atomic_rc_box_acquire(shot);
+}
+
+void app_shot_unref(AppShot *shot)
+{
+    if (shot)
+        g_atomic_rc_box_release_full(shot, clear_shot);
+}
+
+static void clear_picture(gpointer data)
+{
+    AppPicture *picture = data;
+    app_shot_unref(picture->shot);
+    g_free(picture->pixels);
+    luxel_diagnostics_free(picture->faults);
+}
+
+AppPicture *app_picture_ref(AppPicture *picture)
+{
+    return g_atomic_rc_box_acquire(picture);
+}
+
+void app_picture_unref(AppPicture *picture)
+{
+    if (picture)
+        g_atomic_rc_box_release_full(picture, clear_picture);
+}
+
+/* Turns all lights but one off; whether that could be done. */
+static gboolean turn_off_others(luxel_scene *scene, gsize solo, luxel_diagnostics *faults)
+{
+    size_t count;
+    if (luxel_scene_list_size(scene, "lights", faults, &count) != LUXEL_OK)
+        return FALSE;
+    for (gsize i = 0; i < count; i++) {
+        char *assignment = g_strdup_printf("lights[%zu].enabled=%s", i, i == solo ? "true" : "false");
+        luxel_status status = luxel_scene_set(scene, assignment, faults);
+        g_free(assignment);
+        if (status != LUXEL_OK)
+            return FALSE;
+    }
+    return TRUE;
+}
+
+AppMoment *app_moment_new(luxel_scene *scene, guint64 serial, gssize solo, luxel_diagnostics *faults)
+{
+    if ((solo >= 0 && !turn_off_others(scene, (gsize)solo, faults)) || luxel_scene_commit(scene, faults) != LUXEL_OK) {
+        luxel_scene_free(scene);
+        return NULL;
+    }
+    AppMoment *moment = g_atomic_rc_box_new0(AppMoment);
+    *moment = (AppMoment){scene, serial, solo};
+    return moment;
+}
+
+/* ---- computing ---- */
+
+/* What a computation is watched with. */
+typedef struct Watch {
+    AppRunner *runner;
+    AppPainter *painter;
+    gint64 started;
+    gboolean is_coarse;
+} Watch;
+
+static double seconds_since(gint64 started)
+{
+    return (double)(g_get_monotonic_time() - started) / G_USEC_PER_SEC;
+}
+
+static bool watch(double done, void *data)
+{
+    const Watch *watch = data;
+    if (!watch->is_coarse)
+        g_atomic_int_set(&watch->painter->permille, (int)(done * PERMILLE));
+    if (!app_runner_is_outdated(watch->runner))
+        return true;
+    return watch->is_coarse && seconds_since(watch->started) < LONG_SECONDS;
+}
+
+/* Computes each stride-th pixel; NULL where it was given up or failed. */
+static AppShot *compute(Work *work, AppRunner *runner, AppMoment *moment, guint stride, gboolean is_short,
+                        luxel_diagnostics *faults)
+{
+    Watch watched = {runner, work->painter, g_get_monotonic_time(), is_short};
+    luxel_settings settings;
+    luxel_field *field;
+    luxel_settings_init(&settings);
+    settings.quantity = work->quantity;
+    settings.stride = stride;
+    settings.progress = watch;
+    settings.progress_data = &watched;
+    if (!is_short) {
+        work->painter->started = watched.started;
+        g_atomic_int_set(&work->painter->permille, 0);
+    }
+    luxel_status status = luxel_render(moment->scene, &settings, faults, &field);
+    g_atomic_int_set(&work->painter->permille, -1);
+    if (status != LUXEL_OK)
+        return NULL;
+    AppShot *shot = g_atomic_rc_box_new0(AppShot);
+    *shot = (AppShot){app_moment_ref(moment), field, stride == 1, seconds_since(watched.started)};
+    work->seconds_per_pixel = shot->seconds / ((double)luxel_field_columns(field) * luxel_field_rows(field));
+    return shot;
+}
+
+/* ---- painting ---- */
+
+static AppPicture *new_picture(const AppWish *wish)
+{
+    AppPicture *picture = g_atomic_rc_box_new0(AppPicture);
+    picture->display = wish->display;
+    picture->serial = wish->serial;
+    return picture;
+}
+
+/* Colours on both sides of zero, as far as the difference goes. */
+static AppDisplay display_of_difference(const AppDisplay *display, double largest)
+{
+    AppDisplay changed = *display;
+    changed.palette = "coolwarm";
+    changed.logarithmic = FALSE;
+    changed.exposure = 0;
+    changed.is_locked = TRUE;
+    changed.high = largest > 0 ? largest : 1;
+    changed.low = -changed.high;
+    return changed;
+}
+
+/* Compares with the pinned picture; the field to show, which is `difference` or that of one of the two. */
+static const luxel_field *choose_field(const AppWish *wish, const AppShot *shot, AppPicture *picture,
+                                       luxel_field **difference)
+{
+    *difference = NULL;
+    if (!wish->pinned)
+        return shot->field;
+    picture->has_comparison =
+        luxel_compare(wish->pinned->field, shot->field, NULL, &picture->comparison,
+                      wish->side == APP_SIDE_DIFFERENCE ? difference : NULL) == LUXEL_OK;
+    picture->side = wish->side;
+    if (*difference)
+        return *difference;
+    if (wish->side == APP_SIDE_DIFFERENCE)
+        picture->side = APP_SIDE_LIVE; /* they cannot be compared */
+    return picture->side == APP_SIDE_PINNED ? wish->pinned->field : shot->field;
+}
+
+/* From four bytes a pixel to three, in place: what the toolkit puts on the screen fastest. */
+static void pack(AppPicture *picture)
+{
+    const gsize count = (gsize)picture->columns * picture->rows;
+    guchar *to = picture->pixels;
+    for (const guchar *from = picture->pixels; from < picture->pixels + 4 * count; from += 4, to += 3) {
+        const guchar blue = from[0], green = from[1], red = from[2];
+        to[0] = red;
+        to[1] = green;
+        to[2] = blue;
+    }
+}
+
+/* Where the view shows none of it, or none is meant, the picture stays as it is. */
+static void fit_to_frame(AppPicture *picture, const luxel_field *field, const AppFrame *frame)
+{
+    picture->area = app_area_of(field);
+    guchar *fitted = frame->width > 0 ? app_resample(picture->pixels, field, frame, &picture->columns, &picture->rows,
+                                                     &picture->area)
+                                      : NULL;
+    if (fitted) {
+        g_free(picture->pixels);
+        picture->pixels = fitted;
+    }
+    pack(picture);
+}
+
+static void paint_and_report(AppRunner *runner, const AppWish *wish, AppShot *shot)
+{
+    AppPicture *picture = new_picture(wish);
+    luxel_field *difference;
+    const luxel_field *field = choose_field(wish, shot, picture, &difference);
+    if (difference)
+        picture->display = display_of_difference(&wish->display, picture->comparison.largest.value);
+    picture->shot = app_shot_ref(shot);
+    picture->columns = luxel_field_columns(field);
+    picture->rows = luxel_field_rows(field);
+    picture->pixels = g_malloc((gsize)picture->columns * picture->rows * 4);
+    app_display_range(&picture->display, field, &picture->low, &picture->high);
+    app_display_paint(&picture->display, field, picture->low, picture->high, picture->pixels);
+    fit_to_frame(picture, field, &wish->frame);
+    luxel_field_free(difference);
+    app_runner_report(runner, picture);
+}
+
+static void report_faults(AppRunner *runner, const AppWish *wish, luxel_diagnostics *faults)
+{
+    AppPicture *picture = new_picture(wish);
+    picture->faults = faults;
+    app_runner_report(runner, picture);
+}
+
+/* ---- the work ---- */
+
+static guint stride_for(const Work *work, double pixels)
+{
+    if (work->seconds_per_pixel <= 0)
+        return FIRST_STRIDE;
+    double stride = ceil(sqrt(work->seconds_per_pixel * pixels / FRAME_SECONDS));
+    return (guint)CLAMP(stride, 1, LARGEST_STRIDE);
+}
+
+/* Keeps and shows the fine picture. */
+static void finish(Work *work, AppRunner *runner, const AppWish *wish, AppShot *shot)
+{
+    app_shot_unref(work->last);
+    work->last = shot;
+    paint_and_report(runner, wish, shot);
+}
+
+static void compute_and_paint(Work *work, AppRunner *runner, const AppWish *wish, AppMoment *moment,
+                              luxel_diagnostics *faults)
+{
+    unsigned columns, rows;
+    luxel_scene_resolution(moment->scene, &columns, &rows);
+    const double pixels = (double)columns * rows;
+    guint stride = stride_for(work, pixels);
+    if (stride > 1) {
+        AppShot *coarse = compute(work, runner, moment, stride, TRUE, faults);
+        if (!coarse)
+            return;
+        /* most often it was the first picture, of which nothing was known, and the whole takes no longer */
+        stride = stride_for(work, pixels);
+        if (stride > 1)
+            paint_and_report(runner, wish, coarse);
+        app_shot_unref(coarse);
+        if (stride > 1 && app_runner_is_outdated(runner))
+            return;
+    }
+    AppShot *fine = compute(work, runner, moment, 1, stride == 1, faults);
+    if (fine)
+        finish(work, runner, wish, fine);
+}
+
+/* Whether the last fine picture shows what is wished, so that it need only be painted anew. */
+static gboolean is_last(const Work *work, const AppWish *wish)
+{
+    return work->last && work->last->moment->serial == wish->serial && work->last->moment->solo == wish->solo &&
+           luxel_field_quantity(work->last->field) == wish->quantity;
+}
+
+static void do_wish(AppRunner *runner, gpointer job, gpointer state)
+{
+    AppWish *wish = job;
+    Work *work = state;
+    if (is_last(work, wish)) {
+        paint_and_report(runner, wish, work->last);
+        return;
+    }
+    luxel_diagnostics *faults = luxel_diagnostics_new();
+    AppMoment *moment = app_moment_new(g_steal_pointer(&wish->scene), wish->serial, wish->solo, faults);
+    work->quantity = wish->quantity;
+    if (moment)
+        compute_and_paint(work, runner, wish, moment, faults);
+    app_moment_unref(moment);
+    if (luxel_diagnostics_total(faults, LUXEL_SEVERITY_ERROR) > 0)
+        report_faults(runner, wish, faults);
+    else
+        luxel_diagnostics_free(faults);
+}
+
+static void free_wish(gpointer data)
+{
+    AppWish *wish = data;
+    luxel_scene_free(wish->scene);
+    app_shot_unref(wish->pinned);
+    g_free(wish);
+}
+
+static void free_work(gpointer data)
+{
+    Work *work = data;
+    app_shot_unref(work->last);
+    g_free(work);
+}
+
+static void deliver(gpointer report, gpointer owner)
+{
+    AppPainter *painter = owner;
+    painter->show(report, painter->owner);
+}
+
+static void unref_picture(gpointer picture)
+{
+    app_picture_unref(picture);
+}
+
+AppPainter *app_painter_new(void (*show)(AppPicture *picture, gpointer owner), gpointer owner)
+{
+    static const AppRunnerClass class = {"painter", do_wish, free_wish, unref_picture, free_work};
+    AppPainter *painter = g_new0(AppPainter, 1);
+    Work *work = g_new0(Work, 1);
+    work->painter = painter;
+    *painter = (AppPainter){.show = show, .owner = owner, .permille = -1};
+    painter->runner = app_runner_new(&class, work, deliver, painter);
+    return painter;
+}
+
+void app_painter_free(AppPainter *painter)
+{
+    if (!painter)
+        return;
+    app_runner_stop(painter->runner);
+    g_free(painter);
+}
+
+void app_painter_ask(AppPainter *painter, const AppWish *wish)
+{
+    AppWish *copy = g_new(AppWish, 1);
+    *copy = *wish;
+    if (copy->pinned)
+        app_shot_ref(copy->pinned);
+    app_runner_post(painter->runner, copy);
+}
+
+gboolean app_painter_is_busy(AppPainter *painter)
+{
+    return app_runner_is_busy(painter->runner);
+}
+
+gboolean app_painter_progress(AppPainter *painter, double *done, double *seconds)
+{
+    int permille = g_atomic_int_get(&painter->permille);
+    if (permille < 0)
+        return FALSE;
+    *done = (double)permille / PERMILLE;
+    *seconds = seconds_since(painter->started);
+    return TRUE;
+}

@@ -1,0 +1,87 @@
+/* SPDX-License-Identifier: MIT */
+/*
+ * Pictures: a scene on its way to the screen.  A thread commits it, computes it and paints it; where that takes longer
+ * than a frame, a coarse picture comes at once and the fine one when no newer scene has come.
+ *
+ * Moments, shots and pictures are counted and never change, so that threads share them.
+ */
+#ifndef LUXEL_APP_PICTURE_H
+#define LUXEL_APP_PICTURE_H
+
+#include <glib.h>
+#include <luxel/luxel.h>
+
+#include "display.h"
+#include "resample.h"
+
+/* A committed scene at one moment of the work. */
+typedef struct AppMoment {
+    luxel_scene *scene;
+    guint64 serial; /* of the document */
+    gssize solo;    /* the light that alone is on, or -1 */
+} AppMoment;
+
+/* Its field. */
+typedef struct AppShot {
+    AppMoment *moment;
+    luxel_field *field;
+    gboolean is_fine; /* every pixel; else a quick look */
+    double seconds;   /* that it took */
+} AppShot;
+
+/* Which picture is shown, where one was pinned. */
+typedef enum AppSide { APP_SIDE_LIVE, APP_SIDE_PINNED, APP_SIDE_DIFFERENCE } AppSide;
+
+typedef struct AppPicture {
+    AppShot *shot;          /* NULL: the scene could not be computed, `faults` say why */
+    AppDisplay display;     /* by which it was painted */
+    AppSide side;           /* what was painted */
+    guchar *pixels;         /* three bytes each, red, green, blue */
+    guint columns, rows;    /* of the pixels */
+    AppArea area;           /* of the screen, which they cover */
+    double low, high;       /* the range of the colours */
+    gboolean has_comparison;
+    luxel_comparison comparison; /* of the shot with the pinned one */
+    luxel_diagnostics *faults;   /* NULL: none */
+    guint64 serial;              /* of the document that was asked for */
+} AppPicture;
+
+AppMoment *app_moment_ref(AppMoment *moment);
+void app_moment_unref(AppMoment *moment); /* NULL is harmless, as below */
+AppShot *app_shot_ref(AppShot *shot);
+void app_shot_unref(AppShot *shot);
+AppPicture *app_picture_ref(AppPicture *picture);
+void app_picture_unref(AppPicture *picture);
+
+/* What is wanted of a painter. */
+typedef struct AppWish {
+    luxel_scene *scene; /* a copy, not committed, which is taken over */
+    guint64 serial;
+    gssize solo;
+    luxel_quantity quantity;
+    AppDisplay display;
+    AppFrame frame;  /* of the view */
+    AppSide side;
+    AppShot *pinned; /* to compare with; a reference is taken; NULL: none */
+} AppWish;
+
+/* Makes pictures in a thread of its own. */
+typedef struct AppPainter AppPainter;
+
+/* `show` is called in the main loop with each picture, which it may keep by app_picture_ref(). */
+AppPainter *app_painter_new(void (*show)(AppPicture *picture, gpointer owner), gpointer owner);
+void app_painter_free(AppPainter *painter);
+
+/* The newest wish counts: older ones are given up, unless they are within a frame of being done. */
+void app_painter_ask(AppPainter *painter, const AppWish *wish);
+
+/* How far the present computation is, 0 to 1, and for how many seconds it has been going on; FALSE: none is. */
+gboolean app_painter_progress(AppPainter *painter, double *done, double *seconds);
+
+/* Whether a wish waits or is being fulfilled. */
+gboolean app_painter_is_busy(AppPainter *painter);
+
+/* A moment made at once, in the calling thread, for files and tests; NULL: it has faults. */
+AppMoment *app_moment_new(luxel_scene *scene, guint64 serial, gssize solo, luxel_diagnostics *faults);
+
+#endif

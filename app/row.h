@@ -1,0 +1,46 @@
+/* SPDX-License-Identifier: MIT */
+/*
+ * A row of a form: one value with its label, unit and control, all by the parameter table.  Values come and go as
+ * YAML, the way the scene has them.
+ *
+ * A number has a field and a slider over the advised range; legal values beyond it are taken and marked.  What cannot
+ * be taken turns the field red, with the reason below it, and changes nothing.
+ *
+ * Signals: "edited" (value as YAML) when the user changed it; "reset" on a double click on the label; "menu" (widget)
+ * when the menu of the row is wanted.
+ */
+#ifndef LUXEL_APP_ROW_H
+#define LUXEL_APP_ROW_H
+
+#include <gtk/gtk.h>
+#include <luxel/parameter.h>
+
+#define APP_TYPE_ROW (app_row_get_type())
+G_DECLARE_FINAL_TYPE(AppRow, app_row, APP, ROW, GtkBox)
+
+typedef enum AppRowKind { APP_ROW_NUMBER, APP_ROW_WHOLE, APP_ROW_SWITCH, APP_ROW_CHOICE, APP_ROW_TEXT, APP_ROW_YAML } AppRowKind;
+
+/* What a row is for; the texts are copied. */
+typedef struct AppRowSpec {
+    AppRowKind kind;
+    const char *label, *unit, *meaning;
+    const char *choices;            /* "a, b, c" of APP_ROW_CHOICE */
+    luxel_interval legal, advised;  /* of numbers */
+    const char *advised_words;      /* or NULL */
+    const char *hint;               /* of a text: what is expected */
+} AppRowSpec;
+
+GtkWidget *app_row_new(const AppRowSpec *spec);
+
+/* Shows a value, NULL for none; "edited" is not emitted.  A field that is being typed in is left alone. */
+void app_row_set(AppRow *self, const char *yaml);
+/* Marks the row as wrong, and says why; NULL: it is right. */
+void app_row_set_fault(AppRow *self, const char *reason);
+/* The unit's name. */
+void app_row_set_unit(AppRow *self, const char *unit);
+
+/* A text as YAML in double quotes, and the text that a YAML scalar stands for; the caller's. */
+char *app_yaml_quote(const char *text);
+char *app_yaml_unquote(const char *yaml);
+
+#endif

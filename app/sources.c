@@ -1,0 +1,471 @@
+/* SPDX-License-Identifier: MIT */
+/* The list of sources. */
+#include "sources.h"
+
+#include <math.h>
+#include <string.h>
+
+#include "../front/words.h"
+#include "number.h"
+#include "row.h"
+#include "rules.h"
+
+static const char *const prefixes[] = {"lights[].", NULL};
+
+enum { ROW_HEIGHT = 36, MOST_ROWS = 5 /* that are seen without scrolling */ };
+
+/* A row of the list. */
+typedef struct Item {
+    AppSources *sources;
+    gsize index;
+    GtkWidget *enabled, *name, *gives, *solo;
+} Item;
+
+struct _AppSources {
+    GtkBox parent;
+    AppDocument *document;
+    const AppTables *tables;
+    GtkWidget *list, *scrolled, *more, *form, *aim;
+    GPtrArray *items;
+    gsize chosen;
+    gssize solo;
+    gboolean is_updating;
+};
+
+enum { CHOSEN, SOLO, SIGNALS };
+static guint signals[SIGNALS];
+
+G_DEFINE_FINAL_TYPE(AppSources, app_sources, GTK_TYPE_BOX)
+
+static char *get(AppSources *self, gsize index, const char *name)
+{
+    char *key = g_strdup_printf("lights[%zu].%s", index, name), *value = app_document_get(self->document, key, NULL);
+    g_free(key);
+    return value;
+}
+
+/* ---- rows ---- */
+
+static void enabled_toggled(GtkCheckButton *button, Item *item)
+{
+    if (item->sources->is_updating)
+        return;
+    char *key = g_strdup_printf("lights[%zu].enabled", item->index);
+    app_document_set(item->sources->document, key, gtk_check_button_get_active(button) ? "true" : "false", NULL);
+    g_free(key);
+}
+
+static void solo_toggled(GtkToggleButton *button, Item *item)
+{
+    AppSources *self = item->sources;
+    if (self->is_updating)
+        return;
+    self->solo = gtk_toggle_button_get_active(button) ? (gssize)item->index : -1;
+    g_signal_emit(self, signals[SOLO], 0, (int)self->solo);
+    app_sources_refresh(self);
+}
+
+static void name_control(GtkWidget *control, const char *format, gsize index)
+{
+    char *text = g_strdup_printf(format, index + 1);
+    gtk_accessible_update_property(GTK_ACCESSIBLE(control), GTK_ACCESSIBLE_PROPERTY_LABEL, text, -1);
+    gtk_widget_set_tooltip_text(control, text);
+    g_free(text);
+}
+
+static void add_item(AppSources *self)
+{
+    Item *item = g_new0(Item, 1);
+    GtkWidget *line = gtk_box_new(GTK_ORIENTATION_HORIZONTAL, 6), *texts = gtk_box_new(GTK_ORIENTATION_VERTICAL, 0);
+    *item = (Item){self, self->items->len, gtk_check_button_new(), gtk_label_new(NULL), gtk_label_new(NULL),
+                   gtk_toggle_button_new_with_label(_("Solo"))};
+    name_control(item->enabled, _("Source %zu on"), item->index);
+    name_control(item->solo, _("Only source %zu"), item->index);
+    gtk_label_set_xalign(GTK_LABEL(item->name), 0);
+    gtk_label_set_ellipsize(GTK_LABEL(item->name), PANGO_ELLIPSIZE_END);
+    gtk_label_set_xalign(GTK_LABEL(item->gives), 0);
+    gtk_label_set_wrap(GTK_LABEL(item->gives), TRUE);
+    gtk_widget_add_css_class(item->gives, "note");
+    gtk_widget_set_hexpand(texts, TRUE);
+    gtk_widget_set_valign(item->solo, GTK_ALIGN_CENTER);
+    gtk_widget_add_css_class(item->solo, "small");
+    gtk_box_append(GTK_BOX(texts), item->name);
+    gtk_box_append(GTK_BOX(texts), item->gives);
+    gtk_box_append(GTK_BOX(line), item->enabled);
+    gtk_box_append(GTK_BOX(line), texts);
+    gtk_box_append(GTK_BOX(line), item->solo);
+    g_signal_connect(item->enabled, "toggled", G_CALLBACK(enabled_toggled), item);
+    g_signal_connect(item->solo, "toggled", G_CALLBACK(solo_toggled), item);
+    gtk_list_box_append(GTK_LIST_BOX(self->list), line);
+    g_ptr_array_add(self->items, item);
+}
+
+static void remove_last(AppSources *self)
+{
+    GtkListBoxRow *row = gtk_list_box_get_row_at_index(GTK_LIST_BOX(self->list), (int)self->items->len - 1);
+    gtk_list_box_remove(GTK_LIST_BOX(self->list), GTK_WIDGET(row));
+    g_ptr_array_set_size(self->items, (int)self->items->len - 1);
+}
+
+static void refresh_item(AppSources *self, Item *item)
+{
+    char *type = get(self, item->index, "type"), *enabled = get(self, item->index, "enabled");
+    char *yaml = get(self, item->index, "name"), *name = yaml ? app_yaml_unquote(yaml) : NULL;
+    char *title = name && *name ? g_strdup_printf("%zu  %s (%s)", item->index + 1, name, type)
+                                : g_strdup_printf("%zu  %s", item->index + 1, type ? type : "");
+    gtk_label_set_text(GTK_LABEL(item->name), title);
+    gtk_accessible_update_property(
+        GTK_ACCESSIBLE(gtk_list_box_get_row_at_index(GTK_LIST_BOX(self->list), (int)item->index)),
+        GTK_ACCESSIBLE_PROPERTY_LABEL, title, -1);
+    gtk_check_button_set_active(GTK_CHECK_BUTTON(item->enabled), g_strcmp0(enabled, "false") != 0);
+    gtk_toggle_button_set_active(GTK_TOGGLE_BUTTON(item->solo), self->solo == (gssize)item->index);
+    g_free(type);
+    g_free(enabled);
+    g_free(yaml);
+    g_free(name);
+    g_free(title);
+}
+
+/* The key by which the chosen source can be aimed, such as lights[0].aim; NULL where it has none. */
+static char *aim_key(AppSources *self, gboolean is_axis)
+{
+    static const char *const groups[] = {"", "rectangle.", "disk."};
+    char *type = get(self, self->chosen, "type"), *found = NULL;
+    const AppKeys keys = {self->document, self->tables->shown, type, self->chosen};
+    for (gsize g = 0; g < G_N_ELEMENTS(groups) && type && !found; g++)
+        for (gsize i = 0; i < luxel_parameters_count(keys.parameters) && !found; i++) {
+            const luxel_parameter *parameter = luxel_parameters_get(keys.parameters, i);
+            char *path = g_strdup_printf("lights[].%saim", groups[g]);
+            gboolean fits = strcmp(parameter->path, path) == 0 && app_keys_has(&keys, parameter);
+            if (fits && g > 0) {
+                gboolean written;
+                char *group = g_strdup_printf("lights[%zu].%.*s", self->chosen, (int)strlen(groups[g]) - 1, groups[g]);
+                g_free(app_document_get(self->document, group, &written));
+                g_free(group);
+                fits = written;
+            }
+            if (fits)
+                found = g_strdup_printf("lights[%zu].%s%s", self->chosen, groups[g], is_axis ? "axis" : "aim");
+            g_free(path);
+        }
+    g_free(type);
+    return found;
+}
+
+static void show_chosen(AppSources *self)
+{
+    char *type = self->chosen < app_document_size(self->document, "lights") ? get(self, self->chosen, "type") : NULL;
+    char *aim = type ? aim_key(self, FALSE) : NULL;
+    app_form_set_element(APP_FORM(self->form), self->chosen, type);
+    gtk_widget_set_sensitive(self->aim, aim != NULL);
+    g_free(type);
+    g_free(aim);
+}
+
+void app_sources_refresh(AppSources *self)
+{
+    const gsize count = app_document_size(self->document, "lights"), shown = MIN(count, APP_MOST_POINTS);
+    self->is_updating = TRUE;
+    while (self->items->len < shown)
+        add_item(self);
+    while (self->items->len > shown)
+        remove_last(self);
+    for (guint i = 0; i < self->items->len; i++)
+        refresh_item(self, g_ptr_array_index(self->items, i));
+    self->chosen = MIN(self->chosen, count > 0 ? count - 1 : 0);
+    GtkListBoxRow *row = gtk_list_box_get_row_at_index(GTK_LIST_BOX(self->list), (int)self->chosen);
+    if (row && row != gtk_list_box_get_selected_row(GTK_LIST_BOX(self->list)))
+        gtk_list_box_select_row(GTK_LIST_BOX(self->list), row);
+    gtk_scrolled_window_set_min_content_height(GTK_SCROLLED_WINDOW(self->scrolled),
+                                               (int)MIN(shown, MOST_ROWS) * ROW_HEIGHT);
+    char *more = g_strdup_printf(ngettext("and %zu more", "and %zu more", count - shown), count - shown);
+    gtk_label_set_text(GTK_LABEL(self->more), more);
+    gtk_widget_set_visible(self->more, count > shown);
+    g_free(more);
+    self->is_updating = FALSE;
+    show_chosen(self);
+}
+
+static void row_selected(GtkListBox *list, GtkListBoxRow *row, AppSources *self)
+{
+    (void)list;
+    if (self->is_updating || !row)
+        return;
+    self->chosen = (gsize)gtk_list_box_row_get_index(row);
+    show_chosen(self);
+    g_signal_emit(self, signals[CHOSEN], 0, (guint)self->chosen);
+}
+
+void app_sources_choose(AppSources *self, gsize index)
+{
+    self->chosen = index;
+    app_sources_refresh(self);
+}
+
+gsize app_sources_chosen(AppSources *self)
+{
+    return self->chosen;
+}
+
+void app_sources_show(AppSources *self, const AppMeasures *measures, gboolean photometric)
+{
+    for (guint i = 0; i < self->items->len && i < measures->source_count; i++) {
+        const AppSource *source = &measures->sources[i];
+        Item *item = g_ptr_array_index(self->items, i);
+        char flux[APP_NUMBER_SIZE], irradiance[APP_NUMBER_SIZE];
+        GString *text = g_string_new(NULL);
+        if (isfinite(source->flux))
+            g_string_append_printf(text, "Φ %s %s", app_number_round(source->flux, 4, flux), photometric ? _("lm") : _("W"));
+        if (isfinite(source->irradiance))
+            g_string_append_printf(text, "%sE %s %s", text->len ? "   " : "",
+                                   app_number_round(source->irradiance, 4, irradiance), photometric ? _("lx") : _("W/m²"));
+        if (strcmp(text->str, gtk_label_get_text(GTK_LABEL(item->gives))) != 0)
+            gtk_label_set_text(GTK_LABEL(item->gives), text->str);
+        g_string_free(text, TRUE);
+    }
+}
+
+gboolean app_sources_set_fault(AppSources *self, const char *key, const char *reason)
+{
+    gsize index = 0;
+    if (key && g_str_has_prefix(key, "lights["))
+        index = (gsize)g_ascii_strtoull(key + strlen("lights["), NULL, 10);
+    if (key && g_str_has_prefix(key, "lights[") && index != self->chosen &&
+        index < app_document_size(self->document, "lights"))
+        app_sources_choose(self, index);
+    return app_form_set_fault(APP_FORM(self->form), key, reason);
+}
+
+/* ---- what can be done ---- */
+
+static const luxel_kind *find_kind(AppSources *self, const char *name)
+{
+    for (gsize i = 0; i < luxel_parameters_kind_count(self->tables->shown); i++) {
+        const luxel_kind *kind = luxel_parameters_kind(self->tables->shown, i);
+        if (strcmp(kind->list, "lights") == 0 && strcmp(kind->name, name) == 0)
+            return kind;
+    }
+    return NULL;
+}
+
+static gsize behind_chosen(AppSources *self)
+{
+    return MIN(self->chosen + 1, app_document_size(self->document, "lights"));
+}
+
+static void insert(AppSources *self, gsize index, const char *yaml)
+{
+    const AppEdit edit = {.kind = APP_EDIT_INSERT, .key = "lights", .value = yaml, .index = index};
+    app_sources_end_solo(self);
+    if (app_document_edit(self->document, &edit, 1, NULL, NULL)) {
+        app_sources_choose(self, index);
+        g_signal_emit(self, signals[CHOSEN], 0, (guint)self->chosen);
+    }
+}
+
+void app_sources_add(AppSources *self, const char *name)
+{
+    const luxel_kind *kind = find_kind(self, name);
+    if (kind && kind->example)
+        insert(self, behind_chosen(self), kind->example);
+}
+
+void app_sources_duplicate(AppSources *self)
+{
+    char *key = g_strdup_printf("lights[%zu]", self->chosen), *yaml = app_document_get(self->document, key, NULL);
+    if (yaml)
+        insert(self, behind_chosen(self), yaml);
+    g_free(yaml);
+    g_free(key);
+}
+
+void app_sources_delete(AppSources *self)
+{
+    char *key = g_strdup_printf("lights[%zu]", self->chosen);
+    const AppEdit edit = {.kind = APP_EDIT_REMOVE, .key = key};
+    app_sources_end_solo(self);
+    if (self->chosen < app_document_size(self->document, "lights"))
+        app_document_edit(self->document, &edit, 1, NULL, NULL);
+    g_free(key);
+}
+
+void app_sources_move(AppSources *self, int step)
+{
+    const gssize to = (gssize)self->chosen + step;
+    if (to < 0 || to >= (gssize)app_document_size(self->document, "lights"))
+        return;
+    const AppEdit edit = {.kind = APP_EDIT_MOVE, .key = "lights", .index = self->chosen, .to = (gsize)to};
+    app_sources_end_solo(self);
+    self->chosen = (gsize)to;
+    app_document_edit(self->document, &edit, 1, NULL, NULL);
+    g_signal_emit(self, signals[CHOSEN], 0, (guint)self->chosen);
+}
+
+void app_sources_aim(AppSources *self)
+{
+    char *aim = aim_key(self, FALSE), *axis = aim ? aim_key(self, TRUE) : NULL;
+    char *center = app_document_get(self->document, "surfaces[0].center", NULL);
+    const AppEdit edits[] = {{.kind = APP_EDIT_REMOVE, .key = axis}, {.kind = APP_EDIT_SET, .key = aim, .value = center}};
+    if (aim && center)
+        app_document_edit(self->document, edits, G_N_ELEMENTS(edits), "lights", NULL);
+    g_free(aim);
+    g_free(axis);
+    g_free(center);
+}
+
+void app_sources_end_solo(AppSources *self)
+{
+    if (self->solo < 0)
+        return;
+    self->solo = -1;
+    g_signal_emit(self, signals[SOLO], 0, -1);
+    app_sources_refresh(self);
+}
+
+/* Strength and attenuation of the chosen source, if it is a point; else those of the exercise. */
+static char *rest_of_point(AppSources *self)
+{
+    static const char *const copied[] = {"intensity", "attenuation", "k"};
+    GString *rest = g_string_new(NULL);
+    char *type = get(self, self->chosen, "type");
+    for (gsize i = 0; i < G_N_ELEMENTS(copied) && g_strcmp0(type, "point") == 0; i++) {
+        gboolean written;
+        char *key = g_strdup_printf("lights[%zu].%s", self->chosen, copied[i]);
+        char *value = app_document_get(self->document, key, &written);
+        if (written)
+            g_string_append_printf(rest, ", %s: %s", copied[i], value);
+        g_free(value);
+        g_free(key);
+    }
+    if (rest->len == 0)
+        g_string_append(rest, ", intensity: 10, attenuation: none");
+    g_free(type);
+    return g_string_free(rest, FALSE);
+}
+
+char *app_sources_paste(AppSources *self, const char *text)
+{
+    gsize count;
+    char *fault, numbers[3][APP_NUMBER_SIZE];
+    double *places = app_numbers_read(text, 3, &count, &fault);
+    if (!places)
+        return fault;
+    AppEdits *edits = app_edits_new();
+    char *rest = rest_of_point(self);
+    gsize at = behind_chosen(self);
+    for (gsize i = 0; i < count; i++) {
+        for (int k = 0; k < 3; k++)
+            app_number_write(places[3 * i + (gsize)k], numbers[k]);
+        char *yaml = g_strdup_printf("{type: point, position: [%s, %s, %s]%s}", numbers[0], numbers[1], numbers[2], rest);
+        app_edits_add(edits, APP_EDIT_INSERT, "lights", yaml, at + i, 0);
+        g_free(yaml);
+    }
+    app_sources_end_solo(self);
+    if (app_document_edit(self->document, (const AppEdit *)(void *)edits->list->data, edits->list->len, NULL, NULL))
+        app_sources_choose(self, at + count - 1);
+    app_edits_free(edits);
+    g_free(rest);
+    g_free(places);
+    return NULL;
+}
+
+/* ---- the class ---- */
+
+static void app_sources_dispose(GObject *object)
+{
+    AppSources *self = APP_SOURCES(object);
+    g_clear_object(&self->document);
+    G_OBJECT_CLASS(app_sources_parent_class)->dispose(object);
+}
+
+static void app_sources_finalize(GObject *object)
+{
+    g_ptr_array_unref(APP_SOURCES(object)->items);
+    G_OBJECT_CLASS(app_sources_parent_class)->finalize(object);
+}
+
+static void app_sources_class_init(AppSourcesClass *class)
+{
+    G_OBJECT_CLASS(class)->dispose = app_sources_dispose;
+    G_OBJECT_CLASS(class)->finalize = app_sources_finalize;
+    signals[CHOSEN] = g_signal_new("chosen", APP_TYPE_SOURCES, G_SIGNAL_RUN_LAST, 0, NULL, NULL, NULL, G_TYPE_NONE, 1,
+                                   G_TYPE_UINT);
+    signals[SOLO] = g_signal_new("solo", APP_TYPE_SOURCES, G_SIGNAL_RUN_LAST, 0, NULL, NULL, NULL, G_TYPE_NONE, 1,
+                                 G_TYPE_INT);
+}
+
+static void app_sources_init(AppSources *self)
+{
+    self->items = g_ptr_array_new_with_free_func(g_free);
+    self->solo = -1;
+    gtk_orientable_set_orientation(GTK_ORIENTABLE(self), GTK_ORIENTATION_VERTICAL);
+    gtk_box_set_spacing(GTK_BOX(self), 6);
+}
+
+static GtkWidget *add_button(GtkWidget *box, const char *icon, const char *meaning, const char *action)
+{
+    GtkWidget *button = gtk_button_new_from_icon_name(icon);
+    gtk_widget_set_tooltip_text(button, meaning);
+    gtk_accessible_update_property(GTK_ACCESSIBLE(button), GTK_ACCESSIBLE_PROPERTY_LABEL, meaning, -1);
+    gtk_actionable_set_action_name(GTK_ACTIONABLE(button), action);
+    gtk_box_append(GTK_BOX(box), button);
+    return button;
+}
+
+static GMenuModel *menu_of_kinds(const AppTables *tables)
+{
+    GMenu *menu = g_menu_new();
+    for (gsize i = 0; i < luxel_parameters_kind_count(tables->shown); i++) {
+        const luxel_kind *kind = luxel_parameters_kind(tables->shown, i);
+        if (strcmp(kind->list, "lights") != 0 || !kind->example)
+            continue;
+        char *text = g_strdup_printf("%s: %s", kind->name, kind->meaning);
+        GMenuItem *item = g_menu_item_new(text, NULL);
+        g_menu_item_set_action_and_target(item, "win.source-add", "s", kind->name);
+        g_menu_append_item(menu, item);
+        g_object_unref(item);
+        g_free(text);
+    }
+    return G_MENU_MODEL(menu);
+}
+
+static GtkWidget *new_toolbar(AppSources *self)
+{
+    GtkWidget *bar = gtk_box_new(GTK_ORIENTATION_HORIZONTAL, 2), *add = gtk_menu_button_new();
+    GMenuModel *kinds = menu_of_kinds(self->tables);
+    gtk_menu_button_set_icon_name(GTK_MENU_BUTTON(add), "list-add-symbolic");
+    gtk_menu_button_set_menu_model(GTK_MENU_BUTTON(add), kinds);
+    gtk_widget_set_tooltip_text(add, _("Add a source"));
+    gtk_accessible_update_property(GTK_ACCESSIBLE(add), GTK_ACCESSIBLE_PROPERTY_LABEL, _("Add a source"), -1);
+    g_object_unref(kinds);
+    gtk_box_append(GTK_BOX(bar), add);
+    add_button(bar, "edit-copy-symbolic", _("Duplicate the source"), "win.source-duplicate");
+    add_button(bar, "list-remove-symbolic", _("Delete the source"), "win.source-delete");
+    add_button(bar, "go-up-symbolic", _("Move the source up"), "win.source-up");
+    add_button(bar, "go-down-symbolic", _("Move the source down"), "win.source-down");
+    self->aim = add_button(bar, "find-location-symbolic", _("Aim the source at the surface"), "win.source-aim");
+    add_button(bar, "edit-paste-symbolic", _("Paste sources: x, y, z; x, y, z"), "win.source-paste");
+    return bar;
+}
+
+GtkWidget *app_sources_new(AppDocument *document, const AppTables *tables)
+{
+    AppSources *self = g_object_new(APP_TYPE_SOURCES, NULL);
+    self->document = g_object_ref(document);
+    self->tables = tables;
+    self->list = gtk_list_box_new();
+    self->more = gtk_label_new(NULL);
+    self->form = app_form_new(document, tables, prefixes, NULL);
+    gtk_widget_add_css_class(self->list, "frame");
+    gtk_accessible_update_property(GTK_ACCESSIBLE(self->list), GTK_ACCESSIBLE_PROPERTY_LABEL, _("Sources"), -1);
+    g_signal_connect(self->list, "row-selected", G_CALLBACK(row_selected), self);
+    self->scrolled = gtk_scrolled_window_new();
+    gtk_scrolled_window_set_policy(GTK_SCROLLED_WINDOW(self->scrolled), GTK_POLICY_NEVER, GTK_POLICY_AUTOMATIC);
+    gtk_scrolled_window_set_child(GTK_SCROLLED_WINDOW(self->scrolled), self->list);
+    gtk_box_append(GTK_BOX(self), self->scrolled);
+    gtk_box_append(GTK_BOX(self), self->more);
+    gtk_box_append(GTK_BOX(self), new_toolbar(self));
+    gtk_box_append(GTK_BOX(self), self->form);
+    app_sources_refresh(self);
+    return GTK_WIDGET(self);
+}

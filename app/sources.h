@@ -1,0 +1,36 @@
+/* SPDX-License-Identifier: MIT */
+/*
+ * The list of sources with what each gives, and the form of the chosen one.
+ *
+ * Signals: "chosen" (index) when another one was chosen; "solo" (index, -1 for none) when one alone is to be seen.
+ */
+#ifndef LUXEL_APP_SOURCES_H
+#define LUXEL_APP_SOURCES_H
+
+#include "form.h"
+#include "measures.h"
+
+#define APP_TYPE_SOURCES (app_sources_get_type())
+G_DECLARE_FINAL_TYPE(AppSources, app_sources, APP, SOURCES, GtkBox)
+
+GtkWidget *app_sources_new(AppDocument *document, const AppTables *tables);
+
+void app_sources_refresh(AppSources *self);
+void app_sources_choose(AppSources *self, gsize index);
+gsize app_sources_chosen(AppSources *self);
+/* Shows flux and irradiance; `photometric`: in lm and lx. */
+void app_sources_show(AppSources *self, const AppMeasures *measures, gboolean photometric);
+/* Marks a wrong key; TRUE where the form has it. */
+gboolean app_sources_set_fault(AppSources *self, const char *key, const char *reason);
+
+/* What can be done with sources; the window's actions call these. */
+void app_sources_add(AppSources *self, const char *kind);
+void app_sources_duplicate(AppSources *self);
+void app_sources_delete(AppSources *self);
+void app_sources_move(AppSources *self, int step);
+void app_sources_aim(AppSources *self);
+void app_sources_end_solo(AppSources *self);
+/* Adds a point source for each "x, y, z" of a text; NULL, or what is wrong with it: the caller's. */
+char *app_sources_paste(AppSources *self, const char *text);
+
+#endif

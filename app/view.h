@@ -1,0 +1,42 @@
+/* SPDX-License-Identifier: MIT */
+/*
+ * The view: the picture with its marks, fitted or zoomed, and the hand on it.  Drags change the document itself.
+ *
+ * Signals: "pointed" (x_mm, y_mm, is_inside) when the pointer moves; "selected" (kind, index) when a mark was taken;
+ * "section-moved" (x_mm, y_mm); "framed" when another part of the screen is shown than before.
+ */
+#ifndef LUXEL_APP_VIEW_H
+#define LUXEL_APP_VIEW_H
+
+#include <gtk/gtk.h>
+
+#include "marks.h"
+#include "measures.h"
+
+#define APP_TYPE_VIEW (app_view_get_type())
+G_DECLARE_FINAL_TYPE(AppView, app_view, APP, VIEW, GtkWidget)
+
+/* The document that drags change; set once. */
+void app_view_set_document(AppView *self, AppDocument *document);
+/* Shows a picture; a reference is taken. */
+void app_view_set_picture(AppView *self, AppPicture *picture);
+/* Shows these lines from now on; they are taken over.  NULL: none. */
+void app_view_set_isophotes(AppView *self, luxel_isophotes *isophotes);
+/* Shows the section's lines; `shown` FALSE: not. */
+void app_view_set_section(AppView *self, gboolean shown, const double section_mm[2]);
+/* Which source is marked as the chosen one. */
+void app_view_select(AppView *self, AppMarkKind kind, gsize index);
+/* Which surface was under the pointer, -1 for none: what a press there takes. */
+void app_view_set_surface(AppView *self, gssize surface);
+
+void app_view_fit(AppView *self);
+/* One pixel of the picture on one of the screen. */
+void app_view_one_to_one(AppView *self);
+void app_view_zoom(AppView *self, double factor);
+/* Millimetres for a pixel of the widget. */
+double app_view_mm_per_pixel(AppView *self);
+
+/* What the view shows of the screen, for the painter. */
+AppFrame app_view_frame(AppView *self);
+
+#endif

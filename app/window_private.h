@@ -1,0 +1,61 @@
+/* SPDX-License-Identifier: MIT */
+/* The inside of a window, for the files that make it up. */
+#ifndef LUXEL_APP_WINDOW_PRIVATE_H
+#define LUXEL_APP_WINDOW_PRIVATE_H
+
+#include "display_form.h"
+#include "numbers.h"
+#include "points.h"
+#include "recovery.h"
+#include "sources.h"
+#include "view.h"
+#include "window.h"
+
+struct _AppWindow {
+    GtkApplicationWindow parent;
+    AppDocument *document;
+    AppRecovery *recovery;
+    AppTables *tables;
+    AppPainter *painter;
+    AppMeter *meter;
+    AppPointer *pointer;
+
+    AppPicture *picture; /* the last good one */
+    AppShot *pinned;
+    AppSide side;
+    gssize solo;
+    luxel_quantity quantity;
+    double section_mm[2];
+    double pointer_mm[2];
+    gboolean pointer_inside;
+    GPtrArray *unsaved; /* AppUnsaved's that are still to be offered */
+    guint progress_timer, pulse_timer;
+    const char *false_palette; /* of false colour */
+
+    /* of the template */
+    AppView *view;
+    GtkWidget *left_pane, *right_pane, *left_scroll, *left_box, *right_box, *compare_box, *compare_label, *bar;
+    GtkWidget *unsaved_bar, *unsaved_label, *fault_bar, *fault_label;
+    GtkWidget *status_label, *message_label, *progress;
+    GMenu *builtin_menu, *recent_menu, *export_menu;
+    /* made by hand */
+    GtkWidget *screen_form, *surface_list, *surface_form, *material_form, *picture_form;
+    GtkWidget *sources, *points, *display_form, *numbers;
+};
+
+/* Asks for a picture of the document as it is, and for the numbers beside the last one. */
+void app_window_ask_picture(AppWindow *self);
+void app_window_ask_numbers(AppWindow *self);
+/* Says something at the edge of the window. */
+void app_window_say(AppWindow *self, const char *text);
+/* Shows what went wrong; NULL: nothing. */
+void app_window_show_fault(AppWindow *self, const char *text);
+
+/* window_actions.c */
+void app_window_add_actions(AppWindow *self);
+void app_window_update_actions(AppWindow *self);
+/* window_files.c */
+void app_window_add_file_actions(AppWindow *self);
+void app_window_fill_menus(AppWindow *self);
+
+#endif
