@@ -127,7 +127,8 @@ static void paint_outside(const AppDisplay *display, const luxel_field *field, g
     const guint columns = luxel_field_columns(field), rows = luxel_field_rows(field);
     const guint8 *mask = luxel_field_mask(field);
     const double lightness = 0.3 * display->background[0] + 0.6 * display->background[1] + 0.1 * display->background[2];
-    const double line[3] = {lightness > 0.5 ? 0.35 : 0.45, lightness > 0.5 ? 0.35 : 0.45, lightness > 0.5 ? 0.35 : 0.45};
+    const double line[3] = {lightness > 0.5 ? 0.35 : 0.45, lightness > 0.5 ? 0.35 : 0.45,
+                            lightness > 0.5 ? 0.35 : 0.45};
     const guint32 background = pack(display->background), outline = pack(line);
     for (guint row = 0; row < rows; row++)
         for (guint column = 0; column < columns; column++) {

@@ -10,16 +10,16 @@
 #include <luxel/figure.h>
 
 typedef struct AppDisplay {
-    const char *palette;        /* a name of luxel_palette_name(), which lives for ever */
-    gboolean logarithmic;       /* colours by the logarithm of the value */
-    gboolean is_locked;         /* low and high hold, else the picture's own range does */
-    double low, high;           /* low < high */
-    double exposure;            /* in stops: values are multiplied by 2^exposure */
-    double background[3];       /* the colour where no surface is, 0 to 1 */
-    gboolean outline;           /* a line around the surfaces */
-    gboolean isophotes;         /* lines of equal value */
-    gboolean maximum;           /* a mark at the greatest value */
-    gboolean marks;             /* sources, points and the section */
+    const char *palette;  /* a name of luxel_palette_name(), which lives for ever */
+    gboolean logarithmic; /* colours by the logarithm of the value */
+    gboolean is_locked;   /* low and high hold, else the picture's own range does */
+    double low, high;     /* low < high */
+    double exposure;      /* in stops: values are multiplied by 2^exposure */
+    double background[3]; /* the colour where no surface is, 0 to 1 */
+    gboolean outline;     /* a line around the surfaces */
+    gboolean isophotes;   /* lines of equal value */
+    gboolean maximum;     /* a mark at the greatest value */
+    gboolean marks;       /* sources, points and the section */
 } AppDisplay;
 
 /* Grey on black, all marks shown. */

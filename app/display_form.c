@@ -28,12 +28,16 @@ static const struct {
     AppRowKind kind;
     const char *label, *meaning;
 } fields[FIELDS] = {
-    [FIELD_PALETTE] = {APP_ROW_CHOICE, N_("Colours"), N_("The colours of the values; what is saved as grey PNG stays grey")},
-    [FIELD_LOGARITHMIC] = {APP_ROW_SWITCH, N_("Logarithmic"), N_("Colours by the logarithm of the value, over four decades")},
-    [FIELD_LOCKED] = {APP_ROW_SWITCH, N_("Range locked"), N_("The same range for every picture; else from 0 to each one's maximum")},
+    [FIELD_PALETTE] = {APP_ROW_CHOICE, N_("Colours"),
+                       N_("The colours of the values; what is saved as grey PNG stays grey")},
+    [FIELD_LOGARITHMIC] = {APP_ROW_SWITCH, N_("Logarithmic"),
+                           N_("Colours by the logarithm of the value, over four decades")},
+    [FIELD_LOCKED] = {APP_ROW_SWITCH, N_("Range locked"),
+                      N_("The same range for every picture; else from 0 to each one's maximum")},
     [FIELD_LOW] = {APP_ROW_NUMBER, N_("From"), N_("The value of the first colour")},
     [FIELD_HIGH] = {APP_ROW_NUMBER, N_("To"), N_("The value of the last colour")},
-    [FIELD_EXPOSURE] = {APP_ROW_NUMBER, N_("Exposure"), N_("Each stop doubles what is shown; E brighter, Shift+E darker, R resets")},
+    [FIELD_EXPOSURE] = {APP_ROW_NUMBER, N_("Exposure"),
+                        N_("Each stop doubles what is shown; E brighter, Shift+E darker, R resets")},
     [FIELD_BACKGROUND] = {APP_ROW_CHOICE, N_("Background"), N_("The colour where no surface is seen")},
     [FIELD_OUTLINE] = {APP_ROW_SWITCH, N_("Outline"), N_("A line around the surfaces, which shows their dark limb")},
     [FIELD_ISOPHOTES] = {APP_ROW_SWITCH, N_("Isophotes"), N_("Lines of equal value")},
@@ -146,9 +150,7 @@ static void edited(AppRow *row, const char *yaml, AppDisplayForm *self)
     case FIELD_LOGARITHMIC: self->display.logarithmic = on; break;
     case FIELD_LOCKED: lock(self, on); break;
     case FIELD_LOW:
-    case FIELD_HIGH:
-        set_bound(self, field, number);
-        break;
+    case FIELD_HIGH: set_bound(self, field, number); break;
     case FIELD_EXPOSURE: self->display.exposure = number; break;
     case FIELD_BACKGROUND:
         for (gsize i = 0; i < G_N_ELEMENTS(backgrounds); i++)
@@ -210,7 +212,8 @@ void app_display_form_reset(AppDisplayForm *self)
 static void app_display_form_class_init(AppDisplayFormClass *class)
 {
     (void)class;
-    signals[CHANGED] = g_signal_new("changed", APP_TYPE_DISPLAY_FORM, G_SIGNAL_RUN_LAST, 0, NULL, NULL, NULL, G_TYPE_NONE, 0);
+    signals[CHANGED] =
+        g_signal_new("changed", APP_TYPE_DISPLAY_FORM, G_SIGNAL_RUN_LAST, 0, NULL, NULL, NULL, G_TYPE_NONE, 0);
 }
 
 /* The words of a list that has one for each i. */
@@ -235,7 +238,9 @@ static void app_display_form_init(AppDisplayForm *self)
     app_display_init(&self->display);
     self->high = 1;
     for (int i = 0; i < FIELDS; i++) {
-        AppRowSpec spec = {.kind = fields[i].kind, .label = _(fields[i].label), .meaning = _(fields[i].meaning),
+        AppRowSpec spec = {.kind = fields[i].kind,
+                           .label = _(fields[i].label),
+                           .meaning = _(fields[i].meaning),
                            .choices = i == FIELD_PALETTE ? palettes : grounds};
         if (i == FIELD_EXPOSURE) {
             spec.legal = (luxel_interval){TRUE, -40, 40, FALSE};

@@ -42,8 +42,10 @@ static void app_document_finalize(GObject *object)
 static void app_document_class_init(AppDocumentClass *class)
 {
     G_OBJECT_CLASS(class)->finalize = app_document_finalize;
-    signals[CHANGED] = g_signal_new("changed", APP_TYPE_DOCUMENT, G_SIGNAL_RUN_LAST, 0, NULL, NULL, NULL, G_TYPE_NONE, 0);
-    signals[RENAMED] = g_signal_new("renamed", APP_TYPE_DOCUMENT, G_SIGNAL_RUN_LAST, 0, NULL, NULL, NULL, G_TYPE_NONE, 0);
+    signals[CHANGED] =
+        g_signal_new("changed", APP_TYPE_DOCUMENT, G_SIGNAL_RUN_LAST, 0, NULL, NULL, NULL, G_TYPE_NONE, 0);
+    signals[RENAMED] =
+        g_signal_new("renamed", APP_TYPE_DOCUMENT, G_SIGNAL_RUN_LAST, 0, NULL, NULL, NULL, G_TYPE_NONE, 0);
 }
 
 static void app_document_init(AppDocument *self)
@@ -252,9 +254,7 @@ static luxel_status make_edit(luxel_scene *scene, const AppEdit *edit, luxel_dia
         if (status == LUXEL_OK && written)
             status = luxel_scene_remove(scene, edit->key, diagnostics);
         break;
-    case APP_EDIT_INSERT:
-        status = luxel_scene_insert(scene, edit->key, edit->index, edit->value, diagnostics);
-        break;
+    case APP_EDIT_INSERT: status = luxel_scene_insert(scene, edit->key, edit->index, edit->value, diagnostics); break;
     case APP_EDIT_MOVE: status = luxel_scene_move(scene, edit->key, edit->index, edit->to, diagnostics); break;
     }
     return status;

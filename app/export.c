@@ -11,10 +11,14 @@
 enum { MOST_FAULTS = 3 };
 
 static const AppExport exports[] = {
-    {"png8", N_("Picture, PNG of 8 bits…"), ".png"},       {"png16", N_("Picture, PNG of 16 bits…"), ".png"},
-    {"figure-png", N_("Figure with colour bar, PNG…"), ".png"}, {"figure-svg", N_("Figure with colour bar, SVG…"), ".svg"},
-    {"figure-pdf", N_("Figure with colour bar, PDF…"), ".pdf"}, {"exr", N_("Numbers, OpenEXR…"), ".exr"},
-    {"npy", N_("Numbers, NumPy…"), ".npy"},                {"csv", N_("Numbers, CSV…"), ".csv"},
+    {"png8", N_("Picture, PNG of 8 bits…"), ".png"},
+    {"png16", N_("Picture, PNG of 16 bits…"), ".png"},
+    {"figure-png", N_("Figure with colour bar, PNG…"), ".png"},
+    {"figure-svg", N_("Figure with colour bar, SVG…"), ".svg"},
+    {"figure-pdf", N_("Figure with colour bar, PDF…"), ".pdf"},
+    {"exr", N_("Numbers, OpenEXR…"), ".exr"},
+    {"npy", N_("Numbers, NumPy…"), ".npy"},
+    {"csv", N_("Numbers, CSV…"), ".csv"},
     {"report", N_("Report, PDF…"), ".pdf"},
 };
 
@@ -106,9 +110,9 @@ static void run(GTask *task, gpointer source, gpointer data, GCancellable *cance
     settings.quantity = work->quantity;
     luxel_status status = luxel_scene_commit(work->scene, faults);
     if (status == LUXEL_OK)
-        status = strcmp(work->how->name, "report") == 0          ? write_report(work, &settings, faults)
+        status = strcmp(work->how->name, "report") == 0         ? write_report(work, &settings, faults)
                  : g_str_has_prefix(work->how->name, "figure-") ? write_figure(work, &settings, faults)
-                                                                 : write_field(work, &settings, faults);
+                                                                : write_field(work, &settings, faults);
     char *text = status == LUXEL_OK ? NULL : app_faults_text(faults);
     if (status != LUXEL_OK && !text)
         text = g_strdup(_("it could not be written"));

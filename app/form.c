@@ -169,8 +169,7 @@ static void add_switches(Entry *entry, GtkWidget *box)
 {
     GPtrArray *names = app_keys_instead(&entry->form->keys, entry->parameter);
     for (guint i = 0; i < names->len; i++) {
-        const luxel_parameter *to =
-            app_keys_beside(&entry->form->keys, entry->parameter, g_ptr_array_index(names, i));
+        const luxel_parameter *to = app_keys_beside(&entry->form->keys, entry->parameter, g_ptr_array_index(names, i));
         /* TRANSLATORS: a key is given instead of another; %s is its name, such as Radiance */
         char *text = g_strdup_printf(_("Give “%s” instead"), to->label);
         Switch *change = g_new(Switch, 1);
@@ -383,8 +382,7 @@ static void app_form_init(AppForm *self)
     gtk_box_set_spacing(GTK_BOX(self), 4);
 }
 
-GtkWidget *app_form_new(AppDocument *document, const AppTables *tables, const char *const *prefixes,
-                        const char *except)
+GtkWidget *app_form_new(AppDocument *document, const AppTables *tables, const char *const *prefixes, const char *except)
 {
     AppForm *self = g_object_new(APP_TYPE_FORM, NULL);
     self->document = g_object_ref(document);

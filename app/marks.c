@@ -72,7 +72,7 @@ GArray *app_marks_of(const AppMoment *moment, const AppDocument *document)
 
 char *app_place_key(const AppDocument *document, AppMarkKind kind, gsize index)
 {
-    static const char *const places[] = {"position",   "rectangle.center", "disk.center", "box.center",
+    static const char *const places[] = {"position",      "rectangle.center", "disk.center", "box.center",
                                          "sphere.center", "cylinder.center",  "vertices"};
     if (kind == APP_MARK_SURFACE)
         return g_strdup_printf("surfaces[%zu].center", index);
@@ -108,7 +108,9 @@ static double snap_of(const AppTouch *touch)
 static double round_to(double value, double step)
 {
     /* by the inverse, which is a whole number for steps below 1, so that 0.3 is 0.3 */
-    return !(step > 0) ? value : step < 1 ? round(value * round(1 / step)) / round(1 / step) : round(value / step) * step;
+    return !(step > 0) ? value
+           : step < 1  ? round(value * round(1 / step)) / round(1 / step)
+                       : round(value / step) * step;
 }
 
 static gboolean set_numbers(AppDocument *document, const char *key, const double *numbers, int count)

@@ -206,8 +206,7 @@ static void measure_statistics(AppRunner *runner, const AppQuestion *question, c
         LUXEL_OK)
         measures->histogram = NULL;
     if (!app_runner_is_outdated(runner))
-        measures->has_extrema =
-            luxel_find_extrema(evaluator, field, NULL, NULL, &measures->extrema) == LUXEL_OK;
+        measures->has_extrema = luxel_find_extrema(evaluator, field, NULL, NULL, &measures->extrema) == LUXEL_OK;
     app_runner_report(runner, measures);
 }
 

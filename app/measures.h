@@ -10,13 +10,13 @@
 
 /* What is wanted. */
 typedef struct AppQuestion {
-    AppShot *shot;         /* a reference is taken */
-    gboolean section;      /* the profiles through section_mm */
+    AppShot *shot;    /* a reference is taken */
+    gboolean section; /* the profiles through section_mm */
     double section_mm[2];
-    gboolean statistics;   /* summary, extrema, histogram */
-    gboolean isophotes;    /* lines at levels of the range low to high */
+    gboolean statistics; /* summary, extrema, histogram */
+    gboolean isophotes;  /* lines at levels of the range low to high */
     double low, high;
-    gboolean logarithmic;  /* histogram and levels */
+    gboolean logarithmic; /* histogram and levels */
 } AppQuestion;
 
 /* A measuring point of the scene. */
@@ -30,8 +30,8 @@ typedef struct AppPoint {
 
 /* A source. */
 typedef struct AppSource {
-    double flux;        /* in W or lm; NaN where it has none */
-    double irradiance;  /* at the place of the first surface that is seen at its centre; NaN: none is */
+    double flux;       /* in W or lm; NaN where it has none */
+    double irradiance; /* at the place of the first surface that is seen at its centre; NaN: none is */
 } AppSource;
 
 /* The answers, which come in parts: of each flag that is TRUE the rest is meant. */

@@ -139,7 +139,8 @@ static void show_points(AppNumbers *self, const AppMeasures *measures)
     for (guint row = self->point_rows; row > count; row--)
         gtk_grid_remove_row(GTK_GRID(self->points), (int)row);
     self->point_rows = count;
-    char *left = g_strdup_printf(ngettext("and %zu more", "and %zu more", measures->points_left), measures->points_left);
+    char *left =
+        g_strdup_printf(ngettext("and %zu more", "and %zu more", measures->points_left), measures->points_left);
     set_text(self->points_left, measures->points_left > 0 ? left : "");
     g_free(left);
 }
@@ -274,8 +275,8 @@ static void draw_histogram(GtkDrawingArea *area, cairo_t *cairo, int width, int 
     AppNumbers *self = data;
     luxel_language language;
     luxel_drawing_style style = style_of(GTK_WIDGET(area), &language);
-    const luxel_bar bar = {.palette = self->palette, .low = self->low, .high = self->high,
-                           .logarithmic = self->logarithmic};
+    const luxel_bar bar = {
+        .palette = self->palette, .low = self->low, .high = self->high, .logarithmic = self->logarithmic};
     if (self->bins)
         luxel_draw_histogram(cairo, &style, self->bins, self->palette && self->high > self->low ? &bar : NULL,
                              self->unit_name, _("pixels"), width, height);
@@ -318,12 +319,17 @@ static void show_statistics(AppNumbers *self, AppMeasures *measures)
     const luxel_summary *summary = &measures->summary;
     const luxel_peak *maximum = &measures->extrema.maximum, *minimum = &measures->extrema.minimum;
     const double numbers[LINES] = {
-        [LINE_MAXIMUM] = summary->maximum.value, [LINE_TRUE_MAXIMUM] = maximum->value,
-        [LINE_MINIMUM] = summary->minimum.value, [LINE_TRUE_MINIMUM] = minimum->value,
-        [LINE_MEAN] = summary->mean,             [LINE_MEDIAN] = summary->median,
+        [LINE_MAXIMUM] = summary->maximum.value,
+        [LINE_TRUE_MAXIMUM] = maximum->value,
+        [LINE_MINIMUM] = summary->minimum.value,
+        [LINE_TRUE_MINIMUM] = minimum->value,
+        [LINE_MEAN] = summary->mean,
+        [LINE_MEDIAN] = summary->median,
         [LINE_DEVIATION] = summary->standard_deviation,
-        [LINE_LIT] = 100 * summary->lit,         [LINE_U0] = summary->u0,
-        [LINE_UD] = summary->ud,                 [LINE_PIXELS] = (double)summary->pixels,
+        [LINE_LIT] = 100 * summary->lit,
+        [LINE_U0] = summary->u0,
+        [LINE_UD] = summary->ud,
+        [LINE_PIXELS] = (double)summary->pixels,
     };
     for (int i = 0; i < LINES; i++)
         set_number(self->lines[i], numbers[i]);
@@ -349,12 +355,12 @@ void app_numbers_show(AppNumbers *self, AppMeasures *measures)
 {
     const luxel_field *field = measures->shot->field;
     g_free(self->unit_name);
-    self->unit_name = g_strdup_printf(
-        "%s, %s", luxel_field_quantity(field) == LUXEL_IRRADIANCE ? _("irradiance") : _("brightness"),
-        gettext(luxel_field_unit(field)));
+    self->unit_name =
+        g_strdup_printf("%s, %s", luxel_field_quantity(field) == LUXEL_IRRADIANCE ? _("irradiance") : _("brightness"),
+                        gettext(luxel_field_unit(field)));
     if (measures->has_points) {
-        char *text = g_strdup_printf(_("Values: %s. “value” is exact at the point, “pixel” what the picture has there."),
-                                     self->unit_name);
+        char *text = g_strdup_printf(
+            _("Values: %s. “value” is exact at the point, “pixel” what the picture has there."), self->unit_name);
         set_text(self->unit, text);
         g_free(text);
         show_points(self, measures);

@@ -20,8 +20,8 @@ struct AppPainter {
     void (*show)(AppPicture *picture, gpointer owner);
     gpointer owner;
     /* shared with the thread */
-    int permille;         /* atomic; -1: nothing is computed */
-    gint64 started;       /* monotonic time; written before permille is set to 0 */
+    int permille;   /* atomic; -1: nothing is computed */
+    gint64 started; /* monotonic time; written before permille is set to 0 */
 };
 
 typedef struct Work {
@@ -194,9 +194,8 @@ static const luxel_field *choose_field(const AppWish *wish, const AppShot *shot,
     *difference = NULL;
     if (!wish->pinned)
         return shot->field;
-    picture->has_comparison =
-        luxel_compare(wish->pinned->field, shot->field, NULL, &picture->comparison,
-                      wish->side == APP_SIDE_DIFFERENCE ? difference : NULL) == LUXEL_OK;
+    picture->has_comparison = luxel_compare(wish->pinned->field, shot->field, NULL, &picture->comparison,
+                                            wish->side == APP_SIDE_DIFFERENCE ? difference : NULL) == LUXEL_OK;
     picture->side = wish->side;
     if (*difference)
         return *difference;

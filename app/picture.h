@@ -33,13 +33,13 @@ typedef struct AppShot {
 typedef enum AppSide { APP_SIDE_LIVE, APP_SIDE_PINNED, APP_SIDE_DIFFERENCE } AppSide;
 
 typedef struct AppPicture {
-    AppShot *shot;          /* NULL: the scene could not be computed, `faults` say why */
-    AppDisplay display;     /* by which it was painted */
-    AppSide side;           /* what was painted */
-    guchar *pixels;         /* three bytes each, red, green, blue */
-    guint columns, rows;    /* of the pixels */
-    AppArea area;           /* of the screen, which they cover */
-    double low, high;       /* the range of the colours */
+    AppShot *shot;       /* NULL: the scene could not be computed, `faults` say why */
+    AppDisplay display;  /* by which it was painted */
+    AppSide side;        /* what was painted */
+    guchar *pixels;      /* three bytes each, red, green, blue */
+    guint columns, rows; /* of the pixels */
+    AppArea area;        /* of the screen, which they cover */
+    double low, high;    /* the range of the colours */
     gboolean has_comparison;
     luxel_comparison comparison; /* of the shot with the pinned one */
     luxel_diagnostics *faults;   /* NULL: none */
@@ -60,7 +60,7 @@ typedef struct AppWish {
     gssize solo;
     luxel_quantity quantity;
     AppDisplay display;
-    AppFrame frame;  /* of the view */
+    AppFrame frame; /* of the view */
     AppSide side;
     AppShot *pinned; /* to compare with; a reference is taken; NULL: none */
 } AppWish;

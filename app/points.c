@@ -38,7 +38,8 @@ static void entered(GtkWidget *field, AppPoints *self)
 {
     double place[2];
     char x[APP_NUMBER_SIZE], y[APP_NUMBER_SIZE];
-    const char *typed = gtk_editable_get_text(GTK_EDITABLE(field)), *shown = g_object_get_data(G_OBJECT(field), "shown");
+    const char *typed = gtk_editable_get_text(GTK_EDITABLE(field)),
+               *shown = g_object_get_data(G_OBJECT(field), "shown");
     if (g_strcmp0(typed, shown) == 0) {
         set_wrong(field, FALSE);
         return;
@@ -139,8 +140,8 @@ static void add_all(AppPoints *self, const double *places, gsize count)
     const gsize size = app_document_size(self->document, "points");
     for (gsize i = 0; i < count; i++) {
         char x[APP_NUMBER_SIZE], y[APP_NUMBER_SIZE];
-        char *yaml = g_strdup_printf("[%s, %s]", app_number_write(places[2 * i], x),
-                                     app_number_write(places[2 * i + 1], y));
+        char *yaml =
+            g_strdup_printf("[%s, %s]", app_number_write(places[2 * i], x), app_number_write(places[2 * i + 1], y));
         app_edits_add(edits, APP_EDIT_INSERT, "points", yaml, size + i, 0);
         g_free(yaml);
     }

@@ -6,7 +6,11 @@
 
 #include "../front/words.h"
 
-enum { START_MICROSECONDS = 500000, BINS = 100000, BIN_MICROSECONDS = 10 }; /* up to a second; the last one takes the rest */
+enum {
+    START_MICROSECONDS = 500000,
+    BINS = 100000,
+    BIN_MICROSECONDS = 10
+}; /* up to a second; the last one takes the rest */
 
 /* What is counted: of everything, and of the time since the last line. */
 typedef struct Count {
@@ -105,8 +109,11 @@ void app_pulse_print(void)
 {
     char numbers[6][24];
     const double seconds = (double)(g_get_monotonic_time() - pulse.all.since) / G_USEC_PER_SEC;
-    const double values[6] = {seconds, quantile(&pulse.all, 0.5), quantile(&pulse.all, 0.99),
-                              quantile(&pulse.all, 0.999), (double)pulse.all.longest / 1000,
+    const double values[6] = {seconds,
+                              quantile(&pulse.all, 0.5),
+                              quantile(&pulse.all, 0.99),
+                              quantile(&pulse.all, 0.999),
+                              (double)pulse.all.longest / 1000,
                               (double)(pulse.first - pulse.begun) / 1000};
     for (int i = 0; i < 6; i++)
         g_ascii_formatd(numbers[i], sizeof numbers[i], "%.2f", values[i]);

@@ -105,8 +105,7 @@ static void write_contents(const Contents *contents)
     g_key_file_set_int64(keys, group, "time", g_get_real_time() / G_USEC_PER_SEC);
     gsize length;
     char *bytes = g_key_file_to_data(keys, &length, NULL);
-    g_file_set_contents_full(contents->file, bytes, (gssize)length,
-                             G_FILE_SET_CONTENTS_CONSISTENT, 0600, NULL);
+    g_file_set_contents_full(contents->file, bytes, (gssize)length, G_FILE_SET_CONTENTS_CONSISTENT, 0600, NULL);
     g_free(bytes);
     g_key_file_free(keys);
 }

@@ -19,6 +19,7 @@ struct _AppRow {
     gboolean logarithmic; /* the slider */
     gboolean is_updating; /* values are shown, not edited */
     gboolean is_wrong;    /* what is typed cannot be taken */
+    gboolean is_empty;    /* there is no number */
     double value;
     GtkWidget *name, *control, *slider, *unit, *note;
 };
@@ -90,7 +91,7 @@ static void say_state(AppRow *self)
 {
     if (self->is_wrong)
         return;
-    if (!is_outside(&self->advised, self->value) || !self->advised_words) {
+    if (self->is_empty || !is_outside(&self->advised, self->value) || !self->advised_words) {
         note(self, NULL, FALSE);
         return;
     }
@@ -145,6 +146,8 @@ static void show_number(AppRow *self)
 {
     self->is_updating = TRUE;
     gtk_spin_button_set_value(GTK_SPIN_BUTTON(self->control), self->value);
+    if (self->is_empty)
+        gtk_editable_set_text(GTK_EDITABLE(self->control), "");
     if (self->slider) {
         char text[APP_NUMBER_SIZE];
         gtk_range_set_value(GTK_RANGE(self->slider), to_slider(self, self->value));
@@ -153,6 +156,15 @@ static void show_number(AppRow *self)
     }
     self->is_updating = FALSE;
     say_state(self);
+}
+
+/* The user's number. */
+static void take(AppRow *self, double value)
+{
+    self->is_wrong = self->is_empty = FALSE;
+    self->value = value;
+    show_number(self);
+    emit_number(self);
 }
 
 static void refuse(AppRow *self, const char *typed)
@@ -168,9 +180,10 @@ static void refuse(AppRow *self, const char *typed)
         char low[APP_NUMBER_SIZE], high[APP_NUMBER_SIZE];
         app_number_write(self->legal.low, low);
         app_number_write(self->legal.high, high);
-        text = isinf(self->legal.high) ? g_strdup_printf(self->legal.low_open ? _("must be above %s") : _("must be at least %s"), low)
-                                       /* TRANSLATORS: the bounds of what is allowed */
-                                       : g_strdup_printf(_("must be from %s to %s"), low, high);
+        text = isinf(self->legal.high)
+                   ? g_strdup_printf(self->legal.low_open ? _("must be above %s") : _("must be at least %s"), low)
+                   /* TRANSLATORS: the bounds of what is allowed */
+                   : g_strdup_printf(_("must be from %s to %s"), low, high);
     }
     self->is_wrong = TRUE;
     note(self, text, TRUE);
@@ -185,6 +198,10 @@ static gboolean is_legal(const AppRow *self, double value)
 static int read_field(GtkSpinButton *spin, double *value, AppRow *self)
 {
     const char *typed = gtk_editable_get_text(GTK_EDITABLE(spin));
+    if (self->is_empty && *typed == '\0') {
+        *value = self->value;
+        return TRUE;
+    }
     if (!app_number_read(typed, value) || !is_legal(self, *value)) {
         refuse(self, typed);
         return GTK_INPUT_ERROR;
@@ -200,6 +217,8 @@ static gboolean write_field(GtkSpinButton *spin, AppRow *self)
     if (self->is_wrong && !self->is_updating)
         return TRUE; /* it stays as it was typed */
     app_number_write(gtk_spin_button_get_value(spin), text);
+    if (self->is_empty)
+        *text = '\0';
     if (strcmp(text, gtk_editable_get_text(GTK_EDITABLE(spin))) != 0)
         gtk_editable_set_text(GTK_EDITABLE(spin), text);
     self->is_wrong = FALSE;
@@ -211,11 +230,9 @@ static void field_changed(GtkSpinButton *spin, AppRow *self)
     if (self->is_updating || self->is_wrong)
         return;
     double value = gtk_spin_button_get_value(spin);
-    if (!is_legal(self, value) || value == self->value)
+    if (!is_legal(self, value) || (value == self->value && !self->is_empty))
         return;
-    self->value = value;
-    show_number(self);
-    emit_number(self);
+    take(self, value);
 }
 
 static gboolean slider_moved(GtkRange *range, GtkScrollType type, double place, AppRow *self)
@@ -225,12 +242,8 @@ static gboolean slider_moved(GtkRange *range, GtkScrollType type, double place, 
     place = CLAMP(place, gtk_adjustment_get_lower((GtkAdjustment *)adjustment),
                   gtk_adjustment_get_upper((GtkAdjustment *)adjustment));
     double value = from_slider(self, place);
-    if (is_legal(self, value) && value != self->value) {
-        self->is_wrong = FALSE;
-        self->value = value;
-        show_number(self);
-        emit_number(self);
-    }
+    if (is_legal(self, value) && (value != self->value || self->is_empty))
+        take(self, value);
     return TRUE;
 }
 
@@ -350,8 +363,12 @@ void app_row_set(AppRow *self, const char *yaml)
     switch (self->kind) {
     case APP_ROW_NUMBER:
     case APP_ROW_WHOLE:
-        /* a wrong number stays until another value comes */
-        if (yaml && app_number_read(yaml, &value) && (value != self->value || !self->is_wrong)) {
+        if (!yaml || !app_number_read(yaml, &value)) {
+            self->is_empty = TRUE;
+            show_number(self);
+        } else if (value != self->value || self->is_empty || !self->is_wrong) {
+            /* else a wrong number stays until another value comes */
+            self->is_empty = FALSE;
             self->value = value;
             show_number(self);
         }
@@ -379,11 +396,11 @@ static void app_row_finalize(GObject *object)
 static void app_row_class_init(AppRowClass *class)
 {
     G_OBJECT_CLASS(class)->finalize = app_row_finalize;
-    signals[EDITED] = g_signal_new("edited", APP_TYPE_ROW, G_SIGNAL_RUN_LAST, 0, NULL, NULL, NULL, G_TYPE_NONE, 1,
-                                   G_TYPE_STRING);
+    signals[EDITED] =
+        g_signal_new("edited", APP_TYPE_ROW, G_SIGNAL_RUN_LAST, 0, NULL, NULL, NULL, G_TYPE_NONE, 1, G_TYPE_STRING);
     signals[RESET] = g_signal_new("reset", APP_TYPE_ROW, G_SIGNAL_RUN_LAST, 0, NULL, NULL, NULL, G_TYPE_NONE, 0);
-    signals[MENU] = g_signal_new("menu", APP_TYPE_ROW, G_SIGNAL_RUN_LAST, 0, NULL, NULL, NULL, G_TYPE_NONE, 1,
-                                 GTK_TYPE_WIDGET);
+    signals[MENU] =
+        g_signal_new("menu", APP_TYPE_ROW, G_SIGNAL_RUN_LAST, 0, NULL, NULL, NULL, G_TYPE_NONE, 1, GTK_TYPE_WIDGET);
 }
 
 static void label_clicked(GtkGestureClick *gesture, int count, double x, double y, AppRow *self)

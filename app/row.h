@@ -18,16 +18,23 @@
 #define APP_TYPE_ROW (app_row_get_type())
 G_DECLARE_FINAL_TYPE(AppRow, app_row, APP, ROW, GtkBox)
 
-typedef enum AppRowKind { APP_ROW_NUMBER, APP_ROW_WHOLE, APP_ROW_SWITCH, APP_ROW_CHOICE, APP_ROW_TEXT, APP_ROW_YAML } AppRowKind;
+typedef enum AppRowKind {
+    APP_ROW_NUMBER,
+    APP_ROW_WHOLE,
+    APP_ROW_SWITCH,
+    APP_ROW_CHOICE,
+    APP_ROW_TEXT,
+    APP_ROW_YAML
+} AppRowKind;
 
 /* What a row is for; the texts are copied. */
 typedef struct AppRowSpec {
     AppRowKind kind;
     const char *label, *unit, *meaning;
-    const char *choices;            /* "a, b, c" of APP_ROW_CHOICE */
-    luxel_interval legal, advised;  /* of numbers */
-    const char *advised_words;      /* or NULL */
-    const char *hint;               /* of a text: what is expected */
+    const char *choices;           /* "a, b, c" of APP_ROW_CHOICE */
+    luxel_interval legal, advised; /* of numbers */
+    const char *advised_words;     /* or NULL */
+    const char *hint;              /* of a text: what is expected */
 } AppRowSpec;
 
 GtkWidget *app_row_new(const AppRowSpec *spec);

@@ -241,8 +241,8 @@ static char *first_value(const AppKeys *keys, const luxel_parameter *parameter)
     if (parameter->value_type == LUXEL_VECTORS) {
         place_of(keys, numbers);
         const double x = numbers[0], y = numbers[1], z = numbers[2];
-        return g_strdup_printf("[[%g, %g, %g], [%g, %g, %g], [%g, %g, %g], [%g, %g, %g]]", x - 100, y - 100, z,
-                               x - 100, y + 100, z, x + 100, y + 100, z, x + 100, y - 100, z);
+        return g_strdup_printf("[[%g, %g, %g], [%g, %g, %g], [%g, %g, %g], [%g, %g, %g]]", x - 100, y - 100, z, x - 100,
+                               y + 100, z, x + 100, y + 100, z, x + 100, y - 100, z);
     }
     if (parameter->value_type == LUXEL_NUMBERS || parameter->value_type == LUXEL_WHOLE_NUMBERS) {
         const char *name = name_of(parameter);
@@ -296,9 +296,11 @@ static void add_square(const AppKeys *keys, const luxel_parameter *parameter, in
     app_list_read(text, pixels, 2);
     g_free(text);
     if (strcmp(parameter->path, "screen.width") == 0)
-        app_edits_add(edits, APP_EDIT_SET, "screen.height", app_number_write(value * pixels[1] / pixels[0], number), 0, 0);
+        app_edits_add(edits, APP_EDIT_SET, "screen.height", app_number_write(value * pixels[1] / pixels[0], number), 0,
+                      0);
     else if (strcmp(parameter->path, "screen.height") == 0)
-        app_edits_add(edits, APP_EDIT_SET, "screen.width", app_number_write(value * pixels[0] / pixels[1], number), 0, 0);
+        app_edits_add(edits, APP_EDIT_SET, "screen.width", app_number_write(value * pixels[0] / pixels[1], number), 0,
+                      0);
     else if (strcmp(parameter->path, "screen.resolution") == 0 && component >= 0 && width > 0 && height > 0) {
         /* the other number of pixels follows; what rounding leaves, the height takes */
         double other = component == 0 ? value * height / width : value * width / height;
@@ -306,7 +308,8 @@ static void add_square(const AppKeys *keys, const luxel_parameter *parameter, in
         pixels[1 - component] = MAX(1, round(other));
         char *both = numbers_text(pixels, 2);
         app_edits_add(edits, APP_EDIT_SET, "screen.resolution", both, 0, 0);
-        app_edits_add(edits, APP_EDIT_SET, "screen.height", app_number_write(width * pixels[1] / pixels[0], number), 0, 0);
+        app_edits_add(edits, APP_EDIT_SET, "screen.height", app_number_write(width * pixels[1] / pixels[0], number), 0,
+                      0);
         g_free(both);
     }
 }

@@ -24,7 +24,7 @@ gboolean app_keys_is_shown(const AppKeys *keys, const luxel_parameter *parameter
 
 /* Edits with their own texts. */
 typedef struct AppEdits {
-    GArray *list;    /* AppEdit */
+    GArray *list; /* AppEdit */
     GPtrArray *texts;
 } AppEdits;
 

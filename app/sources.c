@@ -77,7 +77,11 @@ static void add_item(AppSources *self)
 {
     Item *item = g_new0(Item, 1);
     GtkWidget *line = gtk_box_new(GTK_ORIENTATION_HORIZONTAL, 6), *texts = gtk_box_new(GTK_ORIENTATION_VERTICAL, 0);
-    *item = (Item){self, self->items->len, gtk_check_button_new(), gtk_label_new(NULL), gtk_label_new(NULL),
+    *item = (Item){self,
+                   self->items->len,
+                   gtk_check_button_new(),
+                   gtk_label_new(NULL),
+                   gtk_label_new(NULL),
                    gtk_toggle_button_new_with_label(_("Solo"))};
     name_control(item->enabled, _("Source %zu on"), item->index);
     name_control(item->solo, _("Only source %zu"), item->index);
@@ -215,10 +219,12 @@ void app_sources_show(AppSources *self, const AppMeasures *measures, gboolean ph
         char flux[APP_NUMBER_SIZE], irradiance[APP_NUMBER_SIZE];
         GString *text = g_string_new(NULL);
         if (isfinite(source->flux))
-            g_string_append_printf(text, "Φ %s %s", app_number_round(source->flux, 4, flux), photometric ? _("lm") : _("W"));
+            g_string_append_printf(text, "Φ %s %s", app_number_round(source->flux, 4, flux),
+                                   photometric ? _("lm") : _("W"));
         if (isfinite(source->irradiance))
             g_string_append_printf(text, "%sE %s %s", text->len ? "   " : "",
-                                   app_number_round(source->irradiance, 4, irradiance), photometric ? _("lx") : _("W/m²"));
+                                   app_number_round(source->irradiance, 4, irradiance),
+                                   photometric ? _("lx") : _("W/m²"));
         if (strcmp(text->str, gtk_label_get_text(GTK_LABEL(item->gives))) != 0)
             gtk_label_set_text(GTK_LABEL(item->gives), text->str);
         g_string_free(text, TRUE);
@@ -305,7 +311,8 @@ void app_sources_aim(AppSources *self)
 {
     char *aim = aim_key(self, FALSE), *axis = aim ? aim_key(self, TRUE) : NULL;
     char *center = app_document_get(self->document, "surfaces[0].center", NULL);
-    const AppEdit edits[] = {{.kind = APP_EDIT_REMOVE, .key = axis}, {.kind = APP_EDIT_SET, .key = aim, .value = center}};
+    const AppEdit edits[] = {{.kind = APP_EDIT_REMOVE, .key = axis},
+                             {.kind = APP_EDIT_SET, .key = aim, .value = center}};
     if (aim && center)
         app_document_edit(self->document, edits, G_N_ELEMENTS(edits), "lights", NULL);
     g_free(aim);
@@ -356,7 +363,8 @@ char *app_sources_paste(AppSources *self, const char *text)
     for (gsize i = 0; i < count; i++) {
         for (int k = 0; k < 3; k++)
             app_number_write(places[3 * i + (gsize)k], numbers[k]);
-        char *yaml = g_strdup_printf("{type: point, position: [%s, %s, %s]%s}", numbers[0], numbers[1], numbers[2], rest);
+        char *yaml =
+            g_strdup_printf("{type: point, position: [%s, %s, %s]%s}", numbers[0], numbers[1], numbers[2], rest);
         app_edits_add(edits, APP_EDIT_INSERT, "lights", yaml, at + i, 0);
         g_free(yaml);
     }
@@ -388,10 +396,10 @@ static void app_sources_class_init(AppSourcesClass *class)
 {
     G_OBJECT_CLASS(class)->dispose = app_sources_dispose;
     G_OBJECT_CLASS(class)->finalize = app_sources_finalize;
-    signals[CHOSEN] = g_signal_new("chosen", APP_TYPE_SOURCES, G_SIGNAL_RUN_LAST, 0, NULL, NULL, NULL, G_TYPE_NONE, 1,
-                                   G_TYPE_UINT);
-    signals[SOLO] = g_signal_new("solo", APP_TYPE_SOURCES, G_SIGNAL_RUN_LAST, 0, NULL, NULL, NULL, G_TYPE_NONE, 1,
-                                 G_TYPE_INT);
+    signals[CHOSEN] =
+        g_signal_new("chosen", APP_TYPE_SOURCES, G_SIGNAL_RUN_LAST, 0, NULL, NULL, NULL, G_TYPE_NONE, 1, G_TYPE_UINT);
+    signals[SOLO] =
+        g_signal_new("solo", APP_TYPE_SOURCES, G_SIGNAL_RUN_LAST, 0, NULL, NULL, NULL, G_TYPE_NONE, 1, G_TYPE_INT);
 }
 
 static void app_sources_init(AppSources *self)

@@ -26,8 +26,8 @@ struct _AppView {
     gsize selected_index;
     gssize surface; /* under the pointer */
     gboolean is_fitted;
-    AppArea screen; /* that is fitted */
-    AppMap map, told; /* `told`: as it was when the last signal went out */
+    AppArea screen;    /* that is fitted */
+    AppMap map, told;  /* `told`: as it was when the last signal went out */
     double pointer[2]; /* in the widget */
     Doing doing;
     AppHand hand;
@@ -227,11 +227,13 @@ static void app_view_snapshot(GtkWidget *widget, GtkSnapshot *snapshot)
     const graphene_rect_t area = dots_of(self, picture_area(self));
     gtk_snapshot_push_clip(snapshot, &GRAPHENE_RECT_INIT(0, 0, (float)width, (float)height));
     gtk_snapshot_append_texture(snapshot, self->texture, &area);
-    if (display->isophotes && self->isophotes)
-        app_draw_isophotes(snapshot, &self->map, self->isophotes, &GRAPHENE_RECT_INIT(0, 0, (float)width, (float)height));
+    const gboolean live = self->picture->side == APP_SIDE_LIVE; /* which isophotes and maximum are of */
+    if (live && display->isophotes && self->isophotes)
+        app_draw_isophotes(snapshot, &self->map, self->isophotes,
+                           &GRAPHENE_RECT_INIT(0, 0, (float)width, (float)height));
     if (display->marks && self->section_shown)
         app_draw_section(snapshot, &self->map, self->section_mm, width, height);
-    if (display->maximum)
+    if (live && display->maximum)
         app_draw_maximum(snapshot, widget, &self->map, &luxel_field_statistics(self->picture->shot->field)->maximum);
     for (guint i = 0; i < self->marks->len && display->marks; i++) {
         const AppMark *mark = &g_array_index(self->marks, AppMark, i);
@@ -474,8 +476,8 @@ static gboolean key_pressed(GtkEventControllerKey *controller, guint key, guint 
     static const struct {
         guint key;
         double step[3];
-    } moves[] = {{GDK_KEY_Left, {-1, 0, 0}},    {GDK_KEY_Right, {1, 0, 0}},       {GDK_KEY_Up, {0, 1, 0}},
-                 {GDK_KEY_Down, {0, -1, 0}},    {GDK_KEY_Page_Up, {0, 0, 1}},     {GDK_KEY_Page_Down, {0, 0, -1}}};
+    } moves[] = {{GDK_KEY_Left, {-1, 0, 0}}, {GDK_KEY_Right, {1, 0, 0}},   {GDK_KEY_Up, {0, 1, 0}},
+                 {GDK_KEY_Down, {0, -1, 0}}, {GDK_KEY_Page_Up, {0, 0, 1}}, {GDK_KEY_Page_Down, {0, 0, -1}}};
     (void)controller;
     (void)code;
     if (key == GDK_KEY_bracketleft || key == GDK_KEY_Cyrillic_ha)

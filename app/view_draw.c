@@ -172,7 +172,8 @@ static void draw_name(GtkSnapshot *snapshot, GtkWidget *widget, const double at[
     for (int pass = 0; pass < 2; pass++) {
         const GdkRGBA color = {pass ? 0.65f : 0, pass ? 0.9f : 0, pass ? 1 : 0, 1};
         gtk_snapshot_save(snapshot);
-        gtk_snapshot_translate(snapshot, &GRAPHENE_POINT_INIT((float)at[0] + (pass ? 8 : 9), (float)at[1] + (pass ? 4 : 5)));
+        gtk_snapshot_translate(snapshot,
+                               &GRAPHENE_POINT_INIT((float)at[0] + (pass ? 8 : 9), (float)at[1] + (pass ? 4 : 5)));
         gtk_snapshot_append_layout(snapshot, layout, &color);
         gtk_snapshot_restore(snapshot);
     }
@@ -185,7 +186,8 @@ void app_draw_mark(GtkSnapshot *snapshot, GtkWidget *widget, const AppMap *map, 
     gboolean arrow = app_mark_shown(map, mark, gtk_widget_get_width(widget), gtk_widget_get_height(widget), at, &angle);
     if (mark->kind == APP_MARK_SURFACE)
         return;
-    Look look = {.shape = mark->is_distant ? SHAPE_SUN : SHAPE_LAMP, .is_on = mark->is_on && !mark->is_behind,
+    Look look = {.shape = mark->is_distant ? SHAPE_SUN : SHAPE_LAMP,
+                 .is_on = mark->is_on && !mark->is_behind,
                  .selected = selected};
     if (mark->kind == APP_MARK_POINT)
         look = (Look){.shape = SHAPE_POINT, .selected = selected};

@@ -17,7 +17,7 @@
 #include "row.h"
 #include "window_private.h"
 
-enum { PROGRESS_MS = 150, PULSE_MS = 1000, DIGITS = 6 };
+enum { PROGRESS_MS = 150, PULSE_MS = 1000, DIGITS = 6, RIGHT_WIDTH = 350, LEAST_CENTER = 300 };
 static const double PATIENCE_SECONDS = 1; /* before progress is shown */
 
 G_DEFINE_FINAL_TYPE(AppWindow, app_window, GTK_TYPE_APPLICATION_WINDOW)
@@ -190,11 +190,13 @@ static void draw_bar(GtkDrawingArea *area, cairo_t *cairo, int width, int height
     style.letters = 11;
     style.language = &language;
     const double gain = exp2(picture->display.exposure);
-    char *label = g_strdup_printf(
-        "%s, %s", self->quantity == LUXEL_IRRADIANCE ? _("irradiance") : _("brightness"),
-        gettext(luxel_field_unit(picture->shot->field)));
-    const luxel_bar bar = {.palette = picture->display.palette, .low = picture->low / gain, .high = picture->high / gain,
-                           .logarithmic = picture->display.logarithmic, .label = label};
+    char *label = g_strdup_printf("%s, %s", self->quantity == LUXEL_IRRADIANCE ? _("irradiance") : _("brightness"),
+                                  gettext(luxel_field_unit(picture->shot->field)));
+    const luxel_bar bar = {.palette = picture->display.palette,
+                           .low = picture->low / gain,
+                           .high = picture->high / gain,
+                           .logarithmic = picture->display.logarithmic,
+                           .label = label};
     cairo_translate(cairo, 16, 4);
     luxel_draw_bar(cairo, &style, &bar, width - 32, height - 4);
     g_free(label);
@@ -217,7 +219,8 @@ static void add_shares(GString *text, const AppReading *reading)
 {
     char number[APP_NUMBER_SIZE];
     for (gsize i = 0; i < reading->share_count && i < 6; i++)
-        g_string_append_printf(text, "%s%zu: %s", i ? ", " : "", i + 1, app_number_round(reading->shares[i], 4, number));
+        g_string_append_printf(text, "%s%zu: %s", i ? ", " : "", i + 1,
+                               app_number_round(reading->shares[i], 4, number));
     if (reading->share_count > 6)
         g_string_append(text, ", …");
 }
@@ -340,7 +343,8 @@ static void section_moved(AppView *view, double x_mm, double y_mm, AppWindow *se
 
 static void page_turned(AppWindow *self)
 {
-    app_view_set_section(self->view, app_numbers_page(APP_NUMBERS(self->numbers)) == APP_PAGE_SECTION, self->section_mm);
+    app_view_set_section(self->view, app_numbers_page(APP_NUMBERS(self->numbers)) == APP_PAGE_SECTION,
+                         self->section_mm);
     app_window_ask_numbers(self);
 }
 
@@ -363,6 +367,8 @@ static void display_changed(AppWindow *self)
     const AppDisplay *display = app_display_form_get(APP_DISPLAY_FORM(self->display_form));
     if (strcmp(display->palette, "grey") != 0)
         self->false_palette = display->palette;
+    if (self->settings)
+        g_settings_set_string(self->settings, "palette", self->false_palette);
     app_window_update_actions(self);
     app_window_ask_picture(self);
 }
@@ -381,11 +387,27 @@ static gboolean legacy_event(GtkEventControllerLegacy *controller, GdkEvent *eve
 {
     (void)controller;
     const GdkEventType type = gdk_event_get_event_type(event);
-    if (type == GDK_BUTTON_PRESS || type == GDK_TOUCH_BEGIN)
-        app_document_begin_gesture(self->document);
-    else if (type == GDK_BUTTON_RELEASE || type == GDK_TOUCH_END || type == GDK_TOUCH_CANCEL)
+    const gboolean pressed = type == GDK_BUTTON_PRESS || type == GDK_TOUCH_BEGIN;
+    const gboolean released = type == GDK_BUTTON_RELEASE || type == GDK_TOUCH_END || type == GDK_TOUCH_CANCEL;
+    /* a release may be missed, when a menu takes it */
+    if ((pressed || released) && self->is_pressed)
         app_document_end_gesture(self->document);
+    if (pressed)
+        app_document_begin_gesture(self->document);
+    self->is_pressed = pressed || (self->is_pressed && !released);
     return GDK_EVENT_PROPAGATE;
+}
+
+static void keep_right(AppWindow *self)
+{
+    const int width = gtk_widget_get_width(self->right_box);
+    if (self->settings && width > 0)
+        g_settings_set_int(self->settings, "right-width", width);
+}
+
+static void close_faults(AppWindow *self)
+{
+    app_window_show_fault(self, NULL);
 }
 
 /* The wheel over a control that is not being used moves the panel, not the value. */
@@ -462,7 +484,8 @@ static void connect_parts(AppWindow *self)
     g_signal_connect(self->sources, "solo", G_CALLBACK(solo_changed), self);
     g_signal_connect_swapped(self->display_form, "changed", G_CALLBACK(display_changed), self);
     g_signal_connect_swapped(self->numbers, "wanted", G_CALLBACK(page_turned), self);
-    g_signal_connect(self->fault_bar, "response", G_CALLBACK(gtk_info_bar_set_revealed), NULL);
+    g_signal_connect_swapped(self->right_box, "unmap", G_CALLBACK(keep_right), self);
+    g_signal_connect_swapped(self->fault_bar, "response", G_CALLBACK(close_faults), self);
     gtk_drawing_area_set_draw_func(GTK_DRAWING_AREA(self->bar), draw_bar, self, NULL);
 }
 
@@ -472,6 +495,7 @@ static void bind_settings(AppWindow *self)
     GSettings *settings = app_application_settings(APP_APPLICATION(gtk_window_get_application(GTK_WINDOW(self))));
     if (!settings)
         return;
+    self->settings = g_object_ref(settings);
     g_settings_bind(settings, "window-width", self, "default-width", G_SETTINGS_BIND_DEFAULT);
     g_settings_bind(settings, "window-height", self, "default-height", G_SETTINGS_BIND_DEFAULT);
     g_settings_bind(settings, "window-maximized", self, "maximized", G_SETTINGS_BIND_DEFAULT);
@@ -484,10 +508,20 @@ static void bind_settings(AppWindow *self)
     g_free(palette);
 }
 
+/* A pane counts from the left, the right side's width from the right. */
+static void place_right(AppWindow *self)
+{
+    int width, right = self->settings ? g_settings_get_int(self->settings, "right-width") : RIGHT_WIDTH;
+    gtk_window_get_default_size(GTK_WINDOW(self), &width, NULL);
+    gtk_paned_set_position(GTK_PANED(self->right_pane),
+                           MAX(width - gtk_paned_get_position(GTK_PANED(self->left_pane)) - right, LEAST_CENTER));
+}
+
 AppWindow *app_window_new(AppApplication *application)
 {
     AppWindow *self = g_object_new(APP_TYPE_WINDOW, "application", application, NULL);
     bind_settings(self);
+    place_right(self);
     app_window_fill_menus(self);
     document_renamed(self);
     app_window_ask_picture(self);
@@ -516,6 +550,7 @@ static void app_window_dispose(GObject *object)
     g_clear_pointer(&self->picture, app_picture_unref);
     g_clear_pointer(&self->pinned, app_shot_unref);
     g_clear_pointer(&self->unsaved, g_ptr_array_unref);
+    g_clear_object(&self->settings);
     gtk_widget_dispose_template(GTK_WIDGET(self), APP_TYPE_WINDOW);
     G_OBJECT_CLASS(app_window_parent_class)->dispose(object);
 }

@@ -209,9 +209,10 @@ static void text_came(GObject *source, GAsyncResult *result, gpointer data)
     char *text = gdk_clipboard_read_text_finish(GDK_CLIPBOARD(source), result, NULL);
     char *fault = paste(wanted->window, text ? text : "", wanted->what);
     if (fault) {
-        char *message = g_strdup_printf(
-            wanted->what == PASTED_POINTS ? _("“%.60s” is no point; expected: x, y; x, y")
-                                          : _("“%.60s” is no source; expected: x, y, z; x, y, z"), fault);
+        char *message =
+            g_strdup_printf(wanted->what == PASTED_POINTS ? _("“%.60s” is no point; expected: x, y; x, y")
+                                                          : _("“%.60s” is no source; expected: x, y, z; x, y, z"),
+                            fault);
         app_window_show_fault(wanted->window, message);
         g_free(message);
     }

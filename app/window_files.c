@@ -20,8 +20,11 @@ static void remember(const char *path)
     GFile *file = g_file_new_for_path(path);
     char *uri = g_file_get_uri(file), *name = g_path_get_basename(path), *groups[] = {NULL};
     /* the type is given, as a scene by another name would not be known by it */
-    GtkRecentData data = {.display_name = name, .mime_type = g_strdup(mime_type), .app_name = g_strdup("Luxel"),
-                          .app_exec = g_strdup("luxel-app %f"), .groups = groups};
+    GtkRecentData data = {.display_name = name,
+                          .mime_type = g_strdup(mime_type),
+                          .app_name = g_strdup("Luxel"),
+                          .app_exec = g_strdup("luxel-app %f"),
+                          .groups = groups};
     gtk_recent_manager_add_full(gtk_recent_manager_get_default(), uri, &data);
     g_free(data.mime_type);
     g_free(data.app_name);
@@ -104,7 +107,8 @@ static void add_filter(GtkFileChooser *chooser, const char *name, const char *co
 static void ask_file(AppWindow *self, GtkFileChooserAction kind, const char *title, const char *name,
                      const AppExport *how, void (*done)(AppWindow *self, const char *path, const AppExport *how))
 {
-    static const char *const scenes[] = {"*.yaml", "*.yml", "*.json", "*.png", "*.exr", NULL}, *const all[] = {"*", NULL};
+    static const char *const scenes[] = {"*.yaml", "*.yml", "*.json", "*.png", "*.exr", NULL}, *const all[] = {"*",
+                                                                                                               NULL};
     GtkFileChooserNative *dialog = gtk_file_chooser_native_new(title, GTK_WINDOW(self), kind, NULL, NULL);
     GtkFileChooser *chooser = GTK_FILE_CHOOSER(dialog);
     GSettings *settings = app_application_settings(application_of(self));
@@ -184,8 +188,8 @@ static void save_as(GSimpleAction *action, GVariant *argument, gpointer data)
 {
     AppWindow *self = data;
     const char *name = app_document_name(self->document);
-    const gboolean is_yaml = g_str_has_suffix(name, ".yaml") || g_str_has_suffix(name, ".yml") ||
-                             g_str_has_suffix(name, ".json");
+    const gboolean is_yaml =
+        g_str_has_suffix(name, ".yaml") || g_str_has_suffix(name, ".yml") || g_str_has_suffix(name, ".json");
     char *suggested = g_strconcat(*name ? name : "scene", is_yaml ? "" : ".yaml", NULL);
     (void)action;
     (void)argument;
@@ -262,13 +266,12 @@ static void export_path(GSimpleAction *action, GVariant *argument, gpointer data
 
 static void show_offer(AppWindow *self)
 {
-    const AppUnsaved *unsaved =
-        self->unsaved && self->unsaved->len > 0 ? g_ptr_array_index(self->unsaved, 0) : NULL;
+    const AppUnsaved *unsaved = self->unsaved && self->unsaved->len > 0 ? g_ptr_array_index(self->unsaved, 0) : NULL;
     if (unsaved) {
         GDateTime *time = g_date_time_new_from_unix_local(unsaved->time);
         char *when = time ? g_date_time_format(time, "%Y-%m-%d %H:%M") : g_strdup("");
-        char *text = g_strdup_printf(_("Unsaved work was found: %s, of %s"), unsaved->name ? unsaved->name : _("a new scene"),
-                                     when);
+        char *text = g_strdup_printf(_("Unsaved work was found: %s, of %s"),
+                                     unsaved->name ? unsaved->name : _("a new scene"), when);
         gtk_label_set_text(GTK_LABEL(self->unsaved_label), text);
         g_free(text);
         g_free(when);

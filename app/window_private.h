@@ -30,6 +30,8 @@ struct _AppWindow {
     gboolean pointer_inside;
     GPtrArray *unsaved; /* AppUnsaved's that are still to be offered */
     guint progress_timer, pulse_timer;
+    gboolean is_pressed;       /* a button of the mouse, in this window */
+    GSettings *settings;       /* NULL: none */
     const char *false_palette; /* of false colour */
 
     /* of the template */
