@@ -48,6 +48,13 @@ struct _AppWindow {
 /* Asks for a picture of the document as it is, and for the numbers beside the last one. */
 void app_window_ask_picture(AppWindow *self);
 void app_window_ask_numbers(AppWindow *self);
+void app_window_ask_pointer(AppWindow *self);
+
+/* window_show.c: what comes is shown; of the painter, the meter and the pointer. */
+void app_window_show_picture(AppPicture *picture, gpointer owner);
+void app_window_show_numbers(AppMeasures *measures, gpointer owner);
+void app_window_show_reading(const AppReading *reading, gpointer owner);
+void app_window_draw_bar(GtkDrawingArea *area, cairo_t *cairo, int width, int height, gpointer data);
 /* Says something at the edge of the window. */
 void app_window_say(AppWindow *self, const char *text);
 /* Shows what went wrong; NULL: nothing. */
