@@ -4,6 +4,8 @@ BUILD ?= build
 PREFIX ?= /usr/local
 # Arguments for `luxel render` in `make run`, and for `meson test` in the checks.
 RUN ?= -o report.png
+# Arguments of luxel-app in `make app`.
+APP ?=
 TESTS ?=
 # Compilers for `make check-sanitize`.
 SANITIZE ?= gcc clang
@@ -21,7 +23,7 @@ WARNINGS_ARE_ERRORS = --werror
 
 # One thing at a time: the parallel work is Ninja's.
 .NOTPARALLEL:
-.PHONY: build help setup run check bench install clean check-clang check-sanitize check-valgrind format \
+.PHONY: build help setup run app check bench install clean check-clang check-sanitize check-valgrind format \
     docs validation abi po packages check-packages
 
 build: $(BUILD)/build.ninja
@@ -31,6 +33,7 @@ help:
 	@echo 'make                 build the library and the luxel command in $(BUILD)/'
 	@echo 'make setup           install what is missing for that (Debian; uses sudo when not root)'
 	@echo 'make run             build, compute the scene "report", print its table, write report.png'
+	@echo 'make app             build and start the desktop app; APP="scene.yaml" opens a scene'
 	@echo 'make check           build and run every test; ends with "N passed, N failed"'
 	@echo 'make check-clang     the same with clang, warnings being errors'
 	@echo 'make check-sanitize  the same with address and undefined-behaviour sanitizers (SANITIZE="gcc clang")'
@@ -58,6 +61,11 @@ $(BUILD)/build.ninja: | setup
 run: setup $(BUILD)/build.ninja
 	@$(COMPILE) $(BUILD) luxel:executable
 	@$(BUILD)/cli/luxel render $(RUN)
+
+# Its settings are kept as an installed one's are, by the schema in the build folder.
+app: setup build
+	@test -x $(BUILD)/app/luxel-app || { echo 'the app was not built: GTK 4.8 or newer, cairo and pango are needed' >&2; exit 1; }
+	@GSETTINGS_SCHEMA_DIR=$(BUILD)/data/desktop $(BUILD)/app/luxel-app $(APP)
 
 check: setup build
 	@$(RUN_TESTS) $(BUILD) --num-processes $(JOBS) $(TESTS)
