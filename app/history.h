@@ -30,7 +30,7 @@ char *app_history_redo(AppHistory *history, const char *text);
 gboolean app_history_can_undo(const AppHistory *history);
 gboolean app_history_can_redo(const AppHistory *history);
 
-/* What the step is about that would be undone or redone next, such as "lights[0].intensity"; NULL where there is none. */
+/* What the step is about that would be undone or redone next, such as "lights[0].intensity"; NULL: there is none. */
 const char *app_history_undo_topic(const AppHistory *history);
 const char *app_history_redo_topic(const AppHistory *history);
 

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* Columns and rows are prepared once, each as the two old ones between which it lies; the pixels then are plain work. */
+/* Columns and rows are prepared once, each as the two old ones between which it lies; then pixels are plain work. */
 #include "resample.h"
 
 #include <math.h>

@@ -27,7 +27,7 @@ def copy_sources(root, copy):
     shutil.copytree(root, copy, symlinks=True, ignore=shutil.ignore_patterns(".git", "build*", "__pycache__"))
     build = copy / "meson.build"
     # Only the library and the tool are needed.
-    build.write_text(re.sub(r"^\s*subdir\('(?!src'|cli'|po').*\n", "", build.read_text(), flags=re.M))
+    build.write_text(re.sub(r"^\s*subdir\('(?!src'|front'|cli'|po').*\n", "", build.read_text(), flags=re.M))
 
 
 def add_light(copy, kind, declaration, entry):
