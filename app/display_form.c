@@ -9,6 +9,8 @@
 #include "number.h"
 #include "row.h"
 
+enum { DIGITS = 6 };
+
 typedef enum Field {
     FIELD_PALETTE,
     FIELD_LOGARITHMIC,
@@ -86,6 +88,17 @@ static void show_switch(AppDisplayForm *self, Field field, gboolean on)
     app_row_set(APP_ROW(self->rows[field]), on ? "true" : "false");
 }
 
+/* What was typed as it is, what is the picture's rounded. */
+static void show_range(AppDisplayForm *self)
+{
+    char text[APP_NUMBER_SIZE];
+    const gboolean locked = self->display.is_locked;
+    const double bounds[] = {locked ? self->display.low : self->low, locked ? self->display.high : self->high};
+    for (int i = 0; i < 2; i++)
+        app_row_set(APP_ROW(self->rows[FIELD_LOW + i]),
+                    locked ? app_number_write(bounds[i], text) : app_number_round(bounds[i], DIGITS, text));
+}
+
 static void refresh(AppDisplayForm *self)
 {
     const AppDisplay *display = &self->display;
@@ -95,8 +108,7 @@ static void refresh(AppDisplayForm *self)
             app_row_set(APP_ROW(self->rows[FIELD_BACKGROUND]), _(backgrounds[i].name));
     show_switch(self, FIELD_LOGARITHMIC, display->logarithmic);
     show_switch(self, FIELD_LOCKED, display->is_locked);
-    show_number(self, FIELD_LOW, display->is_locked ? display->low : self->low);
-    show_number(self, FIELD_HIGH, display->is_locked ? display->high : self->high);
+    show_range(self);
     show_number(self, FIELD_EXPOSURE, display->exposure);
     show_switch(self, FIELD_OUTLINE, display->outline);
     show_switch(self, FIELD_ISOPHOTES, display->isophotes);
@@ -183,10 +195,8 @@ void app_display_form_tell_range(AppDisplayForm *self, double low, double high)
         return;
     self->low = low;
     self->high = high;
-    if (!self->display.is_locked) {
-        show_number(self, FIELD_LOW, low);
-        show_number(self, FIELD_HIGH, high);
-    }
+    if (!self->display.is_locked)
+        show_range(self);
 }
 
 void app_display_form_expose(AppDisplayForm *self, double stops)

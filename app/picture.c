@@ -9,6 +9,7 @@
 #include <math.h>
 #include <string.h>
 
+#include "number.h"
 #include "runner.h"
 
 static const double FRAME_SECONDS = 0.011; /* of the 16.7 ms of a frame, what painting and showing leave */
@@ -221,14 +222,48 @@ static void pack(AppPicture *picture)
 static void fit_to_frame(AppPicture *picture, const luxel_field *field, const AppFrame *frame)
 {
     picture->area = app_area_of(field);
-    guchar *fitted = frame->width > 0 ? app_resample(picture->pixels, field, frame, &picture->columns, &picture->rows,
-                                                     &picture->area)
+    guchar *fitted = frame->width > 0 ? app_resample(picture->pixels, field, frame, !picture->shot->is_fine,
+                                                     &picture->columns, &picture->rows, &picture->area)
                                       : NULL;
     if (fitted) {
         g_free(picture->pixels);
         picture->pixels = fitted;
     }
     pack(picture);
+}
+
+/* The least value on a surface. */
+static double least_value(const luxel_field *field)
+{
+    const guint columns = luxel_field_columns(field), rows = luxel_field_rows(field);
+    const guint8 *mask = luxel_field_mask(field);
+    double least = INFINITY;
+    for (guint row = 0; row < rows; row++)
+        for (guint column = 0; column < columns; column++)
+            if (mask[(gsize)row * columns + column])
+                least = MIN(least, luxel_field_value(field, column, row));
+    return isfinite(least) ? least : 0;
+}
+
+/* Shown as the grey PNG has it, the colours have the range of the scene's `picture`. */
+static void take_plain_range(AppPicture *picture, const luxel_field *field)
+{
+    char *range = NULL;
+    double pair[2];
+    if (luxel_scene_get(picture->shot->moment->scene, "picture.range", NULL, NULL, &range) != LUXEL_OK || !range)
+        return;
+    AppDisplay shown = picture->display;
+    shown.logarithmic = strcmp(range, "log") == 0;
+    if (app_list_read(range, pair, 2) == 2) {
+        shown.is_locked = TRUE;
+        shown.low = pair[0];
+        shown.high = pair[1];
+    }
+    app_display_range(&shown, field, &picture->low, &picture->high);
+    if (strcmp(range, "minmax") == 0)
+        picture->low = MIN(least_value(field), picture->high * (1 - 1e-9));
+    picture->display.logarithmic = shown.logarithmic;
+    luxel_text_free(range);
 }
 
 static void paint_and_report(AppRunner *runner, const AppWish *wish, AppShot *shot)
@@ -239,12 +274,15 @@ static void paint_and_report(AppRunner *runner, const AppWish *wish, AppShot *sh
     if (difference)
         picture->display = display_of_difference(&wish->display, picture->comparison.largest.value);
     picture->shot = app_shot_ref(shot);
+    picture->display.outline &= shot->is_fine; /* it would be as wide as the pixels */
     picture->columns = luxel_field_columns(field);
     picture->rows = luxel_field_rows(field);
     picture->pixels = g_malloc((gsize)picture->columns * picture->rows * 4);
     app_display_range(&picture->display, field, &picture->low, &picture->high);
     app_display_paint(&picture->display, field, picture->low, picture->high, picture->pixels);
     fit_to_frame(picture, field, &wish->frame);
+    if (app_display_is_plain(&picture->display))
+        take_plain_range(picture, field);
     luxel_field_free(difference);
     app_runner_report(runner, picture);
 }
@@ -353,7 +391,7 @@ static void unref_picture(gpointer picture)
 
 AppPainter *app_painter_new(void (*show)(AppPicture *picture, gpointer owner), gpointer owner)
 {
-    static const AppRunnerClass class = {"painter", do_wish, free_wish, unref_picture, free_work};
+    static const AppRunnerClass class = {"painter", do_wish, free_wish, unref_picture, free_work, 4};
     AppPainter *painter = g_new0(AppPainter, 1);
     Work *work = g_new0(Work, 1);
     work->painter = painter;

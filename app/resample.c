@@ -31,7 +31,7 @@ AppArea app_area_of(const luxel_field *field)
 }
 
 /* From `from` to `to` dots lie `count` old pixels; the new ones are the whole dots of them within the view's `size`. */
-static gboolean prepare(Axis *axis, double from, double to, guint count, int size)
+static gboolean prepare(Axis *axis, double from, double to, guint count, int size, gboolean smooth)
 {
     const double dot = count / (to - from); /* old pixels for a dot */
     axis->low = MAX(round(from), 0);
@@ -44,7 +44,7 @@ static gboolean prepare(Axis *axis, double from, double to, guint count, int siz
     for (gsize i = 0; i < (gsize)axis->count * axis->samples; i++) {
         const double at = axis->low + ((double)i + 0.5) / axis->samples;
         double place = CLAMP((at - from) * dot - 0.5, 0, count - 1.0);
-        if (dot * SQUARES_FROM <= 1 || axis->samples > 1)
+        if ((dot * SQUARES_FROM <= 1 && !smooth) || axis->samples > 1)
             place = floor(place + 0.5);
         const guint first = (guint)place;
         axis->taps[i] = (Tap){first, MIN(first + 1, count - 1), (guint32)((place - first) * UNIT)};
@@ -97,8 +97,8 @@ static void average_row(const guint32 *old, guint width, const Axis *x, const Ax
     }
 }
 
-guchar *app_resample(const guchar *pixels, const luxel_field *field, const AppFrame *frame, guint *columns, guint *rows,
-                     AppArea *area)
+guchar *app_resample(const guchar *pixels, const luxel_field *field, const AppFrame *frame, gboolean smooth,
+                     guint *columns, guint *rows, AppArea *area)
 {
     const guint32 *old = (const guint32 *)(const void *)pixels;
     const guint width = luxel_field_columns(field);
@@ -106,9 +106,9 @@ guchar *app_resample(const guchar *pixels, const luxel_field *field, const AppFr
     Axis x = {0}, y = {0};
     guint32 *made = NULL;
     if (prepare(&x, frame->origin[0] + all.low[0] * frame->scale, frame->origin[0] + all.high[0] * frame->scale, width,
-                frame->width) &&
+                frame->width, smooth) &&
         prepare(&y, frame->origin[1] - all.high[1] * frame->scale, frame->origin[1] - all.low[1] * frame->scale,
-                luxel_field_rows(field), frame->height)) {
+                luxel_field_rows(field), frame->height, smooth)) {
         made = g_new(guint32, (gsize)x.count * y.count);
         for (guint row = 0; row < y.count; row++) {
             const Tap *down = y.taps + (gsize)row * y.samples;

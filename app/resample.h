@@ -27,9 +27,9 @@ AppArea app_area_of(const luxel_field *field);
 
 /*
  * The part of a picture of four bytes a pixel that the frame shows: *columns x *rows pixels, the caller's, which cover
- * *area.  NULL where the frame shows none of it.
+ * *area.  `smooth`: pixels blend however much they are enlarged.  NULL where the frame shows none of it.
  */
-guchar *app_resample(const guchar *pixels, const luxel_field *field, const AppFrame *frame, guint *columns, guint *rows,
-                     AppArea *area);
+guchar *app_resample(const guchar *pixels, const luxel_field *field, const AppFrame *frame, gboolean smooth,
+                     guint *columns, guint *rows, AppArea *area);
 
 #endif

@@ -2,6 +2,8 @@
 /* The thread, its one place for a job, and the way back into the main loop. */
 #include "runner.h"
 
+#include <sys/resource.h>
+
 struct AppRunner {
     const AppRunnerClass *class;
     gpointer state, owner;
@@ -45,6 +47,8 @@ static gpointer next_job(AppRunner *self)
 static gpointer run(gpointer data)
 {
     AppRunner *self = data;
+    /* on Linux that is the thread's own, and that of the threads that it starts */
+    setpriority(PRIO_PROCESS, 0, self->class->nice);
     for (gpointer job; (job = next_job(self));) {
         self->class->work(self, job, self->state);
         self->class->free_job(job);

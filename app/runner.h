@@ -20,6 +20,7 @@ typedef struct AppRunnerClass {
     const char *name;
     AppWork work;
     GDestroyNotify free_job, free_report, free_state;
+    int nice; /* how much the work stands back behind the main loop, as nice(1) counts it */
 } AppRunnerClass;
 
 /* The runner takes `state` over; `deliver` is called with `owner` until app_runner_stop(). */
