@@ -271,7 +271,7 @@ static void tell_measures(gpointer report, gpointer owner)
 
 AppMeter *app_meter_new(void (*tell)(AppMeasures *measures, gpointer owner), gpointer owner)
 {
-    static const AppRunnerClass class = {"meter", answer, free_question, free_measures, free_kept, 8};
+    static const AppRunnerClass class = {"meter", answer, free_question, free_measures, free_kept, 15};
     AppMeter *meter = g_new0(AppMeter, 1);
     *meter = (AppMeter){.tell = tell, .owner = owner};
     meter->runner = app_runner_new(&class, g_new0(Kept, 1), tell_measures, meter);
@@ -349,7 +349,7 @@ static void tell_reading(gpointer report, gpointer owner)
 
 AppPointer *app_pointer_new(void (*tell)(const AppReading *reading, gpointer owner), gpointer owner)
 {
-    static const AppRunnerClass class = {"pointer", read_place, free_place, free_reading, free_kept, 6};
+    static const AppRunnerClass class = {"pointer", read_place, free_place, free_reading, free_kept, 12};
     AppPointer *pointer = g_new0(AppPointer, 1);
     *pointer = (AppPointer){.tell = tell, .owner = owner};
     pointer->runner = app_runner_new(&class, g_new0(Kept, 1), tell_reading, pointer);

@@ -391,7 +391,7 @@ static void unref_picture(gpointer picture)
 
 AppPainter *app_painter_new(void (*show)(AppPicture *picture, gpointer owner), gpointer owner)
 {
-    static const AppRunnerClass class = {"painter", do_wish, free_wish, unref_picture, free_work, 4};
+    static const AppRunnerClass class = {"painter", do_wish, free_wish, unref_picture, free_work, 10};
     AppPainter *painter = g_new0(AppPainter, 1);
     Work *work = g_new0(Work, 1);
     work->painter = painter;
