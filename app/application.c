@@ -44,7 +44,7 @@ static const struct {
     {"win.source-up", {"<Alt>Up"}},
     {"win.source-down", {"<Alt>Down"}},
     {"win.numbers", {"F9"}},
-    {"win.show-help-overlay", {"<Control>question", "F1"}},
+    {"win.shortcuts", {"<Control>question", "F1"}},
 };
 
 GSettings *app_application_settings(AppApplication *self)

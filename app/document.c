@@ -126,11 +126,24 @@ static gboolean is_picture(const char *path)
     return picture;
 }
 
+/* A scene with errors would be one without a picture: it is told what is wrong with it instead. */
+static gboolean is_right(const luxel_scene *scene, luxel_diagnostics *diagnostics)
+{
+    luxel_scene *copy = luxel_scene_copy(scene);
+    gboolean right = copy && luxel_scene_commit(copy, diagnostics) == LUXEL_OK;
+    luxel_scene_free(copy);
+    return right;
+}
+
 gboolean app_document_open_file(AppDocument *self, const char *path, luxel_diagnostics *diagnostics)
 {
     luxel_scene *scene;
     if (luxel_scene_read_file(path, diagnostics, &scene) != LUXEL_OK)
         return FALSE;
+    if (!is_right(scene, diagnostics)) {
+        luxel_scene_free(scene);
+        return FALSE;
+    }
     if (!is_picture(path))
         return adopt(self, scene, path, NULL, TRUE);
     char *name = g_path_get_basename(path);

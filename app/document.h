@@ -20,7 +20,10 @@ G_DECLARE_FINAL_TYPE(AppDocument, app_document, APP, DOCUMENT, GObject)
 /* A document of the built-in scene `report`. */
 AppDocument *app_document_new(void);
 
-/* Each replaces the whole document, history included; FALSE leaves it as it was. */
+/*
+ * Each replaces the whole document, history included; FALSE leaves it as it was.  A file whose scene has errors is
+ * not opened: the diagnostics say them all.
+ */
 gboolean app_document_open_builtin(AppDocument *self, const char *name, luxel_diagnostics *diagnostics);
 gboolean app_document_open_file(AppDocument *self, const char *path, luxel_diagnostics *diagnostics);
 /* Unsaved work found again: its text and the file that it belonged to, NULL for none. */

@@ -11,7 +11,7 @@
 #include "pulse.h"
 #include "window_private.h"
 
-enum { PROGRESS_MS = 150, PULSE_MS = 1000, RIGHT_WIDTH = 350, LEAST_CENTER = 300 };
+enum { PROGRESS_MS = 150, PULSE_MS = 1000, RIGHT_WIDTH = 380, LEAST_CENTER = 300 };
 static const double PATIENCE_SECONDS = 1; /* before progress is shown */
 
 G_DEFINE_FINAL_TYPE(AppWindow, app_window, GTK_TYPE_APPLICATION_WINDOW)

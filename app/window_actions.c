@@ -3,6 +3,7 @@
 #include <string.h>
 
 #include "../front/words.h"
+#include "shortcuts.h"
 #include "window_private.h"
 
 static const double ZOOM = 1.25;
@@ -94,6 +95,13 @@ static void change_quantity(GSimpleAction *action, GVariant *state, gpointer dat
     self->quantity = strcmp(g_variant_get_string(state, NULL), "irradiance") == 0 ? LUXEL_IRRADIANCE : LUXEL_BRIGHTNESS;
     g_simple_action_set_state(action, state);
     app_window_ask_picture(self);
+}
+
+static void show_shortcuts(GSimpleAction *action, GVariant *argument, gpointer data)
+{
+    (void)action;
+    (void)argument;
+    app_shortcuts_show(data);
 }
 
 /* ---- comparing ---- */
@@ -322,6 +330,7 @@ void app_window_add_actions(AppWindow *self)
         {.name = "quantity", .parameter_type = "s", .state = "'brightness'", .change_state = change_quantity},
         {.name = "side", .parameter_type = "s", .state = "'live'", .change_state = change_side},
         {.name = "next-side", .activate = next_side},
+        {.name = "shortcuts", .activate = show_shortcuts},
         {.name = "pin", .activate = pin},
         {.name = "unpin", .activate = unpin},
         {.name = "source-add", .activate = source_add, .parameter_type = "s"},
