@@ -224,7 +224,7 @@ void app_sources_show(AppSources *self, const AppMeasures *measures, gboolean ph
         if (isfinite(source->irradiance))
             g_string_append_printf(text, "%sE %s %s", text->len ? "   " : "",
                                    app_number_round(source->irradiance, 4, irradiance),
-                                   photometric ? _("lx") : _("W/m²"));
+                                   gettext(luxel_scene_unit(measures->shot->moment->scene, LUXEL_IRRADIANCE)));
         if (strcmp(text->str, gtk_label_get_text(GTK_LABEL(item->gives))) != 0)
             gtk_label_set_text(GTK_LABEL(item->gives), text->str);
         g_string_free(text, TRUE);
