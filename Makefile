@@ -24,7 +24,7 @@ WARNINGS_ARE_ERRORS = --werror
 # One thing at a time: the parallel work is Ninja's.
 .NOTPARALLEL:
 .PHONY: build help setup run app check bench install clean check-clang check-sanitize check-valgrind format \
-    docs validation abi po packages check-packages
+    fuzz docs validation abi po packages check-packages
 
 build: $(BUILD)/build.ninja
 	@$(COMPILE) $(BUILD)
@@ -38,6 +38,7 @@ help:
 	@echo 'make check-clang     the same with clang, warnings being errors'
 	@echo 'make check-sanitize  the same with address and undefined-behaviour sanitizers (SANITIZE="gcc clang")'
 	@echo 'make check-valgrind  the unit tests under valgrind'
+	@echo 'make fuzz            look for inputs that break something: MINUTES=5 a target, FUZZ="scene edit field mesh numbers"'
 	@echo 'make bench           time pictures and other programs in turn, and write docs/PERFORMANCE.md'
 	@echo 'make install         install under PREFIX ($(PREFIX)); DESTDIR is honoured'
 	@echo 'make docs            the reference pages of the library in $(BUILD)/docs/reference/html, by Doxygen'
@@ -94,6 +95,24 @@ sanitize-%:
 	    LSAN_OPTIONS=suppressions=$(CURDIR)/tests/leaks.txt:print_suppressions=0 \
 	    $(RUN_TESTS) build-sanitize-$* --num-processes $(JOBS) --timeout-multiplier 10 $(TESTS)
 
+# Each target so long, one after the other; what it finds lies in build-fuzz/findings/TARGET, to be mended and then put
+# into fuzz/corpus/TARGET.  The corpus itself is not changed.
+MINUTES ?= 5
+FUZZ ?= scene edit field mesh numbers
+fuzz:
+	@tools/setup clang
+	@test -e build-fuzz/build.ninja || CC=clang CXX=clang++ $(MESON) setup build-fuzz -Dfuzz=true -Dfigures=disabled \
+	    -Db_sanitize=address,undefined -Db_lundef=false -Doptimization=1 -Dc_args=-fsanitize=fuzzer-no-link
+	@$(COMPILE) build-fuzz $(FUZZ:%=fuzz-%)
+	@for target in $(FUZZ); do \
+	    mkdir -p build-fuzz/findings/$$target build-fuzz/corpus/$$target && \
+	    UBSAN_OPTIONS=print_stacktrace=1:halt_on_error=1 build-fuzz/fuzz/fuzz-$$target -max_total_time=$$(($(MINUTES) * 60)) \
+	        -timeout=10 -rss_limit_mb=4096 -print_final_stats=1 -artifact_prefix=build-fuzz/findings/$$target/ \
+	        build-fuzz/corpus/$$target fuzz/corpus/$$target >build-fuzz/$$target.log 2>&1; code=$$?; \
+	    echo "$$target: $$(grep number_of_executed_units build-fuzz/$$target.log | tr -dc 0-9) inputs, rc $$code"; \
+	    test $$code = 0 || { tail -40 build-fuzz/$$target.log; exit 1; }; \
+	done
+
 check-valgrind: build
 	@tools/setup valgrind
 	@$(VALGRIND) $(BUILD)/cli/luxel render -o $(BUILD)/valgrind.png -o $(BUILD)/valgrind.npy >/dev/null
@@ -143,4 +162,4 @@ format:
 	@find include src front cli app tests bench fuzz -name '*.[ch]' 2>/dev/null | xargs clang-format -i
 
 clean:
-	@rm -rf $(BUILD) build-clang build-sanitize-gcc build-sanitize-clang
+	@rm -rf $(BUILD) build-clang build-fuzz build-sanitize-gcc build-sanitize-clang
