@@ -21,8 +21,8 @@ def put(target, name, data):
 
 
 def scenes(luxel):
-    names = subprocess.run([luxel, "scene", "--list"], check=True, capture_output=True, text=True).stdout.split("\n")
-    for name in [line.split()[0] for line in names if line.strip()]:
+    listed = subprocess.run([luxel, "scene", "--list"], check=True, capture_output=True, text=True).stdout
+    for name in [line.split()[0] for line in listed.split("\n") if line.strip()]:
         text = subprocess.run([luxel, "scene", name], check=True, capture_output=True).stdout
         put("scene", name + ".yaml", text)
 
@@ -44,18 +44,20 @@ def pictures(luxel, folder):
             put("scene", "carried." + ending, data)
         if ending != "png":
             put("field", "a." + ending, bytes([["npy", "pfm", "csv", "exr"].index(ending)]) + data)
-    subprocess.run([luxel, "render", "report", *small, "-o", folder / "d.npy", "--precision", "double", "-q"], check=True,
-                   capture_output=True)
+    subprocess.run([luxel, "render", "report", *small, "-o", folder / "d.npy", "--precision", "double", "-q"],
+                   check=True, capture_output=True)
     put("field", "double.npy", b"\0" + (folder / "d.npy").read_bytes())
 
 
 EDITS = [
-    "report\nlights[0].intensity=20\nlights[0].name=lamp\n-lights[0].name\n+lights 1 {type: ambient, irradiance: 1}\n",
+    "report\nlights[0].intensity=20\nlights[0].name=lamp\n-lights[0].name\n"
+    "+lights 1 {type: ambient, irradiance: 1}\n",
     "three-lights\n>lights 0 2\n-lights[1]\nsurfaces[0].material.shininess=1e3\n-lights[0]\n-lights[0]\n",
     "window\nlights[0].parts=4\nlights[0].parts=converged\n+points 0 [1, 2]\n>points 0 0\n-points[0]\n",
     "desk\n-grids\n+grids 0 {name: a, center: [0, 0, 0], size: [10, 10], n: [2, 2]}\npicture.range=[1, 2]\n",
     "all-sources\n-lights[8]\n-lights[7]\n-lights[6]\nscreen={width: 100, height: 100, resolution: [5, 5]}\n",
-    "spot\nlights=[]\n+lights 0 {type: spot, position: [0, 0, 2000], inner: 1, outer: 2, intensity: 3}\nunits=radiometric\n",
+    "spot\nlights=[]\n+lights 0 {type: spot, position: [0, 0, 2000], inner: 1, outer: 2, intensity: 3}\n"
+    "units=radiometric\n",
     "nothing\nlights[0]=5\nlights.0.x=1\nlights[99999999999999999999]=1\n=\nx\n+lights x\n>lights 1\n",
 ]
 

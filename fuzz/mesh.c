@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /*
- * Any file as the mesh of a volume source: the first byte chooses OFF or OBJ, the rest is the file, which a scene names.
- * Where it is a body, the sphere beside it is lit by it.
+ * Any file as the mesh of a volume source: the first byte chooses OFF or OBJ, the rest is the file, which a scene
+ * names.  Where it is a body, the sphere beside it is lit by it.
  */
 #include "fuzz.h"
 
