@@ -122,8 +122,9 @@ static void document_changed(AppWindow *self)
 
 static void document_renamed(AppWindow *self)
 {
+    const char *name = app_document_name(self->document);
     char *title = g_strdup_printf("%s%s – Luxel", app_document_is_modified(self->document) ? "• " : "",
-                                  app_document_name(self->document));
+                                  *name ? name : _("a new scene"));
     gtk_window_set_title(GTK_WINDOW(self), title);
     app_window_update_actions(self);
     g_free(title);
