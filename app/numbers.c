@@ -41,6 +41,7 @@ static const char *const line_names[LINES] = {
     [LINE_MEAN] = N_("Mean"),
     [LINE_MEDIAN] = N_("Median"),
     [LINE_DEVIATION] = N_("Standard deviation"),
+    /* xgettext:no-c-format */
     [LINE_LIT] = N_("Lit, % of the pixels"),
     [LINE_U0] = N_("Uniformity U0 = minimum / mean"),
     [LINE_UD] = N_("Diversity Ud = minimum / maximum"),

@@ -165,8 +165,8 @@ void app_window_show_reading(const AppReading *reading, gpointer owner)
         return;
     }
     app_view_set_surface(self->view, value->on_surface ? (gssize)value->surface : -1);
-    g_string_append_printf(text, "x %s  y %s mm", app_number_round(reading->x_mm, 5, n[0]),
-                           app_number_round(reading->y_mm, 5, n[1]));
+    g_string_append_printf(text, "x %s  y %s %s", app_number_round(reading->x_mm, 5, n[0]),
+                           app_number_round(reading->y_mm, 5, n[1]), _("mm"));
     if (!value->on_surface)
         g_string_append_printf(text, "   %s", _("off the surface"));
     else {

@@ -190,9 +190,17 @@ def man_page(tap):
             tap.ok(done.returncode == 0 and not faults, "%s finds no fault in the man page" % checker, faults.decode())
 
 
+def speech(tap):
+    """Texts reach the terminal in letters that it has."""
+    for language in LANGUAGES:
+        environment = {"LC_ALL": "", "LANG": "C.UTF-8", "LANGUAGE": language, "DISPLAY": "", "WAYLAND_DISPLAY": ""}
+        said = run(APP, "--help", environment=environment).stdout.decode()
+        tap.ok(said.count("?") < 3 and not said.isascii(), "luxel-app --help in " + language, said)
+
+
 def main():
     tap = Tap()
-    for part in menu, catalogue, type_of_scenes, settings, icons, translations, man_page:
+    for part in menu, catalogue, type_of_scenes, settings, icons, translations, man_page, speech:
         tap.run(part, tap)
     tap.finish()
 
