@@ -9,6 +9,7 @@ import shutil
 import subprocess
 import sys
 import tempfile
+import xml.etree.ElementTree as ElementTree
 
 import catalogue
 from tap import Tap
@@ -21,6 +22,12 @@ PLACEHOLDER = re.compile(r"\{\d\}")
 DIRECTIVE = re.compile(r"%(?:%|[-+ #0]*(?:\d+|\*)?(?:\.(?:\d+|\*))?(?:hh|h|ll|l|z|j|t)?[a-zA-Z])")
 MIXED = re.compile(r"[a-zA-Z][а-яёА-ЯЁ]|[а-яёА-ЯЁ][a-zA-Z]")
 LITERAL = r'"((?:[^"\\]|\\.)*)"'
+# Files that must be in POTFILES if they have texts, and what shows that they do.
+IN_C = r"\b(?:N?_|ngettext)\("
+HAVE_TEXTS = [("cli/*.c", IN_C), ("cli/draw/*.c", IN_C), ("front/*.c", IN_C), ("app/*.c", IN_C),
+              ("app/ui/*.ui", 'translatable="yes"'), ("data/desktop/*.desktop.in", ""), ("data/desktop/*.xml.in", "")]
+# Properties and attributes of the app's forms whose texts people see or hear.
+SHOWN = {"title", "label", "tooltip-text", "placeholder-text"}
 
 
 def template(tap):
@@ -44,9 +51,17 @@ def sources(tap):
     """Nothing that should be in luxel.pot escapes the extraction, found here by other means."""
     found = catalogue.english(catalogue.read(PO / "luxel.pot"))
     listed = set((PO / "POTFILES").read_text().split("\n"))
-    for path in sorted((ROOT / "cli").glob("*.c")):
-        if re.search(r"\b(?:N?_|ngettext)\(", path.read_text(encoding="utf-8")):
-            tap.ok("cli/" + path.name in listed, "cli/%s is in POTFILES" % path.name)
+    for pattern, text in HAVE_TEXTS:
+        for path in sorted(ROOT.glob(pattern)):
+            if re.search(text, path.read_text(encoding="utf-8")):
+                name = str(path.relative_to(ROOT))
+                tap.ok(name in listed, "%s is in POTFILES" % name)
+    for path in sorted(ROOT.glob("app/ui/*.ui")):
+        for element in ElementTree.parse(path).iter():
+            if element.get("translatable") == "yes":
+                tap.ok(element.text in found, "%s: %r is in luxel.pot" % (path.name, element.text))
+            elif element.get("name", element.tag) in SHOWN and re.search("[a-z]{2}", element.text or ""):
+                tap.equal(element.text, "Luxel", "%s: what is not translated is a name" % path.name)
 
     messages = (ROOT / "src" / "base" / "messages.def").read_text(encoding="utf-8")
     parts = LITERAL.replace("(", "(?:", 1)
