@@ -153,7 +153,7 @@ static GtkWidget *new_points(AppNumbers *self)
     self->points = gtk_grid_new();
     self->points_left = gtk_label_new(NULL);
     self->unit = gtk_label_new(NULL);
-    gtk_grid_set_column_spacing(GTK_GRID(self->points), 12);
+    gtk_grid_set_column_spacing(GTK_GRID(self->points), 9);
     gtk_grid_set_row_spacing(GTK_GRID(self->points), 4);
     for (int i = 0; i < POINT_COLUMNS; i++) {
         GtkWidget *head = gtk_label_new(heads[i]);
