@@ -167,14 +167,14 @@ gboolean app_document_save(AppDocument *self, const char *path, luxel_diagnostic
 {
     if (luxel_scene_write_file(self->scene, path, diagnostics) != LUXEL_OK)
         return FALSE;
-    char *new_path = g_strdup(path);
+    char *new_path = g_strdup(path); /* `path` may be the document's own */
     g_free(self->path);
     g_free(self->name);
     self->path = new_path;
-    self->name = g_path_get_basename(path);
+    self->name = g_path_get_basename(new_path);
     g_free(self->saved_text);
     self->saved_text = g_strdup(self->text);
-    luxel_scene_set_folder_of(self->scene, path);
+    luxel_scene_set_folder_of(self->scene, self->path);
     luxel_scene_free(self->opened);
     self->opened = luxel_scene_copy(self->scene);
     self->was_modified = FALSE;
@@ -295,14 +295,14 @@ gboolean app_document_edit(AppDocument *self, const AppEdit *edits, gsize count,
         luxel_scene_free(changed);
         return FALSE;
     }
-    /* taking elements in and out is never one with what was done before */
-    gboolean merge = count > 0 && edits[0].kind == APP_EDIT_SET && merges(self);
     luxel_scene_free(self->scene);
     self->scene = changed;
     if (strcmp(text, self->text) == 0) {
         g_free(text);
         return TRUE;
     }
+    /* taking elements in and out is never one with what was done before */
+    gboolean merge = edits[0].kind == APP_EDIT_SET && merges(self);
     app_history_add(self->history, self->text, text, topic ? topic : edits[0].key, merge);
     g_free(self->text);
     self->text = text;

@@ -88,12 +88,12 @@ void app_history_add(AppHistory *history, const char *before, const char *after,
         history->present--;
     }
     g_ptr_array_set_size(history->steps, (int)history->present);
-    /* a drag that ends where it began is no step */
-    if (strcmp(before, after) != 0) {
+    /* a drag that ends where it began is no step, and if it goes on it must not become one with the drag before */
+    history->is_top = strcmp(before, after) != 0;
+    if (history->is_top) {
         g_ptr_array_add(history->steps, new_step(before, after, topic));
         history->present++;
     }
-    history->is_top = TRUE;
     g_free(earlier);
 }
 
