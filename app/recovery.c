@@ -24,6 +24,8 @@ struct AppRecovery {
     gboolean is_writing, is_stale; /* is_stale: there is more to write than what is being written */
     gboolean is_forgotten;
     gatomicrefcount references;
+    GMutex mutex;           /* held while the file is written */
+    guint64 asked, written; /* the contents that were made last and that the file has last, counted from 1 */
 };
 
 static char *folder_of_work(void)
@@ -60,6 +62,7 @@ static void let_go(gpointer data)
         return;
     if (self->lock >= 0)
         close(self->lock);
+    g_mutex_clear(&self->mutex);
     g_free(self->file);
     g_free(self->lock_file);
     g_free(self);
@@ -68,23 +71,26 @@ static void let_go(gpointer data)
 /* ---- writing ---- */
 
 typedef struct Contents {
-    char *file, *text, *path;
+    AppRecovery *recovery;
+    char *text, *path; /* text NULL: nothing is to be kept */
+    guint64 serial;
 } Contents;
 
 static void free_contents(gpointer data)
 {
     Contents *contents = data;
-    g_free(contents->file);
+    let_go(contents->recovery);
     g_free(contents->text);
     g_free(contents->path);
     g_free(contents);
 }
 
-/* What is to be kept now; `text` NULL: nothing. */
-static Contents *contents_of(const AppRecovery *self)
+/* What is to be kept now. */
+static Contents *contents_of(AppRecovery *self)
 {
     Contents *contents = g_new0(Contents, 1);
-    contents->file = g_strdup(self->file);
+    contents->recovery = hold(self);
+    contents->serial = ++self->asked;
     if (app_document_is_modified(self->document) && !self->is_forgotten) {
         contents->text = g_strdup(app_document_text(self->document));
         contents->path = g_strdup(app_document_path(self->document));
@@ -92,10 +98,10 @@ static Contents *contents_of(const AppRecovery *self)
     return contents;
 }
 
-static void write_contents(const Contents *contents)
+static void write_file(const char *file, const Contents *contents)
 {
     if (!contents->text) {
-        g_unlink(contents->file);
+        g_unlink(file);
         return;
     }
     GKeyFile *keys = g_key_file_new();
@@ -105,9 +111,21 @@ static void write_contents(const Contents *contents)
     g_key_file_set_int64(keys, group, "time", g_get_real_time() / G_USEC_PER_SEC);
     gsize length;
     char *bytes = g_key_file_to_data(keys, &length, NULL);
-    g_file_set_contents_full(contents->file, bytes, (gssize)length, G_FILE_SET_CONTENTS_CONSISTENT, 0600, NULL);
+    g_file_set_contents_full(file, bytes, (gssize)length, G_FILE_SET_CONTENTS_CONSISTENT, 0600, NULL);
     g_free(bytes);
     g_key_file_free(keys);
+}
+
+/* What another thread is still writing must not come after what is newer. */
+static void write_contents(const Contents *contents)
+{
+    AppRecovery *self = contents->recovery;
+    g_mutex_lock(&self->mutex);
+    if (contents->serial > self->written) {
+        self->written = contents->serial;
+        write_file(self->file, contents);
+    }
+    g_mutex_unlock(&self->mutex);
 }
 
 static void write_in_thread(GTask *task, gpointer source, gpointer data, GCancellable *cancellable)
@@ -165,6 +183,7 @@ AppRecovery *app_recovery_new(AppDocument *document)
 {
     AppRecovery *self = g_new0(AppRecovery, 1);
     g_atomic_ref_count_init(&self->references);
+    g_mutex_init(&self->mutex);
     char *folder = folder_of_work(), *unique = g_uuid_string_random();
     char *name = g_strconcat(unique, ending, NULL);
     g_mkdir_with_parents(folder, 0700);
