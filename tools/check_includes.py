@@ -15,6 +15,8 @@ FLOORS = [["base"], ["format"], ["parameter"], ["light", "surface", "material"],
           ["document"], ["api"], ["exercise"], ["figure"]]
 # Folders of programs that use the library as any other program would.
 OUTSIDE = ["front", "cli", "app", "web", "bindings", "examples", "tests/cli", "tests/app"]
+# Tests of a program that look inside it.
+INSIDERS = {"tests/app": "app"}
 # Who may include the headers of a foreign library whose name begins so.
 KEEPERS = {"gtk/": "app", "glib": "app", "gio/": "app", "gdk/": "app", "cairo": "figure", "pango": "figure"}
 
@@ -91,12 +93,14 @@ def public_faults(root):
 
 def outside_faults(root, folder):
     """Programs see <luxel/...> and their own files."""
+    program = INSIDERS.get(folder, folder)
+    own = (folder + os.sep, program + os.sep, "front" + os.sep)
     for path in sources(root, folder):
         for angle, target in includes(root, path):
             found = None if angle else os.path.normpath(os.path.join(os.path.dirname(path), target))
-            if not angle and not found.startswith((folder + os.sep, "front" + os.sep)):
+            if not angle and not found.startswith(own):
                 yield "%s: \"%s\" is not its own" % (path, target)
-            if angle and folder != "app" and any(target.startswith(start) for start in KEEPERS):
+            if angle and program != "app" and any(target.startswith(start) for start in KEEPERS):
                 yield "%s: <%s> has no place here" % (path, target)
 
 
