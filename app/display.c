@@ -25,7 +25,9 @@ void app_display_range(const AppDisplay *display, const luxel_field *field, doub
     const double maximum = statistics->maximum.exists && statistics->maximum.value > 0 ? statistics->maximum.value : 1;
     *low = display->is_locked ? display->low : 0;
     *high = display->is_locked ? display->high : maximum;
-    if (!(*high > *low) || (display->logarithmic && !(*high > 0)))
+    if (display->logarithmic && !(*high > 0))
+        *high = maximum;
+    if (!(*high > *low))
         *high = *low >= 0 ? fmax(*low * 2, 1e-30) : 0;
     if (display->logarithmic && !(*low > 0))
         *low = *high * pow(10, -DECADES);

@@ -43,11 +43,12 @@ static gboolean prepare(Axis *axis, double from, double to, guint count, int siz
     axis->taps = g_new(Tap, (gsize)axis->count * axis->samples);
     for (gsize i = 0; i < (gsize)axis->count * axis->samples; i++) {
         const double at = axis->low + ((double)i + 0.5) / axis->samples;
-        double place = CLAMP((at - from) * dot - 0.5, 0, count - 1.0);
-        if ((dot * SQUARES_FROM <= 1 && !smooth) || axis->samples > 1)
-            place = floor(place + 0.5);
-        const guint first = (guint)place;
-        axis->taps[i] = (Tap){first, MIN(first + 1, count - 1), (guint32)((place - first) * UNIT)};
+        const double place = CLAMP((at - from) * dot - 0.5, 0, count - 1.0);
+        /* to the nearest part, so that a frame that is not quite round still gives a copy, and squares */
+        const gboolean whole = (dot * SQUARES_FROM <= 1 + 1e-9 && !smooth) || axis->samples > 1;
+        const guint64 parts = (guint64)(whole ? floor(place + 0.5) * UNIT : floor(place * UNIT + 0.5));
+        const guint first = (guint)(parts / UNIT);
+        axis->taps[i] = (Tap){first, MIN(first + 1, count - 1), (guint32)(parts % UNIT)};
     }
     return TRUE;
 }
@@ -80,7 +81,7 @@ static void blend_row(const guint32 *old, guint width, const Axis *x, const Tap 
 static void average_row(const guint32 *old, guint width, const Axis *x, const Axis *y, const Tap *down, guint32 *row)
 {
     const guint32 mask = 0x00ff00ff, number = x->samples * y->samples;
-    const guint32 share = (1 << 16) / number; /* of a sum of at most 64 bytes */
+    const guint32 share = (1 << 16) / number, half = 1 << 15; /* of a sum of at most 64 bytes */
     for (guint i = 0; i < x->count; i++) {
         const Tap *across = x->taps + i * x->samples;
         guint32 low = 0, high = 0; /* 14 bits each at most */
@@ -92,8 +93,8 @@ static void average_row(const guint32 *old, guint width, const Axis *x, const Ax
                 high += found >> 8 & mask;
             }
         }
-        row[i] = (((low & 0xffff) * share + share) >> 16) | ((low >> 16) * share + share) >> 16 << 16 |
-                 (((high & 0xffff) * share + share) >> 16) << 8 | ((high >> 16) * share + share) >> 16 << 24;
+        row[i] = ((low & 0xffff) * share + half) >> 16 | ((low >> 16) * share + half) >> 16 << 16 |
+                 ((high & 0xffff) * share + half) >> 16 << 8 | ((high >> 16) * share + half) >> 16 << 24;
     }
 }
 
