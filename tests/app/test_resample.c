@@ -57,7 +57,7 @@ static Seen look(const Sheet *sheet, double x, double y, double scale, int width
 {
     const AppFrame frame = {{x, y}, scale, width, height};
     Seen seen = {0};
-    seen.pixels = app_resample(sheet->pixels, sheet->shot->field, &frame, &seen.columns, &seen.rows, &seen.area);
+    seen.pixels = app_resample(sheet->pixels, sheet->shot->field, &frame, FALSE, &seen.columns, &seen.rows, &seen.area);
     return seen;
 }
 
