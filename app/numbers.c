@@ -293,7 +293,7 @@ static GtkWidget *new_statistics(AppNumbers *self)
         GtkWidget *name = gtk_label_new(_(line_names[i]));
         gtk_label_set_xalign(GTK_LABEL(name), 0);
         gtk_label_set_wrap(GTK_LABEL(name), TRUE);
-        gtk_label_set_max_width_chars(GTK_LABEL(name), TEXT_COLUMNS / 2);
+        gtk_label_set_max_width_chars(GTK_LABEL(name), TEXT_COLUMNS * 2 / 3);
         self->lines[i] = gtk_label_new(NULL);
         gtk_label_set_xalign(GTK_LABEL(self->lines[i]), 1);
         gtk_label_set_selectable(GTK_LABEL(self->lines[i]), TRUE);
