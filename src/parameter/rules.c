@@ -79,8 +79,8 @@ const struct lx_parameter *lx_rule_key(const struct lx_rule *rule, const struct 
 {
     const char *word = rule->choices;
     for (; word && i > 0; i--) {
-        word = strchr(word, '|');
-        word += word != NULL;
+        const char *bar = strchr(word, '|');
+        word = bar ? bar + 1 : NULL;
     }
     size_t length = word ? strcspn(word, "|") : 0;
     for (size_t k = 0; word && k < table->count; k++)
