@@ -237,7 +237,7 @@ static double least_value(const luxel_field *field)
 {
     const guint columns = luxel_field_columns(field), rows = luxel_field_rows(field);
     const guint8 *mask = luxel_field_mask(field);
-    double least = INFINITY;
+    double least = (double)INFINITY;
     for (guint row = 0; row < rows; row++)
         for (guint column = 0; column < columns; column++)
             if (mask[(gsize)row * columns + column])
