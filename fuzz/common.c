@@ -49,7 +49,6 @@ void fuzz_read_messages(const luxel_diagnostics *diagnostics)
         char *message = luxel_diagnostics_message(diagnostics, i, NULL, NULL);
         char *hint = luxel_diagnostics_hint(diagnostics, i, NULL, NULL);
         fuzz_must(message && *message && hint, "a message has words");
-        fuzz_must(!strstr(message, "{0}") && !strstr(message, "{1}"), "a message has its arguments");
         luxel_text_free(message);
         luxel_text_free(hint);
     }
