@@ -29,6 +29,14 @@ static guint signals[SIGNALS];
 
 G_DEFINE_FINAL_TYPE(AppRow, app_row, GTK_TYPE_BOX)
 
+void app_name_control(GtkWidget *control, const char *name)
+{
+    GtkWidget *inner = gtk_widget_get_first_child(control);
+    gtk_accessible_update_property(GTK_ACCESSIBLE(control), GTK_ACCESSIBLE_PROPERTY_LABEL, name, -1);
+    if (inner && (GTK_IS_DROP_DOWN(control) || GTK_IS_MENU_BUTTON(control)))
+        gtk_accessible_update_property(GTK_ACCESSIBLE(inner), GTK_ACCESSIBLE_PROPERTY_LABEL, name, -1);
+}
+
 /* ---- YAML ---- */
 
 char *app_yaml_quote(const char *text)
@@ -485,7 +493,8 @@ GtkWidget *app_row_new(const AppRowSpec *spec)
     if (self->slider)
         gtk_box_append(GTK_BOX(self), self->slider);
     gtk_box_append(GTK_BOX(self), self->note);
-    gtk_accessible_update_property(GTK_ACCESSIBLE(self->control), GTK_ACCESSIBLE_PROPERTY_LABEL, self->label,
-                                   GTK_ACCESSIBLE_PROPERTY_DESCRIPTION, spec->meaning ? spec->meaning : "", -1);
+    app_name_control(self->control, self->label);
+    gtk_accessible_update_property(GTK_ACCESSIBLE(self->control), GTK_ACCESSIBLE_PROPERTY_DESCRIPTION,
+                                   spec->meaning ? spec->meaning : "", -1);
     return GTK_WIDGET(self);
 }

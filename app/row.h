@@ -46,6 +46,9 @@ void app_row_set_fault(AppRow *self, const char *reason);
 /* The unit's name. */
 void app_row_set_unit(AppRow *self, const char *unit);
 
+/* Names a control for those who do not see it, and the part of it that takes the keys, where that is another one. */
+void app_name_control(GtkWidget *control, const char *name);
+
 /* A text as YAML in double quotes, and the text that a YAML scalar stands for; the caller's. */
 char *app_yaml_quote(const char *text);
 char *app_yaml_unquote(const char *yaml);

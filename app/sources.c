@@ -444,7 +444,7 @@ static GtkWidget *new_toolbar(AppSources *self)
     gtk_menu_button_set_icon_name(GTK_MENU_BUTTON(add), "list-add-symbolic");
     gtk_menu_button_set_menu_model(GTK_MENU_BUTTON(add), kinds);
     gtk_widget_set_tooltip_text(add, _("Add a source"));
-    gtk_accessible_update_property(GTK_ACCESSIBLE(add), GTK_ACCESSIBLE_PROPERTY_LABEL, _("Add a source"), -1);
+    app_name_control(add, _("Add a source"));
     g_object_unref(kinds);
     gtk_box_append(GTK_BOX(bar), add);
     add_button(bar, "edit-copy-symbolic", _("Duplicate the source"), "win.source-duplicate");

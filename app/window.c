@@ -9,6 +9,7 @@
 
 #include "../front/words.h"
 #include "pulse.h"
+#include "row.h"
 #include "window_private.h"
 
 enum { PROGRESS_MS = 150, PULSE_MS = 1000, RIGHT_WIDTH = 380, LEAST_CENTER = 300 };
@@ -248,6 +249,7 @@ static void add_group(AppWindow *self, const char *title, gboolean expanded, Gtk
         if (children[i])
             gtk_box_append(GTK_BOX(box), children[i]);
     gtk_expander_set_child(GTK_EXPANDER(expander), box);
+    app_name_control(expander, title);
     gtk_expander_set_expanded(GTK_EXPANDER(expander), expanded);
     gtk_box_append(GTK_BOX(self->left_box), expander);
 }
@@ -255,7 +257,7 @@ static void add_group(AppWindow *self, const char *title, gboolean expanded, Gtk
 static GtkWidget *new_surface_list(AppWindow *self)
 {
     self->surface_list = gtk_drop_down_new_from_strings((const char *const[]){NULL});
-    gtk_accessible_update_property(GTK_ACCESSIBLE(self->surface_list), GTK_ACCESSIBLE_PROPERTY_LABEL, _("Surface"), -1);
+    app_name_control(self->surface_list, _("Surface"));
     g_signal_connect_swapped(self->surface_list, "notify::selected", G_CALLBACK(show_surface), self);
     return self->surface_list;
 }
