@@ -208,11 +208,10 @@ static void change_way(AppHand *hand, const AppTouch *touch)
 {
     if (touch->height == hand->was_height)
         return;
-    double moved = (hand->pointer_mm[1] - hand->height_grip) * hand->gain;
     if (touch->height)
         hand->height_grip = hand->pointer_mm[1];
     else {
-        hand->start_mm[2] += moved;
+        hand->start_mm[2] = hand->mark.place_mm[2]; /* as it was rounded */
         hand->grip_mm[1] += hand->pointer_mm[1] - hand->height_grip;
     }
     hand->was_height = touch->height;

@@ -193,13 +193,25 @@ static char *numbers_text(const double *numbers, gsize count)
     return g_string_free(text, FALSE);
 }
 
+/* The scene with these edits made (NULL: as it is), committed; the caller's.  NULL where it has faults. */
+static luxel_scene *scene_with(const AppKeys *keys, const AppEdits *edits)
+{
+    luxel_scene *scene = NULL;
+    AppDocument *trial = app_document_copy(keys->document);
+    if (!edits || app_document_edit(trial, (const AppEdit *)(void *)edits->list->data, edits->list->len, NULL, NULL))
+        scene = app_document_copy_scene(trial);
+    if (scene && luxel_scene_commit(scene, NULL) != LUXEL_OK)
+        g_clear_pointer(&scene, luxel_scene_free);
+    g_object_unref(trial);
+    return scene;
+}
+
 /* Where a light stands now, whatever of it is written; else above the middle. */
 static void place_of(const AppKeys *keys, double place[3])
 {
     static const char *const places[] = {"position",   "rectangle.center", "disk.center",
                                          "box.center", "sphere.center",    "cylinder.center"};
     const double above[3] = {0, 0, 2000};
-    memcpy(place, above, sizeof above);
     for (gsize i = 0; i < G_N_ELEMENTS(places); i++) {
         char *path = g_strdup_printf("lights[%zu].%s", keys->index, places[i]);
         char *text = app_document_get(keys->document, path, NULL);
@@ -209,6 +221,32 @@ static void place_of(const AppKeys *keys, double place[3])
         if (found)
             return;
     }
+    memcpy(place, above, sizeof above);
+    luxel_scene *scene = scene_with(keys, NULL); /* the middle of a polygon or mesh */
+    if (scene && luxel_scene_light_place(scene, keys->index, place))
+        for (int k = 0; k < 3; k++)
+            place[k] = round(place[k] * 1e3) / 1e3;
+    luxel_scene_free(scene);
+}
+
+/* What the example of such an element has; NULL where it has not. */
+static char *example_value(const AppKeys *keys, const luxel_parameter *parameter)
+{
+    char *value = NULL;
+    for (gsize i = 0; i < luxel_parameters_kind_count(keys->parameters) && !value; i++) {
+        const luxel_kind *kind = luxel_parameters_kind(keys->parameters, i);
+        const gsize length = strlen(kind->list);
+        if (!kind->example || g_strcmp0(kind->name, keys->type) != 0 ||
+            strncmp(parameter->path, kind->list, length) != 0 || parameter->path[length] != '[')
+            continue;
+        AppDocument *trial = app_document_copy(keys->document);
+        const AppKeys first = {trial, keys->parameters, keys->type, 0};
+        const AppEdit edit = {.kind = APP_EDIT_INSERT, .key = kind->list, .value = kind->example};
+        if (app_document_edit(trial, &edit, 1, NULL, NULL))
+            value = value_of(&first, parameter, NULL);
+        g_object_unref(trial);
+    }
+    return value;
 }
 
 static char *first_value(const AppKeys *keys, const luxel_parameter *parameter);
@@ -231,30 +269,44 @@ static char *first_group(const AppKeys *keys, const luxel_parameter *group)
     return g_string_free(text, FALSE);
 }
 
+/* Four corners around the place of the light. */
+static char *first_corners(const AppKeys *keys)
+{
+    double place[3];
+    char text[3][APP_NUMBER_SIZE];
+    GString *corners = g_string_new("[");
+    place_of(keys, place);
+    for (int i = 0; i < 4; i++)
+        g_string_append_printf(
+            corners, "%s[%s, %s, %s]", i ? ", " : "", app_number_write(place[0] + (i < 2 ? -100 : 100), text[0]),
+            app_number_write(place[1] + (i == 1 || i == 2 ? 100 : -100), text[1]), app_number_write(place[2], text[2]));
+    g_string_append_c(corners, ']');
+    return g_string_free(corners, FALSE);
+}
+
 static char *first_value(const AppKeys *keys, const luxel_parameter *parameter)
 {
     double numbers[3];
+    const char *name = name_of(parameter);
+    const gboolean is_list = parameter->value_type == LUXEL_NUMBERS || parameter->value_type == LUXEL_WHOLE_NUMBERS;
     if (parameter->default_value)
         return g_strdup(parameter->default_value);
     if (parameter->value_type == LUXEL_GROUP)
         return first_group(keys, parameter);
-    if (parameter->value_type == LUXEL_VECTORS) {
+    if (parameter->value_type == LUXEL_VECTORS)
+        return first_corners(keys);
+    if (is_list && (strcmp(name, "center") == 0 || strcmp(name, "position") == 0)) {
         place_of(keys, numbers);
-        const double x = numbers[0], y = numbers[1], z = numbers[2];
-        return g_strdup_printf("[[%g, %g, %g], [%g, %g, %g], [%g, %g, %g], [%g, %g, %g]]", x - 100, y - 100, z, x - 100,
-                               y + 100, z, x + 100, y + 100, z, x + 100, y - 100, z);
+        return numbers_text(numbers, 3);
     }
-    if (parameter->value_type == LUXEL_NUMBERS || parameter->value_type == LUXEL_WHOLE_NUMBERS) {
-        const char *name = name_of(parameter);
-        if (strcmp(name, "center") == 0 || strcmp(name, "position") == 0)
-            place_of(keys, numbers);
-        else
-            for (guint i = 0; i < MIN(parameter->count, 3); i++)
-                numbers[i] = strcmp(name, "size") == 0 ? 200 : first_number(parameter, i);
-        return numbers_text(numbers, MIN(parameter->count, 3));
-    }
-    char text[APP_NUMBER_SIZE];
-    return g_strdup(app_number_write(first_number(parameter, 0), text));
+    if (is_list && strcmp(name, "size") == 0)
+        return numbers_text((double[]){200, 200, 200}, MIN(parameter->count, 3));
+    char *example = example_value(keys, parameter), text[APP_NUMBER_SIZE];
+    if (example)
+        return example;
+    for (guint i = 0; i < MIN(parameter->count, 3); i++)
+        numbers[i] = first_number(parameter, i);
+    return is_list ? numbers_text(numbers, MIN(parameter->count, 3)) : g_strdup(app_number_write(numbers[0], text));
 }
 
 /* The keys that must be given once this one has that value. */
@@ -439,15 +491,10 @@ static gboolean is_strength(const luxel_parameter *parameter)
 static double flux_with(const AppKeys *keys, const AppEdits *edits)
 {
     double flux = (double)NAN;
-    AppDocument *trial = app_document_copy(keys->document);
-    if (app_document_edit(trial, (const AppEdit *)(void *)edits->list->data, edits->list->len, NULL, NULL)) {
-        luxel_scene *scene = app_document_copy_scene(trial);
-        if (luxel_scene_commit(scene, NULL) != LUXEL_OK ||
-            luxel_scene_light_flux(scene, keys->index, &flux) != LUXEL_OK)
-            flux = (double)NAN;
-        luxel_scene_free(scene);
-    }
-    g_object_unref(trial);
+    luxel_scene *scene = scene_with(keys, edits);
+    if (scene && luxel_scene_light_flux(scene, keys->index, &flux) != LUXEL_OK)
+        flux = (double)NAN;
+    luxel_scene_free(scene);
     return flux;
 }
 
@@ -460,19 +507,53 @@ static void add_switch(const AppKeys *keys, const luxel_parameter *from, const l
     g_free(path);
 }
 
+/* A strength of the same flux, which is in proportion to each of them; NULL where that is not known. */
+static char *strength_of_same_flux(const AppKeys *keys, const luxel_parameter *from, const luxel_parameter *to)
+{
+    char text[APP_NUMBER_SIZE];
+    AppEdits *one = app_edits_new();
+    add_switch(keys, from, to, "1", one);
+    const double value = flux_with(keys, NULL) / flux_with(keys, one);
+    app_edits_free(one);
+    if (!isfinite(value))
+        return NULL;
+    /* a round number where there is one, such as after the way back */
+    for (int digits = 6; digits <= 12; digits++)
+        if (fabs(g_ascii_strtod(app_number_round(value, digits, text), NULL) - value) <= 1e-11 * value)
+            break;
+    return g_strdup(text);
+}
+
+/* The axis of the light's direction, or a place a metre along it; NULL where it has none. */
+static char *aim_of_same_direction(const AppKeys *keys, const luxel_parameter *to)
+{
+    static const double AHEAD_MM = 1000;
+    double direction[3], place[3];
+    char *value = NULL, text[APP_NUMBER_SIZE];
+    luxel_scene *scene = scene_with(keys, NULL);
+    if (scene && luxel_scene_light_direction(scene, keys->index, direction) &&
+        luxel_scene_light_place(scene, keys->index, place)) {
+        const gboolean is_place = strcmp(name_of(to), "aim") == 0;
+        for (int k = 0; k < 3; k++) {
+            const double number = is_place ? place[k] + AHEAD_MM * direction[k] : direction[k];
+            direction[k] = g_ascii_strtod(app_number_round(round(number * 1e6) / 1e6, 9, text), NULL);
+        }
+        value = numbers_text(direction, 3);
+    }
+    luxel_scene_free(scene);
+    return value;
+}
+
+static gboolean is_aim(const luxel_parameter *parameter)
+{
+    return strcmp(name_of(parameter), "aim") == 0 || strcmp(name_of(parameter), "axis") == 0;
+}
+
 void app_keys_switch(const AppKeys *keys, const luxel_parameter *from, const luxel_parameter *to, AppEdits *edits)
 {
-    char *value = NULL, text[APP_NUMBER_SIZE];
-    if (is_strength(from) && is_strength(to)) {
-        /* the same light: flux is in proportion to each of them */
-        AppEdits *nothing = app_edits_new(), *one = app_edits_new();
-        add_switch(keys, from, to, "1", one);
-        double wanted = flux_with(keys, nothing), unit = flux_with(keys, one);
-        if (isfinite(wanted) && unit > 0)
-            value = g_strdup(app_number_round(wanted / unit, 12, text));
-        app_edits_free(nothing);
-        app_edits_free(one);
-    }
+    char *value = is_strength(from) && is_strength(to) ? strength_of_same_flux(keys, from, to)
+                  : is_aim(from) && is_aim(to)         ? aim_of_same_direction(keys, to)
+                                                       : NULL;
     if (!value)
         value = first_value(keys, to);
     add_switch(keys, from, to, value, edits);
