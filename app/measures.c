@@ -154,6 +154,19 @@ static AppMeasures *new_measures(const AppQuestion *question)
     return measures;
 }
 
+static void free_measures(gpointer data)
+{
+    AppMeasures *measures = data;
+    app_shot_unref(measures->shot);
+    g_free(measures->points);
+    g_free(measures->sources);
+    luxel_profile_free(measures->profiles[0]);
+    luxel_profile_free(measures->profiles[1]);
+    luxel_histogram_free(measures->histogram);
+    luxel_isophotes_free(measures->isophotes);
+    g_free(measures);
+}
+
 static void measure_points(AppRunner *runner, const AppQuestion *question, Kept *kept)
 {
     AppMeasures *measures = new_measures(question);
@@ -173,25 +186,32 @@ static void measure_points(AppRunner *runner, const AppQuestion *question, Kept 
 
 /* ---- sections ---- */
 
-static luxel_profile *read_section(const AppShot *shot, const luxel_evaluator *evaluator, const double through[2],
-                                   double degrees)
+/* Whether it was not given up; *profile NULL: there is none. */
+static gboolean read_section(const AppShot *shot, const luxel_evaluator *evaluator, const double through[2],
+                             double degrees, luxel_profile **profile)
 {
     luxel_path path = {.type = LUXEL_PATH_LINE, .samples = SECTION_SAMPLES};
-    luxel_profile *profile;
-    if (luxel_line_across_screen(shot->moment->scene, through, degrees, NULL, path.from_mm, path.to_mm) != LUXEL_OK ||
-        luxel_find_profile(evaluator, &path, NULL, &profile) != LUXEL_OK)
-        return NULL;
-    return profile;
+    *profile = NULL;
+    if (luxel_line_across_screen(shot->moment->scene, through, degrees, NULL, path.from_mm, path.to_mm) != LUXEL_OK)
+        return TRUE;
+    luxel_status status = luxel_find_profile(evaluator, &path, NULL, profile);
+    if (status != LUXEL_OK)
+        *profile = NULL;
+    return status != LUXEL_CANCELLED;
 }
 
+/* The curves that are shown stay until there are newer ones: half a section is not told. */
 static void measure_section(AppRunner *runner, const AppQuestion *question, const luxel_evaluator *evaluator)
 {
     AppMeasures *measures = new_measures(question);
-    memcpy(measures->section_mm, question->section_mm, sizeof measures->section_mm);
-    measures->profiles[0] = read_section(question->shot, evaluator, question->section_mm, 0);
-    measures->profiles[1] = read_section(question->shot, evaluator, question->section_mm, 90);
-    measures->has_section = TRUE;
-    app_runner_report(runner, measures);
+    const double *through = question->section_mm;
+    memcpy(measures->section_mm, through, sizeof measures->section_mm);
+    measures->has_section = read_section(question->shot, evaluator, through, 0, &measures->profiles[0]) &&
+                            read_section(question->shot, evaluator, through, 90, &measures->profiles[1]);
+    if (measures->has_section)
+        app_runner_report(runner, measures);
+    else
+        free_measures(measures);
 }
 
 /* ---- what waits for the hand to rest ---- */
@@ -242,19 +262,6 @@ static void free_question(gpointer data)
     AppQuestion *question = data;
     app_shot_unref(question->shot);
     g_free(question);
-}
-
-static void free_measures(gpointer data)
-{
-    AppMeasures *measures = data;
-    app_shot_unref(measures->shot);
-    g_free(measures->points);
-    g_free(measures->sources);
-    luxel_profile_free(measures->profiles[0]);
-    luxel_profile_free(measures->profiles[1]);
-    luxel_histogram_free(measures->histogram);
-    luxel_isophotes_free(measures->isophotes);
-    g_free(measures);
 }
 
 struct AppMeter {

@@ -139,6 +139,15 @@ static bool watch(double done, void *data)
     return watch->is_coarse && seconds_since(watch->started) < LONG_SECONDS;
 }
 
+/* At least so long it would have taken: else the next one would be tried and given up in the same way. */
+static void note_given_up(Work *work, const luxel_scene *scene, guint stride, double seconds)
+{
+    unsigned columns, rows;
+    luxel_scene_resolution(scene, &columns, &rows);
+    const double pixels = ceil((double)columns / stride) * ceil((double)rows / stride);
+    work->seconds_per_pixel = fmax(work->seconds_per_pixel, seconds / pixels);
+}
+
 /* Computes each stride-th pixel; NULL where it was given up or failed. */
 static AppShot *compute(Work *work, AppRunner *runner, AppMoment *moment, guint stride, gboolean is_short,
                         luxel_diagnostics *faults)
@@ -157,6 +166,8 @@ static AppShot *compute(Work *work, AppRunner *runner, AppMoment *moment, guint 
     }
     luxel_status status = luxel_render(moment->scene, &settings, faults, &field);
     g_atomic_int_set(&work->painter->permille, -1);
+    if (status == LUXEL_CANCELLED)
+        note_given_up(work, moment->scene, stride, seconds_since(watched.started));
     if (status != LUXEL_OK)
         return NULL;
     AppShot *shot = g_atomic_rc_box_new0(AppShot);
