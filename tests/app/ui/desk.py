@@ -1,0 +1,238 @@
+# SPDX-License-Identifier: MIT
+"""A desk for tests of luxel-app: a screen that nobody looks at, a session bus, folders of its own, and a hand.
+
+    with Desk("en") as desk:
+        app = desk.start()                    # luxel-app; its windows are found by what it tells to screen readers
+        window = app.window()
+        desk.key("ctrl+z")                    # what a hand does comes through the X server, as from a real one
+
+The arguments of every test are the programs: LUXEL LUXEL_APP FOLDER_OF_SCHEMAS.
+"""
+import os
+import shutil
+import signal
+import subprocess
+import sys
+import tempfile
+import traceback
+
+from accessible import Reader
+from tap import Tap
+from waiting import DEADLINE, wait
+from window import Window
+
+LUXEL, APP, SCHEMAS = (os.path.abspath(path) for path in sys.argv[1:4])
+SCREEN = (1400, 900)
+SANITIZED = bool(os.environ.get("LUXEL_SANITIZED"))
+
+
+class Missing(Exception):
+    """A program that this test needs is not installed."""
+
+
+def tool(name):
+    """The path of a program that tools/setup installs."""
+    found = shutil.which(name)
+    if not found:
+        raise Missing("%s is not installed; tools/setup installs it" % name)
+    return found
+
+
+def run(*command, **options):
+    """Runs a program to its good end; what it printed, as bytes."""
+    done = subprocess.run([str(word) for word in command], capture_output=True, timeout=DEADLINE, **options)
+    assert done.returncode == 0, "%s: %s" % (" ".join(map(str, command)), done.stderr.decode("utf-8", "replace"))
+    return done.stdout
+
+
+def luxel(*arguments, **options):
+    """The command-line tool."""
+    return run(LUXEL, *arguments, **options)
+
+
+class Desk:
+    """The screen with everything on it.  `language` is that of the apps started here."""
+
+    def __init__(self, language="en", size=SCREEN):
+        self.size = size
+        self.children, self.apps = [], []
+        self.folder = tempfile.mkdtemp(prefix="luxel-")
+        self.environment = {name: os.environ[name] for name in ("PATH", "LD_LIBRARY_PATH", "ASAN_OPTIONS")
+                            if name in os.environ}
+        self.environment.update(
+            LANG="C.UTF-8", LANGUAGE=language, TZ="UTC", HOME=self.path("home"), GSK_RENDERER="cairo",
+            GDK_BACKEND="x11", GSETTINGS_BACKEND="memory", GSETTINGS_SCHEMA_DIR=SCHEMAS, GTK_A11Y="atspi", GTK_THEME="Adwaita",
+            XDG_DATA_DIRS=os.environ.get("XDG_DATA_DIRS", "/usr/local/share:/usr/share"))
+        for name in ("CONFIG_HOME", "CACHE_HOME", "DATA_HOME", "STATE_HOME", "RUNTIME_DIR"):
+            self.environment["XDG_" + name] = self.path(name.lower())
+            os.makedirs(self.path(name.lower()), mode=0o700)
+        os.makedirs(self.path("home"))
+
+    def path(self, *names):
+        """A path in the folder of this desk, which goes with it."""
+        return os.path.join(self.folder, *names)
+
+    def __enter__(self):
+        try:
+            self._begin()
+        except BaseException:
+            self.__exit__()
+            raise
+        return self
+
+    def _begin(self):
+        for name in ("xdotool", "dbus-daemon", "Xvfb"):
+            tool(name)
+        display = self._speaking([tool("Xvfb"), "-displayfd", "1", "-noreset", "-nolisten", "tcp", "-screen", "0",
+                                  "%dx%dx24" % self.size])
+        self.environment["DISPLAY"] = ":" + display
+        self.environment["DBUS_SESSION_BUS_ADDRESS"] = self._speaking(
+            [tool("dbus-daemon"), "--session", "--nofork", "--nopidfile", "--print-address=1"])
+        # What GLib reads of the environment, it reads when it is first used.
+        os.environ.update(self.environment)
+        self.reader = Reader(self.environment["DBUS_SESSION_BUS_ADDRESS"])
+
+    def _speaking(self, command):
+        """Starts what says in its first line how to reach it."""
+        log = open(self.path("log-" + os.path.basename(command[0])), "wb")
+        child = subprocess.Popen(command, stdout=subprocess.PIPE, stderr=log, env=self.environment)
+        log.close()
+        self.children.append(child)
+        line = child.stdout.readline().decode().strip()
+        assert line, "%s did not start: %s" % (command[0], open(log.name, errors="replace").read())
+        return line
+
+    def __exit__(self, *reason):
+        for child in [app.process for app in self.apps] + self.children[::-1]:
+            if child.poll() is None:
+                child.terminate()
+                try:
+                    child.wait(20)
+                except subprocess.TimeoutExpired:
+                    child.kill()
+                    child.wait()
+            for stream in (child.stdout, child.stderr):
+                if stream:
+                    stream.close()
+        shutil.rmtree(self.folder, ignore_errors=True)
+
+    def start(self, *arguments, **environment):
+        """luxel-app; environment variables can be given by name."""
+        app = App(self, arguments, environment)
+        self.apps.append(app)
+        return app
+
+    # ---- the hand ----
+
+    def hand(self, *words):
+        return run(tool("xdotool"), *words, env=self.environment).decode()
+
+    def key(self, *names):
+        self.hand("key", "--clearmodifiers", *names)
+
+    def type(self, text):
+        self.hand("type", "--delay", "5", "--", text)
+
+    def move(self, x, y):
+        self.hand("mousemove", round(x), round(y))
+
+    def click(self, x, y, button=1, count=1):
+        self.move(x, y)
+        self.hand("click", "--repeat", count, "--delay", 60, button)
+
+    def drag(self, start, end, steps=8, held=(), button=1):
+        """Presses, moves in steps, and lets go; `held` are keys like alt."""
+        self.move(*start)
+        words = []
+        for name in held:
+            words += ["keydown", name]
+        words += ["mousedown", button]
+        for i in range(1, steps + 1):
+            words += ["mousemove", round(start[0] + (end[0] - start[0]) * i / steps),
+                      round(start[1] + (end[1] - start[1]) * i / steps), "sleep", "0.03"]
+        words += ["mouseup", button]
+        for name in held[::-1]:
+            words += ["keyup", name]
+        self.hand(*words)
+
+    def layout(self, name):
+        """The keyboard's layout, such as us or ru."""
+        run(tool("setxkbmap"), name, env=self.environment)
+
+    def picture(self, path):
+        """The screen as a picture in a file."""
+        run(tool("import"), "-window", "root", path, env=self.environment)
+
+
+class App:
+    """A running luxel-app."""
+
+    def __init__(self, desk, arguments, environment):
+        self.desk, self.known = desk, []
+        self.log = desk.path("stderr-%d" % len(desk.apps))
+        with open(self.log, "wb") as log:
+            self.process = subprocess.Popen(
+                [APP, *map(str, arguments)], stdout=subprocess.DEVNULL, stderr=log,
+                env={**desk.environment, "G_DEBUG": "fatal-warnings", **environment})
+
+    def said(self):
+        """What it wrote to stderr."""
+        with open(self.log, "rb") as log:
+            return log.read().decode("utf-8", "replace")
+
+    def running(self):
+        code = self.process.poll()
+        assert code is None, "luxel-app ended with %r: %s" % (code, self.said())
+        return True
+
+    def windows(self):
+        """The windows that it tells of, the oldest first."""
+        self.running()
+        root = self.desk.reader.program(self.process.pid)
+        return [widget for widget in root.children() if widget.name.endswith("Luxel")] if root else []
+
+    def on_screen(self):
+        """The numbers of its windows on the screen."""
+        return set(self.desk.hand("search", "--onlyvisible", "--pid", self.process.pid).split())
+
+    def window(self, count=1):
+        """The latest window when there are `count`, ready to be used; each is asked for once, as it appears."""
+        widget = wait("%d windows" % count, lambda: self.windows()[count - 1:count] or None)[0]
+        window = Window(self, widget, len(self.known) + 1).appear()
+        self.known.append(window)
+        return window
+
+    def act(self, name, *parameters):
+        """An action of the program itself, such as new-window."""
+        self.desk.reader.activate("/org/luxel/Luxel", name, *parameters)
+
+    def kill(self):
+        """As when the power fails."""
+        self.process.send_signal(signal.SIGKILL)
+        self.process.wait()
+
+    def quit(self):
+        """Ends it in order; what it returned."""
+        self.process.terminate()
+        return self.process.wait(DEADLINE)
+
+
+def trial(*functions, language="en"):
+    """A test: each function gets a Tap and the desk; at its end no app may have complained."""
+    tap = Tap()
+
+    def alone(function, desk):
+        function(tap, desk)
+        for app in desk.apps:
+            if app.process.poll() is None:
+                tap.equal(app.quit(), 0, "luxel-app ends in order")
+            tap.equal(app.said(), "", "it had nothing to complain about")
+
+    for function in functions:
+        alone.__name__ = function.__name__
+        try:
+            with Desk(language) as desk:
+                tap.run(alone, function, desk)
+        except Exception:  # the desk itself
+            tap.ok(False, "the desk is set up", traceback.format_exc())
+    tap.finish()

@@ -1,0 +1,64 @@
+# SPDX-License-Identifier: MIT
+"""The numbers beside the picture are those of `luxel probe`, whichever way the scene was changed."""
+import json
+
+from desk import luxel, trial
+from waiting import wait
+
+
+def probed(desk, window):
+    """What the tool says of the scene as the app saved it, with as many digits as the table has."""
+    path = desk.path("probed.yaml")
+    window.save(path)
+    points = json.loads(luxel("probe", path, "--json"))["points"]
+    return ["%.7g" % point["value"] if point["on_surface"] else "off the surface" for point in points]
+
+
+def same_as_probe(tap, desk, window, before, name):
+    wait("new numbers", lambda: window.values() != before)
+    wait("the numbers of the tool", lambda: window.values() == probed(desk, window), 10)
+    tap.equal(window.values(), probed(desk, window), name)
+    return window.values()
+
+
+def typed_and_set(tap, desk):
+    window = desk.start().window()
+    values = same_as_probe(tap, desk, window, None, "as it starts")
+    field = window.enter("Intensity", "17,5")
+    values = same_as_probe(tap, desk, window, values, "after an intensity with a decimal comma")
+    tap.equal(field.value, 17.5, "which was read as 17.5")
+    tap.ok(b"intensity: 17.5" in window.save(), "and is written so")
+    shininess = window.control("spin button", "Shininess n")
+    shininess.value = 60
+    values = same_as_probe(tap, desk, window, values, "after the shininess was set by a screen reader")
+    tap.ok(b"shininess: 60" in window.save(), "which is written")
+    window.enter("Position, y", "−1 500,25")
+    values = same_as_probe(tap, desk, window, values, "after a place with a minus of typography and a gap")
+    tap.ok(b"position: [2000, -1500.25, 2000]" in window.save(), "which is written as YAML has it")
+    window.enter("Specular reflection ks", "0.25", key="Tab")
+    values = same_as_probe(tap, desk, window, values, "after a number that was left by Tab")
+    window.act("quantity", "irradiance")
+    path = desk.path("irradiance.yaml")
+    window.save(path)
+    found = json.loads(luxel("probe", path, "--json", "--quantity", "irradiance"))
+    wait("the irradiance", lambda: window.says("irradiance, %s" % found["unit"]))
+    wait("its values", lambda: window.values() != values)
+    tap.equal(window.values(), ["%.7g" % point["value"] for point in found["points"]], "as irradiance")
+
+
+def statistics(tap, desk):
+    window = desk.start().window()
+    window.press("Statistics", "tab")
+    path = desk.path("statistics.yaml")
+    window.save(path)
+    found = json.loads(luxel("stats", path, "--json"))
+    for name, value in (("maximum of the pixels", found["max"]["value"]), ("mean", found["mean"]),
+                        ("median", found["median"]), ("true maximum", found["maximum"]["value"]),
+                        ("lit part", 100 * found["lit"])):
+        text = "%.7g" % value
+        tap.ok(wait(name, lambda: text in window.labels()), "the %s is that of luxel stats" % name)
+    window.press("Section", "tab")
+    tap.ok(wait("the section", lambda: window.says("Through x = 0, y = 0 mm")), "the section says where it lies")
+
+
+trial(typed_and_set, statistics)

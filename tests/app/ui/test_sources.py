@@ -1,0 +1,105 @@
+# SPDX-License-Identifier: MIT
+"""The list of sources: adding, doubling, moving, deleting, switching off, looking at one alone; undo of each."""
+import json
+import re
+
+from desk import luxel, trial
+from waiting import wait
+
+
+def kinds(window):
+    return [name.split(None, 1)[1] for name in window.sources()]
+
+
+def checked(desk, window):
+    """The saved scene is in order by the tool's judgement; its bytes."""
+    path = desk.path("checked.yaml")
+    scene = window.save(path)
+    luxel("check", path)
+    return scene
+
+
+def list_of_sources(tap, desk):
+    window = desk.start().window()
+    first = window.save()
+    window.act("source-add", "spot")
+    wait("two sources", lambda: len(kinds(window)) == 2)
+    tap.equal(kinds(window), ["point", "spot"], "a spot is added")
+    checked(desk, window)
+    tap.ok(wait("flux and irradiance", lambda: len([text for text in window.labels() if re.match(
+        r"Φ \S+ W   E \S+ W/m²$", text)]) == 2), "each source says its flux and what it gives to the surface")
+    window.press("Duplicate the source")
+    wait("three", lambda: len(kinds(window)) == 3)
+    tap.equal(kinds(window), ["point", "spot", "spot"], "it is doubled")
+    checked(desk, window)
+    window.click(window.control("list item", "1  point"))
+    window.press("Move the source down")
+    tap.equal(wait("the order", lambda: kinds(window)[0] == "spot" and kinds(window)), ["spot", "point", "spot"],
+              "a source is moved down")
+    checked(desk, window)
+    window.press("Delete the source")
+    tap.equal(wait("two", lambda: len(kinds(window)) == 2 and kinds(window)), ["spot", "spot"], "and deleted")
+    checked(desk, window)
+    for _ in range(4):
+        window.act("undo")
+    tap.equal(window.save(), first, "four undos take it all back, to the byte")
+    tap.ok(not window.enabled("undo"), "and there are no more")
+
+
+def every_kind(tap, desk):
+    window = desk.start().window()
+    names = [key[len("lights-"):] for key in json.loads(luxel("schema"))["definitions"] if key.startswith("lights-")]
+    for name in names:
+        window.act("source-add", name)
+        checked(desk, window)
+    tap.equal(sorted(kinds(window)), sorted(names + ["point"]), "a source of every kind can be added")
+    tap.equal(window.says("error"), None, "without a fault")
+    window.act("source-delete")
+    while len(window.sources()) > 1:
+        window.act("source-delete")
+    window.act("source-delete")
+    tap.equal(window.sources(), [], "all can be deleted")
+    tap.ok(not window.enabled("source-delete"), "then there is nothing to delete")
+    checked(desk, window)
+
+
+def on_off_alone(tap, desk):
+    window = desk.start().window()
+    window.act("new", "three-lights")
+    wait("three sources", lambda: len(window.sources()) == 3)
+    values = wait("their numbers", lambda: len(window.values()) == 4 and window.values())
+    scene = window.save()
+    switch = window.control("checkbox", "Source 2 on")
+    window.click(switch)
+    wait("the source to be off", lambda: not switch.has("checked"))
+    wait("other numbers", lambda: window.values() != values)
+    off = checked(desk, window)
+    tap.ok(b"enabled: false" in off, "a source is switched off in the scene")
+    window.click(switch)
+    wait("the numbers of before", lambda: window.values() == values)
+    tap.ok(b"enabled: false" not in window.save(), "and on again")
+    window.act("undo")
+    window.act("undo")
+    tap.equal(window.save(), scene, "both steps can be undone")
+    wait("the numbers of before", lambda: window.values() == values)
+    window.press("Only source 1")
+    wait("the numbers of one", lambda: window.values() != values)
+    tap.equal(window.save(), scene, "one source alone is only looked at: the scene stays")
+    path = desk.path("one.yaml")
+    with open(path, "wb") as file:
+        file.write(scene)
+    alone = json.loads(luxel("probe", path, "-s", "lights[1].enabled=false", "-s", "lights[2].enabled=false", "--json"))
+    tap.equal(window.values(), ["%.7g" % one["value"] for one in alone["points"]], "its numbers are those of it alone")
+    window.press("Only source 1")
+    tap.ok(wait("all", lambda: window.values() == values), "and then all shine again")
+
+
+def aimed(tap, desk):
+    window = desk.start().window()
+    window.act("source-add", "spot")
+    wait("the spot", lambda: len(window.sources()) == 2)
+    window.press("Aim the source at the surface")
+    tap.ok(wait("the aim", lambda: b"aim: [0, 0, 1000]" in checked(desk, window)), "a spot is aimed at the sphere")
+
+
+trial(list_of_sources, every_kind, on_off_alone, aimed)

@@ -1,0 +1,54 @@
+# SPDX-License-Identifier: MIT
+"""luxel-app starts: the built-in scene with its numbers, scenes given by name, faults of files, one process for all."""
+import os
+import re
+
+from desk import APP, LUXEL, luxel, run, trial
+from waiting import wait
+
+
+def built_in_scene(tap, desk):
+    app = desk.start()
+    window = app.window()
+    tap.equal(window.title, "report – Luxel", "the title names the scene")
+    tap.equal(window.values(), ["2.727591", "11.03802", "1.129966e-07"], "the values of the lab report's points")
+    tap.ok(window.says("brightness", "W/sr"), "their quantity and unit are said")
+    tap.equal(window.sources(), ["1  point"], "the source is listed")
+    tap.equal(window.control("spin button", "Intensity").text, "10", "its intensity stands in the field")
+    tap.equal((window.enabled("undo"), window.enabled("redo")), (False, False), "there is nothing to undo or to redo")
+    tap.equal(window.save(), luxel("scene", "report"), "what is saved is the built-in scene, byte for byte")
+    desk.key("ctrl+q")
+    wait("the end after Ctrl+Q", lambda: app.process.poll() is not None)
+    tap.equal(app.process.returncode, 0, "Ctrl+Q ends it")
+
+
+def scenes_given(tap, desk):
+    path, broken = desk.path("two.yaml"), desk.path("broken.yaml")
+    with open(path, "wb") as file:
+        file.write(luxel("scene", "two-spheres"))
+    app = desk.start(path)
+    window = app.window()
+    tap.equal(window.title, "two.yaml – Luxel", "a scene given by name is opened")
+    tap.equal(len(window.values()), len(luxel("probe", path).splitlines()) and len(window.values()), "its points")
+    with open(broken, "w", encoding="utf-8") as file:
+        file.write("luxel: 1\nscreen: {width: 500\n")
+    run(APP, broken, env=desk.environment)  # hands it to the one that runs
+    second = app.window(2)
+    tap.equal(len(app.windows()), 2, "a second start opens its scene in the same process")
+    said = wait("what is wrong with the file", lambda: second.says(broken))
+    tap.ok(re.match(re.escape(broken) + r":\d+:\d+: \w", said), "a broken file is named with line and column", said)
+    tap.equal(second.values(), ["2.727591", "11.03802", "1.129966e-07"], "and changes nothing")
+    with open(broken, "wb") as file:
+        file.write(luxel("scene", "report").replace(b"lights:", b"lamps:"))
+    second.act("open-path", broken)
+    said = wait("what is wrong with the scene", lambda: second.says("lamps"))
+    tap.ok(said.startswith(broken + ":11:1: "), "so is a broken scene", said)
+
+
+def version(tap, desk):
+    said = run(APP, "--version", env=desk.environment).decode()
+    tap.equal(said.split()[1], luxel("--version").decode().split()[1], "app and tool are of one version")
+    tap.ok(os.path.basename(LUXEL) in "luxel" and said.startswith("luxel-app "), "and it names itself", said)
+
+
+trial(built_in_scene, scenes_given, version)

@@ -1,0 +1,49 @@
+# SPDX-License-Identifier: MIT
+"""What cannot be taken is marked and said, changes nothing, and is forgotten when something good comes."""
+from desk import trial
+from waiting import wait
+
+
+def refused(tap, desk, window, typed, *reason):
+    values, scene = window.values(), window.save()
+    field = window.enter("Intensity", typed)
+    said = wait("the reason", lambda: window.says(*reason))
+    tap.ok(field.has("invalid"), "%r is marked as invalid" % typed)
+    tap.note(said)
+    tap.equal(field.text, typed, "it stays in the field, to be mended")
+    tap.equal(window.values(), values, "the numbers stay")
+    tap.equal(window.save(), scene, "and the scene")
+
+
+def numbers(tap, desk):
+    window = desk.start().window()
+    refused(tap, desk, window, "abc", "abc", "is no number")
+    refused(tap, desk, window, "-5", "must be at least 0")
+    refused(tap, desk, window, "1,5,5", "1,5,5", "is no number")
+    field = window.enter("Intensity", "20")
+    wait("the mark to go", lambda: not field.has("invalid"))
+    tap.ok(not window.says("must be at least 0") and not window.says("is no number"), "a good value clears the reason")
+    tap.equal(wait("twice the brightness", lambda: window.values()[:1] == ["5.455181"] and window.values()[0]),
+              "5.455181", "and counts")
+    window.act("undo")
+    wait("the old value", lambda: field.text == "10")
+    tap.ok(not window.enabled("undo"), "what was refused left no step of undo")
+
+
+def points(tap, desk):
+    window = desk.start().window()
+    values = window.values()
+    expander = next(button for button in window.widget.all("button", "GtkExpander")
+                    if button.find("label", "Points"))
+    expander.act()
+    field = window.enter("Point 1: x, y in mm", "nowhere", "text box")
+    tap.ok(wait("the mark", lambda: field.has("invalid")), "a point that is none is marked")
+    tap.equal(window.values(), values, "and changes nothing")
+    window.enter("Point 1: x, y in mm", "12,5; -20", "text box")
+    wait("the mark to go", lambda: not field.has("invalid"))
+    wait("another value", lambda: window.values()[0] != values[0])
+    tap.ok(b"points: [[12.5, -20], [150, 0], [-150, 0]]" in window.save(), "a good one is taken, decimal comma and all",
+           window.save())
+
+
+trial(numbers, points)
