@@ -23,6 +23,7 @@ from window import Window
 
 LUXEL, APP, SCHEMAS = (os.path.abspath(path) for path in sys.argv[1:4])
 SCREEN = (1400, 900)
+CLIPBOARD = os.path.join(os.path.dirname(os.path.abspath(__file__)), "clipboard.py")
 SANITIZED = bool(os.environ.get("LUXEL_SANITIZED"))
 
 
@@ -61,7 +62,8 @@ class Desk:
                             if name in os.environ}
         self.environment.update(
             LANG="C.UTF-8", LANGUAGE=language, TZ="UTC", HOME=self.path("home"), GSK_RENDERER="cairo",
-            GDK_BACKEND="x11", GSETTINGS_BACKEND="memory", GSETTINGS_SCHEMA_DIR=SCHEMAS, GTK_A11Y="atspi", GTK_THEME="Adwaita",
+            GDK_BACKEND="x11", GSETTINGS_BACKEND="memory", GSETTINGS_SCHEMA_DIR=SCHEMAS, GTK_A11Y="atspi",
+            GTK_THEME="Adwaita",
             XDG_DATA_DIRS=os.environ.get("XDG_DATA_DIRS", "/usr/local/share:/usr/share"))
         for name in ("CONFIG_HOME", "CACHE_HOME", "DATA_HOME", "STATE_HOME", "RUNTIME_DIR"):
             self.environment["XDG_" + name] = self.path(name.lower())
@@ -92,10 +94,11 @@ class Desk:
         os.environ.update(self.environment)
         self.reader = Reader(self.environment["DBUS_SESSION_BUS_ADDRESS"])
 
-    def _speaking(self, command):
+    def _speaking(self, command, **environment):
         """Starts what says in its first line how to reach it."""
         log = open(self.path("log-" + os.path.basename(command[0])), "wb")
-        child = subprocess.Popen(command, stdout=subprocess.PIPE, stderr=log, env=self.environment)
+        child = subprocess.Popen(command, stdout=subprocess.PIPE, stderr=log,
+                                 env={**self.environment, **environment})
         log.close()
         self.children.append(child)
         line = child.stdout.readline().decode().strip()
@@ -155,9 +158,17 @@ class Desk:
             words += ["keyup", name]
         self.hand(*words)
 
-    def layout(self, name):
+    def copy(self, text):
+        """Another program takes the clipboard with this text."""
+        self._speaking([sys.executable, CLIPBOARD, text], GTK_A11Y="none")
+
+    def copied(self):
+        """What is on the clipboard, as another program reads it."""
+        return run(sys.executable, CLIPBOARD, env={**self.environment, "GTK_A11Y": "none"}).decode().rstrip("\n")
+
+    def layout(self, *words):
         """The keyboard's layout, such as us or ru."""
-        run(tool("setxkbmap"), name, env=self.environment)
+        run(tool("setxkbmap"), *words, env=self.environment)
 
     def picture(self, path):
         """The screen as a picture in a file."""

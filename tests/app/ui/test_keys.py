@@ -1,0 +1,158 @@
+# SPDX-License-Identifier: MIT
+"""All by the keyboard: the keys of the picture, Tab from part to part; the same keys under a Russian layout."""
+from desk import trial
+from waiting import wait
+
+# Keys by where they are, whatever letter a layout gives them.
+E, R, I, P, D, F, Z, X, C, N, BRACKET_LEFT, BRACKET_RIGHT = "26 27 31 33 40 41 52 53 54 57 34 35".split()
+
+
+def becomes(tap, name, question):
+    tap.ok(wait(name, question), name)
+
+
+def open_picture_group(window):
+    next(button for button in window.widget.all("button", "GtkExpander") if button.find("label", "Picture")).act()
+
+
+def letters(tap, desk, window, layout):
+    """The keys without Ctrl, on the picture."""
+    under = " (%s)" % layout
+    exposure = window.control("spin button", "Exposure")
+    locked = window.control("checkbox", "Range locked")
+    becomes(tap, "there is a field for the exposure" + under, lambda: exposure.value == 0)
+    desk.key(E, E)
+    becomes(tap, "E brightens by half a stop" + under, lambda: exposure.value == 1)
+    desk.key("shift+" + E)
+    becomes(tap, "Shift+E darkens" + under, lambda: exposure.value == 0.5)
+    desk.key(N)
+    becomes(tap, "N locks the range" + under, lambda: locked.has("checked") and exposure.value == 0)
+    desk.key(E, R)
+    becomes(tap, "R resets both" + under, lambda: not locked.has("checked") and exposure.value == 0)
+    desk.key(C)
+    becomes(tap, "C shows false colours" + under, lambda: window.state("false-color"))
+    desk.key(C)
+    becomes(tap, "and grey again" + under, lambda: not window.state("false-color"))
+    desk.key(I)
+    becomes(tap, "I shows isophotes" + under, lambda: window.state("isophotes"))
+    desk.key(I)
+    becomes(tap, "and hides them" + under, lambda: not window.state("isophotes"))
+    desk.key(P)
+    becomes(tap, "P pins the picture" + under, lambda: window.enabled("unpin"))
+    sides = []
+    for _ in range(3):
+        before = window.state("side")
+        desk.key(D)
+        wait("another side", lambda: window.state("side") != before)
+        sides.append(window.state("side"))
+    tap.equal(sides, ["pinned", "difference", "live"], "D shows A, the difference and B in turn" + under)
+    window.act("unpin")
+    scale = window.map()[0]
+    desk.key("plus" if layout == "us" else "21")
+    becomes(tap, "+ zooms" + under, lambda: window.map()[0] > 1.1 * scale)
+    desk.key(F)
+    becomes(tap, "F fits" + under, lambda: abs(window.map()[0] - scale) < 1e-3)
+
+
+def marks(tap, desk, window, layout):
+    """The keys that move what is selected: at first the source."""
+    under = " (%s)" % layout
+    before = window.save()
+    desk.key("Left")
+    becomes(tap, "an arrow moves the source by 10 mm" + under, lambda: b"[1990, 0, 2000]" in window.save())
+    desk.key("shift+Up")
+    becomes(tap, "with Shift by 1 mm" + under, lambda: b"[1990, 1, 2000]" in window.save())
+    desk.key("ctrl+Down")
+    becomes(tap, "with Ctrl by 100 mm" + under, lambda: b"[1990, -99, 2000]" in window.save())
+    desk.key("Prior")
+    becomes(tap, "Page Up lifts it" + under, lambda: b"[1990, -99, 2010]" in window.save())
+    while window.enabled("undo"):
+        steps = window.save()
+        desk.key("ctrl+" + Z)
+        wait("the undo", lambda: window.save() != steps)
+    tap.equal(window.save(), before, "Ctrl+Z takes it back" + under)
+    desk.key("ctrl+shift+" + Z)
+    becomes(tap, "Ctrl+Shift+Z brings it again" + under, lambda: window.save() != before)
+    desk.key("ctrl+" + Z)
+    becomes(tap, "and Ctrl+Z takes it back" + under, lambda: window.save() == before)
+    desk.key(BRACKET_RIGHT)
+    desk.key("Up")
+    becomes(tap, "] goes on to the first point" + under, lambda: b"points: [[0, 10], " in window.save())
+    desk.key("ctrl+" + Z, BRACKET_LEFT, BRACKET_LEFT, "Up")
+    becomes(tap, "[ back to the sphere" + under, lambda: b"center: [0, 10, 1000]" in window.save())
+    desk.key("ctrl+" + Z, BRACKET_RIGHT)
+    becomes(tap, "and all as before" + under, lambda: window.save() == before)
+
+
+def latin(tap, desk):
+    window = desk.start().window()
+    marks(tap, desk, window, "us")
+    open_picture_group(window)
+    letters(tap, desk, window, "us")
+
+
+def cyrillic(tap, desk):
+    desk.layout("ru")
+    window = desk.start().window()
+    marks(tap, desk, window, "ru")
+    open_picture_group(window)
+    letters(tap, desk, window, "ru")
+
+
+def both_layouts(tap, desk):
+    desk.layout("us,ru", "-option", "grp:caps_toggle")
+    window = desk.start().window()
+    before = window.save()
+    desk.key("Left")
+    wait("the move", lambda: window.save() != before)
+    desk.key("66")  # Caps Lock: from here on Russian
+    desk.key("ctrl+" + Z)
+    becomes(tap, "Ctrl+Я undoes after the layout was switched", lambda: window.save() == before)
+    desk.key(C)
+    becomes(tap, "С shows false colours", lambda: window.state("false-color"))
+
+
+def focused(window):
+    """The name of what has the keyboard."""
+    return next((part.name for part in window.widget.all() if part.has("focused")), None)
+
+
+def from_part_to_part(tap, desk):
+    window = desk.start().window()
+    tap.equal(focused(window), "Picture", "at the start the picture has the keyboard")
+    wanted = {"Picture", "Position, x", "Intensity", "Intensity, slider", "Attenuation", "Material", "Shininess n",
+              "Only source 1", "Source 1 on", "Add a source", "Points", "Open"}
+    met = set()
+    for _ in range(120):
+        desk.key("Tab")
+        met.add(focused(window))
+        if wanted <= met:
+            break
+    tap.ok(wanted <= met, "Tab goes to every part", "not met: %s" % sorted(wanted - met), sorted(map(str, met)))
+    tap.equal([name for name in met if not name or name.startswith("Gtk")], [], "and each has a name to be read out")
+    for _ in range(120):
+        if focused(window) == "Intensity":
+            break
+        desk.key("shift+Tab")
+    desk.key("ctrl+a")
+    desk.type("33")
+    desk.key("Return")
+    becomes(tap, "where Tab goes, numbers can be typed", lambda: b"intensity: 33" in window.save())
+    desk.key("F10")
+    becomes(tap, "F10 opens the menu", lambda: window.widget.find("menu item") or window.says("Open…"))
+    desk.key("Escape")
+    desk.key("F9")
+    becomes(tap, "F9 hides the numbers", lambda: not window.state("numbers"))
+    desk.key("F9")
+    becomes(tap, "and shows them", lambda: window.state("numbers"))
+
+
+def keys_in_fields(tap, desk):
+    window = desk.start().window()
+    window.enter("Name", "nerd.fic", "text box")
+    becomes(tap, "letters that are typed into a field are its own", lambda: b"name: nerd.fic" in window.save()
+            or b'name: "nerd.fic"' in window.save())
+    tap.ok(not window.state("false-color") and not window.state("isophotes"), "and switch nothing")
+
+
+trial(latin, cyrillic, both_layouts, from_part_to_part, keys_in_fields)
