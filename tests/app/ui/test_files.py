@@ -72,7 +72,7 @@ def there_and_back(tap, desk):
     window.act("open-path", picture)
     other = app.window(2)
     wait("its sources", lambda: len(other.sources()) == 3)
-    tap.equal(other.values(), window.values(), "a picture is opened as the scene that it carries, with the same numbers")
+    tap.equal(other.values(), window.values(), "a picture is opened as the scene that it carries, with its numbers")
     again = export(desk, other, "png8", ".png")
     other.save(desk.path("saved-again.yaml"))
     luxel("render", desk.path("saved-again.yaml"), "-q", "-o", desk.path("tool.png"))

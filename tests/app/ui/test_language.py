@@ -14,8 +14,8 @@ EXPECTED = ["Open", "Save", "Undo", "Redo", "Main menu", "False colour", "Pin as
             "Attenuation", "Radius"]
 WORD = re.compile(r"[A-Za-z][A-Za-z]+")
 # Names of things in every language: keys and kinds of scenes, forms of files; and what GTK says of itself.
-NAMES = set("""Luxel report point sphere blinn phong isotropic none plain spot planar volume distant ambient three lights
-    kd ks ka YAML key fill rim cosine lambertian Minimize Maximize Close None inverse square""".split())
+NAMES = set("""Luxel report point sphere blinn phong isotropic none plain spot planar volume distant ambient three
+    lights kd ks ka Ud YAML key fill rim cosine lambertian Minimize Maximize Close None inverse square""".split())
 
 
 def translations():
@@ -30,6 +30,8 @@ def window_in_russian(tap, desk):
     for text in EXPECTED:
         tap.ok(russian.get(text) in names and russian.get(text) != text, "%s is called %s" % (text, russian.get(text)))
     tap.equal(window.values(), ["2.727591", "11.03802", "1.129966e-07"], "numbers are written as everywhere")
+    window.pointed(*window.pixel(0, 0))  # the line at the edge speaks, too
+    names |= set(window.labels())
     field = window.enter("%s" % russian.get("Intensity"), "abc")
     tap.ok(field.has("invalid"), "a wrong number is marked")
     names |= {part.name for part in window.widget.all()} - {"“abc” is no number"}
@@ -38,7 +40,8 @@ def window_in_russian(tap, desk):
     tap.equal(left, [], "no English is left over in the window")
     tap.ok(wait("the reason", lambda: window.says("abc", "»") or window.says("abc", "”")), "the reason is said")
     window.enter("%s" % russian.get("Intensity"), "17,5")
-    tap.ok(wait("the number", lambda: b"intensity: 17.5" in window.save()), "a decimal comma is read, a point is written")
+    tap.ok(wait("the number", lambda: b"intensity: 17.5" in window.save()),
+           "a decimal comma is read, a point is written")
 
 
 def menus(tap, desk):

@@ -7,7 +7,7 @@ import re
 from accessible import Rejected
 from waiting import wait
 
-PLACE = re.compile(r"x (\S+)  y (\S+) mm")
+PLACE = re.compile(r"x (\S+)  y (\S+) (?:mm|мм)")
 VALUE = re.compile(r"P(\d+) [^:]*: (.*)")
 WHEEL = 60  # how far a notch moves the panel
 saved = itertools.count(1)
@@ -88,7 +88,7 @@ class Window:
 
     def sources(self):
         """The rows of the list of sources."""
-        return [item.name for item in self.widget.find("list", "Sources").all("list item")]
+        return [item.name for item in self.widget.find("list").all("list item")]
 
     # ---- controls ----
 
@@ -142,7 +142,7 @@ class Window:
 
     def picture_area(self):
         """x, y, width, height on the screen."""
-        x, y, width, height = self.control("image", "Picture").area()
+        x, y, width, height = self.widget.find("image").area()
         left, top = self.edges()
         return left + x, top + y, width, height
 
