@@ -7,7 +7,7 @@
 
 #include "runner.h"
 
-enum { REST_MS = 120, SECTION_SAMPLES = 401, BINS = 64, LEVELS = 8, MOST_LEVELS = 64 };
+enum { REST_MS = 120, PATIENCE_MICROSECONDS = 60000, SECTION_SAMPLES = 401, BINS = 64, LEVELS = 8, MOST_LEVELS = 64 };
 
 /* ---- shared ---- */
 
@@ -16,6 +16,8 @@ typedef struct Kept {
     AppShot *shot;
     luxel_evaluator *evaluator; /* NULL: there is none, or it was not asked for yet */
     guint8 *grey;               /* levels, likewise */
+    AppRunner *runner;
+    gint64 begun; /* when the present answer was, monotonic time */
 } Kept;
 
 static void drop(Kept *kept)
@@ -23,7 +25,9 @@ static void drop(Kept *kept)
     luxel_evaluator_free(kept->evaluator);
     app_shot_unref(kept->shot);
     g_free(kept->grey);
-    *kept = (Kept){0};
+    kept->shot = NULL;
+    kept->evaluator = NULL;
+    kept->grey = NULL;
 }
 
 static void keep(Kept *kept, AppShot *shot)
@@ -40,27 +44,31 @@ static void free_kept(gpointer data)
     g_free(data);
 }
 
-static bool go_on(double done, void *runner)
+/* What is nearly done is worth more than what is newer: a line that moves all the time is followed all the same. */
+static bool go_on(double done, void *data)
 {
+    const Kept *kept = data;
     (void)done;
-    return !app_runner_is_outdated(runner);
+    return !app_runner_is_outdated(kept->runner) || g_get_monotonic_time() - kept->begun < PATIENCE_MICROSECONDS;
 }
 
 /* One thread, as pictures have the others; the answers are the same. */
-static luxel_settings settings_of(const AppShot *shot, AppRunner *runner)
+static luxel_settings settings_of(const AppShot *shot, Kept *kept)
 {
     luxel_settings settings;
     luxel_settings_init(&settings);
     settings.quantity = luxel_field_quantity(shot->field);
     settings.threads = 1;
     settings.progress = go_on;
-    settings.progress_data = runner;
+    settings.progress_data = kept;
     return settings;
 }
 
 static const luxel_evaluator *evaluator_of(Kept *kept, AppRunner *runner, AppShot *shot)
 {
-    luxel_settings settings = settings_of(shot, runner);
+    luxel_settings settings = settings_of(shot, kept);
+    kept->runner = runner;
+    kept->begun = g_get_monotonic_time();
     keep(kept, shot);
     if (!kept->evaluator && luxel_evaluator_new(shot->moment->scene, &settings, NULL, &kept->evaluator) != LUXEL_OK)
         kept->evaluator = NULL;
@@ -171,7 +179,7 @@ static void measure_points(AppRunner *runner, const AppQuestion *question, Kept 
 {
     AppMeasures *measures = new_measures(question);
     AppShot *shot = question->shot;
-    luxel_settings settings = settings_of(shot, runner);
+    luxel_settings settings = settings_of(shot, kept);
     const gsize count = luxel_scene_point_count(shot->moment->scene);
     settings.progress = NULL;
     measures->has_points = TRUE;

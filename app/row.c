@@ -33,7 +33,7 @@ void app_name_control(GtkWidget *control, const char *name)
 {
     GtkWidget *inner = gtk_widget_get_first_child(control);
     gtk_accessible_update_property(GTK_ACCESSIBLE(control), GTK_ACCESSIBLE_PROPERTY_LABEL, name, -1);
-    if (inner && (GTK_IS_DROP_DOWN(control) || GTK_IS_MENU_BUTTON(control)))
+    if (inner && GTK_IS_DROP_DOWN(control))
         gtk_accessible_update_property(GTK_ACCESSIBLE(inner), GTK_ACCESSIBLE_PROPERTY_LABEL, name, -1);
 }
 

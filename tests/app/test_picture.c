@@ -189,7 +189,7 @@ static void fits_the_view(void **state)
     AppArea area;
     guchar *pixels = g_malloc(360 * 360 * 4), *fitted;
     app_display_paint(&picture->display, picture->shot->field, picture->low, picture->high, pixels);
-    fitted = app_resample(pixels, picture->shot->field, &studio->wish.frame, &columns, &rows, &area);
+    fitted = app_resample(pixels, picture->shot->field, &studio->wish.frame, FALSE, &columns, &rows, &area);
     assert_int_equal(picture->columns, columns);
     assert_int_equal(picture->rows, rows);
     assert_memory_equal(&picture->area, &area, sizeof area);
