@@ -10,7 +10,7 @@
 #include <unistd.h>
 
 enum {
-    MOST_PIXELS = 64 * 64, /* that are computed */
+    MOST_PIXELS = 20 * 20, /* that are computed */
     MOST_LIGHTS = 64,
     MOST_POINTS = 4,
     MOST_ASKED = 2000 /* how often a computation may report progress before it is given up */
