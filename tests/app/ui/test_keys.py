@@ -11,10 +11,6 @@ def becomes(tap, name, question):
     tap.ok(wait(name, question), name)
 
 
-def open_picture_group(window):
-    next(button for button in window.widget.all("button", "GtkExpander") if button.find("label", "Picture")).act()
-
-
 def letters(tap, desk, window, layout):
     """The keys without Ctrl, on the picture."""
     under = " (%s)" % layout
@@ -87,7 +83,7 @@ def marks(tap, desk, window, layout):
 def latin(tap, desk):
     window = desk.start().window()
     marks(tap, desk, window, "us")
-    open_picture_group(window)
+    window.press("Picture")
     letters(tap, desk, window, "us")
 
 
@@ -95,7 +91,7 @@ def cyrillic(tap, desk):
     desk.layout("ru")
     window = desk.start().window()
     marks(tap, desk, window, "ru")
-    open_picture_group(window)
+    window.press("Picture")
     letters(tap, desk, window, "ru")
 
 

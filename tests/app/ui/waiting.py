@@ -4,7 +4,7 @@ import time
 
 from accessible import Rejected
 
-DEADLINE = 60  # seconds
+DEADLINE = 120  # seconds
 STEP = 0.05  # between two questions
 
 
