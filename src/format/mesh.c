@@ -1,8 +1,7 @@
 /* SPDX-License-Identifier: MIT */
-/* Meshes: what OFF and OBJ files have in common, corners at one place brought together, and keeping what was read. */
+/* Meshes: what OFF and OBJ files have in common, and corners at one place brought together. */
 #include "mesh.h"
 
-#include <stdatomic.h>
 #include <stdlib.h>
 #include <string.h>
 #include <strings.h>
@@ -10,18 +9,9 @@
 #include "../base/memory.h"
 #include "mesh_read.h"
 
-/* ---- users ---- */
-
-struct lx_mesh *lx_mesh_hold(struct lx_mesh *mesh)
+void lx_mesh_free(struct lx_kept *kept)
 {
-    atomic_fetch_add(&mesh->users, 1);
-    return mesh;
-}
-
-void lx_mesh_release(struct lx_mesh *mesh)
-{
-    if (!mesh || atomic_fetch_sub(&mesh->users, 1) > 1)
-        return;
+    struct lx_mesh *mesh = (struct lx_mesh *)kept;
     free(mesh->corners);
     free(mesh->loop);
     free(mesh->counts);
@@ -29,86 +19,7 @@ void lx_mesh_release(struct lx_mesh *mesh)
     free(mesh);
 }
 
-struct lx_mesh *lx_meshes_find(const struct lx_meshes *meshes, const char *path)
-{
-    for (size_t i = 0; i < meshes->count; i++)
-        if (strcmp(meshes->items[i].path, path) == 0)
-            return meshes->items[i].mesh;
-    return NULL;
-}
-
-int lx_meshes_keep(struct lx_meshes *meshes, const char *path, struct lx_mesh *mesh)
-{
-    char *copy = lx_copy_text(path, strlen(path));
-    if (!copy || lx_reserve(&meshes->items, &meshes->capacity, meshes->count + 1, sizeof *meshes->items) < 0) {
-        free(copy);
-        return -1;
-    }
-    meshes->items[meshes->count++] = (struct lx_kept_mesh){copy, lx_mesh_hold(mesh)};
-    return 0;
-}
-
-int lx_meshes_copy(const struct lx_meshes *meshes, struct lx_meshes *copy)
-{
-    for (size_t i = 0; i < meshes->count; i++)
-        if (lx_meshes_keep(copy, meshes->items[i].path, meshes->items[i].mesh) < 0)
-            return -1;
-    return 0;
-}
-
-void lx_meshes_clear(struct lx_meshes *meshes)
-{
-    for (size_t i = 0; i < meshes->count; i++) {
-        free(meshes->items[i].path);
-        lx_mesh_release(meshes->items[i].mesh);
-    }
-    free(meshes->items);
-    *meshes = (struct lx_meshes){0};
-}
-
-/* ---- lines and words ---- */
-
-static bool is_space(char c)
-{
-    return c == ' ' || (c >= '\t' && c <= '\r');
-}
-
-bool lx_next_line(struct lx_lines *lines)
-{
-    while (lines->next < lines->end) {
-        const char *start = lines->next, *stop = memchr(start, '\n', (size_t)(lines->end - start));
-        stop = stop ? stop : lines->end;
-        lines->next = stop < lines->end ? stop + 1 : stop;
-        lines->line += 1 + lines->joined;
-        lines->joined = 0;
-        for (const char *at = start; at < stop; at++)
-            lines->joined += *at == LX_JOINED_LINES;
-        const char *comment = memchr(start, '#', (size_t)(stop - start));
-        lines->at = start;
-        lines->stop = comment ? comment : stop;
-        while (lines->at < lines->stop && is_space(*lines->at))
-            lines->at++;
-        if (lines->at < lines->stop)
-            return true;
-    }
-    return false;
-}
-
-bool lx_next_word(struct lx_lines *lines, const char **word, size_t *length)
-{
-    while (lines->at < lines->stop && is_space(*lines->at))
-        lines->at++;
-    *word = lines->at;
-    while (lines->at < lines->stop && !is_space(*lines->at))
-        lines->at++;
-    *length = (size_t)(lines->at - *word);
-    return *length > 0;
-}
-
-bool lx_word_is(const char *word, size_t length, const char *wanted)
-{
-    return strlen(wanted) == length && memcmp(word, wanted, length) == 0;
-}
+/* ---- what is read ---- */
 
 bool lx_read_corner(struct lx_lines *lines, double corner[3])
 {
@@ -121,8 +32,6 @@ bool lx_read_corner(struct lx_lines *lines, double corner[3])
     }
     return true;
 }
-
-/* ---- what is read ---- */
 
 struct lx_mesh_report lx_add_corner(struct lx_raw_mesh *raw, const double corner[3], size_t line)
 {
@@ -279,7 +188,7 @@ struct lx_mesh_report lx_mesh_read(const char *name, char *text, size_t length, 
     struct lx_raw_mesh raw = {.text = text, .length = length, .mesh = lx_new_array(1, sizeof *raw.mesh)};
     if (!raw.mesh)
         return (struct lx_mesh_report){LX_MSG_OUT_OF_MEMORY, 0};
-    atomic_init(&raw.mesh->users, 1);
+    lx_kept_init(&raw.mesh->kept, lx_mesh_free);
     struct lx_mesh_report (*reader)(struct lx_raw_mesh *) = find_reader(name, text, length);
     struct lx_mesh_report report = reader ? reader(&raw) : (struct lx_mesh_report){LX_MSG_MESH_FORMAT, 0};
     if (report.message == LX_MSG_COUNT)
@@ -287,6 +196,6 @@ struct lx_mesh_report lx_mesh_read(const char *name, char *text, size_t length, 
     if (report.message == LX_MSG_COUNT)
         *mesh = raw.mesh;
     else
-        lx_mesh_release(raw.mesh);
+        lx_mesh_free(&raw.mesh->kept);
     return report;
 }

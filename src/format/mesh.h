@@ -15,6 +15,7 @@
 #define LX_FORMAT_MESH_H
 
 #include "../base/diagnostics.h"
+#include "kept.h"
 
 enum { LX_LARGEST_MESH = 64 << 20, LX_MOST_FACES = 1000000 };
 
@@ -23,15 +24,15 @@ struct lx_mesh_origin {
     unsigned number, line;
 };
 
-/* Corners at the same place are one; those of no face are left out.  It never changes, and scenes share it. */
+/* Corners at the same place are one; those of no face are left out. */
 struct lx_mesh {
+    struct lx_kept kept;
     double (*corners)[3];
     size_t corner_count;
     unsigned *loop;   /* the corners of all faces, one face behind the other */
     unsigned *counts; /* of corners in each face */
     struct lx_mesh_origin *origins;
     size_t face_count;
-    _Atomic size_t users;
 };
 
 /* What is wrong with a file: the message, whose {1} is its name and {2} the line; LX_MSG_COUNT: nothing. */
@@ -43,25 +44,7 @@ struct lx_mesh_report {
 /* Reads a text, which it changes; `name` is the file's.  The mesh has one user. */
 struct lx_mesh_report lx_mesh_read(const char *name, char *text, size_t length, struct lx_mesh **mesh);
 
-/* One more user; one less (NULL is harmless), the last frees it. */
-struct lx_mesh *lx_mesh_hold(struct lx_mesh *mesh);
-void lx_mesh_release(struct lx_mesh *mesh);
-
-/* Meshes by the paths of their files; starts as {0}. */
-struct lx_meshes {
-    struct lx_kept_mesh {
-        char *path;
-        struct lx_mesh *mesh;
-    } * items;
-    size_t count, capacity;
-};
-
-/* The mesh of a path, which keeps its user; NULL where there is none. */
-struct lx_mesh *lx_meshes_find(const struct lx_meshes *meshes, const char *path);
-/* Keeps a mesh, as one more user; 0, or -1 when memory ran out. */
-int lx_meshes_keep(struct lx_meshes *meshes, const char *path, struct lx_mesh *mesh);
-/* Keeps all of another list; 0, or -1 when memory ran out. */
-int lx_meshes_copy(const struct lx_meshes *meshes, struct lx_meshes *copy);
-void lx_meshes_clear(struct lx_meshes *meshes);
+/* Frees a mesh: what its users come to in the end. */
+void lx_mesh_free(struct lx_kept *kept);
 
 #endif

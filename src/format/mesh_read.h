@@ -1,27 +1,14 @@
 /* SPDX-License-Identifier: MIT */
-/* For the readers of meshes: lines, words and what grows while they read. */
+/* For the readers of meshes: what grows while they read. */
 #ifndef LX_FORMAT_MESH_READ_H
 #define LX_FORMAT_MESH_READ_H
 
 #include "../base/number.h"
+#include "lines.h"
 #include "mesh.h"
 
-enum {
-    LX_MOST_CORNERS = 2000000,
-    LX_JOINED_LINES = '\v' /* stands where a line goes on on the next one */
-};
+enum { LX_MOST_CORNERS = 2000000 };
 
-/* The lines of a text without comments and those that are blank; next and end are set at first. */
-struct lx_lines {
-    const char *next, *end; /* what follows the line */
-    const char *at, *stop;  /* what is left of it */
-    size_t line, joined;    /* its number, from 1 on, and how many it goes on on */
-};
-
-bool lx_next_line(struct lx_lines *lines);
-/* The next word of the line; false where there is none. */
-bool lx_next_word(struct lx_lines *lines, const char **word, size_t *length);
-bool lx_word_is(const char *word, size_t length, const char *wanted);
 /* Three numbers. */
 bool lx_read_corner(struct lx_lines *lines, double corner[3]);
 

@@ -180,7 +180,7 @@ static void check_volume(const struct lx_check *check, void *parameters);
 static void release_volume(void *parameters)
 {
     struct volume_parameters *volume = parameters;
-    lx_mesh_release(volume->mesh);
+    lx_kept_release((struct lx_kept *)volume->mesh);
     volume->mesh = NULL;
 }
 
@@ -284,14 +284,11 @@ static void report_mesh(const struct lx_check *check, const struct volume_parame
 /* Reads the file of a mesh, unless the scene has done so already; false where that failed, which is reported. */
 static bool load_mesh(const struct lx_check *check, struct volume_parameters *volume, const char *path)
 {
-    struct lx_meshes *meshes = check->walk->meshes;
-    struct lx_mesh *mesh = meshes ? lx_meshes_find(meshes, path) : NULL;
     char line[LX_NUMBER_SIZE];
     size_t length;
-    if (mesh) {
-        volume->mesh = lx_mesh_hold(mesh);
+    volume->mesh = (struct lx_mesh *)lx_check_kept(check, path, lx_mesh_free);
+    if (volume->mesh)
         return true;
-    }
     char *text = lx_check_read(check, "mesh", path, LX_LARGEST_MESH, &length);
     if (!text)
         return false;
@@ -304,8 +301,7 @@ static bool load_mesh(const struct lx_check *check, struct volume_parameters *vo
                         LX_ARGS(path, lx_write_number((double)report.line, line)));
     if (report.message != LX_MSG_COUNT)
         return false;
-    if (meshes && lx_meshes_keep(meshes, path, volume->mesh) < 0)
-        check->walk->out_of_memory = true;
+    lx_check_keep(check, path, &volume->mesh->kept);
     return true;
 }
 

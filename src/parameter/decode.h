@@ -11,9 +11,9 @@
 struct lx_walk {
     const struct lx_document *document;
     luxel_diagnostics *diagnostics;
-    bool photometric;         /* which words the units have */
-    const char *folder;       /* where files that the document names are looked for; NULL: the current folder */
-    struct lx_meshes *meshes; /* those that the scene has read already, and where further ones go; NULL: nowhere */
+    bool photometric;           /* which words the units have */
+    const char *folder;         /* where files that the document names are looked for; NULL: the current folder */
+    struct lx_kept_files *kept; /* what the scene has read already, and where further files go; NULL: nowhere */
     bool failed, out_of_memory;
     size_t errors, unread; /* errors reported, and how many of them are files that cannot be read */
     /* Gives the advice just reported a hint at what brings a number to the nearest advised one; NULL: none. */

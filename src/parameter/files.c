@@ -4,7 +4,6 @@
 #include <string.h>
 
 #include "../base/memory.h"
-#include "../base/source.h"
 #include "check.h"
 
 char *lx_check_path(const struct lx_check *check, const char *file)
@@ -37,31 +36,63 @@ static void report_unread(const struct lx_check *check, const char *key, const s
     check->walk->unread++;
 }
 
-char *lx_check_read(const struct lx_check *check, const char *key, const char *path, size_t most, size_t *length)
+struct lx_kept *lx_check_kept(const struct lx_check *check, const char *path, void (*free)(struct lx_kept *kept))
+{
+    const struct lx_kept_files *files = check->walk->kept;
+    struct lx_kept *kept = files ? lx_kept_find(files, path, free) : NULL;
+    return kept ? lx_kept_hold(kept) : NULL;
+}
+
+void lx_check_keep(const struct lx_check *check, const char *path, struct lx_kept *kept)
+{
+    struct lx_kept_files *files = check->walk->kept;
+    if (files && lx_kept_add(files, path, kept) < 0)
+        check->walk->out_of_memory = true;
+}
+
+struct lx_source *lx_check_open(const struct lx_check *check, const char *key, const char *path, size_t most)
 {
     enum { MEGABYTE = 1 << 20 };
     struct lx_source *source = lx_source_try(path, most);
-    char *text = NULL;
-    if (source && lx_source_status(source) == LUXEL_OK && lx_source_size(source) > most) {
+    if (!source) {
+        check->walk->out_of_memory = true;
+        return NULL;
+    }
+    if (lx_source_status(source) == LUXEL_OK && lx_source_size(source) > most) {
         struct lx_text limit = {0};
         lx_text_printf(&limit, "%zu MB", most / MEGABYTE);
         char *words = lx_text_take(&limit);
         lx_check_report(check, key, LX_ALL_OF_IT, LX_MSG_FILE_TOO_LARGE, LX_ARGS(path, words ? words : ""));
         free(words);
-        lx_source_close(source);
-        return NULL;
+    } else if (lx_source_status(source) == LUXEL_OK) {
+        return source;
     }
-    if (source && lx_source_status(source) == LUXEL_OK)
-        text = lx_new_array((size_t)lx_source_size(source) + 1, 1);
-    if (text && lx_source_read(source, 0, text, (size_t)lx_source_size(source)) == LUXEL_OK) {
-        *length = (size_t)lx_source_size(source);
-    } else if (source && lx_source_status(source) != LUXEL_OK) {
+    lx_check_close(check, key, source);
+    return NULL;
+}
+
+bool lx_check_close(const struct lx_check *check, const char *key, struct lx_source *source)
+{
+    bool is_read = source && lx_source_status(source) == LUXEL_OK;
+    if (source && !is_read)
         report_unread(check, key, source);
-        free(text);
-        text = NULL;
-    } else {
-        check->walk->out_of_memory = true;
-    }
     lx_source_close(source);
-    return text;
+    return is_read;
+}
+
+char *lx_check_read(const struct lx_check *check, const char *key, const char *path, size_t most, size_t *length)
+{
+    struct lx_source *source = lx_check_open(check, key, path, most);
+    if (!source)
+        return NULL;
+    *length = (size_t)lx_source_size(source);
+    char *text = lx_new_array(*length + 1, 1);
+    if (text)
+        lx_source_read(source, 0, text, *length);
+    else
+        check->walk->out_of_memory = true;
+    if (lx_check_close(check, key, source))
+        return text;
+    free(text);
+    return NULL;
 }

@@ -3,7 +3,7 @@
 #ifndef LX_SCENE_OBJECT_H
 #define LX_SCENE_OBJECT_H
 
-#include "../format/mesh.h"
+#include "../format/kept.h"
 #include "../parameter/decode.h"
 #include "../parameter/document.h"
 #include "carried.h"
@@ -23,7 +23,7 @@ struct luxel_scene {
     size_t convention_count, convention_capacity;
     struct lx_carried carried; /* of the picture that it was read from */
     char *folder;              /* of the file that it was read from; NULL: none, or the current one */
-    struct lx_meshes meshes;   /* what was read of the files that it names */
+    struct lx_kept_files kept; /* what was read of the files that it names */
 };
 
 /* Takes the readiness away and frees what it consists of. */

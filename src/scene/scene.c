@@ -112,7 +112,7 @@ luxel_scene *luxel_scene_copy(const luxel_scene *scene)
     if (scene->folder)
         copy->folder = lx_copy_text(scene->folder, strlen(scene->folder));
     if ((scene->folder && !copy->folder) || lx_document_copy(&scene->document, &copy->document) < 0 ||
-        lx_meshes_copy(&scene->meshes, &copy->meshes) < 0 || (scene->committed && commit(copy, NULL) != LUXEL_OK)) {
+        lx_kept_copy(&scene->kept, &copy->kept) < 0 || (scene->committed && commit(copy, NULL) != LUXEL_OK)) {
         luxel_scene_free(copy);
         return NULL;
     }
@@ -127,7 +127,7 @@ void luxel_scene_free(luxel_scene *scene)
         return;
     lx_scene_uncommit(scene);
     lx_document_clear(&scene->document);
-    lx_meshes_clear(&scene->meshes);
+    lx_kept_clear(&scene->kept);
     free(scene->folder);
     free(scene);
 }
@@ -162,7 +162,7 @@ static luxel_status commit(luxel_scene *scene, luxel_diagnostics *diagnostics)
     lx_scene_uncommit(scene);
     struct lx_walk walk = lx_scene_walk(scene, diagnostics);
     walk.folder = scene->folder;
-    walk.meshes = &scene->meshes;
+    walk.kept = &scene->kept;
     luxel_status status = lx_decode(&walk, &lx_scene_table, &scene->parameters);
     if (status != LUXEL_ERROR_MEMORY) {
         lx_validate_scene(&walk, scene);
@@ -181,7 +181,7 @@ luxel_status luxel_scene_commit(luxel_scene *scene, luxel_diagnostics *diagnosti
 {
     if (!scene)
         return LUXEL_ERROR_ARGUMENT;
-    lx_meshes_clear(&scene->meshes);
+    lx_kept_clear(&scene->kept);
     return commit(scene, diagnostics);
 }
 

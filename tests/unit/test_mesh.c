@@ -34,7 +34,7 @@ static void expect_tetrahedron(const char *name, const char *text)
         assert_int_equal(mesh->origins[i].number, i + 1);
     }
     assert_true(mesh->corners[1][0] == 1.5 && mesh->corners[2][1] == 1e2 && mesh->corners[3][2] == 3);
-    lx_mesh_release(mesh);
+    lx_kept_release(&mesh->kept);
 }
 
 #define OFF_FACES "3 0 2 1\n3 0 1 3\n3 1 2 3\n3 0 3 2\n"
@@ -84,7 +84,7 @@ static void brings_corners_together(void **state)
     assert_int_equal(mesh->origins[3].line, 15);
     static const unsigned loop[] = {0, 1, 2, 0, 2, 3, 2, 1, 3, 0, 3, 1};
     assert_memory_equal(mesh->loop, loop, sizeof loop);
-    lx_mesh_release(mesh);
+    lx_kept_release(&mesh->kept);
 }
 
 static void names_the_line(void **state)
@@ -144,20 +144,20 @@ static void names_the_line(void **state)
 static void keeps_by_path(void **state)
 {
     (void)state;
-    struct lx_meshes meshes = {0}, copy = {0};
+    struct lx_kept_files meshes = {0}, copy = {0};
     struct lx_mesh *mesh;
     assert_int_equal(read_text("a", OBJ_CORNERS OBJ_FACES, &mesh).message, LX_MSG_COUNT);
-    assert_null(lx_meshes_find(&meshes, "a"));
-    assert_int_equal(lx_meshes_keep(&meshes, "a", mesh), 0);
-    lx_mesh_release(mesh);
-    assert_ptr_equal(lx_meshes_find(&meshes, "a"), mesh);
-    assert_int_equal(lx_meshes_copy(&meshes, &copy), 0);
-    lx_meshes_clear(&meshes);
-    assert_null(lx_meshes_find(&meshes, "a"));
-    assert_ptr_equal(lx_meshes_find(&copy, "a"), mesh);
+    assert_null(lx_kept_find(&meshes, "a", lx_mesh_free));
+    assert_int_equal(lx_kept_add(&meshes, "a", &mesh->kept), 0);
+    lx_kept_release(&mesh->kept);
+    assert_ptr_equal(lx_kept_find(&meshes, "a", lx_mesh_free), mesh);
+    assert_int_equal(lx_kept_copy(&meshes, &copy), 0);
+    lx_kept_clear(&meshes);
+    assert_null(lx_kept_find(&meshes, "a", lx_mesh_free));
+    assert_ptr_equal(lx_kept_find(&copy, "a", lx_mesh_free), mesh);
     assert_int_equal(mesh->face_count, 4);
-    lx_meshes_clear(&copy);
-    lx_mesh_release(NULL);
+    lx_kept_clear(&copy);
+    lx_kept_release(NULL);
 }
 
 int main(void)
