@@ -1,10 +1,12 @@
 /* SPDX-License-Identifier: MIT */
 /*
  * Numbers as text.  The grammar is checked here and the value formed by the C library under its own "C"
- * locale, so neither the program's locale nor a thread's matters.
+ * locale, so neither the program's locale nor a thread's matters; numbers of few digits are formed here.
  */
+#include <float.h>
 #include <locale.h>
 #include <math.h>
+#include <stdint.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -52,11 +54,50 @@ bool lx_looks_like_number(const char *text, size_t length)
     return i == length;
 }
 
+/*
+ * A number of few digits, as most are, without the library's care: both its digits and the power of ten are exact, so
+ * that one rounding makes of them what strtod() makes.  The text has the form of a number; false: it is no such one.
+ */
+static bool read_short(const char *text, size_t length, double *value)
+{
+    static const double powers[] = {1e0,  1e1,  1e2,  1e3,  1e4,  1e5,  1e6,  1e7,  1e8,  1e9,  1e10, 1e11,
+                                    1e12, 1e13, 1e14, 1e15, 1e16, 1e17, 1e18, 1e19, 1e20, 1e21, 1e22};
+    enum { GREATEST = sizeof powers / sizeof powers[0] - 1 };
+    static const uint64_t most = (UINT64_C(1) << 53) / 10 - 1; /* with one more digit still exact */
+    const char *at = text, *end = text + length;
+    bool is_negative = *at == '-', is_fraction = false;
+    uint64_t digits = 0;
+    int scale = 0, exponent = 0;
+    at += is_negative || *at == '+';
+    for (; at < end && *at != 'e' && *at != 'E'; at++) {
+        if (*at == '.') {
+            is_fraction = true;
+            continue;
+        }
+        if (digits > most)
+            return false;
+        digits = 10 * digits + (uint64_t)(*at - '0');
+        scale -= is_fraction;
+    }
+    bool has_exponent = at < end, is_small = has_exponent && at[1] == '-';
+    at += has_exponent ? 1 + (at[1] == '-' || at[1] == '+') : 0;
+    for (; at < end && exponent <= 1000; at++)
+        exponent = 10 * exponent + (*at - '0');
+    scale += is_small ? -exponent : exponent;
+    if (scale < -GREATEST || scale > GREATEST || FLT_EVAL_METHOD != 0)
+        return false;
+    double size = scale < 0 ? (double)digits / powers[-scale] : (double)digits * powers[scale];
+    *value = is_negative ? -size : size;
+    return true;
+}
+
 bool lx_read_number(const char *text, size_t length, double *value)
 {
     char buffer[64];
     if (!lx_looks_like_number(text, length))
         return false;
+    if (read_short(text, length, value))
+        return true;
     char *copy = length < sizeof buffer ? buffer : lx_copy_text(text, length);
     if (!copy)
         return false;

@@ -3,6 +3,8 @@
 #include <float.h>
 #include <locale.h>
 #include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
 
 #include <setjmp.h>
@@ -67,6 +69,44 @@ static void reads_long_numbers(void **state)
     assert_true(lx_looks_like_number(text, sizeof text));
 }
 
+/* Numbers of few and of many digits as the C library reads them, to the last bit. */
+static void reads_as_the_library(void **state)
+{
+    (void)state;
+    uint64_t bits = 88172645463325252u;
+    for (int i = 0; i < 500000; i++) {
+        char text[64];
+        bits ^= bits << 13, bits ^= bits >> 7, bits ^= bits << 17;
+        uint64_t digits = (bits >> 20) >> (bits % 44);
+        int places = (int)(bits >> 8 & 15), exponent = (int)(bits >> 12 & 63) - 32;
+        int used = snprintf(text, sizeof text, "%s%llu.%0*llu", bits & 64 ? "-" : "", (unsigned long long)digits,
+                            places + 1, (unsigned long long)(bits & 63));
+        if (bits & 128)
+            snprintf(text + used, sizeof text - (size_t)used, "e%d", exponent);
+        double value = 7, expected = strtod(text, NULL);
+        assert_true(lx_read_number(text, strlen(text), &value));
+        assert_memory_equal(&value, &expected, sizeof value);
+    }
+    static const char *const edges[] = {"9007199254740991",
+                                        "9007199254740992",
+                                        "9007199254740993",
+                                        "9007199254740999",
+                                        "900719925474099e1",
+                                        "1e22",
+                                        "1e23",
+                                        "1e-22",
+                                        "1e-23",
+                                        "-0",
+                                        "-0e99",
+                                        "0.0e-400",
+                                        "123456789012345e22"};
+    for (size_t i = 0; i < sizeof edges / sizeof edges[0]; i++) {
+        double value = 7, expected = strtod(edges[i], NULL);
+        assert_true(lx_read_number(edges[i], strlen(edges[i]), &value));
+        assert_memory_equal(&value, &expected, sizeof value);
+    }
+}
+
 static void writes_shortest(void **state)
 {
     (void)state;
@@ -122,10 +162,8 @@ static void ignores_the_locale(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(reads),
-        cmocka_unit_test(reads_long_numbers),
-        cmocka_unit_test(writes_shortest),
-        cmocka_unit_test(ignores_the_locale),
+        cmocka_unit_test(reads),           cmocka_unit_test(reads_long_numbers), cmocka_unit_test(reads_as_the_library),
+        cmocka_unit_test(writes_shortest), cmocka_unit_test(ignores_the_locale),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
