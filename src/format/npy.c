@@ -10,6 +10,7 @@
 
 #include "../base/memory.h"
 #include "format.h"
+#include "npy.h"
 
 #define MAGIC "\x93NUMPY"
 
@@ -38,12 +39,11 @@ static void write_npy(const struct lx_image *image, struct lx_sink *sink)
         status = lx_write_row(image, row, width, sink);
 }
 
-/* The dictionary, read from left to right; what was read of it. */
+/* The dictionary, read from left to right. */
 struct header {
     const char *at;
-    char descr[16], shape[32]; /* as they stand there, cut where they are too long */
-    unsigned rows, columns;    /* 0: the shape is of another form */
-    bool fortran, has_order;
+    struct lx_npy *npy; /* what was read of it */
+    bool has_order;
 };
 
 static void skip_space(struct header *header)
@@ -79,10 +79,10 @@ static bool take_text(struct header *header, char *text, size_t size)
 static bool take_order(struct header *header)
 {
     header->has_order = true;
-    header->fortran = strncmp(header->at, "True", 4) == 0;
-    if (!header->fortran && strncmp(header->at, "False", 5) != 0)
+    header->npy->fortran = strncmp(header->at, "True", 4) == 0;
+    if (!header->npy->fortran && strncmp(header->at, "False", 5) != 0)
         return false;
-    header->at += header->fortran ? 4 : 5;
+    header->at += header->npy->fortran ? 4 : 5;
     return true;
 }
 
@@ -113,10 +113,10 @@ static bool take_shape(struct header *header)
     }
     if (!take(header, ')'))
         return false;
-    header->rows = count == 2 ? numbers[0] : 0;
-    header->columns = count == 2 ? numbers[1] : 0;
+    header->npy->rows = count == 2 ? numbers[0] : 0;
+    header->npy->columns = count == 2 ? numbers[1] : 0;
     const char *end = (const char *)memrchr(start, ')', (size_t)(header->at - start)) + 1;
-    snprintf(header->shape, sizeof header->shape, "%.*s", (int)(end - start), start);
+    snprintf(header->npy->shape, sizeof header->npy->shape, "%.*s", (int)(end - start), start);
     return true;
 }
 
@@ -128,7 +128,7 @@ static bool take_dictionary(struct header *header)
     while (*header->at != '}') {
         if (!take_text(header, key, sizeof key) || !take(header, ':'))
             return false;
-        bool good = strcmp(key, "descr") == 0           ? take_text(header, header->descr, sizeof header->descr)
+        bool good = strcmp(key, "descr") == 0 ? take_text(header, header->npy->descr, sizeof header->npy->descr)
                     : strcmp(key, "fortran_order") == 0 ? take_order(header)
                     : strcmp(key, "shape") == 0         ? take_shape(header)
                                                         : false;
@@ -137,64 +137,79 @@ static bool take_dictionary(struct header *header)
     }
     header->at++;
     skip_space(header);
-    return *header->at == '\0' && header->descr[0] && header->shape[0] && header->has_order;
+    return *header->at == '\0' && header->npy->descr[0] && header->npy->shape[0] && header->has_order;
 }
 
-/* Finds out where the numbers begin, and reads the dictionary before them. */
-static luxel_status read_header(struct lx_source *source, struct header *header, size_t *start)
+/* What the type of the numbers says: their width and order of bytes. */
+static void read_descr(struct lx_npy *npy)
+{
+    const char *kind = npy->descr + 1;
+    bool is_real = strcmp(kind, "f4") == 0 || strcmp(kind, "f8") == 0;
+    npy->big_endian = npy->descr[0] == '>';
+    npy->width = is_real && (npy->big_endian || npy->descr[0] == '<') ? (size_t)(kind[1] - '0') : 0;
+}
+
+const char *lx_npy_read_header(struct lx_source *source, struct lx_npy *npy)
 {
     unsigned char prefix[12];
-    luxel_status status = lx_source_read(source, 0, prefix, sizeof prefix);
-    if (status != LUXEL_OK)
-        return status;
+    *npy = (struct lx_npy){0};
+    if (lx_source_size(source) < sizeof prefix)
+        return "header";
+    if (lx_source_read(source, 0, prefix, sizeof prefix) != LUXEL_OK)
+        return NULL;
     size_t before = prefix[6] == 1 ? 10 : 12;
     size_t length = prefix[8] | (size_t)prefix[9] << 8;
     if (memcmp(prefix, MAGIC, MAGIC_LENGTH) != 0)
-        return lx_bad_file(source, NAME, "\\x93NUMPY");
+        return "\\x93NUMPY";
     if (prefix[6] < 1 || prefix[6] > 3)
-        return lx_bad_file(source, NAME, "version");
+        return "version";
     if (prefix[6] > 1)
         length |= (size_t)prefix[10] << 16 | (size_t)prefix[11] << 24;
-    if (length > LONGEST_HEADER)
-        return lx_bad_file(source, NAME, "header");
+    npy->start = before + length;
+    if (length > LONGEST_HEADER || npy->start > lx_source_size(source))
+        return "header";
     char *text = lx_new_array(length + 1, 1);
-    if (!text)
-        return lx_source_out_of_memory(source);
-    status = lx_source_read(source, before, text, length);
-    header->at = text;
-    if (status == LUXEL_OK && !take_dictionary(header))
-        status = lx_bad_file(source, NAME, "header");
-    header->at = NULL;
+    if (!text) {
+        lx_source_out_of_memory(source);
+        return NULL;
+    }
+    struct header header = {.at = text, .npy = npy};
+    bool is_good = lx_source_read(source, before, text, length) != LUXEL_OK || take_dictionary(&header);
     free(text);
-    *start = before + length;
-    return status;
+    read_descr(npy);
+    return is_good ? NULL : "header";
 }
 
 static luxel_status read_npy(struct lx_source *source, struct lx_loaded *loaded)
 {
-    struct header header = {0};
-    size_t start = 0;
-    luxel_status status = read_header(source, &header, &start);
-    if (status != LUXEL_OK)
-        return status;
-    const char *kind = header.descr + 1;
-    bool big_endian = header.descr[0] == '>';
-    if ((!big_endian && header.descr[0] != '<') || (strcmp(kind, "f4") != 0 && strcmp(kind, "f8") != 0))
-        return lx_unfit_file(source, NAME, "descr", header.descr, "<f4, <f8, >f4, >f8");
-    if (header.rows == 0 || header.columns == 0)
-        return lx_unfit_file(source, NAME, "shape", header.shape, "shape (rows, columns)");
-    loaded->rows = header.rows;
-    loaded->columns = header.columns;
-    loaded->sample = kind[1] == '8' ? LX_SAMPLE_F64 : LX_SAMPLE_F32;
-    status = lx_check_size(source, NAME, loaded, start);
+    struct lx_npy npy;
+    const char *wrong = lx_npy_read_header(source, &npy);
+    if (wrong)
+        return lx_bad_file(source, NAME, wrong);
+    if (lx_source_status(source) != LUXEL_OK)
+        return lx_source_status(source);
+    if (npy.width == 0)
+        return lx_unfit_file(source, NAME, "descr", npy.descr, "<f4, <f8, >f4, >f8");
+    if (npy.rows == 0 || npy.columns == 0)
+        return lx_unfit_file(source, NAME, "shape", npy.shape, "shape (rows, columns)");
+    loaded->rows = npy.rows;
+    loaded->columns = npy.columns;
+    loaded->sample = npy.width == sizeof(double) ? LX_SAMPLE_F64 : LX_SAMPLE_F32;
+    luxel_status status = lx_check_size(source, NAME, loaded, npy.start);
     if (status == LUXEL_OK)
         status = lx_loaded_allocate(source, loaded);
-    size_t width = kind[1] == '8' ? sizeof(double) : sizeof(float), columns = header.columns, rows = header.rows;
-    if (status == LUXEL_OK && !header.fortran)
-        status = lx_read_numbers(source, start, big_endian, loaded, 0, 1, rows * columns);
-    for (size_t column = 0; status == LUXEL_OK && header.fortran && column < columns; column++)
-        status = lx_read_numbers(source, start + column * rows * width, big_endian, loaded, column, columns, rows);
-    return status;
+    return status == LUXEL_OK ? lx_npy_read_numbers(source, &npy, loaded) : status;
+}
+
+luxel_status lx_npy_read_numbers(struct lx_source *source, const struct lx_npy *npy, struct lx_loaded *loaded)
+{
+    size_t columns = npy->columns, rows = npy->rows;
+    if (!npy->fortran)
+        return lx_read_numbers(source, npy->start, npy->big_endian, loaded, 0, 1, rows * columns);
+    for (size_t column = 0; column < columns; column++)
+        lx_read_numbers(source, npy->start + column * rows * npy->width, npy->big_endian, loaded, column, columns,
+                        rows);
+    return lx_source_status(source);
 }
 
 const struct lx_format lx_format_npy = {
