@@ -173,10 +173,9 @@ static void print_parameter(const luxel_parameters *keys, size_t i)
     text_table_print(table, stdout, 2);
 }
 
-/* What a topic such as "spot" is, with an example. */
-static const char *print_kinds(const luxel_parameters *keys, const char *topic)
+/* What a topic such as "spot" is, with an example; returns what separates it from the next. */
+static const char *print_kinds(const luxel_parameters *keys, const char *topic, const char *separator)
 {
-    const char *separator = "";
     const luxel_kind *kind;
 
     for (size_t i = 0; (kind = luxel_parameters_kind(keys, i)) != NULL; i++) {
@@ -191,9 +190,19 @@ static const char *print_kinds(const luxel_parameters *keys, const char *topic)
     return separator;
 }
 
+static bool is_path(const luxel_parameters *keys, const char *topic)
+{
+    for (size_t i = 0; topic && i < luxel_parameters_count(keys); i++)
+        if (strcmp(luxel_parameters_get(keys, i)->path, topic) == 0)
+            return true;
+    return false;
+}
+
+/* A topic that is a key's whole path, such as "points", is meant as that first. */
 static void print_text(const luxel_parameters *keys, const char *topic, enum match wanted)
 {
-    const char *separator = print_kinds(keys, topic);
+    const bool key_first = is_path(keys, topic);
+    const char *separator = key_first ? "" : print_kinds(keys, topic, "");
 
     for (size_t i = 0; i < luxel_parameters_count(keys); i++) {
         if (match_parameter(topic, luxel_parameters_get(keys, i)) != wanted || !is_first_of_its_kind(keys, i))
@@ -202,6 +211,8 @@ static void print_text(const luxel_parameters *keys, const char *topic, enum mat
         print_parameter(keys, i);
         separator = "\n";
     }
+    if (key_first)
+        print_kinds(keys, topic, separator);
 }
 
 /* What lies below the keys that were explained, a line each. */

@@ -2,20 +2,26 @@
 /*
  * What all lights that stand at a place and shine with a radiant intensity have in common: position,
  * intensity, attenuation, and the axis, given as such or by a point to aim at.  A kind puts a struct
- * lx_placed named `placed` into its parameters and LX_PLACED_PARAMETERS and LX_PLACED_RULES into its table.
+ * lx_placed named `placed` into its parameters and LX_PLACED_PARAMETERS and LX_PLACED_RULES into its table.  A kind of
+ * many places has a struct lx_shining only, with LX_SHINING_PARAMETERS and LX_SHINING_RULES.
  */
 #ifndef LX_LIGHT_PLACED_H
 #define LX_LIGHT_PLACED_H
 
 #include "light.h"
 
-struct lx_placed {
-    double position_mm[3];
-    double intensity; /* W/sr or cd */
-    int attenuation;  /* enum lx_attenuation */
+/* How a source shines from where it stands. */
+struct lx_shining {
+    int attenuation; /* enum lx_attenuation */
     double k_mm;
     double axis[3];
     double aim_mm[3];
+};
+
+struct lx_placed {
+    double position_mm[3];
+    double intensity; /* W/sr or cd */
+    struct lx_shining shining;
 };
 
 extern const char *const lx_attenuation_names[];
@@ -43,20 +49,23 @@ extern const char *const lx_attenuation_names[];
             .advised = {LX_BETWEEN(0.01, 10000)},                                                                      \
             .meaning = "the radiant intensity, along the axis where it depends on the direction",                      \
         },                                                                                                             \
-        {                                                                                                              \
-            .name = "attenuation",                                                                                     \
-            .label = "Attenuation",                                                                                    \
-            .type = LX_CHOICE,                                                                                         \
-            .offset = offsetof(type_, placed.attenuation),                                                             \
-            .choices = lx_attenuation_names,                                                                           \
-            .initial = "inverse-square",                                                                               \
-            .meaning = "how light weakens with the distance r in metres: 1/r^2, 1/(k + r), or not at all",             \
-        },                                                                                                             \
+        LX_SHINING_PARAMETERS(type_, placed.shining)
+
+#define LX_SHINING_PARAMETERS(type_, member_)                                                                          \
+    {                                                                                                                  \
+        .name = "attenuation",                                                                                         \
+        .label = "Attenuation",                                                                                        \
+        .type = LX_CHOICE,                                                                                             \
+        .offset = offsetof(type_, member_.attenuation),                                                                \
+        .choices = lx_attenuation_names,                                                                               \
+        .initial = "inverse-square",                                                                                   \
+        .meaning = "how light weakens with the distance r in metres: 1/r^2, 1/(k + r), or not at all",                 \
+    },                                                                                                                 \
         {                                                                                                              \
             .name = "k",                                                                                               \
             .label = "Length k",                                                                                       \
             .type = LX_REAL,                                                                                           \
-            .offset = offsetof(type_, placed.k_mm),                                                                    \
+            .offset = offsetof(type_, member_.k_mm),                                                                   \
             .unit = LX_UNIT_MM,                                                                                        \
             .legal = LX_ABOVE(0),                                                                                      \
             .advised = {LX_BETWEEN(10, 2000)},                                                                         \
@@ -66,28 +75,39 @@ extern const char *const lx_attenuation_names[];
             .name = "axis",                                                                                            \
             .label = "Axis",                                                                                           \
             .type = LX_REALS,                                                                                          \
-            .offset = offsetof(type_, placed.axis),                                                                    \
+            .offset = offsetof(type_, member_.axis),                                                                   \
             .count = 3,                                                                                                \
             .nonzero = true,                                                                                           \
             .initial = "[0, 0, -1]",                                                                                   \
             .meaning = "the direction in which the source shines, of any length",                                      \
         },                                                                                                             \
     {                                                                                                                  \
-        .name = "aim", .label = "Aim", .type = LX_REALS, .offset = offsetof(type_, placed.aim_mm), .count = 3,         \
+        .name = "aim", .label = "Aim", .type = LX_REALS, .offset = offsetof(type_, member_.aim_mm), .count = 3,        \
         .unit = LX_UNIT_MM, .meaning = "the point at which the source is aimed, instead of axis",                      \
     }
 
-#define LX_PLACED_RULES                                                                                                \
+#define LX_SHINING_RULES                                                                                               \
     {LX_RULE_NEEDED, "k", "attenuation", "practical"}, {LX_RULE_USED, "k", "attenuation", "practical"},                \
-        {LX_RULE_EXCLUSIVE, "axis", "aim", NULL},                                                                      \
+    {                                                                                                                  \
+        LX_RULE_EXCLUSIVE, "axis", "aim", NULL                                                                         \
+    }
+
+#define LX_PLACED_RULES                                                                                                \
+    LX_SHINING_RULES,                                                                                                  \
     {                                                                                                                  \
         LX_RULE_DISTINCT, "aim", "position", NULL                                                                      \
     }
 
-/* The unit axis: towards the aim where one is given (`table` tells), else along the axis. */
-lx_bounded3 lx_placed_axis(const struct lx_table *table, const void *parameters, const struct lx_placed *placed);
+/* The unit axis at a place: towards the aim where one is given (`table` tells), else along the axis. */
+lx_bounded3 lx_shining_axis(const struct lx_table *table, const void *parameters, const struct lx_shining *shining,
+                            const double position_mm[3]);
 
-/* The point emitter with this profile. */
+/* The point emitter with this profile at a place. */
+struct lx_emitter lx_shining_emitter(const struct lx_shining *shining, const double position_mm[3], double intensity,
+                                     struct lx_profile profile);
+
+/* The same for a source of its own. */
+lx_bounded3 lx_placed_axis(const struct lx_table *table, const void *parameters, const struct lx_placed *placed);
 struct lx_emitter lx_placed_emitter(const struct lx_placed *placed, struct lx_profile profile);
 
 #endif

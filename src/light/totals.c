@@ -136,9 +136,20 @@ static void add_facets(struct middle *middle, const struct lx_facets *facets)
     }
 }
 
+/* The intensity of the strongest point. */
+static double greatest_strength(const struct lx_emitters *emitters)
+{
+    double greatest = 0;
+    for (size_t i = 0; i < emitters->count; i++)
+        if (emitters->items[i].type == LX_POINT)
+            greatest = fmax(greatest, emitters->items[i].strength);
+    return greatest;
+}
+
 bool lx_emitters_place(const struct lx_emitters *emitters, double place_mm[3])
 {
     struct middle middle = {.weight = lx_wide_of(0)};
+    double greatest = greatest_strength(emitters);
     for (size_t i = 0; i < emitters->count; i++) {
         const struct lx_emitter *emitter = &emitters->items[i];
         if (emitter->type == LX_FACETS)
@@ -146,7 +157,8 @@ bool lx_emitters_place(const struct lx_emitters *emitters, double place_mm[3])
         else if (lx_is_extended(emitter))
             add_place(&middle, lx_wide3_of(emitter->center_mm), lx_wide_of(2 * lx_extended_area_mm2(emitter).value));
         else if (emitter->type == LX_POINT)
-            add_place(&middle, lx_wide3_of(emitter->position_mm), lx_wide_of(1));
+            add_place(&middle, lx_wide3_of(emitter->position_mm),
+                      lx_wide_of(greatest > 0 ? emitter->strength / greatest : 1));
     }
     if (!(middle.weight.high > 0))
         return false;

@@ -58,8 +58,9 @@ luxel_status luxel_scene_schema(char **text)
         "luxel check refuses some scenes that this schema accepts, because a schema cannot compare values: pixels that "
         "are not square; an observer that is not above the front of every surface; an aim that is the light's "
         "position or center; an up that is parallel to the axis; vertices in no plane, on one line, or of edges that "
-        "cross; a mesh that cannot be read or is not closed and convex; measuring grids of more than ten million "
-        "cells; an inner angle greater than the outer one within one degree; a range [low, high] that does not "
+        "cross; a mesh that cannot be read or is not closed and convex; a cloud of points that cannot be read, or with "
+        "one where they are aimed; measuring grids of more than ten million cells; an inner angle greater than the "
+        "outer one within one degree; a range [low, high] that does not "
         "rise between two of the steps listed there. It reads numbers and words as they are written: 360.0 is no "
         "whole number, and only true and false are truth values. Doubled keys, anchors, aliases, tags and further "
         "documents are errors of the text and unknown to a schema.";

@@ -2,7 +2,7 @@
 """Random good scenes that use every key of the parameter table sooner or later, the same for the same seed."""
 import math
 
-# A file that they name: a cube, in both formats.
+# Files that they name: a cube, in both formats, and a cloud.
 CORNERS = [(x, y, z) for z in (1900, 2100) for y in (-100, 100) for x in (-100, 100)]
 FACES = [(0, 2, 3, 1), (4, 5, 7, 6), (0, 1, 5, 4), (2, 6, 7, 3), (0, 4, 6, 2), (1, 3, 7, 5)]
 FILES = {
@@ -10,6 +10,7 @@ FILES = {
                 + "".join("4 %d %d %d %d\n" % face for face in FACES),
     "cube.obj": "".join("v %d %d %d\n" % corner for corner in CORNERS)
                 + "".join("f %d %d %d %d\n" % tuple(i + 1 for i in face) for face in FACES),
+    "lamps.csv": "x,y,z,intensity\n0,0,2000,5\n100,50,1900,0\n",
 }
 
 
@@ -38,9 +39,8 @@ def _name(rng):
     return rng.choice(["lamp", "", "5", "true", "null", "с именем", "two words", "#", "a: b", "☀", "\t", "0x1"])
 
 
-def _placed(rng):
-    position = [_number(rng) for _ in range(3)]
-    light = {"position": position, "intensity": _from_zero(rng)}
+def _shining(rng, position):
+    light = {}
     law = rng.choice([None, "none", "inverse-square", "practical"])
     if law:
         light["attenuation"] = law
@@ -52,14 +52,27 @@ def _placed(rng):
     return light
 
 
-def _point(rng):
-    light = {"type": "point", **_placed(rng)}
+def _placed(rng):
+    position = [_number(rng) for _ in range(3)]
+    return {"position": position, "intensity": _from_zero(rng), **_shining(rng, position)}
+
+
+def _pattern(rng):
+    light = {}
     pattern = rng.choice([None, "isotropic", "lambertian", "cosine"])
     if pattern:
         light["pattern"] = pattern
     if pattern == "cosine" or rng.random() < 0.2:
         light["exponent"] = _from_zero(rng)
     return light
+
+
+def _point(rng):
+    return {"type": "point", **_placed(rng), **_pattern(rng)}
+
+
+def _points(rng):
+    return {"type": "points", "file": "lamps.csv", **_shining(rng, [0, 0, 0]), **_pattern(rng)}
 
 
 def _spot(rng):
@@ -121,7 +134,7 @@ def _volume(rng):
         {"sphere": {"center": center, "radius": _size(rng), **_some(rng, {"facets": lambda: rng.randint(4, 60)})}},
         {"cylinder": {"center": center, "radius": _size(rng), "height": _size(rng),
                       **_some(rng, {"facets": lambda: rng.randint(3, 60), "axis": lambda: _vector(rng)})}},
-        {"mesh": rng.choice(sorted(FILES))}])
+        {"mesh": rng.choice(["cube.obj", "cube.off"])}])
     return {"type": "volume", **body, **_spread(rng, ["radiance", "power"])}
 
 
@@ -132,9 +145,12 @@ def _grid(rng):
 
 
 def _light(rng):
-    kind = rng.choice(["point", "point", "spot", "spot", "distant", "ambient", "planar", "planar", "volume", "volume"])
+    kind = rng.choice(["point", "point", "spot", "spot", "distant", "ambient", "planar", "planar", "volume", "volume",
+                       "points"])
     if kind == "point":
         light = _point(rng)
+    elif kind == "points":
+        light = _points(rng)
     elif kind == "spot":
         light = _spot(rng)
     elif kind == "distant":

@@ -176,6 +176,13 @@ PIECES = [
     ("box of two lengths", LIGHT, "{type: volume, box: {%s, size: ^[5, 5]}, power: 1}" % CENTER, "3"),
     ("mesh by a number", LIGHT, "{type: volume, mesh: ^5, power: 1}", "text"),
     ("mesh that is the scene", LIGHT, "{type: volume, mesh: ^scene.yaml, power: 1}", "OFF OBJ"),
+    ("cloud without a file", LIGHT, "^{type: points, pattern: isotropic}", "file"),
+    ("file by a number", LIGHT, "{type: points, file: ^5}", "text"),
+    ("cloud that is the scene", LIGHT, "{type: points, file: ^scene.yaml}", "line number"),
+    ("cloud with a position", LIGHT, "{type: points, file: a.csv, ^position: [1, 2, 3]}", "position"),
+    ("cloud without exponent", LIGHT, "^{type: points, file: scene.yaml, pattern: cosine}", "exponent"),
+    ("practical cloud without k", LIGHT, "^{type: points, file: scene.yaml, attenuation: practical}", "k"),
+    ("cloud with axis and aim", LIGHT, "{type: points, file: scene.yaml, axis: [0, 0, 1], ^aim: [0, 0, 1]}", "axis"),
     # grids
     ("grid without cells", PICTURE, "grids: [^{%s, size: [10, 10]}]" % CENTER, "n"),
     ("grid of no columns", PICTURE, GRID + "n: [^0, 5]}]", "1 to 65536"),

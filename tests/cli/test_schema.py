@@ -33,6 +33,7 @@ BEYOND = {
     "corners in no plane": "an outline lies in a plane",
     "edges that cross": "the edges of an outline do not cross",
     "mesh that is the scene": "a mesh is an OFF or OBJ file",
+    "cloud that is the scene": "a cloud is a CSV or NPY file",
     "grid of too many cells": "a grid has ten million cells at most",
     "rectangle that shows its back": "the observer sees the front of every rectangle",
 }
@@ -121,6 +122,7 @@ INEXPRESSIBLE = [
     ("up is not parallel to axis", LIGHT, "{type: planar, rectangle: {center: [0, 0, 2000], size: [1, 1], axis: "
      "[1, 0, 0], up: [-2, 0, 0]}, power: 1}"),
     ("a mesh is closed", LIGHT, "{type: volume, mesh: gone.off, power: 1}"),
+    ("a cloud can be read", LIGHT, "{type: points, file: gone.csv}"),
     ("a range rises between two steps", "range: max", "range: [1.9, 1.8]"),
     ("360.0 is no whole number", "[36, 36]", "[36.0, 36]"),
     ("truth values are true and false", "diffuse: 0.8", "over_pi: True"),
@@ -161,6 +163,8 @@ def builtin_scenes(tap, tool):
 def examples(tap, tool):
     judges = Judges(tool)
     for kind in tool.run("help", "--json").json()["kinds"]:
+        if not kind["example"]:
+            continue
         scene = read(SCENE)
         scene[kind["list"]] = [read(kind["example"])]
         complaints = judges.complaints(scene)
@@ -221,8 +225,8 @@ def beyond(tap, tool):
         text = SCENE.replace(piece, replacement, 1)
         tap.ok(not judges.tool_accepts(text) and not judges.complaints(read(text)), "only the tool knows: " + title)
     comment = tool.run("schema").json()["$comment"]
-    for word in ("square", "observer", "aim", "parallel", "plane", "cross", "mesh", "cells", "inner", "rise", "360.0",
-                 "true", "Doubled", "anchors", "tags"):
+    for word in ("square", "observer", "aim", "parallel", "plane", "cross", "mesh", "cloud", "cells", "inner", "rise",
+                 "360.0", "true", "Doubled", "anchors", "tags"):
         tap.ok(word in comment, "the schema's comment tells of %s" % word)
 
 

@@ -123,12 +123,51 @@ static void reports_at_the_key(void **state)
     luxel_diagnostics_free(diagnostics);
 }
 
+/* A cloud beside the mesh, which copies share as they share that. */
+static void clouds_too(void **state)
+{
+    const struct folder *folder = *state;
+    char path[80];
+    luxel_scene *scene;
+    luxel_diagnostics *diagnostics = luxel_diagnostics_new();
+    snprintf(path, sizeof path, "%s/lamps.csv", folder->path);
+    put(path, "x,y,z,intensity\n0,0,2000,3\n5,5,1900,2\n");
+    assert_int_equal(luxel_scene_read_file(folder->scene, NULL, &scene), LUXEL_OK);
+    static const char lights[] = "lights=[{type: points, file: lamps.csv}, {type: volume, mesh: lamp.off, power: 5}, "
+                                 "{type: points, file: lamps.csv, pattern: lambertian, aim: [5, 5, 1900.5]}]";
+    assert_int_equal(luxel_scene_set(scene, lights, NULL), LUXEL_OK);
+    assert_int_equal(luxel_scene_commit(scene, NULL), LUXEL_OK);
+    double value = value_at_centre(scene);
+    unlink(path);
+    luxel_scene *copy = luxel_scene_copy(scene);
+    assert_non_null(copy);
+    assert_true(luxel_scene_is_committed(copy));
+    luxel_scene_free(scene);
+    assert_true(value > 0 && value_at_centre(copy) == value);
+    put(path, "1,2,3,-4\n");
+    assert_int_equal(luxel_scene_commit(copy, diagnostics), LUXEL_ERROR_SCENE); /* which looks again */
+    expect_entry(diagnostics, 0, WANTED("cloud-line", .key = "lights[0].file", .message = "line 1"));
+    luxel_diagnostics_clear(diagnostics);
+    put(path, "5,5,1900.5,4\n");
+    assert_int_equal(luxel_scene_commit(copy, diagnostics), LUXEL_ERROR_SCENE);
+    expect_entry(diagnostics, 0, WANTED("same-place", .key = "lights[2].aim", .message = "number 1 of"));
+    luxel_diagnostics_clear(diagnostics);
+    put(path, tetrahedron);
+    assert_int_equal(luxel_scene_commit(copy, diagnostics), LUXEL_ERROR_SCENE);
+    assert_int_equal(luxel_scene_set(copy, "lights=[{type: points, file: lamp.off}]", NULL), LUXEL_OK);
+    assert_int_equal(luxel_scene_commit(copy, diagnostics), LUXEL_ERROR_SCENE); /* a mesh is no cloud */
+    luxel_scene_free(copy);
+    luxel_diagnostics_free(diagnostics);
+    unlink(path);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test_setup_teardown(copies_share, make_folder, remove_folder),
         cmocka_unit_test_setup_teardown(commits_read_again, make_folder, remove_folder),
         cmocka_unit_test_setup_teardown(reports_at_the_key, make_folder, remove_folder),
+        cmocka_unit_test_setup_teardown(clouds_too, make_folder, remove_folder),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

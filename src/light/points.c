@@ -1,0 +1,145 @@
+/* SPDX-License-Identifier: MIT */
+/*
+ * The cloud of point sources: places and intensities from a file, and one pattern, axis or aim, and attenuation for all
+ * of them, such as a lamp measured as many small sources.
+ */
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "../base/number.h"
+#include "../format/cloud.h"
+#include "../parameter/check.h"
+#include "pattern.h"
+#include "placed.h"
+
+struct points_parameters {
+    uint64_t given;
+    const char *file;
+    struct lx_shining shining;
+    struct lx_pattern pattern;
+    struct lx_cloud *cloud; /* what was read of the file */
+};
+
+static const struct lx_parameter points_parameters[] = {
+    {
+        .name = "file",
+        .label = "File",
+        .type = LX_TEXT,
+        .offset = offsetof(struct points_parameters, file),
+        .required = true,
+        .meaning = "a CSV or NPY file with a row x, y, z, intensity for each source, up to ten million, in mm and the "
+                   "unit of intensities; relative to the folder of the scene, or to the current one where the scene "
+                   "comes from standard input",
+    },
+    LX_SHINING_PARAMETERS(struct points_parameters, shining),
+    LX_PATTERN_PARAMETERS(struct points_parameters),
+};
+
+static const struct lx_rule points_rules[] = {
+    LX_SHINING_RULES,
+    LX_PATTERN_RULES,
+};
+
+static void check_points(const struct lx_check *check, void *parameters);
+
+static void release_points(void *parameters)
+{
+    struct points_parameters *points = parameters;
+    lx_kept_release((struct lx_kept *)points->cloud);
+    points->cloud = NULL;
+}
+
+static const struct lx_table points_table = {
+    .parameters = points_parameters,
+    .count = LX_COUNT(points_parameters),
+    .rules = points_rules,
+    .rule_count = LX_COUNT(points_rules),
+    .size = sizeof(struct points_parameters),
+    .check = check_points,
+    .release = release_points,
+};
+
+/* ---- checking ---- */
+
+static void report_cloud(const struct lx_check *check, const char *path, const struct lx_cloud_report *report)
+{
+    char number[LX_NUMBER_SIZE];
+    if (report->message == LX_MSG_OUT_OF_MEMORY) {
+        check->walk->out_of_memory = true;
+        return;
+    }
+    lx_check_report(check, "file", LX_ALL_OF_IT, report->message,
+                    LX_ARGS(path, lx_write_number((double)report->number, number), report->text));
+    if (report->message == LX_MSG_CLOUD_ROW || report->message == LX_MSG_CLOUD_NUMBER)
+        lx_check_hint(check, LX_MSG_HINT_CLOUD, NULL);
+}
+
+/* Reads the file, unless the scene has done so already; false where that failed, which is reported. */
+static bool load_cloud(const struct lx_check *check, struct points_parameters *points, const char *path)
+{
+    points->cloud = (struct lx_cloud *)lx_check_kept(check, path, lx_cloud_free);
+    if (points->cloud)
+        return true;
+    struct lx_source *source = lx_check_open(check, "file", path, LX_LARGEST_CLOUD);
+    if (!source)
+        return false;
+    struct lx_cloud_report report = lx_cloud_read(source, &points->cloud);
+    if (lx_check_close(check, "file", source) && report.message != LX_MSG_COUNT)
+        report_cloud(check, path, &report);
+    if (points->cloud)
+        lx_check_keep(check, path, &points->cloud->kept);
+    return points->cloud;
+}
+
+/* No source stands where all are aimed. */
+static void check_aim(const struct lx_check *check, const struct points_parameters *points, const char *path)
+{
+    char number[LX_NUMBER_SIZE];
+    const double *aim = points->shining.aim_mm;
+    for (size_t i = 0; i < points->cloud->count; i++) {
+        double row[LX_CLOUD_COLUMNS];
+        lx_cloud_row(points->cloud, i, row);
+        if (row[0] == aim[0] && row[1] == aim[1] && row[2] == aim[2]) {
+            lx_check_report(check, "aim", LX_ALL_OF_IT, LX_MSG_CLOUD_AIM,
+                            LX_ARGS(path, lx_write_number((double)i + 1, number)));
+            return;
+        }
+    }
+}
+
+static void check_points(const struct lx_check *check, void *parameters)
+{
+    struct points_parameters *points = parameters;
+    char *path = lx_check_path(check, points->file);
+    if (path && load_cloud(check, points, path) && lx_is_given(&points_table, points, "aim"))
+        check_aim(check, points, path);
+    free(path);
+}
+
+/* ---- the kind ---- */
+
+static int prepare_points(const void *parameters, struct lx_emitters *emitters)
+{
+    const struct points_parameters *points = parameters;
+    int failed = 0;
+    for (size_t i = 0; !failed && i < points->cloud->count; i++) {
+        double row[LX_CLOUD_COLUMNS];
+        lx_cloud_row(points->cloud, i, row);
+        lx_bounded3 axis = lx_shining_axis(&points_table, parameters, &points->shining, row);
+        struct lx_profile profile = lx_pattern_profile(&points->pattern, axis);
+        struct lx_emitter emitter = lx_shining_emitter(&points->shining, row, row[3], profile);
+        failed = lx_emitters_append(emitters, &emitter);
+    }
+    return failed;
+}
+
+const struct lx_light_kind lx_points_kind = {
+    .variant =
+        {
+            .name = "points",
+            .meaning = "a cloud of small sources, listed in a file",
+            .table = &points_table, /* no example: it would need a file */
+        },
+    .prepare = prepare_points,
+};

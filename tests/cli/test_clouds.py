@@ -1,0 +1,107 @@
+# SPDX-License-Identifier: MIT
+"""Clouds of point sources: where their files are looked for, what is wrong with them and where, and a large one."""
+import os
+import resource
+import struct
+
+from tap import Tap
+from tool import SCENE, run_tests
+
+LIGHT = "{type: point, position: [2000, 0, 2000], intensity: 10, attenuation: none}"
+ROWS = [(2000, 0, 2000, 10), (-300.5, 200, 1800, 2.5), (0, 0, 1500, 0.125)]
+MILLION = 1000000
+LARGEST_BYTES = 400 << 20
+
+
+def scene(file, keys="attenuation: none"):
+    return SCENE.replace(LIGHT, "{type: points, file: %s, %s}" % (file, keys))
+
+
+def csv(rows):
+    return "".join(",".join(map(str, row)) + "\n" for row in rows)
+
+
+def npy(rows, descr="<f8", shape=None):
+    text = ("{'descr': '%s', 'fortran_order': False, 'shape': %s, }" % (descr, shape or (len(rows), 4))).encode()
+    order, kind = (">" if descr[0] == ">" else "<"), ("f" if descr.endswith("4") else "d")
+    return (b"\x93NUMPY\x01\x00" + struct.pack("<H", len(text)) + text
+            + b"".join(struct.pack(order + 4 * kind, *row) for row in rows))
+
+
+def where_they_are(tap, tool):
+    os.mkdir(tool.file("lamps"))
+    tool.write("lamps/cloud.csv", csv(ROWS))
+    tool.write("lamps/scene.yaml", scene("cloud.csv"))
+    tap.equal(tool.run("check", "lamps/scene.yaml").code, 0, "beside the scene")
+    tap.equal(tool.run("check", "-", stdin=scene("lamps/cloud.csv")).code, 0, "standard input: from the current folder")
+    result = tool.run("check", "-", stdin=scene("cloud.csv"))
+    tap.ok(result.code == 4 and "<stdin>:11:26: error: cannot read cloud.csv: " in result.err, "nothing there", result)
+    tap.equal(tool.run("check", "-s", "lights=[{type: points, file: lamps/cloud.csv}]").code, 0, "a built-in scene")
+    os.mkdir(tool.file("a.csv"))
+    result = tool.run("check", "-", stdin=scene("a.csv"))
+    tap.ok(result.code == 4 and "a.csv" in result.err, "a folder", result)
+
+
+def formats_agree(tap, tool):
+    points = ", ".join("{type: point, position: [%s, %s, %s], intensity: %s, attenuation: none}" % row for row in ROWS)
+    files = {"a.csv": csv(ROWS), "b.csv": "X\tY\tZ\tIntensity\r\n" + csv(ROWS).replace(",", "\t").replace("\n", "\r\n"),
+             "a.npy": npy(ROWS), "named.csv": npy(ROWS, ">f4")}
+    tool.write("scene.yaml", SCENE.replace("- " + LIGHT, "").replace("lights:", "lights: [%s]" % points))
+    expected = tool.run("probe", "scene.yaml", "--json").json()["points"]
+    for name, content in files.items():
+        tool.write(name, content)
+        tool.write("scene.yaml", scene(name))
+        found = tool.run("probe", "scene.yaml", "--json").json()["points"]
+        tap.ok(all(abs(a["value"] - b["value"]) <= a["error"] + b["error"] for a, b in zip(found, expected)),
+               "as many points: " + name, found, expected)
+        for a, b in zip(found, expected):
+            light, = a["lights"]
+            tap.ok(light["type"] == "points" and all(light[part] == sum(each[part] for each in b["lights"])
+                                                     for part in ("irradiance", "diffuse", "specular")),
+                   "one light, the sum of them: " + name, a, b)
+    text = tool.run("explain", "scene.yaml").out
+    tap.ok("sum of 3 sources" in text and len(text) < 20000, "explained as one", text)
+
+
+def files_that_are_none(tap, tool):
+    cases = [("no rows", "", ["no row"]), ("three numbers", "1,2,3\n", ["line 1", "four numbers"]),
+             ("five numbers", csv(ROWS) + "1,2,3,4,5\n", ["line 4", "four numbers"]),
+             ("a decimal comma", "1,5;2;3;4\n", ["line 1", '"1,5"', "decimal point"]),
+             ("a word", "x,y,z,intensity\n1,2,3,much\n", ["line 2", '"much"']),
+             ("not a number", "1,2,3,nan\n", ["line 1", "nan", "finite"]),
+             ("too large a number", "1,2,-1e999,1\n", ["line 1", "-1e999", "finite"]),
+             ("a dark hole", csv(ROWS) + "1,2,3,-4\n", ["line 4", "below 0"]),
+             ("bytes", bytes(range(256)), ["line"]),
+             ("the beginning of NPY", b"\x93NUMPY", ["NPY"]),
+             ("an array cut off", npy(ROWS)[:-1], ["length", "3 rows"]),
+             ("five columns", npy(ROWS, shape="(3, 5)"), ["(3, 5)", "(N, 4)"]),
+             ("whole numbers", npy(ROWS, "<i8"), ["<i8", "<f8"]), ("no array", npy([]), ["no row"]),
+             ("an array too long", npy(ROWS, shape="(10000001, 4)"), ["ten million"]),
+             ("infinity", npy(ROWS + [(1, 2, float("inf"), 4)]), ["row 4", "finite"]),
+             ("below 0", npy(ROWS + [(1, 2, 3, -1)], "<f4"), ["row 4", "below 0"])]
+    for title, content, words in cases:
+        tool.write("c\x1b.csv", content)
+        tool.write("scene.yaml", scene('"c\\e.csv"'))
+        for command in ["check", "scene.yaml"], ["render", "scene.yaml", "-o", "a.png"]:
+            result = tool.run(*command)
+            tap.ok(result.code == 3 and "scene.yaml:11:26: error: " in result.err and "\x1b" not in result.err
+                   and all(word in result.err for word in words) and "a.png" not in tool.files(), title, result)
+    tool.write("a.csv", csv(ROWS))
+    tool.write("scene.yaml", scene("a.csv", "pattern: lambertian, aim: [0, 0, 1500]"))
+    result = tool.run("check", "scene.yaml")
+    tap.ok(result.code == 3 and "number 3 of a.csv" in result.err, "aimed at its own place", result)
+    with open(tool.file("large.csv"), "wb") as file:
+        file.truncate((1 << 30) + 1)
+    result = tool.run("check", "-", stdin=scene("large.csv"))
+    tap.ok(result.code == 3 and "large.csv is larger than 1024 MB" in result.err, "larger than can be", result)
+
+
+def a_million(tap, tool):
+    rows = ("%d,%d.5,%d,0.001\n" % (i % 1999 - 999, i % 997 - 498, 1500 + i % 1009) for i in range(MILLION))
+    tool.write("cloud.csv", "x,y,z,intensity\n" + "".join(rows))
+    tool.write("scene.yaml", scene("cloud.csv", "pattern: lambertian"))
+    tap.equal(tool.run("check", "scene.yaml").code, 0, "a million rows")
+    tap.ok(resource.getrusage(resource.RUSAGE_CHILDREN).ru_maxrss * 1024 < LARGEST_BYTES, "in 400 MB of memory")
+
+
+run_tests(Tap(), where_they_are, formats_agree, files_that_are_none, a_million)
