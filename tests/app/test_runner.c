@@ -75,7 +75,7 @@ static void deliver(gpointer made, gpointer owner)
     g_array_append_val(office->reports, ((Report *)made)->number);
 }
 
-static const AppRunnerClass class = {"test", work, free_job, free_report, free_state};
+static const AppRunnerClass class = {"test", work, free_job, free_report, free_state, 0};
 
 static Office *open_office(void)
 {
