@@ -87,7 +87,7 @@ static void make_slow(AppDocument *document)
     set(document, "screen.height", "1000");
 }
 
-/* Asserts that the pixels are those of a field, painted by the wish's display, for a view that shows them as they are. */
+/* Asserts that the pixels are those of a field, painted by the display, for a view that shows them as they are. */
 static void expect_pixels(const AppPicture *picture, const AppDisplay *display, const luxel_field *field)
 {
     double low, high;
