@@ -1,0 +1,103 @@
+# SPDX-License-Identifier: MIT
+"""The other parts of the window: sliders, sections, comparing, light from afar by hand, dialogs, what is remembered."""
+import re
+
+from desk import trial
+from waiting import wait
+
+
+def sliders(tap, desk):
+    window = desk.start().window()
+    before, values = window.save(), window.values()
+    slider = window.control("slider", "Radius, slider")
+    x, y = window.place(slider)
+    width = slider.area()[2]
+    desk.drag((x - width / 6, y), (x - width / 3, y))
+    wait("other numbers", lambda: window.values() != values)
+    after = window.save()
+    tap.ok(after != before and b"radius: 300" not in after, "a slider changes the scene")
+    radius = float(re.search(rb"radius: ([\d.]+)", after).group(1))
+    tap.equal(float(window.control("spin button", "Radius").text), radius, "and the field beside it")
+    window.act("undo")
+    tap.equal(window.save(), before, "its whole way is one step of undo")
+    wait("the old numbers", lambda: window.values() == values)
+    window.enter("Radius", "250")
+    wait("other numbers", lambda: window.values() != values)
+    window.click(window.control("label", "Radius"), count=2)
+    wait("the old numbers", lambda: window.values() == values)
+    tap.equal(window.save(), before, "a double click on the name brings the old value back")
+
+
+def sections(tap, desk):
+    window = desk.start().window()
+    window.press("Section", "tab")
+    wait("the section", lambda: window.says("Through x = 0, y = 0 mm"))
+    before = window.save()
+    desk.drag(window.pixel(0, 60), window.pixel(90, 60))
+    said = wait("another place", lambda: window.says("Through x = ", ", y = 0 mm") and
+                not window.says("Through x = 0,") and window.says("Through x = "))
+    tap.ok(abs(float(re.search(r"x = (\S+),", said).group(1)) - 90) <= 2, "the vertical line is dragged", said)
+    tap.equal(window.save(), before, "which changes nothing of the scene")
+    tap.ok(not window.enabled("undo"), "and is no step of undo")
+
+
+def comparing(tap, desk):
+    window = desk.start().window()
+    wait("a picture to be pinned", lambda: window.act("pin") or window.enabled("unpin"))
+    field = window.control("spin button", "Intensity")
+    field.value = 20
+    said = wait("the comparison", lambda: window.says("largest difference", "%"))
+    difference = float(re.search(r"difference (\S+)", said).group(1))
+    tap.near(difference, 11.747531890869141, 1e-4, "twice the light differs by the maximum of before")
+    window.press("Difference B − A")
+    tap.equal(wait("the difference", lambda: window.state("side") == "difference" and window.state("side")),
+              "difference", "the difference is shown")
+    field.value = 10
+    tap.ok(wait("no difference", lambda: window.says("largest difference 0 ")), "the same scene has none")
+    window.press("Unpin")
+    wait("the end", lambda: not window.enabled("unpin"))
+    tap.equal(window.state("side"), "live", "unpinned, the present picture is shown")
+
+
+def from_afar(tap, desk):
+    window = desk.start().window()
+    window.act("new", "distant")
+    wait("its scene", lambda: "distant" in window.title)
+    before = window.save()
+    direction = [float(number) for number in re.search(rb"direction: \[([^\]]*)\]", before).group(1).split(b",")]
+    sides = [float(re.search(rb"%s: ([\d.]+)" % name, before).group(1)) for name in (b"width", b"height")]
+    length, radius = sum(number * number for number in direction) ** 0.5, min(sides) / 2
+    start = window.pixel(-direction[0] / length * radius, -direction[1] / length * radius)
+    desk.drag(start, (start[0] + 30, start[1] + 20))
+    after = wait("another direction", lambda: window.save() != before and window.save())
+    found = [float(number) for number in re.search(rb"direction: \[([^\]]*)\]", after).group(1).split(b",")]
+    tap.near(sum(number * number for number in found), 1, 1e-3, "light from afar is turned by its mark")
+    desk.key("ctrl+z")
+    tap.ok(wait("the direction of before", lambda: window.save() == before), "one undo turns it back")
+
+
+def dialogs(tap, desk):
+    app = desk.start()
+    window = app.window()
+    for name, key in (("the shortcuts", "ctrl+question"), ("a file to open", "ctrl+o"), ("a file to save", "ctrl+s"),
+                      ("a picture to export", "ctrl+e")):
+        before = app.on_screen()
+        desk.key(key)
+        opened = wait(name, lambda: app.on_screen() - before)
+        tap.ok(True, "%s asks for %s" % (key, name))
+        desk.hand("windowfocus", "--sync", *opened)
+        desk.key("Escape")
+        wait("the end of it", lambda: app.on_screen() == before)
+        window.raise_()
+    before = app.on_screen()
+    app.act("about")
+    opened = wait("about", lambda: app.on_screen() - before)
+    desk.hand("windowfocus", "--sync", *opened)
+    desk.key("Escape")
+    wait("the end of it", lambda: app.on_screen() == before)
+    app.act("color-scheme", "dark")
+    app.act("color-scheme", "light")
+    tap.equal(window.values()[0], "2.727591", "light or dark, the numbers stay")
+
+
+trial(sliders, sections, comparing, from_afar, dialogs)
