@@ -3,10 +3,11 @@
 
 The bus is asked directly, as libatspi keeps what it was once told and would have to be watched for what it missed.
 """
-import gi
-from gi.repository import Gio, GLib
+try:
+    from gi.repository import Gio, GLib
+except ImportError as missing:
+    raise SystemExit("python3-gi is not installed for this Python; tools/setup installs it") from missing
 
-gi.require_version("Gio", "2.0")
 PREFIX = "org.a11y.atspi."
 ROOT = "/org/a11y/atspi/accessible/root"
 STATES = {"checked": 4, "focused": 12, "pressed": 20, "selected": 23, "sensitive": 24, "visible": 30, "invalid": 0}

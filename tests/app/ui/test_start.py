@@ -12,6 +12,8 @@ def built_in_scene(tap, desk):
     window = app.window()
     tap.equal(window.title, "report – Luxel", "the title names the scene")
     tap.equal(window.values(), ["2.727591", "11.03802", "1.129966e-07"], "the values of the lab report's points")
+    x, _y, width, _height = window.control("label", "grey").area()
+    tap.ok(x + width <= window.widget.area()[2], "all columns of the table are seen", (x, width))
     tap.ok(window.says("brightness", "W/sr"), "their quantity and unit are said")
     tap.equal(window.sources(), ["1  point"], "the source is listed")
     tap.equal(window.control("spin button", "Intensity").text, "10", "its intensity stands in the field")
