@@ -293,6 +293,8 @@ static char *first_value(const AppKeys *keys, const luxel_parameter *parameter)
         return g_strdup(parameter->default_value);
     if (parameter->value_type == LUXEL_GROUP)
         return first_group(keys, parameter);
+    if (parameter->value_type == LUXEL_TEXT)
+        return g_strdup("\"\""); /* to be given: until then the row says that there is no such file */
     if (parameter->value_type == LUXEL_VECTORS)
         return first_corners(keys);
     if (is_list && (strcmp(name, "center") == 0 || strcmp(name, "position") == 0)) {
