@@ -113,15 +113,11 @@ static double round_to(double value, double step)
                        : round(value / step) * step;
 }
 
-static gboolean set_numbers(AppDocument *document, const char *key, const double *numbers, int count)
+static gboolean set_numbers(AppDocument *document, const char *key, const double *numbers, gsize count)
 {
-    GString *value = g_string_new("[");
-    char text[APP_NUMBER_SIZE];
-    for (int i = 0; i < count; i++)
-        g_string_append_printf(value, "%s%s", i ? ", " : "", app_number_write(numbers[i], text));
-    g_string_append_c(value, ']');
-    gboolean done = app_document_set(document, key, value->str, NULL);
-    g_string_free(value, TRUE);
+    char *list = app_list_write(numbers, count);
+    gboolean done = app_document_set(document, key, list, NULL);
+    g_free(list);
     return done;
 }
 

@@ -189,3 +189,13 @@ gsize app_list_read(const char *text, double *numbers, gsize room)
     }
     return count;
 }
+
+char *app_list_write(const double *numbers, gsize count)
+{
+    GString *text = g_string_new("[");
+    char number[APP_NUMBER_SIZE];
+    for (gsize i = 0; i < count; i++)
+        g_string_append_printf(text, "%s%s", i ? ", " : "", app_number_write(numbers[i], number));
+    g_string_append_c(text, ']');
+    return g_string_free(text, FALSE);
+}

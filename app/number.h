@@ -38,4 +38,7 @@ gboolean app_pair_read(const char *text, double pair[2]);
 /* Reads the numbers of a YAML list such as "[0, 0, 1000]" or of a single number: at most `room`; returns how many. */
 gsize app_list_read(const char *text, double *numbers, gsize room);
 
+/* Numbers as a YAML list, "[0, 0, 1000]"; the caller's. */
+char *app_list_write(const double *numbers, gsize count);
+
 #endif

@@ -37,7 +37,6 @@ static void set_wrong(GtkWidget *field, gboolean wrong)
 static void entered(GtkWidget *field, AppPoints *self)
 {
     double place[2];
-    char x[APP_NUMBER_SIZE], y[APP_NUMBER_SIZE];
     const char *typed = gtk_editable_get_text(GTK_EDITABLE(field)),
                *shown = g_object_get_data(G_OBJECT(field), "shown");
     if (g_strcmp0(typed, shown) == 0) {
@@ -49,7 +48,7 @@ static void entered(GtkWidget *field, AppPoints *self)
     if (!good)
         return;
     char *key = key_of(field);
-    char *yaml = g_strdup_printf("[%s, %s]", app_number_write(place[0], x), app_number_write(place[1], y));
+    char *yaml = app_list_write(place, 2);
     app_document_set(self->document, key, yaml, NULL);
     g_free(yaml);
     g_free(key);
@@ -139,9 +138,7 @@ static void add_all(AppPoints *self, const double *places, gsize count)
     AppEdits *edits = app_edits_new();
     const gsize size = app_document_size(self->document, "points");
     for (gsize i = 0; i < count; i++) {
-        char x[APP_NUMBER_SIZE], y[APP_NUMBER_SIZE];
-        char *yaml =
-            g_strdup_printf("[%s, %s]", app_number_write(places[2 * i], x), app_number_write(places[2 * i + 1], y));
+        char *yaml = app_list_write(&places[2 * i], 2);
         app_edits_add(edits, APP_EDIT_INSERT, "points", yaml, size + i, 0);
         g_free(yaml);
     }

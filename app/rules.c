@@ -183,16 +183,6 @@ static double first_number(const luxel_parameter *parameter, guint component)
     return g_ascii_strtod(app_number_round(middle, 1, text), NULL);
 }
 
-static char *numbers_text(const double *numbers, gsize count)
-{
-    GString *text = g_string_new("[");
-    char number[APP_NUMBER_SIZE];
-    for (gsize i = 0; i < count; i++)
-        g_string_append_printf(text, "%s%s", i ? ", " : "", app_number_write(numbers[i], number));
-    g_string_append_c(text, ']');
-    return g_string_free(text, FALSE);
-}
-
 /* The scene with these edits made (NULL: as it is), committed; the caller's.  NULL where it has faults. */
 static luxel_scene *scene_with(const AppKeys *keys, const AppEdits *edits)
 {
@@ -299,16 +289,16 @@ static char *first_value(const AppKeys *keys, const luxel_parameter *parameter)
         return first_corners(keys);
     if (is_list && (strcmp(name, "center") == 0 || strcmp(name, "position") == 0)) {
         place_of(keys, numbers);
-        return numbers_text(numbers, 3);
+        return app_list_write(numbers, 3);
     }
     if (is_list && strcmp(name, "size") == 0)
-        return numbers_text((double[]){200, 200, 200}, MIN(parameter->count, 3));
+        return app_list_write((double[]){200, 200, 200}, MIN(parameter->count, 3));
     char *example = example_value(keys, parameter), text[APP_NUMBER_SIZE];
     if (example)
         return example;
     for (guint i = 0; i < MIN(parameter->count, 3); i++)
         numbers[i] = first_number(parameter, i);
-    return is_list ? numbers_text(numbers, MIN(parameter->count, 3)) : g_strdup(app_number_write(numbers[0], text));
+    return is_list ? app_list_write(numbers, MIN(parameter->count, 3)) : g_strdup(app_number_write(numbers[0], text));
 }
 
 /* The keys that must be given once this one has that value. */
@@ -360,7 +350,7 @@ static void add_square(const AppKeys *keys, const luxel_parameter *parameter, in
         double other = component == 0 ? value * height / width : value * width / height;
         pixels[component] = value;
         pixels[1 - component] = MAX(1, round(other));
-        char *both = numbers_text(pixels, 2);
+        char *both = app_list_write(pixels, 2);
         app_edits_add(edits, APP_EDIT_SET, "screen.resolution", both, 0, 0);
         app_edits_add(edits, APP_EDIT_SET, "screen.height", app_number_write(width * pixels[1] / pixels[0], number), 0,
                       0);
@@ -376,7 +366,7 @@ static void add_component(const AppKeys *keys, const luxel_parameter *parameter,
     char *text = value_of(keys, parameter, NULL);
     app_list_read(text, numbers, 3);
     numbers[component] = value;
-    char *list = numbers_text(numbers, MIN(parameter->count, 3));
+    char *list = app_list_write(numbers, MIN(parameter->count, 3));
     add_set(keys, parameter, list, edits);
     g_free(list);
     g_free(text);
@@ -540,7 +530,7 @@ static char *aim_of_same_direction(const AppKeys *keys, const luxel_parameter *t
             const double number = is_place ? place[k] + AHEAD_MM * direction[k] : direction[k];
             direction[k] = g_ascii_strtod(app_number_round(round(number * 1e6) / 1e6, 9, text), NULL);
         }
-        value = numbers_text(direction, 3);
+        value = app_list_write(direction, 3);
     }
     luxel_scene_free(scene);
     return value;
