@@ -22,7 +22,7 @@ struct AppPainter {
     gpointer owner;
     /* shared with the thread */
     int permille;   /* atomic; -1: nothing is computed */
-    gint64 started; /* monotonic time; written before permille is set to 0 */
+    int started_ms; /* atomic; the lower bits of the monotonic time; written before permille is set to 0 */
 };
 
 typedef struct Work {
@@ -129,6 +129,12 @@ static double seconds_since(gint64 started)
     return (double)(g_get_monotonic_time() - started) / G_USEC_PER_SEC;
 }
 
+/* Small enough for atomic access on every machine; differences are right for weeks. */
+static guint milliseconds(gint64 time)
+{
+    return (guint)(time / 1000);
+}
+
 static bool watch(double done, void *data)
 {
     const Watch *watch = data;
@@ -161,7 +167,7 @@ static AppShot *compute(Work *work, AppRunner *runner, AppMoment *moment, guint 
     settings.progress = watch;
     settings.progress_data = &watched;
     if (!is_short) {
-        work->painter->started = watched.started;
+        g_atomic_int_set(&work->painter->started_ms, (int)milliseconds(watched.started));
         g_atomic_int_set(&work->painter->permille, 0);
     }
     luxel_status status = luxel_render(moment->scene, &settings, faults, &field);
@@ -439,6 +445,6 @@ gboolean app_painter_progress(AppPainter *painter, double *done, double *seconds
     if (permille < 0)
         return FALSE;
     *done = (double)permille / PERMILLE;
-    *seconds = seconds_since(painter->started);
+    *seconds = (milliseconds(g_get_monotonic_time()) - (guint)g_atomic_int_get(&painter->started_ms)) / 1000.0;
     return TRUE;
 }
