@@ -66,7 +66,8 @@ static bool measure_cell(const struct measuring *measuring, size_t cell, lx_boun
                                                 (unsigned)(cell / columns), &measuring->lobe);
     *sum = lx_exact(0);
     for (size_t i = 0; i < prepared->emitters.count; i++) {
-        const struct lx_emitter *emitter = &prepared->emitters.items[i];
+        struct lx_emitter room;
+        const struct lx_emitter *emitter = lx_emitter_at(&prepared->emitters, i, &room);
         struct lx_lighting light = lx_light_element(prepared, &element, emitter);
         if (light.on_element) {
             *blocking_light = emitter->light;
@@ -139,7 +140,7 @@ static void gather(const struct measuring *measuring)
 /* Whether some light has no closed form, so that its share is an integral to a tolerance. */
 static bool integrates(const struct lx_emitters *emitters)
 {
-    for (size_t i = 0; i < emitters->count; i++)
+    for (size_t i = 0; i < lx_item_count(emitters); i++)
         if (lx_is_extended(&emitters->items[i]) && emitters->items[i].attenuation != LX_INVERSE_SQUARE)
             return true;
     return false;
@@ -152,7 +153,8 @@ static double light_around(const struct measuring *measuring, size_t cell)
     lx_bounded3 place = lx_cell_place(&measuring->made->cells, (unsigned)(cell % columns), (unsigned)(cell / columns));
     double sum = 0;
     for (size_t i = 0; i < measuring->prepared->emitters.count; i++) {
-        const struct lx_emitter *emitter = &measuring->prepared->emitters.items[i];
+        struct lx_emitter room;
+        const struct lx_emitter *emitter = lx_emitter_at(&measuring->prepared->emitters, i, &room);
         sum +=
             lx_is_extended(emitter) ? M_PI * emitter->radiance.value : lx_emitter_sample(emitter, place).e_perp.value;
     }

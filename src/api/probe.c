@@ -58,7 +58,7 @@ static bool is_reached(const struct lx_session *session, const luxel_probe *prob
     double radiance = 0;
     for (size_t i = 0; i < probe->share_count; i++)
         integrated = integrated || probe->shares[i].parts > 0;
-    for (size_t i = 0; i < prepared->emitters.count; i++)
+    for (size_t i = 0; i < lx_item_count(&prepared->emitters); i++)
         radiance = fmax(radiance, prepared->emitters.items[i].radiance.value);
     double allowed = fmax(prepared->tolerance * fabs(probe->value), fmax(NOTHING * radiance, DBL_MIN));
     return !(session->settings.tolerance > 0 || integrated) || probe->error <= allowed;

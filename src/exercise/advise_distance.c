@@ -127,7 +127,8 @@ void lx_advise_distances(struct lx_adviser *adviser)
     int failed = lx_prepare_few(adviser->parameters, LX_DEFAULT_TOLERANCE, LX_SCOUT_SOURCES, &prepared);
     adviser->out_of_memory = failed && !prepared.emitters.is_short;
     for (size_t i = 0; !failed && i < prepared.emitters.count; i++) {
-        const struct lx_emitter *emitter = &prepared.emitters.items[i];
+        struct lx_emitter room;
+        const struct lx_emitter *emitter = lx_emitter_at(&prepared.emitters, i, &room);
         const struct lx_shape *shape;
         double distance;
         if (emitter->type != LX_POINT || emitter->is_part || emitter->attenuation == LX_NO_ATTENUATION ||

@@ -17,7 +17,8 @@ static struct used find_used(const struct lx_prepared *prepared)
 {
     struct used used = {0};
     for (size_t i = 0; i < prepared->emitters.count; i++) {
-        const struct lx_emitter *emitter = &prepared->emitters.items[i];
+        struct lx_emitter room;
+        const struct lx_emitter *emitter = lx_emitter_at(&prepared->emitters, i, &room);
         const struct lx_profile *profile = &emitter->profile;
         used.ambient |= emitter->type == LX_UNIFORM;
         used.distant |= emitter->type == LX_DIRECTION;

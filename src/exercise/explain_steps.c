@@ -388,13 +388,14 @@ static void sum_parts(const struct lx_steps *steps, const luxel_light_share *sha
 void lx_explain_light(const struct lx_steps *steps, const luxel_light_share *share)
 {
     const struct lx_emitters *emitters = &steps->prepared->emitters;
+    struct lx_emitter room, made;
     const struct lx_emitter *first = NULL;
     struct lx_text name = {0};
     size_t count = 0;
     for (size_t i = 0; i < emitters->count; i++) {
-        if (emitters->items[i].light != share->light)
+        if (lx_emitter_at(emitters, i, &room)->light != share->light)
             continue;
-        first = first ? first : &emitters->items[i];
+        first = first ? first : lx_emitter_at(emitters, i, &made);
         count++;
     }
     lx_add_element_name(&name, "lights", share->light, share->name);

@@ -55,8 +55,10 @@ static int count_sources(const struct lx_scene_parameters *scene, struct sources
         shines = shines || (lobe->model != LX_LAMBERT && lobe->specular.value > 0);
     }
     for (size_t i = 0; !failed && i < prepared.emitters.count; i++) {
-        sources->cost += cost_of(&prepared.emitters.items[i], shines);
-        sources->are_slow = sources->are_slow || (shines && lx_is_extended(&prepared.emitters.items[i]));
+        struct lx_emitter room;
+        const struct lx_emitter *emitter = lx_emitter_at(&prepared.emitters, i, &room);
+        sources->cost += cost_of(emitter, shines);
+        sources->are_slow = sources->are_slow || (shines && lx_is_extended(emitter));
     }
     lx_prepared_clear(&prepared);
     return failed && !sources->too_many ? -1 : 0;

@@ -214,7 +214,7 @@ static bool is_least(const struct lx_hunt *hunt, const luxel_peak *peak)
     double least = 0;
     const struct lx_emitters *emitters = &hunt->prepared->emitters;
     const struct lx_lobe *lobe = &hunt->prepared->surfaces[peak->surface].lobe;
-    for (size_t i = 0; i < emitters->count; i++)
+    for (size_t i = 0; i < lx_item_count(emitters); i++)
         if (emitters->items[i].type == LX_UNIFORM)
             least += (hunt->evaluator->settings.quantity == LUXEL_IRRADIANCE ? 1 : lobe->ambient.value) *
                      emitters->items[i].strength;
@@ -329,7 +329,8 @@ static void judge_lights(struct lx_hunt *hunt)
     for (size_t i = 0; i < hunt->prepared->surface_count; i++)
         shines = shines || hunt->prepared->surfaces[i].lobe.specular.value > 0;
     for (size_t i = 0; i < emitters->count; i++) {
-        const struct lx_emitter *emitter = &emitters->items[i];
+        struct lx_emitter room;
+        const struct lx_emitter *emitter = lx_emitter_at(emitters, i, &room);
         bool closed = emitter->attenuation == LX_INVERSE_SQUARE && (is_irradiance || !shines);
         hunt->costly = hunt->costly || (lx_is_extended(emitter) && !closed);
         narrow += emitter->type == LX_POINT || emitter->type == LX_DIRECTION;

@@ -8,9 +8,10 @@
 /* Roundings of the coordinates that may stand beyond an edge. */
 static const double SLACK = 1e-13;
 
-static const struct lx_emitter *emitter_of(const struct lx_hunt *hunt, const struct lx_brink *edge)
+static const struct lx_emitter *emitter_of(const struct lx_hunt *hunt, const struct lx_brink *edge,
+                                           struct lx_emitter *room)
 {
-    return &hunt->prepared->emitters.items[edge->emitter];
+    return lx_emitter_at(&hunt->prepared->emitters, edge->emitter, room);
 }
 
 static bool add(struct lx_hunt *hunt, struct lx_brink edge)
@@ -48,7 +49,8 @@ static bool add_walls(struct lx_hunt *hunt, size_t surface)
 static bool add_light(struct lx_hunt *hunt, size_t surface, size_t index)
 {
     const struct lx_prepared *prepared = hunt->prepared;
-    const struct lx_emitter *emitter = &prepared->emitters.items[index];
+    struct lx_emitter room;
+    const struct lx_emitter *emitter = lx_emitter_at(&prepared->emitters, index, &room);
     const struct lx_lobe *lobe = &prepared->surfaces[surface].lobe;
     const struct lx_profile *profile = &emitter->profile;
     struct lx_brink edge = {.emitter = index, .closed = true};
@@ -84,9 +86,12 @@ bool lx_brinks_of(struct lx_hunt *hunt, size_t surface)
     hunt->brink_count = 0;
     hunt->edged = surface;
     bool done = add_walls(hunt, surface);
-    for (size_t i = 0; done && hunt->knows_lights && i < emitters->count; i++)
-        if (emitters->items[i].type == LX_POINT || emitters->items[i].type == LX_DIRECTION)
+    for (size_t i = 0; done && hunt->knows_lights && i < emitters->count; i++) {
+        struct lx_emitter room;
+        enum lx_emitter_type type = lx_emitter_at(emitters, i, &room)->type;
+        if (type == LX_POINT || type == LX_DIRECTION)
             done = add_light(hunt, surface, i);
+    }
     if (done && lx_reserve(&hunt->sides, &hunt->side_capacity, hunt->brink_count, sizeof *hunt->sides)) {
         hunt->short_of_memory = true;
         done = false;
@@ -191,7 +196,8 @@ static double inside_cone(const struct lx_emitter *emitter, double angle_rad, co
 static double light_distance(const struct lx_hunt *hunt, const struct lx_brink *edge, const struct lx_spot *spot,
                              const double place[3], const double normal[3])
 {
-    const struct lx_emitter *emitter = emitter_of(hunt, edge);
+    struct lx_emitter room;
+    const struct lx_emitter *emitter = emitter_of(hunt, edge, &room);
     double size_mm = lx_spot_shape(hunt, spot)->radius_mm, way[3], view[3], axis[3];
     bool endless = emitter->type == LX_DIRECTION;
     if (endless)
@@ -321,7 +327,8 @@ static struct verdict judge(const struct lx_hunt *hunt, const struct lx_lobe *lo
     for (; *next < hunt->brink_count && hunt->brinks[*next].emitter == emitter; ++*next) {
         const struct lx_brink *edge = &hunt->brinks[*next];
         bool inside = hunt->sides[*next] > 0;
-        bool hard = edge->type == LX_BRINK_CONE && emitter_of(hunt, edge)->profile.falloff == LX_HARD;
+        struct lx_emitter room;
+        bool hard = edge->type == LX_BRINK_CONE && emitter_of(hunt, edge, &room)->profile.falloff == LX_HARD;
         if (edge->type == LX_BRINK_SHADOW || hard)
             verdict.dark |= !inside;
         verdict.whole_cone |= hard && inside;
@@ -346,7 +353,8 @@ double lx_piece_value(struct lx_hunt *hunt, const struct lx_spot *spot, double *
     if (!lx_hunt_goes_on(hunt))
         return (double)NAN;
     for (size_t i = 0; i < bare->emitters.count; i++) {
-        const struct lx_emitter *emitter = &bare->emitters.items[i];
+        struct lx_emitter room;
+        const struct lx_emitter *emitter = lx_emitter_at(&bare->emitters, i, &room);
         struct verdict verdict = judge(hunt, lobe, i, &next);
         if (verdict.dark)
             continue;

@@ -341,7 +341,8 @@ static void add_beam(struct lx_gathering *gathering, const struct lx_emitter *em
 static void add_light(struct lx_gathering *gathering, size_t surface, size_t index)
 {
     struct lx_hunt *hunt = gathering->hunt;
-    const struct lx_emitter *emitter = &hunt->prepared->emitters.items[index];
+    struct lx_emitter room;
+    const struct lx_emitter *emitter = lx_emitter_at(&hunt->prepared->emitters, index, &room);
     const struct lx_shape *shape = &hunt->prepared->surfaces[surface].shape;
     struct lx_spot spot = {.surface = surface};
     double way[3];
@@ -373,7 +374,8 @@ static void add_lights(struct lx_gathering *gathering)
     most = most > lights ? lights : most > 0 ? most : 1;
     size_t stride = emitters->count > most ? (emitters->count + most - 1) / most : 1;
     for (size_t i = 0; i < emitters->count && lx_hunt_goes_on(hunt); i += stride) {
-        const struct lx_emitter *emitter = &emitters->items[i];
+        struct lx_emitter room;
+        const struct lx_emitter *emitter = lx_emitter_at(emitters, i, &room);
         if (emitter->type == LX_UNIFORM)
             continue;
         for (size_t k = 0; k < hunt->prepared->surface_count; k++)

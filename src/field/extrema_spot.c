@@ -158,7 +158,9 @@ bool lx_spot_seen(struct lx_hunt *hunt, const double screen_mm[2], struct lx_spo
         element.lobe = &hunt->gates[spot->surface].shut;
     *value = 0;
     for (size_t i = 0; i < hunt->quick.emitters.count; i++) {
-        struct lx_lighting lighting = lx_light_element(&hunt->quick, &element, &hunt->quick.emitters.items[i]);
+        struct lx_emitter room;
+        const struct lx_emitter *emitter = lx_emitter_at(&hunt->quick.emitters, i, &room);
+        struct lx_lighting lighting = lx_light_element(&hunt->quick, &element, emitter);
         if (lighting.on_element)
             return false;
         *value += is_irradiance ? lighting.irradiance.value : lighting.diffuse.value + lighting.specular.value;

@@ -170,8 +170,9 @@ static bool run_passes(struct lx_iso_search *search, unsigned threads)
 /* Whether values need integrals: they are then only as good as the tolerance. */
 static bool is_integrated(const struct luxel_evaluator *evaluator)
 {
-    for (size_t i = 0; i < evaluator->prepared.emitters.count; i++)
-        if (lx_is_extended(&evaluator->prepared.emitters.items[i]))
+    const struct lx_emitters *emitters = &evaluator->prepared.emitters;
+    for (size_t i = 0; i < lx_item_count(emitters); i++)
+        if (lx_is_extended(&emitters->items[i]))
             return true;
     return false;
 }

@@ -1,27 +1,87 @@
 /* SPDX-License-Identifier: MIT */
 /* The emitters' float64 reference with its error bound, and the making of angular profiles. */
 #include <stdlib.h>
+#include <string.h>
 
 #include "../base/memory.h"
+#include "../format/cloud.h"
 #include "emitter.h"
 #include "extended.h"
 
 int lx_emitters_append(struct lx_emitters *emitters, const struct lx_emitter *emitter)
 {
+    size_t items = lx_item_count(emitters);
     emitters->is_short = emitters->most > 0 && emitters->count >= emitters->most;
-    if (emitters->is_short || lx_reserve(&emitters->items, &emitters->capacity, emitters->count + 1, sizeof *emitter)) {
+    if (emitters->is_short || lx_reserve(&emitters->items, &emitters->capacity, items + 1, sizeof *emitter)) {
         lx_facets_free(emitter->facets);
         return -1;
     }
-    emitters->items[emitters->count++] = *emitter;
+    emitters->items[items] = *emitter;
+    emitters->count++;
     return 0;
+}
+
+int lx_emitters_append_swarm(struct lx_emitters *emitters, const struct lx_swarm *swarm)
+{
+    size_t rows = swarm->cloud->count;
+    emitters->is_short = emitters->most > 0 && rows > emitters->most - emitters->count;
+    if (emitters->is_short ||
+        lx_reserve(&emitters->swarms, &emitters->swarm_capacity, emitters->swarm_count + 1, sizeof *swarm))
+        return -1;
+    struct lx_swarm *added = &emitters->swarms[emitters->swarm_count++];
+    *added = *swarm;
+    added->first = emitters->count;
+    added->end = emitters->count += rows;
+    emitters->in_swarms += rows;
+    return 0;
+}
+
+void lx_emitters_set_light(struct lx_emitters *emitters, size_t first, size_t light)
+{
+    size_t items = first;
+    for (size_t s = 0; s < emitters->swarm_count; s++) {
+        struct lx_swarm *swarm = &emitters->swarms[s];
+        if (swarm->first >= first)
+            swarm->model.light = light;
+        else
+            items -= swarm->end - swarm->first;
+    }
+    for (; items < lx_item_count(emitters); items++)
+        emitters->items[items].light = light;
+}
+
+/* One point of a swarm, by its row. */
+static void make_point(const struct lx_swarm *swarm, size_t row, struct lx_emitter *point)
+{
+    double values[LX_CLOUD_COLUMNS];
+    lx_cloud_row(swarm->cloud, row, values);
+    *point = swarm->model;
+    memcpy(point->position_mm, values, sizeof point->position_mm);
+    point->strength = values[3];
+    if (swarm->is_aimed)
+        point->profile.axis = lx_unit3(lx_sub3(lx_exact3(swarm->aim_mm), lx_exact3(point->position_mm)));
+}
+
+const struct lx_emitter *lx_emitter_in_swarms(const struct lx_emitters *emitters, size_t i, struct lx_emitter *room)
+{
+    size_t item = i;
+    for (size_t s = 0; s < emitters->swarm_count && i >= emitters->swarms[s].first; s++) {
+        const struct lx_swarm *swarm = &emitters->swarms[s];
+        if (i < swarm->end) {
+            make_point(swarm, i - swarm->first, room);
+            return room;
+        }
+        item -= swarm->end - swarm->first;
+    }
+    return &emitters->items[item];
 }
 
 void lx_emitters_clear(struct lx_emitters *emitters)
 {
-    for (size_t i = 0; i < emitters->count; i++)
+    for (size_t i = 0; i < lx_item_count(emitters); i++)
         lx_facets_free(emitters->items[i].facets);
     free(emitters->items);
+    free(emitters->swarms);
     *emitters = (struct lx_emitters){0};
 }
 

@@ -63,18 +63,55 @@ static inline bool lx_is_extended(const struct lx_emitter *emitter)
     return emitter->type >= LX_FACETS;
 }
 
-/* A growing list; zero-initialise, free with lx_emitters_clear(). */
+struct lx_cloud;
+
+/* Many points that differ in place, intensity and, where they are aimed, axis: as the rows of a cloud say. */
+struct lx_swarm {
+    const struct lx_cloud *cloud; /* outlives the list */
+    struct lx_emitter model;      /* all else */
+    bool is_aimed;
+    double aim_mm[3];
+    size_t first, end; /* which emitters of the list they are */
+};
+
+/*
+ * A growing list; zero-initialise, free with lx_emitters_clear().  lx_emitter_at() gives each by its number; all but
+ * the points of swarms are items.
+ */
 struct lx_emitters {
     struct lx_emitter *items;
-    size_t count, capacity;
+    size_t count, capacity; /* the count includes those of swarms */
+    struct lx_swarm *swarms;
+    size_t swarm_count, swarm_capacity, in_swarms;
     size_t most;   /* how many it may take; 0: as many as there are */
     bool is_short; /* more of them were appended */
     bool is_whole; /* sources of some size are appended as they are, however many parts they are to be cut into */
 };
 
+/* How many are items: all that are no points of swarms. */
+static inline size_t lx_item_count(const struct lx_emitters *emitters)
+{
+    return emitters->count - emitters->in_swarms;
+}
+
 /* Appends a copy, which takes over the facets; 0, or -1 when memory or room ran out (then they are freed, too). */
 int lx_emitters_append(struct lx_emitters *emitters, const struct lx_emitter *emitter);
+/* Appends as many points as its cloud has rows; `first` and `end` are set here.  The same answers. */
+int lx_emitters_append_swarm(struct lx_emitters *emitters, const struct lx_swarm *swarm);
 void lx_emitters_clear(struct lx_emitters *emitters);
+
+/* Makes all emitters from number `first` on belong to a light; none, or all, of a swarm. */
+void lx_emitters_set_light(struct lx_emitters *emitters, size_t first, size_t light);
+
+/* For lx_emitter_at(). */
+const struct lx_emitter *lx_emitter_in_swarms(const struct lx_emitters *emitters, size_t i, struct lx_emitter *room);
+
+/* Emitter i of the list, made in `room` where it is of a swarm. */
+static inline const struct lx_emitter *lx_emitter_at(const struct lx_emitters *emitters, size_t i,
+                                                     struct lx_emitter *room)
+{
+    return emitters->swarm_count > 0 ? lx_emitter_in_swarms(emitters, i, room) : &emitters->items[i];
+}
 
 /* The profile that is 1 everywhere. */
 struct lx_profile lx_profile_isotropic(void);

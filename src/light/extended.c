@@ -48,10 +48,10 @@ lx_bounded lx_extended_irradiance(const struct lx_emitter *emitter, lx_bounded3 
 
 int lx_extended_cut(const struct lx_emitter *emitter, unsigned parts, struct lx_emitters *emitters)
 {
-    size_t first = emitters->count;
+    size_t first = lx_item_count(emitters);
     int failed =
         emitter->type == LX_FACETS ? lx_facets_cut(emitter, parts, emitters) : lx_round_cut(emitter, parts, emitters);
-    for (size_t i = first; i < emitters->count; i++)
+    for (size_t i = first; i < lx_item_count(emitters); i++)
         emitters->items[i].is_part = true;
     return failed;
 }

@@ -6,14 +6,6 @@
 
 const char *const lx_attenuation_names[] = {"inverse-square", "practical", "none", NULL};
 
-lx_bounded3 lx_shining_axis(const struct lx_table *table, const void *parameters, const struct lx_shining *shining,
-                            const double position_mm[3])
-{
-    if (lx_is_given(table, parameters, "aim"))
-        return lx_unit3(lx_sub3(lx_exact3(shining->aim_mm), lx_exact3(position_mm)));
-    return lx_unit3(lx_exact3(shining->axis));
-}
-
 struct lx_emitter lx_shining_emitter(const struct lx_shining *shining, const double position_mm[3], double intensity,
                                      struct lx_profile profile)
 {
@@ -30,7 +22,10 @@ struct lx_emitter lx_shining_emitter(const struct lx_shining *shining, const dou
 
 lx_bounded3 lx_placed_axis(const struct lx_table *table, const void *parameters, const struct lx_placed *placed)
 {
-    return lx_shining_axis(table, parameters, &placed->shining, placed->position_mm);
+    const struct lx_shining *shining = &placed->shining;
+    if (lx_is_given(table, parameters, "aim"))
+        return lx_unit3(lx_sub3(lx_exact3(shining->aim_mm), lx_exact3(placed->position_mm)));
+    return lx_unit3(lx_exact3(shining->axis));
 }
 
 struct lx_emitter lx_placed_emitter(const struct lx_placed *placed, struct lx_profile profile)

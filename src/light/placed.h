@@ -98,16 +98,14 @@ extern const char *const lx_attenuation_names[];
         LX_RULE_DISTINCT, "aim", "position", NULL                                                                      \
     }
 
-/* The unit axis at a place: towards the aim where one is given (`table` tells), else along the axis. */
-lx_bounded3 lx_shining_axis(const struct lx_table *table, const void *parameters, const struct lx_shining *shining,
-                            const double position_mm[3]);
-
 /* The point emitter with this profile at a place. */
 struct lx_emitter lx_shining_emitter(const struct lx_shining *shining, const double position_mm[3], double intensity,
                                      struct lx_profile profile);
 
-/* The same for a source of its own. */
+/* The unit axis: towards the aim where one is given (`table` tells), else along the axis. */
 lx_bounded3 lx_placed_axis(const struct lx_table *table, const void *parameters, const struct lx_placed *placed);
+
+/* The point emitter with this profile. */
 struct lx_emitter lx_placed_emitter(const struct lx_placed *placed, struct lx_profile profile);
 
 #endif

@@ -121,17 +121,18 @@ static void check_points(const struct lx_check *check, void *parameters)
 
 static int prepare_points(const void *parameters, struct lx_emitters *emitters)
 {
+    static const double origin[3] = {0};
     const struct points_parameters *points = parameters;
-    int failed = 0;
-    for (size_t i = 0; !failed && i < points->cloud->count; i++) {
-        double row[LX_CLOUD_COLUMNS];
-        lx_cloud_row(points->cloud, i, row);
-        lx_bounded3 axis = lx_shining_axis(&points_table, parameters, &points->shining, row);
-        struct lx_profile profile = lx_pattern_profile(&points->pattern, axis);
-        struct lx_emitter emitter = lx_shining_emitter(&points->shining, row, row[3], profile);
-        failed = lx_emitters_append(emitters, &emitter);
-    }
-    return failed;
+    const struct lx_shining *shining = &points->shining;
+    bool has_axis = lx_pattern_has_axis(&points->pattern);
+    struct lx_profile profile = lx_pattern_profile(&points->pattern, lx_unit3(lx_exact3(shining->axis)));
+    struct lx_swarm swarm = {
+        .cloud = points->cloud,
+        .model = lx_shining_emitter(shining, origin, 0, profile),
+        .is_aimed = has_axis && lx_is_given(&points_table, points, "aim"),
+    };
+    memcpy(swarm.aim_mm, shining->aim_mm, sizeof swarm.aim_mm);
+    return lx_emitters_append_swarm(emitters, &swarm);
 }
 
 const struct lx_light_kind lx_points_kind = {

@@ -101,9 +101,10 @@ static double flux_of(const struct lx_emitter *emitter)
 
 double lx_emitters_flux(const struct lx_emitters *emitters)
 {
+    struct lx_emitter room;
     double sum = 0;
     for (size_t i = 0; i < emitters->count; i++)
-        sum += flux_of(&emitters->items[i]);
+        sum += flux_of(lx_emitter_at(emitters, i, &room));
     return sum;
 }
 
@@ -139,10 +140,13 @@ static void add_facets(struct middle *middle, const struct lx_facets *facets)
 /* The intensity of the strongest point. */
 static double greatest_strength(const struct lx_emitters *emitters)
 {
+    struct lx_emitter room;
     double greatest = 0;
-    for (size_t i = 0; i < emitters->count; i++)
-        if (emitters->items[i].type == LX_POINT)
-            greatest = fmax(greatest, emitters->items[i].strength);
+    for (size_t i = 0; i < emitters->count; i++) {
+        const struct lx_emitter *emitter = lx_emitter_at(emitters, i, &room);
+        if (emitter->type == LX_POINT)
+            greatest = fmax(greatest, emitter->strength);
+    }
     return greatest;
 }
 
@@ -150,8 +154,9 @@ bool lx_emitters_place(const struct lx_emitters *emitters, double place_mm[3])
 {
     struct middle middle = {.weight = lx_wide_of(0)};
     double greatest = greatest_strength(emitters);
+    struct lx_emitter room;
     for (size_t i = 0; i < emitters->count; i++) {
-        const struct lx_emitter *emitter = &emitters->items[i];
+        const struct lx_emitter *emitter = lx_emitter_at(emitters, i, &room);
         if (emitter->type == LX_FACETS)
             add_facets(&middle, emitter->facets);
         else if (lx_is_extended(emitter))
@@ -195,11 +200,12 @@ static bool direction_of(const struct lx_emitter *emitter, double direction[3])
 bool lx_emitters_direction(const struct lx_emitters *emitters, double direction[3])
 {
     static const double SAME = 1e-9;
+    struct lx_emitter room;
     double first[3], other[3];
-    if (emitters->count == 0 || !direction_of(&emitters->items[0], first))
+    if (emitters->count == 0 || !direction_of(lx_emitter_at(emitters, 0, &room), first))
         return false;
     for (size_t i = 1; i < emitters->count; i++) {
-        if (!direction_of(&emitters->items[i], other))
+        if (!direction_of(lx_emitter_at(emitters, i, &room), other))
             return false;
         for (int k = 0; k < 3; k++)
             if (!(fabs(other[k] - first[k]) <= SAME))

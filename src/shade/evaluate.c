@@ -11,8 +11,12 @@ bool lx_light_share(const struct lx_prepared *prepared, const struct lx_element 
                     struct lx_share *share)
 {
     *share = (struct lx_share){.irradiance = lx_exact(0), .diffuse = lx_exact(0), .specular = lx_exact(0)};
-    for (; *next < prepared->emitters.count && prepared->emitters.items[*next].light == light; ++*next) {
-        struct lx_lighting lighting = lx_light_element(prepared, element, &prepared->emitters.items[*next]);
+    for (; *next < prepared->emitters.count; ++*next) {
+        struct lx_emitter room;
+        const struct lx_emitter *emitter = lx_emitter_at(&prepared->emitters, *next, &room);
+        if (emitter->light != light)
+            break;
+        struct lx_lighting lighting = lx_light_element(prepared, element, emitter);
         if (lighting.on_element)
             return false;
         share->parts += lighting.parts;
@@ -49,7 +53,8 @@ luxel_value lx_evaluate_element(const struct luxel_evaluator *evaluator, const s
     if (shares)
         memset(shares, 0, lights * sizeof *shares);
     for (size_t next = 0; next < prepared->emitters.count;) {
-        size_t light = prepared->emitters.items[next].light;
+        struct lx_emitter room;
+        size_t light = lx_emitter_at(&prepared->emitters, next, &room)->light;
         struct lx_share share;
         if (!lx_light_share(prepared, element, light, &next, &share)) {
             if (shares)

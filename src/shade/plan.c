@@ -121,13 +121,17 @@ static bool may_block(const struct lx_planned_surface *blocker, const struct lx_
 static int find_blockers(const struct lx_plan *plan, const struct lx_planned_surface *lit,
                          const struct lx_light_double *exact, struct lx_planned_light *light)
 {
-    size_t capacity = 0;
-    for (size_t s = 0; plan->prepared->shadows && s < plan->surface_count; s++) {
+    size_t count = 0;
+    for (size_t s = 0; plan->prepared->shadows && s < plan->surface_count; s++)
+        count += &plan->surfaces[s] != lit && may_block(&plan->surfaces[s], lit, exact);
+    light->blockers =
+        count > 0 ? lx_new_array(count, sizeof *light->blockers) : NULL; /* of many lights each has some */
+    if (count > 0 && !light->blockers)
+        return -1;
+    for (size_t s = 0; light->blocker_count < count; s++) {
         const struct lx_planned_surface *other = &plan->surfaces[s];
         if (other == lit || !may_block(other, lit, exact))
             continue;
-        if (lx_reserve(&light->blockers, &capacity, light->blocker_count + 1, sizeof *light->blockers))
-            return -1;
         struct lx_blocker *blocker = &light->blockers[light->blocker_count++];
         *blocker = (struct lx_blocker){
             .shape = other->shape,
@@ -172,8 +176,8 @@ static void set_lobes(const struct lx_lobe *lobe, struct lx_planned_surface *sur
 static int plan_shells(struct lx_plan *plan, struct lx_planned_surface *surface)
 {
     const struct lx_emitters *emitters = &plan->prepared->emitters;
-    size_t count = 0, patches = 0;
-    for (size_t i = 0; i < emitters->count; i++)
+    size_t count = 0, patches = 0, items = lx_item_count(emitters);
+    for (size_t i = 0; i < items; i++)
         count += lx_is_extended(&emitters->items[i]);
     if (count == 0)
         return 0;
@@ -182,7 +186,7 @@ static int plan_shells(struct lx_plan *plan, struct lx_planned_surface *surface)
     surface->matte = lx_new_array(count, sizeof *surface->matte);
     if (!surface->shells || !surface->glossy || !surface->matte)
         return -1;
-    for (size_t i = 0; i < emitters->count; i++) {
+    for (size_t i = 0; i < items; i++) {
         const struct lx_emitter *emitter = &emitters->items[i];
         if (!lx_is_extended(emitter))
             continue;
@@ -225,6 +229,7 @@ static void find_runs(struct lx_planned_surface *surface)
 static int plan_surface(struct lx_plan *plan, const struct lx_lobe *lobe, struct lx_planned_surface *surface)
 {
     const struct lx_prepared *prepared = plan->prepared;
+    struct lx_emitter room;
     set_lobes(lobe, surface);
     size_t most = prepared->emitters.count;
     surface->lights = lx_new_array(most, sizeof *surface->lights);
@@ -234,7 +239,7 @@ static int plan_surface(struct lx_plan *plan, const struct lx_lobe *lobe, struct
     if (!surface->lights || !surface->singles || !surface->exacts || !surface->runs)
         return -1;
     for (size_t i = 0; i < prepared->emitters.count; i++) {
-        const struct lx_emitter *emitter = &prepared->emitters.items[i];
+        const struct lx_emitter *emitter = lx_emitter_at(&prepared->emitters, i, &room);
         if (emitter->type == LX_UNIFORM) {
             surface->uniform += lobe->ambient.value * emitter->strength;
             continue;

@@ -21,20 +21,21 @@ static int prepare_lights(const struct lx_list *lights, struct lx_emitters *emit
         size_t first = emitters->count;
         if (common->enabled && kind->prepare(item->parameters, emitters))
             return -1;
-        for (size_t k = first; k < emitters->count; k++)
-            emitters->items[k].light = i;
+        lx_emitters_set_light(emitters, first, i);
     }
     return 0;
 }
 
 int lx_prepare(const struct lx_scene_parameters *scene, double tolerance, struct lx_prepared *prepared)
 {
-    /* The usual scene has few, and need not ask for memory; besides the emitters, each surface has its constants. */
+    /* The usual scene has few, and need not ask for memory; besides the emitters, each surface has its constants, and
+     * copies of the surfaces that may stand in their light. */
     int failed = lx_prepare_few(scene, tolerance, FEW_EMITTERS, prepared);
     if (!failed || !prepared->emitters.is_short)
         return failed;
+    size_t surfaces = scene->surfaces.count, others = prepared->shadows ? surfaces - 1 : 0;
     lx_prepared_clear(prepared);
-    double each = (double)(sizeof(struct lx_emitter) + 256 * scene->surfaces.count);
+    double each = (double)(sizeof(struct lx_emitter) + surfaces * (256 + others * (sizeof(struct lx_shape) + 32)));
     return lx_prepare_few(scene, tolerance, (size_t)fmin(lx_available_bytes() / each, MOST_EMITTERS), prepared);
 }
 
@@ -77,9 +78,10 @@ enum laws { ALL_UNATTENUATED, ALL_PHYSICAL, MIXED };
 
 static enum laws common_law(const struct lx_emitters *emitters)
 {
+    struct lx_emitter room;
     size_t unattenuated = 0, physical = 0;
     for (size_t i = 0; i < emitters->count; i++) {
-        const struct lx_emitter *emitter = &emitters->items[i];
+        const struct lx_emitter *emitter = lx_emitter_at(emitters, i, &room);
         bool has_law = emitter->type == LX_POINT || lx_is_extended(emitter);
         if (!has_law || emitter->attenuation == LX_INVERSE_SQUARE)
             physical++;

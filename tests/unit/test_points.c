@@ -18,7 +18,15 @@ static const char form[] = "luxel: 1\n"
                            "  - {type: sphere, center: [150, 0, 1400], radius: 60}\n"
                            "  - {type: rectangle, center: [0, 0, 700], size: [900, 900], material: {specular: 0}}\n"
                            "lights:\n"
-                           "  - {type: distant, direction: [1, 1, -3], irradiance: 0.5}\n";
+                           "  - {type: distant, direction: [1, 1, -3], irradiance: 0.5}\n"
+                           "  - {type: planar, disk: {center: [0, 0, 2200], radius: 90}, power: 3, parts: 2}\n";
+
+/* Another light behind the cloud, or its points. */
+static const char last[] =
+    "  - {type: planar, rectangle: {center: [9, 0, 2100], size: [90, 80]}, power: 4, parts: 2}\n";
+
+/* The number of the cloud. */
+enum { CLOUD = 2 };
 
 /* A file of rows: in the ending of the unit in the last place, some below the surfaces, one dark. */
 static void make_rows(double rows[ROWS][4], char path[40])
@@ -40,7 +48,7 @@ static luxel_scene *scene_of_cloud(const char *path, const char *keys)
 {
     char text[2048];
     luxel_scene *scene;
-    snprintf(text, sizeof text, "%s  - {type: points, file: %s, %s}\n", form, path, keys);
+    snprintf(text, sizeof text, "%s  - {type: points, file: %s, %s}\n%s", form, path, keys, last);
     assert_int_equal(load(text, NULL, &scene), LUXEL_OK);
     return scene;
 }
@@ -54,6 +62,7 @@ static luxel_scene *scene_of_points(double rows[ROWS][4], const char *keys)
         used += (size_t)snprintf(text + used, sizeof text - used,
                                  "  - {type: point, position: [%.17g, %.17g, %.17g], intensity: %.17g, %s}\n",
                                  rows[i][0], rows[i][1], rows[i][2], rows[i][3], keys);
+    snprintf(text + used, sizeof text - used, "%s", last);
     assert_int_equal(load(text, NULL, &scene), LUXEL_OK);
     return scene;
 }
@@ -84,17 +93,17 @@ static void expect_same_probes(const luxel_scene *cloud, const luxel_scene *poin
         luxel_probe *first, *second;
         assert_int_equal(luxel_probe_screen(cloud, NULL, places[i][0], places[i][1], NULL, &first), LUXEL_OK);
         assert_int_equal(luxel_probe_screen(points, NULL, places[i][0], places[i][1], NULL, &second), LUXEL_OK);
-        assert_int_equal(first->share_count, 2);
-        assert_int_equal(second->share_count, 1 + ROWS);
+        assert_int_equal(first->share_count, CLOUD + 2);
+        assert_int_equal(second->share_count, CLOUD + ROWS + 1);
         double irradiance = 0, diffuse = 0, specular = 0;
-        for (size_t k = 1; k < second->share_count; k++) {
+        for (size_t k = CLOUD; k < CLOUD + ROWS; k++) {
             irradiance += second->shares[k].irradiance;
             diffuse += second->shares[k].diffuse;
             specular += second->shares[k].specular;
         }
-        assert_string_equal(first->shares[1].type, "points");
-        assert_true(first->shares[1].irradiance == irradiance && first->shares[1].diffuse == diffuse &&
-                    first->shares[1].specular == specular);
+        assert_string_equal(first->shares[CLOUD].type, "points");
+        assert_true(first->shares[CLOUD].irradiance == irradiance && first->shares[CLOUD].diffuse == diffuse &&
+                    first->shares[CLOUD].specular == specular);
         /* the values are summed up in another order */
         assert_true(fabs(first->value - second->value) <= first->error + second->error);
         assert_true(first->pixel_value == second->pixel_value);
@@ -143,15 +152,15 @@ static void totals(void **state)
         for (int k = 0; k < 3; k++)
             middle[k] += rows[i][3] * rows[i][k];
     }
-    assert_int_equal(luxel_scene_light_flux(scene, 1, &flux), LUXEL_OK);
+    assert_int_equal(luxel_scene_light_flux(scene, CLOUD, &flux), LUXEL_OK);
     assert_true(fabs(flux - sum * M_PI) <= 1e-13 * flux);
-    assert_true(luxel_scene_light_place(scene, 1, place));
+    assert_true(luxel_scene_light_place(scene, CLOUD, place));
     for (int k = 0; k < 3; k++)
         assert_true(fabs(place[k] - middle[k] / sum) <= 1e-12 * 2500);
-    assert_true(luxel_scene_light_direction(scene, 1, direction) && direction[2] == -1);
+    assert_true(luxel_scene_light_direction(scene, CLOUD, direction) && direction[2] == -1);
     luxel_scene_free(scene);
     scene = scene_of_cloud(path, "pattern: lambertian, aim: [0, 0, 900]");
-    assert_false(luxel_scene_light_direction(scene, 1, direction));
+    assert_false(luxel_scene_light_direction(scene, CLOUD, direction));
     luxel_scene_free(scene);
     unlink(path);
 }
@@ -165,8 +174,8 @@ static void dark(void **state)
     int descriptor = mkstemp(path);
     assert_true(descriptor >= 0 && write(descriptor, "1,2,3,0\n3,2,1,0\n", 16) == 16 && close(descriptor) == 0);
     luxel_scene *scene = scene_of_cloud(path, "attenuation: none");
-    assert_true(luxel_scene_light_place(scene, 1, place) && place[0] == 2 && place[1] == 2 && place[2] == 2);
-    assert_true(luxel_scene_light_flux(scene, 1, &flux) == LUXEL_OK && flux == 0);
+    assert_true(luxel_scene_light_place(scene, CLOUD, place) && place[0] == 2 && place[1] == 2 && place[2] == 2);
+    assert_true(luxel_scene_light_flux(scene, CLOUD, &flux) == LUXEL_OK && flux == 0);
     luxel_scene_free(scene);
     unlink(path);
 }
