@@ -107,7 +107,7 @@ static void reset(AppRow *row, Entry *entry)
     if (entry->parameter->default_value)
         app_edits_add(edits, APP_EDIT_REMOVE, path, NULL, 0, 0);
     else if (opened)
-        app_edits_add(edits, APP_EDIT_SET, path, opened, 0, 0);
+        app_keys_set(&self->keys, entry->parameter, -1, opened, edits);
     if (edits->list->len > 0)
         apply(self, edits, entry);
     g_free(opened);
@@ -180,11 +180,30 @@ static void add_switches(Entry *entry, GtkWidget *box)
     g_ptr_array_unref(names);
 }
 
+static gboolean remove_menu(gpointer popover)
+{
+    if (gtk_widget_get_parent(popover))
+        gtk_widget_unparent(popover);
+    return G_SOURCE_REMOVE;
+}
+
+/* What was clicked is still to be done; it may have made another form, of which the menu is no part. */
 static void menu_closed(GtkWidget *popover, gpointer data)
 {
     (void)data;
-    /* what was clicked is still to be done */
-    g_idle_add_once((GSourceOnceFunc)gtk_widget_unparent, popover);
+    g_idle_add_full(G_PRIORITY_DEFAULT_IDLE, remove_menu, g_object_ref(popover), g_object_unref);
+}
+
+/* The form has the menu, and not the row, which may go. */
+static void place_menu(GtkWidget *popover, AppForm *self, GtkWidget *at)
+{
+    graphene_rect_t bounds;
+    gtk_widget_set_parent(popover, GTK_WIDGET(self));
+    if (gtk_widget_compute_bounds(at, GTK_WIDGET(self), &bounds)) {
+        const GdkRectangle place = {(int)bounds.origin.x, (int)bounds.origin.y, (int)bounds.size.width,
+                                    (int)bounds.size.height};
+        gtk_popover_set_pointing_to(GTK_POPOVER(popover), &place);
+    }
 }
 
 static void show_menu(AppRow *row, GtkWidget *at, Entry *entry)
@@ -200,7 +219,7 @@ static void show_menu(AppRow *row, GtkWidget *at, Entry *entry)
     add_switches(entry, box);
     g_free(text);
     gtk_popover_set_child(GTK_POPOVER(popover), box);
-    gtk_widget_set_parent(popover, at);
+    place_menu(popover, entry->form, at);
     g_signal_connect(popover, "closed", G_CALLBACK(menu_closed), NULL);
     gtk_popover_popup(GTK_POPOVER(popover));
 }

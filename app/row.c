@@ -298,12 +298,22 @@ static void switched(GtkCheckButton *button, AppRow *self)
         g_signal_emit(self, signals[EDITED], 0, gtk_check_button_get_active(button) ? "true" : "false");
 }
 
+static gboolean tell_choice(gpointer data)
+{
+    AppRow *self = data;
+    GtkStringObject *item = gtk_drop_down_get_selected_item(GTK_DROP_DOWN(self->control));
+    if (item && gtk_widget_get_parent(GTK_WIDGET(self)))
+        g_signal_emit(self, signals[EDITED], 0, gtk_string_object_get_string(item));
+    return G_SOURCE_REMOVE;
+}
+
+/* A choice may make the form another one, and this row go: not while its list is still at work. */
 static void chosen(GtkDropDown *list, GParamSpec *spec, AppRow *self)
 {
-    GtkStringObject *item = gtk_drop_down_get_selected_item(list);
+    (void)list;
     (void)spec;
-    if (!self->is_updating && item)
-        g_signal_emit(self, signals[EDITED], 0, gtk_string_object_get_string(item));
+    if (!self->is_updating)
+        g_idle_add_full(G_PRIORITY_DEFAULT, tell_choice, g_object_ref(self), g_object_unref);
 }
 
 /* Where it was not changed, nothing is done. */

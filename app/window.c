@@ -33,6 +33,11 @@ static gboolean show_progress(gpointer data)
     return G_SOURCE_REMOVE;
 }
 
+gboolean app_window_is_open(AppWindow *self)
+{
+    return self->painter != NULL;
+}
+
 void app_window_ask_picture(AppWindow *self)
 {
     const AppWish wish = {

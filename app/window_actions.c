@@ -215,7 +215,7 @@ static void text_came(GObject *source, GAsyncResult *result, gpointer data)
 {
     Paste *wanted = data;
     char *text = gdk_clipboard_read_text_finish(GDK_CLIPBOARD(source), result, NULL);
-    char *fault = paste(wanted->window, text ? text : "", wanted->what);
+    char *fault = app_window_is_open(wanted->window) ? paste(wanted->window, text ? text : "", wanted->what) : NULL;
     if (fault) {
         char *message =
             g_strdup_printf(wanted->what == PASTED_POINTS ? _("“%.60s” is no point; expected: x, y; x, y")

@@ -83,7 +83,7 @@ static void answered(GtkNativeDialog *dialog, int response, Asked *asked)
 {
     GFile *file = response == GTK_RESPONSE_ACCEPT ? gtk_file_chooser_get_file(GTK_FILE_CHOOSER(dialog)) : NULL;
     char *path = file ? g_file_get_path(file) : NULL;
-    if (path) {
+    if (path && app_window_is_open(asked->window)) {
         keep_folder(asked->window, path);
         asked->done(asked->window, path, asked->how);
     }
@@ -218,6 +218,8 @@ static void save_path(GSimpleAction *action, GVariant *path, gpointer data)
 static void exported(const char *path, const char *fault, gpointer owner)
 {
     AppWindow *self = owner;
+    if (!app_window_is_open(self))
+        return;
     char *text = fault ? g_strdup_printf("%s: %s", path, fault) : g_strdup_printf(_("saved: %s"), path);
     if (fault)
         app_window_show_fault(self, text);

@@ -45,6 +45,8 @@ struct _AppWindow {
     GtkWidget *sources, *points, *display_form, *numbers;
 };
 
+/* Whether the window is still there for what was begun in it: a file, a paste. */
+gboolean app_window_is_open(AppWindow *self);
 /* Asks for a picture of the document as it is, and for the numbers beside the last one. */
 void app_window_ask_picture(AppWindow *self);
 void app_window_ask_numbers(AppWindow *self);

@@ -198,10 +198,11 @@ static luxel_status insert(struct edit *edit, size_t index, const char *value)
         return status;
     lx_write_flow(&words, &edit->now->document, id, edit->splicer.json);
     if (words.failed)
-        return lx_out_of_memory(edit->diagnostics);
-    lx_put_in(&edit->splicer, edit->parent, edit->changed, index, words.bytes, lx_has_tables(edit->path.parameter));
+        status = lx_out_of_memory(edit->diagnostics);
+    else
+        lx_put_in(&edit->splicer, edit->parent, edit->changed, index, words.bytes, lx_has_tables(edit->path.parameter));
     lx_text_clear(&words);
-    return finish(edit, 0, id, index);
+    return status == LUXEL_OK ? finish(edit, 0, id, index) : status;
 }
 
 luxel_status luxel_scene_insert(luxel_scene *scene, const char *list, size_t index, const char *value,

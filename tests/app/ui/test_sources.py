@@ -104,4 +104,38 @@ def aimed(tap, desk):
     tap.ok(wait("the aim", lambda: b"aim: [0, 0, 1000]" in checked(desk, window)), "a spot is aimed at the sphere")
 
 
-trial(list_of_sources, every_kind, on_off_alone, aimed)
+def other_type(tap, desk):
+    """A list of choices that makes the form another one while it is open, again and again."""
+    window = desk.start().window()
+    scene = window.save()
+    for place, kind in enumerate(["spot", "planar", "volume", "distant", "ambient"], 2):
+        window.click(window.control("combo box", "Type"))
+        desk.key("Home", *["Down"] * place, "Return")
+        wait("a " + kind, lambda: kinds(window) == [kind])
+        checked(desk, window)
+    tap.equal(window.says("error"), None, "the type of a source is chosen by hand, each kind gives a good scene")
+    window.click(window.control("label", "Type"), button=3)
+    window.press("Back to what was opened")
+    wait("a point", lambda: kinds(window) == ["point"])
+    checked(desk, window)
+    for _ in range(6):
+        window.act("undo")
+    tap.equal(window.save(), scene, "taken back by the menu of a row that goes with it, and undone")
+
+
+def another_key(tap, desk):
+    """The menu of a row, and a key that is given instead of its own."""
+    window = desk.start().window()
+    window.act("source-add", "planar")
+    wait("the planar source", lambda: len(kinds(window)) == 2)
+    given = [name for name in ("Intensity", "Radiance", "Power") if window.widget.find("spin button", name)][0]
+    other = "Power" if given != "Power" else "Radiance"
+    window.click(window.control("label", given), button=3)
+    window.press("Give “%s” instead" % other)
+    wait("the other row", lambda: window.widget.find("spin button", other))
+    scene = checked(desk, window).decode()
+    tap.ok(other.lower() + ":" in scene and given.lower() + ":" not in scene.split("planar")[1].split("\n")[0],
+           "%s is given instead of %s" % (other.lower(), given.lower()), scene)
+
+
+trial(other_type, another_key, list_of_sources, every_kind, on_off_alone, aimed)
