@@ -104,21 +104,25 @@ def aimed(tap, desk):
     tap.ok(wait("the aim", lambda: b"aim: [0, 0, 1000]" in checked(desk, window)), "a spot is aimed at the sphere")
 
 
+def choose_type(desk, window, place, kind):
+    window.click(window.control("combo box", "Type"))
+    desk.key("Home", *["Down"] * place, "Return")
+    wait("a " + kind, lambda: kinds(window) == [kind])
+
+
 def other_type(tap, desk):
-    """A list of choices that makes the form another one while it is open, again and again."""
+    """A list of choices, and the menu of a row, that make the form another one while they are open."""
     window = desk.start().window()
     scene = window.save()
     for place, kind in enumerate(["spot", "planar", "volume", "distant", "ambient"], 2):
-        window.click(window.control("combo box", "Type"))
-        desk.key("Home", *["Down"] * place, "Return")
-        wait("a " + kind, lambda: kinds(window) == [kind])
+        choose_type(desk, window, place, kind)
         checked(desk, window)
     tap.equal(window.says("error"), None, "the type of a source is chosen by hand, each kind gives a good scene")
+    choose_type(desk, window, 2, "spot")
     window.click(window.control("label", "Type"), button=3)
     window.press("Back to what was opened")
-    wait("a point", lambda: kinds(window) == ["point"])
-    checked(desk, window)
-    for _ in range(6):
+    wait("what was saved", lambda: kinds(window) == ["ambient"])
+    for _ in range(7):
         window.act("undo")
     tap.equal(window.save(), scene, "taken back by the menu of a row that goes with it, and undone")
 
