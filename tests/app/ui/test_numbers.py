@@ -32,8 +32,8 @@ def typed_and_set(tap, desk):
     shininess.value = 60
     values = same_as_probe(tap, desk, window, values, "after the shininess was set by a screen reader")
     tap.ok(b"shininess: 60" in window.save(), "which is written")
-    window.enter("Position, y", "−1 500,25")
-    values = same_as_probe(tap, desk, window, values, "after a place with a minus of typography and a gap")
+    window.enter("Position, y", "-1 500,25")
+    values = same_as_probe(tap, desk, window, values, "after a place with a gap between its digits")
     tap.ok(b"position: [2000, -1500.25, 2000]" in window.save(), "which is written as YAML has it")
     window.enter("Specular reflection ks", "0.25", key="Tab")
     values = same_as_probe(tap, desk, window, values, "after a number that was left by Tab")
