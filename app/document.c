@@ -4,6 +4,8 @@
 
 #include <string.h>
 
+#include "number.h"
+
 /* Changes of one key in so short a time are one step even without a gesture: a key held down, a wheel turned. */
 enum { MERGE_MICROSECONDS = 700000 };
 
@@ -237,6 +239,15 @@ static char *get(const luxel_scene *scene, const char *key, gboolean *written)
 char *app_document_get(const AppDocument *self, const char *key, gboolean *written)
 {
     return get(self->scene, key, written);
+}
+
+double app_document_get_number(const AppDocument *self, const char *key)
+{
+    double number = 0;
+    char *text = app_document_get(self, key, NULL);
+    app_list_read(text, &number, 1);
+    g_free(text);
+    return number;
 }
 
 char *app_document_get_opened(const AppDocument *self, const char *key)

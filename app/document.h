@@ -49,6 +49,8 @@ luxel_scene *app_document_copy_scene(const AppDocument *self);
 
 /* The value of a key as YAML, or NULL where there is none; the caller's, g_free().  *written as luxel_scene_get(). */
 char *app_document_get(const AppDocument *self, const char *key, gboolean *written);
+/* The number of a key, 0 where there is none. */
+double app_document_get_number(const AppDocument *self, const char *key);
 /* The value that a key had in the file, or the scene that was opened; the caller's. */
 char *app_document_get_opened(const AppDocument *self, const char *key);
 /* How many elements a list has. */

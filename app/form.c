@@ -14,7 +14,6 @@
 typedef struct Entry {
     AppForm *form;
     const luxel_parameter *parameter;
-    const char *english_unit;
     int component; /* -1: the whole */
     GtkWidget *row;
 } Entry;
@@ -22,7 +21,7 @@ typedef struct Entry {
 struct _AppForm {
     GtkBox parent;
     AppDocument *document;
-    const AppTables *tables;
+    const luxel_parameters *parameters;
     const char *const *prefixes;
     const char *except;
     AppKeys keys;
@@ -33,30 +32,11 @@ struct _AppForm {
 
 G_DEFINE_FINAL_TYPE(AppForm, app_form, GTK_TYPE_BOX)
 
-AppTables *app_tables_new(void)
-{
-    AppTables *tables = g_new(AppTables, 1);
-    *tables = (AppTables){luxel_parameters_new_translated(language_translate, NULL), luxel_parameters_new()};
-    return tables;
-}
-
-void app_tables_free(AppTables *tables)
-{
-    luxel_parameters_free(tables->shown);
-    luxel_parameters_free(tables->english);
-    g_free(tables);
-}
-
 /* ---- words ---- */
 
-/* Units have photometric names, too. */
-static const char *unit_of(const AppForm *self, const char *radiometric)
+static const char *unit_of(const AppForm *self, const luxel_parameter *parameter)
 {
-    static const char *const names[][2] = {{"W/sr", "cd"}, {"W/m²", "lx"}, {"W/(sr·m²)", "cd/m²"}, {"W", "lm"}};
-    for (gsize i = 0; i < G_N_ELEMENTS(names) && self->is_photometric; i++)
-        if (strcmp(names[i][0], radiometric) == 0)
-            return gettext(names[i][1]);
-    return *radiometric ? gettext(radiometric) : "";
+    return self->is_photometric ? parameter->photometric_unit : parameter->unit;
 }
 
 static const char *component_name(const luxel_parameter *parameter, int component)
@@ -73,8 +53,7 @@ static const char *component_name(const luxel_parameter *parameter, int componen
 static void apply(AppForm *self, AppEdits *edits, const Entry *entry)
 {
     luxel_diagnostics *faults = luxel_diagnostics_new();
-    const AppEdit *list = (const AppEdit *)(void *)edits->list->data;
-    if (!app_document_edit(self->document, list, edits->list->len, NULL, faults)) {
+    if (!app_edits_make(edits, self->document, faults)) {
         char *reason = luxel_diagnostics_message(faults, 0, language_translate, NULL);
         app_row_set_fault(APP_ROW(entry->row), reason ? reason : _("this cannot be set"));
         luxel_text_free(reason);
@@ -240,7 +219,7 @@ static AppRowKind kind_of(luxel_value_type type)
     }
 }
 
-static void add_entry(AppForm *self, const luxel_parameter *parameter, const char *english_unit, int component)
+static void add_entry(AppForm *self, const luxel_parameter *parameter, int component)
 {
     Entry *entry = g_new0(Entry, 1);
     char *label = component < 0 ? g_strdup(parameter->label)
@@ -248,7 +227,7 @@ static void add_entry(AppForm *self, const luxel_parameter *parameter, const cha
     const AppRowSpec spec = {
         .kind = kind_of(parameter->value_type),
         .label = label,
-        .unit = unit_of(self, english_unit),
+        .unit = unit_of(self, parameter),
         .meaning = parameter->meaning,
         .choices = parameter->choices,
         .legal = parameter->legal_range,
@@ -256,7 +235,7 @@ static void add_entry(AppForm *self, const luxel_parameter *parameter, const cha
         .advised_words = parameter->advised,
         .hint = parameter->choices ? parameter->choices : parameter->type,
     };
-    *entry = (Entry){self, parameter, english_unit, component, app_row_new(&spec)};
+    *entry = (Entry){self, parameter, component, app_row_new(&spec)};
     g_signal_connect(entry->row, "edited", G_CALLBACK(edited), entry);
     g_signal_connect(entry->row, "reset", G_CALLBACK(reset), entry);
     g_signal_connect(entry->row, "menu", G_CALLBACK(show_menu), entry);
@@ -278,16 +257,16 @@ static gboolean belongs(const AppForm *self, const char *path)
     return FALSE;
 }
 
-static void add_entries(AppForm *self, const luxel_parameter *parameter, const char *english_unit)
+static void add_entries(AppForm *self, const luxel_parameter *parameter)
 {
     const luxel_value_type type = parameter->value_type;
     if (type == LUXEL_GROUP || type == LUXEL_GROUPS || type == LUXEL_VARIANTS)
         return;
     if ((type == LUXEL_NUMBERS || type == LUXEL_WHOLE_NUMBERS) && parameter->count <= 3)
         for (guint i = 0; i < parameter->count; i++)
-            add_entry(self, parameter, english_unit, (int)i);
+            add_entry(self, parameter, (int)i);
     else
-        add_entry(self, parameter, english_unit, -1);
+        add_entry(self, parameter, -1);
 }
 
 static void rebuild(AppForm *self)
@@ -296,10 +275,10 @@ static void rebuild(AppForm *self)
     while ((child = gtk_widget_get_first_child(GTK_WIDGET(self))))
         gtk_box_remove(GTK_BOX(self), child);
     g_ptr_array_set_size(self->entries, 0);
-    for (gsize i = 0; i < luxel_parameters_count(self->tables->shown); i++) {
-        const luxel_parameter *parameter = luxel_parameters_get(self->tables->shown, i);
+    for (gsize i = 0; i < luxel_parameters_count(self->parameters); i++) {
+        const luxel_parameter *parameter = luxel_parameters_get(self->parameters, i);
         if (belongs(self, parameter->path) && app_keys_has(&self->keys, parameter))
-            add_entries(self, parameter, luxel_parameters_get(self->tables->english, i)->unit);
+            add_entries(self, parameter);
     }
 }
 
@@ -318,22 +297,27 @@ static void show_value(const AppForm *self, const Entry *entry)
     g_free(path);
 }
 
-void app_form_refresh(AppForm *self)
+static void refresh_units(AppForm *self)
 {
     char *units = app_document_get(self->document, "units", NULL);
     const gboolean photometric = g_strcmp0(units, "photometric") == 0;
     g_free(units);
+    if (photometric == self->is_photometric)
+        return;
+    self->is_photometric = photometric;
+    for (guint i = 0; i < self->entries->len; i++) {
+        const Entry *entry = g_ptr_array_index(self->entries, i);
+        app_row_set_unit(APP_ROW(entry->row), unit_of(self, entry->parameter));
+    }
+}
+
+void app_form_refresh(AppForm *self)
+{
+    refresh_units(self);
     for (guint i = 0; i < self->entries->len; i++) {
         const Entry *entry = g_ptr_array_index(self->entries, i);
         const gboolean shown = app_keys_is_shown(&self->keys, entry->parameter);
         gtk_widget_set_visible(entry->row, shown);
-        if (photometric != self->is_photometric) {
-            self->is_photometric = photometric;
-            for (guint k = 0; k < self->entries->len; k++) {
-                const Entry *other = g_ptr_array_index(self->entries, k);
-                app_row_set_unit(APP_ROW(other->row), unit_of(self, other->english_unit));
-            }
-        }
         if (shown)
             show_value(self, entry);
     }
@@ -401,14 +385,15 @@ static void app_form_init(AppForm *self)
     gtk_box_set_spacing(GTK_BOX(self), 4);
 }
 
-GtkWidget *app_form_new(AppDocument *document, const AppTables *tables, const char *const *prefixes, const char *except)
+GtkWidget *app_form_new(AppDocument *document, const luxel_parameters *parameters, const char *const *prefixes,
+                        const char *except)
 {
     AppForm *self = g_object_new(APP_TYPE_FORM, NULL);
     self->document = g_object_ref(document);
-    self->tables = tables;
+    self->parameters = parameters;
     self->prefixes = prefixes;
     self->except = except;
-    self->keys = (AppKeys){.document = document, .parameters = tables->shown};
+    self->keys = (AppKeys){.document = document, .parameters = parameters};
     if (!strstr(prefixes[0], "[]")) {
         rebuild(self);
         app_form_refresh(self);

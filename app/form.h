@@ -10,22 +10,14 @@
 
 #include "document.h"
 
-/* The parameter table in the user's language, with the units in English beside it. */
-typedef struct AppTables {
-    luxel_parameters *shown, *english;
-} AppTables;
-
-AppTables *app_tables_new(void);
-void app_tables_free(AppTables *tables);
-
 #define APP_TYPE_FORM (app_form_get_type())
 G_DECLARE_FINAL_TYPE(AppForm, app_form, APP, FORM, GtkBox)
 
 /*
- * A form of the keys whose paths begin with one of `prefixes` (NULL-terminated; "lights[]." are the keys of a light)
- * and not with `except` (NULL: none).  Everything lives as long as the form.
+ * A form of those keys of the parameter table whose paths begin with one of `prefixes` (NULL-terminated; "lights[]."
+ * are the keys of a light) and not with `except` (NULL: none).  Everything lives as long as the form.
  */
-GtkWidget *app_form_new(AppDocument *document, const AppTables *tables, const char *const *prefixes,
+GtkWidget *app_form_new(AppDocument *document, const luxel_parameters *parameters, const char *const *prefixes,
                         const char *except);
 
 /* Shows the element `index` of the list that the paths go through, of this type; NULL: there is none. */

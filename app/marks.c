@@ -13,14 +13,9 @@ static const double FINE = 0.1;
 /* Half the shorter side of the screen: the radius of the disk on which distant light is marked. */
 static double dome_radius(const AppDocument *document)
 {
-    char *width = app_document_get(document, "screen.width", NULL);
-    char *height = app_document_get(document, "screen.height", NULL);
-    double sides[2] = {0, 0};
-    app_list_read(width, &sides[0], 1);
-    app_list_read(height, &sides[1], 1);
-    g_free(width);
-    g_free(height);
-    return 0.5 * MIN(sides[0], sides[1]);
+    const double width = app_document_get_number(document, "screen.width");
+    const double height = app_document_get_number(document, "screen.height");
+    return 0.5 * MIN(width, height);
 }
 
 /* ---- where they are ---- */

@@ -142,7 +142,7 @@ static void add_all(AppPoints *self, const double *places, gsize count)
         app_edits_add(edits, APP_EDIT_INSERT, "points", yaml, size + i, 0);
         g_free(yaml);
     }
-    app_document_edit(self->document, (const AppEdit *)(void *)edits->list->data, edits->list->len, NULL, NULL);
+    app_edits_make(edits, self->document, NULL);
     app_edits_free(edits);
 }
 

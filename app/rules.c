@@ -5,6 +5,7 @@
 #include <math.h>
 #include <string.h>
 
+#include "marks.h"
 #include "number.h"
 
 /* ---- paths ---- */
@@ -98,15 +99,24 @@ static gboolean other_is_chosen(const AppKeys *keys, const luxel_parameter *para
     return chosen;
 }
 
+/* Whether one of the keys of a rule is written, of which one must be. */
+static gboolean any_written(const AppKeys *keys, const luxel_parameter *parameter, const char *choices)
+{
+    char **names = g_strsplit(choices, ", ", -1);
+    gboolean any = FALSE;
+    for (gsize i = 0; names[i] && !any; i++)
+        any = is_written(keys, app_keys_beside(keys, parameter, names[i]));
+    g_strfreev(names);
+    return any;
+}
+
 /* Whether none of the keys of which one must be given is, and this is the first of them. */
 static gboolean is_first_of_none(const AppKeys *keys, const luxel_parameter *parameter, const luxel_rule *rule)
 {
-    char **names = g_strsplit(rule->choices, ", ", -1);
-    gboolean none = names[0] && strcmp(names[0], name_of(parameter)) == 0;
-    for (gsize i = 0; names[i] && none; i++)
-        none = !is_written(keys, app_keys_beside(keys, parameter, names[i]));
-    g_strfreev(names);
-    return none;
+    const char *name = name_of(parameter);
+    const gsize length = strlen(name);
+    return strncmp(rule->choices, name, length) == 0 && (!rule->choices[length] || rule->choices[length] == ',') &&
+           !any_written(keys, parameter, rule->choices);
 }
 
 static gboolean rule_shows(const AppKeys *keys, const luxel_parameter *parameter, const luxel_rule *rule,
@@ -165,6 +175,12 @@ void app_edits_add(AppEdits *edits, AppEditKind kind, const char *key, const cha
     g_array_append_val(edits->list, edit);
 }
 
+gboolean app_edits_make(const AppEdits *edits, AppDocument *document, luxel_diagnostics *diagnostics)
+{
+    const AppEdit *list = (const AppEdit *)(void *)edits->list->data;
+    return app_document_edit(document, list, edits->list->len, NULL, diagnostics);
+}
+
 static void add_set(const AppKeys *keys, const luxel_parameter *parameter, const char *value, AppEdits *edits)
 {
     char *path = app_keys_path(keys, parameter);
@@ -188,7 +204,7 @@ static luxel_scene *scene_with(const AppKeys *keys, const AppEdits *edits)
 {
     luxel_scene *scene = NULL;
     AppDocument *trial = app_document_copy(keys->document);
-    if (!edits || app_document_edit(trial, (const AppEdit *)(void *)edits->list->data, edits->list->len, NULL, NULL))
+    if (!edits || app_edits_make(edits, trial, NULL))
         scene = app_document_copy_scene(trial);
     if (scene && luxel_scene_commit(scene, NULL) != LUXEL_OK)
         g_clear_pointer(&scene, luxel_scene_free);
@@ -199,18 +215,14 @@ static luxel_scene *scene_with(const AppKeys *keys, const AppEdits *edits)
 /* Where a light stands now, whatever of it is written; else above the middle. */
 static void place_of(const AppKeys *keys, double place[3])
 {
-    static const char *const places[] = {"position",   "rectangle.center", "disk.center",
-                                         "box.center", "sphere.center",    "cylinder.center"};
     const double above[3] = {0, 0, 2000};
-    for (gsize i = 0; i < G_N_ELEMENTS(places); i++) {
-        char *path = g_strdup_printf("lights[%zu].%s", keys->index, places[i]);
-        char *text = app_document_get(keys->document, path, NULL);
-        gboolean found = text && app_list_read(text, place, 3) == 3;
-        g_free(text);
-        g_free(path);
-        if (found)
-            return;
-    }
+    char *path = app_place_key(keys->document, APP_MARK_SOURCE, keys->index);
+    char *text = path && !g_str_has_suffix(path, ".vertices") ? app_document_get(keys->document, path, NULL) : NULL;
+    const gboolean found = text && app_list_read(text, place, 3) == 3;
+    g_free(text);
+    g_free(path);
+    if (found)
+        return;
     memcpy(place, above, sizeof above);
     luxel_scene *scene = scene_with(keys, NULL); /* the middle of a polygon or mesh */
     if (scene && luxel_scene_light_place(scene, keys->index, place))
@@ -321,21 +333,12 @@ static void add_needed(const AppKeys *keys, const luxel_parameter *parameter, co
     }
 }
 
-static double number_at(const AppDocument *document, const char *key)
-{
-    double number = 0;
-    char *text = app_document_get(document, key, NULL);
-    app_list_read(text, &number, 1);
-    g_free(text);
-    return number;
-}
-
 /* Pixels stay square: a side follows the other, and the sides follow the number of pixels. */
 static void add_square(const AppKeys *keys, const luxel_parameter *parameter, int component, double value,
                        AppEdits *edits)
 {
-    double pixels[2] = {1, 1}, width = number_at(keys->document, "screen.width");
-    double height = number_at(keys->document, "screen.height");
+    double pixels[2] = {1, 1}, width = app_document_get_number(keys->document, "screen.width");
+    double height = app_document_get_number(keys->document, "screen.height");
     char *text = app_document_get(keys->document, "screen.resolution", NULL), number[APP_NUMBER_SIZE];
     app_list_read(text, pixels, 2);
     g_free(text);
@@ -381,17 +384,6 @@ static gboolean is_own_key(const luxel_parameter *parameter)
     return brackets && !strchr(brackets + 3, '.');
 }
 
-/* Whether one of the keys of a rule is written, of which one must be. */
-static gboolean any_written(const AppKeys *keys, const luxel_parameter *parameter, const char *choices)
-{
-    char **names = g_strsplit(choices, ", ", -1);
-    gboolean any = FALSE;
-    for (gsize i = 0; names[i] && !any; i++)
-        any = is_written(keys, app_keys_beside(keys, parameter, names[i]));
-    g_strfreev(names);
-    return any;
-}
-
 /* Whether an element of this type must be given a key that the present one does not have. */
 static gboolean must_be_given(const AppKeys *keys, const luxel_parameter *parameter)
 {
@@ -401,8 +393,8 @@ static gboolean must_be_given(const AppKeys *keys, const luxel_parameter *parame
         return !is_written(keys, parameter);
     for (gsize r = 0; r < parameter->rule_count; r++) {
         const luxel_rule *rule = &parameter->rules[r];
-        if (rule->kind == LUXEL_RULE_ONE_OF && !any_written(keys, parameter, rule->choices))
-            return is_first_of_none(keys, parameter, rule);
+        if (rule->kind == LUXEL_RULE_ONE_OF && is_first_of_none(keys, parameter, rule))
+            return TRUE;
     }
     return FALSE;
 }

@@ -33,6 +33,9 @@ void app_edits_free(AppEdits *edits);
 /* Copies what it is given. */
 void app_edits_add(AppEdits *edits, AppEditKind kind, const char *key, const char *value, gsize index, gsize to);
 
+/* Makes them together, as app_document_edit() does; at least one. */
+gboolean app_edits_make(const AppEdits *edits, AppDocument *document, luxel_diagnostics *diagnostics);
+
 /*
  * What giving a parameter a value takes: the value, the keys that it makes necessary, square pixels.  `component` -1,
  * or which of its numbers it is.

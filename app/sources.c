@@ -24,7 +24,7 @@ typedef struct Item {
 struct _AppSources {
     GtkBox parent;
     AppDocument *document;
-    const AppTables *tables;
+    const luxel_parameters *parameters;
     GtkWidget *list, *scrolled, *more, *form, *aim;
     GPtrArray *items;
     gsize chosen;
@@ -68,7 +68,7 @@ static void solo_toggled(GtkToggleButton *button, Item *item)
 static void name_control(GtkWidget *control, const char *format, gsize index)
 {
     char *text = g_strdup_printf(format, index + 1);
-    gtk_accessible_update_property(GTK_ACCESSIBLE(control), GTK_ACCESSIBLE_PROPERTY_LABEL, text, -1);
+    app_name_control(control, text);
     gtk_widget_set_tooltip_text(control, text);
     g_free(text);
 }
@@ -130,28 +130,23 @@ static void refresh_item(AppSources *self, Item *item)
     g_free(title);
 }
 
-/* The key by which the chosen source can be aimed, such as lights[0].aim; NULL where it has none. */
-static char *aim_key(AppSources *self, gboolean is_axis)
+/* The mapping in which the chosen source can be aimed, such as lights[0] or lights[0].disk; NULL where it cannot. */
+static char *aimed_part(AppSources *self)
 {
-    static const char *const groups[] = {"", "rectangle.", "disk."};
     char *type = get(self, self->chosen, "type"), *found = NULL;
-    const AppKeys keys = {self->document, self->tables->shown, type, self->chosen};
-    for (gsize g = 0; g < G_N_ELEMENTS(groups) && type && !found; g++)
-        for (gsize i = 0; i < luxel_parameters_count(keys.parameters) && !found; i++) {
-            const luxel_parameter *parameter = luxel_parameters_get(keys.parameters, i);
-            char *path = g_strdup_printf("lights[].%saim", groups[g]);
-            gboolean fits = strcmp(parameter->path, path) == 0 && app_keys_has(&keys, parameter);
-            if (fits && g > 0) {
-                gboolean written;
-                char *group = g_strdup_printf("lights[%zu].%.*s", self->chosen, (int)strlen(groups[g]) - 1, groups[g]);
-                g_free(app_document_get(self->document, group, &written));
-                g_free(group);
-                fits = written;
-            }
-            if (fits)
-                found = g_strdup_printf("lights[%zu].%s%s", self->chosen, groups[g], is_axis ? "axis" : "aim");
-            g_free(path);
-        }
+    const AppKeys keys = {self->document, self->parameters, type, self->chosen};
+    for (gsize i = 0; i < luxel_parameters_count(keys.parameters) && type && !found; i++) {
+        const luxel_parameter *parameter = luxel_parameters_get(keys.parameters, i);
+        gboolean written;
+        if (!g_str_has_prefix(parameter->path, prefixes[0]) || !g_str_has_suffix(parameter->path, ".aim") ||
+            !app_keys_has(&keys, parameter))
+            continue;
+        found = app_keys_path(&keys, parameter);
+        *strrchr(found, '.') = '\0';
+        g_free(app_document_get(self->document, found, &written));
+        if (!written)
+            g_clear_pointer(&found, g_free);
+    }
     g_free(type);
     return found;
 }
@@ -159,11 +154,11 @@ static char *aim_key(AppSources *self, gboolean is_axis)
 static void show_chosen(AppSources *self)
 {
     char *type = self->chosen < app_document_size(self->document, "lights") ? get(self, self->chosen, "type") : NULL;
-    char *aim = type ? aim_key(self, FALSE) : NULL;
+    char *aimed = type ? aimed_part(self) : NULL;
     app_form_set_element(APP_FORM(self->form), self->chosen, type);
-    gtk_widget_set_sensitive(self->aim, aim != NULL);
+    gtk_widget_set_sensitive(self->aim, aimed != NULL);
     g_free(type);
-    g_free(aim);
+    g_free(aimed);
 }
 
 void app_sources_refresh(AppSources *self)
@@ -206,11 +201,6 @@ void app_sources_choose(AppSources *self, gsize index)
     app_sources_refresh(self);
 }
 
-gsize app_sources_chosen(AppSources *self)
-{
-    return self->chosen;
-}
-
 void app_sources_show(AppSources *self, const AppMeasures *measures, gboolean photometric)
 {
     for (guint i = 0; i < self->items->len && i < measures->source_count; i++) {
@@ -246,8 +236,8 @@ gboolean app_sources_set_fault(AppSources *self, const char *key, const char *re
 
 static const luxel_kind *find_kind(AppSources *self, const char *name)
 {
-    for (gsize i = 0; i < luxel_parameters_kind_count(self->tables->shown); i++) {
-        const luxel_kind *kind = luxel_parameters_kind(self->tables->shown, i);
+    for (gsize i = 0; i < luxel_parameters_kind_count(self->parameters); i++) {
+        const luxel_kind *kind = luxel_parameters_kind(self->parameters, i);
         if (strcmp(kind->list, "lights") == 0 && strcmp(kind->name, name) == 0)
             return kind;
     }
@@ -309,14 +299,15 @@ void app_sources_move(AppSources *self, int step)
 
 void app_sources_aim(AppSources *self)
 {
-    char *aim = aim_key(self, FALSE), *axis = aim ? aim_key(self, TRUE) : NULL;
-    char *center = app_document_get(self->document, "surfaces[0].center", NULL);
+    char *aimed = aimed_part(self), *center = app_document_get(self->document, "surfaces[0].center", NULL);
+    char *axis = g_strconcat(aimed, ".axis", NULL), *aim = g_strconcat(aimed, ".aim", NULL); /* NULL stays NULL */
     const AppEdit edits[] = {{.kind = APP_EDIT_REMOVE, .key = axis},
                              {.kind = APP_EDIT_SET, .key = aim, .value = center}};
-    if (aim && center)
+    if (aimed && center)
         app_document_edit(self->document, edits, G_N_ELEMENTS(edits), "lights", NULL);
-    g_free(aim);
+    g_free(aimed);
     g_free(axis);
+    g_free(aim);
     g_free(center);
 }
 
@@ -353,7 +344,7 @@ static char *rest_of_point(AppSources *self)
 char *app_sources_paste(AppSources *self, const char *text)
 {
     gsize count;
-    char *fault, numbers[3][APP_NUMBER_SIZE];
+    char *fault;
     double *places = app_numbers_read(text, 3, &count, &fault);
     if (!places)
         return fault;
@@ -361,15 +352,14 @@ char *app_sources_paste(AppSources *self, const char *text)
     char *rest = rest_of_point(self);
     gsize at = behind_chosen(self);
     for (gsize i = 0; i < count; i++) {
-        for (int k = 0; k < 3; k++)
-            app_number_write(places[3 * i + (gsize)k], numbers[k]);
-        char *yaml =
-            g_strdup_printf("{type: point, position: [%s, %s, %s]%s}", numbers[0], numbers[1], numbers[2], rest);
+        char *place = app_list_write(&places[3 * i], 3);
+        char *yaml = g_strdup_printf("{type: point, position: %s%s}", place, rest);
         app_edits_add(edits, APP_EDIT_INSERT, "lights", yaml, at + i, 0);
         g_free(yaml);
+        g_free(place);
     }
     app_sources_end_solo(self);
-    if (app_document_edit(self->document, (const AppEdit *)(void *)edits->list->data, edits->list->len, NULL, NULL))
+    if (app_edits_make(edits, self->document, NULL))
         app_sources_choose(self, at + count - 1);
     app_edits_free(edits);
     g_free(rest);
@@ -420,11 +410,11 @@ static GtkWidget *add_button(GtkWidget *box, const char *icon, const char *meani
     return button;
 }
 
-static GMenuModel *menu_of_kinds(const AppTables *tables)
+static GMenuModel *menu_of_kinds(const luxel_parameters *parameters)
 {
     GMenu *menu = g_menu_new();
-    for (gsize i = 0; i < luxel_parameters_kind_count(tables->shown); i++) {
-        const luxel_kind *kind = luxel_parameters_kind(tables->shown, i);
+    for (gsize i = 0; i < luxel_parameters_kind_count(parameters); i++) {
+        const luxel_kind *kind = luxel_parameters_kind(parameters, i);
         if (strcmp(kind->list, "lights") != 0 || !kind->example)
             continue;
         char *text = g_strdup_printf("%s: %s", kind->name, kind->meaning);
@@ -440,7 +430,7 @@ static GMenuModel *menu_of_kinds(const AppTables *tables)
 static GtkWidget *new_toolbar(AppSources *self)
 {
     GtkWidget *bar = gtk_box_new(GTK_ORIENTATION_HORIZONTAL, 2), *add = gtk_menu_button_new();
-    GMenuModel *kinds = menu_of_kinds(self->tables);
+    GMenuModel *kinds = menu_of_kinds(self->parameters);
     gtk_menu_button_set_icon_name(GTK_MENU_BUTTON(add), "list-add-symbolic");
     gtk_menu_button_set_menu_model(GTK_MENU_BUTTON(add), kinds);
     gtk_widget_set_tooltip_text(add, _("Add a source"));
@@ -456,14 +446,14 @@ static GtkWidget *new_toolbar(AppSources *self)
     return bar;
 }
 
-GtkWidget *app_sources_new(AppDocument *document, const AppTables *tables)
+GtkWidget *app_sources_new(AppDocument *document, const luxel_parameters *parameters)
 {
     AppSources *self = g_object_new(APP_TYPE_SOURCES, NULL);
     self->document = g_object_ref(document);
-    self->tables = tables;
+    self->parameters = parameters;
     self->list = gtk_list_box_new();
     self->more = gtk_label_new(NULL);
-    self->form = app_form_new(document, tables, prefixes, NULL);
+    self->form = app_form_new(document, parameters, prefixes, NULL);
     gtk_widget_add_css_class(self->list, "frame");
     gtk_accessible_update_property(GTK_ACCESSIBLE(self->list), GTK_ACCESSIBLE_PROPERTY_LABEL, _("Sources"), -1);
     g_signal_connect(self->list, "row-selected", G_CALLBACK(row_selected), self);

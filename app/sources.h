@@ -13,11 +13,10 @@
 #define APP_TYPE_SOURCES (app_sources_get_type())
 G_DECLARE_FINAL_TYPE(AppSources, app_sources, APP, SOURCES, GtkBox)
 
-GtkWidget *app_sources_new(AppDocument *document, const AppTables *tables);
+GtkWidget *app_sources_new(AppDocument *document, const luxel_parameters *parameters);
 
 void app_sources_refresh(AppSources *self);
 void app_sources_choose(AppSources *self, gsize index);
-gsize app_sources_chosen(AppSources *self);
 /* Shows flux and irradiance; `photometric`: in lm and lx. */
 void app_sources_show(AppSources *self, const AppMeasures *measures, gboolean photometric);
 /* Marks a wrong key; TRUE where the form has it. */

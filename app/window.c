@@ -7,6 +7,7 @@
 
 #include <string.h>
 
+#include "../front/language.h"
 #include "../front/words.h"
 #include "pulse.h"
 #include "row.h"
@@ -188,9 +189,10 @@ static void solo_changed(AppSources *sources, int index, AppWindow *self)
 static void display_changed(AppWindow *self)
 {
     const AppDisplay *display = app_display_form_get(APP_DISPLAY_FORM(self->display_form));
-    if (strcmp(display->palette, "grey") != 0)
+    const gboolean is_new = strcmp(display->palette, "grey") != 0 && display->palette != self->false_palette;
+    if (is_new)
         self->false_palette = display->palette;
-    if (self->settings)
+    if (is_new && self->settings)
         g_settings_set_string(self->settings, "palette", self->false_palette);
     app_window_update_actions(self);
     app_window_ask_picture(self);
@@ -272,11 +274,11 @@ static void make_left(AppWindow *self)
     static const char *const screen[] = {"units", "shadows", "screen.", "observer.", NULL};
     static const char *const surface[] = {"surfaces[].", NULL}, *const picture[] = {"picture.", NULL};
     static const char *const material[] = {"surfaces[].material.", NULL};
-    self->screen_form = app_form_new(self->document, self->tables, screen, NULL);
-    self->surface_form = app_form_new(self->document, self->tables, surface, material[0]);
-    self->material_form = app_form_new(self->document, self->tables, material, NULL);
-    self->picture_form = app_form_new(self->document, self->tables, picture, NULL);
-    self->sources = app_sources_new(self->document, self->tables);
+    self->screen_form = app_form_new(self->document, self->parameters, screen, NULL);
+    self->surface_form = app_form_new(self->document, self->parameters, surface, material[0]);
+    self->material_form = app_form_new(self->document, self->parameters, material, NULL);
+    self->picture_form = app_form_new(self->document, self->parameters, picture, NULL);
+    self->sources = app_sources_new(self->document, self->parameters);
     self->points = app_points_new(self->document);
     self->display_form = app_display_form_new();
     add_group(self, _("Sources"), TRUE, self->sources, NULL, NULL);
@@ -383,7 +385,7 @@ static void app_window_finalize(GObject *object)
 {
     AppWindow *self = APP_WINDOW(object);
     g_clear_object(&self->document);
-    app_tables_free(self->tables);
+    luxel_parameters_free(self->parameters);
     G_OBJECT_CLASS(app_window_parent_class)->finalize(object);
 }
 
@@ -423,7 +425,7 @@ static void app_window_init(AppWindow *self)
     self->solo = -1;
     self->false_palette = app_palette_named("viridis");
     self->document = app_document_new();
-    self->tables = app_tables_new();
+    self->parameters = luxel_parameters_new_translated(language_translate, NULL);
     self->recovery = app_recovery_new(self->document);
     self->painter = app_painter_new(app_window_show_picture, self);
     self->meter = app_meter_new(app_window_show_numbers, self);

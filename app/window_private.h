@@ -15,7 +15,7 @@ struct _AppWindow {
     GtkApplicationWindow parent;
     AppDocument *document;
     AppRecovery *recovery;
-    AppTables *tables;
+    luxel_parameters *parameters; /* in the user's language */
     AppPainter *painter;
     AppMeter *meter;
     AppPointer *pointer;

@@ -24,8 +24,9 @@ void fuzz_must(bool holds, const char *what)
     abort();
 }
 
-struct fuzz_file fuzz_open(const void *data, size_t size)
+struct fuzz_file fuzz_open(const void *data, size_t size, const char *ending)
 {
+    char target[64];
     struct fuzz_file file = {.descriptor = memfd_create("fuzz", MFD_CLOEXEC)};
     fuzz_must(file.descriptor >= 0, "a file in memory");
     const char *bytes = data;
@@ -34,12 +35,16 @@ struct fuzz_file fuzz_open(const void *data, size_t size)
         fuzz_must(written > 0, "a file in memory can be written");
         done += (size_t)written;
     }
-    snprintf(file.path, sizeof file.path, "/proc/self/fd/%d", file.descriptor);
+    snprintf(target, sizeof target, "/proc/%d/fd/%d", (int)getpid(), file.descriptor);
+    snprintf(file.path, sizeof file.path, "/tmp/luxel-fuzz-%d%s", (int)getpid(), ending);
+    unlink(file.path);
+    fuzz_must(symlink(target, file.path) == 0, "a link can be made");
     return file;
 }
 
 void fuzz_close(struct fuzz_file *file)
 {
+    unlink(file->path);
     close(file->descriptor);
 }
 

@@ -19,12 +19,15 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size);
 /* Stops the program where what must hold does not. */
 void fuzz_must(bool holds, const char *what);
 
-/* A file of these bytes that is nowhere but in memory: its path, to be closed by fuzz_close(). */
+/*
+ * A file of these bytes that is nowhere but in memory, and a symbolic link to it whose name has an ending, such as
+ * ".off"; to be closed by fuzz_close().
+ */
 struct fuzz_file {
     int descriptor;
-    char path[64];
+    char path[64]; /* of the link */
 };
-struct fuzz_file fuzz_open(const void *data, size_t size);
+struct fuzz_file fuzz_open(const void *data, size_t size, const char *ending);
 void fuzz_close(struct fuzz_file *file);
 
 /* What a user may do with a scene that was read: commit, look, compute, probe, write.  Takes it over. */

@@ -79,6 +79,7 @@ typedef struct luxel_parameter {
     luxel_value_type value_type;     /* what `type` says in words */
     unsigned count;                  /* how many numbers a value has, or each of a list of points; 1 of all others */
     luxel_interval legal_range;      /* of each number, in its unit */
+    const char *photometric_unit;    /* the unit where the scene's `units` are photometric; "" where it has none */
     luxel_interval advised_range[3]; /* for sliders: by number, the same for all where `advised` tells just one */
 } luxel_parameter;
 

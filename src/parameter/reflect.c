@@ -112,9 +112,11 @@ static bool describe(struct lx_reflection *reflection, const struct lx_parameter
     shown->legal = keep_words(reflection, &legal);
     shown->advised = keep_words(reflection, &advised);
     shown->unit = keep_phrase(reflection, unit);
+    shown->photometric_unit = keep_phrase(reflection, lx_unit_word(parameter->unit, true));
     shown->label = keep_phrase(reflection, parameter->label);
     shown->meaning = keep_phrase(reflection, parameter->meaning);
-    bool whole = shown->type && shown->legal && shown->advised && shown->unit && shown->label && shown->meaning;
+    bool whole = shown->type && shown->legal && shown->advised && shown->unit && shown->photometric_unit &&
+                 shown->label && shown->meaning;
     if (!parameter->legal.given)
         shown->legal = NULL;
     if (!parameter->advised[0].given)
