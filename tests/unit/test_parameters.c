@@ -131,6 +131,29 @@ static const char *translate(const char *english, void *data)
     return strcmp(english, "Radius") == 0 ? data : english;
 }
 
+static void units(void **state)
+{
+    (void)state;
+    static const struct {
+        const char *path, *variant, *radiometric, *photometric;
+    } cases[] = {
+        {"lights[].intensity", "point", "W/sr", "cd"},
+        {"lights[].irradiance", "distant", "W/m²", "lx"},
+        {"lights[].radiance", "planar", "W/(sr·m²)", "cd/m²"},
+        {"lights[].power", "planar", "W", "lm"},
+        {"screen.width", NULL, "mm", "mm"},
+        {"lights[].type", NULL, "", ""},
+    };
+    luxel_parameters *parameters = luxel_parameters_new();
+    assert_non_null(parameters);
+    for (size_t i = 0; i < sizeof cases / sizeof cases[0]; i++) {
+        const luxel_parameter *parameter = find(parameters, cases[i].path, cases[i].variant);
+        assert_string_equal(parameter->unit, cases[i].radiometric);
+        assert_string_equal(parameter->photometric_unit, cases[i].photometric);
+    }
+    luxel_parameters_free(parameters);
+}
+
 static void translated_labels(void **state)
 {
     (void)state;
@@ -145,7 +168,7 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(labels), cmocka_unit_test(labels_differ),     cmocka_unit_test(types),
-        cmocka_unit_test(ranges), cmocka_unit_test(translated_labels),
+        cmocka_unit_test(ranges), cmocka_unit_test(translated_labels), cmocka_unit_test(units),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
