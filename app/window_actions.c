@@ -223,7 +223,8 @@ static void text_came(GObject *source, GAsyncResult *result, gpointer data)
                             fault);
         app_window_show_fault(wanted->window, message);
         g_free(message);
-    }
+    } else if (app_window_is_open(wanted->window))
+        app_window_show_fault(wanted->window, NULL);
     g_free(fault);
     g_free(text);
     g_object_unref(wanted->window);

@@ -50,9 +50,10 @@ gboolean app_window_open(AppWindow *self, const char *path)
 {
     luxel_diagnostics *faults = luxel_diagnostics_new();
     gboolean done = app_document_open_file(self->document, path, faults);
-    if (done)
+    if (done) {
         remember(path);
-    else {
+        app_window_show_fault(self, NULL);
+    } else {
         char *text = fault_of_file(faults, path);
         app_window_show_fault(self, text);
         g_free(text);
@@ -175,6 +176,7 @@ static void save_chosen(AppWindow *self, const char *path, const AppExport *how)
         remember(path);
         text = g_strdup_printf(_("saved: %s"), path);
         app_window_say(self, text);
+        app_window_show_fault(self, NULL);
         app_window_ask_picture(self);
     } else {
         text = app_faults_text(faults);
@@ -221,9 +223,8 @@ static void exported(const char *path, const char *fault, gpointer owner)
     if (!app_window_is_open(self))
         return;
     char *text = fault ? g_strdup_printf("%s: %s", path, fault) : g_strdup_printf(_("saved: %s"), path);
-    if (fault)
-        app_window_show_fault(self, text);
-    else
+    app_window_show_fault(self, fault ? text : NULL);
+    if (!fault)
         app_window_say(self, text);
     g_free(text);
 }

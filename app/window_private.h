@@ -20,7 +20,8 @@ struct _AppWindow {
     AppMeter *meter;
     AppPointer *pointer;
 
-    AppPicture *picture; /* the last good one */
+    AppPicture *picture;       /* the last good one */
+    gboolean scene_has_faults; /* what the bar says is of the scene, and goes when it is mended */
     AppShot *pinned;
     AppSide side;
     gssize solo;

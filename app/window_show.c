@@ -22,8 +22,8 @@ void app_window_say(AppWindow *self, const char *text)
 
 void app_window_show_fault(AppWindow *self, const char *text)
 {
-    if (text)
-        gtk_label_set_text(GTK_LABEL(self->fault_label), text);
+    /* what is no longer shown is not read out either */
+    gtk_label_set_text(GTK_LABEL(self->fault_label), text ? text : "");
     gtk_info_bar_set_revealed(GTK_INFO_BAR(self->fault_bar), text != NULL);
 }
 
@@ -82,15 +82,17 @@ void app_window_show_picture(AppPicture *picture, gpointer owner)
     AppWindow *self = owner;
     if (picture->faults) {
         char *text = app_faults_text(picture->faults);
+        self->scene_has_faults = TRUE;
         mark_faults(self, picture->faults);
         app_window_show_fault(self, text);
         g_free(text);
         return;
     }
-    if (gtk_info_bar_get_revealed(GTK_INFO_BAR(self->fault_bar))) {
+    if (self->scene_has_faults) {
         mark_faults(self, NULL);
         app_window_show_fault(self, NULL);
     }
+    self->scene_has_faults = FALSE;
     app_picture_ref(picture);
     app_picture_unref(self->picture);
     self->picture = picture;

@@ -44,4 +44,16 @@ def points(tap, desk):
            window.save())
 
 
-trial(numbers, points)
+def at_start(tap, desk):
+    """What is wrong with the file of the command line stays to be read, though the first picture comes after it."""
+    path = desk.path("wrong.yaml")
+    with open(path, "w") as file:
+        file.write("luxel: 1\nlamps: []\n")
+    window = desk.start(path).window()
+    wait("the picture of the scene that is shown instead", lambda: len(window.values()) == 3)
+    window.act("false-color")
+    wait("another picture", lambda: window.state("false-color"))
+    tap.ok(window.says(path, "lamps"), "a wrong file at the start is told, and stays told")
+
+
+trial(at_start, numbers, points)
