@@ -7,13 +7,15 @@
 #include "memory.h"
 #include "rows.h"
 
-/* Small enough to share the work evenly and to notice a stop, large enough not to fight for the counter. */
-enum { BLOCK_ROWS = 4 };
+/*
+ * Rows taken at a time: few enough to share the work evenly and to notice a stop, enough not to fight for the counter.
+ */
+enum { MOST_BLOCK_ROWS = 4, BLOCKS_PER_THREAD = 4 };
 
 struct job {
     struct lx_control *control;
-    lx_rows_work *work;
-    void *data;
+    const struct lx_rows_part *part;
+    unsigned block_rows;
     atomic_uint next;
 };
 
@@ -49,12 +51,13 @@ unsigned lx_thread_count(unsigned wanted, unsigned most)
 static void take_rows(struct job *job, unsigned index, bool is_caller)
 {
     struct lx_control *control = job->control;
+    const struct lx_rows_part *part = job->part;
     while (lx_control_goes_on(control, is_caller)) {
-        unsigned first = atomic_fetch_add(&job->next, BLOCK_ROWS);
-        if (first >= control->rows)
+        unsigned first = atomic_fetch_add(&job->next, job->block_rows);
+        if (first >= part->last)
             return;
-        unsigned last = control->rows - first < BLOCK_ROWS ? control->rows : first + BLOCK_ROWS;
-        job->work(job->data, index, is_caller, first, last);
+        unsigned last = part->last - first < job->block_rows ? part->last : first + job->block_rows;
+        part->work(part->data, index, is_caller, first, last);
         atomic_fetch_add(&control->rows_done, last - first);
     }
 }
@@ -68,7 +71,19 @@ static void *run_worker(void *argument)
 
 bool lx_rows_run(struct lx_control *control, unsigned threads, lx_rows_work *work, void *data)
 {
-    struct job job = {.control = control, .work = work, .data = data};
+    const struct lx_rows_part all = {.last = control->rows, .work = work, .data = data};
+    return lx_rows_run_part(control, threads, &all);
+}
+
+bool lx_rows_run_part(struct lx_control *control, unsigned threads, const struct lx_rows_part *part)
+{
+    unsigned share = (part->last - part->first) / threads / BLOCKS_PER_THREAD;
+    struct job job = {.control = control,
+                      .part = part,
+                      .block_rows = share < 1                 ? 1
+                                    : share < MOST_BLOCK_ROWS ? share
+                                                              : MOST_BLOCK_ROWS,
+                      .next = part->first};
     unsigned started = 0;
     struct worker *workers = threads > 1 ? lx_new_array(threads - 1, sizeof *workers) : NULL;
     /* A thread that cannot be had is done without: the others take its rows. */
@@ -78,6 +93,8 @@ bool lx_rows_run(struct lx_control *control, unsigned threads, lx_rows_work *wor
             break;
         started++;
     }
+    if (part->meanwhile)
+        part->meanwhile(part->data);
     take_rows(&job, 0, true);
     for (unsigned i = 0; i < started; i++)
         pthread_join(workers[i].thread, NULL);

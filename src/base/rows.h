@@ -14,7 +14,7 @@
 struct lx_control {
     atomic_bool stop;
     atomic_uint rows_done;
-    unsigned rows;
+    unsigned rows;                             /* of the whole work, which may be done in parts */
     bool (*progress)(double done, void *data); /* NULL: none; false stops the work */
     void *data;
     struct timespec last; /* when progress was last reported */
@@ -34,5 +34,16 @@ unsigned lx_thread_count(unsigned wanted, unsigned most);
 
 /* Does control->rows rows with up to `threads` threads, the calling one among them.  False: it was stopped. */
 bool lx_rows_run(struct lx_control *control, unsigned threads, lx_rows_work *work, void *data);
+
+/* Rows first to last - 1 of a work that is done in parts. */
+struct lx_rows_part {
+    unsigned first, last;
+    lx_rows_work *work;
+    void (*meanwhile)(void *data); /* what the calling thread does before it takes rows itself; NULL: nothing */
+    void *data;                    /* handed to both */
+};
+
+/* Does a part as lx_rows_run() does the whole. */
+bool lx_rows_run_part(struct lx_control *control, unsigned threads, const struct lx_rows_part *part);
 
 #endif

@@ -3,9 +3,10 @@
 #include "sink.h"
 
 #include <errno.h>
-#include <stdint.h>
+#include <fcntl.h>
 #include <stdlib.h>
 #include <string.h>
+#include <unistd.h>
 
 #include "reason.h"
 #include "staged.h"
@@ -103,6 +104,53 @@ luxel_status lx_sink_write(struct lx_sink *sink, const void *bytes, size_t count
     }
     memcpy(sink->buffer + sink->used, bytes, count);
     sink->used += count;
+    return sink->status;
+}
+
+bool lx_sink_is_direct(const struct lx_sink *sink)
+{
+    return sink->staged.direct;
+}
+
+luxel_status lx_sink_seek(struct lx_sink *sink, uint64_t place)
+{
+    if (sink->status == LUXEL_OK) {
+        flush_with(sink, NULL, 0);
+    }
+    if (sink->status == LUXEL_OK && lseek(sink->staged.file, (off_t)place, SEEK_SET) < 0) {
+        sink->status = report(sink->diagnostics, LX_MSG_FILE_NOT_WRITTEN, sink->path, errno);
+    }
+    return sink->status;
+}
+
+luxel_status lx_sink_read_back(struct lx_sink *sink, uint64_t place, void *bytes, size_t count)
+{
+    unsigned char *next = bytes;
+
+    if (sink->status == LUXEL_OK) {
+        flush_with(sink, NULL, 0);
+    }
+    while (sink->status == LUXEL_OK && count > 0) {
+        ssize_t got = pread(sink->staged.file, next, count < LX_LARGEST_WRITE ? count : LX_LARGEST_WRITE, (off_t)place);
+
+        if (got > 0) {
+            next += got;
+            place += (uint64_t)got;
+            count -= (size_t)got;
+        } else if (got == 0 || errno != EINTR) {
+            sink->status = report(sink->diagnostics, LX_MSG_FILE_NOT_WRITTEN, sink->path, got < 0 ? errno : EIO);
+        }
+    }
+    return sink->status;
+}
+
+luxel_status lx_sink_reserve(struct lx_sink *sink, uint64_t bytes)
+{
+    if (sink->status == LUXEL_OK && !sink->staged.direct &&
+        fallocate(sink->staged.file, FALLOC_FL_KEEP_SIZE, 0, (off_t)bytes) != 0 &&
+        (errno == ENOSPC || errno == EDQUOT || errno == EFBIG)) {
+        sink->status = report(sink->diagnostics, LX_MSG_FILE_NOT_WRITTEN, sink->path, errno);
+    }
     return sink->status;
 }
 

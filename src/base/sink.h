@@ -18,7 +18,9 @@
 #ifndef LX_BASE_SINK_H
 #define LX_BASE_SINK_H
 
+#include <stdbool.h>
 #include <stddef.h>
+#include <stdint.h>
 #include <sys/types.h>
 
 #include "diagnostics.h"
@@ -48,6 +50,21 @@ luxel_status lx_sink_open(const char *path, const struct lx_sink_system *system,
  * that a writer need not look at every call: lx_sink_commit() fails too.
  */
 luxel_status lx_sink_write(struct lx_sink *sink, const void *bytes, size_t count);
+
+/* Whether the file takes its bytes in one order only: it is a device, a pipe. */
+bool lx_sink_is_direct(const struct lx_sink *sink);
+
+/* Goes to a place in the file, where the next bytes are written; not of a direct one.  Fails as lx_sink_write(). */
+luxel_status lx_sink_seek(struct lx_sink *sink, uint64_t place);
+
+/* Reads bytes that were written; not of a direct one.  Fails as lx_sink_write(). */
+luxel_status lx_sink_read_back(struct lx_sink *sink, uint64_t place, void *bytes, size_t count);
+
+/*
+ * Fails where the disk has not this much room, so that a full disk is known before a long work and not after it.
+ * Where the file system cannot tell, it does nothing.
+ */
+luxel_status lx_sink_reserve(struct lx_sink *sink, uint64_t bytes);
 
 /* LUXEL_OK, or what the sink failed with. */
 luxel_status lx_sink_status(const struct lx_sink *sink);

@@ -37,7 +37,7 @@ static const mode_t PERMISSIONS = 0777;
 
 static int open_unnamed(int folder, mode_t mode)
 {
-    return openat(folder, ".", O_TMPFILE | O_WRONLY | O_CLOEXEC, mode);
+    return openat(folder, ".", O_TMPFILE | O_RDWR | O_CLOEXEC, mode);
 }
 
 static int rename_within(int folder, const char *from, const char *to)
@@ -100,7 +100,7 @@ static void sweep_all(int folder, const char *target)
 /* Makes a file of this hidden name, with its lock.  EEXIST: another process has it. */
 static int create_hidden(struct lx_staged *staged, const char *name)
 {
-    int file = openat(staged->folder, name, O_CREAT | O_EXCL | O_WRONLY | O_NOFOLLOW | O_CLOEXEC, NEW_FILE);
+    int file = openat(staged->folder, name, O_CREAT | O_EXCL | O_RDWR | O_NOFOLLOW | O_CLOEXEC, NEW_FILE);
 
     if (file < 0) {
         return errno;

@@ -152,6 +152,66 @@ static void pieces(struct place *place, bool unnamed)
     free(found);
 }
 
+/* Written out of order, and read back before the file is complete. */
+static void out_of_order(struct place *place, bool unnamed)
+{
+    struct lx_sink_system system = make_system(unnamed);
+    struct lx_sink *sink, *other;
+    char found[7] = "";
+
+    assert_int_equal(lx_sink_open(place->file, &system, NULL, &sink), LUXEL_OK);
+    assert_false(lx_sink_is_direct(sink));
+    assert_int_equal(lx_sink_write(sink, "......", 6), LUXEL_OK);
+    assert_int_equal(lx_sink_seek(sink, 3), LUXEL_OK);
+    assert_int_equal(lx_sink_write(sink, "ere", 3), LUXEL_OK);
+    assert_int_equal(lx_sink_seek(sink, 0), LUXEL_OK);
+    assert_int_equal(lx_sink_write(sink, "sph", 3), LUXEL_OK);
+    assert_int_equal(lx_sink_read_back(sink, 2, found, 4), LUXEL_OK);
+    assert_string_equal(found, "here");
+
+    /* Another sink for the same file leaves this one alone, and this one it. */
+    assert_int_equal(lx_sink_open(place->file, &system, NULL, &other), LUXEL_OK);
+    assert_int_equal(lx_sink_write(other, "other", 5), LUXEL_OK);
+    assert_int_equal(lx_sink_commit(sink), LUXEL_OK);
+    assert_content(place->file, "sphere");
+    assert_int_equal(lx_sink_read_back(other, 0, found, 5), LUXEL_OK);
+    assert_memory_equal(found, "other", 5);
+    lx_sink_abort(other);
+    assert_content(place->file, "sphere");
+    assert_int_equal(entries(place), 1);
+}
+
+/* Room for more than any disk has is refused at once; for a little it is had; a device is not asked. */
+static void reserved(struct place *place, bool unnamed)
+{
+    struct lx_sink_system system = make_system(unnamed);
+    luxel_diagnostics *diagnostics = luxel_diagnostics_new();
+    struct lx_sink *sink;
+    char byte;
+
+    assert_int_equal(lx_sink_open(place->file, &system, diagnostics, &sink), LUXEL_OK);
+    assert_int_equal(lx_sink_reserve(sink, 4096), LUXEL_OK);
+    assert_int_equal(lx_sink_write(sink, "sphere", 6), LUXEL_OK);
+    assert_int_equal(lx_sink_commit(sink), LUXEL_OK);
+    assert_content(place->file, "sphere");
+
+    assert_int_equal(lx_sink_open(place->file, &system, diagnostics, &sink), LUXEL_OK);
+    assert_int_equal(lx_sink_reserve(sink, UINT64_C(1) << 62), LUXEL_ERROR_FILE);
+    assert_int_equal(lx_sink_seek(sink, 0), LUXEL_ERROR_FILE);
+    assert_int_equal(lx_sink_read_back(sink, 0, &byte, 1), LUXEL_ERROR_FILE);
+    assert_int_equal(lx_sink_commit(sink), LUXEL_ERROR_FILE);
+    assert_int_equal(luxel_diagnostics_count(diagnostics), 1);
+    assert_string_equal(luxel_diagnostics_get(diagnostics, 0)->id, "file-not-written");
+    assert_content(place->file, "sphere");
+    assert_int_equal(entries(place), 1);
+
+    assert_int_equal(lx_sink_open("/dev/null", &system, diagnostics, &sink), LUXEL_OK);
+    assert_true(lx_sink_is_direct(sink));
+    assert_int_equal(lx_sink_reserve(sink, UINT64_C(1) << 62), LUXEL_OK);
+    assert_int_equal(lx_sink_commit(sink), LUXEL_OK);
+    luxel_diagnostics_free(diagnostics);
+}
+
 static void test_links(void **state)
 {
     struct place *place = *state;
@@ -317,12 +377,15 @@ BOTH_WAYS(replaced_file)
 BOTH_WAYS(aborted)
 BOTH_WAYS(pieces)
 BOTH_WAYS(failing_calls)
+BOTH_WAYS(out_of_order)
+BOTH_WAYS(reserved)
 
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        CASES(new_file), CASES(replaced_file), CASES(aborted), CASES(pieces),    CASE(links),     CASE(streams),
-        CASE(names),     CASES(failing_calls), CASE(places),   CASE(one_report), CASE(protected),
+        CASES(new_file), CASES(replaced_file), CASES(aborted),       CASES(pieces),       CASE(links),
+        CASE(streams),   CASE(names),          CASES(failing_calls), CASES(out_of_order), CASES(reserved),
+        CASE(places),    CASE(one_report),     CASE(protected),
     };
 
     return cmocka_run_group_tests_name("sink", tests, NULL, NULL);
