@@ -39,10 +39,9 @@ static void add_heading(struct lx_text *line, const struct lx_image *image)
     lx_text_clear(&field);
 }
 
-static const char *write_value(const struct lx_image *image, size_t i, char number[LX_NUMBER_SIZE])
+static const char *write_value(const void *data, bool single, size_t i, char number[LX_NUMBER_SIZE])
 {
-    bool single = image->sample == LX_SAMPLE_F32;
-    double value = single ? (double)((const float *)image->data)[i] : ((const double *)image->data)[i];
+    double value = single ? (double)((const float *)data)[i] : ((const double *)data)[i];
     if (isnan(value))
         return "nan";
     return single ? lx_write_digits(value, LX_CSV_SINGLE_DIGITS, number) : lx_write_number(value, number);
@@ -57,39 +56,62 @@ static char (*column_texts(const struct lx_image *image))[LX_NUMBER_SIZE]
     return texts;
 }
 
-static void add_row(struct lx_text *lines, const struct lx_image *image, unsigned row, char (*columns)[LX_NUMBER_SIZE])
+/* The i-th row of a strip. */
+static void add_row(struct lx_text *lines, const struct lx_writer *writer, const struct lx_image_strip *strip,
+                    unsigned i)
 {
+    const struct lx_image *image = &writer->image;
+    const bool single = image->sample == LX_SAMPLE_F32;
+    char(*columns)[LX_NUMBER_SIZE] = writer->own;
     char y[LX_NUMBER_SIZE], number[LX_NUMBER_SIZE];
-    size_t first = (size_t)row * image->columns;
-    lx_write_digits(image->y_mm[row], LX_CSV_PLACE_DIGITS, y);
+    size_t first = (size_t)i * image->columns;
+    lx_write_digits(image->y_mm[strip->first + i], LX_CSV_PLACE_DIGITS, y);
     for (unsigned column = 0; column < image->columns; column++) {
-        if (image->mask && !image->mask[first + column])
+        if (strip->mask && !strip->mask[first + column])
             continue;
         lx_text_puts(lines, columns[column]);
         lx_text_puts(lines, ",");
         lx_text_puts(lines, y);
         lx_text_puts(lines, ",");
-        lx_text_puts(lines, write_value(image, first + column, number));
+        lx_text_puts(lines, write_value(strip->data, single, first + column, number));
         lx_text_puts(lines, "\n");
     }
 }
 
-static void write_csv(const struct lx_image *image, struct lx_sink *sink)
+/* Writes the lines, unless there was no memory for them. */
+static luxel_status put_lines(struct lx_text *lines, bool failed, struct lx_sink *sink)
+{
+    if (failed || lines->failed)
+        return lx_sink_fail(sink, LX_MSG_FILE_NOT_WRITTEN, lx_reason(ENOMEM));
+    luxel_status status = lx_sink_write(sink, lines->bytes, lines->length);
+    lines->length = 0;
+    return status;
+}
+
+static void begin_csv(struct lx_writer *writer)
+{
+    struct lx_text heading = {0};
+    writer->own = column_texts(&writer->image);
+    add_heading(&heading, &writer->image);
+    put_lines(&heading, !writer->own, writer->sink);
+    lx_text_clear(&heading);
+}
+
+static void add_csv(struct lx_writer *writer, const struct lx_image_strip *strip)
 {
     struct lx_text lines = {0};
-    char(*columns)[LX_NUMBER_SIZE] = column_texts(image);
     luxel_status status = LUXEL_OK;
-    if (columns)
-        add_heading(&lines, image);
-    for (unsigned row = 0; columns && row < image->rows && status == LUXEL_OK && !lines.failed; row++) {
-        add_row(&lines, image, row, columns);
-        status = lx_sink_write(sink, lines.bytes, lines.length);
-        lines.length = 0;
+    for (unsigned i = 0; i < strip->rows && status == LUXEL_OK; i++) {
+        add_row(&lines, writer, strip, i);
+        status = put_lines(&lines, false, writer->sink);
     }
-    if (!columns || lines.failed)
-        lx_sink_fail(sink, LX_MSG_FILE_NOT_WRITTEN, lx_reason(ENOMEM));
     lx_text_clear(&lines);
-    free(columns);
+}
+
+static void end_csv(struct lx_writer *writer, bool whole)
+{
+    (void)whole;
+    free(writer->own);
 }
 
 const struct lx_format lx_format_csv = {
@@ -97,6 +119,8 @@ const struct lx_format lx_format_csv = {
     .name = LX_CSV_NAME,
     .samples = LX_SAMPLE_F32 | LX_SAMPLE_F64,
     .needs_places = true,
-    .write = write_csv,
+    .begin = begin_csv,
+    .add = add_csv,
+    .end = end_csv,
     .read = lx_csv_read,
 };

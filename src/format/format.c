@@ -6,6 +6,8 @@
 #include <string.h>
 #include <strings.h>
 
+#include "../base/memory.h"
+
 enum { LONGEST_MAGIC = 8, MOST_OF_A_PIPE = 1 << 30 };
 
 static const struct lx_format *const FORMATS[] = {&lx_format_png, &lx_format_npy, &lx_format_pfm, &lx_format_csv,
@@ -74,25 +76,81 @@ const struct lx_format *lx_format_of_content(struct lx_source *source)
     return NULL;
 }
 
-luxel_status lx_write_image(const char *path, const struct lx_image *image, luxel_diagnostics *diagnostics)
+static luxel_status check_image(const char *path, const struct lx_format *format, const struct lx_image *image,
+                                luxel_diagnostics *diagnostics)
+{
+    bool no_places = format->needs_places && (!image->x_mm || !image->y_mm);
+    if (!no_places && (format->samples & (unsigned)image->sample) && image->channels == 1 && image->columns > 0 &&
+        image->rows > 0)
+        return LUXEL_OK;
+    lx_report(diagnostics, LUXEL_SEVERITY_ERROR, NULL, no_places ? LX_MSG_NO_PLACES : LX_MSG_UNFIT_IMAGE,
+              LX_ARGS(path, format->name));
+    return LUXEL_ERROR_ARGUMENT;
+}
+
+luxel_status lx_writer_open(const char *path, const struct lx_image *image, luxel_diagnostics *diagnostics,
+                            struct lx_writer **writer)
 {
     const struct lx_format *format;
-    struct lx_sink *sink;
     luxel_status status = lx_find_format(path, diagnostics, &format);
+    if (status == LUXEL_OK)
+        status = check_image(path, format, image, diagnostics);
     if (status != LUXEL_OK)
         return status;
-    bool no_places = format->needs_places && (!image->x_mm || !image->y_mm);
-    if (no_places || (format->samples & (unsigned)image->sample) == 0 || image->channels != 1 || image->columns == 0 ||
-        image->rows == 0) {
-        lx_report(diagnostics, LUXEL_SEVERITY_ERROR, NULL, no_places ? LX_MSG_NO_PLACES : LX_MSG_UNFIT_IMAGE,
-                  LX_ARGS(path, format->name));
-        return LUXEL_ERROR_ARGUMENT;
+    struct lx_writer *made = lx_new_array(1, sizeof *made);
+    if (!made)
+        return lx_out_of_memory(diagnostics);
+    made->format = format;
+    made->image = *image;
+    status = lx_sink_open(path, NULL, diagnostics, &made->sink);
+    if (status != LUXEL_OK) {
+        free(made);
+        return status;
     }
-    status = lx_sink_open(path, NULL, diagnostics, &sink);
+    format->begin(made);
+    *writer = made;
+    return LUXEL_OK;
+}
+
+bool lx_writer_takes_strips(const struct lx_writer *writer)
+{
+    return !(writer->format->bottom_up && lx_sink_is_direct(writer->sink));
+}
+
+void lx_writer_add(struct lx_writer *writer, const struct lx_image_strip *strip)
+{
+    if (lx_sink_status(writer->sink) == LUXEL_OK)
+        writer->format->add(writer, strip);
+}
+
+luxel_status lx_writer_commit(struct lx_writer *writer)
+{
+    if (writer->format->end)
+        writer->format->end(writer, lx_sink_status(writer->sink) == LUXEL_OK);
+    luxel_status status = lx_sink_commit(writer->sink);
+    free(writer);
+    return status;
+}
+
+void lx_writer_abort(struct lx_writer *writer)
+{
+    if (!writer)
+        return;
+    if (writer->format->end)
+        writer->format->end(writer, false);
+    lx_sink_abort(writer->sink);
+    free(writer);
+}
+
+luxel_status lx_write_image(const char *path, const struct lx_image *image, luxel_diagnostics *diagnostics)
+{
+    const struct lx_image_strip all = {.rows = image->rows, .data = image->data, .mask = image->mask};
+    struct lx_writer *writer;
+    luxel_status status = lx_writer_open(path, image, diagnostics, &writer);
     if (status != LUXEL_OK)
         return status;
-    format->write(image, sink);
-    return lx_sink_commit(sink);
+    lx_writer_add(writer, &all);
+    return lx_writer_commit(writer);
 }
 
 /* The content decides; where it tells nothing the ending does, and the format says what is wrong with the content. */

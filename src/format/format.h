@@ -19,7 +19,8 @@ enum lx_sample { LX_SAMPLE_U8 = 1, LX_SAMPLE_F32 = 2, LX_SAMPLE_F64 = 4, LX_SAMP
 
 /*
  * An image to write: rows x columns x channels samples, row 0 on top, without gaps.  All is the caller's.  What
- * comes behind the data may be left out; a format that has no place for it passes over it.
+ * comes behind the data may be left out; a format that has no place for it passes over it.  Of an image that is
+ * written strip by strip data and mask stand in the strips.
  */
 struct lx_image {
     unsigned columns, rows;
@@ -31,6 +32,21 @@ struct lx_image {
     const char *unit;          /* of the samples; NULL: not known */
     const struct lx_tag *tags; /* texts that belong to the image */
     size_t tag_count;
+};
+
+/* Rows of an image, one below the other, from row `first` on; data and mask begin with that row. */
+struct lx_image_strip {
+    unsigned first, rows;
+    const void *data;
+    const uint8_t *mask;
+};
+
+/* A file that is being written, for its format. */
+struct lx_writer {
+    const struct lx_format *format;
+    struct lx_image image;
+    struct lx_sink *sink;
+    void *own; /* the format's */
 };
 
 /* An image that was read; start with {0}.  It owns everything. */
@@ -51,8 +67,13 @@ struct lx_format {
     bool needs_places;  /* whether an image without x_mm and y_mm cannot be written */
     const char *magic;  /* the bytes that its files begin with; NULL: any */
     size_t magic_length;
-    /* Writes an image that it takes, row by row.  A failure is the sink's to keep. */
-    void (*write)(const struct lx_image *image, struct lx_sink *sink);
+    bool bottom_up; /* whether the last row comes first, so that strips need a sink that can seek */
+    /* Write what stands before the rows; the strips of an image, each once, from the top on; and what stands behind.
+     * A failure is the sink's to keep; after one only `end` is called. */
+    void (*begin)(struct lx_writer *writer);
+    void (*add)(struct lx_writer *writer, const struct lx_image_strip *strip);
+    void (*end)(struct lx_writer *writer,
+                bool whole); /* frees `own`; not whole: the file is given up.  NULL: nothing */
     /* Reads an image; NULL: its files hold no values.  A failure is the source's to keep, and is returned. */
     luxel_status (*read)(struct lx_source *source, struct lx_loaded *loaded);
     /* Reads only the tags, whatever the image is like; NULL: its files carry none. */
@@ -74,9 +95,23 @@ const struct lx_format *lx_format_of_content(struct lx_source *source);
 const char *lx_format_ending(size_t i);
 
 /*
- * Writes an image to a file, whole or not at all, in the format of its ending.
- * LUXEL_ERROR_ARGUMENT: no such format, or one that takes no image of this kind.  LUXEL_ERROR_FILE.
+ * Begins a file in the format of its ending; what `image` points to must live as long as the writer, as `diagnostics`
+ * must.  LUXEL_ERROR_ARGUMENT: no such format, or one that takes no image of this kind.  LUXEL_ERROR_FILE.
  */
+luxel_status lx_writer_open(const char *path, const struct lx_image *image, luxel_diagnostics *diagnostics,
+                            struct lx_writer **writer);
+
+/* Whether it takes several strips; else the first must be the whole image. */
+bool lx_writer_takes_strips(const struct lx_writer *writer);
+
+/* Writes the next strip.  A failure is reported once and kept. */
+void lx_writer_add(struct lx_writer *writer, const struct lx_image_strip *strip);
+
+/* Puts the file in its place, or gives it up (NULL is harmless); both free the writer. */
+luxel_status lx_writer_commit(struct lx_writer *writer);
+void lx_writer_abort(struct lx_writer *writer);
+
+/* Writes an image to a file, whole or not at all, as a single strip. */
 luxel_status lx_write_image(const char *path, const struct lx_image *image, luxel_diagnostics *diagnostics);
 
 /*
@@ -87,10 +122,14 @@ luxel_status lx_read_image(const char *path, luxel_diagnostics *diagnostics, str
 void lx_loaded_clear(struct lx_loaded *loaded);
 
 /*
- * For the formats: writes one row of floating-point samples as little-endian numbers of `width` bytes (4 or 8),
- * rounding where the image has more.
+ * For the formats: writes floating-point samples of a strip, from the i-th on, as little-endian numbers of `width`
+ * bytes (4 or 8), rounding where the image has more.
  */
-luxel_status lx_write_row(const struct lx_image *image, unsigned row, size_t width, struct lx_sink *sink);
+luxel_status lx_write_numbers(struct lx_writer *writer, const struct lx_image_strip *strip, size_t i, size_t count,
+                              size_t width);
+
+/* For the formats: fails at once where there is no room for the samples as numbers of `width` bytes. */
+void lx_reserve_numbers(struct lx_writer *writer, size_t width);
 
 /*
  * For the formats: makes room for the values of an image whose size and kind of samples are set, zeroed, after

@@ -18,9 +18,15 @@ enum { MAGIC_LENGTH = 6, ALIGNMENT = 64, PREFIX = 10, HEADER = 128, LONGEST_HEAD
 
 static const char NAME[] = "NPY";
 
-static void write_npy(const struct lx_image *image, struct lx_sink *sink)
+static size_t width_of(const struct lx_writer *writer)
 {
-    size_t width = image->sample == LX_SAMPLE_F64 ? sizeof(double) : sizeof(float);
+    return writer->image.sample == LX_SAMPLE_F64 ? sizeof(double) : sizeof(float);
+}
+
+static void begin_npy(struct lx_writer *writer)
+{
+    const struct lx_image *image = &writer->image;
+    size_t width = width_of(writer);
     char header[HEADER + 1];
     int written =
         snprintf(header + PREFIX, sizeof header - PREFIX,
@@ -34,9 +40,13 @@ static void write_npy(const struct lx_image *image, struct lx_sink *sink)
     memset(header + used, ' ', length - used);
     header[length - 1] = '\n';
 
-    luxel_status status = lx_sink_write(sink, header, length);
-    for (unsigned row = 0; row < image->rows && status == LUXEL_OK; row++)
-        status = lx_write_row(image, row, width, sink);
+    lx_sink_write(writer->sink, header, length);
+    lx_reserve_numbers(writer, width);
+}
+
+static void add_npy(struct lx_writer *writer, const struct lx_image_strip *strip)
+{
+    lx_write_numbers(writer, strip, 0, (size_t)strip->rows * writer->image.columns, width_of(writer));
 }
 
 /* The dictionary, read from left to right. */
@@ -218,6 +228,7 @@ const struct lx_format lx_format_npy = {
     .samples = LX_SAMPLE_F32 | LX_SAMPLE_F64,
     .magic = MAGIC,
     .magic_length = MAGIC_LENGTH,
-    .write = write_npy,
+    .begin = begin_npy,
+    .add = add_npy,
     .read = read_npy,
 };

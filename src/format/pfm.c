@@ -15,13 +15,28 @@ enum { LONGEST_HEADER = 128 };
 
 static const char NAME[] = "PFM";
 
-static void write_pfm(const struct lx_image *image, struct lx_sink *sink)
+static size_t write_header(const struct lx_image *image, char header[LONGEST_HEADER])
 {
-    char header[48];
-    int length = snprintf(header, sizeof header, "Pf\n%u %u\n-1.0\n", image->columns, image->rows);
-    luxel_status status = lx_sink_write(sink, header, (size_t)length);
-    for (unsigned row = image->rows; row > 0 && status == LUXEL_OK; row--)
-        status = lx_write_row(image, row - 1, sizeof(float), sink);
+    return (size_t)snprintf(header, LONGEST_HEADER, "Pf\n%u %u\n-1.0\n", image->columns, image->rows);
+}
+
+static void begin_pfm(struct lx_writer *writer)
+{
+    char header[LONGEST_HEADER];
+    lx_sink_write(writer->sink, header, write_header(&writer->image, header));
+    lx_reserve_numbers(writer, sizeof(float));
+}
+
+static void add_pfm(struct lx_writer *writer, const struct lx_image_strip *strip)
+{
+    const struct lx_image *image = &writer->image;
+    char header[LONGEST_HEADER];
+    uint64_t below = image->rows - strip->first - strip->rows;
+    luxel_status status = LUXEL_OK;
+    if (strip->rows < image->rows)
+        status = lx_sink_seek(writer->sink, write_header(image, header) + below * image->columns * sizeof(float));
+    for (size_t row = strip->rows; row > 0 && status == LUXEL_OK; row--)
+        status = lx_write_numbers(writer, strip, (row - 1) * image->columns, image->columns, sizeof(float));
 }
 
 /* The next word of a header, with the one space behind it; false where there is none. */
@@ -77,6 +92,8 @@ const struct lx_format lx_format_pfm = {
     .samples = LX_SAMPLE_F32 | LX_SAMPLE_F64,
     .magic = "Pf\n",
     .magic_length = 3,
-    .write = write_pfm,
+    .bottom_up = true,
+    .begin = begin_pfm,
+    .add = add_pfm,
     .read = read_pfm,
 };

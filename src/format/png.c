@@ -55,7 +55,17 @@ static char *as_variable(const char *text)
     return same;
 }
 
-static void set_texts(png_structp png, png_infop info, const struct lx_image *image, png_text *texts)
+struct own {
+    png_structp png;
+    png_infop info;
+};
+
+static size_t width_of(const struct lx_image *image)
+{
+    return image->sample == LX_SAMPLE_U16 ? sizeof(uint16_t) : sizeof(uint8_t);
+}
+
+static void set_texts(const struct own *own, const struct lx_image *image, png_text *texts)
 {
     for (size_t i = 0; i < image->tag_count; i++) {
         size_t length = strlen(image->tags[i].value);
@@ -67,41 +77,63 @@ static void set_texts(png_structp png, png_infop info, const struct lx_image *im
         };
     }
     if (image->tag_count > 0)
-        png_set_text(png, info, texts, (int)image->tag_count);
+        png_set_text(own->png, own->info, texts, (int)image->tag_count);
 }
 
-static void write_all(png_structp png, png_infop info, const struct lx_image *image, png_text *texts)
+static void write_header(const struct own *own, const struct lx_image *image, png_text *texts)
 {
-    const png_byte *rows = image->data;
-    const size_t width = image->sample == LX_SAMPLE_U16 ? sizeof(uint16_t) : sizeof(uint8_t);
-    png_set_IHDR(png, info, image->columns, image->rows, (int)(8 * width), PNG_COLOR_TYPE_GRAY, PNG_INTERLACE_NONE,
+    png_structp png = own->png;
+    const size_t width = width_of(image);
+    png_set_IHDR(png, own->info, image->columns, image->rows, (int)(8 * width), PNG_COLOR_TYPE_GRAY, PNG_INTERLACE_NONE,
                  PNG_COMPRESSION_TYPE_DEFAULT, PNG_FILTER_TYPE_DEFAULT);
     png_set_compression_level(png, LEVEL);
     png_set_text_compression_level(png, LEVEL);
     png_set_filter(png, PNG_FILTER_TYPE_BASE, width > 1 ? PNG_FILTER_UP : PNG_FILTER_NONE);
-    set_texts(png, info, image, texts);
-    png_write_info(png, info);
+    set_texts(own, image, texts);
+    png_write_info(png, own->info);
     if (width > 1 && __BYTE_ORDER__ == __ORDER_LITTLE_ENDIAN__)
         png_set_swap(png);
-    for (unsigned row = 0; row < image->rows; row++)
-        png_write_row(png, rows + (size_t)row * image->columns * width);
-    png_write_end(png, NULL);
 }
 
-static void write_png(const struct lx_image *image, struct lx_sink *sink)
+/* In the functions that libpng jumps back to nothing changes until it does, so nothing needs to be volatile. */
+static void begin_png(struct lx_writer *writer)
 {
-    png_text *texts = lx_new_array(image->tag_count, sizeof *texts);
-    png_structp png = png_create_write_struct(PNG_LIBPNG_VER_STRING, sink, fail, ignore_warning);
-    png_infop info = png ? png_create_info_struct(png) : NULL;
-    if (!info || !texts) {
-        lx_sink_fail(sink, LX_MSG_FILE_NOT_WRITTEN, lx_reason(ENOMEM));
-    } else if (setjmp(png_jmpbuf(png)) == 0) {
-        /* Nothing of this function changes between here and a jump back, so nothing needs to be volatile. */
-        png_set_write_fn(png, sink, put_bytes, flush_nothing);
-        write_all(png, info, image, texts);
+    struct own *own = writer->own = lx_new_array(1, sizeof *own);
+    png_text *texts = lx_new_array(writer->image.tag_count, sizeof *texts);
+    if (own)
+        own->png = png_create_write_struct(PNG_LIBPNG_VER_STRING, writer->sink, fail, ignore_warning);
+    if (own && own->png)
+        own->info = png_create_info_struct(own->png);
+    if (!own || !own->info || !texts) {
+        lx_sink_fail(writer->sink, LX_MSG_FILE_NOT_WRITTEN, lx_reason(ENOMEM));
+    } else if (setjmp(png_jmpbuf(own->png)) == 0) {
+        png_set_write_fn(own->png, writer->sink, put_bytes, flush_nothing);
+        write_header(own, &writer->image, texts);
     }
-    png_destroy_write_struct(&png, &info);
     free(texts);
+}
+
+static void write_rows(png_structp png, const struct lx_image *image, const struct lx_image_strip *strip)
+{
+    for (unsigned row = 0; row < strip->rows; row++)
+        png_write_row(png, (const png_byte *)strip->data + (size_t)row * image->columns * width_of(image));
+}
+
+static void add_png(struct lx_writer *writer, const struct lx_image_strip *strip)
+{
+    struct own *own = writer->own;
+    if (setjmp(png_jmpbuf(own->png)) == 0)
+        write_rows(own->png, &writer->image, strip);
+}
+
+static void end_png(struct lx_writer *writer, bool whole)
+{
+    struct own *own = writer->own;
+    if (whole && setjmp(png_jmpbuf(own->png)) == 0)
+        png_write_end(own->png, NULL);
+    if (own)
+        png_destroy_write_struct(&own->png, &own->info);
+    free(own);
 }
 
 const struct lx_format lx_format_png = {
@@ -110,6 +142,8 @@ const struct lx_format lx_format_png = {
     .samples = LX_SAMPLE_U8 | LX_SAMPLE_U16,
     .magic = LX_PNG_MAGIC,
     .magic_length = LX_PNG_MAGIC_LENGTH,
-    .write = write_png,
+    .begin = begin_png,
+    .add = add_png,
+    .end = end_png,
     .read_tags = lx_png_read_tags,
 };

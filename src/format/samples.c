@@ -8,39 +8,52 @@
 #include "../base/number.h"
 #include "format.h"
 
-enum { PART = 2048 }; /* samples turned into bytes at a time */
+enum {
+    PART = 2048,               /* samples turned into bytes at a time */
+    WORTH_RESERVING = 64 << 20 /* bytes: less is written before anybody waits */
+};
 
 /* The bits of a sample as a number of `width` bytes. */
-static uint64_t sample_bits(const struct lx_image *image, size_t i, size_t width)
+static uint64_t sample_bits(const void *samples, bool is_double, size_t i, size_t width)
 {
-    bool is_double = image->sample == LX_SAMPLE_F64;
     uint64_t bits64;
     uint32_t bits32;
     if (width == sizeof(double)) {
-        double value = is_double ? ((const double *)image->data)[i] : (double)((const float *)image->data)[i];
+        double value = is_double ? ((const double *)samples)[i] : (double)((const float *)samples)[i];
         memcpy(&bits64, &value, sizeof bits64);
         return bits64;
     }
-    float value = is_double ? (float)((const double *)image->data)[i] : ((const float *)image->data)[i];
+    float value = is_double ? (float)((const double *)samples)[i] : ((const float *)samples)[i];
     memcpy(&bits32, &value, sizeof bits32);
     return bits32;
 }
 
-luxel_status lx_write_row(const struct lx_image *image, unsigned row, size_t width, struct lx_sink *sink)
+luxel_status lx_write_numbers(struct lx_writer *writer, const struct lx_image_strip *strip, size_t i, size_t count,
+                              size_t width)
 {
     unsigned char bytes[PART * sizeof(double)];
-    size_t start = (size_t)row * image->columns, end = start + image->columns;
+    bool is_double = writer->image.sample == LX_SAMPLE_F64;
+    size_t own_width = is_double ? sizeof(double) : sizeof(float), end = i + count;
+    if (width == own_width && __BYTE_ORDER__ == __ORDER_LITTLE_ENDIAN__)
+        return lx_sink_write(writer->sink, (const unsigned char *)strip->data + i * width, count * width);
     luxel_status status = LUXEL_OK;
-    while (start < end && status == LUXEL_OK) {
+    while (i < end && status == LUXEL_OK) {
         size_t used = 0;
-        for (size_t part = 0; part < PART && start < end; part++, start++) {
-            uint64_t bits = sample_bits(image, start, width);
+        for (size_t part = 0; part < PART && i < end; part++, i++) {
+            uint64_t bits = sample_bits(strip->data, is_double, i, width);
             for (size_t byte = 0; byte < width; byte++)
                 bytes[used++] = (unsigned char)(bits >> (8 * byte));
         }
-        status = lx_sink_write(sink, bytes, used);
+        status = lx_sink_write(writer->sink, bytes, used);
     }
     return status;
+}
+
+void lx_reserve_numbers(struct lx_writer *writer, size_t width)
+{
+    uint64_t bytes = (uint64_t)writer->image.columns * writer->image.rows * width;
+    if (bytes >= WORTH_RESERVING)
+        lx_sink_reserve(writer->sink, bytes);
 }
 
 static size_t width_of(const struct lx_loaded *loaded)

@@ -46,15 +46,20 @@ static int remove_folder(void **state)
     return error;
 }
 
+static void read_file(struct folder *folder)
+{
+    FILE *file = fopen(folder->file, "rb");
+    assert_non_null(file);
+    folder->length = fread(folder->bytes, 1, LARGEST, file);
+    fclose(file);
+}
+
 /* Writes an image to a file of this ending and reads its bytes. */
 static void write_and_read(struct folder *folder, const char *ending, const struct lx_image *image)
 {
     snprintf(folder->file, sizeof folder->file, "%s/image%s", folder->path, ending);
     assert_int_equal(lx_write_image(folder->file, image, NULL), LUXEL_OK);
-    FILE *file = fopen(folder->file, "rb");
-    assert_non_null(file);
-    folder->length = fread(folder->bytes, 1, LARGEST, file);
-    fclose(file);
+    read_file(folder);
 }
 
 /* A value that tells its place, and needs all the digits of its type. */
@@ -350,6 +355,87 @@ static void test_full_disk(void **state)
     free(values);
 }
 
+/* Strips of any height make the same file as the image in one piece, and a file that is given up is none. */
+static void test_strips(void **state)
+{
+    static const char *const endings[] = {".png", ".png", ".npy", ".npy", ".pfm", ".pfm", ".exr", ".exr", ".csv"};
+    static const enum lx_sample samples[] = {LX_SAMPLE_U8,  LX_SAMPLE_U16, LX_SAMPLE_F32, LX_SAMPLE_F64, LX_SAMPLE_F32,
+                                             LX_SAMPLE_F64, LX_SAMPLE_F32, LX_SAMPLE_F64, LX_SAMPLE_F64};
+    static const size_t widths[] = {1, 2, 4, 8, 4, 8, 4, 8, 8};
+    enum { HIGH = 11 };
+    double values[HIGH * COLUMNS];
+    uint8_t mask[HIGH * COLUMNS];
+    struct folder *folder = *state;
+    unsigned char *whole = malloc(LARGEST);
+
+    for (unsigned i = 0; i < HIGH * COLUMNS; i++) {
+        values[i] = value_at(i / COLUMNS, i % COLUMNS);
+        mask[i] = i % 3 > 0;
+    }
+    for (size_t i = 0; i < sizeof endings / sizeof endings[0]; i++) {
+        const struct lx_image image = {.columns = COLUMNS,
+                                       .rows = HIGH,
+                                       .channels = 1,
+                                       .sample = samples[i],
+                                       .data = values, /* or as numbers of another kind, whatever they are then */
+                                       .mask = mask,
+                                       .x_mm = values,
+                                       .y_mm = values};
+        write_and_read(folder, endings[i], &image);
+        memcpy(whole, folder->bytes, folder->length);
+        const size_t length = folder->length, row_size = widths[i] * COLUMNS;
+        for (unsigned height = 1; height <= HIGH; height++) {
+            struct lx_writer *writer = NULL;
+            assert_int_equal(lx_writer_open(folder->file, &image, NULL, &writer), LUXEL_OK);
+            assert_true(lx_writer_takes_strips(writer));
+            for (unsigned row = 0; row < HIGH; row += height) {
+                const unsigned rows = HIGH - row < height ? HIGH - row : height;
+                lx_writer_add(writer, &(struct lx_image_strip){row, rows, (const char *)values + row * row_size,
+                                                               mask + row * COLUMNS});
+            }
+            assert_int_equal(lx_writer_commit(writer), LUXEL_OK);
+            read_file(folder);
+            assert_int_equal(folder->length, length);
+            assert_memory_equal(folder->bytes, whole, length);
+        }
+
+        struct lx_writer *writer = NULL;
+        luxel_diagnostics *diagnostics = luxel_diagnostics_new();
+        assert_int_equal(unlink(folder->file), 0);
+        assert_int_equal(lx_writer_open(folder->file, &image, diagnostics, &writer), LUXEL_OK);
+        lx_writer_add(writer, &(struct lx_image_strip){0, 2, values, mask});
+        lx_writer_abort(writer);
+        assert_int_equal(luxel_diagnostics_count(diagnostics), 0);
+        assert_int_not_equal(access(folder->file, F_OK), 0);
+        luxel_diagnostics_free(diagnostics);
+    }
+    free(whole);
+}
+
+/* What runs from the bottom up goes to a device or a pipe only in one piece. */
+static void test_strips_to_devices(void **state)
+{
+    static const char *const endings[] = {".png", ".npy", ".pfm", ".exr", ".csv"};
+    struct folder *folder = *state;
+    const double values[COLUMNS] = {0};
+
+    for (size_t i = 0; i < sizeof endings / sizeof endings[0]; i++) {
+        const struct lx_image image = {.columns = COLUMNS,
+                                       .rows = ROWS,
+                                       .channels = 1,
+                                       .sample = i == 0 ? LX_SAMPLE_U8 : LX_SAMPLE_F64,
+                                       .x_mm = values,
+                                       .y_mm = values};
+        struct lx_writer *writer = NULL;
+        snprintf(folder->file, sizeof folder->file, "%s/image%s", folder->path, endings[i]);
+        assert_int_equal(symlink("/dev/null", folder->file), 0);
+        assert_int_equal(lx_writer_open(folder->file, &image, NULL, &writer), LUXEL_OK);
+        assert_true(lx_writer_takes_strips(writer) == (strcmp(endings[i], ".pfm") != 0));
+        lx_writer_abort(writer);
+        assert_int_equal(unlink(folder->file), 0);
+    }
+}
+
 /* A picture that libpng refuses is a failure that names the file, not the end of the process. */
 static void test_png_refuses(void **state)
 {
@@ -371,9 +457,9 @@ static void test_png_refuses(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        CASE(npy_single),    CASE(npy_double),  CASE(pfm_single),      CASE(pfm_from_double),
-        CASE(nasty_numbers), CASE(png),         CASE(png_same_bytes),  CASE(endings),
-        CASE(full_disk),     CASE(png_refuses), CASE(unknown_endings), CASE(unfit_images),
+        CASE(npy_single), CASE(npy_double),     CASE(pfm_single),      CASE(pfm_from_double), CASE(nasty_numbers),
+        CASE(png),        CASE(png_same_bytes), CASE(endings),         CASE(strips),          CASE(strips_to_devices),
+        CASE(full_disk),  CASE(png_refuses),    CASE(unknown_endings), CASE(unfit_images),
     };
 
     return cmocka_run_group_tests_name("formats", tests, NULL, NULL);
