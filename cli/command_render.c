@@ -1,7 +1,8 @@
 /* SPDX-License-Identifier: MIT */
 /*
- * luxel render: the picture of a scene, as files and as a table of its numbers.  The files are written before
- * anything is printed, so that a reader of the table who goes away never costs a file.
+ * luxel render: the picture of a scene, as files and as a table of its numbers.  The picture goes to its files row by
+ * row and is never held as a whole; they are written before anything is printed, so that a reader of the table who goes
+ * away never costs a file.
  */
 #include <luxel/luxel.h>
 
@@ -13,22 +14,6 @@
 #include "result.h"
 #include "text.h"
 #include "work.h"
-
-/* A file that fails does not stop the others. */
-static int write_outputs(const struct options *options, const luxel_field *field, luxel_diagnostics *diagnostics)
-{
-    const luxel_output how = {.bits = options->bits};
-    int code = EXIT_DONE;
-
-    for (size_t i = 0; i < options->output_count; i++) {
-        const luxel_status status = luxel_field_write_as(field, options->outputs[i], &how, diagnostics);
-
-        if (status != LUXEL_OK)
-            code = message_failure(status, diagnostics);
-        luxel_diagnostics_clear(diagnostics);
-    }
-    return code;
-}
 
 static void add_extremum(struct text_table *table, const char *name, const luxel_extremum *extremum)
 {
@@ -45,7 +30,7 @@ static void add_extremum(struct text_table *table, const char *name, const luxel
 
 static void print_statistics(const struct result *result)
 {
-    const luxel_statistics *statistics = luxel_field_statistics(result->field);
+    const luxel_statistics *statistics = result->statistics;
     struct text_table *table = text_table_new("lrrr");
     char heading[TEXT_SIZE], mean[TEXT_SIZE], lit[TEXT_SIZE];
 
@@ -95,9 +80,11 @@ static void print_points(const struct result *result)
 
 static void print_text(const struct result *result, const char *name)
 {
+    unsigned columns = 0, rows = 0;
+
+    luxel_scene_resolution(result->scene, &columns, &rows);
     text_print_escaped(stdout, name);
-    printf(_(": %s in %s, %u × %u pixels\n\n"), _(result_quantity_word(result)), _(result_unit(result)),
-           luxel_field_columns(result->field), luxel_field_rows(result->field));
+    printf(_(": %s in %s, %u × %u pixels\n\n"), _(result_quantity_word(result)), _(result_unit(result)), columns, rows);
     print_statistics(result);
     if (result->count > 0) {
         fputc('\n', stdout);
@@ -107,55 +94,38 @@ static void print_text(const struct result *result, const char *name)
     result_print_conventions(result->scene);
 }
 
-/* The picture, and what Ctrl-C does to it. */
-static int compute(const struct options *options, const struct loaded *loaded, luxel_field **field)
+/* The picture and its files, and what Ctrl-C does to them.  EXIT_FILE goes with statistics. */
+static int compute(const struct options *options, const struct loaded *loaded, luxel_statistics *statistics)
 {
+    const luxel_output how = {.bits = options->bits};
     struct work work;
     luxel_status status;
-    int code;
 
-    *field = NULL;
     work_begin(&work, options);
-    status = luxel_render(loaded->scene, &work.settings, loaded->diagnostics, field);
-    code = work_end(&work, status, loaded->diagnostics);
-    if (code != EXIT_DONE)
-        luxel_field_free(*field);
-    return code;
-}
-
-/* The points' values in the picture are the picture's. */
-static void take_pixel_values(struct result *result, const luxel_field *field)
-{
-    result->field = field;
-    for (size_t i = 0; i < result->count; i++) {
-        luxel_probe *probe = result->probes[i];
-
-        if (probe->has_pixel_value)
-            probe->pixel_value = luxel_field_value(field, probe->column, probe->row);
-    }
+    status = luxel_render_files(loaded->scene, &work.settings, options->outputs, options->output_count, &how,
+                                loaded->diagnostics, statistics);
+    return work_end(&work, status, loaded->diagnostics);
 }
 
 static int render(const struct options *options, const struct loaded *loaded)
 {
-    luxel_field *field;
+    luxel_statistics statistics;
     struct result result;
-    int code = compute(options, loaded, &field), write_code;
+    int code = result_probe(options, loaded->scene, loaded->diagnostics, &result), write_code;
 
-    if (code != EXIT_DONE)
-        return code;
-    code = result_probe(options, loaded->scene, loaded->diagnostics, &result);
     if (code == EXIT_DONE || code == EXIT_TOLERANCE) {
-        take_pixel_values(&result, field);
-        write_code = write_outputs(options, field, loaded->diagnostics);
+        write_code = compute(options, loaded, &statistics);
         if (write_code != EXIT_DONE)
             code = write_code;
-        if (options->json)
-            result_print_json(&result);
-        else
-            print_text(&result, loaded->name);
+        if (write_code == EXIT_DONE || write_code == EXIT_FILE) {
+            result.statistics = &statistics;
+            if (options->json)
+                result_print_json(&result);
+            else
+                print_text(&result, loaded->name);
+        }
     }
     result_clear(&result);
-    luxel_field_free(field);
     return code;
 }
 

@@ -103,10 +103,8 @@ void result_write_extremum(struct json *json, const char *key, const luxel_extre
     json_close(json, '}');
 }
 
-static void write_statistics(struct json *json, const luxel_field *field)
+static void write_statistics(struct json *json, const luxel_statistics *statistics)
 {
-    const luxel_statistics *statistics = field ? luxel_field_statistics(field) : NULL;
-
     result_write_extremum(json, "max", statistics ? &statistics->maximum : NULL);
     result_write_extremum(json, "min", statistics ? &statistics->minimum : NULL);
     if (statistics && statistics->has_surface) {
@@ -193,7 +191,7 @@ void result_print_json(const struct result *result)
     json_text(&json, "quantity", result_quantity_word(result));
     json_text(&json, "unit", result_unit(result));
     json_wholes(&json, "resolution", resolution, 2);
-    write_statistics(&json, result->field);
+    write_statistics(&json, result->statistics);
     json_open(&json, "points", '[');
     for (size_t i = 0; i < result->count; i++)
         write_probe(&json, result->probes[i]);

@@ -12,7 +12,7 @@
 struct result {
     const luxel_scene *scene;
     const struct options *options;
-    const luxel_field *field; /* NULL: no picture was computed */
+    const luxel_statistics *statistics; /* NULL: no picture was computed */
     luxel_probe **probes;
     size_t count;
 };

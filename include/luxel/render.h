@@ -61,6 +61,25 @@ LUXEL_API bool luxel_scene_settings(const luxel_scene *scene, luxel_settings *se
 LUXEL_API luxel_status luxel_render(const luxel_scene *scene, const luxel_settings *settings,
                                     luxel_diagnostics *diagnostics, luxel_field **field);
 
+/*
+ * Computes the scene's picture and writes it to `count` files, each byte for byte as luxel_field_write_as() would write
+ * the field of luxel_render().  `settings` NULL: the defaults; `how` NULL: as luxel_field_write() does; `statistics`,
+ * which are those of that field, NULL: not wanted.  Without a file it computes the statistics alone.
+ *
+ * The picture need not fit in memory: it is computed and written some rows at a time.  Two kinds of files still need
+ * all of it.  For a .png whose grey levels depend on the picture's maximum (those of all ranges but [low, high]) a
+ * large picture is kept meanwhile in a file without a name in the folder of the .png, 5 or 9 bytes for each pixel.  And
+ * what is no regular file, such as a pipe, takes such a .png and a .pfm, whose last row comes first, only of a picture
+ * that fits in memory.
+ *
+ * Errors as of luxel_render(), and then no file is written.  Names and `how` are checked before anything is computed
+ * (LUXEL_ERROR_ARGUMENT); a file that fails after that (LUXEL_ERROR_FILE) stops neither the others nor the statistics.
+ * Cancelled between two files that are complete, the first is kept.
+ */
+LUXEL_API luxel_status luxel_render_files(const luxel_scene *scene, const luxel_settings *settings,
+                                          const char *const *paths, size_t count, const luxel_output *how,
+                                          luxel_diagnostics *diagnostics, luxel_statistics *statistics);
+
 /* The name of the i-th instruction set that this library was built with, best first; NULL beyond the last. */
 LUXEL_API const char *luxel_instruction_set_name(size_t i);
 /* Whether this machine can run the i-th instruction set; false beyond the last. */

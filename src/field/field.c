@@ -1,6 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* Making a field, reading it, and its grey levels. */
-#include <math.h>
+/* Making a field and reading it. */
 #include <stdlib.h>
 #include <string.h>
 
@@ -47,28 +46,32 @@ double *lx_new_row_places(const struct lx_screen *screen, unsigned stride)
     return places;
 }
 
-struct luxel_field *lx_field_new(const struct lx_scene_parameters *scene, unsigned stride, luxel_precision precision)
+struct luxel_field *lx_field_new_frame(const struct lx_scene_parameters *scene, unsigned stride,
+                                       luxel_precision precision)
 {
-    unsigned columns = lx_strided_count(scene->screen.resolution[0], stride);
-    unsigned rows = lx_strided_count(scene->screen.resolution[1], stride);
-    size_t pixels = (size_t)columns * rows;
     struct luxel_field *field = lx_new_array(1, sizeof *field);
     if (!field)
         return NULL;
     *field = (struct luxel_field){
-        .columns = columns,
-        .rows = rows,
+        .columns = lx_strided_count(scene->screen.resolution[0], stride),
+        .rows = lx_strided_count(scene->screen.resolution[1], stride),
         .precision = precision,
-        .values = lx_new_aligned(pixels, precision == LUXEL_DOUBLE ? sizeof(double) : sizeof(float)),
-        .mask = lx_new_aligned(pixels, 1),
         .x_mm = lx_new_column_places(&scene->screen, stride),
         .y_mm = lx_new_row_places(&scene->screen, stride),
         .picture = scene->picture,
     };
-    if (field->values && field->mask && field->x_mm && field->y_mm)
+    if (field->x_mm && field->y_mm)
         return field;
     luxel_field_free(field);
     return NULL;
+}
+
+int lx_strip_allocate(const struct luxel_field *field, struct lx_strip *strip)
+{
+    size_t pixels = (size_t)field->columns * strip->rows;
+    strip->values = lx_new_aligned(pixels, field->precision == LUXEL_DOUBLE ? sizeof(double) : sizeof(float));
+    strip->mask = lx_new_aligned(pixels, 1);
+    return strip->values && strip->mask ? 0 : -1;
 }
 
 void luxel_field_free(luxel_field *field)
@@ -84,16 +87,16 @@ void luxel_field_free(luxel_field *field)
     free(field);
 }
 
-void lx_field_store(struct luxel_field *field, unsigned row, unsigned column, const double *values, const uint8_t *mask,
-                    size_t count)
+void lx_strip_store(const struct luxel_field *field, const struct lx_strip *strip, unsigned row, unsigned column,
+                    const double *values, const uint8_t *mask, size_t count)
 {
-    size_t first = (size_t)row * field->columns + column;
-    memcpy(&field->mask[first], mask, count);
+    size_t first = (size_t)(row - strip->first) * field->columns + column;
+    memcpy(&strip->mask[first], mask, count);
     if (field->precision == LUXEL_DOUBLE)
-        memcpy((double *)field->values + first, values, count * sizeof *values);
+        memcpy((double *)strip->values + first, values, count * sizeof *values);
     else
         for (size_t i = 0; i < count; i++)
-            ((float *)field->values)[first + i] = (float)values[i];
+            ((float *)strip->values)[first + i] = (float)values[i];
 }
 
 unsigned luxel_field_columns(const luxel_field *field)
@@ -171,56 +174,4 @@ double luxel_field_value(const luxel_field *field, unsigned column, unsigned row
 const luxel_statistics *luxel_field_statistics(const luxel_field *field)
 {
     return &field->statistics;
-}
-
-/* The values that become black and white, for the linear ranges. */
-static void linear_range(const struct luxel_field *field, double *black, double *white)
-{
-    const struct lx_choice_or_pair *range = &field->picture.range;
-    *black = 0;
-    *white = field->statistics.maximum.value;
-    if (range->choice == -1) {
-        *black = range->low;
-        *white = range->high;
-    } else if (range->choice == LX_RANGE_MINMAX) {
-        *black = HUGE_VAL; /* the least on a surface, which may be 0 */
-        for (size_t i = 0; i < (size_t)field->columns * field->rows; i++)
-            if (field->mask[i] && lx_field_value(field, i) < *black)
-                *black = lx_field_value(field, i);
-    }
-}
-
-/* The brightness of a value from 0 to 1 before it is clipped. */
-static double shade_of(const struct luxel_field *field, double value, double black, double white)
-{
-    if (field->picture.range.choice == LX_RANGE_LOG)
-        return value > 0 ? 1 + log10(value / white) / 4 : 0;
-    /* A range without width: what is dark is black, anything else white. */
-    if (!(white > black))
-        return value > 0 ? 1 : 0;
-    return (value - black) / (white - black);
-}
-
-/* The level of a pixel, a whole number from 0 to `most`. */
-static double level_of(const struct luxel_field *field, size_t i, double black, double white, double most)
-{
-    double level = field->mask[i] ? most * shade_of(field, lx_field_value(field, i), black, white) : 0;
-    level = level > 0 ? level < most ? level : most : 0;
-    return field->picture.rounding == LX_NEAREST ? round(level) : trunc(level);
-}
-
-void luxel_field_grey(const luxel_field *field, uint8_t *grey)
-{
-    double black, white;
-    linear_range(field, &black, &white);
-    for (size_t i = 0; i < (size_t)field->columns * field->rows; i++)
-        grey[i] = (uint8_t)level_of(field, i, black, white, 255);
-}
-
-void luxel_field_grey16(const luxel_field *field, uint16_t *grey)
-{
-    double black, white;
-    linear_range(field, &black, &white);
-    for (size_t i = 0; i < (size_t)field->columns * field->rows; i++)
-        grey[i] = (uint16_t)level_of(field, i, black, white, 65535);
 }

@@ -7,7 +7,7 @@
 
 #include "../scene/scene.h"
 
-/* What is gathered of one row, and of all rows together. */
+/* What is gathered of one row. */
 struct lx_row_statistics {
     double maximum, minimum; /* minimum: of the values from LX_LEAST_LIT up */
     size_t surface_pixels, lit_pixels;
@@ -43,24 +43,83 @@ unsigned lx_strided_count(unsigned count, unsigned stride);
 double *lx_new_column_places(const struct lx_screen *screen, unsigned stride);
 double *lx_new_row_places(const struct lx_screen *screen, unsigned stride);
 
-/* A field of the scene's picture, neither its values nor its unit set yet; NULL when memory is short. */
-struct luxel_field *lx_field_new(const struct lx_scene_parameters *scene, unsigned stride, luxel_precision precision);
+/* A field of the scene's picture without its values, whose unit is not set yet either; NULL when memory is short. */
+struct luxel_field *lx_field_new_frame(const struct lx_scene_parameters *scene, unsigned stride,
+                                       luxel_precision precision);
 
-/* Stores values of a row from `column` on, rounded to the field's precision. */
-void lx_field_store(struct luxel_field *field, unsigned row, unsigned column, const double *values, const uint8_t *mask,
-                    size_t count);
+/*
+ * Rows of a field, one below the other, which are held at a time: all of them, or of a frame those that come next.
+ * Values and mask begin with the row `first`.
+ */
+struct lx_strip {
+    unsigned first, rows;
+    void *values; /* float or double, as the field's */
+    uint8_t *mask;
+};
 
-/* The i-th value, row by row, whatever the precision. */
+/* Makes room for the rows of a strip; 0, or -1 when memory is short.  free() both in any case. */
+int lx_strip_allocate(const struct luxel_field *field, struct lx_strip *strip);
+
+/* All rows of a field that has its values. */
+static inline struct lx_strip lx_whole_strip(const struct luxel_field *field)
+{
+    return (struct lx_strip){.rows = field->rows, .values = field->values, .mask = field->mask};
+}
+
+/* Stores values of a row of the field from `column` on, rounded to the field's precision. */
+void lx_strip_store(const struct luxel_field *field, const struct lx_strip *strip, unsigned row, unsigned column,
+                    const double *values, const uint8_t *mask, size_t count);
+
+/* The i-th value of a strip, row by row, whatever the precision. */
+static inline double lx_strip_value(const struct luxel_field *field, const struct lx_strip *strip, size_t i)
+{
+    return field->precision == LUXEL_DOUBLE ? ((const double *)strip->values)[i]
+                                            : (double)((const float *)strip->values)[i];
+}
+
+/* The i-th value of a field that has them, likewise. */
 static inline double lx_field_value(const struct luxel_field *field, size_t i)
 {
     return field->precision == LUXEL_DOUBLE ? ((const double *)field->values)[i]
                                             : (double)((const float *)field->values)[i];
 }
 
-/* Gathers a finished row; then puts the rows' statistics (one for each row) together, in their order. */
-struct lx_row_statistics lx_gather_row(const struct luxel_field *field, unsigned row);
-void lx_finish_statistics(struct luxel_field *field, const struct lx_row_statistics *rows);
-/* Both, of a field that is complete; 0, or -1 when memory ran out. */
+/* Gathers a finished row of the field, which the strip holds. */
+struct lx_row_statistics lx_gather_row(const struct luxel_field *field, const struct lx_strip *strip, unsigned row);
+
+/* What was gathered of a field's rows so far; starts as {0}. */
+struct lx_tally {
+    luxel_statistics so_far; /* without mean and lit */
+    size_t lit_pixels;
+    double sum;
+};
+
+/* Adds what was gathered of a strip's rows, one for each; the strips come in their order. */
+void lx_tally_add(struct lx_tally *tally, const struct luxel_field *field, const struct lx_strip *strip,
+                  const struct lx_row_statistics *rows);
+/* The statistics, once all rows were added. */
+luxel_statistics lx_tally_finish(const struct lx_tally *tally);
+
+/* All of it, of a field that is complete; 0, or -1 when memory ran out. */
 int lx_gather_statistics(struct luxel_field *field);
+
+/* How values become grey levels. */
+struct lx_greys {
+    const struct lx_picture *picture;
+    double black, white; /* the values that become so, for the linear ranges */
+};
+
+/* Whether levels depend on the values of the whole picture, so that none is known before the last value. */
+bool lx_greys_wait(const struct luxel_field *field);
+
+/* What black may depend on: the least value on a surface in a strip.  Infinite without one, or if it does not. */
+double lx_greys_least(const struct luxel_field *field, const struct lx_strip *strip);
+
+/* By the field's statistics and the least of all its strips. */
+struct lx_greys lx_greys_of(const struct luxel_field *field, double least);
+
+/* Whole numbers of 8 or 16 bits for `count` values of a strip from the i-th on. */
+void lx_grey_levels(const struct lx_greys *greys, const struct luxel_field *field, const struct lx_strip *strip,
+                    size_t i, size_t count, unsigned bits, void *levels);
 
 #endif

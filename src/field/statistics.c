@@ -8,16 +8,16 @@
 #include "field.h"
 #include "gather.h"
 
-struct lx_row_statistics lx_gather_row(const struct luxel_field *field, unsigned row)
+struct lx_row_statistics lx_gather_row(const struct luxel_field *field, const struct lx_strip *strip, unsigned row)
 {
     struct lx_row_statistics result = {.maximum = -HUGE_VAL, .minimum = HUGE_VAL};
-    const size_t first = (size_t)row * field->columns;
-    const uint8_t *mask = &field->mask[first];
+    const size_t first = (size_t)(row - strip->first) * field->columns;
+    const uint8_t *mask = &strip->mask[first];
     double sums[LX_LANES] = {0}; /* as the kernels sum */
     for (unsigned i = 0; i < field->columns; i++) {
         if (!mask[i])
             continue;
-        double value = lx_field_value(field, first + i);
+        double value = lx_strip_value(field, strip, first + i);
         result.surface_pixels++;
         sums[i % LX_LANES] += value;
         /* A value that is no number must not hide: it becomes the maximum. */
@@ -34,55 +34,65 @@ struct lx_row_statistics lx_gather_row(const struct luxel_field *field, unsigned
 }
 
 /* The first pixel of a row with this value, or, where that is no number, without one. */
-static luxel_extremum find_extremum(const struct luxel_field *field, unsigned row, double value)
+static luxel_extremum find_extremum(const struct luxel_field *field, const struct lx_strip *strip, unsigned row,
+                                    double value)
 {
-    size_t pixel = (size_t)row * field->columns, last = pixel + field->columns - 1;
+    const size_t first = (size_t)row * field->columns, last = first + field->columns - 1;
+    size_t pixel = first;
     for (; pixel < last; pixel++) {
-        double there = lx_field_value(field, pixel);
-        if (field->mask[pixel] && (there == value || (isnan(there) && isnan(value))))
+        double there = lx_strip_value(field, strip, pixel);
+        if (strip->mask[pixel] && (there == value || (isnan(there) && isnan(value))))
             break;
     }
-    return lx_extremum_at(field, pixel, value);
+    return lx_extremum_at(field, (size_t)strip->first * field->columns + pixel, value);
 }
 
-void lx_finish_statistics(struct luxel_field *field, const struct lx_row_statistics *rows)
+/* Each extremum is looked for in one row of a strip at most. */
+void lx_tally_add(struct lx_tally *tally, const struct luxel_field *field, const struct lx_strip *strip,
+                  const struct lx_row_statistics *rows)
 {
-    luxel_statistics *all = &field->statistics;
+    luxel_statistics *so_far = &tally->so_far;
     const struct lx_row_statistics *highest = NULL, *lowest = NULL;
-    size_t lit = 0;
-    double sum = 0;
-    *all = (luxel_statistics){0};
-    for (unsigned row = 0; row < field->rows; row++) {
-        const struct lx_row_statistics *one = &rows[row];
+    for (unsigned i = 0; i < strip->rows; i++) {
+        const struct lx_row_statistics *one = &rows[i];
         if (one->surface_pixels == 0)
             continue;
         if (!highest || !(one->maximum <= highest->maximum))
             highest = one;
         if (one->lit_pixels > 0 && (!lowest || one->minimum < lowest->minimum))
             lowest = one;
-        all->surface_pixels += one->surface_pixels;
-        lit += one->lit_pixels;
-        sum += one->sum;
+        so_far->surface_pixels += one->surface_pixels;
+        tally->lit_pixels += one->lit_pixels;
+        tally->sum += one->sum;
     }
-    if (highest)
-        all->maximum = find_extremum(field, (unsigned)(highest - rows), highest->maximum);
-    if (lowest)
-        all->minimum = find_extremum(field, (unsigned)(lowest - rows), lowest->minimum);
-    all->has_surface = all->surface_pixels > 0;
-    if (all->has_surface) {
-        all->mean = sum / (double)all->surface_pixels;
-        all->lit = (double)lit / (double)all->surface_pixels;
+    if (highest && !(so_far->maximum.exists && highest->maximum <= so_far->maximum.value))
+        so_far->maximum = find_extremum(field, strip, (unsigned)(highest - rows), highest->maximum);
+    if (lowest && !(so_far->minimum.exists && lowest->minimum >= so_far->minimum.value))
+        so_far->minimum = find_extremum(field, strip, (unsigned)(lowest - rows), lowest->minimum);
+}
+
+luxel_statistics lx_tally_finish(const struct lx_tally *tally)
+{
+    luxel_statistics all = tally->so_far;
+    all.has_surface = all.surface_pixels > 0;
+    if (all.has_surface) {
+        all.mean = tally->sum / (double)all.surface_pixels;
+        all.lit = (double)tally->lit_pixels / (double)all.surface_pixels;
     }
+    return all;
 }
 
 int lx_gather_statistics(struct luxel_field *field)
 {
+    const struct lx_strip all = lx_whole_strip(field);
+    struct lx_tally tally = {0};
     struct lx_row_statistics *rows = lx_new_array(field->rows, sizeof *rows);
     if (!rows)
         return -1;
     for (unsigned row = 0; row < field->rows; row++)
-        rows[row] = lx_gather_row(field, row);
-    lx_finish_statistics(field, rows);
+        rows[row] = lx_gather_row(field, &all, row);
+    lx_tally_add(&tally, field, &all, rows);
+    field->statistics = lx_tally_finish(&tally);
     free(rows);
     return 0;
 }

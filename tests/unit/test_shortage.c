@@ -384,6 +384,40 @@ static void finding_extrema(void **state)
     luxel_scene_free(scene);
 }
 
+/* Where a file itself is short of memory the others are written; else none is. */
+static void rendering_to_files(void **state)
+{
+    (void)state;
+    char folder[] = "/tmp/luxel-shortage-XXXXXX", paths[5][64];
+    static const char *const endings[] = {".png", ".npy", ".pfm", ".csv", ".exr"};
+    const char *names[5];
+    luxel_scene *scene = NULL;
+    luxel_settings settings;
+    assert_non_null(mkdtemp(folder));
+    for (size_t i = 0; i < 5; i++) {
+        snprintf(paths[i], sizeof paths[i], "%s/a%s", folder, endings[i]);
+        names[i] = paths[i];
+    }
+    luxel_settings_init(&settings);
+    settings.precision = LUXEL_DOUBLE;
+    assert_int_equal(load(good_scene, NULL, &scene), LUXEL_OK);
+    for (long i = 0; i == 0 || shortage_met(); i++) {
+        luxel_statistics statistics = {.mean = -1};
+        shortage_begin(i);
+        luxel_status status = luxel_render_files(scene, &settings, names, 5, NULL, NULL, &statistics);
+        shortage_end();
+        size_t written = 0;
+        for (size_t k = 0; k < 5; k++)
+            written += unlink(paths[k]) == 0;
+        assert_true(status == LUXEL_OK ||
+                    (shortage_met() && (status == LUXEL_ERROR_MEMORY || status == LUXEL_ERROR_FILE)));
+        assert_int_equal(written, status == LUXEL_OK ? 5 : status == LUXEL_ERROR_FILE ? 4 : 0);
+        assert_true((statistics.mean == -1) == (status == LUXEL_ERROR_MEMORY));
+    }
+    assert_int_equal(rmdir(folder), 0);
+    luxel_scene_free(scene);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -400,6 +434,7 @@ int main(void)
         cmocka_unit_test(writing_the_schema),
         cmocka_unit_test(measuring),
         cmocka_unit_test(finding_extrema),
+        cmocka_unit_test(rendering_to_files),
         cmocka_unit_test(writing_variants),
         cmocka_unit_test(judging_answers),
         cmocka_unit_test(advising_on_the_peak),

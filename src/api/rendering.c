@@ -1,0 +1,219 @@
+/* SPDX-License-Identifier: MIT */
+/*
+ * The plan's pixels, row by row in parallel, strip by strip, and their statistics.
+ *
+ * Where a strip is not the whole picture two are in memory: while one is computed, the calling thread first hands on
+ * the one before.
+ */
+#include "rendering.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "../base/diagnostics.h"
+#include "../base/memory.h"
+#include "../base/number.h"
+#include "../format/tags.h"
+
+/* Of a row whose pixels off the surfaces are 0, and no other is below. */
+static struct lx_row_statistics survey_row(const struct lx_rendering *rendering, unsigned row, size_t surface_pixels)
+{
+    const struct luxel_field *field = rendering->field;
+    const struct lx_strip *strip = &rendering->computed->strip;
+    const struct lx_kernels *kernels = rendering->plan->kernels;
+    const size_t first = (size_t)(row - strip->first) * field->columns;
+    const struct lx_survey survey =
+        field->precision == LUXEL_DOUBLE
+            ? kernels->survey_double((const double *)strip->values + first, field->columns, LX_LEAST_LIT)
+            : kernels->survey_single((const float *)strip->values + first, field->columns, LX_LEAST_LIT);
+    if (isnan(survey.sum))
+        return lx_gather_row(field, strip, row);
+    return (struct lx_row_statistics){
+        .maximum = survey.maximum,
+        .minimum = survey.minimum,
+        .surface_pixels = surface_pixels,
+        .lit_pixels = survey.at_least,
+        .sum = survey.sum,
+    };
+}
+
+static void render_row(struct lx_rendering *rendering, struct lx_shader_memory *memory, bool is_caller, unsigned row)
+{
+    const struct luxel_field *field = rendering->field;
+    const struct lx_strip *strip = &rendering->computed->strip;
+    double x[LX_BLOCK], values[LX_BLOCK], y = field->y_mm[row];
+    uint8_t mask[LX_BLOCK];
+    size_t shown = 0;
+    for (unsigned first = 0; first < field->columns; first += LX_BLOCK) {
+        unsigned left = field->columns - first, count = left < LX_BLOCK ? left : LX_BLOCK;
+        memcpy(x, field->x_mm + first, count * sizeof *x);
+        shown += lx_shade_points(rendering->plan, memory, y, x, count, &rendering->control, is_caller, values, mask);
+        lx_strip_store(field, strip, row, first, values, mask, count);
+        if (!lx_control_goes_on(&rendering->control, is_caller))
+            return;
+    }
+    rendering->computed->rows[row - strip->first] = survey_row(rendering, row, shown);
+}
+
+static void render_rows(void *data, unsigned worker, bool is_caller, unsigned first, unsigned last)
+{
+    struct lx_rendering *rendering = data;
+    for (unsigned row = first; row < last; row++)
+        render_row(rendering, rendering->memories[worker], is_caller, row);
+}
+
+unsigned lx_rendering_threads(const luxel_settings *settings, const struct luxel_field *field)
+{
+    /* A thread costs more than a tiny picture. */
+    return lx_thread_count(settings->threads, (unsigned)((double)field->columns * field->rows / 8192) + 1);
+}
+
+static luxel_status too_large(const unsigned size[2], double needed, double available, luxel_diagnostics *diagnostics)
+{
+    char columns[LX_NUMBER_SIZE], rows[LX_NUMBER_SIZE], need[LX_AMOUNT_SIZE], have[LX_AMOUNT_SIZE];
+    lx_report(diagnostics, LUXEL_SEVERITY_ERROR, NULL, LX_MSG_PICTURE_TOO_LARGE,
+              LX_ARGS(lx_write_number(size[0], columns), lx_write_number(size[1], rows), lx_write_amount(needed, need),
+                      lx_write_amount(available, have)));
+    lx_hint(diagnostics, LX_MSG_SMALLER_PICTURE, NULL);
+    return LUXEL_ERROR_MEMORY;
+}
+
+/*
+ * What the field keeps of where it came from.  A scene that is larger than can be read again is left out, and that of
+ * a quick look, which is not its picture.
+ */
+static luxel_status keep_origin(const struct lx_session *session, const luxel_scene *scene,
+                                luxel_diagnostics *diagnostics, struct luxel_field *field)
+{
+    const luxel_settings *settings = &session->settings;
+    const char *unit = lx_unit_of(&session->prepared, settings->quantity);
+    field->quantity = settings->quantity;
+    field->tolerance = settings->tolerance;
+    field->light_error = settings->light_error;
+    field->instruction_set = session->kernels->name;
+    field->unit = lx_copy_text(unit, strlen(unit));
+    if (!field->unit)
+        return lx_out_of_memory(diagnostics);
+    if (settings->stride > 1)
+        return LUXEL_OK;
+    if (luxel_scene_write_text(scene, &field->scene) != LUXEL_OK)
+        return lx_out_of_memory(diagnostics);
+    if (strlen(field->scene) > LX_LARGEST_TAG) {
+        free(field->scene);
+        field->scene = NULL;
+    }
+    return LUXEL_OK;
+}
+
+luxel_status lx_new_frame(const struct lx_session *session, const luxel_scene *scene, luxel_diagnostics *diagnostics,
+                          struct luxel_field **frame)
+{
+    unsigned stride = session->settings.stride > 1 ? session->settings.stride : 1;
+    *frame = lx_field_new_frame(session->prepared.scene, stride, session->settings.precision);
+    return *frame ? keep_origin(session, scene, diagnostics, *frame) : lx_out_of_memory(diagnostics);
+}
+
+/* Makes room to hold `height` rows at a time. */
+static luxel_status hold(struct lx_rendering *rendering, unsigned height)
+{
+    const struct luxel_field *field = rendering->field;
+    const unsigned size[2] = {field->columns, field->rows};
+    double needed = (double)lx_field_bytes(field->columns, height, field->precision), available = lx_available_bytes();
+    if (needed == 0 || needed > available)
+        return too_large(size, needed, available, rendering->diagnostics);
+    bool complete = true;
+    for (size_t i = 0; i < (height < field->rows ? 2 : 1); i++) {
+        struct lx_held *held = &rendering->held[i];
+        held->strip.rows = height;
+        held->rows = lx_new_array(height, sizeof *held->rows);
+        complete = complete && held->rows && lx_strip_allocate(field, &held->strip) == 0;
+    }
+    return complete ? LUXEL_OK : too_large(size, needed, needed < available ? 0 : available, rendering->diagnostics);
+}
+
+static luxel_status make_memories(struct lx_rendering *rendering)
+{
+    bool complete = true;
+    rendering->memories = lx_new_array(rendering->threads, sizeof *rendering->memories);
+    for (unsigned i = 0; rendering->memories && i < rendering->threads; i++)
+        complete &= (rendering->memories[i] = lx_shader_memory_new(rendering->plan)) != NULL;
+    return rendering->memories && complete ? LUXEL_OK : lx_out_of_memory(rendering->diagnostics);
+}
+
+luxel_status lx_rendering_open(struct lx_rendering *rendering, const struct lx_session *session,
+                               struct luxel_field *field, unsigned height, luxel_diagnostics *diagnostics)
+{
+    const luxel_settings *settings = &session->settings;
+    *rendering = (struct lx_rendering){
+        .plan = &session->plan,
+        .field = field,
+        .diagnostics = diagnostics,
+        .threads = lx_rendering_threads(settings, field),
+        .control = {.rows = field->rows, .progress = settings->progress, .data = settings->progress_data},
+    };
+    luxel_status status = hold(rendering, height);
+    return status == LUXEL_OK ? make_memories(rendering) : status;
+}
+
+static luxel_status check_range(const struct luxel_field *field, const luxel_extremum *maximum,
+                                luxel_diagnostics *diagnostics)
+{
+    if (!maximum->exists || isfinite(maximum->value))
+        return LUXEL_OK;
+    bool single = field->precision == LUXEL_SINGLE;
+    lx_report(diagnostics, LUXEL_SEVERITY_ERROR, NULL, LX_MSG_VALUE_TOO_LARGE, LX_ARGS(single ? "single" : "double"));
+    lx_hint(diagnostics, single ? LX_MSG_USE_DOUBLE : LX_MSG_LOWER_STRENGTHS, NULL);
+    return LUXEL_ERROR_RANGE;
+}
+
+/* Takes the rows that are finished into the statistics and hands them on. */
+static void put_away(void *data)
+{
+    struct lx_rendering *rendering = data;
+    struct luxel_field *field = rendering->field;
+    const struct lx_strip *strip = &rendering->finished->strip;
+    lx_tally_add(&rendering->tally, field, strip, rendering->finished->rows);
+    rendering->status = check_range(field, &rendering->tally.so_far.maximum, rendering->diagnostics);
+    if (rendering->status != LUXEL_OK) {
+        atomic_store(&rendering->control.stop, true);
+        return;
+    }
+    if (strip->first + strip->rows == field->rows)
+        field->statistics = lx_tally_finish(&rendering->tally);
+    if (rendering->take)
+        rendering->take(rendering->take_data, strip);
+}
+
+luxel_status lx_rendering_run(struct lx_rendering *rendering)
+{
+    const unsigned rows = rendering->field->rows, height = rendering->held[0].strip.rows;
+    for (unsigned first = 0; first < rows; first += rendering->computed->strip.rows) {
+        const unsigned left = rows - first;
+        rendering->computed = &rendering->held[first / height % 2];
+        rendering->computed->strip.first = first;
+        rendering->computed->strip.rows = left < height ? left : height;
+        const struct lx_rows_part part = {.first = first,
+                                          .last = first + rendering->computed->strip.rows,
+                                          .work = render_rows,
+                                          .meanwhile = rendering->finished ? put_away : NULL,
+                                          .data = rendering};
+        if (!lx_rows_run_part(&rendering->control, rendering->threads, &part))
+            return rendering->status != LUXEL_OK ? rendering->status : LUXEL_CANCELLED;
+        rendering->finished = rendering->computed;
+    }
+    put_away(rendering);
+    return rendering->status;
+}
+
+void lx_rendering_clear(struct lx_rendering *rendering)
+{
+    for (unsigned i = 0; rendering->memories && i < rendering->threads; i++)
+        free(rendering->memories[i]);
+    free(rendering->memories);
+    for (size_t i = 0; i < 2; i++) {
+        free(rendering->held[i].strip.values);
+        free(rendering->held[i].strip.mask);
+        free(rendering->held[i].rows);
+    }
+}
