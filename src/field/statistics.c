@@ -8,6 +8,12 @@
 #include "field.h"
 #include "gather.h"
 
+/* Whether a value takes the place of the maximum so far.  One that is no number must not hide: it does, and stays. */
+static bool exceeds(double value, double maximum)
+{
+    return !isnan(maximum) && !(value <= maximum);
+}
+
 struct lx_row_statistics lx_gather_row(const struct luxel_field *field, const struct lx_strip *strip, unsigned row)
 {
     struct lx_row_statistics result = {.maximum = -HUGE_VAL, .minimum = HUGE_VAL};
@@ -20,8 +26,7 @@ struct lx_row_statistics lx_gather_row(const struct luxel_field *field, const st
         double value = lx_strip_value(field, strip, first + i);
         result.surface_pixels++;
         sums[i % LX_LANES] += value;
-        /* A value that is no number must not hide: it becomes the maximum. */
-        if (!(value <= result.maximum))
+        if (exceeds(value, result.maximum))
             result.maximum = value;
         if (!(value >= LX_LEAST_LIT))
             continue;
@@ -57,7 +62,7 @@ void lx_tally_add(struct lx_tally *tally, const struct luxel_field *field, const
         const struct lx_row_statistics *one = &rows[i];
         if (one->surface_pixels == 0)
             continue;
-        if (!highest || !(one->maximum <= highest->maximum))
+        if (!highest || exceeds(one->maximum, highest->maximum))
             highest = one;
         if (one->lit_pixels > 0 && (!lowest || one->minimum < lowest->minimum))
             lowest = one;
@@ -65,7 +70,7 @@ void lx_tally_add(struct lx_tally *tally, const struct luxel_field *field, const
         tally->lit_pixels += one->lit_pixels;
         tally->sum += one->sum;
     }
-    if (highest && !(so_far->maximum.exists && highest->maximum <= so_far->maximum.value))
+    if (highest && (!so_far->maximum.exists || exceeds(highest->maximum, so_far->maximum.value)))
         so_far->maximum = find_extremum(field, strip, (unsigned)(highest - rows), highest->maximum);
     if (lowest && !(so_far->minimum.exists && lowest->minimum >= so_far->minimum.value))
         so_far->minimum = find_extremum(field, strip, (unsigned)(lowest - rows), lowest->minimum);

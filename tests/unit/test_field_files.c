@@ -96,6 +96,27 @@ static void test_arrays(void **state)
     }
 }
 
+/* A value that is no number is the maximum, wherever it stands. */
+static void test_no_number(void **state)
+{
+    static const char header[] = "Pf\n2 2\n-1.0\n";
+    for (unsigned i = 0; i < 4; i++) {
+        struct files *files = *state;
+        char bytes[sizeof header - 1 + 4 * sizeof(float)];
+        float values[] = {3, 1, 2, 4}; /* from the bottom row on */
+        luxel_field *read = NULL;
+        values[i] = NAN;
+        memcpy(bytes, header, sizeof header - 1);
+        memcpy(bytes + sizeof header - 1, values, sizeof values);
+        make_file(files, "a.pfm", bytes, sizeof bytes);
+        assert_int_equal(luxel_field_read(files->path, NULL, &read), LUXEL_OK);
+        const luxel_extremum *maximum = &luxel_field_statistics(read)->maximum;
+        assert_true(maximum->exists && isnan(maximum->value));
+        assert_true(maximum->column == i % 2 && maximum->row == 1 - i / 2);
+        luxel_field_free(read);
+    }
+}
+
 /* An EXR file tells where it came from. */
 static void test_exr(void **state)
 {
@@ -295,9 +316,9 @@ static void test_damage(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        FILES_CASE(arrays),         FILES_CASE(exr),  FILES_CASE(csv),
-        FILES_CASE(repeats_itself), FILES_CASE(bits), FILES_CASE(settings_of_texts),
-        FILES_CASE(damage),
+        FILES_CASE(arrays),         FILES_CASE(exr),       FILES_CASE(csv),
+        FILES_CASE(repeats_itself), FILES_CASE(bits),      FILES_CASE(settings_of_texts),
+        FILES_CASE(damage),         FILES_CASE(no_number),
     };
 
     return cmocka_run_group_tests_name("field files", tests, NULL, NULL);
