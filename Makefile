@@ -38,7 +38,7 @@ help:
 	@echo 'make check-clang     the same with clang, warnings being errors'
 	@echo 'make check-sanitize  the same with address and undefined-behaviour sanitizers (SANITIZE="gcc clang")'
 	@echo 'make check-valgrind  the unit tests under valgrind'
-	@echo 'make fuzz            look for inputs that break something: MINUTES=5 a target, FUZZ="scene edit field mesh numbers"'
+	@echo 'make fuzz            look for inputs that break something: MINUTES=5 a target, FUZZ="scene edit"'
 	@echo 'make bench           time pictures and other programs in turn, and write docs/PERFORMANCE.md'
 	@echo 'make install         install under PREFIX ($(PREFIX)); DESTDIR is honoured'
 	@echo 'make docs            the reference pages of the library in $(BUILD)/docs/reference/html, by Doxygen'
@@ -98,7 +98,7 @@ sanitize-%:
 # Each target so long, one after the other; what it finds lies in build-fuzz/findings/TARGET, to be mended and then put
 # into fuzz/corpus/TARGET.  The corpus itself is not changed.
 MINUTES ?= 5
-FUZZ ?= scene edit field mesh numbers
+FUZZ ?= scene edit field mesh numbers answers arguments points
 fuzz:
 	@tools/setup clang
 	@test -e build-fuzz/build.ninja || CC=clang CXX=clang++ $(MESON) setup build-fuzz -Dfuzz=true -Dfigures=disabled \

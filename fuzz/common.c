@@ -20,7 +20,7 @@ void fuzz_must(bool holds, const char *what)
 {
     if (holds)
         return;
-    fprintf(stderr, "must hold: %s\n", what);
+    dprintf(STDERR_FILENO, "must hold: %s\n", what); /* `stderr` may be listened to */
     abort();
 }
 
@@ -57,6 +57,32 @@ void fuzz_read_messages(const luxel_diagnostics *diagnostics)
         luxel_text_free(message);
         luxel_text_free(hint);
     }
+}
+
+void fuzz_listen(struct fuzz_words *words)
+{
+    *words = (struct fuzz_words){.before = stderr};
+    FILE *listening = open_memstream(&words->text, &words->length);
+    fuzz_must(listening != NULL, "memory");
+    stderr = listening;
+}
+
+size_t fuzz_heard(struct fuzz_words *words)
+{
+    size_t lines = 0;
+    unsigned char before = 0;
+    fclose(stderr);
+    stderr = words->before;
+    for (size_t i = 0; i < words->length; i++) {
+        unsigned char byte = (unsigned char)words->text[i];
+        bool is_control = byte < ' ' || byte == 0x7f || (before == 0xc2 && byte < 0xa0); /* C1 in UTF-8 */
+        lines += byte == '\n';
+        fuzz_must(byte == '\n' || !is_control, "nothing steers the terminal");
+        before = byte;
+    }
+    fuzz_must(words->length == 0 || words->text[words->length - 1] == '\n', "lines are whole");
+    free(words->text);
+    return lines;
 }
 
 /* What was written reads back as the same. */
@@ -159,4 +185,16 @@ void fuzz_use_scene(luxel_scene *scene)
     }
     luxel_diagnostics_free(diagnostics);
     luxel_scene_free(scene);
+}
+
+void fuzz_use_file(const char *scene_text, const void *data, size_t size, const char *ending)
+{
+    struct fuzz_file file = fuzz_open(data, size, ending);
+    luxel_scene *scene;
+    char *text;
+    fuzz_must(asprintf(&text, scene_text, file.path) > 0, "memory");
+    fuzz_must(luxel_scene_read_text(text, strlen(text), "fuzz", NULL, &scene) == LUXEL_OK, "the scene around it");
+    fuzz_use_scene(scene);
+    free(text);
+    fuzz_close(&file);
 }

@@ -10,6 +10,7 @@
 #include <stdbool.h>
 #include <stddef.h>
 #include <stdint.h>
+#include <stdio.h>
 
 #include <luxel/luxel.h>
 
@@ -32,6 +33,19 @@ void fuzz_close(struct fuzz_file *file);
 
 /* What a user may do with a scene that was read: commit, look, compute, probe, write.  Takes it over. */
 void fuzz_use_scene(luxel_scene *scene);
+
+/* The same with a scene that names a file of these bytes: `scene` is its text, with one %s for the file's name. */
+void fuzz_use_file(const char *scene, const void *data, size_t size, const char *ending);
+
+/* What the command says on standard error from fuzz_listen() to fuzz_heard(). */
+struct fuzz_words {
+    FILE *before;
+    char *text;
+    size_t length;
+};
+void fuzz_listen(struct fuzz_words *words);
+/* How many lines were said, which must be whole and without characters that steer a terminal. */
+size_t fuzz_heard(struct fuzz_words *words);
 
 /* Diagnostics in words, all of them, which must be there. */
 void fuzz_read_messages(const luxel_diagnostics *diagnostics);

@@ -5,6 +5,7 @@
 """
 import pathlib
 import random
+import struct
 import subprocess
 import sys
 import tempfile
@@ -72,6 +73,80 @@ def meshes():
     put("mesh", "huge.off", "\0OFF\n999999999 999999999 0\n1 2 3\n")
 
 
+# As a spreadsheet, a teacher and a student in a hurry write them.
+ANSWERS = [
+    "variant,point,value\n1,1,3.14\n1,P2,0.5e-1\n2,p5,off\n",
+    "variant,x_mm,y_mm,value\n17,0,0,12.5\n17,-150.25,1e2,-\n1000000,0.5,-0.5,.25\n",
+    "\ufeffвариант;точка;значение;студент\r\n3;1;3,1416;Ann\r\n3;2;0,25;\"Боб; второй\"\r\n",
+    "name\tVariant\tPoint\tValue\nx\t9\t1\t 7 \n\ty\t\t\n",
+    '"variant","x","y","value","student"\n1,"0","0","3,25","a ""b"" c"\n1,1,1,none,"two\nlines"\n',
+    "variant,point,x,y,value\n4,,10,20,3\n4,3,,,255\n4,1,1,1,NaN\n\n \n4,2,0,0,0.5\n",
+    "variant,point,value\r1,1,2\r0,1,2\r1000001,1,2\r1,0,2\r1,1001,2\r1,1,\r1,1,x\r1,1,1e999\r1,1,0e9999\r",
+    "variant,point,value\n1,1,2,5\n1,1\n01,+1,2\n1,1,\u22122\n\u0416,1,2\n1,1,1e\n1,1,--1\n",
+    "point,value\n1,2\n", "variant,point,value,value\n", "variant,point,value\n1,1,\"2\n",
+    "variant,point,value\n1,1,\"2\"3\n", "", "\n\n", "a" * 300, '"' * 99, "variant,point,value\n\0",
+    'student,variant,point,value\n"\x1b[31m\nred",1,1,x\n\u009b2J,1,1,9\n',
+]
+
+ARGUMENTS = [
+    "render report -s lights[0].intensity=20 --quantity irradiance --precision double",
+    "probe three-lights -p 0,0 -p -150,1e2 --at 0,0,1300,0,0,1 --tolerance 1e-6",
+    "probe report --at 1,2,3,0,0,0", "probe report -p 1;2", "probe report --at=1,2", "probe report -p 1,2 --json -q",
+    "set report screen.sampling=nodes surfaces[0].material.shininess=60 --dry-run",
+    "set report lights=[] lights.0.type=point", "check window --strict -s lights[0].parts=4",
+    "stats report --region 0,0,100,50 --histogram --bins 32 --scale 0,1 --log",
+    "stats report --region 1,2,0", "stats --bins 0", "profile report --from -100,0 --to 100,0 --samples 50 --arc",
+    "profile --through 1,2 --angle 45 --csv=excel-ru", "isophotes report --levels 10",
+    "isophotes report --levels 0.5,1e0,2 -o a.csv", "isophotes report --levels 5,", "isophotes --levels 1,,2",
+    "figure report --palette turbo --width 120 --dpi 300 --section --title x", "figure --section=maximum",
+    "grade a.csv --format html", "variant 7 -s screen.width=900", "help lights.intensity", "schema extra",
+    "render --threads 1025", "render --threads=4 --bits 16 -o a.png -o -", "render --out a.png", "render --s x",
+    "rendr", "report report --author A --group 1 --date today", "--version", "--help", "-s a=b", "-x", "--", "-- render",
+    "render -s", "render --quantity brightnes", "render --quiet=1", "bench -q --light-error 0.1", "render report more",
+]
+
+
+def answers():
+    for i, text in enumerate(ANSWERS):
+        put("answers", "table-%02d.csv" % i, text)
+
+
+def arguments():
+    for i, line in enumerate(ARGUMENTS):
+        put("arguments", "line-%02d" % i, line.replace(" ", "\0"))
+    put("arguments", "lines-of-yaml", "check\0report\0-s\0lights=\n- type: ambient\n  irradiance: 1 # dim\n\0")
+    put("arguments", "steering", "check\0-s\0\x1b[31m=\u009b\0--tolerance\0\x07\0")
+
+
+CLOUDS = [
+    "2000,0,2000,10\n-300.5,200,1800,2.5\n0,0,1500,0.125\n",
+    "\ufeffX\tY\tZ\tIntensity\r\n2000\t0\t2000\t10\r\n", "x;y;z;intensity\n1;2;1500;3 # bright\n",
+    "# lamps\n\n  10 20 1500 1\n-1e3 .5 +2e3 0\n", "1,2,3\n", "1,2,3,4,5\n", "1,5;2;3;4\n", "1,2,3,nan\n", "1,2,-1e999,1\n",
+    "1,2,3,-4\n", "x,y,z,intensity\n1,2,3,much\n", "x,y,z,intensity\n", "", "1,2,3,4", "1,2,3,%s\n" % ("\u20ac" * 30),
+    "1e6,1e6,1e6,1e12\n0,0,1000,1\n", "1 2,3 4\n", "1,2,,4\n",
+]
+
+
+def npy(rows, descr, more=""):
+    text = "{'descr': '%s', 'fortran_order': %s, 'shape': %s, }" % (descr, more or "False", (len(rows), 4))
+    kind = (">" if descr[0] == ">" else "<") + 4 * ("f" if descr.endswith("4") else "d")
+    return (b"\x93NUMPY\x01\x00" + struct.pack("<H", len(text)) + text.encode()
+            + b"".join(struct.pack(kind, *row) for row in rows))
+
+
+def clouds():
+    rows = [(2000, 0, 2000, 10), (-300.5, 200, 1800, 2.5), (0, 0, 1500, 0.125), (1, 1, 1600, 0)]
+    for i, text in enumerate(CLOUDS):
+        put("points", "cloud-%02d.csv" % i, text)
+    for descr in ("<f8", ">f8", "<f4", ">f4", "<i8"):
+        put("points", "cloud-%s.npy" % descr.replace("<", "little-").replace(">", "big-"), npy(rows, descr))
+    put("points", "columns-first.npy", npy(rows, "<f8", "True"))
+    put("points", "cut-off.npy", npy(rows, "<f8")[:-1])
+    put("points", "no-rows.npy", npy([], "<f8"))
+    put("points", "not-finite.npy", npy([(1, 2, float("inf"), 4)], "<f4"))
+    put("points", "below-0.npy", npy([(1, 2, 3, -4)], "<f4"))
+
+
 def main():
     luxel = sys.argv[1] + "/cli/luxel"
     rng = random.Random(1)
@@ -82,6 +157,9 @@ def main():
     for i, text in enumerate(EDITS):
         put("edit", "edits-%d.txt" % i, text)
     meshes()
+    answers()
+    arguments()
+    clouds()
     for i in range(24):
         put("numbers", "random-%02d" % i, rng.randbytes(96))
 
