@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /*
- * Any table of answers, as `luxel grade` reads it; the first of them are judged.  Lines that are no answers are
- * reported, in words that do no harm to a terminal.
+ * Any table of answers, as `luxel grade` reads it; an answer that stands alone is judged, which takes a while.  Lines
+ * that are no answers are reported, in words that do no harm to a terminal.
  */
 #include "fuzz.h"
 
@@ -9,8 +9,6 @@
 #include <string.h>
 
 #include "../cli/answers.h"
-
-enum { MOST_JUDGED = 2 };
 
 static const char scene_text[] = "luxel: 1\n"
                                  "screen: {width: 600, height: 600, resolution: [8, 8]}\n"
@@ -44,16 +42,13 @@ static void judge(const luxel_scene *scene, const struct answer *answer)
     luxel_judgement_free(judgement);
 }
 
-static void judge_first(const struct answers *answers)
+static void judge_alone(const struct answer *answer)
 {
     luxel_scene *scene;
     fuzz_must(luxel_scene_read_text(scene_text, strlen(scene_text), "fuzz", NULL, &scene) == LUXEL_OK &&
                   luxel_scene_commit(scene, NULL) == LUXEL_OK,
               "the scene of the answers");
-    for (size_t i = 0; i < answers->count; i++)
-        check(&answers->list[i]);
-    for (size_t i = 0; i < answers->count && i < MOST_JUDGED; i++)
-        judge(scene, &answers->list[i]);
+    judge(scene, answer);
     luxel_scene_free(scene);
 }
 
@@ -66,7 +61,10 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
     answers_read(file.path, &answers);
     size_t lines = fuzz_heard(&words);
     fuzz_must(answers.mistakes == 0 ? lines == 0 : lines >= answers.mistakes, "mistakes are told, and nothing else");
-    judge_first(&answers);
+    for (size_t i = 0; i < answers.count; i++)
+        check(&answers.list[i]);
+    if (answers.count == 1)
+        judge_alone(answers.list);
     answers_clear(&answers);
     fuzz_close(&file);
     return 0;

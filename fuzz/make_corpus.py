@@ -83,6 +83,8 @@ ANSWERS = [
     "variant,point,x,y,value\n4,,10,20,3\n4,3,,,255\n4,1,1,1,NaN\n\n \n4,2,0,0,0.5\n",
     "variant,point,value\r1,1,2\r0,1,2\r1000001,1,2\r1,0,2\r1,1001,2\r1,1,\r1,1,x\r1,1,1e999\r1,1,0e9999\r",
     "variant,point,value\n1,1,2,5\n1,1\n01,+1,2\n1,1,\u22122\n\u0416,1,2\n1,1,1e\n1,1,--1\n",
+    "variant,point,value\n1,1,2.5\n", "variant,x,y,value\n1,0,0,12.732395\n", "variant,x,y,value\n1,100,0,127\n",
+    "variant,x,y,value\n1,500,0,off\n", "variant,x,y,value\n1,-150,100,1.0\n",
     "point,value\n1,2\n", "variant,point,value,value\n", "variant,point,value\n1,1,\"2\n",
     "variant,point,value\n1,1,\"2\"3\n", "", "\n\n", "a" * 300, '"' * 99, "variant,point,value\n\0",
     'student,variant,point,value\n"\x1b[31m\nred",1,1,x\n\u009b2J,1,1,9\n',
