@@ -23,8 +23,8 @@ WARNINGS_ARE_ERRORS = --werror
 
 # One thing at a time: the parallel work is Ninja's.
 .NOTPARALLEL:
-.PHONY: build help setup run app check bench install clean check-clang check-sanitize check-valgrind format \
-    fuzz docs validation abi po packages check-packages
+.PHONY: build help setup run app check bench install clean check-clang check-sanitize check-threads check-valgrind \
+    format fuzz docs validation abi po packages check-packages
 
 build: $(BUILD)/build.ninja
 	@$(COMPILE) $(BUILD)
@@ -37,6 +37,7 @@ help:
 	@echo 'make check           build and run every test; ends with "N passed, N failed"'
 	@echo 'make check-clang     the same with clang, warnings being errors'
 	@echo 'make check-sanitize  the same with address and undefined-behaviour sanitizers (SANITIZE="gcc clang")'
+	@echo 'make check-threads   what computes in several threads, watched by the thread sanitizer'
 	@echo 'make check-valgrind  the unit tests under valgrind'
 	@echo 'make fuzz            look for inputs that break something: MINUTES=5 a target, FUZZ="scene edit"'
 	@echo 'make bench           time pictures and other programs in turn, and write docs/PERFORMANCE.md'
@@ -94,6 +95,14 @@ sanitize-%:
 	@UBSAN_OPTIONS=print_stacktrace=1:halt_on_error=1 ASAN_OPTIONS=detect_stack_use_after_return=1 \
 	    LSAN_OPTIONS=suppressions=$(CURDIR)/tests/leaks.txt:print_suppressions=0 \
 	    $(RUN_TESTS) build-sanitize-$* --num-processes $(JOBS) --timeout-multiplier 10 $(TESTS)
+
+# What threads do to one another, by gcc's sanitizer, which has to see every access: only what these tests need is built.
+# tests/races.txt lists what it cannot know.
+check-threads:
+	@test -e build-threads/build.ninja || CC=gcc $(MESON) setup build-threads $(WARNINGS_ARE_ERRORS) \
+	    -Db_sanitize=thread -Db_lundef=false -Doptimization=1
+	@TSAN_OPTIONS=suppressions=$(CURDIR)/tests/races.txt \
+	    $(RUN_TESTS) build-threads --num-processes 1 --timeout-multiplier 10 --suite threads $(TESTS)
 
 # Each target so long, one after the other; what it finds lies in build-fuzz/findings/TARGET, to be mended and then put
 # into fuzz/corpus/TARGET.  The corpus itself is not changed.
@@ -164,4 +173,4 @@ format:
 	@find include src front cli app tests bench fuzz -name '*.[ch]' 2>/dev/null | xargs clang-format -i
 
 clean:
-	@rm -rf $(BUILD) build-clang build-fuzz build-sanitize-gcc build-sanitize-clang
+	@rm -rf $(BUILD) build-clang build-fuzz build-threads build-sanitize-gcc build-sanitize-clang
