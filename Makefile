@@ -24,7 +24,7 @@ WARNINGS_ARE_ERRORS = --werror
 # One thing at a time: the parallel work is Ninja's.
 .NOTPARALLEL:
 .PHONY: build help setup run app check bench install clean check-clang check-sanitize check-threads check-valgrind \
-    format fuzz docs validation abi po packages check-packages
+    format fuzz coverage docs validation abi po packages check-packages
 
 build: $(BUILD)/build.ninja
 	@$(COMPILE) $(BUILD)
@@ -40,6 +40,7 @@ help:
 	@echo 'make check-threads   what computes in several threads, watched by the thread sanitizer'
 	@echo 'make check-valgrind  the unit tests under valgrind'
 	@echo 'make fuzz            look for inputs that break something: MINUTES=5 a target, FUZZ="scene edit"'
+	@echo 'make coverage        which lines and branches of src/ the tests reach, as a table of the rooms'
 	@echo 'make bench           time pictures and other programs in turn, and write docs/PERFORMANCE.md'
 	@echo 'make install         install under PREFIX ($(PREFIX)); DESTDIR is honoured'
 	@echo 'make docs            the reference pages of the library in $(BUILD)/docs/reference/html, by Doxygen'
@@ -124,6 +125,17 @@ fuzz:
 	    test $$code = 0 || { tail -40 build-fuzz/$$target.log; exit 1; }; \
 	done
 
+# Lines and branches of src/ that the tests reach: tools/coverage.py.  Counters are atomic for the sake of threads.
+COVERED ?= unit formats reference cli figure fuzz
+coverage:
+	@tools/setup coverage
+	@test -e build-coverage/build.ninja || $(MESON) setup build-coverage -Db_coverage=true -Dapp=disabled \
+	    -Doptimization=0 -Dc_args=-fprofile-update=atomic
+	@$(COMPILE) build-coverage
+	@find build-coverage -name "*.gcda" -delete
+	@code=0; $(RUN_TESTS) build-coverage --num-processes $(JOBS) --timeout-multiplier 10 \
+	    $(COVERED:%=--suite %) $(TESTS) || code=1; $(PYTHON) tools/coverage.py build-coverage; exit $$code
+
 check-valgrind: build
 	@tools/setup valgrind
 	@$(VALGRIND) $(BUILD)/cli/luxel render -o $(BUILD)/valgrind.png -o $(BUILD)/valgrind.npy >/dev/null
@@ -173,4 +185,4 @@ format:
 	@find include src front cli app tests bench fuzz -name '*.[ch]' 2>/dev/null | xargs clang-format -i
 
 clean:
-	@rm -rf $(BUILD) build-clang build-fuzz build-threads build-sanitize-gcc build-sanitize-clang
+	@rm -rf $(BUILD) build-clang build-fuzz build-coverage build-threads build-sanitize-gcc build-sanitize-clang

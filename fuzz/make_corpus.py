@@ -103,7 +103,8 @@ ARGUMENTS = [
     "figure report --palette turbo --width 120 --dpi 300 --section --title x", "figure --section=maximum",
     "grade a.csv --format html", "variant 7 -s screen.width=900", "help lights.intensity", "schema extra",
     "render --threads 1025", "render --threads=4 --bits 16 -o a.png -o -", "render --out a.png", "render --s x",
-    "rendr", "report report --author A --group 1 --date today", "--version", "--help", "-s a=b", "-x", "--", "-- render",
+    "rendr", "report report --author A --group 1 --date today", "--version", "--help", "-s a=b", "-x", "--",
+    "-- render",
     "render -s", "render --quantity brightnes", "render --quiet=1", "bench -q --light-error 0.1", "render report more",
 ]
 
@@ -123,7 +124,8 @@ def arguments():
 CLOUDS = [
     "2000,0,2000,10\n-300.5,200,1800,2.5\n0,0,1500,0.125\n",
     "\ufeffX\tY\tZ\tIntensity\r\n2000\t0\t2000\t10\r\n", "x;y;z;intensity\n1;2;1500;3 # bright\n",
-    "# lamps\n\n  10 20 1500 1\n-1e3 .5 +2e3 0\n", "1,2,3\n", "1,2,3,4,5\n", "1,5;2;3;4\n", "1,2,3,nan\n", "1,2,-1e999,1\n",
+    "# lamps\n\n  10 20 1500 1\n-1e3 .5 +2e3 0\n", "1,2,3\n", "1,2,3,4,5\n", "1,5;2;3;4\n", "1,2,3,nan\n",
+    "1,2,-1e999,1\n",
     "1,2,3,-4\n", "x,y,z,intensity\n1,2,3,much\n", "x,y,z,intensity\n", "", "1,2,3,4", "1,2,3,%s\n" % ("\u20ac" * 30),
     "1e6,1e6,1e6,1e12\n0,0,1000,1\n", "1 2,3 4\n", "1,2,,4\n",
 ]
