@@ -52,6 +52,18 @@ static void test_refusals(void **state)
     expect_error(luxel_render(scene, &settings, diagnostics, &field), LUXEL_ERROR_ARGUMENT, diagnostics,
                  "setting-out-of-range");
     luxel_settings_init(&settings);
+    settings.quantity = (luxel_quantity)7;
+    expect_error(luxel_render(scene, &settings, diagnostics, &field), LUXEL_ERROR_ARGUMENT, diagnostics,
+                 "setting-out-of-range");
+    luxel_settings_init(&settings);
+    settings.precision = (luxel_precision)7;
+    expect_error(luxel_render(scene, &settings, diagnostics, &field), LUXEL_ERROR_ARGUMENT, diagnostics,
+                 "setting-out-of-range");
+    luxel_settings_init(&settings);
+    settings.light_error = 1;
+    expect_error(luxel_render(scene, &settings, diagnostics, &field), LUXEL_ERROR_ARGUMENT, diagnostics,
+                 "setting-out-of-range");
+    luxel_settings_init(&settings);
     settings.tolerance = nan("");
     expect_error(luxel_probe_screen(scene, &settings, 0, 0, diagnostics, &probe), LUXEL_ERROR_ARGUMENT, diagnostics,
                  "setting-out-of-range");

@@ -5,6 +5,9 @@
 #include <stdarg.h>
 #include <stddef.h>
 #include <stdint.h>
+#include <stdlib.h>
+#include <string.h>
+#include <unistd.h>
 
 #include <cmocka.h>
 
@@ -72,12 +75,89 @@ static void test_refused(void **state)
     luxel_field_free(tall);
 }
 
+/* A .npy file, which knows neither places nor what is a surface, with these four values. */
+static luxel_field *npy_field(const double *values)
+{
+    static const char head[] = "\x93NUMPY\1\0@\0{'descr': '<f8', 'fortran_order': False, 'shape': (2, 2), }     ";
+    char path[] = "/tmp/luxel-compare-XXXXXX.npy";
+    int descriptor = mkstemps(path, 4);
+    assert_true(descriptor >= 0);
+    assert_int_equal(write(descriptor, head, sizeof head - 1), 10 + '@');
+    assert_int_equal(write(descriptor, values, 4 * sizeof *values), 4 * sizeof *values);
+    close(descriptor);
+    luxel_field *field = NULL;
+    assert_int_equal(luxel_field_read(path, NULL, &field), LUXEL_OK);
+    unlink(path);
+    return field;
+}
+
+/* Files may hold what no rendering gives: NaN and infinity are told with their place, by all that reads values off. */
+static void test_not_finite(void **state)
+{
+    (void)state;
+    const double finite[] = {1, 2, 3, 4}, odd[] = {1, 2, (double)INFINITY, 4}, none[] = {1, NONE, 3, 4};
+    luxel_field *good = npy_field(finite), *bad[] = {npy_field(odd), npy_field(none)};
+    luxel_diagnostics *diagnostics = luxel_diagnostics_new();
+    luxel_comparison made;
+    luxel_summary summary;
+    luxel_histogram *histogram = NULL;
+    for (int i = 0; i < 2; i++) {
+        assert_int_equal(luxel_compare(good, bad[i], diagnostics, &made, NULL), LUXEL_ERROR_ARGUMENT);
+        assert_int_equal(luxel_compare(bad[i], good, diagnostics, &made, NULL), LUXEL_ERROR_ARGUMENT);
+        assert_int_equal(luxel_field_summary(bad[i], NULL, diagnostics, &summary), LUXEL_ERROR_ARGUMENT);
+        assert_int_equal(luxel_field_histogram(bad[i], NULL, LUXEL_LINEAR, NONE, NONE, 4, diagnostics, &histogram),
+                         LUXEL_ERROR_ARGUMENT);
+        assert_int_equal(luxel_diagnostics_count(diagnostics), 4);
+        for (size_t k = 0; k < 4; k++) {
+            char *message = luxel_diagnostics_message(diagnostics, k, NULL, NULL);
+            assert_string_equal(luxel_diagnostics_get(diagnostics, k)->id, "not-finite");
+            assert_non_null(strstr(message, i == 0 ? "(0, 1)" : "(1, 0)"));
+            luxel_text_free(message);
+        }
+        luxel_diagnostics_clear(diagnostics);
+        luxel_field_free(bad[i]);
+    }
+    luxel_diagnostics_free(diagnostics);
+    luxel_field_free(good);
+}
+
+/* Without places a region says nothing; pixels that lie elsewhere cannot be compared. */
+static void test_places(void **state)
+{
+    (void)state;
+    const double four[] = {1, 2, 3, 4};
+    const luxel_region region = {.type = LUXEL_REGION_CIRCLE, .radius_mm = 5};
+    luxel_field *nowhere = npy_field(four), *small = csv_field(four, 2, 2), *difference = NULL;
+    luxel_diagnostics *diagnostics = luxel_diagnostics_new();
+    luxel_comparison made;
+    luxel_summary summary;
+    assert_int_equal(luxel_field_summary(nowhere, &region, diagnostics, &summary), LUXEL_ERROR_ARGUMENT);
+    assert_string_equal(luxel_diagnostics_get(diagnostics, 0)->id, "no-places");
+    assert_int_equal(luxel_compare(nowhere, small, NULL, &made, &difference), LUXEL_OK);
+    assert_true(made.largest.value == 0 && luxel_field_x_mm(difference)[1] == 1);
+    luxel_field_free(difference);
+
+    luxel_diagnostics_clear(diagnostics);
+    luxel_scene *scene = NULL;
+    luxel_field *large = NULL;
+    assert_int_equal(luxel_scene_open_builtin("report", NULL, &scene), LUXEL_OK);
+    assert_int_equal(luxel_scene_set(scene, "screen={width: 50, height: 50, resolution: [2, 2]}", NULL), LUXEL_OK);
+    assert_int_equal(luxel_scene_commit(scene, NULL), LUXEL_OK);
+    assert_int_equal(luxel_render(scene, NULL, NULL, &large), LUXEL_OK);
+    assert_int_equal(luxel_compare(large, small, diagnostics, &made, NULL), LUXEL_ERROR_ARGUMENT);
+    assert_string_equal(luxel_diagnostics_get(diagnostics, 0)->id, "not-comparable");
+    luxel_field_free(large);
+    luxel_scene_free(scene);
+    luxel_diagnostics_free(diagnostics);
+    luxel_field_free(small);
+    luxel_field_free(nowhere);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_known_numbers),
-        cmocka_unit_test(test_symmetry),
-        cmocka_unit_test(test_refused),
+        cmocka_unit_test(test_known_numbers), cmocka_unit_test(test_symmetry), cmocka_unit_test(test_refused),
+        cmocka_unit_test(test_not_finite),    cmocka_unit_test(test_places),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -322,6 +322,8 @@ static void changes_json(void **state)
         OUT("{\n  \"luxel\": 1,\n  \"units\": \"a\"\n}\n", "units", "{\n  \"luxel\": 1\n}\n"),
         OUT("{\"luxel\": 1}", "luxel", "{}\n"),
         TO("{\"points\":[[1,2],[3,4]]}", "points", 0, 1, "{\"points\":[[3,4],[1,2]]}"),
+        IN("{\"lights\":[]}", "lights", 0, "{name: \"\\a\\u00e9\\x7f\\\\\\\"\", enabled: false}",
+           "{\"lights\":[{\"name\": \"\\u0007\u00e9\\u007f\\\\\\\"\", \"enabled\": false}]}"),
     };
     EXPECT_CASES(cases);
 }

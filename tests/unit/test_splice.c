@@ -199,6 +199,12 @@ static void writes_json_as_json(void **state)
          "{\n  \"lights\": [\n    {\n      \"type\": \"spot\",\n      \"inner\": 5,\n      \"enabled\": true,\n"
          "      \"name\": \"it's \\\"a\\\" b\\\\c\"\n    }\n  ],\n  \"observer\": {\"z\": 5}\n}\n"},
         {"{\"lights\": [{}, {}]}\n",
+         {"lights[0].name=\"\\u0041\\n\\\"\"", "lights[1]={\"name\": \"\\/\\u00e9\", \"k\": null}"},
+         "{\"lights\": [{\"name\": \"\\u0041\\n\\\"\"}, {\"name\": \"\\/\\u00e9\", \"k\": null}]}\n"},
+        {"{\"lights\": [{}]}\n",
+         {"lights[0]={\"name\": \"\\a\\x41\\u0042\", \"enabled\": false, \"k\": 01}"},
+         "{\"lights\": [{\"name\": \"\\u0007AB\", \"enabled\": false, \"k\": 1}]}\n"},
+        {"{\"lights\": [{}, {}]}\n",
          {"lights[0].type=spot", "lights[1]={type: \"point\"}", "lights[1].k=~"},
          "{\"lights\": [{\"type\": \"spot\"}, {\"type\": \"point\", \"k\": null}]}\n"},
         {"{\"a\": 1, # c\n \"shadows\": \"none\"}\n",
