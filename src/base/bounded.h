@@ -26,8 +26,10 @@ typedef struct lx_bounded3 {
 
 #define LX_ROUNDING (DBL_EPSILON / 2)
 #define LX_BOUND_SLACK (1 + 16 * DBL_EPSILON)
-/* Absolute rounding of a result, and of its bound, that may have left the normal numbers. */
+/* Absolute rounding of a result, and of its bound, that may have left the normal numbers: bounds of results below
+ * LX_SMALL may. */
 #define LX_UNDERFLOW (4 * DBL_TRUE_MIN)
+#define LX_SMALL (DBL_MIN / DBL_EPSILON)
 
 static inline lx_bounded lx_exact(double value)
 {
@@ -64,7 +66,7 @@ static inline lx_bounded lx_mul(lx_bounded a, lx_bounded b)
 {
     double inherited = fabs(a.value) * b.error + fabs(b.value) * a.error + a.error * b.error;
     double value = a.value * b.value;
-    if (fabs(value) < DBL_MIN && !lx_is_zero(a) && !lx_is_zero(b))
+    if (fabs(value) < LX_SMALL && !lx_is_zero(a) && !lx_is_zero(b))
         inherited += LX_UNDERFLOW;
     return lx_rounded(value, inherited, 1);
 }
@@ -83,7 +85,7 @@ static inline lx_bounded lx_div(lx_bounded a, lx_bounded b)
     if (!(least > 0))
         return (lx_bounded){value, HUGE_VAL};
     double inherited = (a.error + fabs(value) * b.error) / least;
-    if (fabs(value) < DBL_MIN && !lx_is_zero(a))
+    if (fabs(value) < LX_SMALL && !lx_is_zero(a))
         inherited += LX_UNDERFLOW;
     return lx_rounded(value, inherited, 2);
 }
@@ -120,13 +122,15 @@ static inline lx_bounded lx_log1p(lx_bounded a)
 /* a^n for a >= 0 and an exact n >= 0, with 0^0 = 1 */
 static inline lx_bounded lx_power(lx_bounded a, double n)
 {
-    if (n == 0)
-        return lx_exact(1);
+    if (n == 0 || lx_is_zero(a))
+        return lx_exact(n == 0);
     double value = pow(a.value, n);
-    double least = a.value - a.error;
-    if (!(least > 0)) /* somewhere between 0 and (a + error)^n */
-        return (lx_bounded){value, pow(a.value + a.error, n) * (1 + 8 * DBL_EPSILON)};
-    return lx_rounded(value, value * expm1(n * a.error / least) + LX_UNDERFLOW, 4);
+    double least = a.value - a.error, growth = least > 0 ? n * a.error / least : HUGE_VAL;
+    if (growth < 1)
+        return lx_rounded(value, value * expm1(growth) + LX_UNDERFLOW, 4);
+    /* somewhere between 0 and (a + error)^n; the power multiplies the rounding of the sum */
+    double most = pow((a.value + a.error) * (1 + 2 * DBL_EPSILON), n);
+    return (lx_bounded){value, most * (1 + 8 * DBL_EPSILON) + LX_UNDERFLOW};
 }
 
 /*
