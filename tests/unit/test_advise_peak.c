@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /* Advice about what a scene shows, and that every change which a hint suggests does mend what it is about. */
+#include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -175,6 +176,93 @@ static void tells_true_numbers(void **state)
     luxel_scene_free(scene);
 }
 
+/* How far the highlight raises the maximum of the report's scene, told like this. */
+static double rise_at(const luxel_scene *scene, double specular)
+{
+    char with[80];
+    struct lx_scout bright, dull;
+    double effort = LX_SCOUT_EFFORT;
+    snprintf(with, sizeof with, "surfaces[0].material.specular=%.17g", specular);
+    assert_int_equal(lx_scout(scene, (const char *const[]){with, NULL}, &effort, &bright), LUXEL_OK);
+    assert_int_equal(lx_scout(scene, (const char *const[]){"surfaces[0].material.specular=0", NULL}, &effort, &dull),
+                     LUXEL_OK);
+    return bright.maximum / dull.maximum - 1;
+}
+
+static double specular_that_raises(const luxel_scene *scene, double rise)
+{
+    double low = 0, high = 1;
+    for (int i = 0; i < 30; i++) {
+        double middle = (low + high) / 2;
+        if (rise_at(scene, middle) < rise)
+            low = middle;
+        else
+            high = middle;
+    }
+    return high;
+}
+
+static double maximum_of(const luxel_scene *scene)
+{
+    struct lx_scout scout;
+    double effort = LX_SCOUT_EFFORT;
+    assert_int_equal(lx_scout(scene, NULL, &effort, &scout), LUXEL_OK);
+    return scout.maximum;
+}
+
+/* Where `value` stands for the %g of a change. */
+static bool is_told(const char *const *before, const char *change, double value, const char *id)
+{
+    char words[120];
+    luxel_scene *scene = open_scene("report", before);
+    snprintf(words, sizeof words, change, value);
+    assert_int_equal(luxel_scene_set(scene, words, NULL), LUXEL_OK);
+    assert_int_equal(luxel_scene_commit(scene, NULL), LUXEL_OK);
+    luxel_diagnostics *diagnostics = advise(scene);
+    bool told = has(diagnostics, id, NULL);
+    luxel_diagnostics_free(diagnostics);
+    luxel_scene_free(scene);
+    return told;
+}
+
+/* Advice is given beyond its limit and not before it, the limits being computed from what the advice is about. */
+static void speaks_from_its_limit_on(void **state)
+{
+    (void)state;
+    static const char *const none[] = {NULL}, *const phong[] = {"surfaces[0].material.model=phong", NULL};
+    static const char *const near[] = {"lights[0].attenuation=inverse-square", NULL};
+    static const char *const practical[] = {"lights[0].attenuation=practical", "lights[0].k=1",
+                                            "lights[0].position=[0,0,3000]", NULL};
+    luxel_scene *scene = open_scene("report", NULL);
+    const double radius = 300,
+                 pixel = 500.0 / 360; /* mm; the light looks along (1, 0, 1) at the centre, (0, 0, 1000) */
+    const double turn = 35 * M_PI / 180, maximum = maximum_of(scene), specular = specular_that_raises(scene, 0.1);
+    const double ratio = sqrt(1.01), far = radius * (ratio + 1) / (ratio - 1);
+    const struct {
+        const char *const *before, *change, *id;
+        double silent, told;
+    } cases[] = {
+        {none, "picture.range=[0, %.17g]", "range-dim", 255 * maximum / 32.1, 255 * maximum / 31.9},
+        {none, "surfaces[0].material.specular=%.17g", "peak-low", 1.001 * specular, 0.999 * specular},
+        {none, "surfaces[0].material.shininess=%.17g", "peak-wide", -1.01 / log2(cos(turn)), -0.99 / log2(cos(turn))},
+        {phong, "surfaces[0].material.shininess=%.17g", "peak-wide", -1.01 / log2(cos(2 * turn)),
+         -0.99 / log2(cos(2 * turn))},
+        {none, "surfaces[0].material.shininess=%.17g", "peak-narrow", -0.99 / log2(cos(asin(pixel / radius))),
+         -1.01 / log2(cos(asin(pixel / radius)))},
+        {near, "lights[0].position=[0, 0, %.17g]", "light-near", 1000 + 1.0501 * radius, 1000 + 1.0499 * radius},
+        {near, "lights[0].position=[0, 0, %.17g]", "light-far", 1000 + 0.999 * far, 1000 + 1.001 * far},
+        /* (k + 2300)/(k + 1700) is 1.01 for k = 58 300 */
+        {practical, "lights[0].k=%.17g", "light-far", 58290, 58310},
+    };
+    for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
+        if (is_told(cases[i].before, cases[i].change, cases[i].silent, cases[i].id))
+            fail_msg("%s is told for %s with %g", cases[i].id, cases[i].change, cases[i].silent);
+        if (!is_told(cases[i].before, cases[i].change, cases[i].told, cases[i].id))
+            fail_msg("%s is not told for %s with %g", cases[i].id, cases[i].change, cases[i].told);
+    }
+    luxel_scene_free(scene);
+}
+
 /* Switched on, the source of 51 x 25 faces of a million parts each would take all memory. */
 static void leaves_out_what_costs_too_much(void **state)
 {
@@ -212,8 +300,11 @@ static void wants_a_committed_scene(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(mends_what_it_advises),   cmocka_unit_test(is_silent_where_all_is_well),
-        cmocka_unit_test(tells_true_numbers),      cmocka_unit_test(leaves_out_what_costs_too_much),
+        cmocka_unit_test(mends_what_it_advises),
+        cmocka_unit_test(is_silent_where_all_is_well),
+        cmocka_unit_test(tells_true_numbers),
+        cmocka_unit_test(speaks_from_its_limit_on),
+        cmocka_unit_test(leaves_out_what_costs_too_much),
         cmocka_unit_test(wants_a_committed_scene),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

@@ -103,6 +103,73 @@ static void test_report(void **state)
     luxel_scene_free(scene);
 }
 
+/* The sample nearest to a place, among the columns or rows of a picture. */
+static double nearest(const double *samples, unsigned count, double place)
+{
+    double found = samples[0];
+    for (unsigned i = 1; i < count; i++)
+        if (fabs(samples[i] - place) < fabs(found - place))
+            found = samples[i];
+    return found;
+}
+
+/* A scene that shines unevenly on a coarse screen: every other place has another value. */
+static luxel_scene *uneven(const char *sampling)
+{
+    luxel_scene *scene = builtin("report");
+    assign(scene, "screen={width: 500, height: 400, resolution: [25, 20]} -s lights[0].position=[1500, 900, 2000]");
+    assign(scene, sampling);
+    return scene;
+}
+
+/* Each place where someone may have looked has the value that a probe has there; off the screen there is no pixel. */
+static void test_places(void **state)
+{
+    (void)state;
+    static const char *const samplings[] = {"screen.sampling=nodes", "screen.sampling=centers"};
+    static const double x = 37.3, y = 81.9;
+    bool has_value;
+    for (int i = 0; i < 2; i++) {
+        luxel_scene *scene = uneven(samplings[i]), *other = uneven(samplings[1 - i]);
+        luxel_field *field = NULL, *other_field = NULL;
+        luxel_alternatives *found = NULL;
+        assert_int_equal(luxel_render(scene, NULL, NULL, &field), LUXEL_OK);
+        assert_int_equal(luxel_render(other, NULL, NULL, &other_field), LUXEL_OK);
+        assert_int_equal(luxel_find_alternatives(scene, NULL, x, y, NULL, &found), LUXEL_OK);
+        double px = nearest(luxel_field_x_mm(field), 25, x), py = nearest(luxel_field_y_mm(field), 20, y);
+        double ox = nearest(luxel_field_x_mm(other_field), 25, x), oy = nearest(luxel_field_y_mm(other_field), 20, y);
+        assert_true(find(found, "place", "exact point")->value == probe_value(scene, x, y, &has_value));
+        assert_true(find(found, "place", "pixel")->value == probe_value(scene, px, py, &has_value));
+        assert_true(find(found, "place", "pixel of the other sampling")->value ==
+                    probe_value(scene, ox, oy, &has_value));
+        double turned = probe_value(scene, px, -py, &has_value);
+        assert_true(fabs(find(found, "place", "pixel, rows turned over")->value - turned) <= 1e-12 * turned);
+        luxel_alternatives_free(found);
+        assert_int_equal(luxel_find_alternatives(scene, NULL, 251, y, NULL, &found), LUXEL_OK);
+        assert_true(find(found, "place", "exact point")->has_value && !find(found, "place", "pixel")->has_value);
+        luxel_alternatives_free(found);
+        luxel_field_free(field);
+        luxel_field_free(other_field);
+        luxel_scene_free(scene);
+        luxel_scene_free(other);
+    }
+}
+
+/* What is switched off has no say: neither is it asked for its law nor changed. */
+static void test_off(void **state)
+{
+    (void)state;
+    luxel_scene *scene = builtin("three-lights");
+    luxel_alternatives *found = NULL;
+    assign(scene, "lights[1].enabled=false");
+    assert_int_equal(luxel_find_alternatives(scene, NULL, 0, 0, NULL, &found), LUXEL_OK);
+    for (size_t i = 0; i < found->count; i++)
+        if (found->list[i].assignment && strstr(found->list[i].assignment, "lights["))
+            assert_null(strstr(found->list[i].assignment, "lights[1]"));
+    luxel_alternatives_free(found);
+    luxel_scene_free(scene);
+}
+
 static void test_refused(void **state)
 {
     (void)state;
@@ -118,9 +185,8 @@ static void test_refused(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_builtins),
-        cmocka_unit_test(test_report),
-        cmocka_unit_test(test_refused),
+        cmocka_unit_test(test_builtins), cmocka_unit_test(test_report),  cmocka_unit_test(test_places),
+        cmocka_unit_test(test_off),      cmocka_unit_test(test_refused),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -138,6 +138,57 @@ static void explains_slips(void **state)
     luxel_scene_free(scene);
 }
 
+/* Of several conventions within a generous tolerance the nearest is told. */
+static void tells_the_nearest(void **state)
+{
+    (void)state;
+    luxel_scene *scene = open_report(NULL);
+    luxel_alternatives *found;
+    unsigned told = 0;
+    assert_int_equal(luxel_find_alternatives(scene, NULL, 40, 25, NULL, &found), LUXEL_OK);
+    for (size_t i = 0; i < found->count; i++) {
+        luxel_judgement *judgement;
+        if (found->list[i].is_present || !found->list[i].has_value)
+            continue;
+        assert_int_equal(luxel_judge_answer(scene, NULL, 40, 25, found->list[i].value, 0.05, 0, NULL, &judgement),
+                         LUXEL_OK);
+        if (judgement->verdict != LUXEL_ANSWER_RIGHT) {
+            assert_int_equal(judgement->verdict, LUXEL_ANSWER_CONVENTION);
+            assert_true(judgement->explanations[0].value == found->list[i].value);
+            told++;
+        }
+        luxel_judgement_free(judgement);
+    }
+    assert_true(told >= 4);
+    luxel_alternatives_free(found);
+    luxel_scene_free(scene);
+}
+
+/* A whole number is a grey level only if the picture has it there. */
+static void knows_its_grey_levels(void **state)
+{
+    (void)state;
+    luxel_scene *scene = open_report(NULL);
+    luxel_field *field;
+    luxel_probe *probe;
+    static uint8_t levels[360 * 360];
+    assert_int_equal(luxel_render(scene, NULL, NULL, &field), LUXEL_OK);
+    assert_int_equal(luxel_probe_screen(scene, NULL, 100, 150, NULL, &probe), LUXEL_OK);
+    assert_int_equal(luxel_field_columns(field) * luxel_field_rows(field), sizeof levels);
+    luxel_field_grey(field, levels);
+    const int level = levels[probe->row * luxel_field_columns(field) + probe->column];
+    for (int off = -3; off <= 3; off++) {
+        luxel_judgement *judgement = judge(scene, 100, 150, level + off, 0);
+        bool is_grey =
+            judgement->explanation_count == 1 && strcmp(judgement->explanations[0].choice, "grey level") == 0;
+        assert_int_equal(is_grey, off == 0);
+        luxel_judgement_free(judgement);
+    }
+    luxel_probe_free(probe);
+    luxel_field_free(field);
+    luxel_scene_free(scene);
+}
+
 /* Answers from nowhere must not be explained away by one of the many pairs. */
 static void explains_little_by_chance(void **state)
 {
@@ -181,7 +232,8 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(knows_right_answers),   cmocka_unit_test(knows_wrong_answers),
         cmocka_unit_test(explains_the_report),   cmocka_unit_test(explains_conventions),
-        cmocka_unit_test(explains_slips),        cmocka_unit_test(explains_little_by_chance),
+        cmocka_unit_test(explains_slips),        cmocka_unit_test(tells_the_nearest),
+        cmocka_unit_test(knows_its_grey_levels), cmocka_unit_test(explains_little_by_chance),
         cmocka_unit_test(refuses_bad_arguments),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

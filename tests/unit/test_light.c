@@ -224,6 +224,58 @@ static void sums_over_spheres(void **state)
                     cases[i].tolerance);
 }
 
+/* A cone whose two angles are one has an edge and no falloff, whatever that is called. */
+static void cones_of_one_angle(void **state)
+{
+    (void)state;
+    static const char *const falloffs[] = {"smoothstep", "squared", "linear", "hard"};
+    static const double radians = M_PI / 180;
+    for (size_t i = 0; i < sizeof falloffs / sizeof *falloffs; i++) {
+        char light[160];
+        snprintf(light, sizeof light,
+                 "{type: spot, position: [1, 2, 3], intensity: 8, inner: 30, outer: 30, falloff: %s}", falloffs[i]);
+        luxel_scene *scene = lit_by(light);
+        expect_near(falloffs[i], irradiance(scene, (double[]){sin(29.9 * radians), 0, -cos(29.9 * radians)}), 0.5,
+                    1e-14);
+        assert_true(irradiance(scene, (double[]){sin(30.1 * radians), 0, -cos(30.1 * radians)}) == 0);
+        assert_true(irradiance(scene, (double[]){0, 0, 1}) == 0);
+        luxel_scene_free(scene);
+    }
+}
+
+/* An element that a source lies on has no value, and is told which source that is; a millimetre away it has one. */
+static void sources_on_elements(void **state)
+{
+    (void)state;
+    static const char *const lights[] = {
+        "{type: point, position: [0.5, 0.75, 3], intensity: 5}",
+        "{type: point, position: [0.5, 0.75, 3], intensity: 5, pattern: lambertian, attenuation: none}",
+        "{type: spot, position: [0.5, 0.75, 3], intensity: 5, inner: 10, outer: 20}",
+        "{type: planar, rectangle: {center: [0.5, 0.75, 3], size: [7, 5]}, radiance: 5}",
+        "{type: planar, rectangle: {center: [4, 3.25, 3], size: [7, 5]}, radiance: 5}",
+        "{type: planar, disk: {center: [1.5, 0.75, 3], radius: 2}, radiance: 5}",
+        "{type: volume, sphere: {center: [0.5, 2.75, 3], radius: 2}, radiance: 5}",
+        "{type: volume, box: {center: [1, 0.75, 4], size: [4, 5, 2]}, radiance: 5}",
+        "{type: volume, cylinder: {center: [0.5, 2.75, 3], radius: 2, height: 9}, radiance: 5}",
+        "{type: volume, cylinder: {center: [0.5, 1.75, 5.5], radius: 2, height: 5}, radiance: 5}",
+    };
+    static const double on[3] = {0.5, 0.75, 3}, below[3] = {0.5, -0.25, 2}, normal[3] = {0, 0.6, 0.8};
+    for (size_t i = 0; i < sizeof lights / sizeof *lights; i++) {
+        luxel_probe *probe = NULL;
+        char both[256];
+        snprintf(both, sizeof both, "{type: ambient, irradiance: 2}, %s", lights[i]);
+        luxel_scene *scene = lit_by(both);
+        assert_int_equal(luxel_probe_element(scene, NULL, on, normal, NULL, &probe), LUXEL_OK);
+        if (probe->has_value || !probe->source_on_element || probe->blocking_light != 1)
+            fail_msg("not noticed on the element: %s", lights[i]);
+        luxel_probe_free(probe);
+        assert_int_equal(luxel_probe_element(scene, NULL, below, normal, NULL, &probe), LUXEL_OK);
+        assert_true(probe->has_value && !probe->source_on_element && isfinite(probe->value));
+        luxel_probe_free(probe);
+        luxel_scene_free(scene);
+    }
+}
+
 /* ---- place and direction ---- */
 
 static void expect_three(const char *what, const double found[3], const double expected[3], double tolerance)
@@ -312,8 +364,14 @@ static void refusals(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(closed_forms),          cmocka_unit_test(spots),    cmocka_unit_test(sums_over_spheres),
-        cmocka_unit_test(places_and_directions), cmocka_unit_test(polygons), cmocka_unit_test(refusals),
+        cmocka_unit_test(closed_forms),
+        cmocka_unit_test(spots),
+        cmocka_unit_test(sums_over_spheres),
+        cmocka_unit_test(cones_of_one_angle),
+        cmocka_unit_test(sources_on_elements),
+        cmocka_unit_test(places_and_directions),
+        cmocka_unit_test(polygons),
+        cmocka_unit_test(refusals),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
