@@ -125,6 +125,74 @@ static void ranges(void **state)
     luxel_parameters_free(parameters);
 }
 
+/* Whether a number, or two of them, is said to be out of range.  What else the scene lacks does not matter. */
+static bool is_out_of_range(const luxel_parameter *parameter, double value)
+{
+    char text[200], path[100], assignment[250];
+    luxel_scene *scene;
+    luxel_diagnostics *diagnostics = luxel_diagnostics_new();
+    bool found = false;
+    const char *list = strstr(parameter->path, "[]"), *usual = parameter->path[0] == 's' ? "sphere" : "point";
+    int length = list ? (int)(list - parameter->path) : 0;
+    snprintf(path, sizeof path, "%.*s%s%s", length, parameter->path, list ? "[0]" : "",
+             list ? list + 2 : parameter->path);
+    if (!list)
+        snprintf(text, sizeof text, "luxel: 1\n");
+    else if (strncmp(parameter->path, "grids", 5) == 0)
+        snprintf(text, sizeof text, "luxel: 1\ngrids: [{name: one}]\n");
+    else
+        snprintf(text, sizeof text, "luxel: 1\n%.*s: [{type: %s}]\n", length, parameter->path,
+                 parameter->variant ? parameter->variant : usual);
+    assert_int_equal(luxel_scene_read_text(text, strlen(text), "test.yaml", NULL, &scene), LUXEL_OK);
+    if (parameter->count == 2)
+        snprintf(assignment, sizeof assignment, "%s=[%.17g, %.17g]", path, value, value);
+    else
+        snprintf(assignment, sizeof assignment, "%s=%.17g", path, value);
+    assert_int_equal(luxel_scene_set(scene, assignment, NULL), LUXEL_OK);
+    luxel_scene_commit(scene, diagnostics);
+    for (size_t i = 0; i < luxel_diagnostics_count(diagnostics); i++) {
+        const luxel_diagnostic *entry = luxel_diagnostics_get(diagnostics, i);
+        found = found || (strcmp(entry->id, "out-of-range") == 0 && strncmp(entry->key, path, strlen(path)) == 0);
+    }
+    luxel_diagnostics_free(diagnostics);
+    luxel_scene_free(scene);
+    return found;
+}
+
+/* Every range holds: its ends belong to it, unless they are said to be open, and what lies beyond is refused. */
+static void ranges_hold(void **state)
+{
+    (void)state;
+    luxel_parameters *parameters = luxel_parameters_new();
+    const luxel_parameter *parameter;
+    unsigned tried = 0;
+    for (size_t i = 0; (parameter = luxel_parameters_get(parameters, i)) != NULL; i++) {
+        const luxel_interval *range = &parameter->legal_range;
+        bool whole = parameter->value_type == LUXEL_WHOLE_NUMBER || parameter->value_type == LUXEL_WHOLE_NUMBERS;
+        if (!range->given || parameter->count > 2 || strcmp(parameter->path, "luxel") == 0 || /* the version */
+            !(whole || parameter->value_type == LUXEL_NUMBER || parameter->value_type == LUXEL_NUMBERS))
+            continue;
+        const double step = whole ? 1 : 1e-9;
+        const struct {
+            double value;
+            bool refused;
+        } cases[] = {
+            {range->low - step, true},   {range->low, range->low_open}, {range->low + step, false},
+            {range->high - step, false}, {range->high, false},          {range->high + step, true},
+        };
+        for (int k = 0; k < (isfinite(range->high) ? 6 : 3); k++) {
+            bool may_round = cases[k].value != range->low && cases[k].value != range->high &&
+                             fabs(cases[k].value) > 1e6 * (whole ? 1e3 : 1); /* beside a large end nothing is */
+            if (!may_round && is_out_of_range(parameter, cases[k].value) != cases[k].refused)
+                fail_msg("%s of %s: %.17g", parameter->path, parameter->variant ? parameter->variant : "all",
+                         cases[k].value);
+        }
+        tried++;
+    }
+    assert_true(tried > 25);
+    luxel_parameters_free(parameters);
+}
+
 /* A language of which only one word is known. */
 static const char *translate(const char *english, void *data)
 {
@@ -167,8 +235,9 @@ static void translated_labels(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(labels), cmocka_unit_test(labels_differ),     cmocka_unit_test(types),
-        cmocka_unit_test(ranges), cmocka_unit_test(translated_labels), cmocka_unit_test(units),
+        cmocka_unit_test(labels),      cmocka_unit_test(labels_differ),     cmocka_unit_test(types),
+        cmocka_unit_test(ranges),      cmocka_unit_test(translated_labels), cmocka_unit_test(units),
+        cmocka_unit_test(ranges_hold),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
