@@ -356,27 +356,32 @@ static void sizes_and_mirrors(void **unused)
     }
 }
 
-/* What place and normal may be off: the errors cover it. */
+/* What place, normal and axis may be off, together or one of them alone: the errors cover it. */
 static void uncertain_elements(void **unused)
 {
+    enum { ALL, PLACE, NORMAL, AXIS, WAYS };
     uint64_t state = 23;
     (void)unused;
-    for (int i = 0; i < 6000; i++) {
+    for (int i = 0; i < 12000; i++) {
+        int way = i / TYPE_COUNT % WAYS;
         struct lx_emitter emitter = some_emitter(&state, TYPES[i % TYPE_COUNT], 1), turned = emitter;
         double normal[3], off = pow(10, uniform(&state, -12, -2));
         random_unit(&state, normal);
-        double place_off = off * uniform(&state, 0, 1), normal_off = off * uniform(&state, 0, 1);
+        double place_off = way == ALL || way == PLACE ? off * uniform(&state, 0, 1) : 0;
+        double normal_off = way == ALL || way == NORMAL ? off * uniform(&state, 0, 1) : 0;
+        double axis_off = way == ALL || way == AXIS ? off : 0;
         lx_bounded3 place = {{0, place_off}, {0, place_off}, {0, place_off}}, uncertain = lx_exact3(normal);
         uncertain.x.error = uncertain.y.error = uncertain.z.error = normal_off;
         lx_bounded *axis[3] = {&emitter.axis.x, &emitter.axis.y, &emitter.axis.z};
         double direction[3];
         for (int k = 0; k < 3; k++) {
-            direction[k] = axis[k]->value + uniform(&state, -off, off) / 4;
-            axis[k]->error = off;
+            direction[k] = axis[k]->value + axis_off * (uniform(&state, 0, 1) < 0.5 ? -1 : 1);
+            axis[k]->error = fmax(axis_off, axis[k]->error);
         }
         if (lx_round_touches(&emitter, place))
             continue;
-        turned.axis = lx_unit3(lx_exact3(direction));
+        if (axis_off > 0)
+            turned.axis = lx_unit3(lx_exact3(direction));
         lx_bounded found = lx_round_irradiance(&emitter, place, uncertain);
         double there[3], tilted[3];
         for (int k = 0; k < 3; k++) {
