@@ -131,6 +131,28 @@ static void test_whole_powers(void **state)
     report("whole powers in float64", &twice, 6);
 }
 
+/* Of powers down to 1e-250 the relative error, over 1 + |ln power|, in ulp: they may be all that a picture shows. */
+static void test_small_powers(void **state)
+{
+    (void)state;
+    struct worst worst = {0};
+    static const unsigned exponents[] = {1, 2, 3, 7, 11, 12, 13, 20, 23, 24, 50, 99, 100, 127, 500, 1001, 10000, 65535};
+    for (size_t e = 0; e < sizeof exponents / sizeof exponents[0]; e++) {
+        const struct lx_exponent_double n = {exponents[e], exponents[e]};
+        for (int octave = -40; octave < 0; octave++)
+            for (int step = 0; step < 512; step += LX_WIDTH_double) {
+                lanes_double t = numbers_double(octave, step, 512), power = power_of_double(t, n);
+                for (int i = 0; i < LX_WIDTH_double; i++) {
+                    const long double logarithm = (long double)n.value * log1pl(-(long double)t[i]);
+                    const long double off = (long double)power[i] / expl(logarithm) - 1;
+                    if (logarithm > -575)
+                        note(&worst, fabsl(off) / (1 - logarithm) / unit_double, n.value);
+                }
+            }
+    }
+    report("small whole powers in float64", &worst, 6);
+}
+
 static void test_other_powers(void **state)
 {
     (void)state;
@@ -209,8 +231,9 @@ static void test_survey(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_inverses), cmocka_unit_test(test_whole_powers), cmocka_unit_test(test_other_powers),
-        cmocka_unit_test(test_bounds),   cmocka_unit_test(test_angles),       cmocka_unit_test(test_survey),
+        cmocka_unit_test(test_inverses),     cmocka_unit_test(test_whole_powers), cmocka_unit_test(test_other_powers),
+        cmocka_unit_test(test_bounds),       cmocka_unit_test(test_angles),       cmocka_unit_test(test_survey),
+        cmocka_unit_test(test_small_powers),
     };
     if (!runs()) {
         printf("1..0 # SKIP this machine does not have %s\n", LX_ISA_NAME);
