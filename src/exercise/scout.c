@@ -23,14 +23,15 @@ enum {
     MOST_EXACT_SOURCES = 64 /* for the continuous maximum */
 };
 
-#define TOLERANCE 1e-2 /* of integrals: advice speaks of percents */
-#define EXACT_COST 1e5 /* of the continuous maximum, in pixels */
+#define TOLERANCE 1e-2   /* of integrals: advice speaks of percents */
+#define EXACT_COST 1e5   /* of the continuous maximum on a surface, in pixels */
+#define SURFACE_COST 0.5 /* of a surface that may be seen, or stand in the light of a source, at a pixel in ns */
 
 /* What one source costs at a pixel, about, in ns as measured. */
-static double cost_of(const struct lx_emitter *emitter, bool shines)
+static double cost_of(const struct lx_emitter *emitter, bool shines, size_t shadows)
 {
     if (!lx_is_extended(emitter))
-        return 2;
+        return 2 + SURFACE_COST * (double)shadows;
     double faces = emitter->type == LX_FACETS ? (double)emitter->facets->face_count : 4;
     /* only of the law 1/r^2 the diffuse light is no integral */
     return faces * (emitter->attenuation != LX_INVERSE_SQUARE ? 25000 : shines ? 1500 : 200);
@@ -57,7 +58,7 @@ static int count_sources(const struct lx_scene_parameters *scene, struct sources
     for (size_t i = 0; !failed && i < prepared.emitters.count; i++) {
         struct lx_emitter room;
         const struct lx_emitter *emitter = lx_emitter_at(&prepared.emitters, i, &room);
-        sources->cost += cost_of(emitter, shines);
+        sources->cost += cost_of(emitter, shines, prepared.shadows ? prepared.surface_count - 1 : 0);
         sources->are_slow = sources->are_slow || (shines && lx_is_extended(emitter));
     }
     lx_prepared_clear(&prepared);
@@ -225,10 +226,11 @@ static luxel_status scout_copy(luxel_scene *copy, double *effort, struct lx_scou
     struct sources sources;
     if (count_sources(scene, &sources))
         return LUXEL_ERROR_MEMORY;
-    scout->is_coarse = sources.are_slow || sources.count > MOST_EXACT_SOURCES;
+    double surfaces = (double)scene->surfaces.count, exact_cost = EXACT_COST * sources.cost * surfaces;
+    scout->is_coarse = sources.are_slow || sources.count > MOST_EXACT_SOURCES || exact_cost > LX_SCOUT_EFFORT;
     scout->sample_mm = choose_step(scene);
     double pixels = scene->screen.width_mm / scout->sample_mm * (scene->screen.height_mm / scout->sample_mm);
-    double cost = pixels * (sources.cost + 20) + (scout->is_coarse ? 0 : EXACT_COST * sources.cost);
+    double cost = pixels * (sources.cost + SURFACE_COST * surfaces + 20) + (scout->is_coarse ? 0 : exact_cost);
     scout->too_large = sources.too_many || cost > *effort;
     if (scout->too_large)
         return LUXEL_OK;

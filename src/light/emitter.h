@@ -83,7 +83,8 @@ struct lx_emitters {
     size_t count, capacity; /* the count includes those of swarms */
     struct lx_swarm *swarms;
     size_t swarm_count, swarm_capacity, in_swarms;
-    size_t most;   /* how many it may take; 0: as many as there are */
+    size_t faces;  /* of all facets among them */
+    size_t most;   /* how many it may take, and as many faces; 0: as many as there are */
     bool is_short; /* more of them were appended */
     bool is_whole; /* sources of some size are appended as they are, however many parts they are to be cut into */
 };

@@ -339,13 +339,17 @@ struct lx_facets *lx_facets_of_sphere(const double center_mm[3], double radius_m
         facets->corners_mm[i] = center;
         facets->corners_mm[i].z = lx_wide_add(center.z, i ? lx_wide_negate(radius) : radius);
     }
-    for (unsigned step = 0; step < meridians; step++) {
-        lx_wide sine, cosine, s, c;
-        of_turn(step, meridians, &sine, &cosine);
-        for (unsigned band = 1; band < bands; band++) {
-            of_turn(band, 2 * bands, &s, &c);
-            s = lx_wide_mul(s, radius);
-            lx_wide3 offset = {lx_wide_mul(s, cosine), lx_wide_mul(s, sine), lx_wide_mul(c, radius)};
+    for (unsigned step = 0; step < meridians; step++) { /* first the way from the axis, the same on all parallels */
+        lx_wide3 *way = &facets->corners_mm[on_parallel(1, bands, step, meridians)];
+        of_turn(step, meridians, &way->y, &way->x);
+    }
+    for (unsigned band = bands - 1; band > 0; band--) { /* the first parallel, which holds the ways, last */
+        lx_wide s, c;
+        of_turn(band, 2 * bands, &s, &c);
+        s = lx_wide_mul(s, radius);
+        for (unsigned step = 0; step < meridians; step++) {
+            const lx_wide3 *way = &facets->corners_mm[on_parallel(1, bands, step, meridians)];
+            lx_wide3 offset = {lx_wide_mul(s, way->x), lx_wide_mul(s, way->y), lx_wide_mul(c, radius)};
             facets->corners_mm[on_parallel(band, bands, step, meridians)] = lx_wide3_add(center, offset);
         }
     }

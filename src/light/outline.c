@@ -18,9 +18,22 @@ static const double ROUNDED = 0x1p-48;
 
 /* ---- in the plane ---- */
 
+/* What turn() tells, from float64 alone; 0 where that cannot tell the sign, nor a corner that is STRAIGHT from one that is not. */
+static double quick_turn(const lx_wide a[2], const lx_wide b[2], const lx_wide c[2])
+{
+    double ux = b[0].high - a[0].high, uy = b[1].high - a[1].high;
+    double vx = c[0].high - a[0].high, vy = c[1].high - a[1].high;
+    double value = ux * vy - uy * vx, size = fabs(ux) + fabs(uy) + fabs(vx) + fabs(vy);
+    double away = fabs(a[0].high) + fabs(a[1].high) + size; /* each coordinate at most */
+    return fabs(value) > 0x1p-40 * away * size ? value : 0;
+}
+
 /* Twice the area of the triangle, positive where it turns to the left; 0 where that is all rounding. */
 static double turn(const lx_wide a[2], const lx_wide b[2], const lx_wide c[2])
 {
+    double quick = quick_turn(a, b, c);
+    if (quick != 0)
+        return quick;
     lx_wide ux = lx_wide_sub(b[0], a[0]), uy = lx_wide_sub(b[1], a[1]);
     lx_wide vx = lx_wide_sub(c[0], a[0]), vy = lx_wide_sub(c[1], a[1]);
     lx_wide first = lx_wide_mul(ux, vy), second = lx_wide_mul(uy, vx);
@@ -122,9 +135,15 @@ struct lx_shape_report lx_find_crossing(const lx_wide (*xy)[2], size_t count)
 
 /* ---- cutting ---- */
 
-/* Whether the corner `point` lies in the closed triangle. */
+/* Whether the corner `point` lies in the closed triangle; most are known not to by one coordinate. */
 static bool is_inside(const lx_wide a[2], const lx_wide b[2], const lx_wide c[2], const lx_wide point[2])
 {
+    for (int k = 0; k < 2; k++) {
+        double at = point[k].high;
+        if ((at < a[k].high && at < b[k].high && at < c[k].high) ||
+            (at > a[k].high && at > b[k].high && at > c[k].high))
+            return false;
+    }
     return turn(a, b, point) >= 0 && turn(b, c, point) >= 0 && turn(c, a, point) >= 0;
 }
 
@@ -167,35 +186,63 @@ struct piece {
     size_t count;
 };
 
-/* Joins two pieces that share the edge from corner i of one to the next, if the union is convex; `union_` has room. */
-static bool join(const lx_wide (*xy)[2], const struct piece *one, size_t i, const struct piece *other,
-                 struct piece *union_)
+/* A side of a triangle, by which the one beyond it is found: there the same side runs the other way. */
+struct side {
+    unsigned from, to;
+    size_t triangle;
+};
+
+static int by_ends(const void *a, const void *b)
 {
-    unsigned from = one->corners[i], to = one->corners[(i + 1) % one->count];
-    size_t k = 0;
-    while (k < other->count && !(other->corners[k] == to && other->corners[(k + 1) % other->count] == from))
-        k++;
-    if (k == other->count)
-        return false;
-    union_->count = 0;
-    for (size_t n = 1; n < one->count; n++) /* from `to` on round to `from` is the edge that falls away */
-        union_->corners[union_->count++] = one->corners[(i + n) % one->count];
-    for (size_t n = 1; n < other->count; n++)
-        union_->corners[union_->count++] = other->corners[(k + n) % other->count];
-    return lx_turns_left(xy, union_->corners, union_->count);
+    const struct side *x = a, *y = b;
+    if (x->from != y->from)
+        return x->from < y->from ? -1 : 1;
+    return (x->to > y->to) - (x->to < y->to);
 }
 
-/* One piece takes over another that it can be joined with; false: there is none. */
-static bool join_some(const lx_wide (*xy)[2], struct piece *pieces, size_t count, size_t one, struct piece *spare)
+static void list_sides(const struct piece *triangles, size_t count, struct side *sides)
 {
-    for (size_t i = 0; i < pieces[one].count; i++)
-        for (size_t other = one + 1; other < count; other++)
-            if (pieces[other].count > 0 && join(xy, &pieces[one], i, &pieces[other], spare)) {
-                memcpy(pieces[one].corners, spare->corners, spare->count * sizeof *spare->corners);
-                pieces[one].count = spare->count;
-                pieces[other].count = 0;
-                return true;
-            }
+    for (size_t i = 0; i < 3 * count; i++) {
+        const unsigned *corners = triangles[i / 3].corners;
+        sides[i] = (struct side){corners[i % 3], corners[(i + 1) % 3], i / 3};
+    }
+    qsort(sides, 3 * count, sizeof *sides, by_ends);
+}
+
+/* Joins a piece with the triangle beyond its side i, unless that makes a corner that is not convex; `spare` has room. */
+static bool join(const lx_wide (*xy)[2], struct piece *one, size_t i, const struct piece *triangle, unsigned *spare)
+{
+    size_t next = (i + 1) % one->count, k = 0;
+    unsigned from = one->corners[i], to = one->corners[next];
+    while (triangle->corners[k] == from || triangle->corners[k] == to)
+        k++;
+    unsigned tip = triangle->corners[k];
+    const lx_wide *before = xy[one->corners[(i + one->count - 1) % one->count]];
+    const lx_wide *after = xy[one->corners[(next + 1) % one->count]];
+    if (!is_left_turn(before, xy[from], xy[tip]) || !is_left_turn(xy[tip], xy[to], after))
+        return false;
+    memcpy(spare, one->corners, (i + 1) * sizeof *spare);
+    memmove(one->corners, one->corners + i + 1, (one->count - i - 1) * sizeof *spare);
+    memcpy(one->corners + one->count - i - 1, spare, (i + 1) * sizeof *spare);
+    one->corners[one->count++] = tip;
+    return true;
+}
+
+/* A piece takes over a triangle behind it that it can be joined with; false: there is none. */
+static bool join_some(const lx_wide (*xy)[2], struct piece *pieces, size_t count, size_t one, const struct side *sides,
+                      unsigned *spare)
+{
+    for (size_t i = 0; i < pieces[one].count; i++) {
+        const unsigned *corners = pieces[one].corners;
+        const struct side wanted = {.from = corners[(i + 1) % pieces[one].count], .to = corners[i]};
+        const struct side *found = bsearch(&wanted, sides, 3 * count, sizeof *sides, by_ends);
+        if (!found || found->triangle <= one || pieces[found->triangle].count == 0)
+            continue;
+        if (join(xy, &pieces[one], i, &pieces[found->triangle], spare)) {
+            pieces[found->triangle].count = 0;
+            return true;
+        }
+    }
     return false;
 }
 
@@ -203,27 +250,31 @@ static bool join_some(const lx_wide (*xy)[2], struct piece *pieces, size_t count
 static size_t join_all(const lx_wide (*xy)[2], size_t corner_count, size_t count, unsigned *loops, unsigned *counts)
 {
     struct piece *pieces = lx_new_array(count, sizeof *pieces);
-    unsigned *memory = lx_new_array(3 * count + 2 * corner_count, sizeof *memory);
-    struct piece spare = {memory, 0};
+    struct side *sides = lx_new_array(count, 3 * sizeof *sides);
+    unsigned *memory = lx_new_array(3 * count, sizeof *memory), *spare = lx_new_array(corner_count, sizeof *spare);
     size_t left = 0, used = 0;
-    for (size_t i = 0; pieces && memory && i < count; i++) {
-        pieces[i].corners = memory + 2 * corner_count + 3 * i;
-        memcpy(pieces[i].corners, loops + 3 * i, 3 * sizeof *loops);
-        pieces[i].count = 3;
-    }
-    for (size_t i = 0; pieces && memory && i < count; i++) {
+    bool has_room = pieces && sides && memory && spare;
+    if (has_room)
+        memcpy(memory, loops, 3 * count * sizeof *loops);
+    for (size_t i = 0; has_room && i < count; i++)
+        pieces[i] = (struct piece){memory + 3 * i, 3};
+    if (has_room)
+        list_sides(pieces, count, sides);
+    for (size_t i = 0; has_room && i < count; i++) {
         if (pieces[i].count == 0)
             continue;
         /* The piece that grows lies behind those that are done. */
         memcpy(loops + used, pieces[i].corners, 3 * sizeof *loops);
         pieces[i].corners = loops + used;
-        while (join_some(xy, pieces, count, i, &spare)) {
+        while (join_some(xy, pieces, count, i, sides, spare)) {
         }
         used += pieces[i].count;
         counts[left++] = (unsigned)pieces[i].count;
     }
     free(pieces);
+    free(sides);
     free(memory);
+    free(spare);
     return left;
 }
 

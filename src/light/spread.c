@@ -70,7 +70,9 @@ int lx_spread_emit(const struct lx_spread *spread, lx_bounded radiance, struct l
         emitter->attenuation = (enum lx_attenuation)spread->attenuation;
         emitter->k_mm = spread->k_mm;
         const double parts = least_parts(emitter, side);
-        if (emitters->most > 0 && (double)emitters->count + parts > (double)emitters->most) {
+        emitters->faces += side == 0 && emitter->type == LX_FACETS ? emitter->facets->face_count : 0;
+        if (emitters->most > 0 &&
+            ((double)emitters->count + parts > (double)emitters->most || emitters->faces > emitters->most)) {
             emitters->is_short = true;
             result = -1;
         } else if (side == 0) {
