@@ -11,7 +11,8 @@
 #include "reason.h"
 #include "staged.h"
 
-enum { LX_SINK_BUFFER = 1 << 16, LX_LARGEST_WRITE = 1 << 30 };
+/* Larger pieces are slower: writing 1.6 GB cost Linux 0.7 s in pieces of 6 MB, and 0.2 s in pieces of 256 kB. */
+enum { LX_SINK_BUFFER = 1 << 16, LX_LARGEST_WRITE = 1 << 18 };
 
 struct lx_sink {
     struct lx_staged staged;
