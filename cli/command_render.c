@@ -160,7 +160,7 @@ const struct command command_render = {
     .summary = N_("compute the picture, print its numbers, write it to files"),
     .description =
         N_("Prints the maximum, the minimum above 0 and the mean of the picture, and the exact value at each "
-           "point of the scene. Each FILE appears whole or not at all."),
+           "point of the scene. Each FILE appears whole or not at all, and the picture need not fit in memory."),
     .examples = "luxel render\n"
                 "luxel render my.yaml -o sphere.png -o sphere.npy\n"
                 "luxel render -s 'lights[0].position=[1500,800,2400]' -s 'surfaces[0].material.shininess=60'",

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /*
- * Rendering: from a committed scene to a field, in parallel rows.
+ * Rendering: from a committed scene to a field, or to files, in parallel rows.
  *
  * The result has the same bytes for any number of threads.  Every instruction set keeps the same bounds
  * (luxel_precision).  The call blocks; it may be cancelled through the progress callback.
@@ -56,7 +56,8 @@ LUXEL_API bool luxel_scene_settings(const luxel_scene *scene, luxel_settings *se
  *
  * LUXEL_ERROR_ARGUMENT: the scene is not committed, a setting is out of its range, the instruction set is
  * unknown or not of this machine.  LUXEL_ERROR_MEMORY: the picture would not fit (the message says how much
- * it needs).  LUXEL_ERROR_RANGE: a value is beyond the precision.  LUXEL_CANCELLED.
+ * it needs; luxel_render_files() writes it all the same).  LUXEL_ERROR_RANGE: a value is beyond the precision.
+ * LUXEL_CANCELLED.
  */
 LUXEL_API luxel_status luxel_render(const luxel_scene *scene, const luxel_settings *settings,
                                     luxel_diagnostics *diagnostics, luxel_field **field);

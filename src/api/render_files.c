@@ -153,10 +153,11 @@ luxel_status luxel_render_files(const luxel_scene *scene, const luxel_settings *
         status = open_files(&files, frame, paths, count, how, diagnostics);
     if (status == LUXEL_OK)
         status = write_files(&rendering, &session, frame, &files, diagnostics);
-    if (status == LUXEL_OK && statistics)
-        *statistics = frame->statistics;
-    if (status == LUXEL_OK)
+    if (status == LUXEL_OK) {
         status = commit_files(&files, &rendering.control);
+        if (statistics && status != LUXEL_CANCELLED)
+            *statistics = frame->statistics;
+    }
     clear_files(&files);
     lx_rendering_clear(&rendering);
     luxel_field_free(frame);
