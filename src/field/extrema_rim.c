@@ -11,7 +11,7 @@ enum { RING_PLACES = 4 * BORDER_PLACES };
 /* Places in a ring, one beside the other. */
 struct ring {
     struct lx_spot spots[RING_PLACES];
-    double values[RING_PLACES]; /* -HUGE_VAL: nothing is seen there */
+    double values[RING_PLACES]; /* -HUGE_VAL: nothing is seen there, and the spot is none */
     int count;
 };
 
@@ -23,8 +23,9 @@ static void gather_ring(struct lx_gathering *gathering, const struct ring *ring)
         bool lone = false, peak = value > -HUGE_VAL;
         for (int step = -1; peak && step <= 1; step += 2) {
             int next = (i + step + ring->count) % ring->count;
-            bool alike = ring->spots[next].surface == ring->spots[i].surface;
-            double beside = alike ? ring->values[next] : -HUGE_VAL;
+            double beside = ring->values[next];
+            if (beside > -HUGE_VAL && ring->spots[next].surface != ring->spots[i].surface)
+                beside = -HUGE_VAL;
             peak = beside <= value;
             lone = lone || beside == -HUGE_VAL;
             margin = fmax(margin, 2 * (value - beside));

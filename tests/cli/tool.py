@@ -8,6 +8,8 @@ import sys
 import tempfile
 import time
 
+PATIENCE = float(os.environ.get("LUXEL_PATIENCE", 1))  # how much longer than usual a slow build may take
+
 SCENE = """\
 luxel: 1
 units: radiometric
@@ -56,8 +58,8 @@ class Tool:
         if isinstance(stdin, str):
             stdin = stdin.encode("utf-8")
         start = time.monotonic()
-        done = subprocess.run([self.path, *arguments], input=stdin, cwd=self.folder, env=variables, timeout=timeout,
-                              **{"stdout": subprocess.PIPE, "stderr": subprocess.PIPE, **more})
+        done = subprocess.run([self.path, *arguments], input=stdin, cwd=self.folder, env=variables,
+                              timeout=timeout * PATIENCE, **{"stdout": subprocess.PIPE, "stderr": subprocess.PIPE, **more})
         return Result(arguments, done.returncode, (done.stdout or b"").decode("utf-8"),
                       (done.stderr or b"").decode("utf-8", "replace"), time.monotonic() - start)
 
