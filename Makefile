@@ -18,13 +18,14 @@ JOBS = $(shell nproc 2>/dev/null || echo 2)
 
 COMPILE = $(MESON) compile -j $(JOBS) -C
 RUN_TESTS = $(PYTHON) tools/run_tests.py $(MESON)
-VALGRIND = valgrind -q --error-exitcode=99 --leak-check=full --errors-for-leak-kinds=definite,indirect,possible
+VALGRIND = valgrind -q --error-exitcode=99 --leak-check=full --errors-for-leak-kinds=definite,indirect,possible \
+    --suppressions=$(CURDIR)/tests/valgrind.txt
 WARNINGS_ARE_ERRORS = --werror
 
 # One thing at a time: the parallel work is Ninja's.
 .NOTPARALLEL:
 .PHONY: build help setup run app check bench install clean check-clang check-sanitize check-threads check-valgrind \
-    format fuzz coverage docs validation abi po packages check-packages
+    format fuzz coverage fuzz-coverage docs validation abi po packages check-packages
 
 build: $(BUILD)/build.ninja
 	@$(COMPILE) $(BUILD)
@@ -38,9 +39,10 @@ help:
 	@echo 'make check-clang     the same with clang, warnings being errors'
 	@echo 'make check-sanitize  the same with address and undefined-behaviour sanitizers (SANITIZE="gcc clang")'
 	@echo 'make check-threads   what computes in several threads, watched by the thread sanitizer'
-	@echo 'make check-valgrind  the unit tests under valgrind'
+	@echo 'make check-valgrind  the unit tests, and the command with every scene and format, under valgrind'
 	@echo 'make fuzz            look for inputs that break something: MINUTES=5 a target, FUZZ="scene edit"'
 	@echo 'make coverage        which lines and branches of src/ the tests reach, as a table of the rooms'
+	@echo 'make fuzz-coverage   what of the files that it aims at each fuzz target reaches'
 	@echo 'make bench           time pictures and other programs in turn, and write docs/PERFORMANCE.md'
 	@echo 'make install         install under PREFIX ($(PREFIX)); DESTDIR is honoured'
 	@echo 'make docs            the reference pages of the library in $(BUILD)/docs/reference/html, by Doxygen'
@@ -99,11 +101,11 @@ sanitize-%:
 
 # What threads do to one another, by gcc's sanitizer, which has to see every access: only what these tests need is built.
 # tests/races.txt lists what it cannot know.
-check-threads:
+check-threads: setup
 	@test -e build-threads/build.ninja || CC=gcc $(MESON) setup build-threads $(WARNINGS_ARE_ERRORS) \
 	    -Db_sanitize=thread -Db_lundef=false -Doptimization=1
 	@TSAN_OPTIONS=suppressions=$(CURDIR)/tests/races.txt \
-	    $(RUN_TESTS) build-threads --num-processes 1 --timeout-multiplier 10 --suite threads $(TESTS)
+	    $(RUN_TESTS) build-threads --num-processes $(JOBS) --timeout-multiplier 10 --suite threads $(TESTS)
 
 # Each target so long, one after the other; what it finds lies in build-fuzz/findings/TARGET, to be mended and then put
 # into fuzz/corpus/TARGET.  The corpus itself is not changed.
@@ -113,13 +115,15 @@ fuzz:
 	@tools/setup clang
 	@test -e build-fuzz/build.ninja || CC=clang CXX=clang++ $(MESON) setup build-fuzz -Dfuzz=true -Dfigures=disabled \
 	    -Db_sanitize=address,undefined -Db_lundef=false -Doptimization=1 -Dc_args=-fsanitize=fuzzer-no-link
-	@$(COMPILE) build-fuzz $(FUZZ:%=fuzz-%)
+	@$(COMPILE) build-fuzz luxel:executable $(FUZZ:%=fuzz-%)
+	@$(PYTHON) fuzz/make_dictionary.py build-fuzz >build-fuzz/scene.dict
 	@for target in $(FUZZ); do \
+	    case $$target in scene | edit | arguments) words=-dict=build-fuzz/scene.dict ;; *) words= ;; esac; \
 	    mkdir -p build-fuzz/findings/$$target build-fuzz/corpus/$$target && \
 	    UBSAN_OPTIONS=print_stacktrace=1:halt_on_error=1 \
 	    LSAN_OPTIONS=suppressions=$(CURDIR)/fuzz/leaks.txt:print_suppressions=0 \
 	        build-fuzz/fuzz/fuzz-$$target -max_total_time=$$(($(MINUTES) * 60)) -timeout=10 -rss_limit_mb=4096 \
-	        -print_final_stats=1 -artifact_prefix=build-fuzz/findings/$$target/ \
+	        -print_final_stats=1 -artifact_prefix=build-fuzz/findings/$$target/ $$words \
 	        build-fuzz/corpus/$$target fuzz/corpus/$$target >build-fuzz/$$target.log 2>&1; code=$$?; \
 	    echo "$$target: $$(grep number_of_executed_units build-fuzz/$$target.log | tr -dc 0-9) inputs, rc $$code"; \
 	    test $$code = 0 || { tail -40 build-fuzz/$$target.log; exit 1; }; \
@@ -127,20 +131,28 @@ fuzz:
 
 # Lines and branches of src/ that the tests reach: tools/coverage.py.  Counters are atomic for the sake of threads.
 COVERED ?= unit formats reference cli figure fuzz
-coverage:
+coverage: build-coverage/build.ninja
 	@tools/setup coverage
-	@test -e build-coverage/build.ninja || $(MESON) setup build-coverage -Db_coverage=true -Dapp=disabled \
-	    -Doptimization=0 -Dc_args=-fprofile-update=atomic
 	@$(COMPILE) build-coverage
 	@find build-coverage -name "*.gcda" -delete
 	@code=0; $(RUN_TESTS) build-coverage --num-processes $(JOBS) --timeout-multiplier 10 \
 	    $(COVERED:%=--suite %) $(TESTS) || code=1; $(PYTHON) tools/coverage.py build-coverage; exit $$code
 
+build-coverage/build.ninja: | setup
+	@CC=gcc $(MESON) setup build-coverage -Db_coverage=true -Dapp=disabled -Doptimization=g \
+	    -Dc_args=-fprofile-update=atomic
+
+# What of the files that it aims at each target reaches, by fuzz/corpus and what `make fuzz` has grown.
+fuzz-coverage: build-coverage/build.ninja
+	@tools/setup coverage
+	@$(COMPILE) build-coverage $(FUZZ:%=replay-%)
+	@$(PYTHON) fuzz/coverage.py build-coverage build-fuzz/corpus $(FUZZ)
+
 check-valgrind: build
 	@tools/setup valgrind
-	@$(VALGRIND) $(BUILD)/cli/luxel render -o $(BUILD)/valgrind.png -o $(BUILD)/valgrind.npy >/dev/null
-	@$(VALGRIND) $(BUILD)/cli/luxel probe --json >/dev/null
-	@$(RUN_TESTS) $(BUILD) --num-processes $(JOBS) --suite unit --timeout-multiplier 50 --wrapper='$(VALGRIND)'
+	@PYTHONPATH=tests PYTHONDONTWRITEBYTECODE=1 $(PYTHON) tests/cli/under_valgrind.py $(BUILD)/cli/luxel $(VALGRIND)
+	@$(RUN_TESTS) $(BUILD) --num-processes $(JOBS) --suite unit --suite fuzz \
+	    --timeout-multiplier 50 --wrapper='$(VALGRIND)'
 
 # A PREFIX that is given now holds, whatever the folder was configured for.
 install: $(BUILD)/build.ninja

@@ -7,8 +7,8 @@
 of a folder that was built with -Db_coverage=true and in which tests have run.  With sources (as src/format/obj.c), just
 these, each in a line.  BUILD_FOLDER/coverage.json and, without sources, the pages in BUILD_FOLDER/coverage/ show all.
 
-The kernels are inlined for each kind and precision of each instruction set, and gcov counts a branch once for each copy,
-most of them decided while compiling: of these files only the lines count.
+The kernels are inlined for each kind and precision of each instruction set, and gcov counts a branch once for each
+copy, most of them decided while compiling: of these files only the lines count.
 """
 import json
 import pathlib
@@ -55,4 +55,5 @@ def main():
     print(row("all", files))
 
 
-main()
+if __name__ == "__main__":
+    main()

@@ -58,8 +58,9 @@ class Tool:
         if isinstance(stdin, str):
             stdin = stdin.encode("utf-8")
         start = time.monotonic()
+        streams = {"stdout": subprocess.PIPE, "stderr": subprocess.PIPE, **more}
         done = subprocess.run([self.path, *arguments], input=stdin, cwd=self.folder, env=variables,
-                              timeout=timeout * PATIENCE, **{"stdout": subprocess.PIPE, "stderr": subprocess.PIPE, **more})
+                              timeout=timeout * PATIENCE, **streams)
         return Result(arguments, done.returncode, (done.stdout or b"").decode("utf-8"),
                       (done.stderr or b"").decode("utf-8", "replace"), time.monotonic() - start)
 

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /*
- * Memory that runs out while pictures are made, written, read and looked at: every allocation of the library fails once,
- * as in test_shortage.c, and each time the call ends with LUXEL_ERROR_MEMORY or does without, and loses nothing.
+ * Memory that runs out while pictures are made, written, read and looked at: every allocation of the library fails
+ * once, as in test_shortage.c, and each time the call ends with LUXEL_ERROR_MEMORY or does without, and loses nothing.
  */
 #include <math.h>
 #include <stdio.h>
