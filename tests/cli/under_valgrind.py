@@ -73,7 +73,7 @@ def refusals(tap, tool):
         check(tap, tool, 3, "check", name)
         tap.note(title)
     for name, content in (("a.exr", b"v/1\1\2\0\0\0"), ("a.npy", b"\x93NUMPY\1\0\xff\xff"), ("a.csv", b"x,y\n1,\xff")):
-        check(tap, tool, 3, "stats", tool.write(name, content))
+        check(tap, tool, 4, "stats", tool.write(name, content))
     check(tap, tool, 3, "render", "-", stdin="\x00")
     check(tap, tool, 4, "render", "gone.yaml")
     check(tap, tool, 4, "render", *SMALL, "-o", "gone/a.png")
