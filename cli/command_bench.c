@@ -330,8 +330,7 @@ static int bench_all(const struct options *options, const struct loaded *loaded)
     status = find_sets(bench, diagnostics);
     if (status == LUXEL_OK)
         status = loaded ? measure_scene(bench, loaded) : measure_cases(bench, diagnostics);
-    if (progress_end(&bench->progress) && status == LUXEL_OK)
-        status = LUXEL_CANCELLED;
+    progress_end(&bench->progress);
     code = status == LUXEL_OK ? EXIT_DONE : message_failure(status, diagnostics);
     if (code == EXIT_DONE && options->json)
         print_json(bench);

@@ -68,8 +68,7 @@ static luxel_status measure(const struct options *options, const struct loaded *
         grids->count += status == LUXEL_OK;
         share.before += share.own;
     }
-    if (progress_end(&progress) && status == LUXEL_OK)
-        status = LUXEL_CANCELLED;
+    progress_end(&progress);
     return status;
 }
 

@@ -175,8 +175,7 @@ int grading_make(const struct options *options, struct grading *grading)
     judging.diagnostics = message_new_diagnostics();
     progress_begin(&progress, options->quiet);
     status = judge_all(&judging, grading, &progress);
-    if (progress_end(&progress) && status == LUXEL_OK)
-        status = LUXEL_CANCELLED;
+    progress_end(&progress);
     code = status == LUXEL_OK ? EXIT_DONE : message_failure(status, judging.diagnostics);
     if (code == EXIT_DONE)
         count(grading);

@@ -44,6 +44,8 @@ static int read_standard_input(char **text, size_t *length)
     for (;;) {
         const ssize_t got = read(STDIN_FILENO, *text + *length, capacity - *length);
 
+        if (got < 0 && errno == EINTR)
+            continue;
         if (got < 0) {
             message_error(_("standard input could not be read: %s"), language_reason(errno));
             return EXIT_FILE;

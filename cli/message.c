@@ -157,7 +157,7 @@ int message_failure(luxel_status status, luxel_diagnostics *diagnostics)
         message_diagnostics(stderr, diagnostics, LUXEL_SEVERITY_ERROR, LUXEL_SEVERITY_ERROR);
     else if (status == LUXEL_ERROR_MEMORY)
         message_error(_("memory ran out"));
-    else if (status != LUXEL_CANCELLED)
+    else
         message_error(_("the library failed with status %d"), (int)status);
     return exit_code_of(status);
 }

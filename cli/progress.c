@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /*
- * Progress and Ctrl-C.  Signals are the one place where the tool needs state of its own: whether an interrupt
- * came, and whether the computation will look.
+ * Progress and Ctrl-C.  Signals are the one place where the tool needs state of its own: whether a line of progress
+ * stands on the terminal.
  */
 #include "progress.h"
 
@@ -15,14 +15,17 @@
 #include "cli.h"
 #include "machine.h"
 
-static volatile sig_atomic_t interrupted, cancellable;
+#define ERASE "\r\033[K"
 
+static volatile sig_atomic_t is_shown;
+
+/* At once, whatever is being done: what is not finished vanishes with the process. */
 static void on_interrupt(int signal_number)
 {
     (void)signal_number;
-    if (!cancellable || interrupted)
-        _exit(EXIT_INTERRUPTED);
-    interrupted = 1;
+    if (is_shown && write(STDERR_FILENO, ERASE, strlen(ERASE)) < 0)
+        _exit(EXIT_INTERRUPTED); /* the terminal is gone, too */
+    _exit(EXIT_INTERRUPTED);
 }
 
 void progress_catch_interrupt(void)
@@ -38,7 +41,6 @@ void progress_begin(struct progress *progress, bool quiet)
     const bool erases = terminal && strcmp(terminal, "dumb") != 0;
 
     *progress = (struct progress){.wanted = !quiet && erases && isatty(STDERR_FILENO), .start_s = machine_seconds()};
-    cancellable = 1;
 }
 
 bool progress_report(double done, void *data)
@@ -47,14 +49,13 @@ bool progress_report(double done, void *data)
     struct progress *progress = data;
     double now, left_s;
 
-    if (interrupted)
-        return false;
     if (!progress->wanted)
         return true;
     now = machine_seconds();
     if (now - progress->start_s < patience_s || now - progress->last_s < pause_s || !(done > 0.0))
         return true;
     left_s = (now - progress->start_s) * (1.0 - done) / done;
+    is_shown = 1;
     fputc('\r', stderr);
     fprintf(stderr, _("%3.0f %%, %.0f s left"), 100.0 * done, ceil(left_s));
     fputs("\033[K", stderr);
@@ -62,10 +63,9 @@ bool progress_report(double done, void *data)
     return true;
 }
 
-bool progress_end(struct progress *progress)
+void progress_end(struct progress *progress)
 {
-    cancellable = 0;
     if (progress->last_s > 0.0)
-        fputs("\r\033[K", stderr);
-    return interrupted;
+        fputs(ERASE, stderr);
+    is_shown = 0;
 }

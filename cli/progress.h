@@ -11,15 +11,15 @@ struct progress {
 };
 
 /*
- * From here on Ctrl-C ends the tool with EXIT_INTERRUPTED: between progress_begin() and progress_end() by
- * cancelling the computation, elsewhere at once (an output that is being written vanishes with the process).
+ * From here on Ctrl-C ends the tool with EXIT_INTERRUPTED, at once: an output that is being written vanishes with the
+ * process.
  */
 void progress_catch_interrupt(void);
 
 void progress_begin(struct progress *progress, bool quiet);
-/* The library's callback: `data` is the struct progress.  False once the user has interrupted. */
+/* The library's callback: `data` is the struct progress.  Always true. */
 bool progress_report(double done, void *data);
-/* Wipes the line.  Returns whether the user has interrupted. */
-bool progress_end(struct progress *progress);
+/* Wipes the line. */
+void progress_end(struct progress *progress);
 
 #endif

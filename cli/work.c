@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* Work that shows its progress and can be interrupted. */
+/* Work that shows its progress. */
 #include "work.h"
 
 #include "cli.h"
@@ -15,8 +15,7 @@ void work_begin(struct work *work, const struct options *options)
 
 int work_end(struct work *work, luxel_status status, luxel_diagnostics *diagnostics)
 {
-    if (progress_end(&work->progress) && status == LUXEL_OK)
-        status = LUXEL_CANCELLED;
+    progress_end(&work->progress);
     return status == LUXEL_OK ? EXIT_DONE : message_failure(status, diagnostics);
 }
 
@@ -37,7 +36,7 @@ int work_write_each(const struct options *options, const struct loaded *loaded,
         one = work_end(&work, status, loaded->diagnostics);
         luxel_diagnostics_clear(loaded->diagnostics);
         code = one == EXIT_DONE ? code : one;
-        if (one == EXIT_INTERRUPTED || status == LUXEL_ERROR_ARGUMENT)
+        if (status == LUXEL_ERROR_ARGUMENT)
             break;
     }
     return code;

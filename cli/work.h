@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* Long work of the library: with progress on a terminal, and cancelled by Ctrl-C. */
+/* Long work of the library, with progress on a terminal. */
 #ifndef LUXEL_CLI_WORK_H
 #define LUXEL_CLI_WORK_H
 
@@ -17,15 +17,12 @@ struct work {
 /* The settings to hand to the library; `work` must stay where it is until work_end(). */
 void work_begin(struct work *work, const struct options *options);
 
-/*
- * Ends what ended with `status`: LUXEL_CANCELLED if the user has interrupted in the meantime.  Returns an enum
- * exit_code; what went wrong is reported here.
- */
+/* Ends what ended with `status`.  Returns an enum exit_code; what went wrong is reported here. */
 int work_end(struct work *work, luxel_status status, luxel_diagnostics *diagnostics);
 
 /*
  * Writes each file of -o in a work of its own; one that fails does not stop the others, unless it is for what was asked
- * for or the user has interrupted.  Returns an enum exit_code.
+ * for.  Returns an enum exit_code.
  */
 int work_write_each(const struct options *options, const struct loaded *loaded,
                     luxel_status (*write)(const struct loaded *loaded, const luxel_settings *settings, const void *look,

@@ -16,6 +16,8 @@
 #include <errno.h>
 #include <fcntl.h>
 #include <limits.h>
+#include <pthread.h>
+#include <signal.h>
 #include <stdint.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -286,18 +288,14 @@ int lx_staged_open(struct lx_staged *staged, const char *path, const struct lx_s
     return error;
 }
 
-int lx_staged_publish(struct lx_staged *staged)
+static int publish(struct lx_staged *staged)
 {
-    if (staged->direct) {
-        return 0;
-    }
     if (staged->hidden[0] == '\0') {
         int error = link_unnamed(staged, staged->target);
 
         if (error == EEXIST) {
             error = take_hidden_name(staged);
         } else if (error == 0) {
-            fsync(staged->folder);
             return 0;
         }
         if (error != 0) {
@@ -308,8 +306,25 @@ int lx_staged_publish(struct lx_staged *staged)
         return errno;
     }
     staged->hidden[0] = '\0';
-    fsync(staged->folder); /* the file is whole and in place, whatever this says */
     return 0;
+}
+
+/* Signals wait until it is done: one that ends the process between two names would leave the hidden one. */
+int lx_staged_publish(struct lx_staged *staged)
+{
+    sigset_t all, before;
+
+    if (staged->direct) {
+        return 0;
+    }
+    sigfillset(&all);
+    pthread_sigmask(SIG_BLOCK, &all, &before);
+    int error = publish(staged);
+    pthread_sigmask(SIG_SETMASK, &before, NULL);
+    if (error == 0) {
+        fsync(staged->folder); /* the file is whole and in place, whatever this says */
+    }
+    return error;
 }
 
 void lx_staged_close(struct lx_staged *staged)
