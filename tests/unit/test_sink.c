@@ -3,6 +3,7 @@
  * The sink keeps its word: a file appears whole or not at all, whatever fails.  Each promise is tried with unnamed
  * files and with the hidden names that take their place elsewhere.  Processes that die are test_sink_processes.c's.
  */
+#include <dirent.h>
 #include <errno.h>
 #include <fcntl.h>
 #include <limits.h>
@@ -324,6 +325,29 @@ static void test_places(void **state)
     assert_fails(path, NULL, "file-not-created", "Not a directory");
 }
 
+/* Between opening and finishing. */
+static void folder_vanishes(struct place *place, bool unnamed)
+{
+    struct lx_sink_system system = make_system(unnamed);
+    luxel_diagnostics *diagnostics = luxel_diagnostics_new();
+    struct lx_sink *sink;
+    char path[300];
+
+    assert_int_equal(lx_sink_open(place->file, &system, diagnostics, &sink), LUXEL_OK);
+    assert_int_equal(lx_sink_write(sink, "new", 3), LUXEL_OK);
+    DIR *folder = opendir(place->folder);
+    for (const struct dirent *entry; (entry = readdir(folder)) != NULL;) {
+        snprintf(path, sizeof path, "%s/%s", place->folder, entry->d_name);
+        unlink(path); /* the hidden file, if there is one */
+    }
+    closedir(folder);
+    assert_int_equal(rmdir(place->folder), 0);
+    assert_int_equal(lx_sink_commit(sink), LUXEL_ERROR_FILE);
+    assert_string_equal(luxel_diagnostics_get(diagnostics, 0)->id, "file-not-replaced");
+    luxel_diagnostics_free(diagnostics);
+    assert_int_equal(mkdir(place->folder, 0700), 0);
+}
+
 /* A failure is told once, and a later one not again. */
 static void test_one_report(void **state)
 {
@@ -379,13 +403,14 @@ BOTH_WAYS(pieces)
 BOTH_WAYS(failing_calls)
 BOTH_WAYS(out_of_order)
 BOTH_WAYS(reserved)
+BOTH_WAYS(folder_vanishes)
 
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        CASES(new_file), CASES(replaced_file), CASES(aborted),       CASES(pieces),       CASE(links),
-        CASE(streams),   CASE(names),          CASES(failing_calls), CASES(out_of_order), CASES(reserved),
-        CASE(places),    CASE(one_report),     CASE(protected),
+        CASES(new_file), CASES(replaced_file), CASES(aborted),       CASES(pieces),          CASE(links),
+        CASE(streams),   CASE(names),          CASES(failing_calls), CASES(out_of_order),    CASES(reserved),
+        CASE(places),    CASE(one_report),     CASE(protected),      CASES(folder_vanishes),
     };
 
     return cmocka_run_group_tests_name("sink", tests, NULL, NULL);
