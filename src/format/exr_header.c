@@ -138,7 +138,9 @@ static luxel_status take_channels(struct lx_source *source, const struct attribu
 
 static luxel_status take_tag(struct lx_source *source, const struct attribute *attribute, struct lx_tags *tags)
 {
-    if (attribute->size > LX_LARGEST_TAG)
+    if (lx_tags_find(tags, attribute->name)) /* the first counts */
+        return LUXEL_OK;
+    if (lx_tags_are_full(tags, attribute->size))
         return lx_tag_too_large(source, attribute->name, LX_EXR_NAME);
     char *text = lx_new_array((size_t)attribute->size + 1, 1);
     if (!text)

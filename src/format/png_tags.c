@@ -18,7 +18,8 @@ enum {
     HEADER = 8,   /* of a chunk: its length and its type */
     CHECKSUM = 4, /* behind it */
     LONGEST_KEY = 79,
-    PART = 16 * 1024
+    PART = 16 * 1024,
+    MOST_CHECKED = 128 << 20 /* bytes beside the picture */
 };
 
 struct chunk {
@@ -140,6 +141,10 @@ static luxel_status add_text(struct lx_source *source, const struct chunk *chunk
     } else {
         text = lx_copy_text((const char *)data + at, length);
     }
+    if (text && lx_tags_are_full(tags, length)) {
+        free(text);
+        return lx_tag_too_large(source, key, NAME);
+    }
     if (!text || lx_tags_add(tags, key, text, length) < 0)
         return lx_source_out_of_memory(source);
     return LUXEL_OK;
@@ -151,7 +156,7 @@ static luxel_status take_text(struct lx_source *source, const struct chunk *chun
     char key[LONGEST_KEY + 2] = "";
     size_t start = chunk->length < LONGEST_KEY + 1 ? chunk->length : LONGEST_KEY + 1;
     luxel_status status = lx_source_read(source, chunk->start, key, start);
-    if (status != LUXEL_OK || !lx_is_our_tag(key))
+    if (status != LUXEL_OK || !lx_is_our_tag(key) || lx_tags_find(tags, key)) /* of several the first counts */
         return status;
     if (chunk->length > LX_LARGEST_TAG + 2 * sizeof key)
         return lx_tag_too_large(source, key, NAME);
@@ -168,7 +173,7 @@ static luxel_status take_text(struct lx_source *source, const struct chunk *chun
 luxel_status lx_png_read_tags(struct lx_source *source, struct lx_tags *tags)
 {
     struct chunk chunk = {.type = ""};
-    uint64_t at = LX_PNG_MAGIC_LENGTH;
+    uint64_t at = LX_PNG_MAGIC_LENGTH, checked = 0;
     luxel_status status = LUXEL_OK;
     while (status == LUXEL_OK && strcmp(chunk.type, "IEND") != 0) {
         status = read_chunk(source, at, &chunk);
@@ -182,9 +187,10 @@ luxel_status lx_png_read_tags(struct lx_source *source, struct lx_tags *tags)
                 break;
             continue;
         }
-        status = check_chunk(source, &chunk);
         bool is_text =
             strcmp(chunk.type, "iTXt") == 0 || strcmp(chunk.type, "zTXt") == 0 || strcmp(chunk.type, "tEXt") == 0;
+        checked += chunk.length;
+        status = checked > MOST_CHECKED ? lx_bad_file(source, NAME, chunk.type) : check_chunk(source, &chunk);
         if (status == LUXEL_OK && is_text)
             status = take_text(source, &chunk, tags);
     }

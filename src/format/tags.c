@@ -12,6 +12,11 @@ bool lx_is_our_tag(const char *key)
     return strncmp(key, "luxel:", 6) == 0;
 }
 
+bool lx_tags_are_full(const struct lx_tags *tags, size_t length)
+{
+    return length > LX_LARGEST_TAG || tags->taken + length + LX_SMALLEST_TAG > LX_LARGEST_TAGS;
+}
+
 int lx_tags_add(struct lx_tags *tags, const char *key, char *value, size_t length)
 {
     char *copy = NULL;
@@ -21,6 +26,7 @@ int lx_tags_add(struct lx_tags *tags, const char *key, char *value, size_t lengt
         copy = lx_copy_text(key, strlen(key));
     if (copy && lx_reserve(&tags->items, &tags->capacity, tags->count + 1, sizeof *tags->items) == 0) {
         tags->items[tags->count++] = (struct lx_read_tag){.key = copy, .value = value, .length = length};
+        tags->taken += length + LX_SMALLEST_TAG;
         return 0;
     }
     free(copy);

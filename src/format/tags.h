@@ -11,8 +11,8 @@
 
 #include "../base/source.h"
 
-/* The longest text that is read. */
-enum { LX_LARGEST_TAG = 64 << 20 };
+/* The longest text that is read, and what all of one file may take, in which even an empty one counts something. */
+enum { LX_LARGEST_TAG = 64 << 20, LX_LARGEST_TAGS = LX_LARGEST_TAG + (1 << 20), LX_SMALLEST_TAG = 1 << 14 };
 
 /* A tag to write: UTF-8, ending with 0. */
 struct lx_tag {
@@ -29,7 +29,11 @@ struct lx_read_tag {
 struct lx_tags {
     struct lx_read_tag *items;
     size_t count, capacity;
+    size_t taken; /* of LX_LARGEST_TAGS */
 };
+
+/* Whether a text of this length is more than may be read, by itself or with those that are there. */
+bool lx_tags_are_full(const struct lx_tags *tags, size_t length);
 
 /* Whether a key is one of this program's. */
 bool lx_is_our_tag(const char *key);

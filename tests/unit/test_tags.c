@@ -230,6 +230,40 @@ static void test_png_bomb(void **state)
     free(text);
 }
 
+/* Texts that are small one by one: two of 40 MB, and five thousand empty ones. */
+static void test_png_many_texts(void **state)
+{
+    size_t large = 40 << 20, size = compressBound(large);
+    char *text = calloc(large, 1);
+    struct bytes packed = {malloc(size + 20), 0}, png = begin_png();
+
+    (void)state;
+    memcpy(packed.at, "luxel:a\0", 9); /* the key, and how it is compressed */
+    compress(packed.at + 9, &size, (const Bytef *)text, large);
+    packed.length = 9 + size;
+    for (int i = 0; i < 2; i++) {
+        add_chunk(&png, "zTXt", packed.at, packed.length);
+        packed.at[6] = 'b';
+    }
+    assert_scene(&png, NULL, "tag-too-large");
+
+    png = begin_png();
+    for (int i = 0; i < 5000; i++) {
+        char key[16];
+        snprintf(key, sizeof key, "luxel:%d", i);
+        add_chunk(&png, "tEXt", key, strlen(key) + 1);
+    }
+    assert_scene(&png, NULL, "tag-too-large");
+
+    png = begin_png();
+    add_text(&png, "tEXt", "", 0, SCENE, false);
+    for (int i = 0; i < 4; i++)
+        add_chunk(&png, "none", text, large); /* of other programs */
+    assert_scene(&png, NULL, "bad-file");
+    free(packed.at);
+    free(text);
+}
+
 /* ---- EXR headers put together by hand ---- */
 
 static void add_attribute(struct bytes *bytes, const char *name, const char *type, uint32_t claimed, const char *value,
@@ -291,8 +325,8 @@ static void test_exr_damaged(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        FILES_CASE(written),  FILES_CASE(png_kinds), FILES_CASE(png_damaged), FILES_CASE(png_bad_texts),
-        FILES_CASE(png_bomb), FILES_CASE(exr_kinds), FILES_CASE(exr_damaged),
+        FILES_CASE(written),  FILES_CASE(png_kinds),      FILES_CASE(png_damaged), FILES_CASE(png_bad_texts),
+        FILES_CASE(png_bomb), FILES_CASE(png_many_texts), FILES_CASE(exr_kinds),   FILES_CASE(exr_damaged),
     };
 
     return cmocka_run_group_tests_name("tags", tests, NULL, NULL);
