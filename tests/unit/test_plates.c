@@ -330,6 +330,8 @@ static void test_reference(void **state)
             assert_true(hit.normal.x.value == 0.6 && hit.normal.z.value == 0.8);
             struct lx_ray away = {{x, y, 500}, {0, 0, 1}}, behind = {{x, y, -500}, {0, 0, 1}};
             assert_false(kind->hit(&shape, &away).exists || kind->hit(&shape, &behind).exists);
+            struct lx_ray past = {{x, y, -500}, {0, 0, -1}};
+            assert_false(kind->hit(&shape, &past).exists);
             struct lx_ray beside = {{x + 1e-7 * i, y + 1e-7 * k, 500}, {0, 0, -1}};
             assert_int_equal(kind->hit(&shape, &beside).exists, i == 0 && k == 0);
             assert_true(kind->holds(&shape, (double[]){x, y, z}));
