@@ -60,6 +60,67 @@ static void test_symmetry(void **state)
     luxel_field_free(b);
 }
 
+/* The same field by way of a file without a mask: which pixels show a surface is guessed, by their not being 0. */
+static luxel_field *without_mask(const luxel_field *field)
+{
+    char path[] = "/tmp/luxel-field-XXXXXX.npy";
+    luxel_field *read = NULL;
+    int descriptor = mkstemps(path, 4);
+    assert_true(descriptor >= 0 && close(descriptor) == 0);
+    assert_int_equal(luxel_field_write(field, path, NULL), LUXEL_OK);
+    assert_int_equal(luxel_field_read(path, NULL, &read), LUXEL_OK);
+    unlink(path);
+    return read;
+}
+
+/* Where one of the files knows what is a surface, dark pixels are not taken for none; two that guess agree. */
+static void test_guesses(void **state)
+{
+    (void)state;
+    const double values[] = {1, 0, NONE, 4};
+    luxel_field *known = csv_field(values, 2, 2), *guessed = without_mask(known);
+    const luxel_field *pairs[][2] = {{known, guessed}, {guessed, known}, {guessed, guessed}};
+    for (int i = 0; i < 3; i++) {
+        luxel_comparison made;
+        luxel_field *difference;
+        assert_int_equal(luxel_compare(pairs[i][0], pairs[i][1], NULL, &made, &difference), LUXEL_OK);
+        assert_int_equal(made.pixels, i < 2 ? 3 : 2);
+        assert_true(made.only_a == 0 && made.only_b == 0 && made.largest.value == 0);
+        assert_int_equal(luxel_field_x_mm(difference) != NULL, i < 2); /* the places, too, are those that are known */
+        assert_int_equal(isnan(made.largest.x_mm), i == 2);
+        luxel_field_free(difference);
+    }
+    luxel_field_free(known);
+    luxel_field_free(guessed);
+}
+
+/* Fields of the same size whose pixels lie elsewhere are not compared; what rounding makes of places does not matter. */
+static void test_places(void **state)
+{
+    (void)state;
+    static const char *const texts[] = {
+        "x_mm,y_mm,value_\n0,0,1\n1,0,2\n2,0,3\n", "x_mm,y_mm,value_\n1e-8,0,1\n1,0,2\n2,0,3\n",
+        "x_mm,y_mm,value_\n1,0,1\n2,0,2\n3,0,3\n", "x_mm,y_mm,value_\n0,1,1\n1,1,2\n2,1,3\n",
+        "x_mm,y_mm,value_\n0,0,1\n2,0,2\n4,0,3\n"};
+    luxel_field *fields[5];
+    for (int i = 0; i < 5; i++) {
+        char path[] = "/tmp/luxel-field-XXXXXX.csv";
+        int descriptor = mkstemps(path, 4);
+        size_t length = strlen(texts[i]);
+        assert_true(descriptor >= 0 && write(descriptor, texts[i], length) == (ssize_t)length &&
+                    close(descriptor) == 0);
+        luxel_status status = luxel_field_read(path, NULL, &fields[i]);
+        unlink(path);
+        luxel_status expected = i < 2 ? LUXEL_OK : LUXEL_ERROR_ARGUMENT;
+        luxel_comparison made;
+        assert_int_equal(status, LUXEL_OK);
+        assert_int_equal(luxel_compare(fields[0], fields[i], NULL, &made, NULL), expected);
+        assert_int_equal(luxel_compare(fields[i], fields[0], NULL, &made, NULL), expected);
+    }
+    for (int i = 0; i < 5; i++)
+        luxel_field_free(fields[i]);
+}
+
 static void test_refused(void **state)
 {
     (void)state;
@@ -122,7 +183,7 @@ static void test_not_finite(void **state)
 }
 
 /* Without places a region says nothing; pixels that lie elsewhere cannot be compared. */
-static void test_places(void **state)
+static void test_no_places(void **state)
 {
     (void)state;
     const double four[] = {1, 2, 3, 4};
@@ -156,8 +217,9 @@ static void test_places(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_known_numbers), cmocka_unit_test(test_symmetry), cmocka_unit_test(test_refused),
-        cmocka_unit_test(test_not_finite),    cmocka_unit_test(test_places),
+        cmocka_unit_test(test_known_numbers), cmocka_unit_test(test_symmetry), cmocka_unit_test(test_guesses),
+        cmocka_unit_test(test_places),        cmocka_unit_test(test_refused),  cmocka_unit_test(test_not_finite),
+        cmocka_unit_test(test_no_places),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

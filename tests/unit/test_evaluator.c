@@ -43,6 +43,8 @@ static void same_as_probe(const luxel_scene *scene, const luxel_evaluator *evalu
     luxel_quantity quantity = luxel_evaluator_quantity(evaluator);
     size_t lights = luxel_evaluator_light_count(evaluator);
     double shares[64];
+    for (size_t i = 0; i < lights; i++)
+        shares[i] = 7; /* each is set */
     luxel_settings settings;
     luxel_probe *probe = NULL;
     luxel_settings_init(&settings);
@@ -72,6 +74,26 @@ static void test_probes(void **state)
             luxel_evaluator_free(evaluator);
             luxel_scene_free(scene);
         }
+}
+
+/* Where a light lies on the element there is neither a value nor a share, whatever the lights before it give. */
+static void test_light_on_element(void **state)
+{
+    (void)state;
+    luxel_scene *scene = builtin("report");
+    assert_int_equal(luxel_scene_set(scene,
+                                     "lights=[{type: ambient, irradiance: 3}, {type: point, position: [0, 0, 1300], "
+                                     "intensity: 1}, {type: distant, direction: [0, 0, -1], irradiance: 2}]",
+                                     NULL),
+                     LUXEL_OK);
+    assert_int_equal(luxel_scene_commit(scene, NULL), LUXEL_OK);
+    luxel_evaluator *evaluator = evaluator_of(scene, LUXEL_BRIGHTNESS);
+    double shares[3] = {7, 7, 7};
+    assert_false(luxel_evaluate(evaluator, 0, 0, shares).has_value);
+    same_as_probe(scene, evaluator, 0, 0);
+    same_as_probe(scene, evaluator, 1, 0);
+    luxel_evaluator_free(evaluator);
+    luxel_scene_free(scene);
 }
 
 /* The sphere of the report: centre (0, 0, 1000), radius 300; through its front it is what the screen shows. */
@@ -127,6 +149,7 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_probes),
+        cmocka_unit_test(test_light_on_element),
         cmocka_unit_test(test_sphere),
         cmocka_unit_test(test_refused),
     };
