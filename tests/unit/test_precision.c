@@ -1,0 +1,146 @@
+/* SPDX-License-Identifier: MIT */
+/*
+ * Which lights a picture in single precision leaves to float32: none that float32 cannot do (jumps, infinite slopes,
+ * sources that touch, sizes beyond its range), and together no more than what the picture may be off by.
+ */
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+
+#include "scene/scene.h"
+#include "scenes.h"
+#include "shade/plan.h"
+
+static const char form[] = "luxel: 1\n"
+                           "screen: {width: 700, height: 700, resolution: [70, 70]}\n"
+                           "observer: {z: 3000%s}\n"
+                           "surfaces: [{type: sphere, center: [0, 0, 1000], radius: 300, material: {%s}}]\n"
+                           "lights: [%s]\n";
+
+struct planned {
+    luxel_scene *scene;
+    struct lx_prepared prepared;
+    struct lx_plan plan;
+};
+
+static void make_plan(const char *observer, const char *material, const char *lights, struct planned *made)
+{
+    char text[2000];
+    snprintf(text, sizeof text, form, observer, material, lights);
+    if (load(text, NULL, &made->scene) != LUXEL_OK)
+        fail_msg("not a good scene: %s", text);
+    assert_int_equal(lx_prepare(lx_scene_parameters(made->scene), LX_DEFAULT_TOLERANCE, &made->prepared), 0);
+    assert_int_equal(
+        lx_plan_make(&made->prepared, lx_kernels_choose("generic"), LUXEL_BRIGHTNESS, LUXEL_SINGLE, 0, &made->plan), 0);
+}
+
+static void clear(struct planned *made)
+{
+    lx_plan_clear(&made->plan);
+    lx_prepared_clear(&made->prepared);
+    luxel_scene_free(made->scene);
+}
+
+static void what_float32_cannot_do(void **state)
+{
+    (void)state;
+    static const struct {
+        bool in_double;
+        const char *observer, *material, *light;
+    } cases[] = {
+        {false, "", "specular: 0", "{type: point, position: [900, 500, 3000], intensity: 5}"},
+        {false, "", "shininess: 20", "{type: point, position: [900, 500, 3000], intensity: 5}"},
+        {false, "", "shininess: 20, model: phong", "{type: point, position: [900, 500, 3000], intensity: 5}"},
+        {false, "", "shininess: 20, highlight: cosine", "{type: distant, direction: [1, 2, -3], irradiance: 5}"},
+        {true, "", "shininess: 20, highlight: gated", "{type: distant, direction: [1, 2, -3], irradiance: 5}"},
+        {true, "", "shininess: 0.5", "{type: distant, direction: [1, 2, -3], irradiance: 5}"},
+        {true, "", "shininess: 1e5", "{type: distant, direction: [1, 2, -3], irradiance: 5}"},
+        /* behind the sphere the half vector vanishes for some element */
+        {true, ", projection: perspective", "shininess: 20", "{type: point, position: [0, 0, -2000], intensity: 5}"},
+        {false, "", "specular: 0", "{type: spot, position: [0, 0, 3000], intensity: 5, inner: 0, outer: 90}"},
+        {false, "", "specular: 0",
+         "{type: spot, position: [0, 0, 3000], intensity: 5, inner: 1, outer: 60, falloff: linear}"},
+        {true, "", "specular: 0",
+         "{type: spot, position: [0, 0, 3000], intensity: 5, inner: 1, outer: 20, falloff: hard}"},
+        {true, "", "specular: 0", "{type: spot, position: [0, 0, 3000], intensity: 5, inner: 4.999, outer: 5}"},
+        {true, "", "specular: 0",
+         "{type: spot, position: [0, 0, 3000], intensity: 5, inner: 4.999, outer: 5, falloff: linear}"},
+        {true, "", "specular: 0", "{type: point, position: [0, 0, 1300.01], intensity: 5, attenuation: none}"},
+        {true, "", "specular: 0", "{type: point, position: [9e9, 0, 3000], intensity: 5, attenuation: none}"},
+        {true, "", "specular: 0", "{type: distant, direction: [0, 0, -1], irradiance: 1e10}"},
+        {true, "", "specular: 0", "{type: distant, direction: [0, 0, -1], irradiance: 1e-8}"},
+        {true, "", "specular: 0",
+         "{type: point, position: [0, 0, 3000], intensity: 5, attenuation: practical, k: 1e-8}"},
+    };
+    for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
+        struct planned made;
+        make_plan(cases[i].observer, cases[i].material, cases[i].light, &made);
+        assert_int_equal(made.plan.surfaces[0].light_count, 1);
+        if (made.plan.surfaces[0].lights[0].in_double != cases[i].in_double)
+            fail_msg("wrongly in %s: %s, %s", cases[i].in_double ? "float32" : "double", cases[i].material,
+                     cases[i].light);
+        clear(&made);
+    }
+}
+
+/* A light that makes little of the picture may be coarse where the one that makes most of it could not. */
+static void what_does_not_matter(void **state)
+{
+    (void)state;
+    struct planned made;
+    make_plan("", "shininess: 30000",
+              "{type: distant, direction: [1, 2, -3], irradiance: 5}, "
+              "{type: distant, direction: [-2, 1, -3], irradiance: 0.005}",
+              &made);
+    const struct lx_planned_light *lights = made.plan.surfaces[0].lights;
+    assert_true(lights[0].in_double && !lights[1].in_double);
+    clear(&made);
+}
+
+/* What the lights left to float32 may be off by, together, for many scenes of some lights. */
+static void shares_of_the_maximum(void **state)
+{
+    (void)state;
+    unsigned seed = 1;
+    size_t left = 0, all = 0;
+    for (int n = 0; n < 300; n++) {
+        char lights[1500] = "", material[60];
+        for (int i = 0, count = 1 + n % 12; i < count; i++) {
+            double place[3];
+            for (int k = 0; k < 3; k++) {
+                seed = seed * 1664525u + 1013904223u;
+                place[k] = (seed >> 8) * 0x1p-24 * 3000 - (k < 2 ? 1500 : -1200);
+            }
+            seed = seed * 1664525u + 1013904223u;
+            snprintf(lights + strlen(lights), sizeof lights - strlen(lights),
+                     "%s{type: point, position: [%.1f, %.1f, %.1f], intensity: %.3g, attenuation: none}", i ? ", " : "",
+                     place[0], place[1], place[2], pow(10, (seed >> 8) * 0x1p-24 * 4 - 2));
+        }
+        snprintf(material, sizeof material, "shininess: %.3g", pow(10, n % 50 / 10.0));
+        struct planned made;
+        make_plan("", material, lights, &made);
+        const struct lx_planned_surface *surface = &made.plan.surfaces[0];
+        double sum = 0, squares = 0;
+        for (size_t i = 0; i < surface->light_count; i++) {
+            const struct lx_planned_light *light = &surface->lights[i];
+            sum += light->in_double ? 0 : light->bound;
+            squares += light->in_double ? 0 : light->bound * light->bound;
+            left += !light->in_double;
+            all++;
+        }
+        if (!(fmax(sqrt(squares), sum / 3) <= 2.6e-6 * made.plan.least_maximum))
+            fail_msg("scene %d: %g, together %g, of a maximum of %g", n, sqrt(squares), sum, made.plan.least_maximum);
+        clear(&made);
+    }
+    assert_true(left > all / 3 && left < all);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(what_float32_cannot_do),
+        cmocka_unit_test(what_does_not_matter),
+        cmocka_unit_test(shares_of_the_maximum),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
