@@ -25,7 +25,7 @@ WARNINGS_ARE_ERRORS = --werror
 # One thing at a time: the parallel work is Ninja's.
 .NOTPARALLEL:
 .PHONY: build help setup run app check bench install clean check-clang check-sanitize check-threads check-valgrind \
-    format fuzz coverage fuzz-coverage docs validation abi po packages check-packages
+    format fuzz coverage fuzz-coverage mutants docs validation abi po packages check-packages
 
 build: $(BUILD)/build.ninja
 	@$(COMPILE) $(BUILD)
@@ -43,6 +43,7 @@ help:
 	@echo 'make fuzz            look for inputs that break something: MINUTES=5 a target, FUZZ="scene edit"'
 	@echo 'make coverage        which lines and branches of src/ the tests reach, as a table of the rooms'
 	@echo 'make fuzz-coverage   what of the files that it aims at each fuzz target reaches'
+	@echo 'make mutants         whether tests fail when the library is made wrong; MUTANTS="--random 100 --seed 1"'
 	@echo 'make bench           time pictures and other programs in turn, and write docs/PERFORMANCE.md'
 	@echo 'make install         install under PREFIX ($(PREFIX)); DESTDIR is honoured'
 	@echo 'make docs            the reference pages of the library in $(BUILD)/docs/reference/html, by Doxygen'
@@ -148,6 +149,11 @@ fuzz-coverage: build-coverage/build.ninja
 	@$(COMPILE) build-coverage $(FUZZ:%=replay-%)
 	@$(PYTHON) fuzz/coverage.py build-coverage build-fuzz/corpus $(FUZZ)
 
+# Hours on a small machine.  The sources are copied to build-mutants and made wrong there.
+MUTANTS ?=
+mutants: setup
+	@$(PYTHON) tools/mutate.py build-mutants $(MUTANTS)
+
 check-valgrind: build
 	@tools/setup valgrind
 	@PYTHONPATH=tests PYTHONDONTWRITEBYTECODE=1 $(PYTHON) tests/cli/under_valgrind.py $(BUILD)/cli/luxel $(VALGRIND)
@@ -197,4 +203,5 @@ format:
 	@find include src front cli app tests bench fuzz -name '*.[ch]' 2>/dev/null | xargs clang-format -i
 
 clean:
-	@rm -rf $(BUILD) build-clang build-fuzz build-coverage build-threads build-sanitize-gcc build-sanitize-clang
+	@rm -rf $(BUILD) build-clang build-fuzz build-coverage build-threads build-mutants build-sanitize-gcc \
+	    build-sanitize-clang

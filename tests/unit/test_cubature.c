@@ -218,6 +218,65 @@ static void errors_are_honest(void **unused)
     }
 }
 
+static double either(uint64_t *random, double size)
+{
+    return uniform(random, 0, 1) < 0.5 ? -size : size;
+}
+
+/* A vector with each component moved by as much as the error that it gets. */
+static lx_bounded3 shaken(uint64_t *random, lx_bounded3 *vector, double off)
+{
+    lx_bounded3 there = *vector;
+    lx_bounded *to[3] = {&there.x, &there.y, &there.z}, *from[3] = {&vector->x, &vector->y, &vector->z};
+    for (int i = 0; i < 3; i++) {
+        to[i]->value += either(random, off);
+        from[i]->error = off;
+    }
+    return there;
+}
+
+/* What place, normal or view may be off: the bounds cover it. */
+static void uncertain_elements(void **unused)
+{
+    enum { SCENES = 900 };
+    uint64_t random = 24;
+    unsigned farther = 0;
+    (void)unused;
+    for (int i = 0; i < SCENES; i++) {
+        struct lx_emitter emitter;
+        if (!random_source(&random, &emitter))
+            continue;
+        struct lx_lobe lobe = lobe_of((enum lx_model)uniform(&random, 0, 2), (enum lx_highlight)uniform(&random, 0, 3),
+                                      pow(10, uniform(&random, 0, 3)));
+        struct lx_element here = random_element(&random, &lobe), there = here;
+        double off = pow(10, uniform(&random, -7, -4));
+        if (i % 3 == 0)
+            there.place_mm = shaken(&random, &here.place_mm, 100 * off);
+        else if (i % 3 == 1)
+            there.normal = shaken(&random, &here.normal, off);
+        else
+            there.view = shaken(&random, &here.view, off);
+        there.normal = lx_unit3(there.normal), there.view = lx_unit3(there.view);
+        if (lx_extended_touches(&emitter, here.place_mm)) {
+            lx_facets_free(emitter.facets);
+            continue;
+        }
+        struct lx_cubature found = lx_integrate(&emitter, &here, true, 0, 1e-9);
+        struct lx_cubature other = lx_integrate(&emitter, &there, true, 0, 1e-9);
+        const lx_bounded pairs[2][2] = {{found.irradiance, other.irradiance}, {found.specular, other.specular}};
+        for (int k = 0; k < 2; k++) {
+            double apart = fabs(pairs[k][0].value - pairs[k][1].value);
+            if (!(apart <= pairs[k][0].error + pairs[k][1].error))
+                fail_msg("scene %d, type %d, %s: %.17g +- %g, moved %.17g +- %g", i, emitter.type,
+                         k ? "highlight" : "diffuse", pairs[k][0].value, pairs[k][0].error, pairs[k][1].value,
+                         pairs[k][1].error);
+            farther += apart > 1e-8 * pairs[k][0].value;
+        }
+        lx_facets_free(emitter.facets);
+    }
+    assert_true(farther > SCENES / 3); /* most moves matter */
+}
+
 /* A corner of a rectangle; the edge from corner 0 to corner 1, or from 1 to 2, is the one along its width. */
 static void corner_of(const struct lx_facets *facets, unsigned i, double corner[3])
 {
@@ -285,6 +344,7 @@ int main(void)
         cmocka_unit_test(diffuse_as_in_closed_form),
         cmocka_unit_test(needles),
         cmocka_unit_test(errors_are_honest),
+        cmocka_unit_test(uncertain_elements),
         cmocka_unit_test(shares_add_up),
         cmocka_unit_test(dark_places),
     };
