@@ -116,15 +116,13 @@ fuzz:
 	@tools/setup clang
 	@test -e build-fuzz/build.ninja || CC=clang CXX=clang++ $(MESON) setup build-fuzz -Dfuzz=true -Dfigures=disabled \
 	    -Db_sanitize=address,undefined -Db_lundef=false -Doptimization=1 -Dc_args=-fsanitize=fuzzer-no-link
-	@$(COMPILE) build-fuzz luxel:executable $(FUZZ:%=fuzz-%)
-	@$(PYTHON) fuzz/make_dictionary.py build-fuzz >build-fuzz/scene.dict
+	@$(COMPILE) build-fuzz $(FUZZ:%=fuzz-%)
 	@for target in $(FUZZ); do \
-	    case $$target in scene | edit | arguments) words=-dict=build-fuzz/scene.dict ;; *) words= ;; esac; \
 	    mkdir -p build-fuzz/findings/$$target build-fuzz/corpus/$$target && \
 	    UBSAN_OPTIONS=print_stacktrace=1:halt_on_error=1 \
 	    LSAN_OPTIONS=suppressions=$(CURDIR)/fuzz/leaks.txt:print_suppressions=0 \
 	        build-fuzz/fuzz/fuzz-$$target -max_total_time=$$(($(MINUTES) * 60)) -timeout=10 -rss_limit_mb=4096 \
-	        -print_final_stats=1 -artifact_prefix=build-fuzz/findings/$$target/ $$words \
+	        -print_final_stats=1 -artifact_prefix=build-fuzz/findings/$$target/ \
 	        build-fuzz/corpus/$$target fuzz/corpus/$$target >build-fuzz/$$target.log 2>&1; code=$$?; \
 	    echo "$$target: $$(grep number_of_executed_units build-fuzz/$$target.log | tr -dc 0-9) inputs, rc $$code"; \
 	    test $$code = 0 || { tail -40 build-fuzz/$$target.log; exit 1; }; \
