@@ -105,21 +105,27 @@ static int probe_element(const struct lx_session *session, const struct lx_eleme
     return 0;
 }
 
-/* The value that the picture has at the probe's pixel, which may depend on the block of pixels that it is in. */
+/* The value that the picture has at the probe's pixel, which may depend on the tile that it is in. */
 static int probe_pixel(const struct lx_session *session, luxel_probe *probe)
 {
     const struct lx_screen *screen = &session->prepared.scene->screen;
-    unsigned first = probe->column / LX_BLOCK * LX_BLOCK, left = screen->resolution[0] - first;
-    unsigned count = left < LX_BLOCK ? left : LX_BLOCK;
-    double x[LX_BLOCK], values[LX_BLOCK];
-    uint8_t mask[LX_BLOCK];
-    struct lx_shader_memory *memory = lx_shader_memory_new(&session->plan);
+    const struct lx_plan *plan = &session->plan;
+    unsigned first = probe->column / LX_TILE_COLUMNS * LX_TILE_COLUMNS, top = probe->row / LX_TILE_ROWS * LX_TILE_ROWS;
+    unsigned columns = screen->resolution[0] - first, rows = screen->resolution[1] - top;
+    double x[LX_TILE_COLUMNS], y[LX_TILE_ROWS], values[LX_TILE_COLUMNS];
+    uint8_t mask[LX_TILE_COLUMNS];
+    struct lx_shader_memory *memory = lx_shader_memory_new(plan);
     if (!memory)
         return -1;
-    for (unsigned i = 0; i < count; i++)
+    columns = columns < LX_TILE_COLUMNS ? columns : LX_TILE_COLUMNS;
+    rows = rows < LX_TILE_ROWS ? rows : LX_TILE_ROWS;
+    for (unsigned i = 0; i < columns; i++)
         x[i] = lx_column_x_mm(screen, first + i);
-    lx_shade_points(&session->plan, memory, lx_row_y_mm(screen, probe->row), x, count, NULL, false, values, mask);
-    free(memory);
+    for (unsigned j = 0; j < rows; j++)
+        y[j] = lx_row_y_mm(screen, top + j);
+    lx_shader_enter(plan, memory, y, rows, x, columns);
+    lx_shade_points(plan, memory, y[probe->row - top], x, columns, NULL, false, values, mask);
+    lx_shader_memory_free(memory);
     double value = values[probe->column - first];
     probe->pixel_value = session->settings.precision == LUXEL_DOUBLE ? value : (double)(float)value;
     probe->has_pixel_value = isfinite(probe->pixel_value);

@@ -38,29 +38,31 @@ static struct lx_row_statistics survey_row(const struct lx_rendering *rendering,
     };
 }
 
-static void render_row(struct lx_rendering *rendering, struct lx_shader_memory *memory, bool is_caller, unsigned row)
-{
-    const struct luxel_field *field = rendering->field;
-    const struct lx_strip *strip = &rendering->computed->strip;
-    double x[LX_BLOCK], values[LX_BLOCK], y = field->y_mm[row];
-    uint8_t mask[LX_BLOCK];
-    size_t shown = 0;
-    for (unsigned first = 0; first < field->columns; first += LX_BLOCK) {
-        unsigned left = field->columns - first, count = left < LX_BLOCK ? left : LX_BLOCK;
-        memcpy(x, field->x_mm + first, count * sizeof *x);
-        shown += lx_shade_points(rendering->plan, memory, y, x, count, &rendering->control, is_caller, values, mask);
-        lx_strip_store(field, strip, row, first, values, mask, count);
-        if (!lx_control_goes_on(&rendering->control, is_caller))
-            return;
-    }
-    rendering->computed->rows[row - strip->first] = survey_row(rendering, row, shown);
-}
-
+/* Renders rows first to last - 1, no more than a tile has, tile by tile. */
 static void render_rows(void *data, unsigned worker, bool is_caller, unsigned first, unsigned last)
 {
     struct lx_rendering *rendering = data;
+    struct lx_shader_memory *memory = rendering->memories[worker];
+    const struct luxel_field *field = rendering->field;
+    const struct lx_strip *strip = &rendering->computed->strip;
+    double x[LX_TILE_COLUMNS], values[LX_TILE_COLUMNS];
+    uint8_t mask[LX_TILE_COLUMNS];
+    size_t shown[LX_TILE_ROWS] = {0};
+    _Static_assert((int)LX_ROWS_AT_ONCE == (int)LX_TILE_ROWS, "a thread takes the rows of whole tiles");
+    for (unsigned column = 0; column < field->columns; column += LX_TILE_COLUMNS) {
+        unsigned left = field->columns - column, count = left < LX_TILE_COLUMNS ? left : LX_TILE_COLUMNS;
+        memcpy(x, field->x_mm + column, count * sizeof *x);
+        lx_shader_enter(rendering->plan, memory, field->y_mm + first, last - first, x, count);
+        for (unsigned row = first; row < last; row++) {
+            shown[row - first] += lx_shade_points(rendering->plan, memory, field->y_mm[row], x, count,
+                                                  &rendering->control, is_caller, values, mask);
+            lx_strip_store(field, strip, row, column, values, mask, count);
+            if (!lx_control_goes_on(&rendering->control, is_caller))
+                return;
+        }
+    }
     for (unsigned row = first; row < last; row++)
-        render_row(rendering, rendering->memories[worker], is_caller, row);
+        rendering->computed->rows[row - strip->first] = survey_row(rendering, row, shown[row - first]);
 }
 
 unsigned lx_rendering_threads(const luxel_settings *settings, const struct luxel_field *field)
@@ -195,6 +197,7 @@ luxel_status lx_rendering_run(struct lx_rendering *rendering)
         rendering->computed->strip.rows = left < height ? left : height;
         const struct lx_rows_part part = {.first = first,
                                           .last = first + rendering->computed->strip.rows,
+                                          .in_tiles = rendering->plan->forest.tree_count > 0,
                                           .work = render_rows,
                                           .meanwhile = rendering->finished ? put_away : NULL,
                                           .data = rendering};
@@ -209,7 +212,7 @@ luxel_status lx_rendering_run(struct lx_rendering *rendering)
 void lx_rendering_clear(struct lx_rendering *rendering)
 {
     for (unsigned i = 0; rendering->memories && i < rendering->threads; i++)
-        free(rendering->memories[i]);
+        lx_shader_memory_free(rendering->memories[i]);
     free(rendering->memories);
     for (size_t i = 0; i < 2; i++) {
         free(rendering->held[i].strip.values);

@@ -100,9 +100,11 @@ luxel_status lx_session_open(const luxel_scene *scene, const luxel_settings *set
         status = choose_kernels(session, diagnostics);
     if (status == LUXEL_OK)
         status = lx_session_prepare(scene, &session->settings, diagnostics, &session->prepared);
-    if (status == LUXEL_OK && lx_plan_make(&session->prepared, session->kernels, session->settings.quantity,
-                                           session->settings.precision, session->settings.tolerance, &session->plan))
-        status = lx_out_of_memory(diagnostics);
+    if (status == LUXEL_OK) {
+        status = lx_plan_make(&session->prepared, session->kernels, &session->settings, &session->plan);
+        if (status == LUXEL_ERROR_MEMORY)
+            lx_out_of_memory(diagnostics);
+    }
     return status;
 }
 

@@ -7,10 +7,8 @@
 #include "memory.h"
 #include "rows.h"
 
-/*
- * Rows taken at a time: few enough to share the work evenly and to notice a stop, enough not to fight for the counter.
- */
-enum { MOST_BLOCK_ROWS = 4, BLOCKS_PER_THREAD = 4 };
+/* So many shares of the work for each thread, where a share may be as small as that. */
+enum { BLOCKS_PER_THREAD = 4 };
 
 struct job {
     struct lx_control *control;
@@ -78,12 +76,9 @@ bool lx_rows_run(struct lx_control *control, unsigned threads, lx_rows_work *wor
 bool lx_rows_run_part(struct lx_control *control, unsigned threads, const struct lx_rows_part *part)
 {
     unsigned share = (part->last - part->first) / threads / BLOCKS_PER_THREAD;
-    struct job job = {.control = control,
-                      .part = part,
-                      .block_rows = share < 1                 ? 1
-                                    : share < MOST_BLOCK_ROWS ? share
-                                                              : MOST_BLOCK_ROWS,
-                      .next = part->first};
+    struct job job = {.control = control, .part = part, .block_rows = LX_ROWS_AT_ONCE, .next = part->first};
+    if (!part->in_tiles && share < LX_ROWS_AT_ONCE)
+        job.block_rows = share < 1 ? 1 : share;
     unsigned started = 0;
     struct worker *workers = threads > 1 ? lx_new_array(threads - 1, sizeof *workers) : NULL;
     /* A thread that cannot be had is done without: the others take its rows. */

@@ -26,6 +26,10 @@ struct lx_control {
  */
 bool lx_control_goes_on(struct lx_control *control, bool is_caller);
 
+/* At most so many rows are handed out at once: few enough to share the work evenly and to notice a stop, enough not to
+ * fight for the counter. */
+enum { LX_ROWS_AT_ONCE = 4 };
+
 /* Does rows first to last - 1 with the worker's own memory; `is_caller` as above. */
 typedef void lx_rows_work(void *data, unsigned worker, bool is_caller, unsigned first, unsigned last);
 
@@ -38,6 +42,7 @@ bool lx_rows_run(struct lx_control *control, unsigned threads, lx_rows_work *wor
 /* Rows first to last - 1 of a work that is done in parts. */
 struct lx_rows_part {
     unsigned first, last;
+    bool in_tiles; /* rows are handed out from each multiple of LX_ROWS_AT_ONCE on to the next; `first` is one */
     lx_rows_work *work;
     void (*meanwhile)(void *data); /* what the calling thread does before it takes rows itself; NULL: nothing */
     void *data;                    /* handed to both */

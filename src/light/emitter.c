@@ -11,7 +11,8 @@
 int lx_emitters_append(struct lx_emitters *emitters, const struct lx_emitter *emitter)
 {
     size_t items = lx_item_count(emitters);
-    emitters->is_short = emitters->most > 0 && emitters->count >= emitters->most;
+    size_t counted = emitters->most_in_swarms > 0 ? items : emitters->count;
+    emitters->is_short = emitters->most > 0 && counted >= emitters->most;
     if (emitters->is_short || lx_reserve(&emitters->items, &emitters->capacity, items + 1, sizeof *emitter)) {
         lx_facets_free(emitter->facets);
         return -1;
@@ -24,7 +25,9 @@ int lx_emitters_append(struct lx_emitters *emitters, const struct lx_emitter *em
 int lx_emitters_append_swarm(struct lx_emitters *emitters, const struct lx_swarm *swarm)
 {
     size_t rows = swarm->cloud->count;
-    emitters->is_short = emitters->most > 0 && rows > emitters->most - emitters->count;
+    bool have_own = emitters->most_in_swarms > 0;
+    size_t left = have_own ? emitters->most_in_swarms - emitters->in_swarms : emitters->most - emitters->count;
+    emitters->is_short = emitters->most > 0 && rows > left;
     if (emitters->is_short ||
         lx_reserve(&emitters->swarms, &emitters->swarm_capacity, emitters->swarm_count + 1, sizeof *swarm))
         return -1;
@@ -50,30 +53,83 @@ void lx_emitters_set_light(struct lx_emitters *emitters, size_t first, size_t li
         emitters->items[items].light = light;
 }
 
-/* One point of a swarm, by its row. */
-static void make_point(const struct lx_swarm *swarm, size_t row, struct lx_emitter *point)
+lx_bounded3 lx_swarm_axis(const struct lx_swarm *swarm, const double place_mm[3])
+{
+    return lx_unit3(lx_sub3(lx_exact3(swarm->aim_mm), lx_exact3(place_mm)));
+}
+
+/* Makes the model of a swarm, or another point of it, the one of a row. */
+static void set_point(const struct lx_swarm *swarm, size_t row, struct lx_emitter *point)
 {
     double values[LX_CLOUD_COLUMNS];
     lx_cloud_row(swarm->cloud, row, values);
-    *point = swarm->model;
     memcpy(point->position_mm, values, sizeof point->position_mm);
     point->strength = values[3];
     if (swarm->is_aimed)
-        point->profile.axis = lx_unit3(lx_sub3(lx_exact3(swarm->aim_mm), lx_exact3(point->position_mm)));
+        point->profile.axis = lx_swarm_axis(swarm, point->position_mm);
+}
+
+/* The swarm that emitter i is of; NULL: it is item `*item`. */
+static const struct lx_swarm *swarm_of(const struct lx_emitters *emitters, size_t i, size_t *item)
+{
+    *item = i;
+    for (size_t s = 0; s < emitters->swarm_count && i >= emitters->swarms[s].first; s++) {
+        const struct lx_swarm *swarm = &emitters->swarms[s];
+        if (i < swarm->end)
+            return swarm;
+        *item -= swarm->end - swarm->first;
+    }
+    return NULL;
 }
 
 const struct lx_emitter *lx_emitter_in_swarms(const struct lx_emitters *emitters, size_t i, struct lx_emitter *room)
 {
-    size_t item = i;
-    for (size_t s = 0; s < emitters->swarm_count && i >= emitters->swarms[s].first; s++) {
-        const struct lx_swarm *swarm = &emitters->swarms[s];
-        if (i < swarm->end) {
-            make_point(swarm, i - swarm->first, room);
-            return room;
-        }
-        item -= swarm->end - swarm->first;
+    size_t item;
+    const struct lx_swarm *swarm = swarm_of(emitters, i, &item);
+    if (!swarm)
+        return &emitters->items[item];
+    *room = swarm->model;
+    set_point(swarm, i - swarm->first, room);
+    return room;
+}
+
+bool lx_emitters_next(const struct lx_emitters *emitters, struct lx_emitter_span *span)
+{
+    size_t item;
+    *span = (struct lx_emitter_span){.first = span->end};
+    if (span->first == emitters->count)
+        return false;
+    span->swarm = swarm_of(emitters, span->first, &item);
+    span->items = span->swarm ? NULL : &emitters->items[item];
+    span->end = span->swarm ? span->swarm->end : emitters->count;
+    for (size_t s = 0; !span->swarm && s < emitters->swarm_count; s++) {
+        size_t next = emitters->swarms[s].first;
+        if (next > span->first && next < span->end)
+            span->end = next;
     }
-    return &emitters->items[item];
+    return true;
+}
+
+const struct lx_emitter *lx_span_at(const struct lx_emitter_span *span, size_t i, struct lx_emitter *room)
+{
+    if (span->items)
+        return &span->items[i - span->first];
+    if (i == span->first)
+        *room = span->swarm->model;
+    set_point(span->swarm, i - span->first, room);
+    return room;
+}
+
+void lx_emitter_row(const struct lx_emitters *emitters, size_t i, double row[4])
+{
+    size_t item;
+    const struct lx_swarm *swarm = swarm_of(emitters, i, &item);
+    if (swarm) {
+        lx_cloud_row(swarm->cloud, i - swarm->first, row);
+        return;
+    }
+    memcpy(row, emitters->items[item].position_mm, 3 * sizeof *row);
+    row[3] = emitters->items[item].strength;
 }
 
 void lx_emitters_clear(struct lx_emitters *emitters)

@@ -83,8 +83,9 @@ struct lx_emitters {
     size_t count, capacity; /* the count includes those of swarms */
     struct lx_swarm *swarms;
     size_t swarm_count, swarm_capacity, in_swarms;
-    size_t faces;  /* of all facets among them */
-    size_t most;   /* how many it may take, and as many faces; 0: as many as there are */
+    size_t faces;          /* of all facets among them */
+    size_t most;           /* how many it may take, and as many faces; 0: as many as there are */
+    size_t most_in_swarms; /* how many of swarms instead, which take little room; 0: they count as others */
     bool is_short; /* more of them were appended */
     bool is_whole; /* sources of some size are appended as they are, however many parts they are to be cut into */
 };
@@ -113,6 +114,25 @@ static inline const struct lx_emitter *lx_emitter_at(const struct lx_emitters *e
 {
     return emitters->swarm_count > 0 ? lx_emitter_in_swarms(emitters, i, room) : &emitters->items[i];
 }
+
+/* The axis of the point of an aimed swarm that stands there. */
+lx_bounded3 lx_swarm_axis(const struct lx_swarm *swarm, const double place_mm[3]);
+
+/* Emitters of a list that follow each other: items, or the points of a swarm. */
+struct lx_emitter_span {
+    size_t first, end;
+    const struct lx_emitter *items; /* NULL: it is a swarm */
+    const struct lx_swarm *swarm;
+};
+
+/* The span behind a span of the same list, zero-initialised at first; false: there is none. */
+bool lx_emitters_next(const struct lx_emitters *emitters, struct lx_emitter_span *span);
+
+/* Emitter i of a span, as lx_emitter_at() gives it; to be asked with one `room` in their order from the first on. */
+const struct lx_emitter *lx_span_at(const struct lx_emitter_span *span, size_t i, struct lx_emitter *room);
+
+/* Place and strength, x, y, z, I, of a point, by its number in the list. */
+void lx_emitter_row(const struct lx_emitters *emitters, size_t i, double row[4]);
 
 /* The profile that is 1 everywhere. */
 struct lx_profile lx_profile_isotropic(void);

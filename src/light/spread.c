@@ -70,9 +70,10 @@ int lx_spread_emit(const struct lx_spread *spread, lx_bounded radiance, struct l
         emitter->attenuation = (enum lx_attenuation)spread->attenuation;
         emitter->k_mm = spread->k_mm;
         const double parts = least_parts(emitter, side);
+        const size_t counted = emitters->most_in_swarms > 0 ? lx_item_count(emitters) : emitters->count;
         emitters->faces += side == 0 && emitter->type == LX_FACETS ? emitter->facets->face_count : 0;
         if (emitters->most > 0 &&
-            ((double)emitters->count + parts > (double)emitters->most || emitters->faces > emitters->most)) {
+            ((double)counted + parts > (double)emitters->most || emitters->faces > emitters->most)) {
             emitters->is_short = true;
             result = -1;
         } else if (side == 0) {

@@ -5,155 +5,25 @@
 #include <string.h>
 
 #include "../base/memory.h"
+#include "blocking.h"
 #include "camera.h"
 #include "plan.h"
-#include "precision.h"
 #include "shader.h"
 
-/* The picture's maximum is bounded from below by this many samples on each axis.  Lights in float32 are summed in runs
- * before they join the float64 sum. */
-enum { SAMPLES = 16, MOST_IN_RUN = 16 };
+/* The picture's maximum is bounded from below by this many samples on each axis. */
+enum { SAMPLES = 16 };
+
+/* Of more lights only some are summed to find the brightest row of samples. */
+enum { MANY_LIGHTS = 1 << 16 };
+
+/* Lights that are looked at between two questions whether to go on. */
+enum { LIGHTS_BETWEEN_CHECKS = 4096 };
 
 /* Of the highlights of extended sources. */
 static const double USUAL_TOLERANCE = 1e-3;
 
-/* Whole exponents beyond this would need more products than the logarithm has. */
-enum { MOST_WHOLE = 65536 };
-
-static struct lx_exponent_double exponent_of(double exponent)
-{
-    bool is_whole = exponent == floor(exponent) && exponent <= MOST_WHOLE;
-    return (struct lx_exponent_double){exponent, is_whole ? (unsigned)exponent : 0};
-}
-
-static struct lx_exponent_single single_exponent(struct lx_exponent_double exponent)
-{
-    return (struct lx_exponent_single){(float)exponent.value, exponent.whole};
-}
-
-static enum lx_light_kind kind_of(const struct lx_emitter *emitter)
-{
-    if (emitter->type != LX_POINT)
-        return LX_DISTANT;
-    if (emitter->profile.falloff != LX_NO_CONE || emitter->profile.exponent > 0)
-        return LX_PROFILED;
-    switch (emitter->attenuation) {
-    case LX_INVERSE_SQUARE: return LX_BY_SQUARE;
-    case LX_PRACTICAL: return LX_BY_SUM;
-    case LX_NO_ATTENUATION: break;
-    }
-    return LX_UNATTENUATED;
-}
-
-static void set_exact(const struct lx_emitter *emitter, const struct lx_shape *shape, struct lx_light_double *light)
-{
-    const struct lx_profile *profile = &emitter->profile;
-    *light = (struct lx_light_double){
-        .kind = kind_of(emitter),
-        .x = emitter->towards.x.value,
-        .y = emitter->towards.y.value,
-        .z = emitter->towards.z.value,
-        .gain = emitter->strength,
-        .law = emitter->attenuation,
-        .k = emitter->k_mm,
-        .falloff = emitter->type == LX_POINT ? profile->falloff : LX_NO_CONE,
-        .axis_x = profile->axis.x.value,
-        .axis_y = profile->axis.y.value,
-        .axis_z = profile->axis.z.value,
-        .exponent = exponent_of(profile->exponent),
-    };
-    if (light->kind == LX_DISTANT)
-        return;
-    light->x = emitter->position_mm[0] - shape->anchor_mm[0];
-    light->y = emitter->position_mm[1] - shape->anchor_mm[1];
-    light->z = emitter->position_mm[2] - shape->anchor_mm[2];
-    /* The laws are in metres, the kernel's distances in mm. */
-    light->gain *= light->law == LX_INVERSE_SQUARE ? 1e6 : light->law == LX_PRACTICAL ? 1e3 : 1;
-    bool by_angle = profile->falloff == LX_LINEAR;
-    light->edge = by_angle ? profile->outer_rad.value : profile->outer_versine.value;
-    double inner = by_angle ? profile->inner_rad.value : profile->inner_versine.value;
-    light->edge_slope = profile->falloff == LX_HARD || profile->falloff == LX_NO_CONE ? 0 : 1 / (light->edge - inner);
-}
-
-static void set_single(const struct lx_light_double *exact, struct lx_light_single *light)
-{
-    *light = (struct lx_light_single){
-        .kind = exact->kind,
-        .x = (float)exact->x,
-        .y = (float)exact->y,
-        .z = (float)exact->z,
-        .gain = (float)exact->gain,
-        .law = exact->law,
-        .k = (float)exact->k,
-        .falloff = exact->falloff,
-        .axis_x = (float)exact->axis_x,
-        .axis_y = (float)exact->axis_y,
-        .axis_z = (float)exact->axis_z,
-        .exponent = single_exponent(exact->exponent),
-        .edge = (float)exact->edge,
-        .edge_slope = (float)exact->edge_slope,
-    };
-}
-
-static double half_diagonal(const struct lx_planned_surface *surface)
-{
-    const double *low = surface->low_mm, *high = surface->high_mm;
-    return hypot(hypot(high[0] - low[0], high[1] - low[1]), high[2] - low[2]) / 2;
-}
-
-/* Whether a surface comes near the ways from the elements of another to the light, seen as a thick line. */
-static bool may_block(const struct lx_planned_surface *blocker, const struct lx_planned_surface *lit,
-                      const struct lx_light_double *light)
-{
-    double way[3] = {light->x, light->y, light->z}, offset[3], along = 0, square = 0;
-    for (int i = 0; i < 3; i++) {
-        offset[i] = blocker->shape.anchor_mm[i] - lit->shape.anchor_mm[i];
-        along += offset[i] * way[i];
-        square += way[i] * way[i];
-    }
-    double t = square > 0 ? fmax(along / square, 0) : 0;
-    if (light->kind != LX_DISTANT)
-        t = fmin(t, 1);
-    double gap = hypot(hypot(offset[0] - t * way[0], offset[1] - t * way[1]), offset[2] - t * way[2]);
-    return !(gap > (half_diagonal(blocker) + half_diagonal(lit)) * (1 + 1e-9));
-}
-
-static int find_blockers(const struct lx_plan *plan, const struct lx_planned_surface *lit,
-                         const struct lx_light_double *exact, struct lx_planned_light *light)
-{
-    size_t count = 0;
-    for (size_t s = 0; plan->prepared->shadows && s < plan->surface_count; s++)
-        count += &plan->surfaces[s] != lit && may_block(&plan->surfaces[s], lit, exact);
-    light->blockers =
-        count > 0 ? lx_new_array(count, sizeof *light->blockers) : NULL; /* of many lights each has some */
-    if (count > 0 && !light->blockers)
-        return -1;
-    for (size_t s = 0; light->blocker_count < count; s++) {
-        const struct lx_planned_surface *other = &plan->surfaces[s];
-        if (other == lit || !may_block(other, lit, exact))
-            continue;
-        struct lx_blocker *blocker = &light->blockers[light->blocker_count++];
-        *blocker = (struct lx_blocker){
-            .shape = other->shape,
-            .is_point = exact->kind != LX_DISTANT,
-            .light = {exact->x, exact->y, exact->z},
-        };
-        for (int i = 0; i < 3; i++)
-            blocker->shape.anchor_mm[i] -= lit->shape.anchor_mm[i];
-    }
-    return 0;
-}
-
-static struct lx_lobe_single single_lobe(const struct lx_lobe_double *lobe)
-{
-    return (struct lx_lobe_single){
-        .model = lobe->model,
-        .highlight = lobe->highlight,
-        .diffuse = (float)lobe->diffuse,
-        .specular = (float)lobe->specular,
-        .exponent = single_exponent(lobe->exponent),
-    };
-}
+/* Dim pixels need not be better than a thousandth of the picture's maximum. */
+static const double DIM = 1e-3;
 
 static void set_lobes(const struct lx_lobe *lobe, struct lx_planned_surface *surface)
 {
@@ -162,15 +32,16 @@ static void set_lobes(const struct lx_lobe *lobe, struct lx_planned_surface *sur
         .highlight = lobe->highlight,
         .diffuse = lobe->diffuse.value,
         .specular = lobe->specular.value,
-        .exponent = exponent_of(lobe->exponent),
+        .exponent = lx_exponent_of(lobe->exponent),
     };
     surface->matte_exact = surface->glossy_exact = surface->lobe_exact;
     surface->matte_exact.model = LX_LAMBERT;
     surface->glossy_exact.diffuse = 0;
+    surface->limits = lx_lobe_limits_of(&surface->lobe_exact);
     surface->lobe = *lobe;
-    surface->lobe_single = single_lobe(&surface->lobe_exact);
-    surface->glossy_single = single_lobe(&surface->glossy_exact);
-    surface->matte_single = single_lobe(&surface->matte_exact);
+    surface->lobe_single = lx_lobe_single_of(&surface->lobe_exact);
+    surface->glossy_single = lx_lobe_single_of(&surface->glossy_exact);
+    surface->matte_single = lx_lobe_single_of(&surface->matte_exact);
 }
 
 static int plan_shells(struct lx_plan *plan, struct lx_planned_surface *surface)
@@ -210,111 +81,276 @@ static int plan_shells(struct lx_plan *plan, struct lx_planned_surface *surface)
     return 0;
 }
 
-static void find_runs(struct lx_planned_surface *surface)
+/* Puts the surfaces that may stand in the light of light i at the end of the list.  How many, or -1. */
+static int find_blockers(const struct lx_plan *plan, struct lx_planned_surface *lit, const struct lx_emitter *emitter)
 {
-    surface->run_count = 0;
-    for (size_t i = 0; i < surface->light_count; i++) {
-        const struct lx_planned_light *light = &surface->lights[i];
-        struct lx_light_run *last = surface->run_count > 0 ? &surface->runs[surface->run_count - 1] : NULL;
-        bool joins = last && last->count < MOST_IN_RUN && last->in_double == light->in_double &&
-                     surface->exacts[last->first].kind == surface->exacts[i].kind && light->blocker_count == 0 &&
-                     surface->lights[last->first].blocker_count == 0;
-        if (joins)
-            last->count++;
-        else
-            surface->runs[surface->run_count++] = (struct lx_light_run){i, 1, light->in_double};
-    }
-}
-
-static int plan_surface(struct lx_plan *plan, const struct lx_lobe *lobe, struct lx_planned_surface *surface)
-{
-    const struct lx_prepared *prepared = plan->prepared;
-    struct lx_emitter room;
-    set_lobes(lobe, surface);
-    size_t most = prepared->emitters.count;
-    surface->lights = lx_new_array(most, sizeof *surface->lights);
-    surface->singles = lx_new_array(most, sizeof *surface->singles);
-    surface->exacts = lx_new_array(most, sizeof *surface->exacts);
-    surface->runs = lx_new_array(most, sizeof *surface->runs);
-    if (!surface->lights || !surface->singles || !surface->exacts || !surface->runs)
-        return -1;
-    for (size_t i = 0; i < prepared->emitters.count; i++) {
-        const struct lx_emitter *emitter = lx_emitter_at(&prepared->emitters, i, &room);
-        if (emitter->type == LX_UNIFORM) {
-            surface->uniform += lobe->ambient.value * emitter->strength;
+    const double *anchor = lit->shape.anchor_mm;
+    const struct lx_ball from = lx_shape_ball(&lit->shape, lit->low_mm, lit->high_mm, anchor);
+    const bool endless = emitter->type == LX_DIRECTION;
+    struct lx_ball towards = {.center = {emitter->towards.x.value, emitter->towards.y.value, emitter->towards.z.value}};
+    int count = 0;
+    for (int i = 0; i < 3 && !endless; i++)
+        towards.center[i] = emitter->position_mm[i] - anchor[i];
+    for (uint32_t s = 0; s < plan->surface_count; s++) {
+        const struct lx_planned_surface *other = &plan->surfaces[s];
+        const struct lx_ball ball = lx_shape_ball(&other->shape, other->low_mm, other->high_mm, anchor);
+        if (other == lit || !lx_may_block(&ball, &from, &towards, endless))
             continue;
-        }
-        if (lx_is_extended(emitter))
-            continue;
-        struct lx_light_double *exact = &surface->exacts[surface->light_count];
-        struct lx_planned_light *light = &surface->lights[surface->light_count];
-        light->in_double = true;
-        set_exact(emitter, &surface->shape, exact);
-        set_single(exact, &surface->singles[surface->light_count++]);
-        lx_bound_light(prepared, &surface->shape, lobe, emitter, light);
-        if (!emitter->is_part && find_blockers(plan, surface, exact, light))
+        size_t needed = lit->blocker_count + (size_t)count + 1;
+        if (lx_reserve(&lit->blockers, &lit->blocker_capacity, needed, sizeof *lit->blockers))
             return -1;
+        lit->blockers[lit->blocker_count + (size_t)count++] = s;
     }
-    find_runs(surface);
-    return plan_shells(plan, surface);
+    return count;
 }
 
-/* The largest of some of the picture's own pixels, in float64. */
-static int sample_maximum(const struct lx_plan *plan, double *maximum)
+/* Appends light i, whose blockers stand at the end of their list, to the runs. */
+static int append_to_runs(struct lx_planned_surface *surface, enum lx_light_kind kind, enum lx_light_kind last_kind,
+                          size_t i, size_t blocker_count)
+{
+    struct lx_light_run *last = surface->run_count > 0 ? &surface->runs[surface->run_count - 1] : NULL;
+    const uint32_t *blockers = surface->blockers;
+    if (last && kind == last_kind && last->blocker_count == blocker_count &&
+        (blocker_count == 0 || memcmp(blockers + last->blocker_first, blockers + surface->blocker_count,
+                                      blocker_count * sizeof *blockers) == 0)) {
+        last->count++;
+        return 0;
+    }
+    if (lx_reserve(&surface->runs, &surface->run_capacity, surface->run_count + 1, sizeof *surface->runs))
+        return -1;
+    surface->runs[surface->run_count++] = (struct lx_light_run){
+        .first = i,
+        .count = 1,
+        .in_double = true,
+        .blocker_first = surface->blocker_count,
+        .blocker_count = blocker_count,
+    };
+    surface->blocker_count += blocker_count;
+    return 0;
+}
+
+/* Whether an emitter is a light of the plan: neither extended, nor uniform, nor clustered. */
+static bool is_light(const struct lx_plan *plan, const struct lx_emitter *emitter)
+{
+    return (emitter->type == LX_POINT || emitter->type == LX_DIRECTION) && !lx_is_clustered(&plan->forest, emitter);
+}
+
+/* The next span of emitters that are lights all of them, or else of one item; false: there is none. */
+static bool next_lights(const struct lx_plan *plan, struct lx_emitter_span *span)
+{
+    while (lx_emitters_next(&plan->prepared->emitters, span))
+        if (!span->swarm || is_light(plan, &span->swarm->model))
+            return true;
+    return false;
+}
+
+static bool goes_on(struct lx_control *control, size_t i)
+{
+    return i % LIGHTS_BETWEEN_CHECKS != 0 || lx_control_goes_on(control, true);
+}
+
+static luxel_status plan_lights(struct lx_plan *plan, struct lx_control *control, struct lx_planned_surface *surface)
+{
+    enum lx_light_kind kind = LX_DISTANT, last_kind = LX_DISTANT;
+    struct lx_emitter room;
+    struct lx_lights *lights = &surface->lights;
+    size_t i = 0;
+    memcpy(lights->anchor_mm, surface->shape.anchor_mm, sizeof lights->anchor_mm);
+    for (struct lx_emitter_span span = {0}; next_lights(plan, &span);) {
+        if (span.swarm && lx_lights_append_swarm(lights, span.swarm))
+            return LUXEL_ERROR_MEMORY;
+        for (size_t e = span.first; e < span.end; e++) {
+            const struct lx_emitter *emitter = lx_span_at(&span, e, &room);
+            if (emitter->type == LX_UNIFORM)
+                surface->uniform += surface->lobe.ambient.value * emitter->strength;
+            if (!span.swarm && !is_light(plan, emitter))
+                continue;
+            if (span.items && lx_lights_append(lights, emitter))
+                return LUXEL_ERROR_MEMORY;
+            int blockers = plan->prepared->shadows && !emitter->is_part ? find_blockers(plan, surface, emitter) : 0;
+            kind = lx_light_kind_of(emitter);
+            if (blockers < 0 || append_to_runs(surface, kind, last_kind, i++, (size_t)blockers))
+                return LUXEL_ERROR_MEMORY;
+            last_kind = kind;
+            if (!goes_on(control, i))
+                return LUXEL_CANCELLED;
+        }
+    }
+    return LUXEL_OK;
+}
+
+static luxel_status plan_surface(struct lx_plan *plan, struct lx_control *control, const struct lx_lobe *lobe,
+                                 struct lx_planned_surface *surface)
+{
+    set_lobes(lobe, surface);
+    luxel_status status = plan_lights(plan, control, surface);
+    return status == LUXEL_OK && plan_shells(plan, surface) ? LUXEL_ERROR_MEMORY : status;
+}
+
+/* Splits the runs into those whose bounds say float32, being negative, and those of the others. */
+static int split_runs(const double *bounds, struct lx_planned_surface *surface)
+{
+    struct lx_light_run *runs = NULL;
+    size_t count = 0, capacity = 0;
+    for (size_t r = 0; r < surface->run_count; r++) {
+        struct lx_light_run run = surface->runs[r];
+        for (size_t first = run.first, end = first + run.count; first < end; first = run.first + run.count) {
+            run.first = first;
+            run.in_double = !(bounds[first] < 0);
+            for (run.count = 1; first + run.count < end && !(bounds[first + run.count] < 0) == run.in_double;)
+                run.count++;
+            if (lx_reserve(&runs, &capacity, count + 1, sizeof *runs)) {
+                free(runs);
+                return -1;
+            }
+            runs[count++] = run;
+        }
+    }
+    free(surface->runs);
+    surface->runs = runs;
+    surface->run_count = count;
+    surface->run_capacity = capacity;
+    return 0;
+}
+
+/* Leaves lights to float32, or, where it has to be `all` of them and is not, none.  `*fits`: all. */
+static luxel_status choose_precision(const struct lx_plan *plan, struct lx_control *control, bool all,
+                                     struct lx_planned_surface *surface, bool *fits)
+{
+    size_t count = surface->lights.count, i = 0;
+    struct lx_emitter room;
+    double *bounds = count > 0 ? lx_new_array(count, sizeof *bounds) : NULL;
+    luxel_status status = count > 0 && !bounds ? LUXEL_ERROR_MEMORY : LUXEL_OK;
+    for (struct lx_emitter_span span = {0}; status == LUXEL_OK && count > 0 && next_lights(plan, &span);)
+        for (size_t e = span.first; e < span.end && status == LUXEL_OK; e++) {
+            const struct lx_emitter *emitter = lx_span_at(&span, e, &room);
+            if (!span.swarm && !is_light(plan, emitter))
+                continue;
+            bounds[i++] = lx_bound_light(plan->prepared, &surface->shape, &surface->lobe, emitter);
+            if (!goes_on(control, i))
+                status = LUXEL_CANCELLED;
+        }
+    if (status == LUXEL_OK) {
+        surface->rounding = (struct lx_rounding_sum){0};
+        *fits = lx_choose_precision(bounds, count, plan->least_maximum, &surface->rounding) == count;
+        if (count > 0 && (*fits || !all) && split_runs(bounds, surface))
+            status = LUXEL_ERROR_MEMORY;
+    }
+    free(bounds);
+    return status;
+}
+
+/* A row of the samples of the picture: the largest of them; NaN where the work was stopped. */
+static double sample_row(const struct lx_plan *plan, struct lx_control *control, struct lx_shader_memory *memory,
+                         unsigned j)
 {
     const struct lx_screen *screen = &plan->prepared->scene->screen;
-    struct lx_shader_memory *memory = lx_shader_memory_new(plan);
-    double x[LX_LANES], values[LX_LANES];
+    const unsigned row = (unsigned)((j + 0.5) / SAMPLES * screen->resolution[1]);
+    const double y = lx_row_y_mm(screen, row);
+    /* Clustered points are cut for each sample alone: together they are too far from each other. */
+    const unsigned step = plan->forest.tree_count > 0 ? 1 : SAMPLES;
+    double x[LX_LANES], values[LX_LANES], maximum = 0;
     uint8_t mask[LX_LANES];
     _Static_assert((int)SAMPLES <= (int)LX_LANES, "a row of samples fits in one padded block");
+    for (unsigned first = 0; first < SAMPLES; first += step) {
+        for (unsigned i = 0; i < step; i++)
+            x[i] = lx_column_x_mm(screen, (unsigned)((first + i + 0.5) / SAMPLES * screen->resolution[0]));
+        lx_shader_enter(plan, memory, &y, 1, x, step);
+        lx_shade_points(plan, memory, y, x, step, control, true, values, mask);
+        if (!lx_control_goes_on(control, true))
+            return NAN;
+        for (unsigned i = 0; i < step; i++)
+            maximum = fmax(maximum, values[i] - lx_shader_error(memory));
+    }
+    return maximum;
+}
+
+/*
+ * The largest of some of the picture's own pixels, in float64, at least.  With `every` above 1 of those in the row that
+ * promises most by each such light alone.
+ */
+static luxel_status sample_maximum(struct lx_plan *plan, struct lx_control *control, size_t every, double *maximum)
+{
+    struct lx_shader_memory *memory = lx_shader_memory_new(plan);
+    unsigned best = 0;
     *maximum = 0;
     if (!memory)
-        return -1;
-    for (unsigned j = 0; j < SAMPLES; j++) {
-        unsigned row = (unsigned)((j + 0.5) / SAMPLES * screen->resolution[1]);
-        for (unsigned i = 0; i < SAMPLES; i++)
-            x[i] = lx_column_x_mm(screen, (unsigned)((i + 0.5) / SAMPLES * screen->resolution[0]));
-        lx_shade_points(plan, memory, lx_row_y_mm(screen, row), x, SAMPLES, NULL, false, values, mask);
-        for (unsigned i = 0; i < SAMPLES; i++)
-            *maximum = fmax(*maximum, values[i]);
+        return LUXEL_ERROR_MEMORY;
+    plan->every = every;
+    for (unsigned j = 0; j < SAMPLES && !isnan(*maximum); j++) {
+        double row = sample_row(plan, control, memory, j);
+        if (isnan(row) || row > *maximum) {
+            *maximum = row;
+            best = j;
+        }
+        plan->least_value = *maximum;
     }
-    free(memory);
-    return 0;
+    plan->every = 1;
+    if (every > 1 && !isnan(*maximum))
+        *maximum = sample_row(plan, control, memory, best);
+    lx_shader_memory_free(memory);
+    return isnan(*maximum) ? LUXEL_CANCELLED : LUXEL_OK;
 }
 
-/* Finds a lower bound of the picture's maximum, by a rough look at the highlights, and chooses by it. */
-static int plan_accuracy(struct lx_plan *plan)
+/* Finds a lower bound of the picture's maximum, by a rough look at the highlights and at clusters. */
+static luxel_status find_maximum(struct lx_plan *plan, struct lx_control *control, size_t every)
 {
-    const double rough = 0.1, tolerance = plan->tolerance;
-    bool is_sampled = plan->most_patches > 0, is_double = plan->precision == LUXEL_DOUBLE;
+    const double rough = 0.1, tolerance = plan->tolerance, light_error = plan->light_error;
     double maximum;
-    if (is_double && !is_sampled)
-        return 0;
     plan->tolerance = fmax(tolerance, rough);
-    if (sample_maximum(plan, &maximum))
-        return -1;
+    plan->light_error = rough;
+    plan->least_maximum = plan->least_value = 0;
+    luxel_status status = sample_maximum(plan, control, every, &maximum);
     plan->tolerance = tolerance;
-    plan->least_maximum = is_sampled ? (1 - rough) * maximum : maximum;
-    for (size_t s = 0; s < plan->surface_count && !is_double; s++) {
-        lx_choose_precision(&plan->surfaces[s], plan->least_maximum);
-        find_runs(&plan->surfaces[s]);
-    }
-    return 0;
+    plan->light_error = light_error;
+    plan->least_maximum = plan->most_patches > 0 ? (1 - rough) * maximum : maximum;
+    plan->least_value = DIM * plan->least_maximum;
+    return status;
 }
 
-int lx_plan_make(const struct lx_prepared *prepared, const struct lx_kernels *kernels, luxel_quantity quantity,
-                 luxel_precision precision, double tolerance, struct lx_plan *plan)
+/* Finds a lower bound of the picture's maximum, and chooses by it.  `*fits`: all that had to. */
+static luxel_status find_accuracy(struct lx_plan *plan, struct lx_control *control, size_t every, bool *fits)
 {
+    luxel_status status = find_maximum(plan, control, every);
+    *fits = true;
+    for (size_t s = 0; s < plan->surface_count && plan->precision == LUXEL_SINGLE && status == LUXEL_OK; s++) {
+        bool all = true;
+        status = choose_precision(plan, control, every > 1, &plan->surfaces[s], &all);
+        *fits = *fits && all;
+    }
+    return status;
+}
+
+static luxel_status plan_accuracy(struct lx_plan *plan, struct lx_control *control)
+{
+    size_t every = 1;
+    bool fits;
+    if (plan->precision == LUXEL_DOUBLE && plan->most_patches == 0 && plan->forest.tree_count == 0)
+        return LUXEL_OK;
+    for (size_t s = 0; s < plan->surface_count && plan->most_patches == 0; s++)
+        every = plan->surfaces[s].lights.count > every * MANY_LIGHTS ? plan->surfaces[s].lights.count / MANY_LIGHTS
+                                                                     : every;
+    luxel_status status = find_accuracy(plan, control, every, &fits);
+    /* The maximum may be more than a quick look has found. */
+    return status == LUXEL_OK && every > 1 && !fits ? find_accuracy(plan, control, 1, &fits) : status;
+}
+
+luxel_status lx_plan_make(const struct lx_prepared *prepared, const struct lx_kernels *kernels,
+                          const luxel_settings *settings, struct lx_plan *plan)
+{
+    struct lx_control control = {.rows = 1, .progress = settings->progress, .data = settings->progress_data};
     *plan = (struct lx_plan){
         .prepared = prepared,
         .kernels = kernels,
-        .precision = precision,
-        .tolerance = tolerance > 0 ? tolerance : USUAL_TOLERANCE,
+        .precision = settings->precision,
+        .tolerance = settings->tolerance > 0 ? settings->tolerance : USUAL_TOLERANCE,
+        .light_error = settings->light_error,
         .surfaces = lx_new_array(prepared->surface_count, sizeof *plan->surfaces),
         .surface_count = prepared->surface_count,
+        .every = 1,
     };
     if (!plan->surfaces)
-        return -1;
+        return LUXEL_ERROR_MEMORY;
     for (size_t s = 0; s < plan->surface_count; s++) {
         const struct lx_prepared_surface *surface = &prepared->surfaces[s];
         plan->surfaces[s].shape = surface->shape;
@@ -324,30 +360,32 @@ int lx_plan_make(const struct lx_prepared *prepared, const struct lx_kernels *ke
             plan->surfaces[s].high_mm[i] += 2 * surface->shape.touch_mm;
         }
     }
+    luxel_status status = LUXEL_OK;
+    if (settings->light_error > 0)
+        status = lx_forest_plant(&prepared->emitters, &control, &plan->forest);
     struct lx_lobe irradiance = lx_lobe_irradiance();
-    for (size_t s = 0; s < plan->surface_count; s++) {
-        const struct lx_lobe *lobe = quantity == LUXEL_IRRADIANCE ? &irradiance : &prepared->surfaces[s].lobe;
-        if (plan_surface(plan, lobe, &plan->surfaces[s]))
-            return -1;
+    for (size_t s = 0; s < plan->surface_count && status == LUXEL_OK; s++) {
+        bool is_irradiance = settings->quantity == LUXEL_IRRADIANCE;
+        status = plan_surface(plan, &control, is_irradiance ? &irradiance : &prepared->surfaces[s].lobe,
+                              &plan->surfaces[s]);
     }
-    return plan_accuracy(plan);
+    return status == LUXEL_OK ? plan_accuracy(plan, &control) : status;
 }
 
 void lx_plan_clear(struct lx_plan *plan)
 {
     for (size_t s = 0; plan->surfaces && s < plan->surface_count; s++) {
-        for (size_t i = 0; i < plan->surfaces[s].light_count; i++)
-            free(plan->surfaces[s].lights[i].blockers);
-        for (size_t i = 0; i < plan->surfaces[s].shell_count; i++)
-            lx_shell_clear(&plan->surfaces[s].shells[i].shell);
-        free(plan->surfaces[s].lights);
-        free(plan->surfaces[s].singles);
-        free(plan->surfaces[s].exacts);
-        free(plan->surfaces[s].runs);
-        free(plan->surfaces[s].shells);
-        free(plan->surfaces[s].glossy);
-        free(plan->surfaces[s].matte);
+        struct lx_planned_surface *surface = &plan->surfaces[s];
+        for (size_t i = 0; i < surface->shell_count; i++)
+            lx_shell_clear(&surface->shells[i].shell);
+        lx_lights_clear(&surface->lights);
+        free(surface->runs);
+        free(surface->blockers);
+        free(surface->shells);
+        free(surface->glossy);
+        free(surface->matte);
     }
     free(plan->surfaces);
+    lx_forest_clear(&plan->forest);
     *plan = (struct lx_plan){0};
 }

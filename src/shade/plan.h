@@ -9,26 +9,26 @@
  * a-priori bound of each light's rounding error and from a lower bound of the picture's maximum, before any
  * pixel is computed; so a pixel's value depends on the scene and the pixel alone.  The highlights of extended sources
  * are sums over samples; how many is decided for runs of pixels, so that they depend on the block of pixels as well.
+ * So do the values where an error of the light is allowed: how many points are clustered is decided for tiles (cut.h).
  */
 #ifndef LX_SHADE_PLAN_H
 #define LX_SHADE_PLAN_H
 
-#include "kernel.h"
+#include <luxel/render.h>
+
+#include "../base/rows.h"
+#include "bound.h"
+#include "lights.h"
+#include "precision.h"
 #include "prepared.h"
 #include "sampling.h"
+#include "tree.h"
 
-struct lx_planned_light {
-    bool in_double;
-    double bound;                /* of the absolute error in float32; infinite where float32 must not be used */
-    double relative;             /* and of its error relative to the light's own share */
-    struct lx_blocker *blockers; /* surfaces that may stand in its light */
-    size_t blocker_count;
-};
-
-/* Lights that a kernel takes together: consecutive ones of one kind and precision.  Without blockers, or alone. */
+/* Lights that follow each other, of one kind and precision, and with the same surfaces that may stand in their way. */
 struct lx_light_run {
     size_t first, count;
     bool in_double;
+    size_t blocker_first, blocker_count; /* in the surface's list */
 };
 
 /* An extended emitter over a surface. */
@@ -44,12 +44,13 @@ struct lx_planned_surface {
     struct lx_lobe_single lobe_single;
     struct lx_lobe_double lobe_exact;
     double uniform; /* brightness by all uniform emitters together */
-    struct lx_planned_light *lights;
-    struct lx_light_single *singles; /* their constants for the kernels, in either precision */
-    struct lx_light_double *exacts;
-    size_t light_count;
+    struct lx_lights lights; /* that are not clustered */
     struct lx_light_run *runs; /* of all of them */
-    size_t run_count;
+    size_t run_count, run_capacity;
+    uint32_t *blockers; /* which surfaces */
+    size_t blocker_count, blocker_capacity;
+    struct lx_rounding_sum rounding; /* of those in float32 */
+    struct lx_lobe_limits limits;
     struct lx_planned_shell *shells;
     struct lx_sampled *glossy; /* all of them for the highlight */
     struct lx_sampled *matte;  /* those by laws other than 1/r^2, for the diffuse part */
@@ -67,12 +68,18 @@ struct lx_plan {
     double tolerance;     /* of the highlights of extended sources, relative to the picture's maximum */
     double least_maximum; /* which is no less than this */
     size_t most_patches;  /* of the extended sources together */
+    struct lx_forest forest; /* the points that are clustered */
+    double light_error;      /* how wrong they may make a pixel, relative to the larger of its value and: */
+    double least_value;
+    size_t every; /* of the lights only each such one is summed: for a look at many */
 };
 
-/* tolerance: as in struct lx_plan; 0: the usual one.  0, or -1 when memory ran out.  Release with lx_plan_clear() in
- * either case. */
-int lx_plan_make(const struct lx_prepared *prepared, const struct lx_kernels *kernels, luxel_quantity quantity,
-                 luxel_precision precision, double tolerance, struct lx_plan *plan);
+/*
+ * By quantity, precision, tolerance (0: the usual one), light_error and progress of the settings.  LUXEL_OK,
+ * LUXEL_ERROR_MEMORY, or LUXEL_CANCELLED.  Release with lx_plan_clear() in any case.
+ */
+luxel_status lx_plan_make(const struct lx_prepared *prepared, const struct lx_kernels *kernels,
+                          const luxel_settings *settings, struct lx_plan *plan);
 void lx_plan_clear(struct lx_plan *plan);
 
 #endif

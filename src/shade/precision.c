@@ -12,8 +12,9 @@
  */
 #include <math.h>
 
-#include "camera.h"
 #include "precision.h"
+#include "camera.h"
+#include "shell.h"
 
 static const double unit = 5.9604644775390625e-08; /* u = 2^-24 */
 
@@ -32,7 +33,8 @@ static bool is_moderate(double size)
 
 static double distance(const double a[3], const double b[3])
 {
-    return hypot(hypot(a[0] - b[0], a[1] - b[1]), a[2] - b[2]);
+    double x = a[0] - b[0], y = a[1] - b[1], z = a[2] - b[2];
+    return sqrt(x * x + y * y + z * z); /* not hypot(): there may be millions; what leaves the range is not moderate */
 }
 
 /* The error of S^n for an error of its angle; also of cos^m, whose angle is that from the axis. */
@@ -133,8 +135,7 @@ static double greatest_attenuation(const struct lx_emitter *emitter, double near
 }
 
 /* The error of the brightness for a unit of E_perp. */
-static double lobe_error(const struct lx_prepared *prepared, const struct lx_shape *shape, const struct lx_lobe *lobe,
-                         const struct lx_emitter *emitter, double light_distance, double off)
+static double lobe_error(const struct lx_lobe *lobe, double least_half, double off)
 {
     double error = lobe->diffuse.value * (off + 2 * unit);
     if (!(lobe->specular.value > 0))
@@ -143,34 +144,42 @@ static double lobe_error(const struct lx_prepared *prepared, const struct lx_sha
         return HUGE_VAL;
     double angle = off + 4 * unit;
     if (lobe->model == LX_BLINN_PHONG)
-        angle = (off + 2 * unit) / least_half_length(prepared, shape, emitter, light_distance) + 3 * unit;
+        angle = (off + 2 * unit) / least_half + 3 * unit;
     double weight = lobe->highlight == LX_HIGHLIGHT_COSINE ? off + unit : 0;
     return error + lobe->specular.value * (power_slope(lobe->exponent) * angle + weight + 12 * unit);
 }
 
-void lx_bound_light(const struct lx_prepared *prepared, const struct lx_shape *shape, const struct lx_lobe *lobe,
-                    const struct lx_emitter *emitter, struct lx_planned_light *light)
+double lx_bound_stand(const struct lx_shape *shape, const struct lx_lobe *lobe, const struct lx_emitter *emitter,
+                      double strength, const struct lx_stand *stand)
 {
-    double radius = shape->radius_mm, off = unit, attenuation = 1, away = 0;
-    light->relative = 2 * unit;
+    double radius = shape->radius_mm, off = unit, attenuation = 1, relative = 2 * unit;
     if (emitter->type == LX_POINT) {
-        away = distance(emitter->position_mm, shape->anchor_mm);
+        double moved = unit * (stand->away_mm + radius) / stand->nearest_mm;
+        off = moved + 3 * unit;
+        relative = 2 * moved + 4 * unit + profile_error(&emitter->profile, off + 2 * unit);
+        attenuation = greatest_attenuation(emitter, stand->nearest_mm);
+    }
+    double greatest = strength * attenuation, bound = greatest * lobe_error(lobe, stand->least_half, off);
+    bool moderate = is_moderate(radius) && is_moderate(stand->away_mm) && is_moderate(strength) &&
+                    is_moderate(emitter->k_mm) && is_moderate(greatest) && is_moderate(lobe->diffuse.value) &&
+                    is_moderate(lobe->specular.value);
+    return moderate && bound >= 0 && relative <= allowance / 2 ? bound : HUGE_VAL;
+}
+
+double lx_bound_light(const struct lx_prepared *prepared, const struct lx_shape *shape, const struct lx_lobe *lobe,
+                      const struct lx_emitter *emitter)
+{
+    struct lx_stand stand = {.least_half = 2};
+    if (emitter->type == LX_POINT) {
         double from[3];
         for (int i = 0; i < 3; i++)
             from[i] = emitter->position_mm[i] - shape->anchor_mm[i];
-        double nearest = least_distance(shape, from);
-        double moved = unit * (away + radius) / nearest;
-        off = moved + 3 * unit;
-        light->relative = 2 * moved + 4 * unit + profile_error(&emitter->profile, off + 2 * unit);
-        attenuation = greatest_attenuation(emitter, nearest);
+        stand.away_mm = distance(emitter->position_mm, shape->anchor_mm);
+        stand.nearest_mm = least_distance(shape, from);
     }
-    double greatest = emitter->strength * attenuation;
-    light->bound = greatest * lobe_error(prepared, shape, lobe, emitter, away, off);
-    bool moderate = is_moderate(radius) && is_moderate(away) && is_moderate(emitter->strength) &&
-                    is_moderate(emitter->k_mm) && is_moderate(greatest) && is_moderate(lobe->diffuse.value) &&
-                    is_moderate(lobe->specular.value);
-    if (!moderate || !(light->bound >= 0))
-        light->bound = HUGE_VAL;
+    if (lobe->specular.value > 0 && lobe->model == LX_BLINN_PHONG)
+        stand.least_half = least_half_length(prepared, shape, emitter, stand.away_mm);
+    return lx_bound_stand(shape, lobe, emitter, emitter->strength, &stand);
 }
 
 /*
@@ -184,23 +193,22 @@ static bool keeps_accuracy(double sum, double sum_of_squares, double least_maxim
 
 enum { STEPS = 10 };
 
-void lx_choose_precision(struct lx_planned_surface *surface, double least_maximum)
+size_t lx_choose_precision(double *bounds, size_t count, double least_maximum, struct lx_rounding_sum *rounding)
 {
     /* Lights are left to float32 in the order of powers of two of their bounds, the smallest first. */
-    double sum = 0, sum_of_squares = 0;
-    for (int step = STEPS; step >= 0; step--) {
+    size_t chosen = 0;
+    for (int step = STEPS; step >= 0 && chosen < count; step--) {
         double limit = allowance * least_maximum * ldexp(1, -step);
-        for (size_t i = 0; i < surface->light_count; i++) {
-            struct lx_planned_light *light = &surface->lights[i];
-            double bound = light->bound;
-            if (!light->in_double || bound > limit || light->relative > allowance / 2 ||
-                !keeps_accuracy(sum + bound, sum_of_squares + bound * bound, least_maximum))
+        for (size_t i = 0; i < count; i++) {
+            double bound = bounds[i], sum = rounding->sum + bound, squares = rounding->squares + bound * bound;
+            if (bound < 0 || bound > limit || !keeps_accuracy(sum, squares, least_maximum))
                 continue;
-            light->in_double = false;
-            sum += bound;
-            sum_of_squares += bound * bound;
+            *rounding = (struct lx_rounding_sum){sum, squares};
+            bounds[i] = -1;
+            chosen++;
         }
     }
+    return chosen;
 }
 
 bool lx_samples_fit_single(const struct lx_shape *shape, const struct lx_lobe_double *lobe,

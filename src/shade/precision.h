@@ -3,17 +3,36 @@
 #ifndef LX_SHADE_PRECISION_H
 #define LX_SHADE_PRECISION_H
 
-#include "plan.h"
+#include "lights.h"
+#include "prepared.h"
 
-/* Sets `bound` and `relative` of a planned light. */
-void lx_bound_light(const struct lx_prepared *prepared, const struct lx_shape *shape, const struct lx_lobe *lobe,
-                    const struct lx_emitter *emitter, struct lx_planned_light *light);
+struct lx_shell;
+
+/* The sum of the rounding errors, and that of their squares, of what is in float32. */
+struct lx_rounding_sum {
+    double sum, squares;
+};
+
+/* How a light stands to some elements. */
+struct lx_stand {
+    double nearest_mm;  /* no element is nearer to it */
+    double away_mm;     /* from the anchor of their surface; 0 for a direction */
+    double least_half;  /* of the lengths of L + V */
+};
+
+/* A bound of a light's error in float32; infinite where float32 must not be used. */
+double lx_bound_light(const struct lx_prepared *prepared, const struct lx_shape *shape, const struct lx_lobe *lobe,
+                      const struct lx_emitter *emitter);
+/* The same of another strength that stands as is told, to be seen from there. */
+double lx_bound_stand(const struct lx_shape *shape, const struct lx_lobe *lobe, const struct lx_emitter *emitter,
+                      double strength, const struct lx_stand *stand);
 
 /*
  * Of lights that are all in float64, leaves as many to float32 as the picture's accuracy allows, given a lower bound
- * of its maximum.
+ * of its maximum, and the rounding of other lights, to which theirs is added.  Their bounds become negative.  Returns
+ * how many they are.
  */
-void lx_choose_precision(struct lx_planned_surface *surface, double least_maximum);
+size_t lx_choose_precision(double *bounds, size_t count, double least_maximum, struct lx_rounding_sum *rounding);
 
 /* Whether float32 samples of a shell are good enough for a tolerance. */
 bool lx_samples_fit_single(const struct lx_shape *shape, const struct lx_lobe_double *lobe,

@@ -26,27 +26,15 @@ static int prepare_lights(const struct lx_list *lights, struct lx_emitters *emit
     return 0;
 }
 
-int lx_prepare(const struct lx_scene_parameters *scene, double tolerance, struct lx_prepared *prepared)
-{
-    /* The usual scene has few, and need not ask for memory; besides the emitters, each surface has its constants, and
-     * copies of the surfaces that may stand in their light. */
-    int failed = lx_prepare_few(scene, tolerance, FEW_EMITTERS, prepared);
-    if (!failed || !prepared->emitters.is_short)
-        return failed;
-    size_t surfaces = scene->surfaces.count, others = prepared->shadows ? surfaces - 1 : 0;
-    lx_prepared_clear(prepared);
-    double each = (double)(sizeof(struct lx_emitter) + surfaces * (256 + others * (sizeof(struct lx_shape) + 32)));
-    return lx_prepare_few(scene, tolerance, (size_t)fmin(lx_available_bytes() / each, MOST_EMITTERS), prepared);
-}
-
-int lx_prepare_few(const struct lx_scene_parameters *scene, double tolerance, size_t most, struct lx_prepared *prepared)
+static int prepare(const struct lx_scene_parameters *scene, double tolerance, size_t most, size_t most_in_swarms,
+                   struct lx_prepared *prepared)
 {
     const struct lx_list *surfaces = &scene->surfaces;
     *prepared = (struct lx_prepared){
         .scene = scene,
         .surfaces = lx_new_array(surfaces->count, sizeof *prepared->surfaces),
         .surface_count = surfaces->count,
-        .emitters.most = most,
+        .emitters = {.most = most, .most_in_swarms = most_in_swarms},
         .tolerance = tolerance,
         .shadows = scene->shadows == LX_SHADOWS_POINTS && surfaces->count > 1,
     };
@@ -66,6 +54,26 @@ int lx_prepare_few(const struct lx_scene_parameters *scene, double tolerance, si
     return prepare_lights(&scene->lights, &prepared->emitters);
 }
 
+int lx_prepare(const struct lx_scene_parameters *scene, double tolerance, struct lx_prepared *prepared)
+{
+    /* The usual scene has few, and need not ask for memory; besides the emitters, each surface has its constants, and
+     * the numbers of the surfaces that may stand in their light. */
+    int failed = lx_prepare_few(scene, tolerance, FEW_EMITTERS, prepared);
+    if (!failed || !prepared->emitters.is_short)
+        return failed;
+    size_t surfaces = scene->surfaces.count, others = prepared->shadows ? surfaces - 1 : 0;
+    lx_prepared_clear(prepared);
+    double each = (double)(sizeof(struct lx_emitter) + surfaces * (320 + others * sizeof(uint32_t)));
+    double each_in_swarms = (double)(64 + surfaces * others * sizeof(uint32_t)), available = lx_available_bytes();
+    return prepare(scene, tolerance, (size_t)fmin(available / each, MOST_EMITTERS),
+                   (size_t)fmin(available / each_in_swarms, MOST_EMITTERS), prepared);
+}
+
+int lx_prepare_few(const struct lx_scene_parameters *scene, double tolerance, size_t most, struct lx_prepared *prepared)
+{
+    return prepare(scene, tolerance, most, 0, prepared);
+}
+
 void lx_prepared_clear(struct lx_prepared *prepared)
 {
     free(prepared->surfaces);
@@ -78,16 +86,18 @@ enum laws { ALL_UNATTENUATED, ALL_PHYSICAL, MIXED };
 
 static enum laws common_law(const struct lx_emitters *emitters)
 {
-    struct lx_emitter room;
     size_t unattenuated = 0, physical = 0;
-    for (size_t i = 0; i < emitters->count; i++) {
-        const struct lx_emitter *emitter = lx_emitter_at(emitters, i, &room);
-        bool has_law = emitter->type == LX_POINT || lx_is_extended(emitter);
-        if (!has_law || emitter->attenuation == LX_INVERSE_SQUARE)
-            physical++;
-        else if (emitter->attenuation == LX_NO_ATTENUATION)
-            unattenuated++;
-    }
+    for (struct lx_emitter_span span = {0}; lx_emitters_next(emitters, &span);)
+        for (size_t i = span.first; i < span.end; i++) {
+            const struct lx_emitter *emitter = span.swarm ? &span.swarm->model : &span.items[i - span.first];
+            size_t count = span.swarm ? span.end - span.first : 1; /* the points of a swarm have one law */
+            bool has_law = emitter->type == LX_POINT || lx_is_extended(emitter);
+            if (!has_law || emitter->attenuation == LX_INVERSE_SQUARE)
+                physical += count;
+            else if (emitter->attenuation == LX_NO_ATTENUATION)
+                unattenuated += count;
+            i += count - 1;
+        }
     if (unattenuated == emitters->count)
         return ALL_UNATTENUATED;
     return physical == emitters->count ? ALL_PHYSICAL : MIXED;

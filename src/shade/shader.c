@@ -4,15 +4,20 @@
  * lights over the block, and the sums scattered back.
  */
 #include <math.h>
+#include <stdlib.h>
 #include <string.h>
 
 #include "../base/memory.h"
 #include "../light/extended.h"
 #include "camera.h"
 #include "cubature.h"
+#include "cut.h"
 #include "shader.h"
 
 enum { RUNS_BETWEEN_CHECKS = 16 };
+
+/* For how many surfaces that a tile shows the cuts are kept from row to row. */
+enum { KEPT_CUTS = 4 };
 
 struct lines {
     double depth[LX_BLOCK], px[LX_BLOCK], py[LX_BLOCK], pz[LX_BLOCK];
@@ -33,6 +38,12 @@ struct lx_shader_memory {
     uint32_t shown[LX_BLOCK]; /* surface of each pixel, from 1; 0: none */
     unsigned place[LX_BLOCK]; /* pixel of each element of the block */
     struct lx_sampling_memory *sampling;
+    /* where points are clustered: */
+    double tile_y[LX_TILE_ROWS], tile_x[LX_TILE_COLUMNS];
+    size_t tile_rows, tile_columns;
+    struct lx_cut cuts[KEPT_CUTS]; /* of a surface the one that its number leaves; of this tile where they have one */
+    size_t cut_count;
+    double error;
 };
 
 struct lx_shader_memory *lx_shader_memory_new(const struct lx_plan *plan)
@@ -41,9 +52,27 @@ struct lx_shader_memory *lx_shader_memory_new(const struct lx_plan *plan)
     size_t head = (sizeof(struct lx_shader_memory) + ALIGNMENT - 1) / ALIGNMENT * ALIGNMENT;
     size_t size = plan->most_patches > 0 ? lx_sampling_memory_size(plan->most_patches) : 0;
     struct lx_shader_memory *memory = lx_new_aligned(1, head + size);
-    if (memory && size > 0)
+    if (!memory)
+        return NULL;
+    if (size > 0)
         memory->sampling = lx_sampling_memory_of((char *)memory + head, plan->most_patches);
-    return memory;
+    memory->error = 0;
+    bool has_all = true;
+    size_t surfaces = plan->forest.tree_count > 0 ? plan->surface_count : 0;
+    memory->cut_count = surfaces < KEPT_CUTS ? surfaces : KEPT_CUTS;
+    for (size_t i = 0; i < memory->cut_count; i++)
+        has_all &= lx_cut_init(plan, &memory->cuts[i]) == 0;
+    if (has_all)
+        return memory;
+    lx_shader_memory_free(memory);
+    return NULL;
+}
+
+void lx_shader_memory_free(struct lx_shader_memory *memory)
+{
+    for (size_t i = 0; memory && i < memory->cut_count; i++)
+        lx_cut_clear(&memory->cuts[i]);
+    free(memory);
 }
 
 /* Whether a surface may be seen through a row at all; in perspective only the lines themselves tell. */
@@ -149,38 +178,56 @@ static const double *observer_from(const struct lx_plan *plan, const struct lx_p
     return from;
 }
 
-static const float *find_open(const struct lx_plan *plan, const struct lx_planned_light *light,
+static const float *find_open(const struct lx_plan *plan, const struct lx_planned_surface *surface,
+                              const struct lx_light_run *run, const struct lx_light_double *light,
                               struct lx_shader_memory *memory, size_t count)
 {
-    if (light->blocker_count == 0)
+    if (run->blocker_count == 0)
         return NULL;
     for (size_t i = 0; i < lx_padded(count); i++)
         memory->open[i] = 1;
-    for (size_t b = 0; b < light->blocker_count; b++) {
-        const struct lx_blocker *blocker = &light->blockers[b];
-        plan->kernels->block_light[blocker->shape.type](blocker, &memory->block, count, memory->open);
+    for (size_t b = 0; b < run->blocker_count; b++) {
+        const struct lx_shape *blocker = &plan->surfaces[surface->blockers[run->blocker_first + b]].shape;
+        lx_block_one(plan->kernels, blocker, surface->shape.anchor_mm, light, &memory->block, count, memory->open);
     }
     return memory->open;
 }
 
-/* Sums all lights but the extended ones over the gathered block. */
+/* Sums some lights of a run over the gathered block; where they may be hidden, one. */
+static void light_by_run(const struct lx_plan *plan, const struct lx_planned_surface *surface,
+                         const struct lx_light_run *run, size_t first, size_t lights, struct lx_shader_memory *memory,
+                         size_t count)
+{
+    struct lx_light_single singles[LX_MOST_IN_RUN];
+    struct lx_light_double exacts[LX_MOST_IN_RUN];
+    const struct lx_light_double *exact = NULL;
+    if (run->in_double || run->blocker_count > 0)
+        exact = lx_lights_double(&surface->lights, first, lights, exacts);
+    const float *open = find_open(plan, surface, run, exact, memory, count);
+    if (run->in_double)
+        plan->kernels->shade_double(exact, lights, &surface->lobe_exact, &memory->block, open, count, memory->sum);
+    else
+        plan->kernels->shade_single(lx_lights_single(&surface->lights, first, lights, singles), lights,
+                                    &surface->lobe_single, &memory->copy, open, count, memory->sum);
+}
+
+/* Sums all lights but the extended and the clustered ones over the gathered block. */
 static void light_block(const struct lx_plan *plan, const struct lx_planned_surface *surface,
                         struct lx_shader_memory *memory, size_t count, struct lx_control *control, bool is_caller)
 {
+    size_t step = 0;
     for (size_t i = 0; i < lx_padded(count); i++)
         memory->sum[i] = surface->uniform;
-    for (size_t i = 0; i < surface->run_count; i++) {
-        const struct lx_light_run *run = &surface->runs[i];
-        const float *open = find_open(plan, &surface->lights[run->first], memory, count);
-        if (run->in_double)
-            plan->kernels->shade_double(&surface->exacts[run->first], run->count, &surface->lobe_exact, &memory->block,
-                                        open, count, memory->sum);
-        else
-            plan->kernels->shade_single(&surface->singles[run->first], run->count, &surface->lobe_single, &memory->copy,
-                                        open, count, memory->sum);
-        bool check = control && i % RUNS_BETWEEN_CHECKS == RUNS_BETWEEN_CHECKS - 1;
-        if (check && !lx_control_goes_on(control, is_caller))
-            return;
+    for (size_t r = 0; r < surface->run_count; r++) {
+        const struct lx_light_run *run = &surface->runs[r];
+        const size_t most = run->blocker_count > 0 ? 1 : LX_MOST_IN_RUN, end = run->first + run->count;
+        for (size_t first = run->first; first < end; first += most, step++) {
+            if (step % plan->every == 0)
+                light_by_run(plan, surface, run, first, end - first < most ? end - first : most, memory, count);
+            bool check = control && step % RUNS_BETWEEN_CHECKS == RUNS_BETWEEN_CHECKS - 1;
+            if (check && !lx_control_goes_on(control, is_caller))
+                return;
+        }
     }
 }
 
@@ -324,27 +371,158 @@ static void light_by_shells(const struct lx_plan *plan, const struct lx_planned_
     }
 }
 
+/* ---- clustered points ---- */
+
+void lx_shader_enter(const struct lx_plan *plan, struct lx_shader_memory *memory, const double *y_mm, size_t rows,
+                     const double *x_mm, size_t count)
+{
+    if (plan->forest.tree_count == 0)
+        return;
+    memcpy(memory->tile_y, y_mm, rows * sizeof *y_mm);
+    memcpy(memory->tile_x, x_mm, count * sizeof *x_mm);
+    for (size_t i = count; i < lx_padded(count); i++)
+        memory->tile_x[i] = x_mm[count - 1];
+    memory->tile_rows = rows;
+    memory->tile_columns = count;
+    for (size_t i = 0; i < memory->cut_count; i++)
+        memory->cuts[i].surface = NULL;
+}
+
+double lx_shader_error(const struct lx_shader_memory *memory)
+{
+    return memory->error;
+}
+
+/* The lowest and highest of the three coordinates of vectors. */
+struct extent {
+    double low[3], high[3];
+};
+
+static const struct extent EMPTY = {{HUGE_VAL, HUGE_VAL, HUGE_VAL}, {-HUGE_VAL, -HUGE_VAL, -HUGE_VAL}};
+
+static void extend(struct extent *extent, const double *x, const double *y, const double *z, size_t count)
+{
+    const double *all[3] = {x, y, z};
+    for (int k = 0; k < 3; k++) {
+        double low = extent->low[k], high = extent->high[k];
+        for (size_t i = 0; i < count; i++) {
+            low = all[k][i] < low ? all[k][i] : low;
+            high = all[k][i] > high ? all[k][i] : high;
+        }
+        extent->low[k] = low;
+        extent->high[k] = high;
+    }
+}
+
+static struct lx_ball ball_around(const struct extent *extent)
+{
+    struct lx_ball ball;
+    double square = 0;
+    for (int k = 0; k < 3; k++) {
+        double half = (extent->high[k] - extent->low[k]) / 2;
+        ball.center[k] = extent->low[k] + half;
+        square += half * half;
+    }
+    ball.radius = sqrt(square);
+    return ball;
+}
+
+/* The cone of unit vectors in a box: they are in the ball around it. */
+static struct lx_cone cone_around(const struct extent *extent)
+{
+    const struct lx_ball ball = ball_around(extent);
+    struct lx_cone cone = {.cosine = -1, .sine = 0};
+    double length = sqrt(ball.center[0] * ball.center[0] + ball.center[1] * ball.center[1] +
+                         ball.center[2] * ball.center[2]);
+    for (int k = 0; k < 3; k++)
+        cone.axis[k] = ball.center[k] / length;
+    if (length > ball.radius) {
+        cone.sine = ball.radius / length;
+        cone.cosine = sqrt(1 - cone.sine * cone.sine);
+    }
+    return cone;
+}
+
+/* What a tile shows of a surface; the block and what is nearest in the rows are lost. */
+static struct lx_tract find_tract(const struct lx_plan *plan, struct lx_shader_memory *memory, size_t s)
+{
+    const struct lx_planned_surface *surface = &plan->surfaces[s];
+    struct lx_block_double *block = &memory->block;
+    struct extent places = EMPTY, normals = EMPTY, views = EMPTY, mirrored = EMPTY;
+    struct lx_tract tract = {.count = 0};
+    double from[3];
+    for (size_t j = 0; j < memory->tile_rows; j++) {
+        find_nearest(plan, memory, memory->tile_y[j], memory->tile_x, memory->tile_columns);
+        const size_t count = gather(memory, s, memory->tile_columns, false).count;
+        if (count == 0)
+            continue;
+        plan->kernels->complete_block[surface->shape.type](&surface->shape, observer_from(plan, surface, from), block,
+                                                           &memory->copy, count);
+        extend(&places, block->px, block->py, block->pz, count);
+        extend(&normals, block->nx, block->ny, block->nz, count);
+        extend(&views, block->vx, block->vy, block->vz, count);
+        tract.count += count;
+        for (size_t i = 0; surface->limits.lobe.model == LX_PHONG && i < count; i++) {
+            const double nx = block->nx[i], ny = block->ny[i], nz = block->nz[i];
+            const double twice = 2 * (nx * block->vx[i] + ny * block->vy[i] + nz * block->vz[i]);
+            const double x = twice * nx - block->vx[i], y = twice * ny - block->vy[i], z = twice * nz - block->vz[i];
+            extend(&mirrored, &x, &y, &z, 1);
+        }
+    }
+    tract.places = ball_around(&places);
+    tract.normals = cone_around(&normals);
+    tract.views = cone_around(&views);
+    if (surface->limits.lobe.model == LX_PHONG)
+        tract.mirrored = cone_around(&mirrored);
+    return tract;
+}
+
+/* Makes the cut of what the tile shows of a surface, unless it is there. */
+static const struct lx_cut *find_cut(const struct lx_plan *plan, struct lx_shader_memory *memory, size_t s,
+                                     const struct lx_asking *asking)
+{
+    struct lx_cut *cut = &memory->cuts[s % memory->cut_count];
+    if (cut->surface == &plan->surfaces[s])
+        return cut;
+    const struct lx_tract tract = find_tract(plan, memory, s);
+    return lx_cut_make(plan, &plan->surfaces[s], &tract, asking, cut) ? cut : NULL;
+}
+
 size_t lx_shade_points(const struct lx_plan *plan, struct lx_shader_memory *memory, double y_mm, double *x_mm,
                        size_t count, struct lx_control *control, bool is_caller, double *values, uint8_t *mask)
 {
+    const struct lx_asking asking = {.control = control, .is_caller = is_caller};
     for (size_t i = count; i < lx_padded(count); i++)
         x_mm[i] = x_mm[count - 1];
     const size_t found = find_nearest(plan, memory, y_mm, x_mm, count);
     size_t left = found;
     memset(values, 0, count * sizeof *values);
     memset(mask, 0, count);
+    memory->error = 0;
     for (size_t i = 0; left > 0 && i < count; i++)
         mask[i] = memory->shown[i] != 0;
     for (size_t s = 0; left > 0 && s < plan->surface_count; s++) {
         const struct lx_planned_surface *surface = &plan->surfaces[s];
-        const struct gathered gathered = gather(memory, s, count, plan->surface_count == 1 && left == count);
+        const bool all = plan->surface_count == 1 && left == count;
+        struct gathered gathered = gather(memory, s, count, all);
         const size_t elements = gathered.count;
         if (elements == 0)
             continue;
+        const struct lx_cut *cut = NULL;
+        if (plan->forest.tree_count > 0) {
+            cut = find_cut(plan, memory, s, &asking);
+            if (!cut)
+                return found;
+            find_nearest(plan, memory, y_mm, x_mm, count);
+            gathered = gather(memory, s, count, all);
+            memory->error = fmax(memory->error, cut->error);
+        }
         double from[3];
         plan->kernels->complete_block[surface->shape.type](&surface->shape, observer_from(plan, surface, from),
                                                            &memory->block, &memory->copy, elements);
         light_block(plan, surface, memory, elements, control, is_caller);
+        if (cut)
+            lx_cut_shade(plan, cut, &memory->block, &memory->copy, elements, &asking, memory->open, memory->sum);
         if (surface->shell_count > 0)
             light_by_shells(plan, surface, memory, elements, control, is_caller);
         scatter(memory, gathered, values);

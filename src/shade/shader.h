@@ -8,9 +8,20 @@
 #include "../base/rows.h"
 #include "plan.h"
 
-/* Scratch memory of one thread for one plan; allocate with lx_shader_memory_new(), free with free(). */
+/* Scratch memory of one thread for one plan. */
 struct lx_shader_memory;
 struct lx_shader_memory *lx_shader_memory_new(const struct lx_plan *plan);
+void lx_shader_memory_free(struct lx_shader_memory *memory);
+
+/* The rows and columns of a tile: for its pixels together it is decided which points are clustered. */
+enum { LX_TILE_ROWS = 4, LX_TILE_COLUMNS = LX_BLOCK };
+
+/*
+ * Tells which tile the points are of that are shaded next: all (x[i], y[j]), no more than there are in one, and x with
+ * room as below.  Their values depend on the tile where points are clustered.
+ */
+void lx_shader_enter(const struct lx_plan *plan, struct lx_shader_memory *memory, const double *y_mm, size_t rows,
+                     const double *x_mm, size_t count);
 
 /*
  * The values through the screen points (x[i], y), 0 off every surface, and the mask, 1 on a surface; count is
@@ -19,5 +30,8 @@ struct lx_shader_memory *lx_shader_memory_new(const struct lx_plan *plan);
  */
 size_t lx_shade_points(const struct lx_plan *plan, struct lx_shader_memory *memory, double y_mm, double *x_mm,
                        size_t count, struct lx_control *control, bool is_caller, double *values, uint8_t *mask);
+
+/* How far those last shaded may be off because of clusters, at most. */
+double lx_shader_error(const struct lx_shader_memory *memory);
 
 #endif

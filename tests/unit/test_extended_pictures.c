@@ -224,8 +224,9 @@ static double worst_pixel(const struct test_scene *test, const struct lx_kernels
     struct lx_plan plan;
     double x[LX_BLOCK], values[LX_BLOCK], worst = 0;
     uint8_t mask[LX_BLOCK];
-    assert_int_equal(
-        lx_plan_make(&test->prepared, kernels, demand->quantity, demand->precision, demand->tolerance, &plan), 0);
+    const luxel_settings settings = {
+        .quantity = demand->quantity, .precision = demand->precision, .tolerance = demand->tolerance};
+    assert_int_equal(lx_plan_make(&test->prepared, kernels, &settings, &plan), LUXEL_OK);
     struct lx_shader_memory *memory = lx_shader_memory_new(&plan);
     assert_non_null(memory);
     assert_true(plan.least_maximum <= maximum * (1 + 1e-6));
@@ -244,7 +245,7 @@ static double worst_pixel(const struct test_scene *test, const struct lx_kernels
                 worst = fmax(worst, off / maximum);
         }
     }
-    free(memory);
+    lx_shader_memory_free(memory);
     lx_plan_clear(&plan);
     return worst;
 }

@@ -237,14 +237,17 @@ static double worst_pixel(const struct test_scene *test, const struct lx_kernels
     struct lx_plan plan;
     double x[LX_BLOCK], values[LX_BLOCK], one[LX_BLOCK], worst = 0, bound = precision == LUXEL_DOUBLE ? 1e-11 : 2e-6;
     uint8_t mask[LX_BLOCK];
-    assert_int_equal(lx_plan_make(&test->prepared, kernels, LUXEL_BRIGHTNESS, precision, 0, &plan), 0);
+    const luxel_settings settings = {.precision = precision};
+    assert_int_equal(lx_plan_make(&test->prepared, kernels, &settings, &plan), LUXEL_OK);
     struct lx_shader_memory *memory = lx_shader_memory_new(&plan);
     assert_non_null(memory);
     assert_ptr_equal(plan.kernels, kernels);
     size_t singles = 0, lights = 0;
     for (size_t s = 0; s < plan.surface_count; s++)
-        for (size_t i = 0; i < plan.surfaces[s].light_count; i++, lights++)
-            singles += !plan.surfaces[s].lights[i].in_double;
+        for (size_t i = 0; i < plan.surfaces[s].run_count; i++) {
+            lights += plan.surfaces[s].runs[i].count;
+            singles += plan.surfaces[s].runs[i].in_double ? 0 : plan.surfaces[s].runs[i].count;
+        }
     *share_single = lights ? (double)singles / (double)lights : 0;
     for (unsigned row = 0; row < ROWS; row++) {
         double y = lx_row_y_mm(&test->scene.screen, row);
@@ -267,7 +270,7 @@ static double worst_pixel(const struct test_scene *test, const struct lx_kernels
                 worst = fmax(worst, off / maximum);
         }
     }
-    free(memory);
+    lx_shader_memory_free(memory);
     lx_plan_clear(&plan);
     return worst;
 }

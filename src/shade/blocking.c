@@ -1,0 +1,46 @@
+/* SPDX-License-Identifier: MIT */
+#include "blocking.h"
+
+#include <math.h>
+
+struct lx_ball lx_shape_ball(const struct lx_shape *shape, const double low_mm[3], const double high_mm[3],
+                             const double anchor_mm[3])
+{
+    struct lx_ball ball;
+    for (int i = 0; i < 3; i++)
+        ball.center[i] = shape->anchor_mm[i] - anchor_mm[i];
+    ball.radius = hypot(hypot(high_mm[0] - low_mm[0], high_mm[1] - low_mm[1]), high_mm[2] - low_mm[2]) / 2;
+    return ball;
+}
+
+bool lx_may_block(const struct lx_ball *blocker, const struct lx_ball *from, const struct lx_ball *towards,
+                  bool endless)
+{
+    double way[3], offset[3], along = 0, square = 0, gap = 0;
+    for (int i = 0; i < 3; i++) {
+        way[i] = towards->center[i] - (endless ? 0 : from->center[i]);
+        offset[i] = blocker->center[i] - from->center[i];
+        along += offset[i] * way[i];
+        square += way[i] * way[i];
+    }
+    double t = square > 0 ? fmax(along / square, 0) : 0;
+    if (!endless)
+        t = fmin(t, 1);
+    for (int i = 0; i < 3; i++)
+        gap += (offset[i] - t * way[i]) * (offset[i] - t * way[i]);
+    double thick = endless ? from->radius : fmax(from->radius, towards->radius);
+    return !(sqrt(gap) > (blocker->radius + thick) * (1 + 1e-9));
+}
+
+void lx_block_one(const struct lx_kernels *kernels, const struct lx_shape *shape, const double anchor_mm[3],
+                  const struct lx_light_double *light, const struct lx_block_double *block, size_t count, float *open)
+{
+    struct lx_blocker blocker = {
+        .shape = *shape,
+        .is_point = light->kind != LX_DISTANT,
+        .light = {light->x, light->y, light->z},
+    };
+    for (int i = 0; i < 3; i++)
+        blocker.shape.anchor_mm[i] -= anchor_mm[i];
+    kernels->block_light[shape->type](&blocker, block, count, open);
+}

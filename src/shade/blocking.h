@@ -1,0 +1,28 @@
+/* SPDX-License-Identifier: MIT */
+/* Surfaces in the way of light: which ones may be, and where they are. */
+#ifndef LX_SHADE_BLOCKING_H
+#define LX_SHADE_BLOCKING_H
+
+#include "kernel.h"
+
+/* A ball, as an offset from a surface's anchor. */
+struct lx_ball {
+    double center[3], radius;
+};
+
+/* The ball around a surface, from the anchor of another. */
+struct lx_ball lx_shape_ball(const struct lx_shape *shape, const double low_mm[3], const double high_mm[3],
+                             const double anchor_mm[3]);
+
+/*
+ * Whether what is in a ball may come near the ways between two others, which as a whole are a line as thick as the
+ * larger one; `endless`: the second stands for a direction.
+ */
+bool lx_may_block(const struct lx_ball *blocker, const struct lx_ball *from, const struct lx_ball *towards,
+                  bool endless);
+
+/* Sets open[i] to 0 for the elements of a block that a shape takes the light from; leaves the others. */
+void lx_block_one(const struct lx_kernels *kernels, const struct lx_shape *shape, const double anchor_mm[3],
+                  const struct lx_light_double *light, const struct lx_block_double *block, size_t count, float *open);
+
+#endif

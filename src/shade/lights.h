@@ -1,0 +1,60 @@
+/* SPDX-License-Identifier: MIT */
+/*
+ * The lights of a plan as constants of the kernels.  Those of a large cloud are not stored for each surface, where they
+ * would take ten times the room of the cloud, but made when they are needed, a few at a time.
+ */
+#ifndef LX_SHADE_LIGHTS_H
+#define LX_SHADE_LIGHTS_H
+
+#include "kernel.h"
+
+/* How many lights a kernel takes at once: those in float32 are summed by themselves before they join the float64 sum. */
+enum { LX_MOST_IN_RUN = 16 };
+
+/* Of larger clouds the constants are not stored. */
+enum { LX_MOST_STORED = 4096 };
+
+/* The lights of a cloud that are not stored. */
+struct lx_cloud_lights {
+    size_t first, end; /* of the surface's lights */
+    const struct lx_swarm *swarm;
+    struct lx_light_double model; /* what they have in common */
+    struct lx_light_single model_single;
+};
+
+/* The lights over one surface, numbered in the order of their emitters; zero-initialise. */
+struct lx_lights {
+    struct lx_light_single *singles; /* of those that are stored, in either precision */
+    struct lx_light_double *exacts;
+    size_t stored, singles_capacity, exacts_capacity;
+    struct lx_cloud_lights *clouds;
+    size_t cloud_count, cloud_capacity;
+    size_t count;
+    double anchor_mm[3]; /* of the surface */
+};
+
+/* The constants of an emitter that is not extended, over a surface that is anchored there. */
+void lx_light_set(const struct lx_emitter *emitter, const double anchor_mm[3], struct lx_light_double *light);
+/* Those of another point that differs in its place and strength alone. */
+void lx_light_move(const double anchor_mm[3], const double row[4], struct lx_light_double *light);
+/* The same in float32. */
+struct lx_light_single lx_light_single_of(const struct lx_light_double *light);
+
+struct lx_lobe_single lx_lobe_single_of(const struct lx_lobe_double *lobe);
+struct lx_exponent_double lx_exponent_of(double exponent);
+
+/* Appends a light, or those of a swarm.  0, or -1 when memory ran out. */
+int lx_lights_append(struct lx_lights *lights, const struct lx_emitter *emitter);
+int lx_lights_append_swarm(struct lx_lights *lights, const struct lx_swarm *swarm);
+void lx_lights_clear(struct lx_lights *lights);
+
+/* What a kernel knows of a light when it is compiled. */
+enum lx_light_kind lx_light_kind_of(const struct lx_emitter *emitter);
+
+/* Some lights that follow each other, at most LX_MOST_IN_RUN, made in `room` where they are not stored. */
+const struct lx_light_single *lx_lights_single(const struct lx_lights *lights, size_t first, size_t count,
+                                               struct lx_light_single room[LX_MOST_IN_RUN]);
+const struct lx_light_double *lx_lights_double(const struct lx_lights *lights, size_t first, size_t count,
+                                               struct lx_light_double room[LX_MOST_IN_RUN]);
+
+#endif
