@@ -110,14 +110,15 @@ static int probe_pixel(const struct lx_session *session, luxel_probe *probe)
 {
     const struct lx_screen *screen = &session->prepared.scene->screen;
     const struct lx_plan *plan = &session->plan;
-    unsigned first = probe->column / LX_TILE_COLUMNS * LX_TILE_COLUMNS, top = probe->row / LX_TILE_ROWS * LX_TILE_ROWS;
+    const unsigned width = lx_tile_columns(plan, screen->resolution[0]);
+    unsigned first = probe->column / width * width, top = probe->row / LX_TILE_ROWS * LX_TILE_ROWS;
     unsigned columns = screen->resolution[0] - first, rows = screen->resolution[1] - top;
-    double x[LX_TILE_COLUMNS], y[LX_TILE_ROWS], values[LX_TILE_COLUMNS];
-    uint8_t mask[LX_TILE_COLUMNS];
+    double x[LX_BLOCK], y[LX_TILE_ROWS], values[LX_BLOCK];
+    uint8_t mask[LX_BLOCK];
     struct lx_shader_memory *memory = lx_shader_memory_new(plan);
     if (!memory)
         return -1;
-    columns = columns < LX_TILE_COLUMNS ? columns : LX_TILE_COLUMNS;
+    columns = columns < width ? columns : width;
     rows = rows < LX_TILE_ROWS ? rows : LX_TILE_ROWS;
     for (unsigned i = 0; i < columns; i++)
         x[i] = lx_column_x_mm(screen, first + i);

@@ -45,12 +45,13 @@ static void render_rows(void *data, unsigned worker, bool is_caller, unsigned fi
     struct lx_shader_memory *memory = rendering->memories[worker];
     const struct luxel_field *field = rendering->field;
     const struct lx_strip *strip = &rendering->computed->strip;
-    double x[LX_TILE_COLUMNS], values[LX_TILE_COLUMNS];
-    uint8_t mask[LX_TILE_COLUMNS];
+    double x[LX_BLOCK], values[LX_BLOCK];
+    uint8_t mask[LX_BLOCK];
     size_t shown[LX_TILE_ROWS] = {0};
+    const unsigned width = lx_tile_columns(rendering->plan, field->columns);
     _Static_assert((int)LX_ROWS_AT_ONCE == (int)LX_TILE_ROWS, "a thread takes the rows of whole tiles");
-    for (unsigned column = 0; column < field->columns; column += LX_TILE_COLUMNS) {
-        unsigned left = field->columns - column, count = left < LX_TILE_COLUMNS ? left : LX_TILE_COLUMNS;
+    for (unsigned column = 0; column < field->columns; column += width) {
+        unsigned left = field->columns - column, count = left < width ? left : width;
         memcpy(x, field->x_mm + column, count * sizeof *x);
         lx_shader_enter(rendering->plan, memory, field->y_mm + first, last - first, x, count);
         for (unsigned row = first; row < last; row++) {

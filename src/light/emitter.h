@@ -86,7 +86,7 @@ struct lx_emitters {
     size_t faces;          /* of all facets among them */
     size_t most;           /* how many it may take, and as many faces; 0: as many as there are */
     size_t most_in_swarms; /* how many of swarms instead, which take little room; 0: they count as others */
-    bool is_short; /* more of them were appended */
+    bool is_short;         /* more of them were appended */
     bool is_whole; /* sources of some size are appended as they are, however many parts they are to be cut into */
 };
 

@@ -59,10 +59,10 @@ struct lx_lobe_limits lx_lobe_limits_of(const struct lx_lobe_double *lobe)
 
 /* a(r) and its derivatives, times powers of r that make them shares of it. */
 struct law {
-    double value;        /* a */
-    double first;        /* |a'| r / a */
-    double second;       /* a'' r^2 / a */
-    double mixed;        /* |a' r - a| / a */
+    double value;  /* a */
+    double first;  /* |a'| r / a */
+    double second; /* a'' r^2 / a */
+    double mixed;  /* |a' r - a| / a */
 };
 
 static double attenuate(const struct lx_emitter *model, double distance_mm)

@@ -328,8 +328,8 @@ static luxel_status plan_accuracy(struct lx_plan *plan, struct lx_control *contr
     if (plan->precision == LUXEL_DOUBLE && plan->most_patches == 0 && plan->forest.tree_count == 0)
         return LUXEL_OK;
     for (size_t s = 0; s < plan->surface_count && plan->most_patches == 0; s++)
-        every = plan->surfaces[s].lights.count > every * MANY_LIGHTS ? plan->surfaces[s].lights.count / MANY_LIGHTS
-                                                                     : every;
+        every =
+            plan->surfaces[s].lights.count > every * MANY_LIGHTS ? plan->surfaces[s].lights.count / MANY_LIGHTS : every;
     luxel_status status = find_accuracy(plan, control, every, &fits);
     /* The maximum may be more than a quick look has found. */
     return status == LUXEL_OK && every > 1 && !fits ? find_accuracy(plan, control, 1, &fits) : status;
@@ -366,8 +366,8 @@ luxel_status lx_plan_make(const struct lx_prepared *prepared, const struct lx_ke
     struct lx_lobe irradiance = lx_lobe_irradiance();
     for (size_t s = 0; s < plan->surface_count && status == LUXEL_OK; s++) {
         bool is_irradiance = settings->quantity == LUXEL_IRRADIANCE;
-        status = plan_surface(plan, &control, is_irradiance ? &irradiance : &prepared->surfaces[s].lobe,
-                              &plan->surfaces[s]);
+        status =
+            plan_surface(plan, &control, is_irradiance ? &irradiance : &prepared->surfaces[s].lobe, &plan->surfaces[s]);
     }
     return status == LUXEL_OK ? plan_accuracy(plan, &control) : status;
 }

@@ -43,8 +43,8 @@ struct lx_planned_surface {
     double low_mm[3], high_mm[3]; /* its extent, and what rounding cannot tell from it */
     struct lx_lobe_single lobe_single;
     struct lx_lobe_double lobe_exact;
-    double uniform; /* brightness by all uniform emitters together */
-    struct lx_lights lights; /* that are not clustered */
+    double uniform;            /* brightness by all uniform emitters together */
+    struct lx_lights lights;   /* that are not clustered */
     struct lx_light_run *runs; /* of all of them */
     size_t run_count, run_capacity;
     uint32_t *blockers; /* which surfaces */
@@ -65,9 +65,9 @@ struct lx_plan {
     struct lx_planned_surface *surfaces;
     size_t surface_count;
     luxel_precision precision;
-    double tolerance;     /* of the highlights of extended sources, relative to the picture's maximum */
-    double least_maximum; /* which is no less than this */
-    size_t most_patches;  /* of the extended sources together */
+    double tolerance;        /* of the highlights of extended sources, relative to the picture's maximum */
+    double least_maximum;    /* which is no less than this */
+    size_t most_patches;     /* of the extended sources together */
     struct lx_forest forest; /* the points that are clustered */
     double light_error;      /* how wrong they may make a pixel, relative to the larger of its value and: */
     double least_value;

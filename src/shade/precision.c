@@ -12,8 +12,8 @@
  */
 #include <math.h>
 
-#include "precision.h"
 #include "camera.h"
+#include "precision.h"
 #include "shell.h"
 
 static const double unit = 5.9604644775390625e-08; /* u = 2^-24 */

@@ -15,9 +15,9 @@ struct lx_rounding_sum {
 
 /* How a light stands to some elements. */
 struct lx_stand {
-    double nearest_mm;  /* no element is nearer to it */
-    double away_mm;     /* from the anchor of their surface; 0 for a direction */
-    double least_half;  /* of the lengths of L + V */
+    double nearest_mm; /* no element is nearer to it */
+    double away_mm;    /* from the anchor of their surface; 0 for a direction */
+    double least_half; /* of the lengths of L + V */
 };
 
 /* A bound of a light's error in float32; infinite where float32 must not be used. */

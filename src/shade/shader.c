@@ -39,7 +39,7 @@ struct lx_shader_memory {
     unsigned place[LX_BLOCK]; /* pixel of each element of the block */
     struct lx_sampling_memory *sampling;
     /* where points are clustered: */
-    double tile_y[LX_TILE_ROWS], tile_x[LX_TILE_COLUMNS];
+    double tile_y[LX_TILE_ROWS], tile_x[LX_BLOCK];
     size_t tile_rows, tile_columns;
     struct lx_cut cuts[KEPT_CUTS]; /* of a surface the one that its number leaves; of this tile where they have one */
     size_t cut_count;
@@ -373,6 +373,15 @@ static void light_by_shells(const struct lx_plan *plan, const struct lx_planned_
 
 /* ---- clustered points ---- */
 
+unsigned lx_tile_columns(const struct lx_plan *plan, unsigned columns)
+{
+    /* Small tiles need fewer clusters each, large ones fewer cuts; found by trying (docs/KERNELS.md). */
+    const unsigned share = 13, vectors = columns / share / LX_LANES;
+    if (plan->forest.tree_count == 0)
+        return LX_BLOCK;
+    return vectors == 0 ? LX_LANES : vectors * LX_LANES < LX_BLOCK ? vectors * LX_LANES : LX_BLOCK;
+}
+
 void lx_shader_enter(const struct lx_plan *plan, struct lx_shader_memory *memory, const double *y_mm, size_t rows,
                      const double *x_mm, size_t count)
 {
@@ -432,8 +441,8 @@ static struct lx_cone cone_around(const struct extent *extent)
 {
     const struct lx_ball ball = ball_around(extent);
     struct lx_cone cone = {.cosine = -1, .sine = 0};
-    double length = sqrt(ball.center[0] * ball.center[0] + ball.center[1] * ball.center[1] +
-                         ball.center[2] * ball.center[2]);
+    double length =
+        sqrt(ball.center[0] * ball.center[0] + ball.center[1] * ball.center[1] + ball.center[2] * ball.center[2]);
     for (int k = 0; k < 3; k++)
         cone.axis[k] = ball.center[k] / length;
     if (length > ball.radius) {

@@ -13,8 +13,12 @@ struct lx_shader_memory;
 struct lx_shader_memory *lx_shader_memory_new(const struct lx_plan *plan);
 void lx_shader_memory_free(struct lx_shader_memory *memory);
 
-/* The rows and columns of a tile: for its pixels together it is decided which points are clustered. */
-enum { LX_TILE_ROWS = 4, LX_TILE_COLUMNS = LX_BLOCK };
+/*
+ * The rows and columns of a tile of a picture that is so many columns wide; they begin at multiples of these.  For its
+ * pixels together it is decided which points are clustered; where none are a tile is as wide as a block.
+ */
+enum { LX_TILE_ROWS = 4 };
+unsigned lx_tile_columns(const struct lx_plan *plan, unsigned columns);
 
 /*
  * Tells which tile the points are of that are shaded next: all (x[i], y[j]), no more than there are in one, and x with

@@ -377,7 +377,6 @@ static luxel_status grow_all(struct planting *planting)
     struct lx_tree *tree = planting->tree;
     struct box box;
     /* The root has no neighbour; one cluster stays unused. */
-    lx_reserve(&tree->clusters, &planting->cluster_capacity, tree->point_count / 2 + 2, sizeof *tree->clusters);
     add_children(planting);
     if (tree->cluster_count == 0)
         return LUXEL_ERROR_MEMORY;

@@ -180,12 +180,116 @@ static void dark(void **state)
     unlink(path);
 }
 
+/* ---- many ---- */
+
+enum { MANY = 6000, PARTS = 3 };
+
+/* A file with some of the rows of a large cloud. */
+static void write_rows(size_t first, size_t end, char path[40])
+{
+    strcpy(path, "/tmp/luxel-points-XXXXXX");
+    int descriptor = mkstemp(path);
+    assert_true(descriptor >= 0);
+    FILE *file = fdopen(descriptor, "w");
+    assert_non_null(file);
+    for (size_t i = first; i < end; i++)
+        fprintf(file, "%.17g,%.17g,%.17g,%.17g\n", 300 * sin(7.1 * (double)i) - 900, 400 * cos(3.3 * (double)i),
+                1900 + 200 * sin((double)i), i % 9 ? 1 + (double)(i % 13) / 7 : 0);
+    assert_int_equal(fclose(file), 0);
+}
+
+/* A large cloud, the constants of which are not stored, is byte for byte what smaller ones are that follow each other. */
+static void large(void **state)
+{
+    (void)state;
+    static const char *const patterns[] = {"pattern: isotropic", "pattern: lambertian, aim: [10, 20, 1000]",
+                                           "pattern: cosine, exponent: 2.5, axis: [1, 0.3, -2]"};
+    char path[40], parts[PARTS][40], text[4096];
+    write_rows(0, MANY, path);
+    for (size_t i = 0; i < PARTS; i++)
+        write_rows(i * MANY / PARTS, (i + 1) * MANY / PARTS, parts[i]);
+    for (size_t i = 0; i < sizeof patterns / sizeof *patterns; i++) {
+        luxel_scene *whole = scene_of_cloud(path, patterns[i]), *cut;
+        size_t used = (size_t)snprintf(text, sizeof text, "%s", form);
+        for (size_t k = 0; k < PARTS; k++)
+            used += (size_t)snprintf(text + used, sizeof text - used, "  - {type: points, file: %s, %s}\n", parts[k],
+                                     patterns[i]);
+        snprintf(text + used, sizeof text - used, "%s", last);
+        assert_int_equal(load(text, NULL, &cut), LUXEL_OK);
+        expect_same_pictures(whole, cut, LUXEL_SINGLE);
+        expect_same_pictures(whole, cut, LUXEL_DOUBLE);
+        luxel_scene_free(whole);
+        luxel_scene_free(cut);
+    }
+    for (size_t i = 0; i < PARTS; i++)
+        unlink(parts[i]);
+    unlink(path);
+}
+
+static bool count_down(double done, void *data)
+{
+    int *left = data;
+    assert_true(done >= 0 && done <= 1);
+    return --*left > 0;
+}
+
+/* Clustered: the same bytes by any number of threads and in probes, the allowed error, and it can be stopped. */
+static void clustered(void **state)
+{
+    (void)state;
+    char path[40];
+    luxel_field *full, *first, *other;
+    luxel_settings settings;
+    write_rows(0, MANY, path);
+    luxel_scene *scene = scene_of_cloud(path, "pattern: lambertian, aim: [10, 20, 1000]");
+    luxel_settings_init(&settings);
+    assert_int_equal(luxel_render(scene, &settings, NULL, &full), LUXEL_OK);
+    settings.light_error = 0.05;
+    settings.threads = 1;
+    assert_int_equal(luxel_render(scene, &settings, NULL, &first), LUXEL_OK);
+    const double maximum = luxel_field_statistics(full)->maximum.value;
+    bool differs = false;
+    for (unsigned threads = 1; threads <= 7; threads += 3) {
+        settings.threads = threads;
+        assert_int_equal(luxel_render(scene, &settings, NULL, &other), LUXEL_OK);
+        for (unsigned row = 0; row < luxel_field_rows(full); row++)
+            for (unsigned column = 0; column < luxel_field_columns(full); column++) {
+                double value = luxel_field_value(first, column, row), truth = luxel_field_value(full, column, row);
+                assert_true(luxel_field_value(other, column, row) == value);
+                assert_true(fabs(value - truth) <= 0.05 * fmax(truth, maximum / 1000) + 4e-6 * maximum);
+                differs = differs || value != truth;
+            }
+        luxel_field_free(other);
+    }
+    assert_true(differs);
+    for (int i = -4; i <= 4; i++) {
+        luxel_probe *probe;
+        assert_int_equal(luxel_probe_screen(scene, &settings, i * 40.0, i * 20.0, NULL, &probe), LUXEL_OK);
+        assert_true(probe->pixel_value == luxel_field_value(first, probe->column, probe->row));
+        luxel_probe_free(probe);
+    }
+    luxel_status status = LUXEL_CANCELLED;
+    for (int calls = 1; status == LUXEL_CANCELLED; calls *= 2) {
+        int left = calls;
+        settings.progress = count_down;
+        settings.progress_data = &left;
+        other = NULL;
+        status = luxel_render(scene, &settings, NULL, &other);
+        assert_true(status == LUXEL_OK || (status == LUXEL_CANCELLED && !other));
+        luxel_field_free(other);
+    }
+    assert_int_equal(status, LUXEL_OK);
+    luxel_field_free(full);
+    luxel_field_free(first);
+    luxel_scene_free(scene);
+    unlink(path);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(as_many_points),
-        cmocka_unit_test(totals),
-        cmocka_unit_test(dark),
+        cmocka_unit_test(as_many_points), cmocka_unit_test(totals),    cmocka_unit_test(dark),
+        cmocka_unit_test(large),          cmocka_unit_test(clustered),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

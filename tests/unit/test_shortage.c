@@ -418,9 +418,38 @@ static void rendering_to_files(void **state)
     luxel_scene_free(scene);
 }
 
+/* Points that are clustered, by a law and a pattern, with another surface in the way. */
+static void clustering(void **state)
+{
+    (void)state;
+    luxel_scene *scene;
+    luxel_settings settings;
+    char *text =
+        changed("lights:\n", "  - {type: sphere, center: [100, 100, 1400], radius: 40}\nlights:\n"
+                             "  - {type: planar, disk: {center: [0, 0, 2500], radius: 90}, power: 3, parts: 20}\n"
+                             "  - {type: volume, box: {center: [500, 0, 2500], size: [90, 90, 90]}, power: 3, "
+                             "attenuation: none, parts: 9}\n");
+    assert_int_equal(load(text, NULL, &scene), LUXEL_OK);
+    luxel_settings_init(&settings);
+    settings.light_error = 0.05;
+    settings.threads = 1;
+    settings.stride = 40;
+    for (long i = 0; i == 0 || shortage_met(); i++) {
+        luxel_field *field = NULL;
+        shortage_begin(i);
+        luxel_status status = luxel_render(scene, &settings, NULL, &field);
+        shortage_end();
+        assert_true(status == LUXEL_OK ? field != NULL : shortage_met() && status == LUXEL_ERROR_MEMORY);
+        luxel_field_free(field);
+    }
+    luxel_scene_free(scene);
+    free(text);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
+        cmocka_unit_test(clustering),
         cmocka_unit_test(loading),
         cmocka_unit_test(loading_lights_of_some_size),
         cmocka_unit_test(setting),
