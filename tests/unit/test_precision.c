@@ -30,8 +30,17 @@ static void make_plan(const char *observer, const char *material, const char *li
     if (load(text, NULL, &made->scene) != LUXEL_OK)
         fail_msg("not a good scene: %s", text);
     assert_int_equal(lx_prepare(lx_scene_parameters(made->scene), LX_DEFAULT_TOLERANCE, &made->prepared), 0);
-    assert_int_equal(
-        lx_plan_make(&made->prepared, lx_kernels_choose("generic"), LUXEL_BRIGHTNESS, LUXEL_SINGLE, 0, &made->plan), 0);
+    luxel_settings settings;
+    luxel_settings_init(&settings);
+    assert_int_equal(lx_plan_make(&made->prepared, lx_kernels_choose("generic"), &settings, &made->plan), LUXEL_OK);
+}
+
+static bool is_in_double(const struct planned *made, size_t light)
+{
+    const struct lx_light_run *run = made->plan.surfaces[0].runs;
+    while (light >= run->first + run->count)
+        run++;
+    return run->in_double;
 }
 
 static void clear(struct planned *made)
@@ -75,8 +84,8 @@ static void what_float32_cannot_do(void **state)
     for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
         struct planned made;
         make_plan(cases[i].observer, cases[i].material, cases[i].light, &made);
-        assert_int_equal(made.plan.surfaces[0].light_count, 1);
-        if (made.plan.surfaces[0].lights[0].in_double != cases[i].in_double)
+        assert_int_equal(made.plan.surfaces[0].lights.count, 1);
+        if (is_in_double(&made, 0) != cases[i].in_double)
             fail_msg("wrongly in %s: %s, %s", cases[i].in_double ? "float32" : "double", cases[i].material,
                      cases[i].light);
         clear(&made);
@@ -92,8 +101,7 @@ static void what_does_not_matter(void **state)
               "{type: distant, direction: [1, 2, -3], irradiance: 5}, "
               "{type: distant, direction: [-2, 1, -3], irradiance: 0.005}",
               &made);
-    const struct lx_planned_light *lights = made.plan.surfaces[0].lights;
-    assert_true(lights[0].in_double && !lights[1].in_double);
+    assert_true(is_in_double(&made, 0) && !is_in_double(&made, 1));
     clear(&made);
 }
 
@@ -120,12 +128,15 @@ static void shares_of_the_maximum(void **state)
         struct planned made;
         make_plan("", material, lights, &made);
         const struct lx_planned_surface *surface = &made.plan.surfaces[0];
+        const struct lx_prepared_surface *prepared = made.prepared.surfaces;
         double sum = 0, squares = 0;
-        for (size_t i = 0; i < surface->light_count; i++) {
-            const struct lx_planned_light *light = &surface->lights[i];
-            sum += light->in_double ? 0 : light->bound;
-            squares += light->in_double ? 0 : light->bound * light->bound;
-            left += !light->in_double;
+        for (size_t i = 0; i < surface->lights.count; i++) {
+            const struct lx_emitter *emitter = &made.prepared.emitters.items[i];
+            const double bound = lx_bound_light(&made.prepared, &prepared->shape, &prepared->lobe, emitter);
+            const bool in_single = !is_in_double(&made, i);
+            sum += in_single ? bound : 0;
+            squares += in_single ? bound * bound : 0;
+            left += in_single;
             all++;
         }
         if (!(fmax(sqrt(squares), sum / 3) <= 2.6e-6 * made.plan.least_maximum))
