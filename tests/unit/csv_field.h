@@ -13,4 +13,7 @@
  */
 luxel_field *csv_field(const double *values, unsigned rows, unsigned columns);
 
+/* The field of such a file's text; free it with luxel_field_free(). */
+luxel_field *field_of_csv(const char *text);
+
 #endif

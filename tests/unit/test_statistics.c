@@ -8,6 +8,7 @@
 #include <stdarg.h>
 #include <stddef.h>
 #include <stdint.h>
+#include <stdio.h>
 #include <stdlib.h>
 
 #include <cmocka.h>
@@ -136,6 +137,47 @@ static void test_ends_of_the_range(void **state)
     luxel_field_free(field);
 }
 
+/* What goes with a field: dark pixels count in the mean and not in the minimum, and of equal ones the first is told. */
+static void test_of_field(void **state)
+{
+    (void)state;
+    const double values[] = {0, 2, 7, NONE, 7, 2, 1e-300, 0}, dark[] = {0, 0, 0, 0};
+    luxel_field *field = csv_field(values, 2, 4);
+    const luxel_statistics *all = luxel_field_statistics(field);
+    assert_true(all->has_surface && all->surface_pixels == 7);
+    assert_true(fabs(all->mean - 18.0 / 7) < 1e-15);
+    assert_true(all->maximum.value == 7 && all->maximum.row == 0 && all->maximum.column == 2);
+    assert_true(all->minimum.value <= 2 && all->minimum.value > 0 && all->lit > 0.5 && all->lit < 1);
+    luxel_field_free(field);
+    field = csv_field((const double[]){3, 9, 9, 3, 3, 9}, 3, 2);
+    all = luxel_field_statistics(field);
+    assert_true(all->maximum.row == 0 && all->maximum.column == 1 && all->maximum.x_mm == 1 && all->maximum.y_mm == 2);
+    assert_true(all->minimum.value == 3 && all->minimum.row == 0 && all->minimum.column == 0 && all->lit == 1);
+    luxel_field_free(field);
+    field = csv_field(dark, 2, 2);
+    all = luxel_field_statistics(field);
+    assert_true(all->mean == 0 && all->lit == 0 && all->maximum.exists && all->maximum.value == 0);
+    assert_false(all->minimum.exists);
+    luxel_field_free(field);
+}
+
+/* A value that is no number does not hide: wherever it stands it is the maximum. */
+static void test_no_number(void **state)
+{
+    (void)state;
+    static const char *const rows[] = {"0,0,nan\n1,0,5\n2,0,7\n", "0,0,5\n1,0,nan\n2,0,7\n", "0,0,5\n1,0,7\n2,0,nan\n"};
+    for (unsigned i = 0; i < 3; i++) {
+        char text[100];
+        snprintf(text, sizeof text, "x_mm,y_mm,value_\n%s0,1,4\n0,-1,8\n", rows[i]); /* between other rows */
+        luxel_field *field = field_of_csv(text);
+        const luxel_statistics *all = luxel_field_statistics(field);
+        assert_true(all->maximum.exists && isnan(all->maximum.value) && all->maximum.column == i &&
+                    all->maximum.row == 1);
+        assert_true(isnan(all->mean) && all->minimum.value == 4);
+        luxel_field_free(field);
+    }
+}
+
 static luxel_histogram *histogram_of(const luxel_field *field, luxel_scale scale, double low, double high, size_t bins)
 {
     luxel_histogram *histogram = NULL;
@@ -254,6 +296,8 @@ int main(void)
         cmocka_unit_test(test_regions),
         cmocka_unit_test(test_dark),
         cmocka_unit_test(test_ends_of_the_range),
+        cmocka_unit_test(test_of_field),
+        cmocka_unit_test(test_no_number),
         cmocka_unit_test(test_histogram),
         cmocka_unit_test(test_logarithmic_range),
         cmocka_unit_test(test_refused),
