@@ -77,6 +77,40 @@ static void watches_the_view(void **state)
     }
 }
 
+/* What lies outside its advised range is brought to the end that is near, and no farther. */
+static void mends_to_the_nearest_end(void **state)
+{
+    (void)state;
+    static const struct {
+        const char *words, *hint;
+    } cases[] = {
+        {"width: 800, height: 800, resolution: [1000, 1000]", "'screen.resolution=[800, 800]'"},
+        {"width: 800, height: 800, resolution: [150, 150]", "'screen.resolution=[200, 200]'"},
+        {"width: 900, height: 600, resolution: [150, 100]", "'screen.resolution=[300, 200]'"},
+        {"width: 900, height: 600, resolution: [1200, 800]", "'screen.resolution=[798, 532]'"},
+        {"width: 90, height: 60, resolution: [300, 200]", "'screen.width=150' -s 'screen.height=100'"},
+        {"width: 30000, height: 15000, resolution: [400, 200]", "'screen.width=10000' -s 'screen.height=5000'"},
+    };
+    for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
+        char *text = changed("width: 800, height: 800, resolution: [400, 400]", cases[i].words);
+        luxel_scene *scene;
+        luxel_diagnostics *diagnostics = luxel_diagnostics_new();
+        bool found = false;
+        assert_int_equal(load(text, NULL, &scene), LUXEL_OK);
+        assert_int_equal(luxel_scene_advise(scene, diagnostics), LUXEL_OK);
+        for (size_t k = 0; k < luxel_diagnostics_count(diagnostics); k++) {
+            char *hint = luxel_diagnostics_hint(diagnostics, k, NULL, NULL);
+            found = found || strstr(hint, cases[i].hint);
+            luxel_text_free(hint);
+        }
+        if (!found)
+            fail_msg("%s: no %s", cases[i].words, cases[i].hint);
+        luxel_diagnostics_free(diagnostics);
+        luxel_scene_free(scene);
+        free(text);
+    }
+}
+
 static void watches_lights_behind(void **state)
 {
     (void)state;
@@ -139,13 +173,10 @@ static void lists_parameters(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(is_silent_where_all_is_well),
-        cmocka_unit_test(names_values_out_of_range),
-        cmocka_unit_test(names_unused_keys),
-        cmocka_unit_test(watches_the_view),
-        cmocka_unit_test(watches_lights_behind),
-        cmocka_unit_test(wants_a_committed_scene),
-        cmocka_unit_test(lists_parameters),
+        cmocka_unit_test(is_silent_where_all_is_well), cmocka_unit_test(names_values_out_of_range),
+        cmocka_unit_test(names_unused_keys),           cmocka_unit_test(watches_the_view),
+        cmocka_unit_test(mends_to_the_nearest_end),    cmocka_unit_test(watches_lights_behind),
+        cmocka_unit_test(wants_a_committed_scene),     cmocka_unit_test(lists_parameters),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -116,6 +116,64 @@ static void test_range(void **state)
     luxel_diagnostics_free(diagnostics);
 }
 
+/* A probe tells the value of its pixel as the picture has it, wherever the pixel stands in its block. */
+static void test_pixels(void **state)
+{
+    (void)state;
+    static const char *const names[] = {"report", "three-lights", "desk"};
+    for (size_t i = 0; i < sizeof names / sizeof *names; i++)
+        for (int precision = LUXEL_SINGLE; precision <= LUXEL_DOUBLE; precision++) {
+            luxel_scene *scene = NULL;
+            luxel_field *field = NULL;
+            luxel_settings settings;
+            luxel_settings_init(&settings);
+            settings.precision = (luxel_precision)precision;
+            assert_int_equal(luxel_scene_open_builtin(names[i], NULL, &scene), LUXEL_OK);
+            assert_int_equal(luxel_scene_commit(scene, NULL), LUXEL_OK);
+            assert_int_equal(luxel_render(scene, &settings, NULL, &field), LUXEL_OK);
+            unsigned columns = luxel_field_columns(field), rows = luxel_field_rows(field), seen = 0;
+            for (unsigned k = 0; k < 25; k++) {
+                unsigned column = (37 * k + 5) % columns, row = (53 * k + 11) % rows;
+                luxel_probe *probe = NULL;
+                assert_int_equal(luxel_probe_screen(scene, &settings, luxel_field_x_mm(field)[column],
+                                                    luxel_field_y_mm(field)[row], NULL, &probe),
+                                 LUXEL_OK);
+                assert_true(probe->has_pixel && probe->column == column && probe->row == row);
+                if (probe->on_surface) {
+                    assert_true(probe->has_pixel_value);
+                    assert_true(probe->pixel_value == luxel_field_value(field, column, row));
+                    seen++;
+                }
+                luxel_probe_free(probe);
+            }
+            assert_true(seen > 5);
+            luxel_field_free(field);
+            luxel_scene_free(scene);
+        }
+}
+
+/* A tolerance that is asked for is compared with the error; without one closed forms always do. */
+static void test_tolerance(void **state)
+{
+    (void)state;
+    luxel_scene *scene = report_with(NULL);
+    static const struct {
+        double tolerance;
+        bool reached;
+    } cases[] = {{0, true}, {1e-6, true}, {1e-9, true}, {1e-17, false}};
+    for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
+        luxel_settings settings;
+        luxel_probe *probe = NULL;
+        luxel_settings_init(&settings);
+        settings.tolerance = cases[i].tolerance;
+        assert_int_equal(luxel_probe_screen(scene, &settings, 30, 40, NULL, &probe), LUXEL_OK);
+        assert_true(probe->error > 1e-17 * probe->value && probe->error < 1e-12 * probe->value);
+        assert_int_equal(probe->tolerance_reached, cases[i].reached);
+        luxel_probe_free(probe);
+    }
+    luxel_scene_free(scene);
+}
+
 /* Cancels the first time it is asked. */
 static bool cancel(double done, void *data)
 {
@@ -246,8 +304,9 @@ static void test_dark(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_refusals), cmocka_unit_test(test_range),          cmocka_unit_test(test_cancel),
-        cmocka_unit_test(test_threads),  cmocka_unit_test(test_too_many_parts), cmocka_unit_test(test_dark),
+        cmocka_unit_test(test_refusals),       cmocka_unit_test(test_pixels), cmocka_unit_test(test_tolerance),
+        cmocka_unit_test(test_range),          cmocka_unit_test(test_cancel), cmocka_unit_test(test_threads),
+        cmocka_unit_test(test_too_many_parts), cmocka_unit_test(test_dark),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -325,8 +325,41 @@ static void test_round_levels(void **state)
     double few[3];
     assert_int_equal(luxel_round_levels(0, 1, false, SIZE_MAX, few, 3), 1);
     assert_true(few[0] == 0.5);
+    /* where steps are too many for the room the next coarser ones: 0.2, 0.5, 1, 2 */
+    assert_int_equal(luxel_round_levels(0, 1.04, false, 3, few, 3), 2);
+    assert_true(few[0] == 0.5 && few[1] == 1);
+    assert_int_equal(luxel_round_levels(0, 2.2, false, 3, few, 3), 2);
+    assert_true(few[0] == 1 && few[1] == 2);
+    assert_int_equal(luxel_round_levels(0, 4.4, false, 3, few, 3), 2);
+    assert_true(few[0] == 2 && few[1] == 4);
     assert_levels(1, 1, false, 4, NULL, 0);
     assert_levels(0, (double)NAN, false, 4, NULL, 0);
+}
+
+/* Linear levels lie within the range, as far apart as a round step, and as many as wanted but for its roundness. */
+static void test_steps(void **state)
+{
+    (void)state;
+    uint64_t random = 7;
+    for (int n = 0; n < 3000; n++) {
+        double levels[64], numbers[3];
+        for (int i = 0; i < 3; i++) {
+            random = random * 6364136223846793005u + 1442695040888963407u;
+            numbers[i] = (double)(random >> 11) * 0x1p-53;
+        }
+        double low = (numbers[0] - 0.5) * 100, high = low + pow(10, 6 * numbers[1] - 3);
+        size_t wanted = 1 + (size_t)(numbers[2] * 20), count = luxel_round_levels(low, high, false, wanted, levels, 64);
+        assert_true(count * 2 + 2 >= wanted && count <= 2 * wanted + 2);
+        for (size_t i = 0; i < count; i++)
+            assert_true(levels[i] > low && levels[i] < high);
+        if (count < 2)
+            continue;
+        double step = levels[1] - levels[0], digit = step / pow(10, floor(log10(step) + 1e-6));
+        assert_true(fabs(digit - 1) < 1e-6 || fabs(digit - 2) < 1e-6 || fabs(digit - 5) < 1e-6);
+        assert_true(levels[0] - step <= low + 1e-9 * step && levels[count - 1] + step >= high - 1e-9 * step);
+        for (size_t i = 1; i < count; i++)
+            assert_true(fabs(levels[i] - levels[i - 1] - step) < 1e-6 * step);
+    }
 }
 
 int main(void)
@@ -341,6 +374,7 @@ int main(void)
         cmocka_unit_test(test_threads),
         cmocka_unit_test(test_picture),
         cmocka_unit_test(test_round_levels),
+        cmocka_unit_test(test_steps),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

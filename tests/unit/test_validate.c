@@ -154,6 +154,13 @@ static void wants_the_observer_above(void **state)
     expect_error("z: 1500, projection: orthographic", "z: 1200, projection: perspective",
                  WANTED("observer-too-low", 4, 15));
     expect_error("z: 1500, projection: orthographic", "z: 0, projection: perspective", WANTED("out-of-range", 4, 15));
+    /* of several surfaces the one that reaches highest is told, wherever it stands in the list */
+    static const char one[] = "  - {type: sphere, center: [0, 0, 1000], radius: 300}\n"
+                              "  - {type: sphere, center: [0, 0, 1000], radius: 700}\n"
+                              "  - {type: sphere, center: [0, 0, 1000], radius: 600}\n";
+    expect_error("  - type: sphere\n    center: [0, 0, 1000]\n    radius: 300\n"
+                 "    material: {model: phong, diffuse: 0.8, shininess: 20}\n",
+                 one, WANTED("observer-too-low", 4, 15, "observer.z", "surfaces[1]", "> 1700 mm"));
     expect_error("  - type: sphere\n    center: [0, 0, 1000]\n    radius: 300\n"
                  "    material: {model: phong, diffuse: 0.8, shininess: 20}\n",
                  "  []\n", WANTED("too-few", 6, 3, "surfaces"));
@@ -225,6 +232,16 @@ static void lists_conventions(void **state)
     assert_string_equal(convention(scene, "range"), "[0.5, 2]");
     assert_null(convention(scene, "view"));
     assert_null(convention(scene, "highlight"));
+    /* a choice that begins another is one of its own */
+    assert_int_equal(
+        luxel_scene_set(scene,
+                        "lights=[{type: planar, disk: {center: [0, 0, 2000], radius: 9}, power: 1, parts: 40}, "
+                        "{type: planar, disk: {center: [0, 0, 2000], radius: 9}, power: 1, parts: 4}, "
+                        "{type: planar, disk: {center: [0, 0, 2000], radius: 9}, power: 1, parts: 40}]",
+                        NULL),
+        LUXEL_OK);
+    assert_int_equal(luxel_scene_commit(scene, NULL), LUXEL_OK);
+    assert_string_equal(convention(scene, "parts"), "40, 4");
     luxel_scene_free(scene);
     free(text);
 }
