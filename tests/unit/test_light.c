@@ -240,6 +240,13 @@ static void cones_of_one_angle(void **state)
         assert_true(irradiance(scene, (double[]){sin(30.1 * radians), 0, -cos(30.1 * radians)}) == 0);
         assert_true(irradiance(scene, (double[]){0, 0, 1}) == 0);
         luxel_scene_free(scene);
+        /* of none the axis itself */
+        snprintf(light, sizeof light,
+                 "{type: spot, position: [1, 2, 3], intensity: 8, inner: 0, outer: 0, falloff: %s}", falloffs[i]);
+        scene = lit_by(light);
+        expect_near(falloffs[i], irradiance(scene, (double[]){0, 0, -1}), 0.5, 1e-14);
+        assert_true(irradiance(scene, (double[]){1e-3, 0, -1}) == 0);
+        luxel_scene_free(scene);
     }
 }
 
