@@ -11,7 +11,7 @@ from tap import Tap
 ROOT = sys.argv[1]
 sys.path.insert(0, os.path.join(ROOT, "tools"))
 
-from mutants import core_files, random_mutants, read_list  # noqa: E402 (the path is an argument)
+from mutant import core_files, random_mutants, read_list  # noqa: E402 (the path is an argument)
 
 
 def text_of(mutant):

@@ -93,7 +93,7 @@ static void test_guesses(void **state)
     luxel_field_free(guessed);
 }
 
-/* Fields of the same size whose pixels lie elsewhere are not compared; what rounding makes of places does not matter. */
+/* Fields of the same size whose pixels lie elsewhere are not compared; roundings of their places do not matter. */
 static void test_places(void **state)
 {
     (void)state;

@@ -111,7 +111,7 @@ static void gates(void **unused)
     }
 }
 
-/* Over pi and with the cosine a normalized lobe reflects ks of what falls in along the normal: summed over all angles. */
+/* Over pi and with the cosine a normalized lobe reflects ks of what falls in along the normal, over all angles. */
 static void normalized(void **unused)
 {
     enum { STEPS = 20000 };
