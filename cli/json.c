@@ -3,13 +3,55 @@
 #include "json.h"
 
 #include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include <luxel/luxel.h>
+
+/* Below 65536 one, beyond a pair. */
+static void write_number(FILE *stream, unsigned long code)
+{
+    if (code > 0xffff) {
+        write_number(stream, 0xd800 + ((code - 0x10000) >> 10));
+        code = 0xdc00 + ((code - 0x10000) & 0x3ff);
+    }
+    fprintf(stream, "\\u%04lx", code);
+}
+
+/*
+ * A character of several bytes, by its number where it could disturb a terminal or what stands beside it; a byte that
+ * begins none becomes the sign for that.  Returns how many bytes it takes.
+ */
+static size_t write_character(FILE *stream, const char *text)
+{
+    const unsigned char lead = (unsigned char)*text;
+    const size_t size = strnlen(text, lead < 0xc0 ? 1 : lead < 0xe0 ? 2 : lead < 0xf0 ? 3 : 4);
+    char *one = strndup(text, size), *escaped = one ? luxel_escaped_text(one) : NULL;
+    const bool is_kept = !escaped || strcmp(one, escaped) == 0;
+    const bool is_none = !is_kept && escaped[1] == 'x' && (size != 2 || strlen(escaped) > 4);
+
+    if (is_none)
+        write_number(stream, 0xfffd);
+    else if (is_kept)
+        fprintf(stream, "%.*s", (int)size, text);
+    else
+        write_number(stream, strtoul(escaped + 2, NULL, 16));
+    luxel_text_free(escaped);
+    free(one);
+    return is_none ? 1 : size;
+}
 
 static void write_quoted(FILE *stream, const char *text)
 {
     fputc('"', stream);
-    for (; *text; text++) {
+    while (*text) {
         const unsigned char byte = (unsigned char)*text;
 
+        if (byte >= 0x80) {
+            text += write_character(stream, text);
+            continue;
+        }
+        text++;
         if (byte == '"' || byte == '\\')
             fprintf(stream, "\\%c", byte);
         else if (byte == '\n')

@@ -5,6 +5,7 @@
 
 #include "../base/diagnostics.h"
 #include "../base/memory.h"
+#include "../base/text.h"
 #include "../field/field.h"
 #include "../format/format.h"
 #include "../scene/carried.h"
@@ -25,6 +26,14 @@ static uint8_t *mask_of_values(const struct lx_loaded *loaded)
     return mask;
 }
 
+/* The unit of a file may hold anything, and goes to terminals. */
+static char *copy_unit(const char *unit)
+{
+    struct lx_text text = {0};
+    lx_text_add_escaped(&text, unit, strlen(unit));
+    return lx_text_take(&text);
+}
+
 /* Moves what was read into a field. */
 static struct luxel_field *make_field(struct lx_loaded *loaded)
 {
@@ -37,7 +46,7 @@ static struct luxel_field *make_field(struct lx_loaded *loaded)
         .columns = loaded->columns,
         .rows = loaded->rows,
         .precision = loaded->sample == LX_SAMPLE_F64 ? LUXEL_DOUBLE : LUXEL_SINGLE,
-        .unit = lx_copy_text(unit, strlen(unit)),
+        .unit = copy_unit(unit),
         .instruction_set = "",
         .values = loaded->values,
         .mask = loaded->mask ? loaded->mask : mask_of_values(loaded),
