@@ -1,10 +1,12 @@
 /* SPDX-License-Identifier: MIT */
 /* Checked allocation: every size is multiplied with care, and memory that ran out is an answer, not an end. */
 #include <math.h>
+#include <stdbool.h>
 #include <stdint.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <sys/resource.h>
 
 #include "memory.h"
 #include "number.h"
@@ -64,6 +66,7 @@ char *lx_copy_text(const char *text, size_t length)
 
 double lx_available_bytes(void)
 {
+    struct rlimit limit;
     double available = HUGE_VAL, kilobytes;
     char line[128];
     FILE *file = fopen("/proc/meminfo", "re");
@@ -72,7 +75,8 @@ double lx_available_bytes(void)
             available = kilobytes * 1024 * 0.8;
     if (file)
         fclose(file);
-    return available;
+    bool is_limited = getrlimit(RLIMIT_AS, &limit) == 0 && limit.rlim_cur != RLIM_INFINITY;
+    return is_limited ? fmin(available, (double)limit.rlim_cur) : available;
 }
 
 char *lx_write_amount(double bytes, char buffer[LX_AMOUNT_SIZE])

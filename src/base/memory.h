@@ -20,7 +20,7 @@ int lx_reserve(void *items, size_t *capacity, size_t needed, size_t size);
 
 /*
  * Memory that something large may take: four fifths of what the system says can be had, so that everybody else
- * finds room too; infinite where the system does not tell.
+ * finds room too, and no more than the process may; infinite where the system does not tell.
  */
 double lx_available_bytes(void);
 
