@@ -96,11 +96,11 @@ size_t lx_next_character(const char *bytes, size_t length, uint32_t *code)
     return size;
 }
 
-/* Characters without a picture of their own, or that change where others stand. */
+/* Characters without a picture of their own, or with that of a blank, or that change where others stand. */
 static bool is_invisible(uint32_t code)
 {
-    return code == 0xAD || (code >= 0x200B && code <= 0x200F) || (code >= 0x2028 && code <= 0x202E) ||
-           (code >= 0x2060 && code <= 0x206F) || code == 0xFEFF || (code >= 0xFFF0 && code <= 0xFFFB) ||
+    return code == 0xA0 || code == 0xAD || (code >= 0x2000 && code <= 0x200F) || (code >= 0x2028 && code <= 0x202F) ||
+           (code >= 0x205F && code <= 0x206F) || code == 0xFEFF || (code >= 0xFFF0 && code <= 0xFFFB) ||
            code >= 0xE0000;
 }
 

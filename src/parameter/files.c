@@ -31,8 +31,9 @@ static void report_unread(const struct lx_check *check, const char *key, const s
     }
     if (!reason)
         reason = LX_N("it became shorter while it was read");
+    const char *name = lx_source_name(source);
     lx_check_report(check, key, LX_ALL_OF_IT, LX_MSG_NAMED_FILE_NOT_READ,
-                    LX_ARGS(lx_source_name(source), LX_TERM(reason)));
+                    LX_ARGS(name[0] ? name : "\"\"", LX_TERM(reason)));
     check->walk->unread++;
 }
 

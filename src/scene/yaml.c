@@ -266,7 +266,10 @@ static luxel_status report_syntax(struct reader *reader, size_t start, struct fy
             }
     if (strncmp(error->msg, "invalid escape", strlen("invalid escape")) == 0) /* it quotes the escape */
         return refuse(reader, from, to, LX_MSG_BAD_ESCAPE, NULL);
-    return refuse(reader, from, to, LX_MSG_SYNTAX, LX_ARGS(LX_TERM(error->msg)));
+    refuse(reader, from, to, LX_MSG_SYNTAX, LX_ARGS(LX_TERM(error->msg)));
+    if (strcmp(error->msg, "could not find expected ':'") == 0)
+        lx_hint(reader->diagnostics, LX_MSG_HINT_COLON, NULL);
+    return LUXEL_ERROR_SCENE;
 }
 
 static luxel_status read_events(struct reader *reader, const char *text, size_t length, size_t start)

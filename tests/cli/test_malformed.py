@@ -26,7 +26,7 @@ def judge(tap, tool, title, place, words, result):
         faults.append("output")
     if result.seconds > SECONDS:
         faults.append("slow")
-    if re.search(r"[\x00-\x08\x0b-\x1f\x7f]", result.err):
+    if re.search("[\x00-\x08\x0b-\x1f\x7f-\xa0\u200b-\u200f\u2028-\u202f\u2060-\u206f\ufeff]", result.err):
         faults.append("control characters")
     if error and "\n    " not in result.err:
         faults.append("no excerpt")
