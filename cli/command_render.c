@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /*
  * luxel render: the picture of a scene, as files and as a table of its numbers.  The picture goes to its files row by
- * row and is never held as a whole; they are written before anything is printed, so that a reader of the table who goes
+ * row, as it need not fit in memory; they are written before anything is printed, so that a reader of the table who goes
  * away never costs a file.
  */
 #include <luxel/luxel.h>

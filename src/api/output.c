@@ -162,8 +162,12 @@ static size_t values_size(const struct luxel_field *field, unsigned rows)
 static void keep(struct lx_output *output, const struct lx_strip *strip)
 {
     const struct luxel_field *field = output->field;
-    if (!output->kept)
+    if (!output->kept) {
+        const uint64_t row_size = values_size(field, 1) + field->columns;
         output->status = lx_sink_open(output->path, NULL, output->diagnostics, &output->kept);
+        if (output->status == LUXEL_OK)
+            output->status = lx_sink_reserve(output->kept, row_size * field->rows);
+    }
     if (output->status == LUXEL_OK)
         output->status = lx_sink_write(output->kept, strip->values, values_size(field, strip->rows));
     if (output->status == LUXEL_OK)
