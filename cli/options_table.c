@@ -363,7 +363,8 @@ static const struct option_row rows[] = {
     {"threads", 0, N_("N"), COMMAND_ANY, TAKES(take_threads),
      .help = N_("threads to compute with, 1 to 1024; the default is one per processor; results do not depend on it")},
     {"light-error", 0, N_("E"), COMMAND_ANY, TAKES(take_light_error),
-     .help = N_("error allowed for leaving far sources out, from 0 (the default: every source counts) to below 1")},
+     .help = N_("error of a pixel allowed for taking many points together, relative to its value or to a thousandth of "
+                "the maximum, from 0 (the default: each point is summed) to below 1")},
     {"strict", 0, NULL, COMMAND_ANY, SETS(strict), .help = N_("treat advice about the scene as an error")},
     {"json", 0, NULL, COMMAND_ANY, SETS(json), .help = N_("print the results as one JSON object")},
     {"quiet", 'q', NULL, COMMAND_ANY, SETS(quiet), .help = N_("print no progress, notes and confirmations")},

@@ -28,7 +28,7 @@ typedef struct luxel_settings {
     unsigned threads;            /* 0: one per processor; at most 1024 */
     const char *instruction_set; /* NULL: what LUXEL_ISA says, else the best of this machine */
     double tolerance;            /* of probes, relative; 0: 1e-9 where there is no closed form */
-    double light_error;          /* 0: every source is summed; else the error allowed for leaving far ones out */
+    double light_error;          /* 0: each point is summed; else many are taken together: see luxel_render() */
     unsigned stride;             /* 1 (0 too): every pixel; n, to 65536: each n-th column and row: see luxel_render() */
     luxel_progress progress;     /* NULL: none */
     void *progress_data;         /* handed to `progress`; NULL */
@@ -50,9 +50,14 @@ LUXEL_API bool luxel_scene_settings(const luxel_scene *scene, luxel_settings *se
  * With a stride n above 1 the field is a quick look at the picture, such as to follow a slider: of the columns n / 2,
  * n / 2 + n and so on, or the last one instead of what lies beyond, and of the rows likewise; ceil(columns / n) by
  * ceil(rows / n) pixels with their places.  Their values are those of the whole picture, bit for bit, but for extended
- * sources, where they keep the same bounds.  Such a field carries no scene, as it does not repeat it, and
- * luxel_find_extrema(), and luxel_find_isophotes() with an evaluator, refuse it.  All other functions that take
- * settings go by the whole picture.
+ * sources and with a light_error, where they keep the same bounds.  Such a field carries no scene, as it does not
+ * repeat it, and luxel_find_extrema(), and luxel_find_isophotes() with an evaluator, refuse it.  All other functions
+ * that take settings go by the whole picture.
+ *
+ * With a light_error E above 0, of 256 points or more of a kind (points, spots, the rows of clouds, the parts of
+ * sources; of a kind are those that differ in place, intensity and axis alone) those that stand together are taken for
+ * one where that is exact enough: no pixel is further than E times the larger of its value and a thousandth of the
+ * picture's maximum from what the full sum gives, the rounding of `precision` aside.  Values of probes stay exact.
  *
  * LUXEL_ERROR_ARGUMENT: the scene is not committed, a setting is out of its range, the instruction set is
  * unknown or not of this machine.  LUXEL_ERROR_MEMORY: the picture would not fit (the message says how much

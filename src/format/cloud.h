@@ -27,9 +27,15 @@ struct lx_cloud {
 
 static inline void lx_cloud_row(const struct lx_cloud *cloud, size_t i, double row[LX_CLOUD_COLUMNS])
 {
-    for (size_t k = 0; k < LX_CLOUD_COLUMNS; k++)
-        row[k] = cloud->is_single ? (double)((const float *)cloud->values)[LX_CLOUD_COLUMNS * i + k]
-                                  : ((const double *)cloud->values)[LX_CLOUD_COLUMNS * i + k];
+    if (cloud->is_single) {
+        const float *values = (const float *)cloud->values + LX_CLOUD_COLUMNS * i;
+        for (size_t k = 0; k < LX_CLOUD_COLUMNS; k++)
+            row[k] = values[k];
+    } else {
+        const double *values = (const double *)cloud->values + LX_CLOUD_COLUMNS * i;
+        for (size_t k = 0; k < LX_CLOUD_COLUMNS; k++)
+            row[k] = values[k];
+    }
 }
 
 /* What is wrong with a file: the message, whose {2} is the number and {3} the text; LX_MSG_COUNT: nothing. */

@@ -1,4 +1,5 @@
 /* SPDX-License-Identifier: MIT */
+/* Balls in the way of thick lines, and shapes in the way of light. */
 #include "blocking.h"
 
 #include <math.h>

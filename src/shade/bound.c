@@ -123,9 +123,9 @@ static double least_half_square(const struct lx_tract *tract, const struct sight
 }
 
 /*
- * S^n of the half vector as a function of L.  H turns by J = 1/|L + V| = 1/(2 cos d) at most where L turns by 1, d being
- * half the angle between L and V; so with F, F', F'' those of the power as a function of H: the slope is J F', the bend
- * J^2 F'' + tan d (J + 1/2)/2 F'.
+ * S^n of the half vector as a function of L.  Where L turns by 1, H turns by J = 1/|L + V| = 1/(2 cos d) at most, d
+ * being half the angle between L and V; so with F, F', F'' those of the power as a function of H the slope is J F', the
+ * bend J^2 F'' + tan d (J + 1/2)/2 F'.
  */
 static struct lx_jet jet_of_half(const struct lx_tract *tract, const struct sight *sight, const struct lx_power *power)
 {

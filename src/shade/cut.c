@@ -1,4 +1,5 @@
 /* SPDX-License-Identifier: MIT */
+/* Opening clusters by a heap of their errors, and shading what is left of them. */
 #include "cut.h"
 
 #include <math.h>

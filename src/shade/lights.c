@@ -48,13 +48,17 @@ enum lx_light_kind lx_light_kind_of(const struct lx_emitter *emitter)
     return LX_UNATTENUATED;
 }
 
+double lx_light_unit(enum lx_attenuation law)
+{
+    return law == LX_INVERSE_SQUARE ? 1e6 : law == LX_PRACTICAL ? 1e3 : 1;
+}
+
 void lx_light_move(const double anchor_mm[3], const double row[4], struct lx_light_double *light)
 {
     light->x = row[0] - anchor_mm[0];
     light->y = row[1] - anchor_mm[1];
     light->z = row[2] - anchor_mm[2];
-    /* The laws are in metres, the kernel's distances in mm. */
-    light->gain = row[3] * (light->law == LX_INVERSE_SQUARE ? 1e6 : light->law == LX_PRACTICAL ? 1e3 : 1);
+    light->gain = row[3] * lx_light_unit(light->law);
 }
 
 void lx_light_set(const struct lx_emitter *emitter, const double anchor_mm[3], struct lx_light_double *light)
@@ -155,56 +159,102 @@ static const struct lx_cloud_lights *cloud_of(const struct lx_lights *lights, si
     return NULL;
 }
 
-/* Sets what a light of a cloud does not share with the others. */
-static void set_row(const struct lx_lights *lights, const struct lx_cloud_lights *cloud, size_t i,
-                    struct lx_light_double *light)
+/* A row of a cloud as one number: x, y, z and intensity are made at once, as lights have them in that order. */
+typedef double row_of_four __attribute__((vector_size(LX_CLOUD_COLUMNS * sizeof(double))));
+typedef float singles_of_four __attribute__((vector_size(LX_CLOUD_COLUMNS * sizeof(float))));
+_Static_assert(offsetof(struct lx_light_single, gain) == offsetof(struct lx_light_single, x) + 3 * sizeof(float),
+               "x, y, z and gain stand together");
+
+/* Makes lights of one cloud in a room that has what they share. */
+static void make_doubles(const struct lx_lights *lights, const struct lx_cloud_lights *cloud, size_t first,
+                         size_t count, struct lx_light_double *room)
 {
-    double row[LX_CLOUD_COLUMNS];
-    lx_cloud_row(cloud->swarm->cloud, i - cloud->first, row);
-    lx_light_move(lights->anchor_mm, row, light);
-    if (!cloud->swarm->is_aimed)
-        return;
-    lx_bounded3 axis = lx_swarm_axis(cloud->swarm, row);
-    light->axis_x = axis.x.value;
-    light->axis_y = axis.y.value;
-    light->axis_z = axis.z.value;
+    for (size_t k = 0; k < count; k++) {
+        double row[LX_CLOUD_COLUMNS];
+        lx_cloud_row(cloud->swarm->cloud, first + k - cloud->first, row);
+        lx_light_move(lights->anchor_mm, row, &room[k]);
+        if (!cloud->swarm->is_aimed)
+            continue;
+        const lx_bounded3 axis = lx_swarm_axis(cloud->swarm, row);
+        room[k].axis_x = axis.x.value;
+        room[k].axis_y = axis.y.value;
+        room[k].axis_z = axis.z.value;
+    }
+}
+
+static void make_singles(const struct lx_lights *lights, const struct lx_cloud_lights *cloud, size_t first,
+                         size_t count, struct lx_light_single *room)
+{
+    const double *anchor = lights->anchor_mm;
+    const row_of_four scale = {1, 1, 1, lx_light_unit(cloud->model.law)};
+    const row_of_four origin = {anchor[0], anchor[1], anchor[2], 0};
+    for (size_t k = 0; k < count; k++) {
+        row_of_four values;
+        double row[LX_CLOUD_COLUMNS];
+        lx_cloud_row(cloud->swarm->cloud, first + k - cloud->first, row);
+        memcpy(&values, row, sizeof values);
+        const singles_of_four made = __builtin_convertvector(values * scale - origin, singles_of_four);
+        memcpy(&room[k].x, &made, sizeof made);
+        if (!cloud->swarm->is_aimed)
+            continue;
+        const lx_bounded3 axis = lx_swarm_axis(cloud->swarm, row);
+        room[k].axis_x = (float)axis.x.value;
+        room[k].axis_y = (float)axis.y.value;
+        room[k].axis_z = (float)axis.z.value;
+    }
+}
+
+/* How many of some lights, from the first on, are of one cloud, or of none. */
+static size_t count_alike(const struct lx_cloud_lights *cloud, const struct lx_lights *lights, size_t first,
+                          size_t count)
+{
+    size_t end = first + count, stored;
+    if (cloud)
+        return cloud->end < end ? cloud->end - first : count;
+    for (size_t k = 1; k < count; k++)
+        if (cloud_of(lights, first + k, &stored))
+            return k;
+    return count;
 }
 
 const struct lx_light_double *lx_lights_double(const struct lx_lights *lights, size_t first, size_t count,
-                                               struct lx_light_double room[LX_MOST_IN_RUN])
+                                               struct lx_light_room *room)
 {
-    size_t stored, last;
-    if (!cloud_of(lights, first, &stored) && !cloud_of(lights, first + count - 1, &last))
-        return &lights->exacts[stored];
-    for (size_t k = 0; k < count; k++) {
-        const struct lx_cloud_lights *cloud = cloud_of(lights, first + k, &stored);
-        room[k] = cloud ? cloud->model : lights->exacts[stored];
+    size_t stored, alike;
+    for (size_t done = 0; done < count; done += alike) {
+        const struct lx_cloud_lights *cloud = cloud_of(lights, first + done, &stored);
+        alike = count_alike(cloud, lights, first + done, count - done);
+        if (!cloud && alike == count)
+            return &lights->exacts[stored];
+        bool is_ready = alike == count && room->of_exacts == cloud;
+        for (size_t k = done; k < done + alike && !is_ready; k++)
+            room->exacts[k] = cloud ? cloud->model : lights->exacts[stored + k - done];
+        room->of_exacts = NULL;
         if (cloud)
-            set_row(lights, cloud, first + k, &room[k]);
+            make_doubles(lights, cloud, first + done, alike, room->exacts + done);
+        if (alike == LX_MOST_IN_RUN || is_ready)
+            room->of_exacts = cloud;
     }
-    return room;
+    return room->exacts;
 }
 
 const struct lx_light_single *lx_lights_single(const struct lx_lights *lights, size_t first, size_t count,
-                                               struct lx_light_single room[LX_MOST_IN_RUN])
+                                               struct lx_light_room *room)
 {
-    size_t stored, last;
-    if (!cloud_of(lights, first, &stored) && !cloud_of(lights, first + count - 1, &last))
-        return &lights->singles[stored];
-    for (size_t k = 0; k < count; k++) {
-        const struct lx_cloud_lights *cloud = cloud_of(lights, first + k, &stored);
-        room[k] = cloud ? cloud->model_single : lights->singles[stored];
-        if (!cloud)
-            continue;
-        struct lx_light_double exact = {.law = cloud->model.law};
-        set_row(lights, cloud, first + k, &exact);
-        room[k].x = (float)exact.x, room[k].y = (float)exact.y, room[k].z = (float)exact.z;
-        room[k].gain = (float)exact.gain;
-        if (cloud->swarm->is_aimed) {
-            room[k].axis_x = (float)exact.axis_x;
-            room[k].axis_y = (float)exact.axis_y;
-            room[k].axis_z = (float)exact.axis_z;
-        }
+    size_t stored, alike;
+    for (size_t done = 0; done < count; done += alike) {
+        const struct lx_cloud_lights *cloud = cloud_of(lights, first + done, &stored);
+        alike = count_alike(cloud, lights, first + done, count - done);
+        if (!cloud && alike == count)
+            return &lights->singles[stored];
+        bool is_ready = alike == count && room->of_singles == cloud;
+        for (size_t k = done; k < done + alike && !is_ready; k++)
+            room->singles[k] = cloud ? cloud->model_single : lights->singles[stored + k - done];
+        room->of_singles = NULL;
+        if (cloud)
+            make_singles(lights, cloud, first + done, alike, room->singles + done);
+        if (alike == LX_MOST_IN_RUN || is_ready)
+            room->of_singles = cloud;
     }
-    return room;
+    return room->singles;
 }

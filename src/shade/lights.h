@@ -8,7 +8,7 @@
 
 #include "kernel.h"
 
-/* How many lights a kernel takes at once: those in float32 are summed by themselves before they join the float64 sum. */
+/* Lights that a kernel takes at once: those in float32 are summed by themselves before they join the float64 sum. */
 enum { LX_MOST_IN_RUN = 16 };
 
 /* Of larger clouds the constants are not stored. */
@@ -35,6 +35,8 @@ struct lx_lights {
 
 /* The constants of an emitter that is not extended, over a surface that is anchored there. */
 void lx_light_set(const struct lx_emitter *emitter, const double anchor_mm[3], struct lx_light_double *light);
+/* What an intensity is multiplied by: the laws are in metres, the kernel's distances in mm. */
+double lx_light_unit(enum lx_attenuation law);
 /* Those of another point that differs in its place and strength alone. */
 void lx_light_move(const double anchor_mm[3], const double row[4], struct lx_light_double *light);
 /* The same in float32. */
@@ -51,10 +53,17 @@ void lx_lights_clear(struct lx_lights *lights);
 /* What a kernel knows of a light when it is compiled. */
 enum lx_light_kind lx_light_kind_of(const struct lx_emitter *emitter);
 
+/* Room for lights that are made when they are needed, with what those of one cloud have in common; zero-initialise. */
+struct lx_light_room {
+    const struct lx_cloud_lights *of_singles, *of_exacts; /* the cloud that is ready there */
+    struct lx_light_single singles[LX_MOST_IN_RUN];
+    struct lx_light_double exacts[LX_MOST_IN_RUN];
+};
+
 /* Some lights that follow each other, at most LX_MOST_IN_RUN, made in `room` where they are not stored. */
 const struct lx_light_single *lx_lights_single(const struct lx_lights *lights, size_t first, size_t count,
-                                               struct lx_light_single room[LX_MOST_IN_RUN]);
+                                               struct lx_light_room *room);
 const struct lx_light_double *lx_lights_double(const struct lx_lights *lights, size_t first, size_t count,
-                                               struct lx_light_double room[LX_MOST_IN_RUN]);
+                                               struct lx_light_room *room);
 
 #endif

@@ -38,6 +38,7 @@ struct lx_shader_memory {
     uint32_t shown[LX_BLOCK]; /* surface of each pixel, from 1; 0: none */
     unsigned place[LX_BLOCK]; /* pixel of each element of the block */
     struct lx_sampling_memory *sampling;
+    struct lx_light_room room;
     /* where points are clustered: */
     double tile_y[LX_TILE_ROWS], tile_x[LX_BLOCK];
     size_t tile_rows, tile_columns;
@@ -57,6 +58,7 @@ struct lx_shader_memory *lx_shader_memory_new(const struct lx_plan *plan)
     if (size > 0)
         memory->sampling = lx_sampling_memory_of((char *)memory + head, plan->most_patches);
     memory->error = 0;
+    memory->room = (struct lx_light_room){.of_singles = NULL};
     bool has_all = true;
     size_t surfaces = plan->forest.tree_count > 0 ? plan->surface_count : 0;
     memory->cut_count = surfaces < KEPT_CUTS ? surfaces : KEPT_CUTS;
@@ -198,16 +200,14 @@ static void light_by_run(const struct lx_plan *plan, const struct lx_planned_sur
                          const struct lx_light_run *run, size_t first, size_t lights, struct lx_shader_memory *memory,
                          size_t count)
 {
-    struct lx_light_single singles[LX_MOST_IN_RUN];
-    struct lx_light_double exacts[LX_MOST_IN_RUN];
     const struct lx_light_double *exact = NULL;
     if (run->in_double || run->blocker_count > 0)
-        exact = lx_lights_double(&surface->lights, first, lights, exacts);
+        exact = lx_lights_double(&surface->lights, first, lights, &memory->room);
     const float *open = find_open(plan, surface, run, exact, memory, count);
     if (run->in_double)
         plan->kernels->shade_double(exact, lights, &surface->lobe_exact, &memory->block, open, count, memory->sum);
     else
-        plan->kernels->shade_single(lx_lights_single(&surface->lights, first, lights, singles), lights,
+        plan->kernels->shade_single(lx_lights_single(&surface->lights, first, lights, &memory->room), lights,
                                     &surface->lobe_single, &memory->copy, open, count, memory->sum);
 }
 

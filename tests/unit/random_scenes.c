@@ -1,4 +1,5 @@
 /* SPDX-License-Identifier: MIT */
+/* Drawing materials, shapes and sources at random. */
 #include "random_scenes.h"
 
 #include <math.h>

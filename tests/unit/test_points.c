@@ -198,7 +198,7 @@ static void write_rows(size_t first, size_t end, char path[40])
     assert_int_equal(fclose(file), 0);
 }
 
-/* A large cloud, the constants of which are not stored, is byte for byte what smaller ones are that follow each other. */
+/* A large cloud, whose constants are not stored, is byte for byte what smaller ones are that follow each other. */
 static void large(void **state)
 {
     (void)state;
