@@ -294,6 +294,13 @@ static void test_highlights(void **state)
     check(&(struct demand){LUXEL_BRIGHTNESS, LUXEL_SINGLE, true, 1e-3, 0}, 60);
 }
 
+/* Also where the light falls by other laws, and all of it is an integral. */
+static void test_highlights_by_laws(void **state)
+{
+    (void)state;
+    check(&(struct demand){LUXEL_BRIGHTNESS, LUXEL_SINGLE, false, 1e-3, 0}, 12);
+}
+
 static void test_fine_highlights(void **state)
 {
     (void)state;
@@ -378,8 +385,10 @@ static void test_probed_pixels(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_closed_forms),    cmocka_unit_test(test_laws),    cmocka_unit_test(test_highlights),
-        cmocka_unit_test(test_fine_highlights), cmocka_unit_test(test_threads), cmocka_unit_test(test_probed_pixels),
+        cmocka_unit_test(test_closed_forms),    cmocka_unit_test(test_laws),
+        cmocka_unit_test(test_highlights),      cmocka_unit_test(test_highlights_by_laws),
+        cmocka_unit_test(test_fine_highlights), cmocka_unit_test(test_threads),
+        cmocka_unit_test(test_probed_pixels),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
