@@ -30,7 +30,7 @@ static inline void lx_cloud_row(const struct lx_cloud *cloud, size_t i, double r
     if (cloud->is_single) {
         const float *values = (const float *)cloud->values + LX_CLOUD_COLUMNS * i;
         for (size_t k = 0; k < LX_CLOUD_COLUMNS; k++)
-            row[k] = values[k];
+            row[k] = (double)values[k];
     } else {
         const double *values = (const double *)cloud->values + LX_CLOUD_COLUMNS * i;
         for (size_t k = 0; k < LX_CLOUD_COLUMNS; k++)

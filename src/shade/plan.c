@@ -258,7 +258,7 @@ static double sample_row(const struct lx_plan *plan, struct lx_control *control,
         lx_shader_enter(plan, memory, &y, 1, x, step);
         lx_shade_points(plan, memory, y, x, step, control, true, values, mask);
         if (!lx_control_goes_on(control, true))
-            return NAN;
+            return (double)NAN;
         for (unsigned i = 0; i < step; i++)
             maximum = fmax(maximum, values[i] - lx_shader_error(memory));
     }
