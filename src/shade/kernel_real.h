@@ -12,7 +12,9 @@
  * materials is a constant parameter of an inlined loop.
  *
  * Cosines that are raised to a power enter as t = 1 - cos = |a - b|^2 / 2, a and b the unit vectors that make the
- * angle: a cosine near 1 has lost the digits that tell how far the angle is from 0.
+ * angle: a cosine near 1 has lost the digits that tell how far the angle is from 0.  In float64 the cosine itself comes
+ * with it, as a t near 1 has lost those that tell how far the angle is from pi/2; lights for which that matters never
+ * are left to float32.
  */
 
 /* A vector of the elements of a block. */
@@ -66,24 +68,28 @@ LX_LANE NAME(lanes) NAME(exp2_of)(NAME(lanes) y)
 }
 
 /*
- * (1 - t)^exponent, 0 from t = 1 on.  A whole exponent by squaring: while it is large by squaring the complements,
- * 1 - (1 - t)^2 = t (2 - t), which keeps the digits of a small t; at last the powers themselves, which keeps those of a
- * small power.  Others by the logarithm.  Errors, t's own aside: below 6 ulp of 1, by the logarithm 2.  In float64
- * powers of a large t are squared from there on, so that a power p of any size is good to some ulp of p ln p: there are
- * pictures that show only the faint foot of a highlight.  Lights that make one of them never are left to float32.
+ * cosine^exponent with t = 1 - cosine, 0 for cosines below 0.  A whole exponent by squaring: while it is large by
+ * squaring the complements, 1 - (1 - t)^2 = t (2 - t), which keeps the digits of a small t; at last the powers
+ * themselves, which keeps those of a small power.  Others by the logarithm.  Errors, t's own aside: below 6 ulp of 1, by
+ * the logarithm 2.  In float64 what has become less than a half is squared itself from there on, so that a power p of
+ * any size is good to some ulp of p ln p: there are pictures that show only the faint foot of a highlight.
  */
-LX_LANE NAME(lanes) NAME(power_of)(NAME(lanes) t, struct NAME(lx_exponent) exponent)
+LX_LANE NAME(lanes) NAME(power_of)(NAME(lanes) t, NAME(lanes) cosine, struct NAME(lx_exponent) exponent)
 {
     enum { LEAST_BY_COMPLEMENTS = 12 };
+    const NAME(lanes) zero = NAME(all)(0), half = NAME(all)((REAL)0.5);
     t = NAME(lesser)(t, NAME(all)(1));
+    NAME(lanes) base = 1 - t;
+    if (!LX_IS_SINGLE)
+        base = NAME(where_above)(t, half, NAME(greater)(cosine, zero), base);
     if (exponent.whole > 0) {
         unsigned bits = exponent.whole;
-        NAME(lanes) power = NAME(all)(1), base = 1 - t;
+        NAME(lanes) power = NAME(all)(1);
         for (; bits >= LEAST_BY_COMPLEMENTS; bits >>= 1) {
             if (bits & 1)
                 power = LX_IS_SINGLE ? power - power * t : power * base;
             t = t * (2 - t);
-            base = LX_IS_SINGLE ? 1 - t : NAME(where_above)(t, NAME(all)((REAL)0.5), base * base, 1 - t);
+            base = LX_IS_SINGLE ? 1 - t : NAME(where_above)(t, half, base * base, 1 - t);
         }
         for (; !(bits & 1); bits >>= 1)
             base *= base;
@@ -95,8 +101,11 @@ LX_LANE NAME(lanes) NAME(power_of)(NAME(lanes) t, struct NAME(lx_exponent) expon
         }
         return power;
     }
-    NAME(lanes) w = 1 - t, power = NAME(exp2_of)(exponent.value * NAME(log2_of)(w, (1 - w) - t));
-    return NAME(where_above)(w, NAME(all)(0), power, NAME(all)(0));
+    NAME(lanes) rest = (1 - base) - t; /* what base has lost of 1 - t */
+    if (!LX_IS_SINGLE)
+        rest = NAME(where_above)(t, half, zero, rest);
+    NAME(lanes) power = NAME(exp2_of)(exponent.value * NAME(log2_of)(base, rest));
+    return NAME(where_above)(base, zero, power, zero);
 }
 
 /* Half the squared length of a vector. */
@@ -163,8 +172,10 @@ LX_LANE NAME(lanes) NAME(profile)(const struct NAME(lx_light) * light, const str
     NAME(lanes) g = NAME(all)(1);
     if (light->falloff != LX_NO_CONE)
         g = NAME(cone)(light, versine);
-    if (light->exponent.value > 0)
-        g *= NAME(power_of)(versine, light->exponent);
+    if (light->exponent.value > 0) {
+        NAME(lanes) cosine = -(light->axis_x * ray->x + light->axis_y * ray->y + light->axis_z * ray->z);
+        g *= NAME(power_of)(versine, cosine, light->exponent);
+    }
     return g;
 }
 
@@ -196,17 +207,19 @@ LX_LANE NAME(lanes)
     NAME(lanes) weight = lobe->diffuse * front;
     if (model == LX_LAMBERT)
         return weight;
-    NAME(lanes) x = lx + at->vx, y = ly + at->vy, z = lz + at->vz, t;
+    NAME(lanes) x = lx + at->vx, y = ly + at->vy, z = lz + at->vz, t, cosine;
     if (model == LX_BLINN_PHONG) { /* from N to the unit vector along L + V */
         NAME(lanes) square = x * x + y * y + z * z, inverse = NAME(inverse_root)(square);
         t = NAME(half_square)(at->nx - x * inverse, at->ny - y * inverse, at->nz - z * inverse);
+        cosine = (at->nx * x + at->ny * y + at->nz * z) * inverse;
         if (!LX_IS_SINGLE) /* L = -V has no half vector; float32 never comes near that */
             t = NAME(where_above)(square, NAME(all)((REAL)SMALLEST), t, NAME(all)(1));
     } else { /* from the mirrored L, 2 (N.L) N - L, to V */
         NAME(lanes) twice = 2 * n_dot_l;
         t = NAME(half_square)(x - twice * at->nx, y - twice * at->ny, z - twice * at->nz);
+        cosine = (twice * at->nx - lx) * at->vx + (twice * at->ny - ly) * at->vy + (twice * at->nz - lz) * at->vz;
     }
-    NAME(lanes) shine = lobe->specular * NAME(power_of)(t, lobe->exponent);
+    NAME(lanes) shine = lobe->specular * NAME(power_of)(t, cosine, lobe->exponent);
     if (highlight == LX_HIGHLIGHT_COSINE)
         shine *= front;
     if (highlight == LX_HIGHLIGHT_GATED)

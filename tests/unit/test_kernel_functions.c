@@ -91,7 +91,7 @@ static void check_power_single(double exponent, bool whole, struct worst *worst)
     const struct lx_exponent_single n = {(float)exponent, whole ? (unsigned)exponent : 0};
     for (int octave = -40; octave < 1; octave++)
         for (int step = 0; step < 1024; step += LX_WIDTH_single) {
-            lanes_single t = numbers_single(octave, step, 1024), power = power_of_single(t, n);
+            lanes_single t = numbers_single(octave, step, 1024), power = power_of_single(t, 1 - t, n);
             for (int i = 0; i < LX_WIDTH_single; i++) {
                 long double exact = t[i] < 1 ? expl((long double)n.value * log1pl(-(long double)t[i])) : 0;
                 note(worst, fabsl((long double)power[i] - exact) / unit_single, exponent);
@@ -105,7 +105,7 @@ static void check_power_double(double exponent, bool whole, struct worst *worst)
     const struct lx_exponent_double n = {exponent, whole ? (unsigned)exponent : 0};
     for (int octave = -80; octave < 1; octave++)
         for (int step = 0; step < 256; step += LX_WIDTH_double) {
-            lanes_double t = numbers_double(octave, step, 256), power = power_of_double(t, n);
+            lanes_double t = numbers_double(octave, step, 256), power = power_of_double(t, 1 - t, n);
             for (int i = 0; i < LX_WIDTH_double; i++) {
                 long double exact = t[i] < 1 ? expl((long double)n.value * log1pl(-(long double)t[i])) : 0;
                 note(worst, fabsl((long double)power[i] - exact) / unit_double, exponent);
@@ -141,7 +141,7 @@ static void test_small_powers(void **state)
         const struct lx_exponent_double n = {exponents[e], exponents[e]};
         for (int octave = -40; octave < 0; octave++)
             for (int step = 0; step < 512; step += LX_WIDTH_double) {
-                lanes_double t = numbers_double(octave, step, 512), power = power_of_double(t, n);
+                lanes_double t = numbers_double(octave, step, 512), power = power_of_double(t, 1 - t, n);
                 for (int i = 0; i < LX_WIDTH_double; i++) {
                     const long double logarithm = (long double)n.value * log1pl(-(long double)t[i]);
                     const long double off = (long double)power[i] / expl(logarithm) - 1;
@@ -151,6 +151,19 @@ static void test_small_powers(void **state)
             }
     }
     report("small whole powers in float64", &worst, 6);
+}
+
+/* A cosine of 1e-20, which 1 - t cannot tell from 0, keeps its digits. */
+static void test_small_cosines(void **state)
+{
+    (void)state;
+    static const struct lx_exponent_double exponents[] = {{1, 1}, {2, 2}, {13, 13}, {0.75, 0}, {7.5, 0}};
+    for (size_t e = 0; e < sizeof exponents / sizeof exponents[0]; e++) {
+        const double exact = pow(3e-20, exponents[e].value);
+        lanes_double power = power_of_double(all_double(1), all_double(3e-20), exponents[e]);
+        for (int i = 0; i < LX_WIDTH_double; i++)
+            assert_true(fabs(power[i] - exact) <= 1e-13 * exact);
+    }
 }
 
 static void test_other_powers(void **state)
@@ -194,14 +207,18 @@ static void test_bounds(void **state)
     const lanes_single none = all_single(NAN), one = all_single(1), two = all_single(2);
     const lanes_double none_double = all_double((double)NAN), one_double = all_double(1);
     const struct lx_exponent_single twenty = {20, 20}, odd = {20.5F, 0};
+    const struct lx_exponent_double twenty_double = {20, 20}, odd_double = {20.5, 0};
     for (int i = 0; i < LX_WIDTH_single; i++) {
         assert_true(lesser_single(none, one)[i] == 1 && greater_single(none, one)[i] == 1);
         assert_true(lesser_single(one, two)[i] == 1 && lesser_single(two, one)[i] == 1);
         assert_true(greater_single(one, two)[i] == 2 && greater_single(two, one)[i] == 2);
-        assert_true(power_of_single(none, twenty)[i] == 0 && power_of_single(none, odd)[i] == 0);
+        assert_true(power_of_single(none, none, twenty)[i] == 0 && power_of_single(none, none, odd)[i] == 0);
     }
-    for (int i = 0; i < LX_WIDTH_double; i++)
+    for (int i = 0; i < LX_WIDTH_double; i++) {
         assert_true(lesser_double(none_double, one_double)[i] == 1 && greater_double(none_double, one_double)[i] == 1);
+        assert_true(power_of_double(one_double, none_double, twenty_double)[i] == 0);
+        assert_true(power_of_double(one_double, none_double, odd_double)[i] == 0);
+    }
 }
 
 /* The survey of values, also of numbers that do not fill the last vector, against plain loops. */
@@ -231,9 +248,9 @@ static void test_survey(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_inverses),     cmocka_unit_test(test_whole_powers), cmocka_unit_test(test_other_powers),
-        cmocka_unit_test(test_bounds),       cmocka_unit_test(test_angles),       cmocka_unit_test(test_survey),
-        cmocka_unit_test(test_small_powers),
+        cmocka_unit_test(test_inverses),     cmocka_unit_test(test_whole_powers),  cmocka_unit_test(test_other_powers),
+        cmocka_unit_test(test_bounds),       cmocka_unit_test(test_angles),        cmocka_unit_test(test_survey),
+        cmocka_unit_test(test_small_powers), cmocka_unit_test(test_small_cosines),
     };
     if (!runs()) {
         printf("1..0 # SKIP this machine does not have %s\n", LX_ISA_NAME);
