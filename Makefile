@@ -25,7 +25,7 @@ WARNINGS_ARE_ERRORS = --werror
 # One thing at a time: the parallel work is Ninja's.
 .NOTPARALLEL:
 .PHONY: build help setup run app check bench install clean check-clang check-sanitize check-threads check-valgrind \
-    format fuzz coverage fuzz-coverage mutants docs validation abi po packages check-packages
+    format fuzz coverage fuzz-coverage mutants properties docs validation abi po packages check-packages
 
 build: $(BUILD)/build.ninja
 	@$(COMPILE) $(BUILD)
@@ -44,6 +44,7 @@ help:
 	@echo 'make coverage        which lines and branches of src/ the tests reach, as a table of the rooms'
 	@echo 'make fuzz-coverage   what of the files that it aims at each fuzz target reaches'
 	@echo 'make mutants         whether tests fail when the library is made wrong; MUTANTS="--random 100 --seed 1"'
+	@echo 'make properties      try what must hold of any scene on random ones: SCENES=1000000 of them, from SEED=1 on'
 	@echo 'make bench           time pictures and other programs in turn, and write docs/PERFORMANCE.md'
 	@echo 'make install         install under PREFIX ($(PREFIX)); DESTDIR is honoured'
 	@echo 'make docs            the reference pages of the library in $(BUILD)/docs/reference/html, by Doxygen'
@@ -151,6 +152,13 @@ fuzz-coverage: build-coverage/build.ninja
 MUTANTS ?=
 mutants: setup
 	@$(PYTHON) tools/mutate.py build-mutants $(MUTANTS)
+
+# What fails is made as small as it can be, and told with the seed that repeats it.
+SCENES ?= 1000000
+SEED ?= 1
+properties: setup $(BUILD)/build.ninja
+	@$(COMPILE) $(BUILD) properties:executable
+	@$(BUILD)/tests/properties/properties --scenes $(SCENES) --seed $(SEED)
 
 check-valgrind: build
 	@tools/setup valgrind

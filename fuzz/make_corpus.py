@@ -166,6 +166,8 @@ def main():
     clouds()
     for i in range(24):
         put("numbers", "random-%02d" % i, rng.randbytes(96))
+    for i in range(12):  # enough for scenes of several surfaces and lights
+        put("numbers", "long-%02d" % i, rng.randbytes(320))
 
 
 main()

@@ -70,9 +70,9 @@ LX_LANE NAME(lanes) NAME(exp2_of)(NAME(lanes) y)
 /*
  * cosine^exponent with t = 1 - cosine, 0 for cosines below 0.  A whole exponent by squaring: while it is large by
  * squaring the complements, 1 - (1 - t)^2 = t (2 - t), which keeps the digits of a small t; at last the powers
- * themselves, which keeps those of a small power.  Others by the logarithm.  Errors, t's own aside: below 6 ulp of 1, by
- * the logarithm 2.  In float64 what has become less than a half is squared itself from there on, so that a power p of
- * any size is good to some ulp of p ln p: there are pictures that show only the faint foot of a highlight.
+ * themselves, which keeps those of a small power.  Others by the logarithm.  Errors, t's own aside: below 6 ulp of
+ * 1, by the logarithm 2.  In float64 what has become less than a half is squared itself from there on, so that a
+ * power p of any size is good to some ulp of p ln p: there are pictures that show only the faint foot of a highlight.
  */
 LX_LANE NAME(lanes) NAME(power_of)(NAME(lanes) t, NAME(lanes) cosine, struct NAME(lx_exponent) exponent)
 {
