@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: MIT */
 /*
  * luxel render: the picture of a scene, as files and as a table of its numbers.  The picture goes to its files row by
- * row, as it need not fit in memory; they are written before anything is printed, so that a reader of the table who goes
- * away never costs a file.
+ * row, as it need not fit in memory; they are written before anything is printed, so that a reader of the table who
+ * goes away never costs a file.
  */
 #include <luxel/luxel.h>
 
