@@ -2,13 +2,11 @@
 /* Writing measured grids: a line of comma-separated values for each cell, whole or not at all. */
 #include <luxel/grid.h>
 
-#include <errno.h>
 #include <string.h>
 #include <strings.h>
 
 #include "../base/diagnostics.h"
 #include "../base/number.h"
-#include "../base/reason.h"
 #include "../base/sink.h"
 #include "../format/csv_read.h"
 
@@ -77,7 +75,7 @@ static void write_grid(const struct luxel_grid *grid, size_t number, struct lx_s
         status = lines.failed ? LUXEL_OK : lx_sink_write(sink, lines.bytes, lines.length);
     }
     if (lines.failed || label.failed)
-        lx_sink_fail(sink, LX_MSG_FILE_NOT_WRITTEN, lx_reason(ENOMEM));
+        lx_sink_out_of_memory(sink);
     lx_text_clear(&lines);
     lx_text_clear(&label);
 }
@@ -99,7 +97,7 @@ luxel_status luxel_grids_write(const luxel_grid *const *grids, size_t count, con
         return status;
     add_heading(&heading, grids[0]->unit);
     if (heading.failed)
-        lx_sink_fail(sink, LX_MSG_FILE_NOT_WRITTEN, lx_reason(ENOMEM));
+        lx_sink_out_of_memory(sink);
     else
         lx_sink_write(sink, heading.bytes, heading.length);
     lx_text_clear(&heading);

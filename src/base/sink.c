@@ -169,6 +169,14 @@ luxel_status lx_sink_fail(struct lx_sink *sink, enum lx_message message, const c
     return sink->status;
 }
 
+luxel_status lx_sink_out_of_memory(struct lx_sink *sink)
+{
+    if (sink->status == LUXEL_OK) {
+        sink->status = lx_out_of_memory(sink->diagnostics);
+    }
+    return sink->status;
+}
+
 luxel_status lx_sink_commit(struct lx_sink *sink)
 {
     if (sink->status == LUXEL_OK) {

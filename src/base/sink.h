@@ -75,6 +75,9 @@ luxel_status lx_sink_status(const struct lx_sink *sink);
  */
 luxel_status lx_sink_fail(struct lx_sink *sink, enum lx_message message, const char *detail);
 
+/* lx_sink_fail() for memory that ran out; returns LUXEL_ERROR_MEMORY, or what it had failed with. */
+luxel_status lx_sink_out_of_memory(struct lx_sink *sink);
+
 /* Makes the file durable and puts it in its place.  Frees the sink, whether that succeeds or not. */
 luxel_status lx_sink_commit(struct lx_sink *sink);
 

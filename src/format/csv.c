@@ -4,14 +4,12 @@
  * its place and its value, under a line that names the three.  The numbers read back as exactly the same ones, and
  * have a decimal point in every locale.  Format: RFC 4180, with the line ends of the system's other texts.
  */
-#include <errno.h>
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
 #include "../base/memory.h"
 #include "../base/number.h"
-#include "../base/reason.h"
 #include "../base/text.h"
 #include "csv_read.h"
 
@@ -82,7 +80,7 @@ static void add_row(struct lx_text *lines, const struct lx_writer *writer, const
 static luxel_status put_lines(struct lx_text *lines, bool failed, struct lx_sink *sink)
 {
     if (failed || lines->failed)
-        return lx_sink_fail(sink, LX_MSG_FILE_NOT_WRITTEN, lx_reason(ENOMEM));
+        return lx_sink_out_of_memory(sink);
     luxel_status status = lx_sink_write(sink, lines->bytes, lines->length);
     lines->length = 0;
     return status;

@@ -5,14 +5,12 @@
  * and eight times as long (at 3200 x 3200 pixels 0.8 s instead of 0.1 s).  So the table of where the lines begin can be
  * foreseen; it stands before them, although the library writes it last, and a sink cannot go back.
  */
-#include <errno.h>
 #include <stdlib.h>
 #include <string.h>
 
 #include <OpenEXR/openexr.h>
 
 #include "../base/memory.h"
-#include "../base/reason.h"
 #include "exr_header.h"
 #include "exr_read.h"
 #include "format.h"
@@ -146,7 +144,7 @@ static void begin_exr(struct lx_writer *writer)
     if (own && writer->image.sample == LX_SAMPLE_F64)
         own->line = lx_new_array(writer->image.columns, sizeof *own->line);
     if (!own || (writer->image.sample == LX_SAMPLE_F64 && !own->line)) {
-        lx_sink_fail(writer->sink, LX_MSG_FILE_NOT_WRITTEN, lx_reason(ENOMEM));
+        lx_sink_out_of_memory(writer->sink);
         return;
     }
     own->image = &writer->image;

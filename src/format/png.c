@@ -6,14 +6,12 @@
  * 77 kB).  Of 16 bits the line above is taken off: without, the low bytes look like noise (it saves three quarters
  * of the size and costs no time).
  */
-#include <errno.h>
 #include <png.h>
 #include <setjmp.h>
 #include <stdlib.h>
 #include <string.h>
 
 #include "../base/memory.h"
-#include "../base/reason.h"
 #include "format.h"
 #include "png_tags.h"
 
@@ -105,7 +103,7 @@ static void begin_png(struct lx_writer *writer)
     if (own && own->png)
         own->info = png_create_info_struct(own->png);
     if (!own || !own->info || !texts) {
-        lx_sink_fail(writer->sink, LX_MSG_FILE_NOT_WRITTEN, lx_reason(ENOMEM));
+        lx_sink_out_of_memory(writer->sink);
     } else if (setjmp(png_jmpbuf(own->png)) == 0) {
         png_set_write_fn(own->png, writer->sink, put_bytes, flush_nothing);
         write_header(own, &writer->image, texts);

@@ -18,8 +18,7 @@ static const double ROUNDED = 0x1p-48;
 
 /* ---- in the plane ---- */
 
-/* What turn() tells, from float64 alone; 0 where that cannot tell the sign, nor a corner that is STRAIGHT from one that is
- * not. */
+/* What turn() tells, from float64 alone; 0 where that tells neither the sign nor whether a corner is STRAIGHT. */
 static double quick_turn(const lx_wide a[2], const lx_wide b[2], const lx_wide c[2])
 {
     double ux = b[0].high - a[0].high, uy = b[1].high - a[1].high;
@@ -210,8 +209,7 @@ static void list_sides(const struct piece *triangles, size_t count, struct side 
     qsort(sides, 3 * count, sizeof *sides, by_ends);
 }
 
-/* Joins a piece with the triangle beyond its side i, unless that makes a corner that is not convex; `spare` has room
- * for it. */
+/* Joins a piece with the triangle beyond its side i, unless a corner would not be convex then; `spare` has room. */
 static bool join(const lx_wide (*xy)[2], struct piece *one, size_t i, const struct piece *triangle, unsigned *spare)
 {
     size_t next = (i + 1) % one->count, k = 0;

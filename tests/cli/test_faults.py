@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: MIT
-"""System calls that fail under every command that writes a file: the old file stays as it was or the new one is whole, a
-message names the file and the reason, nothing else is left.  Interrupted and slow calls change nothing.
+"""System calls that fail under every command that writes a file: the old file stays as it was or the new one is whole,
+a message names the file and the reason, nothing else is left.  Interrupted and slow calls change nothing.
 
 LUXEL_OFFSETS=all lets writing fail at every byte of files up to 20 000 bytes, and at 1000 of longer ones, instead of at
 some.
@@ -129,7 +129,8 @@ def slow_reading(tap, tool):
     for arguments in [["probe", "scene.yaml", "--json"], ["probe", "a.png", "--json"], ["probe", "a.exr", "--json"],
                       *[["stats", name, "--json"] for name in names[:4]]]:
         plain, slow = tool.run(*arguments), with_fault(tool, "trickle", arguments)
-        tap.ok(slow.code == plain.code == 0 and slow.json() == plain.json(), "read slowly: " + " ".join(arguments), slow)
+        tap.ok(slow.code == plain.code == 0 and slow.json() == plain.json(), "read slowly: " + " ".join(arguments),
+               slow)
 
 
 SCRIPT = """mount -t tmpfs -o size=%dk none "$1" 2>/dev/null || exit 99; cd "$1"; printf old >a.npy; shift
@@ -160,7 +161,8 @@ def write_protected(tap, tool):
         tap.skip("a folder that cannot be written", "this user may write everywhere")
     else:
         result = tool.run("render", "-o", "folder/a.png")
-        tap.ok(result.code == 4 and "folder/a.png" in result.err and "Permission denied" in result.err, "read-only", result)
+        tap.ok(result.code == 4 and "folder/a.png" in result.err and "Permission denied" in result.err, "read-only",
+               result)
     os.chmod(tool.file("folder"), 0o755)
     gone = tool.file("gone")
     os.mkdir(gone)

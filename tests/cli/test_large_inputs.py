@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: MIT
-"""Files that ask for much: small ones are validated without work that grows beyond their size, large ones and those that
-only claim to be large are refused at once, and where memory is short a message says so.
+"""Files that ask for much: small ones are validated without work that grows beyond their size, large ones and those
+that only claim to be large are refused at once, and where memory is short a message says so.
 """
 import itertools
 import math
@@ -71,11 +71,13 @@ def exr(width, height):
     def attribute(name, kind, value):
         return name + b"\0" + kind + b"\0" + struct.pack("<I", len(value)) + value
     window = struct.pack("<4i", 0, 0, width - 1, height - 1)
-    return (b"\x76\x2f\x31\x01\2\0\0\0" + attribute(b"channels", b"chlist", b"Y\0" + struct.pack("<4I", 2, 0, 1, 1) + b"\0")
+    channel = b"Y\0" + struct.pack("<4I", 2, 0, 1, 1) + b"\0"
+    return (b"\x76\x2f\x31\x01\2\0\0\0" + attribute(b"channels", b"chlist", channel)
             + attribute(b"compression", b"compression", b"\0") + attribute(b"dataWindow", b"box2i", window)
             + attribute(b"displayWindow", b"box2i", window) + attribute(b"lineOrder", b"lineOrder", b"\0")
             + attribute(b"pixelAspectRatio", b"float", struct.pack("<f", 1))
-            + attribute(b"screenWindowCenter", b"v2f", bytes(8)) + attribute(b"screenWindowWidth", b"float", bytes(4)) + b"\0")
+            + attribute(b"screenWindowCenter", b"v2f", bytes(8))
+            + attribute(b"screenWindowWidth", b"float", bytes(4)) + b"\0")
 
 
 def command_for(tool, name):
@@ -89,8 +91,9 @@ def command_for(tool, name):
 
 def files_of_a_gigabyte(tap, tool):
     """Each with a good beginning and nothing behind it on the disk."""
-    starts = {"s.yaml": b"", "s.png": b"\x89PNG\r\n\x1a\n\0\0\0\rIHDR", "s.exr": exr(4, 4), "f.npy": npy("(16384, 16384)"),
-              "f.pfm": b"Pf\n16384 16384\n-1.0\n", "f.csv": b"x_mm,y_mm,value_W\n", "f.exr": exr(16384, 16384),
+    starts = {"s.yaml": b"", "s.png": b"\x89PNG\r\n\x1a\n\0\0\0\rIHDR", "s.exr": exr(4, 4),
+              "f.npy": npy("(16384, 16384)"), "f.pfm": b"Pf\n16384 16384\n-1.0\n",
+              "f.csv": b"x_mm,y_mm,value_W\n", "f.exr": exr(16384, 16384),
               "m.off": b"OFF\n4 4 6\n", "m.obj": b"v 1 2 3\n", "c.csv": b"1,2,3,4\n", "c.npy": npy("(9999999, 4)")}
     for name, beginning in starts.items():
         with open(tool.file(name), "wb") as file:
@@ -108,7 +111,8 @@ def claims(tap, tool):
     files = {"f.npy": [npy("(65536, 65536)"), npy("(%s, %s)" % (many, many)), npy("(4294967297, 1)")],
              "f.pfm": [b"Pf\n65536 65536\n-1.0\n", b"Pf\n%s 1\n-1.0\n" % many.encode(), b"Pf\n1e9 1e9\n-1.0\n"],
              "f.exr": [exr(65536, 65536), exr(1 << 30, 1 << 30), exr(-5, 3)],
-             "f.csv": [b"x_mm,y_mm,value_W\n0,0,1\n1,1,1\n65000,65000,1\n", b"x_mm,y_mm,value_W\n0,0,1\n1,0,1\n-1e308,1e308,1\n"],
+             "f.csv": [b"x_mm,y_mm,value_W\n0,0,1\n1,1,1\n65000,65000,1\n",
+                       b"x_mm,y_mm,value_W\n0,0,1\n1,0,1\n-1e308,1e308,1\n"],
              "m.off": [b"OFF\n999999 999999 0\n", b"OFF\n%s %s 0\n" % (many.encode(), many.encode()),
                        b"OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n%s 0 1 2\n" % many.encode()],
              "m.obj": [b"v 0 0 0\nf 1 2 %s\n" % many.encode(), b"v 0 0 0\nf -1 -2 -%s\n" % many.encode()],
@@ -129,9 +133,11 @@ def short_of_memory(tap, tool):
     tool.write("cloud.csv", "1,2,3000,4\n" * 300000)
     tool.write("cloud.yaml", with_lights("{type: points, file: cloud.csv}"))
     tool.write("lights.yaml", with_lights(*["{type: point, position: [1, 2, 3000], intensity: 1}"] * 100000))
-    tool.write("facets.yaml", with_lights("{type: volume, sphere: {center: [0, 0, 2000], radius: 9, facets: 600}, power: 1}"))
+    tool.write("facets.yaml", with_lights(
+        "{type: volume, sphere: {center: [0, 0, 2000], radius: 9, facets: 600}, power: 1}"))
     before = tool.files()
-    work = [["render", "-q", "-s", "screen.resolution=[%d, %d]" % (side, side), "-o", "a.npy"] for side in (8000, 65536)]
+    work = [["render", "-q", "-s", "screen.resolution=[%d, %d]" % (side, side), "-o", "a.npy"]
+            for side in (8000, 65536)]
     work += [["probe", "cloud.yaml"], ["check", "lights.yaml"], ["check", "facets.yaml"], ["figure", "-o", "a.png"]]
     for arguments, megabytes in itertools.product(work, (60, 100, 300, 1024, 4096)):
         if arguments[0] == "figure" and megabytes < 300:

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* Memory that runs out: one allocation fails, of those that pass through here (linked with --wrap of all three). */
+/* Memory that runs out: one allocation fails, of those that pass through here (linked with --wrap of all: see
+ * meson.build). */
 #ifndef TESTS_UNIT_SHORTAGE_H
 #define TESTS_UNIT_SHORTAGE_H
 

@@ -1,7 +1,9 @@
 /* SPDX-License-Identifier: MIT */
 /* Documents when memory runs out: every allocation fails once, and the document says so or its writer gives up. */
 #include <stdbool.h>
+#include <stdio.h>
 #include <stdlib.h>
+#include <unistd.h>
 
 #include <setjmp.h>
 #include <stdarg.h>
@@ -16,6 +18,8 @@
 #ifdef HAS_FIGURES
 #include "base/sink.h"
 #include "figure/pages.h"
+#include <luxel/figure.h>
+#include <luxel/luxel.h>
 #endif
 
 static void building(void **state)
@@ -81,16 +85,44 @@ static void setting_pages(void **state)
     }
     luxel_document_free(document);
 }
+
+/* A figure and a report in each format that they have: some of their allocations, for each takes a drawing. */
+static void drawing_scenes(void **state)
+{
+    static const char *const names[] = {"a.svg", "a.md", "a.html", "a.tex"};
+    char folder[] = "/tmp/luxel-shortage-XXXXXX", path[64];
+    luxel_scene *scene = NULL;
+    luxel_settings settings;
+    (void)state;
+    assert_non_null(mkdtemp(folder));
+    luxel_settings_init(&settings);
+    settings.threads = 1;
+    assert_int_equal(luxel_scene_open_builtin("report", NULL, &scene), LUXEL_OK);
+    assert_int_equal(luxel_scene_set(scene, "screen.resolution=[9, 9]", NULL), LUXEL_OK);
+    assert_int_equal(luxel_scene_commit(scene, NULL), LUXEL_OK);
+    for (size_t k = 0; k < sizeof names / sizeof names[0]; k++) {
+        snprintf(path, sizeof path, "%s/%s", folder, names[k]);
+        for (long i = 0; i == 0 || shortage_met(); i += 1 + i / 2) {
+            shortage_begin(i);
+            luxel_status status = k == 0 ? luxel_figure_write(scene, &settings, NULL, path, NULL)
+                                         : luxel_report_write(scene, &settings, NULL, path, NULL);
+            shortage_end();
+            if (status != LUXEL_OK && !(shortage_met() && status == LUXEL_ERROR_MEMORY))
+                fail_msg("%s: status %d at allocation %ld", names[k], (int)status, i);
+            assert_int_equal(unlink(path), status == LUXEL_OK ? 0 : -1);
+        }
+    }
+    luxel_scene_free(scene);
+    assert_int_equal(rmdir(folder), 0);
+}
 #endif
 
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(building),
-        cmocka_unit_test(writing),
-        cmocka_unit_test(reading_formulas),
+        cmocka_unit_test(building),      cmocka_unit_test(writing),        cmocka_unit_test(reading_formulas),
 #ifdef HAS_FIGURES
-        cmocka_unit_test(setting_pages),
+        cmocka_unit_test(setting_pages), cmocka_unit_test(drawing_scenes),
 #endif
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

@@ -1,223 +1,264 @@
 /* SPDX-License-Identifier: MIT */
 /*
- * Memory that runs out while pictures are made, written, read and looked at: every allocation of the library fails
- * once, as in test_shortage.c, and each time the call ends with LUXEL_ERROR_MEMORY or does without, and loses nothing.
+ * Memory that runs out while pictures are computed, written, read and measured: every allocation fails once, and each
+ * time the call ends with LUXEL_ERROR_MEMORY or does without; no file is left that is not whole.
  */
 #include <math.h>
+#include <stdbool.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include "scenes.h"
 #include "shortage.h"
 
-static const char small[] = "screen={width: 900, height: 900, resolution: [6, 6]}";
-
-/* Once for each allocation of the call: with i for its number, until none fails. */
-#define EACH_ALLOCATION(i) for (long i = 0; i == 0 || shortage_met(); i++)
-
-static void assert_short(luxel_status status)
-{
-    if (status != LUXEL_OK && !(shortage_met() && status == LUXEL_ERROR_MEMORY))
-        fail_msg("status %d", (int)status);
-}
-
-static luxel_scene *small_builtin(const char *name)
-{
-    luxel_scene *scene = builtin(name);
-    assert_int_equal(luxel_scene_set(scene, small, NULL), LUXEL_OK);
-    assert_int_equal(luxel_scene_commit(scene, NULL), LUXEL_OK);
-    return scene;
-}
-
-static luxel_settings settings_of(luxel_quantity quantity)
-{
-    luxel_settings settings;
-    luxel_settings_init(&settings);
-    settings.threads = 2;
-    settings.tolerance = 1e-4;
-    settings.quantity = quantity;
-    return settings;
-}
-
-static luxel_field *render(const luxel_scene *scene, luxel_precision precision)
-{
-    luxel_settings settings = settings_of(LUXEL_BRIGHTNESS);
-    luxel_field *field = NULL;
-    settings.precision = precision;
-    assert_int_equal(luxel_render(scene, &settings, NULL, &field), LUXEL_OK);
-    return field;
-}
-
-static void rendering_and_probing(void **state)
-{
-    (void)state;
-    static const char *const names[] = {"all-sources", "lampshade", "two-spheres"};
-    for (size_t k = 0; k < sizeof names / sizeof names[0]; k++) {
-        luxel_scene *scene = small_builtin(names[k]);
-        luxel_settings settings = settings_of(k == 0 ? LUXEL_IRRADIANCE : LUXEL_BRIGHTNESS);
-        EACH_ALLOCATION(i)
-        {
-            luxel_field *field = NULL;
-            shortage_begin(i);
-            luxel_status status = luxel_render(scene, &settings, NULL, &field);
-            shortage_end();
-            assert_short(status);
-            assert_int_equal(field != NULL, status == LUXEL_OK);
-            luxel_field_free(field);
-        }
-        EACH_ALLOCATION(i)
-        {
-            luxel_probe *probe = NULL;
-            shortage_begin(i);
-            luxel_status status = luxel_probe_screen(scene, &settings, 0, 0, NULL, &probe);
-            shortage_end();
-            assert_short(status);
-            assert_int_equal(probe != NULL, status == LUXEL_OK);
-            luxel_probe_free(probe);
-        }
-        luxel_scene_free(scene);
-    }
-}
-
-/* What is computed is there again after each failure. */
-static void looking_at_pictures(void **state)
-{
-    (void)state;
-    luxel_scene *scene = small_builtin("three-lights");
-    luxel_settings settings = settings_of(LUXEL_BRIGHTNESS);
-    luxel_field *field = render(scene, LUXEL_SINGLE), *precise = render(scene, LUXEL_DOUBLE);
-    const double levels[] = {luxel_field_statistics(field)->maximum.value / 2, 0.1};
-    const luxel_path line = {.from_mm = {-200, 0}, .to_mm = {200, 50}, .samples = 9};
+/* What the attempts work on: a scene and its picture. */
+static struct {
+    char folder[32], cloud[64], path[64];
+    luxel_settings settings; /* of one thread: the others would share the countdown */
+    luxel_scene *scene;
+    luxel_field *field;
     luxel_evaluator *evaluator;
-    assert_int_equal(luxel_evaluator_new(scene, &settings, NULL, &evaluator), LUXEL_OK);
-    EACH_ALLOCATION(i)
-    {
-        luxel_evaluator *another = NULL;
-        shortage_begin(i);
-        assert_short(luxel_evaluator_new(scene, &settings, NULL, &another));
-        shortage_end();
-        luxel_evaluator_free(another);
-    }
-    for (int exact = 0; exact < 2; exact++)
-        EACH_ALLOCATION(i)
-        {
-            luxel_isophotes *isophotes = NULL;
-            luxel_profile *profile = NULL;
-            shortage_begin(i);
-            assert_short(luxel_find_isophotes(field, exact ? evaluator : NULL, levels, 2, NULL, &isophotes));
-            assert_short(exact ? luxel_find_profile(evaluator, &line, NULL, &profile)
-                               : luxel_field_profile(field, &line, NULL, &profile));
-            shortage_end();
-            luxel_isophotes_free(isophotes);
-            luxel_profile_free(profile);
-        }
-    EACH_ALLOCATION(i)
-    {
-        luxel_histogram *histogram = NULL;
-        luxel_summary summary;
-        luxel_comparison comparison;
-        luxel_field *difference = NULL;
-        shortage_begin(i);
-        assert_short(luxel_field_summary(field, NULL, NULL, &summary));
-        assert_short(luxel_field_histogram(field, NULL, LUXEL_LINEAR, (double)NAN, (double)NAN, 4, NULL, &histogram));
-        assert_short(luxel_compare(field, precise, NULL, &comparison, &difference));
-        shortage_end();
-        luxel_histogram_free(histogram);
-        luxel_field_free(difference);
-    }
-    luxel_evaluator_free(evaluator);
-    luxel_field_free(precise);
-    luxel_field_free(field);
-    luxel_scene_free(scene);
+} work;
+
+static void take_scene(const char *text)
+{
+    assert_int_equal(load(text, NULL, &work.scene), LUXEL_OK);
+    assert_int_equal(luxel_scene_set(work.scene, "screen.resolution=[6, 6]", NULL), LUXEL_OK);
+    assert_int_equal(luxel_scene_commit(work.scene, NULL), LUXEL_OK);
+    luxel_settings_init(&work.settings);
+    work.settings.threads = 1;
+    work.settings.tolerance = 1e-2;
+    assert_int_equal(luxel_render(work.scene, &work.settings, NULL, &work.field), LUXEL_OK);
+    assert_int_equal(luxel_evaluator_new(work.scene, &work.settings, NULL, &work.evaluator), LUXEL_OK);
 }
 
-/* A file that could not be written is not there; what is read back is the field, or nothing. */
-static void writing_and_reading(void **state)
+/* Sources that are points; what is measured takes long with others. */
+static int begin_simple(void **state)
 {
     (void)state;
-    static const char *const endings[] = {"png", "npy", "pfm", "csv", "exr"};
-    char folder[] = "/tmp/luxel-shortage-XXXXXX", path[64];
-    luxel_scene *scene = small_builtin("report");
-    luxel_field *field = render(scene, LUXEL_SINGLE);
-    assert_non_null(mkdtemp(folder));
-    for (size_t k = 0; k < sizeof endings / sizeof endings[0]; k++) {
-        snprintf(path, sizeof path, "%s/a.%s", folder, endings[k]);
-        EACH_ALLOCATION(i)
-        {
-            unlink(path);
-            shortage_begin(i);
-            luxel_status status = luxel_field_write(field, path, NULL);
-            shortage_end();
-            assert_true(status == LUXEL_OK || shortage_met());
-            assert_int_equal(access(path, F_OK), status == LUXEL_OK ? 0 : -1);
-        }
-        EACH_ALLOCATION(i)
-        {
-            luxel_field *again = NULL;
-            luxel_scene *carried = NULL;
-            bool is_picture = k == 0;
-            shortage_begin(i);
-            luxel_status status =
-                is_picture ? luxel_scene_read_file(path, NULL, &carried) : luxel_field_read(path, NULL, &again);
-            shortage_end();
-            assert_true(status == LUXEL_OK || shortage_met());
-            assert_int_equal(is_picture ? carried != NULL : again != NULL, status == LUXEL_OK);
-            luxel_field_free(again);
-            luxel_scene_free(carried);
-        }
-        unlink(path);
-    }
-    assert_int_equal(rmdir(folder), 0);
-    luxel_field_free(field);
-    luxel_scene_free(scene);
+    strcpy(work.folder, "/tmp/luxel-shortage-XXXXXX");
+    assert_non_null(mkdtemp(work.folder));
+    take_scene(good_scene);
+    return 0;
 }
 
-/* Clouds of points in both formats: where one cannot be held the scene is not committed. */
-static void reading_clouds(void **state)
+/* A cloud, extended sources, a highlight, and a surface in the way. */
+static int begin_rich(void **state)
 {
+    static const char head[] = "\x93NUMPY\1\0@\0{'descr': '<f8', 'fortran_order': False, 'shape': (3, 4), }     ";
+    static const double rows[] = {0, 0, 2000, 1, 500, 0, 2000, 2, -500, 0, 2500, 3};
+    char words[512];
     (void)state;
-    static const char csv[] = "x;y;z;intensity\n0;0;2000;5\n100;50;1900;0\n";
-    static const char head[] = "\x93NUMPY\1\0@\0{'descr': '<f8', 'fortran_order': True, 'shape': (1, 4), }      ";
-    const double row[] = {0, 0, 2000, 5};
-    char folder[] = "/tmp/luxel-shortage-XXXXXX", path[64], words[160];
-    assert_non_null(mkdtemp(folder));
-    snprintf(path, sizeof path, "%s/cloud", folder);
-    snprintf(words, sizeof words, "lights:\n  - {type: points, file: %s, pattern: lambertian}\n", path);
+    strcpy(work.folder, "/tmp/luxel-shortage-XXXXXX");
+    assert_non_null(mkdtemp(work.folder));
+    snprintf(work.cloud, sizeof work.cloud, "%s/cloud.npy", work.folder);
+    FILE *file = fopen(work.cloud, "w");
+    assert_true(file && fwrite(head, sizeof head - 1, 1, file) == 1 && fwrite(rows, sizeof rows, 1, file) == 1 &&
+                fclose(file) == 0);
+    snprintf(
+        words, sizeof words,
+        "  - {type: sphere, center: [100, 100, 1400], radius: 40}\nlights:\n  - {type: points, file: %s}\n"
+        "  - {type: planar, rectangle: {center: [0, 0, 1800], size: [90, 50]}, power: 1}\n"
+        "  - {type: volume, sphere: {center: [0, 300, 1800], radius: 9}, power: 1, attenuation: practical, k: 9}\n",
+        work.cloud);
     char *text = changed("lights:\n", words);
-    for (int is_npy = 0; is_npy < 2; is_npy++) {
-        FILE *file = fopen(path, "wb");
-        assert_non_null(file);
-        if (is_npy) {
-            assert_int_equal(fwrite(head, 1, sizeof head - 1, file), 10 + '@');
-            fwrite(row, 1, sizeof row, file);
-        } else {
-            fputs(csv, file);
-        }
-        assert_int_equal(fclose(file), 0);
-        EACH_ALLOCATION(i)
-        {
-            luxel_scene *scene = NULL;
-            shortage_begin(i);
-            luxel_status status = load(text, NULL, &scene);
-            shortage_end();
-            assert_short(status);
-            assert_true(!scene || luxel_scene_is_committed(scene) == (status == LUXEL_OK));
-            luxel_scene_free(scene);
-        }
-    }
-    assert_true(unlink(path) == 0 && rmdir(folder) == 0);
+    take_scene(text);
     free(text);
+    return 0;
+}
+
+static int end_work(void **state)
+{
+    (void)state;
+    luxel_evaluator_free(work.evaluator);
+    luxel_field_free(work.field);
+    luxel_scene_free(work.scene);
+    unlink(work.cloud);
+    return rmdir(work.folder); /* fails where a file was left */
+}
+
+/* Makes the attempt once for each of its allocations, which fails, and once more. */
+static void assert_survives(luxel_status (*attempt)(void))
+{
+    luxel_status status = LUXEL_OK;
+    for (long i = 0; i == 0 || shortage_met(); i++) {
+        shortage_begin(i);
+        status = attempt();
+        shortage_end();
+        if (status != LUXEL_OK && !(shortage_met() && status == LUXEL_ERROR_MEMORY))
+            fail_msg("status %d at allocation %ld", (int)status, i);
+    }
+    assert_int_equal(status, LUXEL_OK);
+}
+
+static luxel_status render(void)
+{
+    luxel_field *field = NULL;
+    luxel_status status = luxel_render(work.scene, &work.settings, NULL, &field);
+    assert_true((field != NULL) == (status == LUXEL_OK));
+    luxel_field_free(field);
+    return status;
+}
+
+static luxel_status probe(void)
+{
+    luxel_probe *made = NULL;
+    luxel_status status = luxel_probe_screen(work.scene, &work.settings, 10, 20, NULL, &made);
+    assert_true((made != NULL) == (status == LUXEL_OK));
+    luxel_probe_free(made);
+    return status;
+}
+
+static luxel_status make_evaluator(void)
+{
+    luxel_evaluator *made = NULL;
+    luxel_status status = luxel_evaluator_new(work.scene, &work.settings, NULL, &made);
+    assert_true((made != NULL) == (status == LUXEL_OK));
+    luxel_evaluator_free(made);
+    return status;
+}
+
+static luxel_status find_isophotes(void)
+{
+    const luxel_statistics *statistics = luxel_field_statistics(work.field);
+    const double levels[] = {statistics->maximum.value / 2, statistics->maximum.value / 4};
+    luxel_isophotes *made = NULL;
+    luxel_status status = luxel_find_isophotes(work.field, work.evaluator, levels, 2, NULL, &made);
+    assert_true((made != NULL) == (status == LUXEL_OK));
+    luxel_isophotes_free(made);
+    return status;
+}
+
+static luxel_status explain(void)
+{
+    luxel_document *made = NULL;
+    luxel_status status = luxel_explain(work.scene, &work.settings, 10, 20, NULL, NULL, &made);
+    char *text = status == LUXEL_OK ? luxel_document_write_text(made, LUXEL_DOCUMENT_TEXT) : NULL;
+    if (status == LUXEL_OK && !text)
+        status = LUXEL_ERROR_MEMORY;
+    luxel_text_free(text);
+    luxel_document_free(made);
+    return status;
+}
+
+static luxel_status find_profile(void)
+{
+    const luxel_path line = {.from_mm = {-200, 0}, .to_mm = {200, 50}, .samples = 9};
+    luxel_profile *exact = NULL, *read_off = NULL;
+    luxel_status status = luxel_find_profile(work.evaluator, &line, NULL, &exact);
+    if (status == LUXEL_OK)
+        status = luxel_field_profile(work.field, &line, NULL, &read_off);
+    luxel_profile_free(exact);
+    luxel_profile_free(read_off);
+    return status;
+}
+
+static luxel_status summarize(void)
+{
+    luxel_histogram *histogram = NULL;
+    luxel_summary summary;
+    luxel_status status = luxel_field_summary(work.field, NULL, NULL, &summary);
+    if (status == LUXEL_OK)
+        status = luxel_field_histogram(work.field, NULL, LUXEL_LINEAR, (double)NAN, (double)NAN, 4, NULL, &histogram);
+    luxel_histogram_free(histogram);
+    return status;
+}
+
+static luxel_status compare(void)
+{
+    luxel_comparison comparison;
+    luxel_field *difference = NULL;
+    luxel_status status = luxel_compare(work.field, work.field, NULL, &comparison, &difference);
+    assert_true((difference != NULL) == (status == LUXEL_OK));
+    luxel_field_free(difference);
+    return status;
+}
+
+/* The file is there when all went well, and nothing else ever. */
+static luxel_status write_field(void)
+{
+    luxel_status status = luxel_field_write(work.field, work.path, NULL);
+    assert_int_equal(access(work.path, F_OK), status == LUXEL_OK ? 0 : -1);
+    unlink(work.path);
+    return status;
+}
+
+static luxel_status read_field(void)
+{
+    luxel_field *field = NULL;
+    luxel_status status = luxel_field_read(work.path, NULL, &field);
+    assert_true((field != NULL) == (status == LUXEL_OK));
+    luxel_field_free(field);
+    return status;
+}
+
+static luxel_status read_scene(void)
+{
+    luxel_scene *scene = NULL;
+    luxel_status status = luxel_scene_read_file(work.path, NULL, &scene);
+    assert_true((scene != NULL) == (status == LUXEL_OK));
+    if (status == LUXEL_OK)
+        status = luxel_scene_commit(scene, NULL);
+    luxel_scene_free(scene);
+    return status;
+}
+
+static luxel_status write_scene(void)
+{
+    luxel_status status = luxel_scene_write_file(work.scene, work.path, NULL);
+    assert_int_equal(access(work.path, F_OK), status == LUXEL_OK ? 0 : -1);
+    unlink(work.path);
+    return status;
+}
+
+static void test_computing(void **state)
+{
+    (void)state;
+    assert_survives(render);
+    assert_survives(probe);
+    assert_survives(make_evaluator);
+}
+
+static void test_measuring(void **state)
+{
+    (void)state;
+    assert_survives(find_isophotes);
+    assert_survives(find_profile);
+    assert_survives(explain);
+    assert_survives(summarize);
+    assert_survives(compare);
+}
+
+static void test_files(void **state)
+{
+    const char *ending;
+    (void)state;
+    for (size_t i = 0; (ending = luxel_output_ending(i)) != NULL; i++) {
+        snprintf(work.path, sizeof work.path, "%s/a%s", work.folder, ending);
+        assert_survives(write_field);
+        assert_int_equal(luxel_field_write(work.field, work.path, NULL), LUXEL_OK);
+        if (strcmp(ending, ".png") != 0)
+            assert_survives(read_field);
+        if (strcmp(ending, ".png") == 0 || strcmp(ending, ".exr") == 0)
+            assert_survives(read_scene);
+        unlink(work.path);
+    }
+    snprintf(work.path, sizeof work.path, "%s/a.yaml", work.folder);
+    assert_survives(write_scene);
+    assert_int_equal(luxel_scene_write_file(work.scene, work.path, NULL), LUXEL_OK);
+    assert_survives(read_scene);
+    unlink(work.path);
 }
 
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(rendering_and_probing),
-        cmocka_unit_test(looking_at_pictures),
-        cmocka_unit_test(writing_and_reading),
-        cmocka_unit_test(reading_clouds),
+        cmocka_unit_test_setup_teardown(test_computing, begin_rich, end_work),
+        cmocka_unit_test_setup_teardown(test_measuring, begin_simple, end_work),
+        cmocka_unit_test_setup_teardown(test_files, begin_rich, end_work),
     };
-    return cmocka_run_group_tests(tests, NULL, NULL);
+    return cmocka_run_group_tests_name("pictures short of memory", tests, NULL, NULL);
 }
