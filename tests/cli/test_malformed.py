@@ -89,7 +89,7 @@ def files_that_cannot_be_read(tap, tool):
 
 
 def pictures_too_large(tap, tool):
-    huge = ("render", "-s", "screen.resolution=[65536,65536]", "--precision", "double", "-o", "a.npy")
+    huge = ("stats", "report", "-s", "screen.resolution=[65536,65536]", "--precision", "double")
     limit = 4 << 30
     memory = os.sysconf("SC_PAGE_SIZE") * os.sysconf("SC_PHYS_PAGES")
     ways = {}
