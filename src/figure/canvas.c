@@ -115,8 +115,3 @@ void lx_color(const struct lx_canvas *canvas, const double color[3], double opac
 {
     cairo_set_source_rgba(canvas->cairo, color[0], color[1], color[2], opacity);
 }
-
-bool lx_boxes_meet(const struct lx_box *a, const struct lx_box *b)
-{
-    return a->x < b->x + b->width && b->x < a->x + a->width && a->y < b->y + b->height && b->y < a->y + a->height;
-}

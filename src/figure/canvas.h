@@ -45,6 +45,4 @@ void lx_write(const struct lx_canvas *canvas, const char *text, const struct lx_
 
 void lx_color(const struct lx_canvas *canvas, const double color[3], double opacity);
 
-bool lx_boxes_meet(const struct lx_box *a, const struct lx_box *b);
-
 #endif

@@ -31,9 +31,6 @@ struct lx_shape_report {
 struct lx_shape_report lx_facets_of_outline(const double (*vertices_mm)[3], size_t count, struct lx_facets ***facets,
                                             size_t *facet_count);
 
-/* The convex polygon of `count` of the vertices, named by the loop; NULL when memory ran out. */
-struct lx_facets *lx_facets_of_polygon(const double (*vertices_mm)[3], const unsigned *loop, unsigned count);
-
 /* A rectangle: axis is its normal, h runs along up made perpendicular to the axis, w along up x axis (SPEC 3). */
 struct lx_facets *lx_facets_of_rectangle(const double center_mm[3], const double size_mm[2], const double axis[3],
                                          const double up[3]);

@@ -234,19 +234,6 @@ struct lx_facets *lx_facets_of_rectangle(const double center_mm[3], const double
     return lx_facets_of_pose(center_mm, size_mm, &pose);
 }
 
-struct lx_facets *lx_facets_of_polygon(const double (*vertices_mm)[3], const unsigned *loop, unsigned count)
-{
-    struct lx_facets *facets = lx_facets_new(count, 1, count);
-    if (!facets)
-        return NULL;
-    lx_facets_add_face(facets, count);
-    for (unsigned i = 0; i < count; i++) {
-        facets->corners_mm[i] = lx_wide3_of(vertices_mm[loop[i]]);
-        facets->loop[i] = i;
-    }
-    return finished(facets, false);
-}
-
 struct lx_facets *lx_facets_of_box(const double center_mm[3], const double size_mm[3])
 {
     /* Corner i lies on the far side in x, y, z by its bits 0, 1, 2. */

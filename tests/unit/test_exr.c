@@ -82,7 +82,8 @@ static void write_picture(exr_context_t context, const struct kind *kind, uint8_
     exr_encoding_destroy(context, &pipeline);
 }
 
-static void make_exr(struct files *files, const struct kind *kind)
+/* `preview` NULL: without one. */
+static void make_exr_with(struct files *files, const struct kind *kind, const exr_attr_preview_t *preview)
 {
     exr_context_t context = NULL;
     int part = 0;
@@ -99,10 +100,17 @@ static void make_exr(struct files *files, const struct kind *kind)
     for (size_t i = 0; i < 3 && kind->channels[i]; i++)
         assert_int_equal(exr_add_channel(context, 0, kind->channels[i], kind->type, EXR_PERCEPTUALLY_LOGARITHMIC, 1, 1),
                          0);
+    if (preview)
+        assert_int_equal(exr_attr_set_preview(context, 0, "preview", preview), 0);
     assert_int_equal(exr_write_header(context), 0);
     write_picture(context, kind, numbers);
     assert_int_equal(exr_finish(&context), 0);
     free(numbers);
+}
+
+static void make_exr(struct files *files, const struct kind *kind)
+{
+    make_exr_with(files, kind, NULL);
 }
 
 static void test_kinds(void **state)
@@ -182,9 +190,38 @@ static void test_false_headers(void **state)
     free(bytes);
 }
 
+/* A preview is passed over where its size is that of its pixels. */
+static void test_previews(void **state)
+{
+    struct files *files = *state;
+    const struct kind kind = {EXR_COMPRESSION_ZIP, EXR_PIXEL_FLOAT, {"Y"}, 0, 0};
+    static const uint8_t pixels[4 * 3 * 2] = {1, 2, 3, 4};
+    const exr_attr_preview_t preview = {.width = 3, .height = 2, .rgba = pixels};
+    struct lx_loaded loaded = {0};
+    size_t length;
+    make_exr_with(files, &kind, &preview);
+    assert_int_equal(lx_read_image(files->path, NULL, &loaded), LUXEL_OK);
+    assert_true(loaded.columns == COLUMNS && loaded.rows == ROWS);
+    lx_loaded_clear(&loaded);
+
+    unsigned char *bytes = file_bytes(files->path, &length);
+    size_t width = find(bytes, length, "preview") + 2 * sizeof "preview" + 4; /* behind name, type and size */
+    assert_int_equal(bytes[width], 3);
+    static const unsigned char wrong[][2] = {{0, 4}, {1, 1}, {2, 1}, {3, 0x80}, {4, 3}, {7, 0xff}};
+    for (size_t i = 0; i < sizeof wrong / sizeof wrong[0]; i++) {
+        unsigned char *changed = &bytes[width + wrong[i][0]], right = *changed;
+        *changed = wrong[i][1];
+        make_file(files, "b.exr", bytes, length);
+        assert_refused(files, LUXEL_ERROR_FILE, "bad-file");
+        *changed = right;
+    }
+    free(bytes);
+}
+
 int main(void)
 {
-    const struct CMUnitTest tests[] = {FILES_CASE(kinds), FILES_CASE(refused), FILES_CASE(false_headers)};
+    const struct CMUnitTest tests[] = {FILES_CASE(kinds), FILES_CASE(refused), FILES_CASE(false_headers),
+                                       FILES_CASE(previews)};
 
     return cmocka_run_group_tests_name("exr", tests, NULL, NULL);
 }
