@@ -123,6 +123,23 @@ static void test_strips(void **state)
     }
 }
 
+/* Where points are clustered a pixel depends on its tile, and strips have whole ones. */
+static void test_clustered_strips(void **state)
+{
+    static const char lights[] = "lights=[{type: planar, rectangle: {center: [200, 0, 2500], size: [400, 400]}, "
+                                 "power: 90, parts: 20}]";
+    static const char all_of_it[] = "screen={width: 6.5, height: 350, resolution: [130, 7000]}"; /* shows the sphere */
+    luxel_scene *scene =
+        changed_scene("report", (const char *const[]){all_of_it, lights, "picture.range=[0, 9]", NULL});
+    luxel_settings settings;
+    luxel_settings_init(&settings);
+    settings.threads = 1;
+    settings.precision = LUXEL_DOUBLE;
+    settings.light_error = 0.003;
+    compare(*state, scene, &settings, 8);
+    luxel_scene_free(scene);
+}
+
 /* A picture too large for its grey levels to wait in memory, beside a file that does not. */
 static void test_waiting(void **state)
 {
@@ -242,7 +259,8 @@ static void test_refused(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        FILES_CASE(small), FILES_CASE(strips), FILES_CASE(waiting), FILES_CASE(cancelled), FILES_CASE(refused),
+        FILES_CASE(small),   FILES_CASE(strips),    FILES_CASE(clustered_strips),
+        FILES_CASE(waiting), FILES_CASE(cancelled), FILES_CASE(refused),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
