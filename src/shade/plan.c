@@ -10,7 +10,7 @@
 #include "plan.h"
 #include "shader.h"
 
-/* The picture's maximum is bounded from below by this many samples on each axis. */
+/* The picture's maximum is bounded from below by this many samples on each axis, or by all its pixels. */
 enum { SAMPLES = 16 };
 
 /* Of more lights only some are summed to find the brightest row of samples. */
@@ -240,21 +240,27 @@ static luxel_status choose_precision(const struct lx_plan *plan, struct lx_contr
     return status;
 }
 
+/* Of an axis of so many pixels. */
+static unsigned sample_count(unsigned pixels)
+{
+    return pixels < SAMPLES ? pixels : SAMPLES;
+}
+
 /* A row of the samples of the picture: the largest of them; NaN where the work was stopped. */
 static double sample_row(const struct lx_plan *plan, struct lx_control *control, struct lx_shader_memory *memory,
                          unsigned j)
 {
     const struct lx_screen *screen = &plan->prepared->scene->screen;
-    const unsigned row = (unsigned)((j + 0.5) / SAMPLES * screen->resolution[1]);
-    const double y = lx_row_y_mm(screen, row);
+    const unsigned columns = sample_count(screen->resolution[0]), rows = sample_count(screen->resolution[1]);
+    const double y = lx_row_y_mm(screen, (unsigned)((j + 0.5) / rows * screen->resolution[1]));
     /* Clustered points are cut for each sample alone: together they are too far from each other. */
-    const unsigned step = plan->forest.tree_count > 0 ? 1 : SAMPLES;
+    const unsigned step = plan->forest.tree_count > 0 ? 1 : columns;
     double x[LX_LANES], values[LX_LANES], maximum = 0;
     uint8_t mask[LX_LANES];
     _Static_assert((int)SAMPLES <= (int)LX_LANES, "a row of samples fits in one padded block");
-    for (unsigned first = 0; first < SAMPLES; first += step) {
+    for (unsigned first = 0; first < columns; first += step) {
         for (unsigned i = 0; i < step; i++)
-            x[i] = lx_column_x_mm(screen, (unsigned)((first + i + 0.5) / SAMPLES * screen->resolution[0]));
+            x[i] = lx_column_x_mm(screen, (unsigned)((first + i + 0.5) / columns * screen->resolution[0]));
         lx_shader_enter(plan, memory, &y, 1, x, step);
         lx_shade_points(plan, memory, y, x, step, control, true, values, mask);
         if (!lx_control_goes_on(control, true))
@@ -272,12 +278,13 @@ static double sample_row(const struct lx_plan *plan, struct lx_control *control,
 static luxel_status sample_maximum(struct lx_plan *plan, struct lx_control *control, size_t every, double *maximum)
 {
     struct lx_shader_memory *memory = lx_shader_memory_new(plan);
+    const unsigned rows = sample_count(plan->prepared->scene->screen.resolution[1]);
     unsigned best = 0;
     *maximum = 0;
     if (!memory)
         return LUXEL_ERROR_MEMORY;
     plan->every = every;
-    for (unsigned j = 0; j < SAMPLES && !isnan(*maximum); j++) {
+    for (unsigned j = 0; j < rows && !isnan(*maximum); j++) {
         double row = sample_row(plan, control, memory, j);
         if (isnan(row) || row > *maximum) {
             *maximum = row;
