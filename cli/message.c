@@ -153,10 +153,12 @@ void message_diagnostics(FILE *stream, const luxel_diagnostics *diagnostics, lux
 
 int message_failure(luxel_status status, luxel_diagnostics *diagnostics)
 {
-    if (status == LUXEL_ERROR_MEMORY && luxel_diagnostics_count(diagnostics) == 0) /* not even for the report */
-        message_error(_("memory ran out"));
-    else if (luxel_diagnostics_total(diagnostics, LUXEL_SEVERITY_ERROR) > 0)
+    const size_t errors = luxel_diagnostics_total(diagnostics, LUXEL_SEVERITY_ERROR);
+
+    if (errors > 0 && luxel_diagnostics_count(diagnostics) > 0)
         message_diagnostics(stderr, diagnostics, LUXEL_SEVERITY_ERROR, LUXEL_SEVERITY_ERROR);
+    else if (status == LUXEL_ERROR_MEMORY) /* which may not have done for the report of it */
+        message_error(_("memory ran out"));
     else
         message_error(_("the library failed with status %d"), (int)status);
     return exit_code_of(status);

@@ -98,7 +98,7 @@ static void hint_number(const struct value *value)
         lx_hint(diagnostics, LX_MSG_HINT_FINITE, NULL);
     } else if (digits > 0 && text[digits] == ',' && strspn(text + digits + 1, "0123456789") > 0) {
         lx_hint(diagnostics, LX_MSG_HINT_POINT, NULL);
-    } else if ((digits > 0 && text[digits] && strchr("xo_:", text[digits])) || (unsigned char)text[digits] >= 0x80) {
+    } else if ((digits > 0 && text[digits] && strchr("xo_:", text[digits])) || (unsigned char)text[0] >= 0x80) {
         lx_hint(diagnostics, LX_MSG_HINT_DECIMAL, NULL);
     } else if (digits > 0 && lx_looks_like_number(text, digits)) {
         lx_hint(diagnostics, LX_MSG_HINT_NO_UNIT, NULL);

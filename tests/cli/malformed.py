@@ -88,6 +88,7 @@ PIECES = [
     ("percentage", "diffuse: 0.8", "diffuse: ^80%", "80% unit"),
     ("date", RADIUS, "radius: ^2024-01-01", "2024-01-01"),
     ("digits of another script", RADIUS, "radius: ^\uff12\uff10\uff10", "decimal"),
+    ("unit beyond ASCII", RADIUS, "radius: ^200µm", "200µm alone"),
     ("typographic minus", RADIUS, "radius: ^\u2212200", "decimal"),
     ("digits without end", RADIUS, "radius: ^2" + "0" * 5000 + "x", "000…"),
     ("whole number as a fraction", "[36, 36]", "[^36.0, 36]", "36.0"),

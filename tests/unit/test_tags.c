@@ -249,7 +249,7 @@ static void test_png_many_texts(void **state)
 
     png = begin_png();
     for (int i = 0; i < 5000; i++) {
-        char key[16];
+        char key[24];
         snprintf(key, sizeof key, "luxel:%d", i);
         add_chunk(&png, "tEXt", key, strlen(key) + 1);
     }
