@@ -212,8 +212,11 @@ LX_LANE NAME(lanes)
         NAME(lanes) square = x * x + y * y + z * z, inverse = NAME(inverse_root)(square);
         t = NAME(half_square)(at->nx - x * inverse, at->ny - y * inverse, at->nz - z * inverse);
         cosine = (at->nx * x + at->ny * y + at->nz * z) * inverse;
-        if (!LX_IS_SINGLE) /* L = -V has no half vector; float32 never comes near that */
-            t = NAME(where_above)(square, NAME(all)((REAL)SMALLEST), t, NAME(all)(1));
+        if (!LX_IS_SINGLE) { /* L = -V, but for rounding, has no half vector; float32 never comes near that */
+            const NAME(lanes) rounding = NAME(all)((REAL)0x1p-98);
+            t = NAME(where_above)(square, rounding, t, NAME(all)(1));
+            cosine = NAME(where_above)(square, rounding, cosine, zero);
+        }
     } else { /* from the mirrored L, 2 (N.L) N - L, to V */
         NAME(lanes) twice = 2 * n_dot_l;
         t = NAME(half_square)(x - twice * at->nx, y - twice * at->ny, z - twice * at->nz);
