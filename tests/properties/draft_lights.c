@@ -217,7 +217,7 @@ static enum draft_light_type choose_type(struct choices *choices, bool may_exten
 {
     static const enum draft_light_type types[] = {DRAFT_POINT, DRAFT_POINT,   DRAFT_SPOT,
                                                   DRAFT_SPOT,  DRAFT_DISTANT, DRAFT_AMBIENT};
-    if (may_extend && choose_rarely(choices, 96))
+    if (may_extend && choose_rarely(choices, 64))
         return choose(choices, 2) ? DRAFT_VOLUME : DRAFT_PLANAR;
     return types[choose(choices, sizeof types / sizeof types[0])];
 }

@@ -49,13 +49,26 @@ static double rounding_of(const struct draft *draft, size_t surface)
     return 4 * DBL_EPSILON * size;
 }
 
+/* How far from its place a light may have points that shine; below 0: it has none. */
+static double reach_of(const struct draft_light *light)
+{
+    const double *size = light->numbers.size;
+    if (light->words.type == DRAFT_POINT || light->words.type == DRAFT_SPOT)
+        return 0;
+    if (light->words.parts == 0)
+        return -1;
+    return light->words.parts == 1 && light->words.type == DRAFT_PLANAR && light->words.shape != DRAFT_POLYGON
+               ? 0
+               : size[0] + size[1] + size[2];
+}
+
 /* Whether a source stands where it counts as being on the element: a picture's least distance is 1e-6 mm. */
 static bool is_on_source(const struct draft *draft, const luxel_value *value, double rounding)
 {
     for (size_t i = 0; i < draft->light_count; i++) {
-        const struct draft_light *light = &draft->lights[i];
-        const bool has_place = light->words.type == DRAFT_POINT || light->words.type == DRAFT_SPOT;
-        if (has_place && distance(light->numbers.place, value->position_mm) < 2e-6 + 4 * rounding)
+        const double reach = reach_of(&draft->lights[i]);
+        const double away = distance(draft->lights[i].numbers.place, value->position_mm);
+        if (reach >= 0 && away < reach + 2e-6 + 4 * rounding)
             return true;
     }
     return false;
