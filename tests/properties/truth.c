@@ -174,6 +174,19 @@ bool truth_allows(struct trial *trial, unsigned column, unsigned row, double sho
                        row, x, y, shown, value.value, value.error, slack);
 }
 
+bool truth_is_touched(struct trial *trial)
+{
+    const luxel_field *picture = trial_picture(trial, LUXEL_DOUBLE);
+    for (unsigned row = 0; picture && row < luxel_field_rows(picture); row++)
+        for (unsigned column = 0; column < luxel_field_columns(picture); column++) {
+            double shares[DRAFT_LIGHTS], x, y;
+            const luxel_value value = look(trial, column, row, shares, &x, &y);
+            if (value.on_surface && is_on_source(trial->draft, &value, rounding_of(trial->draft, value.surface)))
+                return true;
+        }
+    return false;
+}
+
 bool truth_shows(struct trial *trial, unsigned column, unsigned row, bool is_shown)
 {
     double shares[DRAFT_LIGHTS], x, y;

@@ -19,6 +19,9 @@
 /* Whether a value is the truth at a pixel, or one of those nearby, to the slack. */
 bool truth_allows(struct trial *trial, unsigned column, unsigned row, double shown, double slack);
 
+/* Whether a source lies on an element that a pixel shows, to rounding: from where it shines, then, nobody can tell. */
+bool truth_is_touched(struct trial *trial);
+
 /* Whether the pixel shows a surface where one is seen, but for pixels on an outline. */
 bool truth_shows(struct trial *trial, unsigned column, unsigned row, bool is_shown);
 
