@@ -126,12 +126,16 @@ LANE struct lane3 beside3(struct lane3 n)
     return scale3(v, 1 / sqrt(dot3(v, v)));
 }
 
-/* The foot of the element in a plane across the axis: its offset and the direction from it to the axis. */
+/*
+ * The foot of the element in a plane across the axis: its offset and the direction from it to the axis.  Of an element on
+ * the axis, or as good as on it, rounding leaves an offset of any direction, also along the axis; that part is taken off.
+ */
 LANE double foot_of(struct lane lane, struct lane3 axis, struct lane3 beside, double height, struct lane3 *u)
 {
     struct lane3 s = along3(lane.c, height, axis);
+    s = along3(s, -dot3(s, axis), axis);
     double rho = sqrt(dot3(s, s));
-    bool is_off = rho > SMALLEST;
+    bool is_off = rho > 0x1p-54 * fabs(height);
     *u = select3(is_off, scale3(s, 1 / greatest(rho, SMALLEST)), beside);
     return rho;
 }
