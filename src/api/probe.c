@@ -83,12 +83,12 @@ static void sum_lights(const struct lx_session *session, const struct lx_element
         share->irradiance = light.irradiance.value;
         share->diffuse = light.diffuse.value;
         share->specular = light.specular.value;
-        share->error = value.error;
+        share->error = lx_told_error(value);
         total = lx_add(total, value);
     }
     probe->has_value = true;
     probe->value = total.value;
-    probe->error = total.error >= 0 ? total.error : HUGE_VAL; /* the bound itself may leave the range */
+    probe->error = lx_told_error(total);
     probe->tolerance_reached = is_reached(session, probe);
 }
 

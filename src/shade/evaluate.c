@@ -32,6 +32,11 @@ lx_bounded lx_share_value(const struct lx_share *share, luxel_quantity quantity)
     return quantity == LUXEL_IRRADIANCE ? share->irradiance : lx_add(share->diffuse, share->specular);
 }
 
+double lx_told_error(lx_bounded number)
+{
+    return number.error >= 0 ? number.error : HUGE_VAL;
+}
+
 static void copy3(double to[3], const lx_bounded3 *from)
 {
     to[0] = from->x.value;
@@ -68,7 +73,7 @@ luxel_value lx_evaluate_element(const struct luxel_evaluator *evaluator, const s
         total = lx_add(total, value);
     }
     result.value = total.value;
-    result.error = total.error >= 0 ? total.error : HUGE_VAL; /* the bound itself may leave the range */
+    result.error = lx_told_error(total);
     return result;
 }
 

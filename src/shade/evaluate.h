@@ -28,6 +28,9 @@ bool lx_light_share(const struct lx_prepared *prepared, const struct lx_element 
 /* What a share adds to the value of a quantity. */
 lx_bounded lx_share_value(const struct lx_share *share, luxel_quantity quantity);
 
+/* The error that is told of a number: infinite where the bound has left the range and so is none. */
+double lx_told_error(lx_bounded number);
+
 /* The value of an element that is seen: sums its lights. */
 luxel_value lx_evaluate_element(const struct luxel_evaluator *evaluator, const struct lx_element *element,
                                 double *shares);
