@@ -397,11 +397,15 @@ static void work_off(struct run *run)
     sort_out(run, memory->pending_count);
     while (memory->pending_count > 0) {
         struct pending next = memory->pending[--memory->pending_count];
+        if (next.is_wide && memory->cell_count == MOST_CELLS) {
+            run->dropped += next.bound; /* no room to halve it, and the rule cannot be believed */
+            continue;
+        }
         if (next.bound == 0 || run->dropped + next.bound <= DROPPED * allowed(run)) {
             run->dropped += next.bound;
             continue;
         }
-        if (next.is_wide && next.depth < DEEPEST && memory->cell_count < MOST_CELLS) {
+        if (next.is_wide && next.depth < DEEPEST) {
             for (int q = 0; q < QUARTERS; q++)
                 memory->pending[memory->pending_count++] = (struct pending){
                     .source = next.source,
