@@ -127,8 +127,9 @@ LANE struct lane3 beside3(struct lane3 n)
 }
 
 /*
- * The foot of the element in a plane across the axis: its offset and the direction from it to the axis.  Of an element on
- * the axis, or as good as on it, rounding leaves an offset of any direction, also along the axis; that part is taken off.
+ * The foot of the element in a plane across the axis: its offset and the direction from it to the axis.  Of an element
+ * on the axis, or as good as on it, rounding leaves an offset of any direction, also along the axis; that part is taken
+ * off.
  */
 LANE double foot_of(struct lane lane, struct lane3 axis, struct lane3 beside, double height, struct lane3 *u)
 {
