@@ -24,6 +24,7 @@
 #define EXP_TERMS 8
 #include "lanes.h"
 
+#include "kernel_facets.h"
 #include "kernel_real.h"
 #include "kernel_samples.h"
 #include "kernel_survey.h"
@@ -54,12 +55,13 @@
 #define EXP_TERMS 14
 #include "lanes.h"
 
+#include "kernel_facets.h"
 #include "kernel_real.h"
 #include "kernel_samples.h"
 #include "kernel_survey.h"
 
 #include "kernel_angle.h"
-#include "kernel_facets.h"
+#include "kernel_contour.h"
 #include "kernel_round.h"
 
 /*
@@ -216,7 +218,8 @@ const struct lx_kernels TABLE_OF(LX_ISA) = {
     .samples_double = samples_double,
     .survey_single = survey_single,
     .survey_double = survey_double,
-    .light_by_shell = {[LX_FACETS] = light_by_facets,
+    .facets_single = light_by_facets_single,
+    .light_by_shell = {[LX_FACETS] = light_by_facets_double,
                        [LX_DISK] = light_by_disk,
                        [LX_BALL] = light_by_ball,
                        [LX_CYLINDER] = light_by_cylinder},

@@ -85,6 +85,16 @@ enum lx_light_kind { LX_DISTANT, LX_BY_SQUARE, LX_BY_SUM, LX_UNATTENUATED, LX_PR
         enum lx_attenuation law;                                                                                       \
         real k;                                                                                                        \
     };                                                                                                                 \
+    struct lx_shell_face_##suffix {                                                                                    \
+        real normal[3]; /* unit */                                                                                     \
+        real height;    /* of its plane over the source's centre */                                                    \
+    };                                                                                                                 \
+    struct lx_shell_edge_##suffix {                                                                                    \
+        real from[3], to[3], along[3]; /* from the centre; along = to - from */                                        \
+        real both[3], product;         /* from + to, from . to */                                                      \
+        real moment[3];                /* from x to */                                                                 \
+        int left, right;               /* as in struct lx_edge */                                                      \
+    };                                                                                                                 \
     typedef void lx_shade_##suffix(const struct lx_light_##suffix *lights, size_t light_count,                         \
                                    const struct lx_lobe_##suffix *lobe, const struct lx_block_##suffix *block,         \
                                    const float *open, size_t count, double *sum);                                      \
@@ -148,17 +158,6 @@ typedef void lx_block_light(const struct lx_blocker *blocker, const struct lx_bl
                             float *open);
 
 /* An extended source, as offsets from the anchor of a surface or from the source's centre. */
-struct lx_shell_face {
-    double normal[3]; /* unit */
-    double height;    /* of its plane over the source's centre */
-};
-
-struct lx_shell_edge {
-    double from[3], to[3], along[3]; /* from the centre; along = to - from */
-    double moment[3];                /* from x to */
-    int left, right;                 /* as in struct lx_edge */
-};
-
 struct lx_shell {
     enum lx_emitter_type type;
     double radiance;
@@ -168,8 +167,10 @@ struct lx_shell {
     double axis[3];   /* of a disk or cylinder */
     double round_mm;  /* radius of a disk, ball, cylinder */
     double half_mm;   /* half the height of a cylinder */
-    struct lx_shell_face *faces;
-    struct lx_shell_edge *edges;
+    struct lx_shell_face_double *faces_double;
+    struct lx_shell_edge_double *edges_double;
+    struct lx_shell_face_single *faces_single; /* NULL where float32 does not do */
+    struct lx_shell_edge_single *edges_single;
     size_t face_count, edge_count;
     const struct lx_facets *facets; /* what they were made of */
 };
@@ -179,9 +180,11 @@ struct lx_around {
     double center[3], radius;
 };
 
-/* Adds `diffuse` times the irradiance by the law 1/r^2, r in mm and the shell in mm. */
-typedef void lx_light_by_shell(const struct lx_shell *shell, double diffuse, const struct lx_block_double *block,
-                               const struct lx_around *around, size_t count, double *sum);
+/* Add `diffuse` times the irradiance by the law 1/r^2, r in mm and the shell in mm. */
+typedef void lx_light_by_shell_single(const struct lx_shell *shell, double diffuse, const struct lx_block_single *block,
+                                      size_t count, double *sum);
+typedef void lx_light_by_shell_double(const struct lx_shell *shell, double diffuse, const struct lx_block_double *block,
+                                      size_t count, double *sum);
 
 struct lx_kernels {
     const char *name;
@@ -192,8 +195,9 @@ struct lx_kernels {
     lx_shade_samples_double *samples_double;
     lx_survey_single *survey_single;
     lx_survey_double *survey_double;
+    lx_light_by_shell_single *facets_single;
     /* by the type of the emitter; NULL for those that are not extended */
-    lx_light_by_shell *light_by_shell[LX_CYLINDER + 1];
+    lx_light_by_shell_double *light_by_shell[LX_CYLINDER + 1];
     /* by the type of the shape */
     lx_meet_lines *meet_lines[LX_SHAPE_TYPES];
     lx_complete_block *complete_block[LX_SHAPE_TYPES];

@@ -1,207 +1,389 @@
 /* SPDX-License-Identifier: MIT */
 /*
- * The irradiance by convex facets in closed form, in float64.  Included by kernel.c, once for an instruction set.
+ * The irradiance by convex facets in closed form, in one precision.  Included by kernel.c behind each kernel_real.h,
+ * whose vectors it uses.
  *
- * With c the way to the source's centre, v = c + w a contour point, e = b - a an edge of the contour, which is closed
- * by the chord in the horizon's plane, and F = angle(a, b)/|a x b|,
+ * With c the way to the source's centre, a = c + u and b = a + e the ends of an edge of the contour, which is closed by
+ * the chord in the horizon's plane, and F = angle(a, b)/|a x b|,
  *
  *     E = -radiance/2 sum F N.(a x e)         (the contour counter-clockwise as the element sees it)
  *
  * cancels for small sources.  The sum of all e is 0, hence also
  *
- *     E = -radiance/2 sum (F - 1/c^2) (N x c).e + F N.(w x e),
+ *     E = -radiance/2 sum (F - 1/c^2) N.(c x e) + F N.(u x e),
  *
- * where nothing does: with t = |a x b|/(a.b) and d = a.b - c^2, F - 1/c^2 = -(gap(t^2) + d/c^2)/(a.b).
+ * where nothing does: with t = |a x b|/(a.b) and d = a.b - c^2, F - 1/c^2 = -(gap(t^2) + d/c^2)/(a.b), where
+ * gap(z) = 1 - atan(sqrt z)/sqrt z.  This is taken where the source is far, which means that no edge is seen under more
+ * than 45 degrees; else F comes from the cosine of the angle.
  *
  * Signs count from `touch` on: a face seen along its own plane is not seen, a corner on the horizon is above it,
  * whatever rounding says, so that the edges that meet in a corner, or in a face, agree.
+ *
+ * An element's sum does not depend on the elements beside it: shortcuts are taken only where they give the same bytes.
  */
-struct lane3 {
-    double x, y, z;
+
+/* A vector in space for each of some elements. */
+struct NAME(space) {
+    NAME(lanes) x, y, z;
 };
 
-LANE struct lane3 lane3_of(const double v[3])
+LX_LANE struct NAME(space) NAME(same)(const REAL v[3])
 {
-    return (struct lane3){v[0], v[1], v[2]};
+    return (struct NAME(space)){NAME(all)(v[0]), NAME(all)(v[1]), NAME(all)(v[2])};
 }
 
-LANE double dot3(struct lane3 a, struct lane3 b)
+LX_LANE NAME(lanes) NAME(dot)(struct NAME(space) a, struct NAME(space) b)
 {
     return a.x * b.x + a.y * b.y + a.z * b.z;
 }
 
-LANE struct lane3 cross3(struct lane3 a, struct lane3 b)
+LX_LANE struct NAME(space) NAME(cross)(struct NAME(space) a, struct NAME(space) b)
 {
-    return (struct lane3){a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
+    return (struct NAME(space)){a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
 }
 
 /* a + factor b */
-LANE struct lane3 along3(struct lane3 a, double factor, struct lane3 b)
+LX_LANE struct NAME(space) NAME(along)(struct NAME(space) a, NAME(lanes) factor, struct NAME(space) b)
 {
-    return (struct lane3){a.x + factor * b.x, a.y + factor * b.y, a.z + factor * b.z};
+    return (struct NAME(space)){a.x + factor * b.x, a.y + factor * b.y, a.z + factor * b.z};
 }
 
-LANE struct lane3 scale3(struct lane3 a, double factor)
+LX_LANE struct NAME(space) NAME(sum_of)(struct NAME(space) a, struct NAME(space) b)
 {
-    return (struct lane3){factor * a.x, factor * a.y, factor * a.z};
+    return (struct NAME(space)){a.x + b.x, a.y + b.y, a.z + b.z};
 }
 
-LANE struct lane3 select3(bool first, struct lane3 a, struct lane3 b)
+LX_LANE struct NAME(space) NAME(times)(NAME(lanes) factor, struct NAME(space) a)
 {
-    return (struct lane3){first ? a.x : b.x, first ? a.y : b.y, first ? a.z : b.z};
+    return (struct NAME(space)){factor * a.x, factor * a.y, factor * a.z};
 }
 
-/* An element and its way to the source's centre. */
-struct lane {
-    struct lane3 n, c, k; /* k = N x c */
-    double inverse;       /* 1/c^2; 0 where the source is near */
+/* Where a > b, `above`, elsewhere `other`. */
+LX_LANE struct NAME(space)
+    NAME(space_where_above)(NAME(lanes) a, NAME(lanes) b, struct NAME(space) above, struct NAME(space) other)
+{
+    return (struct NAME(space)){NAME(where_above)(a, b, above.x, other.x), NAME(where_above)(a, b, above.y, other.y),
+                                NAME(where_above)(a, b, above.z, other.z)};
+}
+
+LX_LANE NAME(lanes) NAME(polynomial)(NAME(lanes) x, const REAL *coefficients, int count)
+{
+    NAME(lanes) value = NAME(all)(coefficients[count - 1]);
+    for (int k = count - 2; k >= 0; k--)
+        value = value * x + coefficients[k];
+    return value;
+}
+
+/* gap(z) for 0 <= z <= 1; the polynomial is the nearest to gap(z)/z.  Error below 2 ulp. */
+LX_LANE NAME(lanes) NAME(gap_of)(NAME(lanes) z)
+{
+#if LX_IS_SINGLE
+    static const REAL coefficients[] = {0.333333317F,   -0.199997393F, 0.142785687F,   -0.110337641F, 0.0865688043F,
+                                        -0.0625016944F, 0.035871539F,  -0.0135077714F, 0.00238699732F};
+#else
+    static const REAL coefficients[] = {
+        0.33333333333333333,   -0.19999999999999553,  0.14285714285648404,    -0.11111111107234799,
+        0.090909089695574031,  -0.076923053546786548, 0.066666364357776927,   -0.058820749563712946,
+        0.052612657357094544,  -0.047520867735766561, 0.043081196553304713,   -0.038726402140426325,
+        0.033750132001619734,  -0.027567942297344677, 0.020238706986393516,   -0.012756172907694297,
+        0.0065756833441516986, -0.002622977891906089, 0.00075184725269738215, -0.0001368724853148122,
+        1.1832505417555693e-5,
+    };
+#endif
+    return z * NAME(polynomial)(z, coefficients, (int)(sizeof coefficients / sizeof *coefficients));
+}
+
+/* An angle up to 90 degrees divided by its sine, of z = 1 - cosine; likewise.  Error below 2 ulp of 1. */
+LX_LANE NAME(lanes) NAME(arc_over_sine)(NAME(lanes) z)
+{
+#if LX_IS_SINGLE
+    static const REAL coefficients[] = {0.333333328F,  0.133334323F,   0.0571105879F, 0.0258003783F,  0.0090147924F,
+                                        0.0142751467F, -0.0162989942F, 0.024591851F,  -0.0157470768F, 0.00538198021F};
+#else
+    static const REAL coefficients[] = {
+        0.33333333333333335,   0.13333333333332159,    0.057142857144574497,   0.025396825297269286,
+        0.011544014593116172,  0.0053279483088366183,  0.0024871121300071885,  0.0011638546001328132,
+        0.0005940854424188283, 7.2113529832630871e-5,  0.00083300093742698707, -0.0019569674992866074,
+        0.0045212623352351001, -0.0078002147398554877, 0.010588885862776898,   -0.011041195077543494,
+        0.008721864552393709,  -0.0050442123635885331, 0.0020230684103422831,  -0.00050420295628496021,
+        5.9559620437726247e-5,
+    };
+#endif
+    return 1 + z * NAME(polynomial)(z, coefficients, (int)(sizeof coefficients / sizeof *coefficients));
+}
+
+/* A vector of elements and their ways to the source's centre. */
+struct NAME(outlook) {
+    struct NAME(space) n, c;
+    NAME(lanes) square, inverse; /* c^2, 1/c^2 */
+    NAME(lanes) beyond_near;     /* above 0 where the source is far */
+    NAME(lanes) height;          /* of the centre above the horizon */
 };
 
-/* Where a contour, as offsets w from the source's centre, passes the horizon. */
-struct passage {
-    struct lane3 exit, entry;
-    double cut; /* whether it does */
+/* An edge, or its part above the horizon: u where it begins, from the centre, e on to its end, u x e, and the sum of
+ * both ends and their dot product. */
+struct NAME(edge) {
+    struct NAME(space) u, e, moment, both;
+    NAME(lanes) product;
 };
 
-LANE struct lane lane_of(const struct lx_shell *shell, const struct lx_block_double *block, size_t i)
+/* An edge's share of -2 E, where the source is far. */
+LX_LANE NAME(lanes) NAME(far_term)(const struct NAME(outlook) * at, const struct NAME(edge) * edge)
 {
-    struct lane lane = {.n = {block->nx[i], block->ny[i], block->nz[i]}};
-    lane.c = (struct lane3){shell->center[0] - block->px[i], shell->center[1] - block->py[i],
-                            shell->center[2] - block->pz[i]};
-    lane.k = cross3(lane.n, lane.c);
-    double square = dot3(lane.c, lane.c);
-    lane.inverse = square > 4 * shell->radius_mm * shell->radius_mm ? 1 / square : 0;
-    return lane;
+    struct NAME(space) q = NAME(cross)(at->c, edge->e), g = NAME(sum_of)(q, edge->moment);
+    NAME(lanes) beyond = NAME(dot)(at->c, edge->both) + edge->product;
+    NAME(lanes) inverse = NAME(inverse)(at->square + beyond);
+    NAME(lanes) gap = NAME(gap_of)(NAME(dot)(g, g) * inverse * inverse);
+    NAME(lanes) less = (gap + beyond * at->inverse) * inverse, f = (1 - gap) * inverse;
+    return f * NAME(dot)(at->n, edge->moment) - less * NAME(dot)(at->n, q);
 }
 
-/* One edge's share of -2 E: u and w where it begins and ends, e between, and N.(u x e). */
-LANE double edge_term(struct lane lane, struct lane3 u, struct lane3 w, struct lane3 e, double moment)
+/* The same where it is near. */
+LX_LANE NAME(lanes) NAME(near_term)(const struct NAME(outlook) * at, const struct NAME(edge) * edge)
 {
-    struct lane3 a = along3(lane.c, 1, u), b = along3(lane.c, 1, w), g = cross3(a, e);
-    double sine2 = dot3(g, g), sine = sqrt(sine2);
-    double beyond = dot3(lane.c, along3(u, 1, w)) + dot3(u, w);
-    bool is_far = lane.inverse > 0;
-    double cosine = is_far ? dot3(lane.c, lane.c) + beyond : dot3(a, b);
-    double size = fabs(cosine), length = greatest(sqrt(cosine * cosine + sine2) + size, SMALLEST);
-    double t = sine / length, half = t * arc_over_tangent(t * t, 2), divisor = 1 / greatest(sine, SMALLEST);
-    double sharp = sine > SMALLEST ? 2 * half * divisor : 2 / length;
-    double f = cosine > 0 ? sharp : (M_PI - 2 * half) * divisor;
-    double inverse_size = 1 / greatest(size, SMALLEST), tangent = sine * inverse_size;
-    double z = cosine > 0 ? tangent * tangent : 1;
-    double series = -(small_gap(least(z, series_end)) + beyond * lane.inverse) * inverse_size;
-    double less = z < series_end ? series : f - lane.inverse;
-    return is_far ? less * dot3(lane.k, e) + f * moment : f * dot3(lane.n, g);
+    const NAME(lanes) zero = NAME(all)(0), smallest = NAME(all)((REAL)SMALLEST);
+    struct NAME(space) a = NAME(sum_of)(at->c, edge->u), g = NAME(cross)(a, edge->e);
+    NAME(lanes) cosine = NAME(dot)(a, NAME(sum_of)(a, edge->e)), sine2 = NAME(dot)(g, g);
+    NAME(lanes) inverse = NAME(inverse_root)(NAME(greater)(cosine * cosine + sine2, smallest));
+    cosine *= inverse;
+    NAME(lanes) size = NAME(greater)(cosine, -cosine), f = NAME(arc_over_sine)(1 - size) * inverse;
+    if (NAME(any_above)(zero, cosine)) {
+        NAME(lanes) obtuse = (REAL)M_PI * NAME(inverse_root)(NAME(greater)(sine2, smallest)) - f;
+        f = NAME(where_above)(zero, cosine, obtuse, f);
+    }
+    return f * NAME(dot)(at->n, g);
 }
 
-/* An edge's share of -2 E where it is above the horizon, and whether it passes through; weight 1: along it,
- * -1: against it, 0: not at all.  The heights of its ends count from -touch on. */
-LANE double clipped_edge(struct lane lane, struct lane3 u, struct lane3 e, double moment, double from, double to,
-                         double weight, struct passage *passage)
+/* Both are evaluated only where some elements are near and others far. */
+LX_LANE NAME(lanes) NAME(edge_term)(const struct NAME(outlook) * at, const struct NAME(edge) * edge)
 {
-    double change = from - to;
-    double cross = from / (fabs(change) > SMALLEST ? change : 1);
-    cross = least(greatest(cross, 0), 1);
-    double first = from < 0 ? cross : 0, last = to < 0 ? cross : 1, part = last - first;
-    double term = edge_term(lane, along3(u, first, e), along3(u, last, e), scale3(e, part), part * moment);
-    double down = from < 0 ? 0 : weight, up = to < 0 ? 0 : weight; /* along the edge, or against it */
-    double leaves = (to < 0 ? down : 0) - (from < 0 ? up : 0);     /* 1: goes below the horizon; -1: comes up again */
-    struct lane3 place = along3(u, cross, e);
-    passage->exit = select3(leaves > 0, place, passage->exit);
-    passage->entry = select3(leaves < 0, place, passage->entry);
-    passage->cut = leaves > 0 ? 1 : passage->cut;
-    return greatest(from, to) < 0 ? 0 : weight * term;
+    const NAME(lanes) zero = NAME(all)(0);
+    if (!NAME(any_above)(at->beyond_near, zero))
+        return NAME(near_term)(at, edge);
+    NAME(lanes) far = NAME(far_term)(at, edge);
+    if (NAME(all_above)(at->beyond_near, zero))
+        return far;
+    return NAME(where_above)(at->beyond_near, zero, far, NAME(near_term)(at, edge));
+}
+
+/* Where a contour, as offsets from the source's centre, passes the horizon. */
+struct NAME(passage) {
+    struct NAME(space) exit, entry;
+    NAME(lanes) cut; /* 1 where it does */
+};
+
+/*
+ * An edge's share of -2 E where it is above the horizon, and whether it passes through; weight 1: along it, -1: against
+ * it, 0: not at all.  The heights of its ends count from -touch on.
+ */
+LX_LANE NAME(lanes)
+    NAME(clipped_term)(const struct NAME(outlook) * at, const struct NAME(edge) * edge, NAME(lanes) from,
+                       NAME(lanes) to, NAME(lanes) weight, struct NAME(passage) * passage)
+{
+    const NAME(lanes) zero = NAME(all)(0), one = NAME(all)(1);
+    NAME(lanes) change = from - to, size = NAME(greater)(change, -change);
+    NAME(lanes) at_horizon = from * NAME(inverse)(NAME(where_above)(size, NAME(all)((REAL)SMALLEST), change, one));
+    at_horizon = NAME(lesser)(NAME(greater)(at_horizon, zero), one);
+    NAME(lanes) first = NAME(where_above)(zero, from, at_horizon, zero);
+    NAME(lanes) last = NAME(where_above)(zero, to, at_horizon, one), part = last - first;
+    struct NAME(space) place = NAME(along)(edge->u, at_horizon, edge->e);
+    struct NAME(edge) above = {.u = NAME(along)(edge->u, first, edge->e), .e = NAME(times)(part, edge->e)};
+    struct NAME(space) end = NAME(along)(edge->u, last, edge->e);
+    above.moment = NAME(times)(part, edge->moment);
+    above.both = NAME(space_where_above)(one, part, NAME(sum_of)(above.u, end), edge->both);
+    above.product = NAME(where_above)(one, part, NAME(dot)(above.u, end), edge->product);
+    NAME(lanes) term = NAME(edge_term)(at, &above);
+    /* leaves 1: goes below the horizon; -1: comes up again */
+    NAME(lanes) down = NAME(where_above)(zero, from, zero, weight), up = NAME(where_above)(zero, to, zero, weight);
+    NAME(lanes) leaves = NAME(where_above)(zero, to, down, zero) - NAME(where_above)(zero, from, up, zero);
+    passage->exit = NAME(space_where_above)(leaves, zero, place, passage->exit);
+    passage->entry = NAME(space_where_above)(zero, leaves, place, passage->entry);
+    passage->cut = NAME(where_above)(leaves, zero, one, passage->cut);
+    return NAME(where_above)(zero, NAME(greater)(from, to), zero, weight * term);
 }
 
 /* The chord from the exit to the entry closes what the horizon cuts off. */
-LANE double chord_term(struct lane lane, struct passage passage)
+LX_LANE NAME(lanes) NAME(chord_term)(const struct NAME(outlook) * at, const struct NAME(passage) * passage)
 {
-    struct lane3 e = along3(passage.entry, -1, passage.exit);
-    double term = edge_term(lane, passage.exit, passage.entry, e, dot3(lane.n, cross3(passage.exit, e)));
-    return passage.cut > 0 ? term : 0;
+    const NAME(lanes) zero = NAME(all)(0), minus = NAME(all)(-1);
+    struct NAME(edge) chord = {.u = passage->exit, .e = NAME(along)(passage->entry, minus, passage->exit)};
+    chord.moment = NAME(cross)(passage->exit, chord.e);
+    chord.both = NAME(sum_of)(passage->exit, passage->entry);
+    chord.product = NAME(dot)(passage->exit, passage->entry);
+    return NAME(where_above)(passage->cut, zero, NAME(edge_term)(at, &chord), zero);
 }
 
-/* What is kept of each element from edge to edge. */
-struct contour {
-    double sum[LX_BLOCK];    /* -2 E */
-    double weight[LX_BLOCK]; /* of the edge */
-    double exit_x[LX_BLOCK], exit_y[LX_BLOCK], exit_z[LX_BLOCK];
-    double entry_x[LX_BLOCK], entry_y[LX_BLOCK], entry_z[LX_BLOCK];
-    double cut[LX_BLOCK];
-};
-
-LANE struct passage passage_of(const struct contour *contour, size_t i)
+/* What a vector of elements sees of a face: 1 or 0. */
+LX_LANE NAME(lanes) NAME(sees)(const struct NAME(outlook) * at, const struct NAME(lx_shell_face) * face, REAL touch)
 {
-    return (struct passage){
-        .exit = {contour->exit_x[i], contour->exit_y[i], contour->exit_z[i]},
-        .entry = {contour->entry_x[i], contour->entry_y[i], contour->entry_z[i]},
-        .cut = contour->cut[i],
-    };
+    NAME(lanes) height = -NAME(dot)(NAME(same)(face->normal), at->c);
+    return NAME(where_above)(height, NAME(all)(face->height + touch), NAME(all)(1), NAME(all)(0));
 }
 
-/* Adds sign to the weights of the elements that see the face. */
-static void weigh_face(const struct lx_shell *shell, const struct lx_shell_face *face, double sign,
-                       const struct lx_block_double *block, size_t count, struct contour *contour)
+/* A ball around the places of a block. */
+static struct lx_around NAME(around)(const struct NAME(lx_block) * block, size_t count)
 {
-    const struct lane3 normal = lane3_of(face->normal), center = lane3_of(shell->center);
-    const double height = face->height + shell->touch_mm;
-    for (size_t i = 0; i < count; i++) {
-        struct lane3 from = {block->px[i] - center.x, block->py[i] - center.y, block->pz[i] - center.z};
-        contour->weight[i] += dot3(normal, from) > height ? sign : 0;
+    const REAL *places[3] = {block->px, block->py, block->pz};
+    struct lx_around around = {.radius = 0};
+    double square = 0;
+    for (int k = 0; k < 3; k++) {
+        NAME(lanes) lowest = NAME(load)(places[k]), highest = lowest;
+        for (size_t i = NAME(LX_WIDTH); i < count; i += NAME(LX_WIDTH)) {
+            lowest = NAME(lesser)(NAME(load)(places[k] + i), lowest);
+            highest = NAME(greater)(NAME(load)(places[k] + i), highest);
+        }
+        REAL low = lowest[0], high = highest[0];
+        for (int lane = 1; lane < NAME(LX_WIDTH); lane++) {
+            low = lowest[lane] < low ? lowest[lane] : low;
+            high = highest[lane] > high ? highest[lane] : high;
+        }
+        const double half = ((double)high - (double)low) / 2;
+        around.center[k] = (double)low + half;
+        square += half * half;
     }
+    around.radius = (1 + 1e-12) * sqrt(square);
+    return around;
 }
 
-static void add_edge(const struct lx_shell *shell, const struct lx_shell_edge *edge,
-                     const struct lx_block_double *block, size_t count, struct contour *restrict contour)
+/* What all of a block's elements see of a face: 1, they do; -1, none does; 0, some may. */
+static int NAME(side_of)(const struct lx_shell *shell, const struct NAME(lx_shell_face) * face,
+                         const struct lx_around *around)
 {
-    const struct lane3 u = lane3_of(edge->from), w = lane3_of(edge->to), e = lane3_of(edge->along);
-    const struct lane3 moment = lane3_of(edge->moment);
-    const double touch = shell->touch_mm;
-    for (size_t i = 0; i < count; i++) {
-        struct lane lane = lane_of(shell, block, i);
-        struct passage passage = passage_of(contour, i);
-        double from = dot3(lane.n, along3(lane.c, 1, u)) + touch, to = dot3(lane.n, along3(lane.c, 1, w)) + touch;
-        contour->sum[i] += clipped_edge(lane, u, e, dot3(lane.n, moment), from, to, contour->weight[i], &passage);
-        contour->exit_x[i] = passage.exit.x, contour->exit_y[i] = passage.exit.y;
-        contour->exit_z[i] = passage.exit.z;
-        contour->entry_x[i] = passage.entry.x, contour->entry_y[i] = passage.entry.y;
-        contour->entry_z[i] = passage.entry.z;
-        contour->cut[i] = passage.cut;
+    double above = -(double)face->height, away = 0;
+    for (int i = 0; i < 3; i++) {
+        double offset = around->center[i] - shell->center[i];
+        above += (double)face->normal[i] * offset;
+        away += fabs(offset);
     }
-}
-
-/* What a whole block sees of a face: 1, all of it; -1, none; 0, some may. */
-static int side_of(const struct lx_shell *shell, const struct lx_shell_face *face, const struct lx_around *around)
-{
-    double above = -face->height;
-    for (int i = 0; i < 3; i++)
-        above += face->normal[i] * (around->center[i] - shell->center[i]);
-    double doubt = around->radius + 2 * shell->touch_mm;
+    double rounding = LX_IS_SINGLE ? 0x1p-20 * (away + shell->radius_mm) : 2 * shell->touch_mm;
+    double doubt = around->radius + rounding;
     return above > doubt ? 1 : above < -doubt ? -1 : 0;
 }
 
-static void light_by_facets(const struct lx_shell *shell, double diffuse, const struct lx_block_double *block,
-                            const struct lx_around *around, size_t count, double *restrict sum)
+/* An edge that elements of a block may have on their contour. */
+struct NAME(candidate) {
+    const struct NAME(lx_shell_edge) * edge;
+    REAL weight; /* for all elements; 0: each has its own */
+};
+
+static bool NAME(is_candidate)(const struct lx_shell *shell, const struct lx_around *around,
+                               struct NAME(candidate) * candidate)
 {
-    struct contour contour;
-    count = lx_padded(count);
-    memset(&contour, 0, sizeof contour);
-    for (size_t k = 0; k < shell->edge_count; k++) {
-        const struct lx_shell_edge *edge = &shell->edges[k];
-        const struct lx_shell_face *left = &shell->faces[edge->left];
-        const struct lx_shell_face *right = edge->right < 0 ? NULL : &shell->faces[edge->right];
-        int left_side = side_of(shell, left, around), right_side = right ? side_of(shell, right, around) : -1;
-        if (left_side != 0 && left_side == right_side)
+    const struct NAME(lx_shell_edge) *edge = candidate->edge;
+    const struct NAME(lx_shell_face) *faces = shell->NAME(faces);
+    const int left = NAME(side_of)(shell, &faces[edge->left], around);
+    const int right = edge->right < 0 ? -1 : NAME(side_of)(shell, &faces[edge->right], around);
+    candidate->weight = left == 0 || right == 0 ? 0 : (REAL)((left - right) / 2);
+    return left == 0 || left != right;
+}
+
+/* What is known of the contours of a vector of elements. */
+struct NAME(contour) {
+    NAME(lanes) sum; /* -2 E */
+    struct NAME(passage) passage;
+};
+
+/* What a vector of elements has above its horizon: all of the source, some, nothing. */
+enum NAME(share) { NAME(LX_ALL), NAME(LX_SOME), NAME(LX_NOTHING) };
+
+LX_LANE enum NAME(share) NAME(share_above)(const struct lx_shell *shell, const struct NAME(outlook) * at, double away)
+{
+    /* with room for rounding, so that no corner of what counts as whole is below by that */
+    const double rounding = (LX_IS_SINGLE ? 0x1p-20 : 0x1p-49) * (away + shell->radius_mm);
+    const NAME(lanes) reach = NAME(all)((REAL)(1.001 * shell->radius_mm + shell->touch_mm + rounding));
+    if (!NAME(any_above)(at->height, -reach))
+        return NAME(LX_NOTHING);
+    return NAME(all_above)(at->height, reach) ? NAME(LX_ALL) : NAME(LX_SOME);
+}
+
+LX_LANE struct NAME(outlook)
+    NAME(outlook_of)(const struct lx_shell *shell, const struct NAME(lx_block) * block, size_t i)
+{
+    const REAL far_square = (REAL)(7 * shell->radius_mm * shell->radius_mm); /* 1/sin(22.5 degrees)^2 is 6.83 */
+    struct NAME(outlook) at = {.n = {NAME(load)(block->nx + i), NAME(load)(block->ny + i), NAME(load)(block->nz + i)}};
+    at.c.x = (REAL)shell->center[0] - NAME(load)(block->px + i);
+    at.c.y = (REAL)shell->center[1] - NAME(load)(block->py + i);
+    at.c.z = (REAL)shell->center[2] - NAME(load)(block->pz + i);
+    at.square = NAME(dot)(at.c, at.c);
+    at.inverse = NAME(inverse)(NAME(greater)(at.square, NAME(all)((REAL)SMALLEST)));
+    at.beyond_near = at.square - far_square;
+    at.height = NAME(dot)(at.n, at.c);
+    return at;
+}
+
+/* The edge's weight for each element, by the faces on its sides. */
+LX_LANE NAME(lanes)
+    NAME(weigh)(const struct lx_shell *shell, const struct NAME(candidate) * candidate, const struct NAME(outlook) * at)
+{
+    const struct NAME(lx_shell_face) *faces = shell->NAME(faces);
+    const struct NAME(lx_shell_edge) *edge = candidate->edge;
+    const REAL touch = (REAL)shell->touch_mm;
+    if (candidate->weight != 0)
+        return NAME(all)(candidate->weight);
+    NAME(lanes) left = NAME(sees)(at, &faces[edge->left], touch);
+    return edge->right < 0 ? left : left - NAME(sees)(at, &faces[edge->right], touch);
+}
+
+/* Adds candidates to the contours of a vector of elements. */
+LX_LANE void NAME(add_edges)(const struct lx_shell *shell, const struct NAME(candidate) * candidates, size_t count,
+                             const struct NAME(outlook) * at, enum NAME(share) share, struct NAME(contour) * contour)
+{
+    const NAME(lanes) center = at->height + (REAL)shell->touch_mm;
+    for (size_t k = 0; k < count; k++) {
+        const struct NAME(lx_shell_edge) *whole = candidates[k].edge;
+        const struct NAME(edge) edge = {NAME(same)(whole->from), NAME(same)(whole->along), NAME(same)(whole->moment),
+                                        NAME(same)(whole->both), NAME(all)(whole->product)};
+        const NAME(lanes) weight = NAME(weigh)(shell, &candidates[k], at);
+        if (share == NAME(LX_ALL)) {
+            contour->sum += weight * NAME(edge_term)(at, &edge);
             continue;
-        for (size_t i = 0; i < count; i++)
-            contour.weight[i] = 0;
-        weigh_face(shell, left, 1, block, count, &contour);
-        if (right)
-            weigh_face(shell, right, -1, block, count, &contour);
-        add_edge(shell, edge, block, count, &contour);
+        }
+        NAME(lanes) from = center + NAME(dot)(at->n, edge.u);
+        NAME(lanes) to = center + NAME(dot)(at->n, NAME(same)(whole->to));
+        if (!NAME(any_above)(NAME(all)(0), NAME(lesser)(from, to)))
+            contour->sum += weight * NAME(edge_term)(at, &edge);
+        else if (!NAME(all_above)(NAME(all)(0), NAME(greater)(from, to)))
+            contour->sum += NAME(clipped_term)(at, &edge, from, to, weight, &contour->passage);
     }
+}
+
+static void NAME(light_by_facets)(const struct lx_shell *shell, double diffuse, const struct NAME(lx_block) * block,
+                                  size_t count, double *restrict sum)
+{
+    enum { LOT = 64 }; /* candidates that are worked off at once */
+    const size_t width = NAME(LX_WIDTH);
+    const struct lx_around around = NAME(around)(block, lx_padded(count));
     const double gain = -0.5 * diffuse * shell->radiance;
-    for (size_t i = 0; i < count; i++) {
-        double value = gain * (contour.sum[i] + chord_term(lane_of(shell, block, i), passage_of(&contour, i)));
-        sum[i] += value > 0 ? value : 0;
+    struct NAME(contour) contours[LX_BLOCK / NAME(LX_WIDTH)];
+    struct NAME(candidate) lot[LOT];
+    double away = around.radius;
+    for (int i = 0; i < 3; i++)
+        away += fabs(around.center[i] - shell->center[i]);
+    count = lx_padded(count);
+    memset(contours, 0, count / width * sizeof *contours);
+    for (size_t next = 0, found = 0; next < shell->edge_count; found = 0) {
+        for (; next < shell->edge_count && found < LOT; next++) {
+            lot[found].edge = &shell->NAME(edges)[next];
+            found += NAME(is_candidate)(shell, &around, &lot[found]);
+        }
+        for (size_t i = 0; i < count; i += width) {
+            struct NAME(contour) *contour = &contours[i / width];
+            const struct NAME(outlook) at = NAME(outlook_of)(shell, block, i);
+            const enum NAME(share) share = NAME(share_above)(shell, &at, away);
+            if (share == NAME(LX_ALL))
+                NAME(add_edges)(shell, lot, found, &at, NAME(LX_ALL), contour);
+            else if (share == NAME(LX_SOME))
+                NAME(add_edges)(shell, lot, found, &at, NAME(LX_SOME), contour);
+            if (next == shell->edge_count && NAME(any_above)(contour->passage.cut, NAME(all)(0)))
+                contour->sum += NAME(chord_term)(&at, &contour->passage);
+        }
+    }
+    for (size_t i = 0; i < count; i += width) {
+        _Alignas(LX_VECTOR_BYTES) REAL totals[NAME(LX_WIDTH)];
+        NAME(store)(totals, contours[i / width].sum);
+        for (size_t lane = 0; lane < width; lane++) {
+            double value = gain * (double)totals[lane];
+            sum[i + lane] += value > 0 ? value : 0;
+        }
     }
 }

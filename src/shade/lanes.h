@@ -110,6 +110,40 @@ LX_LANE NAME(lanes) NAME(root)(NAME(lanes) a)
 
 #endif
 
+/* Whether a > b in any lane, and in all of them. */
+#if LX_ISA_LEVEL >= 4
+#define LX_LANES_ABOVE(a, b) ((unsigned)LX_JOIN(LX_OPERATION(cmp), _mask)(a, b, _CMP_GT_OQ))
+#elif LX_ISA_LEVEL >= 3
+#define LX_LANES_ABOVE(a, b) ((unsigned)LX_OPERATION(movemask)(LX_OPERATION(cmp)(a, b, _CMP_GT_OQ)))
+#elif LX_ISA_LEVEL >= 1
+#define LX_LANES_ABOVE(a, b) ((unsigned)LX_OPERATION(movemask)(LX_OPERATION(cmpgt)(a, b)))
+#endif
+
+LX_LANE bool NAME(any_above)(NAME(lanes) a, NAME(lanes) b)
+{
+#if LX_ISA_LEVEL >= 1
+    return LX_LANES_ABOVE(a, b) != 0;
+#else
+    bool any = false;
+    for (int i = 0; i < NAME(LX_WIDTH); i++)
+        any = any || a[i] > b[i];
+    return any;
+#endif
+}
+
+LX_LANE bool NAME(all_above)(NAME(lanes) a, NAME(lanes) b)
+{
+#if LX_ISA_LEVEL >= 1
+    return LX_LANES_ABOVE(a, b) == (1U << NAME(LX_WIDTH)) - 1;
+#else
+    bool all = true;
+    for (int i = 0; i < NAME(LX_WIDTH); i++)
+        all = all && a[i] > b[i];
+    return all;
+#endif
+}
+#undef LX_LANES_ABOVE
+
 /*
  * 1 / a and 1 / sqrt(a) of normal numbers whose square and reciprocal are normal, too; within 2 ulp.  With 512 bits in
  * float32 from the machine's first guess g, whose relative error is at most 2^-14, and one step of Newton's with

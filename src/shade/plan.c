@@ -240,6 +240,20 @@ static luxel_status choose_precision(const struct lx_plan *plan, struct lx_contr
     return status;
 }
 
+/* Leaves the diffuse light of facets to float32 where it keeps the picture's accuracy. */
+static int choose_shells(const struct lx_plan *plan, struct lx_planned_surface *surface)
+{
+    for (size_t s = 0; s < surface->shell_count; s++) {
+        struct lx_planned_shell *planned = &surface->shells[s];
+        double bound = lx_bound_shell(&surface->shape, surface->lobe_exact.diffuse, &planned->shell);
+        bool is_closed = planned->emitter->attenuation == LX_INVERSE_SQUARE && surface->lobe_exact.diffuse > 0;
+        if (is_closed && lx_choose_precision(&bound, 1, plan->least_maximum, &surface->rounding) == 1 &&
+            lx_shell_make_single(&planned->shell))
+            return -1;
+    }
+    return 0;
+}
+
 /* Of an axis of so many pixels. */
 static unsigned sample_count(unsigned pixels)
 {
@@ -323,6 +337,8 @@ static luxel_status find_accuracy(struct lx_plan *plan, struct lx_control *contr
     for (size_t s = 0; s < plan->surface_count && plan->precision == LUXEL_SINGLE && status == LUXEL_OK; s++) {
         bool all = true;
         status = choose_precision(plan, control, every > 1, &plan->surfaces[s], &all);
+        if (status == LUXEL_OK && choose_shells(plan, &plan->surfaces[s]))
+            status = LUXEL_ERROR_MEMORY;
         *fits = *fits && all;
     }
     return status;

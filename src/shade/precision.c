@@ -182,6 +182,87 @@ double lx_bound_light(const struct lx_prepared *prepared, const struct lx_shape 
     return lx_bound_stand(shape, lobe, emitter, emitter->strength, &stand);
 }
 
+/* The corner of a shell that is farthest against a direction, from the anchor. */
+static void farthest_corner(const struct lx_shell *shell, const double direction[3], double corner[3])
+{
+    const struct lx_shell_edge_double *edges = shell->edges_double;
+    double least = HUGE_VAL;
+    size_t best = 0;
+    for (size_t i = 0; i < shell->edge_count; i++) {
+        double height = fmin(dot(direction, edges[i].from), dot(direction, edges[i].to));
+        best = height < least ? i : best;
+        least = fmin(height, least);
+    }
+    const double *from = edges[best].from, *to = edges[best].to;
+    for (int i = 0; i < 3; i++)
+        corner[i] = shell->center[i] + (dot(direction, from) < dot(direction, to) ? from : to)[i];
+}
+
+/* The point of a shape that is farthest in a direction, from the anchor; of a sphere the anchor. */
+static void farthest_point(const struct lx_shape *shape, const double direction[3], double point[3])
+{
+    for (int i = 0; i < 3; i++)
+        point[i] = 0;
+    for (int i = 0; i < 3 && shape->type == LX_PLATE; i++)
+        point[i] = copysign(shape->half_mm[0], dot(direction, shape->across)) * shape->across[i] +
+                   copysign(shape->half_mm[1], dot(direction, shape->upward)) * shape->upward[i];
+}
+
+/*
+ * No place of the shell is nearer to the surface than this.  The shortest way between two convex bodies is the nearest
+ * point to 0 of the differences of their places: it is approached as Frank and Wolfe do (1956), and every direction on
+ * the way gives a bound.  Less than 0 where they may meet.
+ */
+static double least_gap(const struct lx_shape *shape, const struct lx_shell *shell)
+{
+    enum { MOST_STEPS = 40 };
+    double way[3] = {shell->center[0], shell->center[1], shell->center[2]}, best = -HUGE_VAL;
+    for (int step = 0; step < MOST_STEPS; step++) {
+        double corner[3], point[3], length = sqrt(dot(way, way)), along = 0, square = 0;
+        if (!(length > 0))
+            break;
+        farthest_corner(shell, way, corner);
+        farthest_point(shape, way, point);
+        for (int i = 0; i < 3; i++) {
+            corner[i] -= point[i];
+            along += way[i] * (way[i] - corner[i]);
+            square += (way[i] - corner[i]) * (way[i] - corner[i]);
+        }
+        best = fmax(best, dot(way, corner) / length);
+        if (!(best < 0.99 * length))
+            break;
+        double share = fmax(0, fmin(1, along / square));
+        for (int i = 0; i < 3; i++)
+            way[i] += share * (corner[i] - way[i]);
+    }
+    return shape->type == LX_SPHERE ? best - shape->radius_mm : best;
+}
+
+/*
+ * Each term of the sum is good to some units of what it would be at most: where the source is near, the angle of the
+ * edge, all of which are at most 2 pi; where it is far, |edge| radius/c^2, as kernel_facets.h has it.  The ways to the
+ * corners are off by what places are rounded.  With two roundings a term the worst of 12 000 random scenes is off by
+ * 1.0e-6 of the maximum, with one by 2.3e-6 (tests/unit/test_extended_pictures.c).
+ */
+double lx_bound_shell(const struct lx_shape *shape, double diffuse, const struct lx_shell *shell)
+{
+    const double roundings = 2, radius = shell->radius_mm;
+    if (shell->type != LX_FACETS)
+        return HUGE_VAL;
+    double away = distance(shell->center, (double[]){0, 0, 0}), nearest = least_gap(shape, shell), edges = 0;
+    for (size_t i = 0; i < shell->edge_count; i++)
+        edges += sqrt(dot(shell->edges_double[i].along, shell->edges_double[i].along));
+    edges = fmin(edges, 4 * M_PI * radius); /* those of the contour alone */
+    double middle = fmax(least_distance(shape, shell->center), sqrt(7) * radius);
+    double terms = edges * radius / (middle * middle);
+    if (middle <= sqrt(7) * radius)
+        terms = fmax(terms, fmin(edges / nearest, 2 * M_PI));
+    double off = unit * (1 + (away + shape->radius_mm) / nearest), greatest = diffuse * shell->radiance;
+    bool moderate = is_moderate(shape->radius_mm) && is_moderate(away) && is_moderate(nearest) && is_moderate(radius) &&
+                    is_moderate(shell->radiance) && is_moderate(diffuse) && is_moderate(greatest);
+    return nearest > 0 && moderate ? greatest * terms / 2 * roundings * off : HUGE_VAL;
+}
+
 /*
  * Roundings of different lights are independent: their sum grows like its root mean square, but not below a
  * third of the plain sum, since no light reaches its own bound.

@@ -27,6 +27,9 @@ double lx_bound_light(const struct lx_prepared *prepared, const struct lx_shape 
 double lx_bound_stand(const struct lx_shape *shape, const struct lx_lobe *lobe, const struct lx_emitter *emitter,
                       double strength, const struct lx_stand *stand);
 
+/* The same of the diffuse light of a shell; infinite unless it is of facets. */
+double lx_bound_shell(const struct lx_shape *shape, double diffuse, const struct lx_shell *shell);
+
 /*
  * Of lights that are all in float64, leaves as many to float32 as the picture's accuracy allows, given a lower bound
  * of its maximum, and the rounding of other lights, to which theirs is added.  Their bounds become negative.  Returns

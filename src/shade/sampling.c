@@ -90,15 +90,16 @@ static double dot(const double a[3], const double b[3])
     return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
 }
 
-struct lx_around lx_block_around(const struct lx_block_double *block, size_t start, size_t count)
+/* A ball around the places of a run. */
+static struct lx_around run_around(const struct lx_block_double *block, size_t start)
 {
     const double *places[3] = {block->px + start, block->py + start, block->pz + start};
     struct lx_around around = {.radius = 0};
     for (int k = 0; k < 3; k++) {
         double low = places[k][0], high = places[k][0];
-        for (size_t i = 1; i < count; i++) {
-            low = fmin(low, places[k][i]);
-            high = fmax(high, places[k][i]);
+        for (size_t i = 1; i < LX_LANES; i++) {
+            low = places[k][i] < low ? places[k][i] : low;
+            high = places[k][i] > high ? places[k][i] : high;
         }
         around.center[k] = low + (high - low) / 2;
         around.radius = hypot(around.radius, (high - low) / 2);
@@ -487,7 +488,7 @@ bool lx_sample_run(const struct lx_sampler *sampling, struct lx_sampling_memory 
                    const struct lx_block_double *block, const struct lx_block_single *copy, size_t start, double *sum)
 {
     struct run run = {.sampling = sampling, .memory = memory, .block = block, .copy = copy, .start = start};
-    run.around = lx_block_around(block, start, LX_LANES);
+    run.around = run_around(block, start);
     find_lobes(&run);
     for (int i = 0; i < LX_LANES; i++)
         run.known[i] = sum[i];

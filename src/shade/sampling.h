@@ -46,7 +46,4 @@ struct lx_sampling_memory *lx_sampling_memory_of(void *bytes, size_t most_patche
 bool lx_sample_run(const struct lx_sampler *sampling, struct lx_sampling_memory *memory,
                    const struct lx_block_double *block, const struct lx_block_single *copy, size_t start, double *sum);
 
-/* A ball around the places from start to start + count. */
-struct lx_around lx_block_around(const struct lx_block_double *block, size_t start, size_t count);
-
 #endif

@@ -353,18 +353,21 @@ static void light_by_highlights(const struct lx_plan *plan, const struct lx_plan
 static void light_by_shells(const struct lx_plan *plan, const struct lx_planned_surface *surface,
                             struct lx_shader_memory *memory, size_t count, struct lx_control *control, bool is_caller)
 {
-    const struct lx_around around = lx_block_around(&memory->block, 0, count);
     const double diffuse = surface->lobe_exact.diffuse;
     for (size_t s = 0; s < surface->shell_count && diffuse > 0; s++) {
-        const struct lx_planned_shell *planned = &surface->shells[s];
-        if (planned->emitter->attenuation == LX_INVERSE_SQUARE)
-            plan->kernels->light_by_shell[planned->shell.type](&planned->shell, diffuse, &memory->block, &around, count,
-                                                               memory->sum);
+        const struct lx_shell *shell = &surface->shells[s].shell;
+        if (surface->shells[s].emitter->attenuation != LX_INVERSE_SQUARE)
+            continue;
+        if (shell->edges_single)
+            plan->kernels->facets_single(shell, diffuse, &memory->copy, count, memory->sum);
+        else
+            plan->kernels->light_by_shell[shell->type](shell, diffuse, &memory->block, count, memory->sum);
     }
-    for (size_t start = 0; start < count; start += LX_LANES) {
-        if (surface->matte_count > 0 && diffuse > 0)
+    const bool by_laws = surface->matte_count > 0 && diffuse > 0, is_glossy = surface->glossy_exact.model != LX_LAMBERT;
+    for (size_t start = 0; start < count && (by_laws || is_glossy); start += LX_LANES) {
+        if (by_laws)
             light_by_laws(plan, surface, memory, start, count);
-        if (surface->glossy_exact.model != LX_LAMBERT)
+        if (is_glossy)
             light_by_highlights(plan, surface, memory, start, count);
         if (control && !lx_control_goes_on(control, is_caller))
             return;

@@ -27,7 +27,7 @@ static void value_of3(lx_wide3 a, double result[3])
     result[0] = lx_wide_value(a.x), result[1] = lx_wide_value(a.y), result[2] = lx_wide_value(a.z);
 }
 
-static void set_edge(const struct lx_facets *facets, const struct lx_edge *edge, struct lx_shell_edge *made)
+static void set_edge(const struct lx_facets *facets, const struct lx_edge *edge, struct lx_shell_edge_double *made)
 {
     lx_wide3 center = lx_wide3_of(facets->center_mm);
     lx_wide3 from = lx_wide3_sub(facets->corners_mm[edge->from], center);
@@ -35,6 +35,8 @@ static void set_edge(const struct lx_facets *facets, const struct lx_edge *edge,
     value_of3(from, made->from);
     value_of3(to, made->to);
     value_of3(lx_wide3_sub(to, from), made->along);
+    value_of3(lx_wide3_add(from, to), made->both);
+    made->product = lx_wide_value(lx_wide3_dot(from, to));
     value_of3(lx_wide3_cross(from, to), made->moment);
     made->left = edge->left;
     made->right = edge->right;
@@ -42,10 +44,10 @@ static void set_edge(const struct lx_facets *facets, const struct lx_edge *edge,
 
 static int set_facets(const struct lx_facets *facets, struct lx_shell *shell)
 {
-    shell->faces = lx_new_array(facets->face_count, sizeof *shell->faces);
-    shell->edges = lx_new_array(facets->edge_count, sizeof *shell->edges);
+    shell->faces_double = lx_new_array(facets->face_count, sizeof *shell->faces_double);
+    shell->edges_double = lx_new_array(facets->edge_count, sizeof *shell->edges_double);
     shell->facets = facets;
-    if (!shell->faces || !shell->edges)
+    if (!shell->faces_double || !shell->edges_double)
         return -1;
     shell->face_count = facets->face_count;
     shell->edge_count = facets->edge_count;
@@ -53,11 +55,11 @@ static int set_facets(const struct lx_facets *facets, struct lx_shell *shell)
     for (size_t i = 0; i < facets->face_count; i++) {
         const struct lx_face *face = &facets->faces[i];
         lx_wide3 corner = lx_wide3_sub(facets->corners_mm[facets->loop[face->first]], center);
-        value_of3(face->normal, shell->faces[i].normal);
-        shell->faces[i].height = lx_wide_value(lx_wide3_dot(face->normal, corner));
+        value_of3(face->normal, shell->faces_double[i].normal);
+        shell->faces_double[i].height = lx_wide_value(lx_wide3_dot(face->normal, corner));
     }
     for (size_t i = 0; i < facets->edge_count; i++)
-        set_edge(facets, &facets->edges[i], &shell->edges[i]);
+        set_edge(facets, &facets->edges[i], &shell->edges_double[i]);
     return 0;
 }
 
@@ -84,10 +86,47 @@ int lx_shell_make(const struct lx_emitter *emitter, const struct lx_shape *lit, 
     return is_facets ? set_facets(facets, shell) : 0;
 }
 
+static void copy3(const double from[3], float to[3])
+{
+    for (int i = 0; i < 3; i++)
+        to[i] = (float)from[i];
+}
+
+int lx_shell_make_single(struct lx_shell *shell)
+{
+    struct lx_shell_face_single *faces = lx_new_array(shell->face_count, sizeof *faces);
+    struct lx_shell_edge_single *edges = lx_new_array(shell->edge_count, sizeof *edges);
+    if (!faces || !edges) {
+        free(faces);
+        free(edges);
+        return -1;
+    }
+    for (size_t i = 0; i < shell->face_count; i++) {
+        copy3(shell->faces_double[i].normal, faces[i].normal);
+        faces[i].height = (float)shell->faces_double[i].height;
+    }
+    for (size_t i = 0; i < shell->edge_count; i++) {
+        const struct lx_shell_edge_double *edge = &shell->edges_double[i];
+        copy3(edge->from, edges[i].from);
+        copy3(edge->to, edges[i].to);
+        copy3(edge->along, edges[i].along);
+        copy3(edge->both, edges[i].both);
+        copy3(edge->moment, edges[i].moment);
+        edges[i].product = (float)edge->product;
+        edges[i].left = edge->left;
+        edges[i].right = edge->right;
+    }
+    shell->faces_single = faces;
+    shell->edges_single = edges;
+    return 0;
+}
+
 void lx_shell_clear(struct lx_shell *shell)
 {
-    free(shell->faces);
-    free(shell->edges);
+    free(shell->faces_double);
+    free(shell->edges_double);
+    free(shell->faces_single);
+    free(shell->edges_single);
     *shell = (struct lx_shell){0};
 }
 
@@ -128,7 +167,7 @@ static size_t cut_face(const struct lx_shell *shell, size_t face_index, struct l
         struct lx_patch *patch = &patches[count++];
         bool is_triangle = k + 2 == face->count;
         *patch = (struct lx_patch){.kind = LX_PATCH_FLAT};
-        memcpy(patch->n, shell->faces[face_index].normal, sizeof patch->n);
+        memcpy(patch->n, shell->faces_double[face_index].normal, sizeof patch->n);
         value_of3(lx_wide3_sub(first, center), patch->o);
         lx_wide3 a = lx_wide3_sub(facets->corners_mm[loop[k]], first);
         lx_wide3 c = lx_wide3_sub(facets->corners_mm[loop[k + 1]], first);
@@ -146,7 +185,7 @@ static size_t facet_patches(const struct lx_shell *shell, const struct lx_around
 {
     size_t count = 0;
     for (size_t i = 0; i < shell->face_count; i++) {
-        const struct lx_shell_face *face = &shell->faces[i];
+        const struct lx_shell_face_double *face = &shell->faces_double[i];
         double above = -face->height;
         for (int k = 0; k < 3; k++)
             above += face->normal[k] * (around->center[k] - shell->center[k]);

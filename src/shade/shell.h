@@ -11,6 +11,8 @@
 /* 0, or -1 when memory ran out.  Release with lx_shell_clear() in either case. */
 int lx_shell_make(const struct lx_emitter *emitter, const struct lx_shape *lit, struct lx_shell *shell);
 void lx_shell_clear(struct lx_shell *shell);
+/* Adds what the kernels in float32 need of facets.  0, or -1 when memory ran out. */
+int lx_shell_make_single(struct lx_shell *shell);
 
 /*
  * A smooth part of a shell over the unit square (s, t).

@@ -200,6 +200,72 @@ static void test_angles(void **state)
     report("angles in float64", &twice, 4);
 }
 
+/* gap(z), and an angle over its sine less 1, of z from 0 to 1, in long double. */
+static long double exact_gap(long double z)
+{
+    long double root = sqrtl(z), series = 0;
+    for (int k = 12; k >= 1; k--)
+        series = 1 / (2 * (long double)k + 1) - z * series;
+    return z < 1e-2L ? z * series : 1 - atanl(root) / root;
+}
+
+static long double exact_bow(long double z)
+{
+    long double sine = sqrtl(z * (2 - z)), series = 0, coefficient = 1.0L / 3;
+    for (int k = 1; k <= 12; k++, coefficient *= (long double)k / (2 * (long double)k + 1))
+        series += coefficient * powl(z, k);
+    return z < 1e-2L ? series : acosl(1 - z) / sine - 1;
+}
+
+/* Relative to themselves, as small sources need them. */
+static void test_arcs(void **state)
+{
+    (void)state;
+    struct worst gap = {0}, arc = {0}, gap_twice = {0}, arc_twice = {0};
+    for (int octave = -40; octave < 0; octave++)
+        for (int step = 0; step < 4096; step += LX_WIDTH_single) {
+            lanes_single z = numbers_single(octave, step, 4096), a = gap_of_single(z), b = arc_over_sine_single(z);
+            for (int i = 0; i < LX_WIDTH_single; i++) {
+                note(&gap, fabsl((long double)a[i] / exact_gap(z[i]) - 1) / unit_single, (double)z[i]);
+                note(&arc, fabsl((long double)b[i] - 1 - exact_bow(z[i])) / unit_single, (double)z[i]);
+            }
+        }
+    for (int octave = -80; octave < 0; octave++)
+        for (int step = 0; step < 512; step += LX_WIDTH_double) {
+            lanes_double z = numbers_double(octave, step, 512), a = gap_of_double(z), b = arc_over_sine_double(z);
+            for (int i = 0; i < LX_WIDTH_double; i++) {
+                note(&gap_twice, fabsl((long double)a[i] / exact_gap(z[i]) - 1) / unit_double, z[i]);
+                note(&arc_twice, fabsl((long double)b[i] - 1 - exact_bow(z[i])) / unit_double, z[i]);
+            }
+        }
+    report("gap(z) in float32", &gap, 2);
+    report("gap(z) in float64", &gap_twice, 2);
+    report("angle/sine in float32", &arc, 2);
+    report("angle/sine in float64", &arc_twice, 2);
+}
+
+static void test_comparisons(void **state)
+{
+    (void)state;
+    const lanes_single zero = all_single(0), none = all_single(NAN);
+    const lanes_double zero_double = all_double(0);
+    assert_false(any_above_single(zero, zero) || all_above_single(zero, zero));
+    assert_false(any_above_single(none, zero) || any_above_single(zero, none));
+    assert_true(all_above_single(all_single(1), zero) && all_above_double(all_double(1), zero_double));
+    for (int i = 0; i < LX_WIDTH_single; i++) {
+        lanes_single one = zero;
+        one[i] = 1;
+        assert_true(any_above_single(one, zero) && !all_above_single(one, zero));
+        assert_true(!any_above_single(zero, one) && !all_above_single(1 - one, zero));
+    }
+    for (int i = 0; i < LX_WIDTH_double; i++) {
+        lanes_double one = zero_double;
+        one[i] = 1;
+        assert_true(any_above_double(one, zero_double) && !all_above_double(one, zero_double));
+        assert_true(!any_above_double(zero_double, one) && !all_above_double(1 - one, zero_double));
+    }
+}
+
 /* What is no number gives way to the bound that it is held against: highlights without a half vector rest on it. */
 static void test_bounds(void **state)
 {
@@ -250,7 +316,8 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_inverses),     cmocka_unit_test(test_whole_powers),  cmocka_unit_test(test_other_powers),
         cmocka_unit_test(test_bounds),       cmocka_unit_test(test_angles),        cmocka_unit_test(test_survey),
-        cmocka_unit_test(test_small_powers), cmocka_unit_test(test_small_cosines),
+        cmocka_unit_test(test_small_powers), cmocka_unit_test(test_small_cosines), cmocka_unit_test(test_arcs),
+        cmocka_unit_test(test_comparisons),
     };
     if (!runs()) {
         printf("1..0 # SKIP this machine does not have %s\n", LX_ISA_NAME);
