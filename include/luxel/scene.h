@@ -115,8 +115,10 @@ LUXEL_API luxel_status luxel_scene_move(luxel_scene *scene, const char *list, si
 
 /*
  * Checks the whole scene, all errors at once, and makes it ready.  Files that the scene names, such as meshes, are read
- * now: relative to the folder of the file that the scene was read from, or else to the current one.
- * LUXEL_ERROR_SCENE: it has errors.  LUXEL_ERROR_FILE: it has none but that files it names cannot be read.
+ * now: relative to the folder of the file that the scene was read from, or else to the current one.  What an earlier
+ * commit of the scene, or of the one that it is a copy of, has read of a file is taken again as long as the file has
+ * not changed since: its size and times tell. LUXEL_ERROR_SCENE: it has errors.  LUXEL_ERROR_FILE: it has none but that
+ * files it names cannot be read.
  */
 LUXEL_API luxel_status luxel_scene_commit(luxel_scene *scene, luxel_diagnostics *diagnostics);
 

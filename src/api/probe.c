@@ -217,7 +217,7 @@ const char *luxel_scene_unit(const luxel_scene *scene, luxel_quantity quantity)
     const char *unit = "relative";
     if (!scene || !luxel_scene_is_committed(scene))
         return unit;
-    if (lx_prepare(lx_scene_parameters(scene), LX_DEFAULT_TOLERANCE, &prepared) == 0)
+    if (lx_prepare(lx_scene_parameters(scene), LX_DEFAULT_TOLERANCE, NULL, &prepared) == 0)
         unit = lx_unit_of(&prepared, quantity);
     lx_prepared_clear(&prepared);
     return unit;

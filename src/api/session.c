@@ -82,8 +82,12 @@ luxel_status lx_session_prepare(const luxel_scene *scene, const luxel_settings *
                                 luxel_diagnostics *diagnostics, struct lx_prepared *prepared)
 {
     double tolerance = settings->tolerance > 0 ? settings->tolerance : LX_DEFAULT_TOLERANCE;
-    if (lx_prepare(lx_scene_parameters(scene), tolerance, prepared) == 0)
+    struct lx_control control = {.rows = 1, .progress = settings->progress, .data = settings->progress_data};
+    const struct lx_asking asking = {.control = &control, .is_caller = true};
+    if (lx_prepare(lx_scene_parameters(scene), tolerance, &asking, prepared) == 0)
         return LUXEL_OK;
+    if (atomic_load(&control.stop))
+        return LUXEL_CANCELLED;
     if (!prepared->emitters.is_short)
         return lx_out_of_memory(diagnostics);
     lx_report(diagnostics, LUXEL_SEVERITY_ERROR, NULL, LX_MSG_TOO_MANY_PARTS, NULL);

@@ -6,12 +6,17 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <sys/mman.h>
 #include <sys/resource.h>
 
 #include "memory.h"
 #include "number.h"
 
 enum { ALIGNMENT = 64, FIRST_CAPACITY = 8 };
+
+/* Much memory is had in large pages where the system has them: a thousand times as many small ones take milliseconds to
+ * give back, for which a front end that has cancelled its work would wait. */
+enum { LARGE_PAGE = 2 << 20, MUCH = 4 << 20 };
 
 void *lx_new_array(size_t count, size_t size)
 {
@@ -21,11 +26,17 @@ void *lx_new_array(size_t count, size_t size)
 void *lx_new_aligned(size_t count, size_t size)
 {
     size_t bytes;
-    if (__builtin_mul_overflow(count, size, &bytes) || bytes > SIZE_MAX - ALIGNMENT)
+    if (__builtin_mul_overflow(count, size, &bytes) || bytes > SIZE_MAX - LARGE_PAGE)
         return NULL;
     /* aligned_alloc wants a multiple of the alignment */
-    bytes = (bytes + ALIGNMENT - 1) / ALIGNMENT * ALIGNMENT;
-    return aligned_alloc(ALIGNMENT, bytes ? bytes : ALIGNMENT);
+    const size_t alignment = bytes < MUCH ? ALIGNMENT : LARGE_PAGE;
+    bytes = (bytes + alignment - 1) / alignment * alignment;
+    void *memory = aligned_alloc(alignment, bytes ? bytes : alignment);
+#ifdef MADV_HUGEPAGE
+    if (memory && bytes >= MUCH)
+        (void)madvise(memory, bytes, MADV_HUGEPAGE); /* a hint: without it all works as well */
+#endif
+    return memory;
 }
 
 int lx_reserve(void *items, size_t *capacity, size_t needed, size_t size)

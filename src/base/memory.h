@@ -8,7 +8,8 @@
 /* Zeroed memory for count items of size bytes, or NULL. */
 void *lx_new_array(size_t count, size_t size);
 
-/* Memory for count items aligned for vector loads (64 bytes), not zeroed, or NULL; free with free(). */
+/* Memory for count items aligned for vector loads (64 bytes), not zeroed, or NULL; free with free(), which is quick
+ * even of much of it. */
 void *lx_new_aligned(size_t count, size_t size);
 
 /*

@@ -7,6 +7,9 @@
 #include "memory.h"
 #include "rows.h"
 
+/* Seconds between two reports of progress. */
+static const double PAUSE = 0.00025;
+
 /* So many shares of the work for each thread, where a share may be as small as that. */
 enum { BLOCKS_PER_THREAD = 4 };
 
@@ -30,7 +33,7 @@ bool lx_control_goes_on(struct lx_control *control, bool is_caller)
         clock_gettime(CLOCK_MONOTONIC, &now);
         double seconds = difftime(now.tv_sec, control->last.tv_sec);
         seconds += (double)(now.tv_nsec - control->last.tv_nsec) * 1e-9;
-        if (seconds >= 0.005) {
+        if (seconds >= PAUSE) {
             control->last = now;
             if (!control->progress((double)atomic_load(&control->rows_done) / control->rows, control->data))
                 atomic_store(&control->stop, true);

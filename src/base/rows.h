@@ -21,10 +21,21 @@ struct lx_control {
 };
 
 /*
- * Whether the work goes on.  To be asked often, at least every few milliseconds; `is_caller` tells the calling
- * thread, which then reports progress about 200 times a second.
+ * Whether the work goes on.  To be asked often, every tenth of a millisecond or so; `is_caller` tells the calling
+ * thread, which then reports progress about 4000 times a second: the work is to end within a millisecond of the wish.
  */
 bool lx_control_goes_on(struct lx_control *control, bool is_caller);
+
+/* Who asks.  NULL, or a control of NULL: nobody, and the work always goes on. */
+struct lx_asking {
+    struct lx_control *control;
+    bool is_caller;
+};
+
+static inline bool lx_asking_goes_on(const struct lx_asking *asking)
+{
+    return !asking || !asking->control || lx_control_goes_on(asking->control, asking->is_caller);
+}
 
 /* At most so many rows are handed out at once: few enough to share the work evenly and to notice a stop, enough not to
  * fight for the counter. */

@@ -172,7 +172,7 @@ static luxel_status explain_value(const struct explaining *explaining, luxel_dia
     luxel_alternatives *alternatives = NULL;
     double tolerance = explaining->settings && explaining->settings->tolerance > 0 ? explaining->settings->tolerance
                                                                                    : LX_DEFAULT_TOLERANCE;
-    luxel_status status = lx_prepare(lx_scene_parameters(explaining->scene), tolerance, &prepared)
+    luxel_status status = lx_prepare(lx_scene_parameters(explaining->scene), tolerance, NULL, &prepared)
                               ? lx_out_of_memory(diagnostics)
                               : LUXEL_OK;
     if (status == LUXEL_OK)

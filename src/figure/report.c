@@ -51,7 +51,7 @@ static luxel_status add_method(struct lx_report *report)
     struct lx_prepared prepared;
     luxel_status status = LUXEL_OK;
     lx_document_heading(report->document, 1, LX_N("Method"), NULL);
-    if (lx_prepare(report->parameters, LX_DEFAULT_TOLERANCE, &prepared) == 0)
+    if (lx_prepare(report->parameters, LX_DEFAULT_TOLERANCE, NULL, &prepared) == 0)
         lx_explain_model(report->document, &prepared, is_irradiance(report) ? LUXEL_IRRADIANCE : LUXEL_BRIGHTNESS);
     else
         status = lx_out_of_memory(report->diagnostics);

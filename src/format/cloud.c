@@ -21,7 +21,22 @@ void lx_cloud_free(struct lx_kept *kept)
 {
     struct lx_cloud *cloud = (struct lx_cloud *)kept;
     free(cloud->values);
+    lx_kept_slot_free(cloud->tree);
     free(cloud);
+}
+
+struct lx_cloud *lx_cloud_new(size_t count)
+{
+    struct lx_cloud *cloud = lx_new_array(1, sizeof *cloud);
+    if (!cloud)
+        return NULL;
+    lx_kept_init(&cloud->kept, lx_cloud_free);
+    cloud->count = count;
+    cloud->values = lx_new_aligned(count, LX_CLOUD_COLUMNS * sizeof(double));
+    if (cloud->values)
+        return cloud;
+    lx_cloud_free(&cloud->kept);
+    return NULL;
 }
 
 /* ---- CSV ---- */
@@ -262,6 +277,11 @@ struct lx_cloud_report lx_cloud_read(struct lx_source *source, struct lx_cloud *
     if (!cloud)
         return say(LX_MSG_OUT_OF_MEMORY, "");
     lx_kept_init(&cloud->kept, lx_cloud_free);
+    cloud->tree = lx_kept_slot_new();
+    if (!cloud->tree) {
+        lx_cloud_free(&cloud->kept);
+        return say(LX_MSG_OUT_OF_MEMORY, "");
+    }
     bool is_npy = lx_format_of_content(source) == &lx_format_npy;
     struct lx_cloud_report report = is_npy ? read_npy(source, cloud) : read_csv(source, cloud);
     if (report.message == LX_MSG_COUNT && lx_source_status(source) == LUXEL_OK)

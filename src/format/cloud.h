@@ -21,8 +21,9 @@ enum { LX_LARGEST_CLOUD = 1 << 30, LX_MOST_POINTS = 10000000, LX_CLOUD_COLUMNS =
 struct lx_cloud {
     struct lx_kept kept;
     size_t count;
-    bool is_single; /* the values are float, as an array of these has them; else double */
-    void *values;   /* row by row */
+    bool is_single;            /* the values are float, as an array of these has them; else double */
+    void *values;              /* row by row */
+    struct lx_kept_slot *tree; /* what was planted of it (shade/tree.h); NULL: it is not kept */
 };
 
 static inline void lx_cloud_row(const struct lx_cloud *cloud, size_t i, double row[LX_CLOUD_COLUMNS])
@@ -37,6 +38,9 @@ static inline void lx_cloud_row(const struct lx_cloud *cloud, size_t i, double r
             row[k] = values[k];
     }
 }
+
+/* A cloud with room for so many rows of double, one user, and no file; NULL: memory ran out. */
+struct lx_cloud *lx_cloud_new(size_t count);
 
 /* What is wrong with a file: the message, whose {2} is the number and {3} the text; LX_MSG_COUNT: nothing. */
 struct lx_cloud_report {

@@ -2,9 +2,12 @@
 /* Counting the users of what was read, and lists of it by path. */
 #include "kept.h"
 
+#include <pthread.h>
 #include <stdatomic.h>
 #include <stdlib.h>
 #include <string.h>
+#include <sys/stat.h>
+#include <time.h>
 
 #include "../base/memory.h"
 
@@ -26,12 +29,118 @@ void lx_kept_release(struct lx_kept *kept)
         kept->free(kept);
 }
 
-struct lx_kept *lx_kept_find(const struct lx_kept_files *files, const char *path, void (*free)(struct lx_kept *kept))
+struct lx_kept_slot {
+    pthread_mutex_t mutex;
+    struct lx_kept *kept;
+};
+
+struct lx_kept_slot *lx_kept_slot_new(void)
+{
+    struct lx_kept_slot *slot = lx_new_array(1, sizeof *slot);
+    if (slot && pthread_mutex_init(&slot->mutex, NULL) != 0) {
+        free(slot);
+        return NULL;
+    }
+    return slot;
+}
+
+void lx_kept_slot_free(struct lx_kept_slot *slot)
+{
+    if (!slot)
+        return;
+    pthread_mutex_destroy(&slot->mutex);
+    lx_kept_release(slot->kept);
+    free(slot);
+}
+
+struct lx_kept *lx_kept_slot_look(struct lx_kept_slot *slot)
+{
+    pthread_mutex_lock(&slot->mutex);
+    struct lx_kept *kept = slot->kept ? lx_kept_hold(slot->kept) : NULL;
+    pthread_mutex_unlock(&slot->mutex);
+    return kept;
+}
+
+void lx_kept_slot_put(struct lx_kept_slot *slot, struct lx_kept *kept)
+{
+    lx_kept_hold(kept);
+    pthread_mutex_lock(&slot->mutex);
+    struct lx_kept *before = slot->kept;
+    slot->kept = kept;
+    pthread_mutex_unlock(&slot->mutex);
+    lx_kept_release(before);
+}
+
+/* Seconds after which the times of a file tell it from a later change. */
+enum { SETTLING = 2 };
+
+struct lx_file_state lx_file_state_of(const char *path)
+{
+    struct stat about;
+    struct timespec now;
+    struct lx_file_state state = {.is_known = false};
+    if (stat(path, &about) != 0 || !S_ISREG(about.st_mode) || clock_gettime(CLOCK_REALTIME, &now) != 0)
+        return state;
+    state.is_known = now.tv_sec - about.st_mtim.tv_sec > SETTLING && now.tv_sec - about.st_ctim.tv_sec > SETTLING;
+    state.device = (uint64_t)about.st_dev;
+    state.inode = (uint64_t)about.st_ino;
+    state.size = (int64_t)about.st_size;
+    state.modified_s = (int64_t)about.st_mtim.tv_sec;
+    state.modified_ns = (int64_t)about.st_mtim.tv_nsec;
+    state.changed_s = (int64_t)about.st_ctim.tv_sec;
+    state.changed_ns = (int64_t)about.st_ctim.tv_nsec;
+    return state;
+}
+
+static bool is_as_before(const struct lx_kept_file *file)
+{
+    const struct lx_file_state now = lx_file_state_of(file->path), *then = &file->state;
+    return then->is_known && now.is_known && now.device == then->device && now.inode == then->inode &&
+           now.size == then->size && now.modified_s == then->modified_s && now.modified_ns == then->modified_ns &&
+           now.changed_s == then->changed_s && now.changed_ns == then->changed_ns;
+}
+
+struct lx_kept *lx_kept_find(struct lx_kept_files *files, const char *path, void (*free)(struct lx_kept *kept))
 {
     for (size_t i = 0; i < files->count; i++)
-        if (files->items[i].kept->free == free && strcmp(files->items[i].path, path) == 0)
+        if (files->items[i].kept->free == free && strcmp(files->items[i].path, path) == 0) {
+            files->items[i].is_used = true;
             return files->items[i].kept;
+        }
     return NULL;
+}
+
+/* Drops the items that are not to stay. */
+static void filter(struct lx_kept_files *files, bool (*stays)(const struct lx_kept_file *file))
+{
+    size_t count = 0;
+    for (size_t i = 0; i < files->count; i++) {
+        struct lx_kept_file *file = &files->items[i];
+        if (stays(file)) {
+            files->items[count++] = *file;
+            continue;
+        }
+        free(file->path);
+        lx_kept_release(file->kept);
+    }
+    files->count = count;
+}
+
+static bool is_used(const struct lx_kept_file *file)
+{
+    return file->is_used;
+}
+
+void lx_kept_refresh(struct lx_kept_files *files)
+{
+    filter(files, is_as_before);
+    for (size_t i = 0; i < files->count; i++)
+        files->items[i].is_used = false;
+}
+
+void lx_kept_drop_unused(struct lx_kept_files *files)
+{
+    filter(files, is_used);
 }
 
 int lx_kept_add(struct lx_kept_files *files, const char *path, struct lx_kept *kept)
@@ -41,15 +150,17 @@ int lx_kept_add(struct lx_kept_files *files, const char *path, struct lx_kept *k
         free(copy);
         return -1;
     }
-    files->items[files->count++] = (struct lx_kept_file){copy, lx_kept_hold(kept)};
+    files->items[files->count++] = (struct lx_kept_file){.path = copy, .kept = lx_kept_hold(kept), .is_used = true};
     return 0;
 }
 
 int lx_kept_copy(const struct lx_kept_files *files, struct lx_kept_files *copy)
 {
-    for (size_t i = 0; i < files->count; i++)
+    for (size_t i = 0; i < files->count; i++) {
         if (lx_kept_add(copy, files->items[i].path, files->items[i].kept) < 0)
             return -1;
+        copy->items[copy->count - 1].state = files->items[i].state;
+    }
     return 0;
 }
 

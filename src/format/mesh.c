@@ -16,6 +16,7 @@ void lx_mesh_free(struct lx_kept *kept)
     free(mesh->loop);
     free(mesh->counts);
     free(mesh->origins);
+    lx_kept_release(mesh->body);
     free(mesh);
 }
 

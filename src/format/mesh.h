@@ -33,6 +33,7 @@ struct lx_mesh {
     unsigned *counts; /* of corners in each face */
     struct lx_mesh_origin *origins;
     size_t face_count;
+    struct lx_kept *body; /* what was made of it (light/facets.h): set before it is shared; NULL: nothing */
 };
 
 /* What is wrong with a file: the message, whose {1} is its name and {2} the line; LX_MSG_COUNT: nothing. */

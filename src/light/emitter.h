@@ -22,6 +22,7 @@
 enum lx_emitter_type { LX_UNIFORM, LX_DIRECTION, LX_POINT, LX_FACETS, LX_DISK, LX_BALL, LX_CYLINDER };
 
 struct lx_facets;
+struct lx_asking;
 
 /* The attenuation laws a(r): 1/r^2, 1/(k + r), 1. */
 enum lx_attenuation { LX_INVERSE_SQUARE, LX_PRACTICAL, LX_NO_ATTENUATION };
@@ -67,7 +68,8 @@ struct lx_cloud;
 
 /* Many points that differ in place, intensity and, where they are aimed, axis: as the rows of a cloud say. */
 struct lx_swarm {
-    const struct lx_cloud *cloud; /* outlives the list */
+    const struct lx_cloud *cloud; /* outlives the list, */
+    bool is_owned;                /* or is the list's */
     struct lx_emitter model;      /* all else */
     bool is_aimed;
     double aim_mm[3];
@@ -83,10 +85,15 @@ struct lx_emitters {
     size_t count, capacity; /* the count includes those of swarms */
     struct lx_swarm *swarms;
     size_t swarm_count, swarm_capacity, in_swarms;
-    size_t faces;          /* of all facets among them */
-    size_t most;           /* how many it may take, and as many faces; 0: as many as there are */
-    size_t most_in_swarms; /* how many of swarms instead, which take little room; 0: they count as others */
-    bool is_short;         /* more of them were appended */
+    size_t faces;                   /* of all facets among them */
+    size_t most;                    /* how many it may take, and as many faces; 0: as many as there are */
+    size_t most_in_swarms;          /* how many of swarms instead, which take little room; 0: they count as others */
+    bool is_short;                  /* more of them were to be appended */
+    double each, each_in_swarms;    /* bytes; above 0: beyond `most` it may take as many as the memory holds of these */
+    size_t light;                   /* which light those belong to that are appended from now on */
+    size_t extended;                /* how many are */
+    size_t by_square, unattenuated; /* how many shine by the law 1/r^2 or are distant or uniform; by none */
+    const struct lx_asking *asking; /* whether to go on making them; NULL: nobody asks */
     bool is_whole; /* sources of some size are appended as they are, however many parts they are to be cut into */
 };
 
@@ -96,14 +103,19 @@ static inline size_t lx_item_count(const struct lx_emitters *emitters)
     return emitters->count - emitters->in_swarms;
 }
 
-/* Appends a copy, which takes over the facets; 0, or -1 when memory or room ran out (then they are freed, too). */
+/*
+ * Whether there is room for so many more items, which have so many faces, and for so many more of swarms; -> is_short.
+ * Where the first two are many it is made at once: 0, or -1 where it is not there.
+ */
+int lx_emitters_make_room(struct lx_emitters *emitters, double items, size_t faces, size_t in_swarms);
+
+/* Appends a copy, which takes over the facets; 0, or -1 when memory or room ran out, or where the work is to stop (then
+ * they are freed, too). */
 int lx_emitters_append(struct lx_emitters *emitters, const struct lx_emitter *emitter);
-/* Appends as many points as its cloud has rows; `first` and `end` are set here.  The same answers. */
+/* Appends as many points as its cloud has rows, and takes over the cloud where it is to own it; `first` and `end`
+ * are set here.  The same answers. */
 int lx_emitters_append_swarm(struct lx_emitters *emitters, const struct lx_swarm *swarm);
 void lx_emitters_clear(struct lx_emitters *emitters);
-
-/* Makes all emitters from number `first` on belong to a light; none, or all, of a swarm. */
-void lx_emitters_set_light(struct lx_emitters *emitters, size_t first, size_t light);
 
 /* For lx_emitter_at(). */
 const struct lx_emitter *lx_emitter_in_swarms(const struct lx_emitters *emitters, size_t i, struct lx_emitter *room);

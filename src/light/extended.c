@@ -8,13 +8,7 @@
 
 void lx_facets_free(struct lx_facets *facets)
 {
-    if (!facets)
-        return;
-    free(facets->corners_mm);
-    free(facets->loop);
-    free(facets->faces);
-    free(facets->edges);
-    free(facets);
+    lx_kept_release((struct lx_kept *)facets);
 }
 
 bool lx_extended_touches(const struct lx_emitter *emitter, lx_bounded3 place_mm)
@@ -48,10 +42,12 @@ lx_bounded lx_extended_irradiance(const struct lx_emitter *emitter, lx_bounded3 
 
 int lx_extended_cut(const struct lx_emitter *emitter, unsigned parts, struct lx_emitters *emitters)
 {
-    size_t first = lx_item_count(emitters);
+    size_t first = lx_item_count(emitters), first_swarm = emitters->swarm_count;
     int failed =
         emitter->type == LX_FACETS ? lx_facets_cut(emitter, parts, emitters) : lx_round_cut(emitter, parts, emitters);
     for (size_t i = first; i < lx_item_count(emitters); i++)
         emitters->items[i].is_part = true;
+    for (size_t i = first_swarm; i < emitters->swarm_count; i++)
+        emitters->swarms[i].model.is_part = true;
     return failed;
 }

@@ -23,6 +23,7 @@
 #define LX_LIGHT_EXTENDED_H
 
 #include "../base/wide.h"
+#include "../format/kept.h"
 #include "emitter.h"
 
 enum { LX_NO_FACE = -1 };
@@ -42,6 +43,7 @@ struct lx_edge {
 };
 
 struct lx_facets {
+    struct lx_kept kept; /* several emitters may use them */
     lx_wide3 *corners_mm;
     size_t corner_count;
     unsigned *loop;
@@ -55,7 +57,8 @@ struct lx_facets {
     double corner_error_mm; /* how far the corners may be from where they should be: 0 where nothing was rounded */
 };
 
-void lx_facets_free(struct lx_facets *facets); /* NULL is harmless */
+/* Takes one user away, the last with all of it; NULL is harmless. */
+void lx_facets_free(struct lx_facets *facets);
 
 /* Whether the place lies on the source, as far as its error tells: there is no L from every part of it. */
 bool lx_extended_touches(const struct lx_emitter *emitter, lx_bounded3 place_mm);
@@ -65,6 +68,9 @@ lx_bounded lx_extended_area_mm2(const struct lx_emitter *emitter);
 
 /* The irradiance by the law 1/r^2 of an element that the source does not touch; its normal is a unit vector. */
 lx_bounded lx_extended_irradiance(const struct lx_emitter *emitter, lx_bounded3 place_mm, lx_bounded3 normal);
+
+/* A face that is cut into so many parts each way becomes a swarm: a million emitters would be ten times as large. */
+enum { LX_LEAST_IN_SWARM = 64 };
 
 /* Appends the point emitters that stand for the source when it is cut into parts (SPEC: `parts: N`): facets by
  * lx_facets_cut() of facets.h, the round ones by lx_round_cut() of round.h.  0, or -1 when memory ran out. */

@@ -47,12 +47,26 @@ struct lx_shape_report lx_facets_of_mesh(const double (*corners_mm)[3], size_t c
                                          const unsigned *counts, size_t face_count, struct lx_facets **facets);
 
 /* The polyhedron inscribed in a sphere: `meridians` (>= 3) half circles from pole to pole along z, the first at +x,
- * and meridians/2 (at least 2) bands of equal angle between the poles; NULL when memory ran out. */
-struct lx_facets *lx_facets_of_sphere(const double center_mm[3], double radius_mm, unsigned meridians);
+ * and meridians/2 (at least 2) bands of equal angle between the poles; NULL when memory ran out, or where the work
+ * is to stop. */
+struct lx_facets *lx_facets_make_sphere(const double center_mm[3], double radius_mm, unsigned meridians,
+                                        const struct lx_asking *asking);
 
 /* The prism of `sides` (>= 3) inscribed in a cylinder. */
-struct lx_facets *lx_facets_of_cylinder(const double center_mm[3], double radius_mm, double height_mm,
-                                        const double axis[3], unsigned sides);
+struct lx_facets *lx_facets_make_cylinder(const double center_mm[3], double radius_mm, double height_mm,
+                                          const double axis[3], unsigned sides, const struct lx_asking *asking);
+
+/* The same, not to be stopped. */
+static inline struct lx_facets *lx_facets_of_sphere(const double center_mm[3], double radius_mm, unsigned meridians)
+{
+    return lx_facets_make_sphere(center_mm, radius_mm, meridians, NULL);
+}
+
+static inline struct lx_facets *lx_facets_of_cylinder(const double center_mm[3], double radius_mm, double height_mm,
+                                                      const double axis[3], unsigned sides)
+{
+    return lx_facets_make_cylinder(center_mm, radius_mm, height_mm, axis, sides, NULL);
+}
 
 /* As lx_extended_touches(), _irradiance(), _cut() for LX_FACETS. */
 bool lx_facets_touch(const struct lx_facets *facets, lx_bounded3 place_mm);

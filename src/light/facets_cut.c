@@ -3,7 +3,11 @@
  * Cutting facets into parts, each a small Lambertian source at its centre: parallelograms into N x N of their kind,
  * what other faces consist of, triangles, into N^2 congruent ones.
  */
+#include <string.h>
+
 #include "../base/pose.h"
+#include "../base/rows.h"
+#include "../format/cloud.h"
 #include "facets.h"
 
 /* Four corners this near to a parallelogram, relative to its size, are one. */
@@ -15,7 +19,11 @@ struct cut {
     unsigned parts;
     struct lx_emitter part;
     struct lx_emitters *emitters;
+    double *row; /* of the next part; NULL: they are appended one by one */
 };
+
+/* Parts between two questions whether to go on. */
+enum { BETWEEN_CHECKS = 128 };
 
 /* A part at origin + (i + offset)/parts u + (j + offset)/parts v, the offset being so many thirds or halves. */
 static int add_part(struct cut *cut, unsigned i, unsigned j, unsigned numerator, unsigned denominator)
@@ -25,6 +33,13 @@ static int add_part(struct cut *cut, unsigned i, unsigned j, unsigned numerator,
     lx_wide t = lx_wide_div(lx_wide_of((double)j * denominator + numerator), whole);
     lx_wide3 way = lx_wide3_add(lx_wide3_mul(cut->u_mm, s), lx_wide3_mul(cut->v_mm, t));
     lx_wide3 place = lx_wide3_add(cut->origin_mm, way);
+    if (cut->row) {
+        const double row[LX_CLOUD_COLUMNS] = {lx_wide_value(place.x), lx_wide_value(place.y), lx_wide_value(place.z),
+                                              cut->part.strength};
+        memcpy(cut->row, row, sizeof row);
+        cut->row += LX_CLOUD_COLUMNS;
+        return i % BETWEEN_CHECKS != 0 || lx_asking_goes_on(cut->emitters->asking) ? 0 : -1;
+    }
     cut->part.position_mm[0] = lx_wide_value(place.x);
     cut->part.position_mm[1] = lx_wide_value(place.y);
     cut->part.position_mm[2] = lx_wide_value(place.z);
@@ -48,6 +63,24 @@ static int cut_triangle(struct cut *cut)
             if (add_part(cut, i, j, 1, 3) || (i + j + 1 < cut->parts && add_part(cut, i, j, 2, 3)))
                 return -1;
     return 0;
+}
+
+/* Cuts what `cutter` cuts, into a swarm where there are many parts. */
+static int cut_piece(struct cut *cut, int (*cutter)(struct cut *cut))
+{
+    if (cut->parts < LX_LEAST_IN_SWARM)
+        return cutter(cut);
+    struct lx_cloud *cloud = lx_cloud_new((size_t)cut->parts * cut->parts);
+    if (!cloud)
+        return -1;
+    const struct lx_swarm swarm = {.cloud = cloud, .is_owned = true, .model = cut->part};
+    cut->row = cloud->values;
+    int failed = cutter(cut);
+    cut->row = NULL;
+    if (!failed)
+        return lx_emitters_append_swarm(cut->emitters, &swarm);
+    lx_kept_release(&cloud->kept);
+    return failed;
 }
 
 static double size(lx_wide3 a)
@@ -75,14 +108,14 @@ static int cut_face(const struct lx_emitter *emitter, const struct lx_face *face
         cut->v_mm = lx_wide3_sub(corners[loop[3]], corners[loop[0]]);
         if (size(lx_wide3_sub(cut->u_mm, back)) <= ROUNDED * fmax(size(cut->u_mm), size(cut->v_mm))) {
             set_strength(cut, emitter->radiance.value, 1);
-            return cut_parallelogram(cut);
+            return cut_piece(cut, cut_parallelogram);
         }
     }
     for (unsigned k = 1; k + 1 < face->count; k++) {
         cut->u_mm = lx_wide3_sub(corners[loop[k]], corners[loop[0]]);
         cut->v_mm = lx_wide3_sub(corners[loop[k + 1]], corners[loop[0]]);
         set_strength(cut, emitter->radiance.value, 0.5);
-        if (cut_triangle(cut))
+        if (cut_piece(cut, cut_triangle))
             return -1;
     }
     return 0;

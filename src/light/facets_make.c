@@ -8,19 +8,39 @@
 
 #include "../base/memory.h"
 #include "../base/pose.h"
+#include "../base/rows.h"
 #include "facets_make.h"
 
+/* Faces, corners or sides between two questions whether to go on. */
+enum { BETWEEN_CHECKS = 64 };
+
+static bool goes_on(const struct lx_asking *asking, size_t i)
+{
+    return i % BETWEEN_CHECKS != 0 || lx_asking_goes_on(asking);
+}
+
 /* ---- memory ---- */
+
+static void free_facets(struct lx_kept *kept)
+{
+    struct lx_facets *facets = (struct lx_facets *)kept;
+    free(facets->corners_mm);
+    free(facets->loop);
+    free(facets->faces);
+    free(facets->edges);
+    free(facets);
+}
 
 struct lx_facets *lx_facets_new(size_t corner_count, size_t face_count, size_t loop_count)
 {
     struct lx_facets *facets = lx_new_array(1, sizeof *facets);
     if (!facets)
         return NULL;
-    facets->corners_mm = lx_new_array(corner_count, sizeof *facets->corners_mm);
+    lx_kept_init(&facets->kept, free_facets);
+    facets->corners_mm = lx_new_aligned(corner_count, sizeof *facets->corners_mm);
     facets->corner_count = corner_count;
-    facets->faces = lx_new_array(face_count, sizeof *facets->faces);
-    facets->loop = lx_new_array(loop_count, sizeof *facets->loop);
+    facets->faces = lx_new_aligned(face_count, sizeof *facets->faces);
+    facets->loop = lx_new_aligned(loop_count, sizeof *facets->loop);
     if (facets->corners_mm && facets->faces && facets->loop)
         return facets;
     lx_facets_free(facets);
@@ -49,20 +69,12 @@ struct side {
     bool forward; /* the face's loop runs from low to high */
 };
 
-static int by_corners(const void *a, const void *b)
-{
-    const struct side *x = a, *y = b;
-    if (x->low != y->low)
-        return x->low < y->low ? -1 : 1;
-    if (x->high != y->high)
-        return x->high < y->high ? -1 : 1;
-    return (x->face > y->face) - (x->face < y->face);
-}
-
-static size_t list_sides(const struct lx_facets *facets, struct side *sides)
+static bool list_sides(const struct lx_facets *facets, const struct lx_asking *asking, struct side *sides)
 {
     size_t n = 0;
     for (size_t i = 0; i < facets->face_count; i++) {
+        if (!goes_on(asking, i))
+            return false;
         const unsigned *loop = facets->loop + facets->faces[i].first;
         unsigned count = facets->faces[i].count;
         for (unsigned k = 0; k < count; k++) {
@@ -74,7 +86,47 @@ static size_t list_sides(const struct lx_facets *facets, struct side *sides)
                                        .forward = from < to};
         }
     }
-    return n;
+    return true;
+}
+
+/* Sorts sides by one of their corners, stably, into another list; false: the work is to stop.  `begin` is room for a
+ * number for each corner. */
+static bool sort_by_corner(const struct side *sides, size_t count, bool by_high, size_t *begin, size_t corner_count,
+                           struct side *sorted, const struct lx_asking *asking)
+{
+    size_t sum = 0;
+    memset(begin, 0, corner_count * sizeof *begin);
+    for (size_t i = 0; i < count; i++) {
+        begin[by_high ? sides[i].high : sides[i].low]++;
+        if (!goes_on(asking, i))
+            return false;
+    }
+    for (size_t corner = 0; corner < corner_count; corner++) {
+        const size_t here = begin[corner];
+        begin[corner] = sum;
+        sum += here;
+        if (!goes_on(asking, corner))
+            return false;
+    }
+    for (size_t i = 0; i < count; i++) {
+        sorted[begin[by_high ? sides[i].high : sides[i].low]++] = sides[i];
+        if (!goes_on(asking, i))
+            return false;
+    }
+    return true;
+}
+
+/* Sorts the sides, which are listed face by face, by their lower corners, then by the others, then by faces; false:
+ * memory ran out, or the work is to stop. */
+static bool sort_sides(struct side *sides, size_t count, size_t corner_count, const struct lx_asking *asking)
+{
+    size_t *begin = lx_new_array(corner_count, sizeof *begin);
+    struct side *other = lx_new_aligned(count, sizeof *other);
+    const bool sorted = begin && other && sort_by_corner(sides, count, true, begin, corner_count, other, asking) &&
+                        sort_by_corner(other, count, false, begin, corner_count, sides, asking);
+    free(begin);
+    free(other);
+    return sorted;
 }
 
 static struct lx_edge edge_of(const struct side *side, int right)
@@ -88,10 +140,14 @@ static struct lx_edge edge_of(const struct side *side, int right)
 }
 
 /* Of a closed shell each edge has two sides, which run opposite ways. */
-static struct lx_shape_report pair_sides(struct lx_facets *facets, struct side *sides, size_t count)
+static struct lx_shape_report pair_sides(struct lx_facets *facets, struct side *sides, size_t count,
+                                         const struct lx_asking *asking)
 {
-    qsort(sides, count, sizeof *sides, by_corners);
+    if (!sort_sides(sides, count, facets->corner_count, asking))
+        return (struct lx_shape_report){LX_SHAPE_OUT_OF_MEMORY, 0, 0};
     for (size_t i = 0; i < count; i += 2) {
+        if (!goes_on(asking, i))
+            return (struct lx_shape_report){LX_SHAPE_OUT_OF_MEMORY, 0, 0};
         const struct side *one = &sides[i], *other = one + 1;
         bool alone = i + 1 == count || one->low != other->low || one->high != other->high;
         bool crowded = i + 2 < count && one->low == other[1].low && one->high == other[1].high;
@@ -102,19 +158,18 @@ static struct lx_shape_report pair_sides(struct lx_facets *facets, struct side *
     return (struct lx_shape_report){LX_SHAPE_GOOD, 0, 0};
 }
 
-static struct lx_shape_report find_edges(struct lx_facets *facets, bool closed)
+static struct lx_shape_report find_edges(struct lx_facets *facets, bool closed, const struct lx_asking *asking)
 {
     size_t count = 0;
     for (size_t i = 0; i < facets->face_count; i++)
         count += facets->faces[i].count;
     struct lx_shape_report report = {LX_SHAPE_OUT_OF_MEMORY, 0, 0};
-    struct side *sides = lx_new_array(count, sizeof *sides);
-    facets->edges = lx_new_array(count, sizeof *facets->edges);
-    if (sides && facets->edges) {
-        list_sides(facets, sides);
+    struct side *sides = lx_new_aligned(count, sizeof *sides);
+    facets->edges = lx_new_aligned(count, sizeof *facets->edges);
+    if (sides && facets->edges && list_sides(facets, asking, sides)) {
         report.fault = LX_SHAPE_GOOD;
         if (closed)
-            report = pair_sides(facets, sides, count);
+            report = pair_sides(facets, sides, count, asking);
         for (size_t i = 0; i < count && !closed; i++)
             facets->edges[facets->edge_count++] = edge_of(&sides[i], LX_NO_FACE);
     }
@@ -141,7 +196,7 @@ static double distance(const double a[3], const double b[3])
     return hypot(hypot(a[0] - b[0], a[1] - b[1]), a[2] - b[2]);
 }
 
-static void find_sphere(struct lx_facets *facets)
+static bool find_sphere(struct lx_facets *facets, const struct lx_asking *asking)
 {
     double n = (double)facets->corner_count;
     double sum[3] = {0, 0, 0};
@@ -150,6 +205,8 @@ static void find_sphere(struct lx_facets *facets)
         sum[0] += corner->x.high / n;
         sum[1] += corner->y.high / n;
         sum[2] += corner->z.high / n;
+        if (!goes_on(asking, i))
+            return false;
     }
     memcpy(facets->center_mm, sum, sizeof sum);
     double largest = 0;
@@ -157,15 +214,21 @@ static void find_sphere(struct lx_facets *facets)
         const lx_wide3 *corner = &facets->corners_mm[i];
         double place[3] = {corner->x.high, corner->y.high, corner->z.high};
         largest = fmax(largest, distance(place, sum));
+        if (!goes_on(asking, i))
+            return false;
     }
     double rounding = 8 * DBL_EPSILON * (fabs(sum[0]) + fabs(sum[1]) + fabs(sum[2]));
     facets->radius_mm = largest * (1 + 16 * DBL_EPSILON) + rounding;
+    return true;
 }
 
-struct lx_shape_report lx_facets_finish(struct lx_facets *facets, bool closed)
+struct lx_shape_report lx_facets_finish(struct lx_facets *facets, bool closed, const struct lx_asking *asking)
 {
+    const struct lx_shape_report stopped = {LX_SHAPE_OUT_OF_MEMORY, 0, 0};
     lx_wide area = lx_wide_of(0);
     for (size_t i = 0; i < facets->face_count; i++) {
+        if (!goes_on(asking, i))
+            return stopped;
         struct lx_face *face = &facets->faces[i];
         lx_wide3 newell = lx_newell(facets->corners_mm, facets->loop + face->first, face->count);
         lx_wide length = lx_wide3_length(newell);
@@ -177,14 +240,13 @@ struct lx_shape_report lx_facets_finish(struct lx_facets *facets, bool closed)
         area = lx_wide_add(area, lx_wide_scale(length, 0.5));
     }
     facets->area_mm2 = lx_wide_value(area);
-    find_sphere(facets);
-    return find_edges(facets, closed);
+    return find_sphere(facets, asking) ? find_edges(facets, closed, asking) : stopped;
 }
 
-/* Facets that cannot be wrong, or NULL when memory ran out. */
-static struct lx_facets *finished(struct lx_facets *facets, bool closed)
+/* Facets that cannot be wrong, or NULL when memory ran out, or where the work is to stop. */
+static struct lx_facets *finished(struct lx_facets *facets, bool closed, const struct lx_asking *asking)
 {
-    if (lx_facets_finish(facets, closed).fault == LX_SHAPE_GOOD)
+    if (lx_facets_finish(facets, closed, asking).fault == LX_SHAPE_GOOD)
         return facets;
     lx_facets_free(facets);
     return NULL;
@@ -219,7 +281,7 @@ struct lx_facets *lx_facets_of_pose(const double center_mm[3], const double size
         facets->corners_mm[i] = lx_wide3_add(lx_wide3_of(center_mm), lx_wide3_add(across, upward));
     }
     lx_facets_add_loop(facets, corners, 4);
-    facets = finished(facets, false);
+    facets = finished(facets, false, NULL);
     if (!is_axis(pose->axis) || !is_axis(pose->across))
         lx_facets_were_rounded(facets);
     if (facets) /* a thin one knows its own normal less well */
@@ -250,7 +312,7 @@ struct lx_facets *lx_facets_of_box(const double center_mm[3], const double size_
     }
     for (int i = 0; i < 6; i++)
         lx_facets_add_loop(facets, faces[i], 4);
-    return finished(facets, true);
+    return finished(facets, true, NULL);
 }
 
 /* ---- inscribed polyhedra ---- */
@@ -297,23 +359,31 @@ static unsigned on_parallel(unsigned band, unsigned bands, unsigned step, unsign
     return 2 + (band - 1) * meridians + step % meridians;
 }
 
-static void add_sphere_faces(struct lx_facets *facets, unsigned bands, unsigned meridians)
+/* The faces between two parallels. */
+static void add_band(struct lx_facets *facets, unsigned band, unsigned bands, unsigned meridians)
 {
-    for (unsigned band = 0; band < bands; band++)
-        for (unsigned step = 0; step < meridians; step++) {
-            unsigned corners[4] = {
-                on_parallel(band, bands, step, meridians),
-                on_parallel(band + 1, bands, step, meridians),
-                on_parallel(band + 1, bands, step + 1, meridians),
-                on_parallel(band, bands, step + 1, meridians),
-            };
-            if (band == bands - 1)
-                corners[2] = corners[3];
-            lx_facets_add_loop(facets, corners, band == 0 || band == bands - 1 ? 3 : 4);
-        }
+    for (unsigned step = 0; step < meridians; step++) {
+        unsigned corners[4] = {
+            on_parallel(band, bands, step, meridians),
+            on_parallel(band + 1, bands, step, meridians),
+            on_parallel(band + 1, bands, step + 1, meridians),
+            on_parallel(band, bands, step + 1, meridians),
+        };
+        if (band == bands - 1)
+            corners[2] = corners[3];
+        lx_facets_add_loop(facets, corners, band == 0 || band == bands - 1 ? 3 : 4);
+    }
 }
 
-struct lx_facets *lx_facets_of_sphere(const double center_mm[3], double radius_mm, unsigned meridians)
+/* Frees facets in the making; NULL, for those that are not made. */
+static struct lx_facets *abandon(struct lx_facets *facets)
+{
+    lx_facets_free(facets);
+    return NULL;
+}
+
+struct lx_facets *lx_facets_make_sphere(const double center_mm[3], double radius_mm, unsigned meridians,
+                                        const struct lx_asking *asking)
 {
     unsigned bands = meridians / 2 < 2 ? 2 : meridians / 2;
     struct lx_facets *facets =
@@ -329,6 +399,8 @@ struct lx_facets *lx_facets_of_sphere(const double center_mm[3], double radius_m
     for (unsigned step = 0; step < meridians; step++) { /* first the way from the axis, the same on all parallels */
         lx_wide3 *way = &facets->corners_mm[on_parallel(1, bands, step, meridians)];
         of_turn(step, meridians, &way->y, &way->x);
+        if (!goes_on(asking, step))
+            return abandon(facets);
     }
     for (unsigned band = bands - 1; band > 0; band--) { /* the first parallel, which holds the ways, last */
         lx_wide s, c;
@@ -338,16 +410,22 @@ struct lx_facets *lx_facets_of_sphere(const double center_mm[3], double radius_m
             const lx_wide3 *way = &facets->corners_mm[on_parallel(1, bands, step, meridians)];
             lx_wide3 offset = {lx_wide_mul(s, way->x), lx_wide_mul(s, way->y), lx_wide_mul(c, radius)};
             facets->corners_mm[on_parallel(band, bands, step, meridians)] = lx_wide3_add(center, offset);
+            if (!goes_on(asking, step))
+                return abandon(facets);
         }
     }
-    add_sphere_faces(facets, bands, meridians);
-    facets = finished(facets, true);
+    for (unsigned band = 0; band < bands; band++) {
+        add_band(facets, band, bands, meridians);
+        if (!lx_asking_goes_on(asking))
+            return abandon(facets);
+    }
+    facets = finished(facets, true, asking);
     lx_facets_were_rounded(facets);
     return facets;
 }
 
-struct lx_facets *lx_facets_of_cylinder(const double center_mm[3], double radius_mm, double height_mm,
-                                        const double axis[3], unsigned sides)
+struct lx_facets *lx_facets_make_cylinder(const double center_mm[3], double radius_mm, double height_mm,
+                                          const double axis[3], unsigned sides, const struct lx_asking *asking)
 {
     struct lx_facets *facets = lx_facets_new(2 * (size_t)sides, (size_t)sides + 2, 6 * (size_t)sides);
     if (!facets)
@@ -364,6 +442,8 @@ struct lx_facets *lx_facets_of_cylinder(const double center_mm[3], double radius
         lx_wide3 rim = lx_wide3_add(across, upward);
         facets->corners_mm[i] = lx_wide3_add(lx_wide3_of(center_mm), lx_wide3_sub(rim, half));
         facets->corners_mm[sides + i] = lx_wide3_add(lx_wide3_of(center_mm), lx_wide3_add(rim, half));
+        if (!goes_on(asking, i))
+            return abandon(facets);
     }
     for (unsigned i = 0; i < sides; i++) {
         unsigned next = (i + 1) % sides;
@@ -375,7 +455,7 @@ struct lx_facets *lx_facets_of_cylinder(const double center_mm[3], double radius
         for (unsigned i = 0; i < sides; i++)
             loop[i] = cap ? sides + i : sides - 1 - i;
     }
-    facets = finished(facets, true);
+    facets = finished(facets, true, asking);
     lx_facets_were_rounded(facets);
     return facets;
 }

@@ -18,8 +18,8 @@ void lx_facets_add_face(struct lx_facets *facets, unsigned count);
 void lx_facets_add_loop(struct lx_facets *facets, const unsigned corners[], unsigned count);
 
 /* Finds normals, areas, edges and the sphere around it when corners and faces are there.  `closed`: every edge must
- * have one partner. */
-struct lx_shape_report lx_facets_finish(struct lx_facets *facets, bool closed);
+ * have one partner.  Work that is to stop ends as where memory ran out. */
+struct lx_shape_report lx_facets_finish(struct lx_facets *facets, bool closed, const struct lx_asking *asking);
 
 /* Says that corners are only what wide numbers can tell, some sixty operations of them; NULL is harmless. */
 void lx_facets_were_rounded(struct lx_facets *facets);

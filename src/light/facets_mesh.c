@@ -365,7 +365,7 @@ static struct lx_shape_report refine(struct mesh *mesh)
         memcpy(made->loop, pieces.loop, pieces.used * sizeof *made->loop);
         for (size_t i = 0; i < pieces.count; i++)
             lx_facets_add_face(made, pieces.counts[i]);
-        report = lx_facets_finish(made, true);
+        report = lx_facets_finish(made, true, NULL);
         report.first = report.second = 0; /* not the author's faces any more */
         lx_facets_free(facets);
         mesh->facets = made;
@@ -401,7 +401,7 @@ static struct lx_shape_report make_mesh(struct mesh *mesh)
         return NO_MEMORY;
     struct lx_shape_report report = take_faces(mesh, number_corners(mesh));
     if (report.fault == LX_SHAPE_GOOD)
-        report = lx_facets_finish(mesh->facets, true);
+        report = lx_facets_finish(mesh->facets, true, NULL);
     if (report.fault == LX_SHAPE_GOOD)
         report = check_faces(mesh->facets, &plain);
     if (report.fault == LX_SHAPE_GOOD)

@@ -408,7 +408,7 @@ static struct lx_facets *make_piece(const struct outline *outline, const unsigne
         facets->corners_mm[i] = outline->corners_mm[loop[i]];
         facets->loop[i] = i;
     }
-    if (lx_facets_finish(facets, false).fault != LX_SHAPE_GOOD) {
+    if (lx_facets_finish(facets, false, NULL).fault != LX_SHAPE_GOOD) {
         lx_facets_free(facets);
         return NULL;
     }

@@ -55,7 +55,7 @@ void lx_check_area(const struct lx_check *check, const char *key, const struct l
 /* Into how many parts a shape is cut at least; `side`: how many each way, 0 where it is not cut. */
 static double least_parts(const struct lx_emitter *shape, unsigned side)
 {
-    double faces = shape->type == LX_FACETS && side > 1 ? (double)shape->facets->face_count : 1;
+    double faces = shape->type == LX_FACETS ? (double)shape->facets->face_count : 1;
     return side > 0 ? faces * side * side : 1;
 }
 
@@ -70,16 +70,13 @@ int lx_spread_emit(const struct lx_spread *spread, lx_bounded radiance, struct l
         emitter->attenuation = (enum lx_attenuation)spread->attenuation;
         emitter->k_mm = spread->k_mm;
         const double parts = least_parts(emitter, side);
-        const size_t counted = emitters->most_in_swarms > 0 ? lx_item_count(emitters) : emitters->count;
-        emitters->faces += side == 0 && emitter->type == LX_FACETS ? emitter->facets->face_count : 0;
-        if (emitters->most > 0 &&
-            ((double)counted + parts > (double)emitters->most || emitters->faces > emitters->most)) {
-            emitters->is_short = true;
-            result = -1;
-        } else if (side == 0) {
+        const size_t faces = side == 0 && emitter->type == LX_FACETS ? emitter->facets->face_count : 0;
+        const bool in_swarms = emitter->type == LX_FACETS && side >= LX_LEAST_IN_SWARM;
+        result = lx_emitters_make_room(emitters, in_swarms ? 0 : parts, faces, in_swarms ? (size_t)parts : 0);
+        if (result == 0 && side == 0) {
             result = lx_emitters_append(emitters, emitter);
             emitter->facets = NULL; /* they are the list's now */
-        } else {
+        } else if (result == 0) {
             result = lx_extended_cut(emitter, side, emitters);
         }
     }

@@ -199,7 +199,8 @@ static const struct lx_table volume_table = {
 static int add_sphere(const struct sphere_parameters *sphere, bool round, struct lx_shapes *shapes)
 {
     if (!round && lx_is_given(&sphere_table, sphere, "facets"))
-        return lx_shapes_add_facets(shapes, lx_facets_of_sphere(sphere->center_mm, sphere->radius_mm, sphere->facets));
+        return lx_shapes_add_facets(shapes, lx_facets_make_sphere(sphere->center_mm, sphere->radius_mm, sphere->facets,
+                                                                  shapes->emitters.asking));
     struct lx_emitter shape = {.type = LX_BALL, .radius_mm = sphere->radius_mm};
     memcpy(shape.center_mm, sphere->center_mm, sizeof shape.center_mm);
     return lx_shapes_add(shapes, &shape);
@@ -208,9 +209,9 @@ static int add_sphere(const struct sphere_parameters *sphere, bool round, struct
 static int add_cylinder(const struct cylinder_parameters *cylinder, bool round, struct lx_shapes *shapes)
 {
     if (!round && lx_is_given(&cylinder_table, cylinder, "facets"))
-        return lx_shapes_add_facets(shapes,
-                                    lx_facets_of_cylinder(cylinder->center_mm, cylinder->radius_mm, cylinder->height_mm,
-                                                          cylinder->axis, cylinder->facets));
+        return lx_shapes_add_facets(shapes, lx_facets_make_cylinder(cylinder->center_mm, cylinder->radius_mm,
+                                                                    cylinder->height_mm, cylinder->axis,
+                                                                    cylinder->facets, shapes->emitters.asking));
     struct lx_emitter shape = {
         .type = LX_CYLINDER,
         .radius_mm = cylinder->radius_mm,
@@ -230,6 +231,12 @@ static const char *body_of(const struct volume_parameters *volume)
     return "mesh";
 }
 
+static struct lx_shape_report make_body(const struct lx_mesh *mesh, struct lx_facets **facets)
+{
+    return lx_facets_of_mesh((const double(*)[3])mesh->corners, mesh->corner_count, mesh->loop, mesh->counts,
+                             mesh->face_count, facets);
+}
+
 /* The body, or what is wrong with its mesh; `round`: without the facets of spheres and cylinders. */
 static struct lx_shape_report make_shapes(const struct volume_parameters *volume, bool round, struct lx_shapes *shapes)
 {
@@ -243,10 +250,11 @@ static struct lx_shape_report make_shapes(const struct volume_parameters *volume
     } else if (strcmp(body, "cylinder") == 0) {
         result = add_cylinder(&volume->cylinder, round, shapes);
     } else {
-        const struct lx_mesh *mesh = volume->mesh;
         struct lx_facets *facets = NULL;
-        report = lx_facets_of_mesh((const double(*)[3])mesh->corners, mesh->corner_count, mesh->loop, mesh->counts,
-                                   mesh->face_count, &facets);
+        if (volume->mesh->body)
+            facets = (struct lx_facets *)lx_kept_hold(volume->mesh->body);
+        else
+            report = make_body(volume->mesh, &facets);
         if (report.fault != LX_SHAPE_GOOD)
             return report;
         result = lx_shapes_add_facets(shapes, facets);
@@ -301,6 +309,10 @@ static bool load_mesh(const struct lx_check *check, struct volume_parameters *vo
                         LX_ARGS(path, lx_write_number((double)report.line, line)));
     if (report.message != LX_MSG_COUNT)
         return false;
+    /* The body is made once for all scenes that share the mesh; what is wrong with it is told by the check. */
+    struct lx_facets *body = NULL;
+    if (make_body(volume->mesh, &body).fault == LX_SHAPE_GOOD)
+        volume->mesh->body = &body->kept;
     lx_check_keep(check, path, &volume->mesh->kept);
     return true;
 }
@@ -332,7 +344,7 @@ static void check_volume(const struct lx_check *check, void *parameters)
 static int prepare_volume(const void *parameters, struct lx_emitters *emitters)
 {
     const struct volume_parameters *volume = parameters;
-    struct lx_shapes shapes = {0};
+    struct lx_shapes shapes = {.emitters = {.asking = emitters->asking}};
     if (make_shapes(volume, false, &shapes).fault != LX_SHAPE_GOOD) {
         lx_shapes_clear(&shapes);
         return -1;

@@ -3,6 +3,7 @@
 #ifndef LX_PARAMETER_DECODE_H
 #define LX_PARAMETER_DECODE_H
 
+#include "../format/kept.h"
 #include "document.h"
 #include "table.h"
 #include "words.h"
@@ -11,9 +12,10 @@
 struct lx_walk {
     const struct lx_document *document;
     luxel_diagnostics *diagnostics;
-    bool photometric;           /* which words the units have */
-    const char *folder;         /* where files that the document names are looked for; NULL: the current folder */
-    struct lx_kept_files *kept; /* what the scene has read already, and where further files go; NULL: nowhere */
+    bool photometric;            /* which words the units have */
+    const char *folder;          /* where files that the document names are looked for; NULL: the current folder */
+    struct lx_kept_files *kept;  /* what the scene has read already, and where further files go; NULL: nowhere */
+    struct lx_file_state opened; /* the file that was opened last, before that */
     bool failed, out_of_memory;
     size_t errors, unread; /* errors reported, and how many of them are files that cannot be read */
     /* Gives the advice just reported a hint at what brings a number to the nearest advised one; NULL: none. */

@@ -39,7 +39,7 @@ static void report_unread(const struct lx_check *check, const char *key, const s
 
 struct lx_kept *lx_check_kept(const struct lx_check *check, const char *path, void (*free)(struct lx_kept *kept))
 {
-    const struct lx_kept_files *files = check->walk->kept;
+    struct lx_kept_files *files = check->walk->kept;
     struct lx_kept *kept = files ? lx_kept_find(files, path, free) : NULL;
     return kept ? lx_kept_hold(kept) : NULL;
 }
@@ -47,13 +47,18 @@ struct lx_kept *lx_check_kept(const struct lx_check *check, const char *path, vo
 void lx_check_keep(const struct lx_check *check, const char *path, struct lx_kept *kept)
 {
     struct lx_kept_files *files = check->walk->kept;
-    if (files && lx_kept_add(files, path, kept) < 0)
+    if (!files)
+        return;
+    if (lx_kept_add(files, path, kept) < 0)
         check->walk->out_of_memory = true;
+    else
+        files->items[files->count - 1].state = check->walk->opened;
 }
 
 struct lx_source *lx_check_open(const struct lx_check *check, const char *key, const char *path, size_t most)
 {
     enum { MEGABYTE = 1 << 20 };
+    check->walk->opened = lx_file_state_of(path);
     struct lx_source *source = lx_source_try(path, most);
     if (!source) {
         check->walk->out_of_memory = true;

@@ -181,8 +181,11 @@ luxel_status luxel_scene_commit(luxel_scene *scene, luxel_diagnostics *diagnosti
 {
     if (!scene)
         return LUXEL_ERROR_ARGUMENT;
-    lx_kept_clear(&scene->kept);
-    return commit(scene, diagnostics);
+    lx_kept_refresh(&scene->kept);
+    luxel_status status = commit(scene, diagnostics);
+    if (status == LUXEL_OK)
+        lx_kept_drop_unused(&scene->kept);
+    return status;
 }
 
 bool luxel_scene_is_committed(const luxel_scene *scene)

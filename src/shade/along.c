@@ -189,15 +189,16 @@ bool lx_outgrew_top(const struct lx_problem *problem)
     return problem->highest > problem->top + HIGHEST;
 }
 
-bool lx_goes_on(const struct lx_problem *problem)
+bool lx_goes_on(struct lx_problem *problem)
 {
-    return problem->parts < MOST_PARTS && !lx_outgrew_top(problem);
+    problem->is_stopped = problem->is_stopped || !lx_asking_goes_on(problem->asking);
+    return !problem->is_stopped && problem->parts < MOST_PARTS && !lx_outgrew_top(problem);
 }
 
 /* Nothing is gained by estimates smaller than the error that places and roundings bring. */
 static double arc_target(void *data, const struct lx_integral *integral)
 {
-    const struct lx_problem *problem = data;
+    struct lx_problem *problem = data;
     double wanted = fmax(problem->wanted, 0.1 * problem->tolerance * integral->value);
     return lx_goes_on(problem) ? fmax(wanted, integral->inherited) : HUGE_VAL;
 }
@@ -290,6 +291,8 @@ struct lx_point_value lx_integrate_arc(void *data, size_t index, double t)
 {
     struct lx_problem *problem = data;
     const struct lx_piece *piece = &problem->pieces[index];
+    if (problem->is_stopped)
+        return (struct lx_point_value){.value = 0};
     double length = piece->range.to - piece->range.from;
     double x = piece->range.from + length * (piece->range.eased ? ease(t) : t);
     problem->sweep = &problem->sweeps->items[piece->sweep];

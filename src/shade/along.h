@@ -12,6 +12,7 @@
 #ifndef LX_SHADE_ALONG_H
 #define LX_SHADE_ALONG_H
 
+#include "../base/rows.h"
 #include "../material/lobe.h"
 #include "adaptive.h"
 #include "sweep.h"
@@ -52,6 +53,8 @@ struct lx_problem {
     double at_border; /* the greatest value met where a gated highlight jumps */
     double running;   /* the integral, so far */
     size_t parts;
+    const struct lx_asking *asking; /* whether to go on */
+    bool is_stopped;
     /* of the arc that is being integrated */
     const struct lx_sweep *sweep;
     struct lx_arc arc;
@@ -67,8 +70,8 @@ static inline double lx_dot_plain(const double a[3], const double b[3])
 /* Whether all must begin anew, with a higher top. */
 bool lx_outgrew_top(const struct lx_problem *problem);
 
-/* Whether it is worth to refine: not then, nor when enough has been done. */
-bool lx_goes_on(const struct lx_problem *problem);
+/* Whether it is worth to refine: not then, nor when enough has been done, nor where the work is to stop. */
+bool lx_goes_on(struct lx_problem *problem);
 
 /* On the arc, g.L = amplitude cos(tau - peak). */
 void lx_along_arc(const struct lx_condition *condition, const struct lx_sweep *sweep, const struct lx_arc *arc,

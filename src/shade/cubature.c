@@ -130,7 +130,7 @@ static double outer_target(void *data, const struct lx_integral *integral)
 static int make_pieces(struct lx_problem *problem, struct lx_panels *panels)
 {
     size_t capacity = 0;
-    for (size_t i = 0; i < problem->sweeps->count; i++) {
+    for (size_t i = 0; i < problem->sweeps->count && lx_goes_on(problem); i++) {
         struct cut cuts[MOST_CUTS];
         size_t count = cut_sweep(problem, &problem->sweeps->items[i], cuts);
         if (lx_reserve(&problem->pieces, &capacity, problem->piece_count + count, sizeof *problem->pieces))
@@ -225,7 +225,7 @@ static lx_bounded integrate(struct lx_problem *problem, const double place_mm[3]
                 panels.items[i] = (struct lx_panel){.interval = i, .from = 0, .to = 1};
             panels.count = problem->piece_count;
             all = lx_integrate_panels(&integrand, &panels);
-        } while (lx_outgrew_top(problem));
+        } while (lx_outgrew_top(problem) && !problem->is_stopped);
         /* A border that is moved by an angle takes along a strip of the source. */
         double moved = problem->normal_error + problem->view_error + 4 * DBL_EPSILON;
         double strip = 4 * moved * problem->at_border * greatest_angle(problem->emitter, place_mm);
@@ -270,10 +270,16 @@ static void set_conditions(struct lx_problem *problem)
 struct lx_cubature lx_integrate(const struct lx_emitter *emitter, const struct lx_element *element, bool diffuse,
                                 double known, double tolerance)
 {
+    return lx_integrate_asking(emitter, element, diffuse, known, tolerance, NULL);
+}
+
+struct lx_cubature lx_integrate_asking(const struct lx_emitter *emitter, const struct lx_element *element, bool diffuse,
+                                       double known, double tolerance, const struct lx_asking *asking)
+{
     struct lx_cubature result = {.irradiance = lx_exact(0), .specular = lx_exact(0)};
     const struct lx_lobe *lobe = element->lobe;
     double radiance = emitter->radiance.value, place[3];
-    struct lx_problem problem = {.emitter = emitter, .tolerance = tolerance};
+    struct lx_problem problem = {.emitter = emitter, .tolerance = tolerance, .asking = asking};
     values_of(element->place_mm, place);
     values_of(element->normal, problem.normal);
     values_of(element->view, problem.view);

@@ -11,6 +11,7 @@
 #ifndef LX_SHADE_CUBATURE_H
 #define LX_SHADE_CUBATURE_H
 
+#include "../base/rows.h"
 #include "reference.h"
 
 struct lx_cubature {
@@ -27,5 +28,9 @@ struct lx_cubature {
  */
 struct lx_cubature lx_integrate(const struct lx_emitter *emitter, const struct lx_element *element, bool diffuse,
                                 double known, double tolerance);
+
+/* The same; where the work is to stop it ends early, with any result. */
+struct lx_cubature lx_integrate_asking(const struct lx_emitter *emitter, const struct lx_element *element, bool diffuse,
+                                       double known, double tolerance, const struct lx_asking *asking);
 
 #endif

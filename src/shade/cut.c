@@ -8,7 +8,7 @@
 #include "../base/memory.h"
 
 /* Clusters, or lights, between two questions whether to go on. */
-enum { STEPS_BETWEEN_CHECKS = 256 };
+enum { STEPS_BETWEEN_CHECKS = 16 };
 
 int lx_cut_init(const struct lx_plan *plan, struct lx_cut *cut)
 {
@@ -17,8 +17,8 @@ int lx_cut_init(const struct lx_plan *plan, struct lx_cut *cut)
         cut->capacity += plan->forest.trees[t].leaf_count + 1;
     if (cut->capacity == 0)
         return 0;
-    cut->items = lx_new_array(cut->capacity, sizeof *cut->items);
-    cut->bounds = lx_new_array(cut->capacity, sizeof *cut->bounds);
+    cut->items = lx_new_aligned(cut->capacity, sizeof *cut->items);
+    cut->bounds = lx_new_aligned(cut->capacity, sizeof *cut->bounds);
     return cut->items && cut->bounds ? 0 : -1;
 }
 
@@ -31,8 +31,7 @@ void lx_cut_clear(struct lx_cut *cut)
 
 static bool goes_on(const struct lx_asking *asking, size_t step)
 {
-    return !asking->control || step % STEPS_BETWEEN_CHECKS != 0 ||
-           lx_control_goes_on(asking->control, asking->is_caller);
+    return step % STEPS_BETWEEN_CHECKS != 0 || lx_asking_goes_on(asking);
 }
 
 /* ---- making ---- */
@@ -201,23 +200,28 @@ static double bound_item(const struct lx_plan *plan, const struct lx_cut *cut, c
     if (!is_opened)
         return bound_point(cut, tree, cluster->center_mm, cluster->strength);
     for (size_t i = 0; i < cluster->count; i++) {
-        lx_emitter_row(&plan->prepared->emitters, tree->points[cluster->first + i], row);
+        lx_emitter_row(&plan->prepared->emitters, lx_tree_emitter(tree, cluster->first + i), row);
         sum += bound_point(cut, tree, row, row[3]);
     }
     return sum;
 }
 
-static void choose_precision(const struct lx_plan *plan, struct lx_cut *cut)
+static bool choose_precision(const struct lx_plan *plan, const struct lx_asking *asking, struct lx_cut *cut)
 {
     struct lx_rounding_sum rounding = cut->surface->rounding;
     const size_t count = cut->whole_count + cut->opened_count;
-    for (size_t i = 0; i < count; i++) {
+    for (size_t i = 0; i < count && plan->precision == LUXEL_SINGLE; i++) {
         bool is_opened = i >= cut->whole_count;
+        if (!goes_on(asking, i))
+            return false;
         size_t at = is_opened ? cut->capacity - cut->opened_count + (i - cut->whole_count) : i;
-        cut->bounds[i] = plan->precision == LUXEL_DOUBLE ? HUGE_VAL : bound_item(plan, cut, &cut->items[at], is_opened);
+        cut->bounds[i] = bound_item(plan, cut, &cut->items[at], is_opened);
     }
+    for (size_t i = 0; i < count && plan->precision == LUXEL_DOUBLE; i++)
+        cut->bounds[i] = HUGE_VAL;
     if (plan->precision == LUXEL_SINGLE)
-        lx_choose_precision(cut->bounds, count, plan->least_maximum, &rounding);
+        lx_choose_precision(cut->bounds, count, plan->least_maximum, asking, &rounding);
+    return lx_asking_goes_on(asking);
 }
 
 bool lx_cut_make(const struct lx_plan *plan, const struct lx_planned_surface *surface, const struct lx_tract *tract,
@@ -228,14 +232,13 @@ bool lx_cut_make(const struct lx_plan *plan, const struct lx_planned_surface *su
     cut->tract = *tract;
     cut->whole_count = cut->opened_count = 0;
     for (uint32_t t = 0; t < plan->forest.tree_count; t++)
-        if (plan->forest.trees[t].cluster_count > 0)
+        if (plan->forest.trees[t].leaf_count > 0)
             add_cluster(&making, t, 0);
-    if (!refine(&making, asking)) {
+    if (!refine(&making, asking) || !choose_precision(plan, asking, cut)) {
         cut->surface = NULL;
         return false;
     }
     cut->error = making.error;
-    choose_precision(plan, cut);
     return true;
 }
 
@@ -319,7 +322,7 @@ static void put_cluster(struct shading *shading, const struct lx_cut_item *item,
     if (!is_opened)
         put_light(shading, row, tree->has_axis ? tree->turns[item->cluster].axis : NULL);
     for (size_t i = 0; is_opened && i < cluster->count; i++) {
-        const uint32_t point = tree->points[cluster->first + i];
+        const size_t point = lx_tree_emitter(tree, cluster->first + i);
         struct lx_emitter room;
         double axis[3];
         lx_emitter_row(emitters, point, row);

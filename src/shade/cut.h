@@ -31,12 +31,6 @@ struct lx_cut {
 int lx_cut_init(const struct lx_plan *plan, struct lx_cut *cut);
 void lx_cut_clear(struct lx_cut *cut);
 
-/* Who asks whether the work goes on; `control` may be NULL. */
-struct lx_asking {
-    struct lx_control *control;
-    bool is_caller;
-};
-
 /* Cuts the plan's trees for a tract of a surface; false: the work was stopped. */
 bool lx_cut_make(const struct lx_plan *plan, const struct lx_planned_surface *surface, const struct lx_tract *tract,
                  const struct lx_asking *asking, struct lx_cut *cut);

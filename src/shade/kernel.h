@@ -18,6 +18,7 @@
 #include <stdbool.h>
 #include <stddef.h>
 
+#include "../base/rows.h"
 #include "../light/emitter.h"
 #include "../material/lobe.h"
 #include "../surface/surface.h"
@@ -172,6 +173,7 @@ struct lx_shell {
     struct lx_shell_face_single *faces_single; /* NULL where float32 does not do */
     struct lx_shell_edge_single *edges_single;
     size_t face_count, edge_count;
+    size_t most_patches;            /* that its faces can be cut into (shell.h) */
     const struct lx_facets *facets; /* what they were made of */
 };
 
@@ -180,11 +182,12 @@ struct lx_around {
     double center[3], radius;
 };
 
-/* Add `diffuse` times the irradiance by the law 1/r^2, r in mm and the shell in mm. */
+/* Add `diffuse` times the irradiance by the law 1/r^2, r in mm and the shell in mm; something else where the work is to
+ * stop. */
 typedef void lx_light_by_shell_single(const struct lx_shell *shell, double diffuse, const struct lx_block_single *block,
-                                      size_t count, double *sum);
+                                      size_t count, const struct lx_asking *asking, double *sum);
 typedef void lx_light_by_shell_double(const struct lx_shell *shell, double diffuse, const struct lx_block_double *block,
-                                      size_t count, double *sum);
+                                      size_t count, const struct lx_asking *asking, double *sum);
 
 struct lx_kernels {
     const char *name;

@@ -348,9 +348,9 @@ LX_LANE void NAME(add_edges)(const struct lx_shell *shell, const struct NAME(can
 }
 
 static void NAME(light_by_facets)(const struct lx_shell *shell, double diffuse, const struct NAME(lx_block) * block,
-                                  size_t count, double *restrict sum)
+                                  size_t count, const struct lx_asking *asking, double *restrict sum)
 {
-    enum { LOT = 64 }; /* candidates that are worked off at once */
+    enum { LOT = 64, BETWEEN_CHECKS = 1024 }; /* candidates that are worked off at once; edges that are looked at */
     const size_t width = NAME(LX_WIDTH);
     const struct lx_around around = NAME(around)(block, lx_padded(count));
     const double gain = -0.5 * diffuse * shell->radiance;
@@ -363,9 +363,13 @@ static void NAME(light_by_facets)(const struct lx_shell *shell, double diffuse, 
     memset(contours, 0, count / width * sizeof *contours);
     for (size_t next = 0, found = 0; next < shell->edge_count; found = 0) {
         for (; next < shell->edge_count && found < LOT; next++) {
+            if (next % BETWEEN_CHECKS == BETWEEN_CHECKS - 1 && !lx_asking_goes_on(asking))
+                return;
             lot[found].edge = &shell->NAME(edges)[next];
             found += NAME(is_candidate)(shell, &around, &lot[found]);
         }
+        if (!lx_asking_goes_on(asking))
+            return;
         for (size_t i = 0; i < count; i += width) {
             struct NAME(contour) *contour = &contours[i / width];
             const struct NAME(outlook) at = NAME(outlook_of)(shell, block, i);

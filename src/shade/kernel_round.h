@@ -165,10 +165,11 @@ LANE double disk_irradiance(struct lane lane, struct lane3 o, struct lane3 axis,
 }
 
 static void light_by_disk(const struct lx_shell *shell, double diffuse, const struct lx_block_double *block,
-                          size_t count, double *restrict sum)
+                          size_t count, const struct lx_asking *asking, double *restrict sum)
 {
     const struct lane3 axis = lane3_of(shell->axis), beside = beside3(axis), middle = {0, 0, 0};
     const double gain = diffuse * shell->radiance, touch = shell->touch_mm, radius = shell->round_mm;
+    (void)asking;
     count = lx_padded(count);
     for (size_t i = 0; i < count; i++) {
         struct lane lane = lane_of(shell, block, i);
@@ -179,9 +180,10 @@ static void light_by_disk(const struct lx_shell *shell, double diffuse, const st
 
 /* With sin s = R/d and x the cosine of the angle between N and the centre; k and cos s are the legs of alpha. */
 static void light_by_ball(const struct lx_shell *shell, double diffuse, const struct lx_block_double *block,
-                          size_t count, double *restrict sum)
+                          size_t count, const struct lx_asking *asking, double *restrict sum)
 {
     const double gain = diffuse * shell->radiance, radius = shell->round_mm, touch = shell->touch_mm;
+    (void)asking;
     count = lx_padded(count);
     for (size_t i = 0; i < count; i++) {
         struct lane lane = lane_of(shell, block, i);
@@ -291,11 +293,12 @@ LANE double cylinder_irradiance(struct lane lane, struct lane3 axis, struct lane
 }
 
 static void light_by_cylinder(const struct lx_shell *shell, double diffuse, const struct lx_block_double *block,
-                              size_t count, double *restrict sum)
+                              size_t count, const struct lx_asking *asking, double *restrict sum)
 {
     const struct lane3 axis = lane3_of(shell->axis), beside = beside3(axis);
     const double gain = diffuse * shell->radiance, touch = shell->touch_mm, radius = shell->round_mm;
     const double half = shell->half_mm;
+    (void)asking;
     count = lx_padded(count);
     for (size_t i = 0; i < count; i++) {
         struct lane lane = lane_of(shell, block, i);

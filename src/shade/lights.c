@@ -108,6 +108,14 @@ struct lx_light_single lx_light_single_of(const struct lx_light_double *light)
     };
 }
 
+int lx_lights_make_room(struct lx_lights *lights, size_t count)
+{
+    lights->singles = lx_new_aligned(count, sizeof *lights->singles);
+    lights->exacts = lx_new_aligned(count, sizeof *lights->exacts);
+    lights->singles_capacity = lights->exacts_capacity = count;
+    return lights->singles && lights->exacts ? 0 : -1;
+}
+
 int lx_lights_append(struct lx_lights *lights, const struct lx_emitter *emitter)
 {
     if (lx_reserve(&lights->singles, &lights->singles_capacity, lights->stored + 1, sizeof *lights->singles) ||

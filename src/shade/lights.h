@@ -45,6 +45,9 @@ struct lx_light_single lx_light_single_of(const struct lx_light_double *light);
 struct lx_lobe_single lx_lobe_single_of(const struct lx_lobe_double *lobe);
 struct lx_exponent_double lx_exponent_of(double exponent);
 
+/* Makes room at once for as many lights as are to be stored.  0, or -1 when memory ran out. */
+int lx_lights_make_room(struct lx_lights *lights, size_t count);
+
 /* Appends a light, or those of a swarm.  0, or -1 when memory ran out. */
 int lx_lights_append(struct lx_lights *lights, const struct lx_emitter *emitter);
 int lx_lights_append_swarm(struct lx_lights *lights, const struct lx_swarm *swarm);

@@ -17,7 +17,7 @@ enum { SAMPLES = 16 };
 enum { MANY_LIGHTS = 1 << 16 };
 
 /* Lights that are looked at between two questions whether to go on. */
-enum { LIGHTS_BETWEEN_CHECKS = 4096 };
+enum { LIGHTS_BETWEEN_CHECKS = 64 };
 
 /* Of the highlights of extended sources. */
 static const double USUAL_TOLERANCE = 1e-3;
@@ -44,29 +44,40 @@ static void set_lobes(const struct lx_lobe *lobe, struct lx_planned_surface *sur
     surface->matte_single = lx_lobe_single_of(&surface->matte_exact);
 }
 
-static int plan_shells(struct lx_plan *plan, struct lx_planned_surface *surface)
+static bool goes_on(struct lx_control *control, size_t i)
+{
+    return i % LIGHTS_BETWEEN_CHECKS != 0 || lx_control_goes_on(control, true);
+}
+
+static luxel_status plan_shells(struct lx_plan *plan, struct lx_control *control, struct lx_planned_surface *surface)
 {
     const struct lx_emitters *emitters = &plan->prepared->emitters;
+    const struct lx_asking asking = {.control = control, .is_caller = true};
     size_t count = 0, patches = 0, items = lx_item_count(emitters);
-    for (size_t i = 0; i < items; i++)
+    for (size_t i = 0; i < items; i++) {
         count += lx_is_extended(&emitters->items[i]);
+        if (!goes_on(control, i))
+            return LUXEL_CANCELLED;
+    }
     if (count == 0)
-        return 0;
+        return LUXEL_OK;
     surface->shells = lx_new_array(count, sizeof *surface->shells);
     surface->glossy = lx_new_array(count, sizeof *surface->glossy);
     surface->matte = lx_new_array(count, sizeof *surface->matte);
     if (!surface->shells || !surface->glossy || !surface->matte)
-        return -1;
+        return LUXEL_ERROR_MEMORY;
     for (size_t i = 0; i < items; i++) {
         const struct lx_emitter *emitter = &emitters->items[i];
+        if (!goes_on(control, i))
+            return LUXEL_CANCELLED;
         if (!lx_is_extended(emitter))
             continue;
         struct lx_planned_shell *planned = &surface->shells[surface->shell_count];
         planned->emitter = emitter;
-        int failed = lx_shell_make(emitter, &surface->shape, &planned->shell);
+        luxel_status status = lx_shell_make(emitter, &surface->shape, &asking, &planned->shell);
         struct lx_sampled *sampled = &surface->glossy[surface->shell_count++];
-        if (failed)
-            return -1;
+        if (status != LUXEL_OK)
+            return status;
         *sampled = (struct lx_sampled){.shell = &planned->shell, .law = emitter->attenuation, .k_mm = emitter->k_mm};
         if (emitter->attenuation != LX_INVERSE_SQUARE) {
             surface->matte[surface->matte_count] = *sampled;
@@ -78,7 +89,7 @@ static int plan_shells(struct lx_plan *plan, struct lx_planned_surface *surface)
         patches += lx_patch_limit(&planned->shell);
     }
     plan->most_patches = patches;
-    return 0;
+    return LUXEL_OK;
 }
 
 /* Puts the surfaces that may stand in the light of light i at the end of the list.  How many, or -1. */
@@ -144,23 +155,24 @@ static bool next_lights(const struct lx_plan *plan, struct lx_emitter_span *span
     return false;
 }
 
-static bool goes_on(struct lx_control *control, size_t i)
-{
-    return i % LIGHTS_BETWEEN_CHECKS != 0 || lx_control_goes_on(control, true);
-}
-
 static luxel_status plan_lights(struct lx_plan *plan, struct lx_control *control, struct lx_planned_surface *surface)
 {
     enum lx_light_kind kind = LX_DISTANT, last_kind = LX_DISTANT;
     struct lx_emitter room;
     struct lx_lights *lights = &surface->lights;
     size_t i = 0;
+    const struct lx_emitters *emitters = &plan->prepared->emitters;
+    const size_t most = lx_item_count(emitters);
     memcpy(lights->anchor_mm, surface->shape.anchor_mm, sizeof lights->anchor_mm);
+    if (most > LX_MOST_STORED && plan->forest.tree_count == 0 && lx_lights_make_room(lights, most))
+        return LUXEL_ERROR_MEMORY;
     for (struct lx_emitter_span span = {0}; next_lights(plan, &span);) {
         if (span.swarm && lx_lights_append_swarm(lights, span.swarm))
             return LUXEL_ERROR_MEMORY;
         for (size_t e = span.first; e < span.end; e++) {
             const struct lx_emitter *emitter = lx_span_at(&span, e, &room);
+            if (!goes_on(control, e))
+                return LUXEL_CANCELLED;
             if (emitter->type == LX_UNIFORM)
                 surface->uniform += surface->lobe.ambient.value * emitter->strength;
             if (!span.swarm && !is_light(plan, emitter))
@@ -172,8 +184,6 @@ static luxel_status plan_lights(struct lx_plan *plan, struct lx_control *control
             if (blockers < 0 || append_to_runs(surface, kind, last_kind, i++, (size_t)blockers))
                 return LUXEL_ERROR_MEMORY;
             last_kind = kind;
-            if (!goes_on(control, i))
-                return LUXEL_CANCELLED;
         }
     }
     return LUXEL_OK;
@@ -184,11 +194,11 @@ static luxel_status plan_surface(struct lx_plan *plan, struct lx_control *contro
 {
     set_lobes(lobe, surface);
     luxel_status status = plan_lights(plan, control, surface);
-    return status == LUXEL_OK && plan_shells(plan, surface) ? LUXEL_ERROR_MEMORY : status;
+    return status == LUXEL_OK ? plan_shells(plan, control, surface) : status;
 }
 
 /* Splits the runs into those whose bounds say float32, being negative, and those of the others. */
-static int split_runs(const double *bounds, struct lx_planned_surface *surface)
+static luxel_status split_runs(const double *bounds, struct lx_control *control, struct lx_planned_surface *surface)
 {
     struct lx_light_run *runs = NULL;
     size_t count = 0, capacity = 0;
@@ -199,9 +209,10 @@ static int split_runs(const double *bounds, struct lx_planned_surface *surface)
             run.in_double = !(bounds[first] < 0);
             for (run.count = 1; first + run.count < end && !(bounds[first + run.count] < 0) == run.in_double;)
                 run.count++;
-            if (lx_reserve(&runs, &capacity, count + 1, sizeof *runs)) {
+            const bool is_stopped = !goes_on(control, r);
+            if (is_stopped || lx_reserve(&runs, &capacity, count + 1, sizeof *runs)) {
                 free(runs);
-                return -1;
+                return is_stopped ? LUXEL_CANCELLED : LUXEL_ERROR_MEMORY;
             }
             runs[count++] = run;
         }
@@ -210,7 +221,7 @@ static int split_runs(const double *bounds, struct lx_planned_surface *surface)
     surface->runs = runs;
     surface->run_count = count;
     surface->run_capacity = capacity;
-    return 0;
+    return LUXEL_OK;
 }
 
 /* Leaves lights to float32, or, where it has to be `all` of them and is not, none.  `*fits`: all. */
@@ -219,39 +230,47 @@ static luxel_status choose_precision(const struct lx_plan *plan, struct lx_contr
 {
     size_t count = surface->lights.count, i = 0;
     struct lx_emitter room;
-    double *bounds = count > 0 ? lx_new_array(count, sizeof *bounds) : NULL;
+    double *bounds = count > 0 ? lx_new_aligned(count, sizeof *bounds) : NULL;
+    const struct lx_asking asking = {.control = control, .is_caller = true};
     luxel_status status = count > 0 && !bounds ? LUXEL_ERROR_MEMORY : LUXEL_OK;
     for (struct lx_emitter_span span = {0}; status == LUXEL_OK && count > 0 && next_lights(plan, &span);)
         for (size_t e = span.first; e < span.end && status == LUXEL_OK; e++) {
             const struct lx_emitter *emitter = lx_span_at(&span, e, &room);
-            if (!span.swarm && !is_light(plan, emitter))
-                continue;
-            bounds[i++] = lx_bound_light(plan->prepared, &surface->shape, &surface->lobe, emitter);
-            if (!goes_on(control, i))
+            if (!goes_on(control, e))
                 status = LUXEL_CANCELLED;
+            if (span.swarm || is_light(plan, emitter))
+                bounds[i++] = lx_bound_light(plan->prepared, &surface->shape, &surface->lobe, emitter);
         }
     if (status == LUXEL_OK) {
         surface->rounding = (struct lx_rounding_sum){0};
-        *fits = lx_choose_precision(bounds, count, plan->least_maximum, &surface->rounding) == count;
-        if (count > 0 && (*fits || !all) && split_runs(bounds, surface))
-            status = LUXEL_ERROR_MEMORY;
+        *fits = lx_choose_precision(bounds, count, plan->least_maximum, &asking, &surface->rounding) == count;
+        if (!lx_control_goes_on(control, true))
+            status = LUXEL_CANCELLED;
     }
+    if (status == LUXEL_OK && count > 0 && (*fits || !all))
+        status = split_runs(bounds, control, surface);
     free(bounds);
     return status;
 }
 
 /* Leaves the diffuse light of facets to float32 where it keeps the picture's accuracy. */
-static int choose_shells(const struct lx_plan *plan, struct lx_planned_surface *surface)
+static luxel_status choose_shells(const struct lx_plan *plan, struct lx_control *control,
+                                  struct lx_planned_surface *surface)
 {
+    const struct lx_asking asking = {.control = control, .is_caller = true};
     for (size_t s = 0; s < surface->shell_count; s++) {
         struct lx_planned_shell *planned = &surface->shells[s];
-        double bound = lx_bound_shell(&surface->shape, surface->lobe_exact.diffuse, &planned->shell);
+        double bound = lx_bound_shell(&surface->shape, surface->lobe_exact.diffuse, &planned->shell, &asking);
         bool is_closed = planned->emitter->attenuation == LX_INVERSE_SQUARE && surface->lobe_exact.diffuse > 0;
-        if (is_closed && lx_choose_precision(&bound, 1, plan->least_maximum, &surface->rounding) == 1 &&
-            lx_shell_make_single(&planned->shell))
-            return -1;
+        if (!lx_control_goes_on(control, true))
+            return LUXEL_CANCELLED;
+        luxel_status status = LUXEL_OK;
+        if (is_closed && lx_choose_precision(&bound, 1, plan->least_maximum, &asking, &surface->rounding) == 1)
+            status = lx_shell_make_single(&planned->shell, &asking);
+        if (status != LUXEL_OK)
+            return status;
     }
-    return 0;
+    return LUXEL_OK;
 }
 
 /* Of an axis of so many pixels. */
@@ -337,8 +356,8 @@ static luxel_status find_accuracy(struct lx_plan *plan, struct lx_control *contr
     for (size_t s = 0; s < plan->surface_count && plan->precision == LUXEL_SINGLE && status == LUXEL_OK; s++) {
         bool all = true;
         status = choose_precision(plan, control, every > 1, &plan->surfaces[s], &all);
-        if (status == LUXEL_OK && choose_shells(plan, &plan->surfaces[s]))
-            status = LUXEL_ERROR_MEMORY;
+        if (status == LUXEL_OK)
+            status = choose_shells(plan, control, &plan->surfaces[s]);
         *fits = *fits && all;
     }
     return status;

@@ -3,6 +3,7 @@
 #ifndef LX_SHADE_PRECISION_H
 #define LX_SHADE_PRECISION_H
 
+#include "../base/rows.h"
 #include "lights.h"
 #include "prepared.h"
 
@@ -28,14 +29,16 @@ double lx_bound_stand(const struct lx_shape *shape, const struct lx_lobe *lobe, 
                       double strength, const struct lx_stand *stand);
 
 /* The same of the diffuse light of a shell; infinite unless it is of facets. */
-double lx_bound_shell(const struct lx_shape *shape, double diffuse, const struct lx_shell *shell);
+double lx_bound_shell(const struct lx_shape *shape, double diffuse, const struct lx_shell *shell,
+                      const struct lx_asking *asking);
 
 /*
  * Of lights that are all in float64, leaves as many to float32 as the picture's accuracy allows, given a lower bound
  * of its maximum, and the rounding of other lights, to which theirs is added.  Their bounds become negative.  Returns
- * how many they are.
+ * how many they are; fewer where the work is to stop.
  */
-size_t lx_choose_precision(double *bounds, size_t count, double least_maximum, struct lx_rounding_sum *rounding);
+size_t lx_choose_precision(double *bounds, size_t count, double least_maximum, const struct lx_asking *asking,
+                           struct lx_rounding_sum *rounding);
 
 /* Whether float32 samples of a shell are good enough for a tolerance. */
 bool lx_samples_fit_single(const struct lx_shape *shape, const struct lx_lobe_double *lobe,

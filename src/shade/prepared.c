@@ -5,11 +5,11 @@
 
 #include "../base/memory.h"
 #include "../base/phrase.h"
+#include "../base/rows.h"
 #include "../light/light.h"
 #include "prepared.h"
 
-/* What memory could hold, and more, where it is not known how much there is. */
-static const double MOST_EMITTERS = 1e9;
+/* How many a scene may have without asking how much memory there is. */
 enum { FEW_EMITTERS = 4096 };
 
 static int prepare_lights(const struct lx_list *lights, struct lx_emitters *emitters)
@@ -18,15 +18,15 @@ static int prepare_lights(const struct lx_list *lights, struct lx_emitters *emit
         const struct lx_item *item = &lights->items[i];
         const struct lx_light_common *common = item->common;
         const struct lx_light_kind *kind = (const struct lx_light_kind *)item->variant;
-        size_t first = emitters->count;
-        if (common->enabled && kind->prepare(item->parameters, emitters))
+        emitters->light = i;
+        if (common->enabled && (!lx_asking_goes_on(emitters->asking) || kind->prepare(item->parameters, emitters)))
             return -1;
-        lx_emitters_set_light(emitters, first, i);
     }
     return 0;
 }
 
-static int prepare(const struct lx_scene_parameters *scene, double tolerance, size_t most, size_t most_in_swarms,
+/* `room`: an empty list that knows how many emitters it may take. */
+static int prepare(const struct lx_scene_parameters *scene, double tolerance, const struct lx_emitters *room,
                    struct lx_prepared *prepared)
 {
     const struct lx_list *surfaces = &scene->surfaces;
@@ -34,7 +34,7 @@ static int prepare(const struct lx_scene_parameters *scene, double tolerance, si
         .scene = scene,
         .surfaces = lx_new_array(surfaces->count, sizeof *prepared->surfaces),
         .surface_count = surfaces->count,
-        .emitters = {.most = most, .most_in_swarms = most_in_swarms},
+        .emitters = *room,
         .tolerance = tolerance,
         .shadows = scene->shadows == LX_SHADOWS_POINTS && surfaces->count > 1,
     };
@@ -51,27 +51,31 @@ static int prepare(const struct lx_scene_parameters *scene, double tolerance, si
             .lobe = lx_lobe_prepare(&common->material),
         };
     }
-    return prepare_lights(&scene->lights, &prepared->emitters);
+    int failed = prepare_lights(&scene->lights, &prepared->emitters);
+    prepared->emitters.asking = NULL;
+    return failed;
 }
 
-int lx_prepare(const struct lx_scene_parameters *scene, double tolerance, struct lx_prepared *prepared)
+int lx_prepare(const struct lx_scene_parameters *scene, double tolerance, const struct lx_asking *asking,
+               struct lx_prepared *prepared)
 {
     /* The usual scene has few, and need not ask for memory; besides the emitters, each surface has its constants, and
      * the numbers of the surfaces that may stand in their light. */
-    int failed = lx_prepare_few(scene, tolerance, FEW_EMITTERS, prepared);
-    if (!failed || !prepared->emitters.is_short)
-        return failed;
-    size_t surfaces = scene->surfaces.count, others = prepared->shadows ? surfaces - 1 : 0;
-    lx_prepared_clear(prepared);
-    double each = (double)(sizeof(struct lx_emitter) + surfaces * (320 + others * sizeof(uint32_t)));
-    double each_in_swarms = (double)(64 + surfaces * others * sizeof(uint32_t)), available = lx_available_bytes();
-    return prepare(scene, tolerance, (size_t)fmin(available / each, MOST_EMITTERS),
-                   (size_t)fmin(available / each_in_swarms, MOST_EMITTERS), prepared);
+    const size_t surfaces = scene->surfaces.count;
+    const size_t others = scene->shadows == LX_SHADOWS_POINTS && surfaces > 1 ? surfaces - 1 : 0;
+    const struct lx_emitters room = {
+        .most = FEW_EMITTERS,
+        .each = (double)(sizeof(struct lx_emitter) + surfaces * (320 + others * sizeof(uint32_t))),
+        .each_in_swarms = (double)(64 + surfaces * others * sizeof(uint32_t)),
+        .asking = asking,
+    };
+    return prepare(scene, tolerance, &room, prepared);
 }
 
 int lx_prepare_few(const struct lx_scene_parameters *scene, double tolerance, size_t most, struct lx_prepared *prepared)
 {
-    return prepare(scene, tolerance, most, 0, prepared);
+    const struct lx_emitters room = {.most = most};
+    return prepare(scene, tolerance, &room, prepared);
 }
 
 void lx_prepared_clear(struct lx_prepared *prepared)
@@ -86,21 +90,9 @@ enum laws { ALL_UNATTENUATED, ALL_PHYSICAL, MIXED };
 
 static enum laws common_law(const struct lx_emitters *emitters)
 {
-    size_t unattenuated = 0, physical = 0;
-    for (struct lx_emitter_span span = {0}; lx_emitters_next(emitters, &span);)
-        for (size_t i = span.first; i < span.end; i++) {
-            const struct lx_emitter *emitter = span.swarm ? &span.swarm->model : &span.items[i - span.first];
-            size_t count = span.swarm ? span.end - span.first : 1; /* the points of a swarm have one law */
-            bool has_law = emitter->type == LX_POINT || lx_is_extended(emitter);
-            if (!has_law || emitter->attenuation == LX_INVERSE_SQUARE)
-                physical += count;
-            else if (emitter->attenuation == LX_NO_ATTENUATION)
-                unattenuated += count;
-            i += count - 1;
-        }
-    if (unattenuated == emitters->count)
+    if (emitters->unattenuated == emitters->count)
         return ALL_UNATTENUATED;
-    return physical == emitters->count ? ALL_PHYSICAL : MIXED;
+    return emitters->by_square == emitters->count ? ALL_PHYSICAL : MIXED;
 }
 
 const char *lx_unit_of(const struct lx_prepared *prepared, luxel_quantity quantity)

@@ -31,9 +31,12 @@ struct lx_prepared {
     bool shadows;                /* whether surfaces take light from each other */
 };
 
-/* 0, or -1 when memory ran out, or where it would not do for so many emitters (prepared->emitters.is_short).  Release
- * with lx_prepared_clear() in either case. */
-int lx_prepare(const struct lx_scene_parameters *scene, double tolerance, struct lx_prepared *prepared);
+/*
+ * 0, or -1 when memory ran out, or where it would not do for so many emitters (prepared->emitters.is_short), or where
+ * the work is to stop.  Release with lx_prepared_clear() in any case.
+ */
+int lx_prepare(const struct lx_scene_parameters *scene, double tolerance, const struct lx_asking *asking,
+               struct lx_prepared *prepared);
 /* The same of a scene that has at most so many emitters; else -1, and prepared->emitters.is_short. */
 int lx_prepare_few(const struct lx_scene_parameters *scene, double tolerance, size_t most,
                    struct lx_prepared *prepared);

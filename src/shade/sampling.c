@@ -2,12 +2,16 @@
 /* Adaptive sampling of extended sources for runs of elements. */
 #include <float.h>
 #include <math.h>
+#include <stdint.h>
 #include <stdlib.h>
 #include <string.h>
 
 #include "sampling.h"
 
 enum { MOST_CELLS = LX_MOST_CELLS, DEEPEST = 14, QUARTERS = 4, RULE = 3 };
+
+/* Cells that are looked at between two questions whether to go on. */
+enum { BETWEEN_CHECKS = 16 };
 
 /* Cells up to this share of the lobe's width are begun with one sample against four. */
 static const double TINY = 0.0625;
@@ -48,6 +52,7 @@ struct lx_sampling_memory {
     struct cell cells[MOST_CELLS];
     struct lx_patch *patches;
     struct pending *pending;
+    uint32_t *order; /* twice as many as may be pending */
 };
 
 /* Halving one of those that are pending leaves three more. */
@@ -59,7 +64,7 @@ static size_t most_pending(size_t most_patches)
 size_t lx_sampling_memory_size(size_t most_patches)
 {
     return sizeof(struct lx_sampling_memory) + most_patches * sizeof(struct lx_patch) +
-           most_pending(most_patches) * sizeof(struct pending);
+           most_pending(most_patches) * (sizeof(struct pending) + 2 * sizeof(uint32_t));
 }
 
 struct lx_sampling_memory *lx_sampling_memory_of(void *bytes, size_t most_patches)
@@ -67,6 +72,7 @@ struct lx_sampling_memory *lx_sampling_memory_of(void *bytes, size_t most_patche
     struct lx_sampling_memory *memory = bytes;
     memory->patches = (void *)((char *)bytes + sizeof *memory);
     memory->pending = (void *)(memory->patches + most_patches);
+    memory->order = (void *)(memory->pending + most_pending(most_patches));
     return memory;
 }
 
@@ -83,7 +89,16 @@ struct run {
     double width[LX_LANES];                                   /* of the lobe, as an angle of L */
     double known[LX_LANES], value[LX_LANES], error[LX_LANES]; /* error: of cells that are still looked at */
     double dropped, settled;                                  /* of those that are not */
+    size_t steps;
+    bool is_stopped;
 };
+
+static bool goes_on(struct run *run)
+{
+    if (++run->steps % BETWEEN_CHECKS == 0 && !run->is_stopped)
+        run->is_stopped = !lx_asking_goes_on(run->sampling->asking);
+    return !run->is_stopped;
+}
 
 static double dot(const double a[3], const double b[3])
 {
@@ -379,6 +394,47 @@ static int by_bound(const void *a, const void *b)
     return (x > y) - (x < y);
 }
 
+/* Merges sorted halves of an order of what is pending, those with equal bounds as they were. */
+static void merge(struct run *run, const struct pending *all, const uint32_t *from, size_t half, size_t count,
+                  uint32_t *to)
+{
+    enum { BETWEEN_STEPS = 1024 };
+    size_t i = 0, j = half;
+    for (size_t k = 0; k < count && (k % BETWEEN_STEPS != 0 || goes_on(run)); k++)
+        to[k] = j >= count || (i < half && all[from[i]].bound <= all[from[j]].bound) ? from[i++] : from[j++];
+}
+
+/* Sorts by bounds, in steps that can be stopped; there may be a million of them. */
+static void sort_many(struct run *run, struct pending *all, size_t count)
+{
+    uint32_t *order = run->memory->order, *other = order + count;
+    for (size_t i = 0; i < count; i++)
+        order[i] = (uint32_t)i;
+    for (size_t width = 1; width < count; width *= 2) {
+        for (size_t first = 0; first < count && !run->is_stopped; first += 2 * width) {
+            const size_t left = count - first, both = left < 2 * width ? left : 2 * width;
+            merge(run, all, order + first, width < both ? width : both, both, other + first);
+        }
+        uint32_t *made = other;
+        other = order;
+        order = made;
+    }
+    for (size_t i = 0; i < count && !run->is_stopped && goes_on(run);
+         i++) { /* item i has to come from order[i]: cycle by cycle */
+        if (order[i] == i)
+            continue;
+        const struct pending moved = all[i];
+        size_t at = i;
+        for (size_t from = order[at]; from != i; from = order[at]) {
+            all[at] = all[from];
+            order[at] = (uint32_t)at;
+            at = from;
+        }
+        all[at] = moved;
+        order[at] = (uint32_t)at;
+    }
+}
+
 /* Looks at the last ones of what is pending; the brightest comes first then, so that soon it is known what matters. */
 static void sort_out(struct run *run, size_t count)
 {
@@ -386,9 +442,12 @@ static void sort_out(struct run *run, size_t count)
     struct lx_sampling_memory *memory = run->memory;
     struct pending *last = memory->pending + memory->pending_count - count;
     double limit = hardly * allowed(run);
-    for (size_t i = 0; i < count; i++)
+    for (size_t i = 0; i < count && goes_on(run); i++)
         see(run, limit, &last[i]);
-    qsort(last, count, sizeof *last, by_bound);
+    if (count <= QUARTERS)
+        qsort(last, count, sizeof *last, by_bound);
+    else
+        sort_many(run, last, count);
 }
 
 /* Drops, halves or evaluates what is pending. */
@@ -396,7 +455,7 @@ static void work_off(struct run *run)
 {
     struct lx_sampling_memory *memory = run->memory;
     sort_out(run, memory->pending_count);
-    while (memory->pending_count > 0) {
+    while (memory->pending_count > 0 && goes_on(run)) {
         struct pending next = memory->pending[--memory->pending_count];
         if (next.is_wide && memory->cell_count == MOST_CELLS) {
             run->dropped += next.bound; /* no room to halve it, and the rule cannot be believed */
@@ -496,13 +555,14 @@ bool lx_sample_run(const struct lx_sampler *sampling, struct lx_sampling_memory 
     size_t patches = 0;
     for (size_t s = 0; s < sampling->source_count; s++) {
         const struct lx_sampled *source = &sampling->sources[s];
-        size_t count = lx_patches_make(source->shell, &run.around, memory->patches + patches);
-        for (size_t i = 0; i < count; i++)
+        size_t count = lx_patches_make(source->shell, &run.around, sampling->asking, memory->patches + patches);
+        for (size_t i = 0; i < count && goes_on(&run); i++)
             begin(&run, source, memory->patches + patches + i);
         patches += count;
     }
     work_off(&run);
-    while (memory->cell_count > 0 && memory->cell_count + QUARTERS < sampling->most_cells && !is_done(&run)) {
+    while (memory->cell_count > 0 && memory->cell_count + QUARTERS < sampling->most_cells && !is_done(&run) &&
+           goes_on(&run)) {
         size_t index = 0;
         for (size_t i = 1; i < memory->cell_count; i++)
             index = memory->worst[i] > memory->worst[index] ? i : index;
@@ -512,5 +572,5 @@ bool lx_sample_run(const struct lx_sampler *sampling, struct lx_sampling_memory 
     }
     for (int i = 0; i < LX_LANES; i++)
         sum[i] += run.value[i] > 0 ? run.value[i] : 0;
-    return is_done(&run);
+    return run.is_stopped || is_done(&run);
 }

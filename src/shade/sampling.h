@@ -33,6 +33,7 @@ struct lx_sampler {
     double tolerance, least_maximum; /* errors may reach tolerance times the greatest value of the picture, which is
                                         no less than least_maximum, nor than what is in the run itself */
     size_t most_cells;               /* how many may be looked at again, up to LX_MOST_CELLS */
+    const struct lx_asking *asking;  /* whether to go on */
 };
 
 /* Scratch memory of one thread, for sources of so many patches together: its size, and making it of zeroed bytes that
@@ -42,7 +43,7 @@ size_t lx_sampling_memory_size(size_t most_patches);
 struct lx_sampling_memory *lx_sampling_memory_of(void *bytes, size_t most_patches);
 
 /* Adds the light to sum[0 ... LX_LANES - 1] of the elements from `start` on, of which the last may be repetitions.
- * Returns whether the tolerance was reached. */
+ * Returns whether the tolerance was reached, or the work is to stop. */
 bool lx_sample_run(const struct lx_sampler *sampling, struct lx_sampling_memory *memory,
                    const struct lx_block_double *block, const struct lx_block_single *copy, size_t start, double *sum);
 

@@ -14,7 +14,8 @@
 #include "cut.h"
 #include "shader.h"
 
-enum { RUNS_BETWEEN_CHECKS = 16 };
+/* Some lights of a run, and extended sources, that are summed between two questions whether to go on. */
+enum { RUNS_BETWEEN_CHECKS = 16, SHELLS_BETWEEN_CHECKS = 4 };
 
 /* For how many surfaces that a tile shows the cuts are kept from row to row. */
 enum { KEPT_CUTS = 4 };
@@ -247,7 +248,8 @@ static struct lx_element element_of(const struct lx_planned_surface *surface, co
 
 /* The diffuse light of one element by an extended source whose law has no closed form. */
 static double integrate_matte(const struct lx_plan *plan, const struct lx_planned_surface *surface,
-                              const struct lx_emitter *emitter, const struct lx_block_double *block, size_t i)
+                              const struct lx_emitter *emitter, const struct lx_block_double *block, size_t i,
+                              const struct lx_asking *asking)
 {
     struct lx_lobe matte = surface->lobe;
     matte.specular = lx_exact(0);
@@ -256,21 +258,22 @@ static double integrate_matte(const struct lx_plan *plan, const struct lx_planne
     if (lx_extended_touches(emitter, element.place_mm))
         return 0;
     double tolerance = plan->precision == LUXEL_DOUBLE ? 1e-12 : 1e-7;
-    double irradiance = lx_integrate(emitter, &element, true, 0, tolerance).irradiance.value;
+    double irradiance = lx_integrate_asking(emitter, &element, true, 0, tolerance, asking).irradiance.value;
     return irradiance > 0 ? matte.diffuse.value * irradiance : 0;
 }
 
 /* The highlights of one element. */
 static double integrate_glossy(const struct lx_plan *plan, const struct lx_planned_surface *surface, double known,
-                               const struct lx_block_double *block, size_t i)
+                               const struct lx_block_double *block, size_t i, const struct lx_asking *asking)
 {
     const struct lx_element element = element_of(surface, block, i);
     double sum = 0;
-    for (size_t s = 0; s < surface->shell_count; s++) {
+    for (size_t s = 0; s < surface->shell_count && lx_asking_goes_on(asking); s++) {
         const struct lx_emitter *emitter = surface->shells[s].emitter;
         if (lx_extended_touches(emitter, element.place_mm))
             continue;
-        double specular = lx_integrate(emitter, &element, false, known, plan->tolerance / 2).specular.value;
+        double specular =
+            lx_integrate_asking(emitter, &element, false, known, plan->tolerance / 2, asking).specular.value;
         sum += specular > 0 ? specular : 0;
     }
     return sum;
@@ -291,7 +294,7 @@ static bool is_above(const struct lx_shell *shell, const struct lx_block_double 
 /* Adds the diffuse light of extended sources by the laws without closed forms to a run of elements: by samples, which
  * converge fast where no horizon cuts the sources, else for each element alone. */
 static void light_by_laws(const struct lx_plan *plan, const struct lx_planned_surface *surface,
-                          struct lx_shader_memory *memory, size_t start, size_t count)
+                          struct lx_shader_memory *memory, size_t start, size_t count, const struct lx_asking *asking)
 {
     const double share = 1e-7; /* of the maximum */
     enum { CELLS = 128 };      /* more cost as much as integrals for each element */
@@ -304,6 +307,7 @@ static void light_by_laws(const struct lx_plan *plan, const struct lx_planned_su
         .tolerance = share,
         .least_maximum = plan->least_maximum,
         .most_cells = CELLS,
+        .asking = asking,
     };
     bool by_samples = plan->precision == LUXEL_SINGLE;
     double sum[LX_LANES];
@@ -317,14 +321,18 @@ static void light_by_laws(const struct lx_plan *plan, const struct lx_planned_su
     size_t last = start + LX_LANES < count ? start + LX_LANES : count;
     for (size_t s = 0; s < surface->shell_count; s++) {
         const struct lx_emitter *emitter = surface->shells[s].emitter;
-        for (size_t i = start; i < last && emitter->attenuation != LX_INVERSE_SQUARE; i++)
-            memory->sum[i] += integrate_matte(plan, surface, emitter, &memory->block, i);
+        for (size_t i = start; i < last && emitter->attenuation != LX_INVERSE_SQUARE; i++) {
+            memory->sum[i] += integrate_matte(plan, surface, emitter, &memory->block, i, asking);
+            if (!lx_asking_goes_on(asking))
+                return;
+        }
     }
 }
 
 /* Adds the highlights of the extended sources to a run of elements. */
 static void light_by_highlights(const struct lx_plan *plan, const struct lx_planned_surface *surface,
-                                struct lx_shader_memory *memory, size_t start, size_t count)
+                                struct lx_shader_memory *memory, size_t start, size_t count,
+                                const struct lx_asking *asking)
 {
     const struct lx_sampler sampling = {
         .kernels = plan->kernels,
@@ -335,6 +343,7 @@ static void light_by_highlights(const struct lx_plan *plan, const struct lx_plan
         .tolerance = plan->tolerance,
         .least_maximum = plan->least_maximum,
         .most_cells = LX_MOST_CELLS,
+        .asking = asking,
     };
     double sum[LX_LANES];
     memcpy(sum, memory->sum + start, sizeof sum);
@@ -343,33 +352,35 @@ static void light_by_highlights(const struct lx_plan *plan, const struct lx_plan
         return;
     }
     size_t last = start + LX_LANES < count ? start + LX_LANES : count;
-    for (size_t i = start; i < last; i++) {
+    for (size_t i = start; i < last && lx_asking_goes_on(asking); i++) {
         double known = fmax(plan->least_maximum, memory->sum[i]);
-        memory->sum[i] += integrate_glossy(plan, surface, known, &memory->block, i);
+        memory->sum[i] += integrate_glossy(plan, surface, known, &memory->block, i, asking);
     }
 }
 
 /* Adds the extended sources' light: first all that is diffuse, as the highlights need be exact only beside the rest. */
 static void light_by_shells(const struct lx_plan *plan, const struct lx_planned_surface *surface,
-                            struct lx_shader_memory *memory, size_t count, struct lx_control *control, bool is_caller)
+                            struct lx_shader_memory *memory, size_t count, const struct lx_asking *asking)
 {
     const double diffuse = surface->lobe_exact.diffuse;
     for (size_t s = 0; s < surface->shell_count && diffuse > 0; s++) {
         const struct lx_shell *shell = &surface->shells[s].shell;
         if (surface->shells[s].emitter->attenuation != LX_INVERSE_SQUARE)
             continue;
+        if (s % SHELLS_BETWEEN_CHECKS == SHELLS_BETWEEN_CHECKS - 1 && !lx_asking_goes_on(asking))
+            return;
         if (shell->edges_single)
-            plan->kernels->facets_single(shell, diffuse, &memory->copy, count, memory->sum);
+            plan->kernels->facets_single(shell, diffuse, &memory->copy, count, asking, memory->sum);
         else
-            plan->kernels->light_by_shell[shell->type](shell, diffuse, &memory->block, count, memory->sum);
+            plan->kernels->light_by_shell[shell->type](shell, diffuse, &memory->block, count, asking, memory->sum);
     }
     const bool by_laws = surface->matte_count > 0 && diffuse > 0, is_glossy = surface->glossy_exact.model != LX_LAMBERT;
     for (size_t start = 0; start < count && (by_laws || is_glossy); start += LX_LANES) {
         if (by_laws)
-            light_by_laws(plan, surface, memory, start, count);
+            light_by_laws(plan, surface, memory, start, count, asking);
         if (is_glossy)
-            light_by_highlights(plan, surface, memory, start, count);
-        if (control && !lx_control_goes_on(control, is_caller))
+            light_by_highlights(plan, surface, memory, start, count, asking);
+        if (!lx_asking_goes_on(asking))
             return;
     }
 }
@@ -536,7 +547,7 @@ size_t lx_shade_points(const struct lx_plan *plan, struct lx_shader_memory *memo
         if (cut)
             lx_cut_shade(plan, cut, &memory->block, &memory->copy, elements, &asking, memory->open, memory->sum);
         if (surface->shell_count > 0)
-            light_by_shells(plan, surface, memory, elements, control, is_caller);
+            light_by_shells(plan, surface, memory, elements, &asking);
         scatter(memory, gathered, values);
         left -= elements;
     }

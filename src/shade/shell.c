@@ -8,6 +8,14 @@
 #include "../light/extended.h"
 #include "shell.h"
 
+/* Faces or edges between two questions whether to go on. */
+enum { BETWEEN_CHECKS = 128 };
+
+static bool goes_on(const struct lx_asking *asking, size_t i)
+{
+    return i % BETWEEN_CHECKS != 0 || lx_asking_goes_on(asking);
+}
+
 /* ---- shells ---- */
 
 static double dot(const double a[3], const double b[3])
@@ -42,13 +50,13 @@ static void set_edge(const struct lx_facets *facets, const struct lx_edge *edge,
     made->right = edge->right;
 }
 
-static int set_facets(const struct lx_facets *facets, struct lx_shell *shell)
+static luxel_status set_facets(const struct lx_facets *facets, const struct lx_asking *asking, struct lx_shell *shell)
 {
-    shell->faces_double = lx_new_array(facets->face_count, sizeof *shell->faces_double);
-    shell->edges_double = lx_new_array(facets->edge_count, sizeof *shell->edges_double);
+    shell->faces_double = lx_new_aligned(facets->face_count, sizeof *shell->faces_double);
+    shell->edges_double = lx_new_aligned(facets->edge_count, sizeof *shell->edges_double);
     shell->facets = facets;
     if (!shell->faces_double || !shell->edges_double)
-        return -1;
+        return LUXEL_ERROR_MEMORY;
     shell->face_count = facets->face_count;
     shell->edge_count = facets->edge_count;
     lx_wide3 center = lx_wide3_of(facets->center_mm);
@@ -57,13 +65,20 @@ static int set_facets(const struct lx_facets *facets, struct lx_shell *shell)
         lx_wide3 corner = lx_wide3_sub(facets->corners_mm[facets->loop[face->first]], center);
         value_of3(face->normal, shell->faces_double[i].normal);
         shell->faces_double[i].height = lx_wide_value(lx_wide3_dot(face->normal, corner));
+        shell->most_patches += (face->count - 1) / 2;
+        if (!goes_on(asking, i))
+            return LUXEL_CANCELLED;
     }
-    for (size_t i = 0; i < facets->edge_count; i++)
+    for (size_t i = 0; i < facets->edge_count; i++) {
         set_edge(facets, &facets->edges[i], &shell->edges_double[i]);
-    return 0;
+        if (!goes_on(asking, i))
+            return LUXEL_CANCELLED;
+    }
+    return LUXEL_OK;
 }
 
-int lx_shell_make(const struct lx_emitter *emitter, const struct lx_shape *lit, struct lx_shell *shell)
+luxel_status lx_shell_make(const struct lx_emitter *emitter, const struct lx_shape *lit, const struct lx_asking *asking,
+                           struct lx_shell *shell)
 {
     const struct lx_facets *facets = emitter->facets;
     bool is_facets = emitter->type == LX_FACETS;
@@ -83,7 +98,7 @@ int lx_shell_make(const struct lx_emitter *emitter, const struct lx_shape *lit, 
         away += fabs(shell->center[i]);
     }
     shell->touch_mm = 16 * LX_ROUNDING * (away + shell->radius_mm + lit->radius_mm);
-    return is_facets ? set_facets(facets, shell) : 0;
+    return is_facets ? set_facets(facets, asking, shell) : LUXEL_OK;
 }
 
 static void copy3(const double from[3], float to[3])
@@ -92,20 +107,18 @@ static void copy3(const double from[3], float to[3])
         to[i] = (float)from[i];
 }
 
-int lx_shell_make_single(struct lx_shell *shell)
+luxel_status lx_shell_make_single(struct lx_shell *shell, const struct lx_asking *asking)
 {
-    struct lx_shell_face_single *faces = lx_new_array(shell->face_count, sizeof *faces);
-    struct lx_shell_edge_single *edges = lx_new_array(shell->edge_count, sizeof *edges);
-    if (!faces || !edges) {
-        free(faces);
-        free(edges);
-        return -1;
-    }
-    for (size_t i = 0; i < shell->face_count; i++) {
+    struct lx_shell_face_single *faces = lx_new_aligned(shell->face_count, sizeof *faces);
+    struct lx_shell_edge_single *edges = lx_new_aligned(shell->edge_count, sizeof *edges);
+    luxel_status status = faces && edges ? LUXEL_OK : LUXEL_ERROR_MEMORY;
+    for (size_t i = 0; i < shell->face_count && status == LUXEL_OK; i++) {
         copy3(shell->faces_double[i].normal, faces[i].normal);
         faces[i].height = (float)shell->faces_double[i].height;
+        if (!goes_on(asking, i))
+            status = LUXEL_CANCELLED;
     }
-    for (size_t i = 0; i < shell->edge_count; i++) {
+    for (size_t i = 0; i < shell->edge_count && status == LUXEL_OK; i++) {
         const struct lx_shell_edge_double *edge = &shell->edges_double[i];
         copy3(edge->from, edges[i].from);
         copy3(edge->to, edges[i].to);
@@ -115,10 +128,17 @@ int lx_shell_make_single(struct lx_shell *shell)
         edges[i].product = (float)edge->product;
         edges[i].left = edge->left;
         edges[i].right = edge->right;
+        if (!goes_on(asking, i))
+            status = LUXEL_CANCELLED;
     }
-    shell->faces_single = faces;
-    shell->edges_single = edges;
-    return 0;
+    if (status == LUXEL_OK) {
+        shell->faces_single = faces;
+        shell->edges_single = edges;
+        return LUXEL_OK;
+    }
+    free(faces);
+    free(edges);
+    return status;
 }
 
 void lx_shell_clear(struct lx_shell *shell)
@@ -147,12 +167,7 @@ static void make_frame(const double n[3], double a[3], double b[3])
 size_t lx_patch_limit(const struct lx_shell *shell)
 {
     enum { SIDE_AND_CAPS = 3 };
-    size_t limit = 0;
-    if (shell->type != LX_FACETS)
-        return SIDE_AND_CAPS;
-    for (size_t i = 0; i < shell->face_count; i++)
-        limit += (shell->facets->faces[i].count - 1) / 2;
-    return limit;
+    return shell->type == LX_FACETS ? shell->most_patches : SIDE_AND_CAPS;
 }
 
 /* A face as quadrilaterals that share its first corner, the last one maybe a triangle. */
@@ -181,10 +196,11 @@ static size_t cut_face(const struct lx_shell *shell, size_t face_index, struct l
     return count;
 }
 
-static size_t facet_patches(const struct lx_shell *shell, const struct lx_around *around, struct lx_patch *patches)
+static size_t facet_patches(const struct lx_shell *shell, const struct lx_around *around,
+                            const struct lx_asking *asking, struct lx_patch *patches)
 {
     size_t count = 0;
-    for (size_t i = 0; i < shell->face_count; i++) {
+    for (size_t i = 0; i < shell->face_count && goes_on(asking, i); i++) {
         const struct lx_shell_face_double *face = &shell->faces_double[i];
         double above = -face->height;
         for (int k = 0; k < 3; k++)
@@ -237,11 +253,12 @@ static size_t side_patch(const struct lx_shell *shell, const struct lx_around *a
     return sqrt(dot(across, across)) + around->radius > patch->radius;
 }
 
-size_t lx_patches_make(const struct lx_shell *shell, const struct lx_around *around, struct lx_patch *patches)
+size_t lx_patches_make(const struct lx_shell *shell, const struct lx_around *around, const struct lx_asking *asking,
+                       struct lx_patch *patches)
 {
     size_t count = 0;
     switch (shell->type) {
-    case LX_FACETS: return facet_patches(shell, around, patches);
+    case LX_FACETS: return facet_patches(shell, around, asking, patches);
     case LX_DISK: return disk_patch(shell, around, 0, patches);
     case LX_BALL: return ball_patch(shell, around, patches);
     default: break;

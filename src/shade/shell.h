@@ -6,13 +6,17 @@
 #ifndef LX_SHADE_SHELL_H
 #define LX_SHADE_SHELL_H
 
+#include <luxel/status.h>
+
+#include "../base/rows.h"
 #include "kernel.h"
 
-/* 0, or -1 when memory ran out.  Release with lx_shell_clear() in either case. */
-int lx_shell_make(const struct lx_emitter *emitter, const struct lx_shape *lit, struct lx_shell *shell);
+/* LUXEL_OK, LUXEL_ERROR_MEMORY or LUXEL_CANCELLED.  Release with lx_shell_clear() in any case. */
+luxel_status lx_shell_make(const struct lx_emitter *emitter, const struct lx_shape *lit, const struct lx_asking *asking,
+                           struct lx_shell *shell);
 void lx_shell_clear(struct lx_shell *shell);
-/* Adds what the kernels in float32 need of facets.  0, or -1 when memory ran out. */
-int lx_shell_make_single(struct lx_shell *shell);
+/* Adds what the kernels in float32 need of facets.  LUXEL_OK, LUXEL_ERROR_MEMORY or LUXEL_CANCELLED. */
+luxel_status lx_shell_make_single(struct lx_shell *shell, const struct lx_asking *asking);
 
 /*
  * A smooth part of a shell over the unit square (s, t).
@@ -32,9 +36,11 @@ struct lx_patch {
     double radius, length;
 };
 
-/* The patches of a shell that some place within a ball may see; at most lx_patch_limit() of them. */
+/* The patches of a shell that some place within a ball may see; at most lx_patch_limit() of them.  Not all of them
+ * where the work is to stop. */
 size_t lx_patch_limit(const struct lx_shell *shell);
-size_t lx_patches_make(const struct lx_shell *shell, const struct lx_around *around, struct lx_patch *patches);
+size_t lx_patches_make(const struct lx_shell *shell, const struct lx_around *around, const struct lx_asking *asking,
+                       struct lx_patch *patches);
 
 /* A part of a patch: s from s to s + ds, t from t to t + dt. */
 struct lx_cell {
