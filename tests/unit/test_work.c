@@ -1,0 +1,389 @@
+/* SPDX-License-Identifier: MIT */
+/*
+ * How much is done, counted: how often each search and each integral looks at the function until it has its result, in
+ * scenes of every kind.  A fault in a rule of when to stop, where to begin or what to trust seldom shows in results,
+ * which are found in the end; it shows here, as more work, or as less than the result should be believed for.
+ *
+ * The counts may differ a little between compilers and processors, by roundings that decide on which side of a limit a
+ * number is.  They are no limits but what is done: when a rule is changed on purpose, LUXEL_COUNTS=print tells the new
+ * ones.
+ */
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include <luxel/evaluator.h>
+#include <luxel/exercise.h>
+#include <luxel/extrema.h>
+#include <luxel/isophotes.h>
+
+#include "field/extrema.h"
+#include "light/facets.h"
+#include "scenes.h"
+#include "shade/cubature.h"
+#include "shade/cut.h"
+#include "shade/shell.h"
+#include "shade/sweep.h"
+
+/* -- what is counted: calls between files of the library, which the linker leads through here -- */
+
+enum { SEEN, VALUES, PIECES, BRINKS, ARCS, LOOKS, SAMPLES, BOUNDS, KINDS };
+
+static unsigned counts[KINDS];
+
+bool __real_lx_element_seen(const struct lx_prepared *prepared, double x_mm, double y_mm, struct lx_element *element);
+bool __wrap_lx_element_seen(const struct lx_prepared *prepared, double x_mm, double y_mm, struct lx_element *element);
+bool __wrap_lx_element_seen(const struct lx_prepared *prepared, double x_mm, double y_mm, struct lx_element *element)
+{
+    counts[SEEN]++;
+    return __real_lx_element_seen(prepared, x_mm, y_mm, element);
+}
+
+luxel_value __real_luxel_evaluate(const luxel_evaluator *evaluator, double x_mm, double y_mm, double *shares);
+luxel_value __wrap_luxel_evaluate(const luxel_evaluator *evaluator, double x_mm, double y_mm, double *shares);
+luxel_value __wrap_luxel_evaluate(const luxel_evaluator *evaluator, double x_mm, double y_mm, double *shares)
+{
+    counts[VALUES]++;
+    return __real_luxel_evaluate(evaluator, x_mm, y_mm, shares);
+}
+
+double __real_lx_piece_value(struct lx_hunt *hunt, const struct lx_spot *spot, double *error);
+double __wrap_lx_piece_value(struct lx_hunt *hunt, const struct lx_spot *spot, double *error);
+double __wrap_lx_piece_value(struct lx_hunt *hunt, const struct lx_spot *spot, double *error)
+{
+    counts[PIECES]++;
+    return __real_lx_piece_value(hunt, spot, error);
+}
+
+double __real_lx_brink_distance(const struct lx_hunt *hunt, const struct lx_brink *edge, const struct lx_spot *spot);
+double __wrap_lx_brink_distance(const struct lx_hunt *hunt, const struct lx_brink *edge, const struct lx_spot *spot);
+double __wrap_lx_brink_distance(const struct lx_hunt *hunt, const struct lx_brink *edge, const struct lx_spot *spot)
+{
+    counts[BRINKS]++;
+    return __real_lx_brink_distance(hunt, edge, spot);
+}
+
+struct lx_arc __real_lx_sweep_arc(const struct lx_sweep *sweep, double x);
+struct lx_arc __wrap_lx_sweep_arc(const struct lx_sweep *sweep, double x);
+struct lx_arc __wrap_lx_sweep_arc(const struct lx_sweep *sweep, double x)
+{
+    counts[ARCS]++;
+    return __real_lx_sweep_arc(sweep, x);
+}
+
+double __real_lx_cell_look(const struct lx_patch *patch, const struct lx_cell *cell, const double element[3],
+                           double middle[3]);
+double __wrap_lx_cell_look(const struct lx_patch *patch, const struct lx_cell *cell, const double element[3],
+                           double middle[3]);
+double __wrap_lx_cell_look(const struct lx_patch *patch, const struct lx_cell *cell, const double element[3],
+                           double middle[3])
+{
+    counts[LOOKS]++;
+    return __real_lx_cell_look(patch, cell, element, middle);
+}
+
+void __real_lx_cell_samples(const struct lx_patch *patch, const struct lx_cell *cell, unsigned side, double gain,
+                            size_t first, struct lx_samples_double *samples);
+void __wrap_lx_cell_samples(const struct lx_patch *patch, const struct lx_cell *cell, unsigned side, double gain,
+                            size_t first, struct lx_samples_double *samples);
+void __wrap_lx_cell_samples(const struct lx_patch *patch, const struct lx_cell *cell, unsigned side, double gain,
+                            size_t first, struct lx_samples_double *samples)
+{
+    counts[SAMPLES]++;
+    __real_lx_cell_samples(patch, cell, side, gain, first, samples);
+}
+
+struct lx_share_bound __real_lx_bound_cluster(const struct lx_tract *tract, const double anchor_mm[3],
+                                              const struct lx_lobe_limits *limits, const struct lx_tree *tree,
+                                              const struct lx_cluster *cluster, const struct lx_cluster_turn *turn,
+                                              bool is_hidden);
+struct lx_share_bound __wrap_lx_bound_cluster(const struct lx_tract *tract, const double anchor_mm[3],
+                                              const struct lx_lobe_limits *limits, const struct lx_tree *tree,
+                                              const struct lx_cluster *cluster, const struct lx_cluster_turn *turn,
+                                              bool is_hidden);
+struct lx_share_bound __wrap_lx_bound_cluster(const struct lx_tract *tract, const double anchor_mm[3],
+                                              const struct lx_lobe_limits *limits, const struct lx_tree *tree,
+                                              const struct lx_cluster *cluster, const struct lx_cluster_turn *turn,
+                                              bool is_hidden)
+{
+    counts[BOUNDS]++;
+    return __real_lx_bound_cluster(tract, anchor_mm, limits, tree, cluster, turn, is_hidden);
+}
+
+/* -- the scenes -- */
+
+struct view {
+    luxel_scene *scene;
+    luxel_evaluator *evaluator;
+    luxel_field *field;
+    luxel_settings settings;
+};
+
+/* A built-in scene, or the variant of this number, with a few values changed. */
+static struct view view_of(const char *name, unsigned resolution, const char *set)
+{
+    struct view view = {.scene = NULL};
+    char *text, assignment[100];
+    if (*name >= '0' && *name <= '9') {
+        assert_int_equal(luxel_variant_text((unsigned)atoi(name), NULL, &text), LUXEL_OK);
+        assert_int_equal(luxel_scene_read_text(text, strlen(text), name, NULL, &view.scene), LUXEL_OK);
+        luxel_text_free(text);
+    } else {
+        assert_int_equal(luxel_scene_open_builtin(name, NULL, &view.scene), LUXEL_OK);
+    }
+    snprintf(assignment, sizeof assignment, "screen.resolution=[%u,%u]", resolution, resolution * 4 / 5);
+    assert_int_equal(luxel_scene_set(view.scene, assignment, NULL), LUXEL_OK);
+    assert_int_equal(luxel_scene_set(view.scene, "screen.height=640", NULL), LUXEL_OK);
+    assert_int_equal(luxel_scene_set(view.scene, "screen.width=800", NULL), LUXEL_OK);
+    if (set && luxel_scene_set(view.scene, set, NULL) != LUXEL_OK)
+        fail_msg("%s: cannot set %s", name, set);
+    if (luxel_scene_commit(view.scene, NULL) != LUXEL_OK)
+        fail_msg("%s, %s: not a good scene", name, set ? set : "as it is");
+    luxel_settings_init(&view.settings);
+    view.settings.threads = 1;
+    return view;
+}
+
+static void look_at(struct view *view)
+{
+    assert_int_equal(luxel_evaluator_new(view->scene, &view->settings, NULL, &view->evaluator), LUXEL_OK);
+    assert_int_equal(luxel_render(view->scene, &view->settings, NULL, &view->field), LUXEL_OK);
+}
+
+static void clear(struct view *view)
+{
+    luxel_field_free(view->field);
+    luxel_evaluator_free(view->evaluator);
+    luxel_scene_free(view->scene);
+}
+
+/* -- what is done -- */
+
+static void find_extrema(struct view *view)
+{
+    luxel_extrema extrema;
+    look_at(view);
+    memset(counts, 0, sizeof counts);
+    assert_int_equal(luxel_find_extrema(view->evaluator, view->field, NULL, NULL, &extrema), LUXEL_OK);
+    const luxel_region circle = {.type = LUXEL_REGION_CIRCLE, .center_mm = {60, 30}, .radius_mm = 120};
+    assert_int_equal(luxel_find_extrema(view->evaluator, view->field, &circle, NULL, &extrema), LUXEL_OK);
+}
+
+static void find_isophotes(struct view *view)
+{
+    double levels[16], most;
+    luxel_isophotes *lines;
+    look_at(view);
+    most = luxel_field_statistics(view->field)->maximum.value;
+    size_t count = luxel_round_levels(0, most, false, 7, levels, 16);
+    memset(counts, 0, sizeof counts);
+    assert_int_equal(luxel_find_isophotes(view->field, view->evaluator, levels, count, NULL, &lines), LUXEL_OK);
+    luxel_isophotes_free(lines);
+}
+
+static void render(struct view *view)
+{
+    memset(counts, 0, sizeof counts);
+    assert_int_equal(luxel_render(view->scene, &view->settings, NULL, &view->field), LUXEL_OK);
+}
+
+static void render_by_clusters(struct view *view)
+{
+    view->settings.light_error = 0.01;
+    render(view);
+}
+
+struct job {
+    void (*run)(struct view *view);
+    const char *scene;
+    unsigned resolution;
+    const char *set;
+    unsigned counts[KINDS];
+};
+
+static const struct job jobs[] = {
+    {find_extrema, "1", 40, NULL, {742, 29, 727, 2606}},
+    {find_extrema, "2", 40, NULL, {758, 28, 761, 2833}},
+    {find_extrema, "3", 40, NULL, {742, 8, 875, 4281}},
+    {find_extrema, "4", 40, NULL, {747, 33, 352, 1419}},
+    {find_extrema, "5", 40, NULL, {737, 20, 376, 219}},
+    {find_extrema, "6", 40, NULL, {745, 10, 371, 321}},
+    {find_extrema, "7", 40, NULL, {738, 20, 509, 803}},
+    {find_extrema, "8", 40, NULL, {752, 29, 410, 1349}},
+    {find_extrema, "9", 40, NULL, {752, 21, 2303, 14895}},
+    {find_extrema, "10", 40, NULL, {738, 20, 670, 1736}},
+    {find_extrema, "11", 40, NULL, {749, 28, 373, 1625}},
+    {find_extrema, "12", 40, NULL, {758, 17, 1505, 5514}},
+    {find_extrema, "13", 40, NULL, {737, 20, 376, 525}},
+    {find_extrema, "14", 40, NULL, {741, 29, 510, 2366}},
+    {find_extrema, "15", 40, NULL, {753, 33, 5366, 38830}},
+    {find_extrema, "16", 40, NULL, {758, 28, 541, 2251}},
+    {find_extrema, "17", 40, NULL, {741, 28, 343, 415}},
+    {find_extrema, "18", 40, NULL, {753, 27, 1631, 7106}},
+    {find_extrema, "19", 40, NULL, {738, 20, 586, 1062}},
+    {find_extrema, "20", 40, NULL, {744, 28, 712, 3161}},
+    {find_extrema, "report", 40, NULL, {754, 29, 577, 1689}},
+    {find_extrema, "spot", 40, NULL, {778, 20, 720, 1410}},
+    {find_extrema, "two-spheres", 40, NULL, {2147, 599, 1738, 2900}},
+    {find_extrema, "three-lights", 40, NULL, {770, 28, 1056, 4287}},
+    {find_extrema, "distant", 40, NULL, {764, 28, 791, 2937}},
+    {find_extrema, "desk", 40, NULL, {1611, 357, 1196, 2709}},
+    {find_extrema, "spot", 40, "lights[0].falloff=hard", {773, 20, 1182, 3524}},
+    {find_extrema, "spot", 40, "lights[0].falloff=linear", {779, 21, 768, 1831}},
+    {find_extrema, "spot", 40, "surfaces[0].material.model=phong", {778, 20, 734, 1585}},
+    {find_extrema, "spot", 40, "observer.projection=orthographic", {769, 21, 704, 1214}},
+    {find_extrema, "two-spheres", 40, "observer.projection=perspective", {2458, 1432, 1437, 1261}},
+    {find_extrema, "two-spheres", 40, "shadows=none", {2127, 595, 1547, 1220}},
+    {find_extrema, "three-lights", 40, "surfaces[0].material.highlight=gated", {772, 28, 1024, 4164}},
+    {find_extrema, "three-lights", 40, "surfaces[0].material.shininess=3000", {762, 20, 2338, 14796}},
+    {find_extrema, "three-lights", 40, "surfaces[0].center=[90,-200,1000]", {768, 22, 4048, 30062}},
+    {find_extrema, "desk", 40, "observer.projection=orthographic", {2036, 719, 3876, 23397}},
+    {find_extrema, "desk", 40, "surfaces[0].material.model=blinn-phong", {1611, 357, 1222, 3032}},
+    {find_extrema, "desk", 40, "lights[0].falloff=hard", {1611, 357, 1196, 2838}},
+    {find_extrema, "window", 20, NULL, {139, 23, 123, 299, 90770}},
+    {find_extrema, "tube", 20, NULL, {128, 20, 107, 223, 27690}},
+    {find_extrema, "lampshade", 20, NULL, {203, 20, 122, 848}},
+    {find_isophotes, "1", 40, NULL, {8365, 2355}},
+    {find_isophotes, "2", 40, NULL, {6456, 2057}},
+    {find_isophotes, "5", 40, NULL, {8461, 1372}},
+    {find_isophotes, "9", 40, NULL, {5466, 2936}},
+    {find_isophotes, "report", 50, NULL, {9179, 1552}},
+    {find_isophotes, "spot", 50, NULL, {8285, 4573}},
+    {find_isophotes, "two-spheres", 50, NULL, {46337, 10788}},
+    {find_isophotes, "three-lights", 50, NULL, {11172, 2556}},
+    {find_isophotes, "distant", 50, NULL, {16130, 3339}},
+    {find_isophotes, "desk", 50, NULL, {41051, 5498}},
+    {find_isophotes, "spot", 50, "lights[0].falloff=hard", {14965, 10032}},
+    {find_isophotes, "two-spheres", 50, "screen.sampling=nodes", {18315, 5785}},
+    {find_isophotes, "two-spheres", 50, "observer.projection=perspective", {19607, 11999}},
+    {find_isophotes, "desk", 50, "observer.projection=orthographic", {41116, 8050}},
+    {find_isophotes, "desk", 50, "surfaces[1].center=[240,210,1000]", {10641, 3388}},
+    {render, "window", 60, NULL, {0, 0, 0, 0, 0, 802, 1990}},
+    {render, "tube", 60, NULL, {0, 0, 0, 0, 0, 63712, 11917}},
+    {render, "ball-lamp", 60, NULL, {0, 0, 0, 0, 0, 29120, 4966}},
+    {render, "disk-lamp", 60, NULL, {0, 0, 0, 0, 0, 2060, 4880}},
+    {render, "box-lamp", 60, NULL, {0, 0, 0, 0, 0, 1205, 3193}},
+    {render, "all-sources", 60, NULL, {0, 0, 0, 0, 0, 36204, 8079}},
+    {render, "lampshade", 60, NULL, {0}},
+    {render, "window", 60, "surfaces[0].material.model=phong", {0, 0, 0, 0, 0, 650, 2431}},
+    {render, "all-sources", 60, "lights[7].attenuation=none", {0, 0, 0, 0, 238766, 40620, 32078}},
+    {render, "ball-lamp", 60, "surfaces[0].material.highlight=gated", {0, 0, 0, 0, 0, 29504, 5071}},
+    {render, "disk-lamp", 60, "surfaces[0].material.shininess=0.6", {0, 0, 0, 0, 0, 15368, 61049}},
+    {render_by_clusters, "window", 60, "lights[0].parts=40", {0, 0, 0, 0, 0, 0, 0, 26786}},
+    {render_by_clusters, "tube", 60, "lights[0].parts=20", {0, 0, 0, 0, 0, 0, 0, 19366}},
+    {render_by_clusters, "ball-lamp", 60, "lights[0].parts=40", {0, 0, 0, 0, 0, 0, 0, 33018}},
+    {render_by_clusters, "all-sources", 60, "lights[4].parts=40", {0, 0, 0, 0, 0, 61345, 7935, 28212}},
+};
+
+/* -- integrals over sources of every kind, seen by elements that stand and are seen in many ways -- */
+
+enum { SOURCES = 4, MODELS = 2, ELEMENTS = 40 };
+
+/* Points looked at, of each kind of source and model of the highlight. */
+static const unsigned points[SOURCES][MODELS] = {
+    {210542, 256910}, {173581, 216959}, {212635, 344816}, {315859, 389595}};
+
+static struct lx_emitter source_of(int kind)
+{
+    struct lx_emitter source = {
+        .type = (enum lx_emitter_type)(LX_FACETS + kind),
+        .radiance = lx_exact(1),
+        .center_mm = {120, -90, 800},
+        .axis = lx_unit3(lx_exact3((const double[]){0.3, 0.2, -1})),
+        .radius_mm = 260,
+        .height_mm = 500,
+    };
+    if (source.type == LX_FACETS)
+        source.facets = lx_facets_of_rectangle(source.center_mm, (const double[]){400, 300},
+                                               (const double[]){0.3, 0.2, -1}, (const double[]){0, 1, 0});
+    return source;
+}
+
+static unsigned points_of(int kind, int model)
+{
+    struct lx_emitter source = source_of(kind);
+    size_t sum = 0;
+    for (int i = 0; i < ELEMENTS; i++) {
+        const double turn = 2.4 * i, lean = 0.03 * i, from = 0.02 * i + 0.1;
+        const double exponents[] = {0.7, 3, 20, 90, 1000};
+        struct lx_lobe lobe = {.model = (enum lx_model)model,
+                               .highlight = (enum lx_highlight)(i % 3),
+                               .diffuse = lx_exact(0.5),
+                               .specular = lx_exact(1),
+                               .exponent = exponents[i % 5]};
+        struct lx_element element = {
+            .place_mm = lx_exact3((const double[]){3.0 * i, -2.0 * i, 0}),
+            .normal = lx_unit3(lx_exact3((const double[]){lean * cos(turn), lean * sin(turn), 1})),
+            .view = lx_unit3(lx_exact3((const double[]){from * sin(turn), -from * cos(turn), 1})),
+            .lobe = &lobe,
+        };
+        source.attenuation = (enum lx_attenuation)(i % 4 % 3);
+        source.k_mm = 400;
+        sum += lx_integrate(&source, &element, i % 2, 0, 1e-7).parts;
+    }
+    lx_facets_free(source.facets);
+    return (unsigned)sum;
+}
+
+/* -- held against the tables -- */
+
+/* Whether a count is what it was, but for roundings. */
+static bool is_as_before(unsigned found, unsigned expected)
+{
+    const unsigned apart = found > expected ? found - expected : expected - found;
+    return apart <= expected / 400;
+}
+
+static bool prints(void)
+{
+    const char *wish = getenv("LUXEL_COUNTS");
+    return wish && strcmp(wish, "print") == 0;
+}
+
+static void searches_and_pictures(void **state)
+{
+    unsigned wrong = 0;
+    (void)state;
+    for (size_t i = 0; i < sizeof jobs / sizeof *jobs; i++) {
+        const struct job *job = &jobs[i];
+        struct view view = view_of(job->scene, job->resolution, job->set);
+        bool same = true;
+        job->run(&view);
+        for (int k = 0; k < KINDS; k++)
+            same = same && is_as_before(counts[k], job->counts[k]);
+        wrong += !same;
+        if (!same || prints()) {
+            char text[200] = "";
+            for (int k = 0; k < KINDS; k++)
+                snprintf(text + strlen(text), sizeof text - strlen(text), "%s%u", k ? ", " : "", counts[k]);
+            print_message("# %s %zu, %s%s%s: {%s}\n", same ? "job" : "changed: job", i, job->scene,
+                          job->set ? ", " : "", job->set ? job->set : "", text);
+        }
+        clear(&view);
+    }
+    assert_int_equal(wrong, 0);
+}
+
+static void integrals(void **state)
+{
+    unsigned wrong = 0;
+    (void)state;
+    for (int kind = 0; kind < SOURCES; kind++)
+        for (int model = 0; model < MODELS; model++) {
+            unsigned found = points_of(kind, model);
+            bool same = is_as_before(found, points[kind][model]);
+            wrong += !same;
+            if (!same || prints())
+                print_message("# %s source %d, model %d: %u\n", same ? "of" : "changed: of", kind, model, found);
+        }
+    assert_int_equal(wrong, 0);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(searches_and_pictures),
+        cmocka_unit_test(integrals),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
