@@ -38,10 +38,10 @@ LIBRARY = "src/libluxel-objects.a"
 # The tests of a room's own, which find most of its faults; the others follow by suite.
 OWN_TESTS = {
     "src/base": ["bounded", "wide", "number"],
-    "src/light": ["light", "facets", "round", "points", "facet_shapes", "cubature", "reference probes"],
-    "src/material": ["lobe", "reference probes"],
-    "src/surface": ["plates", "view", "reference probes"],
-    "src/shade": ["work", "grid", "precision", "cubature", "plates", "kernel functions generic", "kernels",
+    "src/light": ["tight", "light", "facets", "round", "points", "facet_shapes", "cubature", "reference probes"],
+    "src/material": ["lobe", "tight", "reference probes"],
+    "src/surface": ["tight", "plates", "view", "reference probes"],
+    "src/shade": ["work", "tight", "grid", "precision", "cubature", "plates", "kernel functions generic", "kernels",
                   "reference probes", "extended_pictures", "reference pictures"],
     "src/field": ["statistics", "compare", "work", "profile", "isophotes", "field_files", "extrema"],
     "src/scene": ["validate", "write", "advise", "alternatives", "advise_peak"],

@@ -1,0 +1,446 @@
+/* SPDX-License-Identifier: MIT */
+/*
+ * How tight bounds are.  That a bound holds is tested elsewhere, and a bound that is ten times too large holds as well;
+ * one that lost a term holds nearly everywhere.  So bounds of every kind are summed up here over many random cases: how
+ * many are nothing or without end, and the mean of their logarithms, next to those of the values that they belong to.
+ *
+ * Where a bound is changed on purpose, LUXEL_BOUNDS=print tells the new numbers.
+ */
+#include <math.h>
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include <cmocka.h>
+
+#include "light/facets.h"
+#include "material/lobe.h"
+#include "random_scenes.h"
+#include "shade/camera.h"
+#include "shade/cubature.h"
+#include "shade/cut.h"
+#include "shade/shader.h"
+
+/* Some numbers that are not negative. */
+struct tally {
+    unsigned none, endless, some;
+    double mean; /* of the logarithms of those that are neither 0 nor infinite; their sum while it is made */
+};
+
+static void add(struct tally *tally, double number)
+{
+    if (number == 0) {
+        tally->none++;
+    } else if (!(number < HUGE_VAL)) {
+        tally->endless++;
+    } else {
+        tally->some++;
+        tally->mean += log(fabs(number));
+    }
+}
+
+/* Of a number with its bound. */
+struct pair {
+    struct tally value, error;
+};
+
+static void add_pair(struct pair *pair, lx_bounded number)
+{
+    add(&pair->value, number.value);
+    add(&pair->error, number.error);
+}
+
+static void add_vector(struct pair *pair, lx_bounded3 vector)
+{
+    add_pair(pair, vector.x), add_pair(pair, vector.y), add_pair(pair, vector.z);
+}
+
+/* Whether numbers that were summed up are what they were, but for how functions of the C library round. */
+static bool is_as_before(struct tally *found, const struct tally *expected, const char *what, size_t i)
+{
+    const char *wish = getenv("LUXEL_BOUNDS");
+    found->mean /= fmax(found->some, 1);
+    bool same = found->none == expected->none && found->endless == expected->endless && found->some == expected->some &&
+                fabs(found->mean - expected->mean) <= 2e-5;
+    if (!same || (wish && strcmp(wish, "print") == 0))
+        print_message("# %s%s %zu: {%u, %u, %u, %.6f}\n", same ? "" : "changed: ", what, i, found->none, found->endless,
+                      found->some, found->mean);
+    return same;
+}
+
+static void expect(struct tally *found, const struct tally *expected, size_t count, const char *what)
+{
+    unsigned wrong = 0;
+    for (size_t i = 0; i < count; i++)
+        wrong += !is_as_before(&found[i], &expected[i], what, i);
+    assert_int_equal(wrong, 0);
+}
+
+/* A vector of which each component may be off. */
+static lx_bounded3 doubtful(lx_bounded3 vector, double error)
+{
+    vector.x.error += error, vector.y.error += error, vector.z.error += error;
+    return vector;
+}
+
+static lx_bounded3 random_unit(struct randomness *random)
+{
+    double v[3];
+    random_direction(random, v);
+    return lx_unit3(lx_exact3(v));
+}
+
+/* -- closed forms of extended sources -- */
+
+enum { RECTANGLE, BOX, GLOBE, PRISM, DISK, BALL, CYLINDER, SOURCES };
+
+static struct lx_emitter source_of(int kind)
+{
+    static const double center[3] = {30, -20, 600}, sides[3] = {300, 200, 100}, axis[3] = {0.3, -0.2, -1};
+    static const double up[3] = {0.1, 1, 0};
+    struct lx_emitter source = {
+        .type = kind < DISK ? LX_FACETS : (enum lx_emitter_type)(LX_DISK + kind - DISK),
+        .radiance = lx_exact(1),
+        .center_mm = {30, -20, 600},
+        .axis = lx_unit3(lx_exact3(axis)),
+        .radius_mm = 150,
+        .height_mm = 400,
+        .k_mm = 300,
+    };
+    switch (kind) {
+    case RECTANGLE: source.facets = lx_facets_of_rectangle(center, sides, axis, up); break;
+    case BOX: source.facets = lx_facets_of_box(center, sides); break;
+    case GLOBE: source.facets = lx_facets_of_sphere(center, 150, 8); break;
+    case PRISM: source.facets = lx_facets_of_cylinder(center, 150, 400, axis, 6); break;
+    default: break;
+    }
+    assert_true(kind >= DISK || source.facets);
+    return source;
+}
+
+/* From next to the source to far away; every third one is not quite known. */
+static struct lx_element random_element(struct randomness *random, int i, const struct lx_lobe *lobe)
+{
+    struct lx_element element = {.normal = random_unit(random), .view = random_unit(random), .lobe = lobe};
+    double place[3] = {30, -20, 600}, way[3], away = 260 + logarithmic(random, 0.1, 1e5);
+    random_direction(random, way);
+    for (int k = 0; k < 3; k++)
+        place[k] += away * way[k];
+    element.place_mm = lx_exact3(place);
+    /* most face the source, some at a grazing angle */
+    if (i % 4) {
+        const double lean = i % 4 == 1 ? 1 : logarithmic(random, 1e-6, 1), against = i % 8 == 1 ? 1 : lean;
+        element.normal = lx_scale3(element.normal, lean);
+        element.normal = lx_unit3(lx_sub3(element.normal, lx_scale3(lx_exact3(way), against)));
+    }
+    if (i % 3 == 0) {
+        element.place_mm = doubtful(element.place_mm, 1e-6);
+        element.normal = doubtful(element.normal, 1e-9);
+        element.view = doubtful(element.view, 1e-8);
+    }
+    return element;
+}
+
+static const struct tally closed_forms_before[SOURCES][2] = {
+    {{327, 0, 273, -4.304294}, {327, 0, 273, -30.378449}}, {{56, 0, 544, -3.772025}, {56, 0, 544, -29.494431}},
+    {{56, 0, 544, -3.653245}, {56, 0, 544, -29.487885}},   {{43, 0, 557, -2.860576}, {43, 0, 557, -28.769252}},
+    {{332, 0, 268, -4.259672}, {332, 0, 268, -31.868513}}, {{53, 0, 547, -3.168234}, {53, 0, 547, -31.044793}},
+    {{35, 0, 565, -2.566505}, {35, 0, 565, -28.913233}},
+};
+
+static void closed_forms(void **state)
+{
+    static struct pair sums[SOURCES];
+    struct randomness random = {.state = 31};
+    struct lx_lobe lobe = lx_lobe_irradiance();
+    (void)state;
+    for (int kind = 0; kind < SOURCES; kind++) {
+        struct lx_emitter source = source_of(kind);
+        for (int i = 0; i < 600; i++) {
+            struct lx_element element = random_element(&random, i, &lobe);
+            if (!lx_extended_touches(&source, element.place_mm))
+                add_pair(&sums[kind], lx_extended_irradiance(&source, element.place_mm, element.normal));
+        }
+        lx_facets_free(source.facets);
+    }
+    expect(&sums[0].value, closed_forms_before[0], 2 * SOURCES, "source");
+}
+
+/* How near a place must be to be taken for one of the source: bisected above a place of its surface. */
+static const struct tally touching_before[SOURCES] = {
+    {0, 0, 40, -21.629615}, {0, 0, 40, -20.498976}, {0, 0, 40, -20.417716}, {0, 0, 40, -25.280050},
+    {0, 0, 40, -19.299786}, {0, 0, 40, -19.369628}, {0, 0, 40, -19.319104},
+};
+
+static void touching(void **state)
+{
+    static struct tally reach[SOURCES];
+    struct randomness random = {.state = 32};
+    (void)state;
+    for (int kind = 0; kind < SOURCES; kind++) {
+        struct lx_emitter source = source_of(kind);
+        const double axis[3] = {source.axis.x.value, source.axis.y.value, source.axis.z.value};
+        const double upright[3] = {0, 0, 1};
+        const double from_middle[SOURCES] = {0, 50, 150, 200, 0, 150, 200};
+        for (int i = 0; i < 40; i++) {
+            double way[3], place[3], low = -40, high = 3;
+            random_direction(&random, way);
+            for (int k = 0; k < 3 && kind != BALL; k++)
+                way[k] = kind == BOX || kind == GLOBE ? upright[k] : axis[k];
+            for (int step = 0; step < 50; step++) {
+                double middle = (low + high) / 2;
+                for (int k = 0; k < 3; k++)
+                    place[k] = source.center_mm[k] + (from_middle[kind] + exp(middle)) * way[k];
+                lx_bounded3 at = doubtful(lx_exact3(place), i % 2 ? 1e-6 * i : 0);
+                *(lx_extended_touches(&source, at) ? &low : &high) = middle;
+            }
+            add(&reach[kind], exp(low));
+        }
+        lx_facets_free(source.facets);
+    }
+    expect(reach, touching_before, SOURCES, "reach of source");
+}
+
+static const struct tally integrals_before[SOURCES][4] = {
+    {{50, 0, 10, -3.298686}, {50, 0, 10, -25.467308}, {44, 0, 16, -76.426603}, {44, 0, 16, -94.100238}},
+    {{35, 0, 25, -4.635796}, {35, 0, 25, -28.190970}, {22, 0, 38, -121.978038}, {18, 0, 42, -193.449628}},
+    {{35, 0, 25, -4.330570}, {35, 0, 25, -26.090849}, {20, 0, 40, -86.854055}, {19, 0, 41, -117.946602}},
+    {{35, 0, 25, -3.958262}, {35, 0, 25, -23.272397}, {19, 0, 41, -72.824518}, {15, 0, 45, -143.016636}},
+    {{50, 0, 10, -4.767048}, {50, 0, 10, -23.845426}, {44, 0, 16, -65.179141}, {42, 0, 18, -152.109491}},
+    {{35, 0, 25, -4.108415}, {35, 0, 25, -24.939977}, {23, 0, 37, -75.291310}, {19, 0, 41, -152.254786}},
+    {{34, 0, 26, -3.919256}, {34, 0, 26, -23.209260}, {19, 0, 41, -57.418263}, {15, 0, 45, -127.906022}},
+};
+
+static void integrals(void **state)
+{
+    static struct pair sums[SOURCES][2];
+    struct randomness random = {.state = 33};
+    (void)state;
+    for (int kind = 0; kind < SOURCES; kind++) {
+        struct lx_emitter source = source_of(kind);
+        for (int i = 0; i < 60; i++) {
+            const struct lx_material material = {.model = (enum lx_model)(i % 2),
+                                                 .highlight = (enum lx_highlight)(i % 3),
+                                                 .diffuse = 0.5,
+                                                 .specular = 1,
+                                                 .shininess = logarithmic(&random, 0.5, 3000)};
+            struct lx_lobe lobe = lx_lobe_prepare(&material);
+            struct lx_element element = random_element(&random, i, &lobe);
+            source.attenuation = (enum lx_attenuation)(i / 2 % 3);
+            if (lx_extended_touches(&source, element.place_mm))
+                continue;
+            struct lx_cubature found = lx_integrate(&source, &element, i % 2 == 0, 0, 1e-6);
+            add_pair(&sums[kind][0], found.irradiance);
+            add_pair(&sums[kind][1], found.specular);
+        }
+        lx_facets_free(source.facets);
+    }
+    expect(&sums[0][0].value, integrals_before[0], 4 * SOURCES, "integral");
+}
+
+/* -- one light at a time, in scenes of every kind -- */
+
+enum { E_PERP, TOWARDS, COSINE, DIFFUSE, SPECULAR, PLACE, NORMAL, VIEW, LIT, SHINE, PAIRS };
+
+static const struct tally elements_before[2 * PAIRS] = {
+    {246, 0, 3165, 1.175062},     {1219, 0, 2192, -33.285689},  {0, 0, 9279, -1.277233},
+    {0, 0, 9279, -35.305718},     {616, 0, 2477, -1.493920},    {589, 0, 2504, -34.268698},
+    {1124, 0, 1969, -2.891735},   {1107, 0, 1986, -35.643459},  {1503, 0, 1590, -36.406610},
+    {1411, 0, 1682, -103.019160}, {0, 0, 4059, 5.257344},       {896, 0, 3163, -30.208271},
+    {826, 0, 3233, -0.793043},    {1239, 0, 2820, -37.850822},  {448, 0, 3611, -2.441959},
+    {672, 0, 3387, -36.770542},   {867, 0, 2544, 0.145409},     {1166, 0, 2245, -32.584235},
+    {1974, 0, 1437, -36.286212},  {1888, 0, 1523, -103.849978},
+};
+
+static void elements(void **state)
+{
+    static struct pair sums[PAIRS];
+    (void)state;
+    for (int i = 0; i < 400; i++) {
+        struct randomness random = {.state = UINT64_C(0x9E3779B97F4A7C15) * ((uint64_t)i + 3)};
+        struct test_scene test;
+        make_random_scene(&random, true, &test);
+        for (int k = 0; k < 12; k++) {
+            struct lx_element element;
+            double x = uniform(&random, -335, 335), y = uniform(&random, -265, 265);
+            if (!lx_element_seen(&test.prepared, x, y, &element))
+                continue;
+            add_vector(&sums[PLACE], element.place_mm);
+            add_vector(&sums[NORMAL], element.normal);
+            add_vector(&sums[VIEW], element.view);
+            for (size_t e = 0; e < test.prepared.emitters.count; e++) {
+                const struct lx_emitter *emitter = &test.prepared.emitters.items[e];
+                struct lx_lighting lighting = lx_light_element(&test.prepared, &element, emitter);
+                struct lx_sample sample = lx_emitter_sample(emitter, element.place_mm);
+                add_pair(&sums[LIT], lighting.irradiance);
+                add_pair(&sums[SHINE], lighting.specular);
+                add_pair(&sums[E_PERP], sample.e_perp);
+                if (emitter->type == LX_UNIFORM || sample.on_element)
+                    continue;
+                struct lx_reflection light =
+                    lx_lobe_reflect(element.lobe, element.normal, element.view, sample.towards);
+                add_vector(&sums[TOWARDS], sample.towards);
+                add_pair(&sums[COSINE], light.cosine);
+                add_pair(&sums[DIFFUSE], light.diffuse);
+                add_pair(&sums[SPECULAR], light.specular);
+            }
+        }
+    }
+    expect(&sums[0].value, elements_before, 2 * PAIRS, "element");
+}
+
+/* -- what is known of a picture before it is made -- */
+
+enum {
+    BOUND,
+    IN_DOUBLE,
+    LEAST_MAXIMUM,
+    CLUSTER_ERROR,
+    CLUSTER_MOST,
+    CLUSTER_LEAST,
+    NEAREST,
+    AWAY,
+    HALF,
+    CUT_ERROR,
+    WHOLE,
+    OPENED,
+    PLANNED
+};
+
+static struct tally planned[PLANNED];
+
+struct lx_share_bound __real_lx_bound_cluster(const struct lx_tract *tract, const double anchor_mm[3],
+                                              const struct lx_lobe_limits *limits, const struct lx_tree *tree,
+                                              const struct lx_cluster *cluster, const struct lx_cluster_turn *turn,
+                                              bool is_hidden);
+struct lx_share_bound __wrap_lx_bound_cluster(const struct lx_tract *tract, const double anchor_mm[3],
+                                              const struct lx_lobe_limits *limits, const struct lx_tree *tree,
+                                              const struct lx_cluster *cluster, const struct lx_cluster_turn *turn,
+                                              bool is_hidden);
+struct lx_share_bound __wrap_lx_bound_cluster(const struct lx_tract *tract, const double anchor_mm[3],
+                                              const struct lx_lobe_limits *limits, const struct lx_tree *tree,
+                                              const struct lx_cluster *cluster, const struct lx_cluster_turn *turn,
+                                              bool is_hidden)
+{
+    struct lx_share_bound bound = __real_lx_bound_cluster(tract, anchor_mm, limits, tree, cluster, turn, is_hidden);
+    add(&planned[CLUSTER_ERROR], bound.error);
+    add(&planned[CLUSTER_MOST], bound.most);
+    add(&planned[CLUSTER_LEAST], bound.least);
+    return bound;
+}
+
+struct lx_stand __real_lx_stand_of(const struct lx_tract *tract, const double place[3], bool has_half);
+struct lx_stand __wrap_lx_stand_of(const struct lx_tract *tract, const double place[3], bool has_half);
+struct lx_stand __wrap_lx_stand_of(const struct lx_tract *tract, const double place[3], bool has_half)
+{
+    struct lx_stand stand = __real_lx_stand_of(tract, place, has_half);
+    add(&planned[NEAREST], stand.nearest_mm);
+    add(&planned[AWAY], stand.away_mm);
+    add(&planned[HALF], stand.least_half);
+    return stand;
+}
+
+bool __real_lx_cut_make(const struct lx_plan *plan, const struct lx_planned_surface *surface,
+                        const struct lx_tract *tract, const struct lx_asking *asking, struct lx_cut *cut);
+bool __wrap_lx_cut_make(const struct lx_plan *plan, const struct lx_planned_surface *surface,
+                        const struct lx_tract *tract, const struct lx_asking *asking, struct lx_cut *cut);
+bool __wrap_lx_cut_make(const struct lx_plan *plan, const struct lx_planned_surface *surface,
+                        const struct lx_tract *tract, const struct lx_asking *asking, struct lx_cut *cut)
+{
+    bool goes_on = __real_lx_cut_make(plan, surface, tract, asking, cut);
+    add(&planned[CUT_ERROR], cut->error);
+    add(&planned[WHOLE], (double)cut->whole_count);
+    add(&planned[OPENED], (double)cut->opened_count);
+    return goes_on;
+}
+
+enum { MOST_POINTS = 600 + MAXIMUM_LIGHTS };
+
+/* Some hundred points of one kind, which are clustered, behind the scene's own lights. */
+static void add_points(struct randomness *random, struct test_scene *test, struct lx_emitter room[MOST_POINTS])
+{
+    struct lx_emitters *emitters = &test->prepared.emitters;
+    struct lx_emitter model = random_emitter(random, &test->surfaces[0].shape);
+    const double spread = logarithmic(random, 0.1, 1000), turn = pick(random, 2) ? 0 : uniform(random, 0, 2);
+    memcpy(room, emitters->items, emitters->count * sizeof *room);
+    emitters->items = room;
+    model.type = LX_POINT;
+    for (int i = 0; i < 300; i++) {
+        double off[3], lean[3];
+        struct lx_emitter *point = &room[emitters->count++];
+        *point = model;
+        random_direction(random, off);
+        random_direction(random, lean);
+        for (int k = 0; k < 3; k++) {
+            point->position_mm[k] += spread * off[k];
+            lean[k] *= turn * uniform(random, 0, 1);
+        }
+        point->strength = logarithmic(random, 0.01, 10);
+        if (model.profile.falloff != LX_NO_CONE || model.profile.exponent > 0)
+            point->profile.axis = lx_unit3(lx_add3(model.profile.axis, lx_exact3(lean)));
+    }
+}
+
+/* One tile in the middle of the picture. */
+static void shade_tile(const struct lx_plan *plan, const struct test_scene *test)
+{
+    double x[LX_BLOCK], y[LX_TILE_ROWS];
+    struct lx_shader_memory *memory = lx_shader_memory_new(plan);
+    assert_non_null(memory);
+    unsigned width = lx_tile_columns(plan, COLUMNS);
+    for (unsigned i = 0; i < width; i++)
+        x[i] = lx_column_x_mm(&test->scene.screen, (COLUMNS - width) / 2 + i);
+    for (unsigned j = 0; j < LX_TILE_ROWS; j++)
+        y[j] = lx_row_y_mm(&test->scene.screen, ROWS / 2 + j);
+    lx_shader_enter(plan, memory, y, LX_TILE_ROWS, x, width);
+    lx_shader_memory_free(memory);
+}
+
+static const struct tally plans_before[PLANNED] = {
+    {48, 581, 591, -12.308973},       {369, 0, 591, 0.079665},          {28, 0, 272, 2.647276},
+    {19679, 9144, 192715, -3.061277}, {18049, 9144, 194345, -2.367368}, {174594, 0, 46944, -20.697737},
+    {0, 0, 272290, 7.057617},         {0, 0, 272290, 7.090179},         {0, 0, 272290, 0.476195},
+    {5192, 0, 7824, -12.008088},      {5058, 0, 7958, 1.006259},        {10831, 0, 2185, 2.189071},
+};
+
+static void plans(void **state)
+{
+    static struct lx_emitter room[MOST_POINTS];
+    (void)state;
+    for (int i = 0; i < 300; i++) {
+        struct randomness random = {.state = UINT64_C(0x9E3779B97F4A7C15) * ((uint64_t)i + 11)};
+        const luxel_settings settings = {.precision = LUXEL_SINGLE, .light_error = pow(10, -1 - i % 4)};
+        struct test_scene test;
+        struct lx_plan plan;
+        make_random_scene(&random, i % 3, &test);
+        for (size_t s = 0; s < test.prepared.surface_count; s++)
+            for (size_t e = 0; e < test.prepared.emitters.count; e++)
+                add(&planned[BOUND], lx_bound_light(&test.prepared, &test.surfaces[s].shape, &test.surfaces[s].lobe,
+                                                    &test.prepared.emitters.items[e]));
+        if (i % 2)
+            add_points(&random, &test, room);
+        assert_int_equal(lx_plan_make(&test.prepared, lx_kernels_choose("generic"), &settings, &plan), LUXEL_OK);
+        add(&planned[LEAST_MAXIMUM], plan.least_maximum);
+        for (size_t s = 0; s < plan.surface_count; s++)
+            for (size_t k = 0; k < plan.surfaces[s].run_count; k++)
+                add(&planned[IN_DOUBLE],
+                    plan.surfaces[s].runs[k].in_double ? (double)plan.surfaces[s].runs[k].count : 0);
+        if (i % 2)
+            shade_tile(&plan, &test);
+        lx_plan_clear(&plan);
+    }
+    expect(planned, plans_before, PLANNED, "plan");
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(closed_forms), cmocka_unit_test(touching), cmocka_unit_test(integrals),
+        cmocka_unit_test(elements),     cmocka_unit_test(plans),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
