@@ -337,7 +337,7 @@ static void shadows(void **state)
     assert_true(dark > all / 20 && dark < all / 2);
 }
 
-/* Where the middle of a ball stands from a line decides; the line is as thick as the larger of the balls at its ends. */
+/* How far the middle of a ball is from a line decides; the line is as thick as the larger of the balls at its ends. */
 static void thick_lines(void **state)
 {
     struct randomness random = {.state = 46};
