@@ -187,6 +187,30 @@ static void render(struct view *view)
     assert_int_equal(luxel_render(view->scene, &view->settings, NULL, &view->field), LUXEL_OK);
 }
 
+static void render_in_double(struct view *view)
+{
+    view->settings.precision = LUXEL_DOUBLE;
+    render(view);
+}
+
+static void render_irradiance(struct view *view)
+{
+    view->settings.quantity = LUXEL_IRRADIANCE;
+    render(view);
+}
+
+static void find_extrema_of_irradiance(struct view *view)
+{
+    view->settings.quantity = LUXEL_IRRADIANCE;
+    find_extrema(view);
+}
+
+static void find_isophotes_of_irradiance(struct view *view)
+{
+    view->settings.quantity = LUXEL_IRRADIANCE;
+    find_isophotes(view);
+}
+
 static void render_by_clusters(struct view *view)
 {
     view->settings.light_error = 0.01;
@@ -273,6 +297,18 @@ static const struct job jobs[] = {
     {render_by_clusters, "tube", 60, "lights[0].parts=20", {0, 0, 0, 0, 0, 0, 0, 19366}},
     {render_by_clusters, "ball-lamp", 60, "lights[0].parts=40", {0, 0, 0, 0, 0, 0, 0, 33018}},
     {render_by_clusters, "all-sources", 60, "lights[4].parts=40", {0, 0, 0, 0, 0, 61345, 7935, 28212}},
+    {render_in_double, "window", 30, NULL, {0, 0, 0, 0, 0, 312, 779}},
+    {render_in_double, "all-sources", 20, NULL, {0, 0, 0, 0, 0, 9028, 2420}},
+    {render_in_double, "ball-lamp", 20, "surfaces[0].material.shininess=0.6", {0, 0, 0, 0, 1192, 174208, 43708}},
+    {render_in_double, "all-sources", 20, "lights[5].attenuation=none", {0, 0, 0, 0, 87072, 9024, 2425}},
+    {render_irradiance, "all-sources", 30, "lights[6].attenuation=none", {0, 0, 0, 0, 355014, 6, 46}},
+    {find_extrema_of_irradiance, "spot", 40, NULL, {787, 29, 770, 2822}},
+    {find_extrema_of_irradiance, "two-spheres", 40, NULL, {2301, 1131, 1619, 1328}},
+    {find_extrema_of_irradiance, "desk", 40, NULL, {1580, 590, 1298, 3808}},
+    {find_extrema_of_irradiance, "window", 40, NULL, {758, 28, 659, 2070, 10573}},
+    {find_isophotes_of_irradiance, "desk", 40, NULL, {41434, 4825}},
+    {find_isophotes_of_irradiance, "three-lights", 40, "observer.projection=perspective", {1903, 1903}},
+    {find_isophotes_of_irradiance, "tube", 20, NULL, {7495, 1041, 0, 0, 113462}},
 };
 
 /* -- integrals over sources of every kind, seen by elements that stand and are seen in many ways -- */
