@@ -88,7 +88,7 @@ static void pieces_make_up_the_outline(void **state)
     size_t all_pieces = 0, all_corners = 0;
     (void)state;
     for (int n = 0; n < 300; n++) {
-        double xy[MOST][2], corners[MOST][3], u[3], v[3], normal[3], area = 0, size = logarithmic(&random, 0.1, 1000);
+        double xy[MOST][2], corners[MOST][3], u[3], v[3], normal[3], area = 0, size = logarithmic(&random, 1e-5, 1000);
         size_t count = random_outline(&random, n, xy), piece_count = 0;
         struct lx_facets **pieces = NULL;
         random_plane(&random, u, v, normal);
