@@ -119,12 +119,24 @@ struct view {
     luxel_settings settings;
 };
 
-/* A built-in scene, or the variant of this number, with a few values changed. */
+#define SCREEN "luxel: 1\nscreen: {width: 800, height: 640, resolution: [400, 320]}\nobserver: {z: 2500, "
+#define PLATE(axis)                                                                                                    \
+    "{type: rectangle, center: [30, -20, 900], size: [500, 380], axis: " axis                                          \
+    ", material: {diffuse: 0.6, specular: 0.5, shininess: 60, highlight: gated}}"
+#define BALL(center, material)                                                                                         \
+    "{type: sphere, center: " center ", radius: 130, material: {diffuse: 0.6, specular: 0.5, " material "}}"
+#define NEAR_LIGHT "{type: point, position: [300, 200, 1500], intensity: 5}"
+#define FAR_LIGHT "{type: distant, direction: [-0.3, 0.2, -1], irradiance: 4}"
+
+/* A text, a built-in scene, or the variant of this number, with a value changed. */
 static struct view view_of(const char *name, unsigned resolution, const char *set)
 {
     struct view view = {.scene = NULL};
     char *text, assignment[100];
-    if (*name >= '0' && *name <= '9') {
+    if (strchr(name, '\n')) {
+        if (luxel_scene_read_text(name, strlen(name), "text", NULL, &view.scene) != LUXEL_OK)
+            fail_msg("cannot read %s", name);
+    } else if (*name >= '0' && *name <= '9') {
         assert_int_equal(luxel_variant_text((unsigned)atoi(name), NULL, &text), LUXEL_OK);
         assert_int_equal(luxel_scene_read_text(text, strlen(text), name, NULL, &view.scene), LUXEL_OK);
         luxel_text_free(text);
@@ -167,6 +179,8 @@ static void find_extrema(struct view *view)
     assert_int_equal(luxel_find_extrema(view->evaluator, view->field, NULL, NULL, &extrema), LUXEL_OK);
     const luxel_region circle = {.type = LUXEL_REGION_CIRCLE, .center_mm = {60, 30}, .radius_mm = 120};
     assert_int_equal(luxel_find_extrema(view->evaluator, view->field, &circle, NULL, &extrema), LUXEL_OK);
+    const luxel_region strip = {.type = LUXEL_REGION_RECTANGLE, .center_mm = {-40, 25}, .size_mm = {270, 90}};
+    assert_int_equal(luxel_find_extrema(view->evaluator, view->field, &strip, NULL, &extrema), LUXEL_OK);
 }
 
 static void find_isophotes(struct view *view)
@@ -226,47 +240,47 @@ struct job {
 };
 
 static const struct job jobs[] = {
-    {find_extrema, "1", 40, NULL, {742, 29, 727, 2606}},
-    {find_extrema, "2", 40, NULL, {758, 28, 761, 2833}},
-    {find_extrema, "3", 40, NULL, {742, 8, 875, 4281}},
-    {find_extrema, "4", 40, NULL, {747, 33, 352, 1419}},
-    {find_extrema, "5", 40, NULL, {737, 20, 376, 219}},
-    {find_extrema, "6", 40, NULL, {745, 10, 371, 321}},
-    {find_extrema, "7", 40, NULL, {738, 20, 509, 803}},
-    {find_extrema, "8", 40, NULL, {752, 29, 410, 1349}},
-    {find_extrema, "9", 40, NULL, {752, 21, 2303, 14895}},
-    {find_extrema, "10", 40, NULL, {738, 20, 670, 1736}},
-    {find_extrema, "11", 40, NULL, {749, 28, 373, 1625}},
-    {find_extrema, "12", 40, NULL, {758, 17, 1505, 5514}},
-    {find_extrema, "13", 40, NULL, {737, 20, 376, 525}},
-    {find_extrema, "14", 40, NULL, {741, 29, 510, 2366}},
-    {find_extrema, "15", 40, NULL, {753, 33, 5366, 38830}},
-    {find_extrema, "16", 40, NULL, {758, 28, 541, 2251}},
-    {find_extrema, "17", 40, NULL, {741, 28, 343, 415}},
-    {find_extrema, "18", 40, NULL, {753, 27, 1631, 7106}},
-    {find_extrema, "19", 40, NULL, {738, 20, 586, 1062}},
-    {find_extrema, "20", 40, NULL, {744, 28, 712, 3161}},
-    {find_extrema, "report", 40, NULL, {754, 29, 577, 1689}},
-    {find_extrema, "spot", 40, NULL, {778, 20, 720, 1410}},
-    {find_extrema, "two-spheres", 40, NULL, {2147, 599, 1738, 2900}},
-    {find_extrema, "three-lights", 40, NULL, {770, 28, 1056, 4287}},
-    {find_extrema, "distant", 40, NULL, {764, 28, 791, 2937}},
-    {find_extrema, "desk", 40, NULL, {1611, 357, 1196, 2709}},
-    {find_extrema, "spot", 40, "lights[0].falloff=hard", {773, 20, 1182, 3524}},
-    {find_extrema, "spot", 40, "lights[0].falloff=linear", {779, 21, 768, 1831}},
-    {find_extrema, "spot", 40, "surfaces[0].material.model=phong", {778, 20, 734, 1585}},
-    {find_extrema, "spot", 40, "observer.projection=orthographic", {769, 21, 704, 1214}},
-    {find_extrema, "two-spheres", 40, "observer.projection=perspective", {2458, 1432, 1437, 1261}},
-    {find_extrema, "two-spheres", 40, "shadows=none", {2127, 595, 1547, 1220}},
-    {find_extrema, "three-lights", 40, "surfaces[0].material.highlight=gated", {772, 28, 1024, 4164}},
-    {find_extrema, "three-lights", 40, "surfaces[0].material.shininess=3000", {762, 20, 2338, 14796}},
-    {find_extrema, "three-lights", 40, "surfaces[0].center=[90,-200,1000]", {768, 22, 4048, 30062}},
-    {find_extrema, "desk", 40, "observer.projection=orthographic", {2036, 719, 3876, 23397}},
-    {find_extrema, "desk", 40, "surfaces[0].material.model=blinn-phong", {1611, 357, 1222, 3032}},
-    {find_extrema, "desk", 40, "lights[0].falloff=hard", {1611, 357, 1196, 2838}},
-    {find_extrema, "window", 20, NULL, {139, 23, 123, 299, 90770}},
-    {find_extrema, "tube", 20, NULL, {128, 20, 107, 223, 27690}},
-    {find_extrema, "lampshade", 20, NULL, {203, 20, 122, 848}},
+    {find_extrema, "1", 40, NULL, {1138, 38, 1030, 4294}},
+    {find_extrema, "2", 40, NULL, {1151, 42, 1621, 8786}},
+    {find_extrema, "3", 40, NULL, {1141, 22, 2931, 21554}},
+    {find_extrema, "4", 40, NULL, {1124, 33, 352, 1497}},
+    {find_extrema, "5", 40, NULL, {1129, 33, 570, 1051}},
+    {find_extrema, "6", 40, NULL, {1143, 18, 539, 1374}},
+    {find_extrema, "7", 40, NULL, {1140, 42, 747, 2578}},
+    {find_extrema, "8", 40, NULL, {1143, 41, 818, 4359}},
+    {find_extrema, "9", 40, NULL, {1152, 35, 3196, 20900}},
+    {find_extrema, "10", 40, NULL, {1130, 33, 881, 3309}},
+    {find_extrema, "11", 40, NULL, {1152, 52, 645, 3990}},
+    {find_extrema, "12", 40, NULL, {1156, 30, 2377, 11482}},
+    {find_extrema, "13", 40, NULL, {1131, 35, 503, 1309}},
+    {find_extrema, "14", 40, NULL, {1132, 41, 983, 5435}},
+    {find_extrema, "15", 40, NULL, {1160, 55, 10472, 81618}},
+    {find_extrema, "16", 40, NULL, {1152, 42, 1659, 9486}},
+    {find_extrema, "17", 40, NULL, {1137, 38, 603, 1989}},
+    {find_extrema, "18", 40, NULL, {1151, 41, 3313, 18131}},
+    {find_extrema, "19", 40, NULL, {1131, 34, 869, 4125}},
+    {find_extrema, "20", 40, NULL, {1137, 42, 1546, 9450}},
+    {find_extrema, "report", 40, NULL, {1148, 42, 803, 3480}},
+    {find_extrema, "spot", 40, NULL, {1174, 35, 972, 3949}},
+    {find_extrema, "two-spheres", 40, NULL, {3128, 1187, 2275, 4160}},
+    {find_extrema, "three-lights", 40, NULL, {1174, 40, 1851, 9585}},
+    {find_extrema, "distant", 40, NULL, {1159, 43, 1062, 4978}},
+    {find_extrema, "desk", 40, NULL, {2015, 371, 2003, 9264}},
+    {find_extrema, "spot", 40, "lights[0].falloff=hard", {1169, 35, 1428, 6093}},
+    {find_extrema, "spot", 40, "lights[0].falloff=linear", {1175, 36, 1001, 4174}},
+    {find_extrema, "spot", 40, "surfaces[0].material.model=phong", {1174, 35, 904, 3395}},
+    {find_extrema, "spot", 40, "observer.projection=orthographic", {1163, 31, 954, 1731}},
+    {find_extrema, "two-spheres", 40, "observer.projection=perspective", {4014, 2584, 2205, 1373}},
+    {find_extrema, "two-spheres", 40, "shadows=none", {2530, 612, 2192, 4160}},
+    {find_extrema, "three-lights", 40, "surfaces[0].material.highlight=gated", {1176, 40, 1846, 9655}},
+    {find_extrema, "three-lights", 40, "surfaces[0].material.shininess=3000", {1167, 34, 3246, 21669}},
+    {find_extrema, "three-lights", 40, "surfaces[0].center=[90,-200,1000]", {1186, 34, 8565, 62436}},
+    {find_extrema, "desk", 40, "observer.projection=orthographic", {2470, 734, 4371, 26750}},
+    {find_extrema, "desk", 40, "surfaces[0].material.model=blinn-phong", {2015, 371, 2029, 9587}},
+    {find_extrema, "desk", 40, "lights[0].falloff=hard", {2015, 371, 2003, 9538}},
+    {find_extrema, "window", 20, NULL, {223, 32, 180, 577, 141015}},
+    {find_extrema, "tube", 20, NULL, {224, 41, 194, 941, 48884}},
+    {find_extrema, "lampshade", 20, NULL, {329, 34, 174, 1708}},
     {find_isophotes, "1", 40, NULL, {8365, 2355}},
     {find_isophotes, "2", 40, NULL, {6456, 2057}},
     {find_isophotes, "5", 40, NULL, {8461, 1372}},
@@ -302,13 +316,96 @@ static const struct job jobs[] = {
     {render_in_double, "ball-lamp", 20, "surfaces[0].material.shininess=0.6", {0, 0, 0, 0, 1192, 174208, 43708}},
     {render_in_double, "all-sources", 20, "lights[5].attenuation=none", {0, 0, 0, 0, 87072, 9024, 2425}},
     {render_irradiance, "all-sources", 30, "lights[6].attenuation=none", {0, 0, 0, 0, 355014, 6, 46}},
-    {find_extrema_of_irradiance, "spot", 40, NULL, {787, 29, 770, 2822}},
-    {find_extrema_of_irradiance, "two-spheres", 40, NULL, {2301, 1131, 1619, 1328}},
-    {find_extrema_of_irradiance, "desk", 40, NULL, {1580, 590, 1298, 3808}},
-    {find_extrema_of_irradiance, "window", 40, NULL, {758, 28, 659, 2070, 10573}},
+    {find_extrema_of_irradiance, "spot", 40, NULL, {1189, 50, 1098, 5536}},
+    {find_extrema_of_irradiance, "two-spheres", 40, NULL, {3294, 1731, 2217, 2948}},
+    {find_extrema_of_irradiance, "desk", 40, NULL, {1992, 612, 2463, 12584}},
+    {find_extrema_of_irradiance, "window", 40, NULL, {1167, 58, 1214, 6398, 22781}},
     {find_isophotes_of_irradiance, "desk", 40, NULL, {41434, 4825}},
     {find_isophotes_of_irradiance, "three-lights", 40, "observer.projection=perspective", {1903, 1903}},
     {find_isophotes_of_irradiance, "tube", 20, NULL, {7495, 1041, 0, 0, 113462}},
+    {find_extrema,
+     SCREEN "projection: perspective}\nsurfaces: [" PLATE("[0.2, -0.3, 1]") "]\nlights: [" NEAR_LIGHT "]\n",
+     40,
+     NULL,
+     {1137, 53, 2845, 17696}},
+    {find_extrema,
+     SCREEN "projection: perspective}\nsurfaces: [" PLATE("[0.2, -0.3, 1]") "]\nlights: [" FAR_LIGHT "]\n",
+     40,
+     NULL,
+     {1129, 50, 2718, 16292}},
+    {find_extrema,
+     SCREEN "projection: orthographic}\nsurfaces: [" PLATE("[0.2, -0.3, 1]") "]\nlights: [" NEAR_LIGHT "]\n",
+     40,
+     NULL,
+     {1136, 52, 2571, 16362}},
+    {find_extrema,
+     SCREEN "projection: orthographic}\nsurfaces: [" PLATE("[0.2, -0.3, 1]") "]\nlights: [" FAR_LIGHT "]\n",
+     40,
+     NULL,
+     {4634, 3456, 2496}},
+    {find_extrema,
+     SCREEN "projection: perspective}\nsurfaces: [" PLATE("[0, 0, 1]") "]\nlights: [" NEAR_LIGHT ", " FAR_LIGHT "]\n",
+     40,
+     NULL,
+     {1134, 44, 4031, 48274}},
+    {find_extrema,
+     SCREEN "projection: perspective}\nshadows: points\nsurfaces: [" PLATE("[0, 0.1, 1]") ", " BALL(
+         "[60, 20, 1100]", "shininess: 30") "]\nlights: [" NEAR_LIGHT ", " FAR_LIGHT "]\n",
+     40,
+     NULL,
+     {1507, 63, 955, 5507}},
+    {find_isophotes,
+     SCREEN "projection: orthographic}\nshadows: points\nsurfaces: [" PLATE("[0, 0.1, 1]") ", " BALL(
+         "[60, 20, 1100]", "shininess: 30") "]\nlights: [" NEAR_LIGHT ", " FAR_LIGHT "]\n",
+     40,
+     NULL,
+     {25466, 3283}},
+    {find_extrema,
+     SCREEN "projection: orthographic}\nshadows: points\nsurfaces: [" BALL(
+         "[-160, 20, 1100]",
+         "shininess: 30, model: phong, "
+         "highlight: gated") ", " BALL("[130, -20, 1000]",
+                                       "shininess: 200, highlight: cosine") "]\nlights: [" NEAR_LIGHT ", " FAR_LIGHT
+                                                                            "]\n",
+     40,
+     NULL,
+     {1738, 20, 746, 1252}},
+    {find_extrema,
+     SCREEN "projection: perspective}\nsurfaces: [" BALL(
+         "[-60, 20, 1100]", "shininess: 30, model: phong") "]\nlights: ["
+                                                           "{type: point, position: [-900, 300, 700], intensity: 5, "
+                                                           "pattern: cosine, exponent: 3, aim: [0, 100, 1000]}"
+                                                           "]\n",
+     40,
+     NULL,
+     {1181, 40, 402, 1214}},
+    {find_extrema,
+     SCREEN "projection: perspective}\nsurfaces: [" PLATE(
+         "[0, 0.1, 1]") "]\nlights: ["
+                        "{type: spot, position: [0, 300, 1900], intensity: 5, aim: [60, 0, 900], inner: 3, outer: 5, "
+                        "falloff: hard}, " FAR_LIGHT "]\n",
+     40,
+     NULL,
+     {1130, 34, 1394, 7374}},
+    {find_isophotes,
+     SCREEN "projection: perspective}\nsurfaces: [" PLATE(
+         "[0, 0.1, 1]") "]\nlights: ["
+                        "{type: spot, position: [0, 300, 1900], intensity: 5, aim: [60, 0, 900], inner: 3, outer: 5, "
+                        "falloff: hard}, " FAR_LIGHT "]\n",
+     40,
+     NULL,
+     {8143, 6171}},
+    {find_extrema,
+     SCREEN "projection: orthographic}\nsurfaces: [" BALL(
+         "[20, 20, 900]", "shininess: 3, highlight: gated") "]\nlights: ["
+                                                            "{type: distant, direction: [1, 0.2, 0.1], irradiance: 3}, "
+                                                            "{type: distant, direction: [-1, 0.1, 0], irradiance: 2}"
+                                                            "]\n",
+     40,
+     NULL,
+     {1145, 38, 692, 1279}},
+    {find_extrema, "window", 20, "lights[0].parts=9", {358, 37, 219, 1749}},
+    {find_extrema, "window", 20, "lights[0].parts=6", {1789, 46, 7517, 158435}},
 };
 
 /* -- integrals over sources of every kind, seen by elements that stand and are seen in many ways -- */
@@ -392,8 +489,9 @@ static void searches_and_pictures(void **state)
             char text[200] = "";
             for (int k = 0; k < KINDS; k++)
                 snprintf(text + strlen(text), sizeof text - strlen(text), "%s%u", k ? ", " : "", counts[k]);
-            print_message("# %s %zu, %s%s%s: {%s}\n", same ? "job" : "changed: job", i, job->scene,
-                          job->set ? ", " : "", job->set ? job->set : "", text);
+            print_message("# %s %zu, %.*s%s%s: {%s}\n", same ? "job" : "changed: job", i,
+                          (int)strcspn(job->scene, "\n"), job->scene, job->set ? ", " : "", job->set ? job->set : "",
+                          text);
         }
         clear(&view);
     }
