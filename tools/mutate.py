@@ -38,11 +38,13 @@ LIBRARY = "src/libluxel-objects.a"
 # The tests of a room's own, which find most of its faults; the others follow by suite.
 OWN_TESTS = {
     "src/base": ["bounded", "wide", "number"],
-    "src/light": ["tight", "light", "facets", "round", "points", "facet_shapes", "cubature", "reference probes"],
+    "src/light": ["tight", "light", "facets", "round", "points", "facet_shapes", "outlines", "cubature",
+                  "reference probes"],
     "src/material": ["lobe", "tight", "reference probes"],
     "src/surface": ["surfaces", "tight", "plates", "view", "reference probes"],
-    "src/shade": ["work", "tight", "surfaces", "grid", "precision", "cubature", "plates", "kernel functions generic",
-                  "kernels", "reference probes", "extended_pictures", "reference pictures"],
+    "src/shade": ["work", "tight", "surfaces", "shells", "grid", "precision", "cubature", "plates",
+                  "kernel functions generic", "kernels", "reference probes", "extended_pictures",
+                  "reference pictures"],
     "src/field": ["statistics", "compare", "work", "profile", "isophotes", "field_files", "extrema"],
     "src/scene": ["validate", "write", "advise", "alternatives", "advise_peak"],
     "src/parameter": ["parameters", "validate", "yaml", "edit"],

@@ -44,12 +44,15 @@ static struct lx_material random_material(struct randomness *random)
 static struct lx_profile random_profile(struct randomness *random, const double from[3], const double at[3])
 {
     lx_bounded3 axis = lx_unit3(lx_sub3(lx_exact3(at), lx_exact3(from)));
-    double outer = uniform(random, 0.5, 90);
+    double outer = uniform(random, 0.5, 90), inner, exponent;
+    enum lx_falloff falloff;
     switch (pick(random, 4)) {
     case 0: return lx_profile_cosine(axis, pick(random, 2) ? 1 : logarithmic(random, 0.1, 100));
-    case 1:
-        return lx_profile_cone(axis, (enum lx_falloff)pick(random, 4), uniform(random, 0, outer), outer,
-                               pick(random, 2) ? 0 : uniform(random, 0, 10));
+    case 1: /* one after the other: compilers differ in the order in which they find arguments */
+        exponent = pick(random, 2) ? 0 : uniform(random, 0, 10);
+        inner = uniform(random, 0, outer);
+        falloff = (enum lx_falloff)pick(random, 4);
+        return lx_profile_cone(axis, falloff, inner, outer, exponent);
     default: return lx_profile_isotropic();
     }
 }

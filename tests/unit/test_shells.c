@@ -1,0 +1,332 @@
+/* SPDX-License-Identifier: MIT */
+/*
+ * What the kernels make of extended sources, one block at a time: the closed forms against the reference, near and far,
+ * whole and cut by the horizon, and samples of their patches against what each of them is worth.
+ */
+#include <math.h>
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+#include <string.h>
+
+#include <cmocka.h>
+
+#include "light/facets.h"
+#include "random_scenes.h"
+#include "shade/cubature.h"
+#include "shade/lights.h"
+#include "shade/sampling.h"
+#include "shade/shell.h"
+
+enum { RECTANGLE, BOX, GLOBE, PRISM, DISK, BALL, CYLINDER, SOURCES };
+
+static const double center[3] = {40, -25, 700}, axis[3] = {0.3, -0.2, -1};
+
+static struct lx_emitter source_of(int kind)
+{
+    static const double sides[3] = {300, 200, 100}, up[3] = {0.1, 1, 0};
+    struct lx_emitter source = {
+        .type = kind < DISK ? LX_FACETS : (enum lx_emitter_type)(LX_DISK + kind - DISK),
+        .radiance = lx_exact(3),
+        .center_mm = {40, -25, 700},
+        .axis = lx_unit3(lx_exact3(axis)),
+        .radius_mm = 150,
+        .height_mm = 400,
+        .k_mm = 250,
+    };
+    switch (kind) {
+    case RECTANGLE: source.facets = lx_facets_of_rectangle(center, sides, axis, up); break;
+    case BOX: source.facets = lx_facets_of_box(center, sides); break;
+    case GLOBE: source.facets = lx_facets_of_sphere(center, 150, 8); break;
+    case PRISM: source.facets = lx_facets_of_cylinder(center, 150, 400, axis, 6); break;
+    default: break;
+    }
+    assert_true(kind >= DISK || source.facets);
+    return source;
+}
+
+static const double anchor[3] = {10, 20, 300};
+
+/* Elements around a place, at most so far apart, which face the source, or any way, or lie so that it sets. */
+static void make_block(struct randomness *random, struct lx_block_double *block, struct lx_block_single *copy)
+{
+    double way[3], apart = logarithmic(random, 1, 1000), away = 280 + logarithmic(random, 1, 1e5);
+    random_direction(random, way);
+    memset(block, 0, sizeof *block);
+    for (int i = 0; i < LX_BLOCK; i++) {
+        double place[3], n[3], v[3], from[3], length = 0, off[3], reach = 0;
+        random_direction(random, off);
+        random_direction(random, n);
+        random_direction(random, v);
+        for (int k = 0; k < 3; k++) {
+            place[k] = center[k] + away * way[k] + uniform(random, 0, 1) * fmin(apart, away - 270) * off[k];
+            from[k] = place[k] - center[k];
+            reach = hypot(reach, from[k]);
+        }
+        for (int k = 0; k < 3; k++) {
+            if (i % 4 == 1) /* to the source */
+                n[k] -= 2 * from[k] / reach;
+            if (i % 4 == 2) /* as the source sets */
+                n[k] = uniform(random, -1, 1) - from[k] / reach * 150 / reach;
+        }
+        if (i % 4 == 2) {
+            double along = 0;
+            for (int k = 0; k < 3; k++)
+                along += n[k] * from[k] / reach;
+            double wanted = uniform(random, -1, 1) * 150 / reach;
+            for (int k = 0; k < 3; k++)
+                n[k] += (wanted - along) * from[k] / reach;
+        }
+        for (int k = 0; k < 3; k++)
+            length = hypot(length, n[k]);
+        block->px[i] = place[0] - anchor[0], block->py[i] = place[1] - anchor[1], block->pz[i] = place[2] - anchor[2];
+        block->nx[i] = n[0] / length, block->ny[i] = n[1] / length, block->nz[i] = n[2] / length;
+        block->vx[i] = v[0], block->vy[i] = v[1], block->vz[i] = v[2];
+        copy->px[i] = (float)block->px[i], copy->py[i] = (float)block->py[i], copy->pz[i] = (float)block->pz[i];
+        copy->nx[i] = (float)block->nx[i], copy->ny[i] = (float)block->ny[i], copy->nz[i] = (float)block->nz[i];
+        copy->vx[i] = (float)v[0], copy->vy[i] = (float)v[1], copy->vz[i] = (float)v[2];
+    }
+}
+
+static void place_and_normal(const struct lx_block_double *block, size_t i, lx_bounded3 *place, lx_bounded3 *normal)
+{
+    *place = lx_exact3((const double[]){anchor[0] + block->px[i], anchor[1] + block->py[i], anchor[2] + block->pz[i]});
+    *normal = lx_exact3((const double[]){block->nx[i], block->ny[i], block->nz[i]});
+}
+
+static void closed_forms(void **state)
+{
+    static struct lx_block_double block;
+    static struct lx_block_single copy;
+    const struct lx_shape lit = {.anchor_mm = {10, 20, 300}};
+    (void)state;
+    for (int kind = 0; kind < SOURCES; kind++) {
+        struct lx_emitter source = source_of(kind);
+        struct randomness random = {.state = 61};
+        struct lx_shell shell;
+        assert_int_equal(lx_shell_make(&source, &lit, &shell), 0);
+        for (int n = 0; n < 60; n++) {
+            double expected[LX_BLOCK], most[LX_BLOCK];
+            make_block(&random, &block, &copy);
+            for (size_t i = 0; i < LX_BLOCK; i++) {
+                lx_bounded3 place, normal;
+                place_and_normal(&block, i, &place, &normal);
+                expected[i] = lx_extended_irradiance(&source, place, normal).value;
+                double distance = lx_length3(lx_sub3(place, lx_exact3(center))).value;
+                most[i] = 3 * M_PI * fmin(1, 250 * 250 / distance / distance);
+            }
+            for (size_t k = 0; lx_kernels_get(k); k++) {
+                const struct lx_kernels *kernels = lx_kernels_get(k);
+                struct lx_around around = lx_block_around(&block, 0, LX_BLOCK);
+                double sum[LX_BLOCK];
+                if (!kernels->runs())
+                    continue;
+                for (int i = 0; i < LX_BLOCK; i++)
+                    sum[i] = 0.5;
+                kernels->light_by_shell[source.type](&shell, 0.75, &block, &around, LX_BLOCK, sum);
+                for (int i = 0; i < LX_BLOCK; i++) {
+                    double off = fabs(sum[i] - 0.5 - 0.75 * expected[i]) / (most[i] + 1e-3);
+                    if (!(off <= 2e-13))
+                        fail_msg("%s, source %d, block %d, element %d: %.17g, expected %.17g", kernels->name, kind, n,
+                                 i, (sum[i] - 0.5) / 0.75, expected[i]);
+                }
+            }
+        }
+        lx_shell_clear(&shell);
+        lx_facets_free(source.facets);
+    }
+}
+
+/* -- samples -- */
+
+/* The sum over all samples of a source, its patches cut into so many cells each way. */
+static void sum_samples(const struct lx_kernels *kernels, const struct lx_shell *shell, enum lx_attenuation law,
+                        const struct lx_lobe_double *lobe, const struct lx_block_double *block, unsigned side,
+                        double sum[LX_LANES])
+{
+    enum { MOST_PATCHES = 64, CELLS = 8 };
+    static const double metres[] = {[LX_INVERSE_SQUARE] = 1, [LX_PRACTICAL] = 1e-3, [LX_NO_ATTENUATION] = 1e-6};
+    static struct lx_samples_double samples;
+    struct lx_patch patches[MOST_PATCHES];
+    struct lx_around around = lx_block_around(block, 0, LX_LANES);
+    assert_true(lx_patch_limit(shell) <= MOST_PATCHES);
+    size_t count = lx_patches_make(shell, &around, patches);
+    assert_true(count <= lx_patch_limit(shell));
+    for (int i = 0; i < LX_LANES; i++)
+        sum[i] = 0;
+    samples.law = law;
+    samples.k = 250;
+    for (size_t p = 0; p < count; p++)
+        for (int c = 0; c < CELLS * CELLS; c++) {
+            struct lx_cell cell = {(double)(c % CELLS) / CELLS, (double)(c / CELLS) / CELLS, 1.0 / CELLS, 1.0 / CELLS};
+            double part[LX_LANES];
+            lx_patch_samples(&patches[p], shell->touch_mm, &samples);
+            lx_cell_samples(&patches[p], &cell, side, shell->radiance * metres[law], 2, &samples);
+            kernels->samples_double(&samples, 2, (size_t)side * side, lobe, block, 0, part);
+            for (int i = 0; i < LX_LANES; i++)
+                sum[i] += part[i];
+        }
+}
+
+/* Elements that see all of the source, from the middle distance, along a way that is drawn. */
+static void make_run(struct randomness *random, struct lx_block_double *block)
+{
+    double way[3];
+    random_direction(random, way);
+    memset(block, 0, sizeof *block);
+    for (int i = 0; i < LX_LANES; i++) {
+        double n[3], v[3], lengths[2] = {0, 0}, away = uniform(random, 700, 1500), lean[3], aside[3];
+        random_direction(random, lean);
+        random_direction(random, aside);
+        for (int k = 0; k < 3; k++) {
+            n[k] = -way[k] + 0.4 * lean[k], v[k] = -way[k] + 0.6 * aside[k];
+            lengths[0] = hypot(lengths[0], n[k]), lengths[1] = hypot(lengths[1], v[k]);
+        }
+        block->px[i] = center[0] + away * way[0] - anchor[0] + 20 * aside[0];
+        block->py[i] = center[1] + away * way[1] - anchor[1] + 20 * aside[1];
+        block->pz[i] = center[2] + away * way[2] - anchor[2] + 20 * aside[2];
+        block->nx[i] = n[0] / lengths[0], block->ny[i] = n[1] / lengths[0], block->nz[i] = n[2] / lengths[0];
+        block->vx[i] = v[0] / lengths[1], block->vy[i] = v[1] / lengths[1], block->vz[i] = v[2] / lengths[1];
+    }
+}
+
+/* The matte part and the highlight of every law, by samples, are those of the integrals. */
+static void samples_are_the_integral(void **state)
+{
+    static struct lx_block_double block;
+    const struct lx_shape lit = {.anchor_mm = {10, 20, 300}};
+    (void)state;
+    for (int kind = 0; kind < SOURCES; kind++) {
+        struct lx_emitter source = source_of(kind);
+        struct randomness random = {.state = 62};
+        struct lx_shell shell;
+        assert_int_equal(lx_shell_make(&source, &lit, &shell), 0);
+        for (int n = 0; n < 24; n++) {
+            struct lx_lobe lobe = {.model = n % 3 == 0   ? LX_LAMBERT
+                                            : n % 3 == 1 ? LX_BLINN_PHONG
+                                                         : LX_PHONG,
+                                   .highlight = (enum lx_highlight)(n / 3 % 3),
+                                   .diffuse = lx_exact(n % 3 ? 0 : 0.75),
+                                   .specular = lx_exact(n % 3 ? 0.6 : 0),
+                                   .exponent = 4};
+            struct lx_lobe_double constants = {.model = lobe.model,
+                                               .highlight = lobe.highlight,
+                                               .diffuse = lobe.diffuse.value,
+                                               .specular = lobe.specular.value,
+                                               .exponent = lx_exponent_of(4)};
+            make_run(&random, &block);
+            source.attenuation = (enum lx_attenuation)(n % 8 % 3);
+            double expected[LX_LANES];
+            for (size_t i = 0; i < LX_LANES; i++) {
+                struct lx_element element = {.lobe = &lobe};
+                place_and_normal(&block, i, &element.place_mm, &element.normal);
+                element.view = lx_exact3((const double[]){block.vx[i], block.vy[i], block.vz[i]});
+                struct lx_cubature truth = lx_integrate(&source, &element, n % 3 == 0, 0, 1e-9);
+                expected[i] = n % 3 ? truth.specular.value : 0.75 * truth.irradiance.value;
+            }
+            for (size_t k = 0; lx_kernels_get(k); k++) {
+                const struct lx_kernels *kernels = lx_kernels_get(k);
+                double fine[LX_LANES], coarse[LX_LANES];
+                if (!kernels->runs())
+                    continue;
+                sum_samples(kernels, &shell, source.attenuation, &constants, &block, 3, fine);
+                sum_samples(kernels, &shell, source.attenuation, &constants, &block, 2, coarse);
+                for (size_t i = 0; i < LX_LANES; i++)
+                    if (!(fabs(fine[i] - expected[i]) <= 1e-6 * expected[i] &&
+                          fabs(coarse[i] - expected[i]) <= 3e-5 * expected[i]))
+                        fail_msg("%s, source %d, case %d, element %zu: %.17g, %.17g, expected %.17g", kernels->name,
+                                 kind, n, i, fine[i], coarse[i], expected[i]);
+            }
+        }
+        lx_shell_clear(&shell);
+        lx_facets_free(source.facets);
+    }
+}
+
+/* Rules of any number of points give areas, and those of two and more the squares of distances. */
+static void rules_are_exact(void **state)
+{
+    static struct lx_samples_double samples;
+    const struct lx_patch patch = {
+        .kind = LX_PATCH_FLAT, .o = {5, 6, 7}, .a = {3, 0, 0}, .b = {1, 2, 0}, .g = {0, 0, 0}, .n = {0, 0, 1}};
+    const struct lx_patch disk = {.kind = LX_PATCH_DISK, .o = {5, 6, 7}, .a = {1, 0, 0}, .b = {0, 1, 0}, .radius = 3};
+    const struct lx_cell all = {0, 0, 1, 1}, part = {0.25, 0.5, 0.5, 0.25};
+    (void)state;
+    for (unsigned side = 1; side <= 3; side++) {
+        double sums[3] = {0, 0, 0}, square = 0;
+        lx_cell_samples(&patch, &all, side, 2, 0, &samples);
+        for (unsigned i = 0; i < side * side; i++) {
+            double x = samples.x[i] - 5, y = samples.y[i] - 6;
+            assert_true(samples.z[i] == 7 && x > 0 && y > 0 && y < 2);
+            sums[0] += samples.gain[i];
+            square += samples.gain[i] * (x * x + y * y);
+        }
+        lx_cell_samples(&patch, &part, side, 2, 0, &samples);
+        for (unsigned i = 0; i < side * side; i++) {
+            sums[1] += samples.gain[i];
+            assert_true(samples.y[i] > 7 && samples.y[i] < 7.5);
+        }
+        lx_cell_samples(&disk, &all, side, 2, 0, &samples);
+        for (unsigned i = 0; i < side * side; i++) {
+            sums[2] += samples.gain[i];
+            assert_true(hypot(samples.x[i] - 5, samples.y[i] - 6) < 3);
+        }
+        assert_true(fabs(sums[0] - 2 * 6) < 1e-14 * 12 && fabs(sums[1] - 2 * 6 * 0.125) < 1e-15);
+        assert_true(fabs(sums[2] - 2 * 9 * M_PI) < 1e-13);
+        /* area (a.a/3 + b.b/3 + a.b/2) */
+        assert_true(side == 1 || fabs(square - 12 * (9 / 3.0 + 5 / 3.0 + 3 / 2.0)) < 1e-12);
+    }
+}
+
+/* A ball around a cell's middle holds its places, of a flat one the farthest of them just so. */
+static void cells_are_held(void **state)
+{
+    struct randomness random = {.state = 63};
+    const double limits[] = {1 + 1e-12, 4, 6, 3};
+    const struct lx_shape lit = {.anchor_mm = {10, 20, 300}};
+    (void)state;
+    for (int kind = 0; kind < SOURCES; kind++) {
+        struct lx_emitter source = source_of(kind);
+        struct lx_shell shell;
+        struct lx_patch patches[64];
+        static struct lx_block_double block;
+        assert_int_equal(lx_shell_make(&source, &lit, &shell), 0);
+        for (int n = 0; n < 100; n++) {
+            make_run(&random, &block);
+            struct lx_around around = lx_block_around(&block, 0, LX_LANES);
+            size_t count = lx_patches_make(&shell, &around, patches);
+            const double element[3] = {block.px[0], block.py[0], block.pz[0]};
+            for (size_t p = 0; p < count; p++) {
+                double size = logarithmic(&random, 0.01, 0.5), middle[3], farthest = 0;
+                struct lx_cell cell = {uniform(&random, 0, 1 - size), uniform(&random, 0, 1 - size), size, size};
+                double radius = lx_cell_look(&patches[p], &cell, element, middle);
+                if (radius < 0) /* within the continued side of a cylinder */
+                    continue;
+                for (int c = 0; c < 81; c++) {
+                    const struct lx_cell spot = {cell.s + (c % 9) / 8.0 * size, cell.t + (c / 9) / 8.0 * size, 0, 0};
+                    double place[3], apart = 0;
+                    assert_true(lx_cell_look(&patches[p], &spot, element, place) >= 0);
+                    for (int k = 0; k < 3; k++)
+                        apart = hypot(apart, place[k] - middle[k]);
+                    farthest = fmax(farthest, apart);
+                }
+                if (!(farthest <= radius * (1 + 1e-12) && radius <= farthest * limits[patches[p].kind]))
+                    fail_msg("source %d, patch kind %d: %g within %g", kind, patches[p].kind, farthest, radius);
+            }
+        }
+        lx_shell_clear(&shell);
+        lx_facets_free(source.facets);
+    }
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(closed_forms),
+        cmocka_unit_test(samples_are_the_integral),
+        cmocka_unit_test(rules_are_exact),
+        cmocka_unit_test(cells_are_held),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
