@@ -45,7 +45,7 @@ OWN_TESTS = {
     "src/shade": ["work", "tight", "surfaces", "shells", "grid", "precision", "cubature", "plates",
                   "kernel functions generic", "kernels", "reference probes", "extended_pictures",
                   "reference pictures"],
-    "src/field": ["statistics", "compare", "work", "profile", "isophotes", "field_files", "extrema"],
+    "src/field": ["statistics", "compare", "greys", "work", "profile", "isophotes", "field_files", "extrema"],
     "src/scene": ["validate", "write", "advise", "alternatives", "advise_peak"],
     "src/parameter": ["parameters", "validate", "yaml", "edit"],
     "src/format": ["formats", "formats_read", "exr", "field_files", "formats in Python"],
