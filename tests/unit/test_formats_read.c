@@ -328,6 +328,11 @@ static void test_npy_refused(void **state)
     } cases[] = {
         {"{'descr': '<f4', 'fortran_order': False, 'shape': (2, 3), ", "bad-file"},
         {"{'descr': '<f4', 'fortran_order': False, }", "bad-file"},
+        {"{'descr': '<f4', 'shape': (2, 3), }", "bad-file"},
+        {"{'fortran_order': False, 'shape': (2, 3), }", "bad-file"},
+        {"{'descr': '', 'fortran_order': False, 'shape': (2, 3), }", "bad-file"},
+        {"{'descr': '<f4', 'fortran_order': False, 'shape': (2, 3), } x", "bad-file"},
+        {"{'descr': '<', 'fortran_order': False, 'shape': (2, 3), }", "unfit-file"},
         {"{'descr': '<f4', 'fortran_order': 0, 'shape': (2, 3), }", "bad-file"},
         {"{'descr': '<f4', 'fortran_order': False, 'shape': (2, -3), }", "bad-file"},
         {"{'descr': '<f4', 'fortran_order': False, 'shape': (2, 3), 'more': 1}", "bad-file"},
