@@ -46,11 +46,11 @@ OWN_TESTS = {
                   "kernel functions generic", "kernels", "reference probes", "extended_pictures",
                   "reference pictures"],
     "src/field": ["statistics", "compare", "greys", "work", "profile", "isophotes", "field_files", "extrema"],
-    "src/scene": ["validate", "write", "advise", "alternatives", "advise_peak"],
+    "src/scene": ["validate", "write", "advise", "advice_texts", "alternatives", "advise_peak"],
     "src/parameter": ["parameters", "validate", "yaml", "edit"],
     "src/format": ["formats", "formats_read", "exr", "field_files", "formats in Python"],
     "src/api": ["api", "grid", "evaluator", "light", "stride"],
-    "src/exercise": ["judge", "alternatives", "advise_peak"],
+    "src/exercise": ["judge", "alternatives", "advice_texts", "advise_peak"],
 }
 MESON = "/usr/bin/meson" if os.path.exists("/usr/bin/meson") else "meson"
 
