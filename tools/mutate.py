@@ -42,7 +42,7 @@ OWN_TESTS = {
                   "reference probes"],
     "src/material": ["lobe", "tight", "reference probes"],
     "src/surface": ["surfaces", "tight", "plates", "view", "reference probes"],
-    "src/shade": ["work", "tight", "surfaces", "shells", "grid", "precision", "cubature", "plates",
+    "src/shade": ["work", "tight", "surfaces", "shells", "lights", "grid", "precision", "cubature", "plates",
                   "kernel functions generic", "kernels", "reference probes", "extended_pictures",
                   "reference pictures"],
     "src/field": ["statistics", "compare", "greys", "work", "profile", "isophotes", "field_files", "extrema"],
