@@ -190,6 +190,35 @@ static void test_false_headers(void **state)
     free(bytes);
 }
 
+/* Each end of a window may lie 2^30 from the origin and no farther. */
+static void test_far_windows(void **state)
+{
+    static const struct {
+        int32_t value;
+        const char *low, *high; /* of the first two numbers, and of the others */
+    } cases[] = {{(1 << 30) + 1, "unfit-file", "unfit-file"},
+                 {-(1 << 30) - 1, "unfit-file", "unfit-file"},
+                 {1 << 30, "bad-file", "too-many-pixels"},
+                 {-(1 << 30), "too-many-pixels", "bad-file"}};
+    struct files *files = *state;
+    struct kind kind = {EXR_COMPRESSION_ZIP, EXR_PIXEL_FLOAT, {"Y"}, 0, 0};
+    size_t length;
+
+    make_exr(files, &kind);
+    unsigned char *bytes = file_bytes(files->path, &length), whole[4];
+    size_t window = find(bytes, length, "dataWindow") + 21;
+    for (size_t end = 0; end < 4; end++)
+        for (size_t i = 0; i < sizeof cases / sizeof cases[0]; i++) {
+            memcpy(whole, bytes + window + 4 * end, sizeof whole);
+            for (int k = 0; k < 4; k++)
+                bytes[window + 4 * end + (size_t)k] = (unsigned char)((uint32_t)cases[i].value >> (8 * k));
+            make_file(files, "b.exr", bytes, length);
+            assert_refused(files, LUXEL_ERROR_FILE, end < 2 ? cases[i].low : cases[i].high);
+            memcpy(bytes + window + 4 * end, whole, sizeof whole);
+        }
+    free(bytes);
+}
+
 /* A preview is passed over where its size is that of its pixels. */
 static void test_previews(void **state)
 {
@@ -221,7 +250,7 @@ static void test_previews(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {FILES_CASE(kinds), FILES_CASE(refused), FILES_CASE(false_headers),
-                                       FILES_CASE(previews)};
+                                       FILES_CASE(far_windows), FILES_CASE(previews)};
 
     return cmocka_run_group_tests_name("exr", tests, NULL, NULL);
 }
