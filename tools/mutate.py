@@ -50,7 +50,7 @@ OWN_TESTS = {
     "src/parameter": ["parameters", "validate", "yaml", "edit"],
     "src/format": ["formats", "formats_read", "exr", "field_files", "formats in Python"],
     "src/api": ["api", "grid", "evaluator", "light", "stride"],
-    "src/exercise": ["judge", "alternatives", "advice_texts", "advise_peak"],
+    "src/exercise": ["judge", "alternatives", "advice_texts", "explain_texts", "advise_peak"],
 }
 MESON = "/usr/bin/meson" if os.path.exists("/usr/bin/meson") else "meson"
 
