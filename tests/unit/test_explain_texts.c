@@ -23,7 +23,7 @@ struct asked {
 
 static const struct asked asked[] = {
     {"report", NULL, 0, 0, false, 0x1bc5d048, 0x6e7b4a47},
-    {"report", NULL, 150, 0, false, 0x186dd811, 0x8e08b1fb},
+    {"report", NULL, 150, 0, false, 0xd91a613d, 0x8e08b1fb},
     {"report", NULL, -150, 0, false, 0x664f12ae, 0x4c8a0197},
     {"report", NULL, 40, 70, false, 0x25e4bcf0, 0xf7e658bf},
     {"spot", NULL, 0, 0, false, 0xc9b26f21, 0x8889b5a1},
@@ -207,6 +207,8 @@ static void judgements(void **state)
 
 int main(void)
 {
+    /* pixels' last digits depend on the instruction set */
+    setenv("LUXEL_ISA", "generic", 1);
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(explanations),
         cmocka_unit_test(judgements),

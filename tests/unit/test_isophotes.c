@@ -17,6 +17,8 @@
 
 #include <luxel/luxel.h>
 
+#include "csv_field.h"
+
 struct view {
     luxel_scene *scene;
     luxel_evaluator *evaluator;
@@ -191,6 +193,34 @@ static void test_saddle(void **state)
         luxel_isophotes_free(lines);
         view_clear(&view);
     }
+}
+
+/* In a picture alone a saddle is that of the bilinear surface: here at 8/9, between high corners and low ones. */
+static void test_saddle_of_picture(void **state)
+{
+    const double corners[4] = {4, 0, 1, 0.5}; /* counter-clockwise from the lower left one */
+    (void)state;
+    for (int turn = 0; turn < 4; turn++)
+        for (int above = 0; above < 2; above++) {
+            const double v[4] = {corners[turn], corners[(turn + 1) % 4], corners[(turn + 2) % 4],
+                                 corners[(turn + 3) % 4]};
+            const double values[4] = {v[3], v[2], v[0], v[1]}, level = above ? 0.95 : 0.82;
+            luxel_field *field = csv_field(values, 2, 2);
+            luxel_isophotes *lines = NULL;
+            assert_int_equal(luxel_find_isophotes(field, NULL, &level, 1, NULL, &lines), LUXEL_OK);
+            assert_int_equal(lines->count, 2);
+            for (size_t i = 0; i < 2; i++) {
+                /* a line cuts off the corner that both of its ends are nearest to: a high one above the saddle */
+                const luxel_isophote *line = &lines->lines[i];
+                assert_int_equal(line->count, 2);
+                double x = fmod(line->x_mm[0], 1) == 0 ? line->x_mm[0] : line->x_mm[1];
+                double y = fmod(line->y_mm[0], 1) == 0 ? line->y_mm[0] : line->y_mm[1];
+                double cut_off = values[(y > 0.5 ? 0 : 2) + (x > 0.5 ? 1 : 0)];
+                assert_int_equal(cut_off > level, above);
+            }
+            luxel_isophotes_free(lines);
+            luxel_field_free(field);
+        }
 }
 
 /* A line ends at the limb itself, not a pixel before it. */
@@ -369,6 +399,7 @@ int main(void)
         cmocka_unit_test(test_circles_on_a_sphere),
         cmocka_unit_test(test_circles_on_a_plate),
         cmocka_unit_test(test_saddle),
+        cmocka_unit_test(test_saddle_of_picture),
         cmocka_unit_test(test_ends),
         cmocka_unit_test(test_jumps),
         cmocka_unit_test(test_threads),

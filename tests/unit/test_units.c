@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /*
- * Units: brightness by lights of one law is W/sr, W/m2 or, over pi, W/(sr m2), or their photometric likes; where laws or
- * materials differ, it is relative.
+ * Units: brightness by lights of one law is W/sr, W/m2 or, over pi, W/(sr m2), or their photometric likes; where laws
+ * or materials differ, it is relative.
  */
 #include <stdio.h>
 #include <string.h>
