@@ -105,8 +105,7 @@ static double dot(const double a[3], const double b[3])
     return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
 }
 
-/* A ball around the places of a run. */
-static struct lx_around run_around(const struct lx_block_double *block, size_t start)
+struct lx_around lx_run_around(const struct lx_block_double *block, size_t start)
 {
     const double *places[3] = {block->px + start, block->py + start, block->pz + start};
     struct lx_around around = {.radius = 0};
@@ -547,7 +546,7 @@ bool lx_sample_run(const struct lx_sampler *sampling, struct lx_sampling_memory 
                    const struct lx_block_double *block, const struct lx_block_single *copy, size_t start, double *sum)
 {
     struct run run = {.sampling = sampling, .memory = memory, .block = block, .copy = copy, .start = start};
-    run.around = run_around(block, start);
+    run.around = lx_run_around(block, start);
     find_lobes(&run);
     for (int i = 0; i < LX_LANES; i++)
         run.known[i] = sum[i];

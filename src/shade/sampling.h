@@ -47,4 +47,7 @@ struct lx_sampling_memory *lx_sampling_memory_of(void *bytes, size_t most_patche
 bool lx_sample_run(const struct lx_sampler *sampling, struct lx_sampling_memory *memory,
                    const struct lx_block_double *block, const struct lx_block_single *copy, size_t start, double *sum);
 
+/* A ball around the places of the run that begins there. */
+struct lx_around lx_run_around(const struct lx_block_double *block, size_t start);
+
 #endif

@@ -105,7 +105,7 @@ static void closed_forms(void **state)
         struct lx_emitter source = source_of(kind);
         struct randomness random = {.state = 61};
         struct lx_shell shell;
-        assert_int_equal(lx_shell_make(&source, &lit, &shell), 0);
+        assert_int_equal(lx_shell_make(&source, &lit, NULL, &shell), LUXEL_OK);
         for (int n = 0; n < 60; n++) {
             double expected[LX_BLOCK], most[LX_BLOCK];
             make_block(&random, &block, &copy);
@@ -118,13 +118,12 @@ static void closed_forms(void **state)
             }
             for (size_t k = 0; lx_kernels_get(k); k++) {
                 const struct lx_kernels *kernels = lx_kernels_get(k);
-                struct lx_around around = lx_block_around(&block, 0, LX_BLOCK);
                 double sum[LX_BLOCK];
                 if (!kernels->runs())
                     continue;
                 for (int i = 0; i < LX_BLOCK; i++)
                     sum[i] = 0.5;
-                kernels->light_by_shell[source.type](&shell, 0.75, &block, &around, LX_BLOCK, sum);
+                kernels->light_by_shell[source.type](&shell, 0.75, &block, LX_BLOCK, NULL, sum);
                 for (int i = 0; i < LX_BLOCK; i++) {
                     double off = fabs(sum[i] - 0.5 - 0.75 * expected[i]) / (most[i] + 1e-3);
                     if (!(off <= 2e-13))
@@ -149,9 +148,9 @@ static void sum_samples(const struct lx_kernels *kernels, const struct lx_shell 
     static const double metres[] = {[LX_INVERSE_SQUARE] = 1, [LX_PRACTICAL] = 1e-3, [LX_NO_ATTENUATION] = 1e-6};
     static struct lx_samples_double samples;
     struct lx_patch patches[MOST_PATCHES];
-    struct lx_around around = lx_block_around(block, 0, LX_LANES);
+    struct lx_around around = lx_run_around(block, 0);
     assert_true(lx_patch_limit(shell) <= MOST_PATCHES);
-    size_t count = lx_patches_make(shell, &around, patches);
+    size_t count = lx_patches_make(shell, &around, NULL, patches);
     assert_true(count <= lx_patch_limit(shell));
     for (int i = 0; i < LX_LANES; i++)
         sum[i] = 0;
@@ -201,7 +200,7 @@ static void samples_are_the_integral(void **state)
         struct lx_emitter source = source_of(kind);
         struct randomness random = {.state = 62};
         struct lx_shell shell;
-        assert_int_equal(lx_shell_make(&source, &lit, &shell), 0);
+        assert_int_equal(lx_shell_make(&source, &lit, NULL, &shell), LUXEL_OK);
         for (int n = 0; n < 24; n++) {
             struct lx_lobe lobe = {.model = n % 3 == 0   ? LX_LAMBERT
                                             : n % 3 == 1 ? LX_BLINN_PHONG
@@ -291,11 +290,11 @@ static void cells_are_held(void **state)
         struct lx_shell shell;
         struct lx_patch patches[64];
         static struct lx_block_double block;
-        assert_int_equal(lx_shell_make(&source, &lit, &shell), 0);
+        assert_int_equal(lx_shell_make(&source, &lit, NULL, &shell), LUXEL_OK);
         for (int n = 0; n < 100; n++) {
             make_run(&random, &block);
-            struct lx_around around = lx_block_around(&block, 0, LX_LANES);
-            size_t count = lx_patches_make(&shell, &around, patches);
+            struct lx_around around = lx_run_around(&block, 0);
+            size_t count = lx_patches_make(&shell, &around, NULL, patches);
             const double element[3] = {block.px[0], block.py[0], block.pz[0]};
             for (size_t p = 0; p < count; p++) {
                 double size = logarithmic(&random, 0.01, 0.5), middle[3], farthest = 0;
