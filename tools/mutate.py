@@ -38,11 +38,11 @@ LIBRARY = "src/libluxel-objects.a"
 # The tests of a room's own, which find most of its faults; the others follow by suite.
 OWN_TESTS = {
     "src/base": ["bounded", "wide", "number"],
-    "src/light": ["tight", "light", "facets", "round", "points", "facet_shapes", "outlines", "cubature",
-                  "reference probes"],
+    "src/light": ["tight", "light", "facets", "round", "points", "facet_shapes", "outlines", "lights",
+                  "cubature", "reference probes"],
     "src/material": ["lobe", "tight", "reference probes"],
     "src/surface": ["surfaces", "tight", "plates", "view", "reference probes"],
-    "src/shade": ["work", "tight", "surfaces", "shells", "lights", "grid", "precision", "cubature", "plates",
+    "src/shade": ["work", "tight", "surfaces", "shells", "lights", "blocks", "grid", "precision", "cubature", "plates",
                   "kernel functions generic", "kernels", "reference probes", "extended_pictures",
                   "reference pictures"],
     "src/field": ["statistics", "compare", "greys", "work", "profile", "isophotes", "field_files", "extrema"],

@@ -231,6 +231,12 @@ static void render_by_clusters(struct view *view)
     render(view);
 }
 
+static void render_by_clusters_in_double(struct view *view)
+{
+    view->settings.precision = LUXEL_DOUBLE;
+    render_by_clusters(view);
+}
+
 struct job {
     void (*run)(struct view *view);
     const char *scene;
@@ -406,6 +412,7 @@ static const struct job jobs[] = {
      {1145, 38, 692, 1279}},
     {find_extrema, "window", 20, "lights[0].parts=9", {358, 37, 219, 1749}},
     {find_extrema, "window", 20, "lights[0].parts=6", {1789, 46, 7517, 158435}},
+    {render_by_clusters_in_double, "window", 60, "lights[0].parts=40", {0, 0, 0, 0, 0, 0, 0, 26786}},
 };
 
 /* -- integrals over sources of every kind, seen by elements that stand and are seen in many ways -- */
