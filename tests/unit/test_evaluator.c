@@ -8,6 +8,7 @@
 #include <stdarg.h>
 #include <stddef.h>
 #include <stdint.h>
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -145,13 +146,44 @@ static void test_refused(void **state)
     luxel_scene_free(scene);
 }
 
+/* Ambient light is reflected by a share of its own, the same at each place, in values and in pictures. */
+static void test_ambient(void **state)
+{
+    static const struct {
+        const char *material;
+        double expected;
+    } cases[] = {{"{model: lambert, diffuse: 0.8, ambient: 0.25}", 0.75},
+                 {"{model: lambert, diffuse: 0.8}", 2.4},
+                 {"{model: lambert, diffuse: 0.8, ambient: 0.25, over_pi: true}", 0.75 / M_PI}};
+    (void)state;
+    for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
+        char text[500];
+        luxel_scene *scene;
+        luxel_evaluator *evaluator;
+        luxel_field *field;
+        snprintf(text, sizeof text,
+                 "luxel: 1\nscreen: {width: 500, height: 500, resolution: [5, 5]}\nobserver: {z: 1500}\n"
+                 "surfaces: [{type: sphere, center: [0, 0, 900], radius: 200, material: %s}]\n"
+                 "lights: [{type: ambient, irradiance: 3}]\n",
+                 cases[i].material);
+        if (load(text, NULL, &scene) != LUXEL_OK)
+            fail_msg("not a good scene: %s", text);
+        assert_int_equal(luxel_evaluator_new(scene, NULL, NULL, &evaluator), LUXEL_OK);
+        assert_int_equal(luxel_render(scene, NULL, NULL, &field), LUXEL_OK);
+        luxel_value value = luxel_evaluate(evaluator, 70, -40, NULL);
+        assert_true(value.has_value && fabs(value.value - cases[i].expected) <= 1e-15);
+        assert_true(fabs(luxel_field_value(field, 2, 2) - cases[i].expected) <= 1e-7);
+        luxel_field_free(field);
+        luxel_evaluator_free(evaluator);
+        luxel_scene_free(scene);
+    }
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_probes),
-        cmocka_unit_test(test_light_on_element),
-        cmocka_unit_test(test_sphere),
-        cmocka_unit_test(test_refused),
+        cmocka_unit_test(test_ambient), cmocka_unit_test(test_probes),  cmocka_unit_test(test_light_on_element),
+        cmocka_unit_test(test_sphere),  cmocka_unit_test(test_refused),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

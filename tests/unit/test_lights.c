@@ -238,12 +238,45 @@ static void spans(void **state)
     clear_lists(&lists);
 }
 
+/* Emitters belong to the light that they were appended for, before clouds, in them and behind them. */
+static void owners(void **state)
+{
+    struct randomness random = {.state = 74};
+    struct lx_emitters emitters = {0};
+    struct lx_cloud cloud = {.count = SMALL, .values = rows_of(&random, SMALL, false)};
+    size_t owner[9 * SMALL], light = 0;
+    (void)state;
+    for (int turn = 0; turn < 6; turn++, light++) {
+        size_t first = emitters.count;
+        struct lx_emitter model = random_emitter(&random, &sphere);
+        model.type = LX_POINT;
+        if (turn % 2) {
+            const struct lx_swarm swarm = {.cloud = &cloud, .model = model};
+            assert_int_equal(lx_emitters_append_swarm(&emitters, &swarm), 0);
+        } else {
+            for (int i = 0; i <= turn; i++)
+                assert_int_equal(lx_emitters_append(&emitters, &model), 0);
+        }
+        lx_emitters_set_light(&emitters, first, light);
+        for (size_t i = first; i < emitters.count; i++)
+            owner[i] = light;
+    }
+    assert_true(emitters.count == 3 * SMALL + 1 + 3 + 5);
+    for (size_t i = 0; i < emitters.count; i++) {
+        struct lx_emitter room;
+        assert_true(lx_emitter_at(&emitters, i, &room)->light == owner[i]);
+    }
+    lx_emitters_clear(&emitters);
+    free(cloud.values);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(constants),
         cmocka_unit_test(windows),
         cmocka_unit_test(spans),
+        cmocka_unit_test(owners),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
