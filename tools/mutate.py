@@ -43,7 +43,7 @@ OWN_TESTS = {
     "src/material": ["lobe", "tight", "reference probes"],
     "src/surface": ["surfaces", "tight", "plates", "view", "reference probes"],
     "src/shade": ["work", "tight", "surfaces", "shells", "lights", "blocks", "grid", "precision", "cubature", "plates",
-                  "kernel functions generic", "kernels", "reference probes", "extended_pictures",
+                  "kernel functions generic", "kernels", "units", "evaluator", "reference probes", "extended_pictures",
                   "reference pictures"],
     "src/field": ["statistics", "compare", "greys", "work", "profile", "isophotes", "field_files", "extrema"],
     "src/scene": ["validate", "write", "advise", "advice_texts", "alternatives", "advise_peak"],

@@ -206,6 +206,25 @@ static void rays(void **state)
     assert_true(hits[0] > 300 && hits[1] > 100);
 }
 
+/* Near the limb of a sphere the depth is a root of what nearly cancels: it keeps its digits. */
+static void limb(void **state)
+{
+    struct randomness random = {.state = 48};
+    (void)state;
+    for (int n = 0; n < 400; n++) {
+        struct body body;
+        make_body(&random, false, &body);
+        memset(body.shape.anchor_mm, 0, sizeof body.shape.anchor_mm);
+        double radius = body.shape.radius_mm, x = radius * (1 - logarithmic(&random, 3e-16, 1e-9));
+        const struct lx_ray ray = {.origin_mm = {x, 0, 1500}, .direction = {0, 0, -1}};
+        struct lx_hit hit = body.kind->hit(&body.shape, &ray);
+        double depth = sqrt((radius - x) * (radius + x)); /* the difference is exact */
+        assert_true(hit.exists == (x <= radius));
+        assert_true(fabs(hit.place_mm.z.value - depth) <= hit.place_mm.z.error + 2e-16 * depth);
+        assert_true(fabs(hit.place_mm.z.value - depth) <= 1e-14 * depth && hit.place_mm.z.error <= 1e-13 * depth);
+    }
+}
+
 /* A place of a plate's plane belongs to it up to its edges, and a billionth of its size beyond. */
 static void edges(void **state)
 {
@@ -424,9 +443,9 @@ static void plates_touch(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(reaches),  cmocka_unit_test(rays),         cmocka_unit_test(edges),
-        cmocka_unit_test(standing), cmocka_unit_test(shadows),      cmocka_unit_test(thick_lines),
-        cmocka_unit_test(balls),    cmocka_unit_test(plates_touch),
+        cmocka_unit_test(reaches),     cmocka_unit_test(rays),     cmocka_unit_test(limb),
+        cmocka_unit_test(edges),       cmocka_unit_test(standing), cmocka_unit_test(shadows),
+        cmocka_unit_test(thick_lines), cmocka_unit_test(balls),    cmocka_unit_test(plates_touch),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -308,7 +308,6 @@ static const struct job jobs[] = {
     {render, "disk-lamp", 60, NULL, {0, 0, 0, 0, 0, 2060, 4880}},
     {render, "box-lamp", 60, NULL, {0, 0, 0, 0, 0, 1205, 3193}},
     {render, "all-sources", 60, NULL, {0, 0, 0, 0, 0, 36204, 8079}},
-    {render, "lampshade", 60, NULL, {0}},
     {render, "window", 60, "surfaces[0].material.model=phong", {0, 0, 0, 0, 0, 650, 2431}},
     {render, "all-sources", 60, "lights[7].attenuation=none", {0, 0, 0, 0, 238766, 40620, 32078}},
     {render, "ball-lamp", 60, "surfaces[0].material.highlight=gated", {0, 0, 0, 0, 0, 29504, 5071}},
@@ -413,6 +412,8 @@ static const struct job jobs[] = {
     {find_extrema, "window", 20, "lights[0].parts=9", {358, 37, 219, 1749}},
     {find_extrema, "window", 20, "lights[0].parts=6", {1789, 46, 7517, 158435}},
     {render_by_clusters_in_double, "window", 60, "lights[0].parts=40", {0, 0, 0, 0, 0, 0, 0, 26786}},
+    {render, "lampshade", 30, "lights[0].parts=converged", {0, 0, 0, 0, 1003979, 901, 3241}},
+    {render_in_double, "lampshade", 20, "lights[0].parts=converged", {0, 0, 0, 0, 639110, 520, 1705}},
 };
 
 /* -- integrals over sources of every kind, seen by elements that stand and are seen in many ways -- */
