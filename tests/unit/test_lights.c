@@ -250,6 +250,7 @@ static void owners(void **state)
         size_t first = emitters.count;
         struct lx_emitter model = random_emitter(&random, &sphere);
         model.type = LX_POINT;
+        emitters.light = light;
         if (turn % 2) {
             const struct lx_swarm swarm = {.cloud = &cloud, .model = model};
             assert_int_equal(lx_emitters_append_swarm(&emitters, &swarm), 0);
@@ -257,7 +258,6 @@ static void owners(void **state)
             for (int i = 0; i <= turn; i++)
                 assert_int_equal(lx_emitters_append(&emitters, &model), 0);
         }
-        lx_emitters_set_light(&emitters, first, light);
         for (size_t i = first; i < emitters.count; i++)
             owner[i] = light;
     }
