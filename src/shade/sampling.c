@@ -178,8 +178,18 @@ static void look(const struct run *run, const struct pending *cell, struct sight
     }
 }
 
-/* Whether the lobe jumps in the cell: at the horizon where it is gated, and, where S^n begins with an infinite slope,
- * at S = 0, that is N.L = -N.V or R.V = 0. */
+/* The length of L + V towards the middle of the cell, less what it may be shorter elsewhere in it. */
+static double half_length(const struct run *run, const struct sight *sight, size_t lane)
+{
+    const struct lx_block_double *block = run->block;
+    const size_t i = run->start + lane;
+    const double *l = sight->towards[lane];
+    const double half[3] = {l[0] + block->vx[i], l[1] + block->vy[i], l[2] + block->vz[i]};
+    return sqrt(dot(half, half)) - sight->radius[lane] / sight->distance[lane];
+}
+
+/* Whether the lobe jumps in the cell: at the horizon where it is gated, at L = -V, which has no half vector, and, where
+ * S^n begins with an infinite slope, at S = 0, that is N.L = -N.V or R.V = 0. */
 static bool is_cut(const struct run *run, const struct sight *sight, size_t lane)
 {
     const struct lx_block_double *block = run->block;
@@ -190,6 +200,8 @@ static bool is_cut(const struct run *run, const struct sight *sight, size_t lane
         return false;
     double height = block->nx[i] * l[0] + block->ny[i] * l[1] + block->nz[i] * l[2];
     if (lobe->highlight == LX_HIGHLIGHT_GATED && fabs(height) < size)
+        return true;
+    if (lobe->model == LX_BLINN_PHONG && !(half_length(run, sight, lane) > 0))
         return true;
     if (lobe->exponent.value >= 1)
         return false;
@@ -260,6 +272,8 @@ static void see(const struct run *run, double hardly, struct pending *cell)
             cell->doubt[lane] = CUT_SHARE * content;
         }
         double width = fmin(widest, widths * run->width[lane]), radius = sight.radius[lane];
+        if (lobe->model == LX_BLINN_PHONG) /* half vectors turn fast where they are short */
+            width *= fmin(1, 2 * fmax(half_length(run, &sight, (size_t)lane), 0));
         double from = sight.distance[lane] - radius;
         cell->is_wide = cell->is_wide || !(radius <= width * from);
         cell->is_tiny = cell->is_tiny && cell->doubt[lane] == 0 && radius < TINY * width * from;

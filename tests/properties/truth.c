@@ -91,6 +91,23 @@ static void widen_by_moved_lights(struct range *range, const struct draft *draft
     }
 }
 
+/* With each surface a little nearer to the observer, which then is seen where several meet. */
+static void widen_by_raised_surfaces(struct range *range, const struct draft *draft, double x, double y,
+                                     double rounding)
+{
+    const luxel_settings settings = trial_settings(LUXEL_DOUBLE);
+    for (size_t i = 0; draft->surface_count > 1 && i < draft->surface_count; i++) {
+        struct draft raised = *draft;
+        luxel_evaluator *evaluator = NULL;
+        raised.surfaces[i].numbers.center[2] += rounding;
+        luxel_scene *scene = trial_scene_of(&raised);
+        if (scene && luxel_evaluator_new(scene, &settings, NULL, &evaluator) == LUXEL_OK)
+            widen_by(range, evaluator, x, y);
+        luxel_evaluator_free(evaluator);
+        luxel_scene_free(scene);
+    }
+}
+
 static double share_at(const luxel_evaluator *evaluator, size_t light, double x, double y)
 {
     double shares[DRAFT_LIGHTS];
@@ -142,6 +159,7 @@ static bool allows_nearby(struct trial *trial, double x, double y, const luxel_v
     widen_by_jumps(&range, evaluator, shares, x, y, fmax(fmin(REACH_MM, 1e-6 * draft->numbers.pitch), 2 * rounding),
                    slack);
     widen_by_moved_lights(&range, draft, x, y, rounding);
+    widen_by_raised_surfaces(&range, draft, x, y, rounding);
     double low = -slack - value->error, high = slack + value->error;
     for (size_t i = 0; i < draft->light_count; i++)
         low += range.low[i], high += range.high[i];

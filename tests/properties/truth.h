@@ -5,6 +5,7 @@
  *
  * - the truth a few roundings of float64 away from the sample, and with the lights a few roundings away from where they
  *   stand: places on a screen, and on a surface of the radius R, are themselves rounded;
+ * - where surfaces meet to such roundings, what either shows;
  * - the truth on the other side of a jump (a hard cone, a gated highlight, the edge of a shadow, an outline) that lies
  *   within 1e-6 mm of the sample, as SPEC has it.  That a change is a jump and no slope is told by halving the way
  *   until there is no number between its ends.

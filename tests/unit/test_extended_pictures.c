@@ -413,6 +413,34 @@ static void test_probed_pixels(void **state)
     luxel_scene_free(scene);
 }
 
+/* Light that comes nearly straight from behind has half vectors of all directions side by side. */
+static void test_opposite_light(void **state)
+{
+    static const char text[] =
+        "luxel: 1\n"
+        "screen: {width: 60, height: 20, resolution: [3, 1]}\n"
+        "observer: {z: 900}\n"
+        "surfaces: [{type: sphere, center: [0, 10, 0], radius: 300, material: {diffuse: 0, shininess: 1}}]\n"
+        "lights: [{type: volume, sphere: {center: [0, 0, 2], radius: 6}, radiance: 1}]\n";
+    luxel_scene *scene = NULL;
+    luxel_evaluator *evaluator = NULL;
+    (void)state;
+    assert_int_equal(luxel_scene_read_text(text, strlen(text), "opposite", NULL, &scene), LUXEL_OK);
+    assert_int_equal(luxel_scene_commit(scene, NULL), LUXEL_OK);
+    assert_int_equal(luxel_evaluator_new(scene, NULL, NULL, &evaluator), LUXEL_OK);
+    luxel_field *field = render(scene, 1);
+    const double maximum = luxel_field_statistics(field)->maximum.value;
+    assert_true(maximum > 0);
+    for (unsigned column = 0; column < luxel_field_columns(field); column++) {
+        const luxel_value exact =
+            luxel_evaluate(evaluator, luxel_field_x_mm(field)[column], luxel_field_y_mm(field)[0], NULL);
+        assert_true(fabs(luxel_field_value(field, column, 0) - exact.value) <= 1e-3 * maximum + exact.error);
+    }
+    luxel_field_free(field);
+    luxel_evaluator_free(evaluator);
+    luxel_scene_free(scene);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -424,6 +452,7 @@ int main(void)
         cmocka_unit_test(test_fine_highlights),
         cmocka_unit_test(test_threads),
         cmocka_unit_test(test_probed_pixels),
+        cmocka_unit_test(test_opposite_light),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

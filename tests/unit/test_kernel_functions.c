@@ -226,16 +226,16 @@ static void test_arcs(void **state)
         for (int step = 0; step < 4096; step += LX_WIDTH_single) {
             lanes_single z = numbers_single(octave, step, 4096), a = gap_of_single(z), b = arc_over_sine_single(z);
             for (int i = 0; i < LX_WIDTH_single; i++) {
-                note(&gap, fabsl((long double)a[i] / exact_gap(z[i]) - 1) / unit_single, (double)z[i]);
-                note(&arc, fabsl((long double)b[i] - 1 - exact_bow(z[i])) / unit_single, (double)z[i]);
+                note(&gap, fabsl((long double)a[i] / exact_gap((long double)z[i]) - 1) / unit_single, (double)z[i]);
+                note(&arc, fabsl((long double)b[i] - 1 - exact_bow((long double)z[i])) / unit_single, (double)z[i]);
             }
         }
     for (int octave = -80; octave < 0; octave++)
         for (int step = 0; step < 512; step += LX_WIDTH_double) {
             lanes_double z = numbers_double(octave, step, 512), a = gap_of_double(z), b = arc_over_sine_double(z);
             for (int i = 0; i < LX_WIDTH_double; i++) {
-                note(&gap_twice, fabsl((long double)a[i] / exact_gap(z[i]) - 1) / unit_double, z[i]);
-                note(&arc_twice, fabsl((long double)b[i] - 1 - exact_bow(z[i])) / unit_double, z[i]);
+                note(&gap_twice, fabsl((long double)a[i] / exact_gap((long double)z[i]) - 1) / unit_double, z[i]);
+                note(&arc_twice, fabsl((long double)b[i] - 1 - exact_bow((long double)z[i])) / unit_double, z[i]);
             }
         }
     report("gap(z) in float32", &gap, 2);
