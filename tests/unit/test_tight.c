@@ -362,8 +362,8 @@ static void integrals(void **state)
     for (int kind = 0; kind < SOURCES; kind++) {
         struct lx_emitter source = source_of(kind);
         for (int i = 0; i < 60; i++) {
-            const struct lx_material material = {.model = (enum lx_model)(i % 2),
-                                                 .highlight = (enum lx_highlight)(i % 3),
+            const struct lx_material material = {.model = i % 2,
+                                                 .highlight = i % 3,
                                                  .diffuse = 0.5,
                                                  .specular = 1,
                                                  .shininess = logarithmic(&random, 0.5, 3000)};
