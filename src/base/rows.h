@@ -8,6 +8,7 @@
 
 #include <stdatomic.h>
 #include <stdbool.h>
+#include <stddef.h>
 #include <time.h>
 
 /* Progress and cancelling of one piece of work.  Only the calling thread reports. */
@@ -35,6 +36,12 @@ struct lx_asking {
 static inline bool lx_asking_goes_on(const struct lx_asking *asking)
 {
     return !asking || !asking->control || lx_control_goes_on(asking->control, asking->is_caller);
+}
+
+/* The same for step i of a loop, which asks at every so many-th step, the first among them. */
+static inline bool lx_asking_at_step(const struct lx_asking *asking, size_t i, size_t every)
+{
+    return i % every != 0 || lx_asking_goes_on(asking);
 }
 
 /* At most so many rows are handed out at once: few enough to share the work evenly and to notice a stop, enough not to

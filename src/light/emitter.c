@@ -77,8 +77,7 @@ int lx_emitters_make_room(struct lx_emitters *emitters, double items, size_t fac
 int lx_emitters_append(struct lx_emitters *emitters, const struct lx_emitter *emitter)
 {
     size_t items = lx_item_count(emitters);
-    bool goes_on = items % BETWEEN_CHECKS != 0 || lx_asking_goes_on(emitters->asking);
-    if (!goes_on || !fits(emitters, 1, 0, 0) ||
+    if (!lx_asking_at_step(emitters->asking, items, BETWEEN_CHECKS) || !fits(emitters, 1, 0, 0) ||
         lx_reserve(&emitters->items, &emitters->capacity, items + 1, sizeof *emitter)) {
         lx_facets_free(emitter->facets);
         return -1;

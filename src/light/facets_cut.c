@@ -38,7 +38,7 @@ static int add_part(struct cut *cut, unsigned i, unsigned j, unsigned numerator,
                                               cut->part.strength};
         memcpy(cut->row, row, sizeof row);
         cut->row += LX_CLOUD_COLUMNS;
-        return i % BETWEEN_CHECKS != 0 || lx_asking_goes_on(cut->emitters->asking) ? 0 : -1;
+        return lx_asking_at_step(cut->emitters->asking, i, BETWEEN_CHECKS) ? 0 : -1;
     }
     cut->part.position_mm[0] = lx_wide_value(place.x);
     cut->part.position_mm[1] = lx_wide_value(place.y);

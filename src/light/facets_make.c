@@ -14,11 +14,6 @@
 /* Faces, corners or sides between two questions whether to go on. */
 enum { BETWEEN_CHECKS = 64 };
 
-static bool goes_on(const struct lx_asking *asking, size_t i)
-{
-    return i % BETWEEN_CHECKS != 0 || lx_asking_goes_on(asking);
-}
-
 /* ---- memory ---- */
 
 static void free_facets(struct lx_kept *kept)
@@ -73,7 +68,7 @@ static bool list_sides(const struct lx_facets *facets, const struct lx_asking *a
 {
     size_t n = 0;
     for (size_t i = 0; i < facets->face_count; i++) {
-        if (!goes_on(asking, i))
+        if (!lx_asking_at_step(asking, i, BETWEEN_CHECKS))
             return false;
         const unsigned *loop = facets->loop + facets->faces[i].first;
         unsigned count = facets->faces[i].count;
@@ -98,19 +93,19 @@ static bool sort_by_corner(const struct side *sides, size_t count, bool by_high,
     memset(begin, 0, corner_count * sizeof *begin);
     for (size_t i = 0; i < count; i++) {
         begin[by_high ? sides[i].high : sides[i].low]++;
-        if (!goes_on(asking, i))
+        if (!lx_asking_at_step(asking, i, BETWEEN_CHECKS))
             return false;
     }
     for (size_t corner = 0; corner < corner_count; corner++) {
         const size_t here = begin[corner];
         begin[corner] = sum;
         sum += here;
-        if (!goes_on(asking, corner))
+        if (!lx_asking_at_step(asking, corner, BETWEEN_CHECKS))
             return false;
     }
     for (size_t i = 0; i < count; i++) {
         sorted[begin[by_high ? sides[i].high : sides[i].low]++] = sides[i];
-        if (!goes_on(asking, i))
+        if (!lx_asking_at_step(asking, i, BETWEEN_CHECKS))
             return false;
     }
     return true;
@@ -146,7 +141,7 @@ static struct lx_shape_report pair_sides(struct lx_facets *facets, struct side *
     if (!sort_sides(sides, count, facets->corner_count, asking))
         return (struct lx_shape_report){LX_SHAPE_OUT_OF_MEMORY, 0, 0};
     for (size_t i = 0; i < count; i += 2) {
-        if (!goes_on(asking, i))
+        if (!lx_asking_at_step(asking, i, BETWEEN_CHECKS))
             return (struct lx_shape_report){LX_SHAPE_OUT_OF_MEMORY, 0, 0};
         const struct side *one = &sides[i], *other = one + 1;
         bool alone = i + 1 == count || one->low != other->low || one->high != other->high;
@@ -205,7 +200,7 @@ static bool find_sphere(struct lx_facets *facets, const struct lx_asking *asking
         sum[0] += corner->x.high / n;
         sum[1] += corner->y.high / n;
         sum[2] += corner->z.high / n;
-        if (!goes_on(asking, i))
+        if (!lx_asking_at_step(asking, i, BETWEEN_CHECKS))
             return false;
     }
     memcpy(facets->center_mm, sum, sizeof sum);
@@ -214,7 +209,7 @@ static bool find_sphere(struct lx_facets *facets, const struct lx_asking *asking
         const lx_wide3 *corner = &facets->corners_mm[i];
         double place[3] = {corner->x.high, corner->y.high, corner->z.high};
         largest = fmax(largest, distance(place, sum));
-        if (!goes_on(asking, i))
+        if (!lx_asking_at_step(asking, i, BETWEEN_CHECKS))
             return false;
     }
     double rounding = 8 * DBL_EPSILON * (fabs(sum[0]) + fabs(sum[1]) + fabs(sum[2]));
@@ -227,7 +222,7 @@ struct lx_shape_report lx_facets_finish(struct lx_facets *facets, bool closed, c
     const struct lx_shape_report stopped = {LX_SHAPE_OUT_OF_MEMORY, 0, 0};
     lx_wide area = lx_wide_of(0);
     for (size_t i = 0; i < facets->face_count; i++) {
-        if (!goes_on(asking, i))
+        if (!lx_asking_at_step(asking, i, BETWEEN_CHECKS))
             return stopped;
         struct lx_face *face = &facets->faces[i];
         lx_wide3 newell = lx_newell(facets->corners_mm, facets->loop + face->first, face->count);
@@ -399,7 +394,7 @@ struct lx_facets *lx_facets_make_sphere(const double center_mm[3], double radius
     for (unsigned step = 0; step < meridians; step++) { /* first the way from the axis, the same on all parallels */
         lx_wide3 *way = &facets->corners_mm[on_parallel(1, bands, step, meridians)];
         of_turn(step, meridians, &way->y, &way->x);
-        if (!goes_on(asking, step))
+        if (!lx_asking_at_step(asking, step, BETWEEN_CHECKS))
             return abandon(facets);
     }
     for (unsigned band = bands - 1; band > 0; band--) { /* the first parallel, which holds the ways, last */
@@ -410,7 +405,7 @@ struct lx_facets *lx_facets_make_sphere(const double center_mm[3], double radius
             const lx_wide3 *way = &facets->corners_mm[on_parallel(1, bands, step, meridians)];
             lx_wide3 offset = {lx_wide_mul(s, way->x), lx_wide_mul(s, way->y), lx_wide_mul(c, radius)};
             facets->corners_mm[on_parallel(band, bands, step, meridians)] = lx_wide3_add(center, offset);
-            if (!goes_on(asking, step))
+            if (!lx_asking_at_step(asking, step, BETWEEN_CHECKS))
                 return abandon(facets);
         }
     }
@@ -442,7 +437,7 @@ struct lx_facets *lx_facets_make_cylinder(const double center_mm[3], double radi
         lx_wide3 rim = lx_wide3_add(across, upward);
         facets->corners_mm[i] = lx_wide3_add(lx_wide3_of(center_mm), lx_wide3_sub(rim, half));
         facets->corners_mm[sides + i] = lx_wide3_add(lx_wide3_of(center_mm), lx_wide3_add(rim, half));
-        if (!goes_on(asking, i))
+        if (!lx_asking_at_step(asking, i, BETWEEN_CHECKS))
             return abandon(facets);
     }
     for (unsigned i = 0; i < sides; i++) {

@@ -29,11 +29,6 @@ void lx_cut_clear(struct lx_cut *cut)
     *cut = (struct lx_cut){.surface = NULL};
 }
 
-static bool goes_on(const struct lx_asking *asking, size_t step)
-{
-    return step % STEPS_BETWEEN_CHECKS != 0 || lx_asking_goes_on(asking);
-}
-
 /* ---- making ---- */
 
 /* A cut in the making, with the sums over its items. */
@@ -174,7 +169,7 @@ static bool refine(struct making *making, const struct lx_asking *asking)
             sum_anew(making);
             next_sum *= 2;
         }
-        if (!goes_on(asking, step))
+        if (!lx_asking_at_step(asking, step, STEPS_BETWEEN_CHECKS))
             return false;
     }
 }
@@ -210,15 +205,13 @@ static bool choose_precision(const struct lx_plan *plan, const struct lx_asking 
 {
     struct lx_rounding_sum rounding = cut->surface->rounding;
     const size_t count = cut->whole_count + cut->opened_count;
-    for (size_t i = 0; i < count && plan->precision == LUXEL_SINGLE; i++) {
+    for (size_t i = 0; i < count; i++) {
         bool is_opened = i >= cut->whole_count;
-        if (!goes_on(asking, i))
+        if (!lx_asking_at_step(asking, i, STEPS_BETWEEN_CHECKS))
             return false;
         size_t at = is_opened ? cut->capacity - cut->opened_count + (i - cut->whole_count) : i;
-        cut->bounds[i] = bound_item(plan, cut, &cut->items[at], is_opened);
+        cut->bounds[i] = plan->precision == LUXEL_DOUBLE ? HUGE_VAL : bound_item(plan, cut, &cut->items[at], is_opened);
     }
-    for (size_t i = 0; i < count && plan->precision == LUXEL_DOUBLE; i++)
-        cut->bounds[i] = HUGE_VAL;
     if (plan->precision == LUXEL_SINGLE)
         lx_choose_precision(cut->bounds, count, plan->least_maximum, asking, &rounding);
     return lx_asking_goes_on(asking);
@@ -352,7 +345,7 @@ void lx_cut_shade(const struct lx_plan *plan, const struct lx_cut *cut, const st
                 if (item->tree != t || (cut->bounds[i] < 0) == shading.in_double)
                     continue;
                 put_cluster(&shading, item, is_opened);
-                if (!goes_on(asking, i + 1))
+                if (!lx_asking_at_step(asking, i + 1, STEPS_BETWEEN_CHECKS))
                     return;
             }
             shade_waiting(&shading, NULL);

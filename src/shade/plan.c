@@ -258,15 +258,17 @@ static luxel_status choose_shells(const struct lx_plan *plan, struct lx_control 
                                   struct lx_planned_surface *surface)
 {
     const struct lx_asking asking = {.control = control, .is_caller = true};
-    for (size_t s = 0; s < surface->shell_count; s++) {
+    const double diffuse = surface->lobe_exact.diffuse;
+    for (size_t s = 0; s < surface->shell_count && diffuse > 0; s++) {
         struct lx_planned_shell *planned = &surface->shells[s];
-        double bound = lx_bound_shell(&surface->shape, surface->lobe_exact.diffuse, &planned->shell, &asking);
-        bool is_closed = planned->emitter->attenuation == LX_INVERSE_SQUARE && surface->lobe_exact.diffuse > 0;
+        if (planned->emitter->attenuation != LX_INVERSE_SQUARE)
+            continue;
+        double bound = lx_bound_shell(&surface->shape, diffuse, &planned->shell, &asking);
         if (!lx_control_goes_on(control, true))
             return LUXEL_CANCELLED;
-        luxel_status status = LUXEL_OK;
-        if (is_closed && lx_choose_precision(&bound, 1, plan->least_maximum, &asking, &surface->rounding) == 1)
-            status = lx_shell_make_single(&planned->shell, &asking);
+        if (lx_choose_precision(&bound, 1, plan->least_maximum, &asking, &surface->rounding) == 0)
+            continue;
+        luxel_status status = lx_shell_make_single(&planned->shell, &asking);
         if (status != LUXEL_OK)
             return status;
     }

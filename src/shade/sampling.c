@@ -189,8 +189,8 @@ static double half_length(const struct run *run, const struct sight *sight, size
 }
 
 /* Whether the lobe jumps in the cell: at the horizon where it is gated, at L = -V, which has no half vector, and, where
- * S^n begins with an infinite slope, at S = 0, that is N.L = -N.V or R.V = 0. */
-static bool is_cut(const struct run *run, const struct sight *sight, size_t lane)
+ * S^n begins with an infinite slope, at S = 0, that is N.L = -N.V or R.V = 0.  `half`: the least length of L + V. */
+static bool is_cut(const struct run *run, const struct sight *sight, size_t lane, double half)
 {
     const struct lx_block_double *block = run->block;
     const struct lx_lobe_double *lobe = run->sampling->lobe;
@@ -201,7 +201,7 @@ static bool is_cut(const struct run *run, const struct sight *sight, size_t lane
     double height = block->nx[i] * l[0] + block->ny[i] * l[1] + block->nz[i] * l[2];
     if (lobe->highlight == LX_HIGHLIGHT_GATED && fabs(height) < size)
         return true;
-    if (lobe->model == LX_BLINN_PHONG && !(half_length(run, sight, lane) > 0))
+    if (lobe->model == LX_BLINN_PHONG && !(half > 0))
         return true;
     if (lobe->exponent.value >= 1)
         return false;
@@ -266,14 +266,14 @@ static void see(const struct run *run, double hardly, struct pending *cell)
         square = fmax(square, own);
         if (own < least_square)
             continue;
-        if (is_cut(run, &sight, (size_t)lane)) {
+        const double half = lobe->model == LX_BLINN_PHONG ? half_length(run, &sight, (size_t)lane) : 1;
+        if (is_cut(run, &sight, (size_t)lane, half)) {
             double content = weight * 2 / M_PI * sight.radius[lane] * sight.radius[lane];
             content *= attenuate(cell->source, sight.distance[lane]) * pow(own, lobe->exponent.value / 2);
             cell->doubt[lane] = CUT_SHARE * content;
         }
         double width = fmin(widest, widths * run->width[lane]), radius = sight.radius[lane];
-        if (lobe->model == LX_BLINN_PHONG) /* half vectors turn fast where they are short */
-            width *= fmin(1, 2 * fmax(half_length(run, &sight, (size_t)lane), 0));
+        width *= fmin(1, 2 * fmax(half, 0)); /* half vectors turn fast where they are short */
         double from = sight.distance[lane] - radius;
         cell->is_wide = cell->is_wide || !(radius <= width * from);
         cell->is_tiny = cell->is_tiny && cell->doubt[lane] == 0 && radius < TINY * width * from;
@@ -432,8 +432,8 @@ static void sort_many(struct run *run, struct pending *all, size_t count)
         other = order;
         order = made;
     }
-    for (size_t i = 0; i < count && !run->is_stopped && goes_on(run);
-         i++) { /* item i has to come from order[i]: cycle by cycle */
+    /* item i has to come from order[i]: cycle by cycle */
+    for (size_t i = 0; i < count && goes_on(run); i++) {
         if (order[i] == i)
             continue;
         const struct pending moved = all[i];

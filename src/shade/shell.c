@@ -11,11 +11,6 @@
 /* Faces or edges between two questions whether to go on. */
 enum { BETWEEN_CHECKS = 128 };
 
-static bool goes_on(const struct lx_asking *asking, size_t i)
-{
-    return i % BETWEEN_CHECKS != 0 || lx_asking_goes_on(asking);
-}
-
 /* ---- shells ---- */
 
 static double dot(const double a[3], const double b[3])
@@ -66,12 +61,12 @@ static luxel_status set_facets(const struct lx_facets *facets, const struct lx_a
         value_of3(face->normal, shell->faces_double[i].normal);
         shell->faces_double[i].height = lx_wide_value(lx_wide3_dot(face->normal, corner));
         shell->most_patches += (face->count - 1) / 2;
-        if (!goes_on(asking, i))
+        if (!lx_asking_at_step(asking, i, BETWEEN_CHECKS))
             return LUXEL_CANCELLED;
     }
     for (size_t i = 0; i < facets->edge_count; i++) {
         set_edge(facets, &facets->edges[i], &shell->edges_double[i]);
-        if (!goes_on(asking, i))
+        if (!lx_asking_at_step(asking, i, BETWEEN_CHECKS))
             return LUXEL_CANCELLED;
     }
     return LUXEL_OK;
@@ -115,7 +110,7 @@ luxel_status lx_shell_make_single(struct lx_shell *shell, const struct lx_asking
     for (size_t i = 0; i < shell->face_count && status == LUXEL_OK; i++) {
         copy3(shell->faces_double[i].normal, faces[i].normal);
         faces[i].height = (float)shell->faces_double[i].height;
-        if (!goes_on(asking, i))
+        if (!lx_asking_at_step(asking, i, BETWEEN_CHECKS))
             status = LUXEL_CANCELLED;
     }
     for (size_t i = 0; i < shell->edge_count && status == LUXEL_OK; i++) {
@@ -128,7 +123,7 @@ luxel_status lx_shell_make_single(struct lx_shell *shell, const struct lx_asking
         edges[i].product = (float)edge->product;
         edges[i].left = edge->left;
         edges[i].right = edge->right;
-        if (!goes_on(asking, i))
+        if (!lx_asking_at_step(asking, i, BETWEEN_CHECKS))
             status = LUXEL_CANCELLED;
     }
     if (status == LUXEL_OK) {
@@ -200,7 +195,7 @@ static size_t facet_patches(const struct lx_shell *shell, const struct lx_around
                             const struct lx_asking *asking, struct lx_patch *patches)
 {
     size_t count = 0;
-    for (size_t i = 0; i < shell->face_count && goes_on(asking, i); i++) {
+    for (size_t i = 0; i < shell->face_count && lx_asking_at_step(asking, i, BETWEEN_CHECKS); i++) {
         const struct lx_shell_face_double *face = &shell->faces_double[i];
         double above = -face->height;
         for (int k = 0; k < 3; k++)

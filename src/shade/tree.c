@@ -90,8 +90,8 @@ struct planting {
     const struct lx_emitters *emitters;
     struct lx_control *control;
     const struct lx_tree *tree;
-    const struct lx_swarm
-        *swarm; /* whose points alone are planted; NULL: all of the kind that have no tree of their own */
+    /* whose points alone are planted; NULL: all of the kind that have no tree of their own */
+    const struct lx_swarm *swarm;
     struct lx_grown *grown;
     struct coded *order, *other;
 };

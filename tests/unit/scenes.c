@@ -38,6 +38,34 @@ luxel_status load(const char *text, luxel_diagnostics *diagnostics, luxel_scene 
     return status == LUXEL_OK ? luxel_scene_commit(*scene, diagnostics) : status;
 }
 
+static luxel_scene *opened(const char *name)
+{
+    luxel_scene *scene = NULL;
+    char *text = NULL;
+    bool is_variant = *name >= '0' && *name <= '9';
+    if (is_variant)
+        assert_int_equal(luxel_variant_text((unsigned)atoi(name), NULL, &text), LUXEL_OK);
+    const char *words = is_variant ? text : name;
+    luxel_status status = is_variant || strchr(name, '\n')
+                              ? luxel_scene_read_text(words, strlen(words), name, NULL, &scene)
+                              : luxel_scene_open_builtin(name, NULL, &scene);
+    luxel_text_free(text);
+    if (status != LUXEL_OK)
+        fail_msg("cannot read %s", name);
+    return scene;
+}
+
+luxel_scene *opened_with(const char *name, const char *const *changes, size_t count)
+{
+    luxel_scene *scene = opened(name);
+    for (size_t i = 0; i < count && changes[i]; i++)
+        if (luxel_scene_set(scene, changes[i], NULL) != LUXEL_OK)
+            fail_msg("%s: cannot set %s", name, changes[i]);
+    if (luxel_scene_commit(scene, NULL) != LUXEL_OK)
+        fail_msg("%s, %s: not a good scene", name, count > 0 && changes[0] ? changes[0] : "as it is");
+    return scene;
+}
+
 void expect_entry(const luxel_diagnostics *diagnostics, size_t i, struct expected expected)
 {
     const luxel_diagnostic *entry = luxel_diagnostics_get(diagnostics, i);

@@ -23,6 +23,10 @@ luxel_status load(const char *text, luxel_diagnostics *diagnostics, luxel_scene 
 /* A built-in scene, committed. */
 luxel_scene *builtin(const char *name);
 
+/* A text of several lines, a built-in scene by its name, or the variant of a number, with some changes made
+ * (NULL: none), committed. */
+luxel_scene *opened_with(const char *name, const char *const *changes, size_t count);
+
 /* What an error must look like: NULL and 0 for what does not matter. */
 struct expected {
     const char *id;

@@ -445,25 +445,6 @@ static const struct asked asked[] = {
     {"6", {NULL}, ""},
 };
 
-static luxel_scene *open_scene(const struct asked *it)
-{
-    luxel_scene *scene = NULL;
-    char *text = NULL;
-    if (*it->scene >= '0' && *it->scene <= '9') {
-        assert_int_equal(luxel_variant_text((unsigned)atoi(it->scene), NULL, &text), LUXEL_OK);
-        assert_int_equal(luxel_scene_read_text(text, strlen(text), "variant", NULL, &scene), LUXEL_OK);
-        luxel_text_free(text);
-    } else {
-        assert_int_equal(luxel_scene_open_builtin(it->scene, NULL, &scene), LUXEL_OK);
-    }
-    for (int i = 0; i < 2 && it->changes[i]; i++)
-        if (luxel_scene_set(scene, it->changes[i], NULL) != LUXEL_OK)
-            fail_msg("%s: cannot set %s", it->scene, it->changes[i]);
-    if (luxel_scene_commit(scene, NULL) != LUXEL_OK)
-        fail_msg("%s, %s: not a good scene", it->scene, it->changes[0] ? it->changes[0] : "");
-    return scene;
-}
-
 static void says(void **state)
 {
     const char *wish = getenv("LUXEL_ADVICE");
@@ -471,7 +452,7 @@ static void says(void **state)
     unsigned wrong = 0;
     (void)state;
     for (size_t i = 0; i < sizeof asked / sizeof *asked; i++) {
-        luxel_scene *scene = open_scene(&asked[i]);
+        luxel_scene *scene = opened_with(asked[i].scene, asked[i].changes, 2);
         luxel_diagnostics *diagnostics = luxel_diagnostics_new();
         char said[ROOM] = "";
         assert_int_equal(luxel_scene_advise(scene, diagnostics), LUXEL_OK);

@@ -102,24 +102,6 @@ static uint32_t add_text(uint32_t sum, const char *text)
 
 static const uint32_t NO_TEXT = UINT32_C(2166136261);
 
-static luxel_scene *open_scene(const struct asked *it)
-{
-    luxel_scene *scene = NULL;
-    char *text = NULL;
-    if (*it->scene >= '0' && *it->scene <= '9') {
-        assert_int_equal(luxel_variant_text((unsigned)atoi(it->scene), NULL, &text), LUXEL_OK);
-        assert_int_equal(luxel_scene_read_text(text, strlen(text), "variant", NULL, &scene), LUXEL_OK);
-        luxel_text_free(text);
-    } else {
-        assert_int_equal(luxel_scene_open_builtin(it->scene, NULL, &scene), LUXEL_OK);
-    }
-    if (it->change && luxel_scene_set(scene, it->change, NULL) != LUXEL_OK)
-        fail_msg("%s: cannot set %s", it->scene, it->change);
-    if (luxel_scene_commit(scene, NULL) != LUXEL_OK)
-        fail_msg("%s, %s: not a good scene", it->scene, it->change ? it->change : "");
-    return scene;
-}
-
 static luxel_settings settings_of(const struct asked *it)
 {
     luxel_settings settings;
@@ -130,7 +112,7 @@ static luxel_settings settings_of(const struct asked *it)
 
 static uint32_t explained(const struct asked *it)
 {
-    luxel_scene *scene = open_scene(it);
+    luxel_scene *scene = opened_with(it->scene, &it->change, 1);
     luxel_settings settings = settings_of(it);
     luxel_document *document = NULL;
     assert_int_equal(luxel_explain(scene, &settings, it->x_mm, it->y_mm, NULL, NULL, &document), LUXEL_OK);
@@ -149,7 +131,7 @@ static uint32_t explained(const struct asked *it)
 static uint32_t judged(const struct asked *it)
 {
     static const double factors[] = {1, 1.01, 2, M_PI, 1e-3, 0.8}, tolerances[] = {1e-3, 2e-2};
-    luxel_scene *scene = open_scene(it);
+    luxel_scene *scene = opened_with(it->scene, &it->change, 1);
     luxel_settings settings = settings_of(it);
     luxel_probe *probe = NULL;
     uint32_t sum = NO_TEXT;
@@ -179,30 +161,28 @@ static uint32_t judged(const struct asked *it)
     return sum;
 }
 
-static void explanations(void **state)
+static void compare(const char *what, uint32_t (*found)(const struct asked *it), bool is_judged)
 {
     unsigned wrong = 0;
-    (void)state;
     for (size_t i = 0; i < sizeof asked / sizeof *asked; i++) {
-        uint32_t sum = explained(&asked[i]);
-        wrong += sum != asked[i].explained;
-        if (sum != asked[i].explained || prints())
-            print_message("# explanation %zu: 0x%08x\n", i, (unsigned)sum);
+        uint32_t sum = found(&asked[i]), before = is_judged ? asked[i].judged : asked[i].explained;
+        wrong += sum != before;
+        if (sum != before || prints())
+            print_message("# %s %zu: 0x%08x\n", what, i, (unsigned)sum);
     }
     assert_int_equal(wrong, 0);
 }
 
+static void explanations(void **state)
+{
+    (void)state;
+    compare("explanation", explained, false);
+}
+
 static void judgements(void **state)
 {
-    unsigned wrong = 0;
     (void)state;
-    for (size_t i = 0; i < sizeof asked / sizeof *asked; i++) {
-        uint32_t sum = judged(&asked[i]);
-        wrong += sum != asked[i].judged;
-        if (sum != asked[i].judged || prints())
-            print_message("# judgement %zu: 0x%08x\n", i, (unsigned)sum);
-    }
-    assert_int_equal(wrong, 0);
+    compare("judgement", judged, true);
 }
 
 int main(void)

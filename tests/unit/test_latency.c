@@ -16,6 +16,7 @@
 #include "../../src/light/facets.h"
 #include "../../src/shade/cubature.h"
 #include "scenes.h"
+#include "wrapped.h"
 
 /* What was asked; only one thread may ask while it is looked at. */
 static struct {
@@ -23,17 +24,14 @@ static struct {
     size_t stop_at; /* this question, and all after it, is answered by no; 0: none */
 } counted;
 
-bool __real_lx_control_goes_on(struct lx_control *control, bool is_caller); /* NOLINT: the linker's name */
-bool __wrap_lx_control_goes_on(struct lx_control *control, bool is_caller); /* NOLINT */
-
-bool __wrap_lx_control_goes_on(struct lx_control *control, bool is_caller) /* NOLINT */
+WRAPPED(bool, lx_control_goes_on, struct lx_control *control, bool is_caller)
 {
     static pthread_mutex_t mutex = PTHREAD_MUTEX_INITIALIZER;
     pthread_mutex_lock(&mutex);
     if (++counted.asked == counted.stop_at)
         atomic_store(&control->stop, true);
     pthread_mutex_unlock(&mutex);
-    return __real_lx_control_goes_on(control, is_caller);
+    return REAL(lx_control_goes_on)(control, is_caller);
 }
 
 static void begin(size_t stop_at)

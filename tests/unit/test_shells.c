@@ -12,6 +12,7 @@
 
 #include <cmocka.h>
 
+#include "extended_sources.h"
 #include "light/facets.h"
 #include "random_scenes.h"
 #include "shade/cubature.h"
@@ -19,32 +20,7 @@
 #include "shade/sampling.h"
 #include "shade/shell.h"
 
-enum { RECTANGLE, BOX, GLOBE, PRISM, DISK, BALL, CYLINDER, SOURCES };
-
-static const double center[3] = {40, -25, 700}, axis[3] = {0.3, -0.2, -1};
-
-static struct lx_emitter source_of(int kind)
-{
-    static const double sides[3] = {300, 200, 100}, up[3] = {0.1, 1, 0};
-    struct lx_emitter source = {
-        .type = kind < DISK ? LX_FACETS : (enum lx_emitter_type)(LX_DISK + kind - DISK),
-        .radiance = lx_exact(3),
-        .center_mm = {40, -25, 700},
-        .axis = lx_unit3(lx_exact3(axis)),
-        .radius_mm = 150,
-        .height_mm = 400,
-        .k_mm = 250,
-    };
-    switch (kind) {
-    case RECTANGLE: source.facets = lx_facets_of_rectangle(center, sides, axis, up); break;
-    case BOX: source.facets = lx_facets_of_box(center, sides); break;
-    case GLOBE: source.facets = lx_facets_of_sphere(center, 150, 8); break;
-    case PRISM: source.facets = lx_facets_of_cylinder(center, 150, 400, axis, 6); break;
-    default: break;
-    }
-    assert_true(kind >= DISK || source.facets);
-    return source;
-}
+static const double center[3] = {40, -25, 700};
 
 static const double anchor[3] = {10, 20, 300};
 
@@ -102,7 +78,7 @@ static void closed_forms(void **state)
     const struct lx_shape lit = {.anchor_mm = {10, 20, 300}};
     (void)state;
     for (int kind = 0; kind < SOURCES; kind++) {
-        struct lx_emitter source = source_of(kind);
+        struct lx_emitter source = source_of(kind, center, 3, 250);
         struct randomness random = {.state = 61};
         struct lx_shell shell;
         assert_int_equal(lx_shell_make(&source, &lit, NULL, &shell), LUXEL_OK);
@@ -197,7 +173,7 @@ static void samples_are_the_integral(void **state)
     const struct lx_shape lit = {.anchor_mm = {10, 20, 300}};
     (void)state;
     for (int kind = 0; kind < SOURCES; kind++) {
-        struct lx_emitter source = source_of(kind);
+        struct lx_emitter source = source_of(kind, center, 3, 250);
         struct randomness random = {.state = 62};
         struct lx_shell shell;
         assert_int_equal(lx_shell_make(&source, &lit, NULL, &shell), LUXEL_OK);
@@ -286,7 +262,7 @@ static void cells_are_held(void **state)
     const struct lx_shape lit = {.anchor_mm = {10, 20, 300}};
     (void)state;
     for (int kind = 0; kind < SOURCES; kind++) {
-        struct lx_emitter source = source_of(kind);
+        struct lx_emitter source = source_of(kind, center, 3, 250);
         struct lx_shell shell;
         struct lx_patch patches[64];
         static struct lx_block_double block;

@@ -17,6 +17,7 @@
 
 #include <cmocka.h>
 
+#include "extended_sources.h"
 #include "light/facets.h"
 #include "light/facets_contour.h"
 #include "light/gauss.h"
@@ -27,6 +28,7 @@
 #include "shade/cubature.h"
 #include "shade/cut.h"
 #include "shade/shader.h"
+#include "wrapped.h"
 
 /* Some numbers that are not negative. */
 struct tally {
@@ -99,31 +101,7 @@ static lx_bounded3 random_unit(struct randomness *random)
 
 /* -- closed forms of extended sources -- */
 
-enum { RECTANGLE, BOX, GLOBE, PRISM, DISK, BALL, CYLINDER, SOURCES };
-
-static struct lx_emitter source_of(int kind)
-{
-    static const double center[3] = {30, -20, 600}, sides[3] = {300, 200, 100}, axis[3] = {0.3, -0.2, -1};
-    static const double up[3] = {0.1, 1, 0};
-    struct lx_emitter source = {
-        .type = kind < DISK ? LX_FACETS : (enum lx_emitter_type)(LX_DISK + kind - DISK),
-        .radiance = lx_exact(1),
-        .center_mm = {30, -20, 600},
-        .axis = lx_unit3(lx_exact3(axis)),
-        .radius_mm = 150,
-        .height_mm = 400,
-        .k_mm = 300,
-    };
-    switch (kind) {
-    case RECTANGLE: source.facets = lx_facets_of_rectangle(center, sides, axis, up); break;
-    case BOX: source.facets = lx_facets_of_box(center, sides); break;
-    case GLOBE: source.facets = lx_facets_of_sphere(center, 150, 8); break;
-    case PRISM: source.facets = lx_facets_of_cylinder(center, 150, 400, axis, 6); break;
-    default: break;
-    }
-    assert_true(kind >= DISK || source.facets);
-    return source;
-}
+static const double center[3] = {30, -20, 600};
 
 /* From next to the source to far away; every third one is not quite known. */
 static struct lx_element random_element(struct randomness *random, int i, const struct lx_lobe *lobe)
@@ -206,71 +184,55 @@ enum {
 
 static struct tally within[WITHIN];
 
-void __real_lx_contour_add(struct lx_contour *contour, unsigned from, unsigned to, double corner_error_mm);
-void __wrap_lx_contour_add(struct lx_contour *contour, unsigned from, unsigned to, double corner_error_mm);
-void __wrap_lx_contour_add(struct lx_contour *contour, unsigned from, unsigned to, double corner_error_mm)
+WRAPPED(void, lx_contour_add, struct lx_contour *contour, unsigned from, unsigned to, double corner_error_mm)
 {
-    __real_lx_contour_add(contour, from, to, corner_error_mm);
+    REAL(lx_contour_add)(contour, from, to, corner_error_mm);
     add(&within[CONTOUR_SUM], contour->sum.high);
     add(&within[CONTOUR_ERROR], contour->error);
     add(&within[CORNERS_ERROR], contour->corners_error);
 }
 
-void __real_lx_contour_add_low(const struct lx_contour *contour, unsigned from, unsigned to, struct lx_low_area *low);
-void __wrap_lx_contour_add_low(const struct lx_contour *contour, unsigned from, unsigned to, struct lx_low_area *low);
-void __wrap_lx_contour_add_low(const struct lx_contour *contour, unsigned from, unsigned to, struct lx_low_area *low)
+WRAPPED(void, lx_contour_add_low, const struct lx_contour *contour, unsigned from, unsigned to, struct lx_low_area *low)
 {
-    __real_lx_contour_add_low(contour, from, to, low);
+    REAL(lx_contour_add_low)(contour, from, to, low);
     add(&within[LOW_SUM], low->failed ? 0 : low->sum.high);
     add(&within[LOW_ERROR], low->failed ? HUGE_VAL : low->error);
 }
 
-double __real_lx_cut_disk_integral(const struct lx_rim *rim, const struct lx_horizon *horizon, double *relative);
-double __wrap_lx_cut_disk_integral(const struct lx_rim *rim, const struct lx_horizon *horizon, double *relative);
-double __wrap_lx_cut_disk_integral(const struct lx_rim *rim, const struct lx_horizon *horizon, double *relative)
+WRAPPED(double, lx_cut_disk_integral, const struct lx_rim *rim, const struct lx_horizon *horizon, double *relative)
 {
-    double found = __real_lx_cut_disk_integral(rim, horizon, relative);
+    double found = REAL(lx_cut_disk_integral)(rim, horizon, relative);
     add(&within[CUT], found);
     add(&within[CUT_BOUND], *relative);
     return found;
 }
 
-double __real_lx_side_integral(const struct lx_rim rims[2], const struct lx_horizon horizons[2], double *relative);
-double __wrap_lx_side_integral(const struct lx_rim rims[2], const struct lx_horizon horizons[2], double *relative);
-double __wrap_lx_side_integral(const struct lx_rim rims[2], const struct lx_horizon horizons[2], double *relative)
+WRAPPED(double, lx_side_integral, const struct lx_rim rims[2], const struct lx_horizon horizons[2], double *relative)
 {
-    double found = __real_lx_side_integral(rims, horizons, relative);
+    double found = REAL(lx_side_integral)(rims, horizons, relative);
     add(&within[SIDE], found);
     add(&within[SIDE_BOUND], *relative);
     return found;
 }
 
-void __real_lx_add_disk(struct lx_wide_sum *sum, const struct lx_rim *rim, const struct lx_horizon *horizon);
-void __wrap_lx_add_disk(struct lx_wide_sum *sum, const struct lx_rim *rim, const struct lx_horizon *horizon);
-void __wrap_lx_add_disk(struct lx_wide_sum *sum, const struct lx_rim *rim, const struct lx_horizon *horizon)
+WRAPPED(void, lx_add_disk, struct lx_wide_sum *sum, const struct lx_rim *rim, const struct lx_horizon *horizon)
 {
-    __real_lx_add_disk(sum, rim, horizon);
+    REAL(lx_add_disk)(sum, rim, horizon);
     add(&within[ROUND_SUM], sum->value.high);
     add(&within[ROUND_SIZE], sum->size);
 }
 
-void __real_lx_add_cylinder(struct lx_wide_sum *sum, lx_wide rho, lx_wide middle, lx_wide radius, lx_wide half_height,
-                            lx_wide3 normal);
-void __wrap_lx_add_cylinder(struct lx_wide_sum *sum, lx_wide rho, lx_wide middle, lx_wide radius, lx_wide half_height,
-                            lx_wide3 normal);
-void __wrap_lx_add_cylinder(struct lx_wide_sum *sum, lx_wide rho, lx_wide middle, lx_wide radius, lx_wide half_height,
-                            lx_wide3 normal)
+WRAPPED(void, lx_add_cylinder, struct lx_wide_sum *sum, lx_wide rho, lx_wide middle, lx_wide radius,
+        lx_wide half_height, lx_wide3 normal)
 {
-    __real_lx_add_cylinder(sum, rho, middle, radius, half_height, normal);
+    REAL(lx_add_cylinder)(sum, rho, middle, radius, half_height, normal);
     add(&within[ROUND_SUM], sum->value.high);
     add(&within[ROUND_SIZE], sum->size);
 }
 
-double __real_lx_panel_end(double from, double to, const struct lx_pole poles[], int count);
-double __wrap_lx_panel_end(double from, double to, const struct lx_pole poles[], int count);
-double __wrap_lx_panel_end(double from, double to, const struct lx_pole poles[], int count)
+WRAPPED(double, lx_panel_end, double from, double to, const struct lx_pole poles[], int count)
 {
-    double end = __real_lx_panel_end(from, to, poles, count);
+    double end = REAL(lx_panel_end)(from, to, poles, count);
     add(&within[PANELS], end - from);
     return end;
 }
@@ -295,7 +257,7 @@ static void closed_forms(void **state)
     struct lx_lobe lobe = lx_lobe_irradiance();
     (void)state;
     for (int kind = 0; kind < SOURCES; kind++) {
-        struct lx_emitter source = source_of(kind);
+        struct lx_emitter source = source_of(kind, center, 1, 300);
         for (int i = 0; i < 600; i++) {
             struct lx_element element = random_element(&random, i, &lobe);
             if (i % 8 == 2)
@@ -321,7 +283,7 @@ static void touching(void **state)
     struct randomness random = {.state = 32};
     (void)state;
     for (int kind = 0; kind < SOURCES; kind++) {
-        struct lx_emitter source = source_of(kind);
+        struct lx_emitter source = source_of(kind, center, 1, 300);
         const double axis[3] = {source.axis.x.value, source.axis.y.value, source.axis.z.value};
         const double upright[3] = {0, 0, 1};
         const double from_middle[SOURCES] = {0, 50, 150, 200, 0, 150, 200};
@@ -360,7 +322,7 @@ static void integrals(void **state)
     struct randomness random = {.state = 33};
     (void)state;
     for (int kind = 0; kind < SOURCES; kind++) {
-        struct lx_emitter source = source_of(kind);
+        struct lx_emitter source = source_of(kind, center, 1, 300);
         for (int i = 0; i < 60; i++) {
             const struct lx_material material = {.model = i % 2,
                                                  .highlight = i % 3,
@@ -452,45 +414,30 @@ enum {
 
 static struct tally planned[PLANNED];
 
-struct lx_share_bound __real_lx_bound_cluster(const struct lx_tract *tract, const double anchor_mm[3],
-                                              const struct lx_lobe_limits *limits, const struct lx_tree *tree,
-                                              const struct lx_cluster *cluster, const struct lx_cluster_turn *turn,
-                                              bool is_hidden);
-struct lx_share_bound __wrap_lx_bound_cluster(const struct lx_tract *tract, const double anchor_mm[3],
-                                              const struct lx_lobe_limits *limits, const struct lx_tree *tree,
-                                              const struct lx_cluster *cluster, const struct lx_cluster_turn *turn,
-                                              bool is_hidden);
-struct lx_share_bound __wrap_lx_bound_cluster(const struct lx_tract *tract, const double anchor_mm[3],
-                                              const struct lx_lobe_limits *limits, const struct lx_tree *tree,
-                                              const struct lx_cluster *cluster, const struct lx_cluster_turn *turn,
-                                              bool is_hidden)
+WRAPPED(struct lx_share_bound, lx_bound_cluster, const struct lx_tract *tract, const double anchor_mm[3],
+        const struct lx_lobe_limits *limits, const struct lx_tree *tree, const struct lx_cluster *cluster,
+        const struct lx_cluster_turn *turn, bool is_hidden)
 {
-    struct lx_share_bound bound = __real_lx_bound_cluster(tract, anchor_mm, limits, tree, cluster, turn, is_hidden);
+    struct lx_share_bound bound = REAL(lx_bound_cluster)(tract, anchor_mm, limits, tree, cluster, turn, is_hidden);
     add(&planned[CLUSTER_ERROR], bound.error);
     add(&planned[CLUSTER_MOST], bound.most);
     add(&planned[CLUSTER_LEAST], bound.least);
     return bound;
 }
 
-struct lx_stand __real_lx_stand_of(const struct lx_tract *tract, const double place[3], bool has_half);
-struct lx_stand __wrap_lx_stand_of(const struct lx_tract *tract, const double place[3], bool has_half);
-struct lx_stand __wrap_lx_stand_of(const struct lx_tract *tract, const double place[3], bool has_half)
+WRAPPED(struct lx_stand, lx_stand_of, const struct lx_tract *tract, const double place[3], bool has_half)
 {
-    struct lx_stand stand = __real_lx_stand_of(tract, place, has_half);
+    struct lx_stand stand = REAL(lx_stand_of)(tract, place, has_half);
     add(&planned[NEAREST], stand.nearest_mm);
     add(&planned[AWAY], stand.away_mm);
     add(&planned[HALF], stand.least_half);
     return stand;
 }
 
-bool __real_lx_cut_make(const struct lx_plan *plan, const struct lx_planned_surface *surface,
-                        const struct lx_tract *tract, const struct lx_asking *asking, struct lx_cut *cut);
-bool __wrap_lx_cut_make(const struct lx_plan *plan, const struct lx_planned_surface *surface,
-                        const struct lx_tract *tract, const struct lx_asking *asking, struct lx_cut *cut);
-bool __wrap_lx_cut_make(const struct lx_plan *plan, const struct lx_planned_surface *surface,
-                        const struct lx_tract *tract, const struct lx_asking *asking, struct lx_cut *cut)
+WRAPPED(bool, lx_cut_make, const struct lx_plan *plan, const struct lx_planned_surface *surface,
+        const struct lx_tract *tract, const struct lx_asking *asking, struct lx_cut *cut)
 {
-    bool goes_on = __real_lx_cut_make(plan, surface, tract, asking, cut);
+    bool goes_on = REAL(lx_cut_make)(plan, surface, tract, asking, cut);
     add(&planned[CUT_ERROR], cut->error);
     add(&planned[WHOLE], (double)cut->whole_count);
     add(&planned[OPENED], (double)cut->opened_count);

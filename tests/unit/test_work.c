@@ -24,6 +24,7 @@
 #include "shade/cut.h"
 #include "shade/shell.h"
 #include "shade/sweep.h"
+#include "wrapped.h"
 
 /* -- what is counted: calls between files of the library, which the linker leads through here -- */
 
@@ -31,83 +32,56 @@ enum { SEEN, VALUES, PIECES, BRINKS, ARCS, LOOKS, SAMPLES, BOUNDS, KINDS };
 
 static unsigned counts[KINDS];
 
-bool __real_lx_element_seen(const struct lx_prepared *prepared, double x_mm, double y_mm, struct lx_element *element);
-bool __wrap_lx_element_seen(const struct lx_prepared *prepared, double x_mm, double y_mm, struct lx_element *element);
-bool __wrap_lx_element_seen(const struct lx_prepared *prepared, double x_mm, double y_mm, struct lx_element *element)
+WRAPPED(bool, lx_element_seen, const struct lx_prepared *prepared, double x_mm, double y_mm, struct lx_element *element)
 {
     counts[SEEN]++;
-    return __real_lx_element_seen(prepared, x_mm, y_mm, element);
+    return REAL(lx_element_seen)(prepared, x_mm, y_mm, element);
 }
 
-luxel_value __real_luxel_evaluate(const luxel_evaluator *evaluator, double x_mm, double y_mm, double *shares);
-luxel_value __wrap_luxel_evaluate(const luxel_evaluator *evaluator, double x_mm, double y_mm, double *shares);
-luxel_value __wrap_luxel_evaluate(const luxel_evaluator *evaluator, double x_mm, double y_mm, double *shares)
+WRAPPED(luxel_value, luxel_evaluate, const luxel_evaluator *evaluator, double x_mm, double y_mm, double *shares)
 {
     counts[VALUES]++;
-    return __real_luxel_evaluate(evaluator, x_mm, y_mm, shares);
+    return REAL(luxel_evaluate)(evaluator, x_mm, y_mm, shares);
 }
 
-double __real_lx_piece_value(struct lx_hunt *hunt, const struct lx_spot *spot, double *error);
-double __wrap_lx_piece_value(struct lx_hunt *hunt, const struct lx_spot *spot, double *error);
-double __wrap_lx_piece_value(struct lx_hunt *hunt, const struct lx_spot *spot, double *error)
+WRAPPED(double, lx_piece_value, struct lx_hunt *hunt, const struct lx_spot *spot, double *error)
 {
     counts[PIECES]++;
-    return __real_lx_piece_value(hunt, spot, error);
+    return REAL(lx_piece_value)(hunt, spot, error);
 }
 
-double __real_lx_brink_distance(const struct lx_hunt *hunt, const struct lx_brink *edge, const struct lx_spot *spot);
-double __wrap_lx_brink_distance(const struct lx_hunt *hunt, const struct lx_brink *edge, const struct lx_spot *spot);
-double __wrap_lx_brink_distance(const struct lx_hunt *hunt, const struct lx_brink *edge, const struct lx_spot *spot)
+WRAPPED(double, lx_brink_distance, const struct lx_hunt *hunt, const struct lx_brink *edge, const struct lx_spot *spot)
 {
     counts[BRINKS]++;
-    return __real_lx_brink_distance(hunt, edge, spot);
+    return REAL(lx_brink_distance)(hunt, edge, spot);
 }
 
-struct lx_arc __real_lx_sweep_arc(const struct lx_sweep *sweep, double x);
-struct lx_arc __wrap_lx_sweep_arc(const struct lx_sweep *sweep, double x);
-struct lx_arc __wrap_lx_sweep_arc(const struct lx_sweep *sweep, double x)
+WRAPPED(struct lx_arc, lx_sweep_arc, const struct lx_sweep *sweep, double x)
 {
     counts[ARCS]++;
-    return __real_lx_sweep_arc(sweep, x);
+    return REAL(lx_sweep_arc)(sweep, x);
 }
 
-double __real_lx_cell_look(const struct lx_patch *patch, const struct lx_cell *cell, const double element[3],
-                           double middle[3]);
-double __wrap_lx_cell_look(const struct lx_patch *patch, const struct lx_cell *cell, const double element[3],
-                           double middle[3]);
-double __wrap_lx_cell_look(const struct lx_patch *patch, const struct lx_cell *cell, const double element[3],
-                           double middle[3])
+WRAPPED(double, lx_cell_look, const struct lx_patch *patch, const struct lx_cell *cell, const double element[3],
+        double middle[3])
 {
     counts[LOOKS]++;
-    return __real_lx_cell_look(patch, cell, element, middle);
+    return REAL(lx_cell_look)(patch, cell, element, middle);
 }
 
-void __real_lx_cell_samples(const struct lx_patch *patch, const struct lx_cell *cell, unsigned side, double gain,
-                            size_t first, struct lx_samples_double *samples);
-void __wrap_lx_cell_samples(const struct lx_patch *patch, const struct lx_cell *cell, unsigned side, double gain,
-                            size_t first, struct lx_samples_double *samples);
-void __wrap_lx_cell_samples(const struct lx_patch *patch, const struct lx_cell *cell, unsigned side, double gain,
-                            size_t first, struct lx_samples_double *samples)
+WRAPPED(void, lx_cell_samples, const struct lx_patch *patch, const struct lx_cell *cell, unsigned side, double gain,
+        size_t first, struct lx_samples_double *samples)
 {
     counts[SAMPLES]++;
-    __real_lx_cell_samples(patch, cell, side, gain, first, samples);
+    REAL(lx_cell_samples)(patch, cell, side, gain, first, samples);
 }
 
-struct lx_share_bound __real_lx_bound_cluster(const struct lx_tract *tract, const double anchor_mm[3],
-                                              const struct lx_lobe_limits *limits, const struct lx_tree *tree,
-                                              const struct lx_cluster *cluster, const struct lx_cluster_turn *turn,
-                                              bool is_hidden);
-struct lx_share_bound __wrap_lx_bound_cluster(const struct lx_tract *tract, const double anchor_mm[3],
-                                              const struct lx_lobe_limits *limits, const struct lx_tree *tree,
-                                              const struct lx_cluster *cluster, const struct lx_cluster_turn *turn,
-                                              bool is_hidden);
-struct lx_share_bound __wrap_lx_bound_cluster(const struct lx_tract *tract, const double anchor_mm[3],
-                                              const struct lx_lobe_limits *limits, const struct lx_tree *tree,
-                                              const struct lx_cluster *cluster, const struct lx_cluster_turn *turn,
-                                              bool is_hidden)
+WRAPPED(struct lx_share_bound, lx_bound_cluster, const struct lx_tract *tract, const double anchor_mm[3],
+        const struct lx_lobe_limits *limits, const struct lx_tree *tree, const struct lx_cluster *cluster,
+        const struct lx_cluster_turn *turn, bool is_hidden)
 {
     counts[BOUNDS]++;
-    return __real_lx_bound_cluster(tract, anchor_mm, limits, tree, cluster, turn, is_hidden);
+    return REAL(lx_bound_cluster)(tract, anchor_mm, limits, tree, cluster, turn, is_hidden);
 }
 
 /* -- the scenes -- */
@@ -131,26 +105,10 @@ struct view {
 /* A text, a built-in scene, or the variant of this number, with a value changed. */
 static struct view view_of(const char *name, unsigned resolution, const char *set)
 {
-    struct view view = {.scene = NULL};
-    char *text, assignment[100];
-    if (strchr(name, '\n')) {
-        if (luxel_scene_read_text(name, strlen(name), "text", NULL, &view.scene) != LUXEL_OK)
-            fail_msg("cannot read %s", name);
-    } else if (*name >= '0' && *name <= '9') {
-        assert_int_equal(luxel_variant_text((unsigned)atoi(name), NULL, &text), LUXEL_OK);
-        assert_int_equal(luxel_scene_read_text(text, strlen(text), name, NULL, &view.scene), LUXEL_OK);
-        luxel_text_free(text);
-    } else {
-        assert_int_equal(luxel_scene_open_builtin(name, NULL, &view.scene), LUXEL_OK);
-    }
+    char assignment[100];
     snprintf(assignment, sizeof assignment, "screen.resolution=[%u,%u]", resolution, resolution * 4 / 5);
-    assert_int_equal(luxel_scene_set(view.scene, assignment, NULL), LUXEL_OK);
-    assert_int_equal(luxel_scene_set(view.scene, "screen.height=640", NULL), LUXEL_OK);
-    assert_int_equal(luxel_scene_set(view.scene, "screen.width=800", NULL), LUXEL_OK);
-    if (set && luxel_scene_set(view.scene, set, NULL) != LUXEL_OK)
-        fail_msg("%s: cannot set %s", name, set);
-    if (luxel_scene_commit(view.scene, NULL) != LUXEL_OK)
-        fail_msg("%s, %s: not a good scene", name, set ? set : "as it is");
+    const char *const changes[] = {assignment, "screen.height=640", "screen.width=800", set};
+    struct view view = {.scene = opened_with(name, changes, 4)};
     luxel_settings_init(&view.settings);
     view.settings.threads = 1;
     return view;
