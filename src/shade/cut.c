@@ -259,11 +259,11 @@ static void shade_waiting(struct shading *shading, const float *open)
     const struct lx_planned_surface *surface = shading->cut->surface;
     const struct lx_kernels *kernels = shading->plan->kernels;
     if (shading->waiting > 0 && shading->in_double)
-        kernels->shade_double(shading->exacts, shading->waiting, &surface->lobe_exact, shading->block, open,
+        kernels->shade_double(shading->exacts, NULL, shading->waiting, &surface->lobe_exact, shading->block, NULL, open,
                               shading->count, shading->sum);
     else if (shading->waiting > 0)
-        kernels->shade_single(shading->singles, shading->waiting, &surface->lobe_single, shading->copy, open,
-                              shading->count, shading->sum);
+        kernels->shade_single(shading->singles, shading->exacts, shading->waiting, &surface->lobe_single, shading->copy,
+                              shading->block, open, shading->count, shading->sum);
     shading->waiting = 0;
 }
 
@@ -297,10 +297,10 @@ static void put_light(struct shading *shading, const double row[4], const double
     bool is_alone = find_open(shading, &light);
     if (is_alone)
         shade_waiting(shading, NULL);
-    if (shading->in_double)
-        shading->exacts[shading->waiting++] = light;
-    else
-        shading->singles[shading->waiting++] = lx_light_single_of(&light);
+    shading->exacts[shading->waiting] = light;
+    if (!shading->in_double)
+        shading->singles[shading->waiting] = lx_light_single_of(&light);
+    shading->waiting++;
     if (is_alone || shading->waiting == LX_MOST_IN_RUN)
         shade_waiting(shading, is_alone ? shading->open : NULL);
 }

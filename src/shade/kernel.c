@@ -10,37 +10,6 @@
 
 #include "kernel.h"
 
-#define REAL float
-#define LX_IS_SINGLE 1
-#define SUFFIX ps
-#define NAME(x) x##_single
-#define BITS uint32_t
-#define MANTISSA 23
-#define BIAS 127
-#define MAGIC 12582912.0F
-#define SMALLEST 1.17549435e-38
-#define SQRT sqrtf
-#define LOG_TERMS 5
-#define EXP_TERMS 8
-#include "lanes.h"
-
-#include "kernel_facets.h"
-#include "kernel_real.h"
-#include "kernel_samples.h"
-#include "kernel_survey.h"
-#undef REAL
-#undef LX_IS_SINGLE
-#undef SUFFIX
-#undef NAME
-#undef BITS
-#undef MANTISSA
-#undef BIAS
-#undef MAGIC
-#undef SMALLEST
-#undef SQRT
-#undef LOG_TERMS
-#undef EXP_TERMS
-
 #define REAL double
 #define LX_IS_SINGLE 0
 #define SUFFIX pd
@@ -55,6 +24,8 @@
 #define EXP_TERMS 14
 #include "lanes.h"
 
+#include "kernel_functions.h"
+
 #include "kernel_facets.h"
 #include "kernel_real.h"
 #include "kernel_samples.h"
@@ -63,6 +34,41 @@
 #include "kernel_angle.h"
 #include "kernel_contour.h"
 #include "kernel_round.h"
+#undef REAL
+#undef LX_IS_SINGLE
+#undef SUFFIX
+#undef NAME
+#undef BITS
+#undef MANTISSA
+#undef BIAS
+#undef MAGIC
+#undef SMALLEST
+#undef SQRT
+#undef LOG_TERMS
+#undef EXP_TERMS
+
+#define REAL float
+#define LX_IS_SINGLE 1
+#define SUFFIX ps
+#define NAME(x) x##_single
+#define BITS uint32_t
+#define MANTISSA 23
+#define BIAS 127
+#define MAGIC 12582912.0F
+#define SMALLEST 1.17549435e-38
+#define SQRT sqrtf
+#define LOG_TERMS 5
+#define EXP_TERMS 8
+#include "lanes.h"
+
+#include "kernel_functions.h"
+
+#include "kernel_edge.h"
+
+#include "kernel_facets.h"
+#include "kernel_real.h"
+#include "kernel_samples.h"
+#include "kernel_survey.h"
 
 /*
  * Of a sphere seen along -z: the place is (dx, dy, sqrt(R^2 - dx^2 - dy^2)).  What is the same in the whole row is

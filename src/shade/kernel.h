@@ -61,8 +61,10 @@ enum lx_light_kind { LX_DISTANT, LX_BY_SQUARE, LX_BY_SUM, LX_UNATTENUATED, LX_PR
         enum lx_falloff falloff;                                                                                       \
         real axis_x, axis_y, axis_z;                                                                                   \
         struct lx_exponent_##suffix exponent; /* of g; 0: none */                                                      \
-        real edge;       /* of the cone: the outer versine, or the outer angle where it is linear */                   \
-        real edge_slope; /* 1 / (outer - inner) of the same */                                                         \
+        real edge;         /* of the cone: the outer versine, or the outer angle where it is linear */                 \
+        real edge_slope;   /* 1 / (outer - inner) of the same */                                                       \
+        real inner_cosine; /* of its angles */                                                                         \
+        real cosine, sine; /* of the outer one */                                                                      \
     };                                                                                                                 \
     struct lx_lobe_##suffix {                                                                                          \
         enum lx_model model;                                                                                           \
@@ -96,8 +98,9 @@ enum lx_light_kind { LX_DISTANT, LX_BY_SQUARE, LX_BY_SUM, LX_UNATTENUATED, LX_PR
         real moment[3];                /* from x to */                                                                 \
         int left, right;               /* as in struct lx_edge */                                                      \
     };                                                                                                                 \
-    typedef void lx_shade_##suffix(const struct lx_light_##suffix *lights, size_t light_count,                         \
-                                   const struct lx_lobe_##suffix *lobe, const struct lx_block_##suffix *block,         \
+    typedef void lx_shade_##suffix(const struct lx_light_##suffix *lights, const struct lx_light_double *exacts,       \
+                                   size_t light_count, const struct lx_lobe_##suffix *lobe,                            \
+                                   const struct lx_block_##suffix *block, const struct lx_block_double *exact,         \
                                    const float *open, size_t count, double *sum);                                      \
     typedef void lx_shade_samples_##suffix(const struct lx_samples_##suffix *samples, size_t first, size_t count,      \
                                            const struct lx_lobe_##suffix *lobe, const struct lx_block_##suffix *block, \
@@ -105,15 +108,17 @@ enum lx_light_kind { LX_DISTANT, LX_BY_SQUARE, LX_BY_SUM, LX_UNATTENUATED, LX_PR
 
 /*
  * lx_shade_single, lx_shade_double: add to sum[i] what the lights, at least one and all of one kind, give to element i.
- * open[i] is 1 where the way to them is free, 0 where it is blocked; NULL: free everywhere.
+ * open[i] is 1 where the way to them is free, 0 where it is blocked; NULL: free everywhere.  The same lights and
+ * elements in float64 tell float32 on which side of an edge an element lies; they may be NULL in float64, and where
+ * lx_has_edges() says no.
  *
  * lx_shade_samples_single, lx_shade_samples_double: samples of Lambertian shells.  Set sum[0 ... LX_LANES - 1] to the
  * brightness that `count` of them, from the first on, give to the elements from `start` on.  A sample gives
  * gain cos(its angle) a, with a by law: 1/r^2, 1/(k + r), 1; r in mm.  Of a ball gain is area, over R^2, for a unit of
  * x and of the turn, but for sin(angle) d angle/dx; of a side over R for a unit of length and y, but for d angle/dy.
  */
-LX_KERNEL_TYPES(float, single);
 LX_KERNEL_TYPES(double, double);
+LX_KERNEL_TYPES(float, single);
 
 /* What some values have in common, none of which is below 0. */
 struct lx_survey {

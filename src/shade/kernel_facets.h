@@ -66,52 +66,6 @@ LX_LANE struct NAME(space)
                                 NAME(where_above)(a, b, above.z, other.z)};
 }
 
-LX_LANE NAME(lanes) NAME(polynomial)(NAME(lanes) x, const REAL *coefficients, int count)
-{
-    NAME(lanes) value = NAME(all)(coefficients[count - 1]);
-    for (int k = count - 2; k >= 0; k--)
-        value = value * x + coefficients[k];
-    return value;
-}
-
-/* gap(z) for 0 <= z <= 1; the polynomial is the nearest to gap(z)/z.  Error below 2 ulp. */
-LX_LANE NAME(lanes) NAME(gap_of)(NAME(lanes) z)
-{
-#if LX_IS_SINGLE
-    static const REAL coefficients[] = {0.333333317F,   -0.199997393F, 0.142785687F,   -0.110337641F, 0.0865688043F,
-                                        -0.0625016944F, 0.035871539F,  -0.0135077714F, 0.00238699732F};
-#else
-    static const REAL coefficients[] = {
-        0.33333333333333333,   -0.19999999999999553,  0.14285714285648404,    -0.11111111107234799,
-        0.090909089695574031,  -0.076923053546786548, 0.066666364357776927,   -0.058820749563712946,
-        0.052612657357094544,  -0.047520867735766561, 0.043081196553304713,   -0.038726402140426325,
-        0.033750132001619734,  -0.027567942297344677, 0.020238706986393516,   -0.012756172907694297,
-        0.0065756833441516986, -0.002622977891906089, 0.00075184725269738215, -0.0001368724853148122,
-        1.1832505417555693e-5,
-    };
-#endif
-    return z * NAME(polynomial)(z, coefficients, (int)(sizeof coefficients / sizeof *coefficients));
-}
-
-/* An angle up to 90 degrees divided by its sine, of z = 1 - cosine; likewise.  Error below 2 ulp of 1. */
-LX_LANE NAME(lanes) NAME(arc_over_sine)(NAME(lanes) z)
-{
-#if LX_IS_SINGLE
-    static const REAL coefficients[] = {0.333333328F,  0.133334323F,   0.0571105879F, 0.0258003783F,  0.0090147924F,
-                                        0.0142751467F, -0.0162989942F, 0.024591851F,  -0.0157470768F, 0.00538198021F};
-#else
-    static const REAL coefficients[] = {
-        0.33333333333333335,   0.13333333333332159,    0.057142857144574497,   0.025396825297269286,
-        0.011544014593116172,  0.0053279483088366183,  0.0024871121300071885,  0.0011638546001328132,
-        0.0005940854424188283, 7.2113529832630871e-5,  0.00083300093742698707, -0.0019569674992866074,
-        0.0045212623352351001, -0.0078002147398554877, 0.010588885862776898,   -0.011041195077543494,
-        0.008721864552393709,  -0.0050442123635885331, 0.0020230684103422831,  -0.00050420295628496021,
-        5.9559620437726247e-5,
-    };
-#endif
-    return 1 + z * NAME(polynomial)(z, coefficients, (int)(sizeof coefficients / sizeof *coefficients));
-}
-
 /* A vector of elements and their ways to the source's centre. */
 struct NAME(outlook) {
     struct NAME(space) n, c;

@@ -92,7 +92,8 @@ LX_LANE NAME(lanes) NAME(sum_samples)(const struct NAME(lx_samples) * samples, s
         NAME(lanes) r2 = NAME(greater)(x * x + y * y + z * z, NAME(all)((REAL)1e-30));
         NAME(lanes) inverse = NAME(inverse_root)(r2);
         NAME(lanes) e = NAME(sample_strength)(law, samples->k, above, inverse, r2 * inverse);
-        total += area * e * NAME(weight_of)(lobe, at, model, highlight, x * inverse, y * inverse, z * inverse);
+        const struct NAME(ray) ray = {.x = x * inverse, .y = y * inverse, .z = z * inverse};
+        total += area * e * NAME(weight_of)(lobe, at, model, highlight, &ray, NAME(n_dot)(at, &ray));
     }
     return total;
 }
@@ -103,7 +104,7 @@ LX_LANE void NAME(add_samples)(const struct NAME(lx_samples) * samples, size_t f
 {
     const struct NAME(lx_lobe) constants = *lobe;
     for (size_t i = 0; i < LX_LANES; i += NAME(LX_WIDTH)) {
-        const struct NAME(elements) at = NAME(elements_at)(block, start + i);
+        const struct NAME(elements) at = NAME(elements_at)(block, NULL, start + i);
         NAME(lanes) total = NAME(sum_samples)(samples, first, count, &constants, &at, bend, model, highlight);
         memcpy(sum + i, &total, sizeof total);
     }

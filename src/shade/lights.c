@@ -48,6 +48,12 @@ enum lx_light_kind lx_light_kind_of(const struct lx_emitter *emitter)
     return LX_UNATTENUATED;
 }
 
+bool lx_has_edges(const struct lx_emitter *emitter, const struct lx_lobe_double *lobe)
+{
+    bool is_gated = lobe->highlight == LX_HIGHLIGHT_GATED && lobe->specular > 0;
+    return is_gated || (emitter->type == LX_POINT && emitter->profile.falloff != LX_NO_CONE);
+}
+
 double lx_light_unit(enum lx_attenuation law)
 {
     return law == LX_INVERSE_SQUARE ? 1e6 : law == LX_PRACTICAL ? 1e3 : 1;
@@ -86,6 +92,9 @@ void lx_light_set(const struct lx_emitter *emitter, const double anchor_mm[3], s
     light->edge = by_angle ? profile->outer_rad.value : profile->outer_versine.value;
     double inner = by_angle ? profile->inner_rad.value : profile->inner_versine.value;
     light->edge_slope = profile->falloff == LX_HARD || profile->falloff == LX_NO_CONE ? 0 : 1 / (light->edge - inner);
+    light->inner_cosine = 1 - profile->inner_versine.value;
+    light->cosine = 1 - profile->outer_versine.value;
+    light->sine = sin(profile->outer_rad.value);
 }
 
 struct lx_light_single lx_light_single_of(const struct lx_light_double *light)
@@ -105,6 +114,9 @@ struct lx_light_single lx_light_single_of(const struct lx_light_double *light)
         .exponent = single_exponent(light->exponent),
         .edge = (float)light->edge,
         .edge_slope = (float)light->edge_slope,
+        .inner_cosine = (float)light->inner_cosine,
+        .cosine = (float)light->cosine,
+        .sine = (float)light->sine,
     };
 }
 

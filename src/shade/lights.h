@@ -55,6 +55,8 @@ void lx_lights_clear(struct lx_lights *lights);
 
 /* What a kernel knows of a light when it is compiled. */
 enum lx_light_kind lx_light_kind_of(const struct lx_emitter *emitter);
+/* Whether what it gives has edges, so that the kernels of float32 ask for it in float64, too. */
+bool lx_has_edges(const struct lx_emitter *emitter, const struct lx_lobe_double *lobe);
 
 /* Room for lights that are made when they are needed, with what those of one cloud have in common; zero-initialise. */
 struct lx_light_room {

@@ -116,15 +116,18 @@ static int find_blockers(const struct lx_plan *plan, struct lx_planned_surface *
 }
 
 /* Appends light i, whose blockers stand at the end of their list, to the runs. */
-static int append_to_runs(struct lx_planned_surface *surface, enum lx_light_kind kind, enum lx_light_kind last_kind,
-                          size_t i, size_t blocker_count)
+static int append_to_runs(struct lx_planned_surface *surface, const struct lx_emitter *emitter, size_t i,
+                          size_t blocker_count)
 {
+    const enum lx_light_kind kind = lx_light_kind_of(emitter);
+    const bool has_edges = lx_has_edges(emitter, &surface->lobe_exact);
     struct lx_light_run *last = surface->run_count > 0 ? &surface->runs[surface->run_count - 1] : NULL;
     const uint32_t *blockers = surface->blockers;
-    if (last && kind == last_kind && last->blocker_count == blocker_count &&
+    if (last && kind == last->kind && last->blocker_count == blocker_count &&
         (blocker_count == 0 || memcmp(blockers + last->blocker_first, blockers + surface->blocker_count,
                                       blocker_count * sizeof *blockers) == 0)) {
         last->count++;
+        last->has_edges |= has_edges;
         return 0;
     }
     if (lx_reserve(&surface->runs, &surface->run_capacity, surface->run_count + 1, sizeof *surface->runs))
@@ -132,6 +135,8 @@ static int append_to_runs(struct lx_planned_surface *surface, enum lx_light_kind
     surface->runs[surface->run_count++] = (struct lx_light_run){
         .first = i,
         .count = 1,
+        .kind = kind,
+        .has_edges = has_edges,
         .in_double = true,
         .blocker_first = surface->blocker_count,
         .blocker_count = blocker_count,
@@ -157,7 +162,6 @@ static bool next_lights(const struct lx_plan *plan, struct lx_emitter_span *span
 
 static luxel_status plan_lights(struct lx_plan *plan, struct lx_control *control, struct lx_planned_surface *surface)
 {
-    enum lx_light_kind kind = LX_DISTANT, last_kind = LX_DISTANT;
     struct lx_emitter room;
     struct lx_lights *lights = &surface->lights;
     size_t i = 0;
@@ -180,10 +184,8 @@ static luxel_status plan_lights(struct lx_plan *plan, struct lx_control *control
             if (span.items && lx_lights_append(lights, emitter))
                 return LUXEL_ERROR_MEMORY;
             int blockers = plan->prepared->shadows && !emitter->is_part ? find_blockers(plan, surface, emitter) : 0;
-            kind = lx_light_kind_of(emitter);
-            if (blockers < 0 || append_to_runs(surface, kind, last_kind, i++, (size_t)blockers))
+            if (blockers < 0 || append_to_runs(surface, emitter, i++, (size_t)blockers))
                 return LUXEL_ERROR_MEMORY;
-            last_kind = kind;
         }
     }
     return LUXEL_OK;

@@ -27,6 +27,8 @@
 /* Lights that follow each other, of one kind and precision, and with the same surfaces that may stand in their way. */
 struct lx_light_run {
     size_t first, count;
+    enum lx_light_kind kind;
+    bool has_edges;
     bool in_double;
     size_t blocker_first, blocker_count; /* in the surface's list */
 };

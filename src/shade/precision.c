@@ -8,8 +8,10 @@
  * absolutely.  A lobe S^n turns an error d of its angle into at most max(1, 0.61 sqrt(n)) d, the largest slope of
  * exp(-n a^2/2), because the kernel raises 1 - t, t = 1 - cos from the difference of the vectors; the power itself is
  * good to 12 u.  E_perp has a relative error, which is harmless
- * in itself.  What float32 cannot do at all (jumps, and slopes that are infinite) has an infinite bound.
+ * in itself.  Where light jumps or rises steeply, float64 decides (kernel_edge.h).  What float32 cannot do at all
+ * (slopes that are infinite) has an infinite bound.
  */
+#include <float.h>
 #include <math.h>
 
 #include "camera.h"
@@ -45,20 +47,24 @@ static double power_slope(double exponent)
     return exponent < 1 ? HUGE_VAL : fmax(1, 0.61 * sqrt(exponent));
 }
 
-/* The relative error that a profile adds, for an error of the direction (it is 1 where it is greatest). */
-static double profile_error(const struct lx_profile *profile, double off)
+/*
+ * The relative error that a profile adds, for errors of the direction and of the distance (it is 1 where it is
+ * greatest).  In a penumbra what the cone's measure t is a part of is exact (kernel_edge.h), t itself is off by the
+ * share that the distance is, and some roundings; a width near the roundings of float64 is not for float32.
+ */
+static double profile_error(const struct lx_profile *profile, double off, double moved)
 {
-    double error = power_slope(profile->exponent) * off;
-    double outer = profile->outer_rad.value;
+    const double width = profile->outer_versine.value - profile->inner_versine.value;
+    const double cone = 1.5 * moved + 3 * unit + 4 * DBL_EPSILON / width;
+    const double error = power_slope(profile->exponent) * off;
     switch (profile->falloff) {
     case LX_NO_CONE: return error;
-    case LX_HARD: return HUGE_VAL;
-    case LX_LINEAR: return error + off / (outer - profile->inner_rad.value);
-    case LX_SMOOTHSTEP:
+    case LX_HARD: return error + 4 * DBL_EPSILON / profile->outer_versine.value;
+    case LX_LINEAR:
+    case LX_SMOOTHSTEP: return error + cone; /* t dg/dt is at most 1 */
     case LX_SQUARED: break;
     }
-    double width = profile->outer_versine.value - profile->inner_versine.value;
-    return error + 2 * off * fmax(sin(outer), off) / width;
+    return error + 2 * cone;
 }
 
 static double dot(const double a[3], const double b[3])
@@ -140,8 +146,6 @@ static double lobe_error(const struct lx_lobe *lobe, double least_half, double o
     double error = lobe->diffuse.value * (off + 2 * unit);
     if (!(lobe->specular.value > 0))
         return error;
-    if (lobe->highlight == LX_HIGHLIGHT_GATED)
-        return HUGE_VAL;
     double angle = off + 4 * unit;
     if (lobe->model == LX_BLINN_PHONG)
         angle = (off + 2 * unit) / least_half + 3 * unit;
@@ -156,7 +160,7 @@ double lx_bound_stand(const struct lx_shape *shape, const struct lx_lobe *lobe, 
     if (emitter->type == LX_POINT) {
         double moved = unit * (stand->away_mm + radius) / stand->nearest_mm;
         off = moved + 3 * unit;
-        relative = 2 * moved + 4 * unit + profile_error(&emitter->profile, off + 2 * unit);
+        relative = 2 * moved + 4 * unit + profile_error(&emitter->profile, off + 2 * unit, moved);
         attenuation = greatest_attenuation(emitter, stand->nearest_mm);
     }
     double greatest = strength * attenuation, bound = greatest * lobe_error(lobe, stand->least_half, off);

@@ -202,14 +202,15 @@ static void light_by_run(const struct lx_plan *plan, const struct lx_planned_sur
                          size_t count)
 {
     const struct lx_light_double *exact = NULL;
-    if (run->in_double || run->blocker_count > 0)
+    if (run->in_double || run->has_edges || run->blocker_count > 0)
         exact = lx_lights_double(&surface->lights, first, lights, &memory->room);
     const float *open = find_open(plan, surface, run, exact, memory, count);
     if (run->in_double)
-        plan->kernels->shade_double(exact, lights, &surface->lobe_exact, &memory->block, open, count, memory->sum);
+        plan->kernels->shade_double(exact, NULL, lights, &surface->lobe_exact, &memory->block, NULL, open, count,
+                                    memory->sum);
     else
-        plan->kernels->shade_single(lx_lights_single(&surface->lights, first, lights, &memory->room), lights,
-                                    &surface->lobe_single, &memory->copy, open, count, memory->sum);
+        plan->kernels->shade_single(lx_lights_single(&surface->lights, first, lights, &memory->room), exact, lights,
+                                    &surface->lobe_single, &memory->copy, &memory->block, open, count, memory->sum);
 }
 
 /* Sums all lights but the extended and the clustered ones over the gathered block. */

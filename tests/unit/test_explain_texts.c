@@ -38,7 +38,7 @@ static const struct asked asked[] = {
     {"distant", NULL, 0, 0, false, 0xb8a1b4d5, 0x658e159b},
     {"distant", NULL, 80, -60, false, 0x96deecbc, 0x9d5a0ed7},
     {"desk", NULL, 0, 100, false, 0xb9bc5bd6, 0xf5b2d1b5},
-    {"desk", NULL, 150, -100, false, 0xa017d159, 0xce723d37},
+    {"desk", NULL, 150, -100, false, 0x44c6a89e, 0xce723d37},
     {"desk", NULL, -250, -150, false, 0x8e21f9ba, 0xa2747eaf},
     {"ambient", NULL, 0, 0, false, 0x1107f35c, 0xb17411e1},
     {"report", "surfaces[0].material.model=phong", 70, -40, false, 0x2a78b762, 0xb82d6357},

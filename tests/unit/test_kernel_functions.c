@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /*
  * The functions that the kernels of one instruction set are made of, against the C library in long double, over all of
- * their domain: each error stays below what lanes.h and kernel_real.h state.  Built once for each set; where the
+ * their domain: each error stays below what lanes.h and kernel_functions.h state.  Built once for each set; where the
  * machine does not have it, nothing runs.
  */
 #include <setjmp.h>
@@ -196,8 +196,8 @@ static void test_angles(void **state)
             for (int i = 0; i < LX_WIDTH_double; i++)
                 note(&twice, fabsl((long double)angle[i] / (2 * atanl((long double)t[i])) - 1) / unit_double, t[i]);
         }
-    report("angles in float32", &single, 4);
-    report("angles in float64", &twice, 4);
+    report("angles in float32", &single, 2);
+    report("angles in float64", &twice, 2);
 }
 
 /* gap(z), and an angle over its sine less 1, of z from 0 to 1, in long double. */

@@ -138,6 +138,123 @@ static void test_plates_double(void **state)
     check_precision(LUXEL_DOUBLE, true, 1e-11);
 }
 
+/* A direction at right angles to a unit vector. */
+static void across(struct randomness *random, const double unit[3], double way[3])
+{
+    double off[3], along = 0, length = 0;
+    random_direction(random, off);
+    for (int i = 0; i < 3; i++)
+        along += off[i] * unit[i];
+    for (int i = 0; i < 3; i++) {
+        way[i] = off[i] - along * unit[i];
+        length = hypot(length, way[i]);
+    }
+    for (int i = 0; i < 3; i++)
+        way[i] /= length;
+}
+
+/*
+ * A sphere or plate through P = (0, 0, 1000), which is in the middle of the picture, and one point S.  P lies where
+ * highlights are gated, or in the penumbra of the point's cone or at its ends; the picture shows much around it, or a
+ * few of the steps that float32 has there.
+ */
+static void make_edge_scene(struct randomness *random, bool is_gated, bool is_plate, struct test_scene *test)
+{
+    static const double middle[3] = {0, 0, 1000};
+    const double radius = logarithmic(random, 30, 600), distance = logarithmic(random, 100, 10000);
+    double normal[3], to_light[3], side[3], turn[3], axis[3];
+    make_random_scene(random, false, test);
+    do
+        random_direction(random, normal);
+    while (normal[2] < 0.2);
+    across(random, normal, side);
+    const double above = is_gated ? 0 : uniform(random, 0.2, 1.5);
+    for (int i = 0; i < 3; i++) {
+        to_light[i] = cos(above) * side[i] + sin(above) * normal[i];
+        test->spheres[0].center_mm[i] = middle[i] - radius * normal[i];
+    }
+    test->spheres[0].radius_mm = radius;
+    test->plates[0] = (struct lx_plate_parameters){.size_mm = {radius, radius}};
+    memcpy(test->plates[0].center_mm, middle, sizeof middle);
+    memcpy(test->plates[0].axis, normal, sizeof normal);
+    const struct lx_surface_kind *kind = NULL;
+    for (size_t i = 0; lx_surface_variants[i]; i++)
+        if (strcmp(lx_surface_variants[i]->name, is_plate ? "rectangle" : "sphere") == 0)
+            kind = (const struct lx_surface_kind *)lx_surface_variants[i];
+    const void *parameters = is_plate ? (const void *)&test->plates[0] : &test->spheres[0];
+    const struct lx_material material = {.model = (enum lx_model)pick(random, 2),
+                                         .highlight = is_gated ? LX_HIGHLIGHT_GATED : LX_HIGHLIGHT_PLAIN,
+                                         .diffuse = uniform(random, 0.1, 1),
+                                         .specular = uniform(random, 0.1, 1),
+                                         .shininess = uniform(random, 1, 20)};
+    test->surfaces[0] = (struct lx_prepared_surface){
+        .kind = kind, .parameters = parameters, .shape = kind->shape(parameters), .lobe = lx_lobe_prepare(&material)};
+
+    const double outer = uniform(random, 0.1, 90), narrow = logarithmic(random, 1e-3, outer);
+    const enum lx_falloff falloff = (enum lx_falloff)(1 + pick(random, 4));
+    const double inner = falloff == LX_HARD ? outer : outer - narrow;
+    const double share = pick(random, 3) ? uniform(random, 0, 1) : pick(random, 2);
+    const double angle = (inner + share * (outer - inner)) * M_PI / 180;
+    across(random, to_light, turn);
+    for (int i = 0; i < 3; i++)
+        axis[i] = -cos(angle) * to_light[i] + sin(angle) * turn[i];
+    test->lights[0] = (struct lx_emitter){
+        .type = LX_POINT,
+        .strength = logarithmic(random, 0.01, 10000),
+        .attenuation = (enum lx_attenuation)pick(random, 3),
+        .k_mm = logarithmic(random, 10, 2000),
+        .profile = is_gated ? lx_profile_isotropic()
+                            : lx_profile_cone(lx_unit3(lx_exact3(axis)), falloff, inner, outer, pick(random, 2)),
+    };
+    if (is_gated && pick(random, 3) == 0) {
+        test->lights[0].type = LX_DIRECTION;
+        test->lights[0].towards = lx_unit3(lx_exact3(to_light));
+    }
+    for (int i = 0; i < 3; i++)
+        test->lights[0].position_mm[i] = middle[i] + distance * to_light[i];
+    /* as bright as the point may be: what float32 makes of it counts, however dim it is there */
+    const double meters = distance / 1000, k_meters = test->lights[0].k_mm / 1000;
+    const double laws[] = {
+        [LX_INVERSE_SQUARE] = 1 / (meters * meters), [LX_PRACTICAL] = 1 / (k_meters + meters), [LX_NO_ATTENUATION] = 1};
+    const double law = test->lights[0].type == LX_POINT ? laws[test->lights[0].attenuation] : 1;
+    test->lights[1] = (struct lx_emitter){
+        .type = LX_UNIFORM, .strength = law * test->lights[0].strength / test->surfaces[0].lobe.ambient.value};
+    test->scene.screen.width_mm = logarithmic(random, 1e-4, 100);
+    test->scene.screen.height_mm = test->scene.screen.width_mm * ROWS / COLUMNS;
+    test->prepared.surface_count = 1;
+    test->prepared.emitters.count = 2;
+    test->prepared.shadows = false;
+}
+
+static void test_edges(void **state)
+{
+    static lx_bounded picture[ROWS][COLUMNS];
+    const char *campaign = getenv("LUXEL_TEST_SCENES");
+    int scenes = campaign ? atoi(campaign) : 250;
+    double worst = 0, single = 0;
+    (void)state;
+    for (int i = 0; i < scenes; i++) {
+        struct randomness random = {.state = UINT64_C(0xD1B54A32D192ED03) * ((uint64_t)i + 1)};
+        struct test_scene test;
+        make_edge_scene(&random, i % 4 == 0, i % 4 == 1, &test);
+        const double maximum = reference_picture(&test, picture);
+        for (size_t k = 0; lx_kernels_get(k); k++) {
+            double share;
+            if (!lx_kernels_get(k)->runs())
+                continue;
+            double off = worst_pixel(&test, lx_kernels_get(k), LUXEL_SINGLE, picture, maximum, &share);
+            single += k == 0 ? share : 0;
+            if (off > 2e-6)
+                print_message("# scene %d, %s: off by %.3g of the maximum\n", i, lx_kernels_get(k)->name, off);
+            worst = fmax(worst, off);
+        }
+    }
+    print_message("# worst pixel: %.3g of the maximum; %.0f %% of the lights in float32\n", worst,
+                  100 * single / scenes);
+    assert_true(worst <= 2e-6);
+    assert_true(single > 0.5 * scenes);
+}
+
 static void test_choice(void **state)
 {
     (void)state;
@@ -156,7 +273,7 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_choice),        cmocka_unit_test(test_single),        cmocka_unit_test(test_double),
-        cmocka_unit_test(test_plates_single), cmocka_unit_test(test_plates_double),
+        cmocka_unit_test(test_plates_single), cmocka_unit_test(test_plates_double), cmocka_unit_test(test_edges),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -1,0 +1,143 @@
+/* SPDX-License-Identifier: MIT */
+/*
+ * The functions of a number that the kernels need beside roots: powers of cosines and an angle.  kernel.c includes it
+ * once for each precision, behind lanes.h, with LOG_TERMS and EXP_TERMS, the terms of the series, besides.
+ *
+ * Cosines that are raised to a power enter as t = 1 - cos = |a - b|^2 / 2, a and b the unit vectors that make the
+ * angle: a cosine near 1 has lost the digits that tell how far the angle is from 0.  In float64 the cosine itself comes
+ * with it, as a t near 1 has lost those that tell how far the angle is from pi/2; lights for which that matters never
+ * are left to float32.
+ */
+
+/*
+ * log2(w + c) of w > 0 and a c that is small beside it.  With w = 2^k m, m within [sqrt(1/2), sqrt(2)):
+ * log2 m = 2/ln 2 (s + s^3/3 + s^5/5 ...), s = (m - 1)/(m + 1).  Error below 3 ulp of the result.
+ */
+LX_LANE NAME(lanes) NAME(log2_of)(NAME(lanes) w, NAME(lanes) c)
+{
+    NAME(lanes) exponent, m = NAME(split)(NAME(greater)(w, NAME(all)((REAL)SMALLEST)), &exponent);
+    NAME(lanes) s = (m - 1) * NAME(inverse)(m + 1), s2 = s * s;
+    NAME(lanes) series = NAME(all)((REAL)1 / (2 * LOG_TERMS - 1));
+    for (int k = LOG_TERMS - 2; k >= 0; k--)
+        series = series * s2 + (REAL)1 / (REAL)(2 * k + 1);
+    return exponent + ((REAL)2.8853900817779268 * s * series + (REAL)1.4426950408889634 * c);
+}
+
+/* 2^y for y <= 0, about 0 below the normal numbers; error below 2 ulp. */
+LX_LANE NAME(lanes) NAME(exp2_of)(NAME(lanes) y)
+{
+    static const REAL coefficients[] = {
+        (REAL)1,
+        (REAL)6.9314718055994531e-1,
+        (REAL)2.4022650695910071e-1,
+        (REAL)5.5504108664821580e-2,
+        (REAL)9.6181291076284772e-3,
+        (REAL)1.3333558146428443e-3,
+        (REAL)1.5403530393381609e-4,
+        (REAL)1.5252733804059840e-5,
+        (REAL)1.3215486790144309e-6,
+        (REAL)1.0178086009239699e-7,
+        (REAL)7.0549116208011233e-9,
+        (REAL)4.4455382718708114e-10,
+        (REAL)2.5678435993488204e-11,
+        (REAL)1.3691488853904128e-12,
+    };
+    NAME(lanes) whole = NAME(whole_of)(y), fraction = y - whole;
+    NAME(lanes) series = NAME(all)(coefficients[EXP_TERMS - 1]);
+    for (int k = EXP_TERMS - 2; k >= 0; k--)
+        series = series * fraction + coefficients[k];
+    return NAME(scale)(series, whole);
+}
+
+/*
+ * cosine^exponent with t = 1 - cosine, 0 for cosines below 0.  A whole exponent by squaring: while it is large by
+ * squaring the complements, 1 - (1 - t)^2 = t (2 - t), which keeps the digits of a small t; at last the powers
+ * themselves, which keeps those of a small power.  Others by the logarithm.  Errors, t's own aside: below 6 ulp of
+ * 1, by the logarithm 2.  In float64 what has become less than a half is squared itself from there on, so that a
+ * power p of any size is good to some ulp of p ln p: there are pictures that show only the faint foot of a highlight.
+ */
+LX_LANE NAME(lanes) NAME(power_of)(NAME(lanes) t, NAME(lanes) cosine, struct NAME(lx_exponent) exponent)
+{
+    enum { LEAST_BY_COMPLEMENTS = 12 };
+    const NAME(lanes) zero = NAME(all)(0), half = NAME(all)((REAL)0.5);
+    t = NAME(lesser)(t, NAME(all)(1));
+    NAME(lanes) base = 1 - t;
+    if (!LX_IS_SINGLE)
+        base = NAME(where_above)(t, half, NAME(greater)(cosine, zero), base);
+    if (exponent.whole > 0) {
+        unsigned bits = exponent.whole;
+        NAME(lanes) power = NAME(all)(1);
+        for (; bits >= LEAST_BY_COMPLEMENTS; bits >>= 1) {
+            if (bits & 1)
+                power = LX_IS_SINGLE ? power - power * t : power * base;
+            t = t * (2 - t);
+            base = LX_IS_SINGLE ? 1 - t : NAME(where_above)(t, half, base * base, 1 - t);
+        }
+        for (; !(bits & 1); bits >>= 1)
+            base *= base;
+        power *= base;
+        while (bits >>= 1) {
+            base *= base;
+            if (bits & 1)
+                power *= base;
+        }
+        return power;
+    }
+    NAME(lanes) rest = (1 - base) - t; /* what base has lost of 1 - t */
+    if (!LX_IS_SINGLE)
+        rest = NAME(where_above)(t, half, zero, rest);
+    NAME(lanes) power = NAME(exp2_of)(exponent.value * NAME(log2_of)(base, rest));
+    return NAME(where_above)(base, zero, power, zero);
+}
+
+LX_LANE NAME(lanes) NAME(polynomial)(NAME(lanes) x, const REAL *coefficients, int count)
+{
+    NAME(lanes) value = NAME(all)(coefficients[count - 1]);
+    for (int k = count - 2; k >= 0; k--)
+        value = value * x + coefficients[k];
+    return value;
+}
+
+/* gap(z) = 1 - atan(sqrt z)/sqrt z for 0 <= z <= 1; the polynomial is the nearest to gap(z)/z.  Error below 2 ulp. */
+LX_LANE NAME(lanes) NAME(gap_of)(NAME(lanes) z)
+{
+#if LX_IS_SINGLE
+    static const REAL coefficients[] = {0.333333317F,   -0.199997393F, 0.142785687F,   -0.110337641F, 0.0865688043F,
+                                        -0.0625016944F, 0.035871539F,  -0.0135077714F, 0.00238699732F};
+#else
+    static const REAL coefficients[] = {
+        0.33333333333333333,   -0.19999999999999553,  0.14285714285648404,    -0.11111111107234799,
+        0.090909089695574031,  -0.076923053546786548, 0.066666364357776927,   -0.058820749563712946,
+        0.052612657357094544,  -0.047520867735766561, 0.043081196553304713,   -0.038726402140426325,
+        0.033750132001619734,  -0.027567942297344677, 0.020238706986393516,   -0.012756172907694297,
+        0.0065756833441516986, -0.002622977891906089, 0.00075184725269738215, -0.0001368724853148122,
+        1.1832505417555693e-5,
+    };
+#endif
+    return z * NAME(polynomial)(z, coefficients, (int)(sizeof coefficients / sizeof *coefficients));
+}
+
+/* An angle up to 90 degrees divided by its sine, of z = 1 - cosine; likewise.  Error below 2 ulp of 1. */
+LX_LANE NAME(lanes) NAME(arc_over_sine)(NAME(lanes) z)
+{
+#if LX_IS_SINGLE
+    static const REAL coefficients[] = {0.333333328F,  0.133334323F,   0.0571105879F, 0.0258003783F,  0.0090147924F,
+                                        0.0142751467F, -0.0162989942F, 0.024591851F,  -0.0157470768F, 0.00538198021F};
+#else
+    static const REAL coefficients[] = {
+        0.33333333333333335,   0.13333333333332159,    0.057142857144574497,   0.025396825297269286,
+        0.011544014593116172,  0.0053279483088366183,  0.0024871121300071885,  0.0011638546001328132,
+        0.0005940854424188283, 7.2113529832630871e-5,  0.00083300093742698707, -0.0019569674992866074,
+        0.0045212623352351001, -0.0078002147398554877, 0.010588885862776898,   -0.011041195077543494,
+        0.008721864552393709,  -0.0050442123635885331, 0.0020230684103422831,  -0.00050420295628496021,
+        5.9559620437726247e-5,
+    };
+#endif
+    return 1 + z * NAME(polynomial)(z, coefficients, (int)(sizeof coefficients / sizeof *coefficients));
+}
+
+/* The angle, up to pi/2, of which t is the tangent of the half.  Error below 2 ulp. */
+LX_LANE NAME(lanes) NAME(angle_of_half_tangent)(NAME(lanes) t)
+{
+    return 2 * t * (1 - NAME(gap_of)(t * t));
+}
