@@ -150,7 +150,7 @@ static struct lx_contour_vertex at_horizon(const struct lx_contour *contour, con
     struct lx_contour_vertex vertex = {.a = lx_wide3_add(seen->a, way), .w = lx_wide3_add(seen->w, way)};
     vertex.distance = lx_wide3_length(vertex.a);
     vertex.extent = seen->extent + length;
-    vertex.lambda = fmax(1, (seen->distance.high + length) / vertex.distance.high);
+    vertex.lambda = (seen->distance.high + length) / vertex.distance.high;
     find_direction(contour, &vertex);
     return vertex;
 }

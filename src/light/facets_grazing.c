@@ -57,10 +57,11 @@ static lx_wide value_at(const struct edge *edge, lx_wide t)
     return lx_wide_div(square, lx_wide_mul(r2, lx_wide_sub(r2, square)));
 }
 
-/* The integral of h^2/(r^2 (r^2 - h^2)) dt over a short piece. */
+/* The integral of h^2/(r^2 (r^2 - h^2)) dt over a short piece, whose middle need not be a float64 number. */
 static lx_wide integrate_piece(const struct edge *edge, double from, double to)
 {
-    lx_wide middle = lx_wide_of(from / 2 + to / 2), half = lx_wide_of(to / 2 - from / 2), sum = lx_wide_of(0);
+    lx_wide middle = lx_wide_scale(lx_wide_add(lx_wide_of(from), lx_wide_of(to)), 0.5), sum = lx_wide_of(0);
+    lx_wide half = lx_wide_scale(lx_wide_sub(lx_wide_of(to), lx_wide_of(from)), 0.5);
     for (int i = 0; i < PAIRS; i++) {
         lx_wide way = lx_wide_mul(half, pairs[i].x);
         lx_wide both = lx_wide_add(value_at(edge, lx_wide_add(middle, way)), value_at(edge, lx_wide_sub(middle, way)));
