@@ -174,6 +174,11 @@ static void crossings_are_found(void **state)
 
 /* -- limits -- */
 
+/* They are relative: the same for shapes of any size. */
+static double unit_mm = 1;
+
+static const double units_mm[] = {1, 0x1p-30, 0x1p30};
+
 /* The number from which on something is so, between two where it is not and is. */
 static double limit_of(bool (*is_so)(double value), double low, double high)
 {
@@ -188,8 +193,12 @@ static double limit_of(bool (*is_so)(double value), double low, double high)
 static struct lx_shape_report try_square(const double (*corners)[3], size_t count, size_t *piece_count)
 {
     struct lx_facets **pieces = NULL;
+    double scaled[5][3];
     *piece_count = 0;
-    struct lx_shape_report report = lx_facets_of_outline((places)corners, count, &pieces, piece_count);
+    for (size_t i = 0; i < count; i++)
+        for (int k = 0; k < 3; k++)
+            scaled[i][k] = corners[i][k] * unit_mm;
+    struct lx_shape_report report = lx_facets_of_outline((places)scaled, count, &pieces, piece_count);
     for (size_t i = 0; i < *piece_count; i++)
         lx_facets_free(pieces[i]);
     free(pieces);
@@ -229,9 +238,12 @@ static void assert_limit(double found, double expected, const char *what)
 static void outlines_have_limits(void **state)
 {
     (void)state;
-    assert_limit(limit_of(is_bent, 1e-9, 1), 1e-6 * hypot(10, 10), "flat");
-    assert_limit(limit_of(has_area, 1e-30, 1), 0.5e-14 * 10, "area");
-    assert_limit(limit_of(is_cut, 1e-20, 1), 0x1p-44 * 2, "straight");
+    for (size_t i = 0; i < sizeof units_mm / sizeof *units_mm; i++) {
+        unit_mm = units_mm[i];
+        assert_limit(limit_of(is_bent, 1e-9, 1), 1e-6 * hypot(10, 10), "flat");
+        assert_limit(limit_of(has_area, 1e-30, 1), 0.5e-14 * 10, "area");
+        assert_limit(limit_of(is_cut, 1e-20, 1), 0x1p-44 * 2, "straight");
+    }
 }
 
 /* -- meshes -- */
@@ -239,20 +251,22 @@ static void outlines_have_limits(void **state)
 /* A box of 2 x 2 x `height` whose top has a middle corner, which lies `depth` below it; `lift` as in is_bent(). */
 static struct lx_shape_report try_box(double height, double depth, double lift, size_t *face_count, double *radius)
 {
-    const double corners[9][3] = {{-1, -1, -height}, {1, -1, -height}, {-1, 1, -height},
-                                  {1, 1, -height},   {-1, -1, lift},   {1, -1, -lift},
-                                  {-1, 1, -lift},    {1, 1, lift},     {0, 0, -depth}};
+    double corners[9][3] = {{-1, -1, -height}, {1, -1, -height}, {-1, 1, -height}, {1, 1, -height}, {-1, -1, lift},
+                            {1, -1, -lift},    {-1, 1, -lift},   {1, 1, lift},     {0, 0, -depth}};
     const unsigned flat[] = {4, 5, 7, 6, 0, 4, 6, 2, 1, 3, 7, 5, 0, 1, 5, 4, 2, 6, 7, 3, 0, 2, 3, 1};
     const unsigned roof[] = {4, 5, 8, 5, 7, 8, 7, 6, 8, 6, 4, 8, 0, 4, 6, 2,
                              1, 3, 7, 5, 0, 1, 5, 4, 2, 6, 7, 3, 0, 2, 3, 1};
     const unsigned flat_counts[] = {4, 4, 4, 4, 4, 4}, roof_counts[] = {3, 3, 3, 3, 4, 4, 4, 4, 4};
     const bool has_roof = depth != 0;
     struct lx_facets *facets = NULL;
+    for (size_t i = 0; i < 9; i++)
+        for (int k = 0; k < 3; k++)
+            corners[i][k] *= unit_mm;
     struct lx_shape_report report = lx_facets_of_mesh((places)corners, 9, has_roof ? roof : flat,
                                                       has_roof ? roof_counts : flat_counts, has_roof ? 9 : 6, &facets);
     if (report.fault == LX_SHAPE_GOOD) {
         *face_count = facets->face_count;
-        *radius = facets->radius_mm;
+        *radius = facets->radius_mm / unit_mm;
         lx_facets_free(facets);
     }
     return report;
@@ -293,15 +307,18 @@ static void meshes_have_limits(void **state)
     size_t count = 0;
     double radius = 0;
     (void)state;
-    assert_int_equal(try_box(2, 0, 0, &count, &radius).fault, LX_SHAPE_GOOD);
-    assert_true(count == 6 && fabs(radius - sqrt(3)) < 1e-14);
-    /* a plane of the roof runs from an edge to the middle: twice as deep below the other edge */
-    assert_int_equal(try_box(2, 1e-9, 0, &count, &radius).fault, LX_SHAPE_GOOD);
-    assert_limit(limit_of(is_pit, 1e-9, 1), 1e-6 * radius, "convex");
-    assert_limit(limit_of(is_twisted, 1e-9, 1), 2e-6 * sqrt(3), "flat face");
-    assert_limit(limit_of(is_folded, 1e-16, 1e-7), 0x1p-45 * sqrt(3), "bent face");
-    /* 4 h/R^3 of a volume, 8 of an area */
-    assert_limit(limit_of(has_volume, 1e-30, 1), 2e-14 * sqrt(2), "volume");
+    for (size_t i = 0; i < sizeof units_mm / sizeof *units_mm; i++) {
+        unit_mm = units_mm[i];
+        assert_int_equal(try_box(2, 0, 0, &count, &radius).fault, LX_SHAPE_GOOD);
+        assert_true(count == 6 && fabs(radius - sqrt(3)) < 1e-14);
+        /* a plane of the roof runs from an edge to the middle: twice as deep below the other edge */
+        assert_int_equal(try_box(2, 1e-9, 0, &count, &radius).fault, LX_SHAPE_GOOD);
+        assert_limit(limit_of(is_pit, 1e-9, 1), 1e-6 * radius, "convex");
+        assert_limit(limit_of(is_twisted, 1e-9, 1), 2e-6 * sqrt(3), "flat face");
+        assert_limit(limit_of(is_folded, 1e-16, 1e-7), 0x1p-45 * sqrt(3), "bent face");
+        /* 4 h/R^3 of a volume, 8 of an area */
+        assert_limit(limit_of(has_volume, 1e-30, 1), 2e-14 * sqrt(2), "volume");
+    }
 }
 
 /* A prism of many sides of which one edge lies within the chord of its neighbours: the first face that has it. */
