@@ -108,6 +108,12 @@ static void boxes(void **unused)
     assert_corner(facets->corners_mm[0], 0, 0, 0);
     assert_corner(facets->corners_mm[7], 2, 4, 6);
     lx_facets_free(facets);
+    /* the sphere around one far away has room for what its middle is rounded by */
+    facets = lx_facets_of_box((double[]){1e7, -2e7, 3e7}, (double[]){2, 4, 4});
+    assert_non_null(facets);
+    assert_true(facets->center_mm[0] == 1e7 && facets->center_mm[1] == -2e7 && facets->center_mm[2] == 3e7);
+    assert_true(fabs(facets->radius_mm - (3 + 8 * 0x1p-52 * 6e7)) < 1e-13);
+    lx_facets_free(facets);
 }
 
 /* The area of the sphere's polyhedron from its bands; the prism's from its sides. */

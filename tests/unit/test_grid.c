@@ -17,6 +17,8 @@
 
 #include <luxel/luxel.h>
 
+#include "shade/cells.h"
+
 #define SURFACE "{type: sphere, center: [0, 0, 9000], radius: 10}"
 
 /* A scene with these lights and grids; the sphere is far above and small, so that it shades nothing. */
@@ -382,12 +384,41 @@ static void test_refusals(void **state)
     luxel_diagnostics_free(diagnostics);
 }
 
+/* The rounding of places to float64, and 2^-90 of what they are summed of. */
+static void test_places_of_cells(void **state)
+{
+    const struct lx_grid flat = {
+        .center_mm = {30, -7, 400}, .size_mm = {80, 48}, .axis = {0, 0, -1}, .up = {0, 2, 0}, .n = {4, 3}};
+    struct lx_grid tilted = flat;
+    (void)state;
+    struct lx_cells cells = lx_cells_of(&flat); /* across runs along -x */
+    for (unsigned row = 0; row < 3; row++)
+        for (unsigned column = 0; column < 4; column++) {
+            lx_bounded3 place = lx_cell_place(&cells, column, row);
+            const double u = 20 * column - 30.0, v = 16 - 16.0 * row;
+            assert_vector((const double[]){place.x.value, place.y.value, place.z.value}, 30 - u, -7 + v, 400);
+            assert_near(place.x.error, 0x1p-90 * (30 + fabs(u)), 1e-12);
+            assert_near(place.y.error, 0x1p-90 * (7 + fabs(v)), 1e-12);
+            assert_true(place.z.error == 0);
+        }
+    tilted.axis[0] = 0.6, tilted.axis[1] = 0.48, tilted.axis[2] = 0.64;
+    cells = lx_cells_of(&tilted);
+    double most = 0;
+    for (unsigned column = 0; column < 4; column++) {
+        lx_bounded3 place = lx_cell_place(&cells, column, 0);
+        most = fmax(most, fmax(place.x.error, place.z.error));
+        assert_true(place.x.error <= 0x1p-54 * fabs(place.x.value) * 2 && place.z.error <= 0x1p-54 * 1024);
+    }
+    assert_true(most > 0x1p-60);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_orientation), cmocka_unit_test(test_point_law),    cmocka_unit_test(test_closed_room),
-        cmocka_unit_test(test_uniform),     cmocka_unit_test(test_on_source),    cmocka_unit_test(test_tolerance),
-        cmocka_unit_test(test_threads),     cmocka_unit_test(test_probes_agree), cmocka_unit_test(test_refusals),
+        cmocka_unit_test(test_orientation),     cmocka_unit_test(test_point_law),    cmocka_unit_test(test_closed_room),
+        cmocka_unit_test(test_uniform),         cmocka_unit_test(test_on_source),    cmocka_unit_test(test_tolerance),
+        cmocka_unit_test(test_threads),         cmocka_unit_test(test_probes_agree), cmocka_unit_test(test_refusals),
+        cmocka_unit_test(test_places_of_cells),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
