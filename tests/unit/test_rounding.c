@@ -149,36 +149,44 @@ static bool has_exponent(double exponent)
     return has_with((struct lx_profile){.falloff = LX_NO_CONE, .exponent = exponent});
 }
 
-static bool has_linear(double inner)
+/* A cone whose penumbra has a versine that is so many times smaller than 1; or, where it is hard, the cone itself. */
+static bool has_narrow(enum lx_falloff falloff, double times)
 {
-    return has_with((struct lx_profile){
-        .falloff = LX_LINEAR, .exponent = 0, .outer_rad = lx_exact(1), .inner_rad = lx_exact(inner)});
+    return has_with(
+        (struct lx_profile){.falloff = falloff, .outer_versine = lx_exact(1 / times), .inner_versine = lx_exact(0)});
 }
 
-static bool has_smooth(double inner)
+static bool has_linear(double times)
 {
-    return has_with((struct lx_profile){.falloff = LX_SMOOTHSTEP,
-                                        .exponent = 0,
-                                        .outer_rad = lx_exact(1),
-                                        .outer_versine = lx_exact(1),
-                                        .inner_versine = lx_exact(inner)});
+    return has_narrow(LX_LINEAR, times);
 }
 
-static bool has_hard(double unused)
+static bool has_smooth(double times)
 {
-    (void)unused;
-    return has_with((struct lx_profile){.falloff = LX_HARD, .outer_rad = lx_exact(1)});
+    return has_narrow(LX_SMOOTHSTEP, times);
+}
+
+static bool has_squared(double times)
+{
+    return has_narrow(LX_SQUARED, times);
+}
+
+static bool has_hard(double times)
+{
+    return has_narrow(LX_HARD, times);
 }
 
 /* A pattern may take half of the allowance, relative to the light. */
 static void patterns(void **state)
 {
-    const double left = allowance / 2 - relative_error(), off = direction_error();
+    const double left = allowance / 2 - relative_error(), off = direction_error(), rounding = 4 * 0x1p-52;
+    const double penumbra = 1.5 * unit * (away_mm + 300) / away_mm + 3 * unit;
     (void)state;
     assert_near(greatest(has_exponent, 1, 1e6), pow(left / off / 0.61, 2), 1e-9);
-    assert_near(1 - greatest(has_linear, 0, 1), off / left, 1e-9);
-    assert_near(1 - greatest(has_smooth, 0, 1), 2 * off * sin(1) / left, 1e-9);
-    assert_false(has_hard(0));
+    assert_near(greatest(has_linear, 1, 1e12), (left - penumbra) / rounding, 1e-9);
+    assert_near(greatest(has_smooth, 1, 1e12), (left - penumbra) / rounding, 1e-9);
+    assert_near(greatest(has_squared, 1, 1e12), (left / 2 - penumbra) / rounding, 1e-9);
+    assert_near(greatest(has_hard, 1, 1e12), left / rounding, 1e-9);
     assert_false(has_exponent(0.5));
 }
 
