@@ -161,9 +161,10 @@ def print_page(bench, times, peers):
     print("|---|---|---:|---:|---:|---:|---:|---:|")
     for each in bench["timings"]:
         floor = "" if each["times_floor"] is None else "%.1f" % each["times_floor"]
-        print("| %s | %s | %d | %.2f | %.2f | %s | %.2f | %.2f |"
-              % (each["case"], each["instruction_set"], each["lights"], each["one_thread_ms"], each["one_thread_ns"],
-                 floor, each["all_threads_ms"], each["all_threads_ns"]))
+        digits = 4 if each["lights"] > 1000 else 2
+        print("| %s | %s | %d | %.2f | %.*f | %s | %.2f | %.*f |"
+              % (each["case"], each["instruction_set"], each["lights"], each["one_thread_ms"],
+                 digits, each["one_thread_ns"], floor, each["all_threads_ms"], digits, each["all_threads_ns"]))
     print("\nProducts and sums of float32 that one thread formed in a second: %s."
           % ", ".join("%s %.0f billion" % (each["name"], 1e-9 * each["products_per_second"])
                       for each in machine["instruction_sets"]))

@@ -31,6 +31,8 @@ struct bench_case {
     const char *material;
     unsigned lights, operations;
     luxel_quantity quantity;
+    unsigned points;    /* that each light is cut into */
+    double light_error; /* allowed for taking them together */
 };
 
 #define LIGHT(words) "  - {type: " words "}\n"
@@ -40,33 +42,37 @@ struct bench_case {
 #define RECTANGLE PLANAR("rectangle: {center: [%.3f, %.3f, 2500], size: [1000, 600]")
 
 static const struct bench_case cases[] = {
-    {N_("point, shininess 20"), "point", POINT(""), "shininess: 20", MANY, 50, LUXEL_BRIGHTNESS},
-    {N_("one point alone"), "one-point", POINT(""), "shininess: 20", 1, 0, LUXEL_BRIGHTNESS},
-    {N_("point, shininess 20.5"), "point-any-exponent", POINT(""), "shininess: 20.5", MANY, 75, LUXEL_BRIGHTNESS},
-    {N_("point, Phong"), "point-phong", POINT(""), "model: phong", MANY, 43, LUXEL_BRIGHTNESS},
-    {N_("point, Lambert"), "point-lambert", POINT(""), "model: lambert", MANY, 22, LUXEL_BRIGHTNESS},
+    {N_("point, shininess 20"), "point", POINT(""), "shininess: 20", MANY, 50, LUXEL_BRIGHTNESS, 1, 0},
+    {N_("one point alone"), "one-point", POINT(""), "shininess: 20", 1, 0, LUXEL_BRIGHTNESS, 1, 0},
+    {N_("point, shininess 20.5"), "point-any-exponent", POINT(""), "shininess: 20.5", MANY, 75, LUXEL_BRIGHTNESS, 1, 0},
+    {N_("point, Phong"), "point-phong", POINT(""), "model: phong", MANY, 43, LUXEL_BRIGHTNESS, 1, 0},
+    {N_("point, Lambert"), "point-lambert", POINT(""), "model: lambert", MANY, 22, LUXEL_BRIGHTNESS, 1, 0},
     {N_("point, no attenuation"), "point-none", POINT(", attenuation: none"), "shininess: 20", MANY, 48,
-     LUXEL_BRIGHTNESS},
+     LUXEL_BRIGHTNESS, 1, 0},
     {N_("point, 1/(k + r)"), "point-practical", POINT(", attenuation: practical, k: 300"), "shininess: 20", MANY, 54,
-     LUXEL_BRIGHTNESS},
+     LUXEL_BRIGHTNESS, 1, 0},
     {N_("point, cosine pattern"), "point-lambertian", POINT(", pattern: lambertian, aim: [0, 0, 1000]"),
-     "shininess: 20", MANY, 60, LUXEL_BRIGHTNESS},
+     "shininess: 20", MANY, 60, LUXEL_BRIGHTNESS, 1, 0},
     {N_("spot"), "spot",
      LIGHT("spot, position: [%.3f, %.3f, 2500], intensity: 10, aim: [0, 0, 1000], inner: 10, outer: 20"),
-     "shininess: 20", MANY, 0, LUXEL_BRIGHTNESS},
+     "shininess: 20", MANY, 0, LUXEL_BRIGHTNESS, 1, 0},
     {N_("distant"), "distant", LIGHT("distant, direction: [%.3f, %.3f, -2000], irradiance: 1"), "shininess: 20", MANY,
-     34, LUXEL_BRIGHTNESS},
-    {N_("rectangle, irradiance"), "rectangle", RECTANGLE, "shininess: 20", 1, 0, LUXEL_IRRADIANCE},
-    {N_("rectangle, highlight"), "rectangle-highlight", RECTANGLE, "shininess: 20", 1, 0, LUXEL_BRIGHTNESS},
+     34, LUXEL_BRIGHTNESS, 1, 0},
+    {N_("rectangle, irradiance"), "rectangle", RECTANGLE, "shininess: 20", 1, 0, LUXEL_IRRADIANCE, 1, 0},
+    {N_("rectangle, highlight"), "rectangle-highlight", RECTANGLE, "shininess: 20", 1, 0, LUXEL_BRIGHTNESS, 1, 0},
     {N_("disk, irradiance"), "disk", PLANAR("disk: {center: [%.3f, %.3f, 2500], radius: 400"), "shininess: 20", 1, 0,
-     LUXEL_IRRADIANCE},
+     LUXEL_IRRADIANCE, 1, 0},
     {N_("box, irradiance"), "box", VOLUME("box: {center: [%.3f, %.3f, 2500], size: [600, 600, 600]"), "shininess: 20",
-     1, 0, LUXEL_IRRADIANCE},
+     1, 0, LUXEL_IRRADIANCE, 1, 0},
     {N_("ball, irradiance"), "ball", VOLUME("sphere: {center: [%.3f, %.3f, 2500], radius: 400"), "shininess: 20", 1, 0,
-     LUXEL_IRRADIANCE},
+     LUXEL_IRRADIANCE, 1, 0},
     {N_("tube, irradiance"), "tube",
      VOLUME("cylinder: {center: [%.3f, %.3f, 2500], radius: 100, height: 1000, axis: [1, 1, 0]"), "shininess: 20", 1, 0,
-     LUXEL_IRRADIANCE},
+     LUXEL_IRRADIANCE, 1, 0},
+    {N_("65536 points in 16 lamps"), "many-points",
+     LIGHT("planar, radiance: 10, rectangle: {center: [%.3f, %.3f, 2500], size: [120, 120], aim: [0, 0, 1000]}, "
+           "parts: 64"),
+     "shininess: 20", MANY, 0, LUXEL_BRIGHTNESS, 64 * 64, 0.01},
 };
 
 /* One measurement. */
@@ -169,10 +175,12 @@ static luxel_status measure_cases(struct bench *bench, luxel_diagnostics *diagno
         luxel_settings settings = bench->options->settings;
 
         settings.quantity = each->quantity;
+        settings.light_error = each->light_error;
         for (size_t set = 0; set < bench->set_count && status == LUXEL_OK; set++) {
             struct timing *row = &bench->rows[bench->row_count++];
 
-            *row = (struct timing){.name = _(each->name), .id = each->id, .lights = each->lights};
+            *row =
+                (struct timing){.name = _(each->name), .id = each->id, .lights = (size_t)each->lights * each->points};
             status = measure(bench, scene, settings, set, each->operations, diagnostics, row);
             bench->done = (double)bench->row_count / (double)(COUNT_OF(cases) * bench->set_count);
         }
@@ -278,15 +286,16 @@ static void print_text(const struct bench *bench)
         const struct timing *row = &bench->rows[i];
         char cells[6][TEXT_SIZE];
         const bool countable = is_countable(row), bounded = countable && row->floor_ns > 0;
+        const int digits = row->lights > 1000 ? 4 : 2;
 
         text_table_row(
             table,
             TEXT_CELLS(i > 0 && row[-1].id == row->id ? "" : row->name, row->set,
                        text_format(cells[0], "%zu", row->lights), text_format(cells[1], "%.2f", 1e3 * row->alone_s),
-                       countable ? text_format(cells[2], "%.2f", ns_of(row, row->alone_s)) : "",
+                       countable ? text_format(cells[2], "%.*f", digits, ns_of(row, row->alone_s)) : "",
                        bounded ? text_format(cells[3], "%.1f", ns_of(row, row->alone_s) / row->floor_ns) : "",
                        text_format(cells[4], "%.2f", 1e3 * row->together_s),
-                       countable ? text_format(cells[5], "%.2f", ns_of(row, row->together_s)) : ""));
+                       countable ? text_format(cells[5], "%.*f", digits, ns_of(row, row->together_s)) : ""));
     }
     text_table_print(table, stdout, 2);
 }
@@ -356,7 +365,8 @@ const struct command command_bench = {
     .summary = N_("measure how fast this machine makes pictures"),
     .description =
         N_("Without SCENE, 800 × 800 pixels of one sphere under each kind of source, with every instruction set that "
-           "runs here, by one thread and by all of them (or --threads); with SCENE, its picture. Beside them stands "
+           "runs here, by one thread and by all of them (or --threads); many points with --light-error 0.01; with "
+           "SCENE, its picture. Beside them stands "
            "what the machine can do at best, measured in the same run: times floor is how many times as long the "
            "kernels take as their products and sums alone would. Compare the rows of one run; absolute times depend "
            "on what else the machine does."),

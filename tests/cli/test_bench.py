@@ -47,7 +47,8 @@ def its_own_cases(tap, tool):
            "kinds of sources", sorted(cases))
     for name, each in cases.items():
         tap.equal(each["pixels"], 800 * 800, "every pixel shows the sphere: " + name)
-        tap.equal(each["lights"], 16 if name.startswith(("point", "spot", "distant")) else 1, "lights: " + name)
+        count = 65536 if name == "many-points" else 16 if name.startswith(("point", "spot", "distant")) else 1
+        tap.equal(each["lights"], count, "lights: " + name)
     point = cases["point"]
     tap.near(point["times_floor"], point["one_thread_ns"] / point["floor_ns"], 1e-12, "times the floor")
 
