@@ -12,6 +12,7 @@
  */
 #include "bound.h"
 
+#include <float.h>
 #include <math.h>
 
 /* Bounds are computed with rounding, too: relative to them, and to the directions. */
@@ -198,22 +199,29 @@ static double matrix_length(double a, double b, double c)
     return (a + c) / 2 + sqrt((a - c) * (a - c) / 4 + b * b);
 }
 
+/* How far the middle of a cluster may be from that of its strength: by the roundings of a leaf and of each level. */
+static double misplaced(const struct lx_cluster *cluster)
+{
+    const double *center = cluster->center_mm;
+    return 16 * DBL_EPSILON * (fabs(center[0]) + fabs(center[1]) + fabs(center[2]));
+}
+
 /* How far a cluster may be off, relative to a(r). */
 static double relative_error(const struct lx_jet *jet, const struct law *law, const struct lx_cluster *cluster,
                              double nearest)
 {
+    const double most = cluster->strength * jet->most, along = law->first * jet->size;
+    const double slope = sqrt(along * along + jet->slope * jet->slope) / nearest;
     double second = 0, first = 0;
     if (jet->order <= LX_FOLDED) {
-        double across = law->first * jet->size + jet->bend;
+        double across = along + jet->bend;
         second = matrix_length(law->second * jet->size, law->mixed * jet->slope, across) / 2 * cluster->second /
                  (nearest * nearest);
     }
-    if (jet->order >= LX_FOLDED && jet->order <= LX_STEEP) {
-        double along = law->first * jet->size, slope = sqrt(along * along + jet->slope * jet->slope);
-        first = slope / nearest * sqrt(cluster->strength * cluster->second); /* sum I |p - c|, by Cauchy and Schwarz */
-    }
-    double most = cluster->strength * jet->most;
+    if (jet->order >= LX_FOLDED && jet->order <= LX_STEEP)
+        first = slope * sqrt(cluster->strength * cluster->second); /* sum I |p - c|, by Cauchy and Schwarz */
     double error = jet->order == LX_ROUGH ? most : jet->order == LX_FOLDED ? (first + second) / 2 : first + second;
+    error += cluster->strength * slope * misplaced(cluster);
     return error < most ? error : most;
 }
 

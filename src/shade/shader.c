@@ -455,16 +455,14 @@ static struct lx_ball ball_around(const struct extent *extent)
 static struct lx_cone cone_around(const struct extent *extent)
 {
     const struct lx_ball ball = ball_around(extent);
-    struct lx_cone cone = {.cosine = -1, .sine = 0};
-    double length =
-        sqrt(ball.center[0] * ball.center[0] + ball.center[1] * ball.center[1] + ball.center[2] * ball.center[2]);
-    for (int k = 0; k < 3; k++)
-        cone.axis[k] = ball.center[k] / length;
-    if (length > ball.radius) {
-        cone.sine = ball.radius / length;
-        cone.cosine = sqrt(1 - cone.sine * cone.sine);
-    }
-    return cone;
+    const double *center = ball.center;
+    const double length = sqrt(center[0] * center[0] + center[1] * center[1] + center[2] * center[2]);
+    const double sine = ball.radius / length;
+    if (!(length > ball.radius)) /* all directions */
+        return (struct lx_cone){.axis = {0, 0, 1}, .cosine = -1};
+    return (struct lx_cone){.axis = {center[0] / length, center[1] / length, center[2] / length},
+                            .cosine = sqrt(1 - sine * sine),
+                            .sine = sine};
 }
 
 /* What a tile shows of a surface; the block and what is nearest in the rows are lost. */

@@ -28,6 +28,7 @@ static const struct property properties[] = {
     {"mirror-y", "up and down are alike", is_mirrored_in_y, 4},
     {"quarter-turn", "a quarter turn changes nothing", is_turned, 4},
     {"order", "the order of the lights does not matter", ignores_order, 3},
+    {"light-error", "points taken together are within the error that is allowed for it", keeps_light_error, 1},
     {"sets", "all instruction sets agree", agrees_by_sets, 3},
     {"stride", "a quick look shows the pixels of the picture", ignores_stride, 4},
     {"threads", "any number of threads gives the same bytes", ignores_threads, 256},

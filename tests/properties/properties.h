@@ -28,6 +28,8 @@ bool ignores_order(struct trial *trial);
 bool is_sum_of_lights(struct trial *trial);
 bool scales_with_lights(struct trial *trial);
 bool is_white_by_pi(struct trial *trial);
+/* clusters.c */
+bool keeps_light_error(struct trial *trial);
 /* bytes.c */
 bool ignores_threads(struct trial *trial);
 bool ignores_stride(struct trial *trial);

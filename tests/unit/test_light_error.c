@@ -16,6 +16,7 @@
 
 #include "format/cloud.h"
 #include "random_scenes.h"
+#include "scenes.h"
 #include "shade/camera.h"
 #include "shade/cut.h"
 #include "shade/shader.h"
@@ -207,13 +208,61 @@ static void test_room(void **state)
     lx_emitters_clear(&test.prepared.emitters);
 }
 
+/* A small picture of a scene of one planar source in many parts, with an error allowed and without. */
+static void compare_small(const char *text, double light_error)
+{
+    luxel_scene *scene;
+    luxel_settings settings;
+    luxel_field *full = NULL, *taken = NULL;
+    assert_int_equal(load(text, NULL, &scene), LUXEL_OK);
+    luxel_settings_init(&settings);
+    settings.precision = LUXEL_DOUBLE;
+    assert_int_equal(luxel_render(scene, &settings, NULL, &full), LUXEL_OK);
+    settings.light_error = light_error;
+    assert_int_equal(luxel_render(scene, &settings, NULL, &taken), LUXEL_OK);
+    assert_true(luxel_field_statistics(full)->maximum.value > 0);
+    for (unsigned column = 0; column < luxel_field_columns(full); column++) {
+        const double sum = luxel_field_value(full, column, 0), value = luxel_field_value(taken, column, 0);
+        if (!(fabs(value - sum) <= light_error * sum))
+            fail_msg("column %u: %.17g, summed %.17g", column, value, sum);
+    }
+    luxel_field_free(full);
+    luxel_field_free(taken);
+    luxel_scene_free(scene);
+}
+
+/* Two elements that face opposite ways share a tile: their normals have no middle. */
+static void test_opposite(void **state)
+{
+    (void)state;
+    compare_small("luxel: 1\n"
+                  "screen: {width: 763.5, height: 381.75, resolution: [2, 1], sampling: nodes}\n"
+                  "observer: {z: 600}\n"
+                  "surfaces: [{type: sphere, center: [0, 0, 0], radius: 381.75, material: {model: lambert}}]\n"
+                  "lights: [{type: planar, rectangle: {center: [1000, 0, 2], size: [1, 1], up: [0, 1, 0], "
+                  "axis: [0, 0, -1]}, radiance: 1, parts: 24}]\n",
+                  0.3);
+}
+
+/* So far from the origin the middle of a cluster can only stand where the next numbers are. */
+static void test_misplaced(void **state)
+{
+    (void)state;
+    compare_small("luxel: 1\n"
+                  "screen: {width: 1, height: 1, resolution: [1, 1], sampling: centers}\n"
+                  "observer: {z: 1000000001000}\n"
+                  "surfaces: [{type: sphere, center: [0, 0, 1000000000000], radius: 0.003, "
+                  "material: {model: lambert, diffuse: 1}}]\n"
+                  "lights: [{type: volume, box: {center: [0, 0, 1000000000000.04], size: [0.0001, 1, 0.00068]}, "
+                  "radiance: 1, parts: 8}]\n",
+                  0.001);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_double),
-        cmocka_unit_test(test_single),
-        cmocka_unit_test(test_few),
-        cmocka_unit_test(test_room),
+        cmocka_unit_test(test_double), cmocka_unit_test(test_single),   cmocka_unit_test(test_few),
+        cmocka_unit_test(test_room),   cmocka_unit_test(test_opposite), cmocka_unit_test(test_misplaced),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
