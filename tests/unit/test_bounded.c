@@ -340,6 +340,106 @@ static void twice_the_precision(void **unused)
     }
 }
 
+/* -- how wide bounds are -- */
+
+static void assert_width(lx_bounded found, double value, double error)
+{
+    if (!(fabs(found.value - value) <= 1e-15 * fabs(value) && fabs(found.error - error) <= 1e-9 * error))
+        fail_msg("%.17g +- %.17g instead of %.17g +- %.17g", found.value, found.error, value, error);
+}
+
+static lx_bounded of(double value, double error)
+{
+    return (lx_bounded){value, error};
+}
+
+/* Of numbers without errors the roundings alone: half a unit in the last place for each. */
+static void widths_of_roundings(void **unused)
+{
+    const double u = DBL_EPSILON / 2;
+    (void)unused;
+    assert_width(lx_add(lx_exact(3), lx_exact(-7)), -4, 4 * u);
+    assert_width(lx_sub(lx_exact(3), lx_exact(-7)), 10, 10 * u);
+    assert_width(lx_mul(lx_exact(3), lx_exact(-7)), -21, 21 * u);
+    assert_width(lx_div(lx_exact(3), lx_exact(-8)), -0.375, 2 * 0.375 * u);
+    assert_width(lx_sqrt(lx_exact(9)), 3, 2 * 3 * u);
+    assert_width(lx_exp(lx_exact(2)), exp(2), 4 * exp(2) * u);
+    assert_width(lx_log1p(lx_exact(3)), log(4), 4 * log(4) * u);
+    assert_width(lx_power(lx_exact(3), 5), 243, 4 * 243 * u);
+    assert_width(lx_angle(lx_exact(-2), lx_exact(2)), -M_PI / 4, 4 * (M_PI / 4) * u);
+    assert_width(lx_sin(lx_exact(2)), sin(2), 4 * sin(2) * u);
+}
+
+/* What operands bring, so large that roundings do not matter beside it. */
+static void widths_of_errors(void **unused)
+{
+    (void)unused;
+    assert_width(lx_add(of(3, 0.5), of(-7, 0.25)), -4, 0.75);
+    assert_width(lx_sub(of(3, 0.5), of(-7, 0.25)), 10, 0.75);
+    assert_width(lx_mul(of(3, 0.5), of(-7, 0.25)), -21, 3 * 0.25 + 7 * 0.5 + 0.5 * 0.25);
+    assert_width(lx_div(of(3, 0.5), of(-8, 0.25)), -0.375, (0.5 + 0.375 * 0.25) / 7.75);
+    assert_width(lx_div(lx_exact(3), of(8, 7.75)), 0.375, 0.375 * 7.75 / 0.25);
+    assert_true(lx_div(lx_exact(3), of(8, 8)).error == HUGE_VAL);
+    assert_width(lx_sqrt(of(4, 1)), 2, 0.5);
+    assert_width(lx_sqrt(of(4, 3.999)), 2, 3.999 / 2);
+    assert_width(lx_sqrt(of(4, 4)), 2, sqrt(8));
+    assert_width(lx_sqrt(of(-4, 5)), 0, sqrt(5));
+    assert_width(lx_exp(of(2, 0.5)), exp(2), exp(2) * (exp(0.5) - 1));
+    assert_width(lx_log1p(of(3, 0.5)), log(4), 0.5 / 3.5);
+    assert_width(lx_log1p(of(3, 3.5)), log(4), 7);
+    assert_true(lx_log1p(of(3, 4)).error == HUGE_VAL);
+    assert_width(lx_power(of(2, 0.25), 5), 32, 32 * (exp(5 * 0.25 / 1.75) - 1));
+    assert_width(lx_power(of(2, 0.5), 5), 32, pow(2.5, 5));  /* more than to the power e */
+    assert_width(lx_power(of(2, 0.5), 3), 8, pow(2.5, 3));   /* just e */
+    assert_width(lx_power(of(2, 2), 0.5), sqrt(2), sqrt(4)); /* perhaps 0 */
+    assert_true(lx_power(of(2, 1), 1).error > 3);            /* 3, and what the sum is rounded by */
+    assert_width(lx_angle(of(3, 0.3), of(-4, 0.4)), atan2(3, -4), 0.5 / (5 - 0.7));
+    assert_width(lx_angle(of(3, 2), of(-4, 2.9)), atan2(3, -4), hypot(2, 2.9) / 0.1);
+    assert_width(lx_angle(of(3, 2), of(-4, 3.1)), atan2(3, -4), 2 * M_PI);
+    assert_width(lx_sin(of(2, 0.5)), sin(2), 0.5);
+}
+
+/* From a squared sine of one half on, the cosine itself is raised; no power is off by more than 1. */
+static void widths_of_powers_of_cosines(void **unused)
+{
+    const double u = DBL_EPSILON / 2, by_cosine = 4 * 0.49 * u;
+    (void)unused;
+    assert_width(lx_cosine_power(lx_exact(0.7), lx_exact(0.5), 2), 0.49, by_cosine);
+    assert_width(lx_cosine_power(lx_exact(0.7), lx_exact(0.503), 2), 0.49, by_cosine);
+    lx_bounded by_sine = lx_cosine_power(lx_exact(0.7), lx_exact(0.499), 2);
+    assert_true(fabs(by_sine.value - 0.501) < 1e-15 && by_sine.error > 5 * 0.501 * u);
+    lx_bounded doubtful = lx_cosine_power(of(0.7, 0.9), lx_exact(0.51), 3);
+    assert_true(fabs(doubtful.value - 0.343) < 1e-15 && doubtful.error == 1);
+    doubtful = lx_cosine_power(of(0.5, 0.3), lx_exact(0.75), 3);
+    assert_width(doubtful, 0.125, 0.512);
+}
+
+static void scales(void **unused)
+{
+    static const struct {
+        double largest, scale;
+    } cases[] = {
+        {0, 1},
+        {1, 1},
+        {1.99, 1},
+        {2, 0.5},
+        {0.75, 2},
+        {HUGE_VAL, 1},
+        {0x1p1023, 0x1p-1023},
+        {0x1p-1000, 0x1p1000},
+        {0x1p-1001, 0x1p1000},
+        {0x1p-1074, 0x1p1000},
+    };
+    (void)unused;
+    for (size_t i = 0; i < sizeof cases / sizeof *cases; i++)
+        for (int k = 0; k < 3; k++) {
+            double v[3] = {cases[i].largest / 4, cases[i].largest / 4, cases[i].largest / 4};
+            v[k] = -cases[i].largest;
+            if (lx_scale_for3(lx_exact3(v)) != cases[i].scale)
+                fail_msg("%g: %g", cases[i].largest, lx_scale_for3(lx_exact3(v)));
+        }
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -352,6 +452,10 @@ int main(void)
         cmocka_unit_test(answers),
         cmocka_unit_test(vectors),
         cmocka_unit_test(twice_the_precision),
+        cmocka_unit_test(widths_of_roundings),
+        cmocka_unit_test(widths_of_errors),
+        cmocka_unit_test(widths_of_powers_of_cosines),
+        cmocka_unit_test(scales),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -69,6 +69,22 @@ static void reads_long_numbers(void **state)
     assert_true(lx_looks_like_number(text, sizeof text));
 }
 
+/* Around the greatest whole number below which all are float64 numbers, one rounding must do. */
+static void reads_at_the_limit(void **state)
+{
+    (void)state;
+    for (uint64_t digits = (UINT64_C(1) << 53) - 60; digits <= (UINT64_C(1) << 53) + 60; digits++)
+        for (int places = 0; places <= 16; places++) {
+            char text[64], whole[32];
+            snprintf(whole, sizeof whole, "%llu", (unsigned long long)digits);
+            snprintf(text, sizeof text, "%.*s.%se%d", 16 - places, whole, whole + (16 - places), places % 3 - 1);
+            double value = -1;
+            assert_true(lx_read_number(text, strlen(text), &value));
+            if (value != strtod(text, NULL))
+                fail_msg("%s: %.17g", text, value);
+        }
+}
+
 /* Numbers of few and of many digits as the C library reads them, to the last bit. */
 static void reads_as_the_library(void **state)
 {
@@ -162,8 +178,12 @@ static void ignores_the_locale(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(reads),           cmocka_unit_test(reads_long_numbers), cmocka_unit_test(reads_as_the_library),
-        cmocka_unit_test(writes_shortest), cmocka_unit_test(ignores_the_locale),
+        cmocka_unit_test(reads),
+        cmocka_unit_test(reads_long_numbers),
+        cmocka_unit_test(reads_at_the_limit),
+        cmocka_unit_test(reads_as_the_library),
+        cmocka_unit_test(writes_shortest),
+        cmocka_unit_test(ignores_the_locale),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
