@@ -117,6 +117,42 @@ static void finds_wrong_types(void **state)
     expect_error("points: [[0, 0], [150, 0]]", "points: {a: 1}", WANTED("wrong-type", 12, 9, "points"));
 }
 
+/* Why a text is no number, as far as that can be guessed. */
+static void guesses_what_was_meant(void **state)
+{
+    static const char quotes[] = "quotes", finite[] = "finite", point[] = "with a point", decimal[] = "decimal number";
+    static const char alone[] = "alone", none[] = "";
+    static const struct {
+        const char *text, *hint;
+    } cases[] = {
+        {"\"300\"", quotes}, {"'3e2'", quotes}, {"'3 mm'", none},
+        {"1e999", finite},   {"nan", finite},   {"-.inf", finite},
+        {"+Inf", finite},    {".NaN", finite},  {"0;5", alone},
+        {"3 mm", alone},     {"300mm", alone},  {"3e", alone},
+        {"1_000", decimal},  {"0x1F", decimal}, {"0o17", decimal},
+        {"1:30", decimal},   {"x3", none},      {"wide", none},
+        {"-", none},         {"3.4.5", none},   {"\xd1\x82\xd1\x80\xd0\xb8", decimal},
+        {"- 5", none},
+    };
+    (void)state;
+    expect_error("radius: 300", "radius: 0,5", WANTED(.hint = point));
+    for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
+        char line[60];
+        snprintf(line, sizeof line, "radius: %s", cases[i].text);
+        luxel_diagnostics *diagnostics = luxel_diagnostics_new();
+        luxel_scene *scene;
+        char *text = changed("radius: 300", line);
+        assert_int_equal(load(text, diagnostics, &scene), LUXEL_ERROR_SCENE);
+        char *hint = luxel_diagnostics_hint(diagnostics, 0, NULL, NULL);
+        if ((cases[i].hint == none) != !(hint && *hint) || (hint && !strstr(hint, cases[i].hint)))
+            fail_msg("%s: %s", cases[i].text, hint ? hint : "no hint");
+        luxel_text_free(hint);
+        luxel_scene_free(scene);
+        luxel_diagnostics_free(diagnostics);
+        free(text);
+    }
+}
+
 static void finds_broken_rules(void **state)
 {
     (void)state;
@@ -249,17 +285,12 @@ static void lists_conventions(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(accepts_the_good_scene),
-        cmocka_unit_test(finds_wrong_keys),
-        cmocka_unit_test(finds_wrong_numbers),
-        cmocka_unit_test(finds_wrong_whole_numbers),
-        cmocka_unit_test(finds_wrong_words),
-        cmocka_unit_test(finds_wrong_types),
-        cmocka_unit_test(finds_broken_rules),
-        cmocka_unit_test(wants_square_pixels),
-        cmocka_unit_test(wants_the_observer_above),
-        cmocka_unit_test(reports_all_errors_at_once),
-        cmocka_unit_test(counts_what_it_does_not_keep),
+        cmocka_unit_test(accepts_the_good_scene),     cmocka_unit_test(finds_wrong_keys),
+        cmocka_unit_test(finds_wrong_numbers),        cmocka_unit_test(finds_wrong_whole_numbers),
+        cmocka_unit_test(finds_wrong_words),          cmocka_unit_test(finds_wrong_types),
+        cmocka_unit_test(finds_broken_rules),         cmocka_unit_test(wants_square_pixels),
+        cmocka_unit_test(guesses_what_was_meant),     cmocka_unit_test(wants_the_observer_above),
+        cmocka_unit_test(reports_all_errors_at_once), cmocka_unit_test(counts_what_it_does_not_keep),
         cmocka_unit_test(lists_conventions),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
