@@ -225,24 +225,8 @@ static luxel_status on_event(struct reader *reader, struct fy_event *event)
 
 /* ---- the parser ---- */
 
-/* Where line and column (from 1) of the parser's text lie in the source. */
-static size_t find_position(const struct reader *reader, size_t start, int line, int column)
-{
-    const char *text = reader->place.text;
-    size_t length = reader->place.length, at = start;
-    for (; line > 1 && at < length; at++)
-        if (text[at] == '\n' || (text[at] == '\r' && !(at + 1 < length && text[at + 1] == '\n')))
-            line--;
-    for (; column > 1 && at < length && text[at] != '\n' && text[at] != '\r'; column--) {
-        uint32_t code;
-        size_t size = lx_next_character(text + at, length - at, &code);
-        at += size ? size : 1;
-    }
-    return at;
-}
-
 /* Puts the parser's own first error into ours. */
-static luxel_status report_syntax(struct reader *reader, size_t start, struct fy_diag *diag)
+static luxel_status report_syntax(struct reader *reader, struct fy_diag *diag)
 {
     void *iterator = NULL;
     struct fy_diag_error *error = fy_diag_errors_iterate(diag, &iterator);
@@ -252,7 +236,7 @@ static luxel_status report_syntax(struct reader *reader, size_t start, struct fy
         return refuse(reader, reader->last_end, reader->last_end, LX_MSG_SYNTAX,
                       LX_ARGS(LX_TERM(LX_N("unreadable behind this place"))));
     const struct fy_mark *mark = error->fyt ? fy_token_start_mark(error->fyt) : NULL;
-    size_t from = position(reader, mark, find_position(reader, start, error->line, error->column));
+    size_t from = position(reader, mark, reader->last_end);
     size_t to = position(reader, error->fyt ? fy_token_end_mark(error->fyt) : NULL, from);
     size_t rest = from;
     while (rest < reader->place.length && strchr(" \t\r\n", reader->place.text[rest]))
@@ -272,7 +256,7 @@ static luxel_status report_syntax(struct reader *reader, size_t start, struct fy
     return LUXEL_ERROR_SCENE;
 }
 
-static luxel_status read_events(struct reader *reader, const char *text, size_t length, size_t start)
+static luxel_status read_events(struct reader *reader, const char *text, size_t length)
 {
     struct fy_diag_cfg diag_settings;
     fy_diag_cfg_default(&diag_settings);
@@ -295,7 +279,7 @@ static luxel_status read_events(struct reader *reader, const char *text, size_t 
         fy_parser_event_free(parser, event);
     }
     if (status == LUXEL_OK && fy_parser_get_stream_error(parser))
-        status = report_syntax(reader, start, diag);
+        status = report_syntax(reader, diag);
     if (parser)
         fy_parser_destroy(parser);
     fy_diag_destroy(diag);
@@ -331,7 +315,7 @@ static luxel_status read_flow(struct reader *reader, size_t start)
     memcpy(text, marker, sizeof marker);
     memcpy(text + sizeof marker, reader->place.text + start, length - sizeof marker);
     reader->shift = start - sizeof marker;
-    luxel_status status = read_events(reader, text, length, start);
+    luxel_status status = read_events(reader, text, length);
     free(text);
     return status;
 }
@@ -352,7 +336,7 @@ luxel_status lx_yaml_read(struct lx_document *document, size_t source, size_t st
     if (flow < length)
         status = read_flow(&reader, flow);
     else
-        status = read_events(&reader, text + start, length - start, start);
+        status = read_events(&reader, text + start, length - start);
     if (status == LUXEL_OK)
         *root = reader.root;
     return status;

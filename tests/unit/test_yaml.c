@@ -31,6 +31,46 @@ static void refuses_broken_syntax(void **state)
     expect_error("luxel: 1", "%FOO\n---\nluxel: 1", WANTED("no-directives", 1, 1));
 }
 
+/* Where each kind of error is seen to stand, whatever ends the lines. */
+static void tells_where_syntax_is_broken(void **state)
+{
+    static const struct {
+        const char *text;
+        unsigned line, column;
+    } cases[] = {
+        {"a: 1\nb: \"x\n", 2, 5},
+        {"a: 1\nb: @x\n", 2, 4},
+        {"a:\n\t- 1\n", 2, 1},
+        {"a: 1\n]\n", 2, 1},
+        {"a: 1\n- b\n", 2, 1},
+        {"a: 1\n\nb: [1,,2]\n", 3, 7},
+        {"a: 1\nb: {1: 2, , }\n", 2, 11},
+        {"a: b: c\n", 1, 5},
+        {"a: 1\nb: \"abc\" def\n", 2, 10},
+        {"a:\n  b: 1\n c: 2\n", 3, 2},
+        {"a: |\n\tx\n", 2, 1},
+        {"a: [b, c: [d, e}]\n", 1, 16},
+        {"\n\na: 1\nb: }\n", 4, 4},
+    };
+    (void)state;
+    for (size_t i = 0; i < sizeof cases / sizeof *cases; i++)
+        for (int ends = 0; ends < 2; ends++) {
+            char text[80];
+            size_t length = 0;
+            for (const char *at = cases[i].text; *at; text[length++] = *at++)
+                if (*at == '\n' && ends)
+                    text[length++] = '\r';
+            text[length] = '\0';
+            expect_text_error(text, WANTED("syntax", cases[i].line, cases[i].column));
+        }
+    /* the bracket that is still open where the text ends, with blanks or without */
+    expect_text_error("a: 1\nb: [1, 2", WANTED("not-closed", 2, 4));
+    expect_text_error("a: 1\nb: [1, 2  \n\t \n", WANTED("not-closed", 2, 4));
+    expect_text_error("a: 1\nb: [1, [2]\n", WANTED("not-closed", 2, 4));
+    expect_text_error("a: {b: [c, d   \n \n", WANTED("not-closed", 1, 8));
+    expect_text_error("a: {b   \n \n", WANTED("not-closed", 1, 4));
+}
+
 static void refuses_what_scenes_do_not_need(void **state)
 {
     (void)state;
@@ -174,6 +214,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(refuses_what_is_no_mapping),
         cmocka_unit_test(refuses_broken_syntax),
+        cmocka_unit_test(tells_where_syntax_is_broken),
         cmocka_unit_test(refuses_what_scenes_do_not_need),
         cmocka_unit_test(refuses_bad_characters),
         cmocka_unit_test(accepts_what_is_well_formed),
