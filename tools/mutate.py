@@ -31,26 +31,27 @@ import time
 
 from mutant import core_files, random_mutants, read_list
 
-SUITES = ["unit", "formats", "reference", "cli", "fuzz", "examples", "figure"]
+SUITES = ["unit", "properties", "formats", "reference", "cli", "fuzz", "examples", "figure"]
 ENOUGH = 95.0
 ROOT = os.path.dirname(os.path.dirname(os.path.abspath(__file__)))
 LIBRARY = "src/libluxel-objects.a"
 # The tests of a room's own, which find most of its faults; the others follow by suite.
 OWN_TESTS = {
     "src/base": ["bounded", "wide", "number"],
-    "src/light": ["tight", "light", "facets", "round", "points", "facet_shapes", "outlines", "lights",
+    "src/light": ["contours", "tight", "light", "facets", "round", "points", "facet_shapes", "outlines", "lights",
                   "cubature", "reference probes"],
     "src/material": ["lobe", "tight", "reference probes"],
     "src/surface": ["surfaces", "tight", "plates", "view", "reference probes"],
-    "src/shade": ["work", "tight", "surfaces", "shells", "lights", "blocks", "grid", "precision", "cubature", "plates",
-                  "kernel functions generic", "kernels", "units", "evaluator", "reference probes", "extended_pictures",
-                  "reference pictures"],
-    "src/field": ["statistics", "compare", "greys", "work", "profile", "isophotes", "field_files", "extrema"],
-    "src/scene": ["validate", "write", "advise", "advice_texts", "alternatives", "advise_peak"],
-    "src/parameter": ["parameters", "validate", "yaml", "edit"],
+    "src/shade": ["rounding", "adaptive", "work", "tight", "surfaces", "shells", "lights", "blocks", "grid",
+                  "precision", "cubature", "plates", "kernel functions generic", "kernels", "units", "evaluator",
+                  "reference probes", "extended_pictures", "reference pictures"],
+    "src/field": ["statistics", "compare", "greys", "work", "profile", "foreign", "isophotes", "field_files",
+                  "extrema"],
+    "src/scene": ["guard", "yaml", "validate", "write", "advise", "advice_texts", "alternatives", "advise_peak"],
+    "src/parameter": ["plain", "parameters", "validate", "yaml", "edit"],
     "src/format": ["formats", "formats_read", "exr", "field_files", "formats in Python"],
     "src/api": ["api", "grid", "evaluator", "light", "stride"],
-    "src/exercise": ["judge", "alternatives", "advice_texts", "explain_texts", "advise_peak"],
+    "src/exercise": ["judge", "alternatives", "advice_texts", "explain_texts", "scout", "advise_peak"],
 }
 MESON = "/usr/bin/meson" if os.path.exists("/usr/bin/meson") else "meson"
 

@@ -91,6 +91,9 @@ static void tells_how_an_integral_is_found(void **state)
     (void)state;
     expect((struct asked){.scene = "ball-lamp", .assignments = {"surfaces[0].material={model: lambert, diffuse: 1}"}},
            "has a closed form", "computed from");
+    expect((struct asked){.scene = "ball-lamp", .assignments = {"surfaces[0].material={model: lambert, diffuse: 1}"}},
+           "B_d = p", "B_s");
+    expect((struct asked){.scene = "ball-lamp"}, "B_s = ", NULL);
     expect((struct asked){.scene = "all-sources", .x_mm = 150, .y_mm = 150}, "computed from", NULL);
 }
 

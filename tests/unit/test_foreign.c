@@ -105,8 +105,8 @@ static void the_maximum_counts(void **state)
         double off, light_error;
         bool fits;
     } cases[] = {
-        {0.9e-4, 0, true},      {-0.9e-4, 0, true},      {1.1e-4, 0, false},      {-1.1e-4, 0, false},
-        {0.5, 0, false},        {-0.9, 0, false},        {1.05e-3, 1e-3, true},   {-1.05e-3, 1e-3, true},
+        {0.9e-4, 0, true},      {-0.9e-4, 0, true},      {1.1e-4, 0, false},    {-1.1e-4, 0, false},
+        {0.5, 0, false},        {-0.9, 0, false},        {1.05e-3, 1e-3, true}, {-1.05e-3, 1e-3, true},
         {1.15e-3, 1e-3, false}, {-1.15e-3, 1e-3, false},
     };
     struct both both;
