@@ -182,7 +182,7 @@ static void make_edge_scene(struct randomness *random, bool is_gated, bool is_pl
         if (strcmp(lx_surface_variants[i]->name, is_plate ? "rectangle" : "sphere") == 0)
             kind = (const struct lx_surface_kind *)lx_surface_variants[i];
     const void *parameters = is_plate ? (const void *)&test->plates[0] : &test->spheres[0];
-    const struct lx_material material = {.model = (enum lx_model)pick(random, 2),
+    const struct lx_material material = {.model = pick(random, 2),
                                          .highlight = is_gated ? LX_HIGHLIGHT_GATED : LX_HIGHLIGHT_PLAIN,
                                          .diffuse = uniform(random, 0.1, 1),
                                          .specular = uniform(random, 0.1, 1),
