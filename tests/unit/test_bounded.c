@@ -410,6 +410,7 @@ static void widths_of_powers_of_cosines(void **unused)
     assert_true(fabs(by_sine.value - 0.501) < 1e-15 && by_sine.error > 5 * 0.501 * u);
     lx_bounded doubtful = lx_cosine_power(of(0.7, 0.9), lx_exact(0.51), 3);
     assert_true(fabs(doubtful.value - 0.343) < 1e-15 && doubtful.error == 1);
+    assert_true(lx_cosine_power(of(0.7, 0.4), lx_exact(0.51), 3).error == 1); /* not 1.1^3 */
     doubtful = lx_cosine_power(of(0.5, 0.3), lx_exact(0.75), 3);
     assert_width(doubtful, 0.125, 0.512);
 }
