@@ -1,31 +1,45 @@
 /* SPDX-License-Identifier: MIT */
 /* Statistics of finished values, in one precision.  Included by kernel.c behind each lanes.h. */
 
-static struct lx_survey NAME(survey)(const REAL *values, size_t count, double least)
+/* What LX_LANES values after LX_LANES values have added up to. */
+struct NAME(tally) {
+    NAME(lanes) maximum, minimum, at_least;
+    double sums[LX_LANES];
+};
+
+LX_LANE void NAME(count_in)(struct NAME(tally) * tally, const REAL *values, NAME(lanes) limit)
 {
-    const NAME(lanes) limit = NAME(all)((REAL)least), infinite = NAME(all)((REAL)HUGE_VAL), zero = NAME(all)(0);
-    NAME(lanes) maximum = zero, minimum = infinite, at_least = zero;
-    double sums[LX_LANES] = {0};
-    struct lx_survey survey = {.minimum = HUGE_VAL};
-    for (size_t i = 0; i < count; i += LX_LANES) {
-        REAL part[LX_LANES] = {0};
-        memcpy(part, values + i, (count - i < LX_LANES ? count - i : LX_LANES) * sizeof *values);
-        for (size_t k = 0; k < LX_LANES; k += NAME(LX_WIDTH)) {
-            NAME(lanes) value;
-            memcpy(&value, part + k, sizeof value);
-            maximum = NAME(greater)(maximum, value);
-            minimum = NAME(lesser)(minimum, NAME(where_above)(limit, value, infinite, value));
-            at_least += NAME(where_above)(limit, value, zero, NAME(all)(1));
-        }
-        for (int k = 0; k < LX_LANES; k++)
-            sums[k] += (double)part[k];
+    const NAME(lanes) infinite = NAME(all)((REAL)HUGE_VAL), zero = NAME(all)(0), one = NAME(all)(1);
+    for (size_t k = 0; k < LX_LANES; k += NAME(LX_WIDTH)) {
+        NAME(lanes) value;
+        memcpy(&value, values + k, sizeof value);
+        tally->maximum = NAME(greater)(tally->maximum, value);
+        tally->minimum = NAME(lesser)(tally->minimum, NAME(where_above)(limit, value, infinite, value));
+        tally->at_least += NAME(where_above)(limit, value, zero, one);
     }
     for (int k = 0; k < LX_LANES; k++)
-        survey.sum += sums[k];
+        tally->sums[k] += (double)values[k];
+}
+
+static struct lx_survey NAME(survey)(const REAL *values, size_t count, double least)
+{
+    const NAME(lanes) limit = NAME(all)((REAL)least), zero = NAME(all)(0);
+    struct NAME(tally) tally = {zero, NAME(all)((REAL)HUGE_VAL), zero, {0}};
+    struct lx_survey survey = {.minimum = HUGE_VAL};
+    REAL rest[LX_LANES] = {0};
+    size_t i = 0;
+    for (; i + LX_LANES <= count; i += LX_LANES)
+        NAME(count_in)(&tally, values + i, limit);
+    if (i < count) {
+        memcpy(rest, values + i, (count - i) * sizeof *values);
+        NAME(count_in)(&tally, rest, limit);
+    }
+    for (int k = 0; k < LX_LANES; k++)
+        survey.sum += tally.sums[k];
     for (int lane = 0; lane < NAME(LX_WIDTH); lane++) {
-        survey.maximum = fmax(survey.maximum, (double)maximum[lane]);
-        survey.minimum = fmin(survey.minimum, (double)minimum[lane]);
-        survey.at_least += (size_t)at_least[lane];
+        survey.maximum = fmax(survey.maximum, (double)tally.maximum[lane]);
+        survey.minimum = fmin(survey.minimum, (double)tally.minimum[lane]);
+        survey.at_least += (size_t)tally.at_least[lane];
     }
     return survey;
 }
