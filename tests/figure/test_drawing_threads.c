@@ -1,7 +1,8 @@
 /* SPDX-License-Identifier: MIT */
 /*
  * Drawing in several threads at once, each on a context of its own: a bar, a profile and a histogram, which all share,
- * look as they do alone, while another thread evaluates the scene that they are of.
+ * look as they do alone, while another thread evaluates the scene that they are of.  And figures and reports of one
+ * scene, written by several threads at once: each file has the bytes that it has alone.
  */
 #include <math.h>
 #include <pthread.h>
@@ -10,10 +11,14 @@
 #include <stdatomic.h>
 #include <stddef.h>
 #include <stdint.h>
+#include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
+#include <unistd.h>
 
 #include <cmocka.h>
 #include <luxel/drawing.h>
+#include <luxel/figure.h>
 #include <luxel/luxel.h>
 
 enum { THREADS = 4, ROUNDS = 3, WIDTH = 300, HEIGHT = 200 };
@@ -117,8 +122,122 @@ static void test_threads(void **state)
     luxel_scene_free(scene);
 }
 
+/* -- files -- */
+
+static const char *const names[] = {"f.png", "f.svg", "f.pdf", "r.md", "r.html", "r.pdf"};
+enum { NAMES = sizeof names / sizeof *names };
+
+struct written {
+    char *bytes[NAMES];
+    size_t lengths[NAMES];
+};
+
+struct writer {
+    const luxel_scene *scene;
+    char folder[32];
+    struct written written;
+    bool fails;
+    pthread_t thread;
+};
+
+/* All of a file, which is removed then; NULL where that cannot be. */
+static char *take_file(const char *path, size_t *length)
+{
+    FILE *file = fopen(path, "rb");
+    char *bytes = NULL;
+    if (!file)
+        return NULL;
+    fseek(file, 0, SEEK_END);
+    *length = (size_t)ftell(file);
+    rewind(file);
+    bytes = malloc(*length);
+    if (bytes && fread(bytes, 1, *length, file) != *length) {
+        free(bytes);
+        bytes = NULL;
+    }
+    fclose(file);
+    remove(path);
+    return bytes;
+}
+
+/* Takes the numbers away that Cairo gives images and surfaces in SVG: they go on from one drawing to the next. */
+static size_t drop_numbers(char *bytes, size_t length)
+{
+    static const char *const words[] = {"image", "surface"};
+    size_t kept = 0;
+    for (size_t i = 0; i < length; i++) {
+        bytes[kept++] = bytes[i];
+        for (int w = 0; w < 2; w++) {
+            const size_t word = strlen(words[w]);
+            if (kept >= word && memcmp(bytes + kept - word, words[w], word) == 0)
+                while (i + 1 < length && bytes[i + 1] >= '0' && bytes[i + 1] <= '9')
+                    i++;
+        }
+    }
+    return kept;
+}
+
+/* Assertions are for the main thread alone. */
+static void *write_all(void *argument)
+{
+    struct writer *writer = argument;
+    for (int i = 0; i < NAMES; i++) {
+        char path[64];
+        snprintf(path, sizeof path, "%s/%s", writer->folder, names[i]);
+        luxel_status status = names[i][0] == 'f' ? luxel_figure_write(writer->scene, NULL, NULL, path, NULL)
+                                                 : luxel_report_write(writer->scene, NULL, NULL, path, NULL);
+        writer->written.bytes[i] = status == LUXEL_OK ? take_file(path, &writer->written.lengths[i]) : NULL;
+        writer->fails |= !writer->written.bytes[i];
+        if (writer->written.bytes[i] && !strstr(names[i], ".p"))
+            writer->written.lengths[i] = drop_numbers(writer->written.bytes[i], writer->written.lengths[i]);
+    }
+    return NULL;
+}
+
+static void open_writer(const luxel_scene *scene, struct writer *writer)
+{
+    *writer = (struct writer){.scene = scene, .folder = "/tmp/luxel-writers-XXXXXX"};
+    assert_non_null(mkdtemp(writer->folder));
+}
+
+static void close_writer(struct writer *writer)
+{
+    for (int i = 0; i < NAMES; i++)
+        free(writer->written.bytes[i]);
+    assert_int_equal(rmdir(writer->folder), 0); /* nothing is left over */
+}
+
+static void test_files(void **state)
+{
+    (void)state;
+    luxel_scene *scene = NULL;
+    struct writer alone, writers[THREADS];
+    assert_int_equal(luxel_scene_open_builtin("report", NULL, &scene), LUXEL_OK);
+    assert_int_equal(luxel_scene_set(scene, "screen.resolution=[90,90]", NULL), LUXEL_OK);
+    assert_int_equal(luxel_scene_commit(scene, NULL), LUXEL_OK);
+    open_writer(scene, &alone);
+    write_all(&alone);
+    assert_false(alone.fails);
+    for (int i = 0; i < THREADS; i++) {
+        open_writer(scene, &writers[i]);
+        assert_int_equal(pthread_create(&writers[i].thread, NULL, write_all, &writers[i]), 0);
+    }
+    for (int i = 0; i < THREADS; i++)
+        pthread_join(writers[i].thread, NULL);
+    for (int i = 0; i < THREADS; i++) {
+        assert_false(writers[i].fails);
+        for (int k = 0; k < NAMES; k++) {
+            assert_int_equal(writers[i].written.lengths[k], alone.written.lengths[k]);
+            assert_memory_equal(writers[i].written.bytes[k], alone.written.bytes[k], alone.written.lengths[k]);
+        }
+        close_writer(&writers[i]);
+    }
+    close_writer(&alone);
+    luxel_scene_free(scene);
+}
+
 int main(void)
 {
-    const struct CMUnitTest tests[] = {cmocka_unit_test(test_threads)};
+    const struct CMUnitTest tests[] = {cmocka_unit_test(test_threads), cmocka_unit_test(test_files)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
