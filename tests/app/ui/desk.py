@@ -85,7 +85,8 @@ class Desk:
     def _begin(self):
         for name in ("xdotool", "dbus-daemon", "Xvfb"):
             tool(name)
-        display = self._speaking([tool("Xvfb"), "-displayfd", "1", "-noreset", "-nolisten", "tcp", "-screen", "0",
+        # -r: a key that a busy machine holds down for long does not repeat itself.
+        display = self._speaking([tool("Xvfb"), "-displayfd", "1", "-noreset", "-r", "-nolisten", "tcp", "-screen", "0",
                                   "%dx%dx24" % self.size])
         self.environment["DISPLAY"] = ":" + display
         self.environment["DBUS_SESSION_BUS_ADDRESS"] = self._speaking(
