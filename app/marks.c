@@ -256,7 +256,18 @@ gboolean app_mark_shift(const AppMark *mark, const double step_mm[3], AppDocumen
         dome_place(&hand, shown, radius, 0, place);
         return put(document, mark, place);
     }
+    /* The mark is of the last picture, which the document may be ahead of; corners are moved from where they are. */
+    char *key = app_place_key(document, mark->kind, mark->index);
+    char *text = key && !g_str_has_suffix(key, ".vertices") ? app_document_get(document, key, NULL) : NULL;
+    const gsize count = mark->kind == APP_MARK_POINT ? 2 : 3;
+    double from[3];
+    if (!text || app_list_read(text, from, count) < count)
+        memcpy(from, mark->place_mm, sizeof from);
+    if (count < 3)
+        from[2] = mark->place_mm[2];
     for (int k = 0; k < 3; k++)
-        place[k] = round_to(mark->place_mm[k] + step_mm[k], 1e-6);
+        place[k] = round_to(from[k] + step_mm[k], 1e-6);
+    g_free(key);
+    g_free(text);
     return put(document, mark, place);
 }

@@ -339,10 +339,15 @@ static void shifts_by_keys(void **state)
     Drag drag = take_builtin("report", APP_MARK_SOURCE, 0);
     assert_true(app_mark_shift(&drag.mark, step, drag.document));
     assert_key(drag.document, "lights[0].position", "[2000.1, -0.2, 2005]");
+    /* a second key before a picture shows what the first has done */
+    assert_true(app_mark_shift(&drag.mark, step, drag.document));
+    assert_key(drag.document, "lights[0].position", "[2000.2, -0.4, 2010]");
     end(&drag);
     drag = take_builtin("report", APP_MARK_POINT, 0);
     assert_true(app_mark_shift(&drag.mark, step, drag.document));
     assert_key(drag.document, "points[0]", "[0.1, -0.2]");
+    assert_true(app_mark_shift(&drag.mark, step, drag.document));
+    assert_key(drag.document, "points[0]", "[0.2, -0.4]");
     end(&drag);
     drag = take(document_of_text(polygon), APP_MARK_SOURCE, 0);
     assert_true(app_mark_shift(&drag.mark, step, drag.document));
