@@ -6,7 +6,7 @@ import subprocess
 import time
 
 from tap import Tap
-from tool import SCENE, run_tests
+from tool import PATIENCE, SCENE, run_tests
 
 GRIDS = "grids=[{center: [0,0,1000], size: [100,100], n: [3,2]}]"
 COMMANDS = [("render",), ("render", "--json"), ("probe",), ("probe", "--json"), ("grid", "-s", GRIDS),
@@ -59,7 +59,7 @@ def interrupts(tap, tool):
     for seconds in 0.05, 0.5, 1.5:
         process = subprocess.Popen([tool.path, "render", "long.yaml", "-o", "x.npy", "-o", "x.png"], cwd=tool.folder,
                                    stdout=subprocess.PIPE, stderr=subprocess.PIPE)
-        time.sleep(seconds)
+        time.sleep(seconds * PATIENCE)
         process.send_signal(signal.SIGINT)
         start = time.monotonic()
         out, err = process.communicate(timeout=120)
@@ -69,9 +69,9 @@ def interrupts(tap, tool):
             continue
         tap.equal((process.returncode, out, tool.files()), (130, b"", ["long.yaml"]),
                   "interrupted after %g s" % seconds)
-        tap.ok(took < 2.0, "it ends soon", "%.2f s" % took, err)
+        tap.ok(took < 2.0 * PATIENCE, "it ends soon", "%.2f s" % took, err)
     process = subprocess.Popen([tool.path, "render", "-"], stdin=subprocess.PIPE, stdout=subprocess.PIPE)
-    time.sleep(0.2)
+    time.sleep(0.2 * PATIENCE)
     process.send_signal(signal.SIGINT)
     tap.equal(process.wait(timeout=10), 130, "interrupted while it waits for standard input")
 
