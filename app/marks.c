@@ -156,6 +156,20 @@ static gboolean put(AppDocument *document, const AppMark *mark, const double pla
     return done;
 }
 
+/* Where the document has a mark, of which the last picture may be behind it; `place` stays where that is no list of
+ * numbers, as of corners. */
+static void find_place(AppDocument *document, const AppMark *mark, double place[3])
+{
+    const gsize count = mark->kind == APP_MARK_POINT ? 2 : 3;
+    double now[3];
+    char *key = app_place_key(document, mark->kind, mark->index);
+    char *text = key && !g_str_has_suffix(key, ".vertices") ? app_document_get(document, key, NULL) : NULL;
+    if (app_list_read(text, now, count) == count)
+        memcpy(place, now, count * sizeof *place);
+    g_free(key);
+    g_free(text);
+}
+
 void app_hand_take(AppHand *hand, const AppMark *mark, const double pointer_mm[2], const double shown_mm[2])
 {
     *hand = (AppHand){.mark = *mark, .gain = 1};
@@ -223,13 +237,9 @@ gboolean app_hand_move(AppHand *hand, const AppTouch *touch, const AppMoment *mo
     }
     if (hand->was_height) {
         double rise = (hand->pointer_mm[1] - hand->height_grip) * hand->gain;
-        char *key = app_place_key(document, hand->mark.kind, hand->mark.index);
-        char *text = key ? app_document_get(document, key, NULL) : NULL;
-        if (app_list_read(text, place, 3) < 3)
-            memcpy(place, hand->start_mm, sizeof place);
+        memcpy(place, hand->mark.place_mm, sizeof place);
+        find_place(document, &hand->mark, place);
         place[2] = round_to(hand->start_mm[2] + rise, grain * hand->gain);
-        g_free(key);
-        g_free(text);
     } else if (hand->mark.kind == APP_MARK_POINT) {
         memcpy(place, shown, sizeof shown);
     } else {
@@ -256,18 +266,9 @@ gboolean app_mark_shift(const AppMark *mark, const double step_mm[3], AppDocumen
         dome_place(&hand, shown, radius, 0, place);
         return put(document, mark, place);
     }
-    /* The mark is of the last picture, which the document may be ahead of; corners are moved from where they are. */
-    char *key = app_place_key(document, mark->kind, mark->index);
-    char *text = key && !g_str_has_suffix(key, ".vertices") ? app_document_get(document, key, NULL) : NULL;
-    const gsize count = mark->kind == APP_MARK_POINT ? 2 : 3;
-    double from[3];
-    if (!text || app_list_read(text, from, count) < count)
-        memcpy(from, mark->place_mm, sizeof from);
-    if (count < 3)
-        from[2] = mark->place_mm[2];
+    memcpy(place, mark->place_mm, sizeof place);
+    find_place(document, mark, place);
     for (int k = 0; k < 3; k++)
-        place[k] = round_to(from[k] + step_mm[k], 1e-6);
-    g_free(key);
-    g_free(text);
+        place[k] = round_to(place[k] + step_mm[k], 1e-6);
     return put(document, mark, place);
 }

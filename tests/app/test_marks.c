@@ -312,6 +312,20 @@ static void moves_a_polygon_with_all_corners(void **state)
     end(&drag);
 }
 
+static void raises_a_polygon_where_it_stands(void **state)
+{
+    (void)state;
+    Drag drag = take(document_of_text(polygon), APP_MARK_SOURCE, 0);
+    const AppTouch touch = {.mm_per_pixel = 1, .height = TRUE};
+    assert_true(pull(&drag, 0, 0, touch)); /* from where the key was pressed */
+    assert_true(pull(&drag, 70, 30, touch));
+    assert_true(pull(&drag, -40, 20, touch)); /* once more: from where the last move left it */
+    const AppMark after = drop(&drag);
+    expect_near(after.place_mm, drag.mark.place_mm[0], drag.mark.place_mm[1], 1e-6);
+    assert_true(fabs(after.place_mm[2] - drag.mark.place_mm[2] - 50) < 1);
+    end(&drag);
+}
+
 static void follows_in_proportion_at_the_edge(void **state)
 {
     (void)state;
@@ -379,6 +393,7 @@ int main(void)
         cmocka_unit_test(changes_only_the_height_with_alt),
         cmocka_unit_test(turns_distant_light_on_its_dome),
         cmocka_unit_test(moves_a_polygon_with_all_corners),
+        cmocka_unit_test(raises_a_polygon_where_it_stands),
         cmocka_unit_test(follows_in_proportion_at_the_edge),
         cmocka_unit_test(shifts_by_keys),
     };
