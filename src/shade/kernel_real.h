@@ -56,10 +56,15 @@ LX_LANE struct NAME(ray)
     return (struct NAME(ray)){x, y, z, e, r2 * limited, limited};
 }
 
-/* Of the direction from the light, -L, seen from its axis. */
+/* The versine and the cosine of the angle between the direction from the light, -L, and its axis. */
 LX_LANE NAME(lanes) NAME(versine)(const struct NAME(lx_light) * light, const struct NAME(ray) * ray)
 {
     return NAME(half_square)(light->axis_x + ray->x, light->axis_y + ray->y, light->axis_z + ray->z);
+}
+
+LX_LANE NAME(lanes) NAME(axial)(const struct NAME(lx_light) * light, const struct NAME(ray) * ray)
+{
+    return -(light->axis_x * ray->x + light->axis_y * ray->y + light->axis_z * ray->z);
 }
 
 /* g of a cone; `exact`: the light in float64, as in all that follows. */
@@ -67,8 +72,7 @@ LX_LANE NAME(lanes) NAME(cone)(const struct NAME(lx_light) * light, const struct
                                const struct NAME(elements) * at, const struct NAME(ray) * ray)
 {
 #if LX_IS_SINGLE
-    const NAME(lanes) cosine = -(light->axis_x * ray->x + light->axis_y * ray->y + light->axis_z * ray->z);
-    return cone_in_single(light, exact, at->exact, at->start, cosine, ray->r, ray->inverse);
+    return cone_in_single(light, exact, at->exact, at->start, NAME(axial)(light, ray), ray->r, ray->inverse);
 #else
     (void)exact, (void)at;
     const NAME(lanes) versine = NAME(versine)(light, ray), zero = NAME(all)(0), one = NAME(all)(1);
@@ -90,10 +94,8 @@ LX_LANE NAME(lanes) NAME(profile)(const struct NAME(lx_light) * light, const str
     NAME(lanes) g = NAME(all)(1);
     if (light->falloff != LX_NO_CONE)
         g = NAME(cone)(light, exact, at, ray);
-    if (light->exponent.value > 0) {
-        NAME(lanes) cosine = -(light->axis_x * ray->x + light->axis_y * ray->y + light->axis_z * ray->z);
-        g *= NAME(power_of)(NAME(versine)(light, ray), cosine, light->exponent);
-    }
+    if (light->exponent.value > 0)
+        g *= NAME(power_of)(NAME(versine)(light, ray), NAME(axial)(light, ray), light->exponent);
     return g;
 }
 
@@ -193,26 +195,41 @@ LX_LANE NAME(lanes) NAME(reflected)(const struct NAME(lx_light) * light, const s
     return ray->e * NAME(weight_of)(lobe, at, model, highlight, ray, height);
 }
 
+/* What a kernel is called with. */
+struct NAME(work) {
+    const struct NAME(lx_light) * lights;
+    const struct lx_light_double *exacts;
+    size_t light_count;
+    const struct NAME(lx_lobe) * lobe;
+    const struct NAME(lx_block) * block;
+    const struct lx_block_double *exact;
+    const float *open;
+    size_t count;
+    double *sum;
+};
+
 /*
  * Adds the brightness by all the lights, which are of one kind.  Two vectors at once, their rays first, keep the
  * machine busy where one would wait for its own results.
  */
-LX_LANE void NAME(reflect)(const struct NAME(lx_light) * lights, const struct lx_light_double *exacts,
-                           size_t light_count, const struct NAME(lx_lobe) * lobe, const struct NAME(lx_block) * block,
-                           const struct lx_block_double *exact, const float *open, size_t count,
-                           enum lx_light_kind kind, enum lx_model model, enum lx_highlight highlight,
-                           double *restrict sum)
+LX_LANE void NAME(reflect)(const struct NAME(work) * work, enum lx_light_kind kind, enum lx_model model,
+                           enum lx_highlight highlight)
 {
-    const struct NAME(lx_lobe) constants = *lobe;
+    const struct NAME(lx_lobe) constants = *work->lobe;
+    const struct NAME(lx_block) *block = work->block;
+    const struct lx_light_double *exacts = work->exacts;
+    const float *open = work->open;
+    double *restrict sum = work->sum;
+    const size_t count = work->count;
     const size_t width = NAME(LX_WIDTH);
     _Alignas(LX_VECTOR_BYTES) REAL totals[LX_BLOCK];
     size_t i = 0;
     for (; i + 2 * width <= count; i += 2 * width) {
-        const struct NAME(elements) at = NAME(elements_at)(block, exact, i);
-        const struct NAME(elements) next = NAME(elements_at)(block, exact, i + width);
+        const struct NAME(elements) at = NAME(elements_at)(block, work->exact, i);
+        const struct NAME(elements) next = NAME(elements_at)(block, work->exact, i + width);
         NAME(lanes) total = NAME(all)(0), total_of_next = total;
-        for (size_t k = 0; k < light_count; k++) {
-            const struct NAME(lx_light) *light = &lights[k];
+        for (size_t k = 0; k < work->light_count; k++) {
+            const struct NAME(lx_light) *light = &work->lights[k];
             const struct lx_light_double *in_double = exacts ? &exacts[k] : NULL;
             struct NAME(ray) ray = NAME(ray_of)(light, in_double, &at, kind);
             struct NAME(ray) ray_to_next = NAME(ray_of)(light, in_double, &next, kind);
@@ -225,12 +242,12 @@ LX_LANE void NAME(reflect)(const struct NAME(lx_light) * lights, const struct lx
         NAME(store)(totals + i + width, total_of_next);
     }
     if (i < count) { /* one vector more */
-        const struct NAME(elements) at = NAME(elements_at)(block, exact, i);
+        const struct NAME(elements) at = NAME(elements_at)(block, work->exact, i);
         NAME(lanes) total = NAME(all)(0);
-        for (size_t k = 0; k < light_count; k++) {
+        for (size_t k = 0; k < work->light_count; k++) {
             const struct lx_light_double *in_double = exacts ? &exacts[k] : NULL;
-            struct NAME(ray) ray = NAME(ray_of)(&lights[k], in_double, &at, kind);
-            total += NAME(reflected)(&lights[k], in_double, &constants, &at, &ray, model, highlight);
+            struct NAME(ray) ray = NAME(ray_of)(&work->lights[k], in_double, &at, kind);
+            total += NAME(reflected)(&work->lights[k], in_double, &constants, &at, &ray, model, highlight);
         }
         NAME(store)(totals + i, total);
     }
@@ -240,46 +257,36 @@ LX_LANE void NAME(reflect)(const struct NAME(lx_light) * lights, const struct lx
         sum[i] += (double)totals[i];
 }
 
-LX_LANE void NAME(by_lobe)(const struct NAME(lx_light) * lights, const struct lx_light_double *exacts,
-                           size_t light_count, const struct NAME(lx_lobe) * lobe, const struct NAME(lx_block) * block,
-                           const struct lx_block_double *exact, const float *open, size_t count,
-                           enum lx_light_kind kind, double *sum)
+LX_LANE void NAME(by_lobe)(const struct NAME(work) * work, enum lx_light_kind kind)
 {
-    if (lobe->model == LX_LAMBERT)
-        NAME(reflect)
-    (lights, exacts, light_count, lobe, block, exact, open, count, kind, LX_LAMBERT, LX_HIGHLIGHT_PLAIN, sum);
-    else if (lobe->model == LX_BLINN_PHONG && lobe->highlight == LX_HIGHLIGHT_PLAIN) NAME(reflect)(
-        lights, exacts, light_count, lobe, block, exact, open, count, kind, LX_BLINN_PHONG, LX_HIGHLIGHT_PLAIN, sum);
-    else if (lobe->model == LX_BLINN_PHONG && lobe->highlight == LX_HIGHLIGHT_GATED) NAME(reflect)(
-        lights, exacts, light_count, lobe, block, exact, open, count, kind, LX_BLINN_PHONG, LX_HIGHLIGHT_GATED, sum);
-    else if (lobe->model == LX_BLINN_PHONG) NAME(reflect)(lights, exacts, light_count, lobe, block, exact, open, count,
-                                                          kind, LX_BLINN_PHONG, LX_HIGHLIGHT_COSINE, sum);
-    else if (lobe->highlight == LX_HIGHLIGHT_PLAIN) NAME(reflect)(lights, exacts, light_count, lobe, block, exact, open,
-                                                                  count, kind, LX_PHONG, LX_HIGHLIGHT_PLAIN, sum);
-    else if (lobe->highlight == LX_HIGHLIGHT_GATED) NAME(reflect)(lights, exacts, light_count, lobe, block, exact, open,
-                                                                  count, kind, LX_PHONG, LX_HIGHLIGHT_GATED, sum);
-    else NAME(reflect)(lights, exacts, light_count, lobe, block, exact, open, count, kind, LX_PHONG,
-                       LX_HIGHLIGHT_COSINE, sum);
+    const enum lx_model model = work->lobe->model;
+    const enum lx_highlight highlight = work->lobe->highlight;
+    if (model == LX_LAMBERT)
+        NAME(reflect)(work, kind, LX_LAMBERT, LX_HIGHLIGHT_PLAIN);
+    else if (model == LX_BLINN_PHONG && highlight == LX_HIGHLIGHT_PLAIN)
+        NAME(reflect)(work, kind, LX_BLINN_PHONG, LX_HIGHLIGHT_PLAIN);
+    else if (model == LX_BLINN_PHONG && highlight == LX_HIGHLIGHT_GATED)
+        NAME(reflect)(work, kind, LX_BLINN_PHONG, LX_HIGHLIGHT_GATED);
+    else if (model == LX_BLINN_PHONG)
+        NAME(reflect)(work, kind, LX_BLINN_PHONG, LX_HIGHLIGHT_COSINE);
+    else if (highlight == LX_HIGHLIGHT_PLAIN)
+        NAME(reflect)(work, kind, LX_PHONG, LX_HIGHLIGHT_PLAIN);
+    else if (highlight == LX_HIGHLIGHT_GATED)
+        NAME(reflect)(work, kind, LX_PHONG, LX_HIGHLIGHT_GATED);
+    else
+        NAME(reflect)(work, kind, LX_PHONG, LX_HIGHLIGHT_COSINE);
 }
 
 static void NAME(shade)(const struct NAME(lx_light) * lights, const struct lx_light_double *exacts, size_t light_count,
                         const struct NAME(lx_lobe) * lobe, const struct NAME(lx_block) * block,
                         const struct lx_block_double *exact, const float *open, size_t count, double *sum)
 {
-    count = lx_padded(count);
+    const struct NAME(work) work = {lights, exacts, light_count, lobe, block, exact, open, lx_padded(count), sum};
     switch (lights->kind) {
-    case LX_DISTANT:
-        NAME(by_lobe)(lights, exacts, light_count, lobe, block, exact, open, count, LX_DISTANT, sum);
-        break;
-    case LX_BY_SQUARE:
-        NAME(by_lobe)(lights, exacts, light_count, lobe, block, exact, open, count, LX_BY_SQUARE, sum);
-        break;
-    case LX_BY_SUM: NAME(by_lobe)(lights, exacts, light_count, lobe, block, exact, open, count, LX_BY_SUM, sum); break;
-    case LX_UNATTENUATED:
-        NAME(by_lobe)(lights, exacts, light_count, lobe, block, exact, open, count, LX_UNATTENUATED, sum);
-        break;
-    case LX_PROFILED:
-        NAME(by_lobe)(lights, exacts, light_count, lobe, block, exact, open, count, LX_PROFILED, sum);
-        break;
+    case LX_DISTANT: NAME(by_lobe)(&work, LX_DISTANT); break;
+    case LX_BY_SQUARE: NAME(by_lobe)(&work, LX_BY_SQUARE); break;
+    case LX_BY_SUM: NAME(by_lobe)(&work, LX_BY_SUM); break;
+    case LX_UNATTENUATED: NAME(by_lobe)(&work, LX_UNATTENUATED); break;
+    case LX_PROFILED: NAME(by_lobe)(&work, LX_PROFILED); break;
     }
 }

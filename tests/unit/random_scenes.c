@@ -115,7 +115,7 @@ struct lx_emitter random_emitter(struct randomness *random, const struct lx_shap
     return emitter;
 }
 
-static const struct lx_surface_kind *kind_called(const char *name)
+const struct lx_surface_kind *kind_called(const char *name)
 {
     for (size_t i = 0; lx_surface_variants[i]; i++)
         if (strcmp(lx_surface_variants[i]->name, name) == 0)

@@ -33,6 +33,8 @@ int pick(struct randomness *random, int count);
 double logarithmic(struct randomness *random, double low, double high);
 void random_direction(struct randomness *random, double direction[3]);
 
+const struct lx_surface_kind *kind_called(const char *name);
+
 /* A source of any type, law and profile near a surface or far from it. */
 struct lx_emitter random_emitter(struct randomness *random, const struct lx_shape *shape);
 

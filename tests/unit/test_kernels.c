@@ -86,56 +86,16 @@ static double worst_pixel(const struct test_scene *test, const struct lx_kernels
     return worst;
 }
 
-static void check_precision(luxel_precision precision, bool with_plates, double bound)
+static void make_with_spheres(int i, struct test_scene *test)
 {
-    static lx_bounded picture[ROWS][COLUMNS];
-    const char *campaign = getenv("LUXEL_TEST_SCENES");
-    int scenes = campaign ? atoi(campaign) : 250;
-    double worst = 0, single = 0;
-    for (int i = 0; i < scenes; i++) {
-        struct randomness random = {.state = UINT64_C(0x9E3779B97F4A7C15) * ((uint64_t)i + 1)};
-        struct test_scene test;
-        make_random_scene(&random, with_plates, &test);
-        double maximum = reference_picture(&test, picture);
-        for (size_t k = 0; lx_kernels_get(k); k++) {
-            const struct lx_kernels *kernels = lx_kernels_get(k);
-            double share;
-            if (!kernels->runs())
-                continue;
-            double off = worst_pixel(&test, kernels, precision, picture, maximum, &share);
-            single += k == 0 ? share : 0;
-            if (off > bound)
-                print_message("# scene %d, %s: off by %.3g of the maximum\n", i, kernels->name, off);
-            worst = fmax(worst, off);
-        }
-    }
-    print_message("# worst pixel: %.3g of the maximum; %.0f %% of the lights in float32\n", worst,
-                  100 * single / scenes);
-    assert_true(worst <= bound);
+    struct randomness random = {.state = UINT64_C(0x9E3779B97F4A7C15) * ((uint64_t)i + 1)};
+    make_random_scene(&random, false, test);
 }
 
-static void test_single(void **state)
+static void make_with_plates(int i, struct test_scene *test)
 {
-    (void)state;
-    check_precision(LUXEL_SINGLE, false, 2e-6);
-}
-
-static void test_double(void **state)
-{
-    (void)state;
-    check_precision(LUXEL_DOUBLE, false, 1e-11);
-}
-
-static void test_plates_single(void **state)
-{
-    (void)state;
-    check_precision(LUXEL_SINGLE, true, 2e-6);
-}
-
-static void test_plates_double(void **state)
-{
-    (void)state;
-    check_precision(LUXEL_DOUBLE, true, 1e-11);
+    struct randomness random = {.state = UINT64_C(0x9E3779B97F4A7C15) * ((uint64_t)i + 1)};
+    make_random_scene(&random, true, test);
 }
 
 /* A direction at right angles to a unit vector. */
@@ -177,10 +137,7 @@ static void make_edge_scene(struct randomness *random, bool is_gated, bool is_pl
     test->plates[0] = (struct lx_plate_parameters){.size_mm = {radius, radius}};
     memcpy(test->plates[0].center_mm, middle, sizeof middle);
     memcpy(test->plates[0].axis, normal, sizeof normal);
-    const struct lx_surface_kind *kind = NULL;
-    for (size_t i = 0; lx_surface_variants[i]; i++)
-        if (strcmp(lx_surface_variants[i]->name, is_plate ? "rectangle" : "sphere") == 0)
-            kind = (const struct lx_surface_kind *)lx_surface_variants[i];
+    const struct lx_surface_kind *kind = kind_called(is_plate ? "rectangle" : "sphere");
     const void *parameters = is_plate ? (const void *)&test->plates[0] : &test->spheres[0];
     const struct lx_material material = {.model = pick(random, 2),
                                          .highlight = is_gated ? LX_HIGHLIGHT_GATED : LX_HIGHLIGHT_PLAIN,
@@ -226,33 +183,69 @@ static void make_edge_scene(struct randomness *random, bool is_gated, bool is_pl
     test->prepared.shadows = false;
 }
 
-static void test_edges(void **state)
+static void make_with_edges(int i, struct test_scene *test)
+{
+    struct randomness random = {.state = UINT64_C(0xD1B54A32D192ED03) * ((uint64_t)i + 1)};
+    make_edge_scene(&random, i % 4 == 0, i % 4 == 1, test);
+}
+
+/* The share of the lights that are in float32. */
+static double check_precision(luxel_precision precision, void (*make)(int i, struct test_scene *test), double bound)
 {
     static lx_bounded picture[ROWS][COLUMNS];
     const char *campaign = getenv("LUXEL_TEST_SCENES");
     int scenes = campaign ? atoi(campaign) : 250;
     double worst = 0, single = 0;
-    (void)state;
     for (int i = 0; i < scenes; i++) {
-        struct randomness random = {.state = UINT64_C(0xD1B54A32D192ED03) * ((uint64_t)i + 1)};
         struct test_scene test;
-        make_edge_scene(&random, i % 4 == 0, i % 4 == 1, &test);
-        const double maximum = reference_picture(&test, picture);
+        make(i, &test);
+        double maximum = reference_picture(&test, picture);
         for (size_t k = 0; lx_kernels_get(k); k++) {
+            const struct lx_kernels *kernels = lx_kernels_get(k);
             double share;
-            if (!lx_kernels_get(k)->runs())
+            if (!kernels->runs())
                 continue;
-            double off = worst_pixel(&test, lx_kernels_get(k), LUXEL_SINGLE, picture, maximum, &share);
+            double off = worst_pixel(&test, kernels, precision, picture, maximum, &share);
             single += k == 0 ? share : 0;
-            if (off > 2e-6)
-                print_message("# scene %d, %s: off by %.3g of the maximum\n", i, lx_kernels_get(k)->name, off);
+            if (off > bound)
+                print_message("# scene %d, %s: off by %.3g of the maximum\n", i, kernels->name, off);
             worst = fmax(worst, off);
         }
     }
     print_message("# worst pixel: %.3g of the maximum; %.0f %% of the lights in float32\n", worst,
                   100 * single / scenes);
-    assert_true(worst <= 2e-6);
-    assert_true(single > 0.5 * scenes);
+    assert_true(worst <= bound);
+    return single / scenes;
+}
+
+static void test_single(void **state)
+{
+    (void)state;
+    check_precision(LUXEL_SINGLE, make_with_spheres, 2e-6);
+}
+
+static void test_double(void **state)
+{
+    (void)state;
+    check_precision(LUXEL_DOUBLE, make_with_spheres, 1e-11);
+}
+
+static void test_plates_single(void **state)
+{
+    (void)state;
+    check_precision(LUXEL_SINGLE, make_with_plates, 2e-6);
+}
+
+static void test_plates_double(void **state)
+{
+    (void)state;
+    check_precision(LUXEL_DOUBLE, make_with_plates, 1e-11);
+}
+
+static void test_edges(void **state)
+{
+    (void)state;
+    assert_true(check_precision(LUXEL_SINGLE, make_with_edges, 2e-6) > 0.5);
 }
 
 static void test_choice(void **state)
