@@ -52,7 +52,7 @@ typedef struct luxel_grid {
     double average_error;        /* bounds its distance from the mean of the true values at the cells' centres */
     luxel_grid_extremum minimum; /* the least value */
     luxel_grid_extremum maximum; /* the greatest value */
-    bool has_evenness;           /* false where no cell has a value above 0; then the next two are 0 */
+    bool has_evenness;           /* whether the average is above 0; else the next two are 0 */
     double u0;                   /* minimum / average, the uniformity U0 (EN 12665) */
     double ud;                   /* minimum / maximum, the diversity Ud */
     const char *flux_unit;       /* "W" or "lm"; NULL where the unit is no power by area or a cell has no value */

@@ -186,7 +186,7 @@ static void judge(const struct measuring *measuring, bool is_tolerance_asked_for
 {
     luxel_grid *grid = &measuring->made->grid;
     bool photometric = strcmp(grid->unit, "lx") == 0, radiometric = strcmp(grid->unit, "W/m²") == 0;
-    grid->has_evenness = grid->measured > 0 && grid->maximum.value > 0;
+    grid->has_evenness = grid->average > 0; /* which a maximum below the normal numbers may leave at 0 */
     if (grid->has_evenness) {
         grid->u0 = grid->minimum.value / grid->average;
         grid->ud = grid->minimum.value / grid->maximum.value;

@@ -30,6 +30,10 @@ const struct draft_light draft_plain_light = {
                 .size = {1, 1, 1}},
 };
 
+const struct draft_grid draft_plain_grid = {
+    .numbers = {.center = {0, 0, 0}, .size = {1, 1}, .axis = {0, 0, 1}, .up = {0, 1, 0}},
+};
+
 const struct draft draft_plain = {
     .words = {.columns = 1, .rows = 1},
     .numbers = {.pitch = 1, .observer_z = 2},
@@ -46,6 +50,17 @@ bool draft_has_extended(const struct draft *draft)
     for (size_t i = 0; i < draft->light_count; i++)
         has = has || draft_is_extended(&draft->lights[i]);
     return has;
+}
+
+bool draft_is_symmetric(const struct draft *draft)
+{
+    for (size_t i = 0; i < draft->light_count; i++) {
+        const struct draft_light_words *words = &draft->lights[i].words;
+        const bool is_wide = words->type == DRAFT_PLANAR || words->type == DRAFT_VOLUME;
+        if (is_wide && (words->parts || (words->type == DRAFT_VOLUME && words->facets)))
+            return false;
+    }
+    return true;
 }
 
 /* ---- writing ---- */
@@ -92,11 +107,17 @@ static void write_law(FILE *text, const struct draft_light *light)
         fprintf(text, ", k: %.17g", light->numbers.k);
 }
 
-static void write_point(FILE *text, const struct draft_light *light)
+/* `cloud`: NULL, or the file that tells place and intensity. */
+static void write_point(FILE *text, const struct draft_light *light, const char *cloud)
 {
     static const char *const patterns[] = {"isotropic", "lambertian", "cosine"};
-    write_vector(text, "position", light->numbers.place);
-    fprintf(text, ", intensity: %.17g, pattern: %s", light->numbers.strength, patterns[light->words.pattern]);
+    if (cloud) {
+        fprintf(text, ", file: \"%s\"", cloud);
+    } else {
+        write_vector(text, "position", light->numbers.place);
+        fprintf(text, ", intensity: %.17g", light->numbers.strength);
+    }
+    fprintf(text, ", pattern: %s", patterns[light->words.pattern]);
     if (light->words.pattern == DRAFT_COSINE)
         fprintf(text, ", exponent: %.17g", light->numbers.exponent);
     if (light->words.pattern != DRAFT_ISOTROPIC)
@@ -145,11 +166,16 @@ static void write_outline(FILE *text, const struct draft_light *light)
     fprintf(text, "}");
 }
 
-static void write_body(FILE *text, const struct draft_light *light)
+/* `mesh`: NULL, or the file that a box is read from. */
+static void write_body(FILE *text, const struct draft_light *light, const char *mesh)
 {
     static const char *const bodies[] = {"box", "sphere", "cylinder"};
     const double *size = light->numbers.size, *center = light->numbers.place;
     const unsigned shape = light->words.shape;
+    if (mesh && shape == DRAFT_BOX) {
+        fprintf(text, ", mesh: \"%s\"", mesh);
+        return;
+    }
     fprintf(text, ", %s: {center: [%.17g, %.17g, %.17g]", bodies[shape], center[0], center[1], center[2]);
     if (shape == DRAFT_BOX)
         write_vector(text, "size", size);
@@ -164,32 +190,57 @@ static void write_body(FILE *text, const struct draft_light *light)
     fprintf(text, "}");
 }
 
-static void write_extended(FILE *text, const struct draft_light *light)
+static void write_extended(FILE *text, const struct draft_light *light, const char *mesh)
 {
     static const char *const measures[] = {"radiance", "power", "intensity"};
     if (light->words.type == DRAFT_PLANAR)
         write_outline(text, light);
     else
-        write_body(text, light);
+        write_body(text, light, mesh);
     fprintf(text, ", %s: %.17g", measures[light->words.measure], light->numbers.strength);
     write_law(text, light);
     if (light->words.parts)
         fprintf(text, ", parts: %u", light->words.parts);
 }
 
-static void write_light(FILE *text, const struct draft_light *light)
+static void write_light(FILE *text, const struct draft *draft, const struct draft_light *light)
 {
     static const char *const types[] = {"point", "distant", "ambient", "spot", "planar", "volume"};
-    fprintf(text, "  - {type: %s", types[light->words.type]);
+    const bool is_cloud = light->words.type == DRAFT_POINT && draft->cloud;
+    fprintf(text, "  - {type: %s", is_cloud ? "points" : types[light->words.type]);
     switch ((enum draft_light_type)light->words.type) {
-    case DRAFT_POINT: write_point(text, light); break;
+    case DRAFT_POINT: write_point(text, light, draft->cloud); break;
     case DRAFT_SPOT: write_spot(text, light); break;
     case DRAFT_DISTANT: write_vector(text, "direction", light->numbers.towards); /* fall through */
     case DRAFT_AMBIENT: fprintf(text, ", irradiance: %.17g", light->numbers.strength); break;
     case DRAFT_PLANAR:
-    case DRAFT_VOLUME: write_extended(text, light); break;
+    case DRAFT_VOLUME: write_extended(text, light, draft->mesh); break;
     }
     fprintf(text, "}\n");
+}
+
+static void write_grid(FILE *text, const struct draft_grid *grid)
+{
+    const struct draft_grid_numbers *numbers = &grid->numbers;
+    fprintf(text, "grids:\n  - {n: [%u, %u]", grid->words.columns, grid->words.rows);
+    write_vector(text, "center", numbers->center);
+    fprintf(text, ", size: [%.17g, %.17g]", numbers->size[0], numbers->size[1]);
+    write_vector(text, "axis", numbers->axis);
+    write_vector(text, "up", numbers->up);
+    fprintf(text, "}\n");
+}
+
+/* A cloud stands where the first of its points does. */
+static void write_lights(FILE *text, const struct draft *draft)
+{
+    bool has_cloud = false;
+    fprintf(text, draft->light_count ? "lights:\n" : "lights: []\n");
+    for (size_t i = 0; i < draft->light_count; i++) {
+        const bool is_in_cloud = draft->cloud && draft->lights[i].words.type == DRAFT_POINT;
+        if (!(is_in_cloud && has_cloud))
+            write_light(text, draft, &draft->lights[i]);
+        has_cloud = has_cloud || is_in_cloud;
+    }
 }
 
 char *draft_write(const struct draft *draft)
@@ -208,9 +259,9 @@ char *draft_write(const struct draft *draft)
             words->perspective ? "perspective" : "orthographic", words->from_observer ? "observer" : "parallel");
     for (size_t i = 0; i < draft->surface_count; i++)
         write_surface(text, &draft->surfaces[i]);
-    fprintf(text, draft->light_count ? "lights:\n" : "lights: []\n");
-    for (size_t i = 0; i < draft->light_count; i++)
-        write_light(text, &draft->lights[i]);
+    write_lights(text, draft);
+    if (draft->grid.words.columns && draft->grid.words.rows)
+        write_grid(text, &draft->grid);
     if (fclose(text))
         abort();
     return made;
@@ -263,6 +314,9 @@ void draft_turn(struct draft *draft, struct draft_map map)
     }
     for (size_t i = 0; i < draft->light_count; i++)
         turn_light(&draft->lights[i], map);
+    turn_vector(draft->grid.numbers.center, map);
+    turn_vector(draft->grid.numbers.axis, map);
+    turn_vector(draft->grid.numbers.up, map);
     if (map.xy) {
         const unsigned columns = draft->words.columns;
         draft->words.columns = draft->words.rows;

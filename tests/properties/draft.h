@@ -54,6 +54,16 @@ struct draft_light {
     } numbers;
 };
 
+/* A measuring grid, of which there is one or none. */
+struct draft_grid {
+    struct draft_grid_words {
+        unsigned columns, rows; /* 0: there is none */
+    } words;
+    struct draft_grid_numbers {
+        double center[3], size[2], axis[3], up[3];
+    } numbers;
+};
+
 struct draft {
     struct draft_words {
         unsigned nodes, perspective, from_observer, no_shadows, columns, rows;
@@ -64,7 +74,10 @@ struct draft {
     } numbers;
     struct draft_surface surfaces[DRAFT_SURFACES];
     struct draft_light lights[DRAFT_LIGHTS];
+    struct draft_grid grid;
     size_t surface_count, light_count;
+    const char *cloud; /* NULL, or the file that all points are read from, with what else the first of them says */
+    const char *mesh;  /* NULL, or the file that boxes are read from */
 };
 
 /* A scene, nearly always a legal one, whatever is chosen. */
@@ -73,12 +86,16 @@ void draft_make(struct choices *choices, struct draft *draft);
 /* Its lights, at random, around surfaces that are there already. */
 void draft_make_lights(struct choices *choices, struct draft *draft);
 
+/* A place around a surface, or where programs err. */
+void draft_choose_place(struct choices *choices, const struct draft *draft, double place[3]);
+
 /* A direction of the length 1, or along an axis. */
 void draft_choose_direction(struct choices *choices, double direction[3]);
 
 /* The simplest values of each part. */
 extern const struct draft_surface draft_plain_surface;
 extern const struct draft_light draft_plain_light;
+extern const struct draft_grid draft_plain_grid;
 extern const struct draft draft_plain;
 
 /* Its YAML text, to be freed. */
@@ -96,5 +113,10 @@ void draft_turn(struct draft *draft, struct draft_map map);
 bool draft_is_extended(const struct draft_light *light);
 /* Whether any light is. */
 bool draft_has_extended(const struct draft *draft);
+/*
+ * Whether draft_turn() gives what the scene would give, turned: polyhedra begin at +x, and parts of round sources at a
+ * direction of their own.
+ */
+bool draft_is_symmetric(const struct draft *draft);
 
 #endif

@@ -90,7 +90,7 @@ static void choose_mirrored_place(struct choices *choices, const struct draft *d
     place[choose(choices, 3)] += size_of(&draft->surfaces[0]) * choose_size(choices, 1e-9, 1e-2);
 }
 
-static void choose_place(struct choices *choices, const struct draft *draft, double place[3])
+void draft_choose_place(struct choices *choices, const struct draft *draft, double place[3])
 {
     const struct draft_surface *surface = &draft->surfaces[choose(choices, (unsigned)draft->surface_count)];
     const double size = size_of(surface);
@@ -230,7 +230,7 @@ static void choose_light(struct choices *choices, const struct draft *draft, boo
     light->numbers.strength = choose_strength(choices);
     if (light->words.type == DRAFT_AMBIENT)
         return;
-    choose_place(choices, draft, light->numbers.place);
+    draft_choose_place(choices, draft, light->numbers.place);
     choose_towards(choices, draft, light);
     choose_law(choices, size, light);
     light->numbers.exponent = choose_exponent(choices);

@@ -182,9 +182,27 @@ static void snap_draft(struct draft *draft, double step)
     draft->numbers.pitch = snapped(draft->numbers.pitch, step / 2);
 }
 
+/* Mostly before a surface; some through a light, which then lies on the middle cell or in its plane. */
+static void choose_grid(struct choices *choices, double scale, struct draft *draft)
+{
+    struct draft_grid *grid = &draft->grid;
+    grid->words.columns = 1 + choose(choices, 3);
+    grid->words.rows = 1 + choose(choices, 2);
+    if (draft->light_count > 0 && choose_rarely(choices, 16))
+        memcpy(grid->numbers.center, draft->lights[0].numbers.place, sizeof grid->numbers.center);
+    else
+        draft_choose_place(choices, draft, grid->numbers.center);
+    draft_choose_direction(choices, grid->numbers.axis);
+    if (choose(choices, 2))
+        draft_choose_direction(choices, grid->numbers.up);
+    for (int i = 0; i < 2; i++)
+        grid->numbers.size[i] = scale * choose_size(choices, 1e-3, 3);
+}
+
 void draft_make(struct choices *choices, struct draft *draft)
 {
     *draft = draft_plain;
+    draft->grid = draft_plain_grid;
     const double scale = choose_scale(choices);
     draft->words.perspective = choose_rarely(choices, 3);
     draft->words.from_observer = choose_rarely(choices, 3);
@@ -197,4 +215,6 @@ void draft_make(struct choices *choices, struct draft *draft)
     draft_make_lights(choices, draft);
     if (choose_rarely(choices, 4))
         snap_draft(draft, rounded(scale / 4));
+    if (choose(choices, 2)) /* last, so that a seed's scene is as it was without */
+        choose_grid(choices, scale, draft);
 }

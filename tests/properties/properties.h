@@ -30,6 +30,14 @@ bool scales_with_lights(struct trial *trial);
 bool is_white_by_pi(struct trial *trial);
 /* clusters.c */
 bool keeps_light_error(struct trial *trial);
+/* grids.c */
+bool has_cells_of_elements(struct trial *trial);
+bool has_cells_that_add_up(struct trial *trial);
+bool has_cells_that_turn(struct trial *trial);
+bool has_grid_within_bounds(struct trial *trial);
+/* files.c */
+bool reads_clouds(struct trial *trial);
+bool reads_meshes(struct trial *trial);
 /* bytes.c */
 bool ignores_threads(struct trial *trial);
 bool ignores_stride(struct trial *trial);

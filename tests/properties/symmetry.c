@@ -5,18 +5,6 @@
 
 #include <math.h>
 
-/* Polyhedra begin at +x and parts of round sources at a direction of their own: they are not as symmetric as bodies. */
-static bool is_symmetric(const struct draft *draft)
-{
-    for (size_t i = 0; i < draft->light_count; i++) {
-        const struct draft_light_words *words = &draft->lights[i].words;
-        const bool is_wide = words->type == DRAFT_PLANAR || words->type == DRAFT_VOLUME;
-        if (is_wide && (words->parts || (words->type == DRAFT_VOLUME && words->facets)))
-            return false;
-    }
-    return true;
-}
-
 /* The greatest slack of two pictures, both of which may be off. */
 static double slack_of_two(const struct trial *trial, const luxel_field *one, const luxel_field *other)
 {
@@ -56,7 +44,7 @@ static bool is_same_after(struct trial *trial, struct draft_map map)
 {
     const luxel_settings settings = trial_settings(LUXEL_DOUBLE);
     const luxel_field *picture = trial_picture(trial, LUXEL_DOUBLE);
-    if (!picture || !is_symmetric(trial->draft))
+    if (!picture || !draft_is_symmetric(trial->draft))
         return true;
     struct draft turned = *trial->draft;
     draft_turn(&turned, map);

@@ -207,6 +207,16 @@ static void test_uniform(void **state)
     luxel_grid_free(grid);
     luxel_scene_free(scene);
 
+    /* One cell of three has the least number that there is: the average has none, and there is no evenness of it. */
+    scene = scene_with("radiometric",
+                       "{type: spot, position: [0, 0, 5], intensity: 4.9406564584124654e-324, inner: 30, "
+                       "outer: 30, attenuation: none}",
+                       "{center: [10, 0, 0], size: [30, 10], n: [3, 1]}");
+    grid = measure(scene, 0);
+    assert_true(grid->maximum.value > 0 && grid->average == 0 && !grid->has_evenness && grid->u0 == 0);
+    luxel_grid_free(grid);
+    luxel_scene_free(scene);
+
     /* Without attenuation the values are no power by area. */
     scene = scene_with("radiometric", "{type: point, position: [0, 0, 5], intensity: 5, attenuation: none}",
                        "{center: [0, 0, 0], size: [10, 10], n: [3, 3]}");
