@@ -263,11 +263,20 @@ struct lx_pair {
     double high, low;
 };
 
-/* a - b without error. */
-struct lx_pair lx_exact_difference(double a, double b);
+/* a + b without error. */
+static inline struct lx_pair lx_exact_sum(double a, double b)
+{
+    double sum = a + b;
+    double part = sum - a;
+    return (struct lx_pair){sum, (a - (sum - part)) + (b - part)};
+}
 
 /* a * b without error (short of underflow). */
-struct lx_pair lx_exact_product(double a, double b);
+static inline struct lx_pair lx_exact_product(double a, double b)
+{
+    double product = a * b;
+    return (struct lx_pair){product, fma(a, b, -product)};
+}
 
 /*
  * The sum of a[i] b[i] as if computed in twice the precision: its error is at most

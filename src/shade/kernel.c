@@ -80,17 +80,20 @@ static void meet_parallel_lines(const struct lx_shape *sphere, const struct lx_r
 {
     const double x = sphere->anchor_mm[0], dy = view->y_mm - sphere->anchor_mm[1], radius = sphere->radius_mm;
     const double top = view->observer_z_mm - sphere->anchor_mm[2];
-    double error;
-    const struct lx_pair square = lx_exact_dot(2, (double[]){radius, -dy}, (double[]){radius, dy}, &error);
+    const struct lx_pair r2 = lx_exact_product(radius, radius), y2 = lx_exact_product(dy, dy);
+    const struct lx_pair difference = lx_exact_sum(r2.high, -y2.high);
+    const struct lx_pair square = lx_exact_sum(difference.high, r2.low + (difference.low - y2.low));
     const double high = square.high, low = square.low;
-    for (size_t i = 0; i < count; i++) {
-        double dx = x_mm[i] - x;
-        double below = high - dx * dx + low;
-        double height = sqrt(below > 0 ? below : 0);
-        depth[i] = below >= 0 ? top - height : HUGE_VAL;
-        px[i] = dx;
-        py[i] = dy;
-        pz[i] = height;
+    const lanes_double zero = all_double(0), infinite = all_double(HUGE_VAL);
+    for (size_t i = 0; i < count; i += LX_WIDTH_double) {
+        lanes_double dx;
+        memcpy(&dx, x_mm + i, sizeof dx);
+        dx -= x;
+        lanes_double below = high - dx * dx + low, height = root_double(greater_double(below, zero));
+        store_double(depth + i, where_above_double(zero, below, infinite, top - height));
+        store_double(px + i, dx);
+        store_double(py + i, all_double(dy));
+        store_double(pz + i, height);
     }
 }
 
@@ -116,16 +119,27 @@ static void meet_central_lines(const struct lx_shape *sphere, const struct lx_ro
     }
 }
 
-static void meet_sphere(const struct lx_shape *sphere, const struct lx_row_view *view, const double *x_mm, size_t count,
-                        double *depth, double *px, double *py, double *pz)
+/* How many of the first lines meet a shape. */
+static size_t count_met(const double *depth, size_t count)
+{
+    size_t met = 0;
+    for (size_t i = 0; i < count; i++)
+        met += depth[i] < HUGE_VAL;
+    return met;
+}
+
+static size_t meet_sphere(const struct lx_shape *sphere, const struct lx_row_view *view, const double *x_mm,
+                          size_t count, double *depth, double *px, double *py, double *pz)
 {
     if (view->perspective)
         meet_central_lines(sphere, view, x_mm, lx_padded(count), depth, px, py, pz);
     else
         meet_parallel_lines(sphere, view, x_mm, lx_padded(count), depth, px, py, pz);
+    return count_met(depth, count);
 }
 
-static void look_at(const double observer_mm[3], struct lx_block_double *block, size_t count)
+static void look_at(const double observer_mm[3], struct lx_block_double *block, struct lx_block_single *copy,
+                    size_t count)
 {
     for (size_t i = 0; i < count; i++) {
         double x = observer_mm[0] - block->px[i], y = observer_mm[1] - block->py[i], z = observer_mm[2] - block->pz[i];
@@ -133,24 +147,19 @@ static void look_at(const double observer_mm[3], struct lx_block_double *block, 
         block->vx[i] = x * inverse;
         block->vy[i] = y * inverse;
         block->vz[i] = z * inverse;
+        copy->vx[i] = (float)block->vx[i], copy->vy[i] = (float)block->vy[i], copy->vz[i] = (float)block->vz[i];
     }
 }
 
-/* The view vectors of a block whose places and normals are set, and the copy of all in float32. */
+/* The view vectors of a block whose places and normals are set, unless they stay, and the copy of all in float32. */
 static void finish_block(const double *observer_mm, struct lx_block_double *block, struct lx_block_single *copy,
                          size_t count)
 {
-    for (size_t i = 0; i < count; i++) {
-        block->vx[i] = 0;
-        block->vy[i] = 0;
-        block->vz[i] = 1;
-    }
     if (observer_mm)
-        look_at(observer_mm, block, count);
+        look_at(observer_mm, block, copy, count);
     for (size_t i = 0; i < count; i++) {
         copy->px[i] = (float)block->px[i], copy->py[i] = (float)block->py[i], copy->pz[i] = (float)block->pz[i];
         copy->nx[i] = (float)block->nx[i], copy->ny[i] = (float)block->ny[i], copy->nz[i] = (float)block->nz[i];
-        copy->vx[i] = (float)block->vx[i], copy->vy[i] = (float)block->vy[i], copy->vz[i] = (float)block->vz[i];
     }
 }
 

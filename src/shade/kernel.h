@@ -140,14 +140,14 @@ struct lx_row_view {
 
 /*
  * For the screen points (x[i], y): depth[i], how far along the line of sight the shape is met (infinite where
- * it is not; comparable between shapes), and the place there, from the shape's anchor.
+ * it is not; comparable between shapes), and the place there, from the shape's anchor.  Returns how many meet it.
  */
-typedef void lx_meet_lines(const struct lx_shape *shape, const struct lx_row_view *view, const double *x_mm,
-                           size_t count, double *depth, double *px, double *py, double *pz);
+typedef size_t lx_meet_lines(const struct lx_shape *shape, const struct lx_row_view *view, const double *x_mm,
+                             size_t count, double *depth, double *px, double *py, double *pz);
 
 /*
  * Fills in the normals and view vectors of a block whose places are set, and copies the block to float32.
- * `observer_mm` is the observer's place from the shape's anchor; NULL: the view vector is (0, 0, 1).
+ * `observer_mm` is the observer's place from the shape's anchor; NULL: the view vectors stay as they are.
  */
 typedef void lx_complete_block(const struct lx_shape *shape, const double *observer_mm, struct lx_block_double *block,
                                struct lx_block_single *copy, size_t count);

@@ -61,13 +61,14 @@ static void meet_plate_central(const struct lx_shape *plate, const struct lx_row
     }
 }
 
-static void meet_plate(const struct lx_shape *plate, const struct lx_row_view *view, const double *x_mm, size_t count,
-                       double *depth, double *px, double *py, double *pz)
+static size_t meet_plate(const struct lx_shape *plate, const struct lx_row_view *view, const double *x_mm, size_t count,
+                         double *depth, double *px, double *py, double *pz)
 {
     if (view->perspective)
         meet_plate_central(plate, view, x_mm, lx_padded(count), depth, px, py, pz);
     else
         meet_plate_parallel(plate, view, x_mm, lx_padded(count), depth, px, py, pz);
+    return count_met(depth, count);
 }
 
 static void complete_plate(const struct lx_shape *plate, const double *observer_mm, struct lx_block_double *block,

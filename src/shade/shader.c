@@ -20,8 +20,13 @@ enum { RUNS_BETWEEN_CHECKS = 16, SHELLS_BETWEEN_CHECKS = 4 };
 /* For how many surfaces that a tile shows the cuts are kept from row to row. */
 enum { KEPT_CUTS = 4 };
 
+/* What the lines of sight of a run of pixels meet, and room for that. */
 struct lines {
-    double depth[LX_BLOCK], px[LX_BLOCK], py[LX_BLOCK], pz[LX_BLOCK];
+    double *depth, *px, *py, *pz;
+};
+struct lines_room {
+    _Alignas(64) double depth[LX_BLOCK];
+    double px[LX_BLOCK], py[LX_BLOCK], pz[LX_BLOCK];
 };
 
 /* The elements of a surface in a run of pixels. */
@@ -31,11 +36,13 @@ struct gathered {
 };
 
 struct lx_shader_memory {
-    struct lines nearest, candidate;
+    struct lines nearest; /* its places are those of the block where there is one surface alone */
+    struct lines_room room_of_nearest, candidate;
     struct lx_block_double block;
     struct lx_block_single copy;
     double sum[LX_BLOCK];
     float open[LX_BLOCK];
+    bool shows_one;           /* every pixel of the run shows the only surface that there is; else: */
     uint32_t shown[LX_BLOCK]; /* surface of each pixel, from 1; 0: none */
     unsigned place[LX_BLOCK]; /* pixel of each element of the block */
     struct lx_sampling_memory *sampling;
@@ -47,6 +54,20 @@ struct lx_shader_memory {
     size_t cut_count;
     double error;
 };
+
+static struct lines lines_in(struct lines_room *room)
+{
+    return (struct lines){room->depth, room->px, room->py, room->pz};
+}
+
+/* The view vectors of all blocks where they are the same. */
+static void look_along_z(struct lx_shader_memory *memory)
+{
+    for (size_t i = 0; i < LX_BLOCK; i++) {
+        memory->block.vx[i] = memory->block.vy[i] = memory->copy.vx[i] = memory->copy.vy[i] = 0;
+        memory->block.vz[i] = memory->copy.vz[i] = 1;
+    }
+}
 
 struct lx_shader_memory *lx_shader_memory_new(const struct lx_plan *plan)
 {
@@ -60,6 +81,10 @@ struct lx_shader_memory *lx_shader_memory_new(const struct lx_plan *plan)
         memory->sampling = lx_sampling_memory_of((char *)memory + head, plan->most_patches);
     memory->error = 0;
     memory->room = (struct lx_light_room){.of_singles = NULL};
+    memory->nearest = lines_in(&memory->room_of_nearest);
+    if (plan->surface_count == 1)
+        memory->nearest = (struct lines){memory->nearest.depth, memory->block.px, memory->block.py, memory->block.pz};
+    look_along_z(memory);
     bool has_all = true;
     size_t surfaces = plan->forest.tree_count > 0 ? plan->surface_count : 0;
     memory->cut_count = surfaces < KEPT_CUTS ? surfaces : KEPT_CUTS;
@@ -86,18 +111,18 @@ static bool may_show(const struct lx_planned_surface *surface, const struct lx_r
                                  x_mm[count - 1] >= surface->low_mm[0] && x_mm[0] <= surface->high_mm[0]);
 }
 
-static void meet(const struct lx_plan *plan, const struct lx_planned_surface *surface, const struct lx_row_view *view,
-                 const double *x_mm, size_t count, struct lines *lines)
+static size_t meet(const struct lx_plan *plan, const struct lx_planned_surface *surface, const struct lx_row_view *view,
+                   const double *x_mm, size_t count, struct lines lines)
 {
-    plan->kernels->meet_lines[surface->shape.type](&surface->shape, view, x_mm, count, lines->depth, lines->px,
-                                                   lines->py, lines->pz);
+    return plan->kernels->meet_lines[surface->shape.type](&surface->shape, view, x_mm, count, lines.depth, lines.px,
+                                                          lines.py, lines.pz);
 }
 
 /* Takes over what a further surface hides of the nearest so far. */
 static void merge(struct lx_shader_memory *memory, uint32_t surface, size_t count)
 {
-    struct lines *nearest = &memory->nearest;
-    const struct lines *candidate = &memory->candidate;
+    const struct lines *nearest = &memory->nearest;
+    const struct lines_room *candidate = &memory->candidate;
     for (size_t i = 0; i < count; i++) {
         if (candidate->depth[i] >= nearest->depth[i])
             continue;
@@ -116,11 +141,16 @@ static size_t find_nearest(const struct lx_plan *plan, struct lx_shader_memory *
     const struct lx_observer *observer = &plan->prepared->scene->observer;
     struct lx_row_view view = {
         .perspective = observer->projection == LX_PERSPECTIVE, .observer_z_mm = observer->z_mm, .y_mm = y_mm};
+    size_t met = 0;
     bool any = false;
+    memory->shows_one = false;
     for (uint32_t s = 0; s < plan->surface_count; s++) {
         if (!may_show(&plan->surfaces[s], &view, x_mm, count))
             continue;
-        meet(plan, &plan->surfaces[s], &view, x_mm, count, any ? &memory->candidate : &memory->nearest);
+        met = meet(plan, &plan->surfaces[s], &view, x_mm, count, any ? lines_in(&memory->candidate) : memory->nearest);
+        memory->shows_one = plan->surface_count == 1 && met == count;
+        if (memory->shows_one)
+            return count;
         if (any)
             merge(memory, s, count);
         else
@@ -128,15 +158,30 @@ static size_t find_nearest(const struct lx_plan *plan, struct lx_shader_memory *
                 memory->shown[i] = memory->nearest.depth[i] < HUGE_VAL ? s + 1 : 0;
         any = true;
     }
+    if (plan->surface_count == 1)
+        return met;
     size_t found = 0;
     for (size_t i = 0; any && i < count; i++)
         found += memory->shown[i] != 0;
     return found;
 }
 
-/* Gathers the elements of a surface; the lanes beyond the last repeat the first.  `all`: every pixel shows it. */
-static struct gathered gather(struct lx_shader_memory *memory, size_t surface, size_t count, bool all)
+/* One coordinate of the elements' pixels, which may stand in the block already, no sooner than it is to. */
+static void gather_places(const struct lx_shader_memory *memory, const double *from, bool in_one, size_t elements,
+                          double *to)
 {
+    if (in_one && from + memory->place[0] != to)
+        memmove(to, from + memory->place[0], elements * sizeof *to);
+    for (size_t k = 0; k < elements && !in_one; k++)
+        to[k] = from[memory->place[k]];
+    for (size_t k = elements; k < lx_padded(elements); k++)
+        to[k] = to[0];
+}
+
+/* Gathers the elements of a surface; the lanes beyond the last repeat the first. */
+static struct gathered gather(struct lx_shader_memory *memory, size_t surface, size_t count)
+{
+    const bool all = memory->shows_one;
     size_t elements = all ? count : 0;
     memory->place[0] = 0;
     for (size_t i = 0; !all && i < count; i++) {
@@ -145,18 +190,9 @@ static struct gathered gather(struct lx_shader_memory *memory, size_t surface, s
     }
     const unsigned first = memory->place[0];
     const bool in_one = all || (elements > 0 && memory->place[elements - 1] - first == elements - 1);
-    const struct lines *from = &memory->nearest;
-    if (in_one) {
-        memcpy(memory->block.px, from->px + first, elements * sizeof *from->px);
-        memcpy(memory->block.py, from->py + first, elements * sizeof *from->py);
-        memcpy(memory->block.pz, from->pz + first, elements * sizeof *from->pz);
-    }
-    for (size_t k = in_one ? elements : 0; k < lx_padded(elements); k++) {
-        unsigned i = memory->place[k < elements ? k : 0];
-        memory->block.px[k] = from->px[i];
-        memory->block.py[k] = from->py[i];
-        memory->block.pz[k] = from->pz[i];
-    }
+    gather_places(memory, memory->nearest.px, in_one, elements, memory->block.px);
+    gather_places(memory, memory->nearest.py, in_one, elements, memory->block.py);
+    gather_places(memory, memory->nearest.pz, in_one, elements, memory->block.pz);
     return (struct gathered){elements, in_one ? first : LX_BLOCK};
 }
 
@@ -475,7 +511,7 @@ static struct lx_tract find_tract(const struct lx_plan *plan, struct lx_shader_m
     double from[3];
     for (size_t j = 0; j < memory->tile_rows; j++) {
         find_nearest(plan, memory, memory->tile_y[j], memory->tile_x, memory->tile_columns);
-        const size_t count = gather(memory, s, memory->tile_columns, false).count;
+        const size_t count = gather(memory, s, memory->tile_columns).count;
         if (count == 0)
             continue;
         plan->kernels->complete_block[surface->shape.type](&surface->shape, observer_from(plan, surface, from), block,
@@ -518,15 +554,15 @@ size_t lx_shade_points(const struct lx_plan *plan, struct lx_shader_memory *memo
         x_mm[i] = x_mm[count - 1];
     const size_t found = find_nearest(plan, memory, y_mm, x_mm, count);
     size_t left = found;
-    memset(values, 0, count * sizeof *values);
-    memset(mask, 0, count);
+    memset(mask, memory->shows_one, count);
     memory->error = 0;
-    for (size_t i = 0; left > 0 && i < count; i++)
+    if (!memory->shows_one)
+        memset(values, 0, count * sizeof *values);
+    for (size_t i = 0; left > 0 && !memory->shows_one && i < count; i++)
         mask[i] = memory->shown[i] != 0;
     for (size_t s = 0; left > 0 && s < plan->surface_count; s++) {
         const struct lx_planned_surface *surface = &plan->surfaces[s];
-        const bool all = plan->surface_count == 1 && left == count;
-        struct gathered gathered = gather(memory, s, count, all);
+        struct gathered gathered = gather(memory, s, count);
         const size_t elements = gathered.count;
         if (elements == 0)
             continue;
@@ -536,7 +572,7 @@ size_t lx_shade_points(const struct lx_plan *plan, struct lx_shader_memory *memo
             if (!cut)
                 return found;
             find_nearest(plan, memory, y_mm, x_mm, count);
-            gathered = gather(memory, s, count, all);
+            gathered = gather(memory, s, count);
             memory->error = fmax(memory->error, cut->error);
         }
         double from[3];

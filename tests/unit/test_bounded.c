@@ -316,7 +316,7 @@ static void twice_the_precision(void **unused)
             b[i] = any_size(-2, 2);
         }
         a[5] = -a[0], b[5] = b[0] * (1 + 0x1p-40); /* nearly takes the first one away */
-        struct lx_pair difference = lx_exact_difference(a[0], b[1]), product = lx_exact_product(a[0], b[0]);
+        struct lx_pair difference = lx_exact_sum(a[0], -b[1]), product = lx_exact_product(a[0], b[0]);
         assert_true(difference.high == a[0] - b[1] && product.high == a[0] * b[0]);
         assert_true((long double)difference.high + (long double)difference.low ==
                     (long double)a[0] - (long double)b[1]);

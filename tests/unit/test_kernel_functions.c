@@ -85,6 +85,27 @@ static void test_inverses(void **state)
     report("1/sqrt(a) in float64", &root, 2);
 }
 
+/* Exact at 0, and within a little more than half a digit. */
+static void test_roots(void **state)
+{
+    (void)state;
+    struct worst single = {0}, exact = {0};
+    for (int octave = -300; octave < 300; octave++)
+        for (int step = 0; step < 1024; step += LX_WIDTH_single) {
+            lanes_double x = numbers_double(octave, step, 1024), root = root_double(x);
+            for (int i = 0; i < LX_WIDTH_double; i++)
+                note(&exact, fabsl((long double)root[i] / sqrtl(x[i]) - 1) / unit_double, x[i]);
+            if (octave < -100 || octave >= 100)
+                continue;
+            lanes_single y = numbers_single(octave, step, 1024), other = root_single(y);
+            for (int i = 0; i < LX_WIDTH_single; i++)
+                note(&single, fabsl((long double)other[i] / sqrtl((long double)y[i]) - 1) / unit_single, (double)y[i]);
+        }
+    report("sqrt(a) in float32", &single, 0.5);
+    report("sqrt(a) in float64", &exact, 0.501);
+    assert_true(root_double(all_double(0))[0] == 0 && root_single(all_single(0))[0] == 0);
+}
+
 /* t from far below the last digit of 1 to 2; its power in ulp of 1. */
 static void check_power_single(double exponent, bool whole, struct worst *worst)
 {
@@ -314,10 +335,10 @@ static void test_survey(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_inverses),     cmocka_unit_test(test_whole_powers),  cmocka_unit_test(test_other_powers),
-        cmocka_unit_test(test_bounds),       cmocka_unit_test(test_angles),        cmocka_unit_test(test_survey),
-        cmocka_unit_test(test_small_powers), cmocka_unit_test(test_small_cosines), cmocka_unit_test(test_arcs),
-        cmocka_unit_test(test_comparisons),
+        cmocka_unit_test(test_inverses),     cmocka_unit_test(test_roots),        cmocka_unit_test(test_whole_powers),
+        cmocka_unit_test(test_other_powers), cmocka_unit_test(test_bounds),       cmocka_unit_test(test_angles),
+        cmocka_unit_test(test_survey),       cmocka_unit_test(test_small_powers), cmocka_unit_test(test_small_cosines),
+        cmocka_unit_test(test_arcs),         cmocka_unit_test(test_comparisons),
     };
     if (!runs()) {
         printf("1..0 # SKIP this machine does not have %s\n", LX_ISA_NAME);
