@@ -72,8 +72,8 @@ LX_LANE NAME(lanes) NAME(root)(NAME(lanes) a)
 #if !LX_IS_SINGLE && LX_ISA_LEVEL >= 4
     NAME(lanes) guess = _mm512_rsqrt14_pd(a), e = 1 - a * guess * guess;
     guess += guess * e * (0.5 + 0.375 * e);
-    NAME(lanes) root = a * guess;
-    return _mm512_maskz_add_pd(_mm512_cmp_pd_mask(a, NAME(all)(0), _CMP_GT_OQ), root, 0.5 * guess * (a - root * root));
+    NAME(lanes) root = a * guess, rest = _mm512_fnmadd_pd(root, root, a); /* a - root^2, without rounding its square */
+    return _mm512_maskz_fmadd_pd(_mm512_cmp_pd_mask(a, NAME(all)(0), _CMP_GT_OQ), 0.5 * guess, rest, root);
 #else
     return LX_OPERATION(sqrt)(a);
 #endif

@@ -64,8 +64,8 @@ static struct lines lines_in(struct lines_room *room)
 static void look_along_z(struct lx_shader_memory *memory)
 {
     for (size_t i = 0; i < LX_BLOCK; i++) {
-        memory->block.vx[i] = memory->block.vy[i] = memory->copy.vx[i] = memory->copy.vy[i] = 0;
-        memory->block.vz[i] = memory->copy.vz[i] = 1;
+        memory->block.vx[i] = memory->block.vy[i] = 0, memory->block.vz[i] = 1;
+        memory->copy.vx[i] = memory->copy.vy[i] = 0, memory->copy.vz[i] = 1;
     }
 }
 
