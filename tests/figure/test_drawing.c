@@ -17,6 +17,8 @@
 #include <luxel/figure.h>
 #include <luxel/luxel.h>
 
+#include "take_file.h"
+
 enum { LEFT = 30, TOP = 20 }; /* of the drawing in its picture */
 
 static const uint32_t ORANGE = 0xe69f00, BLUE = 0x56b4e9, UNTOUCHED = 0x123456;
@@ -490,17 +492,11 @@ static void test_sizes(void **state)
 
 /* ---- figures ---- */
 
-static unsigned char *file_bytes(const char *path, size_t *length)
+static char *drawn(const char *path, size_t *length)
 {
-    enum { MOST = 1 << 22 };
-    FILE *file = fopen(path, "rb");
-    unsigned char *bytes = malloc(MOST);
-    assert_non_null(file);
+    char *bytes = take_file(path, length);
     assert_non_null(bytes);
-    *length = fread(bytes, 1, MOST, file);
-    assert_true(*length > 1000 && *length < MOST);
-    fclose(file);
-    remove(path);
+    assert_true(*length > 1000);
     return bytes;
 }
 
@@ -508,7 +504,7 @@ static unsigned char *file_bytes(const char *path, size_t *length)
 static void test_whole_pictures(void **state)
 {
     (void)state;
-    unsigned char *bytes[2][2];
+    char *bytes[2][2];
     size_t lengths[2][2];
     luxel_settings settings;
     luxel_scene *scene = NULL;
@@ -522,10 +518,10 @@ static void test_whole_pictures(void **state)
         assert_non_null(mkdtemp(folder));
         snprintf(path, sizeof path, "%s/f.png", folder);
         assert_int_equal(luxel_figure_write(scene, &settings, NULL, path, NULL), LUXEL_OK);
-        bytes[i][0] = file_bytes(path, &lengths[i][0]);
+        bytes[i][0] = drawn(path, &lengths[i][0]);
         snprintf(path, sizeof path, "%s/r.md", folder);
         assert_int_equal(luxel_report_write(scene, &settings, NULL, path, NULL), LUXEL_OK);
-        bytes[i][1] = file_bytes(path, &lengths[i][1]);
+        bytes[i][1] = drawn(path, &lengths[i][1]);
         remove(folder);
     }
     for (int k = 0; k < 2; k++) {

@@ -21,6 +21,8 @@
 #include <luxel/figure.h>
 #include <luxel/luxel.h>
 
+#include "take_file.h"
+
 enum { THREADS = 4, ROUNDS = 3, WIDTH = 300, HEIGHT = 200 };
 
 struct shared {
@@ -139,26 +141,6 @@ struct writer {
     bool fails;
     pthread_t thread;
 };
-
-/* All of a file, which is removed then; NULL where that cannot be. */
-static char *take_file(const char *path, size_t *length)
-{
-    FILE *file = fopen(path, "rb");
-    char *bytes = NULL;
-    if (!file)
-        return NULL;
-    fseek(file, 0, SEEK_END);
-    *length = (size_t)ftell(file);
-    rewind(file);
-    bytes = malloc(*length);
-    if (bytes && fread(bytes, 1, *length, file) != *length) {
-        free(bytes);
-        bytes = NULL;
-    }
-    fclose(file);
-    remove(path);
-    return bytes;
-}
 
 /* Takes the numbers away that Cairo gives images and surfaces in SVG: they go on from one drawing to the next. */
 static size_t drop_numbers(char *bytes, size_t length)
