@@ -94,7 +94,7 @@ static void test_roots(void **state)
         for (int step = 0; step < 1024; step += LX_WIDTH_single) {
             lanes_double x = numbers_double(octave, step, 1024), root = root_double(x);
             for (int i = 0; i < LX_WIDTH_double; i++)
-                note(&exact, fabsl((long double)root[i] / sqrtl(x[i]) - 1) / unit_double, x[i]);
+                note(&exact, fabsl((long double)root[i] / sqrtl((long double)x[i]) - 1) / unit_double, x[i]);
             if (octave < -100 || octave >= 100)
                 continue;
             lanes_single y = numbers_single(octave, step, 1024), other = root_single(y);
