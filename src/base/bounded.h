@@ -263,20 +263,14 @@ struct lx_pair {
     double high, low;
 };
 
-/* a + b without error. */
-static inline struct lx_pair lx_exact_sum(double a, double b)
-{
-    double sum = a + b;
-    double part = sum - a;
-    return (struct lx_pair){sum, (a - (sum - part)) + (b - part)};
-}
+/* a - b without error. */
+struct lx_pair lx_exact_difference(double a, double b);
 
 /* a * b without error (short of underflow). */
-static inline struct lx_pair lx_exact_product(double a, double b)
-{
-    double product = a * b;
-    return (struct lx_pair){product, fma(a, b, -product)};
-}
+struct lx_pair lx_exact_product(double a, double b);
+
+/* a^2 - b^2 as if computed in twice the precision: lx_exact_dot() of two terms, without the bound. */
+struct lx_pair lx_exact_difference_of_squares(double a, double b);
 
 /*
  * The sum of a[i] b[i] as if computed in twice the precision: its error is at most

@@ -80,9 +80,7 @@ static void meet_parallel_lines(const struct lx_shape *sphere, const struct lx_r
 {
     const double x = sphere->anchor_mm[0], dy = view->y_mm - sphere->anchor_mm[1], radius = sphere->radius_mm;
     const double top = view->observer_z_mm - sphere->anchor_mm[2];
-    const struct lx_pair r2 = lx_exact_product(radius, radius), y2 = lx_exact_product(dy, dy);
-    const struct lx_pair difference = lx_exact_sum(r2.high, -y2.high);
-    const struct lx_pair square = lx_exact_sum(difference.high, r2.low + (difference.low - y2.low));
+    const struct lx_pair square = lx_exact_difference_of_squares(radius, dy);
     const double high = square.high, low = square.low;
     const lanes_double zero = all_double(0), infinite = all_double(HUGE_VAL);
     for (size_t i = 0; i < count; i += LX_WIDTH_double) {

@@ -194,7 +194,7 @@ static struct lx_hit plate_hit(const struct lx_shape *plate, const struct lx_ray
     double slope_error;
     struct lx_pair from[3];
     for (int i = 0; i < 3; i++)
-        from[i] = lx_exact_sum(ray->origin_mm[i], -plate->anchor_mm[i]);
+        from[i] = lx_exact_difference(ray->origin_mm[i], plate->anchor_mm[i]);
     lx_bounded height = height_over(plate->normal, from);
     struct lx_pair along = lx_exact_dot(3, plate->normal, ray->direction, &slope_error);
     lx_bounded slope = lx_rounded(along.high, slope_error, 1);
@@ -272,7 +272,7 @@ static double height_of(const struct lx_plate_parameters *plate, const double pl
     struct lx_pair from[3];
     scaled_axis(plate, axis);
     for (int i = 0; i < 3; i++)
-        from[i] = lx_exact_sum(place_mm[i], -plate->center_mm[i]);
+        from[i] = lx_exact_difference(place_mm[i], plate->center_mm[i]);
     return height_over(axis, from).value;
 }
 

@@ -106,7 +106,7 @@ static struct lx_hit sphere_hit(const struct lx_shape *sphere, const struct lx_r
 {
     struct lx_pair from[3];
     for (int i = 0; i < 3; i++)
-        from[i] = lx_exact_sum(ray->origin_mm[i], -sphere->anchor_mm[i]);
+        from[i] = lx_exact_difference(ray->origin_mm[i], sphere->anchor_mm[i]);
     lx_bounded3 w, direction = lx_exact3(ray->direction);
     lx_bounded a;
     lx_bounded below = discriminant(ray, from, sphere->radius_mm, &w, &a);

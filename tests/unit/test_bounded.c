@@ -316,12 +316,16 @@ static void twice_the_precision(void **unused)
             b[i] = any_size(-2, 2);
         }
         a[5] = -a[0], b[5] = b[0] * (1 + 0x1p-40); /* nearly takes the first one away */
-        struct lx_pair difference = lx_exact_sum(a[0], -b[1]), product = lx_exact_product(a[0], b[0]);
+        struct lx_pair difference = lx_exact_difference(a[0], b[1]), product = lx_exact_product(a[0], b[0]), dot;
         assert_true(difference.high == a[0] - b[1] && product.high == a[0] * b[0]);
         assert_true((long double)difference.high + (long double)difference.low ==
                     (long double)a[0] - (long double)b[1]);
         assert_true(product.low == fma(a[0], b[0], -product.high));
-        struct lx_pair dot = lx_exact_dot(6, a, b, &error);
+        const double c = a[2] * (1 + 0x1p-30);
+        const struct lx_pair squares = lx_exact_difference_of_squares(a[2], c);
+        dot = lx_exact_dot(2, (double[]){a[2], -c}, (double[]){a[2], c}, &error);
+        assert_true(squares.high == dot.high && squares.low == dot.low);
+        dot = lx_exact_dot(6, a, b, &error);
         for (int i = 1; i < 5; i++) {
             struct lx_pair part = lx_exact_product(a[i], b[i]);
             exact += (long double)part.high;
