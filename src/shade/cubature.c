@@ -39,7 +39,7 @@ static void values_of(lx_bounded3 a, double result[3])
 /* ---- where arcs change their kind ---- */
 
 /* Quantities of an arc whose changes of sign are borders for the outer integral. */
-enum { ENDS = 2, EXTREMES = 2, LONGITUDES = 2, MARKS = MOST_CONDITIONS * (ENDS + EXTREMES) + LONGITUDES };
+enum { ENDS = 2, EXTREMES = 2, LONGITUDES = 2, MARKS = MOST_CONDITIONS * (ENDS + EXTREMES) + LONGITUDES + 1 };
 
 static void marks_of(const struct lx_problem *problem, const struct lx_sweep *sweep, double x, double marks[MARKS])
 {
@@ -61,6 +61,7 @@ static void marks_of(const struct lx_problem *problem, const struct lx_sweep *sw
         marks[m++] = lx_dot_plain(arc.direction, frame->x) * lx_dot_plain(special[i], frame->y) -
                      lx_dot_plain(arc.direction, frame->y) * lx_dot_plain(special[i], frame->x);
     }
+    marks[m++] = lx_sweep_approach(sweep, x);
     while (m < MARKS)
         marks[m++] = 1;
 }

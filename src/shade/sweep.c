@@ -185,17 +185,31 @@ static struct lx_arc flat_arc(const struct lx_sweep *flat, double y, double s, d
     return arc;
 }
 
-static struct lx_arc strip_arc(const struct lx_sweep *strip, double x)
+/* The chord of a strip at x: its line, and the ends of the strip, which share it by how near they are. */
+struct chord {
+    struct line line; /* its y is the foot's, on either side */
+    double s, width;
+};
+
+static struct chord chord_at(const struct lx_sweep *strip, double x)
 {
     double y1 = strip->y_mm + strip->y1_mm, y2 = strip->y_mm + strip->y2_mm, span = strip->y2_mm - strip->y1_mm;
     bool upwards = y1 + y2 > 0; /* the far end is y2 */
     struct line line = upwards ? line_at(strip->height_mm, fmax(y1, 0), y2, span, x)
                                : line_at(strip->height_mm, fmax(-y2, 0), -y1, span, 1 - x);
     double share = line.from_end / span, at1 = upwards ? share : 1 - share, at2 = upwards ? 1 - share : share;
-    double width = at1 * strip->width1_mm + at2 * strip->width2_mm;
-    double s = strip->s_mm + (at1 * strip->s1_mm + at2 * strip->s2_mm);
-    struct lx_arc arc = flat_arc(strip, upwards ? line.y : -line.y, s, width);
-    arc.measure = line.measure;
+    if (!upwards)
+        line.y = -line.y;
+    return (struct chord){.line = line,
+                          .s = strip->s_mm + (at1 * strip->s1_mm + at2 * strip->s2_mm),
+                          .width = at1 * strip->width1_mm + at2 * strip->width2_mm};
+}
+
+static struct lx_arc strip_arc(const struct lx_sweep *strip, double x)
+{
+    struct chord chord = chord_at(strip, x);
+    struct lx_arc arc = flat_arc(strip, chord.line.y, chord.s, chord.width);
+    arc.measure = chord.line.measure;
     return arc;
 }
 
@@ -342,6 +356,23 @@ static struct lx_arc side_arc(const struct lx_sweep *side, double x)
 }
 
 /* ---- the kinds together ---- */
+
+/*
+ * The middles of a strip's chords stand on a line (y, s(y)) in its plane, and are nearest to the element where
+ * y + s ds/dy = 0.
+ */
+double lx_sweep_approach(const struct lx_sweep *sweep, double x)
+{
+    const double OFTEN = 8; /* as far as it is away and long */
+    if (sweep->kind != LX_SWEEP_STRIP)
+        return 1;
+    const double travel = sweep->s2_mm + sweep->width2_mm / 2 - sweep->s1_mm - sweep->width1_mm / 2;
+    const double slope = travel / (sweep->y2_mm - sweep->y1_mm);
+    const struct chord chord = chord_at(sweep, x);
+    const double middle = chord.s + chord.width / 2, y = chord.line.y, at_foot = middle - slope * y;
+    const double nearest = hypot(sweep->height_mm, at_foot / sqrt(1 + slope * slope));
+    return fabs(travel) > OFTEN * (nearest + fmax(sweep->width1_mm, sweep->width2_mm)) ? y + slope * middle : 1;
+}
 
 int lx_sweeps_make(const struct lx_emitter *emitter, const double place_mm[3], const double across[3],
                    struct lx_sweeps *sweeps)

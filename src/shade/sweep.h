@@ -64,4 +64,10 @@ struct lx_arc lx_sweep_arc(const struct lx_sweep *sweep, double x);
 double lx_sweep_distance(const struct lx_sweep *sweep, const struct lx_arc *arc, double cos_tau, double sin_tau,
                          double *incidence);
 
+/*
+ * Changes its sign at the x whose arc comes nearest to the element, of a sweep whose arcs pass by it so quickly that
+ * the integral across them has a peak there; 1 where they do not.  A needle of a face is one, aslant to its arcs.
+ */
+double lx_sweep_approach(const struct lx_sweep *sweep, double x);
+
 #endif

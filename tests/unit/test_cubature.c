@@ -187,6 +187,42 @@ static void needles(void **unused)
     }
 }
 
+/*
+ * A wire up to 10 km long that passes some metres away, and beside it light a hundred times as bright, so that it is
+ * looked at but coarsely: what is near of it is a thousandth of a strip, and must not be missed.
+ */
+static void wires(void **unused)
+{
+    static const double tolerances[] = {1e-1, 1e-2, 1e-3, 1e-4, 1e-6};
+    uint64_t random = 24;
+    (void)unused;
+    for (int i = 0; i < 400; i++) {
+        const double size[2] = {pow(10, uniform(&random, 2, 7)), pow(10, uniform(&random, -1, 1.5))};
+        const double center[3] = {uniform(&random, -500, 500) + uniform(&random, -0.4, 0.4) * size[0],
+                                  uniform(&random, -500, 500), uniform(&random, 100, 1500)};
+        const double axis[3] = {0, uniform(&random, -1, 1), -1}, up[3] = {uniform(&random, -0.02, 0.02), 1, 0.3};
+        const double lean[3] = {uniform(&random, -0.5, 0.5), uniform(&random, -0.5, 0.5), 1};
+        struct lx_emitter emitter = {.type = LX_FACETS, .radiance = lx_exact(1)};
+        struct lx_lobe lobe = lobe_of((enum lx_model)(i % 2), LX_HIGHLIGHT_PLAIN, i % 3 ? 1 : 20);
+        struct lx_element element = element_at_origin(&lobe, unit_of(lean[0], lean[1], lean[2]), unit_of(0, 0, 1));
+        emitter.facets = lx_facets_of_rectangle(center, size, axis, up);
+        assert_non_null(emitter.facets);
+        const double closed = lx_extended_irradiance(&emitter, element.place_mm, element.normal).value;
+        const struct lx_cubature fine = lx_integrate(&emitter, &element, false, 0, 1e-9);
+        for (size_t k = 0; k < sizeof tolerances / sizeof tolerances[0]; k++) {
+            const double known = 100 * fmax(closed, fine.specular.value);
+            struct lx_cubature coarse = lx_integrate(&emitter, &element, true, known, tolerances[k]);
+            if (!(fabs(coarse.irradiance.value - closed) <= coarse.irradiance.error + 1e-11 * closed) ||
+                !(fabs(coarse.specular.value - fine.specular.value) <= coarse.specular.error + fine.specular.error))
+                fail_msg("wire %d, %g mm x %g mm, tolerance %g: diffuse %.17g +- %g, closed form %.17g; highlight "
+                         "%.17g +- %g, finer %.17g +- %g",
+                         i, size[0], size[1], tolerances[k], coarse.irradiance.value, coarse.irradiance.error, closed,
+                         coarse.specular.value, coarse.specular.error, fine.specular.value, fine.specular.error);
+        }
+        lx_facets_free(emitter.facets);
+    }
+}
+
 /* The bounds of coarse integrals hold the fine ones. */
 static void errors_are_honest(void **unused)
 {
@@ -353,6 +389,7 @@ int main(void)
         cmocka_unit_test(albedo),
         cmocka_unit_test(diffuse_as_in_closed_form),
         cmocka_unit_test(needles),
+        cmocka_unit_test(wires),
         cmocka_unit_test(errors_are_honest),
         cmocka_unit_test(uncertain_elements),
         cmocka_unit_test(shares_add_up),
