@@ -126,7 +126,8 @@ void lx_along_arc(const struct lx_condition *condition, const struct lx_sweep *s
     *peak = atan2(b, a);
 }
 
-/* Keeps of the intervals what lies within `half` of the peak, modulo a full turn. */
+/* Keeps of the intervals what lies within `half` of the peak, modulo a full turn; whole or not at all where an arc is
+ * so short that its ends are the same number. */
 static size_t cut_intervals(struct lx_stretch *intervals, size_t count, double peak, double half)
 {
     struct lx_stretch kept[MOST_INTERVALS];
@@ -136,7 +137,8 @@ static size_t cut_intervals(struct lx_stretch *intervals, size_t count, double p
             double from = fmax(intervals[i].from, peak - half + turn * 2 * M_PI);
             double to = fmin(intervals[i].to, peak + half + turn * 2 * M_PI);
             bool eased = intervals[i].eased || from > intervals[i].from || to < intervals[i].to;
-            if (from < to && found < MOST_INTERVALS)
+            bool is_kept = from < to || (from == to && intervals[i].from == intervals[i].to);
+            if (is_kept && found < MOST_INTERVALS)
                 kept[found++] = (struct lx_stretch){from, to, eased};
         }
     for (size_t i = 0; i < found; i++)

@@ -187,6 +187,37 @@ static void needles(void **unused)
     }
 }
 
+/* So far away that an arc across it is shorter than angles are told apart: less than a millionth of a mm at 1000 km. */
+static void far_needles(void **unused)
+{
+    uint64_t random = 25;
+    (void)unused;
+    for (int i = 0; i < 60; i++) {
+        const double center[3] = {uniform(&random, -1e9, 1e9), uniform(&random, -1e9, 1e9), uniform(&random, 1e8, 1e9)};
+        const double size[2] = {1, 3e-8}, up[3] = {uniform(&random, -1, 1), 2, uniform(&random, -1, 1)};
+        const double axis[3] = {-center[0] + uniform(&random, -4e8, 4e8), -center[1] + 4e8, -center[2]};
+        struct lx_emitter emitter = {.type = LX_FACETS, .radiance = lx_exact(1)};
+        struct lx_lobe lobe = lobe_of(i % 2 ? LX_BLINN_PHONG : LX_PHONG, LX_HIGHLIGHT_PLAIN, 2);
+        struct lx_element element = element_at_origin(
+            &lobe, unit_of(uniform(&random, -0.5, 0.5), uniform(&random, -0.5, 0.5), 1), unit_of(0, 0, 1));
+        emitter.facets = lx_facets_of_rectangle(center, size, axis, up);
+        assert_non_null(emitter.facets);
+        const double n[3] = {element.normal.x.value, element.normal.y.value, element.normal.z.value};
+        const double r2 = center[0] * center[0] + center[1] * center[1] + center[2] * center[2], r = sqrt(r2);
+        const double l[3] = {center[0] / r, center[1] / r, center[2] / r};
+        const double n_dot_l = n[0] * l[0] + n[1] * l[1] + n[2] * l[2];
+        const double cosine = i % 2 ? (n_dot_l + n[2]) / sqrt(2 + 2 * l[2]) : 2 * n_dot_l * n[2] - l[2];
+        const double incidence = -(axis[0] * l[0] + axis[1] * l[1] + axis[2] * l[2]) /
+                                 sqrt(axis[0] * axis[0] + axis[1] * axis[1] + axis[2] * axis[2]);
+        const double power = fmax(incidence, 0) * size[0] * size[1] / r2, shine = cosine > 0 ? cosine * cosine : 0;
+        struct lx_cubature found = lx_integrate(&emitter, &element, true, 0, 1e-6);
+        assert_near(found.specular.value, power * shine, found.specular.error + 1e-9 * power, "far needle's highlight");
+        assert_near(found.irradiance.value, power * fmax(n_dot_l, 0), found.irradiance.error + 1e-9 * power,
+                    "far needle");
+        lx_facets_free(emitter.facets);
+    }
+}
+
 /*
  * A wire up to 10 km long that passes some metres away, and beside it light a hundred times as bright, so that it is
  * looked at but coarsely: what is near of it is a thousandth of a strip, and must not be missed.
@@ -389,6 +420,7 @@ int main(void)
         cmocka_unit_test(albedo),
         cmocka_unit_test(diffuse_as_in_closed_form),
         cmocka_unit_test(needles),
+        cmocka_unit_test(far_needles),
         cmocka_unit_test(wires),
         cmocka_unit_test(errors_are_honest),
         cmocka_unit_test(uncertain_elements),
