@@ -149,12 +149,13 @@ static void test_drafts_are_of_all_kinds(void **state)
 {
     (void)state;
     struct kinds kinds = {0};
-    unsigned legal = 0;
+    unsigned legal = 0, with_grid = 0;
     for (uint64_t seed = 0; seed < DRAFTS; seed++) {
         struct choices choices = choices_of_seed(seed);
         struct draft draft;
         draft_make(&choices, &draft);
         note_kinds(&draft, &kinds);
+        with_grid += draft.grid.words.columns > 0 && draft.grid.words.rows > 0;
         luxel_scene *scene = seed % 10 == 0 ? trial_scene_of(&draft) : NULL;
         legal += scene != NULL;
         luxel_scene_free(scene);
@@ -163,6 +164,7 @@ static void test_drafts_are_of_all_kinds(void **state)
     assert_true(kinds.lights == 63 && kinds.laws == 7 && kinds.patterns == 7 && kinds.falloffs == 15);
     assert_true(kinds.outlines == 7 && kinds.bodies == 7 && kinds.measures == 7);
     assert_true(legal * 10 > DRAFTS * 19 / 20);
+    assert_true(with_grid > DRAFTS / 3 && with_grid < DRAFTS * 2 / 3);
 }
 
 static void expect_scene(const struct draft *draft)
