@@ -118,20 +118,23 @@ static size_t meet(const struct lx_plan *plan, const struct lx_planned_surface *
                                                           lines.py, lines.pz);
 }
 
-/* Takes over what a further surface hides of the nearest so far. */
-static void merge(struct lx_shader_memory *memory, uint32_t surface, size_t count)
+/* Takes over what a further surface hides of the nearest so far; returns how many pixels showed none. */
+static size_t merge(struct lx_shader_memory *memory, uint32_t surface, size_t count)
 {
     const struct lines *nearest = &memory->nearest;
     const struct lines_room *candidate = &memory->candidate;
+    size_t new = 0;
     for (size_t i = 0; i < count; i++) {
         if (candidate->depth[i] >= nearest->depth[i])
             continue;
+        new += memory->shown[i] == 0;
         memory->shown[i] = surface + 1;
         nearest->depth[i] = candidate->depth[i];
         nearest->px[i] = candidate->px[i];
         nearest->py[i] = candidate->py[i];
         nearest->pz[i] = candidate->pz[i];
     }
+    return new;
 }
 
 /* Finds the nearest surface of each pixel; returns the number of pixels that show one. */
@@ -141,28 +144,23 @@ static size_t find_nearest(const struct lx_plan *plan, struct lx_shader_memory *
     const struct lx_observer *observer = &plan->prepared->scene->observer;
     struct lx_row_view view = {
         .perspective = observer->projection == LX_PERSPECTIVE, .observer_z_mm = observer->z_mm, .y_mm = y_mm};
-    size_t met = 0;
+    size_t found = 0;
     bool any = false;
     memory->shows_one = false;
     for (uint32_t s = 0; s < plan->surface_count; s++) {
         if (!may_show(&plan->surfaces[s], &view, x_mm, count))
             continue;
-        met = meet(plan, &plan->surfaces[s], &view, x_mm, count, any ? lines_in(&memory->candidate) : memory->nearest);
+        const size_t met =
+            meet(plan, &plan->surfaces[s], &view, x_mm, count, any ? lines_in(&memory->candidate) : memory->nearest);
         memory->shows_one = plan->surface_count == 1 && met == count;
         if (memory->shows_one)
             return count;
-        if (any)
-            merge(memory, s, count);
-        else
+        found += any ? merge(memory, s, count) : met;
+        if (!any)
             for (size_t i = 0; i < count; i++)
                 memory->shown[i] = memory->nearest.depth[i] < HUGE_VAL ? s + 1 : 0;
         any = true;
     }
-    if (plan->surface_count == 1)
-        return met;
-    size_t found = 0;
-    for (size_t i = 0; any && i < count; i++)
-        found += memory->shown[i] != 0;
     return found;
 }
 
@@ -510,7 +508,8 @@ static struct lx_tract find_tract(const struct lx_plan *plan, struct lx_shader_m
     struct lx_tract tract = {.count = 0};
     double from[3];
     for (size_t j = 0; j < memory->tile_rows; j++) {
-        find_nearest(plan, memory, memory->tile_y[j], memory->tile_x, memory->tile_columns);
+        if (find_nearest(plan, memory, memory->tile_y[j], memory->tile_x, memory->tile_columns) == 0)
+            continue;
         const size_t count = gather(memory, s, memory->tile_columns).count;
         if (count == 0)
             continue;

@@ -21,6 +21,10 @@ EVERY = 8  # of the malformed scenes, whose whole list the fuzz target goes thro
 TABLE = "variant,point,value,student\n5,1,2.5,Ann\n5,2,off,\n5,P3,0,\"B, C\"\n5,x,1,\n"
 CLOUD = "x;y;z;intensity\n0;0;2000;5\n100;50;1900;0\n"
 BODY = ("OFF\n4 4 6\n0 0 1500\n90 0 1500\n0 90 1500\n0 0 1590\n3 0 2 1\n3 0 1 3\n3 1 2 3\n3 0 3 2\n")
+# Its plate ends within a tile: some rows of that show it in every pixel, others nowhere.
+PLATE = ("luxel: 1\nscreen: {width: 64, height: 64, resolution: [64, 64]}\nobserver: {z: 500}\n"
+         "surfaces: [{type: rectangle, center: [0, 0, 0], size: [200, 59]}]\n"
+         "lights: [{type: planar, rectangle: {center: [0, 0, 300], size: [50, 50]}, radiance: 9, parts: 24}]\n")
 
 
 def check(tap, tool, code, *arguments, stdin=""):
@@ -67,6 +71,11 @@ def commands(tap, tool):
         check(tap, tool, code, *line.split(), *small)
 
 
+def clusters(tap, tool):
+    tool.write("plate.yaml", PLATE)
+    check(tap, tool, 0, "render", "plate.yaml", "-q", "--light-error", "0.01")
+
+
 def refusals(tap, tool):
     for title, piece, replacement, _ in malformed.PIECES[::EVERY]:
         name = tool.write("wrong.yaml", SCENE.replace(piece, replacement.replace("^", ""), 1))
@@ -82,4 +91,4 @@ def refusals(tap, tool):
 
 
 sys.argv[1] = shutil.which(sys.argv[2])  # what the tool of the tests starts
-run_tests(Tap(), scenes, formats, commands, refusals)
+run_tests(Tap(), scenes, formats, commands, clusters, refusals)
