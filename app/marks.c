@@ -156,14 +156,15 @@ static gboolean put(AppDocument *document, const AppMark *mark, const double pla
     return done;
 }
 
-/* Where the document has a mark, of which the last picture may be behind it; `place` stays where that is no list of
- * numbers, as of corners. */
+/* Where the document has a mark, of which the last picture may be behind it; the mark's own place where that is no list
+ * of numbers, as of corners. */
 static void find_place(AppDocument *document, const AppMark *mark, double place[3])
 {
     const gsize count = mark->kind == APP_MARK_POINT ? 2 : 3;
     double now[3];
     char *key = app_place_key(document, mark->kind, mark->index);
     char *text = key && !g_str_has_suffix(key, ".vertices") ? app_document_get(document, key, NULL) : NULL;
+    memcpy(place, mark->place_mm, sizeof mark->place_mm);
     if (app_list_read(text, now, count) == count)
         memcpy(place, now, count * sizeof *place);
     g_free(key);
@@ -237,7 +238,6 @@ gboolean app_hand_move(AppHand *hand, const AppTouch *touch, const AppMoment *mo
     }
     if (hand->was_height) {
         double rise = (hand->pointer_mm[1] - hand->height_grip) * hand->gain;
-        memcpy(place, hand->mark.place_mm, sizeof place);
         find_place(document, &hand->mark, place);
         place[2] = round_to(hand->start_mm[2] + rise, grain * hand->gain);
     } else if (hand->mark.kind == APP_MARK_POINT) {
@@ -266,7 +266,6 @@ gboolean app_mark_shift(const AppMark *mark, const double step_mm[3], AppDocumen
         dome_place(&hand, shown, radius, 0, place);
         return put(document, mark, place);
     }
-    memcpy(place, mark->place_mm, sizeof place);
     find_place(document, mark, place);
     for (int k = 0; k < 3; k++)
         place[k] = round_to(place[k] + step_mm[k], 1e-6);

@@ -39,7 +39,8 @@ static void values_of(lx_bounded3 a, double result[3])
 /* ---- where arcs change their kind ---- */
 
 /* Quantities of an arc whose changes of sign are borders for the outer integral. */
-enum { ENDS = 2, EXTREMES = 2, LONGITUDES = 2, MARKS = MOST_CONDITIONS * (ENDS + EXTREMES) + LONGITUDES + 1 };
+enum { ENDS = 2, EXTREMES = 2, LONGITUDES = 2, APPROACHES = 1 };
+enum { MARKS = MOST_CONDITIONS * (ENDS + EXTREMES) + LONGITUDES + APPROACHES };
 
 static void marks_of(const struct lx_problem *problem, const struct lx_sweep *sweep, double x, double marks[MARKS])
 {

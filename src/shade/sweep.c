@@ -185,9 +185,9 @@ static struct lx_arc flat_arc(const struct lx_sweep *flat, double y, double s, d
     return arc;
 }
 
-/* The chord of a strip at x: its line, and the ends of the strip, which share it by how near they are. */
+/* The chord of a strip at x: its line, where on it the strip begins, and for how long. */
 struct chord {
-    struct line line; /* its y is the foot's, on either side */
+    struct line line; /* y is counted upwards from the foot, on either side of it */
     double s, width;
 };
 
@@ -366,12 +366,14 @@ double lx_sweep_approach(const struct lx_sweep *sweep, double x)
     const double OFTEN = 8; /* as far as it is away and long */
     if (sweep->kind != LX_SWEEP_STRIP)
         return 1;
-    const double travel = sweep->s2_mm + sweep->width2_mm / 2 - sweep->s1_mm - sweep->width1_mm / 2;
+    const double first = sweep->s1_mm + sweep->width1_mm / 2, travel = sweep->s2_mm + sweep->width2_mm / 2 - first;
     const double slope = travel / (sweep->y2_mm - sweep->y1_mm);
-    const struct chord chord = chord_at(sweep, x);
-    const double middle = chord.s + chord.width / 2, y = chord.line.y, at_foot = middle - slope * y;
+    const double at_foot = sweep->s_mm + first - slope * (sweep->y_mm + sweep->y1_mm);
     const double nearest = hypot(sweep->height_mm, at_foot / sqrt(1 + slope * slope));
-    return fabs(travel) > OFTEN * (nearest + fmax(sweep->width1_mm, sweep->width2_mm)) ? y + slope * middle : 1;
+    if (!(fabs(travel) > OFTEN * (nearest + fmax(sweep->width1_mm, sweep->width2_mm))))
+        return 1;
+    const struct chord chord = chord_at(sweep, x);
+    return chord.line.y + slope * (chord.s + chord.width / 2);
 }
 
 int lx_sweeps_make(const struct lx_emitter *emitter, const double place_mm[3], const double across[3],

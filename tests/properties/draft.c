@@ -30,13 +30,10 @@ const struct draft_light draft_plain_light = {
                 .size = {1, 1, 1}},
 };
 
-const struct draft_grid draft_plain_grid = {
-    .numbers = {.center = {0, 0, 0}, .size = {1, 1}, .axis = {0, 0, 1}, .up = {0, 1, 0}},
-};
-
 const struct draft draft_plain = {
     .words = {.columns = 1, .rows = 1},
     .numbers = {.pitch = 1, .observer_z = 2},
+    .grid = {.numbers = {.center = {0, 0, 0}, .size = {1, 1}, .axis = {0, 0, 1}, .up = {0, 1, 0}}},
 };
 
 bool draft_is_extended(const struct draft_light *light)

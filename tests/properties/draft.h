@@ -95,7 +95,6 @@ void draft_choose_direction(struct choices *choices, double direction[3]);
 /* The simplest values of each part. */
 extern const struct draft_surface draft_plain_surface;
 extern const struct draft_light draft_plain_light;
-extern const struct draft_grid draft_plain_grid;
 extern const struct draft draft_plain;
 
 /* Its YAML text, to be freed. */

@@ -202,7 +202,6 @@ static void choose_grid(struct choices *choices, double scale, struct draft *dra
 void draft_make(struct choices *choices, struct draft *draft)
 {
     *draft = draft_plain;
-    draft->grid = draft_plain_grid;
     const double scale = choose_scale(choices);
     draft->words.perspective = choose_rarely(choices, 3);
     draft->words.from_observer = choose_rarely(choices, 3);

@@ -110,7 +110,6 @@ static void write_cloud(const struct draft *draft)
 bool reads_clouds(struct trial *trial)
 {
     struct draft one_by_one = *trial->draft;
-    make_folder();
     if (make_alike(&one_by_one) == 0)
         return true;
     write_cloud(&one_by_one);
@@ -157,7 +156,6 @@ bool reads_meshes(struct trial *trial)
     enum { MOST_PIXELS = 3 };
     struct draft box = *trial->draft;
     struct draft_light *light = &box.lights[0];
-    make_folder();
     if (box.light_count == 0)
         return true;
     box.light_count = 1;

@@ -162,10 +162,10 @@ static bool shrink_values(struct shrinking *shrinking)
                                  sizeof draft_plain_light.numbers);
     }
     const size_t grid = offsetof(struct draft, grid);
-    shrank |= shrink_words(shrinking, grid + offsetof(struct draft_grid, words), &draft_plain_grid.words,
-                           sizeof draft_plain_grid.words);
-    shrank |= shrink_numbers(shrinking, grid + offsetof(struct draft_grid, numbers), &draft_plain_grid.numbers,
-                             sizeof draft_plain_grid.numbers);
+    shrank |= shrink_words(shrinking, grid + offsetof(struct draft_grid, words), &draft_plain.grid.words,
+                           sizeof draft_plain.grid.words);
+    shrank |= shrink_numbers(shrinking, grid + offsetof(struct draft_grid, numbers), &draft_plain.grid.numbers,
+                             sizeof draft_plain.grid.numbers);
     return shrank;
 }
 

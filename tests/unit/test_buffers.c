@@ -30,23 +30,22 @@ enum { COUNTS = sizeof counts / sizeof counts[0], PATTERN = 0xA5, ALIGNMENT = 64
 enum { MOST_BUFFERS = 32 };
 
 static struct buffer {
-    unsigned char *map, *data;
-    size_t before, whole, page; /* bytes of the pattern, of the map, of the page behind */
+    unsigned char *map;
+    size_t before, whole; /* bytes of the pattern, and of all with the page behind */
 } buffers[MOST_BUFFERS];
 static size_t used;
 
 /* Memory that ends with a page, behind which none can be touched; `size` is a multiple of the alignment. */
 static void *take(size_t size)
 {
-    struct buffer *buffer = &buffers[used++];
     const size_t page = (size_t)sysconf(_SC_PAGESIZE), room = (size + 2 * page - 1) / page * page;
-    assert_true(used <= MOST_BUFFERS && size % ALIGNMENT == 0);
+    assert_true(used < MOST_BUFFERS && size % ALIGNMENT == 0);
     unsigned char *map = mmap(NULL, room + page, PROT_READ | PROT_WRITE, MAP_PRIVATE | MAP_ANONYMOUS, -1, 0);
     assert_true(map != MAP_FAILED);
     assert_int_equal(mprotect(map + room, page, PROT_NONE), 0);
-    *buffer = (struct buffer){map, map + room - size, room - size, room, page};
+    buffers[used++] = (struct buffer){map, room - size, room + page};
     memset(map, PATTERN, room);
-    return buffer->data;
+    return map + room - size;
 }
 
 /* Gives all buffers back; what stands before them must be untouched. */
@@ -57,7 +56,7 @@ static void give_back(const char *name)
         for (size_t i = 0; i < buffer->before; i++)
             if (buffer->map[i] != PATTERN)
                 fail_msg("%s wrote %zu bytes before a buffer", name, buffer->before - i);
-        munmap(buffer->map, buffer->whole + buffer->page);
+        munmap(buffer->map, buffer->whole);
     }
 }
 
