@@ -19,6 +19,7 @@
 #define BIAS 1023
 #define MAGIC 6755399441055744.0
 #define SMALLEST 2.2250738585072014e-308
+#define TINY 1e-200
 #define SQRT sqrt
 #define LOG_TERMS 11
 #define EXP_TERMS 14
@@ -43,6 +44,7 @@
 #undef BIAS
 #undef MAGIC
 #undef SMALLEST
+#undef TINY
 #undef SQRT
 #undef LOG_TERMS
 #undef EXP_TERMS
@@ -56,6 +58,7 @@
 #define BIAS 127
 #define MAGIC 12582912.0F
 #define SMALLEST 1.17549435e-38
+#define TINY 1e-30F
 #define SQRT sqrtf
 #define LOG_TERMS 5
 #define EXP_TERMS 8

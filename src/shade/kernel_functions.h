@@ -3,10 +3,10 @@
  * The functions of a number that the kernels need beside roots: powers of cosines and an angle.  kernel.c includes it
  * once for each precision, behind lanes.h, with LOG_TERMS and EXP_TERMS, the terms of the series, besides.
  *
- * Cosines that are raised to a power enter as t = 1 - cos = |a - b|^2 / 2, a and b the unit vectors that make the
- * angle: a cosine near 1 has lost the digits that tell how far the angle is from 0.  In float64 the cosine itself comes
- * with it, as a t near 1 has lost those that tell how far the angle is from pi/2; lights for which that matters never
- * are left to float32.
+ * Cosines that are raised to a power enter with t = 1 - cos = |a - b|^2 / 2, a and b the unit vectors that make the
+ * angle: near 1 a cosine has lost the digits that tell how far the angle is from 0.  In float64 the cosine itself is
+ * exact where t, near 1, has lost those that tell how far the angle is from pi/2; in float32 it may be 1 - t, as lights
+ * for which that matters are never left to float32.
  */
 
 /*
@@ -50,44 +50,67 @@ LX_LANE NAME(lanes) NAME(exp2_of)(NAME(lanes) y)
 }
 
 /*
- * cosine^exponent with t = 1 - cosine, 0 for cosines below 0.  A whole exponent by squaring: while it is large by
- * squaring the complements, 1 - (1 - t)^2 = t (2 - t), which keeps the digits of a small t; at last the powers
- * themselves, which keeps those of a small power.  Others by the logarithm.  Errors, t's own aside: below 6 ulp of
- * 1, by the logarithm 2.  In float64 what has become less than a half is squared itself from there on, so that a
- * power p of any size is good to some ulp of p ln p: there are pictures that show only the faint foot of a highlight.
+ * Of `count` vectors side by side, cosine^exponent with t = 1 - cosine, 0 for cosines below 0.  A whole exponent by
+ * squaring: while it is large by squaring the complements, 1 - (1 - t)^2 = t (2 - t), which keeps the digits of a small
+ * t; at last the powers themselves, which keeps those of a small power.  Others by the logarithm.  Errors, t's own
+ * aside: below 6 ulp of 1, by the logarithm 2.  In float64 what has become less than a half is squared itself from
+ * there on, so that a power p of any size is good to some ulp of p ln p: there are pictures that show only the faint
+ * foot of a highlight.
  */
-LX_LANE NAME(lanes) NAME(power_of)(NAME(lanes) t, NAME(lanes) cosine, struct NAME(lx_exponent) exponent)
+LX_LANE void NAME(raise)(const NAME(lanes) * cosine, const NAME(lanes) * versine, int count,
+                         struct NAME(lx_exponent) exponent, NAME(lanes) * power)
 {
     enum { LEAST_BY_COMPLEMENTS = 12 };
     const NAME(lanes) zero = NAME(all)(0), half = NAME(all)((REAL)0.5);
-    t = NAME(lesser)(t, NAME(all)(1));
-    NAME(lanes) base = 1 - t;
-    if (!LX_IS_SINGLE)
-        base = NAME(where_above)(t, half, NAME(greater)(cosine, zero), base);
-    if (exponent.whole > 0) {
-        unsigned bits = exponent.whole;
-        NAME(lanes) power = NAME(all)(1);
-        for (; bits >= LEAST_BY_COMPLEMENTS; bits >>= 1) {
-            if (bits & 1)
-                power = LX_IS_SINGLE ? power - power * t : power * base;
-            t = t * (2 - t);
-            base = LX_IS_SINGLE ? 1 - t : NAME(where_above)(t, half, base * base, 1 - t);
-        }
-        for (; !(bits & 1); bits >>= 1)
-            base *= base;
-        power *= base;
-        while (bits >>= 1) {
-            base *= base;
-            if (bits & 1)
-                power *= base;
-        }
-        return power;
+    NAME(lanes) base[LX_ABREAST], t[LX_ABREAST];
+    for (int i = 0; i < count; i++) {
+        base[i] = NAME(greater)(cosine[i], zero);
+        t[i] = NAME(lesser)(versine[i], NAME(all)(1));
+        if (!LX_IS_SINGLE)
+            base[i] = NAME(where_above)(t[i], half, base[i], 1 - t[i]);
     }
-    NAME(lanes) rest = (1 - base) - t; /* what base has lost of 1 - t */
-    if (!LX_IS_SINGLE)
-        rest = NAME(where_above)(t, half, zero, rest);
-    NAME(lanes) power = NAME(exp2_of)(exponent.value * NAME(log2_of)(base, rest));
-    return NAME(where_above)(base, zero, power, zero);
+    unsigned bits = exponent.whole;
+    if (bits == 0) {
+        for (int i = 0; i < count; i++) {
+            NAME(lanes) rest = (1 - base[i]) - t[i]; /* what base has lost of 1 - t */
+            if (!LX_IS_SINGLE)
+                rest = NAME(where_above)(t[i], half, zero, rest);
+            power[i] = exponent.value * NAME(log2_of)(base[i], rest);
+        }
+        for (int i = 0; i < count; i++)
+            power[i] = NAME(where_above)(base[i], zero, NAME(exp2_of)(power[i]), zero);
+        return;
+    }
+    bool is_one = true; /* the power so far */
+    for (; bits >= LEAST_BY_COMPLEMENTS; bits >>= 1) {
+        if (bits & 1) {
+            for (int i = 0; i < count; i++)
+                power[i] = is_one ? base[i] : LX_IS_SINGLE ? power[i] - power[i] * t[i] : power[i] * base[i];
+            is_one = false;
+        }
+        for (int i = 0; i < count; i++) {
+            t[i] = t[i] * (2 - t[i]);
+            base[i] = LX_IS_SINGLE ? 1 - t[i] : NAME(where_above)(t[i], half, base[i] * base[i], 1 - t[i]);
+        }
+    }
+    for (; !(bits & 1); bits >>= 1)
+        for (int i = 0; i < count; i++)
+            base[i] *= base[i];
+    for (int i = 0; i < count; i++)
+        power[i] = is_one ? base[i] : power[i] * base[i];
+    while (bits >>= 1) {
+        for (int i = 0; i < count; i++)
+            base[i] *= base[i];
+        for (int i = 0; i < count && (bits & 1); i++)
+            power[i] *= base[i];
+    }
+}
+
+LX_LANE NAME(lanes) NAME(power_of)(NAME(lanes) cosine, NAME(lanes) versine, struct NAME(lx_exponent) exponent)
+{
+    NAME(lanes) power;
+    NAME(raise)(&cosine, &versine, 1, exponent, &power);
+    return power;
 }
 
 LX_LANE NAME(lanes) NAME(polynomial)(NAME(lanes) x, const REAL *coefficients, int count)

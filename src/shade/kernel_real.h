@@ -6,21 +6,25 @@
  *     NAME(x)   x with the precision's suffix
  *     BITS      an unsigned integer of the same size
  *     MANTISSA  number of bits of the fraction, BIAS of the exponent, MAGIC = 1.5 * 2^MANTISSA
+ *     TINY      less than the square of any length that counts, and not 0
  *
- * For each vector of elements all lights of one kind are summed in registers.  What varies between kinds of lights and
- * materials is a constant parameter of an inlined loop.
+ * For some vectors of elements side by side all lights of one kind are summed.  What varies between kinds of lights and
+ * materials is a constant parameter of an inlined loop, and so is how many vectors there are.
  */
 
-/* A vector of the elements of a block, and what it stands for: elements of another one, from the start-th on. */
+/*
+ * A vector of the elements of a block, and what it stands for: elements of another one, from the start-th on.  The view
+ * vector comes as its part along the normal, N.V, and the one across it.
+ */
 struct NAME(elements) {
-    NAME(lanes) px, py, pz, nx, ny, nz, vx, vy, vz;
+    NAME(lanes) px, py, pz, nx, ny, nz, along_n, vx, vy, vz;
     const struct lx_block_double *exact;
     size_t start;
 };
 
-/* The direction to a light, and E_perp; of a point its distance r and 1/r. */
+/* L, as the way to a light times `inverse`; E_perp; of a point its distance r, and 1/r for `inverse`. */
 struct NAME(ray) {
-    NAME(lanes) x, y, z, e, r, inverse;
+    NAME(lanes) x, y, z, inverse, e, r;
 };
 
 /* Half the squared length of a vector. */
@@ -34,18 +38,16 @@ LX_LANE struct NAME(ray)
     NAME(towards)(const struct NAME(lx_light) * light, const struct NAME(elements) * at, enum lx_attenuation law)
 {
     NAME(lanes) x = light->x - at->px, y = light->y - at->py, z = light->z - at->pz;
-    NAME(lanes) r2 = x * x + y * y + z * z, limited;
+    NAME(lanes) r2 = x * x + y * y + z * z, inverse, limited;
     if (LX_IS_SINGLE) { /* sources that stand very near are never left to float32 */
-        limited = NAME(inverse_root)(r2);
-        x *= limited, y *= limited, z *= limited;
+        inverse = limited = NAME(inverse_root)(r2);
     } else {
         /* A source on the element itself counts as standing just above it. */
         const REAL nearest = (REAL)1e-6; /* mm */
         NAME(lanes) zero = NAME(all)(0), lift = NAME(where_above)(r2, zero, zero, NAME(all)(nearest));
         x += lift * at->nx, y += lift * at->ny, z += lift * at->nz;
         r2 = NAME(where_above)(r2, zero, r2, NAME(all)(nearest * nearest));
-        NAME(lanes) inverse = NAME(inverse_root)(r2);
-        x *= inverse, y *= inverse, z *= inverse;
+        inverse = NAME(inverse_root)(r2);
         limited = NAME(lesser)(inverse, NAME(all)(1 / nearest));
     }
     NAME(lanes) e = NAME(all)(light->gain);
@@ -53,18 +55,19 @@ LX_LANE struct NAME(ray)
         e *= limited * limited;
     else if (law == LX_PRACTICAL)
         e *= NAME(inverse)(light->k + NAME(root)(r2));
-    return (struct NAME(ray)){x, y, z, e, r2 * limited, limited};
+    return (struct NAME(ray)){x, y, z, inverse, e, r2 * inverse};
 }
 
 /* The versine and the cosine of the angle between the direction from the light, -L, and its axis. */
 LX_LANE NAME(lanes) NAME(versine)(const struct NAME(lx_light) * light, const struct NAME(ray) * ray)
 {
-    return NAME(half_square)(light->axis_x + ray->x, light->axis_y + ray->y, light->axis_z + ray->z);
+    return NAME(half_square)(light->axis_x + ray->inverse * ray->x, light->axis_y + ray->inverse * ray->y,
+                             light->axis_z + ray->inverse * ray->z);
 }
 
 LX_LANE NAME(lanes) NAME(axial)(const struct NAME(lx_light) * light, const struct NAME(ray) * ray)
 {
-    return -(light->axis_x * ray->x + light->axis_y * ray->y + light->axis_z * ray->z);
+    return -ray->inverse * (light->axis_x * ray->x + light->axis_y * ray->y + light->axis_z * ray->z);
 }
 
 /* g of a cone; `exact`: the light in float64, as in all that follows. */
@@ -87,6 +90,13 @@ LX_LANE NAME(lanes) NAME(cone)(const struct NAME(lx_light) * light, const struct
 #endif
 }
 
+/* cos^exponent of the angle between the direction from the light and its axis. */
+LX_LANE NAME(lanes) NAME(pattern)(const struct NAME(lx_light) * light, const struct NAME(ray) * ray)
+{
+    const NAME(lanes) versine = NAME(versine)(light, ray);
+    return NAME(power_of)(LX_IS_SINGLE ? 1 - versine : NAME(axial)(light, ray), versine, light->exponent);
+}
+
 /* g of the direction from the light, -L. */
 LX_LANE NAME(lanes) NAME(profile)(const struct NAME(lx_light) * light, const struct lx_light_double *exact,
                                   const struct NAME(elements) * at, const struct NAME(ray) * ray)
@@ -95,7 +105,7 @@ LX_LANE NAME(lanes) NAME(profile)(const struct NAME(lx_light) * light, const str
     if (light->falloff != LX_NO_CONE)
         g = NAME(cone)(light, exact, at, ray);
     if (light->exponent.value > 0)
-        g *= NAME(power_of)(NAME(versine)(light, ray), NAME(axial)(light, ray), light->exponent);
+        g *= NAME(pattern)(light, ray);
     return g;
 }
 
@@ -104,8 +114,11 @@ LX_LANE struct NAME(ray) NAME(ray_of)(const struct NAME(lx_light) * light, const
 {
     struct NAME(ray) ray;
     if (kind == LX_DISTANT)
-        return (struct NAME(ray)){
-            .x = NAME(all)(light->x), .y = NAME(all)(light->y), .z = NAME(all)(light->z), .e = NAME(all)(light->gain)};
+        return (struct NAME(ray)){.x = NAME(all)(light->x),
+                                  .y = NAME(all)(light->y),
+                                  .z = NAME(all)(light->z),
+                                  .inverse = NAME(all)(1),
+                                  .e = NAME(all)(light->gain)};
     if (kind == LX_BY_SQUARE || (kind == LX_PROFILED && light->law == LX_INVERSE_SQUARE))
         ray = NAME(towards)(light, at, LX_INVERSE_SQUARE);
     else if (kind == LX_BY_SUM || (kind == LX_PROFILED && light->law == LX_PRACTICAL))
@@ -119,7 +132,7 @@ LX_LANE struct NAME(ray) NAME(ray_of)(const struct NAME(lx_light) * light, const
 
 LX_LANE NAME(lanes) NAME(n_dot)(const struct NAME(elements) * at, const struct NAME(ray) * ray)
 {
-    return at->nx * ray->x + at->ny * ray->y + at->nz * ray->z;
+    return (at->nx * ray->x + at->ny * ray->y + at->nz * ray->z) * ray->inverse;
 }
 
 /* Above 0 where a light stands above the horizon. */
@@ -134,65 +147,108 @@ LX_LANE NAME(lanes) NAME(height)(const struct NAME(lx_light) * light, const stru
 #endif
 }
 
-/* What the lobe makes of light from L, for each unit of E_perp.  A gated highlight is there where `height` is above
- * 0. */
-LX_LANE NAME(lanes)
-    NAME(weight_of)(const struct NAME(lx_lobe) * lobe, const struct NAME(elements) * at, enum lx_model model,
-                    enum lx_highlight highlight, const struct NAME(ray) * ray, NAME(lanes) height)
+/*
+ * S of a highlight, and 1 - S.  With l and v the parts of L and V across the normal, (N.L) N - l is the mirrored L, and
+ * |l + v|^2 + (N.L - N.V)^2 = 2 - 2 S.
+ */
+LX_LANE void NAME(phong)(const struct NAME(elements) * at, const struct NAME(ray) * ray, NAME(lanes) n_dot_l,
+                         NAME(lanes) across, NAME(lanes) * cosine, NAME(lanes) * versine)
 {
-    const NAME(lanes) zero = NAME(all)(0), lx = ray->x, ly = ray->y, lz = ray->z;
-    NAME(lanes) n_dot_l = NAME(n_dot)(at, ray), front = NAME(greater)(n_dot_l, zero);
-    NAME(lanes) weight = lobe->diffuse * front;
-    if (model == LX_LAMBERT)
-        return weight;
-    NAME(lanes) x = lx + at->vx, y = ly + at->vy, z = lz + at->vz, t, cosine;
-    if (model == LX_BLINN_PHONG) { /* from N to the unit vector along L + V */
-        NAME(lanes) square = x * x + y * y + z * z, inverse = NAME(inverse_root)(square);
-        t = NAME(half_square)(at->nx - x * inverse, at->ny - y * inverse, at->nz - z * inverse);
-        cosine = (at->nx * x + at->ny * y + at->nz * z) * inverse;
-        if (!LX_IS_SINGLE) { /* L = -V, but for rounding, has no half vector; float32 never comes near that */
-            const NAME(lanes) rounding = NAME(all)((REAL)0x1p-98);
-            t = NAME(where_above)(square, rounding, t, NAME(all)(1));
-            cosine = NAME(where_above)(square, rounding, cosine, zero);
-        }
-    } else { /* from the mirrored L, 2 (N.L) N - L, to V */
-        NAME(lanes) twice = 2 * n_dot_l;
-        t = NAME(half_square)(x - twice * at->nx, y - twice * at->ny, z - twice * at->nz);
-        cosine = (twice * at->nx - lx) * at->vx + (twice * at->ny - ly) * at->vy + (twice * at->nz - lz) * at->vz;
+    NAME(lanes) apart = n_dot_l - at->along_n;
+    NAME(lanes) l_dot_v = (ray->x * at->vx + ray->y * at->vy + ray->z * at->vz) * ray->inverse; /* of l and v */
+    *versine = (REAL)0.5 * (across + apart * apart);
+    *cosine = LX_IS_SINGLE ? 1 - *versine : n_dot_l * at->along_n - l_dot_v;
+}
+
+/*
+ * The same with the half vector H, whose parts along the normal and across it are as `along`, N.L + N.V, to l + v.  The
+ * square of S = N.H takes no root; `root` is S, where it is wanted.
+ */
+LX_LANE void NAME(blinn_phong)(NAME(lanes) along, NAME(lanes) across, bool by_square, bool is_odd, NAME(lanes) * cosine,
+                               NAME(lanes) * versine, NAME(lanes) * root)
+{
+    NAME(lanes) square = across + along * along, inverse = NAME(inverse)(square), sine2 = across * inverse;
+    *root = by_square && !is_odd ? NAME(all)(0) : along * NAME(inverse_root)(square);
+    *versine = by_square ? sine2 : sine2 * NAME(inverse)(1 + *root);
+    if (LX_IS_SINGLE) {
+        *cosine = 1 - *versine;
+    } else { /* L = -V, but for rounding, has no half vector; float32 never comes near that */
+        const NAME(lanes) rounding = NAME(all)((REAL)0x1p-98);
+        *versine = NAME(where_above)(square, rounding, *versine, NAME(all)(1));
+        *cosine = NAME(where_above)(square, rounding, by_square ? along * along * inverse : *root, NAME(all)(0));
     }
-    NAME(lanes) shine = lobe->specular * NAME(power_of)(t, cosine, lobe->exponent);
-    if (highlight == LX_HIGHLIGHT_COSINE)
-        shine *= front;
-    if (highlight == LX_HIGHLIGHT_GATED)
-        shine = NAME(where_above)(height, zero, shine, zero);
-    return weight + shine;
+}
+
+/* S^n of the highlights of `count` vectors. */
+LX_LANE void NAME(shine_of)(struct NAME(lx_exponent) exponent, const struct NAME(elements) * at,
+                            const struct NAME(ray) * ray, const NAME(lanes) * n_dot_l, int count, enum lx_model model,
+                            NAME(lanes) * shine)
+{
+    /* with an exponent below 2 a power of S^2 would rise too steeply from S = 0 */
+    const bool by_square = model == LX_BLINN_PHONG && exponent.value >= 2;
+    const bool is_odd = by_square && exponent.whole % 2 == 1;
+    NAME(lanes) cosine[LX_ABREAST], versine[LX_ABREAST], root[LX_ABREAST];
+    for (int i = 0; i < count; i++) {
+        NAME(lanes) x = ray[i].x * ray[i].inverse + (at[i].vx - n_dot_l[i] * at[i].nx);
+        NAME(lanes) y = ray[i].y * ray[i].inverse + (at[i].vy - n_dot_l[i] * at[i].ny);
+        NAME(lanes) z = ray[i].z * ray[i].inverse + (at[i].vz - n_dot_l[i] * at[i].nz);
+        NAME(lanes) across = x * x + (y * y + (z * z + (REAL)TINY));
+        NAME(lanes) along = NAME(greater)(n_dot_l[i] + at[i].along_n, NAME(all)(0));
+        if (model == LX_PHONG)
+            NAME(phong)(&at[i], &ray[i], n_dot_l[i], across, &cosine[i], &versine[i]);
+        else
+            NAME(blinn_phong)(along, across, by_square, is_odd, &cosine[i], &versine[i], &root[i]);
+    }
+    if (by_square)
+        exponent = (struct NAME(lx_exponent)){exponent.value / 2, exponent.whole / 2};
+    NAME(raise)(cosine, versine, count, exponent, shine);
+    for (int i = 0; i < count && is_odd; i++)
+        shine[i] *= root[i];
+}
+
+/*
+ * Of light from L, for each unit of E_perp, what the diffuse and the specular coefficient are multiplied by.  A gated
+ * highlight is there where `height` is above 0.
+ */
+LX_LANE void NAME(reflect)(struct NAME(lx_exponent) exponent, const struct NAME(elements) * at,
+                           const struct NAME(ray) * ray, const NAME(lanes) * height, int count, enum lx_model model,
+                           enum lx_highlight highlight, NAME(lanes) * diffuse, NAME(lanes) * specular)
+{
+    const NAME(lanes) zero = NAME(all)(0);
+    NAME(lanes) n_dot_l[LX_ABREAST];
+    for (int i = 0; i < count; i++)
+        n_dot_l[i] = NAME(n_dot)(&at[i], &ray[i]);
+    if (model != LX_LAMBERT)
+        NAME(shine_of)(exponent, at, ray, n_dot_l, count, model, specular);
+    for (int i = 0; i < count; i++) {
+        diffuse[i] = NAME(greater)(n_dot_l[i], zero);
+        if (model != LX_LAMBERT && highlight == LX_HIGHLIGHT_COSINE)
+            specular[i] *= diffuse[i];
+        if (model != LX_LAMBERT && highlight == LX_HIGHLIGHT_GATED)
+            specular[i] = NAME(where_above)(height[i], zero, specular[i], zero);
+    }
 }
 
 LX_LANE struct NAME(elements)
     NAME(elements_at)(const struct NAME(lx_block) * block, const struct lx_block_double *exact, size_t i)
 {
-    return (struct NAME(elements)){NAME(load)(block->px + i),
-                                   NAME(load)(block->py + i),
-                                   NAME(load)(block->pz + i),
-                                   NAME(load)(block->nx + i),
-                                   NAME(load)(block->ny + i),
-                                   NAME(load)(block->nz + i),
-                                   NAME(load)(block->vx + i),
-                                   NAME(load)(block->vy + i),
-                                   NAME(load)(block->vz + i),
-                                   exact,
-                                   i};
-}
-
-/* The brightness of a vector of elements by a light whose rays are known. */
-LX_LANE NAME(lanes) NAME(reflected)(const struct NAME(lx_light) * light, const struct lx_light_double *exact,
-                                    const struct NAME(lx_lobe) * lobe, const struct NAME(elements) * at,
-                                    const struct NAME(ray) * ray, enum lx_model model, enum lx_highlight highlight)
-{
-    NAME(lanes) height = NAME(all)(0);
-    if (highlight == LX_HIGHLIGHT_GATED)
-        height = NAME(height)(light, exact, at, ray);
-    return ray->e * NAME(weight_of)(lobe, at, model, highlight, ray, height);
+    const NAME(lanes) nx = NAME(load)(block->nx + i), ny = NAME(load)(block->ny + i), nz = NAME(load)(block->nz + i);
+    const NAME(lanes) vx = NAME(load)(block->vx + i), vy = NAME(load)(block->vy + i), vz = NAME(load)(block->vz + i);
+    const NAME(lanes) along_n = nx * vx + ny * vy + nz * vz;
+    return (struct NAME(elements)){
+        .px = NAME(load)(block->px + i),
+        .py = NAME(load)(block->py + i),
+        .pz = NAME(load)(block->pz + i),
+        .nx = nx,
+        .ny = ny,
+        .nz = nz,
+        .along_n = along_n,
+        .vx = vx - along_n * nx,
+        .vy = vy - along_n * ny,
+        .vz = vz - along_n * nz,
+        .exact = exact,
+        .start = i,
+    };
 }
 
 /* What a kernel is called with. */
@@ -209,52 +265,63 @@ struct NAME(work) {
 };
 
 /*
- * Adds the brightness by all the lights, which are of one kind.  Two vectors at once, their rays first, keep the
- * machine busy where one would wait for its own results.
+ * Sets totals[] to the brightness of `count` vectors of elements, from the start-th element on, by all the lights,
+ * which are of one kind.  What would lie beyond the last vector is that vector once more.
  */
-LX_LANE void NAME(reflect)(const struct NAME(work) * work, enum lx_light_kind kind, enum lx_model model,
-                           enum lx_highlight highlight)
+LX_LANE void NAME(sum_lights)(const struct NAME(work) * work, size_t start, int count, enum lx_light_kind kind,
+                              enum lx_model model, enum lx_highlight highlight, REAL *totals)
 {
-    const struct NAME(lx_lobe) constants = *work->lobe;
-    const struct NAME(lx_block) *block = work->block;
-    const struct lx_light_double *exacts = work->exacts;
-    const float *open = work->open;
-    double *restrict sum = work->sum;
-    const size_t count = work->count;
-    const size_t width = NAME(LX_WIDTH);
+    const struct NAME(lx_lobe) lobe = *work->lobe;
+    const NAME(lanes) zero = NAME(all)(0);
+    struct NAME(elements) at[LX_ABREAST];
+    struct NAME(ray) ray[LX_ABREAST];
+    NAME(lanes) height[LX_ABREAST], diffuse[LX_ABREAST], specular[LX_ABREAST];
+    NAME(lanes) total_diffuse[LX_ABREAST], total_specular[LX_ABREAST];
+    for (int i = 0; i < count; i++) {
+        const size_t next = start + (size_t)i * NAME(LX_WIDTH), last = work->count - NAME(LX_WIDTH);
+        at[i] = NAME(elements_at)(work->block, work->exact, next < last ? next : last);
+        total_diffuse[i] = total_specular[i] = zero;
+    }
+    for (size_t k = 0; k < work->light_count; k++) {
+        const struct NAME(lx_light) *light = &work->lights[k];
+        const struct lx_light_double *exact = work->exacts ? &work->exacts[k] : NULL;
+        NAME(lanes) most = zero;
+        for (int i = 0; i < count; i++) {
+            ray[i] = NAME(ray_of)(light, exact, &at[i], kind);
+            most = NAME(greater)(most, ray[i].e);
+        }
+        if (kind == LX_PROFILED && !NAME(any_above)(most, zero))
+            continue; /* no light falls there */
+        for (int i = 0; i < count && highlight == LX_HIGHLIGHT_GATED; i++)
+            height[i] = NAME(height)(light, exact, &at[i], &ray[i]);
+        NAME(reflect)(lobe.exponent, at, ray, height, count, model, highlight, diffuse, specular);
+        for (int i = 0; i < count; i++) {
+            total_diffuse[i] += ray[i].e * diffuse[i];
+            if (model != LX_LAMBERT)
+                total_specular[i] += ray[i].e * specular[i];
+        }
+    }
+    for (int i = 0; i < count; i++) {
+        NAME(lanes) total = lobe.diffuse * total_diffuse[i] + lobe.specular * total_specular[i];
+        NAME(store)(totals + at[i].start, total);
+    }
+}
+
+/* Adds the brightness by all the lights. */
+LX_LANE void NAME(add_lights)(const struct NAME(work) * work, enum lx_light_kind kind, enum lx_model model,
+                              enum lx_highlight highlight)
+{
+    const size_t count = work->count, width = NAME(LX_WIDTH);
     _Alignas(LX_VECTOR_BYTES) REAL totals[LX_BLOCK];
     size_t i = 0;
-    for (; i + 2 * width <= count; i += 2 * width) {
-        const struct NAME(elements) at = NAME(elements_at)(block, work->exact, i);
-        const struct NAME(elements) next = NAME(elements_at)(block, work->exact, i + width);
-        NAME(lanes) total = NAME(all)(0), total_of_next = total;
-        for (size_t k = 0; k < work->light_count; k++) {
-            const struct NAME(lx_light) *light = &work->lights[k];
-            const struct lx_light_double *in_double = exacts ? &exacts[k] : NULL;
-            struct NAME(ray) ray = NAME(ray_of)(light, in_double, &at, kind);
-            struct NAME(ray) ray_to_next = NAME(ray_of)(light, in_double, &next, kind);
-            if (kind == LX_PROFILED && !NAME(any_above)(ray.e + ray_to_next.e, NAME(all)(0)))
-                continue; /* no light falls there */
-            total += NAME(reflected)(light, in_double, &constants, &at, &ray, model, highlight);
-            total_of_next += NAME(reflected)(light, in_double, &constants, &next, &ray_to_next, model, highlight);
-        }
-        NAME(store)(totals + i, total);
-        NAME(store)(totals + i + width, total_of_next);
-    }
-    if (i < count) { /* one vector more */
-        const struct NAME(elements) at = NAME(elements_at)(block, work->exact, i);
-        NAME(lanes) total = NAME(all)(0);
-        for (size_t k = 0; k < work->light_count; k++) {
-            const struct lx_light_double *in_double = exacts ? &exacts[k] : NULL;
-            struct NAME(ray) ray = NAME(ray_of)(&work->lights[k], in_double, &at, kind);
-            total += NAME(reflected)(&work->lights[k], in_double, &constants, &at, &ray, model, highlight);
-        }
-        NAME(store)(totals + i, total);
-    }
-    for (i = 0; open && i < count; i++)
-        totals[i] *= (REAL)open[i];
+    for (; work->light_count >= LX_FEWEST_ABREAST && i + LX_ABREAST * width <= count; i += LX_ABREAST * width)
+        NAME(sum_lights)(work, i, LX_ABREAST, kind, model, highlight, totals);
+    for (; i < count; i += 2 * width)
+        NAME(sum_lights)(work, i, 2, kind, model, highlight, totals);
+    for (i = 0; work->open && i < count; i++)
+        totals[i] *= (REAL)work->open[i];
     for (i = 0; i < count; i++)
-        sum[i] += (double)totals[i];
+        work->sum[i] += (double)totals[i];
 }
 
 LX_LANE void NAME(by_lobe)(const struct NAME(work) * work, enum lx_light_kind kind)
@@ -262,20 +329,33 @@ LX_LANE void NAME(by_lobe)(const struct NAME(work) * work, enum lx_light_kind ki
     const enum lx_model model = work->lobe->model;
     const enum lx_highlight highlight = work->lobe->highlight;
     if (model == LX_LAMBERT)
-        NAME(reflect)(work, kind, LX_LAMBERT, LX_HIGHLIGHT_PLAIN);
+        NAME(add_lights)(work, kind, LX_LAMBERT, LX_HIGHLIGHT_PLAIN);
     else if (model == LX_BLINN_PHONG && highlight == LX_HIGHLIGHT_PLAIN)
-        NAME(reflect)(work, kind, LX_BLINN_PHONG, LX_HIGHLIGHT_PLAIN);
+        NAME(add_lights)(work, kind, LX_BLINN_PHONG, LX_HIGHLIGHT_PLAIN);
     else if (model == LX_BLINN_PHONG && highlight == LX_HIGHLIGHT_GATED)
-        NAME(reflect)(work, kind, LX_BLINN_PHONG, LX_HIGHLIGHT_GATED);
+        NAME(add_lights)(work, kind, LX_BLINN_PHONG, LX_HIGHLIGHT_GATED);
     else if (model == LX_BLINN_PHONG)
-        NAME(reflect)(work, kind, LX_BLINN_PHONG, LX_HIGHLIGHT_COSINE);
+        NAME(add_lights)(work, kind, LX_BLINN_PHONG, LX_HIGHLIGHT_COSINE);
     else if (highlight == LX_HIGHLIGHT_PLAIN)
-        NAME(reflect)(work, kind, LX_PHONG, LX_HIGHLIGHT_PLAIN);
+        NAME(add_lights)(work, kind, LX_PHONG, LX_HIGHLIGHT_PLAIN);
     else if (highlight == LX_HIGHLIGHT_GATED)
-        NAME(reflect)(work, kind, LX_PHONG, LX_HIGHLIGHT_GATED);
+        NAME(add_lights)(work, kind, LX_PHONG, LX_HIGHLIGHT_GATED);
     else
-        NAME(reflect)(work, kind, LX_PHONG, LX_HIGHLIGHT_COSINE);
+        NAME(add_lights)(work, kind, LX_PHONG, LX_HIGHLIGHT_COSINE);
 }
+
+/* Functions of their own for each kind: compilers take much longer for one that holds them all. */
+#define LX_SHADE_BY(name, kind)                                                                                        \
+    static __attribute__((noinline)) void NAME(name)(const struct NAME(work) * work)                                   \
+    {                                                                                                                  \
+        NAME(by_lobe)(work, kind);                                                                                     \
+    }
+LX_SHADE_BY(by_direction, LX_DISTANT)
+LX_SHADE_BY(by_square, LX_BY_SQUARE)
+LX_SHADE_BY(by_sum, LX_BY_SUM)
+LX_SHADE_BY(unattenuated, LX_UNATTENUATED)
+LX_SHADE_BY(profiled, LX_PROFILED)
+#undef LX_SHADE_BY
 
 static void NAME(shade)(const struct NAME(lx_light) * lights, const struct lx_light_double *exacts, size_t light_count,
                         const struct NAME(lx_lobe) * lobe, const struct NAME(lx_block) * block,
@@ -283,10 +363,10 @@ static void NAME(shade)(const struct NAME(lx_light) * lights, const struct lx_li
 {
     const struct NAME(work) work = {lights, exacts, light_count, lobe, block, exact, open, lx_padded(count), sum};
     switch (lights->kind) {
-    case LX_DISTANT: NAME(by_lobe)(&work, LX_DISTANT); break;
-    case LX_BY_SQUARE: NAME(by_lobe)(&work, LX_BY_SQUARE); break;
-    case LX_BY_SUM: NAME(by_lobe)(&work, LX_BY_SUM); break;
-    case LX_UNATTENUATED: NAME(by_lobe)(&work, LX_UNATTENUATED); break;
-    case LX_PROFILED: NAME(by_lobe)(&work, LX_PROFILED); break;
+    case LX_DISTANT: NAME(by_direction)(&work); break;
+    case LX_BY_SQUARE: NAME(by_square)(&work); break;
+    case LX_BY_SUM: NAME(by_sum)(&work); break;
+    case LX_UNATTENUATED: NAME(unattenuated)(&work); break;
+    case LX_PROFILED: NAME(profiled)(&work); break;
     }
 }

@@ -92,8 +92,10 @@ LX_LANE NAME(lanes) NAME(sum_samples)(const struct NAME(lx_samples) * samples, s
         NAME(lanes) r2 = NAME(greater)(x * x + y * y + z * z, NAME(all)((REAL)1e-30));
         NAME(lanes) inverse = NAME(inverse_root)(r2);
         NAME(lanes) e = NAME(sample_strength)(law, samples->k, above, inverse, r2 * inverse);
-        const struct NAME(ray) ray = {.x = x * inverse, .y = y * inverse, .z = z * inverse};
-        total += area * e * NAME(weight_of)(lobe, at, model, highlight, &ray, NAME(n_dot)(at, &ray));
+        const struct NAME(ray) ray = {.x = x, .y = y, .z = z, .inverse = inverse};
+        NAME(lanes) height = NAME(n_dot)(at, &ray), diffuse, specular = NAME(all)(0);
+        NAME(reflect)(lobe->exponent, at, &ray, &height, 1, model, highlight, &diffuse, &specular);
+        total += area * e * (lobe->diffuse * diffuse + lobe->specular * specular);
     }
     return total;
 }

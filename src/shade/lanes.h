@@ -18,6 +18,11 @@
 #else
 #define LX_VECTOR_BYTES 16
 #endif
+/*
+ * So many vectors go side by side where one alone would wait for its own results; with fewer lights than that two of
+ * them, as what wide registers hold takes as long to be kept in memory meanwhile as a light does.
+ */
+enum { LX_ABREAST = 4, LX_FEWEST_ABREAST = LX_VECTOR_BYTES == 64 ? 2 : 1 };
 #define LX_LANE static inline __attribute__((always_inline))
 #define LX_JOIN(a, b) LX_JOIN_WORDS(a, b)
 #define LX_JOIN_WORDS(a, b) a##b
@@ -38,7 +43,7 @@ enum { NAME(LX_WIDTH) = LX_VECTOR_BYTES / sizeof(REAL) };
 /* The same number in every lane. */
 LX_LANE NAME(lanes) NAME(all)(REAL number)
 {
-    return (NAME(lanes)){0} + number;
+    return number - (NAME(lanes)){0};
 }
 
 /* Arrays are aligned to whole vectors. */

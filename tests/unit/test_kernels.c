@@ -189,6 +189,18 @@ static void make_with_edges(int i, struct test_scene *test)
     make_edge_scene(&random, i % 4 == 0, i % 4 == 1, test);
 }
 
+/* Nothing but wide highlights, whose feet are the steeper the less their exponents are above 1. */
+static void make_with_wide_highlights(int i, struct test_scene *test)
+{
+    struct randomness random = {.state = UINT64_C(0xA0761D6478BD642F) * ((uint64_t)i + 1)};
+    make_random_scene(&random, i % 2 == 0, test);
+    for (size_t k = 0; k < test->prepared.surface_count; k++) {
+        struct lx_lobe *lobe = &test->surfaces[k].lobe;
+        lobe->diffuse = lx_exact(0);
+        lobe->exponent = pick(&random, 2) ? uniform(&random, 1, 3) : 1 + pick(&random, 3);
+    }
+}
+
 /* The share of the lights that are in float32. */
 static double check_precision(luxel_precision precision, void (*make)(int i, struct test_scene *test), double bound)
 {
@@ -248,6 +260,13 @@ static void test_edges(void **state)
     assert_true(check_precision(LUXEL_SINGLE, make_with_edges, 2e-6) > 0.5);
 }
 
+static void test_wide_highlights(void **state)
+{
+    (void)state;
+    assert_true(check_precision(LUXEL_SINGLE, make_with_wide_highlights, 2e-6) > 0.25);
+    check_precision(LUXEL_DOUBLE, make_with_wide_highlights, 1e-11);
+}
+
 static void test_choice(void **state)
 {
     (void)state;
@@ -265,8 +284,9 @@ static void test_choice(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_choice),        cmocka_unit_test(test_single),        cmocka_unit_test(test_double),
-        cmocka_unit_test(test_plates_single), cmocka_unit_test(test_plates_double), cmocka_unit_test(test_edges),
+        cmocka_unit_test(test_choice),          cmocka_unit_test(test_single),        cmocka_unit_test(test_double),
+        cmocka_unit_test(test_plates_single),   cmocka_unit_test(test_plates_double), cmocka_unit_test(test_edges),
+        cmocka_unit_test(test_wide_highlights),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
