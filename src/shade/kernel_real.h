@@ -286,6 +286,7 @@ LX_LANE void NAME(sum_lights)(const struct NAME(work) * work, size_t start, int 
         const struct NAME(lx_light) *light = &work->lights[k];
         const struct lx_light_double *exact = work->exacts ? &work->exacts[k] : NULL;
         NAME(lanes) most = zero;
+        LX_UNROLLED
         for (int i = 0; i < count; i++) {
             ray[i] = NAME(ray_of)(light, exact, &at[i], kind);
             most = NAME(greater)(most, ray[i].e);
