@@ -18,17 +18,20 @@
 #else
 #define LX_VECTOR_BYTES 16
 #endif
+
 /*
  * So many vectors go side by side where one alone would wait for its own results, if there are that many lights; else
  * two, as what wide registers hold takes as long to be kept in memory meanwhile as a light does.
  */
 enum { LX_ABREAST = 4, LX_FEWEST_ABREAST = LX_VECTOR_BYTES == 64 ? 2 : 1 };
-/* For loops over so many vectors whose bodies compilers take for too long to be written out. */
+
+/* Before loops over them whose bodies compilers take for too long to be written out. */
 #ifdef __clang__
 #define LX_UNROLLED _Pragma("clang loop unroll(full)")
 #else
 #define LX_UNROLLED _Pragma("GCC unroll 4")
 #endif
+
 #define LX_LANE static inline __attribute__((always_inline))
 #define LX_JOIN(a, b) LX_JOIN_WORDS(a, b)
 #define LX_JOIN_WORDS(a, b) a##b
