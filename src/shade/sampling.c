@@ -1,6 +1,5 @@
 /* SPDX-License-Identifier: MIT */
 /* Adaptive sampling of extended sources for runs of elements. */
-#include <float.h>
 #include <math.h>
 #include <stdint.h>
 #include <stdlib.h>
@@ -12,12 +11,6 @@ enum { MOST_CELLS = LX_MOST_CELLS, DEEPEST = 14, QUARTERS = 4, RULE = 3 };
 
 /* Cells that are looked at between two questions whether to go on. */
 enum { BETWEEN_CHECKS = 16 };
-
-/* Cells up to this share of the lobe's width are begun with one sample against four. */
-static const double TINY = 0.0625;
-
-/* Of the light of a cell that a jump cuts this share is in doubt: a strip of this width lies between samples. */
-static const double CUT_SHARE = 0.1;
 
 /* Shares of the tolerance for what is dropped unseen, and for what is not looked at again. */
 static const double DROPPED = 0.125, SETTLED = 0.125;
@@ -38,10 +31,7 @@ struct pending {
     const struct lx_patch *patch;
     struct lx_cell part;
     int depth;
-    double bound; /* no element gets more light from it */
-    bool is_wide; /* too large for the rule of Gauss */
-    bool is_tiny;
-    double doubt[LX_LANES];
+    struct lx_sight sight;
 };
 
 struct lx_sampling_memory {
@@ -85,10 +75,11 @@ struct run {
     const struct lx_block_single *copy;
     size_t start;
     struct lx_around around;
-    double mirrored[LX_LANES][3];                             /* views */
-    double width[LX_LANES];                                   /* of the lobe, as an angle of L */
+    struct lx_viewers viewers;
     double known[LX_LANES], value[LX_LANES], error[LX_LANES]; /* error: of cells that are still looked at */
-    double dropped, settled;                                  /* of those that are not */
+    double kept[LX_LANES];                                    /* value of those that are not */
+    double peak[LX_LANES];                                    /* the most that value and error have been */
+    double dropped, settled; /* error of those that never were and those that are no more */
     size_t steps;
     bool is_stopped;
 };
@@ -98,11 +89,6 @@ static bool goes_on(struct run *run)
     if (++run->steps % BETWEEN_CHECKS == 0 && !run->is_stopped)
         run->is_stopped = !lx_asking_goes_on(run->sampling->asking);
     return !run->is_stopped;
-}
-
-static double dot(const double a[3], const double b[3])
-{
-    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
 }
 
 struct lx_around lx_run_around(const struct lx_block_double *block, size_t start)
@@ -120,166 +106,6 @@ struct lx_around lx_run_around(const struct lx_block_double *block, size_t start
     }
     around.radius *= 1 + 1e-12;
     return around;
-}
-
-static void find_lobes(struct run *run)
-{
-    const double grazing = 0.15; /* lobes of half vectors get narrow towards the rim; below this the cells stay */
-    const struct lx_block_double *block = run->block;
-    const struct lx_lobe_double *lobe = run->sampling->lobe;
-    double sigma = 1 / sqrt(fmax(lobe->exponent.value, 1));
-    for (size_t lane = 0; lane < LX_LANES; lane++) {
-        size_t i = run->start + lane;
-        double n[3] = {block->nx[i], block->ny[i], block->nz[i]}, v[3] = {block->vx[i], block->vy[i], block->vz[i]};
-        double facing = dot(n, v);
-        for (int k = 0; k < 3; k++)
-            run->mirrored[lane][k] = 2 * facing * n[k] - v[k];
-        run->width[lane] = lobe->model == LX_LAMBERT ? 1
-                           : lobe->model == LX_PHONG ? sigma
-                                                     : fmin(1, 2 * fmax(facing, grazing) * sigma);
-    }
-}
-
-/* ---- bounds of cells ---- */
-
-/* How a run sees a cell. */
-struct sight {
-    double radius[LX_LANES];     /* of a ball around it */
-    double towards[LX_LANES][3]; /* unit, to its middle */
-    double distance[LX_LANES];
-    bool may[LX_LANES]; /* whether it may light the element at all */
-};
-
-/* Finds the directions, and for which elements the cell is in front of both. */
-static void look(const struct run *run, const struct pending *cell, struct sight *sight)
-{
-    const struct lx_block_double *block = run->block;
-    const struct lx_lobe_double *lobe = run->sampling->lobe;
-    const struct lx_patch *patch = cell->patch;
-    bool is_flat = patch->kind == LX_PATCH_FLAT || patch->kind == LX_PATCH_DISK;
-    bool by_cosine = lobe->model == LX_LAMBERT || lobe->highlight != LX_HIGHLIGHT_PLAIN;
-    double middle[3], radius = 0;
-    for (size_t lane = 0; lane < LX_LANES; lane++) {
-        size_t i = run->start + lane;
-        double place[3] = {block->px[i], block->py[i], block->pz[i]}, *towards = sight->towards[lane], above = 1;
-        if (!is_flat || lane == 0)
-            radius = lx_cell_look(patch, &cell->part, place, middle);
-        for (int k = 0; k < 3; k++)
-            towards[k] = middle[k] - place[k];
-        double distance = sqrt(dot(towards, towards));
-        if (is_flat)
-            above = -dot(towards, patch->n);
-        double height = block->nx[i] * towards[0] + block->ny[i] * towards[1] + block->nz[i] * towards[2];
-        sight->may[lane] = radius >= 0 && above > 0 && (!by_cosine || height > -radius);
-        sight->radius[lane] = radius;
-        sight->distance[lane] = distance;
-        for (int k = 0; k < 3; k++)
-            towards[k] /= fmax(distance, DBL_MIN);
-    }
-}
-
-/* The length of L + V towards the middle of the cell, less what it may be shorter elsewhere in it. */
-static double half_length(const struct run *run, const struct sight *sight, size_t lane)
-{
-    const struct lx_block_double *block = run->block;
-    const size_t i = run->start + lane;
-    const double *l = sight->towards[lane];
-    const double half[3] = {l[0] + block->vx[i], l[1] + block->vy[i], l[2] + block->vz[i]};
-    return sqrt(dot(half, half)) - sight->radius[lane] / sight->distance[lane];
-}
-
-/* Whether the lobe jumps in the cell: at the horizon where it is gated, at L = -V, which has no half vector, and, where
- * S^n begins with an infinite slope, at S = 0, that is N.L = -N.V or R.V = 0.  `half`: the least length of L + V. */
-static bool is_cut(const struct run *run, const struct sight *sight, size_t lane, double half)
-{
-    const struct lx_block_double *block = run->block;
-    const struct lx_lobe_double *lobe = run->sampling->lobe;
-    const double *l = sight->towards[lane], size = sight->radius[lane] / sight->distance[lane];
-    size_t i = run->start + lane;
-    if (lobe->model == LX_LAMBERT)
-        return false;
-    double height = block->nx[i] * l[0] + block->ny[i] * l[1] + block->nz[i] * l[2];
-    if (lobe->highlight == LX_HIGHLIGHT_GATED && fabs(height) < size)
-        return true;
-    if (lobe->model == LX_BLINN_PHONG && !(half > 0))
-        return true;
-    if (lobe->exponent.value >= 1)
-        return false;
-    if (lobe->model == LX_PHONG)
-        return fabs(dot(l, run->mirrored[lane])) < size;
-    double facing = block->nx[i] * block->vx[i] + block->ny[i] * block->vy[i] + block->nz[i] * block->vz[i];
-    return fabs(height + facing) < size;
-}
-
-/*
- * The largest square of S over the cell's places, for an element.  With A the angle between L and the mirrored view
- * and the cell seen under no more than rho from its middle, it is at most the square of cos(A - rho); the angle
- * between N and H is at least half that of L and the mirrored view.
- */
-static double greatest_square(const struct run *run, const struct sight *sight, int lane)
-{
-    double cosine = fmin(dot(sight->towards[lane], run->mirrored[lane]), 1);
-    double size = sight->radius[lane] / sight->distance[lane];
-    if (!(size < 1))
-        return 1;
-    double around = sqrt(1 - size * size), sine = sqrt(fmax(1 - cosine * cosine, 0));
-    double nearest = cosine >= around ? 1 : fmin(cosine * around + sine * size, 1);
-    if (run->sampling->lobe->model == LX_BLINN_PHONG)
-        return (1 + nearest) / 2;
-    return nearest > 0 ? nearest * nearest : 0;
-}
-
-static double attenuate(const struct lx_sampled *source, double distance_mm)
-{
-    switch (source->law) {
-    case LX_INVERSE_SQUARE: return 1 / (distance_mm * distance_mm);
-    case LX_PRACTICAL: return 1e-3 / (source->k_mm + distance_mm);
-    case LX_NO_ATTENUATION: break;
-    }
-    return 1e-6;
-}
-
-/* Sets the bound and the size of a cell.  What an element sees of less than `hardly` does not matter for the size. */
-static void see(const struct run *run, double hardly, struct pending *cell)
-{
-    const double widest = 0.7, widths = 4; /* half sizes: in radians, and in widths of the lobe */
-    const struct lx_lobe_double *lobe = run->sampling->lobe;
-    bool is_matte = lobe->model == LX_LAMBERT;
-    struct sight sight;
-    look(run, cell, &sight);
-    double weight = M_PI * cell->source->shell->radiance * (is_matte ? lobe->diffuse : lobe->specular);
-    double greatest = 0, square = 0;
-    for (int lane = 0; lane < LX_LANES; lane++) {
-        double nearest = sight.distance[lane] - sight.radius[lane], radius = sight.radius[lane];
-        double own = nearest > 0 ? weight * radius * radius * attenuate(cell->source, nearest) : HUGE_VAL;
-        greatest = sight.may[lane] ? fmax(greatest, own) : greatest;
-    }
-    /* from where on S^n is worth looking at */
-    double least_square = is_matte || !(hardly > 0) ? 0 : pow(fmin(hardly / greatest, 1), 2 / lobe->exponent.value);
-    cell->is_wide = false;
-    cell->is_tiny = true;
-    for (int lane = 0; lane < LX_LANES; lane++) {
-        cell->doubt[lane] = 0;
-        if (!sight.may[lane])
-            continue;
-        double own = is_matte ? 1 : greatest_square(run, &sight, lane);
-        square = fmax(square, own);
-        if (own < least_square)
-            continue;
-        const double half = lobe->model == LX_BLINN_PHONG ? half_length(run, &sight, (size_t)lane) : 1;
-        if (is_cut(run, &sight, (size_t)lane, half)) {
-            double content = weight * 2 / M_PI * sight.radius[lane] * sight.radius[lane];
-            content *= attenuate(cell->source, sight.distance[lane]) * pow(own, lobe->exponent.value / 2);
-            cell->doubt[lane] = CUT_SHARE * content;
-        }
-        double width = fmin(widest, widths * run->width[lane]), radius = sight.radius[lane];
-        width *= fmin(1, 2 * fmax(half, 0)); /* half vectors turn fast where they are short */
-        double from = sight.distance[lane] - radius;
-        cell->is_wide = cell->is_wide || !(radius <= width * from);
-        cell->is_tiny = cell->is_tiny && cell->doubt[lane] == 0 && radius < TINY * width * from;
-    }
-    double power = is_matte ? 1 : pow(square, lobe->exponent.value / 2);
-    cell->bound = !(square > 0) ? 0 : greatest < HUGE_VAL ? greatest * power : greatest;
 }
 
 /* What the error may reach. */
@@ -371,39 +197,80 @@ static void shade_quarters(const struct run *run, struct cell *cell)
         shade_samples(run, cell->source, (size_t)q * points, points, cell->quarters[q]);
 }
 
-/* Adds (sign 1) or takes off (-1) what a cell has by its quarters, and the difference; returns the largest one. */
-static double account(struct run *run, const struct cell *cell, double sign, bool is_open)
+/* What a cell gives to an element by its quarters, and how far the coarse rule is from that at least. */
+static double fine_of(const struct cell *cell, int lane)
 {
-    double worst = 0;
-    for (int i = 0; i < LX_LANES; i++) {
-        double fine = cell->quarters[0][i] + cell->quarters[1][i] + cell->quarters[2][i] + cell->quarters[3][i];
-        double difference = fmax(fabs(fine - cell->coarse[i]), cell->doubt[i]);
-        run->value[i] += sign * fine;
-        run->error[i] += is_open ? sign * difference : 0;
-        worst = fmax(worst, difference);
-    }
-    return worst;
+    return cell->quarters[0][lane] + cell->quarters[1][lane] + cell->quarters[2][lane] + cell->quarters[3][lane];
+}
+
+static double difference_of(const struct cell *cell, int lane)
+{
+    return fmax(fabs(fine_of(cell, lane) - cell->coarse[lane]), cell->doubt[lane]);
 }
 
 /* Takes a cell whose rules have been applied into the list, or only into the sums where it hardly matters. */
 static void enlist(struct run *run, const struct cell *cell)
 {
     struct lx_sampling_memory *memory = run->memory;
-    double worst = account(run, cell, 1, false), limit = SETTLED * allowed(run);
-    bool is_full = memory->cell_count == MOST_CELLS || cell->depth >= DEEPEST;
-    if (is_full || (run->settled + worst <= limit && worst <= limit / 64)) {
+    double worst = 0;
+    for (int i = 0; i < LX_LANES; i++) {
+        run->value[i] += fine_of(cell, i);
+        worst = fmax(worst, difference_of(cell, i));
+    }
+    const double limit = SETTLED * allowed(run);
+    const bool is_full = memory->cell_count == MOST_CELLS || cell->depth >= DEEPEST;
+    const bool is_settled = is_full || (run->settled + worst <= limit && worst <= limit / 64);
+    for (int i = 0; i < LX_LANES; i++) {
+        run->kept[i] += is_settled ? fine_of(cell, i) : 0;
+        run->error[i] += is_settled ? 0 : difference_of(cell, i);
+        run->peak[i] = fmax(run->peak[i], run->value[i] + run->error[i]);
+    }
+    if (is_settled) {
         run->settled += worst;
         return;
     }
-    account(run, cell, -1, false);
-    account(run, cell, 1, true);
     memory->worst[memory->cell_count] = worst;
     memory->cells[memory->cell_count++] = *cell;
 }
 
+/* Sums all cells anew where more has been taken off the sums than is left, which then is what rounding left. */
+static void refresh_sums(struct run *run)
+{
+    const double worn = 1e-6;
+    const struct lx_sampling_memory *memory = run->memory;
+    bool is_worn = false;
+    for (int i = 0; i < LX_LANES; i++)
+        is_worn = is_worn || run->value[i] + run->error[i] < worn * run->peak[i];
+    for (int i = 0; i < LX_LANES && is_worn; i++) {
+        run->value[i] = run->kept[i];
+        run->error[i] = 0;
+        for (size_t c = 0; c < memory->cell_count; c++) {
+            run->value[i] += fine_of(&memory->cells[c], i);
+            run->error[i] += difference_of(&memory->cells[c], i);
+        }
+        run->peak[i] = run->value[i] + run->error[i];
+    }
+}
+
+/* Takes a cell off the list and the sums. */
+static struct cell delist(struct run *run, size_t index)
+{
+    struct lx_sampling_memory *memory = run->memory;
+    const struct cell cell = memory->cells[index];
+    memory->cell_count--;
+    memory->cells[index] = memory->cells[memory->cell_count];
+    memory->worst[index] = memory->worst[memory->cell_count];
+    for (int i = 0; i < LX_LANES; i++) {
+        run->value[i] -= fine_of(&cell, i);
+        run->error[i] -= difference_of(&cell, i);
+    }
+    refresh_sums(run);
+    return cell;
+}
+
 static int by_bound(const void *a, const void *b)
 {
-    double x = ((const struct pending *)a)->bound, y = ((const struct pending *)b)->bound;
+    double x = ((const struct pending *)a)->sight.bound, y = ((const struct pending *)b)->sight.bound;
     return (x > y) - (x < y);
 }
 
@@ -414,7 +281,8 @@ static void merge(struct run *run, const struct pending *all, const uint32_t *fr
     enum { BETWEEN_STEPS = 1024 };
     size_t i = 0, j = half;
     for (size_t k = 0; k < count && (k % BETWEEN_STEPS != 0 || goes_on(run)); k++)
-        to[k] = j >= count || (i < half && all[from[i]].bound <= all[from[j]].bound) ? from[i++] : from[j++];
+        to[k] =
+            j >= count || (i < half && all[from[i]].sight.bound <= all[from[j]].sight.bound) ? from[i++] : from[j++];
 }
 
 /* Sorts by bounds, in steps that can be stopped; there may be a million of them. */
@@ -456,7 +324,7 @@ static void sort_out(struct run *run, size_t count)
     struct pending *last = memory->pending + memory->pending_count - count;
     double limit = hardly * allowed(run);
     for (size_t i = 0; i < count && goes_on(run); i++)
-        see(run, limit, &last[i]);
+        lx_see(&run->viewers, last[i].source, last[i].patch, &last[i].part, limit, &last[i].sight);
     if (count <= QUARTERS)
         qsort(last, count, sizeof *last, by_bound);
     else
@@ -470,15 +338,15 @@ static void work_off(struct run *run)
     sort_out(run, memory->pending_count);
     while (memory->pending_count > 0 && goes_on(run)) {
         struct pending next = memory->pending[--memory->pending_count];
-        if (next.is_wide && memory->cell_count == MOST_CELLS) {
-            run->dropped += next.bound; /* no room to halve it, and the rule cannot be believed */
+        if (next.sight.is_wide && memory->cell_count == MOST_CELLS) {
+            run->dropped += next.sight.bound; /* no room to halve it, and the rule cannot be believed */
             continue;
         }
-        if (next.bound == 0 || run->dropped + next.bound <= DROPPED * allowed(run)) {
-            run->dropped += next.bound;
+        if (next.sight.bound == 0 || run->dropped + next.sight.bound <= DROPPED * allowed(run)) {
+            run->dropped += next.sight.bound;
             continue;
         }
-        if (next.is_wide && next.depth < DEEPEST) {
+        if (next.sight.is_wide && next.depth < DEEPEST) {
             for (int q = 0; q < QUARTERS; q++)
                 memory->pending[memory->pending_count++] = (struct pending){
                     .source = next.source,
@@ -490,8 +358,8 @@ static void work_off(struct run *run)
             continue;
         }
         struct cell cell = {.source = next.source, .patch = next.patch, .part = next.part, .depth = next.depth};
-        cell.is_tiny = next.is_tiny;
-        memcpy(cell.doubt, next.doubt, sizeof cell.doubt);
+        cell.is_tiny = next.sight.is_tiny;
+        memcpy(cell.doubt, next.sight.doubt, sizeof cell.doubt);
         shade_whole(run, &cell, cell.is_tiny ? 1 : RULE);
         shade_quarters(run, &cell);
         enlist(run, &cell);
@@ -506,20 +374,15 @@ static void find_doubt(const struct run *run, const struct cell *parent, struct 
         any = any || parent->doubt[i] > 0;
     if (!any)
         return;
-    struct pending look = {.source = part->source, .patch = part->patch, .part = part->part};
-    see(run, 0, &look);
-    memcpy(part->doubt, look.doubt, sizeof part->doubt);
+    struct lx_sight sight;
+    lx_see(&run->viewers, part->source, part->patch, &part->part, 0, &sight);
+    memcpy(part->doubt, sight.doubt, sizeof part->doubt);
 }
 
 /* Replaces a cell by its quarters; one of few samples by the same with more. */
 static void refine(struct run *run, size_t index)
 {
-    struct lx_sampling_memory *memory = run->memory;
-    struct cell parent = memory->cells[index];
-    account(run, &parent, -1, true);
-    memory->cell_count--;
-    memory->cells[index] = memory->cells[memory->cell_count];
-    memory->worst[index] = memory->worst[memory->cell_count];
+    struct cell parent = delist(run, index);
     if (parent.is_tiny) {
         parent.is_tiny = false;
         shade_whole(run, &parent, RULE);
@@ -561,7 +424,7 @@ bool lx_sample_run(const struct lx_sampler *sampling, struct lx_sampling_memory 
 {
     struct run run = {.sampling = sampling, .memory = memory, .block = block, .copy = copy, .start = start};
     run.around = lx_run_around(block, start);
-    find_lobes(&run);
+    lx_viewers_find(block, start, sampling->lobe, &run.viewers);
     for (int i = 0; i < LX_LANES; i++)
         run.known[i] = sum[i];
     memory->cell_count = memory->pending_count = 0;

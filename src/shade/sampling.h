@@ -12,17 +12,9 @@
 #ifndef LX_SHADE_SAMPLING_H
 #define LX_SHADE_SAMPLING_H
 
-#include "shell.h"
+#include "sight.h"
 
 enum { LX_MOST_CELLS = 1024 };
-
-/* One source for a lobe. */
-struct lx_sampled {
-    const struct lx_shell *shell;
-    enum lx_attenuation law;
-    double k_mm;
-    bool in_double;
-};
 
 struct lx_sampler {
     const struct lx_kernels *kernels;

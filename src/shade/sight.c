@@ -1,0 +1,190 @@
+/* SPDX-License-Identifier: MIT */
+/* What elements see of cells. */
+#include <float.h>
+#include <math.h>
+
+#include "sight.h"
+
+/* Cells up to this share of the lobe's width are begun with one sample against four. */
+static const double TINY = 0.0625;
+
+/*
+ * No sample lies within GAP times a cell's half size of its sides (the rule of Gauss in the quarters).  In doubt is of
+ * the light of a cell in which it jumps CUT_SHARE: all in a strip as wide, and some more; and where it begins with a
+ * bend instead SLIVER_SHARE, as light rises to its greatest there, GAP / 2 of the area is on average half as bright.
+ */
+static const double GAP = 0.1127, CUT_SHARE = 0.1, SLIVER_SHARE = 0.0282;
+
+static double dot(const double a[3], const double b[3])
+{
+    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+}
+
+void lx_viewers_find(const struct lx_block_double *block, size_t start, const struct lx_lobe_double *lobe,
+                     struct lx_viewers *viewers)
+{
+    const double grazing = 0.15; /* lobes of half vectors get narrow towards the rim; below this the cells stay */
+    const double sigma = 1 / sqrt(fmax(lobe->exponent.value, 1));
+    viewers->block = block;
+    viewers->start = start;
+    viewers->lobe = lobe;
+    for (size_t lane = 0; lane < LX_LANES; lane++) {
+        size_t i = start + lane;
+        double n[3] = {block->nx[i], block->ny[i], block->nz[i]}, v[3] = {block->vx[i], block->vy[i], block->vz[i]};
+        double facing = dot(n, v);
+        viewers->facing[lane] = facing;
+        for (int k = 0; k < 3; k++)
+            viewers->mirrored[lane][k] = 2 * facing * n[k] - v[k];
+        viewers->width[lane] = lobe->model == LX_LAMBERT ? 1
+                               : lobe->model == LX_PHONG ? sigma
+                                                         : fmin(1, 2 * fmax(facing, grazing) * sigma);
+    }
+}
+
+/* A cell as seen by an element. */
+struct look {
+    double radius;     /* of a ball around it */
+    double towards[3]; /* unit, to its middle */
+    double distance;
+    double size;   /* no place in it is seen farther from its middle than under the angle with this sine */
+    double height; /* N.L towards its middle */
+    bool may;      /* whether it may light the element at all */
+};
+
+/* Finds the directions, and for which elements the cell is in front of both. */
+static void look(const struct lx_viewers *viewers, const struct lx_patch *patch, const struct lx_cell *cell,
+                 struct look looks[LX_LANES])
+{
+    const struct lx_block_double *block = viewers->block;
+    const struct lx_lobe_double *lobe = viewers->lobe;
+    const bool is_flat = patch->kind == LX_PATCH_FLAT || patch->kind == LX_PATCH_DISK;
+    const bool by_cosine = lobe->model == LX_LAMBERT || lobe->highlight != LX_HIGHLIGHT_PLAIN;
+    double middle[3], radius = 0;
+    for (size_t lane = 0; lane < LX_LANES; lane++) {
+        const size_t i = viewers->start + lane;
+        const double place[3] = {block->px[i], block->py[i], block->pz[i]};
+        const double n[3] = {block->nx[i], block->ny[i], block->nz[i]};
+        struct look *seen = &looks[lane];
+        double *towards = seen->towards;
+        if (!is_flat || lane == 0)
+            radius = lx_cell_look(patch, cell, place, middle);
+        for (int k = 0; k < 3; k++)
+            towards[k] = middle[k] - place[k];
+        const bool in_front = !is_flat || dot(towards, patch->n) < 0;
+        const double distance = sqrt(dot(towards, towards));
+        seen->may = radius >= 0 && in_front && (!by_cosine || dot(n, towards) > -radius);
+        seen->radius = radius;
+        seen->distance = distance;
+        seen->size = radius / distance;
+        for (int k = 0; k < 3; k++)
+            towards[k] /= fmax(distance, DBL_MIN);
+        seen->height = dot(n, towards);
+    }
+}
+
+/* The length of L + V towards the middle of the cell, less what it may be shorter elsewhere in it; 1 where it does not
+ * matter. */
+static double half_length(const struct lx_viewers *viewers, size_t lane, const struct look *seen)
+{
+    const struct lx_block_double *block = viewers->block;
+    const size_t i = viewers->start + lane;
+    const double *l = seen->towards;
+    if (viewers->lobe->model != LX_BLINN_PHONG)
+        return 1;
+    const double half[3] = {l[0] + block->vx[i], l[1] + block->vy[i], l[2] + block->vz[i]};
+    return sqrt(dot(half, half)) - seen->size;
+}
+
+/*
+ * The largest square of S over the cell's places, for an element.  With A the angle between L and the mirrored view
+ * and the cell seen under no more than rho from its middle, it is at most the square of cos(A - rho); the angle
+ * between N and H is at least half that of L and the mirrored view.
+ */
+static double greatest_square(const struct lx_viewers *viewers, size_t lane, const struct look *seen)
+{
+    const double cosine = fmin(dot(seen->towards, viewers->mirrored[lane]), 1), size = seen->size;
+    if (!(size < 1))
+        return 1;
+    double around = sqrt(1 - size * size), sine = sqrt(fmax(1 - cosine * cosine, 0));
+    double nearest = cosine >= around ? 1 : fmin(cosine * around + sine * size, 1);
+    if (viewers->lobe->model == LX_BLINN_PHONG)
+        return (1 + nearest) / 2;
+    return nearest > 0 ? nearest * nearest : 0;
+}
+
+/*
+ * The share of a cell's light that is in doubt as the lobe jumps or bends in it: at the horizon, at L = -V, which has
+ * no half vector, and at S = 0, that is N.L = -N.V or R.V = 0, where S^n with n < 1 begins with an infinite slope.
+ * `half`: the least length of L + V, or 1; `greatest`: that of S.
+ */
+static double doubtful_share(const struct lx_viewers *viewers, size_t lane, const struct look *seen, double half,
+                             double greatest)
+{
+    const struct lx_lobe_double *lobe = viewers->lobe;
+    const double size = seen->size;
+    if (lobe->model == LX_LAMBERT)
+        return 0;
+    const double beyond_end =
+        lobe->model == LX_PHONG ? dot(seen->towards, viewers->mirrored[lane]) : seen->height + viewers->facing[lane];
+    const bool is_at_horizon = fabs(seen->height) < size, is_at_end = fabs(beyond_end) < size;
+    if (!(half > 0) || (lobe->highlight == LX_HIGHLIGHT_GATED && is_at_horizon) ||
+        (lobe->exponent.value < 1 && is_at_end))
+        return CUT_SHARE;
+    double share = 0;
+    if (lobe->highlight == LX_HIGHLIGHT_COSINE && is_at_horizon)
+        share = SLIVER_SHARE * fmin(seen->height + size, GAP * size);
+    if (is_at_end) /* beyond the gap no S is more than this share of the greatest */
+        share = fmax(share, SLIVER_SHARE * fmin(1, GAP * size / (half * greatest)));
+    return share;
+}
+
+static double attenuate(const struct lx_sampled *source, double distance_mm)
+{
+    switch (source->law) {
+    case LX_INVERSE_SQUARE: return 1 / (distance_mm * distance_mm);
+    case LX_PRACTICAL: return 1e-3 / (source->k_mm + distance_mm);
+    case LX_NO_ATTENUATION: break;
+    }
+    return 1e-6;
+}
+
+void lx_see(const struct lx_viewers *viewers, const struct lx_sampled *source, const struct lx_patch *patch,
+            const struct lx_cell *cell, double hardly, struct lx_sight *sight)
+{
+    const double widest = 0.7, widths = 4; /* half sizes: in radians, and in widths of the lobe */
+    const struct lx_lobe_double *lobe = viewers->lobe;
+    const bool is_matte = lobe->model == LX_LAMBERT;
+    const double weight = M_PI * source->shell->radiance * (is_matte ? lobe->diffuse : lobe->specular);
+    double greatest = 0, square = 0;
+    struct look looks[LX_LANES];
+    look(viewers, patch, cell, looks);
+    for (int lane = 0; lane < LX_LANES; lane++) {
+        const double radius = looks[lane].radius, nearest = looks[lane].distance - radius;
+        double own = nearest > 0 ? weight * radius * radius * attenuate(source, nearest) : HUGE_VAL;
+        greatest = looks[lane].may ? fmax(greatest, own) : greatest;
+    }
+    /* from where on S^n is worth looking at */
+    double least_square = is_matte || !(hardly > 0) ? 0 : pow(fmin(hardly / greatest, 1), 2 / lobe->exponent.value);
+    *sight = (struct lx_sight){.is_tiny = true};
+    for (size_t lane = 0; lane < LX_LANES; lane++) {
+        const struct look *seen = &looks[lane];
+        if (!seen->may)
+            continue;
+        const double own = is_matte ? 1 : greatest_square(viewers, lane, seen);
+        square = fmax(square, own);
+        if (own < least_square)
+            continue;
+        const double half = half_length(viewers, lane, seen), radius = seen->radius;
+        const double share = doubtful_share(viewers, lane, seen, half, sqrt(own));
+        if (share > 0) {
+            const double content = weight * 2 / M_PI * radius * radius * attenuate(source, seen->distance);
+            sight->doubt[lane] = share * content * pow(own, lobe->exponent.value / 2);
+        }
+        double width = fmin(widest, widths * viewers->width[lane]), from = seen->distance - radius;
+        width *= fmin(1, 2 * fmax(half, 0)); /* half vectors turn fast where they are short */
+        sight->is_wide = sight->is_wide || !(radius <= width * from);
+        sight->is_tiny = sight->is_tiny && sight->doubt[lane] == 0 && radius < TINY * width * from;
+    }
+    double power = is_matte ? 1 : pow(square, lobe->exponent.value / 2);
+    sight->bound = !(square > 0) ? 0 : greatest < HUGE_VAL ? greatest * power : greatest;
+}
