@@ -19,7 +19,9 @@ LANE double greatest(double a, double b)
     return a > b ? a : b;
 }
 
-/* |z| <= 0.04; error below 1e-16 relative */
+/* The same for |z| <= SERIES_END, below which a direct form of gap(-z) loses digits; error below 1e-16 relative */
+static const double SERIES_END = 0.04;
+
 LANE double small_gap(double z)
 {
     double series = 1.0 / 25;
@@ -28,30 +30,21 @@ LANE double small_gap(double z)
     return z * series;
 }
 
-/*
- * atan(sqrt z)/sqrt z for z >= 0.  Halving an angle turns z into (sqrt z/(1 + sqrt(1 + z)))^2, which takes 1 to 0.172
- * and that to 0.0396.
- */
-LANE double arc_over_tangent(double z, int halvings)
+/* gap(z) for 0 <= z <= 1, by the polynomial of kernel_functions.h */
+LANE double gap_to_one(double z)
 {
-    double scale = 1;
-    for (int i = 0; i < halvings; i++) {
-        double inverse = 1 / (1 + sqrt(1 + z));
-        scale *= 2 * inverse;
-        z *= inverse * inverse;
-    }
-    return scale * (1 - small_gap(z));
+    double value = gap_terms_double[GAP_TERMS_double - 1];
+    LX_UNROLLED
+    for (int k = GAP_TERMS_double - 2; k >= 0; k--)
+        value = value * z + gap_terms_double[k];
+    return z * value;
 }
 
-/* The cosine of small angles does not tell them; below this z the series does. */
-static const double series_end = 0.04;
-
-/* gap(z) for z >= 0 */
+/* gap(z) for z >= 0; beyond 1 the angle is what 1/z leaves of 90 degrees */
 LANE double gap(double z)
 {
-    double direct = 1 - arc_over_tangent(z, 3);
-    double series = small_gap(least(z, series_end));
-    return z < series_end ? series : direct;
+    double inverse = 1 / greatest(z, 1), part = gap_to_one(least(z, inverse)), root = sqrt(inverse);
+    return z > 1 ? 1 - root * (M_PI / 2 - root * (1 - part)) : part;
 }
 
 /*
@@ -85,8 +78,8 @@ LANE double negative_gap(double zeta, double rest)
     const double half_ln2 = 0.34657359027997264;
     double direct = 1 + half_ln2 * log2_of_rest(rest, 2 * zeta / (1 + zeta)) / greatest(zeta, 0.1);
     double z = zeta * zeta;
-    double series = small_gap(-least(z, series_end));
-    return z < series_end ? series : direct;
+    double series = small_gap(-least(z, SERIES_END));
+    return z < SERIES_END ? series : direct;
 }
 
 /* The angle from 0 to pi of the point (x, y), y >= 0; 0 for (0, 0). */
@@ -94,6 +87,6 @@ LANE double angle_of(double y, double x)
 {
     double size = fabs(x);
     double t = y / greatest(sqrt(x * x + y * y) + size, SMALLEST);
-    double angle = 2 * t * arc_over_tangent(t * t, 2);
+    double angle = 2 * t * (1 - gap_to_one(t * t));
     return x < 0 ? M_PI - angle : angle;
 }

@@ -73,13 +73,13 @@ LANE double edge_term(struct lane lane, struct lane3 u, struct lane3 w, struct l
     bool is_far = lane.inverse > 0;
     double cosine = is_far ? dot3(lane.c, lane.c) + beyond : dot3(a, b);
     double size = fabs(cosine), length = greatest(sqrt(cosine * cosine + sine2) + size, SMALLEST);
-    double t = sine / length, half = t * arc_over_tangent(t * t, 2), divisor = 1 / greatest(sine, SMALLEST);
+    double t = sine / length, half = t * (1 - gap_to_one(t * t)), divisor = 1 / greatest(sine, SMALLEST);
     double sharp = sine > SMALLEST ? 2 * half * divisor : 2 / length;
     double f = cosine > 0 ? sharp : (M_PI - 2 * half) * divisor;
     double inverse_size = 1 / greatest(size, SMALLEST), tangent = sine * inverse_size;
     double z = cosine > 0 ? tangent * tangent : 1;
-    double series = -(small_gap(least(z, series_end)) + beyond * lane.inverse) * inverse_size;
-    double less = z < series_end ? series : f - lane.inverse;
+    double series = -(gap_to_one(least(z, 1)) + beyond * lane.inverse) * inverse_size;
+    double less = z < 1 ? series : f - lane.inverse;
     return is_far ? less * dot3(lane.k, e) + f * moment : f * dot3(lane.n, g);
 }
 

@@ -48,8 +48,12 @@ LX_LANE struct cone_terms cone_terms(const struct lx_light_double *light, const 
     const lanes_double x = load_double(block->px + i) - light->x, y = load_double(block->py + i) - light->y;
     const lanes_double z = load_double(block->pz + i) - light->z;
     const lanes_double height = x * light->axis_x + y * light->axis_y + z * light->axis_z;
-    const lanes_double square = height * height, away = x * x + y * y + z * z;
-    return (struct cone_terms){square - light->cosine * light->cosine * away, height, away - square};
+    const lanes_double away = x * x + y * y + z * z; /* less h^2 this would lose what is across near the axis */
+    const lanes_double bx = x - height * light->axis_x, by = y - height * light->axis_y,
+                       bz = z - height * light->axis_z;
+    return (struct cone_terms){.square = height * height - light->cosine * light->cosine * away,
+                               .height = height,
+                               .across = bx * bx + by * by + bz * bz};
 }
 
 /* g of a cone within its penumbra, and a little beyond; r the distance, `inverse` 1/r. */

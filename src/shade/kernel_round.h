@@ -141,9 +141,37 @@ LANE double foot_of(struct lane lane, struct lane3 axis, struct lane3 beside, do
     return rho;
 }
 
+/*
+ * How an element sees a source, or the cap of a cylinder that it is in front of: not at all, wholly above its horizon
+ * with room for rounding, or maybe cut by it.
+ *
+ * Runs of LX_LANES elements go through the loop of each kind that they have elements of, and each element takes what
+ * the loop of its own kind gives: compilers round each loop in its own way, and no sum may depend on the elements
+ * beside it.
+ */
+enum kind { UNSEEN, WHOLE, CUT, CAP_WHOLE, CAP_CUT };
+
+/* Of elements that see the source; below: where the horizon is higher than all of it. */
+LANE double kind_by_horizon(const struct lx_shell *shell, struct lane lane, enum kind whole, enum kind cut)
+{
+    const double height = dot3(lane.n, lane.c);
+    const double away = fabs(lane.c.x) + fabs(lane.c.y) + fabs(lane.c.z);
+    const double reach = 1.001 * shell->radius_mm + shell->touch_mm + 0x1p-49 * away;
+    const double above = height > reach ? whole : cut;
+    return height < -reach ? UNSEEN : above;
+}
+
+LANE bool any_is(const double *kinds, enum kind kind)
+{
+    size_t count = 0;
+    for (size_t i = 0; i < LX_LANES; i++)
+        count += kinds[i] == kind;
+    return count > 0;
+}
+
 /* E by a disk that the element is in front of, for a radiance of 1. */
 LANE double disk_irradiance(struct lane lane, struct lane3 o, struct lane3 axis, struct lane3 beside, double radius,
-                            double touch)
+                            double touch, bool cuts)
 {
     struct lane3 c = along3(lane.c, 1, o), u;
     double height = -dot3(c, axis);
@@ -151,12 +179,14 @@ LANE double disk_irradiance(struct lane lane, struct lane3 o, struct lane3 axis,
     at_disk.c = c;
     double rho = foot_of(at_disk, axis, beside, height, &u);
     struct circle circle = circle_of(lane, o, axis, u, height, rho, radius, 1);
-    struct slice slice = slice_of(lane, circle, touch);
     double past = rho * rho - radius * radius - height * height, w = circle.w;
     double half_sum = rho * rho + height * height + radius * radius + w;
     double inside = past > 0 ? 4 * height * height * rho * rho / (w + past) : w - past;
     double whole =
         M_PI * radius / w * (circle.b * height * dot3(lane.n, u) - radius * inside / half_sum * dot3(lane.n, axis));
+    if (!cuts)
+        return greatest(whole, 0);
+    struct slice slice = slice_of(lane, circle, touch);
     struct turn from = cut_of(slice, -1), to = cut_of(slice, 1);
     struct passage passage = {on_circle(circle, to), on_circle(circle, from), 1};
     double part = -0.5 * (arc_term(lane, circle, from, to) + chord_term(lane, passage));
@@ -164,41 +194,98 @@ LANE double disk_irradiance(struct lane lane, struct lane3 o, struct lane3 axis,
     return slice.height > -slice.reach ? greatest(value, 0) : 0;
 }
 
-static void light_by_disk(const struct lx_shell *shell, double diffuse, const struct lx_block_double *block,
-                          size_t count, const struct lx_asking *asking, double *restrict sum)
+/* What the loops over the elements of a run have in common; the elements of the kind get their light. */
+struct run {
+    const struct lx_shell *shell;
+    const struct lx_block_double *block;
+    struct lane3 axis, beside;
+    double gain;
+    double *kinds;
+};
+
+LANE void add_disk(struct run run, size_t start, enum kind kind, double *restrict sum)
 {
-    const struct lane3 axis = lane3_of(shell->axis), beside = beside3(axis), middle = {0, 0, 0};
-    const double gain = diffuse * shell->radiance, touch = shell->touch_mm, radius = shell->round_mm;
-    (void)asking;
-    count = lx_padded(count);
-    for (size_t i = 0; i < count; i++) {
-        struct lane lane = lane_of(shell, block, i);
-        double value = disk_irradiance(lane, middle, axis, beside, radius, touch);
-        sum[i] += -dot3(lane.c, axis) > touch ? gain * value : 0;
+    const double touch = run.shell->touch_mm, radius = run.shell->round_mm;
+    const struct lane3 middle = {0, 0, 0};
+    for (size_t i = 0; i < LX_LANES; i++) {
+        struct lane lane = lane_of(run.shell, run.block, start + i);
+        double value = disk_irradiance(lane, middle, run.axis, run.beside, radius, touch, kind == CUT);
+        sum[start + i] += run.kinds[i] == kind ? run.gain * value : 0;
     }
 }
 
-/* With sin s = R/d and x the cosine of the angle between N and the centre; k and cos s are the legs of alpha. */
+LANE struct run run_of(const struct lx_shell *shell, double diffuse, const struct lx_block_double *block, double *kinds)
+{
+    const struct lane3 axis = lane3_of(shell->axis);
+    return (struct run){shell, block, axis, beside3(axis), diffuse * shell->radiance, kinds};
+}
+
+static void light_by_disk(const struct lx_shell *shell, double diffuse, const struct lx_block_double *block,
+                          size_t count, const struct lx_asking *asking, double *restrict sum)
+{
+    double kinds[LX_LANES];
+    const struct run run = run_of(shell, diffuse, block, kinds);
+    (void)asking;
+    for (size_t start = 0; start < count; start += LX_LANES) {
+        for (size_t i = 0; i < LX_LANES; i++) {
+            struct lane lane = lane_of(shell, block, start + i);
+            double kind = kind_by_horizon(shell, lane, WHOLE, CUT);
+            kinds[i] = -dot3(lane.c, run.axis) > shell->touch_mm ? kind : UNSEEN;
+        }
+        if (any_is(kinds, WHOLE))
+            add_disk(run, start, WHOLE, sum);
+        if (any_is(kinds, CUT))
+            add_disk(run, start, CUT, sum);
+    }
+}
+
+/*
+ * E by a ball for a radiance of 1, with sin s = R/d and x the cosine of the angle between N and the centre; k and cos s
+ * are the legs of alpha.
+ */
+LANE double ball_irradiance(struct lane lane, double radius, bool cuts)
+{
+    double d = sqrt(dot3(lane.c, lane.c)), inverse = 1 / greatest(d, SMALLEST);
+    double x = dot3(lane.n, lane.c) * inverse, sine = radius * inverse, whole = M_PI * sine * sine * x;
+    if (!cuts)
+        return whole;
+    double cosine = sqrt(greatest((d - radius) * (d + radius), 0)) * inverse;
+    double k2 = (sine - x) * (sine + x), k = sqrt(greatest(k2, 0));
+    double tangent = k / greatest(cosine, 1e-150), t2 = tangent * tangent, s2 = 1 - x * x;
+    double s_c = k * cosine / greatest(s2, SMALLEST); /* sin alpha cos alpha */
+    double series = gap_to_one(least(t2, 1));
+    double direct = angle_of(k, cosine) - s_c;
+    double bow = t2 < 1 ? tangent * (t2 / (1 + t2) - series) : direct; /* alpha - sin alpha cos alpha */
+    double part = bow + x * x * s_c + x * sine * sine * angle_of(k, -cosine * x);
+    return k2 > 0 ? greatest(part, 0) : greatest(whole, 0);
+}
+
+LANE void add_ball(struct run run, size_t start, enum kind kind, double *restrict sum)
+{
+    for (size_t i = 0; i < LX_LANES; i++) {
+        struct lane lane = lane_of(run.shell, run.block, start + i);
+        double value = ball_irradiance(lane, run.shell->round_mm, kind == CUT);
+        sum[start + i] += run.kinds[i] == kind ? run.gain * value : 0;
+    }
+}
+
 static void light_by_ball(const struct lx_shell *shell, double diffuse, const struct lx_block_double *block,
                           size_t count, const struct lx_asking *asking, double *restrict sum)
 {
-    const double gain = diffuse * shell->radiance, radius = shell->round_mm, touch = shell->touch_mm;
+    double kinds[LX_LANES];
+    const struct run run = run_of(shell, diffuse, block, kinds);
+    const double outside = shell->round_mm + shell->touch_mm;
     (void)asking;
-    count = lx_padded(count);
-    for (size_t i = 0; i < count; i++) {
-        struct lane lane = lane_of(shell, block, i);
-        double d = sqrt(dot3(lane.c, lane.c)), inverse = 1 / greatest(d, SMALLEST);
-        double x = dot3(lane.n, lane.c) * inverse, sine = radius * inverse;
-        double cosine = sqrt(greatest((d - radius) * (d + radius), 0)) * inverse;
-        double k2 = (sine - x) * (sine + x), k = sqrt(greatest(k2, 0));
-        double tangent = k / greatest(cosine, 1e-150), t2 = tangent * tangent, s2 = 1 - x * x;
-        double s_c = k * cosine / greatest(s2, SMALLEST); /* sin alpha cos alpha */
-        double series = small_gap(least(t2, series_end));
-        double direct = angle_of(k, cosine) - s_c;
-        double bow = t2 < series_end ? tangent * (t2 / (1 + t2) - series) : direct; /* alpha - sin alpha cos alpha */
-        double part = bow + x * x * s_c + x * sine * sine * angle_of(k, -cosine * x);
-        double value = k2 > 0 ? greatest(part, 0) : x > 0 ? M_PI * sine * sine * x : 0;
-        sum[i] += d > radius + touch ? gain * value : 0;
+    for (size_t start = 0; start < count; start += LX_LANES) {
+        for (size_t i = 0; i < LX_LANES; i++) {
+            struct lane lane = lane_of(shell, block, start + i);
+            double kind = kind_by_horizon(shell, lane, WHOLE, CUT);
+            kinds[i] = sqrt(dot3(lane.c, lane.c)) > outside ? kind : UNSEEN;
+        }
+        if (any_is(kinds, WHOLE))
+            add_ball(run, start, WHOLE, sum);
+        if (any_is(kinds, CUT))
+            add_ball(run, start, CUT, sum);
     }
 }
 
@@ -217,8 +304,10 @@ LANE double common_arc(struct lane lane, struct circle circle, struct turn up, s
 /* The same of a rim that runs from -end to end where direction is 1, and back where it is -1, and where it passes
  * through the horizon. */
 LANE double rim_term(struct lane lane, struct circle circle, double touch, struct turn end, double start_height,
-                     double end_height, double direction, struct passage *passage)
+                     double end_height, double direction, bool cuts, struct passage *passage)
 {
+    if (!cuts)
+        return direction * arc_term(lane, circle, (struct turn){-end.angle, end.cosine, -end.sine}, end);
     struct slice slice = slice_of(lane, circle, touch);
     struct turn up = cut_of(slice, -1), down = cut_of(slice, 1);
     double shift = slice.middle.angle < 0 ? 2 * M_PI : -2 * M_PI;
@@ -227,8 +316,8 @@ LANE double rim_term(struct lane lane, struct circle circle, double touch, struc
     bool has_up = (fabs(up.angle) < end.angle) | (fabs(other_up) < end.angle);
     bool has_down = (fabs(down.angle) < end.angle) | (fabs(other_down) < end.angle);
     /* Its ends tell how often the rim passes through: once, or else twice or never. */
-    bool starts = start_height >= 0, ends = end_height >= 0, cuts = fabs(slice.height) < slice.reach;
-    bool twice = (starts == ends) & has_up & has_down & cuts;
+    bool starts = start_height >= 0, ends = end_height >= 0, passes = fabs(slice.height) < slice.reach;
+    bool twice = (starts == ends) & has_up & has_down & passes;
     bool goes_down = (starts & !ends) | twice, comes_up = (!starts & ends) | twice;
     bool with = direction > 0;
     bool leaves = (with & goes_down) | (!with & comes_up), enters = (with & comes_up) | (!with & goes_down);
@@ -243,6 +332,7 @@ LANE double rim_term(struct lane lane, struct circle circle, double touch, struc
 struct outline {
     struct lane3 axis, u;
     double radius, half, touch, height, rho; /* the element over the middle, and from the axis */
+    bool cuts;                               /* the horizon may */
     struct lane3 right, left;                /* from the axis to the generators */
     struct turn tangent;                     /* the angle of the left one */
 };
@@ -253,9 +343,12 @@ LANE double generator_term(struct lane lane, struct outline outline, struct lane
 {
     struct lane3 bottom = along3(from_axis, -outline.half, outline.axis), e = scale3(outline.axis, 2 * outline.half);
     struct lane3 top = along3(from_axis, outline.half, outline.axis);
+    double moment = dot3(lane.n, cross3(bottom, e));
+    if (!outline.cuts)
+        return weight * edge_term(lane, bottom, top, e, moment);
     double from = dot3(lane.n, along3(lane.c, 1, bottom)) + outline.touch;
     double to = dot3(lane.n, along3(lane.c, 1, top)) + outline.touch;
-    return clipped_edge(lane, bottom, e, dot3(lane.n, cross3(bottom, e)), from, to, weight, passage);
+    return clipped_edge(lane, bottom, e, moment, from, to, weight, passage);
 }
 
 /* Of the rim at the top (side 1) or bottom (side -1) what is in the outline. */
@@ -271,14 +364,17 @@ LANE double outline_rim(struct lane lane, struct outline outline, double side, s
     double at_right = dot3(lane.n, along3(lane.c, 1, right)) + outline.touch;
     double at_left = dot3(lane.n, along3(lane.c, 1, left)) + outline.touch;
     return rim_term(lane, circle, outline.touch, select_turn(seen, outline.tangent, rest), seen ? at_right : at_left,
-                    seen ? at_left : at_right, seen ? side : -side, passage);
+                    seen ? at_left : at_right, seen ? side : -side, outline.cuts, passage);
 }
 
 /* A cylinder from beside it: two generators, and of each rim the side that is seen as the outline. */
-LANE double cylinder_irradiance(struct lane lane, struct lane3 axis, struct lane3 beside, double radius, double half,
-                                double touch)
+LANE double cylinder_irradiance(struct lane lane, struct lane3 axis, struct lane3 beside, const struct lx_shell *shell,
+                                bool cuts)
 {
-    struct outline outline = {axis, axis, radius, half, touch, -dot3(lane.c, axis), 0, axis, axis, {0, 0, 0}};
+    const double radius = shell->round_mm;
+    struct outline outline = {
+        .axis = axis, .radius = radius, .half = shell->half_mm, .touch = shell->touch_mm, .cuts = cuts};
+    outline.height = -dot3(lane.c, axis);
     outline.rho = foot_of(lane, axis, beside, outline.height, &outline.u);
     double inverse = 1 / greatest(outline.rho, radius), cosine = -radius * inverse;
     double sine = sqrt(greatest((outline.rho - radius) * (outline.rho + radius), 0)) * inverse;
@@ -289,26 +385,62 @@ LANE double cylinder_irradiance(struct lane lane, struct lane3 axis, struct lane
     double sum = generator_term(lane, outline, outline.right, 1, &passage) +
                  generator_term(lane, outline, outline.left, -1, &passage);
     sum += outline_rim(lane, outline, 1, &passage) + outline_rim(lane, outline, -1, &passage);
-    return greatest(-0.5 * (sum + chord_term(lane, passage)), 0);
+    if (cuts)
+        sum += chord_term(lane, passage);
+    return greatest(-0.5 * sum, 0);
+}
+
+LANE void add_body(struct run run, size_t start, enum kind kind, double *restrict sum)
+{
+    for (size_t i = 0; i < LX_LANES; i++) {
+        struct lane lane = lane_of(run.shell, run.block, start + i);
+        double value = cylinder_irradiance(lane, run.axis, run.beside, run.shell, kind == CUT);
+        sum[start + i] += run.kinds[i] == kind ? run.gain * value : 0;
+    }
+}
+
+LANE void add_cap(struct run run, size_t start, enum kind kind, double *restrict sum)
+{
+    const double touch = run.shell->touch_mm, radius = run.shell->round_mm, half = run.shell->half_mm;
+    for (size_t i = 0; i < LX_LANES; i++) {
+        struct lane lane = lane_of(run.shell, run.block, start + i);
+        double side = dot3(lane.c, run.axis) > 0 ? -1 : 1;
+        double value = disk_irradiance(lane, scale3(run.axis, side * half), scale3(run.axis, side), run.beside, radius,
+                                       touch, kind == CAP_CUT);
+        sum[start + i] += run.kinds[i] == kind ? run.gain * value : 0;
+    }
+}
+
+/* Which elements are beside the body and which in front of a cap; none are between the caps within the body. */
+LANE void find_kinds(struct run run, size_t start)
+{
+    const double touch = run.shell->touch_mm, within = run.shell->round_mm + touch, half = run.shell->half_mm;
+    for (size_t i = 0; i < LX_LANES; i++) {
+        struct lane lane = lane_of(run.shell, run.block, start + i);
+        double height = -dot3(lane.c, run.axis);
+        struct lane3 s = along3(lane.c, height, run.axis);
+        double cap = kind_by_horizon(run.shell, lane, CAP_WHOLE, CAP_CUT);
+        double body = kind_by_horizon(run.shell, lane, WHOLE, CUT);
+        cap = fabs(height) > half + touch ? cap : UNSEEN;
+        run.kinds[i] = dot3(s, s) <= within * within ? cap : body;
+    }
 }
 
 static void light_by_cylinder(const struct lx_shell *shell, double diffuse, const struct lx_block_double *block,
                               size_t count, const struct lx_asking *asking, double *restrict sum)
 {
-    const struct lane3 axis = lane3_of(shell->axis), beside = beside3(axis);
-    const double gain = diffuse * shell->radiance, touch = shell->touch_mm, radius = shell->round_mm;
-    const double half = shell->half_mm;
+    double kinds[LX_LANES];
+    const struct run run = run_of(shell, diffuse, block, kinds);
     (void)asking;
-    count = lx_padded(count);
-    for (size_t i = 0; i < count; i++) {
-        struct lane lane = lane_of(shell, block, i);
-        double height = -dot3(lane.c, axis);
-        struct lane3 s = along3(lane.c, height, axis);
-        bool is_beyond = fabs(height) > half + touch, is_within = dot3(s, s) <= (radius + touch) * (radius + touch);
-        double side = height < 0 ? -1 : 1;
-        double cap = disk_irradiance(lane, scale3(axis, side * half), scale3(axis, side), beside, radius, touch);
-        double body = cylinder_irradiance(lane, axis, beside, radius, half, touch);
-        double value = is_within ? (is_beyond ? cap : 0) : body;
-        sum[i] += gain * value;
+    for (size_t start = 0; start < count; start += LX_LANES) {
+        find_kinds(run, start);
+        if (any_is(kinds, WHOLE))
+            add_body(run, start, WHOLE, sum);
+        if (any_is(kinds, CUT))
+            add_body(run, start, CUT, sum);
+        if (any_is(kinds, CAP_WHOLE))
+            add_cap(run, start, CAP_WHOLE, sum);
+        if (any_is(kinds, CAP_CUT))
+            add_cap(run, start, CAP_CUT, sum);
     }
 }

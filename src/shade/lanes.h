@@ -29,7 +29,7 @@ enum { LX_ABREAST = 4, LX_FEWEST_ABREAST = LX_VECTOR_BYTES == 64 ? 2 : 1 };
 #ifdef __clang__
 #define LX_UNROLLED _Pragma("clang loop unroll(full)")
 #else
-#define LX_UNROLLED _Pragma("GCC unroll 4")
+#define LX_UNROLLED _Pragma("GCC unroll 32")
 #endif
 
 #define LX_LANE static inline __attribute__((always_inline))

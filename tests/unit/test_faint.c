@@ -20,7 +20,7 @@
     "luxel: 1\nscreen: {width: 1, height: 1, resolution: [1, 1]}\nobserver: {z: 1000}\nsurfaces: [" surface            \
     "]\nlights: [" light "]\n"
 
-/* All pixels in float64 are the exact values at their samples, to this share of them. */
+/* All pixels are the exact values at their samples, to this share of them. */
 static void expect_pixels(const luxel_evaluator *evaluator, const luxel_field *field, double share)
 {
     for (unsigned row = 0; row < luxel_field_rows(field); row++)
@@ -35,7 +35,7 @@ static void expect_pixels(const luxel_evaluator *evaluator, const luxel_field *f
         }
 }
 
-static void expect_within(double share, const char *text)
+static void expect_within(luxel_precision precision, double share, const char *text)
 {
     luxel_diagnostics *diagnostics = luxel_diagnostics_new();
     luxel_scene *scene = NULL;
@@ -44,7 +44,7 @@ static void expect_within(double share, const char *text)
     assert_int_equal(load(text, diagnostics, &scene), LUXEL_OK);
     assert_int_equal(luxel_evaluator_new(scene, NULL, NULL, &evaluator), LUXEL_OK);
     luxel_settings_init(&settings);
-    settings.precision = LUXEL_DOUBLE;
+    settings.precision = precision;
     for (size_t i = 0; luxel_instruction_set_name(i); i++) {
         luxel_field *field = NULL;
         if (!luxel_instruction_set_runs(i))
@@ -61,7 +61,7 @@ static void expect_within(double share, const char *text)
 
 static void expect_exact(const char *text)
 {
-    expect_within(1e-11, text);
+    expect_within(LUXEL_DOUBLE, 1e-11, text);
 }
 
 /* 1e-43 of the peak. */
@@ -114,7 +114,7 @@ static void test_on_axis(void **state)
 static void test_needle(void **state)
 {
     (void)state;
-    expect_within(1e-3,
+    expect_within(LUXEL_DOUBLE, 1e-3,
                   "luxel: 1\nscreen: {width: 210, height: 70, resolution: [3, 1]}\nobserver: {z: 3000}\n"
                   "surfaces: [{type: rectangle, center: [0, 0, 1000], size: [600, 1], axis: [1, -1, 1], material: "
                   "{model: phong, diffuse: 0, specular: 1, shininess: 1}}]\n"
@@ -145,7 +145,7 @@ static void test_slivers(void **state)
                       "{type: planar, rectangle: {center: [100, 0, %.17g], size: [30, 100], axis: [-1, 0, 0], up: "
                       "[0, 0, 1]}, radiance: 1}"),
                 materials[m], heights[h] - 50);
-            expect_within(1e-3, text);
+            expect_within(LUXEL_DOUBLE, 1e-3, text);
         }
 }
 
@@ -153,7 +153,7 @@ static void test_slivers(void **state)
 static void test_corner(void **state)
 {
     (void)state;
-    expect_within(1e-3,
+    expect_within(LUXEL_DOUBLE, 1e-3,
                   "luxel: 1\nscreen: {width: 360, height: 360, resolution: [3, 3]}\n"
                   "observer: {z: 2400, projection: perspective, view: parallel}\n"
                   "surfaces: [{type: sphere, center: [-107, -44, 320], radius: 627.6, material: {model: blinn-phong, "
@@ -166,11 +166,29 @@ static void test_corner(void **state)
 static void test_far_foot(void **state)
 {
     (void)state;
-    expect_within(1e-3,
+    expect_within(LUXEL_DOUBLE, 1e-3,
                   "luxel: 1\nscreen: {width: 200, height: 600, resolution: [1, 3], sampling: nodes}\n"
                   "observer: {z: 700}\nsurfaces: [{type: sphere, center: [0, 0, 0], radius: 600, material: "
                   "{model: phong, diffuse: 1, specular: 1, shininess: 200}}]\n"
                   "lights: [{type: volume, sphere: {center: [0, 0, 2], radius: 540, facets: 12}, radiance: 1}]\n");
+}
+
+/* A cone as narrow as a thread of which a sample lies near the axis, whose angle is lost where it is a difference. */
+static void test_narrow_cone(void **state)
+{
+    (void)state;
+    static const double outer[] = {0.004, 0.03, 0.5}, aside[] = {0, 4.2e-4, 0.003};
+    for (size_t o = 0; o < sizeof outer / sizeof *outer; o++)
+        for (size_t a = 0; a < sizeof aside / sizeof *aside; a++) {
+            char text[1024];
+            snprintf(
+                text, sizeof text,
+                SCENE("{type: rectangle, center: [0, 0, 0], size: [1, 1], material: {model: lambert}}",
+                      "{type: spot, position: [100, 70, 1000], aim: [%g, 0, 0], intensity: 1, inner: 0, outer: %g, "
+                      "falloff: linear}"),
+                aside[a], outer[o]);
+            expect_within(LUXEL_SINGLE, 2e-6, text);
+        }
 }
 
 /* Of a light as near as places are known no error can be told, and so it is told as infinite. */
@@ -203,6 +221,7 @@ int main(void)
         cmocka_unit_test(test_slivers),
         cmocka_unit_test(test_corner),
         cmocka_unit_test(test_far_foot),
+        cmocka_unit_test(test_narrow_cone),
         cmocka_unit_test(test_error_without_bound),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
