@@ -147,12 +147,12 @@ LANE double foot_of(struct lane lane, struct lane3 axis, struct lane3 beside, do
  *
  * Runs of LX_LANES elements go through the loop of each kind that they have elements of, and each element takes what
  * the loop of its own kind gives: compilers round each loop in its own way, and no sum may depend on the elements
- * beside it.
+ * beside it.  Kinds are of float64, as compilers make vectors of what is of one size.
  */
-enum kind { UNSEEN, WHOLE, CUT, CAP_WHOLE, CAP_CUT };
+static const double UNSEEN = 0, WHOLE = 1, CUT = 2, CAP_WHOLE = 3, CAP_CUT = 4;
 
 /* Of elements that see the source; below: where the horizon is higher than all of it. */
-LANE double kind_by_horizon(const struct lx_shell *shell, struct lane lane, enum kind whole, enum kind cut)
+LANE double kind_by_horizon(const struct lx_shell *shell, struct lane lane, double whole, double cut)
 {
     const double height = dot3(lane.n, lane.c);
     const double away = fabs(lane.c.x) + fabs(lane.c.y) + fabs(lane.c.z);
@@ -161,7 +161,7 @@ LANE double kind_by_horizon(const struct lx_shell *shell, struct lane lane, enum
     return height < -reach ? UNSEEN : above;
 }
 
-LANE bool any_is(const double *kinds, enum kind kind)
+LANE bool any_is(const double *kinds, double kind)
 {
     size_t count = 0;
     for (size_t i = 0; i < LX_LANES; i++)
@@ -203,7 +203,7 @@ struct run {
     double *kinds;
 };
 
-LANE void add_disk(struct run run, size_t start, enum kind kind, double *restrict sum)
+LANE void add_disk(struct run run, size_t start, double kind, double *restrict sum)
 {
     const double touch = run.shell->touch_mm, radius = run.shell->round_mm;
     const struct lane3 middle = {0, 0, 0};
@@ -260,7 +260,7 @@ LANE double ball_irradiance(struct lane lane, double radius, bool cuts)
     return k2 > 0 ? greatest(part, 0) : greatest(whole, 0);
 }
 
-LANE void add_ball(struct run run, size_t start, enum kind kind, double *restrict sum)
+LANE void add_ball(struct run run, size_t start, double kind, double *restrict sum)
 {
     for (size_t i = 0; i < LX_LANES; i++) {
         struct lane lane = lane_of(run.shell, run.block, start + i);
@@ -390,7 +390,7 @@ LANE double cylinder_irradiance(struct lane lane, struct lane3 axis, struct lane
     return greatest(-0.5 * sum, 0);
 }
 
-LANE void add_body(struct run run, size_t start, enum kind kind, double *restrict sum)
+LANE void add_body(struct run run, size_t start, double kind, double *restrict sum)
 {
     for (size_t i = 0; i < LX_LANES; i++) {
         struct lane lane = lane_of(run.shell, run.block, start + i);
@@ -399,7 +399,7 @@ LANE void add_body(struct run run, size_t start, enum kind kind, double *restric
     }
 }
 
-LANE void add_cap(struct run run, size_t start, enum kind kind, double *restrict sum)
+LANE void add_cap(struct run run, size_t start, double kind, double *restrict sum)
 {
     const double touch = run.shell->touch_mm, radius = run.shell->round_mm, half = run.shell->half_mm;
     for (size_t i = 0; i < LX_LANES; i++) {
