@@ -15,13 +15,10 @@
 #include <float.h>
 #include <math.h>
 
+#include "../base/larger.h"
+
 /* Bounds are computed with rounding, too: relative to them, and to the directions. */
 static const double ROOM = 1 + 1e-6, ANGLE_ROOM = 1e-7;
-
-static double larger(double a, double b)
-{
-    return a > b ? a : b;
-}
 
 static double dot(const double a[3], const double b[3])
 {
@@ -44,7 +41,7 @@ static struct lx_cone widened(const struct lx_cone *cone, double cosine, double 
 /* The cosines of the angles between a direction and those of a cone. */
 static struct lx_cosines cosines_to(const struct lx_cone *cone, const double direction[3])
 {
-    double cosine = dot(cone->axis, direction), sine = sqrt(larger(1 - cosine * cosine, 0));
+    double cosine = dot(cone->axis, direction), sine = sqrt(lx_larger(1 - cosine * cosine, 0));
     return (struct lx_cosines){
         .least = cosine <= -cone->cosine ? -1 : cosine * cone->cosine - sine * cone->sine,
         .most = cosine >= cone->cosine ? 1 : cosine * cone->cosine + sine * cone->sine,
@@ -286,6 +283,6 @@ struct lx_stand lx_stand_of(const struct lx_tract *tract, const double place[3],
     if (!(sight.nearest > 0 && sight.sine < 1))
         stand.nearest_mm = 0;
     else if (has_half)
-        stand.least_half = 2 * sqrt(larger(least_half_square(tract, &sight), 0));
+        stand.least_half = 2 * sqrt(lx_larger(least_half_square(tract, &sight), 0));
     return stand;
 }

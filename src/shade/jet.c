@@ -4,21 +4,12 @@
 
 #include <math.h>
 
+#include "../base/larger.h"
 #include "lights.h"
-
-static double larger(double a, double b)
-{
-    return a > b ? a : b;
-}
-
-static double smaller(double a, double b)
-{
-    return a < b ? a : b;
-}
 
 static double sine_of(double cosine)
 {
-    return sqrt(larger(1 - cosine * cosine, 0));
+    return sqrt(lx_larger(1 - cosine * cosine, 0));
 }
 
 struct lx_jet lx_jet_of_constant(double value)
@@ -48,7 +39,7 @@ struct lx_power lx_power_of(double exponent)
         return power;
     /* The slope n cos^(n-1) sin is largest at cos^2 = (n-1)/n.  Of the second derivatives one is n cos^n; the other,
      * n cos^(n-2) (n sin^2 - 1), is largest at sin^2 = (3n-2)/n^2. */
-    const double sine2 = smaller((3 * n - 2) / (n * n), 1);
+    const double sine2 = lx_smaller((3 * n - 2) / (n * n), 1);
     power.slope_cosine = sqrt((n - 1) / n);
     power.slope = sqrt(n) * pow((n - 1) / n, (n - 1) / 2);
     power.bend_cosine = sqrt(1 - sine2);
@@ -73,10 +64,10 @@ static double raise(const struct lx_power *power, double cosine)
 static struct lx_jet jet_of_cosine(struct lx_cosines cosines)
 {
     const bool is_folded = cosines.least < 0;
-    const double size = larger(cosines.most, -cosines.least);
+    const double size = lx_larger(cosines.most, -cosines.least);
     return (struct lx_jet){
         .order = is_folded ? LX_FOLDED : LX_SMOOTH,
-        .least = larger(cosines.least, 0),
+        .least = lx_larger(cosines.least, 0),
         .most = cosines.most,
         .size = size,
         .slope = is_folded ? 1 : sine_of(cosines.least),
@@ -96,9 +87,9 @@ struct lx_jet lx_jet_of_power(const struct lx_power *power, struct lx_cosines co
     if (n >= 2) {
         jet.slope = cosine < power->slope_cosine ? n * most / cosine * sine : power->slope;
         double other = cosine < power->bend_cosine ? n * most / (cosine * cosine) * (n * sine * sine - 1) : power->bend;
-        jet.bend = larger(n * most, other);
+        jet.bend = lx_larger(n * most, other);
     } else if (cosines.least > 0) {
-        jet.slope = n * larger(jet.least / cosines.least, 1);
+        jet.slope = n * lx_larger(jet.least / cosines.least, 1);
         jet.bend = n * pow(cosines.least, n - 2);
     } else {
         jet.order = n > 1 ? LX_STEEP : LX_ROUGH;
@@ -112,13 +103,13 @@ static double part_of(const struct lx_profile *profile, double versine)
 {
     double part;
     if (profile->falloff == LX_LINEAR) {
-        double angle = 2 * asin(sqrt(smaller(larger(versine / 2, 0), 1)));
+        double angle = 2 * asin(sqrt(lx_smaller(lx_larger(versine / 2, 0), 1)));
         part = (profile->outer_rad.value - angle) / (profile->outer_rad.value - profile->inner_rad.value);
     } else {
         double outer = profile->outer_versine.value;
         part = (outer - versine) / (outer - profile->inner_versine.value);
     }
-    return smaller(larger(part, 0), 1);
+    return lx_smaller(lx_larger(part, 0), 1);
 }
 
 static double fall(const struct lx_profile *profile, double versine)
@@ -140,7 +131,7 @@ struct lx_jet lx_jet_of_cone(const struct lx_profile *profile, struct lx_cosines
         return lx_jet_of_constant(0);
     const double most = fall(profile, near);
     struct lx_jet jet = {.least = fall(profile, far), .most = most, .size = most};
-    const double width = outer - inner, sine = sine_of(1 - smaller(far, outer));
+    const double width = outer - inner, sine = sine_of(1 - lx_smaller(far, outer));
     switch (profile->falloff) {
     case LX_SMOOTHSTEP: /* by the versine v, whose gradient is the sine and whose second derivatives are the cosine */
         jet.slope = 1.5 / width * sine;

@@ -5,6 +5,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "../base/larger.h"
 #include "sampling.h"
 
 enum { MOST_CELLS = LX_MOST_CELLS, DEEPEST = 14, QUARTERS = 4, RULE = 3 };
@@ -113,7 +114,7 @@ static double allowed(const struct run *run)
 {
     double greatest = run->sampling->least_maximum;
     for (int i = 0; i < LX_LANES; i++)
-        greatest = fmax(greatest, run->known[i] + run->value[i] - run->error[i]);
+        greatest = lx_larger(greatest, run->known[i] + run->value[i] - run->error[i]);
     return run->sampling->tolerance * greatest;
 }
 
@@ -205,7 +206,7 @@ static double fine_of(const struct cell *cell, int lane)
 
 static double difference_of(const struct cell *cell, int lane)
 {
-    return fmax(fabs(fine_of(cell, lane) - cell->coarse[lane]), cell->doubt[lane]);
+    return lx_larger(fabs(fine_of(cell, lane) - cell->coarse[lane]), cell->doubt[lane]);
 }
 
 /* Takes a cell whose rules have been applied into the list, or only into the sums where it hardly matters. */
@@ -215,7 +216,7 @@ static void enlist(struct run *run, const struct cell *cell)
     double worst = 0;
     for (int i = 0; i < LX_LANES; i++) {
         run->value[i] += fine_of(cell, i);
-        worst = fmax(worst, difference_of(cell, i));
+        worst = lx_larger(worst, difference_of(cell, i));
     }
     const double limit = SETTLED * allowed(run);
     const bool is_full = memory->cell_count == MOST_CELLS || cell->depth >= DEEPEST;
@@ -223,7 +224,7 @@ static void enlist(struct run *run, const struct cell *cell)
     for (int i = 0; i < LX_LANES; i++) {
         run->kept[i] += is_settled ? fine_of(cell, i) : 0;
         run->error[i] += is_settled ? 0 : difference_of(cell, i);
-        run->peak[i] = fmax(run->peak[i], run->value[i] + run->error[i]);
+        run->peak[i] = lx_larger(run->peak[i], run->value[i] + run->error[i]);
     }
     if (is_settled) {
         run->settled += worst;
@@ -405,7 +406,7 @@ static bool is_done(const struct run *run)
 {
     double greatest = 0;
     for (int i = 0; i < LX_LANES; i++)
-        greatest = fmax(greatest, run->error[i]);
+        greatest = lx_larger(greatest, run->error[i]);
     return greatest + run->dropped + run->settled <= allowed(run);
 }
 

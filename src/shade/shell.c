@@ -4,6 +4,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "../base/larger.h"
 #include "../base/memory.h"
 #include "../light/extended.h"
 #include "shell.h"
@@ -165,6 +166,15 @@ size_t lx_patch_limit(const struct lx_shell *shell)
     return shell->type == LX_FACETS ? shell->most_patches : SIDE_AND_CAPS;
 }
 
+static void set_areas(struct lx_patch *patch)
+{
+    double whole[3], by_s[3], by_t[3];
+    cross(patch->a, patch->b, whole);
+    cross(patch->a, patch->g, by_s);
+    cross(patch->g, patch->b, by_t);
+    patch->area[0] = dot(patch->n, whole), patch->area[1] = dot(patch->n, by_s), patch->area[2] = dot(patch->n, by_t);
+}
+
 /* A face as quadrilaterals that share its first corner, the last one maybe a triangle. */
 static size_t cut_face(const struct lx_shell *shell, size_t face_index, struct lx_patch *patches)
 {
@@ -187,6 +197,7 @@ static size_t cut_face(const struct lx_shell *shell, size_t face_index, struct l
         value_of3(lx_wide3_sub(lx_wide3_sub(c, a), b), patch->g);
         for (int i = 0; i < 3; i++)
             patch->o[i] += shell->center[i];
+        set_areas(patch);
     }
     return count;
 }
@@ -266,17 +277,16 @@ size_t lx_patches_make(const struct lx_shell *shell, const struct lx_around *aro
 
 /* ---- cells ---- */
 
-/* A place on a flat patch, and the area for a unit of s and t. */
-static double flat_place(const struct lx_patch *patch, double s, double t, double place[3])
+static void flat_place(const struct lx_patch *patch, double s, double t, double place[3])
 {
-    double by_s[3], by_t[3], area[3];
-    for (int i = 0; i < 3; i++) {
+    for (int i = 0; i < 3; i++)
         place[i] = patch->o[i] + s * patch->a[i] + t * patch->b[i] + s * t * patch->g[i];
-        by_s[i] = patch->a[i] + t * patch->g[i];
-        by_t[i] = patch->b[i] + s * patch->g[i];
-    }
-    cross(by_s, by_t, area);
-    return fmax(dot(area, patch->n), 0);
+}
+
+/* n.((a + t g) x (b + s g)), the area for a unit of s and t. */
+static double flat_area(const struct lx_patch *patch, double s, double t)
+{
+    return lx_larger(patch->area[0] + s * patch->area[1] + t * patch->area[2], 0);
 }
 
 /* The place on a ball or side at s, t for an element, as kernel_samples.h has it; returns the element's T. */
@@ -289,16 +299,16 @@ static double round_place(const struct lx_patch *patch, double s, double t, cons
     double along = is_side ? dot(n, patch->n) : 0;
     for (int i = 0; i < 3; i++)
         n[i] -= along * patch->n[i];
-    double distance = fmax(sqrt(dot(n, n)), patch->radius * 1e-15), slant = dot(n, patch->a) / distance;
+    double distance = lx_larger(sqrt(dot(n, n)), patch->radius * 1e-15), slant = dot(n, patch->a) / distance;
     for (int i = 0; i < 3; i++) {
         n[i] /= distance;
         a[i] = is_side ? patch->n[i] : patch->a[i] - slant * n[i];
     }
-    double length = fmax(sqrt(dot(a, a)), 1e-15);
+    double length = lx_larger(sqrt(dot(a, a)), 1e-15);
     for (int i = 0; i < 3; i++)
         a[i] /= length;
     cross(n, a, b);
-    double above = fmax(distance - patch->radius, 0), share = is_side ? 2 * t - 1 : s;
+    double above = lx_larger(distance - patch->radius, 0), share = is_side ? 2 * t - 1 : s;
     double whole = sqrt(above / (distance + patch->radius)), tangent = share * whole;
     double inverse = 1 / (1 + tangent * tangent);
     double cosine = (1 - tangent * tangent) * inverse, sine = 2 * tangent * inverse;
@@ -325,7 +335,7 @@ static double look_at_flat(const struct lx_patch *patch, const struct lx_cell *c
         flat_place(patch, cell->s + (corner & 1) * cell->ds, cell->t + (corner >> 1) * cell->dt, place);
         for (int i = 0; i < 3; i++)
             place[i] -= middle[i];
-        farthest = fmax(farthest, dot(place, place));
+        farthest = lx_larger(farthest, dot(place, place));
     }
     return sqrt(farthest);
 }
@@ -333,7 +343,7 @@ static double look_at_flat(const struct lx_patch *patch, const struct lx_cell *c
 double lx_cell_look(const struct lx_patch *patch, const struct lx_cell *cell, const double element[3], double middle[3])
 {
     const double s = cell->s + cell->ds / 2, t = cell->t + cell->dt / 2, radius = patch->radius;
-    const double end = cell->s + cell->ds, turn = fmin(M_PI * cell->dt, 2);
+    const double end = cell->s + cell->ds, turn = lx_smaller(M_PI * cell->dt, 2);
     if (patch->kind == LX_PATCH_FLAT)
         return look_at_flat(patch, cell, middle);
     if (patch->kind == LX_PATCH_DISK) {
@@ -345,7 +355,7 @@ double lx_cell_look(const struct lx_patch *patch, const struct lx_cell *cell, co
         return -1;
     if (patch->kind == LX_PATCH_BALL)
         return radius * (tangent * cell->ds + 2 * last / (1 + last * last) * turn);
-    return patch->length * cell->ds / 2 + radius * fmin(2 * tangent * cell->dt, 2);
+    return patch->length * cell->ds / 2 + radius * lx_smaller(2 * tangent * cell->dt, 2);
 }
 
 void lx_patch_samples(const struct lx_patch *patch, double touch_mm, struct lx_samples_double *samples)
@@ -364,7 +374,7 @@ void lx_patch_samples(const struct lx_patch *patch, double touch_mm, struct lx_s
 static double sample_at(const struct lx_patch *patch, double s, double t, double cosine, double sine, double place[3])
 {
     switch (patch->kind) {
-    case LX_PATCH_FLAT: return flat_place(patch, s, t, place);
+    case LX_PATCH_FLAT: flat_place(patch, s, t, place); return flat_area(patch, s, t);
     case LX_PATCH_BALL: place[0] = s, place[1] = cosine, place[2] = sine; return 2 * M_PI;
     case LX_PATCH_SIDE:
         place[0] = (s - 0.5) * patch->length, place[1] = 2 * t - 1, place[2] = 0;

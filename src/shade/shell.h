@@ -33,6 +33,7 @@ enum lx_patch_kind { LX_PATCH_FLAT, LX_PATCH_DISK, LX_PATCH_BALL, LX_PATCH_SIDE 
 struct lx_patch {
     enum lx_patch_kind kind;
     double o[3], a[3], b[3], g[3], n[3]; /* from the anchor; n is the normal of a flat one or a disk */
+    double area[3];                      /* of a flat one, for a unit of s and t: area[0] + s area[1] + t area[2] */
     double radius, length;
 };
 

@@ -3,6 +3,7 @@
 #include <float.h>
 #include <math.h>
 
+#include "../base/larger.h"
 #include "sight.h"
 
 /* Cells up to this share of the lobe's width are begun with one sample against four. */
@@ -24,7 +25,7 @@ void lx_viewers_find(const struct lx_block_double *block, size_t start, const st
                      struct lx_viewers *viewers)
 {
     const double grazing = 0.15; /* lobes of half vectors get narrow towards the rim; below this the cells stay */
-    const double sigma = 1 / sqrt(fmax(lobe->exponent.value, 1));
+    const double sigma = 1 / sqrt(lx_larger(lobe->exponent.value, 1));
     viewers->block = block;
     viewers->start = start;
     viewers->lobe = lobe;
@@ -37,7 +38,7 @@ void lx_viewers_find(const struct lx_block_double *block, size_t start, const st
             viewers->mirrored[lane][k] = 2 * facing * n[k] - v[k];
         viewers->width[lane] = lobe->model == LX_LAMBERT ? 1
                                : lobe->model == LX_PHONG ? sigma
-                                                         : fmin(1, 2 * fmax(facing, grazing) * sigma);
+                                                         : lx_smaller(1, 2 * lx_larger(facing, grazing) * sigma);
     }
 }
 
@@ -77,7 +78,7 @@ static void look(const struct lx_viewers *viewers, const struct lx_patch *patch,
         seen->distance = distance;
         seen->size = radius / distance;
         for (int k = 0; k < 3; k++)
-            towards[k] /= fmax(distance, DBL_MIN);
+            towards[k] /= lx_larger(distance, DBL_MIN);
         seen->height = dot(n, towards);
     }
 }
@@ -102,11 +103,11 @@ static double half_length(const struct lx_viewers *viewers, size_t lane, const s
  */
 static double greatest_square(const struct lx_viewers *viewers, size_t lane, const struct look *seen)
 {
-    const double cosine = fmin(dot(seen->towards, viewers->mirrored[lane]), 1), size = seen->size;
+    const double cosine = lx_smaller(dot(seen->towards, viewers->mirrored[lane]), 1), size = seen->size;
     if (!(size < 1))
         return 1;
-    double around = sqrt(1 - size * size), sine = sqrt(fmax(1 - cosine * cosine, 0));
-    double nearest = cosine >= around ? 1 : fmin(cosine * around + sine * size, 1);
+    double around = sqrt(1 - size * size), sine = sqrt(lx_larger(1 - cosine * cosine, 0));
+    double nearest = cosine >= around ? 1 : lx_smaller(cosine * around + sine * size, 1);
     if (viewers->lobe->model == LX_BLINN_PHONG)
         return (1 + nearest) / 2;
     return nearest > 0 ? nearest * nearest : 0;
@@ -132,9 +133,9 @@ static double doubtful_share(const struct lx_viewers *viewers, size_t lane, cons
         return CUT_SHARE;
     double share = 0;
     if (lobe->highlight == LX_HIGHLIGHT_COSINE && is_at_horizon)
-        share = SLIVER_SHARE * fmin(seen->height + size, GAP * size);
+        share = SLIVER_SHARE * lx_smaller(seen->height + size, GAP * size);
     if (is_at_end) /* beyond the gap no S is more than this share of the greatest */
-        share = fmax(share, SLIVER_SHARE * fmin(1, GAP * size / (half * greatest)));
+        share = lx_larger(share, SLIVER_SHARE * lx_smaller(1, GAP * size / (half * greatest)));
     return share;
 }
 
@@ -161,17 +162,18 @@ void lx_see(const struct lx_viewers *viewers, const struct lx_sampled *source, c
     for (int lane = 0; lane < LX_LANES; lane++) {
         const double radius = looks[lane].radius, nearest = looks[lane].distance - radius;
         double own = nearest > 0 ? weight * radius * radius * attenuate(source, nearest) : HUGE_VAL;
-        greatest = looks[lane].may ? fmax(greatest, own) : greatest;
+        greatest = looks[lane].may ? lx_larger(greatest, own) : greatest;
     }
     /* from where on S^n is worth looking at */
-    double least_square = is_matte || !(hardly > 0) ? 0 : pow(fmin(hardly / greatest, 1), 2 / lobe->exponent.value);
+    double least_square =
+        is_matte || !(hardly > 0) ? 0 : pow(lx_smaller(hardly / greatest, 1), 2 / lobe->exponent.value);
     *sight = (struct lx_sight){.is_tiny = true};
     for (size_t lane = 0; lane < LX_LANES; lane++) {
         const struct look *seen = &looks[lane];
         if (!seen->may)
             continue;
         const double own = is_matte ? 1 : greatest_square(viewers, lane, seen);
-        square = fmax(square, own);
+        square = lx_larger(square, own);
         if (own < least_square)
             continue;
         const double half = half_length(viewers, lane, seen), radius = seen->radius;
@@ -180,8 +182,8 @@ void lx_see(const struct lx_viewers *viewers, const struct lx_sampled *source, c
             const double content = weight * 2 / M_PI * radius * radius * attenuate(source, seen->distance);
             sight->doubt[lane] = share * content * pow(own, lobe->exponent.value / 2);
         }
-        double width = fmin(widest, widths * viewers->width[lane]), from = seen->distance - radius;
-        width *= fmin(1, 2 * fmax(half, 0)); /* half vectors turn fast where they are short */
+        double width = lx_smaller(widest, widths * viewers->width[lane]), from = seen->distance - radius;
+        width *= lx_smaller(1, 2 * lx_larger(half, 0)); /* half vectors turn fast where they are short */
         sight->is_wide = sight->is_wide || !(radius <= width * from);
         sight->is_tiny = sight->is_tiny && sight->doubt[lane] == 0 && radius < TINY * width * from;
     }

@@ -224,7 +224,7 @@ static void rules_are_exact(void **state)
 {
     static struct lx_samples_double samples;
     const struct lx_patch patch = {
-        .kind = LX_PATCH_FLAT, .o = {5, 6, 7}, .a = {3, 0, 0}, .b = {1, 2, 0}, .g = {0, 0, 0}, .n = {0, 0, 1}};
+        .kind = LX_PATCH_FLAT, .o = {5, 6, 7}, .a = {3, 0, 0}, .b = {1, 2, 0}, .n = {0, 0, 1}, .area = {6, 0, 0}};
     const struct lx_patch disk = {.kind = LX_PATCH_DISK, .o = {5, 6, 7}, .a = {1, 0, 0}, .b = {0, 1, 0}, .radius = 3};
     const struct lx_cell all = {0, 0, 1, 1}, part = {0.25, 0.5, 0.5, 0.25};
     (void)state;
