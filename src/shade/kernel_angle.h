@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /*
- * Angles for the kernels of extended sources, in float64 and without branches: everything is of
+ * Angles for the kernels of round sources, in float64 and without branches: everything is of
  *
  *     gap(z) = 1 - atan(sqrt z)/sqrt z = z/3 - z^2/5 + z^3/7 ...,   for z < 0 the same with atanh,
  *
@@ -19,7 +19,7 @@ LANE double greatest(double a, double b)
     return a > b ? a : b;
 }
 
-/* The same for |z| <= SERIES_END, below which a direct form of gap(-z) loses digits; error below 1e-16 relative */
+/* gap(z) for |z| <= SERIES_END, below which a direct form of gap(-z) loses digits; error below 1e-16 relative */
 static const double SERIES_END = 0.04;
 
 LANE double small_gap(double z)

@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: MIT */
 /*
  * Pictures of a pixel or three that show what rounding likes to eat: the faint foot of a highlight, light that grazes,
- * a light right behind the element, a round source right above it, a needle, the edge of a source that has not yet set;
- * by every instruction set.  Each was found by the properties (tests/properties).
+ * a light right behind the element, a round source right above it, a needle, the edge of a source that has not yet set,
+ * the axis of a cone like a thread; by every instruction set.  Each was found by the properties (tests/properties).
  */
 #include <math.h>
 #include <setjmp.h>
