@@ -38,6 +38,20 @@ static struct lx_row_statistics survey_row(const struct lx_rendering *rendering,
     };
 }
 
+/* Stores values of a row of the strip from `column` on, rounded to the field's precision. */
+static void store(const struct lx_rendering *rendering, unsigned row, unsigned column, const double *values,
+                  const uint8_t *mask, size_t count)
+{
+    const struct luxel_field *field = rendering->field;
+    const struct lx_strip *strip = &rendering->computed->strip;
+    const size_t first = (size_t)(row - strip->first) * field->columns + column;
+    memcpy(strip->mask + first, mask, count);
+    if (field->precision == LUXEL_DOUBLE)
+        memcpy((double *)strip->values + first, values, count * sizeof *values);
+    else
+        rendering->plan->kernels->round_all(values, count, (float *)strip->values + first);
+}
+
 /* Renders rows first to last - 1, no more than a tile has, tile by tile. */
 static void render_rows(void *data, unsigned worker, bool is_caller, unsigned first, unsigned last)
 {
@@ -45,7 +59,8 @@ static void render_rows(void *data, unsigned worker, bool is_caller, unsigned fi
     struct lx_shader_memory *memory = rendering->memories[worker];
     const struct luxel_field *field = rendering->field;
     const struct lx_strip *strip = &rendering->computed->strip;
-    double x[LX_BLOCK], values[LX_BLOCK];
+    _Alignas(64) double x[LX_BLOCK];
+    _Alignas(64) double values[LX_BLOCK];
     uint8_t mask[LX_BLOCK];
     size_t shown[LX_TILE_ROWS] = {0};
     const unsigned width = lx_tile_columns(rendering->plan, field->columns);
@@ -57,7 +72,7 @@ static void render_rows(void *data, unsigned worker, bool is_caller, unsigned fi
         for (unsigned row = first; row < last; row++) {
             shown[row - first] += lx_shade_points(rendering->plan, memory, field->y_mm[row], x, count,
                                                   &rendering->control, is_caller, values, mask);
-            lx_strip_store(field, strip, row, column, values, mask, count);
+            store(rendering, row, column, values, mask, count);
             if (!lx_control_goes_on(&rendering->control, is_caller))
                 return;
         }

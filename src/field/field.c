@@ -87,18 +87,6 @@ void luxel_field_free(luxel_field *field)
     free(field);
 }
 
-void lx_strip_store(const struct luxel_field *field, const struct lx_strip *strip, unsigned row, unsigned column,
-                    const double *values, const uint8_t *mask, size_t count)
-{
-    size_t first = (size_t)(row - strip->first) * field->columns + column;
-    memcpy(&strip->mask[first], mask, count);
-    if (field->precision == LUXEL_DOUBLE)
-        memcpy((double *)strip->values + first, values, count * sizeof *values);
-    else
-        for (size_t i = 0; i < count; i++)
-            ((float *)strip->values)[first + i] = (float)values[i];
-}
-
 unsigned luxel_field_columns(const luxel_field *field)
 {
     return field->columns;

@@ -66,10 +66,6 @@ static inline struct lx_strip lx_whole_strip(const struct luxel_field *field)
     return (struct lx_strip){.rows = field->rows, .values = field->values, .mask = field->mask};
 }
 
-/* Stores values of a row of the field from `column` on, rounded to the field's precision. */
-void lx_strip_store(const struct luxel_field *field, const struct lx_strip *strip, unsigned row, unsigned column,
-                    const double *values, const uint8_t *mask, size_t count);
-
 /* The i-th value of a strip, row by row, whatever the precision. */
 static inline double lx_strip_value(const struct luxel_field *field, const struct lx_strip *strip, size_t i)
 {

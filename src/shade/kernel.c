@@ -8,6 +8,7 @@
 #include <stdint.h>
 #include <string.h>
 
+#include "../base/larger.h"
 #include "kernel.h"
 
 #define REAL double
@@ -73,29 +74,89 @@
 #include "kernel_samples.h"
 #include "kernel_survey.h"
 
+static void set_all(double *values, size_t count, double number)
+{
+    for (size_t i = 0; i < count; i++)
+        values[i] = number;
+}
+
+static void round_all(const double *restrict values, size_t count, float *restrict rounded)
+{
+    for (size_t i = 0; i < count; i++)
+        rounded[i] = (float)values[i];
+}
+
 /*
  * Of a sphere seen along -z: the place is (dx, dy, sqrt(R^2 - dx^2 - dy^2)).  What is the same in the whole row is
  * formed in twice the precision, so that sources just above the surface find it where it is.
  */
+struct sphere_row {
+    double x, dy;         /* of the centre, and from it */
+    struct lx_pair below; /* R^2 - dy^2 */
+};
+
+static struct sphere_row sphere_row_of(const struct lx_shape *sphere, const struct lx_row_view *view)
+{
+    const double dy = view->y_mm - sphere->anchor_mm[1];
+    return (struct sphere_row){sphere->anchor_mm[0], dy, lx_exact_difference_of_squares(sphere->radius_mm, dy)};
+}
+
+struct sphere_places {
+    lanes_double dx, below, height; /* below: the square of the height, less than 0 beside the sphere */
+};
+
+LX_LANE struct sphere_places sphere_places_at(struct sphere_row row, const double *x_mm)
+{
+    lanes_double dx, zero = all_double(0);
+    memcpy(&dx, x_mm, sizeof dx);
+    dx -= row.x;
+    lanes_double below = row.below.high - dx * dx + row.below.low;
+    return (struct sphere_places){dx, below, root_double(greater_double(below, zero))};
+}
+
 static void meet_parallel_lines(const struct lx_shape *sphere, const struct lx_row_view *view,
                                 const double *restrict x_mm, size_t count, double *restrict depth, double *restrict px,
                                 double *restrict py, double *restrict pz)
 {
-    const double x = sphere->anchor_mm[0], dy = view->y_mm - sphere->anchor_mm[1], radius = sphere->radius_mm;
+    const struct sphere_row row = sphere_row_of(sphere, view);
     const double top = view->observer_z_mm - sphere->anchor_mm[2];
-    const struct lx_pair square = lx_exact_difference_of_squares(radius, dy);
-    const double high = square.high, low = square.low;
     const lanes_double zero = all_double(0), infinite = all_double(HUGE_VAL);
     for (size_t i = 0; i < count; i += LX_WIDTH_double) {
-        lanes_double dx;
-        memcpy(&dx, x_mm + i, sizeof dx);
-        dx -= x;
-        lanes_double below = high - dx * dx + low, height = root_double(greater_double(below, zero));
-        store_double(depth + i, where_above_double(zero, below, infinite, top - height));
-        store_double(px + i, dx);
-        store_double(py + i, all_double(dy));
-        store_double(pz + i, height);
+        const struct sphere_places at = sphere_places_at(row, x_mm + i);
+        store_double(depth + i, where_above_double(zero, at.below, infinite, top - at.height));
+        store_double(px + i, at.dx);
+        store_double(py + i, all_double(row.dy));
+        store_double(pz + i, at.height);
     }
+}
+
+/* Half a vector of float32. */
+typedef float rounded_lanes __attribute__((vector_size(LX_VECTOR_BYTES / 2)));
+
+LX_LANE void store_rounded(float *to, lanes_double lanes)
+{
+    *(rounded_lanes *)__builtin_assume_aligned(to, sizeof(rounded_lanes)) =
+        __builtin_convertvector(lanes, rounded_lanes);
+}
+
+static bool view_sphere(const struct lx_shape *sphere, const struct lx_row_view *view, const double *restrict x_mm,
+                        size_t count, struct lx_block_single *restrict block)
+{
+    const struct sphere_row row = sphere_row_of(sphere, view);
+    const double inverse = 1 / sphere->radius_mm;
+    lanes_double least = all_double(HUGE_VAL);
+    count = lx_padded(count);
+    for (size_t i = 0; i < count; i += LX_WIDTH_double) {
+        const struct sphere_places at = sphere_places_at(row, x_mm + i);
+        least = lesser_double(at.below, least);
+        store_rounded(block->px + i, at.dx);
+        store_rounded(block->py + i, all_double(row.dy));
+        store_rounded(block->pz + i, at.height);
+        store_rounded(block->nx + i, at.dx * inverse);
+        store_rounded(block->ny + i, all_double(row.dy * inverse));
+        store_rounded(block->nz + i, at.height * inverse);
+    }
+    return !any_above_double(all_double(0), least);
 }
 
 /* Of a sphere seen from a point, as surface/sphere.c explains it: d the line, c from the centre to the observer. */
@@ -235,6 +296,8 @@ const struct lx_kernels TABLE_OF(LX_ISA) = {
     .samples_double = samples_double,
     .survey_single = survey_single,
     .survey_double = survey_double,
+    .set_all = set_all,
+    .round_all = round_all,
     .facets_single = light_by_facets_single,
     .light_by_shell = {[LX_FACETS] = light_by_facets_double,
                        [LX_DISK] = light_by_disk,
@@ -242,6 +305,7 @@ const struct lx_kernels TABLE_OF(LX_ISA) = {
                        [LX_CYLINDER] = light_by_cylinder},
     .meet_lines = {[LX_SPHERE] = meet_sphere, [LX_PLATE] = meet_plate},
     .complete_block = {[LX_SPHERE] = complete_sphere, [LX_PLATE] = complete_plate},
+    .view_single = {[LX_SPHERE] = view_sphere},
     .block_light = {[LX_SPHERE] = block_by_sphere, [LX_PLATE] = block_by_plate},
 };
 #endif

@@ -152,6 +152,17 @@ typedef size_t lx_meet_lines(const struct lx_shape *shape, const struct lx_row_v
 typedef void lx_complete_block(const struct lx_shape *shape, const double *observer_mm, struct lx_block_double *block,
                                struct lx_block_single *copy, size_t count);
 
+/*
+ * The same at once, in float32 alone, of lines of sight along -z: where they all meet the shape, sets the places and
+ * normals of the block to what the two functions above make.  Whether they do; else the block holds nothing of use.
+ */
+typedef bool lx_view_single(const struct lx_shape *shape, const struct lx_row_view *view, const double *x_mm,
+                            size_t count, struct lx_block_single *block);
+
+/* Sets values to one number, and rounds them to float32: plain loops, but a tenth of a picture under one light. */
+typedef void lx_set_all(double *values, size_t count, double number);
+typedef void lx_round_all(const double *values, size_t count, float *rounded);
+
 /* A shape in the way of light: its anchor stands relative to the block's; the light is a place or a direction. */
 struct lx_blocker {
     struct lx_shape shape;
@@ -203,12 +214,15 @@ struct lx_kernels {
     lx_shade_samples_double *samples_double;
     lx_survey_single *survey_single;
     lx_survey_double *survey_double;
+    lx_set_all *set_all;
+    lx_round_all *round_all;
     lx_light_by_shell_single *facets_single;
     /* by the type of the emitter; NULL for those that are not extended */
     lx_light_by_shell_double *light_by_shell[LX_CYLINDER + 1];
     /* by the type of the shape */
     lx_meet_lines *meet_lines[LX_SHAPE_TYPES];
     lx_complete_block *complete_block[LX_SHAPE_TYPES];
+    lx_view_single *view_single[LX_SHAPE_TYPES]; /* NULL: there is none */
     lx_block_light *block_light[LX_SHAPE_TYPES];
 };
 

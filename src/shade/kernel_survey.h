@@ -37,8 +37,8 @@ static struct lx_survey NAME(survey)(const REAL *values, size_t count, double le
     for (int k = 0; k < LX_LANES; k++)
         survey.sum += tally.sums[k];
     for (int lane = 0; lane < NAME(LX_WIDTH); lane++) {
-        survey.maximum = fmax(survey.maximum, (double)tally.maximum[lane]);
-        survey.minimum = fmin(survey.minimum, (double)tally.minimum[lane]);
+        survey.maximum = lx_larger(survey.maximum, (double)tally.maximum[lane]);
+        survey.minimum = lx_smaller(survey.minimum, (double)tally.minimum[lane]);
         survey.at_least += (size_t)tally.at_least[lane];
     }
     return survey;

@@ -381,6 +381,19 @@ static luxel_status plan_accuracy(struct lx_plan *plan, struct lx_control *contr
     return status == LUXEL_OK && every > 1 && !fits ? find_accuracy(plan, control, 1, &fits) : status;
 }
 
+/* Whether the elements of a run in float32 are all that its light takes. */
+static bool is_in_single_alone(const struct lx_plan *plan)
+{
+    const struct lx_planned_surface *surface = plan->surfaces;
+    bool all = plan->surface_count == 1 && plan->forest.tree_count == 0 && surface->shell_count == 0 &&
+               lx_views_along_z(&plan->prepared->scene->observer) && plan->kernels->view_single[surface->shape.type];
+    for (size_t r = 0; all && r < surface->run_count; r++) {
+        const struct lx_light_run *run = &surface->runs[r];
+        all = !run->in_double && !run->has_edges && run->blocker_count == 0;
+    }
+    return all;
+}
+
 luxel_status lx_plan_make(const struct lx_prepared *prepared, const struct lx_kernels *kernels,
                           const luxel_settings *settings, struct lx_plan *plan)
 {
@@ -415,7 +428,10 @@ luxel_status lx_plan_make(const struct lx_prepared *prepared, const struct lx_ke
         status =
             plan_surface(plan, &control, is_irradiance ? &irradiance : &prepared->surfaces[s].lobe, &plan->surfaces[s]);
     }
-    return status == LUXEL_OK ? plan_accuracy(plan, &control) : status;
+    if (status == LUXEL_OK)
+        status = plan_accuracy(plan, &control);
+    plan->in_single_alone = status == LUXEL_OK && is_in_single_alone(plan);
+    return status;
 }
 
 void lx_plan_clear(struct lx_plan *plan)

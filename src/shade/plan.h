@@ -66,6 +66,7 @@ struct lx_plan {
     const struct lx_kernels *kernels;
     struct lx_planned_surface *surfaces;
     size_t surface_count;
+    bool in_single_alone; /* there is one surface, whose light takes nothing but its elements in float32 (seen.h) */
     luxel_precision precision;
     double tolerance;        /* of the highlights of extended sources, relative to the picture's maximum */
     double least_maximum;    /* which is no less than this */

@@ -1,17 +1,14 @@
 /* SPDX-License-Identifier: MIT */
-/*
- * Shading a run of pixels: which surface each shows, the elements of each surface gathered into one block, all
- * lights over the block, and the sums scattered back.
- */
+/* Shading a run of pixels: all lights over the elements of each surface that it shows. */
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
 #include "../base/memory.h"
 #include "../light/extended.h"
-#include "camera.h"
 #include "cubature.h"
 #include "cut.h"
+#include "seen.h"
 #include "shader.h"
 
 /* Some lights of a run, and extended sources, that are summed between two questions whether to go on. */
@@ -20,31 +17,11 @@ enum { RUNS_BETWEEN_CHECKS = 16, SHELLS_BETWEEN_CHECKS = 4 };
 /* For how many surfaces that a tile shows the cuts are kept from row to row. */
 enum { KEPT_CUTS = 4 };
 
-/* What the lines of sight of a run of pixels meet, and room for that. */
-struct lines {
-    double *depth, *px, *py, *pz;
-};
-struct lines_room {
-    _Alignas(64) double depth[LX_BLOCK];
-    double px[LX_BLOCK], py[LX_BLOCK], pz[LX_BLOCK];
-};
-
-/* The elements of a surface in a run of pixels. */
-struct gathered {
-    size_t count;
-    unsigned first; /* of their pixels, where these are side by side; else LX_BLOCK */
-};
-
 struct lx_shader_memory {
-    struct lines nearest; /* its places are those of the block where there is one surface alone */
-    struct lines_room room_of_nearest, candidate;
-    struct lx_block_double block;
-    struct lx_block_single copy;
-    double sum[LX_BLOCK];
+    struct lx_seen seen;
+    double *sum; /* of the elements: the pixels' values where each of them is one, else: */
+    double room_of_sum[LX_BLOCK];
     float open[LX_BLOCK];
-    bool shows_one;           /* every pixel of the run shows the only surface that there is; else: */
-    uint32_t shown[LX_BLOCK]; /* surface of each pixel, from 1; 0: none */
-    unsigned place[LX_BLOCK]; /* pixel of each element of the block */
     struct lx_sampling_memory *sampling;
     struct lx_light_room room;
     /* where points are clustered: */
@@ -54,20 +31,6 @@ struct lx_shader_memory {
     size_t cut_count;
     double error;
 };
-
-static struct lines lines_in(struct lines_room *room)
-{
-    return (struct lines){room->depth, room->px, room->py, room->pz};
-}
-
-/* The view vectors of all blocks where they are the same. */
-static void look_along_z(struct lx_shader_memory *memory)
-{
-    for (size_t i = 0; i < LX_BLOCK; i++) {
-        memory->block.vx[i] = memory->block.vy[i] = 0, memory->block.vz[i] = 1;
-        memory->copy.vx[i] = memory->copy.vy[i] = 0, memory->copy.vz[i] = 1;
-    }
-}
 
 struct lx_shader_memory *lx_shader_memory_new(const struct lx_plan *plan)
 {
@@ -81,10 +44,7 @@ struct lx_shader_memory *lx_shader_memory_new(const struct lx_plan *plan)
         memory->sampling = lx_sampling_memory_of((char *)memory + head, plan->most_patches);
     memory->error = 0;
     memory->room = (struct lx_light_room){.of_singles = NULL};
-    memory->nearest = lines_in(&memory->room_of_nearest);
-    if (plan->surface_count == 1)
-        memory->nearest = (struct lines){memory->nearest.depth, memory->block.px, memory->block.py, memory->block.pz};
-    look_along_z(memory);
+    lx_seen_init(plan, &memory->seen);
     bool has_all = true;
     size_t surfaces = plan->forest.tree_count > 0 ? plan->surface_count : 0;
     memory->cut_count = surfaces < KEPT_CUTS ? surfaces : KEPT_CUTS;
@@ -103,118 +63,6 @@ void lx_shader_memory_free(struct lx_shader_memory *memory)
     free(memory);
 }
 
-/* Whether a surface may be seen through a row at all; in perspective only the lines themselves tell. */
-static bool may_show(const struct lx_planned_surface *surface, const struct lx_row_view *view, const double *x_mm,
-                     size_t count)
-{
-    return view->perspective || (view->y_mm >= surface->low_mm[1] && view->y_mm <= surface->high_mm[1] &&
-                                 x_mm[count - 1] >= surface->low_mm[0] && x_mm[0] <= surface->high_mm[0]);
-}
-
-static size_t meet(const struct lx_plan *plan, const struct lx_planned_surface *surface, const struct lx_row_view *view,
-                   const double *x_mm, size_t count, struct lines lines)
-{
-    return plan->kernels->meet_lines[surface->shape.type](&surface->shape, view, x_mm, count, lines.depth, lines.px,
-                                                          lines.py, lines.pz);
-}
-
-/* Takes over what a further surface hides of the nearest so far; returns how many pixels showed none. */
-static size_t merge(struct lx_shader_memory *memory, uint32_t surface, size_t count)
-{
-    const struct lines *nearest = &memory->nearest;
-    const struct lines_room *candidate = &memory->candidate;
-    size_t new = 0;
-    for (size_t i = 0; i < count; i++) {
-        if (candidate->depth[i] >= nearest->depth[i])
-            continue;
-        new += memory->shown[i] == 0;
-        memory->shown[i] = surface + 1;
-        nearest->depth[i] = candidate->depth[i];
-        nearest->px[i] = candidate->px[i];
-        nearest->py[i] = candidate->py[i];
-        nearest->pz[i] = candidate->pz[i];
-    }
-    return new;
-}
-
-/* Finds the nearest surface of each pixel; returns the number of pixels that show one. */
-static size_t find_nearest(const struct lx_plan *plan, struct lx_shader_memory *memory, double y_mm, const double *x_mm,
-                           size_t count)
-{
-    const struct lx_observer *observer = &plan->prepared->scene->observer;
-    struct lx_row_view view = {
-        .perspective = observer->projection == LX_PERSPECTIVE, .observer_z_mm = observer->z_mm, .y_mm = y_mm};
-    size_t found = 0;
-    bool any = false;
-    memory->shows_one = false;
-    for (uint32_t s = 0; s < plan->surface_count; s++) {
-        if (!may_show(&plan->surfaces[s], &view, x_mm, count))
-            continue;
-        const size_t met =
-            meet(plan, &plan->surfaces[s], &view, x_mm, count, any ? lines_in(&memory->candidate) : memory->nearest);
-        memory->shows_one = plan->surface_count == 1 && met == count;
-        if (memory->shows_one)
-            return count;
-        found += any ? merge(memory, s, count) : met;
-        if (!any)
-            for (size_t i = 0; i < count; i++)
-                memory->shown[i] = memory->nearest.depth[i] < HUGE_VAL ? s + 1 : 0;
-        any = true;
-    }
-    return found;
-}
-
-/* One coordinate of the elements' pixels, which may stand in the block already, no sooner than it is to. */
-static void gather_places(const struct lx_shader_memory *memory, const double *from, bool in_one, size_t elements,
-                          double *to)
-{
-    if (in_one && from + memory->place[0] != to)
-        memmove(to, from + memory->place[0], elements * sizeof *to);
-    for (size_t k = 0; k < elements && !in_one; k++)
-        to[k] = from[memory->place[k]];
-    for (size_t k = elements; k < lx_padded(elements); k++)
-        to[k] = to[0];
-}
-
-/* Gathers the elements of a surface; the lanes beyond the last repeat the first. */
-static struct gathered gather(struct lx_shader_memory *memory, size_t surface, size_t count)
-{
-    const bool all = memory->shows_one;
-    size_t elements = all ? count : 0;
-    memory->place[0] = 0;
-    for (size_t i = 0; !all && i < count; i++) {
-        memory->place[elements] = (unsigned)i;
-        elements += memory->shown[i] == surface + 1;
-    }
-    const unsigned first = memory->place[0];
-    const bool in_one = all || (elements > 0 && memory->place[elements - 1] - first == elements - 1);
-    gather_places(memory, memory->nearest.px, in_one, elements, memory->block.px);
-    gather_places(memory, memory->nearest.py, in_one, elements, memory->block.py);
-    gather_places(memory, memory->nearest.pz, in_one, elements, memory->block.pz);
-    return (struct gathered){elements, in_one ? first : LX_BLOCK};
-}
-
-/* Puts the sums of the elements where their pixels are. */
-static void scatter(const struct lx_shader_memory *memory, struct gathered gathered, double *values)
-{
-    if (gathered.first < LX_BLOCK)
-        memcpy(values + gathered.first, memory->sum, gathered.count * sizeof *values);
-    for (size_t k = 0; gathered.first == LX_BLOCK && k < gathered.count; k++)
-        values[memory->place[k]] = memory->sum[k];
-}
-
-/* Where the view vectors of a surface start, from its anchor; NULL where they are all the same. */
-static const double *observer_from(const struct lx_plan *plan, const struct lx_planned_surface *surface, double from[3])
-{
-    const struct lx_observer *observer = &plan->prepared->scene->observer;
-    if (lx_views_along_z(observer))
-        return NULL;
-    from[0] = -surface->shape.anchor_mm[0];
-    from[1] = -surface->shape.anchor_mm[1];
-    from[2] = observer->z_mm - surface->shape.anchor_mm[2];
-    return from;
-}
-
 static const float *find_open(const struct lx_plan *plan, const struct lx_planned_surface *surface,
                               const struct lx_light_run *run, const struct lx_light_double *light,
                               struct lx_shader_memory *memory, size_t count)
@@ -225,7 +73,7 @@ static const float *find_open(const struct lx_plan *plan, const struct lx_planne
         memory->open[i] = 1;
     for (size_t b = 0; b < run->blocker_count; b++) {
         const struct lx_shape *blocker = &plan->surfaces[surface->blockers[run->blocker_first + b]].shape;
-        lx_block_one(plan->kernels, blocker, surface->shape.anchor_mm, light, &memory->block, count, memory->open);
+        lx_block_one(plan->kernels, blocker, surface->shape.anchor_mm, light, &memory->seen.block, count, memory->open);
     }
     return memory->open;
 }
@@ -240,28 +88,27 @@ static void light_by_run(const struct lx_plan *plan, const struct lx_planned_sur
         exact = lx_lights_double(&surface->lights, first, lights, &memory->room);
     const float *open = find_open(plan, surface, run, exact, memory, count);
     if (run->in_double)
-        plan->kernels->shade_double(exact, NULL, lights, &surface->lobe_exact, &memory->block, NULL, open, count,
+        plan->kernels->shade_double(exact, NULL, lights, &surface->lobe_exact, &memory->seen.block, NULL, open, count,
                                     memory->sum);
     else
         plan->kernels->shade_single(lx_lights_single(&surface->lights, first, lights, &memory->room), exact, lights,
-                                    &surface->lobe_single, &memory->copy, &memory->block, open, count, memory->sum);
+                                    &surface->lobe_single, &memory->seen.copy, &memory->seen.block, open, count,
+                                    memory->sum);
 }
 
 /* Sums all lights but the extended and the clustered ones over the gathered block. */
 static void light_block(const struct lx_plan *plan, const struct lx_planned_surface *surface,
-                        struct lx_shader_memory *memory, size_t count, struct lx_control *control, bool is_caller)
+                        struct lx_shader_memory *memory, size_t count, const struct lx_asking *asking)
 {
     size_t step = 0;
-    for (size_t i = 0; i < lx_padded(count); i++)
-        memory->sum[i] = surface->uniform;
+    plan->kernels->set_all(memory->sum, lx_padded(count), surface->uniform);
     for (size_t r = 0; r < surface->run_count; r++) {
         const struct lx_light_run *run = &surface->runs[r];
         const size_t most = run->blocker_count > 0 ? 1 : LX_MOST_IN_RUN, end = run->first + run->count;
         for (size_t first = run->first; first < end; first += most, step++) {
             if (step % plan->every == 0)
                 light_by_run(plan, surface, run, first, end - first < most ? end - first : most, memory, count);
-            bool check = control && step % RUNS_BETWEEN_CHECKS == RUNS_BETWEEN_CHECKS - 1;
-            if (check && !lx_control_goes_on(control, is_caller))
+            if (step % RUNS_BETWEEN_CHECKS == RUNS_BETWEEN_CHECKS - 1 && !lx_asking_goes_on(asking))
                 return;
         }
     }
@@ -348,8 +195,8 @@ static void light_by_laws(const struct lx_plan *plan, const struct lx_planned_su
     double sum[LX_LANES];
     memcpy(sum, memory->sum + start, sizeof sum);
     for (size_t s = 0; s < surface->matte_count; s++)
-        by_samples = by_samples && is_above(surface->matte[s].shell, &memory->block, start);
-    if (by_samples && lx_sample_run(&sampling, memory->sampling, &memory->block, &memory->copy, start, sum)) {
+        by_samples = by_samples && is_above(surface->matte[s].shell, &memory->seen.block, start);
+    if (by_samples && lx_sample_run(&sampling, memory->sampling, &memory->seen.block, &memory->seen.copy, start, sum)) {
         memcpy(memory->sum + start, sum, sizeof sum);
         return;
     }
@@ -357,7 +204,7 @@ static void light_by_laws(const struct lx_plan *plan, const struct lx_planned_su
     for (size_t s = 0; s < surface->shell_count; s++) {
         const struct lx_emitter *emitter = surface->shells[s].emitter;
         for (size_t i = start; i < last && emitter->attenuation != LX_INVERSE_SQUARE; i++) {
-            memory->sum[i] += integrate_matte(plan, surface, emitter, &memory->block, i, asking);
+            memory->sum[i] += integrate_matte(plan, surface, emitter, &memory->seen.block, i, asking);
             if (!lx_asking_goes_on(asking))
                 return;
         }
@@ -382,14 +229,14 @@ static void light_by_highlights(const struct lx_plan *plan, const struct lx_plan
     };
     double sum[LX_LANES];
     memcpy(sum, memory->sum + start, sizeof sum);
-    if (lx_sample_run(&sampling, memory->sampling, &memory->block, &memory->copy, start, sum)) {
+    if (lx_sample_run(&sampling, memory->sampling, &memory->seen.block, &memory->seen.copy, start, sum)) {
         memcpy(memory->sum + start, sum, sizeof sum);
         return;
     }
     size_t last = start + LX_LANES < count ? start + LX_LANES : count;
     for (size_t i = start; i < last && lx_asking_goes_on(asking); i++) {
         double known = fmax(plan->least_maximum, memory->sum[i]);
-        memory->sum[i] += integrate_glossy(plan, surface, known, &memory->block, i, asking);
+        memory->sum[i] += integrate_glossy(plan, surface, known, &memory->seen.block, i, asking);
     }
 }
 
@@ -405,9 +252,9 @@ static void light_by_shells(const struct lx_plan *plan, const struct lx_planned_
         if (s % SHELLS_BETWEEN_CHECKS == SHELLS_BETWEEN_CHECKS - 1 && !lx_asking_goes_on(asking))
             return;
         if (shell->edges_single)
-            plan->kernels->facets_single(shell, diffuse, &memory->copy, count, asking, memory->sum);
+            plan->kernels->facets_single(shell, diffuse, &memory->seen.copy, count, asking, memory->sum);
         else
-            plan->kernels->light_by_shell[shell->type](shell, diffuse, &memory->block, count, asking, memory->sum);
+            plan->kernels->light_by_shell[shell->type](shell, diffuse, &memory->seen.block, count, asking, memory->sum);
     }
     const bool by_laws = surface->matte_count > 0 && diffuse > 0, is_glossy = surface->glossy_exact.model != LX_LAMBERT;
     for (size_t start = 0; start < count && (by_laws || is_glossy); start += LX_LANES) {
@@ -503,18 +350,13 @@ static struct lx_cone cone_around(const struct extent *extent)
 static struct lx_tract find_tract(const struct lx_plan *plan, struct lx_shader_memory *memory, size_t s)
 {
     const struct lx_planned_surface *surface = &plan->surfaces[s];
-    struct lx_block_double *block = &memory->block;
+    struct lx_block_double *block = &memory->seen.block;
     struct extent places = EMPTY, normals = EMPTY, views = EMPTY, mirrored = EMPTY;
     struct lx_tract tract = {.count = 0};
-    double from[3];
     for (size_t j = 0; j < memory->tile_rows; j++) {
-        if (find_nearest(plan, memory, memory->tile_y[j], memory->tile_x, memory->tile_columns) == 0)
+        if (lx_seen_find(plan, &memory->seen, memory->tile_y[j], memory->tile_x, memory->tile_columns) == 0)
             continue;
-        const size_t count = gather(memory, s, memory->tile_columns).count;
-        if (count == 0)
-            continue;
-        plan->kernels->complete_block[surface->shape.type](&surface->shape, observer_from(plan, surface, from), block,
-                                                           &memory->copy, count);
+        const size_t count = lx_seen_gather(plan, &memory->seen, s, memory->tile_columns).count;
         extend(&places, block->px, block->py, block->pz, count);
         extend(&normals, block->nx, block->ny, block->nz, count);
         extend(&views, block->vx, block->vy, block->vz, count);
@@ -545,45 +387,58 @@ static const struct lx_cut *find_cut(const struct lx_plan *plan, struct lx_shade
     return lx_cut_make(plan, &plan->surfaces[s], &tract, asking, cut) ? cut : NULL;
 }
 
+/* Sums the light that falls on elements of a surface; `cut`: of the clustered points, where there are some. */
+static void light_surface(const struct lx_plan *plan, const struct lx_planned_surface *surface,
+                          const struct lx_cut *cut, struct lx_shader_memory *memory, size_t elements,
+                          const struct lx_asking *asking)
+{
+    light_block(plan, surface, memory, elements, asking);
+    if (cut)
+        lx_cut_shade(plan, cut, &memory->seen.block, &memory->seen.copy, elements, asking, memory->open, memory->sum);
+    if (surface->shell_count > 0)
+        light_by_shells(plan, surface, memory, elements, asking);
+}
+
 size_t lx_shade_points(const struct lx_plan *plan, struct lx_shader_memory *memory, double y_mm, double *x_mm,
                        size_t count, struct lx_control *control, bool is_caller, double *values, uint8_t *mask)
 {
     const struct lx_asking asking = {.control = control, .is_caller = is_caller};
+    struct lx_seen *seen = &memory->seen;
     for (size_t i = count; i < lx_padded(count); i++)
         x_mm[i] = x_mm[count - 1];
-    const size_t found = find_nearest(plan, memory, y_mm, x_mm, count);
-    size_t left = found;
-    memset(mask, memory->shows_one, count);
     memory->error = 0;
-    if (!memory->shows_one)
+    memory->sum = values;
+    if (lx_seen_whole(plan, seen, y_mm, x_mm, count)) {
+        memset(mask, 1, count);
+        light_surface(plan, plan->surfaces, NULL, memory, count, &asking);
+        return count;
+    }
+    const size_t found = lx_seen_find(plan, seen, y_mm, x_mm, count);
+    size_t left = found;
+    memset(mask, seen->shows_one, count);
+    if (!seen->shows_one) {
+        memory->sum = memory->room_of_sum;
         memset(values, 0, count * sizeof *values);
-    for (size_t i = 0; left > 0 && !memory->shows_one && i < count; i++)
-        mask[i] = memory->shown[i] != 0;
+    }
+    for (size_t i = 0; left > 0 && !seen->shows_one && i < count; i++)
+        mask[i] = seen->shown[i] != 0;
     for (size_t s = 0; left > 0 && s < plan->surface_count; s++) {
-        const struct lx_planned_surface *surface = &plan->surfaces[s];
-        struct gathered gathered = gather(memory, s, count);
-        const size_t elements = gathered.count;
-        if (elements == 0)
-            continue;
+        struct lx_gathered gathered = lx_seen_gather(plan, seen, s, count);
         const struct lx_cut *cut = NULL;
+        if (gathered.count == 0)
+            continue;
         if (plan->forest.tree_count > 0) {
             cut = find_cut(plan, memory, s, &asking);
             if (!cut)
                 return found;
-            find_nearest(plan, memory, y_mm, x_mm, count);
-            gathered = gather(memory, s, count);
+            lx_seen_find(plan, seen, y_mm, x_mm, count);
+            gathered = lx_seen_gather(plan, seen, s, count);
             memory->error = fmax(memory->error, cut->error);
         }
-        double from[3];
-        plan->kernels->complete_block[surface->shape.type](&surface->shape, observer_from(plan, surface, from),
-                                                           &memory->block, &memory->copy, elements);
-        light_block(plan, surface, memory, elements, control, is_caller);
-        if (cut)
-            lx_cut_shade(plan, cut, &memory->block, &memory->copy, elements, &asking, memory->open, memory->sum);
-        if (surface->shell_count > 0)
-            light_by_shells(plan, surface, memory, elements, &asking);
-        scatter(memory, gathered, values);
-        left -= elements;
+        light_surface(plan, &plan->surfaces[s], cut, memory, gathered.count, &asking);
+        if (!seen->shows_one)
+            lx_seen_scatter(seen, gathered, memory->sum, values);
+        left -= gathered.count;
     }
     return found;
 }

@@ -336,6 +336,32 @@ static void test_surveys(void **state)
     }
 }
 
+/* ---- plain loops ---- */
+
+static void test_plain_loops(void **state)
+{
+    (void)state;
+    for (size_t k = 0; lx_kernels_get(k); k++) {
+        const struct lx_kernels *kernels = lx_kernels_get(k);
+        for (size_t c = 0; c < COUNTS && kernels->runs(); c++) {
+            const size_t count = counts[c];
+            double *values = (double *)take(LX_BLOCK * sizeof *values) + LX_BLOCK - count;
+            float *rounded = (float *)take(LX_BLOCK * sizeof *rounded) + LX_BLOCK - count;
+            kernels->set_all(values, count, 0.25);
+            for (size_t i = 0; i < count; i++) {
+                assert_true(values[i] == 0.25);
+                values[i] = 1 / (double)(i + 3);
+            }
+            kernels->round_all(values, count, rounded);
+            for (size_t i = 0; i < count; i++)
+                assert_true(rounded[i] == (float)(1 / (double)(i + 3)));
+            assert_true(is_pattern(values + count - LX_BLOCK, (LX_BLOCK - count) * sizeof *values));
+            assert_true(is_pattern(rounded + count - LX_BLOCK, (LX_BLOCK - count) * sizeof *rounded));
+            give_back(kernels->name);
+        }
+    }
+}
+
 /* ---- shapes ---- */
 
 static const struct lx_shape ball = {.type = LX_SPHERE, .anchor_mm = {5, -7, 400}, .radius_mm = 300};
@@ -388,6 +414,51 @@ static void check_shape(const struct lx_kernels *kernels, const struct lx_shape 
     give_back(kernels->name);
 }
 
+/* What is made at once is what is made step by step, where all lines of sight meet the shape; the row is so high over
+ * its centre. */
+static void check_view(const struct lx_kernels *kernels, const struct lx_shape *shape, size_t count, double high)
+{
+    const struct lx_row_view view = {.observer_z_mm = 5000, .y_mm = shape->anchor_mm[1] + high};
+    const size_t padded = lx_padded(count);
+    const double half = sqrt(shape->radius_mm * shape->radius_mm - high * high), edge = 1 - 1e-12;
+    double *x = take(LX_BLOCK * sizeof *x), *depth = take(LX_BLOCK * sizeof *depth);
+    struct lx_block_double *block = take(sizeof *block);
+    struct lx_block_single *copy = take(sizeof *copy), *once = take(sizeof *once);
+    for (size_t i = 0; i < padded; i++) {
+        const double share = i < count - 1 ? 2 * (double)i / (double)(count - 1) - 1 : 1;
+        x[i] = shape->anchor_mm[0] + half * edge * share;
+    }
+    const size_t met =
+        kernels->meet_lines[shape->type](shape, &view, x, padded, depth, block->px, block->py, block->pz);
+    assert_true(met == padded);
+    kernels->complete_block[shape->type](shape, NULL, block, copy, count);
+    assert_true(kernels->view_single[shape->type](shape, &view, x, count, once));
+    for (size_t array = 0; array < ARRAYS; array++) {
+        const bool is_view = array >= 6;
+        const float *stepwise = array_of_single(copy, array), *at_once = array_of_single(once, array);
+        if (!is_view)
+            assert_memory_equal(stepwise, at_once, padded * sizeof *at_once);
+        const size_t kept = is_view ? 0 : padded;
+        assert_true(is_pattern(at_once + kept, (LX_BLOCK - kept) * sizeof *at_once));
+    }
+    for (size_t missed = 0; missed < count; missed++) {
+        const double at = x[missed];
+        x[missed] = shape->anchor_mm[0] + half * (missed % 2 ? 1.001 : -1.001);
+        assert_false(kernels->view_single[shape->type](shape, &view, x, count, once));
+        x[missed] = at;
+    }
+    give_back(kernels->name);
+}
+
+static void test_views(void **state)
+{
+    (void)state;
+    for (size_t k = 0; lx_kernels_get(k); k++)
+        for (size_t c = 0; c < COUNTS && lx_kernels_get(k)->runs(); c++)
+            for (int row = -5; row <= 5; row++)
+                check_view(lx_kernels_get(k), &ball, counts[c], row * 59.99);
+}
+
 static void test_shapes(void **state)
 {
     (void)state;
@@ -402,8 +473,9 @@ static void test_shapes(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_points),  cmocka_unit_test(test_shells), cmocka_unit_test(test_samples),
-        cmocka_unit_test(test_surveys), cmocka_unit_test(test_shapes),
+        cmocka_unit_test(test_points),  cmocka_unit_test(test_shells),      cmocka_unit_test(test_samples),
+        cmocka_unit_test(test_surveys), cmocka_unit_test(test_plain_loops), cmocka_unit_test(test_shapes),
+        cmocka_unit_test(test_views),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

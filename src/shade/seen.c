@@ -1,0 +1,150 @@
+/* SPDX-License-Identifier: MIT */
+/* The surfaces that a run of pixels shows, from the lines of sight to blocks of elements. */
+#include "seen.h"
+
+#include <math.h>
+#include <string.h>
+
+#include "camera.h"
+
+static struct lx_lines lines_in(struct lx_lines_room *room)
+{
+    return (struct lx_lines){room->depth, room->px, room->py, room->pz};
+}
+
+void lx_seen_init(const struct lx_plan *plan, struct lx_seen *seen)
+{
+    seen->nearest = lines_in(&seen->room_of_nearest);
+    if (plan->surface_count == 1)
+        seen->nearest = (struct lx_lines){seen->nearest.depth, seen->block.px, seen->block.py, seen->block.pz};
+    /* where view vectors are the same everywhere they stay */
+    for (size_t i = 0; i < LX_BLOCK; i++) {
+        seen->block.vx[i] = seen->block.vy[i] = 0, seen->block.vz[i] = 1;
+        seen->copy.vx[i] = seen->copy.vy[i] = 0, seen->copy.vz[i] = 1;
+    }
+}
+
+/* Whether a surface may be seen through a row at all; in perspective only the lines themselves tell. */
+static bool may_show(const struct lx_planned_surface *surface, const struct lx_row_view *view, const double *x_mm,
+                     size_t count)
+{
+    return view->perspective || (view->y_mm >= surface->low_mm[1] && view->y_mm <= surface->high_mm[1] &&
+                                 x_mm[count - 1] >= surface->low_mm[0] && x_mm[0] <= surface->high_mm[0]);
+}
+
+static size_t meet(const struct lx_plan *plan, const struct lx_planned_surface *surface, const struct lx_row_view *view,
+                   const double *x_mm, size_t count, struct lx_lines lines)
+{
+    return plan->kernels->meet_lines[surface->shape.type](&surface->shape, view, x_mm, count, lines.depth, lines.px,
+                                                          lines.py, lines.pz);
+}
+
+/* Takes over what a further surface hides of the nearest so far; returns how many pixels showed none. */
+static size_t merge(struct lx_seen *seen, uint32_t surface, size_t count)
+{
+    const struct lx_lines *nearest = &seen->nearest;
+    const struct lx_lines_room *candidate = &seen->candidate;
+    size_t new = 0;
+    for (size_t i = 0; i < count; i++) {
+        if (candidate->depth[i] >= nearest->depth[i])
+            continue;
+        new += seen->shown[i] == 0;
+        seen->shown[i] = surface + 1;
+        nearest->depth[i] = candidate->depth[i];
+        nearest->px[i] = candidate->px[i];
+        nearest->py[i] = candidate->py[i];
+        nearest->pz[i] = candidate->pz[i];
+    }
+    return new;
+}
+
+static struct lx_row_view view_of(const struct lx_plan *plan, double y_mm)
+{
+    const struct lx_observer *observer = &plan->prepared->scene->observer;
+    return (struct lx_row_view){
+        .perspective = observer->projection == LX_PERSPECTIVE, .observer_z_mm = observer->z_mm, .y_mm = y_mm};
+}
+
+bool lx_seen_whole(const struct lx_plan *plan, struct lx_seen *seen, double y_mm, const double *x_mm, size_t count)
+{
+    const struct lx_planned_surface *surface = plan->surfaces;
+    const struct lx_row_view view = view_of(plan, y_mm);
+    return plan->in_single_alone && may_show(surface, &view, x_mm, count) &&
+           plan->kernels->view_single[surface->shape.type](&surface->shape, &view, x_mm, count, &seen->copy);
+}
+
+size_t lx_seen_find(const struct lx_plan *plan, struct lx_seen *seen, double y_mm, const double *x_mm, size_t count)
+{
+    const struct lx_row_view view = view_of(plan, y_mm);
+    size_t found = 0;
+    bool any = false;
+    seen->shows_one = false;
+    for (uint32_t s = 0; s < plan->surface_count; s++) {
+        if (!may_show(&plan->surfaces[s], &view, x_mm, count))
+            continue;
+        const size_t met =
+            meet(plan, &plan->surfaces[s], &view, x_mm, count, any ? lines_in(&seen->candidate) : seen->nearest);
+        seen->shows_one = plan->surface_count == 1 && met == count;
+        if (seen->shows_one)
+            return count;
+        found += any ? merge(seen, s, count) : met;
+        if (!any)
+            for (size_t i = 0; i < count; i++)
+                seen->shown[i] = seen->nearest.depth[i] < HUGE_VAL ? s + 1 : 0;
+        any = true;
+    }
+    return found;
+}
+
+/* Where the view vectors of a surface start, from its anchor; NULL where they are all the same. */
+static const double *observer_from(const struct lx_plan *plan, const struct lx_planned_surface *surface, double from[3])
+{
+    const struct lx_observer *observer = &plan->prepared->scene->observer;
+    if (lx_views_along_z(observer))
+        return NULL;
+    from[0] = -surface->shape.anchor_mm[0];
+    from[1] = -surface->shape.anchor_mm[1];
+    from[2] = observer->z_mm - surface->shape.anchor_mm[2];
+    return from;
+}
+
+/* One coordinate of the elements' pixels, which may stand in the block already, no sooner than it is to. */
+static void gather_places(const struct lx_seen *seen, const double *from, bool in_one, size_t elements, double *to)
+{
+    if (in_one && from + seen->place[0] != to)
+        memmove(to, from + seen->place[0], elements * sizeof *to);
+    for (size_t k = 0; k < elements && !in_one; k++)
+        to[k] = from[seen->place[k]];
+    for (size_t k = elements; k < lx_padded(elements); k++)
+        to[k] = to[0];
+}
+
+struct lx_gathered lx_seen_gather(const struct lx_plan *plan, struct lx_seen *seen, size_t s, size_t count)
+{
+    const struct lx_planned_surface *surface = &plan->surfaces[s];
+    const bool all = seen->shows_one;
+    size_t elements = all ? count : 0;
+    seen->place[0] = 0;
+    for (size_t i = 0; !all && i < count; i++) {
+        seen->place[elements] = (unsigned)i;
+        elements += seen->shown[i] == s + 1;
+    }
+    const unsigned first = seen->place[0];
+    const bool in_one = all || (elements > 0 && seen->place[elements - 1] - first == elements - 1);
+    gather_places(seen, seen->nearest.px, in_one, elements, seen->block.px);
+    gather_places(seen, seen->nearest.py, in_one, elements, seen->block.py);
+    gather_places(seen, seen->nearest.pz, in_one, elements, seen->block.pz);
+    double from[3];
+    if (elements > 0)
+        plan->kernels->complete_block[surface->shape.type](&surface->shape, observer_from(plan, surface, from),
+                                                           &seen->block, &seen->copy, elements);
+    return (struct lx_gathered){elements, in_one ? first : LX_BLOCK};
+}
+
+void lx_seen_scatter(const struct lx_seen *seen, struct lx_gathered gathered, const double *sums, double *values)
+{
+    if (gathered.first < LX_BLOCK)
+        memcpy(values + gathered.first, sums, gathered.count * sizeof *values);
+    for (size_t k = 0; gathered.first == LX_BLOCK && k < gathered.count; k++)
+        values[seen->place[k]] = sums[k];
+}

@@ -1,0 +1,53 @@
+/* SPDX-License-Identifier: MIT */
+/* What a run of pixels shows: the nearest surface of each, and the elements of a surface gathered into one block. */
+#ifndef LX_SHADE_SEEN_H
+#define LX_SHADE_SEEN_H
+
+#include <stdint.h>
+
+#include "plan.h"
+
+/* What the lines of sight of a run of pixels meet, and room for that. */
+struct lx_lines {
+    double *depth, *px, *py, *pz;
+};
+struct lx_lines_room {
+    _Alignas(64) double depth[LX_BLOCK];
+    double px[LX_BLOCK], py[LX_BLOCK], pz[LX_BLOCK];
+};
+
+/* Aligned as its blocks are; stays where it is. */
+struct lx_seen {
+    struct lx_block_double block; /* the elements, and the same in float32 */
+    struct lx_block_single copy;
+    struct lx_lines nearest; /* its places are those of the block where there is one surface alone */
+    struct lx_lines_room room_of_nearest, candidate;
+    bool shows_one;           /* every pixel of the run shows the only surface that there is; else: */
+    uint32_t shown[LX_BLOCK]; /* surface of each pixel, from 1; 0: none */
+    unsigned place[LX_BLOCK]; /* pixel of each element of the block */
+};
+
+/* The elements of a surface in a run of pixels. */
+struct lx_gathered {
+    size_t count;
+    unsigned first; /* of their pixels, where these are side by side; else LX_BLOCK */
+};
+
+void lx_seen_init(const struct lx_plan *plan, struct lx_seen *seen);
+
+/*
+ * Makes the copy of the elements of a run, but not the block, where the plan does with that (in_single_alone) and every
+ * pixel of the run shows the surface; false: do as below, which would make the same copy.
+ */
+bool lx_seen_whole(const struct lx_plan *plan, struct lx_seen *seen, double y_mm, const double *x_mm, size_t count);
+
+/* Finds the nearest surface of each pixel; returns the number of pixels that show one. */
+size_t lx_seen_find(const struct lx_plan *plan, struct lx_seen *seen, double y_mm, const double *x_mm, size_t count);
+
+/* Makes the block, and its copy, of the elements of surface s; the lanes beyond the last repeat the first. */
+struct lx_gathered lx_seen_gather(const struct lx_plan *plan, struct lx_seen *seen, size_t s, size_t count);
+
+/* Puts the sums of the elements where their pixels are. */
+void lx_seen_scatter(const struct lx_seen *seen, struct lx_gathered gathered, const double *sums, double *values);
+
+#endif
