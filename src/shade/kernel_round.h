@@ -194,51 +194,6 @@ LANE double disk_irradiance(struct lane lane, struct lane3 o, struct lane3 axis,
     return slice.height > -slice.reach ? greatest(value, 0) : 0;
 }
 
-/* What the loops over the elements of a run have in common; the elements of the kind get their light. */
-struct run {
-    const struct lx_shell *shell;
-    const struct lx_block_double *block;
-    struct lane3 axis, beside;
-    double gain;
-    double *kinds;
-};
-
-LANE void add_disk(struct run run, size_t start, double kind, double *restrict sum)
-{
-    const double touch = run.shell->touch_mm, radius = run.shell->round_mm;
-    const struct lane3 middle = {0, 0, 0};
-    for (size_t i = 0; i < LX_LANES; i++) {
-        struct lane lane = lane_of(run.shell, run.block, start + i);
-        double value = disk_irradiance(lane, middle, run.axis, run.beside, radius, touch, kind == CUT);
-        sum[start + i] += run.kinds[i] == kind ? run.gain * value : 0;
-    }
-}
-
-LANE struct run run_of(const struct lx_shell *shell, double diffuse, const struct lx_block_double *block, double *kinds)
-{
-    const struct lane3 axis = lane3_of(shell->axis);
-    return (struct run){shell, block, axis, beside3(axis), diffuse * shell->radiance, kinds};
-}
-
-static void light_by_disk(const struct lx_shell *shell, double diffuse, const struct lx_block_double *block,
-                          size_t count, const struct lx_asking *asking, double *restrict sum)
-{
-    double kinds[LX_LANES];
-    const struct run run = run_of(shell, diffuse, block, kinds);
-    (void)asking;
-    for (size_t start = 0; start < count; start += LX_LANES) {
-        for (size_t i = 0; i < LX_LANES; i++) {
-            struct lane lane = lane_of(shell, block, start + i);
-            double kind = kind_by_horizon(shell, lane, WHOLE, CUT);
-            kinds[i] = -dot3(lane.c, run.axis) > shell->touch_mm ? kind : UNSEEN;
-        }
-        if (any_is(kinds, WHOLE))
-            add_disk(run, start, WHOLE, sum);
-        if (any_is(kinds, CUT))
-            add_disk(run, start, CUT, sum);
-    }
-}
-
 /*
  * E by a ball for a radiance of 1, with sin s = R/d and x the cosine of the angle between N and the centre; k and cos s
  * are the legs of alpha.
@@ -258,35 +213,6 @@ LANE double ball_irradiance(struct lane lane, double radius, bool cuts)
     double bow = t2 < 1 ? tangent * (t2 / (1 + t2) - series) : direct; /* alpha - sin alpha cos alpha */
     double part = bow + x * x * s_c + x * sine * sine * angle_of(k, -cosine * x);
     return k2 > 0 ? greatest(part, 0) : greatest(whole, 0);
-}
-
-LANE void add_ball(struct run run, size_t start, double kind, double *restrict sum)
-{
-    for (size_t i = 0; i < LX_LANES; i++) {
-        struct lane lane = lane_of(run.shell, run.block, start + i);
-        double value = ball_irradiance(lane, run.shell->round_mm, kind == CUT);
-        sum[start + i] += run.kinds[i] == kind ? run.gain * value : 0;
-    }
-}
-
-static void light_by_ball(const struct lx_shell *shell, double diffuse, const struct lx_block_double *block,
-                          size_t count, const struct lx_asking *asking, double *restrict sum)
-{
-    double kinds[LX_LANES];
-    const struct run run = run_of(shell, diffuse, block, kinds);
-    const double outside = shell->round_mm + shell->touch_mm;
-    (void)asking;
-    for (size_t start = 0; start < count; start += LX_LANES) {
-        for (size_t i = 0; i < LX_LANES; i++) {
-            struct lane lane = lane_of(shell, block, start + i);
-            double kind = kind_by_horizon(shell, lane, WHOLE, CUT);
-            kinds[i] = sqrt(dot3(lane.c, lane.c)) > outside ? kind : UNSEEN;
-        }
-        if (any_is(kinds, WHOLE))
-            add_ball(run, start, WHOLE, sum);
-        if (any_is(kinds, CUT))
-            add_ball(run, start, CUT, sum);
-    }
 }
 
 /* The share of -2 E of what an arc from -end to end has in common with the slice that the horizon leaves. */
@@ -390,57 +316,90 @@ LANE double cylinder_irradiance(struct lane lane, struct lane3 axis, struct lane
     return greatest(-0.5 * sum, 0);
 }
 
-LANE void add_body(struct run run, size_t start, double kind, double *restrict sum)
+/* What the loops over the elements of a run have in common; the elements of the kind get their light. */
+struct run {
+    const struct lx_shell *shell;
+    const struct lx_block_double *block;
+    struct lane3 axis, beside;
+    double gain;
+    double *kinds;
+};
+
+LANE struct run run_of(const struct lx_shell *shell, double diffuse, const struct lx_block_double *block, double *kinds)
 {
+    const struct lane3 axis = lane3_of(shell->axis);
+    return (struct run){shell, block, axis, beside3(axis), diffuse * shell->radiance, kinds};
+}
+
+/* What of a round source an element is in front of; loops and closed forms are compiled for each. */
+enum part { DISK, BALL, BODY, CAP };
+
+LANE double part_irradiance(struct run run, struct lane lane, enum part part, bool cuts)
+{
+    const double radius = run.shell->round_mm, touch = run.shell->touch_mm, half = run.shell->half_mm;
+    const double side = dot3(lane.c, run.axis) > 0 ? -1 : 1;
+    const struct lane3 middle = {0, 0, 0}, cap = scale3(run.axis, side * half), outwards = scale3(run.axis, side);
+    switch (part) {
+    case DISK: return disk_irradiance(lane, middle, run.axis, run.beside, radius, touch, cuts);
+    case BALL: return ball_irradiance(lane, radius, cuts);
+    case BODY: return cylinder_irradiance(lane, run.axis, run.beside, run.shell, cuts);
+    case CAP: return disk_irradiance(lane, cap, outwards, run.beside, radius, touch, cuts);
+    }
+    return 0;
+}
+
+LANE void add_kind(struct run run, size_t start, enum part part, double kind, bool cuts, double *restrict sum)
+{
+    if (!any_is(run.kinds, kind))
+        return;
     for (size_t i = 0; i < LX_LANES; i++) {
         struct lane lane = lane_of(run.shell, run.block, start + i);
-        double value = cylinder_irradiance(lane, run.axis, run.beside, run.shell, kind == CUT);
+        double value = part_irradiance(run, lane, part, cuts);
         sum[start + i] += run.kinds[i] == kind ? run.gain * value : 0;
     }
 }
 
-LANE void add_cap(struct run run, size_t start, double kind, double *restrict sum)
+/* The kind of an element; none is between the caps within the body of a cylinder. */
+LANE double kind_of(struct run run, struct lane lane, enum part part)
 {
-    const double touch = run.shell->touch_mm, radius = run.shell->round_mm, half = run.shell->half_mm;
-    for (size_t i = 0; i < LX_LANES; i++) {
-        struct lane lane = lane_of(run.shell, run.block, start + i);
-        double side = dot3(lane.c, run.axis) > 0 ? -1 : 1;
-        double value = disk_irradiance(lane, scale3(run.axis, side * half), scale3(run.axis, side), run.beside, radius,
-                                       touch, kind == CAP_CUT);
-        sum[start + i] += run.kinds[i] == kind ? run.gain * value : 0;
-    }
+    const double touch = run.shell->touch_mm, outside = run.shell->round_mm + touch, half = run.shell->half_mm;
+    const double height = -dot3(lane.c, run.axis), kind = kind_by_horizon(run.shell, lane, WHOLE, CUT);
+    if (part == DISK)
+        return height > touch ? kind : UNSEEN;
+    if (part == BALL)
+        return sqrt(dot3(lane.c, lane.c)) > outside ? kind : UNSEEN;
+    struct lane3 s = along3(lane.c, height, run.axis);
+    double cap = kind_by_horizon(run.shell, lane, CAP_WHOLE, CAP_CUT);
+    cap = fabs(height) > half + touch ? cap : UNSEEN;
+    return dot3(s, s) <= outside * outside ? cap : kind;
 }
 
-/* Which elements are beside the body and which in front of a cap; none are between the caps within the body. */
-LANE void find_kinds(struct run run, size_t start)
-{
-    const double touch = run.shell->touch_mm, within = run.shell->round_mm + touch, half = run.shell->half_mm;
-    for (size_t i = 0; i < LX_LANES; i++) {
-        struct lane lane = lane_of(run.shell, run.block, start + i);
-        double height = -dot3(lane.c, run.axis);
-        struct lane3 s = along3(lane.c, height, run.axis);
-        double cap = kind_by_horizon(run.shell, lane, CAP_WHOLE, CAP_CUT);
-        double body = kind_by_horizon(run.shell, lane, WHOLE, CUT);
-        cap = fabs(height) > half + touch ? cap : UNSEEN;
-        run.kinds[i] = dot3(s, s) <= within * within ? cap : body;
-    }
-}
-
-static void light_by_cylinder(const struct lx_shell *shell, double diffuse, const struct lx_block_double *block,
-                              size_t count, const struct lx_asking *asking, double *restrict sum)
+LANE void light_by(const struct lx_shell *shell, double diffuse, const struct lx_block_double *block, size_t count,
+                   enum part part, double *restrict sum)
 {
     double kinds[LX_LANES];
     const struct run run = run_of(shell, diffuse, block, kinds);
-    (void)asking;
     for (size_t start = 0; start < count; start += LX_LANES) {
-        find_kinds(run, start);
-        if (any_is(kinds, WHOLE))
-            add_body(run, start, WHOLE, sum);
-        if (any_is(kinds, CUT))
-            add_body(run, start, CUT, sum);
-        if (any_is(kinds, CAP_WHOLE))
-            add_cap(run, start, CAP_WHOLE, sum);
-        if (any_is(kinds, CAP_CUT))
-            add_cap(run, start, CAP_CUT, sum);
+        for (size_t i = 0; i < LX_LANES; i++)
+            kinds[i] = kind_of(run, lane_of(shell, block, start + i), part);
+        add_kind(run, start, part, WHOLE, false, sum);
+        add_kind(run, start, part, CUT, true, sum);
+        if (part == BODY) {
+            add_kind(run, start, CAP, CAP_WHOLE, false, sum);
+            add_kind(run, start, CAP, CAP_CUT, true, sum);
+        }
     }
 }
+
+/* A block is done too soon for anybody to be asked whether to go on. */
+#define LX_LIGHT_BY(name, part)                                                                                        \
+    static void name(const struct lx_shell *shell, double diffuse, const struct lx_block_double *block, size_t count,  \
+                     const struct lx_asking *asking, double *restrict sum)                                             \
+    {                                                                                                                  \
+        (void)asking;                                                                                                  \
+        light_by(shell, diffuse, block, count, part, sum);                                                             \
+    }
+LX_LIGHT_BY(light_by_disk, DISK)
+LX_LIGHT_BY(light_by_ball, BALL)
+LX_LIGHT_BY(light_by_cylinder, BODY)
+#undef LX_LIGHT_BY
