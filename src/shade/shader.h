@@ -28,8 +28,8 @@ void lx_shader_enter(const struct lx_plan *plan, struct lx_shader_memory *memory
                      const double *x_mm, size_t count);
 
 /*
- * The values through the screen points (x[i], y), 0 off every surface, and the mask, 1 on a surface; count is
- * at most LX_BLOCK, and x and values have room for lx_padded(count).  `control` may be NULL; where it says stop, the call
+ * The values through the screen points (x[i], y), 0 off every surface, and the mask, 1 on a surface; count is at most
+ * LX_BLOCK, and x and values have room for lx_padded(count).  `control` may be NULL; where it says stop, the call
  * returns early with values unfinished.  Returns how many pixels show a surface.
  */
 size_t lx_shade_points(const struct lx_plan *plan, struct lx_shader_memory *memory, double y_mm, double *x_mm,
