@@ -255,7 +255,22 @@ static luxel_status choose_precision(const struct lx_plan *plan, struct lx_contr
     return status;
 }
 
-/* Leaves the diffuse light of facets to float32 where it keeps the picture's accuracy. */
+/*
+ * Whether the diffuse light of facets has to be left to the reference: where all that is seen lies nearly in one plane
+ * with a small source far away, its terms cancel to less than their roundings.  Not for those with many edges, of
+ * which the reference takes milliseconds for an element.
+ */
+static bool needs_reference(const struct lx_plan *plan, const struct lx_planned_surface *surface,
+                            const struct lx_shell *shell, const struct lx_asking *asking)
+{
+    enum { MOST_EDGES = 1000 };
+    const double promised = plan->precision == LUXEL_DOUBLE ? 1e-11 : 2e-6;
+    const double share = promised * plan->least_maximum / sqrt((double)surface->shell_count);
+    return shell->type == LX_FACETS && shell->edge_count <= MOST_EDGES &&
+           lx_bound_shell_double(&surface->shape, surface->lobe_exact.diffuse, shell, asking) > share;
+}
+
+/* Leaves the diffuse light of facets to float32, or to float64, where that keeps the picture's accuracy. */
 static luxel_status choose_shells(const struct lx_plan *plan, struct lx_control *control,
                                   struct lx_planned_surface *surface)
 {
@@ -265,12 +280,15 @@ static luxel_status choose_shells(const struct lx_plan *plan, struct lx_control 
         struct lx_planned_shell *planned = &surface->shells[s];
         if (planned->emitter->attenuation != LX_INVERSE_SQUARE)
             continue;
-        double bound = lx_bound_shell(&surface->shape, diffuse, &planned->shell, &asking);
+        bool in_single = plan->precision == LUXEL_SINGLE;
+        if (in_single) {
+            double bound = lx_bound_shell(&surface->shape, diffuse, &planned->shell, &asking);
+            in_single = lx_choose_precision(&bound, 1, plan->least_maximum, &asking, &surface->rounding) > 0;
+        }
+        planned->by_reference = !in_single && needs_reference(plan, surface, &planned->shell, &asking);
         if (!lx_control_goes_on(control, true))
             return LUXEL_CANCELLED;
-        if (lx_choose_precision(&bound, 1, plan->least_maximum, &asking, &surface->rounding) == 0)
-            continue;
-        luxel_status status = lx_shell_make_single(&planned->shell, &asking);
+        luxel_status status = in_single ? lx_shell_make_single(&planned->shell, &asking) : LUXEL_OK;
         if (status != LUXEL_OK)
             return status;
     }
@@ -357,9 +375,10 @@ static luxel_status find_accuracy(struct lx_plan *plan, struct lx_control *contr
 {
     luxel_status status = find_maximum(plan, control, every);
     *fits = true;
-    for (size_t s = 0; s < plan->surface_count && plan->precision == LUXEL_SINGLE && status == LUXEL_OK; s++) {
+    for (size_t s = 0; s < plan->surface_count && status == LUXEL_OK; s++) {
         bool all = true;
-        status = choose_precision(plan, control, every > 1, &plan->surfaces[s], &all);
+        if (plan->precision == LUXEL_SINGLE)
+            status = choose_precision(plan, control, every > 1, &plan->surfaces[s], &all);
         if (status == LUXEL_OK)
             status = choose_shells(plan, control, &plan->surfaces[s]);
         *fits = *fits && all;

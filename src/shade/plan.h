@@ -37,6 +37,7 @@ struct lx_light_run {
 struct lx_planned_shell {
     const struct lx_emitter *emitter;
     struct lx_shell shell;
+    bool by_reference; /* its diffuse light, as float64 would not keep the picture's accuracy */
 };
 
 struct lx_planned_surface {

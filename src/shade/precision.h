@@ -31,6 +31,9 @@ double lx_bound_stand(const struct lx_shape *shape, const struct lx_lobe *lobe, 
 /* The same of the diffuse light of a shell; infinite unless it is of facets. */
 double lx_bound_shell(const struct lx_shape *shape, double diffuse, const struct lx_shell *shell,
                       const struct lx_asking *asking);
+/* The same in float64 of one of facets, for places that are exact. */
+double lx_bound_shell_double(const struct lx_shape *shape, double diffuse, const struct lx_shell *shell,
+                             const struct lx_asking *asking);
 
 /*
  * Of lights that are all in float64, leaves as many to float32 as the picture's accuracy allows, given a lower bound

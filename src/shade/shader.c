@@ -240,6 +240,39 @@ static void light_by_highlights(const struct lx_plan *plan, const struct lx_plan
     }
 }
 
+/* Whether light of a shell of facets may fall on an element: a part above its horizon, and a face in front of which it
+ * is. */
+static bool may_light(const struct lx_shell *shell, const struct lx_block_double *block, size_t i)
+{
+    const double p[3] = {block->px[i] - shell->center[0], block->py[i] - shell->center[1],
+                         block->pz[i] - shell->center[2]};
+    bool any = false;
+    if (block->nx[i] * p[0] + block->ny[i] * p[1] + block->nz[i] * p[2] > shell->radius_mm + shell->touch_mm)
+        return false;
+    for (size_t f = 0; f < shell->face_count && !any; f++) {
+        const struct lx_shell_face_double *face = &shell->faces_double[f];
+        const double height = face->normal[0] * p[0] + face->normal[1] * p[1] + face->normal[2] * p[2];
+        any = height > face->height - shell->touch_mm;
+    }
+    return any;
+}
+
+/* Adds the diffuse light of facets by the reference, element by element. */
+static void light_by_reference(const struct lx_planned_surface *surface, const struct lx_planned_shell *planned,
+                               struct lx_shader_memory *memory, size_t count, const struct lx_asking *asking)
+{
+    const struct lx_emitter *emitter = planned->emitter;
+    for (size_t i = 0; i < count && lx_asking_goes_on(asking); i++) {
+        if (!may_light(&planned->shell, &memory->seen.block, i))
+            continue;
+        const struct lx_element element = element_of(surface, &memory->seen.block, i);
+        if (lx_extended_touches(emitter, element.place_mm))
+            continue;
+        double irradiance = lx_extended_irradiance(emitter, element.place_mm, element.normal).value;
+        memory->sum[i] += irradiance > 0 ? surface->lobe_exact.diffuse * irradiance : 0;
+    }
+}
+
 /* Adds the extended sources' light: first all that is diffuse, as the highlights need be exact only beside the rest. */
 static void light_by_shells(const struct lx_plan *plan, const struct lx_planned_surface *surface,
                             struct lx_shader_memory *memory, size_t count, const struct lx_asking *asking)
@@ -251,7 +284,9 @@ static void light_by_shells(const struct lx_plan *plan, const struct lx_planned_
             continue;
         if (s % SHELLS_BETWEEN_CHECKS == SHELLS_BETWEEN_CHECKS - 1 && !lx_asking_goes_on(asking))
             return;
-        if (shell->edges_single)
+        if (surface->shells[s].by_reference)
+            light_by_reference(surface, &surface->shells[s], memory, count, asking);
+        else if (shell->edges_single)
             plan->kernels->facets_single(shell, diffuse, &memory->seen.copy, count, asking, memory->sum);
         else
             plan->kernels->light_by_shell[shell->type](shell, diffuse, &memory->seen.block, count, asking, memory->sum);

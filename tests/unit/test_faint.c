@@ -2,7 +2,8 @@
 /*
  * Pictures of a pixel or three that show what rounding likes to eat: the faint foot of a highlight, light that grazes,
  * a light right behind the element, a round source right above it, a needle, the edge of a source that has not yet set,
- * the axis of a cone like a thread; by every instruction set.  Each was found by the properties (tests/properties).
+ * a source in one plane with what it lights, the axis of a cone like a thread; by every instruction set.  Each was
+ * found by the properties (tests/properties).
  */
 #include <math.h>
 #include <setjmp.h>
@@ -173,6 +174,23 @@ static void test_far_foot(void **state)
                   "lights: [{type: volume, sphere: {center: [0, 0, 2], radius: 540, facets: 12}, radiance: 1}]\n");
 }
 
+/* A rectangle far away that lies nearly in one plane with what it lights, and faces it: its edges cancel. */
+static void test_coplanar(void **state)
+{
+    (void)state;
+    for (double away = 1e3; away < 1e8; away *= 10)
+        for (double height = 0.02; height < away / 10; height *= 100) {
+            char text[1024];
+            snprintf(text, sizeof text,
+                     SCENE("{type: rectangle, center: [0, 0, 0], size: [1, 1], material: {model: lambert}}",
+                           "{type: planar, rectangle: {center: [%.17g, 0, %.17g], size: [1, 3], up: [0, 1, 0], "
+                           "axis: [0, 0, -1]}, radiance: 1}"),
+                     away, height);
+            expect_within(LUXEL_DOUBLE, 1e-11, text);
+            expect_within(LUXEL_SINGLE, 2e-6, text);
+        }
+}
+
 /* A cone as narrow as a thread of which a sample lies near the axis, whose angle is lost where it is a difference. */
 static void test_narrow_cone(void **state)
 {
@@ -221,6 +239,7 @@ int main(void)
         cmocka_unit_test(test_slivers),
         cmocka_unit_test(test_corner),
         cmocka_unit_test(test_far_foot),
+        cmocka_unit_test(test_coplanar),
         cmocka_unit_test(test_narrow_cone),
         cmocka_unit_test(test_error_without_bound),
     };
