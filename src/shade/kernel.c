@@ -305,7 +305,7 @@ const struct lx_kernels TABLE_OF(LX_ISA) = {
                        [LX_CYLINDER] = light_by_cylinder},
     .meet_lines = {[LX_SPHERE] = meet_sphere, [LX_PLATE] = meet_plate},
     .complete_block = {[LX_SPHERE] = complete_sphere, [LX_PLATE] = complete_plate},
-    .view_single = {[LX_SPHERE] = view_sphere},
+    .view_single = {[LX_SPHERE] = view_sphere, [LX_PLATE] = view_plate},
     .block_light = {[LX_SPHERE] = block_by_sphere, [LX_PLATE] = block_by_plate},
 };
 #endif

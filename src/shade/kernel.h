@@ -222,7 +222,7 @@ struct lx_kernels {
     /* by the type of the shape */
     lx_meet_lines *meet_lines[LX_SHAPE_TYPES];
     lx_complete_block *complete_block[LX_SHAPE_TYPES];
-    lx_view_single *view_single[LX_SHAPE_TYPES]; /* NULL: there is none */
+    lx_view_single *view_single[LX_SHAPE_TYPES];
     lx_block_light *block_light[LX_SHAPE_TYPES];
 };
 

@@ -15,24 +15,60 @@ static inline __attribute__((always_inline)) double depth_on_plate(const struct 
     return is_met ? inside : HUGE_VAL;
 }
 
-/* Seen along -z: the place is (dx, dy, -(nx dx + ny dy)/nz). */
+/* Seen along -z: the place is (dx, dy, -(nx dx + ny dy)/nz), if it is turned this way. */
+struct plate_row {
+    double x, dy;           /* of the centre, and from it */
+    double slope_x, height; /* the height is slope_x dx + height */
+    bool is_met;
+};
+
+static struct plate_row plate_row_of(const struct lx_shape *plate, const struct lx_row_view *view)
+{
+    const double dy = view->y_mm - plate->anchor_mm[1];
+    const bool is_met = plate->axis[2] > 0;
+    return (struct plate_row){.x = plate->anchor_mm[0],
+                              .dy = dy,
+                              .slope_x = is_met ? -plate->axis[0] / plate->axis[2] : 0,
+                              .height = is_met ? -plate->axis[1] / plate->axis[2] * dy : 0,
+                              .is_met = is_met};
+}
+
 static void meet_plate_parallel(const struct lx_shape *plate, const struct lx_row_view *view,
                                 const double *restrict x_mm, size_t count, double *restrict depth, double *restrict px,
                                 double *restrict py, double *restrict pz)
 {
     const struct lx_shape shape = *plate;
-    const double dy = view->y_mm - shape.anchor_mm[1], top = view->observer_z_mm - shape.anchor_mm[2];
-    const bool is_met = shape.axis[2] > 0;
-    const double slope_x = is_met ? -shape.axis[0] / shape.axis[2] : 0;
-    const double slope_y = is_met ? -shape.axis[1] / shape.axis[2] : 0;
+    const struct plate_row row = plate_row_of(plate, view);
+    const double top = view->observer_z_mm - shape.anchor_mm[2];
     for (size_t i = 0; i < count; i++) {
-        double dx = x_mm[i] - shape.anchor_mm[0];
-        double height = slope_x * dx + slope_y * dy;
-        depth[i] = depth_on_plate(&shape, is_met, top - height, dx, dy, height);
+        double dx = x_mm[i] - row.x, height = row.slope_x * dx + row.height;
+        depth[i] = depth_on_plate(&shape, row.is_met, top - height, dx, row.dy, height);
         px[i] = dx;
-        py[i] = dy;
+        py[i] = row.dy;
         pz[i] = height;
     }
+}
+
+static bool view_plate(const struct lx_shape *plate, const struct lx_row_view *view, const double *restrict x_mm,
+                       size_t count, struct lx_block_single *restrict block)
+{
+    const struct lx_shape shape = *plate;
+    const struct plate_row row = plate_row_of(plate, view);
+    const float dy = (float)row.dy;
+    const float nx = (float)shape.axis[0], ny = (float)shape.axis[1], nz = (float)shape.axis[2];
+    size_t met = 0;
+    count = lx_padded(count);
+    for (size_t i = 0; i < count; i++) {
+        double dx = x_mm[i] - row.x, height = row.slope_x * dx + row.height;
+        met += depth_on_plate(&shape, row.is_met, 0, dx, row.dy, height) < HUGE_VAL;
+        block->px[i] = (float)dx;
+        block->pz[i] = (float)height;
+    }
+    for (size_t i = 0; i < count; i++) {
+        block->py[i] = dy;
+        block->nx[i] = nx, block->ny[i] = ny, block->nz[i] = nz;
+    }
+    return met == count;
 }
 
 /* Seen from a point: c from the centre to the observer, d the line; the place is n x (c x d) / (n.d). */

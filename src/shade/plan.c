@@ -405,7 +405,7 @@ static bool is_in_single_alone(const struct lx_plan *plan)
 {
     const struct lx_planned_surface *surface = plan->surfaces;
     bool all = plan->surface_count == 1 && plan->forest.tree_count == 0 && surface->shell_count == 0 &&
-               lx_views_along_z(&plan->prepared->scene->observer) && plan->kernels->view_single[surface->shape.type];
+               lx_views_along_z(&plan->prepared->scene->observer);
     for (size_t r = 0; all && r < surface->run_count; r++) {
         const struct lx_light_run *run = &surface->runs[r];
         all = !run->in_double && !run->has_edges && run->blocker_count == 0;

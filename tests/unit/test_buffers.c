@@ -374,6 +374,16 @@ static const struct lx_shape plate = {.type = LX_PLATE,
                                       .half_mm = {300, 200},
                                       .touch_mm = 1e-9};
 
+/* turned aside: |dx| < 280, |dy| < 200 of it are seen */
+static const struct lx_shape slope = {.type = LX_PLATE,
+                                      .anchor_mm = {5, -7, 400},
+                                      .radius_mm = 500,
+                                      .axis = {0.6, 0, 0.8},
+                                      .across = {0.8, 0, -0.6},
+                                      .upward = {0, 1, 0},
+                                      .half_mm = {350, 200},
+                                      .touch_mm = 1e-9};
+
 static void check_shape(const struct lx_kernels *kernels, const struct lx_shape *shape, size_t count, bool perspective)
 {
     const struct lx_row_view view = {.perspective = perspective, .observer_z_mm = 5000, .y_mm = 20};
@@ -415,12 +425,13 @@ static void check_shape(const struct lx_kernels *kernels, const struct lx_shape 
 }
 
 /* What is made at once is what is made step by step, where all lines of sight meet the shape; the row is so high over
- * its centre. */
-static void check_view(const struct lx_kernels *kernels, const struct lx_shape *shape, size_t count, double high)
+ * its centre, and so wide on either side of it. */
+static void check_view(const struct lx_kernels *kernels, const struct lx_shape *shape, size_t count, double high,
+                       double half)
 {
     const struct lx_row_view view = {.observer_z_mm = 5000, .y_mm = shape->anchor_mm[1] + high};
     const size_t padded = lx_padded(count);
-    const double half = sqrt(shape->radius_mm * shape->radius_mm - high * high), edge = 1 - 1e-12;
+    const double edge = 1 - 1e-12;
     double *x = take(LX_BLOCK * sizeof *x), *depth = take(LX_BLOCK * sizeof *depth);
     struct lx_block_double *block = take(sizeof *block);
     struct lx_block_single *copy = take(sizeof *copy), *once = take(sizeof *once);
@@ -455,8 +466,12 @@ static void test_views(void **state)
     (void)state;
     for (size_t k = 0; lx_kernels_get(k); k++)
         for (size_t c = 0; c < COUNTS && lx_kernels_get(k)->runs(); c++)
-            for (int row = -5; row <= 5; row++)
-                check_view(lx_kernels_get(k), &ball, counts[c], row * 59.99);
+            for (int row = -5; row <= 5; row++) {
+                const double high = row * 59.99, half = sqrt(ball.radius_mm * ball.radius_mm - high * high);
+                check_view(lx_kernels_get(k), &ball, counts[c], high, half);
+                check_view(lx_kernels_get(k), &slope, counts[c], row * 20, 280);
+                check_view(lx_kernels_get(k), &plate, counts[c], row * 31.9, 300);
+            }
 }
 
 static void test_shapes(void **state)
