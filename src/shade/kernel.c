@@ -93,12 +93,18 @@ static void round_all(const double *restrict values, size_t count, float *restri
 struct sphere_row {
     double x, dy;         /* of the centre, and from it */
     struct lx_pair below; /* R^2 - dy^2 */
+    double inverse;       /* 1/R */
 };
 
 static struct sphere_row sphere_row_of(const struct lx_shape *sphere, const struct lx_row_view *view)
 {
     const double dy = view->y_mm - sphere->anchor_mm[1];
-    return (struct sphere_row){sphere->anchor_mm[0], dy, lx_exact_difference_of_squares(sphere->radius_mm, dy)};
+    return (struct sphere_row){
+        .x = sphere->anchor_mm[0],
+        .dy = dy,
+        .below = lx_exact_difference_of_squares(sphere->radius_mm, dy),
+        .inverse = 1 / sphere->radius_mm,
+    };
 }
 
 struct sphere_places {
@@ -139,24 +145,72 @@ LX_LANE void store_rounded(float *to, lanes_double lanes)
         __builtin_convertvector(lanes, rounded_lanes);
 }
 
-static bool view_sphere(const struct lx_shape *sphere, const struct lx_row_view *view, const double *restrict x_mm,
-                        size_t count, struct lx_block_single *restrict block)
+/* How many of the first lines meet a shape. */
+static size_t count_met(const double *depth, size_t count)
 {
-    const struct sphere_row row = sphere_row_of(sphere, view);
-    const double inverse = 1 / sphere->radius_mm;
+    size_t met = 0;
+    for (size_t i = 0; i < count; i++)
+        met += depth[i] < HUGE_VAL;
+    return met;
+}
+
+/* The whole lanes of a run that have lines which meet a shape, those of a finite depth; sets the mask. */
+static struct lx_stretch stretch_of(const double *depth, size_t count, uint8_t *mask)
+{
+    struct lx_stretch stretch = {0};
+    for (size_t i = 0; i < count; i += LX_LANES) {
+        const size_t lanes = count - i < LX_LANES ? count - i : LX_LANES, met = count_met(depth + i, lanes);
+        memset(mask + i, met == lanes, lanes);
+        for (size_t k = 0; k < lanes && met > 0 && met < lanes; k++)
+            mask[i + k] = depth[i + k] < HUGE_VAL;
+        if (met == 0)
+            continue;
+        if (stretch.count == 0)
+            stretch.first = i;
+        stretch.count = i - stretch.first + lanes;
+        stretch.met += met;
+    }
+    return stretch;
+}
+
+/* A run of which all is met. */
+static struct lx_stretch whole_stretch(size_t count, uint8_t *mask)
+{
+    memset(mask, 1, count);
+    return (struct lx_stretch){0, count, count};
+}
+
+/* Whether the lines all meet the sphere. */
+static bool fill_sphere(struct sphere_row row, const double *restrict x_mm, size_t count,
+                        struct lx_block_single *restrict block)
+{
     lanes_double least = all_double(HUGE_VAL);
-    count = lx_padded(count);
     for (size_t i = 0; i < count; i += LX_WIDTH_double) {
         const struct sphere_places at = sphere_places_at(row, x_mm + i);
         least = lesser_double(at.below, least);
         store_rounded(block->px + i, at.dx);
         store_rounded(block->py + i, all_double(row.dy));
         store_rounded(block->pz + i, at.height);
-        store_rounded(block->nx + i, at.dx * inverse);
-        store_rounded(block->ny + i, all_double(row.dy * inverse));
-        store_rounded(block->nz + i, at.height * inverse);
+        store_rounded(block->nx + i, at.dx * row.inverse);
+        store_rounded(block->ny + i, all_double(row.dy * row.inverse));
+        store_rounded(block->nz + i, at.height * row.inverse);
     }
     return !any_above_double(all_double(0), least);
+}
+
+static struct lx_stretch view_sphere(const struct lx_shape *sphere, const struct lx_row_view *view, const double *x_mm,
+                                     size_t count, struct lx_block_single *block, uint8_t *mask)
+{
+    const struct sphere_row row = sphere_row_of(sphere, view);
+    const lanes_double zero = all_double(0), infinite = all_double(HUGE_VAL);
+    _Alignas(LX_VECTOR_BYTES) double depth[LX_BLOCK];
+    if (fill_sphere(row, x_mm, lx_padded(count), block))
+        return whole_stretch(count, mask);
+    for (size_t i = 0; i < count; i += LX_WIDTH_double)
+        store_double(depth + i, where_above_double(zero, sphere_places_at(row, x_mm + i).below, infinite, zero));
+    const struct lx_stretch stretch = stretch_of(depth, count, mask);
+    fill_sphere(row, x_mm + stretch.first, lx_padded(stretch.count), block);
+    return stretch;
 }
 
 /* Of a sphere seen from a point, as surface/sphere.c explains it: d the line, c from the centre to the observer. */
@@ -179,15 +233,6 @@ static void meet_central_lines(const struct lx_shape *sphere, const struct lx_ro
         py[i] = (wz * dx - wx * dz - dy * root) / a;
         pz[i] = (wx * dy - wy * dx - dz * root) / a;
     }
-}
-
-/* How many of the first lines meet a shape. */
-static size_t count_met(const double *depth, size_t count)
-{
-    size_t met = 0;
-    for (size_t i = 0; i < count; i++)
-        met += depth[i] < HUGE_VAL;
-    return met;
 }
 
 static size_t meet_sphere(const struct lx_shape *sphere, const struct lx_row_view *view, const double *x_mm,

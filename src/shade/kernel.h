@@ -17,6 +17,7 @@
 
 #include <stdbool.h>
 #include <stddef.h>
+#include <stdint.h>
 
 #include "../base/rows.h"
 #include "../light/emitter.h"
@@ -152,12 +153,19 @@ typedef size_t lx_meet_lines(const struct lx_shape *shape, const struct lx_row_v
 typedef void lx_complete_block(const struct lx_shape *shape, const double *observer_mm, struct lx_block_double *block,
                                struct lx_block_single *copy, size_t count);
 
+/* What a block holds of a run of pixels: `count` elements from pixel `first` on, of which `met` are on the shape. */
+struct lx_stretch {
+    size_t first, count, met;
+};
+
 /*
- * The same at once, in float32 alone, of lines of sight along -z: where they all meet the shape, sets the places and
- * normals of the block to what the two functions above make.  Whether they do; else the block holds nothing of use.
+ * Both at once, in float32 alone, of lines of sight along -z.  Sets mask[i] to 1 where line i meets the shape, else to
+ * 0, and the places and normals of a block to what the two functions above make, from the first whole lanes with such a
+ * line to the last ones.  The light of elements between that are not on the shape means nothing.
  */
-typedef bool lx_view_single(const struct lx_shape *shape, const struct lx_row_view *view, const double *x_mm,
-                            size_t count, struct lx_block_single *block);
+typedef struct lx_stretch lx_view_single(const struct lx_shape *shape, const struct lx_row_view *view,
+                                         const double *x_mm, size_t count, struct lx_block_single *block,
+                                         uint8_t *mask);
 
 /* Sets values to one number, and rounds them to float32: plain loops, but a tenth of a picture under one light. */
 typedef void lx_set_all(double *values, size_t count, double number);

@@ -49,26 +49,36 @@ static void meet_plate_parallel(const struct lx_shape *plate, const struct lx_ro
     }
 }
 
-static bool view_plate(const struct lx_shape *plate, const struct lx_row_view *view, const double *restrict x_mm,
+static void fill_plate(const struct lx_shape *plate, const struct plate_row row, const double *restrict x_mm,
                        size_t count, struct lx_block_single *restrict block)
 {
-    const struct lx_shape shape = *plate;
-    const struct plate_row row = plate_row_of(plate, view);
+    const float nx = (float)plate->axis[0], ny = (float)plate->axis[1], nz = (float)plate->axis[2];
     const float dy = (float)row.dy;
-    const float nx = (float)shape.axis[0], ny = (float)shape.axis[1], nz = (float)shape.axis[2];
-    size_t met = 0;
-    count = lx_padded(count);
     for (size_t i = 0; i < count; i++) {
-        double dx = x_mm[i] - row.x, height = row.slope_x * dx + row.height;
-        met += depth_on_plate(&shape, row.is_met, 0, dx, row.dy, height) < HUGE_VAL;
+        double dx = x_mm[i] - row.x;
         block->px[i] = (float)dx;
-        block->pz[i] = (float)height;
+        block->pz[i] = (float)(row.slope_x * dx + row.height);
     }
     for (size_t i = 0; i < count; i++) {
         block->py[i] = dy;
         block->nx[i] = nx, block->ny[i] = ny, block->nz[i] = nz;
     }
-    return met == count;
+}
+
+static struct lx_stretch view_plate(const struct lx_shape *plate, const struct lx_row_view *view, const double *x_mm,
+                                    size_t count, struct lx_block_single *block, uint8_t *mask)
+{
+    const struct lx_shape shape = *plate;
+    const struct plate_row row = plate_row_of(plate, view);
+    double depth[LX_BLOCK];
+    for (size_t i = 0; i < lx_padded(count); i++) {
+        double dx = x_mm[i] - row.x, height = row.slope_x * dx + row.height;
+        depth[i] = depth_on_plate(&shape, row.is_met, 0, dx, row.dy, height);
+    }
+    const bool all = count_met(depth, lx_padded(count)) == lx_padded(count);
+    const struct lx_stretch stretch = all ? whole_stretch(count, mask) : stretch_of(depth, count, mask);
+    fill_plate(plate, row, x_mm + stretch.first, lx_padded(stretch.count), block);
+    return stretch;
 }
 
 /* Seen from a point: c from the centre to the observer, d the line; the place is n x (c x d) / (n.d). */

@@ -65,12 +65,15 @@ static struct lx_row_view view_of(const struct lx_plan *plan, double y_mm)
         .perspective = observer->projection == LX_PERSPECTIVE, .observer_z_mm = observer->z_mm, .y_mm = y_mm};
 }
 
-bool lx_seen_whole(const struct lx_plan *plan, struct lx_seen *seen, double y_mm, const double *x_mm, size_t count)
+struct lx_stretch lx_seen_in_single(const struct lx_plan *plan, struct lx_seen *seen, double y_mm, const double *x_mm,
+                                    size_t count, uint8_t *mask)
 {
     const struct lx_planned_surface *surface = plan->surfaces;
     const struct lx_row_view view = view_of(plan, y_mm);
-    return plan->in_single_alone && may_show(surface, &view, x_mm, count) &&
-           plan->kernels->view_single[surface->shape.type](&surface->shape, &view, x_mm, count, &seen->copy);
+    if (may_show(surface, &view, x_mm, count))
+        return plan->kernels->view_single[surface->shape.type](&surface->shape, &view, x_mm, count, &seen->copy, mask);
+    memset(mask, 0, count);
+    return (struct lx_stretch){0};
 }
 
 size_t lx_seen_find(const struct lx_plan *plan, struct lx_seen *seen, double y_mm, const double *x_mm, size_t count)

@@ -35,11 +35,10 @@ struct lx_gathered {
 
 void lx_seen_init(const struct lx_plan *plan, struct lx_seen *seen);
 
-/*
- * Makes the copy of the elements of a run, but not the block, where the plan does with that (in_single_alone) and every
- * pixel of the run shows the surface; false: do as below, which would make the same copy.
- */
-bool lx_seen_whole(const struct lx_plan *plan, struct lx_seen *seen, double y_mm, const double *x_mm, size_t count);
+/* Where the plan does with it (in_single_alone): sets the mask of a run of pixels, and the copy, but not the block, to
+ * the elements of the surface that it shows, as kernel.h tells. */
+struct lx_stretch lx_seen_in_single(const struct lx_plan *plan, struct lx_seen *seen, double y_mm, const double *x_mm,
+                                    size_t count, uint8_t *mask);
 
 /* Finds the nearest surface of each pixel; returns the number of pixels that show one. */
 size_t lx_seen_find(const struct lx_plan *plan, struct lx_seen *seen, double y_mm, const double *x_mm, size_t count);

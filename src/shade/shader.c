@@ -42,7 +42,6 @@ struct lx_shader_memory *lx_shader_memory_new(const struct lx_plan *plan)
         return NULL;
     if (size > 0)
         memory->sampling = lx_sampling_memory_of((char *)memory + head, plan->most_patches);
-    memory->error = 0;
     memory->room = (struct lx_light_room){.of_singles = NULL};
     lx_seen_init(plan, &memory->seen);
     bool has_all = true;
@@ -434,6 +433,23 @@ static void light_surface(const struct lx_plan *plan, const struct lx_planned_su
         light_by_shells(plan, surface, memory, elements, asking);
 }
 
+/* The values of a run of pixels where elements in float32 are all that their light takes. */
+static size_t shade_in_single(const struct lx_plan *plan, struct lx_shader_memory *memory, double y_mm,
+                              const double *x_mm, size_t count, const struct lx_asking *asking, double *values,
+                              uint8_t *mask)
+{
+    const struct lx_stretch stretch = lx_seen_in_single(plan, &memory->seen, y_mm, x_mm, count, mask);
+    if (stretch.met < count)
+        memset(values, 0, count * sizeof *values);
+    if (stretch.met == 0)
+        return 0;
+    memory->sum = values + stretch.first;
+    light_surface(plan, plan->surfaces, NULL, memory, stretch.count, asking);
+    for (size_t i = stretch.first; stretch.met < stretch.count && i < stretch.first + stretch.count; i++)
+        values[i] = mask[i] ? values[i] : 0;
+    return stretch.met;
+}
+
 size_t lx_shade_points(const struct lx_plan *plan, struct lx_shader_memory *memory, double y_mm, double *x_mm,
                        size_t count, struct lx_control *control, bool is_caller, double *values, uint8_t *mask)
 {
@@ -442,19 +458,14 @@ size_t lx_shade_points(const struct lx_plan *plan, struct lx_shader_memory *memo
     for (size_t i = count; i < lx_padded(count); i++)
         x_mm[i] = x_mm[count - 1];
     memory->error = 0;
-    memory->sum = values;
-    if (lx_seen_whole(plan, seen, y_mm, x_mm, count)) {
-        memset(mask, 1, count);
-        light_surface(plan, plan->surfaces, NULL, memory, count, &asking);
-        return count;
-    }
+    if (plan->in_single_alone)
+        return shade_in_single(plan, memory, y_mm, x_mm, count, &asking, values, mask);
     const size_t found = lx_seen_find(plan, seen, y_mm, x_mm, count);
     size_t left = found;
     memset(mask, seen->shows_one, count);
-    if (!seen->shows_one) {
-        memory->sum = memory->room_of_sum;
+    memory->sum = seen->shows_one ? values : memory->room_of_sum;
+    if (!seen->shows_one)
         memset(values, 0, count * sizeof *values);
-    }
     for (size_t i = 0; left > 0 && !seen->shows_one && i < count; i++)
         mask[i] = seen->shown[i] != 0;
     for (size_t s = 0; left > 0 && s < plan->surface_count; s++) {

@@ -424,41 +424,57 @@ static void check_shape(const struct lx_kernels *kernels, const struct lx_shape 
     give_back(kernels->name);
 }
 
-/* What is made at once is what is made step by step, where all lines of sight meet the shape; the row is so high over
- * its centre, and so wide on either side of it. */
+/* What is made at once is what is made step by step: a row so high over the centre, seen from the one side of it to the
+ * other. */
 static void check_view(const struct lx_kernels *kernels, const struct lx_shape *shape, size_t count, double high,
-                       double half)
+                       double from, double to)
 {
-    const struct lx_row_view view = {.observer_z_mm = 5000, .y_mm = shape->anchor_mm[1] + high};
+    const struct lx_row_view row = {.observer_z_mm = 5000, .y_mm = shape->anchor_mm[1] + high};
     const size_t padded = lx_padded(count);
-    const double edge = 1 - 1e-12;
+    size_t first = LX_BLOCK, last = 0;
     double *x = take(LX_BLOCK * sizeof *x), *depth = take(LX_BLOCK * sizeof *depth);
     struct lx_block_double *block = take(sizeof *block);
     struct lx_block_single *copy = take(sizeof *copy), *once = take(sizeof *once);
+    unsigned char *mask = (unsigned char *)take(LX_BLOCK) + LX_BLOCK - count;
     for (size_t i = 0; i < padded; i++) {
-        const double share = i < count - 1 ? 2 * (double)i / (double)(count - 1) - 1 : 1;
-        x[i] = shape->anchor_mm[0] + half * edge * share;
+        const double share = i < count - 1 ? (double)i / (double)(count - 1) : 1;
+        x[i] = shape->anchor_mm[0] + from + (to - from) * share;
     }
-    const size_t met =
-        kernels->meet_lines[shape->type](shape, &view, x, padded, depth, block->px, block->py, block->pz);
-    assert_true(met == padded);
+    const size_t met = kernels->meet_lines[shape->type](shape, &row, x, count, depth, block->px, block->py, block->pz);
     kernels->complete_block[shape->type](shape, NULL, block, copy, count);
-    assert_true(kernels->view_single[shape->type](shape, &view, x, count, once));
-    for (size_t array = 0; array < ARRAYS; array++) {
-        const bool is_view = array >= 6;
-        const float *stepwise = array_of_single(copy, array), *at_once = array_of_single(once, array);
-        if (!is_view)
-            assert_memory_equal(stepwise, at_once, padded * sizeof *at_once);
-        const size_t kept = is_view ? 0 : padded;
-        assert_true(is_pattern(at_once + kept, (LX_BLOCK - kept) * sizeof *at_once));
+    const struct lx_stretch stretch = kernels->view_single[shape->type](shape, &row, x, count, once, mask);
+    assert_int_equal(stretch.met, met);
+    assert_true(is_pattern(mask + count - LX_BLOCK, LX_BLOCK - count));
+    for (size_t i = 0; i < count; i++) {
+        const bool is_met = depth[i] < HUGE_VAL;
+        assert_int_equal(mask[i], is_met);
+        first = is_met && first == LX_BLOCK ? i : first;
+        last = is_met ? i : last;
+        for (size_t array = 0; array < 6 && is_met; array++)
+            assert_true(array_of_single(once, array)[i - stretch.first] == array_of_single(copy, array)[i]);
     }
-    for (size_t missed = 0; missed < count; missed++) {
-        const double at = x[missed];
-        x[missed] = shape->anchor_mm[0] + half * (missed % 2 ? 1.001 : -1.001);
-        assert_false(kernels->view_single[shape->type](shape, &view, x, count, once));
-        x[missed] = at;
+    if (met > 0) {
+        const size_t end = lx_padded(last + 1);
+        assert_int_equal(stretch.first, first / LX_LANES * LX_LANES);
+        assert_int_equal(stretch.first + stretch.count, end < count ? end : count);
+    }
+    for (size_t array = 0; array < ARRAYS; array++) {
+        const size_t kept = array < 6 ? padded : 0;
+        assert_true(is_pattern(array_of_single(once, array) + kept, (LX_BLOCK - kept) * sizeof(float)));
     }
     give_back(kernels->name);
+}
+
+/* All of a row on a shape, to its very edge, and rows that begin and end beside it. */
+static void check_views(const struct lx_kernels *kernels, const struct lx_shape *shape, size_t count, double high,
+                        double half)
+{
+    const double edge = half * (1 - 1e-12);
+    check_view(kernels, shape, count, high, -edge, edge);
+    check_view(kernels, shape, count, high, -2 * half, 1.5 * half);
+    check_view(kernels, shape, count, high, -9 * half, edge);
+    check_view(kernels, shape, count, high, edge, 9 * half);
+    check_view(kernels, shape, count, high, 1.1 * half, 2 * half);
 }
 
 static void test_views(void **state)
@@ -468,9 +484,9 @@ static void test_views(void **state)
         for (size_t c = 0; c < COUNTS && lx_kernels_get(k)->runs(); c++)
             for (int row = -5; row <= 5; row++) {
                 const double high = row * 59.99, half = sqrt(ball.radius_mm * ball.radius_mm - high * high);
-                check_view(lx_kernels_get(k), &ball, counts[c], high, half);
-                check_view(lx_kernels_get(k), &slope, counts[c], row * 20, 280);
-                check_view(lx_kernels_get(k), &plate, counts[c], row * 31.9, 300);
+                check_views(lx_kernels_get(k), &ball, counts[c], high, half);
+                check_views(lx_kernels_get(k), &slope, counts[c], row * 20, 280);
+                check_views(lx_kernels_get(k), &plate, counts[c], row * 31.9, 300);
             }
 }
 
