@@ -90,6 +90,10 @@ def files_that_are_none(tap, tool):
     tool.write("scene.yaml", scene("a.csv", "pattern: lambertian, aim: [0, 0, 1500]"))
     result = tool.run("check", "scene.yaml")
     tap.ok(result.code == 3 and "number 3 of a.csv" in result.err, "aimed at its own place", result)
+    tool.write("a.csv", csv([(10, 10, 1500, 1), (10, 20, 20, 1), (10, 1500, 1500, 1), (10, 20, 1500, 1)]))
+    tool.write("scene.yaml", scene("a.csv", "pattern: lambertian, aim: [10, 20, 1500]"))
+    result = tool.run("check", "scene.yaml")
+    tap.ok(result.code == 3 and "number 4 of a.csv" in result.err, "aimed at one place of them alone", result)
     with open(tool.file("large.csv"), "wb") as file:
         file.truncate((1 << 30) + 1)
     result = tool.run("check", "-", stdin=scene("large.csv"))

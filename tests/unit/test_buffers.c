@@ -469,8 +469,10 @@ static void check_view(const struct lx_kernels *kernels, const struct lx_shape *
 static void check_views(const struct lx_kernels *kernels, const struct lx_shape *shape, size_t count, double high,
                         double half)
 {
-    const double edge = half * (1 - 1e-12);
+    const double edge = half * (1 - 1e-12), beyond = half * (1 + 0.1 / (double)count);
     check_view(kernels, shape, count, high, -edge, edge);
+    check_view(kernels, shape, count, high, -edge, beyond); /* the last alone misses it */
+    check_view(kernels, shape, count, high, -beyond, edge);
     check_view(kernels, shape, count, high, -2 * half, 1.5 * half);
     check_view(kernels, shape, count, high, -9 * half, edge);
     check_view(kernels, shape, count, high, edge, 9 * half);

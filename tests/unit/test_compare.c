@@ -195,11 +195,14 @@ static void test_no_places(void **state)
     luxel_scene *scene = NULL;
     luxel_field *large = NULL;
     assert_int_equal(luxel_scene_open_builtin("report", NULL, &scene), LUXEL_OK);
-    assert_int_equal(luxel_scene_set(scene, "screen={width: 50, height: 50, resolution: [2, 2]}", NULL), LUXEL_OK);
+    assert_int_equal(luxel_scene_set(scene, "screen={width: 50, height: 75, resolution: [2, 3]}", NULL), LUXEL_OK);
     assert_int_equal(luxel_scene_commit(scene, NULL), LUXEL_OK);
     assert_int_equal(luxel_render(scene, NULL, NULL, &large), LUXEL_OK);
     assert_int_equal(luxel_compare(large, small, diagnostics, &made, NULL), LUXEL_ERROR_ARGUMENT);
     assert_string_equal(luxel_diagnostics_get(diagnostics, 0)->id, "not-comparable");
+    char *words = luxel_diagnostics_message(diagnostics, 0, NULL, NULL);
+    assert_string_equal(words, "the pictures differ in their resolution: 2 x 3 and 2 x 2 pixels");
+    luxel_text_free(words);
     luxel_field_free(large);
     luxel_scene_free(scene);
     luxel_diagnostics_free(diagnostics);

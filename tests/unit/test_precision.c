@@ -155,12 +155,39 @@ static void shares_of_the_maximum(void **state)
     assert_true(left > all / 3 && left < all);
 }
 
+/*
+ * What the terms of facets are rounded by: the edges' length times the radius over the square of the distance, where the
+ * source is far; also in float64, whose unit is 2^-29 of float32's, but for what places are rounded by.
+ */
+static void rounding_of_facets(void **state)
+{
+    (void)state;
+    for (double away = 1e4; away < 1e7; away *= 10) {
+        char light[200];
+        struct planned made;
+        snprintf(light, sizeof light, "{type: planar, rectangle: {center: [0, 0, %.17g], size: [60, 80]}, radiance: 3}",
+                 1000 + away);
+        make_plan("", "model: lambert, diffuse: 0.5", light, &made);
+        const struct lx_planned_surface *surface = &made.plan.surfaces[0];
+        const struct lx_shell *shell = &surface->shells[0].shell;
+        const double terms = 3 * surface->lobe_exact.diffuse * 280 * 50 / ((away - 300) * (away - 300));
+        const double single = lx_bound_shell(&surface->shape, surface->lobe_exact.diffuse, shell, NULL);
+        const double exact = lx_bound_shell_double(&surface->shape, surface->lobe_exact.diffuse, shell, NULL);
+        const double places = (away + 300) / (away - 300);
+        assert_true(fabs(single / (terms * 0x1p-24 * (1 + places)) - 1) < 1e-3);
+        assert_true(fabs(exact / (terms * 0x1p-53) - 1) < 1e-3);
+        assert_true(shell->edges_single && !surface->shells[0].by_reference);
+        clear(&made);
+    }
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(what_float32_cannot_do),
         cmocka_unit_test(what_does_not_matter),
         cmocka_unit_test(shares_of_the_maximum),
+        cmocka_unit_test(rounding_of_facets),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
