@@ -156,8 +156,8 @@ static void shares_of_the_maximum(void **state)
 }
 
 /*
- * What the terms of facets are rounded by: the edges' length times the radius over the square of the distance, where the
- * source is far; also in float64, whose unit is 2^-29 of float32's, but for what places are rounded by.
+ * What the terms of facets far away are rounded by: the edges' length times the radius over the square of the distance;
+ * also in float64, whose unit is 2^-29 of float32's, but for what places are rounded by.
  */
 static void rounding_of_facets(void **state)
 {
