@@ -60,7 +60,7 @@ LX_LANE struct cone_terms cone_terms(const struct lx_light_double *light, const 
 LX_LANE lanes_single penumbra(const struct lx_light_single *light, const struct lx_light_double *exact,
                               const struct lx_block_double *block, size_t start, lanes_single r, lanes_single inverse)
 {
-    const lanes_single zero = all_single(0), one = all_single(1), least = all_single(1e-18F);
+    const lanes_single zero = all_single(0), one = all_single(1), least = all_single(1e-36F);
     const struct cone_terms low = cone_terms(exact, block, start);
     const struct cone_terms high = cone_terms(exact, block, start + LX_WIDTH_double);
     const lanes_single square = joined(low.square, high.square), height = joined(low.height, high.height);

@@ -209,6 +209,23 @@ static void test_narrow_cone(void **state)
         }
 }
 
+/* The axis of a cone, and next to it, where all is so small that squares of lengths are among the least of float32. */
+static void test_tiny_cone(void **state)
+{
+    (void)state;
+    for (double size = 1; size > 1e-6; size /= 10)
+        for (double aside = 0; aside < 0.1; aside = 10 * aside + 1e-4) {
+            char text[1024];
+            snprintf(
+                text, sizeof text,
+                SCENE("{type: sphere, center: [0, 0, 0], radius: %.17g, material: {model: lambert}}",
+                      "{type: spot, position: [%.17g, 0, %.17g], axis: [0, 0, -1], intensity: 1, inner: 0, outer: 90, "
+                      "falloff: linear, attenuation: none}"),
+                size, aside * size, 10 * size);
+            expect_within(LUXEL_SINGLE, 2e-6, text);
+        }
+}
+
 /* Of a light as near as places are known no error can be told, and so it is told as infinite. */
 static void test_error_without_bound(void **state)
 {
@@ -241,6 +258,7 @@ int main(void)
         cmocka_unit_test(test_far_foot),
         cmocka_unit_test(test_coplanar),
         cmocka_unit_test(test_narrow_cone),
+        cmocka_unit_test(test_tiny_cone),
         cmocka_unit_test(test_error_without_bound),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
