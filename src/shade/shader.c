@@ -410,12 +410,13 @@ static struct lx_tract find_tract(const struct lx_plan *plan, struct lx_shader_m
     return tract;
 }
 
-/* Makes the cut of what the tile shows of a surface, unless it is there. */
+/* Makes the cut of what the tile shows of a surface, unless it is there; *made: so that the elements are lost. */
 static const struct lx_cut *find_cut(const struct lx_plan *plan, struct lx_shader_memory *memory, size_t s,
-                                     const struct lx_asking *asking)
+                                     const struct lx_asking *asking, bool *made)
 {
     struct lx_cut *cut = &memory->cuts[s % memory->cut_count];
-    if (cut->surface == &plan->surfaces[s])
+    *made = cut->surface != &plan->surfaces[s];
+    if (!*made)
         return cut;
     const struct lx_tract tract = find_tract(plan, memory, s);
     return lx_cut_make(plan, &plan->surfaces[s], &tract, asking, cut) ? cut : NULL;
@@ -474,11 +475,14 @@ size_t lx_shade_points(const struct lx_plan *plan, struct lx_shader_memory *memo
         if (gathered.count == 0)
             continue;
         if (plan->forest.tree_count > 0) {
-            cut = find_cut(plan, memory, s, &asking);
+            bool made;
+            cut = find_cut(plan, memory, s, &asking, &made);
             if (!cut)
                 return found;
-            lx_seen_find(plan, seen, y_mm, x_mm, count);
-            gathered = lx_seen_gather(plan, seen, s, count);
+            if (made) {
+                lx_seen_find(plan, seen, y_mm, x_mm, count);
+                gathered = lx_seen_gather(plan, seen, s, count);
+            }
             memory->error = fmax(memory->error, cut->error);
         }
         light_surface(plan, &plan->surfaces[s], cut, memory, gathered.count, &asking);
