@@ -10,34 +10,37 @@
 #include <string.h>
 #include <unistd.h>
 
+enum { KINDS = 2 };
+
 /* One file for each kind, written anew for each scene, in a folder that goes when the program ends. */
-static struct {
-    char folder[PATH_MAX], cloud[PATH_MAX + 16], mesh[PATH_MAX + 16];
-} files;
+static char folder[PATH_MAX], cloud_files[KINDS][PATH_MAX + 16], mesh_files[KINDS][PATH_MAX + 16];
 
 static void remove_files(void)
 {
-    unlink(files.cloud);
-    unlink(files.mesh);
-    rmdir(files.folder);
+    for (int kind = 0; kind < KINDS; kind++) {
+        unlink(cloud_files[kind]);
+        unlink(mesh_files[kind]);
+    }
+    rmdir(folder);
 }
 
 static void make_folder(void)
 {
     const char *room = getenv("TMPDIR");
-    if (files.folder[0])
+    if (folder[0])
         return;
-    snprintf(files.folder, sizeof files.folder, "%s/luxel-properties-XXXXXX", room && *room ? room : "/tmp");
-    if (!mkdtemp(files.folder))
+    snprintf(folder, sizeof folder, "%s/luxel-properties-XXXXXX", room && *room ? room : "/tmp");
+    if (!mkdtemp(folder))
         abort();
-    snprintf(files.cloud, sizeof files.cloud, "%s/cloud.csv", files.folder);
-    snprintf(files.mesh, sizeof files.mesh, "%s/box.off", files.folder);
+    for (int kind = 0; kind < KINDS; kind++) {
+        snprintf(cloud_files[kind], sizeof cloud_files[kind], "%s/cloud.%s", folder, kind ? "npy" : "csv");
+        snprintf(mesh_files[kind], sizeof mesh_files[kind], "%s/box.%s", folder, kind ? "obj" : "off");
+    }
     atexit(remove_files);
 }
 
 static FILE *begin(const char *path)
 {
-    make_folder();
     FILE *file = fopen(path, "w");
     if (!file)
         abort();
@@ -95,14 +98,35 @@ static size_t make_alike(struct draft *draft)
     return count;
 }
 
-static void write_cloud(const struct draft *draft)
+/* What NumPy's save() writes first of `rows` rows of four numbers, on machines whose lowest byte comes first. */
+static void begin_array(FILE *file, size_t rows)
 {
-    FILE *file = begin(files.cloud);
+    enum { HEAD = 128, MAGIC = 10 };
+    char text[HEAD - MAGIC];
+    const int length =
+        snprintf(text, sizeof text, "{'descr': '<f8', 'fortran_order': False, 'shape': (%zu, 4), }", rows);
+    memset(text + length, ' ', sizeof text - (size_t)length);
+    text[sizeof text - 1] = '\n';
+    fwrite("\x93NUMPY\1\0", 1, MAGIC - 2, file);
+    fputc(sizeof text, file);
+    fputc(0, file);
+    fwrite(text, 1, sizeof text, file);
+}
+
+static void write_cloud(const struct draft *draft, size_t count, bool is_array)
+{
+    FILE *file = begin(cloud_files[is_array]);
+    if (is_array)
+        begin_array(file, count);
     for (size_t i = 0; i < draft->light_count; i++) {
         const struct draft_light_numbers *numbers = &draft->lights[i].numbers;
-        if (draft->lights[i].words.type == DRAFT_POINT)
-            fprintf(file, "%.17g,%.17g,%.17g,%.17g\n", numbers->place[0], numbers->place[1], numbers->place[2],
-                    numbers->strength);
+        const double row[] = {numbers->place[0], numbers->place[1], numbers->place[2], numbers->strength};
+        if (draft->lights[i].words.type != DRAFT_POINT)
+            continue;
+        if (is_array)
+            fwrite(row, sizeof row, 1, file);
+        else
+            fprintf(file, "%.17g,%.17g,%.17g,%.17g\n", row[0], row[1], row[2], row[3]);
     }
     end(file);
 }
@@ -110,12 +134,16 @@ static void write_cloud(const struct draft *draft)
 bool reads_clouds(struct trial *trial)
 {
     struct draft one_by_one = *trial->draft;
-    if (make_alike(&one_by_one) == 0)
-        return true;
-    write_cloud(&one_by_one);
-    struct draft together = one_by_one;
-    together.cloud = files.cloud;
-    return is_alike(trial, &one_by_one, &together, 1e-12);
+    const size_t count = make_alike(&one_by_one);
+    bool holds = true;
+    make_folder();
+    for (int kind = 0; kind < KINDS && holds && count > 0; kind++) {
+        write_cloud(&one_by_one, count, kind == 1);
+        struct draft together = one_by_one;
+        together.cloud = cloud_files[kind];
+        holds = is_alike(trial, &one_by_one, &together, 1e-12);
+    }
+    return holds;
 }
 
 /* ---- meshes ---- */
@@ -135,18 +163,21 @@ static void round_corners(struct draft_light_numbers *numbers)
     }
 }
 
-static void write_box(const struct draft_light_numbers *numbers)
+static void write_box(const struct draft_light_numbers *numbers, bool is_object)
 {
     static const int faces[6][4] = {{0, 2, 3, 1}, {4, 5, 7, 6}, {0, 1, 5, 4}, {2, 6, 7, 3}, {0, 4, 6, 2}, {1, 3, 7, 5}};
-    FILE *file = begin(files.mesh);
-    fprintf(file, "OFF\n8 6 12\n");
-    for (int corner = 0; corner < 8; corner++)
+    FILE *file = begin(mesh_files[is_object]);
+    fputs(is_object ? "" : "OFF\n8 6 12\n", file);
+    for (int corner = 0; corner < 8; corner++) {
+        double at[3];
         for (int k = 0; k < 3; k++)
-            fprintf(file, "%.17g%c",
-                    numbers->place[k] + (corner >> k & 1 ? numbers->size[k] / 2 : -numbers->size[k] / 2),
-                    k < 2 ? ' ' : '\n');
+            at[k] = numbers->place[k] + (corner >> k & 1 ? numbers->size[k] / 2 : -numbers->size[k] / 2);
+        fprintf(file, "%s%.17g %.17g %.17g\n", is_object ? "v " : "", at[0], at[1], at[2]);
+    }
+    const int first = is_object ? 1 : 0; /* the corners' numbers begin with it */
     for (int face = 0; face < 6; face++)
-        fprintf(file, "4 %d %d %d %d\n", faces[face][0], faces[face][1], faces[face][2], faces[face][3]);
+        fprintf(file, "%c %d %d %d %d\n", is_object ? 'f' : '4', first + faces[face][0], first + faces[face][1],
+                first + faces[face][2], first + faces[face][3]);
     end(file);
 }
 
@@ -169,8 +200,13 @@ bool reads_meshes(struct trial *trial)
     round_corners(&light->numbers);
     box.words.columns = box.words.columns < MOST_PIXELS ? box.words.columns : MOST_PIXELS;
     box.words.rows = box.words.rows < MOST_PIXELS ? box.words.rows : MOST_PIXELS;
-    write_box(&light->numbers);
-    struct draft mesh = box;
-    mesh.mesh = files.mesh;
-    return is_alike(trial, &box, &mesh, 1e-13);
+    bool holds = true;
+    make_folder();
+    for (int kind = 0; kind < KINDS && holds; kind++) {
+        write_box(&light->numbers, kind == 1);
+        struct draft mesh = box;
+        mesh.mesh = mesh_files[kind];
+        holds = is_alike(trial, &box, &mesh, 1e-13);
+    }
+    return holds;
 }
