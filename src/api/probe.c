@@ -114,6 +114,7 @@ static int probe_pixel(const struct lx_session *session, luxel_probe *probe)
     unsigned first = probe->column / width * width, top = probe->row / LX_TILE_ROWS * LX_TILE_ROWS;
     unsigned columns = screen->resolution[0] - first, rows = screen->resolution[1] - top;
     double x[LX_BLOCK], y[LX_TILE_ROWS], values[LX_BLOCK];
+    float singles[LX_BLOCK];
     uint8_t mask[LX_BLOCK];
     struct lx_shader_memory *memory = lx_shader_memory_new(plan);
     if (!memory)
@@ -125,10 +126,15 @@ static int probe_pixel(const struct lx_session *session, luxel_probe *probe)
     for (unsigned j = 0; j < rows; j++)
         y[j] = lx_row_y_mm(screen, top + j);
     lx_shader_enter(plan, memory, y, rows, x, columns);
-    lx_shade_points(plan, memory, y[probe->row - top], x, columns, NULL, false, values, mask);
+    const size_t row = probe->row - top, column = probe->column - first;
+    if (session->settings.precision == LUXEL_DOUBLE) {
+        lx_shade_row(plan, memory, row, NULL, false, values, mask);
+        probe->pixel_value = values[column];
+    } else {
+        lx_shade_row_single(plan, memory, row, NULL, false, singles, mask);
+        probe->pixel_value = (double)singles[column];
+    }
     lx_shader_memory_free(memory);
-    double value = values[probe->column - first];
-    probe->pixel_value = session->settings.precision == LUXEL_DOUBLE ? value : (double)(float)value;
     probe->has_pixel_value = isfinite(probe->pixel_value);
     return 0;
 }

@@ -38,18 +38,23 @@ static struct lx_row_statistics survey_row(const struct lx_rendering *rendering,
     };
 }
 
-/* Stores values of a row of the strip from `column` on, rounded to the field's precision. */
-static void store(const struct lx_rendering *rendering, unsigned row, unsigned column, const double *values,
-                  const uint8_t *mask, size_t count)
+/* Computes a row, from `column` on, of the tile that was entered, whose first row is `top`; returns how many of its
+ * `count` pixels show a surface. */
+static size_t render_row(struct lx_rendering *rendering, struct lx_shader_memory *memory, bool is_caller, unsigned top,
+                         unsigned row, unsigned column, unsigned count)
 {
+    struct lx_control *control = &rendering->control;
     const struct luxel_field *field = rendering->field;
     const struct lx_strip *strip = &rendering->computed->strip;
     const size_t first = (size_t)(row - strip->first) * field->columns + column;
-    memcpy(strip->mask + first, mask, count);
-    if (field->precision == LUXEL_DOUBLE)
-        memcpy((double *)strip->values + first, values, count * sizeof *values);
-    else
-        rendering->plan->kernels->round_all(values, count, (float *)strip->values + first);
+    uint8_t *mask = strip->mask + first;
+    if (field->precision == LUXEL_SINGLE)
+        return lx_shade_row_single(rendering->plan, memory, row - top, control, is_caller,
+                                   (float *)strip->values + first, mask);
+    _Alignas(64) double values[LX_BLOCK];
+    const size_t shown = lx_shade_row(rendering->plan, memory, row - top, control, is_caller, values, mask);
+    memcpy((double *)strip->values + first, values, count * sizeof *values);
+    return shown;
 }
 
 /* Renders rows first to last - 1, no more than a tile has, tile by tile. */
@@ -59,20 +64,14 @@ static void render_rows(void *data, unsigned worker, bool is_caller, unsigned fi
     struct lx_shader_memory *memory = rendering->memories[worker];
     const struct luxel_field *field = rendering->field;
     const struct lx_strip *strip = &rendering->computed->strip;
-    _Alignas(64) double x[LX_BLOCK];
-    _Alignas(64) double values[LX_BLOCK];
-    uint8_t mask[LX_BLOCK];
     size_t shown[LX_TILE_ROWS] = {0};
     const unsigned width = lx_tile_columns(rendering->plan, field->columns);
     _Static_assert((int)LX_ROWS_AT_ONCE == (int)LX_TILE_ROWS, "a thread takes the rows of whole tiles");
     for (unsigned column = 0; column < field->columns; column += width) {
         unsigned left = field->columns - column, count = left < width ? left : width;
-        memcpy(x, field->x_mm + column, count * sizeof *x);
-        lx_shader_enter(rendering->plan, memory, field->y_mm + first, last - first, x, count);
+        lx_shader_enter(rendering->plan, memory, field->y_mm + first, last - first, field->x_mm + column, count);
         for (unsigned row = first; row < last; row++) {
-            shown[row - first] += lx_shade_points(rendering->plan, memory, field->y_mm[row], x, count,
-                                                  &rendering->control, is_caller, values, mask);
-            store(rendering, row, column, values, mask, count);
+            shown[row - first] += render_row(rendering, memory, is_caller, first, row, column, count);
             if (!lx_control_goes_on(&rendering->control, is_caller))
                 return;
         }

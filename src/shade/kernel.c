@@ -93,7 +93,6 @@ static void round_all(const double *restrict values, size_t count, float *restri
 struct sphere_row {
     double x, dy;         /* of the centre, and from it */
     struct lx_pair below; /* R^2 - dy^2 */
-    double inverse;       /* 1/R */
 };
 
 static struct sphere_row sphere_row_of(const struct lx_shape *sphere, const struct lx_row_view *view)
@@ -103,7 +102,6 @@ static struct sphere_row sphere_row_of(const struct lx_shape *sphere, const stru
         .x = sphere->anchor_mm[0],
         .dy = dy,
         .below = lx_exact_difference_of_squares(sphere->radius_mm, dy),
-        .inverse = 1 / sphere->radius_mm,
     };
 }
 
@@ -136,15 +134,6 @@ static void meet_parallel_lines(const struct lx_shape *sphere, const struct lx_r
     }
 }
 
-/* Half a vector of float32. */
-typedef float rounded_lanes __attribute__((vector_size(LX_VECTOR_BYTES / 2)));
-
-LX_LANE void store_rounded(float *to, lanes_double lanes)
-{
-    *(rounded_lanes *)__builtin_assume_aligned(to, sizeof(rounded_lanes)) =
-        __builtin_convertvector(lanes, rounded_lanes);
-}
-
 /* How many of the first lines meet a shape. */
 static size_t count_met(const double *depth, size_t count)
 {
@@ -154,23 +143,25 @@ static size_t count_met(const double *depth, size_t count)
     return met;
 }
 
-/* The whole lanes of a run that have lines which meet a shape, those of a finite depth; sets the mask. */
-static struct lx_stretch stretch_of(const double *depth, size_t count, uint8_t *mask)
+/* Adds lines to the whole lanes of a run that have lines which meet a shape. */
+static void extend_stretch(struct lx_stretch *stretch, size_t first, size_t count, size_t met)
 {
-    struct lx_stretch stretch = {0};
-    for (size_t i = 0; i < count; i += LX_LANES) {
-        const size_t lanes = count - i < LX_LANES ? count - i : LX_LANES, met = count_met(depth + i, lanes);
-        memset(mask + i, met == lanes, lanes);
-        for (size_t k = 0; k < lanes && met > 0 && met < lanes; k++)
-            mask[i + k] = depth[i + k] < HUGE_VAL;
-        if (met == 0)
-            continue;
-        if (stretch.count == 0)
-            stretch.first = i;
-        stretch.count = i - stretch.first + lanes;
-        stretch.met += met;
-    }
-    return stretch;
+    if (met == 0)
+        return;
+    if (stretch->met == 0)
+        stretch->first = first;
+    stretch->count = first - stretch->first + count;
+    stretch->met += met;
+}
+
+/* Lines that meet a shape, those of a finite depth; sets the mask. */
+static void extend_by_depth(struct lx_stretch *stretch, const double *depth, size_t first, size_t count, uint8_t *mask)
+{
+    const size_t met = count_met(depth, count);
+    memset(mask + first, met == count, count);
+    for (size_t i = 0; i < count && met > 0 && met < count; i++)
+        mask[first + i] = depth[i] < HUGE_VAL;
+    extend_stretch(stretch, first, count, met);
 }
 
 /* A run of which all is met. */
@@ -180,36 +171,97 @@ static struct lx_stretch whole_stretch(size_t count, uint8_t *mask)
     return (struct lx_stretch){0, count, count};
 }
 
-/* Whether the lines all meet the sphere. */
-static bool fill_sphere(struct sphere_row row, const double *restrict x_mm, size_t count,
-                        struct lx_block_single *restrict block)
+/* The columns' places on the screen, and from the shape's anchor. */
+static void place_columns(const struct lx_shape *shape, const double *x_mm, size_t count, struct lx_columns *columns)
 {
-    lanes_double least = all_double(HUGE_VAL);
-    for (size_t i = 0; i < count; i += LX_WIDTH_double) {
-        const struct sphere_places at = sphere_places_at(row, x_mm + i);
-        least = lesser_double(at.below, least);
-        store_rounded(block->px + i, at.dx);
-        store_rounded(block->py + i, all_double(row.dy));
-        store_rounded(block->pz + i, at.height);
-        store_rounded(block->nx + i, at.dx * row.inverse);
-        store_rounded(block->ny + i, all_double(row.dy * row.inverse));
-        store_rounded(block->nz + i, at.height * row.inverse);
+    for (size_t i = 0; i < lx_padded(count); i++) {
+        columns->x_mm[i] = x_mm[i < count ? i : count - 1];
+        columns->px[i] = (float)(columns->x_mm[i] - shape->anchor_mm[0]);
     }
-    return !any_above_double(all_double(0), least);
+    columns->count = count;
 }
 
-static struct lx_stretch view_sphere(const struct lx_shape *sphere, const struct lx_row_view *view, const double *x_mm,
-                                     size_t count, struct lx_block_single *block, uint8_t *mask)
+static void set_sphere_columns(const struct lx_shape *sphere, const double *x_mm, size_t count,
+                               struct lx_columns *columns)
 {
-    const struct sphere_row row = sphere_row_of(sphere, view);
+    const double x = sphere->anchor_mm[0], inverse = 1 / sphere->radius_mm;
+    place_columns(sphere, x_mm, count, columns);
+    for (size_t i = 0; i < lx_padded(count); i++) {
+        const double nx = (columns->x_mm[i] - x) * inverse, square = nx * nx;
+        columns->nx[i] = (float)nx;
+        columns->square[i] = (float)square;
+        columns->rest[i] = (float)(square - (double)columns->square[i]);
+    }
+}
+
+/* Elements of a sphere, from one of the columns on, in a row so high above its centre: nx^2 + nz^2 = 1 - ny^2. */
+static void fill_sphere(const struct lx_shape *sphere, double dy, const struct lx_columns *columns, size_t first,
+                        size_t count, struct lx_block_single *block)
+{
+    const double radius = sphere->radius_mm, ny = dy / radius, both = (1 - ny) * (1 + ny);
+    const lanes_single py = all_single((float)dy), y = all_single((float)ny), zero = all_single(0);
+    const float high = (float)both, low = (float)(both - (double)high);
+    const float radius_high = (float)radius, radius_low = (float)(radius - (double)radius_high);
+    for (size_t i = 0; i < count; i += LX_WIDTH_single) {
+        const lanes_single square = load_single(columns->square + first + i);
+        const lanes_single rest = load_single(columns->rest + first + i);
+        const lanes_single nz = root_single(greater_single((high - square) + (low - rest), zero));
+        store_single(block->px + i, load_single(columns->px + first + i));
+        store_single(block->py + i, py);
+        store_single(block->pz + i, radius_high * nz + radius_low * nz);
+        store_single(block->nx + i, load_single(columns->nx + first + i));
+        store_single(block->ny + i, y);
+        store_single(block->nz + i, nz);
+    }
+}
+
+/* How many of the lines from one to the other, whose x from the centre are given, are certain to meet a sphere. */
+enum share { NONE, SOME, ALL };
+
+static enum share share_on_sphere(double radius, double dy, double left, double right)
+{
+    const double doubt = 1e-12 * radius * radius; /* more than roundings */
+    const double to_left = left * left, to_right = right * right;
+    const double farthest = to_left > to_right ? to_left : to_right;
+    const double nearest = left > 0 ? to_left : right < 0 ? to_right : 0;
+    const double square = radius * radius - dy * dy;
+    return farthest < square - doubt ? ALL : nearest > square + doubt ? NONE : SOME;
+}
+
+/* Infinite where one of some whole lanes of lines passes by the sphere, else 0. */
+static void depths_on_sphere(const struct sphere_row *row, const double *x_mm, double *depth)
+{
     const lanes_double zero = all_double(0), infinite = all_double(HUGE_VAL);
-    _Alignas(LX_VECTOR_BYTES) double depth[LX_BLOCK];
-    if (fill_sphere(row, x_mm, lx_padded(count), block))
-        return whole_stretch(count, mask);
-    for (size_t i = 0; i < count; i += LX_WIDTH_double)
-        store_double(depth + i, where_above_double(zero, sphere_places_at(row, x_mm + i).below, infinite, zero));
-    const struct lx_stretch stretch = stretch_of(depth, count, mask);
-    fill_sphere(row, x_mm + stretch.first, lx_padded(stretch.count), block);
+    for (size_t i = 0; i < LX_LANES; i += LX_WIDTH_double)
+        store_double(depth + i, where_above_double(zero, sphere_places_at(*row, x_mm + i).below, infinite, zero));
+}
+
+/* Tries lines only of whole lanes that the rim may pass through. */
+static struct lx_stretch view_sphere(const struct lx_shape *sphere, const struct lx_row_view *view,
+                                     const struct lx_columns *columns, struct lx_block_single *block, uint8_t *mask)
+{
+    const double *x = columns->x_mm, from = sphere->anchor_mm[0], radius = sphere->radius_mm;
+    const double dy = view->y_mm - sphere->anchor_mm[1];
+    const size_t count = columns->count;
+    struct lx_stretch stretch = {0};
+    if (share_on_sphere(radius, dy, x[0] - from, x[count - 1] - from) == ALL) {
+        stretch = whole_stretch(count, mask);
+    } else {
+        const struct sphere_row row = sphere_row_of(sphere, view);
+        for (size_t i = 0; i < count; i += LX_LANES) {
+            const size_t lanes = count - i < LX_LANES ? count - i : LX_LANES;
+            const enum share share = share_on_sphere(radius, dy, x[i] - from, x[i + lanes - 1] - from);
+            if (share == SOME) {
+                _Alignas(LX_VECTOR_BYTES) double depth[LX_LANES];
+                depths_on_sphere(&row, x + i, depth);
+                extend_by_depth(&stretch, depth, i, lanes, mask);
+            } else {
+                memset(mask + i, share == ALL, lanes);
+                extend_stretch(&stretch, i, lanes, share == ALL ? lanes : 0);
+            }
+        }
+    }
+    fill_sphere(sphere, dy, columns, stretch.first, lx_padded(stretch.count), block);
     return stretch;
 }
 
@@ -337,6 +389,7 @@ const struct lx_kernels TABLE_OF(LX_ISA) = {
     .runs = runs,
     .shade_single = shade_single,
     .shade_double = shade_double,
+    .value_single = value_single,
     .samples_single = samples_single,
     .samples_double = samples_double,
     .survey_single = survey_single,
@@ -350,6 +403,7 @@ const struct lx_kernels TABLE_OF(LX_ISA) = {
                        [LX_CYLINDER] = light_by_cylinder},
     .meet_lines = {[LX_SPHERE] = meet_sphere, [LX_PLATE] = meet_plate},
     .complete_block = {[LX_SPHERE] = complete_sphere, [LX_PLATE] = complete_plate},
+    .set_columns = {[LX_SPHERE] = set_sphere_columns, [LX_PLATE] = place_columns},
     .view_single = {[LX_SPHERE] = view_sphere, [LX_PLATE] = view_plate},
     .block_light = {[LX_SPHERE] = block_by_sphere, [LX_PLATE] = block_by_plate},
 };

@@ -24,7 +24,7 @@
 #include "../material/lobe.h"
 #include "../surface/surface.h"
 
-enum { LX_BLOCK = 128, LX_LANES = 16, LX_MOST_SAMPLES = 36 };
+enum { LX_BLOCK = 256, LX_LANES = 16, LX_MOST_SAMPLES = 36 };
 
 static inline size_t lx_padded(size_t count)
 {
@@ -121,6 +121,12 @@ enum lx_light_kind { LX_DISTANT, LX_BY_SQUARE, LX_BY_SUM, LX_UNATTENUATED, LX_PR
 LX_KERNEL_TYPES(double, double);
 LX_KERNEL_TYPES(float, single);
 
+/* Sets values[i], of `count` elements, to `uniform` and what the lights give, whose way is free and which have no
+ * edges. */
+typedef void lx_value_single(const struct lx_light_single *lights, size_t light_count,
+                             const struct lx_lobe_single *lobe, const struct lx_block_single *block, size_t count,
+                             float uniform, float *values);
+
 /* What some values have in common, none of which is below 0. */
 struct lx_survey {
     double maximum;  /* 0 where there are none */
@@ -158,13 +164,25 @@ struct lx_stretch {
     size_t first, count, met;
 };
 
+/* What lines of sight along -z in some columns have in common whatever their row: where they are on the screen and from
+ * the anchor, and of a sphere the normal's x, and its square in twice the precision. */
+struct lx_columns {
+    _Alignas(64) double x_mm[LX_BLOCK];
+    float px[LX_BLOCK], nx[LX_BLOCK], square[LX_BLOCK], rest[LX_BLOCK];
+    size_t count;
+};
+
+/* Sets columns to those of lines from left to right, the last of which is repeated up to lx_padded(count). */
+typedef void lx_set_columns(const struct lx_shape *shape, const double *x_mm, size_t count, struct lx_columns *columns);
+
 /*
- * Both at once, in float32 alone, of lines of sight along -z.  Sets mask[i] to 1 where line i meets the shape, else to
- * 0, and the places and normals of a block to what the two functions above make, from the first whole lanes with such a
- * line to the last ones.  The light of elements between that are not on the shape means nothing.
+ * Both at once, in float32 alone, of a row of such lines.  Sets mask[i] to 1 where line i meets the shape, else to 0,
+ * and the places and normals of a block, from the first whole lanes with such a line to the last ones, to what the two
+ * functions above make, within 2^-23 of the shape's radius and of 1.  The light of elements between that are not on the
+ * shape means nothing.
  */
 typedef struct lx_stretch lx_view_single(const struct lx_shape *shape, const struct lx_row_view *view,
-                                         const double *x_mm, size_t count, struct lx_block_single *block,
+                                         const struct lx_columns *columns, struct lx_block_single *block,
                                          uint8_t *mask);
 
 /* Sets values to one number, and rounds them to float32: plain loops, but a tenth of a picture under one light. */
@@ -218,6 +236,7 @@ struct lx_kernels {
     bool (*runs)(void); /* whether this machine has the instruction set */
     lx_shade_single *shade_single;
     lx_shade_double *shade_double;
+    lx_value_single *value_single;
     lx_shade_samples_single *samples_single;
     lx_shade_samples_double *samples_double;
     lx_survey_single *survey_single;
@@ -230,6 +249,7 @@ struct lx_kernels {
     /* by the type of the shape */
     lx_meet_lines *meet_lines[LX_SHAPE_TYPES];
     lx_complete_block *complete_block[LX_SHAPE_TYPES];
+    lx_set_columns *set_columns[LX_SHAPE_TYPES];
     lx_view_single *view_single[LX_SHAPE_TYPES];
     lx_block_light *block_light[LX_SHAPE_TYPES];
 };

@@ -6,13 +6,73 @@
  * Cosines that are raised to a power enter with t = 1 - cos = |a - b|^2 / 2, a and b the unit vectors that make the
  * angle: near 1 a cosine has lost the digits that tell how far the angle is from 0.  In float64 the cosine itself is
  * exact where t, near 1, has lost those that tell how far the angle is from pi/2; in float32 it may be 1 - t, as lights
- * for which that matters are never left to float32.
+ * for which that matters are never left to float32.  NAME(limit) makes both 0 and 1 beyond pi/2.
  */
 
+LX_LANE NAME(lanes) NAME(polynomial)(NAME(lanes) x, const REAL *coefficients, int count)
+{
+    NAME(lanes) value = NAME(all)(coefficients[count - 1]);
+    for (int k = count - 2; k >= 0; k--)
+        value = value * x + coefficients[k];
+    return value;
+}
+
 /*
- * log2(w + c) of w > 0 and a c that is small beside it.  With w = 2^k m, m within [sqrt(1/2), sqrt(2)):
- * log2 m = 2/ln 2 (s + s^3/3 + s^5/5 ...), s = (m - 1)/(m + 1).  Error below 3 ulp of the result.
+ * log2(w + c) of w > 0 and a c that is small beside it, and 2^y for y <= 0, about 0 below the normal numbers.  Errors
+ * below 3 ulp of the result and 2 ulp.
+ *
+ * Where a register holds a table of 16: with w = 2^k m, m within [3/4, 3/2), and 1/a of the table near to m,
+ * log2 m = log2 a + log2(1 + r), r = m/a - 1 within [-1/32, 1/16]; a is 1 on both sides of 1, and else one whose
+ * logarithm is very nearly a number of float32.  2^y = 2^k 2^(j/16) 2^f, |f| <= 1/32.  The polynomials are the nearest.
  */
+#if LX_IS_SINGLE && LX_ISA_LEVEL >= 4
+LX_LANE NAME(lanes) NAME(log2_of)(NAME(lanes) w, NAME(lanes) c)
+{
+    _Alignas(64) static const REAL inverses[] = {
+        1,           0.9141801F,  0.864696205F, 0.820501029F, 0.780451536F, 0.744180262F, 0.71124357F, 0.680757821F,
+        1.30610323F, 1.25497186F, 1.20725596F,  1.16394758F,  1.12315786F,  1.08470762F,  1.04888546F, 1,
+    };
+    _Alignas(64) static const REAL logarithms[] = {
+        0,
+        0.12944968F,
+        0.209734738F,
+        0.285422951F,
+        0.357619047F,
+        0.426275969F,
+        0.49158439F,
+        0.554786444F,
+        -0.385268927F,
+        -0.327655017F,
+        -0.271731585F,
+        -0.219026089F,
+        -0.167560712F,
+        -0.117306218F,
+        -0.0688571483F,
+        0,
+    };
+    static const REAL terms[] = {1.442695038F, -0.7213475528F, 0.4809186596F, -0.3607730393F, 0.2712075229F};
+    NAME(lanes) exponent, m = NAME(split)(w, &exponent);
+    const NAME(lane_bits) index = (NAME(lane_bits))m >> (MANTISSA - 4);
+    const NAME(lanes) r = m * NAME(entries)(inverses, index) - 1;
+    const NAME(lanes) rest = NAME(entries)(logarithms, index) + (REAL)1.4426950408889634 * c;
+    return exponent + (r * NAME(polynomial)(r, terms, (int)(sizeof terms / sizeof *terms)) + rest);
+}
+
+LX_LANE NAME(lanes) NAME(exp2_of)(NAME(lanes) y)
+{
+    _Alignas(64) static const REAL roots[] = {
+        1,           1.04427373F, 1.09050775F, 1.13878858F, 1.18920708F, 1.24185777F, 1.29683959F, 1.35425556F,
+        1.41421354F, 1.47682619F, 1.54221082F, 1.61049032F, 1.68179286F, 1.75625217F, 1.8340081F,  1.91520655F,
+    };
+    static const REAL terms[] = {0.6931471802F, 0.2402335516F, 0.05550573632F};
+    const REAL magic = (REAL)MAGIC / 16; /* sixteenths are counted in its last bits */
+    const NAME(lanes) count = y + magic, near = count - magic, f = y - near;
+    const NAME(lanes) root = NAME(entries)(roots, (NAME(lane_bits))count);
+    const NAME(lanes) series = f * NAME(polynomial)(f, terms, (int)(sizeof terms / sizeof *terms));
+    return NAME(scale)(root + root * series, near); /* by the whole number below it */
+}
+#else
+/* With w = 2^k m, m within [sqrt(1/2), sqrt(2)): log2 m = 2/ln 2 (s + s^3/3 + s^5/5 ...), s = (m - 1)/(m + 1). */
 LX_LANE NAME(lanes) NAME(log2_of)(NAME(lanes) w, NAME(lanes) c)
 {
     NAME(lanes) exponent, m = NAME(split)(NAME(greater)(w, NAME(all)((REAL)SMALLEST)), &exponent);
@@ -23,7 +83,6 @@ LX_LANE NAME(lanes) NAME(log2_of)(NAME(lanes) w, NAME(lanes) c)
     return exponent + ((REAL)2.8853900817779268 * s * series + (REAL)1.4426950408889634 * c);
 }
 
-/* 2^y for y <= 0, about 0 below the normal numbers; error below 2 ulp. */
 LX_LANE NAME(lanes) NAME(exp2_of)(NAME(lanes) y)
 {
     static const REAL coefficients[] = {
@@ -48,9 +107,17 @@ LX_LANE NAME(lanes) NAME(exp2_of)(NAME(lanes) y)
         series = series * fraction + coefficients[k];
     return NAME(scale)(series, whole);
 }
+#endif
+
+LX_LANE void NAME(limit)(NAME(lanes) * cosine, NAME(lanes) * versine)
+{
+    *versine = NAME(lesser)(*versine, NAME(all)(1));
+    *cosine = LX_IS_SINGLE ? 1 - *versine : NAME(greater)(*cosine, NAME(all)(0));
+}
 
 /*
- * Of `count` vectors side by side, cosine^exponent with t = 1 - cosine, 0 for cosines below 0.  A whole exponent by
+ * Of `count` vectors side by side, cosine^exponent with t = 1 - cosine; cosine is at least 0, but for roundings of 1 by
+ * which a power near 0 may then be off, too.  A whole exponent by
  * squaring: while it is large by squaring the complements, 1 - (1 - t)^2 = t (2 - t), which keeps the digits of a small
  * t; at last the powers themselves, which keeps those of a small power.  Others by the logarithm.  Errors, t's own
  * aside: below 6 ulp of 1, by the logarithm 2.  In float64 what has become less than a half is squared itself from
@@ -64,10 +131,8 @@ LX_LANE void NAME(raise)(const NAME(lanes) * cosine, const NAME(lanes) * versine
     const NAME(lanes) zero = NAME(all)(0), half = NAME(all)((REAL)0.5);
     NAME(lanes) base[LX_ABREAST], t[LX_ABREAST];
     for (int i = 0; i < count; i++) {
-        base[i] = NAME(greater)(cosine[i], zero);
-        t[i] = NAME(lesser)(versine[i], NAME(all)(1));
-        if (!LX_IS_SINGLE)
-            base[i] = NAME(where_above)(t[i], half, base[i], 1 - t[i]);
+        t[i] = versine[i];
+        base[i] = LX_IS_SINGLE ? cosine[i] : NAME(where_above)(t[i], half, cosine[i], 1 - t[i]);
     }
     unsigned bits = exponent.whole;
     if (bits == 0) {
@@ -109,16 +174,9 @@ LX_LANE void NAME(raise)(const NAME(lanes) * cosine, const NAME(lanes) * versine
 LX_LANE NAME(lanes) NAME(power_of)(NAME(lanes) cosine, NAME(lanes) versine, struct NAME(lx_exponent) exponent)
 {
     NAME(lanes) power;
+    NAME(limit)(&cosine, &versine);
     NAME(raise)(&cosine, &versine, 1, exponent, &power);
     return power;
-}
-
-LX_LANE NAME(lanes) NAME(polynomial)(NAME(lanes) x, const REAL *coefficients, int count)
-{
-    NAME(lanes) value = NAME(all)(coefficients[count - 1]);
-    for (int k = count - 2; k >= 0; k--)
-        value = value * x + coefficients[k];
-    return value;
 }
 
 /* gap(z) = 1 - atan(sqrt z)/sqrt z for 0 <= z <= 1; the polynomial is the nearest to gap(z)/z.  Error below 2 ulp. */

@@ -49,15 +49,14 @@ static void meet_plate_parallel(const struct lx_shape *plate, const struct lx_ro
     }
 }
 
-static void fill_plate(const struct lx_shape *plate, const struct plate_row row, const double *restrict x_mm,
-                       size_t count, struct lx_block_single *restrict block)
+static void fill_plate(const struct lx_shape *plate, const struct plate_row row, const struct lx_columns *columns,
+                       size_t first, size_t count, struct lx_block_single *restrict block)
 {
     const float nx = (float)plate->axis[0], ny = (float)plate->axis[1], nz = (float)plate->axis[2];
     const float dy = (float)row.dy;
     for (size_t i = 0; i < count; i++) {
-        double dx = x_mm[i] - row.x;
-        block->px[i] = (float)dx;
-        block->pz[i] = (float)(row.slope_x * dx + row.height);
+        block->px[i] = columns->px[first + i];
+        block->pz[i] = (float)(row.slope_x * (columns->x_mm[first + i] - row.x) + row.height);
     }
     for (size_t i = 0; i < count; i++) {
         block->py[i] = dy;
@@ -65,19 +64,24 @@ static void fill_plate(const struct lx_shape *plate, const struct plate_row row,
     }
 }
 
-static struct lx_stretch view_plate(const struct lx_shape *plate, const struct lx_row_view *view, const double *x_mm,
-                                    size_t count, struct lx_block_single *block, uint8_t *mask)
+static struct lx_stretch view_plate(const struct lx_shape *plate, const struct lx_row_view *view,
+                                    const struct lx_columns *columns, struct lx_block_single *block, uint8_t *mask)
 {
     const struct lx_shape shape = *plate;
     const struct plate_row row = plate_row_of(plate, view);
-    double depth[LX_BLOCK];
+    const size_t count = columns->count;
+    double depth[LX_BLOCK], farthest = 0;
     for (size_t i = 0; i < lx_padded(count); i++) {
-        double dx = x_mm[i] - row.x, height = row.slope_x * dx + row.height;
+        double dx = columns->x_mm[i] - row.x, height = row.slope_x * dx + row.height;
         depth[i] = depth_on_plate(&shape, row.is_met, 0, dx, row.dy, height);
+        farthest = depth[i] > farthest ? depth[i] : farthest;
     }
-    const bool all = count_met(depth, lx_padded(count)) == lx_padded(count);
-    const struct lx_stretch stretch = all ? whole_stretch(count, mask) : stretch_of(depth, count, mask);
-    fill_plate(plate, row, x_mm + stretch.first, lx_padded(stretch.count), block);
+    struct lx_stretch stretch = {0};
+    if (farthest < HUGE_VAL)
+        stretch = whole_stretch(count, mask);
+    for (size_t i = 0; i < count && stretch.met < count; i += LX_LANES)
+        extend_by_depth(&stretch, depth + i, i, count - i < LX_LANES ? count - i : LX_LANES, mask);
+    fill_plate(plate, row, columns, stretch.first, lx_padded(stretch.count), block);
     return stretch;
 }
 

@@ -93,8 +93,10 @@ LX_LANE NAME(lanes) NAME(cone)(const struct NAME(lx_light) * light, const struct
 /* cos^exponent of the angle between the direction from the light and its axis. */
 LX_LANE NAME(lanes) NAME(pattern)(const struct NAME(lx_light) * light, const struct NAME(ray) * ray)
 {
-    const NAME(lanes) versine = NAME(versine)(light, ray);
-    return NAME(power_of)(LX_IS_SINGLE ? 1 - versine : NAME(axial)(light, ray), versine, light->exponent);
+    const NAME(lanes) cosine = NAME(axial)(light, ray);
+    if (light->exponent.whole == 1)
+        return NAME(greater)(cosine, NAME(all)(0));
+    return NAME(power_of)(cosine, NAME(versine)(light, ray), light->exponent);
 }
 
 /* g of the direction from the light, -L. */
@@ -157,25 +159,29 @@ LX_LANE void NAME(phong)(const struct NAME(elements) * at, const struct NAME(ray
     NAME(lanes) apart = n_dot_l - at->along_n;
     NAME(lanes) l_dot_v = (ray->x * at->vx + ray->y * at->vy + ray->z * at->vz) * ray->inverse; /* of l and v */
     *versine = (REAL)0.5 * (across + apart * apart);
-    *cosine = LX_IS_SINGLE ? 1 - *versine : n_dot_l * at->along_n - l_dot_v;
+    *cosine = n_dot_l * at->along_n - l_dot_v;
+    NAME(limit)(cosine, versine);
 }
 
+/* L = -V, but for rounding, has no half vector: |L + V|^2 is no more than this; float32 never comes near it. */
+static const REAL NAME(least_half) = (REAL)0x1p-98;
+
 /*
- * The same with the half vector H, whose parts along the normal and across it are as `along`, N.L + N.V, to l + v.  The
- * square of S = N.H takes no root; `root` is S, where it is wanted.
+ * S^2 and 1 - S^2, which take no root, with the half vector H, whose parts along the normal and across it are as
+ * `along`, N.L + N.V, to l + v, the squares of which add up to `square`.
  */
-LX_LANE void NAME(blinn_phong)(NAME(lanes) along, NAME(lanes) across, bool by_square, bool is_odd, NAME(lanes) * cosine,
-                               NAME(lanes) * versine, NAME(lanes) * root)
+LX_LANE void NAME(blinn_phong)(NAME(lanes) along, NAME(lanes) across, NAME(lanes) * square, NAME(lanes) * cosine2,
+                               NAME(lanes) * sine2)
 {
-    NAME(lanes) square = across + along * along, inverse = NAME(inverse)(square), sine2 = across * inverse;
-    *root = by_square && !is_odd ? NAME(all)(0) : along * NAME(inverse_root)(square);
-    *versine = by_square ? sine2 : sine2 * NAME(inverse)(1 + *root);
+    *square = across + along * along;
+    NAME(lanes) inverse = NAME(inverse)(*square);
+    *sine2 = across * inverse;
     if (LX_IS_SINGLE) {
-        *cosine = 1 - *versine;
-    } else { /* L = -V, but for rounding, has no half vector; float32 never comes near that */
-        const NAME(lanes) rounding = NAME(all)((REAL)0x1p-98);
-        *versine = NAME(where_above)(square, rounding, *versine, NAME(all)(1));
-        *cosine = NAME(where_above)(square, rounding, by_square ? along * along * inverse : *root, NAME(all)(0));
+        *cosine2 = 1 - *sine2;
+    } else {
+        const NAME(lanes) least = NAME(all)(NAME(least_half));
+        *sine2 = NAME(where_above)(*square, least, *sine2, NAME(all)(1));
+        *cosine2 = NAME(where_above)(*square, least, along * along * inverse, NAME(all)(0));
     }
 }
 
@@ -187,23 +193,30 @@ LX_LANE void NAME(shine_of)(struct NAME(lx_exponent) exponent, const struct NAME
     /* with an exponent below 2 a power of S^2 would rise too steeply from S = 0 */
     const bool by_square = model == LX_BLINN_PHONG && exponent.value >= 2;
     const bool is_odd = by_square && exponent.whole % 2 == 1;
-    NAME(lanes) cosine[LX_ABREAST], versine[LX_ABREAST], root[LX_ABREAST];
+    NAME(lanes) cosine[LX_ABREAST], versine[LX_ABREAST], along[LX_ABREAST], square[LX_ABREAST];
     for (int i = 0; i < count; i++) {
         NAME(lanes) x = ray[i].x * ray[i].inverse + (at[i].vx - n_dot_l[i] * at[i].nx);
         NAME(lanes) y = ray[i].y * ray[i].inverse + (at[i].vy - n_dot_l[i] * at[i].ny);
         NAME(lanes) z = ray[i].z * ray[i].inverse + (at[i].vz - n_dot_l[i] * at[i].nz);
         NAME(lanes) across = x * x + (y * y + (z * z + (REAL)TINY));
-        NAME(lanes) along = NAME(greater)(n_dot_l[i] + at[i].along_n, NAME(all)(0));
+        along[i] = NAME(greater)(n_dot_l[i] + at[i].along_n, NAME(all)(0));
         if (model == LX_PHONG)
             NAME(phong)(&at[i], &ray[i], n_dot_l[i], across, &cosine[i], &versine[i]);
         else
-            NAME(blinn_phong)(along, across, by_square, is_odd, &cosine[i], &versine[i], &root[i]);
+            NAME(blinn_phong)(along[i], across, &square[i], &cosine[i], &versine[i]);
+    }
+    for (int i = 0; i < count && model == LX_BLINN_PHONG && !by_square; i++) {
+        NAME(lanes) root = along[i] * NAME(inverse_root)(square[i]);
+        if (!LX_IS_SINGLE)
+            root = NAME(where_above)(square[i], NAME(all)(NAME(least_half)), root, NAME(all)(0));
+        versine[i] *= NAME(inverse)(1 + root);
+        cosine[i] = LX_IS_SINGLE ? 1 - versine[i] : root;
     }
     if (by_square)
         exponent = (struct NAME(lx_exponent)){exponent.value / 2, exponent.whole / 2};
     NAME(raise)(cosine, versine, count, exponent, shine);
     for (int i = 0; i < count && is_odd; i++)
-        shine[i] *= root[i];
+        shine[i] *= along[i] * NAME(inverse_root)(square[i]);
 }
 
 /*
@@ -260,8 +273,11 @@ struct NAME(work) {
     const struct NAME(lx_block) * block;
     const struct lx_block_double *exact;
     const float *open;
-    size_t count;
-    double *sum;
+    size_t count;  /* in whole lanes */
+    double *sum;   /* what is added to; or NULL, and: */
+    float *values; /* what is set, of so many elements, to `uniform` and the light */
+    size_t value_count;
+    float uniform;
 };
 
 /*
@@ -303,12 +319,14 @@ LX_LANE void NAME(sum_lights)(const struct NAME(work) * work, size_t start, int 
         }
     }
     for (int i = 0; i < count; i++) {
-        NAME(lanes) total = lobe.diffuse * total_diffuse[i] + lobe.specular * total_specular[i];
+        /* in float32 S^2 = 1 - sine^2 may be a rounding below 0 */
+        const NAME(lanes) glossy = LX_IS_SINGLE ? NAME(greater)(total_specular[i], zero) : total_specular[i];
+        NAME(lanes) total = lobe.diffuse * total_diffuse[i] + lobe.specular * glossy;
         NAME(store)(totals + at[i].start, total);
     }
 }
 
-/* Adds the brightness by all the lights. */
+/* The brightness by all the lights. */
 LX_LANE void NAME(add_lights)(const struct NAME(work) * work, enum lx_light_kind kind, enum lx_model model,
                               enum lx_highlight highlight)
 {
@@ -321,8 +339,13 @@ LX_LANE void NAME(add_lights)(const struct NAME(work) * work, enum lx_light_kind
         NAME(sum_lights)(work, i, 2, kind, model, highlight, totals);
     for (i = 0; work->open && i < count; i++)
         totals[i] *= (REAL)work->open[i];
-    for (i = 0; i < count; i++)
-        work->sum[i] += (double)totals[i];
+    double *restrict sum = work->sum;
+    float *restrict values = work->values;
+    const float uniform = work->uniform;
+    for (i = 0; sum && i < count; i++)
+        sum[i] += (double)totals[i];
+    for (i = 0; values && i < work->value_count; i++)
+        values[i] = uniform + (float)totals[i];
 }
 
 LX_LANE void NAME(by_lobe)(const struct NAME(work) * work, enum lx_light_kind kind)
@@ -358,16 +381,33 @@ LX_SHADE_BY(unattenuated, LX_UNATTENUATED)
 LX_SHADE_BY(profiled, LX_PROFILED)
 #undef LX_SHADE_BY
 
+LX_LANE void NAME(by_kind)(const struct NAME(work) * work)
+{
+    switch (work->lights->kind) {
+    case LX_DISTANT: NAME(by_direction)(work); break;
+    case LX_BY_SQUARE: NAME(by_square)(work); break;
+    case LX_BY_SUM: NAME(by_sum)(work); break;
+    case LX_UNATTENUATED: NAME(unattenuated)(work); break;
+    case LX_PROFILED: NAME(profiled)(work); break;
+    }
+}
+
 static void NAME(shade)(const struct NAME(lx_light) * lights, const struct lx_light_double *exacts, size_t light_count,
                         const struct NAME(lx_lobe) * lobe, const struct NAME(lx_block) * block,
                         const struct lx_block_double *exact, const float *open, size_t count, double *sum)
 {
-    const struct NAME(work) work = {lights, exacts, light_count, lobe, block, exact, open, lx_padded(count), sum};
-    switch (lights->kind) {
-    case LX_DISTANT: NAME(by_direction)(&work); break;
-    case LX_BY_SQUARE: NAME(by_square)(&work); break;
-    case LX_BY_SUM: NAME(by_sum)(&work); break;
-    case LX_UNATTENUATED: NAME(unattenuated)(&work); break;
-    case LX_PROFILED: NAME(profiled)(&work); break;
-    }
+    const struct NAME(work)
+        work = {lights, exacts, light_count, lobe, block, exact, open, .count = lx_padded(count), .sum = sum};
+    NAME(by_kind)(&work);
 }
+
+#if LX_IS_SINGLE
+static void value_single(const struct lx_light_single *lights, size_t light_count, const struct lx_lobe_single *lobe,
+                         const struct lx_block_single *block, size_t count, float uniform, float *values)
+{
+    const struct work_single work = {
+        lights,           .light_count = light_count, .lobe = lobe,      .block = block, .count = lx_padded(count),
+        .values = values, .value_count = count,       .uniform = uniform};
+    by_kind_single(&work);
+}
+#endif

@@ -95,6 +95,7 @@ LX_LANE NAME(lanes) NAME(sum_samples)(const struct NAME(lx_samples) * samples, s
         const struct NAME(ray) ray = {.x = x, .y = y, .z = z, .inverse = inverse};
         NAME(lanes) height = NAME(n_dot)(at, &ray), diffuse, specular = NAME(all)(0);
         NAME(reflect)(lobe->exponent, at, &ray, &height, 1, model, highlight, &diffuse, &specular);
+        specular = NAME(greater)(specular, NAME(all)(0)); /* as in NAME(sum_lights) */
         total += area * e * (lobe->diffuse * diffuse + lobe->specular * specular);
     }
     return total;

@@ -317,7 +317,7 @@ static double sample_row(const struct lx_plan *plan, struct lx_control *control,
         for (unsigned i = 0; i < step; i++)
             x[i] = lx_column_x_mm(screen, (unsigned)((first + i + 0.5) / columns * screen->resolution[0]));
         lx_shader_enter(plan, memory, &y, 1, x, step);
-        lx_shade_points(plan, memory, y, x, step, control, true, values, mask);
+        lx_shade_row(plan, memory, 0, control, true, values, mask);
         if (!lx_control_goes_on(control, true))
             return (double)NAN;
         for (unsigned i = 0; i < step; i++)
@@ -404,8 +404,12 @@ static luxel_status plan_accuracy(struct lx_plan *plan, struct lx_control *contr
 static bool is_in_single_alone(const struct lx_plan *plan)
 {
     const struct lx_planned_surface *surface = plan->surfaces;
-    bool all = plan->surface_count == 1 && plan->forest.tree_count == 0 && surface->shell_count == 0 &&
-               lx_views_along_z(&plan->prepared->scene->observer);
+    bool all =
+        plan->surface_count == 1 && plan->forest.tree_count == 0 && lx_views_along_z(&plan->prepared->scene->observer);
+    if (all && surface->shell_count > 0)
+        all = surface->matte_count == 0 && surface->glossy_exact.model == LX_LAMBERT;
+    for (size_t s = 0; all && s < surface->shell_count; s++)
+        all = surface->shells[s].shell.edges_single && !surface->shells[s].by_reference;
     for (size_t r = 0; all && r < surface->run_count; r++) {
         const struct lx_light_run *run = &surface->runs[r];
         all = !run->in_double && !run->has_edges && run->blocker_count == 0;
@@ -450,6 +454,8 @@ luxel_status lx_plan_make(const struct lx_prepared *prepared, const struct lx_ke
     if (status == LUXEL_OK)
         status = plan_accuracy(plan, &control);
     plan->in_single_alone = status == LUXEL_OK && is_in_single_alone(plan);
+    plan->at_once = plan->in_single_alone && plan->surfaces->run_count == 1 && plan->surfaces->shell_count == 0 &&
+                    plan->surfaces->lights.count <= LX_MOST_IN_RUN && plan->every == 1;
     return status;
 }
 

@@ -67,7 +67,8 @@ struct lx_plan {
     const struct lx_kernels *kernels;
     struct lx_planned_surface *surfaces;
     size_t surface_count;
-    bool in_single_alone; /* there is one surface, whose light takes nothing but its elements in float32 (seen.h) */
+    bool in_single_alone; /* there is one surface, whose light takes nothing but its elements in float32 (seen.h), */
+    bool at_once;         /* and few lights of one kind, whose sum is the value */
     luxel_precision precision;
     double tolerance;        /* of the highlights of extended sources, relative to the picture's maximum */
     double least_maximum;    /* which is no less than this */

@@ -65,14 +65,20 @@ static struct lx_row_view view_of(const struct lx_plan *plan, double y_mm)
         .perspective = observer->projection == LX_PERSPECTIVE, .observer_z_mm = observer->z_mm, .y_mm = y_mm};
 }
 
-struct lx_stretch lx_seen_in_single(const struct lx_plan *plan, struct lx_seen *seen, double y_mm, const double *x_mm,
-                                    size_t count, uint8_t *mask)
+void lx_seen_enter(const struct lx_plan *plan, struct lx_seen *seen, const double *x_mm, size_t count)
+{
+    const struct lx_shape *shape = &plan->surfaces->shape;
+    plan->kernels->set_columns[shape->type](shape, x_mm, count, &seen->columns);
+}
+
+struct lx_stretch lx_seen_in_single(const struct lx_plan *plan, struct lx_seen *seen, double y_mm, uint8_t *mask)
 {
     const struct lx_planned_surface *surface = plan->surfaces;
+    const struct lx_columns *columns = &seen->columns;
     const struct lx_row_view view = view_of(plan, y_mm);
-    if (may_show(surface, &view, x_mm, count))
-        return plan->kernels->view_single[surface->shape.type](&surface->shape, &view, x_mm, count, &seen->copy, mask);
-    memset(mask, 0, count);
+    if (may_show(surface, &view, columns->x_mm, columns->count))
+        return plan->kernels->view_single[surface->shape.type](&surface->shape, &view, columns, &seen->copy, mask);
+    memset(mask, 0, columns->count);
     return (struct lx_stretch){0};
 }
 

@@ -20,7 +20,8 @@ struct lx_lines_room {
 struct lx_seen {
     struct lx_block_double block; /* the elements, and the same in float32 */
     struct lx_block_single copy;
-    struct lx_lines nearest; /* its places are those of the block where there is one surface alone */
+    struct lx_columns columns; /* in whose rows elements in float32 alone are looked for */
+    struct lx_lines nearest;   /* its places are those of the block where there is one surface alone */
     struct lx_lines_room room_of_nearest, candidate;
     bool shows_one;           /* every pixel of the run shows the only surface that there is; else: */
     uint32_t shown[LX_BLOCK]; /* surface of each pixel, from 1; 0: none */
@@ -35,10 +36,12 @@ struct lx_gathered {
 
 void lx_seen_init(const struct lx_plan *plan, struct lx_seen *seen);
 
-/* Where the plan does with it (in_single_alone): sets the mask of a run of pixels, and the copy, but not the block, to
- * the elements of the surface that it shows, as kernel.h tells. */
-struct lx_stretch lx_seen_in_single(const struct lx_plan *plan, struct lx_seen *seen, double y_mm, const double *x_mm,
-                                    size_t count, uint8_t *mask);
+/*
+ * Where the plan does with it (in_single_alone): tells the columns, from left to right, and then of each row sets the
+ * mask of its pixels, and the copy, but not the block, to the elements of the surface that it shows, as kernel.h tells.
+ */
+void lx_seen_enter(const struct lx_plan *plan, struct lx_seen *seen, const double *x_mm, size_t count);
+struct lx_stretch lx_seen_in_single(const struct lx_plan *plan, struct lx_seen *seen, double y_mm, uint8_t *mask);
 
 /* Finds the nearest surface of each pixel; returns the number of pixels that show one. */
 size_t lx_seen_find(const struct lx_plan *plan, struct lx_seen *seen, double y_mm, const double *x_mm, size_t count);

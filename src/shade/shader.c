@@ -24,9 +24,9 @@ struct lx_shader_memory {
     float open[LX_BLOCK];
     struct lx_sampling_memory *sampling;
     struct lx_light_room room;
-    /* where points are clustered: */
     double tile_y[LX_TILE_ROWS], tile_x[LX_BLOCK];
     size_t tile_rows, tile_columns;
+    /* where points are clustered: */
     struct lx_cut cuts[KEPT_CUTS]; /* of a surface the one that its number leaves; of this tile where they have one */
     size_t cut_count;
     double error;
@@ -307,16 +307,15 @@ unsigned lx_tile_columns(const struct lx_plan *plan, unsigned columns)
 {
     /* Small tiles need fewer clusters each, large ones fewer cuts; found by trying (docs/KERNELS.md). */
     const unsigned share = 13, vectors = columns / share / LX_LANES;
+    const unsigned most = 128;
     if (plan->forest.tree_count == 0)
         return LX_BLOCK;
-    return vectors == 0 ? LX_LANES : vectors * LX_LANES < LX_BLOCK ? vectors * LX_LANES : LX_BLOCK;
+    return vectors == 0 ? LX_LANES : vectors * LX_LANES < most ? vectors * LX_LANES : most;
 }
 
 void lx_shader_enter(const struct lx_plan *plan, struct lx_shader_memory *memory, const double *y_mm, size_t rows,
                      const double *x_mm, size_t count)
 {
-    if (plan->forest.tree_count == 0)
-        return;
     memcpy(memory->tile_y, y_mm, rows * sizeof *y_mm);
     memcpy(memory->tile_x, x_mm, count * sizeof *x_mm);
     for (size_t i = count; i < lx_padded(count); i++)
@@ -325,6 +324,8 @@ void lx_shader_enter(const struct lx_plan *plan, struct lx_shader_memory *memory
     memory->tile_columns = count;
     for (size_t i = 0; i < memory->cut_count; i++)
         memory->cuts[i].surface = NULL;
+    if (plan->in_single_alone)
+        lx_seen_enter(plan, &memory->seen, x_mm, count);
 }
 
 double lx_shader_error(const struct lx_shader_memory *memory)
@@ -434,12 +435,12 @@ static void light_surface(const struct lx_plan *plan, const struct lx_planned_su
         light_by_shells(plan, surface, memory, elements, asking);
 }
 
-/* The values of a run of pixels where elements in float32 are all that their light takes. */
+/* The values of a row where elements in float32 are all that their light takes. */
 static size_t shade_in_single(const struct lx_plan *plan, struct lx_shader_memory *memory, double y_mm,
-                              const double *x_mm, size_t count, const struct lx_asking *asking, double *values,
-                              uint8_t *mask)
+                              const struct lx_asking *asking, double *values, uint8_t *mask)
 {
-    const struct lx_stretch stretch = lx_seen_in_single(plan, &memory->seen, y_mm, x_mm, count, mask);
+    const size_t count = memory->tile_columns;
+    const struct lx_stretch stretch = lx_seen_in_single(plan, &memory->seen, y_mm, mask);
     if (stretch.met < count)
         memset(values, 0, count * sizeof *values);
     if (stretch.met == 0)
@@ -451,16 +452,16 @@ static size_t shade_in_single(const struct lx_plan *plan, struct lx_shader_memor
     return stretch.met;
 }
 
-size_t lx_shade_points(const struct lx_plan *plan, struct lx_shader_memory *memory, double y_mm, double *x_mm,
-                       size_t count, struct lx_control *control, bool is_caller, double *values, uint8_t *mask)
+size_t lx_shade_row(const struct lx_plan *plan, struct lx_shader_memory *memory, size_t row, struct lx_control *control,
+                    bool is_caller, double *values, uint8_t *mask)
 {
     const struct lx_asking asking = {.control = control, .is_caller = is_caller};
+    const double y_mm = memory->tile_y[row], *x_mm = memory->tile_x;
+    const size_t count = memory->tile_columns;
     struct lx_seen *seen = &memory->seen;
-    for (size_t i = count; i < lx_padded(count); i++)
-        x_mm[i] = x_mm[count - 1];
     memory->error = 0;
     if (plan->in_single_alone)
-        return shade_in_single(plan, memory, y_mm, x_mm, count, &asking, values, mask);
+        return shade_in_single(plan, memory, y_mm, &asking, values, mask);
     const size_t found = lx_seen_find(plan, seen, y_mm, x_mm, count);
     size_t left = found;
     memset(mask, seen->shows_one, count);
@@ -490,5 +491,35 @@ size_t lx_shade_points(const struct lx_plan *plan, struct lx_shader_memory *memo
             lx_seen_scatter(seen, gathered, memory->sum, values);
         left -= gathered.count;
     }
+    return found;
+}
+
+/* The values of a row of which few lights are all (at_once). */
+static size_t shade_at_once(const struct lx_plan *plan, struct lx_shader_memory *memory, double y_mm, float *values,
+                            uint8_t *mask)
+{
+    const struct lx_planned_surface *surface = plan->surfaces;
+    const size_t count = memory->tile_columns, lights = surface->lights.count;
+    const struct lx_stretch stretch = lx_seen_in_single(plan, &memory->seen, y_mm, mask);
+    if (stretch.met < count)
+        memset(values, 0, count * sizeof *values);
+    if (stretch.met == 0)
+        return 0;
+    plan->kernels->value_single(lx_lights_single(&surface->lights, 0, lights, &memory->room), lights,
+                                &surface->lobe_single, &memory->seen.copy, stretch.count, (float)surface->uniform,
+                                values + stretch.first);
+    for (size_t i = stretch.first; stretch.met < stretch.count && i < stretch.first + stretch.count; i++)
+        values[i] = mask[i] ? values[i] : 0;
+    return stretch.met;
+}
+
+size_t lx_shade_row_single(const struct lx_plan *plan, struct lx_shader_memory *memory, size_t row,
+                           struct lx_control *control, bool is_caller, float *values, uint8_t *mask)
+{
+    _Alignas(64) double exact[LX_BLOCK];
+    if (plan->at_once)
+        return shade_at_once(plan, memory, memory->tile_y[row], values, mask);
+    const size_t found = lx_shade_row(plan, memory, row, control, is_caller, exact, mask);
+    plan->kernels->round_all(exact, memory->tile_columns, values);
     return found;
 }

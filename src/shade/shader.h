@@ -21,19 +21,23 @@ enum { LX_TILE_ROWS = 4 };
 unsigned lx_tile_columns(const struct lx_plan *plan, unsigned columns);
 
 /*
- * Tells which tile the points are of that are shaded next: all (x[i], y[j]), no more than there are in one, and x with
- * room as below.  Their values depend on the tile where points are clustered.
+ * Tells which tile the points are of that are shaded next: all (x[i], y[j]), x from left to right, no more than there
+ * are in one.  Their values depend on the tile where points are clustered.
  */
 void lx_shader_enter(const struct lx_plan *plan, struct lx_shader_memory *memory, const double *y_mm, size_t rows,
                      const double *x_mm, size_t count);
 
 /*
- * The values through the screen points (x[i], y), 0 off every surface, and the mask, 1 on a surface; count is at most
- * LX_BLOCK, and x and values have room for lx_padded(count).  `control` may be NULL; where it says stop, the call
- * returns early with values unfinished.  Returns how many pixels show a surface.
+ * The values through the points (x[i], y[row]) of the tile, 0 off every surface, and the mask, 1 on a surface; values
+ * has room for lx_padded(count).  `control` may be NULL; where it says stop, the call returns early with values
+ * unfinished.  Returns how many pixels show a surface.
  */
-size_t lx_shade_points(const struct lx_plan *plan, struct lx_shader_memory *memory, double y_mm, double *x_mm,
-                       size_t count, struct lx_control *control, bool is_caller, double *values, uint8_t *mask);
+size_t lx_shade_row(const struct lx_plan *plan, struct lx_shader_memory *memory, size_t row, struct lx_control *control,
+                    bool is_caller, double *values, uint8_t *mask);
+
+/* The same rounded to float32; values has room for all of the row and no more. */
+size_t lx_shade_row_single(const struct lx_plan *plan, struct lx_shader_memory *memory, size_t row,
+                           struct lx_control *control, bool is_caller, float *values, uint8_t *mask);
 
 /* How far those last shaded may be off because of clusters, at most. */
 double lx_shader_error(const struct lx_shader_memory *memory);

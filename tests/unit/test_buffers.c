@@ -22,7 +22,7 @@
 #include "shade/lights.h"
 #include "shade/shell.h"
 
-static const size_t counts[] = {1, 2, 15, 16, 17, 31, 37, 64, 100, 112, 113, 127, 128};
+static const size_t counts[] = {1, 2, 15, 16, 17, 31, 37, 64, 100, 127, 128, 240, 241, 255, 256};
 enum { COUNTS = sizeof counts / sizeof counts[0], PATTERN = 0xA5, ALIGNMENT = 64 };
 
 /* ---- memory ---- */
@@ -424,8 +424,8 @@ static void check_shape(const struct lx_kernels *kernels, const struct lx_shape 
     give_back(kernels->name);
 }
 
-/* What is made at once is what is made step by step: a row so high over the centre, seen from the one side of it to the
- * other. */
+/* What is made at once is what is made step by step, places and normals within two roundings of the shape's size: a row
+ * so high over the centre, seen from the one side of it to the other. */
 static void check_view(const struct lx_kernels *kernels, const struct lx_shape *shape, size_t count, double high,
                        double from, double to)
 {
@@ -435,6 +435,7 @@ static void check_view(const struct lx_kernels *kernels, const struct lx_shape *
     double *x = take(LX_BLOCK * sizeof *x), *depth = take(LX_BLOCK * sizeof *depth);
     struct lx_block_double *block = take(sizeof *block);
     struct lx_block_single *copy = take(sizeof *copy), *once = take(sizeof *once);
+    struct lx_columns *columns = take(sizeof *columns);
     unsigned char *mask = (unsigned char *)take(LX_BLOCK) + LX_BLOCK - count;
     for (size_t i = 0; i < padded; i++) {
         const double share = i < count - 1 ? (double)i / (double)(count - 1) : 1;
@@ -442,7 +443,13 @@ static void check_view(const struct lx_kernels *kernels, const struct lx_shape *
     }
     const size_t met = kernels->meet_lines[shape->type](shape, &row, x, count, depth, block->px, block->py, block->pz);
     kernels->complete_block[shape->type](shape, NULL, block, copy, count);
-    const struct lx_stretch stretch = kernels->view_single[shape->type](shape, &row, x, count, once, mask);
+    double *line = (double *)take(LX_BLOCK * sizeof *line) + LX_BLOCK - count;
+    memcpy(line, x, count * sizeof *line);
+    kernels->set_columns[shape->type](shape, line, count, columns);
+    assert_true(is_pattern(columns->x_mm + padded, (LX_BLOCK - padded) * sizeof(double)));
+    for (size_t array = 0; array < 4; array++)
+        assert_true(is_pattern(columns->px + array * LX_BLOCK + padded, (LX_BLOCK - padded) * sizeof(float)));
+    const struct lx_stretch stretch = kernels->view_single[shape->type](shape, &row, columns, once, mask);
     assert_int_equal(stretch.met, met);
     assert_true(is_pattern(mask + count - LX_BLOCK, LX_BLOCK - count));
     for (size_t i = 0; i < count; i++) {
@@ -450,8 +457,12 @@ static void check_view(const struct lx_kernels *kernels, const struct lx_shape *
         assert_int_equal(mask[i], is_met);
         first = is_met && first == LX_BLOCK ? i : first;
         last = is_met ? i : last;
-        for (size_t array = 0; array < 6 && is_met; array++)
-            assert_true(array_of_single(once, array)[i - stretch.first] == array_of_single(copy, array)[i]);
+        for (size_t array = 0; array < 6 && is_met; array++) {
+            const double size = array < 3 ? shape->radius_mm : 1;
+            const float made = array_of_single(once, array)[i - stretch.first];
+            assert_true(fabs((double)made - array_of(block, array)[i]) <= 2 * 0x1p-24 * size);
+            assert_true(array % 3 == 2 || made == array_of_single(copy, array)[i]);
+        }
     }
     if (met > 0) {
         const size_t end = lx_padded(last + 1);

@@ -247,11 +247,13 @@ static double worst_pixel(const struct test_scene *test, const struct lx_kernels
     for (unsigned row = 0; row < ROWS; row++) {
         for (unsigned column = 0; column < COLUMNS; column++)
             x[column] = lx_column_x_mm(&test->scene.screen, column);
-        lx_shade_points(&plan, memory, lx_row_y_mm(&test->scene.screen, row), x, COLUMNS, NULL, false, values, mask);
+        const double y = lx_row_y_mm(&test->scene.screen, row);
+        lx_shader_enter(&plan, memory, &y, 1, x, COLUMNS);
+        lx_shade_row(&plan, memory, 0, NULL, false, values, mask);
         if (demand->quantity == LUXEL_IRRADIANCE && demand->inverse_square) { /* then its block does not matter */
             const unsigned alone = (row * 31) % COLUMNS;
-            x[0] = x[alone];
-            lx_shade_points(&plan, memory, lx_row_y_mm(&test->scene.screen, row), x, 1, NULL, false, one, mask);
+            lx_shader_enter(&plan, memory, &y, 1, &x[alone], 1);
+            lx_shade_row(&plan, memory, 0, NULL, false, one, mask);
             assert_memory_equal(&one[0], &values[alone], sizeof one[0]);
         }
         for (unsigned column = 0; column < COLUMNS; column++) {

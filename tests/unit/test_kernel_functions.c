@@ -103,7 +103,7 @@ static void test_roots(void **state)
             for (int i = 0; i < LX_WIDTH_single; i++)
                 note(&single, fabsl((long double)other[i] / sqrtl((long double)y[i]) - 1) / unit_single, (double)y[i]);
         }
-    report("sqrt(a) in float32", &single, 0.5);
+    report("sqrt(a) in float32", &single, LX_ISA_LEVEL >= 4 ? 0.54 : 0.5); /* elsewhere the machine rounds */
     report("sqrt(a) in float64", &exact, 0.501);
     assert_true(root_double(all_double(0))[0] == 0 && root_single(all_single(0))[0] == 0);
 }

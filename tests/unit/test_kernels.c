@@ -6,6 +6,7 @@
  * pictures keep 2e-6 and float64 pictures 1e-11 of their maximum, and that a pixel has the same bytes wherever it
  * stands in a block.
  */
+#include <float.h>
 #include <math.h>
 #include <setjmp.h>
 #include <stdarg.h>
@@ -42,6 +43,20 @@ static double reference_picture(const struct test_scene *test, lx_bounded pictur
     return maximum;
 }
 
+/* The same row in float32 is the same, but for roundings, and ends where it ends. */
+static void check_single(const struct lx_plan *plan, struct lx_shader_memory *memory, const double *values,
+                         const uint8_t *mask)
+{
+    float singles[COLUMNS + 1];
+    uint8_t single_mask[COLUMNS + 1];
+    singles[COLUMNS] = -1, single_mask[COLUMNS] = 7;
+    lx_shade_row_single(plan, memory, 0, NULL, false, singles, single_mask);
+    assert_memory_equal(mask, single_mask, COLUMNS);
+    assert_true(singles[COLUMNS] == -1 && single_mask[COLUMNS] == 7);
+    for (unsigned column = 0; column < COLUMNS; column++)
+        assert_true(fabs((double)singles[column] - values[column]) <= 0x1p-23 * values[column] + (double)FLT_MIN);
+}
+
 static double worst_pixel(const struct test_scene *test, const struct lx_kernels *kernels, luxel_precision precision,
                           lx_bounded picture[ROWS][COLUMNS], double maximum, double *share_single)
 {
@@ -64,11 +79,12 @@ static double worst_pixel(const struct test_scene *test, const struct lx_kernels
         double y = lx_row_y_mm(&test->scene.screen, row);
         for (unsigned column = 0; column < COLUMNS; column++)
             x[column] = lx_column_x_mm(&test->scene.screen, column);
-        lx_shade_points(&plan, memory, y, x, COLUMNS, NULL, false, values, mask);
+        lx_shader_enter(&plan, memory, &y, 1, x, COLUMNS);
+        lx_shade_row(&plan, memory, 0, NULL, false, values, mask);
+        check_single(&plan, memory, values, mask);
         unsigned alone = (row * 31) % COLUMNS;
-        double there = x[alone];
-        x[0] = there;
-        lx_shade_points(&plan, memory, y, x, 1, NULL, false, one, mask);
+        lx_shader_enter(&plan, memory, &y, 1, &x[alone], 1);
+        lx_shade_row(&plan, memory, 0, NULL, false, one, mask);
         assert_memory_equal(&one[0], &values[alone], sizeof one[0]);
         for (unsigned column = 0; column < COLUMNS; column++) {
             lx_bounded exact = picture[row][column];

@@ -86,7 +86,7 @@ static void make_picture(const struct test_scene *test, const struct lx_kernels 
                 y[j] = lx_row_y_mm(&test->scene.screen, top + j);
             lx_shader_enter(&plan, memory, y, rows, x, columns);
             for (unsigned j = 0; j < rows; j++) {
-                lx_shade_points(&plan, memory, y[j], x, columns, NULL, false, values, mask);
+                lx_shade_row(&plan, memory, j, NULL, false, values, mask);
                 memcpy(&picture->values[top + j][first], values, columns * sizeof *values);
                 for (unsigned i = 0; i < columns; i++)
                     picture->maximum = fmax(picture->maximum, values[i]);

@@ -181,13 +181,50 @@ static void rounding_of_facets(void **state)
     }
 }
 
+/* Which pictures take the ways for elements in float32 alone, and for few lights that are all. */
+static void the_quickest_ways(void **state)
+{
+    (void)state;
+#define POINT "{type: point, position: [900, 500, 3000], intensity: 5}"
+#define FOUR POINT "," POINT "," POINT "," POINT
+#define DISTANT "{type: distant, direction: [1, 2, -3], irradiance: 5}"
+#define PLATE "{type: planar, rectangle: {center: [0, 0, 3000], size: [300, 200]}, radiance: 1}"
+#define NEAR_PLATE "{type: planar, rectangle: {center: [0, 0, 1300.001], size: [300, 200]}, radiance: 1}"
+    static const struct {
+        bool in_single_alone, at_once;
+        const char *observer, *material, *lights;
+    } cases[] = {
+        {true, true, "", "shininess: 20", POINT},
+        {true, true, "", "shininess: 20", POINT ", {type: ambient, irradiance: 1}"},
+        {true, false, "", "shininess: 20", "{type: ambient, irradiance: 1}"},
+        {true, true, "", "shininess: 20", FOUR "," FOUR "," FOUR "," FOUR},
+        {true, false, "", "shininess: 20", FOUR "," FOUR "," FOUR "," FOUR "," POINT},
+        {true, false, "", "shininess: 20", POINT "," DISTANT},
+        {true, false, "", "specular: 0", PLATE},
+        {true, false, "", "specular: 0", POINT "," PLATE},
+        {false, false, "", "specular: 0", POINT "," PLATE "," NEAR_PLATE},
+        {false, false, "", "shininess: 20", PLATE},
+        {false, false, ", projection: perspective", "shininess: 20", POINT},
+        {false, false, ", view: observer", "shininess: 20", POINT},
+        {false, false, "", "shininess: 20, highlight: gated", POINT},
+        {false, false, "", "shininess: 0.5", POINT},
+        {false, false, "", "specular: 0", "{type: spot, position: [0, 0, 3000], intensity: 5, inner: 1, outer: 20}"},
+    };
+    for (size_t i = 0; i < sizeof cases / sizeof cases[0]; i++) {
+        struct planned made;
+        make_plan(cases[i].observer, cases[i].material, cases[i].lights, &made);
+        if (made.plan.in_single_alone != cases[i].in_single_alone || made.plan.at_once != cases[i].at_once)
+            fail_msg("case %zu: in float32 alone %d, at once %d", i, made.plan.in_single_alone, made.plan.at_once);
+        clear(&made);
+    }
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(what_float32_cannot_do),
-        cmocka_unit_test(what_does_not_matter),
-        cmocka_unit_test(shares_of_the_maximum),
-        cmocka_unit_test(rounding_of_facets),
+        cmocka_unit_test(what_float32_cannot_do), cmocka_unit_test(what_does_not_matter),
+        cmocka_unit_test(shares_of_the_maximum),  cmocka_unit_test(rounding_of_facets),
+        cmocka_unit_test(the_quickest_ways),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
