@@ -134,8 +134,8 @@ def print_page(bench, times, peers):
              1e-9 * machine["copied_bytes_per_second"]))
     print("## Beside others\n")
     print("The exercise's picture, %d × %d pixels, all on the sphere, Blinn-Phong, shininess 20, inverse-square "
-          "(POV-Ray:\nits own Phong, no attenuation). Luxel's times are whole `luxel_render()` calls, with the "
-          "geometry in float64, the highlight\nwithin 2e-6 of the maximum, and the statistics; by all threads."
+          "(POV-Ray:\nits own Phong, no attenuation). Luxel's times are whole `luxel_render()` calls, every pixel "
+          "within 2e-6 of the maximum,\nwith the statistics; by all threads."
           % (SIDE, SIDE))
     if peers.drawn_by:
         print("The shader was drawn by %s, by all threads." % peers.drawn_by)
