@@ -278,6 +278,12 @@ LX_LANE NAME(lanes)
     return edge->right < 0 ? left : left - NAME(sees)(at, &faces[edge->right], touch);
 }
 
+LX_LANE struct NAME(edge) NAME(edge_of)(const struct NAME(lx_shell_edge) * edge)
+{
+    return (struct NAME(edge)){NAME(same)(edge->from), NAME(same)(edge->along), NAME(same)(edge->moment),
+                               NAME(same)(edge->both), NAME(all)(edge->product)};
+}
+
 /* Adds candidates to the contours of a vector of elements. */
 LX_LANE void NAME(add_edges)(const struct lx_shell *shell, const struct NAME(candidate) * candidates, size_t count,
                              const struct NAME(outlook) * at, enum NAME(share) share, struct NAME(contour) * contour)
@@ -285,8 +291,7 @@ LX_LANE void NAME(add_edges)(const struct lx_shell *shell, const struct NAME(can
     const NAME(lanes) center = at->height + (REAL)shell->touch_mm;
     for (size_t k = 0; k < count; k++) {
         const struct NAME(lx_shell_edge) *whole = candidates[k].edge;
-        const struct NAME(edge) edge = {NAME(same)(whole->from), NAME(same)(whole->along), NAME(same)(whole->moment),
-                                        NAME(same)(whole->both), NAME(all)(whole->product)};
+        const struct NAME(edge) edge = NAME(edge_of)(whole);
         const NAME(lanes) weight = NAME(weigh)(shell, &candidates[k], at);
         if (share == NAME(LX_ALL)) {
             contour->sum += weight * NAME(edge_term)(at, &edge);
@@ -301,6 +306,32 @@ LX_LANE void NAME(add_edges)(const struct lx_shell *shell, const struct NAME(can
     }
 }
 
+/*
+ * Adds candidates to the contours of two vectors of elements, from the i-th on, side by side, if both see the source far
+ * away and wholly above the horizon; else does nothing and returns false.
+ */
+LX_LANE bool NAME(add_to_two)(const struct lx_shell *shell, const struct NAME(candidate) * candidates, size_t count,
+                              const struct NAME(lx_block) * block, size_t i, double away,
+                              struct NAME(contour) * contours)
+{
+    struct NAME(outlook) at[2];
+    NAME(lanes) sums[2];
+    for (size_t j = 0; j < 2; j++) {
+        at[j] = NAME(outlook_of)(shell, block, i + j * NAME(LX_WIDTH));
+        sums[j] = contours[j].sum;
+        if (NAME(share_above)(shell, &at[j], away) != NAME(LX_ALL) || !NAME(all_above)(at[j].beyond_near, NAME(all)(0)))
+            return false;
+    }
+    for (size_t k = 0; k < count; k++) {
+        const struct NAME(edge) edge = NAME(edge_of)(candidates[k].edge);
+        for (int j = 0; j < 2; j++)
+            sums[j] += NAME(weigh)(shell, &candidates[k], &at[j]) * NAME(far_term)(&at[j], &edge);
+    }
+    for (int j = 0; j < 2; j++)
+        contours[j].sum = sums[j];
+    return true;
+}
+
 static void NAME(light_by_facets)(const struct lx_shell *shell, double diffuse, const struct NAME(lx_block) * block,
                                   size_t count, const struct lx_asking *asking, double *restrict sum)
 {
@@ -309,6 +340,7 @@ static void NAME(light_by_facets)(const struct lx_shell *shell, double diffuse, 
     const struct lx_around around = NAME(around)(block, lx_padded(count));
     const double gain = -0.5 * diffuse * shell->radiance;
     struct NAME(contour) contours[LX_BLOCK / NAME(LX_WIDTH)];
+    _Alignas(LX_VECTOR_BYTES) REAL totals[LX_BLOCK];
     struct NAME(candidate) lot[LOT];
     double away = around.radius;
     for (int i = 0; i < 3; i++)
@@ -324,8 +356,12 @@ static void NAME(light_by_facets)(const struct lx_shell *shell, double diffuse, 
         }
         if (!lx_asking_goes_on(asking))
             return;
-        for (size_t i = 0; i < count; i += width) {
+        for (size_t i = 0, vectors = 1; i < count; i += vectors * width) {
             struct NAME(contour) *contour = &contours[i / width];
+            vectors = 2;
+            if (i + width < count && NAME(add_to_two)(shell, lot, found, block, i, away, contour))
+                continue;
+            vectors = 1;
             const struct NAME(outlook) at = NAME(outlook_of)(shell, block, i);
             const enum NAME(share) share = NAME(share_above)(shell, &at, away);
             if (share == NAME(LX_ALL))
@@ -336,12 +372,10 @@ static void NAME(light_by_facets)(const struct lx_shell *shell, double diffuse, 
                 contour->sum += NAME(chord_term)(&at, &contour->passage);
         }
     }
-    for (size_t i = 0; i < count; i += width) {
-        _Alignas(LX_VECTOR_BYTES) REAL totals[NAME(LX_WIDTH)];
-        NAME(store)(totals, contours[i / width].sum);
-        for (size_t lane = 0; lane < width; lane++) {
-            double value = gain * (double)totals[lane];
-            sum[i + lane] += value > 0 ? value : 0;
-        }
+    for (size_t i = 0; i < count; i += width)
+        NAME(store)(totals + i, contours[i / width].sum);
+    for (size_t i = 0; i < count; i++) {
+        const double value = gain * (double)totals[i];
+        sum[i] += value > 0 ? value : 0;
     }
 }

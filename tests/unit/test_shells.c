@@ -113,6 +113,71 @@ static void closed_forms(void **state)
     }
 }
 
+/* The elements of some runs of a block face the source, so that it stands wholly above their horizon. */
+static void turn_runs(struct randomness *random, struct lx_block_double *block, struct lx_block_single *copy)
+{
+    for (size_t start = 0; start < LX_BLOCK; start += LX_LANES) {
+        const bool turned = pick(random, 3) > 0;
+        for (size_t i = start; turned && i < start + LX_LANES; i++) {
+            const double x = center[0] - anchor[0] - block->px[i], y = center[1] - anchor[1] - block->py[i];
+            const double z = center[2] - anchor[2] - block->pz[i], length = sqrt(x * x + y * y + z * z);
+            block->nx[i] = x / length, block->ny[i] = y / length, block->nz[i] = z / length;
+            copy->nx[i] = (float)block->nx[i], copy->ny[i] = (float)block->ny[i], copy->nz[i] = (float)block->nz[i];
+        }
+    }
+}
+
+/* Makes a block, which is arrays of numbers of a size, begin with a run of another one. */
+static void begin_with(void *block, const void *other, size_t size, size_t start)
+{
+    enum { ARRAYS = sizeof(struct lx_block_double) / (LX_BLOCK * sizeof(double)) };
+    for (size_t k = 0; k < ARRAYS; k++)
+        memcpy((char *)block + k * LX_BLOCK * size, (const char *)other + (k * LX_BLOCK + start) * size,
+               LX_LANES * size);
+}
+
+/* What stands beside an element does not matter to it, also where vectors of them go side by side. */
+static void runs_by_themselves(void **state)
+{
+    static struct lx_block_double block, alone;
+    static struct lx_block_single copy, copy_alone;
+    const struct lx_shape lit = {.anchor_mm = {10, 20, 300}};
+    (void)state;
+    for (int kind = 0; kind < SOURCES; kind++) {
+        struct lx_emitter source = source_of(kind, center, 3, 250);
+        struct randomness random = {.state = 62};
+        struct lx_shell shell;
+        assert_int_equal(lx_shell_make(&source, &lit, NULL, &shell), LUXEL_OK);
+        if (shell.type == LX_FACETS)
+            assert_int_equal(lx_shell_make_single(&shell, NULL), LUXEL_OK);
+        for (int n = 0; n < 40; n++) {
+            make_block(&random, &block, &copy);
+            turn_runs(&random, &block, &copy);
+            for (size_t k = 0; lx_kernels_get(k); k++) {
+                const struct lx_kernels *kernels = lx_kernels_get(k);
+                double sum[LX_BLOCK] = {0}, single_sum[LX_BLOCK] = {0};
+                if (!kernels->runs())
+                    continue;
+                kernels->light_by_shell[source.type](&shell, 0.75, &block, LX_BLOCK, NULL, sum);
+                if (shell.edges_single)
+                    kernels->facets_single(&shell, 0.75, &copy, LX_BLOCK, NULL, single_sum);
+                for (size_t start = 0; start < LX_BLOCK; start += LX_LANES) {
+                    double run[LX_BLOCK] = {0}, single_run[LX_BLOCK] = {0};
+                    begin_with(&alone, &block, sizeof *block.px, start);
+                    begin_with(&copy_alone, &copy, sizeof *copy.px, start);
+                    kernels->light_by_shell[source.type](&shell, 0.75, &alone, LX_LANES, NULL, run);
+                    if (shell.edges_single)
+                        kernels->facets_single(&shell, 0.75, &copy_alone, LX_LANES, NULL, single_run);
+                    assert_memory_equal(run, sum + start, LX_LANES * sizeof *run);
+                    assert_memory_equal(single_run, single_sum + start, LX_LANES * sizeof *run);
+                }
+            }
+        }
+        lx_shell_clear(&shell);
+        lx_facets_free(source.facets);
+    }
+}
+
 /* -- samples -- */
 
 /* The sum over all samples of a source, its patches cut into so many cells each way. */
@@ -299,6 +364,7 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(closed_forms),
+        cmocka_unit_test(runs_by_themselves),
         cmocka_unit_test(samples_are_the_integral),
         cmocka_unit_test(rules_are_exact),
         cmocka_unit_test(cells_are_held),
