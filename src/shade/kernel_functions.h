@@ -53,7 +53,8 @@ LX_LANE NAME(lanes) NAME(log2_of)(NAME(lanes) w, NAME(lanes) c)
     static const REAL terms[] = {1.442695038F, -0.7213475528F, 0.4809186596F, -0.3607730393F, 0.2712075229F};
     NAME(lanes) exponent, m = NAME(split)(w, &exponent);
     const NAME(lane_bits) index = (NAME(lane_bits))m >> (MANTISSA - 4);
-    const NAME(lanes) r = m * NAME(entries)(inverses, index) - 1;
+    /* without rounding the product, whatever compilers make of sums */
+    const NAME(lanes) r = LX_OPERATION(fmsub)(m, NAME(entries)(inverses, index), NAME(all)(1));
     const NAME(lanes) rest = NAME(entries)(logarithms, index) + (REAL)1.4426950408889634 * c;
     return exponent + (r * NAME(polynomial)(r, terms, (int)(sizeof terms / sizeof *terms)) + rest);
 }
