@@ -60,11 +60,11 @@ luxel_status lx_source_out_of_memory(struct lx_source *source)
 }
 
 /* A file that the system does not give: without a place, like one that cannot be written. */
-static luxel_status cannot_read(struct lx_source *source, int reason)
+static luxel_status cannot_read(struct lx_source *source, const char *reason)
 {
     if (source->status == LUXEL_OK) {
         source->status = LUXEL_ERROR_FILE;
-        source->reason = lx_reason(reason);
+        source->reason = reason;
         lx_report(source->diagnostics, LUXEL_SEVERITY_ERROR, NULL, LX_MSG_FILE_NOT_READ,
                   LX_ARGS(source->name, LX_TERM(source->reason)));
     }
@@ -100,7 +100,7 @@ static luxel_status take_all(struct lx_source *source, size_t most)
         if (got < 0 && errno == EINTR)
             continue;
         if (got < 0)
-            return cannot_read(source, errno);
+            return cannot_read(source, lx_reason(errno));
         if (got == 0)
             break;
         length += (size_t)got;
@@ -112,14 +112,16 @@ static luxel_status take_all(struct lx_source *source, size_t most)
     return LUXEL_OK;
 }
 
-static luxel_status open_file(struct lx_source *source, size_t most)
+static luxel_status open_file(struct lx_source *source, size_t most, bool may_be_device)
 {
     struct stat about;
     source->file = open(source->name, O_RDONLY | O_CLOEXEC | O_NOCTTY);
     if (source->file < 0 || fstat(source->file, &about) < 0)
-        return cannot_read(source, errno);
+        return cannot_read(source, lx_reason(errno));
     if (S_ISDIR(about.st_mode))
-        return cannot_read(source, EISDIR);
+        return cannot_read(source, lx_reason(EISDIR));
+    if (S_ISCHR(about.st_mode) && !may_be_device)
+        return cannot_read(source, LX_N("Is a device"));
     source->size = (uint64_t)about.st_size;
     /* Files made up by the system, as in /proc, say that they are empty. */
     return S_ISREG(about.st_mode) && about.st_size > 0 ? LUXEL_OK : take_all(source, most);
@@ -130,7 +132,7 @@ luxel_status lx_source_open(const char *path, size_t most, luxel_diagnostics *di
     struct lx_source *made = NULL;
     luxel_status status = new_source(path, diagnostics, &made);
     if (status == LUXEL_OK)
-        status = open_file(made, most);
+        status = open_file(made, most, true);
     if (status == LUXEL_OK)
         *source = made;
     else
@@ -142,7 +144,7 @@ struct lx_source *lx_source_try(const char *path, size_t most)
 {
     struct lx_source *source = NULL;
     if (new_source(path, NULL, &source) == LUXEL_OK)
-        open_file(source, most);
+        open_file(source, most, false);
     return source;
 }
 
@@ -208,7 +210,7 @@ luxel_status lx_source_read(struct lx_source *source, uint64_t offset, void *byt
         if (got < 0 && errno == EINTR)
             continue;
         if (got < 0)
-            return cannot_read(source, errno);
+            return cannot_read(source, lx_reason(errno));
         if (got == 0) /* it became shorter in the meantime */
             return lx_source_refuse(source, LX_MSG_FILE_ENDS, NULL);
         done += (size_t)got;

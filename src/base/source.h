@@ -27,7 +27,7 @@ luxel_status lx_source_open(const char *path, size_t most, luxel_diagnostics *di
 
 /*
  * The same for a file whose failures others report, at a place of their own: always a source, which may have failed
- * already; NULL: memory ran out.
+ * already; NULL: memory ran out.  Devices are refused: some have no end, and reading up to the limit takes seconds.
  */
 struct lx_source *lx_source_try(const char *path, size_t most);
 

@@ -307,8 +307,8 @@ LX_LANE void NAME(add_edges)(const struct lx_shell *shell, const struct NAME(can
 }
 
 /*
- * Adds candidates to the contours of two vectors of elements, from the i-th on, side by side, if both see the source far
- * away and wholly above the horizon; else does nothing and returns false.
+ * Adds candidates to the contours of two vectors of elements, from the i-th on, side by side, if both see the source
+ * far away and wholly above the horizon; else does nothing and returns false.
  */
 LX_LANE bool NAME(add_to_two)(const struct lx_shell *shell, const struct NAME(candidate) * candidates, size_t count,
                               const struct NAME(lx_block) * block, size_t i, double away,

@@ -40,6 +40,9 @@ def where_they_are(tap, tool):
     os.mkdir(tool.file("a.csv"))
     result = tool.run("check", "-", stdin=scene("a.csv"))
     tap.ok(result.code == 4 and "a.csv" in result.err, "a folder", result)
+    for device in "/dev/zero", "/dev/urandom", "/dev/null":
+        result = tool.run("check", "-", stdin=scene(device))
+        tap.ok(result.code == 4 and "cannot read %s: Is a device" % device in result.err, device, result)
 
 
 def formats_agree(tap, tool):

@@ -46,6 +46,8 @@ def where_they_are(tap, tool):
     os.mkdir(tool.file("a.off"))
     result = tool.run("check", "-", stdin=scene("a.off"))
     tap.ok(result.code == 4 and "a.off" in result.err, "a folder", result)
+    result = tool.run("check", "-", stdin=scene("/dev/zero"))
+    tap.ok(result.code == 4 and "cannot read /dev/zero: Is a device" in result.err, "a device", result)
 
 
 def carried_by_pictures(tap, tool):
