@@ -356,12 +356,12 @@ static void NAME(light_by_facets)(const struct lx_shell *shell, double diffuse, 
         }
         if (!lx_asking_goes_on(asking))
             return;
-        for (size_t i = 0, vectors = 1; i < count; i += vectors * width) {
+        for (size_t i = 0, vectors; i < count; i += vectors * width) {
             struct NAME(contour) *contour = &contours[i / width];
-            vectors = 2;
-            if (i + width < count && NAME(add_to_two)(shell, lot, found, block, i, away, contour))
+            const bool two = i + width < count && NAME(add_to_two)(shell, lot, found, block, i, away, contour);
+            vectors = two ? 2 : 1;
+            if (two)
                 continue;
-            vectors = 1;
             const struct NAME(outlook) at = NAME(outlook_of)(shell, block, i);
             const enum NAME(share) share = NAME(share_above)(shell, &at, away);
             if (share == NAME(LX_ALL))

@@ -24,6 +24,15 @@ static const double center[3] = {40, -25, 700};
 
 static const double anchor[3] = {10, 20, 300};
 
+static void round_block(const struct lx_block_double *block, struct lx_block_single *copy)
+{
+    for (int i = 0; i < LX_BLOCK; i++) {
+        copy->px[i] = (float)block->px[i], copy->py[i] = (float)block->py[i], copy->pz[i] = (float)block->pz[i];
+        copy->nx[i] = (float)block->nx[i], copy->ny[i] = (float)block->ny[i], copy->nz[i] = (float)block->nz[i];
+        copy->vx[i] = (float)block->vx[i], copy->vy[i] = (float)block->vy[i], copy->vz[i] = (float)block->vz[i];
+    }
+}
+
 /* Elements around a place, at most so far apart, which face the source, or any way, or lie so that it sets. */
 static void make_block(struct randomness *random, struct lx_block_double *block, struct lx_block_single *copy)
 {
@@ -59,10 +68,8 @@ static void make_block(struct randomness *random, struct lx_block_double *block,
         block->px[i] = place[0] - anchor[0], block->py[i] = place[1] - anchor[1], block->pz[i] = place[2] - anchor[2];
         block->nx[i] = n[0] / length, block->ny[i] = n[1] / length, block->nz[i] = n[2] / length;
         block->vx[i] = v[0], block->vy[i] = v[1], block->vz[i] = v[2];
-        copy->px[i] = (float)block->px[i], copy->py[i] = (float)block->py[i], copy->pz[i] = (float)block->pz[i];
-        copy->nx[i] = (float)block->nx[i], copy->ny[i] = (float)block->ny[i], copy->nz[i] = (float)block->nz[i];
-        copy->vx[i] = (float)v[0], copy->vy[i] = (float)v[1], copy->vz[i] = (float)v[2];
     }
+    round_block(block, copy);
 }
 
 static void place_and_normal(const struct lx_block_double *block, size_t i, lx_bounded3 *place, lx_bounded3 *normal)
@@ -71,24 +78,43 @@ static void place_and_normal(const struct lx_block_double *block, size_t i, lx_b
     *normal = lx_exact3((const double[]){block->nx[i], block->ny[i], block->nz[i]});
 }
 
+/* A source of some kind, and what the kernels know of it. */
+struct body {
+    struct lx_emitter source;
+    struct lx_shell shell;
+};
+
+static struct body make_body(int kind)
+{
+    const struct lx_shape lit = {.anchor_mm = {anchor[0], anchor[1], anchor[2]}};
+    struct body body = {.source = source_of(kind, center, 3, 250)};
+    assert_int_equal(lx_shell_make(&body.source, &lit, NULL, &body.shell), LUXEL_OK);
+    if (body.shell.type == LX_FACETS)
+        assert_int_equal(lx_shell_make_single(&body.shell, NULL), LUXEL_OK);
+    return body;
+}
+
+static void clear_body(struct body *body)
+{
+    lx_shell_clear(&body->shell);
+    lx_facets_free(body->source.facets);
+}
+
 static void closed_forms(void **state)
 {
     static struct lx_block_double block;
     static struct lx_block_single copy;
-    const struct lx_shape lit = {.anchor_mm = {10, 20, 300}};
     (void)state;
     for (int kind = 0; kind < SOURCES; kind++) {
-        struct lx_emitter source = source_of(kind, center, 3, 250);
+        struct body body = make_body(kind);
         struct randomness random = {.state = 61};
-        struct lx_shell shell;
-        assert_int_equal(lx_shell_make(&source, &lit, NULL, &shell), LUXEL_OK);
         for (int n = 0; n < 60; n++) {
             double expected[LX_BLOCK], most[LX_BLOCK];
             make_block(&random, &block, &copy);
             for (size_t i = 0; i < LX_BLOCK; i++) {
                 lx_bounded3 place, normal;
                 place_and_normal(&block, i, &place, &normal);
-                expected[i] = lx_extended_irradiance(&source, place, normal).value;
+                expected[i] = lx_extended_irradiance(&body.source, place, normal).value;
                 double distance = lx_length3(lx_sub3(place, lx_exact3(center))).value;
                 most[i] = 3 * M_PI * fmin(1, 250 * 250 / distance / distance);
             }
@@ -99,7 +125,7 @@ static void closed_forms(void **state)
                     continue;
                 for (int i = 0; i < LX_BLOCK; i++)
                     sum[i] = 0.5;
-                kernels->light_by_shell[source.type](&shell, 0.75, &block, LX_BLOCK, NULL, sum);
+                kernels->light_by_shell[body.shell.type](&body.shell, 0.75, &block, LX_BLOCK, NULL, sum);
                 for (int i = 0; i < LX_BLOCK; i++) {
                     double off = fabs(sum[i] - 0.5 - 0.75 * expected[i]) / (most[i] + 1e-3);
                     if (!(off <= 2e-13))
@@ -108,8 +134,7 @@ static void closed_forms(void **state)
                 }
             }
         }
-        lx_shell_clear(&shell);
-        lx_facets_free(source.facets);
+        clear_body(&body);
     }
 }
 
@@ -122,9 +147,9 @@ static void turn_runs(struct randomness *random, struct lx_block_double *block, 
             const double x = center[0] - anchor[0] - block->px[i], y = center[1] - anchor[1] - block->py[i];
             const double z = center[2] - anchor[2] - block->pz[i], length = sqrt(x * x + y * y + z * z);
             block->nx[i] = x / length, block->ny[i] = y / length, block->nz[i] = z / length;
-            copy->nx[i] = (float)block->nx[i], copy->ny[i] = (float)block->ny[i], copy->nz[i] = (float)block->nz[i];
         }
     }
+    round_block(block, copy);
 }
 
 /* Makes a block, which is arrays of numbers of a size, begin with a run of another one. */
@@ -136,45 +161,50 @@ static void begin_with(void *block, const void *other, size_t size, size_t start
                LX_LANES * size);
 }
 
+/* By the closed forms in float64, and in float32 where there are such. */
+static void add_body(const struct lx_kernels *kernels, const struct lx_shell *shell,
+                     const struct lx_block_double *block, const struct lx_block_single *copy, size_t count, double *sum,
+                     double *sum_in_single)
+{
+    kernels->light_by_shell[shell->type](shell, 0.75, block, count, NULL, sum);
+    if (shell->edges_single)
+        kernels->facets_single(shell, 0.75, copy, count, NULL, sum_in_single);
+}
+
 /* What stands beside an element does not matter to it, also where vectors of them go side by side. */
+static void check_runs(const struct lx_kernels *kernels, const struct lx_shell *shell,
+                       const struct lx_block_double *block, const struct lx_block_single *copy)
+{
+    static struct lx_block_double alone;
+    static struct lx_block_single copy_alone;
+    double sum[LX_BLOCK] = {0}, sum_in_single[LX_BLOCK] = {0};
+    add_body(kernels, shell, block, copy, LX_BLOCK, sum, sum_in_single);
+    for (size_t start = 0; start < LX_BLOCK; start += LX_LANES) {
+        double run[LX_LANES] = {0}, run_in_single[LX_LANES] = {0};
+        begin_with(&alone, block, sizeof *block->px, start);
+        begin_with(&copy_alone, copy, sizeof *copy->px, start);
+        add_body(kernels, shell, &alone, &copy_alone, LX_LANES, run, run_in_single);
+        assert_memory_equal(run, sum + start, sizeof run);
+        assert_memory_equal(run_in_single, sum_in_single + start, sizeof run_in_single);
+    }
+}
+
 static void runs_by_themselves(void **state)
 {
-    static struct lx_block_double block, alone;
-    static struct lx_block_single copy, copy_alone;
-    const struct lx_shape lit = {.anchor_mm = {10, 20, 300}};
+    static struct lx_block_double block;
+    static struct lx_block_single copy;
     (void)state;
     for (int kind = 0; kind < SOURCES; kind++) {
-        struct lx_emitter source = source_of(kind, center, 3, 250);
+        struct body body = make_body(kind);
         struct randomness random = {.state = 62};
-        struct lx_shell shell;
-        assert_int_equal(lx_shell_make(&source, &lit, NULL, &shell), LUXEL_OK);
-        if (shell.type == LX_FACETS)
-            assert_int_equal(lx_shell_make_single(&shell, NULL), LUXEL_OK);
         for (int n = 0; n < 40; n++) {
             make_block(&random, &block, &copy);
             turn_runs(&random, &block, &copy);
-            for (size_t k = 0; lx_kernels_get(k); k++) {
-                const struct lx_kernels *kernels = lx_kernels_get(k);
-                double sum[LX_BLOCK] = {0}, single_sum[LX_BLOCK] = {0};
-                if (!kernels->runs())
-                    continue;
-                kernels->light_by_shell[source.type](&shell, 0.75, &block, LX_BLOCK, NULL, sum);
-                if (shell.edges_single)
-                    kernels->facets_single(&shell, 0.75, &copy, LX_BLOCK, NULL, single_sum);
-                for (size_t start = 0; start < LX_BLOCK; start += LX_LANES) {
-                    double run[LX_BLOCK] = {0}, single_run[LX_BLOCK] = {0};
-                    begin_with(&alone, &block, sizeof *block.px, start);
-                    begin_with(&copy_alone, &copy, sizeof *copy.px, start);
-                    kernels->light_by_shell[source.type](&shell, 0.75, &alone, LX_LANES, NULL, run);
-                    if (shell.edges_single)
-                        kernels->facets_single(&shell, 0.75, &copy_alone, LX_LANES, NULL, single_run);
-                    assert_memory_equal(run, sum + start, LX_LANES * sizeof *run);
-                    assert_memory_equal(single_run, single_sum + start, LX_LANES * sizeof *run);
-                }
-            }
+            for (size_t k = 0; lx_kernels_get(k); k++)
+                if (lx_kernels_get(k)->runs())
+                    check_runs(lx_kernels_get(k), &body.shell, &block, &copy);
         }
-        lx_shell_clear(&shell);
-        lx_facets_free(source.facets);
+        clear_body(&body);
     }
 }
 
@@ -235,13 +265,10 @@ static void make_run(struct randomness *random, struct lx_block_double *block)
 static void samples_are_the_integral(void **state)
 {
     static struct lx_block_double block;
-    const struct lx_shape lit = {.anchor_mm = {10, 20, 300}};
     (void)state;
     for (int kind = 0; kind < SOURCES; kind++) {
-        struct lx_emitter source = source_of(kind, center, 3, 250);
+        struct body body = make_body(kind);
         struct randomness random = {.state = 62};
-        struct lx_shell shell;
-        assert_int_equal(lx_shell_make(&source, &lit, NULL, &shell), LUXEL_OK);
         for (int n = 0; n < 24; n++) {
             struct lx_lobe lobe = {.model = n % 3 == 0   ? LX_LAMBERT
                                             : n % 3 == 1 ? LX_BLINN_PHONG
@@ -256,13 +283,13 @@ static void samples_are_the_integral(void **state)
                                                .specular = lobe.specular.value,
                                                .exponent = lx_exponent_of(4)};
             make_run(&random, &block);
-            source.attenuation = (enum lx_attenuation)(n % 8 % 3);
+            body.source.attenuation = (enum lx_attenuation)(n % 8 % 3);
             double expected[LX_LANES];
             for (size_t i = 0; i < LX_LANES; i++) {
                 struct lx_element element = {.lobe = &lobe};
                 place_and_normal(&block, i, &element.place_mm, &element.normal);
                 element.view = lx_exact3((const double[]){block.vx[i], block.vy[i], block.vz[i]});
-                struct lx_cubature truth = lx_integrate(&source, &element, n % 3 == 0, 0, 1e-9);
+                struct lx_cubature truth = lx_integrate(&body.source, &element, n % 3 == 0, 0, 1e-9);
                 expected[i] = n % 3 ? truth.specular.value : 0.75 * truth.irradiance.value;
             }
             for (size_t k = 0; lx_kernels_get(k); k++) {
@@ -270,8 +297,8 @@ static void samples_are_the_integral(void **state)
                 double fine[LX_LANES], coarse[LX_LANES];
                 if (!kernels->runs())
                     continue;
-                sum_samples(kernels, &shell, source.attenuation, &constants, &block, 3, fine);
-                sum_samples(kernels, &shell, source.attenuation, &constants, &block, 2, coarse);
+                sum_samples(kernels, &body.shell, body.source.attenuation, &constants, &block, 3, fine);
+                sum_samples(kernels, &body.shell, body.source.attenuation, &constants, &block, 2, coarse);
                 for (size_t i = 0; i < LX_LANES; i++)
                     if (!(fabs(fine[i] - expected[i]) <= 1e-6 * expected[i] &&
                           fabs(coarse[i] - expected[i]) <= 3e-5 * expected[i]))
@@ -279,8 +306,7 @@ static void samples_are_the_integral(void **state)
                                  kind, n, i, fine[i], coarse[i], expected[i]);
             }
         }
-        lx_shell_clear(&shell);
-        lx_facets_free(source.facets);
+        clear_body(&body);
     }
 }
 
@@ -324,18 +350,15 @@ static void cells_are_held(void **state)
 {
     struct randomness random = {.state = 63};
     const double limits[] = {1 + 1e-12, 4, 6, 3};
-    const struct lx_shape lit = {.anchor_mm = {10, 20, 300}};
     (void)state;
     for (int kind = 0; kind < SOURCES; kind++) {
-        struct lx_emitter source = source_of(kind, center, 3, 250);
-        struct lx_shell shell;
+        struct body body = make_body(kind);
         struct lx_patch patches[64];
         static struct lx_block_double block;
-        assert_int_equal(lx_shell_make(&source, &lit, NULL, &shell), LUXEL_OK);
         for (int n = 0; n < 100; n++) {
             make_run(&random, &block);
             struct lx_around around = lx_run_around(&block, 0);
-            size_t count = lx_patches_make(&shell, &around, NULL, patches);
+            size_t count = lx_patches_make(&body.shell, &around, NULL, patches);
             const double element[3] = {block.px[0], block.py[0], block.pz[0]};
             for (size_t p = 0; p < count; p++) {
                 double size = logarithmic(&random, 0.01, 0.5), middle[3], farthest = 0;
@@ -355,8 +378,7 @@ static void cells_are_held(void **state)
                     fail_msg("source %d, patch kind %d: %g within %g", kind, patches[p].kind, farthest, radius);
             }
         }
-        lx_shell_clear(&shell);
-        lx_facets_free(source.facets);
+        clear_body(&body);
     }
 }
 
