@@ -37,7 +37,7 @@ ROOT = os.path.dirname(os.path.dirname(os.path.abspath(__file__)))
 LIBRARY = "src/libluxel-objects.a"
 # The tests of a room's own, which find most of its faults; the others follow by suite.
 OWN_TESTS = {
-    "src/base": ["bounded", "wide", "number"],
+    "src/base": ["bounded", "wide", "number", "rows"],
     "src/light": ["contours", "tight", "light", "facets", "round", "points", "facet_shapes", "outlines", "lights",
                   "cubature", "reference probes"],
     "src/material": ["lobe", "tight", "reference probes"],

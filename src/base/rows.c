@@ -1,5 +1,8 @@
 /* SPDX-License-Identifier: MIT */
-/* The threads behind rows in parallel: each takes the next block of rows until none is left. */
+/*
+ * The threads behind rows in parallel.  Each has a share of neighbouring rows, which it takes block by block, and then
+ * helps with the shares of others: so the rows of one picture after another stay in the cache of the same processor.
+ */
 #include <pthread.h>
 #include <stdlib.h>
 #include <unistd.h>
@@ -10,20 +13,23 @@
 /* Seconds between two reports of progress. */
 static const double PAUSE = 0.00025;
 
-/* So many shares of the work for each thread, where a share may be as small as that. */
-enum { BLOCKS_PER_THREAD = 4 };
+/* A share has at least so many blocks, where a block may be as small as that. */
+enum { BLOCKS_PER_SHARE = 4 };
+
+struct worker {
+    struct job *job;
+    unsigned index;
+    pthread_t thread; /* of all but the first worker, which is the calling thread */
+    atomic_uint next; /* rows of its share that no thread has taken */
+    unsigned last;
+};
 
 struct job {
     struct lx_control *control;
     const struct lx_rows_part *part;
     unsigned block_rows;
-    atomic_uint next;
-};
-
-struct worker {
-    struct job *job;
-    unsigned index;
-    pthread_t thread;
+    struct worker *workers;
+    unsigned worker_count;
 };
 
 bool lx_control_goes_on(struct lx_control *control, bool is_caller)
@@ -49,25 +55,49 @@ unsigned lx_thread_count(unsigned wanted, unsigned most)
     return threads < most ? threads : most;
 }
 
-static void take_rows(struct job *job, unsigned index, bool is_caller)
+/* Takes what is left of a share, whosever it is.  False: the work was stopped. */
+static bool take_share(const struct worker *worker, struct worker *share)
 {
-    struct lx_control *control = job->control;
+    const struct job *job = worker->job;
     const struct lx_rows_part *part = job->part;
-    while (lx_control_goes_on(control, is_caller)) {
-        unsigned first = atomic_fetch_add(&job->next, job->block_rows);
-        if (first >= part->last)
-            return;
-        unsigned last = part->last - first < job->block_rows ? part->last : first + job->block_rows;
-        part->work(part->data, index, is_caller, first, last);
-        atomic_fetch_add(&control->rows_done, last - first);
+    const bool is_caller = worker->index == 0;
+    while (lx_control_goes_on(job->control, is_caller)) {
+        unsigned first = atomic_fetch_add(&share->next, job->block_rows);
+        if (first >= share->last)
+            return true;
+        unsigned last = share->last - first < job->block_rows ? share->last : first + job->block_rows;
+        part->work(part->data, worker->index, is_caller, first, last);
+        atomic_fetch_add(&job->control->rows_done, last - first);
     }
+    return false;
 }
 
 static void *run_worker(void *argument)
 {
-    struct worker *worker = argument;
-    take_rows(worker->job, worker->index, false);
+    const struct worker *worker = argument;
+    const struct job *job = worker->job;
+    bool goes_on = true;
+    for (unsigned i = 0; goes_on && i < job->worker_count; i++)
+        goes_on = take_share(worker, &job->workers[(worker->index + i) % job->worker_count]);
     return NULL;
+}
+
+/* Divides the rows evenly, in whole blocks. */
+static void share_out(struct job *job)
+{
+    const struct lx_rows_part *part = job->part;
+    const unsigned rows = part->last - part->first;
+    const unsigned fair = rows / job->worker_count / BLOCKS_PER_SHARE;
+    job->block_rows = part->in_tiles || fair >= LX_ROWS_AT_ONCE ? LX_ROWS_AT_ONCE : fair < 1 ? 1 : fair;
+    const unsigned blocks = (rows + job->block_rows - 1) / job->block_rows;
+    unsigned next = part->first;
+    for (unsigned i = 0; i < job->worker_count; i++) {
+        struct worker *worker = &job->workers[i];
+        const size_t end = (size_t)blocks * (i + 1) / job->worker_count * job->block_rows;
+        *worker = (struct worker){.job = job, .index = i, .last = part->first + (unsigned)(end < rows ? end : rows)};
+        atomic_init(&worker->next, next);
+        next = worker->last;
+    }
 }
 
 bool lx_rows_run(struct lx_control *control, unsigned threads, lx_rows_work *work, void *data)
@@ -78,23 +108,23 @@ bool lx_rows_run(struct lx_control *control, unsigned threads, lx_rows_work *wor
 
 bool lx_rows_run_part(struct lx_control *control, unsigned threads, const struct lx_rows_part *part)
 {
-    unsigned share = (part->last - part->first) / threads / BLOCKS_PER_THREAD;
-    struct job job = {.control = control, .part = part, .block_rows = LX_ROWS_AT_ONCE, .next = part->first};
-    if (!part->in_tiles && share < LX_ROWS_AT_ONCE)
-        job.block_rows = share < 1 ? 1 : share;
-    unsigned started = 0;
-    struct worker *workers = threads > 1 ? lx_new_array(threads - 1, sizeof *workers) : NULL;
-    /* A thread that cannot be had is done without: the others take its rows. */
-    for (unsigned i = 0; workers && i < threads - 1; i++) {
-        workers[started] = (struct worker){.job = &job, .index = started + 1};
-        if (pthread_create(&workers[started].thread, NULL, run_worker, &workers[started]) != 0)
-            break;
-        started++;
+    struct worker alone;
+    struct worker *workers = threads > 1 ? lx_new_array(threads, sizeof *workers) : NULL;
+    struct job job = {.control = control, .part = part, .workers = &alone, .worker_count = 1};
+    if (workers) {
+        job.workers = workers;
+        job.worker_count = threads;
     }
+    share_out(&job);
+    unsigned running = 1;
+    /* A thread that cannot be had is done without: the others take its rows. */
+    while (running < job.worker_count &&
+           pthread_create(&workers[running].thread, NULL, run_worker, &workers[running]) == 0)
+        running++;
     if (part->meanwhile)
         part->meanwhile(part->data);
-    take_rows(&job, 0, true);
-    for (unsigned i = 0; i < started; i++)
+    run_worker(&job.workers[0]);
+    for (unsigned i = 1; i < running; i++)
         pthread_join(workers[i].thread, NULL);
     free(workers);
     return !atomic_load(&control->stop);
