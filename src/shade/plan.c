@@ -345,7 +345,8 @@ static luxel_status sample_maximum(struct lx_plan *plan, struct lx_control *cont
             *maximum = row;
             best = j;
         }
-        plan->least_value = *maximum;
+        /* What is dimmer need not be good by itself: else the faint tail of a highlight takes most of the time. */
+        plan->least_value = plan->least_maximum = *maximum;
     }
     plan->every = 1;
     if (every > 1 && !isnan(*maximum))
