@@ -15,7 +15,7 @@
 #include "progress.h"
 #include "text.h"
 
-enum { SIDE = 800, MANY = 16, LEAST_RUNS = 3, MOST_RUNS = 40, MOST_ROWS = 80, MOST_SETS = 8 };
+enum { SIDE = 800, MANY = 16, LEAST_RUNS = 3, MOST_RUNS = 400, MOST_ROWS = 80, MOST_SETS = 8 };
 
 /* How long one measurement goes on at least. */
 static const double LEAST_SECONDS = 0.15;
