@@ -44,7 +44,8 @@ help:
 	@echo 'make coverage        which lines and branches of src/ the tests reach, as a table of the rooms'
 	@echo 'make fuzz-coverage   what of the files that it aims at each fuzz target reaches'
 	@echo 'make mutants         whether tests fail when the library is made wrong; MUTANTS="--random 100 --seed 1"'
-	@echo 'make properties      try what must hold of any scene on random ones: SCENES=1000000 of them, from SEED=1 on'
+	@echo 'make properties      try what must hold of any scene on random ones: SCENES=1000000 of them, from SEED=1 on,'
+	@echo '                     one light in EXTENDED=64 an extended source'
 	@echo 'make bench           time pictures and other programs in turn, and write docs/PERFORMANCE.md'
 	@echo 'make install         install under PREFIX ($(PREFIX)); DESTDIR is honoured'
 	@echo 'make docs            the reference pages of the library in $(BUILD)/docs/reference/html, by Doxygen'
@@ -157,9 +158,10 @@ mutants: setup
 # What fails is made as small as it can be, and told with the seed that repeats it.
 SCENES ?= 1000000
 SEED ?= 1
+EXTENDED ?= 64
 properties: setup $(BUILD)/build.ninja
 	@$(COMPILE) $(BUILD) properties:executable
-	@$(BUILD)/tests/properties/properties --scenes $(SCENES) --seed $(SEED)
+	@$(BUILD)/tests/properties/properties --scenes $(SCENES) --seed $(SEED) --extended $(EXTENDED)
 
 check-valgrind: build
 	@tools/setup valgrind

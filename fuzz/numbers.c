@@ -21,7 +21,7 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
     struct choices choices = choices_of_bytes(data, size);
     struct draft draft;
     struct trial trial;
-    draft_make(&choices, &draft);
+    draft_make(&choices, DRAFT_EXTENDED_ONE_IN, &draft);
     trial_open(&draft, &trial);
     for (size_t i = 0; trial.scene && i < sizeof properties / sizeof properties[0]; i++)
         if (!properties[i](&trial)) {

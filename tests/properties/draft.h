@@ -80,11 +80,14 @@ struct draft {
     const char *mesh;  /* NULL, or the file that boxes are read from */
 };
 
-/* A scene, nearly always a legal one, whatever is chosen. */
-void draft_make(struct choices *choices, struct draft *draft);
+/* Extended sources cost a hundred times what others do: usually one light in so many is one. */
+enum { DRAFT_EXTENDED_ONE_IN = 64 };
+
+/* A scene, nearly always a legal one, whatever is chosen; one light in so many is extended, at most one of a scene. */
+void draft_make(struct choices *choices, unsigned extended_one_in, struct draft *draft);
 
 /* Its lights, at random, around surfaces that are there already. */
-void draft_make_lights(struct choices *choices, struct draft *draft);
+void draft_make_lights(struct choices *choices, unsigned extended_one_in, struct draft *draft);
 
 /* A place around a surface, or where programs err. */
 void draft_choose_place(struct choices *choices, const struct draft *draft, double place[3]);

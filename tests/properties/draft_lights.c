@@ -212,21 +212,22 @@ static void choose_extent(struct choices *choices, double size, struct draft_lig
     choose_corners(choices, light);
 }
 
-/* Extended sources cost a hundred times what others do: they are rarer. */
-static enum draft_light_type choose_type(struct choices *choices, bool may_extend)
+/* Of lights one in so many is extended; 0: none. */
+static enum draft_light_type choose_type(struct choices *choices, unsigned extended_one_in)
 {
     static const enum draft_light_type types[] = {DRAFT_POINT, DRAFT_POINT,   DRAFT_SPOT,
                                                   DRAFT_SPOT,  DRAFT_DISTANT, DRAFT_AMBIENT};
-    if (may_extend && choose_rarely(choices, 64))
+    if (extended_one_in > 0 && choose_rarely(choices, extended_one_in))
         return choose(choices, 2) ? DRAFT_VOLUME : DRAFT_PLANAR;
     return types[choose(choices, sizeof types / sizeof types[0])];
 }
 
-static void choose_light(struct choices *choices, const struct draft *draft, bool may_extend, struct draft_light *light)
+static void choose_light(struct choices *choices, const struct draft *draft, unsigned extended_one_in,
+                         struct draft_light *light)
 {
     const double size = size_of(&draft->surfaces[0]);
     *light = draft_plain_light;
-    light->words.type = choose_type(choices, may_extend);
+    light->words.type = choose_type(choices, extended_one_in);
     light->numbers.strength = choose_strength(choices);
     if (light->words.type == DRAFT_AMBIENT)
         return;
@@ -247,11 +248,11 @@ static void choose_light(struct choices *choices, const struct draft *draft, boo
     }
 }
 
-void draft_make_lights(struct choices *choices, struct draft *draft)
+void draft_make_lights(struct choices *choices, unsigned extended_one_in, struct draft *draft)
 {
     draft->light_count = choose_rarely(choices, 32) ? 0 : 1 + choose(choices, DRAFT_LIGHTS);
     for (size_t i = 0; i < draft->light_count; i++)
-        choose_light(choices, draft, !draft_has_extended(draft), &draft->lights[i]);
+        choose_light(choices, draft, draft_has_extended(draft) ? 0 : extended_one_in, &draft->lights[i]);
     if (draft_has_extended(draft)) {
         draft->words.columns = draft->words.columns < MOST_DEAR_PIXELS ? draft->words.columns : MOST_DEAR_PIXELS;
         draft->words.rows = draft->words.rows < MOST_DEAR_PIXELS ? draft->words.rows : MOST_DEAR_PIXELS;

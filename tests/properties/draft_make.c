@@ -199,7 +199,7 @@ static void choose_grid(struct choices *choices, double scale, struct draft *dra
         grid->numbers.size[i] = scale * choose_size(choices, 1e-3, 3);
 }
 
-void draft_make(struct choices *choices, struct draft *draft)
+void draft_make(struct choices *choices, unsigned extended_one_in, struct draft *draft)
 {
     *draft = draft_plain;
     const double scale = choose_scale(choices);
@@ -211,7 +211,7 @@ void draft_make(struct choices *choices, struct draft *draft)
         choose_surface(choices, scale, i == 0, &draft->surfaces[i]);
     choose_observer(choices, scale, draft);
     choose_screen(choices, draft);
-    draft_make_lights(choices, draft);
+    draft_make_lights(choices, extended_one_in, draft);
     if (choose_rarely(choices, 4))
         snap_draft(draft, rounded(scale / 4));
     if (choose(choices, 2)) /* last, so that a seed's scene is as it was without */

@@ -2,11 +2,13 @@
 /*
  * What must hold of every scene, tried on random ones of the whole legal range:
  *
- *     properties [--scenes N] [--seed S] [--only NAME]
+ *     properties [--scenes N] [--seed S] [--only NAME] [--extended N]
  *
- * Each scene has a seed of its own, from S on; a failure names it.  Interrupted, it tells what it has found so far.
+ * Each scene has a seed of its own, from S on; a failure names it.  One light in N is an extended source, usually one
+ * in 64, as they take a hundred times as long.  Interrupted, it tells what it has found so far.
  */
 #include <errno.h>
+#include <limits.h>
 #include <signal.h>
 #include <stdlib.h>
 #include <string.h>
@@ -52,7 +54,7 @@ static void interrupt(int signal)
 
 static int explain(void)
 {
-    fprintf(stderr, "usage: properties [--scenes N] [--seed S] [--only NAME]\n");
+    fprintf(stderr, "usage: properties [--scenes N] [--seed S] [--only NAME] [--extended N]\n");
     for (size_t i = 0; i < PROPERTIES; i++)
         fprintf(stderr, "  %-14s %s\n", properties[i].name, properties[i].meaning);
     return 2;
@@ -68,19 +70,21 @@ static bool read_count(const char *text, unsigned long long *count)
 
 int main(int count, char **arguments)
 {
-    unsigned long long scenes = 1500, seed = 1;
+    unsigned long long scenes = 1500, seed = 1, extended = DRAFT_EXTENDED_ONE_IN;
     struct tester_options options = {.stop = &is_interrupted, .progress = isatty(STDERR_FILENO) ? stderr : NULL};
     for (int i = 1; i < count; i += 2) {
         const char *name = arguments[i], *value = i + 1 < count ? arguments[i + 1] : "";
-        const bool known = strcmp(name, "--only") == 0     ? (options.only = value) != NULL
-                           : strcmp(name, "--scenes") == 0 ? read_count(value, &scenes)
-                           : strcmp(name, "--seed") == 0   ? read_count(value, &seed)
-                                                           : false;
+        const bool known = strcmp(name, "--only") == 0       ? (options.only = value) != NULL
+                           : strcmp(name, "--scenes") == 0   ? read_count(value, &scenes)
+                           : strcmp(name, "--seed") == 0     ? read_count(value, &seed)
+                           : strcmp(name, "--extended") == 0 ? read_count(value, &extended) && extended <= UINT_MAX
+                                                             : false;
         if (!known)
             return explain();
     }
     options.scenes = scenes;
     options.seed = seed;
+    options.extended_one_in = (unsigned)extended;
     signal(SIGINT, interrupt);
     signal(SIGTERM, interrupt);
     return tester_run(properties, PROPERTIES, &options, stdout) > 0;

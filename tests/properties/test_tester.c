@@ -153,7 +153,7 @@ static void test_drafts_are_of_all_kinds(void **state)
     for (uint64_t seed = 0; seed < DRAFTS; seed++) {
         struct choices choices = choices_of_seed(seed);
         struct draft draft;
-        draft_make(&choices, &draft);
+        draft_make(&choices, DRAFT_EXTENDED_ONE_IN, &draft);
         note_kinds(&draft, &kinds);
         with_grid += draft.grid.words.columns > 0 && draft.grid.words.rows > 0;
         luxel_scene *scene = seed % 10 == 0 ? trial_scene_of(&draft) : NULL;
@@ -165,6 +165,27 @@ static void test_drafts_are_of_all_kinds(void **state)
     assert_true(kinds.outlines == 7 && kinds.bodies == 7 && kinds.measures == 7);
     assert_true(legal * 10 > DRAFTS * 19 / 20);
     assert_true(with_grid > DRAFTS / 3 && with_grid < DRAFTS * 2 / 3);
+}
+
+/* As many scenes as are asked for have an extended source: all but those with no lights or cut up, a share, or none. */
+static void test_share_of_extended_sources(void **state)
+{
+    unsigned all = 0, some = 0, usual = 0;
+    (void)state;
+    for (uint64_t seed = 0; seed < DRAFTS; seed++) {
+        unsigned *const counts[] = {NULL, &all, &some, &usual};
+        const unsigned one_in[] = {0, 1, 8, DRAFT_EXTENDED_ONE_IN};
+        for (int i = 0; i < 4; i++) {
+            struct choices choices = choices_of_seed(seed);
+            struct draft draft;
+            draft_make(&choices, one_in[i], &draft);
+            const bool has = draft_has_extended(&draft);
+            assert_true(!has || counts[i]);
+            if (counts[i])
+                *counts[i] += has;
+        }
+    }
+    assert_true(all > DRAFTS * 3 / 4 && some > DRAFTS / 8 && some < DRAFTS / 2 && usual < DRAFTS / 10);
 }
 
 static void expect_scene(const struct draft *draft)
@@ -181,11 +202,11 @@ static void test_drafts_of_bytes(void **state)
     static const uint8_t bytes[64] = {3, 141, 59, 26, 53, 58, 97, 93, 23, 84, 62, 64, 33, 83, 27, 95};
     struct draft none, some;
     struct choices choices = choices_of_bytes(bytes, 0);
-    draft_make(&choices, &none);
+    draft_make(&choices, DRAFT_EXTENDED_ONE_IN, &none);
     expect_scene(&none);
     assert_int_equal(none.surface_count, 1);
     choices = choices_of_bytes(bytes, sizeof bytes);
-    draft_make(&choices, &some);
+    draft_make(&choices, DRAFT_EXTENDED_ONE_IN, &some);
     expect_scene(&some);
     assert_memory_not_equal(&none, &some, sizeof none);
 }
@@ -197,7 +218,7 @@ static void test_drafts_turn(void **state)
     for (uint64_t seed = 0; seed < 200; seed++) {
         struct choices choices = choices_of_seed(seed);
         struct draft draft, turned;
-        draft_make(&choices, &draft);
+        draft_make(&choices, DRAFT_EXTENDED_ONE_IN, &draft);
         turned = draft;
         for (int i = 0; i < 4; i++)
             draft_turn(&turned, (struct draft_map){.xy = -1, .yx = 1});
@@ -213,13 +234,10 @@ static void test_drafts_turn(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_false_is_caught),
-        cmocka_unit_test(test_false_shrinks),
-        cmocka_unit_test(test_failure_repeats),
-        cmocka_unit_test(test_nothing_is_no_success),
-        cmocka_unit_test(test_drafts_are_of_all_kinds),
-        cmocka_unit_test(test_drafts_of_bytes),
-        cmocka_unit_test(test_drafts_turn),
+        cmocka_unit_test(test_false_is_caught),         cmocka_unit_test(test_false_shrinks),
+        cmocka_unit_test(test_failure_repeats),         cmocka_unit_test(test_nothing_is_no_success),
+        cmocka_unit_test(test_drafts_are_of_all_kinds), cmocka_unit_test(test_share_of_extended_sources),
+        cmocka_unit_test(test_drafts_of_bytes),         cmocka_unit_test(test_drafts_turn),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -56,7 +56,8 @@ static void write_lines(FILE *out, const char *text)
 }
 
 /* Makes the draft as simple as it can be, and tells what is wrong with it. */
-static char *report(const struct property *property, const struct draft *failing, uint64_t seed)
+static char *report(const struct tester *tester, const struct property *property, const struct draft *failing,
+                    uint64_t seed)
 {
     char *text, *made;
     size_t length;
@@ -69,8 +70,11 @@ static char *report(const struct property *property, const struct draft *failing
     if (!out)
         abort();
     text = draft_write(&draft);
-    fprintf(out, "# %s (repeat: properties --seed %llu --scenes 1 --only %s)\n", property->name,
-            (unsigned long long)seed, property->name);
+    fprintf(out, "# %s (repeat: properties --seed %llu --scenes 1 --only %s", property->name, (unsigned long long)seed,
+            property->name);
+    if (tester->options->extended_one_in != DRAFT_EXTENDED_ONE_IN)
+        fprintf(out, " --extended %u", tester->options->extended_one_in);
+    fprintf(out, ")\n");
     write_lines(out, trial.complaint);
     write_lines(out, text);
     free(text);
@@ -85,7 +89,7 @@ static void note_failure(struct tester *tester, size_t i, const struct draft *dr
     struct record *record = &tester->records[i];
     if (record->failed++ >= MOST_REPORTS)
         return;
-    char *text = report(&tester->properties[i], draft, seed);
+    char *text = report(tester, &tester->properties[i], draft, seed);
     record->reports[record->failed - 1] = text;
     if (tester->options->progress)
         fprintf(tester->options->progress, "\r%s", text);
@@ -96,7 +100,7 @@ static void try_scene(struct tester *tester, uint64_t seed)
     struct choices choices = choices_of_seed(seed);
     struct draft draft;
     struct trial trial;
-    draft_make(&choices, &draft);
+    draft_make(&choices, tester->options->extended_one_in, &draft);
     trial_open(&draft, &trial);
     tester->scenes++;
     tester->legal += trial.scene != NULL;

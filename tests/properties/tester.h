@@ -11,6 +11,7 @@
 struct tester_options {
     uint64_t seed; /* of the first scene; the others follow */
     unsigned long scenes;
+    unsigned extended_one_in;          /* one light in so many is extended */
     const char *only;                  /* the name of the only property to try, then on every scene; NULL: all */
     FILE *progress;                    /* NULL: none */
     const volatile sig_atomic_t *stop; /* NULL, or what makes it end before all scenes are tried */
