@@ -229,6 +229,26 @@ static bool is_cut(double depth)
     return count > 1;
 }
 
+/* Whether the corners of a square of 10, bent as above and 1000 away, were brought into one plane. */
+static bool is_flattened(double height)
+{
+    double corners[4][3] = {{1000, 0, height}, {1010, 0, -height}, {1010, 10, height}, {1000, 10, -height}};
+    struct lx_facets **pieces = NULL;
+    size_t count = 0;
+    for (int i = 0; i < 4; i++)
+        for (int k = 0; k < 3; k++)
+            corners[i][k] *= unit_mm;
+    assert_int_equal(lx_facets_of_outline((places)corners, 4, &pieces, &count).fault, LX_SHAPE_GOOD);
+    assert_int_equal(count, 1);
+    const double left = lx_wide_value(pieces[0]->corners_mm[0].z);
+    const bool moved = fabs(left) != height * unit_mm;
+    assert_true(!moved || fabs(left) < 1e-6 * height * unit_mm);
+    assert_true(moved == (pieces[0]->corner_error_mm > 0));
+    lx_facets_free(pieces[0]);
+    free(pieces);
+    return moved;
+}
+
 static void assert_limit(double found, double expected, const char *what)
 {
     if (!(fabs(found / expected - 1) < 1e-4))
@@ -243,6 +263,7 @@ static void outlines_have_limits(void **state)
         assert_limit(limit_of(is_bent, 1e-9, 1), 1e-6 * hypot(10, 10), "flat");
         assert_limit(limit_of(has_area, 1e-30, 1), 0.5e-14 * 10, "area");
         assert_limit(limit_of(is_cut, 1e-20, 1), 0x1p-44 * 2, "straight");
+        assert_limit(limit_of(is_flattened, 1e-20, 1e-6), 0x1p-48 * (hypot(10, 10) + 1010), "rounded");
     }
 }
 
