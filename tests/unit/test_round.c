@@ -195,6 +195,35 @@ static void integrals(void **unused)
     }
 }
 
+/* So near to the disk's plane, before it and beside it, that panels have to keep away from where r vanishes. */
+static void integrals_near_the_plane(void **unused)
+{
+    uint64_t state = 22;
+    unsigned tried = 0;
+    (void)unused;
+    for (int i = 0; i < 3000; i++) {
+        double n[3], off;
+        random_unit(&state, n);
+        const lx_wide radius = lx_wide_of(pow(10, uniform(&state, -1, 1)));
+        const lx_wide rho = lx_wide_mul(radius, lx_wide_of(pow(10, uniform(&state, -2, 1))));
+        const lx_wide height = lx_wide_mul(radius, lx_wide_of(pow(10, uniform(&state, -5, 0))));
+        const struct lx_rim rim = lx_rim_of(rho, height, radius, lx_wide3_of(n));
+        const struct lx_horizon horizon = lx_rim_horizon(&rim);
+        if (!horizon.crossed)
+            continue;
+        struct lx_wide_sum terms = {{0, 0}, 0};
+        lx_add_disk(&terms, &rim, &horizon);
+        const double value = lx_wide_value(terms.value) / 2, integral = lx_cut_disk_integral(&rim, &horizon, &off);
+        if (!(off < 1))
+            continue; /* the panels did not suffice, and it says so */
+        tried++;
+        if (!(fabs(integral - value) <= off * value + LX_SUM_ROUNDING * terms.size))
+            fail_msg("%d: %.17g, by its terms %.17g", i, integral, value);
+    }
+    if (tried < 1500)
+        fail_msg("only %u cut by the horizon", tried);
+}
+
 static void ball_and_disk(void **unused)
 {
     uint64_t state = 21;
@@ -501,6 +530,7 @@ int main(void)
         cmocka_unit_test(truth),
         cmocka_unit_test(printed),
         cmocka_unit_test(integrals),
+        cmocka_unit_test(integrals_near_the_plane),
         cmocka_unit_test(ball_and_disk),
         cmocka_unit_test(polyhedra),
         cmocka_unit_test(mean_over_sphere),
