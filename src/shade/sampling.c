@@ -420,6 +420,19 @@ static void begin(struct run *run, const struct lx_sampled *source, const struct
             (struct pending){.source = source, .patch = patch, .part = {0, (double)i / parts, 1, 1.0 / parts}};
 }
 
+/* Whether all elements are so near to the plane of a face that, against their height over it, places are rounded by
+ * more than the tolerance. */
+static bool is_edge_on(const struct run *run, const struct lx_shell *shell, const struct lx_patch *patch)
+{
+    const double enough = 16; /* so many roundings must fit into the tolerance */
+    double height = run->around.radius;
+    if (patch->kind != LX_PATCH_FLAT && patch->kind != LX_PATCH_DISK)
+        return false;
+    for (int k = 0; k < 3; k++)
+        height += patch->n[k] * (run->around.center[k] - patch->o[k]);
+    return height * run->sampling->tolerance < enough * shell->touch_mm;
+}
+
 bool lx_sample_run(const struct lx_sampler *sampling, struct lx_sampling_memory *memory,
                    const struct lx_block_double *block, const struct lx_block_single *copy, size_t start, double *sum)
 {
@@ -433,8 +446,11 @@ bool lx_sample_run(const struct lx_sampler *sampling, struct lx_sampling_memory 
     for (size_t s = 0; s < sampling->source_count; s++) {
         const struct lx_sampled *source = &sampling->sources[s];
         size_t count = lx_patches_make(source->shell, &run.around, sampling->asking, memory->patches + patches);
-        for (size_t i = 0; i < count && goes_on(&run); i++)
+        for (size_t i = 0; i < count && goes_on(&run); i++) {
+            if (is_edge_on(&run, source->shell, memory->patches + patches + i))
+                return false;
             begin(&run, source, memory->patches + patches + i);
+        }
         patches += count;
     }
     work_off(&run);

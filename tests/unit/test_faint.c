@@ -2,7 +2,8 @@
 /*
  * Pictures of a pixel or three that show what rounding likes to eat: the faint foot of a highlight, light that grazes,
  * a light right behind the element, a round source right above it, a needle, the edge of a source that has not yet set,
- * a source in one plane with what it lights, the axis of a cone like a thread; by every instruction set.  Each was
+ * a source in one plane with what it lights or seen edge-on from far away, the axis of a cone like a thread; by every
+ * instruction set.  Each was
  * found by the properties (tests/properties).
  */
 #include <math.h>
@@ -191,6 +192,23 @@ static void test_coplanar(void **state)
         }
 }
 
+/* So far away and so aslant that heights over its plane have lost digits that samples would need. */
+static void test_edge_on(void **state)
+{
+    (void)state;
+    static const char *const laws[] = {"none}", "practical, k: 3}"};
+    for (int i = 0; i < 2; i++) {
+        char text[1000];
+        snprintf(
+            text, sizeof text, "%s%s]\n",
+            "luxel: 1\nscreen: {width: 1, height: 1, resolution: [1, 1]}\nobserver: {z: 2}\nsurfaces: [{type: sphere, "
+            "center: [0, 0, 0], radius: 1, material: {model: lambert, diffuse: 1}}]\nlights: [{type: planar, "
+            "vertices: [[-1, 0, 1e12], [-1, 0, 999999999995], [0, 1, 1e12]], radiance: 1, attenuation: ",
+            laws[i]);
+        expect_within(LUXEL_SINGLE, 2e-6, text);
+    }
+}
+
 /* A cone as narrow as a thread of which a sample lies near the axis, whose angle is lost where it is a difference. */
 static void test_narrow_cone(void **state)
 {
@@ -257,6 +275,7 @@ int main(void)
         cmocka_unit_test(test_corner),
         cmocka_unit_test(test_far_foot),
         cmocka_unit_test(test_coplanar),
+        cmocka_unit_test(test_edge_on),
         cmocka_unit_test(test_narrow_cone),
         cmocka_unit_test(test_tiny_cone),
         cmocka_unit_test(test_error_without_bound),
