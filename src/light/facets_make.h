@@ -30,7 +30,7 @@ lx_wide3 lx_newell(const lx_wide3 *corners_mm, const unsigned *loop, size_t coun
 /* The plane that some corners lie in, or nearly so. */
 struct lx_plane {
     lx_wide3 normal, middle_mm;
-    double size_mm;      /* the largest distance of a corner from the first one */
+    double size_mm;      /* twice the largest distance of a corner from the middle, whichever corner is the first */
     double deviation_mm; /* the largest distance of a corner from the plane */
     size_t farthest;     /* the corner that has it */
     bool is_line;        /* all corners lie on a line */

@@ -320,15 +320,18 @@ struct lx_plane lx_best_plane(const lx_wide3 *corners_mm, const unsigned *loop, 
         largest = length > most ? product : largest;
         most = fmax(most, length);
         all += length;
-        plane.size_mm = fmax(plane.size_mm, lx_wide_value(lx_wide3_length(next)));
         sum = lx_wide3_add(sum, next);
         before = next;
+    }
+    plane.middle_mm = lx_wide3_add(first, lx_wide3_mul(sum, lx_wide_div(lx_wide_of(1), lx_wide_of((double)count))));
+    for (size_t i = 0; i < count; i++) {
+        const double away = lx_wide_value(lx_wide3_length(lx_wide3_sub(corners_mm[loop[i]], plane.middle_mm)));
+        plane.size_mm = fmax(plane.size_mm, 2 * away);
     }
     double area = lx_wide_value(lx_wide3_length(newell));
     plane.has_area = area > 1e-14 * plane.size_mm * plane.size_mm && area > 1e-10 * all;
     plane.is_line = !(all > 1e-14 * plane.size_mm * plane.size_mm);
     plane.normal = lx_wide3_unit(area > 1e-10 * all ? newell : largest);
-    plane.middle_mm = lx_wide3_add(first, lx_wide3_mul(sum, lx_wide_div(lx_wide_of(1), lx_wide_of((double)count))));
     for (size_t i = 0; i < count; i++) {
         double height = fabs(lx_height_over(&plane, corners_mm[loop[i]]).high);
         if (height >= plane.deviation_mm * (1 - 1e-6)) { /* the last of several */

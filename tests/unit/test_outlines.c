@@ -213,6 +213,19 @@ static bool is_bent(double height)
     return try_square((places)corners, 4, &count).fault == LX_SHAPE_NOT_FLAT;
 }
 
+/* The same of a rhombus that is 10 long and 4 wide, told from the corner `first_corner` on. */
+static size_t first_corner;
+
+static bool is_rhombus_bent(double height)
+{
+    const double corners[4][3] = {{-5, 0, height}, {0, -2, -height}, {5, 0, height}, {0, 2, -height}};
+    double told[4][3];
+    size_t count;
+    for (size_t i = 0; i < 4; i++)
+        memcpy(told[i], corners[(first_corner + i) % 4], sizeof told[i]);
+    return try_square((places)told, 4, &count).fault == LX_SHAPE_NOT_FLAT;
+}
+
 static bool has_area(double width)
 {
     const double corners[4][3] = {{0, 0, 0}, {10, 0, 0}, {10, width, 0}, {0, width, 0}};
@@ -261,6 +274,8 @@ static void outlines_have_limits(void **state)
     for (size_t i = 0; i < sizeof units_mm / sizeof *units_mm; i++) {
         unit_mm = units_mm[i];
         assert_limit(limit_of(is_bent, 1e-9, 1), 1e-6 * hypot(10, 10), "flat");
+        for (first_corner = 0; first_corner < 4; first_corner++)
+            assert_limit(limit_of(is_rhombus_bent, 1e-9, 1), 1e-6 * 10, "flat, whichever corner is the first");
         assert_limit(limit_of(has_area, 1e-30, 1), 0.5e-14 * 10, "area");
         assert_limit(limit_of(is_cut, 1e-20, 1), 0x1p-44 * 2, "straight");
         assert_limit(limit_of(is_flattened, 1e-20, 1e-6), 0x1p-48 * (hypot(10, 10) + 1010), "rounded");
