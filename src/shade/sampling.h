@@ -34,8 +34,10 @@ struct lx_sampling_memory;
 size_t lx_sampling_memory_size(size_t most_patches);
 struct lx_sampling_memory *lx_sampling_memory_of(void *bytes, size_t most_patches);
 
-/* Adds the light to sum[0 ... LX_LANES - 1] of the elements from `start` on, of which the last may be repetitions.
- * Returns whether the tolerance was reached, or the work is to stop. */
+/*
+ * Adds the light to sum[0 ... LX_LANES - 1] of the elements from `start` on, of which the last may be repetitions.
+ * Returns whether the tolerance was reached, or the work is to stop; it is not where places are rounded by too much.
+ */
 bool lx_sample_run(const struct lx_sampler *sampling, struct lx_sampling_memory *memory,
                    const struct lx_block_double *block, const struct lx_block_single *copy, size_t start, double *sum);
 

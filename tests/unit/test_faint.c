@@ -3,8 +3,7 @@
  * Pictures of a pixel or three that show what rounding likes to eat: the faint foot of a highlight, light that grazes,
  * a light right behind the element, a round source right above it, a needle, the edge of a source that has not yet set,
  * a source in one plane with what it lights or seen edge-on from far away, the axis of a cone like a thread; by every
- * instruction set.  Each was
- * found by the properties (tests/properties).
+ * instruction set.  Each was found by the properties (tests/properties).
  */
 #include <math.h>
 #include <setjmp.h>
