@@ -78,7 +78,7 @@ def clusters(tap, tool):
 
 def refusals(tap, tool):
     for title, piece, replacement, _ in malformed.PIECES[::EVERY]:
-        name = tool.write("wrong.yaml", SCENE.replace(piece, replacement.replace("^", ""), 1))
+        name = tool.write("scene.yaml", SCENE.replace(piece, replacement.replace("^", ""), 1))
         check(tap, tool, 3, "check", name)
         tap.note(title)
     for name, content in (("a.exr", b"v/1\1\2\0\0\0"), ("a.npy", b"\x93NUMPY\1\0\xff\xff"), ("a.csv", b"x,y\n1,\xff")):
