@@ -110,11 +110,8 @@ bool lx_rows_run_part(struct lx_control *control, unsigned threads, const struct
 {
     struct worker alone;
     struct worker *workers = threads > 1 ? lx_new_array(threads, sizeof *workers) : NULL;
-    struct job job = {.control = control, .part = part, .workers = &alone, .worker_count = 1};
-    if (workers) {
-        job.workers = workers;
-        job.worker_count = threads;
-    }
+    struct job job = {
+        .control = control, .part = part, .workers = workers ? workers : &alone, .worker_count = workers ? threads : 1};
     share_out(&job);
     unsigned running = 1;
     /* A thread that cannot be had is done without: the others take its rows. */

@@ -195,17 +195,12 @@ static void test_coplanar(void **state)
 static void test_edge_on(void **state)
 {
     (void)state;
-    static const char *const laws[] = {"none}", "practical, k: 3}"};
-    for (int i = 0; i < 2; i++) {
-        char text[1000];
-        snprintf(
-            text, sizeof text, "%s%s]\n",
-            "luxel: 1\nscreen: {width: 1, height: 1, resolution: [1, 1]}\nobserver: {z: 2}\nsurfaces: [{type: sphere, "
-            "center: [0, 0, 0], radius: 1, material: {model: lambert, diffuse: 1}}]\nlights: [{type: planar, "
-            "vertices: [[-1, 0, 1e12], [-1, 0, 999999999995], [0, 1, 1e12]], radiance: 1, attenuation: ",
-            laws[i]);
-        expect_within(LUXEL_SINGLE, 2e-6, text);
-    }
+#define EDGE_ON(law)                                                                                                   \
+    SCENE("{type: sphere, center: [0, 0, 0], radius: 1, material: {model: lambert, diffuse: 1}}",                      \
+          "{type: planar, vertices: [[-1, 0, 1e12], [-1, 0, 999999999995], [0, 1, 1e12]], radiance: 1, "               \
+          "attenuation: " law "}")
+    expect_within(LUXEL_SINGLE, 2e-6, EDGE_ON("none"));
+    expect_within(LUXEL_SINGLE, 2e-6, EDGE_ON("practical, k: 3"));
 }
 
 /* A cone as narrow as a thread of which a sample lies near the axis, whose angle is lost where it is a difference. */

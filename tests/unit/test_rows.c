@@ -8,7 +8,7 @@
 #include <stdarg.h>
 #include <stddef.h>
 #include <stdint.h>
-#include <string.h>
+#include <unistd.h>
 
 #include <cmocka.h>
 
@@ -122,12 +122,35 @@ static void stopped(void **state)
     }
 }
 
+/* Says to stop, and so late that it would be due again at once. */
+static bool stop_at_once(double done, void *data)
+{
+    unsigned *times = data;
+    assert_true(done == 0);
+    ++*times;
+    usleep(1000);
+    return false;
+}
+
+/* Who said to stop is not asked again, however many shares of others there are. */
+static void stopped_by_progress(void **state)
+{
+    unsigned times = 0;
+    struct work work = {.threads = MOST_THREADS, .control = {.progress = stop_at_once, .data = &times}};
+    (void)state;
+    threads_left = 0;
+    assert_false(run(&work, 0, 80, false));
+    assert_int_equal(times, 1);
+    assert_int_equal(work.control.rows_done, 0);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(each_row_once),
         cmocka_unit_test(threads_that_cannot_be_had),
         cmocka_unit_test(stopped),
+        cmocka_unit_test(stopped_by_progress),
     };
     return cmocka_run_group_tests_name("rows", tests, NULL, NULL);
 }
