@@ -76,8 +76,9 @@ static unsigned strip_height(const struct files *files, const struct luxel_field
     if (some_waits(files) && row_size * field->rows <= MOST_WAITING_SIZE)
         return field->rows;
     const size_t wanted = (size_t)SIZE_PER_THREAD * threads;
+    const size_t unit = LX_PANEL_SIDE; /* of panels, and so of tiles */
     const size_t least = 1 + (wanted < MOST_STRIP_SIZE ? wanted : MOST_STRIP_SIZE) / row_size;
-    const size_t height = (least + LX_TILE_ROWS - 1) / LX_TILE_ROWS * LX_TILE_ROWS;
+    const size_t height = (least + unit - 1) / unit * unit;
     return height < field->rows ? (unsigned)height : field->rows;
 }
 

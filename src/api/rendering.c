@@ -57,6 +57,57 @@ static size_t render_row(struct lx_rendering *rendering, struct lx_shader_memory
     return shown;
 }
 
+/* Rows of panels, which threads render piece by piece: how many pieces are not rendered yet, and how many pixels of each
+ * row of a piece show a surface. */
+struct lx_panel_rows {
+    atomic_uint left;
+};
+struct lx_piece {
+    unsigned shown[LX_PANEL_SIDE];
+};
+
+static unsigned pieces_across(const struct luxel_field *field)
+{
+    return (field->columns + LX_BLOCK - 1) / LX_BLOCK;
+}
+
+static unsigned panel_rows_of(const struct lx_strip *strip)
+{
+    return (strip->rows + LX_PANEL_SIDE - 1) / LX_PANEL_SIDE;
+}
+
+/* Renders one piece of a strip; whoever renders the last of a row of panels gathers what the rows have. */
+static void render_piece(void *data, unsigned worker, bool is_caller, unsigned piece, unsigned next)
+{
+    struct lx_rendering *rendering = data;
+    const struct luxel_field *field = rendering->field;
+    const struct lx_strip *strip = &rendering->computed->strip;
+    const struct lx_canvas canvas = {
+        .x_mm = field->x_mm,
+        .y_mm = field->y_mm,
+        .columns = field->columns,
+        .rows = field->rows,
+        .top = strip->first,
+        .values = strip->values,
+        .mask = strip->mask,
+    };
+    const unsigned across = pieces_across(field), down = piece / across * LX_PANEL_SIDE, left = strip->rows - down;
+    const unsigned first = strip->first + down, rows = left < LX_PANEL_SIDE ? left : LX_PANEL_SIDE;
+    (void)next;
+    lx_shade_panels(rendering->plan, rendering->panels[worker], rendering->memories[worker], &rendering->control,
+                    is_caller, &canvas, first, first + rows, piece % across * LX_BLOCK,
+                    rendering->pieces[piece].shown);
+    if (atomic_fetch_sub(&rendering->panel_rows[piece / across].left, 1) > 1)
+        return;
+    for (unsigned r = 0; r < rows && lx_control_goes_on(&rendering->control, is_caller); r++) {
+        size_t shown = 0;
+        for (unsigned i = 0; i < across; i++)
+            shown += rendering->pieces[piece / across * across + i].shown[r];
+        rendering->computed->rows[down + r] = survey_row(rendering, first + r, shown);
+    }
+    atomic_fetch_add(&rendering->control.rows_done, rows);
+}
+
 /* Renders rows first to last - 1, no more than a tile has, tile by tile. */
 static void render_rows(void *data, unsigned worker, bool is_caller, unsigned first, unsigned last)
 {
@@ -151,11 +202,21 @@ static luxel_status hold(struct lx_rendering *rendering, unsigned height)
 
 static luxel_status make_memories(struct lx_rendering *rendering)
 {
-    bool complete = true;
+    const unsigned rows = panel_rows_of(&rendering->held->strip);
     rendering->memories = lx_new_array(rendering->threads, sizeof *rendering->memories);
-    for (unsigned i = 0; rendering->memories && i < rendering->threads; i++)
-        complete &= (rendering->memories[i] = lx_shader_memory_new(rendering->plan)) != NULL;
-    return rendering->memories && complete ? LUXEL_OK : lx_out_of_memory(rendering->diagnostics);
+    bool complete = rendering->memories != NULL;
+    if (rendering->plan->in_panels) {
+        rendering->panels = lx_new_array(rendering->threads, sizeof *rendering->panels);
+        rendering->panel_rows = lx_new_array(rows, sizeof *rendering->panel_rows);
+        rendering->pieces = lx_new_array((size_t)rows * pieces_across(rendering->field), sizeof *rendering->pieces);
+        complete = complete && rendering->panels && rendering->panel_rows && rendering->pieces;
+    }
+    for (unsigned i = 0; complete && i < rendering->threads; i++) {
+        complete = (rendering->memories[i] = lx_shader_memory_new(rendering->plan)) != NULL;
+        if (complete && rendering->panels)
+            complete = (rendering->panels[i] = lx_panels_memory_new(rendering->plan)) != NULL;
+    }
+    return complete ? LUXEL_OK : lx_out_of_memory(rendering->diagnostics);
 }
 
 luxel_status lx_rendering_open(struct lx_rendering *rendering, const struct lx_session *session,
@@ -202,6 +263,28 @@ static void put_away(void *data)
         rendering->take(rendering->take_data, strip);
 }
 
+/* The strip that is computed as work for threads. */
+static struct lx_rows_part part_of(struct lx_rendering *rendering)
+{
+    const struct lx_strip *strip = &rendering->computed->strip;
+    struct lx_rows_part part = {.first = strip->first,
+                                .last = strip->first + strip->rows,
+                                .tile_rows = rendering->plan->forest.tree_count > 0 ? LX_TILE_ROWS : 0,
+                                .work = render_rows,
+                                .meanwhile = rendering->finished ? put_away : NULL,
+                                .data = rendering};
+    if (!rendering->plan->in_panels)
+        return part;
+    part.first = 0;
+    part.last = panel_rows_of(strip) * pieces_across(rendering->field);
+    for (unsigned i = 0; i < panel_rows_of(strip); i++)
+        atomic_init(&rendering->panel_rows[i].left, pieces_across(rendering->field));
+    part.tile_rows = 1;
+    part.counts_itself = true;
+    part.work = render_piece;
+    return part;
+}
+
 luxel_status lx_rendering_run(struct lx_rendering *rendering)
 {
     const unsigned rows = rendering->field->rows, height = rendering->held[0].strip.rows;
@@ -210,12 +293,7 @@ luxel_status lx_rendering_run(struct lx_rendering *rendering)
         rendering->computed = &rendering->held[first / height % 2];
         rendering->computed->strip.first = first;
         rendering->computed->strip.rows = left < height ? left : height;
-        const struct lx_rows_part part = {.first = first,
-                                          .last = first + rendering->computed->strip.rows,
-                                          .in_tiles = rendering->plan->forest.tree_count > 0,
-                                          .work = render_rows,
-                                          .meanwhile = rendering->finished ? put_away : NULL,
-                                          .data = rendering};
+        const struct lx_rows_part part = part_of(rendering);
         if (!lx_rows_run_part(&rendering->control, rendering->threads, &part))
             return rendering->status != LUXEL_OK ? rendering->status : LUXEL_CANCELLED;
         rendering->finished = rendering->computed;
@@ -228,7 +306,12 @@ void lx_rendering_clear(struct lx_rendering *rendering)
 {
     for (unsigned i = 0; rendering->memories && i < rendering->threads; i++)
         lx_shader_memory_free(rendering->memories[i]);
+    for (unsigned i = 0; rendering->panels && i < rendering->threads; i++)
+        lx_panels_memory_free(rendering->panels[i]);
     free(rendering->memories);
+    free(rendering->panels);
+    free(rendering->panel_rows);
+    free(rendering->pieces);
     for (size_t i = 0; i < 2; i++) {
         free(rendering->held[i].strip.values);
         free(rendering->held[i].strip.mask);

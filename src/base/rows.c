@@ -67,7 +67,8 @@ static bool take_share(const struct worker *worker, struct worker *share)
             return true;
         unsigned last = share->last - first < job->block_rows ? share->last : first + job->block_rows;
         part->work(part->data, worker->index, is_caller, first, last);
-        atomic_fetch_add(&job->control->rows_done, last - first);
+        if (!part->counts_itself)
+            atomic_fetch_add(&job->control->rows_done, last - first);
     }
     return false;
 }
@@ -88,7 +89,9 @@ static void share_out(struct job *job)
     const struct lx_rows_part *part = job->part;
     const unsigned rows = part->last - part->first;
     const unsigned fair = rows / job->worker_count / BLOCKS_PER_SHARE;
-    job->block_rows = part->in_tiles || fair >= LX_ROWS_AT_ONCE ? LX_ROWS_AT_ONCE : fair < 1 ? 1 : fair;
+    job->block_rows = fair >= LX_ROWS_AT_ONCE ? LX_ROWS_AT_ONCE : fair < 1 ? 1 : fair;
+    if (part->tile_rows > 0)
+        job->block_rows = part->tile_rows;
     const unsigned blocks = (rows + job->block_rows - 1) / job->block_rows;
     unsigned next = part->first;
     for (unsigned i = 0; i < job->worker_count; i++) {

@@ -60,7 +60,8 @@ bool lx_rows_run(struct lx_control *control, unsigned threads, lx_rows_work *wor
 /* Rows first to last - 1 of a work that is done in parts. */
 struct lx_rows_part {
     unsigned first, last;
-    bool in_tiles; /* rows are handed out from each multiple of LX_ROWS_AT_ONCE on to the next; `first` is one */
+    unsigned tile_rows; /* so many are handed out together, from `first` on; 0: as it suits */
+    bool counts_itself; /* the work adds to the control's rows_done itself, whose rows are not these */
     lx_rows_work *work;
     void (*meanwhile)(void *data); /* what the calling thread does before it takes rows itself; NULL: nothing */
     void *data;                    /* handed to both */

@@ -4,6 +4,7 @@
  * LX_ISA_NAME as users write it, LX_ISA_LEVEL its x86-64 level (0: not of that family), and the compiler flags
  * that allow its instructions.
  */
+#include <float.h>
 #include <math.h>
 #include <stdint.h>
 #include <string.h>
@@ -36,6 +37,8 @@
 #include "kernel_angle.h"
 #include "kernel_contour.h"
 #include "kernel_round.h"
+
+#include "kernel_smooth.h"
 #undef REAL
 #undef LX_IS_SINGLE
 #undef SUFFIX
@@ -70,6 +73,7 @@
 #include "kernel_edge.h"
 
 #include "kernel_facets.h"
+#include "kernel_polynomial.h"
 #include "kernel_real.h"
 #include "kernel_samples.h"
 #include "kernel_survey.h"
@@ -396,6 +400,9 @@ const struct lx_kernels TABLE_OF(LX_ISA) = {
     .survey_double = survey_double,
     .set_all = set_all,
     .round_all = round_all,
+    .find_polynomial = find_polynomial,
+    .spread_polynomial = spread_polynomial,
+    .bound_smooth = bound_smooth,
     .facets_single = light_by_facets_single,
     .light_by_shell = {[LX_FACETS] = light_by_facets_double,
                        [LX_DISK] = light_by_disk,

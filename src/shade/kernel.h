@@ -189,6 +189,64 @@ typedef struct lx_stretch lx_view_single(const struct lx_shape *shape, const str
 typedef void lx_set_all(double *values, size_t count, double number);
 typedef void lx_round_all(const double *values, size_t count, float *rounded);
 
+/*
+ * A polynomial of the place in a square of `side` times `side` pixels of a picture: the sum of terms[j][i] u^j t^i over
+ * i, j < nodes, with t = (2 column + 1)/side - 1, likewise u of the row.
+ */
+enum { LX_FEW_NODES = 8, LX_MANY_NODES = 12, LX_PANEL_SIDE = 64 };
+struct lx_polynomial {
+    _Alignas(64) float terms[LX_MANY_NODES][LX_LANES]; /* 0 beyond the nodes */
+    unsigned nodes;                                    /* one of the two numbers above */
+    unsigned side;                                     /* LX_PANEL_SIDE or half of it */
+};
+
+/* Sets values[row * stride + column] of the square's first rows and columns, no more than `side`, to the polynomial, or
+ * `adds` it to them; where it is less than 0, 0. */
+typedef void lx_spread_polynomial(const struct lx_polynomial *polynomial, unsigned rows, unsigned columns, bool adds,
+                                  float *values, size_t stride);
+
+/*
+ * The polynomial through values at nodes x nodes places, values[row * nodes + column]; terms[node][power]: what 1 at a
+ * node and 0 at the others makes of one variable, 0 beyond the nodes.  Returns what it may be off by in float32.
+ */
+typedef double lx_find_polynomial(const double (*terms)[LX_LANES], unsigned nodes, const double *values,
+                                  struct lx_polynomial *polynomial);
+
+/*
+ * How far a vector that depends on the place (x, y) on the screen may be from what it is in the middle of a square,
+ * where x and y are complex numbers of some region around it (smooth.h): its real part by a change `first` that real
+ * x and y could make as well, and by `second` besides; its imaginary part; and by `tile` within the square itself.
+ */
+struct lx_leeway {
+    double first, second, imaginary, tile;
+};
+
+/* The elements of a surface in such a region: in the middle, and how far from that; lengths from the anchor. */
+struct lx_vicinity {
+    double place[3], normal[3], view[3];
+    double level; /* normal . place, which is the same everywhere */
+    struct lx_leeway place_leeway, normal_leeway, view_leeway;
+};
+
+/*
+ * Lights as lx_bound_smooth() takes them, a structure of arrays, each of which goes on to whole lanes.
+ *
+ * moves          1 for a point, 0 for a direction
+ * by_square ...  E_perp = gain/(by_square r^2 + by_root r + by_none)
+ * inner, outer   all of the light is within the cone with the first cosine, none without the second
+ * exponent       of the cosine pattern, or 0; is_broken: 1 where that is not whole, else 0
+ */
+struct lx_smooth_lights {
+    double *x, *y, *z, *moves, *gain, *by_square, *by_root, *by_none;
+    double *axis_x, *axis_y, *axis_z, *inner, *outer, *exponent, *is_broken;
+    size_t count;
+};
+
+/* Sets sizes[i] to a bound of the brightness by light i, as an analytic function, in the vicinity; to that less than 0
+ * where it is one but for max(0, N.L), which may be cut off within the square; infinite where it may not be one. */
+typedef void lx_bound_smooth(const struct lx_vicinity *vicinity, const struct lx_smooth_lights *lights,
+                             const struct lx_lobe_double *lobe, double *sizes);
+
 /* A shape in the way of light: its anchor stands relative to the block's; the light is a place or a direction. */
 struct lx_blocker {
     struct lx_shape shape;
@@ -243,6 +301,9 @@ struct lx_kernels {
     lx_survey_double *survey_double;
     lx_set_all *set_all;
     lx_round_all *round_all;
+    lx_find_polynomial *find_polynomial;
+    lx_spread_polynomial *spread_polynomial;
+    lx_bound_smooth *bound_smooth;
     lx_light_by_shell_single *facets_single;
     /* by the type of the emitter; NULL for those that are not extended */
     lx_light_by_shell_double *light_by_shell[LX_CYLINDER + 1];

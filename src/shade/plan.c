@@ -418,6 +418,20 @@ static bool is_in_single_alone(const struct lx_plan *plan)
     return all;
 }
 
+/* Whether polynomials may take the place of lights (smooth.h), and pay. */
+static bool has_panels(const struct lx_plan *plan)
+{
+    const struct lx_planned_surface *surface = plan->surfaces;
+    const struct lx_scene_parameters *scene = plan->prepared->scene;
+    const unsigned *resolution = scene->screen.resolution;
+    const double side_mm = scene->screen.width_mm / resolution[0] * LX_PANEL_SIDE;
+    return plan->precision == LUXEL_SINGLE && plan->surface_count == 1 && surface->shell_count == 0 &&
+           plan->forest.tree_count == 0 && plan->every == 1 && scene->observer.projection == LX_ORTHOGRAPHIC &&
+           surface->lights.count > 0 && surface->lights.stored == surface->lights.count && plan->least_maximum > 0 &&
+           resolution[0] >= LX_PANEL_SIDE && resolution[1] >= LX_PANEL_SIDE &&
+           surface->shape.radius_mm > LX_LEAST_PANELS * side_mm;
+}
+
 luxel_status lx_plan_make(const struct lx_prepared *prepared, const struct lx_kernels *kernels,
                           const luxel_settings *settings, struct lx_plan *plan)
 {
@@ -457,6 +471,9 @@ luxel_status lx_plan_make(const struct lx_prepared *prepared, const struct lx_ke
     plan->in_single_alone = status == LUXEL_OK && is_in_single_alone(plan);
     plan->at_once = plan->in_single_alone && plan->surfaces->run_count == 1 && plan->surfaces->shell_count == 0 &&
                     plan->surfaces->lights.count <= LX_MOST_IN_RUN && plan->every == 1;
+    plan->in_panels = status == LUXEL_OK && settings->stride <= 1 && has_panels(plan);
+    if (plan->in_panels && lx_smooth_make(&plan->surfaces->lights, &plan->smooth))
+        status = LUXEL_ERROR_MEMORY;
     return status;
 }
 
@@ -475,5 +492,6 @@ void lx_plan_clear(struct lx_plan *plan)
     }
     free(plan->surfaces);
     lx_forest_clear(&plan->forest);
+    lx_smooth_clear(&plan->smooth);
     *plan = (struct lx_plan){0};
 }

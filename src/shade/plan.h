@@ -22,6 +22,7 @@
 #include "precision.h"
 #include "prepared.h"
 #include "sampling.h"
+#include "smooth.h"
 #include "tree.h"
 
 /* Lights that follow each other, of one kind and precision, and with the same surfaces that may stand in their way. */
@@ -69,6 +70,8 @@ struct lx_plan {
     size_t surface_count;
     bool in_single_alone; /* there is one surface, whose light takes nothing but its elements in float32 (seen.h), */
     bool at_once;         /* and few lights of one kind, whose sum is the value */
+    bool in_panels;       /* polynomials may take the place of lights: */
+    struct lx_smooth smooth;
     luxel_precision precision;
     double tolerance;        /* of the highlights of extended sources, relative to the picture's maximum */
     double least_maximum;    /* which is no less than this */

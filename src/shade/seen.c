@@ -105,8 +105,7 @@ size_t lx_seen_find(const struct lx_plan *plan, struct lx_seen *seen, double y_m
     return found;
 }
 
-/* Where the view vectors of a surface start, from its anchor; NULL where they are all the same. */
-static const double *observer_from(const struct lx_plan *plan, const struct lx_planned_surface *surface, double from[3])
+const double *lx_observer_from(const struct lx_plan *plan, const struct lx_planned_surface *surface, double from[3])
 {
     const struct lx_observer *observer = &plan->prepared->scene->observer;
     if (lx_views_along_z(observer))
@@ -145,7 +144,7 @@ struct lx_gathered lx_seen_gather(const struct lx_plan *plan, struct lx_seen *se
     gather_places(seen, seen->nearest.pz, in_one, elements, seen->block.pz);
     double from[3];
     if (elements > 0)
-        plan->kernels->complete_block[surface->shape.type](&surface->shape, observer_from(plan, surface, from),
+        plan->kernels->complete_block[surface->shape.type](&surface->shape, lx_observer_from(plan, surface, from),
                                                            &seen->block, &seen->copy, elements);
     return (struct lx_gathered){elements, in_one ? first : LX_BLOCK};
 }

@@ -34,6 +34,9 @@ struct lx_gathered {
     unsigned first; /* of their pixels, where these are side by side; else LX_BLOCK */
 };
 
+/* Where the view vectors of a surface start, from its anchor; NULL where they are all the same. */
+const double *lx_observer_from(const struct lx_plan *plan, const struct lx_planned_surface *surface, double from[3]);
+
 void lx_seen_init(const struct lx_plan *plan, struct lx_seen *seen);
 
 /*

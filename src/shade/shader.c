@@ -62,6 +62,11 @@ void lx_shader_memory_free(struct lx_shader_memory *memory)
     free(memory);
 }
 
+struct lx_seen *lx_shader_seen(struct lx_shader_memory *memory)
+{
+    return &memory->seen;
+}
+
 static const float *find_open(const struct lx_plan *plan, const struct lx_planned_surface *surface,
                               const struct lx_light_run *run, const struct lx_light_double *light,
                               struct lx_shader_memory *memory, size_t count)

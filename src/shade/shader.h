@@ -9,9 +9,13 @@
 #include "plan.h"
 
 /* Scratch memory of one thread for one plan. */
+struct lx_seen;
 struct lx_shader_memory;
 struct lx_shader_memory *lx_shader_memory_new(const struct lx_plan *plan);
 void lx_shader_memory_free(struct lx_shader_memory *memory);
+
+/* What it sees of a run of pixels, for whoever needs such room while no row is shaded. */
+struct lx_seen *lx_shader_seen(struct lx_shader_memory *memory);
 
 /*
  * The rows and columns of a tile of a picture that is so many columns wide; they begin at multiples of these.  For its

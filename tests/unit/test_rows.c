@@ -49,9 +49,12 @@ static void do_rows(void *data, unsigned worker, bool is_caller, unsigned first,
     struct work *work = data;
     const struct lx_rows_part *part = &work->part;
     bool right = worker < work->threads && is_caller == (worker == 0) && (!is_caller || work->meanwhile_is_done);
-    right = right && part->first <= first && first < last && last <= part->last && last - first <= LX_ROWS_AT_ONCE;
-    if (part->in_tiles)
-        right = right && first % LX_ROWS_AT_ONCE == 0 && (last % LX_ROWS_AT_ONCE == 0 || last == part->last);
+    right = right && part->first <= first && first < last && last <= part->last;
+    const unsigned tile = part->tile_rows;
+    if (tile > 0)
+        right = right && (first - part->first) % tile == 0 && (last == first + tile || last == part->last);
+    else
+        right = right && last - first <= LX_ROWS_AT_ONCE;
     work->wrong += !right;
     for (unsigned row = first; row < last && row < MOST_ROWS; row++)
         work->times[row]++;
@@ -59,12 +62,12 @@ static void do_rows(void *data, unsigned worker, bool is_caller, unsigned first,
         work->control.stop = true;
 }
 
-static bool run(struct work *work, unsigned first, unsigned rows, bool in_tiles)
+static bool run(struct work *work, unsigned first, unsigned rows, unsigned tile_rows)
 {
     work->control.rows = first + rows;
     work->part = (struct lx_rows_part){.first = first,
                                        .last = first + rows,
-                                       .in_tiles = in_tiles,
+                                       .tile_rows = tile_rows,
                                        .work = do_rows,
                                        .meanwhile = meanwhile,
                                        .data = work};
@@ -72,12 +75,12 @@ static bool run(struct work *work, unsigned first, unsigned rows, bool in_tiles)
 }
 
 /* Every number of threads up to the most, of which all but some can be had. */
-static void run_all(unsigned first, unsigned rows, bool in_tiles, unsigned refused)
+static void run_all(unsigned first, unsigned rows, unsigned tile_rows, unsigned refused)
 {
     for (unsigned threads = 1; threads <= MOST_THREADS; threads++) {
         struct work work = {.threads = threads};
         threads_left = threads - 1 > refused ? threads - 1 - refused : 0;
-        assert_true(run(&work, first, rows, in_tiles));
+        assert_true(run(&work, first, rows, tile_rows));
         assert_int_equal(work.wrong, 0);
         assert_int_equal(work.control.rows_done, rows);
         for (unsigned row = 0; row < MOST_ROWS; row++)
@@ -90,8 +93,9 @@ static void each_row_once(void **state)
     (void)state;
     for (unsigned rows = 1; rows <= MOST_ROWS - 12; rows += 1 + rows / 8)
         for (unsigned first = 0; first <= 12; first += LX_ROWS_AT_ONCE) {
-            run_all(first, rows, false, 0);
-            run_all(first, rows, true, 0);
+            run_all(first, rows, 0, 0);
+            run_all(first, rows, 4, 0);
+            run_all(first, rows, 16, 0);
         }
 }
 
@@ -99,8 +103,8 @@ static void threads_that_cannot_be_had(void **state)
 {
     (void)state;
     for (unsigned refused = 1; refused < MOST_THREADS; refused++) {
-        run_all(4, 61, true, refused);
-        run_all(0, 3, false, refused);
+        run_all(4, 61, 4, refused);
+        run_all(0, 3, 0, refused);
     }
 }
 
@@ -109,14 +113,14 @@ static void stopped(void **state)
 {
     struct work work = {.threads = 1, .stop_after = 11};
     (void)state;
-    assert_false(run(&work, 0, 80, true));
+    assert_false(run(&work, 0, 80, 4));
     assert_int_equal(work.control.rows_done, 12);
     for (unsigned row = 0; row < MOST_ROWS; row++)
         assert_int_equal(work.times[row], row < 12);
     for (unsigned threads = 2; threads <= MOST_THREADS; threads++) {
         work = (struct work){.threads = threads, .stop_after = 1};
         threads_left = threads;
-        assert_false(run(&work, 0, 80, false));
+        assert_false(run(&work, 0, 80, 0));
         /* Each thread may have been at a block. */
         assert_true(work.control.rows_done <= LX_ROWS_AT_ONCE * threads);
     }
@@ -139,7 +143,7 @@ static void stopped_by_progress(void **state)
     struct work work = {.threads = MOST_THREADS, .control = {.progress = stop_at_once, .data = &times}};
     (void)state;
     threads_left = 0;
-    assert_false(run(&work, 0, 80, false));
+    assert_false(run(&work, 0, 80, 0));
     assert_int_equal(times, 1);
     assert_int_equal(work.control.rows_done, 0);
 }

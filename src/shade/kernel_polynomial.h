@@ -1,0 +1,90 @@
+/* SPDX-License-Identifier: MIT */
+/* Polynomials of two variables over the pixels of a square, in float32; kernel.c includes it once. */
+
+/* Rows, and vectors of each, that go side by side: one vector alone would wait for its own results. */
+enum { ROWS = 4, VECTORS = 4 };
+
+/* -1 to 1 over the middles of some pixels. */
+LX_LANE float place_in_square(int pixel, float scale)
+{
+    return (float)(2 * pixel + 1) * scale - 1;
+}
+
+/* Sets values, which need not be aligned, to some numbers where these are above 0, or adds them. */
+LX_LANE void put(const float *numbers, int count, bool adds, float *values)
+{
+    int i = 0;
+    for (; i + LX_WIDTH_single <= count; i += LX_WIDTH_single) {
+        lanes_single lanes = greater_single(load_single(numbers + i), all_single(0)), before;
+        memcpy(&before, values + i, sizeof before);
+        lanes = adds ? before + lanes : lanes;
+        memcpy(values + i, &lanes, sizeof lanes);
+    }
+    for (; i < count; i++) {
+        const float number = numbers[i] > 0 ? numbers[i] : 0;
+        values[i] = adds ? values[i] + number : number;
+    }
+}
+
+/* The polynomials of t that some rows are. */
+LX_LANE void find_rows(const struct lx_polynomial *polynomial, int nodes, int first, float scale,
+                       float terms[ROWS][LX_LANES])
+{
+    for (int i = 0; i < nodes; i += LX_WIDTH_single) {
+        lanes_single sum[ROWS];
+        LX_UNROLLED
+        for (int r = 0; r < ROWS; r++)
+            sum[r] = load_single(polynomial->terms[nodes - 1] + i);
+        LX_UNROLLED
+        for (int j = nodes - 2; j >= 0; j--)
+            LX_UNROLLED
+            for (int r = 0; r < ROWS; r++)
+                sum[r] = sum[r] * place_in_square(first + r, scale) + load_single(polynomial->terms[j] + i);
+        LX_UNROLLED
+        for (int r = 0; r < ROWS; r++)
+            store_single(terms[r] + i, sum[r]);
+    }
+}
+
+LX_LANE void spread(const struct lx_polynomial *polynomial, int nodes, int rows, int columns,
+                    bool adds, float *values, size_t stride)
+{
+    const float scale = 1 / (float)polynomial->side;
+    _Alignas(64) float t[LX_PANEL_SIDE], terms[ROWS][LX_LANES], numbers[ROWS][LX_PANEL_SIDE];
+    for (int i = 0; i < LX_PANEL_SIDE; i++)
+        t[i] = place_in_square(i, scale);
+    for (int row = 0; row < rows; row += ROWS) {
+        find_rows(polynomial, nodes, row, scale, terms);
+        for (int r = 0; r < ROWS; r += 2)
+            for (int column = 0; column < columns; column += VECTORS * LX_WIDTH_single) {
+                lanes_single above[VECTORS], below[VECTORS];
+                LX_UNROLLED
+                for (int v = 0; v < VECTORS; v++)
+                    above[v] = all_single(terms[r][nodes - 1]), below[v] = all_single(terms[r + 1][nodes - 1]);
+                LX_UNROLLED
+                for (int i = nodes - 2; i >= 0; i--)
+                    LX_UNROLLED
+                    for (int v = 0; v < VECTORS; v++) {
+                        const lanes_single at = load_single(t + column + v * LX_WIDTH_single);
+                        above[v] = above[v] * at + terms[r][i];
+                        below[v] = below[v] * at + terms[r + 1][i];
+                    }
+                LX_UNROLLED
+                for (int v = 0; v < VECTORS; v++) {
+                    store_single(numbers[r] + column + v * LX_WIDTH_single, above[v]);
+                    store_single(numbers[r + 1] + column + v * LX_WIDTH_single, below[v]);
+                }
+            }
+        for (int r = 0; r < ROWS && row + r < rows; r++)
+            put(numbers[r], columns, adds, values + (size_t)(row + r) * stride);
+    }
+}
+
+static void spread_polynomial(const struct lx_polynomial *polynomial, unsigned rows, unsigned columns,
+                              bool adds, float *values, size_t stride)
+{
+    if (polynomial->nodes == LX_FEW_NODES)
+        spread(polynomial, LX_FEW_NODES, (int)rows, (int)columns, adds, values, stride);
+    else
+        spread(polynomial, LX_MANY_NODES, (int)rows, (int)columns, adds, values, stride);
+}

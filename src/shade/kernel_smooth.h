@@ -1,0 +1,305 @@
+/* SPDX-License-Identifier: MIT */
+/*
+ * Bounds of lights as analytic functions of the place on the screen, in a region of complex numbers around a square of a
+ * picture (docs/MATHS.md, "Squares of a picture"), for vectors of lights.  kernel.c includes it once, for float64.
+ *
+ * A vector w is w' + e + i f: w' is real and what w could be with real x and y, e real as well and of second order, f
+ * real.  How far they reach is a struct leeway, as in struct lx_leeway.  Scalars are bounded by parts likewise.  Each step
+ * errs on the safe side by more than roundings; there is no need to be exact.
+ */
+
+struct leeway {
+    lanes_double first, second, imaginary, tile;
+};
+
+LX_LANE struct leeway leeway_of(const struct lx_leeway *leeway, lanes_double share)
+{
+    return (struct leeway){leeway->first * share, leeway->second * share, leeway->imaginary * share, leeway->tile * share};
+}
+
+LX_LANE lanes_double positive(lanes_double a)
+{
+    return greater_double(a, all_double(0));
+}
+
+/* How far two unit vectors are apart the sine of whose angle, below 90 degrees, is no more than that. */
+LX_LANE lanes_double chord(lanes_double sine)
+{
+    return sine * root_double(2 * inverse_double(1 + root_double(positive(1 - sine * sine))));
+}
+
+/*
+ * The range of the unit vector of a way of the length d, which moves by `moves`.  Its part f across it, over the length
+ * of the real one, is at most k; what makes it unit again is 1/sqrt(1 - z) with |z| <= k^2.
+ */
+LX_LANE struct leeway leeway_of_unit(lanes_double d, struct leeway moves)
+{
+    const lanes_double nearest = d - moves.first - moves.second, inverse = inverse_double(d);
+    const lanes_double k = moves.imaginary * inverse_double(nearest);
+    const lanes_double more = inverse_root_double(1 - k * k) - 1;
+    return (struct leeway){
+        .first = chord(moves.first * inverse),
+        .second = more * (1 + k) + k * k * (1 + more) + moves.second * inverse_double(nearest),
+        .imaginary = k * (1 + more) + more,
+        .tile = chord(moves.tile * inverse),
+    };
+}
+
+/* The largest cosine of an angle of the given cosine and sine, from which it differs by one whose sine is no more than
+ * `off`. */
+LX_LANE lanes_double largest_cosine(lanes_double cosine, lanes_double sine, lanes_double off)
+{
+    const lanes_double one = all_double(1), zero = all_double(0);
+    off = lesser_double(off, one);
+    const lanes_double turned = cosine * root_double(positive(1 - off * off)) + sine * off;
+    return where_above_double(cosine, zero, where_above_double(off, sine, one, turned), turned);
+}
+
+/* No less than a^(exponent/2) for a >= 0, as log a <= a - 1 and exp z <= 1 + z + z^2; not below some 1e-8. */
+LX_LANE lanes_double most_of_power(lanes_double a, lanes_double exponent)
+{
+    enum { DOUBLINGS = 6 };
+    const lanes_double lowest = all_double(-32), highest = all_double(100), infinite = all_double(HUGE_VAL);
+    const lanes_double y = greater_double(exponent * 0.5 * (a - 1), lowest), z = y * (1.0 / (1 << DOUBLINGS));
+    lanes_double power = 1 + z + z * z;
+    for (int i = 0; i < DOUBLINGS; i++)
+        power *= power;
+    return where_above_double(y, highest, infinite, power);
+}
+
+/* What is known of a light: E_perp and the cosine at most, and on which side of the horizon the square is. */
+struct bounded_light {
+    lanes_double e, cosine;
+    lanes_double is_up, is_down; /* above 0 where it is so throughout */
+    lanes_double is_lit;         /* 0 where it is not, for certain */
+    lanes_double doubt;          /* above 0 where there may be no such function */
+    lanes_double x, y, z;        /* L in the middle */
+    struct leeway leeway;          /* of L */
+};
+
+/* 1 where a > b, else 0. */
+LX_LANE lanes_double is_above_lane(lanes_double a, lanes_double b)
+{
+    return where_above_double(a, b, all_double(1), all_double(0));
+}
+
+/* The largest share of a profile, 0 for certain in `*is_dark`. */
+LX_LANE lanes_double bound_profile(const struct lx_smooth_lights *lights, size_t i, const struct bounded_light *light,
+                                   lanes_double *doubt, lanes_double *is_dark)
+{
+    const lanes_double margin = all_double(1e-9), zero = all_double(0), one = all_double(1);
+    const lanes_double inner = load_double(lights->inner + i), outer = load_double(lights->outer + i);
+    const lanes_double exponent = load_double(lights->exponent + i), is_broken = load_double(lights->is_broken + i);
+    const lanes_double cosine = -(light->x * load_double(lights->axis_x + i) + light->y * load_double(lights->axis_y + i) +
+                                  light->z * load_double(lights->axis_z + i));
+    const lanes_double sine = root_double(positive(1 - cosine * cosine)), tile = light->leeway.tile;
+    const lanes_double least = cosine * root_double(positive(1 - tile * tile)) - sine * tile - margin;
+    const lanes_double most = largest_cosine(cosine, sine, tile) + margin;
+    *is_dark = is_above_lane(outer, most);
+    *doubt = where_above_double(least, inner, zero, one - *is_dark);
+    const lanes_double lowest = cosine - light->leeway.first - light->leeway.second;
+    *doubt = greater_double(*doubt, where_above_double(lowest, zero, zero, is_broken));
+    const lanes_double real = largest_cosine(cosine, sine, light->leeway.first) + light->leeway.second;
+    const lanes_double imaginary = light->leeway.imaginary;
+    return most_of_power(real * real + imaginary * imaginary, exponent);
+}
+
+LX_LANE struct bounded_light bound_one(const struct lx_vicinity *at, const struct lx_smooth_lights *lights, size_t i)
+{
+    const lanes_double one = all_double(1), tiny = all_double(1e-200);
+    const lanes_double moves = load_double(lights->moves + i);
+    const lanes_double sx = load_double(lights->x + i), sy = load_double(lights->y + i), sz = load_double(lights->z + i);
+    const lanes_double x = sx - moves * at->place[0], y = sy - moves * at->place[1], z = sz - moves * at->place[2];
+    const lanes_double square = greater_double(x * x + y * y + z * z, tiny), inverse = inverse_root_double(square);
+    const lanes_double d = square * inverse;
+    struct leeway way = leeway_of(&at->place_leeway, moves);
+    struct bounded_light light = {.x = x * inverse, .y = y * inverse, .z = z * inverse};
+
+    /* so far off that what follows means something */
+    const lanes_double nearest = d - way.first - way.second, too_near = all_double(1e-3); /* mm */
+    lanes_double is_good = is_above_lane(0.9 * nearest, greater_double(way.imaginary, 0.05 * d));
+    is_good *= is_above_lane(nearest - way.imaginary, moves * too_near);
+    light.doubt = one - is_good;
+    way = (struct leeway){way.first * is_good, way.second * is_good, way.imaginary * is_good, way.tile * is_good};
+    light.leeway = leeway_of_unit(d, way);
+
+    /* r^2 has no less a real part than this, and r than its root */
+    const lanes_double length = d - way.first - way.second, w = length * length - way.imaginary * way.imaginary;
+    const lanes_double root = root_double(w);
+    light.e = load_double(lights->gain + i) *
+              inverse_double(load_double(lights->by_square + i) * w + load_double(lights->by_root + i) * root +
+                             load_double(lights->by_none + i));
+
+    /* N.D = N.S - level; N is n' + e + i f, f across it, and what it changes by along itself is of second order */
+    const struct lx_leeway *n = &at->normal_leeway;
+    const lanes_double s_square = sx * sx + sy * sy + sz * sz;
+    const lanes_double along = at->normal[0] * sx + at->normal[1] * sy + at->normal[2] * sz;
+    const lanes_double across = root_double(positive(s_square - along * along)) + 1e-7 * root_double(s_square);
+    const lanes_double size = greater_double(along, -along), height = along - moves * at->level;
+    const lanes_double tile = n->tile * across + 0.5 * n->tile * n->tile * size;
+    const lanes_double real = n->first * across + 0.5 * n->first * n->first * size + n->second * (across + size);
+    const lanes_double imaginary = n->imaginary * (across + (n->first + n->second) * size);
+    const lanes_double most = greater_double(height, -height) + real;
+    light.is_up = is_above_lane(height, tile + 1e-9 * d);
+    light.is_down = is_above_lane(-height, tile + 1e-9 * d);
+    light.cosine = root_double(most * most + imaginary * imaginary + tiny) * inverse_double(root);
+
+    lanes_double doubt, is_dark;
+    light.e *= bound_profile(lights, i, &light, &doubt, &is_dark);
+    light.is_lit = 1 - is_dark * is_good;
+    light.doubt = greater_double(light.doubt, doubt);
+    return light;
+}
+
+/* Bounds of a highlight: at most, and whether it is 0 throughout, or may not be analytic. */
+struct bounded_shine {
+    lanes_double most, is_dark, doubt;
+};
+
+/*
+ * Of S^n, where S = a.b of two vectors with the given cosine of their angle in the middle, is at most
+ * sqrt(real^2 + imaginary^2), and differs by at most `tile` within the square and by `all` in the region.
+ */
+LX_LANE struct bounded_shine bound_power(const struct lx_lobe_double *lobe, lanes_double cosine, lanes_double square,
+                                         lanes_double tile, lanes_double all)
+{
+    const lanes_double margin = all_double(1e-9), zero = all_double(0), one = all_double(1);
+    const double exponent = lobe->exponent.value;
+    struct bounded_shine shine = {.most = most_of_power(square, all_double(exponent))};
+    shine.is_dark = is_above_lane(-cosine, tile + margin);
+    shine.doubt = where_above_double(cosine, tile + margin, zero, one - shine.is_dark);
+    if (exponent != floor(exponent)) /* there is none around S = 0 */
+        shine.doubt = greater_double(shine.doubt, where_above_double(cosine, all + margin, zero, one - shine.is_dark));
+    return shine;
+}
+
+/* S = N.W/sqrt(W.W) with W = L + V. */
+LX_LANE struct bounded_shine bound_blinn_phong(const struct lx_vicinity *at, const struct lx_lobe_double *lobe,
+                                               const struct bounded_light *light)
+{
+    const struct lx_leeway *n = &at->normal_leeway, *v = &at->view_leeway;
+    const lanes_double one = all_double(1), zero = all_double(0), tiny = all_double(1e-200);
+    const lanes_double x = light->x + at->view[0], y = light->y + at->view[1], z = light->z + at->view[2];
+    const lanes_double inverse = inverse_root_double(x * x + y * y + z * z + tiny);
+    const lanes_double m = (x * x + y * y + z * z) * inverse;
+    const struct leeway w = {light->leeway.first + v->first, light->leeway.second + v->second,
+                            light->leeway.imaginary + v->imaginary, light->leeway.tile + v->tile};
+    const lanes_double is_good = is_above_lane(m - w.first - w.second - w.imaginary, 0.05 * m + 1e-3);
+    const lanes_double cosine = (at->normal[0] * x + at->normal[1] * y + at->normal[2] * z) * inverse;
+    const lanes_double sine = root_double(positive(1 - cosine * cosine));
+    const lanes_double off = n->first + w.first * inverse, q = inverse_double(where_above_double(is_good, zero, m - w.first, one));
+    const lanes_double wi = w.imaginary * q, we = w.second * q;
+    const lanes_double real = largest_cosine(cosine, sine, off) + n->second + (1 + n->second) * we + n->imaginary * wi;
+    const lanes_double turned = lesser_double(sine + off + n->second, one);
+    const lanes_double imaginary = n->imaginary * (turned + we) + (1 + n->second) * wi;
+    const lanes_double least = (1 - we) * (1 - we) - wi * wi; /* of |W.W|, over that of W' */
+    const lanes_double square = (real * real + imaginary * imaginary) *
+                                inverse_double(where_above_double(is_good, zero, least, one));
+    const lanes_double tile = n->tile + w.tile * inverse * (1 + n->tile);
+    const lanes_double all = n->first + n->second + (w.first + w.second) * inverse * (1 + n->first + n->second) +
+                             n->imaginary * w.imaginary * inverse;
+    struct bounded_shine shine = bound_power(lobe, cosine, square, tile, all);
+    shine.doubt = greater_double(shine.doubt, 1 - is_good);
+    shine.is_dark *= is_good;
+    return shine;
+}
+
+/* S = M.V with M = 2 (N.L) N - L, the mirrored L; the two parts of N are across each other. */
+LX_LANE struct bounded_shine bound_phong(const struct lx_vicinity *at, const struct lx_lobe_double *lobe,
+                                         const struct bounded_light *light)
+{
+    const struct lx_leeway *n = &at->normal_leeway, *v = &at->view_leeway;
+    const struct leeway l = light->leeway;
+    const double *normal = at->normal;
+    const lanes_double twice = 2 * (normal[0] * light->x + normal[1] * light->y + normal[2] * light->z);
+    const lanes_double x = twice * normal[0] - light->x, y = twice * normal[1] - light->y, z = twice * normal[2] - light->z;
+    /* the mirror: its real part is off by `second` besides, the imaginary one is no larger than that */
+    const double second = 4 * n->second + 2 * n->second * n->second + 2 * n->imaginary * n->imaginary;
+    const double mirrored = 2 * (1 + n->second) * n->imaginary;
+    const struct leeway m = {
+        .first = 2 * n->first + l.first,
+        .second = second * (1 + l.second) + l.second + mirrored * l.imaginary,
+        .imaginary = mirrored * (1 + l.second) + (1 + second) * l.imaginary,
+        .tile = 2 * n->tile + l.tile,
+    };
+    const lanes_double cosine = x * at->view[0] + y * at->view[1] + z * at->view[2];
+    const lanes_double sine = root_double(positive(1 - cosine * cosine));
+    const lanes_double real = largest_cosine(cosine, sine, m.first + v->first) + m.second + v->second * (1 + m.second) +
+                              m.imaginary * v->imaginary;
+    const lanes_double imaginary = m.imaginary * (1 + v->second) + (1 + m.second) * v->imaginary;
+    const lanes_double tile = m.tile + v->tile * (1 + m.tile), moved = m.first + m.second;
+    const lanes_double all = moved + (v->first + v->second) * (1 + moved) + m.imaginary * v->imaginary;
+    return bound_power(lobe, cosine, real * real + imaginary * imaginary, tile, all);
+}
+
+static void bound_smooth(const struct lx_vicinity *vicinity, const struct lx_smooth_lights *lights,
+                         const struct lx_lobe_double *lobe, double *sizes)
+{
+    const lanes_double zero = all_double(0), infinite = all_double(HUGE_VAL);
+    for (size_t i = 0; i < lights->count; i += LX_WIDTH_double) {
+        const struct bounded_light light = bound_one(vicinity, lights, i);
+        const lanes_double unsure = 1 - light.is_up - light.is_down;
+        const bool may_fold = lobe->model == LX_LAMBERT || lobe->highlight == LX_HIGHLIGHT_PLAIN;
+        lanes_double most = lobe->diffuse * light.cosine * (1 - light.is_down);
+        lanes_double doubt = may_fold ? light.doubt : greater_double(light.doubt, unsure);
+        if (lobe->model != LX_LAMBERT) {
+            const struct bounded_shine shine = lobe->model == LX_PHONG ? bound_phong(vicinity, lobe, &light)
+                                                                       : bound_blinn_phong(vicinity, lobe, &light);
+            lanes_double specular = lobe->specular * shine.most, is_there = 1 - shine.is_dark;
+            if (lobe->highlight == LX_HIGHLIGHT_COSINE)
+                specular *= light.cosine;
+            if (lobe->highlight != LX_HIGHLIGHT_PLAIN)
+                is_there *= light.is_up;
+            most += where_above_double(is_there, zero, specular, zero);
+            doubt = greater_double(doubt, shine.doubt * is_there);
+        }
+        const lanes_double bound = light.e * most;
+        const lanes_double folded = where_above_double(unsure, zero, -bound, bound);
+        const lanes_double size = where_above_double(doubt, zero, infinite, folded);
+        store_double(sizes + i, where_above_double(light.is_lit, zero, size, zero));
+    }
+}
+
+/* Rows of a product of matrices that go side by side, as one alone would wait for its own results; vectors in each. */
+enum { PRODUCT_ROWS = 4, ROW_VECTORS = LX_LANES / LX_WIDTH_double };
+
+/* product = left right, of so many rows and columns on the left; of `left` the entry [j][i] stands at
+ * left[j * down + i * across]. */
+LX_LANE void multiply(const double *left, size_t down, size_t across, unsigned size, const double (*right)[LX_LANES],
+                      double (*product)[LX_LANES])
+{
+    _Static_assert(LX_FEW_NODES % PRODUCT_ROWS == 0 && LX_MANY_NODES % PRODUCT_ROWS == 0, "rows come in whole groups");
+    for (unsigned j = 0; j < size; j += PRODUCT_ROWS)
+        for (unsigned v = 0; v < ROW_VECTORS; v++) {
+            lanes_double sum[PRODUCT_ROWS];
+            LX_UNROLLED
+            for (unsigned r = 0; r < PRODUCT_ROWS; r++)
+                sum[r] = all_double(0);
+            for (unsigned i = 0; i < size; i++) {
+                const lanes_double entries = load_double(right[i] + v * LX_WIDTH_double);
+                LX_UNROLLED
+                for (unsigned r = 0; r < PRODUCT_ROWS; r++)
+                    sum[r] += left[(j + r) * down + i * across] * entries;
+            }
+            LX_UNROLLED
+            for (unsigned r = 0; r < PRODUCT_ROWS; r++)
+                store_double(product[j + r] + v * LX_WIDTH_double, sum[r]);
+        }
+}
+
+static double find_polynomial(const double (*terms)[LX_LANES], unsigned nodes, const double *values,
+                              struct lx_polynomial *polynomial)
+{
+    _Alignas(64) double across[LX_MANY_NODES][LX_LANES], all[LX_MANY_NODES][LX_LANES], roundings[LX_LANES] = {0}, sum = 0;
+    multiply(values, nodes, 1, nodes, terms, across);
+    multiply(terms[0], 1, LX_LANES, nodes, (const double(*)[LX_LANES])across, all);
+    for (unsigned l = 0; l < nodes; l++)
+        for (unsigned k = 0; k < LX_LANES; k++) {
+            polynomial->terms[l][k] = (float)all[l][k];
+            /* a term is rounded itself, and twice in each of the steps of Horner's that it goes through */
+            roundings[k] += (2 * (k + l) + 3) * fabs(all[l][k]);
+        }
+    for (unsigned k = 0; k < LX_LANES; k++)
+        sum += roundings[k];
+    return sum * ((double)FLT_EPSILON / 2);
+}

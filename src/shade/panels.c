@@ -1,0 +1,245 @@
+/* SPDX-License-Identifier: MIT */
+/* Shading rows of panels: polynomials, what they leave, and what has none. */
+#include "panels.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "../base/memory.h"
+#include "seen.h"
+
+enum { HALF_SIDE = LX_PANEL_SIDE / 2, QUARTERS = 4 };
+
+/* What polynomials may be off by, of the picture's maximum. */
+static const double SHARE = 8e-7;
+
+struct lx_panels_memory {
+    struct lx_fitting fitting;
+    uint8_t *was_left; /* of the lights: by the polynomial of the whole panel */
+    /* the lights that polynomials leave in a square: */
+    struct lx_light_run *runs;
+    struct lx_planned_surface surface;
+    struct lx_plan plan;
+};
+
+/* A piece of work: rows of a row of panels. */
+struct job {
+    const struct lx_plan *plan;
+    struct lx_panels_memory *memory;
+    struct lx_shader_memory *shader;
+    struct lx_control *control;
+    bool is_caller;
+    const struct lx_canvas *canvas;
+    unsigned first, last;
+    unsigned *shown;
+};
+
+/* A part of a square that a job has to do, in pixels of the picture. */
+struct part {
+    unsigned row, column, rows, columns;
+};
+
+struct lx_panels_memory *lx_panels_memory_new(const struct lx_plan *plan)
+{
+    struct lx_panels_memory *memory = lx_new_array(1, sizeof *memory);
+    const size_t count = plan->surfaces->lights.count;
+    if (!memory)
+        return NULL;
+    memory->was_left = lx_new_array(count, 1);
+    memory->runs = lx_new_array(count, sizeof *memory->runs);
+    const int status = lx_fitting_make(plan, &memory->fitting);
+    if (status == 0 && memory->was_left && memory->runs)
+        return memory;
+    lx_panels_memory_free(memory);
+    return NULL;
+}
+
+void lx_panels_memory_free(struct lx_panels_memory *memory)
+{
+    if (!memory)
+        return;
+    lx_fitting_clear(&memory->fitting);
+    free(memory->was_left);
+    free(memory->runs);
+    free(memory);
+}
+
+static bool goes_on(const struct job *job)
+{
+    return lx_control_goes_on(job->control, job->is_caller);
+}
+
+static size_t index_of(const struct job *job, unsigned row, unsigned column)
+{
+    return (size_t)(row - job->canvas->top) * job->canvas->columns + column;
+}
+
+/* What a job has to do of a square of pixels from a row and column on. */
+static struct part part_of(const struct job *job, unsigned row, unsigned column, unsigned side)
+{
+    const unsigned last = row + side < job->last ? row + side : job->last;
+    const unsigned end = column + side < job->canvas->columns ? column + side : job->canvas->columns;
+    return (struct part){row, column, row < last ? last - row : 0, column < end ? end - column : 0};
+}
+
+/* Such a square on the screen; pixels beyond the picture are as far from each other as in it. */
+static struct lx_square square_of(const struct lx_canvas *canvas, unsigned row, unsigned column, unsigned side)
+{
+    const double across = (canvas->x_mm[canvas->columns - 1] - canvas->x_mm[0]) / (canvas->columns - 1);
+    const double down = (canvas->y_mm[canvas->rows - 1] - canvas->y_mm[0]) / (canvas->rows - 1);
+    return (struct lx_square){
+        .x_mm = canvas->x_mm[0] + (column + (side - 1) / 2.0) * across,
+        .y_mm = canvas->y_mm[0] + (row + (side - 1) / 2.0) * down,
+        .half_mm = {fabs(across) * side / 2, fabs(down) * side / 2},
+        .side = side,
+    };
+}
+
+/* Fits polynomials to lights that are left over a square of pixels and puts them into the picture, or adds them to what
+ * is there already.  False: there are none. */
+static bool fit_square(const struct job *job, unsigned row, unsigned column, unsigned side, bool has_some,
+                       double *allowance)
+{
+    const struct lx_plan *plan = job->plan;
+    struct lx_fitting *fitting = &job->memory->fitting;
+    const struct lx_square square = square_of(job->canvas, row, column, side);
+    const struct part part = part_of(job, row, column, side);
+    const double uniform = has_some ? 0 : plan->surfaces->uniform;
+    if (!lx_smooth_fit(plan, fitting, lx_shader_seen(job->shader), &square, uniform, !has_some, allowance))
+        return false;
+    for (size_t i = 0; i < fitting->count; i++)
+        plan->kernels->spread_polynomial(&fitting->polynomials[i], part.rows, part.columns, has_some || i > 0,
+                                         job->canvas->values + index_of(job, row, column), job->canvas->columns);
+    return true;
+}
+
+/* A polynomial is there only where all of a square shows the surface. */
+static void show(const struct job *job, struct part part)
+{
+    for (unsigned row = part.row; row < part.row + part.rows; row++) {
+        memset(job->canvas->mask + index_of(job, row, part.column), 1, part.columns);
+        job->shown[row - job->first] += part.columns;
+    }
+}
+
+/* Shades a part by a plan, tile by tile, or adds to it what the plan's lights give. */
+static void shade_tiles(const struct job *job, const struct lx_plan *plan, struct part part, bool adds)
+{
+    const struct lx_canvas *canvas = job->canvas;
+    const unsigned end = part.row + part.rows;
+    for (unsigned top = part.row; top < end && goes_on(job); top += LX_TILE_ROWS) {
+        const unsigned rows = end - top < LX_TILE_ROWS ? end - top : LX_TILE_ROWS;
+        lx_shader_enter(plan, job->shader, canvas->y_mm + top, rows, canvas->x_mm + part.column, part.columns);
+        for (unsigned r = 0; r < rows; r++) {
+            const size_t at = index_of(job, top + r, part.column);
+            if (!adds) {
+                job->shown[top + r - job->first] += (unsigned)lx_shade_row_single(
+                    plan, job->shader, r, job->control, job->is_caller, canvas->values + at, canvas->mask + at);
+                continue;
+            }
+            _Alignas(64) double values[LX_BLOCK];
+            uint8_t mask[LX_BLOCK];
+            lx_shade_row(plan, job->shader, r, job->control, job->is_caller, values, mask);
+            for (unsigned i = 0; i < part.columns; i++)
+                canvas->values[at + i] = (float)((double)canvas->values[at + i] + values[i]);
+        }
+    }
+}
+
+/* Makes a plan of the lights that are left, and nothing else. */
+static const struct lx_plan *plan_rest(const struct lx_plan *plan, struct lx_panels_memory *memory)
+{
+    const struct lx_planned_surface *surface = plan->surfaces;
+    const uint8_t *is_left = memory->fitting.is_left;
+    memory->plan = *plan;
+    memory->surface = *surface;
+    memory->plan.surfaces = &memory->surface;
+    memory->plan.at_once = false;
+    memory->surface.uniform = 0;
+    memory->surface.runs = memory->runs;
+    memory->surface.run_count = 0;
+    for (size_t r = 0; r < surface->run_count; r++) {
+        struct lx_light_run run = surface->runs[r];
+        for (size_t first = run.first, end = run.first + run.count, next; first < end; first = next) {
+            for (next = first; next < end && is_left[next] == is_left[first];)
+                next++;
+            run.first = first;
+            run.count = next - first;
+            if (is_left[first])
+                memory->runs[memory->surface.run_count++] = run;
+        }
+    }
+    return &memory->plan;
+}
+
+/* Whether a quarter of a panel, some lights over which are left, shows a polynomial; *allowance: of the error. */
+static bool shade_quarter(const struct job *job, unsigned row, unsigned column, bool has_some, double allowance)
+{
+    struct lx_fitting *fitting = &job->memory->fitting;
+    const size_t count = job->plan->surfaces->lights.count;
+    memcpy(fitting->is_left, job->memory->was_left, count);
+    const bool has_more = fit_square(job, row, column, HALF_SIDE, has_some, &allowance);
+    if (!has_some && !has_more)
+        return false;
+    const struct part part = part_of(job, row, column, HALF_SIDE);
+    show(job, part);
+    if (memchr(fitting->is_left, 1, count))
+        shade_tiles(job, plan_rest(job->plan, job->memory), part, true);
+    return true;
+}
+
+/* Shades a panel but for quarters without a polynomial, which become plain. */
+static void shade_panel(const struct job *job, unsigned row, unsigned column, bool is_plain[QUARTERS])
+{
+    struct lx_fitting *fitting = &job->memory->fitting;
+    const size_t count = job->plan->surfaces->lights.count;
+    const double allowance = SHARE * job->plan->least_maximum, kept = allowance / 4; /* for its quarters */
+    double left_over = allowance - kept;
+    memset(fitting->is_left, 1, count);
+    const bool has_some = fit_square(job, row, column, LX_PANEL_SIDE, false, &left_over);
+    bool is_faint[QUARTERS];
+    memcpy(is_faint, fitting->is_faint, sizeof is_faint);
+    memcpy(job->memory->was_left, fitting->is_left, count);
+    if (!memchr(fitting->is_left, 1, count)) {
+        show(job, part_of(job, row, column, LX_PANEL_SIDE));
+        return;
+    }
+    for (unsigned q = 0; q < QUARTERS && goes_on(job); q++) {
+        const unsigned top = row + q / 2 * HALF_SIDE, left = column + q % 2 * HALF_SIDE;
+        const struct part part = part_of(job, top, left, HALF_SIDE);
+        if (part.rows > 0 && part.columns > 0)
+            is_plain[q] = is_faint[q] || !shade_quarter(job, top, left, has_some, left_over + kept);
+    }
+}
+
+/* Shades the plain quarters among some panels side by side, of which there are as many as a block is wide. */
+static void shade_plain(const struct job *job, unsigned row, unsigned column, bool (*is_plain)[QUARTERS])
+{
+    enum { SIDE_BY_SIDE = LX_BLOCK / HALF_SIDE };
+    for (unsigned half = 0; half < 2; half++)
+        for (unsigned q = 0, next; q < SIDE_BY_SIDE && goes_on(job); q = next) {
+            const bool first = is_plain[q / 2][2 * half + q % 2];
+            for (next = q + 1; next < SIDE_BY_SIDE && is_plain[next / 2][2 * half + next % 2] == first;)
+                next++;
+            struct part part = part_of(job, row + half * HALF_SIDE, column + q * HALF_SIDE, HALF_SIDE);
+            const struct part end = part_of(job, row + half * HALF_SIDE, column + (next - 1) * HALF_SIDE, HALF_SIDE);
+            part.columns = end.column + end.columns - part.column;
+            if (first)
+                shade_tiles(job, job->plan, part, false);
+        }
+}
+
+void lx_shade_panels(const struct lx_plan *plan, struct lx_panels_memory *memory, struct lx_shader_memory *shader,
+                     struct lx_control *control, bool is_caller, const struct lx_canvas *canvas, unsigned first,
+                     unsigned last, unsigned column, unsigned *shown)
+{
+    enum { SIDE_BY_SIDE = LX_BLOCK / LX_PANEL_SIDE };
+    const struct job job = {plan, memory, shader, control, is_caller, canvas, first, last, shown};
+    bool is_plain[SIDE_BY_SIDE][QUARTERS] = {{false}};
+    memset(shown, 0, (last - first) * sizeof *shown);
+    for (unsigned p = 0; p < SIDE_BY_SIDE && goes_on(&job); p++)
+        if (column + p * LX_PANEL_SIDE < canvas->columns)
+            shade_panel(&job, first, column + p * LX_PANEL_SIDE, is_plain[p]);
+    shade_plain(&job, first, column, is_plain);
+}

@@ -1,0 +1,434 @@
+/* SPDX-License-Identifier: MIT */
+/* Which lights a polynomial does for over a square of pixels, and the polynomial. */
+#include "smooth.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "../base/larger.h"
+#include "../base/memory.h"
+#include "camera.h"
+#include "seen.h"
+
+/* The half axes of the ellipses, found by trying (docs/KERNELS.md). */
+static const double REACH_OF_FEW = 9.5, REACH_OF_MANY = 5;
+
+/* Few nodes are not worth trying where the surface's radius is not so many times half the square's side. */
+static const double FEW_SHARE = 25;
+
+/* So many lights that few nodes do not do for in a quarter of a panel are worth more nodes there; fewer are as soon
+ * summed for each pixel. */
+enum { MOST_FOR_PIXELS = 4 };
+
+/* What float32 may add to the error of a polynomial, of its largest value. */
+static const double ROUNDINGS = 4e-7;
+
+/* What all of it may be, of the least brightness in the square: its own digits may count however faint it is. */
+static const double OF_ITSELF = 1e-3;
+
+/* ---- polynomials ---- */
+
+/* Chebyshev's nodes: a function within M of a number in the ellipse of the given reach r is not farther from the
+ * polynomial through n of them than 4 M/(r^(n - 1) (r - 1)) (Trefethen, Approximation Theory and Approximation Practice,
+ * theorem 8.2); on the second axis that grows by no more than Lebesgue's constant, 1 + 2 ln(n)/pi. */
+static void make_basis(unsigned nodes, double reach, struct lx_basis *basis)
+{
+    double chebyshev[LX_MANY_NODES][LX_MANY_NODES] = {{1}, {0, 1}}; /* [degree][power] */
+    *basis = (struct lx_basis){.nodes = nodes, .reach = reach};
+    basis->share = (2 + 2 * log(nodes) / M_PI) * 4 / (pow(reach, nodes - 1) * (reach - 1));
+    for (unsigned m = 2; m < nodes; m++)
+        for (unsigned k = 0; k <= m; k++)
+            chebyshev[m][k] = (k > 0 ? 2 * chebyshev[m - 1][k - 1] : 0) - chebyshev[m - 2][k];
+    for (unsigned i = 0; i < nodes; i++) {
+        const double angle = M_PI * (i + 0.5) / nodes;
+        basis->place[i] = cos(angle);
+        for (unsigned m = 0; m < nodes; m++)
+            for (unsigned k = 0; k <= m; k++)
+                basis->terms[i][k] += (m > 0 ? 2 : 1) * cos(m * angle) / nodes * chebyshev[m][k];
+    }
+}
+
+/* ---- lights ---- */
+
+/* Angles of a cosine pattern end at 90 degrees, as cones do. */
+static void set_profile(const struct lx_light_double *light, struct lx_smooth_lights *lights, size_t i)
+{
+    const double none[2] = {-2, -3};
+    const bool has_cone = light->falloff != LX_NO_CONE, has_pattern = light->exponent.value > 0;
+    const double inner = lx_larger(light->inner_cosine, light->cosine);
+    lights->axis_x[i] = light->axis_x, lights->axis_y[i] = light->axis_y, lights->axis_z[i] = light->axis_z;
+    lights->inner[i] = has_cone ? lx_larger(inner, 0) : has_pattern ? 0 : none[0];
+    lights->outer[i] = has_cone ? lx_larger(light->cosine, 0) : has_pattern ? 0 : none[1];
+    lights->exponent[i] = light->exponent.value;
+    lights->is_broken[i] = light->exponent.value != floor(light->exponent.value);
+}
+
+static void set_light(const struct lx_light_double *light, struct lx_smooth_lights *lights, size_t i)
+{
+    const bool is_point = light->kind != LX_DISTANT;
+    lights->x[i] = light->x, lights->y[i] = light->y, lights->z[i] = light->z;
+    lights->moves[i] = is_point;
+    lights->gain[i] = light->gain;
+    lights->by_square[i] = is_point && light->law == LX_INVERSE_SQUARE;
+    lights->by_root[i] = is_point && light->law == LX_PRACTICAL;
+    lights->by_none[i] = !is_point || light->law == LX_NO_ATTENUATION ? 1 : light->law == LX_PRACTICAL ? light->k : 0;
+    set_profile(light, lights, i);
+}
+
+int lx_smooth_make(const struct lx_lights *lights, struct lx_smooth *smooth)
+{
+    struct lx_smooth_lights *made = &smooth->lights;
+    double **arrays[] = {&made->x,      &made->y,      &made->z,      &made->moves, &made->gain,
+                         &made->by_square, &made->by_root, &made->by_none, &made->axis_x, &made->axis_y,
+                         &made->axis_z, &made->inner,  &made->outer,  &made->exponent, &made->is_broken};
+    const size_t count = sizeof arrays / sizeof *arrays, length = lx_padded(lights->count);
+    smooth->room = lx_new_aligned(count * length, sizeof *smooth->room);
+    if (!smooth->room)
+        return -1;
+    for (size_t a = 0; a < count; a++)
+        *arrays[a] = smooth->room + a * length;
+    for (size_t i = 0; i < length; i++)
+        set_light(&lights->exacts[i < lights->count ? i : lights->count - 1], made, i);
+    made->count = lights->count;
+    make_basis(LX_FEW_NODES, REACH_OF_FEW, &smooth->few);
+    make_basis(LX_MANY_NODES, REACH_OF_MANY, &smooth->many);
+    return 0;
+}
+
+void lx_smooth_clear(struct lx_smooth *smooth)
+{
+    free(smooth->room);
+}
+
+/* ---- vicinities ---- */
+
+static double length_of(const double v[3])
+{
+    return sqrt(v[0] * v[0] + v[1] * v[1] + v[2] * v[2]);
+}
+
+static double root_of_sum(double a, double b)
+{
+    return sqrt(a * a + b * b);
+}
+
+/*
+ * Half of what real parts may reach from the middle, on either axis the one being complex and the other within the
+ * square: `real` in all, and `imaginary` parts of the one that is complex.
+ */
+struct reach {
+    double real, imaginary, tile;
+};
+
+/*
+ * z = sqrt(q) with q = R^2 - x^2 - y^2; of x + i v the real part of q is more by v^2, the imaginary one 2 x v.  The real
+ * part of a root is at least the root of the real part, so that of z, and the imaginary one no more than half of q's
+ * over it.
+ */
+static bool leeway_on_sphere(double radius, const double from[2], struct reach reach, double height,
+                            struct lx_vicinity *at)
+{
+    const double away = root_of_sum(from[0], from[1]), farthest = away + reach.real, nearest = lx_larger(away - reach.real, 0);
+    const double least = (radius - farthest) * (radius + farthest);
+    if (!(farthest < radius && least > 1e-4 * radius * radius))
+        return false;
+    const double lowest = sqrt(least), highest = sqrt(radius * radius - nearest * nearest);
+    const double across = lx_larger(fabs(from[0]), fabs(from[1])) + reach.real;
+    const double imaginary = 2 * across * reach.imaginary, square = least + reach.imaginary * reach.imaginary;
+    const double below = away + reach.tile, tile_low = height - sqrt((radius - below) * (radius + below));
+    const double tile_high = sqrt(radius * radius - lx_larger(away - reach.tile, 0) * lx_larger(away - reach.tile, 0)) - height;
+    at->place_leeway = (struct lx_leeway){
+        .first = root_of_sum(reach.real, lx_larger(height - lowest, highest - height)),
+        .second = sqrt(square + imaginary * imaginary / (4 * square)) - lowest,
+        .imaginary = root_of_sum(reach.imaginary, imaginary / (2 * lowest)),
+        .tile = root_of_sum(reach.tile, lx_larger(tile_low, tile_high)),
+    };
+    const struct lx_leeway *place = &at->place_leeway;
+    at->normal_leeway = (struct lx_leeway){place->first / radius, place->second / radius, place->imaginary / radius,
+                                         place->tile / radius};
+    at->level = radius;
+    return true;
+}
+
+/* Whether a rectangle, which is seen, shows at all corners of a square. */
+static bool is_on_plate(const struct lx_shape *plate, const struct lx_square *square, const double place[3])
+{
+    const double *n = plate->axis;
+    bool all = true;
+    for (int corner = 0; corner < 4; corner++) {
+        double to[3] = {place[0] + (corner % 2 == 0 ? 1 : -1) * square->half_mm[0],
+                        place[1] + (corner / 2 == 0 ? 1 : -1) * square->half_mm[1], 0};
+        to[2] = -(n[0] * to[0] + n[1] * to[1]) / n[2];
+        double across = 0, upward = 0;
+        for (int i = 0; i < 3; i++) {
+            across += plate->across[i] * to[i];
+            upward += plate->upward[i] * to[i];
+        }
+        all = all && fabs(across) < plate->half_mm[0] * (1 - 1e-9) && fabs(upward) < plate->half_mm[1] * (1 - 1e-9);
+    }
+    return all;
+}
+
+/* Of the view vector, from the observer's place, as kernel_smooth.h finds that of the way to a light. */
+static bool leeway_of_view(const double observer[3], struct lx_vicinity *at)
+{
+    const struct lx_leeway *place = &at->place_leeway;
+    double way[3];
+    for (int i = 0; i < 3; i++)
+        way[i] = observer[i] - at->place[i];
+    const double d = length_of(way), nearest = d - place->first - place->second;
+    if (!(0.9 * nearest > place->imaginary && nearest > 0.05 * d))
+        return false;
+    const double k = place->imaginary / nearest, more = 1 / sqrt(1 - k * k) - 1;
+    for (int i = 0; i < 3; i++)
+        at->view[i] = way[i] / d;
+    at->view_leeway = (struct lx_leeway){
+        .first = place->first / d * sqrt(2), /* no more than the chord of that sine */
+        .second = more * (1 + k) + k * k * (1 + more) + place->second / nearest,
+        .imaginary = k * (1 + more) + more,
+        .tile = place->tile / d * sqrt(2),
+    };
+    return true;
+}
+
+/* The vicinity of a square that shows the only surface throughout; false: it may not, or has none. */
+static bool find_vicinity(const struct lx_plan *plan, const struct lx_square *square, const struct lx_basis *basis,
+                          struct lx_vicinity *at)
+{
+    const struct lx_planned_surface *surface = plan->surfaces;
+    const struct lx_shape *shape = &surface->shape;
+    const double half = lx_larger(square->half_mm[0], square->half_mm[1]);
+    const struct reach reach = {
+        .real = root_of_sum((basis->reach + 1 / basis->reach) / 2, 1) * half,
+        .imaginary = (basis->reach - 1 / basis->reach) / 2 * half,
+        .tile = root_of_sum(square->half_mm[0], square->half_mm[1]),
+    };
+    const double from[2] = {square->x_mm - shape->anchor_mm[0], square->y_mm - shape->anchor_mm[1]};
+    *at = (struct lx_vicinity){.place = {from[0], from[1]}, .view = {0, 0, 1}};
+    if (shape->type == LX_SPHERE) {
+        const double radius = shape->radius_mm, height = sqrt(radius * radius - from[0] * from[0] - from[1] * from[1]);
+        if (!(height > 0) || !leeway_on_sphere(radius, from, reach, height, at))
+            return false;
+        at->place[2] = height;
+        for (int i = 0; i < 3; i++)
+            at->normal[i] = at->place[i] / radius;
+    } else {
+        const double *n = shape->axis, longer = 1 / n[2]; /* lengths on the plate than on the screen */
+        memcpy(at->normal, n, sizeof at->normal);
+        at->place[2] = -(n[0] * from[0] + n[1] * from[1]) / n[2];
+        if (!(n[2] > 1e-3) || !is_on_plate(shape, square, at->place))
+            return false;
+        at->place_leeway = (struct lx_leeway){
+            .first = reach.real * longer, .imaginary = reach.imaginary * longer, .tile = reach.tile * longer};
+    }
+    double observer[3];
+    const double *from_observer = lx_observer_from(plan, surface, observer);
+    return !from_observer || leeway_of_view(from_observer, at);
+}
+
+/* ---- fitting ---- */
+
+int lx_fitting_make(const struct lx_plan *plan, struct lx_fitting *fitting)
+{
+    const size_t count = lx_padded(plan->surfaces->lights.count);
+    *fitting = (struct lx_fitting){
+        .is_left = lx_new_array(3 * count, 1),
+        .sizes = lx_new_aligned(count, sizeof *fitting->sizes),
+        .turned = lx_new_aligned(1, sizeof *fitting->turned),
+        .polynomials = lx_new_aligned(1 + LX_MOST_FOLDED, sizeof *fitting->polynomials),
+    };
+    if (!fitting->is_left || !fitting->sizes || !fitting->turned || !fitting->polynomials)
+        return -1;
+    *fitting->turned = (struct lx_block_double){.vx = {0}};
+    fitting->few = fitting->is_left + count;
+    fitting->many = fitting->few + count;
+    return 0;
+}
+
+void lx_fitting_clear(struct lx_fitting *fitting)
+{
+    free(fitting->is_left);
+    free(fitting->sizes);
+    free(fitting->turned);
+    free(fitting->polynomials);
+}
+
+/* How a light is taken. */
+enum { NOT_TAKEN, WHOLE, FOLDED };
+
+struct taken {
+    size_t count, folded;
+    double error;
+};
+
+/* Takes lights as long as what they are off by together is allowed: first those that keep to a fair share. */
+static struct taken take_lights(const struct lx_plan *plan, const struct lx_fitting *fitting,
+                                const struct lx_square *square, const struct lx_basis *basis, double allowance,
+                                size_t left, uint8_t *how)
+{
+    const size_t count = plan->smooth.lights.count;
+    struct lx_vicinity vicinity;
+    struct taken taken = {0};
+    memset(how, NOT_TAKEN, count);
+    if (!find_vicinity(plan, square, basis, &vicinity))
+        return taken;
+    plan->kernels->bound_smooth(&vicinity, &plan->smooth.lights, &plan->surfaces->lobe_exact, fitting->sizes);
+    for (int round = 0; round < 2 && taken.count < left; round++) {
+        const double limit = round == 0 ? allowance / (double)left : HUGE_VAL;
+        for (size_t i = 0; i < count; i++) {
+            const bool is_folded = fitting->sizes[i] < 0;
+            const double error = fabs(fitting->sizes[i]) * basis->share;
+            if (!fitting->is_left[i] || how[i] || !(error <= limit && taken.error + error <= allowance) ||
+                (is_folded && taken.folded == LX_MOST_FOLDED))
+                continue;
+            how[i] = is_folded ? FOLDED : WHOLE;
+            taken.count++;
+            taken.folded += is_folded;
+            taken.error += error;
+        }
+    }
+    return taken;
+}
+
+/* Elements where lines of sight through the nodes of a square meet the surface. */
+static void gather_nodes(const struct lx_plan *plan, struct lx_seen *seen, const struct lx_square *square,
+                         const struct lx_basis *basis)
+{
+    const struct lx_planned_surface *surface = plan->surfaces;
+    const struct lx_shape *shape = &surface->shape;
+    struct lx_block_double *block = &seen->block;
+    const unsigned nodes = basis->nodes;
+    _Alignas(64) double x[LX_LANES], depth[LX_LANES], places[3][LX_LANES];
+    double observer[3];
+    for (unsigned i = 0; i < LX_LANES; i++)
+        x[i] = square->x_mm + square->half_mm[0] * basis->place[i < nodes ? i : nodes - 1];
+    _Static_assert((int)LX_MANY_NODES * LX_MANY_NODES <= (int)LX_BLOCK, "a block holds all nodes");
+    for (unsigned j = 0; j < nodes; j++) {
+        const struct lx_row_view view = {.observer_z_mm = plan->prepared->scene->observer.z_mm,
+                                         .y_mm = square->y_mm - square->half_mm[1] * basis->place[j]};
+        plan->kernels->meet_lines[shape->type](shape, &view, x, nodes, depth, places[0], places[1], places[2]);
+        memcpy(block->px + (size_t)j * nodes, places[0], nodes * sizeof *x);
+        memcpy(block->py + (size_t)j * nodes, places[1], nodes * sizeof *x);
+        memcpy(block->pz + (size_t)j * nodes, places[2], nodes * sizeof *x);
+    }
+    plan->kernels->complete_block[shape->type](shape, lx_observer_from(plan, surface, observer), block, &seen->copy,
+                                               (size_t)nodes * nodes);
+}
+
+/* Sums the lights that are taken that way over the elements of a block. */
+static void sum_lights(const struct lx_plan *plan, const struct lx_block_double *block, size_t count,
+                       const uint8_t *how, int wanted, const struct lx_lobe_double *lobe, double *sum)
+{
+    const struct lx_planned_surface *surface = plan->surfaces;
+    for (size_t r = 0; r < surface->run_count; r++) {
+        const struct lx_light_run *run = &surface->runs[r];
+        for (size_t first = run->first, end = run->first + run->count, next; first < end; first = next) {
+            for (next = first; next < end && how[next] == how[first];)
+                next++;
+            if (how[first] == wanted)
+                plan->kernels->shade_double(surface->lights.exacts + first, NULL, next - first, lobe, block, NULL, NULL,
+                                            count, sum);
+        }
+    }
+}
+
+/* Adds the polynomial through sums at nodes; returns what it may be off by in float32. */
+static double add_polynomial(const struct lx_plan *plan, struct lx_fitting *fitting, const struct lx_basis *basis,
+                             unsigned side, const double *sums)
+{
+    struct lx_polynomial *polynomial = &fitting->polynomials[fitting->count++];
+    *polynomial = (struct lx_polynomial){.nodes = basis->nodes, .side = side};
+    return plan->kernels->find_polynomial(basis->terms, basis->nodes, sums, polynomial);
+}
+
+/* The diffuse light of those that are folded, each on its own, without the fold: what falls on the surface less what
+ * would if its normals were turned round.  Returns what they may be off by in float32. */
+static double add_folded(const struct lx_plan *plan, struct lx_fitting *fitting, const struct lx_block_double *block,
+                         const struct lx_basis *basis, unsigned side, const uint8_t *how)
+{
+    const struct lx_planned_surface *surface = plan->surfaces;
+    const size_t nodes = (size_t)basis->nodes * basis->nodes, padded = lx_padded(nodes);
+    struct lx_block_double *turned = fitting->turned;
+    double rounding = 0;
+    for (size_t i = 0; i < padded; i++) {
+        turned->px[i] = block->px[i], turned->py[i] = block->py[i], turned->pz[i] = block->pz[i];
+        turned->nx[i] = -block->nx[i], turned->ny[i] = -block->ny[i], turned->nz[i] = -block->nz[i];
+    }
+    for (size_t i = 0; i < plan->smooth.lights.count; i++) {
+        if (how[i] != FOLDED)
+            continue;
+        _Alignas(64) double sum[LX_BLOCK], below[LX_BLOCK];
+        const struct lx_light_double *light = surface->lights.exacts + i;
+        plan->kernels->set_all(sum, padded, 0);
+        plan->kernels->set_all(below, padded, 0);
+        plan->kernels->shade_double(light, NULL, 1, &surface->matte_exact, block, NULL, NULL, nodes, sum);
+        plan->kernels->shade_double(light, NULL, 1, &surface->matte_exact, turned, NULL, NULL, nodes, below);
+        for (size_t k = 0; k < padded; k++)
+            sum[k] -= below[k];
+        rounding += add_polynomial(plan, fitting, basis, side, sum);
+    }
+    return rounding;
+}
+
+/* Of the sums at nodes the least; tells which quarters are fainter than they may be. */
+static double find_faint(const struct lx_basis *basis, const double *sums, double limit, struct lx_fitting *fitting)
+{
+    double least = HUGE_VAL;
+    for (unsigned j = 0; j < basis->nodes; j++)
+        for (unsigned i = 0; i < basis->nodes; i++) {
+            const double sum = sums[j * basis->nodes + i];
+            const unsigned quarter = (basis->place[j] > 0) * 2U + (basis->place[i] > 0);
+            fitting->is_faint[quarter] |= !(sum >= limit);
+            least = lx_smaller(least, sum);
+        }
+    return least;
+}
+
+bool lx_smooth_fit(const struct lx_plan *plan, struct lx_fitting *fitting, struct lx_seen *seen,
+                   const struct lx_square *square, double uniform, bool alone, double *allowance)
+{
+    const struct lx_smooth *smooth = &plan->smooth;
+    const struct lx_planned_surface *surface = plan->surfaces;
+    const struct lx_basis *basis = &smooth->few;
+    const uint8_t *how = fitting->few;
+    size_t left = 0;
+    for (size_t i = 0; i < smooth->lights.count; i++)
+        left += fitting->is_left[i];
+    struct taken taken = {0};
+    if (lx_larger(square->half_mm[0], square->half_mm[1]) * FEW_SHARE < surface->shape.radius_mm)
+        taken = take_lights(plan, fitting, square, basis, *allowance, left, fitting->few);
+    if (left - taken.count >= (square->side == LX_PANEL_SIDE ? 1 : MOST_FOR_PIXELS)) {
+        /* More nodes cost 2.25 times as much, what is left four times as much as few. */
+        const struct taken more = take_lights(plan, fitting, square, &smooth->many, *allowance, left, fitting->many);
+        if (8 * taken.count < 5 * more.count) {
+            taken = more;
+            basis = &smooth->many;
+            how = fitting->many;
+        }
+    }
+    fitting->count = 0;
+    memset(fitting->is_faint, 0, sizeof fitting->is_faint);
+    if (taken.count == 0)
+        return false;
+    _Alignas(64) double sum[LX_BLOCK];
+    const size_t nodes = (size_t)basis->nodes * basis->nodes;
+    gather_nodes(plan, seen, square, basis);
+    plan->kernels->set_all(sum, lx_padded(nodes), uniform);
+    sum_lights(plan, &seen->block, nodes, how, WHOLE, &surface->lobe_exact, sum);
+    if (taken.folded > 0 && surface->glossy_exact.model != LX_LAMBERT)
+        sum_lights(plan, &seen->block, nodes, how, FOLDED, &surface->glossy_exact, sum);
+    const double least = alone ? find_faint(basis, sum, taken.error / OF_ITSELF, fitting) : HUGE_VAL;
+    if (!(taken.error <= OF_ITSELF * least))
+        return false;
+    double rounding = add_polynomial(plan, fitting, basis, square->side, sum);
+    const double maximum = lx_larger(plan->least_maximum, (double)fitting->polynomials[0].terms[0][0]);
+    if (taken.folded > 0)
+        rounding += add_folded(plan, fitting, &seen->block, basis, square->side, how);
+    if (!(rounding <= ROUNDINGS * maximum && rounding + taken.error <= OF_ITSELF * least))
+        return false;
+    for (size_t i = 0; i < smooth->lights.count; i++)
+        fitting->is_left[i] &= how[i] == NOT_TAKEN;
+    *allowance -= taken.error;
+    return true;
+}

@@ -1,0 +1,78 @@
+/* SPDX-License-Identifier: MIT */
+/*
+ * Polynomials in place of lights.  Over a small square of a picture that shows one surface the brightness by most lights
+ * is as smooth as can be: then it is computed at a few nodes, in float64, and the polynomial through them takes its
+ * place, provided that it is certain not to differ from it by more than a small share of the picture's maximum.
+ *
+ * What makes it certain is a bound of the brightness as an analytic function: at complex places around the square, in an
+ * ellipse with its foci at the square's sides, where kernel_smooth.h bounds it (docs/MATHS.md, "Squares of a picture").
+ * Where a light sets within the square its diffuse part, max(0, N.L), has a fold; a polynomial of its own goes on below 0
+ * and is cut off there.  Lights whose cones end within the square, whose highlights are gated there, or that stand too
+ * near, are left to be summed for each pixel.
+ */
+#ifndef LX_SHADE_SMOOTH_H
+#define LX_SHADE_SMOOTH_H
+
+#include "lights.h"
+
+struct lx_plan;
+struct lx_seen;
+
+/* Polynomials through so many nodes on each axis. */
+struct lx_basis {
+    unsigned nodes;
+    double place[LX_MANY_NODES];           /* of the nodes, from -1 to 1 */
+    _Alignas(64) double terms[LX_MANY_NODES][LX_LANES]; /* [node][power], as lx_find_polynomial() takes them */
+    double reach;                          /* of the ellipse: the sum of its half axes, for half a square's side */
+    double share;                          /* of the bound in it, which the polynomial is off by at most */
+};
+
+/* What a plan knows for them. */
+struct lx_smooth {
+    struct lx_basis few, many;
+    struct lx_smooth_lights lights;
+    double *room; /* of the lights */
+};
+
+/* Of the lights over a surface that are stored.  0, or -1 when memory ran out. */
+int lx_smooth_make(const struct lx_lights *lights, struct lx_smooth *smooth);
+void lx_smooth_clear(struct lx_smooth *smooth);
+
+/* Where a surface's radius is not so many times the side of a panel polynomials seldom pay. */
+enum { LX_LEAST_PANELS = 7 };
+
+/* A square of pixels. */
+struct lx_square {
+    double x_mm, y_mm, half_mm[2]; /* its middle on the screen, and half its width and height there */
+    unsigned side;                 /* in pixels: LX_PANEL_SIDE or half of it */
+};
+
+/* Lights that set within a square and whose diffuse light a polynomial of its own does for, at most. */
+enum { LX_MOST_FOLDED = 16 };
+
+/* What one thread needs, for one plan. */
+struct lx_fitting {
+    uint8_t *is_left; /* of each light */
+    uint8_t *few, *many; /* how polynomials through so many nodes take each light */
+    double *sizes;
+    struct lx_block_double *turned; /* room for elements */
+    /* of the square that was last: */
+    struct lx_polynomial *polynomials;
+    size_t count;
+    bool is_faint[4]; /* which quarters, from the top left to the bottom right, are too faint for any */
+};
+
+int lx_fitting_make(const struct lx_plan *plan, struct lx_fitting *fitting);
+void lx_fitting_clear(struct lx_fitting *fitting);
+
+/*
+ * Takes from the lights that are left those over a square that polynomials do for; these may be off by `*allowance`
+ * together, which is lessened by what they are.  The first one is `uniform` and the brightness by these lights; the
+ * others, where they are above 0, are to be added to it.  Where they are `alone` in the picture they are good to a small
+ * share of the least brightness, too.  False: there are none.  The elements in `seen` are lost.
+ */
+bool lx_smooth_fit(const struct lx_plan *plan, struct lx_fitting *fitting, struct lx_seen *seen,
+                   const struct lx_square *square, double uniform, bool alone,
+                   double *allowance);
+
+#endif
