@@ -51,7 +51,8 @@ LUXEL_API bool luxel_scene_settings(const luxel_scene *scene, luxel_settings *se
  * With a stride n above 1 the field is a quick look at the picture, such as to follow a slider: of the columns n / 2,
  * n / 2 + n and so on, or the last one instead of what lies beyond, and of the rows likewise; ceil(columns / n) by
  * ceil(rows / n) pixels with their places.  Their values are those of the whole picture, bit for bit, but for extended
- * sources and with a light_error, where they keep the same bounds.  Such a field carries no scene, as it does not
+ * sources, with a light_error, and in float32 where the whole picture is large and smooth (docs/MATHS.md, "Squares of a
+ * picture"), where they keep the same bounds.  Such a field carries no scene, as it does not
  * repeat it, and luxel_find_extrema(), and luxel_find_isophotes() with an evaluator, refuse it.  All other functions
  * that take settings go by the whole picture.
  *

@@ -12,7 +12,7 @@
 #include "../scene/scene.h"
 #include "../shade/camera.h"
 #include "../shade/evaluate.h"
-#include "../shade/shader.h"
+#include "../shade/panels.h"
 #include "session.h"
 
 void luxel_probe_free(luxel_probe *probe)
@@ -105,38 +105,73 @@ static int probe_element(const struct lx_session *session, const struct lx_eleme
     return 0;
 }
 
-/* The value that the picture has at the probe's pixel, which may depend on the tile that it is in. */
-static int probe_pixel(const struct lx_session *session, luxel_probe *probe)
+/* Some pixels around the probe's, which its value in the picture may depend on, shaded alone. */
+struct neighbourhood {
+    unsigned first, top, columns, rows;
+    double x_mm[LX_BLOCK], y_mm[LX_PANEL_SIDE];
+};
+
+static struct neighbourhood neighbourhood_of(const struct lx_screen *screen, const luxel_probe *probe, unsigned width,
+                                             unsigned height)
 {
-    const struct lx_screen *screen = &session->prepared.scene->screen;
+    struct neighbourhood made = {.first = probe->column / width * width, .top = probe->row / height * height};
+    const unsigned columns = screen->resolution[0] - made.first, rows = screen->resolution[1] - made.top;
+    made.columns = columns < width ? columns : width;
+    made.rows = rows < height ? rows : height;
+    for (unsigned i = 0; i < made.columns; i++)
+        made.x_mm[i] = lx_column_x_mm(screen, made.first + i);
+    for (unsigned j = 0; j < made.rows; j++)
+        made.y_mm[j] = lx_row_y_mm(screen, made.top + j);
+    return made;
+}
+
+static double shade_in_tile(const struct lx_session *session, const struct neighbourhood *tile, size_t row,
+                            size_t column, struct lx_shader_memory *memory)
+{
     const struct lx_plan *plan = &session->plan;
-    const unsigned width = lx_tile_columns(plan, screen->resolution[0]);
-    unsigned first = probe->column / width * width, top = probe->row / LX_TILE_ROWS * LX_TILE_ROWS;
-    unsigned columns = screen->resolution[0] - first, rows = screen->resolution[1] - top;
-    double x[LX_BLOCK], y[LX_TILE_ROWS], values[LX_BLOCK];
+    double values[LX_BLOCK];
     float singles[LX_BLOCK];
     uint8_t mask[LX_BLOCK];
-    struct lx_shader_memory *memory = lx_shader_memory_new(plan);
-    if (!memory)
-        return -1;
-    columns = columns < width ? columns : width;
-    rows = rows < LX_TILE_ROWS ? rows : LX_TILE_ROWS;
-    for (unsigned i = 0; i < columns; i++)
-        x[i] = lx_column_x_mm(screen, first + i);
-    for (unsigned j = 0; j < rows; j++)
-        y[j] = lx_row_y_mm(screen, top + j);
-    lx_shader_enter(plan, memory, y, rows, x, columns);
-    const size_t row = probe->row - top, column = probe->column - first;
+    lx_shader_enter(plan, memory, tile->y_mm, tile->rows, tile->x_mm, tile->columns);
     if (session->settings.precision == LUXEL_DOUBLE) {
         lx_shade_row(plan, memory, row, NULL, false, values, mask);
-        probe->pixel_value = values[column];
-    } else {
-        lx_shade_row_single(plan, memory, row, NULL, false, singles, mask);
-        probe->pixel_value = (double)singles[column];
+        return values[column];
     }
+    lx_shade_row_single(plan, memory, row, NULL, false, singles, mask);
+    return (double)singles[column];
+}
+
+static double shade_in_panel(const struct lx_session *session, const struct neighbourhood *panel, size_t row,
+                             size_t column, struct lx_shader_memory *memory, struct lx_panels_memory *panels)
+{
+    float values[LX_PANEL_SIDE * LX_PANEL_SIDE];
+    uint8_t mask[LX_PANEL_SIDE * LX_PANEL_SIDE];
+    unsigned shown[LX_PANEL_SIDE];
+    struct lx_control control = {.rows = 1};
+    const struct lx_canvas canvas = {panel->first, panel->top, panel->x_mm, panel->y_mm, values, mask, LX_PANEL_SIDE};
+    lx_shade_panels(&session->plan, panels, memory, &control, false, &canvas, panel->top, panel->first, 1, shown);
+    return (double)values[row * LX_PANEL_SIDE + column];
+}
+
+/* The value that the picture has at the probe's pixel. */
+static int probe_pixel(const struct lx_session *session, luxel_probe *probe)
+{
+    const struct lx_plan *plan = &session->plan;
+    const struct lx_screen *screen = &session->prepared.scene->screen;
+    struct lx_shader_memory *memory = lx_shader_memory_new(plan);
+    struct lx_panels_memory *panels = plan->in_panels ? lx_panels_memory_new(plan) : NULL;
+    const bool has_room = memory && (panels || !plan->in_panels);
+    if (has_room) {
+        const unsigned width = panels ? LX_PANEL_SIDE : lx_tile_columns(plan, screen->resolution[0]);
+        const struct neighbourhood near = neighbourhood_of(screen, probe, width, panels ? LX_PANEL_SIDE : LX_TILE_ROWS);
+        const size_t row = probe->row - near.top, column = probe->column - near.first;
+        probe->pixel_value = panels ? shade_in_panel(session, &near, row, column, memory, panels)
+                                    : shade_in_tile(session, &near, row, column, memory);
+        probe->has_pixel_value = isfinite(probe->pixel_value);
+    }
+    lx_panels_memory_free(panels);
     lx_shader_memory_free(memory);
-    probe->has_pixel_value = isfinite(probe->pixel_value);
-    return 0;
+    return has_room ? 0 : -1;
 }
 
 static luxel_status finish(struct lx_session *session, int failed, luxel_diagnostics *diagnostics, luxel_probe *made,

@@ -83,19 +83,18 @@ static void render_piece(void *data, unsigned worker, bool is_caller, unsigned p
     const struct luxel_field *field = rendering->field;
     const struct lx_strip *strip = &rendering->computed->strip;
     const struct lx_canvas canvas = {
-        .x_mm = field->x_mm,
-        .y_mm = field->y_mm,
-        .columns = field->columns,
-        .rows = field->rows,
         .top = strip->first,
+        .x_mm = field->x_mm,
+        .y_mm = field->y_mm + strip->first,
         .values = strip->values,
         .mask = strip->mask,
+        .stride = field->columns,
     };
     const unsigned across = pieces_across(field), down = piece / across * LX_PANEL_SIDE, left = strip->rows - down;
     const unsigned first = strip->first + down, rows = left < LX_PANEL_SIDE ? left : LX_PANEL_SIDE;
     (void)next;
     lx_shade_panels(rendering->plan, rendering->panels[worker], rendering->memories[worker], &rendering->control,
-                    is_caller, &canvas, first, first + rows, piece % across * LX_BLOCK,
+                    is_caller, &canvas, first, piece % across * LX_BLOCK, LX_BLOCK / LX_PANEL_SIDE,
                     rendering->pieces[piece].shown);
     if (atomic_fetch_sub(&rendering->panel_rows[piece / across].left, 1) > 1)
         return;
@@ -205,7 +204,7 @@ static luxel_status make_memories(struct lx_rendering *rendering)
     const unsigned rows = panel_rows_of(&rendering->held->strip);
     rendering->memories = lx_new_array(rendering->threads, sizeof *rendering->memories);
     bool complete = rendering->memories != NULL;
-    if (rendering->plan->in_panels) {
+    if (rendering->plan->in_panels && rendering->is_whole) {
         rendering->panels = lx_new_array(rendering->threads, sizeof *rendering->panels);
         rendering->panel_rows = lx_new_array(rows, sizeof *rendering->panel_rows);
         rendering->pieces = lx_new_array((size_t)rows * pieces_across(rendering->field), sizeof *rendering->pieces);
@@ -227,6 +226,7 @@ luxel_status lx_rendering_open(struct lx_rendering *rendering, const struct lx_s
         .plan = &session->plan,
         .field = field,
         .diagnostics = diagnostics,
+        .is_whole = settings->stride <= 1,
         .threads = lx_rendering_threads(settings, field),
         .control = {.rows = field->rows, .progress = settings->progress, .data = settings->progress_data},
     };
@@ -273,7 +273,7 @@ static struct lx_rows_part part_of(struct lx_rendering *rendering)
                                 .work = render_rows,
                                 .meanwhile = rendering->finished ? put_away : NULL,
                                 .data = rendering};
-    if (!rendering->plan->in_panels)
+    if (!rendering->panels)
         return part;
     part.first = 0;
     part.last = panel_rows_of(strip) * pieces_across(rendering->field);

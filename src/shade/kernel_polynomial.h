@@ -38,16 +38,16 @@ LX_LANE void find_rows(const struct lx_polynomial *polynomial, int nodes, int fi
         LX_UNROLLED
         for (int j = nodes - 2; j >= 0; j--)
             LX_UNROLLED
-            for (int r = 0; r < ROWS; r++)
-                sum[r] = sum[r] * place_in_square(first + r, scale) + load_single(polynomial->terms[j] + i);
+        for (int r = 0; r < ROWS; r++)
+            sum[r] = sum[r] * place_in_square(first + r, scale) + load_single(polynomial->terms[j] + i);
         LX_UNROLLED
         for (int r = 0; r < ROWS; r++)
             store_single(terms[r] + i, sum[r]);
     }
 }
 
-LX_LANE void spread(const struct lx_polynomial *polynomial, int nodes, int rows, int columns,
-                    bool adds, float *values, size_t stride)
+LX_LANE void spread(const struct lx_polynomial *polynomial, int nodes, int rows, int columns, bool adds, float *values,
+                    size_t stride)
 {
     const float scale = 1 / (float)polynomial->side;
     _Alignas(64) float t[LX_PANEL_SIDE], terms[ROWS][LX_LANES], numbers[ROWS][LX_PANEL_SIDE];
@@ -64,11 +64,11 @@ LX_LANE void spread(const struct lx_polynomial *polynomial, int nodes, int rows,
                 LX_UNROLLED
                 for (int i = nodes - 2; i >= 0; i--)
                     LX_UNROLLED
-                    for (int v = 0; v < VECTORS; v++) {
-                        const lanes_single at = load_single(t + column + v * LX_WIDTH_single);
-                        above[v] = above[v] * at + terms[r][i];
-                        below[v] = below[v] * at + terms[r + 1][i];
-                    }
+                for (int v = 0; v < VECTORS; v++) {
+                    const lanes_single at = load_single(t + column + v * LX_WIDTH_single);
+                    above[v] = above[v] * at + terms[r][i];
+                    below[v] = below[v] * at + terms[r + 1][i];
+                }
                 LX_UNROLLED
                 for (int v = 0; v < VECTORS; v++) {
                     store_single(numbers[r] + column + v * LX_WIDTH_single, above[v]);
@@ -80,8 +80,8 @@ LX_LANE void spread(const struct lx_polynomial *polynomial, int nodes, int rows,
     }
 }
 
-static void spread_polynomial(const struct lx_polynomial *polynomial, unsigned rows, unsigned columns,
-                              bool adds, float *values, size_t stride)
+static void spread_polynomial(const struct lx_polynomial *polynomial, unsigned rows, unsigned columns, bool adds,
+                              float *values, size_t stride)
 {
     if (polynomial->nodes == LX_FEW_NODES)
         spread(polynomial, LX_FEW_NODES, (int)rows, (int)columns, adds, values, stride);

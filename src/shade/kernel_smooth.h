@@ -14,7 +14,8 @@ struct leeway {
 
 LX_LANE struct leeway leeway_of(const struct lx_leeway *leeway, lanes_double share)
 {
-    return (struct leeway){leeway->first * share, leeway->second * share, leeway->imaginary * share, leeway->tile * share};
+    return (struct leeway){leeway->first * share, leeway->second * share, leeway->imaginary * share,
+                           leeway->tile * share};
 }
 
 LX_LANE lanes_double positive(lanes_double a)
@@ -74,7 +75,7 @@ struct bounded_light {
     lanes_double is_lit;         /* 0 where it is not, for certain */
     lanes_double doubt;          /* above 0 where there may be no such function */
     lanes_double x, y, z;        /* L in the middle */
-    struct leeway leeway;          /* of L */
+    struct leeway leeway;        /* of L */
 };
 
 /* 1 where a > b, else 0. */
@@ -90,8 +91,9 @@ LX_LANE lanes_double bound_profile(const struct lx_smooth_lights *lights, size_t
     const lanes_double margin = all_double(1e-9), zero = all_double(0), one = all_double(1);
     const lanes_double inner = load_double(lights->inner + i), outer = load_double(lights->outer + i);
     const lanes_double exponent = load_double(lights->exponent + i), is_broken = load_double(lights->is_broken + i);
-    const lanes_double cosine = -(light->x * load_double(lights->axis_x + i) + light->y * load_double(lights->axis_y + i) +
-                                  light->z * load_double(lights->axis_z + i));
+    const lanes_double cosine =
+        -(light->x * load_double(lights->axis_x + i) + light->y * load_double(lights->axis_y + i) +
+          light->z * load_double(lights->axis_z + i));
     const lanes_double sine = root_double(positive(1 - cosine * cosine)), tile = light->leeway.tile;
     const lanes_double least = cosine * root_double(positive(1 - tile * tile)) - sine * tile - margin;
     const lanes_double most = largest_cosine(cosine, sine, tile) + margin;
@@ -108,7 +110,8 @@ LX_LANE struct bounded_light bound_one(const struct lx_vicinity *at, const struc
 {
     const lanes_double one = all_double(1), tiny = all_double(1e-200);
     const lanes_double moves = load_double(lights->moves + i);
-    const lanes_double sx = load_double(lights->x + i), sy = load_double(lights->y + i), sz = load_double(lights->z + i);
+    const lanes_double sx = load_double(lights->x + i), sy = load_double(lights->y + i),
+                       sz = load_double(lights->z + i);
     const lanes_double x = sx - moves * at->place[0], y = sy - moves * at->place[1], z = sz - moves * at->place[2];
     const lanes_double square = greater_double(x * x + y * y + z * z, tiny), inverse = inverse_root_double(square);
     const lanes_double d = square * inverse;
@@ -183,18 +186,19 @@ LX_LANE struct bounded_shine bound_blinn_phong(const struct lx_vicinity *at, con
     const lanes_double inverse = inverse_root_double(x * x + y * y + z * z + tiny);
     const lanes_double m = (x * x + y * y + z * z) * inverse;
     const struct leeway w = {light->leeway.first + v->first, light->leeway.second + v->second,
-                            light->leeway.imaginary + v->imaginary, light->leeway.tile + v->tile};
+                             light->leeway.imaginary + v->imaginary, light->leeway.tile + v->tile};
     const lanes_double is_good = is_above_lane(m - w.first - w.second - w.imaginary, 0.05 * m + 1e-3);
     const lanes_double cosine = (at->normal[0] * x + at->normal[1] * y + at->normal[2] * z) * inverse;
     const lanes_double sine = root_double(positive(1 - cosine * cosine));
-    const lanes_double off = n->first + w.first * inverse, q = inverse_double(where_above_double(is_good, zero, m - w.first, one));
+    const lanes_double off = n->first + w.first * inverse,
+                       q = inverse_double(where_above_double(is_good, zero, m - w.first, one));
     const lanes_double wi = w.imaginary * q, we = w.second * q;
     const lanes_double real = largest_cosine(cosine, sine, off) + n->second + (1 + n->second) * we + n->imaginary * wi;
     const lanes_double turned = lesser_double(sine + off + n->second, one);
     const lanes_double imaginary = n->imaginary * (turned + we) + (1 + n->second) * wi;
     const lanes_double least = (1 - we) * (1 - we) - wi * wi; /* of |W.W|, over that of W' */
-    const lanes_double square = (real * real + imaginary * imaginary) *
-                                inverse_double(where_above_double(is_good, zero, least, one));
+    const lanes_double square =
+        (real * real + imaginary * imaginary) * inverse_double(where_above_double(is_good, zero, least, one));
     const lanes_double tile = n->tile + w.tile * inverse * (1 + n->tile);
     const lanes_double all = n->first + n->second + (w.first + w.second) * inverse * (1 + n->first + n->second) +
                              n->imaginary * w.imaginary * inverse;
@@ -212,7 +216,8 @@ LX_LANE struct bounded_shine bound_phong(const struct lx_vicinity *at, const str
     const struct leeway l = light->leeway;
     const double *normal = at->normal;
     const lanes_double twice = 2 * (normal[0] * light->x + normal[1] * light->y + normal[2] * light->z);
-    const lanes_double x = twice * normal[0] - light->x, y = twice * normal[1] - light->y, z = twice * normal[2] - light->z;
+    const lanes_double x = twice * normal[0] - light->x, y = twice * normal[1] - light->y,
+                       z = twice * normal[2] - light->z;
     /* the mirror: its real part is off by `second` besides, the imaginary one is no larger than that */
     const double second = 4 * n->second + 2 * n->second * n->second + 2 * n->imaginary * n->imaginary;
     const double mirrored = 2 * (1 + n->second) * n->imaginary;
@@ -290,7 +295,8 @@ LX_LANE void multiply(const double *left, size_t down, size_t across, unsigned s
 static double find_polynomial(const double (*terms)[LX_LANES], unsigned nodes, const double *values,
                               struct lx_polynomial *polynomial)
 {
-    _Alignas(64) double across[LX_MANY_NODES][LX_LANES], all[LX_MANY_NODES][LX_LANES], roundings[LX_LANES] = {0}, sum = 0;
+    _Alignas(64) double across[LX_MANY_NODES][LX_LANES], all[LX_MANY_NODES][LX_LANES], roundings[LX_LANES] = {0},
+                                                                                       sum = 0;
     multiply(values, nodes, 1, nodes, terms, across);
     multiply(terms[0], 1, LX_LANES, nodes, (const double(*)[LX_LANES])across, all);
     for (unsigned l = 0; l < nodes; l++)

@@ -7,9 +7,10 @@
 #include <string.h>
 
 #include "../base/memory.h"
+#include "camera.h"
 #include "seen.h"
 
-enum { HALF_SIDE = LX_PANEL_SIDE / 2, QUARTERS = 4 };
+enum { HALF_SIDE = LX_PANEL_SIDE / 2, QUARTERS = 4, SIDE_BY_SIDE = LX_BLOCK / LX_PANEL_SIDE };
 
 /* What polynomials may be off by, of the picture's maximum. */
 static const double SHARE = 8e-7;
@@ -23,7 +24,7 @@ struct lx_panels_memory {
     struct lx_plan plan;
 };
 
-/* A piece of work: rows of a row of panels. */
+/* A piece of work: some panels side by side. */
 struct job {
     const struct lx_plan *plan;
     struct lx_panels_memory *memory;
@@ -31,11 +32,11 @@ struct job {
     struct lx_control *control;
     bool is_caller;
     const struct lx_canvas *canvas;
-    unsigned first, last;
+    unsigned row, end; /* of the picture: where the panels begin, and where the last of them ends */
     unsigned *shown;
 };
 
-/* A part of a square that a job has to do, in pixels of the picture. */
+/* What is in the picture of a square of pixels. */
 struct part {
     unsigned row, column, rows, columns;
 };
@@ -72,25 +73,28 @@ static bool goes_on(const struct job *job)
 
 static size_t index_of(const struct job *job, unsigned row, unsigned column)
 {
-    return (size_t)(row - job->canvas->top) * job->canvas->columns + column;
+    return (size_t)(row - job->canvas->top) * job->canvas->stride + column - job->canvas->left;
 }
 
 /* What a job has to do of a square of pixels from a row and column on. */
 static struct part part_of(const struct job *job, unsigned row, unsigned column, unsigned side)
 {
-    const unsigned last = row + side < job->last ? row + side : job->last;
-    const unsigned end = column + side < job->canvas->columns ? column + side : job->canvas->columns;
-    return (struct part){row, column, row < last ? last - row : 0, column < end ? end - column : 0};
+    const unsigned last = job->plan->prepared->scene->screen.resolution[1];
+    const unsigned rows = row < last ? last - row : 0, columns = column < job->end ? job->end - column : 0;
+    return (struct part){row, column, rows < side ? rows : side, columns < side ? columns : side};
 }
 
 /* Such a square on the screen; pixels beyond the picture are as far from each other as in it. */
-static struct lx_square square_of(const struct lx_canvas *canvas, unsigned row, unsigned column, unsigned side)
+static struct lx_square square_of(const struct job *job, unsigned row, unsigned column, unsigned side)
 {
-    const double across = (canvas->x_mm[canvas->columns - 1] - canvas->x_mm[0]) / (canvas->columns - 1);
-    const double down = (canvas->y_mm[canvas->rows - 1] - canvas->y_mm[0]) / (canvas->rows - 1);
+    const struct lx_screen *screen = &job->plan->prepared->scene->screen;
+    const unsigned columns = screen->resolution[0], rows = screen->resolution[1];
+    const double left = lx_column_x_mm(screen, 0),
+                 across = (lx_column_x_mm(screen, columns - 1) - left) / (columns - 1);
+    const double top = lx_row_y_mm(screen, 0), down = (lx_row_y_mm(screen, rows - 1) - top) / (rows - 1);
     return (struct lx_square){
-        .x_mm = canvas->x_mm[0] + (column + (side - 1) / 2.0) * across,
-        .y_mm = canvas->y_mm[0] + (row + (side - 1) / 2.0) * down,
+        .x_mm = left + (column + (side - 1) / 2.0) * across,
+        .y_mm = top + (row + (side - 1) / 2.0) * down,
         .half_mm = {fabs(across) * side / 2, fabs(down) * side / 2},
         .side = side,
     };
@@ -103,14 +107,15 @@ static bool fit_square(const struct job *job, unsigned row, unsigned column, uns
 {
     const struct lx_plan *plan = job->plan;
     struct lx_fitting *fitting = &job->memory->fitting;
-    const struct lx_square square = square_of(job->canvas, row, column, side);
+    const struct lx_square square = square_of(job, row, column, side);
     const struct part part = part_of(job, row, column, side);
     const double uniform = has_some ? 0 : plan->surfaces->uniform;
-    if (!lx_smooth_fit(plan, fitting, lx_shader_seen(job->shader), &square, uniform, !has_some, allowance))
+    const struct lx_asking asking = {.control = job->control, .is_caller = job->is_caller};
+    if (!lx_smooth_fit(plan, fitting, lx_shader_seen(job->shader), &square, uniform, !has_some, &asking, allowance))
         return false;
     for (size_t i = 0; i < fitting->count; i++)
         plan->kernels->spread_polynomial(&fitting->polynomials[i], part.rows, part.columns, has_some || i > 0,
-                                         job->canvas->values + index_of(job, row, column), job->canvas->columns);
+                                         job->canvas->values + index_of(job, row, column), job->canvas->stride);
     return true;
 }
 
@@ -119,7 +124,7 @@ static void show(const struct job *job, struct part part)
 {
     for (unsigned row = part.row; row < part.row + part.rows; row++) {
         memset(job->canvas->mask + index_of(job, row, part.column), 1, part.columns);
-        job->shown[row - job->first] += part.columns;
+        job->shown[row - job->row] += part.columns;
     }
 }
 
@@ -130,11 +135,12 @@ static void shade_tiles(const struct job *job, const struct lx_plan *plan, struc
     const unsigned end = part.row + part.rows;
     for (unsigned top = part.row; top < end && goes_on(job); top += LX_TILE_ROWS) {
         const unsigned rows = end - top < LX_TILE_ROWS ? end - top : LX_TILE_ROWS;
-        lx_shader_enter(plan, job->shader, canvas->y_mm + top, rows, canvas->x_mm + part.column, part.columns);
+        lx_shader_enter(plan, job->shader, canvas->y_mm + (top - canvas->top), rows,
+                        canvas->x_mm + (part.column - canvas->left), part.columns);
         for (unsigned r = 0; r < rows; r++) {
             const size_t at = index_of(job, top + r, part.column);
             if (!adds) {
-                job->shown[top + r - job->first] += (unsigned)lx_shade_row_single(
+                job->shown[top + r - job->row] += (unsigned)lx_shade_row_single(
                     plan, job->shader, r, job->control, job->is_caller, canvas->values + at, canvas->mask + at);
                 continue;
             }
@@ -213,14 +219,13 @@ static void shade_panel(const struct job *job, unsigned row, unsigned column, bo
     }
 }
 
-/* Shades the plain quarters among some panels side by side, of which there are as many as a block is wide. */
+/* Shades the plain quarters among panels side by side. */
 static void shade_plain(const struct job *job, unsigned row, unsigned column, bool (*is_plain)[QUARTERS])
 {
-    enum { SIDE_BY_SIDE = LX_BLOCK / HALF_SIDE };
     for (unsigned half = 0; half < 2; half++)
-        for (unsigned q = 0, next; q < SIDE_BY_SIDE && goes_on(job); q = next) {
+        for (unsigned q = 0, next; q < 2 * SIDE_BY_SIDE && goes_on(job); q = next) {
             const bool first = is_plain[q / 2][2 * half + q % 2];
-            for (next = q + 1; next < SIDE_BY_SIDE && is_plain[next / 2][2 * half + next % 2] == first;)
+            for (next = q + 1; next < 2 * SIDE_BY_SIDE && is_plain[next / 2][2 * half + next % 2] == first;)
                 next++;
             struct part part = part_of(job, row + half * HALF_SIDE, column + q * HALF_SIDE, HALF_SIDE);
             const struct part end = part_of(job, row + half * HALF_SIDE, column + (next - 1) * HALF_SIDE, HALF_SIDE);
@@ -231,15 +236,16 @@ static void shade_plain(const struct job *job, unsigned row, unsigned column, bo
 }
 
 void lx_shade_panels(const struct lx_plan *plan, struct lx_panels_memory *memory, struct lx_shader_memory *shader,
-                     struct lx_control *control, bool is_caller, const struct lx_canvas *canvas, unsigned first,
-                     unsigned last, unsigned column, unsigned *shown)
+                     struct lx_control *control, bool is_caller, const struct lx_canvas *canvas, unsigned row,
+                     unsigned column, unsigned panels, unsigned shown[LX_PANEL_SIDE])
 {
-    enum { SIDE_BY_SIDE = LX_BLOCK / LX_PANEL_SIDE };
-    const struct job job = {plan, memory, shader, control, is_caller, canvas, first, last, shown};
+    const unsigned columns = plan->prepared->scene->screen.resolution[0], end = column + panels * LX_PANEL_SIDE;
+    const struct job job = {plan, memory, shader, control, is_caller, canvas, row, end < columns ? end : columns,
+                            shown};
     bool is_plain[SIDE_BY_SIDE][QUARTERS] = {{false}};
-    memset(shown, 0, (last - first) * sizeof *shown);
-    for (unsigned p = 0; p < SIDE_BY_SIDE && goes_on(&job); p++)
-        if (column + p * LX_PANEL_SIDE < canvas->columns)
-            shade_panel(&job, first, column + p * LX_PANEL_SIDE, is_plain[p]);
-    shade_plain(&job, first, column, is_plain);
+    memset(shown, 0, LX_PANEL_SIDE * sizeof *shown);
+    for (unsigned p = 0; p < panels && goes_on(&job); p++)
+        if (column + p * LX_PANEL_SIDE < columns)
+            shade_panel(&job, row, column + p * LX_PANEL_SIDE, is_plain[p]);
+    shade_plain(&job, row, column, is_plain);
 }

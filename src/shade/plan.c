@@ -471,7 +471,7 @@ luxel_status lx_plan_make(const struct lx_prepared *prepared, const struct lx_ke
     plan->in_single_alone = status == LUXEL_OK && is_in_single_alone(plan);
     plan->at_once = plan->in_single_alone && plan->surfaces->run_count == 1 && plan->surfaces->shell_count == 0 &&
                     plan->surfaces->lights.count <= LX_MOST_IN_RUN && plan->every == 1;
-    plan->in_panels = status == LUXEL_OK && settings->stride <= 1 && has_panels(plan);
+    plan->in_panels = status == LUXEL_OK && has_panels(plan);
     if (plan->in_panels && lx_smooth_make(&plan->surfaces->lights, &plan->smooth))
         status = LUXEL_ERROR_MEMORY;
     return status;

@@ -70,7 +70,7 @@ struct lx_plan {
     size_t surface_count;
     bool in_single_alone; /* there is one surface, whose light takes nothing but its elements in float32 (seen.h), */
     bool at_once;         /* and few lights of one kind, whose sum is the value */
-    bool in_panels;       /* polynomials may take the place of lights: */
+    bool in_panels;       /* the whole picture is shaded by panels (panels.h), with: */
     struct lx_smooth smooth;
     luxel_precision precision;
     double tolerance;        /* of the highlights of extended sources, relative to the picture's maximum */

@@ -14,6 +14,9 @@
 /* The half axes of the ellipses, found by trying (docs/KERNELS.md). */
 static const double REACH_OF_FEW = 9.5, REACH_OF_MANY = 5;
 
+/* Lights that are summed between two questions whether to go on. */
+enum { LIGHTS_BETWEEN_CHECKS = 128 };
+
 /* Few nodes are not worth trying where the surface's radius is not so many times half the square's side. */
 static const double FEW_SHARE = 25;
 
@@ -79,9 +82,9 @@ static void set_light(const struct lx_light_double *light, struct lx_smooth_ligh
 int lx_smooth_make(const struct lx_lights *lights, struct lx_smooth *smooth)
 {
     struct lx_smooth_lights *made = &smooth->lights;
-    double **arrays[] = {&made->x,      &made->y,      &made->z,      &made->moves, &made->gain,
-                         &made->by_square, &made->by_root, &made->by_none, &made->axis_x, &made->axis_y,
-                         &made->axis_z, &made->inner,  &made->outer,  &made->exponent, &made->is_broken};
+    double **arrays[] = {&made->x,         &made->y,       &made->z,       &made->moves,    &made->gain,
+                         &made->by_square, &made->by_root, &made->by_none, &made->axis_x,   &made->axis_y,
+                         &made->axis_z,    &made->inner,   &made->outer,   &made->exponent, &made->is_broken};
     const size_t count = sizeof arrays / sizeof *arrays, length = lx_padded(lights->count);
     smooth->room = lx_new_aligned(count * length, sizeof *smooth->room);
     if (!smooth->room)
@@ -127,9 +130,10 @@ struct reach {
  * over it.
  */
 static bool leeway_on_sphere(double radius, const double from[2], struct reach reach, double height,
-                            struct lx_vicinity *at)
+                             struct lx_vicinity *at)
 {
-    const double away = root_of_sum(from[0], from[1]), farthest = away + reach.real, nearest = lx_larger(away - reach.real, 0);
+    const double away = root_of_sum(from[0], from[1]), farthest = away + reach.real,
+                 nearest = lx_larger(away - reach.real, 0);
     const double least = (radius - farthest) * (radius + farthest);
     if (!(farthest < radius && least > 1e-4 * radius * radius))
         return false;
@@ -137,7 +141,8 @@ static bool leeway_on_sphere(double radius, const double from[2], struct reach r
     const double across = lx_larger(fabs(from[0]), fabs(from[1])) + reach.real;
     const double imaginary = 2 * across * reach.imaginary, square = least + reach.imaginary * reach.imaginary;
     const double below = away + reach.tile, tile_low = height - sqrt((radius - below) * (radius + below));
-    const double tile_high = sqrt(radius * radius - lx_larger(away - reach.tile, 0) * lx_larger(away - reach.tile, 0)) - height;
+    const double tile_high =
+        sqrt(radius * radius - lx_larger(away - reach.tile, 0) * lx_larger(away - reach.tile, 0)) - height;
     at->place_leeway = (struct lx_leeway){
         .first = root_of_sum(reach.real, lx_larger(height - lowest, highest - height)),
         .second = sqrt(square + imaginary * imaginary / (4 * square)) - lowest,
@@ -146,7 +151,7 @@ static bool leeway_on_sphere(double radius, const double from[2], struct reach r
     };
     const struct lx_leeway *place = &at->place_leeway;
     at->normal_leeway = (struct lx_leeway){place->first / radius, place->second / radius, place->imaginary / radius,
-                                         place->tile / radius};
+                                           place->tile / radius};
     at->level = radius;
     return true;
 }
@@ -192,9 +197,8 @@ static bool leeway_of_view(const double observer[3], struct lx_vicinity *at)
     return true;
 }
 
-/* The vicinity of a square that shows the only surface throughout; false: it may not, or has none. */
-static bool find_vicinity(const struct lx_plan *plan, const struct lx_square *square, const struct lx_basis *basis,
-                          struct lx_vicinity *at)
+bool lx_find_vicinity(const struct lx_plan *plan, const struct lx_square *square, const struct lx_basis *basis,
+                      struct lx_vicinity *at)
 {
     const struct lx_planned_surface *surface = plan->surfaces;
     const struct lx_shape *shape = &surface->shape;
@@ -271,7 +275,7 @@ static struct taken take_lights(const struct lx_plan *plan, const struct lx_fitt
     struct lx_vicinity vicinity;
     struct taken taken = {0};
     memset(how, NOT_TAKEN, count);
-    if (!find_vicinity(plan, square, basis, &vicinity))
+    if (!lx_find_vicinity(plan, square, basis, &vicinity))
         return taken;
     plan->kernels->bound_smooth(&vicinity, &plan->smooth.lights, &plan->surfaces->lobe_exact, fitting->sizes);
     for (int round = 0; round < 2 && taken.count < left; round++) {
@@ -316,16 +320,19 @@ static void gather_nodes(const struct lx_plan *plan, struct lx_seen *seen, const
                                                (size_t)nodes * nodes);
 }
 
-/* Sums the lights that are taken that way over the elements of a block. */
+/* Sums the lights that are taken that way over the elements of a block; something else where the work is to stop. */
 static void sum_lights(const struct lx_plan *plan, const struct lx_block_double *block, size_t count,
-                       const uint8_t *how, int wanted, const struct lx_lobe_double *lobe, double *sum)
+                       const uint8_t *how, int wanted, const struct lx_lobe_double *lobe,
+                       const struct lx_asking *asking, double *sum)
 {
     const struct lx_planned_surface *surface = plan->surfaces;
     for (size_t r = 0; r < surface->run_count; r++) {
         const struct lx_light_run *run = &surface->runs[r];
         for (size_t first = run->first, end = run->first + run->count, next; first < end; first = next) {
-            for (next = first; next < end && how[next] == how[first];)
+            for (next = first; next < end && next - first < LIGHTS_BETWEEN_CHECKS && how[next] == how[first];)
                 next++;
+            if (next - first == LIGHTS_BETWEEN_CHECKS && !lx_asking_goes_on(asking))
+                return;
             if (how[first] == wanted)
                 plan->kernels->shade_double(surface->lights.exacts + first, NULL, next - first, lobe, block, NULL, NULL,
                                             count, sum);
@@ -386,7 +393,8 @@ static double find_faint(const struct lx_basis *basis, const double *sums, doubl
 }
 
 bool lx_smooth_fit(const struct lx_plan *plan, struct lx_fitting *fitting, struct lx_seen *seen,
-                   const struct lx_square *square, double uniform, bool alone, double *allowance)
+                   const struct lx_square *square, double uniform, bool alone, const struct lx_asking *asking,
+                   double *allowance)
 {
     const struct lx_smooth *smooth = &plan->smooth;
     const struct lx_planned_surface *surface = plan->surfaces;
@@ -415,9 +423,9 @@ bool lx_smooth_fit(const struct lx_plan *plan, struct lx_fitting *fitting, struc
     const size_t nodes = (size_t)basis->nodes * basis->nodes;
     gather_nodes(plan, seen, square, basis);
     plan->kernels->set_all(sum, lx_padded(nodes), uniform);
-    sum_lights(plan, &seen->block, nodes, how, WHOLE, &surface->lobe_exact, sum);
+    sum_lights(plan, &seen->block, nodes, how, WHOLE, &surface->lobe_exact, asking, sum);
     if (taken.folded > 0 && surface->glossy_exact.model != LX_LAMBERT)
-        sum_lights(plan, &seen->block, nodes, how, FOLDED, &surface->glossy_exact, sum);
+        sum_lights(plan, &seen->block, nodes, how, FOLDED, &surface->glossy_exact, asking, sum);
     const double least = alone ? find_faint(basis, sum, taken.error / OF_ITSELF, fitting) : HUGE_VAL;
     if (!(taken.error <= OF_ITSELF * least))
         return false;

@@ -13,6 +13,7 @@
 #ifndef LX_SHADE_SMOOTH_H
 #define LX_SHADE_SMOOTH_H
 
+#include "../base/rows.h"
 #include "lights.h"
 
 struct lx_plan;
@@ -21,10 +22,10 @@ struct lx_seen;
 /* Polynomials through so many nodes on each axis. */
 struct lx_basis {
     unsigned nodes;
-    double place[LX_MANY_NODES];           /* of the nodes, from -1 to 1 */
+    double place[LX_MANY_NODES];                        /* of the nodes, from -1 to 1 */
     _Alignas(64) double terms[LX_MANY_NODES][LX_LANES]; /* [node][power], as lx_find_polynomial() takes them */
-    double reach;                          /* of the ellipse: the sum of its half axes, for half a square's side */
-    double share;                          /* of the bound in it, which the polynomial is off by at most */
+    double reach; /* of the ellipse: the sum of its half axes, for half a square's side */
+    double share; /* of the bound in it, which the polynomial is off by at most */
 };
 
 /* What a plan knows for them. */
@@ -47,12 +48,17 @@ struct lx_square {
     unsigned side;                 /* in pixels: LX_PANEL_SIDE or half of it */
 };
 
+/* The vicinity of a square that shows the only surface throughout, for polynomials of a kind.  False: it does not, or
+ * not for certain, or there is none. */
+bool lx_find_vicinity(const struct lx_plan *plan, const struct lx_square *square, const struct lx_basis *basis,
+                      struct lx_vicinity *at);
+
 /* Lights that set within a square and whose diffuse light a polynomial of its own does for, at most. */
 enum { LX_MOST_FOLDED = 16 };
 
 /* What one thread needs, for one plan. */
 struct lx_fitting {
-    uint8_t *is_left; /* of each light */
+    uint8_t *is_left;    /* of each light */
     uint8_t *few, *many; /* how polynomials through so many nodes take each light */
     double *sizes;
     struct lx_block_double *turned; /* room for elements */
@@ -67,12 +73,12 @@ void lx_fitting_clear(struct lx_fitting *fitting);
 
 /*
  * Takes from the lights that are left those over a square that polynomials do for; these may be off by `*allowance`
- * together, which is lessened by what they are.  The first one is `uniform` and the brightness by these lights; the
+ * together, which is lessened by what they are; or anything where the work is to stop.  The first one is `uniform` and the brightness by these lights; the
  * others, where they are above 0, are to be added to it.  Where they are `alone` in the picture they are good to a small
  * share of the least brightness, too.  False: there are none.  The elements in `seen` are lost.
  */
 bool lx_smooth_fit(const struct lx_plan *plan, struct lx_fitting *fitting, struct lx_seen *seen,
-                   const struct lx_square *square, double uniform, bool alone,
+                   const struct lx_square *square, double uniform, bool alone, const struct lx_asking *asking,
                    double *allowance);
 
 #endif

@@ -1,0 +1,500 @@
+/* SPDX-License-Identifier: MIT */
+/*
+ * Polynomials in place of lights: the bounds against the brightness at complex places, the polynomials against the
+ * reference at pixels, and whole pictures against those in float64; what they are spread over, and that a picture has
+ * the same bytes for all threads, in strips, and at a probe.
+ */
+#include <complex.h>
+#include <math.h>
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <unistd.h>
+
+#include <cmocka.h>
+
+#include "random_scenes.h"
+#include "scenes.h"
+#include "shade/camera.h"
+#include "shade/panels.h"
+#include "shade/reference.h"
+#include "shade/seen.h"
+
+enum { SQUARES = 6, LIGHTS_AT_MOST = MAXIMUM_LIGHTS };
+
+/* ---- random squares ---- */
+
+/* One surface that is seen along -z, in pixels so small that the picture is shaded by panels. */
+static void make_scene(int i, struct test_scene *test)
+{
+    struct randomness random = {.state = UINT64_C(0x9E3779B97F4A7C15) * ((uint64_t)i + 1)};
+    make_random_scene(&random, i % 3 == 0, test);
+    const unsigned finer = (unsigned)logarithmic(&random, 8, 300);
+    test->prepared.surface_count = 1;
+    test->prepared.shadows = false;
+    test->scene.observer.projection = LX_ORTHOGRAPHIC;
+    test->scene.screen.resolution[0] *= finer;
+    test->scene.screen.resolution[1] *= finer;
+}
+
+/* A square around a place of the surface. */
+static struct lx_square random_square(struct randomness *random, const struct lx_plan *plan)
+{
+    const struct lx_screen *screen = &plan->prepared->scene->screen;
+    const struct lx_planned_surface *surface = plan->surfaces;
+    const unsigned side = pick(random, 2) ? LX_PANEL_SIDE : LX_PANEL_SIDE / 2;
+    const double half = screen->width_mm / screen->resolution[0] * side / 2;
+    return (struct lx_square){
+        .x_mm = uniform(random, surface->low_mm[0], surface->high_mm[0]),
+        .y_mm = uniform(random, surface->low_mm[1], surface->high_mm[1]),
+        .half_mm = {half, half},
+        .side = side,
+    };
+}
+
+/* What squares are fitted with. */
+struct workplace {
+    struct lx_plan plan;
+    struct lx_shader_memory *shader;
+    struct lx_fitting fitting;
+};
+
+/* False: the picture is not shaded by panels. */
+static bool open_workplace(const struct test_scene *test, const struct lx_kernels *kernels, struct workplace *work)
+{
+    const luxel_settings settings = {.precision = LUXEL_SINGLE};
+    *work = (struct workplace){.shader = NULL};
+    assert_int_equal(lx_plan_make(&test->prepared, kernels, &settings, &work->plan), LUXEL_OK);
+    if (!work->plan.in_panels)
+        return false;
+    work->shader = lx_shader_memory_new(&work->plan);
+    assert_non_null(work->shader);
+    assert_int_equal(lx_fitting_make(&work->plan, &work->fitting), 0);
+    return true;
+}
+
+static void close_workplace(struct workplace *work)
+{
+    if (work->plan.in_panels)
+        lx_fitting_clear(&work->fitting);
+    lx_shader_memory_free(work->shader);
+    lx_plan_clear(&work->plan);
+}
+
+/* ---- the brightness at complex places ---- */
+
+struct vector {
+    double complex x, y, z;
+};
+
+static double complex dot(struct vector a, struct vector b)
+{
+    return a.x * b.x + a.y * b.y + a.z * b.z;
+}
+
+static struct vector plus(struct vector a, double complex times, struct vector b)
+{
+    return (struct vector){a.x + times * b.x, a.y + times * b.y, a.z + times * b.z};
+}
+
+static struct vector unit(struct vector a)
+{
+    return plus((struct vector){0, 0, 0}, 1 / csqrt(dot(a, a)), a);
+}
+
+/* The surface through a place on the screen, from its anchor. */
+static struct vector place_at(const struct lx_shape *shape, double complex x, double complex y, struct vector *normal)
+{
+    const double *n = shape->axis;
+    x -= shape->anchor_mm[0], y -= shape->anchor_mm[1];
+    if (shape->type == LX_PLATE) {
+        *normal = (struct vector){n[0], n[1], n[2]};
+        return (struct vector){x, y, -(n[0] * x + n[1] * y) / n[2]};
+    }
+    const struct vector place = {x, y, csqrt(shape->radius_mm * shape->radius_mm - x * x - y * y)};
+    *normal = plus((struct vector){0, 0, 0}, 1 / shape->radius_mm, place);
+    return place;
+}
+
+/* By a light all of which falls on the place, above the horizon, or below it where it `is_dark`. */
+static double complex brightness(const struct lx_plan *plan, const struct lx_light_double *light, bool is_dark,
+                                 bool has_highlight, double complex x, double complex y)
+{
+    const struct lx_planned_surface *surface = plan->surfaces;
+    const struct lx_lobe_double *lobe = &surface->lobe_exact;
+    struct vector normal, view = {0, 0, 1};
+    const struct vector place = place_at(&surface->shape, x, y, &normal);
+    const struct vector from = {light->x, light->y, light->z}, axis = {light->axis_x, light->axis_y, light->axis_z};
+    const bool is_point = light->kind != LX_DISTANT;
+    const struct vector way = plus(from, is_point ? -1 : 0, place), towards = unit(way);
+    const double complex r = csqrt(dot(way, way));
+    double complex e = light->gain;
+    if (is_point && light->law == LX_INVERSE_SQUARE)
+        e /= r * r;
+    if (is_point && light->law == LX_PRACTICAL)
+        e /= light->k + r;
+    if (light->exponent.value > 0)
+        e *= cpow(-dot(axis, towards), light->exponent.value);
+    if (!lx_views_along_z(&plan->prepared->scene->observer)) {
+        const double z = plan->prepared->scene->observer.z_mm;
+        const double *anchor = surface->shape.anchor_mm;
+        view = unit(plus((struct vector){-anchor[0], -anchor[1], z - anchor[2]}, -1, place));
+    }
+    const double complex cosine = dot(normal, towards);
+    const struct vector half = unit(plus(towards, 1, view)),
+                        mirrored = plus(plus((struct vector){0, 0, 0}, -1, towards), 2 * cosine, normal);
+    const double complex s = lobe->model == LX_PHONG ? dot(mirrored, view) : dot(normal, half);
+    double complex specular =
+        lobe->model == LX_LAMBERT || !has_highlight ? 0 : lobe->specular * cpow(s, lobe->exponent.value);
+    if (lobe->highlight == LX_HIGHLIGHT_COSINE)
+        specular *= is_dark ? 0 : cosine;
+    if (lobe->highlight == LX_HIGHLIGHT_GATED && is_dark)
+        specular = 0;
+    return e * ((is_dark ? 0 : lobe->diffuse * cosine) + specular);
+}
+
+/* On which side of the horizon a light is in the middle of a square; and whether there is a highlight there. */
+static bool is_below(const struct lx_plan *plan, const struct lx_light_double *light, const struct lx_vicinity *at,
+                     bool *has_highlight)
+{
+    const struct lx_lobe_double *lobe = &plan->surfaces->lobe_exact;
+    const double moves = light->kind == LX_DISTANT ? 0 : 1, *n = at->normal, *v = at->view;
+    double way[3] = {light->x - moves * at->place[0], light->y - moves * at->place[1], light->z - moves * at->place[2]};
+    const double length = sqrt(way[0] * way[0] + way[1] * way[1] + way[2] * way[2]);
+    const double height = (n[0] * way[0] + n[1] * way[1] + n[2] * way[2]) / length;
+    const double n_v = n[0] * v[0] + n[1] * v[1] + n[2] * v[2];
+    const double l_v = (way[0] * v[0] + way[1] * v[1] + way[2] * v[2]) / length;
+    *has_highlight = lobe->model == LX_PHONG ? 2 * height * n_v - l_v > 0 : height + n_v > 0;
+    return height < 0;
+}
+
+/* How many lights over a square have a bound that is tried, at places on the ellipse and in it. */
+static size_t try_bounds(struct workplace *work, const struct lx_square *square, const struct lx_basis *basis,
+                         struct randomness *random)
+{
+    enum { PLACES = 40 };
+    const struct lx_plan *plan = &work->plan;
+    const size_t count = plan->smooth.lights.count;
+    struct lx_vicinity vicinity;
+    size_t tried = 0;
+    const double complex imaginary = CMPLX(0, 1);
+    if (!lx_find_vicinity(plan, square, basis, &vicinity))
+        return 0;
+    plan->kernels->bound_smooth(&vicinity, &plan->smooth.lights, &plan->surfaces->lobe_exact, work->fitting.sizes);
+    for (size_t i = 0; i < count; i++) {
+        const double size = work->fitting.sizes[i];
+        const struct lx_light_double *light = &plan->surfaces->lights.exacts[i];
+        bool has_highlight;
+        const bool is_dark = is_below(plan, light, &vicinity, &has_highlight) && !(size < 0);
+        assert_false(isnan(size));
+        if (!isfinite(size) || size == 0)
+            continue;
+        tried++;
+        for (int k = 0; k < PLACES; k++) {
+            const double reach = k % 4 == 0 ? uniform(random, 1, basis->reach) : basis->reach;
+            const double turn = uniform(random, 0, 2 * M_PI), real = uniform(random, -1, 1);
+            const double complex around = (reach * cexp(imaginary * turn) + cexp(-imaginary * turn) / reach) / 2;
+            const double complex x = square->x_mm + square->half_mm[0] * (k % 2 ? around : real);
+            const double complex y = square->y_mm + square->half_mm[1] * (k % 2 ? real : around);
+            const double value = cabs(brightness(plan, light, is_dark, has_highlight, x, y));
+            if (!(value <= fabs(size) * (1 + 1e-7)))
+                fail_msg("light %zu of kind %d: %g, but no more than %g was promised", i, (int)light->kind, value,
+                         size);
+        }
+    }
+    return tried;
+}
+
+static int scenes_to_try(int usual)
+{
+    const char *campaign = getenv("LUXEL_TEST_SCENES");
+    return campaign ? 20 * atoi(campaign) : usual;
+}
+
+static void test_bounds(void **state)
+{
+    (void)state;
+    size_t tried[2] = {0};
+    for (int i = 0; i < scenes_to_try(3000); i++) {
+        struct randomness random = {.state = UINT64_C(0xD1B54A32D192ED03) * ((uint64_t)i + 1)};
+        struct test_scene test;
+        struct workplace work;
+        make_scene(i, &test);
+        const size_t sets = i % 10 == 0 ? SIZE_MAX : 1;
+        for (size_t k = 0; k < sets && lx_kernels_get(k); k++) {
+            if (!lx_kernels_get(k)->runs())
+                continue;
+            if (open_workplace(&test, lx_kernels_get(k), &work))
+                for (int q = 0; q < SQUARES; q++) {
+                    const struct lx_square square = random_square(&random, &work.plan);
+                    tried[0] += try_bounds(&work, &square, &work.plan.smooth.few, &random);
+                    tried[1] += try_bounds(&work, &square, &work.plan.smooth.many, &random);
+                }
+            close_workplace(&work);
+        }
+    }
+    print_message("# bounds of %zu and %zu lights over squares\n", tried[0], tried[1]);
+    assert_true(tried[0] > 1000 && tried[1] > 1000);
+}
+
+/* ---- polynomials ---- */
+
+/* The brightness by lights that are not left, and what all emitters that are no lights give. */
+static double exact_value(const struct test_scene *test, const struct workplace *work, double x, double y)
+{
+    struct lx_element element;
+    double sum = 0;
+    size_t light = 0;
+    assert_true(lx_element_seen(&test->prepared, x, y, &element));
+    for (size_t i = 0; i < test->prepared.emitters.count; i++) {
+        const struct lx_emitter *emitter = &test->lights[i];
+        if (emitter->type != LX_UNIFORM && work->fitting.is_left[light++])
+            continue;
+        struct lx_lighting lighting = lx_light_element(&test->prepared, &element, emitter);
+        sum += lighting.diffuse.value + lighting.specular.value;
+    }
+    return sum;
+}
+
+struct tally {
+    size_t squares, folded;
+    double worst, worst_of_itself;
+};
+
+static void try_square(const struct test_scene *test, struct workplace *work, struct randomness *random,
+                       struct tally *tally)
+{
+    enum { PIXELS = 12 };
+    const struct lx_plan *plan = &work->plan;
+    const double allowed = 8e-7 * plan->least_maximum;
+    const struct lx_square square = random_square(random, plan);
+    float values[LX_PANEL_SIDE * LX_PANEL_SIDE];
+    double allowance = allowed;
+    memset(work->fitting.is_left, 1, plan->smooth.lights.count);
+    if (!lx_smooth_fit(plan, &work->fitting, lx_shader_seen(work->shader), &square, plan->surfaces->uniform, true, NULL,
+                       &allowance))
+        return;
+    assert_true(allowance >= 0 && allowance <= allowed);
+    for (size_t i = 0; i < work->fitting.count; i++)
+        plan->kernels->spread_polynomial(&work->fitting.polynomials[i], square.side, square.side, i > 0, values,
+                                         LX_PANEL_SIDE);
+    tally->squares++;
+    tally->folded += work->fitting.count > 1;
+    for (int k = 0; k < PIXELS; k++) {
+        const int column = k == 0 ? 0 : pick(random, (int)square.side),
+                  row = k == 1 ? 0 : pick(random, (int)square.side);
+        const double t = (2 * column + 1) / (double)square.side - 1, u = (2 * row + 1) / (double)square.side - 1;
+        const double value = (double)values[row * LX_PANEL_SIDE + column];
+        const double exact =
+            exact_value(test, work, square.x_mm + square.half_mm[0] * t, square.y_mm - square.half_mm[1] * u);
+        assert_true(value >= 0);
+        tally->worst = fmax(tally->worst, fabs(value - exact) / fmax(plan->least_maximum, exact));
+        tally->worst_of_itself = fmax(tally->worst_of_itself, fabs(value - exact) / exact);
+    }
+}
+
+static void test_polynomials(void **state)
+{
+    (void)state;
+    for (size_t k = 0; lx_kernels_get(k); k++) {
+        struct tally tally = {0};
+        if (!lx_kernels_get(k)->runs())
+            continue;
+        for (int i = 0; i < scenes_to_try(3000); i++) {
+            struct randomness random = {.state = UINT64_C(0xA0761D6478BD642F) * ((uint64_t)i + 1)};
+            struct test_scene test;
+            struct workplace work;
+            make_scene(i, &test);
+            if (open_workplace(&test, lx_kernels_get(k), &work))
+                for (int q = 0; q < SQUARES; q++)
+                    try_square(&test, &work, &random, &tally);
+            close_workplace(&work);
+        }
+        print_message("# %s: %zu squares, %zu with folds; off by %.2g of the maximum, %.2g of themselves\n",
+                      lx_kernels_get(k)->name, tally.squares, tally.folded, tally.worst, tally.worst_of_itself);
+        assert_true(tally.squares > 1000 && tally.folded > 50);
+        assert_true(tally.worst <= 1.2e-6 && tally.worst_of_itself <= 1e-3);
+    }
+}
+
+/* ---- spreading ---- */
+
+/* The sum that the terms stand for, and nothing beyond the rows and columns that were asked for. */
+static void check_spread(const struct lx_kernels *kernels, const struct lx_polynomial *polynomial, unsigned rows,
+                         unsigned columns, bool adds)
+{
+    enum { STRIDE = LX_PANEL_SIDE + 3 };
+    float values[(LX_PANEL_SIDE + 1) * STRIDE];
+    for (size_t i = 0; i < sizeof values / sizeof *values; i++)
+        values[i] = 0.5F;
+    kernels->spread_polynomial(polynomial, rows, columns, adds, values, STRIDE);
+    for (unsigned row = 0; row <= LX_PANEL_SIDE; row++)
+        for (unsigned column = 0; column < STRIDE; column++) {
+            const double t = (2 * column + 1) / (double)polynomial->side - 1;
+            const double u = (2 * row + 1) / (double)polynomial->side - 1;
+            double sum = 0;
+            for (unsigned j = 0; j < polynomial->nodes; j++)
+                for (unsigned i = 0; i < polynomial->nodes; i++)
+                    sum += (double)polynomial->terms[j][i] * pow(u, j) * pow(t, i);
+            const bool is_in = row < rows && column < columns;
+            const double expected = (is_in && !adds ? 0 : 0.5) + (is_in ? fmax(sum, 0) : 0);
+            assert_true(fabs((double)values[(size_t)row * STRIDE + column] - expected) <= (is_in ? 1e-5 : 0));
+        }
+}
+
+static void test_spreading(void **state)
+{
+    (void)state;
+    static const unsigned sizes[] = {1, 3, 8, 17, 31, 32, 33, 50, 64};
+    struct randomness random = {.state = 7};
+    for (size_t k = 0; lx_kernels_get(k); k++)
+        for (size_t r = 0; lx_kernels_get(k)->runs() && r < sizeof sizes / sizeof *sizes; r++)
+            for (size_t c = 0; c < sizeof sizes / sizeof *sizes; c++) {
+                struct lx_polynomial polynomial = {.nodes = pick(&random, 2) ? LX_FEW_NODES : LX_MANY_NODES};
+                const bool is_half = sizes[r] <= 32 && sizes[c] <= 32 && pick(&random, 2);
+                polynomial.side = is_half ? LX_PANEL_SIDE / 2 : LX_PANEL_SIDE;
+                for (unsigned j = 0; j < polynomial.nodes; j++)
+                    for (unsigned i = 0; i < polynomial.nodes; i++)
+                        polynomial.terms[j][i] = (float)uniform(&random, -1, 1);
+                check_spread(lx_kernels_get(k), &polynomial, sizes[r], sizes[c], r % 2 == 0);
+            }
+}
+
+/* ---- pictures ---- */
+
+static const char *const scenes[] = {
+    /* lights all around: some set, some are behind, one is a spot, one shines from just above */
+    "luxel: 1\n"
+    "screen: {width: 620, height: 540, resolution: [930, 810]}\n"
+    "observer: {z: 3000, view: central}\n"
+    "surfaces: [{type: sphere, center: [0, 0, 1000], radius: 300, "
+    "material: {diffuse: 0.6, specular: 0.4, shininess: 20, ambient: 0.1}}]\n"
+    "lights:\n"
+    "  - {type: ambient, irradiance: 0.1}\n"
+    "  - {type: point, position: [900, 300, 1700], intensity: 2}\n"
+    "  - {type: point, position: [-700, 600, 1200], intensity: 1, attenuation: {law: practical, k: 0.3}}\n"
+    "  - {type: point, position: [-100, -200, 1290], intensity: 0.02}\n"
+    "  - {type: directional, direction: [1, -0.5, -0.2], irradiance: 0.7}\n"
+    "  - {type: spot, position: [0, -600, 2500], target: [0, 0, 1000], intensity: 3, inner: 5, outer: 9}\n"
+    "  - {type: point, position: [300, 300, 100], intensity: 1}\n",
+    /* one light, whose highlight's tail is all that the dark side shows */
+    "luxel: 1\n"
+    "screen: {width: 400, height: 400, resolution: [700, 700]}\n"
+    "observer: {z: 3000}\n"
+    "surfaces: [{type: sphere, center: [20, -10, 1000], radius: 290, "
+    "material: {diffuse: 0.6, specular: 0.4, shininess: 30}}]\n"
+    "lights: [{type: point, position: [900, 300, 1400], intensity: 2}]\n",
+    /* a plate with all of a lamp's pattern */
+    "luxel: 1\n"
+    "screen: {width: 500, height: 300, resolution: [1000, 600]}\n"
+    "observer: {z: 3000}\n"
+    "surfaces: [{type: rectangle, center: [0, 0, 500], size: [520, 280], axis: [0.2, 0.1, 1], "
+    "material: {diffuse: 0.8, specular: 0.2, shininess: 12.5, model: phong}}]\n"
+    "lights:\n"
+    "  - {type: point, position: [100, 50, 900], intensity: 1, pattern: {exponent: 1.5, axis: [0, 0, -1]}}\n"
+    "  - {type: point, position: [-300, -50, 700], intensity: 1}\n",
+};
+
+static luxel_scene *open_scene(size_t i)
+{
+    luxel_scene *scene = NULL;
+    assert_int_equal(load(scenes[i], NULL, &scene), LUXEL_OK);
+    return scene;
+}
+
+static luxel_field *render(const luxel_scene *scene, luxel_precision precision, unsigned threads,
+                           const char *instruction_set)
+{
+    luxel_settings settings;
+    luxel_field *field = NULL;
+    luxel_settings_init(&settings);
+    settings.precision = precision;
+    settings.threads = threads;
+    settings.instruction_set = instruction_set;
+    assert_int_equal(luxel_render(scene, &settings, NULL, &field), LUXEL_OK);
+    return field;
+}
+
+/* How many pixels of a picture differ from what their lights give when they are summed for each of them. */
+static size_t check_picture(const luxel_field *picture, const luxel_field *exact)
+{
+    const size_t count = (size_t)luxel_field_columns(picture) * luxel_field_rows(picture);
+    const luxel_statistics *statistics = luxel_field_statistics(picture), *exactly = luxel_field_statistics(exact);
+    const double maximum = exactly->maximum.value;
+    const float *values = luxel_field_single(picture);
+    size_t others = 0;
+    assert_memory_equal(luxel_field_mask(picture), luxel_field_mask(exact), count);
+    for (size_t i = 0; i < count; i++) {
+        const double value = luxel_field_double(exact)[i], off = fabs((double)values[i] - value);
+        assert_true(values[i] >= 0 && off <= 2e-6 * maximum);
+        others += off > 3e-7 * value;
+    }
+    assert_true(fabs(statistics->maximum.value - maximum) <= 2e-6 * maximum);
+    assert_true(fabs(statistics->minimum.value - exactly->minimum.value) <= 1e-4 * exactly->minimum.value);
+    assert_true(fabs(statistics->mean - exactly->mean) <= 1e-6 * exactly->mean);
+    assert_int_equal(statistics->surface_pixels, exactly->surface_pixels);
+    return others;
+}
+
+static void test_pictures(void **state)
+{
+    (void)state;
+    for (size_t s = 0; s < sizeof scenes / sizeof *scenes; s++) {
+        luxel_scene *scene = open_scene(s);
+        luxel_field *exact = render(scene, LUXEL_DOUBLE, 0, NULL);
+        for (size_t k = 0; luxel_instruction_set_name(k); k++) {
+            if (!luxel_instruction_set_runs(k))
+                continue;
+            luxel_field *picture = render(scene, LUXEL_SINGLE, 0, luxel_instruction_set_name(k));
+            check_picture(picture, exact);
+            luxel_field_free(picture);
+        }
+        luxel_field_free(exact);
+        luxel_scene_free(scene);
+    }
+}
+
+/* A probe's pixel is the picture's to the last bit; and so is the picture by any number of threads. */
+static void test_same_bytes(void **state)
+{
+    (void)state;
+    for (size_t s = 0; s < sizeof scenes / sizeof *scenes; s++) {
+        luxel_scene *scene = open_scene(s);
+        luxel_field *picture = render(scene, LUXEL_SINGLE, 1, NULL);
+        const unsigned columns = luxel_field_columns(picture), rows = luxel_field_rows(picture);
+        const size_t count = (size_t)columns * rows;
+        for (unsigned threads = 2; threads <= 7; threads += 5) {
+            luxel_field *other = render(scene, LUXEL_SINGLE, threads, NULL);
+            assert_memory_equal(luxel_field_single(picture), luxel_field_single(other), count * sizeof(float));
+            assert_memory_equal(luxel_field_mask(picture), luxel_field_mask(other), count);
+            assert_memory_equal(&luxel_field_statistics(picture)->mean, &luxel_field_statistics(other)->mean,
+                                sizeof(double));
+            luxel_field_free(other);
+        }
+        for (size_t i = 11; i < count; i += count / 60) {
+            luxel_probe *probe = NULL;
+            const unsigned column = (unsigned)(i % columns), row = (unsigned)(i / columns);
+            assert_int_equal(luxel_probe_screen(scene, NULL, luxel_field_x_mm(picture)[column],
+                                                luxel_field_y_mm(picture)[row], NULL, &probe),
+                             LUXEL_OK);
+            if (probe->on_surface)
+                assert_true(probe->has_pixel_value && probe->pixel_value == luxel_field_value(picture, column, row));
+            luxel_probe_free(probe);
+        }
+        luxel_field_free(picture);
+        luxel_scene_free(scene);
+    }
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_bounds),   cmocka_unit_test(test_polynomials), cmocka_unit_test(test_spreading),
+        cmocka_unit_test(test_pictures), cmocka_unit_test(test_same_bytes),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
