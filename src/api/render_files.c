@@ -66,7 +66,7 @@ static bool some_waits(const struct files *files)
     return false;
 }
 
-/* How many rows to hold at a time, those of whole tiles. */
+/* How many rows to hold at a time, those of whole panels. */
 static unsigned strip_height(const struct files *files, const struct luxel_field *field, unsigned threads)
 {
     const size_t row_size = lx_field_bytes(field->columns, 1, field->precision);
@@ -76,7 +76,8 @@ static unsigned strip_height(const struct files *files, const struct luxel_field
     if (some_waits(files) && row_size * field->rows <= MOST_WAITING_SIZE)
         return field->rows;
     const size_t wanted = (size_t)SIZE_PER_THREAD * threads;
-    const size_t unit = LX_PANEL_SIDE; /* of panels, and so of tiles */
+    const size_t unit = LX_PANEL_SIDE;
+    _Static_assert(LX_PANEL_SIDE % LX_TILE_ROWS == 0, "panels have whole tiles");
     const size_t least = 1 + (wanted < MOST_STRIP_SIZE ? wanted : MOST_STRIP_SIZE) / row_size;
     const size_t height = (least + unit - 1) / unit * unit;
     return height < field->rows ? (unsigned)height : field->rows;

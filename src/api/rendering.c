@@ -57,8 +57,8 @@ static size_t render_row(struct lx_rendering *rendering, struct lx_shader_memory
     return shown;
 }
 
-/* Rows of panels, which threads render piece by piece: how many pieces are not rendered yet, and how many pixels of each
- * row of a piece show a surface. */
+/* Rows of panels, which threads render piece by piece: how many pieces are not rendered yet, and how many pixels of
+ * each row of a piece show a surface. */
 struct lx_panel_rows {
     atomic_uint left;
 };

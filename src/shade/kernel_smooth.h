@@ -1,11 +1,11 @@
 /* SPDX-License-Identifier: MIT */
 /*
- * Bounds of lights as analytic functions of the place on the screen, in a region of complex numbers around a square of a
- * picture (docs/MATHS.md, "Squares of a picture"), for vectors of lights.  kernel.c includes it once, for float64.
+ * Bounds of lights as analytic functions of the place on the screen, in a region of complex numbers around a square of
+ * a picture (docs/MATHS.md, "Squares of a picture"), for vectors of lights.  kernel.c includes it once, for float64.
  *
  * A vector w is w' + e + i f: w' is real and what w could be with real x and y, e real as well and of second order, f
- * real.  How far they reach is a struct leeway, as in struct lx_leeway.  Scalars are bounded by parts likewise.  Each step
- * errs on the safe side by more than roundings; there is no need to be exact.
+ * real.  How far they reach is a struct leeway, as in struct lx_leeway.  Scalars are bounded by parts likewise.  Each
+ * step errs on the safe side by more than roundings; there is no need to be exact.
  */
 
 struct leeway {
@@ -142,9 +142,9 @@ LX_LANE struct bounded_light bound_one(const struct lx_vicinity *at, const struc
     const lanes_double tile = n->tile * across + 0.5 * n->tile * n->tile * size;
     const lanes_double real = n->first * across + 0.5 * n->first * n->first * size + n->second * (across + size);
     const lanes_double imaginary = n->imaginary * (across + (n->first + n->second) * size);
-    const lanes_double most = greater_double(height, -height) + real;
-    light.is_up = is_above_lane(height, tile + 1e-9 * d);
-    light.is_down = is_above_lane(-height, tile + 1e-9 * d);
+    const lanes_double margin = 1e-9 * d, most = greater_double(height, -height) + real + margin;
+    light.is_up = is_above_lane(height, tile + margin);
+    light.is_down = is_above_lane(-height, tile + margin);
     light.cosine = root_double(most * most + imaginary * imaginary + tiny) * inverse_double(root);
 
     lanes_double doubt, is_dark;

@@ -425,9 +425,10 @@ static bool has_panels(const struct lx_plan *plan)
     const struct lx_scene_parameters *scene = plan->prepared->scene;
     const unsigned *resolution = scene->screen.resolution;
     const double side_mm = scene->screen.width_mm / resolution[0] * LX_PANEL_SIDE;
+    const size_t lights = surface->lights.count;
     return plan->precision == LUXEL_SINGLE && plan->surface_count == 1 && surface->shell_count == 0 &&
            plan->forest.tree_count == 0 && plan->every == 1 && scene->observer.projection == LX_ORTHOGRAPHIC &&
-           surface->lights.count > 0 && surface->lights.stored == surface->lights.count && plan->least_maximum > 0 &&
+           lights > 0 && lights <= LX_MOST_STORED && surface->lights.stored == lights && plan->least_maximum > 0 &&
            resolution[0] >= LX_PANEL_SIDE && resolution[1] >= LX_PANEL_SIDE &&
            surface->shape.radius_mm > LX_LEAST_PANELS * side_mm;
 }

@@ -32,9 +32,9 @@ static const double OF_ITSELF = 1e-3;
 
 /* ---- polynomials ---- */
 
-/* Chebyshev's nodes: a function within M of a number in the ellipse of the given reach r is not farther from the
- * polynomial through n of them than 4 M/(r^(n - 1) (r - 1)) (Trefethen, Approximation Theory and Approximation Practice,
- * theorem 8.2); on the second axis that grows by no more than Lebesgue's constant, 1 + 2 ln(n)/pi. */
+/* Chebyshev's nodes: a function no larger than M in the ellipse of the given reach r is not farther from the polynomial
+ * through n of them than 4 M/(r^(n - 1) (r - 1)) (Trefethen, Approximation Theory and Approximation Practice, theorem
+ * 8.2); on the second axis that grows by no more than Lebesgue's constant, 1 + 2 ln(n)/pi. */
 static void make_basis(unsigned nodes, double reach, struct lx_basis *basis)
 {
     double chebyshev[LX_MANY_NODES][LX_MANY_NODES] = {{1}, {0, 1}}; /* [degree][power] */
@@ -117,17 +117,17 @@ static double root_of_sum(double a, double b)
 }
 
 /*
- * Half of what real parts may reach from the middle, on either axis the one being complex and the other within the
- * square: `real` in all, and `imaginary` parts of the one that is complex.
+ * How far places are from the middle that are complex on one axis and within the square on the other: their real
+ * parts, on both axes together, and the imaginary part; and those within the square.
  */
 struct reach {
     double real, imaginary, tile;
 };
 
 /*
- * z = sqrt(q) with q = R^2 - x^2 - y^2; of x + i v the real part of q is more by v^2, the imaginary one 2 x v.  The real
- * part of a root is at least the root of the real part, so that of z, and the imaginary one no more than half of q's
- * over it.
+ * z = sqrt(q) with q = R^2 - x^2 - y^2; of x + i v the real part of q is more by v^2, the imaginary one 2 x v.  The
+ * real part of a root is at least the root of the real part, so that of z, and the imaginary one no more than half of
+ * q's over it.
  */
 static bool leeway_on_sphere(double radius, const double from[2], struct reach reach, double height,
                              struct lx_vicinity *at)

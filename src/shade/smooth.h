@@ -1,14 +1,14 @@
 /* SPDX-License-Identifier: MIT */
 /*
- * Polynomials in place of lights.  Over a small square of a picture that shows one surface the brightness by most lights
- * is as smooth as can be: then it is computed at a few nodes, in float64, and the polynomial through them takes its
- * place, provided that it is certain not to differ from it by more than a small share of the picture's maximum.
+ * Polynomials in place of lights.  Over a small square of a picture that shows one surface the brightness by most
+ * lights is as smooth as can be: then it is computed at a few nodes, in float64, and the polynomial through them takes
+ * its place, provided that it is certain not to differ from it by more than a small share of the picture's maximum.
  *
- * What makes it certain is a bound of the brightness as an analytic function: at complex places around the square, in an
- * ellipse with its foci at the square's sides, where kernel_smooth.h bounds it (docs/MATHS.md, "Squares of a picture").
- * Where a light sets within the square its diffuse part, max(0, N.L), has a fold; a polynomial of its own goes on below 0
- * and is cut off there.  Lights whose cones end within the square, whose highlights are gated there, or that stand too
- * near, are left to be summed for each pixel.
+ * What makes it certain is a bound of the brightness as an analytic function: at complex places around the square, in
+ * an ellipse with its foci at the square's sides, where kernel_smooth.h bounds it (docs/MATHS.md, "Squares of a
+ * picture").  Where a light sets within the square its diffuse part, max(0, N.L), has a fold; a polynomial of its own
+ * goes on below 0 and is cut off there.  Lights whose cones end within the square, whose highlights are gated there, or
+ * that stand too near, are left to be summed for each pixel.
  */
 #ifndef LX_SHADE_SMOOTH_H
 #define LX_SHADE_SMOOTH_H
@@ -73,9 +73,10 @@ void lx_fitting_clear(struct lx_fitting *fitting);
 
 /*
  * Takes from the lights that are left those over a square that polynomials do for; these may be off by `*allowance`
- * together, which is lessened by what they are; or anything where the work is to stop.  The first one is `uniform` and the brightness by these lights; the
- * others, where they are above 0, are to be added to it.  Where they are `alone` in the picture they are good to a small
- * share of the least brightness, too.  False: there are none.  The elements in `seen` are lost.
+ * together, which is lessened by what they are.  The first one is `uniform` and the brightness by these lights; the
+ * others, where they are above 0, are to be added to it.  Where they are `alone` in the picture they are good to a
+ * small share of the least brightness, too.  False: there are none.  The elements in `seen` are lost.  Where the work
+ * is to stop the call returns early with polynomials that mean nothing.
  */
 bool lx_smooth_fit(const struct lx_plan *plan, struct lx_fitting *fitting, struct lx_seen *seen,
                    const struct lx_square *square, double uniform, bool alone, const struct lx_asking *asking,

@@ -140,6 +140,18 @@ static void test_clustered_strips(void **state)
     luxel_scene_free(scene);
 }
 
+/* Panels go on from one strip to the next as in the whole picture. */
+static void test_strips_of_panels(void **state)
+{
+    static const char fine[] = "screen={width: 11.25, height: 700, resolution: [135, 8400]}";
+    luxel_scene *scene = changed_scene("report", (const char *const[]){fine, "picture.range=[0, 9]", NULL});
+    luxel_settings settings;
+    luxel_settings_init(&settings);
+    settings.threads = 1;
+    compare(*state, scene, &settings, 8);
+    luxel_scene_free(scene);
+}
+
 /* A picture too large for its grey levels to wait in memory, beside a file that does not. */
 static void test_waiting(void **state)
 {
@@ -259,7 +271,7 @@ static void test_refused(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        FILES_CASE(small),   FILES_CASE(strips),    FILES_CASE(clustered_strips),
+        FILES_CASE(small),   FILES_CASE(strips),    FILES_CASE(clustered_strips), FILES_CASE(strips_of_panels),
         FILES_CASE(waiting), FILES_CASE(cancelled), FILES_CASE(refused),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

@@ -222,6 +222,17 @@ static void test_computing(void **state)
     assert_survives(make_evaluator);
 }
 
+/* Pictures that are shaded by panels. */
+static void test_smooth(void **state)
+{
+    (void)state;
+    assert_int_equal(luxel_scene_set(work.scene, "screen={width: 10, height: 10, resolution: [128, 128]}", NULL),
+                     LUXEL_OK);
+    assert_int_equal(luxel_scene_commit(work.scene, NULL), LUXEL_OK);
+    assert_survives(render);
+    assert_survives(probe);
+}
+
 static void test_measuring(void **state)
 {
     (void)state;
@@ -257,6 +268,7 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test_setup_teardown(test_computing, begin_rich, end_work),
+        cmocka_unit_test_setup_teardown(test_smooth, begin_simple, end_work),
         cmocka_unit_test_setup_teardown(test_measuring, begin_simple, end_work),
         cmocka_unit_test_setup_teardown(test_files, begin_rich, end_work),
     };
