@@ -476,6 +476,32 @@ static void test_pictures(void **state)
     }
 }
 
+/* More lights set within a square than have polynomials of their own. */
+static void test_many_folds(void **state)
+{
+    (void)state;
+    enum { LIGHTS = 3 * LX_MOST_FOLDED };
+    char text[500 + 80 * LIGHTS], *end = text;
+    luxel_scene *scene;
+    end += sprintf(end, "luxel: 1\n"
+                        "screen: {width: 640, height: 640, resolution: [1100, 1100]}\n"
+                        "observer: {z: 3000}\n"
+                        "surfaces:\n"
+                        "  - {type: sphere, center: [0, 0, 1000], radius: 310,\n"
+                        "     material: {diffuse: 0.6, specular: 0.4, shininess: 9}}\n"
+                        "lights:\n"
+                        "  - {type: ambient, irradiance: 0.01}\n");
+    for (int i = 0; i < LIGHTS; i++)
+        end += sprintf(end, "  - {type: distant, direction: [1, %g, -0.3], irradiance: %d}\n", 0.002 * i, 1 + i % 3);
+    assert_int_equal(load(text, NULL, &scene), LUXEL_OK);
+    luxel_field *exact = render(scene, LUXEL_DOUBLE, 0, NULL), *picture = render(scene, LUXEL_SINGLE, 0, NULL);
+    check_picture(picture, exact);
+    check_that_panels_took_part(scene, picture);
+    luxel_field_free(exact);
+    luxel_field_free(picture);
+    luxel_scene_free(scene);
+}
+
 /* A probe's pixel is the picture's to the last bit; and so is the picture by any number of threads. */
 static void test_same_bytes(void **state)
 {
@@ -512,7 +538,7 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_bounds),   cmocka_unit_test(test_polynomials), cmocka_unit_test(test_spreading),
-        cmocka_unit_test(test_pictures), cmocka_unit_test(test_same_bytes),
+        cmocka_unit_test(test_pictures), cmocka_unit_test(test_many_folds),  cmocka_unit_test(test_same_bytes),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
