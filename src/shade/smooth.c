@@ -2,6 +2,7 @@
 /* Which lights a polynomial does for over a square of pixels, and the polynomial. */
 #include "smooth.h"
 
+#include <float.h>
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -26,6 +27,9 @@ enum { MOST_FOR_PIXELS = 4 };
 
 /* What float32 may add to the error of a polynomial, of its largest value. */
 static const double ROUNDINGS = 4e-7;
+
+/* And in all: beyond that terms might be infinite in float32, and no number their sum. */
+static const double MOST_ROUNDING = (double)FLT_EPSILON / 2 * (double)FLT_MAX;
 
 /* What all of it may be, of the least brightness in the square: its own digits may count however faint it is. */
 static const double OF_ITSELF = 1e-3;
@@ -433,7 +437,7 @@ bool lx_smooth_fit(const struct lx_plan *plan, struct lx_fitting *fitting, struc
     const double maximum = lx_larger(plan->least_maximum, (double)fitting->polynomials[0].terms[0][0]);
     if (taken.folded > 0)
         rounding += add_folded(plan, fitting, &seen->block, basis, square->side, how);
-    if (!(rounding <= ROUNDINGS * maximum && rounding + taken.error <= OF_ITSELF * least))
+    if (!(rounding <= ROUNDINGS * maximum && rounding + taken.error <= OF_ITSELF * least && rounding <= MOST_ROUNDING))
         return false;
     for (size_t i = 0; i < smooth->lights.count; i++)
         fitting->is_left[i] &= how[i] == NOT_TAKEN;

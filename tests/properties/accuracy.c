@@ -1,10 +1,12 @@
 /* SPDX-License-Identifier: MIT */
 /* Pictures against exact values, pixel by pixel. */
+#include <math.h>
+
 #include "properties.h"
 #include "truth.h"
 
-/* Exact values of extended sources take a thousand times as long as others, so only so many pixels are looked at. */
-enum { DEAR_PIXELS = 2 };
+/* So many pixels are looked at: few under extended sources, whose exact values take a thousand times as long as others. */
+enum { MOST_PIXELS = 100, DEAR_PIXELS = 2 };
 
 static bool is_true(struct trial *trial, luxel_precision precision)
 {
@@ -12,7 +14,8 @@ static bool is_true(struct trial *trial, luxel_precision precision)
     if (!picture || !trial_picture(trial, LUXEL_DOUBLE))
         return true;
     const unsigned columns = luxel_field_columns(picture), count = columns * luxel_field_rows(picture);
-    const unsigned step = draft_has_extended(trial->draft) && count > DEAR_PIXELS ? count / DEAR_PIXELS : 1;
+    const unsigned most = draft_has_extended(trial->draft) ? DEAR_PIXELS : MOST_PIXELS;
+    const unsigned step = count > most ? count / most : 1;
     const double slack = trial_slack(trial, picture);
     for (unsigned i = step / 2; i < count; i += step) {
         const unsigned column = i % columns, row = i / columns;
@@ -31,4 +34,30 @@ bool is_true_in_single(struct trial *trial)
 bool is_true_in_double(struct trial *trial)
 {
     return is_true(trial, LUXEL_DOUBLE);
+}
+
+/* A part of the first surface from so near that squares of pixels are smooth. */
+bool is_true_in_panels(struct trial *trial)
+{
+    enum { COLUMNS = 150, ROWS = 140, PANEL = 64, LEAST_PANELS = 8 };
+    struct draft near = *trial->draft;
+    struct draft_surface_numbers *surface = &near.surfaces[0].numbers;
+    const double farther = near.words.columns; /* by chance from 1 to 9 */
+    if (draft_has_extended(&near))
+        return true;
+    near.surface_count = 1;
+    near.words.perspective = 0;
+    near.words.columns = COLUMNS;
+    near.words.rows = ROWS;
+    near.numbers.pitch = surface->size[0] / (PANEL * LEAST_PANELS * farther);
+    surface->center[0] = fmod(surface->center[0], surface->size[0] / 2);
+    surface->center[1] = fmod(surface->center[1], surface->size[0] / 2);
+    struct trial close;
+    trial_open(&near, &close);
+    const bool holds = !close.scene || is_true(&close, LUXEL_SINGLE);
+    if (!holds)
+        trial_fails(trial, "from near: %s", close.complaint);
+    trial->pixels += close.pixels, trial->vague += close.vague, trial->excused += close.excused;
+    trial_close(&close);
+    return holds;
 }

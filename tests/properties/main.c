@@ -20,6 +20,7 @@ static const struct property properties[] = {
     {"finite", "pictures are finite and not negative, 0 off the surfaces", is_finite, 1},
     {"single", "float32 pictures are within 2e-6 of their maximum", is_true_in_single, 2},
     {"double", "float64 pictures are within 1e-11 of their maximum", is_true_in_double, 1},
+    {"panels", "float32 pictures from near, in squares that polynomials do for, are as good", is_true_in_panels, 8},
     {"shares", "the shares of a probe make up its value", has_shares, 2},
     {"pixel-value", "a probe knows what its pixel shows", has_pixel_values, 3},
     {"tolerance", "probes are within their error of those with a finer tolerance", reaches_tolerance, 1},

@@ -19,6 +19,7 @@ bool reaches_tolerance(struct trial *trial);
 /* accuracy.c */
 bool is_true_in_single(struct trial *trial);
 bool is_true_in_double(struct trial *trial);
+bool is_true_in_panels(struct trial *trial);
 /* symmetry.c */
 bool is_mirrored_in_x(struct trial *trial);
 bool is_mirrored_in_y(struct trial *trial);

@@ -28,12 +28,20 @@ enum { SQUARES = 6, LIGHTS_AT_MOST = MAXIMUM_LIGHTS };
 
 /* ---- random squares ---- */
 
-/* One surface that is seen along -z, in pixels so small that the picture is shaded by panels. */
+/* One surface that is seen along -z, in pixels so small that the picture is shaded by panels; at times under one light,
+ * of whose highlight only the faint foot shows where the light does not come. */
 static void make_scene(int i, struct test_scene *test)
 {
     struct randomness random = {.state = UINT64_C(0x9E3779B97F4A7C15) * ((uint64_t)i + 1)};
     make_random_scene(&random, i % 3 == 0, test);
     const unsigned finer = (unsigned)logarithmic(&random, 8, 300);
+    if (i % 4 == 3) {
+        const struct lx_material material = {
+            .model = pick(&random, 2) ? LX_BLINN_PHONG : LX_PHONG, .diffuse = 0.5, .specular = 0.5, .shininess = 20};
+        test->surfaces[0].lobe = lx_lobe_prepare(&material);
+        test->prepared.emitters.count = 1;
+        test->lights[0].type = LX_POINT;
+    }
     test->prepared.surface_count = 1;
     test->prepared.shadows = false;
     test->scene.observer.projection = LX_ORTHOGRAPHIC;
@@ -120,13 +128,21 @@ static struct vector place_at(const struct lx_shape *shape, double complex x, do
     return place;
 }
 
+static struct vector view_at(const struct lx_plan *plan, struct vector place)
+{
+    const double *anchor = plan->surfaces->shape.anchor_mm, z = plan->prepared->scene->observer.z_mm;
+    if (lx_views_along_z(&plan->prepared->scene->observer))
+        return (struct vector){0, 0, 1};
+    return unit(plus((struct vector){-anchor[0], -anchor[1], z - anchor[2]}, -1, place));
+}
+
 /* By a light all of which falls on the place, above the horizon, or below it where it `is_dark`. */
 static double complex brightness(const struct lx_plan *plan, const struct lx_light_double *light, bool is_dark,
                                  bool has_highlight, double complex x, double complex y)
 {
     const struct lx_planned_surface *surface = plan->surfaces;
     const struct lx_lobe_double *lobe = &surface->lobe_exact;
-    struct vector normal, view = {0, 0, 1};
+    struct vector normal;
     const struct vector place = place_at(&surface->shape, x, y, &normal);
     const struct vector from = {light->x, light->y, light->z}, axis = {light->axis_x, light->axis_y, light->axis_z};
     const bool is_point = light->kind != LX_DISTANT;
@@ -139,11 +155,7 @@ static double complex brightness(const struct lx_plan *plan, const struct lx_lig
         e /= light->k + r;
     if (light->exponent.value > 0)
         e *= cpow(-dot(axis, towards), light->exponent.value);
-    if (!lx_views_along_z(&plan->prepared->scene->observer)) {
-        const double z = plan->prepared->scene->observer.z_mm;
-        const double *anchor = surface->shape.anchor_mm;
-        view = unit(plus((struct vector){-anchor[0], -anchor[1], z - anchor[2]}, -1, place));
-    }
+    const struct vector view = view_at(plan, place);
     const double complex cosine = dot(normal, towards);
     const struct vector half = unit(plus(towards, 1, view)),
                         mirrored = plus(plus((struct vector){0, 0, 0}, -1, towards), 2 * cosine, normal);
@@ -172,7 +184,42 @@ static bool is_below(const struct lx_plan *plan, const struct lx_light_double *l
     return height < 0;
 }
 
-/* How many lights over a square have a bound that is tried, at places on the ellipse and in it. */
+/* Whether a vector at a complex place, or within the square, is as near to the one in its middle as was said. */
+static bool keeps_to(struct vector v, const double middle[3], const struct lx_leeway *leeway, bool is_in_square)
+{
+    const struct vector real = {creal(v.x) - middle[0], creal(v.y) - middle[1], creal(v.z) - middle[2]};
+    const struct vector imaginary = {cimag(v.x), cimag(v.y), cimag(v.z)};
+    const double off = sqrt(creal(dot(real, real))), size = sqrt(creal(dot(imaginary, imaginary)));
+    const double more = 1e-9 * (1 + sqrt(middle[0] * middle[0] + middle[1] * middle[1] + middle[2] * middle[2]));
+    return is_in_square ? off <= leeway->tile + more
+                        : off <= leeway->first + leeway->second + more && size <= leeway->imaginary + more;
+}
+
+static void try_vicinity(const struct lx_plan *plan, const struct lx_vicinity *vicinity, double complex x,
+                         double complex y, bool is_in_square)
+{
+    struct vector normal;
+    const struct vector place = place_at(&plan->surfaces->shape, x, y, &normal);
+    assert_true(keeps_to(place, vicinity->place, &vicinity->place_leeway, is_in_square));
+    assert_true(keeps_to(normal, vicinity->normal, &vicinity->normal_leeway, is_in_square));
+    assert_true(keeps_to(view_at(plan, place), vicinity->view, &vicinity->view_leeway, is_in_square));
+}
+
+/* A place on the ellipse, or in it, on one axis, and in the square on the other. */
+static void random_place(struct randomness *random, const struct lx_square *square, const struct lx_basis *basis,
+                         double complex place[2])
+{
+    const double reach = pick(random, 4) ? basis->reach : uniform(random, 1, basis->reach);
+    const double turn = uniform(random, 0, 2 * M_PI);
+    const double complex around = (reach * cexp(CMPLX(0, turn)) + cexp(CMPLX(0, -turn)) / reach) / 2;
+    const int axis = pick(random, 2);
+    place[axis] = around;
+    place[1 - axis] = uniform(random, -1, 1);
+    place[0] = square->x_mm + square->half_mm[0] * place[0];
+    place[1] = square->y_mm + square->half_mm[1] * place[1];
+}
+
+/* How many lights over a square have a bound that is tried. */
 static size_t try_bounds(struct workplace *work, const struct lx_square *square, const struct lx_basis *basis,
                          struct randomness *random)
 {
@@ -181,9 +228,15 @@ static size_t try_bounds(struct workplace *work, const struct lx_square *square,
     const size_t count = plan->smooth.lights.count;
     struct lx_vicinity vicinity;
     size_t tried = 0;
-    const double complex imaginary = CMPLX(0, 1);
     if (!lx_find_vicinity(plan, square, basis, &vicinity))
         return 0;
+    for (int k = 0; k < PLACES; k++) {
+        double complex place[2];
+        random_place(random, square, basis, place);
+        try_vicinity(plan, &vicinity, place[0], place[1], false);
+        try_vicinity(plan, &vicinity, square->x_mm + uniform(random, -1, 1) * square->half_mm[0],
+                     square->y_mm + uniform(random, -1, 1) * square->half_mm[1], true);
+    }
     plan->kernels->bound_smooth(&vicinity, &plan->smooth.lights, &plan->surfaces->lobe_exact, work->fitting.sizes);
     for (size_t i = 0; i < count; i++) {
         const double size = work->fitting.sizes[i];
@@ -195,12 +248,9 @@ static size_t try_bounds(struct workplace *work, const struct lx_square *square,
             continue;
         tried++;
         for (int k = 0; k < PLACES; k++) {
-            const double reach = k % 4 == 0 ? uniform(random, 1, basis->reach) : basis->reach;
-            const double turn = uniform(random, 0, 2 * M_PI), real = uniform(random, -1, 1);
-            const double complex around = (reach * cexp(imaginary * turn) + cexp(-imaginary * turn) / reach) / 2;
-            const double complex x = square->x_mm + square->half_mm[0] * (k % 2 ? around : real);
-            const double complex y = square->y_mm + square->half_mm[1] * (k % 2 ? real : around);
-            const double value = cabs(brightness(plan, light, is_dark, has_highlight, x, y));
+            double complex place[2];
+            random_place(random, square, basis, place);
+            const double value = cabs(brightness(plan, light, is_dark, has_highlight, place[0], place[1]));
             if (!(value <= fabs(size) * (1 + 1e-7)))
                 fail_msg("light %zu of kind %d: %g, but no more than %g was promised", i, (int)light->kind, value,
                          size);
