@@ -225,6 +225,7 @@ struct lx_leeway {
 struct lx_vicinity {
     double place[3], normal[3], view[3];
     double level; /* normal . place, which is the same everywhere */
+    double slip;  /* what may not be analytic counts for so many times its largest value in the square */
     struct lx_leeway place_leeway, normal_leeway, view_leeway;
 };
 
@@ -242,8 +243,9 @@ struct lx_smooth_lights {
     size_t count;
 };
 
-/* Sets sizes[i] to a bound of the brightness by light i, as an analytic function, in the vicinity; to that less than 0
- * where it is one but for max(0, N.L), which may be cut off within the square; infinite where it may not be one. */
+/* Sets sizes[i] to a bound of the brightness by light i, as an analytic function, in the vicinity, with the slip of a
+ * highlight that may not be one; to that less than 0 where N.L, which is cut off at 0, may be so within the square;
+ * infinite where the light may not be analytic. */
 typedef void lx_bound_smooth(const struct lx_vicinity *vicinity, const struct lx_smooth_lights *lights,
                              const struct lx_lobe_double *lobe, double *sizes);
 

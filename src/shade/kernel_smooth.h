@@ -154,9 +154,10 @@ LX_LANE struct bounded_light bound_one(const struct lx_vicinity *at, const struc
     return light;
 }
 
-/* Bounds of a highlight: at most, and whether it is 0 throughout, or may not be analytic. */
+/* Bounds of a highlight: as an analytic function, if it is one; in the square; and whether it is 0 there throughout, or
+ * may not be analytic. */
 struct bounded_shine {
-    lanes_double most, is_dark, doubt;
+    lanes_double most, seen, is_dark, doubt;
 };
 
 /*
@@ -168,7 +169,11 @@ LX_LANE struct bounded_shine bound_power(const struct lx_lobe_double *lobe, lane
 {
     const lanes_double margin = all_double(1e-9), zero = all_double(0), one = all_double(1);
     const double exponent = lobe->exponent.value;
-    struct bounded_shine shine = {.most = most_of_power(square, all_double(exponent))};
+    const lanes_double top = lesser_double(positive(cosine + tile + margin), one);
+    struct bounded_shine shine = {
+        .most = most_of_power(square, all_double(exponent)),
+        .seen = power_of_double(top, 1 - top, lobe->exponent) * (1 + margin) + (lobe->exponent.whole > 0 ? 0 : 1e-15),
+    };
     shine.is_dark = is_above_lane(-cosine, tile + margin);
     shine.doubt = where_above_double(cosine, tile + margin, zero, one - shine.is_dark);
     if (exponent != floor(exponent)) /* there is none around S = 0 */
@@ -244,23 +249,23 @@ static void bound_smooth(const struct lx_vicinity *vicinity, const struct lx_smo
     for (size_t i = 0; i < lights->count; i += LX_WIDTH_double) {
         const struct bounded_light light = bound_one(vicinity, lights, i);
         const lanes_double unsure = 1 - light.is_up - light.is_down;
-        const bool may_fold = lobe->model == LX_LAMBERT || lobe->highlight == LX_HIGHLIGHT_PLAIN;
         lanes_double most = lobe->diffuse * light.cosine * (1 - light.is_down);
-        lanes_double doubt = may_fold ? light.doubt : greater_double(light.doubt, unsure);
         if (lobe->model != LX_LAMBERT) {
             const struct bounded_shine shine = lobe->model == LX_PHONG ? bound_phong(vicinity, lobe, &light)
                                                                        : bound_blinn_phong(vicinity, lobe, &light);
-            lanes_double specular = lobe->specular * shine.most, is_there = 1 - shine.is_dark;
-            if (lobe->highlight == LX_HIGHLIGHT_COSINE)
-                specular *= light.cosine;
-            if (lobe->highlight != LX_HIGHLIGHT_PLAIN)
-                is_there *= light.is_up;
-            most += where_above_double(is_there, zero, specular, zero);
-            doubt = greater_double(doubt, shine.doubt * is_there);
+            lanes_double is_there = 1 - shine.is_dark, doubt = shine.doubt;
+            if (lobe->highlight != LX_HIGHLIGHT_PLAIN) {
+                is_there *= 1 - light.is_down;
+                doubt = greater_double(doubt, unsure);
+            }
+            /* what may not be analytic is as well if it is small: nodes see none of it, or all */
+            const lanes_double share = where_above_double(doubt, zero, shine.seen * vicinity->slip, shine.most);
+            const lanes_double cosine = lobe->highlight == LX_HIGHLIGHT_COSINE ? light.cosine : all_double(1);
+            most += where_above_double(is_there, zero, lobe->specular * share * cosine, zero);
         }
         const lanes_double bound = light.e * most;
         const lanes_double folded = where_above_double(unsure, zero, -bound, bound);
-        const lanes_double size = where_above_double(doubt, zero, infinite, folded);
+        const lanes_double size = where_above_double(light.doubt, zero, infinite, folded);
         store_double(sizes + i, where_above_double(light.is_lit, zero, size, zero));
     }
 }

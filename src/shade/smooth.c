@@ -38,12 +38,15 @@ static const double OF_ITSELF = 1e-3;
 
 /* Chebyshev's nodes: a function no larger than M in the ellipse of the given reach r is not farther from the polynomial
  * through n of them than 4 M/(r^(n - 1) (r - 1)) (Trefethen, Approximation Theory and Approximation Practice, theorem
- * 8.2); on the second axis that grows by no more than Lebesgue's constant, 1 + 2 ln(n)/pi. */
+ * 8.2); on the second axis that grows by no more than Lebesgue's constant, 1 + 2 ln(n)/pi.  Whatever is no larger than e
+ * in the square is off by no more than e itself and, on both axes, the square of that constant times e. */
 static void make_basis(unsigned nodes, double reach, struct lx_basis *basis)
 {
     double chebyshev[LX_MANY_NODES][LX_MANY_NODES] = {{1}, {0, 1}}; /* [degree][power] */
     *basis = (struct lx_basis){.nodes = nodes, .reach = reach};
-    basis->share = (2 + 2 * log(nodes) / M_PI) * 4 / (pow(reach, nodes - 1) * (reach - 1));
+    const double lebesgue = 1 + 2 * log(nodes) / M_PI;
+    basis->share = (1 + lebesgue) * 4 / (pow(reach, nodes - 1) * (reach - 1));
+    basis->slip = (1 + lebesgue * lebesgue) / basis->share;
     for (unsigned m = 2; m < nodes; m++)
         for (unsigned k = 0; k <= m; k++)
             chebyshev[m][k] = (k > 0 ? 2 * chebyshev[m - 1][k - 1] : 0) - chebyshev[m - 2][k];
@@ -213,7 +216,7 @@ bool lx_find_vicinity(const struct lx_plan *plan, const struct lx_square *square
         .tile = root_of_sum(square->half_mm[0], square->half_mm[1]),
     };
     const double from[2] = {square->x_mm - shape->anchor_mm[0], square->y_mm - shape->anchor_mm[1]};
-    *at = (struct lx_vicinity){.place = {from[0], from[1]}, .view = {0, 0, 1}};
+    *at = (struct lx_vicinity){.place = {from[0], from[1]}, .view = {0, 0, 1}, .slip = basis->slip};
     if (shape->type == LX_SPHERE) {
         const double radius = shape->radius_mm, height = sqrt(radius * radius - from[0] * from[0] - from[1] * from[1]);
         if (!(height > 0) || !leeway_on_sphere(radius, from, reach, height, at))
@@ -382,15 +385,16 @@ static double add_folded(const struct lx_plan *plan, struct lx_fitting *fitting,
     return rounding;
 }
 
-/* Of the sums at nodes the least; tells which quarters are fainter than they may be. */
-static double find_faint(const struct lx_basis *basis, const double *sums, double limit, struct lx_fitting *fitting)
+/* Of the sums at nodes the least; where they are of all lights tells which quarters are fainter than they may be. */
+static double find_least(const struct lx_basis *basis, const double *sums, double limit, bool are_all,
+                         struct lx_fitting *fitting)
 {
     double least = HUGE_VAL;
     for (unsigned j = 0; j < basis->nodes; j++)
         for (unsigned i = 0; i < basis->nodes; i++) {
             const double sum = sums[j * basis->nodes + i];
             const unsigned quarter = (basis->place[j] > 0) * 2U + (basis->place[i] > 0);
-            fitting->is_faint[quarter] |= !(sum >= limit);
+            fitting->is_faint[quarter] |= are_all && !(sum >= limit);
             least = lx_smaller(least, sum);
         }
     return least;
@@ -430,7 +434,8 @@ bool lx_smooth_fit(const struct lx_plan *plan, struct lx_fitting *fitting, struc
     sum_lights(plan, &seen->block, nodes, how, WHOLE, &surface->lobe_exact, asking, sum);
     if (taken.folded > 0 && surface->glossy_exact.model != LX_LAMBERT)
         sum_lights(plan, &seen->block, nodes, how, FOLDED, &surface->glossy_exact, asking, sum);
-    const double least = alone ? find_faint(basis, sum, taken.error / OF_ITSELF, fitting) : HUGE_VAL;
+    const double least =
+        alone ? find_least(basis, sum, taken.error / OF_ITSELF, taken.count == left, fitting) : HUGE_VAL;
     if (!(taken.error <= OF_ITSELF * least))
         return false;
     double rounding = add_polynomial(plan, fitting, basis, square->side, sum);

@@ -26,6 +26,7 @@ struct lx_basis {
     _Alignas(64) double terms[LX_MANY_NODES][LX_LANES]; /* [node][power], as lx_find_polynomial() takes them */
     double reach; /* of the ellipse: the sum of its half axes, for half a square's side */
     double share; /* of the bound in it, which the polynomial is off by at most */
+    double slip;  /* of what is not analytic: so much of `share` for its largest value among the nodes and between */
 };
 
 /* What a plan knows for them. */
