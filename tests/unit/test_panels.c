@@ -23,20 +23,39 @@ enum { SQUARES = 6, LIGHTS_AT_MOST = MAXIMUM_LIGHTS };
 
 /* ---- random squares ---- */
 
-/* One surface that is seen along -z, in pixels so small that the picture is shaded by panels; at times under one light,
- * of whose highlight only the faint foot shows where the light does not come. */
+/* Under one light, which may be so near that its direction changes as much as the normal does, and in which the whole of
+ * the highlight counts: its peak, and the faint foot that is all there is where the light does not come. */
+static void leave_one_light(struct randomness *random, struct test_scene *test)
+{
+    const struct lx_shape *shape = &test->surfaces[0].shape;
+    const struct lx_material material = {
+        .model = pick(random, 2) ? LX_BLINN_PHONG : LX_PHONG,
+        .diffuse = pick(random, 2) ? 0 : 0.5,
+        .specular = 0.5,
+        .shininess = floor(logarithmic(random, 2, 2000)),
+    };
+    const double away = shape->radius_mm * uniform(random, 0.1, 2);
+    double direction[3];
+    random_direction(random, direction);
+    direction[2] = fabs(direction[2]);
+    test->surfaces[0].lobe = lx_lobe_prepare(&material);
+    test->prepared.emitters.count = 1;
+    test->lights[0].type = LX_POINT;
+    test->lights[0].profile = lx_profile_isotropic();
+    for (int i = 0; i < 3; i++)
+        test->lights[0].position_mm[i] =
+            shape->anchor_mm[i] + (shape->type == LX_PLATE ? away * (shape->axis[i] + 0.5 * direction[i])
+                                                           : (shape->radius_mm + away) * direction[i]);
+}
+
+/* One surface that is seen along -z, in pixels so small that the picture is shaded by panels. */
 static void make_scene(int i, struct test_scene *test)
 {
     struct randomness random = {.state = UINT64_C(0x9E3779B97F4A7C15) * ((uint64_t)i + 1)};
     make_random_scene(&random, i % 3 == 0, test);
     const unsigned finer = (unsigned)logarithmic(&random, 8, 300);
-    if (i % 4 == 3) {
-        const struct lx_material material = {
-            .model = pick(&random, 2) ? LX_BLINN_PHONG : LX_PHONG, .diffuse = 0.5, .specular = 0.5, .shininess = 20};
-        test->surfaces[0].lobe = lx_lobe_prepare(&material);
-        test->prepared.emitters.count = 1;
-        test->lights[0].type = LX_POINT;
-    }
+    if (i % 4 == 3)
+        leave_one_light(&random, test);
     test->prepared.surface_count = 1;
     test->prepared.shadows = false;
     test->scene.observer.projection = LX_ORTHOGRAPHIC;
