@@ -52,9 +52,9 @@ LUXEL_API bool luxel_scene_settings(const luxel_scene *scene, luxel_settings *se
  * n / 2 + n and so on, or the last one instead of what lies beyond, and of the rows likewise; ceil(columns / n) by
  * ceil(rows / n) pixels with their places.  Their values are those of the whole picture, bit for bit, but for extended
  * sources, with a light_error, and in float32 where the whole picture is large and smooth (docs/MATHS.md, "Squares of a
- * picture"), where they keep the same bounds.  Such a field carries no scene, as it does not
- * repeat it, and luxel_find_extrema(), and luxel_find_isophotes() with an evaluator, refuse it.  All other functions
- * that take settings go by the whole picture.
+ * picture"), where they keep the same bounds.  Such a field carries no scene, as it does not repeat it, and
+ * luxel_find_extrema(), and luxel_find_isophotes() with an evaluator, refuse it.  All other functions that take
+ * settings go by the whole picture.
  *
  * With a light_error E above 0, of 256 points or more of a kind (points, spots, the rows of clouds, the parts of
  * sources; of a kind are those that differ in place, intensity and axis alone) those that stand together are taken for
