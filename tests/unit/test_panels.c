@@ -34,7 +34,7 @@ static void leave_one_light(struct randomness *random, struct test_scene *test)
         .specular = 0.5,
         .shininess = floor(logarithmic(random, 2, 2000)),
     };
-    const double away = shape->radius_mm * uniform(random, 0.1, 2);
+    const double away = shape->radius_mm * logarithmic(random, 0.05, 3);
     double direction[3];
     random_direction(random, direction);
     direction[2] = fabs(direction[2]);
@@ -53,7 +53,7 @@ static void make_scene(int i, struct test_scene *test)
 {
     struct randomness random = {.state = UINT64_C(0x9E3779B97F4A7C15) * ((uint64_t)i + 1)};
     make_random_scene(&random, i % 3 == 0, test);
-    const unsigned finer = (unsigned)logarithmic(&random, 8, 300);
+    const unsigned finer = (unsigned)logarithmic(&random, 8, 200);
     if (i % 4 == 3)
         leave_one_light(&random, test);
     test->prepared.surface_count = 1;
@@ -323,6 +323,37 @@ static void test_bounds(void **state)
 
 /* ---- polynomials ---- */
 
+/* What a polynomial through nodes is off by, of a function with a pole just beyond the ellipse: nearly as much as its
+ * share of the bound, and no more. */
+static void check_share(const struct lx_basis *basis)
+{
+    const double end = (basis->reach + 1 / basis->reach) / 2, pole = 1.02 * end, most = 1 / (pole - end);
+    double worst = 0;
+    for (double x = -1; x <= 1; x += 1.0 / 64) {
+        double sum = 0;
+        for (unsigned i = 0; i < basis->nodes; i++)
+            for (unsigned k = 0; k < basis->nodes; k++)
+                sum += basis->terms[i][k] * pow(x, k) / (pole - basis->place[i]);
+        worst = fmax(worst, fabs(sum - 1 / (pole - x)));
+    }
+    assert_true(worst <= basis->share * most && worst >= 1e-3 * basis->share * most);
+}
+
+static void test_shares(void **state)
+{
+    (void)state;
+    struct test_scene test;
+    struct workplace work;
+    size_t k = 0;
+    while (!lx_kernels_get(k)->runs())
+        k++;
+    make_scene(0, &test);
+    assert_true(open_workplace(&test, lx_kernels_get(k), &work));
+    check_share(&work.plan.smooth.few);
+    check_share(&work.plan.smooth.many);
+    close_workplace(&work);
+}
+
 /* The brightness by lights that are not left, and what all emitters that are no lights give. */
 static double exact_value(const struct test_scene *test, const struct workplace *work, double x, double y)
 {
@@ -343,6 +374,7 @@ static double exact_value(const struct test_scene *test, const struct workplace 
 struct tally {
     size_t squares, folded;
     double worst, worst_of_itself;
+    double worst_rounding; /* beyond what the polynomials are said to be off by */
 };
 
 static void try_square(const struct test_scene *test, struct workplace *work, struct randomness *random,
@@ -372,7 +404,9 @@ static void try_square(const struct test_scene *test, struct workplace *work, st
         const double exact =
             exact_value(test, work, square.x_mm + square.half_mm[0] * t, square.y_mm - square.half_mm[1] * u);
         assert_true(value >= 0);
-        tally->worst = fmax(tally->worst, fabs(value - exact) / fmax(plan->least_maximum, exact));
+        const double maximum = fmax(plan->least_maximum, exact), off = fabs(value - exact);
+        tally->worst = fmax(tally->worst, off / maximum);
+        tally->worst_rounding = fmax(tally->worst_rounding, (off - (allowed - allowance)) / maximum);
         tally->worst_of_itself = fmax(tally->worst_of_itself, fabs(value - exact) / exact);
     }
 }
@@ -397,7 +431,7 @@ static void test_polynomials(void **state)
         print_message("# %s: %zu squares, %zu with folds; off by %.2g of the maximum, %.2g of themselves\n",
                       lx_kernels_get(k)->name, tally.squares, tally.folded, tally.worst, tally.worst_of_itself);
         assert_true(tally.squares > 1000 && tally.folded > 50);
-        assert_true(tally.worst <= 1.2e-6 && tally.worst_of_itself <= 1e-3);
+        assert_true(tally.worst <= 1.2e-6 && tally.worst_of_itself <= 1e-3 && tally.worst_rounding <= 4.6e-7);
     }
 }
 
@@ -448,6 +482,7 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_bounds),
+        cmocka_unit_test(test_shares),
         cmocka_unit_test(test_polynomials),
         cmocka_unit_test(test_spreading),
     };
