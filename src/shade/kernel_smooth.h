@@ -56,16 +56,12 @@ LX_LANE lanes_double largest_cosine(lanes_double cosine, lanes_double sine, lane
     return where_above_double(cosine, zero, where_above_double(off, sine, one, turned), turned);
 }
 
-/* No less than a^(exponent/2) for a >= 0, as log a <= a - 1 and exp z <= 1 + z + z^2; not below some 1e-8. */
+/* No less than a^(exponent/2) for a >= 0. */
 LX_LANE lanes_double most_of_power(lanes_double a, lanes_double exponent)
 {
-    enum { DOUBLINGS = 6 };
-    const lanes_double lowest = all_double(-32), highest = all_double(100), infinite = all_double(HUGE_VAL);
-    const lanes_double y = greater_double(exponent * 0.5 * (a - 1), lowest), z = y * (1.0 / (1 << DOUBLINGS));
-    lanes_double power = 1 + z + z * z;
-    for (int i = 0; i < DOUBLINGS; i++)
-        power *= power;
-    return where_above_double(y, highest, infinite, power);
+    const lanes_double one = all_double(1), base = lesser_double(a, 1 / greater_double(a, one));
+    const lanes_double power = exp2_of_double(0.5 * exponent * log2_of_double(base, all_double(0)));
+    return where_above_double(a, one, 1 / power, power) * (1 + 1e-9);
 }
 
 /* What is known of a light: E_perp and the cosine at most, and on which side of the horizon the square is. */

@@ -2,6 +2,7 @@
 /* Polynomials in place of lights: the bounds against the brightness at complex places, the polynomials against the
  * reference at pixels, and what they are spread over. */
 #include <complex.h>
+#include <float.h>
 #include <math.h>
 #include <setjmp.h>
 #include <stdarg.h>
@@ -404,10 +405,11 @@ static void try_square(const struct test_scene *test, struct workplace *work, st
         const double exact =
             exact_value(test, work, square.x_mm + square.half_mm[0] * t, square.y_mm - square.half_mm[1] * u);
         assert_true(value >= 0);
-        const double maximum = fmax(plan->least_maximum, exact), off = fabs(value - exact);
+        const double maximum = fmax(plan->least_maximum, exact);
+        const double off = fmax(fabs(value - exact) - (double)FLT_MIN, 0); /* digits end below the normal numbers */
         tally->worst = fmax(tally->worst, off / maximum);
         tally->worst_rounding = fmax(tally->worst_rounding, (off - (allowed - allowance)) / maximum);
-        tally->worst_of_itself = fmax(tally->worst_of_itself, fabs(value - exact) / exact);
+        tally->worst_of_itself = fmax(tally->worst_of_itself, off / exact);
     }
 }
 
