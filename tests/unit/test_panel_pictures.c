@@ -50,12 +50,13 @@ static luxel_scene *open_scene(size_t i)
     return scene;
 }
 
-static luxel_field *render(const luxel_scene *scene, luxel_precision precision, unsigned threads,
-                           const char *instruction_set)
+static luxel_field *render_as(const luxel_scene *scene, luxel_quantity quantity, luxel_precision precision,
+                              unsigned threads, const char *instruction_set)
 {
     luxel_settings settings;
     luxel_field *field = NULL;
     luxel_settings_init(&settings);
+    settings.quantity = quantity;
     settings.precision = precision;
     settings.threads = threads;
     settings.instruction_set = instruction_set;
@@ -63,15 +64,27 @@ static luxel_field *render(const luxel_scene *scene, luxel_precision precision, 
     return field;
 }
 
-static void check_picture(const luxel_field *picture, const luxel_field *exact)
+static luxel_field *render(const luxel_scene *scene, luxel_precision precision, unsigned threads,
+                           const char *instruction_set)
+{
+    return render_as(scene, LUXEL_BRIGHTNESS, precision, threads, instruction_set);
+}
+
+static void check_values(const luxel_field *picture, const luxel_field *exact)
 {
     const size_t count = (size_t)luxel_field_columns(picture) * luxel_field_rows(picture);
-    const luxel_statistics *statistics = luxel_field_statistics(picture), *exactly = luxel_field_statistics(exact);
-    const double maximum = exactly->maximum.value;
+    const double maximum = luxel_field_statistics(exact)->maximum.value;
     const float *values = luxel_field_single(picture);
     assert_memory_equal(luxel_field_mask(picture), luxel_field_mask(exact), count);
     for (size_t i = 0; i < count; i++)
         assert_true(values[i] >= 0 && fabs((double)values[i] - luxel_field_double(exact)[i]) <= 2e-6 * maximum);
+}
+
+static void check_picture(const luxel_field *picture, const luxel_field *exact)
+{
+    const luxel_statistics *statistics = luxel_field_statistics(picture), *exactly = luxel_field_statistics(exact);
+    const double maximum = exactly->maximum.value;
+    check_values(picture, exact);
     assert_true(fabs(statistics->maximum.value - maximum) <= 2e-6 * maximum);
     assert_true(fabs(statistics->minimum.value - exactly->minimum.value) <= 1e-3 * exactly->minimum.value);
     assert_true(fabs(statistics->mean - exactly->mean) <= 1e-6 * exactly->mean);
@@ -113,6 +126,20 @@ static void test_pictures(void **state)
             luxel_field_free(picture);
         }
         luxel_field_free(exact);
+        luxel_scene_free(scene);
+    }
+}
+
+static void test_irradiance(void **state)
+{
+    (void)state;
+    for (size_t s = 0; s < sizeof scenes / sizeof *scenes; s++) {
+        luxel_scene *scene = open_scene(s);
+        luxel_field *exact = render_as(scene, LUXEL_IRRADIANCE, LUXEL_DOUBLE, 0, NULL);
+        luxel_field *picture = render_as(scene, LUXEL_IRRADIANCE, LUXEL_SINGLE, 0, NULL);
+        check_values(picture, exact);
+        luxel_field_free(exact);
+        luxel_field_free(picture);
         luxel_scene_free(scene);
     }
 }
@@ -202,10 +229,8 @@ static void test_same_bytes(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_pictures),
-        cmocka_unit_test(test_faint_foot),
-        cmocka_unit_test(test_many_folds),
-        cmocka_unit_test(test_same_bytes),
+        cmocka_unit_test(test_pictures),   cmocka_unit_test(test_irradiance), cmocka_unit_test(test_faint_foot),
+        cmocka_unit_test(test_many_folds), cmocka_unit_test(test_same_bytes),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
