@@ -144,6 +144,22 @@ static void test_irradiance(void **state)
     }
 }
 
+/* What is beyond float32 is an error, no number. */
+static void test_too_bright(void **state)
+{
+    (void)state;
+    luxel_settings settings;
+    luxel_scene *scene = open_scene(1);
+    luxel_field *field = NULL;
+    assert_int_equal(luxel_scene_set(scene, "lights[0].intensity=1e50", NULL), LUXEL_OK);
+    assert_int_equal(luxel_scene_commit(scene, NULL), LUXEL_OK);
+    luxel_settings_init(&settings);
+    settings.precision = LUXEL_SINGLE;
+    assert_int_equal(luxel_render(scene, &settings, NULL, &field), LUXEL_ERROR_RANGE);
+    assert_null(field);
+    luxel_scene_free(scene);
+}
+
 /* The foot of a highlight, which is all that there is, keeps digits of its own however faint it is. */
 static void test_faint_foot(void **state)
 {
@@ -230,7 +246,7 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_pictures),   cmocka_unit_test(test_irradiance), cmocka_unit_test(test_faint_foot),
-        cmocka_unit_test(test_many_folds), cmocka_unit_test(test_same_bytes),
+        cmocka_unit_test(test_too_bright), cmocka_unit_test(test_many_folds), cmocka_unit_test(test_same_bytes),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
