@@ -161,8 +161,8 @@ def print_page(bench, times, peers):
             print("| %s | %s |" % (name, " | ".join(cells)))
     print("\n## Each kernel\n")
     print("By one thread and by all, in ms for the picture and in ns for each pixel and source. *Times floor*: against "
-          "the products\nand sums of all sources at every pixel alone, at the rate that a loop of nothing else reached in the "
-          "same run; below 1 where\npolynomials do for most pixels ([KERNELS.md](KERNELS.md)).\n")
+          "the products\nand sums of all sources at every pixel alone, at the rate that a loop of nothing else reached "
+          "in the same run; below 1 where\npolynomials do for most pixels ([KERNELS.md](KERNELS.md)).\n")
     print("| case | set | sources | 1 thread, ms | ns | times floor | all threads, ms | ns |")
     print("|---|---|---:|---:|---:|---:|---:|---:|")
     for each in bench["timings"]:

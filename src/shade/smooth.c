@@ -38,8 +38,8 @@ static const double OF_ITSELF = 1e-3;
 
 /* Chebyshev's nodes: a function no larger than M in the ellipse of the given reach r is not farther from the polynomial
  * through n of them than 4 M/(r^(n - 1) (r - 1)) (Trefethen, Approximation Theory and Approximation Practice, theorem
- * 8.2); on the second axis that grows by no more than Lebesgue's constant, 1 + 2 ln(n)/pi.  Whatever is no larger than e
- * in the square is off by no more than e itself and, on both axes, the square of that constant times e. */
+ * 8.2); on the second axis that grows by no more than Lebesgue's constant, 1 + 2 ln(n)/pi.  Whatever is no larger than
+ * e in the square is off by no more than e itself and, on both axes, the square of that constant times e. */
 static void make_basis(unsigned nodes, double reach, struct lx_basis *basis)
 {
     double chebyshev[LX_MANY_NODES][LX_MANY_NODES] = {{1}, {0, 1}}; /* [degree][power] */

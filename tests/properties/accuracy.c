@@ -5,7 +5,7 @@
 #include "properties.h"
 #include "truth.h"
 
-/* So many pixels are looked at: few under extended sources, whose exact values take a thousand times as long as others. */
+/* So many pixels are looked at: few under extended sources, whose exact values take a thousand times as long. */
 enum { MOST_PIXELS = 100, DEAR_PIXELS = 2 };
 
 static bool is_true(struct trial *trial, luxel_precision precision)

@@ -152,7 +152,7 @@ static void test_too_bright(void **state)
     luxel_scene *scene = open_scene(1);
     luxel_field *field = NULL;
     assert_int_equal(luxel_scene_set(scene, "screen={width: 60, height: 60, resolution: [256, 256]}", NULL), LUXEL_OK);
-    assert_int_equal(luxel_scene_set(scene, "lights[0].intensity=1e50", NULL), LUXEL_OK);
+    assert_int_equal(luxel_scene_set(scene, "lights[0].intensity=1e80", NULL), LUXEL_OK);
     assert_int_equal(luxel_scene_commit(scene, NULL), LUXEL_OK);
     luxel_settings_init(&settings);
     settings.precision = LUXEL_SINGLE;

@@ -24,8 +24,8 @@ enum { SQUARES = 6, LIGHTS_AT_MOST = MAXIMUM_LIGHTS };
 
 /* ---- random squares ---- */
 
-/* Under one light, which may be so near that its direction changes as much as the normal does, and in which the whole of
- * the highlight counts: its peak, and the faint foot that is all there is where the light does not come. */
+/* Under one light, which may be so near that its direction changes as much as the normal does, and of which the whole
+ * highlight counts: its peak, and the faint foot that is all there is where the light does not come. */
 static void leave_one_light(struct randomness *random, struct test_scene *test)
 {
     const struct lx_shape *shape = &test->surfaces[0].shape;
