@@ -149,11 +149,15 @@ static void test_too_bright(void **state)
 {
     (void)state;
     luxel_settings settings;
-    luxel_scene *scene = open_scene(1);
+    luxel_scene *scene;
     luxel_field *field = NULL;
-    assert_int_equal(luxel_scene_set(scene, "screen={width: 60, height: 60, resolution: [256, 256]}", NULL), LUXEL_OK);
-    assert_int_equal(luxel_scene_set(scene, "lights[0].intensity=1e80", NULL), LUXEL_OK);
-    assert_int_equal(luxel_scene_commit(scene, NULL), LUXEL_OK);
+    assert_int_equal(load("luxel: 1\n"
+                          "screen: {width: 0.5, height: 0.5, resolution: [256, 256]}\n"
+                          "observer: {z: 2}\n"
+                          "surfaces: [{type: sphere, center: [0, 0, 0], radius: 1, material: {model: lambert}}]\n"
+                          "lights: [{type: point, position: [0, 0, 2], intensity: 1e50}]\n",
+                          NULL, &scene),
+                     LUXEL_OK);
     luxel_settings_init(&settings);
     settings.precision = LUXEL_SINGLE;
     assert_int_equal(luxel_render(scene, &settings, NULL, &field), LUXEL_ERROR_RANGE);
