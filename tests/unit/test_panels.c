@@ -241,7 +241,7 @@ static void random_place(struct randomness *random, const struct lx_square *squa
                          double complex place[2])
 {
     const double reach = pick(random, 4) ? basis->reach : uniform(random, 1, basis->reach);
-    const double turn = uniform(random, 0, 2 * M_PI);
+    const double turn = pick(random, 2) ? uniform(random, 0, 2 * M_PI) : pick(random, 4) * M_PI / 2;
     const double complex around = (reach * cexp(CMPLX(0, turn)) + cexp(CMPLX(0, -turn)) / reach) / 2;
     const int axis = pick(random, 2);
     place[axis] = around;
