@@ -242,9 +242,9 @@ static void random_place(struct randomness *random, const struct lx_square *squa
 {
     const double reach = pick(random, 4) ? basis->reach : uniform(random, 1, basis->reach);
     const double turn = pick(random, 2) ? uniform(random, 0, 2 * M_PI) : pick(random, 4) * M_PI / 2;
-    const double complex around = (reach * cexp(CMPLX(0, turn)) + cexp(CMPLX(0, -turn)) / reach) / 2;
+    const double parts[2] = {(reach + 1 / reach) / 2 * cos(turn), (reach - 1 / reach) / 2 * sin(turn)};
     const int axis = pick(random, 2);
-    place[axis] = around;
+    memcpy(&place[axis], parts, sizeof parts); /* as a complex number lies in memory */
     place[1 - axis] = uniform(random, -1, 1);
     place[0] = square->x_mm + square->half_mm[0] * place[0];
     place[1] = square->y_mm + square->half_mm[1] * place[1];
