@@ -144,6 +144,32 @@ static void test_irradiance(void **state)
     }
 }
 
+/* Pictures that are as large, but in perspective, or of two surfaces, or under an extended source besides. */
+static void test_other_pictures(void **state)
+{
+    (void)state;
+    static const struct {
+        const char *list, *element; /* to be inserted; no list: what to set */
+    } changes[] = {
+        {NULL, "observer.projection=perspective"},
+        {"surfaces", "{type: sphere, center: [50, 50, 1500], radius: 60}"},
+        {"lights", "{type: planar, rectangle: {center: [0, 0, 2000], size: [300, 300]}, radiance: 3}"},
+    };
+    for (size_t i = 0; i < sizeof changes / sizeof *changes; i++) {
+        luxel_scene *scene = open_scene(1);
+        const char *list = changes[i].list, *element = changes[i].element;
+        assert_int_equal(
+            list ? luxel_scene_insert(scene, list, 1, element, NULL) : luxel_scene_set(scene, element, NULL), LUXEL_OK);
+        assert_int_equal(luxel_scene_commit(scene, NULL), LUXEL_OK);
+        luxel_field *exact = render_as(scene, LUXEL_IRRADIANCE, LUXEL_DOUBLE, 0, NULL);
+        luxel_field *picture = render_as(scene, LUXEL_IRRADIANCE, LUXEL_SINGLE, 0, NULL);
+        check_values(picture, exact);
+        luxel_field_free(exact);
+        luxel_field_free(picture);
+        luxel_scene_free(scene);
+    }
+}
+
 /* What is beyond float32 is an error, no number. */
 static void test_too_bright(void **state)
 {
@@ -250,8 +276,9 @@ static void test_same_bytes(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_pictures),   cmocka_unit_test(test_irradiance), cmocka_unit_test(test_faint_foot),
-        cmocka_unit_test(test_too_bright), cmocka_unit_test(test_many_folds), cmocka_unit_test(test_same_bytes),
+        cmocka_unit_test(test_pictures),       cmocka_unit_test(test_irradiance), cmocka_unit_test(test_faint_foot),
+        cmocka_unit_test(test_other_pictures), cmocka_unit_test(test_too_bright), cmocka_unit_test(test_many_folds),
+        cmocka_unit_test(test_same_bytes),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
