@@ -204,8 +204,14 @@ class App:
         return [widget for widget in root.children() if widget.name.endswith("Luxel")] if root else []
 
     def on_screen(self):
-        """The numbers of its windows on the screen."""
-        return set(self.desk.hand("search", "--onlyvisible", "--pid", self.process.pid).split())
+        """The numbers of its windows on the screen.  The search fails where one of them goes meanwhile."""
+        search = [tool("xdotool"), "search", "--onlyvisible", "--pid", str(self.process.pid)]
+
+        def found():
+            done = subprocess.run(search, capture_output=True, timeout=DEADLINE, env=self.desk.environment, check=False)
+            return set(done.stdout.decode().split()) if done.returncode == 0 else None
+
+        return wait("its windows on the screen", found)
 
     def window(self, count=1):
         """The latest window when there are `count`, ready to be used; each is asked for once, as it appears."""
