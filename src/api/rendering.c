@@ -199,12 +199,13 @@ static luxel_status hold(struct lx_rendering *rendering, unsigned height)
     return complete ? LUXEL_OK : too_large(size, needed, needed < available ? 0 : available, rendering->diagnostics);
 }
 
-static luxel_status make_memories(struct lx_rendering *rendering)
+/* The pixels of a quick look are too far from each other for panels. */
+static luxel_status make_memories(struct lx_rendering *rendering, bool is_quick_look)
 {
     const unsigned rows = panel_rows_of(&rendering->held->strip);
     rendering->memories = lx_new_array(rendering->threads, sizeof *rendering->memories);
     bool complete = rendering->memories != NULL;
-    if (rendering->plan->in_panels && rendering->is_whole) {
+    if (rendering->plan->in_panels && !is_quick_look) {
         rendering->panels = lx_new_array(rendering->threads, sizeof *rendering->panels);
         rendering->panel_rows = lx_new_array(rows, sizeof *rendering->panel_rows);
         rendering->pieces = lx_new_array((size_t)rows * pieces_across(rendering->field), sizeof *rendering->pieces);
@@ -226,12 +227,11 @@ luxel_status lx_rendering_open(struct lx_rendering *rendering, const struct lx_s
         .plan = &session->plan,
         .field = field,
         .diagnostics = diagnostics,
-        .is_whole = settings->stride <= 1,
         .threads = lx_rendering_threads(settings, field),
         .control = {.rows = field->rows, .progress = settings->progress, .data = settings->progress_data},
     };
     luxel_status status = hold(rendering, height);
-    return status == LUXEL_OK ? make_memories(rendering) : status;
+    return status == LUXEL_OK ? make_memories(rendering, settings->stride > 1) : status;
 }
 
 static luxel_status check_range(const struct luxel_field *field, const luxel_extremum *maximum,

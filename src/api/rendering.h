@@ -17,7 +17,6 @@ struct lx_rendering {
     const struct lx_plan *plan;
     struct luxel_field *field; /* a frame; gets its statistics before the last strip is handed on */
     luxel_diagnostics *diagnostics;
-    bool is_whole; /* no quick look, whose pixels are too far from each other for panels */
     struct lx_control control;
     unsigned threads;
     struct lx_shader_memory **memories; /* one for each thread */

@@ -18,7 +18,7 @@ static const double SHARE = 8e-7;
 struct lx_panels_memory {
     struct lx_fitting fitting;
     uint8_t *was_left; /* of the lights: by the polynomial of the whole panel */
-    /* the lights that polynomials leave in a square: */
+    /* the plan, but for the lights that polynomials take in a square, and nothing uniform: */
     struct lx_light_run *runs;
     struct lx_planned_surface surface;
     struct lx_plan plan;
@@ -49,6 +49,12 @@ struct lx_panels_memory *lx_panels_memory_new(const struct lx_plan *plan)
         return NULL;
     memory->was_left = lx_new_array(count, 1);
     memory->runs = lx_new_array(count, sizeof *memory->runs);
+    memory->plan = *plan;
+    memory->surface = *plan->surfaces;
+    memory->plan.surfaces = &memory->surface;
+    memory->plan.at_once = false;
+    memory->surface.uniform = 0;
+    memory->surface.runs = memory->runs;
     const int status = lx_fitting_make(plan, &memory->fitting);
     if (status == 0 && memory->was_left && memory->runs)
         return memory;
@@ -153,17 +159,11 @@ static void shade_tiles(const struct job *job, const struct lx_plan *plan, struc
     }
 }
 
-/* Makes a plan of the lights that are left, and nothing else. */
+/* The plan of the lights that are left, and nothing else. */
 static const struct lx_plan *plan_rest(const struct lx_plan *plan, struct lx_panels_memory *memory)
 {
     const struct lx_planned_surface *surface = plan->surfaces;
     const uint8_t *is_left = memory->fitting.is_left;
-    memory->plan = *plan;
-    memory->surface = *surface;
-    memory->plan.surfaces = &memory->surface;
-    memory->plan.at_once = false;
-    memory->surface.uniform = 0;
-    memory->surface.runs = memory->runs;
     memory->surface.run_count = 0;
     for (size_t r = 0; r < surface->run_count; r++) {
         struct lx_light_run run = surface->runs[r];
