@@ -113,11 +113,6 @@ void lx_smooth_clear(struct lx_smooth *smooth)
 
 /* ---- vicinities ---- */
 
-static double length_of(const double v[3])
-{
-    return sqrt(v[0] * v[0] + v[1] * v[1] + v[2] * v[2]);
-}
-
 static double root_of_sum(double a, double b)
 {
     return sqrt(a * a + b * b);
@@ -189,7 +184,8 @@ static bool leeway_of_view(const double observer[3], struct lx_vicinity *at)
     double way[3];
     for (int i = 0; i < 3; i++)
         way[i] = observer[i] - at->place[i];
-    const double d = length_of(way), nearest = d - place->first - place->second;
+    const double d = sqrt(way[0] * way[0] + way[1] * way[1] + way[2] * way[2]);
+    const double nearest = d - place->first - place->second;
     if (!(0.9 * nearest > place->imaginary && nearest > 0.05 * d))
         return false;
     const double k = place->imaginary / nearest, more = 1 / sqrt(1 - k * k) - 1;

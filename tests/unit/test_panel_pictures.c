@@ -130,16 +130,21 @@ static void test_pictures(void **state)
     }
 }
 
+static void check_irradiance(const luxel_scene *scene)
+{
+    luxel_field *exact = render_as(scene, LUXEL_IRRADIANCE, LUXEL_DOUBLE, 0, NULL);
+    luxel_field *picture = render_as(scene, LUXEL_IRRADIANCE, LUXEL_SINGLE, 0, NULL);
+    check_values(picture, exact);
+    luxel_field_free(exact);
+    luxel_field_free(picture);
+}
+
 static void test_irradiance(void **state)
 {
     (void)state;
     for (size_t s = 0; s < sizeof scenes / sizeof *scenes; s++) {
         luxel_scene *scene = open_scene(s);
-        luxel_field *exact = render_as(scene, LUXEL_IRRADIANCE, LUXEL_DOUBLE, 0, NULL);
-        luxel_field *picture = render_as(scene, LUXEL_IRRADIANCE, LUXEL_SINGLE, 0, NULL);
-        check_values(picture, exact);
-        luxel_field_free(exact);
-        luxel_field_free(picture);
+        check_irradiance(scene);
         luxel_scene_free(scene);
     }
 }
@@ -161,11 +166,7 @@ static void test_other_pictures(void **state)
         assert_int_equal(
             list ? luxel_scene_insert(scene, list, 1, element, NULL) : luxel_scene_set(scene, element, NULL), LUXEL_OK);
         assert_int_equal(luxel_scene_commit(scene, NULL), LUXEL_OK);
-        luxel_field *exact = render_as(scene, LUXEL_IRRADIANCE, LUXEL_DOUBLE, 0, NULL);
-        luxel_field *picture = render_as(scene, LUXEL_IRRADIANCE, LUXEL_SINGLE, 0, NULL);
-        check_values(picture, exact);
-        luxel_field_free(exact);
-        luxel_field_free(picture);
+        check_irradiance(scene);
         luxel_scene_free(scene);
     }
 }
