@@ -7,6 +7,8 @@
     mutate.py FOLDER --random N --seed S  N places of the core's files, drawn by chance
     mutate.py FOLDER --count N            the first N of what was asked for
     mutate.py FOLDER --suites SUITE...    tried by these tests alone
+    mutate.py FOLDER --within SECONDS     tried by those tests alone that take no longer without a fault; what they
+                                          miss can be asked for by name, of random mutants with the same N and S
 
 FOLDER receives copies of the sources, one for each of --jobs, and what is built of them; the sources are not touched.
 Every test of SUITES must pass without a fault first.  For each mutant they then run one at a time until one fails:
@@ -170,8 +172,8 @@ def write(path, text):
 class Trial:
     """All mutants, one after the other, in as many copies as there are jobs."""
 
-    def __init__(self, copies, mutants, known, suites):
-        self.copies, self.known, self.suites = copies, known, suites
+    def __init__(self, copies, mutants, known, suites, within):
+        self.copies, self.known, self.suites, self.within = copies, known, suites, within
         self.waiting = queue.Queue()
         for mutant in mutants:
             self.waiting.put(mutant)
@@ -211,7 +213,7 @@ class Trial:
             rank = own.index(test.name) if test.name in own else len(own)
             return -in_file, rank, test.suite, -in_room, test.seconds
 
-        return sorted(self.tests, key=key)
+        return sorted((test for test in self.tests if test.seconds <= self.within), key=key)
 
     def note_catch(self, path, name):
         with self.lock:
@@ -260,11 +262,10 @@ class Trial:
 
 
 def chosen_mutants(arguments, listed):
+    mutants = listed
     if arguments.random:
-        return random_mutants(ROOT, core_files(ROOT), arguments.random, arguments.seed)
-    if arguments.only:
-        return [mutant for mutant in listed if mutant.name.startswith(tuple(arguments.only))]
-    return listed
+        mutants = random_mutants(ROOT, core_files(ROOT), arguments.random, arguments.seed)
+    return [mutant for mutant in mutants if mutant.name.startswith(tuple(arguments.only or [""]))]
 
 
 def report(results):
@@ -285,6 +286,8 @@ def main():
     parser.add_argument("--seed", type=int, default=1, help="of the random mutants (default: 1)")
     parser.add_argument("--count", type=int, help="at most so many mutants")
     parser.add_argument("--suites", nargs="+", choices=SUITES, default=SUITES, help="the tests (default: all of them)")
+    parser.add_argument("--within", type=float, default=float("inf"), metavar="SECONDS",
+                        help="only tests that take no longer (default: all)")
     parser.add_argument("--jobs", type=int, default=os.cpu_count() or 1, help="mutants at a time (default: processors)")
     arguments = parser.parse_args()
 
@@ -301,7 +304,7 @@ def main():
               for number in range(1, jobs + 1)]
     for copy in copies:
         copy.prepare()
-    trial = Trial(copies, mutants, known, arguments.suites)
+    trial = Trial(copies, mutants, known, arguments.suites, arguments.within)
     trial.measure(os.path.join(arguments.folder, "times.json"))
     trial.run()
     return 0 if report(trial.results) and len(trial.results) == len(mutants) else 1

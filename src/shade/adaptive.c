@@ -41,12 +41,31 @@ static bool falls_to_end(int i, double rise)
     return (i < 2 && rise > 0) || (i >= PLACES - 3 && rise < 0);
 }
 
-static bool is_resolved(const double logs[PLACES], double top, double width)
+/*
+ * The most that the logarithm can be between places i and i + 1 where it is concave, as round a peak: it stays below
+ * the lines through the two places before and through the two behind.  Beyond NEGLIGIBLE the panel is halved anyway.
+ */
+static double height_between(const double x[PLACES], const double logs[PLACES], int i)
 {
+    double from = logs[i], to = logs[i + 1], length = x[i + 1] - x[i], higher = fmax(from, to);
+    double before = i > 0 ? (from - logs[i - 1]) / (x[i] - x[i - 1]) : HUGE_VAL;
+    double behind = i + 2 < PLACES ? (logs[i + 2] - to) / (x[i + 2] - x[i + 1]) : -HUGE_VAL;
+    if (!(before > 0 && behind < 0))
+        return higher;
+    double meet = isinf(before)   ? to - behind * length
+                  : isinf(behind) ? from + before * length
+                                  : from + before * (to - from - behind * length) / (before - behind);
+    return fmax(higher, fmin(meet, higher + NEGLIGIBLE));
+}
+
+static bool is_resolved(const double x[PLACES], const double logs[PLACES], double top)
+{
+    double width = x[PLACES - 1] - x[0];
     for (int i = 0; i + 1 < PLACES; i++) {
-        double rise = logs[i + 1] - logs[i], higher = fmax(logs[i], logs[i + 1]);
+        double rise = logs[i + 1] - logs[i];
         bool vanishes = isinf(rise) && width <= NARROWEST;
-        if (higher > top - NEGLIGIBLE && fabs(rise) > STEEPEST && !falls_to_end(i, rise) && !vanishes)
+        if (fabs(rise) > STEEPEST && !falls_to_end(i, rise) && !vanishes &&
+            height_between(x, logs, i) > top - NEGLIGIBLE)
             return false;
     }
     return true;
@@ -54,17 +73,17 @@ static bool is_resolved(const double logs[PLACES], double top, double width)
 
 static void evaluate(const struct lx_integrand *integrand, struct lx_panel *panel, double *top)
 {
-    double logs[PLACES], middle = panel->from + (panel->to - panel->from) / 2, half = (panel->to - panel->from) / 2;
-    double by_kronrod = 0, by_gauss = 0, inherited = 0, greatest = 0;
+    double x[PLACES], logs[PLACES]; /* x: from the middle */
+    double middle = panel->from + (panel->to - panel->from) / 2, half = (panel->to - panel->from) / 2;
+    double by_kronrod = 0, by_gauss = 0, inherited = 0;
     for (int i = 0; i < PLACES; i++) {
         bool end = i == 0 || i == PLACES - 1;
         int k = i <= HALF + 1 ? i - 1 : NODES - i;
         double offset = end ? half : nodes[k] * half;
-        struct lx_point_value point =
-            integrand->at(integrand->data, panel->interval, middle + (i <= HALF ? -offset : offset));
+        x[i] = i <= HALF ? -offset : offset;
+        struct lx_point_value point = integrand->at(integrand->data, panel->interval, middle + x[i]);
         logs[i] = log(point.value);
         *top = fmax(*top, logs[i]);
-        greatest = fmax(greatest, point.value);
         if (end)
             continue;
         by_kronrod += kronrod[k] * point.value;
@@ -74,8 +93,12 @@ static void evaluate(const struct lx_integrand *integrand, struct lx_panel *pane
     panel->value = by_kronrod * half;
     panel->inherited = inherited * half;
     panel->estimate = CAUTION * fabs(by_kronrod - by_gauss) * half;
-    if (!is_resolved(logs, *top, panel->to - panel->from))
-        panel->estimate = fmax(panel->estimate, 2 * half * greatest);
+    if (is_resolved(x, logs, *top))
+        return;
+    double greatest = -HUGE_VAL;
+    for (int i = 0; i + 1 < PLACES; i++)
+        greatest = fmax(greatest, height_between(x, logs, i));
+    panel->estimate = fmax(panel->estimate, 2 * half * exp(greatest));
 }
 
 static struct lx_integral sum(const struct lx_panels *panels)

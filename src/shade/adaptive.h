@@ -4,7 +4,7 @@
  * points (Piessens et al., QUADPACK, 1983) in each panel, the panel with the greatest error estimate halved until the
  * sum of the estimates is small enough.  The estimate is 10 |K21 - G10|, which the error of K21 stays far below where
  * the panel is resolved; where the function varies too much between neighbouring points for that to be
- * believed, the panel's whole possible content counts as its error.
+ * believed, the panel's whole possible content counts as its error, with peaks that may hide between the points.
  */
 #ifndef LX_SHADE_ADAPTIVE_H
 #define LX_SHADE_ADAPTIVE_H

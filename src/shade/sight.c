@@ -9,6 +9,9 @@
 /* Cells up to this share of the lobe's width are begun with one sample against four. */
 static const double TINY = 0.0625;
 
+/* Far from its peak a lobe is narrower, as it falls there by more than this within a width. */
+static const double STEEP = 6;
+
 /*
  * No sample lies within GAP times a cell's half size of its sides (the rule of Gauss in the quarters).  In doubt is of
  * the light of a cell in which it jumps CUT_SHARE: all in a strip as wide, and some more; and where it begins with a
@@ -139,6 +142,15 @@ static double doubtful_share(const struct lx_viewers *viewers, size_t lane, cons
     return share;
 }
 
+/*
+ * How fast the lobe falls where the square of S is `square`: the slope of the logarithm of S^n, n tan(theta), over the
+ * angle 1/sqrt(n) that it is as wide as.  Grows without end towards the dark.
+ */
+static double tail_steepness(const struct lx_lobe_double *lobe, double square)
+{
+    return sqrt(lobe->exponent.value * lx_larger(1 - square, 0) / lx_larger(square, DBL_MIN));
+}
+
 static double attenuate(const struct lx_sampled *source, double distance_mm)
 {
     switch (source->law) {
@@ -184,6 +196,7 @@ void lx_see(const struct lx_viewers *viewers, const struct lx_sampled *source, c
         }
         double width = lx_smaller(widest, widths * viewers->width[lane]), from = seen->distance - radius;
         width *= lx_smaller(1, 2 * lx_larger(half, 0)); /* half vectors turn fast where they are short */
+        width *= lx_smaller(1, STEEP / tail_steepness(lobe, own));
         sight->is_wide = sight->is_wide || !(radius <= width * from);
         sight->is_tiny = sight->is_tiny && sight->doubt[lane] == 0 && radius < TINY * width * from;
     }

@@ -174,6 +174,16 @@ static void test_far_foot(void **state)
                   "lights: [{type: volume, sphere: {center: [0, 0, 2], radius: 540, facets: 12}, radiance: 1}]\n");
 }
 
+/* A ball of small faces in the far tail of a highlight, 1e-25 of its peak: it is steep even across small faces. */
+static void test_steep_tail(void **state)
+{
+    (void)state;
+    expect_within(LUXEL_DOUBLE, 1e-3,
+                  SCENE("{type: sphere, center: [35.5, 45.5, 60], radius: 100, material: {diffuse: 0, specular: 1, "
+                        "shininess: 200}}",
+                        "{type: volume, sphere: {center: [-34.5, -14.5, 100], radius: 3, facets: 8}, radiance: 1}"));
+}
+
 /* A rectangle far away that lies nearly in one plane with what it lights, and faces it: its edges cancel. */
 static void test_coplanar(void **state)
 {
@@ -268,6 +278,7 @@ int main(void)
         cmocka_unit_test(test_slivers),
         cmocka_unit_test(test_corner),
         cmocka_unit_test(test_far_foot),
+        cmocka_unit_test(test_steep_tail),
         cmocka_unit_test(test_coplanar),
         cmocka_unit_test(test_edge_on),
         cmocka_unit_test(test_narrow_cone),
