@@ -20,10 +20,17 @@ enum { SIDE = 800, MANY = 16, LEAST_RUNS = 3, MOST_RUNS = 400, MOST_ROWS = 80, M
 /* How long one measurement goes on at least. */
 static const double LEAST_SECONDS = 0.15;
 
+/* How the sphere is seen. */
+enum bench_view {
+    FROM_AFAR, /* by parallel lines of sight */
+    IN_PERSPECTIVE,
+    SMALL, /* so that no polynomials take the place of its lights (docs/KERNELS.md) */
+};
+
 /*
- * What is measured: a sphere that fills the picture, under so many equal lights on a ring.  `operations` are the
- * vector operations that the kernel needs for a vector of elements and a light (docs/KERNELS.md counts them); 0: not
- * counted, as it depends on the elements.  In perspective the lights are summed at every pixel.
+ * What is measured: a sphere that fills the picture, or most of it, under so many equal lights on a ring.  `operations`
+ * are the vector operations that the kernel needs for a vector of elements and a light (docs/KERNELS.md counts them);
+ * 0: not counted, as it depends on the elements.
  */
 struct bench_case {
     const char *name, *id;
@@ -33,7 +40,7 @@ struct bench_case {
     luxel_quantity quantity;
     unsigned points;    /* that each light is cut into */
     double light_error; /* allowed for taking them together */
-    bool is_in_perspective;
+    enum bench_view view;
 };
 
 #define LIGHT(words) "  - {type: " words "}\n"
@@ -43,41 +50,43 @@ struct bench_case {
 #define RECTANGLE PLANAR("rectangle: {center: [%.3f, %.3f, 2500], size: [1000, 600]")
 
 static const struct bench_case cases[] = {
-    {N_("point, shininess 20"), "point", POINT(""), "shininess: 20", MANY, 41, LUXEL_BRIGHTNESS, 1, 0, false},
-    {N_("one point alone"), "one-point", POINT(""), "shininess: 20", 1, 0, LUXEL_BRIGHTNESS, 1, 0, false},
+    {N_("point, shininess 20"), "point", POINT(""), "shininess: 20", MANY, 41, LUXEL_BRIGHTNESS, 1, 0, FROM_AFAR},
+    {N_("one point alone"), "one-point", POINT(""), "shininess: 20", 1, 0, LUXEL_BRIGHTNESS, 1, 0, FROM_AFAR},
     {N_("point, in perspective"), "point-perspective", POINT(""), "shininess: 20", MANY, 41, LUXEL_BRIGHTNESS, 1, 0,
-     true},
+     IN_PERSPECTIVE},
+    {N_("point, each pixel on its own"), "point-by-pixel", POINT(""), "shininess: 20", MANY, 41, LUXEL_BRIGHTNESS, 1, 0,
+     SMALL},
     {N_("point, shininess 20.5"), "point-any-exponent", POINT(""), "shininess: 20.5", MANY, 71, LUXEL_BRIGHTNESS, 1, 0,
-     false},
-    {N_("point, Phong"), "point-phong", POINT(""), "model: phong", MANY, 42, LUXEL_BRIGHTNESS, 1, 0, false},
-    {N_("point, Lambert"), "point-lambert", POINT(""), "model: lambert", MANY, 19, LUXEL_BRIGHTNESS, 1, 0, false},
+     FROM_AFAR},
+    {N_("point, Phong"), "point-phong", POINT(""), "model: phong", MANY, 42, LUXEL_BRIGHTNESS, 1, 0, FROM_AFAR},
+    {N_("point, Lambert"), "point-lambert", POINT(""), "model: lambert", MANY, 19, LUXEL_BRIGHTNESS, 1, 0, FROM_AFAR},
     {N_("point, no attenuation"), "point-none", POINT(", attenuation: none"), "shininess: 20", MANY, 39,
-     LUXEL_BRIGHTNESS, 1, 0, false},
+     LUXEL_BRIGHTNESS, 1, 0, FROM_AFAR},
     {N_("point, 1/(k + r)"), "point-practical", POINT(", attenuation: practical, k: 300"), "shininess: 20", MANY, 45,
-     LUXEL_BRIGHTNESS, 1, 0, false},
+     LUXEL_BRIGHTNESS, 1, 0, FROM_AFAR},
     {N_("point, cosine pattern"), "point-lambertian", POINT(", pattern: lambertian, aim: [0, 0, 1000]"),
-     "shininess: 20", MANY, 50, LUXEL_BRIGHTNESS, 1, 0, false},
+     "shininess: 20", MANY, 50, LUXEL_BRIGHTNESS, 1, 0, FROM_AFAR},
     {N_("spot"), "spot",
      LIGHT("spot, position: [%.3f, %.3f, 2500], intensity: 10, aim: [0, 0, 1000], inner: 10, outer: 20"),
-     "shininess: 20", MANY, 0, LUXEL_BRIGHTNESS, 1, 0, false},
+     "shininess: 20", MANY, 0, LUXEL_BRIGHTNESS, 1, 0, FROM_AFAR},
     {N_("distant"), "distant", LIGHT("distant, direction: [%.3f, %.3f, -2000], irradiance: 1"), "shininess: 20", MANY,
-     27, LUXEL_BRIGHTNESS, 1, 0, false},
-    {N_("rectangle, irradiance"), "rectangle", RECTANGLE, "shininess: 20", 1, 0, LUXEL_IRRADIANCE, 1, 0, false},
+     27, LUXEL_BRIGHTNESS, 1, 0, FROM_AFAR},
+    {N_("rectangle, irradiance"), "rectangle", RECTANGLE, "shininess: 20", 1, 0, LUXEL_IRRADIANCE, 1, 0, FROM_AFAR},
     {N_("rectangle, highlight"), "rectangle-highlight", RECTANGLE, "shininess: 20", 1, 0, LUXEL_BRIGHTNESS, 1, 0,
-     false},
+     FROM_AFAR},
     {N_("disk, irradiance"), "disk", PLANAR("disk: {center: [%.3f, %.3f, 2500], radius: 400"), "shininess: 20", 1, 0,
-     LUXEL_IRRADIANCE, 1, 0, false},
+     LUXEL_IRRADIANCE, 1, 0, FROM_AFAR},
     {N_("box, irradiance"), "box", VOLUME("box: {center: [%.3f, %.3f, 2500], size: [600, 600, 600]"), "shininess: 20",
-     1, 0, LUXEL_IRRADIANCE, 1, 0, false},
+     1, 0, LUXEL_IRRADIANCE, 1, 0, FROM_AFAR},
     {N_("ball, irradiance"), "ball", VOLUME("sphere: {center: [%.3f, %.3f, 2500], radius: 400"), "shininess: 20", 1, 0,
-     LUXEL_IRRADIANCE, 1, 0, false},
+     LUXEL_IRRADIANCE, 1, 0, FROM_AFAR},
     {N_("tube, irradiance"), "tube",
      VOLUME("cylinder: {center: [%.3f, %.3f, 2500], radius: 100, height: 1000, axis: [1, 1, 0]"), "shininess: 20", 1, 0,
-     LUXEL_IRRADIANCE, 1, 0, false},
+     LUXEL_IRRADIANCE, 1, 0, FROM_AFAR},
     {N_("65536 points in 16 lamps"), "many-points",
      LIGHT("planar, radiance: 10, rectangle: {center: [%.3f, %.3f, 2500], size: [120, 120], aim: [0, 0, 1000]}, "
            "parts: 64"),
-     "shininess: 20", MANY, 0, LUXEL_BRIGHTNESS, 64 * 64, 0.01, false},
+     "shininess: 20", MANY, 0, LUXEL_BRIGHTNESS, 64 * 64, 0.01, FROM_AFAR},
 };
 
 /* One measurement. */
@@ -152,14 +161,14 @@ static luxel_scene *scene_of(const struct bench_case *each, luxel_diagnostics *d
 {
     char text[MANY * 256];
     luxel_scene *scene = NULL;
-    size_t used =
-        (size_t)snprintf(text, sizeof text,
-                         "luxel: 1\n"
-                         "screen: {width: 500, height: 500, resolution: [%d, %d]}\n"
-                         "observer: {z: 1500, projection: %s}\n"
-                         "surfaces: [{type: sphere, center: [0, 0, 1000], radius: 360, material: {%s}}]\n"
-                         "lights:\n",
-                         SIDE, SIDE, each->is_in_perspective ? "perspective" : "orthographic", each->material);
+    size_t used = (size_t)snprintf(text, sizeof text,
+                                   "luxel: 1\n"
+                                   "screen: {width: 500, height: 500, resolution: [%d, %d]}\n"
+                                   "observer: {z: 1500, projection: %s}\n"
+                                   "surfaces: [{type: sphere, center: [0, 0, 1000], radius: %d, material: {%s}}]\n"
+                                   "lights:\n",
+                                   SIDE, SIDE, each->view == IN_PERSPECTIVE ? "perspective" : "orthographic",
+                                   each->view == SMALL ? 270 : 360, each->material);
 
     for (unsigned i = 0; i < each->lights; i++) {
         const double x = 2000 * cos(2 * M_PI * i / each->lights), y = 2000 * sin(2 * M_PI * i / each->lights);

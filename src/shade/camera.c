@@ -51,8 +51,7 @@ struct lx_ray lx_line_of_sight(const struct lx_observer *observer, double x_mm, 
     return (struct lx_ray){.origin_mm = {x_mm, y_mm, observer->z_mm}, .direction = {0, 0, -1}};
 }
 
-/* What a length at the height z has to be multiplied by to have its length on the screen; 0: it is not seen. */
-static double scale_at(const struct lx_observer *observer, double z_mm)
+double lx_scale_at(const struct lx_observer *observer, double z_mm)
 {
     if (observer->projection == LX_ORTHOGRAPHIC)
         return 1;
@@ -61,7 +60,7 @@ static double scale_at(const struct lx_observer *observer, double z_mm)
 
 bool lx_project(const struct lx_observer *observer, const double place_mm[3], double screen_mm[2])
 {
-    double scale = scale_at(observer, place_mm[2]), x = place_mm[0] * scale, y = place_mm[1] * scale;
+    double scale = lx_scale_at(observer, place_mm[2]), x = place_mm[0] * scale, y = place_mm[1] * scale;
     if (!(scale > 0 && isfinite(place_mm[2]) && isfinite(x) && isfinite(y)))
         return false;
     screen_mm[0] = x;
@@ -71,7 +70,7 @@ bool lx_project(const struct lx_observer *observer, const double place_mm[3], do
 
 bool lx_unproject(const struct lx_observer *observer, const double screen_mm[2], double z_mm, double place_mm[3])
 {
-    double scale = scale_at(observer, z_mm), x = screen_mm[0] / scale, y = screen_mm[1] / scale;
+    double scale = lx_scale_at(observer, z_mm), x = screen_mm[0] / scale, y = screen_mm[1] / scale;
     if (!(scale > 0 && isfinite(z_mm) && isfinite(x) && isfinite(y)))
         return false;
     place_mm[0] = x;

@@ -19,6 +19,9 @@ bool lx_views_along_z(const struct lx_observer *observer);
 /* The line of sight through a screen point. */
 struct lx_ray lx_line_of_sight(const struct lx_observer *observer, double x_mm, double y_mm);
 
+/* What a length at the height z has to be multiplied by to have its length on the screen; 0: it is not seen. */
+double lx_scale_at(const struct lx_observer *observer, double z_mm);
+
 /* The screen point at which a place is seen, and the place at a height that is seen at a screen point; false where it
  * is not in front of an observer in perspective, or not finite. */
 bool lx_project(const struct lx_observer *observer, const double place_mm[3], double screen_mm[2]);

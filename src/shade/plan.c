@@ -418,6 +418,13 @@ static bool is_in_single_alone(const struct lx_plan *plan)
     return all;
 }
 
+/* Half the size of the only surface as it looks on the screen. */
+static double radius_on_screen(const struct lx_plan *plan)
+{
+    const struct lx_shape *shape = &plan->surfaces->shape;
+    return shape->radius_mm * lx_scale_at(&plan->prepared->scene->observer, shape->anchor_mm[2]);
+}
+
 /* Whether polynomials may take the place of lights (smooth.h), and pay. */
 static bool has_panels(const struct lx_plan *plan)
 {
@@ -427,10 +434,9 @@ static bool has_panels(const struct lx_plan *plan)
     const double side_mm = scene->screen.width_mm / resolution[0] * LX_PANEL_SIDE;
     const size_t lights = surface->lights.count;
     return plan->precision == LUXEL_SINGLE && plan->surface_count == 1 && surface->shell_count == 0 &&
-           plan->forest.tree_count == 0 && plan->every == 1 && scene->observer.projection == LX_ORTHOGRAPHIC &&
-           lights > 0 && lights <= LX_MOST_STORED && surface->lights.stored == lights && plan->least_maximum > 0 &&
-           resolution[0] >= LX_PANEL_SIDE && resolution[1] >= LX_PANEL_SIDE &&
-           surface->shape.radius_mm > LX_LEAST_PANELS * side_mm;
+           plan->forest.tree_count == 0 && plan->every == 1 && lights > 0 && lights <= LX_MOST_STORED &&
+           surface->lights.stored == lights && plan->least_maximum > 0 && resolution[0] >= LX_PANEL_SIDE &&
+           resolution[1] >= LX_PANEL_SIDE && radius_on_screen(plan) > LX_LEAST_PANELS * side_mm;
 }
 
 luxel_status lx_plan_make(const struct lx_prepared *prepared, const struct lx_kernels *kernels,
@@ -473,7 +479,7 @@ luxel_status lx_plan_make(const struct lx_prepared *prepared, const struct lx_ke
     plan->at_once = plan->in_single_alone && plan->surfaces->run_count == 1 && plan->surfaces->shell_count == 0 &&
                     plan->surfaces->lights.count <= LX_MOST_IN_RUN && plan->every == 1;
     plan->in_panels = status == LUXEL_OK && has_panels(plan);
-    if (plan->in_panels && lx_smooth_make(&plan->surfaces->lights, &plan->smooth))
+    if (plan->in_panels && lx_smooth_make(&plan->surfaces->lights, radius_on_screen(plan), &plan->smooth))
         status = LUXEL_ERROR_MEMORY;
     return status;
 }

@@ -58,7 +58,7 @@ static size_t merge(struct lx_seen *seen, uint32_t surface, size_t count)
     return new;
 }
 
-static struct lx_row_view view_of(const struct lx_plan *plan, double y_mm)
+struct lx_row_view lx_row_view_of(const struct lx_plan *plan, double y_mm)
 {
     const struct lx_observer *observer = &plan->prepared->scene->observer;
     return (struct lx_row_view){
@@ -75,7 +75,7 @@ struct lx_stretch lx_seen_in_single(const struct lx_plan *plan, struct lx_seen *
 {
     const struct lx_planned_surface *surface = plan->surfaces;
     const struct lx_columns *columns = &seen->columns;
-    const struct lx_row_view view = view_of(plan, y_mm);
+    const struct lx_row_view view = lx_row_view_of(plan, y_mm);
     if (may_show(surface, &view, columns->x_mm, columns->count))
         return plan->kernels->view_single[surface->shape.type](&surface->shape, &view, columns, &seen->copy, mask);
     memset(mask, 0, columns->count);
@@ -84,7 +84,7 @@ struct lx_stretch lx_seen_in_single(const struct lx_plan *plan, struct lx_seen *
 
 size_t lx_seen_find(const struct lx_plan *plan, struct lx_seen *seen, double y_mm, const double *x_mm, size_t count)
 {
-    const struct lx_row_view view = view_of(plan, y_mm);
+    const struct lx_row_view view = lx_row_view_of(plan, y_mm);
     size_t found = 0;
     bool any = false;
     seen->shows_one = false;

@@ -9,7 +9,6 @@
 
 #include "../base/larger.h"
 #include "../base/memory.h"
-#include "camera.h"
 #include "seen.h"
 
 /* The half axes of the ellipses, found by trying (docs/KERNELS.md). */
@@ -86,7 +85,7 @@ static void set_light(const struct lx_light_double *light, struct lx_smooth_ligh
     set_profile(light, lights, i);
 }
 
-int lx_smooth_make(const struct lx_lights *lights, struct lx_smooth *smooth)
+int lx_smooth_make(const struct lx_lights *lights, double radius_mm, struct lx_smooth *smooth)
 {
     struct lx_smooth_lights *made = &smooth->lights;
     double **arrays[] = {&made->x,         &made->y,       &made->z,       &made->moves,    &made->gain,
@@ -101,6 +100,7 @@ int lx_smooth_make(const struct lx_lights *lights, struct lx_smooth *smooth)
     for (size_t i = 0; i < length; i++)
         set_light(&lights->exacts[i < lights->count ? i : lights->count - 1], made, i);
     made->count = lights->count;
+    smooth->radius_mm = radius_mm;
     make_basis(LX_FEW_NODES, REACH_OF_FEW, &smooth->few);
     make_basis(LX_MANY_NODES, REACH_OF_MANY, &smooth->many);
     return 0;
@@ -109,129 +109,6 @@ int lx_smooth_make(const struct lx_lights *lights, struct lx_smooth *smooth)
 void lx_smooth_clear(struct lx_smooth *smooth)
 {
     free(smooth->room);
-}
-
-/* ---- vicinities ---- */
-
-static double root_of_sum(double a, double b)
-{
-    return sqrt(a * a + b * b);
-}
-
-/*
- * How far places are from the middle that are complex on one axis and within the square on the other: their real
- * parts, on both axes together, and the imaginary part; and those within the square.
- */
-struct reach {
-    double real, imaginary, tile;
-};
-
-/*
- * z = sqrt(q) with q = R^2 - x^2 - y^2; of x + i v the real part of q is more by v^2, the imaginary one 2 x v.  The
- * real part of a root is at least the root of the real part, so that of z, and the imaginary one no more than half of
- * q's over it.
- */
-static bool leeway_on_sphere(double radius, const double from[2], struct reach reach, double height,
-                             struct lx_vicinity *at)
-{
-    const double away = root_of_sum(from[0], from[1]), farthest = away + reach.real,
-                 nearest = lx_larger(away - reach.real, 0);
-    const double least = (radius - farthest) * (radius + farthest);
-    if (!(farthest < radius && least > 1e-4 * radius * radius))
-        return false;
-    const double lowest = sqrt(least), highest = sqrt(radius * radius - nearest * nearest);
-    const double across = lx_larger(fabs(from[0]), fabs(from[1])) + reach.real;
-    const double imaginary = 2 * across * reach.imaginary, square = least + reach.imaginary * reach.imaginary;
-    const double below = away + reach.tile, tile_low = height - sqrt((radius - below) * (radius + below));
-    const double tile_high =
-        sqrt(radius * radius - lx_larger(away - reach.tile, 0) * lx_larger(away - reach.tile, 0)) - height;
-    at->place_leeway = (struct lx_leeway){
-        .first = root_of_sum(reach.real, lx_larger(height - lowest, highest - height)),
-        .second = sqrt(square + imaginary * imaginary / (4 * square)) - lowest,
-        .imaginary = root_of_sum(reach.imaginary, imaginary / (2 * lowest)),
-        .tile = root_of_sum(reach.tile, lx_larger(tile_low, tile_high)),
-    };
-    const struct lx_leeway *place = &at->place_leeway;
-    at->normal_leeway = (struct lx_leeway){place->first / radius, place->second / radius, place->imaginary / radius,
-                                           place->tile / radius};
-    at->level = radius;
-    return true;
-}
-
-/* Whether a rectangle, which is seen, shows at all corners of a square. */
-static bool is_on_plate(const struct lx_shape *plate, const struct lx_square *square, const double place[3])
-{
-    const double *n = plate->axis;
-    bool all = true;
-    for (int corner = 0; corner < 4; corner++) {
-        double to[3] = {place[0] + (corner % 2 == 0 ? 1 : -1) * square->half_mm[0],
-                        place[1] + (corner / 2 == 0 ? 1 : -1) * square->half_mm[1], 0};
-        to[2] = -(n[0] * to[0] + n[1] * to[1]) / n[2];
-        double across = 0, upward = 0;
-        for (int i = 0; i < 3; i++) {
-            across += plate->across[i] * to[i];
-            upward += plate->upward[i] * to[i];
-        }
-        all = all && fabs(across) < plate->half_mm[0] * (1 - 1e-9) && fabs(upward) < plate->half_mm[1] * (1 - 1e-9);
-    }
-    return all;
-}
-
-/* Of the view vector, from the observer's place, as kernel_smooth.h finds that of the way to a light. */
-static bool leeway_of_view(const double observer[3], struct lx_vicinity *at)
-{
-    const struct lx_leeway *place = &at->place_leeway;
-    double way[3];
-    for (int i = 0; i < 3; i++)
-        way[i] = observer[i] - at->place[i];
-    const double d = sqrt(way[0] * way[0] + way[1] * way[1] + way[2] * way[2]);
-    const double nearest = d - place->first - place->second;
-    if (!(0.9 * nearest > place->imaginary && nearest > 0.05 * d))
-        return false;
-    const double k = place->imaginary / nearest, more = 1 / sqrt(1 - k * k) - 1;
-    for (int i = 0; i < 3; i++)
-        at->view[i] = way[i] / d;
-    at->view_leeway = (struct lx_leeway){
-        .first = place->first / d * sqrt(2), /* no more than the chord of that sine */
-        .second = more * (1 + k) + k * k * (1 + more) + place->second / nearest,
-        .imaginary = k * (1 + more) + more,
-        .tile = place->tile / d * sqrt(2),
-    };
-    return true;
-}
-
-bool lx_find_vicinity(const struct lx_plan *plan, const struct lx_square *square, const struct lx_basis *basis,
-                      struct lx_vicinity *at)
-{
-    const struct lx_planned_surface *surface = plan->surfaces;
-    const struct lx_shape *shape = &surface->shape;
-    const double half = lx_larger(square->half_mm[0], square->half_mm[1]);
-    const struct reach reach = {
-        .real = root_of_sum((basis->reach + 1 / basis->reach) / 2, 1) * half,
-        .imaginary = (basis->reach - 1 / basis->reach) / 2 * half,
-        .tile = root_of_sum(square->half_mm[0], square->half_mm[1]),
-    };
-    const double from[2] = {square->x_mm - shape->anchor_mm[0], square->y_mm - shape->anchor_mm[1]};
-    *at = (struct lx_vicinity){.place = {from[0], from[1]}, .view = {0, 0, 1}, .slip = basis->slip};
-    if (shape->type == LX_SPHERE) {
-        const double radius = shape->radius_mm, height = sqrt(radius * radius - from[0] * from[0] - from[1] * from[1]);
-        if (!(height > 0) || !leeway_on_sphere(radius, from, reach, height, at))
-            return false;
-        at->place[2] = height;
-        for (int i = 0; i < 3; i++)
-            at->normal[i] = at->place[i] / radius;
-    } else {
-        const double *n = shape->axis, longer = 1 / n[2]; /* lengths on the plate than on the screen */
-        memcpy(at->normal, n, sizeof at->normal);
-        at->place[2] = -(n[0] * from[0] + n[1] * from[1]) / n[2];
-        if (!(n[2] > 1e-3) || !is_on_plate(shape, square, at->place))
-            return false;
-        at->place_leeway = (struct lx_leeway){
-            .first = reach.real * longer, .imaginary = reach.imaginary * longer, .tile = reach.tile * longer};
-    }
-    double observer[3];
-    const double *from_observer = lx_observer_from(plan, surface, observer);
-    return !from_observer || leeway_of_view(from_observer, at);
 }
 
 /* ---- fitting ---- */
@@ -312,8 +189,7 @@ static void gather_nodes(const struct lx_plan *plan, struct lx_seen *seen, const
         x[i] = square->x_mm + square->half_mm[0] * basis->place[i < nodes ? i : nodes - 1];
     _Static_assert((int)LX_MANY_NODES * LX_MANY_NODES <= (int)LX_BLOCK, "a block holds all nodes");
     for (unsigned j = 0; j < nodes; j++) {
-        const struct lx_row_view view = {.observer_z_mm = plan->prepared->scene->observer.z_mm,
-                                         .y_mm = square->y_mm - square->half_mm[1] * basis->place[j]};
+        const struct lx_row_view view = lx_row_view_of(plan, square->y_mm - square->half_mm[1] * basis->place[j]);
         plan->kernels->meet_lines[shape->type](shape, &view, x, nodes, depth, places[0], places[1], places[2]);
         memcpy(block->px + (size_t)j * nodes, places[0], nodes * sizeof *x);
         memcpy(block->py + (size_t)j * nodes, places[1], nodes * sizeof *x);
@@ -408,7 +284,7 @@ bool lx_smooth_fit(const struct lx_plan *plan, struct lx_fitting *fitting, struc
     for (size_t i = 0; i < smooth->lights.count; i++)
         left += fitting->is_left[i];
     struct taken taken = {0};
-    if (lx_larger(square->half_mm[0], square->half_mm[1]) * FEW_SHARE < surface->shape.radius_mm)
+    if (lx_larger(square->half_mm[0], square->half_mm[1]) * FEW_SHARE < smooth->radius_mm)
         taken = take_lights(plan, fitting, square, basis, *allowance, left, fitting->few);
     if (left - taken.count >= (square->side == LX_PANEL_SIDE ? 1 : MOST_FOR_PIXELS)) {
         /* More nodes cost 2.25 times as much, what is left four times as much as few. */

@@ -15,6 +15,7 @@
 
 #include "../base/rows.h"
 #include "lights.h"
+#include "vicinity.h"
 
 struct lx_plan;
 struct lx_seen;
@@ -33,26 +34,16 @@ struct lx_basis {
 struct lx_smooth {
     struct lx_basis few, many;
     struct lx_smooth_lights lights;
-    double *room; /* of the lights */
+    double *room;     /* of the lights */
+    double radius_mm; /* of the surface, as it looks on the screen */
 };
 
 /* Of the lights over a surface that are stored.  0, or -1 when memory ran out. */
-int lx_smooth_make(const struct lx_lights *lights, struct lx_smooth *smooth);
+int lx_smooth_make(const struct lx_lights *lights, double radius_mm, struct lx_smooth *smooth);
 void lx_smooth_clear(struct lx_smooth *smooth);
 
-/* Where a surface's radius is not so many times the side of a panel polynomials seldom pay. */
+/* Where that radius is not so many times the side of a panel polynomials seldom pay. */
 enum { LX_LEAST_PANELS = 7 };
-
-/* A square of pixels. */
-struct lx_square {
-    double x_mm, y_mm, half_mm[2]; /* its middle on the screen, and half its width and height there */
-    unsigned side;                 /* in pixels: LX_PANEL_SIDE or half of it */
-};
-
-/* The vicinity of a square that shows the only surface throughout, for polynomials of a kind.  False: it does not, or
- * not for certain, or there is none. */
-bool lx_find_vicinity(const struct lx_plan *plan, const struct lx_square *square, const struct lx_basis *basis,
-                      struct lx_vicinity *at);
 
 /* Lights that set within a square and whose diffuse light a polynomial of its own does for, at most. */
 enum { LX_MOST_FOLDED = 16 };

@@ -46,7 +46,6 @@ bool is_true_in_panels(struct trial *trial)
     if (draft_has_extended(&near))
         return true;
     near.surface_count = 1;
-    near.words.perspective = 0;
     near.words.columns = COLUMNS;
     near.words.rows = ROWS;
     near.numbers.pitch = surface->size[0] / (PANEL * LEAST_PANELS * farther);

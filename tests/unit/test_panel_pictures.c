@@ -41,6 +41,27 @@ static const char *const scenes[] = {
     "lights:\n"
     "  - {type: point, position: [100, 50, 900], intensity: 1, pattern: cosine, exponent: 1.5}\n"
     "  - {type: point, position: [-300, -50, 700], intensity: 1}\n",
+    /* a sphere from near by: lines of sight go apart, and its limb is a circle before its middle */
+    "luxel: 1\n"
+    "screen: {width: 3600, height: 3600, resolution: [1200, 1200], sampling: nodes}\n"
+    "observer: {z: 2000, projection: perspective}\n"
+    "surfaces:\n"
+    "  - {type: sphere, center: [60, -40, 1000], radius: 700,\n"
+    "     material: {diffuse: 0.6, specular: 0.4, shininess: 30, ambient: 0.01}}\n"
+    "lights:\n"
+    "  - {type: ambient, irradiance: 0.01}\n"
+    "  - {type: point, position: [900, 300, 2400], intensity: 2}\n"
+    "  - {type: point, position: [-900, 300, 1100], intensity: 2}\n",
+    /* a plate that runs away from the observer */
+    "luxel: 1\n"
+    "screen: {width: 900, height: 600, resolution: [1500, 1000]}\n"
+    "observer: {z: 1000, projection: perspective}\n"
+    "surfaces:\n"
+    "  - {type: rectangle, center: [0, -200, -300], size: [900, 1700], axis: [0, 2, 1],\n"
+    "     material: {diffuse: 0.6, specular: 0.4, shininess: 9}}\n"
+    "lights:\n"
+    "  - {type: point, position: [200, 300, 100], intensity: 2}\n"
+    "  - {type: distant, direction: [0.3, 0.8, -0.7], irradiance: 1}\n",
 };
 
 static luxel_scene *open_scene(size_t i)
@@ -149,22 +170,19 @@ static void test_irradiance(void **state)
     }
 }
 
-/* Pictures that are as large, but in perspective, or of two surfaces, or under an extended source besides. */
+/* Pictures that are as large, but of two surfaces, or under an extended source besides. */
 static void test_other_pictures(void **state)
 {
     (void)state;
     static const struct {
-        const char *list, *element; /* to be inserted; no list: what to set */
+        const char *list, *element; /* to be inserted */
     } changes[] = {
-        {NULL, "observer.projection=perspective"},
         {"surfaces", "{type: sphere, center: [50, 50, 1500], radius: 60}"},
         {"lights", "{type: planar, rectangle: {center: [0, 0, 2000], size: [300, 300]}, radiance: 3}"},
     };
     for (size_t i = 0; i < sizeof changes / sizeof *changes; i++) {
         luxel_scene *scene = open_scene(1);
-        const char *list = changes[i].list, *element = changes[i].element;
-        assert_int_equal(
-            list ? luxel_scene_insert(scene, list, 1, element, NULL) : luxel_scene_set(scene, element, NULL), LUXEL_OK);
+        assert_int_equal(luxel_scene_insert(scene, changes[i].list, 1, changes[i].element, NULL), LUXEL_OK);
         assert_int_equal(luxel_scene_commit(scene, NULL), LUXEL_OK);
         check_irradiance(scene);
         luxel_scene_free(scene);

@@ -49,7 +49,15 @@ static void leave_one_light(struct randomness *random, struct test_scene *test)
                                                            : (shape->radius_mm + away) * direction[i]);
 }
 
-/* One surface that is seen along -z, in pixels so small that the picture is shaded by panels. */
+/* Brings an observer nearer, so that lines of sight go apart. */
+static void come_near(struct randomness *random, struct test_scene *test)
+{
+    const struct lx_shape *shape = &test->surfaces[0].shape;
+    test->scene.observer.z_mm =
+        fmax(shape->anchor_mm[2] + shape->radius_mm * logarithmic(random, 1.05, 1000), 0.1 * shape->radius_mm);
+}
+
+/* One surface, in pixels so small that the picture is shaded by panels. */
 static void make_scene(int i, struct test_scene *test)
 {
     struct randomness random = {.state = UINT64_C(0x9E3779B97F4A7C15) * ((uint64_t)i + 1)};
@@ -59,21 +67,25 @@ static void make_scene(int i, struct test_scene *test)
         leave_one_light(&random, test);
     test->prepared.surface_count = 1;
     test->prepared.shadows = false;
-    test->scene.observer.projection = LX_ORTHOGRAPHIC;
+    if (test->scene.observer.projection == LX_PERSPECTIVE)
+        come_near(&random, test);
     test->scene.screen.resolution[0] *= finer;
     test->scene.screen.resolution[1] *= finer;
 }
 
-/* A square around a place of the surface. */
+/* A square around a place where the surface may be seen. */
 static struct lx_square random_square(struct randomness *random, const struct lx_plan *plan)
 {
     const struct lx_screen *screen = &plan->prepared->scene->screen;
     const struct lx_planned_surface *surface = plan->surfaces;
     const unsigned side = pick(random, 2) ? LX_PANEL_SIDE : LX_PANEL_SIDE / 2;
     const double half = screen->width_mm / screen->resolution[0] * side / 2;
+    const double *anchor = surface->shape.anchor_mm;
+    const double scale = lx_scale_at(&plan->prepared->scene->observer, anchor[2]);
+    const bool is_central = pick(random, 4) == 0;
     return (struct lx_square){
-        .x_mm = uniform(random, surface->low_mm[0], surface->high_mm[0]),
-        .y_mm = uniform(random, surface->low_mm[1], surface->high_mm[1]),
+        .x_mm = scale * (is_central ? anchor[0] : uniform(random, surface->low_mm[0], surface->high_mm[0])),
+        .y_mm = scale * (is_central ? anchor[1] : uniform(random, surface->low_mm[1], surface->high_mm[1])),
         .half_mm = {half, half},
         .side = side,
     };
@@ -129,26 +141,44 @@ static struct vector unit(struct vector a)
     return plus((struct vector){0, 0, 0}, 1 / csqrt(dot(a, a)), a);
 }
 
-/* The surface through a place on the screen, from its anchor. */
-static struct vector place_at(const struct lx_shape *shape, double complex x, double complex y, struct vector *normal)
+static struct vector cross(struct vector a, struct vector b)
 {
-    const double *n = shape->axis;
-    x -= shape->anchor_mm[0], y -= shape->anchor_mm[1];
-    if (shape->type == LX_PLATE) {
-        *normal = (struct vector){n[0], n[1], n[2]};
-        return (struct vector){x, y, -(n[0] * x + n[1] * y) / n[2]};
-    }
-    const struct vector place = {x, y, csqrt(shape->radius_mm * shape->radius_mm - x * x - y * y)};
-    *normal = plus((struct vector){0, 0, 0}, 1 / shape->radius_mm, place);
+    return (struct vector){a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
+}
+
+/* The observer, from the surface's anchor. */
+static struct vector observer_from(const struct lx_plan *plan)
+{
+    const double *anchor = plan->surfaces->shape.anchor_mm, z = plan->prepared->scene->observer.z_mm;
+    return (struct vector){-anchor[0], -anchor[1], z - anchor[2]};
+}
+
+/* The surface through a place on the screen, from its anchor: as surface/sphere.c and rectangle.c find it. */
+static struct vector place_at(const struct lx_plan *plan, double complex x, double complex y, struct vector *normal)
+{
+    const struct lx_observer *observer = &plan->prepared->scene->observer;
+    const struct lx_shape *shape = &plan->surfaces->shape;
+    const bool is_central = observer->projection == LX_PERSPECTIVE;
+    const struct vector n = {shape->axis[0], shape->axis[1], shape->axis[2]}, zero = {0, 0, 0},
+                        from = is_central ? observer_from(plan)
+                                          : (struct vector){x - shape->anchor_mm[0], y - shape->anchor_mm[1], 0},
+                        line = is_central ? (struct vector){x, y, -observer->z_mm} : (struct vector){0, 0, -1},
+                        moment = cross(from, line);
+    *normal = n;
+    if (shape->type == LX_PLATE)
+        return plus(zero, 1 / dot(n, line), cross(n, moment));
+    const double complex square = dot(line, line);
+    const double complex root = csqrt(square * shape->radius_mm * shape->radius_mm - dot(moment, moment));
+    const struct vector place = plus(plus(zero, 1 / square, cross(line, moment)), -root / square, line);
+    *normal = plus(zero, 1 / shape->radius_mm, place);
     return place;
 }
 
 static struct vector view_at(const struct lx_plan *plan, struct vector place)
 {
-    const double *anchor = plan->surfaces->shape.anchor_mm, z = plan->prepared->scene->observer.z_mm;
     if (lx_views_along_z(&plan->prepared->scene->observer))
         return (struct vector){0, 0, 1};
-    return unit(plus((struct vector){-anchor[0], -anchor[1], z - anchor[2]}, -1, place));
+    return unit(plus(observer_from(plan), -1, place));
 }
 
 /* By a light all of which falls on the place, above the horizon, or below it where it `is_dark`. */
@@ -158,7 +188,7 @@ static double complex brightness(const struct lx_plan *plan, const struct lx_lig
     const struct lx_planned_surface *surface = plan->surfaces;
     const struct lx_lobe_double *lobe = &surface->lobe_exact;
     struct vector normal;
-    const struct vector place = place_at(&surface->shape, x, y, &normal);
+    const struct vector place = place_at(plan, x, y, &normal);
     const struct vector from = {light->x, light->y, light->z}, axis = {light->axis_x, light->axis_y, light->axis_z};
     const bool is_point = light->kind != LX_DISTANT;
     const struct vector way = plus(from, is_point ? -1 : 0, place), towards = unit(way);
@@ -230,7 +260,7 @@ static void try_vicinity(const struct lx_plan *plan, const struct lx_vicinity *v
                          double complex y, bool is_in_square)
 {
     struct vector normal;
-    const struct vector place = place_at(&plan->surfaces->shape, x, y, &normal);
+    const struct vector place = place_at(plan, x, y, &normal);
     assert_true(keeps_to(place, vicinity->place, &vicinity->place_leeway, is_in_square));
     assert_true(keeps_to(normal, vicinity->normal, &vicinity->normal_leeway, is_in_square));
     assert_true(keeps_to(view_at(plan, place), vicinity->view, &vicinity->view_leeway, is_in_square));
@@ -265,8 +295,10 @@ static size_t try_bounds(struct workplace *work, const struct lx_square *square,
         double complex place[2];
         random_place(random, square, basis, place);
         try_vicinity(plan, &vicinity, place[0], place[1], false);
-        try_vicinity(plan, &vicinity, square->x_mm + uniform(random, -1, 1) * square->half_mm[0],
-                     square->y_mm + uniform(random, -1, 1) * square->half_mm[1], true);
+        const double across = k < 4 ? k % 2 * 2 - 1 : uniform(random, -1, 1),
+                     down = k < 4 ? k / 2 * 2 - 1 : uniform(random, -1, 1);
+        try_vicinity(plan, &vicinity, square->x_mm + across * square->half_mm[0],
+                     square->y_mm + down * square->half_mm[1], true);
     }
     plan->kernels->bound_smooth(&vicinity, &plan->smooth.lights, &plan->surfaces->lobe_exact, work->fitting.sizes);
     for (size_t i = 0; i < count; i++) {

@@ -1,0 +1,28 @@
+/* SPDX-License-Identifier: MIT */
+/*
+ * What a surface is at complex places of the screen around a square of pixels: how far places, normals and view vectors
+ * may be there from what they are in the middle (struct lx_vicinity in kernel.h; docs/MATHS.md, "Squares of a
+ * picture").
+ */
+#ifndef LX_SHADE_VICINITY_H
+#define LX_SHADE_VICINITY_H
+
+#include <stdbool.h>
+
+#include "kernel.h"
+
+struct lx_plan;
+struct lx_basis;
+
+/* A square of pixels. */
+struct lx_square {
+    double x_mm, y_mm, half_mm[2]; /* its middle on the screen, and half its width and height there */
+    unsigned side;                 /* in pixels: LX_PANEL_SIDE or half of it */
+};
+
+/* The vicinity of a square that shows the only surface throughout, for polynomials of a kind (smooth.h).  False: it does
+ * not, or not for certain, or there is none. */
+bool lx_find_vicinity(const struct lx_plan *plan, const struct lx_square *square, const struct lx_basis *basis,
+                      struct lx_vicinity *at);
+
+#endif
