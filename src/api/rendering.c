@@ -181,12 +181,15 @@ luxel_status lx_new_frame(const struct lx_session *session, const luxel_scene *s
     return *frame ? keep_origin(session, scene, diagnostics, *frame) : lx_out_of_memory(diagnostics);
 }
 
-/* Makes room to hold `height` rows at a time. */
+/* Makes room to hold `height` rows at a time.  Whether there is so much is asked only of what is not little: the system
+ * takes as long to tell as a small picture takes in all. */
 static luxel_status hold(struct lx_rendering *rendering, unsigned height)
 {
+    const double little = 32e6;
     const struct luxel_field *field = rendering->field;
     const unsigned size[2] = {field->columns, field->rows};
-    double needed = (double)lx_field_bytes(field->columns, height, field->precision), available = lx_available_bytes();
+    const double needed = (double)lx_field_bytes(field->columns, height, field->precision);
+    const double available = needed <= little ? HUGE_VAL : lx_available_bytes();
     if (needed == 0 || needed > available)
         return too_large(size, needed, available, rendering->diagnostics);
     bool complete = true;

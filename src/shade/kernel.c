@@ -277,17 +277,17 @@ static void meet_central_lines(const struct lx_shape *sphere, const struct lx_ro
     const double r2 = sphere->radius_mm * sphere->radius_mm;
     const double cx = -sphere->anchor_mm[0], cy = -sphere->anchor_mm[1];
     const double cz = view->observer_z_mm - sphere->anchor_mm[2];
-    const double dy = view->y_mm, dz = -view->observer_z_mm;
-    for (size_t i = 0; i < count; i++) {
-        double dx = x_mm[i];
-        double wx = dy * cz - dz * cy, wy = dz * cx - dx * cz, wz = dx * cy - dy * cx;
-        double a = dx * dx + dy * dy + dz * dz;
-        double below = a * r2 - (wx * wx + wy * wy + wz * wz);
-        double root = sqrt(below > 0 ? below : 0);
-        depth[i] = below >= 0 ? -(dx * cx + dy * cy + dz * cz + root) / a : HUGE_VAL;
-        px[i] = (wy * dz - wz * dy - dx * root) / a;
-        py[i] = (wz * dx - wx * dz - dy * root) / a;
-        pz[i] = (wx * dy - wy * dx - dz * root) / a;
+    const double dy = view->y_mm, dz = -view->observer_z_mm, wx = dy * cz - dz * cy;
+    const lanes_double zero = all_double(0), infinite = all_double(HUGE_VAL);
+    for (size_t i = 0; i < count; i += LX_WIDTH_double) {
+        const lanes_double dx = load_double(x_mm + i), wy = dz * cx - dx * cz, wz = dx * cy - dy * cx;
+        const lanes_double a = dx * dx + dy * dy + dz * dz, below = a * r2 - (wx * wx + wy * wy + wz * wz);
+        const lanes_double root = root_double(greater_double(below, zero)), inverse = inverse_double(a);
+        const lanes_double met = -(dx * cx + dy * cy + dz * cz + root) * inverse;
+        store_double(depth + i, where_above_double(zero, below, infinite, met));
+        store_double(px + i, (wy * dz - wz * dy - dx * root) * inverse);
+        store_double(py + i, (wz * dx - wx * dz - dy * root) * inverse);
+        store_double(pz + i, (wx * dy - wy * dx - dz * root) * inverse);
     }
 }
 
@@ -304,14 +304,17 @@ static size_t meet_sphere(const struct lx_shape *sphere, const struct lx_row_vie
 static void look_at(const double observer_mm[3], struct lx_block_double *block, struct lx_block_single *copy,
                     size_t count)
 {
-    for (size_t i = 0; i < count; i++) {
-        double x = observer_mm[0] - block->px[i], y = observer_mm[1] - block->py[i], z = observer_mm[2] - block->pz[i];
-        double inverse = 1 / sqrt(x * x + y * y + z * z);
-        block->vx[i] = x * inverse;
-        block->vy[i] = y * inverse;
-        block->vz[i] = z * inverse;
-        copy->vx[i] = (float)block->vx[i], copy->vy[i] = (float)block->vy[i], copy->vz[i] = (float)block->vz[i];
+    for (size_t i = 0; i < count; i += LX_WIDTH_double) {
+        const lanes_double x = observer_mm[0] - load_double(block->px + i),
+                           y = observer_mm[1] - load_double(block->py + i),
+                           z = observer_mm[2] - load_double(block->pz + i);
+        const lanes_double inverse = inverse_root_double(x * x + y * y + z * z);
+        store_double(block->vx + i, x * inverse);
+        store_double(block->vy + i, y * inverse);
+        store_double(block->vz + i, z * inverse);
     }
+    for (size_t i = 0; i < count; i++)
+        copy->vx[i] = (float)block->vx[i], copy->vy[i] = (float)block->vy[i], copy->vz[i] = (float)block->vz[i];
 }
 
 /* The view vectors of a block whose places and normals are set, unless they stay, and the copy of all in float32. */

@@ -98,7 +98,8 @@ static bool leeway_on_plate(const double normal[3], struct reach reach, struct l
 
 /*
  * The line d = (x, y, -h) meets the surface, which has the normal n there, at the share t of its length to the screen.
- * By the place u on the screen it moves by t (u - d (n.u)/(n.d)), whatever the surface's shape, also where u is complex.
+ * By a change u of the place on the screen it moves by t (u - d (n.u)/(n.d)), whatever the surface's shape, also where
+ * u is complex.
  */
 struct pencil {
     double h, length, across; /* of d, and its part along the screen */
@@ -146,8 +147,8 @@ static double farthest_by(const struct pencil *pencil, double off)
 }
 
 /*
- * On a sphere a complex place g + i f from its centre has g.g - f.f = R^2 and g.f = 0: what g is beyond the sphere is of
- * second order, and f lies across it.  On a plate g itself is a place on it.
+ * On a sphere a complex place g + i f from its centre has g.g - f.f = R^2 and g.f = 0: what g is beyond the sphere is
+ * of second order, and f lies across it.  On a plate g itself is a place on it.
  */
 static bool leeway_in_perspective(const struct pencil *pencil, struct reach reach, struct lx_leeway *leeway)
 {

@@ -20,8 +20,8 @@ struct lx_square {
     unsigned side;                 /* in pixels: LX_PANEL_SIDE or half of it */
 };
 
-/* The vicinity of a square that shows the only surface throughout, for polynomials of a kind (smooth.h).  False: it does
- * not, or not for certain, or there is none. */
+/* The vicinity of a square that shows the only surface throughout, for polynomials of a kind (smooth.h).  False: it
+ * does not, or not for certain, or there is none. */
 bool lx_find_vicinity(const struct lx_plan *plan, const struct lx_square *square, const struct lx_basis *basis,
                       struct lx_vicinity *at);
 
