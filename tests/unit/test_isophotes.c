@@ -250,6 +250,37 @@ static void test_ends(void **state)
     view_clear(&view);
 }
 
+/* A bar before the sphere, thinner than a pixel and from corner to corner of pixels: lines end on either side of it. */
+static void test_behind_a_bar(void **state)
+{
+    (void)state;
+    struct view view = view_with(
+        "luxel: 1\nshadows: none\nscreen: {width: 500, height: 500, resolution: [101, 101], sampling: nodes}\n"
+        "observer: {z: 1500}\nsurfaces:\n"
+        "  - {type: sphere, center: [10, -20, 900], radius: 210, material: {model: lambert}}\n"
+        "  - {type: rectangle, center: [0, 0, 1200], size: [2, 700], up: [1, 1, 0], material: {diffuse: 0, "
+        "specular: 0}}\n"
+        "lights: [{type: distant, direction: [-2, 1, -2], irradiance: 5}]\n",
+        LUXEL_BRIGHTNESS, 0);
+    const double levels[] = {0.5, 1, 2, 3, 3.9}, half = sqrt(2);
+    luxel_isophotes *lines = lines_of(&view, levels, 5);
+    assert_on_level(&view, lines);
+    size_t ends = 0;
+    for (size_t i = 0; i < lines->count; i++) {
+        const luxel_isophote *line = &lines->lines[i];
+        for (size_t v = 0; v < line->count; v++)
+            assert_true(fabs(line->x_mm[v] - line->y_mm[v]) >= half * (1 - 1e-9));
+        for (size_t v = 1; v < line->count; v++)
+            assert_true((line->x_mm[v] > line->y_mm[v]) == (line->x_mm[v - 1] > line->y_mm[v - 1]));
+        const size_t last = line->count - 1;
+        ends += !line->closed && fabs(line->x_mm[0] - line->y_mm[0]) < half * (1 + 1e-6);
+        ends += !line->closed && fabs(line->x_mm[last] - line->y_mm[last]) < half * (1 + 1e-6);
+    }
+    assert_true(ends >= 8);
+    luxel_isophotes_free(lines);
+    view_clear(&view);
+}
+
 /* A hard cone's edge jumps: no vertex lies on it, as none of a level between would be true. */
 static void test_jumps(void **state)
 {
@@ -401,6 +432,7 @@ int main(void)
         cmocka_unit_test(test_saddle),
         cmocka_unit_test(test_saddle_of_picture),
         cmocka_unit_test(test_ends),
+        cmocka_unit_test(test_behind_a_bar),
         cmocka_unit_test(test_jumps),
         cmocka_unit_test(test_threads),
         cmocka_unit_test(test_picture),

@@ -120,10 +120,9 @@ static void explains_conventions(void **state)
     luxel_scene_free(scene);
 }
 
-static void explains_slips(void **state)
+static void expect_slips(const char *const *assignments)
 {
-    (void)state;
-    luxel_scene *scene = open_report(NULL);
+    luxel_scene *scene = open_report(assignments);
     luxel_field *field;
     luxel_probe *probe;
     assert_int_equal(luxel_render(scene, NULL, NULL, &field), LUXEL_OK);
@@ -136,6 +135,15 @@ static void explains_slips(void **state)
     luxel_probe_free(probe);
     luxel_field_free(field);
     luxel_scene_free(scene);
+}
+
+/* Of a bright picture, and of one that is nowhere as bright as 1. */
+static void explains_slips(void **state)
+{
+    static const char *const dim[] = {"lights[0].intensity=0.1", NULL};
+    (void)state;
+    expect_slips(NULL);
+    expect_slips(dim);
 }
 
 /* Of several conventions within a generous tolerance the nearest is told. */
