@@ -49,6 +49,8 @@ bool is_true_in_panels(struct trial *trial)
     near.words.columns = COLUMNS;
     near.words.rows = ROWS;
     near.numbers.pitch = surface->size[0] / (PANEL * LEAST_PANELS * farther);
+    if (near.words.perspective && surface->center[2] < near.numbers.observer_z) /* as large on the screen */
+        near.numbers.pitch *= near.numbers.observer_z / (near.numbers.observer_z - surface->center[2]);
     surface->center[0] = fmod(surface->center[0], surface->size[0] / 2);
     surface->center[1] = fmod(surface->center[1], surface->size[0] / 2);
     struct trial close;

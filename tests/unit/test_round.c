@@ -471,6 +471,14 @@ static void touching(void **unused)
     }
     lx_bounded3 near = {{310.0001, 0.001}, {20, 0}, {1000, 0}};
     assert_true(lx_round_touches(&lamp, near) && lx_round_touches(&globe, near) && lx_round_touches(&tube, near));
+    /* four roundings of the greatest number that tells where things are, be it the place's own */
+    for (int axis = 0; axis < 3; axis++)
+        for (int units = 2; units <= 6; units++) {
+            double middle[3] = {0}, place[3] = {0};
+            middle[axis] = 512, place[axis] = 1024 * (1 + units * DBL_EPSILON);
+            struct lx_emitter large = ball(middle, 512);
+            assert_int_equal(lx_round_touches(&large, lx_exact3(place)), units <= 4);
+        }
 }
 
 /* ---- parts ---- */
