@@ -332,8 +332,11 @@ static void test_picture(void **state)
         assert_true(fabs(value - 6) < 0.01);
     }
     luxel_isophotes_free(lines);
-    const double bad = (double)NAN;
-    assert_int_equal(luxel_find_isophotes(view.field, NULL, &bad, 1, NULL, &lines), LUXEL_ERROR_ARGUMENT);
+    for (int i = 0; i < 3; i++) {
+        double bad[3] = {6, 7, 8};
+        bad[i] = i == 1 ? HUGE_VAL : (double)NAN;
+        assert_int_equal(luxel_find_isophotes(view.field, NULL, bad, 3, NULL, &lines), LUXEL_ERROR_ARGUMENT);
+    }
     struct view other = view_with("spot", LUXEL_BRIGHTNESS, 0);
     assert_int_equal(luxel_find_isophotes(view.field, other.evaluator, levels, 1, NULL, &lines), LUXEL_ERROR_ARGUMENT);
     view_clear(&other);
