@@ -15,7 +15,7 @@
 #include "progress.h"
 #include "text.h"
 
-enum { SIDE = 800, MANY = 16, LEAST_RUNS = 3, MOST_RUNS = 400, MOST_ROWS = 80, MOST_SETS = 8 };
+enum { SIDE = 800, COARSE_SIDE = 600, MANY = 16, LEAST_RUNS = 3, MOST_RUNS = 400, MOST_ROWS = 80, MOST_SETS = 8 };
 
 /* How long one measurement goes on at least. */
 static const double LEAST_SECONDS = 0.15;
@@ -24,13 +24,13 @@ static const double LEAST_SECONDS = 0.15;
 enum bench_view {
     FROM_AFAR, /* by parallel lines of sight */
     IN_PERSPECTIVE,
-    SMALL, /* so that no polynomials take the place of its lights (docs/KERNELS.md) */
+    COARSELY, /* in COARSE_SIDE pixels, so that no polynomials take the place of its lights (docs/KERNELS.md) */
 };
 
 /*
- * What is measured: a sphere that fills the picture, or most of it, under so many equal lights on a ring.  `operations`
- * are the vector operations that the kernel needs for a vector of elements and a light (docs/KERNELS.md counts them);
- * 0: not counted, as it depends on the elements.
+ * What is measured: a sphere that fills the picture, under so many equal lights on a ring.  `operations` are the
+ * vector operations that the kernel needs for a vector of elements and a light (docs/KERNELS.md counts them); 0: not
+ * counted, as it depends on the elements.
  */
 struct bench_case {
     const char *name, *id;
@@ -55,7 +55,7 @@ static const struct bench_case cases[] = {
     {N_("point, in perspective"), "point-perspective", POINT(""), "shininess: 20", MANY, 41, LUXEL_BRIGHTNESS, 1, 0,
      IN_PERSPECTIVE},
     {N_("point, each pixel on its own"), "point-by-pixel", POINT(""), "shininess: 20", MANY, 41, LUXEL_BRIGHTNESS, 1, 0,
-     SMALL},
+     COARSELY},
     {N_("point, shininess 20.5"), "point-any-exponent", POINT(""), "shininess: 20.5", MANY, 71, LUXEL_BRIGHTNESS, 1, 0,
      FROM_AFAR},
     {N_("point, Phong"), "point-phong", POINT(""), "model: phong", MANY, 42, LUXEL_BRIGHTNESS, 1, 0, FROM_AFAR},
@@ -161,14 +161,15 @@ static luxel_scene *scene_of(const struct bench_case *each, luxel_diagnostics *d
 {
     char text[MANY * 256];
     luxel_scene *scene = NULL;
-    size_t used = (size_t)snprintf(text, sizeof text,
-                                   "luxel: 1\n"
-                                   "screen: {width: 500, height: 500, resolution: [%d, %d]}\n"
-                                   "observer: {z: 1500, projection: %s}\n"
-                                   "surfaces: [{type: sphere, center: [0, 0, 1000], radius: %d, material: {%s}}]\n"
-                                   "lights:\n",
-                                   SIDE, SIDE, each->view == IN_PERSPECTIVE ? "perspective" : "orthographic",
-                                   each->view == SMALL ? 270 : 360, each->material);
+    const int side = each->view == COARSELY ? COARSE_SIDE : SIDE;
+    size_t used =
+        (size_t)snprintf(text, sizeof text,
+                         "luxel: 1\n"
+                         "screen: {width: 500, height: 500, resolution: [%d, %d]}\n"
+                         "observer: {z: 1500, projection: %s}\n"
+                         "surfaces: [{type: sphere, center: [0, 0, 1000], radius: 360, material: {%s}}]\n"
+                         "lights:\n",
+                         side, side, each->view == IN_PERSPECTIVE ? "perspective" : "orthographic", each->material);
 
     for (unsigned i = 0; i < each->lights; i++) {
         const double x = 2000 * cos(2 * M_PI * i / each->lights), y = 2000 * sin(2 * M_PI * i / each->lights);
