@@ -3,12 +3,12 @@
  * The threads behind rows in parallel.  Each has a share of neighbouring rows, which it takes block by block, and then
  * helps with the shares of others: so the rows of one picture after another stay in the cache of the same processor.
  */
-#include <pthread.h>
 #include <stdlib.h>
 #include <unistd.h>
 
 #include "memory.h"
 #include "rows.h"
+#include "threads.h"
 
 /* Seconds between two reports of progress. */
 static const double PAUSE = 0.00025;
@@ -19,8 +19,8 @@ enum { BLOCKS_PER_SHARE = 4 };
 struct worker {
     struct job *job;
     unsigned index;
-    pthread_t thread; /* of all but the first worker, which is the calling thread */
-    atomic_uint next; /* rows of its share that no thread has taken */
+    struct lx_thread thread; /* of all but the first worker, which is the calling thread */
+    atomic_uint next;        /* rows of its share that no thread has taken */
     unsigned last;
 };
 
@@ -73,14 +73,13 @@ static bool take_share(const struct worker *worker, struct worker *share)
     return false;
 }
 
-static void *run_worker(void *argument)
+static void run_worker(void *argument)
 {
     const struct worker *worker = argument;
     const struct job *job = worker->job;
     bool goes_on = true;
     for (unsigned i = 0; goes_on && i < job->worker_count; i++)
         goes_on = take_share(worker, &job->workers[(worker->index + i) % job->worker_count]);
-    return NULL;
 }
 
 /* Divides the rows evenly, in whole blocks. */
@@ -118,14 +117,13 @@ bool lx_rows_run_part(struct lx_control *control, unsigned threads, const struct
     share_out(&job);
     unsigned running = 1;
     /* A thread that cannot be had is done without: the others take its rows. */
-    while (running < job.worker_count &&
-           pthread_create(&workers[running].thread, NULL, run_worker, &workers[running]) == 0)
+    while (running < job.worker_count && lx_thread_start(&workers[running].thread, run_worker, &workers[running]))
         running++;
     if (part->meanwhile)
         part->meanwhile(part->data);
     run_worker(&job.workers[0]);
     for (unsigned i = 1; i < running; i++)
-        pthread_join(workers[i].thread, NULL);
+        lx_thread_end(&workers[i].thread);
     free(workers);
     return !atomic_load(&control->stop);
 }
