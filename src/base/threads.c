@@ -79,7 +79,7 @@ bool lx_thread_start(struct lx_thread *thread, void (*run)(void *data), void *da
             status = pthread_create(&thread->handle, &attributes, run_thread, thread);
         pthread_attr_destroy(&attributes);
     }
-    if (status == EINVAL) { /* or the processors have changed meanwhile */
+    if (status != 0 && status != EAGAIN) { /* EAGAIN: no thread at all; else the system forbids to choose processors */
         thread->caller_processor = -1;
         status = pthread_create(&thread->handle, NULL, run_thread, thread);
     }

@@ -18,7 +18,8 @@
 
 /* What was asked of the system: how often for a thread, and how many processors it may begin on (0: any). */
 static int started, allowed[2];
-static bool refuses_attributes, refuses_all;
+static int refusal; /* of attributes: an error, or 0 */
+static bool refuses_all;
 static int called_here; /* how often a thread was sent to a single processor */
 
 WRAPPED(int, pthread_create, pthread_t *thread, const pthread_attr_t *attributes, void *(*run)(void *), void *argument)
@@ -31,8 +32,8 @@ WRAPPED(int, pthread_create, pthread_t *thread, const pthread_attr_t *attributes
     allowed[started++] = CPU_COUNT(&set);
     if (refuses_all)
         return EAGAIN;
-    if (refuses_attributes && attributes)
-        return EINVAL;
+    if (refusal != 0 && attributes)
+        return refusal;
     return REAL(pthread_create)(thread, attributes, run, argument);
 }
 
@@ -99,11 +100,14 @@ static void refused(void **state)
 {
     const cpu_set_t all = processors();
     (void)state;
-    refuses_attributes = true;
-    run_one();
-    assert_int_equal(started, CPU_COUNT(&all) > 1 ? 2 : 1);
-    assert_int_equal(allowed[started - 1], 0);
-    refuses_attributes = false;
+    const int refusals[] = {EINVAL, EPERM, ENOSYS};
+    for (int i = 0; i < 3; i++) {
+        refusal = refusals[i];
+        run_one();
+        assert_int_equal(started, CPU_COUNT(&all) > 1 ? 2 : 1);
+        assert_int_equal(allowed[started - 1], 0);
+    }
+    refusal = 0;
 
     struct lx_thread thread;
     started = 0;
