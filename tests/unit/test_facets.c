@@ -211,6 +211,46 @@ static void touching(void **unused)
     lx_facets_free(slanted);
 }
 
+/* Next to its plane, nearby and far away, what is seen of a slanted panel does not depend on where the origin is; places
+ * are such that moving them rounds nothing. */
+static void origin(void **unused)
+{
+    enum { PANELS = 400, EXPONENT = 29, ORIGINS = 5 };
+    const double unit = ldexp(1, EXPONENT - 52), size[2] = {600, 400};
+    uint64_t state = 29;
+    size_t seen = 0, dark = 0;
+    (void)unused;
+    for (int i = 0; i < PANELS; i++) {
+        const double away = i % 2 == 0 ? 500 : ldexp(1, EXPONENT - 2);
+        double axis[3], along[3], place[3], inward[3];
+        random_unit(&state, axis);
+        random_unit(&state, along);
+        const double height = axis[0] * along[0] + axis[1] * along[1] + axis[2] * along[2];
+        for (int k = 0; k < 3; k++) {
+            place[k] = unit * round(away * (along[k] - height * axis[k]) / unit);
+            inward[k] = -along[k];
+        }
+        lx_bounded first = {0};
+        for (int k = 0; k < ORIGINS; k++) { /* the panel's middle; far off on each axis; the place */
+            double center[3] = {0}, there[3] = {place[0], place[1], place[2]};
+            for (int n = 0; n < 3; n++) {
+                const double by = k == 4 ? -place[n] : n == k - 1 ? ldexp(1, EXPONENT) : 0;
+                center[n] += by, there[n] += by;
+            }
+            struct lx_facets *panel = lx_facets_of_rectangle(center, size, axis, (double[]){0.6, 0, 0.8});
+            assert_non_null(panel);
+            const lx_bounded found = lx_facets_irradiance(panel, lx_exact3(there), lx_exact3(inward));
+            lx_facets_free(panel);
+            if (k == 0)
+                first = found;
+            assert_true(fabs(found.value - first.value) <= first.error + found.error);
+        }
+        seen += first.value > 0;
+        dark += first.value == 0 && first.error == 0;
+    }
+    assert_true(seen > PANELS / 4 && dark > PANELS / 4);
+}
+
 /* The error of a value at an uncertain place, with an uncertain normal, covers what lies within both. */
 static void uncertainty(void **unused)
 {
@@ -488,6 +528,7 @@ int main(void)
         cmocka_unit_test(printed),
         cmocka_unit_test(darkness),
         cmocka_unit_test(touching),
+        cmocka_unit_test(origin),
         cmocka_unit_test(uncertainty),
         cmocka_unit_test(parts_add_up),
         cmocka_unit_test(scaling),

@@ -172,9 +172,9 @@ static void wants_square_pixels(void **state)
     expect_error("[400, 400]", "[400, 401]", WANTED("not-square", 3, 47, NULL, "square", "[400, 400]"));
     expect_error("height: 800", "height: 533", WANTED("not-square", 3, 0, NULL, "square", "would fit"));
     expect_error("height: 800", "height: 0.01", WANTED("not-square", 3, 0, NULL, "square", "height 800 mm"));
-    expect_error("height: 800", "height: 800.0009", WANTED("not-square", 3, 0, NULL, "square"));
+    expect_error("height: 800", "height: 800.000805", WANTED("not-square", 3, 0, NULL, "square"));
     luxel_scene *scene;
-    char *text = changed("height: 800", "height: 800.0007"); /* within the tolerance */
+    char *text = changed("height: 800", "height: 800.000795"); /* within the tolerance */
     assert_int_equal(load(text, NULL, &scene), LUXEL_OK);
     luxel_scene_free(scene);
     free(text);
