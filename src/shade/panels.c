@@ -20,6 +20,7 @@ struct lx_panels_memory {
     uint8_t *was_left; /* of the lights: by the polynomial of the whole panel */
     /* the plan, but for the lights that polynomials take in a square, and nothing uniform: */
     struct lx_light_run *runs;
+    struct lx_planned_shell *shells;
     struct lx_planned_surface surface;
     struct lx_plan plan;
 };
@@ -44,19 +45,20 @@ struct part {
 struct lx_panels_memory *lx_panels_memory_new(const struct lx_plan *plan)
 {
     struct lx_panels_memory *memory = lx_new_array(1, sizeof *memory);
-    const size_t count = plan->surfaces->lights.count;
     if (!memory)
         return NULL;
-    memory->was_left = lx_new_array(count, 1);
-    memory->runs = lx_new_array(count, sizeof *memory->runs);
+    memory->was_left = lx_new_array(plan->smooth.count, 1);
+    memory->runs = lx_new_array(plan->surfaces->lights.count, sizeof *memory->runs);
+    memory->shells = lx_new_array(plan->surfaces->shell_count, sizeof *memory->shells);
     memory->plan = *plan;
     memory->surface = *plan->surfaces;
     memory->plan.surfaces = &memory->surface;
     memory->plan.at_once = false;
     memory->surface.uniform = 0;
     memory->surface.runs = memory->runs;
+    memory->surface.shells = memory->shells;
     const int status = lx_fitting_make(plan, &memory->fitting);
-    if (status == 0 && memory->was_left && memory->runs)
+    if (status == 0 && memory->was_left && memory->runs && memory->shells)
         return memory;
     lx_panels_memory_free(memory);
     return NULL;
@@ -69,6 +71,7 @@ void lx_panels_memory_free(struct lx_panels_memory *memory)
     lx_fitting_clear(&memory->fitting);
     free(memory->was_left);
     free(memory->runs);
+    free(memory->shells);
     free(memory);
 }
 
@@ -176,6 +179,10 @@ static const struct lx_plan *plan_rest(const struct lx_plan *plan, struct lx_pan
                 memory->runs[memory->surface.run_count++] = run;
         }
     }
+    memory->surface.shell_count = 0;
+    for (size_t s = 0; s < surface->shell_count; s++)
+        if (is_left[surface->lights.count + s])
+            memory->shells[memory->surface.shell_count++] = surface->shells[s];
     return &memory->plan;
 }
 
@@ -183,7 +190,7 @@ static const struct lx_plan *plan_rest(const struct lx_plan *plan, struct lx_pan
 static bool shade_quarter(const struct job *job, unsigned row, unsigned column, bool has_some, double allowance)
 {
     struct lx_fitting *fitting = &job->memory->fitting;
-    const size_t count = job->plan->surfaces->lights.count;
+    const size_t count = job->plan->smooth.count;
     memcpy(fitting->is_left, job->memory->was_left, count);
     const bool has_more = fit_square(job, row, column, HALF_SIDE, has_some, &allowance);
     if (!has_some && !has_more)
@@ -199,7 +206,7 @@ static bool shade_quarter(const struct job *job, unsigned row, unsigned column, 
 static void shade_panel(const struct job *job, unsigned row, unsigned column, bool is_plain[QUARTERS])
 {
     struct lx_fitting *fitting = &job->memory->fitting;
-    const size_t count = job->plan->surfaces->lights.count;
+    const size_t count = job->plan->smooth.count;
     const double allowance = SHARE * job->plan->least_maximum, kept = allowance / 4; /* for its quarters */
     double left_over = allowance - kept;
     memset(fitting->is_left, 1, count);

@@ -401,14 +401,19 @@ static luxel_status plan_accuracy(struct lx_plan *plan, struct lx_control *contr
     return status == LUXEL_OK && every > 1 && !fits ? find_accuracy(plan, control, 1, &fits) : status;
 }
 
+/* Whether the light of all extended sources is diffuse and by closed forms. */
+static bool has_closed_shells(const struct lx_planned_surface *surface)
+{
+    return surface->shell_count == 0 || (surface->matte_count == 0 && surface->glossy_exact.model == LX_LAMBERT);
+}
+
 /* Whether the elements of a run in float32 are all that its light takes. */
 static bool is_in_single_alone(const struct lx_plan *plan)
 {
     const struct lx_planned_surface *surface = plan->surfaces;
     bool all =
         plan->surface_count == 1 && plan->forest.tree_count == 0 && lx_views_along_z(&plan->prepared->scene->observer);
-    if (all && surface->shell_count > 0)
-        all = surface->matte_count == 0 && surface->glossy_exact.model == LX_LAMBERT;
+    all = all && has_closed_shells(surface);
     for (size_t s = 0; all && s < surface->shell_count; s++)
         all = surface->shells[s].shell.edges_single && !surface->shells[s].by_reference;
     for (size_t r = 0; all && r < surface->run_count; r++) {
@@ -433,10 +438,11 @@ static bool has_panels(const struct lx_plan *plan)
     const unsigned *resolution = scene->screen.resolution;
     const double side_mm = scene->screen.width_mm / resolution[0] * LX_PANEL_SIDE;
     const size_t lights = surface->lights.count;
-    return plan->precision == LUXEL_SINGLE && plan->surface_count == 1 && surface->shell_count == 0 &&
-           plan->forest.tree_count == 0 && plan->every == 1 && lights > 0 && lights <= LX_MOST_STORED &&
-           surface->lights.stored == lights && plan->least_maximum > 0 && resolution[0] >= LX_PANEL_SIDE &&
-           resolution[1] >= LX_PANEL_SIDE && radius_on_screen(plan) > LX_LEAST_PANELS * side_mm;
+    return plan->precision == LUXEL_SINGLE && plan->surface_count == 1 && has_closed_shells(surface) &&
+           plan->forest.tree_count == 0 && plan->every == 1 && lights + surface->shell_count > 0 &&
+           lights <= LX_MOST_STORED && surface->lights.stored == lights && plan->least_maximum > 0 &&
+           resolution[0] >= LX_PANEL_SIDE && resolution[1] >= LX_PANEL_SIDE &&
+           radius_on_screen(plan) > LX_LEAST_PANELS * side_mm;
 }
 
 luxel_status lx_plan_make(const struct lx_prepared *prepared, const struct lx_kernels *kernels,
@@ -479,7 +485,7 @@ luxel_status lx_plan_make(const struct lx_prepared *prepared, const struct lx_ke
     plan->at_once = plan->in_single_alone && plan->surfaces->run_count == 1 && plan->surfaces->shell_count == 0 &&
                     plan->surfaces->lights.count <= LX_MOST_IN_RUN && plan->every == 1;
     plan->in_panels = status == LUXEL_OK && has_panels(plan);
-    if (plan->in_panels && lx_smooth_make(&plan->surfaces->lights, radius_on_screen(plan), &plan->smooth))
+    if (plan->in_panels && lx_smooth_make(plan->surfaces, radius_on_screen(plan), &plan->smooth))
         status = LUXEL_ERROR_MEMORY;
     return status;
 }

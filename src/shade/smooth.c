@@ -9,7 +9,9 @@
 
 #include "../base/larger.h"
 #include "../base/memory.h"
+#include "../light/extended.h"
 #include "seen.h"
+#include "shell_bound.h"
 
 /* The half axes of the ellipses, found by trying (docs/KERNELS.md). */
 static const double REACH_OF_FEW = 9.5, REACH_OF_MANY = 5;
@@ -85,16 +87,30 @@ static void set_light(const struct lx_light_double *light, struct lx_smooth_ligh
     set_profile(light, lights, i);
 }
 
-int lx_smooth_make(const struct lx_lights *lights, double radius_mm, struct lx_smooth *smooth)
+/* What a shell shines with, in front of it. */
+static double gain_of(const struct lx_planned_shell *planned, double diffuse)
 {
+    const struct lx_shell *shell = &planned->shell;
+    const double area = shell->type == LX_BALL ? M_PI * shell->round_mm * shell->round_mm
+                                               : lx_extended_area_mm2(planned->emitter).value;
+    return planned->by_reference ? HUGE_VAL : diffuse * shell->radiance * area;
+}
+
+int lx_smooth_make(const struct lx_planned_surface *surface, double radius_mm, struct lx_smooth *smooth)
+{
+    const struct lx_lights *lights = &surface->lights;
     struct lx_smooth_lights *made = &smooth->lights;
     double **arrays[] = {&made->x,         &made->y,       &made->z,       &made->moves,    &made->gain,
                          &made->by_square, &made->by_root, &made->by_none, &made->axis_x,   &made->axis_y,
                          &made->axis_z,    &made->inner,   &made->outer,   &made->exponent, &made->is_broken};
     const size_t count = sizeof arrays / sizeof *arrays, length = lx_padded(lights->count);
-    smooth->room = lx_new_aligned(count * length, sizeof *smooth->room);
+    smooth->room = lx_new_aligned(count * length + surface->shell_count, sizeof *smooth->room);
     if (!smooth->room)
         return -1;
+    smooth->gains = smooth->room + count * length;
+    for (size_t s = 0; s < surface->shell_count; s++)
+        smooth->gains[s] = gain_of(&surface->shells[s], surface->lobe_exact.diffuse);
+    smooth->count = lights->count + surface->shell_count;
     for (size_t a = 0; a < count; a++)
         *arrays[a] = smooth->room + a * length;
     for (size_t i = 0; i < length; i++)
@@ -115,7 +131,7 @@ void lx_smooth_clear(struct lx_smooth *smooth)
 
 int lx_fitting_make(const struct lx_plan *plan, struct lx_fitting *fitting)
 {
-    const size_t count = lx_padded(plan->surfaces->lights.count);
+    const size_t count = lx_padded(plan->smooth.count);
     *fitting = (struct lx_fitting){
         .is_left = lx_new_array(3 * count, 1),
         .sizes = lx_new_aligned(count, sizeof *fitting->sizes),
@@ -151,13 +167,16 @@ static struct taken take_lights(const struct lx_plan *plan, const struct lx_fitt
                                 const struct lx_square *square, const struct lx_basis *basis, double allowance,
                                 size_t left, uint8_t *how)
 {
-    const size_t count = plan->smooth.lights.count;
+    const size_t count = plan->smooth.count, lights = plan->smooth.lights.count;
     struct lx_vicinity vicinity;
     struct taken taken = {0};
     memset(how, NOT_TAKEN, count);
     if (!lx_find_vicinity(plan, square, basis, &vicinity))
         return taken;
     plan->kernels->bound_smooth(&vicinity, &plan->smooth.lights, &plan->surfaces->lobe_exact, fitting->sizes);
+    for (size_t s = 0; lights + s < count; s++)
+        fitting->sizes[lights + s] =
+            lx_smooth_shell_bound(&plan->surfaces->shells[s].shell, plan->smooth.gains[s], &vicinity);
     for (int round = 0; round < 2 && taken.count < left; round++) {
         const double limit = round == 0 ? allowance / (double)left : HUGE_VAL;
         for (size_t i = 0; i < count; i++) {
@@ -216,6 +235,11 @@ static void sum_lights(const struct lx_plan *plan, const struct lx_block_double 
                 plan->kernels->shade_double(surface->lights.exacts + first, NULL, next - first, lobe, block, NULL, NULL,
                                             count, sum);
         }
+    }
+    for (size_t s = 0; s < surface->shell_count; s++) {
+        const struct lx_shell *shell = &surface->shells[s].shell;
+        if (how[surface->lights.count + s] == wanted)
+            plan->kernels->light_by_shell[shell->type](shell, lobe->diffuse, block, count, asking, sum);
     }
 }
 
@@ -281,7 +305,7 @@ bool lx_smooth_fit(const struct lx_plan *plan, struct lx_fitting *fitting, struc
     const struct lx_basis *basis = &smooth->few;
     const uint8_t *how = fitting->few;
     size_t left = 0;
-    for (size_t i = 0; i < smooth->lights.count; i++)
+    for (size_t i = 0; i < smooth->count; i++)
         left += fitting->is_left[i];
     struct taken taken = {0};
     if (lx_larger(square->half_mm[0], square->half_mm[1]) * FEW_SHARE < smooth->radius_mm)
@@ -316,7 +340,7 @@ bool lx_smooth_fit(const struct lx_plan *plan, struct lx_fitting *fitting, struc
         rounding += add_folded(plan, fitting, &seen->block, basis, square->side, how);
     if (!(rounding <= ROUNDINGS * maximum && rounding + taken.error <= OF_ITSELF * least && rounding <= MOST_ROUNDING))
         return false;
-    for (size_t i = 0; i < smooth->lights.count; i++)
+    for (size_t i = 0; i < smooth->count; i++)
         fitting->is_left[i] &= how[i] == NOT_TAKEN;
     *allowance -= taken.error;
     return true;

@@ -8,7 +8,7 @@
  * an ellipse with its foci at the square's sides, where kernel_smooth.h bounds it (docs/MATHS.md, "Squares of a
  * picture").  Where a light sets within the square its diffuse part, max(0, N.L), has a fold; a polynomial of its own
  * goes on below 0 and is cut off there.  Lights whose cones end within the square, whose highlights are gated there, or
- * that stand too near, are left to be summed for each pixel.
+ * that stand too near, are left to be summed for each pixel; likewise extended sources that the horizon cuts.
  */
 #ifndef LX_SHADE_SMOOTH_H
 #define LX_SHADE_SMOOTH_H
@@ -18,6 +18,7 @@
 #include "vicinity.h"
 
 struct lx_plan;
+struct lx_planned_surface;
 struct lx_seen;
 
 /* Polynomials through so many nodes on each axis. */
@@ -30,16 +31,18 @@ struct lx_basis {
     double slip;  /* of what is not analytic: so much of `share` for its largest value among the nodes and between */
 };
 
-/* What a plan knows for them. */
+/* What a plan knows for them.  Extended sources follow the lights: the surface's first shell is light lights.count. */
 struct lx_smooth {
     struct lx_basis few, many;
     struct lx_smooth_lights lights;
     double *room;     /* of the lights */
+    double *gains;    /* of the shells, as lx_smooth_shell_bound() takes them; infinite: to be summed for each pixel */
+    size_t count;     /* of both */
     double radius_mm; /* of the surface, as it looks on the screen */
 };
 
-/* Of the lights over a surface that are stored.  0, or -1 when memory ran out. */
-int lx_smooth_make(const struct lx_lights *lights, double radius_mm, struct lx_smooth *smooth);
+/* Of the lights over a surface, all of which are stored, and its shells.  0, or -1 when memory ran out. */
+int lx_smooth_make(const struct lx_planned_surface *surface, double radius_mm, struct lx_smooth *smooth);
 void lx_smooth_clear(struct lx_smooth *smooth);
 
 /* Where that radius is not so many times the side of a panel polynomials seldom pay. */

@@ -5,16 +5,16 @@
 #include "properties.h"
 #include "truth.h"
 
-/* So many pixels are looked at: few under extended sources, whose exact values take a thousand times as long. */
-enum { MOST_PIXELS = 100, DEAR_PIXELS = 2 };
+/* So many pixels are looked at: few under extended sources, whose exact values take long, with highlights a thousand
+ * times as long. */
+enum { MOST_PIXELS = 100, FEWER_PIXELS = 20, DEAR_PIXELS = 2 };
 
-static bool is_true(struct trial *trial, luxel_precision precision)
+static bool is_true(struct trial *trial, luxel_precision precision, unsigned most)
 {
     const luxel_field *picture = trial_picture(trial, precision);
     if (!picture || !trial_picture(trial, LUXEL_DOUBLE))
         return true;
     const unsigned columns = luxel_field_columns(picture), count = columns * luxel_field_rows(picture);
-    const unsigned most = draft_has_extended(trial->draft) ? DEAR_PIXELS : MOST_PIXELS;
     const unsigned step = count > most ? count / most : 1;
     const double slack = trial_slack(trial, picture);
     for (unsigned i = step / 2; i < count; i += step) {
@@ -26,25 +26,32 @@ static bool is_true(struct trial *trial, luxel_precision precision)
     return true;
 }
 
+static unsigned most_pixels(const struct trial *trial)
+{
+    return draft_has_extended(trial->draft) ? DEAR_PIXELS : MOST_PIXELS;
+}
+
 bool is_true_in_single(struct trial *trial)
 {
-    return is_true(trial, LUXEL_SINGLE);
+    return is_true(trial, LUXEL_SINGLE, most_pixels(trial));
 }
 
 bool is_true_in_double(struct trial *trial)
 {
-    return is_true(trial, LUXEL_DOUBLE);
+    return is_true(trial, LUXEL_DOUBLE, most_pixels(trial));
 }
 
-/* A part of the first surface from so near that squares of pixels are smooth. */
+/* A part of the first surface from so near that squares of pixels are smooth; under extended sources without its
+ * highlight, beside which there are none. */
 bool is_true_in_panels(struct trial *trial)
 {
     enum { COLUMNS = 150, ROWS = 140, PANEL = 64, LEAST_PANELS = 8 };
     struct draft near = *trial->draft;
     struct draft_surface_numbers *surface = &near.surfaces[0].numbers;
     const double farther = near.words.columns; /* by chance from 1 to 9 */
-    if (draft_has_extended(&near))
-        return true;
+    const bool has_extended = draft_has_extended(&near);
+    if (has_extended)
+        surface->specular = 0;
     near.surface_count = 1;
     near.words.columns = COLUMNS;
     near.words.rows = ROWS;
@@ -55,7 +62,7 @@ bool is_true_in_panels(struct trial *trial)
     surface->center[1] = fmod(surface->center[1], surface->size[0] / 2);
     struct trial close;
     trial_open(&near, &close);
-    const bool holds = !close.scene || is_true(&close, LUXEL_SINGLE);
+    const bool holds = !close.scene || is_true(&close, LUXEL_SINGLE, has_extended ? FEWER_PIXELS : MOST_PIXELS);
     if (!holds)
         trial_fails(trial, "from near: %s", close.complaint);
     trial->pixels += close.pixels, trial->vague += close.vague, trial->excused += close.excused;

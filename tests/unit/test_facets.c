@@ -211,8 +211,8 @@ static void touching(void **unused)
     lx_facets_free(slanted);
 }
 
-/* Next to its plane, nearby and far away, what is seen of a slanted panel does not depend on where the origin is; places
- * are such that moving them rounds nothing. */
+/* Next to its plane, nearby and far away, what is seen of a slanted panel does not depend on where the origin is; the
+ * places are such that moving them rounds nothing. */
 static void origin(void **unused)
 {
     enum { PANELS = 400, EXPONENT = 29, ORIGINS = 5 };

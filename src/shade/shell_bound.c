@@ -1,0 +1,89 @@
+/* SPDX-License-Identifier: MIT */
+/* How large the light of an extended source may be at complex places of the screen. */
+#include "shell_bound.h"
+
+#include <math.h>
+
+#include "../base/larger.h"
+
+/* More edges, and faces, are not looked at for each square. */
+enum { MOST_EDGES = 64 };
+
+static double dot(const double a[3], const double b[3])
+{
+    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+}
+
+/* Where the square is of some plane, which its places are above by `height` less or more `leeway`. */
+enum side { BEHIND, BEFORE, UNSURE };
+
+static enum side side_of(double height, double leeway)
+{
+    return height > leeway ? BEFORE : height < -leeway ? BEHIND : UNSURE;
+}
+
+/* How far a source reaches from its centre in a direction, or no less. */
+static double reach_of(const struct lx_shell *shell, const double direction[3])
+{
+    double farthest = -HUGE_VAL;
+    if (shell->type == LX_DISK) {
+        const double cosine = dot(direction, shell->axis);
+        return shell->round_mm * sqrt(lx_larger(1 - cosine * cosine, 0));
+    }
+    for (size_t e = 0; e < shell->edge_count && shell->edge_count <= MOST_EDGES; e++) {
+        const struct lx_shell_edge_double *edge = &shell->edges_double[e];
+        farthest = lx_larger(farthest, lx_larger(dot(direction, edge->from), dot(direction, edge->to)));
+    }
+    return farthest > -HUGE_VAL ? farthest : shell->radius_mm;
+}
+
+/* The side of the horizon of all elements on which a source is throughout, as BEFORE is above. */
+static enum side side_of_horizon(const struct lx_shell *shell, const struct lx_vicinity *at, double margin)
+{
+    const double *n = at->normal, below[3] = {-n[0], -n[1], -n[2]}, turn = at->normal_leeway.tile;
+    const double height = dot(n, shell->center) - at->level;
+    const double leeway = turn * (sqrt(dot(shell->center, shell->center)) + shell->radius_mm) + margin;
+    if (height - reach_of(shell, below) > leeway)
+        return BEFORE;
+    return height + reach_of(shell, n) < -leeway ? BEHIND : UNSURE;
+}
+
+/* Whether the square is before some part of the source that shines, or behind all; UNSURE, too, where parts of it are
+ * on either side of a face. */
+static enum side side_of_faces(const struct lx_shell *shell, const struct lx_vicinity *at, const double from_center[3],
+                               double margin)
+{
+    const double leeway = at->place_leeway.tile + margin;
+    enum side side = BEHIND;
+    switch (shell->type) {
+    case LX_BALL: return BEFORE;
+    case LX_DISK: return side_of(dot(shell->axis, from_center), leeway);
+    case LX_FACETS: break;
+    default: return UNSURE;
+    }
+    for (size_t f = 0; f < shell->face_count && side != UNSURE; f++) {
+        const struct lx_shell_face_double *face = &shell->faces_double[f];
+        const enum side of_face = side_of(dot(face->normal, from_center) - face->height, leeway);
+        side = of_face == BEHIND ? side : of_face;
+    }
+    return shell->edge_count <= MOST_EDGES ? side : UNSURE;
+}
+
+double lx_smooth_shell_bound(const struct lx_shell *shell, double gain, const struct lx_vicinity *at)
+{
+    const struct lx_leeway *place = &at->place_leeway, *normal = &at->normal_leeway;
+    const double from_center[3] = {at->place[0] - shell->center[0], at->place[1] - shell->center[1],
+                                   at->place[2] - shell->center[2]};
+    const double away = sqrt(dot(from_center, from_center)), margin = 1e-9 * away + shell->touch_mm;
+    const enum side horizon = side_of_horizon(shell, at, margin);
+    const enum side faces = side_of_faces(shell, at, from_center, margin);
+    if (horizon == BEHIND || faces == BEHIND)
+        return 0;
+    const double nearest = away - shell->radius_mm - place->first - margin;
+    if (horizon == UNSURE || faces == UNSURE || !(0.9 * nearest > place->second + place->imaginary))
+        return HUGE_VAL;
+    const double imaginary = place->imaginary * place->imaginary;
+    const double least = (nearest - place->second) * (nearest - place->second) - imaginary;
+    const double most = (nearest + place->second) * (nearest + place->second) + imaginary;
+    return gain * hypot(1 + normal->second, normal->imaginary) * most / (least * least);
+}

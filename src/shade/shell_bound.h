@@ -1,0 +1,20 @@
+/* SPDX-License-Identifier: MIT */
+/*
+ * Bounds of extended sources as analytic functions of the place on the screen, as kernel_smooth.h has them of points
+ * (docs/MATHS.md, "Squares of a picture").
+ *
+ * The irradiance by a face in front of which the element is, all of it above the horizon, is an integral over places s
+ * on it of (N.w)(-a.w)/(w.w)^2, w = s - p, a the face's normal: analytic as long as no w.w becomes 0, and no larger
+ * than |N| |w|^2/|w.w|^2 times the area; by a ball of radius b about C it is pi b^2 N.w/(w.w)^(3/2), w = C - p.
+ */
+#ifndef LX_SHADE_SHELL_BOUND_H
+#define LX_SHADE_SHELL_BOUND_H
+
+#include "kernel.h"
+
+/* A bound of the brightness by a source in the vicinity, `gain` being diffuse times radiance times the area that shines
+ * (of a ball, of its section); 0 where it does not light the square; infinite where it may not be analytic, or is a
+ * cylinder. */
+double lx_smooth_shell_bound(const struct lx_shell *shell, double gain, const struct lx_vicinity *at);
+
+#endif

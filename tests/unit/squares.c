@@ -1,0 +1,119 @@
+/* SPDX-License-Identifier: MIT */
+/* Random squares, and complex places around them. */
+#include "squares.h"
+
+#include <math.h>
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+#include <string.h>
+
+#include <cmocka.h>
+
+#include "shade/camera.h"
+
+struct lx_square random_square(struct randomness *random, const struct lx_plan *plan)
+{
+    const struct lx_screen *screen = &plan->prepared->scene->screen;
+    const struct lx_planned_surface *surface = plan->surfaces;
+    const unsigned side = pick(random, 2) ? LX_PANEL_SIDE : LX_PANEL_SIDE / 2;
+    const double half = screen->width_mm / screen->resolution[0] * side / 2;
+    const double *anchor = surface->shape.anchor_mm;
+    const double scale = lx_scale_at(&plan->prepared->scene->observer, anchor[2]);
+    const bool is_central = pick(random, 4) == 0;
+    return (struct lx_square){
+        .x_mm = scale * (is_central ? anchor[0] : uniform(random, surface->low_mm[0], surface->high_mm[0])),
+        .y_mm = scale * (is_central ? anchor[1] : uniform(random, surface->low_mm[1], surface->high_mm[1])),
+        .half_mm = {half, half},
+        .side = side,
+    };
+}
+
+bool open_workplace(const struct test_scene *test, const struct lx_kernels *kernels, struct workplace *work)
+{
+    const luxel_settings settings = {.precision = LUXEL_SINGLE};
+    *work = (struct workplace){.shader = NULL};
+    assert_int_equal(lx_plan_make(&test->prepared, kernels, &settings, &work->plan), LUXEL_OK);
+    if (!work->plan.in_panels)
+        return false;
+    work->shader = lx_shader_memory_new(&work->plan);
+    assert_non_null(work->shader);
+    assert_int_equal(lx_fitting_make(&work->plan, &work->fitting), 0);
+    return true;
+}
+
+void close_workplace(struct workplace *work)
+{
+    if (work->plan.in_panels)
+        lx_fitting_clear(&work->fitting);
+    lx_shader_memory_free(work->shader);
+    lx_plan_clear(&work->plan);
+}
+
+double complex dot(struct vector a, struct vector b)
+{
+    return a.x * b.x + a.y * b.y + a.z * b.z;
+}
+
+struct vector plus(struct vector a, double complex times, struct vector b)
+{
+    return (struct vector){a.x + times * b.x, a.y + times * b.y, a.z + times * b.z};
+}
+
+struct vector unit(struct vector a)
+{
+    return plus((struct vector){0, 0, 0}, 1 / csqrt(dot(a, a)), a);
+}
+
+static struct vector cross(struct vector a, struct vector b)
+{
+    return (struct vector){a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
+}
+
+/* The observer, from the surface's anchor. */
+static struct vector observer_from(const struct lx_plan *plan)
+{
+    const double *anchor = plan->surfaces->shape.anchor_mm, z = plan->prepared->scene->observer.z_mm;
+    return (struct vector){-anchor[0], -anchor[1], z - anchor[2]};
+}
+
+struct vector place_at(const struct lx_plan *plan, double complex x, double complex y, struct vector *normal)
+{
+    const struct lx_observer *observer = &plan->prepared->scene->observer;
+    const struct lx_shape *shape = &plan->surfaces->shape;
+    const bool is_central = observer->projection == LX_PERSPECTIVE;
+    const struct vector n = {shape->axis[0], shape->axis[1], shape->axis[2]}, zero = {0, 0, 0},
+                        from = is_central ? observer_from(plan)
+                                          : (struct vector){x - shape->anchor_mm[0], y - shape->anchor_mm[1], 0},
+                        line = is_central ? (struct vector){x, y, -observer->z_mm} : (struct vector){0, 0, -1},
+                        moment = cross(from, line);
+    *normal = n;
+    if (shape->type == LX_PLATE)
+        return plus(zero, 1 / dot(n, line), cross(n, moment));
+    const double complex square = dot(line, line);
+    const double complex root = csqrt(square * shape->radius_mm * shape->radius_mm - dot(moment, moment));
+    const struct vector place = plus(plus(zero, 1 / square, cross(line, moment)), -root / square, line);
+    *normal = plus(zero, 1 / shape->radius_mm, place);
+    return place;
+}
+
+struct vector view_at(const struct lx_plan *plan, struct vector place)
+{
+    if (lx_views_along_z(&plan->prepared->scene->observer))
+        return (struct vector){0, 0, 1};
+    return unit(plus(observer_from(plan), -1, place));
+}
+
+void random_place(struct randomness *random, const struct lx_square *square, const struct lx_basis *basis,
+                  double complex place[2])
+{
+    const double reach = pick(random, 4) ? basis->reach : uniform(random, 1, basis->reach);
+    const double turn = pick(random, 2) ? uniform(random, 0, 2 * M_PI) : pick(random, 4) * M_PI / 2;
+    const double parts[2] = {(reach + 1 / reach) / 2 * cos(turn), (reach - 1 / reach) / 2 * sin(turn)};
+    const int axis = pick(random, 2);
+    memcpy(&place[axis], parts, sizeof parts); /* as a complex number lies in memory */
+    place[1 - axis] = uniform(random, -1, 1);
+    place[0] = square->x_mm + square->half_mm[0] * place[0];
+    place[1] = square->y_mm + square->half_mm[1] * place[1];
+}

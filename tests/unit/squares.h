@@ -1,0 +1,41 @@
+/* SPDX-License-Identifier: MIT */
+/* Squares of the pictures of random scenes, what they are fitted with, and complex places of the screen around them. */
+#ifndef TESTS_UNIT_SQUARES_H
+#define TESTS_UNIT_SQUARES_H
+
+#include <complex.h>
+
+#include "random_scenes.h"
+#include "shade/panels.h"
+
+/* A square around a place where the surface may be seen. */
+struct lx_square random_square(struct randomness *random, const struct lx_plan *plan);
+
+/* What squares are fitted with. */
+struct workplace {
+    struct lx_plan plan;
+    struct lx_shader_memory *shader;
+    struct lx_fitting fitting;
+};
+
+/* False: the picture is not shaded by panels. */
+bool open_workplace(const struct test_scene *test, const struct lx_kernels *kernels, struct workplace *work);
+void close_workplace(struct workplace *work);
+
+struct vector {
+    double complex x, y, z;
+};
+
+double complex dot(struct vector a, struct vector b);
+struct vector plus(struct vector a, double complex times, struct vector b);
+struct vector unit(struct vector a);
+
+/* The surface through a place on the screen, from its anchor: as surface/sphere.c and rectangle.c find it. */
+struct vector place_at(const struct lx_plan *plan, double complex x, double complex y, struct vector *normal);
+struct vector view_at(const struct lx_plan *plan, struct vector place);
+
+/* A place on the ellipse, or in it, on one axis, and in the square on the other. */
+void random_place(struct randomness *random, const struct lx_square *square, const struct lx_basis *basis,
+                  double complex place[2]);
+
+#endif

@@ -1,0 +1,292 @@
+/* SPDX-License-Identifier: MIT */
+/* Polynomials in place of extended sources: their bounds against the irradiance at complex places, the polynomials
+ * against the reference at pixels. */
+#include <float.h>
+#include <math.h>
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include <cmocka.h>
+
+#include "extended_sources.h"
+#include "light/facets.h"
+#include "shade/reference.h"
+#include "shade/seen.h"
+#include "shade/shell_bound.h"
+#include "squares.h"
+
+enum { SQUARES = 6 };
+
+/* One surface without a highlight under one extended source and, at times, a point. */
+static void make_scene(int i, struct test_scene *test)
+{
+    struct randomness random = {.state = UINT64_C(0x9E3779B97F4A7C15) * ((uint64_t)i + 1)};
+    make_random_scene(&random, i % 3 == 0, test);
+    const struct lx_material material = {.model = LX_LAMBERT, .diffuse = 0.7};
+    const struct lx_shape *shape = &test->surfaces[0].shape;
+    const double away = shape->radius_mm + 150 + 300 * logarithmic(&random, 0.05, 20);
+    const unsigned finer = (unsigned)logarithmic(&random, 8, 50);
+    double direction[3], center[3];
+    random_direction(&random, direction);
+    for (int k = 0; k < 3; k++)
+        center[k] =
+            shape->anchor_mm[k] + away * (shape->type == LX_PLATE ? shape->axis[k] + 0.7 * direction[k] : direction[k]);
+    test->surfaces[0].lobe = lx_lobe_prepare(&material);
+    test->prepared.surface_count = 1;
+    test->prepared.shadows = false;
+    test->prepared.emitters.count = 1 + (size_t)(i % 4 == 0);
+    const int kind = pick(&random, SOURCES + 4); /* beyond the last: a wedge, which is not symmetric */
+    test->lights[0] = source_of(kind < SOURCES ? kind : PRISM, center, 1000, 0);
+    if (kind >= SOURCES) {
+        lx_facets_free(test->lights[0].facets);
+        test->lights[0].facets = lx_facets_of_cylinder(center, 150, 300, direction, 3);
+        assert_non_null(test->lights[0].facets);
+    }
+    test->lights[0].attenuation = LX_INVERSE_SQUARE;
+    test->scene.screen.resolution[0] *= finer;
+    test->scene.screen.resolution[1] *= finer;
+}
+
+static void clear_scene(struct test_scene *test)
+{
+    lx_facets_free(test->lights[0].facets);
+}
+
+/* ---- bounds ---- */
+
+/* The sum of weights times (N.w)(-a.w)/(w.w)^2 over the middles of parts of a triangle. */
+static double complex over_triangle(const double a[3], const double b[3], const double c[3], struct vector place,
+                                    struct vector normal)
+{
+    enum { PARTS = 12 };
+    const double ab[3] = {b[0] - a[0], b[1] - a[1], b[2] - a[2]}, ac[3] = {c[0] - a[0], c[1] - a[1], c[2] - a[2]};
+    const struct vector face = {ab[1] * ac[2] - ab[2] * ac[1], ab[2] * ac[0] - ab[0] * ac[2],
+                                ab[0] * ac[1] - ab[1] * ac[0]}; /* as long as twice the area */
+    double complex sum = 0;
+    for (int i = 0; i < PARTS * PARTS; i++) {
+        const double s = (i % PARTS + 0.5) / PARTS, t = (i / PARTS + 0.5) / PARTS; /* a + s (ab + t (ac - ab)) */
+        const struct vector at = {a[0] + s * (ab[0] + t * (ac[0] - ab[0])), a[1] + s * (ab[1] + t * (ac[1] - ab[1])),
+                                  a[2] + s * (ab[2] + t * (ac[2] - ab[2]))};
+        const struct vector way = plus(at, -1, place);
+        const double complex square = dot(way, way);
+        sum -= s * dot(normal, way) * dot(face, way) / (square * square);
+    }
+    return sum / (PARTS * PARTS);
+}
+
+/* A corner of facets from the anchor. */
+static void corner_of(const struct lx_facets *facets, const struct lx_face *face, unsigned i, const double anchor[3],
+                      double corner[3])
+{
+    const lx_wide3 *from = &facets->corners_mm[facets->loop[face->first + i]];
+    corner[0] = from->x.high - anchor[0], corner[1] = from->y.high - anchor[1], corner[2] = from->z.high - anchor[2];
+}
+
+/* Of the faces that are seen from the middle of the square. */
+static double complex by_facets(const struct lx_facets *facets, const struct lx_vicinity *at, const double anchor[3],
+                                struct vector place, struct vector normal)
+{
+    double complex sum = 0;
+    for (size_t f = 0; f < facets->face_count; f++) {
+        const struct lx_face *face = &facets->faces[f];
+        double corners[3][3], height = 0;
+        corner_of(facets, face, 0, anchor, corners[0]);
+        const double way[3] = {at->place[0] - corners[0][0], at->place[1] - corners[0][1],
+                               at->place[2] - corners[0][2]};
+        height += face->normal.x.high * way[0] + face->normal.y.high * way[1] + face->normal.z.high * way[2];
+        for (unsigned i = 1; i + 1 < face->count && height > 0; i++) {
+            corner_of(facets, face, i, anchor, corners[1]);
+            corner_of(facets, face, i + 1, anchor, corners[2]);
+            sum += over_triangle(corners[0], corners[1], corners[2], place, normal);
+        }
+    }
+    return sum;
+}
+
+static double complex by_ball(const struct lx_shell *shell, struct vector place, struct vector normal)
+{
+    const struct vector way = plus((struct vector){shell->center[0], shell->center[1], shell->center[2]}, -1, place);
+    const double complex square = dot(way, way);
+    return M_PI * shell->round_mm * shell->round_mm * dot(normal, way) / (square * csqrt(square));
+}
+
+/* As a polygon of many corners, which is a little smaller. */
+static double complex by_disk(const struct lx_shell *shell, struct vector place, struct vector normal)
+{
+    enum { CORNERS = 60 };
+    const double *axis = shell->axis, *center = shell->center;
+    const double beside[3] = {fabs(axis[0]) < 0.6, fabs(axis[0]) >= 0.6, 0};
+    double u[3] = {beside[1] * axis[2], -beside[0] * axis[2], beside[0] * axis[1] - beside[1] * axis[0]};
+    const double length = sqrt(u[0] * u[0] + u[1] * u[1] + u[2] * u[2]);
+    for (int k = 0; k < 3; k++)
+        u[k] *= shell->round_mm / length;
+    const double v[3] = {axis[1] * u[2] - axis[2] * u[1], axis[2] * u[0] - axis[0] * u[2],
+                         axis[0] * u[1] - axis[1] * u[0]};
+    double complex sum = 0;
+    for (int i = 0; i < CORNERS; i++) {
+        double corners[2][3];
+        for (int k = 0; k < 6; k++) {
+            const double turn = 2 * M_PI * (i + k / 3) / CORNERS;
+            corners[k / 3][k % 3] = center[k % 3] + cos(turn) * u[k % 3] + sin(turn) * v[k % 3];
+        }
+        sum += over_triangle(center, corners[0], corners[1], place, normal);
+    }
+    return sum;
+}
+
+static double complex brightness(const struct lx_plan *plan, const struct lx_vicinity *at, double complex x,
+                                 double complex y)
+{
+    const struct lx_planned_surface *surface = plan->surfaces;
+    const struct lx_shell *shell = &surface->shells[0].shell;
+    struct vector normal;
+    const struct vector place = place_at(plan, x, y, &normal);
+    double complex sum = 0;
+    switch (shell->type) {
+    case LX_FACETS:
+        sum = by_facets(surface->shells[0].emitter->facets, at, surface->shape.anchor_mm, place, normal);
+        break;
+    case LX_DISK: sum = by_disk(shell, place, normal); break;
+    case LX_BALL: sum = by_ball(shell, place, normal); break;
+    default: fail_msg("a bound of a cylinder");
+    }
+    return surface->lobe_exact.diffuse * shell->radiance * sum;
+}
+
+struct tally {
+    size_t bounds, dark, squares;
+    double tightest;               /* the largest share of a bound that was found */
+    double worst, worst_of_itself; /* what polynomials are off by */
+};
+
+static void try_bound(struct workplace *work, const struct lx_square *square, const struct lx_basis *basis,
+                      struct randomness *random, struct tally *tally)
+{
+    enum { PLACES = 10 };
+    const struct lx_plan *plan = &work->plan;
+    struct lx_vicinity vicinity;
+    if (!lx_find_vicinity(plan, square, basis, &vicinity))
+        return;
+    const double bound = lx_smooth_shell_bound(&plan->surfaces->shells[0].shell, plan->smooth.gains[0], &vicinity);
+    assert_true(bound >= 0);
+    tally->bounds += bound > 0 && isfinite(bound);
+    tally->dark += bound == 0;
+    for (int k = 0; k < PLACES && bound > 0 && isfinite(bound); k++) {
+        double complex place[2];
+        random_place(random, square, basis, place);
+        const double share = cabs(brightness(plan, &vicinity, place[0], place[1])) / bound;
+        assert_true(share <= 1);
+        tally->tightest = fmax(tally->tightest, share);
+    }
+}
+
+/* A disk is whole above the horizon where its lowest place is. */
+static void disks(void **state)
+{
+    const struct lx_vicinity at = {.normal = {0, 0, 1}, .view = {0, 0, 1}};
+    (void)state;
+    for (int degrees = 5; degrees < 90; degrees += 10) {
+        const double turn = degrees * M_PI / 180, reach = 100 * sin(turn);
+        struct lx_shell shell = {
+            .type = LX_DISK, .axis = {-sin(turn), 0, -cos(turn)}, .center = {300, 0, 1.001 * reach}};
+        shell.radius_mm = shell.round_mm = 100;
+        assert_true(isfinite(lx_smooth_shell_bound(&shell, 1, &at)));
+        shell.center[2] = 0.999 * reach;
+        assert_true(isinf(lx_smooth_shell_bound(&shell, 1, &at)));
+        shell.center[2] = -0.999 * reach;
+        assert_true(isinf(lx_smooth_shell_bound(&shell, 1, &at)));
+        shell.center[2] = -1.001 * reach;
+        assert_true(lx_smooth_shell_bound(&shell, 1, &at) == 0);
+    }
+}
+
+/* ---- polynomials ---- */
+
+static double exact_value(const struct test_scene *test, const struct workplace *work, double x, double y)
+{
+    struct lx_element element;
+    double sum = 0;
+    assert_true(lx_element_seen(&test->prepared, x, y, &element));
+    for (size_t i = 0; i < test->prepared.emitters.count; i++) {
+        const size_t lights = work->plan.smooth.lights.count, light = i == 0 ? lights : 0;
+        if (test->lights[i].type == LX_UNIFORM || !work->fitting.is_left[light])
+            sum += lx_light_element(&test->prepared, &element, &test->lights[i]).diffuse.value;
+    }
+    return sum;
+}
+
+static void try_square(const struct test_scene *test, struct workplace *work, const struct lx_square *square,
+                       struct randomness *random, struct tally *tally)
+{
+    enum { PIXELS = 8 };
+    const struct lx_plan *plan = &work->plan;
+    float values[LX_PANEL_SIDE * LX_PANEL_SIDE];
+    double allowance = 8e-7 * plan->least_maximum;
+    memset(work->fitting.is_left, 1, plan->smooth.count);
+    if (!lx_smooth_fit(plan, &work->fitting, lx_shader_seen(work->shader), square, plan->surfaces->uniform, true, NULL,
+                       &allowance))
+        return;
+    for (size_t i = 0; i < work->fitting.count; i++)
+        plan->kernels->spread_polynomial(&work->fitting.polynomials[i], square->side, square->side, i > 0, values,
+                                         LX_PANEL_SIDE);
+    tally->squares++;
+    for (int k = 0; k < PIXELS; k++) {
+        const int column = pick(random, (int)square->side), row = pick(random, (int)square->side);
+        const double t = (2 * column + 1) / (double)square->side - 1, u = (2 * row + 1) / (double)square->side - 1;
+        const double value = (double)values[row * LX_PANEL_SIDE + column];
+        const double exact =
+            exact_value(test, work, square->x_mm + square->half_mm[0] * t, square->y_mm - square->half_mm[1] * u);
+        assert_true(value >= 0);
+        const double off = fmax(fabs(value - exact) - (double)FLT_MIN, 0);
+        tally->worst = fmax(tally->worst, off / fmax(plan->least_maximum, exact));
+        tally->worst_of_itself = fmax(tally->worst_of_itself, off / exact);
+    }
+}
+
+static void squares(void **state)
+{
+    (void)state;
+    const char *campaign = getenv("LUXEL_TEST_SCENES");
+    const int scenes = campaign ? 20 * atoi(campaign) : 3000;
+    for (size_t k = 0; lx_kernels_get(k); k++) {
+        struct tally tally = {0};
+        if (!lx_kernels_get(k)->runs())
+            continue;
+        for (int i = 0; i < scenes; i++) {
+            struct randomness random = {.state = UINT64_C(0xD1B54A32D192ED03) * ((uint64_t)i + 1)};
+            struct test_scene test;
+            struct workplace work;
+            make_scene(i, &test);
+            if (open_workplace(&test, lx_kernels_get(k), &work))
+                for (int q = 0; q < SQUARES; q++) {
+                    const struct lx_square square = random_square(&random, &work.plan);
+                    if (k == 0)
+                        try_bound(&work, &square, q % 2 ? &work.plan.smooth.few : &work.plan.smooth.many, &random,
+                                  &tally);
+                    try_square(&test, &work, &square, &random, &tally);
+                }
+            close_workplace(&work);
+            clear_scene(&test);
+        }
+        print_message("# %s: %zu bounds, of which up to %.2g was there, %zu dark; %zu squares, off by %.2g of the "
+                      "maximum, %.2g of themselves\n",
+                      lx_kernels_get(k)->name, tally.bounds, tally.tightest, tally.dark, tally.squares, tally.worst,
+                      tally.worst_of_itself);
+        assert_true(k > 0 || (tally.bounds > 300 && tally.dark > 100 && tally.tightest > 0.1));
+        assert_true(tally.squares > 300 && tally.worst <= 1.2e-6 && tally.worst_of_itself <= 1e-3);
+    }
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(disks),
+        cmocka_unit_test(squares),
+    };
+    return cmocka_run_group_tests_name("panel shells", tests, NULL, NULL);
+}
