@@ -437,12 +437,11 @@ static bool has_panels(const struct lx_plan *plan)
     const struct lx_scene_parameters *scene = plan->prepared->scene;
     const unsigned *resolution = scene->screen.resolution;
     const double side_mm = scene->screen.width_mm / resolution[0] * LX_PANEL_SIDE;
-    const size_t lights = surface->lights.count;
+    const size_t lights = surface->lights.count, all = lights + surface->shell_count;
     return plan->precision == LUXEL_SINGLE && plan->surface_count == 1 && has_closed_shells(surface) &&
-           plan->forest.tree_count == 0 && plan->every == 1 && lights + surface->shell_count > 0 &&
-           lights <= LX_MOST_STORED && surface->lights.stored == lights && plan->least_maximum > 0 &&
-           resolution[0] >= LX_PANEL_SIDE && resolution[1] >= LX_PANEL_SIDE &&
-           radius_on_screen(plan) > LX_LEAST_PANELS * side_mm;
+           plan->forest.tree_count == 0 && plan->every == 1 && all > 0 && all <= LX_MOST_STORED &&
+           surface->lights.stored == lights && plan->least_maximum > 0 && resolution[0] >= LX_PANEL_SIDE &&
+           resolution[1] >= LX_PANEL_SIDE && radius_on_screen(plan) > LX_LEAST_PANELS * side_mm;
 }
 
 luxel_status lx_plan_make(const struct lx_prepared *prepared, const struct lx_kernels *kernels,
