@@ -406,6 +406,8 @@ const struct lx_kernels TABLE_OF(LX_ISA) = {
     .find_polynomial = find_polynomial,
     .spread_polynomial = spread_polynomial,
     .bound_smooth = bound_smooth,
+    .bound_foot = bound_foot,
+    .find_roots = find_roots,
     .facets_single = light_by_facets_single,
     .light_by_shell = {[LX_FACETS] = light_by_facets_double,
                        [LX_DISK] = light_by_disk,

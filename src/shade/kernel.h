@@ -191,25 +191,28 @@ typedef void lx_round_all(const double *values, size_t count, float *rounded);
 
 /*
  * A polynomial of the place in a square of `side` times `side` pixels of a picture: the sum of terms[j][i] u^j t^i over
- * i, j < nodes, with t = (2 column + 1)/side - 1, likewise u of the row.
+ * i, j < size, with t = (2 column + 1)/side - 1, likewise u of the row; and the power of it that is meant.
  */
 enum { LX_FEW_NODES = 8, LX_MANY_NODES = 12, LX_PANEL_SIDE = 64 };
 struct lx_polynomial {
-    _Alignas(64) float terms[LX_MANY_NODES][LX_LANES]; /* 0 beyond the nodes */
-    unsigned nodes;                                    /* one of the two numbers above */
+    _Alignas(64) float terms[LX_MANY_NODES][LX_LANES]; /* 0 beyond the size */
+    unsigned size;                                     /* 6, 7, 8 or 12 */
     unsigned side;                                     /* LX_PANEL_SIDE or half of it */
+    unsigned power;                                    /* from 1 on */
 };
 
-/* Sets values[row * stride + column] of the square's first rows and columns, no more than `side`, to the polynomial, or
- * `adds` it to them; where it is less than 0, 0. */
+/* Sets values[row * stride + column] of the square's first rows and columns, no more than `side`, to the polynomial's
+ * power, or `adds` it to them; where the polynomial is less than 0, 0. */
 typedef void lx_spread_polynomial(const struct lx_polynomial *polynomial, unsigned rows, unsigned columns, bool adds,
                                   float *values, size_t stride);
 
 /*
- * The polynomial through values at nodes x nodes places, values[row * nodes + column]; terms[node][power]: what 1 at a
- * node and 0 at the others makes of one variable, 0 beyond the nodes.  Returns what it may be off by in float32.
+ * The polynomial through values at nodes x nodes places, values[row * nodes + column]; series[node][k]: the share of
+ * Chebyshev's polynomial T_k in what is 1 at a node and 0 at the others, 0 beyond the nodes.  Of these polynomials the
+ * last ones are left out where all that is left out is below the roundings of float32.  Returns what the terms may be
+ * off by, for that reason and in float32.
  */
-typedef double lx_find_polynomial(const double (*terms)[LX_LANES], unsigned nodes, const double *values,
+typedef double lx_find_polynomial(const double (*series)[LX_LANES], unsigned nodes, const double *values,
                                   struct lx_polynomial *polynomial);
 
 /*
@@ -248,6 +251,20 @@ struct lx_smooth_lights {
  * infinite where the light may not be analytic. */
 typedef void lx_bound_smooth(const struct lx_vicinity *vicinity, const struct lx_smooth_lights *lights,
                              const struct lx_lobe_double *lobe, double *sizes);
+
+/* The n-th root of a highlight E_perp ks S^n: a bound of it as an analytic function in a vicinity, and one of the
+ * highlight itself within the square. */
+struct lx_foot {
+    double root, most;
+};
+
+/* Of light i, the only one that reaches the square, and of a lobe with a plain highlight and a whole exponent n.  The
+ * root is infinite where there may be no such function, S may be 0, or diffuse light is not cut off. */
+typedef struct lx_foot lx_bound_foot(const struct lx_vicinity *vicinity, const struct lx_smooth_lights *lights,
+                                     size_t i, const struct lx_lobe_double *lobe);
+
+/* Replaces normal numbers above 0, up to whole lanes, by their n-th roots. */
+typedef void lx_find_roots(double *values, size_t count, double n);
 
 /* A shape in the way of light: its anchor stands relative to the block's; the light is a place or a direction. */
 struct lx_blocker {
@@ -306,6 +323,8 @@ struct lx_kernels {
     lx_find_polynomial *find_polynomial;
     lx_spread_polynomial *spread_polynomial;
     lx_bound_smooth *bound_smooth;
+    lx_bound_foot *bound_foot;
+    lx_find_roots *find_roots;
     lx_light_by_shell_single *facets_single;
     /* by the type of the emitter; NULL for those that are not extended */
     lx_light_by_shell_double *light_by_shell[LX_CYLINDER + 1];

@@ -10,6 +10,31 @@ LX_LANE float place_in_square(int pixel, float scale)
     return (float)(2 * pixel + 1) * scale - 1;
 }
 
+/* Raises some vectors side by side to a power; what is below 0 counts as 0. */
+LX_LANE void raise_all(lanes_single base[VECTORS], unsigned power)
+{
+    lanes_single product[VECTORS];
+    LX_UNROLLED
+    for (int v = 0; v < VECTORS; v++) {
+        base[v] = greater_single(base[v], all_single(0));
+        product[v] = all_single(1);
+    }
+    for (;; power >>= 1) {
+        if (power & 1)
+            LX_UNROLLED
+        for (int v = 0; v < VECTORS; v++)
+            product[v] *= base[v];
+        if (power <= 1)
+            break;
+        LX_UNROLLED
+        for (int v = 0; v < VECTORS; v++)
+            base[v] *= base[v];
+    }
+    LX_UNROLLED
+    for (int v = 0; v < VECTORS; v++)
+        base[v] = product[v];
+}
+
 /* Sets values, which need not be aligned, to some numbers where these are above 0, or adds them. */
 LX_LANE void put(const float *numbers, int count, bool adds, float *values)
 {
@@ -27,16 +52,16 @@ LX_LANE void put(const float *numbers, int count, bool adds, float *values)
 }
 
 /* The polynomials of t that some rows are. */
-LX_LANE void find_rows(const struct lx_polynomial *polynomial, int nodes, int first, float scale,
+LX_LANE void find_rows(const struct lx_polynomial *polynomial, int size, int first, float scale,
                        float terms[ROWS][LX_LANES])
 {
-    for (int i = 0; i < nodes; i += LX_WIDTH_single) {
+    for (int i = 0; i < size; i += LX_WIDTH_single) {
         lanes_single sum[ROWS];
         LX_UNROLLED
         for (int r = 0; r < ROWS; r++)
-            sum[r] = load_single(polynomial->terms[nodes - 1] + i);
+            sum[r] = load_single(polynomial->terms[size - 1] + i);
         LX_UNROLLED
-        for (int j = nodes - 2; j >= 0; j--)
+        for (int j = size - 2; j >= 0; j--)
             LX_UNROLLED
         for (int r = 0; r < ROWS; r++)
             sum[r] = sum[r] * place_in_square(first + r, scale) + load_single(polynomial->terms[j] + i);
@@ -46,7 +71,7 @@ LX_LANE void find_rows(const struct lx_polynomial *polynomial, int nodes, int fi
     }
 }
 
-LX_LANE void spread(const struct lx_polynomial *polynomial, int nodes, int rows, int columns, bool adds, float *values,
+LX_LANE void spread(const struct lx_polynomial *polynomial, int size, int rows, int columns, bool adds, float *values,
                     size_t stride)
 {
     const float scale = 1 / (float)polynomial->side;
@@ -54,20 +79,24 @@ LX_LANE void spread(const struct lx_polynomial *polynomial, int nodes, int rows,
     for (int i = 0; i < LX_PANEL_SIDE; i++)
         t[i] = place_in_square(i, scale);
     for (int row = 0; row < rows; row += ROWS) {
-        find_rows(polynomial, nodes, row, scale, terms);
+        find_rows(polynomial, size, row, scale, terms);
         for (int r = 0; r < ROWS; r += 2)
             for (int column = 0; column < columns; column += VECTORS * LX_WIDTH_single) {
                 lanes_single above[VECTORS], below[VECTORS];
                 LX_UNROLLED
                 for (int v = 0; v < VECTORS; v++)
-                    above[v] = all_single(terms[r][nodes - 1]), below[v] = all_single(terms[r + 1][nodes - 1]);
+                    above[v] = all_single(terms[r][size - 1]), below[v] = all_single(terms[r + 1][size - 1]);
                 LX_UNROLLED
-                for (int i = nodes - 2; i >= 0; i--)
+                for (int i = size - 2; i >= 0; i--)
                     LX_UNROLLED
                 for (int v = 0; v < VECTORS; v++) {
                     const lanes_single at = load_single(t + column + v * LX_WIDTH_single);
                     above[v] = above[v] * at + terms[r][i];
                     below[v] = below[v] * at + terms[r + 1][i];
+                }
+                if (polynomial->power > 1) {
+                    raise_all(above, polynomial->power);
+                    raise_all(below, polynomial->power);
                 }
                 LX_UNROLLED
                 for (int v = 0; v < VECTORS; v++) {
@@ -83,8 +112,12 @@ LX_LANE void spread(const struct lx_polynomial *polynomial, int nodes, int rows,
 static void spread_polynomial(const struct lx_polynomial *polynomial, unsigned rows, unsigned columns, bool adds,
                               float *values, size_t stride)
 {
-    if (polynomial->nodes == LX_FEW_NODES)
-        spread(polynomial, LX_FEW_NODES, (int)rows, (int)columns, adds, values, stride);
+    if (polynomial->size <= 6)
+        spread(polynomial, 6, (int)rows, (int)columns, adds, values, stride);
+    else if (polynomial->size == 7)
+        spread(polynomial, 7, (int)rows, (int)columns, adds, values, stride);
+    else if (polynomial->size == 8)
+        spread(polynomial, 8, (int)rows, (int)columns, adds, values, stride);
     else
         spread(polynomial, LX_MANY_NODES, (int)rows, (int)columns, adds, values, stride);
 }

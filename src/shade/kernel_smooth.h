@@ -150,10 +150,10 @@ LX_LANE struct bounded_light bound_one(const struct lx_vicinity *at, const struc
     return light;
 }
 
-/* Bounds of a highlight: as an analytic function, if it is one; in the square; and whether it is 0 there throughout, or
- * may not be analytic. */
+/* Bounds of a highlight: as an analytic function, if it is one, and of its root S; in the square; and whether it is 0
+ * there throughout, or may not be analytic. */
 struct bounded_shine {
-    lanes_double most, seen, is_dark, doubt;
+    lanes_double most, root, seen, is_dark, doubt;
 };
 
 /*
@@ -168,6 +168,7 @@ LX_LANE struct bounded_shine bound_power(const struct lx_lobe_double *lobe, lane
     const lanes_double top = lesser_double(positive(cosine + tile + margin), one);
     struct bounded_shine shine = {
         .most = most_of_power(square, all_double(exponent)),
+        .root = root_double(square),
         .seen = power_of_double(top, 1 - top, lobe->exponent) * (1 + margin) + (lobe->exponent.whole > 0 ? 0 : 1e-15),
     };
     shine.is_dark = is_above_lane(-cosine, tile + margin);
@@ -238,6 +239,12 @@ LX_LANE struct bounded_shine bound_phong(const struct lx_vicinity *at, const str
     return bound_power(lobe, cosine, real * real + imaginary * imaginary, tile, all);
 }
 
+LX_LANE struct bounded_shine bound_shine(const struct lx_vicinity *vicinity, const struct lx_lobe_double *lobe,
+                                         const struct bounded_light *light)
+{
+    return lobe->model == LX_PHONG ? bound_phong(vicinity, lobe, light) : bound_blinn_phong(vicinity, lobe, light);
+}
+
 static void bound_smooth(const struct lx_vicinity *vicinity, const struct lx_smooth_lights *lights,
                          const struct lx_lobe_double *lobe, double *sizes)
 {
@@ -247,8 +254,7 @@ static void bound_smooth(const struct lx_vicinity *vicinity, const struct lx_smo
         const lanes_double unsure = 1 - light.is_up - light.is_down;
         lanes_double most = lobe->diffuse * light.cosine * (1 - light.is_down);
         if (lobe->model != LX_LAMBERT) {
-            const struct bounded_shine shine = lobe->model == LX_PHONG ? bound_phong(vicinity, lobe, &light)
-                                                                       : bound_blinn_phong(vicinity, lobe, &light);
+            const struct bounded_shine shine = bound_shine(vicinity, lobe, &light);
             lanes_double is_there = 1 - shine.is_dark, doubt = shine.doubt;
             if (lobe->highlight != LX_HIGHLIGHT_PLAIN) {
                 is_there *= 1 - light.is_down;
@@ -266,8 +272,30 @@ static void bound_smooth(const struct lx_vicinity *vicinity, const struct lx_smo
     }
 }
 
-/* Rows of a product of matrices that go side by side, as one alone would wait for its own results; vectors in each. */
-enum { PRODUCT_ROWS = 4, ROW_VECTORS = LX_LANES / LX_WIDTH_double };
+/* The root of E_perp is bounded as that of its bound: its real part is above 0, but for what has a pattern. */
+static struct lx_foot bound_foot(const struct lx_vicinity *vicinity, const struct lx_smooth_lights *lights, size_t i,
+                                 const struct lx_lobe_double *lobe)
+{
+    const size_t lane = i % LX_WIDTH_double;
+    const struct bounded_light light = bound_one(vicinity, lights, i - lane);
+    const struct bounded_shine shine = bound_shine(vicinity, lobe, &light);
+    const lanes_double zero = all_double(0), infinite = all_double(HUGE_VAL), gain = light.e * lobe->specular;
+    lanes_double doubt = light.doubt + shine.doubt + shine.is_dark + load_double(lights->exponent + i - lane);
+    if (lobe->diffuse > 0)
+        doubt += light.is_up;
+    const lanes_double root = shine.root * most_of_power(gain, all_double(2 / lobe->exponent.value));
+    const lanes_double bound = where_above_double(doubt, zero, infinite, root), most = gain * shine.seen;
+    return (struct lx_foot){.root = bound[lane], .most = most[lane]};
+}
+
+static void find_roots(double *values, size_t count, double n)
+{
+    for (size_t i = 0; i < count; i += LX_WIDTH_double)
+        store_double(values + i, exp2_of_double(log2_of_double(load_double(values + i), all_double(0)) / n));
+}
+
+/* Rows of a product of matrices that go side by side, as one alone would wait for its own results. */
+enum { PRODUCT_ROWS = 4 };
 
 /* product = left right, of so many rows and columns on the left; of `left` the entry [j][i] stands at
  * left[j * down + i * across]. */
@@ -276,37 +304,112 @@ LX_LANE void multiply(const double *left, size_t down, size_t across, unsigned s
 {
     _Static_assert(LX_FEW_NODES % PRODUCT_ROWS == 0 && LX_MANY_NODES % PRODUCT_ROWS == 0, "rows come in whole groups");
     for (unsigned j = 0; j < size; j += PRODUCT_ROWS)
-        for (unsigned v = 0; v < ROW_VECTORS; v++) {
-            lanes_double sum[PRODUCT_ROWS];
+        for (unsigned k = 0; k < LX_LANES; k += 2 * LX_WIDTH_double) {
+            lanes_double sum[PRODUCT_ROWS], next[PRODUCT_ROWS];
             LX_UNROLLED
             for (unsigned r = 0; r < PRODUCT_ROWS; r++)
-                sum[r] = all_double(0);
+                sum[r] = next[r] = all_double(0);
             for (unsigned i = 0; i < size; i++) {
-                const lanes_double entries = load_double(right[i] + v * LX_WIDTH_double);
+                const lanes_double entries = load_double(right[i] + k),
+                                   others = load_double(right[i] + k + LX_WIDTH_double);
                 LX_UNROLLED
-                for (unsigned r = 0; r < PRODUCT_ROWS; r++)
-                    sum[r] += left[(j + r) * down + i * across] * entries;
+                for (unsigned r = 0; r < PRODUCT_ROWS; r++) {
+                    const lanes_double factor = all_double(left[(j + r) * down + i * across]);
+                    sum[r] += factor * entries;
+                    next[r] += factor * others;
+                }
             }
             LX_UNROLLED
-            for (unsigned r = 0; r < PRODUCT_ROWS; r++)
-                store_double(product[j + r] + v * LX_WIDTH_double, sum[r]);
+            for (unsigned r = 0; r < PRODUCT_ROWS; r++) {
+                store_double(product[j + r] + k, sum[r]);
+                store_double(product[j + r] + k + LX_WIDTH_double, next[r]);
+            }
         }
 }
 
-static double find_polynomial(const double (*terms)[LX_LANES], unsigned nodes, const double *values,
+/* [degree][power] of Chebyshev's polynomials. */
+_Alignas(64) static const double chebyshev[LX_MANY_NODES][LX_LANES] = {
+    {1},
+    {0, 1},
+    {-1, 0, 2},
+    {0, -3, 0, 4},
+    {1, 0, -8, 0, 8},
+    {0, 5, 0, -20, 0, 16},
+    {-1, 0, 18, 0, -48, 0, 32},
+    {0, -7, 0, 56, 0, -112, 0, 64},
+    {1, 0, -32, 0, 160, 0, -256, 0, 128},
+    {0, 9, 0, -120, 0, 432, 0, -576, 0, 256},
+    {-1, 0, 50, 0, -400, 0, 1120, 0, -1280, 0, 512},
+    {0, -11, 0, 220, 0, -1232, 0, 2816, 0, -2816, 0, 1024},
+};
+
+/* Adds up in pairs, as one after the other each sum would wait for the one before. */
+LX_LANE double sum_of_lanes(const double n[LX_LANES])
+{
+    _Static_assert(LX_LANES == 16, "all of them are added");
+    return (((n[0] + n[8]) + (n[4] + n[12])) + ((n[2] + n[10]) + (n[6] + n[14]))) +
+           (((n[1] + n[9]) + (n[5] + n[13])) + ((n[3] + n[11]) + (n[7] + n[15])));
+}
+
+/* What is not 0 beyond the first polynomials of a series, by columns: each size less the next larger one. */
+struct beyond {
+    _Alignas(64) double eight[LX_LANES], seven[LX_LANES], six[LX_LANES], none[LX_LANES];
+};
+
+LX_LANE void add_row(const double *row, double *sums)
+{
+    for (unsigned k = 0; k < LX_LANES; k++)
+        sums[k] += fabs(row[k]);
+}
+
+/*
+ * How many polynomials on each axis do for a series, no product of which is larger than 1: the others come to no more
+ * than `*rest`, which is too little to count.
+ */
+LX_LANE unsigned size_of(const double (*series)[LX_LANES], unsigned nodes, double *rest)
+{
+    _Alignas(64) double rows[LX_LANES] = {0}, row_6[LX_LANES] = {0}, row_7[LX_LANES] = {0};
+    struct beyond by = {.eight = {0}};
+    for (unsigned l = 0; l < 6; l++)
+        add_row(series[l], rows);
+    add_row(series[6], row_6);
+    add_row(series[7], row_7);
+    for (unsigned l = 8; l < nodes; l++)
+        add_row(series[l], by.eight);
+    for (unsigned k = 0; k < LX_LANES; k++) {
+        by.eight[k] += k >= 8 ? rows[k] + row_6[k] + row_7[k] : 0;
+        by.seven[k] = k < 8 ? row_7[k] + (k == 7 ? rows[k] + row_6[k] : 0) : 0;
+        by.six[k] = k < 7 ? row_6[k] + (k == 6 ? rows[k] : 0) : 0;
+        by.none[k] = k < 6 ? rows[k] : 0;
+    }
+    const double eight = sum_of_lanes(by.eight), seven = eight + sum_of_lanes(by.seven);
+    const double six = seven + sum_of_lanes(by.six), most = (double)FLT_EPSILON / 4 * (six + sum_of_lanes(by.none));
+    *rest = six <= most ? six : seven <= most ? seven : eight <= most ? eight : 0;
+    return six <= most ? 6 : seven <= most ? 7 : eight <= most ? 8 : nodes;
+}
+
+static double find_polynomial(const double (*series)[LX_LANES], unsigned nodes, const double *values,
                               struct lx_polynomial *polynomial)
 {
-    _Alignas(64) double across[LX_MANY_NODES][LX_LANES], all[LX_MANY_NODES][LX_LANES], roundings[LX_LANES] = {0},
-                                                                                       sum = 0;
-    multiply(values, nodes, 1, nodes, terms, across);
-    multiply(terms[0], 1, LX_LANES, nodes, (const double(*)[LX_LANES])across, all);
-    for (unsigned l = 0; l < nodes; l++)
+    _Alignas(64) double across[LX_MANY_NODES][LX_LANES], all[LX_MANY_NODES][LX_LANES], roundings[LX_LANES] = {0}, rest;
+    const double(*const halfway)[LX_LANES] = (const double(*)[LX_LANES])across;
+    multiply(values, nodes, 1, nodes, series, across);
+    multiply(series[0], 1, LX_LANES, nodes, halfway, all);
+    const unsigned size = size_of((const double(*)[LX_LANES])all, nodes, &rest);
+    const unsigned whole = size > LX_FEW_NODES ? LX_MANY_NODES : LX_FEW_NODES; /* rows of a product */
+    for (unsigned out = size; out < whole; out++) {
+        memset(all[out], 0, sizeof all[out]);
+        for (unsigned l = 0; l < whole; l++)
+            all[l][out] = 0;
+    }
+    multiply(all[0], LX_LANES, 1, whole, chebyshev, across);
+    multiply(chebyshev[0], 1, LX_LANES, whole, halfway, all);
+    polynomial->size = size;
+    for (unsigned l = 0; l < size; l++)
         for (unsigned k = 0; k < LX_LANES; k++) {
             polynomial->terms[l][k] = (float)all[l][k];
             /* a term is rounded itself, and twice in each of the steps of Horner's that it goes through */
             roundings[k] += (2 * (k + l) + 3) * fabs(all[l][k]);
         }
-    for (unsigned k = 0; k < LX_LANES; k++)
-        sum += roundings[k];
-    return sum * ((double)FLT_EPSILON / 2);
+    return rest + sum_of_lanes(roundings) * ((double)FLT_EPSILON / 2);
 }

@@ -43,20 +43,15 @@ static const double OF_ITSELF = 1e-3;
  * e in the square is off by no more than e itself and, on both axes, the square of that constant times e. */
 static void make_basis(unsigned nodes, double reach, struct lx_basis *basis)
 {
-    double chebyshev[LX_MANY_NODES][LX_MANY_NODES] = {{1}, {0, 1}}; /* [degree][power] */
     *basis = (struct lx_basis){.nodes = nodes, .reach = reach};
     const double lebesgue = 1 + 2 * log(nodes) / M_PI;
     basis->share = (1 + lebesgue) * 4 / (pow(reach, nodes - 1) * (reach - 1));
     basis->slip = (1 + lebesgue * lebesgue) / basis->share;
-    for (unsigned m = 2; m < nodes; m++)
-        for (unsigned k = 0; k <= m; k++)
-            chebyshev[m][k] = (k > 0 ? 2 * chebyshev[m - 1][k - 1] : 0) - chebyshev[m - 2][k];
     for (unsigned i = 0; i < nodes; i++) {
         const double angle = M_PI * (i + 0.5) / nodes;
         basis->place[i] = cos(angle);
         for (unsigned m = 0; m < nodes; m++)
-            for (unsigned k = 0; k <= m; k++)
-                basis->terms[i][k] += (m > 0 ? 2 : 1) * cos(m * angle) / nodes * chebyshev[m][k];
+            basis->series[i][m] = (m > 0 ? 2 : 1) * cos(m * angle) / nodes;
     }
 }
 
@@ -163,20 +158,19 @@ struct taken {
 };
 
 /* Takes lights as long as what they are off by together is allowed: first those that keep to a fair share. */
-static struct taken take_lights(const struct lx_plan *plan, const struct lx_fitting *fitting,
-                                const struct lx_square *square, const struct lx_basis *basis, double allowance,
-                                size_t left, uint8_t *how)
+static struct taken take_lights(const struct lx_plan *plan, struct lx_fitting *fitting, const struct lx_square *square,
+                                const struct lx_basis *basis, double allowance, size_t left, uint8_t *how)
 {
     const size_t count = plan->smooth.count, lights = plan->smooth.lights.count;
-    struct lx_vicinity vicinity;
+    struct lx_vicinity *vicinity = &fitting->vicinity;
     struct taken taken = {0};
     memset(how, NOT_TAKEN, count);
-    if (!lx_find_vicinity(plan, square, basis, &vicinity))
+    if (!lx_find_vicinity(plan, square, basis, vicinity))
         return taken;
-    plan->kernels->bound_smooth(&vicinity, &plan->smooth.lights, &plan->surfaces->lobe_exact, fitting->sizes);
+    plan->kernels->bound_smooth(vicinity, &plan->smooth.lights, &plan->surfaces->lobe_exact, fitting->sizes);
     for (size_t s = 0; lights + s < count; s++)
         fitting->sizes[lights + s] =
-            lx_smooth_shell_bound(&plan->surfaces->shells[s].shell, plan->smooth.gains[s], &vicinity);
+            lx_smooth_shell_bound(&plan->surfaces->shells[s].shell, plan->smooth.gains[s], vicinity);
     for (int round = 0; round < 2 && taken.count < left; round++) {
         const double limit = round == 0 ? allowance / (double)left : HUGE_VAL;
         for (size_t i = 0; i < count; i++) {
@@ -248,8 +242,8 @@ static double add_polynomial(const struct lx_plan *plan, struct lx_fitting *fitt
                              unsigned side, const double *sums)
 {
     struct lx_polynomial *polynomial = &fitting->polynomials[fitting->count++];
-    *polynomial = (struct lx_polynomial){.nodes = basis->nodes, .side = side};
-    return plan->kernels->find_polynomial(basis->terms, basis->nodes, sums, polynomial);
+    *polynomial = (struct lx_polynomial){.side = side, .power = 1};
+    return plan->kernels->find_polynomial(basis->series, basis->nodes, sums, polynomial);
 }
 
 /* The diffuse light of those that are folded, each on its own, without the fold: what falls on the surface less what
@@ -285,15 +279,57 @@ static double add_folded(const struct lx_plan *plan, struct lx_fitting *fitting,
 static double find_least(const struct lx_basis *basis, const double *sums, double limit, bool are_all,
                          struct lx_fitting *fitting)
 {
-    double least = HUGE_VAL;
-    for (unsigned j = 0; j < basis->nodes; j++)
-        for (unsigned i = 0; i < basis->nodes; i++) {
-            const double sum = sums[j * basis->nodes + i];
-            const unsigned quarter = (basis->place[j] > 0) * 2U + (basis->place[i] > 0);
-            fitting->is_faint[quarter] |= are_all && !(sum >= limit);
-            least = lx_smaller(least, sum);
-        }
-    return least;
+    const unsigned half = basis->nodes / 2; /* so many nodes of each axis are to the right, and below, the middle */
+    const unsigned to[4] = {half * basis->nodes + half, half * basis->nodes, half, 0};
+    double least[4] = {HUGE_VAL, HUGE_VAL, HUGE_VAL, HUGE_VAL};
+    for (unsigned j = 0; j < half; j++)
+        for (unsigned i = 0; i < half; i++)
+            for (unsigned q = 0; q < 4; q++)
+                least[q] = lx_smaller(least[q], sums[j * basis->nodes + i + to[q]]);
+    for (unsigned q = 0; q < 4; q++)
+        fitting->is_faint[q] = are_all && !(least[q] >= limit);
+    return lx_smaller(lx_smaller(least[0], least[1]), lx_smaller(least[2], least[3]));
+}
+
+/* The only light that reaches a square; the number of all where there is none, or more. */
+static size_t find_only_light(const struct lx_smooth *smooth, const struct lx_fitting *fitting)
+{
+    size_t only = smooth->count;
+    for (size_t i = 0; i < smooth->count; i++) {
+        if (fitting->sizes[i] == 0)
+            continue;
+        if (only < smooth->count)
+            return smooth->count;
+        only = i;
+    }
+    return only;
+}
+
+/*
+ * Fits the foot of a highlight, which is all that the sums at nodes are: n times as steep as its n-th root is, it keeps
+ * its digits only as the n-th power of the root's polynomial.  All lights are taken with the basis that was tried last.
+ * False: there is no such foot, or it would be off by too much.
+ */
+static bool fit_foot(const struct lx_plan *plan, struct lx_fitting *fitting, const struct lx_basis *basis,
+                     unsigned side, double least, double *sums, double *error, double *rounding)
+{
+    const struct lx_lobe_double *lobe = &plan->surfaces->lobe_exact;
+    const size_t light = find_only_light(&plan->smooth, fitting), lights = plan->smooth.lights.count;
+    const double n = lobe->exponent.value;
+    if (light >= lights || lobe->model == LX_LAMBERT || lobe->highlight != LX_HIGHLIGHT_PLAIN ||
+        lobe->exponent.whole == 0 || !(least >= DBL_MIN))
+        return false;
+    const struct lx_foot foot = plan->kernels->bound_foot(&fitting->vicinity, &plan->smooth.lights, light, lobe);
+    if (!(foot.root < HUGE_VAL))
+        return false;
+    plan->kernels->find_roots(sums, lx_padded((size_t)basis->nodes * basis->nodes), n);
+    const double rounded = add_polynomial(plan, fitting, basis, side, sums), off = foot.root * basis->share;
+    fitting->polynomials[fitting->count - 1].power = lobe->exponent.whole;
+    /* (q + d)^n - q^n is no more than n d (q + d)^(n - 1) */
+    const double top = pow(foot.most, 1 / n) + off + rounded, slope = n * pow(top, n - 1);
+    *error = slope * off;
+    *rounding = slope * (rounded + (double)FLT_EPSILON * top); /* each product of the power is rounded once */
+    return n * (off + rounded + (double)FLT_EPSILON * pow(least, 1 / n)) <= OF_ITSELF * pow(least, 1 / n);
 }
 
 bool lx_smooth_fit(const struct lx_plan *plan, struct lx_fitting *fitting, struct lx_seen *seen,
@@ -332,13 +368,22 @@ bool lx_smooth_fit(const struct lx_plan *plan, struct lx_fitting *fitting, struc
         sum_lights(plan, &seen->block, nodes, how, FOLDED, &surface->glossy_exact, asking, sum);
     const double least =
         alone ? find_least(basis, sum, taken.error / OF_ITSELF, taken.count == left, fitting) : HUGE_VAL;
-    if (!(taken.error <= OF_ITSELF * least))
-        return false;
-    double rounding = add_polynomial(plan, fitting, basis, square->side, sum);
-    const double maximum = lx_larger(plan->least_maximum, (double)fitting->polynomials[0].terms[0][0]);
+    const bool has_digits = taken.error <= OF_ITSELF * least;
+    double rounding, maximum = plan->least_maximum;
+    if (has_digits) {
+        rounding = add_polynomial(plan, fitting, basis, square->side, sum);
+        maximum = lx_larger(maximum, (double)fitting->polynomials[0].terms[0][0]);
+    } else {
+        double error;
+        if (uniform > 0 || taken.count < left ||
+            !fit_foot(plan, fitting, basis, square->side, least, sum, &error, &rounding))
+            return false;
+        taken.error += error;
+    }
     if (taken.folded > 0)
         rounding += add_folded(plan, fitting, &seen->block, basis, square->side, how);
-    if (!(rounding <= ROUNDINGS * maximum && rounding + taken.error <= OF_ITSELF * least && rounding <= MOST_ROUNDING))
+    if (!(rounding <= ROUNDINGS * maximum && rounding <= MOST_ROUNDING && taken.error <= *allowance) ||
+        (has_digits && !(rounding + taken.error <= OF_ITSELF * least)))
         return false;
     for (size_t i = 0; i < smooth->count; i++)
         fitting->is_left[i] &= how[i] == NOT_TAKEN;

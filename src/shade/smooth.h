@@ -24,8 +24,8 @@ struct lx_seen;
 /* Polynomials through so many nodes on each axis. */
 struct lx_basis {
     unsigned nodes;
-    double place[LX_MANY_NODES];                        /* of the nodes, from -1 to 1 */
-    _Alignas(64) double terms[LX_MANY_NODES][LX_LANES]; /* [node][power], as lx_find_polynomial() takes them */
+    double place[LX_MANY_NODES];                         /* of the nodes, from 1 to -1 */
+    _Alignas(64) double series[LX_MANY_NODES][LX_LANES]; /* [node][degree], as lx_find_polynomial() takes them */
     double reach; /* of the ellipse: the sum of its half axes, for half a square's side */
     double share; /* of the bound in it, which the polynomial is off by at most */
     double slip;  /* of what is not analytic: so much of `share` for its largest value among the nodes and between */
@@ -57,6 +57,7 @@ struct lx_fitting {
     uint8_t *few, *many; /* how polynomials through so many nodes take each light */
     double *sizes;
     struct lx_block_double *turned; /* room for elements */
+    struct lx_vicinity vicinity;    /* of the square and the basis that were last */
     /* of the square that was last: */
     struct lx_polynomial *polynomials;
     size_t count;
@@ -70,7 +71,7 @@ void lx_fitting_clear(struct lx_fitting *fitting);
  * Takes from the lights that are left those over a square that polynomials do for; these may be off by `*allowance`
  * together, which is lessened by what they are.  The first one is `uniform` and the brightness by these lights; the
  * others, where they are above 0, are to be added to it.  Where they are `alone` in the picture they are good to a
- * small share of the least brightness, too.  False: there are none.  The elements in `seen` are lost.  Where the work
+ * small share of the least brightness, too; the foot of a highlight that is all there is comes by its root.  False: there are none.  The elements in `seen` are lost.  Where the work
  * is to stop the call returns early with polynomials that mean nothing.
  */
 bool lx_smooth_fit(const struct lx_plan *plan, struct lx_fitting *fitting, struct lx_seen *seen,
