@@ -193,7 +193,7 @@ typedef void lx_round_all(const double *values, size_t count, float *rounded);
  * A polynomial of the place in a square of `side` times `side` pixels of a picture: the sum of terms[j][i] u^j t^i over
  * i, j < size, with t = (2 column + 1)/side - 1, likewise u of the row; and the power of it that is meant.
  */
-enum { LX_FEW_NODES = 8, LX_MANY_NODES = 12, LX_PANEL_SIDE = 64 };
+enum { LX_FEW_NODES = 8, LX_SOME_NODES = 10, LX_MANY_NODES = 12, LX_PANEL_SIDE = 64 };
 struct lx_polynomial {
     _Alignas(64) float terms[LX_MANY_NODES][LX_LANES]; /* 0 beyond the size */
     unsigned size;                                     /* 6, 7, 8 or 12 */

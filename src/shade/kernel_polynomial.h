@@ -35,20 +35,31 @@ LX_LANE void raise_all(lanes_single base[VECTORS], unsigned power)
         base[v] = product[v];
 }
 
-/* Sets values, which need not be aligned, to some numbers where these are above 0, or adds them. */
-LX_LANE void put(const float *numbers, int count, bool adds, float *values)
+/* Sets values, which need not be aligned, to what is above 0 of vectors side by side, else to 0, or adds that. */
+LX_LANE void put(const lanes_single numbers[VECTORS], bool adds, float *values)
 {
-    int i = 0;
-    for (; i + LX_WIDTH_single <= count; i += LX_WIDTH_single) {
-        lanes_single lanes = greater_single(load_single(numbers + i), all_single(0)), before;
-        memcpy(&before, values + i, sizeof before);
-        lanes = adds ? before + lanes : lanes;
-        memcpy(values + i, &lanes, sizeof lanes);
+    LX_UNROLLED
+    for (int v = 0; v < VECTORS; v++) {
+        lanes_single lanes = greater_single(numbers[v], all_single(0)), before;
+        if (adds) {
+            memcpy(&before, values + v * LX_WIDTH_single, sizeof before);
+            lanes += before;
+        }
+        memcpy(values + v * LX_WIDTH_single, &lanes, sizeof lanes);
     }
-    for (; i < count; i++) {
-        const float number = numbers[i] > 0 ? numbers[i] : 0;
-        values[i] = adds ? values[i] + number : number;
+}
+
+/* The same of no more than `count` numbers. */
+LX_LANE void put_some(const lanes_single numbers[VECTORS], int count, bool adds, float *values)
+{
+    _Alignas(64) float room[VECTORS * LX_WIDTH_single] = {0};
+    if (count >= VECTORS * LX_WIDTH_single) {
+        put(numbers, adds, values);
+        return;
     }
+    memcpy(room, values, (size_t)count * sizeof *room);
+    put(numbers, adds, room);
+    memcpy(values, room, (size_t)count * sizeof *room);
 }
 
 /* The polynomials of t that some rows are. */
@@ -75,7 +86,7 @@ LX_LANE void spread(const struct lx_polynomial *polynomial, int size, int rows, 
                     size_t stride)
 {
     const float scale = 1 / (float)polynomial->side;
-    _Alignas(64) float t[LX_PANEL_SIDE], terms[ROWS][LX_LANES], numbers[ROWS][LX_PANEL_SIDE];
+    _Alignas(64) float t[LX_PANEL_SIDE], terms[ROWS][LX_LANES];
     for (int i = 0; i < LX_PANEL_SIDE; i++)
         t[i] = place_in_square(i, scale);
     for (int row = 0; row < rows; row += ROWS) {
@@ -98,14 +109,12 @@ LX_LANE void spread(const struct lx_polynomial *polynomial, int size, int rows, 
                     raise_all(above, polynomial->power);
                     raise_all(below, polynomial->power);
                 }
-                LX_UNROLLED
-                for (int v = 0; v < VECTORS; v++) {
-                    store_single(numbers[r] + column + v * LX_WIDTH_single, above[v]);
-                    store_single(numbers[r + 1] + column + v * LX_WIDTH_single, below[v]);
-                }
+                float *at = values + (size_t)(row + r) * stride + column;
+                if (row + r < rows)
+                    put_some(above, columns - column, adds, at);
+                if (row + r + 1 < rows)
+                    put_some(below, columns - column, adds, at + stride);
             }
-        for (int r = 0; r < ROWS && row + r < rows; r++)
-            put(numbers[r], columns, adds, values + (size_t)(row + r) * stride);
     }
 }
 

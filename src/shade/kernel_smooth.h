@@ -294,35 +294,26 @@ static void find_roots(double *values, size_t count, double n)
         store_double(values + i, exp2_of_double(log2_of_double(load_double(values + i), all_double(0)) / n));
 }
 
-/* Rows of a product of matrices that go side by side, as one alone would wait for its own results. */
-enum { PRODUCT_ROWS = 4 };
-
-/* product = left right, of so many rows and columns on the left; of `left` the entry [j][i] stands at
- * left[j * down + i * across]. */
+/*
+ * product = left right, of so many rows and columns on the left; of `left` the entry [j][i] stands at
+ * left[j * down + i * across].  Rows and vectors go two by two, as one alone would wait for its own results.
+ */
 LX_LANE void multiply(const double *left, size_t down, size_t across, unsigned size, const double (*right)[LX_LANES],
                       double (*product)[LX_LANES])
 {
-    _Static_assert(LX_FEW_NODES % PRODUCT_ROWS == 0 && LX_MANY_NODES % PRODUCT_ROWS == 0, "rows come in whole groups");
-    for (unsigned j = 0; j < size; j += PRODUCT_ROWS)
+    for (unsigned j = 0; j < size; j += 2)
         for (unsigned k = 0; k < LX_LANES; k += 2 * LX_WIDTH_double) {
-            lanes_double sum[PRODUCT_ROWS], next[PRODUCT_ROWS];
-            LX_UNROLLED
-            for (unsigned r = 0; r < PRODUCT_ROWS; r++)
-                sum[r] = next[r] = all_double(0);
+            lanes_double above[2] = {all_double(0), all_double(0)}, below[2] = {above[0], above[0]};
             for (unsigned i = 0; i < size; i++) {
-                const lanes_double entries = load_double(right[i] + k),
-                                   others = load_double(right[i] + k + LX_WIDTH_double);
-                LX_UNROLLED
-                for (unsigned r = 0; r < PRODUCT_ROWS; r++) {
-                    const lanes_double factor = all_double(left[(j + r) * down + i * across]);
-                    sum[r] += factor * entries;
-                    next[r] += factor * others;
-                }
+                const double *entry = left + j * down + i * across;
+                const lanes_double first = load_double(right[i] + k),
+                                   second = load_double(right[i] + k + LX_WIDTH_double);
+                above[0] += entry[0] * first, above[1] += entry[0] * second;
+                below[0] += entry[down] * first, below[1] += entry[down] * second;
             }
-            LX_UNROLLED
-            for (unsigned r = 0; r < PRODUCT_ROWS; r++) {
-                store_double(product[j + r] + k, sum[r]);
-                store_double(product[j + r] + k + LX_WIDTH_double, next[r]);
+            for (int v = 0; v < 2; v++) {
+                store_double(product[j] + k + v * LX_WIDTH_double, above[v]);
+                store_double(product[j + 1] + k + v * LX_WIDTH_double, below[v]);
             }
         }
 }
@@ -396,15 +387,15 @@ static double find_polynomial(const double (*series)[LX_LANES], unsigned nodes, 
     multiply(values, nodes, 1, nodes, series, across);
     multiply(series[0], 1, LX_LANES, nodes, halfway, all);
     const unsigned size = size_of((const double(*)[LX_LANES])all, nodes, &rest);
-    const unsigned whole = size > LX_FEW_NODES ? LX_MANY_NODES : LX_FEW_NODES; /* rows of a product */
-    for (unsigned out = size; out < whole; out++) {
-        memset(all[out], 0, sizeof all[out]);
-        for (unsigned l = 0; l < whole; l++)
-            all[l][out] = 0;
+    const unsigned even = size + size % 2; /* rows of a product */
+    if (size < even) {
+        memset(all[size], 0, sizeof all[size]);
+        for (unsigned l = 0; l < size; l++)
+            all[l][size] = 0;
     }
-    multiply(all[0], LX_LANES, 1, whole, chebyshev, across);
-    multiply(chebyshev[0], 1, LX_LANES, whole, halfway, all);
-    polynomial->size = size;
+    multiply(all[0], LX_LANES, 1, even, chebyshev, across);
+    multiply(chebyshev[0], 1, LX_LANES, even, halfway, all);
+    polynomial->size = size <= 8 ? size : LX_MANY_NODES;
     for (unsigned l = 0; l < size; l++)
         for (unsigned k = 0; k < LX_LANES; k++) {
             polynomial->terms[l][k] = (float)all[l][k];

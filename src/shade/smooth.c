@@ -13,18 +13,24 @@
 #include "seen.h"
 #include "shell_bound.h"
 
-/* The half axes of the ellipses, found by trying (docs/KERNELS.md). */
-static const double REACH_OF_FEW = 9.5, REACH_OF_MANY = 5;
+/*
+ * The bases: how many nodes on each axis, and the half axes of the ellipses, found by trying (docs/KERNELS.md).  One is
+ * not worth trying where the surface's radius is not more than so many times half the square's side.
+ */
+static const struct {
+    unsigned nodes;
+    double reach, least_radius;
+} BASES[LX_BASES] = {{LX_FEW_NODES, 9.5, 25}, {LX_SOME_NODES, 7, 14}, {LX_MANY_NODES, 5, 0}};
 
 /* Lights that are summed between two questions whether to go on. */
 enum { LIGHTS_BETWEEN_CHECKS = 128 };
 
-/* Few nodes are not worth trying where the surface's radius is not so many times half the square's side. */
-static const double FEW_SHARE = 25;
-
-/* So many lights that few nodes do not do for in a quarter of a panel are worth more nodes there; fewer are as soon
- * summed for each pixel. */
+/* So many lights that nodes do not do for in a quarter of a panel are worth more nodes there; fewer are as soon summed
+ * for each pixel. */
 enum { MOST_FOR_PIXELS = 4 };
+
+/* A light that is left for the pixels costs as much for so many of them as it does at a node. */
+enum { PIXELS_A_NODE = 4 };
 
 /* What float32 may add to the error of a polynomial, of its largest value. */
 static const double ROUNDINGS = 4e-7;
@@ -112,8 +118,8 @@ int lx_smooth_make(const struct lx_planned_surface *surface, double radius_mm, s
         set_light(&lights->exacts[i < lights->count ? i : lights->count - 1], made, i);
     made->count = lights->count;
     smooth->radius_mm = radius_mm;
-    make_basis(LX_FEW_NODES, REACH_OF_FEW, &smooth->few);
-    make_basis(LX_MANY_NODES, REACH_OF_MANY, &smooth->many);
+    for (int b = 0; b < LX_BASES; b++)
+        make_basis(BASES[b].nodes, BASES[b].reach, &smooth->bases[b]);
     return 0;
 }
 
@@ -128,7 +134,7 @@ int lx_fitting_make(const struct lx_plan *plan, struct lx_fitting *fitting)
 {
     const size_t count = lx_padded(plan->smooth.count);
     *fitting = (struct lx_fitting){
-        .is_left = lx_new_array(3 * count, 1),
+        .is_left = lx_new_array((1 + LX_BASES) * count, 1),
         .sizes = lx_new_aligned(count, sizeof *fitting->sizes),
         .turned = lx_new_aligned(1, sizeof *fitting->turned),
         .polynomials = lx_new_aligned(1 + LX_MOST_FOLDED, sizeof *fitting->polynomials),
@@ -136,8 +142,8 @@ int lx_fitting_make(const struct lx_plan *plan, struct lx_fitting *fitting)
     if (!fitting->is_left || !fitting->sizes || !fitting->turned || !fitting->polynomials)
         return -1;
     *fitting->turned = (struct lx_block_double){.vx = {0}};
-    fitting->few = fitting->is_left + count;
-    fitting->many = fitting->few + count;
+    for (size_t b = 0; b < LX_BASES; b++)
+        fitting->how[b] = fitting->is_left + (1 + b) * count;
     return 0;
 }
 
@@ -153,17 +159,22 @@ void lx_fitting_clear(struct lx_fitting *fitting)
 enum { NOT_TAKEN, WHOLE, FOLDED };
 
 struct taken {
+    const struct lx_basis *basis;
+    const uint8_t *how;
     size_t count, folded;
     double error;
+    double gain; /* nodes' worth of what would be left */
 };
 
 /* Takes lights as long as what they are off by together is allowed: first those that keep to a fair share. */
 static struct taken take_lights(const struct lx_plan *plan, struct lx_fitting *fitting, const struct lx_square *square,
-                                const struct lx_basis *basis, double allowance, size_t left, uint8_t *how)
+                                int b, double allowance, size_t left)
 {
     const size_t count = plan->smooth.count, lights = plan->smooth.lights.count;
+    const struct lx_basis *basis = &plan->smooth.bases[b];
     struct lx_vicinity *vicinity = &fitting->vicinity;
-    struct taken taken = {0};
+    uint8_t *how = fitting->how[b];
+    struct taken taken = {.basis = basis, .how = how};
     memset(how, NOT_TAKEN, count);
     if (!lx_find_vicinity(plan, square, basis, vicinity))
         return taken;
@@ -185,7 +196,26 @@ static struct taken take_lights(const struct lx_plan *plan, struct lx_fitting *f
             taken.error += error;
         }
     }
+    taken.gain = (double)taken.count * (square->side * square->side / PIXELS_A_NODE - basis->nodes * basis->nodes);
     return taken;
+}
+
+/* Takes lights with the basis that gains most.  Where it is all of them, it is the one that was tried last. */
+static struct taken choose_lights(const struct lx_plan *plan, struct lx_fitting *fitting,
+                                  const struct lx_square *square, double allowance, size_t left)
+{
+    const double half = lx_larger(square->half_mm[0], square->half_mm[1]);
+    const size_t enough = square->side == LX_PANEL_SIDE ? left
+                          : left < MOST_FOR_PIXELS      ? 1
+                                                        : left - MOST_FOR_PIXELS + 1;
+    struct taken best = {.count = 0};
+    for (int b = 0; b < LX_BASES && best.count < enough; b++) {
+        if (half * BASES[b].least_radius >= plan->smooth.radius_mm)
+            continue;
+        const struct taken taken = take_lights(plan, fitting, square, b, allowance, left);
+        best = taken.gain > best.gain ? taken : best;
+    }
+    return best;
 }
 
 /* Elements where lines of sight through the nodes of a square meet the surface. */
@@ -327,7 +357,7 @@ static bool fit_foot(const struct lx_plan *plan, struct lx_fitting *fitting, con
     fitting->polynomials[fitting->count - 1].power = lobe->exponent.whole;
     /* (q + d)^n - q^n is no more than n d (q + d)^(n - 1) */
     const double top = pow(foot.most, 1 / n) + off + rounded, slope = n * pow(top, n - 1);
-    *error = slope * off;
+    *error += slope * off;
     *rounding = slope * (rounded + (double)FLT_EPSILON * top); /* each product of the power is rounded once */
     return n * (off + rounded + (double)FLT_EPSILON * pow(least, 1 / n)) <= OF_ITSELF * pow(least, 1 / n);
 }
@@ -338,23 +368,11 @@ bool lx_smooth_fit(const struct lx_plan *plan, struct lx_fitting *fitting, struc
 {
     const struct lx_smooth *smooth = &plan->smooth;
     const struct lx_planned_surface *surface = plan->surfaces;
-    const struct lx_basis *basis = &smooth->few;
-    const uint8_t *how = fitting->few;
     size_t left = 0;
     for (size_t i = 0; i < smooth->count; i++)
         left += fitting->is_left[i];
-    struct taken taken = {0};
-    if (lx_larger(square->half_mm[0], square->half_mm[1]) * FEW_SHARE < smooth->radius_mm)
-        taken = take_lights(plan, fitting, square, basis, *allowance, left, fitting->few);
-    if (left - taken.count >= (square->side == LX_PANEL_SIDE ? 1 : MOST_FOR_PIXELS)) {
-        /* More nodes cost 2.25 times as much, what is left four times as much as few. */
-        const struct taken more = take_lights(plan, fitting, square, &smooth->many, *allowance, left, fitting->many);
-        if (8 * taken.count < 5 * more.count) {
-            taken = more;
-            basis = &smooth->many;
-            how = fitting->many;
-        }
-    }
+    const struct taken taken = choose_lights(plan, fitting, square, *allowance, left);
+    const struct lx_basis *basis = taken.basis;
     fitting->count = 0;
     memset(fitting->is_faint, 0, sizeof fitting->is_faint);
     if (taken.count == 0)
@@ -363,30 +381,27 @@ bool lx_smooth_fit(const struct lx_plan *plan, struct lx_fitting *fitting, struc
     const size_t nodes = (size_t)basis->nodes * basis->nodes;
     gather_nodes(plan, seen, square, basis);
     plan->kernels->set_all(sum, lx_padded(nodes), uniform);
-    sum_lights(plan, &seen->block, nodes, how, WHOLE, &surface->lobe_exact, asking, sum);
+    sum_lights(plan, &seen->block, nodes, taken.how, WHOLE, &surface->lobe_exact, asking, sum);
     if (taken.folded > 0 && surface->glossy_exact.model != LX_LAMBERT)
-        sum_lights(plan, &seen->block, nodes, how, FOLDED, &surface->glossy_exact, asking, sum);
+        sum_lights(plan, &seen->block, nodes, taken.how, FOLDED, &surface->glossy_exact, asking, sum);
     const double least =
         alone ? find_least(basis, sum, taken.error / OF_ITSELF, taken.count == left, fitting) : HUGE_VAL;
     const bool has_digits = taken.error <= OF_ITSELF * least;
-    double rounding, maximum = plan->least_maximum;
+    double rounding, error = taken.error, maximum = plan->least_maximum;
     if (has_digits) {
         rounding = add_polynomial(plan, fitting, basis, square->side, sum);
         maximum = lx_larger(maximum, (double)fitting->polynomials[0].terms[0][0]);
-    } else {
-        double error;
-        if (uniform > 0 || taken.count < left ||
-            !fit_foot(plan, fitting, basis, square->side, least, sum, &error, &rounding))
-            return false;
-        taken.error += error;
+    } else if (uniform > 0 || taken.count < left ||
+               !fit_foot(plan, fitting, basis, square->side, least, sum, &error, &rounding)) {
+        return false;
     }
     if (taken.folded > 0)
-        rounding += add_folded(plan, fitting, &seen->block, basis, square->side, how);
-    if (!(rounding <= ROUNDINGS * maximum && rounding <= MOST_ROUNDING && taken.error <= *allowance) ||
-        (has_digits && !(rounding + taken.error <= OF_ITSELF * least)))
+        rounding += add_folded(plan, fitting, &seen->block, basis, square->side, taken.how);
+    if (!(rounding <= ROUNDINGS * maximum && rounding <= MOST_ROUNDING && error <= *allowance) ||
+        (has_digits && !(rounding + error <= OF_ITSELF * least)))
         return false;
     for (size_t i = 0; i < smooth->count; i++)
-        fitting->is_left[i] &= how[i] == NOT_TAKEN;
-    *allowance -= taken.error;
+        fitting->is_left[i] &= taken.how[i] == NOT_TAKEN;
+    *allowance -= error;
     return true;
 }

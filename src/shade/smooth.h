@@ -31,9 +31,11 @@ struct lx_basis {
     double slip;  /* of what is not analytic: so much of `share` for its largest value among the nodes and between */
 };
 
+enum { LX_BASES = 3 };
+
 /* What a plan knows for them.  Extended sources follow the lights: the surface's first shell is light lights.count. */
 struct lx_smooth {
-    struct lx_basis few, many;
+    struct lx_basis bases[LX_BASES]; /* from the fewest nodes on */
     struct lx_smooth_lights lights;
     double *room;     /* of the lights */
     double *gains;    /* of the shells, as lx_smooth_shell_bound() takes them; infinite: to be summed for each pixel */
@@ -53,8 +55,8 @@ enum { LX_MOST_FOLDED = 16 };
 
 /* What one thread needs, for one plan. */
 struct lx_fitting {
-    uint8_t *is_left;    /* of each light */
-    uint8_t *few, *many; /* how polynomials through so many nodes take each light */
+    uint8_t *is_left;       /* of each light */
+    uint8_t *how[LX_BASES]; /* polynomials of each basis take each light */
     double *sizes;
     struct lx_block_double *turned; /* room for elements */
     struct lx_vicinity vicinity;    /* of the square and the basis that were last */
@@ -71,8 +73,9 @@ void lx_fitting_clear(struct lx_fitting *fitting);
  * Takes from the lights that are left those over a square that polynomials do for; these may be off by `*allowance`
  * together, which is lessened by what they are.  The first one is `uniform` and the brightness by these lights; the
  * others, where they are above 0, are to be added to it.  Where they are `alone` in the picture they are good to a
- * small share of the least brightness, too; the foot of a highlight that is all there is comes by its root.  False: there are none.  The elements in `seen` are lost.  Where the work
- * is to stop the call returns early with polynomials that mean nothing.
+ * small share of the least brightness, too; the foot of a highlight that is all there is comes as a power.  False:
+ * there are none.  The elements in `seen` are lost.  Where the work is to stop the call returns early with polynomials
+ * that mean nothing.
  */
 bool lx_smooth_fit(const struct lx_plan *plan, struct lx_fitting *fitting, struct lx_seen *seen,
                    const struct lx_square *square, double uniform, bool alone, const struct lx_asking *asking,

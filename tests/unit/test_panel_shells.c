@@ -266,8 +266,7 @@ static void squares(void **state)
                 for (int q = 0; q < SQUARES; q++) {
                     const struct lx_square square = random_square(&random, &work.plan);
                     if (k == 0)
-                        try_bound(&work, &square, q % 2 ? &work.plan.smooth.few : &work.plan.smooth.many, &random,
-                                  &tally);
+                        try_bound(&work, &square, &work.plan.smooth.bases[q % LX_BASES], &random, &tally);
                     try_square(&test, &work, &square, &random, &tally);
                 }
             close_workplace(&work);

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* Polynomials in place of lights: the bounds against the brightness at complex places, the polynomials against the
- * reference at pixels, and what they are spread over. */
+/* Polynomials in place of lights: the bounds against the brightness at complex places, and the polynomials against the
+ * reference at pixels. */
 #include <complex.h>
 #include <float.h>
 #include <math.h>
@@ -73,12 +73,14 @@ static void make_scene(int i, struct test_scene *test)
 
 /* ---- the brightness at complex places ---- */
 
-/* By a light all of which falls on the place, above the horizon, or below it where it `is_dark`. */
-static double complex brightness(const struct lx_plan *plan, const struct lx_light_double *light, bool is_dark,
-                                 bool has_highlight, double complex x, double complex y)
+/* By a light all of which falls on the place: E_perp, N.L, and what the power of the highlight is of. */
+struct falling {
+    double complex e, cosine, s;
+};
+
+static struct falling falling_at(const struct lx_plan *plan, const struct lx_light_double *light, double complex x,
+                                 double complex y)
 {
-    const struct lx_planned_surface *surface = plan->surfaces;
-    const struct lx_lobe_double *lobe = &surface->lobe_exact;
     struct vector normal;
     const struct vector place = place_at(plan, x, y, &normal);
     const struct vector from = {light->x, light->y, light->z}, axis = {light->axis_x, light->axis_y, light->axis_z};
@@ -96,14 +98,23 @@ static double complex brightness(const struct lx_plan *plan, const struct lx_lig
     const double complex cosine = dot(normal, towards);
     const struct vector half = unit(plus(towards, 1, view)),
                         mirrored = plus(plus((struct vector){0, 0, 0}, -1, towards), 2 * cosine, normal);
-    const double complex s = lobe->model == LX_PHONG ? dot(mirrored, view) : dot(normal, half);
+    const bool is_phong = plan->surfaces->lobe_exact.model == LX_PHONG;
+    return (struct falling){.e = e, .cosine = cosine, .s = is_phong ? dot(mirrored, view) : dot(normal, half)};
+}
+
+/* By such a light above the horizon, or below it where it `is_dark`. */
+static double complex brightness(const struct lx_plan *plan, const struct lx_light_double *light, bool is_dark,
+                                 bool has_highlight, double complex x, double complex y)
+{
+    const struct lx_lobe_double *lobe = &plan->surfaces->lobe_exact;
+    const struct falling falling = falling_at(plan, light, x, y);
     double complex specular =
-        lobe->model == LX_LAMBERT || !has_highlight ? 0 : lobe->specular * cpow(s, lobe->exponent.value);
+        lobe->model == LX_LAMBERT || !has_highlight ? 0 : lobe->specular * cpow(falling.s, lobe->exponent.value);
     if (lobe->highlight == LX_HIGHLIGHT_COSINE)
-        specular *= is_dark ? 0 : cosine;
+        specular *= is_dark ? 0 : falling.cosine;
     if (lobe->highlight == LX_HIGHLIGHT_GATED && is_dark)
         specular = 0;
-    return e * ((is_dark ? 0 : lobe->diffuse * cosine) + specular);
+    return falling.e * ((is_dark ? 0 : lobe->diffuse * falling.cosine) + specular);
 }
 
 /* Whether a size holds with the highlight, of which it may be that it is not analytic, as a slip: the rest keeps to it,
@@ -200,6 +211,44 @@ static size_t try_bounds(struct workplace *work, const struct lx_square *square,
     return tried;
 }
 
+/* How many feet of highlights over a square have a bound that is tried, each light as if it were alone: of the root at
+ * complex places, of the highlight in the square, and that there is no light there but the highlight. */
+static size_t try_feet(const struct workplace *work, const struct lx_square *square, const struct lx_basis *basis,
+                       struct randomness *random)
+{
+    enum { PLACES = 20 };
+    const struct lx_plan *plan = &work->plan;
+    const struct lx_lobe_double *lobe = &plan->surfaces->lobe_exact;
+    struct lx_vicinity vicinity;
+    size_t tried = 0;
+    if (lobe->model == LX_LAMBERT || lobe->highlight != LX_HIGHLIGHT_PLAIN || lobe->exponent.whole == 0 ||
+        !lx_find_vicinity(plan, square, basis, &vicinity))
+        return 0;
+    for (size_t i = 0; i < plan->smooth.lights.count; i++) {
+        const struct lx_light_double *light = &plan->surfaces->lights.exacts[i];
+        const struct lx_foot foot = plan->kernels->bound_foot(&vicinity, &plan->smooth.lights, i, lobe);
+        const double n = lobe->exponent.value;
+        assert_true(foot.root >= 0 && foot.most >= 0);
+        if (!(foot.root < HUGE_VAL))
+            continue;
+        tried++;
+        for (int k = 0; k < PLACES; k++) {
+            double complex place[2];
+            random_place(random, square, basis, place);
+            const struct falling far = falling_at(plan, light, place[0], place[1]);
+            assert_true(cabs(cpow(far.e * lobe->specular, 1 / n) * far.s) <= foot.root * (1 + 1e-7));
+            const double x = square->x_mm + square->half_mm[0] * uniform(random, -1, 1),
+                         y = square->y_mm + square->half_mm[1] * uniform(random, -1, 1);
+            const struct falling near = falling_at(plan, light, x, y);
+            const double s = creal(near.s), e = creal(near.e);
+            assert_true(s > 0 && e * lobe->specular * pow(s, n) <= foot.most * (1 + 1e-7));
+            /* where it sets within the square its diffuse light is known by the size below 0 */
+            assert_true(lobe->diffuse == 0 || creal(near.cosine) <= 0 || work->fitting.sizes[i] < 0);
+        }
+    }
+    return tried;
+}
+
 static int scenes_to_try(int usual)
 {
     const char *campaign = getenv("LUXEL_TEST_SCENES");
@@ -209,7 +258,7 @@ static int scenes_to_try(int usual)
 static void test_bounds(void **state)
 {
     (void)state;
-    size_t tried[2] = {0};
+    size_t tried[LX_BASES] = {0}, feet = 0;
     for (int i = 0; i < scenes_to_try(3000); i++) {
         struct randomness random = {.state = UINT64_C(0xD1B54A32D192ED03) * ((uint64_t)i + 1)};
         struct test_scene test;
@@ -222,14 +271,17 @@ static void test_bounds(void **state)
             if (open_workplace(&test, lx_kernels_get(k), &work))
                 for (int q = 0; q < SQUARES; q++) {
                     const struct lx_square square = random_square(&random, &work.plan);
-                    tried[0] += try_bounds(&work, &square, &work.plan.smooth.few, &random);
-                    tried[1] += try_bounds(&work, &square, &work.plan.smooth.many, &random);
+                    for (int b = 0; b < LX_BASES; b++) {
+                        tried[b] += try_bounds(&work, &square, &work.plan.smooth.bases[b], &random);
+                        feet += try_feet(&work, &square, &work.plan.smooth.bases[b], &random);
+                    }
                 }
             close_workplace(&work);
         }
     }
-    print_message("# bounds of %zu and %zu lights over squares\n", tried[0], tried[1]);
-    assert_true(tried[0] > 1000 && tried[1] > 1000);
+    print_message("# bounds of %zu, %zu and %zu lights over squares, and %zu feet of highlights\n", tried[0], tried[1],
+                  tried[2], feet);
+    assert_true(tried[0] > 1000 && tried[1] > 1000 && tried[2] > 1000 && feet > 1000);
 }
 
 /* ---- polynomials ---- */
@@ -260,8 +312,8 @@ static void test_shares(void **state)
         k++;
     make_scene(0, &test);
     assert_true(open_workplace(&test, lx_kernels_get(k), &work));
-    check_share(&work.plan.smooth.few);
-    check_share(&work.plan.smooth.many);
+    for (int b = 0; b < LX_BASES; b++)
+        check_share(&work.plan.smooth.bases[b]);
     close_workplace(&work);
 }
 
@@ -283,7 +335,7 @@ static double exact_value(const struct test_scene *test, const struct workplace 
 }
 
 struct tally {
-    size_t squares, folded;
+    size_t squares, folded, feet;
     double worst, worst_of_itself;
     double worst_rounding; /* beyond what the polynomials are said to be off by */
 };
@@ -307,6 +359,7 @@ static void try_square(const struct test_scene *test, struct workplace *work, st
                                          LX_PANEL_SIDE);
     tally->squares++;
     tally->folded += work->fitting.count > 1;
+    tally->feet += work->fitting.polynomials[0].power > 1;
     for (int k = 0; k < PIXELS; k++) {
         const int column = k == 0 ? 0 : pick(random, (int)square.side),
                   row = k == 1 ? 0 : pick(random, (int)square.side);
@@ -340,54 +393,12 @@ static void test_polynomials(void **state)
                     try_square(&test, &work, &random, &tally);
             close_workplace(&work);
         }
-        print_message("# %s: %zu squares, %zu with folds; off by %.2g of the maximum, %.2g of themselves\n",
-                      lx_kernels_get(k)->name, tally.squares, tally.folded, tally.worst, tally.worst_of_itself);
-        assert_true(tally.squares > 1000 && tally.folded > 50);
+        print_message("# %s: %zu squares, %zu with folds, %zu feet; off by %.2g of the maximum, %.2g of themselves\n",
+                      lx_kernels_get(k)->name, tally.squares, tally.folded, tally.feet, tally.worst,
+                      tally.worst_of_itself);
+        assert_true(tally.squares > 1000 && tally.folded > 50 && tally.feet > 50);
         assert_true(tally.worst <= 1.2e-6 && tally.worst_of_itself <= 1e-3 && tally.worst_rounding <= 4.6e-7);
     }
-}
-
-/* ---- spreading ---- */
-
-/* The sum that the terms stand for, and nothing beyond the rows and columns that were asked for. */
-static void check_spread(const struct lx_kernels *kernels, const struct lx_polynomial *polynomial, unsigned rows,
-                         unsigned columns, bool adds)
-{
-    enum { STRIDE = LX_PANEL_SIDE + 3 };
-    float values[(LX_PANEL_SIDE + 1) * STRIDE];
-    for (size_t i = 0; i < sizeof values / sizeof *values; i++)
-        values[i] = 0.5F;
-    kernels->spread_polynomial(polynomial, rows, columns, adds, values, STRIDE);
-    for (unsigned row = 0; row <= LX_PANEL_SIDE; row++)
-        for (unsigned column = 0; column < STRIDE; column++) {
-            const double t = (2 * column + 1) / (double)polynomial->side - 1;
-            const double u = (2 * row + 1) / (double)polynomial->side - 1;
-            double sum = 0;
-            for (unsigned j = 0; j < polynomial->size; j++)
-                for (unsigned i = 0; i < polynomial->size; i++)
-                    sum += (double)polynomial->terms[j][i] * pow(u, j) * pow(t, i);
-            const bool is_in = row < rows && column < columns;
-            const double expected = (is_in && !adds ? 0 : 0.5) + (is_in ? fmax(sum, 0) : 0);
-            assert_true(fabs((double)values[(size_t)row * STRIDE + column] - expected) <= (is_in ? 1e-5 : 0));
-        }
-}
-
-static void test_spreading(void **state)
-{
-    (void)state;
-    static const unsigned sizes[] = {1, 3, 8, 17, 31, 32, 33, 50, 64}, terms[] = {6, 7, 8, 12};
-    struct randomness random = {.state = 7};
-    for (size_t k = 0; lx_kernels_get(k); k++)
-        for (size_t r = 0; lx_kernels_get(k)->runs() && r < sizeof sizes / sizeof *sizes; r++)
-            for (size_t c = 0; c < sizeof sizes / sizeof *sizes; c++) {
-                struct lx_polynomial polynomial = {.size = terms[pick(&random, 4)], .power = 1};
-                const bool is_half = sizes[r] <= 32 && sizes[c] <= 32 && pick(&random, 2);
-                polynomial.side = is_half ? LX_PANEL_SIDE / 2 : LX_PANEL_SIDE;
-                for (unsigned j = 0; j < polynomial.size; j++)
-                    for (unsigned i = 0; i < polynomial.size; i++)
-                        polynomial.terms[j][i] = (float)uniform(&random, -1, 1);
-                check_spread(lx_kernels_get(k), &polynomial, sizes[r], sizes[c], r % 2 == 0);
-            }
 }
 
 int main(void)
@@ -396,7 +407,6 @@ int main(void)
         cmocka_unit_test(test_bounds),
         cmocka_unit_test(test_shares),
         cmocka_unit_test(test_polynomials),
-        cmocka_unit_test(test_spreading),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
