@@ -193,10 +193,10 @@ typedef void lx_round_all(const double *values, size_t count, float *rounded);
  * A polynomial of the place in a square of `side` times `side` pixels of a picture: the sum of terms[j][i] u^j t^i over
  * i, j < size, with t = (2 column + 1)/side - 1, likewise u of the row; and the power of it that is meant.
  */
-enum { LX_FEW_NODES = 8, LX_SOME_NODES = 10, LX_MANY_NODES = 12, LX_PANEL_SIDE = 64 };
+enum { LX_MOST_NODES = 16, LX_PANEL_SIDE = 64 };
 struct lx_polynomial {
-    _Alignas(64) float terms[LX_MANY_NODES][LX_LANES]; /* 0 beyond the size */
-    unsigned size;                                     /* 6, 7, 8 or 12 */
+    _Alignas(64) float terms[LX_MOST_NODES][LX_LANES]; /* 0 beyond the size */
+    unsigned size;                                     /* 6, 7, 8, 12 or 16 */
     unsigned side;                                     /* LX_PANEL_SIDE or half of it */
     unsigned power;                                    /* from 1 on */
 };
@@ -207,7 +207,8 @@ typedef void lx_spread_polynomial(const struct lx_polynomial *polynomial, unsign
                                   float *values, size_t stride);
 
 /*
- * The polynomial through values at nodes x nodes places, values[row * nodes + column]; series[node][k]: the share of
+ * The polynomial through values at nodes x nodes places, an even number from 8 on; values[row * nodes + column];
+ * series[node][k]: the share of
  * Chebyshev's polynomial T_k in what is 1 at a node and 0 at the others, 0 beyond the nodes.  Of these polynomials the
  * last ones are left out where all that is left out is below the roundings of float32.  Returns what the terms may be
  * off by, for that reason and in float32.

@@ -127,6 +127,8 @@ static void spread_polynomial(const struct lx_polynomial *polynomial, unsigned r
         spread(polynomial, 7, (int)rows, (int)columns, adds, values, stride);
     else if (polynomial->size == 8)
         spread(polynomial, 8, (int)rows, (int)columns, adds, values, stride);
+    else if (polynomial->size <= 12)
+        spread(polynomial, 12, (int)rows, (int)columns, adds, values, stride);
     else
-        spread(polynomial, LX_MANY_NODES, (int)rows, (int)columns, adds, values, stride);
+        spread(polynomial, LX_MOST_NODES, (int)rows, (int)columns, adds, values, stride);
 }

@@ -319,7 +319,7 @@ LX_LANE void multiply(const double *left, size_t down, size_t across, unsigned s
 }
 
 /* [degree][power] of Chebyshev's polynomials. */
-_Alignas(64) static const double chebyshev[LX_MANY_NODES][LX_LANES] = {
+_Alignas(64) static const double chebyshev[LX_MOST_NODES][LX_LANES] = {
     {1},
     {0, 1},
     {-1, 0, 2},
@@ -332,6 +332,10 @@ _Alignas(64) static const double chebyshev[LX_MANY_NODES][LX_LANES] = {
     {0, 9, 0, -120, 0, 432, 0, -576, 0, 256},
     {-1, 0, 50, 0, -400, 0, 1120, 0, -1280, 0, 512},
     {0, -11, 0, 220, 0, -1232, 0, 2816, 0, -2816, 0, 1024},
+    {1, 0, -72, 0, 840, 0, -3584, 0, 6912, 0, -6144, 0, 2048},
+    {0, 13, 0, -364, 0, 2912, 0, -9984, 0, 16640, 0, -13312, 0, 4096},
+    {-1, 0, 98, 0, -1568, 0, 9408, 0, -26880, 0, 39424, 0, -28672, 0, 8192},
+    {0, -15, 0, 560, 0, -6048, 0, 28800, 0, -70400, 0, 92160, 0, -61440, 0, 16384},
 };
 
 /* Adds up in pairs, as one after the other each sum would wait for the one before. */
@@ -342,9 +346,9 @@ LX_LANE double sum_of_lanes(const double n[LX_LANES])
            (((n[1] + n[9]) + (n[5] + n[13])) + ((n[3] + n[11]) + (n[7] + n[15])));
 }
 
-/* What is not 0 beyond the first polynomials of a series, by columns: each size less the next larger one. */
+/* What there is beyond the first polynomials of a series on each axis, by columns: each size less the next larger one. */
 struct beyond {
-    _Alignas(64) double eight[LX_LANES], seven[LX_LANES], six[LX_LANES], none[LX_LANES];
+    _Alignas(64) double twelve[LX_LANES], eight[LX_LANES], seven[LX_LANES], six[LX_LANES], none[LX_LANES];
 };
 
 LX_LANE void add_row(const double *row, double *sums)
@@ -359,30 +363,33 @@ LX_LANE void add_row(const double *row, double *sums)
  */
 LX_LANE unsigned size_of(const double (*series)[LX_LANES], unsigned nodes, double *rest)
 {
-    _Alignas(64) double rows[LX_LANES] = {0}, row_6[LX_LANES] = {0}, row_7[LX_LANES] = {0};
-    struct beyond by = {.eight = {0}};
+    _Alignas(64) double rows[LX_LANES] = {0}, row_6[LX_LANES] = {0}, row_7[LX_LANES] = {0}, further[LX_LANES] = {0};
+    struct beyond by = {.twelve = {0}};
     for (unsigned l = 0; l < 6; l++)
         add_row(series[l], rows);
     add_row(series[6], row_6);
     add_row(series[7], row_7);
     for (unsigned l = 8; l < nodes; l++)
-        add_row(series[l], by.eight);
+        add_row(series[l], l < 12 ? further : by.twelve);
     for (unsigned k = 0; k < LX_LANES; k++) {
-        by.eight[k] += k >= 8 ? rows[k] + row_6[k] + row_7[k] : 0;
+        const double below = rows[k] + row_6[k] + row_7[k];
+        by.twelve[k] += k >= 12 ? below + further[k] : 0;
+        by.eight[k] = k < 12 ? further[k] + (k >= 8 ? below : 0) : 0;
         by.seven[k] = k < 8 ? row_7[k] + (k == 7 ? rows[k] + row_6[k] : 0) : 0;
         by.six[k] = k < 7 ? row_6[k] + (k == 6 ? rows[k] : 0) : 0;
         by.none[k] = k < 6 ? rows[k] : 0;
     }
-    const double eight = sum_of_lanes(by.eight), seven = eight + sum_of_lanes(by.seven);
-    const double six = seven + sum_of_lanes(by.six), most = (double)FLT_EPSILON / 4 * (six + sum_of_lanes(by.none));
-    *rest = six <= most ? six : seven <= most ? seven : eight <= most ? eight : 0;
-    return six <= most ? 6 : seven <= most ? 7 : eight <= most ? 8 : nodes;
+    const double twelve = sum_of_lanes(by.twelve), eight = twelve + sum_of_lanes(by.eight);
+    const double seven = eight + sum_of_lanes(by.seven), six = seven + sum_of_lanes(by.six);
+    const double most = (double)FLT_EPSILON / 4 * (six + sum_of_lanes(by.none));
+    *rest = six <= most ? six : seven <= most ? seven : eight <= most ? eight : twelve <= most ? twelve : 0;
+    return six <= most ? 6 : seven <= most ? 7 : eight <= most ? 8 : twelve <= most && nodes > 12 ? 12 : nodes;
 }
 
 static double find_polynomial(const double (*series)[LX_LANES], unsigned nodes, const double *values,
                               struct lx_polynomial *polynomial)
 {
-    _Alignas(64) double across[LX_MANY_NODES][LX_LANES], all[LX_MANY_NODES][LX_LANES], roundings[LX_LANES] = {0}, rest;
+    _Alignas(64) double across[LX_MOST_NODES][LX_LANES], all[LX_MOST_NODES][LX_LANES], roundings[LX_LANES] = {0}, rest;
     const double(*const halfway)[LX_LANES] = (const double(*)[LX_LANES])across;
     multiply(values, nodes, 1, nodes, series, across);
     multiply(series[0], 1, LX_LANES, nodes, halfway, all);
@@ -395,7 +402,7 @@ static double find_polynomial(const double (*series)[LX_LANES], unsigned nodes, 
     }
     multiply(all[0], LX_LANES, 1, even, chebyshev, across);
     multiply(chebyshev[0], 1, LX_LANES, even, halfway, all);
-    polynomial->size = size <= 8 ? size : LX_MANY_NODES;
+    polynomial->size = size <= 8 ? size : size <= 12 ? 12 : LX_MOST_NODES;
     for (unsigned l = 0; l < size; l++)
         for (unsigned k = 0; k < LX_LANES; k++) {
             polynomial->terms[l][k] = (float)all[l][k];

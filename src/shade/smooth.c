@@ -20,7 +20,7 @@
 static const struct {
     unsigned nodes;
     double reach, least_radius;
-} BASES[LX_BASES] = {{LX_FEW_NODES, 9.5, 25}, {LX_SOME_NODES, 7, 14}, {LX_MANY_NODES, 5, 0}};
+} BASES[LX_BASES] = {{8, 9.5, 25}, {10, 7, 14}, {12, 5, 0}, {16, 3.6, 0}};
 
 /* Lights that are summed between two questions whether to go on. */
 enum { LIGHTS_BETWEEN_CHECKS = 128 };
@@ -29,8 +29,9 @@ enum { LIGHTS_BETWEEN_CHECKS = 128 };
  * for each pixel. */
 enum { MOST_FOR_PIXELS = 4 };
 
-/* A light that is left for the pixels costs as much for so many of them as it does at a node. */
-enum { PIXELS_A_NODE = 4 };
+/* What lights cost that are left, in lights at nodes: each as much for so many pixels as at a node, and where they are
+ * left over a whole panel, the trouble with its quarters. */
+enum { PIXELS_A_NODE = 4, COST_OF_QUARTERS = 3000 };
 
 /* What float32 may add to the error of a polynomial, of its largest value. */
 static const double ROUNDINGS = 4e-7;
@@ -163,8 +164,15 @@ struct taken {
     const uint8_t *how;
     size_t count, folded;
     double error;
-    double gain; /* nodes' worth of what would be left */
+    double cost;
 };
+
+/* Of so many of the lights that are left at nodes, and the others afterwards. */
+static double cost_of(const struct lx_square *square, unsigned nodes, size_t taken, size_t left)
+{
+    const double further = square->side == LX_PANEL_SIDE && taken < left ? COST_OF_QUARTERS : 0;
+    return (double)taken * nodes + (double)(left - taken) * (square->side * square->side / PIXELS_A_NODE) + further;
+}
 
 /* Takes lights as long as what they are off by together is allowed: first those that keep to a fair share. */
 static struct taken take_lights(const struct lx_plan *plan, struct lx_fitting *fitting, const struct lx_square *square,
@@ -174,7 +182,7 @@ static struct taken take_lights(const struct lx_plan *plan, struct lx_fitting *f
     const struct lx_basis *basis = &plan->smooth.bases[b];
     struct lx_vicinity *vicinity = &fitting->vicinity;
     uint8_t *how = fitting->how[b];
-    struct taken taken = {.basis = basis, .how = how};
+    struct taken taken = {.basis = basis, .how = how, .cost = HUGE_VAL};
     memset(how, NOT_TAKEN, count);
     if (!lx_find_vicinity(plan, square, basis, vicinity))
         return taken;
@@ -196,11 +204,12 @@ static struct taken take_lights(const struct lx_plan *plan, struct lx_fitting *f
             taken.error += error;
         }
     }
-    taken.gain = (double)taken.count * (square->side * square->side / PIXELS_A_NODE - basis->nodes * basis->nodes);
+    if (taken.count > 0)
+        taken.cost = cost_of(square, basis->nodes * basis->nodes, taken.count, left);
     return taken;
 }
 
-/* Takes lights with the basis that gains most.  Where it is all of them, it is the one that was tried last. */
+/* Takes lights with the basis that costs least.  Where it is all of them, it is the one that was tried last. */
 static struct taken choose_lights(const struct lx_plan *plan, struct lx_fitting *fitting,
                                   const struct lx_square *square, double allowance, size_t left)
 {
@@ -208,12 +217,14 @@ static struct taken choose_lights(const struct lx_plan *plan, struct lx_fitting 
     const size_t enough = square->side == LX_PANEL_SIDE ? left
                           : left < MOST_FOR_PIXELS      ? 1
                                                         : left - MOST_FOR_PIXELS + 1;
-    struct taken best = {.count = 0};
+    struct taken best = {.cost = HUGE_VAL};
     for (int b = 0; b < LX_BASES && best.count < enough; b++) {
-        if (half * BASES[b].least_radius >= plan->smooth.radius_mm)
+        const unsigned nodes = BASES[b].nodes * BASES[b].nodes;
+        if (half * BASES[b].least_radius >= plan->smooth.radius_mm ||
+            nodes * PIXELS_A_NODE >= square->side * square->side)
             continue;
         const struct taken taken = take_lights(plan, fitting, square, b, allowance, left);
-        best = taken.gain > best.gain ? taken : best;
+        best = taken.cost < best.cost ? taken : best;
     }
     return best;
 }
@@ -230,7 +241,7 @@ static void gather_nodes(const struct lx_plan *plan, struct lx_seen *seen, const
     double observer[3];
     for (unsigned i = 0; i < LX_LANES; i++)
         x[i] = square->x_mm + square->half_mm[0] * basis->place[i < nodes ? i : nodes - 1];
-    _Static_assert((int)LX_MANY_NODES * LX_MANY_NODES <= (int)LX_BLOCK, "a block holds all nodes");
+    _Static_assert((int)LX_MOST_NODES * LX_MOST_NODES <= (int)LX_BLOCK, "a block holds all nodes");
     for (unsigned j = 0; j < nodes; j++) {
         const struct lx_row_view view = lx_row_view_of(plan, square->y_mm - square->half_mm[1] * basis->place[j]);
         plan->kernels->meet_lines[shape->type](shape, &view, x, nodes, depth, places[0], places[1], places[2]);

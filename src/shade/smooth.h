@@ -24,14 +24,14 @@ struct lx_seen;
 /* Polynomials through so many nodes on each axis. */
 struct lx_basis {
     unsigned nodes;
-    double place[LX_MANY_NODES];                         /* of the nodes, from 1 to -1 */
-    _Alignas(64) double series[LX_MANY_NODES][LX_LANES]; /* [node][degree], as lx_find_polynomial() takes them */
+    double place[LX_MOST_NODES];                         /* of the nodes, from 1 to -1 */
+    _Alignas(64) double series[LX_MOST_NODES][LX_LANES]; /* [node][degree], as lx_find_polynomial() takes them */
     double reach; /* of the ellipse: the sum of its half axes, for half a square's side */
     double share; /* of the bound in it, which the polynomial is off by at most */
     double slip;  /* of what is not analytic: so much of `share` for its largest value among the nodes and between */
 };
 
-enum { LX_BASES = 3 };
+enum { LX_BASES = 4 };
 
 /* What a plan knows for them.  Extended sources follow the lights: the surface's first shell is light lights.count. */
 struct lx_smooth {
