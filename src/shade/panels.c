@@ -131,13 +131,14 @@ static bool fit_square(const struct job *job, unsigned row, unsigned column, uns
 /* A polynomial is there only where all of a square shows the surface. */
 static void show(const struct job *job, struct part part)
 {
-    for (unsigned row = part.row; row < part.row + part.rows; row++) {
-        uint8_t *mask = job->canvas->mask + index_of(job, row, part.column);
+    uint8_t *mask = job->canvas->mask + index_of(job, part.row, part.column);
+    unsigned *shown = job->shown + (part.row - job->row);
+    for (unsigned row = 0; row < part.rows; row++, mask += job->canvas->stride) {
         if (part.columns == LX_PANEL_SIDE)
             memset(mask, 1, LX_PANEL_SIDE); /* of a size that compilers know: no call */
         else
             memset(mask, 1, part.columns);
-        job->shown[row - job->row] += part.columns;
+        shown[row] += part.columns;
     }
 }
 

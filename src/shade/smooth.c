@@ -56,9 +56,15 @@ static void make_basis(unsigned nodes, double reach, struct lx_basis *basis)
     basis->slip = (1 + lebesgue * lebesgue) / basis->share;
     for (unsigned i = 0; i < nodes; i++) {
         const double angle = M_PI * (i + 0.5) / nodes;
-        basis->place[i] = cos(angle);
-        for (unsigned m = 0; m < nodes; m++)
-            basis->series[i][m] = (m > 0 ? 2 : 1) * cos(m * angle) / nodes;
+        const double place = cos(angle);
+        double before = place, now = 1; /* of Chebyshev's polynomials, T_-1 = T_1 and T_0 */
+        basis->place[i] = place;
+        for (unsigned m = 0; m < nodes; m++) {
+            const double next = 2 * place * now - before;
+            basis->series[i][m] = (m > 0 ? 2 : 1) * now / nodes;
+            before = now;
+            now = next;
+        }
     }
 }
 
@@ -244,7 +250,7 @@ static void gather_nodes(const struct lx_plan *plan, struct lx_seen *seen, const
     _Static_assert((int)LX_MOST_NODES * LX_MOST_NODES <= (int)LX_BLOCK, "a block holds all nodes");
     for (unsigned j = 0; j < nodes; j++) {
         const struct lx_row_view view = lx_row_view_of(plan, square->y_mm - square->half_mm[1] * basis->place[j]);
-        plan->kernels->meet_lines[shape->type](shape, &view, x, nodes, depth, places[0], places[1], places[2]);
+        plan->kernels->meet_lines[shape->type](shape, &view, x, LX_LANES, depth, places[0], places[1], places[2]);
         memcpy(block->px + (size_t)j * nodes, places[0], nodes * sizeof *x);
         memcpy(block->py + (size_t)j * nodes, places[1], nodes * sizeof *x);
         memcpy(block->pz + (size_t)j * nodes, places[2], nodes * sizeof *x);
