@@ -361,7 +361,8 @@ static const struct option_row rows[] = {
     {"precision", 0, N_("NAME"), COMMAND_ANY, TAKES(take_precision), WORDS(precision_words),
      .help = N_("numbers of the picture: single (default) or double")},
     {"threads", 0, N_("N"), COMMAND_ANY, TAKES(take_threads),
-     .help = N_("threads to compute with, 1 to 1024; the default is one per processor; results do not depend on it")},
+     .help = N_("threads to compute with, 1 to 1024; the default is as many as pay, no more than one per processor; "
+                "results do not depend on it")},
     {"light-error", 0, N_("E"), COMMAND_ANY, TAKES(take_light_error),
      .help = N_("error of a pixel allowed for taking many points together, relative to its value or to a thousandth of "
                 "the maximum, from 0 (the default: each point is summed) to below 1")},

@@ -26,7 +26,7 @@ typedef bool (*luxel_progress)(double done, void *data);
 typedef struct luxel_settings {
     luxel_quantity quantity;     /* brightness */
     luxel_precision precision;   /* single */
-    unsigned threads;            /* 0: one per processor; at most 1024 */
+    unsigned threads;            /* 0: as many as pay, one per processor at most; at most 1024 */
     const char *instruction_set; /* NULL: what LUXEL_ISA says, else the best of this machine */
     double tolerance;            /* of probes, relative; 0: 1e-9 where there is no closed form */
     double light_error;          /* 0: each point is summed; else many are taken together: see luxel_render() */

@@ -104,7 +104,7 @@ static luxel_status catch_up(struct lx_rendering *rendering, const struct files 
 static luxel_status write_files(struct lx_rendering *rendering, const struct lx_session *session,
                                 struct luxel_field *field, struct files *files, luxel_diagnostics *diagnostics)
 {
-    const unsigned height = strip_height(files, field, lx_rendering_threads(&session->settings, field));
+    const unsigned height = strip_height(files, field, lx_rendering_threads(session, field));
     const bool again = height < field->rows && some_waits(files);
     luxel_status status = lx_rendering_open(rendering, session, field, height, diagnostics);
     rendering->take = add_strip;

@@ -7,6 +7,7 @@
  */
 #include "rendering.h"
 
+#include <limits.h>
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -15,6 +16,7 @@
 #include "../base/memory.h"
 #include "../base/number.h"
 #include "../format/tags.h"
+#include "../shade/effort.h"
 
 /* Of a row whose pixels off the surfaces are 0, and no other is below. */
 static struct lx_row_statistics survey_row(const struct lx_rendering *rendering, unsigned row, size_t surface_pixels)
@@ -130,10 +132,14 @@ static void render_rows(void *data, unsigned worker, bool is_caller, unsigned fi
         rendering->computed->rows[row - strip->first] = survey_row(rendering, row, shown[row - first]);
 }
 
-unsigned lx_rendering_threads(const luxel_settings *settings, const struct luxel_field *field)
+/* A thread begins some 50 us after it is wanted, half of which the caller is busy with it: it pays from twice as much
+ * work on.  Who asks for threads gets them, but for tiny pictures. */
+unsigned lx_rendering_threads(const struct lx_session *session, const struct luxel_field *field)
 {
-    /* A thread costs more than a tiny picture. */
-    return lx_thread_count(settings->threads, (unsigned)((double)field->columns * field->rows / 8192) + 1);
+    const double pixels = (double)field->columns * field->rows, work_ns = 120e3, most = UINT_MAX - 1;
+    const double paying =
+        session->settings.threads > 0 ? pixels / 8192 : pixels * lx_effort_of_pixel_ns(&session->plan) / work_ns;
+    return lx_thread_count(session->settings.threads, (unsigned)fmin(paying, most) + 1);
 }
 
 static luxel_status too_large(const unsigned size[2], double needed, double available, luxel_diagnostics *diagnostics)
@@ -230,7 +236,7 @@ luxel_status lx_rendering_open(struct lx_rendering *rendering, const struct lx_s
         .plan = &session->plan,
         .field = field,
         .diagnostics = diagnostics,
-        .threads = lx_rendering_threads(settings, field),
+        .threads = lx_rendering_threads(session, field),
         .control = {.rows = field->rows, .progress = settings->progress, .data = settings->progress_data},
     };
     luxel_status status = hold(rendering, height);

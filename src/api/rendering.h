@@ -37,8 +37,8 @@ struct lx_rendering {
 luxel_status lx_new_frame(const struct lx_session *session, const luxel_scene *scene, luxel_diagnostics *diagnostics,
                           struct luxel_field **frame);
 
-/* How many threads will compute the picture of a frame. */
-unsigned lx_rendering_threads(const luxel_settings *settings, const struct luxel_field *field);
+/* How many threads will compute the picture of a frame: where the settings leave it open, no more than pay. */
+unsigned lx_rendering_threads(const struct lx_session *session, const struct luxel_field *field);
 
 /*
  * Makes room to compute the picture of a frame in strips of `height` rows.  Session and field must outlive it; release

@@ -394,6 +394,7 @@ extern const struct lx_kernels TABLE_OF(LX_ISA);
 const struct lx_kernels TABLE_OF(LX_ISA) = {
     .name = LX_ISA_NAME,
     .runs = runs,
+    .width = LX_WIDTH_single,
     .shade_single = shade_single,
     .shade_double = shade_double,
     .value_single = value_single,

@@ -312,6 +312,7 @@ typedef void lx_light_by_shell_double(const struct lx_shell *shell, double diffu
 struct lx_kernels {
     const char *name;
     bool (*runs)(void); /* whether this machine has the instruction set */
+    unsigned width;     /* of its vectors, in numbers of float32 */
     lx_shade_single *shade_single;
     lx_shade_double *shade_double;
     lx_value_single *value_single;

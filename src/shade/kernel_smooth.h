@@ -346,7 +346,7 @@ LX_LANE double sum_of_lanes(const double n[LX_LANES])
            (((n[1] + n[9]) + (n[5] + n[13])) + ((n[3] + n[11]) + (n[7] + n[15])));
 }
 
-/* What there is beyond the first polynomials of a series on each axis, by columns: each size less the next larger one. */
+/* What there is beyond the first polynomials of a series on each axis, by columns: each size less the next larger. */
 struct beyond {
     _Alignas(64) double twelve[LX_LANES], eight[LX_LANES], seven[LX_LANES], six[LX_LANES], none[LX_LANES];
 };
