@@ -38,6 +38,7 @@
 #include "kernel_contour.h"
 #include "kernel_round.h"
 
+#include "kernel_series.h"
 #include "kernel_smooth.h"
 #undef REAL
 #undef LX_IS_SINGLE

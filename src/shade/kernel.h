@@ -207,11 +207,10 @@ typedef void lx_spread_polynomial(const struct lx_polynomial *polynomial, unsign
                                   float *values, size_t stride);
 
 /*
- * The polynomial through values at nodes x nodes places, an even number from 8 on; values[row * nodes + column];
- * series[node][k]: the share of
- * Chebyshev's polynomial T_k in what is 1 at a node and 0 at the others, 0 beyond the nodes.  Of these polynomials the
- * last ones are left out where all that is left out is below the roundings of float32.  Returns what the terms may be
- * off by, for that reason and in float32.
+ * The polynomial through values at nodes x nodes places, an even number from 8 on, values[row * nodes + column];
+ * series[node][k]: the share of Chebyshev's polynomial T_k in what is 1 at a node and 0 at the others, 0 beyond the
+ * nodes.  Of these polynomials the last ones are left out where all that is left out is below the roundings of float32.
+ * Returns what the terms may be off by, for that reason and in float32.
  */
 typedef double lx_find_polynomial(const double (*series)[LX_LANES], unsigned nodes, const double *values,
                                   struct lx_polynomial *polynomial);

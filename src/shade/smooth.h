@@ -56,7 +56,7 @@ enum { LX_MOST_FOLDED = 16 };
 /* What one thread needs, for one plan. */
 struct lx_fitting {
     uint8_t *is_left;       /* of each light */
-    uint8_t *how[LX_BASES]; /* polynomials of each basis take each light */
+    uint8_t *how[LX_BASES]; /* how polynomials of each basis take each light */
     double *sizes;
     struct lx_block_double *turned; /* room for elements */
     struct lx_vicinity vicinity;    /* of the square and the basis that were last */
