@@ -175,6 +175,33 @@ static void low_contours(void **state)
     }
 }
 
+/* A long edge that passes near by, anywhere along it, comes to as much as its parts do: each is cut into pieces of its
+ * own, which are as short as they must be where it is nearest. */
+static void long_edges(void **state)
+{
+    struct randomness random = {.state = 16};
+    (void)state;
+    for (int i = 0; i < 1000; i++) {
+        const double length = logarithmic(&random, 1, 1000), foot = uniform(&random, -0.2, 1.2) * length;
+        const double ends[2][3] = {{-foot, 1, uniform(&random, 0.02, 0.1)},
+                                   {length - foot, 1, uniform(&random, 0.02, 0.1)}};
+        const lx_wide3 from = lx_wide3_of(ends[0]), to = lx_wide3_of(ends[1]);
+        const lx_wide3 half = lx_wide3_mul(lx_wide3_add(from, to), lx_wide_of(0.5)),
+                       quarter = lx_wide3_mul(lx_wide3_add(from, half), lx_wide_of(0.5));
+        const lx_wide3 corners[4] = {from, quarter, half, to};
+        struct lx_contour contour =
+            lx_contour_start(corners, lx_wide3_of((double[]){0, 0, 0}), lx_wide3_of((double[]){0, 0, 1}), 1, 1);
+        struct lx_low_area whole = {.failed = false}, parts = {.failed = false};
+        lx_contour_add_low(&contour, 0, 3, &whole);
+        for (unsigned k = 0; k < 3; k++)
+            lx_contour_add_low(&contour, k, k + 1, &parts);
+        assert_false(whole.failed || parts.failed);
+        assert_true(whole.sum.high != 0);
+        assert_true(off(whole.sum, parts.sum) <= 0x1p-64 * fabs(whole.sum.high));
+        assert_true(off(whole.sum, parts.sum) <= whole.error + parts.error);
+    }
+}
+
 /* An edge that is wrong by some length sweeps about as much times its length, seen from above, over the square. */
 static void wrong_corners(void **state)
 {
@@ -264,8 +291,8 @@ static void nodes(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(contours),       cmocka_unit_test(low_contours), cmocka_unit_test(wrong_corners),
-        cmocka_unit_test(sides_of_faces), cmocka_unit_test(nodes),
+        cmocka_unit_test(contours),      cmocka_unit_test(low_contours),   cmocka_unit_test(long_edges),
+        cmocka_unit_test(wrong_corners), cmocka_unit_test(sides_of_faces), cmocka_unit_test(nodes),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
