@@ -170,7 +170,7 @@ struct taken {
     const uint8_t *how;
     size_t count, folded;
     double error;
-    double cost;
+    double cost; /* HUGE_VAL where none is taken */
 };
 
 /* Of so many of the lights that are left at nodes, and the others afterwards. */
@@ -376,7 +376,8 @@ static bool fit_foot(const struct lx_plan *plan, struct lx_fitting *fitting, con
     const double top = pow(foot.most, 1 / n) + off + rounded, slope = n * pow(top, n - 1);
     *error += slope * off;
     *rounding = slope * (rounded + (double)FLT_EPSILON * top); /* each product of the power is rounded once */
-    return n * (off + rounded + (double)FLT_EPSILON * pow(least, 1 / n)) <= OF_ITSELF * pow(least, 1 / n);
+    const double lowest = pow(least, 1 / n);
+    return n * (off + rounded + (double)FLT_EPSILON * lowest) <= OF_ITSELF * lowest;
 }
 
 bool lx_smooth_fit(const struct lx_plan *plan, struct lx_fitting *fitting, struct lx_seen *seen,

@@ -66,8 +66,8 @@ static double polynomial_at(const struct lx_polynomial *polynomial, double u, do
     return sum;
 }
 
-/* The polynomial is the series it was made of, within what it is said to be off by, which is no more than roundings of
- * float32.  Returns its size. */
+/* The polynomial is the series it was made of, within what it is said to be off by, and where some of it is left out
+ * within roundings of float32.  Returns its size. */
 static unsigned check_found(const struct lx_kernels *kernels, const struct nodes *nodes, const struct series *series)
 {
     enum { GRID = 9 };
@@ -90,7 +90,7 @@ static unsigned check_found(const struct lx_kernels *kernels, const struct nodes
     for (unsigned l = 0; l < LX_MOST_NODES; l++)
         for (unsigned k = 0; k < LX_LANES; k++)
             assert_true((l < polynomial.size && k < polynomial.size) || polynomial.terms[l][k] == 0);
-    if (polynomial.size < nodes->count) /* the next smaller size would have left out too much */
+    if (polynomial.size < nodes->count)
         assert_true(most <= (double)FLT_EPSILON * sum);
     return polynomial.size;
 }
@@ -176,7 +176,7 @@ static void test_spreading(void **state)
             }
 }
 
-/* From a flat polynomial, so that the power tells itself apart from those beside it: also below 0, and faint. */
+/* Of a plane, so that powers can be told to some roundings however faint they are; and of what is below 0. */
 static void test_powers(void **state)
 {
     (void)state;
