@@ -10,7 +10,8 @@ LX_LANE float place_in_square(int pixel, float scale)
     return (float)(2 * pixel + 1) * scale - 1;
 }
 
-/* Raises some vectors side by side to a power; what is below 0 counts as 0. */
+/* Raises some vectors side by side to a power; what is below 0 counts as 0.  Not by complements as raise_single() does,
+ * which would lose the digits of small numbers: those of a faint foot are all that it is for. */
 LX_LANE void raise_all(lanes_single base[VECTORS], unsigned power)
 {
     lanes_single product[VECTORS];
