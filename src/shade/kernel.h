@@ -6,7 +6,8 @@
  *
  * Elements stand as a structure of arrays.  The kernels work on whole lanes: they read and write up to
  * lx_padded(count) entries of each array, and an element's result depends on that element alone, so the same
- * element gives the same bytes wherever it stands in a block.
+ * element gives the same bytes wherever it stands in a block.  What lies beyond the count must be places of the
+ * surface, too: that a light, or a part of an extended source, reaches no element is decided for many at once.
  *
  * Lengths are mm; places are offsets from the surface's anchor.  The formulas are those of the references in
  * light/emitter.c, material/lobe.c and surface/sphere.c; those for extended sources stand in kernel_facets.h and

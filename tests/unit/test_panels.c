@@ -343,6 +343,13 @@ struct tally {
     double worst_rounding; /* beyond what the polynomials are said to be off by */
 };
 
+/* What stood in a block before must not count, not even in its last vector beyond the nodes. */
+static void leave_rubbish(struct lx_block_double *block)
+{
+    for (size_t i = 0; i < LX_BLOCK; i++)
+        block->px[i] = block->py[i] = block->pz[i] = HUGE_VAL;
+}
+
 static void try_square(const struct test_scene *test, struct workplace *work, struct randomness *random,
                        struct tally *tally)
 {
@@ -353,6 +360,7 @@ static void try_square(const struct test_scene *test, struct workplace *work, st
     float values[LX_PANEL_SIDE * LX_PANEL_SIDE];
     double allowance = allowed;
     memset(work->fitting.is_left, 1, plan->smooth.lights.count);
+    leave_rubbish(&lx_shader_seen(work->shader)->block);
     if (!lx_smooth_fit(plan, &work->fitting, lx_shader_seen(work->shader), &square, plan->surfaces->uniform, true, NULL,
                        &allowance))
         return;
