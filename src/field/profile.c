@@ -257,10 +257,10 @@ luxel_status luxel_line_across_screen(const luxel_scene *scene, const double thr
         return report(diagnostics, LX_MSG_NOT_COMMITTED);
     const struct lx_screen *screen = &lx_scene_parameters(scene)->screen;
     double half[2] = {screen->width_mm / 2, screen->height_mm / 2};
-    double turns = remainder(degrees, 360), quarter = remainder(turns, 180);
+    double turns = remainder(degrees, 360), quarter = remainder(turns, 180); /* at most 90 */
     /* along an axis without rounding */
     double along[2] = {fabs(quarter) == 90 ? 0 : cos(turns * (M_PI / 180)),
-                       quarter == 0 || fabs(quarter) == 180 ? 0 : sin(turns * (M_PI / 180))};
+                       quarter == 0 ? 0 : sin(turns * (M_PI / 180))};
     double first = -HUGE_VAL, last = HUGE_VAL;
     for (int i = 0; i < 2; i++) {
         if (along[i] == 0) {

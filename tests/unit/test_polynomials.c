@@ -134,6 +134,47 @@ static void test_sizes(void **state)
                 }
 }
 
+/* [degree][power] of Chebyshev's polynomials, each by the two before it. */
+static void make_powers(double powers[LX_MOST_NODES][LX_MOST_NODES])
+{
+    memset(powers, 0, sizeof(double[LX_MOST_NODES][LX_MOST_NODES]));
+    powers[0][0] = powers[1][1] = 1;
+    for (unsigned n = 2; n < LX_MOST_NODES; n++)
+        for (unsigned m = 0; m < LX_MOST_NODES; m++)
+            powers[n][m] = (m > 0 ? 2 * powers[n - 1][m - 1] : 0) - powers[n - 2][m];
+}
+
+/* Of one product alone the terms are whole numbers. */
+static void check_terms(const struct lx_kernels *kernels, const struct nodes *nodes, unsigned l, unsigned k)
+{
+    _Alignas(64) double values[LX_BLOCK] = {0};
+    double powers[LX_MOST_NODES][LX_MOST_NODES];
+    struct lx_polynomial polynomial = {.side = LX_PANEL_SIDE, .power = 1};
+    make_powers(powers);
+    for (unsigned j = 0; j < nodes->count; j++)
+        for (unsigned i = 0; i < nodes->count; i++)
+            values[j * nodes->count + i] = cos(l * acos(nodes->place[j])) * cos(k * acos(nodes->place[i]));
+    kernels->find_polynomial(nodes->series, nodes->count, values, &polynomial);
+    for (unsigned m = 0; m < nodes->count; m++)
+        for (unsigned p = 0; p < nodes->count; p++) {
+            const double exact = powers[l][m] * powers[k][p];
+            assert_true(fabs((double)polynomial.terms[m][p] - exact) <= 1e-4 + (double)FLT_EPSILON * fabs(exact));
+        }
+}
+
+static void test_terms(void **state)
+{
+    (void)state;
+    static const unsigned counts[] = {8, 10, 12, 16};
+    for (size_t s = 0; lx_kernels_get(s); s++)
+        for (size_t c = 0; lx_kernels_get(s)->runs() && c < sizeof counts / sizeof *counts; c++) {
+            const struct nodes nodes = make_nodes(counts[c]);
+            for (unsigned l = 0; l < nodes.count; l++)
+                for (unsigned k = 0; k < nodes.count; k++)
+                    check_terms(lx_kernels_get(s), &nodes, l, k);
+        }
+}
+
 /* ---- spreading ---- */
 
 /* The power of the sum that the terms stand for, and nothing beyond the rows and columns that were asked for. */
@@ -225,8 +266,8 @@ static void test_roots(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_finding), cmocka_unit_test(test_sizes), cmocka_unit_test(test_spreading),
-        cmocka_unit_test(test_powers),  cmocka_unit_test(test_roots),
+        cmocka_unit_test(test_finding),   cmocka_unit_test(test_sizes),  cmocka_unit_test(test_terms),
+        cmocka_unit_test(test_spreading), cmocka_unit_test(test_powers), cmocka_unit_test(test_roots),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

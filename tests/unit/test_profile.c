@@ -159,9 +159,18 @@ static void test_across_screen(void **state)
     assert_across(scene, 10, 20, 90, (const double[]){10, -250, 10, 250});
     assert_across(scene, 10, 20, 180, (const double[]){250, 20, -250, 20});
     assert_across(scene, 10, 20, -90, (const double[]){10, 250, 10, -250});
+    const double flat = 250 * tan(M_PI / 180);
+    assert_across(scene, 0, 0, 1, (const double[]){-250, -flat, 250, flat});
+    assert_across(scene, 0, 0, 91, (const double[]){flat, -250, -flat, 250});
     assert_across(scene, 0, 0, 45, (const double[]){-250, -250, 250, 250});
     assert_across(scene, 300, 100, 45, (const double[]){-50, -250, 250, 50}); /* the point itself is outside */
     assert_across(scene, 0, 0, 360 + 135, (const double[]){250, -250, -250, 250});
+    const double inside[2] = {10.1, 20.1};
+    for (int quarters = -4; quarters <= 4; quarters++) { /* along an axis without rounding */
+        assert_int_equal(luxel_line_across_screen(scene, inside, 90 * quarters, NULL, from, to), LUXEL_OK);
+        const int kept = quarters % 2 == 0 ? 1 : 0;
+        assert_true(from[kept] == inside[kept] && to[kept] == inside[kept]);
+    }
     const double outside[2] = {300, 0}, nowhere[2] = {(double)NAN, 0};
     assert_int_equal(luxel_line_across_screen(scene, outside, 90, NULL, from, to), LUXEL_ERROR_ARGUMENT);
     assert_int_equal(luxel_line_across_screen(scene, nowhere, 0, NULL, from, to), LUXEL_ERROR_ARGUMENT);
