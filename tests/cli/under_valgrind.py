@@ -39,6 +39,11 @@ def scenes(tap, tool):
         check(tap, tool, 0, "probe", name, *SMALL, "-p", "0,0", "-p", "100,50", "--tolerance", "1e-4", "--json")
 
 
+def panels(tap, tool):
+    for name, side in ("report", 640), ("spot", 640), ("window", 300):
+        check(tap, tool, 0, "render", name, "-q", "-s", "screen.resolution=[%d,%d]" % (side, side), "-o", "large.npy")
+
+
 def formats(tap, tool):
     for ending in "png", "npy", "pfm", "csv", "exr":
         for precision in "single", "double":
@@ -91,4 +96,4 @@ def refusals(tap, tool):
 
 
 sys.argv[1] = shutil.which(sys.argv[2])  # what the tool of the tests starts
-run_tests(Tap(), scenes, formats, commands, clusters, refusals)
+run_tests(Tap(), scenes, panels, formats, commands, clusters, refusals)
