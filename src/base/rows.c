@@ -4,7 +4,6 @@
  * helps with the shares of others: so the rows of one picture after another stay in the cache of the same processor.
  */
 #include <stdlib.h>
-#include <unistd.h>
 
 #include "memory.h"
 #include "rows.h"
@@ -50,8 +49,9 @@ bool lx_control_goes_on(struct lx_control *control, bool is_caller)
 
 unsigned lx_thread_count(unsigned wanted, unsigned most)
 {
-    long processors = sysconf(_SC_NPROCESSORS_ONLN);
-    unsigned threads = wanted ? wanted : processors > 0 ? (unsigned)processors : 1;
+    if (most <= 1)
+        return most; /* the system need not be asked */
+    const unsigned threads = wanted ? wanted : lx_processor_count();
     return threads < most ? threads : most;
 }
 

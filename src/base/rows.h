@@ -51,7 +51,8 @@ enum { LX_ROWS_AT_ONCE = 4 };
 /* Does rows first to last - 1 with the worker's own memory; `is_caller` as above. */
 typedef void lx_rows_work(void *data, unsigned worker, bool is_caller, unsigned first, unsigned last);
 
-/* How many threads to take: as many as wanted (0: one for each processor), but no more than there is work for. */
+/* How many threads to take: as many as wanted (0: one for each processor that the caller may run on), but no more than
+ * there is work for. */
 unsigned lx_thread_count(unsigned wanted, unsigned most);
 
 /* Does control->rows rows with up to `threads` threads, the calling one among them.  False: it was stopped. */

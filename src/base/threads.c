@@ -1,11 +1,26 @@
 /* SPDX-License-Identifier: MIT */
-/* Starting a thread on another processor than its caller's, and waiting for its end. */
+/* Processors; starting a thread on another one than its caller's, and waiting for its end. */
 #include "threads.h"
 
 #include <errno.h>
+#include <unistd.h>
+
+/* Those of the system, for which it reads a file. */
+static unsigned processors_online(void)
+{
+    const long count = sysconf(_SC_NPROCESSORS_ONLN);
+    return count > 0 ? (unsigned)count : 1;
+}
 
 #ifdef __GLIBC__
 #include <sched.h>
+
+unsigned lx_processor_count(void)
+{
+    cpu_set_t allowed;
+    /* more processors than fit in the set are told as an error */
+    return sched_getaffinity(0, sizeof allowed, &allowed) == 0 ? (unsigned)CPU_COUNT(&allowed) : processors_online();
+}
 
 /* Lets attributes begin a thread on any of the caller's processors but the one that it is on.  False: there are none,
  * or it cannot be told. */
@@ -41,6 +56,11 @@ static void come_here(struct lx_thread *thread)
     (void)pthread_setaffinity_np(thread->handle, sizeof one, &one);
 }
 #else
+unsigned lx_processor_count(void)
+{
+    return processors_online();
+}
+
 static bool begin_elsewhere(pthread_attr_t *attributes, int *caller_processor)
 {
     (void)attributes;

@@ -3,6 +3,7 @@
  * Threads that begin at once.  A scheduler may leave a new thread on the processor of the one that started it, where it
  * waits until that one sleeps, though another processor is idle: then two threads take as long as one.  So these begin
  * on another processor than their caller's, where the system lets a program say so, and are free to move from then on.
+ * More of them than there are processors that they may run on would gain nothing.
  */
 #ifndef LX_BASE_THREADS_H
 #define LX_BASE_THREADS_H
@@ -10,6 +11,9 @@
 #include <pthread.h>
 #include <stdatomic.h>
 #include <stdbool.h>
+
+/* How many processors the calling thread may run on, from 1 on. */
+unsigned lx_processor_count(void);
 
 struct lx_thread {
     pthread_t handle;

@@ -13,6 +13,7 @@
 
 #include <cmocka.h>
 
+#include "base/rows.h"
 #include "base/threads.h"
 #include "wrapped.h"
 
@@ -88,8 +89,12 @@ static void by_one_processor(void **state)
     (void)state;
     CPU_ZERO(&one);
     CPU_SET((size_t)here, &one);
+    assert_int_equal(lx_processor_count(), CPU_COUNT(&all));
     if (sched_setaffinity(0, sizeof one, &one) != 0)
         skip();
+    assert_int_equal(lx_processor_count(), 1); /* whatever the machine has */
+    assert_int_equal(lx_thread_count(0, 1024), 1);
+    assert_int_equal(lx_thread_count(3, 1024), 3);
     run_one();
     assert_int_equal(started, 1);
     assert_int_equal(allowed[0], 0);
