@@ -26,6 +26,17 @@ static void loading(void **state)
     }
 }
 
+/* The brightness of some place. */
+static double value_of(const luxel_scene *scene)
+{
+    luxel_evaluator *evaluator;
+    assert_int_equal(luxel_evaluator_new(scene, NULL, NULL, &evaluator), LUXEL_OK);
+    const luxel_value seen = luxel_evaluate(evaluator, 10, 20, NULL);
+    luxel_evaluator_free(evaluator);
+    assert_true(seen.has_value && seen.value > 0);
+    return seen.value;
+}
+
 /* A mesh, outlines, groups and lists of groups. */
 static void loading_lights_of_some_size(void **state)
 {
@@ -43,6 +54,10 @@ static void loading_lights_of_some_size(void **state)
              "  - {type: planar, vertices: [[0, 0, 1800], [0, 9, 1800], [9, 9, 1800], [1, 8, 1800]], power: 1}\n",
              mesh);
     char *text = changed("lights:\n", words);
+    luxel_scene *whole = NULL;
+    assert_int_equal(load(text, NULL, &whole), LUXEL_OK);
+    const double expected = value_of(whole);
+    luxel_scene_free(whole);
     for (long i = 0; i == 0 || shortage_met(); i++) {
         luxel_scene *scene = NULL;
         shortage_begin(i);
@@ -51,6 +66,7 @@ static void loading_lights_of_some_size(void **state)
         shortage_end();
         if (!(status == LUXEL_OK && (copy || shortage_met())) && !(shortage_met() && status == LUXEL_ERROR_MEMORY))
             fail_msg("status %d at allocation %ld", (int)status, i);
+        assert_true(status != LUXEL_OK || value_of(scene) == expected); /* and nothing is left out in silence */
         luxel_scene_free(copy);
         luxel_scene_free(scene);
     }
