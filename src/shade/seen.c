@@ -116,6 +116,12 @@ const double *lx_observer_from(const struct lx_plan *plan, const struct lx_plann
     return from;
 }
 
+void lx_seen_pad(double *numbers, size_t count)
+{
+    for (size_t k = count; k < lx_padded(count); k++)
+        numbers[k] = numbers[0];
+}
+
 /* One coordinate of the elements' pixels, which may stand in the block already, no sooner than it is to. */
 static void gather_places(const struct lx_seen *seen, const double *from, bool in_one, size_t elements, double *to)
 {
@@ -123,8 +129,7 @@ static void gather_places(const struct lx_seen *seen, const double *from, bool i
         memmove(to, from + seen->place[0], elements * sizeof *to);
     for (size_t k = 0; k < elements && !in_one; k++)
         to[k] = from[seen->place[k]];
-    for (size_t k = elements; k < lx_padded(elements); k++)
-        to[k] = to[0];
+    lx_seen_pad(to, elements);
 }
 
 struct lx_gathered lx_seen_gather(const struct lx_plan *plan, struct lx_seen *seen, size_t s, size_t count)

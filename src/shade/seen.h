@@ -42,6 +42,10 @@ struct lx_row_view lx_row_view_of(const struct lx_plan *plan, double y_mm);
 
 void lx_seen_init(const struct lx_plan *plan, struct lx_seen *seen);
 
+/* Repeats the first of one coordinate's numbers up to lx_padded(count): what kernels read beyond elements are places of
+ * the surface, too. */
+void lx_seen_pad(double *numbers, size_t count);
+
 /*
  * Where the plan does with it (in_single_alone): tells the columns, from left to right, and then of each row sets the
  * mask of its pixels, and the copy, but not the block, to the elements of the surface that it shows, as kernel.h tells.

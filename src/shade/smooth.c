@@ -255,8 +255,9 @@ static void gather_nodes(const struct lx_plan *plan, struct lx_seen *seen, const
         memcpy(block->py + (size_t)j * nodes, places[1], nodes * sizeof *x);
         memcpy(block->pz + (size_t)j * nodes, places[2], nodes * sizeof *x);
     }
-    for (size_t k = (size_t)nodes * nodes; k < lx_padded((size_t)nodes * nodes); k++)
-        block->px[k] = block->px[0], block->py[k] = block->py[0], block->pz[k] = block->pz[0];
+    lx_seen_pad(block->px, (size_t)nodes * nodes);
+    lx_seen_pad(block->py, (size_t)nodes * nodes);
+    lx_seen_pad(block->pz, (size_t)nodes * nodes);
     plan->kernels->complete_block[shape->type](shape, lx_observer_from(plan, surface, observer), block, &seen->copy,
                                                (size_t)nodes * nodes);
 }
