@@ -49,6 +49,7 @@ def main():
     check(tap, root, "cases and what is skipped", [good], 0, 0, "SKIPPED  good: second (no such thing)\n",
           "1 passed, 0 failed\n")
     check(tap, root, "cmocka's way to skip", [good, cmocka], 1, 0, "SKIPPED  cmocka: first (", "2 passed, 0 failed\n")
+    check(tap, root, "Meson's own failure beside it", [cmocka], 2, 1, "FAILED   meson test ended with exit code 2")
     check(tap, root, "a failure beside it", [("both", "FAIL", 1, "not ok 1 # SKIP a\nnot ok 2 - b\n# why\n")], 1, 1,
           "FAILED   both: b\n         # why\n", "0 passed, 1 failed\n")
     check(tap, root, "a program that skips and then ends badly", [("bad", "FAIL", 3, "not ok 1 # SKIP a\nok 2 - b\n")],

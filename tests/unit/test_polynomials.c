@@ -22,6 +22,8 @@ struct nodes {
     _Alignas(64) double series[LX_MOST_NODES][LX_LANES];
 };
 
+static const unsigned counts[] = {8, 10, 12, 16};
+
 static struct nodes make_nodes(unsigned count)
 {
     struct nodes nodes = {.count = count};
@@ -98,7 +100,6 @@ static unsigned check_found(const struct lx_kernels *kernels, const struct nodes
 static void test_finding(void **state)
 {
     (void)state;
-    static const unsigned counts[] = {8, 10, 12, 16};
     struct randomness random = {.state = 5};
     for (size_t k = 0; lx_kernels_get(k); k++) {
         bool has_size[LX_MOST_NODES + 1] = {false};
@@ -145,12 +146,11 @@ static void make_powers(double powers[LX_MOST_NODES][LX_MOST_NODES])
 }
 
 /* Of one product alone the terms are whole numbers. */
-static void check_terms(const struct lx_kernels *kernels, const struct nodes *nodes, unsigned l, unsigned k)
+static void check_terms(const struct lx_kernels *kernels, const struct nodes *nodes,
+                        const double (*powers)[LX_MOST_NODES], unsigned l, unsigned k)
 {
     _Alignas(64) double values[LX_BLOCK] = {0};
-    double powers[LX_MOST_NODES][LX_MOST_NODES];
     struct lx_polynomial polynomial = {.side = LX_PANEL_SIDE, .power = 1};
-    make_powers(powers);
     for (unsigned j = 0; j < nodes->count; j++)
         for (unsigned i = 0; i < nodes->count; i++)
             values[j * nodes->count + i] = cos(l * acos(nodes->place[j])) * cos(k * acos(nodes->place[i]));
@@ -165,13 +165,14 @@ static void check_terms(const struct lx_kernels *kernels, const struct nodes *no
 static void test_terms(void **state)
 {
     (void)state;
-    static const unsigned counts[] = {8, 10, 12, 16};
+    double powers[LX_MOST_NODES][LX_MOST_NODES];
+    make_powers(powers);
     for (size_t s = 0; lx_kernels_get(s); s++)
         for (size_t c = 0; lx_kernels_get(s)->runs() && c < sizeof counts / sizeof *counts; c++) {
             const struct nodes nodes = make_nodes(counts[c]);
             for (unsigned l = 0; l < nodes.count; l++)
                 for (unsigned k = 0; k < nodes.count; k++)
-                    check_terms(lx_kernels_get(s), &nodes, l, k);
+                    check_terms(lx_kernels_get(s), &nodes, (const double(*)[LX_MOST_NODES])powers, l, k);
         }
 }
 
