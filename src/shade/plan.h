@@ -14,6 +14,8 @@
 #ifndef LX_SHADE_PLAN_H
 #define LX_SHADE_PLAN_H
 
+#include <float.h>
+
 #include <luxel/render.h>
 
 #include "../base/rows.h"
@@ -89,5 +91,11 @@ struct lx_plan {
 luxel_status lx_plan_make(const struct lx_prepared *prepared, const struct lx_kernels *kernels,
                           const luxel_settings *settings, struct lx_plan *plan);
 void lx_plan_clear(struct lx_plan *plan);
+
+/* The least number above 0 of a picture. */
+static inline double lx_least_of(luxel_precision precision)
+{
+    return precision == LUXEL_SINGLE ? (double)FLT_TRUE_MIN : DBL_TRUE_MIN;
+}
 
 #endif

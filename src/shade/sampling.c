@@ -109,13 +109,14 @@ struct lx_around lx_run_around(const struct lx_block_double *block, size_t start
     return around;
 }
 
-/* What the error may reach. */
+/* What the error may reach.  With nothing seen yet, light that bounds say is there, but that samples in float32 give 0
+ * for, would else be looked for in ever smaller cells. */
 static double allowed(const struct run *run)
 {
     double greatest = run->sampling->least_maximum;
     for (int i = 0; i < LX_LANES; i++)
         greatest = lx_larger(greatest, run->known[i] + run->value[i] - run->error[i]);
-    return run->sampling->tolerance * greatest;
+    return lx_larger(run->sampling->tolerance * greatest, run->sampling->least);
 }
 
 /* ---- evaluating cells ---- */

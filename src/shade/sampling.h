@@ -23,13 +23,14 @@ struct lx_sampler {
     const struct lx_lobe_double *lobe; /* what is summed: a lobe without its diffuse part, or that alone */
     const struct lx_lobe_single *lobe_single;
     double tolerance, least_maximum; /* errors may reach tolerance times the greatest value of the picture, which is
-                                        no less than least_maximum, nor than what is in the run itself */
+                                        no less than least_maximum, nor than what is in the run itself; */
+    double least;                    /* or this, which no picture could show */
     size_t most_cells;               /* how many may be looked at again, up to LX_MOST_CELLS */
     const struct lx_asking *asking;  /* whether to go on */
 };
 
-/* Scratch memory of one thread, for sources of so many patches together: its size, and making it of zeroed bytes that
- * are aligned as lx_new_aligned() does. */
+/* Scratch memory of one thread, for sources of so many patches together: its size, and making it of bytes that are
+ * aligned as lx_new_aligned() does. */
 struct lx_sampling_memory;
 size_t lx_sampling_memory_size(size_t most_patches);
 struct lx_sampling_memory *lx_sampling_memory_of(void *bytes, size_t most_patches);

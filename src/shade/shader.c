@@ -192,6 +192,7 @@ static void light_by_laws(const struct lx_plan *plan, const struct lx_planned_su
         .lobe_single = &surface->matte_single,
         .tolerance = share,
         .least_maximum = plan->least_maximum,
+        .least = lx_least_of(plan->precision),
         .most_cells = CELLS,
         .asking = asking,
     };
@@ -228,6 +229,7 @@ static void light_by_highlights(const struct lx_plan *plan, const struct lx_plan
         .lobe_single = &surface->glossy_single,
         .tolerance = plan->tolerance,
         .least_maximum = plan->least_maximum,
+        .least = lx_least_of(plan->precision),
         .most_cells = LX_MOST_CELLS,
         .asking = asking,
     };

@@ -415,6 +415,27 @@ static void test_probed_pixels(void **state)
     luxel_scene_free(scene);
 }
 
+/* Where the first rows show but the foot of a highlight, fainter than any float32 number, it is not looked for in ever
+ * smaller cells: that would take hours. */
+static void test_vanishing_highlight(void **state)
+{
+    (void)state;
+    static const char text[] =
+        "luxel: 1\n"
+        "screen: {width: 670, height: 530, resolution: [201, 159]}\n"
+        "observer: {z: 5000, projection: perspective}\n"
+        "surfaces:\n"
+        "  - {type: sphere, center: [37, 35, 1112], radius: 111, material: {model: phong, shininess: 207}}\n"
+        "lights: [{type: volume, radiance: 1000, box: {center: [2082, -2989, 505], size: [300, 200, 100]}}]\n";
+    luxel_scene *scene = NULL;
+    assert_int_equal(luxel_scene_read_text(text, strlen(text), "faint", NULL, &scene), LUXEL_OK);
+    assert_int_equal(luxel_scene_commit(scene, NULL), LUXEL_OK);
+    luxel_field *field = render(scene, 0);
+    assert_true(luxel_field_statistics(field)->maximum.value > 1);
+    luxel_field_free(field);
+    luxel_scene_free(scene);
+}
+
 /* Light that comes nearly straight from behind has half vectors of all directions side by side. */
 static void test_opposite_light(void **state)
 {
@@ -454,6 +475,7 @@ int main(void)
         cmocka_unit_test(test_fine_highlights),
         cmocka_unit_test(test_threads),
         cmocka_unit_test(test_probed_pixels),
+        cmocka_unit_test(test_vanishing_highlight),
         cmocka_unit_test(test_opposite_light),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
