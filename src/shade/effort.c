@@ -8,9 +8,10 @@ static const double ALONE_NS = 0.7, SURFACE_NS = 3;
 /* A light at a pixel: in float32, in float64, where polynomials do for most pixels; and whether a surface hides it. */
 static const double SINGLE_NS = 0.3, DOUBLE_NS = 0.8, SMOOTH_NS = 0.06, BLOCKER_NS = 1;
 
-/* An extended source: an edge of an outline, a round one, its highlight or a law without closed form, by the reference;
- * and a tree of clustered points. */
-static const double EDGE_NS = 0.5, ROUND_NS = 2, INTEGRAL_NS = 50, REFERENCE_NS = 5000, TREE_NS = 50;
+/* An extended source: an edge of an outline, a round one, its highlight or a law without closed form, where polynomials
+ * do for most pixels a highlight, and by the reference; and a tree of clustered points. */
+static const double EDGE_NS = 0.5, ROUND_NS = 2, INTEGRAL_NS = 50;
+static const double HIGHLIGHT_NS = 5, REFERENCE_NS = 5000, TREE_NS = 50;
 
 static double lights_ns(const struct lx_plan *plan, const struct lx_planned_surface *surface)
 {
@@ -23,15 +24,14 @@ static double lights_ns(const struct lx_plan *plan, const struct lx_planned_surf
     return sum;
 }
 
-static double shells_ns(const struct lx_planned_surface *surface)
+static double shells_ns(const struct lx_plan *plan, const struct lx_planned_surface *surface)
 {
-    const bool is_glossy = surface->glossy_exact.model != LX_LAMBERT;
-    double sum = INTEGRAL_NS * (double)surface->matte_count;
+    const double highlight = plan->in_panels ? HIGHLIGHT_NS : INTEGRAL_NS;
+    double sum = INTEGRAL_NS * (double)surface->matte_count + highlight * (double)surface->glossy_count;
     for (size_t s = 0; s < surface->shell_count; s++) {
         const struct lx_planned_shell *planned = &surface->shells[s];
         sum += planned->by_reference ? REFERENCE_NS : 0;
         sum += planned->shell.type == LX_FACETS ? EDGE_NS * (double)planned->shell.edge_count : ROUND_NS;
-        sum += is_glossy ? INTEGRAL_NS : 0;
     }
     return sum;
 }
@@ -42,7 +42,8 @@ double lx_effort_of_pixel_ns(const struct lx_plan *plan)
     const double widest = 16;
     double light = TREE_NS * (double)plan->forest.tree_count;
     for (size_t s = 0; s < plan->surface_count; s++)
-        light += (lights_ns(plan, &plan->surfaces[s]) + shells_ns(&plan->surfaces[s])) / (double)plan->surface_count;
+        light +=
+            (lights_ns(plan, &plan->surfaces[s]) + shells_ns(plan, &plan->surfaces[s])) / (double)plan->surface_count;
     const double geometry = plan->in_single_alone ? ALONE_NS : SURFACE_NS * (double)plan->surface_count;
     return (geometry + light) * widest / plan->kernels->width;
 }

@@ -76,9 +76,11 @@ static luxel_status plan_shells(struct lx_plan *plan, struct lx_control *control
         planned->emitter = emitter;
         luxel_status status = lx_shell_make(emitter, &surface->shape, &asking, &planned->shell);
         struct lx_sampled *sampled = &surface->glossy[surface->shell_count++];
+        surface->glossy_count += surface->glossy_exact.model != LX_LAMBERT;
         if (status != LUXEL_OK)
             return status;
-        *sampled = (struct lx_sampled){.shell = &planned->shell, .law = emitter->attenuation, .k_mm = emitter->k_mm};
+        *sampled = (struct lx_sampled){
+            .emitter = emitter, .shell = &planned->shell, .law = emitter->attenuation, .k_mm = emitter->k_mm};
         if (emitter->attenuation != LX_INVERSE_SQUARE) {
             surface->matte[surface->matte_count] = *sampled;
             surface->matte[surface->matte_count++].in_double = true;
@@ -404,7 +406,7 @@ static luxel_status plan_accuracy(struct lx_plan *plan, struct lx_control *contr
 /* Whether the light of all extended sources is diffuse and by closed forms. */
 static bool has_closed_shells(const struct lx_planned_surface *surface)
 {
-    return surface->shell_count == 0 || (surface->matte_count == 0 && surface->glossy_exact.model == LX_LAMBERT);
+    return surface->matte_count == 0 && surface->glossy_count == 0;
 }
 
 /* Whether the elements of a run in float32 are all that its light takes. */
@@ -438,10 +440,11 @@ static bool has_panels(const struct lx_plan *plan)
     const unsigned *resolution = scene->screen.resolution;
     const double side_mm = scene->screen.width_mm / resolution[0] * LX_PANEL_SIDE;
     const size_t lights = surface->lights.count, all = lights + surface->shell_count;
-    return plan->precision == LUXEL_SINGLE && plan->surface_count == 1 && has_closed_shells(surface) &&
-           plan->forest.tree_count == 0 && plan->every == 1 && all > 0 && all <= LX_MOST_STORED &&
-           surface->lights.stored == lights && plan->least_maximum > 0 && resolution[0] >= LX_PANEL_SIDE &&
-           resolution[1] >= LX_PANEL_SIDE && radius_on_screen(plan) > LX_LEAST_PANELS * side_mm;
+    return plan->precision == LUXEL_SINGLE && plan->surface_count == 1 &&
+           (has_closed_shells(surface) || lx_has_smooth_highlights(surface)) && plan->forest.tree_count == 0 &&
+           plan->every == 1 && all > 0 && all <= LX_MOST_STORED && surface->lights.stored == lights &&
+           plan->least_maximum > 0 && resolution[0] >= LX_PANEL_SIDE && resolution[1] >= LX_PANEL_SIDE &&
+           radius_on_screen(plan) > LX_LEAST_PANELS * side_mm;
 }
 
 luxel_status lx_plan_make(const struct lx_prepared *prepared, const struct lx_kernels *kernels,
@@ -484,7 +487,7 @@ luxel_status lx_plan_make(const struct lx_prepared *prepared, const struct lx_ke
     plan->at_once = plan->in_single_alone && plan->surfaces->run_count == 1 && plan->surfaces->shell_count == 0 &&
                     plan->surfaces->lights.count <= LX_MOST_IN_RUN && plan->every == 1;
     plan->in_panels = status == LUXEL_OK && has_panels(plan);
-    if (plan->in_panels && lx_smooth_make(plan->surfaces, radius_on_screen(plan), &plan->smooth))
+    if (plan->in_panels && lx_smooth_make(plan->surfaces, radius_on_screen(plan), plan->tolerance, &plan->smooth))
         status = LUXEL_ERROR_MEMORY;
     return status;
 }

@@ -58,9 +58,9 @@ struct lx_planned_surface {
     struct lx_rounding_sum rounding; /* of those in float32 */
     struct lx_lobe_limits limits;
     struct lx_planned_shell *shells;
-    struct lx_sampled *glossy; /* all of them for the highlight */
+    struct lx_sampled *glossy; /* all of them, where there is a highlight */
     struct lx_sampled *matte;  /* those by laws other than 1/r^2, for the diffuse part */
-    size_t shell_count, matte_count;
+    size_t shell_count, glossy_count, matte_count;
     struct lx_lobe_single glossy_single, matte_single; /* the lobe's two parts */
     struct lx_lobe_double glossy_exact, matte_exact;
 };

@@ -154,8 +154,8 @@ static double integrate_glossy(const struct lx_plan *plan, const struct lx_plann
 {
     const struct lx_element element = element_of(surface, block, i);
     double sum = 0;
-    for (size_t s = 0; s < surface->shell_count && lx_asking_goes_on(asking); s++) {
-        const struct lx_emitter *emitter = surface->shells[s].emitter;
+    for (size_t s = 0; s < surface->glossy_count && lx_asking_goes_on(asking); s++) {
+        const struct lx_emitter *emitter = surface->glossy[s].emitter;
         if (lx_extended_touches(emitter, element.place_mm))
             continue;
         double specular =
@@ -224,7 +224,7 @@ static void light_by_highlights(const struct lx_plan *plan, const struct lx_plan
     const struct lx_sampler sampling = {
         .kernels = plan->kernels,
         .sources = surface->glossy,
-        .source_count = surface->shell_count,
+        .source_count = surface->glossy_count,
         .lobe = &surface->glossy_exact,
         .lobe_single = &surface->glossy_single,
         .tolerance = plan->tolerance,
@@ -297,7 +297,7 @@ static void light_by_shells(const struct lx_plan *plan, const struct lx_planned_
         else
             plan->kernels->light_by_shell[shell->type](shell, diffuse, &memory->seen.block, count, asking, memory->sum);
     }
-    const bool by_laws = surface->matte_count > 0 && diffuse > 0, is_glossy = surface->glossy_exact.model != LX_LAMBERT;
+    const bool by_laws = surface->matte_count > 0 && diffuse > 0, is_glossy = surface->glossy_count > 0;
     for (size_t start = 0; start < count && (by_laws || is_glossy); start += LX_LANES) {
         if (by_laws)
             light_by_laws(plan, surface, memory, start, count, asking);
@@ -438,7 +438,7 @@ static void light_surface(const struct lx_plan *plan, const struct lx_planned_su
     light_block(plan, surface, memory, elements, asking);
     if (cut)
         lx_cut_shade(plan, cut, &memory->seen.block, &memory->seen.copy, elements, asking, memory->open, memory->sum);
-    if (surface->shell_count > 0)
+    if (surface->shell_count > 0 || surface->glossy_count > 0)
         light_by_shells(plan, surface, memory, elements, asking);
 }
 

@@ -10,7 +10,8 @@
 
 /* One source for a lobe. */
 struct lx_sampled {
-    const struct lx_shell *shell;
+    const struct lx_emitter *emitter;
+    const struct lx_shell *shell; /* of it */
     enum lx_attenuation law;
     double k_mm;
     bool in_double;

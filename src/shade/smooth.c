@@ -33,6 +33,13 @@ enum { MOST_FOR_PIXELS = 4 };
  * left over a whole panel, the trouble with its quarters. */
 enum { PIXELS_A_NODE = 4, COST_OF_QUARTERS = 3000 };
 
+/* And what highlights of extended sources cost, as so many lights. */
+enum { COST_OF_HIGHLIGHTS = 200 };
+
+/* What highlights of extended sources may be off by at nodes, and their polynomials beside, both of the tolerance: the
+ * former grows by no more than the square of Lebesgue's constant, below 7.7. */
+static const double AT_NODES = 0.0625, BETWEEN_NODES = 0.25;
+
 /* What float32 may add to the error of a polynomial, of its largest value. */
 static const double ROUNDINGS = 4e-7;
 
@@ -70,31 +77,6 @@ static void make_basis(unsigned nodes, double reach, struct lx_basis *basis)
 
 /* ---- lights ---- */
 
-/* Angles of a cosine pattern end at 90 degrees, as cones do. */
-static void set_profile(const struct lx_light_double *light, struct lx_smooth_lights *lights, size_t i)
-{
-    const double none[2] = {-2, -3};
-    const bool has_cone = light->falloff != LX_NO_CONE, has_pattern = light->exponent.value > 0;
-    const double inner = lx_larger(light->inner_cosine, light->cosine);
-    lights->axis_x[i] = light->axis_x, lights->axis_y[i] = light->axis_y, lights->axis_z[i] = light->axis_z;
-    lights->inner[i] = has_cone ? lx_larger(inner, 0) : has_pattern ? 0 : none[0];
-    lights->outer[i] = has_cone ? lx_larger(light->cosine, 0) : has_pattern ? 0 : none[1];
-    lights->exponent[i] = light->exponent.value;
-    lights->is_broken[i] = light->exponent.value != floor(light->exponent.value);
-}
-
-static void set_light(const struct lx_light_double *light, struct lx_smooth_lights *lights, size_t i)
-{
-    const bool is_point = light->kind != LX_DISTANT;
-    lights->x[i] = light->x, lights->y[i] = light->y, lights->z[i] = light->z;
-    lights->moves[i] = is_point;
-    lights->gain[i] = light->gain;
-    lights->by_square[i] = is_point && light->law == LX_INVERSE_SQUARE;
-    lights->by_root[i] = is_point && light->law == LX_PRACTICAL;
-    lights->by_none[i] = !is_point || light->law == LX_NO_ATTENUATION ? 1 : light->law == LX_PRACTICAL ? light->k : 0;
-    set_profile(light, lights, i);
-}
-
 /* What a shell shines with, in front of it. */
 static double gain_of(const struct lx_planned_shell *planned, double diffuse)
 {
@@ -104,27 +86,34 @@ static double gain_of(const struct lx_planned_shell *planned, double diffuse)
     return planned->by_reference ? HUGE_VAL : diffuse * shell->radiance * area;
 }
 
-int lx_smooth_make(const struct lx_planned_surface *surface, double radius_mm, struct lx_smooth *smooth)
+/* The sources of highlights as samples at nodes take them. */
+static int make_glossy(const struct lx_planned_surface *surface, double tolerance, struct lx_smooth *smooth)
+{
+    const size_t count = surface->glossy_count;
+    smooth->glossy = lx_new_array(count, sizeof *smooth->glossy);
+    if (!smooth->glossy || lx_smooth_parts_make(surface, &smooth->parts))
+        return -1;
+    for (size_t s = 0; s < count; s++) {
+        smooth->glossy[s] = surface->glossy[s];
+        smooth->glossy[s].in_double = !lx_samples_fit_single(&surface->shape, &surface->glossy_exact,
+                                                             surface->glossy[s].shell, AT_NODES * tolerance);
+    }
+    return 0;
+}
+
+int lx_smooth_make(const struct lx_planned_surface *surface, double radius_mm, double tolerance,
+                   struct lx_smooth *smooth)
 {
     const struct lx_lights *lights = &surface->lights;
-    struct lx_smooth_lights *made = &smooth->lights;
-    double **arrays[] = {&made->x,         &made->y,       &made->z,       &made->moves,    &made->gain,
-                         &made->by_square, &made->by_root, &made->by_none, &made->axis_x,   &made->axis_y,
-                         &made->axis_z,    &made->inner,   &made->outer,   &made->exponent, &made->is_broken};
-    const size_t count = sizeof arrays / sizeof *arrays, length = lx_padded(lights->count);
-    smooth->room = lx_new_aligned(count * length + surface->shell_count, sizeof *smooth->room);
-    if (!smooth->room)
+    smooth->has_highlights = surface->glossy_count > 0;
+    smooth->count = lights->count + surface->shell_count + smooth->has_highlights;
+    smooth->radius_mm = radius_mm;
+    smooth->gains = lx_new_array(surface->shell_count, sizeof *smooth->gains);
+    if (!smooth->gains || lx_smooth_lights_make(lights, &smooth->lights) ||
+        (smooth->has_highlights && make_glossy(surface, tolerance, smooth)))
         return -1;
-    smooth->gains = smooth->room + count * length;
     for (size_t s = 0; s < surface->shell_count; s++)
         smooth->gains[s] = gain_of(&surface->shells[s], surface->lobe_exact.diffuse);
-    smooth->count = lights->count + surface->shell_count;
-    for (size_t a = 0; a < count; a++)
-        *arrays[a] = smooth->room + a * length;
-    for (size_t i = 0; i < length; i++)
-        set_light(&lights->exacts[i < lights->count ? i : lights->count - 1], made, i);
-    made->count = lights->count;
-    smooth->radius_mm = radius_mm;
     for (int b = 0; b < LX_BASES; b++)
         make_basis(BASES[b].nodes, BASES[b].reach, &smooth->bases[b]);
     return 0;
@@ -132,7 +121,10 @@ int lx_smooth_make(const struct lx_planned_surface *surface, double radius_mm, s
 
 void lx_smooth_clear(struct lx_smooth *smooth)
 {
-    free(smooth->room);
+    lx_smooth_lights_clear(&smooth->lights);
+    lx_smooth_lights_clear(&smooth->parts);
+    free(smooth->gains);
+    free(smooth->glossy);
 }
 
 /* ---- fitting ---- */
@@ -143,10 +135,17 @@ int lx_fitting_make(const struct lx_plan *plan, struct lx_fitting *fitting)
     *fitting = (struct lx_fitting){
         .is_left = lx_new_array((1 + LX_BASES) * count, 1),
         .sizes = lx_new_aligned(count, sizeof *fitting->sizes),
+        .part_sizes = lx_new_aligned(lx_padded(plan->smooth.parts.count), sizeof *fitting->part_sizes),
         .turned = lx_new_aligned(1, sizeof *fitting->turned),
         .polynomials = lx_new_aligned(1 + LX_MOST_FOLDED, sizeof *fitting->polynomials),
     };
-    if (!fitting->is_left || !fitting->sizes || !fitting->turned || !fitting->polynomials)
+    if (plan->smooth.has_highlights) {
+        const size_t size = lx_sampling_memory_size(plan->most_patches);
+        void *bytes = lx_new_aligned(1, size);
+        fitting->sampling = bytes ? lx_sampling_memory_of(bytes, plan->most_patches) : NULL;
+    }
+    if (!fitting->is_left || !fitting->sizes || !fitting->part_sizes || !fitting->turned || !fitting->polynomials ||
+        (plan->smooth.has_highlights && !fitting->sampling))
         return -1;
     *fitting->turned = (struct lx_block_double){.vx = {0}};
     for (size_t b = 0; b < LX_BASES; b++)
@@ -158,6 +157,8 @@ void lx_fitting_clear(struct lx_fitting *fitting)
 {
     free(fitting->is_left);
     free(fitting->sizes);
+    free(fitting->part_sizes);
+    free(fitting->sampling); /* which is at the beginning of its bytes */
     free(fitting->turned);
     free(fitting->polynomials);
 }
@@ -168,50 +169,73 @@ enum { NOT_TAKEN, WHOLE, FOLDED };
 struct taken {
     const struct lx_basis *basis;
     const uint8_t *how;
-    size_t count, folded;
-    double error;
-    double cost; /* HUGE_VAL where none is taken */
+    size_t weight, folded; /* a light weighs 1, highlights COST_OF_HIGHLIGHTS */
+    double error;          /* of lights */
+    double cost;           /* HUGE_VAL where none is taken */
 };
 
-/* Of so many of the lights that are left at nodes, and the others afterwards. */
+static size_t weight_of(const struct lx_smooth *smooth, size_t i)
+{
+    return smooth->has_highlights && i == lx_highlights_index(smooth) ? COST_OF_HIGHLIGHTS : 1;
+}
+
+/* Of so much of what is left at nodes, and the rest afterwards. */
 static double cost_of(const struct lx_square *square, unsigned nodes, size_t taken, size_t left)
 {
     const double further = square->side == LX_PANEL_SIDE && taken < left ? COST_OF_QUARTERS : 0;
     return (double)taken * nodes + (double)(left - taken) * (square->side * square->side / PIXELS_A_NODE) + further;
 }
 
+/* Whether polynomials of a kind do for the highlights of extended sources, which are exact to the tolerance only. */
+static bool can_take_highlights(const struct lx_plan *plan, struct lx_fitting *fitting, const struct lx_basis *basis)
+{
+    const struct lx_smooth *smooth = &plan->smooth;
+    double most = 0;
+    plan->kernels->bound_smooth(&fitting->vicinity, &smooth->parts, &plan->surfaces->glossy_exact, fitting->part_sizes);
+    for (size_t i = 0; i < smooth->parts.count; i++)
+        most += fabs(fitting->part_sizes[i]);
+    fitting->sizes[lx_highlights_index(smooth)] = most;
+    return most * basis->share <= BETWEEN_NODES * plan->tolerance * plan->least_maximum;
+}
+
 /* Takes lights as long as what they are off by together is allowed: first those that keep to a fair share. */
 static struct taken take_lights(const struct lx_plan *plan, struct lx_fitting *fitting, const struct lx_square *square,
                                 int b, double allowance, size_t left)
 {
-    const size_t count = plan->smooth.count, lights = plan->smooth.lights.count;
-    const struct lx_basis *basis = &plan->smooth.bases[b];
+    const struct lx_smooth *smooth = &plan->smooth;
+    const size_t count = smooth->count, lights = smooth->lights.count, shells = plan->surfaces->shell_count;
+    const struct lx_basis *basis = &smooth->bases[b];
     struct lx_vicinity *vicinity = &fitting->vicinity;
     uint8_t *how = fitting->how[b];
     struct taken taken = {.basis = basis, .how = how, .cost = HUGE_VAL};
     memset(how, NOT_TAKEN, count);
     if (!lx_find_vicinity(plan, square, basis, vicinity))
         return taken;
-    plan->kernels->bound_smooth(vicinity, &plan->smooth.lights, &plan->surfaces->lobe_exact, fitting->sizes);
-    for (size_t s = 0; lights + s < count; s++)
+    plan->kernels->bound_smooth(vicinity, &smooth->lights, &plan->surfaces->lobe_exact, fitting->sizes);
+    for (size_t s = 0; s < shells; s++)
         fitting->sizes[lights + s] =
-            lx_smooth_shell_bound(&plan->surfaces->shells[s].shell, plan->smooth.gains[s], vicinity);
-    for (int round = 0; round < 2 && taken.count < left; round++) {
+            lx_smooth_shell_bound(&plan->surfaces->shells[s].shell, smooth->gains[s], vicinity);
+    for (int round = 0; round < 2 && taken.weight < left; round++) {
         const double limit = round == 0 ? allowance / (double)left : HUGE_VAL;
-        for (size_t i = 0; i < count; i++) {
+        for (size_t i = 0; i < lights + shells; i++) {
             const bool is_folded = fitting->sizes[i] < 0;
             const double error = fabs(fitting->sizes[i]) * basis->share;
             if (!fitting->is_left[i] || how[i] || !(error <= limit && taken.error + error <= allowance) ||
                 (is_folded && taken.folded == LX_MOST_FOLDED))
                 continue;
             how[i] = is_folded ? FOLDED : WHOLE;
-            taken.count++;
+            taken.weight++;
             taken.folded += is_folded;
             taken.error += error;
         }
     }
-    if (taken.count > 0)
-        taken.cost = cost_of(square, basis->nodes * basis->nodes, taken.count, left);
+    if (smooth->has_highlights && fitting->is_left[lx_highlights_index(smooth)] &&
+        can_take_highlights(plan, fitting, basis)) {
+        how[lx_highlights_index(smooth)] = WHOLE;
+        taken.weight += COST_OF_HIGHLIGHTS;
+    }
+    if (taken.weight > 0)
+        taken.cost = cost_of(square, basis->nodes * basis->nodes, taken.weight, left);
     return taken;
 }
 
@@ -224,7 +248,7 @@ static struct taken choose_lights(const struct lx_plan *plan, struct lx_fitting 
                           : left < MOST_FOR_PIXELS      ? 1
                                                         : left - MOST_FOR_PIXELS + 1;
     struct taken best = {.cost = HUGE_VAL};
-    for (int b = 0; b < LX_BASES && best.count < enough; b++) {
+    for (int b = 0; b < LX_BASES && best.weight < enough; b++) {
         const unsigned nodes = BASES[b].nodes * BASES[b].nodes;
         if (half * BASES[b].least_radius >= plan->smooth.radius_mm ||
             nodes * PIXELS_A_NODE >= square->side * square->side)
@@ -285,6 +309,29 @@ static void sum_lights(const struct lx_plan *plan, const struct lx_block_double 
         if (how[surface->lights.count + s] == wanted)
             plan->kernels->light_by_shell[shell->type](shell, lobe->diffuse, block, count, asking, sum);
     }
+}
+
+/* Adds the highlights of extended sources.  False: they are not as good as they should be. */
+static bool add_highlights(const struct lx_plan *plan, struct lx_fitting *fitting, const struct lx_seen *seen,
+                           size_t count, const struct lx_asking *asking, double *sum)
+{
+    const struct lx_planned_surface *surface = plan->surfaces;
+    const struct lx_sampler sampler = {
+        .kernels = plan->kernels,
+        .sources = plan->smooth.glossy,
+        .source_count = surface->glossy_count,
+        .lobe = &surface->glossy_exact,
+        .lobe_single = &surface->glossy_single,
+        .tolerance = AT_NODES * plan->tolerance,
+        .least_maximum = plan->least_maximum,
+        .least = lx_least_of(plan->precision),
+        .most_cells = LX_MOST_CELLS,
+        .asking = asking,
+    };
+    bool is_good = true;
+    for (size_t start = 0; start < count && is_good; start += LX_LANES)
+        is_good = lx_sample_run(&sampler, fitting->sampling, &seen->block, &seen->copy, start, sum + start);
+    return is_good;
 }
 
 /* Adds the polynomial through sums at nodes; returns what it may be off by in float32. */
@@ -391,12 +438,12 @@ bool lx_smooth_fit(const struct lx_plan *plan, struct lx_fitting *fitting, struc
     const struct lx_planned_surface *surface = plan->surfaces;
     size_t left = 0;
     for (size_t i = 0; i < smooth->count; i++)
-        left += fitting->is_left[i];
+        left += fitting->is_left[i] ? weight_of(smooth, i) : 0;
     const struct taken taken = choose_lights(plan, fitting, square, *allowance, left);
     const struct lx_basis *basis = taken.basis;
     fitting->count = 0;
     memset(fitting->is_faint, 0, sizeof fitting->is_faint);
-    if (taken.count == 0)
+    if (taken.weight == 0)
         return false;
     _Alignas(64) double sum[LX_BLOCK];
     const size_t nodes = (size_t)basis->nodes * basis->nodes;
@@ -405,14 +452,17 @@ bool lx_smooth_fit(const struct lx_plan *plan, struct lx_fitting *fitting, struc
     sum_lights(plan, &seen->block, nodes, taken.how, WHOLE, &surface->lobe_exact, asking, sum);
     if (taken.folded > 0 && surface->glossy_exact.model != LX_LAMBERT)
         sum_lights(plan, &seen->block, nodes, taken.how, FOLDED, &surface->glossy_exact, asking, sum);
+    if (smooth->has_highlights && taken.how[lx_highlights_index(smooth)] &&
+        !add_highlights(plan, fitting, seen, nodes, asking, sum))
+        return false;
     const double least =
-        alone ? find_least(basis, sum, taken.error / OF_ITSELF, taken.count == left, fitting) : HUGE_VAL;
+        alone ? find_least(basis, sum, taken.error / OF_ITSELF, taken.weight == left, fitting) : HUGE_VAL;
     const bool has_digits = taken.error <= OF_ITSELF * least;
     double rounding, error = taken.error, maximum = plan->least_maximum;
     if (has_digits) {
         rounding = add_polynomial(plan, fitting, basis, square->side, sum);
         maximum = lx_larger(maximum, (double)fitting->polynomials[0].terms[0][0]);
-    } else if (uniform > 0 || taken.count < left ||
+    } else if (uniform > 0 || taken.weight < left ||
                !fit_foot(plan, fitting, basis, square->side, least, sum, &error, &rounding)) {
         return false;
     }

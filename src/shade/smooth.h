@@ -14,7 +14,8 @@
 #define LX_SHADE_SMOOTH_H
 
 #include "../base/rows.h"
-#include "lights.h"
+#include "sampling.h"
+#include "smooth_lights.h"
 #include "vicinity.h"
 
 struct lx_plan;
@@ -33,18 +34,31 @@ struct lx_basis {
 
 enum { LX_BASES = 4 };
 
-/* What a plan knows for them.  Extended sources follow the lights: the surface's first shell is light lights.count. */
+/*
+ * What a plan knows for them.  Extended sources follow the lights, for what is diffuse: the surface's first shell is
+ * light lights.count.  The highlights of all of them, where there are any, are the last light.
+ */
 struct lx_smooth {
     struct lx_basis bases[LX_BASES]; /* from the fewest nodes on */
     struct lx_smooth_lights lights;
-    double *room;     /* of the lights */
-    double *gains;    /* of the shells, as lx_smooth_shell_bound() takes them; infinite: to be summed for each pixel */
-    size_t count;     /* of both */
-    double radius_mm; /* of the surface, as it looks on the screen */
+    double *gains; /* of the shells, as lx_smooth_shell_bound() takes them; infinite: to be summed for each pixel */
+    bool has_highlights;
+    struct lx_smooth_lights parts; /* that highlights are of, */
+    struct lx_sampled *glossy;     /* and their sources, as many as the surface has */
+    size_t count;                  /* of all */
+    double radius_mm;              /* of the surface, as it looks on the screen */
 };
 
-/* Of the lights over a surface, all of which are stored, and its shells.  0, or -1 when memory ran out. */
-int lx_smooth_make(const struct lx_planned_surface *surface, double radius_mm, struct lx_smooth *smooth);
+/* Where there are highlights, which light they are. */
+static inline size_t lx_highlights_index(const struct lx_smooth *smooth)
+{
+    return smooth->count - 1;
+}
+
+/* Of the lights over a surface, all of which are stored, and its shells, whose highlights lx_has_smooth_highlights(),
+ * if they have any, and are sampled to a tolerance.  0, or -1 when memory ran out. */
+int lx_smooth_make(const struct lx_planned_surface *surface, double radius_mm, double tolerance,
+                   struct lx_smooth *smooth);
 void lx_smooth_clear(struct lx_smooth *smooth);
 
 /* Where that radius is not so many times the side of a panel polynomials seldom pay. */
@@ -57,9 +71,10 @@ enum { LX_MOST_FOLDED = 16 };
 struct lx_fitting {
     uint8_t *is_left;       /* of each light */
     uint8_t *how[LX_BASES]; /* how polynomials of each basis take each light */
-    double *sizes;
-    struct lx_block_double *turned; /* room for elements */
-    struct lx_vicinity vicinity;    /* of the square and the basis that were last */
+    double *sizes, *part_sizes;
+    struct lx_sampling_memory *sampling; /* NULL: there are no highlights to sample */
+    struct lx_block_double *turned;      /* room for elements */
+    struct lx_vicinity vicinity;         /* of the square and the basis that were last */
     /* of the square that was last: */
     struct lx_polynomial *polynomials;
     size_t count;

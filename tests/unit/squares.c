@@ -105,6 +105,45 @@ struct vector view_at(const struct lx_plan *plan, struct vector place)
     return unit(plus(observer_from(plan), -1, place));
 }
 
+struct falling falling_at(const struct lx_plan *plan, const struct lx_light_double *light, double complex x,
+                          double complex y)
+{
+    struct vector normal;
+    const struct vector place = place_at(plan, x, y, &normal);
+    const struct vector from = {light->x, light->y, light->z}, axis = {light->axis_x, light->axis_y, light->axis_z};
+    const bool is_point = light->kind != LX_DISTANT;
+    const struct vector way = plus(from, is_point ? -1 : 0, place), towards = unit(way);
+    const double complex r = csqrt(dot(way, way));
+    double complex e = light->gain;
+    if (is_point && light->law == LX_INVERSE_SQUARE)
+        e /= r * r;
+    if (is_point && light->law == LX_PRACTICAL)
+        e /= light->k + r;
+    if (light->exponent.value > 0)
+        e *= cpow(-dot(axis, towards), light->exponent.value);
+    const struct vector view = view_at(plan, place);
+    const double complex cosine = dot(normal, towards);
+    const struct vector half = unit(plus(towards, 1, view)),
+                        mirrored = plus(plus((struct vector){0, 0, 0}, -1, towards), 2 * cosine, normal);
+    const bool is_phong = plan->surfaces->lobe_exact.model == LX_PHONG;
+    return (struct falling){.e = e, .cosine = cosine, .s = is_phong ? dot(mirrored, view) : dot(normal, half)};
+}
+
+/* The brightness by such a light above the horizon, or below it where it `is_dark`. */
+static double complex light_at(const struct lx_plan *plan, const struct lx_lobe_double *lobe,
+                               const struct lx_light_double *light, bool is_dark, bool has_highlight, double complex x,
+                               double complex y)
+{
+    const struct falling falling = falling_at(plan, light, x, y);
+    double complex specular =
+        lobe->model == LX_LAMBERT || !has_highlight ? 0 : lobe->specular * cpow(falling.s, lobe->exponent.value);
+    if (lobe->highlight == LX_HIGHLIGHT_COSINE)
+        specular *= is_dark ? 0 : falling.cosine;
+    if (lobe->highlight == LX_HIGHLIGHT_GATED && is_dark)
+        specular = 0;
+    return falling.e * ((is_dark ? 0 : lobe->diffuse * falling.cosine) + specular);
+}
+
 void random_place(struct randomness *random, const struct lx_square *square, const struct lx_basis *basis,
                   double complex place[2])
 {
@@ -116,4 +155,48 @@ void random_place(struct randomness *random, const struct lx_square *square, con
     place[1 - axis] = uniform(random, -1, 1);
     place[0] = square->x_mm + square->half_mm[0] * place[0];
     place[1] = square->y_mm + square->half_mm[1] * place[1];
+}
+
+/* Whether a size holds with the highlight, of which it may be that it is not analytic, as a slip: the rest keeps to it,
+ * and what the highlight comes to in the square to that over the slip. */
+static bool is_slip(const struct lx_plan *plan, const struct lx_lobe_double *lobe, const struct lx_light_double *light,
+                    const struct lx_square *square, double size, double slip, const double complex place[2])
+{
+    bool holds = cabs(light_at(plan, lobe, light, size > 0, false, place[0], place[1])) <= fabs(size) * (1 + 1e-7);
+    for (int i = 0; holds && i < 9; i++) {
+        const double x = square->x_mm + square->half_mm[0] * (i % 3 - 1),
+                     y = square->y_mm + square->half_mm[1] * (i / 3 - 1);
+        const double complex all = light_at(plan, lobe, light, false, true, x, y),
+                             diffuse = light_at(plan, lobe, light, false, false, x, y);
+        holds = cabs(all - diffuse) * slip <= fabs(size) * (1 + 1e-7);
+    }
+    return holds;
+}
+
+/* On which side of the horizon a light is in the middle of a square; and whether there is a highlight there. */
+static bool is_below(const struct lx_plan *plan, const struct lx_light_double *light, const struct lx_vicinity *at,
+                     bool *has_highlight)
+{
+    const struct lx_lobe_double *lobe = &plan->surfaces->lobe_exact;
+    const double moves = light->kind == LX_DISTANT ? 0 : 1, *n = at->normal, *v = at->view;
+    double way[3] = {light->x - moves * at->place[0], light->y - moves * at->place[1], light->z - moves * at->place[2]};
+    const double length = sqrt(way[0] * way[0] + way[1] * way[1] + way[2] * way[2]);
+    const double height = (n[0] * way[0] + n[1] * way[1] + n[2] * way[2]) / length;
+    const double n_v = n[0] * v[0] + n[1] * v[1] + n[2] * v[2];
+    const double l_v = (way[0] * v[0] + way[1] * v[1] + way[2] * v[2]) / length;
+    *has_highlight = lobe->model == LX_PHONG ? 2 * height * n_v - l_v > 0 : height + n_v > 0;
+    return height < 0;
+}
+
+void check_size(const struct lx_plan *plan, const struct lx_lobe_double *lobe, const struct lx_light_double *light,
+                double size, const struct lx_vicinity *at, const struct lx_square *square, const struct lx_basis *basis,
+                struct randomness *random)
+{
+    bool has_highlight;
+    const bool is_dark = is_below(plan, light, at, &has_highlight) && !(size < 0);
+    double complex place[2];
+    random_place(random, square, basis, place);
+    const double value = cabs(light_at(plan, lobe, light, is_dark, has_highlight, place[0], place[1]));
+    if (!(value <= fabs(size) * (1 + 1e-7)) && !is_slip(plan, lobe, light, square, size, basis->slip, place))
+        fail_msg("light of kind %d: %g, but no more than %g was promised", (int)light->kind, value, size);
 }

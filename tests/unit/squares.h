@@ -34,8 +34,21 @@ struct vector unit(struct vector a);
 struct vector place_at(const struct lx_plan *plan, double complex x, double complex y, struct vector *normal);
 struct vector view_at(const struct lx_plan *plan, struct vector place);
 
+/* By a light all of which falls on such a place: E_perp, N.L, and what the power of the highlight is of. */
+struct falling {
+    double complex e, cosine, s;
+};
+
+struct falling falling_at(const struct lx_plan *plan, const struct lx_light_double *light, double complex x,
+                          double complex y);
+
 /* A place on the ellipse, or in it, on one axis, and in the square on the other. */
 void random_place(struct randomness *random, const struct lx_square *square, const struct lx_basis *basis,
                   double complex place[2]);
+
+/* Checks the size of a light that lx_bound_smooth() promises, finite and not 0, at such a place. */
+void check_size(const struct lx_plan *plan, const struct lx_lobe_double *lobe, const struct lx_light_double *light,
+                double size, const struct lx_vicinity *at, const struct lx_square *square, const struct lx_basis *basis,
+                struct randomness *random);
 
 #endif

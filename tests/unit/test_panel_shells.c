@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* Polynomials in place of extended sources: their bounds against the irradiance at complex places, the polynomials
- * against the reference at pixels. */
+/* Polynomials in place of extended sources: their bounds against the irradiance, and those of their highlights, at
+ * complex places, the polynomials against the reference at pixels. */
 #include <float.h>
 #include <math.h>
 #include <setjmp.h>
@@ -14,16 +14,18 @@
 #include <cmocka.h>
 
 #include "extended_sources.h"
+#include "light/extended.h"
 #include "light/facets.h"
 #include "shade/reference.h"
 #include "shade/seen.h"
 #include "shade/shell_bound.h"
 #include "squares.h"
 
-enum { SQUARES = 6 };
+/* Plans of scenes with highlights take long to make. */
+enum { SQUARES = 6, GLOSSY_SQUARES = 24 };
 
-/* One surface without a highlight under one extended source and, at times, a point. */
-static void make_scene(int i, struct test_scene *test)
+/* One surface without a highlight under one extended source, of the first so many kinds, and, at times, a point. */
+static void make_scene_of(int i, int kinds, struct test_scene *test)
 {
     struct randomness random = {.state = UINT64_C(0x9E3779B97F4A7C15) * ((uint64_t)i + 1)};
     make_random_scene(&random, i % 3 == 0, test);
@@ -40,7 +42,7 @@ static void make_scene(int i, struct test_scene *test)
     test->prepared.surface_count = 1;
     test->prepared.shadows = false;
     test->prepared.emitters.count = 1 + (size_t)(i % 4 == 0);
-    const int kind = pick(&random, SOURCES + 4); /* beyond the last: a wedge, which is not symmetric */
+    const int kind = pick(&random, kinds);
     test->lights[0] = source_of(kind < SOURCES ? kind : PRISM, center, 1000, 0);
     if (kind >= SOURCES) {
         lx_facets_free(test->lights[0].facets);
@@ -52,9 +54,36 @@ static void make_scene(int i, struct test_scene *test)
     test->scene.screen.resolution[1] *= finer;
 }
 
+/* Beyond the last kind: a wedge, which is not symmetric. */
+static void make_scene(int i, struct test_scene *test)
+{
+    make_scene_of(i, SOURCES + 4, test);
+}
+
+/* Under a flat one, with a highlight of any kind. */
+static void make_glossy_scene(int i, struct test_scene *test)
+{
+    struct randomness random = {.state = UINT64_C(0xBF58476D1CE4E5B9) * ((uint64_t)i + 1)};
+    const struct lx_material material = {
+        .model = pick(&random, 2) ? LX_BLINN_PHONG : LX_PHONG,
+        .highlight = (enum lx_highlight)(pick(&random, 2) ? LX_HIGHLIGHT_PLAIN : pick(&random, 3)),
+        .diffuse = pick(&random, 3) ? 0.5 : 0,
+        .specular = 0.5,
+        .shininess = pick(&random, 2) ? floor(logarithmic(&random, 1, 300)) : logarithmic(&random, 0.5, 100),
+    };
+    make_scene_of(i, DISK + 1, test);
+    test->surfaces[0].lobe = lx_lobe_prepare(&material);
+}
+
 static void clear_scene(struct test_scene *test)
 {
     lx_facets_free(test->lights[0].facets);
+}
+
+static int scenes_to_try(int usual)
+{
+    const char *campaign = getenv("LUXEL_TEST_SCENES");
+    return campaign ? 20 * atoi(campaign) : usual;
 }
 
 /* ---- bounds ---- */
@@ -159,7 +188,7 @@ static double complex brightness(const struct lx_plan *plan, const struct lx_vic
 }
 
 struct tally {
-    size_t bounds, dark, squares;
+    size_t bounds, dark, squares, glossy;
     double tightest;               /* the largest share of a bound that was found */
     double worst, worst_of_itself; /* what polynomials are off by */
 };
@@ -182,6 +211,128 @@ static void try_bound(struct workplace *work, const struct lx_square *square, co
         const double share = cabs(brightness(plan, &vicinity, place[0], place[1])) / bound;
         assert_true(share <= 1);
         tally->tightest = fmax(tally->tightest, share);
+    }
+}
+
+/* ---- bounds of highlights ---- */
+
+/* A part as a light that stands at one of its places. */
+static struct lx_light_double place_of_part(const struct lx_smooth_lights *parts, size_t i, struct randomness *random)
+{
+    double direction[3];
+    random_direction(random, direction);
+    const double off = parts->radius[i] * (pick(random, 2) ? 1 : uniform(random, 0, 1));
+    return (struct lx_light_double){
+        .kind = LX_PROFILED,
+        .x = parts->x[i] + off * direction[0],
+        .y = parts->y[i] + off * direction[1],
+        .z = parts->z[i] + off * direction[2],
+        .gain = parts->gain[i],
+        .law = LX_INVERSE_SQUARE,
+        .axis_x = parts->axis_x[i],
+        .axis_y = parts->axis_y[i],
+        .axis_z = parts->axis_z[i],
+        .exponent = {.value = 1, .whole = 1},
+    };
+}
+
+static size_t try_parts(struct workplace *work, const struct lx_square *square, const struct lx_basis *basis,
+                        struct randomness *random)
+{
+    enum { PLACES = 3 };
+    const struct lx_plan *plan = &work->plan;
+    const struct lx_smooth_lights *parts = &plan->smooth.parts;
+    const struct lx_lobe_double *lobe = &plan->surfaces->glossy_exact;
+    struct lx_vicinity vicinity;
+    size_t tried = 0;
+    if (!lx_find_vicinity(plan, square, basis, &vicinity))
+        return 0;
+    plan->kernels->bound_smooth(&vicinity, parts, lobe, work->fitting.part_sizes);
+    for (size_t i = 0; i < parts->count; i++) {
+        const double size = work->fitting.part_sizes[i];
+        assert_true(size == size);
+        if (!isfinite(size) || size == 0)
+            continue;
+        tried++;
+        for (int k = 0; k < PLACES; k++) {
+            const struct lx_light_double light = place_of_part(parts, i, random);
+            check_size(plan, lobe, &light, size, &vicinity, square, basis, random);
+        }
+    }
+    return tried;
+}
+
+static void bounds_of_highlights(void **state)
+{
+    (void)state;
+    size_t tried = 0;
+    for (int i = 0; i < scenes_to_try(600); i++) {
+        struct randomness random = {.state = UINT64_C(0xD1B54A32D192ED03) * ((uint64_t)i + 1)};
+        struct test_scene test;
+        struct workplace work;
+        make_glossy_scene(i, &test);
+        size_t sets = i % 10 == 0 ? SIZE_MAX : 1; /* of those that the machine has */
+        for (size_t k = 0; sets > 0 && lx_kernels_get(k); k++) {
+            if (!lx_kernels_get(k)->runs())
+                continue;
+            sets--;
+            if (open_workplace(&test, lx_kernels_get(k), &work))
+                for (int q = 0; q < GLOSSY_SQUARES; q++) {
+                    const struct lx_square square = random_square(&random, &work.plan);
+                    tried += try_parts(&work, &square, &work.plan.smooth.bases[q % LX_BASES], &random);
+                }
+            close_workplace(&work);
+        }
+        clear_scene(&test);
+    }
+    print_message("# bounds of %zu parts over squares\n", tried);
+    assert_true(tried > 50000);
+}
+
+/* Every place of a flat source is in one of its parts, and these shine with all of its area. */
+static void parts_are_the_source(void **state)
+{
+    static const double center[3] = {40, -700, 300};
+    (void)state;
+    for (int kind = RECTANGLE; kind <= DISK; kind++) {
+        struct randomness random = {.state = UINT64_C(0x94D049BB133111EB) + (uint64_t)kind};
+        struct lx_emitter emitter = source_of(kind, center, 7, 0);
+        const struct lx_shape lit = {.radius_mm = 200, .anchor_mm = {10, 20, 30}};
+        struct lx_shell shell;
+        struct lx_smooth_lights parts;
+        assert_int_equal(lx_shell_make(&emitter, &lit, NULL, &shell), LUXEL_OK);
+        struct lx_sampled source = {.emitter = &emitter, .shell = &shell, .law = LX_INVERSE_SQUARE};
+        const struct lx_planned_surface surface = {.shape = lit, .glossy = &source, .glossy_count = 1};
+        const bool is_smooth = lx_has_smooth_highlights(&surface);
+        assert_true(is_smooth == (lx_patch_limit(&shell) <= 64));
+        assert_int_equal(lx_smooth_parts_make(&surface, &parts), 0);
+        double gain = 0;
+        for (size_t i = 0; i < parts.count; i++)
+            gain += parts.gain[i];
+        assert_true(fabs(gain / (7 * lx_extended_area_mm2(&emitter).value) - 1) < 1e-9);
+        const struct lx_around everywhere = {.radius = HUGE_VAL};
+        struct lx_patch *patches = calloc(lx_patch_limit(&shell), sizeof *patches);
+        assert_non_null(patches);
+        const size_t count = lx_patches_make(&shell, &everywhere, NULL, patches);
+        for (int k = 0; k < 2000; k++) {
+            const struct lx_patch *patch = &patches[pick(&random, (int)count)];
+            struct lx_samples_double samples;
+            lx_cell_samples(patch, &(struct lx_cell){uniform(&random, 0, 1), uniform(&random, 0, 1), 0, 0}, 1, 1, 0,
+                            &samples);
+            bool is_in_one = false;
+            for (size_t i = 0; i < parts.count && !is_in_one; i++) {
+                const double x = samples.x[0] - parts.x[i], y = samples.y[0] - parts.y[i],
+                             z = samples.z[0] - parts.z[i];
+                const double cosine =
+                    parts.axis_x[i] * patch->n[0] + parts.axis_y[i] * patch->n[1] + parts.axis_z[i] * patch->n[2];
+                is_in_one = cosine > 1 - 1e-12 && sqrt(x * x + y * y + z * z) <= parts.radius[i] * (1 + 1e-12);
+            }
+            assert_true(is_in_one);
+        }
+        free(patches);
+        lx_smooth_lights_clear(&parts);
+        lx_shell_clear(&shell);
+        lx_facets_free(emitter.facets);
     }
 }
 
@@ -214,16 +365,19 @@ static double exact_value(const struct test_scene *test, const struct workplace 
     assert_true(lx_element_seen(&test->prepared, x, y, &element));
     for (size_t i = 0; i < test->prepared.emitters.count; i++) {
         const size_t lights = work->plan.smooth.lights.count, light = i == 0 ? lights : 0;
+        const struct lx_lighting lighting = lx_light_element(&test->prepared, &element, &test->lights[i]);
         if (test->lights[i].type == LX_UNIFORM || !work->fitting.is_left[light])
-            sum += lx_light_element(&test->prepared, &element, &test->lights[i]).diffuse.value;
+            sum += lighting.diffuse.value + (i > 0 ? lighting.specular.value : 0);
+        if (i == 0 && work->plan.smooth.has_highlights &&
+            !work->fitting.is_left[lx_highlights_index(&work->plan.smooth)])
+            sum += lighting.specular.value;
     }
     return sum;
 }
 
 static void try_square(const struct test_scene *test, struct workplace *work, const struct lx_square *square,
-                       struct randomness *random, struct tally *tally)
+                       int pixels, struct randomness *random, struct tally *tally)
 {
-    enum { PIXELS = 8 };
     const struct lx_plan *plan = &work->plan;
     float values[LX_PANEL_SIDE * LX_PANEL_SIDE];
     double allowance = 8e-7 * plan->least_maximum;
@@ -235,7 +389,8 @@ static void try_square(const struct test_scene *test, struct workplace *work, co
         plan->kernels->spread_polynomial(&work->fitting.polynomials[i], square->side, square->side, i > 0, values,
                                          LX_PANEL_SIDE);
     tally->squares++;
-    for (int k = 0; k < PIXELS; k++) {
+    tally->glossy += plan->smooth.has_highlights && !work->fitting.is_left[lx_highlights_index(&plan->smooth)];
+    for (int k = 0; k < pixels; k++) {
         const int column = pick(random, (int)square->side), row = pick(random, (int)square->side);
         const double t = (2 * column + 1) / (double)square->side - 1, u = (2 * row + 1) / (double)square->side - 1;
         const double value = (double)values[row * LX_PANEL_SIDE + column];
@@ -251,13 +406,11 @@ static void try_square(const struct test_scene *test, struct workplace *work, co
 static void squares(void **state)
 {
     (void)state;
-    const char *campaign = getenv("LUXEL_TEST_SCENES");
-    const int scenes = campaign ? 20 * atoi(campaign) : 3000;
     for (size_t k = 0; lx_kernels_get(k); k++) {
         struct tally tally = {0};
         if (!lx_kernels_get(k)->runs())
             continue;
-        for (int i = 0; i < scenes; i++) {
+        for (int i = 0; i < scenes_to_try(3000); i++) {
             struct randomness random = {.state = UINT64_C(0xD1B54A32D192ED03) * ((uint64_t)i + 1)};
             struct test_scene test;
             struct workplace work;
@@ -267,7 +420,7 @@ static void squares(void **state)
                     const struct lx_square square = random_square(&random, &work.plan);
                     if (k == 0)
                         try_bound(&work, &square, &work.plan.smooth.bases[q % LX_BASES], &random, &tally);
-                    try_square(&test, &work, &square, &random, &tally);
+                    try_square(&test, &work, &square, 8, &random, &tally);
                 }
             close_workplace(&work);
             clear_scene(&test);
@@ -281,11 +434,41 @@ static void squares(void **state)
     }
 }
 
+/* Highlights are as good as the tolerance asks, of the maximum. */
+static void glossy_squares(void **state)
+{
+    (void)state;
+    for (size_t k = 0; lx_kernels_get(k); k++) {
+        struct tally tally = {0};
+        if (!lx_kernels_get(k)->runs())
+            continue;
+        for (int i = 0; i < scenes_to_try(200); i++) {
+            struct randomness random = {.state = UINT64_C(0xD1B54A32D192ED03) * ((uint64_t)i + 1)};
+            struct test_scene test;
+            struct workplace work;
+            make_glossy_scene(i, &test);
+            if (open_workplace(&test, lx_kernels_get(k), &work))
+                for (int q = 0; q < GLOSSY_SQUARES; q++) {
+                    const struct lx_square square = random_square(&random, &work.plan);
+                    try_square(&test, &work, &square, 2, &random, &tally);
+                }
+            close_workplace(&work);
+            clear_scene(&test);
+        }
+        print_message("# %s: %zu squares, %zu with highlights, off by %.2g of the maximum\n", lx_kernels_get(k)->name,
+                      tally.squares, tally.glossy, tally.worst);
+        assert_true(tally.glossy > 50 && tally.worst <= 1e-3);
+    }
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(disks),
         cmocka_unit_test(squares),
+        cmocka_unit_test(parts_are_the_source),
+        cmocka_unit_test(bounds_of_highlights),
+        cmocka_unit_test(glossy_squares),
     };
     return cmocka_run_group_tests_name("panel shells", tests, NULL, NULL);
 }

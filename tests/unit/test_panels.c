@@ -71,82 +71,7 @@ static void make_scene(int i, struct test_scene *test)
     test->scene.screen.resolution[1] *= finer;
 }
 
-/* ---- the brightness at complex places ---- */
-
-/* By a light all of which falls on the place: E_perp, N.L, and what the power of the highlight is of. */
-struct falling {
-    double complex e, cosine, s;
-};
-
-static struct falling falling_at(const struct lx_plan *plan, const struct lx_light_double *light, double complex x,
-                                 double complex y)
-{
-    struct vector normal;
-    const struct vector place = place_at(plan, x, y, &normal);
-    const struct vector from = {light->x, light->y, light->z}, axis = {light->axis_x, light->axis_y, light->axis_z};
-    const bool is_point = light->kind != LX_DISTANT;
-    const struct vector way = plus(from, is_point ? -1 : 0, place), towards = unit(way);
-    const double complex r = csqrt(dot(way, way));
-    double complex e = light->gain;
-    if (is_point && light->law == LX_INVERSE_SQUARE)
-        e /= r * r;
-    if (is_point && light->law == LX_PRACTICAL)
-        e /= light->k + r;
-    if (light->exponent.value > 0)
-        e *= cpow(-dot(axis, towards), light->exponent.value);
-    const struct vector view = view_at(plan, place);
-    const double complex cosine = dot(normal, towards);
-    const struct vector half = unit(plus(towards, 1, view)),
-                        mirrored = plus(plus((struct vector){0, 0, 0}, -1, towards), 2 * cosine, normal);
-    const bool is_phong = plan->surfaces->lobe_exact.model == LX_PHONG;
-    return (struct falling){.e = e, .cosine = cosine, .s = is_phong ? dot(mirrored, view) : dot(normal, half)};
-}
-
-/* By such a light above the horizon, or below it where it `is_dark`. */
-static double complex brightness(const struct lx_plan *plan, const struct lx_light_double *light, bool is_dark,
-                                 bool has_highlight, double complex x, double complex y)
-{
-    const struct lx_lobe_double *lobe = &plan->surfaces->lobe_exact;
-    const struct falling falling = falling_at(plan, light, x, y);
-    double complex specular =
-        lobe->model == LX_LAMBERT || !has_highlight ? 0 : lobe->specular * cpow(falling.s, lobe->exponent.value);
-    if (lobe->highlight == LX_HIGHLIGHT_COSINE)
-        specular *= is_dark ? 0 : falling.cosine;
-    if (lobe->highlight == LX_HIGHLIGHT_GATED && is_dark)
-        specular = 0;
-    return falling.e * ((is_dark ? 0 : lobe->diffuse * falling.cosine) + specular);
-}
-
-/* Whether a size holds with the highlight, of which it may be that it is not analytic, as a slip: the rest keeps to it,
- * and what the highlight comes to in the square to that over the slip. */
-static bool is_slip(const struct lx_plan *plan, const struct lx_light_double *light, const struct lx_square *square,
-                    double size, double slip, const double complex place[2])
-{
-    bool holds = cabs(brightness(plan, light, size > 0, false, place[0], place[1])) <= fabs(size) * (1 + 1e-7);
-    for (int i = 0; holds && i < 9; i++) {
-        const double x = square->x_mm + square->half_mm[0] * (i % 3 - 1),
-                     y = square->y_mm + square->half_mm[1] * (i / 3 - 1);
-        const double complex all = brightness(plan, light, false, true, x, y),
-                             diffuse = brightness(plan, light, false, false, x, y);
-        holds = cabs(all - diffuse) * slip <= fabs(size) * (1 + 1e-7);
-    }
-    return holds;
-}
-
-/* On which side of the horizon a light is in the middle of a square; and whether there is a highlight there. */
-static bool is_below(const struct lx_plan *plan, const struct lx_light_double *light, const struct lx_vicinity *at,
-                     bool *has_highlight)
-{
-    const struct lx_lobe_double *lobe = &plan->surfaces->lobe_exact;
-    const double moves = light->kind == LX_DISTANT ? 0 : 1, *n = at->normal, *v = at->view;
-    double way[3] = {light->x - moves * at->place[0], light->y - moves * at->place[1], light->z - moves * at->place[2]};
-    const double length = sqrt(way[0] * way[0] + way[1] * way[1] + way[2] * way[2]);
-    const double height = (n[0] * way[0] + n[1] * way[1] + n[2] * way[2]) / length;
-    const double n_v = n[0] * v[0] + n[1] * v[1] + n[2] * v[2];
-    const double l_v = (way[0] * v[0] + way[1] * v[1] + way[2] * v[2]) / length;
-    *has_highlight = lobe->model == LX_PHONG ? 2 * height * n_v - l_v > 0 : height + n_v > 0;
-    return height < 0;
-}
+/* ---- bounds at complex places ---- */
 
 /* Whether a vector at a complex place, or within the square, is as near to the one in its middle as was said. */
 static bool keeps_to(struct vector v, const double middle[3], const struct lx_leeway *leeway, bool is_in_square)
@@ -192,21 +117,13 @@ static size_t try_bounds(struct workplace *work, const struct lx_square *square,
     plan->kernels->bound_smooth(&vicinity, &plan->smooth.lights, &plan->surfaces->lobe_exact, work->fitting.sizes);
     for (size_t i = 0; i < count; i++) {
         const double size = work->fitting.sizes[i];
-        const struct lx_light_double *light = &plan->surfaces->lights.exacts[i];
-        bool has_highlight;
-        const bool is_dark = is_below(plan, light, &vicinity, &has_highlight) && !(size < 0);
         assert_true(size == size);
         if (!isfinite(size) || size == 0)
             continue;
         tried++;
-        for (int k = 0; k < PLACES; k++) {
-            double complex place[2];
-            random_place(random, square, basis, place);
-            const double value = cabs(brightness(plan, light, is_dark, has_highlight, place[0], place[1]));
-            if (!(value <= fabs(size) * (1 + 1e-7)) && !is_slip(plan, light, square, size, basis->slip, place))
-                fail_msg("light %zu of kind %d: %g, but no more than %g was promised", i, (int)light->kind, value,
-                         size);
-        }
+        for (int k = 0; k < PLACES; k++)
+            check_size(plan, &plan->surfaces->lobe_exact, &plan->surfaces->lights.exacts[i], size, &vicinity, square,
+                       basis, random);
     }
     return tried;
 }
