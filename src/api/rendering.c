@@ -68,9 +68,17 @@ struct lx_piece {
     unsigned shown[LX_PANEL_SIDE];
 };
 
-static unsigned pieces_across(const struct luxel_field *field)
+/* How many panels side by side are a piece: as many as have pixels in a block together, but where there are highlights
+ * of extended sources, which stay within a panel and take longest where they are left to pixels, each on its own. */
+static unsigned panels_of_piece(const struct lx_plan *plan)
 {
-    return (field->columns + LX_BLOCK - 1) / LX_BLOCK;
+    return plan->smooth.has_highlights ? 1 : LX_BLOCK / LX_PANEL_SIDE;
+}
+
+static unsigned pieces_across(const struct lx_rendering *rendering)
+{
+    const unsigned width = panels_of_piece(rendering->plan) * LX_PANEL_SIDE;
+    return (rendering->field->columns + width - 1) / width;
 }
 
 static unsigned panel_rows_of(const struct lx_strip *strip)
@@ -92,11 +100,12 @@ static void render_piece(void *data, unsigned worker, bool is_caller, unsigned p
         .mask = strip->mask,
         .stride = field->columns,
     };
-    const unsigned across = pieces_across(field), down = piece / across * LX_PANEL_SIDE, left = strip->rows - down;
+    const unsigned panels = panels_of_piece(rendering->plan);
+    const unsigned across = pieces_across(rendering), down = piece / across * LX_PANEL_SIDE, left = strip->rows - down;
     const unsigned first = strip->first + down, rows = left < LX_PANEL_SIDE ? left : LX_PANEL_SIDE;
     (void)next;
     lx_shade_panels(rendering->plan, rendering->panels[worker], rendering->memories[worker], &rendering->control,
-                    is_caller, &canvas, first, piece % across * LX_BLOCK, LX_BLOCK / LX_PANEL_SIDE,
+                    is_caller, &canvas, first, piece % across * panels * LX_PANEL_SIDE, panels,
                     rendering->pieces[piece].shown);
     if (atomic_fetch_sub(&rendering->panel_rows[piece / across].left, 1) > 1)
         return;
@@ -217,7 +226,7 @@ static luxel_status make_memories(struct lx_rendering *rendering, bool is_quick_
     if (rendering->plan->in_panels && !is_quick_look) {
         rendering->panels = lx_new_array(rendering->threads, sizeof *rendering->panels);
         rendering->panel_rows = lx_new_array(rows, sizeof *rendering->panel_rows);
-        rendering->pieces = lx_new_array((size_t)rows * pieces_across(rendering->field), sizeof *rendering->pieces);
+        rendering->pieces = lx_new_array((size_t)rows * pieces_across(rendering), sizeof *rendering->pieces);
         complete = complete && rendering->panels && rendering->panel_rows && rendering->pieces;
     }
     for (unsigned i = 0; complete && i < rendering->threads; i++) {
@@ -285,9 +294,9 @@ static struct lx_rows_part part_of(struct lx_rendering *rendering)
     if (!rendering->panels)
         return part;
     part.first = 0;
-    part.last = panel_rows_of(strip) * pieces_across(rendering->field);
+    part.last = panel_rows_of(strip) * pieces_across(rendering);
     for (unsigned i = 0; i < panel_rows_of(strip); i++)
-        atomic_init(&rendering->panel_rows[i].left, pieces_across(rendering->field));
+        atomic_init(&rendering->panel_rows[i].left, pieces_across(rendering));
     part.tile_rows = 1;
     part.counts_itself = true;
     part.work = render_piece;

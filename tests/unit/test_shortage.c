@@ -433,6 +433,34 @@ static void rendering_to_files(void **state)
     luxel_scene_free(scene);
 }
 
+/* A picture that is shaded by panels, under a lamp with a highlight. */
+static void rendering_in_panels(void **state)
+{
+    (void)state;
+    luxel_scene *scene;
+    luxel_settings settings;
+    assert_int_equal(load("luxel: 1\n"
+                          "screen: {width: 200, height: 50, resolution: [256, 64]}\n"
+                          "observer: {z: 3000}\n"
+                          "surfaces: [{type: sphere, center: [0, 0, 500], radius: 400}]\n"
+                          "lights:\n"
+                          "  - {type: point, position: [900, 300, 1700], intensity: 2}\n"
+                          "  - {type: planar, radiance: 8, disk: {center: [0, 600, 1900], radius: 100}}\n",
+                          NULL, &scene),
+                     LUXEL_OK);
+    luxel_settings_init(&settings);
+    settings.threads = 1;
+    for (long i = 0; i == 0 || shortage_met(); i++) {
+        luxel_field *field = NULL;
+        shortage_begin(i);
+        luxel_status status = luxel_render(scene, &settings, NULL, &field);
+        shortage_end();
+        assert_true(shortage_met() ? status == LUXEL_ERROR_MEMORY : status == LUXEL_OK && field != NULL);
+        luxel_field_free(field);
+    }
+    luxel_scene_free(scene);
+}
+
 /* Points that are clustered, by a law and a pattern, with another surface in the way. */
 static void clustering(void **state)
 {
@@ -465,6 +493,7 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(clustering),
+        cmocka_unit_test(rendering_in_panels),
         cmocka_unit_test(loading),
         cmocka_unit_test(loading_lights_of_some_size),
         cmocka_unit_test(setting),
