@@ -79,6 +79,7 @@ struct run {
     struct lx_viewers viewers;
     double known[LX_LANES], value[LX_LANES], error[LX_LANES]; /* error: of cells that are still looked at */
     double kept[LX_LANES];                                    /* value of those that are not */
+    double sure[LX_LANES], kept_sure[LX_LANES];               /* what all cells, and these, give at least */
     double peak[LX_LANES];                                    /* the most that value and error have been */
     double dropped, settled; /* error of those that never were and those that are no more */
     size_t steps;
@@ -115,7 +116,7 @@ static double allowed(const struct run *run)
 {
     double greatest = run->sampling->least_maximum;
     for (int i = 0; i < LX_LANES; i++)
-        greatest = lx_larger(greatest, run->known[i] + run->value[i] - run->error[i]);
+        greatest = lx_larger(greatest, run->known[i] + run->sure[i]);
     return lx_larger(run->sampling->tolerance * greatest, run->sampling->least);
 }
 
@@ -210,6 +211,12 @@ static double difference_of(const struct cell *cell, int lane)
     return lx_larger(fabs(fine_of(cell, lane) - cell->coarse[lane]), cell->doubt[lane]);
 }
 
+/* What it gives at least, be it that other cells are not known at all yet. */
+static double sure_of(const struct cell *cell, int lane)
+{
+    return lx_larger(fine_of(cell, lane) - difference_of(cell, lane), 0);
+}
+
 /* Takes a cell whose rules have been applied into the list, or only into the sums where it hardly matters. */
 static void enlist(struct run *run, const struct cell *cell)
 {
@@ -217,6 +224,7 @@ static void enlist(struct run *run, const struct cell *cell)
     double worst = 0;
     for (int i = 0; i < LX_LANES; i++) {
         run->value[i] += fine_of(cell, i);
+        run->sure[i] += sure_of(cell, i);
         worst = lx_larger(worst, difference_of(cell, i));
     }
     const double limit = SETTLED * allowed(run);
@@ -224,6 +232,7 @@ static void enlist(struct run *run, const struct cell *cell)
     const bool is_settled = is_full || (run->settled + worst <= limit && worst <= limit / 64);
     for (int i = 0; i < LX_LANES; i++) {
         run->kept[i] += is_settled ? fine_of(cell, i) : 0;
+        run->kept_sure[i] += is_settled ? sure_of(cell, i) : 0;
         run->error[i] += is_settled ? 0 : difference_of(cell, i);
         run->peak[i] = lx_larger(run->peak[i], run->value[i] + run->error[i]);
     }
@@ -246,9 +255,11 @@ static void refresh_sums(struct run *run)
     for (int i = 0; i < LX_LANES && is_worn; i++) {
         run->value[i] = run->kept[i];
         run->error[i] = 0;
+        run->sure[i] = run->kept_sure[i];
         for (size_t c = 0; c < memory->cell_count; c++) {
             run->value[i] += fine_of(&memory->cells[c], i);
             run->error[i] += difference_of(&memory->cells[c], i);
+            run->sure[i] += sure_of(&memory->cells[c], i);
         }
         run->peak[i] = run->value[i] + run->error[i];
     }
@@ -265,6 +276,7 @@ static struct cell delist(struct run *run, size_t index)
     for (int i = 0; i < LX_LANES; i++) {
         run->value[i] -= fine_of(&cell, i);
         run->error[i] -= difference_of(&cell, i);
+        run->sure[i] -= sure_of(&cell, i);
     }
     refresh_sums(run);
     return cell;
