@@ -69,7 +69,8 @@ struct lx_piece {
 };
 
 /* How many panels side by side are a piece: as many as have pixels in a block together, but where there are highlights
- * of extended sources, which stay within a panel and take longest where they are left to pixels, each on its own. */
+ * of extended sources one.  Runs of elements have their samples in common, which must not depend on what stands beside
+ * the panel that a probe looks at; and where highlights are left to pixels one panel is work enough. */
 static unsigned panels_of_piece(const struct lx_plan *plan)
 {
     return plan->smooth.has_highlights ? 1 : LX_BLOCK / LX_PANEL_SIDE;

@@ -233,15 +233,13 @@ static void shade_panel(const struct job *job, unsigned row, unsigned column, bo
     }
 }
 
-/* Shades the plain quarters among panels side by side: those that follow each other at once, unless there are
- * highlights, of which runs of elements have samples in common, whatever stands beside a quarter. */
+/* Shades the plain quarters among panels side by side. */
 static void shade_plain(const struct job *job, unsigned row, unsigned column, bool (*is_plain)[QUARTERS])
 {
     for (unsigned half = 0; half < 2; half++)
         for (unsigned q = 0, next; q < 2 * SIDE_BY_SIDE && goes_on(job); q = next) {
             const bool first = is_plain[q / 2][2 * half + q % 2];
-            const unsigned end_of_run = job->plan->smooth.has_highlights ? q + 1 : 2 * SIDE_BY_SIDE;
-            for (next = q + 1; next < end_of_run && is_plain[next / 2][2 * half + next % 2] == first;)
+            for (next = q + 1; next < 2 * SIDE_BY_SIDE && is_plain[next / 2][2 * half + next % 2] == first;)
                 next++;
             struct part part = part_of(job, row + half * HALF_SIDE, column + q * HALF_SIDE, HALF_SIDE);
             const struct part end = part_of(job, row + half * HALF_SIDE, column + (next - 1) * HALF_SIDE, HALF_SIDE);
