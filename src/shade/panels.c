@@ -120,7 +120,7 @@ static bool fit_square(const struct job *job, unsigned row, unsigned column, uns
     const struct part part = part_of(job, row, column, side);
     const double uniform = has_some ? 0 : plan->surfaces->uniform;
     const struct lx_asking asking = {.control = job->control, .is_caller = job->is_caller};
-    if (!lx_smooth_fit(plan, fitting, lx_shader_seen(job->shader), &square, uniform, !has_some, &asking, allowance))
+    if (!lx_smooth_fit(plan, fitting, job->shader, &square, uniform, !has_some, &asking, allowance))
         return false;
     for (size_t i = 0; i < fitting->count; i++)
         plan->kernels->spread_polynomial(&fitting->polynomials[i], part.rows, part.columns, has_some || i > 0,

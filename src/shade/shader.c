@@ -67,6 +67,11 @@ struct lx_seen *lx_shader_seen(struct lx_shader_memory *memory)
     return &memory->seen;
 }
 
+struct lx_sampling_memory *lx_shader_sampling(struct lx_shader_memory *memory)
+{
+    return memory->sampling;
+}
+
 static const float *find_open(const struct lx_plan *plan, const struct lx_planned_surface *surface,
                               const struct lx_light_run *run, const struct lx_light_double *light,
                               struct lx_shader_memory *memory, size_t count)

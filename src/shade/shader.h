@@ -16,6 +16,8 @@ void lx_shader_memory_free(struct lx_shader_memory *memory);
 
 /* What it sees of a run of pixels, for whoever needs such room while no row is shaded. */
 struct lx_seen *lx_shader_seen(struct lx_shader_memory *memory);
+/* And what it samples highlights with; NULL where the plan has no extended sources. */
+struct lx_sampling_memory *lx_shader_sampling(struct lx_shader_memory *memory);
 
 /*
  * The rows and columns of a tile of a picture that is so many columns wide; they begin at multiples of these.  For its

@@ -11,6 +11,7 @@
 #include "../base/memory.h"
 #include "../light/extended.h"
 #include "seen.h"
+#include "shader.h"
 #include "shell_bound.h"
 
 /*
@@ -139,13 +140,7 @@ int lx_fitting_make(const struct lx_plan *plan, struct lx_fitting *fitting)
         .turned = lx_new_aligned(1, sizeof *fitting->turned),
         .polynomials = lx_new_aligned(1 + LX_MOST_FOLDED, sizeof *fitting->polynomials),
     };
-    if (plan->smooth.has_highlights) {
-        const size_t size = lx_sampling_memory_size(plan->most_patches);
-        void *bytes = lx_new_aligned(1, size);
-        fitting->sampling = bytes ? lx_sampling_memory_of(bytes, plan->most_patches) : NULL;
-    }
-    if (!fitting->is_left || !fitting->sizes || !fitting->part_sizes || !fitting->turned || !fitting->polynomials ||
-        (plan->smooth.has_highlights && !fitting->sampling))
+    if (!fitting->is_left || !fitting->sizes || !fitting->part_sizes || !fitting->turned || !fitting->polynomials)
         return -1;
     *fitting->turned = (struct lx_block_double){.vx = {0}};
     for (size_t b = 0; b < LX_BASES; b++)
@@ -158,7 +153,6 @@ void lx_fitting_clear(struct lx_fitting *fitting)
     free(fitting->is_left);
     free(fitting->sizes);
     free(fitting->part_sizes);
-    free(fitting->sampling); /* which is at the beginning of its bytes */
     free(fitting->turned);
     free(fitting->polynomials);
 }
@@ -312,9 +306,10 @@ static void sum_lights(const struct lx_plan *plan, const struct lx_block_double 
 }
 
 /* Adds the highlights of extended sources.  False: they are not as good as they should be. */
-static bool add_highlights(const struct lx_plan *plan, struct lx_fitting *fitting, const struct lx_seen *seen,
-                           size_t count, const struct lx_asking *asking, double *sum)
+static bool add_highlights(const struct lx_plan *plan, struct lx_shader_memory *shader, size_t count,
+                           const struct lx_asking *asking, double *sum)
 {
+    const struct lx_seen *seen = lx_shader_seen(shader);
     const struct lx_planned_surface *surface = plan->surfaces;
     const struct lx_sampler sampler = {
         .kernels = plan->kernels,
@@ -330,7 +325,7 @@ static bool add_highlights(const struct lx_plan *plan, struct lx_fitting *fittin
     };
     bool is_good = true;
     for (size_t start = 0; start < count && is_good; start += LX_LANES)
-        is_good = lx_sample_run(&sampler, fitting->sampling, &seen->block, &seen->copy, start, sum + start);
+        is_good = lx_sample_run(&sampler, lx_shader_sampling(shader), &seen->block, &seen->copy, start, sum + start);
     return is_good;
 }
 
@@ -430,12 +425,13 @@ static bool fit_foot(const struct lx_plan *plan, struct lx_fitting *fitting, con
     return n * (off + rounded + (double)FLT_EPSILON * lowest) <= OF_ITSELF * lowest;
 }
 
-bool lx_smooth_fit(const struct lx_plan *plan, struct lx_fitting *fitting, struct lx_seen *seen,
+bool lx_smooth_fit(const struct lx_plan *plan, struct lx_fitting *fitting, struct lx_shader_memory *shader,
                    const struct lx_square *square, double uniform, bool alone, const struct lx_asking *asking,
                    double *allowance)
 {
     const struct lx_smooth *smooth = &plan->smooth;
     const struct lx_planned_surface *surface = plan->surfaces;
+    struct lx_seen *seen = lx_shader_seen(shader);
     size_t left = 0;
     for (size_t i = 0; i < smooth->count; i++)
         left += fitting->is_left[i] ? weight_of(smooth, i) : 0;
@@ -453,7 +449,7 @@ bool lx_smooth_fit(const struct lx_plan *plan, struct lx_fitting *fitting, struc
     if (taken.folded > 0 && surface->glossy_exact.model != LX_LAMBERT)
         sum_lights(plan, &seen->block, nodes, taken.how, FOLDED, &surface->glossy_exact, asking, sum);
     if (smooth->has_highlights && taken.how[lx_highlights_index(smooth)] &&
-        !add_highlights(plan, fitting, seen, nodes, asking, sum))
+        !add_highlights(plan, shader, nodes, asking, sum))
         return false;
     const double least =
         alone ? find_least(basis, sum, taken.error / OF_ITSELF, taken.weight == left, fitting) : HUGE_VAL;

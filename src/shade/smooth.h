@@ -20,7 +20,7 @@
 
 struct lx_plan;
 struct lx_planned_surface;
-struct lx_seen;
+struct lx_shader_memory;
 
 /* Polynomials through so many nodes on each axis. */
 struct lx_basis {
@@ -72,9 +72,8 @@ struct lx_fitting {
     uint8_t *is_left;       /* of each light */
     uint8_t *how[LX_BASES]; /* how polynomials of each basis take each light */
     double *sizes, *part_sizes;
-    struct lx_sampling_memory *sampling; /* NULL: there are no highlights to sample */
-    struct lx_block_double *turned;      /* room for elements */
-    struct lx_vicinity vicinity;         /* of the square and the basis that were last */
+    struct lx_block_double *turned; /* room for elements */
+    struct lx_vicinity vicinity;    /* of the square and the basis that were last */
     /* of the square that was last: */
     struct lx_polynomial *polynomials;
     size_t count;
@@ -89,10 +88,10 @@ void lx_fitting_clear(struct lx_fitting *fitting);
  * together, which is lessened by what they are.  The first one is `uniform` and the brightness by these lights; the
  * others, where they are above 0, are to be added to it.  Where they are `alone` in the picture they are good to a
  * small share of the least brightness, too; the foot of a highlight that is all there is comes as a power.  False:
- * there are none.  The elements in `seen` are lost.  Where the work is to stop the call returns early with polynomials
+ * there are none.  The elements that the shader has seen are lost.  Where the work is to stop the call returns early with polynomials
  * that mean nothing.
  */
-bool lx_smooth_fit(const struct lx_plan *plan, struct lx_fitting *fitting, struct lx_seen *seen,
+bool lx_smooth_fit(const struct lx_plan *plan, struct lx_fitting *fitting, struct lx_shader_memory *shader,
                    const struct lx_square *square, double uniform, bool alone, const struct lx_asking *asking,
                    double *allowance);
 

@@ -429,8 +429,7 @@ static void try_square(const struct test_scene *test, struct workplace *work, co
     float values[LX_PANEL_SIDE * LX_PANEL_SIDE];
     double allowance = 8e-7 * plan->least_maximum;
     memset(work->fitting.is_left, 1, plan->smooth.count);
-    if (!lx_smooth_fit(plan, &work->fitting, lx_shader_seen(work->shader), square, plan->surfaces->uniform, true, NULL,
-                       &allowance))
+    if (!lx_smooth_fit(plan, &work->fitting, work->shader, square, plan->surfaces->uniform, true, NULL, &allowance))
         return;
     for (size_t i = 0; i < work->fitting.count; i++)
         plan->kernels->spread_polynomial(&work->fitting.polynomials[i], square->side, square->side, i > 0, values,

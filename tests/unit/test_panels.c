@@ -279,8 +279,7 @@ static void try_square(const struct test_scene *test, struct workplace *work, st
     double allowance = allowed;
     memset(work->fitting.is_left, 1, plan->smooth.lights.count);
     leave_rubbish(&lx_shader_seen(work->shader)->block);
-    if (!lx_smooth_fit(plan, &work->fitting, lx_shader_seen(work->shader), &square, plan->surfaces->uniform, true, NULL,
-                       &allowance))
+    if (!lx_smooth_fit(plan, &work->fitting, work->shader, &square, plan->surfaces->uniform, true, NULL, &allowance))
         return;
     assert_true(allowance >= 0 && allowance <= allowed);
     for (size_t i = 0; i < work->fitting.count; i++)
