@@ -88,8 +88,8 @@ void lx_fitting_clear(struct lx_fitting *fitting);
  * together, which is lessened by what they are.  The first one is `uniform` and the brightness by these lights; the
  * others, where they are above 0, are to be added to it.  Where they are `alone` in the picture they are good to a
  * small share of the least brightness, too; the foot of a highlight that is all there is comes as a power.  False:
- * there are none.  The elements that the shader has seen are lost.  Where the work is to stop the call returns early with polynomials
- * that mean nothing.
+ * there are none.  The elements that the shader has seen are lost.  Where the work is to stop the call returns early
+ * with polynomials that mean nothing.
  */
 bool lx_smooth_fit(const struct lx_plan *plan, struct lx_fitting *fitting, struct lx_shader_memory *shader,
                    const struct lx_square *square, double uniform, bool alone, const struct lx_asking *asking,
