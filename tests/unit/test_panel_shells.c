@@ -66,7 +66,7 @@ static void make_glossy_scene(int i, struct test_scene *test)
     struct randomness random = {.state = UINT64_C(0xBF58476D1CE4E5B9) * ((uint64_t)i + 1)};
     const struct lx_material material = {
         .model = pick(&random, 2) ? LX_BLINN_PHONG : LX_PHONG,
-        .highlight = (enum lx_highlight)(pick(&random, 2) ? LX_HIGHLIGHT_PLAIN : pick(&random, 3)),
+        .highlight = pick(&random, 2) ? (int)LX_HIGHLIGHT_PLAIN : pick(&random, 3),
         .diffuse = pick(&random, 3) ? 0.5 : 0,
         .specular = 0.5,
         .shininess = pick(&random, 2) ? floor(logarithmic(&random, 1, 300)) : logarithmic(&random, 0.5, 100),
@@ -81,7 +81,7 @@ static luxel_precision make_narrow_scene(int i, struct test_scene *test)
     struct randomness random = {.state = UINT64_C(0xBF58476D1CE4E5B9) * ((uint64_t)i + 1)};
     const struct lx_material material = {
         .model = pick(&random, 2) ? LX_BLINN_PHONG : LX_PHONG,
-        .highlight = (enum lx_highlight)(pick(&random, 2) ? LX_HIGHLIGHT_PLAIN : pick(&random, 3)),
+        .highlight = pick(&random, 2) ? (int)LX_HIGHLIGHT_PLAIN : pick(&random, 3),
         .diffuse = pick(&random, 3) ? 0.5 : 0,
         .specular = 0.5,
         .shininess = pick(&random, 2) ? floor(logarithmic(&random, 1, 3000)) : logarithmic(&random, 0.2, 10000),
