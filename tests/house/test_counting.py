@@ -56,6 +56,10 @@ def main():
           1, 1, "bad: ended with FAIL, exit code 3", "1 passed, 1 failed\n")
     check(tap, root, "a crash after good cases", [("crash", "ERROR", -11, "1..2\nok 1 - a\n")], 1, 1,
           "crash: ended with ERROR, exit code -11", "1 passed, 1 failed\n")
+    check(tap, root, "a program that leaves itself out", [good, ("absent", "SKIP", 0, "1..0 # SKIP not here\n")], 0, 0,
+          "SKIPPED  absent (not here)\n", "1 passed, 0 failed\n")
+    check(tap, root, "a program that does not say why", [good, ("absent", "SKIP", 77, "")], 0, 1,
+          "absent: ran no case", "1 passed, 1 failed\n")
     check(tap, root, "a program without cases", [("plain", "OK", 0, "")], 0, 0, "1 passed, 0 failed\n")
     check(tap, root, "Meson itself", [good], 2, 1, "FAILED   meson test ended with exit code 2", "1 passed, 1 failed\n")
     check(tap, root, "no test", [], 0, 1, "no test ran", "0 passed, 0 failed\n")
