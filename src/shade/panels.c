@@ -188,8 +188,7 @@ static const struct lx_plan *plan_rest(const struct lx_plan *plan, struct lx_pan
     for (size_t s = 0; s < surface->shell_count; s++)
         if (is_left[surface->lights.count + s])
             memory->shells[memory->surface.shell_count++] = surface->shells[s];
-    memory->surface.glossy_count =
-        plan->smooth.has_highlights && is_left[lx_highlights_index(&plan->smooth)] ? surface->glossy_count : 0;
+    memory->surface.glossy_count = lx_holds_of_highlights(&plan->smooth, is_left) ? surface->glossy_count : 0;
     return &memory->plan;
 }
 

@@ -92,7 +92,7 @@ luxel_status lx_plan_make(const struct lx_prepared *prepared, const struct lx_ke
                           const luxel_settings *settings, struct lx_plan *plan);
 void lx_plan_clear(struct lx_plan *plan);
 
-/* What no picture shows a smaller share of: the least number above 0, in float64 the least that has all its digits. */
+/* No picture shows what is smaller: the least number above 0, in float64 the least that has all its digits. */
 static inline double lx_least_of(luxel_precision precision)
 {
     return precision == LUXEL_SINGLE ? (double)FLT_TRUE_MIN : DBL_MIN;

@@ -32,16 +32,24 @@ struct lx_shader_memory {
     double error;
 };
 
+/* Whether some light is a sum over samples. */
+static bool has_samples(const struct lx_plan *plan)
+{
+    bool any = false;
+    for (size_t s = 0; s < plan->surface_count; s++)
+        any = any || plan->surfaces[s].glossy_count > 0 || plan->surfaces[s].matte_count > 0;
+    return any;
+}
+
 struct lx_shader_memory *lx_shader_memory_new(const struct lx_plan *plan)
 {
     enum { ALIGNMENT = 64 };
     size_t head = (sizeof(struct lx_shader_memory) + ALIGNMENT - 1) / ALIGNMENT * ALIGNMENT;
-    size_t size = plan->most_patches > 0 ? lx_sampling_memory_size(plan->most_patches) : 0;
+    size_t size = has_samples(plan) ? lx_sampling_memory_size(plan->most_patches) : 0;
     struct lx_shader_memory *memory = lx_new_aligned(1, head + size);
     if (!memory)
         return NULL;
-    if (size > 0)
-        memory->sampling = lx_sampling_memory_of((char *)memory + head, plan->most_patches);
+    memory->sampling = size > 0 ? lx_sampling_memory_of((char *)memory + head, plan->most_patches) : NULL;
     memory->room = (struct lx_light_room){.of_singles = NULL};
     lx_seen_init(plan, &memory->seen);
     bool has_all = true;

@@ -16,7 +16,7 @@ void lx_shader_memory_free(struct lx_shader_memory *memory);
 
 /* What it sees of a run of pixels, for whoever needs such room while no row is shaded. */
 struct lx_seen *lx_shader_seen(struct lx_shader_memory *memory);
-/* And what it samples highlights with; NULL where the plan has no extended sources. */
+/* And what it samples highlights with; NULL where no light of the plan is sampled. */
 struct lx_sampling_memory *lx_shader_sampling(struct lx_shader_memory *memory);
 
 /*

@@ -223,8 +223,7 @@ static struct taken take_lights(const struct lx_plan *plan, struct lx_fitting *f
             taken.error += error;
         }
     }
-    if (smooth->has_highlights && fitting->is_left[lx_highlights_index(smooth)] &&
-        can_take_highlights(plan, fitting, basis)) {
+    if (lx_holds_of_highlights(smooth, fitting->is_left) && can_take_highlights(plan, fitting, basis)) {
         how[lx_highlights_index(smooth)] = WHOLE;
         taken.weight += COST_OF_HIGHLIGHTS;
     }
@@ -448,8 +447,7 @@ bool lx_smooth_fit(const struct lx_plan *plan, struct lx_fitting *fitting, struc
     sum_lights(plan, &seen->block, nodes, taken.how, WHOLE, &surface->lobe_exact, asking, sum);
     if (taken.folded > 0 && surface->glossy_exact.model != LX_LAMBERT)
         sum_lights(plan, &seen->block, nodes, taken.how, FOLDED, &surface->glossy_exact, asking, sum);
-    if (smooth->has_highlights && taken.how[lx_highlights_index(smooth)] &&
-        !add_highlights(plan, shader, nodes, asking, sum))
+    if (lx_holds_of_highlights(smooth, taken.how) && !add_highlights(plan, shader, nodes, asking, sum))
         return false;
     const double least =
         alone ? find_least(basis, sum, taken.error / OF_ITSELF, taken.weight == left, fitting) : HUGE_VAL;

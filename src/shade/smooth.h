@@ -55,6 +55,12 @@ static inline size_t lx_highlights_index(const struct lx_smooth *smooth)
     return smooth->count - 1;
 }
 
+/* Whether there are, and something is so of them that is told for each light. */
+static inline bool lx_holds_of_highlights(const struct lx_smooth *smooth, const uint8_t *told)
+{
+    return smooth->has_highlights && told[lx_highlights_index(smooth)];
+}
+
 /* Of the lights over a surface, all of which are stored, and its shells, whose highlights lx_has_smooth_highlights(),
  * if they have any, and are sampled to a tolerance.  0, or -1 when memory ran out. */
 int lx_smooth_make(const struct lx_planned_surface *surface, double radius_mm, double tolerance,

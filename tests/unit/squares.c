@@ -7,6 +7,7 @@
 #include <stdarg.h>
 #include <stddef.h>
 #include <stdint.h>
+#include <stdlib.h>
 #include <string.h>
 
 #include <cmocka.h>
@@ -49,6 +50,44 @@ void close_workplace(struct workplace *work)
         lx_fitting_clear(&work->fitting);
     lx_shader_memory_free(work->shader);
     lx_plan_clear(&work->plan);
+}
+
+int scenes_to_try(int usual)
+{
+    const char *asked = getenv("LUXEL_TEST_SCENES");
+    return asked ? 20 * atoi(asked) : usual;
+}
+
+static void visit_each(const struct campaign *campaign, int step, const struct lx_kernels *kernels, void *data)
+{
+    for (int i = 0; i < scenes_to_try(campaign->scenes); i += step) {
+        struct randomness random = {.state = campaign->seed * ((uint64_t)i + 1)};
+        struct test_scene test;
+        struct workplace work;
+        campaign->make(i, &test);
+        if (open_workplace(&test, kernels, &work))
+            for (int q = 0; q < campaign->squares; q++)
+                campaign->visit(&test, &work, q, &random, data);
+        close_workplace(&work);
+        if (campaign->clear)
+            campaign->clear(&test);
+    }
+}
+
+void visit_squares(const struct campaign *campaign, const struct lx_kernels *kernels, void *data)
+{
+    visit_each(campaign, 1, kernels, data);
+}
+
+void visit_by_all_sets(const struct campaign *campaign, void *data)
+{
+    int step = 1;
+    for (size_t k = 0; lx_kernels_get(k); k++) {
+        if (!lx_kernels_get(k)->runs())
+            continue;
+        visit_each(campaign, step, lx_kernels_get(k), data);
+        step = 10;
+    }
 }
 
 double complex dot(struct vector a, struct vector b)

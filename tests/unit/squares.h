@@ -34,6 +34,23 @@ struct vector unit(struct vector a);
 struct vector place_at(const struct lx_plan *plan, double complex x, double complex y, struct vector *normal);
 struct vector view_at(const struct lx_plan *plan, struct vector place);
 
+/* What is tried of squares of random scenes. */
+struct campaign {
+    int scenes;  /* how many as a rule; LUXEL_TEST_SCENES says how many times 20 instead */
+    int squares; /* of each picture that is shaded by panels */
+    uint64_t seed;
+    void (*make)(int i, struct test_scene *test);
+    void (*clear)(struct test_scene *test); /* NULL: there is nothing to clear */
+    void (*visit)(const struct test_scene *test, struct workplace *work, int q, struct randomness *random, void *data);
+};
+
+int scenes_to_try(int usual);
+
+/* Visits square q, by the kernels of an instruction set; or by all that the machine has: every scene by the best of
+ * them, each tenth by the others. */
+void visit_squares(const struct campaign *campaign, const struct lx_kernels *kernels, void *data);
+void visit_by_all_sets(const struct campaign *campaign, void *data);
+
 /* By a light all of which falls on such a place: E_perp, N.L, and what the power of the highlight is of. */
 struct falling {
     double complex e, cosine, s;

@@ -166,43 +166,41 @@ static size_t try_feet(const struct workplace *work, const struct lx_square *squ
     return tried;
 }
 
-static int scenes_to_try(int usual)
+struct tried {
+    size_t bounds[LX_BASES], feet;
+};
+
+static void visit_bounds(const struct test_scene *test, struct workplace *work, int q, struct randomness *random,
+                         void *data)
 {
-    const char *campaign = getenv("LUXEL_TEST_SCENES");
-    return campaign ? 20 * atoi(campaign) : usual;
+    struct tried *tried = data;
+    const struct lx_square square = random_square(random, &work->plan);
+    (void)test;
+    (void)q;
+    for (int b = 0; b < LX_BASES; b++) {
+        tried->bounds[b] += try_bounds(work, &square, &work->plan.smooth.bases[b], random);
+        tried->feet += try_feet(work, &square, &work->plan.smooth.bases[b], random);
+    }
 }
 
 static void test_bounds(void **state)
 {
     (void)state;
-    size_t tried[LX_BASES] = {0}, feet = 0;
-    for (int i = 0; i < scenes_to_try(3000); i++) {
-        struct randomness random = {.state = UINT64_C(0xD1B54A32D192ED03) * ((uint64_t)i + 1)};
-        struct test_scene test;
-        struct workplace work;
-        make_scene(i, &test);
-        size_t sets = i % 10 == 0 ? SIZE_MAX : 1; /* of those that the machine has */
-        for (size_t k = 0; sets > 0 && lx_kernels_get(k); k++) {
-            if (!lx_kernels_get(k)->runs())
-                continue;
-            sets--;
-            if (open_workplace(&test, lx_kernels_get(k), &work))
-                for (int q = 0; q < SQUARES; q++) {
-                    const struct lx_square square = random_square(&random, &work.plan);
-                    for (int b = 0; b < LX_BASES; b++) {
-                        tried[b] += try_bounds(&work, &square, &work.plan.smooth.bases[b], &random);
-                        feet += try_feet(&work, &square, &work.plan.smooth.bases[b], &random);
-                    }
-                }
-            close_workplace(&work);
-        }
-    }
+    const struct campaign campaign = {
+        .scenes = 3000,
+        .squares = SQUARES,
+        .seed = UINT64_C(0xD1B54A32D192ED03),
+        .make = make_scene,
+        .visit = visit_bounds,
+    };
+    struct tried tried = {{0}, 0};
+    visit_by_all_sets(&campaign, &tried);
     for (int b = 0; b < LX_BASES; b++) {
-        print_message("# bounds of %zu lights over squares\n", tried[b]);
-        assert_true(tried[b] > 1000);
+        print_message("# bounds of %zu lights over squares\n", tried.bounds[b]);
+        assert_true(tried.bounds[b] > 1000);
     }
-    print_message("# and of %zu feet of highlights\n", feet);
-    assert_true(feet > 1000);
+    print_message("# and of %zu feet of highlights\n", tried.feet);
+    assert_true(tried.feet > 1000);
 }
 
 /* ---- polynomials ---- */
@@ -268,15 +266,17 @@ static void leave_rubbish(struct lx_block_double *block)
         block->px[i] = block->py[i] = block->pz[i] = HUGE_VAL;
 }
 
-static void try_square(const struct test_scene *test, struct workplace *work, struct randomness *random,
-                       struct tally *tally)
+static void try_square(const struct test_scene *test, struct workplace *work, int q, struct randomness *random,
+                       void *data)
 {
     enum { PIXELS = 12 };
     const struct lx_plan *plan = &work->plan;
+    struct tally *tally = data;
     const double allowed = 8e-7 * plan->least_maximum;
     const struct lx_square square = random_square(random, plan);
     float values[LX_PANEL_SIDE * LX_PANEL_SIDE];
     double allowance = allowed;
+    (void)q;
     memset(work->fitting.is_left, 1, plan->smooth.lights.count);
     leave_rubbish(&lx_shader_seen(work->shader)->block);
     if (!lx_smooth_fit(plan, &work->fitting, work->shader, &square, plan->surfaces->uniform, true, NULL, &allowance))
@@ -307,20 +307,18 @@ static void try_square(const struct test_scene *test, struct workplace *work, st
 static void test_polynomials(void **state)
 {
     (void)state;
+    const struct campaign campaign = {
+        .scenes = 3000,
+        .squares = SQUARES,
+        .seed = UINT64_C(0xA0761D6478BD642F),
+        .make = make_scene,
+        .visit = try_square,
+    };
     for (size_t k = 0; lx_kernels_get(k); k++) {
         struct tally tally = {0};
         if (!lx_kernels_get(k)->runs())
             continue;
-        for (int i = 0; i < scenes_to_try(3000); i++) {
-            struct randomness random = {.state = UINT64_C(0xA0761D6478BD642F) * ((uint64_t)i + 1)};
-            struct test_scene test;
-            struct workplace work;
-            make_scene(i, &test);
-            if (open_workplace(&test, lx_kernels_get(k), &work))
-                for (int q = 0; q < SQUARES; q++)
-                    try_square(&test, &work, &random, &tally);
-            close_workplace(&work);
-        }
+        visit_squares(&campaign, lx_kernels_get(k), &tally);
         print_message("# %s: %zu squares, %zu with folds, %zu feet; off by %.2g of the maximum, %.2g of themselves\n",
                       lx_kernels_get(k)->name, tally.squares, tally.folded, tally.feet, tally.worst,
                       tally.worst_of_itself);
