@@ -250,9 +250,9 @@ struct lx_smooth_lights {
 
 /* Sets sizes[i] to a bound of the brightness by light i, as an analytic function, in the vicinity, with the slip of a
  * highlight that may not be one; to that less than 0 where N.L, which is cut off at 0, may be so within the square;
- * infinite where the light may not be analytic. */
-typedef void lx_bound_smooth(const struct lx_vicinity *vicinity, const struct lx_smooth_lights *lights,
-                             const struct lx_lobe_double *lobe, double *sizes);
+ * infinite where the light may not be analytic.  Of whole lanes of lights from `first` on, up to `end`. */
+typedef void lx_bound_smooth(const struct lx_vicinity *vicinity, const struct lx_smooth_lights *lights, size_t first,
+                             size_t end, const struct lx_lobe_double *lobe, double *sizes);
 
 /* The n-th root of a highlight E_perp ks S^n: a bound of it as an analytic function in a vicinity, and one of the
  * highlight itself within the square. */

@@ -248,11 +248,11 @@ LX_LANE struct bounded_shine bound_shine(const struct lx_vicinity *vicinity, con
     return lobe->model == LX_PHONG ? bound_phong(vicinity, lobe, light) : bound_blinn_phong(vicinity, lobe, light);
 }
 
-static void bound_smooth(const struct lx_vicinity *vicinity, const struct lx_smooth_lights *lights,
-                         const struct lx_lobe_double *lobe, double *sizes)
+static void bound_smooth(const struct lx_vicinity *vicinity, const struct lx_smooth_lights *lights, size_t first,
+                         size_t end, const struct lx_lobe_double *lobe, double *sizes)
 {
     const lanes_double zero = all_double(0), infinite = all_double(HUGE_VAL);
-    for (size_t i = 0; i < lights->count; i += LX_WIDTH_double) {
+    for (size_t i = first; i < end; i += LX_WIDTH_double) {
         const struct bounded_light light = bound_one(vicinity, lights, i);
         const lanes_double unsure = 1 - light.is_up - light.is_down;
         lanes_double most = lobe->diffuse * light.cosine * (1 - light.is_down);

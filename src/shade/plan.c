@@ -439,11 +439,11 @@ static bool has_panels(const struct lx_plan *plan)
     const struct lx_scene_parameters *scene = plan->prepared->scene;
     const unsigned *resolution = scene->screen.resolution;
     const double side_mm = scene->screen.width_mm / resolution[0] * LX_PANEL_SIDE;
-    const size_t lights = surface->lights.count, all = lights + surface->shell_count;
+    const size_t all = surface->lights.count + surface->shell_count;
     return plan->precision == LUXEL_SINGLE && plan->surface_count == 1 &&
            (has_closed_shells(surface) || lx_has_smooth_highlights(surface)) && plan->forest.tree_count == 0 &&
-           plan->every == 1 && all > 0 && all <= LX_MOST_STORED && surface->lights.stored == lights &&
-           plan->least_maximum > 0 && resolution[0] >= LX_PANEL_SIDE && resolution[1] >= LX_PANEL_SIDE &&
+           plan->every == 1 && all > 0 && all <= LX_MOST_SMOOTH && plan->least_maximum > 0 &&
+           resolution[0] >= LX_PANEL_SIDE && resolution[1] >= LX_PANEL_SIDE &&
            radius_on_screen(plan) > LX_LEAST_PANELS * side_mm;
 }
 
@@ -487,9 +487,10 @@ luxel_status lx_plan_make(const struct lx_prepared *prepared, const struct lx_ke
     plan->at_once = plan->in_single_alone && plan->surfaces->run_count == 1 && plan->surfaces->shell_count == 0 &&
                     plan->surfaces->lights.count <= LX_MOST_IN_RUN && plan->every == 1;
     plan->in_panels = status == LUXEL_OK && has_panels(plan);
-    if (plan->in_panels && lx_smooth_make(plan->surfaces, radius_on_screen(plan), plan->tolerance, &plan->smooth))
-        status = LUXEL_ERROR_MEMORY;
-    return status;
+    const struct lx_asking asking = {.control = &control, .is_caller = true};
+    return plan->in_panels
+               ? lx_smooth_make(plan->surfaces, radius_on_screen(plan), plan->tolerance, &asking, &plan->smooth)
+               : status;
 }
 
 void lx_plan_clear(struct lx_plan *plan)

@@ -23,8 +23,8 @@ static const struct {
     double reach, least_radius;
 } BASES[LX_BASES] = {{8, 9.5, 25}, {10, 7, 14}, {12, 5, 0}, {16, 3.6, 0}};
 
-/* Lights that are summed between two questions whether to go on. */
-enum { LIGHTS_BETWEEN_CHECKS = 128 };
+/* Lights that are summed between two questions whether to go on, and those that are bounded or taken. */
+enum { LIGHTS_BETWEEN_CHECKS = 128, BOUNDS_BETWEEN_CHECKS = 4096 };
 
 /* So many lights that nodes do not do for in a quarter of a panel are worth more nodes there; fewer are as soon summed
  * for each pixel. */
@@ -102,22 +102,21 @@ static int make_glossy(const struct lx_planned_surface *surface, double toleranc
     return 0;
 }
 
-int lx_smooth_make(const struct lx_planned_surface *surface, double radius_mm, double tolerance,
-                   struct lx_smooth *smooth)
+luxel_status lx_smooth_make(const struct lx_planned_surface *surface, double radius_mm, double tolerance,
+                            const struct lx_asking *asking, struct lx_smooth *smooth)
 {
     const struct lx_lights *lights = &surface->lights;
     smooth->has_highlights = surface->glossy_count > 0;
     smooth->count = lights->count + surface->shell_count + smooth->has_highlights;
     smooth->radius_mm = radius_mm;
     smooth->gains = lx_new_array(surface->shell_count, sizeof *smooth->gains);
-    if (!smooth->gains || lx_smooth_lights_make(lights, &smooth->lights) ||
-        (smooth->has_highlights && make_glossy(surface, tolerance, smooth)))
-        return -1;
+    if (!smooth->gains || (smooth->has_highlights && make_glossy(surface, tolerance, smooth)))
+        return LUXEL_ERROR_MEMORY;
     for (size_t s = 0; s < surface->shell_count; s++)
         smooth->gains[s] = gain_of(&surface->shells[s], surface->lobe_exact.diffuse);
     for (int b = 0; b < LX_BASES; b++)
         make_basis(BASES[b].nodes, BASES[b].reach, &smooth->bases[b]);
-    return 0;
+    return lx_smooth_lights_make(lights, asking, &smooth->lights);
 }
 
 void lx_smooth_clear(struct lx_smooth *smooth)
@@ -168,9 +167,13 @@ struct taken {
     double cost;           /* HUGE_VAL where none is taken */
 };
 
-static size_t weight_of(const struct lx_smooth *smooth, size_t i)
+/* What is left weighs so much. */
+static size_t weigh(const struct lx_smooth *smooth, const struct lx_fitting *fitting)
 {
-    return smooth->has_highlights && i == lx_highlights_index(smooth) ? COST_OF_HIGHLIGHTS : 1;
+    size_t weight = lx_holds_of_highlights(smooth, fitting->is_left) ? COST_OF_HIGHLIGHTS - 1 : 0;
+    for (size_t i = 0; i < smooth->count; i++)
+        weight += fitting->is_left[i];
+    return weight;
 }
 
 /* Of so much of what is left at nodes, and the rest afterwards. */
@@ -185,35 +188,54 @@ static bool can_take_highlights(const struct lx_plan *plan, struct lx_fitting *f
 {
     const struct lx_smooth *smooth = &plan->smooth;
     double most = 0;
-    plan->kernels->bound_smooth(&fitting->vicinity, &smooth->parts, &plan->surfaces->glossy_exact, fitting->part_sizes);
+    plan->kernels->bound_smooth(&fitting->vicinity, &smooth->parts, 0, smooth->parts.count,
+                                &plan->surfaces->glossy_exact, fitting->part_sizes);
     for (size_t i = 0; i < smooth->parts.count; i++)
         most += fabs(fitting->part_sizes[i]);
     fitting->sizes[lx_highlights_index(smooth)] = most;
     return most * basis->share <= BETWEEN_NODES * plan->tolerance * plan->least_maximum;
 }
 
-/* Takes lights as long as what they are off by together is allowed: first those that keep to a fair share. */
-static struct taken take_lights(const struct lx_plan *plan, struct lx_fitting *fitting, const struct lx_square *square,
-                                int b, double allowance, size_t left)
+/* Bounds lights and shells in the vicinity.  False: the work is to stop. */
+static bool bound_lights(const struct lx_plan *plan, struct lx_fitting *fitting, const struct lx_asking *asking)
 {
     const struct lx_smooth *smooth = &plan->smooth;
-    const size_t count = smooth->count, lights = smooth->lights.count, shells = plan->surfaces->shell_count;
+    const struct lx_planned_surface *surface = plan->surfaces;
+    const size_t count = smooth->lights.count;
+    for (size_t first = 0, end; first < count; first = end) {
+        end = count - first < BOUNDS_BETWEEN_CHECKS ? count : first + BOUNDS_BETWEEN_CHECKS;
+        if (first > 0 && !lx_asking_goes_on(asking))
+            return false;
+        plan->kernels->bound_smooth(&fitting->vicinity, &smooth->lights, first, end, &surface->lobe_exact,
+                                    fitting->sizes);
+    }
+    for (size_t s = 0; s < surface->shell_count; s++)
+        fitting->sizes[count + s] =
+            lx_smooth_shell_bound(&surface->shells[s].shell, smooth->gains[s], &fitting->vicinity);
+    return true;
+}
+
+/* Takes lights as long as what they are off by together is allowed: first those that keep to a fair share.  None where
+ * the work is to stop. */
+static struct taken take_lights(const struct lx_plan *plan, struct lx_fitting *fitting, const struct lx_square *square,
+                                int b, double allowance, size_t left, const struct lx_asking *asking)
+{
+    const struct lx_smooth *smooth = &plan->smooth;
+    const size_t lights = smooth->lights.count + plan->surfaces->shell_count;
     const struct lx_basis *basis = &smooth->bases[b];
-    struct lx_vicinity *vicinity = &fitting->vicinity;
     uint8_t *how = fitting->how[b];
-    struct taken taken = {.basis = basis, .how = how, .cost = HUGE_VAL};
-    memset(how, NOT_TAKEN, count);
-    if (!lx_find_vicinity(plan, square, basis, vicinity))
-        return taken;
-    plan->kernels->bound_smooth(vicinity, &smooth->lights, &plan->surfaces->lobe_exact, fitting->sizes);
-    for (size_t s = 0; s < shells; s++)
-        fitting->sizes[lights + s] =
-            lx_smooth_shell_bound(&plan->surfaces->shells[s].shell, smooth->gains[s], vicinity);
+    const struct taken none = {.basis = basis, .how = how, .cost = HUGE_VAL};
+    struct taken taken = none;
+    memset(how, NOT_TAKEN, smooth->count);
+    if (!lx_find_vicinity(plan, square, basis, &fitting->vicinity) || !bound_lights(plan, fitting, asking))
+        return none;
     for (int round = 0; round < 2 && taken.weight < left; round++) {
         const double limit = round == 0 ? allowance / (double)left : HUGE_VAL;
-        for (size_t i = 0; i < lights + shells; i++) {
+        for (size_t i = 0; i < lights; i++) {
             const bool is_folded = fitting->sizes[i] < 0;
             const double error = fabs(fitting->sizes[i]) * basis->share;
+            if (i % BOUNDS_BETWEEN_CHECKS == BOUNDS_BETWEEN_CHECKS - 1 && !lx_asking_goes_on(asking))
+                return none;
             if (!fitting->is_left[i] || how[i] || !(error <= limit && taken.error + error <= allowance) ||
                 (is_folded && taken.folded == LX_MOST_FOLDED))
                 continue;
@@ -234,7 +256,8 @@ static struct taken take_lights(const struct lx_plan *plan, struct lx_fitting *f
 
 /* Takes lights with the basis that costs least.  Where it is all of them, it is the one that was tried last. */
 static struct taken choose_lights(const struct lx_plan *plan, struct lx_fitting *fitting,
-                                  const struct lx_square *square, double allowance, size_t left)
+                                  const struct lx_square *square, double allowance, size_t left,
+                                  const struct lx_asking *asking)
 {
     const double half = lx_larger(square->half_mm[0], square->half_mm[1]);
     const size_t enough = square->side == LX_PANEL_SIDE ? left
@@ -246,7 +269,7 @@ static struct taken choose_lights(const struct lx_plan *plan, struct lx_fitting 
         if (half * BASES[b].least_radius >= plan->smooth.radius_mm ||
             nodes * PIXELS_A_NODE >= square->side * square->side)
             continue;
-        const struct taken taken = take_lights(plan, fitting, square, b, allowance, left);
+        const struct taken taken = take_lights(plan, fitting, square, b, allowance, left, asking);
         best = taken.cost < best.cost ? taken : best;
     }
     return best;
@@ -282,19 +305,21 @@ static void gather_nodes(const struct lx_plan *plan, struct lx_seen *seen, const
 /* Sums the lights that are taken that way over the elements of a block; something else where the work is to stop. */
 static void sum_lights(const struct lx_plan *plan, const struct lx_block_double *block, size_t count,
                        const uint8_t *how, int wanted, const struct lx_lobe_double *lobe,
-                       const struct lx_asking *asking, double *sum)
+                       const struct lx_asking *asking, struct lx_light_room *room, double *sum)
 {
     const struct lx_planned_surface *surface = plan->surfaces;
+    const struct lx_lights *lights = &surface->lights;
+    const size_t most = lights->cloud_count > 0 ? LX_MOST_IN_RUN : LIGHTS_BETWEEN_CHECKS;
     for (size_t r = 0; r < surface->run_count; r++) {
         const struct lx_light_run *run = &surface->runs[r];
         for (size_t first = run->first, end = run->first + run->count, next; first < end; first = next) {
-            for (next = first; next < end && next - first < LIGHTS_BETWEEN_CHECKS && how[next] == how[first];)
+            for (next = first; next < end && next - first < most && how[next] == how[first];)
                 next++;
-            if (next - first == LIGHTS_BETWEEN_CHECKS && !lx_asking_goes_on(asking))
+            if (next - first == most && !lx_asking_goes_on(asking))
                 return;
             if (how[first] == wanted)
-                plan->kernels->shade_double(surface->lights.exacts + first, NULL, next - first, lobe, block, NULL, NULL,
-                                            count, sum);
+                plan->kernels->shade_double(lx_lights_double(lights, first, next - first, room), NULL, next - first,
+                                            lobe, block, NULL, NULL, count, sum);
         }
     }
     for (size_t s = 0; s < surface->shell_count; s++) {
@@ -354,7 +379,7 @@ static double add_folded(const struct lx_plan *plan, struct lx_fitting *fitting,
         if (how[i] != FOLDED)
             continue;
         _Alignas(64) double sum[LX_BLOCK], below[LX_BLOCK];
-        const struct lx_light_double *light = surface->lights.exacts + i;
+        const struct lx_light_double *light = lx_lights_double(&surface->lights, i, 1, &fitting->room);
         plan->kernels->set_all(sum, padded, 0);
         plan->kernels->set_all(below, padded, 0);
         plan->kernels->shade_double(light, NULL, 1, &surface->matte_exact, block, NULL, NULL, nodes, sum);
@@ -431,10 +456,8 @@ bool lx_smooth_fit(const struct lx_plan *plan, struct lx_fitting *fitting, struc
     const struct lx_smooth *smooth = &plan->smooth;
     const struct lx_planned_surface *surface = plan->surfaces;
     struct lx_seen *seen = lx_shader_seen(shader);
-    size_t left = 0;
-    for (size_t i = 0; i < smooth->count; i++)
-        left += fitting->is_left[i] ? weight_of(smooth, i) : 0;
-    const struct taken taken = choose_lights(plan, fitting, square, *allowance, left);
+    const size_t left = weigh(smooth, fitting);
+    const struct taken taken = choose_lights(plan, fitting, square, *allowance, left, asking);
     const struct lx_basis *basis = taken.basis;
     fitting->count = 0;
     memset(fitting->is_faint, 0, sizeof fitting->is_faint);
@@ -444,9 +467,9 @@ bool lx_smooth_fit(const struct lx_plan *plan, struct lx_fitting *fitting, struc
     const size_t nodes = (size_t)basis->nodes * basis->nodes;
     gather_nodes(plan, seen, square, basis);
     plan->kernels->set_all(sum, lx_padded(nodes), uniform);
-    sum_lights(plan, &seen->block, nodes, taken.how, WHOLE, &surface->lobe_exact, asking, sum);
+    sum_lights(plan, &seen->block, nodes, taken.how, WHOLE, &surface->lobe_exact, asking, &fitting->room, sum);
     if (taken.folded > 0 && surface->glossy_exact.model != LX_LAMBERT)
-        sum_lights(plan, &seen->block, nodes, taken.how, FOLDED, &surface->glossy_exact, asking, sum);
+        sum_lights(plan, &seen->block, nodes, taken.how, FOLDED, &surface->glossy_exact, asking, &fitting->room, sum);
     if (lx_holds_of_highlights(smooth, taken.how) && !add_highlights(plan, shader, nodes, asking, sum))
         return false;
     const double least =

@@ -61,10 +61,13 @@ static inline bool lx_holds_of_highlights(const struct lx_smooth *smooth, const 
     return smooth->has_highlights && told[lx_highlights_index(smooth)];
 }
 
-/* Of the lights over a surface, all of which are stored, and its shells, whose highlights lx_has_smooth_highlights(),
- * if they have any, and are sampled to a tolerance.  0, or -1 when memory ran out. */
-int lx_smooth_make(const struct lx_planned_surface *surface, double radius_mm, double tolerance,
-                   struct lx_smooth *smooth);
+/* Of more lights there are none: what is kept of each of them takes 128 bytes. */
+enum { LX_MOST_SMOOTH = 1 << 20 };
+
+/* Of the lights over a surface and its shells, whose highlights lx_has_smooth_highlights(), if they have any, and are
+ * sampled to a tolerance.  LUXEL_OK, LUXEL_ERROR_MEMORY or LUXEL_CANCELLED. */
+luxel_status lx_smooth_make(const struct lx_planned_surface *surface, double radius_mm, double tolerance,
+                            const struct lx_asking *asking, struct lx_smooth *smooth);
 void lx_smooth_clear(struct lx_smooth *smooth);
 
 /* Where that radius is not so many times the side of a panel polynomials seldom pay. */
@@ -78,6 +81,7 @@ struct lx_fitting {
     uint8_t *is_left;       /* of each light */
     uint8_t *how[LX_BASES]; /* how polynomials of each basis take each light */
     double *sizes, *part_sizes;
+    struct lx_light_room room;      /* for lights that are not stored */
     struct lx_block_double *turned; /* room for elements */
     struct lx_vicinity vicinity;    /* of the square and the basis that were last */
     /* of the square that was last: */

@@ -15,6 +15,9 @@
 static const double FINENESS = 0.025;
 enum { MOST_PATCHES = 64, MOST_PARTS = 256, LEAST_ALONG_SIDE = 2, MOST_ALONG_SIDE = 8 };
 
+/* Lights between two questions whether to go on. */
+enum { LIGHTS_BETWEEN_CHECKS = 1024 };
+
 static int make_room(size_t count, struct lx_smooth_lights *made)
 {
     double **arrays[] = {&made->x,       &made->y,      &made->z,         &made->radius,
@@ -62,13 +65,19 @@ static void set_light(const struct lx_light_double *light, double radius_mm, str
     set_profile(light, lights, i);
 }
 
-int lx_smooth_lights_make(const struct lx_lights *lights, struct lx_smooth_lights *made)
+luxel_status lx_smooth_lights_make(const struct lx_lights *lights, const struct lx_asking *asking,
+                                   struct lx_smooth_lights *made)
 {
+    struct lx_light_room room = {.of_singles = NULL};
     if (make_room(lights->count, made))
-        return -1;
-    for (size_t i = 0; i < lx_padded(lights->count); i++)
-        set_light(&lights->exacts[i < lights->count ? i : lights->count - 1], 0, made, i);
-    return 0;
+        return LUXEL_ERROR_MEMORY;
+    for (size_t i = 0; i < lx_padded(lights->count); i++) {
+        const size_t light = i < lights->count ? i : lights->count - 1;
+        if (!lx_asking_at_step(asking, i, LIGHTS_BETWEEN_CHECKS))
+            return LUXEL_CANCELLED;
+        set_light(lx_lights_double(lights, light, 1, &room), 0, made, i);
+    }
+    return LUXEL_OK;
 }
 
 /* ---- parts of extended sources ---- */

@@ -9,16 +9,20 @@
 
 #include <stdbool.h>
 
+#include <luxel/status.h>
+
+#include "../base/rows.h"
 #include "lights.h"
 
 struct lx_planned_surface;
 
-/* Of lights that are all stored.  0, or -1 when memory ran out.  Release with lx_smooth_lights_clear() in any case. */
-int lx_smooth_lights_make(const struct lx_lights *lights, struct lx_smooth_lights *made);
+/* LUXEL_OK, LUXEL_ERROR_MEMORY or LUXEL_CANCELLED.  Release with lx_smooth_lights_clear() in any case. */
+luxel_status lx_smooth_lights_make(const struct lx_lights *lights, const struct lx_asking *asking,
+                                   struct lx_smooth_lights *made);
 void lx_smooth_lights_clear(struct lx_smooth_lights *lights);
 
 /* Whether the highlights of all extended sources over a surface, of which there are some, are of flat ones by the law
- * 1/r^2 that are worth cutting into parts; and these parts, likewise. */
+ * 1/r^2 that are worth cutting into parts; and these parts: 0, or -1 when memory ran out. */
 bool lx_has_smooth_highlights(const struct lx_planned_surface *surface);
 int lx_smooth_parts_make(const struct lx_planned_surface *surface, struct lx_smooth_lights *made);
 

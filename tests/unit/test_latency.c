@@ -125,7 +125,6 @@ static void asks_while_facets_are_made(void **state)
         patches += (ball->faces[i].count - 1) / 2;
     assert_int_equal(lx_patch_limit(&shell), patches);
     lx_shell_clear(&shell);
-
     begin(1);
     assert_int_equal(lx_shell_make(&emitter, &lit, &asking, &shell), LUXEL_CANCELLED);
     lx_shell_clear(&shell);
@@ -216,6 +215,7 @@ static void stops_at_any_question(void **state)
         {PLATE "70}\n", NULL, 0.01, 300},
         {PLATE "30}\n", NULL, 0.01, 200},
         {PLATE "60}\n", fine, 0, 650},
+        {PLATE "90}\n", fine, 0, 2000},
         {"  - {type: volume, sphere: {center: [700, 600, 2000], radius: 150, facets: 40}, power: 250}\n", NULL, 0,
          1000},
         {"  - {type: volume, cylinder: {center: [0, 330, 1100], radius: 13, height: 900, axis: [1, 0, 0]},\n"

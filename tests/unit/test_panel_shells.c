@@ -262,7 +262,7 @@ static void try_parts(const struct test_scene *test, struct workplace *work, int
     (void)test;
     if (!lx_find_vicinity(plan, &square, basis, &vicinity))
         return;
-    plan->kernels->bound_smooth(&vicinity, parts, lobe, work->fitting.part_sizes);
+    plan->kernels->bound_smooth(&vicinity, parts, 0, parts->count, lobe, work->fitting.part_sizes);
     for (size_t i = 0; i < parts->count; i++) {
         const double size = work->fitting.part_sizes[i];
         assert_true(size == size);
@@ -305,10 +305,10 @@ static double bound_of_part(const struct lx_kernels *kernels, double height_mm, 
     const struct lx_lights lights = {.exacts = &light, .count = 1};
     struct lx_smooth_lights parts;
     _Alignas(64) double sizes[LX_LANES];
-    assert_int_equal(lx_smooth_lights_make(&lights, &parts), 0);
+    assert_int_equal(lx_smooth_lights_make(&lights, NULL, &parts), LUXEL_OK);
     for (size_t i = 0; i < LX_LANES; i++)
         parts.radius[i] = 50;
-    kernels->bound_smooth(&at, &parts, &lobe, sizes);
+    kernels->bound_smooth(&at, &parts, 0, 1, &lobe, sizes);
     lx_smooth_lights_clear(&parts);
     return fabs(sizes[0]);
 }

@@ -114,7 +114,8 @@ static size_t try_bounds(struct workplace *work, const struct lx_square *square,
         try_vicinity(plan, &vicinity, square->x_mm + across * square->half_mm[0],
                      square->y_mm + down * square->half_mm[1], true);
     }
-    plan->kernels->bound_smooth(&vicinity, &plan->smooth.lights, &plan->surfaces->lobe_exact, work->fitting.sizes);
+    plan->kernels->bound_smooth(&vicinity, &plan->smooth.lights, 0, plan->smooth.lights.count,
+                                &plan->surfaces->lobe_exact, work->fitting.sizes);
     for (size_t i = 0; i < count; i++) {
         const double size = work->fitting.sizes[i];
         assert_true(size == size);
