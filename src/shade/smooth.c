@@ -23,8 +23,9 @@ static const struct {
     double reach, least_radius;
 } BASES[LX_BASES] = {{8, 9.5, 25}, {10, 7, 14}, {12, 5, 0}, {16, 3.6, 0}};
 
-/* Lights that are summed between two questions whether to go on, and those that are bounded or taken. */
-enum { LIGHTS_BETWEEN_CHECKS = 128, BOUNDS_BETWEEN_CHECKS = 4096 };
+/* Lights that are summed between two questions whether to go on, and those that are bounded or taken; and that are
+ * bounded at once, if any of them is left. */
+enum { LIGHTS_BETWEEN_CHECKS = 128, BOUNDS_BETWEEN_CHECKS = 4096, BOUNDED_AT_ONCE = 64 };
 
 /* So many lights that nodes do not do for in a quarter of a panel are worth more nodes there; fewer are as soon summed
  * for each pixel. */
@@ -196,18 +197,19 @@ static bool can_take_highlights(const struct lx_plan *plan, struct lx_fitting *f
     return most * basis->share <= BETWEEN_NODES * plan->tolerance * plan->least_maximum;
 }
 
-/* Bounds lights and shells in the vicinity.  False: the work is to stop. */
+/* Bounds lights and shells that are left in the vicinity, and maybe others.  False: the work is to stop. */
 static bool bound_lights(const struct lx_plan *plan, struct lx_fitting *fitting, const struct lx_asking *asking)
 {
     const struct lx_smooth *smooth = &plan->smooth;
     const struct lx_planned_surface *surface = plan->surfaces;
     const size_t count = smooth->lights.count;
     for (size_t first = 0, end; first < count; first = end) {
-        end = count - first < BOUNDS_BETWEEN_CHECKS ? count : first + BOUNDS_BETWEEN_CHECKS;
-        if (first > 0 && !lx_asking_goes_on(asking))
+        end = count - first < BOUNDED_AT_ONCE ? count : first + BOUNDED_AT_ONCE;
+        if (end % BOUNDS_BETWEEN_CHECKS == 0 && !lx_asking_goes_on(asking))
             return false;
-        plan->kernels->bound_smooth(&fitting->vicinity, &smooth->lights, first, end, &surface->lobe_exact,
-                                    fitting->sizes);
+        if (memchr(fitting->is_left + first, 1, end - first))
+            plan->kernels->bound_smooth(&fitting->vicinity, &smooth->lights, first, end, &surface->lobe_exact,
+                                        fitting->sizes);
     }
     for (size_t s = 0; s < surface->shell_count; s++)
         fitting->sizes[count + s] =
