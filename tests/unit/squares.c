@@ -14,7 +14,7 @@
 
 #include "shade/camera.h"
 
-struct lx_square random_square(struct randomness *random, const struct lx_plan *plan)
+static struct lx_square random_square(struct randomness *random, const struct lx_plan *plan)
 {
     const struct lx_screen *screen = &plan->prepared->scene->screen;
     const struct lx_planned_surface *surface = plan->surfaces;
@@ -66,8 +66,10 @@ static void visit_each(const struct campaign *campaign, int step, const struct l
         struct workplace work;
         campaign->make(i, &test);
         if (open_workplace(&test, kernels, &work))
-            for (int q = 0; q < campaign->squares; q++)
-                campaign->visit(&test, &work, q, &random, data);
+            for (int q = 0; q < campaign->squares; q++) {
+                const struct lx_square square = random_square(&random, &work.plan);
+                campaign->visit(&test, &work, &square, q, &random, data);
+            }
         close_workplace(&work);
         if (campaign->clear)
             campaign->clear(&test);

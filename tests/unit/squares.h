@@ -9,7 +9,6 @@
 #include "shade/panels.h"
 
 /* A square around a place where the surface may be seen. */
-struct lx_square random_square(struct randomness *random, const struct lx_plan *plan);
 
 /* What squares are fitted with. */
 struct workplace {
@@ -41,13 +40,14 @@ struct campaign {
     uint64_t seed;
     void (*make)(int i, struct test_scene *test);
     void (*clear)(struct test_scene *test); /* NULL: there is nothing to clear */
-    void (*visit)(const struct test_scene *test, struct workplace *work, int q, struct randomness *random, void *data);
+    void (*visit)(const struct test_scene *test, struct workplace *work, const struct lx_square *square, int q,
+                  struct randomness *random, void *data);
 };
 
 int scenes_to_try(int usual);
 
-/* Visits square q, by the kernels of an instruction set; or by all that the machine has: every scene by the best of
- * them, each tenth by the others. */
+/* Visits squares, each with its number q, by the kernels of an instruction set; or by all that the machine has: every
+ * scene by the best of them, each tenth by the others. */
 void visit_squares(const struct campaign *campaign, const struct lx_kernels *kernels, void *data);
 void visit_by_all_sets(const struct campaign *campaign, void *data);
 

@@ -248,19 +248,18 @@ static struct lx_light_double place_of_part(const struct lx_smooth_lights *parts
     };
 }
 
-static void try_parts(const struct test_scene *test, struct workplace *work, int q, struct randomness *random,
-                      void *data)
+static void try_parts(const struct test_scene *test, struct workplace *work, const struct lx_square *square, int q,
+                      struct randomness *random, void *data)
 {
     enum { PLACES = 3 };
     const struct lx_plan *plan = &work->plan;
     const struct lx_smooth_lights *parts = &plan->smooth.parts;
     const struct lx_lobe_double *lobe = &plan->surfaces->glossy_exact;
-    const struct lx_square square = random_square(random, plan);
     const struct lx_basis *basis = &plan->smooth.bases[q % LX_BASES];
     struct lx_vicinity vicinity;
     size_t *tried = data;
     (void)test;
-    if (!lx_find_vicinity(plan, &square, basis, &vicinity))
+    if (!lx_find_vicinity(plan, square, basis, &vicinity))
         return;
     plan->kernels->bound_smooth(&vicinity, parts, 0, parts->count, lobe, work->fitting.part_sizes);
     for (size_t i = 0; i < parts->count; i++) {
@@ -271,7 +270,7 @@ static void try_parts(const struct test_scene *test, struct workplace *work, int
         ++*tried;
         for (int k = 0; k < PLACES; k++) {
             const struct lx_light_double light = place_of_part(parts, i, random);
-            check_size(plan, lobe, &light, size, &vicinity, &square, basis, random);
+            check_size(plan, lobe, &light, size, &vicinity, square, basis, random);
         }
     }
 }
@@ -485,14 +484,13 @@ static void try_square(const struct test_scene *test, struct workplace *work, co
     }
 }
 
-static void visit_diffuse(const struct test_scene *test, struct workplace *work, int q, struct randomness *random,
-                          void *data)
+static void visit_diffuse(const struct test_scene *test, struct workplace *work, const struct lx_square *square, int q,
+                          struct randomness *random, void *data)
 {
-    const struct lx_square square = random_square(random, &work->plan);
     struct tally *tally = data;
     if (tally->has_bounds)
-        try_bound(work, &square, &work->plan.smooth.bases[q % LX_BASES], random, tally);
-    try_square(test, work, &square, 8, random, tally);
+        try_bound(work, square, &work->plan.smooth.bases[q % LX_BASES], random, tally);
+    try_square(test, work, square, 8, random, tally);
 }
 
 static void squares(void **state)
@@ -522,12 +520,11 @@ static void squares(void **state)
     }
 }
 
-static void visit_glossy(const struct test_scene *test, struct workplace *work, int q, struct randomness *random,
-                         void *data)
+static void visit_glossy(const struct test_scene *test, struct workplace *work, const struct lx_square *square, int q,
+                         struct randomness *random, void *data)
 {
-    const struct lx_square square = random_square(random, &work->plan);
     (void)q;
-    try_square(test, work, &square, 2, random, data);
+    try_square(test, work, square, 2, random, data);
 }
 
 /* Highlights are as good as the tolerance asks, of the maximum. */

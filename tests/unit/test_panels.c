@@ -171,16 +171,15 @@ struct tried {
     size_t bounds[LX_BASES], feet;
 };
 
-static void visit_bounds(const struct test_scene *test, struct workplace *work, int q, struct randomness *random,
-                         void *data)
+static void visit_bounds(const struct test_scene *test, struct workplace *work, const struct lx_square *square, int q,
+                         struct randomness *random, void *data)
 {
     struct tried *tried = data;
-    const struct lx_square square = random_square(random, &work->plan);
     (void)test;
     (void)q;
     for (int b = 0; b < LX_BASES; b++) {
-        tried->bounds[b] += try_bounds(work, &square, &work->plan.smooth.bases[b], random);
-        tried->feet += try_feet(work, &square, &work->plan.smooth.bases[b], random);
+        tried->bounds[b] += try_bounds(work, square, &work->plan.smooth.bases[b], random);
+        tried->feet += try_feet(work, square, &work->plan.smooth.bases[b], random);
     }
 }
 
@@ -267,35 +266,34 @@ static void leave_rubbish(struct lx_block_double *block)
         block->px[i] = block->py[i] = block->pz[i] = HUGE_VAL;
 }
 
-static void try_square(const struct test_scene *test, struct workplace *work, int q, struct randomness *random,
-                       void *data)
+static void try_square(const struct test_scene *test, struct workplace *work, const struct lx_square *square, int q,
+                       struct randomness *random, void *data)
 {
     enum { PIXELS = 12 };
     const struct lx_plan *plan = &work->plan;
     struct tally *tally = data;
     const double allowed = 8e-7 * plan->least_maximum;
-    const struct lx_square square = random_square(random, plan);
     float values[LX_PANEL_SIDE * LX_PANEL_SIDE];
     double allowance = allowed;
     (void)q;
     memset(work->fitting.is_left, 1, plan->smooth.lights.count);
     leave_rubbish(&lx_shader_seen(work->shader)->block);
-    if (!lx_smooth_fit(plan, &work->fitting, work->shader, &square, plan->surfaces->uniform, true, NULL, &allowance))
+    if (!lx_smooth_fit(plan, &work->fitting, work->shader, square, plan->surfaces->uniform, true, NULL, &allowance))
         return;
     assert_true(allowance >= 0 && allowance <= allowed);
     for (size_t i = 0; i < work->fitting.count; i++)
-        plan->kernels->spread_polynomial(&work->fitting.polynomials[i], square.side, square.side, i > 0, values,
+        plan->kernels->spread_polynomial(&work->fitting.polynomials[i], square->side, square->side, i > 0, values,
                                          LX_PANEL_SIDE);
     tally->squares++;
     tally->folded += work->fitting.count > 1;
     tally->feet += work->fitting.polynomials[0].power > 1;
     for (int k = 0; k < PIXELS; k++) {
-        const int column = k == 0 ? 0 : pick(random, (int)square.side),
-                  row = k == 1 ? 0 : pick(random, (int)square.side);
-        const double t = (2 * column + 1) / (double)square.side - 1, u = (2 * row + 1) / (double)square.side - 1;
+        const int column = k == 0 ? 0 : pick(random, (int)square->side),
+                  row = k == 1 ? 0 : pick(random, (int)square->side);
+        const double t = (2 * column + 1) / (double)square->side - 1, u = (2 * row + 1) / (double)square->side - 1;
         const double value = (double)values[row * LX_PANEL_SIDE + column];
         const double exact =
-            exact_value(test, work, square.x_mm + square.half_mm[0] * t, square.y_mm - square.half_mm[1] * u);
+            exact_value(test, work, square->x_mm + square->half_mm[0] * t, square->y_mm - square->half_mm[1] * u);
         assert_true(value >= 0);
         const double maximum = fmax(plan->least_maximum, exact);
         const double off = fmax(fabs(value - exact) - (double)FLT_MIN, 0); /* digits end below the normal numbers */
