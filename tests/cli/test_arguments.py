@@ -4,7 +4,7 @@ import os
 import re
 
 from tap import Tap
-from tool import SCENE, run_tests
+from tool import AT_ONCE, SCENE, run_tests
 
 # (arguments, words that the message must have)
 WRONG = [
@@ -113,7 +113,7 @@ def wrong(tap, tool):
         arguments = [part.replace("%s", os.path.basename(tool.folder)) for part in text.split(" ")]
         result = tool.run(*arguments)
         missing = [word for word in words.split() if word not in result.err]
-        good = (result.code == 2 and not result.out and not missing and tool.files() == [] and result.seconds < 2 and
+        good = (result.code == 2 and not result.out and not missing and tool.files() == [] and result.seconds < AT_ONCE and
                 "error:" in result.err)
         tap.ok(good, "luxel " + text, "missing: %s" % missing, result)
 
@@ -122,7 +122,7 @@ def illegal_values(tap, tool):
     for assignment in ILLEGAL:
         result = tool.run("render", "-s", assignment, "-o", "x.png")
         key = re.split(r"[=]", assignment)[0]
-        good = (result.code == 3 and not result.out and tool.files() == [] and result.seconds < 2 and
+        good = (result.code == 3 and not result.out and tool.files() == [] and result.seconds < AT_ONCE and
                 "error:" in result.err)
         tap.ok(good and key.split(".")[-1].split("[")[0] in result.err, "-s " + assignment, result)
 
@@ -134,7 +134,7 @@ def hostile_texts(tap, tool):
                       ("render", "-s", "screen.width=" + long), ("render", "-s", "a" + "[0]" * 30000 + "=1"),
                       ("render", "-s", "lights=" + "[" * 50000)):
         result = tool.run(*arguments)
-        tap.ok(result.code in (2, 3, 4) and result.seconds < 2, "a long argument: " + " ".join(arguments)[:30],
+        tap.ok(result.code in (2, 3, 4) and result.seconds < AT_ONCE, "a long argument: " + " ".join(arguments)[:30],
                str(result)[:500])
     for text in "\x1b[31m", "\x01", "\n", "\x7f":
         for arguments in (("render", text), (text,), ("render", "-s", text + "=1"), ("probe", "-p", text),

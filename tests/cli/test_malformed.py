@@ -6,9 +6,7 @@ import resource
 
 from malformed import TEXTS, scenes
 from tap import Tap
-from tool import PATIENCE, SCENE, run_tests
-
-SECONDS = 2.0 * PATIENCE  # "at once", with some room for a slow machine
+from tool import AT_ONCE, SCENE, run_tests
 
 
 def judge(tap, tool, title, place, words, result):
@@ -24,7 +22,7 @@ def judge(tap, tool, title, place, words, result):
     faults += ["no word " + word for word in words if word not in result.err]
     if result.out or tool.files() != ["scene.yaml"]:
         faults.append("output")
-    if result.seconds > SECONDS:
+    if result.seconds > AT_ONCE:
         faults.append("slow")
     if re.search("[\x00-\x08\x0b-\x1f\x7f-\xa0\u200b-\u200f\u2028-\u202f\u2060-\u206f\ufeff]", result.err):
         faults.append("control characters")

@@ -6,7 +6,7 @@ import subprocess
 import time
 
 from tap import Tap
-from tool import PATIENCE, SCENE, run_tests
+from tool import AT_ONCE, PATIENCE, SCENE, run_tests
 
 GRIDS = "grids=[{center: [0,0,1000], size: [100,100], n: [3,2]}]"
 COMMANDS = [("render",), ("render", "--json"), ("probe",), ("probe", "--json"), ("grid", "-s", GRIDS),
@@ -69,7 +69,7 @@ def interrupts(tap, tool):
             continue
         tap.equal((process.returncode, out, tool.files()), (130, b"", ["long.yaml"]),
                   "interrupted after %g s" % seconds)
-        tap.ok(took < 2.0 * PATIENCE, "it ends soon", "%.2f s" % took, err)
+        tap.ok(took < AT_ONCE, "it ends soon", "%.2f s" % took, err)
     process = subprocess.Popen([tool.path, "render", "-"], stdin=subprocess.PIPE, stdout=subprocess.PIPE)
     time.sleep(0.2 * PATIENCE)
     process.send_signal(signal.SIGINT)

@@ -9,6 +9,7 @@ import tempfile
 import time
 
 PATIENCE = float(os.environ.get("LUXEL_PATIENCE", 1))  # how much longer than usual a slow build may take
+AT_ONCE = 10 * PATIENCE  # seconds: what is to end at once has so long, since a shared machine may stand still
 
 SCENE = """\
 luxel: 1
