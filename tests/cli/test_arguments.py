@@ -113,8 +113,8 @@ def wrong(tap, tool):
         arguments = [part.replace("%s", os.path.basename(tool.folder)) for part in text.split(" ")]
         result = tool.run(*arguments)
         missing = [word for word in words.split() if word not in result.err]
-        good = (result.code == 2 and not result.out and not missing and tool.files() == [] and result.seconds < AT_ONCE and
-                "error:" in result.err)
+        good = (result.code == 2 and not result.out and not missing and tool.files() == [] and
+                "error:" in result.err and result.seconds < AT_ONCE)
         tap.ok(good, "luxel " + text, "missing: %s" % missing, result)
 
 
@@ -122,8 +122,8 @@ def illegal_values(tap, tool):
     for assignment in ILLEGAL:
         result = tool.run("render", "-s", assignment, "-o", "x.png")
         key = re.split(r"[=]", assignment)[0]
-        good = (result.code == 3 and not result.out and tool.files() == [] and result.seconds < AT_ONCE and
-                "error:" in result.err)
+        good = (result.code == 3 and not result.out and tool.files() == [] and "error:" in result.err and
+                result.seconds < AT_ONCE)
         tap.ok(good and key.split(".")[-1].split("[")[0] in result.err, "-s " + assignment, result)
 
 
