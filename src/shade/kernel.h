@@ -237,13 +237,14 @@ struct lx_vicinity {
  * Lights as lx_bound_smooth() takes them, a structure of arrays, each of which goes on to whole lanes.
  *
  * radius         within which places of a light are from its own, any of which it may have; 0: it is a point
+ * strays, sways  likewise, of their real and their imaginary parts, at complex places of the surface
  * moves          1 for a point, 0 for a direction
  * by_square ...  E_perp = gain/(by_square r^2 + by_root r + by_none)
  * inner, outer   all of the light is within the cone with the first cosine, none without the second
  * exponent       of the cosine pattern, or 0; is_broken: 1 where that is not whole, else 0
  */
 struct lx_smooth_lights {
-    double *x, *y, *z, *radius, *moves, *gain, *by_square, *by_root, *by_none;
+    double *x, *y, *z, *radius, *strays, *sways, *moves, *gain, *by_square, *by_root, *by_none;
     double *axis_x, *axis_y, *axis_z, *inner, *outer, *exponent, *is_broken;
     size_t count;
 };

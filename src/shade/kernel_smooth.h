@@ -112,8 +112,9 @@ LX_LANE struct bounded_light bound_one(const struct lx_vicinity *at, const struc
     const lanes_double square = greater_double(x * x + y * y + z * z, tiny), inverse = inverse_root_double(square);
     const lanes_double d = square * inverse;
     const lanes_double radius = load_double(lights->radius + i);
+    const lanes_double strays = load_double(lights->strays + i), sways = load_double(lights->sways + i);
     struct leeway way = leeway_of(&at->place_leeway, moves);
-    way.first += radius, way.tile += radius;
+    way.first += strays, way.imaginary += sways, way.tile += radius;
     struct bounded_light light = {.x = x * inverse, .y = y * inverse, .z = z * inverse};
 
     /* so far off that what follows means something */
@@ -138,9 +139,10 @@ LX_LANE struct bounded_light bound_one(const struct lx_vicinity *at, const struc
     const lanes_double across = root_double(positive(s_square - along * along)) + 1e-7 * root_double(s_square);
     const lanes_double size = greater_double(along, -along), height = along - moves * at->level;
     const lanes_double tile = n->tile * across + 0.5 * n->tile * n->tile * size + radius;
-    const lanes_double real =
-        n->first * across + 0.5 * n->first * n->first * size + n->second * (across + size) + (1 + n->second) * radius;
-    const lanes_double imaginary = n->imaginary * (across + (n->first + n->second) * size + radius);
+    const lanes_double real = n->first * across + 0.5 * n->first * n->first * size + n->second * (across + size) +
+                              (1 + n->second) * strays + n->imaginary * sways;
+    const lanes_double imaginary =
+        n->imaginary * (across + (n->first + n->second) * size + strays) + (1 + n->second) * sways;
     const lanes_double margin = 1e-9 * d, most = greater_double(height, -height) + real + margin;
     light.is_up = is_above_lane(height, tile + margin);
     light.is_down = is_above_lane(-height, tile + margin);

@@ -162,8 +162,7 @@ static void make_frame(const double n[3], double a[3], double b[3])
 
 size_t lx_patch_limit(const struct lx_shell *shell)
 {
-    enum { SIDE_AND_CAPS = 3 };
-    return shell->type == LX_FACETS ? shell->most_patches : SIDE_AND_CAPS;
+    return shell->type == LX_FACETS ? shell->most_patches : LX_MOST_ROUND_PATCHES;
 }
 
 static void set_areas(struct lx_patch *patch)

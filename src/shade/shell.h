@@ -39,6 +39,7 @@ struct lx_patch {
 
 /* The patches of a shell that some place within a ball may see; at most lx_patch_limit() of them.  Not all of them
  * where the work is to stop. */
+enum { LX_MOST_ROUND_PATCHES = 3 }; /* of what has no facets: a side and two ends */
 size_t lx_patch_limit(const struct lx_shell *shell);
 size_t lx_patches_make(const struct lx_shell *shell, const struct lx_around *around, const struct lx_asking *asking,
                        struct lx_patch *patches);

@@ -5,6 +5,7 @@
 #include <math.h>
 
 #include "../base/larger.h"
+#include "round_view.h"
 
 /* More edges, and faces, are not looked at for each square. */
 enum { MOST_EDGES = 64 };
@@ -30,6 +31,10 @@ static double reach_of(const struct lx_shell *shell, const double direction[3])
         const double cosine = dot(direction, shell->axis);
         return shell->round_mm * sqrt(lx_larger(1 - cosine * cosine, 0));
     }
+    if (shell->type == LX_CYLINDER) {
+        const double cosine = dot(direction, shell->axis);
+        return shell->half_mm * fabs(cosine) + shell->round_mm * sqrt(lx_larger(1 - cosine * cosine, 0));
+    }
     for (size_t e = 0; e < shell->edge_count && shell->edge_count <= MOST_EDGES; e++) {
         const struct lx_shell_edge_double *edge = &shell->edges_double[e];
         farthest = lx_larger(farthest, lx_larger(dot(direction, edge->from), dot(direction, edge->to)));
@@ -48,6 +53,15 @@ static enum side side_of_horizon(const struct lx_shell *shell, const struct lx_v
     return height + reach_of(shell, n) < -leeway ? BEHIND : UNSURE;
 }
 
+/* The same of a cylinder's ends and side, of which the latter is seen from outside. */
+static enum side side_of_cylinder(const struct lx_shell *shell, const double from_center[3], double leeway)
+{
+    const double along = dot(shell->axis, from_center);
+    const enum side side = side_of(lx_distance_from_axis(shell, from_center) - shell->round_mm, leeway),
+                    end = side_of(fabs(along) - shell->half_mm, leeway);
+    return side == UNSURE || end == UNSURE ? UNSURE : side == BEFORE || end == BEFORE ? BEFORE : BEHIND;
+}
+
 /* Whether the square is before some part of the source that shines, or behind all; UNSURE, too, where parts of it are
  * on either side of a face. */
 static enum side side_of_faces(const struct lx_shell *shell, const struct lx_vicinity *at, const double from_center[3],
@@ -58,8 +72,8 @@ static enum side side_of_faces(const struct lx_shell *shell, const struct lx_vic
     switch (shell->type) {
     case LX_BALL: return BEFORE;
     case LX_DISK: return side_of(dot(shell->axis, from_center), leeway);
-    case LX_FACETS: break;
-    default: return UNSURE;
+    case LX_CYLINDER: return side_of_cylinder(shell, from_center, leeway);
+    default: break;
     }
     for (size_t f = 0; f < shell->face_count && side != UNSURE; f++) {
         const struct lx_shell_face_double *face = &shell->faces_double[f];
@@ -69,9 +83,20 @@ static enum side side_of_faces(const struct lx_shell *shell, const struct lx_vic
     return shell->edge_count <= MOST_EDGES ? side : UNSURE;
 }
 
+/* The distance of a source's nearest place, or less. */
+static double least_distance(const struct lx_shell *shell, const double from_center[3])
+{
+    if (shell->type != LX_CYLINDER)
+        return sqrt(dot(from_center, from_center)) - shell->radius_mm;
+    return hypot(lx_larger(lx_distance_from_axis(shell, from_center) - shell->round_mm, 0),
+                 lx_larger(fabs(dot(shell->axis, from_center)) - shell->half_mm, 0));
+}
+
 double lx_smooth_shell_bound(const struct lx_shell *shell, double gain, const struct lx_vicinity *at)
 {
-    const struct lx_leeway *place = &at->place_leeway, *normal = &at->normal_leeway;
+    const struct lx_leeway *normal = &at->normal_leeway;
+    struct lx_leeway place = at->place_leeway;
+    struct lx_round_view view = {.most = 0};
     const double from_center[3] = {at->place[0] - shell->center[0], at->place[1] - shell->center[1],
                                    at->place[2] - shell->center[2]};
     const double away = sqrt(dot(from_center, from_center)), margin = 1e-9 * away + shell->touch_mm;
@@ -79,11 +104,18 @@ double lx_smooth_shell_bound(const struct lx_shell *shell, double gain, const st
     const enum side faces = side_of_faces(shell, at, from_center, margin);
     if (horizon == BEHIND || faces == BEHIND)
         return 0;
-    const double nearest = away - shell->radius_mm - place->first - margin;
-    if (horizon == UNSURE || faces == UNSURE || !(0.9 * nearest > place->second + place->imaginary))
+    if (shell->type == LX_CYLINDER && lx_distance_from_axis(shell, from_center) > shell->round_mm) {
+        if (!lx_round_view_of(shell, at, &view))
+            return HUGE_VAL;
+        const double aside = view.aside * lx_beyond_real(&place);
+        place.second += aside, place.imaginary += aside;
+    }
+    const double nearest = least_distance(shell, from_center) - place.first - margin;
+    if (horizon == UNSURE || faces == UNSURE || !(0.9 * nearest > place.second + place.imaginary))
         return HUGE_VAL;
-    const double imaginary = place->imaginary * place->imaginary;
-    const double least = (nearest - place->second) * (nearest - place->second) - imaginary;
-    const double most = (nearest + place->second) * (nearest + place->second) + imaginary;
-    return gain * hypot(1 + normal->second, normal->imaginary) * most / (least * least);
+    const double imaginary = place.imaginary * place.imaginary;
+    const double least = (nearest - place.second) * (nearest - place.second) - imaginary;
+    const double most = sqrt((nearest + place.second) * (nearest + place.second) + imaginary);
+    const double across = view.most * (1 + view.share) * sqrt(1 + view.share); /* of the way to a cylinder's side */
+    return gain * hypot(1 + normal->second, normal->imaginary) * most * lx_larger(most, across) / (least * least);
 }

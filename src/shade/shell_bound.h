@@ -5,7 +5,10 @@
  *
  * The irradiance by a face in front of which the element is, all of it above the horizon, is an integral over places s
  * on it of (N.w)(-a.w)/(w.w)^2, w = s - p, a the face's normal: analytic as long as no w.w becomes 0, and no larger
- * than |N| |w|^2/|w.w|^2 times the area; by a ball of radius b about C it is pi b^2 N.w/(w.w)^(3/2), w = C - p.
+ * than |N| |w|^2/|w.w|^2 times the area; by a ball of radius b about C it is pi b^2 N.w/(w.w)^(3/2), w = C - p.  The
+ * side of a cylinder, whose places move with p (round_view.h), is R times its height times the integral over t from -1
+ * to 1 of (N.w) 2 D (1 - q)^(3/2) (1 - t^2)/((1 + t^2 + (1 - t^2) R/D)^2 (w.w)^2), q = R^2/D^2, which over t alone
+ * comes to no more than twice D |1 - q|^(3/2).
  */
 #ifndef LX_SHADE_SHELL_BOUND_H
 #define LX_SHADE_SHELL_BOUND_H
@@ -13,8 +16,8 @@
 #include "kernel.h"
 
 /* A bound of the brightness by a source in the vicinity, `gain` being diffuse times radiance times the area that shines
- * (of a ball, of its section); 0 where it does not light the square; infinite where it may not be analytic, or is a
- * cylinder. */
+ * (of a ball, of its section; of a cylinder, of the section along its axis and one end); 0 where it does not light the
+ * square; infinite where it may not be analytic. */
 double lx_smooth_shell_bound(const struct lx_shell *shell, double gain, const struct lx_vicinity *at);
 
 #endif

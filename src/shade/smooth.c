@@ -42,6 +42,10 @@ enum { COST_OF_HIGHLIGHTS = 200 };
  * former grows by no more than the square of Lebesgue's constant, below 7.7. */
 static const double AT_NODES = 0.0625, BETWEEN_NODES = 0.25;
 
+/* Samples at nodes are in float32 where that is good enough for so much of the tolerance, as lx_samples_fit_single()
+ * has it: by its margin roundings are a tiny part of that. */
+static const double IN_SINGLE = 0.375;
+
 /* What float32 may add to the error of a polynomial, of its largest value. */
 static const double ROUNDINGS = 4e-7;
 
@@ -83,8 +87,10 @@ static void make_basis(unsigned nodes, double reach, struct lx_basis *basis)
 static double gain_of(const struct lx_planned_shell *planned, double diffuse)
 {
     const struct lx_shell *shell = &planned->shell;
-    const double area = shell->type == LX_BALL ? M_PI * shell->round_mm * shell->round_mm
-                                               : lx_extended_area_mm2(planned->emitter).value;
+    const double circle = M_PI * shell->round_mm * shell->round_mm;
+    const double area = shell->type == LX_BALL       ? circle
+                        : shell->type == LX_CYLINDER ? circle + 4 * shell->half_mm * shell->round_mm
+                                                     : lx_extended_area_mm2(planned->emitter).value;
     return planned->by_reference ? HUGE_VAL : diffuse * shell->radiance * area;
 }
 
@@ -93,12 +99,12 @@ static int make_glossy(const struct lx_planned_surface *surface, double toleranc
 {
     const size_t count = surface->glossy_count;
     smooth->glossy = lx_new_array(count, sizeof *smooth->glossy);
-    if (!smooth->glossy || lx_smooth_parts_make(surface, &smooth->parts))
+    if (!smooth->glossy || lx_smooth_parts_make(surface, &smooth->parts, &smooth->round))
         return -1;
     for (size_t s = 0; s < count; s++) {
         smooth->glossy[s] = surface->glossy[s];
         smooth->glossy[s].in_double = !lx_samples_fit_single(&surface->shape, &surface->glossy_exact,
-                                                             surface->glossy[s].shell, AT_NODES * tolerance);
+                                                             surface->glossy[s].shell, IN_SINGLE * tolerance);
     }
     return 0;
 }
@@ -124,6 +130,7 @@ void lx_smooth_clear(struct lx_smooth *smooth)
 {
     lx_smooth_lights_clear(&smooth->lights);
     lx_smooth_lights_clear(&smooth->parts);
+    lx_round_parts_clear(&smooth->round);
     free(smooth->gains);
     free(smooth->glossy);
 }
@@ -133,14 +140,16 @@ void lx_smooth_clear(struct lx_smooth *smooth)
 int lx_fitting_make(const struct lx_plan *plan, struct lx_fitting *fitting)
 {
     const size_t count = lx_padded(plan->smooth.count);
+    const size_t parts = plan->smooth.parts.count, round = plan->smooth.round.count;
     *fitting = (struct lx_fitting){
         .is_left = lx_new_array((1 + LX_BASES) * count, 1),
         .sizes = lx_new_aligned(count, sizeof *fitting->sizes),
-        .part_sizes = lx_new_aligned(lx_padded(plan->smooth.parts.count), sizeof *fitting->part_sizes),
+        .part_sizes = lx_new_aligned(lx_padded(parts > round ? parts : round), sizeof *fitting->part_sizes),
         .turned = lx_new_aligned(1, sizeof *fitting->turned),
         .polynomials = lx_new_aligned(1 + LX_MOST_FOLDED, sizeof *fitting->polynomials),
     };
-    if (!fitting->is_left || !fitting->sizes || !fitting->part_sizes || !fitting->turned || !fitting->polynomials)
+    if (!fitting->is_left || !fitting->sizes || !fitting->part_sizes || !fitting->turned || !fitting->polynomials ||
+        lx_round_lights_make(&plan->smooth.round, &fitting->round))
         return -1;
     *fitting->turned = (struct lx_block_double){.vx = {0}};
     for (size_t b = 0; b < LX_BASES; b++)
@@ -153,6 +162,7 @@ void lx_fitting_clear(struct lx_fitting *fitting)
     free(fitting->is_left);
     free(fitting->sizes);
     free(fitting->part_sizes);
+    lx_smooth_lights_clear(&fitting->round);
     free(fitting->turned);
     free(fitting->polynomials);
 }
@@ -184,15 +194,23 @@ static double cost_of(const struct lx_square *square, unsigned nodes, size_t tak
     return (double)taken * nodes + (double)(left - taken) * (square->side * square->side / PIXELS_A_NODE) + further;
 }
 
+/* A bound of the highlights of parts together. */
+static double bound_parts(const struct lx_plan *plan, struct lx_fitting *fitting, const struct lx_smooth_lights *parts)
+{
+    double most = 0;
+    plan->kernels->bound_smooth(&fitting->vicinity, parts, 0, parts->count, &plan->surfaces->glossy_exact,
+                                fitting->part_sizes);
+    for (size_t i = 0; i < parts->count; i++)
+        most += fabs(fitting->part_sizes[i]);
+    return most;
+}
+
 /* Whether polynomials of a kind do for the highlights of extended sources, which are exact to the tolerance only. */
 static bool can_take_highlights(const struct lx_plan *plan, struct lx_fitting *fitting, const struct lx_basis *basis)
 {
     const struct lx_smooth *smooth = &plan->smooth;
-    double most = 0;
-    plan->kernels->bound_smooth(&fitting->vicinity, &smooth->parts, 0, smooth->parts.count,
-                                &plan->surfaces->glossy_exact, fitting->part_sizes);
-    for (size_t i = 0; i < smooth->parts.count; i++)
-        most += fabs(fitting->part_sizes[i]);
+    lx_round_lights_place(&smooth->round, &fitting->vicinity, &fitting->round);
+    const double most = bound_parts(plan, fitting, &smooth->parts) + bound_parts(plan, fitting, &fitting->round);
     fitting->sizes[lx_highlights_index(smooth)] = most;
     return most * basis->share <= BETWEEN_NODES * plan->tolerance * plan->least_maximum;
 }

@@ -44,9 +44,10 @@ struct lx_smooth {
     double *gains; /* of the shells, as lx_smooth_shell_bound() takes them; infinite: to be summed for each pixel */
     bool has_highlights;
     struct lx_smooth_lights parts; /* that highlights are of, */
-    struct lx_sampled *glossy;     /* and their sources, as many as the surface has */
-    size_t count;                  /* of all */
-    double radius_mm;              /* of the surface, as it looks on the screen */
+    struct lx_round_parts round;
+    struct lx_sampled *glossy; /* and their sources, as many as the surface has */
+    size_t count;              /* of all */
+    double radius_mm;          /* of the surface, as it looks on the screen */
 };
 
 /* Where there are highlights, which light they are. */
@@ -61,7 +62,7 @@ static inline bool lx_holds_of_highlights(const struct lx_smooth *smooth, const 
     return smooth->has_highlights && told[lx_highlights_index(smooth)];
 }
 
-/* Of more lights there are none: what is kept of each of them takes 128 bytes. */
+/* Of more lights there are none: what is kept of each of them takes 144 bytes. */
 enum { LX_MOST_SMOOTH = 1 << 20 };
 
 /* Of the lights over a surface and its shells, whose highlights lx_has_smooth_highlights(), if they have any, and are
@@ -81,6 +82,7 @@ struct lx_fitting {
     uint8_t *is_left;       /* of each light */
     uint8_t *how[LX_BASES]; /* how polynomials of each basis take each light */
     double *sizes, *part_sizes;
+    struct lx_smooth_lights round;  /* the round parts as the square sees them */
     struct lx_light_room room;      /* for lights that are not stored */
     struct lx_block_double *turned; /* room for elements */
     struct lx_vicinity vicinity;    /* of the square and the basis that were last */

@@ -8,7 +8,7 @@
 #include "../base/larger.h"
 #include "../base/memory.h"
 #include "plan.h"
-#include "shell.h"
+#include "round_view.h"
 
 /* Parts are so small against their distance from the surface, but not more than so many, if there are no more patches
  * than are cut at all. */
@@ -20,10 +20,10 @@ enum { LIGHTS_BETWEEN_CHECKS = 1024 };
 
 static int make_room(size_t count, struct lx_smooth_lights *made)
 {
-    double **arrays[] = {&made->x,       &made->y,      &made->z,         &made->radius,
-                         &made->moves,   &made->gain,   &made->by_square, &made->by_root,
-                         &made->by_none, &made->axis_x, &made->axis_y,    &made->axis_z,
-                         &made->inner,   &made->outer,  &made->exponent,  &made->is_broken};
+    double **arrays[] = {&made->x,       &made->y,        &made->z,        &made->radius,    &made->strays,
+                         &made->sways,   &made->moves,    &made->gain,     &made->by_square, &made->by_root,
+                         &made->by_none, &made->axis_x,   &made->axis_y,   &made->axis_z,    &made->inner,
+                         &made->outer,   &made->exponent, &made->is_broken};
     const size_t length = lx_padded(count), number = sizeof arrays / sizeof *arrays;
     double *room = lx_new_aligned(number * length, sizeof *room);
     *made = (struct lx_smooth_lights){.count = count};
@@ -56,7 +56,8 @@ static void set_light(const struct lx_light_double *light, double radius_mm, str
 {
     const bool is_point = light->kind != LX_DISTANT;
     lights->x[i] = light->x, lights->y[i] = light->y, lights->z[i] = light->z;
-    lights->radius[i] = radius_mm;
+    lights->radius[i] = lights->strays[i] = radius_mm;
+    lights->sways[i] = 0;
     lights->moves[i] = is_point;
     lights->gain[i] = light->gain;
     lights->by_square[i] = is_point && light->law == LX_INVERSE_SQUARE;
@@ -92,39 +93,81 @@ static size_t count_patches(const struct lx_planned_surface *surface)
 
 bool lx_has_smooth_highlights(const struct lx_planned_surface *surface)
 {
-    for (size_t s = 0; s < surface->glossy_count; s++) {
-        const enum lx_emitter_type type = surface->glossy[s].shell->type;
-        if ((type != LX_FACETS && type != LX_DISK) || surface->glossy[s].law != LX_INVERSE_SQUARE)
+    for (size_t s = 0; s < surface->glossy_count; s++)
+        if (surface->glossy[s].law != LX_INVERSE_SQUARE)
             return false;
-    }
     return surface->glossy_count > 0 && count_patches(surface) <= MOST_PATCHES;
 }
 
-/* A patch, how bright it is, and how far its source's middle is from the surface. */
-struct bright_patch {
-    struct lx_patch patch;
-    double radiance, away_mm;
-};
-
-/* Into how many cells patches are cut along s and t; turns are longer than radii. */
+/* Into how many cells a patch is cut along s and t. */
 struct cut {
     unsigned along_s, along_t;
 };
 
-static struct cut cut_of(const struct bright_patch *bright, size_t patches)
+/* A patch, whose it is, and how it is cut. */
+struct cut_patch {
+    struct lx_patch patch;
+    const struct lx_shell *shell;
+    struct cut cut;
+};
+
+/* So many cells of a length that is twice as long as that. */
+static unsigned cells_along(double half_mm, double away_mm, double least, double most)
 {
-    const struct lx_cell all = {0, 0, 1, 1};
-    const double nowhere[3] = {0, 0, 0};
-    const bool is_disk = bright->patch.kind == LX_PATCH_DISK;
-    double middle[3];
-    const double radius = is_disk ? bright->patch.radius : lx_cell_look(&bright->patch, &all, nowhere, middle);
-    const double wanted = radius / (FINENESS * lx_larger(bright->away_mm, 0));
-    const double most = fmin(MOST_ALONG_SIDE, sqrt((double)MOST_PARTS / (double)patches));
-    const unsigned side = (unsigned)fmax(fmin(ceil(wanted), most), LEAST_ALONG_SIDE);
-    return is_disk ? (struct cut){(side + 1) / 2, 2 * side} : (struct cut){side, side};
+    return (unsigned)fmax(fmin(ceil(half_mm / (FINENESS * lx_larger(away_mm, 0))), most), least);
 }
 
-/* A cell of a patch as a light. */
+/* Of a patch that is so far from the surface; turns are longer than radii. */
+static struct cut cut_of(const struct lx_patch *patch, double away_mm, size_t patches)
+{
+    const struct lx_cell all = {0, 0, 1, 1};
+    const double nowhere[3] = {0, 0, 0}, most = fmin(MOST_ALONG_SIDE, sqrt((double)MOST_PARTS / (double)patches));
+    double middle[3];
+    if (patch->kind == LX_PATCH_SIDE)
+        return (struct cut){cells_along(patch->length / 2, away_mm, LEAST_ALONG_SIDE, most),
+                            cells_along(patch->radius, away_mm, 1, most)};
+    const double half = patch->kind == LX_PATCH_FLAT ? lx_cell_look(patch, &all, nowhere, middle) : patch->radius;
+    const unsigned side = cells_along(half, away_mm, LEAST_ALONG_SIDE, most);
+    return patch->kind == LX_PATCH_FLAT ? (struct cut){side, side} : (struct cut){(side + 1) / 2, 2 * side};
+}
+
+static size_t count_cells(const struct cut_patch *patch)
+{
+    return (size_t)patch->cut.along_s * patch->cut.along_t;
+}
+
+static struct lx_cell cell_of(const struct cut_patch *patch, size_t i)
+{
+    const double ds = 1.0 / patch->cut.along_s, dt = 1.0 / patch->cut.along_t;
+    return (struct lx_cell){(double)(i % patch->cut.along_s) * ds, (double)(i / patch->cut.along_s) * dt, ds, dt};
+}
+
+/* The patches of all sources, `*count` of them; NULL when memory ran out. */
+static struct cut_patch *find_patches(const struct lx_planned_surface *surface, size_t *count)
+{
+    const struct lx_around everywhere = {.radius = HUGE_VAL};
+    const size_t most = count_patches(surface);
+    struct cut_patch *found = lx_new_array(most, sizeof *found);
+    struct lx_patch *patches = lx_new_array(most, sizeof *patches);
+    *count = 0;
+    for (size_t s = 0; s < surface->glossy_count && found && patches; s++) {
+        const struct lx_shell *shell = surface->glossy[s].shell;
+        const size_t more = lx_patches_make(shell, &everywhere, NULL, patches);
+        const double *center = shell->center;
+        const double away = sqrt(center[0] * center[0] + center[1] * center[1] + center[2] * center[2]);
+        for (size_t i = 0; i < more; i++)
+            found[(*count)++] =
+                (struct cut_patch){patches[i], shell, cut_of(&patches[i], away - surface->shape.radius_mm, most)};
+    }
+    const bool complete = found && patches;
+    free(patches);
+    if (complete)
+        return found;
+    free(found);
+    return NULL;
+}
+
+/* A cell of a patch as a light, and how far from its middle it reaches. */
 static struct lx_light_double part_of(const struct lx_patch *patch, const struct lx_cell *cell, double radiance,
                                       double *radius_mm)
 {
@@ -151,55 +194,149 @@ static struct lx_light_double part_of(const struct lx_patch *patch, const struct
     };
 }
 
-/* The patches of all sources, `*count` of them; NULL when memory ran out. */
-static struct bright_patch *find_patches(const struct lx_planned_surface *surface, size_t *count)
+static bool is_round(const struct cut_patch *patch)
 {
-    const struct lx_around everywhere = {.radius = HUGE_VAL};
-    struct bright_patch *found = lx_new_array(count_patches(surface), sizeof *found);
-    struct lx_patch *patches = lx_new_array(count_patches(surface), sizeof *patches);
-    *count = 0;
-    for (size_t s = 0; s < surface->glossy_count && found && patches; s++) {
-        const struct lx_shell *shell = surface->glossy[s].shell;
-        const size_t more = lx_patches_make(shell, &everywhere, NULL, patches);
-        const double *center = shell->center;
-        const double away = sqrt(center[0] * center[0] + center[1] * center[1] + center[2] * center[2]);
-        for (size_t i = 0; i < more; i++)
-            found[(*count)++] = (struct bright_patch){patches[i], shell->radiance, away - surface->shape.radius_mm};
-    }
-    const bool complete = found && patches;
-    free(patches);
-    if (complete)
-        return found;
-    free(found);
-    return NULL;
+    return patch->patch.kind == LX_PATCH_BALL || patch->patch.kind == LX_PATCH_SIDE;
 }
 
-int lx_smooth_parts_make(const struct lx_planned_surface *surface, struct lx_smooth_lights *made)
+/* What whole lanes have beyond the lights is the last of these again. */
+static void pad(struct lx_smooth_lights *lights, const struct lx_light_double *last, double radius_mm)
 {
-    size_t patches, parts = 0;
-    struct bright_patch *found = find_patches(surface, &patches);
-    for (size_t p = 0; p < patches && found; p++) {
-        const struct cut cut = cut_of(&found[p], patches);
-        parts += (size_t)cut.along_s * cut.along_t;
-    }
-    if (!found || make_room(parts, made)) {
-        free(found);
+    for (size_t i = lights->count; i < lx_padded(lights->count); i++)
+        set_light(last, radius_mm, lights, i);
+}
+
+static int take_parts(const struct cut_patch *patches, size_t count, struct lx_smooth_lights *flat,
+                      struct lx_round_parts *round)
+{
+    size_t counts[2] = {0, 0}, next = 0;
+    for (size_t p = 0; p < count; p++)
+        counts[is_round(&patches[p])] += count_cells(&patches[p]);
+    round->parts = lx_new_array(counts[1], sizeof *round->parts);
+    if (make_room(counts[0], flat) || !round->parts)
         return -1;
-    }
     struct lx_light_double part = {.kind = LX_PROFILED};
     double radius_mm = 0;
-    size_t next = 0;
-    for (size_t p = 0; p < patches; p++) {
-        const struct cut cut = cut_of(&found[p], patches);
-        const double ds = 1.0 / cut.along_s, dt = 1.0 / cut.along_t;
-        for (unsigned i = 0; i < cut.along_s * cut.along_t; i++) {
-            const struct lx_cell cell = {i % cut.along_s * ds, i / cut.along_s * dt, ds, dt};
-            part = part_of(&found[p].patch, &cell, found[p].radiance, &radius_mm);
-            set_light(&part, radius_mm, made, next++);
+    for (size_t p = 0; p < count; p++) {
+        for (size_t i = 0; i < count_cells(&patches[p]); i++) {
+            const struct lx_cell cell = cell_of(&patches[p], i);
+            if (is_round(&patches[p])) {
+                round->parts[round->count++] = (struct lx_round_part){patches[p].shell, cell};
+                continue;
+            }
+            part = part_of(&patches[p].patch, &cell, patches[p].shell->radiance, &radius_mm);
+            set_light(&part, radius_mm, flat, next++);
         }
     }
-    for (; next < lx_padded(parts); next++)
-        set_light(&part, radius_mm, made, next);
-    free(found);
+    pad(flat, &part, radius_mm);
     return 0;
+}
+
+int lx_smooth_parts_make(const struct lx_planned_surface *surface, struct lx_smooth_lights *flat,
+                         struct lx_round_parts *round)
+{
+    size_t count;
+    struct cut_patch *patches = find_patches(surface, &count);
+    *round = (struct lx_round_parts){.count = 0};
+    const int status = patches ? take_parts(patches, count, flat, round) : -1;
+    free(patches);
+    return status;
+}
+
+/* ---- round parts ---- */
+
+void lx_round_parts_clear(struct lx_round_parts *round)
+{
+    free(round->parts);
+    *round = (struct lx_round_parts){.count = 0};
+}
+
+int lx_round_lights_make(const struct lx_round_parts *round, struct lx_smooth_lights *made)
+{
+    return make_room(round->count, made);
+}
+
+/* The patch of a ball or a cylinder's side as the middle of a square sees it, a ball as the disk that it is for it. */
+static struct lx_patch round_patch(const struct lx_shell *shell, const struct lx_vicinity *at,
+                                   const struct lx_round_view *view)
+{
+    const struct lx_around around = {.center = {at->place[0], at->place[1], at->place[2]}};
+    struct lx_patch patches[LX_MOST_ROUND_PATCHES];
+    lx_patches_make(shell, &around, NULL, patches);
+    if (shell->type == LX_BALL) {
+        const double sine = shell->round_mm / view->distance;
+        patches->kind = LX_PATCH_DISK;
+        patches->radius = shell->round_mm / sqrt(1 - sine * sine);
+    }
+    return *patches;
+}
+
+/*
+ * What a part's places give at most as points by the law 1/r^2 together, but for the way r to those of a side.  Of a
+ * ball that is rho^2 times the share of the disk's area, and times the cosine there, together |rho^2 sqrt(w.w/W.W)| <=
+ * b^2/(1 - q).
+ */
+static double gain_of(const struct lx_shell *shell, const struct lx_cell *cell, const struct lx_round_view *view)
+{
+    const double radius = shell->round_mm, end = cell->s + cell->ds, q = view->share;
+    if (shell->type == LX_BALL)
+        return shell->radiance * M_PI * radius * radius / (1 - q) * (end * end - cell->s * cell->s) * cell->dt;
+    const double from = 2 * cell->t - 1, to = 2 * (cell->t + cell->dt) - 1; /* 2 t/(1 + t^2): docs/MATHS.md */
+    const double turn = 2 * to / (1 + to * to) - 2 * from / (1 + from * from);
+    return shell->radiance * radius * 2 * shell->half_mm * cell->ds * turn * view->most * (1 + q) * sqrt(1 + q);
+}
+
+/* A part as the square sees it, with what its places move by.  Too near for a bound its gain means nothing. */
+static void place_part(const struct lx_round_part *part, const struct lx_vicinity *at, const struct lx_round_view *view,
+                       const struct lx_patch *patch, struct lx_smooth_lights *made, size_t i)
+{
+    const struct lx_leeway *place = &at->place_leeway;
+    struct lx_light_double light = {.kind = LX_BY_SQUARE, .law = LX_INVERSE_SQUARE, .falloff = LX_NO_CONE};
+    double middle[3], square = 0;
+    const double radius = lx_cell_look(patch, &part->cell, at->place, middle);
+    for (int k = 0; k < 3; k++)
+        square += (middle[k] - at->place[k]) * (middle[k] - at->place[k]);
+    const double sways = view->aside * lx_beyond_real(place), strays = radius + view->along * place->first + sways;
+    const double nearest = sqrt(square) - strays - place->first - place->second, imaginary = place->imaginary + sways;
+    light.gain = gain_of(part->shell, &part->cell, view);
+    if (part->shell->type == LX_CYLINDER && nearest > imaginary)
+        light.gain /= sqrt((nearest - imaginary) * (nearest + imaginary));
+    light.x = middle[0], light.y = middle[1], light.z = middle[2];
+    set_light(&light, radius + view->along * place->tile, made, i);
+    made->strays[i] = strays;
+    made->sways[i] = sways;
+}
+
+/* Whether the square is beyond an end of a cylinder whose side it does not see. */
+static bool is_hidden(const struct lx_shell *shell, const struct lx_vicinity *at)
+{
+    double from_center[3];
+    for (int k = 0; k < 3; k++)
+        from_center[k] = at->place[k] - shell->center[k];
+    return shell->type == LX_CYLINDER &&
+           lx_distance_from_axis(shell, from_center) + at->place_leeway.tile + shell->touch_mm < shell->round_mm;
+}
+
+void lx_round_lights_place(const struct lx_round_parts *round, const struct lx_vicinity *at,
+                           struct lx_smooth_lights *made)
+{
+    const struct lx_light_double nowhere = {.kind = LX_BY_SQUARE,
+                                            .law = LX_INVERSE_SQUARE,
+                                            .falloff = LX_NO_CONE,
+                                            .x = at->place[0],
+                                            .y = at->place[1],
+                                            .z = at->place[2]};
+    made->count = 0;
+    for (size_t i = 0, next; i < round->count; i = next) {
+        const struct lx_shell *shell = round->parts[i].shell;
+        struct lx_round_view view;
+        const bool is_outside = lx_round_view_of(shell, at, &view);
+        const struct lx_patch patch = is_outside ? round_patch(shell, at, &view) : (struct lx_patch){.radius = 0};
+        for (next = i; next < round->count && round->parts[next].shell == shell; next++)
+            if (is_outside)
+                place_part(&round->parts[next], at, &view, &patch, made, made->count++);
+            else if (!is_hidden(shell, at))
+                set_light(&nowhere, 0, made, made->count++);
+    }
+    pad(made, &nowhere, 0);
 }

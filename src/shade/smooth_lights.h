@@ -1,8 +1,10 @@
 /* SPDX-License-Identifier: MIT */
 /*
- * Lights as lx_bound_smooth() takes them: those of a plan, and the parts that flat extended sources are cut into so
- * that their highlights can be bounded.  The places of a part are points with the cosine pattern of its face; so it is
- * as one that may stand anywhere within some distance of its middle, and that shines with the part's whole area.
+ * Lights as lx_bound_smooth() takes them: those of a plan, and the parts that extended sources are cut into so that
+ * their highlights can be bounded.  The places of a flat part are points with the cosine pattern of its face; so it is
+ * as one that may stand anywhere within some distance of its middle, and that shines with the part's whole area.  Those
+ * of a ball and of a cylinder's side are the ones that are seen, which depends on from where (round_view.h): they are
+ * placed anew for each square, and what they move by within it adds to that distance.
  */
 #ifndef LX_SHADE_SMOOTH_LIGHTS_H
 #define LX_SHADE_SMOOTH_LIGHTS_H
@@ -13,6 +15,7 @@
 
 #include "../base/rows.h"
 #include "lights.h"
+#include "shell.h"
 
 struct lx_planned_surface;
 
@@ -21,9 +24,30 @@ luxel_status lx_smooth_lights_make(const struct lx_lights *lights, const struct 
                                    struct lx_smooth_lights *made);
 void lx_smooth_lights_clear(struct lx_smooth_lights *lights);
 
-/* Whether the highlights of all extended sources over a surface, of which there are some, are of flat ones by the law
- * 1/r^2 that are worth cutting into parts; and these parts: 0, or -1 when memory ran out. */
+/* Whether the highlights of all extended sources over a surface, of which there are some, are by the law 1/r^2, and few
+ * enough to be cut into parts. */
 bool lx_has_smooth_highlights(const struct lx_planned_surface *surface);
-int lx_smooth_parts_make(const struct lx_planned_surface *surface, struct lx_smooth_lights *made);
+
+/* What of these sources is round: which share of it each part has. */
+struct lx_round_part {
+    const struct lx_shell *shell;
+    struct lx_cell cell; /* of the only patch of its kind that the shell has */
+};
+
+struct lx_round_parts {
+    struct lx_round_part *parts;
+    size_t count;
+};
+
+/* The parts of what is flat, and of what is round: 0, or -1 when memory ran out.  Clear both in any case. */
+int lx_smooth_parts_make(const struct lx_planned_surface *surface, struct lx_smooth_lights *flat,
+                         struct lx_round_parts *round);
+void lx_round_parts_clear(struct lx_round_parts *round);
+
+/* Room for round parts as lights, 0 or -1; and those of these lights that a square sees.  Where some places around it
+ * may not be outside of the body they are so near that there is no bound. */
+int lx_round_lights_make(const struct lx_round_parts *round, struct lx_smooth_lights *made);
+void lx_round_lights_place(const struct lx_round_parts *round, const struct lx_vicinity *at,
+                           struct lx_smooth_lights *made);
 
 #endif

@@ -107,7 +107,7 @@ struct vector unit(struct vector a)
     return plus((struct vector){0, 0, 0}, 1 / csqrt(dot(a, a)), a);
 }
 
-static struct vector cross(struct vector a, struct vector b)
+struct vector cross(struct vector a, struct vector b)
 {
     return (struct vector){a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
 }
@@ -146,6 +146,17 @@ struct vector view_at(const struct lx_plan *plan, struct vector place)
     return unit(plus(observer_from(plan), -1, place));
 }
 
+struct falling falling_along(const struct lx_plan *plan, struct vector way, double complex e, struct vector place,
+                             struct vector normal)
+{
+    const struct vector view = view_at(plan, place), towards = unit(way);
+    const double complex cosine = dot(normal, towards);
+    const struct vector half = unit(plus(towards, 1, view)),
+                        mirrored = plus(plus((struct vector){0, 0, 0}, -1, towards), 2 * cosine, normal);
+    const bool is_phong = plan->surfaces->lobe_exact.model == LX_PHONG;
+    return (struct falling){.e = e, .cosine = cosine, .s = is_phong ? dot(mirrored, view) : dot(normal, half)};
+}
+
 struct falling falling_at(const struct lx_plan *plan, const struct lx_light_double *light, double complex x,
                           double complex y)
 {
@@ -162,20 +173,12 @@ struct falling falling_at(const struct lx_plan *plan, const struct lx_light_doub
         e /= light->k + r;
     if (light->exponent.value > 0)
         e *= cpow(-dot(axis, towards), light->exponent.value);
-    const struct vector view = view_at(plan, place);
-    const double complex cosine = dot(normal, towards);
-    const struct vector half = unit(plus(towards, 1, view)),
-                        mirrored = plus(plus((struct vector){0, 0, 0}, -1, towards), 2 * cosine, normal);
-    const bool is_phong = plan->surfaces->lobe_exact.model == LX_PHONG;
-    return (struct falling){.e = e, .cosine = cosine, .s = is_phong ? dot(mirrored, view) : dot(normal, half)};
+    return falling_along(plan, way, e, place, normal);
 }
 
-/* The brightness by such a light above the horizon, or below it where it `is_dark`. */
-static double complex light_at(const struct lx_plan *plan, const struct lx_lobe_double *lobe,
-                               const struct lx_light_double *light, bool is_dark, bool has_highlight, double complex x,
-                               double complex y)
+double complex brightness_of(const struct lx_lobe_double *lobe, struct falling falling, bool is_dark,
+                             bool has_highlight)
 {
-    const struct falling falling = falling_at(plan, light, x, y);
     double complex specular =
         lobe->model == LX_LAMBERT || !has_highlight ? 0 : lobe->specular * cpow(falling.s, lobe->exponent.value);
     if (lobe->highlight == LX_HIGHLIGHT_COSINE)
@@ -183,6 +186,13 @@ static double complex light_at(const struct lx_plan *plan, const struct lx_lobe_
     if (lobe->highlight == LX_HIGHLIGHT_GATED && is_dark)
         specular = 0;
     return falling.e * ((is_dark ? 0 : lobe->diffuse * falling.cosine) + specular);
+}
+
+static double complex brightness_by_light(const struct lx_plan *plan, const struct lx_lobe_double *lobe,
+                                          const void *light, bool is_dark, bool has_highlight, double complex x,
+                                          double complex y)
+{
+    return brightness_of(lobe, falling_at(plan, light, x, y), is_dark, has_highlight);
 }
 
 void random_place(struct randomness *random, const struct lx_square *square, const struct lx_basis *basis,
@@ -200,15 +210,15 @@ void random_place(struct randomness *random, const struct lx_square *square, con
 
 /* Whether a size holds with the highlight, of which it may be that it is not analytic, as a slip: the rest keeps to it,
  * and what the highlight comes to in the square to that over the slip. */
-static bool is_slip(const struct lx_plan *plan, const struct lx_lobe_double *lobe, const struct lx_light_double *light,
+static bool is_slip(const struct lx_plan *plan, const struct lx_lobe_double *lobe, brightness_by *by, const void *what,
                     const struct lx_square *square, double size, double slip, const double complex place[2])
 {
-    bool holds = cabs(light_at(plan, lobe, light, size > 0, false, place[0], place[1])) <= fabs(size) * (1 + 1e-7);
+    bool holds = cabs(by(plan, lobe, what, size > 0, false, place[0], place[1])) <= fabs(size) * (1 + 1e-7);
     for (int i = 0; holds && i < 9; i++) {
         const double x = square->x_mm + square->half_mm[0] * (i % 3 - 1),
                      y = square->y_mm + square->half_mm[1] * (i / 3 - 1);
-        const double complex all = light_at(plan, lobe, light, false, true, x, y),
-                             diffuse = light_at(plan, lobe, light, false, false, x, y);
+        const double complex all = by(plan, lobe, what, false, true, x, y),
+                             diffuse = by(plan, lobe, what, false, false, x, y);
         holds = cabs(all - diffuse) * slip <= fabs(size) * (1 + 1e-7);
     }
     return holds;
@@ -229,15 +239,22 @@ static bool is_below(const struct lx_plan *plan, const struct lx_light_double *l
     return height < 0;
 }
 
+void check_size_by(const struct lx_plan *plan, const struct lx_lobe_double *lobe, brightness_by *by, const void *what,
+                   const struct lx_light_double *about, double size, const struct lx_vicinity *at,
+                   const struct lx_square *square, const struct lx_basis *basis, struct randomness *random)
+{
+    bool has_highlight;
+    const bool is_dark = is_below(plan, about, at, &has_highlight) && !(size < 0);
+    double complex place[2];
+    random_place(random, square, basis, place);
+    const double value = cabs(by(plan, lobe, what, is_dark, has_highlight, place[0], place[1]));
+    if (!(value <= fabs(size) * (1 + 1e-7)) && !is_slip(plan, lobe, by, what, square, size, basis->slip, place))
+        fail_msg("light of kind %d: %g, but no more than %g was promised", (int)about->kind, value, size);
+}
+
 void check_size(const struct lx_plan *plan, const struct lx_lobe_double *lobe, const struct lx_light_double *light,
                 double size, const struct lx_vicinity *at, const struct lx_square *square, const struct lx_basis *basis,
                 struct randomness *random)
 {
-    bool has_highlight;
-    const bool is_dark = is_below(plan, light, at, &has_highlight) && !(size < 0);
-    double complex place[2];
-    random_place(random, square, basis, place);
-    const double value = cabs(light_at(plan, lobe, light, is_dark, has_highlight, place[0], place[1]));
-    if (!(value <= fabs(size) * (1 + 1e-7)) && !is_slip(plan, lobe, light, square, size, basis->slip, place))
-        fail_msg("light of kind %d: %g, but no more than %g was promised", (int)light->kind, value, size);
+    check_size_by(plan, lobe, brightness_by_light, light, light, size, at, square, basis, random);
 }

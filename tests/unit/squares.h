@@ -8,8 +8,6 @@
 #include "random_scenes.h"
 #include "shade/panels.h"
 
-/* A square around a place where the surface may be seen. */
-
 /* What squares are fitted with. */
 struct workplace {
     struct lx_plan plan;
@@ -28,6 +26,7 @@ struct vector {
 double complex dot(struct vector a, struct vector b);
 struct vector plus(struct vector a, double complex times, struct vector b);
 struct vector unit(struct vector a);
+struct vector cross(struct vector a, struct vector b);
 
 /* The surface through a place on the screen, from its anchor: as surface/sphere.c and rectangle.c find it. */
 struct vector place_at(const struct lx_plan *plan, double complex x, double complex y, struct vector *normal);
@@ -58,12 +57,25 @@ struct falling {
 
 struct falling falling_at(const struct lx_plan *plan, const struct lx_light_double *light, double complex x,
                           double complex y);
+/* What falls on a place along a way, or in a direction, from there. */
+struct falling falling_along(const struct lx_plan *plan, struct vector way, double complex e, struct vector place,
+                             struct vector normal);
 
 /* A place on the ellipse, or in it, on one axis, and in the square on the other. */
 void random_place(struct randomness *random, const struct lx_square *square, const struct lx_basis *basis,
                   double complex place[2]);
 
-/* Checks the size of a light that lx_bound_smooth() promises, finite and not 0, at such a place. */
+/* The brightness by something there above the horizon, or below it where it `is_dark`. */
+typedef double complex brightness_by(const struct lx_plan *plan, const struct lx_lobe_double *lobe, const void *light,
+                                     bool is_dark, bool has_highlight, double complex x, double complex y);
+double complex brightness_of(const struct lx_lobe_double *lobe, struct falling falling, bool is_dark,
+                             bool has_highlight);
+
+/* Checks the size that lx_bound_smooth() promises, finite and not 0, at such a place: of something that stands about
+ * where a light does; and of a light. */
+void check_size_by(const struct lx_plan *plan, const struct lx_lobe_double *lobe, brightness_by *by, const void *what,
+                   const struct lx_light_double *about, double size, const struct lx_vicinity *at,
+                   const struct lx_square *square, const struct lx_basis *basis, struct randomness *random);
 void check_size(const struct lx_plan *plan, const struct lx_lobe_double *lobe, const struct lx_light_double *light,
                 double size, const struct lx_vicinity *at, const struct lx_square *square, const struct lx_basis *basis,
                 struct randomness *random);

@@ -128,6 +128,15 @@ static const char *const scenes[] = {
     "lights:\n"
     "  - {type: planar, radiance: 3,\n"
     "     vertices: [[-200, 900, -300], [300, 900, -300], [250, 900, 200], [-250, 900, 100]]}\n",
+    /* a shiny part of a sphere under a ball, a tube, and the end of a cylinder that looks at it */
+    "luxel: 1\n"
+    "screen: {width: 160, height: 160, resolution: [260, 260]}\n"
+    "observer: {z: 3000}\n"
+    "surfaces: [{type: sphere, center: [160, 0, 1000], radius: 310, material: {shininess: 30}}]\n"
+    "lights:\n"
+    "  - {type: volume, radiance: 5, sphere: {center: [200, 900, 1900], radius: 150}}\n"
+    "  - {type: volume, radiance: 9, cylinder: {center: [-600, 0, 1700], radius: 20, height: 900, axis: [0, 1, 0.2]}}\n"
+    "  - {type: volume, radiance: 2, cylinder: {center: [0, 0, 2900], radius: 60, height: 300, axis: [0, 0, 1]}}\n",
 };
 
 /* From this scene on there are highlights of extended sources, exact to the tolerance. */
