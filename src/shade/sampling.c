@@ -10,6 +10,10 @@
 
 enum { MOST_CELLS = LX_MOST_CELLS, DEEPEST = 14, QUARTERS = 4, RULE = 3 };
 
+/* Samples on a circle of what is round, by the finer rule, and of what is tiny. */
+enum { SPOKES = 6, MORE_SPOKES = 8, FEW_SPOKES = 3, MOST_ON_CIRCLES = RULE * MORE_SPOKES };
+_Static_assert((int)MOST_ON_CIRCLES <= (int)LX_MOST_SAMPLES, "there is room for the circles of a half");
+
 /* Cells that are looked at between two questions whether to go on. */
 enum { BETWEEN_CHECKS = 16 };
 
@@ -21,10 +25,10 @@ struct cell {
     const struct lx_patch *patch;
     struct lx_cell part;
     int depth;
-    bool is_tiny;                        /* coarse is one sample, the quarters are one each */
+    bool is_tiny;                        /* coarse is one sample, the quarters are one each; few, if it is round */
     double doubt[LX_LANES];              /* where the lobe jumps in the cell: the difference counts as no less */
     double coarse[LX_LANES];             /* by the rule in all of it */
-    double quarters[QUARTERS][LX_LANES]; /* by the rule in each quarter */
+    double quarters[QUARTERS][LX_LANES]; /* by the rule in each quarter; if round, in the inner and outer half */
 };
 
 struct pending {
@@ -157,22 +161,24 @@ static void shade_samples(const struct run *run, const struct lx_sampled *source
         result[i] = (double)values[i];
 }
 
-static struct lx_cell quarter_of(const struct lx_cell *cell, int quarter)
+/* A part of a cell: what is round, which the rule of Gauss is not for, is cut into sectors. */
+static struct lx_cell quarter_of(const struct lx_patch *patch, const struct lx_cell *cell, int quarter)
 {
+    if (lx_cell_is_round(patch, cell))
+        return (struct lx_cell){cell->s, quarter / (double)QUARTERS, cell->ds, 1.0 / QUARTERS};
     double ds = cell->ds / 2, dt = cell->dt / 2;
     return (struct lx_cell){cell->s + (quarter & 1 ? ds : 0), cell->t + (quarter & 2 ? dt : 0), ds, dt};
 }
 
-/* Puts samples of a cell into the memory. */
-static void take_samples(const struct run *run, const struct lx_sampled *source, const struct lx_patch *patch,
-                         const struct lx_cell *part, unsigned side, size_t first)
+/* Begins samples of a patch in the memory; returns what those of a unit area shine with. */
+static double begin_samples(const struct run *run, const struct lx_sampled *source, const struct lx_patch *patch)
 {
     static const double metres[] = {[LX_INVERSE_SQUARE] = 1, [LX_PRACTICAL] = 1e-3, [LX_NO_ATTENUATION] = 1e-6};
     struct lx_samples_double *samples = &run->memory->samples;
     samples->law = source->law;
     samples->k = source->k_mm;
     lx_patch_samples(patch, source->shell->touch_mm, samples);
-    lx_cell_samples(patch, part, side, source->shell->radiance * metres[source->law], first, samples);
+    return source->shell->radiance * metres[source->law];
 }
 
 static void finish_samples(const struct run *run, const struct lx_sampled *source, size_t count)
@@ -181,19 +187,44 @@ static void finish_samples(const struct run *run, const struct lx_sampled *sourc
         copy_samples(&run->memory->samples, count, &run->memory->copy);
 }
 
-static void shade_whole(const struct run *run, struct cell *cell, unsigned side)
+/* The light of all that is round between two shares of the radius. */
+static void shade_rings(const struct run *run, const struct cell *cell, double from_s, double to_s, unsigned spokes,
+                        double off, double *result)
 {
-    take_samples(run, cell->source, cell->patch, &cell->part, side, 0);
+    const unsigned rings = cell->is_tiny ? 1 : RULE;
+    const double gain = begin_samples(run, cell->source, cell->patch);
+    lx_round_samples(cell->patch, from_s, to_s, rings, spokes, off, gain, &run->memory->samples);
+    finish_samples(run, cell->source, (size_t)rings * spokes);
+    shade_samples(run, cell->source, 0, (size_t)rings * spokes, result);
+}
+
+static void shade_whole(const struct run *run, struct cell *cell)
+{
+    const unsigned side = cell->is_tiny ? 1 : RULE;
+    if (lx_cell_is_round(cell->patch, &cell->part)) {
+        shade_rings(run, cell, 0, 1, cell->is_tiny ? FEW_SPOKES : SPOKES, 0, cell->coarse);
+        return;
+    }
+    const double gain = begin_samples(run, cell->source, cell->patch);
+    lx_cell_samples(cell->patch, &cell->part, side, gain, 0, &run->memory->samples);
     finish_samples(run, cell->source, (size_t)side * side);
     shade_samples(run, cell->source, 0, (size_t)side * side, cell->coarse);
 }
 
 static void shade_quarters(const struct run *run, struct cell *cell)
 {
-    unsigned side = cell->is_tiny ? 1 : RULE, points = side * side;
+    const unsigned side = cell->is_tiny ? 1 : RULE, points = side * side;
+    if (lx_cell_is_round(cell->patch, &cell->part)) {
+        const unsigned spokes = cell->is_tiny ? SPOKES : MORE_SPOKES;
+        shade_rings(run, cell, 0, 0.5, spokes, 0.25, cell->quarters[0]);
+        shade_rings(run, cell, 0.5, 1, spokes, 0.75, cell->quarters[1]);
+        memset(&cell->quarters[2], 0, 2 * sizeof cell->quarters[2]);
+        return;
+    }
+    const double gain = begin_samples(run, cell->source, cell->patch);
     for (int q = 0; q < QUARTERS; q++) {
-        struct lx_cell part = quarter_of(&cell->part, q);
-        take_samples(run, cell->source, cell->patch, &part, side, (size_t)q * points);
+        struct lx_cell part = quarter_of(cell->patch, &cell->part, q);
+        lx_cell_samples(cell->patch, &part, side, gain, (size_t)q * points, &run->memory->samples);
     }
     finish_samples(run, cell->source, (size_t)QUARTERS * points);
     for (int q = 0; q < QUARTERS; q++)
@@ -365,7 +396,7 @@ static void work_off(struct run *run)
                 memory->pending[memory->pending_count++] = (struct pending){
                     .source = next.source,
                     .patch = next.patch,
-                    .part = quarter_of(&next.part, q),
+                    .part = quarter_of(next.patch, &next.part, q),
                     .depth = next.depth + 1,
                 };
             sort_out(run, QUARTERS);
@@ -374,7 +405,7 @@ static void work_off(struct run *run)
         struct cell cell = {.source = next.source, .patch = next.patch, .part = next.part, .depth = next.depth};
         cell.is_tiny = next.sight.is_tiny;
         memcpy(cell.doubt, next.sight.doubt, sizeof cell.doubt);
-        shade_whole(run, &cell, cell.is_tiny ? 1 : RULE);
+        shade_whole(run, &cell);
         shade_quarters(run, &cell);
         enlist(run, &cell);
     }
@@ -399,17 +430,19 @@ static void refine(struct run *run, size_t index)
     struct cell parent = delist(run, index);
     if (parent.is_tiny) {
         parent.is_tiny = false;
-        shade_whole(run, &parent, RULE);
+        shade_whole(run, &parent);
         shade_quarters(run, &parent);
         enlist(run, &parent);
         return;
     }
     for (int q = 0; q < QUARTERS; q++) {
         struct cell part = {.source = parent.source, .patch = parent.patch, .depth = parent.depth + 1};
-        part.part = quarter_of(&parent.part, q);
+        part.part = quarter_of(parent.patch, &parent.part, q);
         find_doubt(run, &parent, &part);
-        for (int i = 0; i < LX_LANES; i++)
-            part.coarse[i] = parent.quarters[q][i];
+        if (lx_cell_is_round(parent.patch, &parent.part))
+            shade_whole(run, &part); /* its halves were no sectors */
+        else
+            memcpy(part.coarse, parent.quarters[q], sizeof part.coarse);
         shade_quarters(run, &part);
         enlist(run, &part);
     }
@@ -423,14 +456,16 @@ static bool is_done(const struct run *run)
     return greatest + run->dropped + run->settled <= allowed(run);
 }
 
-/* A patch as the first cells; full turns are too long for the rule of Gauss. */
+/* A patch as the first cells; half turns are too long for the rule of Gauss. */
 static void begin(struct run *run, const struct lx_sampled *source, const struct lx_patch *patch)
 {
     struct lx_sampling_memory *memory = run->memory;
-    int parts = patch->kind == LX_PATCH_FLAT ? 1 : patch->kind == LX_PATCH_SIDE ? 2 : 4;
-    for (int i = 0; i < parts; i++)
-        memory->pending[memory->pending_count++] =
-            (struct pending){.source = source, .patch = patch, .part = {0, (double)i / parts, 1, 1.0 / parts}};
+    const int parts = patch->kind == LX_PATCH_SIDE ? 2 : 1;
+    for (int i = 0; i < parts; i++) {
+        struct pending *first = &memory->pending[memory->pending_count++];
+        *first = (struct pending){.source = source, .patch = patch, .part = {0, (double)i / parts, 1, 1.0 / parts}};
+        first->depth = lx_cell_is_round(patch, &first->part) ? -1 : 0;
+    }
 }
 
 /* Whether all elements are so near to the plane of a face that, against their height over it, places are rounded by

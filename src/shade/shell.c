@@ -339,12 +339,30 @@ static double look_at_flat(const struct lx_patch *patch, const struct lx_cell *c
     return sqrt(farthest);
 }
 
+bool lx_cell_is_round(const struct lx_patch *patch, const struct lx_cell *cell)
+{
+    return cell->dt == 1 && (patch->kind == LX_PATCH_DISK || patch->kind == LX_PATCH_BALL);
+}
+
+/* Of all that is round the middle is that of the disk or the ball. */
+static double look_at_round(const struct lx_patch *patch, const double element[3], double middle[3])
+{
+    double square = 0;
+    for (int i = 0; i < 3; i++) {
+        middle[i] = patch->o[i];
+        square += (element[i] - middle[i]) * (element[i] - middle[i]);
+    }
+    return patch->kind == LX_PATCH_BALL && !(square > patch->radius * patch->radius) ? -1 : patch->radius;
+}
+
 double lx_cell_look(const struct lx_patch *patch, const struct lx_cell *cell, const double element[3], double middle[3])
 {
     const double s = cell->s + cell->ds / 2, t = cell->t + cell->dt / 2, radius = patch->radius;
     const double end = cell->s + cell->ds, turn = lx_smaller(M_PI * cell->dt, 2);
     if (patch->kind == LX_PATCH_FLAT)
         return look_at_flat(patch, cell, middle);
+    if (lx_cell_is_round(patch, cell))
+        return look_at_round(patch, element, middle);
     if (patch->kind == LX_PATCH_DISK) {
         disk_place(patch, s, cos(2 * M_PI * t), sin(2 * M_PI * t), middle);
         return radius * (cell->ds / 2 + end * turn);
@@ -384,13 +402,15 @@ static double sample_at(const struct lx_patch *patch, double s, double t, double
     return 2 * M_PI * patch->radius * patch->radius * s;
 }
 
+/* Rules of Gauss for 1 to 3 samples between 0 and 1. */
+static const double PLACES[3][3] = {
+    {0.5}, {0.21132486540518712, 0.78867513459481288}, {0.11270166537925831, 0.5, 0.88729833462074169}};
+static const double WEIGHTS[3][3] = {{1}, {0.5, 0.5}, {5.0 / 18, 8.0 / 18, 5.0 / 18}};
+
 void lx_cell_samples(const struct lx_patch *patch, const struct lx_cell *cell, unsigned side, double gain, size_t first,
                      struct lx_samples_double *samples)
 {
-    static const double places[3][3] = {
-        {0.5}, {0.21132486540518712, 0.78867513459481288}, {0.11270166537925831, 0.5, 0.88729833462074169}};
-    static const double weights[3][3] = {{1}, {0.5, 0.5}, {5.0 / 18, 8.0 / 18, 5.0 / 18}};
-    const double *x = places[side - 1], *w = weights[side - 1];
+    const double *x = PLACES[side - 1], *w = WEIGHTS[side - 1];
     for (unsigned k = 0; k < side; k++) {
         const double t = cell->t + x[k] * cell->dt;
         bool turns = patch->kind == LX_PATCH_DISK || patch->kind == LX_PATCH_BALL;
@@ -401,6 +421,21 @@ void lx_cell_samples(const struct lx_patch *patch, const struct lx_cell *cell, u
             size_t at = first + (size_t)k * side + j;
             samples->x[at] = place[0], samples->y[at] = place[1], samples->z[at] = place[2];
             samples->gain[at] = gain * area * w[j] * w[k] * cell->ds * cell->dt;
+        }
+    }
+}
+
+void lx_round_samples(const struct lx_patch *patch, double from_s, double to_s, unsigned rings, unsigned spokes,
+                      double off, double gain, struct lx_samples_double *samples)
+{
+    const double *x = PLACES[rings - 1], *w = WEIGHTS[rings - 1], ds = to_s - from_s;
+    for (unsigned k = 0; k < spokes; k++) {
+        const double t = (k + off) / spokes, cosine = cos(2 * M_PI * t), sine = sin(2 * M_PI * t);
+        for (unsigned j = 0; j < rings; j++) {
+            double place[3], area = sample_at(patch, from_s + x[j] * ds, t, cosine, sine, place);
+            const size_t at = (size_t)k * rings + j;
+            samples->x[at] = place[0], samples->y[at] = place[1], samples->z[at] = place[2];
+            samples->gain[at] = gain * area * w[j] * ds / spokes;
         }
     }
 }

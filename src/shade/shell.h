@@ -49,6 +49,9 @@ struct lx_cell {
     double s, t, ds, dt;
 };
 
+/* Whether it is the whole of a disk or a ball, for which a full turn is left uncut. */
+bool lx_cell_is_round(const struct lx_patch *patch, const struct lx_cell *cell);
+
 /* The middle of a cell, the same for all elements unless the patch is a ball's or a side's, and how far away from it
  * its places are at most; less than 0 where the element is in the body. */
 double lx_cell_look(const struct lx_patch *patch, const struct lx_cell *cell, const double element[3],
@@ -60,5 +63,10 @@ void lx_patch_samples(const struct lx_patch *patch, double touch_mm, struct lx_s
 /* The product rules of Gauss with side x side points, side from 1 to 3; they weigh area. */
 void lx_cell_samples(const struct lx_patch *patch, const struct lx_cell *cell, unsigned side, double gain, size_t first,
                      struct lx_samples_double *samples);
+
+/* For what is round: `rings` circles, from 1 to 3, by the rule of Gauss between two shares s of the radius, with so
+ * many samples on each, equally far from each other; the first is so many times their distance from t = 0. */
+void lx_round_samples(const struct lx_patch *patch, double from_s, double to_s, unsigned rings, unsigned spokes,
+                      double off, double gain, struct lx_samples_double *samples);
 
 #endif

@@ -164,7 +164,9 @@ static double attenuate(const struct lx_sampled *source, double distance_mm)
 void lx_see(const struct lx_viewers *viewers, const struct lx_sampled *source, const struct lx_patch *patch,
             const struct lx_cell *cell, double hardly, struct lx_sight *sight)
 {
-    const double widest = 0.7, widths = 4; /* half sizes: in radians, and in widths of the lobe */
+    const bool is_round = lx_cell_is_round(patch, cell);
+    /* half sizes: in radians, and in widths of the lobe */
+    const double widest = is_round ? 0.5 : 0.7, widths = is_round ? 2 : 4;
     const struct lx_lobe_double *lobe = viewers->lobe;
     const bool is_matte = lobe->model == LX_LAMBERT;
     const double weight = M_PI * source->shell->radiance * (is_matte ? lobe->diffuse : lobe->specular);
@@ -197,7 +199,7 @@ void lx_see(const struct lx_viewers *viewers, const struct lx_sampled *source, c
         double width = lx_smaller(widest, widths * viewers->width[lane]), from = seen->distance - radius;
         width *= lx_smaller(1, 2 * lx_larger(half, 0)); /* half vectors turn fast where they are short */
         width *= lx_smaller(1, STEEP / tail_steepness(lobe, own));
-        sight->is_wide = sight->is_wide || !(radius <= width * from);
+        sight->is_wide = sight->is_wide || !(radius <= width * from) || (is_round && sight->doubt[lane] > 0);
         sight->is_tiny = sight->is_tiny && sight->doubt[lane] == 0 && radius < TINY * width * from;
     }
     double power = is_matte ? 1 : pow(square, lobe->exponent.value / 2);

@@ -3,6 +3,7 @@
 import contextlib
 import json
 import os
+import signal
 import subprocess
 import sys
 import tempfile
@@ -10,6 +11,9 @@ import time
 
 PATIENCE = float(os.environ.get("LUXEL_PATIENCE", 1))  # how much longer than usual a slow build may take
 AT_ONCE = 10 * PATIENCE  # seconds: what is to end at once has so long, since a shared machine may stand still
+
+# Exit codes of what was interrupted: its own, or the system's where that came before it had begun.
+INTERRUPTED = (130, -signal.SIGINT)
 
 SCENE = """\
 luxel: 1

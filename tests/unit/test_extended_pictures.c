@@ -436,32 +436,57 @@ static void test_vanishing_highlight(void **state)
     luxel_scene_free(scene);
 }
 
-/* Light that comes nearly straight from behind has half vectors of all directions side by side. */
-static void test_opposite_light(void **state)
+/* Each pixel of a picture is what an evaluator finds there, to the tolerance. */
+static void check_pixels(const char *text)
 {
-    static const char text[] =
-        "luxel: 1\n"
-        "screen: {width: 60, height: 20, resolution: [3, 1]}\n"
-        "observer: {z: 900}\n"
-        "surfaces: [{type: sphere, center: [0, 10, 0], radius: 300, material: {diffuse: 0, shininess: 1}}]\n"
-        "lights: [{type: volume, sphere: {center: [0, 0, 2], radius: 6}, radiance: 1}]\n";
     luxel_scene *scene = NULL;
     luxel_evaluator *evaluator = NULL;
-    (void)state;
-    assert_int_equal(luxel_scene_read_text(text, strlen(text), "opposite", NULL, &scene), LUXEL_OK);
+    assert_int_equal(luxel_scene_read_text(text, strlen(text), "pixels", NULL, &scene), LUXEL_OK);
     assert_int_equal(luxel_scene_commit(scene, NULL), LUXEL_OK);
     assert_int_equal(luxel_evaluator_new(scene, NULL, NULL, &evaluator), LUXEL_OK);
     luxel_field *field = render(scene, 1);
     const double maximum = luxel_field_statistics(field)->maximum.value;
     assert_true(maximum > 0);
-    for (unsigned column = 0; column < luxel_field_columns(field); column++) {
-        const luxel_value exact =
-            luxel_evaluate(evaluator, luxel_field_x_mm(field)[column], luxel_field_y_mm(field)[0], NULL);
-        assert_true(fabs(luxel_field_value(field, column, 0) - exact.value) <= 1e-3 * maximum + exact.error);
-    }
+    for (unsigned row = 0; row < luxel_field_rows(field); row++)
+        for (unsigned column = 0; column < luxel_field_columns(field); column++) {
+            const luxel_value exact =
+                luxel_evaluate(evaluator, luxel_field_x_mm(field)[column], luxel_field_y_mm(field)[row], NULL);
+            assert_true(fabs(luxel_field_value(field, column, row) - exact.value) <= 1e-3 * maximum + exact.error);
+        }
     luxel_field_free(field);
     luxel_evaluator_free(evaluator);
     luxel_scene_free(scene);
+}
+
+/* Light that comes nearly straight from behind has half vectors of all directions side by side. */
+static void test_opposite_light(void **state)
+{
+    (void)state;
+    check_pixels("luxel: 1\n"
+                 "screen: {width: 60, height: 20, resolution: [3, 1]}\n"
+                 "observer: {z: 900}\n"
+                 "surfaces: [{type: sphere, center: [0, 10, 0], radius: 300, material: {diffuse: 0, shininess: 1}}]\n"
+                 "lights: [{type: volume, sphere: {center: [0, 0, 2], radius: 6}, radiance: 1}]\n");
+}
+
+/* What is round and many times as wide as the highlight shines with a part that few samples in all of it would miss:
+ * those of the only pixel. */
+static void test_sharp_highlights(void **state)
+{
+    (void)state;
+    for (int i = 0; i < 28; i++) {
+        const bool is_disk = i % 2 == 0;
+        char text[600];
+        snprintf(text, sizeof text,
+                 "luxel: 1\n"
+                 "screen: {width: 10, height: 10, resolution: [1, 1]}\n"
+                 "observer: {z: 2000}\n"
+                 "surfaces: [{type: rectangle, center: [0, 0, 0], size: [400, 200], axis: [0, 0, 1],\n"
+                 "            material: {diffuse: 0, shininess: 50000}}]\n"
+                 "lights: [{type: %s: {center: [%d, 30, 1000], radius: 150%s}, radiance: 1}]\n",
+                 is_disk ? "planar, disk" : "volume, sphere", 5 * i, is_disk ? ", axis: [0, 0, -1]" : "");
+        check_pixels(text);
+    }
 }
 
 int main(void)
@@ -477,6 +502,7 @@ int main(void)
         cmocka_unit_test(test_probed_pixels),
         cmocka_unit_test(test_vanishing_highlight),
         cmocka_unit_test(test_opposite_light),
+        cmocka_unit_test(test_sharp_highlights),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

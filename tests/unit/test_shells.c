@@ -345,7 +345,34 @@ static void rules_are_exact(void **state)
     }
 }
 
-/* A ball around a cell's middle holds its places, of a flat one the farthest of them just so. */
+/* Circles of samples weigh area, and see no slope; two of them are exact for squares. */
+static void circles_are_exact(void **state)
+{
+    const struct lx_patch disk = {
+        .kind = LX_PATCH_DISK, .o = {5, 6, 7}, .a = {0.6, 0.8, 0}, .b = {-0.8, 0.6, 0}, .n = {0, 0, 1}, .radius = 3};
+    struct lx_samples_double samples;
+    (void)state;
+    for (unsigned rings = 1; rings <= 3; rings++)
+        for (unsigned spokes = 3; spokes <= 12; spokes++) {
+            const double from = 0.25, to = 0.75, off = 0.1 * spokes;
+            double area = 0, slope[2] = {0, 0}, square = 0;
+            lx_round_samples(&disk, from, to, rings, spokes, off, 2, &samples);
+            for (unsigned i = 0; i < rings * spokes; i++) {
+                const double x = samples.x[i] - 5, y = samples.y[i] - 6, away = hypot(x, y);
+                assert_true(away > 3 * from && away < 3 * to && samples.z[i] == 7);
+                area += samples.gain[i];
+                slope[0] += samples.gain[i] * x;
+                slope[1] += samples.gain[i] * y;
+                square += samples.gain[i] * away * away;
+            }
+            assert_true(fabs(area - 2 * M_PI * 9 * (to * to - from * from)) < 1e-13);
+            assert_true(fabs(slope[0]) < 1e-13 && fabs(slope[1]) < 1e-13);
+            assert_true(rings == 1 || fabs(square - M_PI * 81 * (pow(to, 4) - pow(from, 4))) < 1e-12);
+        }
+}
+
+/* A ball around a cell's middle holds its places, of a flat one the farthest of them just so; and what is round that
+ * around its own. */
 static void cells_are_held(void **state)
 {
     struct randomness random = {.state = 63};
@@ -376,6 +403,15 @@ static void cells_are_held(void **state)
                 }
                 if (!(farthest <= radius * (1 + 1e-12) && radius <= farthest * limits[patches[p].kind]))
                     fail_msg("source %d, patch kind %d: %g within %g", kind, patches[p].kind, farthest, radius);
+                const struct lx_cell all = {0, 0, 1, 1}, spot = {1, uniform(&random, 0, 1), 0, 0};
+                assert_true(lx_cell_is_round(&patches[p], &all) == (kind >= DISK && patches[p].kind != LX_PATCH_SIDE));
+                if (lx_cell_is_round(&patches[p], &all)) {
+                    double whole = lx_cell_look(&patches[p], &all, element, middle), rim[3], apart = 0;
+                    lx_cell_look(&patches[p], &spot, element, rim);
+                    for (int k = 0; k < 3; k++)
+                        apart = hypot(apart, rim[k] - middle[k]);
+                    assert_true(fabs(apart / whole - 1) < 1e-12);
+                }
             }
         }
         clear_body(&body);
@@ -389,6 +425,7 @@ int main(void)
         cmocka_unit_test(runs_by_themselves),
         cmocka_unit_test(samples_are_the_integral),
         cmocka_unit_test(rules_are_exact),
+        cmocka_unit_test(circles_are_exact),
         cmocka_unit_test(cells_are_held),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
