@@ -7,7 +7,8 @@
  * lobe is halved both ways unseen, one that cannot matter by a bound of its light is dropped; each other is integrated
  * by a product rule of Gauss and again by its four quarters, and the cell with the largest difference between the two
  * is replaced by its quarters until the sum of the differences, which the errors stay below, is small enough for every
- * element of the run.
+ * element of the run.  A disk, or a ball, begins as a whole, by samples on circles and again on twice as many; where
+ * that is not enough it is cut into four sectors.
  */
 #ifndef LX_SHADE_SAMPLING_H
 #define LX_SHADE_SAMPLING_H

@@ -104,10 +104,11 @@ struct cut {
     unsigned along_s, along_t;
 };
 
-/* A patch, whose it is, and how it is cut. */
+/* A patch, whose it is, how far that is from the surface, and how the patch is cut. */
 struct cut_patch {
     struct lx_patch patch;
     const struct lx_shell *shell;
+    double away_mm;
     struct cut cut;
 };
 
@@ -157,8 +158,10 @@ static struct cut_patch *find_patches(const struct lx_planned_surface *surface, 
         const double away = sqrt(center[0] * center[0] + center[1] * center[1] + center[2] * center[2]);
         for (size_t i = 0; i < more; i++)
             found[(*count)++] =
-                (struct cut_patch){patches[i], shell, cut_of(&patches[i], away - surface->shape.radius_mm, most)};
+                (struct cut_patch){.patch = patches[i], .shell = shell, .away_mm = away - surface->shape.radius_mm};
     }
+    for (size_t p = 0; p < *count; p++)
+        found[p].cut = cut_of(&found[p].patch, found[p].away_mm, *count);
     const bool complete = found && patches;
     free(patches);
     if (complete)
