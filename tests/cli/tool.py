@@ -12,9 +12,6 @@ import time
 PATIENCE = float(os.environ.get("LUXEL_PATIENCE", 1))  # how much longer than usual a slow build may take
 AT_ONCE = 10 * PATIENCE  # seconds: what is to end at once has so long, since a shared machine may stand still
 
-# Exit codes of what was interrupted: its own, or the system's where that came before it had begun.
-INTERRUPTED = (130, -signal.SIGINT)
-
 SCENE = """\
 luxel: 1
 units: radiometric
@@ -30,6 +27,17 @@ lights:
 points: [[0, 0], [150, 0], [-150, 0]]
 picture: {range: max, rounding: truncate}
 """
+
+
+def wait_until_caught(process, number=signal.SIGINT):
+    """Waits until a program has begun so far that it catches a signal; without /proc it is believed to do so."""
+    end = time.monotonic() + AT_ONCE
+    while os.path.exists("/proc/self/status") and process.poll() is None and time.monotonic() < end:
+        with open("/proc/%d/status" % process.pid, encoding="utf-8") as file:
+            caught = [int(line.split()[1], 16) for line in file if line.startswith("SigCgt:")]
+        if caught and caught[0] >> (number - 1) & 1:
+            return
+        time.sleep(0.005)
 
 
 class Result:
