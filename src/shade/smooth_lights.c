@@ -197,7 +197,8 @@ static struct lx_light_double part_of(const struct lx_patch *patch, const struct
     };
 }
 
-static bool is_round(const struct cut_patch *patch)
+/* Whether what is seen of a patch depends on from where. */
+static bool is_bent(const struct cut_patch *patch)
 {
     return patch->patch.kind == LX_PATCH_BALL || patch->patch.kind == LX_PATCH_SIDE;
 }
@@ -214,7 +215,7 @@ static int take_parts(const struct cut_patch *patches, size_t count, struct lx_s
 {
     size_t counts[2] = {0, 0}, next = 0;
     for (size_t p = 0; p < count; p++)
-        counts[is_round(&patches[p])] += count_cells(&patches[p]);
+        counts[is_bent(&patches[p])] += count_cells(&patches[p]);
     round->parts = lx_new_array(counts[1], sizeof *round->parts);
     if (make_room(counts[0], flat) || !round->parts)
         return -1;
@@ -223,7 +224,7 @@ static int take_parts(const struct cut_patch *patches, size_t count, struct lx_s
     for (size_t p = 0; p < count; p++) {
         for (size_t i = 0; i < count_cells(&patches[p]); i++) {
             const struct lx_cell cell = cell_of(&patches[p], i);
-            if (is_round(&patches[p])) {
+            if (is_bent(&patches[p])) {
                 round->parts[round->count++] = (struct lx_round_part){patches[p].shell, cell};
                 continue;
             }
@@ -333,12 +334,12 @@ void lx_round_lights_place(const struct lx_round_parts *round, const struct lx_v
     for (size_t i = 0, next; i < round->count; i = next) {
         const struct lx_shell *shell = round->parts[i].shell;
         struct lx_round_view view;
-        const bool is_outside = lx_round_view_of(shell, at, &view);
+        const bool is_outside = lx_round_view_of(shell, at, &view), is_seen = is_outside || !is_hidden(shell, at);
         const struct lx_patch patch = is_outside ? round_patch(shell, at, &view) : (struct lx_patch){.radius = 0};
         for (next = i; next < round->count && round->parts[next].shell == shell; next++)
             if (is_outside)
                 place_part(&round->parts[next], at, &view, &patch, made, made->count++);
-            else if (!is_hidden(shell, at))
+            else if (is_seen)
                 set_light(&nowhere, 0, made, made->count++);
     }
     pad(made, &nowhere, 0);

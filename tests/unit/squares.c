@@ -58,6 +58,23 @@ int scenes_to_try(int usual)
     return asked ? 20 * atoi(asked) : usual;
 }
 
+void make_finer_scene(struct randomness *random, bool is_plate, struct test_scene *test, double direction[3],
+                      double center[3])
+{
+    make_random_scene(random, is_plate, test);
+    const struct lx_shape *shape = &test->surfaces[0].shape;
+    const double away = shape->radius_mm + 150 + 300 * logarithmic(random, 0.05, 20);
+    const unsigned finer = (unsigned)logarithmic(random, 8, 50);
+    random_direction(random, direction);
+    for (int k = 0; k < 3; k++)
+        center[k] =
+            shape->anchor_mm[k] + away * (shape->type == LX_PLATE ? shape->axis[k] + 0.7 * direction[k] : direction[k]);
+    test->prepared.surface_count = 1;
+    test->prepared.shadows = false;
+    test->scene.screen.resolution[0] *= finer;
+    test->scene.screen.resolution[1] *= finer;
+}
+
 static void visit_each(const struct campaign *campaign, int step, const struct lx_kernels *kernels, void *data)
 {
     for (int i = 0; i < scenes_to_try(campaign->scenes); i += step) {
@@ -112,6 +129,21 @@ struct vector cross(struct vector a, struct vector b)
     return (struct vector){a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
 }
 
+struct vector vector_of(const double a[3])
+{
+    return (struct vector){a[0], a[1], a[2]};
+}
+
+struct vector across(struct vector a, struct vector axis)
+{
+    return plus(a, -dot(a, axis), axis);
+}
+
+double length_of_real(struct vector a)
+{
+    return sqrt(creal(a.x) * creal(a.x) + creal(a.y) * creal(a.y) + creal(a.z) * creal(a.z));
+}
+
 /* The observer, from the surface's anchor. */
 static struct vector observer_from(const struct lx_plan *plan)
 {
@@ -144,6 +176,45 @@ struct vector view_at(const struct lx_plan *plan, struct vector place)
     if (lx_views_along_z(&plan->prepared->scene->observer))
         return (struct vector){0, 0, 1};
     return unit(plus(observer_from(plan), -1, place));
+}
+
+struct seen_place seen_of_side(const struct lx_shell *shell, struct vector place, double s, double t)
+{
+    const struct vector axis = vector_of(shell->axis), from = plus(place, -1, vector_of(shell->center));
+    const struct vector u = unit(across(from, axis)), v = cross(u, axis), zero = {0, 0, 0};
+    const double radius = shell->round_mm, share = 2 * t - 1;
+    const double complex distance = dot(from, u), whole = csqrt((distance - radius) / (distance + radius));
+    const double complex turn = 2 * catan(share * whole), turns = 4 * whole / (1 + share * share * whole * whole);
+    const struct vector face = plus(plus(zero, ccos(turn), u), csin(turn), v);
+    const struct vector at = plus(plus(zero, (2 * s - 1) * shell->half_mm, axis), radius, face),
+                        way = plus(from, -1, at);
+    return (struct seen_place){at, radius * 2 * shell->half_mm * turns * dot(way, face) / csqrt(dot(way, way))};
+}
+
+double complex irradiance_by_cylinder(const struct lx_shell *shell, const struct lx_vicinity *at, struct vector place,
+                                      struct vector normal)
+{
+    enum { PARTS = 20 };
+    const struct vector axis = vector_of(shell->axis), center = vector_of(shell->center), zero = {0, 0, 0};
+    const struct vector middle = plus(vector_of(at->place), -1, center);
+    const double along = creal(dot(middle, axis)), half = shell->half_mm, radius = shell->round_mm;
+    const bool sees_side = length_of_real(across(middle, axis)) > radius, sees_end = fabs(along) > half;
+    const struct vector outward = plus(zero, along < 0 ? -1 : 1, axis), u = unit(across(middle, axis)),
+                        v = cross(axis, u);
+    double complex sum = 0;
+    for (int i = 0; i < PARTS * PARTS; i++) {
+        const double s = (i % PARTS + 0.5) / PARTS, t = (i / PARTS + 0.5) / PARTS, turn = 2 * M_PI * t;
+        const struct seen_place seen = seen_of_side(shell, place, s, t);
+        const struct vector way = plus(plus(center, 1, seen.from_center), -1, place);
+        const struct vector beside = plus(plus(zero, radius * s * cos(turn), u), radius * s * sin(turn), v);
+        const struct vector to_end = plus(plus(plus(center, half, outward), 1, beside), -1, place);
+        const double complex square = dot(to_end, to_end);
+        if (sees_side)
+            sum += seen.e * dot(normal, unit(way)) / dot(way, way);
+        if (sees_end)
+            sum -= 2 * M_PI * s * radius * radius * dot(normal, to_end) * dot(outward, to_end) / (square * square);
+    }
+    return sum / (PARTS * PARTS);
 }
 
 struct falling falling_along(const struct lx_plan *plan, struct vector way, double complex e, struct vector place,

@@ -8,6 +8,11 @@
 #include "random_scenes.h"
 #include "shade/panels.h"
 
+/* A random scene of one surface, seen so finely that squares fit, without shadows, and a place for a source, so far
+ * from the surface in a direction: of a plate in front of it. */
+void make_finer_scene(struct randomness *random, bool is_plate, struct test_scene *test, double direction[3],
+                      double center[3]);
+
 /* What squares are fitted with. */
 struct workplace {
     struct lx_plan plan;
@@ -27,10 +32,26 @@ double complex dot(struct vector a, struct vector b);
 struct vector plus(struct vector a, double complex times, struct vector b);
 struct vector unit(struct vector a);
 struct vector cross(struct vector a, struct vector b);
+struct vector vector_of(const double a[3]);
+struct vector across(struct vector a, struct vector axis); /* the part of a that is across a unit vector */
+double length_of_real(struct vector a);
 
 /* The surface through a place on the screen, from its anchor: as surface/sphere.c and rectangle.c find it. */
 struct vector place_at(const struct lx_plan *plan, double complex x, double complex y, struct vector *normal);
 struct vector view_at(const struct lx_plan *plan, struct vector place);
+
+/* What a body shows of its place with the coordinates s and t of struct lx_patch, from 0 to 1. */
+struct seen_place {
+    struct vector from_center;
+    double complex e; /* E_perp that it gives for a unit of s, t and the radiance, times the square of the way */
+};
+
+/* Of a cylinder's side (round_view.h). */
+struct seen_place seen_of_side(const struct lx_shell *shell, struct vector place, double s, double t);
+
+/* The irradiance by a cylinder of the radiance 1: its side, and the end that is seen from the middle of the square. */
+double complex irradiance_by_cylinder(const struct lx_shell *shell, const struct lx_vicinity *at, struct vector place,
+                                      struct vector normal);
 
 /* What is tried of squares of random scenes. */
 struct campaign {

@@ -21,10 +21,8 @@ enum { SQUARES = 12 };
 static void make_scene(int i, struct test_scene *test)
 {
     struct randomness random = {.state = UINT64_C(0x9E3779B97F4A7C15) * ((uint64_t)i + 1)};
-    make_random_scene(&random, i % 3 == 0, test);
-    const struct lx_shape *shape = &test->surfaces[0].shape;
-    const double away = shape->radius_mm + 150 + 300 * logarithmic(&random, 0.05, 20);
-    const unsigned finer = (unsigned)logarithmic(&random, 8, 50);
+    double direction[3], center[3], axis[3];
+    make_finer_scene(&random, i % 3 == 0, test, direction, center);
     const struct lx_material material = {
         .model = pick(&random, 2) ? LX_BLINN_PHONG : LX_PHONG,
         .diffuse = 0.25,
@@ -32,42 +30,17 @@ static void make_scene(int i, struct test_scene *test)
         .shininess = pick(&random, 2) ? floor(logarithmic(&random, 1, 300)) : logarithmic(&random, 0.5, 100),
         .highlight = pick(&random, 2) ? (int)LX_HIGHLIGHT_PLAIN : pick(&random, 3),
     };
-    double direction[3], center[3], axis[3];
-    random_direction(&random, direction);
     random_direction(&random, axis);
-    for (int k = 0; k < 3; k++)
-        center[k] =
-            shape->anchor_mm[k] + away * (shape->type == LX_PLATE ? shape->axis[k] + 0.7 * direction[k] : direction[k]);
     test->surfaces[0].lobe = lx_lobe_prepare(&material);
-    test->prepared.surface_count = 1;
-    test->prepared.shadows = false;
     test->prepared.emitters.count = 1;
     test->lights[0] = source_of(BALL + i % 2, center, 1000, 0);
     test->lights[0].attenuation = LX_INVERSE_SQUARE;
     test->lights[0].radius_mm *= logarithmic(&random, 0.05, 1);
     test->lights[0].height_mm *= logarithmic(&random, 0.1, 3);
     test->lights[0].axis = lx_unit3(lx_exact3(axis));
-    test->scene.screen.resolution[0] *= finer;
-    test->scene.screen.resolution[1] *= finer;
 }
 
 /* ---- visible places ---- */
-
-static struct vector vector_of(const double a[3])
-{
-    return (struct vector){a[0], a[1], a[2]};
-}
-
-static struct vector across(struct vector a, struct vector axis)
-{
-    return plus(a, -dot(a, axis), axis);
-}
-
-/* What a body shows of its place with the coordinates s and t of struct lx_patch, from 0 to 1. */
-struct seen_place {
-    struct vector from_center;
-    double complex e; /* E_perp that it gives for a unit of s, t and the radiance, times the square of the way */
-};
 
 /* The places of the disk that a ball is, turned from the way out from where they are told; there as shell.c has it. */
 static struct seen_place seen_of_ball(const struct lx_shell *ball, struct vector out, struct vector place, double s,
@@ -84,19 +57,6 @@ static struct seen_place seen_of_ball(const struct lx_shell *ball, struct vector
     return (struct seen_place){at, 2 * M_PI * s * radius * radius * dot(way, u) / csqrt(dot(way, way))};
 }
 
-static struct seen_place seen_of_side(const struct lx_shell *shell, struct vector place, double s, double t)
-{
-    const struct vector axis = vector_of(shell->axis), from = plus(place, -1, vector_of(shell->center));
-    const struct vector u = unit(across(from, axis)), v = cross(u, axis), zero = {0, 0, 0};
-    const double radius = shell->round_mm, share = 2 * t - 1;
-    const double complex distance = dot(from, u), whole = csqrt((distance - radius) / (distance + radius));
-    const double complex turn = 2 * catan(share * whole), turns = 4 * whole / (1 + share * share * whole * whole);
-    const struct vector face = plus(plus(zero, ccos(turn), u), csin(turn), v);
-    const struct vector at = plus(plus(zero, (2 * s - 1) * shell->half_mm, axis), radius, face),
-                        way = plus(from, -1, at);
-    return (struct seen_place){at, radius * 2 * shell->half_mm * turns * dot(way, face) / csqrt(dot(way, way))};
-}
-
 /* As they are told from the middle. */
 static struct seen_place seen_of(const struct lx_shell *shell, const struct lx_vicinity *at, struct vector place,
                                  double s, double t)
@@ -104,11 +64,6 @@ static struct seen_place seen_of(const struct lx_shell *shell, const struct lx_v
     if (shell->type == LX_CYLINDER)
         return seen_of_side(shell, place, s, t);
     return seen_of_ball(shell, unit(plus(vector_of(at->place), -1, vector_of(shell->center))), place, s, t);
-}
-
-static double length_of_real(struct vector a)
-{
-    return sqrt(creal(a.x) * creal(a.x) + creal(a.y) * creal(a.y) + creal(a.z) * creal(a.z));
 }
 
 static double length_of_imaginary(struct vector a)
@@ -329,33 +284,6 @@ static void parts_are_the_body(void **state)
 
 /* ---- irradiance by cylinders ---- */
 
-/* By a cylinder of the radiance 1, and its end that is seen from the middle of the square. */
-static double complex irradiance_by(const struct lx_shell *shell, const struct lx_vicinity *at, struct vector place,
-                                    struct vector normal)
-{
-    enum { PARTS = 20 };
-    const struct vector axis = vector_of(shell->axis), center = vector_of(shell->center), zero = {0, 0, 0};
-    const struct vector middle = plus(vector_of(at->place), -1, center);
-    const double along = creal(dot(middle, axis)), half = shell->half_mm, radius = shell->round_mm;
-    const bool sees_side = length_of_real(across(middle, axis)) > radius, sees_end = fabs(along) > half;
-    const struct vector outward = plus(zero, along < 0 ? -1 : 1, axis), u = unit(across(middle, axis)),
-                        v = cross(axis, u);
-    double complex sum = 0;
-    for (int i = 0; i < PARTS * PARTS; i++) {
-        const double s = (i % PARTS + 0.5) / PARTS, t = (i / PARTS + 0.5) / PARTS, turn = 2 * M_PI * t;
-        const struct seen_place seen = seen_of_side(shell, place, s, t);
-        const struct vector way = plus(plus(center, 1, seen.from_center), -1, place);
-        const struct vector beside = plus(plus(zero, radius * s * cos(turn), u), radius * s * sin(turn), v);
-        const struct vector to_end = plus(plus(plus(center, half, outward), 1, beside), -1, place);
-        const double complex square = dot(to_end, to_end);
-        if (sees_side)
-            sum += seen.e * dot(normal, unit(way)) / dot(way, way);
-        if (sees_end)
-            sum -= 2 * M_PI * s * radius * radius * dot(normal, to_end) * dot(outward, to_end) / (square * square);
-    }
-    return sum / (PARTS * PARTS);
-}
-
 static void bounds_of_cylinders(void **state)
 {
     enum { CYLINDERS = 4000, PLACES = 4 };
@@ -385,7 +313,7 @@ static void bounds_of_cylinders(void **state)
             const struct vector beyond =
                 plus(random_way(&random, place->second), (double complex)I, random_way(&random, place->imaginary));
             const struct vector seen_from = plus(random_way(&random, place->first), 1, beyond);
-            const double share = cabs(irradiance_by(&shell, &at, seen_from, vector_of(at.normal))) / bound;
+            const double share = cabs(irradiance_by_cylinder(&shell, &at, seen_from, vector_of(at.normal))) / bound;
             assert_true(share <= 1.01); /* what the sum may be off by */
             tightest = fmax(tightest, share);
         }

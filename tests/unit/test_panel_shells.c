@@ -28,19 +28,10 @@ enum { SQUARES = 6, GLOSSY_SQUARES = 24 };
 static void make_scene_of(int i, int kinds, struct test_scene *test)
 {
     struct randomness random = {.state = UINT64_C(0x9E3779B97F4A7C15) * ((uint64_t)i + 1)};
-    make_random_scene(&random, i % 3 == 0, test);
     const struct lx_material material = {.model = LX_LAMBERT, .diffuse = 0.7};
-    const struct lx_shape *shape = &test->surfaces[0].shape;
-    const double away = shape->radius_mm + 150 + 300 * logarithmic(&random, 0.05, 20);
-    const unsigned finer = (unsigned)logarithmic(&random, 8, 50);
     double direction[3], center[3];
-    random_direction(&random, direction);
-    for (int k = 0; k < 3; k++)
-        center[k] =
-            shape->anchor_mm[k] + away * (shape->type == LX_PLATE ? shape->axis[k] + 0.7 * direction[k] : direction[k]);
+    make_finer_scene(&random, i % 3 == 0, test, direction, center);
     test->surfaces[0].lobe = lx_lobe_prepare(&material);
-    test->prepared.surface_count = 1;
-    test->prepared.shadows = false;
     test->prepared.emitters.count = 1 + (size_t)(i % 4 == 0);
     const int kind = pick(&random, kinds);
     test->lights[0] = source_of(kind < SOURCES ? kind : PRISM, center, 1000, 0);
@@ -50,8 +41,6 @@ static void make_scene_of(int i, int kinds, struct test_scene *test)
         assert_non_null(test->lights[0].facets);
     }
     test->lights[0].attenuation = LX_INVERSE_SQUARE;
-    test->scene.screen.resolution[0] *= finer;
-    test->scene.screen.resolution[1] *= finer;
 }
 
 /* Beyond the last kind: a wedge, which is not symmetric. */
@@ -179,35 +168,6 @@ static double complex by_disk(const struct lx_shell *shell, struct vector place,
     return sum;
 }
 
-/* Its side, by places that depend on where it is seen from (round_view.h), and the end that is seen from the middle. */
-static double complex by_cylinder(const struct lx_shell *shell, const struct lx_vicinity *at, struct vector place,
-                                  struct vector normal)
-{
-    enum { PARTS = 24 };
-    const double *k = shell->axis, *c = shell->center, half = shell->half_mm, radius = shell->round_mm;
-    const struct vector axis = {k[0], k[1], k[2]}, center = {c[0], c[1], c[2]}, from = plus(place, -1, center);
-    const struct vector middle = plus((struct vector){at->place[0], at->place[1], at->place[2]}, -1, center);
-    const double along = creal(dot(axis, middle)), beside = sqrt(creal(dot(middle, middle)) - along * along);
-    const struct vector across = plus(from, -dot(from, axis), axis), u = unit(across), v = cross(axis, u);
-    const double complex distance = dot(across, u), tangent = csqrt((distance - radius) / (distance + radius));
-    double complex sum = 0;
-    for (int i = 0; i < PARTS * PARTS && beside > radius; i++) {
-        const double t = 2 * (i % PARTS + 0.5) / PARTS - 1, height = 2 * half * ((i / PARTS + 0.5) / PARTS - 0.5);
-        const double complex share = t * tangent, turn = 2 * catan(share), turns = 2 * tangent / (1 + share * share);
-        const struct vector face = plus(plus((struct vector){0, 0, 0}, ccos(turn), u), csin(turn), v);
-        const struct vector way = plus(plus(plus(center, height, axis), radius, face), -1, place);
-        const double complex square = dot(way, way);
-        sum -= radius * turns * dot(normal, way) * dot(face, way) / (square * square);
-    }
-    sum *= 2 * half * 2 / (PARTS * PARTS);
-    struct lx_shell end = *shell;
-    for (int i = 0; i < 3; i++) {
-        end.axis[i] = copysign(1, along) * k[i];
-        end.center[i] = c[i] + half * end.axis[i];
-    }
-    return fabs(along) > half ? sum + by_disk(&end, place, normal) : sum;
-}
-
 static double complex brightness(const struct lx_plan *plan, const struct lx_vicinity *at, double complex x,
                                  double complex y)
 {
@@ -222,7 +182,7 @@ static double complex brightness(const struct lx_plan *plan, const struct lx_vic
         break;
     case LX_DISK: sum = by_disk(shell, place, normal); break;
     case LX_BALL: sum = by_ball(shell, place, normal); break;
-    default: sum = by_cylinder(shell, at, place, normal); break;
+    default: sum = irradiance_by_cylinder(shell, at, place, normal); break;
     }
     return surface->lobe_exact.diffuse * shell->radiance * sum;
 }
