@@ -15,7 +15,7 @@
 #include "progress.h"
 #include "text.h"
 
-enum { SIDE = 800, COARSE_SIDE = 600, MANY = 16, LEAST_RUNS = 3, MOST_RUNS = 400, MOST_ROWS = 80, MOST_SETS = 8 };
+enum { SIDE = 800, COARSE_SIDE = 600, MANY = 16, LEAST_RUNS = 3, MOST_RUNS = 400, MOST_ROWS = 96, MOST_SETS = 8 };
 
 /* How long one measurement goes on at least. */
 static const double LEAST_SECONDS = 0.15;
@@ -48,6 +48,10 @@ struct bench_case {
 #define PLANAR(outline) LIGHT("planar, radiance: 10, " outline ", aim: [0, 0, 1000]}")
 #define VOLUME(body) LIGHT("volume, radiance: 10, " body "}")
 #define RECTANGLE PLANAR("rectangle: {center: [%.3f, %.3f, 2500], size: [1000, 600]")
+#define DISK PLANAR("disk: {center: [%.3f, %.3f, 2500], radius: 400")
+#define BOX VOLUME("box: {center: [%.3f, %.3f, 2500], size: [600, 600, 600]")
+#define BALL VOLUME("sphere: {center: [%.3f, %.3f, 2500], radius: 400")
+#define TUBE VOLUME("cylinder: {center: [%.3f, %.3f, 2500], radius: 100, height: 1000, axis: [1, 1, 0]")
 
 static const struct bench_case cases[] = {
     {N_("point, shininess 20"), "point", POINT(""), "shininess: 20", MANY, 41, LUXEL_BRIGHTNESS, 1, 0, FROM_AFAR},
@@ -74,15 +78,14 @@ static const struct bench_case cases[] = {
     {N_("rectangle, irradiance"), "rectangle", RECTANGLE, "shininess: 20", 1, 0, LUXEL_IRRADIANCE, 1, 0, FROM_AFAR},
     {N_("rectangle, highlight"), "rectangle-highlight", RECTANGLE, "shininess: 20", 1, 0, LUXEL_BRIGHTNESS, 1, 0,
      FROM_AFAR},
-    {N_("disk, irradiance"), "disk", PLANAR("disk: {center: [%.3f, %.3f, 2500], radius: 400"), "shininess: 20", 1, 0,
-     LUXEL_IRRADIANCE, 1, 0, FROM_AFAR},
-    {N_("box, irradiance"), "box", VOLUME("box: {center: [%.3f, %.3f, 2500], size: [600, 600, 600]"), "shininess: 20",
-     1, 0, LUXEL_IRRADIANCE, 1, 0, FROM_AFAR},
-    {N_("ball, irradiance"), "ball", VOLUME("sphere: {center: [%.3f, %.3f, 2500], radius: 400"), "shininess: 20", 1, 0,
-     LUXEL_IRRADIANCE, 1, 0, FROM_AFAR},
-    {N_("tube, irradiance"), "tube",
-     VOLUME("cylinder: {center: [%.3f, %.3f, 2500], radius: 100, height: 1000, axis: [1, 1, 0]"), "shininess: 20", 1, 0,
-     LUXEL_IRRADIANCE, 1, 0, FROM_AFAR},
+    {N_("disk, irradiance"), "disk", DISK, "shininess: 20", 1, 0, LUXEL_IRRADIANCE, 1, 0, FROM_AFAR},
+    {N_("disk, highlight"), "disk-highlight", DISK, "shininess: 20", 1, 0, LUXEL_BRIGHTNESS, 1, 0, FROM_AFAR},
+    {N_("box, irradiance"), "box", BOX, "shininess: 20", 1, 0, LUXEL_IRRADIANCE, 1, 0, FROM_AFAR},
+    {N_("box, highlight"), "box-highlight", BOX, "shininess: 20", 1, 0, LUXEL_BRIGHTNESS, 1, 0, FROM_AFAR},
+    {N_("ball, irradiance"), "ball", BALL, "shininess: 20", 1, 0, LUXEL_IRRADIANCE, 1, 0, FROM_AFAR},
+    {N_("ball, highlight"), "ball-highlight", BALL, "shininess: 20", 1, 0, LUXEL_BRIGHTNESS, 1, 0, FROM_AFAR},
+    {N_("tube, irradiance"), "tube", TUBE, "shininess: 20", 1, 0, LUXEL_IRRADIANCE, 1, 0, FROM_AFAR},
+    {N_("tube, highlight"), "tube-highlight", TUBE, "shininess: 20", 1, 0, LUXEL_BRIGHTNESS, 1, 0, FROM_AFAR},
     {N_("65536 points in 16 lamps"), "many-points",
      LIGHT("planar, radiance: 10, rectangle: {center: [%.3f, %.3f, 2500], size: [120, 120], aim: [0, 0, 1000]}, "
            "parts: 64"),
