@@ -196,7 +196,7 @@ typedef void lx_round_all(const double *values, size_t count, float *rounded);
  */
 enum { LX_MOST_NODES = 16, LX_PANEL_SIDE = 64 };
 struct lx_polynomial {
-    _Alignas(64) float terms[LX_MOST_NODES][LX_LANES]; /* 0 beyond the size */
+    _Alignas(64) float terms[LX_MOST_NODES][LX_LANES]; /* in the first rows that the size tells; 0 beyond them there */
     unsigned size;                                     /* 6, 7, 8, 12 or 16 */
     unsigned side;                                     /* LX_PANEL_SIDE or half of it */
     unsigned power;                                    /* from 1 on */
@@ -211,7 +211,7 @@ typedef void lx_spread_polynomial(const struct lx_polynomial *polynomial, unsign
  * The polynomial through values at nodes x nodes places, an even number from 8 on, values[row * nodes + column];
  * series[node][k]: the share of Chebyshev's polynomial T_k in what is 1 at a node and 0 at the others, 0 beyond the
  * nodes.  Of these polynomials the last ones are left out where all that is left out is below the roundings of float32.
- * Returns what the terms may be off by, for that reason and in float32.
+ * Returns what the terms may be off by, for that reason and in float32.  Side and power are the caller's to set.
  */
 typedef double lx_find_polynomial(const double (*series)[LX_LANES], unsigned nodes, const double *values,
                                   struct lx_polynomial *polynomial);

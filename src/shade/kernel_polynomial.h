@@ -53,11 +53,11 @@ LX_LANE void put(const lanes_single numbers[VECTORS], bool adds, float *values)
 /* The same of no more than `count` numbers. */
 LX_LANE void put_some(const lanes_single numbers[VECTORS], int count, bool adds, float *values)
 {
-    _Alignas(64) float room[VECTORS * LX_WIDTH_single] = {0};
     if (count >= VECTORS * LX_WIDTH_single) {
         put(numbers, adds, values);
         return;
     }
+    _Alignas(64) float room[VECTORS * LX_WIDTH_single] = {0};
     memcpy(room, values, (size_t)count * sizeof *room);
     put(numbers, adds, room);
     memcpy(values, room, (size_t)count * sizeof *room);

@@ -5,28 +5,50 @@
  * kernel.c includes it once.
  */
 
-/*
- * product = left right, of so many rows and columns on the left; of `left` the entry [j][i] stands at
- * left[j * down + i * across].  Rows and vectors go two by two, as one alone would wait for its own results.
- */
-LX_LANE void multiply(const double *left, size_t down, size_t across, unsigned size, const double (*right)[LX_LANES],
-                      double (*product)[LX_LANES])
+/* Rows, and vectors of each, that products go by: one alone would wait for its own results. */
+enum { ROWS_ABREAST = 4, COLUMNS_ABREAST = 2 * LX_WIDTH_double };
+
+/* Some rows of a product, as below; `count` is a constant. */
+LX_LANE void multiply_rows(const double *left, size_t down, size_t across, unsigned size, unsigned count,
+                           const double (*right)[LX_LANES], unsigned columns, double (*product)[LX_LANES])
 {
-    for (unsigned j = 0; j < size; j += 2)
-        for (unsigned k = 0; k < LX_LANES; k += 2 * LX_WIDTH_double) {
-            lanes_double above[2] = {all_double(0), all_double(0)}, below[2] = {above[0], above[0]};
-            for (unsigned i = 0; i < size; i++) {
-                const double *entry = left + j * down + i * across;
-                const lanes_double first = load_double(right[i] + k),
-                                   second = load_double(right[i] + k + LX_WIDTH_double);
-                above[0] += entry[0] * first, above[1] += entry[0] * second;
-                below[0] += entry[down] * first, below[1] += entry[down] * second;
-            }
-            for (int v = 0; v < 2; v++) {
-                store_double(product[j] + k + v * LX_WIDTH_double, above[v]);
-                store_double(product[j + 1] + k + v * LX_WIDTH_double, below[v]);
+    for (unsigned k = 0; k < columns; k += COLUMNS_ABREAST) {
+        lanes_double sums[ROWS_ABREAST][2];
+        LX_UNROLLED
+        for (unsigned r = 0; r < count; r++)
+            sums[r][0] = sums[r][1] = all_double(0);
+        for (unsigned i = 0; i < size; i++) {
+            const lanes_double first = load_double(right[i] + k), second = load_double(right[i] + k + LX_WIDTH_double);
+            LX_UNROLLED
+            for (unsigned r = 0; r < count; r++) {
+                const double entry = left[r * down + i * across];
+                sums[r][0] += entry * first, sums[r][1] += entry * second;
             }
         }
+        LX_UNROLLED
+        for (unsigned r = 0; r < count; r++) {
+            store_double(product[r] + k, sums[r][0]);
+            store_double(product[r] + k + LX_WIDTH_double, sums[r][1]);
+        }
+    }
+    const unsigned done = (columns + COLUMNS_ABREAST - 1) / COLUMNS_ABREAST * COLUMNS_ABREAST;
+    for (unsigned r = 0; r < count; r++)
+        for (unsigned k = done; k < LX_LANES; k += LX_WIDTH_double)
+            store_double(product[r] + k, all_double(0));
+}
+
+/*
+ * product = left right, of so many rows and columns on the left, an even number; of `left` the entry [j][i] stands at
+ * left[j * down + i * across].  On the right all but the first `columns` are 0.
+ */
+LX_LANE void multiply(const double *left, size_t down, size_t across, unsigned size, const double (*right)[LX_LANES],
+                      unsigned columns, double (*product)[LX_LANES])
+{
+    unsigned j = 0;
+    for (; j + ROWS_ABREAST <= size; j += ROWS_ABREAST)
+        multiply_rows(left + j * down, down, across, size, ROWS_ABREAST, right, columns, product + j);
+    if (j < size)
+        multiply_rows(left + j * down, down, across, size, 2, right, columns, product + j);
 }
 
 /* [degree][power] of Chebyshev's polynomials. */
@@ -49,23 +71,40 @@ _Alignas(64) static const double chebyshev[LX_MOST_NODES][LX_LANES] = {
     {0, -15, 0, 560, 0, -6048, 0, 28800, 0, -70400, 0, 92160, 0, -61440, 0, 16384},
 };
 
-/* Adds up in pairs, as one after the other each sum would wait for the one before. */
-LX_LANE double sum_of_lanes(const double n[LX_LANES])
+/* Numbers of the columns, for vectors of them. */
+_Alignas(64) static const double column_numbers[LX_LANES] = {0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15};
+
+LX_LANE double sum_of_lanes(lanes_double numbers)
 {
-    _Static_assert(LX_LANES == 16, "all of them are added");
-    return (((n[0] + n[8]) + (n[4] + n[12])) + ((n[2] + n[10]) + (n[6] + n[14]))) +
-           (((n[1] + n[9]) + (n[5] + n[13])) + ((n[3] + n[11]) + (n[7] + n[15])));
+    for (int half = LX_WIDTH_double / 2; half > 0; half /= 2) /* in pairs: each sum waits for the one before */
+        for (int i = 0; i < half; i++)
+            numbers[i] += numbers[i + half];
+    return numbers[0];
 }
 
-/* What there is beyond the first polynomials of a series on each axis, by columns: each size less the next larger. */
-struct beyond {
-    _Alignas(64) double twelve[LX_LANES], eight[LX_LANES], seven[LX_LANES], six[LX_LANES], none[LX_LANES];
-};
-
-LX_LANE void add_row(const double *row, double *sums)
+LX_LANE lanes_double magnitude(lanes_double numbers)
 {
-    for (unsigned k = 0; k < LX_LANES; k++)
-        sums[k] += fabs(row[k]);
+    return greater_double(numbers, -numbers);
+}
+
+/* Numbers of the columns from `first` on, and of those before, else 0. */
+LX_LANE lanes_double from_column(int first, lanes_double column, lanes_double numbers)
+{
+    return where_above_double(column, all_double(first - 0.5), numbers, all_double(0));
+}
+
+LX_LANE lanes_double before_column(int first, lanes_double column, lanes_double numbers)
+{
+    return where_above_double(column, all_double(first - 0.5), all_double(0), numbers);
+}
+
+/* The sums of some rows' magnitudes. */
+LX_LANE lanes_double add_rows(const double (*series)[LX_LANES], unsigned first, unsigned end, unsigned k)
+{
+    lanes_double sums = all_double(0);
+    for (unsigned l = first; l < end; l++)
+        sums += magnitude(load_double(series[l] + k));
+    return sums;
 }
 
 /*
@@ -74,36 +113,52 @@ LX_LANE void add_row(const double *row, double *sums)
  */
 LX_LANE unsigned size_of(const double (*series)[LX_LANES], unsigned nodes, double *rest)
 {
-    _Alignas(64) double rows[LX_LANES] = {0}, row_6[LX_LANES] = {0}, row_7[LX_LANES] = {0}, further[LX_LANES] = {0};
-    struct beyond by = {.twelve = {0}};
-    for (unsigned l = 0; l < 6; l++)
-        add_row(series[l], rows);
-    add_row(series[6], row_6);
-    add_row(series[7], row_7);
-    for (unsigned l = 8; l < nodes; l++)
-        add_row(series[l], l < 12 ? further : by.twelve);
-    for (unsigned k = 0; k < LX_LANES; k++) {
-        const double below = rows[k] + row_6[k] + row_7[k];
-        by.twelve[k] += k >= 12 ? below + further[k] : 0;
-        by.eight[k] = k < 12 ? further[k] + (k >= 8 ? below : 0) : 0;
-        by.seven[k] = k < 8 ? row_7[k] + (k == 7 ? rows[k] + row_6[k] : 0) : 0;
-        by.six[k] = k < 7 ? row_6[k] + (k == 6 ? rows[k] : 0) : 0;
-        by.none[k] = k < 6 ? rows[k] : 0;
+    /* what there is beyond the first polynomials on each axis: of each size less the next larger */
+    lanes_double by_twelve = all_double(0), by_eight = by_twelve, by_seven = by_twelve, by_six = by_twelve;
+    lanes_double by_none = by_twelve;
+    for (unsigned k = 0; k < LX_LANES; k += LX_WIDTH_double) {
+        const lanes_double column = load_double(column_numbers + k);
+        const lanes_double rows = add_rows(series, 0, 6, k), row_6 = add_rows(series, 6, 7, k);
+        const lanes_double row_7 = add_rows(series, 7, 8, k), below = rows + row_6 + row_7;
+        const lanes_double further = add_rows(series, 8, nodes < 12 ? nodes : 12, k);
+        by_twelve += add_rows(series, 12, nodes, k) + from_column(12, column, below + further);
+        by_eight += before_column(12, column, further + from_column(8, column, below));
+        by_seven += before_column(8, column, row_7 + from_column(7, column, rows + row_6));
+        by_six += before_column(7, column, row_6 + from_column(6, column, rows));
+        by_none += before_column(6, column, rows);
     }
-    const double twelve = sum_of_lanes(by.twelve), eight = twelve + sum_of_lanes(by.eight);
-    const double seven = eight + sum_of_lanes(by.seven), six = seven + sum_of_lanes(by.six);
-    const double most = (double)FLT_EPSILON / 4 * (six + sum_of_lanes(by.none));
+    const double twelve = sum_of_lanes(by_twelve), eight = twelve + sum_of_lanes(by_eight);
+    const double seven = eight + sum_of_lanes(by_seven), six = seven + sum_of_lanes(by_six);
+    const double most = (double)FLT_EPSILON / 4 * (six + sum_of_lanes(by_none));
     *rest = six <= most ? six : seven <= most ? seven : eight <= most ? eight : twelve <= most ? twelve : 0;
     return six <= most ? 6 : seven <= most ? 7 : eight <= most ? 8 : twelve <= most && nodes > 12 ? 12 : nodes;
+}
+
+/* Puts the sum of powers, of so many terms on each axis, in its place; returns what float32 may make it off by. */
+LX_LANE double put_terms(const double (*all)[LX_LANES], unsigned size, struct lx_polynomial *polynomial)
+{
+    lanes_double roundings = all_double(0);
+    polynomial->size = size <= 8 ? size : size <= 12 ? 12 : LX_MOST_NODES;
+    memset(polynomial->terms[size], 0, (polynomial->size - size) * sizeof polynomial->terms[0]);
+    for (unsigned l = 0; l < size; l++) {
+        for (unsigned k = 0; k < LX_LANES; k++)
+            polynomial->terms[l][k] = (float)all[l][k];
+        /* a term is rounded itself, and twice in each of the steps of Horner's that it goes through */
+        for (unsigned k = 0; k < LX_LANES; k += LX_WIDTH_double) {
+            const lanes_double steps = load_double(column_numbers + k) + (double)l;
+            roundings += (2 * steps + 3) * magnitude(load_double(all[l] + k));
+        }
+    }
+    return sum_of_lanes(roundings) * ((double)FLT_EPSILON / 2);
 }
 
 static double find_polynomial(const double (*series)[LX_LANES], unsigned nodes, const double *values,
                               struct lx_polynomial *polynomial)
 {
-    _Alignas(64) double across[LX_MOST_NODES][LX_LANES], all[LX_MOST_NODES][LX_LANES], roundings[LX_LANES] = {0}, rest;
+    _Alignas(64) double across[LX_MOST_NODES][LX_LANES], all[LX_MOST_NODES][LX_LANES], rest;
     const double(*const halfway)[LX_LANES] = (const double(*)[LX_LANES])across;
-    multiply(values, nodes, 1, nodes, series, across);
-    multiply(series[0], 1, LX_LANES, nodes, halfway, all);
+    multiply(values, nodes, 1, nodes, series, nodes, across);
+    multiply(series[0], 1, LX_LANES, nodes, halfway, nodes, all);
     const unsigned size = size_of((const double(*)[LX_LANES])all, nodes, &rest);
     const unsigned even = size + size % 2; /* rows of a product */
     if (size < even) {
@@ -111,16 +166,9 @@ static double find_polynomial(const double (*series)[LX_LANES], unsigned nodes, 
         for (unsigned l = 0; l < size; l++)
             all[l][size] = 0;
     }
-    multiply(all[0], LX_LANES, 1, even, chebyshev, across);
-    multiply(chebyshev[0], 1, LX_LANES, even, halfway, all);
-    polynomial->size = size <= 8 ? size : size <= 12 ? 12 : LX_MOST_NODES;
-    for (unsigned l = 0; l < size; l++)
-        for (unsigned k = 0; k < LX_LANES; k++) {
-            polynomial->terms[l][k] = (float)all[l][k];
-            /* a term is rounded itself, and twice in each of the steps of Horner's that it goes through */
-            roundings[k] += (2 * (k + l) + 3) * fabs(all[l][k]);
-        }
-    return rest + sum_of_lanes(roundings) * ((double)FLT_EPSILON / 2);
+    multiply(all[0], LX_LANES, 1, even, chebyshev, even, across);
+    multiply(chebyshev[0], 1, LX_LANES, even, halfway, even, all);
+    return rest + put_terms((const double(*)[LX_LANES])all, size, polynomial);
 }
 
 static void find_roots(double *values, size_t count, double n)

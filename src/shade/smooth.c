@@ -378,7 +378,8 @@ static double add_polynomial(const struct lx_plan *plan, struct lx_fitting *fitt
                              unsigned side, const double *sums)
 {
     struct lx_polynomial *polynomial = &fitting->polynomials[fitting->count++];
-    *polynomial = (struct lx_polynomial){.side = side, .power = 1};
+    polynomial->side = side;
+    polynomial->power = 1;
     return plan->kernels->find_polynomial(basis->series, basis->nodes, sums, polynomial);
 }
 
