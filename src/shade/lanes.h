@@ -103,7 +103,8 @@ LX_LANE NAME(lanes) NAME(where_above)(NAME(lanes) a, NAME(lanes) b, NAME(lanes) 
 #if LX_ISA_LEVEL >= 4
     return LX_OPERATION(mask_blend)(LX_JOIN(LX_OPERATION(cmp), _mask)(a, b, _CMP_GT_OQ), other, above);
 #elif LX_ISA_LEVEL >= 3
-    return LX_OPERATION(blendv)(other, above, LX_OPERATION(cmp)(a, b, _CMP_GT_OQ));
+    /* of the set's own comparison gcc does not know that it is all a choice needs, and compares it with 0 */
+    return LX_OPERATION(blendv)(other, above, (NAME(lanes))(a > b));
 #else
     NAME(lanes) mask = LX_OPERATION(cmpgt)(a, b);
     return LX_OPERATION(or)(LX_OPERATION(and)(mask, above), LX_OPERATION(andnot)(mask, other));
