@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /* Sampling of the screen and lines of sight; both axes go by the same rule, y downwards from the top. */
+#include <float.h>
 #include <math.h>
 
 #include "camera.h"
@@ -22,13 +23,18 @@ double lx_row_y_mm(const struct lx_screen *screen, unsigned row)
     return screen->height_mm / 2 - sample_position(screen->sampling, screen->height_mm, screen->resolution[1], row);
 }
 
-/* The sample whose cell holds a distance from the edge; the far edge belongs to the last. */
+/*
+ * The sample whose cell holds a distance from the edge; a border between cells belongs to the one after it, the far edge
+ * of the screen to the last.  Decimal numbers are seldom what they were written as: a place is on a border if it differs
+ * by no more than roundings.
+ */
 static bool sample_at(int sampling, double length, unsigned n, double distance, unsigned *i)
 {
     if (!(distance >= 0 && distance <= length))
         return false;
-    /* Multiplied before it is divided: a border between pixels that is a whole number stays one. */
-    double place = sampling == LX_NODES ? round(distance * (n - 1) / length) : floor(distance * n / length);
+    const double roundings = 4 * DBL_EPSILON * n;
+    const double cells = sampling == LX_NODES ? distance * (n - 1) / length + 0.5 : distance * n / length;
+    const double border = round(cells), place = fabs(cells - border) <= roundings ? border : floor(cells);
     *i = place < n ? (unsigned)place : n - 1;
     return true;
 }

@@ -152,6 +152,38 @@ static void test_pixels(void **state)
         }
 }
 
+/* Borders between pixels, in decimal numbers that are rounded themselves: the pixel is that of the formula
+ * in real numbers, where half a pixel between nodes goes away from 0. */
+static void test_borders(void **state)
+{
+    (void)state;
+    static const struct {
+        const char *screen;
+        double x_mm, y_mm;
+        unsigned column, row;
+    } cases[] = {
+        {"screen={width: 100.1, height: 100.1, resolution: [7, 7], sampling: nodes}", -25.025, 25.025, 2, 2},
+        {"screen={width: 1.1, height: 1.1, resolution: [11, 11], sampling: nodes}", 0.275, -0.275, 8, 8},
+        {"screen={width: 333.3, height: 333.3, resolution: [100, 100], sampling: centers}", 3.333, -3.333, 51, 51},
+        {"screen={width: 500, height: 500, resolution: [360, 360], sampling: centers}", -75, 75, 126, 126},
+        {"screen={width: 600, height: 600, resolution: [500, 500], sampling: centers}", -248.4, 248.4, 43, 43},
+        {"screen={width: 600, height: 600, resolution: [500, 500], sampling: centers}", -248.400001, 248.4, 42, 43},
+        {"screen={width: 600, height: 600, resolution: [500, 500], sampling: centers}", 300, -300, 499, 499},
+        {"screen={width: 600, height: 600, resolution: [500, 500], sampling: nodes}", 300, -300, 499, 499},
+        {"screen={width: 600, height: 600, resolution: [1, 1], sampling: nodes}", 300, -300, 0, 0},
+    };
+    for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
+        luxel_scene *scene = REPORT_WITH(cases[i].screen);
+        luxel_probe *probe = NULL;
+        assert_int_equal(luxel_probe_screen(scene, NULL, cases[i].x_mm, cases[i].y_mm, NULL, &probe), LUXEL_OK);
+        assert_true(probe->has_pixel);
+        assert_int_equal(probe->column, cases[i].column);
+        assert_int_equal(probe->row, cases[i].row);
+        luxel_probe_free(probe);
+        luxel_scene_free(scene);
+    }
+}
+
 /* A tolerance that is asked for is compared with the error; without one closed forms always do. */
 static void test_tolerance(void **state)
 {
@@ -304,9 +336,9 @@ static void test_dark(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_refusals),       cmocka_unit_test(test_pixels), cmocka_unit_test(test_tolerance),
-        cmocka_unit_test(test_range),          cmocka_unit_test(test_cancel), cmocka_unit_test(test_threads),
-        cmocka_unit_test(test_too_many_parts), cmocka_unit_test(test_dark),
+        cmocka_unit_test(test_refusals),  cmocka_unit_test(test_pixels),         cmocka_unit_test(test_borders),
+        cmocka_unit_test(test_tolerance), cmocka_unit_test(test_range),          cmocka_unit_test(test_cancel),
+        cmocka_unit_test(test_threads),   cmocka_unit_test(test_too_many_parts), cmocka_unit_test(test_dark),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
