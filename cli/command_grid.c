@@ -298,15 +298,17 @@ static int write_outputs(const struct options *options, const struct grids *grid
 static int finish(const struct options *options, const struct loaded *loaded, const struct grids *grids)
 {
     const int code = write_outputs(options, grids, loaded->diagnostics);
+    size_t missed = 0;
 
+    for (size_t i = 0; i < grids->count; i++)
+        missed += !grids->list[i]->tolerance_reached;
     if (options->json)
         print_json(grids);
     else
         print_text(grids, loaded->name);
-    for (size_t i = 0; i < grids->count && code == EXIT_DONE; i++)
-        if (!grids->list[i]->tolerance_reached)
-            return EXIT_TOLERANCE;
-    return code;
+    if (missed > 0)
+        message_tolerance(missed, grids->count);
+    return code == EXIT_DONE && missed > 0 ? EXIT_TOLERANCE : code;
 }
 
 static int grid(const struct options *options, const struct loaded *loaded)

@@ -140,7 +140,7 @@ const struct command command_set = {
     .operand = N_("SCENE"),
     .more = N_("KEY=VALUE"),
     .more_kind = OPERAND_NONE,
-    .endings = ".yaml",
+    .endings = ".yaml .yml .json",
     .summary = N_("change values of a scene file, keeping its comments and layout"),
     .description = N_("Writes the new values into the file and leaves the rest of it as it is. A scene that would have "
                       "errors is not written. What is read from standard input, or a built-in scene, goes to "

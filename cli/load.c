@@ -86,23 +86,19 @@ static int open_builtin(const char *name, struct loaded *loaded)
 {
     luxel_status status;
 
-    if (load_find_builtin(name) == luxel_builtin_scene_count()) {
-        message_error(_("there is no built-in scene \"%s\""), name);
-        suggest_builtin(name);
-        return EXIT_USAGE;
-    }
     status = luxel_scene_open_builtin(name, loaded->diagnostics, &loaded->scene);
     return status == LUXEL_OK ? EXIT_DONE : message_failure(status, loaded->diagnostics);
 }
 
-static int open_file(const char *path, struct loaded *loaded)
+/* Returns `missing` where there is no such file. */
+static int open_file(const char *path, int missing, struct loaded *loaded)
 {
     luxel_status status;
 
     if (access(path, F_OK) != 0 && errno == ENOENT) {
         message_error(_("%s: no such file, and no built-in scene of that name"), path);
         suggest_builtin(path);
-        return EXIT_FILE;
+        return missing;
     }
     status = luxel_scene_read_file(path, loaded->diagnostics, &loaded->scene);
     return status == LUXEL_OK ? EXIT_DONE : message_failure(status, loaded->diagnostics);
@@ -120,9 +116,10 @@ static int open_scene(const char *operand, bool builtin_first, struct loaded *lo
     loaded->name = operand ? operand : default_scene;
     if (operand && strcmp(operand, "-") == 0)
         return open_standard_input(loaded);
-    if (!operand || (is_builtin && (builtin_first || !is_file)) || (builtin_first && !is_file))
+    if (!operand || (is_builtin && (builtin_first || !is_file)))
         return open_builtin(loaded->name, loaded);
-    return open_file(operand, loaded);
+    /* what names no built-in scene where one is asked for is wrong usage */
+    return open_file(operand, builtin_first ? EXIT_USAGE : EXIT_FILE, loaded);
 }
 
 struct options load_options(const struct options *options, const luxel_scene *scene)

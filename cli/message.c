@@ -66,6 +66,12 @@ void message_hint(const char *format, ...)
     va_end(arguments);
 }
 
+void message_tolerance(size_t missed, size_t count)
+{
+    message_error(_("results whose error is above the tolerance: %zu of %zu"), missed, count);
+    message_hint(_("they are printed with their errors; --tolerance T allows another one"));
+}
+
 void message_did_you_mean(const char *nearest)
 {
     if (nearest)

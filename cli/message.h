@@ -11,6 +11,8 @@
 /* "luxel: error: ...", and its second line "  hint: ..." */
 void message_error(const char *format, ...) __attribute__((format(printf, 1, 2)));
 void message_hint(const char *format, ...) __attribute__((format(printf, 1, 2)));
+/* Some results, which are printed all the same, are not as exact as was asked for. */
+void message_tolerance(size_t missed, size_t count);
 /* "  hint: did you mean X?" unless `nearest` is NULL. */
 void message_did_you_mean(const char *nearest);
 /* "luxel: ..." */

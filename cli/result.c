@@ -31,7 +31,7 @@ int result_probe(const struct options *options, const luxel_scene *scene, luxel_
                  struct result *result)
 {
     const size_t count = options->place_count > 0 ? options->place_count : luxel_scene_point_count(scene);
-    int code = EXIT_DONE;
+    size_t missed = 0;
 
     *result = (struct result){.scene = scene, .options = options};
     result->probes = message_allocate(count, sizeof *result->probes);
@@ -41,10 +41,11 @@ int result_probe(const struct options *options, const luxel_scene *scene, luxel_
 
         if (status != LUXEL_OK)
             return message_failure(status, diagnostics);
-        if ((*probe)->has_value && !(*probe)->tolerance_reached)
-            code = EXIT_TOLERANCE;
+        missed += (*probe)->has_value && !(*probe)->tolerance_reached;
     }
-    return code;
+    if (missed > 0)
+        message_tolerance(missed, count);
+    return missed > 0 ? EXIT_TOLERANCE : EXIT_DONE;
 }
 
 void result_clear(struct result *result)

@@ -8,7 +8,8 @@
 static const char introduction[] =
     "# The scene file\n\n"
     "<!-- Made from the parameter tables by `build/cli/pages/luxel-pages scene > docs/SCENE.md`. -->\n\n"
-    "A scene is one document in YAML 1.2, and so may be JSON. This is the scene `report`, which is built in and the "
+    "A scene is one document in YAML 1.2, and so may be JSON; anchors, aliases and tags (& * !) are not used in it, "
+    "nor numbers other than decimal ones. This is the scene `report`, which is built in and the "
     "default of every command:\n\n";
 
 static const char conventions[] =

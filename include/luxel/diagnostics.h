@@ -37,7 +37,9 @@ typedef struct luxel_diagnostics luxel_diagnostics;
 typedef struct luxel_diagnostic {
     luxel_severity severity; /* an error or advice */
     const char *id;          /* stable name of the message, such as "unknown-key" */
-    const char *source;      /* file name, "<stdin>", or the assignment; NULL where no place applies */
+    /* A file's name, "<stdin>", a name that the caller gave, "<text>" where that was NULL, or a built-in scene's name;
+     * of what luxel_scene_set() and its like are given "-s", "key" or "value"; NULL where no place applies. */
+    const char *source;
     unsigned line;           /* from 1; 0 where no place applies */
     unsigned column;         /* from 1, in characters; 0 where no place applies */
     const char *key;         /* the scene key that is meant, such as "lights[0].intensity", or NULL */

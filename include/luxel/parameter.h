@@ -65,8 +65,8 @@ typedef struct luxel_interval {
 typedef struct luxel_parameter {
     const char *path;                /* "screen.width", "lights[].intensity"; a list element is [] */
     const char *variant;             /* the type of surface or light it belongs to ("spot"), NULL for all */
-    const char *type;                /* in words: "number", "whole number", "3 numbers", "one of", "yes or no", ... */
-    const char *choices;             /* "nodes, centers", or NULL */
+    const char *type;                /* in words: "number", "whole number", "3 numbers", "one of", "true or false" */
+    const char *choices;             /* "centers, nodes", or NULL */
     const char *unit;                /* radiometric unit in UTF-8, "" where it has none */
     const char *default_value;       /* as YAML; NULL where there is none */
     bool required;                   /* whether a scene must write it, where it writes what the key stands in */

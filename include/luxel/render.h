@@ -16,7 +16,7 @@ extern "C" {
 #endif
 
 /*
- * Called some 4000 times a second from the calling thread with the share done, 0 to 1, so it should do little;
+ * Called at most 4000 times a second from the calling thread with the share done, 0 to 1, so it should do little;
  * returning false cancels the rendering, which then ends with LUXEL_CANCELLED, as a rule within a millisecond of when
  * it first would have been false (docs/KERNELS.md tells what takes longer).
  */

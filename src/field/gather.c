@@ -25,11 +25,16 @@ luxel_extremum lx_extremum_at(const struct luxel_field *field, size_t pixel, dou
 static luxel_status check(const struct luxel_field *field, const luxel_region *region, luxel_diagnostics *diagnostics)
 {
     luxel_status status = lx_region_check(region, diagnostics);
-    if (status == LUXEL_OK && region && region->type != LUXEL_REGION_ALL && (!field->x_mm || !field->y_mm)) {
-        lx_report(diagnostics, LUXEL_SEVERITY_ERROR, NULL, LX_MSG_FIELD_WITHOUT_PLACES, NULL);
-        status = LUXEL_ERROR_ARGUMENT;
-    }
+    if (status == LUXEL_OK && region && region->type != LUXEL_REGION_ALL && (!field->x_mm || !field->y_mm))
+        status = lx_no_places(diagnostics);
     return status;
+}
+
+luxel_status lx_no_places(luxel_diagnostics *diagnostics)
+{
+    lx_report(diagnostics, LUXEL_SEVERITY_ERROR, NULL, LX_MSG_FIELD_WITHOUT_PLACES, NULL);
+    lx_hint(diagnostics, LX_MSG_FILES_WITH_PLACES, NULL);
+    return LUXEL_ERROR_ARGUMENT;
 }
 
 luxel_status lx_not_finite(const struct luxel_field *field, size_t pixel, luxel_diagnostics *diagnostics)

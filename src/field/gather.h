@@ -21,6 +21,9 @@ struct lx_gathered {
 luxel_status lx_gather_region(const struct luxel_field *field, const luxel_region *region,
                               luxel_diagnostics *diagnostics, struct lx_gathered *gathered);
 
+/* Reports that the field does not know its places; returns LUXEL_ERROR_ARGUMENT. */
+luxel_status lx_no_places(luxel_diagnostics *diagnostics);
+
 /* Reports the pixel whose value is infinite or no number; returns LUXEL_ERROR_ARGUMENT. */
 luxel_status lx_not_finite(const struct luxel_field *field, size_t pixel, luxel_diagnostics *diagnostics);
 

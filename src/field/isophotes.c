@@ -9,6 +9,7 @@
 #include "../base/diagnostics.h"
 #include "../base/memory.h"
 #include "../shade/camera.h"
+#include "gather.h"
 
 /* How far the values of a picture may be from the exact ones, relative to its maximum; more than any precision. */
 static const double PICTURE_ERROR = 1e-4;
@@ -85,7 +86,7 @@ static luxel_status check(const struct luxel_field *field, const struct luxel_ev
         if (!isfinite(levels[i]))
             return report(diagnostics, LX_MSG_BAD_LEVEL);
     if (!field->x_mm || !field->y_mm)
-        return report(diagnostics, LX_MSG_FIELD_WITHOUT_PLACES);
+        return lx_no_places(diagnostics);
     if (evaluator && !is_of_scene(field, evaluator))
         return report(diagnostics, LX_MSG_OTHER_SCENE);
     return LUXEL_OK;

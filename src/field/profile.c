@@ -14,6 +14,7 @@
 #include "../shade/camera.h"
 #include "../shade/evaluate.h"
 #include "field.h"
+#include "gather.h"
 
 enum { MOST_SAMPLES = 10000000 };
 
@@ -223,7 +224,7 @@ luxel_status luxel_field_profile(const luxel_field *field, const luxel_path *pat
     if (status == LUXEL_OK && path->type != LUXEL_PATH_LINE)
         status = report(diagnostics, LX_MSG_PATH_ONLY_LINES);
     if (status == LUXEL_OK && (!field->x_mm || !field->y_mm))
-        status = report(diagnostics, LX_MSG_FIELD_WITHOUT_PLACES);
+        status = lx_no_places(diagnostics);
     if (status != LUXEL_OK)
         return status;
     luxel_profile *made = new_profile(path, field->quantity, 0);

@@ -104,7 +104,8 @@ static luxel_status check_settings(const luxel_figure_settings *settings, luxel_
 
 /* ---- range and levels ---- */
 
-/* The range that was asked for, or the scene's own; four decades where it is logarithmic; never without a size. */
+/* The range that was asked for, or the scene's own; where it is logarithmic four decades, fewer where the smallest
+ * value lies within them; never without a size. */
 static void choose_scale(struct lx_figure *figure, const luxel_summary *summary)
 {
     const luxel_figure_settings *settings = &figure->settings;

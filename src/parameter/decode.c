@@ -187,13 +187,9 @@ static void add_unit(struct lx_text *text, const char *unit)
     free(words);
 }
 
-static void report_missing(struct mapping *mapping, const struct lx_parameter *parameter)
+void lx_hint_expected(struct lx_walk *walk, const struct lx_parameter *parameter)
 {
-    struct lx_walk *walk = mapping->walk;
-    struct lx_step step = {mapping->step, parameter->name, 0};
     struct lx_text expected = {0};
-    lx_walk_report(walk, LUXEL_SEVERITY_ERROR, lx_document_place(walk->document, mapping->id), &step,
-                   LX_MSG_MISSING_KEY, NULL, NULL);
     lx_add_phrase(&expected, parameter->meaning, NULL);
     if (!lx_has_tables(parameter)) {
         lx_text_puts(&expected, " (");
@@ -211,6 +207,15 @@ static void report_missing(struct mapping *mapping, const struct lx_parameter *p
     if (words)
         lx_hint(walk->diagnostics, LX_MSG_HINT_EXPECTED, LX_ARGS(LX_WORDS(words)));
     free(words);
+}
+
+static void report_missing(struct mapping *mapping, const struct lx_parameter *parameter)
+{
+    struct lx_walk *walk = mapping->walk;
+    struct lx_step step = {mapping->step, parameter->name, 0};
+    lx_walk_report(walk, LUXEL_SEVERITY_ERROR, lx_document_place(walk->document, mapping->id), &step,
+                   LX_MSG_MISSING_KEY, NULL, NULL);
+    lx_hint_expected(walk, parameter);
 }
 
 /* Judges the keys of one table together; what its own check() sees is good as far as rules can tell. */

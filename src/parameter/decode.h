@@ -49,6 +49,9 @@ static inline bool lx_has_tables(const struct lx_parameter *parameter)
     return parameter->type == LX_GROUP || parameter->type == LX_GROUPS || parameter->type == LX_VARIANTS;
 }
 
+/* Hints at what a key that is missing means, and its type, range and unit. */
+void lx_hint_expected(struct lx_walk *walk, const struct lx_parameter *parameter);
+
 /* The parameter of a table with this name, or NULL. */
 const struct lx_parameter *lx_find_parameter(const struct lx_table *table, const char *name);
 

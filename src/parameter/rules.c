@@ -135,6 +135,7 @@ static void check_needed(const struct lx_check *check, const struct lx_rule *rul
     struct lx_step step = {check->up, rule->key, 0};
     lx_walk_report(check->walk, LUXEL_SEVERITY_ERROR, lx_document_place(check->walk->document, check->mapping), &step,
                    LX_MSG_NEEDED_KEY, rule->other, lx_chosen(other, check->parameters));
+    lx_hint_expected(check->walk, lx_find_parameter(check->table, rule->key));
 }
 
 static void check_ordered(const struct lx_check *check, const struct lx_parameter *key,

@@ -24,9 +24,9 @@ double lx_row_y_mm(const struct lx_screen *screen, unsigned row)
 }
 
 /*
- * The sample whose cell holds a distance from the edge; a border between cells belongs to the one after it, the far edge
- * of the screen to the last.  Decimal numbers are seldom what they were written as: a place is on a border if it differs
- * by no more than roundings.
+ * The sample whose cell holds a distance from the edge; a border between cells belongs to the one after it, the far
+ * edge of the screen to the last.  Decimal numbers are seldom what they were written as: a place is on a border if it
+ * differs by no more than roundings.
  */
 static bool sample_at(int sampling, double length, unsigned n, double distance, unsigned *i)
 {

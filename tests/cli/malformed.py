@@ -50,8 +50,8 @@ PIECES = [
     ("null", RADIUS, "radius: ^null", ""),
     ("axis and aim", LIGHT, "{type: point, pattern: lambertian, position: [2000, 0, 2000], intensity: 10, "
      "axis: [0, 0, -1], aim: [0, 0, 1]}", "axis aim"),
-    ("practical without k", "attenuation: none", "attenuation: practical", "k"),
-    ("cosine without exponent", "attenuation: none", "pattern: cosine", "exponent"),
+    ("practical without k", "attenuation: none", "attenuation: practical", "k expected mm"),
+    ("cosine without exponent", "attenuation: none", "pattern: cosine", "exponent expected"),
     ("merge key", "units: radiometric", "^<<: {units: radiometric}", ""),
     # types
     ("text for a number", RADIUS, "radius: ^big", "big number"),

@@ -30,7 +30,7 @@ EXACT = [
     ("luxel help spo", "spot"),
     ("luxel set my.yaml units", "units="),
     ("luxel set my.yaml -q screen.width=5 lights.0.att", "lights.0.attenuation="),
-    ("luxel set my.yaml -o new", "new.yaml"),
+    ("luxel set my.yaml -o new", "new.yaml new.yml new.json"),
     ("luxel render my.yaml my", ""),
     ("luxel render -s units", "units="),
     ("luxel render -s screen.w", "screen.width="),
