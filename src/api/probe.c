@@ -50,7 +50,8 @@ static int name_shares(const struct lx_scene_parameters *scene, luxel_probe *pro
 /* What is below this share of the sources' radiance is as good as 0: in a source's plane there is only rounding. */
 static const double NOTHING = 1e-20;
 
-/* Where there are closed forms the default tolerance is always met; an explicit one, or an integral, is checked. */
+/* An explicit tolerance is checked, the default one where there are integrals.  Closed forms are as exact as the scene
+ * is to float64, which just within a cone's edge or where light sets is less, relative to a value near 0. */
 static bool is_reached(const struct lx_session *session, const luxel_probe *probe)
 {
     const struct lx_prepared *prepared = &session->prepared;

@@ -184,7 +184,7 @@ static void test_borders(void **state)
     }
 }
 
-/* A tolerance that is asked for is compared with the error; without one closed forms always do. */
+/* A tolerance that is asked for is compared with the error; without one closed forms are not judged. */
 static void test_tolerance(void **state)
 {
     (void)state;
