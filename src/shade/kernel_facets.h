@@ -100,7 +100,7 @@ LX_LANE NAME(lanes) NAME(near_term)(const struct NAME(outlook) * at, const struc
     NAME(lanes) cosine = NAME(dot)(a, NAME(sum_of)(a, edge->e)), sine2 = NAME(dot)(g, g);
     NAME(lanes) inverse = NAME(inverse_root)(NAME(greater)(cosine * cosine + sine2, smallest));
     cosine *= inverse;
-    NAME(lanes) size = NAME(greater)(cosine, -cosine), f = NAME(arc_over_sine)(1 - size) * inverse;
+    NAME(lanes) size = NAME(magnitude)(cosine), f = NAME(arc_over_sine)(1 - size) * inverse;
     if (NAME(any_above)(zero, cosine)) {
         NAME(lanes) obtuse = (REAL)M_PI * NAME(inverse_root)(NAME(greater)(sine2, smallest)) - f;
         f = NAME(where_above)(zero, cosine, obtuse, f);
@@ -135,7 +135,7 @@ LX_LANE NAME(lanes)
                        NAME(lanes) to, NAME(lanes) weight, struct NAME(passage) * passage)
 {
     const NAME(lanes) zero = NAME(all)(0), one = NAME(all)(1);
-    NAME(lanes) change = from - to, size = NAME(greater)(change, -change);
+    NAME(lanes) change = from - to, size = NAME(magnitude)(change);
     NAME(lanes) at_horizon = from * NAME(inverse)(NAME(where_above)(size, NAME(all)((REAL)SMALLEST), change, one));
     at_horizon = NAME(lesser)(NAME(greater)(at_horizon, zero), one);
     NAME(lanes) first = NAME(where_above)(zero, from, at_horizon, zero);

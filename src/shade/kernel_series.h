@@ -82,11 +82,6 @@ LX_LANE double sum_of_lanes(lanes_double numbers)
     return numbers[0];
 }
 
-LX_LANE lanes_double magnitude(lanes_double numbers)
-{
-    return greater_double(numbers, -numbers);
-}
-
 /* Numbers of the columns from `first` on, and of those before, else 0. */
 LX_LANE lanes_double from_column(int first, lanes_double column, lanes_double numbers)
 {
@@ -103,7 +98,7 @@ LX_LANE lanes_double add_rows(const double (*series)[LX_LANES], unsigned first, 
 {
     lanes_double sums = all_double(0);
     for (unsigned l = first; l < end; l++)
-        sums += magnitude(load_double(series[l] + k));
+        sums += magnitude_double(load_double(series[l] + k));
     return sums;
 }
 
@@ -146,7 +141,7 @@ LX_LANE double put_terms(const double (*all)[LX_LANES], unsigned size, struct lx
         /* a term is rounded itself, and twice in each of the steps of Horner's that it goes through */
         for (unsigned k = 0; k < LX_LANES; k += LX_WIDTH_double) {
             const lanes_double steps = load_double(column_numbers + k) + (double)l;
-            roundings += (2 * steps + 3) * magnitude(load_double(all[l] + k));
+            roundings += (2 * steps + 3) * magnitude_double(load_double(all[l] + k));
         }
     }
     return sum_of_lanes(roundings) * ((double)FLT_EPSILON / 2);

@@ -137,13 +137,13 @@ LX_LANE struct bounded_light bound_one(const struct lx_vicinity *at, const struc
     const lanes_double s_square = sx * sx + sy * sy + sz * sz;
     const lanes_double along = at->normal[0] * sx + at->normal[1] * sy + at->normal[2] * sz;
     const lanes_double across = root_double(positive(s_square - along * along)) + 1e-7 * root_double(s_square);
-    const lanes_double size = greater_double(along, -along), height = along - moves * at->level;
+    const lanes_double size = magnitude_double(along), height = along - moves * at->level;
     const lanes_double tile = n->tile * across + 0.5 * n->tile * n->tile * size + radius;
     const lanes_double real = n->first * across + 0.5 * n->first * n->first * size + n->second * (across + size) +
                               (1 + n->second) * strays + n->imaginary * sways;
     const lanes_double imaginary =
         n->imaginary * (across + (n->first + n->second) * size + strays) + (1 + n->second) * sways;
-    const lanes_double margin = 1e-9 * d, most = greater_double(height, -height) + real + margin;
+    const lanes_double margin = 1e-9 * d, most = magnitude_double(height) + real + margin;
     light.is_up = is_above_lane(height, tile + margin);
     light.is_down = is_above_lane(-height, tile + margin);
     light.cosine = root_double(most * most + imaginary * imaginary + tiny) * inverse_double(root);

@@ -138,6 +138,12 @@ LX_LANE NAME(lanes) NAME(root)(NAME(lanes) a)
 
 #endif
 
+/* The size of a number, without its sign. */
+LX_LANE NAME(lanes) NAME(magnitude)(NAME(lanes) a)
+{
+    return NAME(greater)(a, -a);
+}
+
 /* Whether a > b in any lane, and in all of them. */
 #if LX_ISA_LEVEL >= 4
 #define LX_LANES_ABOVE(a, b) ((unsigned)LX_JOIN(LX_OPERATION(cmp), _mask)(a, b, _CMP_GT_OQ))
