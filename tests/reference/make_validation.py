@@ -123,7 +123,28 @@ def direction_words(normal):
 
 # CIE 171.
 
+CIE_CASES = (
+    ('4.1 to 4.6', 'measured rooms: compact fluorescent lamps, opal and semi-specular luminaires, grey and black walls',
+     'no', 'needs luminaires from files of intensity tables and, with grey walls, reflected light'),
+    ('5.2', 'point sources', 'yes', 'the Lambertian pattern; the asymmetric one needs intensity tables'),
+    ('5.3', 'area sources', 'yes', 'the Lambertian pattern; the asymmetric one needs intensity tables'),
+    ('5.4', 'conservation of luminous flux', 'yes', ''),
+    ('5.5', 'directional transmittance of clear glass', 'no', 'nothing is transparent'),
+    ('5.6', 'reflection by diffuse surfaces', 'yes', 'the reflecting square is given as a source'),
+    ('5.7', 'diffuse reflection with an internal obstruction', 'no', 'area sources cast no shadows'),
+    ('5.8', 'interreflection in a cube', 'no', 'light is not reflected from surface to surface'),
+    ('5.9, 5.10', 'sky component under a roof opening, unglazed and glazed', 'no', 'there are no skies and no glass'),
+    ('5.11 to 5.14', 'sky and ground through a facade opening, glazed, with horizontal and vertical masks', 'no',
+     'there are no skies and no glass, and area sources cast no shadows'),
+)
+
+
 def cie(page):
+    page.heading('CIE 171: which cases are here, and which are not',
+                 'The publication has 19 cases. Those of direct light from point and area sources are on this page; the '
+                 'others ask for what Luxel does not compute.')
+    page.table(['case', 'subject', 'here', 'remark'], CIE_CASES)
+
     case = case_named('cie171-5.2')
     page.heading('CIE 171, test 5.2: a point source over a plane',
                  'A point source of 1000 cd with a Lambertian pattern, I = 1000 cos θ, hangs 3 m above a horizontal '
