@@ -28,9 +28,22 @@ static void add_extremum(struct text_table *table, const char *name, const luxel
                                      text_lengths((const double[]){extremum->x_mm, extremum->y_mm}, 2, screen)));
 }
 
+/* What the least value above 0 is where no light arrives; it is a tiny number that wants to be told. */
+static void explain_minimum(const luxel_statistics *statistics)
+{
+    const luxel_extremum *least = &statistics->minimum, *reached = &statistics->minimum_reached;
+
+    if (least->exists && (!reached->exists || least->value < reached->value))
+        text_definition(stdout, "", 2,
+                        _("The minimum above 0 lies where no source shines on the surface: what is there is the tail "
+                          "of a highlight that is not gated, or ambient light."));
+}
+
 static void print_statistics(const struct result *result)
 {
     const luxel_statistics *statistics = result->statistics;
+    /* where points are taken together it is not looked for */
+    const bool is_known = statistics->minimum_reached.exists || !(result->options->settings.light_error > 0.0);
     struct text_table *table = text_table_new("lrrr");
     char heading[TEXT_SIZE], mean[TEXT_SIZE], lit[TEXT_SIZE];
 
@@ -38,13 +51,18 @@ static void print_statistics(const struct result *result)
     text_table_row(table, TEXT_CELLS("", heading, _("pixel (u, v)"), _("screen x, y (mm)")));
     add_extremum(table, _("maximum"), &statistics->maximum);
     add_extremum(table, _("minimum above 0"), &statistics->minimum);
+    if (is_known)
+        add_extremum(table, _("minimum where light arrives"), &statistics->minimum_reached);
     if (statistics->has_surface) {
         text_table_row(table, TEXT_CELLS(_("mean"), text_format(mean, "%.6g", statistics->mean), "", ""));
-        text_table_row(table, TEXT_CELLS(_("lit"), text_format(lit, "%.2f %%", 100.0 * statistics->lit), "", ""));
+        text_table_row(table,
+                       TEXT_CELLS(_("pixels above 0"), text_format(lit, "%.2f %%", 100.0 * statistics->lit), "", ""));
     } else {
         text_table_line(table, _("no pixel shows a surface"));
     }
     text_table_print(table, stdout, 2);
+    if (is_known)
+        explain_minimum(statistics);
 }
 
 /* A point with a value is a row; one without is a line that says why. */
@@ -159,8 +177,9 @@ const struct command command_render = {
     .operand = N_("SCENE"),
     .summary = N_("compute the picture, print its numbers, write it to files"),
     .description =
-        N_("Prints the maximum, the minimum above 0 and the mean of the picture, and the exact value at each "
-           "point of the scene. Each FILE appears whole or not at all, and the picture need not fit in memory."),
+        N_("Prints the maximum, the minimum above 0, the least value where light arrives (N·L > 0 for some source or a "
+           "part of one, shadows included; in JSON min_reached) and the mean of the picture, and the exact value at "
+           "each point of the scene. Each FILE appears whole or not at all, and the picture need not fit in memory."),
     .examples = "luxel render\n"
                 "luxel render my.yaml -o sphere.png -o sphere.npy\n"
                 "luxel render -s 'lights[0].position=[1500,800,2400]' -s 'surfaces[0].material.shininess=60'",

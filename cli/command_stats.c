@@ -149,7 +149,7 @@ static void print_text(const struct stats *stats)
         add_value(table, _("mean"), summary->mean, "", "");
         add_value(table, _("median"), summary->median, "", "");
         add_value(table, _("standard deviation"), summary->standard_deviation, "", "");
-        add_value(table, _("lit (share)"), summary->lit, "", "");
+        add_value(table, _("share above 0"), summary->lit, "", "");
     } else {
         text_table_line(table, _("no pixel shows a surface"));
     }

@@ -108,6 +108,7 @@ static void write_statistics(struct json *json, const luxel_statistics *statisti
 {
     result_write_extremum(json, "max", statistics ? &statistics->maximum : NULL);
     result_write_extremum(json, "min", statistics ? &statistics->minimum : NULL);
+    result_write_extremum(json, "min_reached", statistics ? &statistics->minimum_reached : NULL);
     if (statistics && statistics->has_surface) {
         json_number(json, "mean", statistics->mean);
         json_number(json, "lit", statistics->lit);

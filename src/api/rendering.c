@@ -19,7 +19,7 @@
 #include "../shade/effort.h"
 
 /* Of a row whose pixels off the surfaces are 0, and no other is below. */
-static struct lx_row_statistics survey_row(const struct lx_rendering *rendering, unsigned row, size_t surface_pixels)
+static struct lx_row_statistics look_over_row(const struct lx_rendering *rendering, unsigned row, size_t surface_pixels)
 {
     const struct luxel_field *field = rendering->field;
     const struct lx_strip *strip = &rendering->computed->strip;
@@ -37,7 +37,17 @@ static struct lx_row_statistics survey_row(const struct lx_rendering *rendering,
         .surface_pixels = surface_pixels,
         .lit_pixels = survey.at_least,
         .sum = survey.sum,
+        .reached = HUGE_VAL,
     };
+}
+
+/* All that is gathered of a row. */
+static void survey_row(struct lx_rendering *rendering, unsigned worker, unsigned row, size_t surface_pixels)
+{
+    const struct lx_strip *strip = &rendering->computed->strip;
+    struct lx_row_statistics *gathered = &rendering->computed->rows[row - strip->first];
+    *gathered = look_over_row(rendering, row, surface_pixels);
+    lx_reaching_row(&rendering->reaching, worker, rendering->field, strip, row, gathered);
 }
 
 /* Computes a row, from `column` on, of the tile that was entered, whose first row is `top`; returns how many of its
@@ -114,7 +124,7 @@ static void render_piece(void *data, unsigned worker, bool is_caller, unsigned p
         size_t shown = 0;
         for (unsigned i = 0; i < across; i++)
             shown += rendering->pieces[piece / across * across + i].shown[r];
-        rendering->computed->rows[down + r] = survey_row(rendering, first + r, shown);
+        survey_row(rendering, worker, first + r, shown);
     }
     atomic_fetch_add(&rendering->control.rows_done, rows);
 }
@@ -125,7 +135,6 @@ static void render_rows(void *data, unsigned worker, bool is_caller, unsigned fi
     struct lx_rendering *rendering = data;
     struct lx_shader_memory *memory = rendering->memories[worker];
     const struct luxel_field *field = rendering->field;
-    const struct lx_strip *strip = &rendering->computed->strip;
     size_t shown[LX_TILE_ROWS] = {0};
     const unsigned width = lx_tile_columns(rendering->plan, field->columns);
     _Static_assert((int)LX_ROWS_AT_ONCE == (int)LX_TILE_ROWS, "a thread takes the rows of whole tiles");
@@ -139,7 +148,7 @@ static void render_rows(void *data, unsigned worker, bool is_caller, unsigned fi
         }
     }
     for (unsigned row = first; row < last; row++)
-        rendering->computed->rows[row - strip->first] = survey_row(rendering, row, shown[row - first]);
+        survey_row(rendering, worker, row, shown[row - first]);
 }
 
 /* A thread begins some 50 us after it is wanted, half of which the caller is busy with it: it pays from twice as much
@@ -250,7 +259,11 @@ luxel_status lx_rendering_open(struct lx_rendering *rendering, const struct lx_s
         .control = {.rows = field->rows, .progress = settings->progress, .data = settings->progress_data},
     };
     luxel_status status = hold(rendering, height);
-    return status == LUXEL_OK ? make_memories(rendering, settings->stride > 1) : status;
+    if (status == LUXEL_OK)
+        status = make_memories(rendering, settings->stride > 1);
+    if (status == LUXEL_OK)
+        status = lx_reaching_open(&rendering->reaching, session, rendering->threads, diagnostics);
+    return status;
 }
 
 static luxel_status check_range(const struct luxel_field *field, const luxel_extremum *maximum,
@@ -262,6 +275,14 @@ static luxel_status check_range(const struct luxel_field *field, const luxel_ext
     lx_report(diagnostics, LUXEL_SEVERITY_ERROR, NULL, LX_MSG_VALUE_TOO_LARGE, LX_ARGS(single ? "single" : "double"));
     lx_hint(diagnostics, single ? LX_MSG_USE_DOUBLE : LX_MSG_LOWER_STRENGTHS, NULL);
     return LUXEL_ERROR_RANGE;
+}
+
+static void finish_statistics(struct lx_rendering *rendering)
+{
+    luxel_statistics *statistics = &rendering->field->statistics;
+    *statistics = lx_tally_finish(&rendering->tally);
+    if (rendering->reaching.is_plain)
+        statistics->minimum_reached = statistics->minimum;
 }
 
 /* Takes the rows that are finished into the statistics and hands them on. */
@@ -277,7 +298,7 @@ static void put_away(void *data)
         return;
     }
     if (strip->first + strip->rows == field->rows)
-        field->statistics = lx_tally_finish(&rendering->tally);
+        finish_statistics(rendering);
     if (rendering->take)
         rendering->take(rendering->take_data, strip);
 }
@@ -327,6 +348,7 @@ void lx_rendering_clear(struct lx_rendering *rendering)
         lx_shader_memory_free(rendering->memories[i]);
     for (unsigned i = 0; rendering->panels && i < rendering->threads; i++)
         lx_panels_memory_free(rendering->panels[i]);
+    lx_reaching_clear(&rendering->reaching);
     free(rendering->memories);
     free(rendering->panels);
     free(rendering->panel_rows);

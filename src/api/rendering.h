@@ -5,7 +5,7 @@
 
 #include "../field/field.h"
 #include "../shade/panels.h"
-#include "session.h"
+#include "reaching.h"
 
 /* Rows that are held at a time, and what was gathered of each. */
 struct lx_held {
@@ -26,6 +26,7 @@ struct lx_rendering {
     struct lx_held held[2];             /* the second has room only where the first has not for all rows */
     struct lx_held *computed;           /* these rows are being computed, */
     struct lx_held *finished;           /* and these, which come before, handed on; NULL: none yet */
+    struct lx_reaching reaching;
     struct lx_tally tally;
     luxel_status status;
     /* For the user: what takes the strips, from the top on, each once, in the calling thread; NULL: nothing. */

@@ -12,6 +12,8 @@ struct lx_row_statistics {
     double maximum, minimum; /* minimum: of the values from LX_LEAST_LIT up */
     size_t surface_pixels, lit_pixels;
     double sum;
+    double reached; /* the least of those where light arrives, or HUGE_VAL, and: */
+    unsigned reached_column;
 };
 
 /* The smallest value that counts as light: below it float32 has no normal numbers. */

@@ -16,7 +16,7 @@ static bool exceeds(double value, double maximum)
 
 struct lx_row_statistics lx_gather_row(const struct luxel_field *field, const struct lx_strip *strip, unsigned row)
 {
-    struct lx_row_statistics result = {.maximum = -HUGE_VAL, .minimum = HUGE_VAL};
+    struct lx_row_statistics result = {.maximum = -HUGE_VAL, .minimum = HUGE_VAL, .reached = HUGE_VAL};
     const size_t first = (size_t)(row - strip->first) * field->columns;
     const uint8_t *mask = &strip->mask[first];
     double sums[LX_LANES] = {0}; /* as the kernels sum */
@@ -57,7 +57,7 @@ void lx_tally_add(struct lx_tally *tally, const struct luxel_field *field, const
                   const struct lx_row_statistics *rows)
 {
     luxel_statistics *so_far = &tally->so_far;
-    const struct lx_row_statistics *highest = NULL, *lowest = NULL;
+    const struct lx_row_statistics *highest = NULL, *lowest = NULL, *reached = NULL;
     for (unsigned i = 0; i < strip->rows; i++) {
         const struct lx_row_statistics *one = &rows[i];
         if (one->surface_pixels == 0)
@@ -66,6 +66,8 @@ void lx_tally_add(struct lx_tally *tally, const struct luxel_field *field, const
             highest = one;
         if (one->lit_pixels > 0 && (!lowest || one->minimum < lowest->minimum))
             lowest = one;
+        if (one->reached < HUGE_VAL && (!reached || one->reached < reached->reached))
+            reached = one;
         so_far->surface_pixels += one->surface_pixels;
         tally->lit_pixels += one->lit_pixels;
         tally->sum += one->sum;
@@ -74,6 +76,11 @@ void lx_tally_add(struct lx_tally *tally, const struct luxel_field *field, const
         so_far->maximum = find_extremum(field, strip, (unsigned)(highest - rows), highest->maximum);
     if (lowest && !(so_far->minimum.exists && lowest->minimum >= so_far->minimum.value))
         so_far->minimum = find_extremum(field, strip, (unsigned)(lowest - rows), lowest->minimum);
+    if (reached && !(so_far->minimum_reached.exists && reached->reached >= so_far->minimum_reached.value)) {
+        const size_t row = (size_t)strip->first + (size_t)(reached - rows);
+        so_far->minimum_reached =
+            lx_extremum_at(field, row * field->columns + reached->reached_column, reached->reached);
+    }
 }
 
 luxel_statistics lx_tally_finish(const struct lx_tally *tally)

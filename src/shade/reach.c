@@ -1,0 +1,167 @@
+/* SPDX-License-Identifier: MIT */
+/* Where light arrives, by the kernels of the irradiance in float64. */
+#include "reach.h"
+
+#include <math.h>
+#include <stdlib.h>
+
+#include "../base/memory.h"
+
+/* A source that shines at all shines with strength 1 by the law 1/r^2, and ambient light not at all. */
+static void make_plain(struct lx_emitter *emitter)
+{
+    emitter->attenuation = LX_INVERSE_SQUARE;
+    if (emitter->type == LX_UNIFORM)
+        emitter->strength = 0;
+    else if (emitter->strength > 0)
+        emitter->strength = 1;
+    if (lx_is_extended(emitter) && emitter->radiance.value > 0)
+        emitter->radiance = lx_exact(1);
+}
+
+/* For more sources than these the stretches of rows take longer than what they save. */
+enum { MOST_STRETCHES = 8 };
+
+static bool has_stretches(const struct lx_prepared *prepared)
+{
+    const struct lx_emitters *emitters = &prepared->emitters;
+    bool all = prepared->surface_count == 1 && prepared->surfaces->shape.type == LX_SPHERE &&
+               prepared->scene->observer.projection == LX_ORTHOGRAPHIC && emitters->swarm_count == 0 &&
+               emitters->count <= MOST_STRETCHES;
+    for (size_t i = 0; all && i < emitters->count; i++)
+        all = !lx_is_extended(&emitters->items[i]);
+    return all;
+}
+
+luxel_status lx_reach_open(struct lx_reach *reach, const struct lx_scene_parameters *scene,
+                           const struct lx_kernels *kernels, const luxel_settings *settings)
+{
+    luxel_settings own = *settings;
+    struct lx_control control = {.rows = 1, .progress = settings->progress, .data = settings->progress_data};
+    const struct lx_asking asking = {.control = &control, .is_caller = true};
+    *reach = (struct lx_reach){.plan = {.surfaces = NULL}};
+    own.quantity = LUXEL_IRRADIANCE;
+    own.precision = LUXEL_DOUBLE;
+    own.light_error = 0;
+    if (lx_prepare(scene, LX_DEFAULT_TOLERANCE, &asking, &reach->prepared) != 0)
+        return atomic_load(&control.stop) ? LUXEL_CANCELLED : LUXEL_ERROR_MEMORY;
+    struct lx_emitters *emitters = &reach->prepared.emitters;
+    for (size_t i = 0; i < lx_item_count(emitters); i++)
+        make_plain(&emitters->items[i]);
+    for (size_t i = 0; i < emitters->swarm_count; i++)
+        make_plain(&emitters->swarms[i].model);
+    reach->has_stretches = has_stretches(&reach->prepared);
+    return lx_plan_make(&reach->prepared, kernels, &own, &reach->plan);
+}
+
+void lx_reach_clear(struct lx_reach *reach)
+{
+    lx_plan_clear(&reach->plan);
+    lx_prepared_clear(&reach->prepared);
+}
+
+/*
+ * Where along a row a source may shine on a sphere, from the sphere's centre.  On the circle that the row shows, at the
+ * angle a from the highest point, it does where D.(P - C) = y D_y + h (D_x sin a + D_z cos a) exceeds the threshold:
+ * for a point at C + D that is R^2, for light from the direction D it is 0.
+ */
+static struct lx_reach_stretch stretch_of(const struct lx_emitter *emitter, const struct lx_shape *sphere, double y_mm)
+{
+    const double margin = 1e-9, radius = sphere->radius_mm, h = sqrt(fmax(0, radius * radius - y_mm * y_mm));
+    const bool is_point = emitter->type == LX_POINT;
+    const lx_bounded3 *towards = &emitter->towards;
+    const double *center = sphere->anchor_mm, *place = emitter->position_mm;
+    const double d[3] = {is_point ? place[0] - center[0] : towards->x.value,
+                         is_point ? place[1] - center[1] : towards->y.value,
+                         is_point ? place[2] - center[2] : towards->z.value};
+    const double reach = h * hypot(d[0], d[2]), size = radius * sqrt(d[0] * d[0] + d[1] * d[1] + d[2] * d[2]);
+    const double least = (is_point ? radius * radius : 0) - d[1] * y_mm - margin * (size + radius * radius);
+    if (!(emitter->strength > 0) || least > reach)
+        return (struct lx_reach_stretch){HUGE_VAL, -HUGE_VAL};
+    if (!(d[2] > 0) || !(least > -reach))
+        return (struct lx_reach_stretch){-HUGE_VAL, HUGE_VAL};
+    const double middle = atan2(d[0], d[2]), half = acos(least / reach);
+    const double low = fmax(middle - half, -M_PI_2), high = fmin(middle + half, M_PI_2);
+    return (struct lx_reach_stretch){h * sin(low) - margin * radius, h * sin(high) + margin * radius};
+}
+
+struct lx_reach_stretch lx_reach_stretch(const struct lx_reach *reach, double y_mm)
+{
+    const struct lx_emitters *emitters = &reach->prepared.emitters;
+    if (!reach->has_stretches)
+        return (struct lx_reach_stretch){-HUGE_VAL, HUGE_VAL};
+    const struct lx_shape *sphere = &reach->prepared.surfaces->shape;
+    struct lx_reach_stretch all = {HUGE_VAL, -HUGE_VAL};
+    for (size_t i = 0; i < emitters->count; i++) {
+        if (emitters->items[i].type == LX_UNIFORM)
+            continue;
+        const struct lx_reach_stretch one = stretch_of(&emitters->items[i], sphere, y_mm - sphere->anchor_mm[1]);
+        all.low_mm = fmin(all.low_mm, one.low_mm);
+        all.high_mm = fmax(all.high_mm, one.high_mm);
+    }
+    all.low_mm += sphere->anchor_mm[0];
+    all.high_mm += sphere->anchor_mm[0];
+    return all;
+}
+
+/* Some of the points of a row, and which of them show a surface. */
+static void ask(const struct lx_reach *reach, struct lx_shader_memory *memory, double y_mm, const double *x_mm,
+                size_t count, uint8_t *mask, uint8_t *arrives)
+{
+    _Alignas(64) double values[LX_BLOCK];
+    lx_shader_enter(&reach->plan, memory, &y_mm, 1, x_mm, count);
+    lx_shade_row(&reach->plan, memory, 0, NULL, false, values, mask);
+    for (size_t i = 0; i < count; i++)
+        arrives[i] = mask[i] && values[i] > 0;
+}
+
+void lx_reach_row(const struct lx_reach *reach, struct lx_shader_memory *memory, double y_mm, const double *x_mm,
+                  size_t count, uint8_t *arrives)
+{
+    uint8_t mask[LX_BLOCK];
+    ask(reach, memory, y_mm, x_mm, count, mask, arrives);
+}
+
+luxel_status lx_reach_share(const struct lx_reach *reach, const double *x_mm, unsigned columns, const double *y_mm,
+                            unsigned rows, double *share)
+{
+    struct lx_shader_memory *memory = lx_shader_memory_new(&reach->plan);
+    uint8_t mask[LX_BLOCK], arrives[LX_BLOCK];
+    size_t shown = 0, lit = 0;
+    if (!memory)
+        return LUXEL_ERROR_MEMORY;
+    for (unsigned row = 0; row < rows; row++)
+        for (unsigned first = 0; first < columns; first += LX_BLOCK) {
+            const size_t left = columns - first, count = left < LX_BLOCK ? left : LX_BLOCK;
+            ask(reach, memory, y_mm[row], x_mm + first, count, mask, arrives);
+            for (size_t i = 0; i < count; i++) {
+                shown += mask[i];
+                lit += arrives[i];
+            }
+        }
+    *share = shown > 0 ? (double)lit / (double)shown : 0;
+    lx_shader_memory_free(memory);
+    return LUXEL_OK;
+}
+
+static bool has_ambient_light(const struct lx_emitters *emitters)
+{
+    for (size_t i = 0; i < lx_item_count(emitters); i++)
+        if (emitters->items[i].type == LX_UNIFORM && emitters->items[i].strength > 0)
+            return true;
+    return false;
+}
+
+bool lx_reach_is_plain(const struct lx_prepared *prepared, luxel_quantity quantity)
+{
+    const bool has_ambient = has_ambient_light(&prepared->emitters);
+    if (quantity == LUXEL_IRRADIANCE)
+        return !has_ambient;
+    for (size_t s = 0; s < prepared->surface_count; s++) {
+        const struct lx_lobe *lobe = &prepared->surfaces[s].lobe;
+        if ((has_ambient && lobe->ambient.value > 0) ||
+            (lobe->specular.value > 0 && lobe->highlight == LX_HIGHLIGHT_PLAIN))
+            return false;
+    }
+    return true;
+}
