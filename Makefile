@@ -25,7 +25,7 @@ WARNINGS_ARE_ERRORS = --werror
 # One thing at a time: the parallel work is Ninja's.
 .NOTPARALLEL:
 .PHONY: build help setup run app check bench install clean check-clang check-sanitize check-threads check-valgrind \
-    format fuzz coverage fuzz-coverage mutants properties docs validation abi po packages check-packages
+    format fuzz coverage fuzz-coverage mutants properties frozen freeze docs validation abi po packages check-packages
 
 build: $(BUILD)/build.ninja
 	@$(COMPILE) $(BUILD)
@@ -46,6 +46,7 @@ help:
 	@echo 'make mutants         whether tests fail when the library is made wrong; MUTANTS="--random 100 --seed 1"'
 	@echo 'make properties      try what must hold of any scene on random ones: SCENES=1000000 of them, from SEED=1 on,'
 	@echo '                     one light in EXTENDED=64 an extended source'
+	@echo 'make frozen          whether pictures still have the bytes that tests/frozen/ holds; make freeze takes new ones'
 	@echo 'make bench           time pictures and other programs in turn, and write docs/PERFORMANCE.md'
 	@echo 'make install         install under PREFIX ($(PREFIX)); DESTDIR is honoured'
 	@echo 'make docs            the reference pages of the library in $(BUILD)/docs/reference/html, by Doxygen'
@@ -162,6 +163,11 @@ EXTENDED ?= 64
 properties: setup $(BUILD)/build.ninja
 	@$(COMPILE) $(BUILD) properties:executable
 	@$(BUILD)/tests/properties/properties --scenes $(SCENES) --seed $(SEED) --extended $(EXTENDED)
+
+# For changes that must move no byte of a picture.
+frozen freeze: setup $(BUILD)/build.ninja
+	@$(COMPILE) $(BUILD) freeze
+	@$(PYTHON) tests/frozen/frozen.py $(BUILD)/tests/frozen/freeze $(if $(filter freeze,$@),--write)
 
 check-valgrind: build
 	@tools/setup valgrind
