@@ -14,15 +14,25 @@
 #include "options.h"
 #include "text.h"
 
-static const char *const verdict_words[] = {"right", "convention", "wrong"};
-
 /* "place: pixel; division by π: true", in the user's language or in English; "" where there is none. */
 static char *explanation_of(const struct graded *graded, bool translated)
 {
     const luxel_judgement *judgement = graded->judgement;
+    const enum grade grade = grading_grade(graded);
     size_t size = 256;
     char *text;
 
+    if (grade != GRADE_CONVENTION) {
+        text = message_allocate(size, 1);
+        if (grade == GRADE_COARSE)
+            snprintf(text, size, "%s", translated ? _("too few digits") : N_("too few digits"));
+        if (grade == GRADE_REPEATED)
+            snprintf(text, size,
+                     translated ? _("the point was answered in line %u already")
+                                : N_("the point was answered in line %u already"),
+                     graded->first->line);
+        return text;
+    }
     for (size_t i = 0; i < judgement->explanation_count; i++)
         size += strlen(judgement->explanations[i].choice) * 4 + strlen(judgement->explanations[i].convention) * 4 + 64;
     text = message_allocate(size, 1);
@@ -34,8 +44,6 @@ static char *explanation_of(const struct graded *graded, bool translated)
                  translated ? _(choice->convention) : choice->convention,
                  translated ? _(choice->choice) : choice->choice);
     }
-    if (grading_is_coarse(graded))
-        snprintf(text, size, "%s", translated ? _("too few digits") : N_("too few digits"));
     return text;
 }
 
@@ -65,42 +73,57 @@ static void print_number(const char *key, bool exists, double value)
 /* The block of YAML under what is not right.  Its texts are ours, and quotes are doubled in them. */
 static void print_block(const struct graded *graded)
 {
-    char *explanation = explanation_of(graded, true);
+    char *explanation;
 
     fputs("  ---\n", stdout);
-    printf("  verdict: %s\n", verdict_words[graded->judgement->verdict]);
-    print_number("answer", !isnan(graded->answer->value), graded->answer->value);
-    print_number("value", graded->judgement->has_value, graded->judgement->value);
-    if (*explanation) {
-        fputs("  explanation: '", stdout);
-        for (const char *at = explanation; *at; at++)
-            fputs(*at == '\'' ? "''" : (const char[]){*at, '\0'}, stdout);
-        fputs("'\n", stdout);
+    printf("  verdict: %s\n", grade_words[grading_grade(graded)]);
+    if (graded->answer) {
+        explanation = explanation_of(graded, true);
+        print_number("answer", !isnan(graded->answer->value), graded->answer->value);
+        print_number("value", graded->judgement->has_value, graded->judgement->value);
+        if (*explanation) {
+            fputs("  explanation: '", stdout);
+            for (const char *at = explanation; *at; at++)
+                fputs(*at == '\'' ? "''" : (const char[]){*at, '\0'}, stdout);
+            fputs("'\n", stdout);
+        }
+        free(explanation);
     }
     fputs("  ...\n", stdout);
-    free(explanation);
 }
 
-static void print_answer(const struct grading *grading, const struct graded *graded, size_t number)
+static void print_graded(const struct grading *grading, const struct graded *graded, size_t number)
 {
-    const struct answer *answer = graded->answer;
-    const bool right = graded->judgement->verdict == LUXEL_ANSWER_RIGHT;
+    const struct submission *submission = &grading->submissions[graded->submission];
+    const bool right = grading_grade(graded) == GRADE_RIGHT;
     char place[TEXT_SIZE];
 
     printf("%s %zu - ", right ? "ok" : "not ok", number);
-    print_description(grading->answers.files[answer->file]);
-    printf(":%u: ", answer->line);
-    if (answer->student) {
-        print_description(answer->student);
+    print_description(grading->answers.files[submission->file]);
+    if (graded->answer)
+        printf(":%u", graded->answer->line);
+    fputs(": ", stdout);
+    if (submission->student) {
+        print_description(submission->student);
         fputs(", ", stdout);
     }
-    printf(_("variant %u"), answer->variant);
+    printf(_("variant %u"), graded->variant);
     fputs(", ", stdout);
-    if (answer->point > 0)
-        printf("P%u ", answer->point);
-    puts(text_lengths((const double[]){graded->x_mm, graded->y_mm}, 2, place));
+    if (graded->point > 0)
+        printf("P%u ", graded->point);
+    fputs(text_lengths((const double[]){graded->x_mm, graded->y_mm}, 2, place), stdout);
+    puts(graded->answer ? "" : _(": no answer"));
     if (!right)
         print_block(graded);
+}
+
+/* One of the numbers that a summary tells where they are not 0. */
+static void print_count(const char *format, size_t count)
+{
+    if (count == 0)
+        return;
+    fputs(", ", stdout);
+    printf(format, count);
 }
 
 /* After the last test, as comments. */
@@ -112,23 +135,23 @@ static void print_submission(const struct grading *grading, const struct submiss
         fputs(", ", stdout);
         text_print_escaped(stdout, submission->student);
     }
-    printf(_(": %zu right, %zu by another convention, %zu wrong\n"), submission->counts[LUXEL_ANSWER_RIGHT],
-           submission->counts[LUXEL_ANSWER_CONVENTION], submission->counts[LUXEL_ANSWER_WRONG]);
-}
-
-static size_t judged_count(const struct grading *grading)
-{
-    return grading->counts[0] + grading->counts[1] + grading->counts[2];
+    printf(_(": %zu right, %zu by another convention, %zu wrong"), submission->counts[GRADE_RIGHT],
+           submission->counts[GRADE_CONVENTION], submission->counts[GRADE_WRONG]);
+    print_count(_("%zu with too few digits"), submission->counts[GRADE_COARSE]);
+    print_count(_("%zu repeated"), submission->counts[GRADE_REPEATED]);
+    if (submission->answered < submission->asked)
+        printf(_("; %zu of %zu points answered"), submission->answered, submission->asked);
+    fputc('\n', stdout);
 }
 
 static void print_tap(const struct grading *grading)
 {
     size_t number = 0;
 
-    printf("TAP version 13\n1..%zu\n", judged_count(grading));
-    for (size_t i = 0; i < grading->answers.count; i++)
-        if (grading->list[i].judgement)
-            print_answer(grading, &grading->list[i], ++number);
+    printf("TAP version 13\n1..%zu\n", grading_total(grading));
+    for (size_t i = 0; i < grading->count; i++)
+        if (grading_tells(&grading->list[i]))
+            print_graded(grading, &grading->list[i], ++number);
     for (size_t i = 0; i < grading->submission_count; i++)
         print_submission(grading, &grading->submissions[i]);
 }
@@ -153,24 +176,35 @@ static void write_explanation(struct json *json, const luxel_alternative *choice
     json_close(json, '}');
 }
 
-static void write_answer(struct json *json, const struct grading *grading, const struct graded *graded)
+/* Whose it is, and which point or place. */
+static void write_place(struct json *json, const struct grading *grading, const struct graded *graded)
 {
-    const struct answer *answer = graded->answer;
-    const luxel_judgement *judgement = graded->judgement;
+    const struct submission *submission = &grading->submissions[graded->submission];
 
-    json_open(json, NULL, '{');
-    write_text(json, "file", grading->answers.files[answer->file]);
-    json_whole(json, "line", answer->line);
-    write_text(json, "student", answer->student);
-    json_whole(json, "variant", answer->variant);
-    if (answer->point > 0)
-        json_whole(json, "point", answer->point);
+    write_text(json, "file", grading->answers.files[submission->file]);
+    if (graded->answer)
+        json_whole(json, "line", graded->answer->line);
+    write_text(json, "student", submission->student);
+    json_whole(json, "variant", graded->variant);
+    if (graded->point > 0)
+        json_whole(json, "point", graded->point);
     else
         json_null(json, "point");
     json_numbers(json, "screen", (const double[]){graded->x_mm, graded->y_mm}, 2);
-    json_number(json, "answer", answer->value);
-    json_text(json, "verdict", verdict_words[judgement->verdict]);
-    json_bool(json, "too_few_digits", grading_is_coarse(graded));
+}
+
+static void write_answer(struct json *json, const struct grading *grading, const struct graded *graded)
+{
+    const luxel_judgement *judgement = graded->judgement;
+    const enum grade grade = grading_grade(graded);
+
+    json_open(json, NULL, '{');
+    write_place(json, grading, graded);
+    json_number(json, "answer", graded->answer->value);
+    json_text(json, "verdict", grade_words[grade]);
+    json_bool(json, "too_few_digits", judgement->verdict == LUXEL_ANSWER_COARSE);
+    if (graded->first)
+        json_whole(json, "first_line", graded->first->line);
     json_number(json, "value", judgement->has_value ? judgement->value : (double)NAN);
     json_number(json, "error", judgement->has_value ? judgement->error : (double)NAN);
     json_open(json, "explanations", '[');
@@ -180,10 +214,34 @@ static void write_answer(struct json *json, const struct grading *grading, const
     json_close(json, '}');
 }
 
-static void write_counts(struct json *json, const size_t counts[3])
+static void write_missing(struct json *json, const struct grading *grading)
 {
-    for (size_t i = 0; i < COUNT_OF(verdict_words); i++)
-        json_whole(json, verdict_words[i], counts[i]);
+    json_open(json, "missing_points", '[');
+    for (size_t i = 0; i < grading->count; i++) {
+        if (grading->list[i].answer)
+            continue;
+        json_open(json, NULL, '{');
+        write_place(json, grading, &grading->list[i]);
+        json_close(json, '}');
+    }
+    json_close(json, ']');
+}
+
+static void write_counts(struct json *json, const size_t counts[GRADE_COUNT])
+{
+    for (size_t i = 0; i < GRADE_COUNT; i++)
+        json_whole(json, grade_words[i], counts[i]);
+}
+
+static void write_submission(struct json *json, const struct grading *grading, const struct submission *submission)
+{
+    json_open(json, NULL, '{');
+    write_text(json, "file", grading->answers.files[submission->file]);
+    write_text(json, "student", submission->student);
+    json_whole(json, "asked", submission->asked);
+    json_whole(json, "answered", submission->answered);
+    write_counts(json, submission->counts);
+    json_close(json, '}');
 }
 
 static void print_json(const struct grading *grading)
@@ -197,14 +255,10 @@ static void print_json(const struct grading *grading)
         if (grading->list[i].judgement)
             write_answer(&json, grading, &grading->list[i]);
     json_close(&json, ']');
+    write_missing(&json, grading);
     json_open(&json, "submissions", '[');
-    for (size_t i = 0; i < grading->submission_count; i++) {
-        json_open(&json, NULL, '{');
-        write_text(&json, "file", grading->answers.files[grading->submissions[i].file]);
-        write_text(&json, "student", grading->submissions[i].student);
-        write_counts(&json, grading->submissions[i].counts);
-        json_close(&json, '}');
-    }
+    for (size_t i = 0; i < grading->submission_count; i++)
+        write_submission(&json, grading, &grading->submissions[i]);
     json_close(&json, ']');
     write_counts(&json, grading->counts);
     json_whole(&json, "mistakes", grading->answers.mistakes);
@@ -215,24 +269,28 @@ static void print_json(const struct grading *grading)
 
 static void write_row(struct csv *csv, const struct grading *grading, const struct graded *graded)
 {
+    const struct submission *submission = &grading->submissions[graded->submission];
     const struct answer *answer = graded->answer;
     const luxel_judgement *judgement = graded->judgement;
-    char *explanation = explanation_of(graded, false);
+    char *explanation = answer ? explanation_of(graded, false) : NULL;
 
-    csv_text(csv, grading->answers.files[answer->file]);
-    csv_whole(csv, answer->line);
-    csv_text(csv, answer->student ? answer->student : "");
-    csv_whole(csv, answer->variant);
-    if (answer->point > 0)
-        csv_whole(csv, answer->point);
+    csv_text(csv, grading->answers.files[submission->file]);
+    if (answer)
+        csv_whole(csv, answer->line);
+    else
+        csv_blank(csv);
+    csv_text(csv, submission->student ? submission->student : "");
+    csv_whole(csv, graded->variant);
+    if (graded->point > 0)
+        csv_whole(csv, graded->point);
     else
         csv_blank(csv);
     csv_number(csv, graded->x_mm);
     csv_number(csv, graded->y_mm);
-    csv_number(csv, answer->value);
-    csv_number(csv, judgement->has_value ? judgement->value : (double)NAN);
-    csv_text(csv, verdict_words[judgement->verdict]);
-    csv_text(csv, explanation);
+    csv_number(csv, answer ? answer->value : (double)NAN);
+    csv_number(csv, judgement && judgement->has_value ? judgement->value : (double)NAN);
+    csv_text(csv, grade_words[grading_grade(graded)]);
+    csv_text(csv, explanation ? explanation : "");
     csv_end_line(csv);
     free(explanation);
 }
@@ -246,8 +304,8 @@ static void write_csv(struct csv *csv, const void *data)
     for (size_t i = 0; i < COUNT_OF(names); i++)
         csv_text(csv, names[i]);
     csv_end_line(csv);
-    for (size_t i = 0; i < grading->answers.count; i++)
-        if (grading->list[i].judgement)
+    for (size_t i = 0; i < grading->count; i++)
+        if (grading_tells(&grading->list[i]))
             write_row(csv, grading, &grading->list[i]);
 }
 
@@ -280,13 +338,13 @@ static int run(const struct options *options)
         return EXIT_USAGE;
     }
     code = grading_make(options, &grading);
-    if (code == EXIT_DONE && (judged_count(&grading) > 0 || options->json))
+    if (code == EXIT_DONE && (grading_total(&grading) > 0 || options->json))
         code = print(options, &grading);
-    if (code == EXIT_DONE && (grading.answers.mistakes > 0 || judged_count(&grading) == 0)) {
+    if (code == EXIT_DONE && (grading.answers.mistakes > 0 || grading_total(&grading) == 0)) {
         if (grading.answers.mistakes == 0)
             message_error(_("there are no answers to judge"));
         code = EXIT_FILE;
-    } else if (code == EXIT_DONE && grading.counts[LUXEL_ANSWER_RIGHT] < judged_count(&grading)) {
+    } else if (code == EXIT_DONE && grading.counts[GRADE_RIGHT] < grading_total(&grading)) {
         code = EXIT_DIFFERENCE;
     }
     grading_clear(&grading);
@@ -306,10 +364,13 @@ const struct command command_grade = {
         "variant,point,value or variant,x,y,value, and student where there are several. Semicolons and decimal "
         "commas are understood; \"off\" is the answer for a place off the surface. An answer is right if it agrees "
         "with the exact value to --tolerance (default 0.001) and the rounding of its digits, of which three are "
-        "asked for. Of a wrong one it is said which convention, or which two, would give it. The result is TAP, "
-        "with a summary of each submission. --json has answers (file, line, student, variant, point, screen, answer, "
-        "verdict: right, convention or wrong, too_few_digits, value, error, explanations), submissions, the totals "
-        "and the number of mistakes in the tables. With -s all variants are changed alike."),
+        "asked for; the exact value correctly rounded to fewer has too few digits. Of a wrong one it is said which "
+        "convention, or which two, would give it. Each point of a variant is to be answered once: points without an "
+        "answer are listed, and a second answer to a point does not count. The exit code is 0 where all is right, "
+        "else 1. The result is TAP, with a summary of each submission. --json has answers (file, line, student, "
+        "variant, point, screen, answer, verdict: right, convention, wrong, too_few_digits or repeated, first_line, "
+        "value, error, explanations), missing_points, submissions (with asked and answered), the totals and the number "
+        "of mistakes in the tables. With -s all variants are changed alike."),
     .examples = "luxel grade answers.csv\n"
                 "luxel grade submissions/ --csv=excel-ru > marks.csv\n"
                 "luxel grade answers.csv --tolerance 0.01 -s lights[0].attenuation=inverse-square",

@@ -36,7 +36,8 @@ LUXEL_API luxel_status luxel_scene_advise_peak(const luxel_scene *scene, luxel_d
 typedef enum luxel_verdict {
     LUXEL_ANSWER_RIGHT,      /* within the tolerance of the exact value */
     LUXEL_ANSWER_CONVENTION, /* within the tolerance of what another convention gives: `explanations` name it */
-    LUXEL_ANSWER_WRONG       /* neither */
+    LUXEL_ANSWER_WRONG,      /* neither */
+    LUXEL_ANSWER_COARSE      /* the exact value, correctly rounded, but to fewer than the three digits asked for */
 } luxel_verdict;
 
 /* The judgement of one answer.  Its arrays and texts live as long as it. */
@@ -51,13 +52,16 @@ typedef struct luxel_judgement {
 } luxel_judgement;
 
 /*
- * Judges the answer for a point of the screen: right if |answer - value| <= tolerance |value| + half a unit of the last
- * digit that was given (`rounding`, 0: none).  So much may lie between a wrong answer and what explains it, too; where
- * two choices together must, a tenth of the tolerance.  Beside luxel_find_alternatives() it knows answers that are the
- * irradiance, a share of the picture's maximum, or a grey level; their `convention` is "what is given".  The judgement
- * is the caller's: free it with luxel_judgement_free(). An answer NaN stands for "off the surface", which is right
- * where that is so. Errors as luxel_probe_screen().  LUXEL_ERROR_ARGUMENT: tolerance or rounding negative or not
- * finite, too.
+ * Judges the answer for a point of the screen.  `rounding` is half a unit of the last digit that was given (0: all of
+ * them were).  Rounding comes first: what lies within the rounding (and tolerance |value|) of the exact value is right
+ * if it does so with three digits, half a unit of the third or 1e-4 of the largest value of the scene's points being
+ * allowed; else it is LUXEL_ANSWER_COARSE, whatever conventions come near, too.  Of other answers
+ * one is sought that explains it, to within the tolerance and the rounding, of which no more than 0.5 % of the answer
+ * counts; where two choices together must, a tenth of the tolerance.  Beside luxel_find_alternatives() it knows answers
+ * that are the irradiance, a share of the picture's maximum, or a grey level; their `convention` is "what is given".
+ * An answer NaN stands for "off the surface", which is right where that is so.  The judgement is the caller's: free it
+ * with luxel_judgement_free().  Errors as luxel_probe_screen().  LUXEL_ERROR_ARGUMENT: tolerance or rounding negative
+ * or not finite, too.
  */
 LUXEL_API luxel_status luxel_judge_answer(const luxel_scene *scene, const luxel_settings *settings, double x_mm,
                                           double y_mm, double answer, double tolerance, double rounding,

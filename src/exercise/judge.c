@@ -1,13 +1,15 @@
 /* SPDX-License-Identifier: MIT */
 /*
- * Judging answers: compared with the exact value, then with what each other convention gives, then with slips that are
- * no convention of a scene (a grey level, a share of the maximum, the irradiance), then with two of these together.
+ * Judging answers: compared with the exact value, as far as their digits go, then with what each other convention
+ * gives, then with slips that are no convention of a scene (a grey level, a share of the maximum, the irradiance), then
+ * with two of these together.
  *
  * Many pairs make chance matches likely, so a pair must agree ten times as well.
  */
 #include <math.h>
 #include <stdlib.h>
 
+#include <luxel/evaluator.h>
 #include <luxel/exercise.h>
 
 #include "../base/diagnostics.h"
@@ -18,6 +20,12 @@
 #include "alternatives.h"
 
 #define PAIR_STRICTNESS 0.1
+
+/* Three digits are asked for.  Of small values, which nobody sees beside the others, so much of the largest is enough.
+ * What explains an answer of fewer digits is to lie so near, in parts of the answer. */
+enum { DIGITS_ASKED = 3 };
+#define MOST_ROUNDING_OF_LARGEST 1e-4
+#define MOST_ROUNDING 5e-3
 
 enum { MOST_EXPLANATIONS = 2, MOST_PIXELS = 4000000 };
 
@@ -30,7 +38,8 @@ struct made {
 /* What is looked for, and the nearest that was found. */
 struct search {
     struct made *made;
-    double answer, tolerance, rounding;
+    double answer, tolerance;
+    double rounding; /* as it counts for what is compared next */
     double distance; /* of the nearest; HUGE_VAL: none goes yet */
     double maximum;  /* of the picture; 0: there is none */
     luxel_field *field;
@@ -217,6 +226,52 @@ static luxel_status explain(struct search *search, const luxel_scene *scene, con
     return status;
 }
 
+/* The largest of the values at the scene's points. */
+static luxel_status find_largest(const luxel_scene *scene, const luxel_settings *settings,
+                                 luxel_diagnostics *diagnostics, double *largest)
+{
+    luxel_evaluator *evaluator = NULL;
+    luxel_status status = luxel_evaluator_new(scene, settings, diagnostics, &evaluator);
+    *largest = 0;
+    for (size_t i = 0; status == LUXEL_OK && i < luxel_scene_point_count(scene); i++) {
+        double x_mm, y_mm;
+        luxel_scene_point(scene, i, &x_mm, &y_mm);
+        *largest = fmax(*largest, luxel_evaluate(evaluator, x_mm, y_mm, NULL).value);
+    }
+    luxel_evaluator_free(evaluator);
+    return status;
+}
+
+/* Half a unit of the last digit that is asked for. */
+static double rounding_asked(double answer)
+{
+    return answer != 0 && isfinite(answer) ? 0.5 * pow(10, floor(log10(fabs(answer))) - DIGITS_ASKED + 1) : 0;
+}
+
+/* Compares with the exact value: right, coarse, or wrong so far.  2.5 stands for 2.50 as well, whose last digit
+ * spreadsheets drop: right is what the value is, rounded to three digits, however many are written. */
+static luxel_status compare(struct search *search, const luxel_scene *scene, const luxel_settings *settings,
+                            const luxel_probe *probe, luxel_diagnostics *diagnostics)
+{
+    luxel_judgement *shown = &search->made->shown;
+    const double given = search->rounding, asked = rounding_asked(search->answer);
+    const bool has_digits = isnan(search->answer) || given <= asked * (1 + 1e-9);
+    double largest = 0;
+    const luxel_status status = has_digits ? LUXEL_OK : find_largest(scene, settings, diagnostics, &largest);
+    if (status != LUXEL_OK)
+        return status;
+    const bool rounds_to_it = distance_from(search, probe->has_value, probe->value, 1) <= 1;
+    if (!has_digits)
+        search->rounding = fmin(given, fmax(asked, MOST_ROUNDING_OF_LARGEST * largest));
+    if (distance_from(search, probe->has_value, probe->value, 1) <= 1)
+        shown->verdict = LUXEL_ANSWER_RIGHT;
+    else if (rounds_to_it)
+        shown->verdict = LUXEL_ANSWER_COARSE;
+    if (!has_digits)
+        search->rounding = fmin(given, fmax(MOST_ROUNDING * fabs(search->answer), search->rounding));
+    return LUXEL_OK;
+}
+
 static luxel_status judge(struct made *made, struct search *search, const luxel_scene *scene,
                           const luxel_settings *settings, double x_mm, double y_mm, luxel_diagnostics *diagnostics)
 {
@@ -229,9 +284,8 @@ static luxel_status judge(struct made *made, struct search *search, const luxel_
         made->shown.value = probe->value;
         made->shown.error = probe->error;
     }
-    if (distance_from(search, probe->has_value, probe->value, 1) <= 1) {
-        made->shown.verdict = LUXEL_ANSWER_RIGHT;
-    } else {
+    status = compare(search, scene, settings, probe, diagnostics);
+    if (status == LUXEL_OK && made->shown.verdict == LUXEL_ANSWER_WRONG) {
         status = lx_choices_find(scene, settings, x_mm, y_mm, diagnostics, &made->choices);
         if (status == LUXEL_OK)
             status = explain(search, scene, probe);

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /*
  * Numbered variants of the exercise: scenes of one sphere and one or two point sources, all numbers round and within
- * the exercise's ranges, with one peak that stands out.
+ * the exercise's ranges, with one peak that stands out and five points that show something.
  *
  * The number seeds a generator that draws whole numbers, and what was drawn is looked at until it is good.  Looking
  * takes only sums, products, quotients and square roots, which every machine rounds alike, so that a number means the
@@ -29,7 +29,8 @@ struct source {
 struct variant {
     int pixel_half_mm; /* a pixel's side in halves of a millimetre */
     int columns, rows;
-    int center_mm[3], radius_mm, step_mm; /* the four outer points lie so far from the centre */
+    int center_mm[3], radius_mm, step_mm; /* the four outer points lie so far from the centre, or less: */
+    int steps_mm[4];                      /* to the right and left, up and down */
     int observer_mm;
     int diffuse_percent, specular_percent, shininess;
     int source_count;
@@ -183,10 +184,35 @@ static bool points_show(const struct variant *v, double maximum)
 }
 
 /*
+ * Draws the outer points in until they show something: at least a two-hundredth of the maximum, and all but one, at
+ * most, the light of a source that they face rather than the tail of a highlight.  False: they do not.
+ */
+static bool place_points(struct variant *v, double maximum)
+{
+    static const int ways[4][2] = {{1, 0}, {-1, 0}, {0, 1}, {0, -1}};
+    int dark = 0;
+    for (int i = 0; i < 4; i++) {
+        bool found = false;
+        for (int step = v->step_mm; step > 0 && !found; step -= 10) {
+            double n[3], share = (double)step / v->radius_mm;
+            normal_at(share * ways[i][0], share * ways[i][1], n);
+            struct light light = shade(v, n);
+            bool is_dark = !(light.diffuse > 0);
+            found = light.diffuse + light.specular >= 0.005 * maximum && dark + is_dark <= 1;
+            dark += found && is_dark;
+            v->steps_mm[i] = step;
+        }
+        if (!found)
+            return false;
+    }
+    return true;
+}
+
+/*
  * Whether there is one pronounced peak in view: the highest place lies well inside the disk, the highlight raises it
  * well over all diffuse light, it is much brighter than the mean, and nothing away from it comes near to it.
  */
-static bool is_pronounced(const struct variant *v)
+static bool is_pronounced(struct variant *v)
 {
     enum { STEPS = 24 }; /* of the radius */
     double maximum = 0, diffuse = 0, sum = 0, away = 0, values[2 * STEPS + 1][2 * STEPS + 1], n[3];
@@ -218,7 +244,7 @@ static bool is_pronounced(const struct variant *v)
             if (25 * (x * x + y * y) >= 4 * STEPS * STEPS && values[j + STEPS][i + STEPS] > away) /* 0.4 radii */
                 away = values[j + STEPS][i + STEPS];
         }
-    return away <= 0.9 * maximum && points_show(v, maximum);
+    return away <= 0.9 * maximum && points_show(v, maximum) && place_points(v, maximum);
 }
 
 /* Two sources must stand at least some 41 degrees apart as the sphere sees them, and neither may drown the other. */
@@ -283,9 +309,9 @@ static void write_scene(struct lx_text *text, const struct variant *v)
                        "none}\n",
                        source->place_mm[0], source->place_mm[1], source->place_mm[2], source->intensity_w_sr);
     }
-    int x = v->center_mm[0], y = v->center_mm[1], step = v->step_mm;
-    lx_text_printf(text, "points: [[%d, %d], [%d, %d], [%d, %d], [%d, %d], [%d, %d]]\n", x, y, x + step, y, x - step, y,
-                   x, y + step, x, y - step);
+    const int x = v->center_mm[0], y = v->center_mm[1], *steps = v->steps_mm;
+    lx_text_printf(text, "points: [[%d, %d], [%d, %d], [%d, %d], [%d, %d], [%d, %d]]\n", x, y, x + steps[0], y,
+                   x - steps[1], y, x, y + steps[2], x, y - steps[3]);
     lx_text_puts(text, "picture: {range: max, rounding: truncate}\n");
 }
 

@@ -202,7 +202,7 @@ def output_forms(tap, tool):
     rows = [("student", "variant", "point", "value")]
     rows += [("Ann # TODO", *row[:2], row[4]) for row in exact[:5]]
     rows += [("Боб\\", *row[:2], "%.6g" % (row[5] / math.pi)) for row in exact[:5]]
-    rows += [("'Eve'", 7, 1, "123.4"), ("'Eve'", 7, 1, "off"), ("'Eve'", 7, 2, "-3")]
+    rows += [("'Eve'", 7, 1, "123.4"), ("'Eve'", 7, 3, "off"), ("'Eve'", 7, 2, "-3")]
     tool.write("a.csv", table(rows))
     result = tool.run("grade", "a.csv")
     tap.equal(result.code, 1, "some are wrong")
@@ -212,13 +212,16 @@ def output_forms(tap, tool):
     tap.equal([line.split(", ", 1)[1] for line in lines if line.startswith("# ")],
               ["Ann # TODO: 5 right, 0 by another convention, 0 wrong",
                "Боб\\: 0 right, 5 by another convention, 0 wrong",
-               "'Eve': 0 right, 0 by another convention, 3 wrong"], "a line for each submission")
+               "'Eve': 0 right, 0 by another convention, 3 wrong; 3 of 5 points answered"],
+              "a line for each submission")
     numbers = [int(line.split(" - ")[0].split()[-1]) for line in lines if line.startswith(("ok", "not ok"))]
-    tap.equal((numbers, lines[1]), (list(range(1, 14)), "1..13"), "the plan and the numbers")
-    tap.equal((result.out.count("  ---\n"), result.out.count("  ...\n")), (8, 8), "a block for each that is not right")
+    tap.equal((numbers, lines[1]), (list(range(1, 16)), "1..15"), "the plan and the numbers")
+    tap.equal((result.out.count("  ---\n"), result.out.count("  ...\n")), (10, 10),
+              "a block for each that is not right")
     data = tool.run("grade", "a.csv", "--json").json()
     tap.equal([list(data), list(data["answers"][0])],
-              [["tolerance", "answers", "submissions", "right", "convention", "wrong", "mistakes"],
+              [["tolerance", "answers", "missing_points", "submissions", "right", "convention", "wrong",
+                "too_few_digits", "repeated", "missing", "mistakes"],
                ["file", "line", "student", "variant", "point", "screen", "answer", "verdict", "too_few_digits", "value",
                 "error", "explanations"]], "the keys")
     tap.equal([answer["verdict"] for answer in data["answers"]], ["right"] * 5 + ["convention"] * 5 + ["wrong"] * 3,
@@ -226,11 +229,13 @@ def output_forms(tap, tool):
     tap.equal(data["answers"][5]["explanations"][0],
               {"convention": "division by π", "choice": "true", "assignment": "surfaces[0].material.over_pi=true"},
               "the explanation")
-    tap.equal(data["submissions"][1], {"file": "a.csv", "student": "Боб\\", "right": 0, "convention": 5, "wrong": 0},
-              "a submission")
+    tap.equal(data["submissions"][1],
+              {"file": "a.csv", "student": "Боб\\", "asked": 5, "answered": 5, "right": 0, "convention": 5, "wrong": 0,
+               "too_few_digits": 0, "repeated": 0, "missing": 0}, "a submission")
     listed = list(csv.DictReader(io.StringIO(tool.run("grade", "a.csv", "--csv").out, newline="")))
-    tap.equal([row["verdict"] for row in listed], [answer["verdict"] for answer in data["answers"]], "--csv")
-    tap.equal([float(row["value"]) for row in listed], [answer["value"] for answer in data["answers"]],
+    tap.equal([row["verdict"] for row in listed],
+              [answer["verdict"] for answer in data["answers"]] + ["missing"] * 2, "--csv")
+    tap.equal([float(row["value"]) for row in listed[:13]], [answer["value"] for answer in data["answers"]],
               "its numbers are the same")
     excel = tool.run("grade", "a.csv", "--csv=excel-ru").out
     tap.ok(excel.startswith("\ufefffile;line;") and ";0,5" not in excel.split("\r\n")[0], "--csv=excel-ru")
@@ -245,9 +250,62 @@ def digits(tap, tool):
     for text, _, coarse in cases:
         tool.write("a.csv", "variant,point,value\n7,1,%s\n" % text)
         answer = tool.run("grade", "a.csv", "--json").json()["answers"][0]
-        near = abs(float(text) - value) <= 1e-3 * value + 5e-3 * float(text)
-        tap.equal((answer["too_few_digits"], answer["verdict"] == "right"), (coarse and not near, near or not coarse),
-                  "the answer " + text)
+        near = abs(float(text) - value) <= 1e-3 * value + 0.5 * 10.0 ** (math.floor(math.log10(float(text))) - 2)
+        tap.equal((answer["too_few_digits"], answer["verdict"]),
+                  (coarse and not near, "right" if near or not coarse else "too_few_digits"), "the answer " + text)
+
+
+def rounding(tap, tool):
+    """What is the exact value correctly rounded to one or two digits is that, and never another convention."""
+    seen = 0
+    for number in range(1, 41):
+        scene = variant(tool, number)
+        values = [float(brightness(scene, np.array(float(x)), np.array(float(y)))) for x, y in scene["points"]]
+        for count in (1, 2):
+            rows = [(number, i + 1, "%.*e" % (count - 1, value)) for i, value in enumerate(values)]
+            tool.write("a.csv", table([("variant", "point", "value"), *rows]))
+            result = tool.run("grade", "a.csv", "--json")
+            coarse = 0
+            for answer, value, row in zip(result.json()["answers"], values, rows):
+                off, half = abs(float(row[2]) - value), 0.5 * 10.0 ** (math.floor(math.log10(value)) + 1 - count)
+                third = half * 10.0 ** (count - 3)
+                right = off <= 1e-3 * value + min(half, max(third, 1e-4 * max(values)))
+                coarse += not right
+                tap.equal(answer["verdict"], "right" if right else "too_few_digits",
+                          "variant %d, %s for %g" % (number, row[2], value))
+            tap.equal(result.code, 1 if coarse else 0, "its exit code")
+            seen += coarse
+    tap.ok(seen > 150, "most are coarse", seen)
+
+
+def missing_and_repeated(tap, tool):
+    scene = variant(tool, 17)
+    exact = ["%.6g" % float(brightness(scene, np.array(float(x)), np.array(float(y)))) for x, y in scene["points"]]
+    tool.write("a.csv", "student,variant,point,value\nA,17,1,%s\n" % exact[0])
+    result = tool.run("grade", "a.csv")
+    tap.ok(result.code == 1 and "1..5\n" in result.out and "1 of 5 points answered" in result.out and
+           [line.startswith("not ok") and line.endswith(": no answer") for line in result.out.splitlines()
+            if " - " in line] == [False, True, True, True, True], "one of five answers", result)
+    rows = [(17, 1, exact[0]), (17, 1, "77"), (17, 1, exact[0])] + [(17, i, exact[i - 1]) for i in range(2, 6)]
+    tool.write("a.csv", table([("variant", "point", "value"), *rows]))
+    data = tool.run("grade", "a.csv", "--json")
+    tap.equal((data.code, data.json()["right"], data.json()["repeated"], data.json()["missing"]), (1, 5, 2, 0),
+              "three tries at one point")
+    tap.equal([answer.get("first_line") for answer in data.json()["answers"]], [None, 2, 2] + [None] * 4,
+              "and where the first one stands")
+    tap.ok("answered in line 2 already" in tool.run("grade", "a.csv").out, "in TAP")
+    places = [(17, *scene["points"][i], exact[i]) for i in (0, 1, 2, 3, 4, 0)]
+    tool.write("a.csv", table([("variant", "x", "y", "value"), *places]))
+    data = tool.run("grade", "a.csv", "--json").json()
+    tap.equal(([answer["point"] for answer in data["answers"]], data["repeated"]), ([1, 2, 3, 4, 5, 1], 1),
+              "a place is known as the point that it is")
+    tool.write("a.csv", table([("student", "variant", "point", "value"),
+                               *[(who, 17, i, exact[i - 1]) for i in range(1, 6) for who in ("A", "B")]]))
+    tap.equal(tool.run("grade", "a.csv").code, 0, "two students may answer the same points")
+    tool.write("a.csv", "variant,x,y,value\n17,-9000,0,off\n17,-9000,0,off\n17,-9000,1,off\n")
+    data = tool.run("grade", "a.csv", "--json").json()
+    tap.equal((data["right"], data["repeated"], data["missing"]), (2, 1, 0),
+              "places of one's own leave nothing missing")
 
 
 def folders(tap, tool):
@@ -295,7 +353,7 @@ def malformed(tap, tool):
                "refused: " + text, bad)
     tool.write("a.csv", "variant,point,value\n1,1,x\n1,2,y\n\n1,3,2\n1,P4,z\n")
     many = tool.run("grade", "a.csv")
-    tap.ok(many.code == 4 and many.err.count("error: ") == 3 and "a.csv:6:6:" in many.err and "1..1\n" in many.out,
+    tap.ok(many.code == 4 and many.err.count("error: ") == 3 and "a.csv:6:6:" in many.err and "1..5\n" in many.out,
            "all malformed lines are reported, and the others judged", many)
     for name, text in (("no header", "1,1,2\n"), ("no value", "variant,point\n1,1\n"),
                        ("neither point nor place", "variant,value,x\n1,2,3\n"), ("empty", ""), ("blank", "\n \n\r\n"),
@@ -315,7 +373,7 @@ def malformed(tap, tool):
 
 
 def off_the_surface(tap, tool):
-    tool.write("a.csv", "variant,x,y,value\n1,-500,400,off\n1,-500,400,0\n1,150,-100,OFF\n1,9999,9999,nan\n")
+    tool.write("a.csv", "variant,x,y,value\n1,-500,400,off\n1,-500,401,0\n1,150,-100,OFF\n1,9999,9999,nan\n")
     judged = tool.run("grade", "a.csv", "--json").json()["answers"]
     tap.equal([(answer["verdict"], answer["answer"], answer["value"] is None) for answer in judged],
               [("right", None, True), ("wrong", 0, True), ("wrong", None, False), ("right", None, True)],
@@ -323,7 +381,7 @@ def off_the_surface(tap, tool):
 
 
 def many_answers(tap, tool):
-    rows = [("variant", "point", "value")] + [(1 + i % 40, 1 + i % 5, "3.14159") for i in range(400)]
+    rows = [("variant", "point", "value")] + [(1 + i // 5, 1 + i % 5, "3.14159") for i in range(400)]
     tool.write("a.csv", table(rows))
     result = tool.run("grade", "a.csv", "--csv", timeout=60)
     tap.ok(result.code == 1 and result.out.count("\r\n") == 401, "four hundred wrong answers", result.err)
@@ -351,5 +409,5 @@ def advice(tap, tool):
     tap.equal(tool.run("advise", "-s", "lights[0].intensity=-1").code, 3, "a scene with errors")
 
 
-run_tests(Tap(), variants, variant_outputs, right_answers, conventions, output_forms, digits, folders, malformed,
-          off_the_surface, many_answers, advice)
+run_tests(Tap(), variants, variant_outputs, right_answers, conventions, output_forms, digits, rounding,
+          missing_and_repeated, folders, malformed, off_the_surface, many_answers, advice)

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /* Judging answers: right ones, those that another convention gives, slips, pairs, and wrong ones. */
 #include <math.h>
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -62,6 +63,32 @@ static void knows_right_answers(void **state)
     judgement = judge(scene, 400, 0, 1, 0);
     assert_true(!judgement->has_value && judgement->value == 0 && judgement->verdict == LUXEL_ANSWER_WRONG);
     luxel_judgement_free(judgement);
+    luxel_scene_free(scene);
+}
+
+/* The value is 2.72759...; its own rounding to fewer digits is that, before any convention is thought of. */
+static void judges_rounding_first(void **state)
+{
+    (void)state;
+    luxel_scene *scene = open_report(NULL);
+    expect_verdict(scene, 0, 0, 2.73, 0.5e-2, LUXEL_ANSWER_RIGHT);
+    expect_verdict(scene, 0, 0, 2.7, 0.05, LUXEL_ANSWER_COARSE);
+    expect_verdict(scene, 0, 0, 3, 0.5, LUXEL_ANSWER_COARSE);
+    expect_verdict(scene, 0, 0, 0, 5, LUXEL_ANSWER_COARSE);
+    expect_verdict(scene, 0, 0, 2.6, 0.05, LUXEL_ANSWER_WRONG);
+    expect_verdict(scene, 0, 0, 2, 0.5, LUXEL_ANSWER_WRONG);
+    expect_verdict(scene, 0, 0, 2.71, 0.5e-2, LUXEL_ANSWER_WRONG);
+    expect_verdict(scene, -150, 0, 0, 0.5, LUXEL_ANSWER_RIGHT); /* 1.1e-7, of 11 */
+    luxel_scene_free(scene);
+    /* 2.5 is 2.50, whose last digit spreadsheets drop, but 2.4 is not 2.35 */
+    char intensity[64];
+    snprintf(intensity, sizeof intensity, "lights[0].intensity=%.17g", 10 * 2.5039 / 2.7275906525546927);
+    scene = open_report((const char *const[]){intensity, NULL});
+    expect_verdict(scene, 0, 0, 2.5, 0.05, LUXEL_ANSWER_RIGHT);
+    luxel_scene_free(scene);
+    snprintf(intensity, sizeof intensity, "lights[0].intensity=%.17g", 10 * 2.353 / 2.7275906525546927);
+    scene = open_report((const char *const[]){intensity, NULL});
+    expect_verdict(scene, 0, 0, 2.4, 0.05, LUXEL_ANSWER_COARSE);
     luxel_scene_free(scene);
 }
 
@@ -242,7 +269,7 @@ int main(void)
         cmocka_unit_test(explains_the_report),   cmocka_unit_test(explains_conventions),
         cmocka_unit_test(explains_slips),        cmocka_unit_test(tells_the_nearest),
         cmocka_unit_test(knows_its_grey_levels), cmocka_unit_test(explains_little_by_chance),
-        cmocka_unit_test(refuses_bad_arguments),
+        cmocka_unit_test(refuses_bad_arguments), cmocka_unit_test(judges_rounding_first),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
