@@ -357,8 +357,7 @@ void app_numbers_show(AppNumbers *self, AppMeasures *measures)
     const luxel_field *field = measures->shot->field;
     g_free(self->unit_name);
     self->unit_name =
-        g_strdup_printf("%s, %s", luxel_field_quantity(field) == LUXEL_IRRADIANCE ? _("irradiance") : _("brightness"),
-                        gettext(luxel_field_unit(field)));
+        g_strdup_printf("%s, %s", gettext(luxel_field_quantity_word(field)), gettext(luxel_field_unit(field)));
     if (measures->has_points) {
         char *text = g_strdup_printf(
             _("Values: %s. “value” is exact at the point, “pixel” what the picture has there."), self->unit_name);

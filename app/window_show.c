@@ -121,7 +121,7 @@ void app_window_draw_bar(GtkDrawingArea *area, cairo_t *cairo, int width, int he
     style.letters = 11;
     style.language = &language;
     const double gain = exp2(picture->display.exposure);
-    char *label = g_strdup_printf("%s, %s", self->quantity == LUXEL_IRRADIANCE ? _("irradiance") : _("brightness"),
+    char *label = g_strdup_printf("%s, %s", gettext(luxel_field_quantity_word(picture->shot->field)),
                                   gettext(luxel_field_unit(picture->shot->field)));
     const luxel_bar bar = {.palette = picture->display.palette,
                            .low = picture->low / gain,

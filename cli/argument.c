@@ -91,7 +91,9 @@ bool argument_numbers(const char *option, const char *form, const char *text, do
     }
     if (parts == count)
         return true;
-    message_error(_("%s %s: %zu numbers are expected, %zu were given"), option, text, count, parts);
+    message_error(
+        ngettext("%s %s: expected %zu numbers, %zu was given", "%s %s: expected %zu numbers, %zu were given", parts),
+        option, text, count, parts);
 wrong:
     message_hint(_("the form is %s %s, decimal numbers with a point and commas between them"), option, form);
     return false;

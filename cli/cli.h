@@ -63,6 +63,7 @@ struct command {
     enum operand_kind more_kind; /* OPERAND_NONE: assignments KEY=VALUE, as -s takes them */
     unsigned most_operands;      /* how many in all where there are more, 0: any number */
     const char *endings;         /* of the files that -o writes: ".svg .pdf"; NULL: those of luxel_output_ending() */
+    const char *default_format;  /* of -o -; NULL: --format must name one */
     const char *summary;         /* one line */
     const char *description;     /* a paragraph */
     const char *examples;        /* command lines, one a line */

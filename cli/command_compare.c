@@ -11,6 +11,7 @@
 #include "outputs.h"
 #include "picture.h"
 #include "result.h"
+#include "standard_output.h"
 #include "text.h"
 
 struct comparing {
@@ -166,7 +167,7 @@ static int compare(const struct options *options, const struct picture *a, const
         print_json(&comparing);
     else if (options->csv != CSV_NONE)
         csv_write(&table, write_csv, &comparing);
-    else
+    else if (standard_output_is_free(options))
         print_text(&comparing);
     return code != EXIT_DONE ? code : comparing.same ? EXIT_DONE : EXIT_DIFFERENCE;
 }

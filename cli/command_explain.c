@@ -49,7 +49,7 @@ static int explain_point(const struct options *options, const struct loaded *loa
             code = message_failure(status, loaded->diagnostics);
         luxel_diagnostics_clear(loaded->diagnostics);
     }
-    if (options->output_count == 0 || options_given(options, "format")) {
+    if (options->prints_document) {
         text = luxel_document_write_text(document, (luxel_document_format)options->format);
         fputs(text ? text : "", stdout);
         if (!text) {
@@ -123,7 +123,7 @@ static int print_json(const struct options *options, const struct loaded *loaded
         return EXIT_SCENE;
     }
     json_open(&json, NULL, '{');
-    json_text(&json, "quantity", options->settings.quantity == LUXEL_IRRADIANCE ? "irradiance" : "brightness");
+    json_text(&json, "quantity", options_quantity_name(options->settings.quantity));
     json_text(&json, "unit", luxel_scene_unit(loaded->scene, options->settings.quantity));
     json_open(&json, "points", '[');
     for (size_t i = 0; code == EXIT_DONE && i < point_count(options, loaded->scene); i++) {

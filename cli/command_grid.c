@@ -15,6 +15,7 @@
 #include "outputs.h"
 #include "progress.h"
 #include "result.h"
+#include "standard_output.h"
 #include "text.h"
 
 /* Larger grids are not printed as a table: lines would not fit, and nobody reads them. */
@@ -273,7 +274,8 @@ static void print_grid(const luxel_grid *grid, size_t i)
 static void print_text(const struct grids *grids, const char *name)
 {
     text_print_escaped(stdout, name);
-    printf(_(": %s in %s\n\n"), _("irradiance"), _(luxel_scene_unit(grids->scene, LUXEL_IRRADIANCE)));
+    printf(_(": %s in %s\n\n"), _(luxel_scene_quantity_word(grids->scene, LUXEL_IRRADIANCE)),
+           _(luxel_scene_unit(grids->scene, LUXEL_IRRADIANCE)));
     for (size_t i = 0; i < grids->count; i++)
         print_grid(grids->list[i], i);
     result_print_conventions(grids->scene);
@@ -304,7 +306,7 @@ static int finish(const struct options *options, const struct loaded *loaded, co
         missed += !grids->list[i]->tolerance_reached;
     if (options->json)
         print_json(grids);
-    else
+    else if (standard_output_is_free(options))
         print_text(grids, loaded->name);
     if (missed > 0)
         message_tolerance(missed, grids->count);
@@ -346,6 +348,7 @@ const struct command command_grid = {
     .bit = COMMAND_GRID,
     .operand = N_("SCENE"),
     .endings = ".csv",
+    .default_format = "csv",
     .summary = N_("measure the irradiance on planes, and how evenly they are lit"),
     .description = N_("Prints the irradiance at the centres of the cells of each measuring grid of the scene (its key "
                       "grids), seen from the front of the plane, with the average, the minimum, the maximum, how "

@@ -11,6 +11,7 @@
 #include "outputs.h"
 #include "picture.h"
 #include "result.h"
+#include "standard_output.h"
 #include "text.h"
 #include "work.h"
 
@@ -119,7 +120,7 @@ static void print_json(const struct drawing *drawing)
     struct json json = {.stream = stdout};
 
     json_open(&json, NULL, '{');
-    json_text(&json, "quantity", picture_quantity(drawing->picture));
+    json_text(&json, "quantity", picture_quantity_name(drawing->picture));
     json_text(&json, "unit", picture_unit(drawing->picture));
     json_numbers(&json, "levels", drawing->levels, drawing->level_count);
     json_open(&json, "lines", '[');
@@ -170,7 +171,7 @@ static int run(const struct options *options)
         code = csv_write(options, write_csv, &drawing);
         if (options->json)
             print_json(&drawing);
-        else if (options->csv == CSV_NONE)
+        else if (options->csv == CSV_NONE && standard_output_is_free(options))
             print_text(&drawing);
     }
     luxel_isophotes_free(drawing.isophotes);
@@ -183,6 +184,7 @@ const struct command command_isophotes = {
     .bit = COMMAND_ISOPHOTES,
     .operand = N_("SCENE"),
     .endings = ".csv",
+    .default_format = "csv",
     .summary = N_("lines of equal value on the screen"),
     .description = N_("Finds the lines along which the picture has one value, at round levels or at those given, each "
                       "vertex on its level to 1e-9. With --picture, or where SCENE is a file of values that tells "

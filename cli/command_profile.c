@@ -12,6 +12,7 @@
 #include "outputs.h"
 #include "picture.h"
 #include "result.h"
+#include "standard_output.h"
 #include "text.h"
 #include "work.h"
 
@@ -226,7 +227,7 @@ static void print_json(const struct profiling *profiling)
     char name[TEXT_SIZE];
 
     json_open(&json, NULL, '{');
-    json_text(&json, "quantity", picture_quantity(profiling->picture));
+    json_text(&json, "quantity", picture_quantity_name(profiling->picture));
     json_text(&json, "unit", picture_unit(profiling->picture));
     json_text(&json, "path", profiling->profile->type == LUXEL_PATH_ARC ? "arc" : "line");
     json_open(&json, "lights", '[');
@@ -283,7 +284,7 @@ static int run(const struct options *options)
         code = csv_write(options, write_csv, &profiling);
         if (options->json)
             print_json(&profiling);
-        else if (options->csv == CSV_NONE)
+        else if (options->csv == CSV_NONE && standard_output_is_free(options))
             print_text(&profiling);
     }
     luxel_probe_free(profiling.probe);
@@ -297,6 +298,7 @@ const struct command command_profile = {
     .bit = COMMAND_PROFILE,
     .operand = N_("SCENE"),
     .endings = ".csv",
+    .default_format = "csv",
     .summary = N_("values along a line of the screen or an arc of a sphere"),
     .description = N_("Prints the exact values along a straight line of the screen, the horizontal one through its "
                       "centre unless another is given, or along the great circle of a sphere by the angle; with the "

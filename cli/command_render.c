@@ -12,6 +12,7 @@
 #include "options.h"
 #include "outputs.h"
 #include "result.h"
+#include "standard_output.h"
 #include "text.h"
 #include "work.h"
 
@@ -139,7 +140,7 @@ static int render(const struct options *options, const struct loaded *loaded)
             result.statistics = &statistics;
             if (options->json)
                 result_print_json(&result);
-            else
+            else if (standard_output_is_free(options))
                 print_text(&result, loaded->name);
         }
     }

@@ -13,6 +13,7 @@
 #include "load.h"
 #include "message.h"
 #include "options.h"
+#include "outputs.h"
 
 /* Whether a file holds exactly this text; one that cannot be read does not. */
 static bool holds(const char *path, const char *text)
@@ -54,21 +55,44 @@ static int write_file(const struct loaded *loaded, const char *path)
     return status == LUXEL_OK ? EXIT_DONE : message_failure(status, loaded->diagnostics);
 }
 
+static bool is_dash(const char *path)
+{
+    return strcmp(path, "-") == 0;
+}
+
 /* To the files of -o; all of them are tried. */
 static int write_outputs(const struct options *options, const struct loaded *loaded, const char *text)
 {
+    bool *written = message_allocate(options->output_count, sizeof *written);
     int worst = EXIT_DONE;
+    bool is_printed = false;
 
     for (size_t i = 0; i < options->output_count; i++) {
         const char *path = options->outputs[i];
-        const int code = strcmp(path, "-") == 0 ? print(options, loaded, text) : write_file(loaded, path);
+        const int code = is_dash(path) ? print(options, loaded, text) : write_file(loaded, path);
 
+        is_printed = is_printed || is_dash(path);
+        written[i] = code == EXIT_DONE && !is_dash(path);
         worst = code != EXIT_DONE ? code : worst;
     }
+    if (!is_printed)
+        outputs_tell(options, options->outputs, written, options->output_count);
+    free(written);
     return worst;
 }
 
-/* To where the scene came from: its file, or else standard output.  A file that would stay the same is not touched. */
+/* A file that would stay as it is is not touched. */
+static int rewrite(const struct options *options, const struct loaded *loaded, const char *text)
+{
+    const bool same = holds(options->operand, text);
+    const int code = same ? EXIT_DONE : write_file(loaded, options->operand);
+
+    if (code == EXIT_DONE)
+        outputs_tell(options, &options->operand, (const bool[]){!same}, 1);
+    return code;
+}
+
+/* To where the scene came from: its file, or else standard output. */
 static int write_back(const struct options *options, const struct loaded *loaded, const char *text)
 {
     luxel_settings settings;
@@ -84,7 +108,7 @@ static int write_back(const struct options *options, const struct loaded *loaded
     }
     if (strcmp(options->operand, "-") == 0 || stat(options->operand, &about) != 0 || !S_ISREG(about.st_mode))
         return print(options, loaded, text);
-    return holds(options->operand, text) ? EXIT_DONE : write_file(loaded, options->operand);
+    return rewrite(options, loaded, text);
 }
 
 static int set(const struct options *options, const struct loaded *loaded)
@@ -127,6 +151,9 @@ static int run(const struct options *options)
         message_hint(_("for example: luxel set my.yaml 'lights[0].intensity=20'"));
         return EXIT_USAGE;
     }
+    code = outputs_check_places(options);
+    if (code != EXIT_DONE)
+        return code;
     code = load_scene(options, false, &loaded);
     if (code == EXIT_DONE)
         code = set(options, &loaded);

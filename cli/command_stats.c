@@ -237,7 +237,7 @@ static void print_json(const struct stats *stats)
     struct json json = {.stream = stdout};
 
     json_open(&json, NULL, '{');
-    json_text(&json, "quantity", picture_quantity(stats->picture));
+    json_text(&json, "quantity", picture_quantity_name(stats->picture));
     json_text(&json, "unit", picture_unit(stats->picture));
     json_wholes(&json, "resolution", (const unsigned[]){luxel_field_columns(field), luxel_field_rows(field)}, 2);
     write_region(&json, &stats->options->analysis.region);

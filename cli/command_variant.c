@@ -119,6 +119,7 @@ const struct command command_variant = {
     .operand = N_("N"),
     .operand_kind = OPERAND_NONE,
     .endings = ".yaml .yml",
+    .default_format = "yaml",
     .summary = N_("print a numbered variant of the exercise as a scene file"),
     .description = N_("The same number, from 1 to 1000000, always gives the same scene: a sphere wholly in view, one "
                       "source or, in every third variant, two, a pronounced peak, and five points; all numbers are "

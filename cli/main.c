@@ -15,6 +15,7 @@
 #include "message.h"
 #include "options.h"
 #include "progress.h"
+#include "standard_output.h"
 
 /*
  * A standard stream that the caller closed must not become the first file that is opened.  Each is replaced by
@@ -29,10 +30,15 @@ static void keep_standard_streams(void)
             _exit(EXIT_FILE);
 }
 
-/* Results that did not arrive are an error, whatever else went well. */
+/*
+ * Results that did not arrive are an error, whatever else went well; but a reader who has seen enough, such as head,
+ * may go away.
+ */
 static int finish_output(int code)
 {
-    if (fflush(stdout) == 0 && !ferror(stdout) && fclose(stdout) == 0)
+    const bool is_whole = fflush(stdout) == 0 && !ferror(stdout);
+
+    if (is_whole ? fclose(stdout) == 0 : standard_output_reader_left())
         return code;
     message_error(_("standard output could not be written: %s"), language_reason(errno));
     return EXIT_FILE;
@@ -76,7 +82,7 @@ int main(int argc, char **argv)
 
     keep_standard_streams();
     language_begin();
-    signal(SIGPIPE, SIG_IGN); /* a reader who goes away is an error of output like any other */
+    signal(SIGPIPE, SIG_IGN); /* a reader who goes away costs no file */
     progress_catch_interrupt();
     code = options_read(argc, argv, &options);
     if (code == EXIT_DONE)

@@ -12,6 +12,7 @@
 
 #include "../front/language.h"
 #include "cli.h"
+#include "standard_output.h"
 #include "text.h"
 
 static bool wants_colour(FILE *stream)
@@ -157,10 +158,26 @@ void message_diagnostics(FILE *stream, const luxel_diagnostics *diagnostics, lux
         fprintf(stream, ngettext("and %zu more line of advice\n", "and %zu more lines of advice\n", left), left);
 }
 
+/* Whether all that went wrong is that a reader of `-o -` has seen enough. */
+static bool is_reader_left(const luxel_diagnostics *diagnostics)
+{
+    bool is_about_it = luxel_diagnostics_count(diagnostics) > 0 && standard_output_reader_left();
+
+    for (size_t i = 0; i < luxel_diagnostics_count(diagnostics) && is_about_it; i++) {
+        char *message = luxel_diagnostics_message(diagnostics, i, NULL, NULL);
+
+        is_about_it = message && standard_output_is_named(message);
+        luxel_text_free(message);
+    }
+    return is_about_it;
+}
+
 int message_failure(luxel_status status, luxel_diagnostics *diagnostics)
 {
     const size_t errors = luxel_diagnostics_total(diagnostics, LUXEL_SEVERITY_ERROR);
 
+    if (status == LUXEL_ERROR_FILE && is_reader_left(diagnostics))
+        return EXIT_DONE;
     if (errors > 0 && luxel_diagnostics_count(diagnostics) > 0)
         message_diagnostics(stderr, diagnostics, LUXEL_SEVERITY_ERROR, LUXEL_SEVERITY_ERROR);
     else if (status == LUXEL_ERROR_MEMORY) /* which may not have done for the report of it */

@@ -11,6 +11,7 @@
 
 #include "cli.h"
 #include "message.h"
+#include "standard_output.h"
 #include "text.h"
 
 enum { LONG_BASE = 256 }; /* getopt's value of a long option is LONG_BASE + row */
@@ -192,6 +193,10 @@ static bool read_operands(int count, char **operands, struct options *options)
 {
     if (count == 0)
         return true;
+    if (strcmp(operands[0], "version") == 0 && count == 1) { /* as other tools have it */
+        options->version = true;
+        return true;
+    }
     options->command = find_command(operands[0]);
     if (!options->command)
         return report_unknown_command(operands[0]);
@@ -247,7 +252,7 @@ int options_read(int argc, char **argv, struct options *options)
     };
     luxel_settings_init(&options->settings);
     if (!read_dashed(argc, argv, options) || !read_operands(argc - optind, argv + optind, options) ||
-        !check_commands(options))
+        !check_commands(options) || !standard_output_resolve(options))
         return EXIT_USAGE;
     return EXIT_DONE;
 }

@@ -67,9 +67,12 @@ struct options {
     struct option_analysis analysis;
     struct option_drawing drawing;
     enum option_csv csv;
-    size_t format;  /* index in option_formats */
-    unsigned bits;  /* of a .png's grey levels; 0: none were given */
-    uint64_t given; /* one bit for each row of the table */
+    size_t format;            /* index in option_formats */
+    const char *format_word;  /* of --format; NULL: it was not given */
+    bool prints_document;     /* luxel explain: whether the explanation goes to standard output */
+    char standard_output[32]; /* the name of -o -, which says its format; "": there is none */
+    unsigned bits;            /* of a .png's grey levels; 0: none were given */
+    uint64_t given;           /* one bit for each row of the table */
 };
 
 /* What an option's argument may be, for those who complete it. */
@@ -92,6 +95,12 @@ struct option_row {
     const char *const *words; /* of VALUE_WORD, NULL-terminated */
     const char *help;
 };
+
+/* Takes the word of --format as one of option_formats; reports another. */
+bool options_take_document_format(struct options *options);
+
+/* What JSON and files call a quantity, whatever the units: "brightness" or "irradiance". */
+const char *options_quantity_name(luxel_quantity quantity);
 
 /* The words of --format, in the order of luxel_document_format. */
 extern const char *const option_formats[];

@@ -14,10 +14,12 @@
 #include "options.h"
 #include "text.h"
 
-static const char *const quantity_words[] = {"brightness", "irradiance", NULL};
+static const char *const quantity_words[] = {"brightness", "irradiance", "luminance", "illuminance", NULL};
 static const char *const precision_words[] = {"single", "double", NULL};
 static const char *const csv_words[] = {"rfc4180", "excel-ru", NULL};
 static const char *const bits_words[] = {"8", "16", NULL};
+static const char *const format_words[] = {"png", "npy", "pfm",  "csv",      "exr",   "svg",  "pdf",
+                                           "md",  "tex", "text", "markdown", "latex", "html", NULL};
 static const char *const section_words[] = {"center", "maximum", NULL};
 const char *const option_formats[] = {"text", "markdown", "latex", "html", NULL};
 
@@ -65,7 +67,7 @@ static bool take_word(const char *option, const char *argument, const char *cons
             return true;
     for (size_t i = 0; i < *found && used < sizeof list; i++)
         used += (size_t)snprintf(list + used, sizeof list - used, "%s%s", i > 0 ? ", " : "", words[i]);
-    message_error(_("%s %s: one of %s is expected"), option, argument, list);
+    message_error(_("%s %s: expected one of %s"), option, argument, list);
     message_did_you_mean(luxel_nearest_word(argument, words, *found));
     return false;
 }
@@ -76,8 +78,13 @@ static bool take_quantity(struct options *options, const char *argument)
 
     if (!take_word("--quantity", argument, quantity_words, &found))
         return false;
-    options->settings.quantity = found == 0 ? LUXEL_BRIGHTNESS : LUXEL_IRRADIANCE;
+    options->settings.quantity = found % 2 == 0 ? LUXEL_BRIGHTNESS : LUXEL_IRRADIANCE;
     return true;
+}
+
+const char *options_quantity_name(luxel_quantity quantity)
+{
+    return quantity == LUXEL_IRRADIANCE ? "irradiance" : "brightness";
 }
 
 static bool take_precision(struct options *options, const char *argument)
@@ -237,7 +244,13 @@ static bool take_csv(struct options *options, const char *argument)
 
 static bool take_format(struct options *options, const char *argument)
 {
-    return take_word("--format", argument, option_formats, &options->format);
+    options->format_word = argument;
+    return true;
+}
+
+bool options_take_document_format(struct options *options)
+{
+    return take_word("--format", options->format_word, option_formats, &options->format);
 }
 
 static bool take_width(struct options *options, const char *argument)
@@ -344,8 +357,9 @@ static const struct option_row rows[] = {
     {"date", 0, N_("TEXT"), COMMAND_REPORT, TAKES(take_date),
      .help = N_("the date as it is to stand in the report; the default is none, so that it can be repeated byte for "
                 "byte")},
-    {"format", 0, N_("NAME"), COMMAND_EXPLAIN, TAKES(take_format), .value = VALUE_WORD, .words = option_formats,
-     .help = N_("print as text (default), markdown, latex or html")},
+    {"format", 0, N_("NAME"), WRITING & ~COMMAND_SET, TAKES(take_format), WORDS(format_words),
+     .help = N_("the format of -o -, standard output: an extension without its dot, such as png; luxel explain prints "
+                "as text (default), markdown, latex or html")},
     {"csv", 0, N_("VARIANT"), TABLES, TAKES(take_csv), .value = VALUE_OPTIONAL, .words = csv_words,
      .help = N_("print as comma-separated values (RFC 4180), or with --csv=excel-ru as spreadsheets in Russia read "
                 "them: semicolons, decimal commas")},
@@ -353,7 +367,8 @@ static const struct option_row rows[] = {
     {"set", 's', N_("KEY=VALUE"), COMMAND_ANY, TAKES(take_assignment), .value = VALUE_ASSIGNMENT,
      .help = N_("change one value of the scene, such as lights[0].intensity=20; the value is YAML; may be repeated")},
     {"quantity", 0, N_("NAME"), COMMAND_ANY, TAKES(take_quantity), WORDS(quantity_words),
-     .help = N_("what to compute: brightness (default) or irradiance, which luxel grid always measures")},
+     .help = N_(
+         "what to compute: brightness (default) or irradiance; luminance and illuminance are their photometric names")},
     {"tolerance", 0, N_("T"), COMMAND_ANY, TAKES(take_tolerance),
      .help =
          N_("relative error that the value of a probe or of a grid's cell may have, above 0 and below 1; exit code 5 "
@@ -368,7 +383,9 @@ static const struct option_row rows[] = {
                 "the maximum, from 0 (the default: each point is summed) to below 1")},
     {"strict", 0, NULL, COMMAND_ANY, SETS(strict), .help = N_("treat advice about the scene as an error")},
     {"json", 0, NULL, COMMAND_ANY, SETS(json), .help = N_("print the results as one JSON object")},
-    {"quiet", 'q', NULL, COMMAND_ANY, SETS(quiet), .help = N_("print no progress, notes and confirmations")},
+    {"quiet", 'q', NULL, COMMAND_ANY, SETS(quiet),
+     .help = N_(
+         "print no progress, notes and confirmations, and with -o no results but those asked for by --json or --csv")},
     {"help", 'h', NULL, COMMAND_ANY | COMMAND_NONE, SETS(help), .help = N_("print this help and do nothing else")},
     {"version", 'V', NULL, COMMAND_ANY | COMMAND_NONE, SETS(version),
      .help = N_("print the version and the instruction set that would be used")},

@@ -2,12 +2,17 @@
 /* Names of files that are to be written: whether they can be, and whether two of them are one file. */
 #include "outputs.h"
 
+#include <errno.h>
 #include <libgen.h>
 #include <limits.h>
 #include <stdlib.h>
 #include <string.h>
+#include <sys/stat.h>
+#include <unistd.h>
 
+#include "../front/language.h"
 #include "cli.h"
+#include "json.h"
 #include "message.h"
 
 /* The full path of an output that may not exist yet, to tell whether two outputs are one; NULL if unknown. */
@@ -39,6 +44,65 @@ static bool same_target(const char *a, const char *b)
     return same;
 }
 
+/* The error that a file will meet, as far as it can be known without making it; 0: none. */
+static int why_not(const char *path)
+{
+    char *copy = strdup(path);
+    const char *folder = copy ? dirname(copy) : NULL;
+    struct stat about;
+    int error = 0;
+
+    if (folder && stat(folder, &about) != 0)
+        error = errno;
+    else if (folder && !S_ISDIR(about.st_mode))
+        error = ENOTDIR;
+    else if (stat(path, &about) == 0 && S_ISDIR(about.st_mode))
+        error = EISDIR;
+    free(copy);
+    return error;
+}
+
+int outputs_check_places(const struct options *options)
+{
+    size_t bad = 0;
+
+    for (size_t i = 0; i < options->output_count; i++)
+        bad += strcmp(options->outputs[i], "-") != 0 && why_not(options->outputs[i]) != 0;
+    if (bad == 0 || bad < options->output_count)
+        return EXIT_DONE; /* the others are worth writing, and what fails is reported then */
+    for (size_t i = 0; i < bad; i++)
+        message_error(_("cannot create %s: %s"), options->outputs[i], language_reason(why_not(options->outputs[i])));
+    return EXIT_FILE;
+}
+
+static void print_json(const char *const *files, const bool *written, size_t count)
+{
+    struct json json = {.stream = stdout};
+
+    json_open(&json, NULL, '{');
+    json_open(&json, "files", '[');
+    for (size_t i = 0; i < count; i++) {
+        char *name = written[i] ? luxel_escaped_text(files[i]) : NULL; /* a file's name may be no UTF-8 */
+
+        if (name)
+            json_text(&json, NULL, name);
+        luxel_text_free(name);
+    }
+    json_close(&json, ']');
+    json_close(&json, '}');
+}
+
+void outputs_tell(const struct options *options, const char *const *files, const bool *written, size_t count)
+{
+    if (options->json) {
+        print_json(files, written, count);
+        return;
+    }
+    for (size_t i = 0; i < count && !options->quiet && isatty(STDERR_FILENO); i++)
+        if (written[i] && strcmp(files[i], options->standard_output) != 0)
+            message_note(_("%s is written"), files[i]);
+}
+
 int outputs_check(const struct options *options, luxel_status (*check)(const char *, luxel_diagnostics *))
 {
     luxel_diagnostics *diagnostics = message_new_diagnostics();
@@ -57,7 +121,7 @@ int outputs_check(const struct options *options, luxel_status (*check)(const cha
             }
     }
     luxel_diagnostics_free(diagnostics);
-    return code;
+    return code == EXIT_DONE ? outputs_check_places(options) : code;
 }
 
 luxel_status outputs_check_csv(const char *path, luxel_diagnostics *diagnostics)

@@ -13,6 +13,15 @@
  */
 int outputs_check(const struct options *options, luxel_status (*check)(const char *, luxel_diagnostics *));
 
+/* The part of it that fails where no file can be made, which should not cost a computation: EXIT_DONE or EXIT_FILE. */
+int outputs_check_places(const struct options *options);
+
+/*
+ * Tells which of the files were written, for commands that print nothing else: as a JSON object where that is asked
+ * for, else as notes to a user at a terminal.
+ */
+void outputs_tell(const struct options *options, const char *const *files, const bool *written, size_t count);
+
 /* For outputs_check(): the name of a table, which is written as .csv. */
 luxel_status outputs_check_csv(const char *path, luxel_diagnostics *diagnostics);
 

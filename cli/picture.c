@@ -65,9 +65,14 @@ const char *picture_unit(const struct picture *picture)
     return luxel_field_unit(picture->field);
 }
 
+const char *picture_quantity_name(const struct picture *picture)
+{
+    return options_quantity_name(luxel_field_quantity(picture->field));
+}
+
 const char *picture_quantity(const struct picture *picture)
 {
-    return luxel_field_quantity(picture->field) == LUXEL_IRRADIANCE ? N_("irradiance") : N_("brightness");
+    return luxel_field_quantity_word(picture->field);
 }
 
 void picture_print_heading(const struct picture *picture)

@@ -25,6 +25,8 @@ void picture_close(struct picture *picture);
 const char *picture_unit(const struct picture *picture);
 const char *picture_quantity(const struct picture *picture);
 
+/* "brightness" or "irradiance", as JSON says it. */
+const char *picture_quantity_name(const struct picture *picture);
 /* "name: brightness in W/sr, 360 × 360 pixels" */
 void picture_print_heading(const struct picture *picture);
 

@@ -57,7 +57,7 @@ void result_clear(struct result *result)
 
 const char *result_quantity_word(const struct result *result)
 {
-    return result->options->settings.quantity == LUXEL_IRRADIANCE ? N_("irradiance") : N_("brightness");
+    return luxel_scene_quantity_word(result->scene, result->options->settings.quantity);
 }
 
 const char *result_unit(const struct result *result)
@@ -190,7 +190,7 @@ void result_print_json(const struct result *result)
 
     luxel_scene_resolution(result->scene, &resolution[0], &resolution[1]);
     json_open(&json, NULL, '{');
-    json_text(&json, "quantity", result_quantity_word(result));
+    json_text(&json, "quantity", options_quantity_name(result->options->settings.quantity));
     json_text(&json, "unit", result_unit(result));
     json_wholes(&json, "resolution", resolution, 2);
     write_statistics(&json, result->statistics);

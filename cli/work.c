@@ -2,8 +2,11 @@
 /* Work that shows its progress. */
 #include "work.h"
 
+#include <stdlib.h>
+
 #include "cli.h"
 #include "message.h"
+#include "outputs.h"
 
 void work_begin(struct work *work, const struct options *options)
 {
@@ -24,6 +27,7 @@ int work_write_each(const struct options *options, const struct loaded *loaded,
                                           const char *path),
                     const void *look)
 {
+    bool *written = message_allocate(options->output_count, sizeof *written);
     int code = EXIT_DONE;
 
     for (size_t i = 0; i < options->output_count; i++) {
@@ -36,8 +40,11 @@ int work_write_each(const struct options *options, const struct loaded *loaded,
         one = work_end(&work, status, loaded->diagnostics);
         luxel_diagnostics_clear(loaded->diagnostics);
         code = one == EXIT_DONE ? code : one;
+        written[i] = status == LUXEL_OK;
         if (status == LUXEL_ERROR_ARGUMENT)
             break;
     }
+    outputs_tell(options, options->outputs, written, options->output_count);
+    free(written);
     return code;
 }

@@ -11,14 +11,30 @@
 #include "../argument.h"
 #include "../cli.h"
 #include "../drawing.h"
+#include "../json.h"
 #include "../load.h"
 #include "../message.h"
 #include "../outputs.h"
 #include "../text.h"
 #include "../work.h"
 
-static int list_palettes(void)
+static int list_palettes(bool as_json)
 {
+    struct json json = {.stream = stdout};
+
+    if (as_json) {
+        json_open(&json, NULL, '{');
+        json_open(&json, "palettes", '[');
+        for (size_t i = 0; luxel_palette_name(i); i++) {
+            json_open(&json, NULL, '{');
+            json_text(&json, "name", luxel_palette_name(i));
+            json_text(&json, "meaning", luxel_palette_meaning(i));
+            json_close(&json, '}');
+        }
+        json_close(&json, ']');
+        json_close(&json, '}');
+        return EXIT_DONE;
+    }
     for (size_t i = 0; luxel_palette_name(i); i++) {
         char term[TEXT_SIZE];
 
@@ -133,7 +149,7 @@ int drawing_figure(const struct options *options)
     int code;
 
     if (options->drawing.palettes)
-        return list_palettes();
+        return list_palettes(options->json);
     if (options->output_count == 0) {
         message_error(_("luxel figure needs a file to write to"));
         message_hint(_("add -o FILE.png, -o FILE.svg or -o FILE.pdf"));

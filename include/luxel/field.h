@@ -71,6 +71,11 @@ LUXEL_API unsigned luxel_field_channels(const luxel_field *field);
 LUXEL_API luxel_quantity luxel_field_quantity(const luxel_field *field);
 /* What type the values have. */
 LUXEL_API luxel_precision luxel_field_precision(const luxel_field *field);
+/*
+ * What the values are called: "brightness" or "irradiance" and, in photometric units, "luminance" or "illuminance";
+ * "values" of a field that was read from a file that does not tell.
+ */
+LUXEL_API const char *luxel_field_quantity_word(const luxel_field *field);
 /* The unit in UTF-8, such as "W/sr", "cd/m²" or "relative", which lives as long as the field; "" where not known. */
 LUXEL_API const char *luxel_field_unit(const luxel_field *field);
 /* The instruction set whose kernels made it, such as "x86-64-v3"; "" for one that was read. */

@@ -68,8 +68,18 @@ LUXEL_API luxel_status luxel_probe_element(const luxel_scene *scene, const luxel
 /* Frees a probe with its shares; NULL is harmless. */
 LUXEL_API void luxel_probe_free(luxel_probe *probe);
 
-/* The unit of probes and pictures of this scene and quantity, in UTF-8. */
+/*
+ * The unit of probes and pictures of this scene and quantity, in UTF-8.  Irradiance has one, W/m² or lx, where every
+ * light is inverse-square, distant or ambient.  Brightness has that of the irradiance or, over_pi, of the radiance
+ * then, and that of an intensity where no light is attenuated and nothing is over_pi.  All else is "relative".
+ */
 LUXEL_API const char *luxel_scene_unit(const luxel_scene *scene, luxel_quantity quantity);
+
+/*
+ * What a quantity is called in this scene: "brightness" or "irradiance" and, in photometric units, "luminance" or
+ * "illuminance".
+ */
+LUXEL_API const char *luxel_scene_quantity_word(const luxel_scene *scene, luxel_quantity quantity);
 
 #ifdef __cplusplus
 }

@@ -5,6 +5,7 @@
 
 #include "../base/diagnostics.h"
 #include "../base/memory.h"
+#include "../base/phrase.h"
 #include "../base/text.h"
 #include "../field/field.h"
 #include "../format/format.h"
@@ -34,6 +35,11 @@ static char *copy_unit(const char *unit)
     return lx_text_take(&text);
 }
 
+static bool is_photometric(const char *unit)
+{
+    return strcmp(unit, "lx") == 0 || strcmp(unit, "cd") == 0 || strcmp(unit, "cd/m²") == 0;
+}
+
 /* Moves what was read into a field. */
 static struct luxel_field *make_field(struct lx_loaded *loaded)
 {
@@ -47,6 +53,7 @@ static struct luxel_field *make_field(struct lx_loaded *loaded)
         .rows = loaded->rows,
         .precision = loaded->sample == LX_SAMPLE_F64 ? LUXEL_DOUBLE : LUXEL_SINGLE,
         .unit = copy_unit(unit),
+        .quantity_word = LX_N("values"),
         .instruction_set = "",
         .values = loaded->values,
         .mask = loaded->mask ? loaded->mask : mask_of_values(loaded),
@@ -78,6 +85,8 @@ static luxel_status take_scene(struct luxel_field *field, const struct lx_tags *
     if (parameters && parameters->screen.resolution[0] == field->columns &&
         parameters->screen.resolution[1] == field->rows) {
         field->picture = parameters->picture;
+        if (parameters->units == LX_PHOTOMETRIC)
+            field->quantity_word = lx_quantity_word(field->quantity, true);
         field->x_mm = lx_new_column_places(&parameters->screen, 1);
         field->y_mm = lx_new_row_places(&parameters->screen, 1);
         field->scene = lx_copy_text(tag->value, tag->length);
@@ -95,6 +104,7 @@ static void take_settings(struct luxel_field *field, const char *path, const str
     if (lx_source_of_bytes(path, "", 0, NULL, &silent) == LUXEL_OK &&
         lx_carried_read(silent, tags, &carried) == LUXEL_OK) {
         field->quantity = carried.quantity;
+        field->quantity_word = lx_quantity_word(carried.quantity, is_photometric(field->unit));
         field->tolerance = carried.tolerance;
         field->light_error = carried.light_error;
     }

@@ -184,6 +184,7 @@ static luxel_status keep_origin(const struct lx_session *session, const luxel_sc
     field->tolerance = settings->tolerance;
     field->light_error = settings->light_error;
     field->instruction_set = session->kernels->name;
+    field->quantity_word = lx_quantity_word(settings->quantity, session->prepared.scene->units == LX_PHOTOMETRIC);
     field->unit = lx_copy_text(unit, strlen(unit));
     if (!field->unit)
         return lx_out_of_memory(diagnostics);

@@ -255,6 +255,18 @@ static int open_direct(struct lx_staged *staged, const char *place)
     return staged->file >= 0 ? 0 : errno;
 }
 
+/*
+ * Standard output by its name, which may have an extension to say the format: /dev/stdout.png.  It is taken as it is
+ * open, so that what it appends to is not overwritten, and a socket can be written to.
+ */
+static bool is_standard_output(const char *path)
+{
+    static const char name[] = "/dev/stdout";
+    const size_t length = sizeof name - 1;
+
+    return strncmp(path, name, length) == 0 && (path[length] == '\0' || path[length] == '.');
+}
+
 int lx_staged_open(struct lx_staged *staged, const char *path, const struct lx_sink_system *system)
 {
     struct stat status;
@@ -262,6 +274,11 @@ int lx_staged_open(struct lx_staged *staged, const char *path, const struct lx_s
     int error;
 
     *staged = (struct lx_staged){.system = system, .file = -1, .folder = -1};
+    if (is_standard_output(path)) {
+        staged->direct = true;
+        staged->file = fcntl(STDOUT_FILENO, F_DUPFD_CLOEXEC, 0);
+        return staged->file >= 0 ? 0 : errno;
+    }
     if (stat(path, &status) == 0) {
         if (S_ISDIR(status.st_mode)) {
             return EISDIR;

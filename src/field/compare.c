@@ -55,6 +55,7 @@ static struct luxel_field *new_difference(const struct luxel_field *a, const str
         .columns = a->columns,
         .rows = a->rows,
         .quantity = a->quantity,
+        .quantity_word = a->quantity_word,
         .precision = is_double ? LUXEL_DOUBLE : LUXEL_SINGLE,
         .instruction_set = "",
         .unit = lx_copy_text(*a->unit ? a->unit : b->unit, strlen(*a->unit ? a->unit : b->unit)),

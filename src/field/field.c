@@ -113,6 +113,11 @@ luxel_precision luxel_field_precision(const luxel_field *field)
     return field->precision;
 }
 
+const char *luxel_field_quantity_word(const luxel_field *field)
+{
+    return field->quantity_word;
+}
+
 const char *luxel_field_unit(const luxel_field *field)
 {
     return field->unit;

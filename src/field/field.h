@@ -22,6 +22,7 @@ struct lx_row_statistics {
 struct luxel_field {
     unsigned columns, rows;
     luxel_quantity quantity;
+    const char *quantity_word; /* a constant */
     luxel_precision precision;
     double tolerance, light_error; /* of the settings that it was made with; 0: the defaults */
     char *unit;

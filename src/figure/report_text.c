@@ -13,7 +13,7 @@ enum { MOST_SHARES = 6 }; /* lights that are told one by one */
 
 static const char *quantity_word(const struct lx_report *report)
 {
-    return luxel_field_quantity(report->field) == LUXEL_IRRADIANCE ? LX_N("irradiance") : LX_N("brightness");
+    return luxel_field_quantity_word(report->field);
 }
 
 static bool is_irradiance(const struct lx_report *report)

@@ -155,10 +155,9 @@ static char *make_print(const struct lx_figure *figure)
 static char *make_label(const struct lx_figure *figure)
 {
     struct lx_text text = {0};
-    bool irradiance = luxel_field_quantity(figure->field) == LUXEL_IRRADIANCE;
     if (figure->settings.label)
         return show(figure->settings.label);
-    lx_text_puts(&text, lx_figure_word(figure, irradiance ? LX_N("irradiance") : LX_N("brightness")));
+    lx_text_puts(&text, lx_figure_word(figure, luxel_field_quantity_word(figure->field)));
     lx_text_puts(&text, ", ");
     lx_text_puts(&text, lx_figure_word(figure, luxel_field_unit(figure->field)));
     return take(&text);

@@ -3,12 +3,15 @@
  * The conventions of a scene: every choice of its tables that has an effect, such as the projection, the
  * sampling and the highlight's model.  Two people whose numbers differ will find the reason among them.
  */
+#include <luxel/probe.h>
+
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
 #include "../base/memory.h"
 #include "../base/number.h"
+#include "../base/phrase.h"
 #include "../base/text.h"
 #include "object.h"
 
@@ -139,4 +142,17 @@ static int collect_table(luxel_scene *scene, const struct lx_table *table, const
 int lx_collect_conventions(luxel_scene *scene)
 {
     return collect_table(scene, &lx_scene_table, &scene->parameters, true);
+}
+
+const char *lx_quantity_word(luxel_quantity quantity, bool photometric)
+{
+    if (quantity == LUXEL_IRRADIANCE)
+        return photometric ? LX_N("illuminance") : LX_N("irradiance");
+    return photometric ? LX_N("luminance") : LX_N("brightness");
+}
+
+const char *luxel_scene_quantity_word(const luxel_scene *scene, luxel_quantity quantity)
+{
+    bool is_ready = scene && luxel_scene_is_committed(scene);
+    return lx_quantity_word(quantity, is_ready && lx_scene_parameters(scene)->units == LX_PHOTOMETRIC);
 }

@@ -6,18 +6,23 @@
 #ifndef LX_SCENE_SCENE_H
 #define LX_SCENE_SCENE_H
 
+#include <luxel/field.h>
 #include <luxel/scene.h>
 
 #include "../material/material.h"
 #include "../parameter/table.h"
 
 enum lx_units { LX_RADIOMETRIC, LX_PHOTOMETRIC };
+
 enum lx_shadows { LX_SHADOWS_POINTS, LX_SHADOWS_NONE };
 enum lx_sampling { LX_CENTERS, LX_NODES };
 enum lx_projection { LX_ORTHOGRAPHIC, LX_PERSPECTIVE };
 enum lx_view { LX_VIEW_PARALLEL, LX_VIEW_OBSERVER };
 enum lx_range { LX_RANGE_MAX, LX_RANGE_MINMAX, LX_RANGE_LOG };
 enum lx_rounding { LX_TRUNCATE, LX_NEAREST };
+
+/* What a quantity is called: brightness and irradiance, or luminance and illuminance; a phrase. */
+const char *lx_quantity_word(luxel_quantity quantity, bool photometric);
 
 struct lx_screen {
     uint64_t given;

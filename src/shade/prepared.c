@@ -95,12 +95,21 @@ static enum laws common_law(const struct lx_emitters *emitters)
     return emitters->by_square == emitters->count ? ALL_PHYSICAL : MIXED;
 }
 
+/* An intensity without a distance makes no irradiance, and a mixture of laws no unit at all. */
+static const char *unit_of_irradiance(const struct lx_emitters *emitters, bool photometric)
+{
+    const char *unit = photometric ? LX_N("lx") : LX_N("W/m²");
+    return emitters->by_square == emitters->count ? unit : LX_N("relative");
+}
+
 const char *lx_unit_of(const struct lx_prepared *prepared, luxel_quantity quantity)
 {
     const struct lx_list *surfaces = &prepared->scene->surfaces;
     bool photometric = prepared->scene->units == LX_PHOTOMETRIC;
     size_t over_pi = 0;
-    for (size_t i = 0; quantity == LUXEL_BRIGHTNESS && i < surfaces->count; i++)
+    if (quantity == LUXEL_IRRADIANCE)
+        return unit_of_irradiance(&prepared->emitters, photometric);
+    for (size_t i = 0; i < surfaces->count; i++)
         over_pi += ((const struct lx_surface_common *)surfaces->items[i].common)->material.over_pi;
     bool all = over_pi == surfaces->count && over_pi > 0, none = over_pi == 0;
 

@@ -24,7 +24,7 @@ def render_text(tap, tool):
     tap.ok(empty.code == 0 and "no pixel shows a surface" in empty.out, "no surface in view", empty)
     lux = tool.run("render", "-s", "units=photometric", "--quantity", "irradiance",
                    "-s", "lights[0].attenuation=inverse-square")
-    tap.ok("irradiance in lx" in lux.out, "photometric words", lux)
+    tap.ok("illuminance in lx" in lux.out, "photometric words", lux)
 
 
 def probe_text(tap, tool):

@@ -13,7 +13,7 @@ EXACT = [
     ("luxel rend", "render"),
     ("luxel sch", "schema"),
     ("luxel render --qua", "--quantity"),
-    ("luxel render --quantity ", "brightness irradiance"),
+    ("luxel render --quantity ", "brightness irradiance luminance illuminance"),
     ("luxel render --quantity b", "brightness"),
     ("luxel probe --precision ", "single double"),
     ("luxel probe --poi", "--point"),

@@ -185,7 +185,7 @@ def text(tap, tool):
     result = tool.run("grid", "-", stdin=scene([LAMP], [FLOOR, {"center": [0, 0, 100], "size": [10, 10], "n": [1, 2]}],
                                                "photometric"))
     tap.equal((result.code, result.err), (0, ""), "grid")
-    for part in ("<stdin>: irradiance in lx", "floor: 7 × 7 cells, 3500.0 × 3500.0 mm around (0.0, 0.0, 0.0)",
+    for part in ("<stdin>: illuminance in lx", "floor: 7 × 7 cells, 3500.0 × 3500.0 mm around (0.0, 0.0, 0.0)",
                  "normal (0, 0, 1), up (0, 1, 0)", "111.11", "49.383", "grid 2: 1 × 2 cells", "U0 = minimum / average",
                  "Ud = minimum / maximum", "(lm)", "(3, 3)", "(-1500.0, 1500.0, 0.0)", "Conventions:"):
         tap.ok(part in result.out, "the text has " + part, result)

@@ -26,7 +26,7 @@ def stdout_that_fails(tap, tool):
         os.close(reading)
         result = tool.run(*arguments, stdout=writing)
         os.close(writing)
-        tap.ok(result.code == 4 and "standard output" in result.err, name + ": a reader who left", result)
+        tap.ok((result.code, result.err) == (0, ""), name + ": a reader who left has seen enough", result)
 
 
 def files_come_first(tap, tool):

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /*
  * Units: brightness by lights of one law is W/sr, W/m2 or, over pi, W/(sr m2), or their photometric likes; where laws
- * or materials differ, it is relative.
+ * or materials differ, it is relative.  Irradiance is W/m2 or lx by the law of nature alone, and relative by any other.
  */
 #include <stdio.h>
 #include <string.h>
@@ -21,13 +21,13 @@ static const struct {
     const char *surfaces, *lights;
     const char *brightness[2], *irradiance[2]; /* radiometric, photometric */
 } cases[] = {
-    {PLAIN_BALL, BY_NOTHING, {"W/sr", "cd"}, {"W/sr", "cd"}},
-    {PLAIN_BALL, BY_NOTHING ", " BY_NOTHING, {"W/sr", "cd"}, {"W/sr", "cd"}},
+    {PLAIN_BALL, BY_NOTHING, {"W/sr", "cd"}, {"relative", "relative"}},
+    {PLAIN_BALL, BY_NOTHING ", " BY_NOTHING, {"W/sr", "cd"}, {"relative", "relative"}},
     {PLAIN_BALL, BY_SQUARE, {"W/m²", "lx"}, {"W/m²", "lx"}},
     {PLAIN_BALL, PARALLEL, {"W/m²", "lx"}, {"W/m²", "lx"}},
     {PLAIN_BALL, BY_SQUARE ", " PARALLEL ", " SKY, {"W/m²", "lx"}, {"W/m²", "lx"}},
     {PLAIN_BALL, WINDOW "}", {"W/m²", "lx"}, {"W/m²", "lx"}},
-    {PLAIN_BALL, WINDOW ", attenuation: none}", {"W/sr", "cd"}, {"W/sr", "cd"}},
+    {PLAIN_BALL, WINDOW ", attenuation: none}", {"W/sr", "cd"}, {"relative", "relative"}},
     {PLAIN_BALL, WINDOW ", parts: 5}, " BY_SQUARE, {"W/m²", "lx"}, {"W/m²", "lx"}},
     {PLAIN_BALL, BY_SUM, {"relative", "relative"}, {"relative", "relative"}},
     {PLAIN_BALL, BY_NOTHING ", " BY_SQUARE, {"relative", "relative"}, {"relative", "relative"}},
@@ -35,10 +35,21 @@ static const struct {
     {PLAIN_BALL, BY_NOTHING ", " PARALLEL, {"relative", "relative"}, {"relative", "relative"}},
     {BALL_OVER_PI, BY_SQUARE, {"W/(sr·m²)", "cd/m²"}, {"W/m²", "lx"}},
     {BALL_OVER_PI ", " BALL_OVER_PI, SKY, {"W/(sr·m²)", "cd/m²"}, {"W/m²", "lx"}},
-    {BALL_OVER_PI, BY_NOTHING, {"relative", "relative"}, {"W/sr", "cd"}},
+    {BALL_OVER_PI, BY_NOTHING, {"relative", "relative"}, {"relative", "relative"}},
+    {BALL_OVER_PI, BY_SUM, {"relative", "relative"}, {"relative", "relative"}},
+    {PLAIN_BALL, SKY, {"W/m²", "lx"}, {"W/m²", "lx"}},
+    {PLAIN_BALL,
+     "{type: point, position: [900, 0, 2500], intensity: 4, attenuation: none, enabled: false}, " SKY,
+     {"W/m²", "lx"},
+     {"W/m²", "lx"}},
+    {PLAIN_BALL, WINDOW ", attenuation: none, parts: 3}", {"W/sr", "cd"}, {"relative", "relative"}},
+    {PLAIN_BALL, WINDOW ", attenuation: practical, k: 100}", {"relative", "relative"}, {"relative", "relative"}},
+    {PLAIN_BALL, "", {"W/sr", "cd"}, {"W/m²", "lx"}},
     {BALL_OVER_PI ", " PLAIN_BALL, BY_SQUARE, {"relative", "relative"}, {"W/m²", "lx"}},
     {PLAIN_BALL ", " BALL_OVER_PI, BY_SQUARE, {"relative", "relative"}, {"W/m²", "lx"}},
 };
+
+static const char *const words[2][2] = {{"brightness", "irradiance"}, {"luminance", "illuminance"}};
 
 static void units(void **state)
 {
@@ -59,8 +70,12 @@ static void units(void **state)
                 luxel_settings_init(&settings);
                 settings.quantity = irradiance ? LUXEL_IRRADIANCE : LUXEL_BRIGHTNESS;
                 assert_int_equal(luxel_render(scene, &settings, NULL, &field), LUXEL_OK);
-                assert_string_equal(luxel_field_unit(field),
-                                    (irradiance ? cases[i].irradiance : cases[i].brightness)[photometric]);
+                const char *unit = (irradiance ? cases[i].irradiance : cases[i].brightness)[photometric];
+                assert_string_equal(luxel_field_unit(field), unit);
+                assert_string_equal(luxel_scene_unit(scene, settings.quantity), unit);
+                assert_string_equal(luxel_field_quantity_word(field), words[photometric][irradiance]);
+                assert_string_equal(luxel_scene_quantity_word(scene, settings.quantity),
+                                    words[photometric][irradiance]);
                 luxel_field_free(field);
                 luxel_scene_free(scene);
             }
