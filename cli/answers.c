@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* From a line of a table, cut into fields, to an answer; and from a folder to its tables. */
+/* From a row of a table to an answer; and from a folder to its tables. */
 #include "answers.h"
 
 #include <dirent.h>
@@ -14,102 +14,84 @@
 #include <luxel/luxel.h>
 
 #include "../front/language.h"
-#include "answer_fields.h"
 #include "cli.h"
 #include "message.h"
+#include "text.h"
 
-enum { MOST_FIELDS = 64, NO_COLUMN = MOST_FIELDS };
-
-enum column { VARIANT, POINT, X, Y, VALUE, STUDENT, COLUMN_COUNT };
+enum column { VARIANT, VALUE, POINT, X, Y, STUDENT, COLUMN_COUNT };
 
 /* How the columns may be called; a heading may go on with a unit, as in x_mm. */
-static const struct {
-    enum column column;
-    const char *name;
-} headings[] = {
-    {VARIANT, "variant"},
-    {VARIANT, "вариант"},
-    {VARIANT, "Вариант"},
-    {POINT, "point"},
-    {POINT, "точка"},
-    {POINT, "Точка"},
-    {X, "x"},
-    {Y, "y"},
-    {VALUE, "value"},
-    {VALUE, "значение"},
-    {VALUE, "Значение"},
-    {STUDENT, "student"},
-    {STUDENT, "name"},
-    {STUDENT, "студент"},
-    {STUDENT, "Студент"},
+static const char *const variant_names[] = {"variant", "вариант", NULL};
+static const char *const value_names[] = {"value", "значение", NULL};
+static const char *const point_names[] = {"point", "точка", NULL};
+static const char *const x_names[] = {"x", "х", NULL};
+static const char *const y_names[] = {"y", "у", NULL};
+static const char *const student_names[] = {"student", "name", "студент", "фамилия", NULL};
+
+static const luxel_column columns[COLUMN_COUNT] = {
+    [VARIANT] = {LUXEL_COLUMN_TEXT, true, variant_names}, [VALUE] = {LUXEL_COLUMN_TEXT, true, value_names},
+    [POINT] = {LUXEL_COLUMN_TEXT, false, point_names},    [X] = {LUXEL_COLUMN_LENGTH, false, x_names},
+    [Y] = {LUXEL_COLUMN_LENGTH, false, y_names},          [STUDENT] = {LUXEL_COLUMN_TEXT, false, student_names},
 };
 
 struct table {
     struct answers *answers;
-    struct fields fields;
-    size_t columns[COLUMN_COUNT]; /* the index of each, or NO_COLUMN */
-    size_t width;                 /* fields of the header */
+    const char *path;
+    luxel_table *reader;
+    const luxel_row *row;
 };
 
-/* Reports at a field of the line just read; beyond the last one at the line's beginning. */
-#define REPORT(table, field, ...)                                                                                      \
-    do {                                                                                                               \
-        (table)->answers->mistakes++;                                                                                  \
-        fields_report(&(table)->fields, (field), __VA_ARGS__);                                                         \
-    } while (0)
-
-static enum column column_of(const char *heading)
+static char *copy_text(const char *text)
 {
-    for (size_t i = 0; i < COUNT_OF(headings); i++) {
-        const size_t length = strlen(headings[i].name);
+    char *copy = message_allocate(strlen(text) + 1, 1);
 
-        if (strncasecmp(heading, headings[i].name, length) == 0 &&
-            (heading[length] == '\0' || heading[length] == '_' || heading[length] == ',' || heading[length] == ' '))
-            return headings[i].column;
-    }
-    return COLUMN_COUNT;
+    return strcpy(copy, text);
 }
 
-static bool read_header(struct table *table)
+/* Doubles an array, whose old memory is freed. */
+static void *grow(void *list, size_t *capacity, size_t size)
 {
-    bool doubled = false;
+    const size_t more = *capacity > 0 ? 2 * *capacity : 16;
+    void *grown = message_allocate(more, size);
 
-    table->width = table->fields.count;
-    for (size_t c = 0; c < COLUMN_COUNT; c++)
-        table->columns[c] = NO_COLUMN;
-    for (size_t i = 0; i < table->width; i++) {
-        const enum column column = column_of(table->fields.list[i].text);
+    if (*capacity > 0)
+        memcpy(grown, list, *capacity * size);
+    free(list);
+    *capacity = more;
+    return grown;
+}
 
-        if (column == COLUMN_COUNT)
-            continue;
-        if (table->columns[column] != NO_COLUMN) {
-            REPORT(table, i, _("the column \"%s\" is there twice"), table->fields.list[i].text);
-            doubled = true;
-        }
-        table->columns[column] = i;
-    }
-    if (doubled)
-        return false;
-    if (table->columns[VARIANT] != NO_COLUMN && table->columns[VALUE] != NO_COLUMN &&
-        (table->columns[POINT] != NO_COLUMN || (table->columns[X] != NO_COLUMN && table->columns[Y] != NO_COLUMN)))
-        return true;
-    REPORT(table, 0, _("the first line must name the columns: variant,x,y,value or variant,point,value"));
-    return false;
+/* "FILE:line:column: error: ..." */
+__attribute__((format(printf, 4, 0))) static void report_at(const char *path, unsigned line, unsigned column,
+                                                            const char *format, va_list arguments)
+{
+    char *text = NULL;
+
+    text_print_escaped(stderr, path);
+    fprintf(stderr, ":%u:%u: %s ", line, column, _("error:"));
+    if (vasprintf(&text, format, arguments) >= 0)
+        text_print_escaped(stderr, text);
+    fputc('\n', stderr);
+    free(text);
+}
+
+/* Reports at a field of the row. */
+__attribute__((format(printf, 3, 4))) static void report(struct table *table, enum column column, const char *format,
+                                                         ...)
+{
+    unsigned line, place;
+    va_list arguments;
+
+    luxel_table_place(table->reader, column, &line, &place);
+    table->answers->mistakes++;
+    va_start(arguments, format);
+    report_at(table->path, line, place, format, arguments);
+    va_end(arguments);
 }
 
 static const char *text_of(const struct table *table, enum column column)
 {
-    return table->fields.list[table->columns[column]].text;
-}
-
-static bool take_number(struct table *table, enum column column, double *number, double *rounding)
-{
-    const size_t field = table->columns[column];
-
-    if (fields_number(&table->fields, field, number, rounding))
-        return true;
-    REPORT(table, field, _("a number is expected, not \"%s\""), table->fields.list[field].text);
-    return false;
+    return table->row->texts[column];
 }
 
 static bool take_whole(struct table *table, enum column column, const char *text, unsigned most, unsigned *number)
@@ -120,8 +102,7 @@ static bool take_whole(struct table *table, enum column column, const char *text
     *number = (unsigned)value;
     if (digits > 0 && text[digits] == '\0' && value >= 1 && value <= most)
         return true;
-    REPORT(table, table->columns[column], _("a whole number from 1 to %u is expected, not \"%s\""), most,
-           text_of(table, column));
+    report(table, column, _("a whole number from 1 to %u is expected, not \"%s\""), most, text_of(table, column));
     return false;
 }
 
@@ -136,65 +117,86 @@ static bool take_value(struct table *table, struct answer *answer)
             answer->value = (double)NAN;
             return true;
         }
+    if (luxel_table_number(text, &answer->value, &answer->rounding))
+        return true;
     if (*text != '\0')
-        return take_number(table, VALUE, &answer->value, &answer->rounding);
-    REPORT(table, table->columns[VALUE], _("a value is missing; \"off\" stands for a place off the surface"));
+        report(table, VALUE, _("a number is expected, not \"%s\""), text);
+    else
+        report(table, VALUE, _("a value is missing; \"off\" stands for a place off the surface"));
     return false;
 }
 
 static bool take_place(struct table *table, struct answer *answer)
 {
-    const char *point = table->columns[POINT] != NO_COLUMN ? text_of(table, POINT) : "";
-    double unused;
+    const char *point = text_of(table, POINT);
 
-    if (*point == '\0' && table->columns[X] != NO_COLUMN && table->columns[Y] != NO_COLUMN)
-        return take_number(table, X, &answer->x_mm, &unused) && take_number(table, Y, &answer->y_mm, &unused);
+    if (*point == '\0' && luxel_table_has(table->reader, X) && luxel_table_has(table->reader, Y)) {
+        answer->x_mm = table->row->numbers[X];
+        answer->y_mm = table->row->numbers[Y];
+        if (isfinite(answer->x_mm) && isfinite(answer->y_mm))
+            return true;
+        report(table, isfinite(answer->x_mm) ? Y : X, _("a number is expected, not \"%s\""), "");
+        return false;
+    }
     return take_whole(table, POINT, point + (*point == 'P' || *point == 'p'), 1000, &answer->point);
 }
 
-static void read_line(struct table *table)
+static void read_row(struct table *table)
 {
     struct answers *answers = table->answers;
-    struct answer answer = {.file = answers->file_count - 1, .line = table->fields.list[0].line};
+    struct answer answer = {.file = answers->file_count - 1};
+    unsigned unused;
 
-    if (table->fields.count != table->width) {
-        REPORT(table, 0, _("this line has %zu fields, but the first one has %zu"), table->fields.count, table->width);
-        if (table->fields.separator == ',' && table->fields.count > table->width)
-            message_hint(_("numbers with decimal commas need quotes, or semicolons between the fields"));
-        return;
-    }
+    luxel_table_place(table->reader, VARIANT, &answer.line, &unused);
     if (!take_whole(table, VARIANT, text_of(table, VARIANT), LUXEL_LAST_VARIANT, &answer.variant) ||
         !take_place(table, &answer) || !take_value(table, &answer))
         return;
-    if (table->columns[STUDENT] != NO_COLUMN && *text_of(table, STUDENT) != '\0')
-        answer.student = message_copy(text_of(table, STUDENT));
+    if (*text_of(table, STUDENT) != '\0')
+        answer.student = copy_text(text_of(table, STUDENT));
     if (answers->count == answers->capacity)
-        answers->list = message_grow(answers->list, &answers->capacity, sizeof *answers->list);
+        answers->list = grow(answers->list, &answers->capacity, sizeof *answers->list);
     answers->list[answers->count++] = answer;
+}
+
+/* Tells what the library found, of which it keeps only so much, and makes room for more. */
+static void tell(struct table *table, luxel_diagnostics *diagnostics)
+{
+    table->answers->mistakes += luxel_diagnostics_total(diagnostics, LUXEL_SEVERITY_ERROR);
+    message_diagnostics(stderr, diagnostics, LUXEL_SEVERITY_ERROR, LUXEL_SEVERITY_ERROR);
+    luxel_diagnostics_clear(diagnostics);
+}
+
+/* Whether answers say where they are from. */
+static bool has_places(struct table *table)
+{
+    const bool has_point = luxel_table_has(table->reader, POINT);
+
+    if (has_point || (luxel_table_has(table->reader, X) && luxel_table_has(table->reader, Y)))
+        return true;
+    table->answers->mistakes++;
+    message_error(_("%s: the first line must name the columns: variant,x,y,value or variant,point,value"), table->path);
+    return false;
 }
 
 static void read_table(const char *path, struct answers *answers)
 {
-    struct table table = {.answers = answers};
-    enum fields_end end;
+    struct table table = {.answers = answers, .path = path};
+    luxel_diagnostics *diagnostics = message_new_diagnostics();
 
     if (answers->file_count == answers->file_capacity)
-        answers->files = message_grow(answers->files, &answers->file_capacity, sizeof *answers->files);
-    answers->files[answers->file_count++] = message_copy(path);
-    if (!fields_open(path, &table.fields)) {
-        answers->mistakes++;
-        return;
+        answers->files = grow(answers->files, &answers->file_capacity, sizeof *answers->files);
+    answers->files[answers->file_count++] = copy_text(path);
+    if (luxel_table_open(path, columns, COLUMN_COUNT, true, diagnostics, &table.reader) != LUXEL_OK) {
+        tell(&table, diagnostics);
+    } else if (has_places(&table)) {
+        while (luxel_table_next(table.reader, &table.row))
+            if (table.row)
+                read_row(&table);
+            else
+                tell(&table, diagnostics);
     }
-    end = fields_next(&table.fields);
-    if (end == FIELDS_DONE) {
-        answers->mistakes++;
-        message_error(_("%s: there is nothing in it"), path);
-    } else if (end == FIELDS_LINE && read_header(&table)) {
-        while ((end = fields_next(&table.fields)) == FIELDS_LINE)
-            read_line(&table);
-    }
-    answers->mistakes += end == FIELDS_BROKEN;
-    fields_close(&table.fields);
+    luxel_table_free(table.reader);
+    luxel_diagnostics_free(diagnostics);
 }
 
 static int is_table(const struct dirent *entry)
@@ -247,7 +249,7 @@ void answers_report(struct answers *answers, const struct answer *answer, const 
 
     answers->mistakes++;
     va_start(arguments, format);
-    fields_report_at(answers->files[answer->file], answer->line, 1, format, arguments);
+    report_at(answers->files[answer->file], answer->line, 1, format, arguments);
     va_end(arguments);
 }
 

@@ -1,7 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /*
- * Reads tables of answers to the exercise: comma-separated values with a header, as RFC 4180 has them or as
- * spreadsheets write them (semicolons or tabs, decimal commas, a byte order mark, any line ends).
+ * Reads tables of answers to the exercise, in every way of writing tables that the library reads (<luxel/table.h>).
  *
  * The columns are told by their names, in any order: variant, value, and either x and y in mm or the number of the
  * point (3 or P3), and where it is given student (or name).  Others are left alone.

@@ -48,7 +48,14 @@ def pictures(luxel, folder):
     subprocess.run([luxel, "render", "report", *small, "-o", folder / "d.npy", "--precision", "double", "-q"],
                    check=True, capture_output=True)
     put("field", "double.npy", b"\0" + (folder / "d.npy").read_bytes())
+    for i, text in enumerate(FIELDS):
+        put("field", "table-%02d.csv" % i, b"\2" + text.encode())
 
+
+FIELDS = [
+    "x_mm;y_mm;value_lx\r\n0;0;1,5\r\n10;0;inf\r\n", "sep=;\nx (m);y (cm);value;\n0;0;1;\n0,01;0;nan;\n",
+    "x y value # none\r0 0 1\r10 0 2.5", ",value (lx),y,x,note\n0,1,0,0,a\n1,2,0,5,\"b\n c\"\n", "0\t0\t1,5\n1\t0\t2\n",
+]
 
 EDITS = [
     "report\nlights[0].intensity=20\nlights[0].name=lamp\n-lights[0].name\n"
@@ -88,6 +95,8 @@ ANSWERS = [
     "point,value\n1,2\n", "variant,point,value,value\n", "variant,point,value\n1,1,\"2\n",
     "variant,point,value\n1,1,\"2\"3\n", "", "\n\n", "a" * 300, '"' * 99, "variant,point,value\n\0",
     'student,variant,point,value\n"\x1b[31m\nred",1,1,x\n\u009b2J,1,1,9\n',
+    "sep=;\r\nВариант;Точка;Значение, Вт/ср;\r\n3;1;3,1416;\r\n;;;\r\n", "# lamps\n,variant,x (cm),y [m],value\n0,1,1,0.1,2\n",
+    "variant\tpoint\tvalue\n\"1\"\t1\t1,234\n2\t1\t1.5\n",
 ]
 
 ARGUMENTS = [
@@ -128,6 +137,10 @@ CLOUDS = [
     "1,2,-1e999,1\n",
     "1,2,3,-4\n", "x,y,z,intensity\n1,2,3,much\n", "x,y,z,intensity\n", "", "1,2,3,4", "1,2,3,%s\n" % ("\u20ac" * 30),
     "1e6,1e6,1e6,1e12\n0,0,1000,1\n", "1 2,3 4\n", "1,2,,4\n",
+    "sep=;\r\n2000;0,5;2000;10;\r\n;;;;\r\n", "I (mW/sr),z [m],y_cm,\"x, mm\"\n9000,1.5,2,\"3,5\"\n",
+    ",x,y,z,intensity\n0,1,2,1500,3\n", '"x" "y" "z" "intensity"\n"1" 1 2 1500 3\n', "# x y z I\n1\t0,5\t1500\t3\r2\t0,5\t1500\t3",
+    "2\na.jpg 1 2 1500\n\"b c.jpg\" 3 4 1500,5\n", "3\na 1 2 1500\n", "x;y;z;I\n1.5;2;1,500;4\n", "sep=|\n1|2|3|4\n",
+    "x (furlong),y,z,I\n1,2,3,4\n", "x,x,y,z,I\n1,1,2,3,4\n",
 ]
 
 
@@ -142,6 +155,9 @@ def clouds():
     rows = [(2000, 0, 2000, 10), (-300.5, 200, 1800, 2.5), (0, 0, 1500, 0.125), (1, 1, 1600, 0)]
     for i, text in enumerate(CLOUDS):
         put("points", "cloud-%02d.csv" % i, text)
+    put("points", "utf-16.csv", CLOUDS[0].encode("utf-16"))
+    put("points", "utf-16-be.csv", "x;y;z;I\n1;2,5;1500;3\n".encode("utf-16-be"))
+    put("points", "cp1251.csv", "х;у;z;Сила света\n1;2,5;1500;3\n".encode("cp1251"))
     for descr in ("<f8", ">f8", "<f4", ">f4", "<i8"):
         put("points", "cloud-%s.npy" % descr.replace("<", "little-").replace(">", "big-"), npy(rows, descr))
     put("points", "columns-first.npy", npy(rows, "<f8", "True"))

@@ -171,11 +171,14 @@ static bool place_set(struct entry *entry, const struct lx_place *place)
         return false;
     if (place->key && !(entry->key = lx_copy_text(place->key, strlen(place->key))))
         return false;
-    if (!place->text)
+    if (!place->text) {
+        entry->shown.line = place->lines_before ? (unsigned)place->lines_before + 1 : 0;
         return true;
+    }
     size_t start = place->start < place->length ? place->start : place->length;
     size_t end = place->end < place->length ? place->end : place->length;
     size_t line = locate(place->text, place->length, start, &entry->shown);
+    entry->shown.line += (unsigned)place->lines_before;
     return take_excerpt(place, line, start > line ? start : line, end, entry);
 }
 
@@ -205,6 +208,11 @@ void lx_report(luxel_diagnostics *diagnostics, luxel_severity severity, const st
     diagnostics->entries[diagnostics->count++] = entry;
     diagnostics->kept[severity]++;
     diagnostics->last_kept = true;
+}
+
+const char *lx_message_words(enum lx_message message)
+{
+    return messages[message].english;
 }
 
 void lx_hint(luxel_diagnostics *diagnostics, enum lx_message message, const char *const *arguments)

@@ -22,11 +22,12 @@ enum lx_message {
 
 /* A stretch of a source text. */
 struct lx_place {
-    const char *source; /* name of the source, or NULL */
-    const char *text;   /* the whole text of the source, or NULL */
-    size_t length;      /* bytes of text */
-    size_t start, end;  /* bytes: the offending stretch; start == end marks a single column */
-    const char *key;    /* the scene key that is meant, or NULL */
+    const char *source;  /* name of the source, or NULL */
+    const char *text;    /* the whole text of the source, or NULL */
+    size_t length;       /* bytes of text */
+    size_t start, end;   /* bytes: the offending stretch; start == end marks a single column */
+    const char *key;     /* the scene key that is meant, or NULL */
+    size_t lines_before; /* lines of the source before the text, where this is not all of it */
 };
 
 /*
@@ -39,6 +40,9 @@ void lx_report(luxel_diagnostics *diagnostics, luxel_severity severity, const st
 
 /* Whether another entry would be kept, so that it is worth while to work out its words. */
 bool lx_keeps(const luxel_diagnostics *diagnostics, luxel_severity severity);
+
+/* The English template of a message, to be a phrase of another one (phrase.h). */
+const char *lx_message_words(enum lx_message message);
 
 /* Gives the last entry appended a hint that says how to mend it. */
 void lx_hint(luxel_diagnostics *diagnostics, enum lx_message message, const char *const *arguments);

@@ -45,6 +45,13 @@ luxel_status lx_source_refuse(struct lx_source *source, enum lx_message message,
     return lx_source_fail(source, source->refusal, message, arguments);
 }
 
+luxel_status lx_source_give_up(struct lx_source *source)
+{
+    if (source->status == LUXEL_OK)
+        source->status = source->refusal;
+    return source->status;
+}
+
 void lx_source_judge(struct lx_source *source, luxel_status refusal, const char *text, size_t length)
 {
     source->refusal = refusal;

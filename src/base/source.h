@@ -70,6 +70,9 @@ luxel_status lx_source_refuse(struct lx_source *source, enum lx_message message,
  */
 void lx_source_judge(struct lx_source *source, luxel_status refusal, const char *text, size_t length);
 
+/* Makes the source fail, as lx_source_refuse() does, because of what the caller has reported itself. */
+luxel_status lx_source_give_up(struct lx_source *source);
+
 /* lx_source_fail() for memory that ran out. */
 luxel_status lx_source_out_of_memory(struct lx_source *source);
 

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* Reading clouds of points: CSV part by part, so that only the numbers stay in memory, and NPY. */
+/* Reading clouds of points: tables row by row, so that only the numbers stay in memory, and NPY. */
 #include "cloud.h"
 
 #include <math.h>
@@ -8,12 +8,7 @@
 #include <string.h>
 
 #include "../base/memory.h"
-#include "../base/number.h"
-#include "lines.h"
 #include "npy.h"
-
-/* The longest line is as long as a part. */
-enum { PART = 1 << 20, LONGEST_SHOWN = 40 };
 
 static const struct lx_cloud_report GOOD = {.message = LX_MSG_COUNT};
 
@@ -39,170 +34,107 @@ struct lx_cloud *lx_cloud_new(size_t count)
     return NULL;
 }
 
-/* ---- CSV ---- */
-
-struct reader {
-    struct lx_source *source;
-    uint64_t offset; /* of what comes behind the part */
-    char *part;
-    size_t length; /* of the part; its whole lines are those of `lines` */
-    struct lx_lines lines;
-    char separator; /* ' ': blanks; 0: not known yet */
-    struct lx_cloud *cloud;
-    size_t capacity;
-};
-
-static struct lx_cloud_report wrong(enum lx_message message, const struct reader *reader)
+static struct lx_cloud_report say(enum lx_message message, const char *text)
 {
-    return (struct lx_cloud_report){.message = message, .number = reader->lines.line};
-}
-
-/* Moves the beginning of a line to the front and reads on behind it; false where the source is at its end. */
-static bool read_part(struct reader *reader)
-{
-    const char *rest = reader->lines.end;
-    size_t kept = (size_t)(reader->part + reader->length - rest);
-    uint64_t left = lx_source_size(reader->source) - reader->offset;
-    memmove(reader->part, rest, kept);
-    size_t more = left < PART - kept ? (size_t)left : PART - kept;
-    if (lx_source_read(reader->source, reader->offset, reader->part + kept, more) != LUXEL_OK || kept + more == 0)
-        return false;
-    reader->offset += more;
-    reader->length = kept + more;
-    const char *last = (const char *)memrchr(reader->part, '\n', reader->length);
-    bool is_last = more == left;
-    reader->lines.next = reader->part;
-    reader->lines.end = reader->part + (is_last ? reader->length : last ? (size_t)(last - reader->part) + 1 : 0);
-    return true;
-}
-
-/* The next line that is not blank; `*is_long`: there is one that no part holds. */
-static bool next_line(struct reader *reader, bool *is_long)
-{
-    while (!lx_next_line(&reader->lines)) {
-        *is_long = reader->length == PART && reader->lines.end == reader->part;
-        if (*is_long || !read_part(reader))
-            return false;
-    }
-    return true;
-}
-
-static void pass_blanks(struct lx_lines *lines)
-{
-    while (lines->at < lines->stop && lx_is_blank(*lines->at))
-        lines->at++;
-}
-
-/* The next field of a line, without blanks around it, and the separator behind it unless it is the last one. */
-static bool next_field(struct reader *reader, bool is_last, const char **field, size_t *length)
-{
-    struct lx_lines *lines = &reader->lines;
-    pass_blanks(lines);
-    *field = lines->at;
-    while (lines->at < lines->stop && !lx_is_blank(*lines->at) && *lines->at != reader->separator)
-        lines->at++;
-    *length = (size_t)(lines->at - *field);
-    pass_blanks(lines);
-    if (is_last || reader->separator == ' ')
-        return *length > 0;
-    return *length > 0 && lines->at < lines->stop && *lines->at++ == reader->separator;
-}
-
-/* Whether a text begins with these letters, in either case. */
-static bool has_letters(const char *text, const char *letters)
-{
-    for (; *letters; text++, letters++)
-        if ((*text | 0x20) != *letters)
-            return false;
-    return true;
-}
-
-/* The separator of the first line, and whether this names the columns. */
-static bool read_heading(struct reader *reader)
-{
-    static const char *const names[LX_CLOUD_COLUMNS] = {"x", "y", "z", "intensity"};
-    struct lx_lines line = reader->lines;
-    size_t size = (size_t)(line.stop - line.at), length;
-    const char *field;
-    reader->separator = memchr(line.at, ';', size) ? ';' : memchr(line.at, ',', size) ? ',' : ' ';
-    bool names_all = true;
-    for (size_t i = 0; names_all && i < LX_CLOUD_COLUMNS; i++)
-        names_all = next_field(reader, i + 1 == LX_CLOUD_COLUMNS, &field, &length) && length == strlen(names[i]) &&
-                    has_letters(field, names[i]);
-    names_all = names_all && reader->lines.at == reader->lines.stop;
-    reader->lines = line;
-    return names_all;
-}
-
-/* Why a field is no number that may stand in a row. */
-static struct lx_cloud_report judge_field(const struct reader *reader, const char *field, size_t length)
-{
-    struct lx_cloud_report report = wrong(LX_MSG_CLOUD_NUMBER, reader);
-    size_t shown = length < LONGEST_SHOWN ? length : LONGEST_SHOWN;
-    while (shown < length && shown > 0 && (field[shown] & 0xC0) == 0x80) /* within a character of several bytes */
-        shown--;
-    snprintf(report.text, sizeof report.text, "%.*s%s", (int)shown, field, shown < length ? "..." : "");
-    const char *word = field + (*field == '-' || *field == '+');
-    size_t left = length - (size_t)(word - field);
-    bool is_name = left >= 3 && (has_letters(word, "nan") || has_letters(word, "inf"));
-    if (is_name || lx_looks_like_number(field, length))
-        report.message = LX_MSG_CLOUD_NOT_FINITE;
+    struct lx_cloud_report report = {.message = message};
+    snprintf(report.text, sizeof report.text, "%s", text);
     return report;
 }
 
-static struct lx_cloud_report read_row(struct reader *reader)
+static struct lx_cloud_report wrong(const struct lx_text_table_fault *fault)
 {
-    struct lx_cloud *cloud = reader->cloud;
-    double row[LX_CLOUD_COLUMNS];
-    for (size_t i = 0; i < LX_CLOUD_COLUMNS; i++) {
-        const char *field;
-        size_t length;
-        bool is_there = next_field(reader, i + 1 == LX_CLOUD_COLUMNS, &field, &length);
-        if (length > 0 && !lx_read_number(field, length, &row[i]))
-            return judge_field(reader, field, length);
-        if (!is_there)
-            return wrong(LX_MSG_CLOUD_ROW, reader);
-    }
-    if (reader->lines.at < reader->lines.stop)
-        return wrong(LX_MSG_CLOUD_ROW, reader);
-    if (row[3] < 0)
-        return wrong(LX_MSG_CLOUD_NEGATIVE, reader);
-    if (cloud->count == LX_MOST_POINTS)
-        return wrong(LX_MSG_CLOUD_TOO_LARGE, reader);
-    if (lx_reserve(&cloud->values, &reader->capacity, cloud->count + 1, sizeof row) < 0)
-        return wrong(LX_MSG_OUT_OF_MEMORY, reader);
-    memcpy((double *)cloud->values + LX_CLOUD_COLUMNS * cloud->count++, row, sizeof row);
-    return GOOD;
+    struct lx_cloud_report report = {.message = LX_MSG_CLOUD_TABLE, .fault = *fault};
+    report.fault.text = NULL; /* the text is gone when it is told */
+    report.number = fault->line;
+    if (fault->message == LX_MSG_OUT_OF_MEMORY)
+        report.message = fault->message;
+    else if (fault->line > 0)
+        report.message = fault->column > 0 ? LX_MSG_CLOUD_PLACE : LX_MSG_CLOUD_LINE;
+    return report;
 }
 
-static struct lx_cloud_report read_lines(struct reader *reader)
+/* ---- CSV ---- */
+
+static const char *const X_NAMES[] = {"x", "х", "pos_x", "position_x", "px", NULL};
+static const char *const Y_NAMES[] = {"y", "у", "pos_y", "position_y", "py", NULL};
+static const char *const Z_NAMES[] = {"z", "pos_z", "position_z", "pz", NULL};
+static const char *const INTENSITY_NAMES[] = {"intensity",
+                                              "radiant intensity",
+                                              "luminous intensity",
+                                              "radiant_intensity",
+                                              "luminous_intensity",
+                                              "интенсивность",
+                                              "сила света",
+                                              "сила излучения",
+                                              "i",
+                                              NULL};
+
+static const luxel_column COLUMNS[LX_CLOUD_COLUMNS] = {
+    {LUXEL_COLUMN_LENGTH, true, X_NAMES},
+    {LUXEL_COLUMN_LENGTH, true, Y_NAMES},
+    {LUXEL_COLUMN_LENGTH, true, Z_NAMES},
+    {LUXEL_COLUMN_NUMBER, false, INTENSITY_NAMES},
+};
+
+static const struct lx_text_table_form FORM = {.columns = COLUMNS, .count = LX_CLOUD_COLUMNS, .takes_lp = true};
+
+/* What a number in a unit of intensity is in W/sr or cd; 0: it is none. */
+static double intensity_unit(const char *unit)
 {
-    static const char mark[] = "\xef\xbb\xbf"; /* what some programs put before UTF-8 */
-    struct lx_cloud_report report = GOOD;
-    bool is_long = false;
-    if (read_part(reader) && reader->length >= 3 && memcmp(reader->part, mark, 3) == 0)
-        reader->lines.next += 3;
-    while (report.message == LX_MSG_COUNT && next_line(reader, &is_long)) {
-        bool is_heading = !reader->separator && read_heading(reader);
-        if (!is_heading)
-            report = read_row(reader);
+    static const struct {
+        const char *name;
+        double size;
+    } units[] = {
+        {"", 1},          {"W/sr", 1},   {"w/sr", 1},   {"cd", 1},    {"lm/sr", 1},   {"W sr^-1", 1},
+        {"W·sr⁻¹", 1},    {"Вт/ср", 1},  {"кд", 1},     {"лм/ср", 1}, {"candela", 1}, {"mW/sr", 1e-3},
+        {"мВт/ср", 1e-3}, {"mcd", 1e-3}, {"мкд", 1e-3}, {"kcd", 1e3}, {"ккд", 1e3},   {"kW/sr", 1e3},
+    };
+    for (size_t i = 0; i < sizeof units / sizeof *units; i++)
+        if (strcmp(units[i].name, unit) == 0)
+            return units[i].size;
+    return 0;
+}
+
+static struct lx_cloud_report read_rows(struct lx_text_table *table, struct lx_cloud *cloud)
+{
+    bool has_intensities = lx_text_table_has(table, 3);
+    double scale = intensity_unit(lx_text_table_unit(table, 3)), row[LX_CLOUD_COLUMNS];
+    struct lx_text_table_fault fault;
+    size_t capacity = 0;
+    if (scale == 0)
+        return say(LX_MSG_CLOUD_UNIT, lx_text_table_unit(table, 3));
+    while (lx_text_table_next(table, row, &fault)) {
+        if (has_intensities && isnan(row[3]))
+            fault = lx_text_table_fault_at(table, 3, LX_MSG_TABLE_MISSING);
+        else if (row[3] < 0)
+            fault = lx_text_table_fault_at(table, 3, LX_MSG_CLOUD_NEGATIVE);
+        if (fault.message != LX_MSG_COUNT) {
+            snprintf(fault.words[1], sizeof fault.words[1], "%s", INTENSITY_NAMES[0]);
+            return wrong(&fault);
+        }
+        if (cloud->count == LX_MOST_POINTS)
+            return (struct lx_cloud_report){.message = LX_MSG_CLOUD_TOO_LARGE, .number = lx_text_table_line(table)};
+        if (lx_reserve(&cloud->values, &capacity, cloud->count + 1, sizeof row) < 0)
+            return say(LX_MSG_OUT_OF_MEMORY, "");
+        row[3] = has_intensities ? row[3] * scale : 1;
+        memcpy((double *)cloud->values + LX_CLOUD_COLUMNS * cloud->count++, row, sizeof row);
     }
-    if (report.message == LX_MSG_COUNT && is_long) {
-        reader->lines.line++;
-        return wrong(LX_MSG_CLOUD_ROW, reader);
-    }
-    bool is_whole = report.message == LX_MSG_COUNT && lx_source_status(reader->source) == LUXEL_OK;
-    return is_whole && reader->cloud->count == 0 ? wrong(LX_MSG_CLOUD_EMPTY, reader) : report;
+    if (fault.message != LX_MSG_COUNT)
+        return wrong(&fault);
+    cloud->intensities = has_intensities ? LX_CLOUD_TOLD : lx_text_table_is_lp(table) ? LX_CLOUD_LP : LX_CLOUD_NOT_TOLD;
+    snprintf(cloud->unused, sizeof cloud->unused, "%s",
+             lx_text_table_unused(table, 0) ? lx_text_table_unused(table, 0) : "");
+    return cloud->count > 0 ? GOOD : say(LX_MSG_CLOUD_EMPTY, "");
 }
 
 static struct lx_cloud_report read_csv(struct lx_source *source, struct lx_cloud *cloud)
 {
-    struct reader reader = {.source = source, .cloud = cloud, .part = lx_new_array(PART, 1)};
-    if (!reader.part)
-        return wrong(LX_MSG_OUT_OF_MEMORY, &reader);
-    reader.lines.next = reader.lines.end = reader.part;
-    struct lx_cloud_report report = read_lines(&reader);
-    free(reader.part);
+    struct lx_text_table_fault fault;
+    struct lx_text_table *table = lx_text_table_new(source, &FORM, &fault);
+    if (!table)
+        return say(LX_MSG_OUT_OF_MEMORY, "");
+    struct lx_cloud_report report = fault.message == LX_MSG_COUNT ? read_rows(table, cloud) : wrong(&fault);
+    lx_text_table_free(table);
     size_t bytes = cloud->count * LX_CLOUD_COLUMNS * sizeof(double);
     void *fitting = bytes > 0 ? realloc(cloud->values, bytes) : NULL;
     if (fitting)
@@ -211,13 +143,6 @@ static struct lx_cloud_report read_csv(struct lx_source *source, struct lx_cloud
 }
 
 /* ---- NPY ---- */
-
-static struct lx_cloud_report say(enum lx_message message, const char *text)
-{
-    struct lx_cloud_report report = {.message = message};
-    snprintf(report.text, sizeof report.text, "%s", text);
-    return report;
-}
 
 static struct lx_cloud_report check_header(const struct lx_npy *npy, uint64_t size)
 {
@@ -269,6 +194,21 @@ static struct lx_cloud_report read_npy(struct lx_source *source, struct lx_cloud
 }
 
 /* ---- either ---- */
+
+struct lx_cloud *lx_cloud_with_intensity(const struct lx_cloud *cloud, double intensity)
+{
+    struct lx_cloud *copy = lx_cloud_new(cloud->count);
+    if (!copy)
+        return NULL;
+    copy->intensities = cloud->intensities;
+    memcpy(copy->unused, cloud->unused, sizeof copy->unused);
+    for (size_t i = 0; i < cloud->count; i++) {
+        double *row = (double *)copy->values + LX_CLOUD_COLUMNS * i;
+        lx_cloud_row(cloud, i, row);
+        row[3] = intensity;
+    }
+    return copy;
+}
 
 struct lx_cloud_report lx_cloud_read(struct lx_source *source, struct lx_cloud **result)
 {

@@ -2,11 +2,8 @@
 /*
  * Clouds of points: files of rows x, y, z, intensity, told by their content.
  *
- * CSV   a row on each line, between its numbers commas, semicolons, or blanks and tabs: the same throughout, as the
- *       first line has it.  That line may name the columns instead: x, y, z, intensity, in any case.
+ * CSV   a table (text_table.h) with the columns x, y, z and intensity, or an .lp file, which tells no intensities.
  * NPY   an array of the shape (N, 4) of float32 or float64, in either order of bytes and of axes.
- *
- * In CSV # begins a comment, and numbers have a decimal point.
  */
 #ifndef LX_FORMAT_CLOUD_H
 #define LX_FORMAT_CLOUD_H
@@ -14,15 +11,21 @@
 #include "../base/diagnostics.h"
 #include "../base/source.h"
 #include "kept.h"
+#include "text_table.h"
 
 enum { LX_LARGEST_CLOUD = 1 << 30, LX_MOST_POINTS = 10000000, LX_CLOUD_COLUMNS = 4 };
+
+/* Whether the file tells the intensities; where it does not they are all 1. */
+enum lx_cloud_intensities { LX_CLOUD_TOLD, LX_CLOUD_NOT_TOLD, LX_CLOUD_LP };
 
 /* At least one row; all numbers are finite, no intensity is below 0. */
 struct lx_cloud {
     struct lx_kept kept;
     size_t count;
-    bool is_single;            /* the values are float, as an array of these has them; else double */
-    void *values;              /* row by row */
+    bool is_single; /* the values are float, as an array of these has them; else double */
+    void *values;   /* row by row */
+    enum lx_cloud_intensities intensities;
+    char unused[48];           /* the name of a column that was passed over; "": there was none */
     struct lx_kept_slot *tree; /* what was planted of it (shade/tree.h); NULL: it is not kept */
 };
 
@@ -42,11 +45,18 @@ static inline void lx_cloud_row(const struct lx_cloud *cloud, size_t i, double r
 /* A cloud with room for so many rows of double, one user, and no file; NULL: memory ran out. */
 struct lx_cloud *lx_cloud_new(size_t count);
 
-/* What is wrong with a file: the message, whose {2} is the number and {3} the text; LX_MSG_COUNT: nothing. */
+/* A cloud with the same places and one intensity; NULL: memory ran out. */
+struct lx_cloud *lx_cloud_with_intensity(const struct lx_cloud *cloud, double intensity);
+
+/*
+ * What is wrong with a file: the message, whose {2} is the number and {3} the text; LX_MSG_COUNT: nothing.  Of
+ * CLOUD_TABLE, CLOUD_LINE and CLOUD_PLACE the fault is {3}, and its column {4}.
+ */
 struct lx_cloud_report {
     enum lx_message message;
     size_t number; /* of the line, or of the row, from 1 on */
     char text[48];
+    struct lx_text_table_fault fault;
 };
 
 /*

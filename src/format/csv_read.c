@@ -8,8 +8,7 @@
 
 #include "../base/memory.h"
 #include "../base/number.h"
-
-enum { PART = 64 * 1024, LONGEST_FIELD = 256, FIELDS = 3 };
+#include "text_table.h"
 
 /* A grid may lack so many pixels for each that there is, or be so large: two small surfaces far apart. */
 static const double MOST_MISSING = 1000, SMALL_GRID = 1 << 24;
@@ -18,149 +17,71 @@ struct pixel {
     double x_mm, y_mm, value;
 };
 
-struct reader {
-    struct lx_source *source;
-    uint64_t offset; /* of what comes behind the part */
-    unsigned char part[PART];
-    size_t at, length; /* of the part */
-    unsigned long line;
-    bool is_single; /* every value is written as a float32 */
-    char fields[FIELDS][LONGEST_FIELD];
+enum column { X, Y, VALUE, COLUMN_COUNT };
+
+static const char *const X_NAMES[] = {"x", "х", NULL};
+static const char *const Y_NAMES[] = {"y", "у", NULL};
+static const char *const VALUE_NAMES[] = {
+    "value",        "значение",     "brightness",   "яркость",  "irradiance", "illuminance",
+    "освещённость", "освещенность", "облучённость", "radiance", "luminance",  NULL,
 };
 
-/* The next byte without taking it; -1 at the end and after a failure. */
-static int next_byte(struct reader *reader)
-{
-    if (reader->at < reader->length)
-        return reader->part[reader->at];
-    uint64_t left = lx_source_size(reader->source) - reader->offset;
-    reader->length = left < PART ? (size_t)left : PART;
-    reader->at = 0;
-    if (reader->length == 0 ||
-        lx_source_read(reader->source, reader->offset, reader->part, reader->length) != LUXEL_OK) {
-        reader->length = 0;
-        return -1;
-    }
-    reader->offset += reader->length;
-    return reader->part[0];
-}
+static const luxel_column COLUMNS[COLUMN_COUNT] = {
+    [X] = {LUXEL_COLUMN_LENGTH, true, X_NAMES},
+    [Y] = {LUXEL_COLUMN_LENGTH, true, Y_NAMES},
+    [VALUE] = {LUXEL_COLUMN_VALUE, true, VALUE_NAMES},
+};
 
-/* One field, with or without quotes; false where it is too long or its quotes are wrong. */
-static bool read_field(struct reader *reader, char field[LONGEST_FIELD])
-{
-    bool quoted = next_byte(reader) == '"';
-    size_t used = 0;
-    reader->at += quoted;
-    for (int byte; (byte = next_byte(reader)) >= 0; reader->at++) {
-        if (!quoted && (byte == ',' || byte == '\n' || byte == '\r' || byte == '"'))
-            break;
-        if (quoted && byte == '"') {
-            reader->at++;
-            if (next_byte(reader) != '"') {
-                quoted = false;
-                break;
-            }
-        }
-        if (byte == 0 || used + 1 == LONGEST_FIELD)
-            return false;
-        field[used++] = (char)byte;
-    }
-    field[used] = '\0';
-    return !quoted;
-}
+static const struct lx_text_table_form FORM = {.columns = COLUMNS, .count = COLUMN_COUNT};
 
-/* The next line of three fields; empty lines are passed over.  `end`: there is none. */
-static bool read_line(struct reader *reader, bool *end)
+/* Whether a value is written as a float32 is written here. */
+static bool is_single(const struct lx_text_table *table, double value)
 {
-    int byte;
-    do {
-        while ((byte = next_byte(reader)) == '\r')
-            reader->at++;
-        if (byte == '\n')
-            reader->at++;
-        reader->line++;
-    } while (byte == '\n');
-    *end = byte < 0;
-    for (size_t i = 0; !*end && i < FIELDS; i++) {
-        if (!read_field(reader, reader->fields[i]))
-            return false;
-        byte = next_byte(reader);
-        if (i + 1 < FIELDS) {
-            if (byte != ',')
-                return false;
-            reader->at++;
-        }
-    }
-    if (*end)
-        return true;
-    while (byte == '\r') {
-        reader->at++;
-        byte = next_byte(reader);
-    }
-    if (byte == '\n')
-        reader->at++;
-    return byte == '\n' || byte < 0;
-}
-
-static luxel_status read_heading(struct reader *reader, struct lx_loaded *loaded)
-{
-    static const char mark[] = "\xef\xbb\xbf"; /* what some programs put before UTF-8 */
-    bool end = false;
-    if (next_byte(reader) == (unsigned char)mark[0] && reader->length >= 3 && memcmp(reader->part, mark, 3) == 0)
-        reader->at += 3;
-    bool good = read_line(reader, &end) && !end;
-    const char *value = reader->fields[2];
-    if (good && strcmp(reader->fields[0], "x_mm") == 0 && strcmp(reader->fields[1], "y_mm") == 0 &&
-        strncmp(value, LX_CSV_VALUE, strlen(LX_CSV_VALUE)) == 0) {
-        const char *unit = value + strlen(LX_CSV_VALUE);
-        loaded->unit = lx_copy_text(unit, strlen(unit));
-        return loaded->unit ? LUXEL_OK : lx_source_out_of_memory(reader->source);
-    }
-    return lx_source_refuse(reader->source, LX_MSG_CSV_HEADER, NULL);
-}
-
-/* A value: what a number is, and what is none. */
-static bool read_value(struct reader *reader, double *value)
-{
-    const char *text = reader->fields[2];
     char single[LX_NUMBER_SIZE];
-    bool negative = text[0] == '-';
-    if (strcmp(text + negative, "inf") == 0) {
-        *value = negative ? -HUGE_VAL : HUGE_VAL;
+    size_t length;
+    bool is_quoted;
+    const char *text = lx_text_table_field(table, VALUE, &length, &is_quoted);
+    if (!isfinite(value))
         return true;
-    }
-    if (strcmp(text, "nan") == 0) {
-        *value = (double)NAN;
-        return true;
-    }
-    if (!lx_read_number(text, strlen(text), value))
+    lx_write_digits((double)(float)value, LX_CSV_SINGLE_DIGITS, single);
+    if (strlen(single) != length)
         return false;
-    if (reader->is_single)
-        reader->is_single = strcmp(text, lx_write_digits((double)(float)*value, LX_CSV_SINGLE_DIGITS, single)) == 0;
+    for (size_t i = 0; i < length; i++)
+        if (text[i] != single[i] && !(text[i] == ',' && single[i] == '.'))
+            return false;
     return true;
 }
 
-static luxel_status read_pixels(struct reader *reader, struct pixel **pixels, size_t *count)
+static luxel_status refuse(struct lx_source *source, const struct lx_text_table_fault *fault)
 {
+    luxel_diagnostics *diagnostics = lx_source_diagnostics(source);
+    if (fault->message == LX_MSG_OUT_OF_MEMORY)
+        return lx_source_out_of_memory(source);
+    lx_report_fault(diagnostics, lx_source_name(source), fault);
+    return lx_source_give_up(source);
+}
+
+/* Reads all pixels; `loaded` gets the unit and the kind of samples. */
+static luxel_status read_pixels(struct lx_text_table *table, struct lx_source *source, struct lx_loaded *loaded,
+                                struct pixel **pixels, size_t *count)
+{
+    struct lx_text_table_fault fault;
+    const char *unit = lx_text_table_unit(table, VALUE);
+    double row[COLUMN_COUNT];
     size_t capacity = 0;
-    for (;;) {
-        struct pixel pixel;
-        bool end = false;
-        bool good = read_line(reader, &end);
-        if (good && end)
-            return *count > 0 ? lx_source_status(reader->source)
-                              : lx_source_refuse(reader->source, LX_MSG_CSV_EMPTY, NULL);
-        const char *x = reader->fields[0], *y = reader->fields[1];
-        if (!good || !lx_read_number(x, strlen(x), &pixel.x_mm) || !lx_read_number(y, strlen(y), &pixel.y_mm) ||
-            !read_value(reader, &pixel.value)) {
-            char line[LX_NUMBER_SIZE];
-            return lx_source_refuse(reader->source, LX_MSG_CSV_LINE,
-                                    LX_ARGS(lx_write_number((double)reader->line, line)));
-        }
+    bool all_single = true;
+    if (lx_text_table_has_heading(table) && !(loaded->unit = lx_copy_text(unit, strlen(unit))))
+        return lx_source_out_of_memory(source);
+    while (lx_text_table_next(table, row, &fault)) {
         if (lx_reserve(pixels, &capacity, *count + 1, sizeof **pixels) < 0)
-            return lx_source_out_of_memory(reader->source);
-        (*pixels)[(*count)++] = pixel;
+            return lx_source_out_of_memory(source);
+        (*pixels)[(*count)++] = (struct pixel){row[X], row[Y], row[VALUE]};
+        all_single = all_single && is_single(table, row[VALUE]);
     }
+    if (fault.message != LX_MSG_COUNT)
+        return refuse(source, &fault);
+    loaded->sample = all_single ? LX_SAMPLE_F32 : LX_SAMPLE_F64;
+    return *count > 0 ? lx_source_status(source) : lx_source_refuse(source, LX_MSG_TABLE_EMPTY, NULL);
 }
 
 /* The steps of the grid along one axis, which may run down. */
@@ -259,33 +180,40 @@ static luxel_status put_pixel(struct lx_source *source, const struct axis axes[2
     return LUXEL_OK;
 }
 
-static luxel_status read_table(struct reader *reader, struct lx_loaded *loaded)
+/* Puts the pixels on the grid on which they lie. */
+static luxel_status put_pixels(struct lx_source *source, const struct pixel *pixels, size_t count,
+                               struct lx_loaded *loaded)
 {
-    struct pixel *pixels = NULL;
     struct axis axes[2];
-    size_t count = 0;
-    luxel_status status = read_heading(reader, loaded);
-    if (status == LUXEL_OK)
-        status = read_pixels(reader, &pixels, &count);
+    luxel_status status = LUXEL_OK;
     for (size_t i = 0; status == LUXEL_OK && i < 2; i++)
-        status = find_axis(reader->source, pixels, count, i == 1, &axes[i]);
-    loaded->sample = reader->is_single ? LX_SAMPLE_F32 : LX_SAMPLE_F64;
+        status = find_axis(source, pixels, count, i == 1, &axes[i]);
     if (status == LUXEL_OK)
-        status = allocate(reader->source, axes, count, loaded);
+        status = allocate(source, axes, count, loaded);
     for (size_t i = 0; status == LUXEL_OK && i < count; i++)
-        status = put_pixel(reader->source, axes, &pixels[i], loaded);
-    free(pixels);
+        status = put_pixel(source, axes, &pixels[i], loaded);
     return status;
 }
 
 luxel_status lx_csv_read(struct lx_source *source, struct lx_loaded *loaded)
 {
-    struct reader *reader = lx_new_array(1, sizeof *reader);
-    if (!reader)
+    struct lx_text_table_fault fault;
+    struct pixel *pixels = NULL;
+    size_t count = 0;
+    struct lx_text_table *table = lx_text_table_new(source, &FORM, &fault);
+    if (!table)
         return lx_source_out_of_memory(source);
-    reader->source = source;
-    reader->is_single = true;
-    luxel_status status = read_table(reader, loaded);
-    free(reader);
+    luxel_status status = lx_source_status(source);
+    if (status == LUXEL_OK && fault.message != LX_MSG_COUNT)
+        status = refuse(source, &fault);
+    if (status == LUXEL_OK)
+        status = read_pixels(table, source, loaded, &pixels, &count);
+    if (status == LUXEL_OK && lx_text_table_unused(table, 0))
+        lx_report(lx_source_diagnostics(source), LUXEL_SEVERITY_ADVICE, NULL, LX_MSG_TABLE_UNUSED,
+                  LX_ARGS(lx_text_table_unused(table, 0)));
+    lx_text_table_free(table);
+    if (status == LUXEL_OK)
+        status = put_pixels(source, pixels, count, loaded);
+    free(pixels);
     return status;
 }

@@ -16,6 +16,7 @@
 struct points_parameters {
     uint64_t given;
     const char *file;
+    double intensity; /* of each, where the file tells none */
     struct lx_shining shining;
     struct lx_pattern pattern;
     struct lx_cloud *cloud; /* what was read of the file */
@@ -29,8 +30,19 @@ static const struct lx_parameter points_parameters[] = {
         .offset = offsetof(struct points_parameters, file),
         .required = true,
         .meaning = "a CSV or NPY file with a row x, y, z, intensity for each source, up to ten million, in mm and the "
-                   "unit of intensities; relative to the folder of the scene, or to the current one where the scene "
-                   "comes from standard input",
+                   "unit of intensities, or an .lp file; relative to the folder of the scene, or to the current one "
+                   "where the scene comes from standard input",
+    },
+    {
+        .name = "intensity",
+        .label = "Intensity",
+        .type = LX_REAL,
+        .offset = offsetof(struct points_parameters, intensity),
+        .unit = LX_UNIT_INTENSITY,
+        .legal = LX_FROM(0),
+        .advised = {LX_BETWEEN(0.01, 10000)},
+        .meaning = "the radiant intensity of each source, along the axis where it depends on the direction, for files "
+                   "that tell none: without it, those of an .lp file have 1",
     },
     LX_SHINING_PARAMETERS(struct points_parameters, shining),
     LX_PATTERN_PARAMETERS(struct points_parameters),
@@ -42,6 +54,7 @@ static const struct lx_rule points_rules[] = {
 };
 
 static void check_points(const struct lx_check *check, void *parameters);
+static void advise_points(const struct lx_check *check, const void *parameters);
 
 static void release_points(void *parameters)
 {
@@ -57,6 +70,7 @@ static const struct lx_table points_table = {
     .rule_count = LX_COUNT(points_rules),
     .size = sizeof(struct points_parameters),
     .check = check_points,
+    .advise = advise_points,
     .release = release_points,
 };
 
@@ -64,15 +78,30 @@ static const struct lx_table points_table = {
 
 static void report_cloud(const struct lx_check *check, const char *path, const struct lx_cloud_report *report)
 {
-    char number[LX_NUMBER_SIZE];
-    if (report->message == LX_MSG_OUT_OF_MEMORY) {
+    char number[LX_NUMBER_SIZE], column[LX_NUMBER_SIZE];
+    struct lx_text words = {0};
+    bool is_table = report->message == LX_MSG_CLOUD_TABLE || report->message == LX_MSG_CLOUD_LINE ||
+                    report->message == LX_MSG_CLOUD_PLACE;
+    if (is_table)
+        lx_add_fault(&words, &report->fault);
+    if (report->message == LX_MSG_OUT_OF_MEMORY || words.failed) {
         check->walk->out_of_memory = true;
+        lx_text_clear(&words);
         return;
     }
-    lx_check_report(check, "file", LX_ALL_OF_IT, report->message,
-                    LX_ARGS(path, lx_write_number((double)report->number, number), report->text));
-    if (report->message == LX_MSG_CLOUD_ROW || report->message == LX_MSG_CLOUD_NUMBER)
-        lx_check_hint(check, LX_MSG_HINT_CLOUD, NULL);
+    lx_write_number((double)report->number, number);
+    lx_write_number(report->fault.column, column);
+    if (is_table)
+        lx_check_report(check, "file", LX_ALL_OF_IT, report->message,
+                        LX_ARGS(path, number, LX_WORDS(words.bytes), column));
+    else
+        lx_check_report(check, "file", LX_ALL_OF_IT, report->message, LX_ARGS(path, number, report->text));
+    const struct lx_text_table_fault *fault = &report->fault;
+    if (is_table && fault->hint != LX_MSG_COUNT)
+        lx_check_hint(check, fault->hint, LX_ARGS(fault->words[0], fault->words[1], fault->words[2]));
+    else if (report->message == LX_MSG_CLOUD_UNIT)
+        lx_check_hint(check, LX_MSG_HINT_CLOUD_UNITS, NULL);
+    lx_text_clear(&words);
 }
 
 /* Reads the file, unless the scene has done so already; false where that failed, which is reported. */
@@ -90,6 +119,32 @@ static bool load_cloud(const struct lx_check *check, struct points_parameters *p
     if (points->cloud)
         lx_check_keep(check, path, &points->cloud->kept);
     return points->cloud;
+}
+
+/* One intensity for all sources of a file that tells none, and not for one that tells them. */
+static bool give_intensity(const struct lx_check *check, struct points_parameters *points, const char *path)
+{
+    bool is_given = lx_is_given(&points_table, points, "intensity");
+    enum lx_cloud_intensities told = points->cloud->intensities;
+    if (is_given && told == LX_CLOUD_TOLD) {
+        lx_check_report(check, "intensity", LX_ALL_OF_IT, LX_MSG_CLOUD_HAS_INTENSITIES, LX_ARGS(path));
+        return false;
+    }
+    if (!is_given && told == LX_CLOUD_NOT_TOLD) {
+        lx_check_report(check, "file", LX_ALL_OF_IT, LX_MSG_CLOUD_INTENSITY, LX_ARGS(path));
+        lx_check_hint(check, LX_MSG_HINT_CLOUD_INTENSITY, NULL);
+        return false;
+    }
+    if (!is_given || told == LX_CLOUD_TOLD)
+        return true;
+    struct lx_cloud *same = lx_cloud_with_intensity(points->cloud, points->intensity);
+    if (!same) {
+        check->walk->out_of_memory = true;
+        return false;
+    }
+    lx_kept_release(&points->cloud->kept);
+    points->cloud = same;
+    return true;
 }
 
 /* No source stands where all are aimed. */
@@ -112,9 +167,21 @@ static void check_points(const struct lx_check *check, void *parameters)
 {
     struct points_parameters *points = parameters;
     char *path = lx_check_path(check, points->file);
-    if (path && load_cloud(check, points, path) && lx_is_given(&points_table, points, "aim"))
+    if (path && load_cloud(check, points, path) && give_intensity(check, points, path) &&
+        lx_is_given(&points_table, points, "aim"))
         check_aim(check, points, path);
     free(path);
+}
+
+/* What the file has and is not used, and what it lacks. */
+static void advise_points(const struct lx_check *check, const void *parameters)
+{
+    const struct points_parameters *points = parameters;
+    const struct lx_cloud *cloud = points->cloud;
+    if (cloud && cloud->unused[0])
+        lx_check_advise(check, "file", LX_MSG_CLOUD_UNUSED, LX_ARGS(points->file, cloud->unused));
+    if (cloud && cloud->intensities == LX_CLOUD_LP && !lx_is_given(&points_table, points, "intensity"))
+        lx_check_advise(check, "file", LX_MSG_CLOUD_LP, LX_ARGS(points->file));
 }
 
 /* ---- the kind ---- */

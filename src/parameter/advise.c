@@ -122,6 +122,9 @@ static void advise_mapping(struct lx_walk *walk, const struct lx_step *up, const
         else
             advise_numbers(walk, &step, parameter, id);
     }
+    const struct lx_check check = {walk, up, table, parameters, mapping};
+    if (table->advise)
+        table->advise(&check, parameters);
 }
 
 void lx_advise_parameters(struct lx_walk *walk, const struct lx_table *table, const void *parameters)

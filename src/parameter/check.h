@@ -19,6 +19,10 @@
 void lx_check_report(const struct lx_check *check, const char *key, size_t element, enum lx_message message,
                      const char *const *arguments);
 
+/* The same as advice, for the advise() of a table. */
+void lx_check_advise(const struct lx_check *check, const char *key, enum lx_message message,
+                     const char *const *arguments);
+
 /* Gives that report a hint. */
 void lx_check_hint(const struct lx_check *check, enum lx_message message, const char *const *arguments);
 

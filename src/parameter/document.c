@@ -222,7 +222,8 @@ bool lx_document_same(const struct lx_document *one, lx_node_id id, const struct
 struct lx_place lx_document_stretch(const struct lx_document *document, size_t source, size_t start, size_t end)
 {
     const struct lx_source_text *from = document->sources[source];
-    return (struct lx_place){from->name, from->text, from->length, start, end, NULL};
+    return (struct lx_place){
+        .source = from->name, .text = from->text, .length = from->length, .start = start, .end = end};
 }
 
 struct lx_place lx_document_place(const struct lx_document *document, lx_node_id id)

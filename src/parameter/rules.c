@@ -33,16 +33,27 @@ static uint64_t bit_of(const struct lx_check *check, const struct lx_parameter *
     return (uint64_t)1 << (parameter - check->table->parameters);
 }
 
-void lx_check_report(const struct lx_check *check, const char *key, size_t element, enum lx_message message,
-                     const char *const *arguments)
+static void tell(const struct lx_check *check, luxel_severity severity, const char *key, size_t element,
+                 enum lx_message message, const char *const *arguments)
 {
     const struct lx_document *document = check->walk->document;
     struct lx_step step = {check->up, key, 0}, below = {&step, NULL, element};
     lx_node_id id = lx_document_find(document, check->mapping, key);
     lx_node_id part = id && element != LX_ALL_OF_IT ? lx_document_element(document, id, element) : 0;
     id = part ? part : id ? id : check->mapping;
-    lx_walk_tell(check->walk, LUXEL_SEVERITY_ERROR, lx_document_place(document, id), part ? &below : &step, message,
-                 arguments);
+    lx_walk_tell(check->walk, severity, lx_document_place(document, id), part ? &below : &step, message, arguments);
+}
+
+void lx_check_report(const struct lx_check *check, const char *key, size_t element, enum lx_message message,
+                     const char *const *arguments)
+{
+    tell(check, LUXEL_SEVERITY_ERROR, key, element, message, arguments);
+}
+
+void lx_check_advise(const struct lx_check *check, const char *key, enum lx_message message,
+                     const char *const *arguments)
+{
+    tell(check, LUXEL_SEVERITY_ADVICE, key, LX_ALL_OF_IT, message, arguments);
 }
 
 void lx_check_hint(const struct lx_check *check, enum lx_message message, const char *const *arguments)

@@ -45,12 +45,55 @@ def where_they_are(tap, tool):
         tap.ok(result.code == 4 and "cannot read %s: Is a device" % device in result.err, device, result)
 
 
+def comma(rows, separator=";"):
+    return csv(rows).replace(",", separator).replace(".", ",")
+
+
+def dialects():
+    """Files of the same rows as spreadsheets, pandas, R, numpy and instruments write them."""
+    heading, quoted = "x,y,z,intensity\n", '"x","y","z","intensity"\n'
+    numbered = "".join("%d,%s\n" % (i, line) for i, line in enumerate(csv(ROWS).split()))
+    turned = "".join("%s;%s;%s;%s\n" % (i, z / 1000, x / 1000, y / 10) for x, y, z, i in ROWS)
+    return {"excel-ru.csv": b"\xef\xbb\xbf" + comma(ROWS).replace("\n", "\r\n").encode(),
+            "tabs.csv": comma(ROWS, "\t"), "blanks.csv": csv(ROWS).replace(",", ", "), "wide.csv": comma(ROWS, "   "),
+            "quoted.csv": quoted + csv(ROWS), "all-quoted.csv": quoted + "".join(
+                '"%s"\n' % line.replace(",", '","') for line in csv(ROWS).split()),
+            "sep.csv": "sep=;\r\n" + csv(ROWS).replace(",", ";"), "old-mac.csv": csv(ROWS).replace("\n", "\r"),
+            "pandas.csv": "," + heading + numbered, "r.csv": quoted.replace(",", " ") + numbered.replace(",", " "),
+            "trailing.csv": csv(ROWS).replace("\n", ",\n"), "numpy.csv": "# " + heading + csv(ROWS),
+            "units.csv": "I (W/sr);Z [m];X, m;y_cm\n" + turned,
+            "utf-16.csv": (heading + csv(ROWS)).encode("utf-16"), "utf-16-be.csv": b"\xfe\xff" + csv(ROWS).encode(
+                "utf-16-be"),
+            "cp1251.csv": "Х;У;Z;Сила света\n".encode("cp1251") + comma(ROWS).encode(),
+            "spare.csv": "name,x,y,z,note,intensity\n" + "".join('"a, b",%s,%s,%s,dim,%s\n' % row for row in ROWS)}
+
+
+def lamps_alone(tap, tool):
+    """Files that tell places only: one intensity for all of them."""
+    tool.write("dome.lp", "3\n" + "".join("photo-%d.jpg %s %s %s\n" % (i, *row[:3]) for i, row in enumerate(ROWS)))
+    tool.write("places.csv", "".join("%s,%s,%s\n" % row[:3] for row in ROWS))
+    tool.write("same.csv", csv([row[:3] + (2.5,) for row in ROWS]))
+    tool.write("ones.csv", csv([row[:3] + (1,) for row in ROWS]))
+
+    def value(file, *more):
+        tool.write("scene.yaml", scene(file))
+        return tool.run("probe", "scene.yaml", "--json", *more).json()["points"][0]["value"]
+
+    tap.equal(value("dome.lp"), value("ones.csv"), "an .lp file tells no intensities: each lamp has 1")
+    tap.equal(value("dome.lp", "-s", "lights[0].intensity=2.5"), value("same.csv"), "the key gives another one")
+    tap.equal(value("places.csv", "-s", "lights[0].intensity=2.5"), value("same.csv"), "three columns and the key")
+    tool.write("scene.yaml", scene("same.csv"))
+    both = tool.run("check", "scene.yaml", "-s", "lights[0].intensity=2")
+    tap.ok(both.code == 3 and "intensity is for files that tell no intensities" in both.err, "both", both)
+
+
 def formats_agree(tap, tool):
     points = ", ".join("{type: point, position: [%s, %s, %s], intensity: %s, attenuation: none}" % row for row in ROWS)
     files = {"a.csv": csv(ROWS), "b.csv": "X\tY\tZ\tIntensity\r\n" + csv(ROWS).replace(",", "\t").replace("\n", "\r\n"),
              "a.npy": npy(ROWS), "named.csv": npy(ROWS, ">f4")}
     tool.write("scene.yaml", SCENE.replace("- " + LIGHT, "").replace("lights:", "lights: [%s]" % points))
     expected = tool.run("probe", "scene.yaml", "--json").json()["points"]
+    files.update(dialects())
     for name, content in files.items():
         tool.write(name, content)
         tool.write("scene.yaml", scene(name))
@@ -67,13 +110,17 @@ def formats_agree(tap, tool):
 
 
 def files_that_are_none(tap, tool):
-    cases = [("no rows", "", ["no row"]), ("three numbers", "1,2,3\n", ["line 1", "four numbers"]),
-             ("five numbers", csv(ROWS) + "1,2,3,4,5\n", ["line 4", "four numbers"]),
-             ("a decimal comma", "1,5;2;3;4\n", ["line 1", '"1,5"', "decimal point"]),
-             ("a word", "x,y,z,intensity\n1,2,3,much\n", ["line 2", '"much"']),
-             ("not a number", "1,2,3,nan\n", ["line 1", "nan", "finite"]),
-             ("too large a number", "1,2,-1e999,1\n", ["line 1", "-1e999", "finite"]),
-             ("a dark hole", csv(ROWS) + "1,2,3,-4\n", ["line 4", "below 0"]),
+    cases = [("no rows", "", ["no row"]), ("three numbers", "1,2,3\n", ["no intensities", "the key intensity"]),
+             ("five numbers", csv(ROWS) + "1,2,3,4,5\n", ["line 4, column 1", "5", "4"]),
+             ("a decimal comma", "1,5,2,3,4\n", ["line 1", "decimal commas", "semicolons"]),
+             ("a word", "x,y,z,intensity\n1,2,3,much\n", ["line 2, column 7", '"much"']),
+             ("not a number", "1,2,3,nan\n", ["line 1, column 7", "nan", "finite"]),
+             ("too large a number", "1,2,-1e999,1\n", ["line 1, column 5", "-1e999", "finite"]),
+             ("a dark hole", csv(ROWS) + "1,2,3,-4\n", ["line 4, column 7", "below 0"]),
+             ("an unknown unit", "x (parsec),y,z,I\n1,2,3,4\n", ["line 1", "parsec", "mm, cm, m"]),
+             ("an unknown unit of intensity", "x,y,z,I (%)\n1,2,3,4\n", ["%", "W/sr"]),
+             ("groups of digits", "x;y;z;I\n1.5;2;3;4\n2;2;1,800;4\n", ["line 3, column 5", "comma", "point"]),
+             ("a column too few", "x,z,intensity\n1,2,3\n", ["line 1", "x, y, z, intensity", "x_mm"]),
              ("bytes", bytes(range(256)), ["line"]),
              ("the beginning of NPY", b"\x93NUMPY", ["NPY"]),
              ("an array cut off", npy(ROWS)[:-1], ["length", "3 rows"]),
@@ -111,4 +158,4 @@ def a_million(tap, tool):
     tap.ok(resource.getrusage(resource.RUSAGE_CHILDREN).ru_maxrss * 1024 < LARGEST_BYTES, "in 400 MB of memory")
 
 
-run_tests(Tap(), where_they_are, formats_agree, files_that_are_none, a_million)
+run_tests(Tap(), where_they_are, formats_agree, lamps_alone, files_that_are_none, a_million)

@@ -338,11 +338,30 @@ def folders(tap, tool):
 
 MALFORMED = [
     ("1,1,abc", 1, 5), ("1,1,", 1, 5), ("0,1,2", 1, 1), ("1000001,1,2", 1, 1), ("1.5,1,2", 1, 1), ("1,6,2", 1, 1),
-    ("1,0,2", 1, 3), ("1,P,2", 1, 3), ("1,-1,2", 1, 3), ("1,1", 1, 1), ("1,1,2,3", 1, 1), ("1,1,2,", 1, 1),
+    ("1,0,2", 1, 3), ("1,P,2", 1, 3), ("1,-1,2", 1, 3), ("1,1", 1, 1), ("1,1,2,3", 1, 1), ("1,1,2,,3", 1, 1),
     ("1,1,inf", 1, 5), ("1,1,0x10", 1, 5), ("1,1,1e99999", 1, 5), ("1,1,1e999", 1, 5), ("1,1,2 mm", 1, 5),
-    ("1,1,--2", 1, 5), ("1,1,2e", 1, 5), ('1,1,"2', 1, 5), ('1,1,"2"x', 1, 5), ("99999999999999999999,1,2", 1, 1),
+    ("1,1,--2", 1, 5), ("1,1,2e", 1, 5), ('1,1,"2', 1, 5), ('1,1,"2"x', 1, 8), ("99999999999999999999,1,2", 1, 1),
     ("1,1,\u22122", 1, 5), ("Ж,1,2", 1, 1),
 ]
+
+
+def dialects(tap, tool):
+    """One table of answers in the encodings and with the headings that programs write."""
+    rows = [row[:2] + row[4:5] for row in answers(tool, 5)[:5]]
+    plain, body = table([("variant", "point", "value"), *rows]), table(rows, ";", "\r\n").replace(".", ",")
+    russian = "вариант;точка;значение, Вт/ср\r\n" + body
+    expected = None
+    for name, data in (("plain", plain.encode()), ("UTF-16", plain.encode("utf-16")),
+                       ("code page 1251", russian.encode("cp1251")), ("sep=;", ("sep=;\n" + russian).encode()),
+                       ("capitals", russian.replace("вариант", "ВАРИАНТ").encode()),
+                       ("numbered lines", table([("", "variant", "point", "value"),
+                                                 *[(i, *row) for i, row in enumerate(rows)]]).encode()),
+                       ("a comment before", ("# group 5\n" + plain).encode())):
+        tool.write("a.csv", data)
+        result = tool.run("grade", "a.csv", "--json")
+        judged = [(answer["variant"], answer["point"], answer["answer"]) for answer in result.json()["answers"]]
+        expected = expected or judged
+        tap.ok(result.code == 0 and judged == expected and len(judged) == 5, "read: " + name, result)
 
 
 def malformed(tap, tool):
@@ -359,7 +378,6 @@ def malformed(tap, tool):
                        ("neither point nor place", "variant,value,x\n1,2,3\n"), ("empty", ""), ("blank", "\n \n\r\n"),
                        ("a column twice", "variant,point,value,value\n1,1,2,2\n"),
                        ("no answers", "variant,point,value\n"),
-                       ("UTF-16", "variant,point,value\n1,1,2".encode("utf-16")),
                        ("a picture", b"\x89PNG\r\n\x1a\n\x00\x00"), ("bytes", bytes(range(1, 256)) * 40),
                        ("quotes", b'"' * 99999), ("commas", b"," * 99999 + b"\n"), ("one long line", b"a" * 1000000)):
         tool.write("a.csv", text)
@@ -410,4 +428,4 @@ def advice(tap, tool):
 
 
 run_tests(Tap(), variants, variant_outputs, right_answers, conventions, output_forms, digits, rounding,
-          missing_and_repeated, folders, malformed, off_the_surface, many_answers, advice)
+          missing_and_repeated, folders, dialects, malformed, off_the_surface, many_answers, advice)

@@ -49,6 +49,14 @@ static void reads_csv(void **state)
         "\xef\xbb\xbf# lamps\n1\t-2\t3.5\t4\n1e3\t0\t-0.25\t0\n\n",
         "  1 -2   3.5 4\n+1e3 0 \t -0.25 0  # the last",
         "x y z intensity\n1 -2 3.5 4\n1e3 0 -0.25 0\n",
+        "i;x;y;z;intensity;\n1;1,0;-2;3,5;4;\n2;1000;0;-,25;0,0\n;;;;\n",
+        "Z (cm),Y [mm],x_m,I_mW/sr\n0.35,-2,0.001,4000\n-0.025,0,1,0\n",
+        "\"1\",\"-2\",\"3,5\",\"4\"\n\"1000\",\"0\",\"-0,25\",\"0\"\n",
+        "\"x\" \"y\" \"z\" \"intensity\"\n\"1\" 1 -2 3.5 4\n\"2\" 1000 0 -0.25 0\n",
+        "# y,x,z,intensity\n-2,1,3.5,4\n0,1000,-0.25,0\n",
+        "sep=\t\r\n1\t-2\t3,5\t4\r\n1000\t0\t-0,25\t0\r\n",
+        "1;-2;3,5;4\r1000;0;-0,25;0",
+        "\xd5;\xf3;Z;\xc8\xed\xf2\xe5\xed\xf1\xe8\xe2\xed\xee\xf1\xf2\xfc\n1;-2;3,5;4\n1e3;0;-0,25;0\n",
     };
     for (size_t i = 0; i < sizeof texts / sizeof *texts; i++)
         expect_two_rows(texts[i], texts[i], strlen(texts[i]));
@@ -74,13 +82,13 @@ static void reads_long_csv(void **state)
         assert_true(row[0] == i && row[1] == i + 0.5 && row[2] == -i && row[3] == atof(words));
     }
     lx_kept_release(&cloud->kept);
-    memcpy(text, "1,2,3,x", 7);
+    *text = 'x';
     struct lx_cloud_report report = read_bytes(text, (size_t)(at - text), &cloud);
-    assert_true(report.message == LX_MSG_CLOUD_NUMBER && report.number == 1);
+    assert_true(report.fault.message == LX_MSG_TABLE_NUMBER && report.number == 1);
     memset(text, ' ', (size_t)ROWS * LONGEST);
     text[0] = text[1] = '\n';
     report = read_bytes(text, (size_t)ROWS * LONGEST, &cloud); /* blank lines, one of them without an end */
-    assert_true(report.message == LX_MSG_CLOUD_ROW && report.number == 3);
+    assert_true(report.fault.message == LX_MSG_TABLE_LONG && report.number == 3);
     free(text);
 }
 
@@ -91,44 +99,55 @@ static void refuses_csv(void **state)
         const char *text;
         enum lx_message message;
         size_t line;
-        const char *word;
+        const char *word; /* the first argument of the fault */
     } cases[] = {
         {"", LX_MSG_CLOUD_EMPTY, 0, ""},
         {"\xef\xbb\xbf", LX_MSG_CLOUD_EMPTY, 0, ""},
         {"# nothing\n\n", LX_MSG_CLOUD_EMPTY, 0, ""},
         {"x,y,z,intensity\n", LX_MSG_CLOUD_EMPTY, 0, ""},
-        {"1,2,3\n", LX_MSG_CLOUD_ROW, 1, ""},
-        {"\n\n1 2 3 4\n1 2 3\n", LX_MSG_CLOUD_ROW, 4, ""},
-        {"1,2,3,4,5\n", LX_MSG_CLOUD_ROW, 1, ""},
-        {"1,2,3,4,\n", LX_MSG_CLOUD_ROW, 1, ""},
-        {"1,,3,4\n", LX_MSG_CLOUD_ROW, 1, ""},
-        {"1 2 3 4 5\n", LX_MSG_CLOUD_ROW, 1, ""},
-        {"1,2 3,4,5\n", LX_MSG_CLOUD_ROW, 1, ""},
-        {"1,2,3,4\n1;2;3;4\n", LX_MSG_CLOUD_NUMBER, 2, "1;2;3;4"},
-        {"1,5;2;3;4\n", LX_MSG_CLOUD_NUMBER, 1, "1,5"},
-        {"1,2,3,4\nx,y,z,intensity\n", LX_MSG_CLOUD_NUMBER, 2, "x"},
-        {"x,y,z\n1,2,3\n", LX_MSG_CLOUD_NUMBER, 1, "x"},
-        {"x,y,z,intensity,more\n", LX_MSG_CLOUD_NUMBER, 1, "x"},
-        {"\"1\",2,3,4\n", LX_MSG_CLOUD_NUMBER, 1, "\"1\""},
-        {"1,2,0x3,4\n", LX_MSG_CLOUD_NUMBER, 1, "0x3"},
+        {"1,2,3,4\n1,2,3\n", LX_MSG_TABLE_NUMBERS, 2, "3"},
+        {"\n\n1 2 3 4\n1 2 3\n", LX_MSG_TABLE_NUMBERS, 4, "3"},
+        {"1,2,3,4,5\n", LX_MSG_TABLE_NUMBERS, 1, "5"},
+        {"1,,3,4\n", LX_MSG_TABLE_MISSING, 1, ""},
+        {"1,2,3,\n1,2,3,4\n", LX_MSG_TABLE_NUMBERS, 2, "4"},
+        {"1 2 3 4 5\n", LX_MSG_TABLE_NUMBERS, 1, "5"},
+        {"2000,0,5,2000,10\n", LX_MSG_TABLE_NUMBERS, 1, "5"},
+        {"1,2 3,4,5\n", LX_MSG_TABLE_NUMBER, 1, "2 3"},
+        {"1,2,3,4\n1;2;3;4\n", LX_MSG_TABLE_NUMBERS, 2, "1"},
+        {"1,2,3,4\nx,y,z,intensity\n", LX_MSG_TABLE_NUMBER, 2, "x"},
+        {"x,y,intensity\n1,2,3\n", LX_MSG_TABLE_HEADING, 1, "x, y, z, intensity"},
+        {"x,y,x,z,intensity\n1,2,3,4,5\n", LX_MSG_TABLE_TWICE, 1, "x"},
+        {"x (furlong),y,z,intensity\n1,2,3,4\n", LX_MSG_TABLE_UNIT, 1, "furlong"},
+        {"sep=|\n1|2|3|4\n", LX_MSG_TABLE_SEPARATOR, 1, "|"},
+        {"x,y,z,I\n1,5,2,3,4\n", LX_MSG_TABLE_FIELDS, 2, "5"},
+        {"x;y;z;I\n1.5;2;3;4\n1;2;1,234;4\n", LX_MSG_TABLE_TWO_MEANINGS, 3, ""},
+        {"3\nlamp 1 2 3\nlamp 1 2 3\n", LX_MSG_TABLE_LAMPS, 0, "2"},
+        {"2\nlamp number 1 1 2 3\n", LX_MSG_TABLE_LAMP, 2, ""},
+        {"1,2,0x3,4\n", LX_MSG_TABLE_NUMBER, 1, "0x3"},
+        {"1;2;3 000,5;4\n", LX_MSG_TABLE_NUMBER, 1, "3 000,5"},
         {"1,2,3,"
          "\xd0\xb0\xd0\xb0\xd0\xb0\xd0\xb0\xd0\xb0\xd0\xb0\xd0\xb0\xd0\xb0\xd0\xb0\xd0\xb0\xd0\xb0\xd0\xb0\xd0\xb0"
          "\xd0\xb0\xd0\xb0\xd0\xb0\xd0\xb0\xd0\xb0\xd0\xb0_\xd0\xb0\xd0\xb0",
-         LX_MSG_CLOUD_NUMBER, 1,
+         LX_MSG_TABLE_NUMBER, 1,
          "\xd0\xb0\xd0\xb0\xd0\xb0\xd0\xb0\xd0\xb0\xd0\xb0\xd0\xb0\xd0\xb0\xd0\xb0\xd0\xb0\xd0\xb0\xd0\xb0\xd0\xb0"
          "\xd0\xb0\xd0\xb0\xd0\xb0\xd0\xb0\xd0\xb0\xd0\xb0_..."},
-        {"1,2,3,nan\n", LX_MSG_CLOUD_NOT_FINITE, 1, "nan"},
-        {"1,2,-Infinity,1\n", LX_MSG_CLOUD_NOT_FINITE, 1, "-Infinity"},
-        {"1,2,3,4\n1,2,3,1e999\n", LX_MSG_CLOUD_NOT_FINITE, 2, "1e999"},
+        {"1,2,3,nan\n", LX_MSG_TABLE_NOT_FINITE, 1, "nan"},
+        {"1,2,-Infinity,1\n", LX_MSG_TABLE_NOT_FINITE, 1, "-Infinity"},
+        {"1,2,3,4\n1,2,3,1e999\n", LX_MSG_TABLE_NOT_FINITE, 2, "1e999"},
         {"1,2,3,4\n1,2,3,-1e-9\n", LX_MSG_CLOUD_NEGATIVE, 2, ""},
+        {"1,2,3,\"4\n5,6,7,8\n", LX_MSG_TABLE_OPEN_QUOTE, 1, ""},
+        {"1,2,3,4\n\"1\"2,3,4,5\n", LX_MSG_TABLE_BEHIND, 2, ""},
     };
     for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
         struct lx_cloud *cloud;
         struct lx_cloud_report report = read_bytes(cases[i].text, strlen(cases[i].text), &cloud);
-        if (report.message != cases[i].message || (cases[i].line && report.number != cases[i].line) ||
-            strcmp(report.text, cases[i].word) != 0)
-            fail_msg("message %d in line %zu, %s, of\n%s", (int)report.message, report.number, report.text,
-                     cases[i].text);
+        bool is_fault = report.message == LX_MSG_CLOUD_PLACE || report.message == LX_MSG_CLOUD_LINE ||
+                        report.message == LX_MSG_CLOUD_TABLE;
+        enum lx_message message = is_fault ? report.fault.message : report.message;
+        const char *word = is_fault ? report.fault.words[0] : report.text;
+        if (message != cases[i].message || (cases[i].line && report.number != cases[i].line) ||
+            strcmp(word, cases[i].word) != 0)
+            fail_msg("message %d in line %zu, %s, of\n%s", (int)message, report.number, word, cases[i].text);
     }
 }
 

@@ -233,12 +233,52 @@ static void test_csv_of_others(void **state)
     lx_loaded_clear(&loaded);
 }
 
+/* One table in many ways of writing. */
+static void test_csv_dialects(void **state)
+{
+    static const struct {
+        const char *text;
+        size_t length;
+    } cases[] = {
+#define CASE(text_) {text_, sizeof text_ - 1}
+        CASE("x_mm, y_mm, value_lx\n0, 10, 1.5\n 10, 10, inf\n"),
+        CASE("x_mm;y_mm;value_lx\r\n0;10;1,5\r\n10;10;inf\r\n"),
+        CASE("sep=;\nx_mm;y_mm;value_lx;\n0;10;1,5;\n10;10;inf;\n;;;\n"),
+        CASE("x_mm\ty_mm\tvalue_lx\r0\t10\t1,5\r10\t10\tInf"),
+        CASE("x_mm y_mm value_lx\n0   10 1.5 # first\n# none\n10 10 inf\n"),
+        CASE(",value (lx),Y [cm],\"x, m\"\n0,1.5,1,0\n1,inf,1,\"0,01\"\n"),
+        CASE("\xff\xfex\0;\0y\0;\0v\0a\0l\0u\0e\0_\0l\0x\0\n\0"
+             "0\0;\0"
+             "1\0"
+             "0\0;\0"
+             "1\0,\0"
+             "5\0\n\0"
+             "1\0"
+             "0\0;\0"
+             "1\0"
+             "0\0;\0i\0n\0f\0"),
+#undef CASE
+    };
+    for (size_t i = 0; i < sizeof cases / sizeof cases[0]; i++) {
+        struct files *files = *state;
+        struct lx_loaded loaded = {0};
+        make_file(files, "a.csv", cases[i].text, cases[i].length);
+        if (lx_read_image(files->path, NULL, &loaded) != LUXEL_OK)
+            fail_msg("refused: %s", cases[i].text);
+        assert_true(loaded.columns == 2 && loaded.rows == 1 && loaded.sample == LX_SAMPLE_F32);
+        assert_true(loaded.x_mm[0] == 0 && loaded.x_mm[1] == 10 && loaded.y_mm[0] == 10);
+        assert_true(((float *)loaded.values)[0] == 1.5f && isinf(((float *)loaded.values)[1]));
+        assert_string_equal(loaded.unit, "lx");
+        lx_loaded_clear(&loaded);
+    }
+}
+
 static void test_csv_refused(void **state)
 {
 #define HEADING "x_mm,y_mm,value_lx\n"
     static const char *const cases[][2] = {
-        {"", "csv-header"},
-        {"x,y,value\n1,2,3\n", "csv-header"},
+        {"", "csv-empty"},
+        {"x,y,values\n1,2,3\n", "csv-header"},
         {"x_mm,y_mm\n1,2\n", "csv-header"},
         {HEADING, "csv-empty"},
         {HEADING "1,2\n", "csv-line"},
@@ -457,13 +497,21 @@ static void test_csv_without_places(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        FILES_CASE(round_trips),    FILES_CASE(exr_from_double),
-        FILES_CASE(renamed),        FILES_CASE(csv),
-        FILES_CASE(csv_text),       FILES_CASE(csv_of_others),
-        FILES_CASE(csv_refused),    FILES_CASE(npy_kinds),
-        FILES_CASE(npy_refused),    FILES_CASE(pfm_kinds),
-        FILES_CASE(pfm_refused),    FILES_CASE(too_many_pixels),
-        FILES_CASE(others_refused), FILES_CASE(csv_without_places),
+        FILES_CASE(round_trips),
+        FILES_CASE(exr_from_double),
+        FILES_CASE(renamed),
+        FILES_CASE(csv),
+        FILES_CASE(csv_text),
+        FILES_CASE(csv_of_others),
+        FILES_CASE(csv_dialects),
+        FILES_CASE(csv_refused),
+        FILES_CASE(npy_kinds),
+        FILES_CASE(npy_refused),
+        FILES_CASE(pfm_kinds),
+        FILES_CASE(pfm_refused),
+        FILES_CASE(too_many_pixels),
+        FILES_CASE(others_refused),
+        FILES_CASE(csv_without_places),
     };
 
     return cmocka_run_group_tests_name("reading formats", tests, NULL, NULL);
