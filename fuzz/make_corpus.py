@@ -77,6 +77,19 @@ def meshes():
     put("mesh", "open.off", "\0OFF\n4 3 6\n0 0 1500\n90 0 1500\n0 90 1500\n0 0 1590\n3 0 2 1\n3 0 1 3\n3 1 2 3\n")
     put("mesh", "comments.obj", "\1# a body\nv 0 0 1500\nv 90 0 1500 # corner\nv 0 90 1500\nv 0 0 1590\n"
         "f 1/1 3/2 2//3\nf -4 -3 -1\nf 2 3 4\nf 3 1 4\n")
+    cube_off, cube_obj = good_scenes.FILES["cube.off"], good_scenes.FILES["cube.obj"]
+    put("mesh", "joined.off", b"\0\xef\xbb\xbf" + cube_off.replace("OFF\n", "off").encode())
+    put("mesh", "one-line.off", "\0" + cube_off.replace("\n", " "))
+    put("mesh", "old-mac.obj", "\1" + cube_obj.replace("\n", "\r"))
+    put("mesh", "utf-16.obj", b"\1" + cube_obj.encode("utf-16"))
+    put("mesh", "left-out.obj", "\1" + cube_obj + "f 1 2\nf 3\np 1\nl 1 2\n" + cube_obj.split("\n")[-2] + " \\ \n\n")
+    put("mesh", "free-form.obj", "\1v 0 0 0\ncstype bezier\n")
+    put("mesh", "binary.off", b"\0OFF BINARY\n\0\0\0\1")
+    put("mesh", "four.off", "\0" + "4OFF\n1 1 1\n")
+    put("mesh", "normals.off", "\0CNOFF 4 4 6 " + "".join("%s %s %s 0 0 1 9 9 9 1 " % place for place in (
+        (0, 0, 1500), (90, 0, 1500), (0, 90, 1500), (0, 0, 1590))) + "3 0 2 1 3 0 1 3 3 1 2 3 3 0 3 2")
+    put("mesh", "rounded.off", "\0OFF\n6 5 0\n0.1 0 1500\n90.2 30.7 1500.1\n59.6 120.9 1500.2\n-30.5 90.3 1500.1\n"
+        "0 0 1590.4\n0.1 0.1 1590.4\n4 3 2 1 0\n3 0 1 4\n3 1 2 4\n3 2 3 5\n3 3 0 5\n")
     put("mesh", "huge.off", "\0OFF\n999999999 999999999 0\n1 2 3\n")
 
 

@@ -9,22 +9,35 @@
 
 enum { LX_MOST_CORNERS = 2000000 };
 
-/* Three numbers. */
-bool lx_read_corner(struct lx_lines *lines, double corner[3]);
+/* How finely the places of corners are written. */
+struct lx_digits {
+    int decimals;    /* the most behind a point, an exponent taken into account */
+    int significant; /* the most from the first that is not 0 on */
+    bool has_point;  /* a number has decimals or an exponent */
+    double largest;  /* the largest size of a number */
+};
 
 struct lx_raw_mesh {
     char *text;
     size_t length;
     struct lx_mesh *mesh;
+    struct lx_digits digits;
     size_t corner_capacity, loop_count, loop_capacity, count_capacity, origin_capacity;
 };
+
+/* Reads a number of a place, and notes its digits. */
+bool lx_read_place(struct lx_raw_mesh *raw, const char *word, size_t length, double *value);
+
+/* Three of them. */
+bool lx_read_corner(struct lx_raw_mesh *raw, struct lx_lines *lines, double corner[3]);
 
 /* The message of what they report is LX_MSG_COUNT where all went well. */
 struct lx_mesh_report lx_add_corner(struct lx_raw_mesh *raw, const double corner[3], size_t line);
 struct lx_mesh_report lx_add_to_loop(struct lx_raw_mesh *raw, unsigned corner, size_t line);
-/* A face of the last so many corners of the loop. */
+/* A face of the last so many corners of the loop; one of fewer than 3 is noted and left out. */
 struct lx_mesh_report lx_add_face(struct lx_raw_mesh *raw, unsigned corners, size_t line);
 
+/* Whether a word begins an OFF file: OFF in any case, letters before it, the number of corners perhaps behind it. */
 bool lx_is_off_word(const char *word, size_t length);
 struct lx_mesh_report lx_read_off(struct lx_raw_mesh *raw);
 struct lx_mesh_report lx_read_obj(struct lx_raw_mesh *raw);

@@ -4,15 +4,17 @@
 
 #include "mesh_read.h"
 
-/* Lines that end with a backslash go on on the next one. */
+/* Lines that end with a backslash, and blanks perhaps, go on on the next one. */
 static void join_lines(char *text, size_t length)
 {
-    for (char *at = text; (at = memchr(at, '\\', length - (size_t)(at - text))) != NULL; at++) {
-        size_t left = length - (size_t)(at - text);
-        size_t skip = left > 2 && at[1] == '\r' ? 2 : 1;
-        if (left > skip && at[skip] == '\n') {
-            memset(at, ' ', skip);
-            at[skip] = LX_JOINED_LINES;
+    char *end = text + length;
+    for (char *at = text; (at = memchr(at, '\\', (size_t)(end - at))) != NULL; at++) {
+        char *stop = at + 1;
+        while (stop < end && (*stop == ' ' || *stop == '\t'))
+            stop++;
+        if (stop < end && *stop == '\n') {
+            memset(at, ' ', (size_t)(stop - at));
+            *stop = LX_JOINED_LINES;
         }
     }
 }
@@ -44,8 +46,6 @@ static struct lx_mesh_report read_face(struct lx_raw_mesh *raw, struct lx_lines 
             return (struct lx_mesh_report){LX_MSG_OBJ_FACE, lines->line};
         report = lx_add_to_loop(raw, (unsigned)index, lines->line);
     }
-    if (report.message == LX_MSG_COUNT && count < 3)
-        return (struct lx_mesh_report){LX_MSG_OBJ_FACE, lines->line};
     return report.message == LX_MSG_COUNT ? lx_add_face(raw, count, lines->line) : report;
 }
 
@@ -60,6 +60,15 @@ static struct lx_mesh_report check_indexes(const struct lx_mesh *mesh)
     return (struct lx_mesh_report){LX_MSG_COUNT, 0};
 }
 
+/* Points and lines have no area. */
+static void note_other(struct lx_mesh *mesh, const char *word, size_t length, size_t line)
+{
+    if (!lx_word_is(word, length, "p") && !lx_word_is(word, length, "l"))
+        return;
+    if (mesh->others.count++ == 0)
+        mesh->others.line = (unsigned)line;
+}
+
 struct lx_mesh_report lx_read_obj(struct lx_raw_mesh *raw)
 {
     join_lines(raw->text, raw->length);
@@ -70,11 +79,13 @@ struct lx_mesh_report lx_read_obj(struct lx_raw_mesh *raw)
         size_t length;
         double corner[3];
         lx_next_word(&lines, &word, &length);
-        if (lx_word_is(word, length, "f"))
+        if (lx_word_is(word, length, "f") || lx_word_is(word, length, "fo"))
             report = read_face(raw, &lines);
+        else if (lx_word_is(word, length, "surf") || lx_word_is(word, length, "cstype"))
+            report = (struct lx_mesh_report){LX_MSG_OBJ_FREE_FORM, lines.line};
         else if (!lx_word_is(word, length, "v"))
-            continue;
-        else if (lx_read_corner(&lines, corner))
+            note_other(raw->mesh, word, length, lines.line);
+        else if (lx_read_corner(raw, &lines, corner))
             report = lx_add_corner(raw, corner, lines.line);
         else
             report = (struct lx_mesh_report){LX_MSG_MESH_CORNER, lines.line};

@@ -1,25 +1,48 @@
 /* SPDX-License-Identifier: MIT */
-/* Reading OFF: a header, a line for each corner, a line for each face. */
+/*
+ * Reading OFF: a header, corners, faces.  Programs put each corner and face on a line of its own, with colours and the
+ * like behind them, or let lines end anywhere; the one is tried first, then the other.
+ */
+#include <string.h>
+#include <strings.h>
+
 #include "mesh_read.h"
 
-/* OFF, with letters before it that say which numbers follow the places of corners. */
-bool lx_is_off_word(const char *word, size_t length)
+/* What the word before the numbers says. */
+struct header {
+    size_t extra;   /* numbers behind the place of a corner */
+    size_t letters; /* length of the word up to its end OFF */
+    bool is_known;
+};
+
+/* OFF in any case, with letters before it that say what follows the places of corners, and perhaps digits behind it. */
+static struct header judge_word(const char *word, size_t length)
 {
-    if (length < 3 || !lx_word_is(word + length - 3, 3, "OFF"))
-        return false;
-    for (size_t i = 0; i < length - 3; i++)
-        if (word[i] != 'S' && word[i] != 'T' && word[i] != 'C' && word[i] != 'N')
-            return false;
-    return true;
+    struct header header = {0};
+    for (size_t i = 0; i < length;) {
+        if (length - i >= 3 && strncasecmp(word + i, "OFF", 3) == 0) {
+            header.letters = i + 3;
+            header.is_known = i + 3 == length || strspn(word + i + 3, "0123456789") >= length - i - 3;
+            return header;
+        }
+        char letter = (char)(word[i] & ~0x20);
+        bool is_texture = letter == 'S' && i + 1 < length && (word[i + 1] & ~0x20) == 'T';
+        if (!is_texture && letter != 'C' && letter != 'N' && word[i] != '4')
+            return header;
+        header.extra += is_texture ? 2 : letter == 'C' ? 4 : 3;
+        i += 1 + is_texture;
+    }
+    return header;
 }
 
-/* A whole number of at most `most`. */
-static bool read_whole(struct lx_lines *lines, size_t most, size_t *number)
+bool lx_is_off_word(const char *word, size_t length)
 {
-    const char *word;
-    size_t length;
-    if (!lx_next_word(lines, &word, &length))
-        return false;
+    return judge_word(word, length).is_known;
+}
+
+/* A whole number of at most `most`; false, and nothing is taken, where there is none. */
+static bool take_whole(const char *word, size_t length, size_t most, size_t *number)
+{
     *number = 0;
     for (size_t i = 0; i < length; i++) {
         if (word[i] < '0' || word[i] > '9')
@@ -28,64 +51,156 @@ static bool read_whole(struct lx_lines *lines, size_t most, size_t *number)
         if (*number > most)
             return false;
     }
+    return length > 0;
+}
+
+struct off {
+    struct lx_raw_mesh *raw;
+    struct lx_lines lines;
+    struct header header;
+    size_t corners, faces;
+    bool is_free; /* lines end anywhere */
+};
+
+/* The next word, of the line or, where lines end anywhere, of the file. */
+static bool next_word(struct off *off, const char **word, size_t *length)
+{
+    while (!lx_next_word(&off->lines, word, length))
+        if (!off->is_free || !lx_next_line(&off->lines))
+            return false;
     return true;
 }
 
-/* The header up to the numbers of corners and faces, which a text of this length can have. */
-static struct lx_mesh_report read_header(struct lx_lines *lines, size_t *corners, size_t *faces)
+static bool next_whole(struct off *off, size_t most, size_t *number)
 {
     const char *word;
     size_t length;
-    lx_next_line(lines);
-    struct lx_lines numbers = *lines;
-    if (lx_next_word(lines, &word, &length) && lx_is_off_word(word, length)) {
-        struct lx_lines rest = *lines;
-        if (lx_next_word(&rest, &word, &length) && lx_word_is(word, length, "BINARY"))
-            return (struct lx_mesh_report){LX_MSG_MESH_FORMAT, lines->line};
-        rest = *lines;
-        if (!lx_next_word(&rest, &word, &length) && !lx_next_line(lines))
-            return (struct lx_mesh_report){LX_MSG_MESH_ENDS, lines->line};
-        numbers = *lines;
-    }
-    if (!read_whole(&numbers, SIZE_MAX / 16, corners) || !read_whole(&numbers, SIZE_MAX / 16, faces))
-        return (struct lx_mesh_report){LX_MSG_MESH_COUNTS, numbers.line};
-    if (*corners > LX_MOST_CORNERS || *faces > LX_MOST_FACES)
-        return (struct lx_mesh_report){LX_MSG_MESH_TOO_LARGE, numbers.line};
-    lines->at = lines->stop;
-    return (struct lx_mesh_report){LX_MSG_COUNT, 0};
+    return next_word(off, &word, &length) && take_whole(word, length, most, number);
 }
 
-static struct lx_mesh_report read_face(struct lx_raw_mesh *raw, struct lx_lines *lines)
+static struct lx_mesh_report say(const struct off *off, enum lx_message message)
 {
-    struct lx_mesh_report report = {LX_MSG_COUNT, lines->line};
-    size_t count, corner;
-    if (!read_whole(lines, raw->length, &count) || count < 3)
-        return (struct lx_mesh_report){LX_MSG_OFF_FACE, lines->line};
-    for (size_t i = 0; i < count && report.message == LX_MSG_COUNT; i++) {
-        if (!read_whole(lines, SIZE_MAX / 16, &corner))
-            return (struct lx_mesh_report){LX_MSG_OFF_FACE, lines->line};
-        if (corner >= raw->mesh->corner_count)
-            return (struct lx_mesh_report){LX_MSG_MESH_INDEX, lines->line};
-        report = lx_add_to_loop(raw, (unsigned)corner, lines->line);
+    return (struct lx_mesh_report){message, off->lines.line};
+}
+
+/* The word OFF, if it is there, without digits that are joined to it; what kind of file is not read is told. */
+static struct lx_mesh_report read_word(struct off *off)
+{
+    const char *word;
+    size_t length;
+    struct lx_lines before = off->lines;
+    if (!next_word(off, &word, &length))
+        return say(off, LX_MSG_MESH_ENDS);
+    off->header = judge_word(word, length);
+    if (!off->header.is_known) {
+        off->lines = before;
+        return say(off, LX_MSG_COUNT);
     }
-    return report.message == LX_MSG_COUNT ? lx_add_face(raw, (unsigned)count, lines->line) : report;
+    const char *off_word = word + off->header.letters - 3; /* n means another thing than N, where case tells */
+    bool is_other =
+        memchr(word, '4', off->header.letters) || (*off_word == 'O' && memchr(word, 'n', off->header.letters - 3));
+    if (is_other)
+        return say(off, LX_MSG_OFF_DIMENSIONS);
+    off->lines.at = word + off->header.letters;
+    before = off->lines;
+    if (lx_next_word(&before, &word, &length) && length == 6 && strncasecmp(word, "BINARY", 6) == 0)
+        return say(off, LX_MSG_OFF_BINARY);
+    return say(off, LX_MSG_COUNT);
+}
+
+/* The numbers of corners and faces; that of edges may be missing at the end of a line. */
+static struct lx_mesh_report read_counts(struct off *off)
+{
+    size_t edges;
+    struct lx_lines rest = off->lines;
+    const char *word;
+    size_t length;
+    if (!off->is_free && !lx_next_word(&rest, &word, &length) && !lx_next_line(&off->lines))
+        return say(off, LX_MSG_MESH_ENDS);
+    if (!next_whole(off, SIZE_MAX / 16, &off->corners) || !next_whole(off, SIZE_MAX / 16, &off->faces) ||
+        (off->is_free && !next_whole(off, SIZE_MAX / 16, &edges)))
+        return say(off, LX_MSG_MESH_COUNTS);
+    if (off->corners > LX_MOST_CORNERS || off->faces > LX_MOST_FACES)
+        return say(off, LX_MSG_MESH_TOO_LARGE);
+    return say(off, LX_MSG_COUNT);
+}
+
+static struct lx_mesh_report read_corner(struct off *off)
+{
+    double corner[3], unused;
+    const char *word;
+    size_t length;
+    for (int i = 0; i < 3; i++) {
+        if (!next_word(off, &word, &length))
+            return say(off, off->is_free ? LX_MSG_MESH_ENDS : LX_MSG_MESH_CORNER);
+        if (!lx_read_place(off->raw, word, length, &corner[i]))
+            return say(off, LX_MSG_MESH_CORNER);
+    }
+    for (size_t i = 0; off->is_free && i < off->header.extra; i++)
+        if (!next_word(off, &word, &length) || !lx_read_number(word, length, &unused))
+            return say(off, LX_MSG_MESH_CORNER);
+    return lx_add_corner(off->raw, corner, off->lines.line);
+}
+
+static struct lx_mesh_report read_face(struct off *off)
+{
+    struct lx_mesh_report report = {LX_MSG_COUNT, off->lines.line};
+    size_t count, corner;
+    const char *word;
+    size_t length;
+    if (!next_word(off, &word, &length))
+        return say(off, off->is_free ? LX_MSG_MESH_ENDS : LX_MSG_OFF_FACE);
+    if (!take_whole(word, length, off->raw->length, &count))
+        return say(off, LX_MSG_OFF_FACE);
+    report.line = off->lines.line;
+    for (size_t i = 0; i < count && report.message == LX_MSG_COUNT; i++) {
+        if (!next_whole(off, SIZE_MAX / 16, &corner))
+            return say(off, LX_MSG_OFF_FACE);
+        if (corner >= off->raw->mesh->corner_count)
+            return say(off, LX_MSG_MESH_INDEX);
+        report = lx_add_to_loop(off->raw, (unsigned)corner, report.line);
+    }
+    return report.message == LX_MSG_COUNT ? lx_add_face(off->raw, (unsigned)count, report.line) : report;
+}
+
+/* Reads it one way. */
+static struct lx_mesh_report read_all(struct lx_raw_mesh *raw, bool is_free)
+{
+    struct off off = {.raw = raw, .lines = {.next = raw->text, .end = raw->text + raw->length}};
+    const char *word;
+    size_t length;
+    lx_next_line(&off.lines);
+    struct lx_mesh_report report = read_word(&off);
+    off.is_free = is_free;
+    if (report.message == LX_MSG_COUNT)
+        report = read_counts(&off);
+    for (size_t i = 0; i < off.corners + off.faces && report.message == LX_MSG_COUNT; i++) {
+        if (!is_free && !lx_next_line(&off.lines))
+            return say(&off, LX_MSG_MESH_ENDS);
+        report = i < off.corners ? read_corner(&off) : read_face(&off);
+    }
+    if (report.message == LX_MSG_COUNT && is_free && next_word(&off, &word, &length))
+        report = say(&off, LX_MSG_OFF_FACE);
+    return report;
+}
+
+/* Forgets what was read, and its digits. */
+static void begin_again(struct lx_raw_mesh *raw)
+{
+    struct lx_mesh *mesh = raw->mesh;
+    mesh->corner_count = mesh->face_count = raw->loop_count = 0;
+    mesh->face_total = 0;
+    mesh->thin = (struct lx_mesh_note){0};
+    raw->digits = (struct lx_digits){0};
 }
 
 struct lx_mesh_report lx_read_off(struct lx_raw_mesh *raw)
 {
-    struct lx_lines lines = {.next = raw->text, .end = raw->text + raw->length};
-    size_t corners = 0, faces = 0;
-    struct lx_mesh_report report = read_header(&lines, &corners, &faces);
-    for (size_t i = 0; i < corners + faces && report.message == LX_MSG_COUNT; i++) {
-        double corner[3];
-        if (!lx_next_line(&lines))
-            return (struct lx_mesh_report){LX_MSG_MESH_ENDS, lines.line};
-        if (i >= corners)
-            report = read_face(raw, &lines);
-        else if (lx_read_corner(&lines, corner))
-            report = lx_add_corner(raw, corner, lines.line);
-        else
-            report = (struct lx_mesh_report){LX_MSG_MESH_CORNER, lines.line};
-    }
-    return report;
+    struct lx_mesh_report by_lines = read_all(raw, false);
+    if (by_lines.message == LX_MSG_COUNT || by_lines.message == LX_MSG_OUT_OF_MEMORY ||
+        by_lines.message == LX_MSG_OFF_DIMENSIONS || by_lines.message == LX_MSG_OFF_BINARY)
+        return by_lines;
+    begin_again(raw);
+    struct lx_mesh_report anywhere = read_all(raw, true);
+    return anywhere.message == LX_MSG_COUNT || anywhere.message == LX_MSG_OUT_OF_MEMORY ? anywhere : by_lines;
 }

@@ -41,10 +41,18 @@ struct lx_facets *lx_facets_of_pose(const double center_mm[3], const double size
 /* An axis-parallel box. */
 struct lx_facets *lx_facets_of_box(const double center_mm[3], const double size_mm[3]);
 
+/* How far corners may be off where they ought to be, and how far one is that is too far. */
+struct lx_shape_rounding {
+    double corner_mm;          /* to be set: each may be off so much along each axis, because its digits end */
+    double off_mm, allowed_mm; /* of NOT_FLAT and NOT_CONVEX */
+};
+
 /* Any polyhedron: corners, then for each face the number of its corners and their indexes, counter-clockwise from
- * outside.  Must be closed and convex (to 1e-6 of its size); coplanar neighbours are allowed. */
+ * outside.  Must be closed, and flat and convex to 1e-6 of its size or to what the rounding of its corners (NULL: none)
+ * makes of flat faces and convex bodies; bent faces become triangles.  Coplanar neighbours are allowed. */
 struct lx_shape_report lx_facets_of_mesh(const double (*corners_mm)[3], size_t corner_count, const unsigned *loop,
-                                         const unsigned *counts, size_t face_count, struct lx_facets **facets);
+                                         const unsigned *counts, size_t face_count, struct lx_shape_rounding *rounding,
+                                         struct lx_facets **facets);
 
 /* The polyhedron inscribed in a sphere: `meridians` (>= 3) half circles from pole to pole along z, the first at +x,
  * and meridians/2 (at least 2) bands of equal angle between the poles; NULL when memory ran out, or where the work

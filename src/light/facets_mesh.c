@@ -86,9 +86,27 @@ static void grow_tree(struct tree *tree, size_t count)
     grow(tree, 0, count);
 }
 
-/* A corner that lies farther than `limit` in the direction of a normal, or -1. */
-static long find_beyond(const struct tree *tree, const double normal[3], double limit)
+/* How far corners may lie before a plane that was laid through a face. */
+struct reach {
+    double normal[3];
+    double plane;     /* of the face, along the normal */
+    double tolerance; /* at the face */
+    double center[3]; /* of the face */
+    double slope;     /* more for each mm of distance from it, since a plane through rounded corners is tilted */
+};
+
+static double allowed_at(const struct reach *reach, const double at[3])
 {
+    if (reach->slope == 0)
+        return reach->tolerance;
+    double x = at[0] - reach->center[0], y = at[1] - reach->center[1], z = at[2] - reach->center[2];
+    return reach->tolerance + reach->slope * sqrt(x * x + y * y + z * z);
+}
+
+/* A corner that lies farther before the plane than it may, and how far it does, or -1. */
+static long find_beyond(const struct tree *tree, const struct reach *reach, double *off)
+{
+    const double *normal = reach->normal, limit = reach->plane + reach->tolerance;
     for (size_t i = 0; i < tree->box_count;) {
         const struct box *box = &tree->boxes[i];
         double farthest = 0;
@@ -101,7 +119,8 @@ static long find_beyond(const struct tree *tree, const double normal[3], double 
         bool is_leaf = box->count <= LEAF;
         for (size_t n = box->first; is_leaf && n < box->first + box->count; n++) {
             const double *at = tree->places[n].at;
-            if (normal[0] * at[0] + normal[1] * at[1] + normal[2] * at[2] > limit)
+            *off = normal[0] * at[0] + normal[1] * at[1] + normal[2] * at[2] - reach->plane;
+            if (*off > reach->tolerance && *off > allowed_at(reach, at))
                 return tree->places[n].corner;
         }
         i++;
@@ -126,9 +145,16 @@ struct mesh {
     const unsigned *loop, *counts;
     size_t corner_count, face_count, loop_count;
     unsigned *numbers; /* of a given corner: its number among those that are kept */
+    struct lx_shape_rounding *rounding;
     struct lx_facets *facets;
     struct tree tree;
 };
+
+/* How far rounded corners may be off: the whole of an offset along three axes, of the corner and of the plane. */
+static double offset_of(const struct mesh *mesh)
+{
+    return 2 * sqrt(3) * mesh->rounding->corner_mm;
+}
 
 /* Corners that faces use and that differ get numbers, all others none. */
 static size_t number_corners(struct mesh *mesh)
@@ -180,8 +206,10 @@ static struct lx_shape_report take_faces(struct mesh *mesh, size_t kept)
     return GOOD;
 }
 
-static struct lx_shape_report check_faces(const struct lx_facets *facets, bool *plain)
+static struct lx_shape_report check_faces(const struct mesh *mesh, bool *plain)
 {
+    const struct lx_facets *facets = mesh->facets;
+    double allowed = fmax(LX_SHAPE_TOLERANCE * 2 * facets->radius_mm, offset_of(mesh));
     for (size_t i = 0; i < facets->face_count; i++) {
         const struct lx_face *face = &facets->faces[i];
         if (face->count == 3 && face->area_mm2 > 0) {
@@ -196,8 +224,11 @@ static struct lx_shape_report check_faces(const struct lx_facets *facets, bool *
         struct lx_plane plane = lx_best_plane(facets->corners_mm, facets->loop + face->first, face->count);
         if (!plane.has_area)
             return (struct lx_shape_report){LX_SHAPE_TOO_SMALL, i, 0};
-        if (plane.deviation_mm > LX_SHAPE_TOLERANCE * 2 * facets->radius_mm)
+        if (plane.deviation_mm > allowed) {
+            mesh->rounding->off_mm = plane.deviation_mm;
+            mesh->rounding->allowed_mm = allowed;
             return (struct lx_shape_report){LX_SHAPE_NOT_FLAT, i, plane.farthest};
+        }
         *plain = false;
     }
     return GOOD;
@@ -230,25 +261,50 @@ static void measure(const struct lx_facets *facets, double *volume, double *turn
     }
 }
 
+/* The plane of a face, how far corners may lie before it, and how this grows with the distance. */
+static struct reach reach_of(const struct mesh *mesh, const struct lx_face *face, bool inward)
+{
+    const struct lx_facets *facets = mesh->facets;
+    struct reach reach = {.tolerance = LX_SHAPE_TOLERANCE * 2 * facets->radius_mm};
+    const double normal[3] = {face->normal.x.high, face->normal.y.high, face->normal.z.high};
+    double largest = 0, offset = offset_of(mesh);
+    for (unsigned i = 0; i < face->count; i++) {
+        const lx_wide3 *corner = &facets->corners_mm[facets->loop[face->first + i]];
+        const double at[3] = {corner->x.high - facets->center_mm[0], corner->y.high - facets->center_mm[1],
+                              corner->z.high - facets->center_mm[2]};
+        for (int k = 0; k < 3; k++) {
+            reach.normal[k] = inward ? -normal[k] : normal[k];
+            reach.center[k] += at[k] / face->count;
+            reach.plane += reach.normal[k] * at[k] * (offset > 0 ? 1.0 / face->count : i == 0);
+        }
+    }
+    for (unsigned i = 0; i < face->count && offset > 0; i++) {
+        const lx_wide3 *corner = &facets->corners_mm[facets->loop[face->first + i]];
+        const double at[3] = {corner->x.high - facets->center_mm[0], corner->y.high - facets->center_mm[1],
+                              corner->z.high - facets->center_mm[2]};
+        largest =
+            fmax(largest, hypot(hypot(at[0] - reach.center[0], at[1] - reach.center[1]), at[2] - reach.center[2]));
+    }
+    if (offset > 0) { /* the width of the face, across its length of twice the largest distance */
+        reach.tolerance = fmax(reach.tolerance, offset);
+        reach.slope = offset * 4 * largest / fmax(face->area_mm2, offset * largest);
+    }
+    return reach;
+}
+
 /* Whether all corners lie behind all faces, or, where `inward`, before them. */
 static struct lx_shape_report check_convex(const struct mesh *mesh, bool inward)
 {
     const struct lx_facets *facets = mesh->facets;
-    double tolerance = LX_SHAPE_TOLERANCE * 2 * facets->radius_mm;
     for (size_t i = 0; i < facets->face_count; i++) {
-        const struct lx_face *face = &facets->faces[i];
-        const lx_wide3 *corner = &facets->corners_mm[facets->loop[face->first]];
-        const double *center = facets->center_mm;
-        double at[3] = {corner->x.high - center[0], corner->y.high - center[1], corner->z.high - center[2]};
-        double normal[3] = {face->normal.x.high, face->normal.y.high, face->normal.z.high};
-        double limit = tolerance;
-        for (int k = 0; k < 3; k++) {
-            normal[k] = inward ? -normal[k] : normal[k];
-            limit += normal[k] * at[k];
-        }
-        long corner_beyond = find_beyond(&mesh->tree, normal, limit);
-        if (corner_beyond >= 0)
-            return (struct lx_shape_report){LX_SHAPE_NOT_CONVEX, i, (size_t)corner_beyond};
+        struct reach reach = reach_of(mesh, &facets->faces[i], inward);
+        double off = 0;
+        long corner_beyond = find_beyond(&mesh->tree, &reach, &off);
+        if (corner_beyond < 0)
+            continue;
+        mesh->rounding->off_mm = off;
+        mesh->rounding->allowed_mm = reach.tolerance;
+        return (struct lx_shape_report){LX_SHAPE_NOT_CONVEX, i, (size_t)corner_beyond};
     }
     return GOOD;
 }
@@ -403,7 +459,7 @@ static struct lx_shape_report make_mesh(struct mesh *mesh)
     if (report.fault == LX_SHAPE_GOOD)
         report = lx_facets_finish(mesh->facets, true, NULL);
     if (report.fault == LX_SHAPE_GOOD)
-        report = check_faces(mesh->facets, &plain);
+        report = check_faces(mesh, &plain);
     if (report.fault == LX_SHAPE_GOOD)
         report = check_body(mesh);
     if (report.fault == LX_SHAPE_GOOD && !plain)
@@ -412,9 +468,12 @@ static struct lx_shape_report make_mesh(struct mesh *mesh)
 }
 
 struct lx_shape_report lx_facets_of_mesh(const double (*corners_mm)[3], size_t corner_count, const unsigned *loop,
-                                         const unsigned *counts, size_t face_count, struct lx_facets **facets)
+                                         const unsigned *counts, size_t face_count, struct lx_shape_rounding *rounding,
+                                         struct lx_facets **facets)
 {
-    struct mesh mesh = {.corners_mm = corners_mm,
+    struct lx_shape_rounding none = {0};
+    struct mesh mesh = {.rounding = rounding ? rounding : &none,
+                        .corners_mm = corners_mm,
                         .loop = loop,
                         .counts = counts,
                         .corner_count = corner_count,

@@ -54,7 +54,6 @@ static const struct lx_rule points_rules[] = {
 };
 
 static void check_points(const struct lx_check *check, void *parameters);
-static void advise_points(const struct lx_check *check, const void *parameters);
 
 static void release_points(void *parameters)
 {
@@ -70,7 +69,6 @@ static const struct lx_table points_table = {
     .rule_count = LX_COUNT(points_rules),
     .size = sizeof(struct points_parameters),
     .check = check_points,
-    .advise = advise_points,
     .release = release_points,
 };
 
@@ -163,25 +161,28 @@ static void check_aim(const struct lx_check *check, const struct points_paramete
     }
 }
 
-static void check_points(const struct lx_check *check, void *parameters)
-{
-    struct points_parameters *points = parameters;
-    char *path = lx_check_path(check, points->file);
-    if (path && load_cloud(check, points, path) && give_intensity(check, points, path) &&
-        lx_is_given(&points_table, points, "aim"))
-        check_aim(check, points, path);
-    free(path);
-}
-
 /* What the file has and is not used, and what it lacks. */
-static void advise_points(const struct lx_check *check, const void *parameters)
+static void advise_points(const struct lx_check *check, const struct points_parameters *points)
 {
-    const struct points_parameters *points = parameters;
     const struct lx_cloud *cloud = points->cloud;
     if (cloud && cloud->unused[0])
         lx_check_advise(check, "file", LX_MSG_CLOUD_UNUSED, LX_ARGS(points->file, cloud->unused));
     if (cloud && cloud->intensities == LX_CLOUD_LP && !lx_is_given(&points_table, points, "intensity"))
         lx_check_advise(check, "file", LX_MSG_CLOUD_LP, LX_ARGS(points->file));
+}
+
+static void check_points(const struct lx_check *check, void *parameters)
+{
+    struct points_parameters *points = parameters;
+    if (check->advises) {
+        advise_points(check, points);
+        return;
+    }
+    char *path = lx_check_path(check, points->file);
+    if (path && load_cloud(check, points, path) && give_intensity(check, points, path) &&
+        lx_is_given(&points_table, points, "aim"))
+        check_aim(check, points, path);
+    free(path);
 }
 
 /* ---- the kind ---- */

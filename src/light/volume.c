@@ -7,10 +7,14 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "../base/memory.h"
 #include "../base/number.h"
 #include "../base/phrase.h"
 #include "../format/mesh.h"
 #include "spread.h"
+
+/* Corners of a mesh are off by no more than this share of its size, however few digits the file has. */
+static const double COARSEST = 5e-4;
 
 struct box_parameters {
     uint64_t given;
@@ -38,6 +42,7 @@ struct volume_parameters {
     struct sphere_parameters sphere;
     struct cylinder_parameters cylinder;
     const char *mesh_file;
+    double scale; /* mm a unit of the file */
     struct lx_spread spread;
     struct lx_mesh *mesh; /* what was read of the file */
 };
@@ -163,8 +168,17 @@ static const struct lx_parameter volume_parameters[] = {
         .type = LX_TEXT,
         .offset = offsetof(struct volume_parameters, mesh_file),
         .meaning =
-            "an OFF or OBJ file with the body, closed and convex, in mm; relative to the folder of the scene, or "
-            "to the current one where the scene comes from standard input",
+            "an OFF or OBJ file with the body, closed and convex, in mm unless `scale` says otherwise; relative to the "
+            "folder of the scene, or to the current one where the scene comes from standard input",
+    },
+    {
+        .name = "scale",
+        .label = "Scale",
+        .type = LX_REAL,
+        .offset = offsetof(struct volume_parameters, scale),
+        .legal = LX_ABOVE(0),
+        .initial = "1",
+        .meaning = "mm for each unit of the mesh file, from the origin of coordinates: 1000 for a file in metres",
     },
     LX_SPREAD_PARAMETERS(struct volume_parameters),
 };
@@ -231,14 +245,29 @@ static const char *body_of(const struct volume_parameters *volume)
     return "mesh";
 }
 
-static struct lx_shape_report make_body(const struct lx_mesh *mesh, struct lx_facets **facets)
+static struct lx_shape_report make_body(const struct lx_mesh *mesh, double scale, struct lx_shape_rounding *rounding,
+                                        struct lx_facets **facets)
 {
-    return lx_facets_of_mesh((const double(*)[3])mesh->corners, mesh->corner_count, mesh->loop, mesh->counts,
-                             mesh->face_count, facets);
+    double(*corners)[3] = mesh->corners;
+    rounding->corner_mm = scale * fmin(mesh->rounding, COARSEST * lx_mesh_size(mesh));
+    if (scale != 1) {
+        corners = lx_new_array(mesh->corner_count, sizeof *corners);
+        if (!corners)
+            return (struct lx_shape_report){LX_SHAPE_OUT_OF_MEMORY, 0, 0};
+        for (size_t i = 0; i < mesh->corner_count; i++)
+            for (int k = 0; k < 3; k++)
+                corners[i][k] = scale * mesh->corners[i][k];
+    }
+    struct lx_shape_report report = lx_facets_of_mesh((const double(*)[3])corners, mesh->corner_count, mesh->loop,
+                                                      mesh->counts, mesh->face_count, rounding, facets);
+    if (scale != 1)
+        free(corners);
+    return report;
 }
 
 /* The body, or what is wrong with its mesh; `round`: without the facets of spheres and cylinders. */
-static struct lx_shape_report make_shapes(const struct volume_parameters *volume, bool round, struct lx_shapes *shapes)
+static struct lx_shape_report make_shapes(const struct volume_parameters *volume, bool round,
+                                          struct lx_shape_rounding *rounding, struct lx_shapes *shapes)
 {
     struct lx_shape_report report = {LX_SHAPE_GOOD, 0, 0};
     const char *body = body_of(volume);
@@ -251,10 +280,10 @@ static struct lx_shape_report make_shapes(const struct volume_parameters *volume
         result = add_cylinder(&volume->cylinder, round, shapes);
     } else {
         struct lx_facets *facets = NULL;
-        if (volume->mesh->body)
+        if (volume->mesh->body && volume->mesh->scale == volume->scale)
             facets = (struct lx_facets *)lx_kept_hold(volume->mesh->body);
         else
-            report = make_body(volume->mesh, &facets);
+            report = make_body(volume->mesh, volume->scale, rounding, &facets);
         if (report.fault != LX_SHAPE_GOOD)
             return report;
         result = lx_shapes_add_facets(shapes, facets);
@@ -268,10 +297,10 @@ static struct lx_shape_report make_shapes(const struct volume_parameters *volume
 
 /* What is wrong with the body of a mesh, at the face of its file. */
 static void report_mesh(const struct lx_check *check, const struct volume_parameters *volume, const char *path,
-                        struct lx_shape_report report)
+                        struct lx_shape_report report, const struct lx_shape_rounding *rounding)
 {
     const struct lx_mesh *mesh = volume->mesh;
-    char number[LX_NUMBER_SIZE], line[LX_NUMBER_SIZE];
+    char number[LX_NUMBER_SIZE], line[LX_NUMBER_SIZE], off[LX_NUMBER_SIZE], allowed[LX_NUMBER_SIZE];
     struct lx_mesh_origin origin = mesh->origins[report.first < mesh->face_count ? report.first : 0];
     enum lx_message message = LX_MSG_MESH_NO_AREA;
     lx_write_number(origin.number, number);
@@ -280,13 +309,19 @@ static void report_mesh(const struct lx_check *check, const struct volume_parame
     case LX_SHAPE_OUT_OF_MEMORY: check->walk->out_of_memory = true; return;
     case LX_SHAPE_NOT_FLAT: message = LX_MSG_MESH_NOT_FLAT; break;
     case LX_SHAPE_NOT_CLOSED: message = LX_MSG_MESH_NOT_CLOSED; break;
-    case LX_SHAPE_NOT_CONVEX: message = LX_MSG_MESH_NOT_CONVEX; break;
+    case LX_SHAPE_NOT_CONVEX: message = rounding->off_mm > 0 ? LX_MSG_MESH_NOT_CONVEX : LX_MSG_MESH_NOT_ONE; break;
     case LX_SHAPE_INWARD: message = LX_MSG_MESH_INWARD; break;
     default: break;
     }
-    lx_check_report(check, "mesh", LX_ALL_OF_IT, message, LX_ARGS(path, number, line));
+    lx_check_report(check, "mesh", LX_ALL_OF_IT, message,
+                    LX_ARGS(path, number, line, lx_write_digits(rounding->off_mm, 3, off),
+                            lx_write_digits(rounding->allowed_mm, 2, allowed)));
     if (report.fault == LX_SHAPE_INWARD)
         lx_check_hint(check, LX_MSG_HINT_TURN_FACES, NULL);
+    else if (report.fault == LX_SHAPE_NOT_FLAT)
+        lx_check_hint(check, LX_MSG_HINT_FLAT_FACES, NULL);
+    else if (report.fault == LX_SHAPE_NOT_CONVEX && rounding->off_mm > 0)
+        lx_check_hint(check, LX_MSG_HINT_CONVEX, NULL);
 }
 
 /* Reads the file of a mesh, unless the scene has done so already; false where that failed, which is reported. */
@@ -311,15 +346,66 @@ static bool load_mesh(const struct lx_check *check, struct volume_parameters *vo
         return false;
     /* The body is made once for all scenes that share the mesh; what is wrong with it is told by the check. */
     struct lx_facets *body = NULL;
-    if (make_body(volume->mesh, &body).fault == LX_SHAPE_GOOD)
+    struct lx_shape_rounding rounding;
+    struct lx_shape_report shape = make_body(volume->mesh, volume->scale, &rounding, &body);
+    if (shape.fault == LX_SHAPE_NOT_CLOSED && lx_mesh_join(volume->mesh)) /* corners that differ in their last digits */
+        shape = make_body(volume->mesh, volume->scale, &rounding, &body);
+    if (shape.fault == LX_SHAPE_GOOD) {
         volume->mesh->body = &body->kept;
+        volume->mesh->scale = volume->scale;
+    }
     lx_check_keep(check, path, &volume->mesh->kept);
     return true;
+}
+
+static void note(const struct lx_check *check, const char *file, const struct lx_mesh_note *about,
+                 enum lx_message message)
+{
+    char count[LX_NUMBER_SIZE], line[LX_NUMBER_SIZE];
+    if (about->count > 0)
+        lx_check_advise(check, "mesh", message,
+                        LX_ARGS(file, lx_write_number(about->count, count), lx_write_number(about->line, line)));
+}
+
+/* A body of an odd size, and the scale that would make it one of those that lamps have. */
+static void advise_size(const struct lx_check *check, const struct volume_parameters *volume)
+{
+    static const double scales[] = {1000, 10, 25.4, 0.001}, least = 1, most = 10000;
+    static const char *const units[] = {LX_N("metres"), LX_N("centimetres"), LX_N("inches"), LX_N("micrometres")};
+    char size[LX_NUMBER_SIZE], scale[LX_NUMBER_SIZE];
+    double bare = lx_mesh_size(volume->mesh), across = bare * volume->scale;
+    if (across >= least && across <= most)
+        return;
+    for (size_t i = 0; i < LX_COUNT(scales); i++)
+        if (bare * scales[i] >= least && bare * scales[i] <= most) {
+            lx_check_advise(check, "mesh", LX_MSG_MESH_SIZE,
+                            LX_ARGS(lx_write_digits(across, 4, size), LX_TERM(units[i])));
+            lx_check_hint(check, LX_MSG_HINT_MESH_SCALE, LX_ARGS(lx_write_number(scales[i], scale)));
+            return;
+        }
+}
+
+/* What was left out of the file, and whether its unit can be mm. */
+static void advise_volume(const struct lx_check *check, const struct volume_parameters *volume)
+{
+    const struct lx_mesh *mesh = volume->mesh;
+    if (lx_is_given(&volume_table, volume, "scale") && !lx_is_given(&volume_table, volume, "mesh"))
+        lx_check_advise(check, "scale", LX_MSG_SCALE_UNUSED, NULL);
+    if (!mesh || !lx_is_given(&volume_table, volume, "mesh"))
+        return;
+    note(check, volume->mesh_file, &mesh->thin, LX_MSG_MESH_THIN);
+    note(check, volume->mesh_file, &mesh->doubled, LX_MSG_MESH_DOUBLED);
+    note(check, volume->mesh_file, &mesh->others, LX_MSG_MESH_OTHERS);
+    advise_size(check, volume);
 }
 
 static void check_volume(const struct lx_check *check, void *parameters)
 {
     struct volume_parameters *volume = parameters;
+    if (check->advises) {
+        advise_volume(check, volume);
+        return;
+    }
     const char *body = body_of(volume);
     bool is_mesh = strcmp(body, "mesh") == 0;
     char *path = is_mesh ? lx_check_path(check, volume->mesh_file) : NULL;
@@ -328,11 +414,12 @@ static void check_volume(const struct lx_check *check, void *parameters)
         free(path);
         return;
     }
-    struct lx_shape_report report = make_shapes(volume, true, &shapes); /* an area as good as any */
+    struct lx_shape_rounding rounding = {0};
+    struct lx_shape_report report = make_shapes(volume, true, &rounding, &shapes); /* an area as good as any */
     if (report.fault == LX_SHAPE_GOOD)
         lx_check_area(check, body, &shapes);
     else if (is_mesh)
-        report_mesh(check, volume, path, report);
+        report_mesh(check, volume, path, report, &rounding);
     else
         check->walk->out_of_memory = true; /* nothing else can be wrong with the others */
     lx_shapes_clear(&shapes);
@@ -345,7 +432,8 @@ static int prepare_volume(const void *parameters, struct lx_emitters *emitters)
 {
     const struct volume_parameters *volume = parameters;
     struct lx_shapes shapes = {.emitters = {.asking = emitters->asking}};
-    if (make_shapes(volume, false, &shapes).fault != LX_SHAPE_GOOD) {
+    struct lx_shape_rounding rounding;
+    if (make_shapes(volume, false, &rounding, &shapes).fault != LX_SHAPE_GOOD) {
         lx_shapes_clear(&shapes);
         return -1;
     }

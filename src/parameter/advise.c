@@ -122,9 +122,9 @@ static void advise_mapping(struct lx_walk *walk, const struct lx_step *up, const
         else
             advise_numbers(walk, &step, parameter, id);
     }
-    const struct lx_check check = {walk, up, table, parameters, mapping};
-    if (table->advise)
-        table->advise(&check, parameters);
+    const struct lx_check check = {walk, up, table, parameters, mapping, true};
+    if (table->release) /* the only tables with something to say beyond their keys are those that load files */
+        table->check(&check, (void *)parameters);
 }
 
 void lx_advise_parameters(struct lx_walk *walk, const struct lx_table *table, const void *parameters)

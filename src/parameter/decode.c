@@ -229,7 +229,7 @@ static void judge_table(struct mapping *mapping, size_t t)
     for (size_t i = 0; i < table->count; i++)
         if (table->parameters[i].required && !(there >> i & 1))
             report_missing(mapping, &table->parameters[i]);
-    const struct lx_check check = {walk, mapping->step, table, parameters, mapping->id};
+    const struct lx_check check = {walk, mapping->step, table, parameters, mapping->id, false};
     lx_check_rules(&check, mapping->seen[t], there);
     bool sound = walk->errors == errors && mapping->seen[t] == *(uint64_t *)parameters && !mapping->meant[t];
     if (table->check && sound && !walk->out_of_memory)

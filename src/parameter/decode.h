@@ -104,6 +104,7 @@ struct lx_check {
     const struct lx_table *table;
     const void *parameters;
     lx_node_id mapping;
+    bool advises; /* check() of a table that has release() gives advice on what it loaded, and changes nothing */
 };
 
 /* Checks the rules of a table; `seen` has the bits of the keys written, good or not, `there` of those that need not be

@@ -99,8 +99,6 @@ struct lx_table {
     size_t size; /* of the struct */
     /* Judges what no rule can say, of parameters that are good by themselves, and loads what they name (check.h). */
     void (*check)(const struct lx_check *check, void *parameters);
-    /* Gives advice on what no range tells, of parameters that were checked; NULL: none. */
-    void (*advise)(const struct lx_check *check, const void *parameters);
     /* Frees what check() has put into the struct; harmless where that is nothing. */
     void (*release)(void *parameters);
 };

@@ -302,7 +302,7 @@ static struct lx_facets *assert_good(const struct mesh *mesh, size_t faces, doub
 {
     struct lx_facets *facets = NULL;
     struct lx_shape_report report = lx_facets_of_mesh((places)mesh->corners, mesh->corner_count, mesh->loop,
-                                                      mesh->counts, mesh->face_count, &facets);
+                                                      mesh->counts, mesh->face_count, NULL, &facets);
     assert_int_equal(report.fault, LX_SHAPE_GOOD);
     assert_sound(facets, 4, true);
     assert_int_equal(facets->face_count, faces);
@@ -314,7 +314,7 @@ static void assert_bad(const struct mesh *mesh, enum lx_shape_fault fault, size_
 {
     struct lx_facets *facets = NULL;
     struct lx_shape_report report = lx_facets_of_mesh((places)mesh->corners, mesh->corner_count, mesh->loop,
-                                                      mesh->counts, mesh->face_count, &facets);
+                                                      mesh->counts, mesh->face_count, NULL, &facets);
     assert_null(facets);
     assert_int_equal(report.fault, fault);
     assert_int_equal(report.first, first);
@@ -464,14 +464,14 @@ static void large_mesh(void **unused)
     for (size_t i = 0; i < ball->face_count; i++)
         counts[i] = ball->faces[i].count;
     struct lx_shape_report report =
-        lx_facets_of_mesh((places)corners, ball->corner_count, ball->loop, counts, ball->face_count, &made);
+        lx_facets_of_mesh((places)corners, ball->corner_count, ball->loop, counts, ball->face_count, NULL, &made);
     assert_int_equal(report.fault, LX_SHAPE_GOOD);
     assert_true(made->face_count == ball->face_count && made->edge_count == ball->edge_count);
     assert_true(fabs(made->area_mm2 - ball->area_mm2) < 1e-10 * ball->area_mm2);
     lx_facets_free(made);
     corners[1234][0] *= 0.99;
     corners[1234][1] *= 0.99;
-    report = lx_facets_of_mesh((places)corners, ball->corner_count, ball->loop, counts, ball->face_count, &made);
+    report = lx_facets_of_mesh((places)corners, ball->corner_count, ball->loop, counts, ball->face_count, NULL, &made);
     assert_true(report.fault == LX_SHAPE_NOT_CONVEX || report.fault == LX_SHAPE_NOT_FLAT);
     lx_facets_free(ball);
     free(corners);

@@ -298,8 +298,9 @@ static struct lx_shape_report try_box(double height, double depth, double lift, 
     for (size_t i = 0; i < 9; i++)
         for (int k = 0; k < 3; k++)
             corners[i][k] *= unit_mm;
-    struct lx_shape_report report = lx_facets_of_mesh((places)corners, 9, has_roof ? roof : flat,
-                                                      has_roof ? roof_counts : flat_counts, has_roof ? 9 : 6, &facets);
+    struct lx_shape_report report =
+        lx_facets_of_mesh((places)corners, 9, has_roof ? roof : flat, has_roof ? roof_counts : flat_counts,
+                          has_roof ? 9 : 6, NULL, &facets);
     if (report.fault == LX_SHAPE_GOOD) {
         *face_count = facets->face_count;
         *radius = facets->radius_mm / unit_mm;
@@ -382,7 +383,8 @@ static void every_dent_is_found(void **state)
             corners[i][2] = i < SIDES ? -20 : 30;
         }
         struct lx_facets *facets = NULL;
-        struct lx_shape_report report = lx_facets_of_mesh((places)corners, 2 * SIDES, loop, counts, SIDES + 2, &facets);
+        struct lx_shape_report report =
+            lx_facets_of_mesh((places)corners, 2 * SIDES, loop, counts, SIDES + 2, NULL, &facets);
         assert_int_equal(report.fault, LX_SHAPE_NOT_CONVEX);
         /* of the two sides at the dent the first one that is listed, and a corner that is beyond it */
         unsigned first = dent == 0 ? 0 : dent - 1, next = (first + 1) % SIDES;
