@@ -108,7 +108,8 @@ ANSWERS = [
     "point,value\n1,2\n", "variant,point,value,value\n", "variant,point,value\n1,1,\"2\n",
     "variant,point,value\n1,1,\"2\"3\n", "", "\n\n", "a" * 300, '"' * 99, "variant,point,value\n\0",
     'student,variant,point,value\n"\x1b[31m\nred",1,1,x\n\u009b2J,1,1,9\n',
-    "sep=;\r\nВариант;Точка;Значение, Вт/ср;\r\n3;1;3,1416;\r\n;;;\r\n", "# lamps\n,variant,x (cm),y [m],value\n0,1,1,0.1,2\n",
+    "sep=;\r\nВариант;Точка;Значение, Вт/ср;\r\n3;1;3,1416;\r\n;;;\r\n",
+    "# lamps\n,variant,x (cm),y [m],value\n0,1,1,0.1,2\n",
     "variant\tpoint\tvalue\n\"1\"\t1\t1,234\n2\t1\t1.5\n",
 ]
 
@@ -151,7 +152,8 @@ CLOUDS = [
     "1,2,3,-4\n", "x,y,z,intensity\n1,2,3,much\n", "x,y,z,intensity\n", "", "1,2,3,4", "1,2,3,%s\n" % ("\u20ac" * 30),
     "1e6,1e6,1e6,1e12\n0,0,1000,1\n", "1 2,3 4\n", "1,2,,4\n",
     "sep=;\r\n2000;0,5;2000;10;\r\n;;;;\r\n", "I (mW/sr),z [m],y_cm,\"x, mm\"\n9000,1.5,2,\"3,5\"\n",
-    ",x,y,z,intensity\n0,1,2,1500,3\n", '"x" "y" "z" "intensity"\n"1" 1 2 1500 3\n', "# x y z I\n1\t0,5\t1500\t3\r2\t0,5\t1500\t3",
+    ",x,y,z,intensity\n0,1,2,1500,3\n", '"x" "y" "z" "intensity"\n"1" 1 2 1500 3\n',
+    "# x y z I\n1\t0,5\t1500\t3\r2\t0,5\t1500\t3",
     "2\na.jpg 1 2 1500\n\"b c.jpg\" 3 4 1500,5\n", "3\na 1 2 1500\n", "x;y;z;I\n1.5;2;1,500;4\n", "sep=|\n1|2|3|4\n",
     "x (furlong),y,z,I\n1,2,3,4\n", "x,x,y,z,I\n1,1,2,3,4\n",
 ]

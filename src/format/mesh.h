@@ -3,10 +3,10 @@
  * Polyhedra in text files: OFF and OBJ.  What is read is only what files tell, corners and faces; whether they make a
  * body is for others to say.
  *
- * OFF   the word OFF in any case, perhaps with the letters ST, C, N before it, whose further numbers are passed over (in
- *       a file named *.off it may be missing); the numbers of corners, faces and edges; the corners; for each face the
- *       number of its corners and their indexes from 0 on.  Corners and faces stand on lines of their own, and what
- *       else stands there is passed over; or all is anywhere, and then there is nothing else.
+ * OFF   the word OFF in any case, perhaps with the letters ST, C, N before it, whose further numbers are passed over
+ *       (in a file named *.off it may be missing); the numbers of corners, faces and edges; the corners; for each face
+ *       the number of its corners and their indexes from 0 on.  Corners and faces stand on lines of their own, and
+ *       what else stands there is passed over; or all is anywhere, and then there is nothing else.
  * OBJ   v x y z, and f with the numbers of corners from 1 on, or from -1 down for the last ones before it; what stands
  *       behind a slash, and other statements, are passed over.  Free-form surfaces are refused.
  *

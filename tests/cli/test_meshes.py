@@ -99,12 +99,14 @@ def as_programs_write(tap, tool):
     expected = value(tool, "plain.off")
     plain, text = off(CORNERS, FACES), obj(CORNERS, FACES)
     apart = [corner for face in FACES for corner in (CORNERS[i] for i in face)]
-    noisy = [tuple(c + 1e-12 * ((7 * i + k) % 5 - 2) for k, c in enumerate(corner)) for i, corner in enumerate(apart)]
+    noisy = [tuple(c + 1e-12 * ((7 * i + k) % 5 - 2) for k, c in enumerate(corner))
+             for i, corner in enumerate(apart)]
     singles = [tuple(range(4 * i, 4 * i + 4)) for i in range(6)]
     files = {"mark.off": b"\xef\xbb\xbf" + plain.encode(), "mark.obj": b"\xef\xbb\xbf" + text.encode(),
              "joined.off": plain.replace("OFF\n", "OFF"), "small.off": plain.replace("OFF", "off"),
              "line.off": plain.replace("\n", " "), "mac.obj": text.replace("\n", "\r"),
-             "utf-16.obj": text.encode("utf-16"), "thin.obj": text + "f 1 2\nf 3\n", "twice.obj": text + text.split("\n")[-2] + "\n",
+             "utf-16.obj": text.encode("utf-16"), "thin.obj": text + "f 1 2\nf 3\n",
+             "twice.obj": text + text.split("\n")[-2] + "\n",
              "carried on.obj": text.replace("f ", "f \\ \t\n"), "noisy.off": off(noisy, singles)}
     for name, content in files.items():
         tool.write(name, content)
@@ -128,7 +130,8 @@ def few_digits(tap, tool):
     tool.write("dent.off", off([tuple(round(c, 3) for c in corner) for corner in dent], triangles))
     tool.write("scene.yaml", scene("dent.off"))
     found = tool.run("check", "scene.yaml")
-    tap.ok(found.code == 3 and "not convex" in found.err and " mm outside" in found.err, "a dent is none of digits", found)
+    tap.ok(found.code == 3 and "not convex" in found.err and " mm outside" in found.err,
+           "a dent is none of digits", found)
 
 
 def in_other_units(tap, tool):
@@ -155,7 +158,8 @@ def bodies_that_are_none(tap, tool):
         ("a face turned round", CORNERS, [FACES[0][::-1]] + FACES[1:], ["not closed", "face 1", "line 11"]),
         ("a second body", CORNERS + [(x + 900, y, z) for x, y, z in CORNERS],
          FACES + [tuple(i + 8 for i in face) for face in FACES], ["convex"]),
-        ("a dent", dented, [face for f in FACES for face in ([f[:3], (f[0],) + f[2:]])], ["not convex", "line", " mm "]),
+        ("a dent", dented, [face for f in FACES for face in ([f[:3], (f[0],) + f[2:]])],
+         ["not convex", "line", " mm "]),
         ("a face that is bent", lifted, FACES, ["not flat", "face 2", "line 12", "23.6 mm off", "digits"]),
         ("one bent by more than its digits", [(x + 0.25, y, z) for x, y, z in CORNERS[:7]] + [(100.25, 100, 2102)],
          FACES, ["not flat", "mm off", "allow", "triangles"]),
