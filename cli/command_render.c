@@ -121,6 +121,7 @@ static int compute(const struct options *options, const struct loaded *loaded, l
     luxel_status status;
 
     work_begin(&work, options);
+    work.settings.minimum_reached = true;
     status = luxel_render_files(loaded->scene, &work.settings, options->outputs, options->output_count, &how,
                                 loaded->diagnostics, statistics);
     return work_end(&work, status, loaded->diagnostics);

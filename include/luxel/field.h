@@ -54,7 +54,8 @@ typedef struct luxel_statistics {
     size_t surface_pixels;  /* how many pixels show a surface */
     /* The smallest value of at least 1.2e-38 where light arrives: where some source, or a part of it, shines on the
      * element (N.L > 0, shadows included).  Less is only the tail of a highlight behind the terminator, or ambient
-     * light.  Of a field of luxel_render(); not of a quick look, nor where a light_error takes points together. */
+     * light.  Only where the settings of luxel_render() ask for it, as it costs more than a picture of few point
+     * sources; not of a quick look, nor where a light_error takes points together. */
     luxel_extremum minimum_reached;
 } luxel_statistics;
 

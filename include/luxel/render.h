@@ -31,8 +31,9 @@ typedef struct luxel_settings {
     double tolerance;            /* of probes, relative; 0: 1e-9 where there is no closed form */
     double light_error;          /* 0: each point is summed; else many are taken together: see luxel_render() */
     unsigned stride;             /* 1 (0 too): every pixel; n, to 65536: each n-th column and row: see luxel_render() */
-    luxel_progress progress;     /* NULL: none */
-    void *progress_data;         /* handed to `progress`; NULL */
+    bool minimum_reached; /* false; true: statistics tell the least value where light arrives, see luxel_statistics */
+    luxel_progress progress; /* NULL: none */
+    void *progress_data;     /* handed to `progress`; NULL */
 } luxel_settings;
 
 /* Sets every member to its default, given above. */

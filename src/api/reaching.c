@@ -32,7 +32,7 @@ luxel_status lx_reaching_open(struct lx_reaching *reaching, const struct lx_sess
                               luxel_diagnostics *diagnostics)
 {
     const luxel_settings *settings = &session->settings;
-    if (settings->stride > 1)
+    if (!settings->minimum_reached || settings->stride > 1)
         return LUXEL_OK;
     reaching->is_plain = lx_reach_is_plain(&session->prepared, settings->quantity);
     if (reaching->is_plain || session->plan.forest.tree_count > 0)

@@ -72,6 +72,7 @@ static luxel_field *rendered(const luxel_scene *scene, unsigned threads)
     luxel_field *field = NULL;
     luxel_settings_init(&settings);
     settings.threads = threads;
+    settings.minimum_reached = true;
     assert_int_equal(luxel_render(scene, &settings, NULL, &field), LUXEL_OK);
     return field;
 }
@@ -100,6 +101,19 @@ static void check(const char *name, const char *const *changes, size_t count)
 #define CHECK(name, ...)                                                                                               \
     check(name, (const char *const[]){__VA_ARGS__}, sizeof((const char *const[]){__VA_ARGS__}) / sizeof(char *))
 #define SMALL(columns, rows) "screen.resolution=[" #columns "," #rows "]"
+
+/* It costs several pictures of one source, so only those who ask for it get it. */
+static void test_only_where_asked_for(void **state)
+{
+    (void)state;
+    luxel_scene *scene = builtin("report");
+    luxel_field *field = NULL;
+    assert_int_equal(luxel_render(scene, NULL, NULL, &field), LUXEL_OK);
+    assert_true(luxel_field_statistics(field)->minimum.exists);
+    assert_false(luxel_field_statistics(field)->minimum_reached.exists);
+    luxel_field_free(field);
+    luxel_scene_free(scene);
+}
 
 /* 66.56 % of the report's pixels face its source; its highlight shows on 93.88 %. */
 static void test_report_by_hand(void **state)
@@ -174,9 +188,8 @@ static void test_variants(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_report_by_hand),
-        cmocka_unit_test(test_point_like_sources),
-        cmocka_unit_test(test_extended_sources),
+        cmocka_unit_test(test_report_by_hand),     cmocka_unit_test(test_only_where_asked_for),
+        cmocka_unit_test(test_point_like_sources), cmocka_unit_test(test_extended_sources),
         cmocka_unit_test(test_variants),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
