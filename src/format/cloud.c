@@ -85,9 +85,9 @@ static double intensity_unit(const char *unit)
         const char *name;
         double size;
     } units[] = {
-        {"", 1},          {"W/sr", 1},   {"w/sr", 1},   {"cd", 1},    {"lm/sr", 1},   {"W sr^-1", 1},
-        {"W·sr⁻¹", 1},    {"Вт/ср", 1},  {"кд", 1},     {"лм/ср", 1}, {"candela", 1}, {"mW/sr", 1e-3},
-        {"мВт/ср", 1e-3}, {"mcd", 1e-3}, {"мкд", 1e-3}, {"kcd", 1e3}, {"ккд", 1e3},   {"kW/sr", 1e3},
+        {"", 1},         {"W/sr", 1},      {"w/sr", 1},   {"cd", 1},     {"lm/sr", 1}, {"W sr^-1", 1}, {"W sr⁻¹", 1},
+        {"W sr-1", 1},   {"Cd", 1},        {"W·sr⁻¹", 1}, {"Вт/ср", 1},  {"кд", 1},    {"лм/ср", 1},   {"candela", 1},
+        {"mW/sr", 1e-3}, {"мВт/ср", 1e-3}, {"mcd", 1e-3}, {"мкд", 1e-3}, {"kcd", 1e3}, {"ккд", 1e3},   {"kW/sr", 1e3},
     };
     for (size_t i = 0; i < sizeof units / sizeof *units; i++)
         if (strcmp(units[i].name, unit) == 0)
@@ -184,12 +184,12 @@ static struct lx_cloud_report read_npy(struct lx_source *source, struct lx_cloud
     if (report.message != LX_MSG_COUNT)
         return report;
     size_t numbers = (size_t)npy.rows * LX_CLOUD_COLUMNS;
-    cloud->values = lx_new_array(numbers, npy.width);
-    cloud->is_single = npy.width == sizeof(float);
+    cloud->is_single = npy.sample == LX_SAMPLE_F32;
+    cloud->values = lx_new_array(numbers, cloud->is_single ? sizeof(float) : sizeof(double));
     cloud->count = npy.rows;
     if (!cloud->values)
         return say(LX_MSG_OUT_OF_MEMORY, "");
-    struct lx_loaded loaded = {.sample = cloud->is_single ? LX_SAMPLE_F32 : LX_SAMPLE_F64, .values = cloud->values};
+    struct lx_loaded loaded = {.sample = npy.sample, .values = cloud->values};
     return lx_npy_read_numbers(source, &npy, &loaded) == LUXEL_OK ? check_rows(cloud) : GOOD;
 }
 

@@ -137,8 +137,12 @@ void lx_reserve_numbers(struct lx_writer *writer, size_t width);
  */
 luxel_status lx_loaded_allocate(struct lx_source *source, struct lx_loaded *loaded);
 
-/* For the formats: checks that the source has as many bytes as the image behind a header of this length. */
-luxel_status lx_check_size(struct lx_source *source, const char *name, const struct lx_loaded *loaded, size_t header);
+/*
+ * For the formats: checks that the source has as many bytes as the image, in numbers of `width` bytes, behind a header
+ * of this length.
+ */
+luxel_status lx_check_size(struct lx_source *source, const char *name, const struct lx_loaded *loaded, size_t width,
+                           size_t header);
 
 /*
  * For the formats: reads `count` numbers of the image's kind from an offset on, and puts them to every `stride`-th

@@ -4,6 +4,7 @@
  * 1.0 with the shape (rows, columns) in C order, so that numpy.load() gives row 0 first, little-endian on every host.
  * Read in versions 1 to 3, both orders of bytes and of axes.  Format: numpy.lib.format.
  */
+#include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -72,10 +73,28 @@ static bool take(struct header *header, char expected)
     return true;
 }
 
+/* The fields of records, [('x', '<f8'), ...], cut to the buffer. */
+static bool take_records(struct header *header, char *text, size_t size)
+{
+    const char *start = header->at;
+    int depth = 0;
+    do {
+        depth += (*header->at == '[' || *header->at == '(') - (*header->at == ']' || *header->at == ')');
+        if (*header->at++ == '\0')
+            return false;
+    } while (depth > 0);
+    size_t length = (size_t)(header->at - start);
+    bool fits = length < size;
+    snprintf(text, size, "%.*s%s", (int)(fits ? length : size - 4), start, fits ? "" : "...");
+    return true;
+}
+
 /* 'a text', cut to the buffer. */
 static bool take_text(struct header *header, char *text, size_t size)
 {
     char quote = *header->at;
+    if (quote == '[')
+        return take_records(header, text, size);
     if (quote != '\'' && quote != '"')
         return false;
     const char *end = strchr(header->at + 1, quote);
@@ -150,13 +169,22 @@ static bool take_dictionary(struct header *header)
     return *header->at == '\0' && header->npy->descr[0] && header->npy->shape[0] && header->has_order;
 }
 
-/* What the type of the numbers says: their width and order of bytes. */
+/* What the type of the numbers says: what they are, their width and order of bytes. */
 static void read_descr(struct lx_npy *npy)
 {
-    const char *kind = npy->descr + 1;
-    bool is_real = strcmp(kind, "f4") == 0 || strcmp(kind, "f8") == 0;
-    npy->big_endian = npy->descr[0] == '>';
-    npy->width = is_real && (npy->big_endian || npy->descr[0] == '<') ? (size_t)(kind[1] - '0') : 0;
+    static const char *const kinds[] = {"f2", "f4", "f8", "i1", "i2", "i4", "i8", "u1", "u2", "u4", "u8", "b1"};
+    bool is_order = npy->descr[0] && strchr("<>=|", npy->descr[0]);
+    const char *kind = npy->descr + is_order;
+    npy->big_endian = npy->descr[0] == '>' || (npy->descr[0] == '=' && __BYTE_ORDER__ == __ORDER_BIG_ENDIAN__);
+    for (size_t i = 0; i < sizeof kinds / sizeof *kinds; i++)
+        if (strcmp(kinds[i], kind) == 0) {
+            npy->kind = kind[0];
+            npy->width = (size_t)(kind[1] - '0');
+        }
+    bool has_order = npy->descr[0] == '<' || npy->descr[0] == '>' || npy->descr[0] == '=';
+    if (npy->width > 1 && !has_order)
+        npy->width = 0;
+    npy->sample = npy->width == 8 || (npy->width == 4 && npy->kind != 'f') ? LX_SAMPLE_F64 : LX_SAMPLE_F32;
 }
 
 const char *lx_npy_read_header(struct lx_source *source, struct lx_npy *npy)
@@ -199,26 +227,78 @@ static luxel_status read_npy(struct lx_source *source, struct lx_loaded *loaded)
     if (lx_source_status(source) != LUXEL_OK)
         return lx_source_status(source);
     if (npy.width == 0)
-        return lx_unfit_file(source, NAME, "descr", npy.descr, "<f4, <f8, >f4, >f8");
+        return lx_unfit_file(source, NAME, "descr", npy.descr, "<f2, <f4, <f8, <i1 - <i8, <u1 - <u8, |b1");
     if (npy.rows == 0 || npy.columns == 0)
         return lx_unfit_file(source, NAME, "shape", npy.shape, "shape (rows, columns)");
     loaded->rows = npy.rows;
     loaded->columns = npy.columns;
-    loaded->sample = npy.width == sizeof(double) ? LX_SAMPLE_F64 : LX_SAMPLE_F32;
-    luxel_status status = lx_check_size(source, NAME, loaded, npy.start);
+    loaded->sample = npy.sample;
+    luxel_status status = lx_check_size(source, NAME, loaded, npy.width, npy.start);
     if (status == LUXEL_OK)
         status = lx_loaded_allocate(source, loaded);
     return status == LUXEL_OK ? lx_npy_read_numbers(source, &npy, loaded) : status;
 }
 
+/* ---- numbers ---- */
+
+/* A float16, which a float32 holds exactly. */
+static double half_value(uint64_t bits)
+{
+    unsigned exponent = bits >> 10 & 31, fraction = bits & 1023;
+    double size = exponent == 31 ? (fraction ? (double)NAN : HUGE_VAL)
+                  : exponent     ? ldexp(1024 + fraction, (int)exponent - 25)
+                                 : ldexp(fraction, -24);
+    return bits >> 15 & 1 ? -size : size;
+}
+
+static double value_of(const struct lx_npy *npy, uint64_t bits)
+{
+    unsigned unused = 64 - 8 * (unsigned)npy->width;
+    switch (npy->kind) {
+    case 'f': return half_value(bits);
+    case 'i': return (double)((int64_t)(bits << unused) >> unused);
+    case 'b': return bits != 0;
+    default: return (double)bits;
+    }
+}
+
+/* Whole numbers and float16: `count` from an offset on, to every `stride`-th place from place `first` on. */
+static luxel_status convert(struct lx_source *source, const struct lx_npy *npy, uint64_t offset,
+                            struct lx_loaded *loaded, size_t first, size_t stride, size_t count)
+{
+    enum { PART = 2048 };
+    unsigned char bytes[PART * sizeof(uint64_t)];
+    size_t width = npy->width;
+    for (size_t done = 0; done < count;) {
+        size_t part = count - done < PART ? count - done : PART;
+        if (lx_source_read(source, offset + done * width, bytes, part * width) != LUXEL_OK)
+            break;
+        for (size_t i = 0; i < part; i++, done++) {
+            uint64_t bits = 0;
+            for (size_t byte = 0; byte < width; byte++)
+                bits = bits << 8 | bytes[i * width + (npy->big_endian ? byte : width - 1 - byte)];
+            double value = value_of(npy, bits);
+            if (loaded->sample == LX_SAMPLE_F64)
+                ((double *)loaded->values)[first + done * stride] = value;
+            else
+                ((float *)loaded->values)[first + done * stride] = (float)value;
+        }
+    }
+    return lx_source_status(source);
+}
+
 luxel_status lx_npy_read_numbers(struct lx_source *source, const struct lx_npy *npy, struct lx_loaded *loaded)
 {
-    size_t columns = npy->columns, rows = npy->rows;
-    if (!npy->fortran)
-        return lx_read_numbers(source, npy->start, npy->big_endian, loaded, 0, 1, rows * columns);
-    for (size_t column = 0; column < columns; column++)
-        lx_read_numbers(source, npy->start + column * rows * npy->width, npy->big_endian, loaded, column, columns,
-                        rows);
+    size_t columns = npy->columns, rows = npy->rows, lines = npy->fortran ? columns : 1;
+    size_t count = rows * columns / lines, stride = npy->fortran ? columns : 1;
+    bool is_plain = npy->kind == 'f' && npy->width > 2;
+    for (size_t line = 0; line < lines; line++) {
+        uint64_t offset = npy->start + line * count * npy->width;
+        if (is_plain)
+            lx_read_numbers(source, offset, npy->big_endian, loaded, line, stride, count);
+        else
+            convert(source, npy, offset, loaded, line, stride, count);
+    }
     return lx_source_status(source);
 }
 

@@ -70,14 +70,15 @@ static luxel_status read_pfm(struct lx_source *source, struct lx_loaded *loaded)
     if (length < 3 || header[0] != 'P' || (header[1] != 'f' && header[1] != 'F'))
         return lx_bad_file(source, NAME, "Pf");
     if (header[1] == 'F')
-        return lx_unfit_file(source, NAME, "type", "PF", "Pf");
+        return lx_unfit_file(source, NAME, "type", "PF",
+                             LX_N("Pf, which has one channel and not the three of a coloured picture"));
     if (!take_number(header, length, &at, &columns) || !take_number(header, length, &at, &rows) ||
         !take_number(header, length, &at, &scale) || !is_size(columns) || !is_size(rows) || scale == 0)
         return lx_bad_file(source, NAME, "header");
     loaded->columns = (unsigned)columns;
     loaded->rows = (unsigned)rows;
     loaded->sample = LX_SAMPLE_F32;
-    status = lx_check_size(source, NAME, loaded, at);
+    status = lx_check_size(source, NAME, loaded, sizeof(float), at);
     if (status == LUXEL_OK)
         status = lx_loaded_allocate(source, loaded);
     for (size_t row = 0; status == LUXEL_OK && row < loaded->rows; row++)

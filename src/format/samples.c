@@ -110,10 +110,11 @@ luxel_status lx_loaded_allocate(struct lx_source *source, struct lx_loaded *load
     return LUXEL_OK;
 }
 
-luxel_status lx_check_size(struct lx_source *source, const char *name, const struct lx_loaded *loaded, size_t header)
+luxel_status lx_check_size(struct lx_source *source, const char *name, const struct lx_loaded *loaded, size_t width,
+                           size_t header)
 {
     char columns[LX_NUMBER_SIZE], rows[LX_NUMBER_SIZE], wanted[LX_NUMBER_SIZE], found[LX_NUMBER_SIZE];
-    double bytes = (double)loaded->columns * (double)loaded->rows * (double)width_of(loaded) + (double)header;
+    double bytes = (double)loaded->columns * (double)loaded->rows * (double)width + (double)header;
     double size = (double)lx_source_size(source); /* both are exact below 2^53 */
     if (size == bytes)
         return LUXEL_OK;

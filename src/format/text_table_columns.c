@@ -215,7 +215,9 @@ static struct lx_text_table_fault find_separator(struct lx_text_table *table, ch
     bool is_found;
     for (int rows_only = table->has_heading; rows_only < 2; rows_only++)
         for (size_t i = 0; i < sizeof SEPARATORS; i++) {
-            if (given && SEPARATORS[i] != given)
+            /* blanks take tabs, too, and rows of numbers may have both */
+            bool is_blank = rows_only && !table->has_heading && !given && SEPARATORS[i] == '\t';
+            if ((given && SEPARATORS[i] != given) || (is_blank && table->lines.comments_anywhere))
                 continue;
             struct lx_text_table_fault fault = try_separator(table, SEPARATORS[i], rows_only, &is_found);
             if (is_found)

@@ -34,8 +34,11 @@ static luxel_status check_characters(const struct lx_place *place, luxel_diagnos
         }
         uint32_t code = 0;
         size = lx_next_character(text + i, place->length - i, &code);
-        if (size == 0)
-            return refuse(place, i, i + 1, LX_MSG_NOT_UTF8, LX_ARGS((char[]){text[i], 0}), diagnostics);
+        if (size == 0) {
+            luxel_status status = refuse(place, i, i + 1, LX_MSG_NOT_UTF8, LX_ARGS((char[]){text[i], 0}), diagnostics);
+            lx_hint(diagnostics, LX_MSG_HINT_UTF8, NULL);
+            return status;
+        }
         if (code == '\t' || code == '\n' || code == '\r' || code == 0x85)
             continue;
         if (code == 0)

@@ -5,6 +5,7 @@
  */
 #include <stdlib.h>
 
+#include "../base/encoding.h"
 #include "../base/memory.h"
 #include "../format/format.h"
 #include "guard.h"
@@ -15,6 +16,23 @@ static luxel_status refuse_size(struct lx_source *source)
     return lx_source_fail(source, LUXEL_ERROR_SCENE, LX_MSG_TEXT_TOO_LARGE, LX_ARGS(LX_TERM(LX_N("64 MB"))));
 }
 
+/* A text in UTF-16, as PowerShell writes it, becomes UTF-8. */
+static luxel_status decode_text(struct lx_source *source, struct lx_input *input)
+{
+    size_t mark, used;
+    enum lx_encoding encoding = lx_find_encoding(input->text, input->length, &mark);
+    if (encoding == LX_UTF8)
+        return LUXEL_OK;
+    size_t units = (input->length - mark) / 2;
+    char *text = lx_new_array(units + 1, LX_UTF16_GROWTH);
+    if (!text)
+        return lx_source_out_of_memory(source);
+    input->length = lx_decode_utf16((unsigned char *)input->text + mark, units, encoding, true, text, &used);
+    free(input->text);
+    input->text = text;
+    return input->length > LX_LARGEST_TEXT ? refuse_size(source) : LUXEL_OK;
+}
+
 static luxel_status read_text(struct lx_source *source, struct lx_input *input)
 {
     if (lx_source_size(source) > LX_LARGEST_TEXT)
@@ -23,7 +41,8 @@ static luxel_status read_text(struct lx_source *source, struct lx_input *input)
     input->text = lx_new_array(input->length + 1, 1);
     if (!input->text)
         return lx_source_out_of_memory(source);
-    return lx_source_read(source, 0, input->text, input->length);
+    luxel_status status = lx_source_read(source, 0, input->text, input->length);
+    return status == LUXEL_OK ? decode_text(source, input) : status;
 }
 
 static luxel_status refuse_picture(struct lx_source *source, const struct lx_format *format)

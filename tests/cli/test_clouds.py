@@ -125,7 +125,7 @@ def files_that_are_none(tap, tool):
              ("the beginning of NPY", b"\x93NUMPY", ["NPY"]),
              ("an array cut off", npy(ROWS)[:-1], ["length", "3 rows"]),
              ("five columns", npy(ROWS, shape="(3, 5)"), ["(3, 5)", "(N, 4)"]),
-             ("whole numbers", npy(ROWS, "<i8"), ["<i8", "<f8"]), ("no array", npy([]), ["no row"]),
+             ("complex numbers", npy(ROWS, "<c8"), ["<c8", "<f4"]), ("no array", npy([]), ["no row"]),
              ("an array too long", npy(ROWS, shape="(10000001, 4)"), ["ten million"]),
              ("infinity", npy(ROWS + [(1, 2, float("inf"), 4)]), ["row 4", "finite"]),
              ("below 0", npy(ROWS + [(1, 2, 3, -1)], "<f4"), ["row 4", "below 0"])]

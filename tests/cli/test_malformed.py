@@ -58,6 +58,25 @@ def every_command_agrees(tap, tool):
     tap.ok(result.code == 3 and "<stdin>:1:1: error:" in result.err, "empty standard input", result)
 
 
+def encodings(tap, tool):
+    """What editors and shells on Windows make of a scene."""
+    tool.write("scene.yaml", SCENE)
+    expected = tool.run("probe", "scene.yaml", "--json").out
+    named = SCENE.replace("type: point,", "type: point, name: Лампа,")
+    for name, content in (("UTF-16", SCENE.encode("utf-16")), ("UTF-16, the other order",
+                                                               b"\xfe\xff" + SCENE.encode("utf-16-be")),
+                          ("UTF-16 without a mark", SCENE.encode("utf-16-le")),
+                          ("UTF-8 with a mark", b"\xef\xbb\xbf" + SCENE.encode())):
+        tool.write("scene.yaml", content)
+        tap.equal(tool.run("probe", "scene.yaml", "--json").out, expected, name)
+    tool.write("scene.yaml", named.encode("utf-16"))
+    tap.equal(tool.run("check", "scene.yaml").code, 0, "Russian letters in UTF-16")
+    tool.write("scene.yaml", named.encode("cp1251"))
+    found = tool.run("check", "scene.yaml")
+    tap.ok(found.code == 3 and "scene.yaml:11:" in found.err and "save it as UTF-8" in found.err and
+           "1251" in found.err, "and in the code page 1251", found)
+
+
 def underline(tap, tool):
     tool.write("scene.yaml", SCENE.replace("radiometric", "radiometrix"))
     lines = tool.run("check", "scene.yaml").err.split("\n")
@@ -103,5 +122,5 @@ def pictures_too_large(tap, tool):
                "a picture that %s cannot hold" % name, result)
 
 
-run_tests(Tap(), pieces, whole_texts, every_command_agrees, underline, all_at_once, files_that_cannot_be_read,
+run_tests(Tap(), encodings, pieces, whole_texts, every_command_agrees, underline, all_at_once, files_that_cannot_be_read,
           pictures_too_large)

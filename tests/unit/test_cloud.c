@@ -56,6 +56,7 @@ static void reads_csv(void **state)
         "# y,x,z,intensity\n-2,1,3.5,4\n0,1000,-0.25,0\n",
         "sep=\t\r\n1\t-2\t3,5\t4\r\n1000\t0\t-0,25\t0\r\n",
         "1;-2;3,5;4\r1000;0;-0,25;0",
+        "1\t-2\t3.5\t4\n1e3 0 -0.25 \t 0\n",
         "\xd5;\xf3;Z;\xc8\xed\xf2\xe5\xed\xf1\xe8\xe2\xed\xee\xf1\xf2\xfc\n1;-2;3,5;4\n1e3;0;-0,25;0\n",
     };
     for (size_t i = 0; i < sizeof texts / sizeof *texts; i++)
@@ -201,8 +202,8 @@ static void refuses_npy(void **state)
         {DICTIONARY("<f8", "(8,)"), LX_MSG_CLOUD_SHAPE, "(8,)"},
         {DICTIONARY("<f8", "(1, 2, 4)"), LX_MSG_CLOUD_SHAPE, "(1, 2, 4)"},
         {DICTIONARY("<f8", "(4, 2)"), LX_MSG_CLOUD_SHAPE, "(4, 2)"},
-        {DICTIONARY("<i4", "(2, 4)"), LX_MSG_CLOUD_DESCR, "<i4"},
-        {DICTIONARY("<f2", "(2, 4)"), LX_MSG_CLOUD_DESCR, "<f2"},
+        {DICTIONARY("<c8", "(2, 4)"), LX_MSG_CLOUD_DESCR, "<c8"},
+        {DICTIONARY("<f2", "(2, 4)"), LX_MSG_CLOUD_SIZE, ""},
         {DICTIONARY("|O", "(2, 4)"), LX_MSG_CLOUD_DESCR, "|O"},
         {DICTIONARY("<f8", "(0, 4)"), LX_MSG_CLOUD_EMPTY, ""},
         {DICTIONARY("<f8", "(10000001, 4)"), LX_MSG_CLOUD_TOO_LARGE, ""},

@@ -360,6 +360,57 @@ static void test_npy_kinds(void **state)
     assert_six(*state, LX_SAMPLE_F32);
 }
 
+/* Whole numbers of every width, float16 and truth, in both orders of bytes and of axes. */
+static void test_npy_others(void **state)
+{
+    static const struct {
+        const char *kind;
+        enum lx_sample sample;
+        uint64_t bits[6];
+        double values[6];
+    } cases[] = {
+        {"i1", LX_SAMPLE_F32, {0, 1, 127, 0x80, 0xFF, 5}, {0, 1, 127, -128, -1, 5}},
+        {"u1", LX_SAMPLE_F32, {0, 1, 127, 0x80, 0xFF, 5}, {0, 1, 127, 128, 255, 5}},
+        {"b1", LX_SAMPLE_F32, {0, 1, 1, 0, 0, 1}, {0, 1, 1, 0, 0, 1}},
+        {"i2", LX_SAMPLE_F32, {0, 258, 0x7FFF, 0x8000, 0xFFFE, 5}, {0, 258, 32767, -32768, -2, 5}},
+        {"u2", LX_SAMPLE_F32, {0, 258, 0x7FFF, 0x8000, 0xFFFE, 5}, {0, 258, 32767, 32768, 65534, 5}},
+        {"i4", LX_SAMPLE_F64, {0, 16777217, 0x80000000, 0xFFFFFFFF, 1, 5}, {0, 16777217, -2147483648.0, -1, 1, 5}},
+        {"u4", LX_SAMPLE_F64, {0, 16777217, 0x80000000, 0xFFFFFFFF, 1, 5}, {0, 16777217, 0x1p31, 4294967295.0, 1, 5}},
+        {"i8", LX_SAMPLE_F64, {0, UINT64_MAX, UINT64_C(1) << 63, 1, 2, 5}, {0, -1, -0x1p63, 1, 2, 5}},
+        {"u8", LX_SAMPLE_F64, {0, UINT64_C(1) << 53, UINT64_C(1) << 63, 1, 2, 5}, {0, 0x1p53, 0x1p63, 1, 2, 5}},
+        {"f2",
+         LX_SAMPLE_F32,
+         {0x3C00, 0xC000, 0x7BFF, 1, 0x3555, 0x7C00},
+         {1, -2, 65504, 0x1p-24, 1365.0 / 4096, HUGE_VAL}},
+    };
+    for (size_t i = 0; i < 4 * sizeof cases / sizeof cases[0]; i++) {
+        bool big = i & 1, fortran = i & 2;
+        unsigned char bytes[64];
+        char dictionary[200];
+        size_t width = (size_t)(cases[i / 4].kind[1] - '0');
+        struct lx_loaded loaded = {0};
+        struct files *files = *state;
+        for (size_t k = 0; k < 6 * width; k++) {
+            size_t at = k / width, value = fortran ? at / 2 + 3 * (at % 2) : at, byte = k % width;
+            bytes[k] = (unsigned char)(cases[i / 4].bits[value] >> 8 * (big ? width - 1 - byte : byte));
+        }
+        snprintf(dictionary, sizeof dictionary, "{'descr': '%c%s', 'fortran_order': %s, 'shape': (2, 3), }",
+                 width == 1 ? '|'
+                 : big      ? '>'
+                            : '<',
+                 cases[i / 4].kind, fortran ? "True" : "False");
+        make_npy(files, 1, dictionary, bytes, 6 * width);
+        assert_int_equal(lx_read_image(files->path, NULL, &loaded), LUXEL_OK);
+        assert_int_equal(loaded.sample, cases[i / 4].sample);
+        for (size_t k = 0; k < 6; k++) {
+            bool is_double = loaded.sample == LX_SAMPLE_F64;
+            double value = is_double ? ((double *)loaded.values)[k] : (double)((float *)loaded.values)[k];
+            assert_true(value == cases[i / 4].values[k]);
+        }
+        lx_loaded_clear(&loaded);
+    }
+}
+
 static void test_npy_refused(void **state)
 {
     static const struct {
@@ -376,11 +427,16 @@ static void test_npy_refused(void **state)
         {"{'descr': '<f4', 'fortran_order': 0, 'shape': (2, 3), }", "bad-file"},
         {"{'descr': '<f4', 'fortran_order': False, 'shape': (2, -3), }", "bad-file"},
         {"{'descr': '<f4', 'fortran_order': False, 'shape': (2, 3), 'more': 1}", "bad-file"},
-        {"{'descr': [('a', '<f4')], 'fortran_order': False, 'shape': (2, 3), }", "bad-file"},
+        {"{'descr': [('a', '<f4')], 'fortran_order': False, 'shape': (2, 3), }", "unfit-file"},
         {"", "bad-file"},
-        {"{'descr': '<i4', 'fortran_order': False, 'shape': (2, 3), }", "unfit-file"},
+        {"{'descr': '<c8', 'fortran_order': False, 'shape': (2, 3), }", "unfit-file"},
+        {"{'descr': '<f16', 'fortran_order': False, 'shape': (2, 3), }", "unfit-file"},
+        {"{'descr': '|S4', 'fortran_order': False, 'shape': (2, 3), }", "unfit-file"},
+        {"{'descr': '|f4', 'fortran_order': False, 'shape': (2, 3), }", "unfit-file"},
+        {"{'descr': [('a', '<f4')", "bad-file"},
         {"{'descr': '|O', 'fortran_order': False, 'shape': (2, 3), }", "unfit-file"},
-        {"{'descr': '<f2', 'fortran_order': False, 'shape': (2, 3), }", "unfit-file"},
+        {"{'descr': '<f2', 'fortran_order': False, 'shape': (2, 3), }", "bad-file-size"},
+        {"{'descr': '|i1', 'fortran_order': False, 'shape': (2, 3), }", "bad-file-size"},
         {"{'descr': '<f4', 'fortran_order': False, 'shape': (6,), }", "unfit-file"},
         {"{'descr': '<f4', 'fortran_order': False, 'shape': (), }", "unfit-file"},
         {"{'descr': '<f4', 'fortran_order': False, 'shape': (1, 2, 3), }", "unfit-file"},
@@ -497,21 +553,14 @@ static void test_csv_without_places(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        FILES_CASE(round_trips),
-        FILES_CASE(exr_from_double),
-        FILES_CASE(renamed),
-        FILES_CASE(csv),
-        FILES_CASE(csv_text),
-        FILES_CASE(csv_of_others),
-        FILES_CASE(csv_dialects),
-        FILES_CASE(csv_refused),
-        FILES_CASE(npy_kinds),
-        FILES_CASE(npy_refused),
-        FILES_CASE(pfm_kinds),
-        FILES_CASE(pfm_refused),
-        FILES_CASE(too_many_pixels),
-        FILES_CASE(others_refused),
-        FILES_CASE(csv_without_places),
+        FILES_CASE(round_trips),    FILES_CASE(exr_from_double),
+        FILES_CASE(renamed),        FILES_CASE(csv),
+        FILES_CASE(csv_text),       FILES_CASE(csv_of_others),
+        FILES_CASE(csv_dialects),   FILES_CASE(csv_refused),
+        FILES_CASE(npy_kinds),      FILES_CASE(npy_others),
+        FILES_CASE(npy_refused),    FILES_CASE(pfm_kinds),
+        FILES_CASE(pfm_refused),    FILES_CASE(too_many_pixels),
+        FILES_CASE(others_refused), FILES_CASE(csv_without_places),
     };
 
     return cmocka_run_group_tests_name("reading formats", tests, NULL, NULL);
