@@ -8,6 +8,7 @@
 #include <luxel/luxel.h>
 
 #include "cli.h"
+#include "json.h"
 #include "message.h"
 #include "options.h"
 #include "text.h"
@@ -88,12 +89,40 @@ void help_print_command(const struct command *command)
     text_definition(stdout, "", 0, _(command->summary));
     fputc('\n', stdout);
     text_definition(stdout, "", 0, _(command->description));
-    fputs(_("\nOptions:\n"), stdout);
     options_print_help(stdout, command->bit);
     print_endings(command);
     print_examples(command->examples);
     fputc('\n', stdout);
     print_exit_codes();
+}
+
+/* A command, or the common options where there is none. */
+static void write_json(const struct command *command)
+{
+    struct json json = {.stream = stdout};
+    const struct option_row *row;
+
+    json_open(&json, NULL, '{');
+    if (command) {
+        json_text(&json, "command", command->name);
+        json_text(&json, "summary", command->summary);
+        json_text(&json, "description", command->description);
+    }
+    json_open(&json, "options", '[');
+    for (size_t i = 0; (row = options_row(i)) != NULL; i++) {
+        const char letter[] = {row->letter, '\0'};
+
+        if (command ? !(row->commands & command->bit) : !row->is_shared)
+            continue;
+        json_open(&json, NULL, '{');
+        json_text(&json, "name", row->name);
+        json_text(&json, "letter", row->letter ? letter : NULL);
+        json_text(&json, "argument", row->argument);
+        json_text(&json, "help", row->help);
+        json_close(&json, '}');
+    }
+    json_close(&json, ']');
+    json_close(&json, '}');
 }
 
 static int run(const struct options *options)
@@ -104,13 +133,19 @@ static int run(const struct options *options)
         help_print_usage();
         return EXIT_DONE;
     }
+    if (options->operand && strcmp(options->operand, "options") == 0) {
+        if (options->json)
+            write_json(NULL);
+        else
+            options_print_shared(stdout);
+        return EXIT_DONE;
+    }
     if (!command)
         return help_print_keys(options->operand, options->json);
-    if (options->json) {
-        message_error(_("the help of a command has no JSON form"));
-        return EXIT_USAGE;
-    }
-    help_print_command(command);
+    if (options->json)
+        write_json(command);
+    else
+        help_print_command(command);
     return EXIT_DONE;
 }
 
@@ -120,10 +155,13 @@ const struct command command_help = {
     .operand = N_("TOPIC"),
     .operand_kind = OPERAND_TOPIC,
     .summary = N_("explain a command or a key of a scene"),
-    .description = N_("TOPIC is a command, a key such as lights[].intensity or just intensity, or a type of surface or "
-                      "light such as spot. With --json keys are described as JSON; all of them without a TOPIC."),
+    .description = N_("TOPIC is a command, a key such as lights[].intensity or just intensity, a type of surface or "
+                      "light such as spot, a word of the field such as luminance or lux, or \"options\", the common "
+                      "options of the commands. With --json the answer is JSON, that of all keys without a TOPIC."),
     .examples = "luxel help render\n"
                 "luxel help shininess\n"
-                "luxel help 'lights[0].intensity'",
+                "luxel help 'lights[0].intensity'\n"
+                "luxel help luminance\n"
+                "luxel help options",
     .run = run,
 };

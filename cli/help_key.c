@@ -14,6 +14,7 @@
 #include "../front/language.h"
 #include "cli.h"
 #include "command_help.h"
+#include "help_words.h"
 #include "json.h"
 #include "message.h"
 #include "text.h"
@@ -279,7 +280,7 @@ static void write_kinds(struct json *json, const luxel_parameters *keys, const c
     json_close(json, ']');
 }
 
-static void print_json(const luxel_parameters *keys, const char *topic)
+static void print_json(const luxel_parameters *keys, const char *topic, const char *word)
 {
     struct json json = {.stream = stdout};
 
@@ -307,6 +308,7 @@ static void print_json(const luxel_parameters *keys, const char *topic)
     }
     json_close(&json, ']');
     write_kinds(&json, keys, topic);
+    help_word_write(&json, word);
     json_close(&json, '}');
 }
 
@@ -352,14 +354,20 @@ int help_print_keys(const char *topic, bool as_json)
     }
     if (!keys) {
         code = message_failure(LUXEL_ERROR_MEMORY, NULL);
-    } else if (best == MATCH_NONE) {
+    } else if (best == MATCH_NONE && !help_word_is_known(topic)) {
         code = report_unknown_topic(keys, topic);
     } else if (as_json) {
-        print_json(keys, path);
+        print_json(keys, path, topic);
+    } else if (best == MATCH_NONE) {
+        help_word_print(topic);
     } else {
         print_text(keys, path, best);
         if (best == MATCH_EXACT)
             print_below(keys, path);
+        if (topic && help_word_is_known(topic)) {
+            fputc('\n', stdout);
+            help_word_print(topic);
+        }
     }
     free(path);
     luxel_parameters_free(keys);

@@ -211,6 +211,16 @@ static bool read_operands(int count, char **operands, struct options *options)
     return read_more_operands(count - 2, operands + 2, options);
 }
 
+/* "--output, --bits, -s": as a hint. */
+static void print_taken(const struct command *command)
+{
+    char own[TEXT_SIZE], shared[TEXT_SIZE];
+
+    options_list(command->bit, false, own);
+    options_list(command->bit, true, shared);
+    message_hint(_("luxel %s takes %s%s%s"), command->name, own, *own ? ", " : "", shared);
+}
+
 /* Every option that was given must be one that the command takes. */
 static bool check_commands(const struct options *options)
 {
@@ -225,9 +235,14 @@ static bool check_commands(const struct options *options)
             message_error(_("luxel %s takes no --%s"), options->command->name, row->name);
         else
             message_error(_("--%s needs a command before it"), row->name);
-        for (size_t k = 0; k < COMMAND_COUNT; k++)
-            if ((row->commands & commands[k]->bit) && (row->commands & COMMAND_ANY) != COMMAND_ANY)
-                message_hint(_("luxel %s takes it"), commands[k]->name);
+        if (!options->command && row->is_shared)
+            return false;
+        if (!row->is_shared)
+            for (size_t k = 0; k < COMMAND_COUNT; k++)
+                if (row->commands & commands[k]->bit)
+                    message_hint(_("luxel %s takes it"), commands[k]->name);
+        if (options->command)
+            print_taken(options->command);
         return false;
     }
     return true;
@@ -265,19 +280,75 @@ void options_clear(struct options *options)
     free(options->operands);
 }
 
+const char *options_list(unsigned command_bit, bool is_shared, char list[TEXT_SIZE])
+{
+    const struct option_row *row;
+    size_t used = 0;
+
+    list[0] = '\0';
+    for (size_t i = 0; (row = options_row(i)) != NULL; i++) {
+        char letter[TEXT_SIZE] = "";
+
+        if (!(row->commands & command_bit) || row->is_shared != is_shared || used >= TEXT_SIZE)
+            continue;
+        if (row->letter != 0)
+            text_format(letter, "-%c, ", row->letter);
+        used += (size_t)snprintf(list + used, TEXT_SIZE - used, "%s%s--%s", used > 0 ? ", " : "", letter, row->name);
+    }
+    return list;
+}
+
+const char *options_takers(const struct option_row *row, char list[TEXT_SIZE])
+{
+    size_t used = 0;
+
+    list[0] = '\0';
+    for (size_t k = 0; k < COMMAND_COUNT; k++)
+        if ((row->commands & commands[k]->bit) && used < TEXT_SIZE)
+            used += (size_t)snprintf(list + used, TEXT_SIZE - used, "%s%s", used > 0 ? ", " : "", commands[k]->name);
+    return list;
+}
+
+enum { HELP_INDENT = 24 };
+
+static void print_row(FILE *stream, const struct option_row *row, const char *help)
+{
+    char left[TEXT_SIZE], letter[TEXT_SIZE];
+
+    text_format(letter, "-%c,", row->letter);
+    text_format(left, row->value == VALUE_OPTIONAL ? "  %3s --%s[=%s]" : "  %3s --%s %s",
+                row->letter != 0 ? letter : "", row->name, row->argument ? _(row->argument) : "");
+    text_definition(stream, left, HELP_INDENT, help);
+}
+
 void options_print_help(FILE *stream, unsigned command_bit)
 {
-    enum { INDENT = 24 };
+    const struct option_row *row;
+    char list[TEXT_SIZE];
+
+    if (*options_list(command_bit, false, list))
+        fputs(_("\nOptions:\n"), stream);
+    for (size_t i = 0; (row = options_row(i)) != NULL; i++)
+        if ((row->commands & command_bit) && !row->is_shared)
+            print_row(stream, row, _(row->help));
+    fputs(_("\nCommon options, explained by luxel help options:\n"), stream);
+    text_definition(stream, "", 2, options_list(command_bit, true, list));
+}
+
+void options_print_shared(FILE *stream)
+{
     const struct option_row *row;
 
+    fputs(_("Common options:\n"), stream);
     for (size_t i = 0; (row = options_row(i)) != NULL; i++) {
-        char left[TEXT_SIZE], letter[TEXT_SIZE];
+        char takers[TEXT_SIZE];
 
-        if (!(row->commands & command_bit))
+        if (!row->is_shared)
             continue;
-        text_format(letter, "-%c,", row->letter);
-        text_format(left, row->value == VALUE_OPTIONAL ? "  %3s --%s[=%s]" : "  %3s --%s %s",
-                    row->letter != 0 ? letter : "", row->name, row->argument ? _(row->argument) : "");
-        text_definition(stream, left, INDENT, _(row->help));
+        print_row(stream, row, _(row->help));
+        if ((row->commands & COMMAND_ANY) == COMMAND_ANY)
+            continue;
+        text_definition(stream, "", HELP_INDENT,
+                        text_format((char[TEXT_SIZE]){0}, _("of luxel %s"), options_takers(row, takers)));
     }
 }

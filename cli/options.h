@@ -10,6 +10,8 @@
 
 #include <luxel/luxel.h>
 
+#include "text.h"
+
 struct command;
 
 /* Where to probe: a screen point x, y, or a free element x, y, z and its normal. */
@@ -93,6 +95,7 @@ struct option_row {
     size_t flag; /* of a flag: the offset of its bool in struct options */
     enum option_value value;
     const char *const *words; /* of VALUE_WORD, NULL-terminated */
+    bool is_shared;           /* by many commands, whose help therefore only names it */
     const char *help;
 };
 
@@ -118,7 +121,16 @@ bool options_given(const struct options *options, const char *name);
 int options_read(int argc, char **argv, struct options *options);
 void options_clear(struct options *options);
 
-/* Prints the options that a command takes, one a line, with their help. */
+/* Prints the options that a command takes: its own, one a line, with their help, and the names of the shared ones. */
 void options_print_help(FILE *stream, unsigned command_bit);
+
+/* Prints the shared options with their help, and which commands take them. */
+void options_print_shared(FILE *stream);
+
+/* "--output, --bits": the options that a command takes, its own or the shared ones. */
+const char *options_list(unsigned command_bit, bool is_shared, char list[TEXT_SIZE]);
+
+/* "render, probe": the commands that take an option. */
+const char *options_takers(const struct option_row *row, char list[TEXT_SIZE]);
 
 #endif

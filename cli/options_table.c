@@ -284,10 +284,18 @@ TAKES_TEXT(date)
 
 #define TAKES(function) .take = (function)
 #define SETS(member) .flag = offsetof(struct options, member)
+#define SHARED .is_shared = true
 #define WORDS(list) .value = VALUE_WORD, .words = (list)
 
-/* The commands that write files, and those whose results are tables. */
+/*
+ * The commands that write files, those whose results are tables, those that look at a picture or at measuring planes,
+ * those that compute values, and those that read a scene.
+ */
 enum {
+    PICTURES = COMMAND_RENDER | COMMAND_PROBE | COMMAND_EXPLAIN | COMMAND_STATS | COMMAND_PROFILE | COMMAND_ISOPHOTES |
+               COMMAND_COMPARE | COMMAND_FIGURE | COMMAND_REPORT | COMMAND_GRID,
+    COMPUTING = PICTURES | COMMAND_GRADE | COMMAND_BENCH,
+    SCENES = PICTURES | COMMAND_CHECK | COMMAND_ADVISE | COMMAND_SCENE | COMMAND_SET | COMMAND_VARIANT | COMMAND_BENCH,
     WRITING = COMMAND_RENDER | COMMAND_GRID | COMMAND_SET | COMMAND_PROFILE | COMMAND_ISOPHOTES | COMMAND_COMPARE |
               COMMAND_FIGURE | COMMAND_EXPLAIN | COMMAND_REPORT | COMMAND_VARIANT,
     TABLES = COMMAND_STATS | COMMAND_PROFILE | COMMAND_ISOPHOTES | COMMAND_COMPARE | COMMAND_GRADE
@@ -364,30 +372,31 @@ static const struct option_row rows[] = {
      .help = N_("print as comma-separated values (RFC 4180), or with --csv=excel-ru as spreadsheets in Russia read "
                 "them: semicolons, decimal commas")},
     {"list", 0, NULL, COMMAND_SCENE, SETS(list), .help = N_("list the built-in scenes")},
-    {"set", 's', N_("KEY=VALUE"), COMMAND_ANY, TAKES(take_assignment), .value = VALUE_ASSIGNMENT,
+    {"set", 's', N_("KEY=VALUE"), SCENES | COMMAND_GRADE, SHARED, TAKES(take_assignment), .value = VALUE_ASSIGNMENT,
      .help = N_("change one value of the scene, such as lights[0].intensity=20; the value is YAML; may be repeated")},
-    {"quantity", 0, N_("NAME"), COMMAND_ANY, TAKES(take_quantity), WORDS(quantity_words),
+    {"quantity", 0, N_("NAME"), COMPUTING, SHARED, TAKES(take_quantity), WORDS(quantity_words),
      .help = N_(
          "what to compute: brightness (default) or irradiance; luminance and illuminance are their photometric names")},
-    {"tolerance", 0, N_("T"), COMMAND_ANY, TAKES(take_tolerance),
+    {"tolerance", 0, N_("T"), COMPUTING, SHARED, TAKES(take_tolerance),
      .help =
          N_("relative error that the value of a probe or of a grid's cell may have, above 0 and below 1; exit code 5 "
             "where it is not reached")},
-    {"precision", 0, N_("NAME"), COMMAND_ANY, TAKES(take_precision), WORDS(precision_words),
+    {"precision", 0, N_("NAME"), COMPUTING, SHARED, TAKES(take_precision), WORDS(precision_words),
      .help = N_("numbers of the picture: single (default) or double")},
-    {"threads", 0, N_("N"), COMMAND_ANY, TAKES(take_threads),
+    {"threads", 0, N_("N"), COMPUTING, SHARED, TAKES(take_threads),
      .help = N_("threads to compute with, 1 to 1024; the default is as many as pay, no more than one per processor; "
                 "results do not depend on it")},
-    {"light-error", 0, N_("E"), COMMAND_ANY, TAKES(take_light_error),
+    {"light-error", 0, N_("E"), COMPUTING, SHARED, TAKES(take_light_error),
      .help = N_("error of a pixel allowed for taking many points together, relative to its value or to a thousandth of "
                 "the maximum, from 0 (the default: each point is summed) to below 1")},
-    {"strict", 0, NULL, COMMAND_ANY, SETS(strict), .help = N_("treat advice about the scene as an error")},
-    {"json", 0, NULL, COMMAND_ANY, SETS(json), .help = N_("print the results as one JSON object")},
-    {"quiet", 'q', NULL, COMMAND_ANY, SETS(quiet),
+    {"strict", 0, NULL, SCENES, SHARED, SETS(strict), .help = N_("treat advice about the scene as an error")},
+    {"json", 0, NULL, COMMAND_ANY, SHARED, SETS(json), .help = N_("print the results as one JSON object")},
+    {"quiet", 'q', NULL, COMMAND_ANY, SHARED, SETS(quiet),
      .help = N_(
          "print no progress, notes and confirmations, and with -o no results but those asked for by --json or --csv")},
-    {"help", 'h', NULL, COMMAND_ANY | COMMAND_NONE, SETS(help), .help = N_("print this help and do nothing else")},
-    {"version", 'V', NULL, COMMAND_ANY | COMMAND_NONE, SETS(version),
+    {"help", 'h', NULL, COMMAND_ANY | COMMAND_NONE, SHARED, SETS(help),
+     .help = N_("print this help and do nothing else")},
+    {"version", 'V', NULL, COMMAND_ANY | COMMAND_NONE, SHARED, SETS(version),
      .help = N_("print the version and the instruction set that would be used")},
 };
 

@@ -105,15 +105,23 @@ static void print_options(FILE *out)
 {
     const struct option_row *row;
 
-    fputs(".SH OPTIONS\n.SS \"Of every command\"\n", out);
-    for (size_t i = 0; (row = options_row(i)) != NULL; i++)
+    fputs(".SH OPTIONS\n.SS \"Common options\"\n", out);
+    for (size_t i = 0; (row = options_row(i)) != NULL; i++) {
+        char takers[TEXT_SIZE], sentence[TEXT_SIZE];
+
+        if (!row->is_shared)
+            continue;
+        print_option(out, row);
         if (group_of(row) == COMMAND_ANY)
-            print_option(out, row);
+            continue;
+        roff_text(out, text_format(sentence, _("Of luxel %s."), options_takers(row, takers)));
+        fputc('\n', out);
+    }
     for (size_t k = 0; k < COMMAND_COUNT; k++) {
         bool headed = false;
 
         for (size_t i = 0; (row = options_row(i)) != NULL; i++) {
-            if (group_of(row) == COMMAND_ANY || !(row->commands & commands[k]->bit))
+            if (row->is_shared || !(row->commands & commands[k]->bit))
                 continue;
             if (!headed)
                 fprintf(out, ".SS \"Of luxel %s\"\n", commands[k]->name);

@@ -182,8 +182,25 @@ def version_and_usage(tap, tool):
             result = tool.run(*word)
             tap.ok(result.code == 0 and result.out.startswith("Usage: luxel " + command), " ".join(word), result)
         tap.equal(tool.run(command, "--version").out, version.out, command + " --version")
-        for option in "--set", "--quantity", "--json", "--strict", "--tolerance", "--threads", "--precision":
-            tap.ok(option in tool.run(command, "--help").out, "%s --help tells %s" % (command, option))
+        computes, reads = command in ("render", "probe", "grid"), command != "help"
+        for option, value, is_taken in (("--set", "units=radiometric", reads), ("--quantity", "irradiance", computes),
+                                        ("--json", None, True), ("--strict", None, reads),
+                                        ("--tolerance", "1e-3", computes), ("--threads", "1", computes),
+                                        ("--precision", "double", computes), ("--light-error", "0", computes)):
+            tap.equal(bool(re.search(r"%s\b" % option, tool.run(command, "--help").out.split("Examples:")[0].split(
+                "Common options")[1])), is_taken, "%s --help tells %s: %s" % (command, option, is_taken))
+            refused = tool.run(command, *[word for word in (option, value) if word])
+            said = refused.err.startswith("luxel: error: luxel %s takes no %s\n" % (command, option))
+            tap.ok(said != is_taken, "%s takes it: %s" % (option, is_taken), refused)
+            if not is_taken:
+                listed = "hint: luxel %s takes " % command in refused.err and "--help" in refused.err
+                tap.ok(refused.code == 2 and listed, "and those that it takes are listed", refused)
+    once = tool.run("help", "options")
+    tap.ok(once.code == 0 and all(once.out.count("--%s " % option) == 1 for option in
+                                  ("set", "quantity", "tolerance", "precision", "threads", "light-error", "strict")),
+           "luxel help options says each common one once", once)
+    tap.ok(len(tool.run("help", "scene").out.splitlines()) < 30, "the help of a small command is short")
+    tap.equal(tool.run("version").out, version.out, "luxel version")
     forced = tool.run("--version", environment={"LUXEL_ISA": "generic"})
     tap.ok("instruction set: generic\n" in forced.out, "LUXEL_ISA", forced)
     tap.equal(tool.run("render", environment={"LUXEL_ISA": "nonsense"}).code, 2, "an unknown LUXEL_ISA")

@@ -35,7 +35,17 @@ def forms(tap, tool):
     tap.ok(group.code == 0 and "screen.resolution" in group.out, "a group lists its keys", group)
     kind = tool.run("help", "spot")
     tap.ok(kind.code == 0 and "lights[].falloff" in kind.out, "a type lists its keys", kind)
-    tap.equal(tool.run("help", "render", "--json").code, 2, "a command has no JSON help")
+    described = tool.run("help", "render", "--json").json()
+    tap.equal((described["command"], described["options"][0]["name"]), ("render", "output"), "a command as JSON")
+    for word, said in (("luminance", "cd/m²"), ("Lux", "lx"), ("яркость", "cd/m²"), ("ЛЮКС", "lx"), ("Ёж", None),
+                       ("candela", "cd"), ("cd", "cd"), ("W", "watt"), ("W/sr", "intensity"), ("IES", "LM-63"),
+                       ("irradiance", "W/m²"), ("ambient light", None)):
+        result = tool.run("help", word)
+        tap.ok(result.code == (0 if said else 2) and (not said or said in result.out), "a word: " + word, result)
+        for line in re.findall(r"^  (luxel (?:help|grid).*)$", result.out.split("\nSee:")[-1], re.M) if said else []:
+            tap.equal(tool.run(*line.split()[1:]).code, 0, word + " leads to " + line)
+    words = tool.run("help", "lux", "--json").json()
+    tap.ok(words["keys"] == [] and words["words"][0]["see"], "a word as JSON", words)
 
 
 def rules(tap, tool):

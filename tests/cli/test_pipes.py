@@ -111,7 +111,8 @@ def every_json(tap, tool):
                       ["grade", "a.csv"], ["scene"], ["scene", "--list"], ["schema"],
                       ["set", "s.yaml", "observer.z=1501"],
                       ["set", "report", "observer.z=1501"], ["set", "s.yaml", "observer.z=1502", "-o", "t.yaml"],
-                      ["set", "s.yaml", "observer.z=1502", "--dry-run"], ["help"], ["help", "radius"]):
+                      ["set", "s.yaml", "observer.z=1502", "--dry-run"], ["help"], ["help", "radius"],
+                      ["help", "render"], ["help", "lux"], ["help", "options"]):
         result = tool.run(*arguments, "--json")
         try:
             answer = json.loads(result.out)

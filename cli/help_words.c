@@ -1,0 +1,175 @@
+/* SPDX-License-Identifier: MIT */
+/*
+ * The words of the field: what somebody types who knows lighting, but not Luxel.  The words themselves stand here in
+ * both languages, as students look up what their course says whatever the language of their terminal is.
+ */
+#include "help_words.h"
+
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "cli.h"
+#include "message.h"
+#include "text.h"
+
+struct entry {
+    const char *words; /* in lower case, with bars between them */
+    const char *meaning;
+    const char *see; /* command lines, with bars between them */
+};
+
+static const struct entry entries[] = {
+    {"luminance|nit|nits|cd/m2|cd/m²|cd/m^2|яркость|кд/м²|кд/м2|нит",
+     N_("Luminance, in cd/m²: how bright a surface is in a direction. It is the quantity brightness of a scene in "
+        "photometric units, and has the unit cd/m² where all materials have over_pi: true and all lights are "
+        "inverse-square, distant or ambient."),
+     "luxel render --quantity luminance|luxel help brightness|luxel help units|luxel help over_pi"},
+    {"brightness",
+     N_("Brightness: what the material makes of the light, summed over all lights, as the exercise defines it. With "
+        "over_pi: true it is the radiance or, in photometric units, the luminance; with attenuation: none it has the "
+        "unit of an intensity, as no distance enters."),
+     "luxel render --quantity brightness|luxel help material|luxel help over_pi|luxel help attenuation"},
+    {"illuminance|lux|lx|foot-candle|footcandle|освещённость|освещенность|люкс|лк",
+     N_("Illuminance, in lux (lx): the luminous flux that falls on a unit of area, whatever the material. It is the "
+        "quantity irradiance of a scene in photometric units; luxel grid measures it on planes."),
+     "luxel probe --quantity illuminance|luxel grid desk|luxel help grids|luxel help units"},
+    {"irradiance|w/m2|w/m²|w/m^2|облучённость|облученность|вт/м²|вт/м2",
+     N_("Irradiance, in W/m²: the radiant flux that falls on a unit of area, whatever the material. In photometric "
+        "units it is the illuminance, in lx."),
+     "luxel probe --quantity irradiance|luxel grid desk|luxel help lights[].irradiance"},
+    {"candela|candelas|cd|luminous intensity|radiant intensity|w/sr|candlepower|кандела|кд|сила света|вт/ср",
+     N_("Luminous intensity, in candela (cd), or radiant intensity, in W/sr: the flux that a point source sends into a "
+        "unit of solid angle. It is the key intensity of a light."),
+     "luxel help intensity|luxel help pattern|luxel help units"},
+    {"flux|lumen|lumens|lm|luminous flux|radiant flux|w|watt|watts|power|световой "
+     "поток|поток|люмен|лм|ватт|вт|мощность",
+     N_("Flux, in lumen (lm) or watt (W): all that a light sends out, its key power, or all that falls on a measuring "
+        "plane, which luxel grid prints."),
+     "luxel help power|luxel grid desk|luxel help units"},
+    {"radiance|w/(sr·m²)|w/(sr*m2)|w/(sr m2)|w/sr/m2|энергетическая яркость",
+     N_("Radiance, in W/(sr·m²): the flux in a direction for each unit of area and solid angle. It is the key radiance "
+        "of an extended source, and the quantity brightness where all materials have over_pi: true; in photometric "
+        "units it is the luminance."),
+     "luxel help lights[].radiance|luxel help over_pi|luxel help luminance"},
+    {"photometry|photometric|radiometry|radiometric|lm/w|фотометрия",
+     N_("Photometric units (lm, cd, lx, cd/m²) and radiometric units (W, W/sr, W/m², W/(sr·m²)): the key units chooses "
+        "the names and changes no number."),
+     "luxel help units"},
+    {"ies|ldt|eulumdat|lm-63|luminaire|luminaires|светильник",
+     N_("Luminaire files (IES LM-63, EULUMDAT) are not read. A point with a pattern, a spot or an extended source "
+        "comes "
+        "close to a luminaire whose distribution is known."),
+     "luxel help spot|luxel help pattern|luxel help planar"},
+    {"albedo|reflectance|reflectivity|kd|коэффициент отражения",
+     N_("Reflectance: the share of the light that a matt surface sends back. With over_pi: true it is the key diffuse "
+        "of the material."),
+     "luxel help diffuse|luxel help over_pi"},
+    {"gloss|glossiness|roughness|phong exponent|ks|блеск|блик",
+     N_("The highlight: its strength is the key specular of the material, its sharpness the key shininess, and "
+        "highlight "
+        "says what becomes of it where no light arrives."),
+     "luxel help specular|luxel help shininess|luxel help highlight"},
+    {"decay|inverse square|inverse square law|distance|затухание|ослабление",
+     N_("How light weakens with distance: the key attenuation of a light, inverse-square unless it says otherwise."),
+     "luxel help attenuation"},
+    {"isolux|isoline|isolines|contour|contours|изофота|изофоты|изолюкса",
+     N_("Lines of equal value: luxel isophotes gives their vertices, and luxel figure draws them."),
+     "luxel help isophotes|luxel help figure"},
+    {"uniformity|u0|ud|равномерность",
+     N_("Uniformity of the illuminance on a plane: U0 = minimum/average and Ud = minimum/maximum, which luxel grid "
+        "prints for each measuring grid."),
+     "luxel help grid|luxel help grids"},
+    {"ugr|glare|daylight factor|блёскость|ослеплённость",
+     N_("Glare ratings and daylight factors are not computed. Luxel computes what light sources give directly, without "
+        "reflections between surfaces."),
+     "luxel grid desk|luxel help ambient"},
+    {"plot|false color|false colour|falsecolor|colormap|graph|график|рисунок",
+     N_("Pictures for people, in false colour with axes, isophotes and sections, are drawn by luxel figure."),
+     "luxel help figure|luxel help report"},
+    {"python|numpy|matplotlib|matlab",
+     N_("A picture written as .npy is a NumPy array: numpy.load(\"sphere.npy\"). Every command prints its results as "
+        "JSON "
+        "with --json."),
+     "luxel render -o sphere.npy|luxel probe --json"},
+    {"exercise|course|lab|отчёт|отчет|вариант|лабораторная",
+     N_("For the exercise of the course: luxel variant makes a numbered one, luxel explain shows how a value comes "
+        "about, "
+        "luxel grade judges answers, and luxel report writes the report."),
+     "luxel help variant|luxel help explain|luxel help grade|luxel help report"},
+};
+
+/* ASCII and Russian letters in lower case; what is longer than the buffer is no word of the field. */
+static const char *lower(const char *word, char buffer[TEXT_SIZE])
+{
+    size_t i = 0;
+
+    for (; word[i] && i + 1 < TEXT_SIZE; i++) {
+        const unsigned char byte = (unsigned char)word[i], before = i > 0 ? (unsigned char)word[i - 1] : 0;
+
+        buffer[i] = (char)(byte >= 'A' && byte <= 'Z' ? byte + 'a' - 'A' : byte == '_' ? ' ' : byte);
+        if (before != 0xd0) /* the first byte of Russian capitals and half of the small letters */
+            continue;
+        if (byte == 0x81) { /* Ё */
+            buffer[i - 1] = (char)0xd1;
+            buffer[i] = (char)0x91;
+        } else if (byte >= 0x90 && byte <= 0x9f) {
+            buffer[i] = (char)(byte + 0x20);
+        } else if (byte >= 0xa0 && byte <= 0xaf) {
+            buffer[i - 1] = (char)0xd1;
+            buffer[i] = (char)(byte - 0x20);
+        }
+    }
+    buffer[i] = '\0';
+    return buffer;
+}
+
+static const struct entry *find(const char *word)
+{
+    char typed[TEXT_SIZE];
+    const size_t length = strlen(lower(word, typed));
+
+    for (size_t i = 0; i < COUNT_OF(entries) && length > 0; i++)
+        for (const char *at = entries[i].words; at; at = strchr(at, '|') ? strchr(at, '|') + 1 : NULL)
+            if (strcspn(at, "|") == length && strncmp(at, typed, length) == 0)
+                return &entries[i];
+    return NULL;
+}
+
+bool help_word_is_known(const char *word)
+{
+    return find(word) != NULL;
+}
+
+void help_word_print(const char *word)
+{
+    const struct entry *entry = find(word);
+
+    if (!entry)
+        return;
+    text_definition(stdout, "", 0, _(entry->meaning));
+    fputs(_("\nSee:\n"), stdout);
+    for (const char *at = entry->see; *at; at += at[strcspn(at, "|")] ? strcspn(at, "|") + 1 : strlen(at))
+        printf("  %.*s\n", (int)strcspn(at, "|"), at);
+}
+
+void help_word_write(struct json *json, const char *word)
+{
+    const struct entry *entry = word ? find(word) : NULL;
+
+    json_open(json, "words", '[');
+    if (entry) {
+        json_open(json, NULL, '{');
+        json_text(json, "meaning", entry->meaning);
+        json_open(json, "see", '[');
+        for (const char *at = entry->see; *at; at += at[strcspn(at, "|")] ? strcspn(at, "|") + 1 : strlen(at)) {
+            char line[TEXT_SIZE];
+
+            snprintf(line, sizeof line, "%.*s", (int)strcspn(at, "|"), at);
+            json_text(json, NULL, line);
+        }
+        json_close(json, ']');
+        json_close(json, '}');
+    }
+    json_close(json, ']');
+}
