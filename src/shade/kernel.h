@@ -295,7 +295,7 @@ struct lx_shell {
     struct lx_shell_face_single *faces_single; /* NULL where float32 does not do */
     struct lx_shell_edge_single *edges_single;
     size_t face_count, edge_count;
-    size_t most_patches;            /* that its faces can be cut into (shell.h) */
+    size_t most_patches;            /* that its faces can be cut into (patch.h) */
     const struct lx_facets *facets; /* what they were made of */
 };
 

@@ -8,7 +8,7 @@
 #include "../base/larger.h"
 #include "sampling.h"
 
-enum { MOST_CELLS = LX_MOST_CELLS, DEEPEST = 14, QUARTERS = 4, RULE = 3 };
+enum { MOST_CELLS = LX_MOST_CELLS, DEEPEST = 40, QUARTERS = LX_QUARTERS, RULE = 3 };
 
 /* Samples on a circle of what is round, by the finer rule, and of what is tiny. */
 enum { SPOKES = 6, MORE_SPOKES = 8, FEW_SPOKES = 3, MOST_ON_CIRCLES = RULE * MORE_SPOKES };
@@ -161,15 +161,6 @@ static void shade_samples(const struct run *run, const struct lx_sampled *source
         result[i] = (double)values[i];
 }
 
-/* A part of a cell: what is round, which the rule of Gauss is not for, is cut into sectors. */
-static struct lx_cell quarter_of(const struct lx_patch *patch, const struct lx_cell *cell, int quarter)
-{
-    if (lx_cell_is_round(patch, cell))
-        return (struct lx_cell){cell->s, quarter / (double)QUARTERS, cell->ds, 1.0 / QUARTERS};
-    double ds = cell->ds / 2, dt = cell->dt / 2;
-    return (struct lx_cell){cell->s + (quarter & 1 ? ds : 0), cell->t + (quarter & 2 ? dt : 0), ds, dt};
-}
-
 /* Begins samples of a patch in the memory; returns what those of a unit area shine with. */
 static double begin_samples(const struct run *run, const struct lx_sampled *source, const struct lx_patch *patch)
 {
@@ -223,7 +214,7 @@ static void shade_quarters(const struct run *run, struct cell *cell)
     }
     const double gain = begin_samples(run, cell->source, cell->patch);
     for (int q = 0; q < QUARTERS; q++) {
-        struct lx_cell part = quarter_of(cell->patch, &cell->part, q);
+        struct lx_cell part = lx_cell_quarter(cell->patch, &cell->part, q);
         lx_cell_samples(cell->patch, &part, side, gain, (size_t)q * points, &run->memory->samples);
     }
     finish_samples(run, cell->source, (size_t)QUARTERS * points);
@@ -376,6 +367,17 @@ static void sort_out(struct run *run, size_t count)
         sort_many(run, last, count);
 }
 
+/*
+ * Whether light may be left out unseen.  Around an element that a large source is near to cells come in rings, each
+ * twice as far as the one before and half as bright, the farthest last: one ring must not use up what is allowed for
+ * all beyond it.
+ */
+static bool is_hardly_seen(const struct run *run, const struct pending *next)
+{
+    const double cells = next->patch->is_near ? 16 : 1;
+    return run->dropped + cells * next->sight.bound <= DROPPED * allowed(run);
+}
+
 /* Drops, halves or evaluates what is pending. */
 static void work_off(struct run *run)
 {
@@ -387,7 +389,7 @@ static void work_off(struct run *run)
             run->dropped += next.sight.bound; /* no room to halve it, and the rule cannot be believed */
             continue;
         }
-        if (next.sight.bound == 0 || run->dropped + next.sight.bound <= DROPPED * allowed(run)) {
+        if (next.sight.bound == 0 || is_hardly_seen(run, &next)) {
             run->dropped += next.sight.bound;
             continue;
         }
@@ -396,7 +398,7 @@ static void work_off(struct run *run)
                 memory->pending[memory->pending_count++] = (struct pending){
                     .source = next.source,
                     .patch = next.patch,
-                    .part = quarter_of(next.patch, &next.part, q),
+                    .part = lx_cell_fourth(next.patch, &next.part, q),
                     .depth = next.depth + 1,
                 };
             sort_out(run, QUARTERS);
@@ -411,20 +413,26 @@ static void work_off(struct run *run)
     }
 }
 
-/* What is in doubt in a part of a cell; nothing where nothing was in all of it. */
-static void find_doubt(const struct run *run, const struct cell *parent, struct cell *part)
+static bool is_doubtful(const struct cell *cell)
 {
     bool any = false;
     for (int i = 0; i < LX_LANES; i++)
-        any = any || parent->doubt[i] > 0;
-    if (!any)
+        any = any || cell->doubt[i] > 0;
+    return any;
+}
+
+/* What is in doubt in a part of a cell; nothing where nothing was in all of it. */
+static void find_doubt(const struct run *run, const struct cell *parent, struct cell *part)
+{
+    if (!is_doubtful(parent))
         return;
     struct lx_sight sight;
     lx_see(&run->viewers, part->source, part->patch, &part->part, 0, &sight);
     memcpy(part->doubt, sight.doubt, sizeof part->doubt);
 }
 
-/* Replaces a cell by its quarters; one of few samples by the same with more. */
+/* Replaces a cell by its quarters; one of few samples by the same with more.  Where the lobe jumps its size tells more
+ * of the error than the rules. */
 static void refine(struct run *run, size_t index)
 {
     struct cell parent = delist(run, index);
@@ -435,12 +443,14 @@ static void refine(struct run *run, size_t index)
         enlist(run, &parent);
         return;
     }
+    const bool by_length = is_doubtful(&parent) && lx_cell_is_long(parent.patch, &parent.part);
     for (int q = 0; q < QUARTERS; q++) {
         struct cell part = {.source = parent.source, .patch = parent.patch, .depth = parent.depth + 1};
-        part.part = quarter_of(parent.patch, &parent.part, q);
+        part.part =
+            by_length ? lx_cell_fourth(parent.patch, &parent.part, q) : lx_cell_quarter(parent.patch, &parent.part, q);
         find_doubt(run, &parent, &part);
-        if (lx_cell_is_round(parent.patch, &parent.part))
-            shade_whole(run, &part); /* its halves were no sectors */
+        if (by_length || lx_cell_is_round(parent.patch, &parent.part))
+            shade_whole(run, &part); /* its quarters were others, its halves no sectors */
         else
             memcpy(part.coarse, parent.quarters[q], sizeof part.coarse);
         shade_quarters(run, &part);

@@ -52,6 +52,7 @@ struct look {
     double distance;
     double size;   /* no place in it is seen farther from its middle than under the angle with this sine */
     double height; /* N.L towards its middle */
+    double above;  /* the plane of the cell, or what is bent */
     bool may;      /* whether it may light the element at all */
 };
 
@@ -77,6 +78,7 @@ static void look(const struct lx_viewers *viewers, const struct lx_patch *patch,
         const bool in_front = !is_flat || dot(towards, patch->n) < 0;
         const double distance = sqrt(dot(towards, towards));
         seen->may = radius >= 0 && in_front && (!by_cosine || dot(n, towards) > -radius);
+        seen->above = lx_patch_above(patch, place);
         seen->radius = radius;
         seen->distance = distance;
         seen->size = radius / distance;
@@ -161,6 +163,19 @@ static double attenuate(const struct lx_sampled *source, double distance_mm)
     return 1e-6;
 }
 
+/*
+ * No cosine of incidence in the cell is greater.  What is bent has at most four times the area of its middle section.
+ * Far cells that face the element are not worth the question.
+ */
+static double incidence(const struct lx_patch *patch, const struct look *seen)
+{
+    const bool is_bent = patch->kind == LX_PATCH_BALL || patch->kind == LX_PATCH_SIDE;
+    const double nearest = seen->distance - seen->radius;
+    if (!patch->is_near || !(nearest > 0))
+        return 1;
+    return lx_smaller((is_bent ? 4 : 1) * lx_larger(seen->above, 0) / nearest, 1);
+}
+
 void lx_see(const struct lx_viewers *viewers, const struct lx_sampled *source, const struct lx_patch *patch,
             const struct lx_cell *cell, double hardly, struct lx_sight *sight)
 {
@@ -175,7 +190,9 @@ void lx_see(const struct lx_viewers *viewers, const struct lx_sampled *source, c
     look(viewers, patch, cell, looks);
     for (int lane = 0; lane < LX_LANES; lane++) {
         const double radius = looks[lane].radius, nearest = looks[lane].distance - radius;
-        double own = nearest > 0 ? weight * radius * radius * attenuate(source, nearest) : HUGE_VAL;
+        double own = nearest > 0
+                         ? weight * radius * radius * attenuate(source, nearest) * incidence(patch, &looks[lane])
+                         : HUGE_VAL;
         greatest = looks[lane].may ? lx_larger(greatest, own) : greatest;
     }
     /* from where on S^n is worth looking at */
@@ -193,7 +210,8 @@ void lx_see(const struct lx_viewers *viewers, const struct lx_sampled *source, c
         const double half = half_length(viewers, lane, seen), radius = seen->radius;
         const double share = doubtful_share(viewers, lane, seen, half, sqrt(own));
         if (share > 0) {
-            const double content = weight * 2 / M_PI * radius * radius * attenuate(source, seen->distance);
+            const double content =
+                weight * 2 / M_PI * radius * radius * attenuate(source, seen->distance) * incidence(patch, seen);
             sight->doubt[lane] = share * content * pow(own, lobe->exponent.value / 2);
         }
         double width = lx_smaller(widest, widths * viewers->width[lane]), from = seen->distance - radius;

@@ -6,7 +6,7 @@
 #ifndef LX_SHADE_SIGHT_H
 #define LX_SHADE_SIGHT_H
 
-#include "shell.h"
+#include "patch.h"
 
 /* One source for a lobe. */
 struct lx_sampled {

@@ -15,7 +15,7 @@
 
 #include "../base/rows.h"
 #include "lights.h"
-#include "shell.h"
+#include "patch.h"
 
 struct lx_planned_surface;
 

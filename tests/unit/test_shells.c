@@ -17,8 +17,8 @@
 #include "random_scenes.h"
 #include "shade/cubature.h"
 #include "shade/lights.h"
+#include "shade/patch.h"
 #include "shade/sampling.h"
-#include "shade/shell.h"
 
 static const double center[3] = {40, -25, 700};
 

@@ -22,7 +22,7 @@
 #include "scenes.h"
 #include "shade/cubature.h"
 #include "shade/cut.h"
-#include "shade/shell.h"
+#include "shade/patch.h"
 #include "shade/sweep.h"
 #include "wrapped.h"
 
