@@ -281,6 +281,12 @@ TAKES_TEXT(title)
 TAKES_TEXT(author)
 TAKES_TEXT(group)
 TAKES_TEXT(date)
+TAKES_TEXT(institution)
+TAKES_TEXT(faculty)
+TAKES_TEXT(course)
+TAKES_TEXT(teacher)
+TAKES_TEXT(place)
+TAKES_TEXT(aim)
 
 #define TAKES(function) .take = (function)
 #define SETS(member) .flag = offsetof(struct options, member)
@@ -365,6 +371,14 @@ static const struct option_row rows[] = {
     {"date", 0, N_("TEXT"), COMMAND_REPORT, TAKES(take_date),
      .help = N_("the date as it is to stand in the report; the default is none, so that it can be repeated byte for "
                 "byte")},
+    {"institution", 0, N_("TEXT"), COMMAND_REPORT, TAKES(take_institution),
+     .help = N_("the university or school, which heads a title page; so do the next four")},
+    {"faculty", 0, N_("TEXT"), COMMAND_REPORT, TAKES(take_faculty), .help = N_("its faculty or department")},
+    {"course", 0, N_("TEXT"), COMMAND_REPORT, TAKES(take_course), .help = N_("the course that the report is for")},
+    {"teacher", 0, N_("TEXT"), COMMAND_REPORT, TAKES(take_teacher), .help = N_("who checks the report")},
+    {"place", 0, N_("TEXT"), COMMAND_REPORT, TAKES(take_place), .help = N_("the town, at the foot of the title page")},
+    {"aim", 0, N_("TEXT"), COMMAND_REPORT, TAKES(take_aim),
+     .help = N_("the aim of the work, instead of one made from what is computed")},
     {"format", 0, N_("NAME"), WRITING & ~COMMAND_SET, TAKES(take_format), WORDS(format_words),
      .help = N_("the format of -o -, standard output: an extension without its dot, such as png; luxel explain prints "
                 "as text (default), markdown, latex or html")},

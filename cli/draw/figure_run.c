@@ -107,21 +107,39 @@ static bool take_settings(const struct options *options, const luxel_language *l
     return take_bands(drawing, figure) && (!drawing->section || take_section(drawing->section, figure));
 }
 
-/* That of a built-in scene as it is, else the name of the file; none for what comes from elsewhere. */
+/* The comment that a scene begins with, up to its line's end; "" where it begins otherwise.  What editors are told
+ * there is no title. */
+static void take_comment(const luxel_scene *scene, char *buffer, size_t size)
+{
+    char *text = NULL;
+
+    *buffer = '\0';
+    if (luxel_scene_write_text(scene, &text) != LUXEL_OK)
+        return;
+    for (const char *at = text; *at == '#' && *buffer == '\0'; at += strcspn(at, "\n"), at += *at == '\n') {
+        const size_t marks = strspn(at, "# \t"), length = strcspn(at, "\r\n");
+
+        if (length <= marks)
+            continue;
+        snprintf(buffer, size, "%.*s", (int)(length - marks < size ? length - marks : size - 1), at + marks);
+        if (strncmp(buffer, "yaml-language-server:", 21) == 0)
+            *buffer = '\0';
+    }
+    luxel_text_free(text);
+}
+
+/* That of a built-in scene as it is, and its name where it was changed; else the comment that the scene begins with,
+ * which may be that of a built-in one. */
 static const char *default_title(const struct options *options, const struct loaded *loaded, char *buffer, size_t size)
 {
     const size_t builtin = load_find_builtin(options->operand);
-    const char *slash, *dot;
 
     if (builtin < luxel_builtin_scene_count() && (!options->operand || access(options->operand, F_OK) != 0))
         return options->assignment_count == 0 ? _(luxel_builtin_scene_title(builtin)) : loaded->name;
-    if (strcmp(options->operand, "-") == 0)
-        return "";
-    slash = strrchr(options->operand, '/');
-    snprintf(buffer, size, "%s", slash ? slash + 1 : options->operand);
-    dot = strrchr(buffer, '.');
-    if (dot && dot > buffer)
-        buffer[dot - buffer] = '\0';
+    take_comment(loaded->scene, buffer, size);
+    for (size_t i = 0; i < luxel_builtin_scene_count(); i++)
+        if (strcmp(buffer, luxel_builtin_scene_title(i)) == 0)
+            return _(luxel_builtin_scene_title(i));
     return buffer;
 }
 

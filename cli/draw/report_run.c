@@ -24,6 +24,12 @@ static int report(const struct options *options, const struct loaded *loaded)
         .author = options->drawing.author,
         .group = options->drawing.group,
         .date = options->drawing.date,
+        .institution = options->drawing.institution,
+        .faculty = options->drawing.faculty,
+        .course = options->drawing.course,
+        .teacher = options->drawing.teacher,
+        .place = options->drawing.place,
+        .aim = options->drawing.aim,
         .palette = options->drawing.palette,
         .language = &language,
     };

@@ -49,7 +49,7 @@ typedef struct luxel_figure_settings {
     luxel_section section;    /* none; else the plots of the horizontal and the vertical section stand below */
     double section_mm[2];     /* of LUXEL_SECTION_POINT */
     bool stacked;             /* in sections: the lights' shares on top of each other, else as lines; false */
-    const char *title;        /* NULL: the name of the scene or none; "" for none */
+    const char *title;        /* NULL or "": none */
     const char *label;        /* of the bar; NULL: the quantity with its unit */
     double width_mm;          /* of the whole figure on paper, 40 to 1000; 160 */
     double dots_per_inch;     /* of a PNG, 30 to 2400; 200 */
@@ -90,12 +90,18 @@ typedef struct luxel_report_settings {
     const char *date;               /* as it is to stand there; NULL: none, so that reports can be repeated */
     const luxel_language *language; /* NULL: English */
     const char *palette;            /* of the false colour; NULL: viridis */
+    const char *institution;        /* where it is handed in; with any of this and the next four a title page is made */
+    const char *faculty;            /* of the institution */
+    const char *course;             /* what the report is for */
+    const char *teacher;            /* who checks it */
+    const char *place;              /* the town, say */
+    const char *aim;                /* of the work, a paragraph; NULL: to compute and show what is computed */
 } luxel_report_settings;
 
 /*
  * Writes the report that the exercise asks for, by the ending of the name: .pdf (A4), .html (one file), .md, .tex:
- * task, conventions and formulas, pictures, sections, points, extrema, conclusions, and the scene for repetition.
- * `report` NULL: none of its texts.
+ * aim, task, parameters, formulas, pictures, sections, points, extrema, conclusions, and the scene for repetition.
+ * `report` NULL: none of its texts.  Zero-initialise its settings, so that members that come later are NULL.
  * LUXEL_ERROR_ARGUMENT: another ending.  LUXEL_ERROR_FILE.  Errors as luxel_render() lists them, too.
  */
 LUXEL_API luxel_status luxel_report_write(const luxel_scene *scene, const luxel_settings *settings,

@@ -20,8 +20,8 @@ struct lx_reaching {
 
 /*
  * For a picture of the session that so many threads compute.  Zero-initialise; release with lx_reaching_clear()
- * whatever it returns.  It is looked for only where the settings ask for it, and not in quick looks, nor where many points are taken
- * together.
+ * whatever it returns.  It is looked for only where the settings ask for it, and not in quick looks, nor where many
+ * points are taken together.
  */
 luxel_status lx_reaching_open(struct lx_reaching *reaching, const struct lx_session *session, unsigned threads,
                               luxel_diagnostics *diagnostics);

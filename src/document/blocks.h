@@ -47,11 +47,18 @@ struct luxel_document {
     luxel_language language; /* its code is a copy */
     bool failed;             /* memory ran out */
     struct lx_pieces title;
+    struct lx_pieces *covers[LX_COVER_PLACES]; /* lines of the title page */
+    size_t cover_counts[LX_COVER_PLACES], cover_capacities[LX_COVER_PLACES];
+    bool is_numbered;
+    unsigned section, subsection, figure; /* the last numbers */
     char **bylines;
     size_t byline_count, byline_capacity;
     struct lx_block *blocks;
     size_t block_count, block_capacity;
 };
+
+/* Whether there is a title page. */
+bool lx_document_has_cover(const struct luxel_document *document);
 
 /* The columns of a table. */
 size_t lx_block_columns(const struct lx_block *table);

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /* Building documents: blocks are appended, their sentences translated and filled as they come. */
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -79,6 +80,11 @@ void luxel_document_free(luxel_document *document)
         clear_block(&document->blocks[i]);
     for (size_t i = 0; i < document->byline_count; i++)
         free(document->bylines[i]);
+    for (size_t place = 0; place < LX_COVER_PLACES; place++) {
+        for (size_t i = 0; i < document->cover_counts[place]; i++)
+            clear_pieces(&document->covers[place][i]);
+        free(document->covers[place]);
+    }
     free(document->bylines);
     free(document->blocks);
     clear_pieces(&document->title);
@@ -224,9 +230,56 @@ void lx_document_byline(struct luxel_document *document, const char *plain)
     document->failed = true;
 }
 
+void lx_document_cover(struct luxel_document *document, enum lx_cover_place place, const char *english,
+                       const struct lx_span *spans)
+{
+    struct lx_pieces **lines = &document->covers[place];
+    size_t *count = &document->cover_counts[place];
+    if (document->failed ||
+        lx_reserve((void **)lines, &document->cover_capacities[place], *count + 1, sizeof **lines) < 0) {
+        document->failed = true;
+        return;
+    }
+    (*lines)[*count] = (struct lx_pieces){0};
+    add_sentence(document, &(*lines)[(*count)++], english, spans);
+}
+
+bool lx_document_has_cover(const struct luxel_document *document)
+{
+    size_t lines = 0;
+    for (size_t place = 0; place < LX_COVER_PLACES; place++)
+        lines += document->cover_counts[place];
+    return lines > 0;
+}
+
+void lx_document_number(struct luxel_document *document)
+{
+    document->is_numbered = true;
+}
+
+/* The number of a heading, before its words. */
+static void add_number(struct luxel_document *document, struct lx_pieces *words, int level)
+{
+    char number[32];
+    if (!document->is_numbered)
+        return;
+    if (level == 1) {
+        document->subsection = 0;
+        snprintf(number, sizeof number, "%u ", ++document->section);
+    } else {
+        snprintf(number, sizeof number, "%u.%u ", document->section, ++document->subsection);
+    }
+    add_piece(document, words, LX_SPAN_PLAIN, number, strlen(number));
+}
+
 void lx_document_heading(struct luxel_document *document, int level, const char *english, const struct lx_span *spans)
 {
-    add_words(document, LX_BLOCK_HEADING, level, english, spans);
+    struct lx_block *block = add_block(document, LX_BLOCK_HEADING);
+    if (!block)
+        return;
+    block->level = level;
+    add_number(document, &block->words, level);
+    add_sentence(document, &block->words, english, spans);
 }
 
 void lx_document_paragraph(struct luxel_document *document, const char *english, const struct lx_span *spans)
@@ -289,6 +342,11 @@ void lx_document_picture(struct luxel_document *document, const void *png, size_
         document->failed = document->failed || !block->png;
         if (block->png)
             memcpy(block->png, png, length);
+    }
+    if (document->is_numbered) {
+        char number[16];
+        snprintf(number, sizeof number, "%u", ++document->figure);
+        add_sentence(document, &block->words, LX_N("Fig. {0}. "), LX_SPANS(LX_PLAIN(number)));
     }
     add_sentence(document, &block->words, english, spans);
 }

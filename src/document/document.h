@@ -72,6 +72,16 @@ char *lx_document_rendered(const struct luxel_document *document, struct lx_text
 /* The document's title; one line each of which may stand below it (author, group, date): plain texts. */
 void lx_document_title(struct luxel_document *document, const char *english, const struct lx_span *spans);
 void lx_document_byline(struct luxel_document *document, const char *plain);
+
+/* Where a line stands on a title page: above all, above the title, on the right below it, at the foot. */
+enum lx_cover_place { LX_COVER_HEAD, LX_COVER_ABOVE, LX_COVER_SIDE, LX_COVER_FOOT, LX_COVER_PLACES };
+
+/* A line of the title page, which takes the place of the lines below the title where there is one. */
+void lx_document_cover(struct luxel_document *document, enum lx_cover_place place, const char *english,
+                       const struct lx_span *spans);
+
+/* From now on headings are numbered (1, 1.1), and captions of pictures begin with "Fig. 1." */
+void lx_document_number(struct luxel_document *document);
 /* A heading of level 1 (a section) or 2. */
 void lx_document_heading(struct luxel_document *document, int level, const char *english, const struct lx_span *spans);
 void lx_document_paragraph(struct luxel_document *document, const char *english, const struct lx_span *spans);
@@ -79,7 +89,7 @@ void lx_document_paragraph(struct luxel_document *document, const char *english,
 void lx_document_item(struct luxel_document *document, const char *english, const struct lx_span *spans);
 /* A formula on a line of its own, in the notation of formula.h. */
 void lx_document_formula(struct luxel_document *document, const char *formula);
-/* Text as typed, line by line, such as a scene. */
+/* Text as typed, line by line, such as a scene; pages do not tear it where it fits one. */
 void lx_document_code(struct luxel_document *document, const char *text);
 
 /*

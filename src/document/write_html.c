@@ -15,6 +15,8 @@ static const char style[] =
     "h1{font-size:1.7rem;line-height:1.25;margin:0 0 .4rem}h2{font-size:1.3rem;margin:2.2rem 0 .6rem}"
     "h3{font-size:1.05rem;margin:1.6rem 0 .4rem}\n"
     ".byline{color:var(--faint);margin:0}\n"
+    ".cover{text-align:center;margin:0 0 3rem;padding:0 0 2rem;border-bottom:1px solid var(--line)}.cover p{margin:0}"
+    ".above{margin:3rem 0 .8rem}.side{text-align:right;margin:3rem 0}\n"
     "table{border-collapse:collapse;margin:1rem 0;font-size:.9rem;font-variant-numeric:tabular-nums}\n"
     "th,td{padding:.25rem .9rem .25rem 0;text-align:left;vertical-align:baseline;border-bottom:1px solid var(--line)}"
     "th{border-bottom:2px solid var(--ink);font-weight:600}.r{text-align:right}tr.marked td{background:var(--mark);"
@@ -25,7 +27,8 @@ static const char style[] =
     "math[display=block]{margin:.7rem 0;padding:.3rem 0;overflow-x:auto;overflow-y:hidden}\n"
     "figure{margin:1.5rem 0}figure img{max-width:100%;height:auto}figcaption{color:var(--faint);font-size:.9rem}\n"
     "@media print{@page{size:A4;margin:20mm}body{max-width:none;margin:0;padding:0;font-size:10.5pt}"
-    "h2,h3{break-after:avoid}figure,tr,math[display=block]{break-inside:avoid}math[display=block]{overflow:visible}pre{"
+    ".cover{break-after:page;border:0}h2,h3{break-after:avoid}figure,tr,math[display=block]{break-inside:avoid}math["
+    "display=block]{overflow:visible}pre{"
     "white-space:pre-wrap}}\n";
 
 static void add_escaped_bytes(struct lx_text *text, const char *plain, size_t length)
@@ -154,6 +157,35 @@ static void add_block(struct lx_text *text, const struct lx_block *block, size_t
     }
 }
 
+static void add_cover_lines(struct lx_text *text, const struct luxel_document *document, enum lx_cover_place place)
+{
+    static const char *const classes[LX_COVER_PLACES] = {"head", "above", "side", "foot"};
+    if (document->cover_counts[place] == 0)
+        return;
+    lx_text_printf(text, "<div class=\"%s\">\n", classes[place]);
+    for (size_t i = 0; i < document->cover_counts[place]; i++)
+        add_wrapped(text, "<p>", &document->covers[place][i], "</p>\n");
+    lx_text_puts(text, "</div>\n");
+}
+
+/* The title with the lines below it, or the title page. */
+static void add_beginning(struct lx_text *text, const struct luxel_document *document)
+{
+    const bool has_cover = lx_document_has_cover(document);
+    lx_text_puts(text, has_cover ? "<header class=\"cover\">\n" : "");
+    add_cover_lines(text, document, LX_COVER_HEAD);
+    add_cover_lines(text, document, LX_COVER_ABOVE);
+    add_wrapped(text, "<h1>", &document->title, "</h1>\n");
+    add_cover_lines(text, document, LX_COVER_SIDE);
+    add_cover_lines(text, document, LX_COVER_FOOT);
+    lx_text_puts(text, has_cover ? "</header>\n" : "");
+    for (size_t i = 0; i < document->byline_count && !has_cover; i++) {
+        lx_text_puts(text, "<p class=\"byline\">");
+        add_escaped(text, document->bylines[i]);
+        lx_text_puts(text, "</p>\n");
+    }
+}
+
 void lx_document_write_html(const struct luxel_document *document, struct lx_text *text)
 {
     struct lx_text title = {0};
@@ -166,12 +198,7 @@ void lx_document_write_html(const struct luxel_document *document, struct lx_tex
     lx_text_puts(text, "</title>\n<style>\n");
     lx_text_puts(text, style);
     lx_text_puts(text, "</style>\n</head>\n<body>\n");
-    add_wrapped(text, "<h1>", &document->title, "</h1>\n");
-    for (size_t i = 0; i < document->byline_count; i++) {
-        lx_text_puts(text, "<p class=\"byline\">");
-        add_escaped(text, document->bylines[i]);
-        lx_text_puts(text, "</p>\n");
-    }
+    add_beginning(text, document);
     for (size_t i = 0; i < document->block_count; i++)
         add_block(text, &document->blocks[i], i, i == 0 || !lx_block_goes_on(document, i - 1),
                   !lx_block_goes_on(document, i));

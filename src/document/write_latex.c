@@ -294,7 +294,7 @@ static void add_preamble(const struct luxel_document *document, const char *body
                        "\\usepackage[margin=25mm]{geometry}\n");
 }
 
-static void add_body(const struct luxel_document *document, struct lx_text *text)
+static void add_title(const struct luxel_document *document, struct lx_text *text)
 {
     lx_text_puts(text, "\\title{");
     add_pieces(text, &document->title);
@@ -304,6 +304,38 @@ static void add_body(const struct luxel_document *document, struct lx_text *text
         add_escaped(text, document->bylines[i], strlen(document->bylines[i]));
     }
     lx_text_puts(text, "}\n\\date{}\n\\begin{document}\n\\maketitle\n");
+}
+
+static void add_cover_lines(const struct luxel_document *document, enum lx_cover_place place, struct lx_text *text)
+{
+    for (size_t i = 0; i < document->cover_counts[place]; i++) {
+        add_pieces(text, &document->covers[place][i]);
+        lx_text_puts(text, "\\par\n");
+    }
+}
+
+/* A page of its own. */
+static void add_cover(const struct luxel_document *document, struct lx_text *text)
+{
+    lx_text_puts(text, "\\begin{document}\n\\begin{titlepage}\n\\centering\n");
+    add_cover_lines(document, LX_COVER_HEAD, text);
+    lx_text_puts(text, "\\vfill\n");
+    add_cover_lines(document, LX_COVER_ABOVE, text);
+    lx_text_puts(text, "\\bigskip{\\Large\\bfseries ");
+    add_pieces(text, &document->title);
+    lx_text_puts(text, "\\par}\n\\vfill\n{\\raggedleft\n");
+    add_cover_lines(document, LX_COVER_SIDE, text);
+    lx_text_puts(text, "}\\vfill\n");
+    add_cover_lines(document, LX_COVER_FOOT, text);
+    lx_text_puts(text, "\\end{titlepage}\n");
+}
+
+static void add_body(const struct luxel_document *document, struct lx_text *text)
+{
+    if (lx_document_has_cover(document))
+        add_cover(document, text);
+    else
+        add_title(document, text);
     for (size_t i = 0; i < document->block_count; i++) {
         bool begins = i == 0 || !lx_block_goes_on(document, i - 1);
         bool goes_on = document->blocks[i].type == LX_BLOCK_FORMULA || /* a part of its paragraph */

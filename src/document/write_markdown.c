@@ -178,12 +178,28 @@ static void add_block(struct lx_text *text, const struct lx_block *block)
     }
 }
 
+/* Lines of a title page, each a paragraph. */
+static void add_cover_lines(struct lx_text *text, const struct luxel_document *document, enum lx_cover_place place,
+                            const char *before, const char *after)
+{
+    for (size_t i = 0; i < document->cover_counts[place]; i++) {
+        lx_text_puts(text, before);
+        add_paragraph(text, &document->covers[place][i]);
+        lx_text_puts(text, after);
+    }
+}
+
 void lx_document_write_markdown(const struct luxel_document *document, struct lx_text *text)
 {
+    const bool has_cover = lx_document_has_cover(document);
+    add_cover_lines(text, document, LX_COVER_HEAD, "", "\n");
+    add_cover_lines(text, document, LX_COVER_ABOVE, "", "\n");
     lx_text_puts(text, "# ");
     add_pieces(text, &document->title);
     lx_text_puts(text, "\n");
-    for (size_t i = 0; i < document->byline_count; i++) {
+    add_cover_lines(text, document, LX_COVER_SIDE, "\n", "");
+    add_cover_lines(text, document, LX_COVER_FOOT, "\n", "");
+    for (size_t i = 0; i < document->byline_count && !has_cover; i++) {
         lx_text_puts(text, i == 0 ? "\n" : "");
         add_escaped(text, document->bylines[i]);
         lx_text_puts(text, i + 1 < document->byline_count ? "\\\n" : "\n");

@@ -271,10 +271,21 @@ static void add_block(struct lx_text *text, const struct lx_block *block)
     }
 }
 
+static void add_cover_lines(struct lx_text *text, const struct luxel_document *document, enum lx_cover_place first,
+                            enum lx_cover_place last)
+{
+    for (int place = (int)first; place <= (int)last; place++)
+        for (size_t i = 0; i < document->cover_counts[place]; i++)
+            add_pieces(text, &document->covers[place][i], "", "");
+}
+
 void lx_document_write_plain(const struct luxel_document *document, struct lx_text *text)
 {
+    const bool has_cover = lx_document_has_cover(document);
+    add_cover_lines(text, document, LX_COVER_HEAD, LX_COVER_ABOVE);
     add_pieces(text, &document->title, "", "");
-    for (size_t i = 0; i < document->byline_count; i++) {
+    add_cover_lines(text, document, LX_COVER_SIDE, LX_COVER_FOOT);
+    for (size_t i = 0; i < document->byline_count && !has_cover; i++) {
         const struct lx_pieces byline = {.items = &(struct lx_piece){LX_SPAN_PLAIN, document->bylines[i]}, .count = 1};
         add_pieces(text, &byline, "", "");
     }

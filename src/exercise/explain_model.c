@@ -10,7 +10,7 @@
 
 /* What of the kinds of lights there is in a scene. */
 struct used {
-    bool ambient, distant, point, spot, extended, laws[3], lambertian, cosine, falloffs[5];
+    bool ambient, distant, point, spot, extended, parts, laws[3], isotropic, lambertian, cosine, falloffs[5];
 };
 
 static struct used find_used(const struct lx_prepared *prepared)
@@ -22,7 +22,8 @@ static struct used find_used(const struct lx_prepared *prepared)
         const struct lx_profile *profile = &emitter->profile;
         used.ambient |= emitter->type == LX_UNIFORM;
         used.distant |= emitter->type == LX_DIRECTION;
-        used.extended |= lx_is_extended(emitter) || emitter->is_part;
+        used.extended |= lx_is_extended(emitter);
+        used.parts |= emitter->is_part;
         if (lx_is_extended(emitter) || emitter->type == LX_POINT)
             used.laws[emitter->attenuation] = true;
         if (emitter->type != LX_POINT || emitter->is_part)
@@ -30,6 +31,7 @@ static struct used find_used(const struct lx_prepared *prepared)
         used.point = true;
         used.spot |= profile->falloff != LX_NO_CONE;
         used.falloffs[profile->falloff] = true;
+        used.isotropic |= profile->exponent == 0;
         used.lambertian |= profile->exponent == 1;
         used.cosine |= profile->exponent > 0 && profile->exponent != 1;
     }
@@ -122,9 +124,9 @@ static void explain_lights(struct luxel_document *document, const struct used *u
                                  : "\\mathbf{L} = \\frac{\\mathbf{S} - \\mathbf{P}}{r}, \\qquad r = |\\mathbf{S} - "
                                    "\\mathbf{P}|, \\qquad E_{\\perp} = I\\, g\\, a(r)");
     }
-    if (used->point || used->extended)
+    if (used->point || used->extended || used->parts)
         explain_laws(document, used);
-    if (used->point && !used->lambertian && !used->cosine)
+    if (used->point && used->isotropic)
         lx_document_item(document, LX_N("the same in all directions: {0}"), LX_SPANS(LX_MATH("g = 1")));
     if (used->distant)
         lx_document_paragraph(document,
@@ -137,17 +139,53 @@ static void explain_lights(struct luxel_document *document, const struct used *u
                               LX_SPANS(LX_MATH("L_e")));
         lx_document_formula(document, "dE_{\\perp} = L_e\\, \\max(0, \\cos \\theta')\\, a(r)\\, dA'");
     }
+    if (used->parts)
+        lx_document_paragraph(document,
+                              LX_N("A source in parts is as many points, each at the centre of its part with its share "
+                                   "{0} of the intensity along the normal: {1}."),
+                              LX_SPANS(LX_MATH("I_i"), LX_MATH("E_{\\perp} = I_i \\max(0, \\cos \\theta')\\, a(r)")));
 }
 
 /* The highlight's factor beside ks S^n. */
-static const char *weight_formula(const struct lx_material *material)
+static void explain_weight(struct luxel_document *document, const struct lx_material *material)
 {
-    static const char *const formulas[] = {
-        [LX_HIGHLIGHT_PLAIN] = "w = 1",
-        [LX_HIGHLIGHT_GATED] = "w = 1 \\text{ where } \\mathbf{N} \\cdot \\mathbf{L} > 0, \\text{ else } 0",
-        [LX_HIGHLIGHT_COSINE] = "w = \\max(0, \\mathbf{N} \\cdot \\mathbf{L})",
-    };
-    return formulas[material->highlight];
+    switch ((enum lx_highlight)material->highlight) {
+    case LX_HIGHLIGHT_PLAIN:
+        lx_document_paragraph(document,
+                              LX_N("The weight {0} says that the highlight counts everywhere, even where the surface "
+                                   "is turned away from the source, {1}."),
+                              LX_SPANS(LX_MATH("w = 1"), LX_MATH("\\mathbf{N} \\cdot \\mathbf{L} \\le 0")));
+        return;
+    case LX_HIGHLIGHT_GATED:
+        lx_document_paragraph(
+            document,
+            LX_N("The highlight counts only where the surface is turned to the source: {0} where "
+                 "{1}, else {2}."),
+            LX_SPANS(LX_MATH("w = 1"), LX_MATH("\\mathbf{N} \\cdot \\mathbf{L} > 0"), LX_MATH("w = 0")));
+        return;
+    case LX_HIGHLIGHT_COSINE:
+        lx_document_paragraph(document, LX_N("The highlight is weighted by the cosine of the light's angle: {0}."),
+                              LX_SPANS(LX_MATH("w = \\max(0, \\mathbf{N} \\cdot \\mathbf{L})")));
+        return;
+    }
+}
+
+/* How ambient light adds to the brightness, which materials divide by pi or not. */
+static void explain_ambient(struct luxel_document *document, const struct lx_prepared *prepared)
+{
+    const struct lx_list *surfaces = &prepared->scene->surfaces;
+    size_t divided = 0;
+    for (size_t i = 0; i < surfaces->count; i++)
+        divided += ((const struct lx_surface_common *)surfaces->items[i].common)->material.over_pi;
+    if (divided > 0 && divided < surfaces->count)
+        lx_document_paragraph(
+            document,
+            LX_N("Ambient light of the irradiance {0} adds {1}, whatever the normal, or {2} where the "
+                 "material divides by π."),
+            LX_SPANS(LX_MATH("E_a"), LX_MATH("k_a E_a"), LX_MATH("\\frac{1}{\\pi} k_a E_a")));
+    else
+        lx_document_paragraph(document, LX_N("Ambient light of the irradiance {0} adds {1}, whatever the normal."),
+                              LX_SPANS(LX_MATH("E_a"), LX_MATH(divided > 0 ? "\\frac{1}{\\pi} k_a E_a" : "k_a E_a")));
 }
 
 static void explain_material(struct luxel_document *document, const struct lx_material *material, const char *name)
@@ -179,7 +217,7 @@ static void explain_material(struct luxel_document *document, const struct lx_ma
                               "S^n \\right)"
                             : "B = E_{\\perp} \\left( k_d \\max(0, \\mathbf{N} \\cdot \\mathbf{L}) + k_s\\, w\\, S^n "
                               "\\right)");
-    lx_document_formula(document, weight_formula(material));
+    explain_weight(document, material);
     if (material->normalized)
         lx_document_formula(document, phong ? "c = \\frac{n + 2}{2}"
                                             : "c = \\frac{(n + 2)(n + 4)}{8 \\left( n + 2^{-n/2} \\right)}");
@@ -191,6 +229,11 @@ void lx_explain_model(struct luxel_document *document, const struct lx_prepared 
     struct used used = find_used(prepared);
     explain_places(document, prepared);
     explain_lights(document, &used);
+    if (prepared->shadows && (used.point || used.distant))
+        lx_document_paragraph(
+            document,
+            LX_N("Where another surface stands in the way of a source that is a point or distant, it gives no light."),
+            NULL);
     if (quantity == LUXEL_IRRADIANCE) {
         lx_document_paragraph(document, LX_N("The irradiance is the sum over the sources:"), NULL);
         lx_document_formula(document, used.ambient
@@ -209,6 +252,5 @@ void lx_explain_model(struct luxel_document *document, const struct lx_prepared 
         lx_text_clear(&name);
     }
     if (used.ambient)
-        lx_document_paragraph(document, LX_N("Ambient light of the irradiance {0} adds {1}, whatever the normal."),
-                              LX_SPANS(LX_MATH("E_a"), LX_MATH("k_a E_a")));
+        explain_ambient(document, prepared);
 }

@@ -16,6 +16,39 @@ struct walk {
     bool photometric;
 };
 
+/* What formulas call the parameters, as explanations do (explain_model.c). */
+static const struct {
+    const char *key, *symbol;
+} symbols[] = {
+    {"diffuse", "k_d"},
+    {"specular", "k_s"},
+    {"ambient", "k_a"},
+    {"shininess", "n"},
+    {"intensity", "I"},
+    {"radiance", "L_e"},
+    {"power", "\\Phi"},
+    {"k", "k"},
+    {"exponent", "m"},
+    {"inner", "a"},
+    {"outer", "b"},
+    {"radius", "R"},
+    {"irradiance", "E"},
+    {"center", "\\mathbf{C}"},
+    {"position", "\\mathbf{S}"},
+    {"z", "z_O"},
+    {"width", "W"},
+    {"height", "H"},
+};
+
+/* The symbol of a key; NULL: it has none. */
+static const char *symbol_of(const char *key)
+{
+    for (size_t i = 0; i < sizeof symbols / sizeof symbols[0]; i++)
+        if (strcmp(symbols[i].key, key) == 0)
+            return symbols[i].symbol;
+    return NULL;
+}
+
 static void add_number(struct lx_text *text, double value)
 {
     char number[LX_NUMBER_SIZE];
@@ -119,10 +152,12 @@ static void add_row(struct walk *walk, const char *path, const struct lx_paramet
     if (parameter->advised[0].given)
         lx_add_advised(&range, parameter, unit);
     char *words = lx_document_rendered(walk->document, &range);
-    lx_document_row(
-        walk->document,
-        LX_SPANS(LX_CODE(path), LX_TERM_SPAN(parameter->meaning), LX_PLAIN(shown.bytes), LX_PLAIN(words ? words : "")),
-        false);
+    const char *symbol = symbol_of(parameter->name);
+    const struct lx_span formula = LX_MATH(symbol ? symbol : ""), none = LX_PLAIN("");
+    lx_document_row(walk->document,
+                    LX_SPANS(LX_CODE(path), symbol ? formula : none, LX_TERM_SPAN(parameter->meaning),
+                             LX_PLAIN(shown.bytes), LX_PLAIN(words ? words : "")),
+                    false);
     free(words);
     lx_text_clear(&shown);
 }
@@ -150,10 +185,10 @@ static void add_rows(struct walk *walk, const char *prefix, const struct lx_tabl
 
 static void begin_table(struct walk *walk)
 {
-    lx_document_table(walk->document, "llll");
+    lx_document_table(walk->document, "lllll");
     lx_document_row(walk->document,
-                    LX_SPANS(LX_TERM_SPAN(LX_N("key")), LX_TERM_SPAN(LX_N("meaning")), LX_TERM_SPAN(LX_N("value")),
-                             LX_TERM_SPAN(LX_N("advised range"))),
+                    LX_SPANS(LX_TERM_SPAN(LX_N("key")), LX_PLAIN(""), LX_TERM_SPAN(LX_N("meaning")),
+                             LX_TERM_SPAN(LX_N("value")), LX_TERM_SPAN(LX_N("advised range"))),
                     false);
 }
 

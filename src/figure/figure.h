@@ -73,6 +73,10 @@ luxel_status lx_figure_texts(struct lx_figure *figure, luxel_diagnostics *diagno
 /* A text in the figure's language. */
 const char *lx_figure_word(const struct lx_figure *figure, const char *english);
 
+/* A kind of light or a shape by its key, and a convention with its values, in the figure's language. */
+const char *lx_figure_kind(const struct lx_figure *figure, const char *key);
+void lx_figure_add_convention(const struct lx_figure *figure, struct lx_text *text, const char *key, const char *value);
+
 /* The colour of a value. */
 void lx_figure_color(const struct lx_figure *figure, double value, double color[3]);
 

@@ -88,6 +88,22 @@ static void add_formula(struct lx_pages *pages, const char *notation)
     free(lines);
 }
 
+/* Keeps rows up to the last on one page if they fit one; what introduces them stays with them if it does so, too. */
+static void keep_together(struct lx_pages *pages, size_t first)
+{
+    double height = 0, introduction = 0;
+    for (size_t i = first; i < pages->count; i++)
+        height += pages->rows[i].height + (i > first ? pages->rows[i].above : 0);
+    for (size_t i = first; i > 0 && pages->rows[i - 1].stays; i--)
+        introduction += pages->rows[i - 1].height + pages->rows[i].above;
+    if (height > pages->room)
+        return;
+    for (size_t i = first; i + 1 < pages->count; i++)
+        pages->rows[i].stays = true;
+    if (first > 0 && introduction + height > pages->room)
+        pages->rows[first - 1].stays = false;
+}
+
 static void add_code(struct lx_pages *pages, const char *text)
 {
     PangoLayout *layout = lx_page_plain_layout(pages, text, &code, pages->width - 2 * INSET);
@@ -104,6 +120,7 @@ static void add_code(struct lx_pages *pages, const char *text)
             row->texts[0].y += INSET / 2;
         row->height += (i == first ? INSET / 2 : 0) + (i + 1 == pages->count ? INSET / 2 : 0);
     }
+    keep_together(pages, first);
 }
 
 struct reader {
@@ -184,13 +201,26 @@ static void add_space(struct lx_pages *pages, size_t first, double space)
         pages->rows[first].above = fmax(pages->rows[first].above, space);
 }
 
-void lx_page_add_document(struct lx_pages *pages)
+static void add_bylines(struct lx_pages *pages)
 {
     const struct luxel_document *document = pages->document;
-    add_words(pages, &document->title, &title, 0, 0);
     for (size_t i = 0; i < document->byline_count && !pages->failed; i++)
         lx_page_add_lines(pages, lx_page_plain_layout(pages, document->bylines[i], &byline, pages->width), &byline, 0,
                           i == 0 ? 5 : 0);
+}
+
+void lx_page_add_document(struct lx_pages *pages)
+{
+    const struct luxel_document *document = pages->document;
+    const bool has_cover = lx_document_has_cover(document);
+    size_t cover = 0;
+    if (has_cover) {
+        lx_page_add_cover(pages);
+        cover = pages->count;
+    } else {
+        add_words(pages, &document->title, &title, 0, 0);
+        add_bylines(pages);
+    }
     for (size_t i = 0; i < document->block_count && !pages->failed; i++) {
         const struct lx_block *block = &document->blocks[i];
         size_t first = pages->count;
@@ -205,4 +235,6 @@ void lx_page_add_document(struct lx_pages *pages)
         else if (block->type == LX_BLOCK_PARAGRAPH && document->blocks[i - 1].type != LX_BLOCK_HEADING)
             add_space(pages, first, document->blocks[i - 1].type == LX_BLOCK_PARAGRAPH ? 6 : 10);
     }
+    if (has_cover && cover < pages->count)
+        pages->rows[cover].begins = true;
 }

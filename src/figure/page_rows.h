@@ -23,6 +23,7 @@ struct lx_page_row {
     double height; /* of the row */
     double x, width;
     bool stays;      /* on the same page as the next one */
+    bool begins;     /* a page */
     bool is_faint;   /* grey rather than black */
     bool is_code;    /* on a wash */
     bool is_marked;  /* on a wash that is to be noticed */
@@ -44,6 +45,7 @@ struct lx_pages {
     const struct luxel_document *document;
     PangoContext *context;
     double width;          /* of the text */
+    double room;           /* the height of a page's text */
     PangoLayout **layouts; /* of all texts; the lines of rows are theirs */
     size_t layout_count, layout_capacity;
     struct lx_page_row *rows;
@@ -77,6 +79,9 @@ void lx_page_add_text(struct lx_pages *pages, struct lx_page_row *row, PangoLayo
 /* The lines of a layout as rows, `above` before the first; returns how many. */
 size_t lx_page_add_lines(struct lx_pages *pages, PangoLayout *layout, const struct lx_page_type *type, double x,
                          double above);
+
+/* The title page. */
+void lx_page_add_cover(struct lx_pages *pages);
 
 void lx_page_add_table(struct lx_pages *pages, const struct lx_block *table);
 

@@ -117,11 +117,6 @@ static double height_together(const struct lx_pages *pages, size_t i)
     return height;
 }
 
-static double room_of_page(void)
-{
-    return HEIGHT - TOP - BOTTOM;
-}
-
 /* Places the rows from `first` on in a page; returns the first that does not fit.  `tops` takes where they stand. */
 static size_t fill_page(const struct lx_pages *pages, size_t first, double *tops, double *heading_top)
 {
@@ -131,7 +126,7 @@ static size_t fill_page(const struct lx_pages *pages, size_t first, double *tops
     *heading_top = -1;
     if (begin->heading > 0) { /* a table goes on */
         const struct lx_page_row *heading = &pages->rows[begin->heading - 1];
-        if (heading->height + begin->height < room_of_page()) {
+        if (heading->height + begin->height < pages->room) {
             *heading_top = 0;
             y = heading->height;
         }
@@ -141,9 +136,9 @@ static size_t fill_page(const struct lx_pages *pages, size_t first, double *tops
         double above = i > first ? row->above : 0;
         bool begins_group = i == first || !pages->rows[i - 1].stays;
         double group = begins_group ? height_together(pages, i) : row->height;
-        bool fits = y + above + row->height <= room_of_page();
-        bool group_fits = y + above + group <= room_of_page() || group > room_of_page();
-        if (i > first && (!fits || !group_fits))
+        bool fits = y + above + row->height <= pages->room;
+        bool group_fits = y + above + group <= pages->room || group > pages->room;
+        if (i > first && (!fits || !group_fits || row->begins))
             break;
         tops[i] = y + above;
         y += above + row->height;
@@ -162,6 +157,8 @@ static void draw_footer(struct lx_pages *pages, cairo_t *cairo, size_t page, siz
 {
     char number[64];
     snprintf(number, sizeof number, "%zu / %zu", page, count);
+    if (page == 1 && lx_document_has_cover(pages->document))
+        return;
     PangoLayout *right = lx_page_plain_layout(pages, number, &footer, pages->width);
     PangoLayout *left = lx_page_layout(pages, &pages->document->title, &footer, pages->width * 0.8);
     if (!left || !right)
@@ -239,7 +236,8 @@ static size_t draw_pages(struct lx_pages *pages, cairo_t *cairo, size_t count, d
 
 luxel_status lx_pages_write(const struct luxel_document *document, struct lx_sink *sink, luxel_diagnostics *diagnostics)
 {
-    struct lx_pages pages = {.document = document, .width = WIDTH - 2 * SIDE, .failed = document->failed};
+    struct lx_pages pages = {
+        .document = document, .width = WIDTH - 2 * SIDE, .room = HEIGHT - TOP - BOTTOM, .failed = document->failed};
     cairo_surface_t *surface = cairo_pdf_surface_create_for_stream(write_bytes, sink, WIDTH, HEIGHT);
     cairo_t *cairo = cairo_create(surface);
     double *tops = NULL;

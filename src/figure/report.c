@@ -30,6 +30,33 @@ static bool is_irradiance(const struct lx_report *report)
     return report->settings && report->settings->quantity == LUXEL_IRRADIANCE;
 }
 
+static bool is_given(const char *text)
+{
+    return text && *text;
+}
+
+static void add_cover_line(struct luxel_document *document, enum lx_cover_place place, const char *english,
+                           const char *text)
+{
+    if (is_given(text))
+        lx_document_cover(document, place, english, LX_SPANS(LX_PLAIN(text)));
+}
+
+/* The title page, of what was given. */
+static void add_cover(struct luxel_document *document, const luxel_report_settings *texts)
+{
+    add_cover_line(document, LX_COVER_HEAD, "{0}", texts->institution);
+    add_cover_line(document, LX_COVER_HEAD, "{0}", texts->faculty);
+    add_cover_line(document, LX_COVER_ABOVE, LX_N("Report for the course “{0}”"), texts->course);
+    add_cover_line(document, LX_COVER_SIDE, LX_N("Author: {0}"), texts->author);
+    add_cover_line(document, LX_COVER_SIDE, LX_N("Group: {0}"), texts->group);
+    add_cover_line(document, LX_COVER_SIDE, LX_N("Teacher: {0}"), texts->teacher);
+    if (is_given(texts->place) && is_given(texts->date))
+        lx_document_cover(document, LX_COVER_FOOT, "{0}, {1}", LX_SPANS(LX_PLAIN(texts->place), LX_PLAIN(texts->date)));
+    else
+        add_cover_line(document, LX_COVER_FOOT, "{0}", is_given(texts->place) ? texts->place : texts->date);
+}
+
 static void add_title(struct lx_report *report)
 {
     const luxel_report_settings *texts = report->texts;
@@ -42,8 +69,11 @@ static void add_title(struct lx_report *report)
                           NULL);
     const char *const lines[] = {texts->author, texts->group, texts->date};
     for (size_t i = 0; i < sizeof lines / sizeof lines[0]; i++)
-        if (lines[i] && *lines[i])
+        if (is_given(lines[i]))
             lx_document_byline(report->document, lines[i]);
+    if (is_given(texts->institution) || is_given(texts->faculty) || is_given(texts->course) ||
+        is_given(texts->teacher) || is_given(texts->place))
+        add_cover(report->document, texts);
 }
 
 static luxel_status add_method(struct lx_report *report)
@@ -59,8 +89,25 @@ static luxel_status add_method(struct lx_report *report)
     return status;
 }
 
+/* What a figure in false colour shows beside its colours. */
+static const char *caption_of(const struct lx_figure *figure)
+{
+    const bool has_lines = figure->isophotes && figure->isophotes->count > 0, has_sections = figure->sections[0];
+    const luxel_peak *peak = &figure->extrema.maximum;
+    const bool at_maximum = peak->exists && peak->place != LUXEL_PEAK_PLATEAU;
+    if (figure->settings.bands == LUXEL_SMOOTH)
+        return LX_N("The picture in grey levels.");
+    if (!has_sections)
+        return has_lines ? LX_N("False colour with lines of equal value.") : LX_N("False colour.");
+    if (at_maximum)
+        return has_lines ? LX_N("False colour with lines of equal value, and the sections through the maximum.")
+                         : LX_N("False colour, and the sections through the maximum.");
+    return has_lines ? LX_N("False colour with lines of equal value, and the sections through the centre.")
+                     : LX_N("False colour, and the sections through the centre.");
+}
+
 /* One picture, as bytes and as a drawing. */
-static luxel_status add_picture(struct lx_report *report, const luxel_figure_settings *settings, const char *english)
+static luxel_status add_picture(struct lx_report *report, const luxel_figure_settings *settings)
 {
     struct lx_figure *figure = NULL;
     unsigned char *bytes = NULL;
@@ -70,7 +117,8 @@ static luxel_status add_picture(struct lx_report *report, const luxel_figure_set
         status = lx_figure_png(figure, report->diagnostics, &bytes, &length);
     if (status == LUXEL_OK) {
         struct lx_drawing drawing = lx_figure_drawing(figure);
-        lx_document_picture(report->document, bytes, length, &drawing, english, NULL);
+        const char *caption = caption_of(figure);
+        lx_document_picture(report->document, bytes, length, &drawing, caption, NULL);
     } else {
         lx_figure_free(figure);
     }
@@ -90,15 +138,14 @@ luxel_status lx_report_pictures(struct lx_report *report)
     settings.palette = "grey";
     settings.bands = LUXEL_SMOOTH;
     settings.points = settings.extrema = false;
-    luxel_status status = add_picture(report, &settings, LX_N("The picture in grey levels."));
+    luxel_status status = add_picture(report, &settings);
     settings.width_mm = FALSE_COLOUR_MM;
     settings.palette = report->texts->palette;
     settings.bands = LUXEL_CONTOURS;
     settings.points = settings.extrema = true;
     settings.section = report->extrema.maximum.exists ? LUXEL_SECTION_MAXIMUM : LUXEL_SECTION_NONE;
     if (status == LUXEL_OK)
-        status = add_picture(report, &settings,
-                             LX_N("False colour with lines of equal value, and the sections through the maximum."));
+        status = add_picture(report, &settings);
     return status;
 }
 
@@ -112,6 +159,7 @@ static luxel_status build(struct lx_report *report)
         return lx_out_of_memory(report->diagnostics);
     report->unit = lx_document_word(report->document, luxel_field_unit(report->field));
     add_title(report);
+    lx_document_number(report->document);
     lx_report_task(report);
     status = add_method(report);
     if (status == LUXEL_OK)

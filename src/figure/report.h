@@ -27,7 +27,10 @@ struct lx_report {
     luxel_field *field;
     luxel_extrema extrema;
     luxel_summary summary;
-    luxel_probe **probes; /* of the scene's points */
+    luxel_statistics statistics;
+    bool has_ambient, has_direct; /* whether any light is ambient, or comes from somewhere */
+    double reached;               /* share of the surface's pixels where the latter arrives (shade/reach.h) */
+    luxel_probe **probes;         /* of the scene's points */
     size_t probe_count;
     luxel_probe *peak;                /* at the maximum; NULL where there is none */
     struct lx_report_width widths[2]; /* along x, along y */
@@ -38,7 +41,7 @@ struct lx_report {
 luxel_status lx_report_compute(struct lx_report *report);
 void lx_report_clear(struct lx_report *report);
 
-/* The sections, each with its heading. */
+/* The sections, each with its heading; the first has the aim, too. */
 void lx_report_task(struct lx_report *report);
 void lx_report_results(struct lx_report *report);
 void lx_report_conclusions(struct lx_report *report);
@@ -46,6 +49,16 @@ void lx_report_repetition(struct lx_report *report);
 
 /* The pictures: grey, false colour with isophotes, sections. */
 luxel_status lx_report_pictures(struct lx_report *report);
+
+/* "brightness" or "irradiance", and whether it is the latter. */
+const char *lx_report_quantity(const struct lx_report *report);
+bool lx_report_is_irradiance(const struct lx_report *report);
+
+/* Whether values above 0 lie where no light arrives: the tail of a highlight that is not gated. */
+bool lx_report_has_tail(const struct lx_report *report);
+
+/* Adds "(177.4828, 0)". */
+void lx_report_add_place(struct lx_text *text, const double *values, size_t count);
 
 /* A number with seven significant digits, as reports show them. */
 const char *lx_report_number(double value, char *buffer);

@@ -6,6 +6,7 @@
 #include "../base/diagnostics.h"
 #include "../base/memory.h"
 #include "../base/number.h"
+#include "../shade/reach.h"
 #include "figure.h"
 #include "report.h"
 
@@ -41,8 +42,25 @@ static luxel_status probe_points(struct lx_report *report)
     return status;
 }
 
-/* Where a profile that begins at the maximum falls to half of it, between two samples on a straight line. */
-static bool half_width(const luxel_profile *profile, double maximum, double *width)
+/* Where on the way between two of its samples, of which the first is above half the maximum, a profile falls to it. */
+static double find_half(const luxel_evaluator *evaluator, const luxel_profile_sample *above,
+                        const luxel_profile_sample *below, double half)
+{
+    double low = 0, high = 1; /* of the way */
+    for (int i = 0; i < 50; i++) {
+        const double middle = (low + high) / 2;
+        const luxel_value value = luxel_evaluate(evaluator, above->x_mm + middle * (below->x_mm - above->x_mm),
+                                                 above->y_mm + middle * (below->y_mm - above->y_mm), NULL);
+        if (value.on_surface && value.has_value && value.value > half)
+            low = middle;
+        else
+            high = middle;
+    }
+    return above->abscissa + high * (below->abscissa - above->abscissa);
+}
+
+/* Where a profile that begins at the maximum falls to half of it. */
+static bool half_width(const luxel_evaluator *evaluator, const luxel_profile *profile, double maximum, double *width)
 {
     for (size_t i = 1; i < profile->count; i++) {
         const luxel_profile_sample *before = &profile->samples[i - 1], *sample = &profile->samples[i];
@@ -50,8 +68,7 @@ static bool half_width(const luxel_profile *profile, double maximum, double *wid
             return false;
         if (sample->value > maximum / 2)
             continue;
-        double share = (before->value - maximum / 2) / (before->value - sample->value);
-        *width = before->abscissa + share * (sample->abscissa - before->abscissa);
+        *width = find_half(evaluator, before, sample, maximum / 2);
         return true;
     }
     return false;
@@ -73,7 +90,7 @@ static luxel_status measure_width(const struct lx_report *report, const luxel_ev
             continue;
         status = luxel_find_profile(evaluator, &path, report->diagnostics, &profile);
         if (status == LUXEL_OK)
-            width->exists[side] = half_width(profile, peak->value, &width->mm[side]);
+            width->exists[side] = half_width(evaluator, profile, peak->value, &width->mm[side]);
         luxel_profile_free(profile);
     }
     return status;
@@ -97,12 +114,34 @@ static luxel_status find_extrema(struct lx_report *report)
     return status;
 }
 
+/* What kinds of light there are, and how far those go that come from somewhere. */
+static luxel_status find_reach(struct lx_report *report)
+{
+    const luxel_settings settings = lx_whole_picture(report->settings);
+    struct lx_reach reach;
+    luxel_status status =
+        lx_reach_open(&reach, report->parameters, lx_kernels_choose(settings.instruction_set), &settings);
+    if (status == LUXEL_OK) {
+        report->has_ambient = reach.has_ambient;
+        report->has_direct = reach.has_direct;
+        status = lx_reach_share(&reach, luxel_field_x_mm(report->field), luxel_field_columns(report->field),
+                                luxel_field_y_mm(report->field), luxel_field_rows(report->field), &report->reached);
+    }
+    lx_reach_clear(&reach);
+    return status == LUXEL_ERROR_MEMORY ? lx_out_of_memory(report->diagnostics) : status;
+}
+
 luxel_status lx_report_compute(struct lx_report *report)
 {
-    const luxel_settings whole = lx_whole_picture(report->settings);
+    luxel_settings whole = lx_whole_picture(report->settings);
+    whole.minimum_reached = true;
     luxel_status status = luxel_render(report->scene, &whole, report->diagnostics, &report->field);
     if (status == LUXEL_OK)
         status = luxel_field_summary(report->field, NULL, report->diagnostics, &report->summary);
+    if (status == LUXEL_OK) {
+        report->statistics = *luxel_field_statistics(report->field);
+        status = find_reach(report);
+    }
     if (status == LUXEL_OK)
         status = probe_points(report);
     if (status == LUXEL_OK)

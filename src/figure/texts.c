@@ -78,17 +78,17 @@ static void print_place(const struct lx_figure *figure, const struct lx_table *t
         if (shape->type != LX_GROUP || !lx_is_given(table, parameters, shape->name))
             continue;
         lx_text_puts(text, " ");
-        lx_text_puts(text, shape->name);
+        lx_text_puts(text, lx_figure_kind(figure, shape->name));
         print_place(figure, shape->group, lx_const_member(shape, parameters), text);
     }
 }
 
-/* "point (2000, 0, 2000) mm, 10 W/sr": what a light is, where, and how strong. */
+/* "point source (2000, 0, 2000) mm, 10 W/sr": what a light is, where, and how strong. */
 static void print_light(const struct lx_figure *figure, const struct lx_item *light, struct lx_text *text)
 {
     static const char *const strengths[] = {"intensity", "irradiance", "radiance", "power"};
     const struct lx_table *table = light->variant->table;
-    lx_text_puts(text, light->variant->name);
+    lx_text_puts(text, lx_figure_kind(figure, light->variant->name));
     print_place(figure, table, light->parameters, text);
     for (size_t i = 0; i < LX_COUNT(strengths); i++) {
         const struct lx_parameter *strength = lx_find_parameter(table, strengths[i]);
@@ -141,9 +141,8 @@ static char *make_print(const struct lx_figure *figure)
     print_lights(figure, &text);
     for (size_t i = 0; i < luxel_scene_convention_count(figure->copy); i++) {
         lx_text_puts(&text, i > 0 ? "; " : "");
-        lx_text_puts(&text, luxel_scene_convention_key(figure->copy, i));
-        lx_text_puts(&text, " ");
-        lx_text_puts(&text, luxel_scene_convention_value(figure->copy, i));
+        lx_figure_add_convention(figure, &text, luxel_scene_convention_key(figure->copy, i),
+                                 luxel_scene_convention_value(figure->copy, i));
     }
     lx_text_puts(&text, ". Luxel\u00a0");
     lx_text_puts(&text, luxel_version());

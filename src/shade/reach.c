@@ -19,6 +19,20 @@ static void make_plain(struct lx_emitter *emitter)
         emitter->radiance = lx_exact(1);
 }
 
+/* Of one that was made plain. */
+static bool shines(const struct lx_emitter *emitter)
+{
+    return lx_is_extended(emitter) ? emitter->radiance.value > 0 : emitter->strength > 0;
+}
+
+static bool has_ambient_light(const struct lx_emitters *emitters)
+{
+    for (size_t i = 0; i < lx_item_count(emitters); i++)
+        if (emitters->items[i].type == LX_UNIFORM && emitters->items[i].strength > 0)
+            return true;
+    return false;
+}
+
 /* For more sources than these the stretches of rows take longer than what they save. */
 enum { MOST_STRETCHES = 8 };
 
@@ -46,8 +60,12 @@ luxel_status lx_reach_open(struct lx_reach *reach, const struct lx_scene_paramet
     if (lx_prepare(scene, LX_DEFAULT_TOLERANCE, &asking, &reach->prepared) != 0)
         return atomic_load(&control.stop) ? LUXEL_CANCELLED : LUXEL_ERROR_MEMORY;
     struct lx_emitters *emitters = &reach->prepared.emitters;
-    for (size_t i = 0; i < lx_item_count(emitters); i++)
+    reach->has_ambient = has_ambient_light(emitters);
+    reach->has_direct = emitters->in_swarms > 0;
+    for (size_t i = 0; i < lx_item_count(emitters); i++) {
         make_plain(&emitters->items[i]);
+        reach->has_direct = reach->has_direct || shines(&emitters->items[i]);
+    }
     for (size_t i = 0; i < emitters->swarm_count; i++)
         make_plain(&emitters->swarms[i].model);
     reach->has_stretches = has_stretches(&reach->prepared);
@@ -142,14 +160,6 @@ luxel_status lx_reach_share(const struct lx_reach *reach, const double *x_mm, un
     *share = shown > 0 ? (double)lit / (double)shown : 0;
     lx_shader_memory_free(memory);
     return LUXEL_OK;
-}
-
-static bool has_ambient_light(const struct lx_emitters *emitters)
-{
-    for (size_t i = 0; i < lx_item_count(emitters); i++)
-        if (emitters->items[i].type == LX_UNIFORM && emitters->items[i].strength > 0)
-            return true;
-    return false;
 }
 
 bool lx_reach_is_plain(const struct lx_prepared *prepared, luxel_quantity quantity)

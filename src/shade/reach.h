@@ -14,6 +14,7 @@
 
 /* Set once, then only read; it stays where it is. */
 struct lx_reach {
+    bool has_ambient, has_direct; /* light of this kind, and any that comes from somewhere */
     struct lx_prepared prepared;
     struct lx_plan plan;
     bool has_stretches; /* of lx_reach_stretch() */

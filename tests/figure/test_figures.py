@@ -60,19 +60,24 @@ def numbers(tap, tool):
     # turned labels come out letter by letter
     tap.ok(re.search(r"25\s+6\.|6\.\s+25", text) and "Two <levels> & a title" in text, "levels and title", text)
     words = " ".join(text.split())
-    tap.ok("highlight plain" in words and "point (2000, 0, 2000) mm, 10 W/sr" in words, "small print", text)
+    tap.ok("highlight plain" in words and "point source (2000, 0, 2000) mm, 10 W/sr" in words, "small print", text)
     fonts = subprocess.run(["pdffonts", tool.file("f.pdf")], capture_output=True, text=True, check=True).stdout
     embedded = [line.split()[-5] for line in fonts.splitlines()[2:]]
     tap.ok(embedded and set(embedded) == {"yes"}, "fonts are embedded", fonts)
 
 
 def titles(tap, tool):
-    """Without --title: that of a built-in scene as it is, its name where it was changed, the name of a file."""
+    """Without --title: that of a built-in scene as it is, its name where it was changed, the comment that a file begins
+    with; none where it begins otherwise."""
     scene = tool.run("scene", "report").out
-    tool.write("my scene.yaml", scene)
+    bare = scene[scene.index("luxel:"):]
+    tool.write("own.yaml", "# yaml-language-server: $schema=luxel.schema.json\n#\n#  A ball of mine\n# and more\n" +
+               bare)
+    tool.write("bare.yaml", bare)
     for arguments, stdin, title in ((["report"], "", "The lab report's sphere"),
                                     (["report", "-s", "lights[0].intensity=20"], "", "report"),
-                                    (["my scene.yaml"], "", "my scene"), (["-"], scene, "250")):
+                                    (["own.yaml"], "", "A ball of mine"), (["bare.yaml"], "", "250"),
+                                    (["-"], scene, "The lab report's sphere"), (["-"], bare, "250")):
         result = tool.run("figure", *arguments, "-o", "f.pdf", stdin=stdin)
         tap.ok(result.code == 0 and text_of(tool, "f.pdf").strip().startswith(title), "the title of " + arguments[0],
                result)
