@@ -74,7 +74,8 @@ def the_exercise(tap, tool):
     changes = {"gated": ["surfaces[0].material.highlight=gated"], "lambert": ["surfaces[0].material.model=lambert"],
                "no diffuse": ["surfaces[0].material.diffuse=0"], "behind": ["lights[0].position=[900,0,700]"],
                "two": ["lights=[{type: point, position: [2000, 0, 2000], intensity: 10, attenuation: none}, {type: "
-                       "point, name: fill, position: [-1500, 900, 2500], intensity: 4, attenuation: none}]"], "plain": []}
+                       "point, name: fill, position: [-1500, 900, 2500], intensity: 4, attenuation: none}]"],
+               "plain": []}
     models = {"gated": Sphere(gated=True), "lambert": Sphere(ks=0), "no diffuse": Sphere(kd=0), "two": Sphere(two),
               "behind": Sphere((((900, 0, 700), 10),)), "plain": Sphere()}
     for name, model in models.items():
@@ -239,7 +240,8 @@ def parameters(tap, tool):
 
 
 COVER = {"institution": "Ångström & Co", "faculty": "Physics <b>", "course": "Computer graphics",
-         "teacher": "P. Petrov", "place": "Saint Petersburg", "author": "A_B $x$", "group": "4321", "date": "2026", "aim": "To see the light."}
+         "teacher": "P. Petrov", "place": "Saint Petersburg", "author": "A_B $x$", "group": "4321", "date": "2026",
+         "aim": "To see the light."}
 
 
 def title_page(tap, tool):
