@@ -25,7 +25,9 @@ static unsigned next_code(const char *text, size_t *length)
 
 static void print_character(FILE *out, unsigned code, bool typed)
 {
-    if (code >= 0x80)
+    if (code == 0xb7) /* the dot of a product, which terminals without Unicode have no sign for */
+        fputc('*', out);
+    else if (code >= 0x80)
         fprintf(out, "\\[u%04X]", code);
     else if (code == '\\')
         fputs("\\e", out);
