@@ -18,20 +18,25 @@
 #include "message.h"
 #include "text.h"
 
-enum column { VARIANT, VALUE, POINT, X, Y, STUDENT, COLUMN_COUNT };
+enum column { VARIANT, VALUE, POINT, X, Y, STUDENT, GIVEN_NAME, COLUMN_COUNT };
 
 /* How the columns may be called; a heading may go on with a unit, as in x_mm. */
 static const char *const variant_names[] = {"variant", "вариант", NULL};
-static const char *const value_names[] = {"value", "значение", NULL};
+static const char *const value_names[] = {"value", "answer", "значение", "ответ", NULL};
 static const char *const point_names[] = {"point", "точка", NULL};
 static const char *const x_names[] = {"x", "х", NULL};
 static const char *const y_names[] = {"y", "у", NULL};
-static const char *const student_names[] = {"student", "name", "студент", "фамилия", NULL};
+static const char *const student_names[] = {"student", "name", "surname", "студент", "фамилия", "фио", NULL};
+static const char *const given_names[] = {"first name", "given name", "имя", NULL};
 
 static const luxel_column columns[COLUMN_COUNT] = {
-    [VARIANT] = {LUXEL_COLUMN_TEXT, true, variant_names}, [VALUE] = {LUXEL_COLUMN_TEXT, true, value_names},
-    [POINT] = {LUXEL_COLUMN_TEXT, false, point_names},    [X] = {LUXEL_COLUMN_LENGTH, false, x_names},
-    [Y] = {LUXEL_COLUMN_LENGTH, false, y_names},          [STUDENT] = {LUXEL_COLUMN_TEXT, false, student_names},
+    [VARIANT] = {LUXEL_COLUMN_TEXT, true, variant_names},
+    [VALUE] = {LUXEL_COLUMN_TEXT, true, value_names},
+    [POINT] = {LUXEL_COLUMN_TEXT, false, point_names},
+    [X] = {LUXEL_COLUMN_LENGTH, false, x_names},
+    [Y] = {LUXEL_COLUMN_LENGTH, false, y_names},
+    [STUDENT] = {LUXEL_COLUMN_TEXT, false, student_names},
+    [GIVEN_NAME] = {LUXEL_COLUMN_TEXT, false, given_names},
 };
 
 struct table {
@@ -141,6 +146,18 @@ static bool take_place(struct table *table, struct answer *answer)
     return take_whole(table, POINT, point + (*point == 'P' || *point == 'p'), 1000, &answer->point);
 }
 
+/* "Ivanov Pyotr", of one or two columns; NULL where both are empty. */
+static char *copy_name(const char *name, const char *given)
+{
+    char *copy;
+
+    if (*name == '\0' && *given == '\0')
+        return NULL;
+    copy = message_allocate(strlen(name) + strlen(given) + 2, 1);
+    stpcpy(stpcpy(stpcpy(copy, name), *name != '\0' && *given != '\0' ? " " : ""), given);
+    return copy;
+}
+
 static void read_row(struct table *table)
 {
     struct answers *answers = table->answers;
@@ -151,8 +168,7 @@ static void read_row(struct table *table)
     if (!take_whole(table, VARIANT, text_of(table, VARIANT), LUXEL_LAST_VARIANT, &answer.variant) ||
         !take_place(table, &answer) || !take_value(table, &answer))
         return;
-    if (*text_of(table, STUDENT) != '\0')
-        answer.student = copy_text(text_of(table, STUDENT));
+    answer.student = copy_name(text_of(table, STUDENT), text_of(table, GIVEN_NAME));
     if (answers->count == answers->capacity)
         answers->list = grow(answers->list, &answers->capacity, sizeof *answers->list);
     answers->list[answers->count++] = answer;

@@ -302,6 +302,12 @@ def missing_and_repeated(tap, tool):
     tool.write("a.csv", table([("student", "variant", "point", "value"),
                                *[(who, 17, i, exact[i - 1]) for i in range(1, 6) for who in ("A", "B")]]))
     tap.equal(tool.run("grade", "a.csv").code, 0, "two students may answer the same points")
+    tool.write("a.csv", "Фамилия;Имя;Вариант;Точка;Ответ\n" + "".join(
+        "%s;17;%d;%s\n" % (who, i, exact[i - 1].replace(".", ",")) for i in range(1, 6)
+        for who in ("Иванов;Пётр", "Иванов;Павел", ";Ольга")))
+    data = tool.run("grade", "a.csv", "--json")
+    tap.equal((data.code, [one["student"] for one in data.json()["submissions"]]),
+              (0, ["Иванов Пётр", "Иванов Павел", "Ольга"]), "Russian headings, and a name of two columns")
     tool.write("a.csv", "variant,x,y,value\n17,-9000,0,off\n17,-9000,0,off\n17,-9000,1,off\n")
     data = tool.run("grade", "a.csv", "--json").json()
     tap.equal((data["right"], data["repeated"], data["missing"]), (2, 1, 0),
