@@ -4,6 +4,7 @@
 #include <string.h>
 
 #include "labels.h"
+#include "thin.h"
 
 static const double LINE = 0.1; /* widths of lines, of the letters' size */
 
@@ -167,17 +168,21 @@ static void draw_lines(const struct lx_labels *labels)
     lx_clip_labels(labels);
     cairo_set_line_join(cairo, CAIRO_LINE_JOIN_ROUND);
     cairo_set_line_width(cairo, (alone ? 1.3 : bands ? 0.6 : 0.9) * LINE * plot->size);
-    for (size_t i = 0; figure->isophotes && i < figure->isophotes->count; i++) {
+    struct lx_thinning thinning = {0};
+    uint16_t level = 0;
+    lx_thinning_begin(&thinning, &plot->box);
+    /* level by level, the greatest first, as the lower ones are left out where there is no room for all */
+    for (size_t i = figure->isophotes ? figure->isophotes->count : 0; i-- > 0;) {
         const luxel_isophote *line = &figure->isophotes->lines[i];
         double color[3];
         lx_line_color(figure, labels->canvas, line->level, color);
         lx_color(labels->canvas, color, alone ? 1 : bands ? 0.5 : 0.75);
-        for (size_t k = 0; k < line->count; k++)
-            cairo_line_to(cairo, lx_plot_x(plot, line->x_mm[k]), lx_plot_y(plot, line->y_mm[k]));
-        if (line->closed)
-            cairo_close_path(cairo);
+        if (i + 1 < figure->isophotes->count && line[1].level != line->level)
+            level++;
+        lx_thinning_add_line(&thinning, cairo, plot, line, level);
         cairo_stroke(cairo);
     }
+    lx_thinning_clear(&thinning);
     cairo_restore(cairo);
 }
 
