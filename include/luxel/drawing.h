@@ -1,12 +1,13 @@
 /* SPDX-License-Identifier: MIT */
 /*
- * Drawing on a cairo context: colour bars, profiles and histograms as figures show them, for the screens of programs.
+ * Drawing on a cairo context: colour bars, profiles and histograms as figures show them, for the screens of programs;
+ * and the outlines of surfaces as lines, for programs that draw pictures of their own.
  *
- * These functions are in the library luxel-figure.  Each draws on the rectangle from (0, 0) to (width, height) of the
- * context, in its units, over what is there, and leaves the context as it was but for its current path, which is gone.
- * Ticks and labels are chosen so that they fit.  Threads: one at a time for a context.
+ * These functions are in the library luxel-figure.  Each luxel_draw_...() draws on the rectangle from (0, 0) to
+ * (width, height) of the context, in its units, over what is there, and leaves the context as it was but for its
+ * current path, which is gone.  Ticks and labels are chosen so that they fit.  Threads: one at a time for a context.
  *
- * All return LUXEL_ERROR_ARGUMENT where something is missing or out of what its comment says, with nothing drawn, or
+ * These return LUXEL_ERROR_ARGUMENT where something is missing or out of what its comment says, with nothing drawn, or
  * the context cannot be drawn on; and LUXEL_ERROR_MEMORY.
  */
 #ifndef LUXEL_DRAWING_H
@@ -16,6 +17,7 @@
 
 #include <luxel/document.h>
 #include <luxel/profile.h>
+#include <luxel/scene.h>
 #include <luxel/statistics.h>
 
 #ifdef __cplusplus
@@ -95,6 +97,31 @@ LUXEL_API luxel_status luxel_draw_profile(cairo_t *cairo, const luxel_drawing_st
 LUXEL_API luxel_status luxel_draw_histogram(cairo_t *cairo, const luxel_drawing_style *style,
                                             const luxel_histogram *histogram, const luxel_bar *colors,
                                             const char *x_label, const char *y_label, double width, double height);
+
+/* A chain of places along the edge of a surface, as far as nothing stands before it. */
+typedef struct luxel_outline {
+    size_t count;       /* of the places, 2 at least */
+    const double *x_mm; /* on the screen, or beyond its edges */
+    const double *y_mm; /* of the places, on the screen or beyond its edges */
+} luxel_outline;
+
+/* The outlines of all surfaces.  The arrays live as long as it does. */
+typedef struct luxel_outlines {
+    size_t count;               /* of the chains */
+    const luxel_outline *lines; /* count of them */
+} luxel_outlines;
+
+/*
+ * Finds the outlines of a committed scene's surfaces as the observer sees them: the rims of spheres, the edges of
+ * rectangles.  Lights make no difference.  Straight between its places a chain leaves a circle by no more than 3e-6 of
+ * its radius.  The result is the caller's: free it with luxel_outlines_free().
+ * LUXEL_ERROR_ARGUMENT: the scene is not committed.  LUXEL_ERROR_MEMORY.
+ */
+LUXEL_API luxel_status luxel_find_outlines(const luxel_scene *scene, luxel_diagnostics *diagnostics,
+                                           luxel_outlines **outlines);
+
+/* Frees outlines; NULL is harmless. */
+LUXEL_API void luxel_outlines_free(luxel_outlines *outlines);
 
 #ifdef __cplusplus
 }

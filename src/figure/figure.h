@@ -52,8 +52,8 @@ void lx_figure_free(struct lx_figure *figure);
 /* The settings (NULL: the defaults) for the whole picture, whatever stride they have. */
 luxel_settings lx_whole_picture(const luxel_settings *settings);
 
-/* The outlines of the surfaces as they are seen; 0, or -1 when memory ran out. */
-int lx_figure_outline(struct lx_figure *figure, const luxel_evaluator *evaluator);
+/* The outlines of the surfaces as they are seen, each contour in so many steps; 0, or -1 when memory ran out. */
+int lx_figure_outline(struct lx_figure *figure, const luxel_evaluator *evaluator, int steps);
 
 /* Draws it `width` points wide from (0, 0) on, or with `cairo` NULL only measures; returns the height. */
 double lx_figure_draw(const struct lx_figure *figure, cairo_t *cairo, double width);

@@ -12,7 +12,7 @@
 #include "../parameter/words.h"
 #include "labels.h"
 
-enum { SECTION_SAMPLES = 401 };
+enum { SECTION_SAMPLES = 401, OUTLINE_STEPS = 360 };
 
 void luxel_figure_settings_init(luxel_figure_settings *settings)
 {
@@ -219,7 +219,8 @@ static luxel_status compute(struct lx_figure *figure, const luxel_settings *sett
     if (status == LUXEL_OK && figure->settings.bands != LUXEL_SMOOTH)
         status = luxel_find_isophotes(figure->field, is_slow(figure) ? NULL : evaluator, figure->levels,
                                       figure->level_count, diagnostics, &figure->isophotes);
-    if (status == LUXEL_OK && (lx_figure_outline(figure, evaluator) < 0 || lx_labels_prepare(figure) < 0))
+    if (status == LUXEL_OK &&
+        (lx_figure_outline(figure, evaluator, OUTLINE_STEPS) < 0 || lx_labels_prepare(figure) < 0))
         status = lx_out_of_memory(diagnostics);
     if (status == LUXEL_OK && figure->settings.section != LUXEL_SECTION_NONE)
         status = make_sections(figure, evaluator, diagnostics);

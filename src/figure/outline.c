@@ -8,8 +8,6 @@
 #include "../surface/surface.h"
 #include "figure.h"
 
-enum { STEPS = 360 };
-
 /* Where a place is seen on the screen. */
 static void project(const struct lx_observer *observer, const double place[3], double at[2])
 {
@@ -124,7 +122,7 @@ static void turn_round(struct lx_outline *contour)
     }
 }
 
-int lx_figure_outline(struct lx_figure *figure, const luxel_evaluator *evaluator)
+int lx_figure_outline(struct lx_figure *figure, const luxel_evaluator *evaluator, int steps)
 {
     const struct lx_list *surfaces = &figure->scene->surfaces;
     const struct lx_observer *observer = &figure->scene->observer;
@@ -139,12 +137,12 @@ int lx_figure_outline(struct lx_figure *figure, const luxel_evaluator *evaluator
                 round ? ((const struct lx_sphere_parameters *)surface->parameters)->center_mm
                       : ((const struct lx_plate_parameters *)surface->parameters)->center_mm,
                 center);
-        for (int i = 0; i <= STEPS; i++) {
+        for (int i = 0; i <= steps; i++) {
             double at[2];
             if (round)
-                rim_of_sphere(observer, surface->parameters, 2 * M_PI * i / STEPS, at);
+                rim_of_sphere(observer, surface->parameters, 2 * M_PI * i / steps, at);
             else
-                edge_of_plate(observer, surface->parameters, fmod(4.0 * i / STEPS, 4), at);
+                edge_of_plate(observer, surface->parameters, fmod(4.0 * i / steps, 4), at);
             bool seen = is_seen(figure, evaluator, s, at, center);
             if ((i > 0 && append(&figure->contours[s], at) < 0) || (seen && add_place(figure, !open, at) < 0))
                 return -1;

@@ -1,0 +1,104 @@
+/* SPDX-License-Identifier: MIT */
+/* Outlines for programs that draw pictures of their own: those of figures, in finer steps, as plain arrays. */
+#include <luxel/drawing.h>
+#include <stdlib.h>
+
+#include "../base/diagnostics.h"
+#include "../base/memory.h"
+#include "../exercise/parameter_tables.h"
+#include "figure.h"
+
+/* Of a contour: so many that a sphere looks round however far a program zooms in. */
+enum { STEPS = 1440 };
+
+/* The list that callers see comes first, so that a pointer to it is one to the whole. */
+struct outlines {
+    luxel_outlines list;
+    luxel_outline *lines;
+    double *places_mm;
+};
+
+void luxel_outlines_free(luxel_outlines *outlines)
+{
+    struct outlines *whole = (struct outlines *)outlines;
+    if (!whole)
+        return;
+    free(whole->lines);
+    free(whole->places_mm);
+    free(whole);
+}
+
+/* Chains of one place are no lines. */
+static bool is_line(const struct lx_outline *outline)
+{
+    return outline->count >= 2;
+}
+
+static luxel_outlines *copy(const struct lx_figure *figure)
+{
+    size_t places = 0, count = 0;
+    struct outlines *whole = lx_new_array(1, sizeof *whole);
+    for (size_t i = 0; i < figure->outline_count; i++)
+        places += figure->outlines[i].count;
+    if (!whole)
+        return NULL;
+    whole->lines = lx_new_array(figure->outline_count + 1, sizeof *whole->lines);
+    whole->places_mm = lx_new_array(2 * places + 1, sizeof *whole->places_mm);
+    if (!whole->lines || !whole->places_mm) {
+        luxel_outlines_free(&whole->list);
+        return NULL;
+    }
+    double *at = whole->places_mm;
+    for (size_t i = 0; i < figure->outline_count; i++) {
+        const struct lx_outline *outline = &figure->outlines[i];
+        if (!is_line(outline))
+            continue;
+        whole->lines[count++] = (luxel_outline){outline->count, at, at + outline->count};
+        for (size_t k = 0; k < outline->count; k++) {
+            at[k] = outline->places_mm[k][0];
+            at[outline->count + k] = outline->places_mm[k][1];
+        }
+        at += 2 * outline->count;
+    }
+    whole->list = (luxel_outlines){count, whole->lines};
+    return &whole->list;
+}
+
+/* What is seen at a place costs as much as its light, so the lights go out first. */
+static luxel_status prepare(const luxel_scene *scene, luxel_diagnostics *diagnostics, luxel_scene **dark,
+                            luxel_evaluator **evaluator)
+{
+    *evaluator = NULL;
+    *dark = luxel_scene_copy(scene);
+    if (!*dark)
+        return lx_out_of_memory(diagnostics);
+    luxel_status status = luxel_scene_set(*dark, "lights=[]", diagnostics);
+    if (status == LUXEL_OK)
+        status = luxel_scene_commit(*dark, diagnostics);
+    return status == LUXEL_OK ? luxel_evaluator_new(*dark, NULL, diagnostics, evaluator) : status;
+}
+
+luxel_status luxel_find_outlines(const luxel_scene *scene, luxel_diagnostics *diagnostics, luxel_outlines **outlines)
+{
+    luxel_scene *dark;
+    luxel_evaluator *evaluator;
+    *outlines = NULL;
+    if (!scene || !luxel_scene_is_committed(scene)) {
+        lx_report(diagnostics, LUXEL_SEVERITY_ERROR, NULL, LX_MSG_NOT_COMMITTED, NULL);
+        return LUXEL_ERROR_ARGUMENT;
+    }
+    luxel_status status = prepare(scene, diagnostics, &dark, &evaluator);
+    struct lx_figure *figure = status == LUXEL_OK ? lx_new_array(1, sizeof *figure) : NULL;
+    if (figure) {
+        figure->copy = dark;
+        dark = NULL;
+        figure->scene = lx_scene_parameters(figure->copy);
+        *outlines = lx_figure_outline(figure, evaluator, STEPS) == 0 ? copy(figure) : NULL;
+        lx_figure_free(figure);
+    }
+    if (status == LUXEL_OK && !*outlines)
+        status = lx_out_of_memory(diagnostics);
+    luxel_evaluator_free(evaluator);
+    luxel_scene_free(dark);
+    return status;
+}
