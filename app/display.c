@@ -115,29 +115,14 @@ static void paint_colors(const AppDisplay *display, const luxel_field *field, do
     g_free(room);
 }
 
-/* Whether a pixel off the surfaces has a neighbour on one. */
-static gboolean is_rim(const guint8 *mask, guint columns, guint rows, guint column, guint row)
-{
-    const guint8 *at = mask + (gsize)row * columns + column;
-    return (column > 0 && at[-1]) || (column + 1 < columns && at[1]) || (row > 0 && *(at - columns)) ||
-           (row + 1 < rows && at[columns]);
-}
-
-/* The background, and on it the outline, which so hides no value. */
 static void paint_outside(const AppDisplay *display, const luxel_field *field, guint32 *pixels)
 {
-    const guint columns = luxel_field_columns(field), rows = luxel_field_rows(field);
+    const gsize count = (gsize)luxel_field_columns(field) * luxel_field_rows(field);
     const guint8 *mask = luxel_field_mask(field);
-    const double lightness = 0.3 * display->background[0] + 0.6 * display->background[1] + 0.1 * display->background[2];
-    const double line[3] = {lightness > 0.5 ? 0.35 : 0.45, lightness > 0.5 ? 0.35 : 0.45,
-                            lightness > 0.5 ? 0.35 : 0.45};
-    const guint32 background = pack(display->background), outline = pack(line);
-    for (guint row = 0; row < rows; row++)
-        for (guint column = 0; column < columns; column++) {
-            const gsize i = (gsize)row * columns + column;
-            if (!mask[i])
-                pixels[i] = display->outline && is_rim(mask, columns, rows, column, row) ? outline : background;
-        }
+    const guint32 background = pack(display->background);
+    for (gsize i = 0; i < count; i++)
+        if (!mask[i])
+            pixels[i] = background;
 }
 
 void app_display_paint(const AppDisplay *display, const luxel_field *field, double low, double high, guchar *pixels)

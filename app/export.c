@@ -27,6 +27,7 @@ typedef struct Work {
     luxel_scene *scene;
     luxel_quantity quantity;
     AppDisplay display;
+    AppReport report;
     char *path;
     void (*done)(const char *path, const char *fault, gpointer owner);
 } Work;
@@ -92,10 +93,18 @@ static luxel_status write_figure(const Work *work, const luxel_settings *setting
     return luxel_figure_write(work->scene, settings, &figure, work->path, faults);
 }
 
+static const char *text_or_none(const char *text)
+{
+    return text && *text ? text : NULL;
+}
+
 static luxel_status write_report(const Work *work, const luxel_settings *settings, luxel_diagnostics *faults)
 {
     const luxel_language language = {.translate = language_translate, .code = language_code()};
-    const luxel_report_settings report = {.language = &language};
+    const luxel_report_settings report = {.language = &language,
+                                          .author = text_or_none(work->report.author),
+                                          .group = text_or_none(work->report.group),
+                                          .date = text_or_none(work->report.date)};
     return luxel_report_write(work->scene, settings, &report, work->path, faults);
 }
 
@@ -133,16 +142,20 @@ static void free_work(gpointer data)
 {
     Work *work = data;
     luxel_scene_free(work->scene);
+    g_free(work->report.author);
+    g_free(work->report.group);
+    g_free(work->report.date);
     g_free(work->path);
     g_free(work);
 }
 
 void app_export(const AppExport *how, luxel_scene *scene, luxel_quantity quantity, const AppDisplay *display,
-                const char *path, void (*done)(const char *path, const char *fault, gpointer owner), GObject *owner)
+                const AppReport *report, const char *path,
+                void (*done)(const char *path, const char *fault, gpointer owner), GObject *owner)
 {
     Work *work = g_new(Work, 1);
     GTask *task = g_task_new(owner, NULL, finished, NULL);
-    *work = (Work){how, scene, quantity, *display, g_strdup(path), done};
+    *work = (Work){how, scene, quantity, *display, *report, g_strdup(path), done};
     g_task_set_task_data(task, work, free_work);
     g_task_run_in_thread(task, run);
     g_object_unref(task);

@@ -16,16 +16,22 @@ typedef struct AppExport {
     const char *ending; /* of the name that is suggested */
 } AppExport;
 
+/* Who hands a report in; each may be NULL or "" for nothing; the texts are the owner's, g_free(). */
+typedef struct AppReport {
+    char *author, *group, *date;
+} AppReport;
+
 /* The i-th way; NULL beyond the last. */
 const AppExport *app_export_get(gsize i);
 const AppExport *app_export_named(const char *name);
 
 /*
- * Writes a scene, which is taken over; `done` is called in the main loop with NULL or the reason of a failure.
- * Figures take their colours from `display`.
+ * Writes a scene, which is taken over, as are the texts of `report`; `done` is called in the main loop with NULL or the
+ * reason of a failure.  Figures take their colours from `display`.
  */
 void app_export(const AppExport *how, luxel_scene *scene, luxel_quantity quantity, const AppDisplay *display,
-                const char *path, void (*done)(const char *path, const char *fault, gpointer owner), GObject *owner);
+                const AppReport *report, const char *path,
+                void (*done)(const char *path, const char *fault, gpointer owner), GObject *owner);
 
 /* The first messages of a list with their hints, in the user's language, one to a line; the caller's; NULL: none. */
 char *app_faults_text(const luxel_diagnostics *faults);

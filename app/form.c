@@ -48,7 +48,59 @@ static const char *component_name(const luxel_parameter *parameter, int componen
     return parameter->count == 3 ? space[component] : _(sides[component]);
 }
 
+static AppRowKind kind_of(luxel_value_type type)
+{
+    switch (type) {
+    case LUXEL_NUMBER:
+    case LUXEL_NUMBERS: return APP_ROW_NUMBER;
+    case LUXEL_WHOLE_NUMBER:
+    case LUXEL_WHOLE_NUMBERS: return APP_ROW_WHOLE;
+    case LUXEL_YES_OR_NO: return APP_ROW_SWITCH;
+    case LUXEL_CHOICE: return APP_ROW_CHOICE;
+    case LUXEL_CHOICE_OR_PAIR: return APP_ROW_RANGE;
+    case LUXEL_CHOICE_OR_WHOLE: return APP_ROW_CHOICE_OR_WHOLE;
+    case LUXEL_TEXT: return APP_ROW_TEXT;
+    default: return APP_ROW_YAML;
+    }
+}
+
 /* ---- changing ---- */
+
+/* Of an error that is about a key, what is to be said; the caller's, luxel_text_free().  NULL: there is none. */
+static char *fault_about(const luxel_diagnostics *faults, const char *path)
+{
+    const gsize length = strlen(path);
+    for (gsize i = 0; i < luxel_diagnostics_count(faults); i++) {
+        const luxel_diagnostic *fault = luxel_diagnostics_get(faults, i);
+        if (fault->severity == LUXEL_SEVERITY_ERROR &&
+            (!fault->key || (strncmp(fault->key, path, length) == 0 && strchr(".[", fault->key[length]))))
+            return luxel_diagnostics_message(faults, i, language_translate, NULL);
+    }
+    return NULL;
+}
+
+/*
+ * Why a text that was typed cannot be a value of this key, found out on a copy, so that the document never has it; the
+ * caller's, luxel_text_free().  NULL: it can.
+ */
+static char *reason_against(AppForm *self, const AppEdits *edits, const Entry *entry)
+{
+    luxel_diagnostics *faults = luxel_diagnostics_new();
+    AppDocument *trial = app_document_copy(self->document);
+    char *path = app_keys_path(&self->keys, entry->parameter), *reason = NULL;
+    luxel_scene *scene = NULL;
+    if (app_edits_make(edits, trial, faults)) {
+        scene = app_document_copy_scene(trial);
+        if (scene)
+            luxel_scene_commit(scene, faults);
+    }
+    reason = fault_about(faults, path);
+    luxel_scene_free(scene);
+    g_object_unref(trial);
+    g_free(path);
+    luxel_diagnostics_free(faults);
+    return reason;
+}
 
 static void apply(AppForm *self, AppEdits *edits, const Entry *entry)
 {
@@ -71,7 +123,14 @@ static void edited(AppRow *row, const char *yaml, Entry *entry)
         g_free(path);
     } else
         app_keys_set(&entry->form->keys, entry->parameter, entry->component, yaml, edits);
-    apply(entry->form, edits, entry);
+    const AppRowKind kind = kind_of(entry->parameter->value_type);
+    const gboolean is_typed = kind == APP_ROW_TEXT || kind == APP_ROW_YAML;
+    char *reason = is_typed ? reason_against(entry->form, edits, entry) : NULL;
+    if (reason)
+        app_row_refuse(row, reason);
+    else
+        apply(entry->form, edits, entry);
+    luxel_text_free(reason);
     app_edits_free(edits);
 }
 
@@ -205,20 +264,6 @@ static void show_menu(AppRow *row, GtkWidget *at, Entry *entry)
 
 /* ---- making rows ---- */
 
-static AppRowKind kind_of(luxel_value_type type)
-{
-    switch (type) {
-    case LUXEL_NUMBER:
-    case LUXEL_NUMBERS: return APP_ROW_NUMBER;
-    case LUXEL_WHOLE_NUMBER:
-    case LUXEL_WHOLE_NUMBERS: return APP_ROW_WHOLE;
-    case LUXEL_YES_OR_NO: return APP_ROW_SWITCH;
-    case LUXEL_CHOICE: return APP_ROW_CHOICE;
-    case LUXEL_TEXT: return APP_ROW_TEXT;
-    default: return APP_ROW_YAML;
-    }
-}
-
 static void add_entry(AppForm *self, const luxel_parameter *parameter, int component)
 {
     Entry *entry = g_new0(Entry, 1);
@@ -336,6 +381,15 @@ void app_form_set_element(AppForm *self, gsize index, const char *type)
     gtk_widget_set_visible(GTK_WIDGET(self), type != NULL);
     if (type)
         app_form_refresh(self);
+}
+
+void app_form_suggest(AppForm *self, const char *key, double low, double high)
+{
+    for (guint i = 0; i < self->entries->len; i++) {
+        const Entry *entry = g_ptr_array_index(self->entries, i);
+        if (strcmp(entry->parameter->path, key) == 0)
+            app_row_suggest(APP_ROW(entry->row), low, high);
+    }
 }
 
 gboolean app_form_set_fault(AppForm *self, const char *key, const char *reason)

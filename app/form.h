@@ -26,6 +26,9 @@ void app_form_set_element(AppForm *self, gsize index, const char *type);
 /* Shows the document's present values. */
 void app_form_refresh(AppForm *self);
 
+/* Tells a row that takes a range which one is in force. */
+void app_form_suggest(AppForm *self, const char *key, double low, double high);
+
 /* Marks the row of a key as wrong; key NULL: none is.  TRUE where the form has that row. */
 gboolean app_form_set_fault(AppForm *self, const char *key, const char *reason);
 

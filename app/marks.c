@@ -7,8 +7,20 @@
 
 #include "measures.h"
 #include "number.h"
+#include "scalar.h"
 
 static const double FINE = 0.1;
+
+/* What a scene has; the caller's. */
+static char *value_of(const luxel_scene *scene, const char *key)
+{
+    char *text = NULL;
+    if (luxel_scene_get(scene, key, NULL, NULL, &text) != LUXEL_OK)
+        text = NULL;
+    char *copy = g_strdup(text);
+    luxel_text_free(text);
+    return copy;
+}
 
 /* Half the shorter side of the screen: the radius of the disk on which distant light is marked. */
 static double dome_radius(const AppDocument *document)
@@ -20,19 +32,47 @@ static double dome_radius(const AppDocument *document)
 
 /* ---- where they are ---- */
 
-static gboolean mark_light(const AppMoment *moment, const AppDocument *document, gsize i, AppMark *mark)
+/* As wide as half of the shorter side of the moment's screen. */
+static double dome_of(const luxel_scene *scene)
+{
+    char *width = value_of(scene, "screen.width"), *height = value_of(scene, "screen.height");
+    const double radius = 0.5 * MIN(width ? g_ascii_strtod(width, NULL) : 0, height ? g_ascii_strtod(height, NULL) : 0);
+    g_free(width);
+    g_free(height);
+    return radius;
+}
+
+/* "2 fill", of a source without a name "2"; as many whole letters as there is room for. */
+static void label_light(const luxel_scene *scene, gsize i, AppMark *mark)
+{
+    char key[64];
+    g_snprintf(key, sizeof key, "lights[%zu].name", i);
+    char *yaml = value_of(scene, key), *name = yaml ? app_yaml_unquote(yaml) : g_strdup("");
+    char *label = g_strdup_printf("%zu%s%s", i + 1, *name ? " " : "", name);
+    gsize size = strlen(label);
+    if (size >= sizeof mark->label)
+        size = (gsize)(g_utf8_find_prev_char(label, label + sizeof mark->label) - label);
+    memcpy(mark->label, label, size);
+    mark->label[size] = '\0';
+    g_free(label);
+    g_free(name);
+    g_free(yaml);
+}
+
+static gboolean mark_light(const AppMoment *moment, gsize i, AppMark *mark)
 {
     char key[64];
     g_snprintf(key, sizeof key, "lights[%zu].enabled", i);
-    char *enabled = app_document_get(document, key, NULL);
+    char *enabled = value_of(moment->scene, key);
     double direction[3];
     *mark = (AppMark){.kind = APP_MARK_SOURCE, .index = i, .is_on = g_strcmp0(enabled, "false") != 0};
     g_free(enabled);
+    label_light(moment->scene, i, mark);
     if (luxel_scene_light_place(moment->scene, i, mark->place_mm))
         return luxel_scene_project(moment->scene, mark->place_mm, mark->screen_mm);
     if (!luxel_scene_light_direction(moment->scene, i, direction))
         return FALSE;
-    const double radius = dome_radius(document);
+    const double radius = dome_of(moment->scene);
     mark->is_distant = TRUE;
     mark->is_behind = direction[2] > 0;
     for (int k = 0; k < 3; k++)
@@ -42,7 +82,7 @@ static gboolean mark_light(const AppMoment *moment, const AppDocument *document,
     return TRUE;
 }
 
-GArray *app_marks_of(const AppMoment *moment, const AppDocument *document)
+GArray *app_marks_of(const AppMoment *moment)
 {
     GArray *marks = g_array_new(FALSE, TRUE, sizeof(AppMark));
     const luxel_scene *scene = moment->scene;
@@ -54,10 +94,11 @@ GArray *app_marks_of(const AppMoment *moment, const AppDocument *document)
             g_array_append_val(marks, mark);
     }
     for (gsize i = 0; i < MIN(luxel_scene_light_count(scene), APP_MOST_POINTS); i++)
-        if (mark_light(moment, document, i, &mark))
+        if (mark_light(moment, i, &mark))
             g_array_append_val(marks, mark);
     for (gsize i = 0; i < MIN(luxel_scene_point_count(scene), APP_MOST_POINTS); i++) {
         mark = (AppMark){.kind = APP_MARK_POINT, .index = i};
+        g_snprintf(mark.label, sizeof mark.label, "P%zu", i + 1);
         luxel_scene_point(scene, i, &mark.screen_mm[0], &mark.screen_mm[1]);
         memcpy(mark.place_mm, mark.screen_mm, sizeof mark.screen_mm);
         g_array_append_val(marks, mark);

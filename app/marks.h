@@ -28,10 +28,11 @@ typedef struct AppMark {
     gboolean is_behind;  /* distant light from below */
     double place_mm[3];  /* in space, z of points 0; of distant light the direction towards it */
     double screen_mm[2]; /* where it is seen */
+    char label[48];      /* of sources and points: "2 fill", "P1" */
 } AppMark;
 
 /* The marks of a moment: surfaces, sources, points (at most APP_MOST_POINTS); AppMark's, the caller's. */
-GArray *app_marks_of(const AppMoment *moment, const AppDocument *document);
+GArray *app_marks_of(const AppMoment *moment);
 
 /* How a mark is being moved. */
 typedef struct AppHand {

@@ -38,10 +38,17 @@ static void keep(Kept *kept, AppShot *shot)
     kept->shot = app_shot_ref(shot);
 }
 
-static void free_kept(gpointer data)
+/* The shot that is asked about, and the one that is taken off. */
+typedef struct Both {
+    Kept shot, minus;
+} Both;
+
+static void free_both(gpointer data)
 {
-    drop(data);
-    g_free(data);
+    Both *both = data;
+    drop(&both->shot);
+    drop(&both->minus);
+    g_free(both);
 }
 
 /* What is nearly done is worth more than what is newer: a line that moves all the time is followed all the same. */
@@ -125,10 +132,30 @@ static AppPoint read_point(Kept *kept, AppShot *shot, const luxel_settings *sett
     point.pixel_value = probe->pixel_value;
     point.column = probe->column;
     point.row = probe->row;
-    if (point.has_pixel && shot->is_fine)
+    point.has_grey = point.has_pixel && shot->is_fine;
+    if (point.has_grey)
         point.grey = grey_at(kept, shot, point.column, point.row);
     luxel_probe_free(probe);
     return point;
+}
+
+/* Takes off what the other shot has at the same place. */
+static void take_off(AppPoint *point, const AppShot *minus, const luxel_settings *settings)
+{
+    luxel_probe *probe;
+    point->has_grey = FALSE;
+    if (luxel_probe_screen(minus->moment->scene, settings, point->x_mm, point->y_mm, NULL, &probe) != LUXEL_OK) {
+        point->has_value = point->has_pixel = FALSE;
+        return;
+    }
+    point->on_surface = point->on_surface && probe->on_surface;
+    point->source_on_element = point->source_on_element || probe->source_on_element;
+    point->has_value = point->has_value && probe->has_value;
+    point->value -= probe->value;
+    point->error += probe->error;
+    point->has_pixel = point->has_pixel && probe->has_pixel && probe->has_pixel_value;
+    point->pixel_value -= probe->pixel_value;
+    luxel_probe_free(probe);
 }
 
 /* The irradiance that each source gives at the place seen at the first surface's centre. */
@@ -159,6 +186,8 @@ static AppMeasures *new_measures(const AppQuestion *question)
 {
     AppMeasures *measures = g_new0(AppMeasures, 1);
     measures->shot = app_shot_ref(question->shot);
+    measures->live = app_shot_ref(question->live ? question->live : question->shot);
+    measures->is_difference = question->minus != NULL;
     return measures;
 }
 
@@ -166,10 +195,11 @@ static void free_measures(gpointer data)
 {
     AppMeasures *measures = data;
     app_shot_unref(measures->shot);
+    app_shot_unref(measures->live);
     g_free(measures->points);
     g_free(measures->sources);
-    luxel_profile_free(measures->profiles[0]);
-    luxel_profile_free(measures->profiles[1]);
+    app_curve_free(measures->curves[0]);
+    app_curve_free(measures->curves[1]);
     luxel_histogram_free(measures->histogram);
     luxel_isophotes_free(measures->isophotes);
     g_free(measures);
@@ -188,34 +218,49 @@ static void measure_points(AppRunner *runner, const AppQuestion *question, Kept 
     measures->points = g_new0(AppPoint, measures->point_count);
     for (gsize i = 0; i < measures->point_count; i++)
         measures->points[i] = read_point(kept, shot, &settings, i);
-    read_sources(shot, &settings, measures);
+    for (gsize i = 0; i < measures->point_count && question->minus; i++)
+        take_off(&measures->points[i], question->minus, &settings);
+    read_sources(measures->live, &settings, measures);
     app_runner_report(runner, measures);
 }
 
 /* ---- sections ---- */
 
 /* Whether it was not given up; *profile NULL: there is none. */
-static gboolean read_section(const AppShot *shot, const luxel_evaluator *evaluator, const double through[2],
-                             double degrees, luxel_profile **profile)
+static gboolean read_section(const luxel_path *path, const luxel_evaluator *evaluator, luxel_profile **profile)
 {
-    luxel_path path = {.type = LUXEL_PATH_LINE, .samples = SECTION_SAMPLES};
-    *profile = NULL;
-    if (luxel_line_across_screen(shot->moment->scene, through, degrees, NULL, path.from_mm, path.to_mm) != LUXEL_OK)
-        return TRUE;
-    luxel_status status = luxel_find_profile(evaluator, &path, NULL, profile);
+    const luxel_status status = luxel_find_profile(evaluator, path, NULL, profile);
     if (status != LUXEL_OK)
         *profile = NULL;
     return status != LUXEL_CANCELLED;
 }
 
+/* The same; `minus` NULL: nothing is taken off.  The way is that across the shot's screen. */
+static gboolean read_curve(const AppQuestion *question, const luxel_evaluator *evaluator, const luxel_evaluator *minus,
+                           double degrees, AppCurve **curve)
+{
+    luxel_path path = {.type = LUXEL_PATH_LINE, .samples = SECTION_SAMPLES};
+    luxel_profile *profile = NULL, *other = NULL;
+    *curve = NULL;
+    if (luxel_line_across_screen(question->shot->moment->scene, question->section_mm, degrees, NULL, path.from_mm,
+                                 path.to_mm) != LUXEL_OK)
+        return TRUE;
+    const gboolean whole = read_section(&path, evaluator, &profile) && (!minus || read_section(&path, minus, &other));
+    if (whole && profile && (other || !question->minus))
+        *curve = app_curve_new(g_steal_pointer(&profile), other);
+    luxel_profile_free(profile);
+    luxel_profile_free(other);
+    return whole;
+}
+
 /* The curves that are shown stay until there are newer ones: half a section is not told. */
-static void measure_section(AppRunner *runner, const AppQuestion *question, const luxel_evaluator *evaluator)
+static void measure_section(AppRunner *runner, const AppQuestion *question, const luxel_evaluator *evaluator,
+                            const luxel_evaluator *minus)
 {
     AppMeasures *measures = new_measures(question);
-    const double *through = question->section_mm;
-    memcpy(measures->section_mm, through, sizeof measures->section_mm);
-    measures->has_section = read_section(question->shot, evaluator, through, 0, &measures->profiles[0]) &&
-                            read_section(question->shot, evaluator, through, 90, &measures->profiles[1]);
+    memcpy(measures->section_mm, question->section_mm, sizeof measures->section_mm);
+    measures->has_section = read_curve(question, evaluator, minus, 0, &measures->curves[0]) &&
+                            read_curve(question, evaluator, minus, 90, &measures->curves[1]);
     if (measures->has_section)
         app_runner_report(runner, measures);
     else
@@ -227,14 +272,20 @@ static void measure_section(AppRunner *runner, const AppQuestion *question, cons
 static void measure_statistics(AppRunner *runner, const AppQuestion *question, const luxel_evaluator *evaluator)
 {
     AppMeasures *measures = new_measures(question);
-    const luxel_field *field = question->shot->field;
-    const luxel_scale scale = question->logarithmic ? LUXEL_LOGARITHMIC : LUXEL_LINEAR;
+    luxel_comparison comparison;
+    luxel_field *difference = NULL;
+    if (question->minus)
+        luxel_compare(question->minus->field, question->shot->field, NULL, &comparison, &difference);
+    const luxel_field *field = difference ? difference : question->shot->field;
+    const gboolean logarithmic = question->logarithmic && !difference;
     measures->has_statistics = luxel_field_summary(field, NULL, NULL, &measures->summary) == LUXEL_OK;
-    if (luxel_field_histogram(field, NULL, scale, (double)NAN, (double)NAN, BINS, NULL, &measures->histogram) !=
-        LUXEL_OK)
+    if (luxel_field_histogram(field, NULL, logarithmic ? LUXEL_LOGARITHMIC : LUXEL_LINEAR, (double)NAN, (double)NAN,
+                              BINS, NULL, &measures->histogram) != LUXEL_OK)
         measures->histogram = NULL;
-    if (!app_runner_is_outdated(runner))
+    measures->is_difference = difference != NULL;
+    if (!difference && !app_runner_is_outdated(runner))
         measures->has_extrema = luxel_find_extrema(evaluator, field, NULL, NULL, &measures->extrema) == LUXEL_OK;
+    luxel_field_free(difference);
     app_runner_report(runner, measures);
 }
 
@@ -253,13 +304,15 @@ static void measure_isophotes(AppRunner *runner, const AppQuestion *question)
 static void answer(AppRunner *runner, gpointer job, gpointer state)
 {
     const AppQuestion *question = job;
-    measure_points(runner, question, state);
-    const luxel_evaluator *evaluator = evaluator_of(state, runner, question->shot);
-    if (evaluator && question->section)
-        measure_section(runner, question, evaluator);
+    Both *both = state;
+    measure_points(runner, question, &both->shot);
+    const luxel_evaluator *evaluator = evaluator_of(&both->shot, runner, question->shot);
+    const luxel_evaluator *minus = question->minus ? evaluator_of(&both->minus, runner, question->minus) : NULL;
+    if (evaluator && question->section && (minus || !question->minus))
+        measure_section(runner, question, evaluator, minus);
     if (!question->shot->is_fine)
         return;
-    if (question->isophotes)
+    if (question->isophotes && !question->minus)
         measure_isophotes(runner, question);
     if (evaluator && question->statistics && !app_runner_rest(runner, REST_MS))
         measure_statistics(runner, question, evaluator);
@@ -269,6 +322,8 @@ static void free_question(gpointer data)
 {
     AppQuestion *question = data;
     app_shot_unref(question->shot);
+    app_shot_unref(question->minus);
+    app_shot_unref(question->live);
     g_free(question);
 }
 
@@ -286,10 +341,10 @@ static void tell_measures(gpointer report, gpointer owner)
 
 AppMeter *app_meter_new(void (*tell)(AppMeasures *measures, gpointer owner), gpointer owner)
 {
-    static const AppRunnerClass class = {"meter", answer, free_question, free_measures, free_kept, 15};
+    static const AppRunnerClass class = {"meter", answer, free_question, free_measures, free_both, 15};
     AppMeter *meter = g_new0(AppMeter, 1);
     *meter = (AppMeter){.tell = tell, .owner = owner};
-    meter->runner = app_runner_new(&class, g_new0(Kept, 1), tell_measures, meter);
+    meter->runner = app_runner_new(&class, g_new0(Both, 1), tell_measures, meter);
     return meter;
 }
 
@@ -305,13 +360,17 @@ void app_meter_ask(AppMeter *meter, const AppQuestion *question)
 {
     AppQuestion *copy = g_memdup2(question, sizeof *question);
     app_shot_ref(copy->shot);
+    if (copy->minus)
+        app_shot_ref(copy->minus);
+    if (copy->live)
+        app_shot_ref(copy->live);
     app_runner_post(meter->runner, copy);
 }
 
 /* ---- the pointer ---- */
 
 typedef struct Place {
-    AppShot *shot;
+    AppShot *shot, *minus;
     double x_mm, y_mm;
 } Place;
 
@@ -324,20 +383,26 @@ struct AppPointer {
 static void read_place(AppRunner *runner, gpointer job, gpointer state)
 {
     const Place *place = job;
-    const luxel_evaluator *evaluator = evaluator_of(state, runner, place->shot);
+    Both *both = state;
+    const luxel_evaluator *evaluator = evaluator_of(&both->shot, runner, place->shot);
+    const luxel_evaluator *minus = place->minus ? evaluator_of(&both->minus, runner, place->minus) : NULL;
     if (!evaluator)
         return;
     AppReading *reading = g_new0(AppReading, 1);
     reading->x_mm = place->x_mm;
     reading->y_mm = place->y_mm;
     reading->moment = app_moment_ref(place->shot->moment);
+    reading->quantity = luxel_field_quantity(place->shot->field);
     reading->share_count = luxel_evaluator_light_count(evaluator);
     reading->shares = g_new0(double, reading->share_count);
     reading->value = luxel_evaluate(evaluator, place->x_mm, place->y_mm, reading->shares);
-    reading->has_pixel = place->shot->is_fine &&
+    reading->has_minus = minus != NULL;
+    if (minus)
+        reading->minus = luxel_evaluate(minus, place->x_mm, place->y_mm, NULL);
+    reading->has_pixel = place->shot->is_fine && !place->minus &&
                          app_pixel_at(place->shot->field, place->x_mm, place->y_mm, &reading->column, &reading->row);
     if (reading->has_pixel)
-        reading->grey = grey_at(state, place->shot, reading->column, reading->row);
+        reading->grey = grey_at(&both->shot, place->shot, reading->column, reading->row);
     app_runner_report(runner, reading);
 }
 
@@ -345,6 +410,7 @@ static void free_place(gpointer data)
 {
     Place *place = data;
     app_shot_unref(place->shot);
+    app_shot_unref(place->minus);
     g_free(place);
 }
 
@@ -364,10 +430,10 @@ static void tell_reading(gpointer report, gpointer owner)
 
 AppPointer *app_pointer_new(void (*tell)(const AppReading *reading, gpointer owner), gpointer owner)
 {
-    static const AppRunnerClass class = {"pointer", read_place, free_place, free_reading, free_kept, 12};
+    static const AppRunnerClass class = {"pointer", read_place, free_place, free_reading, free_both, 12};
     AppPointer *pointer = g_new0(AppPointer, 1);
     *pointer = (AppPointer){.tell = tell, .owner = owner};
-    pointer->runner = app_runner_new(&class, g_new0(Kept, 1), tell_reading, pointer);
+    pointer->runner = app_runner_new(&class, g_new0(Both, 1), tell_reading, pointer);
     return pointer;
 }
 
@@ -379,9 +445,9 @@ void app_pointer_free(AppPointer *pointer)
     g_free(pointer);
 }
 
-void app_pointer_ask(AppPointer *pointer, AppShot *shot, double x_mm, double y_mm)
+void app_pointer_ask(AppPointer *pointer, AppShot *shot, AppShot *minus, double x_mm, double y_mm)
 {
     Place *place = g_new(Place, 1);
-    *place = (Place){app_shot_ref(shot), x_mm, y_mm};
+    *place = (Place){app_shot_ref(shot), minus ? app_shot_ref(minus) : NULL, x_mm, y_mm};
     app_runner_post(pointer->runner, place);
 }

@@ -6,11 +6,14 @@
 #ifndef LUXEL_APP_MEASURES_H
 #define LUXEL_APP_MEASURES_H
 
+#include "curve.h"
 #include "picture.h"
 
 /* What is wanted. */
 typedef struct AppQuestion {
-    AppShot *shot;    /* a reference is taken */
+    AppShot *shot;    /* a reference is taken, as of the next two */
+    AppShot *minus;   /* what is taken off, so that the answers are of the difference; NULL: nothing */
+    AppShot *live;    /* that the sources are told of */
     gboolean section; /* the profiles through section_mm */
     double section_mm[2];
     gboolean statistics; /* summary, extrema, histogram */
@@ -25,7 +28,8 @@ typedef struct AppPoint {
     gboolean on_surface, has_value, has_pixel, source_on_element;
     double value, error, pixel_value;
     guint column, row;
-    guint8 grey; /* of the pixel, where has_pixel */
+    gboolean has_grey;
+    guint8 grey; /* of the pixel, where has_grey */
 } AppPoint;
 
 /* A source. */
@@ -37,13 +41,15 @@ typedef struct AppSource {
 /* The answers, which come in parts: of each flag that is TRUE the rest is meant. */
 typedef struct AppMeasures {
     AppShot *shot;
-    gboolean has_points; /* the sources, too */
+    gboolean is_difference; /* of the shot and what was taken off */
+    AppShot *live;          /* whose the sources are */
+    gboolean has_points;    /* the sources, too */
     AppPoint *points;
     gsize point_count, points_left; /* points_left: more than are listed */
     AppSource *sources;
     gsize source_count;
     gboolean has_section;
-    luxel_profile *profiles[2]; /* horizontal, vertical; NULL: none */
+    AppCurve *curves[2]; /* horizontal, vertical; NULL: none */
     double section_mm[2];
     gboolean has_statistics, has_extrema;
     luxel_summary summary;
@@ -68,17 +74,21 @@ typedef struct AppReading {
     luxel_value value;
     double *shares; /* a share for each light */
     gsize share_count;
+    gboolean has_minus;
+    luxel_value minus; /* of the shot that is taken off */
     gboolean has_pixel;
     guint column, row; /* of the field */
     guint8 grey;
     AppMoment *moment;
+    luxel_quantity quantity;
 } AppReading;
 
 typedef struct AppPointer AppPointer;
 
 AppPointer *app_pointer_new(void (*tell)(const AppReading *reading, gpointer owner), gpointer owner);
 void app_pointer_free(AppPointer *pointer);
-void app_pointer_ask(AppPointer *pointer, AppShot *shot, double x_mm, double y_mm);
+/* `minus`: another shot to be read at the same place; NULL: none. */
+void app_pointer_ask(AppPointer *pointer, AppShot *shot, AppShot *minus, double x_mm, double y_mm);
 
 /* The pixel of a field whose sample is nearest to a place of the screen; FALSE off the screen. */
 gboolean app_pixel_at(const luxel_field *field, double x_mm, double y_mm, guint *column, guint *row);

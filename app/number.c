@@ -88,6 +88,20 @@ const char *app_number_round(double value, int digits, char text[APP_NUMBER_SIZE
     return text;
 }
 
+const char *app_number_plain(double value, int digits, char text[APP_NUMBER_SIZE])
+{
+    return app_number_write(g_ascii_strtod(app_number_round(value, digits, text), NULL), text);
+}
+
+const char *app_number_place(double value, double size, char text[APP_NUMBER_SIZE])
+{
+    const double grain = size > 0 ? pow(10, floor(log10(size)) - 6) : 0;
+    if (!(grain > 0) || !isfinite(value))
+        return app_number_round(value, 7, text);
+    const double whole = round(value / grain), rounded = grain < 1 ? whole / round(1 / grain) : whole * grain;
+    return app_number_round(rounded, 10, text);
+}
+
 /* ---- groups ---- */
 
 /* Reads the words of one group; TRUE where there are just `size` numbers. */
@@ -160,6 +174,14 @@ double *app_numbers_read(const char *text, gsize size, gsize *count, char **faul
     return (double *)(void *)g_array_free(numbers, FALSE);
 }
 
+/* One comma between digits and nothing else that could set numbers apart: "60,5". */
+static gboolean is_ambiguous(const char *text)
+{
+    const char *comma = strchr(text, ',');
+    return comma && comma > text && !strchr(comma + 1, ',') && !strpbrk(text, ";.") && g_ascii_isdigit(comma[-1]) &&
+           g_ascii_isdigit(comma[1]) && strcspn(text, " \t") == strlen(text);
+}
+
 gboolean app_pair_read(const char *text, double pair[2])
 {
     GArray *numbers = g_array_new(FALSE, FALSE, sizeof(double));
@@ -167,7 +189,9 @@ gboolean app_pair_read(const char *text, double pair[2])
     for (char *c = plain; *c; c++)
         if (strchr("[](){}", *c))
             *c = ' ';
-    gboolean good = strchr(plain, ';') ? read_words(plain, ";", 2, numbers) : read_group(plain, 2, numbers);
+    g_strstrip(plain);
+    gboolean good = !is_ambiguous(plain) &&
+                    (strchr(plain, ';') ? read_words(plain, ";", 2, numbers) : read_group(plain, 2, numbers));
     if (good)
         memcpy(pair, numbers->data, 2 * sizeof *pair);
     g_array_unref(numbers);

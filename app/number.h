@@ -22,6 +22,14 @@ const char *app_number_write(double value, char text[APP_NUMBER_SIZE]);
 /* Writes it with so many significant digits, without zeros at the end; returns `text`. */
 const char *app_number_round(double value, int digits, char text[APP_NUMBER_SIZE]);
 
+/* Rounds it to so many significant digits and writes it as people do, "3000" and not "3e+03"; returns `text`. */
+const char *app_number_plain(double value, int digits, char text[APP_NUMBER_SIZE]);
+
+/*
+ * Writes a place on a screen of this size, of which a millionth part is resolved: what lies below is none, and reads 0.
+ */
+const char *app_number_place(double value, double size, char text[APP_NUMBER_SIZE]);
+
 /*
  * Reads groups of `size` numbers with commas, blanks or semicolons between them, the groups set apart by semicolons or
  * line breaks; brackets around groups are ignored.  Within a group that is set apart by blanks or tabs alone, or by
@@ -32,6 +40,7 @@ double *app_numbers_read(const char *text, gsize size, gsize *count, char **faul
 
 /*
  * Reads one pair, "x, y", "x y" or "x; y"; with blanks alone or a semicolon between them commas are decimal commas.
+ * FALSE for "60,5", too, which may be a pair, or one number with a decimal comma.
  */
 gboolean app_pair_read(const char *text, double pair[2]);
 

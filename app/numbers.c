@@ -8,7 +8,9 @@
 
 #include "../front/language.h"
 #include "../front/words.h"
+#include "choices.h"
 #include "number.h"
+#include "results.h"
 #include "row.h"
 
 enum { PLOT_HEIGHT = 230, POINT_COLUMNS = 5, DIGITS = 7, TEXT_COLUMNS = 36 };
@@ -20,6 +22,10 @@ typedef enum Line {
     LINE_TRUE_MAXIMUM,
     LINE_TRUE_MAXIMUM_PLACE,
     LINE_MINIMUM,
+    LINE_LEAST,
+    LINE_LEAST_PLACE,
+    LINE_REACHED,
+    LINE_REACHED_PLACE,
     LINE_TRUE_MINIMUM,
     LINE_MEAN,
     LINE_MEDIAN,
@@ -38,6 +44,10 @@ static const char *const line_names[LINES] = {
     [LINE_TRUE_MAXIMUM_PLACE] = N_("at x, y, mm"),
     [LINE_MINIMUM] = N_("Minimum of the pixels"),
     [LINE_TRUE_MINIMUM] = N_("True minimum"),
+    [LINE_LEAST] = N_("Least value above 0"),
+    [LINE_LEAST_PLACE] = N_("at x, y, mm"),
+    [LINE_REACHED] = N_("Minimum where light arrives"),
+    [LINE_REACHED_PLACE] = N_("at x, y, mm"),
     [LINE_MEAN] = N_("Mean"),
     [LINE_MEDIAN] = N_("Median"),
     [LINE_DEVIATION] = N_("Standard deviation"),
@@ -55,7 +65,7 @@ struct _AppNumbers {
     GtkWidget *lines[LINES];
     guint point_rows;
     char *unit_name;
-    luxel_profile *profiles[2];
+    AppCurve *curves[2];
     double section_mm[2];
     char **names; /* of the lights, NULL-terminated */
     gsize name_count;
@@ -63,6 +73,12 @@ struct _AppNumbers {
     const char *palette;
     double low, high;
     gboolean logarithmic;
+    double size_mm;     /* of the screen */
+    AppShot *shot;      /* whose numbers these are; NULL: none came yet */
+    AppPoint *measured; /* its points, to be copied */
+    gsize measured_count;
+    gboolean is_difference, has_extrema;
+    luxel_extrema extrema;
 };
 
 enum { WANTED, SIGNALS };
@@ -129,7 +145,7 @@ static void show_point(AppNumbers *self, const AppPoint *point, guint row)
     else
         set_text(cell(self, 3, row), "–");
     g_snprintf(text, sizeof text, "%u", point->grey);
-    set_text(cell(self, 4, row), point->has_pixel ? text : "–");
+    set_text(cell(self, 4, row), point->has_grey ? text : "–");
 }
 
 static void show_points(AppNumbers *self, const AppMeasures *measures)
@@ -195,10 +211,15 @@ static void draw_profile(GtkDrawingArea *area, cairo_t *cairo, int width, int he
     luxel_language language;
     luxel_drawing_style style = style_of(GTK_WIDGET(area), &language);
     luxel_profile_style how;
-    const luxel_profile *profile = self->profiles[which];
+    const AppCurve *curve = self->curves[which];
+    const luxel_profile *profile = curve ? &curve->profile : NULL;
     if (!profile)
         return;
     luxel_profile_style_init(&how);
+    if (curve->is_difference) {
+        how.low = curve->low;
+        how.high = curve->high;
+    }
     how.along = which ? LUXEL_ALONG_Y : LUXEL_ALONG_X;
     how.marker = self->section_mm[which];
     how.y_label = self->unit_name;
@@ -244,7 +265,7 @@ static void name_lights(AppNumbers *self)
         g_free(key);
         key = g_strdup_printf("lights[%zu].type", i);
         char *type = app_document_get(self->document, key, NULL), *plain = name ? app_yaml_unquote(name) : NULL;
-        self->names[i] = g_strdup_printf("%zu %s", i + 1, plain ? plain : type ? type : "");
+        self->names[i] = g_strdup_printf("%zu %s", i + 1, plain ? plain : type ? app_choice_label(type) : "");
         g_free(plain);
         g_free(name);
         g_free(type);
@@ -256,8 +277,8 @@ static void show_sections(AppNumbers *self, AppMeasures *measures)
 {
     char x[APP_NUMBER_SIZE], y[APP_NUMBER_SIZE];
     for (int i = 0; i < 2; i++) {
-        luxel_profile_free(self->profiles[i]);
-        self->profiles[i] = g_steal_pointer(&measures->profiles[i]);
+        app_curve_free(self->curves[i]);
+        self->curves[i] = g_steal_pointer(&measures->curves[i]);
         self->section_mm[i] = measures->section_mm[i];
     }
     name_lights(self);
@@ -308,22 +329,44 @@ static GtkWidget *new_statistics(AppNumbers *self)
     return scrolled;
 }
 
+/* As wide as the pixels lie apart from the first to the last: what places are rounded by. */
+static double size_of(const luxel_field *field)
+{
+    const double *x = luxel_field_x_mm(field), *y = luxel_field_y_mm(field);
+    return MAX(x[luxel_field_columns(field) - 1] - x[0], y[0] - y[luxel_field_rows(field) - 1]);
+}
+
 static void show_place(AppNumbers *self, Line line, double x_mm, double y_mm)
 {
     char text[2 * APP_NUMBER_SIZE], x[APP_NUMBER_SIZE], y[APP_NUMBER_SIZE];
-    g_snprintf(text, sizeof text, "%s, %s", app_number_round(x_mm, DIGITS, x), app_number_round(y_mm, DIGITS, y));
+    g_snprintf(text, sizeof text, "%s, %s", app_number_place(x_mm, self->size_mm, x),
+               app_number_place(y_mm, self->size_mm, y));
     set_text(self->lines[line], text);
+}
+
+/* The place of a least value in the line below it; a difference has none of them. */
+static void show_least(AppNumbers *self, Line line, const luxel_extremum *least, gboolean is_difference)
+{
+    show_place(self, line + 1, least->x_mm, least->y_mm);
+    if (is_difference || !least->exists) {
+        set_text(self->lines[line], "–");
+        set_text(self->lines[line + 1], "–");
+    }
 }
 
 static void show_statistics(AppNumbers *self, AppMeasures *measures)
 {
     const luxel_summary *summary = &measures->summary;
     const luxel_peak *maximum = &measures->extrema.maximum, *minimum = &measures->extrema.minimum;
+    const luxel_statistics *statistics = luxel_field_statistics(measures->shot->field);
+    self->size_mm = size_of(measures->shot->field);
     const double numbers[LINES] = {
         [LINE_MAXIMUM] = summary->maximum.value,
         [LINE_TRUE_MAXIMUM] = maximum->value,
         [LINE_MINIMUM] = summary->minimum.value,
         [LINE_TRUE_MINIMUM] = minimum->value,
+        [LINE_LEAST] = statistics->minimum.value,
+        [LINE_REACHED] = statistics->minimum_reached.value,
         [LINE_MEAN] = summary->mean,
         [LINE_MEDIAN] = summary->median,
         [LINE_DEVIATION] = summary->standard_deviation,
@@ -336,6 +379,8 @@ static void show_statistics(AppNumbers *self, AppMeasures *measures)
         set_number(self->lines[i], numbers[i]);
     show_place(self, LINE_MAXIMUM_PLACE, summary->maximum.x_mm, summary->maximum.y_mm);
     show_place(self, LINE_TRUE_MAXIMUM_PLACE, maximum->x_mm, maximum->y_mm);
+    show_least(self, LINE_LEAST, &statistics->minimum, measures->is_difference);
+    show_least(self, LINE_REACHED, &statistics->minimum_reached, measures->is_difference);
     if (!measures->has_extrema) {
         set_text(self->lines[LINE_TRUE_MAXIMUM], "–");
         set_text(self->lines[LINE_TRUE_MAXIMUM_PLACE], "–");
@@ -352,12 +397,49 @@ static void show_statistics(AppNumbers *self, AppMeasures *measures)
 
 /* ---- all ---- */
 
+/* What can be copied; extrema of another shot are no longer those of this one. */
+static void keep_results(AppNumbers *self, const AppMeasures *measures)
+{
+    if (measures->shot != self->shot || measures->is_difference != self->is_difference) {
+        app_shot_unref(self->shot);
+        self->shot = app_shot_ref(measures->shot);
+        self->is_difference = measures->is_difference;
+        self->has_extrema = FALSE;
+    }
+    if (measures->has_points) {
+        g_free(self->measured);
+        self->measured_count = measures->point_count;
+        self->measured = g_memdup2(measures->points, measures->point_count * sizeof *measures->points);
+    }
+    if (measures->has_extrema) {
+        self->has_extrema = TRUE;
+        self->extrema = measures->extrema;
+    }
+}
+
+static void copy_results(AppNumbers *self)
+{
+    if (!self->shot)
+        return;
+    const char *name = app_document_name(self->document);
+    const AppResults results = {.title = *name ? name : _("a new scene"),
+                                .unit = self->unit_name,
+                                .field = self->is_difference ? NULL : self->shot->field,
+                                .extrema = self->has_extrema ? &self->extrema : NULL,
+                                .points = self->measured,
+                                .point_count = self->measured_count};
+    char *text = app_results_text(&results);
+    gdk_clipboard_set_text(gtk_widget_get_clipboard(GTK_WIDGET(self)), text);
+    g_free(text);
+}
+
 void app_numbers_show(AppNumbers *self, AppMeasures *measures)
 {
     const luxel_field *field = measures->shot->field;
     g_free(self->unit_name);
-    self->unit_name =
-        g_strdup_printf("%s, %s", gettext(luxel_field_quantity_word(field)), gettext(luxel_field_unit(field)));
+    self->unit_name = g_strdup_printf("%s%s, %s", measures->is_difference ? _("B − A: ") : "",
+                                      gettext(luxel_field_quantity_word(field)), gettext(luxel_field_unit(field)));
+    keep_results(self, measures);
     if (measures->has_points) {
         char *text = g_strdup_printf(
             _("Values: %s. “value” is exact at the point, “pixel” what the picture has there."), self->unit_name);
@@ -410,8 +492,10 @@ static void app_numbers_dispose(GObject *object)
 static void app_numbers_finalize(GObject *object)
 {
     AppNumbers *self = APP_NUMBERS(object);
-    luxel_profile_free(self->profiles[0]);
-    luxel_profile_free(self->profiles[1]);
+    app_curve_free(self->curves[0]);
+    app_curve_free(self->curves[1]);
+    app_shot_unref(self->shot);
+    g_free(self->measured);
     luxel_histogram_free(self->bins);
     g_strfreev(self->names);
     g_free(self->unit_name);
@@ -443,7 +527,12 @@ GtkWidget *app_numbers_new(AppDocument *document)
     gtk_stack_switcher_set_stack(GTK_STACK_SWITCHER(switcher), GTK_STACK(self->stack));
     gtk_widget_set_vexpand(self->stack, TRUE);
     g_signal_connect_swapped(self->stack, "notify::visible-child", G_CALLBACK(page_turned), self);
+    GtkWidget *copy = gtk_button_new_with_label(_("Copy results"));
+    gtk_widget_set_tooltip_text(copy, _("Maximum, minimum and points as one text"));
+    gtk_widget_set_halign(copy, GTK_ALIGN_START);
+    g_signal_connect_swapped(copy, "clicked", G_CALLBACK(copy_results), self);
     gtk_box_append(GTK_BOX(self), switcher);
     gtk_box_append(GTK_BOX(self), self->stack);
+    gtk_box_append(GTK_BOX(self), copy);
     return GTK_WIDGET(self);
 }

@@ -6,6 +6,7 @@
  */
 #include "picture.h"
 
+#include <cairo.h>
 #include <math.h>
 #include <string.h>
 
@@ -36,7 +37,9 @@ typedef struct Work {
 
 static void clear_moment(gpointer data)
 {
-    luxel_scene_free(((AppMoment *)data)->scene);
+    AppMoment *moment = data;
+    luxel_outlines_free(moment->outlines);
+    luxel_scene_free(moment->scene);
 }
 
 AppMoment *app_moment_ref(AppMoment *moment)
@@ -72,6 +75,7 @@ static void clear_picture(gpointer data)
 {
     AppPicture *picture = data;
     app_shot_unref(picture->shot);
+    app_shot_unref(picture->pinned);
     g_free(picture->pixels);
     luxel_diagnostics_free(picture->faults);
 }
@@ -110,7 +114,7 @@ AppMoment *app_moment_new(luxel_scene *scene, guint64 serial, gssize solo, luxel
         return NULL;
     }
     AppMoment *moment = g_atomic_rc_box_new0(AppMoment);
-    *moment = (AppMoment){scene, serial, solo};
+    *moment = (AppMoment){scene, serial, solo, NULL};
     return moment;
 }
 
@@ -212,6 +216,7 @@ static const luxel_field *choose_field(const AppWish *wish, const AppShot *shot,
     *difference = NULL;
     if (!wish->pinned)
         return shot->field;
+    picture->pinned = app_shot_ref(wish->pinned);
     picture->has_comparison = luxel_compare(wish->pinned->field, shot->field, NULL, &picture->comparison,
                                             wish->side == APP_SIDE_DIFFERENCE ? difference : NULL) == LUXEL_OK;
     picture->side = wish->side;
@@ -235,8 +240,45 @@ static void pack(AppPicture *picture)
     }
 }
 
+/* Whoever paints it on a machine of the other byte order sees blue first, too. */
+static void swap_bytes(AppPicture *picture)
+{
+    guint32 *words = (guint32 *)(void *)picture->pixels;
+    for (gsize i = 0; i < (gsize)picture->columns * picture->rows && G_BYTE_ORDER == G_BIG_ENDIAN; i++)
+        words[i] = GUINT32_SWAP_LE_BE(words[i]);
+}
+
+/* The outlines as lines of the view's own dots, over the pixels of four bytes. */
+static void draw_outlines(AppPicture *picture, AppMoment *moment)
+{
+    static const double WIDTH = 1.4;
+    if (!moment->outlines && luxel_find_outlines(moment->scene, NULL, &moment->outlines) != LUXEL_OK)
+        return;
+    const double *ground = picture->display.background;
+    const double grey = 0.3 * ground[0] + 0.6 * ground[1] + 0.1 * ground[2] > 0.5 ? 0.35 : 0.5;
+    const AppArea *area = &picture->area;
+    swap_bytes(picture);
+    cairo_surface_t *surface = cairo_image_surface_create_for_data(
+        picture->pixels, CAIRO_FORMAT_RGB24, (int)picture->columns, (int)picture->rows, (int)picture->columns * 4);
+    cairo_t *cairo = cairo_create(surface);
+    const double across = picture->columns / (area->high[0] - area->low[0]);
+    const double down = picture->rows / (area->high[1] - area->low[1]);
+    for (gsize i = 0; i < moment->outlines->count; i++) {
+        const luxel_outline *line = &moment->outlines->lines[i];
+        for (gsize k = 0; k < line->count; k++)
+            cairo_line_to(cairo, (line->x_mm[k] - area->low[0]) * across, (area->high[1] - line->y_mm[k]) * down);
+        cairo_new_sub_path(cairo);
+    }
+    cairo_set_source_rgb(cairo, grey, grey, grey);
+    cairo_set_line_width(cairo, WIDTH);
+    cairo_stroke(cairo);
+    cairo_destroy(cairo);
+    cairo_surface_destroy(surface);
+    swap_bytes(picture);
+}
+
 /* Where the view shows none of it, or none is meant, the picture stays as it is. */
-static void fit_to_frame(AppPicture *picture, const luxel_field *field, const AppFrame *frame)
+static void fit_to_frame(AppPicture *picture, const luxel_field *field, const AppFrame *frame, AppMoment *moment)
 {
     picture->area = app_area_of(field);
     guchar *fitted = frame->width > 0 ? app_resample(picture->pixels, field, frame, !picture->shot->is_fine,
@@ -246,6 +288,8 @@ static void fit_to_frame(AppPicture *picture, const luxel_field *field, const Ap
         g_free(picture->pixels);
         picture->pixels = fitted;
     }
+    if (picture->display.outline)
+        draw_outlines(picture, moment);
     pack(picture);
 }
 
@@ -291,13 +335,13 @@ static void paint_and_report(AppRunner *runner, const AppWish *wish, AppShot *sh
     if (difference)
         picture->display = display_of_difference(&wish->display, picture->comparison.largest.value);
     picture->shot = app_shot_ref(shot);
-    picture->display.outline &= shot->is_fine; /* it would be as wide as the pixels */
     picture->columns = luxel_field_columns(field);
     picture->rows = luxel_field_rows(field);
     picture->pixels = g_malloc((gsize)picture->columns * picture->rows * 4);
     app_display_range(&picture->display, field, &picture->low, &picture->high);
     app_display_paint(&picture->display, field, picture->low, picture->high, picture->pixels);
-    fit_to_frame(picture, field, &wish->frame);
+    fit_to_frame(picture, field, &wish->frame,
+                 picture->side == APP_SIDE_PINNED ? picture->pinned->moment : shot->moment);
     if (app_display_is_plain(&picture->display))
         take_plain_range(picture, field);
     luxel_field_free(difference);

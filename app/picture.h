@@ -9,6 +9,7 @@
 #define LUXEL_APP_PICTURE_H
 
 #include <glib.h>
+#include <luxel/drawing.h>
 #include <luxel/luxel.h>
 
 #include "display.h"
@@ -17,8 +18,9 @@
 /* A committed scene at one moment of the work. */
 typedef struct AppMoment {
     luxel_scene *scene;
-    guint64 serial; /* of the document */
-    gssize solo;    /* the light that alone is on, or -1 */
+    guint64 serial;           /* of the document */
+    gssize solo;              /* the light that alone is on, or -1 */
+    luxel_outlines *outlines; /* of its surfaces; the painter's, which makes them when they are wanted; NULL: none */
 } AppMoment;
 
 /* Its field. */
@@ -36,6 +38,7 @@ typedef struct AppPicture {
     AppShot *shot;       /* NULL: the scene could not be computed, `faults` say why */
     AppDisplay display;  /* by which it was painted */
     AppSide side;        /* what was painted */
+    AppShot *pinned;     /* that it was compared with; NULL: none */
     guchar *pixels;      /* three bytes each, red, green, blue */
     guint columns, rows; /* of the pixels */
     AppArea area;        /* of the screen, which they cover */

@@ -29,7 +29,9 @@ static void set_wrong(GtkWidget *field, gboolean wrong)
         gtk_widget_add_css_class(field, "error");
     else
         gtk_widget_remove_css_class(field, "error");
-    gtk_widget_set_tooltip_text(field, wrong ? _("expected: x, y in millimetres, such as 150, -20") : NULL);
+    gtk_widget_set_tooltip_text(
+        field,
+        wrong ? _("expected: x, y in millimetres with a blank behind the comma, such as 60, -20 or 60.5, -20") : NULL);
     gtk_accessible_update_state(GTK_ACCESSIBLE(field), GTK_ACCESSIBLE_STATE_INVALID,
                                 wrong ? GTK_ACCESSIBLE_INVALID_TRUE : GTK_ACCESSIBLE_INVALID_FALSE, -1);
 }
@@ -54,9 +56,41 @@ static void entered(GtkWidget *field, AppPoints *self)
     g_free(key);
 }
 
+/* Shows the place that holds in stead of what was typed; FALSE: there was nothing else. */
+static gboolean restore(GtkWidget *field)
+{
+    const char *shown = g_object_get_data(G_OBJECT(field), "shown");
+    if (g_strcmp0(gtk_editable_get_text(GTK_EDITABLE(field)), shown) == 0)
+        return FALSE;
+    gtk_editable_set_text(GTK_EDITABLE(field), shown ? shown : "");
+    set_wrong(field, FALSE);
+    return TRUE;
+}
+
 static void left(GtkEventControllerFocus *focus, AppPoints *self)
 {
-    entered(gtk_event_controller_get_widget(GTK_EVENT_CONTROLLER(focus)), self);
+    GtkWidget *field = gtk_event_controller_get_widget(GTK_EVENT_CONTROLLER(focus));
+    entered(field, self);
+    restore(field);
+}
+
+static gboolean key_pressed(GtkEventControllerKey *controller, guint key, guint code, GdkModifierType state,
+                            GtkWidget *field)
+{
+    (void)controller;
+    (void)code;
+    (void)state;
+    return key == GDK_KEY_Escape && restore(field);
+}
+
+gboolean app_points_restore(AppPoints *self, GtkWidget *focus)
+{
+    for (guint i = 0; i < self->fields->len; i++) {
+        GtkWidget *field = g_ptr_array_index(self->fields, i);
+        if (focus && gtk_widget_is_ancestor(focus, field))
+            return restore(field);
+    }
+    return FALSE;
 }
 
 static void deleted(GtkWidget *button, AppPoints *self)
@@ -74,7 +108,9 @@ static void add_field(AppPoints *self)
     char *meaning = g_strdup_printf(_("Point %u: x, y in mm"), index + 1);
     GtkWidget *line = gtk_box_new(GTK_ORIENTATION_HORIZONTAL, 6), *label = gtk_label_new(name);
     GtkWidget *field = gtk_entry_new(), *button = gtk_button_new_from_icon_name("list-remove-symbolic");
-    GtkEventController *focus = gtk_event_controller_focus_new();
+    GtkEventController *focus = gtk_event_controller_focus_new(), *keys = gtk_event_controller_key_new();
+    gtk_event_controller_set_propagation_phase(keys, GTK_PHASE_CAPTURE);
+    gtk_editable_set_enable_undo(GTK_EDITABLE(field), FALSE);
     gtk_widget_set_hexpand(field, TRUE);
     gtk_label_set_width_chars(GTK_LABEL(label), 4);
     gtk_label_set_xalign(GTK_LABEL(label), 0);
@@ -87,7 +123,9 @@ static void add_field(AppPoints *self)
     g_signal_connect(field, "activate", G_CALLBACK(entered), self);
     g_signal_connect(focus, "leave", G_CALLBACK(left), self);
     g_signal_connect(button, "clicked", G_CALLBACK(deleted), self);
+    g_signal_connect(keys, "key-pressed", G_CALLBACK(key_pressed), field);
     gtk_widget_add_controller(field, focus);
+    gtk_widget_add_controller(field, keys);
     gtk_box_append(GTK_BOX(line), label);
     gtk_box_append(GTK_BOX(line), field);
     gtk_box_append(GTK_BOX(line), button);

@@ -13,6 +13,9 @@ G_DECLARE_FINAL_TYPE(AppPoints, app_points, APP, POINTS, GtkBox)
 GtkWidget *app_points_new(AppDocument *document);
 void app_points_refresh(AppPoints *self);
 
+/* Esc and undo in a field that was typed into: the place that holds is shown again.  FALSE: there was nothing else. */
+gboolean app_points_restore(AppPoints *self, GtkWidget *focus);
+
 void app_points_add(AppPoints *self, double x_mm, double y_mm);
 /* Adds a point for each "x, y" of a text; NULL, or what is wrong with it: the caller's. */
 char *app_points_paste(AppPoints *self, const char *text);

@@ -15,6 +15,8 @@
 #include <gtk/gtk.h>
 #include <luxel/parameter.h>
 
+#include "scalar.h"
+
 #define APP_TYPE_ROW (app_row_get_type())
 G_DECLARE_FINAL_TYPE(AppRow, app_row, APP, ROW, GtkBox)
 
@@ -23,6 +25,8 @@ typedef enum AppRowKind {
     APP_ROW_WHOLE,
     APP_ROW_SWITCH,
     APP_ROW_CHOICE,
+    APP_ROW_RANGE,           /* one of the choices, or [low, high] */
+    APP_ROW_CHOICE_OR_WHOLE, /* one of the choices, or a whole number */
     APP_ROW_TEXT,
     APP_ROW_YAML
 } AppRowKind;
@@ -43,14 +47,16 @@ GtkWidget *app_row_new(const AppRowSpec *spec);
 void app_row_set(AppRow *self, const char *yaml);
 /* Marks the row as wrong, and says why; NULL: it is right. */
 void app_row_set_fault(AppRow *self, const char *reason);
+/* The text that was typed is not taken: it stays to be mended until the field is left. */
+void app_row_refuse(AppRow *self, const char *reason);
+/* Shows the value that holds in place of what was typed, which is forgotten; FALSE: there was nothing else. */
+gboolean app_row_restore(AppRow *self);
+/* The range in force, which a typed one begins with. */
+void app_row_suggest(AppRow *self, double low, double high);
 /* The unit's name. */
 void app_row_set_unit(AppRow *self, const char *unit);
 
 /* Names a control for those who do not see it, and the part of it that takes the keys, where that is another one. */
 void app_name_control(GtkWidget *control, const char *name);
-
-/* A text as YAML in double quotes, and the text that a YAML scalar stands for; the caller's. */
-char *app_yaml_quote(const char *text);
-char *app_yaml_unquote(const char *yaml);
 
 #endif

@@ -17,7 +17,7 @@ static const struct {
     {"Ctrl+O", N_("Open")},
     {"Ctrl+S", N_("Save the scene")},
     {"Ctrl+Shift+S", N_("Save as")},
-    {"Ctrl+E", N_("Export as 8-bit grey PNG")},
+    {"Ctrl+E", N_("Save the picture as 8-bit grey PNG")},
     {"Ctrl+Z", N_("Undo")},
     {"Ctrl+Shift+Z", N_("Redo")},
     {"Ctrl+N", N_("A new window")},
@@ -28,6 +28,7 @@ static const struct {
     {"Ctrl+Delete", N_("Delete the source")},
     {"Alt+↑, Alt+↓", N_("Move the source in the list")},
     {"Ctrl+V", N_("Paste sources “x, y, z; …” or points “x, y; …”")},
+    {"Esc", N_("In a field: back to the value that holds")},
     {NULL, N_("General")},
     {"F9", N_("Numbers at the side")},
     {"F10", N_("Main menu")},
@@ -35,18 +36,19 @@ static const struct {
     {NULL, N_("Picture")},
     {"F", N_("Fit the picture")},
     {"Ctrl+0", N_("One pixel to one pixel")},
-    {"+, −", N_("Zoom")},
+    {N_("+, −, wheel"), N_("Zoom")},
     {"E, Shift+E", N_("Brighter, darker by half a stop")},
     {"N", N_("Lock the range to this picture")},
     {"R", N_("Reset exposure and range")},
     {"C", N_("False colour or grey")},
     {"I", N_("Isophotes")},
     {"P", N_("Pin the picture as A")},
-    {"D", N_("Show A, B or the difference in turn")},
+    {"D", N_("Show live B, pinned A or the difference in turn")},
     {NULL, N_("Marks on the picture")},
     {"[, ]", N_("Go from mark to mark")},
     {"← → ↑ ↓", N_("Move the mark by 10 mm (Shift: 1 mm, Ctrl: 100 mm)")},
     {"Page Up, Page Down", N_("Raise or lower the mark")},
+    {N_("Alt+wheel"), N_("Raise or lower the source under the pointer, or the chosen one")},
     {"Alt", N_("While dragging: raise or lower")},
     {"Shift", N_("While dragging: a tenth of the motion")},
     {"Ctrl", N_("While dragging: to round numbers")},
@@ -76,7 +78,7 @@ static GtkWidget *new_list(void)
         if (!lines[i].keys)
             gtk_grid_attach(GTK_GRID(grid), new_label(_(lines[i].meaning), "heading"), 0, row++, COLUMNS, 1);
         else {
-            gtk_grid_attach(GTK_GRID(grid), new_label(lines[i].keys, "numeric"), 0, row, 1, 1);
+            gtk_grid_attach(GTK_GRID(grid), new_label(_(lines[i].keys), "numeric"), 0, row, 1, 1);
             gtk_grid_attach(GTK_GRID(grid), new_label(_(lines[i].meaning), NULL), 1, row++, 1, 1);
         }
     }

@@ -6,6 +6,8 @@
 #include <string.h>
 
 #include "../front/words.h"
+#include "choices.h"
+#include "new_source.h"
 #include "number.h"
 #include "row.h"
 #include "rules.h"
@@ -32,7 +34,7 @@ struct _AppSources {
     gboolean is_updating;
 };
 
-enum { CHOSEN, SOLO, SIGNALS };
+enum { CHOSEN, SOLO, HOVERED, SIGNALS };
 static guint signals[SIGNALS];
 
 G_DEFINE_FINAL_TYPE(AppSources, app_sources, GTK_TYPE_BOX)
@@ -73,6 +75,29 @@ static void name_control(GtkWidget *control, const char *format, gsize index)
     g_free(text);
 }
 
+static void pointer_came(GtkEventControllerMotion *motion, double x, double y, Item *item)
+{
+    (void)motion;
+    (void)x;
+    (void)y;
+    g_signal_emit(item->sources, signals[HOVERED], 0, (int)item->index);
+}
+
+static void pointer_went(GtkEventControllerMotion *motion, Item *item)
+{
+    (void)motion;
+    g_signal_emit(item->sources, signals[HOVERED], 0, -1);
+}
+
+/* The mark of the row that the pointer is on is lit up on the picture. */
+static void watch_pointer(GtkWidget *row, Item *item)
+{
+    GtkEventController *motion = gtk_event_controller_motion_new();
+    g_signal_connect(motion, "enter", G_CALLBACK(pointer_came), item);
+    g_signal_connect(motion, "leave", G_CALLBACK(pointer_went), item);
+    gtk_widget_add_controller(row, motion);
+}
+
 static void add_item(AppSources *self)
 {
     Item *item = g_new0(Item, 1);
@@ -100,7 +125,11 @@ static void add_item(AppSources *self)
     gtk_box_append(GTK_BOX(line), item->solo);
     g_signal_connect(item->enabled, "toggled", G_CALLBACK(enabled_toggled), item);
     g_signal_connect(item->solo, "toggled", G_CALLBACK(solo_toggled), item);
+    gtk_widget_set_tooltip_text(item->gives,
+                                _("Φ: the flux of the source in all\nE: the irradiance where the centre of the first "
+                                  "surface is seen; 0 also in shadow"));
     gtk_list_box_append(GTK_LIST_BOX(self->list), line);
+    watch_pointer(gtk_widget_get_parent(line), item);
     g_ptr_array_add(self->items, item);
 }
 
@@ -115,8 +144,9 @@ static void refresh_item(AppSources *self, Item *item)
 {
     char *type = get(self, item->index, "type"), *enabled = get(self, item->index, "enabled");
     char *yaml = get(self, item->index, "name"), *name = yaml ? app_yaml_unquote(yaml) : NULL;
-    char *title = name && *name ? g_strdup_printf("%zu  %s (%s)", item->index + 1, name, type)
-                                : g_strdup_printf("%zu  %s", item->index + 1, type ? type : "");
+    const char *kind = type ? app_choice_label(type) : "";
+    char *title = name && *name ? g_strdup_printf("%zu  %s (%s)", item->index + 1, name, kind)
+                                : g_strdup_printf("%zu  %s", item->index + 1, kind);
     gtk_label_set_text(GTK_LABEL(item->name), title);
     gtk_accessible_update_property(
         GTK_ACCESSIBLE(gtk_list_box_get_row_at_index(GTK_LIST_BOX(self->list), (int)item->index)),
@@ -201,6 +231,28 @@ void app_sources_choose(AppSources *self, gsize index)
     app_sources_refresh(self);
 }
 
+void app_sources_hover(AppSources *self, gssize index)
+{
+    for (guint i = 0; i < self->items->len; i++) {
+        GtkWidget *row = GTK_WIDGET(gtk_list_box_get_row_at_index(GTK_LIST_BOX(self->list), (int)i));
+        if ((gssize)i == index)
+            gtk_widget_add_css_class(row, "hovered");
+        else
+            gtk_widget_remove_css_class(row, "hovered");
+    }
+}
+
+void app_sources_set_stale(AppSources *self, gboolean stale)
+{
+    for (guint i = 0; i < self->items->len; i++) {
+        const Item *item = g_ptr_array_index(self->items, i);
+        if (stale)
+            gtk_widget_add_css_class(item->gives, "stale");
+        else
+            gtk_widget_remove_css_class(item->gives, "stale");
+    }
+}
+
 void app_sources_show(AppSources *self, const AppMeasures *measures, gboolean photometric)
 {
     for (guint i = 0; i < self->items->len && i < measures->source_count; i++) {
@@ -214,7 +266,7 @@ void app_sources_show(AppSources *self, const AppMeasures *measures, gboolean ph
         if (isfinite(source->irradiance))
             g_string_append_printf(text, "%sE %s %s", text->len ? "   " : "",
                                    app_number_round(source->irradiance, 4, irradiance),
-                                   gettext(luxel_scene_unit(measures->shot->moment->scene, LUXEL_IRRADIANCE)));
+                                   gettext(luxel_scene_unit(measures->live->moment->scene, LUXEL_IRRADIANCE)));
         if (strcmp(text->str, gtk_label_get_text(GTK_LABEL(item->gives))) != 0)
             gtk_label_set_text(GTK_LABEL(item->gives), text->str);
         g_string_free(text, TRUE);
@@ -234,16 +286,6 @@ gboolean app_sources_set_fault(AppSources *self, const char *key, const char *re
 
 /* ---- what can be done ---- */
 
-static const luxel_kind *find_kind(AppSources *self, const char *name)
-{
-    for (gsize i = 0; i < luxel_parameters_kind_count(self->parameters); i++) {
-        const luxel_kind *kind = luxel_parameters_kind(self->parameters, i);
-        if (strcmp(kind->list, "lights") == 0 && strcmp(kind->name, name) == 0)
-            return kind;
-    }
-    return NULL;
-}
-
 static gsize behind_chosen(AppSources *self)
 {
     return MIN(self->chosen + 1, app_document_size(self->document, "lights"));
@@ -261,18 +303,18 @@ static void insert(AppSources *self, gsize index, const char *yaml)
 
 void app_sources_add(AppSources *self, const char *name)
 {
-    const luxel_kind *kind = find_kind(self, name);
-    if (kind && kind->example)
-        insert(self, behind_chosen(self), kind->example);
+    char *yaml = app_new_source(self->document, self->parameters, name, self->chosen);
+    if (yaml)
+        insert(self, behind_chosen(self), yaml);
+    g_free(yaml);
 }
 
 void app_sources_duplicate(AppSources *self)
 {
-    char *key = g_strdup_printf("lights[%zu]", self->chosen), *yaml = app_document_get(self->document, key, NULL);
+    char *yaml = app_doubled_source(self->document, self->chosen);
     if (yaml)
         insert(self, behind_chosen(self), yaml);
     g_free(yaml);
-    g_free(key);
 }
 
 void app_sources_delete(AppSources *self)
@@ -388,6 +430,8 @@ static void app_sources_class_init(AppSourcesClass *class)
     G_OBJECT_CLASS(class)->finalize = app_sources_finalize;
     signals[CHOSEN] =
         g_signal_new("chosen", APP_TYPE_SOURCES, G_SIGNAL_RUN_LAST, 0, NULL, NULL, NULL, G_TYPE_NONE, 1, G_TYPE_UINT);
+    signals[HOVERED] =
+        g_signal_new("hovered", APP_TYPE_SOURCES, G_SIGNAL_RUN_LAST, 0, NULL, NULL, NULL, G_TYPE_NONE, 1, G_TYPE_INT);
     signals[SOLO] =
         g_signal_new("solo", APP_TYPE_SOURCES, G_SIGNAL_RUN_LAST, 0, NULL, NULL, NULL, G_TYPE_NONE, 1, G_TYPE_INT);
 }
@@ -417,7 +461,7 @@ static GMenuModel *menu_of_kinds(const luxel_parameters *parameters)
         const luxel_kind *kind = luxel_parameters_kind(parameters, i);
         if (strcmp(kind->list, "lights") != 0 || !kind->example)
             continue;
-        char *text = g_strdup_printf("%s: %s", kind->name, kind->meaning);
+        char *text = g_strdup_printf("%s: %s", app_choice_label(kind->name), kind->meaning);
         GMenuItem *item = g_menu_item_new(text, NULL);
         g_menu_item_set_action_and_target(item, "win.source-add", "s", kind->name);
         g_menu_append_item(menu, item);
@@ -460,9 +504,9 @@ GtkWidget *app_sources_new(AppDocument *document, const luxel_parameters *parame
     self->scrolled = gtk_scrolled_window_new();
     gtk_scrolled_window_set_policy(GTK_SCROLLED_WINDOW(self->scrolled), GTK_POLICY_NEVER, GTK_POLICY_AUTOMATIC);
     gtk_scrolled_window_set_child(GTK_SCROLLED_WINDOW(self->scrolled), self->list);
+    gtk_box_append(GTK_BOX(self), new_toolbar(self)); /* above the list, which grows, so that it stays in its place */
     gtk_box_append(GTK_BOX(self), self->scrolled);
     gtk_box_append(GTK_BOX(self), self->more);
-    gtk_box_append(GTK_BOX(self), new_toolbar(self));
     gtk_box_append(GTK_BOX(self), self->form);
     app_sources_refresh(self);
     return GTK_WIDGET(self);

@@ -2,7 +2,8 @@
 /*
  * The list of sources with what each gives, and the form of the chosen one.
  *
- * Signals: "chosen" (index) when another one was chosen; "solo" (index, -1 for none) when one alone is to be seen.
+ * Signals: "chosen" (index) when another one was chosen; "solo" (index, -1 for none) when one alone is to be seen;
+ * "hovered" (index, -1 for none) when the pointer comes to a row or leaves it.
  */
 #ifndef LUXEL_APP_SOURCES_H
 #define LUXEL_APP_SOURCES_H
@@ -17,6 +18,10 @@ GtkWidget *app_sources_new(AppDocument *document, const luxel_parameters *parame
 
 void app_sources_refresh(AppSources *self);
 void app_sources_choose(AppSources *self, gsize index);
+/* Which row is lit up, as the pointer is on its mark; -1: none. */
+void app_sources_hover(AppSources *self, gssize index);
+/* Dims what the sources give: it is of an earlier scene. */
+void app_sources_set_stale(AppSources *self, gboolean stale);
 /* Shows flux and irradiance; `photometric`: in lm and lx. */
 void app_sources_show(AppSources *self, const AppMeasures *measures, gboolean photometric);
 /* Marks a wrong key; TRUE where the form has it. */

@@ -3,7 +3,8 @@
  * The view: the picture with its marks, fitted or zoomed, and the hand on it.  Drags change the document itself.
  *
  * Signals: "pointed" (x_mm, y_mm, is_inside) when the pointer moves; "selected" (kind, index) when a mark was taken;
- * "section-moved" (x_mm, y_mm); "framed" when another part of the screen is shown than before.
+ * "section-moved" (x_mm, y_mm); "framed" when another part of the screen is shown than before; "hovered" (kind, index)
+ * when the pointer comes to a mark, or with kind 0 leaves it.
  */
 #ifndef LUXEL_APP_VIEW_H
 #define LUXEL_APP_VIEW_H
@@ -26,6 +27,10 @@ void app_view_set_isophotes(AppView *self, luxel_isophotes *isophotes);
 void app_view_set_section(AppView *self, gboolean shown, const double section_mm[2]);
 /* Which source is marked as the chosen one. */
 void app_view_select(AppView *self, AppMarkKind kind, gsize index);
+/* Which mark is lit up, as the pointer is on its line in a list; kind APP_MARK_NONE: none. */
+void app_view_hover(AppView *self, AppMarkKind kind, gsize index);
+/* Dims the picture: it is of an earlier scene, as the present one cannot be computed. */
+void app_view_set_stale(AppView *self, gboolean stale);
 /* Which surface was under the pointer, -1 for none: what a press there takes. */
 void app_view_set_surface(AppView *self, gssize surface);
 

@@ -4,10 +4,10 @@
 
 #include <math.h>
 
-enum { MARK_ROOM = 14, EDGE = 16, DIRECTIONS = 64 };
+enum { MARK_ROOM = 14, EDGE = 16, DIRECTIONS = 64, SEAM = 2, BESIDE = 8, MOST_NAMES = 512 };
 
 /* What is drawn once and then copied: a mark costs more to draw than to put on the screen. */
-typedef enum Shape { SHAPE_LAMP, SHAPE_SUN, SHAPE_ARROW, SHAPE_POINT, SHAPE_MAXIMUM } Shape;
+typedef enum Shape { SHAPE_LAMP, SHAPE_SUN, SHAPE_ARROW, SHAPE_POINT, SHAPE_MAXIMUM, SHAPE_RING } Shape;
 
 typedef struct Look {
     Shape shape;
@@ -103,6 +103,13 @@ static void draw_maximum(cairo_t *cairo)
     stroke(cairo, 1.6, 1, 0.35, 0.3);
 }
 
+/* Around the mark that the pointer is on. */
+static void draw_ring(cairo_t *cairo)
+{
+    cairo_arc(cairo, 0, 0, MARK_ROOM - 2, 0, 2 * G_PI);
+    stroke(cairo, 1.6, 1, 1, 1);
+}
+
 static void draw_shape(cairo_t *cairo, const Look *look)
 {
     if (look->shape == SHAPE_ARROW)
@@ -111,6 +118,8 @@ static void draw_shape(cairo_t *cairo, const Look *look)
         draw_cross(cairo, look->selected);
     else if (look->shape == SHAPE_MAXIMUM)
         draw_maximum(cairo);
+    else if (look->shape == SHAPE_RING)
+        draw_ring(cairo);
     else
         draw_lamp(cairo, look);
 }
@@ -118,6 +127,19 @@ static void draw_shape(cairo_t *cairo, const Look *look)
 static void free_pixels(gpointer surface)
 {
     cairo_surface_destroy(surface);
+}
+
+/* Takes the surface over. */
+static GdkTexture *texture_of_surface(cairo_surface_t *surface)
+{
+    cairo_surface_flush(surface);
+    const int stride = cairo_image_surface_get_stride(surface), height = cairo_image_surface_get_height(surface);
+    GBytes *pixels = g_bytes_new_with_free_func(cairo_image_surface_get_data(surface), (gsize)stride * (gsize)height,
+                                                free_pixels, surface);
+    GdkTexture *texture = gdk_memory_texture_new(cairo_image_surface_get_width(surface), height, GDK_MEMORY_DEFAULT,
+                                                 pixels, (gsize)stride);
+    g_bytes_unref(pixels);
+    return texture;
 }
 
 static GdkTexture *new_texture(const Look *look)
@@ -129,13 +151,7 @@ static GdkTexture *new_texture(const Look *look)
     cairo_translate(cairo, MARK_ROOM, MARK_ROOM);
     draw_shape(cairo, look);
     cairo_destroy(cairo);
-    cairo_surface_flush(surface);
-    const int stride = cairo_image_surface_get_stride(surface);
-    GBytes *pixels = g_bytes_new_with_free_func(cairo_image_surface_get_data(surface), (gsize)stride * (gsize)side,
-                                                free_pixels, surface);
-    GdkTexture *texture = gdk_memory_texture_new(side, side, GDK_MEMORY_DEFAULT, pixels, (gsize)stride);
-    g_bytes_unref(pixels);
-    return texture;
+    return texture_of_surface(surface);
 }
 
 /* Textures of a widget, kept as long as it lives; the key is all of a look. */
@@ -166,22 +182,72 @@ static void put_shape(GtkSnapshot *snapshot, GtkWidget *widget, const double at[
                                 &GRAPHENE_RECT_INIT((float)x, (float)y, 2 * MARK_ROOM, 2 * MARK_ROOM));
 }
 
-static void draw_name(GtkSnapshot *snapshot, GtkWidget *widget, const double at[2], const char *name)
+/* A name with a dark seam, which makes it readable on every ground. */
+static GdkTexture *new_name(GtkWidget *widget, const char *name, const GdkRGBA *color, int dots)
 {
     PangoLayout *layout = gtk_widget_create_pango_layout(widget, name);
-    for (int pass = 0; pass < 2; pass++) {
-        const GdkRGBA color = {pass ? 0.65f : 0, pass ? 0.9f : 0, pass ? 1 : 0, 1};
-        gtk_snapshot_save(snapshot);
-        gtk_snapshot_translate(snapshot,
-                               &GRAPHENE_POINT_INIT((float)at[0] + (pass ? 8 : 9), (float)at[1] + (pass ? 4 : 5)));
-        gtk_snapshot_append_layout(snapshot, layout, &color);
-        gtk_snapshot_restore(snapshot);
-    }
+    int width, height;
+    pango_layout_get_pixel_size(layout, &width, &height);
+    cairo_surface_t *surface =
+        cairo_image_surface_create(CAIRO_FORMAT_ARGB32, (width + 2 * SEAM) * dots, (height + 2 * SEAM) * dots);
+    cairo_t *cairo = cairo_create(surface);
+    cairo_scale(cairo, dots, dots);
+    cairo_move_to(cairo, SEAM, SEAM);
+    pango_cairo_layout_path(cairo, layout);
+    cairo_set_source_rgba(cairo, 0, 0, 0, 0.75);
+    cairo_set_line_width(cairo, 2.5);
+    cairo_set_line_join(cairo, CAIRO_LINE_JOIN_ROUND);
+    cairo_stroke_preserve(cairo);
+    gdk_cairo_set_source_rgba(cairo, color);
+    cairo_fill(cairo);
+    cairo_destroy(cairo);
     g_object_unref(layout);
+    return texture_of_surface(surface);
 }
 
-void app_draw_mark(GtkSnapshot *snapshot, GtkWidget *widget, const AppMap *map, const AppMark *mark, gboolean selected)
+/* The textures of names are kept, as laying out texts is what costs; of a few hundred only, as names change. */
+static GdkTexture *name_of(GtkWidget *widget, const char *name, const GdkRGBA *color, int dots)
 {
+    static const char kept[] = "luxel-names";
+    GHashTable *textures = g_object_get_data(G_OBJECT(widget), kept);
+    char *key = g_strdup_printf("%d %.2f %s", dots, (double)color->blue, name);
+    if (!textures || g_hash_table_size(textures) > MOST_NAMES) {
+        textures = g_hash_table_new_full(g_str_hash, g_str_equal, g_free, g_object_unref);
+        g_object_set_data_full(G_OBJECT(widget), kept, textures, (GDestroyNotify)g_hash_table_unref);
+    }
+    GdkTexture *texture = g_hash_table_lookup(textures, key);
+    if (texture) {
+        g_free(key);
+        return texture;
+    }
+    texture = new_name(widget, name, color, dots);
+    g_hash_table_insert(textures, key, texture);
+    return texture;
+}
+
+/* Beside the mark, on its other side where the edge is near. */
+static void draw_name(GtkSnapshot *snapshot, GtkWidget *widget, const double at[2], const char *name,
+                      const GdkRGBA *color)
+{
+    const int dots = gtk_widget_get_scale_factor(widget);
+    GdkTexture *texture = name_of(widget, name, color, dots);
+    const double width = (double)gdk_texture_get_width(texture) / dots;
+    const double height = (double)gdk_texture_get_height(texture) / dots;
+    double x = at[0] + BESIDE, y = at[1] + BESIDE / 2.0;
+    if (x + width > gtk_widget_get_width(widget))
+        x = at[0] - BESIDE - width;
+    if (y + height > gtk_widget_get_height(widget))
+        y = at[1] - BESIDE / 2.0 - height;
+    gtk_snapshot_append_texture(snapshot, texture,
+                                &GRAPHENE_RECT_INIT((float)(round(x * dots) / dots), (float)(round(y * dots) / dots),
+                                                    (float)width, (float)height));
+}
+
+void app_draw_mark(GtkSnapshot *snapshot, GtkWidget *widget, const AppMap *map, const AppMark *mark, gboolean selected,
+                   gboolean hovered)
+{
+    static const GdkRGBA of_points = {0.65f, 0.9f, 1, 1}, of_lamps = {1, 0.9f, 0.6f, 1},
+                         of_dark = {0.8f, 0.8f, 0.8f, 1};
     double at[2], angle;
     gboolean arrow = app_mark_shown(map, mark, gtk_widget_get_width(widget), gtk_widget_get_height(widget), at, &angle);
     if (mark->kind == APP_MARK_SURFACE)
@@ -196,11 +262,12 @@ void app_draw_mark(GtkSnapshot *snapshot, GtkWidget *widget, const AppMap *map, 
         look.direction = ((int)round(angle / (2 * G_PI) * DIRECTIONS) + DIRECTIONS) % DIRECTIONS;
     }
     put_shape(snapshot, widget, at, look);
-    if (mark->kind == APP_MARK_POINT) {
-        char name[24];
-        g_snprintf(name, sizeof name, "P%zu", mark->index + 1);
-        draw_name(snapshot, widget, at, name);
-    }
+    if (hovered)
+        put_shape(snapshot, widget, at, (Look){.shape = SHAPE_RING});
+    draw_name(snapshot, widget, at, mark->label,
+              mark->kind == APP_MARK_POINT ? &of_points
+              : look.is_on                 ? &of_lamps
+                                           : &of_dark);
 }
 
 /* Dashes of two colours, as lines that show on everything. */

@@ -20,7 +20,9 @@ void app_map_from_widget(const AppMap *map, const double at[2], double place_mm[
 gboolean app_mark_shown(const AppMap *map, const AppMark *mark, double width, double height, double at[2],
                         double *angle);
 
-void app_draw_mark(GtkSnapshot *snapshot, GtkWidget *widget, const AppMap *map, const AppMark *mark, gboolean selected);
+/* The mark with its label; `hovered`: with a ring around it, as the pointer is on it or on its line of a list. */
+void app_draw_mark(GtkSnapshot *snapshot, GtkWidget *widget, const AppMap *map, const AppMark *mark, gboolean selected,
+                   gboolean hovered);
 void app_draw_section(GtkSnapshot *snapshot, const AppMap *map, const double section_mm[2], double width,
                       double height);
 void app_draw_isophotes(GtkSnapshot *snapshot, const AppMap *map, const luxel_isophotes *isophotes,

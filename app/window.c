@@ -9,11 +9,12 @@
 
 #include "../front/language.h"
 #include "../front/words.h"
+#include "choices.h"
 #include "pulse.h"
 #include "row.h"
 #include "window_private.h"
 
-enum { PROGRESS_MS = 150, PULSE_MS = 1000, RIGHT_WIDTH = 380, LEAST_CENTER = 300 };
+enum { PROGRESS_MS = 150, PULSE_MS = 1000 };
 static const double PATIENCE_SECONDS = 1; /* before progress is shown */
 
 G_DEFINE_FINAL_TYPE(AppWindow, app_window, GTK_TYPE_APPLICATION_WINDOW)
@@ -60,14 +61,28 @@ void app_window_ask_picture(AppWindow *self)
         self->progress_timer = g_timeout_add(PROGRESS_MS, show_progress, self);
 }
 
+AppShot *app_window_shot(const AppWindow *self)
+{
+    if (!self->picture)
+        return NULL;
+    return self->picture->side == APP_SIDE_PINNED ? self->picture->pinned : self->picture->shot;
+}
+
+AppShot *app_window_minus(const AppWindow *self)
+{
+    return self->picture && self->picture->side == APP_SIDE_DIFFERENCE ? self->picture->pinned : NULL;
+}
+
 void app_window_ask_numbers(AppWindow *self)
 {
-    if (!self->picture || !self->picture->shot)
+    if (!app_window_shot(self))
         return;
     const AppPage page = app_numbers_page(APP_NUMBERS(self->numbers));
     const AppDisplay *display = &self->picture->display;
     AppQuestion question = {
-        .shot = self->picture->shot,
+        .shot = app_window_shot(self),
+        .minus = app_window_minus(self),
+        .live = self->picture->shot,
         .section = page == APP_PAGE_SECTION,
         .statistics = page == APP_PAGE_STATISTICS,
         .isophotes = display->isophotes,
@@ -81,8 +96,9 @@ void app_window_ask_numbers(AppWindow *self)
 
 void app_window_ask_pointer(AppWindow *self)
 {
-    if (self->pointer_inside && self->picture && self->picture->shot)
-        app_pointer_ask(self->pointer, self->picture->shot, self->pointer_mm[0], self->pointer_mm[1]);
+    if (self->pointer_inside && app_window_shot(self) && !self->is_stale)
+        app_pointer_ask(self->pointer, app_window_shot(self), app_window_minus(self), self->pointer_mm[0],
+                        self->pointer_mm[1]);
 }
 
 /* ---- what the parts tell ---- */
@@ -96,7 +112,7 @@ static void show_surface(AppWindow *self)
         GtkStringList *names = gtk_string_list_new(NULL);
         for (gsize i = 0; i < count; i++) {
             char *key = g_strdup_printf("surfaces[%zu].type", i), *type = app_document_get(self->document, key, NULL);
-            char *name = g_strdup_printf("%zu  %s", i + 1, type ? type : "");
+            char *name = g_strdup_printf("%zu  %s", i + 1, type ? app_choice_label(type) : "");
             gtk_string_list_append(names, name);
             g_free(name);
             g_free(type);
@@ -155,6 +171,18 @@ static void view_selected(AppView *view, int kind, guint index, AppWindow *self)
         app_sources_choose(APP_SOURCES(self->sources), index);
     else if (kind == APP_MARK_SURFACE)
         gtk_drop_down_set_selected(GTK_DROP_DOWN(self->surface_list), index);
+}
+
+static void view_hovered(AppView *view, int kind, guint index, AppWindow *self)
+{
+    (void)view;
+    app_sources_hover(APP_SOURCES(self->sources), kind == APP_MARK_SOURCE ? (gssize)index : -1);
+}
+
+static void list_hovered(AppSources *sources, int index, AppWindow *self)
+{
+    (void)sources;
+    app_view_hover(self->view, index < 0 ? APP_MARK_NONE : APP_MARK_SOURCE, index < 0 ? 0 : (gsize)index);
 }
 
 static void section_moved(AppView *view, double x_mm, double y_mm, AppWindow *self)
@@ -221,13 +249,6 @@ static gboolean legacy_event(GtkEventControllerLegacy *controller, GdkEvent *eve
         app_document_begin_gesture(self->document);
     self->is_pressed = pressed || (self->is_pressed && !released);
     return GDK_EVENT_PROPAGATE;
-}
-
-static void keep_right(AppWindow *self)
-{
-    const int width = gtk_widget_get_width(self->right_box);
-    if (self->settings && width > 0)
-        g_settings_set_int(self->settings, "right-width", width);
 }
 
 static void close_faults(AppWindow *self)
@@ -304,13 +325,14 @@ static void connect_parts(AppWindow *self)
     g_signal_connect_object(self->document, "renamed", G_CALLBACK(document_renamed), self, G_CONNECT_SWAPPED);
     g_signal_connect(self->view, "pointed", G_CALLBACK(view_pointed), self);
     g_signal_connect(self->view, "selected", G_CALLBACK(view_selected), self);
+    g_signal_connect(self->view, "hovered", G_CALLBACK(view_hovered), self);
+    g_signal_connect(self->sources, "hovered", G_CALLBACK(list_hovered), self);
     g_signal_connect(self->view, "section-moved", G_CALLBACK(section_moved), self);
     g_signal_connect_swapped(self->view, "framed", G_CALLBACK(app_window_ask_picture), self);
     g_signal_connect(self->sources, "chosen", G_CALLBACK(source_chosen), self);
     g_signal_connect(self->sources, "solo", G_CALLBACK(solo_changed), self);
     g_signal_connect_swapped(self->display_form, "changed", G_CALLBACK(display_changed), self);
     g_signal_connect_swapped(self->numbers, "wanted", G_CALLBACK(page_turned), self);
-    g_signal_connect_swapped(self->right_box, "unmap", G_CALLBACK(keep_right), self);
     g_signal_connect_swapped(self->fault_bar, "response", G_CALLBACK(close_faults), self);
     gtk_drawing_area_set_draw_func(GTK_DRAWING_AREA(self->bar), app_window_draw_bar, self, NULL);
 }
@@ -325,7 +347,6 @@ static void bind_settings(AppWindow *self)
     g_settings_bind(settings, "window-width", self, "default-width", G_SETTINGS_BIND_DEFAULT);
     g_settings_bind(settings, "window-height", self, "default-height", G_SETTINGS_BIND_DEFAULT);
     g_settings_bind(settings, "window-maximized", self, "maximized", G_SETTINGS_BIND_DEFAULT);
-    g_settings_bind(settings, "left-width", self->left_pane, "position", G_SETTINGS_BIND_DEFAULT);
     g_settings_bind(settings, "right-shown", self->right_box, "visible", G_SETTINGS_BIND_DEFAULT);
     char *palette = g_settings_get_string(settings, "palette");
     const char *known = app_palette_named(palette);
@@ -334,20 +355,12 @@ static void bind_settings(AppWindow *self)
     g_free(palette);
 }
 
-/* A pane counts from the left, the right side's width from the right. */
-static void place_right(AppWindow *self)
-{
-    int width, height, right = self->settings ? g_settings_get_int(self->settings, "right-width") : RIGHT_WIDTH;
-    gtk_window_get_default_size(GTK_WINDOW(self), &width, &height);
-    gtk_paned_set_position(GTK_PANED(self->right_pane),
-                           MAX(width - gtk_paned_get_position(GTK_PANED(self->left_pane)) - right, LEAST_CENTER));
-}
-
 AppWindow *app_window_new(AppApplication *application)
 {
     AppWindow *self = g_object_new(APP_TYPE_WINDOW, "application", application, NULL);
     bind_settings(self);
-    place_right(self);
+    app_window_watch_panes(self);
+    app_window_init_report(self);
     app_window_fill_menus(self);
     document_renamed(self);
     app_window_ask_picture(self);
@@ -369,6 +382,7 @@ static void app_window_dispose(GObject *object)
     AppWindow *self = APP_WINDOW(object);
     g_clear_handle_id(&self->progress_timer, g_source_remove);
     g_clear_handle_id(&self->pulse_timer, g_source_remove);
+    g_clear_handle_id(&self->say_timer, g_source_remove);
     g_clear_pointer(&self->painter, app_painter_free);
     g_clear_pointer(&self->meter, app_meter_free);
     g_clear_pointer(&self->pointer, app_pointer_free);
@@ -376,6 +390,8 @@ static void app_window_dispose(GObject *object)
     g_clear_pointer(&self->picture, app_picture_unref);
     g_clear_pointer(&self->pinned, app_shot_unref);
     g_clear_pointer(&self->unsaved, g_ptr_array_unref);
+    g_clear_pointer(&self->repair, g_ptr_array_unref);
+    g_clear_pointer(&self->report, g_hash_table_unref);
     g_clear_object(&self->settings);
     gtk_widget_dispose_template(GTK_WIDGET(self), APP_TYPE_WINDOW);
     G_OBJECT_CLASS(app_window_parent_class)->dispose(object);
@@ -410,6 +426,10 @@ static void app_window_class_init(AppWindowClass *class)
     BIND(unsaved_label);
     BIND(fault_bar);
     BIND(fault_label);
+    BIND(stale_box);
+    BIND(stale_label);
+    BIND(repair_button);
+    BIND(repair_label);
     BIND(status_label);
     BIND(message_label);
     BIND(progress);

@@ -3,6 +3,7 @@
 #include <string.h>
 
 #include "../front/words.h"
+#include "row.h"
 #include "shortcuts.h"
 #include "window_private.h"
 
@@ -10,12 +11,21 @@ static const double ZOOM = 1.25;
 
 /* ---- undo ---- */
 
+/* Text that was typed and is not a value yet goes first. */
+static gboolean take_back_text(AppWindow *self)
+{
+    GtkWidget *focus = gtk_window_get_focus(GTK_WINDOW(self));
+    GtkWidget *row = focus ? gtk_widget_get_ancestor(focus, APP_TYPE_ROW) : NULL;
+    return row ? app_row_restore(APP_ROW(row)) : app_points_restore(APP_POINTS(self->points), focus);
+}
+
 static void undo(GSimpleAction *action, GVariant *argument, gpointer data)
 {
     AppWindow *self = data;
     (void)action;
     (void)argument;
-    app_document_undo(self->document);
+    if (!take_back_text(self))
+        app_document_undo(self->document);
 }
 
 static void redo(GSimpleAction *action, GVariant *argument, gpointer data)
@@ -97,6 +107,13 @@ static void change_quantity(GSimpleAction *action, GVariant *state, gpointer dat
     app_window_ask_picture(self);
 }
 
+static void repair(GSimpleAction *action, GVariant *argument, gpointer data)
+{
+    (void)action;
+    (void)argument;
+    app_window_make_repair(data);
+}
+
 static void show_shortcuts(GSimpleAction *action, GVariant *argument, gpointer data)
 {
     (void)action;
@@ -139,7 +156,7 @@ static void pin(GSimpleAction *action, GVariant *argument, gpointer data)
     AppWindow *self = data;
     (void)action;
     (void)argument;
-    if (!self->picture || !self->picture->shot || !self->picture->shot->is_fine)
+    if (!self->picture || !self->picture->shot || !self->picture->shot->is_fine || self->is_stale)
         return;
     AppShot *shot = app_shot_ref(self->picture->shot);
     app_shot_unref(self->pinned);
@@ -216,10 +233,12 @@ static void text_came(GObject *source, GAsyncResult *result, gpointer data)
     Paste *wanted = data;
     char *text = gdk_clipboard_read_text_finish(GDK_CLIPBOARD(source), result, NULL);
     char *fault = app_window_is_open(wanted->window) ? paste(wanted->window, text ? text : "", wanted->what) : NULL;
-    if (fault) {
+    if (fault && (!text || *text == '\0'))
+        app_window_show_fault(wanted->window, _("there is no text on the clipboard"));
+    else if (fault) {
         char *message =
-            g_strdup_printf(wanted->what == PASTED_POINTS ? _("“%.60s” is no point; expected: x, y; x, y")
-                                                          : _("“%.60s” is no source; expected: x, y, z; x, y, z"),
+            g_strdup_printf(wanted->what == PASTED_POINTS ? _("“%.60s” is not a point; expected: x, y; x, y")
+                                                          : _("“%.60s” is not a source; expected: x, y, z; x, y, z"),
                             fault);
         app_window_show_fault(wanted->window, message);
         g_free(message);
@@ -318,6 +337,7 @@ void app_window_add_actions(AppWindow *self)
     static const GActionEntry actions[] = {
         {.name = "undo", .activate = undo},
         {.name = "redo", .activate = redo},
+        {.name = "repair", .activate = repair},
         {.name = "fit", .activate = view_action},
         {.name = "one-to-one", .activate = view_action},
         {.name = "zoom-in", .activate = view_action},

@@ -113,7 +113,11 @@ static void ask_file(AppWindow *self, GtkFileChooserAction kind, const char *tit
     GtkFileChooserNative *dialog = gtk_file_chooser_native_new(title, GTK_WINDOW(self), kind, NULL, NULL);
     GtkFileChooser *chooser = GTK_FILE_CHOOSER(dialog);
     GSettings *settings = app_application_settings(application_of(self));
-    char *folder = settings ? g_settings_get_string(settings, "recent-folder") : NULL;
+    const char *present = app_document_path(self->document);
+    /* beside the scene, or where the last file was */
+    char *folder = present    ? g_path_get_dirname(present)
+                   : settings ? g_settings_get_string(settings, "recent-folder")
+                              : NULL;
     Asked *asked = g_new(Asked, 1);
     *asked = (Asked){g_object_ref(self), done, how};
     if (folder && *folder) {
@@ -175,7 +179,7 @@ static void save_chosen(AppWindow *self, const char *path, const AppExport *how)
     if (app_document_save(self->document, path, faults)) {
         remember(path);
         text = g_strdup_printf(_("saved: %s"), path);
-        app_window_say(self, text);
+        app_window_mention(self, text);
         app_window_show_fault(self, NULL);
         app_window_ask_picture(self);
     } else {
@@ -225,7 +229,7 @@ static void exported(const char *path, const char *fault, gpointer owner)
     char *text = fault ? g_strdup_printf("%s: %s", path, fault) : g_strdup_printf(_("saved: %s"), path);
     app_window_show_fault(self, fault ? text : NULL);
     if (!fault)
-        app_window_say(self, text);
+        app_window_mention(self, text);
     g_free(text);
 }
 
@@ -233,19 +237,18 @@ static void export_chosen(AppWindow *self, const char *path, const AppExport *ho
 {
     luxel_scene *scene = app_document_copy_scene(self->document);
     char *whole = g_str_has_suffix(path, how->ending) ? g_strdup(path) : g_strconcat(path, how->ending, NULL);
-    if (scene)
-        app_export(how, scene, self->quantity, app_display_form_get(APP_DISPLAY_FORM(self->display_form)), whole,
-                   exported, G_OBJECT(self));
+    if (scene) {
+        AppReport report;
+        app_window_load_report(self, &report);
+        app_export(how, scene, self->quantity, app_display_form_get(APP_DISPLAY_FORM(self->display_form)), &report,
+                   whole, exported, G_OBJECT(self));
+    }
     g_free(whole);
 }
 
-static void export_action(GSimpleAction *action, GVariant *name, gpointer data)
+/* Asks where a way of exporting is to write. */
+static void ask_export(AppWindow *self, const AppExport *how)
 {
-    AppWindow *self = data;
-    const AppExport *how = app_export_named(g_variant_get_string(name, NULL));
-    (void)action;
-    if (!how)
-        return;
     char *stem = g_strdup(app_document_name(self->document)), *dot = strrchr(stem, '.');
     if (dot && dot > stem)
         *dot = '\0';
@@ -253,6 +256,21 @@ static void export_action(GSimpleAction *action, GVariant *name, gpointer data)
     ask_file(self, GTK_FILE_CHOOSER_ACTION_SAVE, _(how->title), suggested, how, export_chosen);
     g_free(suggested);
     g_free(stem);
+}
+
+static void ask_export_of_report(AppWindow *self)
+{
+    ask_export(self, app_export_named("report"));
+}
+
+static void export_action(GSimpleAction *action, GVariant *name, gpointer data)
+{
+    const AppExport *how = app_export_named(g_variant_get_string(name, NULL));
+    (void)action;
+    if (how && strcmp(how->name, "report") == 0)
+        app_window_ask_report(data, ask_export_of_report);
+    else if (how)
+        ask_export(data, how);
 }
 
 /* For scripts and tests, through the window's actions on the session bus. */
@@ -281,7 +299,7 @@ static void show_offer(AppWindow *self)
         if (time)
             g_date_time_unref(time);
     }
-    gtk_info_bar_set_revealed(GTK_INFO_BAR(self->unsaved_bar), unsaved != NULL);
+    app_window_reveal_bar(self, self->unsaved_bar, unsaved != NULL);
 }
 
 void app_window_offer_unsaved(AppWindow *self)
@@ -352,10 +370,26 @@ static void fill_recent(AppWindow *self)
     g_list_free_full(items, (GDestroyNotify)gtk_recent_info_unref);
 }
 
+/* As much of a title as a menu has room for. */
+static char *short_title(const char *title)
+{
+    enum { MOST = 60 };
+    if (g_utf8_strlen(title, -1) <= MOST)
+        return g_strdup(title);
+    char *start = g_utf8_substring(title, 0, MOST), *blank = strrchr(start, ' ');
+    if (blank)
+        *blank = '\0';
+    for (gsize length = strlen(start); length > 0 && strchr(",:;", start[length - 1]); length--)
+        start[length - 1] = '\0';
+    char *text = g_strconcat(start, " …", NULL);
+    g_free(start);
+    return text;
+}
+
 void app_window_fill_menus(AppWindow *self)
 {
     for (gsize i = 0; luxel_builtin_scene_name(i); i++) {
-        char *text = g_strdup_printf("%s: %s", luxel_builtin_scene_name(i), gettext(luxel_builtin_scene_title(i)));
+        char *text = short_title(gettext(luxel_builtin_scene_title(i)));
         GMenuItem *item = g_menu_item_new(text, NULL);
         g_menu_item_set_action_and_target(item, "win.new", "s", luxel_builtin_scene_name(i));
         g_menu_append_item(self->builtin_menu, item);

@@ -4,9 +4,11 @@
 #define LUXEL_APP_WINDOW_PRIVATE_H
 
 #include "display_form.h"
+#include "export.h"
 #include "numbers.h"
 #include "points.h"
 #include "recovery.h"
+#include "repair.h"
 #include "sources.h"
 #include "view.h"
 #include "window.h"
@@ -20,8 +22,10 @@ struct _AppWindow {
     AppMeter *meter;
     AppPointer *pointer;
 
-    AppPicture *picture;       /* the last good one */
-    gboolean scene_has_faults; /* what the bar says is of the scene, and goes when it is mended */
+    AppPicture *picture; /* the last good one */
+    gboolean is_stale;   /* the document was refused: what is shown is of a scene of before */
+    AppRepair *repair;   /* that is offered then; NULL: none */
+    GHashTable *report;  /* what a report says of who hands it in, by the keys of the settings */
     AppShot *pinned;
     AppSide side;
     gssize solo;
@@ -30,15 +34,18 @@ struct _AppWindow {
     double pointer_mm[2];
     gboolean pointer_inside;
     GPtrArray *unsaved; /* AppUnsaved's that are still to be offered */
-    guint progress_timer, pulse_timer;
-    gboolean is_pressed;       /* a button of the mouse, in this window */
-    GSettings *settings;       /* NULL: none */
-    const char *false_palette; /* of false colour */
+    guint progress_timer, pulse_timer, say_timer;
+    int left_width, right_width; /* of the panes, as a hand left them */
+    gboolean is_placed;          /* they are where they belong */
+    gboolean is_pressed;         /* a button of the mouse, in this window */
+    GSettings *settings;         /* NULL: none */
+    const char *false_palette;   /* of false colour */
 
     /* of the template */
     AppView *view;
     GtkWidget *left_pane, *right_pane, *left_scroll, *left_box, *right_box, *compare_box, *compare_label, *bar;
     GtkWidget *unsaved_bar, *unsaved_label, *fault_bar, *fault_label;
+    GtkWidget *stale_box, *stale_label, *repair_button, *repair_label;
     GtkWidget *status_label, *message_label, *progress;
     GMenu *builtin_menu, *recent_menu, *export_menu;
     /* made by hand */
@@ -60,8 +67,27 @@ void app_window_show_reading(const AppReading *reading, gpointer owner);
 void app_window_draw_bar(GtkDrawingArea *area, cairo_t *cairo, int width, int height, gpointer data);
 /* Says something at the edge of the window. */
 void app_window_say(AppWindow *self, const char *text);
-/* Shows what went wrong; NULL: nothing. */
+/* The same, but only for some seconds. */
+void app_window_mention(AppWindow *self, const char *text);
+/* Shows what went wrong with a file or a paste; NULL: nothing. */
 void app_window_show_fault(AppWindow *self, const char *text);
+/* Shows or hides a bar; where the keyboard was in one that goes, the picture has it, and no form is scrolled to. */
+void app_window_reveal_bar(AppWindow *self, GtkWidget *bar, gboolean revealed);
+/* The picture that the numbers are of, and the one that is taken off it; NULL: none. */
+AppShot *app_window_shot(const AppWindow *self);
+AppShot *app_window_minus(const AppWindow *self);
+
+/* window_stale.c: a document that cannot be computed; `faults` NULL: it can. */
+void app_window_set_stale(AppWindow *self, const luxel_diagnostics *faults);
+void app_window_make_repair(AppWindow *self);
+
+/* window_panes.c: the widths of the panes, in whatever window they stand. */
+void app_window_watch_panes(AppWindow *self);
+
+/* window_report.c: who hands a report in is asked before its file is. */
+void app_window_ask_report(AppWindow *self, void (*done)(AppWindow *self));
+void app_window_init_report(AppWindow *self);
+void app_window_load_report(AppWindow *self, AppReport *report);
 
 /* window_actions.c */
 void app_window_add_actions(AppWindow *self);

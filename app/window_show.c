@@ -11,20 +11,44 @@
 #include "pulse.h"
 #include "window_private.h"
 
-enum { DIGITS = 6 };
+enum { DIGITS = 6, SAID_SECONDS = 8, MOST_SHARES = 16 };
 
 /* ---- saying ---- */
 
+/* What was said has been read. */
+static gboolean forget_said(gpointer data)
+{
+    AppWindow *self = data;
+    self->say_timer = 0;
+    gtk_label_set_text(GTK_LABEL(self->message_label), "");
+    return G_SOURCE_REMOVE;
+}
+
 void app_window_say(AppWindow *self, const char *text)
 {
+    g_clear_handle_id(&self->say_timer, g_source_remove);
     gtk_label_set_text(GTK_LABEL(self->message_label), text);
+}
+
+void app_window_mention(AppWindow *self, const char *text)
+{
+    app_window_say(self, text);
+    self->say_timer = g_timeout_add_seconds(SAID_SECONDS, forget_said, self);
+}
+
+void app_window_reveal_bar(AppWindow *self, GtkWidget *bar, gboolean revealed)
+{
+    GtkWidget *focus = gtk_window_get_focus(GTK_WINDOW(self));
+    if (!revealed && focus && gtk_widget_is_ancestor(focus, bar))
+        gtk_widget_grab_focus(GTK_WIDGET(self->view));
+    gtk_info_bar_set_revealed(GTK_INFO_BAR(bar), revealed);
 }
 
 void app_window_show_fault(AppWindow *self, const char *text)
 {
     /* what is no longer shown is not read out either */
     gtk_label_set_text(GTK_LABEL(self->fault_label), text ? text : "");
-    gtk_info_bar_set_revealed(GTK_INFO_BAR(self->fault_bar), text != NULL);
+    app_window_reveal_bar(self, self->fault_bar, text != NULL);
 }
 
 static gboolean is_photometric(AppWindow *self)
@@ -33,25 +57,6 @@ static gboolean is_photometric(AppWindow *self)
     const gboolean photometric = g_strcmp0(units, "photometric") == 0;
     g_free(units);
     return photometric;
-}
-
-/* Marks the rows that the faults name, in whichever form they stand. */
-static void mark_faults(AppWindow *self, const luxel_diagnostics *faults)
-{
-    AppForm *forms[] = {APP_FORM(self->screen_form), APP_FORM(self->surface_form), APP_FORM(self->material_form),
-                        APP_FORM(self->picture_form)};
-    for (gsize i = 0; i < G_N_ELEMENTS(forms); i++)
-        app_form_set_fault(forms[i], NULL, NULL);
-    app_sources_set_fault(APP_SOURCES(self->sources), NULL, NULL);
-    for (gsize i = 0; faults && i < luxel_diagnostics_count(faults); i++) {
-        const char *key = luxel_diagnostics_get(faults, i)->key;
-        char *reason = luxel_diagnostics_message(faults, i, language_translate, NULL);
-        for (gsize k = 0; k < G_N_ELEMENTS(forms) && key; k++)
-            app_form_set_fault(forms[k], key, reason);
-        if (key)
-            app_sources_set_fault(APP_SOURCES(self->sources), key, reason);
-        luxel_text_free(reason);
-    }
 }
 
 /* ---- pictures ---- */
@@ -65,11 +70,12 @@ static void show_comparison(AppWindow *self, const AppPicture *picture)
     if (picture->has_comparison) {
         const luxel_comparison *comparison = &picture->comparison;
         char difference[APP_NUMBER_SIZE], x[APP_NUMBER_SIZE], y[APP_NUMBER_SIZE], share[APP_NUMBER_SIZE];
+        const double size = picture->area.high[0] - picture->area.low[0];
         text = g_strdup_printf(_("largest difference %s (%s %% of the maximum) at x = %s, y = %s mm"),
                                app_number_round(comparison->largest.value, DIGITS, difference),
                                app_number_round(100 * comparison->largest_relative, 3, share),
-                               app_number_round(comparison->largest.x_mm, DIGITS, x),
-                               app_number_round(comparison->largest.y_mm, DIGITS, y));
+                               app_number_place(comparison->largest.x_mm, size, x),
+                               app_number_place(comparison->largest.y_mm, size, y));
     } else if (picture->shot->is_fine)
         text = g_strdup(_("A and B differ in their screens and cannot be compared"));
     if (text)
@@ -80,24 +86,15 @@ static void show_comparison(AppWindow *self, const AppPicture *picture)
 void app_window_show_picture(AppPicture *picture, gpointer owner)
 {
     AppWindow *self = owner;
-    if (picture->faults) {
-        char *text = app_faults_text(picture->faults);
-        self->scene_has_faults = TRUE;
-        mark_faults(self, picture->faults);
-        app_window_show_fault(self, text);
-        g_free(text);
+    app_window_set_stale(self, picture->faults);
+    if (picture->faults)
         return;
-    }
-    if (self->scene_has_faults) {
-        mark_faults(self, NULL);
-        app_window_show_fault(self, NULL);
-    }
-    self->scene_has_faults = FALSE;
     app_picture_ref(picture);
     app_picture_unref(self->picture);
     self->picture = picture;
     app_view_set_picture(self->view, picture);
     app_display_form_tell_range(APP_DISPLAY_FORM(self->display_form), picture->low, picture->high);
+    app_form_suggest(APP_FORM(self->picture_form), "picture.range", picture->low, picture->high);
     app_numbers_set_colors(APP_NUMBERS(self->numbers), picture->display.palette, picture->low, picture->high,
                            picture->display.logarithmic);
     gtk_widget_queue_draw(self->bar);
@@ -121,8 +118,9 @@ void app_window_draw_bar(GtkDrawingArea *area, cairo_t *cairo, int width, int he
     style.letters = 11;
     style.language = &language;
     const double gain = exp2(picture->display.exposure);
-    char *label = g_strdup_printf("%s, %s", gettext(luxel_field_quantity_word(picture->shot->field)),
-                                  gettext(luxel_field_unit(picture->shot->field)));
+    const luxel_field *field = app_window_shot(self)->field;
+    char *label = g_strdup_printf("%s%s, %s", picture->side == APP_SIDE_DIFFERENCE ? _("B − A: ") : "",
+                                  gettext(luxel_field_quantity_word(field)), gettext(luxel_field_unit(field)));
     const luxel_bar bar = {.palette = picture->display.palette,
                            .low = picture->low / gain,
                            .high = picture->high / gain,
@@ -145,50 +143,87 @@ void app_window_show_numbers(AppMeasures *measures, gpointer owner)
         app_view_set_isophotes(self->view, g_steal_pointer(&measures->isophotes));
 }
 
-/* "1 12.3 · 2 0.5": what the lights give, the greatest first so far as there is room. */
+static int by_share(gconstpointer a, gconstpointer b, gpointer shares)
+{
+    const double *of = shares, first = fabs(of[*(const gsize *)a]), second = fabs(of[*(const gsize *)b]);
+    return first < second ? 1 : first > second ? -1 : 0;
+}
+
+/* "2: 12.3, 1: 0.5": what the lights give, the greatest first; those that give nothing are not told. */
 static void add_shares(GString *text, const AppReading *reading)
 {
     char number[APP_NUMBER_SIZE];
-    for (gsize i = 0; i < reading->share_count && i < 6; i++)
-        g_string_append_printf(text, "%s%zu: %s", i ? ", " : "", i + 1,
-                               app_number_round(reading->shares[i], 4, number));
-    if (reading->share_count > 6)
+    gsize *order = g_new(gsize, reading->share_count), shown = 0;
+    for (gsize i = 0; i < reading->share_count; i++)
+        order[i] = i;
+    g_qsort_with_data(order, (int)reading->share_count, sizeof *order, by_share, reading->shares);
+    while (shown < reading->share_count && shown < MOST_SHARES && reading->shares[order[shown]] != 0) {
+        g_string_append_printf(text, "%s%zu: %s", shown ? ", " : "", order[shown] + 1,
+                               app_number_round(reading->shares[order[shown]], 4, number));
+        shown++;
+    }
+    if (shown < reading->share_count && reading->shares[order[shown]] != 0)
         g_string_append(text, ", …");
+    if (shown == 0)
+        g_string_append(text, "0");
+    g_free(order);
+}
+
+/* At the difference both values, and how far apart they are. */
+static void add_difference(GString *text, const AppReading *reading)
+{
+    const luxel_value *a = &reading->minus, *b = &reading->value;
+    char n[3][APP_NUMBER_SIZE];
+    if (!a->has_value || !b->has_value) {
+        g_string_append_printf(text, "   %s", _("no value in both pictures"));
+        return;
+    }
+    g_string_append_printf(text, "   A %s   B %s   B − A %s %s", app_number_round(a->value, DIGITS, n[0]),
+                           app_number_round(b->value, DIGITS, n[1]),
+                           app_number_round(b->value - a->value, DIGITS, n[2]),
+                           gettext(luxel_scene_unit(reading->moment->scene, reading->quantity)));
+}
+
+static void add_value(GString *text, const AppReading *reading)
+{
+    const luxel_value *value = &reading->value;
+    char n[7][APP_NUMBER_SIZE];
+    for (int i = 0; i < 3; i++) {
+        app_number_place(value->position_mm[i], 1000, n[i]);
+        app_number_round(value->normal[i], 3, n[3 + i]);
+    }
+    g_string_append_printf(text, "   P (%s, %s, %s)   N (%s, %s, %s)   ", n[0], n[1], n[2], n[3], n[4], n[5]);
+    if (value->has_value)
+        g_string_append_printf(text, "%s %s", app_number_round(value->value, DIGITS, n[6]),
+                               gettext(luxel_scene_unit(reading->moment->scene, reading->quantity)));
+    else
+        g_string_append(text, _("a source lies here"));
+    if (reading->has_pixel)
+        g_string_append_printf(text, "   %s %u", _("grey"), reading->grey);
+    if (reading->share_count > 1 && value->has_value) {
+        g_string_append_printf(text, "   %s ", _("sources"));
+        add_shares(text, reading);
+    }
 }
 
 void app_window_show_reading(const AppReading *reading, gpointer owner)
 {
     AppWindow *self = owner;
-    const luxel_value *value = &reading->value;
-    char n[8][APP_NUMBER_SIZE];
-    GString *text = g_string_new(NULL);
-    if (!self->pointer_inside) {
-        g_string_free(text, TRUE);
+    char n[2][APP_NUMBER_SIZE];
+    if (!self->pointer_inside || self->is_stale)
         return;
-    }
+    GString *text = g_string_new(NULL);
+    const luxel_value *value = &reading->value;
+    const gboolean pinned = self->picture && self->picture->side == APP_SIDE_PINNED;
     app_view_set_surface(self->view, value->on_surface ? (gssize)value->surface : -1);
-    g_string_append_printf(text, "x %s  y %s %s", app_number_round(reading->x_mm, 5, n[0]),
-                           app_number_round(reading->y_mm, 5, n[1]), _("mm"));
-    if (!value->on_surface)
+    g_string_append_printf(text, "x %s  y %s %s%s", app_number_round(reading->x_mm, 5, n[0]),
+                           app_number_round(reading->y_mm, 5, n[1]), _("mm"), pinned ? "   A:" : "");
+    if (reading->has_minus && (value->on_surface || reading->minus.on_surface))
+        add_difference(text, reading);
+    else if (!value->on_surface)
         g_string_append_printf(text, "   %s", _("off the surface"));
-    else {
-        for (int i = 0; i < 3; i++) {
-            app_number_round(value->position_mm[i], 6, n[i]);
-            app_number_round(value->normal[i], 3, n[3 + i]);
-        }
-        g_string_append_printf(text, "   P (%s, %s, %s)   N (%s, %s, %s)   ", n[0], n[1], n[2], n[3], n[4], n[5]);
-        if (value->has_value)
-            g_string_append_printf(text, "%s %s", app_number_round(value->value, DIGITS, n[6]),
-                                   gettext(luxel_scene_unit(reading->moment->scene, self->quantity)));
-        else
-            g_string_append(text, _("a source lies here"));
-        if (reading->has_pixel)
-            g_string_append_printf(text, "   %s %u", _("grey"), reading->grey);
-        if (reading->share_count > 1 && value->has_value) {
-            g_string_append_printf(text, "   %s ", _("sources"));
-            add_shares(text, reading);
-        }
-    }
+    else
+        add_value(text, reading);
     gtk_label_set_text(GTK_LABEL(self->status_label), text->str);
     g_string_free(text, TRUE);
 }

@@ -223,36 +223,24 @@ static void paints_around_the_surface_only(void **state)
 {
     (void)state;
     Painting painting = begin("report", NULL, NULL);
-    const guint columns = luxel_field_columns(painting.field), rows = luxel_field_rows(painting.field);
     const guint8 *mask = luxel_field_mask(painting.field);
     painting.display.palette = "viridis";
     painting.display.outline = FALSE;
     paint(&painting);
     guchar *plain = g_memdup2(painting.pixels, 4 * painting.count);
     memcpy(painting.display.background, (double[]){0.2, 0.4, 0.6}, sizeof painting.display.background);
-    painting.display.outline = TRUE;
+    painting.display.outline = TRUE; /* which is drawn over it, as a line */
     paint(&painting);
-    gsize outline = 0, background = 0;
+    gsize background = 0;
     for (gsize i = 0; i < painting.count; i++) {
-        const gsize column = i % columns, row = i / columns;
-        const gboolean is_rim = (column > 0 && mask[i - 1]) || (column + 1 < columns && mask[i + 1]) ||
-                                (row > 0 && mask[i - columns]) || (row + 1 < rows && mask[i + columns]);
         if (mask[i]) {
             assert_memory_equal(painting.pixels + 4 * i, plain + 4 * i, 4);
-        } else if (is_rim) {
-            assert_memory_not_equal(painting.pixels + 4 * i, ((guchar[]){153, 102, 51, 255}), 4);
-            outline++;
         } else {
             assert_memory_equal(painting.pixels + 4 * i, ((guchar[]){153, 102, 51, 255}), 4);
             background++;
         }
     }
-    assert_true(outline > 50 && background > 1000);
-    painting.display.outline = FALSE;
-    paint(&painting);
-    for (gsize i = 0; i < painting.count; i++)
-        if (!mask[i])
-            assert_memory_equal(painting.pixels + 4 * i, ((guchar[]){153, 102, 51, 255}), 4);
+    assert_true(background > 1000);
     g_free(plain);
     finish(&painting);
 }

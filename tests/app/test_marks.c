@@ -19,10 +19,10 @@ typedef struct Drag {
 } Drag;
 
 /* The mark of a kind and index; fails where there is none. */
-static AppMark mark_of(const AppMoment *moment, const AppDocument *document, AppMarkKind kind, gsize index)
+static AppMark mark_of(const AppMoment *moment, AppMarkKind kind, gsize index)
 {
     AppMark found = {.kind = APP_MARK_NONE};
-    GArray *marks = app_marks_of(moment, document);
+    GArray *marks = app_marks_of(moment);
     for (guint i = 0; i < marks->len; i++) {
         const AppMark *mark = &g_array_index(marks, AppMark, i);
         if (mark->kind == kind && mark->index == index)
@@ -37,7 +37,7 @@ static AppMark mark_of(const AppMoment *moment, const AppDocument *document, App
 static Drag take(AppDocument *document, AppMarkKind kind, gsize index)
 {
     Drag drag = {.document = document, .moment = moment_of(document)};
-    drag.mark = mark_of(drag.moment, document, kind, index);
+    drag.mark = mark_of(drag.moment, kind, index);
     drag.pointer_mm[0] = drag.mark.screen_mm[0] + 3;
     drag.pointer_mm[1] = drag.mark.screen_mm[1] - 2;
     app_hand_take(&drag.hand, &drag.mark, drag.pointer_mm, drag.mark.screen_mm);
@@ -61,7 +61,7 @@ static gboolean pull(Drag *drag, double x_mm, double y_mm, AppTouch touch)
 static AppMark drop(Drag *drag)
 {
     AppMoment *moment = moment_of(drag->document);
-    AppMark mark = mark_of(moment, drag->document, drag->mark.kind, drag->mark.index);
+    AppMark mark = mark_of(moment, drag->mark.kind, drag->mark.index);
     app_moment_unref(moment);
     return mark;
 }
@@ -85,22 +85,22 @@ static void marks_everything(void **state)
     (void)state;
     AppDocument *document = document_of_builtin("all-sources");
     AppMoment *moment = moment_of(document);
-    GArray *marks = app_marks_of(moment, document);
+    GArray *marks = app_marks_of(moment);
     assert_int_equal(marks->len, 1 + 8 + 5); /* the ambient light stands nowhere */
-    AppMark mark = mark_of(moment, document, APP_MARK_SOURCE, 2);
+    AppMark mark = mark_of(moment, APP_MARK_SOURCE, 2);
     expect_near(mark.place_mm, -1100, 900, 0);
     assert_true(mark.is_on && !mark.is_distant);
-    mark = mark_of(moment, document, APP_MARK_SOURCE, 1);
+    mark = mark_of(moment, APP_MARK_SOURCE, 1);
     assert_true(mark.is_distant && !mark.is_behind);
     const double length = sqrt(0.3 * 0.3 + 1 + 0.4 * 0.4);
     expect_near(mark.screen_mm, 500 * 0.3 / length, 500 / length, 1e-9);
-    mark = mark_of(moment, document, APP_MARK_POINT, 2);
+    mark = mark_of(moment, APP_MARK_POINT, 2);
     expect_near(mark.screen_mm, -200, 100, 0);
     g_array_unref(marks);
     app_moment_unref(moment);
     set(document, "lights[2].enabled", "false");
     moment = moment_of(document);
-    assert_false(mark_of(moment, document, APP_MARK_SOURCE, 2).is_on);
+    assert_false(mark_of(moment, APP_MARK_SOURCE, 2).is_on);
     app_moment_unref(moment);
     g_object_unref(document);
 }
@@ -142,7 +142,7 @@ static void drag_each_mark(const char *scene)
 {
     AppDocument *document = document_of_builtin(scene);
     AppMoment *moment = moment_of(document);
-    GArray *marks = app_marks_of(moment, document);
+    GArray *marks = app_marks_of(moment);
     for (guint i = 0; i < marks->len; i++) {
         const AppMark *mark = &g_array_index(marks, AppMark, i);
         if (mark->is_distant)
@@ -331,7 +331,7 @@ static void follows_in_proportion_at_the_edge(void **state)
     (void)state;
     AppDocument *document = document_of_builtin("report");
     AppMoment *moment = moment_of(document);
-    AppMark mark = mark_of(moment, document, APP_MARK_SOURCE, 0);
+    AppMark mark = mark_of(moment, APP_MARK_SOURCE, 0);
     AppHand hand;
     const double shown[2] = {mark.screen_mm[0] / 8, mark.screen_mm[1] / 8}, pointer[2] = {shown[0] + 1, shown[1] - 2};
     AppTouch touch = {.mm_per_pixel = 0.5, .pointer_mm = {pointer[0], pointer[1]}};

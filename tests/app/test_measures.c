@@ -26,7 +26,7 @@ static void tell_measures(AppMeasures *measures, gpointer owner)
                          : measures->has_section    ? &desk->section
                          : measures->has_statistics ? &desk->statistics
                                                     : &desk->isophotes;
-    desk->empty_sections += measures->has_section && !(measures->profiles[0] && measures->profiles[1]);
+    desk->empty_sections += measures->has_section && !(measures->curves[0] && measures->curves[1]);
     AppMeasures taken = *measures;
     *measures = *place; /* freed in its stead */
     *place = taken;
@@ -54,8 +54,8 @@ static void clear_measures(AppMeasures *measures)
     app_shot_unref(measures->shot);
     g_free(measures->points);
     g_free(measures->sources);
-    luxel_profile_free(measures->profiles[0]);
-    luxel_profile_free(measures->profiles[1]);
+    app_curve_free(measures->curves[0]);
+    app_curve_free(measures->curves[1]);
     luxel_histogram_free(measures->histogram);
     luxel_isophotes_free(measures->isophotes);
 }
@@ -252,14 +252,14 @@ static void reads_sections(void **state)
     app_meter_ask(desk->meter, &(AppQuestion){.shot = shot, .section = TRUE, .section_mm = {12, -34}});
     wait_until(has_section, desk);
     assert_true(desk->section.section_mm[0] == 12 && desk->section.section_mm[1] == -34);
-    expect_profile(desk->section.profiles[0], evaluator, shot, 0);
-    expect_profile(desk->section.profiles[1], evaluator, shot, 90);
+    expect_profile(&desk->section.curves[0]->profile, evaluator, shot, 0);
+    expect_profile(&desk->section.curves[1]->profile, evaluator, shot, 90);
     clear_measures(&desk->section);
     desk->section = (AppMeasures){0};
     app_meter_ask(desk->meter, &(AppQuestion){.shot = shot, .section = TRUE, .section_mm = {12, 5000}});
     wait_until(has_section, desk);
-    assert_null(desk->section.profiles[0]); /* off the screen */
-    assert_non_null(desk->section.profiles[1]);
+    assert_null(desk->section.curves[0]); /* off the screen */
+    assert_non_null(desk->section.curves[1]);
     close_desk(desk);
     luxel_evaluator_free(evaluator);
     app_shot_unref(shot);
@@ -327,7 +327,7 @@ static void answers_for_quick_looks(void **state)
     shot->is_fine = FALSE;
     Desk *desk = open_desk();
     app_meter_ask(desk->meter, &(AppQuestion){.shot = shot, .section = TRUE, .statistics = TRUE, .isophotes = TRUE});
-    app_pointer_ask(desk->pointer, shot, 0, 0);
+    app_pointer_ask(desk->pointer, shot, NULL, 0, 0);
     wait_until(has_section, desk);
     wait_until(has_reading, desk);
     run_for(300);
@@ -351,13 +351,13 @@ static void answers_the_newest_question(void **state)
         app_meter_ask(
             desk->meter,
             &(AppQuestion){.shot = shots[i % 2], .section = TRUE, .section_mm = {i, 0}, .statistics = i == QUESTIONS});
-        app_pointer_ask(desk->pointer, shots[i % 2], i, 0);
+        app_pointer_ask(desk->pointer, shots[i % 2], NULL, i, 0);
         run_for((guint)(i % 4));
     }
     wait_until(has_statistics, desk);
     assert_ptr_equal(desk->points.shot, shots[0]);
     assert_true(desk->section.section_mm[0] == QUESTIONS);
-    assert_non_null(desk->section.profiles[0]);
+    assert_non_null(desk->section.curves[0]);
     while (desk->reading.x_mm != QUESTIONS)
         run_for(1);
     assert_int_equal(desk->empty_sections, 0); /* what was given up is not told: it would make curves flicker */
@@ -383,7 +383,7 @@ static void reads_what_is_under_the_pointer(void **state)
         const AppReading *reading = &desk->reading;
         guint column, row;
         desk->readings = 0;
-        app_pointer_ask(desk->pointer, shot, x, y);
+        app_pointer_ask(desk->pointer, shot, NULL, x, y);
         wait_until(has_reading, desk);
         const luxel_value value = luxel_evaluate(evaluator, x, y, shares);
         assert_true(reading->x_mm == x && reading->y_mm == y);
@@ -437,7 +437,7 @@ static void stops_while_measuring(void **state)
         Desk *desk = open_desk();
         app_meter_ask(desk->meter,
                       &(AppQuestion){.shot = shot, .section = TRUE, .statistics = TRUE, .isophotes = TRUE, .high = 1});
-        app_pointer_ask(desk->pointer, shot, 10, 10);
+        app_pointer_ask(desk->pointer, shot, NULL, 10, 10);
         run_for(10 * i * i);
         close_desk(desk);
         run_for(5);

@@ -182,8 +182,9 @@ static void reads_pairs(void **state)
             fail_msg("\"%s\" was read as %g, %g", bad[i], kept[0], kept[1]);
         assert_true(kept[0] == 7 && kept[1] == 7);
     }
-    assert_true(app_pair_read("1,5", pair)); /* no blank: the comma sets them apart */
-    assert_true(pair[0] == 1 && pair[1] == 5);
+    /* 60.5, or 60 and 5?  Who types it is asked */
+    assert_true(!app_pair_read("60,5", pair) && !app_pair_read(" -60,5", pair) && !app_pair_read("[1,5]", pair));
+    assert_true(app_pair_read("60.5,5", pair) && pair[0] == 60.5 && pair[1] == 5);
 }
 
 static void reads_yaml_lists(void **state)

@@ -31,6 +31,7 @@ static Studio *open_studio(const char *scene)
     studio->pictures = g_ptr_array_new_with_free_func(unref_picture);
     studio->wish = (AppWish){.solo = -1};
     app_display_init(&studio->wish.display);
+    studio->wish.display.outline = FALSE; /* it is drawn over the pixels, which most tests look at */
     studio->painter = app_painter_new(keep, studio);
     return studio;
 }
@@ -176,6 +177,38 @@ static void paints_anew_without_computing(void **state)
     expect_pixels(other, &studio->wish.display, one->shot->field);
     studio->wish.quantity = LUXEL_IRRADIANCE;
     assert_ptr_not_equal(picture_of(studio)->shot, one->shot);
+    close_studio(studio);
+}
+
+/* The outline is a line of the view: at the rim of the sphere, as wide however large the pixels are, and soft. */
+static void draws_the_outline_as_a_line(void **state)
+{
+    (void)state;
+    static const double RADIUS = 300, SCALE = 2;
+    Studio *studio = open_studio("report");
+    set(studio->document, "screen.width", "700");
+    set(studio->document, "screen.height", "700");
+    set(studio->document, "screen.resolution", "[35, 35]"); /* pixels of 20 mm, 40 dots of the view */
+    studio->wish.frame = (AppFrame){{700, 700}, SCALE, 1400, 1400};
+    AppPicture *plain = app_picture_ref(picture_of(studio));
+    studio->wish.display.outline = TRUE;
+    const AppPicture *drawn = picture_of(studio);
+    gsize changed = 0, far = 0, soft = 0;
+    for (guint row = 0; row < drawn->rows; row++)
+        for (guint column = 0; column < drawn->columns; column++) {
+            const gsize i = 3 * ((gsize)row * drawn->columns + column);
+            if (drawn->pixels[i] == plain->pixels[i])
+                continue;
+            const double x = drawn->area.low[0] + (column + 0.5) / SCALE;
+            const double y = drawn->area.high[1] - (row + 0.5) / SCALE;
+            changed++;
+            far += fabs(hypot(x, y) - RADIUS) * SCALE > 1.6;
+            soft += plain->pixels[i] == 0 && drawn->pixels[i] < 100;
+        }
+    assert_int_equal(far, 0);
+    assert_true(changed > 2 * G_PI * RADIUS * SCALE * 0.9);
+    assert_true(soft > changed / 10);
+    app_picture_unref(plain);
     close_studio(studio);
 }
 
@@ -390,7 +423,7 @@ int main(void)
         cmocka_unit_test(shows_one_light_alone),         cmocka_unit_test(tells_faults_and_goes_on),
         cmocka_unit_test(compares_with_what_was_pinned), cmocka_unit_test(shows_a_quick_look_first),
         cmocka_unit_test(gives_up_what_is_outdated),     cmocka_unit_test(follows_a_slow_scene_too),
-        cmocka_unit_test(stops_while_computing),
+        cmocka_unit_test(stops_while_computing),         cmocka_unit_test(draws_the_outline_as_a_line),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -175,6 +175,15 @@ class Desk:
         """The screen as a picture in a file."""
         run(tool("import"), "-window", "root", path, env=self.environment)
 
+    def screen(self, x, y, width, height):
+        """Red, green and blue of the dots of a part of the screen, row by row, 0 to 255."""
+        return run(tool("import"), "-window", "root", "-crop", "%dx%d+%d+%d" % (width, height, x, y), "+repage",
+                   "-depth", "8", "rgb:-", env=self.environment)
+
+    def color(self, x, y):
+        """Those of a single dot."""
+        return tuple(self.screen(round(x), round(y), 1, 1))
+
 
 class App:
     """A running luxel-app."""

@@ -111,15 +111,4 @@ def view(tap, desk):
     tap.equal(window.save(), before, "none of it changes the scene")
 
 
-def source_by_wheel(tap, desk):
-    window = desk.start().window()
-    window.enter("Position, x", "200")
-    window.enter("Position, y", "100")
-    wait("both numbers", lambda: b"position: [200, 100, 2000]" in window.save())
-    x, y = window.pixel(200, 100)
-    desk.click(x, y, 4, 3)
-    tap.ok(wait("the height", lambda: b"position: [200, 100, 2030]" in window.save()),
-           "the wheel over a source lifts it")
-
-
-trial(source, point, sphere, view, source_by_wheel)
+trial(source, point, sphere, view)

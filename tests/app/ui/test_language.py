@@ -14,8 +14,8 @@ EXPECTED = ["Open", "Save", "Undo", "Redo", "Main menu", "False colour", "Pin as
             "Attenuation", "Radius"]
 WORD = re.compile(r"[A-Za-z][A-Za-z]+")
 # Names of things in every language: keys and kinds of scenes, forms of files; and what GTK says of itself.
-NAMES = set("""Luxel report point sphere blinn phong isotropic none plain spot planar volume distant ambient three
-    lights kd ks ka Ud YAML key fill rim cosine lambertian Minimize Maximize Close None inverse square""".split())
+NAMES = set("""Luxel report kd ks ka Ud YAML PNG Minimize Maximize Close None viridis inferno turbo coolwarm
+    cividis magma plasma gray""".split())
 
 
 def translations():
@@ -34,7 +34,7 @@ def window_in_russian(tap, desk):
     names |= set(window.labels())
     field = window.enter("%s" % russian.get("Intensity"), "abc")
     tap.ok(field.has("invalid"), "a wrong number is marked")
-    names |= {part.name for part in window.widget.all()} - {"“abc” is no number"}
+    names |= {part.name for part in window.widget.all()} - {"“abc” is not a number"}
     left = sorted(name for name in names if not name.startswith("Gtk")
                   and set(WORD.findall(name.replace("abc", ""))) - NAMES)
     tap.equal(left, [], "no English is left over in the window")

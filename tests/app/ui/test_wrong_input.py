@@ -17,12 +17,12 @@ def refused(tap, desk, window, typed, *reason):
 
 def numbers(tap, desk):
     window = desk.start().window()
-    refused(tap, desk, window, "abc", "abc", "is no number")
+    refused(tap, desk, window, "abc", "abc", "is not a number")
     refused(tap, desk, window, "-5", "must be at least 0")
-    refused(tap, desk, window, "1,5,5", "1,5,5", "is no number")
+    refused(tap, desk, window, "1,5,5", "1,5,5", "is not a number")
     field = window.enter("Intensity", "20")
     wait("the mark to go", lambda: not field.has("invalid"))
-    tap.ok(not window.says("must be at least 0") and not window.says("is no number"), "a good value clears the reason")
+    tap.ok(not window.says("must be at least 0") and not window.says("is not a number"), "a good value clears the reason")
     tap.equal(wait("twice the brightness", lambda: window.values()[:1] == ["5.455181"] and window.values()[0]),
               "5.455181", "and counts")
     window.act("undo")

@@ -1,0 +1,20 @@
+/* SPDX-License-Identifier: MIT */
+/*
+ * New sources: what is added to a scene fits in with it.  A new source follows the law of the chosen one, stands on the
+ * other side of the surface, is aimed at it and gives it about as much light.
+ */
+#ifndef LUXEL_APP_NEW_SOURCE_H
+#define LUXEL_APP_NEW_SOURCE_H
+
+#include "document.h"
+
+/*
+ * A source of a kind, made like the source `chosen` of the document (beyond the last: like the example of the kind),
+ * as YAML; the caller's.  NULL: there is no such kind, or it has no example, as a source of a file.
+ */
+char *app_new_source(const AppDocument *document, const luxel_parameters *parameters, const char *kind, gsize chosen);
+
+/* The source `chosen`, moved aside so that both are seen, as YAML; the caller's.  NULL: there is none. */
+char *app_doubled_source(const AppDocument *document, gsize chosen);
+
+#endif

@@ -1,0 +1,32 @@
+/* SPDX-License-Identifier: MIT */
+/* The inside of a row, for the files that make it up. */
+#ifndef LUXEL_APP_ROW_PRIVATE_H
+#define LUXEL_APP_ROW_PRIVATE_H
+
+#include "row.h"
+
+struct _AppRow {
+    GtkBox parent;
+    AppRowKind kind;
+    luxel_interval legal, advised;
+    char *label, *advised_words;
+    gboolean logarithmic; /* the slider */
+    gboolean is_updating; /* values are shown, not edited */
+    gboolean is_wrong;    /* what is typed cannot be taken */
+    gboolean is_empty;    /* there is no number */
+    double value;
+    GtkWidget *name, *control, *slider, *unit, *note;
+};
+
+/* Says something below the row, as what is wrong or as advice; NULL: nothing. */
+void app_row_note(AppRow *self, const char *text, gboolean wrong);
+/* Says whether the value lies in the advised range. */
+void app_row_say_state(AppRow *self);
+gboolean app_row_is_outside(const luxel_interval *range, double value);
+
+/* row_number.c: field and slider of a number, which stands in the line. */
+void app_row_add_number(AppRow *self, GtkWidget *line);
+/* Field and slider show the value. */
+void app_row_show_number(AppRow *self);
+
+#endif

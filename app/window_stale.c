@@ -1,0 +1,95 @@
+/* SPDX-License-Identifier: MIT */
+/*
+ * A document that cannot be computed.  The picture of before stays to be worked on, but it is dimmed, as are the
+ * numbers, and over it stands that it is not of this scene, why, and what would mend it.
+ */
+#include "../front/language.h"
+#include "../front/words.h"
+#include "window_private.h"
+
+static const char *const dimmed = "stale";
+
+static void dim(AppWindow *self, gboolean stale)
+{
+    GtkWidget *const parts[] = {self->numbers, self->bar};
+    for (gsize i = 0; i < G_N_ELEMENTS(parts); i++)
+        if (stale)
+            gtk_widget_add_css_class(parts[i], dimmed);
+        else
+            gtk_widget_remove_css_class(parts[i], dimmed);
+    app_view_set_stale(self->view, stale);
+    app_sources_set_stale(APP_SOURCES(self->sources), stale);
+}
+
+/* Marks the rows that the faults name, in whichever form they stand. */
+static void mark_faults(AppWindow *self, const luxel_diagnostics *faults)
+{
+    AppForm *forms[] = {APP_FORM(self->screen_form), APP_FORM(self->surface_form), APP_FORM(self->material_form),
+                        APP_FORM(self->picture_form)};
+    for (gsize i = 0; i < G_N_ELEMENTS(forms); i++)
+        app_form_set_fault(forms[i], NULL, NULL);
+    app_sources_set_fault(APP_SOURCES(self->sources), NULL, NULL);
+    for (gsize i = 0; faults && i < luxel_diagnostics_count(faults); i++) {
+        const char *key = luxel_diagnostics_get(faults, i)->key;
+        char *reason = luxel_diagnostics_message(faults, i, language_translate, NULL);
+        for (gsize k = 0; k < G_N_ELEMENTS(forms) && key; k++)
+            app_form_set_fault(forms[k], key, reason);
+        if (key)
+            app_sources_set_fault(APP_SOURCES(self->sources), key, reason);
+        luxel_text_free(reason);
+    }
+}
+
+/* The first error, in words. */
+static char *first_fault(const luxel_diagnostics *faults)
+{
+    for (gsize i = 0; i < luxel_diagnostics_count(faults); i++)
+        if (luxel_diagnostics_get(faults, i)->severity == LUXEL_SEVERITY_ERROR)
+            return luxel_diagnostics_message(faults, i, language_translate, NULL);
+    return NULL;
+}
+
+static void offer_repair(AppWindow *self, const luxel_diagnostics *faults)
+{
+    const luxel_scene *good = self->picture && self->picture->shot ? self->picture->shot->moment->scene : NULL;
+    g_clear_pointer(&self->repair, g_ptr_array_unref);
+    self->repair = app_repair_find(self->document, faults, good);
+    gtk_widget_set_visible(self->repair_button, self->repair != NULL);
+    if (!self->repair)
+        return;
+    char *words = app_repair_words(self->repair, self->parameters);
+    char *text = g_strdup_printf(_("Mend: %s"), words);
+    gtk_label_set_text(GTK_LABEL(self->repair_label), text);
+    gtk_accessible_update_property(GTK_ACCESSIBLE(self->repair_button), GTK_ACCESSIBLE_PROPERTY_LABEL, text, -1);
+    g_free(words);
+    g_free(text);
+}
+
+void app_window_set_stale(AppWindow *self, const luxel_diagnostics *faults)
+{
+    if (!faults && !self->is_stale)
+        return;
+    self->is_stale = faults != NULL;
+    mark_faults(self, faults);
+    dim(self, self->is_stale);
+    if (faults) {
+        char *fault = first_fault(faults), *text = g_strdup_printf(_("Not this scene: %s"), fault ? fault : "");
+        gtk_label_set_text(GTK_LABEL(self->stale_label), text);
+        gtk_label_set_text(GTK_LABEL(self->status_label), "");
+        luxel_text_free(fault);
+        g_free(text);
+        offer_repair(self, faults);
+    } else {
+        /* what is no longer shown is not read out either */
+        gtk_label_set_text(GTK_LABEL(self->stale_label), "");
+        if (gtk_widget_get_focus_child(self->stale_box))
+            gtk_widget_grab_focus(GTK_WIDGET(self->view));
+    }
+    gtk_widget_set_visible(self->stale_box, self->is_stale);
+}
+
+void app_window_make_repair(AppWindow *self)
+{
+    if (self->is_stale && self->repair)
+        app_repair_make(self->repair, self->document);
+}

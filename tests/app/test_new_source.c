@@ -1,0 +1,145 @@
+/* SPDX-License-Identifier: MIT */
+/* A source that is added follows the chosen one's law, stands elsewhere, is aimed at the surface and as strong. */
+#include <math.h>
+#include <string.h>
+
+#include "../../app/new_source.h"
+#include "../../app/number.h"
+#include "scenes.h"
+
+/* The greatest irradiance of a source alone, over every pixel. */
+static double greatest(const AppDocument *document, gssize light)
+{
+    luxel_settings settings;
+    luxel_field *field;
+    AppMoment *moment = app_moment_new(app_document_copy_scene(document), 0, light, NULL);
+    assert_non_null(moment);
+    luxel_settings_init(&settings);
+    settings.quantity = LUXEL_IRRADIANCE;
+    assert_int_equal(luxel_render(moment->scene, &settings, NULL, &field), LUXEL_OK);
+    const double value = luxel_field_statistics(field)->maximum.value;
+    luxel_field_free(field);
+    app_moment_unref(moment);
+    return value;
+}
+
+/* Takes the text over. */
+static void insert(AppDocument *document, char *yaml)
+{
+    assert_non_null(yaml);
+    const AppEdit edit = {
+        .kind = APP_EDIT_INSERT, .key = "lights", .value = yaml, .index = app_document_size(document, "lights")};
+    assert_true(app_document_edit(document, &edit, 1, NULL, NULL));
+    g_free(yaml);
+}
+
+/* Every kind that has an example, beside the first source of every built-in scene. */
+static void gives_as_much(void **state)
+{
+    (void)state;
+    luxel_parameters *parameters = luxel_parameters_new();
+    gsize compared = 0;
+    for (gsize s = 0; luxel_builtin_scene_name(s); s++)
+        for (gsize i = 0; i < luxel_parameters_kind_count(parameters); i++) {
+            const luxel_kind *kind = luxel_parameters_kind(parameters, i);
+            if (strcmp(kind->list, "lights") != 0 || !kind->example)
+                continue;
+            AppDocument *document = document_of_builtin(luxel_builtin_scene_name(s));
+            const gsize index = app_document_size(document, "lights");
+            insert(document, app_new_source(document, parameters, kind->name, 0));
+            const double old = greatest(document, 0), new = greatest(document, (gssize)index);
+            /* a source that does not reach what is in view stays as it is */
+            if (new > 0 && old > 0 && fabs(new / old - 1) > 0.35)
+                fail_msg("%s in %s gives %g beside %g", kind->name, luxel_builtin_scene_name(s), new, old);
+            compared += new > 0 && old > 0;
+            g_object_unref(document);
+        }
+    assert_true(compared > 60);
+    luxel_parameters_free(parameters);
+}
+
+static void follows_the_law(void **state)
+{
+    (void)state;
+    static const char *const kinds[] = {"point", "spot", "planar", "volume"};
+    luxel_parameters *parameters = luxel_parameters_new();
+    for (gsize i = 0; i < G_N_ELEMENTS(kinds); i++) {
+        AppDocument *document = document_of_builtin("report"); /* without attenuation */
+        AppMoment *before = moment_of(document);
+        insert(document, app_new_source(document, parameters, kinds[i], 0));
+        assert_key(document, "lights[1].attenuation", "none");
+        AppMoment *after = moment_of(document);
+        if (i < 2)
+            assert_string_equal(luxel_scene_unit(after->scene, LUXEL_BRIGHTNESS),
+                                luxel_scene_unit(before->scene, LUXEL_BRIGHTNESS));
+        app_moment_unref(before);
+        app_moment_unref(after);
+        set(document, "lights[0].attenuation", "practical");
+        set(document, "lights[0].k", "250");
+        insert(document, app_new_source(document, parameters, kinds[i], 0));
+        assert_key(document, "lights[2].attenuation", "practical");
+        assert_key(document, "lights[2].k", "250");
+        g_object_unref(document);
+    }
+    luxel_parameters_free(parameters);
+}
+
+static void stands_elsewhere_and_looks_there(void **state)
+{
+    (void)state;
+    luxel_parameters *parameters = luxel_parameters_new();
+    AppDocument *document = document_of_builtin("report");
+    double place[3];
+    set(document, "surfaces[0].center", "[120, -80, 900]");
+    set(document, "lights[0].pattern", "lambertian");
+    insert(document, app_new_source(document, parameters, "spot", 0));
+    assert_key(document, "lights[1].aim", "[120, -80, 900]");
+    char *text = app_document_get(document, "lights[1].position", NULL);
+    assert_int_equal(app_list_read(text, place, 3), 3);
+    assert_true(place[0] < 0 && place[2] == 2000); /* the other one stands at 2000, 0, 2000 */
+    g_free(text);
+    insert(document, app_new_source(document, parameters, "point", 0));
+    assert_key(document, "lights[2].pattern", "lambertian");
+    assert_key(document, "lights[2].aim", "[120, -80, 900]");
+    g_object_unref(document);
+    luxel_parameters_free(parameters);
+}
+
+static void begins_in_the_dark(void **state)
+{
+    (void)state;
+    luxel_parameters *parameters = luxel_parameters_new();
+    AppDocument *document = document_of_builtin("report");
+    const AppEdit edit = {.kind = APP_EDIT_REMOVE, .key = "lights[0]"};
+    assert_true(app_document_edit(document, &edit, 1, NULL, NULL));
+    insert(document, app_new_source(document, parameters, "point", 0));
+    assert_true(greatest(document, 0) > 0);
+    assert_null(app_new_source(document, parameters, "lantern", 0));
+    assert_null(app_new_source(document, parameters, "points", 0)); /* which needs a file */
+    g_object_unref(document);
+    luxel_parameters_free(parameters);
+}
+
+static void doubles_are_seen(void **state)
+{
+    (void)state;
+    AppDocument *document = document_of_builtin("report");
+    insert(document, app_doubled_source(document, 0));
+    assert_key(document, "lights[1].position", "[2100, 0, 2000]");
+    assert_key(document, "lights[0].position", "[2000, 0, 2000]");
+    assert_key(document, "lights[1].intensity", "10");
+    assert_null(app_doubled_source(document, 7));
+    g_object_unref(document);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(gives_as_much),
+        cmocka_unit_test(follows_the_law),
+        cmocka_unit_test(stands_elsewhere_and_looks_there),
+        cmocka_unit_test(begins_in_the_dark),
+        cmocka_unit_test(doubles_are_seen),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}

@@ -1,0 +1,100 @@
+# SPDX-License-Identifier: MIT
+"""The marks on the picture: the wheel over them, names, tooltips, and the light that a list and they throw on each other."""
+import re
+
+from desk import luxel, trial
+from waiting import wait
+
+RING = (255, 255, 255)
+
+
+def wheel(tap, desk):
+    """The wheel zooms wherever it turns; with Alt it lifts a source, which is the chosen one from then on."""
+    path = desk.path("two.yaml")
+    luxel("set", "report", "-s", "lights[0].position=[200, 100, 2000]", "-s",
+          "lights=[{type: point, position: [200, 100, 2000], intensity: 10, attenuation: none}, "
+          "{type: point, position: [-150, -120, 1800], intensity: 10, attenuation: none}]", "-o", path)
+    window = desk.start(path).window()
+    wait("two sources", lambda: len(window.sources()) == 2)
+    scene, scale = window.save(), window.map()[0]
+    x, y = window.pixel(-150, -120)
+    desk.click(x, y, 4, 3)
+    wait("a greater scale", lambda: window.map()[0] > 1.3 * scale)
+    tap.equal(window.save(), scene, "the wheel over a source zooms, and moves nothing")
+    window.act("fit")
+    wait("the whole picture", lambda: abs(window.map()[0] - scale) < 1e-3)
+    desk.move(*window.pixel(-150, -120))
+    desk.hand("keydown", "alt", "click", "4", "click", "4", "click", "4", "keyup", "alt")
+    tap.ok(wait("the height", lambda: b"[-150, -120, 1830]" in window.save()), "with Alt it lifts the source")
+    rows = list(window.widget.find("list").all("list item"))
+    tap.ok(wait("the choice", lambda: rows[1].has("selected")), "which is chosen, so that the form shows its numbers")
+    tap.equal(window.control("spin button", "Position, z").text, "1830", "as it does")
+    desk.move(*window.pixel(100, -200))
+    desk.hand("keydown", "alt", "click", "5", "keyup", "alt")
+    tap.ok(wait("the height", lambda: b"[-150, -120, 1820]" in window.save()), "beside all marks it lowers the chosen one")
+
+
+def names(tap, desk):
+    window = desk.start().window()
+    window.act("new", "three-lights")
+    wait("three sources", lambda: len(window.sources()) == 3)
+    x, y, width, height = window.picture_area()
+    area = window.picture_area()
+    desk.move(area[0] + area[2] / 2, area[1] + area[3] + 20)
+    point = window.pixel(200, 0)
+    desk.move(*point)
+    tap.ok(wait("a tooltip", lambda: next((text for text in everything(window) if text.startswith("Point P3")), None)),
+           "a point says its name and place")
+    rows = list(window.widget.find("list").all("list item"))
+    # the second source is an arrow at the right edge; its row lights it up
+    place = arrow_of(desk, window, rows[1])
+    tap.ok(place, "the row of a source lights up its mark", place)
+    if place:
+        desk.move(*place)
+        said = wait("a tooltip", lambda: next((text for text in everything(window) if "Source 2 fill" in text), None))
+        tap.ok(re.search(r"x \S+, y \S+, z \S+ mm", said), "which says its number, its name and where it is", said)
+
+
+def everything(window):
+    """Texts of the window and of what pops up of it."""
+    for top in window.desk.reader.program(window.app.process.pid).children():
+        for part in top.all("label"):
+            yield part.name
+
+
+def arrow_of(desk, window, row):
+    """Where dots become white when the pointer is on a row: the middle of the ring around the mark."""
+    x, y, width, height = (round(number) for number in window.picture_area())
+    desk.move(x + width / 2, y + height + 20)
+    desk.hand("sleep", "0.4")
+    before = desk.screen(x, y, width, height)
+    desk.move(*window.place(row))
+    desk.hand("sleep", "0.4")
+    after = desk.screen(x, y, width, height)
+    ring = [i for i in range(0, len(after), 3) if after[i:i + 3] != before[i:i + 3] and min(after[i:i + 3]) > 230]
+    if len(ring) < 20:
+        return None
+    across, down = [i // 3 % width for i in ring], [i // 3 // width for i in ring]
+    return x + sum(across) / len(ring), y + sum(down) / len(ring)
+
+
+def dark(tap, desk):
+    """Where there is no light, there is no maximum to be marked."""
+    window = desk.start().window()
+    area = window.picture_area()
+
+    def red():
+        data = desk.screen(*(round(number) for number in window.picture_area()))
+        return sum(1 for i in range(0, len(data), 3) if data[i] > 200 and data[i + 1] < 130 and data[i + 2] < 130)
+
+    wait("the mark of the maximum", lambda: red() > 5)
+    window.act("source-delete")
+    wait("no sources", lambda: not window.sources())
+    tap.ok(wait("no mark", lambda: red() == 0), "a black picture has no mark of its maximum")
+    desk.move(area[0] + 5, area[1] + 5)
+    window.act("paste")
+    tap.ok(wait("a word about it", lambda: window.says("there is no text on the clipboard")),
+           "an empty clipboard is said to be empty")
+
+
+trial(wheel, names, dark)
