@@ -269,7 +269,21 @@ static void measure_section(AppRunner *runner, const AppQuestion *question, cons
 
 /* ---- what waits for the hand to rest ---- */
 
-static void measure_statistics(AppRunner *runner, const AppQuestion *question, const luxel_evaluator *evaluator)
+/* Which pixels light arrives at is found out by a picture of its own, as those that follow the hand do not tell. */
+static luxel_extremum find_reached(const AppShot *shot, Kept *kept)
+{
+    luxel_settings settings = settings_of(shot, kept);
+    luxel_field *field;
+    settings.minimum_reached = true;
+    if (luxel_render(shot->moment->scene, &settings, NULL, &field) != LUXEL_OK)
+        return (luxel_extremum){.exists = false};
+    const luxel_extremum reached = luxel_field_statistics(field)->minimum_reached;
+    luxel_field_free(field);
+    return reached;
+}
+
+static void measure_statistics(AppRunner *runner, const AppQuestion *question, const luxel_evaluator *evaluator,
+                               Kept *kept)
 {
     AppMeasures *measures = new_measures(question);
     luxel_comparison comparison;
@@ -285,6 +299,8 @@ static void measure_statistics(AppRunner *runner, const AppQuestion *question, c
     measures->is_difference = difference != NULL;
     if (!difference && !app_runner_is_outdated(runner))
         measures->has_extrema = luxel_find_extrema(evaluator, field, NULL, NULL, &measures->extrema) == LUXEL_OK;
+    if (!difference && !app_runner_is_outdated(runner))
+        measures->reached = find_reached(question->shot, kept);
     luxel_field_free(difference);
     app_runner_report(runner, measures);
 }
@@ -315,7 +331,7 @@ static void answer(AppRunner *runner, gpointer job, gpointer state)
     if (question->isophotes && !question->minus)
         measure_isophotes(runner, question);
     if (evaluator && question->statistics && !app_runner_rest(runner, REST_MS))
-        measure_statistics(runner, question, evaluator);
+        measure_statistics(runner, question, evaluator, &both->shot);
 }
 
 static void free_question(gpointer data)

@@ -54,6 +54,7 @@ typedef struct AppMeasures {
     gboolean has_statistics, has_extrema;
     luxel_summary summary;
     luxel_extrema extrema;
+    luxel_extremum reached; /* the least value where light arrives */
     luxel_histogram *histogram;
     gboolean has_isophotes;
     luxel_isophotes *isophotes;

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* The three pages. */
-#include "numbers.h"
+/* The pages of points and sections, and what all pages share. */
+#include "numbers_private.h"
 
 #include <luxel/drawing.h>
 #include <math.h>
@@ -13,73 +13,7 @@
 #include "results.h"
 #include "row.h"
 
-enum { PLOT_HEIGHT = 230, POINT_COLUMNS = 5, DIGITS = 7, TEXT_COLUMNS = 36 };
-
-/* What the statistics list. */
-typedef enum Line {
-    LINE_MAXIMUM,
-    LINE_MAXIMUM_PLACE,
-    LINE_TRUE_MAXIMUM,
-    LINE_TRUE_MAXIMUM_PLACE,
-    LINE_MINIMUM,
-    LINE_LEAST,
-    LINE_LEAST_PLACE,
-    LINE_REACHED,
-    LINE_REACHED_PLACE,
-    LINE_TRUE_MINIMUM,
-    LINE_MEAN,
-    LINE_MEDIAN,
-    LINE_DEVIATION,
-    LINE_LIT,
-    LINE_U0,
-    LINE_UD,
-    LINE_PIXELS,
-    LINES
-} Line;
-
-static const char *const line_names[LINES] = {
-    [LINE_MAXIMUM] = N_("Maximum of the pixels"),
-    [LINE_MAXIMUM_PLACE] = N_("at x, y, mm"),
-    [LINE_TRUE_MAXIMUM] = N_("True maximum"),
-    [LINE_TRUE_MAXIMUM_PLACE] = N_("at x, y, mm"),
-    [LINE_MINIMUM] = N_("Minimum of the pixels"),
-    [LINE_TRUE_MINIMUM] = N_("True minimum"),
-    [LINE_LEAST] = N_("Least value above 0"),
-    [LINE_LEAST_PLACE] = N_("at x, y, mm"),
-    [LINE_REACHED] = N_("Minimum where light arrives"),
-    [LINE_REACHED_PLACE] = N_("at x, y, mm"),
-    [LINE_MEAN] = N_("Mean"),
-    [LINE_MEDIAN] = N_("Median"),
-    [LINE_DEVIATION] = N_("Standard deviation"),
-    /* xgettext:no-c-format */
-    [LINE_LIT] = N_("Lit, % of the pixels"),
-    [LINE_U0] = N_("Uniformity U0 = minimum / mean"),
-    [LINE_UD] = N_("Diversity Ud = minimum / maximum"),
-    [LINE_PIXELS] = N_("Pixels on a surface"),
-};
-
-struct _AppNumbers {
-    GtkBox parent;
-    AppDocument *document;
-    GtkWidget *stack, *points, *points_left, *unit, *plots[2], *section_place, *histogram;
-    GtkWidget *lines[LINES];
-    guint point_rows;
-    char *unit_name;
-    AppCurve *curves[2];
-    double section_mm[2];
-    char **names; /* of the lights, NULL-terminated */
-    gsize name_count;
-    luxel_histogram *bins;
-    const char *palette;
-    double low, high;
-    gboolean logarithmic;
-    double size_mm;     /* of the screen */
-    AppShot *shot;      /* whose numbers these are; NULL: none came yet */
-    AppPoint *measured; /* its points, to be copied */
-    gsize measured_count;
-    gboolean is_difference, has_extrema;
-    luxel_extrema extrema;
-};
+enum { PLOT_HEIGHT = 230, POINT_COLUMNS = 5 };
 
 enum { WANTED, SIGNALS };
 static guint signals[SIGNALS];
@@ -102,16 +36,16 @@ static GtkWidget *cell(AppNumbers *self, int column, guint row)
 }
 
 /* Labels are only touched when their text is another: laying them out is what costs. */
-static void set_text(GtkWidget *label, const char *text)
+void app_numbers_set_text(GtkWidget *label, const char *text)
 {
     if (strcmp(gtk_label_get_text(GTK_LABEL(label)), text) != 0)
         gtk_label_set_text(GTK_LABEL(label), text);
 }
 
-static void set_number(GtkWidget *label, double number)
+void app_numbers_set_number(GtkWidget *label, double number)
 {
     char text[APP_NUMBER_SIZE];
-    set_text(label, app_number_round(number, DIGITS, text));
+    app_numbers_set_text(label, app_number_round(number, DIGITS, text));
 }
 
 static void name_cell(GtkWidget *label, const char *column, guint row)
@@ -126,26 +60,26 @@ static void show_point(AppNumbers *self, const AppPoint *point, guint row)
     char text[2 * APP_NUMBER_SIZE], x[APP_NUMBER_SIZE], y[APP_NUMBER_SIZE];
     GtkWidget *value = cell(self, 2, row);
     g_snprintf(text, sizeof text, "P%u", row + 1);
-    set_text(cell(self, 0, row), text);
+    app_numbers_set_text(cell(self, 0, row), text);
     g_snprintf(text, sizeof text, "%s, %s", app_number_write(point->x_mm, x), app_number_write(point->y_mm, y));
-    set_text(cell(self, 1, row), text);
+    app_numbers_set_text(cell(self, 1, row), text);
     if (!point->on_surface)
-        set_text(value, _("off the surface"));
+        app_numbers_set_text(value, _("off the surface"));
     else if (point->source_on_element)
-        set_text(value, _("a source lies here"));
+        app_numbers_set_text(value, _("a source lies here"));
     else if (point->has_value)
-        set_number(value, point->value);
+        app_numbers_set_number(value, point->value);
     else
-        set_text(value, "–");
+        app_numbers_set_text(value, "–");
     g_snprintf(text, sizeof text, "± %.1g", point->error);
     gtk_widget_set_tooltip_text(value, point->has_value ? text : NULL);
     name_cell(value, _("value"), row);
     if (point->has_pixel)
-        set_number(cell(self, 3, row), point->pixel_value);
+        app_numbers_set_number(cell(self, 3, row), point->pixel_value);
     else
-        set_text(cell(self, 3, row), "–");
+        app_numbers_set_text(cell(self, 3, row), "–");
     g_snprintf(text, sizeof text, "%u", point->grey);
-    set_text(cell(self, 4, row), point->has_grey ? text : "–");
+    app_numbers_set_text(cell(self, 4, row), point->has_grey ? text : "–");
 }
 
 static void show_points(AppNumbers *self, const AppMeasures *measures)
@@ -158,7 +92,7 @@ static void show_points(AppNumbers *self, const AppMeasures *measures)
     self->point_rows = count;
     char *left =
         g_strdup_printf(ngettext("and %zu more", "and %zu more", measures->points_left), measures->points_left);
-    set_text(self->points_left, measures->points_left > 0 ? left : "");
+    app_numbers_set_text(self->points_left, measures->points_left > 0 ? left : "");
     g_free(left);
 }
 
@@ -191,7 +125,7 @@ static GtkWidget *new_points(AppNumbers *self)
 
 /* ---- plots ---- */
 
-static luxel_drawing_style style_of(GtkWidget *widget, luxel_language *language)
+luxel_drawing_style app_numbers_style(GtkWidget *widget, luxel_language *language)
 {
     luxel_drawing_style style;
     GdkRGBA ink;
@@ -209,7 +143,7 @@ static void draw_profile(GtkDrawingArea *area, cairo_t *cairo, int width, int he
     AppNumbers *self = data;
     const int which = GTK_WIDGET(area) == self->plots[1];
     luxel_language language;
-    luxel_drawing_style style = style_of(GTK_WIDGET(area), &language);
+    luxel_drawing_style style = app_numbers_style(GTK_WIDGET(area), &language);
     luxel_profile_style how;
     const AppCurve *curve = self->curves[which];
     const luxel_profile *profile = curve ? &curve->profile : NULL;
@@ -228,7 +162,7 @@ static void draw_profile(GtkDrawingArea *area, cairo_t *cairo, int width, int he
     luxel_draw_profile(cairo, &style, profile, &how, width, height);
 }
 
-static GtkWidget *new_plot(GtkDrawingAreaDrawFunc draw, AppNumbers *self, const char *name)
+GtkWidget *app_numbers_new_plot(GtkDrawingAreaDrawFunc draw, AppNumbers *self, const char *name)
 {
     GtkWidget *area = gtk_drawing_area_new();
     gtk_drawing_area_set_content_height(GTK_DRAWING_AREA(area), PLOT_HEIGHT);
@@ -245,8 +179,8 @@ static GtkWidget *new_sections(AppNumbers *self)
     gtk_label_set_xalign(GTK_LABEL(self->section_place), 0);
     gtk_label_set_wrap(GTK_LABEL(self->section_place), TRUE);
     gtk_label_set_max_width_chars(GTK_LABEL(self->section_place), TEXT_COLUMNS);
-    self->plots[0] = new_plot(draw_profile, self, _("Horizontal section"));
-    self->plots[1] = new_plot(draw_profile, self, _("Vertical section"));
+    self->plots[0] = app_numbers_new_plot(draw_profile, self, _("Horizontal section"));
+    self->plots[1] = app_numbers_new_plot(draw_profile, self, _("Vertical section"));
     gtk_box_append(GTK_BOX(page), self->section_place);
     gtk_box_append(GTK_BOX(page), self->plots[0]);
     gtk_box_append(GTK_BOX(page), self->plots[1]);
@@ -284,115 +218,10 @@ static void show_sections(AppNumbers *self, AppMeasures *measures)
     name_lights(self);
     char *text = g_strdup_printf(_("Through x = %s, y = %s mm; drag the lines on the picture"),
                                  app_number_write(self->section_mm[0], x), app_number_write(self->section_mm[1], y));
-    set_text(self->section_place, text);
+    app_numbers_set_text(self->section_place, text);
     g_free(text);
     gtk_widget_queue_draw(self->plots[0]);
     gtk_widget_queue_draw(self->plots[1]);
-}
-
-/* ---- statistics ---- */
-
-static void draw_histogram(GtkDrawingArea *area, cairo_t *cairo, int width, int height, gpointer data)
-{
-    AppNumbers *self = data;
-    luxel_language language;
-    luxel_drawing_style style = style_of(GTK_WIDGET(area), &language);
-    const luxel_bar bar = {
-        .palette = self->palette, .low = self->low, .high = self->high, .logarithmic = self->logarithmic};
-    if (self->bins)
-        luxel_draw_histogram(cairo, &style, self->bins, self->palette && self->high > self->low ? &bar : NULL,
-                             self->unit_name, _("pixels"), width, height);
-}
-
-static GtkWidget *new_statistics(AppNumbers *self)
-{
-    GtkWidget *page = gtk_box_new(GTK_ORIENTATION_VERTICAL, 8), *grid = gtk_grid_new();
-    GtkWidget *scrolled = gtk_scrolled_window_new();
-    gtk_grid_set_column_spacing(GTK_GRID(grid), 12);
-    gtk_grid_set_row_spacing(GTK_GRID(grid), 4);
-    for (int i = 0; i < LINES; i++) {
-        GtkWidget *name = gtk_label_new(_(line_names[i]));
-        gtk_label_set_xalign(GTK_LABEL(name), 0);
-        gtk_label_set_wrap(GTK_LABEL(name), TRUE);
-        gtk_label_set_max_width_chars(GTK_LABEL(name), TEXT_COLUMNS * 2 / 3);
-        self->lines[i] = gtk_label_new(NULL);
-        gtk_label_set_xalign(GTK_LABEL(self->lines[i]), 1);
-        gtk_label_set_selectable(GTK_LABEL(self->lines[i]), TRUE);
-        gtk_widget_add_css_class(self->lines[i], "numeric");
-        gtk_grid_attach(GTK_GRID(grid), name, 0, i, 1, 1);
-        gtk_grid_attach(GTK_GRID(grid), self->lines[i], 1, i, 1, 1);
-    }
-    self->histogram = new_plot(draw_histogram, self, _("Histogram"));
-    gtk_box_append(GTK_BOX(page), grid);
-    gtk_box_append(GTK_BOX(page), self->histogram);
-    gtk_scrolled_window_set_child(GTK_SCROLLED_WINDOW(scrolled), page);
-    return scrolled;
-}
-
-/* As wide as the pixels lie apart from the first to the last: what places are rounded by. */
-static double size_of(const luxel_field *field)
-{
-    const double *x = luxel_field_x_mm(field), *y = luxel_field_y_mm(field);
-    return MAX(x[luxel_field_columns(field) - 1] - x[0], y[0] - y[luxel_field_rows(field) - 1]);
-}
-
-static void show_place(AppNumbers *self, Line line, double x_mm, double y_mm)
-{
-    char text[2 * APP_NUMBER_SIZE], x[APP_NUMBER_SIZE], y[APP_NUMBER_SIZE];
-    g_snprintf(text, sizeof text, "%s, %s", app_number_place(x_mm, self->size_mm, x),
-               app_number_place(y_mm, self->size_mm, y));
-    set_text(self->lines[line], text);
-}
-
-/* The place of a least value in the line below it; a difference has none of them. */
-static void show_least(AppNumbers *self, Line line, const luxel_extremum *least, gboolean is_difference)
-{
-    show_place(self, line + 1, least->x_mm, least->y_mm);
-    if (is_difference || !least->exists) {
-        set_text(self->lines[line], "–");
-        set_text(self->lines[line + 1], "–");
-    }
-}
-
-static void show_statistics(AppNumbers *self, AppMeasures *measures)
-{
-    const luxel_summary *summary = &measures->summary;
-    const luxel_peak *maximum = &measures->extrema.maximum, *minimum = &measures->extrema.minimum;
-    const luxel_statistics *statistics = luxel_field_statistics(measures->shot->field);
-    self->size_mm = size_of(measures->shot->field);
-    const double numbers[LINES] = {
-        [LINE_MAXIMUM] = summary->maximum.value,
-        [LINE_TRUE_MAXIMUM] = maximum->value,
-        [LINE_MINIMUM] = summary->minimum.value,
-        [LINE_TRUE_MINIMUM] = minimum->value,
-        [LINE_LEAST] = statistics->minimum.value,
-        [LINE_REACHED] = statistics->minimum_reached.value,
-        [LINE_MEAN] = summary->mean,
-        [LINE_MEDIAN] = summary->median,
-        [LINE_DEVIATION] = summary->standard_deviation,
-        [LINE_LIT] = 100 * summary->lit,
-        [LINE_U0] = summary->u0,
-        [LINE_UD] = summary->ud,
-        [LINE_PIXELS] = (double)summary->pixels,
-    };
-    for (int i = 0; i < LINES; i++)
-        set_number(self->lines[i], numbers[i]);
-    show_place(self, LINE_MAXIMUM_PLACE, summary->maximum.x_mm, summary->maximum.y_mm);
-    show_place(self, LINE_TRUE_MAXIMUM_PLACE, maximum->x_mm, maximum->y_mm);
-    show_least(self, LINE_LEAST, &statistics->minimum, measures->is_difference);
-    show_least(self, LINE_REACHED, &statistics->minimum_reached, measures->is_difference);
-    if (!measures->has_extrema) {
-        set_text(self->lines[LINE_TRUE_MAXIMUM], "–");
-        set_text(self->lines[LINE_TRUE_MAXIMUM_PLACE], "–");
-        set_text(self->lines[LINE_TRUE_MINIMUM], "–");
-    }
-    if (!summary->has_evenness) {
-        set_text(self->lines[LINE_U0], "–");
-        set_text(self->lines[LINE_UD], "–");
-    }
-    luxel_histogram_free(self->bins);
-    self->bins = g_steal_pointer(&measures->histogram);
-    gtk_widget_queue_draw(self->histogram);
 }
 
 /* ---- all ---- */
@@ -414,6 +243,7 @@ static void keep_results(AppNumbers *self, const AppMeasures *measures)
     if (measures->has_extrema) {
         self->has_extrema = TRUE;
         self->extrema = measures->extrema;
+        self->reached = measures->reached;
     }
 }
 
@@ -426,6 +256,7 @@ static void copy_results(AppNumbers *self)
                                 .unit = self->unit_name,
                                 .field = self->is_difference ? NULL : self->shot->field,
                                 .extrema = self->has_extrema ? &self->extrema : NULL,
+                                .reached = self->has_extrema ? &self->reached : NULL,
                                 .points = self->measured,
                                 .point_count = self->measured_count};
     char *text = app_results_text(&results);
@@ -443,14 +274,14 @@ void app_numbers_show(AppNumbers *self, AppMeasures *measures)
     if (measures->has_points) {
         char *text = g_strdup_printf(
             _("Values: %s. “value” is exact at the point, “pixel” what the picture has there."), self->unit_name);
-        set_text(self->unit, text);
+        app_numbers_set_text(self->unit, text);
         g_free(text);
         show_points(self, measures);
     }
     if (measures->has_section)
         show_sections(self, measures);
     if (measures->has_statistics)
-        show_statistics(self, measures);
+        app_numbers_show_statistics(self, measures);
 }
 
 void app_numbers_set_colors(AppNumbers *self, const char *palette, double low, double high, gboolean logarithmic)
@@ -523,7 +354,7 @@ GtkWidget *app_numbers_new(AppDocument *document)
     self->stack = gtk_stack_new();
     gtk_stack_add_titled(GTK_STACK(self->stack), new_points(self), page_names[0], _("Points"));
     gtk_stack_add_titled(GTK_STACK(self->stack), new_sections(self), page_names[1], _("Section"));
-    gtk_stack_add_titled(GTK_STACK(self->stack), new_statistics(self), page_names[2], _("Statistics"));
+    gtk_stack_add_titled(GTK_STACK(self->stack), app_numbers_new_statistics(self), page_names[2], _("Statistics"));
     gtk_stack_switcher_set_stack(GTK_STACK_SWITCHER(switcher), GTK_STACK(self->stack));
     gtk_widget_set_vexpand(self->stack, TRUE);
     g_signal_connect_swapped(self->stack, "notify::visible-child", G_CALLBACK(page_turned), self);

@@ -18,7 +18,7 @@ static void add_extrema(GString *text, const AppResults *results, double size_mm
 {
     const luxel_statistics *statistics = luxel_field_statistics(results->field);
     const luxel_extremum *maximum = &statistics->maximum, *least = &statistics->minimum;
-    const luxel_extremum *reached = &statistics->minimum_reached;
+    const luxel_extremum *reached = results->reached;
     const luxel_extrema *extrema = results->extrema;
     if (maximum->exists)
         add_line(text, _("Maximum of the pixels"), maximum->value, maximum->x_mm, maximum->y_mm, size_mm);
@@ -30,7 +30,7 @@ static void add_extrema(GString *text, const AppResults *results, double size_mm
                  size_mm);
     if (least->exists)
         add_line(text, _("Least value above 0"), least->value, least->x_mm, least->y_mm, size_mm);
-    if (reached->exists)
+    if (reached && reached->exists)
         add_line(text, _("Minimum where light arrives"), reached->value, reached->x_mm, reached->y_mm, size_mm);
 }
 

@@ -7,10 +7,11 @@
 
 /* What is told of; NULL or FALSE what is not known. */
 typedef struct AppResults {
-    const char *title;            /* of the scene */
-    const char *unit;             /* "brightness, W/sr" */
-    const luxel_field *field;     /* the picture, of which the pixels' extrema are; NULL: a difference */
-    const luxel_extrema *extrema; /* between the pixels */
+    const char *title;             /* of the scene */
+    const char *unit;              /* "brightness, W/sr" */
+    const luxel_field *field;      /* the picture, of which the pixels' extrema are; NULL: a difference */
+    const luxel_extrema *extrema;  /* between the pixels */
+    const luxel_extremum *reached; /* the least value where light arrives */
     const AppPoint *points;
     gsize point_count;
 } AppResults;

@@ -25,12 +25,13 @@ static void tells_all(void **state)
                                {.x_mm = 240, .y_mm = -1.5}};
     const luxel_extrema extrema = {
         .maximum = {.exists = true, .value = 11.75, .x_mm = 177.4828, .y_mm = -3.739128e-11}};
-    AppResults results = {"report", "brightness, W/sr", shot->field, &extrema, points, G_N_ELEMENTS(points)};
+    const luxel_extremum reached = {.exists = true, .value = 0.25, .x_mm = 12, .y_mm = 7};
+    AppResults results = {"report", "brightness, W/sr", shot->field, &extrema, &reached, points, G_N_ELEMENTS(points)};
     char *text = app_results_text(&results);
     assert_true(g_str_has_prefix(text, "report\tbrightness, W/sr\n"));
     expect_line(text, "Maximum of the pixels", statistics->maximum.value);
     expect_line(text, "Least value above 0", statistics->minimum.value);
-    expect_line(text, "Minimum where light arrives", statistics->minimum_reached.value);
+    expect_line(text, "Minimum where light arrives", 0.25);
     /* what the search does not resolve is no number */
     assert_non_null(strstr(text, "True maximum\t11.75\tx = 177.4828, y = 0 mm\n"));
     assert_non_null(strstr(text, "P1\t2.727591\tx = 0, y = 0 mm\nP2\toff the surface\tx = 240, y = -1.5 mm\n"));
@@ -38,6 +39,7 @@ static void tells_all(void **state)
     g_free(text);
     results.field = NULL;
     results.extrema = NULL;
+    results.reached = NULL;
     text = app_results_text(&results);
     assert_null(strstr(text, "aximum"));
     assert_non_null(strstr(text, "P2\t"));

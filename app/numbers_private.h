@@ -1,0 +1,69 @@
+/* SPDX-License-Identifier: MIT */
+/* The inside of the numbers, for the files that make them up. */
+#ifndef LUXEL_APP_NUMBERS_PRIVATE_H
+#define LUXEL_APP_NUMBERS_PRIVATE_H
+
+#include <luxel/drawing.h>
+
+#include "numbers.h"
+
+enum { DIGITS = 7, TEXT_COLUMNS = 36 };
+
+/* What the statistics list. */
+typedef enum Line {
+    LINE_MAXIMUM,
+    LINE_MAXIMUM_PLACE,
+    LINE_TRUE_MAXIMUM,
+    LINE_TRUE_MAXIMUM_PLACE,
+    LINE_MINIMUM,
+    LINE_TRUE_MINIMUM,
+    LINE_REACHED,
+    LINE_REACHED_PLACE,
+    LINE_LEAST,
+    LINE_LEAST_PLACE,
+    LINE_MEAN,
+    LINE_MEDIAN,
+    LINE_DEVIATION,
+    LINE_LIT,
+    LINE_U0,
+    LINE_UD,
+    LINE_PIXELS,
+    LINES
+} Line;
+
+struct _AppNumbers {
+    GtkBox parent;
+    AppDocument *document;
+    GtkWidget *stack, *points, *points_left, *unit, *plots[2], *section_place, *histogram;
+    GtkWidget *lines[LINES];
+    guint point_rows;
+    char *unit_name;
+    AppCurve *curves[2];
+    double section_mm[2];
+    char **names; /* of the lights, NULL-terminated */
+    gsize name_count;
+    luxel_histogram *bins;
+    const char *palette;
+    double low, high;
+    gboolean logarithmic;
+    double size_mm;     /* of the screen */
+    AppShot *shot;      /* whose numbers these are; NULL: none came yet */
+    AppPoint *measured; /* its points, to be copied */
+    gsize measured_count;
+    gboolean is_difference, has_extrema;
+    luxel_extrema extrema;
+    luxel_extremum reached;
+};
+
+/* Labels are only touched when their text is another: laying them out is what costs. */
+void app_numbers_set_text(GtkWidget *label, const char *text);
+void app_numbers_set_number(GtkWidget *label, double number);
+/* How plots are drawn on a widget; `language` is room for what the style points to. */
+luxel_drawing_style app_numbers_style(GtkWidget *widget, luxel_language *language);
+GtkWidget *app_numbers_new_plot(GtkDrawingAreaDrawFunc draw, AppNumbers *self, const char *name);
+
+/* numbers_statistics.c */
+GtkWidget *app_numbers_new_statistics(AppNumbers *self);
+void app_numbers_show_statistics(AppNumbers *self, AppMeasures *measures);
+
+#endif
