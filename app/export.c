@@ -104,7 +104,13 @@ static luxel_status write_report(const Work *work, const luxel_settings *setting
     const luxel_report_settings report = {.language = &language,
                                           .author = text_or_none(work->report.author),
                                           .group = text_or_none(work->report.group),
-                                          .date = text_or_none(work->report.date)};
+                                          .date = text_or_none(work->report.date),
+                                          .institution = text_or_none(work->report.institution),
+                                          .faculty = text_or_none(work->report.faculty),
+                                          .course = text_or_none(work->report.course),
+                                          .teacher = text_or_none(work->report.teacher),
+                                          .place = text_or_none(work->report.place),
+                                          .aim = text_or_none(work->report.aim)};
     return luxel_report_write(work->scene, settings, &report, work->path, faults);
 }
 
@@ -138,13 +144,19 @@ static void finished(GObject *owner, GAsyncResult *result, gpointer data)
     g_free(fault);
 }
 
+static void free_report(AppReport *report)
+{
+    char *const texts[] = {report->author, report->group,   report->date,  report->institution, report->faculty,
+                           report->course, report->teacher, report->place, report->aim};
+    for (gsize i = 0; i < G_N_ELEMENTS(texts); i++)
+        g_free(texts[i]);
+}
+
 static void free_work(gpointer data)
 {
     Work *work = data;
     luxel_scene_free(work->scene);
-    g_free(work->report.author);
-    g_free(work->report.group);
-    g_free(work->report.date);
+    free_report(&work->report);
     g_free(work->path);
     g_free(work);
 }

@@ -16,9 +16,9 @@ typedef struct AppExport {
     const char *ending; /* of the name that is suggested */
 } AppExport;
 
-/* Who hands a report in; each may be NULL or "" for nothing; the texts are the owner's, g_free(). */
+/* Who hands a report in, and to whom; each may be NULL or "" for nothing; the texts are the owner's, g_free(). */
 typedef struct AppReport {
-    char *author, *group, *date;
+    char *author, *group, *date, *institution, *faculty, *course, *teacher, *place, *aim;
 } AppReport;
 
 /* The i-th way; NULL beyond the last. */

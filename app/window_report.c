@@ -12,9 +12,9 @@ enum { MARGIN = 16, FIELD_CHARS = 32 };
 static const struct {
     const char *key, *label;
 } fields[] = {
-    {"report-author", N_("Author")},
-    {"report-group", N_("Group")},
-    {"report-date", N_("Date")},
+    {"report-author", N_("Author")},           {"report-group", N_("Group")},     {"report-date", N_("Date")},
+    {"report-institution", N_("Institution")}, {"report-faculty", N_("Faculty")}, {"report-course", N_("Course")},
+    {"report-teacher", N_("Teacher")},         {"report-place", N_("Place")},     {"report-aim", N_("Aim of the work")},
 };
 
 /* The window while it is open. */
@@ -26,7 +26,8 @@ typedef struct Question {
 
 static char **place_of(AppReport *report, gsize field)
 {
-    char **const places[] = {&report->author, &report->group, &report->date};
+    char **const places[] = {&report->author, &report->group,   &report->date,  &report->institution, &report->faculty,
+                             &report->course, &report->teacher, &report->place, &report->aim};
     return places[field];
 }
 
