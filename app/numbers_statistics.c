@@ -24,7 +24,7 @@ static const char *const line_names[LINES] = {
     [LINE_MEDIAN] = N_("Median"),
     [LINE_DEVIATION] = N_("Standard deviation"),
     /* xgettext:no-c-format */
-    [LINE_LIT] = N_("Lit, % of the pixels"),
+    [LINE_LIT] = N_("Above 0, % of the pixels"),
     [LINE_U0] = N_("Uniformity U0 = minimum / mean"),
     [LINE_UD] = N_("Diversity Ud = minimum / maximum"),
     [LINE_PIXELS] = N_("Pixels on a surface"),

@@ -326,6 +326,30 @@ static void raises_a_polygon_where_it_stands(void **state)
     end(&drag);
 }
 
+/* Where one source alone is shown, the others do not shine, and their marks say so; each has its number and name. */
+static void tells_who_shines(void **state)
+{
+    (void)state;
+    static const char *const labels[] = {"1 key", "2 fill", "3 rim"};
+    AppDocument *document = document_of_builtin("three-lights");
+    AppMoment *moment = app_moment_new(app_document_copy_scene(document), 1, 1, NULL);
+    assert_non_null(moment);
+    for (gsize i = 0; i < G_N_ELEMENTS(labels); i++) {
+        const AppMark mark = mark_of(moment, APP_MARK_SOURCE, i);
+        assert_int_equal(mark.is_on, i == 1);
+        assert_string_equal(mark.label, labels[i]);
+    }
+    assert_string_equal(mark_of(moment, APP_MARK_POINT, 2).label, "P3");
+    app_moment_unref(moment);
+    set(document, "lights[0].name", "\"очень длинное имя источника света, которое не помещается\"");
+    moment = moment_of(document);
+    const AppMark mark = mark_of(moment, APP_MARK_SOURCE, 0);
+    assert_true(g_utf8_validate(mark.label, -1, NULL)); /* cut between letters */
+    assert_true(g_str_has_prefix(mark.label, "1 очень длинное"));
+    app_moment_unref(moment);
+    g_object_unref(document);
+}
+
 static void follows_in_proportion_at_the_edge(void **state)
 {
     (void)state;
@@ -395,6 +419,7 @@ int main(void)
         cmocka_unit_test(moves_a_polygon_with_all_corners),
         cmocka_unit_test(raises_a_polygon_where_it_stands),
         cmocka_unit_test(follows_in_proportion_at_the_edge),
+        cmocka_unit_test(tells_who_shines),
         cmocka_unit_test(shifts_by_keys),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
