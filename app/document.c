@@ -63,7 +63,7 @@ AppDocument *app_document_new(void)
     return self;
 }
 
-/* The scene's text as memory of GLib; NULL where memory ran out. */
+/* The scene's text as memory of GLib; NULL where out of memory. */
 static char *text_of(const luxel_scene *scene)
 {
     char *text, *copy;
@@ -340,7 +340,7 @@ void app_document_end_gesture(AppDocument *self)
     self->last_change = 0;
 }
 
-/* Takes over a text of the history, which was right once; FALSE where memory ran out. */
+/* Takes over a text of the history, which was right once; FALSE where out of memory. */
 static gboolean go_to(AppDocument *self, char *text)
 {
     luxel_scene *scene;

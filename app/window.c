@@ -53,7 +53,7 @@ void app_window_ask_picture(AppWindow *self)
         .pinned = self->pinned,
     };
     if (!wish.scene) {
-        app_window_show_fault(self, _("memory ran out"));
+        app_window_show_fault(self, _("out of memory"));
         return;
     }
     app_painter_ask(self->painter, &wish);

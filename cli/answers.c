@@ -107,7 +107,7 @@ static bool take_whole(struct table *table, enum column column, const char *text
     *number = (unsigned)value;
     if (digits > 0 && text[digits] == '\0' && value >= 1 && value <= most)
         return true;
-    report(table, column, _("a whole number from 1 to %u is expected, not \"%s\""), most, text_of(table, column));
+    report(table, column, _("expected a whole number from 1 to %u, not \"%s\""), most, text_of(table, column));
     return false;
 }
 
@@ -125,7 +125,7 @@ static bool take_value(struct table *table, struct answer *answer)
     if (luxel_table_number(text, &answer->value, &answer->rounding))
         return true;
     if (*text != '\0')
-        report(table, VALUE, _("a number is expected, not \"%s\""), text);
+        report(table, VALUE, _("expected a number, not \"%s\""), text);
     else
         report(table, VALUE, _("a value is missing; \"off\" stands for a place off the surface"));
     return false;
@@ -140,7 +140,7 @@ static bool take_place(struct table *table, struct answer *answer)
         answer->y_mm = table->row->numbers[Y];
         if (isfinite(answer->x_mm) && isfinite(answer->y_mm))
             return true;
-        report(table, isfinite(answer->x_mm) ? Y : X, _("a number is expected, not \"%s\""), "");
+        report(table, isfinite(answer->x_mm) ? Y : X, _("expected a number, not \"%s\""), "");
         return false;
     }
     return take_whole(table, POINT, point + (*point == 'P' || *point == 'p'), 1000, &answer->point);

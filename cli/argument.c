@@ -61,7 +61,7 @@ bool argument_number(const char *option, const char *text, double *value)
 {
     if (read_number(option, text, text, strlen(text), value))
         return true;
-    message_hint(_("a decimal number with a point is expected, such as 0.5 or 1e-9"));
+    message_hint(_("expected a decimal number with a point, such as 0.5 or 1e-9"));
     return false;
 }
 
@@ -109,6 +109,6 @@ bool argument_whole(const char *option, const char *text, unsigned least, unsign
         if (*value >= least && *value <= most)
             return true;
     }
-    message_error(_("%s %s: a whole number from %u to %u is expected"), option, text, least, most);
+    message_error(_("%s %s: expected a whole number from %u to %u"), option, text, least, most);
     return false;
 }

@@ -35,7 +35,7 @@ const struct command command_advise = {
     .name = "advise",
     .bit = COMMAND_ADVISE,
     .operand = N_("SCENE"),
-    .summary = N_("say what would make a scene show more, and which change does it"),
+    .summary = N_("suggest improvements to a scene, and the changes that make them"),
     .description = N_("Looks whether the peak stands out and lies in view, whether lights stand behind the surfaces or "
                       "so near or far that their attenuation spoils the picture, whether the picture is dark or "
                       "clipped by its range, and whether all lies in the advised ranges. Each hint is a change that "

@@ -334,7 +334,7 @@ static int run(const struct options *options)
         return EXIT_USAGE;
     }
     if (options->json && options->csv != CSV_NONE) {
-        message_error(_("--json and --csv exclude each other"));
+        message_error(_("--json and --csv are mutually exclusive"));
         return EXIT_USAGE;
     }
     code = grading_make(options, &grading);

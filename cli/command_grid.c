@@ -349,7 +349,7 @@ const struct command command_grid = {
     .operand = N_("SCENE"),
     .endings = ".csv",
     .default_format = "csv",
-    .summary = N_("measure the irradiance on planes, and how evenly they are lit"),
+    .summary = N_("measure the irradiance on planes and its uniformity"),
     .description = N_("Prints the irradiance at the centres of the cells of each measuring grid of the scene (its key "
                       "grids), seen from the front of the plane, with the average, the minimum, the maximum, how "
                       "evenly the plane is lit and the flux that falls on it. Each FILE, of comma-separated values, "

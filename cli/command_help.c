@@ -74,7 +74,7 @@ static void print_endings(const struct command *command)
 
     for (size_t i = 0; options_row(i); i++)
         if (options_row(i)->value == VALUE_OUTPUT && (options_row(i)->commands & command->bit))
-            printf(_("\nEndings of FILE: %s\n"), command_endings(command, endings, sizeof endings));
+            printf(_("\nExtensions of FILE: %s\n"), command_endings(command, endings, sizeof endings));
 }
 
 void help_print_command(const struct command *command)

@@ -11,7 +11,8 @@ const struct command command_report = {
     .summary = N_("write the report of the exercise"),
     .description = N_("Writes the report that the exercise asks for: the task with its parameters, the formulas of "
                       "exactly the conventions that were used, the pictures, the sections, the table of points, the "
-                      "extrema, conclusions, and the scene for repetition. A .html is one file without outside links."),
+                      "extrema, conclusions, and the scene to reproduce them. A .html is one file without "
+                      "outside links."),
     .examples = "luxel report -o report.pdf --author 'A. Student' --group 4321\n"
                 "luxel report my.yaml -o report.html --title 'Laboratory work 4'",
     .run = drawing_report,

@@ -181,7 +181,7 @@ int message_failure(luxel_status status, luxel_diagnostics *diagnostics)
     if (errors > 0 && luxel_diagnostics_count(diagnostics) > 0)
         message_diagnostics(stderr, diagnostics, LUXEL_SEVERITY_ERROR, LUXEL_SEVERITY_ERROR);
     else if (status == LUXEL_ERROR_MEMORY) /* which may not have done for the report of it */
-        message_error(_("memory ran out"));
+        message_error(_("out of memory"));
     else
         message_error(_("the library failed with status %d"), (int)status);
     return exit_code_of(status);
@@ -189,7 +189,7 @@ int message_failure(luxel_status status, luxel_diagnostics *diagnostics)
 
 static _Noreturn void die_of_memory(void)
 {
-    message_error(_("memory ran out"));
+    message_error(_("out of memory"));
     exit(EXIT_SCENE);
 }
 

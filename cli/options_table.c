@@ -117,7 +117,7 @@ static bool take_tolerance(struct options *options, const char *argument)
         options->settings.tolerance = value;
         return true;
     }
-    message_error(_("--tolerance %s: a number above 0 and below 1 is expected"), argument);
+    message_error(_("--tolerance %s: expected a number above 0 and below 1"), argument);
     return false;
 }
 
@@ -131,7 +131,7 @@ static bool take_light_error(struct options *options, const char *argument)
         options->settings.light_error = value;
         return true;
     }
-    message_error(_("--light-error %s: a number from 0 to below 1 is expected"), argument);
+    message_error(_("--light-error %s: expected a number from 0 to below 1"), argument);
     return false;
 }
 
@@ -309,7 +309,7 @@ enum {
 
 static const struct option_row rows[] = {
     {"output", 'o', N_("FILE"), WRITING, TAKES(take_output), .value = VALUE_OUTPUT,
-     .help = N_("write the result to a file, in the format that the ending of the name says; may be repeated")},
+     .help = N_("write the result to FILE, in the format given by its extension; may be repeated")},
     {"bits", 0, N_("N"), COMMAND_RENDER, TAKES(take_bits), WORDS(bits_words),
      .help = N_("bits of the grey levels of a .png: 8 (default) or 16, which show differences that 256 levels hide")},
     {"dry-run", 'n', NULL, COMMAND_SET, SETS(dry_run), .help = N_("print the changed scene and write no file")},

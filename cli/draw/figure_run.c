@@ -60,7 +60,7 @@ static bool take_section(const char *argument, luxel_figure_settings *figure)
     figure->section = LUXEL_SECTION_POINT;
     if (strchr(argument, ','))
         return argument_numbers("--section", "X,Y", argument, figure->section_mm, 2);
-    message_error(_("--section %s: center, maximum or X,Y is expected"), argument);
+    message_error(_("--section %s: expected center, maximum or X,Y"), argument);
     nearest = luxel_nearest_word(argument, words, COUNT_OF(words));
     message_did_you_mean(nearest);
     return false;

@@ -21,8 +21,8 @@ static void print_head(FILE *out)
           out);
     fputs(".SH DESCRIPTION\n", out);
     roff_text(out, _("luxel computes how light sources brighten a surface, and shows it: spheres and rectangles under "
-                     "ambient light, point sources and clouds of them, distant sources, spotlights, planar and "
-                     "volumetric sources, with the Lambert, Phong and Blinn-Phong models. "
+                     "ambient light, point sources and point clouds, distant sources, spotlights, planar and "
+                     "volume sources, with the Lambert, Phong and Blinn-Phong models. "
                      "Exact values carry a bound of their error. Every convention that two programs may differ in is a "
                      "key of the scene and is printed with the result."));
     fputc('\n', out);

@@ -37,13 +37,13 @@ LUXEL_API void luxel_document_free(luxel_document *document);
 LUXEL_API char *luxel_document_write_text(const luxel_document *document, luxel_document_format format);
 
 /*
- * Writes the document to a file by the ending of its name: .txt, .md, .tex or .html, whole or not at all.
- * LUXEL_ERROR_ARGUMENT: another ending.  LUXEL_ERROR_FILE: it could not be written.
+ * Writes the document to a file by the extension of its name: .txt, .md, .tex or .html, whole or not at all.
+ * LUXEL_ERROR_ARGUMENT: another extension.  LUXEL_ERROR_FILE: it could not be written.
  */
 LUXEL_API luxel_status luxel_document_write(const luxel_document *document, const char *path,
                                             luxel_diagnostics *diagnostics);
 
-/* Whether luxel_document_write() knows the ending of this name; if not, says so in the diagnostics. */
+/* Whether luxel_document_write() knows the extension of this name; if not, says so in the diagnostics. */
 LUXEL_API luxel_status luxel_check_document_name(const char *path, luxel_diagnostics *diagnostics);
 
 /*

@@ -106,11 +106,11 @@ LUXEL_API void luxel_field_grey(const luxel_field *field, uint8_t *grey);
 LUXEL_API void luxel_field_grey16(const luxel_field *field, uint16_t *grey);
 
 /*
- * Writes the field to a file, by the ending of its name: .png (grey levels), .pfm (float32), .npy (float32 or
+ * Writes the field to a file, by the extension of its name: .png (grey levels), .pfm (float32), .npy (float32 or
  * float64), .csv (a line for each pixel on a surface: x_mm, y_mm, value), .exr (float32).  PNG and EXR carry the
  * scene, the quantity, the precision and the unit, so that luxel_scene_read_file() can read the scene from them.
  * The file appears whole or not at all; one that was there stays until the new one is complete.
- * LUXEL_ERROR_ARGUMENT: unknown ending, or .csv for a field without places.  LUXEL_ERROR_FILE: it could not be
+ * LUXEL_ERROR_ARGUMENT: unknown extension, or .csv for a field without places.  LUXEL_ERROR_FILE: it could not be
  * written.
  */
 LUXEL_API luxel_status luxel_field_write(const luxel_field *field, const char *path, luxel_diagnostics *diagnostics);
@@ -127,12 +127,12 @@ typedef struct luxel_output {
 LUXEL_API luxel_status luxel_field_write_as(const luxel_field *field, const char *path, const luxel_output *how,
                                             luxel_diagnostics *diagnostics);
 
-/* Whether luxel_field_write() knows the ending of this name; if not, says so in the diagnostics. */
+/* Whether luxel_field_write() knows the extension of this name; if not, says so in the diagnostics. */
 LUXEL_API luxel_status luxel_check_output_name(const char *path, luxel_diagnostics *diagnostics);
 
 /*
- * Reads a field from an .npy, .pfm, .csv or .exr file, known by its content or else by its ending; the statistics are
- * calculated.  Its size is at most 65536 x 65536.
+ * Reads a field from an .npy, .pfm, .csv or .exr file, known by its content or else by its extension; the statistics
+ * are calculated.  Its size is at most 65536 x 65536.
  *
  * .npy: (rows, columns) of float32 or float64, either order of bytes and axes.  .pfm: grey, either order of bytes.
  * .exr: scan lines of a single channel of any name, float32, float16 or whole numbers (which become float32),
@@ -147,7 +147,7 @@ LUXEL_API luxel_status luxel_check_output_name(const char *path, luxel_diagnosti
  */
 LUXEL_API luxel_status luxel_field_read(const char *path, luxel_diagnostics *diagnostics, luxel_field **field);
 
-/* The endings that luxel_field_write() knows: the i-th with its dot, such as ".png"; NULL beyond the last. */
+/* The extensions that luxel_field_write() knows: the i-th with its dot, such as ".png"; NULL beyond the last. */
 LUXEL_API const char *luxel_output_ending(size_t i);
 
 #ifdef __cplusplus

@@ -70,16 +70,16 @@ LUXEL_API const char *luxel_palette_meaning(size_t i);
 LUXEL_API bool luxel_palette_color(const char *name, double t, double color[3]);
 
 /*
- * Draws the scene's figure to a file by the ending of its name: .png, .svg or .pdf, whole or not at all.
+ * Draws the scene's figure to a file by the extension of its name: .png, .svg or .pdf, whole or not at all.
  * `settings` are those of the values; `figure` NULL: the defaults.
- * LUXEL_ERROR_ARGUMENT: another ending, an unknown palette, a setting out of its range.  LUXEL_ERROR_FILE: it could not
- * be written.  Errors as luxel_render() lists them, too.
+ * LUXEL_ERROR_ARGUMENT: another extension, an unknown palette, a setting out of its range.  LUXEL_ERROR_FILE: it
+ * could not be written.  Errors as luxel_render() lists them, too.
  */
 LUXEL_API luxel_status luxel_figure_write(const luxel_scene *scene, const luxel_settings *settings,
                                           const luxel_figure_settings *figure, const char *path,
                                           luxel_diagnostics *diagnostics);
 
-/* Whether luxel_figure_write() knows the ending of this name; if not, says so in the diagnostics. */
+/* Whether luxel_figure_write() knows the extension of this name; if not, says so in the diagnostics. */
 LUXEL_API luxel_status luxel_check_figure_name(const char *path, luxel_diagnostics *diagnostics);
 
 /* What a report says of itself; all may be NULL. */
@@ -99,16 +99,16 @@ typedef struct luxel_report_settings {
 } luxel_report_settings;
 
 /*
- * Writes the report that the exercise asks for, by the ending of the name: .pdf (A4), .html (one file), .md, .tex:
- * aim, task, parameters, formulas, pictures, sections, points, extrema, conclusions, and the scene for repetition.
+ * Writes the report that the exercise asks for, by the extension of the name: .pdf (A4), .html (one file), .md, .tex:
+ * aim, task, parameters, formulas, pictures, sections, points, extrema, conclusions, and the scene to reproduce them.
  * `report` NULL: none of its texts.  Zero-initialise its settings, so that members that come later are NULL.
- * LUXEL_ERROR_ARGUMENT: another ending.  LUXEL_ERROR_FILE.  Errors as luxel_render() lists them, too.
+ * LUXEL_ERROR_ARGUMENT: another extension.  LUXEL_ERROR_FILE.  Errors as luxel_render() lists them, too.
  */
 LUXEL_API luxel_status luxel_report_write(const luxel_scene *scene, const luxel_settings *settings,
                                           const luxel_report_settings *report, const char *path,
                                           luxel_diagnostics *diagnostics);
 
-/* Whether luxel_report_write() knows the ending of this name; if not, says so in the diagnostics. */
+/* Whether luxel_report_write() knows the extension of this name; if not, says so in the diagnostics. */
 LUXEL_API luxel_status luxel_check_report_name(const char *path, luxel_diagnostics *diagnostics);
 
 #ifdef __cplusplus

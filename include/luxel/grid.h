@@ -83,7 +83,7 @@ LUXEL_API void luxel_grid_free(luxel_grid *grid);
 /* The centre of a cell, of which there need be none: the plane goes on. */
 LUXEL_API void luxel_grid_position(const luxel_grid *grid, unsigned column, unsigned row, double position_mm[3]);
 
-/* Whether grids can be written to a file of this name: ".csv" is the ending that goes.  LUXEL_ERROR_ARGUMENT. */
+/* Whether grids can be written to a file of this name: ".csv" is the extension that goes.  LUXEL_ERROR_ARGUMENT. */
 LUXEL_API luxel_status luxel_check_grid_output_name(const char *path, luxel_diagnostics *diagnostics);
 
 /*
@@ -91,7 +91,7 @@ LUXEL_API luxel_status luxel_check_grid_output_name(const char *path, luxel_diag
  * (grid,column,row,x_mm,y_mm,z_mm,irradiance_UNIT,error_UNIT) a line for each cell, grid by grid and row by row.  A
  * grid goes by its name or, where it has none, by "grid 1" and so on, as it stands in the list; the last two fields of
  * a cell without a value are empty.
- * LUXEL_ERROR_ARGUMENT: another ending, or no grid.  LUXEL_ERROR_FILE: it could not be written.
+ * LUXEL_ERROR_ARGUMENT: another extension, or no grid.  LUXEL_ERROR_FILE: it could not be written.
  */
 LUXEL_API luxel_status luxel_grids_write(const luxel_grid *const *grids, size_t count, const char *path,
                                          luxel_diagnostics *diagnostics);

@@ -33,20 +33,25 @@ LUXEL_API const char *luxel_builtin_scene_title(size_t i);
 /* Its YAML text; NULL beyond the last. */
 LUXEL_API const char *luxel_builtin_scene_text(size_t i);
 
-/* Makes a scene from the built-in one of this name.  LUXEL_ERROR_ARGUMENT: no such name. */
+/*
+ * Makes a scene from the built-in one of this name.  The scene is not ready for use yet: call luxel_scene_commit()
+ * before it is rendered or probed, as after luxel_scene_read_file() and luxel_scene_read_text().
+ * LUXEL_ERROR_ARGUMENT: no such name.
+ */
 LUXEL_API luxel_status luxel_scene_open_builtin(const char *name, luxel_diagnostics *diagnostics, luxel_scene **scene);
 /*
  * Makes a scene from a file of YAML or JSON, or from a picture that carries its scene: a .png or .exr file of
  * luxel_field_write(), which is known by its content, whatever its name is; luxel_scene_settings() tells what else
  * it carries.  Only the text itself is checked here: that it is one well-formed document within the limits (64 MB,
- * 32 levels, no anchors or aliases).
+ * 32 levels, no anchors or aliases).  luxel_scene_commit() checks the rest and must follow before the scene is used.
  * LUXEL_ERROR_SCENE: malformed text, or a picture that is damaged or carries no scene.  LUXEL_ERROR_FILE: cannot be
  * read.
  */
 LUXEL_API luxel_status luxel_scene_read_file(const char *path, luxel_diagnostics *diagnostics, luxel_scene **scene);
 /*
  * Makes a scene from `length` bytes of YAML or JSON, or of a picture that carries its scene; `source` is the name
- * shown in messages.  Checks as much as luxel_scene_read_file(), with the same errors.
+ * shown in messages.  Checks as much as luxel_scene_read_file(), with the same errors: luxel_scene_commit() must follow
+ * before the scene is used.
  */
 LUXEL_API luxel_status luxel_scene_read_text(const char *text, size_t length, const char *source,
                                              luxel_diagnostics *diagnostics, luxel_scene **scene);
@@ -136,8 +141,8 @@ LUXEL_API luxel_status luxel_scene_advise(const luxel_scene *scene, luxel_diagno
  */
 LUXEL_API luxel_status luxel_scene_write_text(const luxel_scene *scene, char **text);
 /*
- * Writes that text to a file, whatever its ending, and whether the scene is committed or not.  The file appears whole
- * or not at all; one that was there keeps its permissions, and a symbolic link stays one.
+ * Writes that text to a file, whatever its extension, and whether the scene is committed or not.  The file appears
+ * whole or not at all; one that was there keeps its permissions, and a symbolic link stays one.
  * LUXEL_ERROR_FILE: it could not be written.
  */
 LUXEL_API luxel_status luxel_scene_write_file(const luxel_scene *scene, const char *path,

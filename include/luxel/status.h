@@ -24,7 +24,7 @@ typedef enum luxel_status {
     LUXEL_ERROR_PATH,     /* a key path names no key or element, or an assignment has no '=' */
     LUXEL_ERROR_SCENE,    /* the scene has errors */
     LUXEL_ERROR_FILE,     /* a file could not be read or written */
-    LUXEL_ERROR_MEMORY,   /* memory ran out, or the picture would not fit in it */
+    LUXEL_ERROR_MEMORY,   /* out of memory, or the picture would not fit in it */
     LUXEL_ERROR_RANGE,    /* a brightness is too large for the precision asked for */
     LUXEL_CANCELLED       /* the progress callback asked to stop */
 } luxel_status;

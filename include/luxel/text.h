@@ -33,7 +33,7 @@ LUXEL_API char *luxel_escaped_text(const char *text);
 LUXEL_API luxel_status luxel_text_write(const char *path, const char *text, size_t length,
                                         luxel_diagnostics *diagnostics);
 
-/* Whether a file's name ends in one of `count` endings such as ".csv", in whatever case.  LUXEL_ERROR_ARGUMENT. */
+/* Whether a file's name ends in one of `count` extensions such as ".csv", in whatever case.  LUXEL_ERROR_ARGUMENT. */
 LUXEL_API luxel_status luxel_check_ending(const char *path, const char *const *endings, size_t count,
                                           luxel_diagnostics *diagnostics);
 

@@ -12,7 +12,7 @@ enum { DEEPEST = 40 };
 struct parser {
     const char *at;
     int depth;
-    bool failed, starved; /* no more of it is parsed; because memory ran out */
+    bool failed, starved; /* no more of it is parsed; because out of memory */
 };
 
 void lx_formula_free(struct lx_formula *formula)

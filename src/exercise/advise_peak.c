@@ -20,7 +20,7 @@
 #define MOST_WHITE 0.01
 #define LEAST_GREY 32
 
-/* Looks at a changed copy; false where the change does not go, or memory ran out, which the adviser remembers. */
+/* Looks at a changed copy; false where the change does not go, or out of memory, which the adviser remembers. */
 static bool look(struct lx_adviser *adviser, const char *const *assignments, struct lx_scout *scout)
 {
     luxel_status status = lx_scout(adviser->scene, assignments, &adviser->effort, scout);

@@ -76,7 +76,7 @@ static const struct {
     {LX_AT_PIXEL, LX_N("pixel"), LX_N("the sample of the pixel that the point falls in")},
     {LX_AT_OTHER_PIXEL, LX_N("pixel of the other sampling"),
      LX_N("the sample of the pixel that it falls in if samples lie by the other rule")},
-    {LX_AT_FLIPPED, LX_N("pixel, rows turned over"),
+    {LX_AT_FLIPPED, LX_N("pixel, flipped vertically"),
      LX_N("that of the row counted from the other end, where picture and table disagree on which row is the top")},
 };
 

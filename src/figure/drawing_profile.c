@@ -47,7 +47,7 @@ static void choose_labels(const luxel_drawing_style *style, const luxel_profile 
     drawing->legend.whole = word(style->language, LX_N("all together"));
 }
 
-/* The lights that have a name, or all; 0, or -1 when memory ran out. */
+/* The lights that have a name, or all; 0, or -1 when out of memory. */
 static int choose_lights(const luxel_profile *profile, const luxel_profile_style *how, struct drawing *drawing)
 {
     size_t lights = profile->shares ? profile->lights : 0, count = 0;

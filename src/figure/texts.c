@@ -23,7 +23,7 @@ const char *lx_figure_word(const struct lx_figure *figure, const char *english)
     return language && language->translate && *english ? language->translate(english, language->data) : english;
 }
 
-/* The text as the caller's, empty where nothing was added; NULL where memory ran out. */
+/* The text as the caller's, empty where nothing was added; NULL where out of memory. */
 static char *take(struct lx_text *text)
 {
     return text->bytes || text->failed ? lx_text_take(text) : lx_copy_text("", 0);

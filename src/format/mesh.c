@@ -132,7 +132,7 @@ static int compare_places(const void *first, const void *second)
     return a->corner < b->corner ? -1 : a->corner > b->corner;
 }
 
-/* For each corner the first one at its place; 0, or -1 when memory ran out. */
+/* For each corner the first one at its place; 0, or -1 when out of memory. */
 static int find_same(const struct lx_mesh *mesh, unsigned *same)
 {
     struct place *places = lx_new_array(mesh->corner_count, sizeof *places);

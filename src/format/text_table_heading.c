@@ -44,7 +44,7 @@ static void lower(char *text)
     }
 }
 
-/* The text of a field in UTF-8, without doubled quotes; NULL: memory ran out. */
+/* The text of a field in UTF-8, without doubled quotes; NULL: out of memory. */
 static char *text_of(const struct lx_text_table_field *field)
 {
     struct lx_text text = {0};
@@ -182,7 +182,7 @@ static bool give_column(struct lx_text_table *table, size_t field, const struct 
     return true;
 }
 
-/* One field of the heading; false where memory ran out. */
+/* One field of the heading; false where out of memory. */
 static bool take_field(struct lx_text_table *table, size_t field, size_t *synonyms, struct lx_text_table_fault *fault)
 {
     char *text = text_of(&table->lines.fields[field]);

@@ -83,7 +83,7 @@ const char *luxel_table_unit(const luxel_table *table, size_t column)
     return table ? lx_text_table_unit(table->table, column) : "";
 }
 
-/* The text of a field; false where memory ran out. */
+/* The text of a field; false where out of memory. */
 static bool take_text(luxel_table *table, size_t column)
 {
     struct lx_text *held = &table->held[column];

@@ -112,7 +112,7 @@ static bool sort_by_corner(const struct side *sides, size_t count, bool by_high,
 }
 
 /* Sorts the sides, which are listed face by face, by their lower corners, then by the others, then by faces; false:
- * memory ran out, or the work is to stop. */
+ * out of memory, or the work is to stop. */
 static bool sort_sides(struct side *sides, size_t count, size_t corner_count, const struct lx_asking *asking)
 {
     size_t *begin = lx_new_array(corner_count, sizeof *begin);
@@ -238,7 +238,7 @@ struct lx_shape_report lx_facets_finish(struct lx_facets *facets, bool closed, c
     return find_sphere(facets, asking) ? find_edges(facets, closed, asking) : stopped;
 }
 
-/* Facets that cannot be wrong, or NULL when memory ran out, or where the work is to stop. */
+/* Facets that cannot be wrong, or NULL when out of memory, or where the work is to stop. */
 static struct lx_facets *finished(struct lx_facets *facets, bool closed, const struct lx_asking *asking)
 {
     if (lx_facets_finish(facets, closed, asking).fault == LX_SHAPE_GOOD)

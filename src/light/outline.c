@@ -246,7 +246,7 @@ static bool join_some(const lx_wide (*xy)[2], struct piece *pieces, size_t count
     return false;
 }
 
-/* Joins triangles; the number of pieces left, 0 when memory ran out. */
+/* Joins triangles; the number of pieces left, 0 when out of memory. */
 static size_t join_all(const lx_wide (*xy)[2], size_t corner_count, size_t count, unsigned *loops, unsigned *counts)
 {
     struct piece *pieces = lx_new_array(count, sizeof *pieces);

@@ -33,7 +33,7 @@ void lx_reflection_clear(struct lx_reflection *reflection)
     *reflection = (struct lx_reflection){0};
 }
 
-/* Words of the tables in the reflection's language, kept by it; NULL where memory ran out. */
+/* Words of the tables in the reflection's language, kept by it; NULL where out of memory. */
 static const char *keep_words(struct lx_reflection *reflection, struct lx_text *words)
 {
     char *text = lx_text_render(words, reflection->translate, reflection->data);
@@ -99,7 +99,7 @@ static void measure(const struct lx_parameter *parameter, luxel_parameter *shown
         shown->advised_range[i] = interval_of(&parameter->advised[by_component ? i : 0]);
 }
 
-/* A parameter in words; false where memory ran out. */
+/* A parameter in words; false where out of memory. */
 static bool describe(struct lx_reflection *reflection, const struct lx_parameter *parameter, luxel_parameter *shown)
 {
     const char *unit = lx_unit_word(parameter->unit, false);
@@ -144,7 +144,7 @@ static bool see_rule(const struct lx_rule *rule, const char *key, luxel_rule *se
     return true;
 }
 
-/* Gives an item the rules of its table; 0, or -1 when memory ran out. */
+/* Gives an item the rules of its table; 0, or -1 when out of memory. */
 static int add_rules(struct lx_reflected *item, const struct lx_table *table, const char *key)
 {
     item->rules = lx_new_array(table->rule_count, sizeof *item->rules);

@@ -143,7 +143,7 @@ static struct lx_cell cell_of(const struct cut_patch *patch, size_t i)
     return (struct lx_cell){(double)(i % patch->cut.along_s) * ds, (double)(i / patch->cut.along_s) * dt, ds, dt};
 }
 
-/* The patches of all sources, `*count` of them; NULL when memory ran out. */
+/* The patches of all sources, `*count` of them; NULL when out of memory. */
 static struct cut_patch *find_patches(const struct lx_planned_surface *surface, size_t *count)
 {
     const struct lx_around everywhere = {.radius = HUGE_VAL};

@@ -142,7 +142,7 @@ def palettes(tap, tool):
 
 REFUSED = [
     (["figure"], "needs a file"),
-    (["figure", "-o", "f.bmp"], "known endings: .png, .svg, .pdf"),
+    (["figure", "-o", "f.bmp"], "known extensions: .png, .svg, .pdf"),
     (["figure", "-o", "f.png", "--palette", "jet"], "the palettes are viridis"),
     (["figure", "-o", "f.png", "--width", "5"], "40 to 1000"),
     (["figure", "-o", "f.png", "--dpi", "5"], "30 to 2400"),
@@ -152,7 +152,7 @@ REFUSED = [
     (["figure", "-o", "f.png", "--section=0,9000"], "does not cross"),
     (["figure", "-o", "f.png", "--log", "--scale", "0,5"], "above 0"),
     (["report"], "needs a file"),
-    (["report", "-o", "r.doc"], "known endings: .pdf"),
+    (["report", "-o", "r.doc"], "known extensions: .pdf"),
 ]
 
 

@@ -143,7 +143,7 @@ static void test_places(void **state)
         assert_true(find(found, "place", "pixel of the other sampling")->value ==
                     probe_value(scene, ox, oy, &has_value));
         double turned = probe_value(scene, px, -py, &has_value);
-        assert_true(fabs(find(found, "place", "pixel, rows turned over")->value - turned) <= 1e-12 * turned);
+        assert_true(fabs(find(found, "place", "pixel, flipped vertically")->value - turned) <= 1e-12 * turned);
         luxel_alternatives_free(found);
         assert_int_equal(luxel_find_alternatives(scene, NULL, 251, y, NULL, &found), LUXEL_OK);
         assert_true(find(found, "place", "exact point")->has_value && !find(found, "place", "pixel")->has_value);

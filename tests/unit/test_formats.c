@@ -301,7 +301,7 @@ static void test_unknown_endings(void **state)
         assert_null(format);
         assert_int_equal(luxel_diagnostics_count(diagnostics), i + 1);
         char *hint = luxel_diagnostics_hint(diagnostics, i, NULL, NULL);
-        assert_string_equal(hint, "known endings: .png, .npy, .pfm, .csv, .exr");
+        assert_string_equal(hint, "known extensions: .png, .npy, .pfm, .csv, .exr");
         luxel_text_free(hint);
     }
     char *text = luxel_diagnostics_message(diagnostics, 0, NULL, NULL);
