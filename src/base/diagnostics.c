@@ -265,6 +265,45 @@ char *luxel_diagnostics_message(const luxel_diagnostics *diagnostics, size_t i, 
                                                     : NULL;
 }
 
+/* The one assignment that a hint has to try, -s 'KEY=VALUE', with the length of its key; NULL: it has none, or more. */
+static const char *assignment_of(const struct words *hint, size_t *key_length)
+{
+    static const char option[] = "-s '";
+    const char *text = hint->message == LX_MSG_HINT_TRY && hint->arguments ? hint->arguments[0] : NULL;
+    if (!text || strncmp(text, option, sizeof option - 1) != 0 || strstr(text + 1, option))
+        return NULL;
+    text += sizeof option - 1;
+    *key_length = strcspn(text, "=");
+    return text;
+}
+
+/* Whether a key is another one or a part of it. */
+static bool is_within(const char *key, size_t length, const char *whole, size_t whole_length)
+{
+    return length >= whole_length && strncmp(key, whole, whole_length) == 0 &&
+           (length == whole_length || key[whole_length] == '[' || key[whole_length] == '.');
+}
+
+void lx_settle_hints(luxel_diagnostics *diagnostics)
+{
+    for (size_t i = 0; diagnostics && i < diagnostics->count; i++)
+        for (size_t k = diagnostics->count - 1; k > i; k--) {
+            struct words *hint = &diagnostics->entries[i].hint, settled = {NO_HINT, NULL};
+            const struct words *last = &diagnostics->entries[k].hint;
+            size_t length, last_length;
+            const char *key = assignment_of(hint, &length), *last_key = assignment_of(last, &last_length);
+            if (!key || !last_key || !is_within(key, length, last_key, last_length))
+                continue;
+            if (words_set(&settled, last->message, (const char *const *)last->arguments)) {
+                words_clear(hint);
+                *hint = settled;
+            } else {
+                words_clear(&settled);
+            }
+            break;
+        }
+}
+
 char *luxel_diagnostics_hint(const luxel_diagnostics *diagnostics, size_t i, luxel_translate translate, void *data)
 {
     return i < luxel_diagnostics_count(diagnostics) ? in_words(&diagnostics->entries[i].hint, translate, data) : NULL;

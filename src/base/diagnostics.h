@@ -47,6 +47,12 @@ const char *lx_message_words(enum lx_message message);
 /* Gives the last entry appended a hint that says how to mend it. */
 void lx_hint(luxel_diagnostics *diagnostics, enum lx_message message, const char *const *arguments);
 
+/*
+ * Where several pieces of advice have a change of the same key to try, or one of a part of what another sets, the last
+ * one, which was looked at with all else, takes the place of the others.
+ */
+void lx_settle_hints(luxel_diagnostics *diagnostics);
+
 /* Reports that memory ran out and returns LUXEL_ERROR_MEMORY. */
 luxel_status lx_out_of_memory(luxel_diagnostics *diagnostics);
 

@@ -298,5 +298,6 @@ luxel_status luxel_scene_advise_peak(const luxel_scene *scene, luxel_diagnostics
         advise_highlight(&adviser);
         advise_range(&adviser);
     }
+    lx_settle_hints(diagnostics);
     return adviser.out_of_memory || adviser.walk.out_of_memory ? lx_out_of_memory(diagnostics) : LUXEL_OK;
 }

@@ -31,6 +31,19 @@ static lx_node_id below(const struct lx_document *document, lx_node_id up, const
     return id ? id : up;
 }
 
+/* A part of a node that came with an assignment where the node itself did not: then the text around it is not what
+ * counts.  0: there is none. */
+static lx_node_id assigned_part(const struct lx_document *document, lx_node_id id, uint32_t source)
+{
+    for (lx_node_id part = lx_document_node(document, id)->first; part; part = lx_document_node(document, part)->next) {
+        const lx_node_id inner =
+            lx_document_node(document, part)->source != source ? part : assigned_part(document, part, source);
+        if (inner)
+            return inner;
+    }
+    return 0;
+}
+
 void lx_advise(struct lx_adviser *adviser, struct lx_advised advised, enum lx_message message, const char *first)
 {
     const struct lx_document *document = &adviser->scene->document;
@@ -44,6 +57,8 @@ void lx_advise(struct lx_adviser *adviser, struct lx_advised advised, enum lx_me
         id = below(document, id, advised.key);
     if (advised.below)
         id = below(document, id, advised.below);
+    const lx_node_id part = assigned_part(document, id, lx_document_node(document, id)->source);
+    id = part ? part : id;
     lx_walk_report(&adviser->walk, LUXEL_SEVERITY_ADVICE, lx_document_place(document, id),
                    advised.below ? &last : (advised.key ? &key : top), message, first, NULL);
 }

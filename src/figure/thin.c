@@ -7,8 +7,8 @@
 
 #include "../base/memory.h"
 
-/* Lines are to be a millimetre apart, in points, which are so many cells; very large maps have larger cells.  A line that
- * was left out comes back only where there is more room, lest it be dashes. */
+/* Lines are to be a millimetre apart, in points, which are so many cells; very large maps have larger cells.  A line
+ * that was left out comes back only where there is more room, lest it be dashes. */
 static const double APART = 72 / 25.4;
 enum { CELLS_APART = 3, CELLS_TO_COME_BACK = 6, MOST_CELLS = 3000 };
 

@@ -66,6 +66,19 @@ def numbers(tap, tool):
     tap.ok(embedded and set(embedded) == {"yes"}, "fonts are embedded", fonts)
 
 
+def thinned(tap, tool):
+    """Isophotes of different levels are drawn no nearer to each other than about a millimetre."""
+    tool.run("figure", "report", "--log", "-o", "l.svg")
+    lines = []
+    for path in re.findall(r'<path ([^>]*stroke-linejoin:round[^>]*stroke-opacity:0.75[^>]*)/>',
+                           tool.read("l.svg").decode()):
+        numbers = [float(part) for part in re.findall(r"-?[\d.]+", re.search(r' d="([^"]*)"', " " + path).group(1))]
+        lines.append(list(zip(numbers[::2], numbers[1::2])))
+    nearest = min((math.hypot(a[0] - b[0], a[1] - b[1]) for i, one in enumerate(lines) for other in lines[:i]
+                   for a in one[::3] for b in other[::3]), default=0)
+    tap.ok(len(lines) >= 5 and nearest > 0.8 * 72 / 25.4, "isophotes by the logarithm are apart", len(lines), nearest)
+
+
 def titles(tap, tool):
     """Without --title: that of a built-in scene as it is, its name where it was changed, the comment that a file begins
     with; none where it begins otherwise."""
@@ -181,4 +194,4 @@ def reports(tap, tool):
                "%s: no outside links" % name)
 
 
-run_tests(Tap(), every_scene, numbers, titles, repeated, shapes, palettes, refused, reports)
+run_tests(Tap(), every_scene, numbers, thinned, titles, repeated, shapes, palettes, refused, reports)

@@ -122,7 +122,7 @@ static const struct asked asked[] = {
     {"report",
      {"surfaces[0].material.shininess=200000"},
      "surfaces[0].material.shininess: shininess = 200000 lies outside the advised range 1 to 500; try -s "
-     "'surfaces[0].material.shininess=500'\n"
+     "'surfaces[0].material.shininess=20'\n"
      "surfaces[0]: surfaces[0] is not wholly in view: it reaches beyond the screen on these sides: left, right, "
      "bottom, top; try -s 'screen.width=600' -s 'screen.height=600'\n"
      "surfaces[0].material.shininess: the highlight falls to half within 0.57 of a pixel: the picture may miss its "
@@ -130,7 +130,7 @@ static const struct asked asked[] = {
     {"report",
      {"surfaces[0].material.model=phong", "surfaces[0].material.shininess=0.5"},
      "surfaces[0].material.shininess: shininess = 0.5 lies outside the advised range 1 to 500; try -s "
-     "'surfaces[0].material.shininess=1'\n"
+     "'surfaces[0].material.shininess=20'\n"
      "surfaces[0]: surfaces[0] is not wholly in view: it reaches beyond the screen on these sides: left, right, "
      "bottom, top; try -s 'screen.width=600' -s 'screen.height=600'\n"
      "surfaces[0].material.shininess: the highlight falls to half only 38° away from its middle: it is too wide to be "
@@ -138,7 +138,7 @@ static const struct asked asked[] = {
     {"report",
      {"surfaces[0].material.model=phong", "surfaces[0].material.shininess=20000"},
      "surfaces[0].material.shininess: shininess = 20000 lies outside the advised range 1 to 500; try -s "
-     "'surfaces[0].material.shininess=500'\n"
+     "'surfaces[0].material.shininess=20'\n"
      "surfaces[0]: surfaces[0] is not wholly in view: it reaches beyond the screen on these sides: left, right, "
      "bottom, top; try -s 'screen.width=600' -s 'screen.height=600'\n"
      "surfaces[0].material.shininess: the highlight falls to half within 0.9 of a pixel: the picture may miss its "
@@ -157,7 +157,7 @@ static const struct asked asked[] = {
     {"report",
      {"lights[0].intensity=0"},
      "lights[0].intensity: intensity = 0 lies outside the advised range 0.01 to 10000 W/sr; try -s "
-     "'lights[0].intensity=0.01'\n"
+     "'lights[0].intensity=10'\n"
      "surfaces[0]: surfaces[0] is not wholly in view: it reaches beyond the screen on these sides: left, right, "
      "bottom, top; try -s 'screen.width=600' -s 'screen.height=600'\n"
      "lights: no light reaches what is seen of the surfaces: the picture is dark; try -s 'lights[0].intensity=10'\n"},
@@ -167,7 +167,7 @@ static const struct asked asked[] = {
     {"window",
      {"lights[0].radiance=0", "lights[1].irradiance=0"},
      "lights[0].radiance: radiance = 0 lies outside the advised range 0.01 to 1000000 W/(sr·m²); try -s "
-     "'lights[0].radiance=0.01'\n"
+     "'lights[0].radiance=100'\n"
      "lights: no light reaches what is seen of the surfaces: the picture is dark; try -s 'lights[0].radiance=100'\n"},
     {"report",
      {"surfaces[0].material.diffuse=0", "surfaces[0].material.specular=0"},
@@ -180,7 +180,7 @@ static const struct asked asked[] = {
      "surfaces[0]: surfaces[0] is not wholly in view: it reaches beyond the screen on these sides: left, right, "
      "bottom, top; try -s 'screen.width=600' -s 'screen.height=600'\n"
      "lights[0].position: the light stands inside or behind every surface: it lights nothing in view; try -s "
-     "'lights[0].position=[0, 0, 1900]'\n"
+     "'lights[0].position=[600, 300, 2200]'\n"
      "lights: no light reaches what is seen of the surfaces: the picture is dark; try -s 'lights[0].position=[600, "
      "300, 2200]'\n"},
     {"report",
@@ -325,9 +325,9 @@ static const struct asked asked[] = {
     {"report",
      {"lights[0].position=[1e5,0,1e5]", "lights[0].attenuation=inverse-square"},
      "lights[0].position[0]: position[0] = 100000 lies outside the advised range -10000 to 10000 mm; try -s "
-     "'lights[0].position[0]=10000'\n"
+     "'lights[0].position=[4300, 0, 5200]'\n"
      "lights[0].position[2]: position[2] = 100000 lies outside the advised range 100 to 10000 mm; try -s "
-     "'lights[0].position[2]=10000'\n"
+     "'lights[0].position=[4300, 0, 5200]'\n"
      "surfaces[0]: surfaces[0] is not wholly in view: it reaches beyond the screen on these sides: left, right, "
      "bottom, top; try -s 'screen.width=600' -s 'screen.height=600'\n"
      "lights[0].position: the light is so far away that its attenuation changes by only 0.86 % over the surfaces; try "
@@ -335,9 +335,9 @@ static const struct asked asked[] = {
     {"report",
      {"lights[0].position=[2e5,0,2e5]", "lights[0].attenuation=inverse-square"},
      "lights[0].position[0]: position[0] = 200000 lies outside the advised range -10000 to 10000 mm; try -s "
-     "'lights[0].position[0]=10000'\n"
+     "'lights[0].position=[4300, 0, 5200]'\n"
      "lights[0].position[2]: position[2] = 200000 lies outside the advised range 100 to 10000 mm; try -s "
-     "'lights[0].position[2]=10000'\n"
+     "'lights[0].position=[4300, 0, 5200]'\n"
      "surfaces[0]: surfaces[0] is not wholly in view: it reaches beyond the screen on these sides: left, right, "
      "bottom, top; try -s 'screen.width=600' -s 'screen.height=600'\n"
      "lights[0].position: the light is so far away that its attenuation changes by only 0.43 % over the surfaces; try "
@@ -386,11 +386,11 @@ static const struct asked asked[] = {
     {"desk",
      {"lights[0].position=[-3e5, 2e5, 2e5]", "lights[0].intensity=1e8"},
      "lights[0].position[0]: position[0] = -300000 lies outside the advised range -10000 to 10000 mm; try -s "
-     "'lights[0].position[0]=-10000'\n"
+     "'lights[0].position=[0, 10000, 9000]'\n"
      "lights[0].position[1]: position[1] = 200000 lies outside the advised range -10000 to 10000 mm; try -s "
-     "'lights[0].position[1]=10000'\n"
+     "'lights[0].position=[0, 10000, 9000]'\n"
      "lights[0].position[2]: position[2] = 200000 lies outside the advised range 100 to 10000 mm; try -s "
-     "'lights[0].position[2]=10000'\n"
+     "'lights[0].position=[0, 10000, 9000]'\n"
      "lights[0].intensity: intensity = 100000000 lies outside the advised range 0.01 to 10000 cd; try -s "
      "'lights[0].intensity=10000'\n"
      "lights[0].position: the light is so far away that its attenuation changes by only 0.62 % over the surfaces; try "
