@@ -134,7 +134,7 @@ def _volume(rng):
         {"sphere": {"center": center, "radius": _size(rng), **_some(rng, {"facets": lambda: rng.randint(4, 60)})}},
         {"cylinder": {"center": center, "radius": _size(rng), "height": _size(rng),
                       **_some(rng, {"facets": lambda: rng.randint(3, 60), "axis": lambda: _vector(rng)})}},
-        {"mesh": rng.choice(["cube.obj", "cube.off"])}])
+        {"mesh": rng.choice(["cube.obj", "cube.off"]), **_some(rng, {"scale": lambda: _size(rng)})}])
     return {"type": "volume", **body, **_spread(rng, ["radiance", "power"])}
 
 
