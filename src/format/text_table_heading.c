@@ -106,7 +106,7 @@ void lx_text_table_list_columns(const struct lx_text_table_form *form, char *lis
         size_t used = strlen(list), length = strlen(form->columns[c].names[0]) + 2;
         if (used + length >= size)
             return;
-        memcpy(list + used, used ? ", " : "", 3);
+        strcpy(list + used, used > 0 ? ", " : "");
         strcat(list, form->columns[c].names[0]);
     }
 }
