@@ -297,6 +297,8 @@ struct lx_cubature lx_integrate_asking(const struct lx_emitter *emitter, const s
         set_conditions(&problem);
         result.irradiance = lx_mul(emitter->radiance, integrate(&problem, place));
         known += result.irradiance.value * lobe->diffuse.value;
+        result.parts = problem.parts;
+        problem.parts = 0; /* each integral may take all the work that there may be */
     }
     if (lobe->specular.value > 0) {
         lx_bounded strength = lx_mul(emitter->radiance, lobe->specular);
@@ -306,6 +308,6 @@ struct lx_cubature lx_integrate_asking(const struct lx_emitter *emitter, const s
         set_conditions(&problem);
         result.specular = lx_mul(strength, integrate(&problem, place));
     }
-    result.parts = problem.parts;
+    result.parts += problem.parts;
     return result;
 }

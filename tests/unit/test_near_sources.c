@@ -187,6 +187,32 @@ static void test_tolerance(void **state)
     assert_true(known >= 3 * scenes / 4);
 }
 
+/* A diffuse integral that took all the work that one may take leaves its own to the highlight, which is no 0 then. */
+static void test_highlight_after_much_work(void **state)
+{
+    (void)state;
+    const struct near_scene near = {TUBE,
+                                    814631760.7049545,
+                                    0.057934978878329664,
+                                    false,
+                                    -44.26763928161228,
+                                    "highlight: gated, shininess: 524, diffuse: 0.25, specular: 0.886",
+                                    "none",
+                                    5,
+                                    3};
+    luxel_evaluator *evaluator = NULL;
+    luxel_scene *scene = scene_of(&near);
+    assert_int_equal(luxel_evaluator_new(scene, NULL, NULL, &evaluator), LUXEL_OK);
+    luxel_field *field = render(scene);
+    const double maximum = luxel_field_statistics(field)->maximum.value;
+    const luxel_value exact = luxel_evaluate(evaluator, 40, 0, NULL);
+    assert_true(exact.error < 1e-2 * exact.value);
+    assert_true(fabs(luxel_field_value(field, 4, 1) - exact.value) <= 1e-3 * maximum + exact.error);
+    luxel_field_free(field);
+    luxel_evaluator_free(evaluator);
+    luxel_scene_free(scene);
+}
+
 /* -- that the work does not grow -- */
 
 static unsigned work_of(enum kind kind, double radius, double gap, bool is_plate, const char *material)
@@ -232,6 +258,7 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_tolerance),
+        cmocka_unit_test(test_highlight_after_much_work),
         cmocka_unit_test(test_work),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
