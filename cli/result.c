@@ -108,7 +108,6 @@ static void write_statistics(struct json *json, const luxel_statistics *statisti
 {
     result_write_extremum(json, "max", statistics ? &statistics->maximum : NULL);
     result_write_extremum(json, "min", statistics ? &statistics->minimum : NULL);
-    result_write_extremum(json, "min_reached", statistics ? &statistics->minimum_reached : NULL);
     if (statistics && statistics->has_surface) {
         json_number(json, "mean", statistics->mean);
         json_number(json, "lit", statistics->lit);
@@ -198,6 +197,7 @@ void result_print_json(const struct result *result)
     for (size_t i = 0; i < result->count; i++)
         write_probe(&json, result->probes[i]);
     json_close(&json, ']');
+    result_write_extremum(&json, "min_reached", result->statistics ? &result->statistics->minimum_reached : NULL);
     result_write_conventions(&json, result->scene);
     json_close(&json, '}');
 }

@@ -20,7 +20,7 @@ NAMES = set("""luxel YAML JSON Schema UTF png pfm npy exr csv PNG NPY PFM EXR CS
     FILE U0 Ud window grey viridis cividis inferno magma plasma coolwarm turbo HTML PDF SVG LaTeX markdown latex
     html text figure explain report stats profile isophotes compare variant grade advise bench bench.json
     LOW HIGH TAP cairo pango luxel-draw
-    options luminance lux IES EULUMDAT LM over_pi inverse-square
+    options lp luminance lux IES EULUMDAT LM over_pi inverse-square
     center maximum rfc4180
     svg pdf txt md tex yml excel-ru student off right convention wrong value answers file line answer verdict
     too_few_digits error explanations submissions key fill rim k_d sky moon bulb spotlight round lamp lantern globe
@@ -57,7 +57,7 @@ COMMANDS = [
     ["probe", "--at", "0,0,0,0,0,0"], ["probe", "--tolerance", "2"], ["probe", "--tolerance", "x"],
     ["render", "--threads", "0"], ["render", "--precision", "dubble"], ["render", "--light-error", "1"],
     ["render", "missing.yaml"], ["render", "raport"], ["scene", "nothing"], ["help", "shinyness"], ["help", "qqq"],
-    ["scene", "--list", "report"], ["help", "render", "--json"],
+    ["scene", "--list", "report"],
     ["render", "-o", "a.gif"], ["render", "-o", "a"], ["render", "-o", "missing/a.png"], ["render", "-o", "."],
     ["render", "-o", "a.png", "-o", "./a.png"], ["render", "folder"], ["render", "folder/x.yaml"],
     ["render", "-s", "screen"], ["render", "-s", "screen="], ["render", "-s", "screen.foo=1"],
