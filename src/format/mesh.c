@@ -38,7 +38,9 @@ static void note_digits(struct lx_digits *digits, const char *word, size_t lengt
         significant += significant > 0 || word[i] != '0';
     }
     digits->has_point = digits->has_point || in_fraction || i < length;
-    decimals -= i < length ? atoi(word + i + 1) : 0;
+    double exponent = 0;
+    if (i < length && lx_read_number(word + i + 1, length - i - 1, &exponent))
+        decimals -= (int)fmax(-1000, fmin(exponent, 1000));
     digits->decimals = decimals > digits->decimals ? decimals : digits->decimals;
     digits->significant = significant > digits->significant ? significant : digits->significant;
     digits->largest = fmax(digits->largest, fabs(value));

@@ -54,7 +54,7 @@ struct lx_mesh_report {
     size_t line;
 };
 
-/* Reads a text, which it changes; `name` is the file's.  The mesh has one user. */
+/* Reads a text with a 0 byte behind it, which it changes; `name` is the file's.  The mesh has one user. */
 struct lx_mesh_report lx_mesh_read(const char *name, char *text, size_t length, struct lx_mesh **mesh);
 
 /* The longest side of the box around a mesh, in units of the file. */
