@@ -74,6 +74,27 @@ static size_t count_parts(const char *text)
     return parts;
 }
 
+/* How many numbers may be written with a decimal comma: digits, a comma and digits alone. */
+static size_t fractions(const char *text)
+{
+    size_t count = 0;
+
+    for (const char *at = text; *at;) {
+        const char *start = at + (*at == '-' || *at == '+');
+        const size_t whole = digits(start), fraction = start[whole] == ',' ? digits(start + whole + 1) : 0;
+        const char *end = fraction > 0 ? start + whole + 1 + fraction : start;
+
+        if (whole > 0 && fraction > 0 && (!*end || *end == ',')) {
+            count++;
+            at = end;
+        } else {
+            at = start + strcspn(start, ",");
+        }
+        at += *at == ',';
+    }
+    return count;
+}
+
 bool argument_numbers(const char *option, const char *form, const char *text, double *values, size_t count)
 {
     const size_t parts = count_parts(text);
@@ -94,6 +115,11 @@ bool argument_numbers(const char *option, const char *form, const char *text, do
     message_error(
         ngettext("%s %s: expected %zu numbers, %zu was given", "%s %s: expected %zu numbers, %zu were given", parts),
         option, text, count, parts);
+    if (parts > count && fractions(text) >= parts - count) {
+        message_hint(_("write the fraction with a point: a comma stands between two numbers, as in %s %s"), option,
+                     form);
+        return false;
+    }
 wrong:
     message_hint(_("the form is %s %s, decimal numbers with a point and commas between them"), option, form);
     return false;

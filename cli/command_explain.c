@@ -7,6 +7,7 @@
 #include "../front/language.h"
 #include "cli.h"
 #include "json.h"
+#include "lights.h"
 #include "load.h"
 #include "message.h"
 #include "outputs.h"
@@ -122,6 +123,7 @@ static int print_json(const struct options *options, const struct loaded *loaded
         message_error(_("out of memory"));
         return EXIT_SCENE;
     }
+    struct light_strengths lights = lights_measure(loaded->scene);
     json_open(&json, NULL, '{');
     json_text(&json, "quantity", options_quantity_name(options->settings.quantity));
     json_text(&json, "unit", luxel_scene_unit(loaded->scene, options->settings.quantity));
@@ -133,6 +135,8 @@ static int print_json(const struct options *options, const struct loaded *loaded
         code = write_point(&json, options, loaded, point);
     }
     json_close(&json, ']');
+    lights_write(&json, &lights);
+    lights_clear(&lights);
     result_write_conventions(&json, loaded->scene);
     json_close(&json, '}');
     if (fclose(json.stream) == 0 && code == EXIT_DONE)

@@ -5,6 +5,7 @@
 #include <stdlib.h>
 
 #include "cli.h"
+#include "lights.h"
 #include "message.h"
 
 /* The i-th place that is asked for. */
@@ -117,7 +118,7 @@ static void write_statistics(struct json *json, const luxel_statistics *statisti
     }
 }
 
-static void write_share(struct json *json, const luxel_light_share *share)
+static void write_share(struct json *json, const struct light_strengths *lights, const luxel_light_share *share)
 {
     json_open(json, NULL, '{');
     json_text(json, "type", share->type);
@@ -126,6 +127,7 @@ static void write_share(struct json *json, const luxel_light_share *share)
     json_number(json, "specular", share->specular);
     json_number(json, "error", share->error);
     json_whole(json, "index", share->light);
+    lights_write_strength(json, lights, share->light);
     if (share->parts > 0)
         json_whole(json, "parts", share->parts);
     if (share->name)
@@ -149,7 +151,7 @@ static void write_numbers_if(struct json *json, const char *key, bool exist, con
         json_null(json, key);
 }
 
-static void write_probe(struct json *json, const luxel_probe *probe)
+static void write_probe(struct json *json, const struct light_strengths *lights, const luxel_probe *probe)
 {
     char reason[TEXT_SIZE];
 
@@ -167,7 +169,7 @@ static void write_probe(struct json *json, const luxel_probe *probe)
     write_numbers_if(json, "normal", probe->on_surface, probe->normal, 3);
     json_open(json, "lights", '[');
     for (size_t i = 0; probe->has_value && i < probe->share_count; i++)
-        write_share(json, &probe->shares[i]);
+        write_share(json, lights, &probe->shares[i]);
     json_close(json, ']');
     if (probe->source_on_element)
         json_text(json, "reason", text_format(reason, on_element, probe->blocking_light));
@@ -185,6 +187,7 @@ void result_write_conventions(struct json *json, const luxel_scene *scene)
 void result_print_json(const struct result *result)
 {
     struct json json = {.stream = stdout};
+    struct light_strengths lights = lights_measure(result->scene);
     unsigned resolution[2] = {0, 0};
 
     luxel_scene_resolution(result->scene, &resolution[0], &resolution[1]);
@@ -195,11 +198,13 @@ void result_print_json(const struct result *result)
     write_statistics(&json, result->statistics);
     json_open(&json, "points", '[');
     for (size_t i = 0; i < result->count; i++)
-        write_probe(&json, result->probes[i]);
+        write_probe(&json, &lights, result->probes[i]);
     json_close(&json, ']');
     result_write_extremum(&json, "min_reached", result->statistics ? &result->statistics->minimum_reached : NULL);
+    lights_write(&json, &lights);
     result_write_conventions(&json, result->scene);
     json_close(&json, '}');
+    lights_clear(&lights);
 }
 
 void result_print_conventions(const luxel_scene *scene)

@@ -17,14 +17,31 @@ extern "C" {
 /* The number of lights in the scene's list; 0 where it is not committed. */
 LUXEL_API size_t luxel_scene_light_count(const luxel_scene *scene);
 
+/* The type of light i, such as "point", and its name, which is NULL where it has none; NULL where there is no such light.
+ * They are the scene's and last until it changes. */
+LUXEL_API const char *luxel_scene_light_type(const luxel_scene *scene, size_t i);
+LUXEL_API const char *luxel_scene_light_name(const luxel_scene *scene, size_t i);
+/* Whether light i is on; false where there is no such light. */
+LUXEL_API bool luxel_scene_light_enabled(const luxel_scene *scene, size_t i);
+
 /*
  * The flux that light i gives off in all, in W (lm with photometric units), to 1e-12: its radiant intensity integrated
  * over the sphere, 4 pi I of an isotropic point, pi I of a lambertian one, 2 pi I/(m + 1) by a power m > 0 of the
- * cosine; of a planar or volume source pi times its radiance times its area.  The attenuation does not change it.
+ * cosine; of a planar or volume source pi times its radiance times the area that shines.  The attenuation does not
+ * change it.
  * NaN for ambient and distant light, which have none.
  * LUXEL_ERROR_ARGUMENT: not committed, or no such light.  LUXEL_ERROR_RANGE: beyond float64.  LUXEL_ERROR_MEMORY.
  */
 LUXEL_API luxel_status luxel_scene_light_flux(const luxel_scene *scene, size_t i, double *flux);
+
+/*
+ * The radiant intensity of light i in W/sr (cd with photometric units): the same in all directions, or along
+ * luxel_scene_light_direction(); of a cloud the sum over its points; of a planar source its radiance times the area of
+ * one side, of a sphere times that of its cross-section.  Given by a power it is worked out, to 1e-12.
+ * NaN for lights that have no such: ambient and distant ones, other bodies, clouds whose points are aimed.
+ * The same errors as luxel_scene_light_flux().
+ */
+LUXEL_API luxel_status luxel_scene_light_intensity(const luxel_scene *scene, size_t i, double *intensity);
 
 /*
  * Where light i stands: its position, the centre of its outline or body, in mm; of a polygon or mesh the centroid of
@@ -35,7 +52,8 @@ LUXEL_API bool luxel_scene_light_place(const luxel_scene *scene, size_t i, doubl
 
 /*
  * The direction in which light i shines, of length 1 up to rounding: that in which distant light travels, the axis of a
- * spot or of a point whose intensity depends on it, the normal of a planar source.  False, and nothing is written, for
+ * spot or of a point whose intensity depends on it, the normal of a planar source, of its front
+ * where both sides shine.  False, and nothing is written, for
  * lights that have none, ambient ones, isotropic points and volumes, where there is no such light, and where memory is
  * short.
  */

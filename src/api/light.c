@@ -14,30 +14,65 @@ size_t luxel_scene_light_count(const luxel_scene *scene)
     return parameters ? parameters->lights.count : 0;
 }
 
+static const struct lx_item *item_of(const luxel_scene *scene, size_t i)
+{
+    return i < luxel_scene_light_count(scene) ? &lx_scene_parameters(scene)->lights.items[i] : NULL;
+}
+
+const char *luxel_scene_light_type(const luxel_scene *scene, size_t i)
+{
+    const struct lx_item *item = item_of(scene, i);
+    return item ? item->variant->name : NULL;
+}
+
+const char *luxel_scene_light_name(const luxel_scene *scene, size_t i)
+{
+    const struct lx_item *item = item_of(scene, i);
+    return item ? ((const struct lx_light_common *)item->common)->name : NULL;
+}
+
+bool luxel_scene_light_enabled(const luxel_scene *scene, size_t i)
+{
+    const struct lx_item *item = item_of(scene, i);
+    return item && ((const struct lx_light_common *)item->common)->enabled;
+}
+
 /* The emitters of light i; to be cleared whatever it returns. */
 static luxel_status lower(const luxel_scene *scene, size_t i, struct lx_emitters *emitters)
 {
     *emitters = (struct lx_emitters){.is_whole = true};
-    if (i >= luxel_scene_light_count(scene))
+    const struct lx_item *item = item_of(scene, i);
+    if (!item)
         return LUXEL_ERROR_ARGUMENT;
-    const struct lx_item *item = &lx_scene_parameters(scene)->lights.items[i];
     const struct lx_light_kind *kind = (const struct lx_light_kind *)item->variant;
     return kind->prepare(item->parameters, emitters) == 0 ? LUXEL_OK : LUXEL_ERROR_MEMORY;
 }
 
-luxel_status luxel_scene_light_flux(const luxel_scene *scene, size_t i, double *flux)
+/* The number that one of the totals gives of light i. */
+static luxel_status measure(const luxel_scene *scene, size_t i, double (*total)(const struct lx_emitters *),
+                            double *answer)
 {
     struct lx_emitters emitters;
-    if (!flux)
+    if (!answer)
         return LUXEL_ERROR_ARGUMENT;
     luxel_status status = lower(scene, i, &emitters);
-    double sum = status == LUXEL_OK ? lx_emitters_flux(&emitters) : 0;
+    double sum = status == LUXEL_OK ? total(&emitters) : 0;
     lx_emitters_clear(&emitters);
     if (status == LUXEL_OK && isinf(sum))
         status = LUXEL_ERROR_RANGE;
     if (status == LUXEL_OK)
-        *flux = sum;
+        *answer = sum;
     return status;
+}
+
+luxel_status luxel_scene_light_flux(const luxel_scene *scene, size_t i, double *flux)
+{
+    return measure(scene, i, lx_emitters_flux, flux);
+}
+
+luxel_status luxel_scene_light_intensity(const luxel_scene *scene, size_t i, double *intensity)
+{
+    return measure(scene, i, lx_emitters_intensity, intensity);
 }
 
 /* What one of the totals says of light i. */

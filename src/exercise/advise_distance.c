@@ -53,6 +53,9 @@ static double change_over(const struct lx_prepared *prepared, const double place
     }
     if (emitter->attenuation == LX_PRACTICAL)
         return (k_mm + far) / (k_mm + near);
+    if (emitter->attenuation == LX_POLYNOMIAL)
+        return lx_by_polynomial(emitter->coefficients, near / 1000) /
+               lx_by_polynomial(emitter->coefficients, far / 1000);
     return near > 0 ? far / near * (far / near) : HUGE_VAL;
 }
 

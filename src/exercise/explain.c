@@ -179,7 +179,7 @@ static luxel_status explain_value(const struct explaining *explaining, luxel_dia
         status = luxel_find_alternatives(explaining->scene, explaining->settings, probe->x_mm, probe->y_mm, diagnostics,
                                          &alternatives);
     if (status == LUXEL_OK && lx_element_seen(&prepared, probe->x_mm, probe->y_mm, &element)) {
-        struct lx_steps steps = {explaining->document, &prepared, &element, explaining->quantity};
+        struct lx_steps steps = {explaining->document, &prepared, &element, explaining->quantity, explaining->scene};
         add_result(explaining);
         lx_explain_place(&steps, probe->x_mm, probe->y_mm);
         add_lights(explaining, &steps);

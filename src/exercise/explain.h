@@ -21,6 +21,7 @@ struct lx_steps {
     const struct lx_prepared *prepared;
     const struct lx_element *element;
     luxel_quantity quantity;
+    const luxel_scene *scene; /* that was prepared */
 };
 
 void lx_explain_place(const struct lx_steps *steps, double x_mm, double y_mm);

@@ -10,7 +10,7 @@
 
 /* What of the kinds of lights there is in a scene. */
 struct used {
-    bool ambient, distant, point, spot, extended, parts, laws[3], isotropic, lambertian, cosine, falloffs[5];
+    bool ambient, distant, point, spot, extended, parts, laws[LX_LAWS], isotropic, lambertian, cosine, falloffs[5];
 };
 
 static struct used find_used(const struct lx_prepared *prepared)
@@ -85,6 +85,9 @@ static void explain_laws(struct luxel_document *document, const struct used *use
     if (used->laws[LX_PRACTICAL])
         lx_document_item(document, LX_N("attenuation by the practical law, distances in metres: {0}"),
                          LX_SPANS(LX_MATH("a(r) = 1 / (k + r)")));
+    if (used->laws[LX_POLYNOMIAL])
+        lx_document_item(document, LX_N("attenuation by a polynomial of the distance in metres: {0}"),
+                         LX_SPANS(LX_MATH("a(r) = 1 / (k_c + k_l r + k_q r^2)")));
     if (used->laws[LX_NO_ATTENUATION])
         lx_document_item(document, LX_N("no attenuation: {0}"), LX_SPANS(LX_MATH("a(r) = 1")));
     if (used->lambertian)

@@ -4,9 +4,12 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include <luxel/light.h>
+
 #include "../base/number.h"
 #include "../base/phrase.h"
 #include "../light/placed.h"
+#include "../parameter/words.h"
 #include "../shade/camera.h"
 #include "explain.h"
 #include "parameter_tables.h"
@@ -144,9 +147,13 @@ static double dot(const lx_bounded3 *a, const lx_bounded3 *b)
 
 static double attenuation_at(const struct lx_emitter *emitter, double r_m)
 {
-    return emitter->attenuation == LX_INVERSE_SQUARE ? 1 / (r_m * r_m)
-           : emitter->attenuation == LX_PRACTICAL    ? 1 / (emitter->k_mm / 1000 + r_m)
-                                                     : 1;
+    switch (emitter->attenuation) {
+    case LX_INVERSE_SQUARE: return 1 / (r_m * r_m);
+    case LX_PRACTICAL: return 1 / (emitter->k_mm / 1000 + r_m);
+    case LX_POLYNOMIAL: return lx_by_polynomial(emitter->coefficients, r_m);
+    case LX_NO_ATTENUATION: break;
+    }
+    return 1;
 }
 
 static void explain_distance(const struct lx_steps *steps, const struct lx_emitter *emitter, double *r_m)
@@ -173,6 +180,19 @@ static void explain_attenuation(const struct lx_steps *steps, const struct lx_em
         say(&line, "a(r) = 1");
     } else if (emitter->attenuation == LX_INVERSE_SQUARE) {
         say(&line, "a(r) = \\frac{1}{r^2} = \\frac{1}{");
+        number(&line, r_m);
+        say(&line, "^2} = ");
+        number(&line, attenuation_at(emitter, r_m));
+    } else if (emitter->attenuation == LX_POLYNOMIAL) {
+        say(&line, "a(r) = \\frac{1}{k_c + k_l r + k_q r^2} = \\frac{1}{");
+        number(&line, emitter->coefficients[0]);
+        say(&line, " + ");
+        number(&line, emitter->coefficients[1]);
+        say(&line, " \\cdot ");
+        number(&line, r_m);
+        say(&line, " + ");
+        number(&line, emitter->coefficients[2]);
+        say(&line, " \\cdot ");
         number(&line, r_m);
         say(&line, "^2} = ");
         number(&line, attenuation_at(emitter, r_m));
@@ -385,6 +405,30 @@ static void sum_parts(const struct lx_steps *steps, const luxel_light_share *sha
     end(steps, &line);
 }
 
+/* Intensity and flux, as far as there are such: the pattern integrated over all directions, whatever the law. */
+static void explain_strength(const struct lx_steps *steps, size_t light)
+{
+    const bool photometric = steps->prepared->scene->units == LX_PHOTOMETRIC;
+    double flux = (double)NAN, intensity = (double)NAN;
+    char numbers[2][LX_NUMBER_SIZE];
+    if (luxel_scene_light_flux(steps->scene, light, &flux) != LUXEL_OK || !isfinite(flux))
+        return;
+    luxel_scene_light_intensity(steps->scene, light, &intensity);
+    const struct lx_span sent = LX_PLAIN(lx_write_digits(flux, 7, numbers[0]));
+    const struct lx_span in_flux = LX_TERM_SPAN(lx_unit_word(LX_UNIT_POWER, photometric));
+    if (!isfinite(intensity))
+        lx_document_paragraph(steps->document,
+                              LX_N("The flux that it sends out in all directions together is {0} {1}."),
+                              LX_SPANS(sent, in_flux));
+    else
+        lx_document_paragraph(
+            steps->document,
+            LX_N("Its intensity is {0} {1}, and the flux that it sends out in all directions together "
+                 "is {2} {3}."),
+            LX_SPANS(LX_PLAIN(lx_write_digits(intensity, 7, numbers[1])),
+                     LX_TERM_SPAN(lx_unit_word(LX_UNIT_INTENSITY, photometric)), sent, in_flux));
+}
+
 void lx_explain_light(const struct lx_steps *steps, const luxel_light_share *share)
 {
     const struct lx_emitters *emitters = &steps->prepared->emitters;
@@ -407,6 +451,7 @@ void lx_explain_light(const struct lx_steps *steps, const luxel_light_share *sha
     lx_text_clear(&name);
     if (!first)
         return;
+    explain_strength(steps, share->light);
     if (first->type == LX_UNIFORM) {
         explain_ambient(steps, share);
         return;

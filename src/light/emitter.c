@@ -291,12 +291,20 @@ static lx_bounded metres(lx_bounded length_mm)
     return lx_div(length_mm, lx_exact(1000));
 }
 
+/* kc + kl r + kq r^2 */
+static lx_bounded polynomial(const double coefficients[3], lx_bounded r)
+{
+    const lx_bounded above = lx_add(lx_exact(coefficients[1]), lx_mul(r, lx_exact(coefficients[2])));
+    return lx_add(lx_exact(coefficients[0]), lx_mul(r, above));
+}
+
 static lx_bounded attenuation(const struct lx_emitter *emitter, lx_bounded distance_m)
 {
     lx_bounded one = lx_exact(1);
     switch (emitter->attenuation) {
     case LX_INVERSE_SQUARE: return lx_div(one, lx_mul(distance_m, distance_m));
     case LX_PRACTICAL: return lx_div(one, lx_add(metres(lx_exact(emitter->k_mm)), distance_m));
+    case LX_POLYNOMIAL: return lx_div(one, polynomial(emitter->coefficients, distance_m));
     case LX_NO_ATTENUATION: break;
     }
     return one;
@@ -309,7 +317,8 @@ static struct lx_sample sample_point(const struct lx_emitter *emitter, lx_bounde
     if (distance.value <= distance.error)
         return (struct lx_sample){.on_element = true};
     lx_bounded3 towards = lx_unit3(offset);
-    lx_bounded e_perp = lx_mul(lx_exact(emitter->strength), attenuation(emitter, metres(distance)));
+    lx_bounded strength = {emitter->strength, emitter->strength_error};
+    lx_bounded e_perp = lx_mul(strength, attenuation(emitter, metres(distance)));
     return (struct lx_sample){
         .towards = towards,
         .e_perp = lx_mul(e_perp, profile_value(&emitter->profile, towards)),

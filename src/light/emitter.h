@@ -24,8 +24,9 @@ enum lx_emitter_type { LX_UNIFORM, LX_DIRECTION, LX_POINT, LX_FACETS, LX_DISK, L
 struct lx_facets;
 struct lx_asking;
 
-/* The attenuation laws a(r): 1/r^2, 1/(k + r), 1. */
-enum lx_attenuation { LX_INVERSE_SQUARE, LX_PRACTICAL, LX_NO_ATTENUATION };
+/* The attenuation laws a(r): 1/r^2, 1/(k + r), 1, 1/(kc + kl r + kq r^2). */
+enum lx_attenuation { LX_INVERSE_SQUARE, LX_PRACTICAL, LX_NO_ATTENUATION, LX_POLYNOMIAL };
+enum { LX_LAWS = LX_POLYNOMIAL + 1 };
 
 /* How a cone falls from 1 at its inner to 0 at its outer angle; LX_NO_CONE: 1 everywhere. */
 enum lx_falloff { LX_SMOOTHSTEP, LX_SQUARED, LX_LINEAR, LX_HARD, LX_NO_CONE };
@@ -45,11 +46,13 @@ struct lx_emitter {
     enum lx_emitter_type type;
     size_t light;          /* index of the light in the scene that it belongs to */
     bool is_part;          /* a point that stands for a part of an extended source: surfaces do not hide it */
-    double strength;       /* irradiance, or a point's radiant intensity */
+    double strength;       /* irradiance, or a point's radiant intensity, */
+    double strength_error; /* which may be off by that */
     lx_bounded3 towards;   /* direction: the unit vector to the light */
     double position_mm[3]; /* point */
     enum lx_attenuation attenuation;
-    double k_mm; /* of the practical law */
+    double k_mm;            /* of the practical law */
+    double coefficients[3]; /* kc, kl, kq of the polynomial one, r in metres */
     struct lx_profile profile;
     /* the extended ones: */
     lx_bounded radiance;      /* W/(sr m^2) */
@@ -58,6 +61,12 @@ struct lx_emitter {
     double radius_mm, height_mm;
     lx_bounded3 axis; /* unit: the way a disk shines; along a cylinder */
 };
+
+/* The polynomial law at a distance. */
+static inline double lx_by_polynomial(const double coefficients[3], double distance_m)
+{
+    return 1 / (coefficients[0] + distance_m * (coefficients[1] + distance_m * coefficients[2]));
+}
 
 static inline bool lx_is_extended(const struct lx_emitter *emitter)
 {

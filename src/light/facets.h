@@ -38,6 +38,9 @@ struct lx_facets *lx_facets_of_rectangle(const double center_mm[3], const double
 /* The same, however its axis was given. */
 struct lx_facets *lx_facets_of_pose(const double center_mm[3], const double size_mm[2], const struct lx_pose *pose);
 
+/* The other side of facets of one face that are open. */
+struct lx_facets *lx_facets_turned(const struct lx_facets *sheet);
+
 /* An axis-parallel box. */
 struct lx_facets *lx_facets_of_box(const double center_mm[3], const double size_mm[3]);
 

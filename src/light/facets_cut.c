@@ -9,6 +9,7 @@
 #include "../base/rows.h"
 #include "../format/cloud.h"
 #include "facets.h"
+#include "law.h"
 
 /* Four corners this near to a parallelogram, relative to its size, are one. */
 static const double ROUNDED = 1e-12;
@@ -126,8 +127,7 @@ int lx_facets_cut(const struct lx_emitter *emitter, unsigned parts, struct lx_em
     struct cut cut = {.parts = parts, .emitters = emitters};
     cut.part.type = LX_POINT;
     cut.part.light = emitter->light;
-    cut.part.attenuation = emitter->attenuation;
-    cut.part.k_mm = emitter->k_mm;
+    lx_law_copy(emitter, &cut.part);
     for (size_t i = 0; i < emitter->facets->face_count; i++)
         if (cut_face(emitter, &emitter->facets->faces[i], &cut))
             return -1;

@@ -284,6 +284,25 @@ struct lx_facets *lx_facets_of_pose(const double center_mm[3], const double size
     return facets;
 }
 
+struct lx_facets *lx_facets_turned(const struct lx_facets *sheet)
+{
+    const unsigned count = sheet->faces[0].count;
+    struct lx_facets *turned = lx_facets_new(sheet->corner_count, 1, count);
+    if (!turned)
+        return NULL;
+    memcpy(turned->corners_mm, sheet->corners_mm, sheet->corner_count * sizeof *sheet->corners_mm);
+    for (unsigned i = 0; i < count; i++)
+        turned->loop[i] = sheet->loop[sheet->faces[0].first + count - 1 - i];
+    lx_facets_add_face(turned, count);
+    turned = finished(turned, false, NULL);
+    if (turned) {
+        const lx_wide3 normal = sheet->faces[0].normal;
+        turned->faces[0].normal = lx_wide3_sub(lx_wide3_of((const double[]){0, 0, 0}), normal);
+        turned->corner_error_mm = sheet->corner_error_mm;
+    }
+    return turned;
+}
+
 struct lx_facets *lx_facets_of_rectangle(const double center_mm[3], const double size_mm[2], const double axis[3],
                                          const double up[3])
 {

@@ -1,10 +1,13 @@
 /* SPDX-License-Identifier: MIT */
 /* The part of preparing a light that all lights standing at a place or at many share. */
-#include <string.h>
-
 #include "placed.h"
 
-const char *const lx_attenuation_names[] = {"inverse-square", "practical", "none", NULL};
+#include <float.h>
+#include <math.h>
+#include <string.h>
+
+#include "../parameter/check.h"
+#include "solid_angle.h"
 
 struct lx_emitter lx_shining_emitter(const struct lx_shining *shining, const double position_mm[3], double intensity,
                                      struct lx_profile profile)
@@ -12,10 +15,9 @@ struct lx_emitter lx_shining_emitter(const struct lx_shining *shining, const dou
     struct lx_emitter emitter = {
         .type = LX_POINT,
         .strength = intensity,
-        .attenuation = (enum lx_attenuation)shining->attenuation,
-        .k_mm = shining->k_mm,
         .profile = profile,
     };
+    lx_law_set(&shining->law, &emitter);
     memcpy(emitter.position_mm, position_mm, sizeof emitter.position_mm);
     return emitter;
 }
@@ -28,7 +30,23 @@ lx_bounded3 lx_placed_axis(const struct lx_table *table, const void *parameters,
     return lx_unit3(lx_exact3(shining->axis));
 }
 
-struct lx_emitter lx_placed_emitter(const struct lx_placed *placed, struct lx_profile profile)
+struct lx_emitter lx_placed_emitter(const struct lx_table *table, const void *parameters,
+                                    const struct lx_placed *placed, struct lx_profile profile)
 {
-    return lx_shining_emitter(&placed->shining, placed->position_mm, placed->intensity, profile);
+    struct lx_emitter emitter = lx_shining_emitter(&placed->shining, placed->position_mm, placed->intensity, profile);
+    if (lx_is_given(table, parameters, "power")) {
+        emitter.strength = placed->power / lx_profile_solid_angle(&profile);
+        emitter.strength_error = emitter.strength * (LX_SOLID_ANGLE_ERROR + DBL_EPSILON);
+    }
+    return emitter;
+}
+
+void lx_check_power(const struct lx_check *check, const struct lx_emitter *emitter)
+{
+    if (isfinite(emitter->strength))
+        return;
+    const bool is_dark = !(lx_profile_solid_angle(&emitter->profile) > 0);
+    lx_check_report(check, "power", LX_ALL_OF_IT, is_dark ? LX_MSG_POWER_NOWHERE : LX_MSG_POWER_TOO_LARGE, NULL);
+    if (is_dark)
+        lx_check_hint(check, LX_MSG_HINT_WIDER_CONE, NULL);
 }

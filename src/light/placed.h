@@ -8,23 +8,22 @@
 #ifndef LX_LIGHT_PLACED_H
 #define LX_LIGHT_PLACED_H
 
+#include "law.h"
 #include "light.h"
 
 /* How a source shines from where it stands. */
 struct lx_shining {
-    int attenuation; /* enum lx_attenuation */
-    double k_mm;
+    struct lx_law law;
     double axis[3];
     double aim_mm[3];
 };
 
 struct lx_placed {
     double position_mm[3];
-    double intensity; /* W/sr or cd */
+    double intensity; /* W/sr or cd; or: */
+    double power;     /* W or lm */
     struct lx_shining shining;
 };
-
-extern const char *const lx_attenuation_names[];
 
 #define LX_PLACED_PARAMETERS(type_)                                                                                    \
     {                                                                                                                  \
@@ -44,33 +43,26 @@ extern const char *const lx_attenuation_names[];
             .type = LX_REAL,                                                                                           \
             .offset = offsetof(type_, placed.intensity),                                                               \
             .unit = LX_UNIT_INTENSITY,                                                                                 \
-            .required = true,                                                                                          \
             .legal = LX_FROM(0),                                                                                       \
             .advised = {LX_BETWEEN(0.01, 10000)},                                                                      \
             .meaning = "the radiant intensity, along the axis where it depends on the direction",                      \
         },                                                                                                             \
+        {                                                                                                              \
+            .name = "power",                                                                                           \
+            .label = "Power",                                                                                          \
+            .type = LX_REAL,                                                                                           \
+            .offset = offsetof(type_, placed.power),                                                                   \
+            .unit = LX_UNIT_POWER,                                                                                     \
+            .legal = LX_FROM(0),                                                                                       \
+            .advised = {LX_BETWEEN(0.1, 1e5)},                                                                         \
+            .meaning =                                                                                                 \
+                "the power that it emits in all, instead of intensity, which is the power over the integral of "       \
+                "pattern and cone over all directions: 4 pi where it shines the same in all of them",                  \
+        },                                                                                                             \
         LX_SHINING_PARAMETERS(type_, placed.shining)
 
 #define LX_SHINING_PARAMETERS(type_, member_)                                                                          \
-    {                                                                                                                  \
-        .name = "attenuation",                                                                                         \
-        .label = "Attenuation",                                                                                        \
-        .type = LX_CHOICE,                                                                                             \
-        .offset = offsetof(type_, member_.attenuation),                                                                \
-        .choices = lx_attenuation_names,                                                                               \
-        .initial = "inverse-square",                                                                                   \
-        .meaning = "how light weakens with the distance r in metres: 1/r^2, 1/(k + r), or not at all",                 \
-    },                                                                                                                 \
-        {                                                                                                              \
-            .name = "k",                                                                                               \
-            .label = "Length k",                                                                                       \
-            .type = LX_REAL,                                                                                           \
-            .offset = offsetof(type_, member_.k_mm),                                                                   \
-            .unit = LX_UNIT_MM,                                                                                        \
-            .legal = LX_ABOVE(0),                                                                                      \
-            .advised = {LX_BETWEEN(10, 2000)},                                                                         \
-            .meaning = "the length k of the practical law 1/(k + r), which keeps it finite near the source",           \
-        },                                                                                                             \
+    LX_LAW_PARAMETERS(type_, member_.law),                                                                             \
         {                                                                                                              \
             .name = "axis",                                                                                            \
             .label = "Axis",                                                                                           \
@@ -87,13 +79,13 @@ extern const char *const lx_attenuation_names[];
     }
 
 #define LX_SHINING_RULES                                                                                               \
-    {LX_RULE_NEEDED, "k", "attenuation", "practical"}, {LX_RULE_USED, "k", "attenuation", "practical"},                \
+    LX_LAW_RULES,                                                                                                      \
     {                                                                                                                  \
         LX_RULE_EXCLUSIVE, "axis", "aim", NULL                                                                         \
     }
 
 #define LX_PLACED_RULES                                                                                                \
-    LX_SHINING_RULES,                                                                                                  \
+    {LX_RULE_ONE, "intensity", NULL, "intensity|power"}, LX_SHINING_RULES,                                             \
     {                                                                                                                  \
         LX_RULE_DISTINCT, "aim", "position", NULL                                                                      \
     }
@@ -105,7 +97,11 @@ struct lx_emitter lx_shining_emitter(const struct lx_shining *shining, const dou
 /* The unit axis: towards the aim where one is given (`table` tells), else along the axis. */
 lx_bounded3 lx_placed_axis(const struct lx_table *table, const void *parameters, const struct lx_placed *placed);
 
-/* The point emitter with this profile. */
-struct lx_emitter lx_placed_emitter(const struct lx_placed *placed, struct lx_profile profile);
+/* The point emitter with this profile, of the intensity or the power that is given. */
+struct lx_emitter lx_placed_emitter(const struct lx_table *table, const void *parameters,
+                                    const struct lx_placed *placed, struct lx_profile profile);
+
+/* Reports a power that gives no intensity. */
+void lx_check_power(const struct lx_check *check, const struct lx_emitter *emitter);
 
 #endif

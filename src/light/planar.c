@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /*
- * The planar source: a flat piece that shines from one side with the same radiance everywhere, such as a luminous
- * panel.  Its outline is a polygon, a rectangle or a disk.
+ * The planar source: a flat piece that shines from one side, or from both, with the same radiance everywhere, such as a
+ * luminous panel.  Its outline is a polygon, a rectangle or a disk.
  */
 #include <math.h>
 #include <stdlib.h>
@@ -31,6 +31,7 @@ struct planar_parameters {
     struct rectangle_parameters rectangle;
     struct disk_parameters disk;
     double intensity; /* W/sr or cd, along the normal */
+    int sides;
     struct lx_spread spread;
 };
 
@@ -129,6 +130,10 @@ static const struct lx_table disk_table = {
     .size = sizeof(struct disk_parameters),
 };
 
+enum { FRONT, BOTH };
+
+static const char *const sides_names[] = {"front", "both", NULL};
+
 static const struct lx_parameter planar_parameters[] = {
     {
         .name = "vertices",
@@ -166,6 +171,16 @@ static const struct lx_parameter planar_parameters[] = {
         .legal = LX_FROM(0),
         .advised = {LX_BETWEEN(0.01, 10000)},
         .meaning = "the radiant intensity along the normal, from far away: the radiance times the area",
+    },
+    {
+        .name = "sides",
+        .label = "Sides",
+        .type = LX_CHOICE,
+        .offset = offsetof(struct planar_parameters, sides),
+        .choices = sides_names,
+        .initial = "front",
+        .meaning = "which sides shine, each with the radiance: the front, to which the axis points or which sees the "
+                   "corners run counter-clockwise, or both",
     },
     LX_SPREAD_PARAMETERS(struct planar_parameters),
 };
@@ -241,6 +256,22 @@ static int add_pieces(struct lx_shapes *shapes, struct lx_facets **pieces, size_
     return result;
 }
 
+/* Adds the back of each piece that there is. */
+static int add_backs(struct lx_shapes *shapes)
+{
+    const size_t count = shapes->emitters.count;
+    for (size_t i = 0; i < count; i++) {
+        struct lx_emitter back = shapes->emitters.items[i];
+        if (back.type == LX_FACETS)
+            back.facets = lx_facets_turned(back.facets);
+        else
+            back.axis = lx_negate3(back.axis);
+        if (lx_shapes_add(shapes, &back))
+            return -1;
+    }
+    return 0;
+}
+
 /* What the outline consists of, or what is wrong with it. */
 static struct lx_shape_report make_shapes(const struct planar_parameters *planar, struct lx_shapes *shapes)
 {
@@ -260,6 +291,8 @@ static struct lx_shape_report make_shapes(const struct planar_parameters *planar
             return report;
         result = add_pieces(shapes, pieces, count);
     }
+    if (result == 0 && planar->sides == BOTH)
+        result = add_backs(shapes);
     if (result < 0)
         report.fault = LX_SHAPE_OUT_OF_MEMORY;
     return report;
@@ -275,6 +308,12 @@ static bool same_place(const double a[3], const double b[3])
 /* Without area: for one reason that can be pointed at, or as a whole. */
 static void report_no_area(const struct lx_check *check, const struct lx_vectors *vertices)
 {
+    const size_t last = vertices->count - 1;
+    if (same_place(vertices->xyz[last], vertices->xyz[0])) {
+        lx_check_report(check, "vertices", last, LX_MSG_CLOSED_RING, NULL);
+        lx_check_hint(check, LX_MSG_HINT_CLOSED_RING, NULL);
+        return;
+    }
     for (size_t i = 0; i < vertices->count; i++)
         if (same_place(vertices->xyz[i], vertices->xyz[(i + 1) % vertices->count])) {
             lx_check_report(check, "vertices", (i + 1) % vertices->count, LX_MSG_CORNER_TWICE, NULL);
@@ -302,7 +341,8 @@ static lx_bounded radiance_of(const struct planar_parameters *planar, const stru
         return lx_exact(planar->spread.radiance);
     if (lx_is_given(&planar_table, planar, "power"))
         return lx_radiance_of_power(planar->spread.power, shapes);
-    return lx_div(lx_exact(planar->intensity), lx_shapes_area(shapes));
+    const lx_bounded area = lx_shapes_area(shapes); /* of all that shines */
+    return lx_div(lx_exact(planar->intensity), planar->sides == BOTH ? lx_scale(area, 0.5) : area);
 }
 
 static void check_planar(const struct lx_check *check, void *parameters)
@@ -337,7 +377,7 @@ const struct lx_light_kind lx_planar_kind = {
     .variant =
         {
             .name = "planar",
-            .meaning = "a flat source that shines from one side, such as a luminous panel",
+            .meaning = "a flat source that shines from one side or from both, such as a luminous panel",
             .example = "{type: planar, rectangle: {center: [0, 800, 2200], size: [600, 300], aim: [0, 0, 1000]}, "
                        "radiance: 90}",
             .table = &planar_table,

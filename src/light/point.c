@@ -21,19 +21,32 @@ static const struct lx_rule point_rules[] = {
     LX_PATTERN_RULES,
 };
 
+static void check_point(const struct lx_check *check, void *parameters);
+
 static const struct lx_table point_table = {
     .parameters = point_parameters,
     .count = LX_COUNT(point_parameters),
     .rules = point_rules,
     .rule_count = LX_COUNT(point_rules),
     .size = sizeof(struct point_parameters),
+    .check = check_point,
 };
+
+static struct lx_emitter emitter_of(const struct point_parameters *point)
+{
+    lx_bounded3 axis = lx_placed_axis(&point_table, point, &point->placed);
+    return lx_placed_emitter(&point_table, point, &point->placed, lx_pattern_profile(&point->pattern, axis));
+}
+
+static void check_point(const struct lx_check *check, void *parameters)
+{
+    struct lx_emitter emitter = emitter_of(parameters);
+    lx_check_power(check, &emitter);
+}
 
 static int prepare_point(const void *parameters, struct lx_emitters *emitters)
 {
-    const struct point_parameters *point = parameters;
-    lx_bounded3 axis = lx_placed_axis(&point_table, parameters, &point->placed);
-    struct lx_emitter emitter = lx_placed_emitter(&point->placed, lx_pattern_profile(&point->pattern, axis));
+    struct lx_emitter emitter = emitter_of(parameters);
     return lx_emitters_append(emitters, &emitter);
 }
 

@@ -4,6 +4,7 @@
 #include <string.h>
 
 #include "../base/pose.h"
+#include "law.h"
 #include "round.h"
 
 /* Directions at right angles. */
@@ -44,10 +45,9 @@ static int add_part(const struct cut *cut, const double offset[3], const double 
     struct lx_emitter part = {
         .type = LX_POINT,
         .strength = cut->strength,
-        .attenuation = cut->emitter->attenuation,
-        .k_mm = cut->emitter->k_mm,
     };
     double direction[3];
+    lx_law_copy(cut->emitter, &part);
     for (int i = 0; i < 3; i++) {
         const double along[3] = {cut->frame.across[i], cut->frame.upward[i], cut->frame.axis[i]};
         part.position_mm[i] =

@@ -65,21 +65,34 @@ static const struct lx_rule spot_rules[] = {
     {LX_RULE_ORDERED, "inner", "outer", NULL},
 };
 
+static void check_spot(const struct lx_check *check, void *parameters);
+
 static const struct lx_table spot_table = {
     .parameters = spot_parameters,
     .count = LX_COUNT(spot_parameters),
     .rules = spot_rules,
     .rule_count = LX_COUNT(spot_rules),
     .size = sizeof(struct spot_parameters),
+    .check = check_spot,
 };
+
+static struct lx_emitter emitter_of(const struct spot_parameters *spot)
+{
+    lx_bounded3 axis = lx_placed_axis(&spot_table, spot, &spot->placed);
+    return lx_placed_emitter(
+        &spot_table, spot, &spot->placed,
+        lx_profile_cone(axis, (enum lx_falloff)spot->falloff, spot->inner_deg, spot->outer_deg, spot->exponent));
+}
+
+static void check_spot(const struct lx_check *check, void *parameters)
+{
+    struct lx_emitter emitter = emitter_of(parameters);
+    lx_check_power(check, &emitter);
+}
 
 static int prepare_spot(const void *parameters, struct lx_emitters *emitters)
 {
-    const struct spot_parameters *spot = parameters;
-    lx_bounded3 axis = lx_placed_axis(&spot_table, parameters, &spot->placed);
-    struct lx_emitter emitter =
-        lx_placed_emitter(&spot->placed, lx_profile_cone(axis, (enum lx_falloff)spot->falloff, spot->inner_deg,
-                                                         spot->outer_deg, spot->exponent));
+    struct lx_emitter emitter = emitter_of(parameters);
     return lx_emitters_append(emitters, &emitter);
 }
 

@@ -67,8 +67,7 @@ int lx_spread_emit(const struct lx_spread *spread, lx_bounded radiance, struct l
     for (size_t i = 0; i < shapes->emitters.count && result == 0; i++) {
         struct lx_emitter *emitter = &shapes->emitters.items[i];
         emitter->radiance = radiance;
-        emitter->attenuation = (enum lx_attenuation)spread->attenuation;
-        emitter->k_mm = spread->k_mm;
+        lx_law_set(&spread->law, emitter);
         const double parts = least_parts(emitter, side);
         const size_t faces = side == 0 && emitter->type == LX_FACETS ? emitter->facets->face_count : 0;
         const bool in_swarms = emitter->type == LX_FACETS && side >= LX_LEAST_IN_SWARM;

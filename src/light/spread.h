@@ -10,14 +10,13 @@
 #include "../parameter/check.h"
 #include "extended.h"
 #include "facets.h"
+#include "law.h"
 #include "light.h"
-#include "placed.h"
 
 struct lx_spread {
     double radiance; /* W/(sr m^2) or cd/m^2 */
     double power;    /* W or lm */
-    int attenuation; /* enum lx_attenuation */
-    double k_mm;
+    struct lx_law law;
     struct lx_choice_or_whole parts; /* LX_CONVERGED, or how many */
 };
 
@@ -40,7 +39,7 @@ extern const char *const lx_parts_names[];
         .unit = LX_UNIT_RADIANCE,                                                                                      \
         .legal = LX_FROM(0),                                                                                           \
         .advised = {LX_BETWEEN(0.01, 1e6)},                                                                            \
-        .meaning = "the radiance, the same everywhere and in all directions of the lit side",                          \
+        .meaning = "the radiance, the same everywhere and in all directions of a lit side",                            \
     },                                                                                                                 \
         {                                                                                                              \
             .name = "power",                                                                                           \
@@ -50,27 +49,9 @@ extern const char *const lx_parts_names[];
             .unit = LX_UNIT_POWER,                                                                                     \
             .legal = LX_FROM(0),                                                                                       \
             .advised = {LX_BETWEEN(0.01, 1e5)},                                                                        \
-            .meaning = "the power that it emits in all: pi times the radiance times the area",                         \
+            .meaning = "the power that it emits in all: pi times the radiance times the area of all that shines",      \
         },                                                                                                             \
-        {                                                                                                              \
-            .name = "attenuation",                                                                                     \
-            .label = "Attenuation",                                                                                    \
-            .type = LX_CHOICE,                                                                                         \
-            .offset = offsetof(type_, spread.attenuation),                                                             \
-            .choices = lx_attenuation_names,                                                                           \
-            .initial = "inverse-square",                                                                               \
-            .meaning = "how light weakens with the distance r in metres: 1/r^2, 1/(k + r), or not at all",             \
-        },                                                                                                             \
-        {                                                                                                              \
-            .name = "k",                                                                                               \
-            .label = "Length k",                                                                                       \
-            .type = LX_REAL,                                                                                           \
-            .offset = offsetof(type_, spread.k_mm),                                                                    \
-            .unit = LX_UNIT_MM,                                                                                        \
-            .legal = LX_ABOVE(0),                                                                                      \
-            .advised = {LX_BETWEEN(10, 2000)},                                                                         \
-            .meaning = "the length k of the practical law 1/(k + r), which keeps it finite near the source",           \
-        },                                                                                                             \
+        LX_LAW_PARAMETERS(type_, spread.law),                                                                          \
     {                                                                                                                  \
         .name = "parts", .label = "Parts", .type = LX_CHOICE_OR_WHOLE, .offset = offsetof(type_, spread.parts),        \
         .choices = lx_parts_names, .initial = "converged", .legal = LX_BETWEEN(1, 1000),                               \
@@ -79,11 +60,7 @@ extern const char *const lx_parts_names[];
                    "that more change nothing",                                                                         \
     }
 
-#define LX_SPREAD_RULES                                                                                                \
-    {LX_RULE_NEEDED, "k", "attenuation", "practical"},                                                                 \
-    {                                                                                                                  \
-        LX_RULE_USED, "k", "attenuation", "practical"                                                                  \
-    }
+#define LX_SPREAD_RULES LX_LAW_RULES
 
 /* The shapes that a light consists of: emitters that have only their type and place yet. */
 struct lx_shapes {

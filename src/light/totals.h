@@ -11,10 +11,18 @@
 /* The flux to all sides in W or lm, to 1e-12; NaN where there is none: of uniform and of parallel light. */
 double lx_emitters_flux(const struct lx_emitters *emitters);
 
+/*
+ * The intensity of those that shine the same in all directions, or along lx_emitters_direction(), from far away: the sum
+ * of those of points, of a flat source its radiance times its area.  NaN where there is no such: of uniform and parallel
+ * light, of bodies but a ball, of points with axes of their own.
+ */
+double lx_emitters_intensity(const struct lx_emitters *emitters);
+
 /* The middle of the points, of the areas that shine; false of uniform and of parallel light. */
 bool lx_emitters_place(const struct lx_emitters *emitters, double place_mm[3]);
 
-/* The unit direction that all of them shine in: of parallel light, along the axis of a profile, of a plane's normal;
+/* The unit direction that all of them shine in: of parallel light, along the axis of a profile, of a plane's normal,
+ * the front's where both sides shine;
  * false where there is no such: of uniform light, isotropic points, bodies. */
 bool lx_emitters_direction(const struct lx_emitters *emitters, double direction[3]);
 

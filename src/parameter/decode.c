@@ -9,6 +9,7 @@
 
 #include "../base/memory.h"
 #include "../base/number.h"
+#include "comma.h"
 #include "decode.h"
 
 /* ---- defaults ---- */
@@ -138,6 +139,29 @@ static void report_key(const struct mapping *mapping, lx_node_id id, enum lx_mes
     free(key);
 }
 
+/* Reports a key that is the fraction of the number before it, behind a decimal comma; false: it is none. */
+static bool report_comma(const struct mapping *mapping, lx_node_id id)
+{
+    struct lx_walk *walk = mapping->walk;
+    const struct lx_document *document = walk->document;
+    const lx_node_id before = lx_number_before_key(document, mapping->id, id);
+    const struct lx_parameter *parameter = NULL;
+    for (size_t t = 0; before && t < mapping->table_count && !parameter; t++)
+        parameter = lx_find_parameter(mapping->tables[t], lx_document_key(document, before));
+    if (!parameter || (parameter->type != LX_REAL && parameter->type != LX_WHOLE))
+        return false;
+    struct lx_text number = {0};
+    lx_text_printf(&number, "%s,%s", lx_document_text(document, before), lx_document_key(document, id));
+    char *words = lx_text_take(&number);
+    struct lx_step step = {mapping->step, parameter->name, 0};
+    struct lx_place place = lx_document_place(document, before);
+    place.end = lx_document_key_place(document, id).end;
+    lx_walk_report(walk, LUXEL_SEVERITY_ERROR, place, &step, LX_MSG_WRONG_NUMBER, "", words ? words : "");
+    lx_hint(walk->diagnostics, LX_MSG_HINT_POINT, NULL);
+    free(words);
+    return true;
+}
+
 /* Decodes one key with its value; each is known to one of the tables, doubled, or unknown. */
 static void decode_key(struct mapping *mapping, lx_node_id id)
 {
@@ -164,6 +188,8 @@ static void decode_key(struct mapping *mapping, lx_node_id id)
             *(uint64_t *)mapping->parameters[t] |= bit;
         return;
     }
+    if (report_comma(mapping, id))
+        return;
     bool worth_a_hint = lx_keeps(walk->diagnostics, LUXEL_SEVERITY_ERROR);
     report_key(mapping, id, LX_MSG_UNKNOWN_KEY);
     if (!worth_a_hint)

@@ -21,6 +21,19 @@ char *lx_check_path(const struct lx_check *check, const char *file)
     return joined;
 }
 
+/* Paths of Windows have backslashes, which double quotes take for escapes and other systems for letters. */
+static void hint_backslash(const struct lx_check *check, const char *key, const char *name)
+{
+    const struct lx_document *document = check->walk->document;
+    lx_node_id id = lx_document_find(document, check->mapping, key);
+    const struct lx_place place = lx_document_place(document, id);
+    const bool is_quoted = id && place.start < place.end && place.text[place.start] == '"';
+    if (is_quoted && memchr(place.text + place.start, '\\', place.end - place.start))
+        lx_check_hint(check, LX_MSG_HINT_BACKSLASH, NULL);
+    else if (strchr(name, '\\'))
+        lx_check_hint(check, LX_MSG_HINT_SLASH, NULL);
+}
+
 /* The file is there but not for us: an error of another kind than those of what is written in a scene. */
 static void report_unread(const struct lx_check *check, const char *key, const struct lx_source *source)
 {
@@ -34,6 +47,7 @@ static void report_unread(const struct lx_check *check, const char *key, const s
     const char *name = lx_source_name(source);
     lx_check_report(check, key, LX_ALL_OF_IT, LX_MSG_NAMED_FILE_NOT_READ,
                     LX_ARGS(name[0] ? name : "\"\"", LX_TERM(reason)));
+    hint_backslash(check, key, name);
     check->walk->unread++;
 }
 

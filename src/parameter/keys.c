@@ -41,16 +41,74 @@ static char *groups_with(const struct lx_table *const *tables, size_t count, con
     return lx_text_take(&groups);
 }
 
+static bool is_strength(const struct lx_parameter *parameter)
+{
+    return parameter && parameter->unit >= LX_UNIT_INTENSITY && parameter->unit <= LX_UNIT_POWER;
+}
+
+/* The keys of the tables that tell how strong a light is, "" for none. */
+static char *strengths_of(const struct lx_table *const *tables, size_t count)
+{
+    struct lx_text keys = {0};
+    for (size_t t = 0; t < count; t++)
+        for (size_t i = 0; i < tables[t]->count; i++)
+            if (is_strength(&tables[t]->parameters[i]))
+                add_word(&keys, tables[t]->parameters[i].name);
+    return lx_text_take(&keys);
+}
+
+/* Says of which types a key is, and, of a strength, what there is instead of it; false: of none. */
+static bool hint_other_types(luxel_diagnostics *diagnostics, const char *key, const struct lx_table *const *tables,
+                             size_t count, const struct lx_parameter *list)
+{
+    char *types = types_with(list, key), *strengths = strengths_of(tables, count);
+    const bool found = types && types[0];
+    bool tells_strength = false;
+    for (size_t i = 0; found && list->variants[i]; i++)
+        tells_strength = tells_strength || is_strength(lx_find_parameter(list->variants[i]->table, key));
+    if (found && tells_strength && strengths && strengths[0])
+        lx_hint(diagnostics, LX_MSG_HINT_OTHER_STRENGTH, LX_ARGS(key, types, strengths));
+    else if (found)
+        lx_hint(diagnostics, LX_MSG_HINT_OTHER_TYPES, LX_ARGS(key, types));
+    free(types);
+    free(strengths);
+    return found;
+}
+
+/* What other programs call a key of the tables; NULL: there is none. */
+static const char *usual_key(const char *key, const struct lx_table *const *tables, size_t count)
+{
+    static const char *const names[][2] = {
+        {"flux", "power"},
+        {"luminous_flux", "power"},
+        {"radiant_flux", "power"},
+        {"lumens", "power"},
+        {"lumen", "power"},
+        {"watts", "power"},
+        {"watt", "power"},
+        {"candela", "intensity"},
+        {"candelas", "intensity"},
+        {"lux", "irradiance"},
+        {"illuminance", "irradiance"},
+        {"luminance", "radiance"},
+    };
+    for (size_t t = 0; t < count; t++)
+        for (size_t i = 0; i < LX_COUNT(names); i++)
+            if (strcmp(names[i][0], key) == 0 && lx_find_parameter(tables[t], names[i][1]))
+                return names[i][1];
+    return NULL;
+}
+
 const char *lx_hint_unknown_key(luxel_diagnostics *diagnostics, const char *key, const struct lx_table *const *tables,
                                 size_t count, const struct lx_parameter *list)
 {
-    char *types = types_with(list, key);
-    if (types && types[0]) {
-        lx_hint(diagnostics, LX_MSG_HINT_OTHER_TYPES, LX_ARGS(key, types));
-        free(types);
-        return NULL;
+    const char *usual = usual_key(key, tables, count);
+    if (usual) {
+        lx_hint(diagnostics, LX_MSG_DID_YOU_MEAN, LX_ARGS(usual));
+        return usual;
     }
-    free(types);
+    if (hint_other_types(diagnostics, key, tables, count, list))
+        return NULL;
     char *groups = groups_with(tables, count, key);
     if (groups && groups[0]) {
         lx_hint(diagnostics, LX_MSG_HINT_BELOW, LX_ARGS(key, groups));

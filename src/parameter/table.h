@@ -62,7 +62,7 @@ struct lx_parameter {
     unsigned count; /* numbers in LX_REALS and LX_WHOLES; least number of elements of a list */
     enum lx_unit unit;
     bool required;
-    bool nonzero;             /* LX_REALS: a vector that must not be zero */
+    bool nonzero;             /* LX_REALS: must not be zero all at once */
     const char *initial;      /* default as YAML, NULL where there is none ("required", or "not given") */
     struct lx_interval legal; /* of each number */
     struct lx_interval advised[LX_COMPONENTS]; /* by component; where only the first is given it goes for all */

@@ -7,6 +7,7 @@
 
 #include "../base/memory.h"
 #include "../base/number.h"
+#include "comma.h"
 #include "decode.h"
 #include "plain.h"
 
@@ -93,8 +94,9 @@ static void hint_number(const struct value *value)
     if (!lx_document_node(document, value->id)->plain) {
         if (lx_looks_like_number(text, length))
             lx_hint(diagnostics, LX_MSG_HINT_QUOTES, NULL);
-    } else if (lx_looks_like_number(text, length) || lx_word_distance(word, strlen(word), "nan") == 0 ||
-               lx_word_distance(word, strlen(word), "inf") == 0) {
+    } else if (lx_looks_like_number(text, length)) {
+        lx_hint(diagnostics, LX_MSG_HINT_TOO_LARGE, NULL);
+    } else if (lx_word_distance(word, strlen(word), "nan") == 0 || lx_word_distance(word, strlen(word), "inf") == 0) {
         lx_hint(diagnostics, LX_MSG_HINT_FINITE, NULL);
     } else if (digits > 0 && text[digits] == ',' && strspn(text + digits + 1, "0123456789") > 0) {
         lx_hint(diagnostics, LX_MSG_HINT_POINT, NULL);
@@ -239,6 +241,8 @@ static bool wrong_length(const struct value *value, unsigned wanted, size_t foun
     snprintf(found_words, sizeof found_words, "%zu", found);
     lx_walk_report(value->walk, LUXEL_SEVERITY_ERROR, lx_document_place(value->walk->document, value->id), value->step,
                    LX_MSG_WRONG_LENGTH, wanted_words, found_words);
+    if (lx_has_decimal_commas(value->walk->document, value->id, wanted))
+        lx_hint(value->walk->diagnostics, LX_MSG_HINT_POINT, NULL);
     return false;
 }
 
@@ -266,7 +270,7 @@ static bool decode_numbers(const struct value *value, double *reals, unsigned *w
     }
     if (good && value->parameter->nonzero && zero) {
         lx_walk_report(value->walk, LUXEL_SEVERITY_ERROR, lx_document_place(document, value->id), value->step,
-                       LX_MSG_ZERO_VECTOR, NULL, NULL);
+                       value->parameter->legal.given ? LX_MSG_ALL_ZERO : LX_MSG_ZERO_VECTOR, NULL, NULL);
         return false;
     }
     return good;

@@ -249,8 +249,11 @@ static luxel_status report_syntax(struct reader *reader, struct fy_diag *diag)
                 return refuse(reader, from, from + 1, LX_MSG_NOT_CLOSED, NULL);
             }
     if (strncmp(error->msg, "invalid escape", strlen("invalid escape")) == 0) /* it quotes the escape */
-        return refuse(reader, from, to, LX_MSG_BAD_ESCAPE, NULL);
-    refuse(reader, from, to, LX_MSG_SYNTAX, LX_ARGS(LX_TERM(error->msg)));
+        refuse(reader, from, to, LX_MSG_BAD_ESCAPE, NULL);
+    else
+        refuse(reader, from, to, LX_MSG_SYNTAX, LX_ARGS(LX_TERM(error->msg)));
+    if (strstr(error->msg, "escape"))
+        lx_hint(reader->diagnostics, LX_MSG_HINT_BACKSLASH, NULL);
     if (strcmp(error->msg, "could not find expected ':'") == 0)
         lx_hint(reader->diagnostics, LX_MSG_HINT_COLON, NULL);
     return LUXEL_ERROR_SCENE;

@@ -35,6 +35,7 @@ static double law(const struct lx_emitter *emitter, double distance_mm)
     switch (emitter->attenuation) {
     case LX_INVERSE_SQUARE: return 1;
     case LX_PRACTICAL: return r * r / (emitter->k_mm / 1000 + r);
+    case LX_POLYNOMIAL: return r * r * lx_by_polynomial(emitter->coefficients, r);
     case LX_NO_ATTENUATION: break;
     }
     return r * r;

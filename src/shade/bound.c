@@ -68,15 +68,32 @@ static double attenuate(const struct lx_emitter *model, double distance_mm)
     switch (model->attenuation) {
     case LX_INVERSE_SQUARE: return 1e6 / (distance_mm * distance_mm);
     case LX_PRACTICAL: return 1e3 / (model->k_mm + distance_mm);
+    case LX_POLYNOMIAL: return lx_by_polynomial(model->coefficients, distance_mm / 1000);
     case LX_NO_ATTENUATION: break;
     }
     return 1;
 }
 
+/*
+ * Of 1/q with q = kc + kl r + kq r^2, up to the farthest distance.  Its share f = r q'/q grows with the distance up to 2,
+ * and g = r^2 q''/q with it; a/r and a/r^2 become less.  The second share is 2 f^2 - g, between -1/8 and 6.
+ */
+static void set_polynomial(const struct lx_emitter *model, double farthest_mm, struct law *law)
+{
+    const double *coefficients = model->coefficients, r = farthest_mm / 1000;
+    const double square = r * r * coefficients[2], sum = coefficients[0] + r * coefficients[1] + square;
+    const double first = (r * coefficients[1] + 2 * square) / sum;
+    law->first = fmin(first, 2);
+    law->second = fmin(fmax(2 * first * first, 0.125), 6);
+    law->mixed = 1 + law->first;
+}
+
 /* All of them become less with the distance, a, a/r, a/r^2 with them; so this is the most from there on. */
-static struct law law_at(const struct lx_emitter *model, double distance_mm)
+static struct law law_at(const struct lx_emitter *model, double distance_mm, double farthest_mm)
 {
     struct law law = {.value = attenuate(model, distance_mm), .mixed = 1};
+    if (model->attenuation == LX_POLYNOMIAL)
+        set_polynomial(model, farthest_mm, &law);
     if (model->attenuation == LX_INVERSE_SQUARE)
         law.first = 2, law.second = 6, law.mixed = 3;
     if (model->attenuation == LX_PRACTICAL) {
@@ -250,7 +267,7 @@ struct lx_share_bound lx_bound_cluster(const struct lx_tract *tract, const doubl
     const struct sight sight = sight_of(tract, center, cluster->radius_mm);
     if (!(sight.nearest > 0 && sight.sine < 1))
         return unknown;
-    const struct law law = law_at(&tree->model, sight.nearest);
+    const struct law law = law_at(&tree->model, sight.nearest, sight.farthest);
     const struct lx_cone normals = widened(&tract->normals, sight.cosine, sight.sine);
     const struct lx_cosines facing = cosines_to(&normals, sight.towards);
     static const struct lx_power plain = {.exponent = 1, .whole = 1};

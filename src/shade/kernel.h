@@ -57,9 +57,10 @@ enum lx_light_kind { LX_DISTANT, LX_BY_SQUARE, LX_BY_SUM, LX_UNATTENUATED, LX_PR
     struct lx_light_##suffix {                                                                                         \
         enum lx_light_kind kind;                                                                                       \
         real x, y, z; /* a point's place from the anchor, or the unit vector L */                                      \
-        real gain;    /* E_perp = gain * a, with a by law: 1/r^2, 1/(k + r), 1; r in mm */                             \
+        real gain;    /* E_perp = gain * a, with a by law: 1/r^2, 1/(k + r), 1; r in mm; or: */                        \
         enum lx_attenuation law;                                                                                       \
         real k;                                                                                                        \
+        real by_none, by_root, by_square; /* 1/(by_none + by_root r + by_square r^2), r in m */                        \
         enum lx_falloff falloff;                                                                                       \
         real axis_x, axis_y, axis_z;                                                                                   \
         struct lx_exponent_##suffix exponent; /* of g; 0: none */                                                      \
@@ -88,7 +89,7 @@ enum lx_light_kind { LX_DISTANT, LX_BY_SQUARE, LX_BY_SUM, LX_UNATTENUATED, LX_PR
         real height; /* normal.place of a flat one, with room for rounding: it shines on what is above */              \
         real touch;  /* elements that near to the others lie on them */                                                \
         enum lx_attenuation law;                                                                                       \
-        real k;                                                                                                        \
+        real k, by_none, by_root, by_square; /* as in struct lx_light */                                               \
     };                                                                                                                 \
     struct lx_shell_face_##suffix {                                                                                    \
         real normal[3]; /* unit */                                                                                     \

@@ -33,6 +33,13 @@ LX_LANE NAME(lanes) NAME(half_square)(NAME(lanes) x, NAME(lanes) y, NAME(lanes) 
     return (REAL)0.5 * (x * x + y * y + z * z);
 }
 
+/* 1/(by_none + by_root r + by_square r^2), r in m, of a distance in mm. */
+LX_LANE NAME(lanes) NAME(by_polynomial)(REAL by_none, REAL by_root, REAL by_square, NAME(lanes) distance)
+{
+    const NAME(lanes) r = distance * (REAL)1e-3;
+    return NAME(inverse)(by_none + r * (by_root + r * by_square));
+}
+
 /* L and E_perp of a point without its profile. */
 LX_LANE struct NAME(ray)
     NAME(towards)(const struct NAME(lx_light) * light, const struct NAME(elements) * at, enum lx_attenuation law)
@@ -55,6 +62,8 @@ LX_LANE struct NAME(ray)
         e *= limited * limited;
     else if (law == LX_PRACTICAL)
         e *= NAME(inverse)(light->k + NAME(root)(r2));
+    else if (law == LX_POLYNOMIAL)
+        e *= NAME(by_polynomial)(light->by_none, light->by_root, light->by_square, NAME(root)(r2));
     return (struct NAME(ray)){x, y, z, inverse, e, r2 * inverse};
 }
 
@@ -125,6 +134,8 @@ LX_LANE struct NAME(ray) NAME(ray_of)(const struct NAME(lx_light) * light, const
         ray = NAME(towards)(light, at, LX_INVERSE_SQUARE);
     else if (kind == LX_BY_SUM || (kind == LX_PROFILED && light->law == LX_PRACTICAL))
         ray = NAME(towards)(light, at, LX_PRACTICAL);
+    else if (kind == LX_PROFILED && light->law == LX_POLYNOMIAL)
+        ray = NAME(towards)(light, at, LX_POLYNOMIAL);
     else
         ray = NAME(towards)(light, at, LX_NO_ATTENUATION);
     if (kind == LX_PROFILED)

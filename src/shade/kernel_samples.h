@@ -12,12 +12,14 @@ struct NAME(poles) {
 };
 
 /* E_perp of a sample whose plane the element is `above`, told 1/r and r. */
-LX_LANE NAME(lanes)
-    NAME(sample_strength)(enum lx_attenuation law, REAL k, NAME(lanes) above, NAME(lanes) inverse, NAME(lanes) distance)
+LX_LANE NAME(lanes) NAME(sample_strength)(const struct NAME(lx_samples) * samples, enum lx_attenuation law,
+                                          NAME(lanes) above, NAME(lanes) inverse, NAME(lanes) distance)
 {
     NAME(lanes) cosine = NAME(greater)(above, NAME(all)(0)) * inverse;
+    if (law == LX_POLYNOMIAL)
+        return cosine * NAME(by_polynomial)(samples->by_none, samples->by_root, samples->by_square, distance);
     return law == LX_INVERSE_SQUARE ? cosine * inverse * inverse
-           : law == LX_PRACTICAL    ? cosine * NAME(inverse)(k + distance)
+           : law == LX_PRACTICAL    ? cosine * NAME(inverse)(samples->k + distance)
                                     : cosine;
 }
 
@@ -91,7 +93,7 @@ LX_LANE NAME(lanes) NAME(sum_samples)(const struct NAME(lx_samples) * samples, s
         }
         NAME(lanes) r2 = NAME(greater)(x * x + y * y + z * z, NAME(all)((REAL)1e-30));
         NAME(lanes) inverse = NAME(inverse_root)(r2);
-        NAME(lanes) e = NAME(sample_strength)(law, samples->k, above, inverse, r2 * inverse);
+        NAME(lanes) e = NAME(sample_strength)(samples, law, above, inverse, r2 * inverse);
         const struct NAME(ray) ray = {.x = x, .y = y, .z = z, .inverse = inverse};
         NAME(lanes) height = NAME(n_dot)(at, &ray), diffuse, specular = NAME(all)(0);
         NAME(reflect)(lobe->exponent, at, &ray, &height, 1, model, highlight, &diffuse, &specular);

@@ -43,6 +43,7 @@ enum lx_light_kind lx_light_kind_of(const struct lx_emitter *emitter)
     switch (emitter->attenuation) {
     case LX_INVERSE_SQUARE: return LX_BY_SQUARE;
     case LX_PRACTICAL: return LX_BY_SUM;
+    case LX_POLYNOMIAL: return LX_PROFILED;
     case LX_NO_ATTENUATION: break;
     }
     return LX_UNATTENUATED;
@@ -78,6 +79,9 @@ void lx_light_set(const struct lx_emitter *emitter, const double anchor_mm[3], s
         .gain = emitter->strength,
         .law = emitter->attenuation,
         .k = emitter->k_mm,
+        .by_none = emitter->coefficients[0],
+        .by_root = emitter->coefficients[1],
+        .by_square = emitter->coefficients[2],
         .falloff = emitter->type == LX_POINT ? profile->falloff : LX_NO_CONE,
         .axis_x = profile->axis.x.value,
         .axis_y = profile->axis.y.value,
@@ -107,6 +111,9 @@ struct lx_light_single lx_light_single_of(const struct lx_light_double *light)
         .gain = (float)light->gain,
         .law = light->law,
         .k = (float)light->k,
+        .by_none = (float)light->by_none,
+        .by_root = (float)light->by_root,
+        .by_square = (float)light->by_square,
         .falloff = light->falloff,
         .axis_x = (float)light->axis_x,
         .axis_y = (float)light->axis_y,

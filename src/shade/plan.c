@@ -80,7 +80,7 @@ static luxel_status plan_shells(struct lx_plan *plan, struct lx_control *control
         if (status != LUXEL_OK)
             return status;
         *sampled = (struct lx_sampled){
-            .emitter = emitter, .shell = &planned->shell, .law = emitter->attenuation, .k_mm = emitter->k_mm};
+            .emitter = emitter, .shell = &planned->shell, .law = emitter->attenuation};
         if (emitter->attenuation != LX_INVERSE_SQUARE) {
             surface->matte[surface->matte_count] = *sampled;
             surface->matte[surface->matte_count++].in_double = true;

@@ -135,9 +135,19 @@ static double greatest_attenuation(const struct lx_emitter *emitter, double near
     switch (emitter->attenuation) {
     case LX_INVERSE_SQUARE: return 1 / (nearest_m * nearest_m);
     case LX_PRACTICAL: return 1 / (emitter->k_mm / 1000 + nearest_m);
+    case LX_POLYNOMIAL: return lx_by_polynomial(emitter->coefficients, nearest_m);
     case LX_NO_ATTENUATION: break;
     }
     return 1;
+}
+
+/* Coefficients are multiplied by distances in metres up to their square, where these are moderate. */
+static bool has_moderate_law(const struct lx_emitter *emitter)
+{
+    for (int i = 0; i < 3 && emitter->attenuation == LX_POLYNOMIAL; i++)
+        if (emitter->coefficients[i] != 0 && !(emitter->coefficients[i] > 1e-20 && emitter->coefficients[i] < 1e9))
+            return false;
+    return is_moderate(emitter->k_mm);
 }
 
 /* The error of the brightness for a unit of E_perp. */
@@ -165,7 +175,7 @@ double lx_bound_stand(const struct lx_shape *shape, const struct lx_lobe *lobe, 
     }
     double greatest = strength * attenuation, bound = greatest * lobe_error(lobe, stand->least_half, off);
     bool moderate = is_moderate(radius) && is_moderate(stand->away_mm) && is_moderate(strength) &&
-                    is_moderate(emitter->k_mm) && is_moderate(greatest) && is_moderate(lobe->diffuse.value) &&
+                    has_moderate_law(emitter) && is_moderate(greatest) && is_moderate(lobe->diffuse.value) &&
                     is_moderate(lobe->specular.value);
     return moderate && bound >= 0 && relative <= allowance / 2 ? bound : HUGE_VAL;
 }

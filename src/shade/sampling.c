@@ -141,6 +141,7 @@ static void copy_samples(const struct lx_samples_double *from, size_t count, str
     to->touch = (float)from->touch;
     to->law = from->law;
     to->k = (float)from->k;
+    to->by_none = (float)from->by_none, to->by_root = (float)from->by_root, to->by_square = (float)from->by_square;
 }
 
 /* The light of samples of the memory. */
@@ -164,10 +165,14 @@ static void shade_samples(const struct run *run, const struct lx_sampled *source
 /* Begins samples of a patch in the memory; returns what those of a unit area shine with. */
 static double begin_samples(const struct run *run, const struct lx_sampled *source, const struct lx_patch *patch)
 {
-    static const double metres[] = {[LX_INVERSE_SQUARE] = 1, [LX_PRACTICAL] = 1e-3, [LX_NO_ATTENUATION] = 1e-6};
+    static const double metres[] = {
+        [LX_INVERSE_SQUARE] = 1, [LX_PRACTICAL] = 1e-3, [LX_NO_ATTENUATION] = 1e-6, [LX_POLYNOMIAL] = 1e-6};
     struct lx_samples_double *samples = &run->memory->samples;
     samples->law = source->law;
-    samples->k = source->k_mm;
+    samples->k = source->emitter->k_mm;
+    samples->by_none = source->emitter->coefficients[0];
+    samples->by_root = source->emitter->coefficients[1];
+    samples->by_square = source->emitter->coefficients[2];
     lx_patch_samples(patch, source->shell->touch_mm, samples);
     return source->shell->radiance * metres[source->law];
 }

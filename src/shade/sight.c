@@ -157,7 +157,8 @@ static double attenuate(const struct lx_sampled *source, double distance_mm)
 {
     switch (source->law) {
     case LX_INVERSE_SQUARE: return 1 / (distance_mm * distance_mm);
-    case LX_PRACTICAL: return 1e-3 / (source->k_mm + distance_mm);
+    case LX_PRACTICAL: return 1e-3 / (source->emitter->k_mm + distance_mm);
+    case LX_POLYNOMIAL: return 1e-6 * lx_by_polynomial(source->emitter->coefficients, distance_mm / 1000);
     case LX_NO_ATTENUATION: break;
     }
     return 1e-6;

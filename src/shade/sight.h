@@ -13,7 +13,6 @@ struct lx_sampled {
     const struct lx_emitter *emitter;
     const struct lx_shell *shell; /* of it */
     enum lx_attenuation law;
-    double k_mm;
     bool in_double;
 };
 

@@ -60,6 +60,13 @@ static void set_light(const struct lx_light_double *light, double radius_mm, str
     lights->sways[i] = 0;
     lights->moves[i] = is_point;
     lights->gain[i] = light->gain;
+    if (is_point && light->law == LX_POLYNOMIAL) {
+        lights->by_square[i] = light->by_square * 1e-6;
+        lights->by_root[i] = light->by_root * 1e-3;
+        lights->by_none[i] = light->by_none;
+        set_profile(light, lights, i);
+        return;
+    }
     lights->by_square[i] = is_point && light->law == LX_INVERSE_SQUARE;
     lights->by_root[i] = is_point && light->law == LX_PRACTICAL;
     lights->by_none[i] = !is_point || light->law == LX_NO_ATTENUATION ? 1 : light->law == LX_PRACTICAL ? light->k : 0;

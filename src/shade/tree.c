@@ -19,12 +19,18 @@ enum {
     LEAVES_BETWEEN_CHECKS = 16
 };
 
+static bool same_law(const struct lx_emitter *a, const struct lx_emitter *b)
+{
+    return a->attenuation == b->attenuation && (a->attenuation != LX_PRACTICAL || a->k_mm == b->k_mm) &&
+           (a->attenuation != LX_POLYNOMIAL ||
+            memcmp(a->coefficients, b->coefficients, sizeof a->coefficients) == 0); /* 0 and -0 may stay apart */
+}
+
 static bool same_kind(const struct lx_emitter *a, const struct lx_emitter *b)
 {
     const struct lx_profile *p = &a->profile, *q = &b->profile;
-    return a->type == LX_POINT && b->type == LX_POINT && a->is_part == b->is_part && a->attenuation == b->attenuation &&
-           (a->attenuation != LX_PRACTICAL || a->k_mm == b->k_mm) && p->falloff == q->falloff &&
-           p->exponent == q->exponent &&
+    return a->type == LX_POINT && b->type == LX_POINT && a->is_part == b->is_part && same_law(a, b) &&
+           p->falloff == q->falloff && p->exponent == q->exponent &&
            (p->falloff == LX_NO_CONE ||
             (p->inner_rad.value == q->inner_rad.value && p->outer_rad.value == q->outer_rad.value));
 }

@@ -98,10 +98,12 @@ static void write_aim(FILE *text, const struct draft_light *light)
 
 static void write_law(FILE *text, const struct draft_light *light)
 {
-    static const char *const laws[] = {"inverse-square", "none", "practical"};
+    static const char *const laws[] = {"inverse-square", "none", "practical", "polynomial"};
     fprintf(text, ", attenuation: %s", laws[light->words.law]);
     if (light->words.law == DRAFT_PRACTICAL)
         fprintf(text, ", k: %.17g", light->numbers.k);
+    if (light->words.law == DRAFT_POLYNOMIAL)
+        write_vector(text, "coefficients", light->numbers.coefficients);
 }
 
 /* `cloud`: NULL, or the file that tells place and intensity. */

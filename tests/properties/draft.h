@@ -28,7 +28,7 @@ struct draft_surface {
 
 enum draft_light_type { DRAFT_POINT, DRAFT_DISTANT, DRAFT_AMBIENT, DRAFT_SPOT, DRAFT_PLANAR, DRAFT_VOLUME };
 enum draft_pattern { DRAFT_ISOTROPIC, DRAFT_LAMBERTIAN, DRAFT_COSINE };
-enum draft_law { DRAFT_INVERSE_SQUARE, DRAFT_NONE, DRAFT_PRACTICAL };
+enum draft_law { DRAFT_INVERSE_SQUARE, DRAFT_NONE, DRAFT_PRACTICAL, DRAFT_POLYNOMIAL, DRAFT_LAWS };
 enum draft_outline { DRAFT_PLATE, DRAFT_DISK, DRAFT_POLYGON, DRAFT_OUTLINES };
 enum draft_body { DRAFT_BOX, DRAFT_BALL, DRAFT_CYLINDER, DRAFT_BODIES };
 enum draft_measure { DRAFT_RADIANCE, DRAFT_POWER, DRAFT_INTENSITY };
@@ -49,6 +49,7 @@ struct draft_light {
         double up[3];
         double strength; /* in what the measure says */
         double k, exponent, inner, outer;
+        double coefficients[3];
         double size[3];
         double corners[DRAFT_CORNERS][3];
     } numbers;

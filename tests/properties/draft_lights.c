@@ -147,8 +147,10 @@ static void choose_towards(struct choices *choices, const struct draft *draft, s
 
 static void choose_law(struct choices *choices, double size, struct draft_light *light)
 {
-    light->words.law = choose(choices, 3);
+    light->words.law = choose(choices, DRAFT_LAWS);
     light->numbers.k = size * choose_size(choices, 1e-3, 1e3);
+    for (int i = 0; i < 3; i++) /* each term counts at distances like the size */
+        light->numbers.coefficients[i] = choose_size(choices, 1e-3, 1e3) * pow(1e3 / size, i);
 }
 
 static void choose_cone(struct choices *choices, struct draft_light *light)

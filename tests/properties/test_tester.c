@@ -161,7 +161,7 @@ static void test_drafts_are_of_all_kinds(void **state)
         luxel_scene_free(scene);
     }
     assert_true(kinds.surfaces == 3 && kinds.models == 7 && kinds.highlights == 7);
-    assert_true(kinds.lights == 63 && kinds.laws == 7 && kinds.patterns == 7 && kinds.falloffs == 15);
+    assert_true(kinds.lights == 63 && kinds.laws == 15 && kinds.patterns == 7 && kinds.falloffs == 15);
     assert_true(kinds.outlines == 7 && kinds.bodies == 7 && kinds.measures == 7);
     assert_true(legal * 10 > DRAFTS * 19 / 20);
     assert_true(with_grid > DRAFTS / 3 && with_grid < DRAFTS * 2 / 3);

@@ -37,6 +37,11 @@ def tanh_sinh(steps, real):
 
 # The integral.
 
+def polynomial(coefficients, distance_m):
+    constant, linear, square = coefficients
+    return constant + linear * distance_m + square * distance_m ** 2
+
+
 class Integrand:
     """Lobe S^n and weight: `half` of the half vector, `mirror` of the mirrored view, `diffuse` max(0, N.L)."""
 
@@ -49,7 +54,8 @@ class Integrand:
             mirrored = extended.subtract(extended.scale(normal, 2 * extended.dot(normal, view)), view)
             self.pole = array([extended.unit(mirrored)], real)[0]
         self.exponent = real(exponent)
-        self.k = exact(k_mm, real)
+        self.k = None if law == 'polynomial' else exact(k_mm, real)
+        self.coefficients = [exact(number, real) for number in k_mm] if law == 'polynomial' else None
         self.real = real
         self.first, self.second = frame(self.pole)
 
@@ -127,6 +133,8 @@ class Integrand:
             value = value * (r / 1000) ** 2
         elif self.law == 'practical':
             value = value * (r / 1000) ** 2 / ((self.k + r) / 1000)
+        elif self.law == 'polynomial':
+            value = value * (r / 1000) ** 2 / polynomial(self.coefficients, r / 1000)
         return np.where(seen & (s > 0), value, 0)
 
 
@@ -443,8 +451,12 @@ def over_area(shape, place, lobe, weight, exponent, normal, view, law, k_mm):
                 value = np.where(height > 0, value, 0)
             if weight == 'cosine':
                 value = value * height
-            law_m = {'inverse-square': 1 / (distance / 1000) ** 2, 'none': 1,
-                     'practical': 1 / ((exact(k_mm, LONG) + distance) / 1000)}[law]
+            if law == 'polynomial':
+                law_m = 1 / polynomial([exact(number, LONG) for number in k_mm], distance / 1000)
+            elif law == 'practical':
+                law_m = 1 / ((exact(k_mm, LONG) + distance) / 1000)
+            else:
+                law_m = 1 if law == 'none' else 1 / (distance / 1000) ** 2
             total += (weights * value * depth / distance * law_m).sum() * double / 1000000
         results.append(total)
     value = as_mpf(results[1])

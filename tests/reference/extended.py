@@ -21,7 +21,8 @@ Polygon = namedtuple('Polygon', 'vertices normal area')          # counter-clock
 Disk = namedtuple('Disk', 'center radius axis frame')            # shines along its axis; frame: where parts begin
 Ball = namedtuple('Ball', 'center radius')
 Side = namedtuple('Side', 'center radius height axis')           # of a cylinder, without its caps
-Source = namedtuple('Source', 'shapes radiance attenuation k')   # W/(sr m^2), k in mm
+# W/(sr m^2); k in mm, or of the polynomial law its coefficients
+Source = namedtuple('Source', 'shapes radiance attenuation k')
 
 
 # Vectors are lists of three numbers.
@@ -219,16 +220,31 @@ def shapes_of(light):
     return mesh_faces(light['solid']['corners'], light['solid']['faces'])
 
 
+def turned(shape):
+    """The other side of a flat one."""
+    if isinstance(shape, Polygon):
+        return polygon(shape.vertices[::-1])
+    axis = scale(shape.axis, -1)
+    return Disk(shape.center, shape.radius, axis, usual_frame(axis))
+
+
 def source_of(light):
     shapes = shapes_of(light)
     square_metres = mp.fsum(area(shape) for shape in shapes) / 10 ** 6
+    shining = square_metres
+    if light.get('sides') == 'both':
+        shapes = shapes + [turned(shape) for shape in shapes]
+        shining = 2 * square_metres
     if 'radiance' in light:
         radiance = mpf(light['radiance'])
     elif 'intensity' in light:
         radiance = mpf(light['intensity']) / square_metres
     else:
-        radiance = mpf(light['power']) / (mp.pi * square_metres)
-    return Source(shapes, radiance, light['attenuation'], mpf(light.get('k', 0)))
+        radiance = mpf(light['power']) / (mp.pi * shining)
+    k = mpf(light.get('k', 0))
+    if light['attenuation'] == 'polynomial':
+        k = vector(light['coefficients'])
+    return Source(shapes, radiance, light['attenuation'], k)
 
 
 def shines_to(shape, place):

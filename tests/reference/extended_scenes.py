@@ -7,7 +7,7 @@ KINDS lists them.
 import math
 
 import scenes
-from scenes import Case, Place, _add, _beside, _direction, _dot, _log_uniform, _unit
+from scenes import Case, Place, _add, _beside, _direction, _dot, _log_uniform, _unit, coefficients
 
 
 def _cross(a, b):
@@ -106,6 +106,8 @@ def _source(rng, make, center, size, axis, laws=True, ratio=None):
     light = {'type': 'planar' if make in PLANAR else 'volume', **make(rng, center, size, axis, ratio)}
     strengths = ['radiance', 'power'] + (['intensity'] if make in PLANAR else [])
     light[rng.choice(strengths)] = _log_uniform(rng, 0.01, 10000)
+    if make in PLANAR and rng.random() < 0.25:
+        light['sides'] = 'both'
     if laws:
         light.update(scenes._laws(rng) if rng.random() < 0.5 else {})
     return light
@@ -266,7 +268,10 @@ def _averted(rng):
 
 def _laws(rng):
     case = _free(rng, PLANAR + BODIES, 0.6, 10)
-    case.scene['lights'][0].update(attenuation=rng.choice(['none', 'practical']), k=_log_uniform(rng, 1, 10000))
+    law = rng.choice(['none', 'practical', 'polynomial'])
+    case.scene['lights'][0].update(attenuation=law, k=_log_uniform(rng, 1, 10000))
+    if law == 'polynomial':
+        case.scene['lights'][0].update(coefficients=coefficients(rng))
     return case
 
 

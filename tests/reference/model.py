@@ -158,7 +158,10 @@ def attenuation(light, distance_mm):
         return mpf(1)
     if law == 'inverse-square':
         return 1 / distance ** 2
-    return 1 / (mpf(light['k']) / 1000 + distance)
+    if law == 'practical':
+        return 1 / (mpf(light['k']) / 1000 + distance)
+    constant, linear, square = (mpf(number) for number in light['coefficients'])
+    return 1 / (constant + linear * distance + square * distance ** 2)
 
 
 def axis_of(light):
@@ -191,6 +194,45 @@ def cone(light, cosine):
     return factor * power(max(mpf(0), cosine), light['exponent']), edge
 
 
+def solid_angle(light):
+    """The integral of pattern, or cone and power, over all directions: 2 pi times that of f(u) u^m over u = cos theta.
+
+    Between the edges of a cone f is a polynomial of u, summed term by term with more digits than narrow cones cancel,
+    or, linear in the angle, what is left after one integration by parts is smooth.
+    """
+    if light['type'] == 'point':
+        exponent = {'isotropic': 0, 'lambertian': 1, 'cosine': light['exponent']}[light['pattern']]
+        return 4 * mp.pi if exponent == 0 else 2 * mp.pi / (mpf(exponent) + 1)
+    with mp.workdps(200):
+        inner, outer = mp.radians(mpf(light['inner'])), mp.radians(mpf(light['outer']))
+        low, high, m = mp.cos(outer), mp.cos(inner), mpf(light['exponent'])
+        if light['outer'] == 90:
+            low = mpf(0)
+
+        def moment(power, start, end):
+            return (end ** (m + power + 1) - start ** (m + power + 1)) / (m + power + 1)
+
+        whole = moment(0, high, mpf(1))
+        if light['falloff'] == 'hard' or inner == outer:
+            return 2 * mp.pi * moment(0, low, mpf(1))
+        width = high - low
+        if light['falloff'] == 'linear':
+            panels = max(4, int(mp.sqrt(m) * (outer - inner)) * 4)
+            with mp.workdps(40):
+                rest = mp.quad(lambda angle: mp.cos(angle) ** (m + 1), mp.linspace(inner, outer, panels + 1))
+            return 2 * mp.pi * (whole + (high ** (m + 1) - rest / (outer - inner)) / (m + 1))
+        square = [low ** 2 / width ** 2, -2 * low / width ** 2, 1 / width ** 2]  # t^2
+        factor = [1, 0] if light['falloff'] == 'squared' else [3 + 2 * low / width, -2 / width]  # 1 or 3 - 2 t
+        terms = [sum(square[i] * factor[k - i] for i in range(3) if 0 <= k - i < 2) for k in range(4)]
+        edge = mp.fsum(term * moment(power, low, high) for power, term in enumerate(terms))
+        return 2 * mp.pi * (whole + edge)
+
+
+def intensity(light):
+    """Of a point or spot; along the axis."""
+    return mpf(light['power']) / solid_angle(light) if 'power' in light else mpf(light['intensity'])
+
+
 def sample(light, position):
     """Direction towards the light (unit), irradiance facing it, distance in mm, distance from a cone's edge."""
     if light['type'] == 'distant':
@@ -200,7 +242,7 @@ def sample(light, position):
     direction = scale(way, 1 / distance)
     cosine = -dot(axis_of(light), direction)
     factor, edge = (pattern if light['type'] == 'point' else cone)(light, cosine)
-    return direction, mpf(light['intensity']) * factor * attenuation(light, distance), distance, edge
+    return direction, intensity(light) * factor * attenuation(light, distance), distance, edge
 
 
 def is_blocked(scene, element, direction, distance):

@@ -115,8 +115,16 @@ def screen_point(scene, position):
 # Lights.
 
 def _laws(rng):
-    law = rng.choice(['none', 'inverse-square', 'practical'])
+    law = rng.choice(['none', 'inverse-square', 'practical', 'polynomial'])
+    if law == 'polynomial':
+        return {'attenuation': law, 'coefficients': coefficients(rng)}
     return {'attenuation': law, **({'k': _log_uniform(rng, 5, 3000)} if law == 'practical' else {})}
+
+
+def coefficients(rng):
+    """Those of the polynomial law: each may be 0, but not all of them."""
+    numbers = [rng.choice([0, 1, _log_uniform(rng, 1e-3, 10)]) for _ in range(3)]
+    return numbers if any(numbers) else [0.5, 0.2, 0.1]
 
 
 def _aimed(rng, position, target, spread):
@@ -131,9 +139,13 @@ def _intensity(rng):
     return _log_uniform(rng, 0.01, 10000)
 
 
+def _strength(rng):
+    return {rng.choice(['intensity', 'intensity', 'power']): _intensity(rng)}
+
+
 def _point(rng, position, target, spread):
     pattern = rng.choice(['isotropic', 'lambertian', 'cosine'])
-    light = {'type': 'point', 'position': position, 'intensity': _intensity(rng), 'pattern': pattern, **_laws(rng)}
+    light = {'type': 'point', 'position': position, **_strength(rng), 'pattern': pattern, **_laws(rng)}
     if pattern == 'cosine':
         light['exponent'] = rng.choice([0, 0.5, 3, rng.uniform(0, 20)])
     if pattern != 'isotropic':
@@ -143,7 +155,7 @@ def _point(rng, position, target, spread):
 
 def _spot(rng, position, target, spread, angles=None):
     inner, outer = angles or sorted([rng.uniform(0, 60), rng.uniform(10, 90)])
-    return {'type': 'spot', 'position': position, 'intensity': _intensity(rng), 'inner': inner, 'outer': outer,
+    return {'type': 'spot', 'position': position, **_strength(rng), 'inner': inner, 'outer': outer,
             'falloff': rng.choice(['smoothstep', 'squared', 'linear', 'hard']),
             'exponent': rng.choice([0, 1, rng.uniform(0, 20)]), **_laws(rng), **_aimed(rng, position, target, spread)}
 

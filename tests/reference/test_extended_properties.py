@@ -215,7 +215,8 @@ def test_far(tap, options):
 
 def test_parts(tap, options):
     """Cut into N x N parts a source converges with order 2, and N = 1 is the textbook's far formula."""
-    for law in ({}, {'attenuation': 'practical', 'k': 200}, {'attenuation': 'none'}):
+    for law in ({}, {'attenuation': 'practical', 'k': 200}, {'attenuation': 'none'},
+                {'attenuation': 'polynomial', 'coefficients': [0.2, 0.5, 0.8]}):
         for shape in ({'rectangle': {'center': [100, 50, 800], 'size': [400, 300]}},
                       {'vertices': [[-200, -100, 800], [0, 200, 800], [150, -50, 800]]},
                       {'vertices': [[-200, -100, 800], [-150, 200, 800], [50, 200, 800], [150, -50, 800]]},

@@ -25,7 +25,8 @@ def material(random):
 def light(random):
     position = [random.uniform(-900, 900), random.uniform(-900, 900), random.uniform(1900, 3500)]
     law = random.choice([{'attenuation': 'inverse-square'}, {'attenuation': 'none'},
-                         {'attenuation': 'practical', 'k': 300}])
+                         {'attenuation': 'practical', 'k': 300},
+                         {'attenuation': 'polynomial', 'coefficients': [0.1, 0.4, 0.3]}])
     return random.choice([
         {'type': 'point', 'position': position, 'intensity': random.uniform(1, 20), **law},
         {'type': 'point', 'position': position, 'intensity': random.uniform(1, 20), 'pattern': 'lambertian',

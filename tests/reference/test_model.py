@@ -84,7 +84,7 @@ def test_highlights(tap):
     a, b, c = shape.vertices
     material = {'model': None, 'shininess': None}
     for lobe, name in (('half', 'blinn-phong'), ('mirror', 'phong')):
-        for law, k in (('inverse-square', 0), ('practical', 300), ('none', 0)):
+        for law, k in (('inverse-square', 0), ('practical', 300), ('none', 0), ('polynomial', [0.3, 0.2, 0.7])):
             def integrand(u, v, name=name, law=law, k=k):
                 way = extended.add(extended.add(a, extended.subtract(b, a), u), extended.subtract(c, b), u * v)
                 distance = extended.length(way)
@@ -92,11 +92,12 @@ def test_highlights(tap):
                 s = model.lobe({**material, 'model': name}, normal, light, view)
                 facing = -extended.dot(light, shape.normal) * max(mpf(0), extended.dot(light, normal))
                 return 2 * shape.area * u * facing * s ** 7.5 / 10 ** 6 * model.attenuation(
-                    {'attenuation': law, 'k': k}, distance)
+                    {'attenuation': law, 'k': k, 'coefficients': k}, distance)
 
             with mp.workdps(15):
                 expected = mp.quad(integrand, [0, 1], [0, 1], maxdegree=5)
-            found = cubature.integral(shape, [mpf(0)] * 3, lobe, 'cosine', 7.5, normal, view, law, mpf(k))
+            found = cubature.integral(shape, [mpf(0)] * 3, lobe, 'cosine', 7.5, normal, view, law,
+                                      extended.vector(k) if law == 'polynomial' else mpf(k))
             tap.near(float(found.value), float(expected), 1e-11, f'the highlight of a triangle: {name}, {law}')
 
 

@@ -9,6 +9,7 @@ from collections import namedtuple
 
 import numpy as np
 
+import model
 from completion import completed
 
 REAL = np.longdouble
@@ -130,7 +131,12 @@ def attenuation(light, distance_mm):
     law = light['attenuation']
     if law == 'none':
         return np.ones_like(distance)
-    return 1 / distance ** 2 if law == 'inverse-square' else 1 / (real(light['k']) / 1000 + distance)
+    if law == 'inverse-square':
+        return 1 / distance ** 2
+    if law == 'practical':
+        return 1 / (real(light['k']) / 1000 + distance)
+    constant, linear, square = (real(number) for number in light['coefficients'])
+    return 1 / (constant + linear * distance + square * distance ** 2)
 
 
 def cone(light, axis, direction, decisions):
@@ -166,7 +172,7 @@ def sample(light, position, decisions):
     else:
         exponent = {'isotropic': 0, 'lambertian': 1, 'cosine': light['exponent']}[light['pattern']]
         factor = power(np.maximum(-dot(axis, direction), 0), exponent)
-    return direction, real(light['intensity']) * factor * attenuation(light, distance), distance
+    return direction, real(str(model.intensity(light))) * factor * attenuation(light, distance), distance
 
 
 def blocked(scene, elements, direction, distance):

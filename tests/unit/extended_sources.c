@@ -21,6 +21,7 @@ struct lx_emitter source_of(int kind, const double center[3], double radiance, d
         .radius_mm = 150,
         .height_mm = 400,
         .k_mm = k_mm,
+        .coefficients = {0.2, 0.3, 0.4},
     };
     memcpy(source.center_mm, center, sizeof source.center_mm);
     switch (kind) {

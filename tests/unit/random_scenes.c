@@ -107,8 +107,10 @@ struct lx_emitter random_emitter(struct randomness *random, const struct lx_shap
     for (int i = 0; i < 3; i++)
         aim[i] = shape->anchor_mm[i] + uniform(random, -1, 1) * shape->radius_mm;
     emitter.type = pick(random, 8) == 0 ? LX_UNIFORM : pick(random, 5) == 0 ? LX_DIRECTION : LX_POINT;
-    emitter.attenuation = (enum lx_attenuation)pick(random, 3);
+    emitter.attenuation = (enum lx_attenuation)pick(random, LX_LAWS);
     emitter.k_mm = logarithmic(random, 10, 2000);
+    for (int i = 0; i < 3; i++)
+        emitter.coefficients[i] = pick(random, 3) ? logarithmic(random, 1e-3, 10) : i == 0;
     memcpy(emitter.position_mm, place, sizeof place);
     emitter.profile = random_profile(random, place, aim);
     emitter.towards = lx_unit3(lx_sub3(lx_exact3(place), lx_exact3(aim)));

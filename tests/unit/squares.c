@@ -242,6 +242,8 @@ struct falling falling_at(const struct lx_plan *plan, const struct lx_light_doub
         e /= r * r;
     if (is_point && light->law == LX_PRACTICAL)
         e /= light->k + r;
+    if (is_point && light->law == LX_POLYNOMIAL)
+        e /= light->by_none + 1e-3 * r * (light->by_root + 1e-3 * r * light->by_square);
     if (light->exponent.value > 0)
         e *= cpow(-dot(axis, towards), light->exponent.value);
     return falling_along(plan, way, e, place, normal);

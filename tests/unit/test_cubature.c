@@ -104,8 +104,9 @@ static bool random_source(uint64_t *random, struct lx_emitter *emitter)
     *emitter = (struct lx_emitter){
         .type = (enum lx_emitter_type)(LX_FACETS + (int)uniform(random, 0, 4)),
         .radiance = lx_exact(1),
-        .attenuation = (enum lx_attenuation)uniform(random, 0, 3),
+        .attenuation = (enum lx_attenuation)uniform(random, 0, LX_LAWS),
         .k_mm = uniform(random, 10, 2000),
+        .coefficients = {uniform(random, 0, 1), uniform(random, 0, 1), uniform(random, 0, 1)},
         .radius_mm = size * uniform(random, 50, 500),
         .axis = unit_of(axis[0], axis[1], axis[2]),
     };

@@ -162,8 +162,10 @@ static void add_emitter(struct randomness *random, const struct demand *demand, 
             axis[i] = shape->anchor_mm[i] + uniform(random, -1, 1) * shape->radius_mm - place[i];
     emitter.type = demand->facets ? LX_FACETS : (enum lx_emitter_type)(LX_FACETS + pick(random, 4));
     emitter.attenuation =
-        demand->inverse_square || pick(random, 2) ? LX_INVERSE_SQUARE : (enum lx_attenuation)pick(random, 3);
+        demand->inverse_square || pick(random, 2) ? LX_INVERSE_SQUARE : (enum lx_attenuation)pick(random, LX_LAWS);
     emitter.k_mm = logarithmic(random, 10, 2000);
+    for (int i = 0; i < 3; i++)
+        emitter.coefficients[i] = logarithmic(random, 1e-2, 10);
     test->has_laws = test->has_laws || emitter.attenuation != LX_INVERSE_SQUARE;
     memcpy(emitter.center_mm, place, sizeof place);
     emitter.radius_mm = size;

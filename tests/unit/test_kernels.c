@@ -174,8 +174,9 @@ static void make_edge_scene(struct randomness *random, bool is_gated, bool is_pl
     test->lights[0] = (struct lx_emitter){
         .type = LX_POINT,
         .strength = logarithmic(random, 0.01, 10000),
-        .attenuation = (enum lx_attenuation)pick(random, 3),
+        .attenuation = (enum lx_attenuation)pick(random, LX_LAWS),
         .k_mm = logarithmic(random, 10, 2000),
+        .coefficients = {uniform(random, 0, 2), pick(random, 2), logarithmic(random, 1e-3, 10)},
         .profile = is_gated ? lx_profile_isotropic()
                             : lx_profile_cone(lx_unit3(lx_exact3(axis)), falloff, inner, outer, pick(random, 2)),
     };
@@ -187,8 +188,10 @@ static void make_edge_scene(struct randomness *random, bool is_gated, bool is_pl
         test->lights[0].position_mm[i] = middle[i] + distance * to_light[i];
     /* as bright as the point may be: what float32 makes of it counts, however dim it is there */
     const double meters = distance / 1000, k_meters = test->lights[0].k_mm / 1000;
-    const double laws[] = {
-        [LX_INVERSE_SQUARE] = 1 / (meters * meters), [LX_PRACTICAL] = 1 / (k_meters + meters), [LX_NO_ATTENUATION] = 1};
+    const double laws[] = {[LX_INVERSE_SQUARE] = 1 / (meters * meters),
+                           [LX_PRACTICAL] = 1 / (k_meters + meters),
+                           [LX_NO_ATTENUATION] = 1,
+                           [LX_POLYNOMIAL] = lx_by_polynomial(test->lights[0].coefficients, meters)};
     const double law = test->lights[0].type == LX_POINT ? laws[test->lights[0].attenuation] : 1;
     test->lights[1] = (struct lx_emitter){
         .type = LX_UNIFORM, .strength = law * test->lights[0].strength / test->surfaces[0].lobe.ambient.value};

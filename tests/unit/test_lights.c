@@ -24,9 +24,12 @@ static const struct lx_shape sphere = {.type = LX_SPHERE, .anchor_mm = {0, 0, 10
 /* What the header says of each number, plainly. */
 static void assert_constants(const struct lx_emitter *emitter, const struct lx_light_double *light)
 {
-    static const double units[] = {[LX_INVERSE_SQUARE] = 1e6, [LX_PRACTICAL] = 1e3, [LX_NO_ATTENUATION] = 1};
-    static const enum lx_light_kind kinds[] = {
-        [LX_INVERSE_SQUARE] = LX_BY_SQUARE, [LX_PRACTICAL] = LX_BY_SUM, [LX_NO_ATTENUATION] = LX_UNATTENUATED};
+    static const double units[] = {
+        [LX_INVERSE_SQUARE] = 1e6, [LX_PRACTICAL] = 1e3, [LX_NO_ATTENUATION] = 1, [LX_POLYNOMIAL] = 1};
+    static const enum lx_light_kind kinds[] = {[LX_INVERSE_SQUARE] = LX_BY_SQUARE,
+                                               [LX_PRACTICAL] = LX_BY_SUM,
+                                               [LX_NO_ATTENUATION] = LX_UNATTENUATED,
+                                               [LX_POLYNOMIAL] = LX_PROFILED};
     const struct lx_profile *profile = &emitter->profile;
     if (emitter->type != LX_POINT) {
         assert_true(light->kind == LX_DISTANT && light->gain == emitter->strength);
@@ -39,6 +42,8 @@ static void assert_constants(const struct lx_emitter *emitter, const struct lx_l
     assert_true(light->x == emitter->position_mm[0] - anchor[0] && light->y == emitter->position_mm[1] - anchor[1]);
     assert_true(light->z == emitter->position_mm[2] - anchor[2] && light->k == emitter->k_mm);
     assert_true(light->gain == emitter->strength * units[emitter->attenuation]);
+    assert_true(light->by_none == emitter->coefficients[0] && light->by_root == emitter->coefficients[1]);
+    assert_true(light->by_square == emitter->coefficients[2]);
     assert_true(light->law == emitter->attenuation && light->falloff == profile->falloff);
     assert_true(light->axis_x == profile->axis.x.value && light->axis_y == profile->axis.y.value);
     assert_true(light->axis_z == profile->axis.z.value && light->exponent.value == profile->exponent);
