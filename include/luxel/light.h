@@ -17,8 +17,8 @@ extern "C" {
 /* The number of lights in the scene's list; 0 where it is not committed. */
 LUXEL_API size_t luxel_scene_light_count(const luxel_scene *scene);
 
-/* The type of light i, such as "point", and its name, which is NULL where it has none; NULL where there is no such light.
- * They are the scene's and last until it changes. */
+/* The type of light i, such as "point", and its name, which is NULL where it has none; NULL where there is no such
+ * light.  They are the scene's and last until it changes. */
 LUXEL_API const char *luxel_scene_light_type(const luxel_scene *scene, size_t i);
 LUXEL_API const char *luxel_scene_light_name(const luxel_scene *scene, size_t i);
 /* Whether light i is on; false where there is no such light. */

@@ -55,9 +55,8 @@ struct lx_placed {
             .unit = LX_UNIT_POWER,                                                                                     \
             .legal = LX_FROM(0),                                                                                       \
             .advised = {LX_BETWEEN(0.1, 1e5)},                                                                         \
-            .meaning =                                                                                                 \
-                "the power that it emits in all, instead of intensity, which is the power over the integral of "       \
-                "pattern and cone over all directions: 4 pi where it shines the same in all of them",                  \
+            .meaning = "the power that it emits in all, instead of the intensity, which is the power over the "        \
+                       "integral of pattern and cone over all directions: 4 pi of an isotropic source",                \
         },                                                                                                             \
         LX_SHINING_PARAMETERS(type_, placed.shining)
 

@@ -12,9 +12,9 @@
 double lx_emitters_flux(const struct lx_emitters *emitters);
 
 /*
- * The intensity of those that shine the same in all directions, or along lx_emitters_direction(), from far away: the sum
- * of those of points, of a flat source its radiance times its area.  NaN where there is no such: of uniform and parallel
- * light, of bodies but a ball, of points with axes of their own.
+ * The intensity of those that shine the same in all directions, or along lx_emitters_direction(), from far away: the
+ * sum of those of points, of a flat source its radiance times its area.  NaN where there is no such: of uniform and
+ * parallel light, of bodies but a ball, of points with axes of their own.
  */
 double lx_emitters_intensity(const struct lx_emitters *emitters);
 

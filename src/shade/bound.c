@@ -75,8 +75,8 @@ static double attenuate(const struct lx_emitter *model, double distance_mm)
 }
 
 /*
- * Of 1/q with q = kc + kl r + kq r^2, up to the farthest distance.  Its share f = r q'/q grows with the distance up to 2,
- * and g = r^2 q''/q with it; a/r and a/r^2 become less.  The second share is 2 f^2 - g, between -1/8 and 6.
+ * Shares of 1/q with q = kc + kl r + kq r^2, up to the farthest distance.  The first, f = r q'/q, grows with the
+ * distance up to 2, and g = r^2 q''/q with it; a/r and a/r^2 become less.  The second is 2 f^2 - g, between -1/8 and 6.
  */
 static void set_polynomial(const struct lx_emitter *model, double farthest_mm, struct law *law)
 {

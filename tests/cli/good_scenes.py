@@ -41,20 +41,22 @@ def _name(rng):
 
 def _shining(rng, position):
     light = {}
-    law = rng.choice([None, "none", "inverse-square", "practical"])
+    law = rng.choice([None, "none", "inverse-square", "practical", "polynomial"])
     if law:
         light["attenuation"] = law
     if law == "practical" or rng.random() < 0.2:
         light["k"] = _above(rng)
+    if law == "polynomial" or rng.random() < 0.1:
+        light["coefficients"] = [_from_zero(rng), _above(rng), _from_zero(rng)]
     way = rng.choice([None, "axis", "aim"])
     if way:
         light[way] = _vector(rng) if way == "axis" else [position[0] + 1, position[1], position[2]]
     return light
 
 
-def _placed(rng):
+def _placed(rng, strengths=("intensity", "power")):
     position = [_number(rng) for _ in range(3)]
-    return {"position": position, "intensity": _from_zero(rng), **_shining(rng, position)}
+    return {"position": position, rng.choice(strengths): _from_zero(rng), **_shining(rng, position)}
 
 
 def _pattern(rng):
@@ -78,7 +80,8 @@ def _points(rng):
 def _spot(rng):
     outer = rng.choice([0, 30, 90, rng.uniform(0, 90)])
     inner = rng.choice([0, outer, rng.uniform(0, outer)])
-    return {"type": "spot", **_placed(rng), "inner": inner, "outer": outer, **_some(rng, {
+    strengths = ["intensity", "power"] if outer > 0 else ["intensity"]  # no power leaves a cone of no width
+    return {"type": "spot", **_placed(rng, strengths), "inner": inner, "outer": outer, **_some(rng, {
         "falloff": lambda: rng.choice(["smoothstep", "squared", "linear", "hard"]),
         "exponent": lambda: _from_zero(rng)})}
 
@@ -107,12 +110,14 @@ def _way(rng, center):
 
 def _spread(rng, strengths):
     """What lights of some size have in common."""
-    law = rng.choice([None, "none", "inverse-square", "practical"])
+    law = rng.choice([None, "none", "inverse-square", "practical", "polynomial"])
     light = {rng.choice(strengths): _from_zero(rng)}
     if law:
         light["attenuation"] = law
     if law == "practical" or rng.random() < 0.2:
         light["k"] = _above(rng)
+    if law == "polynomial" or rng.random() < 0.1:
+        light["coefficients"] = [_from_zero(rng), _above(rng), _from_zero(rng)]
     return {**light, **_some(rng, {"parts": lambda: rng.choice(["converged", 1, 3, 1000])})}
 
 
@@ -124,7 +129,8 @@ def _planar(rng):
     outline = rng.choice([{"vertices": _outline(rng)},
                           {"rectangle": {"center": center, "size": [_size(rng), _size(rng)], **way, **up}},
                           {"disk": {"center": center, "radius": _size(rng), **way}}])
-    return {"type": "planar", **outline, **_spread(rng, ["intensity", "radiance", "power"])}
+    sides = _some(rng, {"sides": lambda: rng.choice(["front", "both"])})
+    return {"type": "planar", **outline, **sides, **_spread(rng, ["intensity", "radiance", "power"])}
 
 
 def _volume(rng):

@@ -18,6 +18,8 @@ import scenes as reference  # noqa: E402  (another generator, of scenes whose nu
 
 # The only scenes of malformed.py that the schema accepts, each with the rule that it cannot say.
 BEYOND = {
+    "power of no cone": "a power needs a cone of some width",
+    "closed ring of corners": "the last corner must not repeat the first",
     "pixels that are not square": "pixels are square",
     "screen whose pixels are not square": "pixels are square",
     "observer inside the sphere": "the observer is above every surface",

@@ -40,7 +40,8 @@ def lights_of(luxel, lights):
 def same(tap, found, expected, bound, name):
     expected = mpf(expected)
     off = abs(mpf(found) - expected) / abs(expected) if found is not None else mp.inf
-    tap.ok(off <= bound, name if off <= bound else f'{name}: {found} for {mp.nstr(expected, 20)}, {mp.nstr(off, 3)} off')
+    told = f'{name}: {found} for {mp.nstr(expected, 20)}, {mp.nstr(off, 3)} off'
+    tap.ok(off <= bound, name if off <= bound else told)
 
 
 def test_power(tap, luxel):
@@ -51,7 +52,8 @@ def test_power(tap, luxel):
     lights += [spot(inner, outer, falloff, m) for inner, outer in ANGLES for falloff in PUBLISHED for m in EXPONENTS]
     for _ in range(100):
         outer = rng.choice([rng.uniform(0, 90), 10 ** rng.uniform(-6, 1.9)])
-        lights.append(spot(outer * rng.random(), outer, rng.choice(list(PUBLISHED)), rng.choice([0, rng.uniform(0, 50)])))
+        exponent = rng.choice([0, rng.uniform(0, 50)])
+        lights.append(spot(outer * rng.random(), outer, rng.choice(list(PUBLISHED)), exponent))
     lights = [{**light, 'power': 10 ** rng.uniform(-3, 4)} for light in lights]
     told = lights_of(luxel, lights)
     whole = completed({**STAGE, 'lights': lights})['lights']
