@@ -116,6 +116,7 @@ static int print_json(const struct options *options, const struct loaded *loaded
 {
     char *bytes = NULL;
     size_t size = 0;
+    const luxel_use use = result_use_of_screen(options, true);
     struct json json = {.stream = open_memstream(&bytes, &size)};
     int code = EXIT_DONE;
 
@@ -137,7 +138,7 @@ static int print_json(const struct options *options, const struct loaded *loaded
     json_close(&json, ']');
     lights_write(&json, &lights);
     lights_clear(&lights);
-    result_write_conventions(&json, loaded->scene);
+    result_write_conventions(&json, loaded->scene, &use);
     json_close(&json, '}');
     if (fclose(json.stream) == 0 && code == EXIT_DONE)
         fwrite(bytes, 1, size, stdout);

@@ -3,6 +3,7 @@
  * luxel grid: the irradiance on a scene's measuring planes.  As with pictures, the files are written before anything is
  * printed.
  */
+#include <math.h>
 #include <stdlib.h>
 
 #include <luxel/luxel.h>
@@ -20,6 +21,9 @@
 
 /* Larger grids are not printed as a table: lines would not fit, and nobody reads them. */
 enum { MOST_COLUMNS = 20, MOST_ROWS = 100 };
+
+/* A measuring plane knows no screen, no material and no view. */
+static const luxel_use of_planes = {.screen = false};
 
 struct grids {
     const luxel_scene *scene;
@@ -139,9 +143,19 @@ static void write_grid(struct json *json, const luxel_grid *grid)
     write_number_if(json, "ud", grid->has_evenness, grid->ud);
     write_number_if(json, "flux", grid->flux_unit != NULL, grid->flux);
     json_text(json, "flux_unit", grid->flux_unit);
+    write_number_if(json, "flux_error", grid->flux_unit != NULL, grid->flux_error);
+    write_number_if(json, "mean", grid->has_mean, grid->mean);
+    write_number_if(json, "mean_error", grid->has_mean, grid->mean_error);
     write_number_if(json, "error", measured, grid->error);
     write_number_if(json, "average_error", measured, grid->average_error);
+    write_number_if(json, "sampling_error", grid->has_sampling_error, grid->sampling_error);
+    json_text(json, "sampling_error_is",
+              !grid->has_sampling_error ? NULL
+              : grid->sampling_is_bound ? "bound"
+                                        : "estimate");
+    json_bool(json, "coarse", grid->is_coarse);
     json_whole(json, "measured", grid->measured);
+    json_whole(json, "inside", grid->enclosed);
     write_cells(json, "values", grid, grid->values);
     write_cells(json, "errors", grid, grid->errors);
     json_close(json, '}');
@@ -158,7 +172,7 @@ static void print_json(const struct grids *grids)
     for (size_t i = 0; i < grids->count; i++)
         write_grid(&json, grids->list[i]);
     json_close(&json, ']');
-    result_write_conventions(&json, grids->scene);
+    result_write_conventions(&json, grids->scene, &of_planes);
     json_close(&json, '}');
 }
 
@@ -231,6 +245,28 @@ static void add_extremum(struct text_table *table, const char *name, const luxel
                                      text_lengths(extremum->position_mm, 3, position)));
 }
 
+/* A number in as many digits as may hold, with its bound. */
+static void add_bounded(struct text_table *table, const char *name, double value, double error)
+{
+    char number[TEXT_SIZE], bound[TEXT_SIZE], cell[TEXT_SIZE];
+
+    text_table_row(table, TEXT_CELLS(name, text_format(number, "%.9g", value),
+                                     text_format(cell, "± %s", text_error(error, bound)), ""));
+}
+
+/* How far the average of the values is from the mean over the plane. */
+static void add_sampling(struct text_table *table, const luxel_grid *grid)
+{
+    const double size = fabs(grid->has_mean ? grid->mean : grid->average);
+    char number[TEXT_SIZE], share[TEXT_SIZE];
+
+    text_table_row(
+        table, TEXT_CELLS(grid->sampling_is_bound ? _("average of the values off the mean by at most")
+                                                  : _("average of the values off the mean by about"),
+                          text_error(grid->sampling_error, number),
+                          size > 0.0 ? text_format(share, "%.2g %%", 100.0 * grid->sampling_error / size) : "", ""));
+}
+
 static void print_statistics(const luxel_grid *grid)
 {
     struct text_table *table = text_table_new("lrrr");
@@ -239,17 +275,21 @@ static void print_statistics(const luxel_grid *grid)
 
     text_format(heading, _("value (%s)"), _(grid->unit));
     text_table_row(table, TEXT_CELLS("", heading, _("cell (column, row)"), _("position x, y, z (mm)")));
-    add_number(table, _("average"), measured, grid->average);
+    add_number(table, _("average of the values"), measured, grid->average);
     add_extremum(table, _("minimum"), grid, &grid->minimum);
     add_extremum(table, _("maximum"), grid, &grid->maximum);
-    text_table_row(table,
-                   TEXT_CELLS(_("error at most"), measured ? text_error(grid->error, error) : _("none"), "", ""));
-    add_number(table, _("U0 = minimum / average"), grid->has_evenness, grid->u0);
-    add_number(table, _("Ud = minimum / maximum"), grid->has_evenness, grid->ud);
+    text_table_row(table, TEXT_CELLS(_("error of the values at most"),
+                                     measured ? text_error(grid->error, error) : _("none"), "", ""));
+    add_number(table, _("U0 = minimum / average of the values"), grid->has_evenness, grid->u0);
+    add_number(table, _("Ud = minimum / maximum of the values"), grid->has_evenness, grid->ud);
+    if (grid->has_mean)
+        add_bounded(table, _("mean over the plane, whatever its cells"), grid->mean, grid->mean_error);
     if (grid->flux_unit) {
-        text_format(flux, _("flux = average × area (%s)"), _(grid->flux_unit));
-        add_number(table, flux, true, grid->flux);
+        text_format(flux, _("flux through the plane (%s)"), _(grid->flux_unit));
+        add_bounded(table, flux, grid->flux, grid->flux_error);
     }
+    if (grid->has_sampling_error)
+        add_sampling(table, grid);
     text_table_print(table, stdout, 2);
 }
 
@@ -266,6 +306,10 @@ static void print_grid(const luxel_grid *grid, size_t i)
         printf(ngettext("  %zu cell lies on a source, lights[%zu], and has no value\n",
                         "  %zu cells lie on a source, the first of them on lights[%zu], and have no value\n", without),
                without, grid->blocking_light);
+    if (grid->enclosed > 0)
+        printf(ngettext("  %zu cell is inside a body, that of surfaces[%zu]\n",
+                        "  %zu cells are inside bodies, the first of them in that of surfaces[%zu]\n", grid->enclosed),
+               grid->enclosed, grid->enclosing_surface);
     if (grid->columns > MOST_COLUMNS || grid->rows > MOST_ROWS)
         printf(_("  too many values for a table: --json prints them, -o FILE.csv writes them\n"));
     fputc('\n', stdout);
@@ -278,7 +322,7 @@ static void print_text(const struct grids *grids, const char *name)
            _(luxel_scene_unit(grids->scene, LUXEL_IRRADIANCE)));
     for (size_t i = 0; i < grids->count; i++)
         print_grid(grids->list[i], i);
-    result_print_conventions(grids->scene);
+    result_print_conventions(grids->scene, &of_planes);
 }
 
 /* A file that fails does not stop the others. */
@@ -297,6 +341,28 @@ static int write_outputs(const struct options *options, const struct grids *grid
     return code;
 }
 
+/* What somebody who reads the average alone should know. */
+static void warn(const luxel_grid *grid, size_t i)
+{
+    const double size = fabs(grid->has_mean ? grid->mean : grid->average);
+    char label[TEXT_SIZE], *name = grid->name ? luxel_escaped_text(grid->name) : NULL;
+
+    if (name)
+        text_format(label, "%s", name);
+    else
+        text_format(label, _("grid %zu"), i + 1);
+    luxel_text_free(name);
+    if (grid->is_coarse)
+        message_note(_("warning: %s: %u × %u cells are too coarse for this light: the average of the values is off the "
+                       "mean over the plane by %.2g %%; raise n"),
+                     label, grid->columns, grid->rows, 100.0 * grid->sampling_error / size);
+    if (grid->enclosed > 0)
+        message_note(ngettext("warning: %s: %zu cell is inside the body of surfaces[%zu]",
+                              "warning: %s: %zu cells are inside bodies, the first of them in that of surfaces[%zu]",
+                              grid->enclosed),
+                     label, grid->enclosed, grid->enclosing_surface);
+}
+
 static int finish(const struct options *options, const struct loaded *loaded, const struct grids *grids)
 {
     const int code = write_outputs(options, grids, loaded->diagnostics);
@@ -308,6 +374,8 @@ static int finish(const struct options *options, const struct loaded *loaded, co
         print_json(grids);
     else if (standard_output_is_free(options))
         print_text(grids, loaded->name);
+    for (size_t i = 0; i < grids->count && !options->quiet; i++)
+        warn(grids->list[i], i);
     if (missed > 0)
         message_tolerance(missed, grids->count);
     return code == EXIT_DONE && missed > 0 ? EXIT_TOLERANCE : code;

@@ -79,6 +79,8 @@ static double length_of(const luxel_isophote *line)
 
 static void print_text(const struct drawing *drawing)
 {
+    const luxel_use use =
+        result_use_of_screen(&drawing->picture->options, drawing->picture->options.analysis.from_picture);
     const char *unit = picture_unit(drawing->picture);
     struct text_table *table = text_table_new("rrlr");
     char heading[TEXT_SIZE];
@@ -99,7 +101,7 @@ static void print_text(const struct drawing *drawing)
         printf(_("  no value of the picture crosses a level\n"));
     if (drawing->picture->loaded.scene) {
         fputc('\n', stdout);
-        result_print_conventions(drawing->picture->loaded.scene);
+        result_print_conventions(drawing->picture->loaded.scene, &use);
     }
 }
 
@@ -117,6 +119,8 @@ static void write_line(struct json *json, const luxel_isophote *line)
 
 static void print_json(const struct drawing *drawing)
 {
+    const luxel_use use =
+        result_use_of_screen(&drawing->picture->options, drawing->picture->options.analysis.from_picture);
     struct json json = {.stream = stdout};
 
     json_open(&json, NULL, '{');
@@ -128,7 +132,7 @@ static void print_json(const struct drawing *drawing)
         write_line(&json, &drawing->isophotes->lines[i]);
     json_close(&json, ']');
     if (drawing->picture->loaded.scene)
-        result_write_conventions(&json, drawing->picture->loaded.scene);
+        result_write_conventions(&json, drawing->picture->loaded.scene, &use);
     json_close(&json, '}');
 }
 

@@ -171,6 +171,8 @@ static void add_sample(struct text_table *table, const struct profiling *profili
 
 static void print_text(const struct profiling *profiling)
 {
+    const luxel_use use =
+        result_use_of_screen(&profiling->picture->options, profiling->picture->options.analysis.from_picture);
     const luxel_profile *profile = profiling->profile;
     const size_t all = light_count(profiling), lights = all > 1 && all <= MOST_LIGHT_COLUMNS ? all : 0;
     const size_t step = (profile->count + MOST_LINES - 2) / (MOST_LINES - 1);
@@ -196,7 +198,7 @@ static void print_text(const struct profiling *profiling)
         printf(_("  some of %zu values; --csv and --json print all of them\n"), profile->count);
     if (profiling->picture->loaded.scene) {
         fputc('\n', stdout);
-        result_print_conventions(profiling->picture->loaded.scene);
+        result_print_conventions(profiling->picture->loaded.scene, &use);
     }
 }
 
@@ -223,6 +225,8 @@ static void write_sample(struct json *json, const struct profiling *profiling, s
 
 static void print_json(const struct profiling *profiling)
 {
+    const luxel_use use =
+        result_use_of_screen(&profiling->picture->options, profiling->picture->options.analysis.from_picture);
     struct json json = {.stream = stdout};
     char name[TEXT_SIZE];
 
@@ -239,7 +243,7 @@ static void print_json(const struct profiling *profiling)
         write_sample(&json, profiling, i);
     json_close(&json, ']');
     if (profiling->picture->loaded.scene)
-        result_write_conventions(&json, profiling->picture->loaded.scene);
+        result_write_conventions(&json, profiling->picture->loaded.scene, &use);
     json_close(&json, '}');
 }
 

@@ -69,7 +69,7 @@ static void print_statistics(const struct result *result)
 /* A point with a value is a row; one without is a line that says why. */
 static void add_point(struct text_table *table, const struct result *result, size_t i)
 {
-    const luxel_probe *probe = result->probes[i];
+    const luxel_probe *probe = &result->probes[i];
     char name[TEXT_SIZE], value[TEXT_SIZE], error[TEXT_SIZE], pixel_value[TEXT_SIZE], pixel[TEXT_SIZE];
 
     result_point_name(result, i, name);
@@ -110,7 +110,7 @@ static void print_text(const struct result *result, const char *name)
         print_points(result);
     }
     fputc('\n', stdout);
-    result_print_conventions(result->scene);
+    result_print_conventions(result->scene, &result->use);
 }
 
 /* The picture and its files, and what Ctrl-C does to them.  EXIT_FILE goes with statistics. */
@@ -127,6 +127,17 @@ static int compute(const struct options *options, const struct loaded *loaded, l
     return work_end(&work, status, loaded->diagnostics);
 }
 
+/* Grey levels are of .png files alone. */
+static bool writes_grey(const struct options *options)
+{
+    static const char *const endings[] = {".png"};
+
+    for (size_t i = 0; i < options->output_count; i++)
+        if (luxel_check_ending(options->outputs[i], endings, COUNT_OF(endings), NULL) == LUXEL_OK)
+            return true;
+    return false;
+}
+
 static int render(const struct options *options, const struct loaded *loaded)
 {
     luxel_statistics statistics;
@@ -139,6 +150,9 @@ static int render(const struct options *options, const struct loaded *loaded)
             code = write_code;
         if (write_code == EXIT_DONE || write_code == EXIT_FILE) {
             result.statistics = &statistics;
+            result.use.screen = result.use.pixels = true;
+            result.use.surfaces = NULL;
+            result.use.range = result.use.rounding = writes_grey(options);
             if (options->json)
                 result_print_json(&result);
             else if (standard_output_is_free(options))
@@ -147,17 +161,6 @@ static int render(const struct options *options, const struct loaded *loaded)
     }
     result_clear(&result);
     return code;
-}
-
-/* Grey levels are of .png files alone. */
-static bool writes_grey(const struct options *options)
-{
-    static const char *const endings[] = {".png"};
-
-    for (size_t i = 0; i < options->output_count; i++)
-        if (luxel_check_ending(options->outputs[i], endings, COUNT_OF(endings), NULL) == LUXEL_OK)
-            return true;
-    return false;
 }
 
 static int run(const struct options *options)

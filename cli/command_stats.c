@@ -134,6 +134,7 @@ static void print_histogram(const luxel_histogram *histogram)
 
 static void print_text(const struct stats *stats)
 {
+    const luxel_use use = result_use_of_screen(&stats->picture->options, true);
     const luxel_summary *summary = &stats->summary;
     struct text_table *table = text_table_new("lrrl");
 
@@ -165,7 +166,7 @@ static void print_text(const struct stats *stats)
     }
     if (stats->picture->loaded.scene) {
         fputc('\n', stdout);
-        result_print_conventions(stats->picture->loaded.scene);
+        result_print_conventions(stats->picture->loaded.scene, &use);
     }
 }
 
@@ -231,6 +232,7 @@ static void write_histogram(struct json *json, const luxel_histogram *histogram)
 
 static void print_json(const struct stats *stats)
 {
+    const luxel_use use = result_use_of_screen(&stats->picture->options, true);
     const luxel_summary *summary = &stats->summary;
     const luxel_field *field = stats->picture->field;
     const bool some = summary->pixels > 0;
@@ -254,7 +256,7 @@ static void print_json(const struct stats *stats)
     write_peak(&json, "minimum", &stats->extrema.minimum);
     write_histogram(&json, stats->histogram);
     if (stats->picture->loaded.scene)
-        result_write_conventions(&json, stats->picture->loaded.scene);
+        result_write_conventions(&json, stats->picture->loaded.scene, &use);
     json_close(&json, '}');
 }
 

@@ -14,10 +14,11 @@
 
 struct command;
 
-/* Where to probe: a screen point x, y, or a free element x, y, z and its normal. */
+/* Where to probe: a screen point x, y, a free element x, y, z and its normal, or all places of a file. */
 struct option_place {
     bool is_element;
     double numbers[6];
+    const char *file; /* NULL: none */
 };
 
 /* How --csv writes numbers and fields. */
@@ -63,8 +64,10 @@ struct options {
     size_t assignment_count;
     const char **outputs; /* of -o, in order */
     size_t output_count;
-    struct option_place *places; /* of -p and --at, in order */
+    struct option_place *places; /* of -p, --at and --points, in order */
     size_t place_count;
+    double view[3];          /* of free elements; 0 where none was given */
+    unsigned material;       /* the surface whose material they have that lie on none; 0 where none was given */
     luxel_settings settings; /* its tolerance is 0 unless one was asked for */
     bool strict, json, quiet, list, dry_run, help, version;
     struct option_analysis analysis;
@@ -83,6 +86,7 @@ enum option_value {
     VALUE_FREE,       /* nothing that could be listed, or no argument */
     VALUE_WORD,       /* one of `words` */
     VALUE_OUTPUT,     /* a file with one of the endings that pictures have */
+    VALUE_FILE,       /* a file to read */
     VALUE_ASSIGNMENT, /* KEY=VALUE */
     VALUE_OPTIONAL    /* one of `words`, or no argument at all */
 };

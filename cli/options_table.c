@@ -50,6 +50,29 @@ static bool take_element(struct options *options, const char *argument)
     return false;
 }
 
+static bool take_points(struct options *options, const char *argument)
+{
+    options->places[options->place_count++].file = argument;
+    return true;
+}
+
+static bool take_view(struct options *options, const char *argument)
+{
+    const double *view = options->view;
+
+    if (!argument_numbers("--view", "X,Y,Z", argument, options->view, 3))
+        return false;
+    if (view[0] != 0.0 || view[1] != 0.0 || view[2] != 0.0)
+        return true;
+    message_error(_("--view %s: the direction must not be zero"), argument);
+    return false;
+}
+
+static bool take_material(struct options *options, const char *argument)
+{
+    return argument_whole("--material", argument, 0, 999999999, &options->material);
+}
+
 static bool take_assignment(struct options *options, const char *argument)
 {
     options->assignments[options->assignment_count++] = argument;
@@ -302,8 +325,8 @@ enum {
                COMMAND_COMPARE | COMMAND_FIGURE | COMMAND_REPORT | COMMAND_GRID,
     COMPUTING = PICTURES | COMMAND_GRADE | COMMAND_BENCH,
     SCENES = PICTURES | COMMAND_CHECK | COMMAND_ADVISE | COMMAND_SCENE | COMMAND_SET | COMMAND_VARIANT | COMMAND_BENCH,
-    WRITING = COMMAND_RENDER | COMMAND_GRID | COMMAND_SET | COMMAND_PROFILE | COMMAND_ISOPHOTES | COMMAND_COMPARE |
-              COMMAND_FIGURE | COMMAND_EXPLAIN | COMMAND_REPORT | COMMAND_VARIANT,
+    WRITING = COMMAND_RENDER | COMMAND_PROBE | COMMAND_GRID | COMMAND_SET | COMMAND_PROFILE | COMMAND_ISOPHOTES |
+              COMMAND_COMPARE | COMMAND_FIGURE | COMMAND_EXPLAIN | COMMAND_REPORT | COMMAND_VARIANT,
     TABLES = COMMAND_STATS | COMMAND_PROFILE | COMMAND_ISOPHOTES | COMMAND_COMPARE | COMMAND_GRADE
 };
 
@@ -317,6 +340,17 @@ static const struct option_row rows[] = {
      .help = N_("take this point of the screen, in mm, instead of the scene's own points; may be repeated")},
     {"at", 0, N_("X,Y,Z,NX,NY,NZ"), COMMAND_PROBE, TAKES(take_element),
      .help = N_("probe a free surface element: its position in mm and its normal; may be repeated")},
+    {"points", 0, N_("FILE"), COMMAND_PROBE, TAKES(take_points), .value = VALUE_FILE,
+     .help =
+         N_("probe the places of a table, CSV or .pts: points x, y of the screen, or free elements x, y, z, nx, ny, "
+            "nz; may be repeated")},
+    {"view", 0, N_("X,Y,Z"), COMMAND_PROBE, TAKES(take_view),
+     .help = N_("the direction from which free elements are seen, of any length; the default is the scene's: (0, 0, 1) "
+                "where observer.view is parallel, else towards the observer")},
+    {"material", 0, N_("N"), COMMAND_PROBE, TAKES(take_material),
+     .help =
+         N_("free elements that lie on no surface have the material of surfaces[N], counted from 0 (the default) as "
+            "in paths; one that lies on a surface has that of its own")},
     {"from", 0, N_("X,Y"), COMMAND_PROFILE, TAKES(take_from),
      .help = N_("where the line begins on the screen, in mm; goes with --to")},
     {"to", 0, N_("X,Y"), COMMAND_PROFILE, TAKES(take_to), .help = N_("where the line ends on the screen, in mm")},

@@ -7,53 +7,50 @@
 #include "cli.h"
 #include "lights.h"
 #include "message.h"
+#include "places.h"
+#include "work.h"
 
-/* The i-th place that is asked for. */
-static luxel_status probe_place(const struct result *result, size_t i, luxel_diagnostics *diagnostics,
-                                luxel_probe **probe)
+/* The library's part of it, which Ctrl-C ends. */
+static int probe_places(const struct options *options, const struct places *places, luxel_diagnostics *diagnostics,
+                        struct result *result)
 {
-    const struct options *options = result->options;
-    const double *numbers = options->place_count > 0 ? options->places[i].numbers : NULL;
-    double point[2];
+    struct work work;
+    luxel_status status;
 
-    if (!numbers) {
-        const luxel_status status = luxel_scene_point(result->scene, i, &point[0], &point[1]);
-
-        if (status != LUXEL_OK)
-            return status;
-        numbers = point;
-    } else if (options->places[i].is_element) {
-        return luxel_probe_element(result->scene, &options->settings, numbers, numbers + 3, diagnostics, probe);
-    }
-    return luxel_probe_screen(result->scene, &options->settings, numbers[0], numbers[1], diagnostics, probe);
+    work_begin(&work, options);
+    status = luxel_probe_many(result->scene, &work.settings, places->list, places->count, diagnostics, &result->probes);
+    if (status == LUXEL_OK)
+        result->count = places->count;
+    return work_end(&work, status, diagnostics);
 }
 
 int result_probe(const struct options *options, const luxel_scene *scene, luxel_diagnostics *diagnostics,
                  struct result *result)
 {
-    const size_t count = options->place_count > 0 ? options->place_count : luxel_scene_point_count(scene);
+    struct places places;
     size_t missed = 0;
+    int code;
 
     *result = (struct result){.scene = scene, .options = options};
-    result->probes = message_allocate(count, sizeof *result->probes);
-    for (; result->count < count; result->count++) {
-        luxel_probe **probe = &result->probes[result->count];
-        const luxel_status status = probe_place(result, result->count, diagnostics, probe);
-
-        if (status != LUXEL_OK)
-            return message_failure(status, diagnostics);
-        missed += (*probe)->has_value && !(*probe)->tolerance_reached;
-    }
+    code = places_collect(options, scene, diagnostics, &places);
+    if (code == EXIT_DONE)
+        code = probe_places(options, &places, diagnostics, result);
+    places_clear(&places);
+    if (code != EXIT_DONE)
+        return code;
+    result->surfaces = message_allocate(luxel_scene_surface_count(scene), sizeof *result->surfaces);
+    result->use = places_use(options, scene, result->probes, result->count, result->surfaces);
+    for (size_t i = 0; i < result->count; i++)
+        missed += result->probes[i].has_value && !result->probes[i].tolerance_reached;
     if (missed > 0)
-        message_tolerance(missed, count);
+        message_tolerance(missed, result->count);
     return missed > 0 ? EXIT_TOLERANCE : EXIT_DONE;
 }
 
 void result_clear(struct result *result)
 {
-    for (size_t i = 0; i < result->count; i++)
-        luxel_probe_free(result->probes[i]);
-    free(result->probes);
+    luxel_probe_free(result->probes);
+    free(result->surfaces);
 }
 
 const char *result_quantity_word(const struct result *result)
@@ -71,7 +68,7 @@ static const char on_element[] = N_("the source lights[%zu] lies on the element"
 
 const char *result_point_name(const struct result *result, size_t i, char buffer[TEXT_SIZE])
 {
-    const luxel_probe *probe = result->probes[i];
+    const luxel_probe *probe = &result->probes[i];
     char place[TEXT_SIZE];
 
     if (probe->has_screen)
@@ -83,7 +80,7 @@ const char *result_point_name(const struct result *result, size_t i, char buffer
 
 const char *result_no_value(const struct result *result, size_t i, char buffer[TEXT_SIZE])
 {
-    const luxel_probe *probe = result->probes[i];
+    const luxel_probe *probe = &result->probes[i];
     const bool off_screen = probe->has_screen && !probe->has_pixel;
     char name[TEXT_SIZE], reason[TEXT_SIZE];
 
@@ -151,6 +148,21 @@ static void write_numbers_if(struct json *json, const char *key, bool exist, con
         json_null(json, key);
 }
 
+/* What counts for a free element: its view, the surface whose material it has, and what it is inside of. */
+static void write_element(struct json *json, const luxel_probe *probe)
+{
+    json_numbers(json, "view", probe->view, 3);
+    json_open(json, "material", '{');
+    json_whole(json, "surface", probe->surface);
+    json_text(json, "name", probe->surface_name);
+    json_bool(json, "lies_on_it", probe->lies_on_surface);
+    json_close(json, '}');
+    if (probe->is_enclosed)
+        json_whole(json, "inside", probe->enclosing_surface);
+    else
+        json_null(json, "inside");
+}
+
 static void write_probe(struct json *json, const struct light_strengths *lights, const luxel_probe *probe)
 {
     char reason[TEXT_SIZE];
@@ -167,6 +179,8 @@ static void write_probe(struct json *json, const struct light_strengths *lights,
     write_number_if(json, "error", probe->has_value, probe->error);
     write_numbers_if(json, "position", probe->on_surface, probe->position_mm, 3);
     write_numbers_if(json, "normal", probe->on_surface, probe->normal, 3);
+    if (!probe->has_screen)
+        write_element(json, probe);
     json_open(json, "lights", '[');
     for (size_t i = 0; probe->has_value && i < probe->share_count; i++)
         write_share(json, lights, &probe->shares[i]);
@@ -176,17 +190,26 @@ static void write_probe(struct json *json, const struct light_strengths *lights,
     json_close(json, '}');
 }
 
-void result_write_conventions(struct json *json, const luxel_scene *scene)
+luxel_use result_use_of_screen(const struct options *options, bool pixels)
 {
-    json_open(json, "conventions", '{');
-    for (size_t i = 0; i < luxel_scene_convention_count(scene); i++)
-        json_text(json, luxel_scene_convention_key(scene, i), luxel_scene_convention_value(scene, i));
-    json_close(json, '}');
+    return (luxel_use){.screen = true, .pixels = pixels, .brightness = options->settings.quantity != LUXEL_IRRADIANCE};
 }
 
-void result_print_json(const struct result *result)
+void result_write_conventions(struct json *json, const luxel_scene *scene, const luxel_use *use)
 {
-    struct json json = {.stream = stdout};
+    luxel_conventions *conventions = NULL;
+
+    json_open(json, "conventions", '{');
+    if (luxel_find_conventions(scene, use, &conventions) == LUXEL_OK)
+        for (size_t i = 0; i < conventions->count; i++)
+            json_text(json, conventions->list[i].key, conventions->list[i].value);
+    json_close(json, '}');
+    luxel_conventions_free(conventions);
+}
+
+void result_write_json(FILE *stream, const struct result *result)
+{
+    struct json json = {.stream = stream};
     struct light_strengths lights = lights_measure(result->scene);
     unsigned resolution[2] = {0, 0};
 
@@ -198,28 +221,37 @@ void result_print_json(const struct result *result)
     write_statistics(&json, result->statistics);
     json_open(&json, "points", '[');
     for (size_t i = 0; i < result->count; i++)
-        write_probe(&json, &lights, result->probes[i]);
+        write_probe(&json, &lights, &result->probes[i]);
     json_close(&json, ']');
     result_write_extremum(&json, "min_reached", result->statistics ? &result->statistics->minimum_reached : NULL);
     lights_write(&json, &lights);
-    result_write_conventions(&json, result->scene);
+    result_write_conventions(&json, result->scene, &result->use);
     json_close(&json, '}');
     lights_clear(&lights);
 }
 
-void result_print_conventions(const luxel_scene *scene)
+void result_print_json(const struct result *result)
 {
+    result_write_json(stdout, result);
+}
+
+void result_print_conventions(const luxel_scene *scene, const luxel_use *use)
+{
+    luxel_conventions *conventions = NULL;
     char *line = NULL;
     size_t length;
-    FILE *stream = open_memstream(&line, &length);
+    FILE *stream;
 
-    if (!stream)
+    if (luxel_find_conventions(scene, use, &conventions) != LUXEL_OK)
         return;
-    fputs(_("Conventions:"), stream);
-    for (size_t i = 0; i < luxel_scene_convention_count(scene); i++)
-        fprintf(stream, "%s %s %s", i > 0 ? ";" : "", luxel_scene_convention_key(scene, i),
-                luxel_scene_convention_value(scene, i));
-    if (fclose(stream) == 0)
-        text_definition(stdout, "", 0, line);
+    stream = open_memstream(&line, &length);
+    if (stream) {
+        fputs(_("Conventions:"), stream);
+        for (size_t i = 0; i < conventions->count; i++)
+            fprintf(stream, "%s %s %s", i > 0 ? ";" : "", conventions->list[i].key, conventions->list[i].value);
+        if (fclose(stream) == 0)
+            text_definition(stdout, "", 0, line);
+    }
     free(line);
+    luxel_conventions_free(conventions);
 }

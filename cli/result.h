@@ -13,28 +13,33 @@ struct result {
     const luxel_scene *scene;
     const struct options *options;
     const luxel_statistics *statistics; /* NULL: no picture was computed */
-    luxel_probe **probes;
+    luxel_probe *probes;                /* count of them */
     size_t count;
+    luxel_use use;  /* what they were made of */
+    bool *surfaces; /* that it points to */
 };
 
 /*
- * Probes the places of -p and --at or, where there are none, the scene's own points.  Returns an enum
- * exit_code; errors are printed here.  EXIT_TOLERANCE goes with a complete result.  result_clear() is due in
+ * Probes the places of -p, --at and --points or, where there are none, the scene's own points, all in one go.  Returns
+ * an enum exit_code; errors are printed here.  EXIT_TOLERANCE goes with a complete result.  result_clear() is due in
  * every case.
  */
 int result_probe(const struct options *options, const luxel_scene *scene, luxel_diagnostics *diagnostics,
                  struct result *result);
 void result_clear(struct result *result);
 
-/* Writes the conventions as a member of an object. */
-void result_write_conventions(struct json *json, const luxel_scene *scene);
+/* Writes the conventions of what a result was made of as a member of an object. */
+void result_write_conventions(struct json *json, const luxel_scene *scene, const luxel_use *use);
 /* The lines of text that tell under which conventions the numbers were made. */
-void result_print_conventions(const luxel_scene *scene);
+void result_print_conventions(const luxel_scene *scene, const luxel_use *use);
+/* The use of a picture's values (`pixels`), or of exact ones at places of the screen. */
+luxel_use result_use_of_screen(const struct options *options, bool pixels);
 
 /* Writes an extremum as SPEC's `max` and `min` are written; null where there is none. */
 void result_write_extremum(struct json *json, const char *key, const luxel_extremum *extremum);
 
-/* Prints the object of SPEC's `--json`, on standard output. */
+/* Writes the object of SPEC's `--json`, and prints it on standard output. */
+void result_write_json(FILE *stream, const struct result *result);
 void result_print_json(const struct result *result);
 
 /* "P2 (150.0, 0.0)": how the text calls the i-th point. */

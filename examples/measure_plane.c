@@ -42,7 +42,7 @@ static luxel_status measure(luxel_scene *scene, unsigned n, luxel_diagnostics *d
     return status == LUXEL_OK ? luxel_measure(scene, NULL, 0, diagnostics, grid) : status;
 }
 
-/* Average and extrema of the cells; where all of them have a value, the flux too. */
+/* Average and extrema of the cells; the flux of the plane itself, where it is known. */
 static void print_grid(const luxel_grid *grid)
 {
     printf("%u x %u cells: average %.6g, minimum %.6g, maximum %.6g %s, U0 %.3f", grid->columns, grid->rows,

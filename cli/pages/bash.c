@@ -74,7 +74,7 @@ static void print_options(FILE *out)
 static void print_values(FILE *out, bool optional)
 {
     static const char *const kinds[] = {
-        [VALUE_FREE] = "free", [VALUE_OUTPUT] = "output", [VALUE_ASSIGNMENT] = "assignment"};
+        [VALUE_FREE] = "free", [VALUE_OUTPUT] = "output", [VALUE_FILE] = "file", [VALUE_ASSIGNMENT] = "assignment"};
     const struct option_row *row;
 
     fputs(optional ? "\n# What an option may have behind a = sign.\n_luxel_optional() {\n    case $1 in\n"

@@ -63,6 +63,8 @@ static void print_option(FILE *out, const struct option_row *row)
         fputc('\'', out);
     } else if (row->value == VALUE_OUTPUT) {
         fputs(" -r -F -a '(__luxel_outputs)'", out);
+    } else if (row->value == VALUE_FILE) {
+        fputs(" -r -F", out);
     } else if (row->value == VALUE_ASSIGNMENT) {
         fputs(" -x -a '(__luxel_assignments)'", out);
     } else if (row->argument) {

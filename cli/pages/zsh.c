@@ -62,8 +62,10 @@ static void add_description(FILE *out, const char *text)
 /* One of an option's names as a specification: '*-o+[what it does]:FILE:_luxel_output'; with a ! it is not offered. */
 static void print_option(FILE *out, const struct option_row *row, bool is_long, bool is_offered)
 {
-    static const char *const actions[] = {
-        [VALUE_FREE] = " ", [VALUE_OUTPUT] = "_luxel_output", [VALUE_ASSIGNMENT] = "_luxel_assignment"};
+    static const char *const actions[] = {[VALUE_FREE] = " ",
+                                          [VALUE_OUTPUT] = "_luxel_output",
+                                          [VALUE_FILE] = "_files",
+                                          [VALUE_ASSIGNMENT] = "_luxel_assignment"};
     char *line = NULL;
     size_t size;
     FILE *text = open_memstream(&line, &size);

@@ -2,7 +2,7 @@
 /*
  * Evaluators: a scene prepared once for many exact values, where a probe would prepare it anew each time.
  *
- * An evaluator gives at any place of the screen the number that luxel_probe_screen() gives there, to the last bit.  It
+ * An evaluator gives at any place the number that luxel_probe_many() gives there, to the last bit.  It
  * is what extrema, isophotes and profiles are found with, and what a front end keeps while the pointer moves.
  *
  * The scene must outlive the evaluator and must not be changed while it lives.  An evaluator is never changed after it
@@ -11,7 +11,7 @@
 #ifndef LUXEL_EVALUATOR_H
 #define LUXEL_EVALUATOR_H
 
-#include <luxel/render.h>
+#include <luxel/probe.h>
 
 #ifdef __cplusplus
 extern "C" {
@@ -52,6 +52,12 @@ LUXEL_API size_t luxel_evaluator_light_count(const luxel_evaluator *evaluator);
  * light of the scene: what each gives of the value, 0 where there is none.
  */
 LUXEL_API luxel_value luxel_evaluate(const luxel_evaluator *evaluator, double x_mm, double y_mm, double *shares);
+
+/*
+ * The value at a place, the number that luxel_probe_many() gives there: of a free element `surface` of the answer tells
+ * whose material counts.  on_surface is false, too, where the place is none that could be probed.
+ */
+LUXEL_API luxel_value luxel_evaluate_place(const luxel_evaluator *evaluator, const luxel_place *place, double *shares);
 
 /*
  * The value at a point of the scene's surface with this index: the point that a line from its centre along `normal`

@@ -10,6 +10,10 @@
  * Each value is that of a free surface element at the cell's centre, in float64 with a bound of its error, as
  * luxel_probe_element() has it.  The quantity is the irradiance, whatever the settings say: a measuring plane has no
  * material.  The numbers are the same for any number of threads.  Threads as for luxel_render().
+ *
+ * What is read off the values is what the cells' centres tell of the plane: where the light varies over a cell, their
+ * average is not the plane's.  So the irradiance is integrated over the plane, too, whatever its cells: `mean` and
+ * `flux` are those of the plane, and `sampling_error` tells how far the average of the values is from that.
  */
 #ifndef LUXEL_GRID_H
 #define LUXEL_GRID_H
@@ -55,8 +59,18 @@ typedef struct luxel_grid {
     bool has_evenness;           /* whether the average is above 0; else the next two are 0 */
     double u0;                   /* minimum / average, the uniformity U0 (EN 12665) */
     double ud;                   /* minimum / maximum, the diversity Ud */
-    const char *flux_unit;       /* "W" or "lm"; NULL where the unit is no power by area or a cell has no value */
-    double flux;                 /* average times area: the power that falls on the plane, by the midpoint rule */
+    bool has_mean;               /* whether the next two are known: the unit is a power by area, no source in the way */
+    double mean;                 /* the mean irradiance of the plane, its integral by its area */
+    double mean_error;           /* bounds |mean - truth| */
+    const char *flux_unit;       /* "W" or "lm"; NULL where there is no mean */
+    double flux;                 /* the power that falls on the plane: its mean times its area; 0 without flux_unit */
+    double flux_error;           /* bounds |flux - truth| */
+    bool has_sampling_error;     /* false where a cell has no value */
+    double sampling_error;       /* how far the average may be from the plane's mean */
+    bool sampling_is_bound;      /* it is a bound, from the mean; else an estimate, from a grid of half as many cells */
+    bool is_coarse;              /* the sampling error is above a hundredth of the mean: finer cells are needed */
+    size_t enclosed;             /* the number of cells whose centres are inside the bodies of surfaces */
+    size_t enclosing_surface;    /* where there are some: the surface around the first, as an index in the scene */
     bool tolerance_reached;      /* whether each error is at most the tolerance times the value (for a dark cell, times
                                     the maximum or, where all is dark, what the lights bring to it): the settings'
                                     tolerance, or 1e-9 where there is no closed form */

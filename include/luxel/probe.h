@@ -26,26 +26,52 @@ typedef struct luxel_light_share {
     size_t parts;      /* points that an extended source was split into; 0: there is a closed form */
 } luxel_light_share;
 
+/*
+ * Where to probe: a point of the screen, which may lie off its edges, or a free surface element.  {0} and a place on
+ * the screen, or an element's position and normal, will do.
+ *
+ * A free element that lies on a surface, to 1e-9 of its size, belongs to it: it has its material.  Elsewhere it has the
+ * material of the surface that is named, which is the first unless another one is.  Surfaces are counted from 0, as in
+ * surfaces[0].  It is seen as the scene's observer.view says: from (0, 0, 1) where that is `parallel`, else from where
+ * the observer is; or from a direction of its own.  Each surface of the scene, be there one or many, takes the light of
+ * point-like and distant sources from it where it stands in its way; one that it lies on takes what comes from behind.
+ */
+typedef struct luxel_place {
+    double screen_mm[2];   /* of a point of the screen */
+    bool is_element;       /* it is a free element: what follows counts, and screen_mm does not */
+    double position_mm[3]; /* of an element */
+    double normal[3];      /* of an element; of any length but 0 */
+    bool has_view;         /* whether the next one counts */
+    double view[3];        /* the direction from the element to the observer; of any length but 0 */
+    size_t surface;        /* whose material an element has that lies on no surface */
+} luxel_place;
+
 /* The answer of a probe.  Numbers of the scene's unit are those of luxel_scene_unit(). */
 typedef struct luxel_probe {
-    bool has_screen;           /* false for a free element; then there is no x_mm, y_mm */
-    double x_mm;               /* the place on the screen */
-    double y_mm;               /* the place on the screen */
-    bool has_pixel;            /* false for a free element and off the screen; then there is no column, row */
-    unsigned column;           /* of the pixel that the place falls in, from 0 at the left */
-    unsigned row;              /* of the pixel that the place falls in, from 0 at the top */
-    bool on_surface;           /* true for a free element */
-    bool has_value;            /* false off every surface and where a source lies on the element */
-    double value;              /* the exact value, the sum over the lights */
-    double error;              /* bounds |value - truth| */
-    bool tolerance_reached;    /* whether error <= tolerance * |value|; see luxel_settings */
-    bool has_pixel_value;      /* false where there is no pixel, or it has no value */
-    double pixel_value;        /* the picture's value at the pixel */
-    double position_mm[3];     /* the element's place, where on_surface */
-    double normal[3];          /* the element's unit normal, where on_surface */
-    bool source_on_element;    /* whether a source lies on the element, which then has no value */
-    size_t blocking_light;     /* that source's light, as an index in the scene's list */
-    size_t share_count;        /* one for each enabled light, where has_value */
+    bool has_screen;          /* false for a free element; then there is no x_mm, y_mm */
+    double x_mm;              /* the place on the screen */
+    double y_mm;              /* the place on the screen */
+    bool has_pixel;           /* false for a free element and off the screen; then there is no column, row */
+    unsigned column;          /* of the pixel that the place falls in, from 0 at the left */
+    unsigned row;             /* of the pixel that the place falls in, from 0 at the top */
+    bool on_surface;          /* true for a free element */
+    bool has_value;           /* false off every surface and where a source lies on the element */
+    double value;             /* the exact value, the sum over the lights */
+    double error;             /* bounds |value - truth| */
+    bool tolerance_reached;   /* whether error <= tolerance * |value|; see luxel_settings */
+    bool has_pixel_value;     /* false where there is no pixel, or it has no value */
+    double pixel_value;       /* the picture's value at the pixel */
+    double position_mm[3];    /* the element's place, where on_surface */
+    double normal[3];         /* the element's unit normal, where on_surface */
+    double view[3];           /* the unit vector V to the observer that was used, where on_surface */
+    size_t surface;           /* the surface whose material counts, as an index in the scene's list, where on_surface */
+    const char *surface_name; /* its name in the scene, NULL where it has none; lives as long as the probe */
+    bool lies_on_surface;     /* whether the element lies on that surface; always where has_screen */
+    bool is_enclosed;         /* whether a free element is inside the body that a surface bounds */
+    size_t enclosing_surface; /* that surface, the first of them */
+    bool source_on_element;   /* whether a source lies on the element, which then has no value */
+    size_t blocking_light;    /* that source's light, as an index in the scene's list */
+    size_t share_count;       /* one for each enabled light, where has_value */
     luxel_light_share *shares; /* the lights' shares, in the scene's order */
 } luxel_probe;
 
@@ -58,14 +84,25 @@ LUXEL_API luxel_status luxel_probe_screen(const luxel_scene *scene, const luxel_
                                           double y_mm, luxel_diagnostics *diagnostics, luxel_probe **probe);
 
 /*
- * Probes a free surface element: V points to the observer, the material is the first surface's.  `normal`
- * need not be of unit length but must not be zero.
+ * Probes a free surface element, as luxel_place describes it, seen as the scene says and with the material of the
+ * surface that it lies on, else of the first.  `normal` need not be of unit length but must not be zero.
  */
 LUXEL_API luxel_status luxel_probe_element(const luxel_scene *scene, const luxel_settings *settings,
                                            const double position_mm[3], const double normal[3],
                                            luxel_diagnostics *diagnostics, luxel_probe **probe);
 
-/* Frees a probe with its shares; NULL is harmless. */
+/*
+ * Probes `count` places, of a scene that is prepared once for all of them, by several threads: a hundred thousand take
+ * seconds.  *probes becomes an array of as many, each the very probe that its place has by itself; it is the caller's:
+ * free it as a whole with luxel_probe_free().  Progress and cancelling as of luxel_render().
+ * LUXEL_ERROR_ARGUMENT: a place, a normal or a view is not finite, or 0 where it must not be, or there is no such
+ * surface.  LUXEL_ERROR_RANGE: a value is beyond float64.  Else errors as luxel_render() lists them.
+ */
+LUXEL_API luxel_status luxel_probe_many(const luxel_scene *scene, const luxel_settings *settings,
+                                        const luxel_place *places, size_t count, luxel_diagnostics *diagnostics,
+                                        luxel_probe **probes);
+
+/* Frees a probe with its shares, or the whole array of luxel_probe_many(); NULL is harmless. */
 LUXEL_API void luxel_probe_free(luxel_probe *probe);
 
 /*

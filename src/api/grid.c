@@ -13,6 +13,7 @@
 #include "../base/number.h"
 #include "../base/rows.h"
 #include "../scene/scene.h"
+#include "../shade/flux.h"
 #include "session.h"
 
 void luxel_grid_free(luxel_grid *grid)
@@ -51,6 +52,7 @@ luxel_status luxel_scene_grid_resolution(const luxel_scene *scene, size_t i, uns
 struct measuring {
     const struct lx_prepared *prepared;
     struct lx_control *control;
+    unsigned threads;
     struct lx_lobe lobe;
     struct lx_measured *made;
     double *values, *errors;
@@ -181,21 +183,111 @@ static bool reaches(const struct measuring *measuring, bool is_asked_for)
     return true;
 }
 
-/* The flux is known where values by area are. */
 static void judge(const struct measuring *measuring, bool is_tolerance_asked_for)
 {
     luxel_grid *grid = &measuring->made->grid;
-    bool photometric = strcmp(grid->unit, "lx") == 0, radiometric = strcmp(grid->unit, "W/m²") == 0;
     grid->has_evenness = grid->average > 0; /* which a maximum below the normal numbers may leave at 0 */
     if (grid->has_evenness) {
         grid->u0 = grid->minimum.value / grid->average;
         grid->ud = grid->minimum.value / grid->maximum.value;
     }
-    if ((photometric || radiometric) && grid->measured == (size_t)grid->columns * grid->rows) {
-        grid->flux_unit = photometric ? "lm" : "W";
-        grid->flux = grid->average * (grid->size_mm[0] / 1000) * (grid->size_mm[1] / 1000);
-    }
     grid->tolerance_reached = reaches(measuring, is_tolerance_asked_for);
+}
+
+/* ---- the plane as a whole ---- */
+
+/* From this share of the mean on the sampling error is said to be one. */
+static const double COARSE = 0.01;
+
+/* The mean over the plane and the flux, where they are known. */
+static void integrate(const struct measuring *measuring)
+{
+    luxel_grid *grid = &measuring->made->grid;
+    const struct lx_asking asking = {.control = measuring->control, .is_caller = true};
+    const bool photometric = strcmp(grid->unit, "lx") == 0, radiometric = strcmp(grid->unit, "W/m²") == 0;
+    if ((!photometric && !radiometric) || grid->measured != (size_t)grid->columns * grid->rows)
+        return;
+    const struct lx_flux flux = lx_plane_flux(measuring->prepared, &measuring->made->cells, grid->average, &asking);
+    lx_bounded area =
+        lx_mul(lx_div(lx_exact(grid->size_mm[0]), lx_exact(1000)), lx_div(lx_exact(grid->size_mm[1]), lx_exact(1000)));
+    lx_bounded mean = lx_div(flux.value, area);
+    grid->has_mean = flux.is_known && isfinite(mean.value) && isfinite(mean.error);
+    if (!grid->has_mean)
+        return;
+    grid->mean = mean.value;
+    grid->mean_error = mean.error;
+    grid->flux_unit = photometric ? "lm" : "W";
+    grid->flux = flux.value.value;
+    grid->flux_error = flux.value.error;
+}
+
+/* The sum of the values of a grid of half as many cells each way, of twice as many of a single one; NaN where a cell
+ * has none, or memory is short. */
+static double sum_of_other(const struct measuring *measuring, struct lx_measured *other)
+{
+    const size_t cells = (size_t)other->grid.columns * other->grid.rows;
+    struct measuring coarse = {.prepared = measuring->prepared,
+                               .control = measuring->control,
+                               .lobe = measuring->lobe,
+                               .made = other,
+                               .values = lx_new_array(cells, sizeof *coarse.values),
+                               .errors = lx_new_array(cells, sizeof *coarse.errors),
+                               .mask = lx_new_array(cells, sizeof *coarse.mask)};
+    const struct lx_rows_part part = {
+        .last = (unsigned)cells, .counts_itself = true, .work = measure_cells, .data = &coarse};
+    bool is_whole = coarse.values && coarse.errors && coarse.mask &&
+                    lx_rows_run_part(measuring->control, measuring->threads, &part);
+    lx_wide sum = lx_wide_of(0);
+    for (size_t cell = 0; cell < cells && is_whole; cell++) {
+        is_whole = coarse.mask[cell];
+        sum = lx_wide_add(sum, lx_wide_of(coarse.values[cell]));
+    }
+    free(coarse.values);
+    free(coarse.errors);
+    free(coarse.mask);
+    return is_whole ? lx_wide_value(sum) : (double)NAN;
+}
+
+/* The average of that grid. */
+static double other_average(const struct measuring *measuring)
+{
+    struct lx_measured other = {.cells = measuring->made->cells};
+    for (int i = 0; i < 2; i++)
+        other.cells.n[i] = other.cells.n[i] > 1 ? (other.cells.n[i] + 1) / 2 : 2;
+    other.grid.columns = other.cells.n[0];
+    other.grid.rows = other.cells.n[1];
+    return sum_of_other(measuring, &other) / ((double)other.cells.n[0] * other.cells.n[1]);
+}
+
+/* How far the average of the values may be from the mean over the plane. */
+static void judge_sampling(const struct measuring *measuring)
+{
+    luxel_grid *grid = &measuring->made->grid;
+    if (grid->measured != (size_t)grid->columns * grid->rows)
+        return;
+    if (grid->has_mean) {
+        grid->has_sampling_error = grid->sampling_is_bound = true;
+        grid->sampling_error = fabs(grid->average - grid->mean) + grid->mean_error;
+    } else {
+        grid->sampling_error = fabs(grid->average - other_average(measuring));
+        grid->has_sampling_error = isfinite(grid->sampling_error);
+        grid->sampling_error = grid->has_sampling_error ? grid->sampling_error : 0;
+    }
+    const double size = fmax(fabs(grid->average), grid->has_mean ? fabs(grid->mean) : 0);
+    grid->is_coarse = grid->has_sampling_error && grid->sampling_error > COARSE * size;
+}
+
+/* The cells inside of bodies. */
+static void find_enclosed(const struct measuring *measuring)
+{
+    luxel_grid *grid = &measuring->made->grid;
+    for (size_t cell = 0; cell < (size_t)grid->columns * grid->rows; cell++) {
+        double place_mm[3];
+        luxel_grid_position(grid, (unsigned)(cell % grid->columns), (unsigned)(cell / grid->columns), place_mm);
+        const struct lx_prepared_surface *around = lx_surface_around(measuring->prepared, place_mm);
+        if (around && grid->enclosed++ == 0)
+            grid->enclosing_surface = (size_t)(around - measuring->prepared->surfaces);
+    }
 }
 
 static void value_of(lx_bounded3 a, double value[3])
@@ -258,7 +350,8 @@ static luxel_status run(const struct lx_session *session, struct measuring *meas
     struct lx_control control = {
         .rows = grid->columns * grid->rows, .progress = settings->progress, .data = settings->progress_data};
     measuring->control = &control;
-    if (!lx_rows_run(&control, lx_thread_count(settings->threads, control.rows / 4 + 1), measure_cells, measuring))
+    measuring->threads = lx_thread_count(settings->threads, control.rows / 4 + 1);
+    if (!lx_rows_run(&control, measuring->threads, measure_cells, measuring))
         return LUXEL_CANCELLED;
     gather(measuring);
     if (grid->measured > 0 && !isfinite(grid->average)) {
@@ -267,7 +360,10 @@ static luxel_status run(const struct lx_session *session, struct measuring *meas
         return LUXEL_ERROR_RANGE;
     }
     judge(measuring, settings->tolerance > 0);
-    return LUXEL_OK;
+    find_enclosed(measuring);
+    integrate(measuring);
+    judge_sampling(measuring);
+    return atomic_load(&control.stop) ? LUXEL_CANCELLED : LUXEL_OK;
 }
 
 /* Errors of the call itself. */

@@ -1,50 +1,113 @@
 /* SPDX-License-Identifier: MIT */
-/* Probes: the reference summed over the lights, and the picture's value at the same pixel. */
+/* Probes: the reference summed over the lights at each place, and the picture's value at the same pixel. */
 #include <luxel/probe.h>
 
 #include <float.h>
+#include <limits.h>
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
 #include "../base/diagnostics.h"
 #include "../base/memory.h"
+#include "../base/number.h"
+#include "../base/rows.h"
 #include "../scene/scene.h"
 #include "../shade/camera.h"
 #include "../shade/evaluate.h"
-#include "../shade/panels.h"
+#include "probe_pixels.h"
 #include "session.h"
+
+/* Probes with all that they point to: a single one is an array of one. */
+struct probes {
+    luxel_light_share *shares; /* of all probes, one after the other */
+    luxel_light_share *named;  /* what each begins with: one for each enabled light, with its words */
+    size_t named_count;
+    char **surface_names; /* of all surfaces */
+    size_t surface_count;
+    luxel_probe list[];
+};
+
+static void free_probes(struct probes *probes)
+{
+    if (!probes)
+        return;
+    for (size_t i = 0; probes->named && i < probes->named_count; i++)
+        free((char *)probes->named[i].name);
+    for (size_t i = 0; probes->surface_names && i < probes->surface_count; i++)
+        free(probes->surface_names[i]);
+    free(probes->shares);
+    free(probes->named);
+    free((void *)probes->surface_names);
+    free(probes);
+}
 
 void luxel_probe_free(luxel_probe *probe)
 {
-    if (!probe)
-        return;
-    for (size_t i = 0; i < probe->share_count; i++)
-        free((char *)probe->shares[i].name);
-    free(probe->shares);
-    free(probe);
+    if (probe)
+        free_probes((struct probes *)(void *)((char *)probe - offsetof(struct probes, list)));
 }
 
-/* One share for each enabled light, with its words. */
-static int name_shares(const struct lx_scene_parameters *scene, luxel_probe *probe)
+/* Copies the names of lights and surfaces; -1: memory ran out. */
+static int copy_names(const struct lx_scene_parameters *scene, struct probes *probes)
 {
-    probe->shares = lx_new_array(scene->lights.count, sizeof *probe->shares);
-    if (!probe->shares)
+    probes->named = lx_new_array(scene->lights.count, sizeof *probes->named);
+    probes->surface_names = lx_new_array(scene->surfaces.count, sizeof *probes->surface_names);
+    if (!probes->named || !probes->surface_names)
         return -1;
     for (size_t i = 0; i < scene->lights.count; i++) {
         const struct lx_item *item = &scene->lights.items[i];
         const struct lx_light_common *common = item->common;
         if (!common->enabled)
             continue;
-        luxel_light_share *share = &probe->shares[probe->share_count++];
+        luxel_light_share *share = &probes->named[probes->named_count++];
         *share = (luxel_light_share){.light = i, .type = item->variant->name};
-        if (common->name) {
-            share->name = lx_copy_text(common->name, strlen(common->name));
-            if (!share->name)
-                return -1;
-        }
+        if (common->name && !(share->name = lx_copy_text(common->name, strlen(common->name))))
+            return -1;
+    }
+    for (; probes->surface_count < scene->surfaces.count; probes->surface_count++) {
+        const struct lx_surface_common *common = scene->surfaces.items[probes->surface_count].common;
+        char **name = &probes->surface_names[probes->surface_count];
+        if (common->name && !(*name = lx_copy_text(common->name, strlen(common->name))))
+            return -1;
     }
     return 0;
+}
+
+static luxel_status too_many(size_t count, double needed, double available, luxel_diagnostics *diagnostics)
+{
+    char places[LX_NUMBER_SIZE], need[LX_AMOUNT_SIZE], have[LX_AMOUNT_SIZE];
+    lx_report(diagnostics, LUXEL_SEVERITY_ERROR, NULL, LX_MSG_TOO_MANY_PLACES,
+              LX_ARGS(lx_write_number((double)count, places), lx_write_amount(needed, need),
+                      lx_write_amount(available, have)));
+    lx_hint(diagnostics, LX_MSG_FEWER_PLACES, NULL);
+    return LUXEL_ERROR_MEMORY;
+}
+
+/* Room for the answers; what there is of it is to be freed whatever it returns. */
+static luxel_status new_probes(const struct lx_scene_parameters *scene, size_t count, luxel_diagnostics *diagnostics,
+                               struct probes **probes)
+{
+    const double needed =
+        (double)count * (double)(sizeof(luxel_probe) + scene->lights.count * sizeof(luxel_light_share));
+    const double available = count > 1 ? lx_available_bytes() : HUGE_VAL;
+    if (needed > available || count > UINT_MAX / 2)
+        return too_many(count, needed, available, diagnostics);
+    struct probes *made = lx_new_array(1, sizeof *made + count * sizeof *made->list);
+    *probes = made;
+    if (!made || copy_names(scene, made) < 0)
+        return lx_out_of_memory(diagnostics);
+    made->shares = lx_new_array(count * made->named_count, sizeof *made->shares);
+    if (!made->shares)
+        return lx_out_of_memory(diagnostics);
+    for (size_t i = 0; i < count; i++) {
+        luxel_probe *probe = &made->list[i];
+        probe->tolerance_reached = true;
+        probe->share_count = 0;
+        probe->shares = made->shares + i * made->named_count;
+        memcpy(probe->shares, made->named, made->named_count * sizeof *probe->shares);
+    }
+    return LUXEL_OK;
 }
 
 /* What is below this share of the sources' radiance is as good as 0: in a source's plane there is only rounding. */
@@ -93,164 +156,161 @@ static void sum_lights(const struct lx_session *session, const struct lx_element
     probe->tolerance_reached = is_reached(session, probe);
 }
 
-static int probe_element(const struct lx_session *session, const struct lx_element *element, luxel_probe *probe)
-{
-    const lx_bounded3 *place = &element->place_mm, *normal = &element->normal;
-    probe->on_surface = true;
-    probe->position_mm[0] = place->x.value, probe->position_mm[1] = place->y.value;
-    probe->position_mm[2] = place->z.value;
-    probe->normal[0] = normal->x.value, probe->normal[1] = normal->y.value, probe->normal[2] = normal->z.value;
-    if (name_shares(session->prepared.scene, probe))
-        return -1;
-    sum_lights(session, element, probe);
-    return 0;
-}
-
-/* Some pixels around the probe's, which its value in the picture may depend on, shaded alone. */
-struct neighbourhood {
-    unsigned first, top, columns, rows;
-    double x_mm[LX_BLOCK], y_mm[LX_PANEL_SIDE];
+/* The work on all places. */
+struct probing {
+    const struct lx_session *session;
+    const luxel_place *places;
+    struct probes *probes;
+    struct lx_control *control;
 };
 
-static struct neighbourhood neighbourhood_of(const struct lx_screen *screen, const luxel_probe *probe, unsigned width,
-                                             unsigned height)
+static void copy3(double to[3], lx_bounded3 from)
 {
-    struct neighbourhood made = {.first = probe->column / width * width, .top = probe->row / height * height};
-    const unsigned columns = screen->resolution[0] - made.first, rows = screen->resolution[1] - made.top;
-    made.columns = columns < width ? columns : width;
-    made.rows = rows < height ? rows : height;
-    for (unsigned i = 0; i < made.columns; i++)
-        made.x_mm[i] = lx_column_x_mm(screen, made.first + i);
-    for (unsigned j = 0; j < made.rows; j++)
-        made.y_mm[j] = lx_row_y_mm(screen, made.top + j);
-    return made;
+    to[0] = from.x.value, to[1] = from.y.value, to[2] = from.z.value;
 }
 
-static double shade_in_tile(const struct lx_session *session, const struct neighbourhood *tile, size_t row,
-                            size_t column, struct lx_shader_memory *memory)
+static void probe_element(const struct probing *probing, const luxel_place *place, const struct lx_element *element,
+                          luxel_probe *probe)
 {
-    const struct lx_plan *plan = &session->plan;
-    double values[LX_BLOCK];
-    float singles[LX_BLOCK];
-    uint8_t mask[LX_BLOCK];
-    lx_shader_enter(plan, memory, tile->y_mm, tile->rows, tile->x_mm, tile->columns);
-    if (session->settings.precision == LUXEL_DOUBLE) {
-        lx_shade_row(plan, memory, row, NULL, false, values, mask);
-        return values[column];
+    const struct lx_prepared *prepared = &probing->session->prepared;
+    probe->on_surface = true;
+    probe->share_count = probing->probes->named_count;
+    probe->lies_on_surface = element->own != NULL;
+    probe->surface = element->own ? (size_t)(element->own - prepared->surfaces) : place->surface;
+    probe->surface_name = probing->probes->surface_names[probe->surface];
+    copy3(probe->position_mm, element->place_mm);
+    copy3(probe->normal, element->normal);
+    copy3(probe->view, element->view);
+    sum_lights(probing->session, element, probe);
+}
+
+static void probe_free_element(const struct probing *probing, const luxel_place *place, luxel_probe *probe)
+{
+    const struct lx_prepared *prepared = &probing->session->prepared;
+    const struct lx_element element = lx_free_element_at(prepared, place);
+    const struct lx_prepared_surface *around = lx_surface_around(prepared, place->position_mm);
+    probe_element(probing, place, &element, probe);
+    probe->is_enclosed = around != NULL;
+    if (around)
+        probe->enclosing_surface = (size_t)(around - prepared->surfaces);
+}
+
+static void probe_screen(const struct probing *probing, const luxel_place *place, luxel_probe *probe)
+{
+    const struct lx_prepared *prepared = &probing->session->prepared;
+    const double x_mm = place->screen_mm[0], y_mm = place->screen_mm[1];
+    struct lx_element element;
+    probe->has_screen = true;
+    probe->x_mm = x_mm;
+    probe->y_mm = y_mm;
+    probe->has_pixel = lx_pixel_at(&prepared->scene->screen, x_mm, y_mm, &probe->column, &probe->row);
+    if (lx_element_seen(prepared, x_mm, y_mm, &element))
+        probe_element(probing, place, &element, probe);
+}
+
+/* For the pool a place is a row. */
+static void probe_places(void *data, unsigned worker, bool is_caller, unsigned first, unsigned last)
+{
+    const struct probing *probing = data;
+    (void)worker;
+    for (unsigned i = first; i < last && lx_control_goes_on(probing->control, is_caller); i++)
+        if (probing->places[i].is_element)
+            probe_free_element(probing, &probing->places[i], &probing->probes->list[i]);
+        else
+            probe_screen(probing, &probing->places[i], &probing->probes->list[i]);
+}
+
+static luxel_status check_values(const luxel_probe *probes, size_t count, luxel_diagnostics *diagnostics)
+{
+    for (size_t i = 0; i < count; i++)
+        if (probes[i].has_value && !isfinite(probes[i].value)) {
+            lx_report(diagnostics, LUXEL_SEVERITY_ERROR, NULL, LX_MSG_VALUE_TOO_LARGE, LX_ARGS("double"));
+            lx_hint(diagnostics, LX_MSG_LOWER_STRENGTHS, NULL);
+            return LUXEL_ERROR_RANGE;
+        }
+    return LUXEL_OK;
+}
+
+/* First the values, then the pixels. */
+static luxel_status compute(struct probing *probing, struct lx_control *control, size_t count,
+                            luxel_diagnostics *diagnostics)
+{
+    luxel_probe *list = probing->probes->list;
+    const unsigned places = (unsigned)count;
+    const struct lx_rows_part values = {.last = places, .work = probe_places, .data = probing};
+    if (count == 0)
+        return LUXEL_OK;
+    if (!lx_rows_run_part(control, lx_thread_count(probing->session->settings.threads, places / 4 + 1), &values))
+        return LUXEL_CANCELLED;
+    luxel_status status = lx_probe_pixels(probing->session, control, list, count);
+    if (status == LUXEL_ERROR_MEMORY)
+        lx_out_of_memory(diagnostics);
+    return status == LUXEL_OK ? check_values(list, count, diagnostics) : status;
+}
+
+/* The places are such that can be probed. */
+static luxel_status check_places(const struct lx_scene_parameters *scene, const luxel_place *places, size_t count,
+                                 luxel_diagnostics *diagnostics)
+{
+    char index[LX_NUMBER_SIZE], most[LX_NUMBER_SIZE];
+    for (size_t i = 0; i < count; i++) {
+        if (!lx_is_place(&places[i])) {
+            lx_report(diagnostics, LUXEL_SEVERITY_ERROR, NULL, LX_MSG_BAD_PLACE, NULL);
+            return LUXEL_ERROR_ARGUMENT;
+        }
+        if (places[i].is_element && places[i].surface >= scene->surfaces.count) {
+            lx_report(diagnostics, LUXEL_SEVERITY_ERROR, NULL, LX_MSG_NO_SUCH_SURFACE,
+                      LX_ARGS(lx_write_number((double)places[i].surface, index),
+                              lx_write_number((double)scene->surfaces.count - 1, most)));
+            return LUXEL_ERROR_ARGUMENT;
+        }
     }
-    lx_shade_row_single(plan, memory, row, NULL, false, singles, mask);
-    return (double)singles[column];
+    return LUXEL_OK;
 }
 
-static double shade_in_panel(const struct lx_session *session, const struct neighbourhood *panel, size_t row,
-                             size_t column, struct lx_shader_memory *memory, struct lx_panels_memory *panels)
+luxel_status luxel_probe_many(const luxel_scene *scene, const luxel_settings *settings, const luxel_place *places,
+                              size_t count, luxel_diagnostics *diagnostics, luxel_probe **probes)
 {
-    float values[LX_PANEL_SIDE * LX_PANEL_SIDE];
-    uint8_t mask[LX_PANEL_SIDE * LX_PANEL_SIDE];
-    unsigned shown[LX_PANEL_SIDE];
-    struct lx_control control = {.rows = 1};
-    const struct lx_canvas canvas = {panel->first, panel->top, panel->x_mm, panel->y_mm, values, mask, LX_PANEL_SIDE};
-    lx_shade_panels(&session->plan, panels, memory, &control, false, &canvas, panel->top, panel->first, 1, shown);
-    return (double)values[row * LX_PANEL_SIDE + column];
-}
-
-/* The value that the picture has at the probe's pixel. */
-static int probe_pixel(const struct lx_session *session, luxel_probe *probe)
-{
-    const struct lx_plan *plan = &session->plan;
-    const struct lx_screen *screen = &session->prepared.scene->screen;
-    struct lx_shader_memory *memory = lx_shader_memory_new(plan);
-    struct lx_panels_memory *panels = plan->in_panels ? lx_panels_memory_new(plan) : NULL;
-    const bool has_room = memory && (panels || !plan->in_panels);
-    if (has_room) {
-        const unsigned width = panels ? LX_PANEL_SIDE : lx_tile_columns(plan, screen->resolution[0]);
-        const struct neighbourhood near = neighbourhood_of(screen, probe, width, panels ? LX_PANEL_SIDE : LX_TILE_ROWS);
-        const size_t row = probe->row - near.top, column = probe->column - near.first;
-        probe->pixel_value = panels ? shade_in_panel(session, &near, row, column, memory, panels)
-                                    : shade_in_tile(session, &near, row, column, memory);
-        probe->has_pixel_value = isfinite(probe->pixel_value);
+    struct lx_session session;
+    struct lx_control control = {.rows = count < UINT_MAX / 2 ? 2 * (unsigned)count : UINT_MAX};
+    struct probing probing = {.session = &session, .places = places, .control = &control};
+    if (!probes || (!places && count > 0)) {
+        lx_report(diagnostics, LUXEL_SEVERITY_ERROR, NULL, LX_MSG_MISSING_ARGUMENT,
+                  LX_ARGS(probes ? "places" : "probes"));
+        return LUXEL_ERROR_ARGUMENT;
     }
-    lx_panels_memory_free(panels);
-    lx_shader_memory_free(memory);
-    return has_room ? 0 : -1;
-}
-
-static luxel_status finish(struct lx_session *session, int failed, luxel_diagnostics *diagnostics, luxel_probe *made,
-                           luxel_probe **probe)
-{
-    luxel_status status = LUXEL_OK;
-    lx_session_clear(session);
-    if (failed) {
-        status = lx_out_of_memory(diagnostics);
-    } else if (made->has_value && !isfinite(made->value)) {
-        lx_report(diagnostics, LUXEL_SEVERITY_ERROR, NULL, LX_MSG_VALUE_TOO_LARGE, LX_ARGS("double"));
-        lx_hint(diagnostics, LX_MSG_LOWER_STRENGTHS, NULL);
-        status = LUXEL_ERROR_RANGE;
-    }
+    luxel_status status = lx_session_open(scene, settings, diagnostics, &session);
     if (status == LUXEL_OK)
-        *probe = made;
-    else
-        luxel_probe_free(made);
-    return status;
-}
-
-static luxel_status open_session(const luxel_scene *scene, const luxel_settings *settings, bool is_finite,
-                                 luxel_diagnostics *diagnostics, struct lx_session *session)
-{
-    luxel_status status = lx_session_open(scene, settings, diagnostics, session);
-    if (status == LUXEL_OK && !is_finite) {
-        lx_report(diagnostics, LUXEL_SEVERITY_ERROR, NULL, LX_MSG_BAD_PLACE, NULL);
-        status = LUXEL_ERROR_ARGUMENT;
+        status = check_places(session.prepared.scene, places, count, diagnostics);
+    if (status == LUXEL_OK)
+        status = new_probes(session.prepared.scene, count, diagnostics, &probing.probes);
+    if (status == LUXEL_OK) {
+        control.progress = session.settings.progress;
+        control.data = session.settings.progress_data;
+        status = compute(&probing, &control, count, diagnostics);
     }
-    if (status != LUXEL_OK)
-        lx_session_clear(session);
+    lx_session_clear(&session);
+    if (status == LUXEL_OK)
+        *probes = probing.probes->list;
+    else
+        free_probes(probing.probes);
     return status;
 }
 
 luxel_status luxel_probe_screen(const luxel_scene *scene, const luxel_settings *settings, double x_mm, double y_mm,
                                 luxel_diagnostics *diagnostics, luxel_probe **probe)
 {
-    struct lx_session session;
-    luxel_status status = open_session(scene, settings, isfinite(x_mm) && isfinite(y_mm), diagnostics, &session);
-    if (status != LUXEL_OK)
-        return status;
-    luxel_probe *made = lx_new_array(1, sizeof *made);
-    int failed = made == NULL;
-    if (made) {
-        struct lx_element element;
-        made->has_screen = true;
-        made->x_mm = x_mm;
-        made->y_mm = y_mm;
-        made->tolerance_reached = true;
-        made->has_pixel = lx_pixel_at(&session.prepared.scene->screen, x_mm, y_mm, &made->column, &made->row);
-        if (lx_element_seen(&session.prepared, x_mm, y_mm, &element))
-            failed = probe_element(&session, &element, made);
-        if (!failed && made->on_surface && made->has_pixel)
-            failed = probe_pixel(&session, made);
-    }
-    return finish(&session, failed, diagnostics, made, probe);
+    const luxel_place place = {.screen_mm = {x_mm, y_mm}};
+    return luxel_probe_many(scene, settings, &place, 1, diagnostics, probe);
 }
 
 luxel_status luxel_probe_element(const luxel_scene *scene, const luxel_settings *settings, const double position_mm[3],
                                  const double normal[3], luxel_diagnostics *diagnostics, luxel_probe **probe)
 {
-    struct lx_session session;
-    bool is_finite = true, is_zero = true;
-    for (int i = 0; i < 3; i++) {
-        is_finite = is_finite && isfinite(position_mm[i]) && isfinite(normal[i]);
-        is_zero = is_zero && normal[i] == 0;
-    }
-    luxel_status status = open_session(scene, settings, is_finite && !is_zero, diagnostics, &session);
-    if (status != LUXEL_OK)
-        return status;
-    luxel_probe *made = lx_new_array(1, sizeof *made);
-    int failed = made == NULL;
-    if (made) {
-        struct lx_element element = lx_element_at(&session.prepared, position_mm, normal);
-        made->tolerance_reached = true;
-        failed = probe_element(&session, &element, made);
-    }
-    return finish(&session, failed, diagnostics, made, probe);
+    luxel_place place = {.is_element = true};
+    memcpy(place.position_mm, position_mm, sizeof place.position_mm);
+    memcpy(place.normal, normal, sizeof place.normal);
+    return luxel_probe_many(scene, settings, &place, 1, diagnostics, probe);
 }
 
 const char *luxel_scene_unit(const luxel_scene *scene, luxel_quantity quantity)

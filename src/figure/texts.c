@@ -4,6 +4,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include <luxel/conventions.h>
 #include <luxel/version.h>
 
 #include "../base/diagnostics.h"
@@ -132,6 +133,24 @@ static void print_lights(const struct lx_figure *figure, struct lx_text *text)
     lx_text_puts(text, printed > 0 ? "\n" : "");
 }
 
+/* The conventions of the picture and of the range of the figure's colours, unless that was given. */
+static void print_conventions(const struct lx_figure *figure, struct lx_text *text)
+{
+    const luxel_use use = {
+        .screen = true,
+        .pixels = true,
+        .range = isnan(figure->settings.low),
+        .brightness = luxel_field_quantity(figure->field) != LUXEL_IRRADIANCE,
+    };
+    luxel_conventions *conventions = NULL;
+    text->failed |= luxel_find_conventions(figure->copy, &use, &conventions) != LUXEL_OK;
+    for (size_t i = 0; conventions && i < conventions->count; i++) {
+        lx_text_puts(text, i > 0 ? "; " : "");
+        lx_figure_add_convention(figure, text, conventions->list[i].key, conventions->list[i].value);
+    }
+    luxel_conventions_free(conventions);
+}
+
 /* The lights in a line, then the conventions, then the version, which stays with its name. */
 static char *make_print(const struct lx_figure *figure)
 {
@@ -139,11 +158,7 @@ static char *make_print(const struct lx_figure *figure)
     if (!figure->settings.small_print)
         return take(&text);
     print_lights(figure, &text);
-    for (size_t i = 0; i < luxel_scene_convention_count(figure->copy); i++) {
-        lx_text_puts(&text, i > 0 ? "; " : "");
-        lx_figure_add_convention(figure, &text, luxel_scene_convention_key(figure->copy, i),
-                                 luxel_scene_convention_value(figure->copy, i));
-    }
+    print_conventions(figure, &text);
     lx_text_puts(&text, ". Luxel\u00a0");
     lx_text_puts(&text, luxel_version());
     return take(&text);

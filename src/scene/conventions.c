@@ -1,10 +1,12 @@
 /* SPDX-License-Identifier: MIT */
 /*
  * The conventions of a scene: every choice of its tables that has an effect, such as the projection, the
- * sampling and the highlight's model.  Two people whose numbers differ will find the reason among them.
+ * sampling and the highlight's model, or those of them that had a say in a result.
  */
+#include <luxel/conventions.h>
 #include <luxel/probe.h>
 
+#include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -15,13 +17,27 @@
 #include "../base/text.h"
 #include "object.h"
 
+/* Which results a part of the scene has a say in. */
+enum purpose { ANY_RESULT, OF_SCREEN, OF_PIXELS, OF_RANGE, OF_ROUNDING, OF_BRIGHTNESS };
+
+struct collecting {
+    const luxel_use *use; /* NULL: all */
+    struct lx_convention *list;
+    size_t count, capacity;
+};
+
+static void clear(struct lx_convention *list, size_t count)
+{
+    for (size_t i = 0; i < count; i++)
+        free(list[i].value);
+    free(list);
+}
+
 void lx_clear_conventions(luxel_scene *scene)
 {
-    for (size_t i = 0; i < scene->convention_count; i++)
-        free(scene->conventions[i].value);
-    free(scene->conventions);
+    clear(scene->conventions, scene->convention_count);
     scene->conventions = NULL;
-    scene->convention_count = scene->convention_capacity = 0;
+    scene->convention_count = 0;
 }
 
 /* Whether `word` is one of the words joined by ", ". */
@@ -37,12 +53,12 @@ static bool holds(const char *words, const char *word)
 }
 
 /* Adds a word to the convention with this key, once. */
-static int add(luxel_scene *scene, const char *key, const char *word)
+static int add(struct collecting *all, const char *key, const char *word)
 {
     struct lx_convention *found = NULL;
-    for (size_t i = 0; i < scene->convention_count && !found; i++)
-        if (strcmp(scene->conventions[i].key, key) == 0)
-            found = &scene->conventions[i];
+    for (size_t i = 0; i < all->count && !found; i++)
+        if (strcmp(all->list[i].key, key) == 0)
+            found = &all->list[i];
     if (found && holds(found->value, word))
         return 0;
     struct lx_text text = {0};
@@ -59,32 +75,31 @@ static int add(luxel_scene *scene, const char *key, const char *word)
         found->value = value;
         return 0;
     }
-    if (lx_reserve((void **)&scene->conventions, &scene->convention_capacity, scene->convention_count + 1,
-                   sizeof *scene->conventions) < 0) {
+    if (lx_reserve((void **)&all->list, &all->capacity, all->count + 1, sizeof *all->list) < 0) {
         free(value);
         return -1;
     }
-    scene->conventions[scene->convention_count++] = (struct lx_convention){key, value};
+    all->list[all->count++] = (struct lx_convention){key, value};
     return 0;
 }
 
-static int add_choice_or_pair(luxel_scene *scene, const struct lx_parameter *parameter,
+static int add_choice_or_pair(struct collecting *all, const struct lx_parameter *parameter,
                               const struct lx_choice_or_pair *value)
 {
     if (value->choice >= 0)
-        return add(scene, parameter->name, parameter->choices[value->choice]);
+        return add(all, parameter->name, parameter->choices[value->choice]);
     char words[2 * LX_NUMBER_SIZE + 8], low[LX_NUMBER_SIZE], high[LX_NUMBER_SIZE];
     snprintf(words, sizeof words, "[%s, %s]", lx_write_number(value->low, low), lx_write_number(value->high, high));
-    return add(scene, parameter->name, words);
+    return add(all, parameter->name, words);
 }
 
-static int add_choice_or_whole(luxel_scene *scene, const struct lx_parameter *parameter,
+static int add_choice_or_whole(struct collecting *all, const struct lx_parameter *parameter,
                                const struct lx_choice_or_whole *value)
 {
     if (value->choice >= 0)
-        return add(scene, parameter->name, parameter->choices[value->choice]);
+        return add(all, parameter->name, parameter->choices[value->choice]);
     char number[LX_NUMBER_SIZE];
-    return add(scene, parameter->name, lx_write_number(value->whole, number));
+    return add(all, parameter->name, lx_write_number(value->whole, number));
 }
 
 static bool has_effect(const struct lx_table *table, const struct lx_parameter *parameter, const void *parameters)
@@ -96,10 +111,43 @@ static bool has_effect(const struct lx_table *table, const struct lx_parameter *
     return true;
 }
 
-static int collect_table(luxel_scene *scene, const struct lx_table *table, const void *parameters, bool booleans);
-
-static int collect_list(luxel_scene *scene, const struct lx_parameter *parameter, const struct lx_list *list)
+static bool matters(const luxel_use *use, enum purpose purpose)
 {
+    if (!use)
+        return true;
+    switch (purpose) {
+    case OF_SCREEN: return use->screen;
+    case OF_PIXELS: return use->pixels;
+    case OF_RANGE: return use->range;
+    case OF_ROUNDING: return use->rounding;
+    case OF_BRIGHTNESS: return use->brightness;
+    case ANY_RESULT: break;
+    }
+    return true;
+}
+
+/* The purpose of a key: its own, or that of the part of the scene in which it stands. */
+static enum purpose purpose_of(const struct lx_parameter *parameter, enum purpose of_table)
+{
+    static const struct {
+        const char *name;
+        enum purpose purpose;
+    } known[] = {{"screen", OF_PIXELS},    {"projection", OF_SCREEN},   {"surfaces", OF_SCREEN},
+                 {"view", OF_BRIGHTNESS},  {"material", OF_BRIGHTNESS}, {"range", OF_RANGE},
+                 {"rounding", OF_ROUNDING}};
+    for (size_t i = 0; i < sizeof known / sizeof known[0]; i++)
+        if (strcmp(parameter->name, known[i].name) == 0)
+            return known[i].purpose;
+    return of_table;
+}
+
+static int collect_table(struct collecting *all, const struct lx_table *table, const void *parameters, bool booleans,
+                         enum purpose purpose);
+
+static int collect_list(struct collecting *all, const struct lx_parameter *parameter, const struct lx_list *list,
+                        enum purpose purpose)
+{
+    const bool *which = all->use && purpose == OF_SCREEN ? all->use->surfaces : NULL;
     int result = 0;
     for (size_t i = 0; i < list->count && result == 0; i++) {
         const struct lx_item *item = &list->items[i];
@@ -107,41 +155,115 @@ static int collect_list(luxel_scene *scene, const struct lx_parameter *parameter
         const struct lx_parameter *enabled = lx_find_parameter(parameter->group, "enabled");
         if (enabled && !*(const bool *)lx_const_member(enabled, item->common))
             continue;
-        result = collect_table(scene, item->variant->table, item->parameters, true);
-        if (result == 0)
-            result = collect_table(scene, parameter->group, item->common, false);
+        result = collect_table(all, item->variant->table, item->parameters, true, purpose);
+        if (result == 0 && (!which || which[i]))
+            result = collect_table(all, parameter->group, item->common, false, purpose);
     }
     return result;
 }
 
+/* The view of a result of which some, or all, was seen from a direction of its own. */
+static int add_view(struct collecting *all, const struct lx_parameter *parameter, const void *parameters)
+{
+    const luxel_use *use = all->use;
+    char words[3 * LX_NUMBER_SIZE + 8], x[LX_NUMBER_SIZE], y[LX_NUMBER_SIZE], z[LX_NUMBER_SIZE];
+    if (!use || !use->only_view)
+        if (add(all, parameter->name, lx_chosen(parameter, parameters)) < 0)
+            return -1;
+    if (!use || !use->has_view)
+        return 0;
+    snprintf(words, sizeof words, "[%s, %s, %s]", lx_write_number(use->view[0], x), lx_write_number(use->view[1], y),
+             lx_write_number(use->view[2], z));
+    return add(all, parameter->name, words);
+}
+
+/* The value of a key that is no group or list. */
+static int collect_value(struct collecting *all, const struct lx_parameter *parameter, const void *parameters,
+                         bool booleans)
+{
+    const void *value = lx_const_member(parameter, parameters);
+    if (parameter->type == LX_CHOICE)
+        return strcmp(parameter->name, "view") == 0 ? add_view(all, parameter, parameters)
+                                                    : add(all, parameter->name, lx_chosen(parameter, parameters));
+    if (parameter->type == LX_CHOICE_OR_PAIR)
+        return add_choice_or_pair(all, parameter, value);
+    if (parameter->type == LX_CHOICE_OR_WHOLE)
+        return add_choice_or_whole(all, parameter, value);
+    if (parameter->type == LX_BOOLEAN && booleans)
+        return add(all, parameter->name, *(const bool *)value ? "true" : "false");
+    return 0;
+}
+
 /* `booleans`: whether truth values of this table decide how things are computed, and not what there is. */
-static int collect_table(luxel_scene *scene, const struct lx_table *table, const void *parameters, bool booleans)
+static int collect_table(struct collecting *all, const struct lx_table *table, const void *parameters, bool booleans,
+                         enum purpose purpose)
 {
     int result = 0;
     for (size_t i = 0; i < table->count && result == 0; i++) {
         const struct lx_parameter *parameter = &table->parameters[i];
         const void *value = lx_const_member(parameter, parameters);
+        const enum purpose of_key = purpose_of(parameter, purpose);
         if (!has_effect(table, parameter, parameters))
             continue;
-        if (parameter->type == LX_CHOICE)
-            result = add(scene, parameter->name, lx_chosen(parameter, parameters));
-        else if (parameter->type == LX_CHOICE_OR_PAIR)
-            result = add_choice_or_pair(scene, parameter, value);
-        else if (parameter->type == LX_CHOICE_OR_WHOLE)
-            result = add_choice_or_whole(scene, parameter, value);
-        else if (parameter->type == LX_BOOLEAN && booleans)
-            result = add(scene, parameter->name, *(const bool *)value ? "true" : "false");
-        else if (parameter->type == LX_GROUP)
-            result = collect_table(scene, parameter->group, value, true);
+        if (parameter->type == LX_GROUP)
+            result = collect_table(all, parameter->group, value, true, of_key);
         else if (parameter->type == LX_VARIANTS)
-            result = collect_list(scene, parameter, value);
+            result = collect_list(all, parameter, value, of_key);
+        else if (matters(all->use, of_key))
+            result = collect_value(all, parameter, parameters, booleans);
     }
     return result;
 }
 
 int lx_collect_conventions(luxel_scene *scene)
 {
-    return collect_table(scene, &lx_scene_table, &scene->parameters, true);
+    struct collecting all = {.use = NULL};
+    int result = collect_table(&all, &lx_scene_table, &scene->parameters, true, ANY_RESULT);
+    scene->conventions = all.list;
+    scene->convention_count = all.count;
+    return result;
+}
+
+/* Conventions as their users see them, with the list that they show. */
+struct found {
+    luxel_conventions seen; /* first, so that its address is that of the whole */
+    struct lx_convention *list;
+};
+
+void luxel_conventions_free(luxel_conventions *conventions)
+{
+    struct found *found = (struct found *)conventions;
+    if (!found)
+        return;
+    clear(found->list, found->seen.count);
+    free((luxel_convention *)found->seen.list);
+    free(found);
+}
+
+luxel_status luxel_find_conventions(const luxel_scene *scene, const luxel_use *use, luxel_conventions **conventions)
+{
+    if (!conventions || !scene || !luxel_scene_is_committed(scene))
+        return LUXEL_ERROR_ARGUMENT;
+    const struct lx_scene_parameters *parameters = lx_scene_parameters(scene);
+    luxel_use used = use ? *use : (luxel_use){.screen = false};
+    /* in perspective the projection decides the view */
+    used.screen =
+        used.screen || (used.brightness && !used.only_view && parameters->observer.projection == LX_PERSPECTIVE);
+    struct collecting all = {.use = use ? &used : NULL};
+    int failed = collect_table(&all, &lx_scene_table, parameters, true, ANY_RESULT);
+    struct found *found = lx_new_array(1, sizeof *found);
+    luxel_convention *list = lx_new_array(all.count, sizeof *list);
+    if (failed || !found || !list) {
+        clear(all.list, all.count);
+        free(found);
+        free(list);
+        return LUXEL_ERROR_MEMORY;
+    }
+    for (size_t i = 0; i < all.count; i++)
+        list[i] = (luxel_convention){all.list[i].key, all.list[i].value};
+    *found = (struct found){.seen = {all.count, list}, .list = all.list};
+    *conventions = &found->seen;
+    return LUXEL_OK;
 }
 
 const char *lx_quantity_word(luxel_quantity quantity, bool photometric)

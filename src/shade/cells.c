@@ -59,9 +59,11 @@ struct lx_element lx_cell_element(const struct lx_prepared *prepared, const stru
                                   unsigned row, const struct lx_lobe *lobe)
 {
     lx_bounded3 place = lx_cell_place(cells, column, row), normal = cells->normal;
-    const double place_mm[3] = {place.x.value, place.y.value, place.z.value};
-    struct lx_element element =
-        lx_element_at(prepared, place_mm, (const double[]){normal.x.value, normal.y.value, normal.z.value});
+    const struct lx_free_element asked = {
+        .place_mm = {place.x.value, place.y.value, place.z.value},
+        .normal = {normal.x.value, normal.y.value, normal.z.value},
+    };
+    struct lx_element element = lx_element_at(prepared, &asked);
     element.place_mm = place;
     element.normal = normal;
     element.lobe = lobe;

@@ -87,6 +87,46 @@ luxel_value luxel_evaluate(const luxel_evaluator *evaluator, double x_mm, double
     return (luxel_value){.on_surface = false};
 }
 
+static bool is_direction(const double way[3])
+{
+    return isfinite(way[0]) && isfinite(way[1]) && isfinite(way[2]) && (way[0] != 0 || way[1] != 0 || way[2] != 0);
+}
+
+bool lx_is_place(const luxel_place *place)
+{
+    const double *at = place->position_mm;
+    if (!place->is_element)
+        return isfinite(place->screen_mm[0]) && isfinite(place->screen_mm[1]);
+    return isfinite(at[0]) && isfinite(at[1]) && isfinite(at[2]) && is_direction(place->normal) &&
+           (!place->has_view || is_direction(place->view));
+}
+
+struct lx_element lx_free_element_at(const struct lx_prepared *prepared, const luxel_place *place)
+{
+    struct lx_free_element asked = {.surface = place->surface};
+    memcpy(asked.place_mm, place->position_mm, sizeof asked.place_mm);
+    memcpy(asked.normal, place->normal, sizeof asked.normal);
+    asked.view = place->has_view ? place->view : NULL;
+    return lx_element_at(prepared, &asked);
+}
+
+luxel_value luxel_evaluate_place(const luxel_evaluator *evaluator, const luxel_place *place, double *shares)
+{
+    const struct lx_prepared *prepared = &evaluator->prepared;
+    if (place->is_element && lx_is_place(place) && place->surface < prepared->surface_count) {
+        const struct lx_element element = lx_free_element_at(prepared, place);
+        luxel_value value = lx_evaluate_element(evaluator, &element, shares);
+        if (!element.own)
+            value.surface = place->surface;
+        return value;
+    }
+    if (!place->is_element && lx_is_place(place))
+        return luxel_evaluate(evaluator, place->screen_mm[0], place->screen_mm[1], shares);
+    if (shares)
+        memset(shares, 0, luxel_evaluator_light_count(evaluator) * sizeof *shares);
+    return (luxel_value){.on_surface = false};
+}
+
 luxel_value luxel_evaluate_sphere(const luxel_evaluator *evaluator, size_t surface, const double normal[3],
                                   double *shares)
 {

@@ -31,7 +31,13 @@ lx_bounded lx_share_value(const struct lx_share *share, luxel_quantity quantity)
 /* The error that is told of a number: infinite where the bound has left the range and so is none. */
 double lx_told_error(lx_bounded number);
 
-/* The value of an element that is seen: sums its lights. */
+/* Whether a place is one that can be probed: its numbers finite, its directions not 0. */
+bool lx_is_place(const luxel_place *place);
+
+/* The free element at a place that is one. */
+struct lx_element lx_free_element_at(const struct lx_prepared *prepared, const luxel_place *place);
+
+/* The value of an element: sums its lights. */
 luxel_value lx_evaluate_element(const struct luxel_evaluator *evaluator, const struct lx_element *element,
                                 double *shares);
 

@@ -37,6 +37,7 @@ static int prepare(const struct lx_scene_parameters *scene, double tolerance, co
         .emitters = *room,
         .tolerance = tolerance,
         .shadows = scene->shadows == LX_SHADOWS_POINTS && surfaces->count > 1,
+        .shadows_on_free = scene->shadows == LX_SHADOWS_POINTS,
     };
     if (!prepared->surfaces)
         return -1;

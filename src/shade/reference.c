@@ -2,6 +2,7 @@
 /* Seeing and lighting one surface element in float64 with error bounds. */
 #include "reference.h"
 #include "../light/extended.h"
+#include "../surface/beside.h"
 #include "camera.h"
 #include "cubature.h"
 
@@ -36,19 +37,32 @@ bool lx_element_seen(const struct lx_prepared *prepared, double x_mm, double y_m
     return nearest.exists;
 }
 
-struct lx_element lx_element_at(const struct lx_prepared *prepared, const double place_mm[3], const double normal[3])
+struct lx_element lx_element_at(const struct lx_prepared *prepared, const struct lx_free_element *asked)
 {
-    lx_bounded3 place = lx_exact3(place_mm);
     struct lx_element element = {
-        .place_mm = place,
-        .normal = lx_unit3(lx_exact3(normal)),
-        .view = lx_unit3(lx_sub3(observer_place(&prepared->scene->observer), place)),
-        .lobe = &prepared->surfaces[0].lobe,
+        .place_mm = lx_exact3(asked->place_mm),
+        .normal = lx_unit3(lx_exact3(asked->normal)),
+        .lobe = &prepared->surfaces[asked->surface].lobe,
+        .is_free = true,
     };
+    element.view =
+        asked->view ? lx_unit3(lx_exact3(asked->view)) : view_from(&prepared->scene->observer, element.place_mm);
     for (size_t i = 0; i < prepared->surface_count && !element.own; i++)
-        if (prepared->surfaces[i].kind->holds(&prepared->surfaces[i].shape, place_mm))
+        if (prepared->surfaces[i].kind->holds(&prepared->surfaces[i].shape, asked->place_mm))
             element.own = &prepared->surfaces[i];
+    if (element.own)
+        element.lobe = &element.own->lobe;
     return element;
+}
+
+const struct lx_prepared_surface *lx_surface_around(const struct lx_prepared *prepared, const double place_mm[3])
+{
+    for (size_t i = 0; i < prepared->surface_count; i++) {
+        const struct lx_prepared_surface *surface = &prepared->surfaces[i];
+        if (lx_shape_encloses(&surface->shape, place_mm))
+            return surface;
+    }
+    return NULL;
 }
 
 bool lx_element_on_sphere(const struct lx_prepared *prepared, size_t surface, const double normal[3],
@@ -67,20 +81,29 @@ bool lx_element_on_sphere(const struct lx_prepared *prepared, size_t surface, co
     return true;
 }
 
-/* 1 where the way from the element to the emitter is free, 0 where another surface stands in it. */
+/* Whether a surface takes the light from the element that comes along a way; 1 or 0. */
+static lx_bounded blocked_by(const struct lx_prepared_surface *surface, const struct lx_element *element,
+                             lx_bounded3 way, bool endless)
+{
+    if (surface != element->own)
+        return surface->kind->blocks(&surface->shape, element->place_mm, way, endless);
+    if (!element->is_free)
+        return lx_exact(0);
+    return lx_shape_hides(&surface->shape, element->place_mm, element->normal, way, endless);
+}
+
+/* 1 where the way from the element to the emitter is free, 0 where a surface stands in it. */
 static lx_bounded openness(const struct lx_prepared *prepared, const struct lx_element *element,
                            const struct lx_emitter *emitter)
 {
     lx_bounded open = lx_exact(1);
+    const bool casts = element->is_free ? prepared->shadows_on_free : prepared->shadows;
+    if (!casts || emitter->is_part)
+        return open;
     bool endless = emitter->type == LX_DIRECTION;
     lx_bounded3 way = endless ? emitter->towards : lx_sub3(lx_exact3(emitter->position_mm), element->place_mm);
-    for (size_t i = 0; prepared->shadows && !emitter->is_part && i < prepared->surface_count; i++) {
-        const struct lx_prepared_surface *surface = &prepared->surfaces[i];
-        if (surface == element->own)
-            continue;
-        lx_bounded blocked = surface->kind->blocks(&surface->shape, element->place_mm, way, endless);
-        open = lx_both(open, lx_not(blocked));
-    }
+    for (size_t i = 0; i < prepared->surface_count; i++)
+        open = lx_both(open, lx_not(blocked_by(&prepared->surfaces[i], element, way, endless)));
     return open;
 }
 

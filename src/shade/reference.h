@@ -11,14 +11,25 @@
 struct lx_element {
     lx_bounded3 place_mm, normal, view;
     const struct lx_lobe *lobe;
-    const struct lx_prepared_surface *own; /* the surface that it belongs to, NULL for a free one */
+    const struct lx_prepared_surface *own; /* the surface that it lies on, NULL: none */
+    bool is_free;                          /* it was asked for by its place: its normal need not be its surface's */
+};
+
+/* What is asked for of a free element. */
+struct lx_free_element {
+    double place_mm[3], normal[3]; /* the normal need not be of unit length */
+    const double *view;            /* the way to the observer, of any length; NULL: as the scene says */
+    size_t surface;                /* whose material it has where it lies on none */
 };
 
 /* What is seen through a screen point; false: nothing. */
 bool lx_element_seen(const struct lx_prepared *prepared, double x_mm, double y_mm, struct lx_element *element);
 
-/* A free element; the normal need not be of unit length.  Its own surface is one that it lies on. */
-struct lx_element lx_element_at(const struct lx_prepared *prepared, const double place_mm[3], const double normal[3]);
+/* A free element.  Its own surface is the one that it lies on, the first where surfaces meet. */
+struct lx_element lx_element_at(const struct lx_prepared *prepared, const struct lx_free_element *asked);
+
+/* The surface inside of whose body a place is, the first of them; NULL: it is in none. */
+const struct lx_prepared_surface *lx_surface_around(const struct lx_prepared *prepared, const double place_mm[3]);
 
 /* The point of a sphere that lies from its centre along `normal`, of any length but 0; false: it is no sphere. */
 bool lx_element_on_sphere(const struct lx_prepared *prepared, size_t surface, const double normal[3],

@@ -20,7 +20,8 @@ mpmath.mp.dps = 50
 
 TOP = ["quantity", "unit", "grids", "conventions"]
 GRID = ["name", "center", "size", "axis", "up", "n", "average", "minimum", "maximum", "u0", "ud", "flux", "flux_unit",
-        "error", "average_error", "measured", "values", "errors"]
+        "flux_error", "mean", "mean_error", "error", "average_error", "sampling_error", "sampling_error_is", "coarse",
+        "measured", "inside", "values", "errors"]
 
 
 def scene(lights, grids, units="radiometric", **more):
@@ -62,7 +63,11 @@ def closed_numbers(tap, tool):
     tap.equal((grid["maximum"]["value"], grid["maximum"]["cell"]), (max(values), [3, 3]), "maximum")
     tap.near(grid["u0"], min(values) / grid["average"], 1e-15, "u0")
     tap.near(grid["ud"], min(values) / max(values), 1e-15, "ud")
-    tap.near(grid["flux"], grid["average"] * 12.25, 1e-15, "flux")
+    tap.near(grid["flux"], grid["mean"] * 12.25, 1e-15, "flux")
+    tap.near(grid["mean"], grid["average"], 1e-2, "mean of the plane")
+    gap = abs(grid["average"] - grid["mean"])
+    tap.ok(gap <= grid["sampling_error"] <= gap + 1e-9, "the sampling error is how far they are apart", grid)
+    tap.equal((grid["sampling_error_is"], grid["coarse"], grid["inside"]), ("bound", False, 0), "and is known")
     tap.equal((grid["flux_unit"], grid["error"]), ("lm", max(errors)), "its unit, and the largest error")
     tap.ok(all(0 <= error <= 1e-13 * value for error, value in zip(errors, values)), "bounds of the errors", errors)
 
@@ -76,7 +81,7 @@ def closed_room(tap, tool):
                       "up": [0, 0, 1], "n": [80, 60]})
     lamp = {"type": "point", "position": [0, 0, 1500], "intensity": 10000 / (4 * math.pi)}
     answer = tool.run("grid", "-", "--json", stdin=scene([lamp], walls, "photometric")).json()
-    tap.near(sum(grid["flux"] for grid in answer["grids"]), 10000, 1e-4, "the flux over six walls")
+    tap.near(sum(grid["flux"] for grid in answer["grids"]), 10000, 1e-12, "the flux over six walls")
 
 
 def extended(tap, tool):
@@ -102,7 +107,7 @@ def extended(tap, tool):
         walls.append({"center": [2000 * x, 2000 * y, 1500], "size": [4000, 3000], "axis": [-x, -y, 0],
                       "up": [0, 0, 1], "n": [80, 60]})
     answer = tool.run("grid", "-", "--json", stdin=scene([lamp], walls, "photometric")).json()
-    tap.near(sum(grid["flux"] for grid in answer["grids"]), 10000, 2e-4, "the flux of a square lamp over its room")
+    tap.near(sum(grid["flux"] for grid in answer["grids"]), 10000, 1e-8, "the flux of a square lamp over its room")
 
     soft = {**lamp, "attenuation": "practical", "k": 500}
     tool.write("soft.yaml", scene([soft], [{"center": [0, 0, 0], "size": [4000, 4000], "n": [4, 3]}]))

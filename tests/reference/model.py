@@ -23,7 +23,7 @@ TIE = mpf('1e-40')  # cosines that near to each other are equal: only the 50 dig
 # N.L, the lobe's S before its power, and how far the element is from the edge of a cone (in cos theta); then how
 # certain irradiance and brightness are (0: to all digits).
 Share = namedtuple('Share', 'irradiance diffuse specular cosine lobe edge irradiance_doubt doubt', defaults=(0, 0))
-Element = namedtuple('Element', 'position normal view material own')
+Element = namedtuple('Element', 'position normal view material own is_free', defaults=(False,))
 Answer = namedtuple('Answer', 'element shares brightness irradiance doubt irradiance_doubt')
 
 
@@ -142,11 +142,28 @@ def seen_element(scene, x, y):
     return Element(position, normal, view, surface['material'], index)
 
 
+def lies_on(surface, position):
+    """Whether a place lies on a surface, to 1e-9 of its size."""
+    near = mpf('1e-9') * reach_of(surface)
+    if surface['type'] == 'rectangle':
+        center, wide, high, axis = extended.rectangle_frame(surface, [0, 0, 1])
+        offset = subtract(position, center)
+        w, h = (mpf(size) / 2 + near for size in surface['size'])
+        return abs(dot(offset, axis)) <= near and abs(dot(offset, wide)) <= w and abs(dot(offset, high)) <= h
+    return abs(length(subtract(position, vector(surface['center']))) - mpf(surface['radius'])) <= near
+
+
 def free_element(scene, numbers):
-    """The element of a probe --at: position and normal; it is no surface's own and has the first's material."""
+    """The element of a probe --at: position and normal; it belongs to the surface that it lies on, if to any."""
     position = vector(numbers[:3])
-    view = unit(subtract(observer_position(scene), position))
-    return Element(position, unit(vector(numbers[3:])), view, scene['surfaces'][0]['material'], None)
+    perspective = scene['observer']['projection'] == 'perspective'
+    if perspective or scene['observer']['view'] == 'observer':
+        view = unit(subtract(observer_position(scene), position))
+    else:
+        view = vector([0, 0, 1])
+    own = next((i for i, surface in enumerate(scene['surfaces']) if lies_on(surface, position)), None)
+    material = scene['surfaces'][own or 0]['material']
+    return Element(position, unit(vector(numbers[3:])), view, material, own, True)
 
 
 # What a light gives.
@@ -245,12 +262,32 @@ def sample(light, position):
     return direction, intensity(light) * factor * attenuation(light, distance), distance, edge
 
 
+def is_behind(surface, element, direction, distance):
+    """Whether the surface that a free element lies on hides what is on the other side than the element looks to."""
+    outward = normal_at(surface, element.position)
+    cosine = dot(outward, element.normal)
+    if surface['type'] == 'rectangle':
+        if abs(cosine) >= 1 - mpf('5e-7'):
+            return False
+        return dot(outward, direction) * (-1 if cosine < 0 else 1) < 0
+    if cosine >= 1 - mpf('5e-7'):
+        return False
+    if cosine >= 0:
+        return dot(outward, direction) < 0
+    if distance == mp.inf:
+        return True
+    source = add(element.position, scale(direction, distance))
+    return length(subtract(source, vector(surface['center']))) > mpf(surface['radius'])
+
+
 def is_blocked(scene, element, direction, distance):
-    """Whether another surface stands between the element and the source."""
+    """Whether a surface stands between the element and the source."""
     surfaces = scene['surfaces']
-    if scene['shadows'] == 'none' or len(surfaces) == 1:
+    if scene['shadows'] == 'none':
         return False
     for index, surface in enumerate(surfaces):
+        if index == element.own and element.is_free and is_behind(surface, element, direction, distance):
+            return True
         if index != element.own:
             if surface['type'] == 'rectangle':
                 crossing = plate_crossing(element.position, direction, surface)

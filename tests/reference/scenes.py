@@ -237,13 +237,22 @@ def _shadows(rng):
     return _with_places(scene, places)
 
 
+def _free_spot(rng, center, radius):
+    """A place anywhere around a sphere, or on it with its normal, about that, or any."""
+    direction = _direction(rng)
+    if rng.random() < 0.6:
+        return Place(_add(center, direction, radius * rng.uniform(0, 4)), _direction(rng), radius)
+    normal = rng.choice([direction, _direction(rng), _add(direction, _direction(rng), 0.3),
+                         [-number for number in direction]])
+    return Place(_add(center, direction, radius), normal, radius)
+
+
 def _elements(rng):
     """Free elements around several spheres or one."""
     scene = _stage(rng, spheres=rng.randint(1, 3))
     radius = scene['surfaces'][0]['radius']
     center = scene['surfaces'][0]['center']
-    spots = [Place(_add(center, _direction(rng), radius * rng.uniform(0, 4)), _direction(rng), radius)
-             for _ in range(6)]
+    spots = [_free_spot(rng, center, radius) for _ in range(6)]
     scene['lights'] = [_light(rng, rng.choice(spots)) for _ in range(rng.randint(1, 4))]
     length = _log_uniform(rng, 1e-3, 1e3)
     return Case(scene, [], [spot.position + [x * length for x in spot.normal] for spot in spots])

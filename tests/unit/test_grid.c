@@ -147,7 +147,10 @@ static void test_point_law(void **state)
     assert_near(grid->u0, grid->minimum.value / grid->average, 1e-15);
     assert_near(grid->ud, grid->minimum.value / grid->maximum.value, 1e-15);
     assert_string_equal(grid->flux_unit, "lm");
-    assert_near(grid->flux, grid->average * 12.25, 1e-15);
+    assert_near(grid->flux, grid->mean * 12.25, 1e-15);
+    assert_near(grid->mean, grid->average, 1e-2);
+    assert_true(grid->has_sampling_error && grid->sampling_is_bound && !grid->is_coarse);
+    assert_true(grid->sampling_error >= fabs(grid->average - grid->mean));
     assert_true(grid->tolerance_reached);
     luxel_grid_free(grid);
     luxel_scene_free(scene);
@@ -176,7 +179,7 @@ static void test_closed_room(void **state)
             flux += grid->flux;
             luxel_grid_free(grid);
         }
-        assert_near(flux, 10000, 1e-4);
+        assert_near(flux, 10000, 1e-13);
         luxel_scene_free(scene);
     }
 }

@@ -1,0 +1,21 @@
+/* SPDX-License-Identifier: MIT */
+/*
+ * Free elements beside a surface: what it hides from one that lies on it, with a normal of its own, and whether a place
+ * is inside the body that it bounds.
+ */
+#ifndef LX_SURFACE_BESIDE_H
+#define LX_SURFACE_BESIDE_H
+
+#include "surface.h"
+
+/*
+ * Whether the shape takes light from an element that it holds, on the side that the element's unit normal looks to; it
+ * takes none where that is the surface's own normal.  The way to the light and the answer are as of `blocks`.
+ */
+lx_bounded lx_shape_hides(const struct lx_shape *shape, lx_bounded3 place_mm, lx_bounded3 normal, lx_bounded3 towards,
+                          bool endless);
+
+/* Whether a place is inside the body that the shape bounds, and not on the surface; a plate bounds none. */
+bool lx_shape_encloses(const struct lx_shape *shape, const double place_mm[3]);
+
+#endif

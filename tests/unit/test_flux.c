@@ -1,0 +1,200 @@
+/* SPDX-License-Identifier: MIT */
+/*
+ * What falls on a measuring plane as a whole: closed numbers, all that a source sends out on the walls around it, parts
+ * of a plane that add up, shadows of known size, and how far the average of the cells is from it.
+ */
+#include <math.h>
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include <cmocka.h>
+
+#include <luxel/luxel.h>
+
+static luxel_scene *scene_with(const char *surfaces, const char *lights, const char *grids)
+{
+    luxel_diagnostics *diagnostics = luxel_diagnostics_new();
+    luxel_scene *scene = NULL;
+    char text[4096];
+    int length = snprintf(text, sizeof text,
+                          "luxel: 1\nunits: photometric\nscreen: {width: 100, height: 100, resolution: [8, 8]}\n"
+                          "observer: {z: 200000}\nsurfaces: [%s]\nlights: [%s]\ngrids: [%s]\n",
+                          surfaces ? surfaces : "{type: sphere, center: [90000, 0, 0], radius: 1}", lights, grids);
+    assert_true(length > 0 && (size_t)length < sizeof text);
+    luxel_status status = luxel_scene_read_text(text, (size_t)length, "test.yaml", diagnostics, &scene);
+    if (status == LUXEL_OK)
+        status = luxel_scene_commit(scene, diagnostics);
+    if (status != LUXEL_OK) {
+        char *message = luxel_diagnostics_message(diagnostics, 0, NULL, NULL);
+        fail_msg("%s: %s", grids, message ? message : "?");
+    }
+    luxel_diagnostics_free(diagnostics);
+    return scene;
+}
+
+static luxel_grid *measure(const luxel_scene *scene, size_t i)
+{
+    luxel_grid *grid = NULL;
+    assert_int_equal(luxel_measure(scene, NULL, i, NULL, &grid), LUXEL_OK);
+    return grid;
+}
+
+/* Within the error that is told, and that no larger than `relative`. */
+static void assert_flux(const luxel_grid *grid, double expected, double relative)
+{
+    assert_true(grid->has_mean && grid->flux_unit);
+    if (!(fabs(grid->flux - expected) <= grid->flux_error + 1e-15 * expected))
+        fail_msg("%.17g +- %.3g is not %.17g", grid->flux, grid->flux_error, expected);
+    if (!(grid->flux_error <= relative * expected))
+        fail_msg("%.17g +- %.3g: the error is above %g", grid->flux, grid->flux_error, relative);
+    assert_true(fabs(grid->mean * grid->size_mm[0] * grid->size_mm[1] / 1e6 - grid->flux) <= 1e-14 * grid->flux);
+}
+
+static void expect_flux(const char *surfaces, const char *lights, const char *grid, double expected, double relative)
+{
+    luxel_scene *scene = scene_with(surfaces, lights, grid);
+    luxel_grid *found = measure(scene, 0);
+    assert_flux(found, expected, relative);
+    luxel_grid_free(found);
+    luxel_scene_free(scene);
+}
+
+static void closed_numbers(void **state)
+{
+    (void)state;
+    const char *desk = "{center: [0, 0, 0], size: [1000, 1000], n: [10, 10]}";
+    /* I times the solid angle, 4 atan(a^2 / (h sqrt(2 a^2 + h^2))) */
+    const double angle = 4 * atan(0.25 / (0.02 * sqrt(0.5004)));
+    expect_flux(NULL, "{type: point, position: [0, 0, 20], intensity: 100}", desk, 100 * angle, 1e-13);
+    assert_true(fabs(100 * angle - 605.706183) < 1e-6);
+    /* half a rectangle has half of it, its upper left quarter a quarter */
+    expect_flux(NULL, "{type: point, position: [0, 0, 20], intensity: 100}",
+                "{center: [-250, 250, 0], size: [500, 500], n: [3, 3]}", 25 * angle, 1e-13);
+    /* under a lambertian source: the configuration factor of an element and a rectangle above its corner, times pi */
+    const double x = 0.5 / 0.3, root = sqrt(1 + x * x);
+    expect_flux(NULL, "{type: point, pattern: lambertian, position: [0, 0, 300], intensity: 7}", desk,
+                7 * 4 * (x / root) * atan(x / root), 1e-12);
+    expect_flux(NULL, "{type: ambient, irradiance: 3}, {type: distant, direction: [3, 0, -4], irradiance: 5}", desk, 7,
+                1e-14);
+    /* behind the plane, and in it */
+    luxel_scene *scene = scene_with(NULL,
+                                    "{type: point, position: [0, 0, -20], intensity: 100}, {type: point, position: "
+                                    "[700, 0, 0], intensity: 1}, {type: distant, direction: [0, 0, 1], irradiance: 5}",
+                                    desk);
+    luxel_grid *grid = measure(scene, 0);
+    assert_true(grid->has_mean && grid->flux == 0 && grid->sampling_error == 0 && !grid->is_coarse);
+    luxel_grid_free(grid);
+    luxel_scene_free(scene);
+}
+
+/* Opposite faces of a cube, and neighbours, which share an edge: configuration factors, times the power. */
+static void squares(void **state)
+{
+    (void)state;
+    const char *lamp = "{type: planar, rectangle: {center: [0, 0, 1000], size: [1000, 1000]}, power: 100}";
+    expect_flux(NULL, lamp, "{center: [0, 0, 0], size: [1000, 1000], n: [4, 4]}", 19.982489569838746, 1e-7);
+    expect_flux(NULL, lamp, "{center: [500, 0, 500], size: [1000, 1000], axis: [-1, 0, 0], up: [0, 0, 1], n: [4, 4]}",
+                20.004377607540316, 2e-6);
+}
+
+/* Whatever a source sends out falls on the walls around it. */
+static void closed_rooms(void **state)
+{
+    (void)state;
+    static const char *const walls =
+        "{center: [0, 0, 0], size: [4000, 4000], n: [2, 2]},"
+        "{center: [0, 0, 3000], size: [4000, 4000], axis: [0, 0, -1], n: [3, 3]},"
+        "{center: [-2000, 0, 1500], size: [4000, 3000], axis: [1, 0, 0], up: [0, 0, 1], n: [2, 2]},"
+        "{center: [2000, 0, 1500], size: [4000, 3000], axis: [-1, 0, 0], up: [0, 0, 1], n: [2, 2]},"
+        "{center: [0, -2000, 1500], size: [4000, 3000], axis: [0, 1, 0], n: [2, 2]},"
+        "{center: [0, 2000, 1500], size: [4000, 3000], axis: [0, -1, 0], n: [2, 2]}";
+    static const struct {
+        const char *light;
+        double relative;
+    } cases[] = {
+        {"{type: point, position: [700, -900, 2000], intensity: 3}", 1e-13},
+        {"{type: point, position: [700, -900, 2000], intensity: 3, pattern: lambertian, axis: [1, 2, -3]}", 1e-12},
+        {"{type: point, position: [0, 0, 1000], intensity: 3, pattern: cosine, exponent: 7, axis: [1, 2, -3]}", 1e-7},
+        {"{type: spot, position: [-500, 0, 1900], intensity: 3, inner: 10, outer: 40, axis: [1, 0, -1]}", 1e-6},
+        {"{type: spot, position: [-500, 0, 1900], intensity: 3, inner: 20, outer: 20, axis: [1, 0.5, -1]}", 1e-6},
+        {"{type: planar, disk: {center: [0, 300, 2500], radius: 200}, radiance: 10}", 1e-7},
+        {"{type: volume, sphere: {center: [0, 300, 2500], radius: 200}, radiance: 10}", 1e-7},
+        {"{type: volume, box: {center: [0, 300, 1500], size: [300, 200, 100]}, radiance: 10}", 1e-5},
+    };
+    for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
+        luxel_scene *scene = scene_with(NULL, cases[i].light, walls);
+        double all = 0, error = 0, sent = 0;
+        for (size_t wall = 0; wall < 6; wall++) {
+            luxel_grid *grid = measure(scene, wall);
+            assert_true(grid->has_mean);
+            all += grid->flux;
+            error += grid->flux_error;
+            luxel_grid_free(grid);
+        }
+        assert_int_equal(luxel_scene_light_flux(scene, 0, &sent), LUXEL_OK);
+        if (!(fabs(all - sent) <= error + 1e-12 * sent && error <= cases[i].relative * sent))
+            fail_msg("%s: %.17g +- %.3g, not %.17g", cases[i].light, all, error, sent);
+        luxel_scene_free(scene);
+    }
+}
+
+/* The shadow of a ball under parallel light is a disk; that of a plate is as large as it; a plate in the plane throws
+ * none. */
+static void shadows(void **state)
+{
+    (void)state;
+    const char *sun = "{type: distant, direction: [0, 0, -1], irradiance: 5}",
+               *plane = "{center: [0, 0, 0], size: [2000, 1000], n: [4, 4]}";
+    expect_flux("{type: sphere, center: [100, -70, 1000], radius: 300}", sun, plane, 5 * (2 - M_PI * 0.09), 1e-6);
+    expect_flux("{type: rectangle, center: [100, -70, 1000], size: [400, 500]}", sun, plane, 5 * (2 - 0.2), 1e-6);
+    expect_flux("{type: rectangle, center: [100, -70, 0], size: [400, 500]}", sun, plane, 10, 1e-14);
+    expect_flux("{type: sphere, center: [100, -70, -300], radius: 300}", sun, plane, 10, 1e-14);
+}
+
+/* Where the light varies over a cell, it is said so; where there is no flux, from a coarser grid. */
+static void sampling(void **state)
+{
+    (void)state;
+    static const struct {
+        const char *attenuation;
+        unsigned n;
+        bool is_coarse;
+    } cases[] = {{"inverse-square", 10, true}, {"inverse-square", 400, false}, {"none", 1, true}, {"none", 60, false}};
+    for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
+        char light[128], plane[128];
+        const bool has_mean = strcmp(cases[i].attenuation, "none") != 0;
+        snprintf(light, sizeof light, "{type: point, position: [0, 0, 20], intensity: 100, attenuation: %s}",
+                 cases[i].attenuation);
+        snprintf(plane, sizeof plane, "{center: [0, 0, 0], size: [1000, 1000], n: [%u, %u]}", cases[i].n, cases[i].n);
+        luxel_scene *scene = scene_with(NULL, light, plane);
+        luxel_grid *grid = measure(scene, 0);
+        assert_true(grid->has_sampling_error && grid->has_mean == has_mean && grid->sampling_is_bound == has_mean);
+        if (grid->is_coarse != cases[i].is_coarse)
+            fail_msg("case %zu: sampling error %g of %g", i, grid->sampling_error, grid->average);
+        if (has_mean)
+            assert_true(grid->sampling_error >= fabs(grid->average - grid->mean));
+        assert_true(grid->has_evenness && grid->u0 == grid->minimum.value / grid->average);
+        luxel_grid_free(grid);
+        luxel_scene_free(scene);
+    }
+    luxel_scene *scene = scene_with("{type: sphere, center: [0, 0, 0], radius: 200}", "{type: ambient, irradiance: 1}",
+                                    "{center: [0, 0, 0], size: [900, 900], n: [3, 3]}");
+    luxel_grid *grid = measure(scene, 0);
+    assert_true(grid->enclosed == 1 && grid->enclosing_surface == 0);
+    luxel_grid_free(grid);
+    luxel_scene_free(scene);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(closed_numbers), cmocka_unit_test(squares),  cmocka_unit_test(closed_rooms),
+        cmocka_unit_test(shadows),        cmocka_unit_test(sampling),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
