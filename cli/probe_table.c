@@ -75,7 +75,7 @@ static void write_csv(FILE *stream, const struct result *result)
         write_line(&csv, &result->probes[i], i + 1);
 }
 
-/* NPY 1.0: magic, version, length of the header, the header with blanks up to a multiple of 64, little-endian numbers. */
+/* NPY 1.0: magic, version, length of the header, the header with blanks up to a multiple of 64, numbers. */
 static void write_npy(FILE *stream, const struct result *result)
 {
     enum { BEGINNING = 10, MULTIPLE = 64 };

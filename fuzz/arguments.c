@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /*
  * Any command line: its arguments end with zero bytes, as those of /proc/PID/cmdline.  It is read as the tool reads it,
- * and what it says of a built-in scene (-s, -p, --at, settings) is done.  A refusal has words, and harmless ones.
+ * and what it says of a built-in scene (-s, -p, --at, --view, --material, settings) is done.  A refusal has words, and harmless ones.
  */
 #include "fuzz.h"
 
@@ -31,9 +31,13 @@ static void use_elements(const struct options *options, const luxel_scene *scene
     settings.tolerance = 1e-4;
     for (size_t i = 0; i < options->place_count; i++) {
         const double *numbers = options->places[i].numbers;
+        luxel_place place = {
+            .is_element = true, .has_view = options_given(options, "view"), .surface = options->material};
         luxel_probe *probe;
-        if (options->places[i].is_element &&
-            luxel_probe_element(scene, &settings, numbers, numbers + 3, NULL, &probe) == LUXEL_OK)
+        memcpy(place.position_mm, numbers, sizeof place.position_mm);
+        memcpy(place.normal, numbers + 3, sizeof place.normal);
+        memcpy(place.view, options->view, sizeof place.view);
+        if (options->places[i].is_element && luxel_probe_many(scene, &settings, &place, 1, NULL, &probe) == LUXEL_OK)
             luxel_probe_free(probe);
     }
 }

@@ -116,6 +116,7 @@ ANSWERS = [
 ARGUMENTS = [
     "render report -s lights[0].intensity=20 --quantity irradiance --precision double",
     "probe three-lights -p 0,0 -p -150,1e2 --at 0,0,1300,0,0,1 --tolerance 1e-6",
+    "probe report --at 1,2,3,0,0,1 --view 1,0,2 --material 0", "probe report --points places.csv --view 0,0,0",
     "probe report --at 1,2,3,0,0,0", "probe report -p 1;2", "probe report --at=1,2", "probe report -p 1,2 --json -q",
     "set report screen.sampling=nodes surfaces[0].material.shininess=60 --dry-run",
     "set report lights=[] lights.0.type=point", "check window --strict -s lights[0].parts=4",

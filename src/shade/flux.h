@@ -4,10 +4,10 @@
  * ones, lit by their irradiance alone.
  *
  * Over a rectangle with the normal n a point source at P of the law 1/r^2 gives I times the solid angle of the
- * rectangle from P where it shines alike in all directions, and I times the irradiance that the rectangle would give at P, as a
- * source of the radiance 1 and for the normal along the source's axis, where it follows the cosine; ambient and distant
- * light gives its irradiance times the area.  All else, and what surfaces may take light from, is integrated along one
- * side and then the other by the adaptive rule, which is told where the sources stand above the plane.
+ * rectangle from P where it shines alike in all directions, and I times the irradiance that the rectangle would give at
+ * P, as a source of the radiance 1 and for the normal along the source's axis, where it follows the cosine; ambient and
+ * distant light gives its irradiance times the area.  All else, and what surfaces may take light from, is integrated
+ * along lines and then across them, between the edges that light has on the plane (flux_edges.h).
  */
 #ifndef LX_SHADE_FLUX_H
 #define LX_SHADE_FLUX_H

@@ -16,7 +16,7 @@ EXACT = [
     ("luxel render --quantity ", "brightness irradiance luminance illuminance"),
     ("luxel render --quantity b", "brightness"),
     ("luxel probe --precision ", "single double"),
-    ("luxel probe --poi", "--point"),
+    ("luxel probe --poi", "--point --points"),
     ("luxel --json render --qua", "--quantity"),
     ("luxel render --threads 2 --precision d", "double"),
     ("luxel render --bits ", "16 8"),
@@ -43,7 +43,7 @@ EXACT = [
 SOME = [
     ("luxel ", "render probe grid figure report check scene schema help", "window my.yaml"),
     ("luxel render --", "--output --set --quantity --json --quiet --help --version", "--point --list"),
-    ("luxel probe --", "--point --at --set", "--output --list"),
+    ("luxel probe --", "--point --at --set --output", "--list --palette"),
     ("luxel --", "--help --version", "--output --json"),
     ("luxel render ", "report spot two-spheres my.yaml", "notes.txt render"),
     ("luxel scene ", "report spot", "my.yaml render"),

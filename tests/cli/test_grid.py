@@ -168,7 +168,7 @@ def honest_errors(tap, tool):
             _, _, place, _ = chance.choice(list(true_values(grid, [])))
             size = 10 ** chance.uniform(-9, -3)
             lamps[0]["position"] = [float(c) + chance.uniform(-size, size) for c in place]
-        result = tool.run("grid", "-", "-o", "a.csv", stdin=scene(lamps, [grid]))
+        result = tool.run("grid", "-q", "-", "-o", "a.csv", stdin=scene(lamps, [grid]))
         if (result.code, result.err) != (0, ""):
             wrong.append(result)
             continue
@@ -230,7 +230,7 @@ def tables(tap, tool):
     odd = 'a "b", c'
     tool.write("a.yaml", scene([LAMP], [FLOOR, {**FLOOR, "name": odd, "axis": [1, 2, 3], "n": [2, 3]},
                                         {"center": [0, 0, 9], "size": [1, 2], "n": [1, 1]}]))
-    result = tool.run("grid", "a.yaml", "-o", "a.csv", "-o", "b.CSV", "--json")
+    result = tool.run("grid", "-q", "a.yaml", "-o", "a.csv", "-o", "b.CSV", "--json")
     tap.equal((result.code, result.err, tool.files()), (0, "", ["a.csv", "a.yaml", "b.CSV"]), "-o FILE.csv")
     tap.ok(tool.read("a.csv") == tool.read("b.CSV"), "twice the same")
     rows = list(csv.reader(io.StringIO(tool.read("a.csv").decode("utf-8"))))
