@@ -12,8 +12,8 @@ static const double SAME_NORMAL = 5e-7;
 static const double ON_SURFACE = 1e-9;
 
 /*
- * An element that looks outwards loses the light from below the tangent plane.  One that looks inwards, such as that of a
- * table where a ball touches it, has what is inside the sphere in front of it, and loses all light from outside.
+ * An element that looks outwards loses the light from below the tangent plane.  One that looks inwards, such as that of
+ * a table where a ball touches it, has what is inside the sphere in front of it, and loses all light from outside.
  */
 static lx_bounded sphere_hides(const struct lx_shape *sphere, lx_bounded3 place_mm, lx_bounded3 normal,
                                lx_bounded3 towards, bool endless)

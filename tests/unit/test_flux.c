@@ -123,7 +123,7 @@ static void closed_rooms(void **state)
         {"{type: spot, position: [-500, 0, 1900], intensity: 3, inner: 10, outer: 40, axis: [1, 0, -1]}", 1e-6},
         {"{type: spot, position: [-500, 0, 1900], intensity: 3, inner: 20, outer: 20, axis: [1, 0.5, -1]}", 1e-6},
         {"{type: planar, disk: {center: [0, 300, 2500], radius: 200}, radiance: 10}", 1e-7},
-        {"{type: volume, sphere: {center: [0, 300, 2500], radius: 200}, radiance: 10}", 1e-7},
+        {"{type: volume, sphere: {center: [0, 300, 2500], radius: 200}, radiance: 10}", 1e-5},
         {"{type: volume, box: {center: [0, 300, 1500], size: [300, 200, 100]}, radiance: 10}", 1e-5},
     };
     for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
