@@ -32,16 +32,19 @@ def said(tap, tool):
     observer = tool.run("probe", "--at", PLACE, "-s", "observer.view=observer", "--json").json()
     tap.near(observer["points"][0]["value"], 9.52637827714, 1e-11, "the scene's view")
 
-    found = tool.run("probe", "-s", TWO, "-s", SUN, "--at", "300,0,1000,0,0,1", "--at", "0,0,1400,0,0,1", "--json").json()
+    places = ["--at", "300,0,1000,0,0,1", "--at", "0,0,1400,0,0,1"]
+    found = tool.run("probe", "-s", TWO, "-s", SUN, *places, "--json").json()
     tap.equal([point["material"] for point in found["points"]],
-              [{"surface": 1, "name": "white", "lies_on_it": True}, {"surface": 0, "name": "dull", "lies_on_it": False}],
+              [{"surface": 1, "name": "white", "lies_on_it": True},
+               {"surface": 0, "name": "dull", "lies_on_it": False}],
               "whose material")
     named = tool.run("probe", "-s", TWO, "-s", SUN, "--at", "0,0,1400,0,0,1", "--material", "1", "--json").json()
     tap.near(named["points"][0]["value"], 0.9, 1e-12, "--material")
     inside = tool.run("probe", "--at", "0,0,1000,0,0,1", "--json").json()["points"][0]
     tap.equal((inside["inside"], inside["value"]), (0, 0), "inside a body")
     irradiance = tool.run("probe", "-p", "0,0", "--quantity", "irradiance", "--json").json()["conventions"]
-    tap.ok("model" not in irradiance and "view" not in irradiance and "sampling" in irradiance, "no material", irradiance)
+    tap.ok("model" not in irradiance and "view" not in irradiance and "sampling" in irradiance, "no material",
+           irradiance)
 
 
 def tables(tap, tool):
@@ -82,7 +85,8 @@ def many(tap, tool):
     lines = ["%g,%g" % (i % 500 - 250, (i // 500) * 2.5 - 250) for i in range(100000)]
     tool.write("many.csv", "x,y\n" + "\n".join(lines) + "\n")
     text = tool.run("probe", "--points", "many.csv", "-o", "one.npy", "--threads", "1")
-    tap.ok(text.code == 0 and len(text.out.splitlines()) < 1100 and "100000" in text.out, "bounded text", text.out[-300:])
+    tap.ok(text.code == 0 and len(text.out.splitlines()) < 1100 and "100000" in text.out, "bounded text",
+           text.out[-300:])
     tool.run("probe", "--points", "many.csv", "-q", "-o", "three.npy", "--threads", "3")
     tap.ok(tool.read("one.npy") == tool.read("three.npy"), "the same bytes")
 
