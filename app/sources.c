@@ -365,7 +365,7 @@ void app_sources_end_solo(AppSources *self)
 /* Strength and attenuation of the chosen source, if it is a point; else those of the exercise. */
 static char *rest_of_point(AppSources *self)
 {
-    static const char *const copied[] = {"intensity", "attenuation", "k"};
+    static const char *const copied[] = {"intensity", "power", "attenuation", "k", "coefficients"};
     GString *rest = g_string_new(NULL);
     char *type = get(self, self->chosen, "type");
     for (gsize i = 0; i < G_N_ELEMENTS(copied) && g_strcmp0(type, "point") == 0; i++) {
