@@ -122,5 +122,5 @@ def pictures_too_large(tap, tool):
                "a picture that %s cannot hold" % name, result)
 
 
-run_tests(Tap(), encodings, pieces, whole_texts, every_command_agrees, underline, all_at_once, files_that_cannot_be_read,
-          pictures_too_large)
+run_tests(Tap(), encodings, pieces, whole_texts, every_command_agrees, underline, all_at_once,
+          files_that_cannot_be_read, pictures_too_large)

@@ -54,8 +54,8 @@ def try_page(tap, tool, draws, page):
         good = done.returncode == 0 or (done.returncode == 1 and name in JUDGING)
         tap.ok(good, "%s: %s" % (page, command), "exit code %d" % done.returncode, done.stderr)
     for program in re.findall(r"```python\n(.*?)```", text, re.DOTALL):
-        done = subprocess.run([sys.executable, "-c", program], cwd=tool.folder, env=shell, capture_output=True, text=True,
-                              timeout=120)
+        done = subprocess.run([sys.executable, "-c", program], cwd=tool.folder, env=shell, capture_output=True,
+                              text=True, timeout=120)
         promised = re.search(r"print\(.*# (\(.*?\) \w+)", program).group(1)
         tap.equal(done.stdout.strip() or done.stderr, promised, page + ": the Python program prints what it says")
     for target, mark, anchor in links(text):

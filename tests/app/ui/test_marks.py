@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""The marks on the picture: the wheel over them, names, tooltips, and the light that a list and they throw on each other."""
+"""The marks on the picture: the wheel over them, names, tooltips, and how list and marks light each other up."""
 import re
 
 from desk import luxel, trial
@@ -31,7 +31,8 @@ def wheel(tap, desk):
     tap.equal(window.control("spin button", "Position, z").text, "1830", "as it does")
     desk.move(*window.pixel(100, -200))
     desk.hand("keydown", "alt", "click", "5", "keyup", "alt")
-    tap.ok(wait("the height", lambda: b"[-150, -120, 1820]" in window.save()), "beside all marks it lowers the chosen one")
+    lowered = wait("the height", lambda: b"[-150, -120, 1820]" in window.save())
+    tap.ok(lowered, "beside all marks it lowers the chosen one")
 
 
 def names(tap, desk):

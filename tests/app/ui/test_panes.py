@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""The panes at the sides keep the widths that a hand gave them, whatever the window is made: small, large, maximized."""
+"""The panes at the sides keep the widths that a hand gave them in windows of any size: small, large, maximized."""
 import shutil
 import subprocess
 

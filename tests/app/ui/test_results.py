@@ -18,7 +18,8 @@ def copied(tap, desk):
     window.press("Copy results")
     text = wait("the results", lambda: "P3" in desk.copied() and desk.copied())
     lines = dict(line.split("\t", 1) for line in text.split("\n"))
-    tap.ok(lines["Maximum of the pixels"].startswith("%.7g\tx = " % found["max"]["value"]), "the maximum, and where", text)
+    maximum = lines["Maximum of the pixels"]
+    tap.ok(maximum.startswith("%.7g\tx = " % found["max"]["value"]), "the maximum, and where", text)
     tap.ok("Least value above 0" in lines, "the least value above 0")
     tap.equal([lines["P%d" % (i + 1)].split("\t")[0] for i in range(3)], ["%.7g" % point["value"] for point in points],
               "and the points, as luxel probe prints them")

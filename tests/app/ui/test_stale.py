@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""A scene that cannot be computed: the picture of before is dimmed, it is said over it, and what mends it is offered."""
+"""A scene that cannot be computed: the old picture is dimmed, a banner over it says so and offers what mends it."""
 from desk import trial
 from waiting import wait
 
