@@ -61,7 +61,7 @@ static void finds_the_rim_of_a_sphere(void **state)
     luxel_scene_free(scene);
 }
 
-/* In perspective a place of the rim is where the line of sight touches: it meets the sphere just inside, not outside. */
+/* In perspective a place of the rim is where the line of sight touches: it meets the sphere just inside, not beyond. */
 static void finds_what_perspective_shows(void **state)
 {
     (void)state;

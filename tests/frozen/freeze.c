@@ -5,8 +5,8 @@
  *
  *     freeze SCENES        the built-in scenes and those of the file SCENES
  *
- * The first line names the compiler, since contracted products differ between compilers.  A picture that is refused, such
- * as one beyond the range of float32, has the status in the place of the hash.
+ * The first line names the compiler, since contracted products differ between compilers.  A picture that is refused,
+ * such as one beyond the range of float32, has the status in the place of the hash.
  */
 #include <inttypes.h>
 #include <stdio.h>

@@ -41,7 +41,9 @@ def read_file():
                 lines.append(line)
                 continue
             name, precision, *pairs = line.split()
-            lines += ["%s %s %s %s" % (name, pair.partition("=")[0], precision, pair.partition("=")[2]) for pair in pairs]
+            for pair in pairs:
+                instruction_set, _, value = pair.partition("=")
+                lines.append("%s %s %s %s" % (name, instruction_set, precision, value))
     return read_hashes(lines)
 
 
@@ -71,8 +73,8 @@ def main():
         return
     if compiler != held_compiler:
         sys.exit("the hashes are of pictures compiled by %s, these by %s" % (held_compiler, compiler))
-    moved = ["%s %s %s" % (*key, instruction_set) for key, sets in now.items() for instruction_set, value in sets.items()
-             if held.get(key, {}).get(instruction_set, value) != value]
+    moved = ["%s %s %s" % (*key, instruction_set) for key, sets in now.items()
+             for instruction_set, value in sets.items() if held.get(key, {}).get(instruction_set, value) != value]
     missing = [" ".join(key) for key in now if key not in held] + [" ".join(key) for key in held if key not in now]
     for text in ["moved: " + text for text in moved] + ["on one side only: " + text for text in missing]:
         print(text)

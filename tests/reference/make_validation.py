@@ -141,8 +141,8 @@ CIE_CASES = (
 
 def cie(page):
     page.heading('CIE 171: which cases are here, and which are not',
-                 'The publication has 19 cases. Those of direct light from point and area sources are on this page; the '
-                 'others ask for what Luxel does not compute.')
+                 'The publication has 19 cases. Those of direct light from point and area sources are on this page; '
+                 'the others ask for what Luxel does not compute.')
     page.table(['case', 'subject', 'here', 'remark'], CIE_CASES)
 
     case = case_named('cie171-5.2')
