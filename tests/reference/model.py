@@ -460,7 +460,9 @@ def unit_of(scene, quantity):
     photometric = scene['units'] == 'photometric'
     laws = {light.get('attenuation', light['type']) for light in scene['lights']}
     over_pi = {surface['material']['over_pi'] for surface in scene['surfaces']}
-    if 'practical' in laws or {'none', 'inverse-square'} <= laws:
+    if laws & {'practical', 'polynomial'} or {'none', 'inverse-square'} <= laws:
+        return 'relative'
+    if quantity == 'irradiance' and 'none' in laws:
         return 'relative'
     if quantity == 'brightness' and len(over_pi) > 1 or not laws:
         return None
