@@ -140,7 +140,7 @@ def closed_streams(tap, tool):
             for number in range(3):
                 if which[number]:
                     os.close(number)
-        done = subprocess.run([tool.path, "render", "-q", "-o", "a.npy"], cwd=tool.folder, stdin=subprocess.DEVNULL,
+        done = subprocess.run([tool.path, "render", "-o", "a.npy"], cwd=tool.folder, stdin=subprocess.DEVNULL,
                               stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL, preexec_fn=close)
         tap.equal((done.returncode, tool.read("a.npy") == tool.read("plain.npy")), (4 if closed[1] else 0, True),
                   "stdin, stdout, stderr closed: %r" % (closed,))

@@ -104,7 +104,7 @@ def png_carries(tap, tool):
     tool.run("render", "scene.yaml", "-o", "a.png", "--quantity", "irradiance", "-s", "lights[0].intensity=20")
     texts = png_texts(tool.read("a.png"))
     tap.equal([texts["luxel:" + key] for key in ("quantity", "precision", "unit")],
-              ["irradiance", "single", "W/sr"], "PNG: what the picture is")
+              ["irradiance", "single", "relative"], "PNG: what the picture is")
     tool.write("out.yaml", texts["luxel:scene"])
     tap.ok("intensity: 20" in texts["luxel:scene"], "PNG: the scene as it was changed by -s", texts["luxel:scene"])
     tap.equal(tool.run("scene", "a.png").out, texts["luxel:scene"], "luxel scene prints it")

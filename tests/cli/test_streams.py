@@ -8,7 +8,7 @@ import time
 from tap import Tap
 from tool import AT_ONCE, PATIENCE, SCENE, run_tests, wait_until_caught
 
-GRIDS = "grids=[{center: [0,0,1000], size: [100,100], n: [3,2]}]"
+GRIDS = "grids=[{center: [0,0,2000], size: [100,100], n: [3,2]}]"
 COMMANDS = [("render",), ("render", "--json"), ("probe",), ("probe", "--json"), ("grid", "-s", GRIDS),
             ("grid", "-s", GRIDS, "--json"), ("check",), ("check", "--json"),
             ("scene",), ("scene", "--list"), ("help",), ("help", "radius"), ("--version",), ()]
