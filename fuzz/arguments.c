@@ -1,7 +1,8 @@
 /* SPDX-License-Identifier: MIT */
 /*
  * Any command line: its arguments end with zero bytes, as those of /proc/PID/cmdline.  It is read as the tool reads it,
- * and what it says of a built-in scene (-s, -p, --at, --view, --material, settings) is done.  A refusal has words, and harmless ones.
+ * and what it says of a built-in scene (-s, -p, --at, --view, --material, settings) is done.
+ * A refusal has words, and harmless ones.
  */
 #include "fuzz.h"
 

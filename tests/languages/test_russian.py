@@ -20,7 +20,7 @@ NAMES = set("""luxel YAML JSON Schema UTF png pfm npy exr csv PNG NPY PFM EXR CS
     FILE U0 Ud window grey viridis cividis inferno magma plasma coolwarm turbo HTML PDF SVG LaTeX markdown latex
     html text figure explain report stats profile isophotes compare variant grade advise bench bench.json
     LOW HIGH TAP cairo pango luxel-draw
-    options lp luminance lux IES EULUMDAT LM over_pi inverse-square
+    options lp float NaN nx ny nz kc kl kq luminance lux IES EULUMDAT LM over_pi inverse-square
     center maximum rfc4180
     svg pdf txt md tex yml excel-ru student off right convention wrong value answers file line answer verdict
     too_few_digits error explanations submissions key fill rim k_d sky moon bulb spotlight round lamp lantern globe
