@@ -36,7 +36,7 @@ static bool take_row(const luxel_table *table, const char *file, const double *n
     size_t given = 0;
 
     for (size_t i = Z; i < COLUMNS; i++)
-        given += !isnan(numbers[i]);
+        given += isnan(numbers[i]) ? 0 : 1;
     if (given == 0) {
         memcpy(places_add(places)->screen_mm, numbers, 2 * sizeof *numbers);
         return true;

@@ -116,25 +116,37 @@ static size_t count_given(const struct lx_check *check, const struct lx_rule *ru
 }
 
 /* Each key but the first is one too many. */
-static void check_one(const struct lx_check *check, const struct lx_rule *rule, uint64_t seen, uint64_t there)
+static void report_more(const struct lx_check *check, const struct lx_rule *rule, uint64_t seen, lx_node_id first,
+                        const char *keys)
 {
     const struct lx_document *document = check->walk->document;
     const struct lx_parameter *key;
-    struct lx_text text = {0};
-    lx_node_id first;
-    lx_add_rule_choices(&text, rule, ", ");
-    char *keys = lx_text_take(&text);
-    if (count_given(check, rule, there, &first) == 0)
-        lx_walk_report(check->walk, LUXEL_SEVERITY_ERROR, lx_document_place(document, check->mapping), check->up,
-                       LX_MSG_ONE_KEY, keys, NULL);
     for (size_t i = 0; (key = lx_rule_key(rule, check->table, i)) != NULL; i++) {
         lx_node_id id = lx_document_find(document, check->mapping, key->name);
         struct lx_step step = {check->up, key->name, 0};
-        if (!(seen & bit_of(check, key)) || id == first)
-            continue;
-        lx_walk_tell(check->walk, LUXEL_SEVERITY_ERROR, lx_document_key_place(document, id), &step, LX_MSG_MORE_KEYS,
-                     LX_ARGS(lx_document_key(document, first), keys ? keys : ""));
+        if ((seen & bit_of(check, key)) && id != first)
+            lx_walk_tell(check->walk, LUXEL_SEVERITY_ERROR, lx_document_key_place(document, id), &step,
+                         LX_MSG_MORE_KEYS, LX_ARGS(lx_document_key(document, first), keys));
     }
+}
+
+static void check_one(const struct lx_check *check, const struct lx_rule *rule, uint64_t seen, uint64_t there)
+{
+    const struct lx_document *document = check->walk->document;
+    lx_node_id first;
+    const bool is_given = count_given(check, rule, there, &first) > 0;
+    if (is_given && count_given(check, rule, seen, &first) <= 1)
+        return;
+    struct lx_text text = {0};
+    lx_add_rule_choices(&text, rule, ", ");
+    char *keys = lx_text_take(&text);
+    if (!keys)
+        check->walk->out_of_memory = true;
+    else if (!is_given)
+        lx_walk_report(check->walk, LUXEL_SEVERITY_ERROR, lx_document_place(document, check->mapping), check->up,
+                       LX_MSG_ONE_KEY, keys, NULL);
+    if (keys)
+        report_more(check, rule, seen, first, keys);
     free(keys);
 }
 
