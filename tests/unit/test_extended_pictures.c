@@ -196,7 +196,10 @@ static void make_scene(struct randomness *random, const struct demand *demand, s
     };
 }
 
-/* The reference picture; emitters that lie on an element, or around it, count as 0 there. */
+/*
+ * The reference picture.  Emitters that lie on an element, or around it, count as 0 there; as the value jumps beside it,
+ * from nothing to a face that fills half of all directions, such an element is all doubt.
+ */
 static double reference_picture(const struct test_scene *test, luxel_quantity quantity,
                                 lx_bounded picture[ROWS][COLUMNS])
 {
@@ -214,7 +217,9 @@ static double reference_picture(const struct test_scene *test, luxel_quantity qu
             for (size_t i = 0; i < test->prepared.emitters.count; i++) {
                 struct lx_lighting light =
                     lx_light_element(&test->prepared, &element, &test->prepared.emitters.items[i]);
-                if (!light.on_element)
+                if (light.on_element)
+                    picture[row][column].error = HUGE_VAL;
+                else
                     picture[row][column] = lx_add(picture[row][column], lx_add(light.diffuse, light.specular));
             }
             maximum = fmax(maximum, picture[row][column].value);
