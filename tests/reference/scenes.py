@@ -409,7 +409,7 @@ def enlarged(scene, longer, stronger):
 
     lights = [lengths(light, ('position', 'aim', 'k')) for light in scene['lights']]
     for light in lights:
-        for key in ('intensity', 'irradiance'):
+        for key in ('intensity', 'irradiance', 'power'):
             if key in light:
                 light[key] *= stronger
     return {**scene, 'screen': lengths(scene['screen'], ('width', 'height')),

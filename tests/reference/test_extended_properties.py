@@ -169,28 +169,40 @@ def test_split(tap, options):
     tap.ok(count and not bad, 'an outline cut in two gives the same', *bad[:2])
 
 
+def mirrored(elements, corners):
+    """Elements mirrored in an outline's plane: each sees of the back what it saw of the front."""
+    a, b, c = (np.array(corner) for corner in corners[:3])
+    normal = np.cross(b - a, c - a)
+    normal /= np.linalg.norm(normal)
+    result = []
+    for element in elements:
+        place, up = np.array(element[:3]), np.array(element[3:])
+        result.append([*(place - 2 * np.dot(place - a, normal) * normal), *(up - 2 * np.dot(up, normal) * normal)])
+    return result
+
+
 def test_reversed(tap, options):
-    bad, lit = [], 0
+    """One side shines to where it faces alone; both sides shine alike to either, whatever the order of the corners."""
+    bad, lit = {'front': [], 'both': []}, {'front': 0, 'both': 0}
     for rng in drawn(options, 'reversed'):
-        light, elements = random_light(rng, (extended_scenes._convex, extended_scenes._star))
-        back = {**light, 'vertices': light['vertices'][::-1]}
-        front_values = found(options.luxel, scene_of(light), elements, IRRADIANCE)[0]
-        back_values = found(options.luxel, scene_of(back), elements, IRRADIANCE)[0]
-        # Mirrored in the outline's plane, an element sees of the back what it saw of the front.
-        a, b, c = (np.array(light['vertices'][i]) for i in (0, 1, 2))
-        normal = np.cross(b - a, c - a)
-        normal /= np.linalg.norm(normal)
-        mirrored = []
-        for element in elements:
-            place, up = np.array(element[:3]), np.array(element[3:])
-            mirrored.append([*(place - 2 * np.dot(place - a, normal) * normal),
-                             *(up - 2 * np.dot(up, normal) * normal)])
-        mirror_values = found(options.luxel, scene_of(back), mirrored, IRRADIANCE)[0]
-        for values in zip(front_values, back_values, mirror_values):
-            lit += values[0] > 0
-            if values[1] != 0 or abs(values[2] - values[0]) > 1e-9 * values[0]:
-                bad.append(f'{values} of {light}')
-    tap.ok(lit and not bad, 'reversed vertices let the other side shine, and only that', *bad[:2])
+        drawn_light, elements = random_light(rng, (extended_scenes._convex, extended_scenes._star))
+        for sides in lit:
+            light = {**drawn_light, 'sides': sides}
+            back = {**light, 'vertices': light['vertices'][::-1]}
+            others = mirrored(elements, light['vertices'])
+            answers = [found(options.luxel, scene_of(one), places, IRRADIANCE)[0]
+                       for one in (light, back) for places in (elements, others)]
+            for values in zip(*answers):
+                front, front_mirrored, reverse, reverse_mirrored = values
+                lit[sides] += front > 0
+                behind = front if sides == 'both' else 0
+                pairs = (reverse_mirrored, front), (front_mirrored, behind), (reverse, behind)
+                if any(abs(value - expected) > 1e-9 * expected for value, expected in pairs):
+                    bad[sides].append(f'{values} of {light}')
+    tap.ok(lit['front'] and not bad['front'], 'reversed vertices let the other side shine, and only that',
+           *bad['front'][:2])
+    tap.ok(lit['both'] and not bad['both'], 'both sides shine alike, whatever the order of the vertices',
+           *bad['both'][:2])
 
 
 def test_far(tap, options):

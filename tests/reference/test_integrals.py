@@ -83,7 +83,8 @@ def test_patterns(tap, luxel):
 # Reflected share.
 
 def reflected_share(luxel, material):
-    """What an element seen from straight above reflects of light from everywhere: a sum of distant lights."""
+    """What the top of the sphere, seen from straight above, reflects of light from everywhere: a sum of distant
+    lights."""
     halves = [2.0 ** -k for k in range(24, 0, -1)]
     edges = np.array([0, *halves, *(1 - half for half in halves[-2::-1]), 1]) * math.pi / 2
     angles, weights = polar_rule(*edges, order=12)
@@ -91,7 +92,7 @@ def reflected_share(luxel, material):
               for direction, weight in zip(around([0, 0, 1], angles), weights)]
     surface = {**STAGE['surfaces'][0], 'material': {'over_pi': True, **material}}
     scene = {**STAGE, 'surfaces': [surface], 'lights': lights}
-    return luxel.values_at(scene, elements=[[0, 0, 0, 0, 0, 1]])[0]
+    return luxel.values_at(scene, elements=[[0, 0, surface['radius'], 0, 0, 1]])[0]
 
 
 def test_albedo(tap, luxel):
