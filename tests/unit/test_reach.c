@@ -83,7 +83,7 @@ static void check(const char *name, const char *const *changes, size_t count)
     luxel_field *field = rendered(scene, 1), *again = rendered(scene, 7);
     const luxel_extremum *least = &luxel_field_statistics(field)->minimum_reached;
     const struct truth truth = truth_of(scene, field);
-    print_message("%zu of %zu pixels, %g\n", truth.reached, truth.shown, truth.least);
+    print_message("# %zu of %zu pixels, %g\n", truth.reached, truth.shown, truth.least);
     assert_true(fabs(share_of(scene, field) * (double)truth.shown - (double)truth.reached) <= truth.doubt + 1e-6);
     assert_true(least->exists == (truth.least < HUGE_VAL));
     if (least->exists) {
