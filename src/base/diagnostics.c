@@ -294,7 +294,7 @@ void lx_settle_hints(luxel_diagnostics *diagnostics)
             const char *key = assignment_of(hint, &length), *last_key = assignment_of(last, &last_length);
             if (!key || !last_key || !is_within(key, length, last_key, last_length))
                 continue;
-            if (words_set(&settled, last->message, (const char *const *)last->arguments)) {
+            if (words_set(&settled, (enum lx_message)last->message, (const char *const *)last->arguments)) {
                 words_clear(hint);
                 *hint = settled;
             } else {

@@ -66,7 +66,7 @@ def sources(tap):
     messages = (ROOT / "src" / "base" / "messages.def").read_text(encoding="utf-8")
     parts = LITERAL.replace("(", "(?:", 1)
     for name, literals in re.findall(r'LX_MESSAGE\((\w+),\s*"[^"]*",\s*((?:%s\s*)+)\)' % parts, messages):
-        text = "".join(re.findall(LITERAL, literals)).replace('\\"', '"')
+        text = "".join(re.findall(LITERAL, literals)).replace('\\"', '"').replace("\\\\", "\\")
         tap.ok(text in found, "message %s is in luxel.pot" % name, text)
     tap.equal(len(re.findall(r"\nLX_MESSAGE\(\w+,\s*\"", messages)), messages.count("\nLX_MESSAGE("), "all are read")
 

@@ -197,8 +197,8 @@ static void make_scene(struct randomness *random, const struct demand *demand, s
 }
 
 /*
- * The reference picture.  Emitters that lie on an element, or around it, count as 0 there; as the value jumps beside it,
- * from nothing to a face that fills half of all directions, such an element is all doubt.
+ * The reference picture.  Emitters that lie on an element, or around it, count as 0 there; as the value jumps beside
+ * it, from nothing to a face that fills half of all directions, such an element is all doubt.
  */
 static double reference_picture(const struct test_scene *test, luxel_quantity quantity,
                                 lx_bounded picture[ROWS][COLUMNS])

@@ -98,7 +98,7 @@ static void make_picture(const struct test_scene *test, const struct lx_kernels 
     lx_plan_clear(&plan);
 }
 
-/* What the float64 reference of a pixel may be off by itself: of the tails of highlights and patterns, more than they are. */
+/* The bound of the float64 reference of a pixel; in the tails of highlights and patterns it exceeds the value. */
 static double doubt_of(const struct test_scene *test, unsigned row, unsigned column)
 {
     struct lx_element element;
