@@ -93,6 +93,8 @@ static gboolean lists(const char *choices, const char *word)
 static gboolean other_is_chosen(const AppKeys *keys, const luxel_parameter *parameter, const luxel_rule *rule)
 {
     const luxel_parameter *other = app_keys_beside(keys, parameter, rule->other);
+    if (!rule->choices)
+        return is_written(keys, other);
     char *value = other ? value_of(keys, other, NULL) : NULL;
     gboolean chosen = value && lists(rule->choices, value);
     g_free(value);

@@ -143,7 +143,9 @@ static void add_rule(struct text_table *table, const luxel_rule *rule)
         add_line(table, _("required"), text_format(words, _("with %s: %s"), rule->other, choices));
         break;
     case LUXEL_RULE_USED:
-        add_line(table, _("has effect"), text_format(words, _("only with %s: %s"), rule->other, choices));
+        add_line(table, _("has effect"),
+                 rule->choices ? text_format(words, _("only with %s: %s"), rule->other, choices)
+                               : text_format(words, _("only with %s"), rule->other));
         break;
     case LUXEL_RULE_AT_MOST: add_line(table, _("at most"), rule->other); break;
     case LUXEL_RULE_DIFFERS: add_line(table, _("must differ"), text_format(words, _("from %s"), rule->other)); break;

@@ -186,6 +186,7 @@ static const struct lx_parameter volume_parameters[] = {
 static const struct lx_rule volume_rules[] = {
     {LX_RULE_ONE, "box", NULL, "box|sphere|cylinder|mesh"},
     {LX_RULE_ONE, "radiance", NULL, "radiance|power"},
+    {LX_RULE_USED, "scale", "mesh", NULL},
     LX_SPREAD_RULES,
 };
 
@@ -389,8 +390,6 @@ static void advise_size(const struct lx_check *check, const struct volume_parame
 static void advise_volume(const struct lx_check *check, const struct volume_parameters *volume)
 {
     const struct lx_mesh *mesh = volume->mesh;
-    if (lx_is_given(&volume_table, volume, "scale") && !lx_is_given(&volume_table, volume, "mesh"))
-        lx_check_advise(check, "scale", LX_MSG_SCALE_UNUSED, NULL);
     if (!mesh || !lx_is_given(&volume_table, volume, "mesh"))
         return;
     note(check, volume->mesh_file, &mesh->thin, LX_MSG_MESH_THIN);

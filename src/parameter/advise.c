@@ -70,8 +70,12 @@ static bool advise_unused(struct lx_walk *walk, const struct lx_step *step, cons
         const struct lx_rule *rule = &table->rules[i];
         if (rule->kind != LX_RULE_USED || strcmp(rule->key, step->key) != 0 || lx_rule_applies(rule, table, parameters))
             continue;
-        lx_walk_report(walk, LUXEL_SEVERITY_ADVICE, lx_document_key_place(walk->document, id), step, LX_MSG_NOT_USED,
-                       rule->other, lx_chosen(lx_find_parameter(table, rule->other), parameters));
+        if (rule->choices)
+            lx_walk_report(walk, LUXEL_SEVERITY_ADVICE, lx_document_key_place(walk->document, id), step,
+                           LX_MSG_NOT_USED, rule->other, lx_chosen(lx_find_parameter(table, rule->other), parameters));
+        else
+            lx_walk_report(walk, LUXEL_SEVERITY_ADVICE, lx_document_key_place(walk->document, id), step,
+                           LX_MSG_NOT_USED_WITHOUT, rule->other, NULL);
         lx_hint(walk->diagnostics, LX_MSG_HINT_LEAVE_OUT, NULL);
         return true;
     }

@@ -25,6 +25,8 @@ const char *lx_chosen(const struct lx_parameter *parameter, const void *paramete
 
 bool lx_rule_applies(const struct lx_rule *rule, const struct lx_table *table, const void *parameters)
 {
+    if (!rule->choices)
+        return lx_is_given(table, parameters, rule->other);
     return lx_rule_lists(rule, lx_chosen(lx_find_parameter(table, rule->other), parameters));
 }
 

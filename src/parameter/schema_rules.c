@@ -171,7 +171,7 @@ void lx_describe_rules(struct lx_text *text, const struct lx_table *table, const
         if (strcmp(rule->key, key) != 0)
             continue;
         if (rule->kind == LX_RULE_USED) {
-            lx_text_printf(text, " It has an effect only with %s ", rule->other);
+            lx_text_printf(text, " It has an effect only with %s%s", rule->other, rule->choices ? " " : "");
             lx_add_rule_choices(text, rule, " or ");
             lx_text_puts(text, ".");
         } else if (rule->kind == LX_RULE_DISTINCT) {

@@ -77,7 +77,8 @@ struct lx_parameter {
 enum lx_rule_kind {
     LX_RULE_EXCLUSIVE, /* key and other must not both be given */
     LX_RULE_NEEDED,    /* key must be given where other is one of choices */
-    LX_RULE_USED,      /* key has an effect only where other is one of choices (else: advice when it is given) */
+    LX_RULE_USED,      /* key has an effect only where other is one of choices, or where it is given if there are no
+                        * choices (else: advice when key is given) */
     LX_RULE_ORDERED,   /* key <= other (numbers) */
     LX_RULE_DISTINCT,  /* where both are given, the vectors key and other must differ */
     LX_RULE_POSITIVE,  /* the number key must be > 0 where other is one of choices */

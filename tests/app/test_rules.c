@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /* The rules of the parameter table in forms: what is shown, what a change brings with it, and what can be instead. */
+#include <glib/gstdio.h>
 #include <math.h>
 #include <string.h>
 
@@ -195,6 +196,35 @@ static void shows_what_has_a_say(void **state)
         g_free(keys);
         clear_light(&light);
     }
+}
+
+/* A scale is that of a mesh: it is shown beside one, or where it is written. */
+static void shows_the_scale_of_a_mesh(void **state)
+{
+    (void)state;
+#define BOX "{type: volume, box: {center: [0, 0, 2000], size: [9, 9, 9]}, "
+    static const char off[] =
+        "OFF\n4 4 6\n0 0 1500\n90 0 1500\n0 90 1500\n0 0 1590\n3 0 2 1\n3 0 1 3\n3 1 2 3\n3 0 3 2\n";
+    char *folder = g_dir_make_tmp("luxel-rules-XXXXXX", NULL), *file = g_build_filename(folder, "a.off", NULL);
+    assert_true(g_file_set_contents(file, off, -1, NULL));
+    char *mesh = g_strdup_printf("{type: volume, mesh: %s, power: 1}", file);
+    const struct {
+        const char *light;
+        gboolean is_shown;
+    } cases[] = {{mesh, TRUE}, {BOX "power: 1}", FALSE}, {BOX "scale: 2, power: 1}", TRUE}};
+#undef BOX
+    for (gsize i = 0; i < G_N_ELEMENTS(cases); i++) {
+        Light light = light_of("report", 0);
+        assert_true(app_document_set(light.document, "lights[0]", cases[i].light, NULL));
+        look(&light);
+        assert_int_equal(shows(&light, "lights[].scale"), cases[i].is_shown);
+        clear_light(&light);
+    }
+    g_unlink(file);
+    g_rmdir(folder);
+    g_free(mesh);
+    g_free(file);
+    g_free(folder);
 }
 
 static void knows_paths(void **state)
@@ -431,6 +461,7 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(shows_what_has_a_say),
+        cmocka_unit_test(shows_the_scale_of_a_mesh),
         cmocka_unit_test(knows_paths),
         cmocka_unit_test(adds_what_is_needed),
         cmocka_unit_test(changes_types),

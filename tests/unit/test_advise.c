@@ -45,6 +45,9 @@ static void names_unused_keys(void **state)
     expect_advice("z: 1500, projection: orthographic", "z: 9000, projection: perspective",
                   WANTED("not-used", 4, 0, "observer.view", "perspective"));
     expect_advice("none}", "none, k: 50}", WANTED("not-used", 11, 0, "lights[0].k", "none"));
+    expect_advice("{type: point, position: [2000, 0, 2000], intensity: 10, attenuation: none}",
+                  "{type: volume, sphere: {center: [0, 0, 2000], radius: 9}, scale: 2, power: 1}",
+                  WANTED("not-used", 11, 0, "lights[0].scale", "scale has no effect without mesh"));
     expect_advice("model: phong", "model: lambert",
                   WANTED("not-used", 9, 0, "surfaces[0].material.shininess", "lambert"));
 }
