@@ -206,7 +206,7 @@ static void draws_the_outline_as_a_line(void **state)
             soft += plain->pixels[i] == 0 && drawn->pixels[i] < 100;
         }
     assert_int_equal(far, 0);
-    assert_true(changed > 2 * G_PI * RADIUS * SCALE * 0.9);
+    assert_true((double)changed > 2 * G_PI * RADIUS * SCALE * 0.9);
     assert_true(soft > changed / 10);
     app_picture_unref(plain);
     close_studio(studio);

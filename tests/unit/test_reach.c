@@ -56,7 +56,7 @@ static double share_of(const luxel_scene *scene, const luxel_field *field)
 {
     struct lx_reach reach;
     luxel_settings settings;
-    double share = NAN;
+    double share = (double)NAN;
     luxel_settings_init(&settings);
     assert_int_equal(lx_reach_open(&reach, lx_scene_parameters(scene), lx_kernels_choose(NULL), &settings), LUXEL_OK);
     assert_int_equal(lx_reach_share(&reach, luxel_field_x_mm(field), luxel_field_columns(field),
