@@ -149,8 +149,12 @@ void help_word_print(const char *word)
         return;
     text_definition(stdout, "", 0, _(entry->meaning));
     fputs(_("\nSee:\n"), stdout);
-    for (const char *at = entry->see; *at; at += at[strcspn(at, "|")] ? strcspn(at, "|") + 1 : strlen(at))
-        printf("  %.*s\n", (int)strcspn(at, "|"), at);
+    for (const char *at = entry->see; *at;) {
+        const size_t length = strcspn(at, "|");
+
+        printf("  %.*s\n", (int)length, at);
+        at += length + (at[length] == '|');
+    }
 }
 
 void help_word_write(struct json *json, const char *word)
@@ -162,11 +166,13 @@ void help_word_write(struct json *json, const char *word)
         json_open(json, NULL, '{');
         json_text(json, "meaning", entry->meaning);
         json_open(json, "see", '[');
-        for (const char *at = entry->see; *at; at += at[strcspn(at, "|")] ? strcspn(at, "|") + 1 : strlen(at)) {
+        for (const char *at = entry->see; *at;) {
+            const size_t length = strcspn(at, "|");
             char line[TEXT_SIZE];
 
-            snprintf(line, sizeof line, "%.*s", (int)strcspn(at, "|"), at);
+            snprintf(line, sizeof line, "%.*s", (int)length, at);
             json_text(json, NULL, line);
+            at += length + (at[length] == '|');
         }
         json_close(json, ']');
         json_close(json, '}');
