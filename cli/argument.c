@@ -74,54 +74,67 @@ static size_t count_parts(const char *text)
     return parts;
 }
 
-/* How many numbers may be written with a decimal comma: digits, a comma and digits alone. */
-static size_t fractions(const char *text)
+/* What may stand between two numbers for people whose numbers have a comma. */
+static const char separators[] = ",; \t";
+
+/* The length of digits, a comma and digits, and perhaps an exponent; 0: that is not what text starts with. */
+static size_t comma_length(const char *text)
 {
-    size_t count = 0;
+    const char *at = text + (*text == '+' || *text == '-');
+    const size_t whole = digits(at);
+    const char *fraction = at + whole + 1, *end;
 
-    for (const char *at = text; *at;) {
-        const char *start = at + (*at == '-' || *at == '+');
-        const size_t whole = digits(start), fraction = start[whole] == ',' ? digits(start + whole + 1) : 0;
-        const char *end = fraction > 0 ? start + whole + 1 + fraction : start;
+    if (whole == 0 || at[whole] != ',' || digits(fraction) == 0)
+        return 0;
+    end = fraction + number_length(fraction); /* which reads an exponent, too */
+    return !*end || strchr(separators, *end) ? (size_t)(end - text) : 0;
+}
 
-        if (whole > 0 && fraction > 0 && (!*end || *end == ',')) {
-            count++;
-            at = end;
-        } else {
-            at = start + strcspn(start, ",");
-        }
-        at += *at == ',';
+/* Whether text is so many numbers once some of its commas are taken for points. */
+static bool has_decimal_commas(const char *text, size_t wanted)
+{
+    size_t found = 0, commas = 0;
+
+    while (*text) {
+        const size_t with_comma = comma_length(text);
+        const size_t length = with_comma > 0 ? with_comma : number_length(text);
+
+        text += length;
+        if (length == 0 || (*text && !strchr(separators, *text)))
+            return false;
+        commas += with_comma > 0;
+        found += with_comma > 0 ? 2 : 1;
+        text += strspn(text, separators);
     }
-    return count;
+    return commas > 0 && found > wanted && found - commas <= wanted;
 }
 
 bool argument_numbers(const char *option, const char *form, const char *text, double *values, size_t count)
 {
     const size_t parts = count_parts(text);
     const char *at = text;
+    bool all_read = true;
 
-    for (size_t i = 0; i < parts; i++) {
+    for (size_t i = 0; i < parts && all_read; i++) {
         const size_t length = strcspn(at, ",");
         double value;
 
-        if (!read_number(option, text, at, length, &value))
-            goto wrong;
+        all_read = read_number(option, text, at, length, &value);
         if (i < count)
             values[i] = value;
         at += length + 1;
     }
-    if (parts == count)
+    if (all_read && parts == count)
         return true;
-    message_error(
-        ngettext("%s %s: expected %zu numbers, %zu was given", "%s %s: expected %zu numbers, %zu were given", parts),
-        option, text, count, parts);
-    if (parts > count && fractions(text) >= parts - count) {
+    if (all_read)
+        message_error(ngettext("%s %s: expected %zu numbers, %zu was given",
+                               "%s %s: expected %zu numbers, %zu were given", parts),
+                      option, text, count, parts);
+    if (has_decimal_commas(text, count))
         message_hint(_("write the fraction with a point: a comma stands between two numbers, as in %s %s"), option,
                      form);
-        return false;
-    }
-wrong:
-    message_hint(_("the form is %s %s, decimal numbers with a point and commas between them"), option, form);
+    else
+        message_hint(_("the form is %s %s, decimal numbers with a point and commas between them"), option, form);
     return false;
 }
 

@@ -16,12 +16,15 @@
 /* Where the key of a convention stands. */
 enum holder { SCREEN, OBSERVER, MATERIAL, LIGHT };
 
+/* The most choices that a convention has. */
+enum { MOST_WORDS = 4 };
+
 struct convention {
     const char *name;
     enum holder holder;
     const char *key;
-    const char *choices[4];
-    const char *meanings[3];
+    const char *choices[MOST_WORDS + 1];
+    const char *meanings[MOST_WORDS];
 };
 
 static const struct convention conventions[] = {
@@ -59,8 +62,9 @@ static const struct convention conventions[] = {
     {LX_N("attenuation"),
      LIGHT,
      "attenuation",
-     {"none", "inverse-square", "practical", NULL},
-     {LX_N("none: the distance does not matter"), LX_N("1/r², r in metres"), LX_N("1/(k + r), r in metres")}},
+     {"none", "inverse-square", "practical", "polynomial", NULL},
+     {LX_N("none: the distance does not matter"), LX_N("1/r², r in metres"), LX_N("1/(k + r), r in metres"),
+      LX_N("1/(kc + kl·r + kq·r²), r in metres")}},
     {LX_N("pattern of the sources"),
      LIGHT,
      "pattern",
@@ -183,7 +187,7 @@ static void collect_all(struct collected *collected, const struct convention *co
 static int find_choices(const struct convention *convention, const struct lx_scene_parameters *scene,
                         struct lx_choices *choices)
 {
-    struct lx_choice found[3];
+    struct lx_choice found[MOST_WORDS];
     size_t count = 0;
     bool failed = false;
     for (size_t i = 0; convention->choices[i]; i++) {

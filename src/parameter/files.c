@@ -28,10 +28,10 @@ static void hint_backslash(const struct lx_check *check, const char *key, const 
     lx_node_id id = lx_document_find(document, check->mapping, key);
     const struct lx_place place = lx_document_place(document, id);
     const bool is_quoted = id && place.start < place.end && place.text[place.start] == '"';
-    if (is_quoted && memchr(place.text + place.start, '\\', place.end - place.start))
-        lx_check_hint(check, LX_MSG_HINT_BACKSLASH, NULL);
-    else if (strchr(name, '\\'))
+    if (strchr(name, '\\'))
         lx_check_hint(check, LX_MSG_HINT_SLASH, NULL);
+    else if (is_quoted && memchr(place.text + place.start, '\\', place.end - place.start))
+        lx_check_hint(check, LX_MSG_HINT_BACKSLASH, NULL);
 }
 
 /* The file is there but not for us: an error of another kind than those of what is written in a scene. */

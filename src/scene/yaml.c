@@ -128,8 +128,11 @@ static luxel_status add_text(struct reader *reader, struct fy_event *event, size
     for (size_t i = 0, size; i < length; i += size) {
         uint32_t code = 0;
         size = lx_next_character(text + i, length - i, &code);
-        if (size == 0 || code == 0)
-            return refuse(reader, start, end, LX_MSG_BAD_ESCAPE, NULL);
+        if (size == 0 || code == 0) {
+            refuse(reader, start, end, LX_MSG_BAD_ESCAPE, NULL);
+            lx_hint(reader->diagnostics, LX_MSG_HINT_BACKSLASH, NULL);
+            return LUXEL_ERROR_SCENE;
+        }
     }
     return lx_document_add_text(reader->document, text, length, offset) < 0 ? out_of_memory(reader) : LUXEL_OK;
 }
@@ -225,6 +228,18 @@ static luxel_status on_event(struct reader *reader, struct fy_event *event)
 
 /* ---- the parser ---- */
 
+/* Whether a text in double quotes has no end because a backslash stands before the quote, as in "C:\". */
+static bool escapes_its_end(const struct reader *reader, const char *reason, size_t from)
+{
+    const char *text = reader->place.text;
+    if (!strstr(reason, "without closing quote"))
+        return false;
+    for (size_t i = from; i + 1 < reader->place.length; i++)
+        if (text[i] == '\\' && text[i + 1] == '"')
+            return true;
+    return false;
+}
+
 /* Puts the parser's own first error into ours. */
 static luxel_status report_syntax(struct reader *reader, struct fy_diag *diag)
 {
@@ -252,7 +267,7 @@ static luxel_status report_syntax(struct reader *reader, struct fy_diag *diag)
         refuse(reader, from, to, LX_MSG_BAD_ESCAPE, NULL);
     else
         refuse(reader, from, to, LX_MSG_SYNTAX, LX_ARGS(LX_TERM(error->msg)));
-    if (strstr(error->msg, "escape"))
+    if (strstr(error->msg, "escape") || escapes_its_end(reader, error->msg, from))
         lx_hint(reader->diagnostics, LX_MSG_HINT_BACKSLASH, NULL);
     if (strcmp(error->msg, "could not find expected ':'") == 0)
         lx_hint(reader->diagnostics, LX_MSG_HINT_COLON, NULL);

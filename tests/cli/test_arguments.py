@@ -78,6 +78,17 @@ WRONG = [
     ("probe --at 0,0,0,0,0,0", "normal zero"),
     ("probe --at 0,0,0,0,0,nan", "nan"),
     ("probe --at 0,0,0,0,0,1,2", "7"),
+    ("probe -p 149,7214,-0,6964", "4 fraction point X,Y"),
+    ("probe -p 149,7,0", "3 fraction point"),
+    ("probe -p 1,5e2,0", "3 fraction point"),
+    ("probe -p 149,72;-0,69", "fraction point"),
+    ("probe -p 149,72;0", "fraction point"),
+    ("probe --at 149,7,0,5,0,0,0,1", "8 6 fraction point X,Y,Z,NX,NY,NZ"),
+    ("probe --at 0,0,0,0,0,1 --view 0,5,0,1", "4 3 fraction point"),
+    ("profile --from 0,5,1 --to 3,4", "--from 3 fraction point"),
+    ("stats --region 0,5,0,10,10", "5 4 fraction point"),
+    ("isophotes --levels 0,5;1,5", "fraction point"),
+    ("probe -p 1,2,3,4,x", "x form X,Y"),
     ("render -s intensity", "="),
     ("render -s =5", "="),
     ("render -s lights[0].intensty=5", "intensty intensity"),
@@ -108,6 +119,7 @@ ILLEGAL = [
     "screen.width=1e999", "screen.width=.nan", "screen.resolution=[0,0]", "screen.resolution=[36]",
     "screen.resolution=[36,30]", "lights[0].intensity=-1", "lights[0].type=sun", "lights=5", "surfaces=[]",
     "observer.z=0", "surfaces[0].radius=0", "surfaces[0].material.shininess=0", "luxel=2", "points=[[0]]",
+    "lights[0].intensity=10,5", "lights[0].position=[2000,5,0,2000]", "observer.z=1500,0", "points=[[149,7,0,7]]",
     "picture.range=[1]", "lights[0].position=[1,2]", "units=5", "lights=[{type: point}]",
 ]
 
@@ -129,6 +141,28 @@ def illegal_values(tap, tool):
         good = (result.code == 3 and not result.out and tool.files() == [] and "error:" in result.err and
                 result.seconds < AT_ONCE)
         tap.ok(good and key.split(".")[-1].split("[")[0] in result.err, "-s " + assignment, result)
+
+
+def decimal_commas(tap, tool):
+    """A fraction behind a comma is told from a number too many, in the values of -s as in a scene."""
+    for assignment in ("lights[0].intensity=10,5", "lights[0].position=[2000,5,0,2000]", "observer.z=1500,5",
+                       "points=[[149,7,0,7]]", "surfaces[0].material={diffuse: 0,8, specular: 0.5}",
+                       "lights[0]={type: point, position: [2000, 0, 2000], intensity: 10,5}"):
+        result = tool.run("probe", "-s", assignment)
+        tap.ok(result.code == 3 and "hint: write the fraction with a point" in result.err, "-s " + assignment, result)
+    for assignment in "lights[0].position=[2000, 5, 0, 2000]", "lights[0].position=[1,2]", "points=[[1, 2, 3]]":
+        result = tool.run("probe", "-s", assignment)
+        tap.ok(result.code == 3 and "fraction" not in result.err, "no decimal comma: -s " + assignment, result)
+
+
+def paths(tap, tool):
+    """Backslashes of a path in double quotes are escapes; where none is lost the folders' sign is what is wrong."""
+    quotes, slash = "put a path in single quotes", "hint: write / between folders"
+    for value, hint in (('"C:\\lab\\lamps.csv"', quotes), ('"tables\\new.csv"', quotes), ('"C:\\\\lab.csv"', slash),
+                        ("'C:\\lab.csv'", slash), ("C:\\lab.csv", slash), ("lab/lamps.csv", None)):
+        result = tool.run("probe", "-s", "lights[0]={type: points, file: %s}" % value)
+        tap.ok(result.code in (3, 4) and (hint or "error:") in result.err, "file: " + value, result)
+        tap.equal((quotes in result.err, slash in result.err), (hint == quotes, hint == slash), "only that hint: " + value)
 
 
 def hostile_texts(tap, tool):
@@ -213,4 +247,4 @@ def version_and_usage(tap, tool):
     tap.ok(hint.code == 2 and "luxel render my.yaml" in hint.err, "a scene for a command", hint)
 
 
-run_tests(Tap(), wrong, illegal_values, hostile_texts, right, version_and_usage)
+run_tests(Tap(), wrong, illegal_values, decimal_commas, paths, hostile_texts, right, version_and_usage)

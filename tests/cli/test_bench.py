@@ -45,6 +45,8 @@ def its_own_cases(tap, tool):
     cases = {each["case"]: each for each in made}
     tap.ok(len(cases) == len(made) and {"point", "one-point", "spot", "distant", "rectangle", "tube"} <= set(cases),
            "kinds of sources", sorted(cases))
+    laws = {"point-none", "point", "point-practical", "point-polynomial"}
+    tap.ok(laws <= set(cases), "every law of attenuation", sorted(laws - set(cases)))
     for name, each in cases.items():
         side = 600 if name == "point-by-pixel" else 800
         tap.equal(each["pixels"], side * side, "every pixel shows the sphere: " + name)

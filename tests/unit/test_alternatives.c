@@ -155,6 +155,35 @@ static void test_places(void **state)
     }
 }
 
+/*
+ * A law is compared where the scene has what it needs: k or coefficients, whichever law they stand beside.  From the
+ * lamp the surface at the centre of the report's sphere is r away; none gives the value without the factor a(r).
+ */
+static void test_laws(void **state)
+{
+    (void)state;
+    static const char *const laws[] = {"none", "inverse-square", "practical", "polynomial"};
+    const double r = sqrt(2.0 * 2.0 + 0.7 * 0.7);
+    const double factors[] = {1, 1 / (r * r), 1 / (0.3 + r), 1 / (0.5 + 0.25 * r + 2 * r * r)};
+    for (size_t present = 0; present < 4; present++) {
+        luxel_scene *scene = builtin("report");
+        luxel_alternatives *found = NULL;
+        char law[64];
+        assign(scene, "lights[0].k=300 -s lights[0].coefficients=[0.5, 0.25, 2]");
+        snprintf(law, sizeof law, "lights[0].attenuation=%s", laws[present]);
+        assign(scene, law);
+        assert_int_equal(luxel_find_alternatives(scene, NULL, 0, 0, NULL, &found), LUXEL_OK);
+        const double whole = find(found, "attenuation", "none")->value;
+        for (size_t i = 0; i < 4; i++) {
+            const luxel_alternative *each = find(found, "attenuation", laws[i]);
+            assert_int_equal(each->is_present, i == present);
+            assert_true(fabs(each->value - whole * factors[i]) <= 1e-12 * whole);
+        }
+        luxel_alternatives_free(found);
+        luxel_scene_free(scene);
+    }
+}
+
 /* What is switched off has no say: neither is it asked for its law nor changed. */
 static void test_off(void **state)
 {
@@ -185,8 +214,8 @@ static void test_refused(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_builtins), cmocka_unit_test(test_report),  cmocka_unit_test(test_places),
-        cmocka_unit_test(test_off),      cmocka_unit_test(test_refused),
+        cmocka_unit_test(test_builtins), cmocka_unit_test(test_report), cmocka_unit_test(test_places),
+        cmocka_unit_test(test_laws),     cmocka_unit_test(test_off),    cmocka_unit_test(test_refused),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
