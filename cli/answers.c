@@ -204,7 +204,7 @@ static void read_table(const char *path, struct answers *answers)
     answers->files[answers->file_count++] = copy_text(path);
     if (luxel_table_open(path, columns, COLUMN_COUNT, true, diagnostics, &table.reader) != LUXEL_OK) {
         tell(&table, diagnostics);
-    } else if (has_places(&table)) {
+    } else if (message_passed_over(diagnostics, answers->is_quiet), has_places(&table)) {
         while (luxel_table_next(table.reader, &table.row))
             if (table.row)
                 read_row(&table);

@@ -28,6 +28,7 @@ struct answers {
     size_t count, capacity;
     char **files; /* the tables' names */
     size_t file_count, file_capacity;
+    bool is_quiet;   /* columns that are passed over are not told */
     size_t mistakes; /* lines, or whole tables, that could not be understood; each was reported */
 };
 

@@ -11,6 +11,7 @@
 #include "outputs.h"
 #include "probe_table.h"
 #include "result.h"
+#include "standard_output.h"
 #include "text.h"
 
 /* So many points are told light by light, and so many of more with their values alone. */
@@ -174,7 +175,7 @@ static void print(const struct result *result, const struct loaded *loaded)
         message_note(_("%s has no points; name some with -p X,Y, --at X,Y,Z,NX,NY,NZ or --points FILE"), loaded->name);
     if (options->json)
         result_print_json(result);
-    else if (result->count > 0)
+    else if (result->count > 0 && standard_output_is_free(options))
         print_text(result, loaded->name);
 }
 

@@ -153,6 +153,7 @@ int grading_make(const struct options *options, struct grading *grading)
     if (!(grading->tolerance > 0))
         grading->tolerance = DEFAULT_TOLERANCE;
     judging.settings.tolerance = 0; /* of the exact values */
+    grading->answers.is_quiet = options->quiet;
     for (size_t i = 0; i < options->operand_count; i++)
         answers_read(options->operands[i], &grading->answers);
     grading->count = grading->capacity = grading->answers.count;

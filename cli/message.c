@@ -127,8 +127,10 @@ static void print_entry(FILE *stream, const luxel_diagnostics *diagnostics, size
     char *hint = luxel_diagnostics_hint(diagnostics, i, language_translate, NULL);
 
     text_print_escaped(stream, entry->source ? entry->source : "luxel");
-    if (entry->line > 0)
+    if (entry->line > 0 && entry->column > 0)
         fprintf(stream, ":%u:%u", entry->line, entry->column);
+    else if (entry->line > 0)
+        fprintf(stream, ":%u", entry->line);
     fputs(": ", stream);
     print_severity(stream, shown_as);
     fprintf(stream, "%s\n", message ? message : entry->id);
@@ -156,6 +158,13 @@ void message_diagnostics(FILE *stream, const luxel_diagnostics *diagnostics, lux
         fprintf(stream, ngettext("and %zu more error\n", "and %zu more errors\n", left), left);
     else if (left > 0)
         fprintf(stream, ngettext("and %zu more line of advice\n", "and %zu more lines of advice\n", left), left);
+}
+
+void message_passed_over(luxel_diagnostics *diagnostics, bool quiet)
+{
+    if (!quiet)
+        message_diagnostics(stderr, diagnostics, LUXEL_SEVERITY_ADVICE, LUXEL_SEVERITY_ADVICE);
+    luxel_diagnostics_clear(diagnostics);
 }
 
 /* Whether all that went wrong is that a reader of `-o -` has seen enough. */

@@ -22,6 +22,9 @@ void message_note(const char *format, ...) __attribute__((format(printf, 1, 2)))
 void message_diagnostics(FILE *stream, const luxel_diagnostics *diagnostics, luxel_severity severity,
                          luxel_severity shown_as);
 
+/* Prints what a file holds that is passed over, unless -q was given: all advice that there is, which is forgotten. */
+void message_passed_over(luxel_diagnostics *diagnostics, bool quiet);
+
 /*
  * Reports why a call of the library failed, from its diagnostics.  Returns the exit code that the status ends
  * the tool with.

@@ -32,7 +32,10 @@ static int read_values(const char *path, struct picture *picture)
         return EXIT_USAGE;
     }
     status = luxel_field_read(path, picture->loaded.diagnostics, &picture->field);
-    return status == LUXEL_OK ? EXIT_DONE : message_failure(status, picture->loaded.diagnostics);
+    if (status != LUXEL_OK)
+        return message_failure(status, picture->loaded.diagnostics);
+    message_passed_over(picture->loaded.diagnostics, picture->options.quiet);
+    return EXIT_DONE;
 }
 
 int picture_open(const struct options *options, const char *operand, struct picture *picture)

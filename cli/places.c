@@ -36,7 +36,7 @@ static int collect_given(const struct options *options, luxel_diagnostics *diagn
         const struct option_place *given = &options->places[i];
 
         if (given->file) {
-            const int code = places_read(given->file, diagnostics, places);
+            const int code = places_read(given->file, diagnostics, options->quiet, places);
 
             if (code != EXIT_DONE)
                 return code;

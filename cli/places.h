@@ -24,8 +24,11 @@ void places_clear(struct places *places);
 luxel_place *places_add(struct places *places);
 void places_set_element(luxel_place *place, const double numbers[6]);
 
-/* Adds the places of a table.  Returns an enum exit_code; all that is wrong is told at once, up to so many rows. */
-int places_read(const char *file, luxel_diagnostics *diagnostics, struct places *places);
+/*
+ * Adds the places of a table.  `quiet`: columns that are passed over are not told.  Returns an enum exit_code; all that
+ * is wrong is told at once, up to so many rows.
+ */
+int places_read(const char *file, luxel_diagnostics *diagnostics, bool quiet, struct places *places);
 
 /* What was used of the scene to probe them, for its conventions: `surfaces` has room for one bool for each surface. */
 luxel_use places_use(const struct options *options, const luxel_scene *scene, const luxel_probe *probes, size_t count,

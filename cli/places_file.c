@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /*
- * Reading places to probe from a table with the columns x, y for points of the screen, or x, y, z, nx, ny, nz for free
- * surface elements; a row may leave the last four empty, and is a point of the screen then.
+ * Reading places to probe from a table or an array with the columns x, y for points of the screen, or x, y, z, nx, ny,
+ * nz for free surface elements; a row may leave the last four empty, and is a point of the screen then.
  */
 #include <math.h>
 #include <string.h>
@@ -20,6 +20,8 @@ static const luxel_column columns[COLUMNS] = {
     {LUXEL_COLUMN_NUMBER, false, (const char *const[]){"ny", "normal_y", "n_y", NULL}},
     {LUXEL_COLUMN_NUMBER, false, (const char *const[]){"nz", "normal_z", "n_z", NULL}},
 };
+
+static const char form[] = N_("each line has x, y, or x, y, z, nx, ny, nz, in mm");
 
 /* "points.csv:3:1", a message of a row */
 static void report_row(const luxel_table *table, const char *file, size_t column, const char *problem)
@@ -50,7 +52,18 @@ static bool take_row(const luxel_table *table, const char *file, const double *n
     return given == COLUMNS - Z && (numbers[NX] != 0.0 || numbers[NY] != 0.0 || numbers[NZ] != 0.0);
 }
 
-int places_read(const char *file, luxel_diagnostics *diagnostics, struct places *places)
+/* Reports a file that cannot be read, or is no such table. */
+static int refuse(luxel_status status, luxel_diagnostics *diagnostics)
+{
+    const luxel_diagnostic *first = luxel_diagnostics_get(diagnostics, 0);
+    const int code = message_failure(status, diagnostics);
+
+    if (status == LUXEL_ERROR_FILE && first && strcmp(first->id, "file-not-read") != 0)
+        message_hint("%s", _(form));
+    return code;
+}
+
+int places_read(const char *file, luxel_diagnostics *diagnostics, bool quiet, struct places *places)
 {
     luxel_table *table = NULL;
     const luxel_row *row;
@@ -59,16 +72,17 @@ int places_read(const char *file, luxel_diagnostics *diagnostics, struct places 
     const luxel_status status = luxel_table_open(file, columns, COLUMNS, false, diagnostics, &table);
 
     if (status != LUXEL_OK)
-        return message_failure(status, diagnostics);
+        return refuse(status, diagnostics);
+    message_passed_over(diagnostics, quiet);
     while (luxel_table_next(table, &row) && wrong < LUXEL_DIAGNOSTICS_KEPT)
         if (row)
             wrong += !take_row(table, file, row->numbers, places);
     luxel_table_free(table);
     if (luxel_diagnostics_total(diagnostics, LUXEL_SEVERITY_ERROR) > 0)
-        return message_failure(LUXEL_ERROR_FILE, diagnostics);
+        return refuse(LUXEL_ERROR_FILE, diagnostics);
     if (wrong == 0 && places->count == before) {
         message_error(_("%s has no places"), file);
-        message_hint(_("each line has x, y, or x, y, z, nx, ny, nz, in mm"));
+        message_hint("%s", _(form));
         return EXIT_FILE;
     }
     return wrong > 0 ? EXIT_FILE : EXIT_DONE;

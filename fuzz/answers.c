@@ -55,7 +55,7 @@ static void judge_alone(const struct answer *answer)
 int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
 {
     struct fuzz_file file = fuzz_open(data, size, ".csv");
-    struct answers answers = {0};
+    struct answers answers = {.is_quiet = true};
     struct fuzz_words words;
     fuzz_listen(&words);
     answers_read(file.path, &answers);

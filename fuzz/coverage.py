@@ -17,6 +17,7 @@ import coverage
 
 EDITING = ["src/scene/" + name + ".c" for name in (
     "edit", "elements", "insert", "layout", "patch", "path", "rearrange", "slot", "splice", "tidy", "value", "write")]
+TABLES = ["src/format/text_table" + part + ".c" for part in ("", "_columns", "_heading", "_lines", "_open")]
 AIMS = {
     "scene": ["src/scene/yaml.c", "src/scene/guard.c", "src/scene/input.c", "src/scene/carried.c",
               "src/scene/validate.c", "src/parameter/decode.c", "src/parameter/value.c", "src/parameter/rules.c",
@@ -28,10 +29,11 @@ AIMS = {
              "src/light/facets_mesh.c"],
     "numbers": ["src/shade/plan.c", "src/shade/precision.c", "src/shade/prepared.c", "src/shade/reference.c",
                 "src/shade/shader.c", "src/light/emitter.c", "src/material/lobe.c"],
-    "answers": ["cli/answers.c", "cli/answer_fields.c", "src/exercise/judge.c"],
+    "answers": ["cli/answers.c", "src/exercise/judge.c", *TABLES],
     "arguments": ["cli/options.c", "cli/options_table.c", "cli/argument.c", "cli/load.c", "src/scene/edit.c",
                   "src/scene/path.c", "src/scene/value.c"],
-    "points": ["src/format/cloud.c", "src/format/npy.c", "src/light/points.c"],
+    "points": ["src/format/cloud.c", "src/format/array_table.c", "src/format/npy.c", "src/light/points.c",
+               "cli/places_file.c", *TABLES],
 }
 
 

@@ -160,9 +160,19 @@ CLOUDS = [
 ]
 
 
+# What --points takes, and what it does not.
+PLACES = [
+    "x,y\n0,0\n150,-20.5\n", "0 0 1300 0 0 1\n10 0 1200 0.5 0 0.866\n",
+    "x_mm;y_mm;z_mm;nx;ny;nz\n0;0;;;;\n0;0;1300;0;0;1\n", "# x y Group\n1 2 3\n", "x,y,z\n1,2,3\n", "1,2,3,0,0,0\n",
+    "x (m),y (cm),note\n0.1,2,\"a, b\"\n", "1,5;2,5\n",
+]
+
+
 def npy(rows, descr, more=""):
-    text = "{'descr': '%s', 'fortran_order': %s, 'shape': %s, }" % (descr, more or "False", (len(rows), 4))
-    kind = (">" if descr[0] == ">" else "<") + 4 * ("f" if descr.endswith("4") else "d")
+    columns = len(rows[0]) if rows else 4
+    shape = (len(rows), columns)
+    text = "{'descr': '%s', 'fortran_order': %s, 'shape': %s, }" % (descr, more or "False", shape)
+    kind = (">" if descr[0] == ">" else "<") + columns * ("f" if descr.endswith("4") else "d")
     return (b"\x93NUMPY\x01\x00" + struct.pack("<H", len(text)) + text.encode()
             + b"".join(struct.pack(kind, *row) for row in rows))
 
@@ -176,6 +186,13 @@ def clouds():
     put("points", "cp1251.csv", "х;у;z;Сила света\n1;2,5;1500;3\n".encode("cp1251"))
     for descr in ("<f8", ">f8", "<f4", ">f4", "<i8"):
         put("points", "cloud-%s.npy" % descr.replace("<", "little-").replace(">", "big-"), npy(rows, descr))
+    for i, text in enumerate(PLACES):
+        put("points", "places-%02d.csv" % i, text)
+    put("points", "three-columns.npy", npy([row[:3] for row in rows], "<f8"))
+    put("points", "three-columns-first.npy", npy([row[:3] for row in rows], ">f4", "True"))
+    put("points", "two-columns.npy", npy([row[:2] for row in rows], "<f8"))
+    put("points", "six-columns.npy", npy([(0, 0, 1300, 0, 0, 1), (0, 0, 1300, 0, 0, 0)], "<f4"))
+    put("points", "six-columns-first.npy", npy([(0, 0, 1300, 0, 0, 1), (5, 5, float("nan"), 0, 1, 0)], "<f8", "True"))
     put("points", "columns-first.npy", npy(rows, "<f8", "True"))
     put("points", "cut-off.npy", npy(rows, "<f8")[:-1])
     put("points", "no-rows.npy", npy([], "<f8"))

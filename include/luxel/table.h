@@ -2,7 +2,8 @@
 /*
  * Tables of numbers and texts in files, as spreadsheets and programs write them, read row by row: whichever of comma,
  * semicolon, tab and blanks separates, with decimal points or commas, quotes, headings in any order and with units,
- * or none, comments, and in UTF-8, UTF-16 or the code page 1251.  docs/FILES.md tells all that is understood.
+ * or none, comments, and in UTF-8, UTF-16 or the code page 1251; or arrays of numbers, as numpy.save() writes them.
+ * docs/FILES.md tells all that is understood.
  *
  * Threads: one table belongs to one thread at a time; separate tables are independent.
  */
@@ -39,13 +40,15 @@ typedef struct luxel_table luxel_table;
 /* A row; all of it lives until the next one is read. */
 typedef struct luxel_row {
     const double *numbers;    /* one for each column that is wanted; NaN: none there, or a text */
-    const char *const *texts; /* one for each, in UTF-8, without quotes and blanks around it; "": none there */
+    const char *const *texts; /* one for each, in UTF-8, without quotes and blanks around it; "": none there, or a
+                                 number of an array */
 } luxel_row;
 
 /*
  * Opens a table in a file and reads up to its first row.  Of `columns`, `count` of them and 16 at most, those that are
- * required must be there; `needs_heading`: a table that does not name them is refused.  `columns` and `diagnostics`,
- * which takes the reports of this and of all later calls, must outlive the table; it is the caller's: free it with
+ * required must be there; `needs_heading`: a table that does not name them is refused.  Columns of the heading that are
+ * not among them, and do more than number the rows, are reported as advice.  `columns` and `diagnostics`, which takes
+ * the reports of this and of all later calls, must outlive the table; it is the caller's: free it with
  * luxel_table_free().
  * LUXEL_ERROR_FILE: it cannot be read, or is no such table.  LUXEL_ERROR_ARGUMENT.  LUXEL_ERROR_MEMORY.
  */
@@ -69,7 +72,7 @@ LUXEL_API bool luxel_table_next(luxel_table *table, const luxel_row **row);
 
 /*
  * Where a field of the row stands, for messages of the caller's: line and column from 1, the column in characters.
- * Of a column that the table does not have: the beginning of the row.
+ * Of a column that the table does not have: the beginning of the row.  Of an array the number of the row, and 1.
  */
 LUXEL_API void luxel_table_place(const luxel_table *table, size_t column, unsigned *line, unsigned *place);
 

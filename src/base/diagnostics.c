@@ -172,7 +172,7 @@ static bool place_set(struct entry *entry, const struct lx_place *place)
     if (place->key && !(entry->key = lx_copy_text(place->key, strlen(place->key))))
         return false;
     if (!place->text) {
-        entry->shown.line = place->lines_before ? (unsigned)place->lines_before + 1 : 0;
+        entry->shown.line = (unsigned)place->line;
         return true;
     }
     size_t start = place->start < place->length ? place->start : place->length;

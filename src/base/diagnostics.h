@@ -28,6 +28,7 @@ struct lx_place {
     size_t start, end;   /* bytes: the offending stretch; start == end marks a single column */
     const char *key;     /* the scene key that is meant, or NULL */
     size_t lines_before; /* lines of the source before the text, where this is not all of it */
+    size_t line;         /* the line without a text, from 1; 0: not known */
 };
 
 /*

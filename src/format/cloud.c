@@ -122,8 +122,7 @@ static struct lx_cloud_report read_rows(struct lx_text_table *table, struct lx_c
     if (fault.message != LX_MSG_COUNT)
         return wrong(&fault);
     cloud->intensities = has_intensities ? LX_CLOUD_TOLD : lx_text_table_is_lp(table) ? LX_CLOUD_LP : LX_CLOUD_NOT_TOLD;
-    snprintf(cloud->unused, sizeof cloud->unused, "%s",
-             lx_text_table_unused(table, 0) ? lx_text_table_unused(table, 0) : "");
+    lx_text_table_list_unused(table, cloud->unused, sizeof cloud->unused);
     return cloud->count > 0 ? GOOD : say(LX_MSG_CLOUD_EMPTY, "");
 }
 
@@ -148,15 +147,31 @@ static struct lx_cloud_report check_header(const struct lx_npy *npy, uint64_t si
 {
     if (npy->width == 0)
         return say(LX_MSG_CLOUD_DESCR, npy->descr);
-    if (npy->columns != LX_CLOUD_COLUMNS)
+    if (npy->columns != LX_CLOUD_COLUMNS && npy->columns != LX_CLOUD_COLUMNS - 1)
         return say(LX_MSG_CLOUD_SHAPE, npy->shape);
     if (npy->rows == 0)
         return say(LX_MSG_CLOUD_EMPTY, "");
     if (npy->rows > LX_MOST_POINTS)
         return say(LX_MSG_CLOUD_TOO_LARGE, "");
-    if (npy->start + (uint64_t)npy->rows * LX_CLOUD_COLUMNS * npy->width != size)
+    if (npy->start + (uint64_t)npy->rows * npy->columns * npy->width != size)
         return (struct lx_cloud_report){.message = LX_MSG_CLOUD_SIZE, .number = npy->rows};
     return GOOD;
+}
+
+/* Gives rows that tell places only the intensity 1, from the last one on, as they lie in front of what they become. */
+static void add_intensities(struct lx_cloud *cloud)
+{
+    const size_t size = cloud->is_single ? sizeof(float) : sizeof(double);
+    char *values = cloud->values;
+    for (size_t i = cloud->count; i-- > 0;) {
+        char *row = values + LX_CLOUD_COLUMNS * i * size;
+        memmove(row, values + (LX_CLOUD_COLUMNS - 1) * i * size, (LX_CLOUD_COLUMNS - 1) * size);
+        if (cloud->is_single)
+            ((float *)cloud->values)[LX_CLOUD_COLUMNS * i + LX_CLOUD_COLUMNS - 1] = 1;
+        else
+            ((double *)cloud->values)[LX_CLOUD_COLUMNS * i + LX_CLOUD_COLUMNS - 1] = 1;
+    }
+    cloud->intensities = LX_CLOUD_NOT_TOLD;
 }
 
 static struct lx_cloud_report check_rows(const struct lx_cloud *cloud)
@@ -190,7 +205,11 @@ static struct lx_cloud_report read_npy(struct lx_source *source, struct lx_cloud
     if (!cloud->values)
         return say(LX_MSG_OUT_OF_MEMORY, "");
     struct lx_loaded loaded = {.sample = npy.sample, .values = cloud->values};
-    return lx_npy_read_numbers(source, &npy, &loaded) == LUXEL_OK ? check_rows(cloud) : GOOD;
+    if (lx_npy_read_numbers(source, &npy, &loaded) != LUXEL_OK)
+        return GOOD;
+    if (npy.columns < LX_CLOUD_COLUMNS)
+        add_intensities(cloud);
+    return check_rows(cloud);
 }
 
 /* ---- either ---- */

@@ -3,7 +3,7 @@
  * Clouds of points: files of rows x, y, z, intensity, told by their content.
  *
  * CSV   a table (text_table.h) with the columns x, y, z and intensity, or an .lp file, which tells no intensities.
- * NPY   an array of the shape (N, 4) of float32 or float64, in either order of bytes and of axes.
+ * NPY   an array of the shape (N, 4) or, without intensities, (N, 3), in either order of bytes and of axes.
  */
 #ifndef LX_FORMAT_CLOUD_H
 #define LX_FORMAT_CLOUD_H
@@ -25,8 +25,8 @@ struct lx_cloud {
     bool is_single; /* the values are float, as an array of these has them; else double */
     void *values;   /* row by row */
     enum lx_cloud_intensities intensities;
-    char unused[48];           /* the name of a column that was passed over; "": there was none */
-    struct lx_kept_slot *tree; /* what was planted of it (shade/tree.h); NULL: it is not kept */
+    char unused[LX_UNUSED_SIZE]; /* the names of columns that were passed over; "": there were none */
+    struct lx_kept_slot *tree;   /* what was planted of it (shade/tree.h); NULL: it is not kept */
 };
 
 static inline void lx_cloud_row(const struct lx_cloud *cloud, size_t i, double row[LX_CLOUD_COLUMNS])

@@ -206,11 +206,10 @@ luxel_status lx_csv_read(struct lx_source *source, struct lx_loaded *loaded)
     luxel_status status = lx_source_status(source);
     if (status == LUXEL_OK && fault.message != LX_MSG_COUNT)
         status = refuse(source, &fault);
-    if (status == LUXEL_OK)
+    if (status == LUXEL_OK) {
+        lx_text_table_report_unused(table, lx_source_name(source), lx_source_diagnostics(source));
         status = read_pixels(table, source, loaded, &pixels, &count);
-    if (status == LUXEL_OK && lx_text_table_unused(table, 0))
-        lx_report(lx_source_diagnostics(source), LUXEL_SEVERITY_ADVICE, NULL, LX_MSG_TABLE_UNUSED,
-                  LX_ARGS(lx_text_table_unused(table, 0)));
+    }
     lx_text_table_free(table);
     if (status == LUXEL_OK)
         status = put_pixels(source, pixels, count, loaded);

@@ -103,16 +103,22 @@ void lx_add_fault(struct lx_text *text, const struct lx_text_table_fault *fault)
         lx_text_clear(&words[i]);
 }
 
-void lx_report_fault(luxel_diagnostics *diagnostics, const char *name, const struct lx_text_table_fault *fault)
+struct lx_place lx_text_table_place_of(const struct lx_text_table_fault *fault, const char *name)
 {
-    const struct lx_place place = {
+    return (struct lx_place){
         .source = name,
         .text = fault->text,
         .length = fault->length,
         .lines_before = fault->line ? fault->line - 1 : 0,
+        .line = fault->line,
         .start = fault->start,
         .end = fault->end,
     };
+}
+
+void lx_report_fault(luxel_diagnostics *diagnostics, const char *name, const struct lx_text_table_fault *fault)
+{
+    const struct lx_place place = lx_text_table_place_of(fault, name);
     if (fault->message == LX_MSG_OUT_OF_MEMORY) {
         lx_out_of_memory(diagnostics);
         return;
@@ -343,8 +349,6 @@ void lx_text_table_free(struct lx_text_table *table)
         return;
     for (size_t c = 0; c < LX_MOST_COLUMNS; c++)
         free(table->units[c]);
-    for (size_t i = 0; i < table->unused_count; i++)
-        free(table->unused[i]);
     free(table->unused);
     lx_text_table_lines_clear(&table->lines);
     free(table);
@@ -373,11 +377,6 @@ bool lx_text_table_is_lp(const struct lx_text_table *table)
 const char *lx_text_table_unit(const struct lx_text_table *table, size_t column)
 {
     return column < LX_MOST_COLUMNS && table->units[column] ? table->units[column] : "";
-}
-
-const char *lx_text_table_unused(const struct lx_text_table *table, size_t i)
-{
-    return i < table->unused_count ? table->unused[i] : NULL;
 }
 
 size_t lx_text_table_line(const struct lx_text_table *table)

@@ -33,6 +33,9 @@ struct lx_text_table_form {
     bool takes_lp;      /* an .lp file is taken, whose numbers are the first three columns */
 };
 
+/* The names of the columns in a row, as far as there is room: "x, y, z". */
+void lx_text_table_list_columns(const struct lx_text_table_form *form, char *list, size_t size);
+
 /* What is wrong with a table, and where; the message is LX_MSG_COUNT where nothing is. */
 struct lx_text_table_fault {
     enum lx_message message, hint; /* the hint LX_MSG_COUNT: none */
@@ -66,8 +69,14 @@ bool lx_text_table_is_lp(const struct lx_text_table *table);
 /* The unit that the heading gives a column, "" where it gives none. */
 const char *lx_text_table_unit(const struct lx_text_table *table, size_t column);
 
-/* The names of columns that are passed over, but for names of rows and the like; NULL beyond the last. */
-const char *lx_text_table_unused(const struct lx_text_table *table, size_t i);
+/*
+ * The columns of the heading that are passed over, but for names of rows and the like: reported as advice, at the place
+ * of the first of them in the file of this name, before the first row is read; or listed in quotes, as many as there is
+ * room for, "" where there is none.
+ */
+enum { LX_UNUSED_SIZE = 256 };
+void lx_text_table_report_unused(const struct lx_text_table *table, const char *name, luxel_diagnostics *diagnostics);
+void lx_text_table_list_unused(const struct lx_text_table *table, char *list, size_t size);
 
 /* The line of the row, and the bytes of a field of it until the next one is read (NULL: it has none). */
 size_t lx_text_table_line(const struct lx_text_table *table);
@@ -85,6 +94,9 @@ bool lx_text_table_number(const char *text, size_t length, bool decimal_comma, d
 
 /* Adds a fault as words, its place aside, to a text with phrases (phrase.h). */
 void lx_add_fault(struct lx_text *text, const struct lx_text_table_fault *fault);
+
+/* The place of a fault in the file of this name. */
+struct lx_place lx_text_table_place_of(const struct lx_text_table_fault *fault, const char *name);
 
 /* Reports a fault at its place in the file of this name. */
 void lx_report_fault(luxel_diagnostics *diagnostics, const char *name, const struct lx_text_table_fault *fault);

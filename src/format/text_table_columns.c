@@ -145,6 +145,10 @@ static struct lx_text_table_fault take_comment(struct lx_text_table *table)
     lx_source_close(source);
     fault.line = fault.line ? lines->line : 0;
     fault.text = NULL;
+    for (size_t i = 0; i < table->unused_count; i++) { /* they lie in a text that is gone */
+        table->unused[i].line = lines->line;
+        table->unused[i].text = NULL;
+    }
     return fault;
 }
 

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /* Headings of tables: which field names which column, and in what unit. */
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -111,6 +112,47 @@ void lx_text_table_list_columns(const struct lx_text_table_form *form, char *lis
     }
 }
 
+/* All names by which columns are known: "value/answer, x, y"; letters that only look alike are told once. */
+static bool add_names(struct lx_text *text, const struct lx_text_table_form *form)
+{
+    for (size_t c = 0; c < form->count; c++)
+        for (size_t s = 0; form->columns[c].names[s]; s++) {
+            const char *name = form->columns[c].names[s];
+            if (s > 0 && strlen(form->columns[c].names[0]) == 1 && strlen(name) <= 2)
+                continue;
+            lx_text_puts(text, s > 0 ? "/" : c > 0 ? ", " : "");
+            lx_text_puts(text, name);
+        }
+    return !text->failed;
+}
+
+void lx_text_table_report_unused(const struct lx_text_table *table, const char *name, luxel_diagnostics *diagnostics)
+{
+    struct lx_text names = {0};
+    char list[LX_UNUSED_SIZE];
+    if (table->unused_count == 0)
+        return;
+    const struct lx_place place = lx_text_table_place_of(&table->unused[0], name);
+    lx_text_table_list_unused(table, list, sizeof list);
+    lx_report(diagnostics, LUXEL_SEVERITY_ADVICE, &place, LX_MSG_TABLE_UNUSED, LX_ARGS(list));
+    if (add_names(&names, table->form))
+        lx_hint(diagnostics, LX_MSG_HINT_TABLE_COLUMNS, LX_ARGS(names.bytes));
+    lx_text_clear(&names);
+}
+
+void lx_text_table_list_unused(const struct lx_text_table *table, char *list, size_t size)
+{
+    size_t used = 0;
+    *list = '\0';
+    for (size_t i = 0; i < table->unused_count; i++) {
+        const char *name = table->unused[i].words[0];
+        bool fits = used + strlen(name) + sizeof "\"\", ..." < size;
+        used += (size_t)snprintf(list + used, size - used, fits ? "%s\"%s\"" : "%s...", i > 0 ? ", " : "", name);
+        if (!fits)
+            return;
+    }
+}
+
 /* ---- the whole heading ---- */
 
 static void forget(struct lx_text_table *table)
@@ -121,8 +163,6 @@ static void forget(struct lx_text_table *table)
         free(table->units[c]);
         table->units[c] = NULL;
     }
-    for (size_t i = 0; i < table->unused_count; i++)
-        free(table->unused[i]);
     table->unused_count = 0;
 }
 
@@ -134,19 +174,20 @@ static bool is_label(const char *name)
     return false;
 }
 
-/* Notes a column that is passed over; takes the text. */
-static bool pass_over(struct lx_text_table *table, char *text)
+/* Notes a column that is passed over. */
+static bool pass_over(struct lx_text_table *table, size_t field)
 {
-    char *name = text ? lx_copy_text(text, strlen(text)) : NULL;
+    const struct lx_text_table_field *at = &table->lines.fields[field];
+    char *text = text_of(at), *name = text ? lx_copy_text(text, strlen(text)) : NULL;
     bool is_done = name;
     if (name)
         lower(name);
     if (name && !is_label(name)) {
-        is_done = lx_reserve(&table->unused, &table->unused_capacity, table->unused_count + 1, sizeof(char *)) == 0;
-        if (is_done) {
-            table->unused[table->unused_count++] = text;
-            text = NULL;
-        }
+        is_done =
+            lx_reserve(&table->unused, &table->unused_capacity, table->unused_count + 1, sizeof *table->unused) == 0;
+        if (is_done)
+            table->unused[table->unused_count++] =
+                lx_text_table_fault_here(table, LX_MSG_TABLE_UNUSED, at->at, at->length, LX_ARGS(text));
     }
     free(name);
     free(text);
@@ -163,8 +204,8 @@ static bool give_column(struct lx_text_table *table, size_t field, const struct 
     if (synonyms[c] == named->synonym && fault->message == LX_MSG_COUNT)
         *fault = lx_text_table_fault_here(table, LX_MSG_TABLE_TWICE, at->at, at->length, LX_ARGS(name));
     if (synonyms[c] <= named->synonym)
-        return pass_over(table, lx_copy_text(text, strlen(text)));
-    if (table->places[c] != LX_NO_FIELD && !pass_over(table, text_of(&table->lines.fields[table->places[c]])))
+        return pass_over(table, field);
+    if (table->places[c] != LX_NO_FIELD && !pass_over(table, table->places[c]))
         return false;
     const char *unit = text + (named->unit - heading);
     char *copy = lx_copy_text(unit, named->unit_length);
@@ -191,14 +232,11 @@ static bool take_field(struct lx_text_table *table, size_t field, size_t *synony
     bool is_done = heading;
     if (heading)
         lower(heading);
-    if (is_done && find_column(table->form, heading, &named)) {
+    if (is_done && find_column(table->form, heading, &named))
         is_done = give_column(table, field, &named, synonyms, text, heading, fault);
-        free(text);
-    } else if (is_done) {
-        is_done = pass_over(table, text);
-    } else {
-        free(text);
-    }
+    else if (is_done)
+        is_done = pass_over(table, field);
+    free(text);
     free(heading);
     return is_done;
 }

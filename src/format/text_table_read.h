@@ -18,7 +18,7 @@ struct lx_text_table {
     size_t places[LX_MOST_COLUMNS]; /* the field of each column, or LX_NO_FIELD */
     double factors[LX_MOST_COLUMNS];
     char *units[LX_MOST_COLUMNS];
-    char **unused;
+    struct lx_text_table_fault *unused; /* columns that are passed over: the first word is what they are called */
     size_t unused_count, unused_capacity;
     size_t announced, rows; /* of an .lp file; and how many there were */
     bool has_point, has_group;
@@ -49,8 +49,5 @@ size_t lx_text_table_trimmed(const struct lx_text_table *table, size_t width);
  * `fault`: they do, but not so that it could be read.
  */
 bool lx_text_table_take_heading(struct lx_text_table *table, struct lx_text_table_fault *fault);
-
-/* The names of the columns in a row: "x, y, z". */
-void lx_text_table_list_columns(const struct lx_text_table_form *form, char *list, size_t size);
 
 #endif

@@ -141,6 +141,16 @@ def comparison(tap, tool):
     tap.equal(len(table[0].split(",")), len(table[1].split(",")), "CSV")
 
 
+def passed_over(tap, tool):
+    """Columns of a table of values that are not used are told, whichever command reads it."""
+    tool.write("t.csv", "x,y,value,Camera,Dose\n" + "".join("%d,%d,%d,3,4\n" % (i % 3, i // 3, i) for i in range(9)))
+    for command in (["stats", "t.csv"], ["compare", "t.csv", "t.csv"], ["isophotes", "t.csv", "--levels", "2"]):
+        result = tool.run(*command)
+        tap.ok(result.code == 0 and 't.csv:1:11: advice: columns that are not used: "Camera", "Dose"\n' in result.err,
+               command[0], result)
+        tap.equal(tool.run(*command, "-q").err, "", command[0] + " -q")
+
+
 def tool_render(tool, scene):
     tool.run("render", scene, "-q", "-o", scene + ".npy")
     return scene + ".npy"
@@ -217,4 +227,4 @@ def refused(tap, tool):
     tap.equal(tool.files(), before, "nothing was written")
 
 
-run_tests(Tap(), statistics, histogram, extrema, profiles, isophotes, comparison, explanation, refused)
+run_tests(Tap(), statistics, histogram, extrema, profiles, isophotes, comparison, passed_over, explanation, refused)

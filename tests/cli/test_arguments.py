@@ -162,7 +162,7 @@ def paths(tap, tool):
                         ("'C:\\lab.csv'", slash), ("C:\\lab.csv", slash), ("lab/lamps.csv", None)):
         result = tool.run("probe", "-s", "lights[0]={type: points, file: %s}" % value)
         tap.ok(result.code in (3, 4) and (hint or "error:") in result.err, "file: " + value, result)
-        tap.equal((quotes in result.err, slash in result.err), (hint == quotes, hint == slash), "only that hint: " + value)
+        tap.equal((quotes in result.err, slash in result.err), (hint == quotes, hint == slash), "no other: " + value)
 
 
 def hostile_texts(tap, tool):

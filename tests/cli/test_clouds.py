@@ -22,10 +22,11 @@ def csv(rows):
 
 
 def npy(rows, descr="<f8", shape=None):
-    text = ("{'descr': '%s', 'fortran_order': False, 'shape': %s, }" % (descr, shape or (len(rows), 4))).encode()
+    columns = len(rows[0]) if rows else 4
+    text = ("{'descr': '%s', 'fortran_order': False, 'shape': %s, }" % (descr, shape or (len(rows), columns))).encode()
     order, kind = (">" if descr[0] == ">" else "<"), ("f" if descr.endswith("4") else "d")
     return (b"\x93NUMPY\x01\x00" + struct.pack("<H", len(text)) + text
-            + b"".join(struct.pack(order + 4 * kind, *row) for row in rows))
+            + b"".join(struct.pack(order + columns * kind, *row) for row in rows))
 
 
 def where_they_are(tap, tool):
@@ -82,6 +83,12 @@ def lamps_alone(tap, tool):
     tap.equal(value("dome.lp"), value("ones.csv"), "an .lp file tells no intensities: each lamp has 1")
     tap.equal(value("dome.lp", "-s", "lights[0].intensity=2.5"), value("same.csv"), "the key gives another one")
     tap.equal(value("places.csv", "-s", "lights[0].intensity=2.5"), value("same.csv"), "three columns and the key")
+    for name, descr in ("places.npy", "<f8"), ("single.npy", "<f4"), ("big.npy", ">f8"):
+        tool.write(name, npy([row[:3] for row in ROWS], descr))
+        tap.equal(value(name, "-s", "lights[0].intensity=2.5"), value("same.csv"), "an array of places: " + name)
+        refused = tool.run("check", "-", stdin=scene(name))
+        tap.ok(refused.code == 3 and "no intensities" in refused.err and "the key intensity" in refused.err,
+               "which needs the key: " + name, refused)
     tool.write("scene.yaml", scene("same.csv"))
     both = tool.run("check", "scene.yaml", "-s", "lights[0].intensity=2")
     tap.ok(both.code == 3 and "intensity is for files that tell no intensities" in both.err, "both", both)
@@ -109,6 +116,13 @@ def formats_agree(tap, tool):
     tap.ok("sum of 3 sources" in text and len(text) < 20000, "explained as one", text)
 
 
+def passed_over(tap, tool):
+    """Columns that are not used are told, all of them, and names of rows are not."""
+    tool.write("spare.csv", "id,x,y,z,Colour,intensity,note\n" + "".join("1,%s,%s,%s,7,%s,dim\n" % row for row in ROWS))
+    result = tool.run("check", "-", stdin=scene("spare.csv"))
+    tap.ok(result.code == 0 and 'spare.csv that are not used: "Colour", "note"\n' in result.out, "two columns", result)
+
+
 def files_that_are_none(tap, tool):
     cases = [("no rows", "", ["no row"]), ("three numbers", "1,2,3\n", ["no intensities", "the key intensity"]),
              ("five numbers", csv(ROWS) + "1,2,3,4,5\n", ["line 4, column 1", "5", "4"]),
@@ -124,7 +138,7 @@ def files_that_are_none(tap, tool):
              ("bytes", bytes(range(256)), ["line"]),
              ("the beginning of NPY", b"\x93NUMPY", ["NPY"]),
              ("an array cut off", npy(ROWS)[:-1], ["length", "3 rows"]),
-             ("five columns", npy(ROWS, shape="(3, 5)"), ["(3, 5)", "(N, 4)"]),
+             ("five columns", npy(ROWS, shape="(3, 5)"), ["(3, 5)", "(N, 4)", "(N, 3)"]),
              ("complex numbers", npy(ROWS, "<c8"), ["<c8", "<f4"]), ("no array", npy([]), ["no row"]),
              ("an array too long", npy(ROWS, shape="(10000001, 4)"), ["ten million"]),
              ("infinity", npy(ROWS + [(1, 2, float("inf"), 4)]), ["row 4", "finite"]),
@@ -158,4 +172,4 @@ def a_million(tap, tool):
     tap.ok(resource.getrusage(resource.RUSAGE_CHILDREN).ru_maxrss * 1024 < LARGEST_BYTES, "in 400 MB of memory")
 
 
-run_tests(Tap(), where_they_are, formats_agree, lamps_alone, files_that_are_none, a_million)
+run_tests(Tap(), where_they_are, formats_agree, lamps_alone, passed_over, files_that_are_none, a_million)

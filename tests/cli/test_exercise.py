@@ -153,7 +153,9 @@ def right_answers(tap, tool):
     for name in tool.files():
         result = tool.run("grade", name)
         lines = result.out.splitlines()
-        tap.equal((result.code, result.err, lines[:2]), (0, "", ["TAP version 13", "1..25"]), name)
+        told = [line for line in result.err.splitlines() if "advice: " in line]
+        expected = ['places.csv:1:22: advice: columns that are not used: "remark"'] if name == "places.csv" else []
+        tap.equal((result.code, told, lines[:2]), (0, expected, ["TAP version 13", "1..25"]), name)
         tap.ok(sum(line.startswith("ok ") for line in lines) == 25 and "not ok" not in result.out,
                "all of them are right", result)
     judged = tool.run("grade", "points.csv", "--json").json()
@@ -370,6 +372,28 @@ def dialects(tap, tool):
         tap.ok(result.code == 0 and judged == expected and len(judged) == 5, "read: " + name, result)
 
 
+def passed_over(tap, tool):
+    """Columns that nobody reads are told, with their line and what is understood; what only names rows is not."""
+    rows = [row[:2] + row[4:5] for row in answers(tool, 5)[:5]]
+    body = table([(1, *row, "b", "9.5") for row in rows])
+    for name, heading, place in (("English", "id,variant,point,value,Group,Mark\n", "a.csv:1:24"),
+                                 ("below a comment", "# June\n\nn,variant,point,value,Group,Mark\n", "a.csv:3:23"),
+                                 ("Russian", "№,вариант,точка,значение,Group,Mark\n", "a.csv:1:26")):
+        tool.write("a.csv", heading + body)
+        result = tool.run("grade", "a.csv")
+        tap.ok(result.code == 0 and place + ': advice: columns that are not used: "Group", "Mark"\n' in result.err and
+               "variant/вариант, value/answer/значение/ответ, point/точка, x, y, student/" in result.err and
+               result.out.count("\nok ") == 5, name, result)
+        tap.equal(tool.run("grade", "a.csv", "-q").err, "", "-q: " + name)
+    tool.write("a.csv", table([("id", "variant", "point", "value"), *[(1, *row) for row in rows]]))
+    tap.equal(tool.run("grade", "a.csv").err, "", "nothing else is there")
+    header = b"\x93NUMPY\x01\x00\x46\x00{'descr': '<f8', 'fortran_order': False, 'shape': (1, 3), }"
+    tool.write("a.npy", header.ljust(80) + bytes(24))
+    result = tool.run("grade", "a.npy")
+    tap.ok(result.code == 4 and "names no columns" in result.err and "variant, value, point" in result.err, "an array",
+           result)
+
+
 def malformed(tap, tool):
     for text, line, column in MALFORMED:
         tool.write("a.csv", "variant,point,value\n" + text + "\n")
@@ -434,4 +458,4 @@ def advice(tap, tool):
 
 
 run_tests(Tap(), variants, variant_outputs, right_answers, conventions, output_forms, digits, rounding,
-          missing_and_repeated, folders, dialects, malformed, off_the_surface, many_answers, advice)
+          missing_and_repeated, folders, dialects, passed_over, malformed, off_the_surface, many_answers, advice)

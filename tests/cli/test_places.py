@@ -70,6 +70,59 @@ def tables(tap, tool):
            again)
 
 
+def npy(rows, descr="<f8", columns_first=False):
+    """An array as numpy.save() writes it."""
+    columns = len(rows[0])
+    shape = (len(rows), columns)
+    text = ("{'descr': '%s', 'fortran_order': %s, 'shape': %s, }" % (descr, columns_first, shape)).encode()
+    numbers = zip(*rows) if columns_first else rows
+    kind = {"f8": "d", "f4": "f", "i4": "i", "i2": "h"}[descr[1:]]
+    return (b"\x93NUMPY\x01\x00" + struct.pack("<H", len(text)) + text
+            + b"".join(struct.pack(descr[0] + len(line) * kind, *line) for line in numbers))
+
+
+def arrays(tap, tool):
+    """Arrays are read as tables without headings."""
+    screen, elements = [(0, 0), (150, 0), (-150, 40)], [tuple(map(float, PLACE.split(","))), (0, 0, 1300, 0, 0, 2)]
+
+    def found(name, content):
+        tool.write(name, content)
+        return tool.run("probe", "--points", name, "--json").json()
+
+    for rows in screen, elements:
+        expected = found("rows.csv", "".join(",".join(map(repr, row)) + "\n" for row in rows))
+        for descr in ["<f8", ">f8"] + ([] if rows is elements else ["<i4", ">i2", "<f4"]):
+            for columns_first in False, True:
+                tap.equal(found("rows.npy", npy(rows, descr, columns_first)), expected,
+                          "%d columns of %s%s" % (len(rows[0]), descr, ", columns first" if columns_first else ""))
+    nan, good = float("nan"), npy(screen)
+    for title, content, words in (
+            ("three columns", npy([(1, 2, 3)]), ["(1, 3)", "(N, 2)", "(N, 6)", "x, y, z, nx, ny, nz"]),
+            ("one dimension", good.replace(b"(3, 2)", b"(6,)  "), ["(6,)", "(N, 2)"]),
+            ("complex numbers", good.replace(b"<f8", b"<c8"), ["<c8", "<f8"]),
+            ("cut off", good[:-1], ["length", "3 rows"]), ("a header alone", good[:40], ["NPY", "header"]),
+            ("not finite", npy([(1, 2), (nan, 0), (0, nan)]), ["row 2", "row 3", "finite"]),
+            ("no normal", npy([(0, 0, 0, 0, 0, 1), (0, 0, 0, 0, 0, 0)]), ["rows.npy:2:1", "zero"]),
+            ("no rows", good.replace(b"(3, 2)", b"(0, 2)")[:-48], ["no places"])):
+        tool.write("rows.npy", content)
+        result = tool.run("probe", "--points", "rows.npy", "-o", "none.csv")
+        tap.ok(result.code == 4 and result.out == "" and "rows.npy" in result.err
+               and all(word in result.err for word in words) and "none.csv" not in tool.files(), title, result)
+
+
+def passed_over(tap, tool):
+    """Columns that are not used are told with their place, unless -q was given; numbers of rows are not."""
+    for text, place in (("index;x;y;Group;Room\n0;0;0;1;7\n", "1:11"), ("\n\nx,y,Group,Room\n0,0,1,7\n", "3:5"),
+                        ("# x y Group Room\n0 0 1 7\n", "1"), ("# a\n# x y Group Room\n0 0 1 7\n", "2")):
+        tool.write("spare.csv", text)
+        result = tool.run("probe", "--points", "spare.csv")
+        tap.ok(result.code == 0 and 'spare.csv:%s: advice: columns that are not used: "Group", "Room"\n' % place in
+               result.err and "x, y, z, nx/normal_x/n_x" in result.err, repr(text), result)
+        tap.equal(tool.run("probe", "--points", "spare.csv", "-q").err, "", "-q")
+    tool.write("plain.csv", "id,x,y\n0,0,0\n")
+    tap.equal(tool.run("probe", "--points", "plain.csv").err, "", "numbers of rows")
+
+
 def refused(tap, tool):
     for text, words in (("1 2 3\n", ""), ("1 2 3 0 0 0\n", "zero"), ("1 2\n1 x\n", "x"), ("", "")):
         tool.write("wrong.pts", text)
@@ -87,7 +140,8 @@ def many(tap, tool):
     text = tool.run("probe", "--points", "many.csv", "-o", "one.npy", "--threads", "1")
     tap.ok(text.code == 0 and len(text.out.splitlines()) < 1100 and "100000" in text.out, "bounded text",
            text.out[-300:])
-    tool.run("probe", "--points", "many.csv", "-q", "-o", "three.npy", "--threads", "3")
+    quiet = tool.run("probe", "--points", "many.csv", "-q", "-o", "three.npy", "--threads", "3")
+    tap.equal((quiet.code, quiet.out, quiet.err), (0, "", ""), "-q and -o: the file alone")
     tap.ok(tool.read("one.npy") == tool.read("three.npy"), "the same bytes")
 
 
@@ -108,4 +162,4 @@ def grid_flux(tap, tool):
     tap.equal(list(result.json()["conventions"]), ["units", "shadows", "attenuation", "pattern"], "conventions")
 
 
-run_tests(Tap(), said, tables, refused, many, grid_flux)
+run_tests(Tap(), said, tables, arrays, passed_over, refused, many, grid_flux)

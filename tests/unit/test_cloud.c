@@ -190,6 +190,34 @@ static void reads_npy(void **state)
 
 #define DICTIONARY(descr_, shape_) "{'descr': '" descr_ "', 'fortran_order': False, 'shape': " shape_ ", }"
 
+/* Rows of places alone: a table and arrays of either width, orders of bytes and of axes tell no intensity. */
+static void reads_places_alone(void **state)
+{
+    (void)state;
+    static const double by_places[] = {1, -2, 3.5, 1e3, 0, -0.25}, by_axes[] = {1, 1e3, -2, 0, 3.5, -0.25};
+    static const char table[] = "1,-2,3.5\n1e3,0,-0.25\n";
+    for (int i = 0; i < 9; i++) {
+        bool big = i & 1, wide = i & 2, fortran = i & 4;
+        unsigned char bytes[1024];
+        char dictionary[100];
+        struct lx_cloud *cloud;
+        snprintf(dictionary, sizeof dictionary, "{'descr': '%c%s', 'fortran_order': %s, 'shape': (2, 3), }\n",
+                 big ? '>' : '<', wide ? "f8" : "f4", fortran ? "True" : "False");
+        size_t length = make_npy(dictionary, fortran ? by_axes : by_places, 6, wide ? 8 : 4, big, bytes);
+        struct lx_cloud_report report =
+            i < 8 ? read_bytes(bytes, length, &cloud) : read_bytes(table, strlen(table), &cloud);
+        assert_int_equal(report.message, LX_MSG_COUNT);
+        assert_true(cloud->count == 2 && cloud->intensities == LX_CLOUD_NOT_TOLD);
+        for (size_t k = 0; k < 2; k++) {
+            double row[LX_CLOUD_COLUMNS];
+            lx_cloud_row(cloud, k, row);
+            assert_memory_equal(row, by_places + 3 * k, 3 * sizeof *row);
+            assert_true(row[3] == 1);
+        }
+        lx_kept_release(&cloud->kept);
+    }
+}
+
 static void refuses_npy(void **state)
 {
     (void)state;
@@ -198,7 +226,9 @@ static void refuses_npy(void **state)
         enum lx_message message;
         const char *word;
     } cases[] = {
-        {DICTIONARY("<f8", "(2, 3)"), LX_MSG_CLOUD_SHAPE, "(2, 3)"},
+        {DICTIONARY("<f8", "(2, 5)"), LX_MSG_CLOUD_SHAPE, "(2, 5)"},
+        {DICTIONARY("<f8", "(2, 3)"), LX_MSG_CLOUD_SIZE, ""},
+        {DICTIONARY("<f8", "(0, 3)"), LX_MSG_CLOUD_EMPTY, ""},
         {DICTIONARY("<f8", "(8,)"), LX_MSG_CLOUD_SHAPE, "(8,)"},
         {DICTIONARY("<f8", "(1, 2, 4)"), LX_MSG_CLOUD_SHAPE, "(1, 2, 4)"},
         {DICTIONARY("<f8", "(4, 2)"), LX_MSG_CLOUD_SHAPE, "(4, 2)"},
@@ -277,6 +307,7 @@ int main(void)
         cmocka_unit_test(reads_long_csv),
         cmocka_unit_test(refuses_csv),
         cmocka_unit_test(reads_npy),
+        cmocka_unit_test(reads_places_alone),
         cmocka_unit_test(refuses_npy),
         cmocka_unit_test(refuses_rows_of_npy),
         cmocka_unit_test(refuses_too_many_rows),

@@ -17,7 +17,7 @@ static struct lx_place place_of(const char *text, const char *part)
     const char *at = strstr(text, part);
     assert_non_null(at);
     size_t start = (size_t)(at - text);
-    return (struct lx_place){"a.yaml", text, strlen(text), start, start + strlen(part), "some.key", 0};
+    return (struct lx_place){"a.yaml", text, strlen(text), start, start + strlen(part), "some.key", 0, 0};
 }
 
 static void places(void **state)
@@ -42,8 +42,8 @@ static void places_at_the_end(void **state)
 {
     (void)state;
     luxel_diagnostics *diagnostics = luxel_diagnostics_new();
-    struct lx_place empty = {"a", "", 0, 0, 0, NULL, 0}, beyond = {"a", "x\n", 2, 50, 60, NULL, 0};
-    struct lx_place marked = {"a", "\xEF\xBB\xBFkey", 6, 3, 6, NULL, 0};
+    struct lx_place empty = {"a", "", 0, 0, 0, NULL, 0, 0}, beyond = {"a", "x\n", 2, 50, 60, NULL, 0, 0};
+    struct lx_place marked = {"a", "\xEF\xBB\xBFkey", 6, 3, 6, NULL, 0, 0};
     lx_report(diagnostics, LUXEL_SEVERITY_ERROR, &empty, LX_MSG_NO_MAPPING, NULL);
     lx_report(diagnostics, LUXEL_SEVERITY_ERROR, &beyond, LX_MSG_NO_MAPPING, NULL);
     lx_report(diagnostics, LUXEL_SEVERITY_ERROR, &marked, LX_MSG_NO_MAPPING, NULL);
