@@ -29,9 +29,9 @@ static const struct lx_parameter points_parameters[] = {
         .type = LX_TEXT,
         .offset = offsetof(struct points_parameters, file),
         .required = true,
-        .meaning = "a CSV or NPY file with a row x, y, z, intensity for each source, or x, y, z with the key intensity, "
-                   "up to ten million, in mm and the unit of intensities, or an .lp file; relative to the folder of the "
-                   "scene, or to the current one where the scene comes from standard input",
+        .meaning = "a CSV or NPY file with a row x, y, z, intensity for each source, or x, y, z with the key "
+                   "intensity, up to ten million, in mm and the unit of intensities, or an .lp file; relative to the "
+                   "folder of the scene, or to the current one where the scene comes from standard input",
     },
     {
         .name = "intensity",
