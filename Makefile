@@ -115,7 +115,7 @@ check-threads: setup
 # Each target so long, one after the other; what it finds lies in build-fuzz/findings/TARGET, to be mended and then put
 # into fuzz/corpus/TARGET.  The corpus itself is not changed.
 MINUTES ?= 5
-FUZZ ?= scene edit field mesh numbers answers arguments points
+FUZZ ?= scene edit field mesh numbers answers arguments photometry points
 fuzz:
 	@tools/setup clang
 	@test -e build-fuzz/build.ninja || CC=clang CXX=clang++ $(MESON) setup build-fuzz -Dfuzz=true -Dfigures=disabled \

@@ -34,7 +34,7 @@ static void suggest_builtin(const char *typed)
 }
 
 /* Reads a little more than the library accepts at most, so that it is the library that refuses. */
-static int read_standard_input(char **text, size_t *length)
+int load_standard_input(char **text, size_t *length)
 {
     const size_t most = ((size_t)64 << 20) + 1;
     size_t capacity = (size_t)1 << 16;
@@ -71,7 +71,7 @@ static int open_standard_input(struct loaded *loaded)
     int code;
 
     loaded->name = "<stdin>";
-    code = read_standard_input(&text, &length);
+    code = load_standard_input(&text, &length);
     if (code == EXIT_DONE) {
         const luxel_status status =
             luxel_scene_read_text(text, length, loaded->name, loaded->diagnostics, &loaded->scene);

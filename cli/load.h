@@ -32,6 +32,9 @@ int load_and(const struct options *options, int (*action)(const struct options *
 /* The options as they count for this scene: a picture's own settings are the defaults of those not given. */
 struct options load_options(const struct options *options, const luxel_scene *scene);
 
+/* Takes in standard input, a little more than 64 MB of it at most; the text is freed with free() in any case. */
+int load_standard_input(char **text, size_t *length);
+
 /* The index of a built-in scene (NULL: the default one), or the number of them. */
 size_t load_find_builtin(const char *name);
 

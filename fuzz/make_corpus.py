@@ -13,6 +13,7 @@ import tempfile
 HERE = pathlib.Path(__file__).resolve().parent
 sys.path.insert(0, str(HERE.parent / "tests/cli"))
 sys.path.insert(0, str(HERE.parent / "tests"))
+sys.path.insert(0, str(HERE.parent / "tests/unit"))
 
 
 def put(target, name, data):
@@ -68,6 +69,38 @@ EDITS = [
     "units=radiometric\n",
     "nothing\nlights[0]=5\nlights.0.x=1\nlights[99999999999999999999]=1\n=\nx\n+lights x\n>lights 1\n",
 ]
+
+
+def luminaires():
+    import photometry_model
+    rng = random.Random(63)
+    for i in range(14):
+        make = photometry_model.random_ldt if i % 2 else photometry_model.random_ies
+        data = next(data for data, _ in iter(lambda: make(rng), None) if len(data) < 3000)
+        put("photometry", "random-%02d.%s" % (i, "ldt" if i % 2 else "ies"), data)
+    for name, text in LUMINAIRES.items():
+        put("photometry", name, text)
+
+
+HEAD = "IESNA:LM-63-1995\n[MANUFAC] own\n[MORE] more\nTILT=NONE\n"
+LUMINAIRES = {
+    "commas.ies": HEAD + "1 1000 1 3 1 1 2 0,1 0,2 0\n1 1 10\n0 45 90\n0\n100,5 50,25 0\n",
+    "feet.ies": HEAD + "1,-1,1,3,2,1,1,-.5,0,-.5 1 1 10 0 45 90 0 90 1 2 3 4 5 6 7\n",
+    "open-turn.ies": HEAD + "1 1000 1 2 4 1 2 -1 -1 0 1 1 10 0 90 0 90 180 270 1 2 3 4 5 6 7 8",
+    "turn.ies": HEAD + "1 1000 1 2 3 1 2 -1 -1 0 1 1 10 0 90 -180 0 180 1 2 3 4 1 9",
+    "tilt.ies": HEAD.replace("NONE", "INCLUDE") + "1\n2\n0 90\n1 .9\n1 1000 1 2 1 1 2 0 0 0 1 1 10 0 180 0 1 2",
+    "tilt-file.ies": HEAD.replace("NONE", "none.tlt") + "1 1000 1 2 1 1 2 0 0 0 1 1 10 0 180 0 1 2",
+    "three.ies": HEAD + "1 1000 1 3 1 1 2 0 0 0\n0 45 90\n0\n1 2 3 ; comment\n",
+    "huge.ies": HEAD + "1 1000 1 999999999 999999999 1 2 0 0 0 1 1 10 0 45 90\n",
+    "wrong.ies": "IESNA\nTILT=\n-1 -2 0 1.5 0 4 3 x 1e999 0 0 0 -1\n",
+    "sideways.ies": HEAD + "1 -1 1 3 3 2 2 0 0 0 1 1 10 -90 0 90 -90 0 90 0 0 0 0 9 0 0 0 0",
+    "upright.ies": HEAD + "1 -1 1 3 2 3 2 0 0 0 1 1 10 -90 0 90 0 90 0 9 0 0 0 0",
+    "huge.ldt": "own\n1\n0\n999999999\n0\n999999999\n0\n" + "\n" * 18 + "1\n1\nLED\n1000\n\n\n10\n" + "0\n" * 12,
+    "blank.ldt": "\n" * 60,
+    "wrong.ldt": "own\n7\n5\n1.5\nx\n1\n0\n" + "a\n" * 19 + "0\n",
+    "no-zero.ldt": "own\n1\n3\n4\n0\n2\n0\n\n\n\n\n\n9\n9\n9\n9\n0\n1\n1\n1\n1\n90\n80\n1\n0\n2\n" + (
+        "1\nLED\n1000\n\n\n10\n" * 2) + "0\n" * 10 + "0\n90\n180\n270\n0\n90\n1\n2\n3\n4\n5\n6\nmore\n",
+}
 
 
 def meshes():
@@ -210,6 +243,7 @@ def main():
     for i, text in enumerate(EDITS):
         put("edit", "edits-%d.txt" % i, text)
     meshes()
+    luminaires()
     answers()
     arguments()
     clouds()

@@ -27,6 +27,7 @@
 #include <luxel/isophotes.h>
 #include <luxel/light.h>
 #include <luxel/parameter.h>
+#include <luxel/photometry.h>
 #include <luxel/probe.h>
 #include <luxel/profile.h>
 #include <luxel/render.h>

@@ -112,3 +112,15 @@ void lx_add_decoded(struct lx_text *text, const char *bytes, size_t length)
         lx_text_add(text, character, put_character(code, character));
     }
 }
+
+void lx_add_latin(struct lx_text *text, const char *bytes, size_t length)
+{
+    if (is_utf8(bytes, length)) {
+        lx_text_add(text, bytes, length);
+        return;
+    }
+    for (size_t i = 0; i < length; i++) {
+        char character[4];
+        lx_text_add(text, character, put_character((unsigned char)bytes[i], character));
+    }
+}

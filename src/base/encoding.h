@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* Encodings of text other than UTF-8 that programs on Windows write: UTF-16, and the code page 1251. */
+/* Encodings of text other than UTF-8 that programs write: UTF-16, the code page 1251, ISO 8859-1. */
 #ifndef LX_BASE_ENCODING_H
 #define LX_BASE_ENCODING_H
 
@@ -29,5 +29,8 @@ size_t lx_decode_utf16(const unsigned char *units, size_t count, enum lx_encodin
 
 /* Adds a text as UTF-8: as it is where it is UTF-8, else read as code page 1251. */
 void lx_add_decoded(struct lx_text *text, const char *bytes, size_t length);
+
+/* Adds a text as UTF-8: as it is where it is UTF-8, else read as ISO 8859-1. */
+void lx_add_latin(struct lx_text *text, const char *bytes, size_t length);
 
 #endif

@@ -13,6 +13,7 @@ ROOT = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..")
 DRAWING = ("figure", "report")  # commands of a build with cairo and pango
 JUDGING = ("compare", "grade")  # these may end with 1: a difference, a wrong answer
 ANSWERS = "student,variant,point,value\nA,17,1,0\n"
+LAMP = "IESNA:LM-63-1995\nTILT=NONE\n1 1000 1 3 1 1 2 0.1 0.1 0\n1 1 10\n0 45 90\n0\n318 225 0\n"
 PLACES = "x,y\n0,0\n150,0\n-150,0\n"
 
 
@@ -41,6 +42,7 @@ def try_page(tap, tool, draws, page):
     os.makedirs(os.path.join(tool.folder, "submissions"), exist_ok=True)
     tool.write("submissions/a.csv", ANSWERS)
     tool.write("places.csv", PLACES)
+    tool.write("lamp.ies", LAMP)
     shell = {**os.environ, "LC_ALL": "C.UTF-8", "PATH": os.path.dirname(tool.path) + ":" + os.environ["PATH"]}
     found = commands(text)
     tap.ok(len(found) > 15, page + " has commands")

@@ -6,6 +6,7 @@ import shutil
 import subprocess
 import tempfile
 
+from luminaires import AXIAL, HEAD, ODD, WRONG
 from tap import Tap
 from tool import SCENE, new_tool
 
@@ -18,19 +19,20 @@ NAMES = set("""luxel YAML JSON Schema UTF png pfm npy exr csv PNG NPY PFM EXR CS
     yaml-language-server luxel.schema json yaml NULL x_mm y_mm value_ single double NUMPY Pf quantity
     brightnesz kd ks ka my render probe grid check scene set schema help report three-lights two-spheres desk OFF OBJ
     FILE U0 Ud window grey viridis cividis inferno magma plasma coolwarm turbo HTML PDF SVG LaTeX markdown latex
-    html text figure explain report stats profile isophotes compare variant grade advise bench bench.json
+    html text figure explain report stats profile isophotes compare variant grade advise bench photometry bench.json
     LOW HIGH TAP cairo pango luxel-draw
     options lp float NaN nx ny nz kc kl kq luminance lux IES EULUMDAT LM over_pi inverse-square
     center maximum rfc4180
     svg pdf txt md tex yml excel-ru student off right convention wrong value answers file line answer verdict
     too_few_digits error explanations submissions key fill rim k_d sky moon bulb spotlight round lamp lantern globe
     disk-lamp box-lamp ball-lamp tube lampshade all-sources min_reached
+    LORL DFF TILT NONE INCLUDE IESNA MORE TEST TESTLAB ISSUEDATE MANUFAC Lampe AG LED LDT ies ldt lamp
     repeated first_line missing_points submissions asked answered""".split())
 
 COMMANDS = [
     [], ["help"], ["--help"], ["--version"], *[["help", name] for name in (
         "render", "probe", "grid", "check", "scene", "schema", "set", "help", "figure", "explain", "report", "stats",
-        "profile", "isophotes", "compare", "variant", "grade", "advise", "bench")],
+        "profile", "isophotes", "compare", "variant", "grade", "advise", "bench", "photometry")],
     ["stats"], ["stats", "--histogram"], ["profile"], ["profile", "three-lights"], ["isophotes"],
     ["compare", "report", "report"], ["compare", "report", "three-lights"], ["compare", "report"],
     ["explain", "-p", "0,0"], ["explain", "all-sources", "-p", "0,0"], ["explain", "-p", "900,0"],
@@ -163,6 +165,17 @@ def texts(tap, tool, russian):
         compare(tap, tool, russian, known, ["help", topic])
 
 
+def luminaires(tap, tool, russian):
+    """Luminaire files, odd and wrong ones."""
+    known = known_words(tool)
+    compare(tap, tool, russian, known, ["photometry"])
+    for title, text, *_ in ODD + WRONG:
+        compare(tap, tool, russian, known | set(re.findall("[a-z]+", text)), ["photometry", "-"], text)
+    compare(tap, tool, russian, known, ["photometry", "-"], HEAD + AXIAL)
+    compare(tap, tool, russian, known, ["photometry", "-"],
+            HEAD + "1 -1 1 3 3 2 2 0 0 0\n1 1 10\n-90 0 90\n-90 0 90\n0 0 0 0 9 0 0 0 0\n")
+
+
 def pictures(tap, tool, russian):
     """Pictures as scenes, whole and damaged."""
     tool.run("render", "-s", "screen.resolution=[36,36]", "-o", "a.png", "-o", "a.exr", "-o", "a.npy", "-o", "a.pfm")
@@ -262,7 +275,7 @@ def main():
             tap.skip("Russian texts", "this machine has no locale for them")
         for name, way in list(ways.items())[:1]:
             tap.note("With " + name)
-            for test in texts, pictures, json_stays, tables, readme:
+            for test in texts, luminaires, pictures, json_stays, tables, readme:
                 with new_tool() as tool:
                     tap.run(test, tap, tool, way)
     finally:

@@ -489,11 +489,32 @@ static void clustering(void **state)
     free(text);
 }
 
+/* Either kind of luminaire file, with texts that go on, lamps and factors for tilt. */
+static void reading_luminaires(void **state)
+{
+    (void)state;
+    static const char *const texts[] = {
+        "IESNA95\n[TEST] 1\n[MORE] 2\nTILT=INCLUDE\n1 2 0 90 1 .9\n2 1000 1 3 3 1 2 .1 .2 0 1 1 10\n"
+        "0 45 90\n0 45 90\n1 2 3 4 5 6 7 8 9 10\n",
+        "a\n1\n3\n4\n0\n2\n0\n\nb\n\n\n\n9\n9\n9\n9\n0\n1\n1\n1\n1\n90\n80\n1\n0\n1\n1\nLED\n1000\n\n\n10\n"
+        "0\n0\n0\n0\n0\n0\n0\n0\n0\n0\n0\n90\n180\n270\n0\n90\n1\n2\n3\n4\n5\n6\n"};
+    for (size_t k = 0; k < sizeof texts / sizeof texts[0]; k++)
+        for (long i = 0; i == 0 || shortage_met(); i++) {
+            luxel_photometry *photometry = NULL;
+            shortage_begin(i);
+            luxel_status status = luxel_photometry_read_bytes(texts[k], strlen(texts[k]), "a", NULL, &photometry);
+            shortage_end();
+            assert_int_equal(status, shortage_met() ? LUXEL_ERROR_MEMORY : LUXEL_OK);
+            luxel_photometry_free(photometry);
+        }
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(clustering),
         cmocka_unit_test(rendering_in_panels),
+        cmocka_unit_test(reading_luminaires),
         cmocka_unit_test(loading),
         cmocka_unit_test(loading_lights_of_some_size),
         cmocka_unit_test(setting),

@@ -1,0 +1,297 @@
+/* SPDX-License-Identifier: MIT */
+/* luxel photometry: what a luminaire file says, and what its table amounts to. */
+#include <luxel/luxel.h>
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "cli.h"
+#include "message.h"
+#include "photometry.h"
+#include "text.h"
+
+/* ---- what the file says ---- */
+
+static void add(struct text_table *table, const char *name, const char *text)
+{
+    text_table_row(table, TEXT_CELLS(name, text));
+}
+
+/* A text of the file, without what could steer a terminal; lines that go on become one, cut where it is long. */
+static void add_text(struct text_table *table, const char *name, const char *text)
+{
+    char line[TEXT_SIZE / 4], *escaped;
+    size_t length = 0;
+
+    if (!text || !*text)
+        return;
+    for (; text[length] && length + 4 < sizeof line; length++)
+        line[length] = text[length] == '\n' ? ' ' : text[length];
+    while (text[length] && length > 0 && ((unsigned char)text[length] & 0xc0) == 0x80)
+        length--; /* no character is cut in half */
+    strcpy(line + length, text[length] ? "…" : "");
+    escaped = luxel_escaped_text(line);
+    if (escaped)
+        add(table, name, escaped);
+    luxel_text_free(escaped);
+}
+
+static const char *symmetry_words(luxel_photometry_symmetry symmetry)
+{
+    static const char *const words[] = {
+        [LUXEL_SYMMETRY_NONE] = N_("none"),
+        [LUXEL_SYMMETRY_AXIAL] = N_("about the axis"),
+        [LUXEL_SYMMETRY_QUADRANT] = N_("about C0-C180 and C90-C270"),
+        [LUXEL_SYMMETRY_BILATERAL_0] = N_("about C0-C180"),
+        [LUXEL_SYMMETRY_BILATERAL_90] = N_("about C90-C270"),
+        [LUXEL_SYMMETRY_LATERAL] = N_("left and right"),
+    };
+
+    return _(words[symmetry]);
+}
+
+static const char *opening_words(const luxel_opening *opening, char buffer[TEXT_SIZE])
+{
+    static const char *const words[] = {
+        [LUXEL_OPENING_POINT] = N_("point"),
+        [LUXEL_OPENING_RECTANGLE] = N_("rectangle"),
+        [LUXEL_OPENING_BOX] = N_("box with luminous sides"),
+        [LUXEL_OPENING_ELLIPSE] = N_("ellipse"),
+        [LUXEL_OPENING_CYLINDER] = N_("upright cylinder"),
+        [LUXEL_OPENING_ELLIPSOID] = N_("ellipsoid"),
+        [LUXEL_OPENING_CYLINDER_LENGTH] = N_("cylinder along C0-C180"),
+        [LUXEL_OPENING_CYLINDER_WIDTH] = N_("cylinder along C90-C270"),
+        [LUXEL_OPENING_FACING_LENGTH] = N_("upright ellipse facing along C0-C180"),
+        [LUXEL_OPENING_FACING_WIDTH] = N_("upright ellipse facing along C90-C270"),
+    };
+    const double length = opening->length_mm, width = opening->width_mm, height = opening->height_mm;
+
+    if (opening->shape == LUXEL_OPENING_POINT)
+        return _(words[LUXEL_OPENING_POINT]);
+    if (opening->shape == LUXEL_OPENING_ELLIPSE && length == width)
+        return text_format(buffer, _("disk, %.6g mm across"), width);
+    if (opening->shape == LUXEL_OPENING_ELLIPSOID && length == width && width == height)
+        return text_format(buffer, _("sphere, %.6g mm across"), width);
+    if (height == 0)
+        return text_format(buffer, _("%s, %.6g mm along C0-C180, %.6g mm along C90-C270"), _(words[opening->shape]),
+                           length, width);
+    return text_format(buffer, _("%s, %.6g mm along C0-C180, %.6g mm along C90-C270, %.6g mm high"),
+                       _(words[opening->shape]), length, width, height);
+}
+
+/* What the file calls the angles, and how far they go. */
+static const char *table_words(const luxel_photometry *photometry, char buffer[TEXT_SIZE])
+{
+    const size_t planes = photometry->plane_count, angles = photometry->angle_count;
+
+    if (photometry->type != LUXEL_TYPE_C)
+        return text_format(
+            buffer, _("horizontal angles: %zu, %.6g to %.6g degrees; vertical angles: %zu, %.6g to %.6g degrees"),
+            planes, photometry->planes[0], photometry->planes[planes - 1], angles, photometry->angles[0],
+            photometry->angles[angles - 1]);
+    return text_format(buffer, _("C planes: %zu, stored: %zu; angles gamma: %zu, %.6g to %.6g degrees"),
+                       photometry->declared_planes, photometry->stored_planes, angles, photometry->angles[0],
+                       photometry->angles[angles - 1]);
+}
+
+static void add_lamps(struct text_table *table, const luxel_photometry *photometry)
+{
+    char text[TEXT_SIZE], number[TEXT_SIZE];
+
+    for (size_t i = 0; i < photometry->lamp_set_count; i++) {
+        const luxel_lamp_set *lamps = &photometry->lamp_sets[i];
+
+        text_format(number, "%.6g", fabs(lamps->count));
+        if (i == 0)
+            text_format(text, "%s × %.150s", number, *lamps->type ? lamps->type : _("lamp"));
+        else
+            text_format(text, _("%s × %.60s, %.6g lm in all, %.6g W"), number, *lamps->type ? lamps->type : _("lamp"),
+                        lamps->lumens, lamps->watts);
+        add_text(table, i == 0 ? _("lamps") : _("other lamps"), text);
+    }
+    if (isfinite(photometry->declared_lumens))
+        add(table, _("declared lumens"), text_format(text, _("%.7g lm"), photometry->declared_lumens));
+    add(table, _("photometry"),
+        photometry->is_absolute ? _("absolute: the intensities are those of the luminaire as it was measured")
+                                : _("relative: the intensities belong to the declared lumens"));
+    add(table, _("input power"), text_format(text, _("%.6g W"), photometry->watts));
+}
+
+static void add_file(struct text_table *table, const luxel_photometry *photometry)
+{
+    static const char *const type_words[] = {[LUXEL_TYPE_A] = "A", [LUXEL_TYPE_B] = "B", [LUXEL_TYPE_C] = "C"};
+    char text[TEXT_SIZE];
+
+    add(table, _("format"),
+        text_format(text, _("%s, type %s"), luxel_photometry_format_name(photometry), type_words[photometry->type]));
+    add_text(table, _("maker"), luxel_photometry_find_text(photometry, "MANUFAC"));
+    add_text(table, _("luminaire"), luxel_photometry_find_text(photometry, "LUMINAIRE"));
+    add_text(table, _("number"), luxel_photometry_find_text(photometry, "LUMCAT"));
+    add(table, _("symmetry"), symmetry_words(photometry->symmetry));
+    add(table, _("table"), table_words(photometry, text));
+    add(table, _("luminous opening"), opening_words(&photometry->opening, text));
+    add_lamps(table, photometry);
+}
+
+/* ---- what the table amounts to ---- */
+
+/* Adds a row unless the number is none. */
+static void add_number(struct text_table *table, const char *name, const char *format, double number)
+{
+    char text[TEXT_SIZE];
+
+    if (isfinite(number))
+        add(table, name, text_format(text, format, number)); /* a format of ours */
+}
+
+static void add_angles(struct text_table *table, const luxel_photometry *photometry,
+                       const luxel_photometry_figures *figures)
+{
+    const bool is_turn = photometry->type == LUXEL_TYPE_C;
+    char text[TEXT_SIZE];
+
+    if (is_turn)
+        text_format(text, _("%.8g cd at C = %.6g, gamma = %.6g degrees"), figures->greatest_cd, figures->greatest_c_deg,
+                    figures->greatest_gamma_deg);
+    else
+        text_format(text, _("%.8g cd at %.6g degrees across, %.6g degrees up"), figures->greatest_cd,
+                    figures->greatest_plane_deg, figures->greatest_angle_deg);
+    add(table, _("greatest intensity"), text);
+    if (!isfinite(figures->beam_deg))
+        return;
+    add(table, _("beam angle (50 %)"),
+        text_format(text,
+                    is_turn ? _("%.4g degrees (C0-C180: %.4g, C90-C270: %.4g)")
+                            : _("%.4g degrees (across: %.4g, upwards: %.4g)"),
+                    figures->beam_deg, figures->beam_sections_deg[0], figures->beam_sections_deg[1]));
+    add(table, _("field angle (10 %)"),
+        text_format(text,
+                    is_turn ? _("%.4g degrees (C0-C180: %.4g, C90-C270: %.4g)")
+                            : _("%.4g degrees (across: %.4g, upwards: %.4g)"),
+                    figures->field_deg, figures->field_sections_deg[0], figures->field_sections_deg[1]));
+}
+
+static void add_flux(struct text_table *table, const luxel_photometry *photometry,
+                     const luxel_photometry_figures *figures)
+{
+    char text[TEXT_SIZE];
+
+    add_number(table, _("flux, zone rule"), _("%.7g lm"), figures->zone_lumens);
+    add_number(table, _("flux, linear rule"), _("%.7g lm"), figures->linear_lumens);
+    if (photometry->watts > 0)
+        add_number(table, _("efficacy"), _("%.4g lm/W"), figures->zone_lumens / photometry->watts);
+    if (isfinite(figures->lorl) && isfinite(photometry->declared_lorl))
+        add(table, _("light output ratio (LORL)"),
+            text_format(text, _("%.4f %% (declared: %.4g %%)"), figures->lorl, photometry->declared_lorl));
+    else
+        add_number(table, _("light output ratio (LORL)"), "%.4f %%", figures->lorl);
+    if (isfinite(figures->dff) && isfinite(photometry->declared_dff))
+        add(table, _("downward flux fraction (DFF)"),
+            text_format(text, _("%.4f %% (declared: %.4g %%)"), figures->dff, photometry->declared_dff));
+    else
+        add_number(table, _("downward flux fraction (DFF)"), "%.4f %%", figures->dff);
+}
+
+static const char *code_text(const luxel_photometry_figures *figures, char buffer[TEXT_SIZE])
+{
+    size_t used = 0;
+
+    for (int i = 0; i < 5; i++)
+        used += (size_t)snprintf(buffer + used, TEXT_SIZE - used, isfinite(figures->flux_code[i]) ? "%s%.0f" : "%s-",
+                                 i > 0 ? " " : "", figures->flux_code[i]);
+    return buffer;
+}
+
+static const char *spacing_text(const luxel_photometry_figures *figures, char buffer[TEXT_SIZE])
+{
+    return text_format(buffer, _("%.3g along C0-C180, %.3g along C90-C270, %.3g diagonally"), figures->spacing[0],
+                       figures->spacing[1], figures->spacing[2]);
+}
+
+static void print_ratios(const luxel_photometry_figures *figures)
+{
+    struct text_table *table = text_table_new("lrrrrrrrrrr");
+    char cells[2][LUXEL_ROOM_INDICES][TEXT_SIZE];
+    const char *rows[2][LUXEL_ROOM_INDICES + 1] = {{_("room index k")}, {_("direct ratio")}};
+
+    for (size_t i = 0; i < LUXEL_ROOM_INDICES; i++) {
+        rows[0][i + 1] = text_format(cells[0][i], "%.3g", luxel_room_index(i));
+        rows[1][i + 1] = text_format(cells[1][i], "%.3f", figures->direct_ratios[i]);
+    }
+    text_table_row(table, rows[0]);
+    text_table_row(table, rows[1]);
+    text_table_print(table, stdout, 2);
+}
+
+static void print_warnings(const struct luminaire *luminaire)
+{
+    char *warning;
+
+    for (size_t i = 0; (warning = luminaire_warning(luminaire, i, false)) != NULL; i++) {
+        if (i == 0)
+            fputs(_("\nWarnings:\n"), stdout);
+        fputs("  ", stdout);
+        text_print_escaped(stdout, warning);
+        fputc('\n', stdout);
+        free(warning);
+    }
+}
+
+static void print_text(const struct luminaire *luminaire)
+{
+    const luxel_photometry_figures *figures = &luminaire->figures;
+    struct text_table *table = text_table_new("ll");
+    char text[TEXT_SIZE];
+
+    text_print_escaped(stdout, luminaire->name);
+    fputs("\n\n", stdout);
+    add_file(table, luminaire->photometry);
+    text_table_print(table, stdout, 2);
+    fputc('\n', stdout);
+    table = text_table_new("ll");
+    add_flux(table, luminaire->photometry, figures);
+    add_angles(table, luminaire->photometry, figures);
+    if (luminaire->photometry->type == LUXEL_TYPE_C)
+        add(table, _("CIE flux code"), code_text(figures, text));
+    if (isfinite(figures->spacing[0]) && isfinite(figures->spacing[1]) && isfinite(figures->spacing[2]))
+        add(table, _("spacing criterion"), spacing_text(figures, text));
+    text_table_print(table, stdout, 2);
+    if (isfinite(figures->direct_ratios[0])) {
+        fputc('\n', stdout);
+        print_ratios(figures);
+    }
+    print_warnings(luminaire);
+}
+
+static int run(const struct options *options)
+{
+    struct luminaire luminaire;
+    int code = luminaire_open(options, &luminaire);
+
+    if (code == EXIT_DONE) {
+        if (options->json)
+            luminaire_print_json(&luminaire);
+        else
+            print_text(&luminaire);
+    }
+    luminaire_close(&luminaire);
+    return code;
+}
+
+const struct command command_photometry = {
+    .name = "photometry",
+    .bit = COMMAND_PHOTOMETRY,
+    .operand = N_("FILE"),
+    .operand_kind = OPERAND_FILE,
+    .summary = N_("what a luminaire file (IES, EULUMDAT) says"),
+    .description =
+        N_("Reads a luminaire file, IES LM-63 of 1986 to 2019 or EULUMDAT, and prints what it says and what its table "
+           "of intensities amounts to: the flux by the zone rule and by the linear rule, light output ratio and "
+           "downward flux fraction, the greatest intensity, beam and field angle, CIE flux code, spacing criterion "
+           "and direct ratios. All errors of a wrong file are listed with line and column; what is odd is a warning, "
+           "and no number is ever rescaled in silence."),
+    .examples = "luxel photometry lamp.ies\n"
+                "luxel photometry lamp.ldt --json",
+    .run = run,
+};

@@ -1,0 +1,26 @@
+/* SPDX-License-Identifier: MIT */
+/* A luminaire file that was read, with what is measured in it: what luxel photometry shows and writes. */
+#ifndef LUXEL_CLI_PHOTOMETRY_H
+#define LUXEL_CLI_PHOTOMETRY_H
+
+#include <luxel/luxel.h>
+
+#include "options.h"
+
+struct luminaire {
+    const char *name; /* as results show it */
+    luxel_photometry *photometry;
+    luxel_photometry_figures figures;
+    luxel_diagnostics *diagnostics; /* its advice are the warnings */
+};
+
+/* Reads FILE; what is wrong is printed here.  An enum exit_code; luminaire_close() is due in every case. */
+int luminaire_open(const struct options *options, struct luminaire *luminaire);
+void luminaire_close(struct luminaire *luminaire);
+
+/* The i-th warning with its place, in the language of the user or in English; NULL beyond the last.  For free(). */
+char *luminaire_warning(const struct luminaire *luminaire, size_t i, bool in_english);
+
+void luminaire_print_json(const struct luminaire *luminaire);
+
+#endif

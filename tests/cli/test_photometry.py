@@ -1,0 +1,151 @@
+# SPDX-License-Identifier: MIT
+"""luxel photometry: what it tells of right files, of odd ones, and where it sees what is wrong."""
+import math
+import os
+import re
+
+from luminaires import AXIAL, HEAD, KEYS, ODD, WRONG, eulumdat
+from tap import Tap
+from tool import run_tests
+
+def lambert(step):
+    angles = [step * i for i in range(90 // step + 1)]
+    values = [1000 * math.cos(math.radians(angle)) if angle < 90 else 0 for angle in angles]
+    return HEAD + "2 1570.796326794897 1 %d 1 1 2 .1 .2 0\n1 1 20\n%s\n0\n%s\n" % (
+        len(angles), " ".join(map(str, angles)), " ".join(map(repr, values)))
+
+
+def told(tap, tool):
+    tool.write("lamp.ies", lambert(5))
+    result = tool.run("photometry", "lamp.ies", "--json")
+    about = result.json()
+    tap.equal(result.code, 0, "a Lambert lamp")
+    for key, expected in (("format", "LM-63-1995"), ("type", "C"), ("symmetry", "axial"), ("planes", 1),
+                          ("angles", 19), ("warnings", []), ("absolute", False), ("watts", 20),
+                          ("cie_flux_code", [44, 75, 94, 100, 100]), ("c_angles", [0, 360])):
+        tap.equal(about[key], expected, key)
+    for key, expected in (("declared_lumens", 1000 * math.pi), ("lorl", 100), ("dff", 100), ("beam_angle", 120)):
+        tap.near(about[key], expected, 1e-12, key)
+    tap.near(about["flux"]["zone"], 1000 * math.pi, 1e-13, "the zone rule is exact for it")
+    tap.near(about["flux"]["linear"], 1000 * math.pi * 0.999364896712247, 1e-13, "the linear rule")
+    tap.equal(about["max"], {"intensity": 1000, "c": 0, "gamma": 0}, "the greatest intensity")
+    tap.near(about["field_angle"], 2 * 84.26, 1e-3, "the field angle")
+    tap.equal(about["opening"], {"shape": "rectangle", "width_mm": 100, "length_mm": 200, "height_mm": 0}, "opening")
+    spacing = about["spacing_criterion"]
+    tap.near(spacing["c0_c180"], 2 * math.tan(math.acos(0.5 ** 0.25)), 2e-3, "cos^4 is 1/2")
+    tap.near(spacing["diagonal"], math.sqrt(2), 2e-3, "cos^4 is 1/4")
+    tap.equal([text["text"] for text in about["texts"] if text["keyword"] == "LUMINAIRE"], ["a\nb"], "[MORE]")
+    ratios = about["direct_ratios"]
+    tap.ok(ratios["room_index"] == [0.6, 0.8, 1, 1.25, 1.5, 2, 2.5, 3, 4, 5] and
+           all(a < b < 1 for a, b in zip(ratios["ratio"], ratios["ratio"][1:])), "direct ratios", ratios)
+    shares = (7 / 16, 3 / 4, 15 / 16, 1)  # of the four cones
+    weights = (943, -317, 481, -107)
+    tap.near(ratios["ratio"][0], sum(a * b for a, b in zip(shares, weights)) / 1000, 1e-3, "by the four cones")
+    text = tool.run("photometry", "lamp.ies").out
+    for words in ("LM-63-1995, type C", "3141.593 lm", "3139.597 lm", "44 75 94 100 100", "1000 cd at C = 0",
+                  "100 mm along C90-C270", "Lampe AG"):
+        tap.ok(words in text, "the table has " + words, text)
+    tap.equal(tool.run("photometry", "-", "--json", stdin=lambert(5)).json()["flux"], about["flux"], "standard input")
+
+
+def eulumdat_files(tap, tool):
+    tool.write("lamp.ldt", eulumdat())
+    about = tool.run("photometry", "lamp.ldt", "--json").json()
+    tap.equal((about["format"], about["symmetry"], about["declared_lumens"], about["declared_lorl"]),
+              ("EULUMDAT", "axial", 1000, 100), "what it says")
+    tap.near(about["max"]["intensity"], 318.31, 1e-14, "cd/klm")
+    tap.equal(about["opening"]["shape"], "disk", "a width of 0: round")
+    tool.write("two.ldt", eulumdat(line_26="2", line_32="10\n2\nLED\n700\n\n\n5"))
+    about = tool.run("photometry", "two.ldt", "--json").json()
+    tap.ok("several lamp sets" in about["warnings"][0], "two lamp sets", about)
+    tap.equal((len(about["lamps"]), about["declared_lumens"]), (2, 1000), "the first one counts")
+    tool.write("absolute.ldt", eulumdat(line_27="-1"))
+    tap.equal(tool.run("photometry", "absolute.ldt", "--json").json()["absolute"], True, "absolute photometry")
+    tool.write("blank.ldt", eulumdat(line_18="", line_25="", line_29="1000,0", line_44=""))
+    result = tool.run("photometry", "blank.ldt", "--json")
+    tap.ok(result.code == 0 and result.json()["declared_lumens"] == 1000, "blank numbers, a decimal comma", result)
+
+
+def encodings(tap, tool):
+    text = HEAD.replace("Lampe AG", "Lämpe 54°") + AXIAL
+    expected = tool.run("photometry", "-", "--json", stdin=text).json()
+    for title, data in (("Latin-1", text.encode("latin-1")), ("a byte order mark", b"\xef\xbb\xbf" + text.encode()),
+                        ("UTF-16", text.encode("utf-16")), ("CR", text.replace("\n", "\r").encode()),
+                        ("CR LF", text.replace("\n", "\r\n").encode()),
+                        ("CR CR LF", text.replace("\n", "\r\r\n").encode()),
+                        ("the end of a file of DOS", text.encode() + b"\x1a"),
+                        ("commas", (KEYS.replace("Lampe AG", "Lämpe 54°") + "TILT=NONE\n" +
+                                    AXIAL.replace(" ", ",")).encode())):
+        tool.write("lamp.ies", data)
+        tap.equal(tool.run("photometry", "lamp.ies", "--json").json(), expected, title)
+    commas = HEAD + AXIAL.replace(".1 .2", "0,1 0,2")
+    about = tool.run("photometry", "-", "--json", stdin=commas).json()
+    tap.ok(about["opening"]["width_mm"] == 100 and "decimal commas" in about["warnings"][0], "decimal commas", about)
+
+
+def odd(tap, tool):
+    for title, text, words in ODD:
+        result = tool.run("photometry", "-", "--json", stdin=text)
+        about = result.json() if result.code == 0 else {"warnings": []}
+        tap.ok(any(words in warning for warning in about["warnings"]), title, result)
+    table = tool.run("photometry", "-", stdin=ODD[0][1]).out
+    tap.ok("Warnings:\n  line 1, column 1: " in table, "warnings in the table", table)
+
+
+def wrong(tap, tool):
+    for title, text, place, words in WRONG:
+        tool.write("lamp", text)
+        result = tool.run("photometry", "lamp", "--json")
+        found = re.search(r"^lamp:%s: error: .*" % place, result.err, re.M)
+        tap.ok(result.code == 4 and result.out == "" and found and words in result.err, title, result)
+    several = HEAD + AXIAL.replace("3 1 1 2", "3 1 1 5").replace("500", "x").replace("1 1 10", "0 1 10")
+    result = tool.run("photometry", "-", stdin=several)
+    tap.equal(result.err.count(": error: "), 3, "all errors at once")
+    many = tool.run("photometry", "-", stdin=HEAD + AXIAL.replace("3 1 1", "300 1 1") + "x " * 700)
+    tap.ok(20 <= many.err.count("error:") <= 21, "twenty of many, and their number", many)
+    result = tool.run("photometry", "none.ies")
+    tap.ok(result.code == 4 and "cannot read" in result.err, "no such file", result)
+    tap.equal(tool.run("photometry").code, 2, "no file named")
+    tap.equal(tool.run("photometry", "a", "b").code, 2, "two files")
+
+
+def tilt_files(tap, tool):
+    os.mkdir(tool.file("lamps"))
+    tool.write("lamps/a.tlt", "1\n3\n0 45 90\n1 0.95 0.9\n")
+    tool.write("lamps/lamp.ies", KEYS + "TILT=a.tlt\n" + AXIAL)
+    about = tool.run("photometry", "lamps/lamp.ies", "--json").json()
+    tap.equal(about["tilt"], {"geometry": 1, "angles": [0, 45, 90], "factors": [1, 0.95, 0.9]}, "beside the luminaire")
+    tap.equal(about["max"]["intensity"], 1000, "not applied")
+    tool.write("lamps/a.tlt", "1\n3\n0 45 40\n1 x 0.9\n")
+    result = tool.run("photometry", "lamps/lamp.ies")
+    tap.ok(result.code == 4 and "lamps/a.tlt:3:6: error:" in result.err and "lamps/a.tlt:4:3: error:" in result.err,
+           "wrong", result)
+
+
+def sections(tap, tool):
+    """Beam and field angles of lamps that do not shine straight down."""
+    def beam(planes, rows, gammas=(0, 10, 20, 30, 40, 50, 60, 70, 80, 90)):
+        text = HEAD + "1 -1 1 %d %d 1 2 0 0 0\n1 1 10\n%s\n%s\n%s\n" % (
+            len(gammas), len(planes), " ".join(map(str, gammas)), " ".join(map(str, planes)),
+            "\n".join(" ".join(map(str, row)) for row in rows))
+        about = tool.run("photometry", "-", "--json", stdin=text).json()
+        return about["beam_angle"], about["field_angle"], about["beam_angles"]
+
+    batwing = [20, 40, 60, 80, 100, 100, 60, 20, 0, 0]
+    tap.near(beam([0], [batwing])[0], 2 * 62.5, 1e-12, "a batwing: across the axis")
+    tap.near(beam([0], [batwing])[1], 2 * 75, 1e-12, "and its field")
+    one_side, dark = [0, 0, 20, 60, 100, 60, 20, 0, 0, 0], [0] * 10
+    about = beam([0, 90, 180, 270, 360], [one_side, dark, dark, dark, one_side])
+    tap.near(about[0], 2 * 12.5, 1e-12, "one side: around the greatest")
+    tap.equal(about[2][1], None, "the section across has no light")
+    up = [0] * 10 + [50, 100, 50, 100]
+    tap.near(beam([0], [up], (0, 10, 20, 30, 40, 50, 60, 70, 80, 90, 100, 130, 160, 180))[0], 2 * 80, 1e-12,
+             "upwards: across the opposite direction")
+    tap.equal(beam([0], [[5, 5, 5]], (0, 90, 180))[0], 360, "all around")
+
+
+def main():
+    run_tests(Tap(), told, eulumdat_files, encodings, odd, wrong, tilt_files, sections)
+
+
+main()
