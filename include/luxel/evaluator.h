@@ -60,6 +60,16 @@ LUXEL_API luxel_value luxel_evaluate(const luxel_evaluator *evaluator, double x_
 LUXEL_API luxel_value luxel_evaluate_place(const luxel_evaluator *evaluator, const luxel_place *place, double *shares);
 
 /*
+ * The values at `count` places by several threads, as many as the evaluator's settings say: each is what
+ * luxel_evaluate_place() gives there, to the last bit.  `values` has room for `count` of them, `shares`, unless it is
+ * NULL, for as many rows of a number for each light of the scene.  Progress is that of the evaluator's settings, so two
+ * threads should not call this at once with an evaluator that has some.
+ * LUXEL_ERROR_ARGUMENT: a pointer is missing.  LUXEL_CANCELLED: progress said so, and not all values are there.
+ */
+LUXEL_API luxel_status luxel_evaluate_places(const luxel_evaluator *evaluator, const luxel_place *places, size_t count,
+                                             luxel_value *values, double *shares);
+
+/*
  * The value at a point of the scene's surface with this index: the point that a line from its centre along `normal`
  * meets, whether it is seen from the observer or not.  Only spheres: on_surface is false for another surface.
  */

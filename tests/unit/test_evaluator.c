@@ -127,6 +127,90 @@ static void test_sphere(void **state)
     luxel_scene_free(scene);
 }
 
+enum { MANY = 500 };
+
+/* Elements around and upon the sphere of the report, some on the screen, and one that cannot be probed. */
+static void place_many(luxel_place places[MANY])
+{
+    memset(places, 0, MANY * sizeof *places);
+    for (int i = 0; i < MANY; i++) {
+        const double angle = 0.1 * i, reach = 300 + (i % 3) * 40;
+        const double normal[3] = {cos(angle) * 0.6, sin(angle) * 0.6, 0.8};
+        places[i].is_element = i % 7 != 0;
+        places[i].screen_mm[0] = 0.4 * i;
+        places[i].screen_mm[1] = -0.3 * i;
+        places[i].has_view = i % 5 == 0;
+        places[i].view[2] = 1;
+        for (int k = 0; k < 3; k++) {
+            places[i].normal[k] = normal[k];
+            places[i].position_mm[k] = reach * normal[k] + (k == 2 ? 1000 : 0);
+        }
+    }
+    memset(places[123].normal, 0, sizeof places[123].normal);
+}
+
+/* Many places at once, by one thread and by four, are the numbers of each. */
+static void test_places(void **state)
+{
+    static luxel_place places[MANY];
+    static luxel_value values[MANY];
+    (void)state;
+    place_many(places);
+    for (unsigned threads = 1; threads <= 4; threads += 3) {
+        luxel_settings settings;
+        luxel_evaluator *evaluator = NULL;
+        luxel_scene *scene = builtin("three-lights");
+        luxel_settings_init(&settings);
+        settings.threads = threads;
+        assert_int_equal(luxel_evaluator_new(scene, &settings, NULL, &evaluator), LUXEL_OK);
+        const size_t lights = luxel_evaluator_light_count(evaluator);
+        assert_true(lights > 1 && lights < 8);
+        double shares[MANY][8], *packed = &shares[0][0], alone[8];
+        assert_int_equal(luxel_evaluate_places(evaluator, places, MANY, values, packed), LUXEL_OK);
+        for (size_t i = 0; i < MANY; i++) {
+            const luxel_value value = luxel_evaluate_place(evaluator, &places[i], alone);
+            assert_int_equal(values[i].has_value, value.has_value);
+            assert_true(values[i].value == value.value && values[i].error == value.error);
+            assert_memory_equal(packed + i * lights, alone, lights * sizeof *alone);
+        }
+        assert_false(values[123].has_value);
+        assert_true(values[124].has_value);
+        assert_int_equal(luxel_evaluate_places(evaluator, places, MANY, values, NULL), LUXEL_OK);
+        assert_true(values[124].has_value);
+        assert_int_equal(luxel_evaluate_places(evaluator, NULL, 0, NULL, NULL), LUXEL_OK);
+        assert_int_equal(luxel_evaluate_places(evaluator, NULL, 1, values, NULL), LUXEL_ERROR_ARGUMENT);
+        assert_int_equal(luxel_evaluate_places(NULL, places, 1, values, NULL), LUXEL_ERROR_ARGUMENT);
+        luxel_evaluator_free(evaluator);
+        luxel_scene_free(scene);
+    }
+}
+
+static bool goes_on(double done, void *data)
+{
+    (void)done;
+    return *(const bool *)data;
+}
+
+static void test_places_cancelled(void **state)
+{
+    static luxel_place places[MANY];
+    static luxel_value values[MANY];
+    luxel_settings settings;
+    luxel_evaluator *evaluator = NULL;
+    luxel_scene *scene = builtin("report");
+    bool wanted = true;
+    (void)state;
+    place_many(places);
+    luxel_settings_init(&settings);
+    settings.progress = goes_on;
+    settings.progress_data = &wanted;
+    assert_int_equal(luxel_evaluator_new(scene, &settings, NULL, &evaluator), LUXEL_OK);
+    wanted = false;
+    assert_int_equal(luxel_evaluate_places(evaluator, places, MANY, values, NULL), LUXEL_CANCELLED);
+    luxel_evaluator_free(evaluator);
+    luxel_scene_free(scene);
+}
+
 static void test_refused(void **state)
 {
     (void)state;
@@ -182,8 +266,9 @@ static void test_ambient(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_ambient), cmocka_unit_test(test_probes),  cmocka_unit_test(test_light_on_element),
-        cmocka_unit_test(test_sphere),  cmocka_unit_test(test_refused),
+        cmocka_unit_test(test_ambient), cmocka_unit_test(test_probes), cmocka_unit_test(test_light_on_element),
+        cmocka_unit_test(test_sphere),  cmocka_unit_test(test_places), cmocka_unit_test(test_places_cancelled),
+        cmocka_unit_test(test_refused),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

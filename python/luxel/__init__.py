@@ -1,0 +1,34 @@
+# SPDX-License-Identifier: MIT
+"""How light sources brighten a surface: scenes, exact values with a bound of their error, pictures, figures.
+
+    >>> import luxel
+    >>> scene = luxel.Scene("report")
+    >>> scene["lights[0].intensity"] = 20
+    >>> field = scene.render()
+    >>> field.shape
+    (360, 360)
+
+Lengths are millimetres, y points up on the screen; docs/SCENE.md of Luxel tells every key of a scene.  NumPy is loaded
+when arrays are asked for.  Everything may be used by several threads at once: a scene that is changed while another
+thread computes with it goes on there as it was.
+"""
+from ._document import Document
+from ._errors import Diagnostic, LuxelError, LuxelKeyError, LuxelValueError
+from ._field import Field, compare, read
+from ._grid import Grid
+from ._language import set_language
+from ._pictures import Figure, palettes
+from ._probe import Probe, Probes, Share
+from ._results import (Alternative, Comparison, Extrema, Extremum, GridExtremum, Histogram, Isophote, Judgement, Light,
+                       Peak, Profile, Statistics, Summary)
+from ._scene import Scene, builtin_scenes, instruction_sets, schema, variant
+from ._luxel import version as _version
+
+__version__ = _version()
+
+__all__ = [
+    "Alternative", "Comparison", "Diagnostic", "Document", "Extrema", "Extremum", "Field", "Figure", "Grid",
+    "GridExtremum", "Histogram", "Isophote", "Judgement", "Light", "LuxelError", "LuxelKeyError", "LuxelValueError",
+    "Peak", "Probe", "Probes", "Profile", "Scene", "Share", "Statistics", "Summary", "builtin_scenes", "compare",
+    "instruction_sets", "palettes", "read", "schema", "set_language", "variant", "__version__",
+]

@@ -1,0 +1,274 @@
+# SPDX-License-Identifier: MIT
+"""Fields: computed pictures whose numbers NumPy shares."""
+from __future__ import annotations
+
+import os
+import tempfile
+from typing import TYPE_CHECKING, Any, Dict, List, Optional, Sequence, Tuple, Union
+
+from . import _luxel
+from ._arrays import shared
+from ._results import Comparison, Extrema, Histogram, Isophote, Peak, Profile, Statistics, Summary, extremum, statistics
+from ._settings import PRECISIONS, QUANTITIES, Progress, Settings, settings
+
+if TYPE_CHECKING:
+    from ._arrays import Bools, Floats
+    from ._scene import Scene
+
+Path = Union[str, "os.PathLike[str]"]
+#: A part of the screen in mm: (x, y, width, height) of a rectangle or (x, y, radius) of a circle, from the centre.
+Region = Union[Tuple[float, float, float], Tuple[float, float, float, float]]
+BOUNDS = {"single": 2e-6, "double": 1e-11}
+
+
+class Field(_luxel.FieldHandle):
+    """A picture: rows x columns values, row 0 on top, float32 or float64 by its precision.
+
+    `numpy.asarray(field)` and `memoryview(field)` share its memory, which is never written; they keep it alive.  Off the
+    surfaces the value is 0 and `mask` False.  Fields are made by Scene.render() and luxel.read().
+    """
+
+    __slots__ = ("_made",)
+    _made: Settings  #: how it was rendered; not set where it was read
+
+    def _about(self) -> Tuple[int, int, int, int, str, str, str, Optional[str]]:
+        return _luxel.field_about(self)
+
+    @property
+    def columns(self) -> int:
+        """The number of columns."""
+        return self._about()[0]
+
+    @property
+    def rows(self) -> int:
+        """The number of rows."""
+        return self._about()[1]
+
+    @property
+    def shape(self) -> Tuple[int, int]:
+        """Rows and columns, as of the array."""
+        columns, rows = self._about()[:2]
+        return rows, columns
+
+    @property
+    def quantity(self) -> str:
+        """What was computed: "brightness" or "irradiance"."""
+        return QUANTITIES[self._about()[2]]
+
+    @property
+    def quantity_word(self) -> str:
+        """What it is called: "luminance" and "illuminance" in photometric units; "values" where it is not known."""
+        return self._about()[4]
+
+    @property
+    def precision(self) -> str:
+        """ "single" (float32) or "double" (float64)."""
+        return PRECISIONS[self._about()[3]]
+
+    @property
+    def unit(self) -> str:
+        """The unit of the values, such as "W/sr"; "" where it is not known."""
+        return self._about()[5]
+
+    @property
+    def instruction_set(self) -> str:
+        """Whose kernels computed it; "" for one that was read."""
+        return self._about()[6]
+
+    @property
+    def scene_text(self) -> Optional[str]:
+        """The scene as YAML; None where it is not known, as of a stride above 1."""
+        return self._about()[7]
+
+    @property
+    def scene(self) -> "Optional[Scene]":
+        """A copy of the scene as it was rendered; None of a field that was read from a file without one."""
+        handle = _luxel.field_scene(self)
+        from ._scene import Scene
+
+        if handle is not None:
+            return Scene._of_handle(handle)
+        text = self.scene_text
+        return None if text is None else Scene.from_text(text)
+
+    @property
+    def values(self) -> Any:
+        """The values as an array, float32 or float64, which shares the field's memory."""
+        return shared(self)
+
+    @property
+    def mask(self) -> "Bools":
+        """Where a surface is seen: an array of bool."""
+        array: "Bools" = shared(_luxel.field_mask(self))
+        return array
+
+    @property
+    def x_mm(self) -> "Optional[Floats]":
+        """The places of the columns' samples on the screen, from the left; None where they are not known."""
+        view = _luxel.field_places(self)[0]
+        return None if view is None else shared(view)
+
+    @property
+    def y_mm(self) -> "Optional[Floats]":
+        """The places of the rows' samples on the screen, from the top down; None where they are not known."""
+        view = _luxel.field_places(self)[1]
+        return None if view is None else shared(view)
+
+    @property
+    def error(self) -> float:
+        """How far a value may be from the truth: 2e-6 of the picture's maximum, with precision "double" 1e-11.
+
+        NaN of a field that was read from a file.
+        """
+        found = self.statistics.maximum
+        if not self.instruction_set:
+            return float("nan")
+        return BOUNDS[self.precision] * (found.value if found else 0.0)
+
+    @property
+    def conventions(self) -> Dict[str, str]:
+        """The conventions that decide the numbers, such as {"sampling": "nodes"}."""
+        scene = self.scene
+        return scene.conventions if scene is not None else {}
+
+    @property
+    def statistics(self) -> Statistics:
+        """The extrema of the pixels, their mean, and how many show a surface."""
+        return statistics(_luxel.field_statistics(self))
+
+    def summary(self, region: Optional[Region] = None) -> Summary:
+        """Mean, median, deviation, extrema and evenness of the pixels of a region, or of all."""
+        found = _luxel.field_summary(self, region)
+        return Summary(found[0], extremum(found[1]), extremum(found[2]), *found[3:])
+
+    def histogram(self, bins: int = 50, *, region: Optional[Region] = None, logarithmic: bool = False,
+                  low: Optional[float] = None, high: Optional[float] = None) -> Histogram:
+        """How many pixels lie in each of the bins from low to high; by themselves from the least to the greatest value."""
+        import numpy
+
+        nan = float("nan")
+        edges, counts, *rest = _luxel.field_histogram(self, region, logarithmic, nan if low is None else low,
+                                                      nan if high is None else high, bins)
+        return Histogram(numpy.array(edges), numpy.array(counts, dtype=numpy.int64), *rest)
+
+    def grey(self, bits: int = 8) -> Any:
+        """The grey levels by the rule of the scene's `picture`: an array of uint8, or of uint16 for 16 bits."""
+        import numpy
+
+        if bits not in (8, 16):
+            raise ValueError("bits: 8, 16")
+        levels = numpy.empty(self.shape, numpy.uint8 if bits == 8 else numpy.uint16)
+        _luxel.field_grey(self, levels)
+        return levels
+
+    def _settings(self, threads: int, tolerance: Optional[float], progress: Optional[Progress]) -> Settings:
+        return settings(None, quantity=self.quantity, threads=threads, tolerance=tolerance, progress=progress)
+
+    def _exact(self) -> "_luxel.SceneHandle":
+        handle = _luxel.field_scene(self)
+        if handle is None:
+            raise ValueError("this field does not know its scene: render it, or ask with exact=False")
+        return handle
+
+    def extrema(self, region: Optional[Region] = None, *, threads: int = 0, tolerance: Optional[float] = None,
+                progress: Optional[Progress] = None) -> Extrema:
+        """The true maximum and minimum of the exact function, between the pixels, with bounds of their errors."""
+        found = _luxel.field_extrema(self._exact(), self, region, self._settings(threads, tolerance, progress))
+        return Extrema(*(None if peak is None else Peak(*peak) for peak in found))
+
+    def isophotes(self, levels: Union[int, Sequence[float]] = 8, *, exact: bool = True, logarithmic: bool = False,
+                  threads: int = 0, tolerance: Optional[float] = None,
+                  progress: Optional[Progress] = None) -> List[Isophote]:
+        """The lines of equal value, of these levels or of about so many round ones.
+
+        Exact ones lie on their level to 1e-9; else they are those of the picture.
+        """
+        if isinstance(levels, int):
+            found = self.statistics.maximum
+            levels = _luxel.round_levels(0.0, found.value if found else 0.0, logarithmic, levels)
+        scene = self._exact() if exact else None
+        lines = _luxel.field_isophotes(self, scene, [float(level) for level in levels],
+                                       self._settings(threads, tolerance, progress))
+        return [Isophote(level, closed, shared(x), shared(y)) for level, closed, x, y in lines]
+
+    def profile(self, start: Tuple[float, float], end: Tuple[float, float], samples: Optional[int] = None) -> Profile:
+        """The pixels' values along a line of the screen, in mm; Scene.profile() gives the exact ones."""
+        path = (False, float(start[0]), float(start[1]), float(end[0]), float(end[1]),
+                max(2, *self.shape) if samples is None else samples)
+        return profile(_luxel.field_profile(self, path))
+
+    def write(self, path: Path, *, bits: int = 8) -> None:
+        """Writes it to a file by the extension of its name: .png, .exr, .npy, .pfm or .csv, whole or not at all.
+
+        `bits` of a grey level in .png: 8 or 16.  PNG and EXR carry the scene.  Raises LuxelError.
+        """
+        _luxel.field_write(self, os.fsencode(path), bits)
+
+    def to_xarray(self) -> Any:
+        """An xarray.DataArray over y_mm and x_mm, with unit, quantity and conventions as attributes.
+
+        Off the surfaces it holds NaN, so it is a copy.  Raises ValueError where the places are not known.
+        """
+        import numpy
+        import xarray
+
+        if self.x_mm is None or self.y_mm is None:
+            raise ValueError("this field does not know its places")
+        values = numpy.where(self.mask, self.values, self.values.dtype.type(numpy.nan))
+        attributes = {"units": self.unit, "quantity": self.quantity_word, "precision": self.precision,
+                      "long_name": self.quantity_word}
+        attributes.update({"convention_" + key: value for key, value in self.conventions.items()})
+        return xarray.DataArray(values, dims=("y_mm", "x_mm"), coords={"y_mm": self.y_mm, "x_mm": self.x_mm},
+                                name=self.quantity_word, attrs=attributes)
+
+    def png(self, bits: int = 8) -> bytes:
+        """The bytes of the picture that write() makes of it."""
+        with tempfile.TemporaryDirectory() as folder:
+            path = os.path.join(folder, "field.png")
+            self.write(path, bits=bits)
+            with open(path, "rb") as file:
+                return file.read()
+
+    def _repr_png_(self) -> bytes:
+        return self.png()
+
+    def __repr__(self) -> str:
+        return "<luxel.Field %d x %d: %s%s, %s>" % (self.columns, self.rows, self.quantity_word,
+                                                    " in " + self.unit if self.unit else "", self.precision)
+
+    def __reduce__(self) -> Tuple[Any, ...]:
+        if _luxel.field_scene(self) is None:
+            raise TypeError("only fields of Scene.render() can be pickled, as they are rendered anew")
+        return _again, (self.scene, self._made)
+
+
+def made(handle: "_luxel.SceneHandle", how: Settings) -> Field:
+    """Renders a scene."""
+    field: Field = _luxel.render(handle, Field, how)
+    field._made = how[:-1] + (None,)
+    return field
+
+
+def _again(scene: "Scene", how: Settings) -> Field:
+    """Renders a field that was pickled."""
+    return made(scene._handle, how)
+
+
+def profile(found: Any) -> Profile:
+    """The profile of a tuple of the library."""
+    return Profile(*(None if view is None else shared(view) for view in found))
+
+
+def read(path: Path) -> Field:
+    """Reads a field from an .npy, .pfm, .csv or .exr file; docs/FILES.md tells what goes.  Raises LuxelError."""
+    field: Field = _luxel.field_read(Field, os.fsencode(path))
+    return field
+
+
+def compare(a: Field, b: Field) -> Comparison:
+    """How far two pictures of the same size are apart, pixel by pixel; differences are b - a.
+
+    Raises LuxelError where their sizes or places differ.
+    """
+    found = _luxel.compare(a, b, Field)
+    return Comparison(*found[:3], extremum(found[3]), *found[4:])

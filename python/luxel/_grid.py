@@ -1,0 +1,100 @@
+# SPDX-License-Identifier: MIT
+"""Measuring grids: the irradiance on a plane, cell by cell, and how even it is."""
+from __future__ import annotations
+
+import os
+from typing import TYPE_CHECKING, Any, Optional, Tuple, Union
+
+from . import _html, _luxel
+from ._arrays import shared
+from ._language import translate
+from ._results import GridExtremum, Vector
+
+if TYPE_CHECKING:
+    from ._arrays import Bools, Floats
+
+
+def _extremum(found: Any) -> Optional[GridExtremum]:
+    return None if found is None else GridExtremum(*found)
+
+
+class Grid:
+    """A measured grid.
+
+    Row 0 is the top one, farthest along `up`; column 0 the first along up x axis.  The irradiance of each cell is that at
+    its centre.  Where a source lies on a cell there is no value: `mask` is False, the value 0.
+    """
+
+    name: Optional[str]  #: in the scene
+    center_mm: Vector
+    size_mm: Tuple[float, float]  #: along up x axis, and along up
+    axis: Vector  #: the normal of the elements, a unit vector
+    up: Vector
+    across: Vector  #: up x axis
+    unit: str
+    values: "Floats"  #: rows x columns
+    errors: "Floats"  #: bounds of |value - truth|
+    mask: "Bools"  #: True where the cell has a value
+    measured: int  #: how many have one
+    blocking_light: Optional[int]  #: where not all have one: the light on the first without
+    error: float  #: the largest of the bounds
+    average: Optional[float]  #: the mean of the values
+    average_error: Optional[float]  #: bounds its distance from the mean of the true values
+    minimum: Optional[GridExtremum]
+    maximum: Optional[GridExtremum]
+    u0: Optional[float]  #: minimum / average (EN 12665)
+    ud: Optional[float]  #: minimum / maximum
+    mean: Optional[float]  #: of the whole plane: its integral by its area
+    mean_error: Optional[float]
+    flux: Optional[float]  #: the power that falls on the plane
+    flux_error: Optional[float]
+    flux_unit: Optional[str]  #: "W" or "lm"
+    sampling_error: Optional[float]  #: how far the average may be from the plane's mean
+    sampling_is_bound: bool  #: a bound, else an estimate
+    is_coarse: bool  #: finer cells are needed
+    enclosing_surface: Optional[int]  #: a surface inside whose body some cells are
+    enclosed: int  #: how many are
+    tolerance_reached: bool
+
+    def __init__(self, found: Any) -> None:
+        (self._holder, self.name, place, self.unit, values, errors, mask, self.measured, self.blocking_light, self.error,
+         self.average, self.average_error, minimum, maximum, self.u0, self.ud, plane, sampling, self.enclosing_surface,
+         self.tolerance_reached, self.enclosed) = found
+        self.center_mm, self.size_mm, self.axis, self.up, self.across = place
+        self._views = (values, errors, mask)
+        self.minimum, self.maximum = _extremum(minimum), _extremum(maximum)
+        self.mean, self.mean_error, self.flux_unit, self.flux, self.flux_error = plane or (None,) * 5
+        self.sampling_error, self.sampling_is_bound, self.is_coarse = sampling or (None, False, False)
+
+    def __getattr__(self, name: str) -> Any:
+        try:
+            return shared(self.__dict__["_views"][("values", "errors", "mask").index(name)])
+        except (KeyError, ValueError):
+            raise AttributeError(name) from None
+
+    @property
+    def positions_mm(self) -> "Floats":
+        """The centres of the cells: rows x columns x 3."""
+        import numpy
+
+        array: "Floats" = numpy.empty(self.values.shape + (3,))
+        _luxel.grid_positions(self._holder, array)
+        return array
+
+    def write(self, path: Union[str, "os.PathLike[str]"]) -> None:
+        """Writes the cells to a .csv file.  Raises LuxelError where it cannot be written."""
+        _luxel.grid_write(self._holder, os.fsencode(path))
+
+    def __repr__(self) -> str:
+        rows, columns = self.values.shape
+        return "<luxel.Grid %s: %d x %d, %s %s>" % (self.name or "", columns, rows, _html.number(self.average, 6),
+                                                     self.unit)
+
+    def _repr_html_(self) -> str:
+        rows = [[translate("average"), _html.number(self.average)],
+                [translate("minimum"), _html.number(self.minimum and self.minimum.value)],
+                [translate("maximum"), _html.number(self.maximum and self.maximum.value)],
+                ["U0", _html.number(self.u0, 6)], ["Ud", _html.number(self.ud, 6)]]
+        if self.flux is not None:
+            rows.append([translate("flux") + " (%s)" % translate(self.flux_unit or ""), _html.number(self.flux)])
+        return _html.table([self.name or "", translate(self.unit)], rows)

@@ -1,0 +1,33 @@
+# SPDX-License-Identifier: MIT
+"""Tables for notebooks."""
+from __future__ import annotations
+
+from typing import Iterable, Optional, Sequence
+
+from ._language import translate
+
+
+def number(value: Optional[float], digits: int = 9) -> str:
+    """A number as tables show it; "—" where there is none."""
+    return "—" if value is None else "%.*g" % (digits, value)
+
+
+def table(heading: Sequence[str], rows: Iterable[Sequence[str]], caption: str = "") -> str:
+    """An HTML table: the first column is text, all others are numbers."""
+    from html import escape
+
+    parts = ["<table>"]
+    if caption:
+        parts.append("<caption>%s</caption>" % escape(caption))
+    parts.append("<thead><tr>%s</tr></thead><tbody>" % "".join("<th>%s</th>" % escape(cell) for cell in heading))
+    for row in rows:
+        cells = ['<td style="text-align:%s">%s</td>' % ("right" if i else "left", escape(cell))
+                 for i, cell in enumerate(row)]
+        parts.append("<tr>%s</tr>" % "".join(cells))
+    parts.append("</tbody></table>")
+    return "".join(parts)
+
+
+def valued(unit: str) -> str:
+    """The heading of a column of values."""
+    return translate("exact value") + (" (%s)" % translate(unit) if unit else "")

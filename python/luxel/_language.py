@@ -1,0 +1,90 @@
+# SPDX-License-Identifier: MIT
+"""The user's language, from the catalogues of the tool, without touching the locale of the program."""
+from __future__ import annotations
+
+import os
+import sys
+from typing import TYPE_CHECKING, Iterator, List, Optional
+
+from . import _luxel
+
+if TYPE_CHECKING:
+    from gettext import NullTranslations
+    from typing import Protocol
+
+    class Speaker(Protocol):
+        """A module of C that tells messages."""
+
+        def set_language(self, code: str, translate: object) -> None:
+            """Takes the language."""
+
+_speakers: "List[Speaker]" = [_luxel]
+_catalogue: "Optional[NullTranslations]" = None
+
+
+def _folders() -> Iterator[str]:
+    """Where catalogues may lie: in the build folder, beside the environment, and where they were to be installed."""
+    here = os.path.dirname(os.path.abspath(__file__))
+    yield os.path.join(here, "..", "..", "po")
+    yield os.path.join(sys.prefix, "share", "locale")
+    yield _luxel.LOCALEDIR
+
+
+def _wanted() -> bool:
+    """Whether the environment asks for another language than that of C."""
+    for name in ("LC_ALL", "LC_MESSAGES", "LANG"):
+        value = os.environ.get(name)
+        if value:
+            return value not in ("C", "POSIX")
+    return False
+
+
+def _load(languages: "Optional[List[str]]") -> "Optional[NullTranslations]":
+    import gettext
+
+    for folder in _folders():
+        if gettext.find("luxel", folder, languages):
+            return gettext.translation("luxel", folder, languages)
+    return None
+
+
+def translate(english: str) -> str:
+    """A text of the library or the tool in the user's language."""
+    return _catalogue.gettext(english) if _catalogue and english else english
+
+
+def translate_plural(one: str, many: str, count: int) -> str:
+    """The same for a text that goes by a number."""
+    return _catalogue.ngettext(one, many, count) if _catalogue else (one if count == 1 else many)
+
+
+def _tell(speaker: "Speaker") -> None:
+    speaker.set_language(translate("en"), translate if _catalogue else None)
+
+
+def add_speaker(speaker: "Speaker") -> None:
+    """Lets a module of C speak the language, now and after changes."""
+    if speaker not in _speakers:
+        _speakers.append(speaker)
+        _tell(speaker)
+
+
+def set_language(code: Optional[str] = None) -> None:
+    """Chooses the language of messages and documents: "en", "ru"; None: that of the environment.
+
+    Raises ValueError where there is no catalogue of this language.
+    """
+    global _catalogue
+    found: "Optional[NullTranslations]" = None
+    if code is None:
+        found = _load(None) if _wanted() else None
+    elif code != "en":
+        found = _load([code])
+        if found is None:
+            raise ValueError("Luxel does not speak %r" % code)
+    _catalogue = found
+    for speaker in _speakers:
+        _tell(speaker)
+
+
+set_language()

@@ -1,0 +1,471 @@
+# SPDX-License-Identifier: MIT
+"""Scenes: read, changed by the paths of `luxel -s`, rendered, probed, measured."""
+from __future__ import annotations
+
+import json
+import os
+from _thread import allocate_lock
+from typing import TYPE_CHECKING, Any, Dict, Iterable, List, Mapping, Optional, Sequence, Tuple, Union, overload
+
+from . import _flow, _luxel
+from ._arrays import floats
+from ._document import Document
+from ._errors import Diagnostic, LuxelError
+from ._field import Field, made, profile
+from ._grid import Grid
+from ._pictures import Figure, drawing, look
+from ._probe import Probe, Probes, probes
+from ._results import Alternative, Judgement, Light, Profile, Statistics, Vector, alternatives, statistics
+from ._settings import QUANTITIES, Carried, Progress, choice, settings
+
+if TYPE_CHECKING:
+    import numpy
+    import numpy.typing as npt
+
+    from ._arrays import Floats
+
+Path = Union[str, "os.PathLike[str]"]
+Pair = Tuple[float, float]
+Edit = Tuple[str, str, int, int, Optional[str]]
+ARC_SAMPLES = 181
+
+
+def builtin_scenes() -> Dict[str, str]:
+    """The built-in scenes: names and titles."""
+    return dict(_luxel.builtin_scenes())
+
+
+def instruction_sets() -> List[str]:
+    """The instruction sets whose kernels this machine can run, best first."""
+    return _luxel.instruction_sets()
+
+
+def schema() -> Dict[str, Any]:
+    """The JSON Schema of scenes: every key with type, range, default and meaning."""
+    found: Dict[str, Any] = json.loads(_luxel.scene_schema())
+    return found
+
+
+def variant(number: int) -> "Scene":
+    """The variant of the exercise with this number, from 1 to 1 000 000: always the same scene for the same number."""
+    return Scene.from_text(_luxel.variant_text(number), "variant %d" % number)
+
+
+def _missing(path: str) -> LuxelError:
+    """What the tool says of a name that is neither a file nor a built-in scene."""
+    from difflib import get_close_matches
+
+    from ._language import translate
+
+    message = translate("%s: no such file, and no built-in scene of that name") % path
+    near = get_close_matches(path, list(builtin_scenes()), 1)
+    hint = translate("did you mean %s?") % near[0] if near else ""
+    entry = Diagnostic("error", "no-such-scene", message, hint, None, None, 0, 0, None, 0, 0)
+    return LuxelError("file", [entry], 1)
+
+
+class Scene:
+    """A scene, always a right one: what would make it wrong raises LuxelError and changes nothing.
+
+    `Scene(source)` takes the name of a built-in scene or a file ("report" without an argument), a path, the text of a
+    scene (anything with a line break, or that begins with "{"), bytes of such a text or of a PNG or EXR picture that
+    carries its scene, a dictionary, or another scene, which it copies.
+
+    `scene["lights[0].intensity"]` is the value of a key, by the paths of `luxel -s`: numbers, texts, lists, dictionaries,
+    None where there is neither a value nor a default.  Setting one checks the whole scene.  Several that only go
+    together are set by update().  A key that there is not raises LuxelKeyError.
+    """
+
+    __slots__ = ("_handle", "_path", "_name", "_carried", "_lock", "__weakref__")
+
+    _handle: "_luxel.SceneHandle"
+    _path: Optional[str]
+    _name: str
+    _carried: Optional[Carried]
+
+    def __init__(self, source: "Union[str, bytes, os.PathLike[str], Mapping[str, Any], Scene]" = "report") -> None:
+        if isinstance(source, Scene):
+            self._become(source._handle, source._name, source._path, source._carried)
+        elif isinstance(source, bytes):
+            self._read(source, "<bytes>", None)
+        elif isinstance(source, os.PathLike):
+            self._open(os.fspath(source))
+        elif isinstance(source, str):
+            if "\n" in source or source.lstrip().startswith("{"):
+                self._read(source.encode("utf-8", "surrogateescape"), "<text>", None)
+            elif os.path.exists(source) or source not in builtin_scenes():
+                self._open(source)
+            else:
+                self._become(_luxel.open_builtin(source), source, None, None)
+        elif isinstance(source, Mapping):
+            self._read(_flow.dump(dict(source)).encode("utf-8"), "<dict>", None)
+        else:
+            raise TypeError("a scene cannot be made of %s" % type(source).__name__)
+
+    def _become(self, handle: "_luxel.SceneHandle", name: str, path: Optional[str], carried: Optional[Carried]) -> None:
+        self._handle = handle
+        self._name = name
+        self._path = path
+        self._carried = carried
+        self._lock = allocate_lock()
+
+    def _open(self, path: str) -> None:
+        if not os.path.exists(path):
+            raise _missing(path)
+        handle = _luxel.open_file(os.fsencode(path))
+        self._become(handle, path, os.path.abspath(path), _luxel.scene_carried(handle))
+
+    def _read(self, text: bytes, name: str, beside: Optional[str]) -> None:
+        handle = _luxel.open_text(text, name, beside)
+        self._become(handle, name, beside, _luxel.scene_carried(handle))
+
+    @classmethod
+    def _of_handle(cls, handle: "_luxel.SceneHandle") -> "Scene":
+        scene = cls.__new__(cls)
+        scene._become(handle, "scene", None, None)
+        return scene
+
+    @classmethod
+    def from_text(cls, text: Union[str, bytes], name: str = "<text>", beside: Optional[Path] = None) -> "Scene":
+        """A scene from YAML or JSON.  `name` stands in messages; files that it names are beside the path `beside`."""
+        scene = cls.__new__(cls)
+        scene._read(text.encode("utf-8", "surrogateescape") if isinstance(text, str) else text, name,
+                    None if beside is None else os.path.abspath(beside))
+        return scene
+
+    @classmethod
+    def from_file(cls, path: Path) -> "Scene":
+        """A scene from a file: YAML, JSON, or a .png or .exr picture of Luxel.  Raises LuxelError."""
+        scene = cls.__new__(cls)
+        scene._open(os.fspath(path))
+        return scene
+
+    # ---- keys ----
+
+    def __getitem__(self, key: str) -> Any:
+        text = _luxel.scene_get(self._handle, key)[0]
+        return None if text is None else _flow.load(text)
+
+    def __setitem__(self, key: str, value: Any) -> None:
+        self._change([("set", _flow.assignment(key, value), 0, 0, None)])
+
+    def __delitem__(self, key: str) -> None:
+        """Takes out an element of a list or a key with its value."""
+        self._change([("remove", key, 0, 0, None)])
+
+    def __contains__(self, key: str) -> bool:
+        """Whether the scene itself writes this key."""
+        try:
+            return _luxel.scene_get(self._handle, key)[1]
+        except LuxelError:
+            return False
+
+    def _change(self, edits: List[Edit]) -> None:
+        with self._lock:
+            self._handle = _luxel.scene_change(self._handle, edits)
+
+    def update(self, values: Mapping[str, Any]) -> None:
+        """Sets several keys, in their order, and checks the scene when all are set."""
+        self._change([("set", _flow.assignment(key, value), 0, 0, None) for key, value in values.items()])
+
+    def set(self, *assignments: str) -> None:
+        """Sets keys by KEY=VALUE as `luxel -s` takes them, VALUE being YAML."""
+        self._change([("set", assignment, 0, 0, None) for assignment in assignments])
+
+    def insert(self, path: str, index: int, value: Any) -> None:
+        """Puts an element before another one of a list such as "lights"."""
+        self._change([("insert", path, index, 0, _flow.dump(value))])
+
+    def append(self, path: str, value: Any) -> None:
+        """Puts an element at the end of a list such as "lights"."""
+        self.insert(path, self.size(path), value)
+
+    def move(self, path: str, start: int, end: int) -> None:
+        """Moves an element of a list to another place; `end` is its index afterwards."""
+        self._change([("move", path, start, end, None)])
+
+    def size(self, path: str) -> int:
+        """How many elements a list such as "lights" has."""
+        return _luxel.scene_size(self._handle, path)
+
+    def copy(self) -> "Scene":
+        """An independent copy."""
+        return Scene(self)
+
+    __copy__ = copy
+
+    def __deepcopy__(self, memo: Any) -> "Scene":
+        return self.copy()
+
+    def changed(self, values: Mapping[str, Any]) -> "Scene":
+        """A copy with these keys set."""
+        other = self.copy()
+        other.update(values)
+        return other
+
+    # ---- what it is ----
+
+    @property
+    def text(self) -> str:
+        """The scene as text: the one that it was made from, comments and layout kept, with what was changed since."""
+        return _luxel.scene_text(self._handle)
+
+    def save(self, path: Path) -> None:
+        """Writes that text to a file, whole or not at all.  Raises LuxelError."""
+        _luxel.scene_write(self._handle, os.fsencode(path))
+
+    @property
+    def points(self) -> List[Pair]:
+        """The measuring points on the screen, x and y in mm."""
+        return _luxel.scene_points(self._handle)
+
+    @property
+    def resolution(self) -> Tuple[int, int]:
+        """Columns and rows of the picture."""
+        return _luxel.scene_resolution(self._handle)
+
+    @property
+    def conventions(self) -> Dict[str, str]:
+        """The conventions that decide the numbers, such as {"sampling": "nodes"}."""
+        return dict(_luxel.scene_conventions(self._handle))
+
+    @property
+    def grids(self) -> List[str]:
+        """The names of the measuring grids; "grid 1" and so on for those without."""
+        return [self["grids[%d].name" % i] or "grid %d" % (i + 1) for i in range(_luxel.grid_count(self._handle))]
+
+    @property
+    def lights(self) -> List[Light]:
+        """The lights with their flux, intensity, place and direction."""
+        return [Light(*light) for light in _luxel.scene_lights(self._handle)]
+
+    def unit(self, quantity: str = "brightness") -> str:
+        """The unit of a quantity in this scene, such as "W/sr" or "relative"."""
+        return _luxel.scene_unit(self._handle, choice("quantity", quantity, QUANTITIES))[0]
+
+    def project(self, position_mm: Sequence[float]) -> Optional[Pair]:
+        """The point of the screen at which a place is seen; None where it is not in front of the observer."""
+        x, y, z = position_mm
+        return _luxel.scene_project(self._handle, x, y, z)
+
+    def unproject(self, screen_mm: Sequence[float], z_mm: float) -> Optional[Vector]:
+        """The place at a height that is seen at a point of the screen."""
+        x, y = screen_mm
+        return _luxel.scene_unproject(self._handle, x, y, z_mm)
+
+    def advice(self) -> List[Diagnostic]:
+        """What is legal but odd about the scene, and what would make it show more."""
+        return [Diagnostic(*entry) for entry in _luxel.scene_advice(self._handle)]
+
+    # ---- pictures ----
+
+    def render(self, *, quantity: Optional[str] = None, precision: Optional[str] = None, threads: int = 0,
+               light_error: Optional[float] = None, stride: int = 1, minimum_reached: bool = False,
+               instruction_set: Optional[str] = None, progress: Optional[Progress] = None) -> Field:
+        """Computes the picture, with the interpreter's lock released; Ctrl-C ends it.
+
+        `quantity`: "brightness" or "irradiance".  `precision`: "single" (float32, within 2e-6 of the maximum) or "double"
+        (float64, 1e-11).  `threads` 0: as many as pay.  `stride` n: a quick look at each n-th pixel.  `light_error` E:
+        many points may be taken together, within E of the value.  `progress` is called with the share done; where it
+        returns False, the work ends with a LuxelError.  The same bytes for any number of threads.
+        """
+        return made(self._handle, settings(self._carried, quantity, precision, threads, instruction_set, None,
+                                           light_error, stride, minimum_reached, progress))
+
+    def render_files(self, *paths: Path, bits: int = 8, quantity: Optional[str] = None,
+                     precision: Optional[str] = None, threads: int = 0, light_error: Optional[float] = None,
+                     instruction_set: Optional[str] = None, progress: Optional[Progress] = None) -> Statistics:
+        """Computes the picture and writes it to files, row by row: it need not fit in memory."""
+        how = settings(self._carried, quantity, precision, threads, instruction_set, None, light_error,
+                       progress=progress)
+        return statistics(_luxel.render_files(self._handle, [os.fsencode(path) for path in paths], bits, how))
+
+    # ---- exact values ----
+
+    @overload
+    def probe(self, points: Pair, *, quantity: Optional[str] = ..., tolerance: Optional[float] = ..., threads: int = ...,
+              progress: Optional[Progress] = ...) -> Probe: ...
+
+    @overload
+    def probe(self, points: "Union[None, Iterable[Pair], npt.NDArray[Any]]" = ..., *, quantity: Optional[str] = ...,
+              tolerance: Optional[float] = ..., threads: int = ..., progress: Optional[Progress] = ...) -> Probes: ...
+
+    def probe(self, points: Any = None, *, quantity: Optional[str] = None, tolerance: Optional[float] = None,
+              threads: int = 0, progress: Optional[Progress] = None) -> Union[Probe, Probes]:
+        """The exact values at points of the screen, x and y in mm, light by light, with bounds of their errors.
+
+        One pair gives a Probe; a list of pairs or an array of two columns gives Probes; None takes the scene's points.
+        Thousands at once are fastest; for arrays of surface elements there is evaluate().
+        """
+        points = self.points if points is None else points
+        shape = getattr(points, "shape", None)
+        is_one = len(shape) == 1 if shape is not None else (
+            isinstance(points, (tuple, list)) and len(points) == 2 and not hasattr(points[0], "__len__"))
+        found = self._probe(_flow.pairs([points] if is_one else points), quantity, tolerance, threads, progress)
+        return found[0] if is_one else Probes(found)
+
+    def probe_element(self, position_mm: Sequence[float], normal: Sequence[float], *,
+                      view: Optional[Sequence[float]] = None, surface: int = 0, quantity: Optional[str] = None,
+                      tolerance: Optional[float] = None, threads: int = 0) -> Probe:
+        """The exact value of a free surface element, with all that evaluate() leaves out.
+
+        An element on a surface has its material, else that of the surface named; the view is the scene's or its own.
+        """
+        x, y, z = (float(number) for number in position_mm)
+        place = (x, y, z) + tuple(float(number) for number in normal)
+        direction = None if view is None else tuple(float(number) for number in view)
+        return self._probe([place + (direction, surface)], quantity, tolerance, threads, None)[0]
+
+    def _probe(self, places: List[Any], quantity: Optional[str], tolerance: Optional[float], threads: int,
+               progress: Optional[Progress]) -> List[Probe]:
+        how = settings(self._carried, quantity, None, threads, None, tolerance, progress=progress)
+        return probes(_luxel.probe(self._handle, places, how), _luxel.scene_unit(self._handle, how[0])[0])
+
+    def evaluate(self, places: "npt.ArrayLike", normals: "npt.ArrayLike", view: "Optional[npt.ArrayLike]" = None, *,
+                 surface: int = 0, per_light: bool = False, quantity: Optional[str] = None,
+                 tolerance: Optional[float] = None, threads: int = 0,
+                 out: "Optional[npt.NDArray[numpy.void]]" = None,
+                 progress: Optional[Progress] = None) -> "npt.NDArray[numpy.void]":
+        """The exact values of free surface elements: arrays (..., 3) of places in mm and of normals of any length.
+
+        Returns a structured array of the shape (...) with the fields `value` and `error`, which bounds |value - truth|,
+        and, `per_light`, `shares` (..., lights).  Places and normals are broadcast against each other.  float64 arrays are
+        read where they lie, whatever their strides.  `view` is the direction to the observer, else the scene's.
+        `surface` is the index of the one whose material elements have that lie on no surface.  Where a number is not
+        finite, a normal is 0, or a source lies on the element, value and error are NaN.
+        `out`: an array of this kind that an earlier call returned.
+        """
+        import numpy
+
+        p, n = floats(places), floats(normals)
+        v = None if view is None else floats(view)
+        for array in (p, n) if v is None else (p, n, v):
+            if array.ndim < 1 or array.shape[-1] != 3:
+                raise ValueError("places, normals and view are arrays (..., 3)")
+        shape = numpy.broadcast_shapes(*(array.shape for array in ((p, n) if v is None else (p, n, v))))[:-1]
+        if not 0 <= surface < self.size("surfaces"):
+            raise IndexError("surface: %d" % surface)
+        fields: List[Any] = [("value", "f8"), ("error", "f8")]
+        if per_light:
+            fields.append(("shares", "f8", (self.size("lights"),)))
+        result = numpy.empty(shape, fields) if out is None else out
+        if result.shape != shape or result.dtype != numpy.dtype(fields):
+            raise ValueError("out: the shape %r and the fields %r are expected" % (shape, fields))
+        flat = result.reshape(-1)
+        if flat.size and not numpy.shares_memory(flat, result):
+            raise ValueError("out: its elements must lie in one piece")
+
+        def rows(array: "Floats") -> "Floats":
+            return numpy.broadcast_to(array, shape + (3,)).reshape(-1, 3)
+
+        how = settings(self._carried, quantity, None, threads, None, tolerance, progress=progress)
+        arrays = (rows(p), rows(n), None if v is None else rows(v), flat["value"], flat["error"],
+                  flat["shares"] if per_light else None)
+        _luxel.evaluate(self._handle, arrays, surface, how)
+        return result
+
+    def grid(self, name: Union[str, int] = 0, *, tolerance: Optional[float] = None, threads: int = 0,
+             progress: Optional[Progress] = None) -> Grid:
+        """Measures a grid, by its name or index: the irradiance of its cells, average, extrema, uniformity, flux."""
+        if isinstance(name, str):
+            names = self.grids
+            if name not in names:
+                raise KeyError(name)
+            name = names.index(name)
+        elif not 0 <= name < _luxel.grid_count(self._handle):
+            raise IndexError("grids[%d]" % name)
+        how = settings(self._carried, None, None, threads, None, tolerance, progress=progress)
+        return Grid(_luxel.measure(self._handle, name, how))
+
+    def profile(self, start: Pair, end: Pair, samples: Optional[int] = None, *, arc: bool = False,
+                quantity: Optional[str] = None, tolerance: Optional[float] = None, threads: int = 0,
+                progress: Optional[Progress] = None) -> Profile:
+        """The exact values from one point of the screen to another, light by light, in mm.
+
+        `arc`: along the great circle of a sphere through the two places that are seen there, by the angle in degrees.
+        """
+        count = samples if samples is not None else ARC_SAMPLES if arc else max(2, *self.resolution)
+        path = (arc, float(start[0]), float(start[1]), float(end[0]), float(end[1]), count)
+        how = settings(self._carried, quantity, None, threads, None, tolerance, progress=progress)
+        return profile(_luxel.scene_profile(self._handle, path, how))
+
+    def section(self, through: Pair = (0.0, 0.0), angle: float = 0.0, samples: Optional[int] = None, *,
+                quantity: Optional[str] = None, tolerance: Optional[float] = None, threads: int = 0,
+                progress: Optional[Progress] = None) -> Profile:
+        """The exact values along the line across the screen through a point.
+
+        `angle` in degrees from the x axis, counter-clockwise: 0 horizontal, 90 vertical.
+        """
+        ends = _luxel.line_across(self._handle, float(through[0]), float(through[1]), float(angle))
+        return self.profile(ends[:2], ends[2:], samples, quantity=quantity, tolerance=tolerance, threads=threads,
+                            progress=progress)
+
+    # ---- for people ----
+
+    def explain(self, point: Pair = (0.0, 0.0), *, quantity: Optional[str] = None,
+                tolerance: Optional[float] = None) -> Document:
+        """The whole calculation of the value at a point, and what each other convention would give."""
+        how = settings(self._carried, quantity, None, 0, None, tolerance)
+        return Document(_luxel.explain(self._handle, float(point[0]), float(point[1]), how))
+
+    def alternatives(self, point: Pair = (0.0, 0.0), *, quantity: Optional[str] = None,
+                     tolerance: Optional[float] = None) -> Tuple[Alternative, ...]:
+        """The value that each other choice of a convention would give at a point."""
+        how = settings(self._carried, quantity, None, 0, None, tolerance)
+        return alternatives(_luxel.find_alternatives(self._handle, float(point[0]), float(point[1]), how))
+
+    def judge(self, point: Pair, answer: float, *, tolerance: float = 1e-3, rounding: float = 0.0,
+              quantity: Optional[str] = None) -> Judgement:
+        """Judges an answer for a point: right, explained by another convention, too coarse, or wrong.
+
+        `rounding` is half a unit of the last digit that was given; an answer NaN says "off the surface".
+        """
+        how = settings(self._carried, quantity)
+        verdict, value, error, reasons = _luxel.judge(self._handle, float(point[0]), float(point[1]), answer, tolerance,
+                                                      rounding, how)
+        return Judgement(verdict, value, error, alternatives(reasons))
+
+    def figure(self, *, palette: Optional[str] = None, low: Optional[float] = None, high: Optional[float] = None,
+               logarithmic: bool = False, bands: str = "contours", levels: Union[int, Sequence[float]] = 8,
+               extrema: bool = True, points: bool = True, section: Union[None, str, Pair] = None, stacked: bool = False,
+               title: Optional[str] = None, label: Optional[str] = None, width_mm: float = 160.0,
+               dots_per_inch: float = 200.0, dark: bool = False, small_print: bool = True,
+               quantity: Optional[str] = None, precision: Optional[str] = None, threads: int = 0,
+               progress: Optional[Progress] = None) -> Figure:
+        """A figure in false colour with a bar, axes in mm, isophotes and marks, drawn when it is shown or saved.
+
+        `bands`: "smooth", "bands", "contours" or "lines".  `section`: None, "center", "maximum" or a point.  ImportError
+        when it is drawn where Luxel was built without figures.
+        """
+        how = settings(self._carried, quantity, precision, threads, progress=progress)
+        return Figure(self.copy(), how, look(palette, low, high, logarithmic, bands, levels, extrema, points, section,
+                                             stacked, title, label, width_mm, dots_per_inch, dark, small_print))
+
+    def report(self, path: Path, *, title: Optional[str] = None, author: Optional[str] = None,
+               group: Optional[str] = None, date: Optional[str] = None, palette: Optional[str] = None,
+               institution: Optional[str] = None, faculty: Optional[str] = None, course: Optional[str] = None,
+               teacher: Optional[str] = None, place: Optional[str] = None, aim: Optional[str] = None,
+               quantity: Optional[str] = None, precision: Optional[str] = None,
+               progress: Optional[Progress] = None) -> None:
+        """Writes the report that the exercise asks for, by the extension of the name: .pdf, .html, .md or .tex."""
+        texts = (title, author, group, date, palette, institution, faculty, course, teacher, place, aim)
+        how = settings(self._carried, quantity, precision, progress=progress)
+        drawing().write_report(_luxel.scene_capsule(self._handle), how, texts, os.fsencode(path))
+
+    def _repr_png_(self) -> bytes:
+        return self.render().png()
+
+    def __repr__(self) -> str:
+        columns, rows = self.resolution
+        return "<luxel.Scene %s: %d x %d, %d surfaces, %d lights>" % (self._name, columns, rows, self.size("surfaces"),
+                                                                      self.size("lights"))
+
+    def __reduce__(self) -> Tuple[Any, ...]:
+        return _restore, (self.text, self._name, self._path, self._carried)
+
+
+def _restore(text: str, name: str, path: Optional[str], carried: Optional[Carried]) -> Scene:
+    """A scene that was pickled: its text, and the file that others are beside."""
+    scene = Scene.from_text(text, name, path)
+    scene._carried = carried
+    return scene

@@ -1,0 +1,232 @@
+/* SPDX-License-Identifier: MIT */
+/*
+ * Pictures.  The type is the base of luxel.Field and hands out the values as they lie in the library, so that NumPy shares
+ * them; the mask and the places are views.
+ */
+#include "failure.h"
+
+static int field_get(PyObject *self, Py_buffer *buffer, int flags)
+{
+    struct field_object *field = (struct field_object *)self;
+    const bool is_single = field->field && luxel_field_precision(field->field) == LUXEL_SINGLE;
+    const Py_ssize_t item = is_single ? (Py_ssize_t)sizeof(float) : (Py_ssize_t)sizeof(double);
+
+    if (!field->field || flags & PyBUF_WRITABLE) {
+        PyErr_SetString(PyExc_BufferError, field->field ? "a field cannot be written" : "an empty field has no values");
+        return -1;
+    }
+    const void *values = is_single ? (const void *)luxel_field_single(field->field) : luxel_field_double(field->field);
+
+    *buffer = (Py_buffer){.buf = (void *)values,
+                          .obj = Py_NewRef(self),
+                          .len = field->shape[0] * field->shape[1] * item,
+                          .itemsize = item,
+                          .readonly = 1,
+                          .ndim = 2,
+                          .format = flags & PyBUF_FORMAT ? (is_single ? "f" : "d") : NULL,
+                          .shape = flags & PyBUF_ND ? field->shape : NULL,
+                          .strides = (flags & PyBUF_STRIDES) == PyBUF_STRIDES ? field->strides : NULL};
+    return 0;
+}
+
+static void field_dealloc(PyObject *self)
+{
+    struct field_object *field = (struct field_object *)self;
+    PyTypeObject *type = Py_TYPE(self);
+
+    luxel_field_free(field->field);
+    Py_XDECREF(field->scene);
+    ((freefunc)PyType_GetSlot(type, Py_tp_free))(self);
+    Py_DECREF(type);
+}
+
+static PyType_Slot field_slots[] = {
+    {Py_tp_dealloc, field_dealloc},
+    {Py_bf_getbuffer, field_get},
+    {Py_tp_doc, "A picture: the base of luxel.Field."},
+    {0, NULL},
+};
+
+PyType_Spec field_spec = {.name = "luxel._luxel.FieldHandle",
+                          .basicsize = sizeof(struct field_object),
+                          .flags = Py_TPFLAGS_DEFAULT | Py_TPFLAGS_BASETYPE,
+                          .slots = field_slots};
+
+luxel_field *field_of(PyObject *module, PyObject *handle)
+{
+    if (PyObject_TypeCheck(handle, module_state(module)->field_type) && ((struct field_object *)handle)->field)
+        return ((struct field_object *)handle)->field;
+    PyErr_SetString(PyExc_TypeError, "a field is expected");
+    return NULL;
+}
+
+PyObject *field_handle(PyObject *module, PyObject *type, luxel_field *field, PyObject *scene)
+{
+    PyObject *made = PyObject_CallNoArgs(type);
+
+    if (made && !PyObject_TypeCheck(made, module_state(module)->field_type)) {
+        PyErr_SetString(PyExc_TypeError, "a type of fields is expected");
+        Py_CLEAR(made);
+    }
+    if (!made) {
+        luxel_field_free(field);
+        return NULL;
+    }
+    struct field_object *object = (struct field_object *)made;
+    const Py_ssize_t item =
+        luxel_field_precision(field) == LUXEL_SINGLE ? (Py_ssize_t)sizeof(float) : (Py_ssize_t)sizeof(double);
+
+    object->field = field;
+    object->scene = scene ? Py_NewRef(scene) : NULL;
+    object->shape[0] = luxel_field_rows(field);
+    object->shape[1] = luxel_field_columns(field);
+    object->strides[0] = object->shape[1] * item;
+    object->strides[1] = item;
+    return made;
+}
+
+/* ---- what it says of itself ---- */
+
+static PyObject *field_about(PyObject *module, PyObject *handle)
+{
+    const luxel_field *field = field_of(module, handle);
+
+    if (!field)
+        return NULL;
+    return Py_BuildValue("(IIiiNNNN)", luxel_field_columns(field), luxel_field_rows(field), luxel_field_quantity(field),
+                         luxel_field_precision(field), text_or_none(luxel_field_quantity_word(field)),
+                         text_or_none(luxel_field_unit(field)), text_or_none(luxel_field_instruction_set(field)),
+                         text_or_none(luxel_field_scene(field)));
+}
+
+static PyObject *field_scene(PyObject *module, PyObject *handle)
+{
+    if (!field_of(module, handle))
+        return NULL;
+    PyObject *scene = ((struct field_object *)handle)->scene;
+
+    return Py_NewRef(scene ? scene : Py_None);
+}
+
+static PyObject *field_mask(PyObject *module, PyObject *handle)
+{
+    const luxel_field *field = field_of(module, handle);
+
+    if (!field)
+        return NULL;
+    const struct view_layout layout = {.data = luxel_field_mask(field),
+                                       .format = "?",
+                                       .rows = luxel_field_rows(field),
+                                       .columns = luxel_field_columns(field)};
+
+    return view_new(module, handle, &layout);
+}
+
+static PyObject *field_places(PyObject *module, PyObject *handle)
+{
+    const luxel_field *field = field_of(module, handle);
+
+    if (!field)
+        return NULL;
+    const struct view_layout x = {.data = luxel_field_x_mm(field), .format = "d", .rows = luxel_field_columns(field)};
+    const struct view_layout y = {.data = luxel_field_y_mm(field), .format = "d", .rows = luxel_field_rows(field)};
+
+    return Py_BuildValue("(NN)", x.data ? view_new(module, handle, &x) : none(),
+                         y.data ? view_new(module, handle, &y) : none());
+}
+
+PyObject *extremum_tuple(const luxel_extremum *extremum)
+{
+    if (!extremum->exists)
+        return none();
+    return Py_BuildValue("(dIIdd)", extremum->value, extremum->column, extremum->row, extremum->x_mm, extremum->y_mm);
+}
+
+PyObject *statistics_tuple(const luxel_statistics *statistics)
+{
+    return Py_BuildValue("(NNNNnN)", extremum_tuple(&statistics->maximum), extremum_tuple(&statistics->minimum),
+                         number_or_none(statistics->has_surface, statistics->mean),
+                         number_or_none(statistics->has_surface, statistics->lit),
+                         (Py_ssize_t)statistics->surface_pixels, extremum_tuple(&statistics->minimum_reached));
+}
+
+static PyObject *field_statistics(PyObject *module, PyObject *handle)
+{
+    const luxel_field *field = field_of(module, handle);
+
+    return field ? statistics_tuple(luxel_field_statistics(field)) : NULL;
+}
+
+/* ---- grey levels, files ---- */
+
+/* Fills a buffer of Python with grey levels: its size tells of how many bits they are. */
+static PyObject *field_grey(PyObject *module, PyObject *arguments)
+{
+    PyObject *handle, *target;
+    const luxel_field *field;
+    Py_buffer buffer;
+
+    if (!PyArg_ParseTuple(arguments, "OO", &handle, &target) || !(field = field_of(module, handle)) ||
+        PyObject_GetBuffer(target, &buffer, PyBUF_WRITABLE) < 0)
+        return NULL;
+    const Py_ssize_t pixels = (Py_ssize_t)luxel_field_rows(field) * luxel_field_columns(field);
+    const bool fits = buffer.len == pixels || buffer.len == 2 * pixels;
+
+    if (buffer.len == pixels)
+        luxel_field_grey(field, buffer.buf);
+    else if (fits)
+        luxel_field_grey16(field, buffer.buf);
+    PyBuffer_Release(&buffer);
+    if (fits)
+        return none();
+    PyErr_SetString(PyExc_ValueError, "one or two bytes for each pixel are expected");
+    return NULL;
+}
+
+static PyObject *field_write(PyObject *module, PyObject *arguments)
+{
+    PyObject *handle;
+    const char *path;
+    const luxel_field *field;
+    luxel_output how = {0};
+    luxel_diagnostics *diagnostics;
+    luxel_status status;
+
+    if (!PyArg_ParseTuple(arguments, "OyI", &handle, &path, &how.bits) || !(field = field_of(module, handle)) ||
+        !(diagnostics = diagnostics_begin()))
+        return NULL;
+    Py_BEGIN_ALLOW_THREADS status = luxel_field_write_as(field, path, &how, diagnostics);
+    Py_END_ALLOW_THREADS return diagnostics_end(&module_state(module)->language, status, diagnostics) ? none() : NULL;
+}
+
+static PyObject *field_read(PyObject *module, PyObject *arguments)
+{
+    PyObject *type;
+    const char *path;
+    luxel_field *field = NULL;
+    luxel_diagnostics *diagnostics;
+    luxel_status status;
+
+    if (!PyArg_ParseTuple(arguments, "Oy", &type, &path) || !(diagnostics = diagnostics_begin()))
+        return NULL;
+    Py_BEGIN_ALLOW_THREADS status = luxel_field_read(path, diagnostics, &field);
+    Py_END_ALLOW_THREADS if (!diagnostics_end(&module_state(module)->language, status, diagnostics))
+    {
+        luxel_field_free(field);
+        return NULL;
+    }
+    return field_handle(module, type, field, NULL);
+}
+
+const PyMethodDef field_functions[] = {
+    {"field_about", field_about, METH_O,
+     "field_about(field) -> (columns, rows, quantity, precision, word, unit, instruction set, scene)"},
+    {"field_scene", field_scene, METH_O, "field_scene(field) -> scene or None"},
+    {"field_mask", field_mask, METH_O, "field_mask(field) -> view"},
+    {"field_places", field_places, METH_O, "field_places(field) -> (view of x or None, view of y or None)"},
+    {"field_statistics", field_statistics, METH_O, "field_statistics(field) -> tuple"},
+    {"field_grey", field_grey, METH_VARARGS, "field_grey(field, buffer)"},
+    {"field_write", field_write, METH_VARARGS, "field_write(field, path, bits)"},
+    {"field_read", field_read, METH_VARARGS, "field_read(type, path) -> field"},
+    {NULL, NULL, 0, NULL},
+};

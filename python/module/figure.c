@@ -1,0 +1,184 @@
+/* SPDX-License-Identifier: MIT */
+/*
+ * The module luxel._figure: figures and reports.  It is a module of its own, loaded when something is drawn, because it
+ * brings cairo and pango with it.  Scenes come as capsules of luxel._luxel.
+ */
+#include <luxel/figure.h>
+
+#include "failure.h"
+#include "work.h"
+
+struct figure_state {
+    struct language language;
+};
+
+static struct language *language_here(PyObject *module)
+{
+    return &((struct figure_state *)PyModule_GetState(module))->language;
+}
+
+static PyObject *set_language(PyObject *module, PyObject *arguments)
+{
+    return language_set(language_here(module), arguments);
+}
+
+static const luxel_scene *scene_in(PyObject *capsule)
+{
+    return PyCapsule_GetPointer(capsule, SCENE_CAPSULE);
+}
+
+/* ---- figures ---- */
+
+enum { MOST_LEVELS = 50 };
+
+/* False: an exception is set. */
+static bool levels_of(PyObject *list, double levels[MOST_LEVELS], luxel_figure_settings *figure)
+{
+    if (list == Py_None)
+        return true;
+    const Py_ssize_t size = PyList_Size(list);
+
+    if (size > MOST_LEVELS)
+        PyErr_Format(PyExc_ValueError, "a figure has at most %d levels", MOST_LEVELS);
+    if (size < 0 || size > MOST_LEVELS)
+        return false;
+    for (Py_ssize_t i = 0; i < size; i++) {
+        levels[i] = PyFloat_AsDouble(PyList_GetItem(list, i));
+        if (PyErr_Occurred())
+            return false;
+    }
+    figure->level_list = levels;
+    figure->level_list_count = (size_t)size;
+    return true;
+}
+
+static bool figure_of(PyObject *tuple, double levels[MOST_LEVELS], luxel_figure_settings *figure)
+{
+    int logarithmic, bands, extrema, points, section, stacked, dark, small_print;
+    Py_ssize_t wanted;
+    PyObject *list;
+
+    luxel_figure_settings_init(figure);
+    if (!PyArg_ParseTuple(tuple, "zddpinOppi(dd)pzzddpp", &figure->palette, &figure->low, &figure->high, &logarithmic,
+                          &bands, &wanted, &list, &extrema, &points, &section, &figure->section_mm[0],
+                          &figure->section_mm[1], &stacked, &figure->title, &figure->label, &figure->width_mm,
+                          &figure->dots_per_inch, &dark, &small_print))
+        return false;
+    figure->logarithmic = logarithmic != 0;
+    figure->bands = (luxel_bands)bands;
+    figure->levels = wanted < 0 ? 0 : (size_t)wanted;
+    figure->extrema = extrema != 0;
+    figure->points = points != 0;
+    figure->section = (luxel_section)section;
+    figure->stacked = stacked != 0;
+    figure->dark = dark != 0;
+    figure->small_print = small_print != 0;
+    return levels_of(list, levels, figure);
+}
+
+static PyObject *write_figure(PyObject *module, PyObject *arguments)
+{
+    PyObject *capsule, *settings, *tuple;
+    const char *path;
+    struct work work;
+    double levels[MOST_LEVELS];
+    luxel_figure_settings figure;
+    const luxel_scene *scene;
+    luxel_diagnostics *diagnostics;
+
+    if (!PyArg_ParseTuple(arguments, "OOOy", &capsule, &settings, &tuple, &path) || !(scene = scene_in(capsule)) ||
+        !work_begin(&work, settings) || !figure_of(tuple, levels, &figure) || !(diagnostics = diagnostics_begin()))
+        return NULL;
+    const luxel_language language = language_of(language_here(module));
+
+    figure.language = &language;
+    work_leave(&work);
+    const luxel_status status = luxel_figure_write(scene, &work.settings, &figure, path, diagnostics);
+
+    work_return(&work);
+    return diagnostics_end(language_here(module), status, diagnostics) ? none() : NULL;
+}
+
+/* ---- reports ---- */
+
+static PyObject *write_report(PyObject *module, PyObject *arguments)
+{
+    PyObject *capsule, *settings;
+    const char *path;
+    struct work work;
+    luxel_report_settings report = {0};
+    const luxel_scene *scene;
+    luxel_diagnostics *diagnostics;
+
+    if (!PyArg_ParseTuple(arguments, "OO(zzzzzzzzzzz)y", &capsule, &settings, &report.title, &report.author,
+                          &report.group, &report.date, &report.palette, &report.institution, &report.faculty,
+                          &report.course, &report.teacher, &report.place, &report.aim, &path) ||
+        !(scene = scene_in(capsule)) || !work_begin(&work, settings) || !(diagnostics = diagnostics_begin()))
+        return NULL;
+    const luxel_language language = language_of(language_here(module));
+
+    report.language = &language;
+    work_leave(&work);
+    const luxel_status status = luxel_report_write(scene, &work.settings, &report, path, diagnostics);
+
+    work_return(&work);
+    return diagnostics_end(language_here(module), status, diagnostics) ? none() : NULL;
+}
+
+static PyObject *palettes(PyObject *module, PyObject *unused)
+{
+    PyObject *list = PyList_New(0);
+
+    (void)module;
+    (void)unused;
+    for (size_t i = 0; list && luxel_palette_name(i); i++)
+        if (append(list, text_or_none(luxel_palette_name(i))) < 0)
+            Py_CLEAR(list);
+    return list;
+}
+
+static PyMethodDef functions[] = {
+    {"set_language", set_language, METH_VARARGS, "set_language(code, translate)"},
+    {"write_figure", write_figure, METH_VARARGS, "write_figure(capsule, settings, figure, path)"},
+    {"write_report", write_report, METH_VARARGS, "write_report(capsule, settings, texts, path)"},
+    {"palettes", palettes, METH_NOARGS, "palettes() -> [name]"},
+    {NULL, NULL, 0, NULL},
+};
+
+static int traverse(PyObject *module, visitproc visit, void *arg)
+{
+    Py_VISIT(language_here(module)->translate);
+    Py_VISIT(language_here(module)->words);
+    return 0;
+}
+
+static int clear(PyObject *module)
+{
+    language_clear(language_here(module));
+    return 0;
+}
+
+static void release(void *module)
+{
+    clear(module);
+}
+
+PyMODINIT_FUNC PyInit__figure(void);
+
+PyMODINIT_FUNC PyInit__figure(void)
+{
+    static PyModuleDef_Slot slots[] = {{0, NULL}};
+    static struct PyModuleDef definition = {
+        PyModuleDef_HEAD_INIT,
+        .m_name = "_figure",
+        .m_doc = "Figures and reports for the package luxel.",
+        .m_size = sizeof(struct figure_state),
+        .m_methods = functions,
+        .m_slots = slots,
+        .m_traverse = traverse,
+        .m_clear = clear,
+        .m_free = release,
+    };
+
+    return PyModuleDef_Init(&definition);
+}

@@ -1,0 +1,154 @@
+/* SPDX-License-Identifier: MIT */
+/* Measuring grids: their values and errors as views, and what is read off them. */
+#include "failure.h"
+#include "work.h"
+
+static void release_grid(void *grid)
+{
+    luxel_grid_free(grid);
+}
+
+static PyObject *extremum(const luxel_grid *grid, const luxel_grid_extremum *extremum)
+{
+    if (grid->measured == 0)
+        return none();
+    return Py_BuildValue("(dIIN)", extremum->value, extremum->column, extremum->row,
+                         triple_or_none(true, extremum->position_mm));
+}
+
+static PyObject *cells(PyObject *module, PyObject *holder, const luxel_grid *grid, const void *data, const char *format)
+{
+    const struct view_layout layout = {.data = data, .format = format, .rows = grid->rows, .columns = grid->columns};
+
+    return view_new(module, holder, &layout);
+}
+
+static PyObject *place(const luxel_grid *grid)
+{
+    return Py_BuildValue("(N(dd)NNN)", triple_or_none(true, grid->center_mm), grid->size_mm[0], grid->size_mm[1],
+                         triple_or_none(true, grid->axis), triple_or_none(true, grid->up),
+                         triple_or_none(true, grid->across));
+}
+
+static PyObject *plane(const luxel_grid *grid)
+{
+    if (!grid->has_mean)
+        return none();
+    return Py_BuildValue("(ddNdd)", grid->mean, grid->mean_error, text_or_none(grid->flux_unit), grid->flux,
+                         grid->flux_error);
+}
+
+static PyObject *sampling(const luxel_grid *grid)
+{
+    if (!grid->has_sampling_error)
+        return none();
+    return Py_BuildValue("(dOO)", grid->sampling_error, grid->sampling_is_bound ? Py_True : Py_False,
+                         grid->is_coarse ? Py_True : Py_False);
+}
+
+/* Takes the grid. */
+static PyObject *grid_tuple(PyObject *module, luxel_grid *grid)
+{
+    PyObject *holder = holder_new(module, grid, release_grid);
+
+    if (!holder)
+        return NULL;
+    const bool is_blocked = grid->measured < (size_t)grid->rows * grid->columns;
+    PyObject *tuple = Py_BuildValue(
+        "(NNNsNNNnNdNNNNNNNNNOn)", Py_NewRef(holder), text_or_none(grid->name), place(grid), grid->unit,
+        cells(module, holder, grid, grid->values, "d"), cells(module, holder, grid, grid->errors, "d"),
+        cells(module, holder, grid, grid->mask, "?"), (Py_ssize_t)grid->measured,
+        is_blocked ? PyLong_FromSize_t(grid->blocking_light) : none(), grid->error,
+        number_or_none(grid->measured > 0, grid->average), number_or_none(grid->measured > 0, grid->average_error),
+        extremum(grid, &grid->minimum), extremum(grid, &grid->maximum), number_or_none(grid->has_evenness, grid->u0),
+        number_or_none(grid->has_evenness, grid->ud), plane(grid), sampling(grid),
+        grid->enclosed > 0 ? PyLong_FromSize_t(grid->enclosing_surface) : none(),
+        grid->tolerance_reached ? Py_True : Py_False, (Py_ssize_t)grid->enclosed);
+
+    Py_DECREF(holder);
+    return tuple;
+}
+
+static PyObject *measure(PyObject *module, PyObject *arguments)
+{
+    PyObject *handle, *settings;
+    Py_ssize_t index;
+    struct work work;
+    luxel_grid *grid = NULL;
+    const luxel_scene *scene;
+    luxel_diagnostics *diagnostics;
+
+    if (!PyArg_ParseTuple(arguments, "OnO", &handle, &index, &settings) || !(scene = scene_of(module, handle)) ||
+        !work_begin(&work, settings) || !(diagnostics = diagnostics_begin()))
+        return NULL;
+    work_leave(&work);
+    const luxel_status status = luxel_measure(scene, &work.settings, (size_t)index, diagnostics, &grid);
+
+    work_return(&work);
+    if (diagnostics_end(&module_state(module)->language, status, diagnostics))
+        return grid_tuple(module, grid);
+    luxel_grid_free(grid);
+    return NULL;
+}
+
+static PyObject *grid_count(PyObject *module, PyObject *handle)
+{
+    const luxel_scene *scene = scene_of(module, handle);
+
+    return scene ? PyLong_FromSize_t(luxel_scene_grid_count(scene)) : NULL;
+}
+
+static const luxel_grid *grid_of(PyObject *module, PyObject *holder)
+{
+    if (PyObject_TypeCheck(holder, module_state(module)->holder_type) &&
+        ((struct holder_object *)holder)->release == release_grid)
+        return ((struct holder_object *)holder)->thing;
+    PyErr_SetString(PyExc_TypeError, "a grid is expected");
+    return NULL;
+}
+
+/* Fills an array of rows x columns x 3 float64 with the centres of the cells. */
+static PyObject *grid_positions(PyObject *module, PyObject *arguments)
+{
+    PyObject *holder, *target;
+    const luxel_grid *grid;
+    Py_buffer buffer;
+
+    if (!PyArg_ParseTuple(arguments, "OO", &holder, &target) || !(grid = grid_of(module, holder)) ||
+        PyObject_GetBuffer(target, &buffer, PyBUF_WRITABLE) < 0)
+        return NULL;
+    double(*places)[3] = buffer.buf;
+    const bool fits = buffer.len == (Py_ssize_t)sizeof *places * grid->rows * grid->columns;
+
+    for (unsigned row = 0; fits && row < grid->rows; row++)
+        for (unsigned column = 0; column < grid->columns; column++)
+            luxel_grid_position(grid, column, row, places[(size_t)row * grid->columns + column]);
+    PyBuffer_Release(&buffer);
+    if (fits)
+        return none();
+    PyErr_SetString(PyExc_ValueError, "three float64 for each cell are expected");
+    return NULL;
+}
+
+static PyObject *grid_write(PyObject *module, PyObject *arguments)
+{
+    PyObject *holder;
+    const char *path;
+    const luxel_grid *grid;
+    luxel_diagnostics *diagnostics;
+    luxel_status status;
+
+    if (!PyArg_ParseTuple(arguments, "Oy", &holder, &path) || !(grid = grid_of(module, holder)) ||
+        !(diagnostics = diagnostics_begin()))
+        return NULL;
+    Py_BEGIN_ALLOW_THREADS status = luxel_grids_write(&grid, 1, path, diagnostics);
+    Py_END_ALLOW_THREADS return diagnostics_end(&module_state(module)->language, status, diagnostics) ? none() : NULL;
+}
+
+const PyMethodDef grid_functions[] = {
+    {"measure", measure, METH_VARARGS, "measure(scene, index, settings) -> tuple"},
+    {"grid_count", grid_count, METH_O, "grid_count(scene) -> int"},
+    {"grid_positions", grid_positions, METH_VARARGS, "grid_positions(grid, array)"},
+    {"grid_write", grid_write, METH_VARARGS, "grid_write(grid, path)"},
+    {NULL, NULL, 0, NULL},
+};

@@ -1,0 +1,130 @@
+/* SPDX-License-Identifier: MIT */
+/* Probes: exact values at points of the screen, with all that belongs to them. */
+#include "failure.h"
+#include "work.h"
+
+static PyObject *share_tuple(const luxel_light_share *share)
+{
+    return Py_BuildValue("(nsNddddn)", (Py_ssize_t)share->light, share->type, text_or_none(share->name),
+                         share->irradiance, share->diffuse, share->specular, share->error, (Py_ssize_t)share->parts);
+}
+
+static PyObject *shares_list(const luxel_probe *probe)
+{
+    PyObject *list = PyList_New(0);
+
+    for (size_t i = 0; list && i < probe->share_count; i++)
+        if (append(list, share_tuple(&probe->shares[i])) < 0)
+            Py_CLEAR(list);
+    return list;
+}
+
+static PyObject *index_or_none(bool given, size_t index)
+{
+    return given ? PyLong_FromSize_t(index) : none();
+}
+
+static PyObject *pair_or_none(bool given, double x, double y)
+{
+    return given ? Py_BuildValue("(dd)", x, y) : none();
+}
+
+static PyObject *probe_tuple(const luxel_probe *probe)
+{
+    PyObject *shares = probe->has_value ? shares_list(probe) : PyList_New(0);
+
+    if (!shares)
+        return NULL;
+    return Py_BuildValue(
+        "(NNONNONNNNNNONNN)", pair_or_none(probe->has_screen, probe->x_mm, probe->y_mm),
+        probe->has_pixel ? Py_BuildValue("(II)", probe->column, probe->row) : none(),
+        probe->on_surface ? Py_True : Py_False, number_or_none(probe->has_value, probe->value),
+        number_or_none(probe->has_value, probe->error), probe->tolerance_reached ? Py_True : Py_False,
+        number_or_none(probe->has_pixel_value, probe->pixel_value),
+        triple_or_none(probe->on_surface, probe->position_mm), triple_or_none(probe->on_surface, probe->normal),
+        triple_or_none(probe->on_surface, probe->view), index_or_none(probe->on_surface, probe->surface),
+        text_or_none(probe->on_surface ? probe->surface_name : NULL), probe->lies_on_surface ? Py_True : Py_False,
+        index_or_none(probe->is_enclosed, probe->enclosing_surface),
+        index_or_none(probe->source_on_element, probe->blocking_light), shares);
+}
+
+/* Places from a list of (x, y), or (x, y, z, nx, ny, nz, view or None, surface); NULL: an exception is set. */
+static luxel_place *places_of(PyObject *list, size_t *count)
+{
+    const Py_ssize_t size = PyList_Size(list);
+    luxel_place *places = size < 0 ? NULL : PyMem_Calloc((size_t)size + 1, sizeof *places);
+    bool good = places != NULL;
+
+    if (size >= 0 && !places)
+        PyErr_NoMemory();
+    for (Py_ssize_t i = 0; good && i < size; i++) {
+        PyObject *tuple = PyList_GetItem(list, i);
+        luxel_place *place = &places[i];
+
+        if (PyTuple_Size(tuple) == 2) {
+            good = PyArg_ParseTuple(tuple, "dd", &place->screen_mm[0], &place->screen_mm[1]);
+            continue;
+        }
+        PyObject *view;
+        Py_ssize_t surface;
+
+        place->is_element = true;
+        good =
+            PyArg_ParseTuple(tuple, "ddddddOn", &place->position_mm[0], &place->position_mm[1], &place->position_mm[2],
+                             &place->normal[0], &place->normal[1], &place->normal[2], &view, &surface) &&
+            (view == Py_None || PyArg_ParseTuple(view, "ddd", &place->view[0], &place->view[1], &place->view[2]));
+        place->has_view = good && view != Py_None;
+        place->surface = good && surface >= 0 ? (size_t)surface : SIZE_MAX;
+    }
+    if (good) {
+        *count = (size_t)size;
+        return places;
+    }
+    PyMem_Free(places);
+    return NULL;
+}
+
+static PyObject *probes_list(const luxel_probe *probes, size_t count)
+{
+    PyObject *list = PyList_New(0);
+
+    for (size_t i = 0; list && i < count; i++)
+        if (append(list, probe_tuple(&probes[i])) < 0)
+            Py_CLEAR(list);
+    return list;
+}
+
+static PyObject *probe(PyObject *module, PyObject *arguments)
+{
+    PyObject *handle, *list, *settings;
+    struct work work;
+    size_t count;
+    const luxel_scene *scene;
+    luxel_place *places;
+    luxel_probe *probes = NULL;
+    luxel_diagnostics *diagnostics;
+
+    if (!PyArg_ParseTuple(arguments, "OOO", &handle, &list, &settings) || !(scene = scene_of(module, handle)) ||
+        !work_begin(&work, settings) || !(places = places_of(list, &count)))
+        return NULL;
+    if (!(diagnostics = diagnostics_begin())) {
+        PyMem_Free(places);
+        return NULL;
+    }
+    work_leave(&work);
+    const luxel_status status = luxel_probe_many(scene, &work.settings, places, count, diagnostics, &probes);
+
+    work_return(&work);
+    PyMem_Free(places);
+    PyObject *found = NULL;
+
+    if (diagnostics_end(&module_state(module)->language, status, diagnostics))
+        found = probes_list(probes, count);
+    luxel_probe_free(probes);
+    return found;
+}
+
+const PyMethodDef probe_functions[] = {
+    {"probe", probe, METH_VARARGS, "probe(scene, places, settings) -> tuples"},
+    {NULL, NULL, 0, NULL},
+};

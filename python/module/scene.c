@@ -1,0 +1,345 @@
+/* SPDX-License-Identifier: MIT */
+/* Handles of scenes: opening them, and what can be asked of them.  Every handle holds a committed scene. */
+#include "failure.h"
+
+#include <string.h>
+
+static void scene_dealloc(PyObject *self)
+{
+    PyTypeObject *type = Py_TYPE(self);
+
+    luxel_scene_free(((struct scene_object *)self)->scene);
+    PyObject_Free(self);
+    Py_DECREF(type);
+}
+
+static PyType_Slot scene_slots[] = {
+    {Py_tp_dealloc, scene_dealloc},
+    {Py_tp_doc, "A scene that is right and never changes."},
+    {0, NULL},
+};
+
+PyType_Spec scene_spec = {.name = "luxel._luxel.SceneHandle",
+                          .basicsize = sizeof(struct scene_object),
+                          .flags = Py_TPFLAGS_DEFAULT | Py_TPFLAGS_DISALLOW_INSTANTIATION,
+                          .slots = scene_slots};
+
+luxel_scene *scene_of(PyObject *module, PyObject *handle)
+{
+    if (PyObject_TypeCheck(handle, module_state(module)->scene_type))
+        return ((struct scene_object *)handle)->scene;
+    PyErr_SetString(PyExc_TypeError, "a scene is expected");
+    return NULL;
+}
+
+PyObject *scene_handle(PyObject *module, luxel_scene *scene)
+{
+    struct scene_object *handle = PyObject_New(struct scene_object, module_state(module)->scene_type);
+
+    if (!handle)
+        luxel_scene_free(scene);
+    else
+        handle->scene = scene;
+    return (PyObject *)handle;
+}
+
+/* ---- opening ---- */
+
+/* Commits the scene that was opened with this status.  Files are read without the interpreter's lock. */
+static PyObject *finish(PyObject *module, luxel_status status, luxel_scene *scene, luxel_diagnostics *diagnostics)
+{
+    if (status == LUXEL_OK) {
+        Py_BEGIN_ALLOW_THREADS status = luxel_scene_commit(scene, diagnostics);
+        Py_END_ALLOW_THREADS
+    }
+    if (diagnostics_end(&module_state(module)->language, status, diagnostics))
+        return scene_handle(module, scene);
+    luxel_scene_free(scene);
+    return NULL;
+}
+
+static PyObject *open_builtin(PyObject *module, PyObject *arguments)
+{
+    const char *name;
+    luxel_scene *scene = NULL;
+    luxel_diagnostics *diagnostics;
+
+    if (!PyArg_ParseTuple(arguments, "s", &name) || !(diagnostics = diagnostics_begin()))
+        return NULL;
+    const luxel_status status = luxel_scene_open_builtin(name, diagnostics, &scene);
+
+    return finish(module, status, scene, diagnostics);
+}
+
+static PyObject *open_file(PyObject *module, PyObject *arguments)
+{
+    const char *path;
+    luxel_status status;
+    luxel_scene *scene = NULL;
+    luxel_diagnostics *diagnostics;
+
+    if (!PyArg_ParseTuple(arguments, "y", &path) || !(diagnostics = diagnostics_begin()))
+        return NULL;
+    Py_BEGIN_ALLOW_THREADS status = luxel_scene_read_file(path, diagnostics, &scene);
+    Py_END_ALLOW_THREADS return finish(module, status, scene, diagnostics);
+}
+
+static PyObject *open_text(PyObject *module, PyObject *arguments)
+{
+    const char *text, *source, *beside;
+    Py_ssize_t length;
+    luxel_status status;
+    luxel_scene *scene = NULL;
+    luxel_diagnostics *diagnostics;
+
+    if (!PyArg_ParseTuple(arguments, "y#sz", &text, &length, &source, &beside) || !(diagnostics = diagnostics_begin()))
+        return NULL;
+    Py_BEGIN_ALLOW_THREADS status = luxel_scene_read_text(text, (size_t)length, source, diagnostics, &scene);
+    Py_END_ALLOW_THREADS if (status == LUXEL_OK && beside) status = luxel_scene_set_folder_of(scene, beside);
+    return finish(module, status, scene, diagnostics);
+}
+
+static PyObject *builtin_scenes(PyObject *module, PyObject *unused)
+{
+    PyObject *list = PyList_New(0);
+
+    (void)module;
+    (void)unused;
+    for (size_t i = 0; list && i < luxel_builtin_scene_count(); i++)
+        if (append(list, Py_BuildValue("(ss)", luxel_builtin_scene_name(i), luxel_builtin_scene_title(i))) < 0)
+            Py_CLEAR(list);
+    return list;
+}
+
+/* ---- asking ---- */
+
+static PyObject *scene_text(PyObject *module, PyObject *handle)
+{
+    const luxel_scene *scene = scene_of(module, handle);
+    char *text = NULL;
+
+    if (!scene)
+        return NULL;
+    if (luxel_scene_write_text(scene, &text) != LUXEL_OK)
+        return PyErr_NoMemory();
+    PyObject *words = PyUnicode_DecodeUTF8(text, (Py_ssize_t)strlen(text), "surrogateescape");
+
+    luxel_text_free(text);
+    return words;
+}
+
+static PyObject *scene_get(PyObject *module, PyObject *arguments)
+{
+    PyObject *handle;
+    const char *key;
+    char *text = NULL;
+    bool written = false;
+    const luxel_scene *scene;
+    luxel_diagnostics *diagnostics;
+
+    if (!PyArg_ParseTuple(arguments, "Os", &handle, &key) || !(scene = scene_of(module, handle)) ||
+        !(diagnostics = diagnostics_begin()))
+        return NULL;
+    const luxel_status status = luxel_scene_get(scene, key, diagnostics, &written, &text);
+    PyObject *found = NULL;
+
+    if (diagnostics_end(&module_state(module)->language, status, diagnostics))
+        found = Py_BuildValue("(NO)", text_or_none(text), written ? Py_True : Py_False);
+    luxel_text_free(text);
+    return found;
+}
+
+static PyObject *scene_size(PyObject *module, PyObject *arguments)
+{
+    PyObject *handle;
+    const char *list;
+    size_t count = 0;
+    const luxel_scene *scene;
+    luxel_diagnostics *diagnostics;
+
+    if (!PyArg_ParseTuple(arguments, "Os", &handle, &list) || !(scene = scene_of(module, handle)) ||
+        !(diagnostics = diagnostics_begin()))
+        return NULL;
+    const luxel_status status = luxel_scene_list_size(scene, list, diagnostics, &count);
+
+    return diagnostics_end(&module_state(module)->language, status, diagnostics) ? PyLong_FromSize_t(count) : NULL;
+}
+
+static PyObject *scene_points(PyObject *module, PyObject *handle)
+{
+    const luxel_scene *scene = scene_of(module, handle);
+    PyObject *list = scene ? PyList_New(0) : NULL;
+
+    for (size_t i = 0; list && i < luxel_scene_point_count(scene); i++) {
+        double x = 0, y = 0;
+
+        luxel_scene_point(scene, i, &x, &y);
+        if (append(list, Py_BuildValue("(dd)", x, y)) < 0)
+            Py_CLEAR(list);
+    }
+    return list;
+}
+
+static PyObject *scene_resolution(PyObject *module, PyObject *handle)
+{
+    const luxel_scene *scene = scene_of(module, handle);
+    unsigned columns = 0, rows = 0;
+
+    if (!scene)
+        return NULL;
+    luxel_scene_resolution(scene, &columns, &rows);
+    return Py_BuildValue("(II)", columns, rows);
+}
+
+static PyObject *scene_conventions(PyObject *module, PyObject *handle)
+{
+    const luxel_scene *scene = scene_of(module, handle);
+    PyObject *list = scene ? PyList_New(0) : NULL;
+
+    for (size_t i = 0; list && i < luxel_scene_convention_count(scene); i++)
+        if (append(list, Py_BuildValue("(ss)", luxel_scene_convention_key(scene, i),
+                                       luxel_scene_convention_value(scene, i))) < 0)
+            Py_CLEAR(list);
+    return list;
+}
+
+static PyObject *scene_unit(PyObject *module, PyObject *arguments)
+{
+    PyObject *handle;
+    int quantity;
+    const luxel_scene *scene;
+
+    if (!PyArg_ParseTuple(arguments, "Oi", &handle, &quantity) || !(scene = scene_of(module, handle)))
+        return NULL;
+    return Py_BuildValue("(ss)", luxel_scene_unit(scene, (luxel_quantity)quantity),
+                         luxel_scene_quantity_word(scene, (luxel_quantity)quantity));
+}
+
+/* Of a scene from a picture the settings that it was made with, else None. */
+static PyObject *scene_carried(PyObject *module, PyObject *handle)
+{
+    const luxel_scene *scene = scene_of(module, handle);
+    luxel_settings settings;
+
+    if (!scene)
+        return NULL;
+    luxel_settings_init(&settings);
+    if (!luxel_scene_settings(scene, &settings))
+        return none();
+    return Py_BuildValue("(iidd)", settings.quantity, settings.precision, settings.tolerance, settings.light_error);
+}
+
+static PyObject *scene_advice(PyObject *module, PyObject *handle)
+{
+    const luxel_scene *scene = scene_of(module, handle);
+    luxel_diagnostics *diagnostics = scene ? diagnostics_begin() : NULL;
+    struct language *language = &module_state(module)->language;
+    luxel_status status;
+
+    if (!diagnostics)
+        return NULL;
+    Py_BEGIN_ALLOW_THREADS status = luxel_scene_advise(scene, diagnostics);
+    if (status == LUXEL_OK)
+        status = luxel_scene_advise_peak(scene, diagnostics);
+    Py_END_ALLOW_THREADS PyObject *list = status == LUXEL_OK ? diagnostics_list(language, diagnostics) : NULL;
+
+    if (diagnostics_end(language, status, diagnostics))
+        return list;
+    Py_XDECREF(list);
+    return NULL;
+}
+
+static bool known(luxel_status status, double number)
+{
+    return status == LUXEL_OK && number == number;
+}
+
+static PyObject *light(const luxel_scene *scene, size_t i)
+{
+    double flux = 0, intensity = 0, place[3], direction[3];
+    const luxel_status flux_status = luxel_scene_light_flux(scene, i, &flux);
+    const luxel_status intensity_status = luxel_scene_light_intensity(scene, i, &intensity);
+
+    return Py_BuildValue("(sNONNNN)", luxel_scene_light_type(scene, i), text_or_none(luxel_scene_light_name(scene, i)),
+                         luxel_scene_light_enabled(scene, i) ? Py_True : Py_False,
+                         number_or_none(known(flux_status, flux), flux),
+                         number_or_none(known(intensity_status, intensity), intensity),
+                         triple_or_none(luxel_scene_light_place(scene, i, place), place),
+                         triple_or_none(luxel_scene_light_direction(scene, i, direction), direction));
+}
+
+static PyObject *scene_lights(PyObject *module, PyObject *handle)
+{
+    const luxel_scene *scene = scene_of(module, handle);
+    PyObject *list = scene ? PyList_New(0) : NULL;
+
+    for (size_t i = 0; list && i < luxel_scene_light_count(scene); i++)
+        if (append(list, light(scene, i)) < 0)
+            Py_CLEAR(list);
+    return list;
+}
+
+static PyObject *scene_project(PyObject *module, PyObject *arguments)
+{
+    PyObject *handle;
+    double place[3], screen[2];
+    const luxel_scene *scene;
+
+    if (!PyArg_ParseTuple(arguments, "Oddd", &handle, &place[0], &place[1], &place[2]) ||
+        !(scene = scene_of(module, handle)))
+        return NULL;
+    return luxel_scene_project(scene, place, screen) ? Py_BuildValue("(dd)", screen[0], screen[1]) : none();
+}
+
+static PyObject *scene_unproject(PyObject *module, PyObject *arguments)
+{
+    PyObject *handle;
+    double place[3], screen[2], z;
+    const luxel_scene *scene;
+
+    if (!PyArg_ParseTuple(arguments, "Oddd", &handle, &screen[0], &screen[1], &z) ||
+        !(scene = scene_of(module, handle)))
+        return NULL;
+    return triple_or_none(luxel_scene_unproject(scene, screen, z, place), place);
+}
+
+/* ---- for the module that draws ---- */
+
+static void capsule_release(PyObject *capsule)
+{
+    Py_XDECREF((PyObject *)PyCapsule_GetContext(capsule));
+}
+
+/* The scene as a capsule, which keeps the handle alive. */
+static PyObject *scene_capsule(PyObject *module, PyObject *handle)
+{
+    luxel_scene *scene = scene_of(module, handle);
+    PyObject *capsule = scene ? PyCapsule_New(scene, SCENE_CAPSULE, capsule_release) : NULL;
+
+    if (capsule && PyCapsule_SetContext(capsule, Py_NewRef(handle)) < 0) {
+        Py_DECREF(handle);
+        Py_CLEAR(capsule);
+    }
+    return capsule;
+}
+
+const PyMethodDef scene_functions[] = {
+    {"open_builtin", open_builtin, METH_VARARGS, "open_builtin(name)"},
+    {"open_file", open_file, METH_VARARGS, "open_file(path)"},
+    {"open_text", open_text, METH_VARARGS, "open_text(text, source, beside)"},
+    {"builtin_scenes", builtin_scenes, METH_NOARGS, "builtin_scenes() -> [(name, title)]"},
+    {"scene_text", scene_text, METH_O, "scene_text(scene) -> str"},
+    {"scene_get", scene_get, METH_VARARGS, "scene_get(scene, key) -> (YAML or None, whether it is written)"},
+    {"scene_size", scene_size, METH_VARARGS, "scene_size(scene, list) -> int"},
+    {"scene_points", scene_points, METH_O, "scene_points(scene) -> [(x, y)]"},
+    {"scene_resolution", scene_resolution, METH_O, "scene_resolution(scene) -> (columns, rows)"},
+    {"scene_conventions", scene_conventions, METH_O, "scene_conventions(scene) -> [(key, value)]"},
+    {"scene_unit", scene_unit, METH_VARARGS, "scene_unit(scene, quantity) -> (unit, word)"},
+    {"scene_carried", scene_carried, METH_O, "scene_carried(scene) -> settings or None"},
+    {"scene_advice", scene_advice, METH_O, "scene_advice(scene) -> entries"},
+    {"scene_lights", scene_lights, METH_O, "scene_lights(scene) -> tuples"},
+    {"scene_capsule", scene_capsule, METH_O, "scene_capsule(scene) -> capsule"},
+    {"scene_project", scene_project, METH_VARARGS, "scene_project(scene, x, y, z) -> (x, y) or None"},
+    {"scene_unproject", scene_unproject, METH_VARARGS, "scene_unproject(scene, x, y, z) -> (x, y, z) or None"},
+    {NULL, NULL, 0, NULL},
+};
