@@ -24,7 +24,7 @@ WARNINGS_ARE_ERRORS = --werror
 
 # One thing at a time: the parallel work is Ninja's.
 .NOTPARALLEL:
-.PHONY: build help setup run app check bench install clean check-clang check-sanitize check-threads check-valgrind \
+.PHONY: build help setup run app python check bench install clean check-clang check-sanitize check-threads check-valgrind \
     format fuzz coverage fuzz-coverage mutants properties frozen freeze docs validation abi po packages check-packages
 
 build: $(BUILD)/build.ninja
@@ -35,6 +35,7 @@ help:
 	@echo 'make setup           install what is missing for that (Debian; uses sudo when not root)'
 	@echo 'make run             build, compute the scene "report", print its table, write report.png'
 	@echo 'make app             build and start the desktop app; APP="scene.yaml" opens a scene'
+	@echo 'make python          build the Python package in $(BUILD)/python: PYTHONPATH=$(BUILD)/python python3'
 	@echo 'make check           build and run every test; ends with "N passed, N failed"'
 	@echo 'make check-clang     the same with clang, warnings being errors'
 	@echo 'make check-sanitize  the same with address and undefined-behaviour sanitizers (SANITIZE="gcc clang")'
@@ -75,6 +76,12 @@ run: setup $(BUILD)/build.ninja
 app: setup build
 	@test -x $(BUILD)/app/luxel-app || { echo 'the app was not built: GTK 4.8 or newer, cairo and pango are needed' >&2; exit 1; }
 	@GSETTINGS_SCHEMA_DIR=$(BUILD)/data/desktop $(BUILD)/app/luxel-app $(APP)
+
+# It lies in the build folder as it is installed.
+python: setup $(BUILD)/build.ninja
+	@$(MESON) introspect $(BUILD) --targets | grep -q '"_luxel"' || $(MESON) configure $(BUILD) -Dpython=enabled
+	@$(COMPILE) $(BUILD) python
+	@echo 'PYTHONPATH=$(BUILD)/python python3 -c "import luxel"'
 
 check: setup build
 	@$(RUN_TESTS) $(BUILD) --num-processes $(JOBS) $(TESTS)
@@ -215,7 +222,7 @@ po: setup $(BUILD)/build.ninja
 	done
 
 format:
-	@find include src front cli app tests bench fuzz -name '*.[ch]' 2>/dev/null | xargs clang-format -i
+	@find include src front cli app python tests bench fuzz -name '*.[ch]' 2>/dev/null | xargs clang-format -i
 
 clean:
 	@rm -rf $(BUILD) build-clang build-fuzz build-coverage build-threads build-mutants build-sanitize-gcc \

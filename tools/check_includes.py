@@ -14,7 +14,7 @@ from tap import Tap
 FLOORS = [["base"], ["format"], ["parameter"], ["light", "surface", "material"], ["scene"], ["shade"], ["field"],
           ["document"], ["api"], ["exercise"], ["figure"]]
 # Folders of programs that use the library as any other program would.
-OUTSIDE = ["front", "cli", "app", "web", "bindings", "examples", "tests/cli", "tests/app",
+OUTSIDE = ["front", "cli", "app", "web", "bindings", "examples", "python", "tests/cli", "tests/app",
            "tests/properties"]
 # Tests of a program that look inside it.
 INSIDERS = {"tests/app": "app"}

@@ -256,7 +256,8 @@ def _again(scene: "Scene", how: Settings) -> Field:
 
 def profile(found: Any) -> Profile:
     """The profile of a tuple of the library."""
-    return Profile(*(None if view is None else shared(view) for view in found))
+    arrays: Any = [None if view is None else shared(view) for view in found]
+    return Profile(*arrays)
 
 
 def read(path: Path) -> Field:
@@ -271,4 +272,5 @@ def compare(a: Field, b: Field) -> Comparison:
     Raises LuxelError where their sizes or places differ.
     """
     found = _luxel.compare(a, b, Field)
-    return Comparison(*found[:3], extremum(found[3]), *found[4:])
+    fields: Any = (*found[:3], extremum(found[3]), *found[4:])
+    return Comparison(*fields)

@@ -4,21 +4,14 @@ from __future__ import annotations
 
 import os
 import sys
-from typing import TYPE_CHECKING, Iterator, List, Optional
+from typing import TYPE_CHECKING, Any, Iterator, List, Optional
 
 from . import _luxel
 
 if TYPE_CHECKING:
     from gettext import NullTranslations
-    from typing import Protocol
 
-    class Speaker(Protocol):
-        """A module of C that tells messages."""
-
-        def set_language(self, code: str, translate: object) -> None:
-            """Takes the language."""
-
-_speakers: "List[Speaker]" = [_luxel]
+_speakers: List[Any] = [_luxel]  # the modules of C that tell messages
 _catalogue: "Optional[NullTranslations]" = None
 
 
@@ -58,11 +51,11 @@ def translate_plural(one: str, many: str, count: int) -> str:
     return _catalogue.ngettext(one, many, count) if _catalogue else (one if count == 1 else many)
 
 
-def _tell(speaker: "Speaker") -> None:
+def _tell(speaker: Any) -> None:
     speaker.set_language(translate("en"), translate if _catalogue else None)
 
 
-def add_speaker(speaker: "Speaker") -> None:
+def add_speaker(speaker: Any) -> None:
     """Lets a module of C speak the language, now and after changes."""
     if speaker not in _speakers:
         _speakers.append(speaker)

@@ -52,7 +52,11 @@ class Probe(NamedTuple):
 
 def probes(found: List[Any], unit: str) -> List[Probe]:
     """The probes of tuples of the library."""
-    return [Probe(*entry[:-1], tuple(Share(*share) for share in entry[-1]), unit) for entry in found]
+    made = []
+    for entry in found:
+        fields: Any = (*entry[:-1], tuple(Share(*share) for share in entry[-1]), unit)
+        made.append(Probe(*fields))
+    return made
 
 
 class Probes(Tuple[Probe, ...]):

@@ -311,6 +311,8 @@ class Scene:
 
         An element on a surface has its material, else that of the surface named; the view is the scene's or its own.
         """
+        if not 0 <= surface < self.size("surfaces"):
+            raise IndexError("surface: %d" % surface)
         x, y, z = (float(number) for number in position_mm)
         place = (x, y, z) + tuple(float(number) for number in normal)
         direction = None if view is None else tuple(float(number) for number in view)

@@ -11,7 +11,7 @@ static luxel_status apply(luxel_scene *scene, PyObject *edit, luxel_diagnostics 
     const char *kind, *key, *value = NULL;
     Py_ssize_t from = 0, to = 0;
 
-    if (!PyArg_ParseTuple(edit, "ssnnz", &kind, &key, &from, &to, &value))
+    if (!is_tuple(edit) || !PyArg_ParseTuple(edit, "ssnnz", &kind, &key, &from, &to, &value))
         return LUXEL_ERROR_ARGUMENT;
     if (from < 0 || to < 0) {
         PyErr_SetString(PyExc_IndexError, "an index is negative");

@@ -52,7 +52,7 @@ static bool arrays_take(PyObject *tuple, size_t lights, struct arrays *arrays)
     PyObject *places, *normals, *views, *values, *errors, *shares;
 
     *arrays = (struct arrays){0};
-    if (!PyArg_ParseTuple(tuple, "OOOOOO", &places, &normals, &views, &values, &errors, &shares))
+    if (!is_tuple(tuple) || !PyArg_ParseTuple(tuple, "OOOOOO", &places, &normals, &views, &values, &errors, &shares))
         return false;
     bool good = strided_take(places, "places", 2, false, &arrays->places) &&
                 strided_take(normals, "normals", 2, false, &arrays->normals) &&

@@ -47,11 +47,10 @@ const char *language_translate(const char *english, void *data)
     return words ? words : english;
 }
 
+/* In English, too, the library is handed a function, as the tool does: some words it chooses by whether there is one. */
 luxel_language language_of(struct language *language)
 {
-    return (luxel_language){.translate = language->translate ? language_translate : NULL,
-                            .data = language,
-                            .code = language->translate ? language->code : NULL};
+    return (luxel_language){.translate = language_translate, .data = language, .code = language->code};
 }
 
 PyObject *language_set(struct language *language, PyObject *arguments)

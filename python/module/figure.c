@@ -59,7 +59,8 @@ static bool figure_of(PyObject *tuple, double levels[MOST_LEVELS], luxel_figure_
     PyObject *list;
 
     luxel_figure_settings_init(figure);
-    if (!PyArg_ParseTuple(tuple, "zddpinOppi(dd)pzzddpp", &figure->palette, &figure->low, &figure->high, &logarithmic,
+    if (!is_tuple(tuple) ||
+        !PyArg_ParseTuple(tuple, "zddpinOppi(dd)pzzddpp", &figure->palette, &figure->low, &figure->high, &logarithmic,
                           &bands, &wanted, &list, &extrema, &points, &section, &figure->section_mm[0],
                           &figure->section_mm[1], &stacked, &figure->title, &figure->label, &figure->width_mm,
                           &figure->dots_per_inch, &dark, &small_print))

@@ -86,6 +86,9 @@ PyObject *text_or_none(const char *text);
 PyObject *number_or_none(bool given, double number);
 PyObject *triple_or_none(bool given, const double vector[3]);
 
+/* Whether an argument is a tuple; if not, an exception is set. */
+bool is_tuple(PyObject *object);
+
 /* Appends what is handed over; -1: an exception is set, as where `item` is NULL. */
 int append(PyObject *list, PyObject *item);
 

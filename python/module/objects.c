@@ -24,6 +24,14 @@ PyObject *triple_or_none(bool given, const double vector[3])
     return given ? Py_BuildValue("(ddd)", vector[0], vector[1], vector[2]) : none();
 }
 
+bool is_tuple(PyObject *object)
+{
+    if (PyTuple_Check(object))
+        return true;
+    PyErr_SetString(PyExc_TypeError, "a tuple is expected");
+    return false;
+}
+
 int append(PyObject *list, PyObject *item)
 {
     const int code = item ? PyList_Append(list, item) : -1;

@@ -48,40 +48,41 @@ static PyObject *probe_tuple(const luxel_probe *probe)
         index_or_none(probe->source_on_element, probe->blocking_light), shares);
 }
 
-/* Places from a list of (x, y), or (x, y, z, nx, ny, nz, view or None, surface); NULL: an exception is set. */
+/* From (x, y) on the screen, or (x, y, z, nx, ny, nz, view or None, surface).  False: an exception is set. */
+static bool place_of(PyObject *tuple, luxel_place *place)
+{
+    PyObject *view;
+    Py_ssize_t surface;
+
+    if (!is_tuple(tuple))
+        return false;
+    if (PyTuple_Size(tuple) == 2)
+        return PyArg_ParseTuple(tuple, "dd", &place->screen_mm[0], &place->screen_mm[1]);
+    if (!PyArg_ParseTuple(tuple, "ddddddOn", &place->position_mm[0], &place->position_mm[1], &place->position_mm[2],
+                          &place->normal[0], &place->normal[1], &place->normal[2], &view, &surface))
+        return false;
+    place->is_element = true;
+    place->surface = (size_t)surface;
+    place->has_view = view != Py_None;
+    return !place->has_view ||
+           (is_tuple(view) && PyArg_ParseTuple(view, "ddd", &place->view[0], &place->view[1], &place->view[2]));
+}
+
+/* The places of a list, the caller's; NULL: an exception is set. */
 static luxel_place *places_of(PyObject *list, size_t *count)
 {
     const Py_ssize_t size = PyList_Size(list);
     luxel_place *places = size < 0 ? NULL : PyMem_Calloc((size_t)size + 1, sizeof *places);
-    bool good = places != NULL;
 
     if (size >= 0 && !places)
         PyErr_NoMemory();
-    for (Py_ssize_t i = 0; good && i < size; i++) {
-        PyObject *tuple = PyList_GetItem(list, i);
-        luxel_place *place = &places[i];
-
-        if (PyTuple_Size(tuple) == 2) {
-            good = PyArg_ParseTuple(tuple, "dd", &place->screen_mm[0], &place->screen_mm[1]);
-            continue;
+    for (Py_ssize_t i = 0; places && i < size; i++)
+        if (!place_of(PyList_GetItem(list, i), &places[i])) {
+            PyMem_Free(places);
+            return NULL;
         }
-        PyObject *view;
-        Py_ssize_t surface;
-
-        place->is_element = true;
-        good =
-            PyArg_ParseTuple(tuple, "ddddddOn", &place->position_mm[0], &place->position_mm[1], &place->position_mm[2],
-                             &place->normal[0], &place->normal[1], &place->normal[2], &view, &surface) &&
-            (view == Py_None || PyArg_ParseTuple(view, "ddd", &place->view[0], &place->view[1], &place->view[2]));
-        place->has_view = good && view != Py_None;
-        place->surface = good && surface >= 0 ? (size_t)surface : SIZE_MAX;
-    }
-    if (good) {
-        *count = (size_t)size;
-        return places;
-    }
-    PyMem_Free(places);
-    return NULL;
+    *count = (size_t)size;
+    return places;
 }
 
 static PyObject *probes_list(const luxel_probe *probes, size_t count)

@@ -77,8 +77,8 @@ static bool path_of(PyObject *tuple, luxel_path *path)
     int arc;
     Py_ssize_t samples;
 
-    if (!PyArg_ParseTuple(tuple, "pddddn", &arc, &path->from_mm[0], &path->from_mm[1], &path->to_mm[0], &path->to_mm[1],
-                          &samples))
+    if (!is_tuple(tuple) || !PyArg_ParseTuple(tuple, "pddddn", &arc, &path->from_mm[0], &path->from_mm[1],
+                                              &path->to_mm[0], &path->to_mm[1], &samples))
         return false;
     path->type = arc ? LUXEL_PATH_ARC : LUXEL_PATH_LINE;
     path->samples = samples < 0 ? 0 : (size_t)samples;

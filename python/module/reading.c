@@ -13,6 +13,8 @@ static bool region_of(PyObject *tuple, luxel_region *region, const luxel_region 
     *given = tuple == Py_None ? NULL : region;
     if (tuple == Py_None)
         return true;
+    if (!is_tuple(tuple))
+        return false;
     if (PyTuple_Size(tuple) == 3) {
         region->type = LUXEL_REGION_CIRCLE;
         return PyArg_ParseTuple(tuple, "ddd", &region->center_mm[0], &region->center_mm[1], &region->radius_mm);

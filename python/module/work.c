@@ -60,7 +60,8 @@ bool work_begin(struct work *work, PyObject *settings)
 
     *work = (struct work){.share = 1};
     luxel_settings_init(&work->settings);
-    if (!PyArg_ParseTuple(settings, "iiIzddIpO", &quantity, &precision, &work->settings.threads,
+    if (!is_tuple(settings) ||
+        !PyArg_ParseTuple(settings, "iiIzddIpO", &quantity, &precision, &work->settings.threads,
                           &work->settings.instruction_set, &work->settings.tolerance, &work->settings.light_error,
                           &work->settings.stride, &reached, &progress))
         return false;

@@ -1,0 +1,122 @@
+# SPDX-License-Identifier: MIT
+"""What is made for people: explanations, figures, reports, tables, judgements; as the tool makes them."""
+import os
+import pickle
+import re
+
+from package import Tap, luxel, raises, run_tests
+from tool import SCENE
+
+
+def test_explain(tap, tool):
+    scene = luxel.Scene("report")
+    document = scene.explain((150, 0))
+    tap.equal(str(document), tool.run("explain", "report", "-p", "150,0").out, "the text of the tool")
+    for ending, text in ((".md", document.markdown), (".tex", document.latex), (".html", document.html)):
+        tool.run("explain", "report", "-p", "150,0", "-o", "a" + ending)
+        document.save(tool.file("b" + ending))
+        tap.ok(text == tool.read("a" + ending).decode() == tool.read("b" + ending).decode(), ending + ": its bytes")
+    again = pickle.loads(pickle.dumps(document))
+    again.save(tool.file("c.html"))
+    tap.equal((again.text, tool.read("c.html")), (document.text, tool.read("a.html")), "a pickle")
+    tap.equal((document._repr_html_(), document._repr_markdown_()), (document.html, document.markdown), "in notebooks")
+    tap.ok("luxel.Document" in repr(document), "what it shows as", repr(document))
+    tap.ok(raises(luxel.LuxelError, document.save, tool.file("a.doc")), "an ending that there is not")
+    tap.ok(raises(ValueError, again.save, tool.file("a.doc")), "of a pickle, too")
+    told = tool.run("explain", "report", "-p", "0,0", "--json").json()["points"][0]["alternatives"]
+    tap.equal([(one.convention, one.choice, one.value, one.present, one.assignment) for one in scene.alternatives()],
+              [(one["convention"], one["choice"], one["value"], one["present"], one["assignment"]) for one in told],
+              "the alternatives")
+
+
+def test_judge(tap, tool):
+    scene = luxel.Scene("report")
+    value = scene.probe((0, 0)).value
+    tap.equal(scene.judge((0, 0), value).verdict, "right", "the exact value is right")
+    tap.equal(scene.judge((0, 0), 7).verdict, "wrong", "another one is not")
+    pixel = scene.judge((0, 0), scene.probe((0, 0)).pixel_value, tolerance=1e-6)
+    tap.equal((pixel.verdict, [reason.choice for reason in pixel.explanations]), ("convention", ["pixel"]),
+              "the pixel's value is explained")
+    tap.ok(raises(ValueError, scene.judge, (0, 0), 1, tolerance=-1), "a tolerance below 0")
+
+
+def without_numbers(svg):
+    """An SVG without the numbers of its parts, which cairo counts through a process."""
+    return re.sub(rb'(id="|href="#|url\(#)([a-z]+)[0-9]+', rb"\1\2", svg)
+
+
+def test_figures(tap, tool):
+    try:
+        palettes = luxel.palettes()
+    except ImportError as error:
+        tap.skip("figures", error)
+        return
+    tap.ok("viridis" in palettes and "turbo" in palettes, "palettes")
+    scene = luxel.Scene("three-lights")
+    for words, look in ((["--title", "Ж"], {"title": "Ж"}),
+                        (["--palette", "turbo", "--section=maximum", "--width", "120", "--title", "T"],
+                         {"palette": "turbo", "section": "maximum", "width_mm": 120, "title": "T"})):
+        figure = scene.figure(**look)
+        for ending, made in ((".svg", figure.svg().encode()), (".png", figure.png())):
+            tool.run("figure", "three-lights", "-o", "a" + ending, *words)
+            tap.ok(without_numbers(made) == without_numbers(tool.read("a" + ending)), "%s with %r has the bytes of the tool" % (ending, look))
+    tap.ok(figure.pdf().startswith(b"%PDF"), "a PDF")
+    figure.save(tool.file("b.png"))
+    tap.ok(tool.read("b.png") == figure.png() == pickle.loads(pickle.dumps(figure)).png(), "saved, and pickled")
+    scene["lights[0].intensity"] = 99
+    tap.ok(figure.png() == tool.read("b.png"), "a figure shows the scene as it was")
+    tap.ok(figure._repr_svg_().startswith("<?xml") and "luxel.Figure" in repr(figure), "in notebooks")
+    for wrong in ({"palette": "mud"}, {"bands": "mud"}, {"width_mm": 1}, {"section": "mud"}, {"levels": [1.0] * 51}):
+        tap.ok(raises(ValueError, lambda: scene.figure(**wrong).svg()), "%r is refused" % (wrong,))
+    report = luxel.Scene("report")
+    report.report(tool.file("b.html"), author="A. Student", group="4321")
+    tool.run("report", "report", "-o", "a.html", "--author", "A. Student", "--group", "4321")
+    tap.ok(tool.read("a.html") == tool.read("b.html"), "a report has the bytes of the tool")
+    tap.ok(raises(luxel.LuxelError, report.report, tool.file("a.odt")), "an ending that there is not")
+    luxel.set_language("ru")
+    try:
+        tool.run("figure", "report", "-o", "r.svg", "--title", "T", environment={"LANGUAGE": "ru"})
+        tap.ok(without_numbers(report.figure(title="T").svg().encode()) == without_numbers(tool.read("r.svg")), "in Russian")
+    finally:
+        luxel.set_language("en")
+
+
+def test_grid(tap, tool):
+    told = tool.run("grid", "desk", "--json").json()["grids"][0]
+    scene = luxel.Scene("desk")
+    grid = scene.grid("desk")
+    tap.equal(scene.grids, ["desk"], "its name")
+    tap.equal((grid.average, grid.u0, grid.ud, grid.flux, grid.mean, grid.minimum.value, grid.maximum.value),
+              (told["average"], told["u0"], told["ud"], told["flux"], told["mean"], told["minimum"]["value"],
+               told["maximum"]["value"]), "what the tool tells")
+    tap.equal(grid.values.tolist(), told["values"], "the cells")
+    tap.equal(grid.positions_mm[0, 0].tolist(), list(scene.grid(0).positions_mm[0, 0]), "their places")
+    tap.ok((grid.errors <= grid.error).all() and grid.mask.all() and not grid.values.flags.writeable, "bounds and mask")
+    values = scene.evaluate(grid.positions_mm, grid.axis, quantity="irradiance")["value"]
+    tap.ok((values == grid.values).all(), "each cell is a free element")
+    grid.write(tool.file("b.csv"))
+    tool.run("grid", "desk", "-o", "a.csv")
+    tap.equal(tool.read("b.csv"), tool.read("a.csv"), "the file has the bytes of the tool")
+    tap.ok("<table>" in grid._repr_html_() and "desk" in repr(grid), "a table for notebooks")
+    values = grid.values
+    del grid
+    tap.equal(values.tolist(), told["values"], "the numbers outlive the grid")
+    tap.ok(raises(KeyError, scene.grid, "floor") and raises(IndexError, scene.grid, 1), "a grid that there is not")
+    tap.ok(raises(AttributeError, lambda: scene.grid().nonsense), "or something it does not have")
+
+
+def test_tables(tap, tool):
+    probes = luxel.Scene(SCENE).probe()
+    told = tool.run("probe", tool.write("a.yaml", SCENE), "--json").json()["points"]
+    html = probes._repr_html_()
+    for probe, point in zip(probes, told):
+        tap.ok("%.12g" % probe.value in html and probe.value == point["value"], "the value that the tool tells")
+    tap.equal((probes[0]._repr_html_().count("<tr>"), html.count("<tr>")), (2, 4), "a row for each")
+    tap.equal([type(probes).__name__, len(probes), probes[1].screen_mm], ["Probes", 3, (150.0, 0.0)], "a tuple of probes")
+    tap.ok(luxel.Scene(SCENE)._repr_png_() == luxel.Scene(SCENE).render().png(), "a scene shows its picture")
+    named = luxel.Scene(SCENE).changed({"lights[0].name": "<lamp> & Ж"})
+    tap.equal(named.probe((0, 0)).shares[0].name, "<lamp> & Ж", "a light's name")
+    tap.ok(os.path.exists(os.path.join(os.path.dirname(luxel.__file__), "py.typed")), "types are there")
+
+
+run_tests(Tap(), test_explain, test_judge, test_figures, test_grid, test_tables)

@@ -1,0 +1,163 @@
+# SPDX-License-Identifier: MIT
+"""Fields are those of the tool: the same bytes in every format, the same statistics, lines, sections and differences."""
+import pickle
+
+import numpy
+
+from package import Tap, luxel, raises, run_tests
+from tool import SCENE
+
+WAYS = [("report", {}, {}), ("three-lights", {"screen.resolution": [50, 40]}, {"precision": "double"}),
+        ("two-spheres", {"screen.resolution": [50, 40]}, {"quantity": "irradiance"}), ("window", {"screen.resolution": [40, 40]}, {}),
+        ("all-sources", {"screen.resolution": [30, 30]}, {"precision": "double", "quantity": "irradiance"})]
+
+
+def arguments(changes, settings):
+    found = []
+    for key, value in changes.items():
+        found += ["-s", "%s=%s" % (key, value)]
+    for key, value in settings.items():
+        found += ["--" + key, value]
+    return found
+
+
+def test_files(tap, tool):
+    for name, changes, settings in WAYS:
+        endings = [".png", ".npy", ".pfm", ".csv", ".exr"]
+        tool.run("render", name, *arguments(changes, settings), "-q",
+                 *[word for ending in endings for word in ("-o", "a" + ending)])
+        scene = luxel.Scene(name).changed(changes)
+        field = scene.render(**settings)
+        for ending in endings:
+            field.write(tool.file("b" + ending))
+            tap.ok(tool.read("a" + ending) == tool.read("b" + ending), "%s%s has the bytes of the tool" % (name, ending))
+        tap.ok(field._repr_png_() == tool.read("a.png"), name + ": so has what a notebook shows")
+        tap.ok((numpy.load(tool.file("a.npy")) == numpy.asarray(field)).all(), name + ": the array is that of the file")
+        statistics = scene.render_files(tool.file("c.png"), tool.file("c.npy"), **settings)
+        tap.ok(tool.read("c.png") == tool.read("a.png") and statistics == field.statistics, name + ": row by row")
+        tap.ok(pickle.loads(pickle.dumps(field)).png() == tool.read("a.png"), name + ": a pickle renders it anew")
+    tool.run("render", "report", "-q", "--bits", "16", "-o", "d.png")
+    tap.ok(luxel.Scene().render().png(16) == tool.read("d.png"), "16 bits")
+    for threads in (1, 3):
+        tap.ok((numpy.asarray(luxel.Scene().render(threads=threads)) == numpy.asarray(luxel.Scene().render())).all(),
+               "%d threads" % threads)
+    tap.ok(raises(luxel.LuxelError, field.write, tool.file("a.jpg")), "an ending that there is not")
+    tap.ok(raises(luxel.LuxelError, field.write, tool.file("no/a.png")), "a folder that there is not")
+
+
+def test_read(tap, tool):
+    field = luxel.Scene(SCENE).render()
+    for ending in (".npy", ".pfm", ".csv", ".exr"):
+        field.write(tool.file("a" + ending))
+        again = luxel.read(tool.file("a" + ending))
+        tap.ok(ending == ".csv" or (numpy.asarray(again) == numpy.asarray(field)).all(), ending + " is read back")
+        tap.equal(again.scene is not None, ending == ".exr", ending + ": whether it knows its scene")
+        tap.ok(numpy.isnan(again.error), ending + ": no bound is known of what was read")
+    tap.ok(raises(ValueError, again.extrema), "what was read has no exact function")
+    tap.ok(raises(TypeError, pickle.dumps, again), "nor can it be pickled")
+    tap.ok(again.isophotes(3, exact=False), "but lines as the picture has them")
+    tap.ok(raises(luxel.LuxelError, luxel.read, tool.file("nothing.npy")), "a file that there is not")
+
+
+def test_statistics(tap, tool):
+    told = tool.run("stats", "report", "--json").json()
+    field = luxel.Scene("report").render()
+    statistics, summary = field.statistics, field.summary()
+    tap.equal((summary.mean, summary.median, summary.standard_deviation, summary.maximum.value),
+              (told["mean"], told["median"], told["standard_deviation"], told["max"]["value"]), "the summary")
+    tap.equal(statistics.pixels, summary.pixels, "statistics agree with it")
+    values, mask = numpy.asarray(field, dtype=float), field.mask
+    tap.equal((values.max(), int(mask.sum())), (statistics.maximum.value, statistics.pixels), "and with NumPy")
+    tap.near(statistics.mean, values[mask].mean(), 1e-12, "the mean too")
+    part = field.summary((0, 0, 100))
+    inside = mask & (field.x_mm[None, :] ** 2 + field.y_mm[:, None] ** 2 <= 100 ** 2)
+    tap.equal(part.pixels, int(inside.sum()), "a circle's pixels")
+    tap.near(part.mean, values[inside].mean(), 1e-12, "and their mean")
+    tap.equal(field.summary((0, 0, 500, 500)).pixels, summary.pixels, "a rectangle")
+    tap.ok(raises(ValueError, field.summary, (0, 0, -1)), "a region of no size")
+    histogram = field.histogram(20)
+    counts, edges = numpy.histogram(values[mask], 20)
+    tap.ok((histogram.counts == counts).all() and numpy.allclose(histogram.edges, edges, rtol=1e-12), "the histogram")
+    reached = luxel.Scene("report").render(minimum_reached=True).statistics.minimum_reached
+    tap.equal(reached.value, tool.run("render", "report", "--json").json()["min_reached"]["value"], "where light arrives")
+    tap.ok("<table>" in statistics._repr_html_(), "a table for notebooks")
+    tap.near(field.error, 2e-6 * statistics.maximum.value, 0, "the bound of the values")
+    exact = luxel.Scene("report").render(precision="double")
+    tap.ok(numpy.abs(values - numpy.asarray(exact)).max() <= field.error + exact.error, "which holds")
+
+
+def test_extrema(tap, tool):
+    told = tool.run("stats", "report", "--json").json()
+    extrema = luxel.Scene("report").render().extrema()
+    for name, peak in (("maximum", extrema.maximum), ("minimum", extrema.minimum)):
+        tap.equal((peak.value, peak.error, peak.x_mm, peak.y_mm), tuple(
+            [told[name]["value"], told[name]["error"]] + told[name]["screen"]), "the true " + name)
+    tap.equal(luxel.Scene("report").render().extrema((0, 0, 10)).maximum.place, "border", "in a region")
+
+
+def test_lines(tap, tool):
+    told = tool.run("isophotes", "report", "--json").json()
+    field = luxel.Scene("report").render()
+    lines = field.isophotes()
+    tap.equal([(line.level, line.closed, numpy.stack([line.x_mm, line.y_mm], 1).tolist()) for line in lines],
+              [(line["level"], line["closed"], line["vertices"]) for line in told["lines"]], "the tool's lines")
+    for line in lines:
+        values = luxel.Scene("report").probe(numpy.stack([line.x_mm, line.y_mm], 1)[1:-1:7]).value
+        tap.ok(numpy.abs(values - line.level).max() <= 1e-8 * line.level, "lie on their level %g" % line.level)
+    rough = tool.run("isophotes", "report", "--levels", "5,10", "--picture", "--json").json()
+    tap.equal([line.x_mm.tolist() for line in field.isophotes([5, 10], exact=False)],
+              [[x for x, _ in line["vertices"]] for line in rough["lines"]], "those of the picture")
+    tap.ok(raises(ValueError, field.isophotes, [float("nan")]), "a level that is no number")
+    tap.ok(raises(ValueError, field.isophotes, [1.0] * 1001), "too many levels")
+
+
+def test_profiles(tap, tool):
+    told = tool.run("profile", "three-lights", "--through", "0,50", "--angle", "30", "--json").json()
+    scene = luxel.Scene("three-lights")
+    found = scene.section((0, 50), 30)
+    values = [value if has else None for value, has in zip(found.value.tolist(), found.has_value.tolist())]
+    tap.equal(values, [sample["value"] for sample in told["samples"]], "a section")
+    tap.equal((found.abscissa.tolist(), found.x_mm.tolist()),
+              ([sample["distance"] for sample in told["samples"]], [sample["screen"][0] for sample in told["samples"]]),
+              "and its places")
+    tap.ok(numpy.allclose(found.shares.sum(1), found.value, rtol=1e-13), "the lights' shares add up")
+    arc = scene.profile((-100, 0), (100, 20), 11, arc=True)
+    tap.equal((len(arc.value), arc.abscissa[0]), (11, 0.0), "along a great circle")
+    field = scene.render()
+    pixels = field.profile((-100, 0), (100, 0), 5)
+    tap.equal((pixels.shares, set(pixels.value.tolist()) <= set(numpy.asarray(field, dtype=float).ravel().tolist())),
+              (None, True), "of a picture")
+    tap.ok(raises(ValueError, scene.profile, (0, 0), (0, 0)), "a line of no length")
+    tap.ok(raises(ValueError, scene.section, (1e4, 0), 90), "a line off the screen")
+
+
+def test_compare(tap, tool):
+    tool.run("render", "report", "-q", "-o", "a.npy")
+    told = tool.run("compare", "report", "report", "-s", "lights[0].intensity=12", "--json").json()
+    a = luxel.Scene("report").render()
+    b = luxel.Scene("report").changed({"lights[0].intensity": 12}).render()
+    found = luxel.compare(a, b)
+    difference = numpy.asarray(b, dtype=float) - numpy.asarray(a, dtype=float)
+    tap.near(found.largest.value, numpy.abs(difference).max(), 1e-15, "the largest difference")
+    tap.near(found.rms, numpy.sqrt((difference[a.mask] ** 2).mean()), 1e-12, "the root mean square")
+    tap.ok(numpy.allclose(numpy.asarray(found.difference), difference, atol=2e-6), "the picture of it")
+    tap.ok(told, "the tool compares, too")
+    tap.ok(raises(ValueError, luxel.compare, a, luxel.Scene(SCENE).render()), "pictures of different sizes")
+
+
+def test_xarray(tap, tool):
+    field = luxel.Scene(SCENE).render()
+    try:
+        array = field.to_xarray()
+    except ImportError as error:
+        tap.skip("xarray", error)
+        return
+    tap.equal((array.dims, array.attrs["units"], array.attrs["convention_sampling"]),
+              (("y_mm", "x_mm"), "W/sr", "nodes"), "what xarray knows")
+    tap.ok((numpy.isnan(array.values) == ~field.mask).all(), "off the surface it is NaN")
+    tap.equal(float(array.sel(x_mm=30, y_mm=-50, method="nearest")),
+              float(numpy.asarray(field)[numpy.abs(field.y_mm + 50).argmin(), numpy.abs(field.x_mm - 30).argmin()]), "by places")
+
+
+run_tests(Tap(), test_files, test_read, test_statistics, test_extrema, test_lines, test_profiles, test_compare,
+          test_xarray)
