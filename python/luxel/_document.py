@@ -14,7 +14,8 @@ _ENDINGS = {".txt": "text", ".md": "markdown", ".tex": "latex", ".html": "html"}
 class Document:
     """The whole calculation of a value with its numbers, and what each other convention would give.
 
-    In a notebook it shows itself; `print()` shows the text.  It is written in the language that was set when it was made.
+    In a notebook it shows itself; `print()` shows the text.  It is written in the language that was
+    set when it was made.
     """
 
     __slots__ = ("_holder", "_texts")

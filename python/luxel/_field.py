@@ -24,8 +24,8 @@ BOUNDS = {"single": 2e-6, "double": 1e-11}
 class Field(_luxel.FieldHandle):
     """A picture: rows x columns values, row 0 on top, float32 or float64 by its precision.
 
-    `numpy.asarray(field)` and `memoryview(field)` share its memory, which is never written; they keep it alive.  Off the
-    surfaces the value is 0 and `mask` False.  Fields are made by Scene.render() and luxel.read().
+    `numpy.asarray(field)` and `memoryview(field)` share its memory, which is never written; they keep it alive.  Off
+    the surfaces the value is 0 and `mask` False.  Fields are made by Scene.render() and luxel.read().
     """
 
     __slots__ = ("_made",)
@@ -143,7 +143,7 @@ class Field(_luxel.FieldHandle):
 
     def histogram(self, bins: int = 50, *, region: Optional[Region] = None, logarithmic: bool = False,
                   low: Optional[float] = None, high: Optional[float] = None) -> Histogram:
-        """How many pixels lie in each of the bins from low to high; by themselves from the least to the greatest value."""
+        """How many pixels lie in each of the bins from low to high; else from the least to the greatest value."""
         import numpy
 
         nan = float("nan")

@@ -21,8 +21,8 @@ def _extremum(found: Any) -> Optional[GridExtremum]:
 class Grid:
     """A measured grid.
 
-    Row 0 is the top one, farthest along `up`; column 0 the first along up x axis.  The irradiance of each cell is that at
-    its centre.  Where a source lies on a cell there is no value: `mask` is False, the value 0.
+    Row 0 is the top one, farthest along `up`; column 0 the first along up x axis.  The irradiance of each cell is
+    that at its centre.  Where a source lies on a cell there is no value: `mask` is False, the value 0.
     """
 
     name: Optional[str]  #: in the scene
@@ -57,9 +57,9 @@ class Grid:
     tolerance_reached: bool
 
     def __init__(self, found: Any) -> None:
-        (self._holder, self.name, place, self.unit, values, errors, mask, self.measured, self.blocking_light, self.error,
-         self.average, self.average_error, minimum, maximum, self.u0, self.ud, plane, sampling, self.enclosing_surface,
-         self.tolerance_reached, self.enclosed) = found
+        (self._holder, self.name, place, self.unit, values, errors, mask, self.measured, self.blocking_light,
+         self.error, self.average, self.average_error, minimum, maximum, self.u0, self.ud, plane, sampling,
+         self.enclosing_surface, self.tolerance_reached, self.enclosed) = found
         self.center_mm, self.size_mm, self.axis, self.up, self.across = place
         self._views = (values, errors, mask)
         self.minimum, self.maximum = _extremum(minimum), _extremum(maximum)

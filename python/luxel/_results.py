@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""What is read off scenes and pictures: plain tuples with names.  Lengths are in mm, values in the unit of the result."""
+"""What is read off scenes and pictures: plain tuples with names.  Lengths in mm, values in the result's unit."""
 from __future__ import annotations
 
 from typing import TYPE_CHECKING, Any, List, NamedTuple, Optional, Tuple

@@ -71,9 +71,9 @@ class Scene:
     scene (anything with a line break, or that begins with "{"), bytes of such a text or of a PNG or EXR picture that
     carries its scene, a dictionary, or another scene, which it copies.
 
-    `scene["lights[0].intensity"]` is the value of a key, by the paths of `luxel -s`: numbers, texts, lists, dictionaries,
-    None where there is neither a value nor a default.  Setting one checks the whole scene.  Several that only go
-    together are set by update().  A key that there is not raises LuxelKeyError.
+    `scene["lights[0].intensity"]` is the value of a key, by the paths of `luxel -s`: numbers, texts, lists,
+    dictionaries, None where there is neither a value nor a default.  Setting one checks the whole scene.  Several that
+    only go together are set by update().  A key that there is not raises LuxelKeyError.
     """
 
     __slots__ = ("_handle", "_path", "_name", "_carried", "_lock", "__weakref__")
@@ -264,10 +264,10 @@ class Scene:
                instruction_set: Optional[str] = None, progress: Optional[Progress] = None) -> Field:
         """Computes the picture, with the interpreter's lock released; Ctrl-C ends it.
 
-        `quantity`: "brightness" or "irradiance".  `precision`: "single" (float32, within 2e-6 of the maximum) or "double"
-        (float64, 1e-11).  `threads` 0: as many as pay.  `stride` n: a quick look at each n-th pixel.  `light_error` E:
-        many points may be taken together, within E of the value.  `progress` is called with the share done; where it
-        returns False, the work ends with a LuxelError.  The same bytes for any number of threads.
+        `quantity`: "brightness" or "irradiance".  `precision`: "single" (float32, within 2e-6 of the maximum) or
+        "double" (float64, 1e-11).  `threads` 0: as many as pay.  `stride` n: a quick look at each n-th pixel.
+        `light_error` E: many points may be taken together, within E of the value.  `progress` is called with the share
+        done; where it returns False, the work ends with a LuxelError.  The same bytes for any number of threads.
         """
         return made(self._handle, settings(self._carried, quantity, precision, threads, instruction_set, None,
                                            light_error, stride, minimum_reached, progress))
@@ -283,8 +283,8 @@ class Scene:
     # ---- exact values ----
 
     @overload
-    def probe(self, points: Pair, *, quantity: Optional[str] = ..., tolerance: Optional[float] = ..., threads: int = ...,
-              progress: Optional[Progress] = ...) -> Probe: ...
+    def probe(self, points: Pair, *, quantity: Optional[str] = ..., tolerance: Optional[float] = ...,
+              threads: int = ..., progress: Optional[Progress] = ...) -> Probe: ...
 
     @overload
     def probe(self, points: "Union[None, Iterable[Pair], npt.NDArray[Any]]" = ..., *, quantity: Optional[str] = ...,
@@ -331,11 +331,11 @@ class Scene:
         """The exact values of free surface elements: arrays (..., 3) of places in mm and of normals of any length.
 
         Returns a structured array of the shape (...) with the fields `value` and `error`, which bounds |value - truth|,
-        and, `per_light`, `shares` (..., lights).  Places and normals are broadcast against each other.  float64 arrays are
-        read where they lie, whatever their strides.  `view` is the direction to the observer, else the scene's.
+        and, `per_light`, `shares` (..., lights).  Places and normals are broadcast against each other.  float64 arrays
+        are read where they lie, whatever their strides.  `view` is the direction to the observer, else the scene's.
         `surface` is the index of the one whose material elements have that lie on no surface.  Where a number is not
-        finite, a normal is 0, or a source lies on the element, value and error are NaN.
-        `out`: an array of this kind that an earlier call returned.
+        finite, a normal is 0, or a source lies on the element, value and error are NaN.  `out`: an array of this kind
+        that an earlier call returned.
         """
         import numpy
 
@@ -436,8 +436,8 @@ class Scene:
                progress: Optional[Progress] = None) -> Figure:
         """A figure in false colour with a bar, axes in mm, isophotes and marks, drawn when it is shown or saved.
 
-        `bands`: "smooth", "bands", "contours" or "lines".  `section`: None, "center", "maximum" or a point.  ImportError
-        when it is drawn where Luxel was built without figures.
+        `bands`: "smooth", "bands", "contours" or "lines".  `section`: None, "center", "maximum" or a point.
+        ImportError when it is drawn where Luxel was built without figures.
         """
         how = settings(self._carried, quantity, precision, threads, progress=progress)
         return Figure(self.copy(), how, look(palette, low, high, logarithmic, bands, levels, extrema, points, section,

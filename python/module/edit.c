@@ -3,8 +3,8 @@
 #include "failure.h"
 
 /*
- * One edit, a tuple of five: "set" and an assignment, "remove" and a key, "insert" with list, index and value, "move" with
- * list, from and to; what an edit does not have is 0 or None.
+ * One edit, a tuple of five: "set" and an assignment, "remove" and a key, "insert" with list, index and value, "move"
+ * with list, from and to; what an edit does not have is 0 or None.
  */
 static luxel_status apply(luxel_scene *scene, PyObject *edit, luxel_diagnostics *diagnostics)
 {

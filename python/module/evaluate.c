@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /*
- * Exact values of whole arrays of surface elements: read from arrays of Python and written to such, in parts that fit in
- * the cache, by the library's threads and without the interpreter's lock.
+ * Exact values of whole arrays of surface elements: read from arrays of Python and written to such, in parts that fit
+ * in the cache, by the library's threads and without the interpreter's lock.
  */
 #include <math.h>
 

@@ -47,7 +47,7 @@ const char *language_translate(const char *english, void *data)
     return words ? words : english;
 }
 
-/* In English, too, the library is handed a function, as the tool does: some words it chooses by whether there is one. */
+/* In English, too, the library is handed a function, as by the tool: some words go by whether there is one. */
 luxel_language language_of(struct language *language)
 {
     return (luxel_language){.translate = language_translate, .data = language, .code = language->code};

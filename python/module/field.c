@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /*
- * Pictures.  The type is the base of luxel.Field and hands out the values as they lie in the library, so that NumPy shares
- * them; the mask and the places are views.
+ * Pictures.  The type is the base of luxel.Field and hands out the values as they lie in the library, so that NumPy
+ * shares them; the mask and the places are views.
  */
 #include "failure.h"
 

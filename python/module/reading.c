@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /*
- * What is read off pictures: summaries, histograms, extrema, lines of equal value, profiles, differences.  What is exact
- * is found with an evaluator of the settings given; None in their place reads it off the picture alone.
+ * What is read off pictures: summaries, histograms, extrema, lines of equal value, profiles, differences.  What is
+ * exact is found with an evaluator of the settings given; None in their place reads it off the picture alone.
  */
 #include "failure.h"
 #include "work.h"

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* Arrays of float64 from anywhere, by the buffer protocol: of any strides, negative and 0 included, and any alignment. */
+/* Arrays of float64 by the buffer protocol: of any strides, negative and 0 included, and any alignment. */
 #ifndef LUXEL_PYTHON_STRIDED_H
 #define LUXEL_PYTHON_STRIDED_H
 
@@ -14,8 +14,8 @@ struct strided {
 };
 
 /*
- * Takes the buffer of an array with this many dimensions, 1 or 2; `name` stands in messages.  False: an exception is set.
- * Release it with strided_release(), which does nothing to what is zero.
+ * Takes the buffer of an array with this many dimensions, 1 or 2; `name` stands in messages.  False: an exception is
+ * set.  Release it with strided_release(), which does nothing to what is zero.
  */
 bool strided_take(PyObject *array, const char *name, int dimensions, bool is_written, struct strided *strided);
 void strided_release(struct strided *strided);

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /*
- * Handles of results, and views: numbers of the library that Python reads where they lie.  A view keeps their owner alive
- * and cannot be written, as the results of the library never change.
+ * Handles of results, and views: numbers of the library that Python reads where they lie.  A view keeps their owner
+ * alive and cannot be written, as the results of the library never change.
  */
 #include "module.h"
 

@@ -18,8 +18,8 @@ def test_field(tap, tool):
         field = luxel.Scene(SCENE).render(precision=precision)
         array, again = numpy.asarray(field), field.values
         view = memoryview(field)
-        tap.equal((array.dtype.type, array.shape, view.format, view.ndim), (kind, (36, 36), "fd"[precision == "double"], 2),
-                  precision + ": type and shape")
+        tap.equal((array.dtype.type, array.shape, view.format, view.ndim),
+                  (kind, (36, 36), "fd"[precision == "double"], 2), precision + ": type and shape")
         tap.ok(address(array) == address(again) == address(numpy.frombuffer(view, kind)), precision + ": one memory")
         tap.ok(not array.flags.writeable and view.readonly and array.flags.c_contiguous, precision + ": read alone")
         tap.ok(raises(ValueError, array.__setitem__, (0, 0), 1), precision + ": a value cannot be set")

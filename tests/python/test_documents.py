@@ -59,7 +59,8 @@ def test_figures(tap, tool):
         figure = scene.figure(**look)
         for ending, made in ((".svg", figure.svg().encode()), (".png", figure.png())):
             tool.run("figure", "three-lights", "-o", "a" + ending, *words)
-            tap.ok(without_numbers(made) == without_numbers(tool.read("a" + ending)), "%s with %r has the bytes of the tool" % (ending, look))
+            tap.ok(without_numbers(made) == without_numbers(tool.read("a" + ending)),
+                   "%s with %r has the bytes of the tool" % (ending, look))
     tap.ok(figure.pdf().startswith(b"%PDF"), "a PDF")
     figure.save(tool.file("b.png"))
     tap.ok(tool.read("b.png") == figure.png() == pickle.loads(pickle.dumps(figure)).png(), "saved, and pickled")
@@ -76,7 +77,8 @@ def test_figures(tap, tool):
     luxel.set_language("ru")
     try:
         tool.run("figure", "report", "-o", "r.svg", "--title", "T", environment={"LANGUAGE": "ru"})
-        tap.ok(without_numbers(report.figure(title="T").svg().encode()) == without_numbers(tool.read("r.svg")), "in Russian")
+        made = report.figure(title="T").svg().encode()
+        tap.ok(without_numbers(made) == without_numbers(tool.read("r.svg")), "in Russian")
     finally:
         luxel.set_language("en")
 
@@ -112,7 +114,8 @@ def test_tables(tap, tool):
     for probe, point in zip(probes, told):
         tap.ok("%.12g" % probe.value in html and probe.value == point["value"], "the value that the tool tells")
     tap.equal((probes[0]._repr_html_().count("<tr>"), html.count("<tr>")), (2, 4), "a row for each")
-    tap.equal([type(probes).__name__, len(probes), probes[1].screen_mm], ["Probes", 3, (150.0, 0.0)], "a tuple of probes")
+    tap.equal((type(probes).__name__, len(probes), probes[1].screen_mm), ("Probes", 3, (150.0, 0.0)),
+              "a tuple of probes")
     tap.ok(luxel.Scene(SCENE)._repr_png_() == luxel.Scene(SCENE).render().png(), "a scene shows its picture")
     named = luxel.Scene(SCENE).changed({"lights[0].name": "<lamp> & Ж"})
     tap.equal(named.probe((0, 0)).shares[0].name, "<lamp> & Ж", "a light's name")

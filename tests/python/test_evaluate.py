@@ -83,7 +83,8 @@ def test_layouts(tap, tool):
     out = numpy.empty(3000, expected.dtype)
     tap.ok(scene.evaluate(places, normals, out=out) is out and same(out["value"], expected["value"]), "into an array")
     for threads in (1, 4):
-        tap.ok(same(scene.evaluate(places, normals, threads=threads)["value"], expected["value"]), "%d threads" % threads)
+        found = scene.evaluate(places, normals, threads=threads)
+        tap.ok(same(found["value"], expected["value"]), "%d threads" % threads)
     many = numpy.tile(places, (12, 1)), numpy.tile(normals, (12, 1))
     tap.ok(same(scene.evaluate(*many)["value"], numpy.tile(expected["value"], 12)), "more than one part")
 
@@ -115,11 +116,13 @@ def test_odd(tap, tool):
               "no number, no direction, and a source on the element")
     tap.ok((numpy.isnan(found["error"]) == numpy.isnan(found["value"])).all() and numpy.isnan(found["shares"][4]).all(),
            "error and shares with it")
+    wide = numpy.empty((2, 4), found.dtype)
     for name, call in (("a shape", lambda: scene.evaluate([[0, 0]], [[0, 0]])),
-                       ("shapes that do not go together", lambda: scene.evaluate(numpy.ones((4, 3)), numpy.ones((5, 3)))),
+                       ("shapes that do not go together",
+                        lambda: scene.evaluate(numpy.ones((4, 3)), numpy.ones((5, 3)))),
                        ("an array of another kind", lambda: scene.evaluate(places, normals, out=numpy.empty(5))),
                        ("a hole in the result",
-                        lambda: scene.evaluate(numpy.ones((2, 2, 3)), normals[0], out=numpy.empty((2, 4), found.dtype)[:, ::2])),
+                        lambda: scene.evaluate(numpy.ones((2, 2, 3)), normals[0], out=wide[:, ::2])),
                        ("words", lambda: scene.evaluate([["a", "b", "c"]], [[0, 0, 1]]))):
         tap.ok(raises(ValueError, call), name + " is refused")
     tap.ok(raises(IndexError, scene.evaluate, places, normals, surface=1), "a surface that there is not")
@@ -128,7 +131,8 @@ def test_odd(tap, tool):
     how = (0, 0, 0, None, 0.0, 0.0, 1, False, None)
     column, whole = numpy.empty(5), numpy.zeros((5, 3))
     for arrays in ((whole, whole, None, column[:4], column, None), (whole, whole[:, :2], None, column, column, None),
-                   (whole.astype("f4"), whole, None, column, column, None), (column, whole, None, column, column, None)):
+                   (whole.astype("f4"), whole, None, column, column, None),
+                   (column, whole, None, column, column, None)):
         tap.ok(raises((ValueError, TypeError), raw, scene._handle, arrays, 0, how), "arrays that do not fit")
     column.flags.writeable = False
     tap.ok(raises((ValueError, BufferError), raw, scene._handle, (whole, whole, None, column, column, None), 0, how),

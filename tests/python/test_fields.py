@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Fields are those of the tool: the same bytes in every format, the same statistics, lines, sections and differences."""
+"""Fields are those of the tool: the same bytes in every format, statistics, lines, sections and differences."""
 import pickle
 
 import numpy
@@ -8,7 +8,8 @@ from package import Tap, luxel, raises, run_tests
 from tool import SCENE
 
 WAYS = [("report", {}, {}), ("three-lights", {"screen.resolution": [50, 40]}, {"precision": "double"}),
-        ("two-spheres", {"screen.resolution": [50, 40]}, {"quantity": "irradiance"}), ("window", {"screen.resolution": [40, 40]}, {}),
+        ("two-spheres", {"screen.resolution": [50, 40]}, {"quantity": "irradiance"}),
+        ("window", {"screen.resolution": [40, 40]}, {}),
         ("all-sources", {"screen.resolution": [30, 30]}, {"precision": "double", "quantity": "irradiance"})]
 
 
@@ -30,7 +31,8 @@ def test_files(tap, tool):
         field = scene.render(**settings)
         for ending in endings:
             field.write(tool.file("b" + ending))
-            tap.ok(tool.read("a" + ending) == tool.read("b" + ending), "%s%s has the bytes of the tool" % (name, ending))
+            tap.ok(tool.read("a" + ending) == tool.read("b" + ending),
+                   "%s%s has the bytes of the tool" % (name, ending))
         tap.ok(field._repr_png_() == tool.read("a.png"), name + ": so has what a notebook shows")
         tap.ok((numpy.load(tool.file("a.npy")) == numpy.asarray(field)).all(), name + ": the array is that of the file")
         statistics = scene.render_files(tool.file("c.png"), tool.file("c.npy"), **settings)
@@ -79,7 +81,8 @@ def test_statistics(tap, tool):
     counts, edges = numpy.histogram(values[mask], 20)
     tap.ok((histogram.counts == counts).all() and numpy.allclose(histogram.edges, edges, rtol=1e-12), "the histogram")
     reached = luxel.Scene("report").render(minimum_reached=True).statistics.minimum_reached
-    tap.equal(reached.value, tool.run("render", "report", "--json").json()["min_reached"]["value"], "where light arrives")
+    tap.equal(reached.value, tool.run("render", "report", "--json").json()["min_reached"]["value"],
+              "where light arrives")
     tap.ok("<table>" in statistics._repr_html_(), "a table for notebooks")
     tap.near(field.error, 2e-6 * statistics.maximum.value, 0, "the bound of the values")
     exact = luxel.Scene("report").render(precision="double")
@@ -156,7 +159,8 @@ def test_xarray(tap, tool):
               (("y_mm", "x_mm"), "W/sr", "nodes"), "what xarray knows")
     tap.ok((numpy.isnan(array.values) == ~field.mask).all(), "off the surface it is NaN")
     tap.equal(float(array.sel(x_mm=30, y_mm=-50, method="nearest")),
-              float(numpy.asarray(field)[numpy.abs(field.y_mm + 50).argmin(), numpy.abs(field.x_mm - 30).argmin()]), "by places")
+              float(numpy.asarray(field)[numpy.abs(field.y_mm + 50).argmin(), numpy.abs(field.x_mm - 30).argmin()]),
+              "by places")
 
 
 run_tests(Tap(), test_files, test_read, test_statistics, test_extrema, test_lines, test_profiles, test_compare,

@@ -10,6 +10,7 @@ import numpy
 from package import Tap, luxel, raises, run_tests
 from tool import PATIENCE, SCENE
 
+SETTINGS = (0, 0, 0, None, 0.0, 0.0, 1, False, None)
 LIMIT = 20 * PATIENCE  # seconds, after which a loop ends early on a slow machine
 
 
@@ -46,8 +47,9 @@ def test_growth(tap, tool):
     grows(tap, "scenes", lambda: luxel.Scene(SCENE), 2_000)
     grows(tap, "changes", lambda: scene.__setitem__("lights[0].intensity", 11), 2_000)
     grows(tap, "errors", lambda: raises(luxel.LuxelError, scene.__setitem__, "lights[0].intensity", -1), 2_000)
-    grows(tap, "refused arrays", lambda: raises(ValueError, luxel._luxel.evaluate, scene._handle, (
-        places, normals, None, numpy.empty(2), numpy.empty(3), None), 0, (0, 0, 0, None, 0.0, 0.0, 1, False, None)), 5_000)
+    short = (places, normals, None, numpy.empty(2), numpy.empty(3), None)
+    grows(tap, "refused arrays", lambda: raises(ValueError, luxel._luxel.evaluate, scene._handle, short, 0, SETTINGS),
+          5_000)
     grows(tap, "lines", lambda: scene.render().isophotes(3, exact=False), 2_000)
     grows(tap, "sections", lambda: scene.section(samples=5).value.sum(), 2_000)
     grows(tap, "documents", lambda: scene.explain().text, 60)
@@ -59,7 +61,7 @@ def test_references(tap, tool):
     scene = luxel.Scene(SCENE)
     handle = scene._handle
     field = scene.render()
-    settings = (0, 0, 0, None, 0.0, 0.0, 1, False, None)
+    settings = SETTINGS
 
     def work():
         luxel._luxel.scene_capsule(handle)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""The pages keep their word: every block of docs/PYTHON.md runs, in its order, as does what the READMEs print of the package."""
+"""The pages keep their word: every block of docs/PYTHON.md runs, and the line of the READMEs prints what it says."""
 import os
 import re
 import subprocess

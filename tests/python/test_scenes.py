@@ -87,7 +87,8 @@ def test_refused(tap, tool):
     error = raises(luxel.LuxelError, scene.__setitem__, "lights[0].intensity", -1)
     entry = error.diagnostics[0]
     tap.equal((error.status, len(error.diagnostics), entry.id, entry.file, entry.key, entry.line, entry.column),
-              ("scene", 1, "out-of-range", "-s", "lights[0].intensity", 1, 21), "a wrong value is refused with its place")
+              ("scene", 1, "out-of-range", "-s", "lights[0].intensity", 1, 21),
+              "a wrong value is refused with its place")
     tap.equal(scene.text, SCENE, "and changes nothing")
     tap.ok(isinstance(raises(KeyError, scene.__setitem__, "lights[3].intensity", 1), luxel.LuxelKeyError),
            "a missing element is a KeyError")

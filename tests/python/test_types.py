@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Types: the package and a user's program pass `mypy --strict`, wrong ones do not, and the stubs agree with the modules."""
+"""Types: the package and a user's program pass `mypy --strict`, wrong ones do not; the stubs agree with the modules."""
 import os
 import shutil
 import subprocess
