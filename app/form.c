@@ -48,6 +48,17 @@ static const char *component_name(const luxel_parameter *parameter, int componen
     return parameter->count == 3 ? space[component] : _(sides[component]);
 }
 
+/* The label of a row; quantities have names of their own in photometric units. */
+static char *label_of(const AppForm *self, const luxel_parameter *parameter, int component)
+{
+    const char *label = parameter->label;
+    if (self->is_photometric && g_str_has_suffix(parameter->path, ".irradiance"))
+        label = _("Illuminance");
+    if (self->is_photometric && g_str_has_suffix(parameter->path, ".radiance"))
+        label = _("Luminance");
+    return component < 0 ? g_strdup(label) : g_strdup_printf("%s, %s", label, component_name(parameter, component));
+}
+
 static AppRowKind kind_of(luxel_value_type type)
 {
     switch (type) {
@@ -267,8 +278,7 @@ static void show_menu(AppRow *row, GtkWidget *at, Entry *entry)
 static void add_entry(AppForm *self, const luxel_parameter *parameter, int component)
 {
     Entry *entry = g_new0(Entry, 1);
-    char *label = component < 0 ? g_strdup(parameter->label)
-                                : g_strdup_printf("%s, %s", parameter->label, component_name(parameter, component));
+    char *label = label_of(self, parameter, component);
     const AppRowSpec spec = {
         .kind = kind_of(parameter->value_type),
         .label = label,
@@ -352,7 +362,10 @@ static void refresh_units(AppForm *self)
     self->is_photometric = photometric;
     for (guint i = 0; i < self->entries->len; i++) {
         const Entry *entry = g_ptr_array_index(self->entries, i);
+        char *label = label_of(self, entry->parameter, entry->component);
         app_row_set_unit(APP_ROW(entry->row), unit_of(self, entry->parameter));
+        app_row_set_label(APP_ROW(entry->row), label);
+        g_free(label);
     }
 }
 

@@ -74,6 +74,26 @@ void app_row_set_unit(AppRow *self, const char *unit)
     gtk_label_set_text(GTK_LABEL(self->unit), unit);
 }
 
+/* What screen readers say of the control, too. */
+static void name_row(const AppRow *self)
+{
+    const char *meaning = gtk_widget_get_tooltip_text(GTK_WIDGET(self));
+    if (APP_IS_CHOICE(self->control))
+        app_choice_name(APP_CHOICE(self->control), self->label, meaning ? meaning : "");
+    else
+        app_name_control(self->control, self->label);
+}
+
+void app_row_set_label(AppRow *self, const char *label)
+{
+    if (strcmp(label, self->label) == 0)
+        return;
+    g_free(self->label);
+    self->label = g_strdup(label);
+    gtk_label_set_text(GTK_LABEL(self->name), label);
+    name_row(self);
+}
+
 /* ---- the other kinds ---- */
 
 static void switched(GtkCheckButton *button, AppRow *self)
@@ -369,12 +389,9 @@ GtkWidget *app_row_new(const AppRowSpec *spec)
     if (self->slider)
         gtk_box_append(GTK_BOX(self), self->slider);
     gtk_box_append(GTK_BOX(self), self->note);
-    if (APP_IS_CHOICE(self->control))
-        app_choice_name(APP_CHOICE(self->control), self->label, spec->meaning ? spec->meaning : "");
-    else {
-        app_name_control(self->control, self->label);
+    name_row(self);
+    if (!APP_IS_CHOICE(self->control))
         gtk_accessible_update_property(GTK_ACCESSIBLE(self->control), GTK_ACCESSIBLE_PROPERTY_DESCRIPTION,
                                        spec->meaning ? spec->meaning : "", -1);
-    }
     return GTK_WIDGET(self);
 }

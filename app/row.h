@@ -55,6 +55,7 @@ gboolean app_row_restore(AppRow *self);
 void app_row_suggest(AppRow *self, double low, double high);
 /* The unit's name. */
 void app_row_set_unit(AppRow *self, const char *unit);
+void app_row_set_label(AppRow *self, const char *label);
 
 /* Names a control for those who do not see it, and the part of it that takes the keys, where that is another one. */
 void app_name_control(GtkWidget *control, const char *name);

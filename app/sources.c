@@ -126,8 +126,8 @@ static void add_item(AppSources *self)
     g_signal_connect(item->enabled, "toggled", G_CALLBACK(enabled_toggled), item);
     g_signal_connect(item->solo, "toggled", G_CALLBACK(solo_toggled), item);
     gtk_widget_set_tooltip_text(item->gives,
-                                _("Φ: the flux of the source in all\nE: the irradiance where the centre of the first "
-                                  "surface is seen; 0 also in shadow"));
+                                _("Φ: the flux of the source in all\nE: the irradiance or illuminance where the centre "
+                                  "of the first surface is seen; 0 also in shadow"));
     gtk_list_box_append(GTK_LIST_BOX(self->list), line);
     watch_pointer(gtk_widget_get_parent(line), item);
     g_ptr_array_add(self->items, item);

@@ -27,7 +27,7 @@ static void name_light(const luxel_light_share *share, char buffer[TEXT_SIZE])
 }
 
 /* The number of points only where some source was split into such. */
-static void print_shares(const luxel_probe *probe)
+static void print_shares(const luxel_scene *scene, const luxel_probe *probe)
 {
     bool split = false;
 
@@ -36,8 +36,8 @@ static void print_shares(const luxel_probe *probe)
 
     struct text_table *table = text_table_new(split ? "llrrrrr" : "llrrrr");
 
-    text_table_row(table, TEXT_CELLS(_("light"), _("type"), _("irradiance"), _("diffuse"), _("highlight"),
-                                     _("error at most"), split ? _("parts") : NULL));
+    text_table_row(table, TEXT_CELLS(_("light"), _("type"), _(luxel_scene_quantity_word(scene, LUXEL_IRRADIANCE)),
+                                     _("diffuse"), _("highlight"), _("error at most"), split ? _("parts") : NULL));
     for (size_t i = 0; i < probe->share_count; i++) {
         const luxel_light_share *share = &probe->shares[i];
         char name[TEXT_SIZE], irradiance[TEXT_SIZE], diffuse[TEXT_SIZE], specular[TEXT_SIZE], error[TEXT_SIZE];
@@ -110,7 +110,7 @@ static void print_point(const struct result *result, size_t i)
     print_surface(result, probe);
     print_pixel(probe);
     if (probe->share_count > 0)
-        print_shares(probe);
+        print_shares(result->scene, probe);
 }
 
 /* How many elements lie where hardly anybody wants them, the first of them by its number. */

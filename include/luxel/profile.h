@@ -41,6 +41,7 @@ typedef struct luxel_profile_sample {
 typedef struct luxel_profile {
     luxel_path_type type;                /* what it runs along */
     luxel_quantity quantity;             /* what its values are */
+    const char *quantity_word;           /* its name: brightness, luminance, irradiance, illuminance or values */
     size_t count;                        /* of the samples */
     const luxel_profile_sample *samples; /* count of them */
     size_t lights;                       /* of the scene; 0 where the values are the picture's */

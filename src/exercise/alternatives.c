@@ -53,7 +53,7 @@ static const struct convention conventions[] = {
      MATERIAL,
      "over_pi",
      {"false", "true", NULL},
-     {LX_N("brightness without the factor 1/π"), LX_N("radiance: everything times 1/π")}},
+     {LX_N("everything without the factor 1/π"), LX_N("everything times 1/π, as a radiance or luminance has it")}},
     {LX_N("normalized highlight"),
      MATERIAL,
      "normalized",

@@ -30,11 +30,13 @@ static const char *digits(double value, int count, char buffer[LX_NUMBER_SIZE])
 
 static void add_title(const struct explaining *explaining)
 {
+    static const char *const titles[] = {
+        LX_N("The brightness seen at x = {0}, y = {1} mm"), LX_N("The luminance seen at x = {0}, y = {1} mm"),
+        LX_N("The irradiance seen at x = {0}, y = {1} mm"), LX_N("The illuminance seen at x = {0}, y = {1} mm")};
     char x[LX_NUMBER_SIZE], y[LX_NUMBER_SIZE];
     lx_document_title(
         explaining->document,
-        explaining->quantity == LUXEL_IRRADIANCE ? LX_N("The irradiance seen at x = {0}, y = {1} mm")
-                                                 : LX_N("The brightness seen at x = {0}, y = {1} mm"),
+        lx_by_quantity(explaining->quantity, lx_scene_parameters(explaining->scene)->units == LX_PHOTOMETRIC, titles),
         LX_SPANS(LX_PLAIN(digits(explaining->probe->x_mm, 9, x)), LX_PLAIN(digits(explaining->probe->y_mm, 9, y))));
 }
 

@@ -113,12 +113,15 @@ static void explain_laws(struct luxel_document *document, const struct used *use
                          LX_SPANS(LX_MATH("f = 1")));
 }
 
-static void explain_lights(struct luxel_document *document, const struct used *used)
+static void explain_lights(struct luxel_document *document, const struct used *used, bool photometric)
 {
     if (used->point) {
         lx_document_paragraph(document,
-                              LX_N("A source at {0} with the intensity {1} lies in the direction {2} at the distance "
-                                   "{3} and gives a surface that faces it the irradiance {4}:"),
+                              photometric
+                                  ? LX_N("A source at {0} with the intensity {1} lies in the direction {2} at the "
+                                         "distance {3} and gives a surface that faces it the illuminance {4}:")
+                                  : LX_N("A source at {0} with the intensity {1} lies in the direction {2} at the "
+                                         "distance {3} and gives a surface that faces it the irradiance {4}:"),
                               LX_SPANS(LX_MATH("\\mathbf{S}"), LX_MATH("I"), LX_MATH("\\mathbf{L}"), LX_MATH("r"),
                                        LX_MATH("E_{\\perp}")));
         lx_document_formula(
@@ -133,12 +136,17 @@ static void explain_lights(struct luxel_document *document, const struct used *u
         lx_document_item(document, LX_N("the same in all directions: {0}"), LX_SPANS(LX_MATH("g = 1")));
     if (used->distant)
         lx_document_paragraph(document,
-                              LX_N("A distant source has the same direction {0} and irradiance {1} everywhere."),
+                              photometric
+                                  ? LX_N("A distant source has the same direction {0} and illuminance {1} everywhere.")
+                                  : LX_N("A distant source has the same direction {0} and irradiance {1} everywhere."),
                               LX_SPANS(LX_MATH("\\mathbf{L}"), LX_MATH("E_{\\perp}")));
     if (used->extended) {
         lx_document_paragraph(document,
-                              LX_N("An extended source with the radiance {0} is the integral over what of it "
-                                   "faces the point, each part of it with its own direction and distance:"),
+                              photometric
+                                  ? LX_N("An extended source with the luminance {0} is the integral over what of it "
+                                         "faces the point, each part of it with its own direction and distance:")
+                                  : LX_N("An extended source with the radiance {0} is the integral over what of it "
+                                         "faces the point, each part of it with its own direction and distance:"),
                               LX_SPANS(LX_MATH("L_e")));
         lx_document_formula(document, "dE_{\\perp} = L_e\\, \\max(0, \\cos \\theta')\\, a(r)\\, dA'");
     }
@@ -177,17 +185,22 @@ static void explain_weight(struct luxel_document *document, const struct lx_mate
 static void explain_ambient(struct luxel_document *document, const struct lx_prepared *prepared)
 {
     const struct lx_list *surfaces = &prepared->scene->surfaces;
+    const bool photometric = prepared->scene->units == LX_PHOTOMETRIC;
     size_t divided = 0;
     for (size_t i = 0; i < surfaces->count; i++)
         divided += ((const struct lx_surface_common *)surfaces->items[i].common)->material.over_pi;
     if (divided > 0 && divided < surfaces->count)
         lx_document_paragraph(
             document,
-            LX_N("Ambient light of the irradiance {0} adds {1}, whatever the normal, or {2} where the "
-                 "material divides by π."),
+            photometric ? LX_N("Ambient light of the illuminance {0} adds {1}, whatever the normal, or {2} where the "
+                               "material divides by π.")
+                        : LX_N("Ambient light of the irradiance {0} adds {1}, whatever the normal, or {2} where the "
+                               "material divides by π."),
             LX_SPANS(LX_MATH("E_a"), LX_MATH("k_a E_a"), LX_MATH("\\frac{1}{\\pi} k_a E_a")));
     else
-        lx_document_paragraph(document, LX_N("Ambient light of the irradiance {0} adds {1}, whatever the normal."),
+        lx_document_paragraph(document,
+                              photometric ? LX_N("Ambient light of the illuminance {0} adds {1}, whatever the normal.")
+                                          : LX_N("Ambient light of the irradiance {0} adds {1}, whatever the normal."),
                               LX_SPANS(LX_MATH("E_a"), LX_MATH(divided > 0 ? "\\frac{1}{\\pi} k_a E_a" : "k_a E_a")));
 }
 
@@ -229,23 +242,28 @@ static void explain_material(struct luxel_document *document, const struct lx_ma
 void lx_explain_model(struct luxel_document *document, const struct lx_prepared *prepared, luxel_quantity quantity)
 {
     const struct lx_scene_parameters *scene = prepared->scene;
+    static const char *const sums[] = {LX_N("The brightness is the sum over the sources of what the surface reflects:"),
+                                       LX_N("The luminance is the sum over the sources of what the surface reflects:"),
+                                       LX_N("The irradiance is the sum over the sources:"),
+                                       LX_N("The illuminance is the sum over the sources:")};
+    const bool photometric = scene->units == LX_PHOTOMETRIC;
+    const char *sum = lx_by_quantity(quantity, photometric, sums);
     struct used used = find_used(prepared);
     explain_places(document, prepared);
-    explain_lights(document, &used);
+    explain_lights(document, &used, photometric);
     if (prepared->shadows && (used.point || used.distant))
         lx_document_paragraph(
             document,
             LX_N("Where another surface stands in the way of a source that is a point or distant, it gives no light."),
             NULL);
     if (quantity == LUXEL_IRRADIANCE) {
-        lx_document_paragraph(document, LX_N("The irradiance is the sum over the sources:"), NULL);
+        lx_document_paragraph(document, sum, NULL);
         lx_document_formula(document, used.ambient
                                           ? "E = E_a + \\sum E_{\\perp} \\max(0, \\mathbf{N} \\cdot \\mathbf{L})"
                                           : "E = \\sum E_{\\perp} \\max(0, \\mathbf{N} \\cdot \\mathbf{L})");
         return;
     }
-    lx_document_paragraph(document, LX_N("The brightness is the sum over the sources of what the surface reflects:"),
-                          NULL);
+    lx_document_paragraph(document, sum, NULL);
     for (size_t i = 0; i < scene->surfaces.count; i++) {
         const struct lx_surface_common *common = scene->surfaces.items[i].common;
         struct lx_text name = {0};

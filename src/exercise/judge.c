@@ -48,7 +48,7 @@ struct search {
 static const luxel_alternative shares = {
     .convention = LX_N("what is given"),
     .choice = LX_N("share of the maximum"),
-    .meaning = LX_N("the brightness divided by the picture's maximum"),
+    .meaning = LX_N("the value divided by the picture's maximum"),
 };
 static const luxel_alternative greys = {
     .convention = LX_N("what is given"),

@@ -44,7 +44,7 @@ static luxel_status check_path(const luxel_path *path, luxel_diagnostics *diagno
 }
 
 /* A profile with places along the line; NULL when memory is short. */
-static luxel_profile *new_profile(const luxel_path *path, luxel_quantity quantity, size_t lights)
+static luxel_profile *new_profile(const luxel_path *path, luxel_quantity quantity, const char *word, size_t lights)
 {
     luxel_profile *made = lx_new_array(1, sizeof *made);
     luxel_profile_sample *samples = lx_new_array(path->samples, sizeof *samples);
@@ -57,6 +57,7 @@ static luxel_profile *new_profile(const luxel_path *path, luxel_quantity quantit
     }
     *made = (luxel_profile){.type = path->type,
                             .quantity = quantity,
+                            .quantity_word = word,
                             .count = path->samples,
                             .samples = samples,
                             .lights = lights,
@@ -172,13 +173,15 @@ luxel_status luxel_find_profile(const luxel_evaluator *evaluator, const luxel_pa
 {
     struct arc arc;
     const luxel_settings *settings = &evaluator->settings;
+    const luxel_quantity quantity = luxel_evaluator_quantity(evaluator);
+    const bool photometric = evaluator->prepared.scene->units == LX_PHOTOMETRIC;
     luxel_status status = check_path(path, diagnostics);
     if (status == LUXEL_OK && path->type == LUXEL_PATH_ARC)
         status = find_arc(evaluator, path, diagnostics, &arc);
     if (status != LUXEL_OK)
         return status;
     luxel_profile *made =
-        new_profile(path, luxel_evaluator_quantity(evaluator), luxel_evaluator_light_count(evaluator));
+        new_profile(path, quantity, lx_quantity_word(quantity, photometric), luxel_evaluator_light_count(evaluator));
     if (!made)
         return lx_out_of_memory(diagnostics);
     struct lx_control control = {
@@ -227,7 +230,7 @@ luxel_status luxel_field_profile(const luxel_field *field, const luxel_path *pat
         status = lx_no_places(diagnostics);
     if (status != LUXEL_OK)
         return status;
-    luxel_profile *made = new_profile(path, field->quantity, 0);
+    luxel_profile *made = new_profile(path, field->quantity, field->quantity_word, 0);
     if (!made)
         return lx_out_of_memory(diagnostics);
     luxel_profile_sample *samples = (luxel_profile_sample *)made->samples;

@@ -39,11 +39,10 @@ static const char *way_word(const luxel_profile *profile, luxel_along along)
 static void choose_labels(const luxel_drawing_style *style, const luxel_profile *profile,
                           const luxel_profile_style *how, struct drawing *drawing)
 {
-    bool irradiance = profile->quantity == LUXEL_IRRADIANCE;
     drawing->x_label = how->x_label ? how->x_label : word(style->language, way_word(profile, how->along));
     drawing->y_label = how->y_label;
     if (!drawing->y_label)
-        drawing->y_label = word(style->language, irradiance ? LX_N("irradiance") : LX_N("brightness"));
+        drawing->y_label = word(style->language, profile->quantity_word);
     drawing->legend.whole = word(style->language, LX_N("all together"));
 }
 

@@ -63,10 +63,13 @@ static void add_title(struct lx_report *report)
     if (texts->title)
         lx_document_title(report->document, "{0}", LX_SPANS(LX_PLAIN(texts->title)));
     else
-        lx_document_title(report->document,
-                          is_irradiance(report) ? LX_N("Distribution of the irradiance over lit surfaces")
-                                                : LX_N("Distribution of the brightness over lit surfaces"),
-                          NULL);
+        lx_document_title(
+            report->document,
+            lx_report_choose(report, (const char *const[]){LX_N("Distribution of the brightness over lit surfaces"),
+                                                           LX_N("Distribution of the luminance over lit surfaces"),
+                                                           LX_N("Distribution of the irradiance over lit surfaces"),
+                                                           LX_N("Distribution of the illuminance over lit surfaces")}),
+            NULL);
     const char *const lines[] = {texts->author, texts->group, texts->date};
     for (size_t i = 0; i < sizeof lines / sizeof lines[0]; i++)
         if (is_given(lines[i]))

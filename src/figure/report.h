@@ -52,6 +52,8 @@ luxel_status lx_report_pictures(struct lx_report *report);
 
 /* "brightness" or "irradiance", and whether it is the latter. */
 const char *lx_report_quantity(const struct lx_report *report);
+/* The sentence about it, of those that name brightness, luminance, irradiance and illuminance. */
+const char *lx_report_choose(const struct lx_report *report, const char *const sentences[4]);
 bool lx_report_is_irradiance(const struct lx_report *report);
 
 /* Whether values above 0 lie where no light arrives: the tail of a highlight that is not gated. */

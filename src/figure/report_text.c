@@ -15,6 +15,11 @@ const char *lx_report_quantity(const struct lx_report *report)
     return luxel_field_quantity_word(report->field);
 }
 
+const char *lx_report_choose(const struct lx_report *report, const char *const sentences[4])
+{
+    return lx_by_quantity(luxel_field_quantity(report->field), report->parameters->units == LX_PHOTOMETRIC, sentences);
+}
+
 bool lx_report_is_irradiance(const struct lx_report *report)
 {
     return luxel_field_quantity(report->field) == LUXEL_IRRADIANCE;
@@ -38,32 +43,36 @@ void lx_report_add_place(struct lx_text *text, const double *values, size_t coun
 /* What the work is for: the author's own words, or what is computed. */
 static void add_aim(struct lx_report *report)
 {
+    static const char *const aims[] = {LX_N("To learn to compute how sources of light distribute the brightness over "
+                                            "surfaces, and to show the distribution as a picture."),
+                                       LX_N("To learn to compute how sources of light distribute the luminance over "
+                                            "surfaces, and to show the distribution as a picture."),
+                                       LX_N("To learn to compute how sources of light distribute the irradiance over "
+                                            "surfaces, and to show the distribution as a picture."),
+                                       LX_N("To learn to compute how sources of light distribute the illuminance over "
+                                            "surfaces, and to show the distribution as a picture.")};
     const char *aim = report->texts->aim;
     lx_document_heading(report->document, 1, LX_N("Aim of the work"), NULL);
     if (aim && *aim)
         lx_document_paragraph(report->document, "{0}", LX_SPANS(LX_PLAIN(aim)));
     else
-        lx_document_paragraph(report->document,
-                              lx_report_is_irradiance(report)
-                                  ? LX_N("To learn to compute how sources of light distribute the irradiance over "
-                                         "surfaces, and to show the distribution as a picture.")
-                                  : LX_N("To learn to compute how sources of light distribute the brightness over "
-                                         "surfaces, and to show the distribution as a picture."),
-                              NULL);
+        lx_document_paragraph(report->document, lx_report_choose(report, aims), NULL);
 }
 
 void lx_report_task(struct lx_report *report)
 {
+    static const char *const tasks[] = {LX_N("Compute how the brightness is distributed over the surfaces below, seen "
+                                             "on a screen, and show it as a picture of grey levels 0 to 255."),
+                                        LX_N("Compute how the luminance is distributed over the surfaces below, seen "
+                                             "on a screen, and show it as a picture of grey levels 0 to 255."),
+                                        LX_N("Compute how the irradiance is distributed over the surfaces below, seen "
+                                             "on a screen, and show it as a picture of grey levels 0 to 255."),
+                                        LX_N("Compute how the illuminance is distributed over the surfaces below, seen "
+                                             "on a screen, and show it as a picture of grey levels 0 to 255.")};
     struct luxel_document *document = report->document;
     add_aim(report);
     lx_document_heading(document, 1, LX_N("Task"), NULL);
-    lx_document_paragraph(document,
-                          lx_report_is_irradiance(report)
-                              ? LX_N("Compute how the irradiance is distributed over the surfaces below, seen on a "
-                                     "screen, and show it as a picture of grey levels 0 to 255.")
-                              : LX_N("Compute how the brightness is distributed over the surfaces below, seen on a "
-                                     "screen, and show it as a picture of grey levels 0 to 255."),
-                          NULL);
+    lx_document_paragraph(document, lx_report_choose(report, tasks), NULL);
     if (report->probe_count > 0)
         lx_document_paragraph(
             document, LX_N("Give its values in the points asked for, and the greatest and the least value."), NULL);

@@ -18,7 +18,8 @@ static const struct lx_parameter ambient_parameters[] = {
         .unit = LX_UNIT_IRRADIANCE,
         .required = true,
         .legal = LX_FROM(0),
-        .meaning = "the irradiance that it adds to every element, whatever its normal",
+        .meaning = "the irradiance, in photometric units the illuminance, that it adds to every element, whatever "
+                   "its normal",
     },
 };
 

@@ -29,7 +29,7 @@ static const struct lx_parameter distant_parameters[] = {
         .unit = LX_UNIT_IRRADIANCE,
         .required = true,
         .legal = LX_FROM(0),
-        .meaning = "the irradiance on a plane that faces the light",
+        .meaning = "the irradiance, in photometric units the illuminance, on a plane that faces the light",
     },
 };
 

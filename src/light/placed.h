@@ -45,7 +45,7 @@ struct lx_placed {
             .unit = LX_UNIT_INTENSITY,                                                                                 \
             .legal = LX_FROM(0),                                                                                       \
             .advised = {LX_BETWEEN(0.01, 10000)},                                                                      \
-            .meaning = "the radiant intensity, along the axis where it depends on the direction",                      \
+            .meaning = "the intensity, radiant or luminous, along the axis where it depends on the direction",         \
         },                                                                                                             \
         {                                                                                                              \
             .name = "power",                                                                                           \

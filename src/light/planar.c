@@ -170,7 +170,7 @@ static const struct lx_parameter planar_parameters[] = {
         .unit = LX_UNIT_INTENSITY,
         .legal = LX_FROM(0),
         .advised = {LX_BETWEEN(0.01, 10000)},
-        .meaning = "the radiant intensity along the normal, from far away: the radiance times the area",
+        .meaning = "the intensity, radiant or luminous, along the normal, from far away: the radiance times the area",
     },
     {
         .name = "sides",

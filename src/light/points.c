@@ -41,8 +41,8 @@ static const struct lx_parameter points_parameters[] = {
         .unit = LX_UNIT_INTENSITY,
         .legal = LX_FROM(0),
         .advised = {LX_BETWEEN(0.01, 10000)},
-        .meaning = "the radiant intensity of each source, along the axis where it depends on the direction, for files "
-                   "that tell none: without it, those of an .lp file have 1",
+        .meaning = "the intensity, radiant or luminous, of each source, along the axis where it depends on the "
+                   "direction, for files that give none: without it, those of an .lp file have 1",
     },
     LX_SHINING_PARAMETERS(struct points_parameters, shining),
     LX_PATTERN_PARAMETERS(struct points_parameters),

@@ -39,7 +39,8 @@ extern const char *const lx_parts_names[];
         .unit = LX_UNIT_RADIANCE,                                                                                      \
         .legal = LX_FROM(0),                                                                                           \
         .advised = {LX_BETWEEN(0.01, 1e6)},                                                                            \
-        .meaning = "the radiance, the same everywhere and in all directions of a lit side",                            \
+        .meaning = "the radiance, in photometric units the luminance, the same everywhere and in all directions of a " \
+                   "lit side",                                                                                         \
     },                                                                                                                 \
         {                                                                                                              \
             .name = "power",                                                                                           \

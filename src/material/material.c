@@ -62,7 +62,8 @@ static const struct lx_parameter material_parameters[] = {
         .type = LX_BOOLEAN,
         .offset = offsetof(struct lx_material, over_pi),
         .initial = "false",
-        .meaning = "whether the result is divided by pi, which makes radiance from irradiance",
+        .meaning = "whether the result is divided by pi, which makes radiance from irradiance, or luminance from "
+                   "illuminance",
     },
     {
         .name = "highlight",

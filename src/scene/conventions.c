@@ -273,6 +273,11 @@ const char *lx_quantity_word(luxel_quantity quantity, bool photometric)
     return photometric ? LX_N("luminance") : LX_N("brightness");
 }
 
+const char *lx_by_quantity(luxel_quantity quantity, bool photometric, const char *const sentences[4])
+{
+    return sentences[(quantity == LUXEL_IRRADIANCE ? 2 : 0) + photometric];
+}
+
 const char *luxel_scene_quantity_word(const luxel_scene *scene, luxel_quantity quantity)
 {
     bool is_ready = scene && luxel_scene_is_committed(scene);

@@ -24,6 +24,9 @@ enum lx_rounding { LX_TRUNCATE, LX_NEAREST };
 /* What a quantity is called: brightness and irradiance, or luminance and illuminance; a phrase. */
 const char *lx_quantity_word(luxel_quantity quantity, bool photometric);
 
+/* The sentence about a quantity, of those that name brightness, luminance, irradiance and illuminance; a phrase. */
+const char *lx_by_quantity(luxel_quantity quantity, bool photometric, const char *const sentences[4]);
+
 struct lx_screen {
     uint64_t given;
     double width_mm, height_mm;

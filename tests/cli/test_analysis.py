@@ -5,6 +5,7 @@ import csv
 import io
 import json
 import math
+import re
 
 import numpy
 
@@ -156,6 +157,23 @@ def tool_render(tool, scene):
     return scene + ".npy"
 
 
+def quantities(tap, tool):
+    """Every name of a quantity is that of what is shown, by --quantity and the units of the scene."""
+    names = {("radiometric", "brightness"): "brightness", ("photometric", "brightness"): "luminance",
+             ("radiometric", "irradiance"): "irradiance", ("photometric", "irradiance"): "illuminance"}
+    for (units, quantity), name in names.items():
+        options = ["-s", "units=" + units, "--quantity", quantity, "-s", "screen.resolution=[50, 40]"]
+        title = tool.run("explain", "desk", *options, "-p", "0,100").out.splitlines()[0]
+        tap.equal(title, "The %s seen at x = 0, y = 100 mm" % name, "explain: " + name)
+        for command in ["render"], ["probe"], ["stats"], ["isophotes", "--levels", "2"], [
+                "profile", "--from", "-50,0", "--to", "50,0"]:
+            head = tool.run(command[0], "desk", *command[1:], *options).out
+            tap.ok("desk: %s in " % name in head, "%s: %s" % (command[0], name), head[:300])
+            others = set(names.values()) - {name, names[units, "irradiance"]}
+            tap.ok(not any(re.search(r"\b%s\b" % other, head) for other in others), "nothing else: " + command[0],
+                   head)
+
+
 def explanation(tap, tool):
     answer = tool.run("explain", "-p", "0,0", "--json").json()
     point, = answer["points"]
@@ -227,4 +245,5 @@ def refused(tap, tool):
     tap.equal(tool.files(), before, "nothing was written")
 
 
-run_tests(Tap(), statistics, histogram, extrema, profiles, isophotes, comparison, passed_over, explanation, refused)
+run_tests(Tap(), statistics, histogram, extrema, profiles, isophotes, comparison, passed_over, quantities, explanation,
+          refused)

@@ -181,6 +181,33 @@ def other_scenes(tap, tool):
         says(tap, text, "of a plate is its axis", name == "desk", name)
 
 
+def quantities(tap, tool):
+    """Title, aim, task and method name what is computed, by --quantity and the units of the scene, in Russian, too."""
+    names = {("radiometric", "brightness"): "brightness", ("photometric", "brightness"): "luminance",
+             ("radiometric", "irradiance"): "irradiance", ("photometric", "irradiance"): "illuminance"}
+    lights = ("lights=[{type: point, position: [500, 0, 2000], intensity: 4}, {type: ambient, irradiance: 1}, "
+              "{type: distant, direction: [0, 0, -1], irradiance: 1}, "
+              "{type: planar, disk: {center: [0, 0, 2000], radius: 9}, radiance: 3}]")
+    for (units, quantity), name in names.items():
+        options = [*SMALL, "-s", "units=" + units, "-s", lights, "--quantity", quantity]
+        text = report(tool, *options)
+        for sentence in ("^# Distribution of the %s over", "distribute the %s over surfaces",
+                         "Compute how the %s is dist", "^The %s is the sum over"):
+            tap.ok(re.search(sentence % name, text, re.M), "%s: %s" % (name, sentence), text[:3000])
+        method = text.split("Method")[1].split("Pictures")[0]
+        falls = names[units, "irradiance"]
+        for sentence in "faces it the %s", "direction .* and %s", "Ambient light of the %s":
+            if "Ambient" not in sentence or quantity == "brightness":
+                tap.ok(re.search(sentence % falls, method), "%s: %s" % (name, sentence), method)
+        wrong = {"illuminance", "luminance"} if units == "radiometric" else {"irradiance", "radiance", "brightness"}
+        tap.ok(not any(re.search(r"\b%s\b" % word, method) for word in wrong), name + ": no word of other units",
+               method)
+        russian = report(tool, *options, environment={"LANGUAGE": "ru"})
+        word = "освещённости" if quantity == "irradiance" else "яркости"
+        tap.ok(re.search("^# Распределение %s " % word, russian, re.M) and "облуч" not in russian, name + " in Russian",
+               russian[:500])
+
+
 def repetition(tap, tool):
     """The commands that repeat the report do so: their numbers are the report's."""
     text = report(tool, *SMALL, "--quantity", "irradiance", "--precision", "double")
@@ -284,4 +311,5 @@ def scene_on_one_page(tap, tool):
         tap.ok("Repetition" in pages[having[0]], "%d lights: with its heading" % count)
 
 
-run_tests(Tap(), the_exercise, kinds_of_light, other_scenes, repetition, parameters, title_page, scene_on_one_page)
+run_tests(Tap(), the_exercise, kinds_of_light, other_scenes, quantities, repetition, parameters, title_page,
+          scene_on_one_page)

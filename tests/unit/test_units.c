@@ -51,6 +51,23 @@ static const struct {
 
 static const char *const words[2][2] = {{"brightness", "irradiance"}, {"luminance", "illuminance"}};
 
+/* Profiles are of the same quantity, exact ones and those of the picture. */
+static void check_profiles(const luxel_scene *scene, const luxel_field *field, const luxel_settings *settings,
+                           const char *word)
+{
+    const luxel_path path = {.type = LUXEL_PATH_LINE, .from_mm = {-10, 0}, .to_mm = {10, 0}, .samples = 2};
+    luxel_evaluator *evaluator;
+    luxel_profile *profile;
+    assert_int_equal(luxel_evaluator_new(scene, settings, NULL, &evaluator), LUXEL_OK);
+    assert_int_equal(luxel_find_profile(evaluator, &path, NULL, &profile), LUXEL_OK);
+    assert_string_equal(profile->quantity_word, word);
+    luxel_profile_free(profile);
+    luxel_evaluator_free(evaluator);
+    assert_int_equal(luxel_field_profile(field, &path, NULL, &profile), LUXEL_OK);
+    assert_string_equal(profile->quantity_word, word);
+    luxel_profile_free(profile);
+}
+
 static void units(void **state)
 {
     (void)state;
@@ -76,6 +93,7 @@ static void units(void **state)
                 assert_string_equal(luxel_field_quantity_word(field), words[photometric][irradiance]);
                 assert_string_equal(luxel_scene_quantity_word(scene, settings.quantity),
                                     words[photometric][irradiance]);
+                check_profiles(scene, field, &settings, words[photometric][irradiance]);
                 luxel_field_free(field);
                 luxel_scene_free(scene);
             }

@@ -65,6 +65,18 @@ def every_kind(tap, desk):
     checked(desk, window)
 
 
+def names_of_quantities(tap, desk):
+    """In photometric units the form speaks of illuminance, in radiometric ones of irradiance."""
+    window = desk.start().window()
+    window.act("new", "desk")
+    window.click(window.control("list item", "2  room (ambient)"))
+    tap.ok(wait("a row of the illuminance", lambda: window.says("Illuminance")), "illuminance in lx")
+    tap.equal(window.says("Irradiance"), None, "and no irradiance")
+    window.act("new", "ambient")
+    tap.ok(wait("a row of the irradiance", lambda: window.says("Irradiance")), "irradiance in W/m²")
+    tap.equal(window.says("Illuminance"), None, "and no illuminance")
+
+
 def on_off_alone(tap, desk):
     window = desk.start().window()
     window.act("new", "three-lights")
@@ -142,4 +154,4 @@ def another_key(tap, desk):
            "%s is given instead of %s" % (other.lower(), given.lower()), scene)
 
 
-trial(other_type, another_key, list_of_sources, every_kind, on_off_alone, aimed)
+trial(other_type, another_key, list_of_sources, every_kind, names_of_quantities, on_off_alone, aimed)
