@@ -75,8 +75,9 @@ class Lamp:
 
     def cell(self, a, b, c, d, cosine):
         total = 0.0
-        for x, u in GAUSS:
-            for y, v in GAUSS:
+        across, along = (MANY, TWO) if self.kind == "B" else (TWO, MANY)  # the other way the map is linear
+        for x, u in across:
+            for y, v in along:
                 plane, angle = (a + b) / 2 + (b - a) / 2 * x, (c + d) / 2 + (d - c) / 2 * y
                 polar = {"C": math.sin(math.radians(angle)), "A": math.cos(math.radians(angle)),
                          "B": math.cos(math.radians(plane))}[self.kind]
@@ -109,7 +110,7 @@ def gauss(count):
     return found
 
 
-GAUSS = gauss(6)
+TWO, MANY = gauss(2), gauss(12)
 
 
 def read_ies(text):
