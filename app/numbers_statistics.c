@@ -82,11 +82,23 @@ static void show_place(AppNumbers *self, Line line, double x_mm, double y_mm)
     app_numbers_set_text(self->lines[line], text);
 }
 
-/* The place of a least value in the line below it; a difference has none of them. */
-static void show_least(AppNumbers *self, Line line, const luxel_extremum *least, gboolean is_difference)
+/* Leaves out the lines that say nothing of a difference, which has neither a least value above 0 nor uniformity. */
+static void choose_lines(AppNumbers *self, gboolean is_difference)
+{
+    static const Line of_pictures[] = {LINE_LEAST,         LINE_LEAST_PLACE, LINE_REACHED,
+                                       LINE_REACHED_PLACE, LINE_U0,          LINE_UD};
+    for (gsize i = 0; i < G_N_ELEMENTS(of_pictures); i++) {
+        GtkWidget *value = self->lines[of_pictures[i]], *name = gtk_widget_get_prev_sibling(value);
+        gtk_widget_set_visible(value, !is_difference);
+        gtk_widget_set_visible(name, !is_difference);
+    }
+}
+
+/* The place of a least value in the line below it. */
+static void show_least(AppNumbers *self, Line line, const luxel_extremum *least)
 {
     show_place(self, line + 1, least->x_mm, least->y_mm);
-    if (is_difference || !least->exists) {
+    if (!least->exists) {
         app_numbers_set_text(self->lines[line], "–");
         app_numbers_set_text(self->lines[line + 1], "–");
     }
@@ -117,8 +129,9 @@ void app_numbers_show_statistics(AppNumbers *self, AppMeasures *measures)
         app_numbers_set_number(self->lines[i], numbers[i]);
     show_place(self, LINE_MAXIMUM_PLACE, summary->maximum.x_mm, summary->maximum.y_mm);
     show_place(self, LINE_TRUE_MAXIMUM_PLACE, maximum->x_mm, maximum->y_mm);
-    show_least(self, LINE_LEAST, &statistics->minimum, measures->is_difference);
-    show_least(self, LINE_REACHED, &measures->reached, measures->is_difference);
+    choose_lines(self, measures->is_difference);
+    show_least(self, LINE_LEAST, &statistics->minimum);
+    show_least(self, LINE_REACHED, &measures->reached);
     if (!measures->has_extrema) {
         app_numbers_set_text(self->lines[LINE_TRUE_MAXIMUM], "–");
         app_numbers_set_text(self->lines[LINE_TRUE_MAXIMUM_PLACE], "–");

@@ -40,7 +40,7 @@ typedef struct luxel_summary {
     double median;             /* the middle value, or the mean of the two in the middle */
     double standard_deviation; /* of the pixels themselves: the root of the mean square distance from the mean */
     double lit;                /* share of the pixels from 1.2e-38 up */
-    bool has_evenness;         /* whether the mean is above 0; else the next two are 0 */
+    bool has_evenness;         /* whether the mean is above 0 and no value below; else the next two are 0 */
     double u0;                 /* minimum / mean, the uniformity U0 (EN 12665) */
     double ud;                 /* minimum / maximum, the diversity Ud */
 } luxel_summary;

@@ -62,7 +62,7 @@ luxel_status luxel_field_summary(const luxel_field *field, const luxel_region *r
         summary->mean = mean_of(&gathered);
         summary->standard_deviation = deviation_of(&gathered, summary->mean);
         summary->median = median_of(&gathered);
-        summary->has_evenness = summary->mean > 0;
+        summary->has_evenness = summary->mean > 0 && summary->minimum.value >= 0; /* a difference may be below 0 */
     }
     if (summary->has_evenness) {
         summary->u0 = summary->minimum.value / summary->mean;

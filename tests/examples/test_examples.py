@@ -57,6 +57,43 @@ def probe_points(program, root):
     tap.ok(missing.returncode == 1 and "scene.yaml" in missing.stderr, "a missing file is named", missing.stderr)
 
 
+def probe_many(program, root):
+    """Points of the screen against the sphere's own formula; elements of a table, an array and with a wrong row."""
+    def brightness(x, y):
+        n = [x / 300, y / 300, math.sqrt(1 - (x * x + y * y) / 9e4)]
+        place = [x, y, 1000 + 300 * n[2]]
+        towards = [a - b for a, b in zip((2000, 0, 2000), place)]
+        length = math.sqrt(sum(a * a for a in towards))
+        half = [a / length + b for a, b in zip(towards, (0, 0, 1))]
+        size = math.sqrt(sum(a * a for a in half))
+        cosine = sum(a * b for a, b in zip(n, towards)) / length
+        return 10 * (0.8 * max(0, cosine) + 0.5 * max(0, sum(a * b for a, b in zip(n, half)) / size) ** 20)
+
+    sides = [(i + 0.5) * 5 - 250 for i in range(100)]
+    expected = [brightness(x, y) for x in sides for y in sides if x * x + y * y < 9e4]
+    plain = run(program)
+    form = (r"10000 places, (\d+) with a value\nmean (\S+) W/sr, errors at most (\S+)\n"
+            r"greatest (\S+) W/sr at \((\S+), (\S+), (\S+)\) mm\n")
+    found = re.fullmatch(form, plain.stdout)
+    if tap.ok(plain.returncode == 0 and plain.stderr == "" and found, "ten thousand points", plain):
+        tap.equal(int(found[1]), len(expected), "as many as lie on the sphere")
+        tap.near(float(found[2]), sum(expected) / len(expected), 1e-8, "their mean")
+        tap.near(float(found[4]), max(expected), 1e-11, "the greatest of them")
+        tap.ok(float(found[3]) < 1e-12, "narrow bounds", found[3])
+    with tempfile.TemporaryDirectory() as folder:
+        scene, table = os.path.join(root, "data", "scenes", "three-lights.yaml"), os.path.join(folder, "places.csv")
+        with open(table, "w", encoding="utf-8") as file:
+            file.write("x;y;z;nx;ny;nz\n0;0;1300;0;0;1\n150;0;1259,8076;0,5;0;0,866\n")
+        both = run(program, scene, table)
+        tap.ok(both.returncode == 0 and "2 places, 2 with a value" in both.stdout, "elements of a table", both)
+        with open(table, "a", encoding="utf-8") as file:
+            file.write("1;2;3;4;5;much\n")
+        wrong = run(program, scene, table)
+        tap.ok(wrong.returncode == 1 and wrong.stdout == "" and "much" in wrong.stderr, "a wrong row", wrong)
+    missing = run(program, scene, "/no/such/places.csv")
+    tap.ok(missing.returncode == 1 and "places.csv" in missing.stderr, "a missing table is named", missing.stderr)
+
+
 def compare_conventions(program, _):
     both = run(program)
     tap.equal((both.returncode, both.stderr), (0, ""), "both scenes are rendered")
@@ -90,8 +127,8 @@ def measure_plane(program, root):
 def main():
     program, root = map(os.path.abspath, sys.argv[1:])
     name = os.path.basename(program)
-    tap.run({"render_to_png": render_to_png, "probe_points": probe_points, "measure_plane": measure_plane,
-             "compare_conventions": compare_conventions}[name], program, root)
+    tap.run({"render_to_png": render_to_png, "probe_points": probe_points, "probe_many": probe_many,
+             "measure_plane": measure_plane, "compare_conventions": compare_conventions}[name], program, root)
     tap.finish()
 
 

@@ -122,6 +122,17 @@ static void test_dark(void **state)
     luxel_field_free(field);
 }
 
+/* What lies on both sides of 0, as differences do, has no uniformity. */
+static void test_below_0(void **state)
+{
+    (void)state;
+    const double values[] = {-1, 2, 5};
+    luxel_field *field = csv_field(values, 1, 3);
+    luxel_summary all = summary_of(field, NULL);
+    assert_true(all.mean == 2 && all.minimum.value == -1 && !all.has_evenness && all.u0 == 0 && all.ud == 0);
+    luxel_field_free(field);
+}
+
 /* Neither a sum nor a square leaves the range of doubles, and small numbers are not lost beside large ones. */
 static void test_ends_of_the_range(void **state)
 {
@@ -295,6 +306,7 @@ int main(void)
         cmocka_unit_test(test_median_by_sorting),
         cmocka_unit_test(test_regions),
         cmocka_unit_test(test_dark),
+        cmocka_unit_test(test_below_0),
         cmocka_unit_test(test_ends_of_the_range),
         cmocka_unit_test(test_of_field),
         cmocka_unit_test(test_no_number),

@@ -28,6 +28,7 @@ def sides(tap, desk):
     wait("A", lambda: window.state("side") == "pinned")
     tap.ok(wait("A's points", lambda: window.values() == first), "with A shown the points' values are A's")
     tap.ok(wait("A's statistics", lambda: "11.74753" in window.labels()), "and the statistics", window.labels())
+    tap.ok(window.says("Uniformity U0") and window.says("Least value above 0"), "uniformity and least value among them")
     pinned = pointed_value(window, *place)
     tap.ok("   A:" in pinned, "the line at the edge says that it reads A", pinned)
     number = re.compile(r"N \([^)]*\)   (\S+)")
@@ -40,6 +41,8 @@ def sides(tap, desk):
     tap.ok(window.says("B − A: brightness"), "which is said where the unit is")
     tap.ok(wait("its statistics", lambda: "17.6213" in window.labels()),
            "the greatest difference stands in the statistics")
+    for name in "Uniformity U0", "Diversity Ud", "Least value above 0", "Minimum where light arrives":
+        tap.equal(window.says(name), None, "a difference has no such line: " + name)
     read = pointed_value(window, *place)
     found = re.search(r"A (\S+)   B (\S+)   B − A (\S+) ", read)
     tap.ok(found, "the line at the edge tells A, B and B - A", read)
