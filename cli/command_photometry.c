@@ -8,7 +8,9 @@
 
 #include "cli.h"
 #include "message.h"
+#include "outputs.h"
 #include "photometry.h"
+#include "standard_output.h"
 #include "text.h"
 
 /* ---- what the file says ---- */
@@ -264,15 +266,44 @@ static void print_text(const struct luminaire *luminaire)
     print_warnings(luminaire);
 }
 
+/* ---- files ---- */
+
+static luxel_status check_name(const char *path, luxel_diagnostics *diagnostics)
+{
+    static const char *const endings[] = {".ies", ".ldt"};
+
+    return luxel_check_ending(path, endings, COUNT_OF(endings), diagnostics);
+}
+
+static int write_outputs(const struct options *options, const struct luminaire *luminaire)
+{
+    luxel_diagnostics *diagnostics = message_new_diagnostics();
+    int code = EXIT_DONE;
+
+    for (size_t i = 0; i < options->output_count; i++) {
+        const luxel_status status = luxel_photometry_write(luminaire->photometry, options->outputs[i], diagnostics);
+
+        if (status != LUXEL_OK)
+            code = message_failure(status, diagnostics);
+        luxel_diagnostics_clear(diagnostics);
+    }
+    luxel_diagnostics_free(diagnostics);
+    return code;
+}
+
 static int run(const struct options *options)
 {
     struct luminaire luminaire;
-    int code = luminaire_open(options, &luminaire);
+    int code = outputs_check(options, check_name);
 
+    if (code != EXIT_DONE)
+        return code;
+    code = luminaire_open(options, &luminaire);
     if (code == EXIT_DONE) {
+        code = write_outputs(options, &luminaire);
         if (options->json)
             luminaire_print_json(&luminaire);
-        else
+        else if (standard_output_is_free(options))
             print_text(&luminaire);
     }
     luminaire_close(&luminaire);
@@ -284,14 +315,17 @@ const struct command command_photometry = {
     .bit = COMMAND_PHOTOMETRY,
     .operand = N_("FILE"),
     .operand_kind = OPERAND_FILE,
+    .endings = ".ies .ldt",
     .summary = N_("what a luminaire file (IES, EULUMDAT) says"),
     .description =
         N_("Reads a luminaire file, IES LM-63 of 1986 to 2019 or EULUMDAT, and prints what it says and what its table "
            "of intensities amounts to: the flux by the zone rule and by the linear rule, light output ratio and "
            "downward flux fraction, the greatest intensity, beam and field angle, CIE flux code, spacing criterion "
            "and direct ratios. All errors of a wrong file are listed with line and column; what is odd is a warning, "
-           "and no number is ever rescaled in silence."),
+           "and no number is ever rescaled in silence. Each FILE of -o is the same luminaire as LM-63-2002 or as "
+           "EULUMDAT."),
     .examples = "luxel photometry lamp.ies\n"
-                "luxel photometry lamp.ldt --json",
+                "luxel photometry lamp.ldt --json\n"
+                "luxel photometry lamp.ldt -o lamp.ies",
     .run = run,
 };

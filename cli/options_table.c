@@ -18,8 +18,8 @@ static const char *const quantity_words[] = {"brightness", "irradiance", "lumina
 static const char *const precision_words[] = {"single", "double", NULL};
 static const char *const csv_words[] = {"rfc4180", "excel-ru", NULL};
 static const char *const bits_words[] = {"8", "16", NULL};
-static const char *const format_words[] = {"png", "npy", "pfm",  "csv",      "exr",   "svg",  "pdf",
-                                           "md",  "tex", "text", "markdown", "latex", "html", NULL};
+static const char *const format_words[] = {"png", "npy",  "pfm",      "csv",   "exr",  "svg", "pdf", "md",
+                                           "tex", "text", "markdown", "latex", "html", "ies", "ldt", NULL};
 static const char *const section_words[] = {"center", "maximum", NULL};
 const char *const option_formats[] = {"text", "markdown", "latex", "html", NULL};
 
@@ -326,7 +326,8 @@ enum {
     COMPUTING = PICTURES | COMMAND_GRADE | COMMAND_BENCH,
     SCENES = PICTURES | COMMAND_CHECK | COMMAND_ADVISE | COMMAND_SCENE | COMMAND_SET | COMMAND_VARIANT | COMMAND_BENCH,
     WRITING = COMMAND_RENDER | COMMAND_PROBE | COMMAND_GRID | COMMAND_SET | COMMAND_PROFILE | COMMAND_ISOPHOTES |
-              COMMAND_COMPARE | COMMAND_FIGURE | COMMAND_EXPLAIN | COMMAND_REPORT | COMMAND_VARIANT,
+              COMMAND_COMPARE | COMMAND_FIGURE | COMMAND_EXPLAIN | COMMAND_REPORT | COMMAND_VARIANT |
+              COMMAND_PHOTOMETRY,
     TABLES = COMMAND_STATS | COMMAND_PROFILE | COMMAND_ISOPHOTES | COMMAND_COMPARE | COMMAND_GRADE
 };
 

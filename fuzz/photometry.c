@@ -60,6 +60,30 @@ static void check_map(const luxel_photometry *photometry)
             }
 }
 
+/* What was written, read back, has the same intensities. */
+static void write_and_read(const luxel_photometry *photometry, const char *ending, double rounding)
+{
+    struct fuzz_file file = fuzz_open("", 0, ending);
+    luxel_photometry *again = NULL;
+    luxel_photometry_figures figures;
+    luxel_photometry_measure(photometry, &figures);
+    luxel_status status = luxel_photometry_write(photometry, file.path, NULL);
+    fuzz_must(status == LUXEL_OK || photometry->type != LUXEL_TYPE_C, "a luminaire can be written");
+    if (status == LUXEL_OK && figures.zone_lumens > 1e-200 && figures.zone_lumens < 1e200) {
+        fuzz_must(luxel_photometry_read(file.path, NULL, &again) == LUXEL_OK, "what is written can be read");
+        for (size_t i = 0; i < photometry->plane_count; i++)
+            for (size_t j = 0; j < photometry->angle_count; j++) {
+                double had = photometry->intensities[i * photometry->angle_count + j];
+                double has = luxel_photometry_intensity(again, LUXEL_INTERPOLATE_ANGLE, photometry->planes[i],
+                                                        photometry->angles[j]);
+                bool is_seam = i + 1 == photometry->plane_count && photometry->type == LUXEL_TYPE_C;
+                fuzz_must(is_seam || fabs(has - had) <= rounding * figures.greatest_cd, "and is the same");
+            }
+    }
+    luxel_photometry_free(again);
+    fuzz_close(&file);
+}
+
 int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
 {
     luxel_diagnostics *diagnostics = luxel_diagnostics_new();
@@ -74,6 +98,8 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
         check_table(photometry);
         check_figures(photometry);
         check_map(photometry);
+        write_and_read(photometry, ".ies", 1e-9);
+        write_and_read(photometry, ".ldt", 1e-9);
     }
     luxel_photometry_free(photometry);
     luxel_diagnostics_free(diagnostics);

@@ -184,6 +184,15 @@ typedef struct luxel_photometry_figures {
 /* Computes them.  LUXEL_ERROR_MEMORY. */
 LUXEL_API luxel_status luxel_photometry_measure(const luxel_photometry *photometry, luxel_photometry_figures *figures);
 
+/*
+ * Writes a luminaire by the extension of the name: .ies as IESNA:LM-63-2002, .ldt as EULUMDAT, whole or not at all.  What
+ * is written reads back as the same table, but for planes that repeat others, and roundings of EULUMDAT in the last
+ * digit.  LUXEL_ERROR_ARGUMENT: another extension, or a type that EULUMDAT does not know.  LUXEL_ERROR_FILE.
+ * LUXEL_ERROR_MEMORY.
+ */
+LUXEL_API luxel_status luxel_photometry_write(const luxel_photometry *photometry, const char *path,
+                                              luxel_diagnostics *diagnostics);
+
 /* The i-th room index for direct ratios: .6 .8 1 1.25 1.5 2 2.5 3 4 5. */
 LUXEL_API double luxel_room_index(size_t i);
 

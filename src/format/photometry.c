@@ -242,10 +242,10 @@ static bool looks_like_eulumdat(struct lx_luminaire_file file)
 
 static void (*find_reader(const struct lx_luminaire_file *file))(struct lx_luminaire_file *)
 {
+    if (looks_like_eulumdat(*file)) /* first: its texts may be anything, even TILT=, and LM-63 never looks so */
+        return lx_read_eulumdat;
     if (looks_like_lm63(*file))
         return lx_read_lm63;
-    if (looks_like_eulumdat(*file))
-        return lx_read_eulumdat;
     return has_ending(file->name, ".ies") ? lx_read_lm63 : has_ending(file->name, ".ldt") ? lx_read_eulumdat : NULL;
 }
 

@@ -75,9 +75,8 @@ static size_t side_images(const struct lx_stored_table *table, struct image *ima
 
 static size_t plain_images(const struct lx_stored_table *table, struct image *images)
 {
-    double from = table->is_turn ? table->planes[0] - wrapped(table->planes[0]) : 0;
     for (size_t i = 0; i < table->plane_count; i++)
-        images[i] = (struct image){table->planes[i] - from, i};
+        images[i] = (struct image){table->planes[i], i};
     return table->plane_count;
 }
 
@@ -88,7 +87,8 @@ bool lx_complete_table(const struct lx_stored_table *table, struct lx_photometry
     struct image *images = lx_new_array(4 * table->plane_count + 1, sizeof *images);
     if (!images)
         return false;
-    bool is_turn = shown->type == LUXEL_TYPE_C && !table->is_turn;
+    bool is_whole = table->is_turn && table->planes[0] == 0; /* with its own last plane, should that differ */
+    bool is_turn = shown->type == LUXEL_TYPE_C && !is_whole;
     size_t planes = is_turn                                     ? turn_images(table, shown->symmetry, images)
                     : shown->symmetry == LUXEL_SYMMETRY_LATERAL ? side_images(table, images)
                                                                 : plain_images(table, images);

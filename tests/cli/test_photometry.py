@@ -122,6 +122,43 @@ def tilt_files(tap, tool):
            "wrong", result)
 
 
+def conversion(tap, tool):
+    tool.write("lamp.ies", lambert(5))
+    about = tool.run("photometry", "lamp.ies", "--json").json()
+    result = tool.run("photometry", "lamp.ies", "-o", "a.ies", "-o", "b.LDT", "--json")
+    tap.ok(result.code == 0 and result.json() == about, "two files and the numbers", result)
+    for name, kind in ("a.ies", "LM-63-2002"), ("b.LDT", "EULUMDAT"):
+        again = tool.run("photometry", name, "--json").json()
+        tap.equal((again["format"], again["warnings"]), (kind, []), name)
+        tap.equal((again["opening"], again["declared_lumens"], again["watts"]),
+                  (about["opening"], about["declared_lumens"], 20), name + " says the same")
+        tap.near(again["max"]["intensity"], 1000, 2e-16, "and has the same greatest intensity")
+        tap.near(again["flux"]["zone"], about["flux"]["zone"], 1e-15, "and has the same flux")
+    texts = {text["keyword"]: text["text"] for text in tool.run("photometry", "a.ies", "--json").json()["texts"]}
+    tap.equal((texts["MANUFAC"], texts["LUMINAIRE"]), ("Lampe AG", "a\nb"), "and the same texts")
+    tap.ok(max(map(len, tool.read("a.ies").split(b"\n"))) <= 132, "no line is too long")
+    to_pipe = tool.run("photometry", "lamp.ies", "-o", "-", "--format", "ies")
+    tap.ok(to_pipe.code == 0 and to_pipe.out.encode() == tool.read("a.ies"), "standard output", to_pipe)
+    quiet = tool.run("photometry", "lamp.ies", "-o", "c.ldt", "-q")
+    tap.ok(quiet.code == 0 and not quiet.out + quiet.err, "-q", quiet)
+    sideways = HEAD + "1 -1 1 3 3 2 2 0 0 0\n1 1 10\n-90 0 90\n-90 0 90\n0 0 0 0 9 0 0 0 0\n"
+    result = tool.run("photometry", "-", "-o", "d.ldt", "-q", stdin=sideways)
+    tap.ok(result.code == 2 and "type C alone" in result.err and "d.ldt" not in tool.files(), "type B", result)
+    tap.equal(tool.run("photometry", "-", "-o", "d.ies", "-q", stdin=sideways).code, 0, "which LM-63 knows")
+    result = tool.run("photometry", "lamp.ies", "-o", "a.gif")
+    tap.ok(result.code == 2 and ".ldt" in result.err, "another extension", result)
+    result = tool.run("photometry", "lamp.ies", "-o", "none/a.ies")
+    tap.ok(result.code == 4 and not result.out, "no such folder", result)
+    tool.write("wrong.ies", WRONG[6][1])
+    tap.ok(tool.run("photometry", "wrong.ies", "-o", "e.ies").code == 4 and "e.ies" not in tool.files(),
+           "of a wrong file nothing is written")
+    cyrillic = HEAD.replace("Lampe AG", "Светильник") + AXIAL
+    tool.run("photometry", "-", "-o", "f.ldt", "-q", stdin=cyrillic)
+    tap.ok("Светильник" in tool.read("f.ldt").decode("utf-8"), "what ISO 8859-1 has not is UTF-8")
+    tool.run("photometry", "-", "-o", "g.ldt", "-q", stdin=HEAD.replace("Lampe AG", "Lämpe") + AXIAL)
+    tap.ok(b"L\xe4mpe" in tool.read("g.ldt"), "what it has is ISO 8859-1")
+
+
 def sections(tap, tool):
     """Beam and field angles of lamps that do not shine straight down."""
     def beam(planes, rows, gammas=(0, 10, 20, 30, 40, 50, 60, 70, 80, 90)):
@@ -145,7 +182,7 @@ def sections(tap, tool):
 
 
 def main():
-    run_tests(Tap(), told, eulumdat_files, encodings, odd, wrong, tilt_files, sections)
+    run_tests(Tap(), told, eulumdat_files, encodings, odd, wrong, tilt_files, conversion, sections)
 
 
 main()

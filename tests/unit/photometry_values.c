@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /*
  * What the library reads from a luminaire file, for test_photometry.py: photometry_values FILE prints a line of facts,
- * then answers each line of standard input: `angle P A` and `cosine P A` with the intensity there, `direction P A` with
+ * after it has written the luminaire to a second FILE, if there is one; then answers each line of standard input: `angle P A` and `cosine P A` with the intensity there, `direction P A` with
  * the unit vector and the angles that it is turned back into.
  */
 #include <stdio.h>
@@ -49,6 +49,8 @@ int main(int argc, char **argv)
                 entry->line, entry->column, message);
         luxel_text_free(message);
     }
+    if (status == LUXEL_OK && argc > 2)
+        status = luxel_photometry_write(photometry, argv[2], NULL);
     if (status == LUXEL_OK) {
         print_facts(photometry);
         while (scanf("%15s %lf %lf", what, &plane, &angle) == 3)

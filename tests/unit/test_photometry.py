@@ -198,6 +198,39 @@ def factors(tap, folder):
         tap.equal(Reading(write(folder, "factor.ies", text)).number("multiplier"), expected, tag)
 
 
+def converted(tap, folder):
+    """What is written as LM-63 and as EULUMDAT and read back, by the library and by the second reader."""
+    wrong = []
+    for name, data, lamp, rng in model.files(1995, int(os.environ.get("LUXEL_FILES", 40))):
+        path = write(folder, name, data)
+        asked = list(random_directions(rng, lamp, 40))
+        questions = ["%s %.17g %.17g" % (how, plane, angle) for plane, angle in asked for how in ("angle", "cosine")]
+        before, greatest = Reading(path, questions), max(map(max, lamp.values))
+        for ending, reader, rounding in (".ies", model.read_ies, 0.0), (".ldt", model.read_ldt, 4e-16):
+            target = os.path.join(folder, "converted" + ending)
+            done = subprocess.run([PROGRAM, path, target], input="", capture_output=True, text=True, timeout=60)
+            if ending == ".ldt" and lamp.kind != "C":
+                wrong += ["%s: type %s as EULUMDAT" % (name, lamp.kind)] if done.returncode == 0 else []
+                continue
+            after = Reading(target, questions)
+            # between planes that symmetry has moved to the other side sums round apart
+            worst = max((abs(a[0] - b[0]) / greatest for a, b in zip(before.answers, after.answers)), default=1)
+            if after.code or len(after.answers) != len(questions) or worst > 1e-13:
+                wrong.append("%s to %s: %.3g apart %s" % (name, ending, worst, after.err))
+                continue
+            if not near(after.number("greatest"), greatest, rounding) and greatest == before.number("greatest"):
+                wrong.append("%s to %s: the greatest %s" % (name, ending, after.facts))
+            with open(target, encoding="utf-8" if ending == ".ies" else "latin-1", newline="") as file:
+                again = reader(file.read())
+            apart = max(abs(again.at(*place) - lamp.at(*place)) / greatest for place in asked)
+            if apart > 1e-11 or again.kind != lamp.kind:
+                wrong.append("%s to %s, as the second reader has it: %.3g" % (name, ending, apart))
+            for fact in "shape", "width", "length", "height", "type":
+                if after.facts[fact] != before.facts[fact]:
+                    wrong.append("%s to %s: %s %s, not %s" % (name, ending, fact, after.facts[fact], before.facts[fact]))
+    tap.ok(not wrong, "what is converted reads back", *wrong[:8])
+
+
 def speed(tap, folder):
     rng = model.random.Random(1)
     planes, angles = [0.5 * i for i in range(721)], [0.5 * i for i in range(361)]
@@ -210,7 +243,7 @@ def speed(tap, folder):
 
 def main():
     tap = Tap()
-    for test in (lambert, one_lamp_in_three_types, twins, openings, factors, speed, against_the_model):
+    for test in (lambert, one_lamp_in_three_types, twins, openings, factors, speed, converted, against_the_model):
         with tempfile.TemporaryDirectory() as folder:
             tap.run(test, tap, folder)
     tap.finish()
