@@ -424,6 +424,7 @@ static void app_window_class_init(AppWindowClass *class)
     BIND(bar);
     BIND(unsaved_bar);
     BIND(unsaved_label);
+    BIND(discard_button);
     BIND(fault_bar);
     BIND(fault_label);
     BIND(stale_box);

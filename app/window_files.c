@@ -54,8 +54,12 @@ gboolean app_window_open(AppWindow *self, const char *path)
         remember(path);
         app_window_show_fault(self, NULL);
     } else {
-        char *text = fault_of_file(faults, path);
+        char *fault = fault_of_file(faults, path);
+        const char *name = app_document_name(self->document);
+        char *text =
+            g_strdup_printf(_("%s\nThe file was not opened. Still shown: %s"), fault, *name ? name : _("a new scene"));
         app_window_show_fault(self, text);
+        g_free(fault);
         g_free(text);
     }
     luxel_diagnostics_free(faults);
@@ -285,20 +289,43 @@ static void export_path(GSimpleAction *action, GVariant *argument, gpointer data
 
 /* ---- unsaved work ---- */
 
+/* "own.yaml", or what a scene without a name has. */
+static char *name_of(const AppUnsaved *unsaved)
+{
+    luxel_scene *scene = NULL;
+    gsize sources;
+    if (unsaved->name)
+        return g_strdup(unsaved->name);
+    if (luxel_scene_read_text(unsaved->text, strlen(unsaved->text), "", NULL, &scene) != LUXEL_OK ||
+        luxel_scene_commit(scene, NULL) != LUXEL_OK) {
+        luxel_scene_free(scene);
+        return g_strdup(_("a new scene"));
+    }
+    sources = luxel_scene_light_count(scene);
+    luxel_scene_free(scene);
+    return g_strdup_printf(ngettext("a new scene with %zu source", "a new scene with %zu sources", sources), sources);
+}
+
 static void show_offer(AppWindow *self)
 {
     const AppUnsaved *unsaved = self->unsaved && self->unsaved->len > 0 ? g_ptr_array_index(self->unsaved, 0) : NULL;
     if (unsaved) {
         GDateTime *time = g_date_time_new_from_unix_local(unsaved->time);
         char *when = time ? g_date_time_format(time, "%Y-%m-%d %H:%M") : g_strdup("");
-        char *text = g_strdup_printf(_("Unsaved work was found: %s, of %s"),
-                                     unsaved->name ? unsaved->name : _("a new scene"), when);
+        char *name = name_of(unsaved);
+        char *text = g_strdup_printf(self->is_discarded ? _("Unsaved work was discarded: %s, of %s")
+                                                        : _("Unsaved work was found: %s, of %s"),
+                                     name, when);
         gtk_label_set_text(GTK_LABEL(self->unsaved_label), text);
+        gtk_button_set_label(GTK_BUTTON(self->discard_button), self->is_discarded ? _("Close") : _("Discard"));
+        g_free(name);
         g_free(text);
         g_free(when);
         if (time)
             g_date_time_unref(time);
     }
+    if (!unsaved)
+        gtk_label_set_text(GTK_LABEL(self->unsaved_label), ""); /* what is no longer shown is not read out either */
     app_window_reveal_bar(self, self->unsaved_bar, unsaved != NULL);
 }
 
@@ -323,6 +350,7 @@ static void restore(GSimpleAction *action, GVariant *argument, gpointer data)
         app_recovery_write(window->recovery);
         app_unsaved_discard(unsaved);
         g_ptr_array_remove_index(self->unsaved, 0);
+        self->is_discarded = FALSE;
     } else {
         char *text = app_faults_text(faults);
         app_window_show_fault(self, text);
@@ -334,15 +362,19 @@ static void restore(GSimpleAction *action, GVariant *argument, gpointer data)
     show_offer(self);
 }
 
+/* The file goes at once; what was in it stays with the bar, to be restored after all, until that is closed. */
 static void discard(GSimpleAction *action, GVariant *argument, gpointer data)
 {
     AppWindow *self = data;
     (void)action;
     (void)argument;
-    if (self->unsaved && self->unsaved->len > 0) {
-        app_unsaved_discard(g_ptr_array_index(self->unsaved, 0));
+    if (!self->unsaved || self->unsaved->len == 0)
+        return;
+    if (self->is_discarded)
         g_ptr_array_remove_index(self->unsaved, 0);
-    }
+    else
+        app_unsaved_discard(g_ptr_array_index(self->unsaved, 0));
+    self->is_discarded = !self->is_discarded;
     show_offer(self);
 }
 

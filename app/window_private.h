@@ -33,7 +33,8 @@ struct _AppWindow {
     double section_mm[2];
     double pointer_mm[2];
     gboolean pointer_inside;
-    GPtrArray *unsaved; /* AppUnsaved's that are still to be offered */
+    GPtrArray *unsaved;    /* AppUnsaved's that are still to be offered */
+    gboolean is_discarded; /* the first of them, which can be taken back until the bar is closed */
     guint progress_timer, pulse_timer, say_timer;
     int left_width, right_width; /* of the panes, as a hand left them */
     gboolean is_placed;          /* they are where they belong */
@@ -44,7 +45,7 @@ struct _AppWindow {
     /* of the template */
     AppView *view;
     GtkWidget *left_pane, *right_pane, *left_scroll, *left_box, *right_box, *compare_box, *compare_label, *bar;
-    GtkWidget *unsaved_bar, *unsaved_label, *fault_bar, *fault_label;
+    GtkWidget *unsaved_bar, *unsaved_label, *discard_button, *fault_bar, *fault_label;
     GtkWidget *stale_box, *stale_label, *repair_button, *repair_label;
     GtkWidget *status_label, *message_label, *progress;
     GMenu *builtin_menu, *recent_menu, *export_menu;

@@ -27,7 +27,7 @@ static void add(struct text_table *table, const char *name, double value, double
 
     if (!isnan(relative))
         text_format(share, _("%.3g of the scale"), relative);
-    text_table_row(table, TEXT_CELLS(name, text_format(number, "%.9g", value + 0.0), share));
+    text_table_row(table, TEXT_CELLS(name, text_value(number, 9, value + 0.0), share));
 }
 
 static void print_place(const luxel_extremum *largest)

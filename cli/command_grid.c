@@ -228,7 +228,7 @@ static void add_number(struct text_table *table, const char *name, bool exists, 
 {
     char number[TEXT_SIZE];
 
-    text_table_row(table, TEXT_CELLS(name, exists ? text_format(number, "%.6g", value) : _("none"), "", ""));
+    text_table_row(table, TEXT_CELLS(name, exists ? text_value(number, 6, value) : _("none"), "", ""));
 }
 
 static void add_extremum(struct text_table *table, const char *name, const luxel_grid *grid,
@@ -240,7 +240,7 @@ static void add_extremum(struct text_table *table, const char *name, const luxel
         add_number(table, name, false, 0.0);
         return;
     }
-    text_table_row(table, TEXT_CELLS(name, text_format(value, "%.6g", extremum->value),
+    text_table_row(table, TEXT_CELLS(name, text_value(value, 6, extremum->value),
                                      text_format(cell, "(%u, %u)", extremum->column, extremum->row),
                                      text_lengths(extremum->position_mm, 3, position)));
 }
@@ -250,8 +250,8 @@ static void add_bounded(struct text_table *table, const char *name, double value
 {
     char number[TEXT_SIZE], bound[TEXT_SIZE], cell[TEXT_SIZE];
 
-    text_table_row(table, TEXT_CELLS(name, text_format(number, "%.9g", value),
-                                     text_format(cell, "± %s", text_error(error, bound)), ""));
+    text_table_row(table, TEXT_CELLS(name, text_value(number, 9, value),
+                                     text_format(cell, "± %s", text_bound(bound, value, error)), ""));
 }
 
 /* How far the average of the values is from the mean over the plane. */

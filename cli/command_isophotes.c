@@ -92,9 +92,9 @@ static void print_text(const struct drawing *drawing)
         const luxel_isophote *line = &drawing->isophotes->lines[i];
         char level[TEXT_SIZE], vertices[TEXT_SIZE], length[TEXT_SIZE];
 
-        text_table_row(
-            table, TEXT_CELLS(text_format(level, "%.9g", line->level), text_format(vertices, "%zu", line->count),
-                              line->closed ? _("closed") : _("open"), text_format(length, "%.3f", length_of(line))));
+        text_table_row(table, TEXT_CELLS(text_value(level, 9, line->level), text_format(vertices, "%zu", line->count),
+                                         line->closed ? _("closed") : _("open"),
+                                         text_format(length, "%.3f", length_of(line))));
     }
     text_table_print(table, stdout, 2);
     if (drawing->isophotes->count == 0)

@@ -44,11 +44,10 @@ static void print_shares(const luxel_scene *scene, const luxel_probe *probe)
         char parts[TEXT_SIZE];
 
         name_light(share, name);
-        text_table_row(table,
-                       TEXT_CELLS(name, share->type, text_format(irradiance, "%.12g", share->irradiance),
-                                  text_format(diffuse, "%.12g", share->diffuse),
-                                  text_format(specular, "%.12g", share->specular), text_error(share->error, error),
-                                  split ? text_format(parts, "%zu", share->parts) : NULL));
+        text_table_row(table, TEXT_CELLS(name, share->type, text_value(irradiance, 12, share->irradiance),
+                                         text_value(diffuse, 12, share->diffuse),
+                                         text_value(specular, 12, share->specular), text_error(share->error, error),
+                                         split ? text_format(parts, "%zu", share->parts) : NULL));
     }
     text_table_print(table, stdout, 4);
 }
@@ -97,14 +96,14 @@ static void print_surface(const struct result *result, const luxel_probe *probe)
 static void print_point(const struct result *result, size_t i)
 {
     const luxel_probe *probe = &result->probes[i];
-    char name[TEXT_SIZE], error[TEXT_SIZE], position[TEXT_SIZE];
+    char name[TEXT_SIZE], value[TEXT_SIZE], error[TEXT_SIZE], position[TEXT_SIZE];
 
     if (!probe->has_value) {
         printf("%s\n", result_no_value(result, i, name));
         return;
     }
-    printf("%s: %.15g ± %s %s\n", result_point_name(result, i, name), probe->value, text_error(probe->error, error),
-           _(result_unit(result)));
+    printf("%s: %s ± %s %s\n", result_point_name(result, i, name), text_value(value, 15, probe->value),
+           text_bound(error, probe->value, probe->error), _(result_unit(result)));
     printf(_("  position %s mm, normal (%.9g, %.9g, %.9g)\n"), text_lengths(probe->position_mm, 3, position),
            probe->normal[0] + 0.0, probe->normal[1] + 0.0, probe->normal[2] + 0.0);
     print_surface(result, probe);
@@ -138,9 +137,8 @@ static void print_lines(const struct result *result)
         const luxel_probe *probe = &result->probes[i];
 
         if (probe->has_value)
-            text_table_row(table,
-                           TEXT_CELLS(result_point_name(result, i, name), text_format(value, "%.12g", probe->value),
-                                      text_error(probe->error, error)));
+            text_table_row(table, TEXT_CELLS(result_point_name(result, i, name), text_value(value, 12, probe->value),
+                                             text_bound(error, probe->value, probe->error)));
         else
             text_table_line(table, result_no_value(result, i, value));
     }

@@ -163,9 +163,9 @@ static void add_sample(struct text_table *table, const struct profiling *profili
     cells[0] = text_format(numbers[0], "%.4f", sample->abscissa);
     cells[1] = text_length(sample->x_mm, numbers[1]);
     cells[2] = text_length(sample->y_mm, numbers[2]);
-    cells[3] = sample->has_value ? text_format(numbers[3], "%.9g", sample->value) : "-";
+    cells[3] = sample->has_value ? text_value(numbers[3], 9, sample->value) : "-";
     for (size_t k = 0; k < lights; k++)
-        cells[4 + k] = sample->has_value ? text_format(numbers[4 + k], "%.6g", share_of(profiling, i, k)) : "";
+        cells[4 + k] = sample->has_value ? text_value(numbers[4 + k], 6, share_of(profiling, i, k)) : "";
     text_table_row(table, cells);
 }
 

@@ -24,7 +24,7 @@ static void add_extremum(struct text_table *table, const char *name, const luxel
         text_table_row(table, TEXT_CELLS(name, _("none"), "", ""));
         return;
     }
-    text_table_row(table, TEXT_CELLS(name, text_format(value, "%.6g", extremum->value),
+    text_table_row(table, TEXT_CELLS(name, text_value(value, 6, extremum->value),
                                      text_format(pixel, "(%u, %u)", extremum->column, extremum->row),
                                      text_lengths((const double[]){extremum->x_mm, extremum->y_mm}, 2, screen)));
 }
@@ -55,7 +55,7 @@ static void print_statistics(const struct result *result)
     if (is_known)
         add_extremum(table, _("minimum where light arrives"), &statistics->minimum_reached);
     if (statistics->has_surface) {
-        text_table_row(table, TEXT_CELLS(_("mean"), text_format(mean, "%.6g", statistics->mean), "", ""));
+        text_table_row(table, TEXT_CELLS(_("mean"), text_value(mean, 6, statistics->mean), "", ""));
         text_table_row(table,
                        TEXT_CELLS(_("pixels above 0"), text_format(lit, "%.2f %%", 100.0 * statistics->lit), "", ""));
     } else {
@@ -81,9 +81,9 @@ static void add_point(struct text_table *table, const struct result *result, siz
         text_format(pixel, "(%u, %u)", probe->column, probe->row);
     else
         text_format(pixel, "%s", _("off the screen"));
-    text_table_row(table, TEXT_CELLS(name, text_format(value, "%.12g", probe->value), text_error(probe->error, error),
-                                     probe->has_pixel_value ? text_format(pixel_value, "%.6g", probe->pixel_value) : "",
-                                     pixel));
+    text_table_row(table,
+                   TEXT_CELLS(name, text_value(value, 12, probe->value), text_bound(error, probe->value, probe->error),
+                              probe->has_pixel_value ? text_value(pixel_value, 6, probe->pixel_value) : "", pixel));
 }
 
 static void print_points(const struct result *result)

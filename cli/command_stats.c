@@ -80,7 +80,7 @@ static void add_value(struct text_table *table, const char *name, double value, 
 {
     char number[TEXT_SIZE];
 
-    text_table_row(table, TEXT_CELLS(name, text_format(number, "%.10g", value), place, words));
+    text_table_row(table, TEXT_CELLS(name, text_value(number, 10, value), place, words));
 }
 
 static void add_pixel(struct text_table *table, const char *name, const luxel_extremum *extremum)
@@ -103,7 +103,7 @@ static void add_peak(struct text_table *table, const char *name, const luxel_pea
 {
     char value[TEXT_SIZE], screen[2 * TEXT_SIZE], x[TEXT_SIZE], y[TEXT_SIZE];
 
-    text_table_row(table, TEXT_CELLS(name, text_format(value, "%.15g", peak->value),
+    text_table_row(table, TEXT_CELLS(name, text_value(value, 15, peak->value),
                                      text_format(screen, "(%s, %s)", micro(peak->x_mm, x), micro(peak->y_mm, y)),
                                      _(place_words[peak->place])));
 }
@@ -124,7 +124,7 @@ static void print_histogram(const luxel_histogram *histogram)
         for (size_t k = 0; k < columns; k++)
             used += (size_t)snprintf(bar + used, sizeof bar - used, "█");
         bar[used] = '\0';
-        text_table_row(table, TEXT_CELLS(text_format(from, "%.4g", histogram->edges[i]),
+        text_table_row(table, TEXT_CELLS(text_value(from, 4, histogram->edges[i]),
                                          text_format(pixels, "%zu", histogram->counts[i]), bar));
     }
     text_table_print(table, stdout, 2);

@@ -189,6 +189,17 @@ static bool take_bins(struct options *options, const char *argument)
     return argument_whole("--bins", argument, 1, 65536, &options->analysis.bins);
 }
 
+static bool take_digits(struct options *options, const char *argument)
+{
+    unsigned digits;
+
+    (void)options;
+    if (!argument_whole("--digits", argument, 1, 17, &digits))
+        return false;
+    text_set_digits(digits);
+    return true;
+}
+
 static bool take_samples(struct options *options, const char *argument)
 {
     return argument_whole("--samples", argument, 2, 10000000, &options->analysis.samples);
@@ -318,11 +329,13 @@ TAKES_TEXT(aim)
 
 /*
  * The commands that write files, those whose results are tables, those that look at a picture or at measuring planes,
- * those that compute values, and those that read a scene.
+ * those that print values, those that compute them, and those that read a scene.
  */
 enum {
     PICTURES = COMMAND_RENDER | COMMAND_PROBE | COMMAND_EXPLAIN | COMMAND_STATS | COMMAND_PROFILE | COMMAND_ISOPHOTES |
                COMMAND_COMPARE | COMMAND_FIGURE | COMMAND_REPORT | COMMAND_GRID,
+    MEASURING = COMMAND_RENDER | COMMAND_PROBE | COMMAND_GRID | COMMAND_STATS | COMMAND_PROFILE | COMMAND_ISOPHOTES |
+                COMMAND_COMPARE,
     COMPUTING = PICTURES | COMMAND_GRADE | COMMAND_BENCH,
     SCENES = PICTURES | COMMAND_CHECK | COMMAND_ADVISE | COMMAND_SCENE | COMMAND_SET | COMMAND_VARIANT | COMMAND_BENCH,
     WRITING = COMMAND_RENDER | COMMAND_PROBE | COMMAND_GRID | COMMAND_SET | COMMAND_PROFILE | COMMAND_ISOPHOTES |
@@ -361,6 +374,8 @@ static const struct option_row rows[] = {
      .help = N_("the angle of that line from the x axis: 0 (the default) is horizontal, 90 vertical")},
     {"arc", 0, NULL, COMMAND_PROFILE, SETS(analysis.arc),
      .help = N_("go along the great circle of the sphere through the two places seen at --from and --to, in degrees")},
+    {"digits", 0, N_("N"), MEASURING, TAKES(take_digits),
+     .help = N_("print values in N significant digits, 1 to 17; JSON, CSV and other files keep all of them")},
     {"samples", 0, N_("N"), COMMAND_PROFILE, TAKES(take_samples),
      .help = N_("how many values, 2 to 10000000; the default is one for each pixel of the longer side, or 181 on an "
                 "arc")},

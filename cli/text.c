@@ -71,6 +71,25 @@ const char *text_lengths(const double *values_mm, size_t count, char buffer[TEXT
     return buffer;
 }
 
+static unsigned wanted_digits;
+
+void text_set_digits(unsigned digits)
+{
+    wanted_digits = digits;
+}
+
+const char *text_value(char buffer[TEXT_SIZE], unsigned usual, double value)
+{
+    return text_format(buffer, "%.*g", (int)(wanted_digits > 0 ? wanted_digits : usual), value);
+}
+
+const char *text_bound(char buffer[TEXT_SIZE], double value, double error)
+{
+    if (wanted_digits > 0 && isfinite(value))
+        error += fabs(strtod(text_value(buffer, wanted_digits, value), NULL) - value);
+    return text_error(error, buffer);
+}
+
 const char *text_error(double error, char buffer[TEXT_SIZE])
 {
     return text_format(buffer, error > 0.0 ? "%.1e" : "%.0f", error);

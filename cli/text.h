@@ -13,6 +13,12 @@ enum { TEXT_SIZE = 320 }; /* room for any cell built here */
 const char *text_length(double value_mm, char buffer[TEXT_SIZE]);
 /* "(0.0, 150.0)": `count` lengths, at most three. */
 const char *text_lengths(const double *values_mm, size_t count, char buffer[TEXT_SIZE]);
+/* The digits that --digits asks for; 0, as at the start: each place has its own. */
+void text_set_digits(unsigned digits);
+/* A value of a result, in the usual digits of the place or those that are asked for. */
+const char *text_value(char buffer[TEXT_SIZE], unsigned usual, double value);
+/* The bound of a value's error as text_error() prints it; with digits asked for, of the value as it stands there. */
+const char *text_bound(char buffer[TEXT_SIZE], double value, double error);
 /* A bound of an error, with two digits. */
 const char *text_error(double error, char buffer[TEXT_SIZE]);
 /* printf into a cell. */

@@ -24,6 +24,16 @@ static luxel_status refuse(const struct lx_place *place, size_t start, size_t en
     return LUXEL_ERROR_SCENE;
 }
 
+/* Whether what is no UTF-8 is no text at all: it begins with control characters that no editor writes. */
+static bool is_binary(const struct lx_place *place)
+{
+    enum { LOOKED_AT = 4096 };
+    for (size_t i = 0; i < place->length && i < LOOKED_AT; i++)
+        if ((unsigned char)place->text[i] < 0x20 && !memchr("\t\n\v\f\r\x1a\x1b", place->text[i], 7))
+            return true;
+    return false;
+}
+
 static luxel_status check_characters(const struct lx_place *place, luxel_diagnostics *diagnostics)
 {
     const char *text = place->text;
@@ -35,8 +45,10 @@ static luxel_status check_characters(const struct lx_place *place, luxel_diagnos
         uint32_t code = 0;
         size = lx_next_character(text + i, place->length - i, &code);
         if (size == 0) {
-            luxel_status status = refuse(place, i, i + 1, LX_MSG_NOT_UTF8, LX_ARGS((char[]){text[i], 0}), diagnostics);
-            lx_hint(diagnostics, LX_MSG_HINT_UTF8, NULL);
+            bool binary = is_binary(place);
+            luxel_status status = refuse(place, i, i + 1, binary ? LX_MSG_NOT_TEXT : LX_MSG_NOT_UTF8,
+                                         LX_ARGS((char[]){text[i], 0}), diagnostics);
+            lx_hint(diagnostics, binary ? LX_MSG_HINT_TEXT : LX_MSG_HINT_UTF8, NULL);
             return status;
         }
         if (code == '\t' || code == '\n' || code == '\r' || code == 0x85)

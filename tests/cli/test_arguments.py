@@ -155,6 +155,24 @@ def decimal_commas(tap, tool):
         tap.ok(result.code == 3 and "fraction" not in result.err, "no decimal comma: -s " + assignment, result)
 
 
+def digits(tap, tool):
+    """--digits rounds what is printed for people, and a bound is that of the number as it stands there."""
+    for count in 1, 4, 7, 17:
+        result = tool.run("probe", "-p", "0,0", "--digits", str(count))
+        shown, bound = re.search(r"P1 \(0\.0, 0\.0\): (\S+) ± (\S+) W/sr", result.out).groups()
+        tap.equal(shown, "%.*g" % (count, 2.7275906525546927), "%d digits" % count)
+        off = abs(float(shown) - 2.7275906525546927)
+        tap.ok(off <= 1.05 * float(bound) <= 1.11 * off + 2e-14, "and their bound", off, bound)
+    small = ["-s", "screen.resolution=[9,9]"]
+    for command in ["render"], ["stats"], ["grid", "desk"], ["compare", "report", "report", *small]:
+        result = tool.run(*command, "--digits", "3")
+        tap.ok(result.code in (0, 1) and not result.err, command[0] + " takes it", result)
+    plain, few = (tool.run("probe", "--json", *more).out for more in ([], ["--digits", "3"]))
+    tap.equal(plain, few, "JSON keeps all digits")
+    for wrong in "0", "18", "2.5", "x":
+        tap.equal(tool.run("probe", "--digits", wrong).code, 2, "--digits " + wrong)
+
+
 def paths(tap, tool):
     """Backslashes of a path in double quotes are escapes; where none is lost the folders' sign is what is wrong."""
     quotes, slash = "put a path in single quotes", "hint: write / between folders"
@@ -247,4 +265,4 @@ def version_and_usage(tap, tool):
     tap.ok(hint.code == 2 and "luxel render my.yaml" in hint.err, "a scene for a command", hint)
 
 
-run_tests(Tap(), wrong, illegal_values, decimal_commas, paths, hostile_texts, right, version_and_usage)
+run_tests(Tap(), wrong, illegal_values, decimal_commas, digits, paths, hostile_texts, right, version_and_usage)

@@ -77,6 +77,13 @@ def encodings(tap, tool):
            "1251" in found.err, "and in the code page 1251", found)
 
 
+    for name in "picture.png", "numbers.npy", "scene.yaml":
+        tool.write(name, bytes(range(128, 256)) + bytes(range(64)))
+        found = tool.run("check", name)
+        tap.ok(found.code == 3 and name + ":1:1: error: this is not a text file" in found.err and
+               "1251" not in found.err and "YAML" in found.err, "bytes called " + name, found)
+
+
 def underline(tap, tool):
     tool.write("scene.yaml", SCENE.replace("radiometric", "radiometrix"))
     lines = tool.run("check", "scene.yaml").err.split("\n")

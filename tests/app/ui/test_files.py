@@ -87,4 +87,14 @@ def nowhere(tap, desk):
     tap.ok(window.values(), "and the work goes on")
 
 
-trial(exports, the_screen_does_not_count, there_and_back, nowhere)
+def not_opened(tap, desk):
+    """A file that is none: what is wrong with it, and that what stands in the window is another scene."""
+    path = desk.path("picture.png")
+    with open(path, "wb") as file:
+        file.write(bytes(range(128, 256)) + bytes(range(64)))
+    window = desk.start(path).window()
+    tap.ok(wait("the fault", lambda: window.says("picture.png:1:1", "not a text file")), "what is wrong")
+    tap.ok(window.says("was not opened. Still shown: "), "and what is shown instead", window.labels())
+
+
+trial(exports, the_screen_does_not_count, there_and_back, nowhere, not_opened)
