@@ -12,6 +12,8 @@ import subprocess
 import sys
 import time
 
+import matrix
+
 HERE = os.path.dirname(os.path.abspath(__file__))
 SIDE, ROUNDS = 800, 3
 
@@ -128,6 +130,31 @@ def main():
                 if words:
                     times[name, lights] = min(float(words[0]), times.get((name, lights), float("inf")))
     print_page(bench, times, peers)
+    print_scenes(luxel, folder)
+    print_matrix(folder)
+
+
+def print_scenes(luxel, folder):
+    """The pictures of all built-in scenes."""
+    listed = subprocess.run([luxel, "scene", "--list"], capture_output=True, text=True, check=True,
+                            env=dict(os.environ, LC_ALL="C.UTF-8", LANGUAGE="")).stdout
+    program, names = matrix.program_of(folder), [line.split()[0] for line in listed.splitlines() if line.strip()]
+    one, all_of_them = (matrix.measure(program, ROUNDS, names, threads, SIDE) for threads in (1, os.cpu_count()))
+    print("\n## The built-in scenes\n")
+    print("Whole `luxel_render()` calls for %d × %d pixels; by one thread processor time.\n" % (SIDE, SIDE))
+    print("| scene | 1 thread, ms | %d threads, ms |\n|---|---:|---:|" % os.cpu_count())
+    for row in zip(names, one, all_of_them):
+        print("| %s | %.1f | %.1f |" % row)
+
+
+def print_matrix(folder):
+    """Sources by laws, models, surfaces and how near they stand."""
+    print("\n## Extended sources\n")
+    print("One source over a surface, %d × %d pixels, processor time of one thread; *far* stands 1 m and more away,"
+          "\n*near* 100 mm off the sphere, *sky* is a disk of 10 km radius. *Worst*: the slowest law over"
+          "\ninverse-square. Of the highlights that are in `phong` and `blinn-phong` all laws take the same samples."
+          % (matrix.SIDE, matrix.SIDE))
+    matrix.print_tables(matrix.times(folder, ROUNDS))
 
 
 def print_page(bench, times, peers):

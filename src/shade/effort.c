@@ -8,9 +8,9 @@ static const double ALONE_NS = 0.7, SURFACE_NS = 3;
 /* A light at a pixel: in float32, in float64, where polynomials do for most pixels; and whether a surface hides it. */
 static const double SINGLE_NS = 0.3, DOUBLE_NS = 0.8, SMOOTH_NS = 0.06, BLOCKER_NS = 1;
 
-/* An extended source: an edge of an outline, a round one, its highlight or a law without closed form, where polynomials
- * do for most pixels a highlight, and by the reference; and a tree of clustered points. */
-static const double EDGE_NS = 0.5, ROUND_NS = 2, INTEGRAL_NS = 50;
+/* An extended source: an edge of an outline, a round one, a law without closed form, a highlight, where polynomials do
+ * for most pixels a highlight, and by the reference; and a tree of clustered points. */
+static const double EDGE_NS = 0.5, ROUND_NS = 2, LAW_NS = 20, INTEGRAL_NS = 50;
 static const double HIGHLIGHT_NS = 5, REFERENCE_NS = 5000, TREE_NS = 50;
 
 static double lights_ns(const struct lx_plan *plan, const struct lx_planned_surface *surface)
@@ -27,7 +27,7 @@ static double lights_ns(const struct lx_plan *plan, const struct lx_planned_surf
 static double shells_ns(const struct lx_plan *plan, const struct lx_planned_surface *surface)
 {
     const double highlight = plan->in_panels ? HIGHLIGHT_NS : INTEGRAL_NS;
-    double sum = INTEGRAL_NS * (double)surface->matte_count + highlight * (double)surface->glossy_count;
+    double sum = LAW_NS * (double)surface->by_law_count + highlight * (double)surface->glossy_count;
     for (size_t s = 0; s < surface->shell_count; s++) {
         const struct lx_planned_shell *planned = &surface->shells[s];
         sum += planned->by_reference ? REFERENCE_NS : 0;

@@ -10,7 +10,7 @@
 #include <string.h>
 
 #include "../base/larger.h"
-#include "kernel.h"
+#include "kernel_law.h"
 
 #define REAL double
 #define LX_IS_SINGLE 0
@@ -28,6 +28,8 @@
 #include "lanes.h"
 
 #include "kernel_functions.h"
+
+#include "kernel_space.h"
 
 #include "kernel_facets.h"
 #include "kernel_real.h"
@@ -72,6 +74,8 @@
 #include "kernel_functions.h"
 
 #include "kernel_edge.h"
+
+#include "kernel_space.h"
 
 #include "kernel_facets.h"
 #include "kernel_polynomial.h"
@@ -415,6 +419,14 @@ const struct lx_kernels TABLE_OF(LX_ISA) = {
                        [LX_DISK] = light_by_disk,
                        [LX_BALL] = light_by_ball,
                        [LX_CYLINDER] = light_by_cylinder},
+    .law_single = {[LX_FACETS] = LX_OF_ISA(lx_facets_by_rows_single),
+                   [LX_DISK] = LX_OF_ISA(lx_round_by_rows_single),
+                   [LX_BALL] = LX_OF_ISA(lx_ball_by_rings_single),
+                   [LX_CYLINDER] = LX_OF_ISA(lx_round_by_rows_single)},
+    .law_double = {[LX_FACETS] = LX_OF_ISA(lx_facets_by_rows_double),
+                   [LX_DISK] = LX_OF_ISA(lx_round_by_rows_double),
+                   [LX_BALL] = LX_OF_ISA(lx_ball_by_rings_double),
+                   [LX_CYLINDER] = LX_OF_ISA(lx_round_by_rows_double)},
     .meet_lines = {[LX_SPHERE] = meet_sphere, [LX_PLATE] = meet_plate},
     .complete_block = {[LX_SPHERE] = complete_sphere, [LX_PLATE] = complete_plate},
     .set_columns = {[LX_SPHERE] = set_sphere_columns, [LX_PLATE] = place_columns},

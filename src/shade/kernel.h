@@ -24,6 +24,7 @@
 #include "../light/emitter.h"
 #include "../material/lobe.h"
 #include "../surface/surface.h"
+#include "rules.h"
 
 enum { LX_BLOCK = 256, LX_LANES = 16, LX_MOST_SAMPLES = 36 };
 
@@ -281,10 +282,29 @@ struct lx_blocker {
 typedef void lx_block_light(const struct lx_blocker *blocker, const struct lx_block_double *block, size_t count,
                             float *open);
 
+/* A convex quadrilateral of a face, whose corners are offsets from the source's centre, counter-clockwise as seen from
+ * where it shines to; of a triangle the last corner is the first one. */
+struct lx_shell_quad {
+    double corners[4][3], normal[3];
+};
+
+/* a(r) = 1/(none + root r + square r^2), r in mm, times what makes mm^2 of the source m^2; as it has poles at negative
+ * r, or where their real part is, 1/r is no more than minus `pole` at any of them. */
+struct lx_law {
+    double none, root, square, pole;
+};
+
+/* A place of a rule over a flat part of a shell, from the source's centre, and what it weighs in mm^2. */
+struct lx_shell_node {
+    double x_double, y_double, z_double, weight_double;
+    float x_single, y_single, z_single, weight_single;
+};
+
 /* An extended source, as offsets from the anchor of a surface or from the source's centre. */
 struct lx_shell {
     enum lx_emitter_type type;
     double radiance;
+    struct lx_law law;
     double center[3]; /* from the anchor */
     double radius_mm; /* of a sphere about the centre around all of it */
     double touch_mm;  /* heights below this are rounding */
@@ -296,6 +316,15 @@ struct lx_shell {
     struct lx_shell_face_single *faces_single; /* NULL where float32 does not do */
     struct lx_shell_edge_single *edges_single;
     size_t face_count, edge_count;
+    struct lx_shell_quad *quads; /* of all faces, where the law is not 1/r^2 */
+    size_t quad_count;
+    /*
+     * Where it is so far from the surface that rules of a few places do for all elements that see all of it; else 0.
+     * As many places of each flat part, which are the quadrilaterals, or the end along the axis and the other one; of a
+     * ball as many rings, which have no places of their own.
+     */
+    unsigned nodes_each;
+    struct lx_shell_node *nodes;
     size_t most_patches;            /* that its faces can be cut into (patch.h) */
     const struct lx_facets *facets; /* what they were made of */
 };
@@ -311,6 +340,15 @@ typedef void lx_light_by_shell_single(const struct lx_shell *shell, double diffu
                                       size_t count, const struct lx_asking *asking, double *sum);
 typedef void lx_light_by_shell_double(const struct lx_shell *shell, double diffuse, const struct lx_block_double *block,
                                       size_t count, const struct lx_asking *asking, double *sum);
+
+/*
+ * Add `diffuse` times the irradiance by the shell's own law, to what the rules are for, and set left[i] to 1, and add
+ * nothing, where they do not do as the element is too near; something else where the work is to stop.  In float32 or
+ * float64, from elements in float64.
+ */
+typedef void lx_light_by_law(const struct lx_shell *shell, const struct lx_gauss_rules *rules, double diffuse,
+                             const struct lx_block_double *block, size_t count, const struct lx_asking *asking,
+                             double *sum, uint8_t *left);
 
 struct lx_kernels {
     const char *name;
@@ -333,6 +371,7 @@ struct lx_kernels {
     lx_light_by_shell_single *facets_single;
     /* by the type of the emitter; NULL for those that are not extended */
     lx_light_by_shell_double *light_by_shell[LX_CYLINDER + 1];
+    lx_light_by_law *law_single[LX_CYLINDER + 1], *law_double[LX_CYLINDER + 1];
     /* by the type of the shape */
     lx_meet_lines *meet_lines[LX_SHAPE_TYPES];
     lx_complete_block *complete_block[LX_SHAPE_TYPES];

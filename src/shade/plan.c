@@ -41,12 +41,31 @@ static void set_lobes(const struct lx_lobe *lobe, struct lx_planned_surface *sur
     surface->lobe = *lobe;
     surface->lobe_single = lx_lobe_single_of(&surface->lobe_exact);
     surface->glossy_single = lx_lobe_single_of(&surface->glossy_exact);
-    surface->matte_single = lx_lobe_single_of(&surface->matte_exact);
 }
 
 static bool goes_on(struct lx_control *control, size_t i)
 {
     return i % LIGHTS_BETWEEN_CHECKS != 0 || lx_control_goes_on(control, true);
+}
+
+/* The rules that extended sources by laws other than 1/r^2 are summed by. */
+static luxel_status plan_rules(struct lx_plan *plan, struct lx_control *control, struct lx_planned_surface *surface)
+{
+    const struct lx_asking asking = {control, true};
+    if (!plan->rules) {
+        plan->rules = lx_gauss_rules_new(plan->precision == LUXEL_DOUBLE ? LX_DOUBLE_RULES : LX_SINGLE_RULES);
+        plan->node_rules = lx_gauss_rules_new(LX_NODE_RULES);
+    }
+    luxel_status status = plan->rules && plan->node_rules ? LUXEL_OK : LUXEL_ERROR_MEMORY;
+    for (size_t s = 0; s < surface->shell_count && status == LUXEL_OK; s++) {
+        struct lx_planned_shell *planned = &surface->shells[s];
+        if (planned->emitter->attenuation != LX_INVERSE_SQUARE)
+            status =
+                lx_shell_set_nodes(plan->rules, lx_gap(&surface->shape, &planned->shell, &asking), &planned->shell);
+        if (!lx_control_goes_on(control, true))
+            return LUXEL_CANCELLED;
+    }
+    return status;
 }
 
 static luxel_status plan_shells(struct lx_plan *plan, struct lx_control *control, struct lx_planned_surface *surface)
@@ -63,8 +82,7 @@ static luxel_status plan_shells(struct lx_plan *plan, struct lx_control *control
         return LUXEL_OK;
     surface->shells = lx_new_array(count, sizeof *surface->shells);
     surface->glossy = lx_new_array(count, sizeof *surface->glossy);
-    surface->matte = lx_new_array(count, sizeof *surface->matte);
-    if (!surface->shells || !surface->glossy || !surface->matte)
+    if (!surface->shells || !surface->glossy)
         return LUXEL_ERROR_MEMORY;
     for (size_t i = 0; i < items; i++) {
         const struct lx_emitter *emitter = &emitters->items[i];
@@ -79,19 +97,15 @@ static luxel_status plan_shells(struct lx_plan *plan, struct lx_control *control
         surface->glossy_count += surface->glossy_exact.model != LX_LAMBERT;
         if (status != LUXEL_OK)
             return status;
-        *sampled = (struct lx_sampled){
-            .emitter = emitter, .shell = &planned->shell, .law = emitter->attenuation};
-        if (emitter->attenuation != LX_INVERSE_SQUARE) {
-            surface->matte[surface->matte_count] = *sampled;
-            surface->matte[surface->matte_count++].in_double = true;
-        }
+        *sampled = (struct lx_sampled){.emitter = emitter, .shell = &planned->shell, .law = emitter->attenuation};
+        surface->by_law_count += emitter->attenuation != LX_INVERSE_SQUARE;
         sampled->in_double =
             plan->precision == LUXEL_DOUBLE ||
             !lx_samples_fit_single(&surface->shape, &surface->glossy_exact, &planned->shell, plan->tolerance);
         patches += lx_patch_limit(&planned->shell);
     }
     plan->most_patches = patches;
-    return LUXEL_OK;
+    return surface->by_law_count > 0 ? plan_rules(plan, control, surface) : LUXEL_OK;
 }
 
 /* Puts the surfaces that may stand in the light of light i at the end of the list.  How many, or -1. */
@@ -280,13 +294,16 @@ static luxel_status choose_shells(const struct lx_plan *plan, struct lx_control 
     const double diffuse = surface->lobe_exact.diffuse;
     for (size_t s = 0; s < surface->shell_count && diffuse > 0; s++) {
         struct lx_planned_shell *planned = &surface->shells[s];
-        if (planned->emitter->attenuation != LX_INVERSE_SQUARE)
-            continue;
+        const bool by_law = planned->emitter->attenuation != LX_INVERSE_SQUARE;
         bool in_single = plan->precision == LUXEL_SINGLE;
         if (in_single) {
-            double bound = lx_bound_shell(&surface->shape, diffuse, &planned->shell, &asking);
+            double bound = by_law ? lx_bound_law(&surface->shape, diffuse, &planned->shell, &asking)
+                                  : lx_bound_shell(&surface->shape, diffuse, &planned->shell, &asking);
             in_single = lx_choose_precision(&bound, 1, plan->least_maximum, &asking, &surface->rounding) > 0;
         }
+        planned->in_single = by_law && in_single;
+        if (by_law)
+            continue;
         planned->by_reference = !in_single && needs_reference(plan, surface, &planned->shell, &asking);
         if (!lx_control_goes_on(control, true))
             return LUXEL_CANCELLED;
@@ -406,7 +423,7 @@ static luxel_status plan_accuracy(struct lx_plan *plan, struct lx_control *contr
 /* Whether the light of all extended sources is diffuse and by closed forms. */
 static bool has_closed_shells(const struct lx_planned_surface *surface)
 {
-    return surface->matte_count == 0 && surface->glossy_count == 0;
+    return surface->by_law_count == 0 && surface->glossy_count == 0;
 }
 
 /* Whether the elements of a run in float32 are all that its light takes. */
@@ -441,7 +458,7 @@ static bool has_panels(const struct lx_plan *plan)
     const double side_mm = scene->screen.width_mm / resolution[0] * LX_PANEL_SIDE;
     const size_t all = surface->lights.count + surface->shell_count;
     return plan->precision == LUXEL_SINGLE && plan->surface_count == 1 &&
-           (has_closed_shells(surface) || lx_has_smooth_highlights(surface)) && plan->forest.tree_count == 0 &&
+           (surface->glossy_count == 0 || lx_has_smooth_highlights(surface)) && plan->forest.tree_count == 0 &&
            plan->every == 1 && all > 0 && all <= LX_MOST_SMOOTH && plan->least_maximum > 0 &&
            resolution[0] >= LX_PANEL_SIDE && resolution[1] >= LX_PANEL_SIDE &&
            radius_on_screen(plan) > LX_LEAST_PANELS * side_mm;
@@ -504,9 +521,10 @@ void lx_plan_clear(struct lx_plan *plan)
         free(surface->blockers);
         free(surface->shells);
         free(surface->glossy);
-        free(surface->matte);
     }
     free(plan->surfaces);
+    free(plan->rules);
+    free(plan->node_rules);
     lx_forest_clear(&plan->forest);
     lx_smooth_clear(&plan->smooth);
     *plan = (struct lx_plan){0};

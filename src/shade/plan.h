@@ -40,6 +40,7 @@ struct lx_light_run {
 struct lx_planned_shell {
     const struct lx_emitter *emitter;
     struct lx_shell shell;
+    bool in_single;    /* its law, other than 1/r^2, is good enough in float32 */
     bool by_reference; /* its diffuse light, as float64 would not keep the picture's accuracy */
 };
 
@@ -58,10 +59,9 @@ struct lx_planned_surface {
     struct lx_rounding_sum rounding; /* of those in float32 */
     struct lx_lobe_limits limits;
     struct lx_planned_shell *shells;
-    struct lx_sampled *glossy; /* all of them, where there is a highlight */
-    struct lx_sampled *matte;  /* those by laws other than 1/r^2, for the diffuse part */
-    size_t shell_count, glossy_count, matte_count;
-    struct lx_lobe_single glossy_single, matte_single; /* the lobe's two parts */
+    struct lx_sampled *glossy;                      /* all of them, where there is a highlight */
+    size_t shell_count, glossy_count, by_law_count; /* by_law: that shine by laws other than 1/r^2 */
+    struct lx_lobe_single glossy_single;            /* the lobe's two parts */
     struct lx_lobe_double glossy_exact, matte_exact;
 };
 
@@ -75,11 +75,13 @@ struct lx_plan {
     bool in_panels;       /* the whole picture is shaded by panels (panels.h), with: */
     struct lx_smooth smooth;
     luxel_precision precision;
-    double tolerance;        /* of the highlights of extended sources, relative to the picture's maximum */
-    double least_maximum;    /* which is no less than this */
-    size_t most_patches;     /* of the extended sources together */
-    struct lx_forest forest; /* the points that are clustered */
-    double light_error;      /* how wrong they may make a pixel, relative to the larger of its value and: */
+    double tolerance;                  /* of the highlights of extended sources, relative to the picture's maximum */
+    double least_maximum;              /* which is no less than this */
+    size_t most_patches;               /* of the extended sources together */
+    struct lx_gauss_rules *rules;      /* for laws other than 1/r^2; NULL where there are none */
+    struct lx_gauss_rules *node_rules; /* the same at the nodes of squares, which polynomials make more of */
+    struct lx_forest forest;           /* the points that are clustered */
+    double light_error;                /* how wrong they may make a pixel, relative to the larger of its value and: */
     double least_value;
     size_t every; /* of the lights only each such one is summed: for a look at many */
 };

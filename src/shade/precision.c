@@ -261,6 +261,12 @@ static double least_gap(const struct lx_shape *shape, const struct lx_shell *she
     return shape->type == LX_SPHERE ? best - shape->radius_mm : best;
 }
 
+double lx_gap(const struct lx_shape *shape, const struct lx_shell *shell, const struct lx_asking *asking)
+{
+    return shell->type == LX_FACETS ? least_gap(shape, shell, asking)
+                                    : least_distance(shape, shell->center) - shell->radius_mm;
+}
+
 /*
  * What the terms of a shell's sum add up to at most, for a radiance of 1 and twice over: where the source is near, the
  * angles of the edges, all of which are at most 2 pi; where it is far, |edge| radius/c^2, as kernel_facets.h has it.
@@ -302,6 +308,43 @@ double lx_bound_shell_double(const struct lx_shape *shape, double diffuse, const
                              const struct lx_asking *asking)
 {
     return diffuse * shell->radiance * terms_of(shape, shell, 0, asking) / 2 * roundings * DBL_EPSILON / 2;
+}
+
+/* The most that all of a shell's area would give to who faces every part of it straight: the nearer a part is, the less
+ * there can be of it, as if it were a disk over whose middle the element stood so near. */
+static double greatest_flow(const struct lx_law *law, double area, double nearest)
+{
+    enum { STEPS_OUT = 32 };
+    const double turns = log1p(area / (M_PI * nearest * nearest)); /* r^2 = nearest^2 exp(turns y) */
+    double sum = 0;
+    for (int i = 0; i < STEPS_OUT; i++) {
+        const double r = nearest * exp(turns * (i + 0.5) / (2 * STEPS_OUT));
+        sum += r * r / (law->none + r * (law->root + r * law->square));
+    }
+    return M_PI * turns * sum / STEPS_OUT;
+}
+
+/*
+ * The ways to what rules look at are formed in float64, and all that follows are sums and products of numbers that are
+ * good to some units, in which heights above planes and horizons are as long as the ways.  So a sum is off by some
+ * units of what the source could give at most; the worst of random spheres comes to half of the bound (tests/unit/
+ * test_laws.c).  Of a ball the way is what is left of the one to its centre.
+ */
+double lx_bound_law(const struct lx_shape *shape, double diffuse, const struct lx_shell *shell,
+                    const struct lx_asking *asking)
+{
+    const double units = 16, radius = shell->radius_mm, away = distance(shell->center, (double[]){0, 0, 0});
+    const double nearest = lx_gap(shape, shell, asking), farthest = away + shape->radius_mm + radius;
+    const struct lx_law *law = &shell->law;
+    if (!(nearest > 0))
+        return HUGE_VAL;
+    const double greatest = diffuse * shell->radiance * greatest_flow(law, lx_shell_area(shell), nearest);
+    const double least = nearest * nearest * (law->none + nearest * (law->root + nearest * law->square));
+    const double most = farthest * farthest * (law->none + farthest * (law->root + farthest * law->square));
+    const bool moderate = is_moderate(shape->radius_mm) && is_moderate(away) && is_moderate(nearest) &&
+                          is_moderate(radius) && is_moderate(greatest) && least > 1e-20 && most < 1e30;
+    const double shared = shell->type == LX_BALL ? 1 + radius / nearest : 1;
+    return moderate ? units * unit * shared * greatest : HUGE_VAL;
 }
 
 /*

@@ -35,6 +35,19 @@ double lx_bound_shell(const struct lx_shape *shape, double diffuse, const struct
 double lx_bound_shell_double(const struct lx_shape *shape, double diffuse, const struct lx_shell *shell,
                              const struct lx_asking *asking);
 
+/* What the rules for laws other than 1/r^2 are made for in pictures of float32 and of float64, and at nodes of squares
+ * (smooth.h). */
+#define LX_SINGLE_RULES 1e-7
+#define LX_DOUBLE_RULES 1e-14
+#define LX_NODE_RULES 1e-9
+
+/* No place of a shell is nearer to a shape than this; less than 0 where they may meet. */
+double lx_gap(const struct lx_shape *shape, const struct lx_shell *shell, const struct lx_asking *asking);
+
+/* The same of the diffuse light of a shell by its own law, which rules sum; infinite of a ball, which has none. */
+double lx_bound_law(const struct lx_shape *shape, double diffuse, const struct lx_shell *shell,
+                    const struct lx_asking *asking);
+
 /*
  * Of lights that are all in float64, leaves as many to float32 as the picture's accuracy allows, given a lower bound
  * of its maximum, and the rounding of other lights, to which theirs is added.  Their bounds become negative.  Returns

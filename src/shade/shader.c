@@ -37,7 +37,7 @@ static bool has_samples(const struct lx_plan *plan)
 {
     bool any = false;
     for (size_t s = 0; s < plan->surface_count; s++)
-        any = any || plan->surfaces[s].glossy_count > 0 || plan->surfaces[s].matte_count > 0;
+        any = any || plan->surfaces[s].glossy_count > 0;
     return any;
 }
 
@@ -178,54 +178,23 @@ static double integrate_glossy(const struct lx_plan *plan, const struct lx_plann
     return sum;
 }
 
-/* Whether the source is above the horizon of every element of a run. */
-static bool is_above(const struct lx_shell *shell, const struct lx_block_double *block, size_t start)
+/* Adds the diffuse light of an extended source by a law without a closed form: by rules of Gauss, and where the source
+ * is too near for them by integrals for each element. */
+static void light_by_law(const struct lx_plan *plan, const struct lx_planned_surface *surface,
+                         const struct lx_planned_shell *planned, struct lx_shader_memory *memory, size_t count,
+                         const struct lx_asking *asking)
 {
-    for (size_t i = start; i < start + LX_LANES; i++) {
-        double x = shell->center[0] - block->px[i], y = shell->center[1] - block->py[i];
-        double z = shell->center[2] - block->pz[i];
-        if (!(block->nx[i] * x + block->ny[i] * y + block->nz[i] * z > shell->radius_mm))
-            return false;
-    }
-    return true;
-}
-
-/* Adds the diffuse light of extended sources by the laws without closed forms to a run of elements: by samples, which
- * converge fast where no horizon cuts the sources, else for each element alone. */
-static void light_by_laws(const struct lx_plan *plan, const struct lx_planned_surface *surface,
-                          struct lx_shader_memory *memory, size_t start, size_t count, const struct lx_asking *asking)
-{
-    const double share = 1e-7; /* of the maximum */
-    enum { CELLS = 128 };      /* more cost as much as integrals for each element */
-    const struct lx_sampler sampling = {
-        .kernels = plan->kernels,
-        .sources = surface->matte,
-        .source_count = surface->matte_count,
-        .lobe = &surface->matte_exact,
-        .lobe_single = &surface->matte_single,
-        .tolerance = share,
-        .least_maximum = plan->least_maximum,
-        .least = lx_least_of(plan->precision),
-        .most_cells = CELLS,
-        .asking = asking,
-    };
-    bool by_samples = plan->precision == LUXEL_SINGLE;
-    double sum[LX_LANES];
-    memcpy(sum, memory->sum + start, sizeof sum);
-    for (size_t s = 0; s < surface->matte_count; s++)
-        by_samples = by_samples && is_above(surface->matte[s].shell, &memory->seen.block, start);
-    if (by_samples && lx_sample_run(&sampling, memory->sampling, &memory->seen.block, &memory->seen.copy, start, sum)) {
-        memcpy(memory->sum + start, sum, sizeof sum);
-        return;
-    }
-    size_t last = start + LX_LANES < count ? start + LX_LANES : count;
-    for (size_t s = 0; s < surface->shell_count; s++) {
-        const struct lx_emitter *emitter = surface->shells[s].emitter;
-        for (size_t i = start; i < last && emitter->attenuation != LX_INVERSE_SQUARE; i++) {
-            memory->sum[i] += integrate_matte(plan, surface, emitter, &memory->seen.block, i, asking);
-            if (!lx_asking_goes_on(asking))
-                return;
-        }
+    const struct lx_shell *shell = &planned->shell;
+    uint8_t left[LX_BLOCK] = {0};
+    lx_light_by_law *const light =
+        planned->in_single ? plan->kernels->law_single[shell->type] : plan->kernels->law_double[shell->type];
+    light(shell, plan->rules, surface->lobe_exact.diffuse, &memory->seen.block, count, asking, memory->sum, left);
+    for (size_t i = 0; i < count; i++) {
+        if (!left[i])
+            continue;
+        memory->sum[i] += integrate_matte(plan, surface, planned->emitter, &memory->seen.block, i, asking);
+        if (!lx_asking_goes_on(asking))
+            return;
     }
 }
 
@@ -299,23 +268,19 @@ static void light_by_shells(const struct lx_plan *plan, const struct lx_planned_
     const double diffuse = surface->lobe_exact.diffuse;
     for (size_t s = 0; s < surface->shell_count && diffuse > 0; s++) {
         const struct lx_shell *shell = &surface->shells[s].shell;
-        if (surface->shells[s].emitter->attenuation != LX_INVERSE_SQUARE)
-            continue;
         if (s % SHELLS_BETWEEN_CHECKS == SHELLS_BETWEEN_CHECKS - 1 && !lx_asking_goes_on(asking))
             return;
-        if (surface->shells[s].by_reference)
+        if (surface->shells[s].emitter->attenuation != LX_INVERSE_SQUARE)
+            light_by_law(plan, surface, &surface->shells[s], memory, count, asking);
+        else if (surface->shells[s].by_reference)
             light_by_reference(surface, &surface->shells[s], memory, count, asking);
         else if (shell->edges_single)
             plan->kernels->facets_single(shell, diffuse, &memory->seen.copy, count, asking, memory->sum);
         else
             plan->kernels->light_by_shell[shell->type](shell, diffuse, &memory->seen.block, count, asking, memory->sum);
     }
-    const bool by_laws = surface->matte_count > 0 && diffuse > 0, is_glossy = surface->glossy_count > 0;
-    for (size_t start = 0; start < count && (by_laws || is_glossy); start += LX_LANES) {
-        if (by_laws)
-            light_by_laws(plan, surface, memory, start, count, asking);
-        if (is_glossy)
-            light_by_highlights(plan, surface, memory, start, count, asking);
+    for (size_t start = 0; start < count && surface->glossy_count > 0; start += LX_LANES) {
+        light_by_highlights(plan, surface, memory, start, count, asking);
         if (!lx_asking_goes_on(asking))
             return;
     }

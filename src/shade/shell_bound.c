@@ -92,6 +92,33 @@ static double least_distance(const struct lx_shell *shell, const double from_cen
                  lx_larger(fabs(dot(shell->axis, from_center)) - shell->half_mm, 0));
 }
 
+/* The most that r^2 a(r) comes to over a ball that is seen from w, w.w having the real part `least` at least, |w| no
+ * more than `most`, and its imaginary part being no more than `imaginary`. */
+static double most_of_ball(const struct lx_shell *shell, double least, double most, double imaginary)
+{
+    const double radius = shell->round_mm, nearest = sqrt(least) - radius, farthest = most + radius;
+    const double aside = most * imaginary / sqrt(lx_larger(least - radius * radius, 0));
+    if (!(nearest > 0 && aside < nearest / 2))
+        return HUGE_VAL;
+    return farthest * farthest * lx_law_at(&shell->law, nearest, (nearest - aside) * (nearest + aside));
+}
+
+double lx_most_of_ball(const struct lx_shell *shell, const struct lx_vicinity *at)
+{
+    const struct lx_leeway *place = &at->place_leeway;
+    double square = 0;
+    for (int k = 0; k < 3; k++)
+        square += (at->place[k] - shell->center[k]) * (at->place[k] - shell->center[k]);
+    const double away = sqrt(square), near = away - place->first - place->second;
+    const double least = near * near - place->imaginary * place->imaginary;
+    if (shell->law.none == 0 && shell->law.root == 0)
+        return 1 / shell->law.square;
+    return near > 0 && least > 0
+               ? most_of_ball(shell, least, hypot(away + place->first + place->second, place->imaginary),
+                              place->imaginary)
+               : HUGE_VAL;
+}
+
 double lx_smooth_shell_bound(const struct lx_shell *shell, double gain, const struct lx_vicinity *at)
 {
     const struct lx_leeway *normal = &at->normal_leeway;
@@ -117,5 +144,7 @@ double lx_smooth_shell_bound(const struct lx_shell *shell, double gain, const st
     const double least = (nearest - place.second) * (nearest - place.second) - imaginary;
     const double most = sqrt((nearest + place.second) * (nearest + place.second) + imaginary);
     const double across = view.most * (1 + view.share) * sqrt(1 + view.share); /* of the way to a cylinder's side */
-    return gain * hypot(1 + normal->second, normal->imaginary) * most * lx_larger(most, across) / (least * least);
+    const double size = gain * hypot(1 + normal->second, normal->imaginary) * most * lx_larger(most, across) / least;
+    return shell->type == LX_BALL ? size / least * lx_most_of_ball(shell, at)
+                                  : size * lx_law_at(&shell->law, sqrt(least), least);
 }

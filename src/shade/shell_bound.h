@@ -15,6 +15,17 @@
 
 #include "kernel.h"
 
+/* The largest |a| of a law where r and r^2 have these real parts at least, which are above 0: no coefficient is below
+ * it. */
+static inline double lx_law_at(const struct lx_law *law, double r, double square)
+{
+    return 1 / (law->none + law->root * r + law->square * square);
+}
+
+/* What r^2 a(r) comes to at most over a ball as a vicinity sees it, as an analytic function; 1/square by the law 1/r^2;
+ * infinite where that is not certain. */
+double lx_most_of_ball(const struct lx_shell *shell, const struct lx_vicinity *at);
+
 /* A bound of the brightness by a source in the vicinity, `gain` being diffuse times radiance times the area that shines
  * (of a ball, of its section; of a cylinder, of the section along its axis and one end); 0 where it does not light the
  * square; infinite where it may not be analytic. */

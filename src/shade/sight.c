@@ -39,9 +39,7 @@ void lx_viewers_find(const struct lx_block_double *block, size_t start, const st
         viewers->facing[lane] = facing;
         for (int k = 0; k < 3; k++)
             viewers->mirrored[lane][k] = 2 * facing * n[k] - v[k];
-        viewers->width[lane] = lobe->model == LX_LAMBERT ? 1
-                               : lobe->model == LX_PHONG ? sigma
-                                                         : lx_smaller(1, 2 * lx_larger(facing, grazing) * sigma);
+        viewers->width[lane] = lobe->model == LX_PHONG ? sigma : lx_smaller(1, 2 * lx_larger(facing, grazing) * sigma);
     }
 }
 
@@ -63,7 +61,7 @@ static void look(const struct lx_viewers *viewers, const struct lx_patch *patch,
     const struct lx_block_double *block = viewers->block;
     const struct lx_lobe_double *lobe = viewers->lobe;
     const bool is_flat = patch->kind == LX_PATCH_FLAT || patch->kind == LX_PATCH_DISK;
-    const bool by_cosine = lobe->model == LX_LAMBERT || lobe->highlight != LX_HIGHLIGHT_PLAIN;
+    const bool by_cosine = lobe->highlight != LX_HIGHLIGHT_PLAIN;
     double middle[3], radius = 0;
     for (size_t lane = 0; lane < LX_LANES; lane++) {
         const size_t i = viewers->start + lane;
@@ -128,8 +126,6 @@ static double doubtful_share(const struct lx_viewers *viewers, size_t lane, cons
 {
     const struct lx_lobe_double *lobe = viewers->lobe;
     const double size = seen->size;
-    if (lobe->model == LX_LAMBERT)
-        return 0;
     const double beyond_end =
         lobe->model == LX_PHONG ? dot(seen->towards, viewers->mirrored[lane]) : seen->height + viewers->facing[lane];
     const bool is_at_horizon = fabs(seen->height) < size, is_at_end = fabs(beyond_end) < size;
@@ -184,8 +180,7 @@ void lx_see(const struct lx_viewers *viewers, const struct lx_sampled *source, c
     /* half sizes: in radians, and in widths of the lobe */
     const double widest = is_round ? 0.5 : 0.7, widths = is_round ? 2 : 4;
     const struct lx_lobe_double *lobe = viewers->lobe;
-    const bool is_matte = lobe->model == LX_LAMBERT;
-    const double weight = M_PI * source->shell->radiance * (is_matte ? lobe->diffuse : lobe->specular);
+    const double weight = M_PI * source->shell->radiance * lobe->specular;
     double greatest = 0, square = 0;
     struct look looks[LX_LANES];
     look(viewers, patch, cell, looks);
@@ -197,14 +192,13 @@ void lx_see(const struct lx_viewers *viewers, const struct lx_sampled *source, c
         greatest = looks[lane].may ? lx_larger(greatest, own) : greatest;
     }
     /* from where on S^n is worth looking at */
-    double least_square =
-        is_matte || !(hardly > 0) ? 0 : pow(lx_smaller(hardly / greatest, 1), 2 / lobe->exponent.value);
+    double least_square = hardly > 0 ? pow(lx_smaller(hardly / greatest, 1), 2 / lobe->exponent.value) : 0;
     *sight = (struct lx_sight){.is_tiny = true};
     for (size_t lane = 0; lane < LX_LANES; lane++) {
         const struct look *seen = &looks[lane];
         if (!seen->may)
             continue;
-        const double own = is_matte ? 1 : greatest_square(viewers, lane, seen);
+        const double own = greatest_square(viewers, lane, seen);
         square = lx_larger(square, own);
         if (own < least_square)
             continue;
@@ -221,6 +215,6 @@ void lx_see(const struct lx_viewers *viewers, const struct lx_sampled *source, c
         sight->is_wide = sight->is_wide || !(radius <= width * from) || (is_round && sight->doubt[lane] > 0);
         sight->is_tiny = sight->is_tiny && sight->doubt[lane] == 0 && radius < TINY * width * from;
     }
-    double power = is_matte ? 1 : pow(square, lobe->exponent.value / 2);
+    const double power = pow(square, lobe->exponent.value / 2);
     sight->bound = !(square > 0) ? 0 : greatest < HUGE_VAL ? greatest * power : greatest;
 }

@@ -322,8 +322,9 @@ static void gather_nodes(const struct lx_plan *plan, struct lx_seen *seen, const
                                                (size_t)nodes * nodes);
 }
 
-/* Sums the lights that are taken that way over the elements of a block; something else where the work is to stop. */
-static void sum_lights(const struct lx_plan *plan, const struct lx_block_double *block, size_t count,
+/* Sums the lights that are taken that way over the elements of a block; something else where the work is to stop.
+ * False: an extended source is too near to one of them for the rules of its law. */
+static bool sum_lights(const struct lx_plan *plan, const struct lx_block_double *block, size_t count,
                        const uint8_t *how, int wanted, const struct lx_lobe_double *lobe,
                        const struct lx_asking *asking, struct lx_light_room *room, double *sum)
 {
@@ -336,17 +337,27 @@ static void sum_lights(const struct lx_plan *plan, const struct lx_block_double 
             for (next = first; next < end && next - first < most && how[next] == how[first];)
                 next++;
             if (next - first == most && !lx_asking_goes_on(asking))
-                return;
+                return true;
             if (how[first] == wanted)
                 plan->kernels->shade_double(lx_lights_double(lights, first, next - first, room), NULL, next - first,
                                             lobe, block, NULL, NULL, count, sum);
         }
     }
+    uint8_t left[LX_BLOCK] = {0};
     for (size_t s = 0; s < surface->shell_count; s++) {
         const struct lx_shell *shell = &surface->shells[s].shell;
-        if (how[surface->lights.count + s] == wanted)
+        if (how[surface->lights.count + s] != wanted)
+            continue;
+        if (surface->shells[s].emitter->attenuation == LX_INVERSE_SQUARE) {
             plan->kernels->light_by_shell[shell->type](shell, lobe->diffuse, block, count, asking, sum);
+            continue;
+        }
+        struct lx_shell by_rules = *shell;
+        by_rules.nodes_each = 0; /* those are as good as a pixel needs it */
+        plan->kernels->law_double[shell->type](&by_rules, plan->node_rules, lobe->diffuse, block, count, asking, sum,
+                                               left);
     }
+    return !memchr(left, 1, count);
 }
 
 /* Adds the highlights of extended sources.  False: they are not as good as they should be. */
@@ -488,9 +499,11 @@ bool lx_smooth_fit(const struct lx_plan *plan, struct lx_fitting *fitting, struc
     const size_t nodes = (size_t)basis->nodes * basis->nodes;
     gather_nodes(plan, seen, square, basis);
     plan->kernels->set_all(sum, lx_padded(nodes), uniform);
-    sum_lights(plan, &seen->block, nodes, taken.how, WHOLE, &surface->lobe_exact, asking, &fitting->room, sum);
-    if (taken.folded > 0 && surface->glossy_exact.model != LX_LAMBERT)
-        sum_lights(plan, &seen->block, nodes, taken.how, FOLDED, &surface->glossy_exact, asking, &fitting->room, sum);
+    if (!sum_lights(plan, &seen->block, nodes, taken.how, WHOLE, &surface->lobe_exact, asking, &fitting->room, sum))
+        return false;
+    if (taken.folded > 0 && surface->glossy_exact.model != LX_LAMBERT &&
+        !sum_lights(plan, &seen->block, nodes, taken.how, FOLDED, &surface->glossy_exact, asking, &fitting->room, sum))
+        return false;
     if (lx_holds_of_highlights(smooth, taken.how) && !add_highlights(plan, shader, nodes, asking, sum))
         return false;
     const double least =

@@ -9,6 +9,7 @@
 #include "../base/memory.h"
 #include "plan.h"
 #include "round_view.h"
+#include "shell_bound.h"
 
 /* Parts are so small against their distance from the surface, but not more than so many, if there are no more patches
  * than are cut at all. */
@@ -73,6 +74,14 @@ static void set_light(const struct lx_light_double *light, double radius_mm, str
     set_profile(light, lights, i);
 }
 
+/* That of a shell, instead of the light's own. */
+static void set_law(const struct lx_law *law, struct lx_smooth_lights *lights, size_t i)
+{
+    lights->by_square[i] = law->square;
+    lights->by_root[i] = law->root;
+    lights->by_none[i] = law->none;
+}
+
 luxel_status lx_smooth_lights_make(const struct lx_lights *lights, const struct lx_asking *asking,
                                    struct lx_smooth_lights *made)
 {
@@ -100,9 +109,6 @@ static size_t count_patches(const struct lx_planned_surface *surface)
 
 bool lx_has_smooth_highlights(const struct lx_planned_surface *surface)
 {
-    for (size_t s = 0; s < surface->glossy_count; s++)
-        if (surface->glossy[s].law != LX_INVERSE_SQUARE)
-            return false;
     return surface->glossy_count > 0 && count_patches(surface) <= MOST_PATCHES;
 }
 
@@ -236,7 +242,8 @@ static int take_parts(const struct cut_patch *patches, size_t count, struct lx_s
                 continue;
             }
             part = part_of(&patches[p].patch, &cell, patches[p].shell->radiance, &radius_mm);
-            set_light(&part, radius_mm, flat, next++);
+            set_light(&part, radius_mm, flat, next);
+            set_law(&patches[p].shell->law, flat, next++);
         }
     }
     pad(flat, &part, radius_mm);
@@ -313,7 +320,11 @@ static void place_part(const struct lx_round_part *part, const struct lx_vicinit
     if (part->shell->type == LX_CYLINDER && nearest > imaginary)
         light.gain /= sqrt((nearest - imaginary) * (nearest + imaginary));
     light.x = middle[0], light.y = middle[1], light.z = middle[2];
+    if (part->shell->type == LX_BALL)
+        light.gain *= lx_most_of_ball(part->shell, at);
     set_light(&light, radius + view->along * place->tile, made, i);
+    if (part->shell->type != LX_BALL)
+        set_law(&part->shell->law, made, i);
     made->strays[i] = strays;
     made->sways[i] = sways;
 }
@@ -341,7 +352,9 @@ void lx_round_lights_place(const struct lx_round_parts *round, const struct lx_v
     for (size_t i = 0, next; i < round->count; i = next) {
         const struct lx_shell *shell = round->parts[i].shell;
         struct lx_round_view view;
-        const bool is_outside = lx_round_view_of(shell, at, &view), is_seen = is_outside || !is_hidden(shell, at);
+        const bool is_bounded = shell->type != LX_BALL || isfinite(lx_most_of_ball(shell, at));
+        const bool is_outside = is_bounded && lx_round_view_of(shell, at, &view);
+        const bool is_seen = is_outside || !is_hidden(shell, at);
         const struct lx_patch patch = is_outside ? round_patch(shell, at, &view) : (struct lx_patch){.radius = 0};
         for (next = i; next < round->count && round->parts[next].shell == shell; next++)
             if (is_outside)

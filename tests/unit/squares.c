@@ -178,6 +178,11 @@ struct vector view_at(const struct lx_plan *plan, struct vector place)
     return unit(plus(observer_from(plan), -1, place));
 }
 
+double complex attenuated(const struct lx_law *law, double complex square)
+{
+    return 1 / (law->none + law->root * csqrt(square) + law->square * square);
+}
+
 struct seen_place seen_of_side(const struct lx_shell *shell, struct vector place, double s, double t)
 {
     const struct vector axis = vector_of(shell->axis), from = plus(place, -1, vector_of(shell->center));
@@ -210,9 +215,10 @@ double complex irradiance_by_cylinder(const struct lx_shell *shell, const struct
         const struct vector to_end = plus(plus(plus(center, half, outward), 1, beside), -1, place);
         const double complex square = dot(to_end, to_end);
         if (sees_side)
-            sum += seen.e * dot(normal, unit(way)) / dot(way, way);
+            sum += seen.e * dot(normal, unit(way)) * attenuated(&shell->law, dot(way, way));
         if (sees_end)
-            sum -= 2 * M_PI * s * radius * radius * dot(normal, to_end) * dot(outward, to_end) / (square * square);
+            sum -= 2 * M_PI * s * radius * radius * dot(normal, to_end) * dot(outward, to_end) *
+                   attenuated(&shell->law, square) / square;
     }
     return sum / (PARTS * PARTS);
 }

@@ -40,6 +40,9 @@ double length_of_real(struct vector a);
 struct vector place_at(const struct lx_plan *plan, double complex x, double complex y, struct vector *normal);
 struct vector view_at(const struct lx_plan *plan, struct vector place);
 
+/* a(r) where r^2 is `square`. */
+double complex attenuated(const struct lx_law *law, double complex square);
+
 /* What a body shows of its place with the coordinates s and t of struct lx_patch, from 0 to 1. */
 struct seen_place {
     struct vector from_center;

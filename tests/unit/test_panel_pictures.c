@@ -99,6 +99,21 @@ static const char *const scenes[] = {
     "     parts: 72}\n"
     "  - {type: planar, radiance: 3, rectangle: {center: [-900, 0, 1900], size: [300, 200], aim: [0, 0, 1000]},\n"
     "     parts: 30}\n",
+    /* by the textbook's laws: flat and round lamps, one near by */
+    "luxel: 1\n"
+    "screen: {width: 620, height: 540, resolution: [930, 810]}\n"
+    "observer: {z: 3000}\n"
+    "surfaces: [{type: sphere, center: [0, 0, 1000], radius: 300, material: {model: lambert}}]\n"
+    "lights:\n"
+    "  - {type: planar, radiance: 10, rectangle: {center: [900, 300, 1900], size: [300, 200], aim: [0, 0, 1000]},\n"
+    "     attenuation: practical, k: 300}\n"
+    "  - {type: planar, radiance: 3, disk: {center: [-300, 200, 1500], radius: 100, aim: [0, 0, 1000]},\n"
+    "     attenuation: none}\n"
+    "  - {type: volume, radiance: 4, sphere: {center: [-600, -700, 1700], radius: 150}, attenuation: polynomial,\n"
+    "     coefficients: [0.2, 1, 0.6]}\n"
+    "  - {type: volume, radiance: 9, cylinder: {center: [300, -900, 1700], radius: 20, height: 900, axis: [1, 0, "
+    "0.2]},\n"
+    "     attenuation: polynomial, coefficients: [0, 1, 0]}\n",
     /* flat lamps with highlights, one near by, and a point */
     "luxel: 1\n"
     "screen: {width: 620, height: 540, resolution: [930, 810]}\n"
@@ -128,6 +143,17 @@ static const char *const scenes[] = {
     "lights:\n"
     "  - {type: planar, radiance: 3,\n"
     "     vertices: [[-200, 900, -300], [300, 900, -300], [250, 900, 200], [-250, 900, 100]]}\n",
+    /* a shiny sphere under lamps by the textbook's laws */
+    "luxel: 1\n"
+    "screen: {width: 620, height: 540, resolution: [930, 810]}\n"
+    "observer: {z: 3000}\n"
+    "surfaces: [{type: sphere, center: [0, 0, 1000], radius: 300, material: {shininess: 30}}]\n"
+    "lights:\n"
+    "  - {type: planar, radiance: 10, rectangle: {center: [900, 300, 1900], size: [300, 200], aim: [0, 0, 1000]},\n"
+    "     attenuation: practical, k: 300}\n"
+    "  - {type: volume, radiance: 4, sphere: {center: [-600, 700, 1700], radius: 150}, attenuation: none}\n"
+    "  - {type: volume, radiance: 9, cylinder: {center: [-600, 0, 1700], radius: 20, height: 900, axis: [0, 1, 0.2]},\n"
+    "     attenuation: polynomial, coefficients: [0.2, 1, 0.6]}\n",
     /* a shiny part of a sphere under a ball, a tube, and the end of a cylinder that looks at it */
     "luxel: 1\n"
     "screen: {width: 160, height: 160, resolution: [260, 260]}\n"
@@ -140,7 +166,7 @@ static const char *const scenes[] = {
 };
 
 /* From this scene on there are highlights of extended sources, exact to the tolerance. */
-enum { FIRST_GLOSSY = 8 };
+enum { FIRST_GLOSSY = 9 };
 
 static double share_of(size_t scene)
 {

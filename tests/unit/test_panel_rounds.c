@@ -34,7 +34,8 @@ static void make_scene(int i, struct test_scene *test)
     test->surfaces[0].lobe = lx_lobe_prepare(&material);
     test->prepared.emitters.count = 1;
     test->lights[0] = source_of(BALL + i % 2, center, 1000, 0);
-    test->lights[0].attenuation = LX_INVERSE_SQUARE;
+    test->lights[0].attenuation = (enum lx_attenuation)(i / 2 % LX_LAWS);
+    test->lights[0].k_mm = 200;
     test->lights[0].radius_mm *= logarithmic(&random, 0.05, 1);
     test->lights[0].height_mm *= logarithmic(&random, 0.1, 3);
     test->lights[0].axis = lx_unit3(lx_exact3(axis));
@@ -150,7 +151,7 @@ static double complex brightness_by_part(const struct lx_plan *plan, const struc
         const double s = cell->s + cell->ds * places[column], t = cell->t + cell->dt * (piece + places[row]) / PIECES;
         const struct seen_place seen = seen_of(part->shell, part->at, place, s, t);
         const struct vector way = plus(plus(vector_of(part->shell->center), 1, seen.from_center), -1, place);
-        const double complex e = part->shell->radiance * seen.e / dot(way, way);
+        const double complex e = part->shell->radiance * seen.e * attenuated(&part->shell->law, dot(way, way));
         const struct falling falling = falling_along(plan, way, e, place, normal);
         sum += weights[column] * weights[row] * brightness_of(lobe, falling, is_dark, has_highlight);
     }
@@ -293,6 +294,7 @@ static void bounds_of_cylinders(void **state)
     for (int i = 0; i < CYLINDERS; i++) {
         struct randomness random = {.state = UINT64_C(0xD1B54A32D192ED03) * ((uint64_t)i + 1)};
         struct lx_shell shell = {.type = LX_CYLINDER, .round_mm = 100, .half_mm = logarithmic(&random, 10, 1000)};
+        shell.law = i % 2 ? (struct lx_law){.square = 1} : (struct lx_law){1e5, 1e2 * (i % 3), i % 5, 0};
         const double away = logarithmic(&random, 101, 2000), reach = away * logarithmic(&random, 0.0001, 0.1);
         struct lx_vicinity at = {.normal = {0, 0, 1}, .place_leeway = {.first = reach, .tile = reach / 4}};
         struct lx_leeway *place = &at.place_leeway;
@@ -325,7 +327,7 @@ static void bounds_of_cylinders(void **state)
 /* None where the plane of an end goes through the square. */
 static void ends_of_cylinders(void **state)
 {
-    struct lx_shell shell = {.type = LX_CYLINDER, .round_mm = 100, .half_mm = 200, .axis = {1, 0, 0}};
+    struct lx_shell shell = {.type = LX_CYLINDER, .law.square = 1, .round_mm = 100, .half_mm = 200, .axis = {1, 0, 0}};
     const struct lx_vicinity at = {.normal = {0, 0, 1}, .place_leeway = {.first = 10, .tile = 10}};
     (void)state;
     shell.center[2] = 1000;
