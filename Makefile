@@ -25,7 +25,8 @@ WARNINGS_ARE_ERRORS = --werror
 # One thing at a time: the parallel work is Ninja's.
 .NOTPARALLEL:
 .PHONY: build help setup run app python check bench install clean check-clang check-sanitize check-threads check-valgrind \
-    format fuzz coverage fuzz-coverage mutants properties frozen freeze docs validation abi po packages check-packages
+    format fuzz coverage fuzz-coverage mutants properties frozen freeze docs validation abi po packages check-packages \
+    check-wheel
 
 build: $(BUILD)/build.ninja
 	@$(COMPILE) $(BUILD)
@@ -54,6 +55,7 @@ help:
 	@echo 'make validation      write docs/VALIDATION.md anew from what the built command gives'
 	@echo 'make packages        the Debian packages in $(BUILD)/packages, judged by lintian'
 	@echo 'make check-packages  the same, installed into a fresh Debian and tried there'
+	@echo 'make check-wheel     the Python package as a wheel in $(BUILD)/wheel, installed into a fresh environment and tried'
 	@echo 'make abi             add new functions to the list of exported symbols'
 	@echo 'make format          format the C sources with clang-format'
 	@echo 'make po              take new texts from the sources into the translations (po/)'
@@ -210,6 +212,10 @@ packages:
 
 check-packages: packages
 	@tools/check_packages $(BUILD)/packages
+
+check-wheel:
+	@tools/setup wheel
+	@tools/check_wheel $(BUILD)/wheel
 
 # What is not translated yet is listed at the end.
 po: setup $(BUILD)/build.ninja

@@ -11,30 +11,35 @@ from . import _luxel
 if TYPE_CHECKING:
     from gettext import NullTranslations
 
+_HERE = os.path.dirname(os.path.abspath(__file__))
 _speakers: List[Any] = [_luxel]  # the modules of C that tell messages
 _catalogue: "Optional[NullTranslations]" = None
 
 
 def _folders() -> Iterator[str]:
-    """Where catalogues may lie: in the build folder, beside the environment, and where they were to be installed."""
-    here = os.path.dirname(os.path.abspath(__file__))
-    yield os.path.join(here, "..", "..", "po")
+    """Where catalogues may lie: in the build folder, in the environment, where they were to be installed."""
+    yield os.path.join(_HERE, "..", "..", "po")
     yield os.path.join(sys.prefix, "share", "locale")
     yield _luxel.LOCALEDIR
 
 
-def _wanted() -> bool:
-    """Whether the environment asks for another language than that of C."""
-    for name in ("LC_ALL", "LC_MESSAGES", "LANG"):
-        value = os.environ.get(name)
-        if value:
-            return value not in ("C", "POSIX")
-    return False
+def _wanted() -> List[str]:
+    """The languages that the environment asks for, the best first; none where it asks for that of C."""
+    locale = next((os.environ[name] for name in ("LC_ALL", "LC_MESSAGES", "LANG") if os.environ.get(name)), "C")
+    if locale in ("C", "POSIX"):
+        return []
+    return (os.environ.get("LANGUAGE") or locale).split(":")
 
 
-def _load(languages: "Optional[List[str]]") -> "Optional[NullTranslations]":
+def _load(languages: List[str]) -> "Optional[NullTranslations]":
     import gettext
 
+    for language in languages:
+        # A wheel has them in the package, each in a file of its language.
+        path = os.path.join(_HERE, "locale", language.partition(".")[0].partition("_")[0] + ".mo")
+        if os.path.exists(path):
+            with open(path, "rb") as file:
+                return gettext.GNUTranslations(file)
     for folder in _folders():
         if gettext.find("luxel", folder, languages):
             return gettext.translation("luxel", folder, languages)
@@ -70,7 +75,7 @@ def set_language(code: Optional[str] = None) -> None:
     global _catalogue
     found: "Optional[NullTranslations]" = None
     if code is None:
-        found = _load(None) if _wanted() else None
+        found = _load(_wanted())
     elif code != "en":
         found = _load([code])
         if found is None:

@@ -112,8 +112,9 @@ class Scene:
     def _open(self, path: str) -> None:
         if not os.path.exists(path):
             raise _missing(path)
-        handle = _luxel.open_file(os.fsencode(path))
-        self._become(handle, path, os.path.abspath(path), _luxel.scene_carried(handle))
+        absolute = os.path.abspath(path)
+        handle = _luxel.open_file(os.fsencode(path), os.fsencode(absolute))
+        self._become(handle, path, absolute, _luxel.scene_carried(handle))
 
     def _read(self, text: bytes, name: str, beside: Optional[str]) -> None:
         handle = _luxel.open_text(text, name, beside)

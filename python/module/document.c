@@ -72,8 +72,10 @@ static PyObject *document_write(PyObject *module, PyObject *arguments)
     if (!PyArg_ParseTuple(arguments, "Oy", &holder, &path) || !(document = document_of(module, holder)) ||
         !(diagnostics = diagnostics_begin()))
         return NULL;
-    Py_BEGIN_ALLOW_THREADS status = luxel_document_write(document, path, diagnostics);
-    Py_END_ALLOW_THREADS return diagnostics_end(&module_state(module)->language, status, diagnostics) ? none() : NULL;
+    Py_BEGIN_ALLOW_THREADS
+    status = luxel_document_write(document, path, diagnostics);
+    Py_END_ALLOW_THREADS
+    return diagnostics_end(&module_state(module)->language, status, diagnostics) ? none() : NULL;
 }
 
 const PyMethodDef document_functions[] = {

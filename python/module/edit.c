@@ -40,8 +40,10 @@ static luxel_status apply_all(luxel_scene *scene, PyObject *edits, luxel_diagnos
         return LUXEL_ERROR_ARGUMENT;
     luxel_status status;
 
-    Py_BEGIN_ALLOW_THREADS status = luxel_scene_commit(scene, diagnostics);
-    Py_END_ALLOW_THREADS return worst == LUXEL_OK ? status : worst;
+    Py_BEGIN_ALLOW_THREADS
+    status = luxel_scene_commit(scene, diagnostics);
+    Py_END_ALLOW_THREADS
+    return worst == LUXEL_OK ? status : worst;
 }
 
 static PyObject *scene_change(PyObject *module, PyObject *arguments)
@@ -83,8 +85,10 @@ static PyObject *scene_write(PyObject *module, PyObject *arguments)
     if (!PyArg_ParseTuple(arguments, "Oy", &handle, &path) || !(scene = scene_of(module, handle)) ||
         !(diagnostics = diagnostics_begin()))
         return NULL;
-    Py_BEGIN_ALLOW_THREADS status = luxel_scene_write_file(scene, path, diagnostics);
-    Py_END_ALLOW_THREADS return diagnostics_end(&module_state(module)->language, status, diagnostics) ? none() : NULL;
+    Py_BEGIN_ALLOW_THREADS
+    status = luxel_scene_write_file(scene, path, diagnostics);
+    Py_END_ALLOW_THREADS
+    return diagnostics_end(&module_state(module)->language, status, diagnostics) ? none() : NULL;
 }
 
 const PyMethodDef edit_functions[] = {

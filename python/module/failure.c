@@ -16,8 +16,10 @@ static PyObject *translated(struct language *language, const char *english)
 
     Py_XINCREF(found);
     if (key && !found && !PyErr_Occurred()) {
-        PyObject *words = PyObject_CallFunction(language->translate, "s", english);
+        PyObject *translate = Py_NewRef(language->translate); /* another thread may set the language meanwhile */
+        PyObject *words = PyObject_CallFunction(translate, "s", english);
 
+        Py_DECREF(translate);
         found = words ? PyUnicode_AsUTF8String(words) : NULL;
         Py_XDECREF(words);
         if (found && PyDict_SetItem(language->words, key, found) < 0)

@@ -195,8 +195,10 @@ static PyObject *field_write(PyObject *module, PyObject *arguments)
     if (!PyArg_ParseTuple(arguments, "OyI", &handle, &path, &how.bits) || !(field = field_of(module, handle)) ||
         !(diagnostics = diagnostics_begin()))
         return NULL;
-    Py_BEGIN_ALLOW_THREADS status = luxel_field_write_as(field, path, &how, diagnostics);
-    Py_END_ALLOW_THREADS return diagnostics_end(&module_state(module)->language, status, diagnostics) ? none() : NULL;
+    Py_BEGIN_ALLOW_THREADS
+    status = luxel_field_write_as(field, path, &how, diagnostics);
+    Py_END_ALLOW_THREADS
+    return diagnostics_end(&module_state(module)->language, status, diagnostics) ? none() : NULL;
 }
 
 static PyObject *field_read(PyObject *module, PyObject *arguments)
@@ -209,9 +211,10 @@ static PyObject *field_read(PyObject *module, PyObject *arguments)
 
     if (!PyArg_ParseTuple(arguments, "Oy", &type, &path) || !(diagnostics = diagnostics_begin()))
         return NULL;
-    Py_BEGIN_ALLOW_THREADS status = luxel_field_read(path, diagnostics, &field);
-    Py_END_ALLOW_THREADS if (!diagnostics_end(&module_state(module)->language, status, diagnostics))
-    {
+    Py_BEGIN_ALLOW_THREADS
+    status = luxel_field_read(path, diagnostics, &field);
+    Py_END_ALLOW_THREADS
+    if (!diagnostics_end(&module_state(module)->language, status, diagnostics)) {
         luxel_field_free(field);
         return NULL;
     }

@@ -141,8 +141,10 @@ static PyObject *grid_write(PyObject *module, PyObject *arguments)
     if (!PyArg_ParseTuple(arguments, "Oy", &holder, &path) || !(grid = grid_of(module, holder)) ||
         !(diagnostics = diagnostics_begin()))
         return NULL;
-    Py_BEGIN_ALLOW_THREADS status = luxel_grids_write(&grid, 1, path, diagnostics);
-    Py_END_ALLOW_THREADS return diagnostics_end(&module_state(module)->language, status, diagnostics) ? none() : NULL;
+    Py_BEGIN_ALLOW_THREADS
+    status = luxel_grids_write(&grid, 1, path, diagnostics);
+    Py_END_ALLOW_THREADS
+    return diagnostics_end(&module_state(module)->language, status, diagnostics) ? none() : NULL;
 }
 
 const PyMethodDef grid_functions[] = {

@@ -49,7 +49,8 @@ PyObject *scene_handle(PyObject *module, luxel_scene *scene)
 static PyObject *finish(PyObject *module, luxel_status status, luxel_scene *scene, luxel_diagnostics *diagnostics)
 {
     if (status == LUXEL_OK) {
-        Py_BEGIN_ALLOW_THREADS status = luxel_scene_commit(scene, diagnostics);
+        Py_BEGIN_ALLOW_THREADS
+        status = luxel_scene_commit(scene, diagnostics);
         Py_END_ALLOW_THREADS
     }
     if (diagnostics_end(&module_state(module)->language, status, diagnostics))
@@ -71,17 +72,22 @@ static PyObject *open_builtin(PyObject *module, PyObject *arguments)
     return finish(module, status, scene, diagnostics);
 }
 
+/* The name is as it was given, for messages; files are found wherever the program goes from here. */
 static PyObject *open_file(PyObject *module, PyObject *arguments)
 {
-    const char *path;
+    const char *path, *beside;
     luxel_status status;
     luxel_scene *scene = NULL;
     luxel_diagnostics *diagnostics;
 
-    if (!PyArg_ParseTuple(arguments, "y", &path) || !(diagnostics = diagnostics_begin()))
+    if (!PyArg_ParseTuple(arguments, "yy", &path, &beside) || !(diagnostics = diagnostics_begin()))
         return NULL;
-    Py_BEGIN_ALLOW_THREADS status = luxel_scene_read_file(path, diagnostics, &scene);
-    Py_END_ALLOW_THREADS return finish(module, status, scene, diagnostics);
+    Py_BEGIN_ALLOW_THREADS
+    status = luxel_scene_read_file(path, diagnostics, &scene);
+    Py_END_ALLOW_THREADS
+    if (status == LUXEL_OK)
+        status = luxel_scene_set_folder_of(scene, beside);
+    return finish(module, status, scene, diagnostics);
 }
 
 static PyObject *open_text(PyObject *module, PyObject *arguments)
@@ -94,8 +100,11 @@ static PyObject *open_text(PyObject *module, PyObject *arguments)
 
     if (!PyArg_ParseTuple(arguments, "y#sz", &text, &length, &source, &beside) || !(diagnostics = diagnostics_begin()))
         return NULL;
-    Py_BEGIN_ALLOW_THREADS status = luxel_scene_read_text(text, (size_t)length, source, diagnostics, &scene);
-    Py_END_ALLOW_THREADS if (status == LUXEL_OK && beside) status = luxel_scene_set_folder_of(scene, beside);
+    Py_BEGIN_ALLOW_THREADS
+    status = luxel_scene_read_text(text, (size_t)length, source, diagnostics, &scene);
+    Py_END_ALLOW_THREADS
+    if (status == LUXEL_OK && beside)
+        status = luxel_scene_set_folder_of(scene, beside);
     return finish(module, status, scene, diagnostics);
 }
 
@@ -238,10 +247,12 @@ static PyObject *scene_advice(PyObject *module, PyObject *handle)
 
     if (!diagnostics)
         return NULL;
-    Py_BEGIN_ALLOW_THREADS status = luxel_scene_advise(scene, diagnostics);
+    Py_BEGIN_ALLOW_THREADS
+    status = luxel_scene_advise(scene, diagnostics);
     if (status == LUXEL_OK)
         status = luxel_scene_advise_peak(scene, diagnostics);
-    Py_END_ALLOW_THREADS PyObject *list = status == LUXEL_OK ? diagnostics_list(language, diagnostics) : NULL;
+    Py_END_ALLOW_THREADS
+    PyObject *list = status == LUXEL_OK ? diagnostics_list(language, diagnostics) : NULL;
 
     if (diagnostics_end(language, status, diagnostics))
         return list;
@@ -325,7 +336,7 @@ static PyObject *scene_capsule(PyObject *module, PyObject *handle)
 
 const PyMethodDef scene_functions[] = {
     {"open_builtin", open_builtin, METH_VARARGS, "open_builtin(name)"},
-    {"open_file", open_file, METH_VARARGS, "open_file(path)"},
+    {"open_file", open_file, METH_VARARGS, "open_file(path, absolute path)"},
     {"open_text", open_text, METH_VARARGS, "open_text(text, source, beside)"},
     {"builtin_scenes", builtin_scenes, METH_NOARGS, "builtin_scenes() -> [(name, title)]"},
     {"scene_text", scene_text, METH_O, "scene_text(scene) -> str"},

@@ -152,6 +152,14 @@ def test_pickles(tap, tool):
                         ("a deep copy", copy.deepcopy(scene))):
         tap.equal((other.text, other.probe().value.tolist()), (scene.text, scene.probe().value.tolist()),
                   name + " finds the files beside")
+    here = os.getcwd()
+    os.chdir(tool.file("deep"))
+    beside = luxel.Scene("my.yaml")
+    os.chdir("/")
+    beside["lights[0].enabled"] = False
+    beside["lights[0].enabled"] = True
+    tap.equal(beside.probe().value.tolist(), scene.probe().value.tolist(), "as does a program that goes elsewhere")
+    os.chdir(here)
     changed = scene.changed({"screen.resolution": [3, 3]})
     tap.equal((changed.resolution, scene.resolution), ((3, 3), (36, 36)), "a changed copy")
     tap.equal(pickle.loads(pickle.dumps(changed)).resolution, (3, 3), "is pickled as changed")
