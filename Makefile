@@ -26,7 +26,7 @@ WARNINGS_ARE_ERRORS = --werror
 .NOTPARALLEL:
 .PHONY: build help setup run app python check bench install clean check-clang check-sanitize check-threads check-valgrind \
     format fuzz coverage fuzz-coverage mutants properties frozen freeze docs validation abi po packages check-packages \
-    check-wheel
+    check-wheel notebook
 
 build: $(BUILD)/build.ninja
 	@$(COMPILE) $(BUILD)
@@ -56,6 +56,7 @@ help:
 	@echo 'make packages        the Debian packages in $(BUILD)/packages, judged by lintian'
 	@echo 'make check-packages  the same, installed into a fresh Debian and tried there'
 	@echo 'make check-wheel     the Python package as a wheel in $(BUILD)/wheel, installed into a fresh environment and tried'
+	@echo 'make notebook        write docs/python/tutorial.ipynb anew from docs/PYTHON.md'
 	@echo 'make abi             add new functions to the list of exported symbols'
 	@echo 'make format          format the C sources with clang-format'
 	@echo 'make po              take new texts from the sources into the translations (po/)'
@@ -212,6 +213,9 @@ packages:
 
 check-packages: packages
 	@tools/check_packages $(BUILD)/packages
+
+notebook:
+	@$(PYTHON) tools/make_notebook.py docs/PYTHON.md docs/python/tutorial.ipynb --write
 
 check-wheel:
 	@tools/setup wheel

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: MIT
 """The pages keep their word: every block of docs/PYTHON.md runs, and the line of the READMEs prints what it says."""
+import json
 import os
 import re
 import subprocess
@@ -42,6 +43,31 @@ def test_guide(tap, tool):
     try_blocks(tap, tool, "docs/PYTHON.md")
 
 
+def test_notebook(tap, tool):
+    """It is the page's, so its cells are the blocks that were run above; where there is a kernel, it runs as a whole."""
+    path = os.path.join(ROOT, "docs", "python", "tutorial.ipynb")
+    done = subprocess.run([sys.executable, os.path.join(ROOT, "tools", "make_notebook.py"),
+                           os.path.join(ROOT, "docs", "PYTHON.md"), path], capture_output=True, text=True)
+    tap.equal((done.returncode, done.stderr), (0, ""), "the notebook is that of the page")
+    for cell in json.loads(text_of("docs/python/tutorial.ipynb"))["cells"]:
+        for target in re.findall(r"\]\(((?!http)[^)#]+)", "".join(cell["source"])):
+            tap.ok(os.path.exists(os.path.join(os.path.dirname(path), target)), "%s of the notebook exists" % target)
+    try:
+        import ipykernel  # noqa: F401
+        import nbclient
+        import nbformat
+    except ImportError as error:
+        tap.skip("the notebook in a kernel", error)
+        return
+    book = nbformat.read(path, 4)
+    nbformat.validate(book)
+    nbclient.NotebookClient(book, timeout=120, resources={"metadata": {"path": tool.folder}}).execute()
+    shown = {kind for cell in book.cells if cell.cell_type == "code" for output in cell.outputs
+             for kind in output.get("data", {})}
+    tap.ok({"text/html", "image/png", "image/svg+xml"} <= shown, "a kernel runs it, and it shows pictures and tables",
+           shown)
+
+
 def test_readmes(tap, tool):
     for page in ("README.md", "README.ru.md"):
         lines = re.findall(r"^    (PYTHONPATH=\S+ python3 -c .*)$", text_of(page), re.MULTILINE)
@@ -54,4 +80,4 @@ def test_readmes(tap, tool):
             tap.equal(done.stdout.strip() or done.stderr, promised, page + ": it prints what it says")
 
 
-run_tests(Tap(), test_guide, test_readmes)
+run_tests(Tap(), test_guide, test_notebook, test_readmes)
