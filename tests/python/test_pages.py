@@ -44,7 +44,7 @@ def test_guide(tap, tool):
 
 
 def test_notebook(tap, tool):
-    """It is the page's, so its cells are the blocks that were run above; where there is a kernel, it runs as a whole."""
+    """It is the page's, so its cells are the blocks run above; where there is a kernel, it runs as a whole."""
     path = os.path.join(ROOT, "docs", "python", "tutorial.ipynb")
     done = subprocess.run([sys.executable, os.path.join(ROOT, "tools", "make_notebook.py"),
                            os.path.join(ROOT, "docs", "PYTHON.md"), path], capture_output=True, text=True)
