@@ -3,10 +3,11 @@
 import json
 
 import yaml
-from luxel import _flow
 
 from package import Tap, luxel, run_tests
 from tool import SCENE
+
+_flow = luxel._flow
 
 CASES = ["10", "-1.5e-3", "1e3", ".5", "5.", "[0, 0, 1000]", "point", "true", "null", "~", '""', "''", "'it''s'",
          '"a\\tb\\u0416"',
