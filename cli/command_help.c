@@ -41,7 +41,7 @@ void help_print_usage(void)
     fputc('\n', stdout);
     text_definition(stdout, "", 0,
                     _("SCENE is a file, the name of a built-in scene, or - for standard input; without one it is "
-                      "\"report\". luxel help COMMAND and luxel help KEY, a key of a scene, tell more."));
+                      "\"report\". luxel help COMMAND and luxel help KEY, a key of a scene, say more."));
     print_examples("luxel render -o report.png\n"
                    "luxel render my.yaml -s 'lights[0].position=[1500,800,2400]' -o sphere.png -o sphere.npy\n"
                    "luxel probe my.yaml -p 0,0 -p -150,0 --json\n"

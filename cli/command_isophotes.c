@@ -190,10 +190,10 @@ const struct command command_isophotes = {
     .endings = ".csv",
     .default_format = "csv",
     .summary = N_("lines of equal value on the screen"),
-    .description = N_("Finds the lines along which the picture has one value, at round levels or at those given, each "
-                      "vertex on its level to 1e-9. With --picture, or where SCENE is a file of values that tells "
-                      "where its pixels are (.csv, or .exr as Luxel writes it), they are those of the pixels, with "
-                      "straight lines between them."),
+    .description = N_("Finds the lines along which the picture has one value, at round levels or at those given, "
+                      "each vertex on its level to 1e-9. With --picture, or where SCENE is a file of values that "
+                      "gives the places of its pixels (.csv, or an .exr that Luxel wrote), they are those of the "
+                      "pixels, with straight lines between them."),
     .examples = "luxel isophotes my.yaml --levels 5\n"
                 "luxel isophotes my.yaml --levels 0.5,1,2 --json\n"
                 "luxel isophotes -o lines.csv --csv=excel-ru",

@@ -59,7 +59,7 @@ static int check_options(const struct option_analysis *analysis, bool has_scene)
     if (!has_scene && !has_ends)
         return wrong(_("a file of values needs --from and --to"));
     if (!has_scene && analysis->arc)
-        return wrong(_("a file of values tells of no sphere: --arc needs a scene"));
+        return wrong(_("a file of values has no spheres: --arc needs a scene"));
     return EXIT_DONE;
 }
 
@@ -306,8 +306,8 @@ const struct command command_profile = {
     .summary = N_("values along a line of the screen or an arc of a sphere"),
     .description = N_("Prints the exact values along a straight line of the screen, the horizontal one through its "
                       "centre unless another is given, or along the great circle of a sphere by the angle; with the "
-                      "share of each light. With --picture, or where SCENE is a file of values that tells where its "
-                      "pixels are (.csv, or .exr as Luxel writes it), the values are those of the pixels."),
+                      "share of each light. With --picture, or where SCENE is a file of values that gives the "
+                      "places of its pixels (.csv, or an .exr that Luxel wrote), the values are those of the pixels."),
     .examples = "luxel profile my.yaml --through 0,50 --angle 30 --samples 201\n"
                 "luxel profile my.yaml --from -100,0 --to 100,0 --arc --csv=excel-ru\n"
                 "luxel profile -o section.csv",

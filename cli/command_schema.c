@@ -24,10 +24,10 @@ const struct command command_schema = {
     .bit = COMMAND_SCHEMA,
     .operand_kind = OPERAND_NONE,
     .summary = N_("print the JSON Schema of scenes, for editors"),
-    .description = N_("An editor that knows the schema completes keys, shows their meaning and marks errors while you "
-                      "type. Editors that use yaml-language-server find it by a comment in the scene: "
-                      "# yaml-language-server: $schema=luxel.schema.json. What no schema can say, such as that pixels "
-                      "are square, only luxel check tells."),
+    .description = N_("An editor that knows the schema completes keys, shows their meaning and marks errors while "
+                      "you type. Editors that use yaml-language-server find it by a comment in the scene: # "
+                      "yaml-language-server: $schema=luxel.schema.json. Only luxel check finds what no schema can "
+                      "express, such as pixels that are not square."),
     .examples = "luxel schema > luxel.schema.json",
     .run = run,
 };

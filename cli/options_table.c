@@ -363,8 +363,8 @@ static const struct option_row rows[] = {
                 "where observer.view is parallel, else towards the observer")},
     {"material", 0, N_("N"), COMMAND_PROBE, TAKES(take_material),
      .help =
-         N_("free elements that lie on no surface have the material of surfaces[N], counted from 0 (the default) as "
-            "in paths; one that lies on a surface has that of its own")},
+         N_("give free elements that lie on no surface the material of surfaces[N], counted from 0 (the default) as "
+            "in paths; an element that lies on a surface keeps the material of that surface")},
     {"from", 0, N_("X,Y"), COMMAND_PROFILE, TAKES(take_from),
      .help = N_("where the line begins on the screen, in mm; goes with --to")},
     {"to", 0, N_("X,Y"), COMMAND_PROFILE, TAKES(take_to), .help = N_("where the line ends on the screen, in mm")},
@@ -388,7 +388,7 @@ static const struct option_row rows[] = {
      .help = N_("steps of the histogram, 1 to 65536; the default is 16")},
     {"levels", 0, N_("N"), COMMAND_ISOPHOTES | COMMAND_FIGURE, TAKES(take_levels),
      .help =
-         N_("about so many round levels, 1 to 50; or the levels themselves: L1,L2,... (\"5,\" is the one level 5)")},
+         N_("about N round levels, 1 to 50; or the levels themselves: L1,L2,... (\"5,\" is the one level 5)")},
     {"scale", 0, N_("LOW,HIGH"), COMMAND_STATS | COMMAND_ISOPHOTES | COMMAND_FIGURE, TAKES(take_scale),
      .help = N_("the range of values of the histogram, the levels or the colours")},
     {"log", 0, NULL, COMMAND_STATS | COMMAND_ISOPHOTES | COMMAND_FIGURE, SETS(analysis.logarithmic),

@@ -57,8 +57,8 @@ extern const char *const lx_parts_names[];
         .name = "parts", .label = "Parts", .type = LX_CHOICE_OR_WHOLE, .offset = offsetof(type_, spread.parts),        \
         .choices = lx_parts_names, .initial = "converged", .legal = LX_BETWEEN(1, 1000),                               \
         .advised = {LX_BETWEEN(1, 100)},                                                                               \
-        .meaning = "into how many parts each way the source is cut, each a point at its centre; converged: so many "   \
-                   "that more change nothing",                                                                         \
+        .meaning = "into how many parts each way the source is cut, each a point at its centre; converged: as "        \
+                   "many as it takes until more of them change nothing",                                               \
     }
 
 #define LX_SPREAD_RULES LX_LAW_RULES

@@ -93,8 +93,8 @@ static const struct lx_parameter sphere_parameters[] = {
         .offset = offsetof(struct sphere_parameters, facets),
         .legal = LX_BETWEEN(4, 1000),
         .advised = {LX_BETWEEN(6, 100)},
-        .meaning = "makes it the polyhedron of so many meridians, and half as many bands from pole to pole along z, "
-                   "whose corners lie on the sphere; not given: the sphere itself",
+        .meaning = "replaces it by the polyhedron with that many meridians, and half as many bands from pole to "
+                   "pole along z, whose corners lie on the sphere; not given: the sphere itself",
     },
 };
 
@@ -127,7 +127,8 @@ static const struct lx_parameter cylinder_parameters[] = {
         .legal = LX_BETWEEN(3, 1000),
         .advised = {LX_BETWEEN(6, 100)},
         .meaning =
-            "makes it the prism of so many sides whose edges lie on the cylinder; not given: the cylinder itself",
+            "replaces it by the prism with that many sides, whose edges lie on the cylinder; not given: the "
+            "cylinder itself",
     },
 };
 

@@ -80,7 +80,7 @@ def lamps_alone(tap, tool):
         tool.write("scene.yaml", scene(file))
         return tool.run("probe", "scene.yaml", "--json", *more).json()["points"][0]["value"]
 
-    tap.equal(value("dome.lp"), value("ones.csv"), "an .lp file tells no intensities: each lamp has 1")
+    tap.equal(value("dome.lp"), value("ones.csv"), "an .lp file gives no intensities: each lamp has 1")
     tap.equal(value("dome.lp", "-s", "lights[0].intensity=2.5"), value("same.csv"), "the key gives another one")
     tap.equal(value("places.csv", "-s", "lights[0].intensity=2.5"), value("same.csv"), "three columns and the key")
     for name, descr in ("places.npy", "<f8"), ("single.npy", "<f4"), ("big.npy", ">f8"):
@@ -91,7 +91,7 @@ def lamps_alone(tap, tool):
                "which needs the key: " + name, refused)
     tool.write("scene.yaml", scene("same.csv"))
     both = tool.run("check", "scene.yaml", "-s", "lights[0].intensity=2")
-    tap.ok(both.code == 3 and "intensity is for files that tell no intensities" in both.err, "both", both)
+    tap.ok(both.code == 3 and "intensity is for files without intensities" in both.err, "both", both)
 
 
 def formats_agree(tap, tool):
