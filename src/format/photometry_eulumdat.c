@@ -57,7 +57,7 @@ static bool next_number(struct eulumdat *read, const char *name, double *number,
     size_t length = token->end - token->start;
     if (length == 0 || lx_luminaire_number(line, length, true, number))
         return true;
-    *number = NAN;
+    *number = (double)NAN;
     char *text = lx_keeps(file->diagnostics, LUXEL_SEVERITY_ERROR) ? lx_copy_text(line, length) : NULL;
     enum lx_message message =
         lx_looks_like_number(line, length) ? LX_MSG_PHOTOMETRY_NOT_FINITE : LX_MSG_PHOTOMETRY_NUMBER;

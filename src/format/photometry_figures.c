@@ -9,7 +9,7 @@
 #include "photometry_section.h"
 
 static const double DEGREE = 0.017453292519943295;
-static const double NONE = NAN;
+static const double NONE = (double)NAN;
 
 double luxel_room_index(size_t i)
 {

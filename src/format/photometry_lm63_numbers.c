@@ -73,7 +73,7 @@ static bool read_word(struct lx_lm63 *lm63, struct lx_token token, double *numbe
 
 bool lx_lm63_next(struct lx_lm63 *lm63, const char *name, double *number, struct lx_token *token)
 {
-    *number = NAN;
+    *number = (double)NAN;
     if (!lx_lm63_word(lm63, token)) {
         lx_luminaire_error(lm63->file, lm63->file->length, lm63->file->length, LX_MSG_PHOTOMETRY_ENDS,
                            LX_ARGS(LX_TERM(name)));
@@ -289,7 +289,7 @@ static void take_header(struct lx_lm63 *lm63)
     shown->type = types[(int)numbers[LX_LM63_TYPE] - 1];
     shown->is_absolute = numbers[LX_LM63_LUMENS] < 0;
     shown->declared_lumens = has_lumens ? numbers[LX_LM63_LAMPS] * numbers[LX_LM63_LUMENS] : (double)NAN;
-    shown->declared_lorl = shown->declared_dff = NAN;
+    shown->declared_lorl = shown->declared_dff = (double)NAN;
     shown->multiplier = numbers[LX_LM63_MULTIPLIER] * numbers[LX_LM63_BALLAST] *
                         (lm63->year < 1995 ? numbers[LX_LM63_LAMP_BALLAST] : 1);
     shown->watts = numbers[LX_LM63_WATTS];

@@ -135,7 +135,7 @@ double lx_section_width(const struct lx_section *section, double share)
     size_t peak = find_peak(section);
     double greatest = section->values[peak], level = share * greatest;
     if (!(greatest > 0))
-        return NAN;
+        return (double)NAN;
     if (is_symmetric(section, greatest))
         return width_across(section, fabs(section->angles_deg[peak]) <= 90, level);
     return fmin(360, reach(section, peak, true, level) + reach(section, peak, false, level));

@@ -164,7 +164,7 @@ static double per_kilolumen(double intensity, double lumens)
     for (int i = -2; i <= 2; i++) {
         double near = value;
         for (int step = 0; step < abs(i); step++)
-            near = nextafter(near, i < 0 ? -INFINITY : INFINITY);
+            near = nextafter(near, i < 0 ? -HUGE_VAL : HUGE_VAL);
         if (fabs(near * lumens / 1000 - intensity) < fabs(best * lumens / 1000 - intensity))
             best = near;
     }
