@@ -7,6 +7,7 @@
 #include <string.h>
 
 #include "cli.h"
+#include "drawing.h"
 #include "message.h"
 #include "outputs.h"
 #include "photometry.h"
@@ -268,20 +269,29 @@ static void print_text(const struct luminaire *luminaire)
 
 /* ---- files ---- */
 
+static const char *const endings[] = {".png", ".svg", ".pdf", ".ies", ".ldt"};
+enum { FIGURE_ENDINGS = 3 };
+
 static luxel_status check_name(const char *path, luxel_diagnostics *diagnostics)
 {
-    static const char *const endings[] = {".ies", ".ldt"};
-
     return luxel_check_ending(path, endings, COUNT_OF(endings), diagnostics);
 }
 
-static int write_outputs(const struct options *options, const struct luminaire *luminaire)
+static bool is_figure(const char *path)
+{
+    return luxel_check_ending(path, endings, FIGURE_ENDINGS, NULL) == LUXEL_OK;
+}
+
+static int write_outputs(const struct options *options, const struct luminaire *luminaire, luminaire_draw *draw)
 {
     luxel_diagnostics *diagnostics = message_new_diagnostics();
     int code = EXIT_DONE;
 
     for (size_t i = 0; i < options->output_count; i++) {
-        const luxel_status status = luxel_photometry_write(luminaire->photometry, options->outputs[i], diagnostics);
+        const char *path = options->outputs[i];
+        const luxel_status status = draw && is_figure(path)
+                                        ? draw(options, luminaire, path, diagnostics)
+                                        : luxel_photometry_write(luminaire->photometry, path, diagnostics);
 
         if (status != LUXEL_OK)
             code = message_failure(status, diagnostics);
@@ -291,16 +301,13 @@ static int write_outputs(const struct options *options, const struct luminaire *
     return code;
 }
 
-static int run(const struct options *options)
+int luminaire_show(const struct options *options, luminaire_draw *draw)
 {
     struct luminaire luminaire;
-    int code = outputs_check(options, check_name);
+    int code = luminaire_open(options, &luminaire);
 
-    if (code != EXIT_DONE)
-        return code;
-    code = luminaire_open(options, &luminaire);
     if (code == EXIT_DONE) {
-        code = write_outputs(options, &luminaire);
+        code = write_outputs(options, &luminaire, draw);
         if (options->json)
             luminaire_print_json(&luminaire);
         else if (standard_output_is_free(options))
@@ -310,22 +317,41 @@ static int run(const struct options *options)
     return code;
 }
 
+static int run(const struct options *options)
+{
+    const int code = outputs_check(options, check_name);
+    bool draws = false;
+
+    if (code != EXIT_DONE)
+        return code;
+    for (size_t i = 0; i < options->output_count; i++)
+        draws = draws || is_figure(options->outputs[i]);
+    if (options_given(options, "diagram") && !draws) {
+        message_error(_("--diagram names what a figure shows, and no file of -o is a figure"));
+        message_hint(_("add -o FILE.png, -o FILE.svg or -o FILE.pdf"));
+        return EXIT_USAGE;
+    }
+    return draws ? drawing_photometry(options) : luminaire_show(options, NULL);
+}
+
 const struct command command_photometry = {
     .name = "photometry",
     .bit = COMMAND_PHOTOMETRY,
     .operand = N_("FILE"),
     .operand_kind = OPERAND_FILE,
-    .endings = ".ies .ldt",
+    .endings = ".png .svg .pdf .ies .ldt",
     .summary = N_("what a luminaire file (IES, EULUMDAT) says"),
-    .description =
-        N_("Reads a luminaire file, IES LM-63 of 1986 to 2019 or EULUMDAT, and prints what it says and what its table "
-           "of intensities amounts to: the flux by the zone rule and by the linear rule, light output ratio and "
-           "downward flux fraction, the greatest intensity, beam and field angle, CIE flux code, spacing criterion "
-           "and direct ratios. All errors of a wrong file are listed with line and column; what is odd is a warning, "
-           "and no number is ever rescaled in silence. Each FILE of -o is the same luminaire as LM-63-2002 or as "
-           "EULUMDAT."),
+    .description = N_(
+        "Reads a luminaire file, IES LM-63 of 1986 to 2019 or EULUMDAT, and prints what it says and what its table "
+        "of intensities amounts to: the flux by the zone rule and by the linear rule, light output ratio and "
+        "downward flux fraction, the greatest intensity, beam and field angle, CIE flux code, spacing criterion "
+        "and direct ratios. All errors of a wrong file are listed with line and column; what is odd is a warning, "
+        "and no number is ever rescaled in silence. A FILE of -o shows the luminaire (.png, .svg, .pdf): its "
+        "polar diagram or what --diagram names; or it is the same luminaire as LM-63-2002 (.ies) or EULUMDAT (.ldt)."),
     .examples = "luxel photometry lamp.ies\n"
                 "luxel photometry lamp.ldt --json\n"
-                "luxel photometry lamp.ldt -o lamp.ies",
+                "luxel photometry lamp.ldt -o lamp.ies\n"
+                "luxel photometry lamp.ies -o polar.svg\n"
+                "luxel photometry lamp.ies -o cone.pdf --diagram cone",
     .run = run,
 };

@@ -48,3 +48,8 @@ int drawing_report(const struct options *options)
 {
     return draw(options);
 }
+
+int drawing_photometry(const struct options *options)
+{
+    return draw(options);
+}

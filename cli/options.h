@@ -52,6 +52,7 @@ struct option_drawing {
     const char *institution, *faculty, *course, *teacher, *place, *aim;
     bool palettes, contours, bands, lines, plain, no_extrema, no_points, stacked, dark;
     double width_mm, dots_per_inch; /* 0: the default */
+    size_t diagram;                 /* of luxel photometry, a luxel_diagram */
 };
 
 struct options {

@@ -21,6 +21,7 @@ static const char *const bits_words[] = {"8", "16", NULL};
 static const char *const format_words[] = {"png", "npy",  "pfm",      "csv",   "exr",  "svg", "pdf", "md",
                                            "tex", "text", "markdown", "latex", "html", "ies", "ldt", NULL};
 static const char *const section_words[] = {"center", "maximum", NULL};
+static const char *const diagram_words[] = {"polar", "cartesian", "cone", NULL};
 const char *const option_formats[] = {"text", "markdown", "latex", "html", NULL};
 
 static bool take_output(struct options *options, const char *argument)
@@ -297,6 +298,11 @@ static bool take_dpi(struct options *options, const char *argument)
     return argument_number("--dpi", argument, &options->drawing.dots_per_inch);
 }
 
+static bool take_diagram(struct options *options, const char *argument)
+{
+    return take_word("--diagram", argument, diagram_words, &options->drawing.diagram);
+}
+
 static bool take_section(struct options *options, const char *argument)
 {
     options->drawing.section = argument ? argument : "center";
@@ -410,12 +416,18 @@ static const struct option_row rows[] = {
                 "a point: --section=X,Y")},
     {"stacked", 0, NULL, COMMAND_FIGURE, SETS(drawing.stacked),
      .help = N_("in the sections, put the lights' shares on top of each other")},
-    {"dark", 0, NULL, COMMAND_FIGURE, SETS(drawing.dark), .help = N_("light lines on a dark ground, for projectors")},
-    {"width", 0, N_("MM"), COMMAND_FIGURE, TAKES(take_width),
+    {"diagram", 0, N_("KIND"), COMMAND_PHOTOMETRY, TAKES(take_diagram), WORDS(diagram_words),
+     .help =
+         N_("what a figure shows: the polar diagram (default), cartesian, the intensity over gamma, or cone, the beam "
+            "from 1 to 5 m away")},
+    {"dark", 0, NULL, COMMAND_FIGURE | COMMAND_PHOTOMETRY, SETS(drawing.dark),
+     .help = N_("light lines on a dark ground, for projectors")},
+    {"width", 0, N_("MM"), COMMAND_FIGURE | COMMAND_PHOTOMETRY, TAKES(take_width),
      .help = N_("the width of the figure on paper, 40 to 1000 mm; the default is 160")},
-    {"dpi", 0, N_("N"), COMMAND_FIGURE, TAKES(take_dpi),
+    {"dpi", 0, N_("N"), COMMAND_FIGURE | COMMAND_PHOTOMETRY, TAKES(take_dpi),
      .help = N_("dots per inch of a .png, 30 to 2400; the default is 200")},
-    {"title", 0, N_("TEXT"), COMMAND_FIGURE | COMMAND_REPORT, TAKES(take_title), .help = N_("the title")},
+    {"title", 0, N_("TEXT"), COMMAND_FIGURE | COMMAND_REPORT | COMMAND_PHOTOMETRY, TAKES(take_title),
+     .help = N_("the title")},
     {"author", 0, N_("TEXT"), COMMAND_REPORT, TAKES(take_author), .help = N_("who hands the report in")},
     {"group", 0, N_("TEXT"), COMMAND_REPORT, TAKES(take_group), .help = N_("the author's group")},
     {"date", 0, N_("TEXT"), COMMAND_REPORT, TAKES(take_date),

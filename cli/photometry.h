@@ -21,6 +21,13 @@ void luminaire_close(struct luminaire *luminaire);
 /* The i-th warning with its place, in the language of the user or in English; NULL beyond the last.  For free(). */
 char *luminaire_warning(const struct luminaire *luminaire, size_t i, bool in_english);
 
+/* Draws a luminaire to a file. */
+typedef luxel_status luminaire_draw(const struct options *options, const struct luminaire *luminaire, const char *path,
+                                    luxel_diagnostics *diagnostics);
+
+/* The command itself: writes the files of -o, figures by `draw` (NULL: none is one), and prints the numbers. */
+int luminaire_show(const struct options *options, luminaire_draw *draw);
+
 void luminaire_print_json(const struct luminaire *luminaire);
 
 #endif

@@ -89,6 +89,8 @@ LUMINAIRES = {
     "open-turn.ies": HEAD + "1 1000 1 2 4 1 2 -1 -1 0 1 1 10 0 90 0 90 180 270 1 2 3 4 5 6 7 8",
     "turn.ies": HEAD + "1 1000 1 2 3 1 2 -1 -1 0 1 1 10 0 90 -180 0 180 1 2 3 4 1 9",
     "tilt.ies": HEAD.replace("NONE", "INCLUDE") + "1\n2\n0 90\n1 .9\n1 1000 1 2 1 1 2 0 0 0 1 1 10 0 180 0 1 2",
+    "tilt-huge.ies": HEAD.replace("NONE", "INCLUDE") + (
+        "13333333333333333333\n1\n0\n1\n1 1000 1 2 1 1 2 0 0 0 1 1 10 0 90 0 1 2"),
     "tilt-file.ies": HEAD.replace("NONE", "none.tlt") + "1 1000 1 2 1 1 2 0 0 0 1 1 10 0 180 0 1 2",
     "three.ies": HEAD + "1 1000 1 3 1 1 2 0 0 0\n0 45 90\n0\n1 2 3 ; comment\n",
     "huge.ies": HEAD + "1 1000 1 999999999 999999999 1 2 0 0 0 1 1 10 0 45 90\n",

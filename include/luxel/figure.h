@@ -12,6 +12,7 @@
 #include <luxel/document.h>
 #include <luxel/extrema.h>
 #include <luxel/isophotes.h>
+#include <luxel/photometry.h>
 #include <luxel/profile.h>
 
 #ifdef __cplusplus
@@ -81,6 +82,34 @@ LUXEL_API luxel_status luxel_figure_write(const luxel_scene *scene, const luxel_
 
 /* Whether luxel_figure_write() knows the extension of this name; if not, says so in the diagnostics. */
 LUXEL_API luxel_status luxel_check_figure_name(const char *path, luxel_diagnostics *diagnostics);
+
+/* What is drawn of a luminaire. */
+typedef enum luxel_diagram {
+    LUXEL_DIAGRAM_POLAR,     /* the sections C0-C180 and C90-C270 around the luminaire, nadir below */
+    LUXEL_DIAGRAM_CARTESIAN, /* the intensity over gamma, plane by plane */
+    LUXEL_DIAGRAM_CONE       /* the beam from 1 to 5 m below: its diameters, and the illuminance in its middle */
+} luxel_diagram;
+
+/* How it is drawn; luxel_diagram_settings_init() sets the defaults, which the comments name. */
+typedef struct luxel_diagram_settings {
+    luxel_diagram diagram;          /* polar */
+    const char *title;              /* NULL or "": none */
+    double width_mm;                /* of the whole on paper, 40 to 1000; 160 */
+    double dots_per_inch;           /* of a PNG, 30 to 2400; 200 */
+    bool dark;                      /* light lines on a dark ground; false */
+    const luxel_language *language; /* NULL: English */
+} luxel_diagram_settings;
+
+/* Sets every member to its default, given above. */
+LUXEL_API void luxel_diagram_settings_init(luxel_diagram_settings *settings);
+
+/*
+ * Draws a luminaire to a file by the extension of its name: .png, .svg or .pdf, whole or not at all.  Intensities are in
+ * cd/klm where the photometry is relative, else in cd.  `settings` NULL: the defaults.
+ * LUXEL_ERROR_ARGUMENT: another extension, a setting out of its range.  LUXEL_ERROR_FILE.  LUXEL_ERROR_MEMORY.
+ */
+LUXEL_API luxel_status luxel_diagram_write(const luxel_photometry *photometry, const luxel_diagram_settings *settings,
+                                           const char *path, luxel_diagnostics *diagnostics);
 
 /* What a report says of itself; all may be NULL. */
 typedef struct luxel_report_settings {

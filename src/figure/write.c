@@ -16,6 +16,7 @@
 #include "../base/sink.h"
 #include "../base/text.h"
 #include "figure.h"
+#include "sheet.h"
 
 static const char *const endings[] = {".png", ".svg", ".pdf"};
 enum { PNG, SVG, PDF };
@@ -28,13 +29,18 @@ luxel_status luxel_check_figure_name(const char *path, luxel_diagnostics *diagno
     return lx_find_ending(path, endings, sizeof endings / sizeof endings[0], diagnostics, &found);
 }
 
-static void paint(const struct lx_figure *figure, cairo_t *cairo, double width)
+static double height_of(const struct lx_sheet *sheet)
 {
-    struct lx_canvas canvas = lx_canvas_of(cairo, figure->settings.dark);
+    return sheet->draw(sheet->what, NULL, sheet->width_mm * POINTS);
+}
+
+static void paint(const struct lx_sheet *sheet, cairo_t *cairo, double width)
+{
+    struct lx_canvas canvas = lx_canvas_of(cairo, sheet->dark);
     lx_color(&canvas, canvas.ground, 1);
     cairo_paint(cairo);
     lx_canvas_clear(&canvas);
-    lx_figure_draw(figure, cairo, width);
+    sheet->draw(sheet->what, cairo, width);
 }
 
 /* ---- PNG ---- */
@@ -86,42 +92,42 @@ static bool encode(cairo_surface_t *image, double dots_per_inch, struct lx_text 
     return done && !bytes->failed;
 }
 
-static bool draw_png(const struct lx_figure *figure, struct lx_text *bytes)
+static bool draw_png(const struct lx_sheet *sheet, struct lx_text *bytes)
 {
-    double width = figure->settings.width_mm * POINTS, height = lx_figure_draw(figure, NULL, width);
-    double scale = figure->settings.dots_per_inch / 72;
+    double width = sheet->width_mm * POINTS, height = height_of(sheet);
+    double scale = sheet->dots_per_inch / 72;
     cairo_surface_t *image =
         cairo_image_surface_create(CAIRO_FORMAT_RGB24, (int)lround(width * scale), (int)lround(height * scale));
     cairo_t *cairo = cairo_create(image);
     cairo_scale(cairo, scale, scale);
-    paint(figure, cairo, width);
+    paint(sheet, cairo, width);
     cairo_surface_flush(image);
-    bool done = cairo_status(cairo) == CAIRO_STATUS_SUCCESS && encode(image, figure->settings.dots_per_inch, bytes);
+    bool done = cairo_status(cairo) == CAIRO_STATUS_SUCCESS && encode(image, sheet->dots_per_inch, bytes);
     cairo_destroy(cairo);
     cairo_surface_destroy(image);
     return done;
 }
 
 /* Pictures of more dots than that cannot be drawn on. */
-static luxel_status check_dots(const struct lx_figure *figure, luxel_diagnostics *diagnostics)
+static luxel_status check_dots(const struct lx_sheet *sheet, luxel_diagnostics *diagnostics)
 {
     enum { MOST_DOTS = 32767 };
-    double width = figure->settings.width_mm * POINTS, longest = fmax(width, lx_figure_draw(figure, NULL, width));
+    double longest = fmax(sheet->width_mm * POINTS, height_of(sheet));
     double most = floor(MOST_DOTS / longest * 72);
     char given[LX_NUMBER_SIZE], number[LX_NUMBER_SIZE], bound[LX_NUMBER_SIZE + 8] = "≤ ";
-    if (figure->settings.dots_per_inch <= most)
+    if (sheet->dots_per_inch <= most)
         return LUXEL_OK;
     strcat(bound, lx_write_number(most, number));
     lx_report(diagnostics, LUXEL_SEVERITY_ERROR, NULL, LX_MSG_SETTING_OUT_OF_RANGE,
-              LX_ARGS("dots_per_inch", lx_write_number(figure->settings.dots_per_inch, given), bound));
+              LX_ARGS("dots_per_inch", lx_write_number(sheet->dots_per_inch, given), bound));
     return LUXEL_ERROR_ARGUMENT;
 }
 
-luxel_status lx_figure_png(const struct lx_figure *figure, luxel_diagnostics *diagnostics, unsigned char **bytes,
-                           size_t *length)
+luxel_status lx_sheet_png(const struct lx_sheet *sheet, luxel_diagnostics *diagnostics, unsigned char **bytes,
+                          size_t *length)
 {
     struct lx_text text = {0};
-    if (!draw_png(figure, &text)) {
+    if (!draw_png(sheet, &text)) {
         lx_text_clear(&text);
         return lx_out_of_memory(diagnostics);
     }
@@ -139,13 +145,13 @@ static cairo_status_t collect(void *data, const unsigned char *bytes, unsigned c
     return text->failed ? CAIRO_STATUS_NO_MEMORY : CAIRO_STATUS_SUCCESS;
 }
 
-static bool draw_vector(const struct lx_figure *figure, size_t format, struct lx_text *bytes)
+static bool draw_vector(const struct lx_sheet *sheet, size_t format, struct lx_text *bytes)
 {
-    double width = figure->settings.width_mm * POINTS, height = lx_figure_draw(figure, NULL, width);
+    double width = sheet->width_mm * POINTS, height = height_of(sheet);
     cairo_surface_t *surface = format == PDF ? cairo_pdf_surface_create_for_stream(collect, bytes, width, height)
                                              : cairo_svg_surface_create_for_stream(collect, bytes, width, height);
     if (format == PDF) {
-        cairo_pdf_surface_set_metadata(surface, CAIRO_PDF_METADATA_TITLE, figure->title);
+        cairo_pdf_surface_set_metadata(surface, CAIRO_PDF_METADATA_TITLE, sheet->title);
         cairo_pdf_surface_set_metadata(surface, CAIRO_PDF_METADATA_CREATOR, "Luxel");
         /* a date would make two files of the same figure differ */
         cairo_pdf_surface_set_metadata(surface, CAIRO_PDF_METADATA_CREATE_DATE, "2000-01-01T00:00:00Z");
@@ -153,7 +159,7 @@ static bool draw_vector(const struct lx_figure *figure, size_t format, struct lx
         cairo_svg_surface_set_document_unit(surface, CAIRO_SVG_UNIT_PT);
     }
     cairo_t *cairo = cairo_create(surface);
-    paint(figure, cairo, width);
+    paint(sheet, cairo, width);
     bool done = cairo_status(cairo) == CAIRO_STATUS_SUCCESS;
     cairo_destroy(cairo);
     cairo_surface_finish(surface);
@@ -162,21 +168,16 @@ static bool draw_vector(const struct lx_figure *figure, size_t format, struct lx
     return done;
 }
 
-luxel_status luxel_figure_write(const luxel_scene *scene, const luxel_settings *settings,
-                                const luxel_figure_settings *wanted, const char *path, luxel_diagnostics *diagnostics)
+luxel_status lx_sheet_write(const struct lx_sheet *sheet, const char *path, luxel_diagnostics *diagnostics)
 {
-    struct lx_figure *figure = NULL;
     struct lx_text bytes = {0};
     struct lx_sink *sink;
     size_t format;
     luxel_status status = lx_find_ending(path, endings, sizeof endings / sizeof endings[0], diagnostics, &format);
-    if (status == LUXEL_OK)
-        status = lx_figure_make(scene, settings, wanted, diagnostics, &figure);
     if (status == LUXEL_OK && format == PNG)
-        status = check_dots(figure, diagnostics);
-    if (status == LUXEL_OK && !(format == PNG ? draw_png(figure, &bytes) : draw_vector(figure, format, &bytes)))
+        status = check_dots(sheet, diagnostics);
+    if (status == LUXEL_OK && !(format == PNG ? draw_png(sheet, &bytes) : draw_vector(sheet, format, &bytes)))
         status = lx_out_of_memory(diagnostics);
-    lx_figure_free(figure);
     if (status == LUXEL_OK)
         status = lx_sink_open(path, NULL, diagnostics, &sink);
     if (status == LUXEL_OK) {
@@ -184,6 +185,45 @@ luxel_status luxel_figure_write(const luxel_scene *scene, const luxel_settings *
         status = lx_sink_commit(sink);
     }
     lx_text_clear(&bytes);
+    return status;
+}
+
+/* ---- figures of scenes ---- */
+
+static double draw_figure(const void *figure, cairo_t *cairo, double width)
+{
+    return lx_figure_draw(figure, cairo, width);
+}
+
+static struct lx_sheet sheet_of(const struct lx_figure *figure)
+{
+    return (struct lx_sheet){.title = figure->title,
+                             .width_mm = figure->settings.width_mm,
+                             .dots_per_inch = figure->settings.dots_per_inch,
+                             .dark = figure->settings.dark,
+                             .draw = draw_figure,
+                             .what = figure};
+}
+
+luxel_status lx_figure_png(const struct lx_figure *figure, luxel_diagnostics *diagnostics, unsigned char **bytes,
+                           size_t *length)
+{
+    const struct lx_sheet sheet = sheet_of(figure);
+    return lx_sheet_png(&sheet, diagnostics, bytes, length);
+}
+
+luxel_status luxel_figure_write(const luxel_scene *scene, const luxel_settings *settings,
+                                const luxel_figure_settings *wanted, const char *path, luxel_diagnostics *diagnostics)
+{
+    struct lx_figure *figure = NULL;
+    luxel_status status = luxel_check_figure_name(path, diagnostics);
+    if (status == LUXEL_OK)
+        status = lx_figure_make(scene, settings, wanted, diagnostics, &figure);
+    if (status == LUXEL_OK) {
+        const struct lx_sheet sheet = sheet_of(figure);
+        status = lx_sheet_write(&sheet, path, diagnostics);
+    }
+    lx_figure_free(figure);
     return status;
 }
 

@@ -180,7 +180,7 @@ void lx_lm63_read_tilt(struct lx_lm63 *lm63)
     }
     if (i == 2 * wanted) {
         lx_check_angles(file, angle_name, made->tilt_angles, tokens, wanted, -180, 180);
-        made->shown.tilt_geometry = isnan(geometry) ? 0 : (unsigned)geometry;
+        made->shown.tilt_geometry = geometry >= 1 && geometry <= 3 ? (unsigned)geometry : 0;
         made->shown.tilt_count = wanted;
     }
     free(tokens);

@@ -3,6 +3,7 @@
 import math
 import os
 import re
+import xml.etree.ElementTree
 
 from luminaires import AXIAL, HEAD, KEYS, ODD, WRONG, eulumdat
 from tap import Tap
@@ -159,6 +160,53 @@ def conversion(tap, tool):
     tap.ok(b"L\xe4mpe" in tool.read("g.ldt"), "what it has is ISO 8859-1")
 
 
+def curve(svg, color):
+    """The places of the line of a colour, in points."""
+    found = re.findall(r'<path [^>]*?stroke(?::|=")rgb\(%s\)[^>]*? d="([^"]*)"' % color, svg)
+    longest = max(found, key=len)
+    numbers = [float(number) for number in re.findall(r"-?[0-9.]+(?:e-?[0-9]+)?", longest)]
+    return list(zip(numbers[::2], numbers[1::2]))
+
+
+def diagrams(tap, tool):
+    if not os.path.exists(os.path.join(os.path.dirname(tool.path), "luxel-draw")):
+        tap.skip("diagrams", "built without figures")
+        return
+    tool.write("lamp.ies", lambert(5))
+    names = {".png": b"\x89PNG", ".svg": b"<?xml", ".pdf": b"%PDF"}
+    for kind in "polar", "cartesian", "cone":
+        for ending, start in names.items():
+            result = tool.run("photometry", "lamp.ies", "-o", kind + ending, "--diagram", kind, "-q")
+            tap.ok(result.code == 0 and tool.read(kind + ending).startswith(start), kind + ending, result)
+        xml.etree.ElementTree.parse(tool.file(kind + ".svg"))
+    tap.ok(len({tool.read(kind + ".svg") for kind in ("polar", "cartesian", "cone")}) == 3, "three kinds")
+    again = tool.run("photometry", "lamp.ies", "-o", "again.svg", "-o", "again.ies", "--json")
+    tap.ok(again.code == 0 and tool.read("again.svg") == tool.read("polar.svg") and "again.ies" in tool.files() and
+           again.json()["type"] == "C", "polar by default, with a conversion and the numbers", again)
+    places = curve(tool.read("polar.svg").decode(), "84%, ?37%, ?0%")
+    x, low = places[0][0], max(y for _, y in places)  # the curve of a Lambert lamp is a circle through the middle
+    radius = (low - places[0][1]) / 2
+    worst = max(abs(math.hypot(px - x, py - places[0][1] - radius) - radius) for px, py in places)
+    tap.ok(len(places) > 80 and radius > 20 and worst < 0.003 * radius, "a circle", worst, radius, len(places))
+    straight = curve(tool.read("cartesian.svg").decode(), "84%, ?37%, ?0%")
+    top, bottom, width = straight[0][1], straight[-1][1], straight[-1][0] - straight[0][0]
+    cosines = [(bottom - y) / (bottom - top) - math.cos((px - straight[0][0]) / width * math.pi / 2)
+               for px, y in straight]
+    tap.ok(len(straight) == 19 and max(map(abs, cosines)) < 1e-4, "a cosine", cosines)
+    dark = tool.run("photometry", "lamp.ies", "-o", "dark.svg", "--dark", "--title", "Zimt", "--width", "80")
+    tap.ok(dark.code == 0 and tool.read("dark.svg") != tool.read("polar.svg"), "dark, narrow, with a title", dark)
+    sideways = HEAD + "1 -1 1 3 3 2 2 0 0 0\n1 1 10\n-90 0 90\n-90 0 90\n0 0 0 0 9 0 0 0 0\n"
+    for text in sideways, HEAD + AXIAL.replace("1000 500 0", "0 0 0"), eulumdat(line_44="90\n135\n180\n1\n2\n3"):
+        for kind in "polar", "cartesian", "cone":
+            result = tool.run("photometry", "-", "-o", "odd.svg", "--diagram", kind, "-q", stdin=text)
+            tap.ok(result.code == 0, kind + " of a lamp that is otherwise", result)
+    for wrong in ["--diagram", "cone"], ["-o", "a.ies", "--diagram", "polar"], ["-o", "a.svg", "--diagram", "cones"]:
+        result = tool.run("photometry", "lamp.ies", *wrong)
+        tap.ok(result.code == 2 and "--diagram" in result.err, " ".join(wrong), result)
+    result = tool.run("photometry", "lamp.ies", "-o", "a.svg", "--width", "5")
+    tap.ok(result.code == 2 and "40 to 1000" in result.err, "too narrow", result)
+
+
 def sections(tap, tool):
     """Beam and field angles of lamps that do not shine straight down."""
     def beam(planes, rows, gammas=(0, 10, 20, 30, 40, 50, 60, 70, 80, 90)):
@@ -182,7 +230,7 @@ def sections(tap, tool):
 
 
 def main():
-    run_tests(Tap(), told, eulumdat_files, encodings, odd, wrong, tilt_files, conversion, sections)
+    run_tests(Tap(), told, eulumdat_files, encodings, odd, wrong, tilt_files, conversion, diagrams, sections)
 
 
 main()

@@ -10,7 +10,7 @@ from tap import Tap
 from tool import Tool
 
 ROOT = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..")
-DRAWING = ("figure", "report")  # commands of a build with cairo and pango
+DRAWING = ("figure", "report", "photometry")  # commands of a build with cairo and pango
 JUDGING = ("compare", "grade")  # these may end with 1: a difference, a wrong answer
 ANSWERS = "student,variant,point,value\nA,17,1,0\n"
 LAMP = "IESNA:LM-63-1995\nTILT=NONE\n1 1000 1 3 1 1 2 0.1 0.1 0\n1 1 10\n0 45 90\n0\n318 225 0\n"

@@ -1,0 +1,60 @@
+/* SPDX-License-Identifier: MIT */
+/* luxel photometry with figures among its files, as luxel-draw runs it: from the options to the diagram's settings. */
+#include <luxel/figure.h>
+
+#include <stdio.h>
+#include <string.h>
+
+#include "../../front/language.h"
+#include "../cli.h"
+#include "../drawing.h"
+#include "../photometry.h"
+
+/* What the file calls the luminaire, else the name of the file: as much of its first line as a title may be. */
+static char *default_title(const struct luminaire *luminaire)
+{
+    static const char *const keywords[] = {"LUMINAIRE", "LUMCAT"};
+    enum { MOST = 80 };
+    const char *title = luminaire->name;
+    char line[MOST + 8];
+    size_t length;
+
+    for (size_t i = COUNT_OF(keywords); i-- > 0;) {
+        const char *text = luxel_photometry_find_text(luminaire->photometry, keywords[i]);
+
+        title = text && *text ? text : title;
+    }
+    length = strcspn(title, "\n");
+    if (length > MOST)
+        for (length = MOST; length > 0 && ((unsigned char)title[length] & 0xc0) == 0x80;)
+            length--; /* no character is cut in half */
+    snprintf(line, sizeof line, "%.*s%s", (int)length, title, title[length] && title[length] != '\n' ? "…" : "");
+    return luxel_escaped_text(line);
+}
+
+static luxel_status draw(const struct options *options, const struct luminaire *luminaire, const char *path,
+                         luxel_diagnostics *diagnostics)
+{
+    const luxel_language language = {.translate = language_translate, .code = language_code()};
+    luxel_diagram_settings settings;
+    char *title = options->drawing.title ? NULL : default_title(luminaire);
+    luxel_status status;
+
+    luxel_diagram_settings_init(&settings);
+    settings.language = &language;
+    settings.diagram = (luxel_diagram)options->drawing.diagram;
+    settings.title = options->drawing.title ? options->drawing.title : title;
+    settings.dark = options->drawing.dark;
+    if (options_given(options, "width"))
+        settings.width_mm = options->drawing.width_mm;
+    if (options_given(options, "dpi"))
+        settings.dots_per_inch = options->drawing.dots_per_inch;
+    status = luxel_diagram_write(luminaire->photometry, &settings, path, diagnostics);
+    luxel_text_free(title);
+    return status;
+}
+
+int drawing_photometry(const struct options *options)
+{
+    return luminaire_show(options, draw);
+}
