@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: MIT */
 /*
- * Commands that draw: figure, report, and photometry where it draws.  They need cairo and pango, which would make every start of the tool slower by
- * a millisecond and more.  So they run in a second program, luxel-draw, which is this tool linked with the library
- * luxel-figure; `luxel figure` hands its whole command line to it.
+ * Commands that draw: figure, report, and photometry where it draws.  They need cairo and pango, which would make every
+ * start of the tool slower by a millisecond and more.  So they run in a second program, luxel-draw, which is this tool
+ * linked with the library luxel-figure; `luxel figure` hands its whole command line to it.
  *
  * Each function returns an enum exit_code.  drawing_elsewhere.c defines them for luxel, draw/ for luxel-draw.
  */

@@ -185,9 +185,9 @@ typedef struct luxel_photometry_figures {
 LUXEL_API luxel_status luxel_photometry_measure(const luxel_photometry *photometry, luxel_photometry_figures *figures);
 
 /*
- * Writes a luminaire by the extension of the name: .ies as IESNA:LM-63-2002, .ldt as EULUMDAT, whole or not at all.  What
- * is written reads back as the same table, but for planes that repeat others, and roundings of EULUMDAT in the last
- * digit.  LUXEL_ERROR_ARGUMENT: another extension, or a type that EULUMDAT does not know.  LUXEL_ERROR_FILE.
+ * Writes a luminaire by the extension of the name: .ies as IESNA:LM-63-2002, .ldt as EULUMDAT, whole or not at all.
+ * What is written reads back as the same table, but for planes that repeat others, and roundings of EULUMDAT in the
+ * last digit.  LUXEL_ERROR_ARGUMENT: another extension, or a type that EULUMDAT does not know.  LUXEL_ERROR_FILE.
  * LUXEL_ERROR_MEMORY.
  */
 LUXEL_API luxel_status luxel_photometry_write(const luxel_photometry *photometry, const char *path,

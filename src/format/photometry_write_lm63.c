@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /*
- * Writing LM-63-2002: intensities in cd with a multiplier of 1, lengths in metres, lines that keep to its 256 characters.
- * Symmetry about C90-C270, which only 1995 had, is written as a whole turn.
+ * Writing LM-63-2002: intensities in cd with a multiplier of 1, lengths in metres, lines that keep to its 256
+ * characters.  Symmetry about C90-C270, which only 1995 had, is written as a whole turn.
  */
 #include <math.h>
 #include <stdio.h>

@@ -1,8 +1,9 @@
 /* SPDX-License-Identifier: MIT */
 /*
  * What the library reads from a luminaire file, for test_photometry.py: photometry_values FILE prints a line of facts,
- * after it has written the luminaire to a second FILE, if there is one; then answers each line of standard input: `angle P A` and `cosine P A` with the intensity there, `direction P A` with
- * the unit vector and the angles that it is turned back into.
+ * after it has written the luminaire to a second FILE, if there is one; then answers each line of standard
+ * input: `angle P A` and `cosine P A` with the intensity there, `direction P A` with the unit vector and the angles
+ * that it is turned back into.
  */
 #include <stdio.h>
 #include <string.h>

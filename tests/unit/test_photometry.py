@@ -227,7 +227,8 @@ def converted(tap, folder):
                 wrong.append("%s to %s, as the second reader has it: %.3g" % (name, ending, apart))
             for fact in "shape", "width", "length", "height", "type":
                 if after.facts[fact] != before.facts[fact]:
-                    wrong.append("%s to %s: %s %s, not %s" % (name, ending, fact, after.facts[fact], before.facts[fact]))
+                    wrong.append("%s to %s: %s %s, not %s" % (name, ending, fact, after.facts[fact],
+                                                              before.facts[fact]))
     tap.ok(not wrong, "what is converted reads back", *wrong[:8])
 
 
