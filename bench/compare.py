@@ -141,7 +141,7 @@ def print_scenes(luxel, folder):
     program, names = matrix.program_of(folder), [line.split()[0] for line in listed.splitlines() if line.strip()]
     one, all_of_them = (matrix.measure(program, ROUNDS, names, threads, SIDE) for threads in (1, os.cpu_count()))
     print("\n## The built-in scenes\n")
-    print("Whole `luxel_render()` calls for %d × %d pixels; by one thread processor time.\n" % (SIDE, SIDE))
+    print("Whole `luxel_render()` calls, %d pixels along the longer side; by one thread processor time.\n" % SIDE)
     print("| scene | 1 thread, ms | %d threads, ms |\n|---|---:|---:|" % os.cpu_count())
     for row in zip(names, one, all_of_them):
         print("| %s | %.1f | %.1f |" % row)

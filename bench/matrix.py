@@ -68,7 +68,7 @@ def write_scene(folder, row, law):
 
 
 def measure(program, rounds, scenes, threads=1, side=0):
-    """Milliseconds of each picture, the least of some rounds; `side`: its pixels on either axis, 0: as it is."""
+    """Milliseconds of each picture, the least of some rounds; `side`: its pixels along the longer side, 0: as it is."""
     done = subprocess.run([program, str(rounds), str(threads), str(side)] + scenes,
                           capture_output=True, text=True, check=True)
     return [float(word) for word in done.stdout.split()]

@@ -1,9 +1,9 @@
 /* SPDX-License-Identifier: MIT */
 /*
  * Times the pictures of scenes: time_pictures ROUNDS THREADS SIDE SCENE...  Scenes are files or built-in names, SIDE
- * their pixels on either axis; 0: as they are.  Each round renders all of them in turn, so that all meet the same moods
- * of the machine; the least time of each is printed in ms, one a line.  By one thread it is processor time, which other
- * programs weigh on least.
+ * their pixels along the longer side; 0: as they are.  Each round renders all of them in turn, so that all meet the
+ * same moods of the machine; the least time of each is printed in ms, one a line.  By one thread it is processor time,
+ * which other programs weigh on least.
  */
 #include <stdio.h>
 #include <stdlib.h>
@@ -22,16 +22,29 @@ static double now_ms(unsigned threads)
     return 1e3 * (double)now.tv_sec + 1e-6 * (double)now.tv_nsec;
 }
 
-static luxel_scene *open_scene(const char *name, const char *side)
+/* So many pixels along the longer side, as square as they were. */
+static luxel_status resize(luxel_scene *scene, double side, luxel_diagnostics *diagnostics)
 {
     char resolution[64];
+    unsigned columns, rows;
+    luxel_status status = luxel_scene_resolution(scene, &columns, &rows);
+    if (status != LUXEL_OK)
+        return status;
+    const double scale = side / (columns > rows ? columns : rows);
+    snprintf(resolution, sizeof resolution, "screen.resolution=[%.0f, %.0f]", scale * columns, scale * rows);
+    return luxel_scene_set(scene, resolution, diagnostics);
+}
+
+static luxel_scene *open_scene(const char *name, double side)
+{
     luxel_scene *scene = NULL;
     luxel_diagnostics *diagnostics = luxel_diagnostics_new();
     luxel_status status = strchr(name, '.') ? luxel_scene_read_file(name, diagnostics, &scene)
                                             : luxel_scene_open_builtin(name, diagnostics, &scene);
-    snprintf(resolution, sizeof resolution, "screen.resolution=[%s, %s]", side, side);
-    if (status == LUXEL_OK && strcmp(side, "0") != 0)
-        status = luxel_scene_set(scene, resolution, diagnostics);
+    if (status == LUXEL_OK)
+        status = luxel_scene_commit(scene, diagnostics);
+    if (status == LUXEL_OK && side > 0)
+        status = resize(scene, side, diagnostics);
     if (status == LUXEL_OK)
         status = luxel_scene_commit(scene, diagnostics);
     luxel_diagnostics_free(diagnostics);
@@ -76,7 +89,7 @@ int main(int argc, char **argv)
     if (!scenes || !best)
         return 1;
     for (size_t i = 0; i < count; i++)
-        scenes[i] = open_scene(argv[i + OPTIONS], argv[3]);
+        scenes[i] = open_scene(argv[i + OPTIONS], strtod(argv[3], NULL));
     for (long round = 0; round < rounds; round++)
         for (size_t i = 0; i < count; i++) {
             const double taken = time_picture(scenes[i], threads);

@@ -338,7 +338,8 @@ double lx_bound_law(const struct lx_shape *shape, double diffuse, const struct l
     const struct lx_law *law = &shell->law;
     if (!(nearest > 0))
         return HUGE_VAL;
-    const double greatest = diffuse * shell->radiance * greatest_flow(law, lx_shell_area(shell), nearest);
+    const double seen = shell->type == LX_BALL ? 0.25 : shell->type == LX_CYLINDER ? 0.5 : 1; /* of the area, at most */
+    const double greatest = diffuse * shell->radiance * greatest_flow(law, seen * lx_shell_area(shell), nearest);
     const double least = nearest * nearest * (law->none + nearest * (law->root + nearest * law->square));
     const double most = farthest * farthest * (law->none + farthest * (law->root + farthest * law->square));
     const bool moderate = is_moderate(shape->radius_mm) && is_moderate(away) && is_moderate(nearest) &&
