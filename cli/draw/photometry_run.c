@@ -28,7 +28,7 @@ static char *default_title(const struct luminaire *luminaire)
     if (length > MOST)
         for (length = MOST; length > 0 && ((unsigned char)title[length] & 0xc0) == 0x80;)
             length--; /* no character is cut in half */
-    snprintf(line, sizeof line, "%.*s%s", (int)length, title, title[length] && title[length] != '\n' ? "…" : "");
+    snprintf(line, sizeof line, "%.*s%s", (int)length, title, title[length] ? "…" : "");
     return luxel_escaped_text(line);
 }
 

@@ -176,7 +176,7 @@ def closed_room(page):
     page.heading('CIE 171, test 5.4: no light is lost',
                  'An isotropic point source of 10 000 lm (10 000/4π cd) in a closed room of 4 m × 4 m × 3 m, off its '
                  'middle. What `luxel grid` finds on the six walls, each a grid of square cells. The flux that it '
-                 'tells is that of the plane itself and knows no cells. The average of the cells times the area, '
+                 'prints is that of the plane itself and knows no cells. The average of the cells times the area, '
                  'summed, has an error of order 2 in their size, as the midpoint of each cell stands for the cell.')
     rows = []
     for cells_per_metre in (5, 10, 20, 40):
