@@ -106,7 +106,8 @@ LUXEL_API void luxel_diagram_settings_init(luxel_diagram_settings *settings);
 /*
  * Draws a luminaire to a file by the extension of its name: .png, .svg or .pdf, whole or not at all.  Intensities are
  * in cd/klm where the photometry is relative, else in cd.  `settings` NULL: the defaults.
- * LUXEL_ERROR_ARGUMENT: another extension, a setting out of its range.  LUXEL_ERROR_FILE.  LUXEL_ERROR_MEMORY.
+ * LUXEL_ERROR_ARGUMENT: another extension, a setting out of its range.  LUXEL_ERROR_FILE: it cannot be written.
+ * LUXEL_ERROR_MEMORY: there is not enough.
  */
 LUXEL_API luxel_status luxel_diagram_write(const luxel_photometry *photometry, const luxel_diagram_settings *settings,
                                            const char *path, luxel_diagnostics *diagnostics);

@@ -17,9 +17,10 @@ extern "C" {
 /* The number of lights in the scene's list; 0 where it is not committed. */
 LUXEL_API size_t luxel_scene_light_count(const luxel_scene *scene);
 
-/* The type of light i, such as "point", and its name, which is NULL where it has none; NULL where there is no such
- * light.  They are the scene's and last until it changes. */
+/* The type of light i, such as "point"; NULL where there is no such light.  It is the scene's and lasts until that
+ * changes. */
 LUXEL_API const char *luxel_scene_light_type(const luxel_scene *scene, size_t i);
+/* The name of light i, which lasts as its type does; NULL where it has none, or where there is no such light. */
 LUXEL_API const char *luxel_scene_light_name(const luxel_scene *scene, size_t i);
 /* Whether light i is on; false where there is no such light. */
 LUXEL_API bool luxel_scene_light_enabled(const luxel_scene *scene, size_t i);

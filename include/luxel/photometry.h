@@ -58,10 +58,10 @@ typedef enum luxel_opening_shape {
 
 /* A luminous opening; lengths in mm.  EULUMDAT calls "length" what LM-63 calls width, and here it is the width, too. */
 typedef struct luxel_opening {
-    luxel_opening_shape shape;
-    double width_mm;  /* along C90-C270 */
-    double length_mm; /* along C0-C180 */
-    double height_mm; /* along the axis; the greatest of the four that EULUMDAT gives */
+    luxel_opening_shape shape; /* which of its lengths count */
+    double width_mm;           /* along C90-C270 */
+    double length_mm;          /* along C0-C180 */
+    double height_mm;          /* along the axis; the greatest of the four that EULUMDAT gives */
 } luxel_opening;
 
 /* The lamps of a EULUMDAT file, or those of an LM-63 file as one set. */
@@ -82,11 +82,11 @@ typedef struct luxel_photometry_text {
 
 /* A luminaire; all of it belongs to the library and is freed by luxel_photometry_free(). */
 typedef struct luxel_photometry {
-    luxel_photometry_format format;
+    luxel_photometry_format format; /* what the file is, whatever its name */
     const char *version; /* the first line of an LM-63 file, such as "IESNA:LM-63-2002"; "" where there is none */
     unsigned year;       /* of the LM-63 whose rules were followed: 1986, 1991, 1995, 2002, 2019; 0: EULUMDAT */
-    luxel_photometry_type type;
-    luxel_photometry_symmetry symmetry;
+    luxel_photometry_type type;         /* what its angles are measured about */
+    luxel_photometry_symmetry symmetry; /* as the header or the angles tell */
 
     size_t plane_count; /* of the table below */
     size_t angle_count; /* of the table below */
@@ -105,13 +105,13 @@ typedef struct luxel_photometry {
     double multiplier;      /* cd for one unit of the file's numbers: all factors together */
     double watts;           /* input power */
 
-    luxel_opening opening;
-    double housing_mm[3]; /* width, length and height of the luminaire, EULUMDAT; 0 where not known */
+    luxel_opening opening; /* where the light comes out */
+    double housing_mm[3];  /* width, length and height of the luminaire, EULUMDAT; 0 where not known */
 
-    const luxel_lamp_set *lamp_sets; /* the first one counts */
-    size_t lamp_set_count;           /* of them */
-    const luxel_photometry_text *texts;
-    size_t text_count; /* of them */
+    const luxel_lamp_set *lamp_sets;    /* the first one counts */
+    size_t lamp_set_count;              /* of them */
+    const luxel_photometry_text *texts; /* in the order of the file */
+    size_t text_count;                  /* of them */
 
     unsigned tilt_geometry;     /* of the lamp in the luminaire, 1 to 3; 0: TILT=NONE */
     const double *tilt_angles;  /* degrees of the luminaire's tilt */
@@ -122,12 +122,13 @@ typedef struct luxel_photometry {
 /*
  * Reads a file of either kind, told apart by what is in it.  All that is wrong is reported at once with line and
  * column; what is odd is reported as advice and changes no number in silence.
- * LUXEL_ERROR_FILE: it cannot be read or has errors.  LUXEL_ERROR_ARGUMENT.  LUXEL_ERROR_MEMORY.
+ * LUXEL_ERROR_FILE: it cannot be read or has errors.  LUXEL_ERROR_ARGUMENT: NULL where nothing may be.
+ * LUXEL_ERROR_MEMORY: there is not enough.
  */
 LUXEL_API luxel_status luxel_photometry_read(const char *path, luxel_diagnostics *diagnostics,
                                              luxel_photometry **photometry);
 
-/* The same of bytes in memory under a name for reports; what TILT=FILE names is looked for beside that name. */
+/* Reads bytes in memory; reports call them `name`, and what TILT=FILE names is looked for beside it. */
 LUXEL_API luxel_status luxel_photometry_read_bytes(const void *bytes, size_t length, const char *name,
                                                    luxel_diagnostics *diagnostics, luxel_photometry **photometry);
 
@@ -163,19 +164,19 @@ enum { LUXEL_ROOM_INDICES = 10 };
 
 /* What is read off a table.  Numbers that make no sense for it are NaN. */
 typedef struct luxel_photometry_figures {
-    double zone_lumens;   /* the flux by the zone rule: mean of two angles times the difference of their cosines */
-    double linear_lumens; /* the flux if the intensity is linear between the angles */
-    double lorl;          /* light output ratio, percent of the declared lumens, by the zone rule */
-    double dff;           /* downward flux fraction, percent, by the zone rule; type C */
-    double greatest_cd;
-    double greatest_plane_deg; /* where: the angles of the table */
-    double greatest_angle_deg;
-    double greatest_c_deg; /* where: C and gamma about the axis, whatever the type */
-    double greatest_gamma_deg;
-    double beam_deg;             /* full angle between the directions of half the intensity, in the section there */
-    double field_deg;            /* of a tenth of it */
-    double beam_sections_deg[2]; /* in the sections C0-C180 and C90-C270, or horizontal and vertical */
-    double field_sections_deg[2];
+    double zone_lumens;        /* the flux by the zone rule: mean of two angles times the difference of their cosines */
+    double linear_lumens;      /* the flux if the intensity is linear between the angles */
+    double lorl;               /* light output ratio, percent of the declared lumens, by the zone rule */
+    double dff;                /* downward flux fraction, percent, by the zone rule; type C */
+    double greatest_cd;        /* the greatest intensity of the table */
+    double greatest_plane_deg; /* its first place: the horizontal angle or C of the table */
+    double greatest_angle_deg; /* its first place: the vertical angle or gamma of the table */
+    double greatest_c_deg;     /* its first place: C about the axis, whatever the type */
+    double greatest_gamma_deg; /* its first place: gamma from the axis, whatever the type */
+    double beam_deg;           /* full angle between the directions of half the intensity, in the section there */
+    double field_deg;          /* of a tenth of it */
+    double beam_sections_deg[2];              /* in the sections C0-C180 and C90-C270, or horizontal and vertical */
+    double field_sections_deg[2];             /* in these, too */
     double flux_code[5];                      /* CIE flux code N1 to N5, percent, not rounded; type C */
     double direct_ratios[LUXEL_ROOM_INDICES]; /* for the room indices of luxel_room_index(); type C */
     double spacing[3]; /* spacing criteria along C0-C180, along C90-C270 and across the diagonals; type C */

@@ -50,7 +50,8 @@ typedef struct luxel_row {
  * not among them, and do more than number the rows, are reported as advice.  `columns` and `diagnostics`, which takes
  * the reports of this and of all later calls, must outlive the table; it is the caller's: free it with
  * luxel_table_free().
- * LUXEL_ERROR_FILE: it cannot be read, or is no such table.  LUXEL_ERROR_ARGUMENT.  LUXEL_ERROR_MEMORY.
+ * LUXEL_ERROR_FILE: it cannot be read, or is no such table.  LUXEL_ERROR_ARGUMENT: NULL, or too many columns.
+ * LUXEL_ERROR_MEMORY: there is not enough.
  */
 LUXEL_API luxel_status luxel_table_open(const char *path, const luxel_column *columns, size_t count, bool needs_heading,
                                         luxel_diagnostics *diagnostics, luxel_table **table);
