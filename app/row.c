@@ -74,7 +74,7 @@ void app_row_set_unit(AppRow *self, const char *unit)
     gtk_label_set_text(GTK_LABEL(self->unit), unit);
 }
 
-/* What screen readers say of the control, too. */
+/* The name by which screen readers know the control. */
 static void name_row(const AppRow *self)
 {
     const char *meaning = gtk_widget_get_tooltip_text(GTK_WIDGET(self));

@@ -22,7 +22,7 @@ static double now_ms(unsigned threads)
     return 1e3 * (double)now.tv_sec + 1e-6 * (double)now.tv_nsec;
 }
 
-/* So many pixels along the longer side, as square as they were. */
+/* Gives the scene so many pixels along the longer side, as square as they were. */
 static luxel_status resize(luxel_scene *scene, double side, luxel_diagnostics *diagnostics)
 {
     char resolution[64];

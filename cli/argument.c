@@ -74,7 +74,7 @@ static size_t count_parts(const char *text)
     return parts;
 }
 
-/* What may stand between two numbers for people whose numbers have a comma. */
+/* The separators that may stand between two numbers for people whose numbers have a comma. */
 static const char separators[] = ",; \t";
 
 /* The length of digits, a comma and digits, and perhaps an exponent; 0: that is not what text starts with. */

@@ -83,7 +83,7 @@ static const char *opening_words(const luxel_opening *opening, char buffer[TEXT_
                        _(words[opening->shape]), length, width, height);
 }
 
-/* What the file calls the angles, and how far they go. */
+/* The names of the angles in the file, and their range. */
 static const char *table_words(const luxel_photometry *photometry, char buffer[TEXT_SIZE])
 {
     const size_t planes = photometry->plane_count, angles = photometry->angle_count;

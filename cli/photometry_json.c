@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* What luxel photometry tells, as JSON. */
+/* The JSON of luxel photometry. */
 #include "photometry.h"
 
 #include <math.h>

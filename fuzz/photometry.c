@@ -60,7 +60,7 @@ static void check_map(const luxel_photometry *photometry)
             }
 }
 
-/* What was written, read back, has the same intensities. */
+/* A luminaire that is written and read back has the same intensities. */
 static void write_and_read(const luxel_photometry *photometry, const char *ending, double rounding)
 {
     struct fuzz_file file = fuzz_open("", 0, ending);

@@ -10,7 +10,7 @@
 #include "../drawing.h"
 #include "../photometry.h"
 
-/* What the file calls the luminaire, else the name of the file: as much of its first line as a title may be. */
+/* The name of the luminaire in the file, else the name of the file: as much of its first line as a title may be. */
 static char *default_title(const struct luminaire *luminaire)
 {
     static const char *const keywords[] = {"LUMINAIRE", "LUMCAT"};

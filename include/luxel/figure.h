@@ -83,7 +83,7 @@ LUXEL_API luxel_status luxel_figure_write(const luxel_scene *scene, const luxel_
 /* Whether luxel_figure_write() knows the extension of this name; if not, says so in the diagnostics. */
 LUXEL_API luxel_status luxel_check_figure_name(const char *path, luxel_diagnostics *diagnostics);
 
-/* What is drawn of a luminaire. */
+/* The kinds of diagrams of a luminaire. */
 typedef enum luxel_diagram {
     LUXEL_DIAGRAM_POLAR,     /* the sections C0-C180 and C90-C270 around the luminaire, nadir below */
     LUXEL_DIAGRAM_CARTESIAN, /* the intensity over gamma, plane by plane */

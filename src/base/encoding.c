@@ -5,6 +5,8 @@
 #include <stdint.h>
 #include <string.h>
 
+#include "memory.h"
+
 enum { REPLACEMENT = 0xFFFD };
 
 enum lx_encoding lx_find_encoding(const void *bytes, size_t length, size_t *mark)
@@ -77,6 +79,15 @@ size_t lx_decode_utf16(const unsigned char *units, size_t count, enum lx_encodin
     }
     *used = i;
     return length;
+}
+
+char *lx_text_of_utf16(const char *text, size_t *length, size_t mark, enum lx_encoding encoding)
+{
+    size_t units = (*length - mark) / 2, used;
+    char *decoded = lx_new_array(units + 1, LX_UTF16_GROWTH);
+    if (decoded)
+        *length = lx_decode_utf16((const unsigned char *)text + mark, units, encoding, true, decoded, &used);
+    return decoded;
 }
 
 /* The characters from 0x80 to 0xBF; those from 0xC0 on are the Russian alphabet in order. */

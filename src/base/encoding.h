@@ -27,6 +27,12 @@ enum { LX_UTF16_GROWTH = 3 };
 size_t lx_decode_utf16(const unsigned char *units, size_t count, enum lx_encoding encoding, bool is_last, char *text,
                        size_t *used);
 
+/*
+ * A whole text of UTF-16 behind a mark of so many bytes as UTF-8, to be freed by the caller; its length takes the place
+ * of the old one.  NULL: memory is short, and nothing has changed.
+ */
+char *lx_text_of_utf16(const char *text, size_t *length, size_t mark, enum lx_encoding encoding);
+
 /* Adds a text as UTF-8: as it is where it is UTF-8, else read as code page 1251. */
 void lx_add_decoded(struct lx_text *text, const char *bytes, size_t length);
 

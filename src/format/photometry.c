@@ -167,15 +167,12 @@ bool lx_check_angles(struct lx_luminaire_file *file, const char *name, const dou
 
 char *lx_photometry_plain_text(char *text, size_t *length)
 {
-    size_t mark, used;
+    size_t mark;
     enum lx_encoding encoding = lx_find_encoding(text, *length, &mark);
     if (encoding != LX_UTF8) {
-        size_t units = (*length - mark) / 2;
-        char *decoded = lx_new_array(units + 1, LX_UTF16_GROWTH);
-        if (!decoded)
+        text = lx_text_of_utf16(text, length, mark, encoding);
+        if (!text)
             return NULL;
-        *length = lx_decode_utf16((unsigned char *)text + mark, units, encoding, true, decoded, &used);
-        text = decoded;
     } else {
         memset(text, ' ', mark);
     }

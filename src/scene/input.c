@@ -19,15 +19,13 @@ static luxel_status refuse_size(struct lx_source *source)
 /* A text in UTF-16, as PowerShell writes it, becomes UTF-8. */
 static luxel_status decode_text(struct lx_source *source, struct lx_input *input)
 {
-    size_t mark, used;
+    size_t mark;
     enum lx_encoding encoding = lx_find_encoding(input->text, input->length, &mark);
     if (encoding == LX_UTF8)
         return LUXEL_OK;
-    size_t units = (input->length - mark) / 2;
-    char *text = lx_new_array(units + 1, LX_UTF16_GROWTH);
+    char *text = lx_text_of_utf16(input->text, &input->length, mark, encoding);
     if (!text)
         return lx_source_out_of_memory(source);
-    input->length = lx_decode_utf16((unsigned char *)input->text + mark, units, encoding, true, text, &used);
     free(input->text);
     input->text = text;
     return input->length > LX_LARGEST_TEXT ? refuse_size(source) : LUXEL_OK;
