@@ -29,14 +29,19 @@ const char *lx_section_name(const struct lx_diagram *diagram, int which)
     return lx_diagram_word(diagram, which == 0 ? LX_N("horizontal") : LX_N("vertical"));
 }
 
-void lx_curve_line(const struct lx_canvas *canvas, size_t curve, double size)
+void lx_curve_color(const struct lx_canvas *canvas, size_t curve, double opacity)
 {
     static const double colors[][3] = {{0.84, 0.37, 0}, {0, 0.45, 0.70}, {0, 0.62, 0.45}, {0.80, 0.47, 0.65}};
+    lx_color(canvas, colors[curve % 4], opacity);
+}
+
+void lx_curve_line(const struct lx_canvas *canvas, size_t curve, double size)
+{
     const double dashes[] = {0.7 * size, 0.35 * size};
     cairo_set_dash(canvas->cairo, dashes, curve % 2 == 1 ? 2 : 0, 0);
     cairo_set_line_width(canvas->cairo, 0.16 * size);
     cairo_set_line_join(canvas->cairo, CAIRO_LINE_JOIN_ROUND);
-    lx_color(canvas, colors[curve % 4], 1);
+    lx_curve_color(canvas, curve, 1);
 }
 
 double lx_draw_names(const struct lx_canvas *canvas, const struct lx_box *place, double size, const char *const *names,

@@ -24,6 +24,9 @@ const char *lx_diagram_word(const struct lx_diagram *diagram, const char *englis
 /* The name of a section. */
 const char *lx_section_name(const struct lx_diagram *diagram, int which);
 
+/* The colour of a curve alone, for areas; opacity from 0 to 1. */
+void lx_curve_color(const struct lx_canvas *canvas, size_t curve, double opacity);
+
 /* The colour and the dashes of a curve; the dashes stay until they are taken away. */
 void lx_curve_line(const struct lx_canvas *canvas, size_t curve, double size);
 

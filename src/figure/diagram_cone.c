@@ -57,11 +57,9 @@ static void draw_beam(const struct lx_canvas *canvas, const struct lx_box *box, 
     cairo_line_to(cairo, x + widest, box->y + box->height);
     cairo_line_to(cairo, x + widest, box->y + reach);
     cairo_close_path(cairo);
-    lx_curve_line(canvas, 0, size);
-    cairo_push_group(cairo);
+    lx_curve_color(canvas, 0, 0.25);
     cairo_fill(cairo);
-    cairo_pop_group_to_source(cairo);
-    cairo_paint_with_alpha(cairo, 0.25);
+    lx_curve_line(canvas, 0, size);
     cairo_set_line_width(cairo, 0.08 * size);
     for (int i = 1; i <= STEPS; i++) {
         double y = box->y + box->height * i / STEPS, wide = fmin(half, slope * (y - box->y));
