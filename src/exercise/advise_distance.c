@@ -18,24 +18,10 @@
 /* Place relative to a shape: how far it is outside of it and in which direction from the nearest point. */
 static double outside(const struct lx_shape *shape, const double place[3], double direction[3])
 {
-    double from[3], length = 0;
+    double from[3];
     for (int i = 0; i < 3; i++)
         from[i] = place[i] - shape->anchor_mm[i];
-    if (shape->type == LX_SPHERE) {
-        length = hypot(hypot(from[0], from[1]), from[2]);
-        for (int i = 0; i < 3; i++)
-            direction[i] = length > 0 ? from[i] / length : 0;
-        return length - shape->radius_mm;
-    }
-    double across = 0, upward = 0, height = 0;
-    for (int i = 0; i < 3; i++) {
-        across += from[i] * shape->across[i];
-        upward += from[i] * shape->upward[i];
-        height += from[i] * shape->axis[i];
-        direction[i] = shape->axis[i];
-    }
-    double side = fmax(fabs(across) - shape->half_mm[0], 0), end = fmax(fabs(upward) - shape->half_mm[1], 0);
-    return copysign(hypot(hypot(side, end), height), height);
+    return lx_shape_distance(shape, from, direction);
 }
 
 /* The attenuation at the nearest place of all surfaces, as a multiple of that at the farthest. */

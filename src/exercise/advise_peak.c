@@ -187,7 +187,7 @@ static double pixels_of_half(const struct lx_scene_parameters *scene, const stru
     const struct lx_surface_kind *kind = (const struct lx_surface_kind *)surface->variant;
     const struct lx_material *material = &((const struct lx_surface_common *)surface->common)->material;
     double pixel = scene->screen.width_mm / scene->screen.resolution[0];
-    return sin(half_width_rad(material)) * kind->shape(surface->parameters).radius_mm / pixel;
+    return sin(half_width_rad(material)) * lx_surface_shape(kind, surface->parameters).radius_mm / pixel;
 }
 
 /* A value of the shininess with which the highlight is neither too wide nor too narrow, tried in this order. */
@@ -216,7 +216,9 @@ static void advise_width(struct lx_adviser *adviser)
     const struct lx_material *material = material_of(adviser->parameters, adviser->now.surface);
     const struct lx_advised at = {"surfaces", true, adviser->now.surface, "material", "shininess"};
     char number[LX_NUMBER_SIZE];
-    if (((const struct lx_surface_kind *)surface->variant)->shape(surface->parameters).type != LX_SPHERE)
+    const struct lx_surface_kind *kind = (const struct lx_surface_kind *)surface->variant;
+    const struct lx_shape shape = lx_surface_shape(kind, surface->parameters);
+    if (!kind->bounds || !kind->bounds->curvature || !(kind->bounds->curvature(&shape) > 0))
         return;
     double angle = half_width_rad(material), pixels = pixels_of_half(adviser->parameters, surface);
     if (angle > WIDEST_RAD)

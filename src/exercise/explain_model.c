@@ -38,22 +38,48 @@ static struct used find_used(const struct lx_prepared *prepared)
     return used;
 }
 
+static bool has_kind(const struct lx_prepared *prepared, const struct lx_variant *kind)
+{
+    for (size_t i = 0; i < prepared->surface_count; i++)
+        if (&prepared->surfaces[i].kind->variant == kind)
+            return true;
+    return false;
+}
+
+/* What holds for each kind of surface that the scene has: a formula of the place, or a sentence about the normal. */
+static void explain_kinds(struct luxel_document *document, const struct lx_prepared *prepared, bool heights)
+{
+    for (size_t k = 0; lx_surface_variants[k]; k++) {
+        const struct lx_surface_words *words = ((const struct lx_surface_kind *)lx_surface_variants[k])->words;
+        if (!words || !has_kind(prepared, lx_surface_variants[k]))
+            continue;
+        if (heights && words->height) {
+            struct lx_text formula = {0};
+            lx_text_puts(&formula, "\\mathbf{P} = (x,\\, y,\\, z), \\qquad ");
+            lx_text_puts(&formula, words->height);
+            if (formula.bytes)
+                lx_document_formula(document, formula.bytes);
+            lx_text_clear(&formula);
+        } else if (!heights && words->sentence) {
+            struct lx_span spans[LX_COUNT(words->formulas) + 1] = {{LX_SPAN_END, NULL}};
+            for (size_t i = 0; i < LX_COUNT(words->formulas) && words->formulas[i]; i++) {
+                spans[i] = (struct lx_span)LX_MATH(words->formulas[i]);
+                spans[i + 1] = (struct lx_span){LX_SPAN_END, NULL};
+            }
+            lx_document_paragraph(document, words->sentence, spans);
+        }
+    }
+}
+
 static void explain_places(struct luxel_document *document, const struct lx_prepared *prepared)
 {
     const struct lx_observer *observer = &prepared->scene->observer;
-    bool spheres = false, plates = false;
-    for (size_t i = 0; i < prepared->surface_count; i++) {
-        spheres |= prepared->surfaces[i].shape.type == LX_SPHERE;
-        plates |= prepared->surfaces[i].shape.type == LX_PLATE;
-    }
     if (observer->projection == LX_ORTHOGRAPHIC) {
         lx_document_paragraph(document,
                               LX_N("Lines of sight run along −z (orthographic projection). Through the point (x, y) of "
                                    "the screen they meet a surface in the point {0}, the nearest to the observer:"),
                               LX_SPANS(LX_MATH("\\mathbf{P}")));
-        if (spheres)
-            lx_document_formula(document, "\\mathbf{P} = (x,\\, y,\\, z), \\qquad z = z_C + \\sqrt{R^2 - (x - x_C)^2 - "
-                                          "(y - y_C)^2}");
+        explain_kinds(document, prepared, true);
     } else {
         lx_document_paragraph(document,
                               LX_N("Lines of sight run from the observer {0} through the point (x, y) of the screen "
@@ -61,13 +87,7 @@ static void explain_places(struct luxel_document *document, const struct lx_prep
                               LX_SPANS(LX_MATH("\\mathbf{O} = (0,\\, 0,\\, z_O)"), LX_MATH("\\mathbf{P}")));
         lx_document_formula(document, "\\mathbf{P} = \\mathbf{O} + t\\,(x,\\, y,\\, -z_O), \\qquad t > 0");
     }
-    if (spheres)
-        lx_document_paragraph(
-            document, LX_N("The normal of a sphere with the centre {0} and the radius {1} there is {2}."),
-            LX_SPANS(LX_MATH("\\mathbf{C}"), LX_MATH("R"), LX_MATH("\\mathbf{N} = (\\mathbf{P} - \\mathbf{C}) / R")));
-    if (plates)
-        lx_document_paragraph(document, LX_N("The normal {0} of a plate is its axis."),
-                              LX_SPANS(LX_MATH("\\mathbf{N}")));
+    explain_kinds(document, prepared, false);
     if (lx_views_along_z(observer))
         lx_document_paragraph(document, LX_N("The view vector is {0} everywhere."),
                               LX_SPANS(LX_MATH("\\mathbf{V} = (0,\\, 0,\\, 1)")));

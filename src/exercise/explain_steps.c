@@ -79,25 +79,33 @@ static void end(const struct lx_steps *steps, struct line *line)
 
 /* ---- the place ---- */
 
-/* z = zC + sqrt(R^2 - dx^2 - dy^2) */
-static void explain_height(const struct lx_steps *steps, double x_mm, double y_mm)
+/* The numbers that a formula of the kind names by @ and a letter. */
+static void say_numbers(const struct lx_steps *steps, const char *formula, double x_mm, double y_mm, struct line *line)
 {
     const struct lx_shape *shape = &steps->element->own->shape;
+    for (; *formula; formula++) {
+        if (*formula != '@') {
+            say(line, (const char[]){*formula, '\0'});
+            continue;
+        }
+        switch (*++formula) {
+        case 'R': number(line, shape->radius_mm); break;
+        case 'x': number(line, x_mm); break;
+        case 'y': number(line, y_mm); break;
+        case 'z': number(line, steps->element->place_mm.z.value); break;
+        case 'X': factor(line, shape->anchor_mm[0]); break;
+        case 'Y': factor(line, shape->anchor_mm[1]); break;
+        default: number(line, shape->anchor_mm[2]); break;
+        }
+    }
+}
+
+static void explain_height(const struct lx_steps *steps, const struct lx_surface_words *words, double x_mm, double y_mm)
+{
     struct line line = {{0}};
-    say(&line, "z = z_C + \\sqrt{R^2 - (x - x_C)^2 - (y - y_C)^2} = ");
-    number(&line, shape->anchor_mm[2]);
-    say(&line, " + \\sqrt{");
-    number(&line, shape->radius_mm);
-    say(&line, "^2 - (");
-    number(&line, x_mm);
-    say(&line, " - ");
-    factor(&line, shape->anchor_mm[0]);
-    say(&line, ")^2 - (");
-    number(&line, y_mm);
-    say(&line, " - ");
-    factor(&line, shape->anchor_mm[1]);
-    say(&line, ")^2} = ");
-    number(&line, steps->element->place_mm.z.value);
+    say(&line, words->height);
+    say(&line, " = ");
+    say_numbers(steps, words->height_in_numbers, x_mm, y_mm, &line);
     say(&line, "\\;\\mathrm{mm}");
     end(steps, &line);
 }
@@ -106,7 +114,8 @@ void lx_explain_place(const struct lx_steps *steps, double x_mm, double y_mm)
 {
     const struct lx_observer *observer = &steps->prepared->scene->observer;
     const struct lx_element *element = steps->element;
-    bool sphere = element->own->shape.type == LX_SPHERE, parallel = observer->projection == LX_ORTHOGRAPHIC;
+    const struct lx_surface_words *words = element->own->kind->words;
+    bool parallel = observer->projection == LX_ORTHOGRAPHIC;
     struct line line = {{0}};
     lx_document_heading(steps->document, 1, LX_N("The point of the surface"), NULL);
     lx_document_paragraph(steps->document,
@@ -115,14 +124,18 @@ void lx_explain_place(const struct lx_steps *steps, double x_mm, double y_mm)
                                    : LX_N("The line of sight runs from the observer through the point of the screen "
                                           "(perspective projection) and meets the surface first here:"),
                           NULL);
-    if (sphere && parallel)
-        explain_height(steps, x_mm, y_mm);
+    if (words && words->height && parallel)
+        explain_height(steps, words, x_mm, y_mm);
     say(&line, "\\mathbf{P} = ");
     vector(&line, &element->place_mm);
     say(&line, "\\;\\mathrm{mm}");
     end(steps, &line);
     lx_document_paragraph(steps->document, LX_N("The normal there and the view vector:"), NULL);
-    say(&line, sphere ? "\\mathbf{N} = \\frac{\\mathbf{P} - \\mathbf{C}}{R} = " : "\\mathbf{N} = ");
+    say(&line, "\\mathbf{N} = ");
+    if (words && words->normal) {
+        say(&line, words->normal);
+        say(&line, " = ");
+    }
     vector(&line, &element->normal);
     end(steps, &line);
     say(&line, lx_views_along_z(observer)

@@ -36,24 +36,24 @@ static bool is_on_screen(const struct lx_hunt *hunt, const double at[2])
 
 /* -- from a summit to a peak -- */
 
-/* Whether a spot of a sphere lies so near to the rim that the screen does not tell it from others. */
-static bool is_near_rim(const struct lx_hunt *hunt, const struct lx_spot *spot)
+/* Whether a spot lies so near to where lines of sight touch its surface that the screen does not tell it from others;
+ * then *inside is a place towards whose picture the surface goes on. */
+static bool is_near_limb(const struct lx_hunt *hunt, const struct lx_spot *spot, double inside_mm[3])
 {
-    double front[3];
-    if (lx_spot_shape(hunt, spot)->type != LX_SPHERE)
-        return false;
-    double rim = lx_sphere_front(hunt, spot->surface, front);
-    return lx_dot(spot->at, front) < rim + 1e-3;
+    const struct lx_shape *shape = lx_spot_shape(hunt, spot);
+    const struct lx_origin eye = lx_eye_of(hunt);
+    return lx_shape_has_limb(shape) && shape->kind->chart->is_near_limb(shape, &eye, spot->at, inside_mm);
 }
 
 /* The screen point nearest to where a spot of a rim is seen at which its surface is found. */
-static bool find_on_screen(const struct lx_hunt *hunt, const struct lx_spot *spot, double at[2])
+static bool find_on_screen(const struct lx_hunt *hunt, const struct lx_spot *spot, const double inside_mm[3],
+                           double at[2])
 {
     const struct lx_prepared *prepared = hunt->prepared;
     double place[3], normal[3], rim[2], center[2];
     lx_spot_place(hunt, spot, place, normal);
     lx_screen_of(hunt, place, rim);
-    lx_screen_of(hunt, lx_spot_shape(hunt, spot)->anchor_mm, center);
+    lx_screen_of(hunt, inside_mm, center);
     for (double inward = 0; inward<1e-9; inward = inward> 0 ? inward * 2 : LX_ROUNDING) {
         struct lx_element element;
         for (int i = 0; i < 2; i++)
@@ -81,12 +81,13 @@ static void clip(const struct lx_hunt *hunt, double at[2])
 /* What is truly found at a spot; false: it is not seen, or has no value. */
 static bool look_at(struct lx_hunt *hunt, const struct lx_spot *spot, luxel_peak *peak)
 {
-    double place[3], normal[3], at[2];
+    double place[3], normal[3], inside[3], at[2];
     luxel_value found;
-    if (is_near_rim(hunt, spot)) {
-        if (!find_on_screen(hunt, spot, at))
+    if (is_near_limb(hunt, spot, inside)) {
+        if (!find_on_screen(hunt, spot, inside, at))
             return false;
-        found = luxel_evaluate_sphere(hunt->evaluator, spot->surface, spot->at, NULL);
+        const struct lx_element element = lx_spot_element(hunt, spot);
+        found = lx_evaluate_element(hunt->evaluator, &element, NULL);
     } else {
         lx_spot_place(hunt, spot, place, normal);
         lx_screen_of(hunt, place, at);

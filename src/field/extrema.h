@@ -14,11 +14,12 @@
 #include <luxel/extrema.h>
 
 #include "../base/rows.h"
+#include "../base/vector.h"
 #include "../shade/evaluate.h"
 
 struct lx_spot {
     size_t surface;
-    double at[3]; /* the unit normal of a sphere; of a plate the offsets across and upward in mm, and 0 */
+    double at[3]; /* in the coordinates of the surface's chart */
 };
 
 /* Two directions on the surface at a spot: steps in mm go along them. */
@@ -27,8 +28,7 @@ struct lx_chart {
 };
 
 enum lx_brink_type {
-    LX_BRINK_LIMB,       /* of the own sphere */
-    LX_BRINK_SIDE,       /* of the own plate */
+    LX_BRINK_RIM,        /* of what can be seen of the own surface */
     LX_BRINK_HIDDEN,     /* behind another surface */
     LX_BRINK_SCREEN,     /* the sides of the screen */
     LX_BRINK_REGION,     /* the sides of the region, or its circle */
@@ -41,7 +41,7 @@ enum lx_brink_type {
 
 struct lx_brink {
     enum lx_brink_type type;
-    unsigned side;    /* of screen, region or plate: 0 to 3 */
+    unsigned side;    /* of screen or region, 0 to 3; of the own surface its wall */
     bool closed;      /* whether what is on the line belongs to the inside, where the function is above 0 */
     size_t surface;   /* that hides or shades */
     size_t emitter;   /* of those that can be walked over */
@@ -102,8 +102,9 @@ void lx_spot_place(const struct lx_hunt *hunt, const struct lx_spot *spot, doubl
 struct lx_element lx_spot_element(const struct lx_hunt *hunt, const struct lx_spot *spot);
 /* Where on the screen a place is seen. */
 void lx_screen_of(const struct lx_hunt *hunt, const double place_mm[3], double screen_mm[2]);
-/* The middle direction of the part of a sphere that faces the observer, and the cosine of its rim. */
-double lx_sphere_front(const struct lx_hunt *hunt, size_t surface, double front[3]);
+/* Where lines of sight start, and where view vectors point to. */
+struct lx_origin lx_eye_of(const struct lx_hunt *hunt);
+struct lx_origin lx_viewer_of(const struct lx_hunt *hunt);
 /* The way from a place to the observer; returns whether it is without end. */
 bool lx_way_to_observer(const struct lx_hunt *hunt, const double place_mm[3], double way[3]);
 /* What is seen through a screen point; false: nothing. */
@@ -189,23 +190,5 @@ bool lx_look_at_spot(struct lx_hunt *hunt, const struct lx_spot *spot, double *v
 void lx_gather_rim(struct lx_gathering *gathering, size_t surface);
 /* The same along the screen or the region, and places inside a region. */
 void lx_gather_border(struct lx_gathering *gathering);
-
-/* -- small vectors -- */
-
-static inline double lx_dot(const double a[3], const double b[3])
-{
-    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-}
-
-/* The length of a vector, which becomes of unit length unless it is 0. */
-static inline double lx_normalize(double a[3])
-{
-    double length = sqrt(lx_dot(a, a));
-    if (!(length > 1e-140 && length < 1e140)) /* squares out of the range */
-        length = hypot(hypot(a[0], a[1]), a[2]);
-    for (int i = 0; i < 3 && length > 0; i++)
-        a[i] /= length;
-    return length;
-}
 
 #endif

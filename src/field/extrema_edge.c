@@ -27,15 +27,15 @@ static bool add(struct lx_hunt *hunt, struct lx_brink edge)
 static bool add_walls(struct lx_hunt *hunt, size_t surface)
 {
     const struct lx_prepared *prepared = hunt->prepared;
-    bool round = prepared->surfaces[surface].shape.type == LX_SPHERE;
-    bool done = !round || add(hunt, (struct lx_brink){.type = LX_BRINK_LIMB, .closed = true});
+    const unsigned walls = prepared->surfaces[surface].shape.kind->chart->walls;
+    bool done = true;
     unsigned region_sides = !hunt->region                                  ? 0
                             : hunt->region->type == LUXEL_REGION_RECTANGLE ? 4
                             : hunt->region->type == LUXEL_REGION_CIRCLE    ? 1
                                                                            : 0;
-    for (unsigned i = 0; done && i < 4; i++) {
-        done = round || add(hunt, (struct lx_brink){.type = LX_BRINK_SIDE, .side = i, .closed = true});
-        done = done && add(hunt, (struct lx_brink){.type = LX_BRINK_SCREEN, .side = i, .closed = true});
+    for (unsigned i = 0; done && i < (walls > 4 ? walls : 4); i++) {
+        done = i >= walls || add(hunt, (struct lx_brink){.type = LX_BRINK_RIM, .side = i, .closed = true});
+        done = done && (i >= 4 || add(hunt, (struct lx_brink){.type = LX_BRINK_SCREEN, .side = i, .closed = true}));
         if (i < region_sides)
             done = done && add(hunt, (struct lx_brink){.type = LX_BRINK_REGION, .side = i, .closed = true});
     }
@@ -99,46 +99,11 @@ bool lx_brinks_of(struct lx_hunt *hunt, size_t surface)
     return done;
 }
 
-/* How far the way from a place passes outside of a sphere. */
-static double beside_sphere(const struct lx_shape *sphere, const double place[3], const double way[3], bool endless)
-{
-    double from[3], nearest[3];
-    for (int i = 0; i < 3; i++)
-        from[i] = place[i] - sphere->anchor_mm[i];
-    double t = fmax(-lx_dot(from, way) / lx_dot(way, way), 0);
-    if (!endless && t > 1)
-        t = 1;
-    for (int i = 0; i < 3; i++)
-        nearest[i] = from[i] + t * way[i];
-    return hypot(hypot(nearest[0], nearest[1]), nearest[2]) - sphere->radius_mm;
-}
-
-/* The same of a plate: above it, where the way leads away from it, or where it crosses the plane outside. */
-static double beside_plate(const struct lx_shape *plate, const double place[3], const double way[3], bool endless)
-{
-    double from[3], crossing[3];
-    for (int i = 0; i < 3; i++)
-        from[i] = place[i] - plate->anchor_mm[i];
-    double height = lx_dot(from, plate->axis), change = lx_dot(way, plate->axis);
-    double end = endless ? change : height + change;
-    if (end == 0 || change == 0)
-        return plate->radius_mm;
-    double above = end > 0 ? height : -height; /* on the side to which the way leads */
-    if (above >= 0)
-        return above;
-    for (int i = 0; i < 3; i++)
-        crossing[i] = from[i] - height / change * way[i];
-    double across = fabs(lx_dot(crossing, plate->across)) - plate->half_mm[0];
-    double upward = fabs(lx_dot(crossing, plate->upward)) - plate->half_mm[1];
-    return fmax(above, fmax(across, upward));
-}
-
 static double beside(const struct lx_hunt *hunt, size_t surface, const double place[3], const double way[3],
                      bool endless)
 {
     const struct lx_shape *shape = &hunt->prepared->surfaces[surface].shape;
-    return shape->type == LX_SPHERE ? beside_sphere(shape, place, way, endless)
-                                    : beside_plate(shape, place, way, endless);
+    return shape->kind->beside(shape, place, way, endless);
 }
 
 /* How far inside of a side of a rectangle: left, right, lower, upper. */
@@ -149,18 +114,14 @@ static double from_side(unsigned side, const double place[2], const double cente
 }
 
 static double wall_distance(const struct lx_hunt *hunt, const struct lx_brink *edge, const struct lx_spot *spot,
-                            const double place[3], const double normal[3])
+                            const double place[3])
 {
     const struct lx_shape *shape = lx_spot_shape(hunt, spot);
     const struct lx_screen *screen = &hunt->prepared->scene->screen;
     double way[3], seen[2];
-    if (edge->type == LX_BRINK_LIMB) {
-        double rim = lx_sphere_front(hunt, spot->surface, way);
-        return shape->radius_mm * (lx_dot(normal, way) - rim);
-    }
-    if (edge->type == LX_BRINK_SIDE) {
-        double half[2] = {shape->half_mm[0] - shape->touch_mm, shape->half_mm[1] - shape->touch_mm};
-        return from_side(edge->side, spot->at, (double[]){0, 0}, half);
+    if (edge->type == LX_BRINK_RIM) {
+        const struct lx_origin eye = lx_eye_of(hunt);
+        return shape->kind->chart->wall(shape, &eye, edge->side, spot->at);
     }
     if (edge->type == LX_BRINK_HIDDEN) {
         bool endless = lx_way_to_observer(hunt, place, way);
@@ -226,7 +187,7 @@ double lx_brink_distance(const struct lx_hunt *hunt, const struct lx_brink *edge
 {
     double place[3], normal[3];
     lx_spot_place(hunt, spot, place, normal);
-    return lx_brink_is_wall(edge) ? wall_distance(hunt, edge, spot, place, normal)
+    return lx_brink_is_wall(edge) ? wall_distance(hunt, edge, spot, place)
                                   : light_distance(hunt, edge, spot, place, normal);
 }
 

@@ -53,56 +53,10 @@ static bool look_beside(struct lx_gathering *gathering, const struct lx_spot *ri
     return is_in_box(gathering, screen) && lx_look_through(gathering, screen, spot, value);
 }
 
-static struct lx_spot rim_spot(size_t surface, const double front[3], double rim, const double away[3])
-{
-    struct lx_spot spot = {.surface = surface};
-    double out[3], along = lx_dot(away, front), sine = sqrt(1 - rim * rim);
-    for (int i = 0; i < 3; i++)
-        out[i] = away[i] - along * front[i];
-    lx_normalize(out);
-    for (int i = 0; i < 3; i++)
-        spot.at[i] = rim * front[i] + sine * out[i];
-    return spot;
-}
-
 static int rim_places(const struct lx_hunt *hunt)
 {
     size_t all = hunt->costly ? RIM_PLACES_COSTLY : RIM_PLACES, share = MOST_RIM_PLACES / hunt->prepared->surface_count;
     return (int)(share < LEAST_RIM_PLACES ? LEAST_RIM_PLACES : share < all ? share : all);
-}
-
-static void ring_of_sphere(const struct lx_hunt *hunt, size_t surface, struct ring *ring)
-{
-    struct lx_spot middle = {.surface = surface};
-    double rim = lx_sphere_front(hunt, surface, middle.at);
-    struct lx_chart chart = lx_spot_chart(hunt, &middle);
-    for (int i = 0; i < ring->count; i++) {
-        double away[3], turn = 2 * M_PI * i / ring->count;
-        for (int k = 0; k < 3; k++)
-            away[k] = cos(turn) * chart.first[k] + sin(turn) * chart.second[k];
-        ring->spots[i] = rim_spot(surface, middle.at, rim, away);
-    }
-}
-
-/* Around a square, from -1, -1 counter-clockwise; its corners are among them if their number is a multiple of 4. */
-static void around_square(int i, int count, double at[2])
-{
-    int side = 4 * i / count;
-    double along = 2 * (4.0 * i / count - side) - 1;
-    at[0] = side == 0 ? along : side == 1 ? 1 : side == 2 ? -along : -1;
-    at[1] = side == 0 ? -1 : side == 1 ? along : side == 2 ? 1 : -along;
-}
-
-static void ring_of_plate(const struct lx_hunt *hunt, size_t surface, struct ring *ring)
-{
-    const struct lx_shape *shape = &hunt->prepared->surfaces[surface].shape;
-    for (int i = 0; i < ring->count; i++) {
-        double at[2];
-        around_square(i, ring->count, at);
-        for (int k = 0; k < 2; k++)
-            at[k] *= shape->half_mm[k] - shape->touch_mm;
-        ring->spots[i] = (struct lx_spot){surface, {at[0], at[1]}};
-    }
 }
 
 void lx_gather_rim(struct lx_gathering *gathering, size_t surface)
@@ -111,10 +65,11 @@ void lx_gather_rim(struct lx_gathering *gathering, size_t surface)
     const struct lx_shape *shape = &hunt->prepared->surfaces[surface].shape;
     struct ring ring = {.count = rim_places(hunt) / 4 * 4}, behind;
     double center[2];
-    if (shape->type == LX_SPHERE)
-        ring_of_sphere(hunt, surface, &ring);
-    else
-        ring_of_plate(hunt, surface, &ring);
+    const struct lx_origin eye = lx_eye_of(hunt);
+    for (int i = 0; i < ring.count; i++) {
+        ring.spots[i].surface = surface;
+        shape->kind->chart->rim(shape, &eye, i, ring.count, ring.spots[i].at);
+    }
     behind.count = hunt->prepared->surface_count > 1 ? ring.count : 0;
     lx_screen_of(hunt, shape->anchor_mm, center);
     for (int i = 0; i < ring.count; i++) {
@@ -138,7 +93,7 @@ void lx_gather_border(struct lx_gathering *gathering)
         half[k] = (gathering->high[k] - gathering->low[k]) / 2;
     }
     for (int i = 0; i < ring.count; i++) {
-        around_square(i, ring.count, at);
+        lx_around_square(i, ring.count, at);
         for (int k = 0; k < 2; k++)
             at[k] = middle[k] + at[k] * half[k];
         if (!lx_look_through(gathering, at, &ring.spots[i], &ring.values[i]))

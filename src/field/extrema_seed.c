@@ -201,86 +201,18 @@ static void values_of(const lx_bounded3 *from, double to[3])
     to[0] = from->x.value, to[1] = from->y.value, to[2] = from->z.value;
 }
 
-/* The way from a place to a light's middle; returns whether it is without end. */
-static bool way_to_light(const struct lx_emitter *emitter, const double place[3], double way[3])
+/* A light's direction, or its middle. */
+static struct lx_origin origin_of(const struct lx_emitter *emitter)
 {
+    struct lx_origin origin = {.endless = emitter->type == LX_DIRECTION};
     const double *from = emitter->type == LX_POINT    ? emitter->position_mm
                          : emitter->type == LX_FACETS ? emitter->facets->center_mm
                                                       : emitter->center_mm;
-    if (emitter->type == LX_DIRECTION) {
-        values_of(&emitter->towards, way);
-        return true;
-    }
-    for (int i = 0; i < 3; i++)
-        way[i] = from[i] - place[i];
-    return false;
-}
-
-/* The unit view vector at a place. */
-static void view_from(const struct lx_hunt *hunt, const double place[3], double view[3])
-{
-    const struct lx_observer *observer = &hunt->prepared->scene->observer;
-    bool fixed = lx_views_along_z(observer);
-    for (int i = 0; i < 2; i++)
-        view[i] = fixed ? 0 : -place[i];
-    view[2] = fixed ? 1 : observer->z_mm - place[2];
-    lx_normalize(view);
-}
-
-/* Where a sphere mirrors a light to the observer: between the two directions, where both make the same angle. */
-static struct lx_spot mirror_on_sphere(const struct lx_hunt *hunt, size_t surface, const struct lx_emitter *emitter)
-{
-    const double *center = hunt->prepared->surfaces[surface].shape.anchor_mm;
-    struct lx_spot spot = {.surface = surface};
-    double eye[3], light[3], across[3], place[3], normal[3], way[3], view[3];
-    view_from(hunt, center, eye);
-    way_to_light(emitter, center, light);
-    lx_normalize(light);
-    double along = lx_dot(eye, light);
-    for (int i = 0; i < 3; i++)
-        across[i] = light[i] - along * eye[i];
-    double angle = atan2(lx_normalize(across), along), low = 0, high = angle;
-    for (int step = 0; step < 60; step++) {
-        double middle = (low + high) / 2;
-        for (int i = 0; i < 3; i++)
-            spot.at[i] = cos(middle) * eye[i] + sin(middle) * across[i];
-        lx_spot_place(hunt, &spot, place, normal);
-        view_from(hunt, place, view);
-        way_to_light(emitter, place, way);
-        lx_normalize(way);
-        if (lx_dot(normal, way) < lx_dot(normal, view))
-            low = middle;
-        else
-            high = middle;
-    }
-    return spot;
-}
-
-/* Where a plate mirrors it; false: nowhere. */
-static bool mirror_on_plate(const struct lx_hunt *hunt, size_t surface, const struct lx_emitter *emitter,
-                            struct lx_spot *spot)
-{
-    const struct lx_observer *observer = &hunt->prepared->scene->observer;
-    const struct lx_shape *plate = &hunt->prepared->surfaces[surface].shape;
-    const double eye[3] = {0, 0, observer->z_mm};
-    double to_light[3], to_eye[3], place[3];
-    bool far_light = way_to_light(emitter, plate->anchor_mm, to_light), far_eye = lx_views_along_z(observer);
-    for (int i = 0; i < 3; i++)
-        to_eye[i] = far_eye ? i == 2 : eye[i] - plate->anchor_mm[i];
-    double light_height = lx_dot(to_light, plate->axis), eye_height = lx_dot(to_eye, plate->axis);
-    if (!(light_height > 0 && eye_height > 0) || (far_light && far_eye))
-        return false;
-    /* from the nearer of the two, against the mirrored direction to the other */
-    const double *from = far_light ? to_eye : to_light, *other = far_light ? to_light : to_eye;
-    double height = far_light ? eye_height : light_height, other_height = far_light ? light_height : eye_height;
-    for (int i = 0; i < 3; i++) {
-        double mirrored = 2 * other_height * plate->axis[i] - other[i]; /* of a direction, or of a place */
-        double share = far_light || far_eye ? height / other_height : height / (height + other_height);
-        place[i] = far_light || far_eye ? from[i] - share * mirrored
-                                        : from[i] + share * (other[i] - 2 * other_height * plate->axis[i] - from[i]);
-    }
-    *spot = (struct lx_spot){surface, {lx_dot(place, plate->across), lx_dot(place, plate->upward)}};
-    return true;
+    if (origin.endless)
+        values_of(&emitter->towards, origin.at);
+    else
+        memcpy(origin.at, from, sizeof origin.at);
+    return origin;
 }
 
 /* Whether a brink keeps what an emitter would give at a spot from being seen. */
@@ -344,25 +276,14 @@ static void add_light(struct lx_gathering *gathering, size_t surface, size_t ind
     struct lx_emitter room;
     const struct lx_emitter *emitter = lx_emitter_at(&hunt->prepared->emitters, index, &room);
     const struct lx_shape *shape = &hunt->prepared->surfaces[surface].shape;
-    struct lx_spot spot = {.surface = surface};
-    double way[3];
-    bool endless = way_to_light(emitter, shape->anchor_mm, way);
-    if (shape->type == LX_SPHERE) {
-        memcpy(spot.at, way, sizeof way);
-        lx_normalize(spot.at);
+    const struct lx_origin light = origin_of(emitter), viewer = lx_viewer_of(hunt);
+    double at[LX_MOST_GUESSES][3] = {{0}};
+    int count = shape->kind->chart->guess ? shape->kind->chart->guess(shape, &light, &viewer, hunt->sign < 0, at) : 0;
+    for (int i = 0; i < count; i++) {
+        struct lx_spot spot = {.surface = surface};
+        memcpy(spot.at, at[i], sizeof spot.at);
         add_towards(gathering, spot, index);
-        for (int i = 0; i < 3; i++)
-            spot.at[i] = -spot.at[i];
-        if (hunt->sign < 0)
-            add_towards(gathering, spot, index);
-        add_towards(gathering, mirror_on_sphere(hunt, surface, emitter), index);
-        return;
     }
-    spot.at[0] = lx_dot(way, shape->across), spot.at[1] = lx_dot(way, shape->upward);
-    if (!endless)
-        add_towards(gathering, spot, index);
-    if (mirror_on_plate(hunt, surface, emitter, &spot))
-        add_towards(gathering, spot, index);
 }
 
 static void add_lights(struct lx_gathering *gathering)
@@ -418,9 +339,10 @@ bool lx_hunt_seeds(struct lx_hunt *hunt, const luxel_field *field, struct lx_see
     add_lights(&gathering);
     lx_gather_border(&gathering);
     for (size_t i = 0; i < hunt->prepared->surface_count && lx_hunt_goes_on(hunt); i++) {
+        const struct lx_shape *shape = &hunt->prepared->surfaces[i].shape;
+        const struct lx_origin eye = lx_eye_of(hunt);
         struct lx_spot middle = {.surface = i};
-        if (hunt->prepared->surfaces[i].shape.type == LX_SPHERE)
-            lx_sphere_front(hunt, i, middle.at);
+        shape->kind->chart->middle(shape, &eye, middle.at);
         add_place(&gathering, &middle);
         lx_gather_rim(&gathering, i);
     }

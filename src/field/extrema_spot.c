@@ -1,7 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* Spots: places on spheres and plates, how they are moved, lit and seen. */
-#include <string.h>
-
+/* Spots: places on surfaces, how they are moved, lit and seen. */
 #include "../shade/camera.h"
 #include "extrema.h"
 
@@ -15,35 +13,23 @@ const struct lx_shape *lx_spot_shape(const struct lx_hunt *hunt, const struct lx
     return &hunt->prepared->surfaces[spot->surface].shape;
 }
 
+static const struct lx_surface_chart *chart_of(const struct lx_hunt *hunt, const struct lx_spot *spot)
+{
+    return lx_spot_shape(hunt, spot)->kind->chart;
+}
+
 struct lx_chart lx_spot_chart(const struct lx_hunt *hunt, const struct lx_spot *spot)
 {
-    struct lx_chart chart = {.first = {1, 0, 0}, .second = {0, 1, 0}};
-    if (lx_spot_shape(hunt, spot)->type != LX_SPHERE)
-        return chart;
-    /* across the axis that is farthest from the normal */
-    const double *n = spot->at;
-    int least = fabs(n[0]) <= fabs(n[1]) ? 0 : 1;
-    least = fabs(n[2]) < fabs(n[least]) ? 2 : least;
-    for (int i = 0; i < 3; i++)
-        chart.first[i] = (i == least) - n[least] * n[i];
-    lx_normalize(chart.first);
-    for (int i = 0; i < 3; i++) {
-        int j = (i + 1) % 3, k = (i + 2) % 3;
-        chart.second[i] = n[j] * chart.first[k] - n[k] * chart.first[j];
-    }
+    struct lx_chart chart;
+    chart_of(hunt, spot)->directions(lx_spot_shape(hunt, spot), spot->at, chart.first, chart.second);
     return chart;
 }
 
 struct lx_spot lx_spot_moved(const struct lx_hunt *hunt, const struct lx_spot *spot, const struct lx_chart *chart,
                              const double step_mm[2])
 {
-    const struct lx_shape *shape = lx_spot_shape(hunt, spot);
-    struct lx_spot moved = *spot;
-    double unit_mm = shape->type == LX_SPHERE ? shape->radius_mm : 1;
-    for (int i = 0; i < 3; i++)
-        moved.at[i] += (step_mm[0] * chart->first[i] + step_mm[1] * chart->second[i]) / unit_mm;
-    if (shape->type == LX_SPHERE)
-        lx_normalize(moved.at);
+    struct lx_spot moved = {.surface = spot->surface};
+    chart_of(hunt, spot)->move(lx_spot_shape(hunt, spot), spot->at, chart->first, chart->second, step_mm, moved.at);
     return moved;
 }
 
@@ -51,84 +37,44 @@ struct lx_spot lx_spot_of(const struct lx_hunt *hunt, size_t surface, const doub
 {
     struct lx_spot spot = {.surface = surface};
     const struct lx_shape *shape = lx_spot_shape(hunt, &spot);
-    if (shape->type == LX_SPHERE) {
-        memcpy(spot.at, normal, sizeof spot.at);
-        lx_normalize(spot.at);
-        return spot;
-    }
     double from[3];
     for (int i = 0; i < 3; i++)
         from[i] = place_mm[i] - shape->anchor_mm[i];
-    spot.at[0] = lx_dot(from, shape->across);
-    spot.at[1] = lx_dot(from, shape->upward);
+    chart_of(hunt, &spot)->locate(shape, from, normal, spot.at);
     return spot;
 }
 
 void lx_spot_place(const struct lx_hunt *hunt, const struct lx_spot *spot, double place_mm[3], double normal[3])
 {
-    const struct lx_shape *shape = lx_spot_shape(hunt, spot);
-    bool round = shape->type == LX_SPHERE;
-    for (int i = 0; i < 3; i++) {
-        double offset =
-            round ? shape->radius_mm * spot->at[i] : spot->at[0] * shape->across[i] + spot->at[1] * shape->upward[i];
-        place_mm[i] = shape->anchor_mm[i] + offset;
-        normal[i] = round ? spot->at[i] : shape->axis[i];
-    }
-}
-
-static lx_bounded along_plate(const struct lx_shape *plate, const struct lx_spot *spot, int i)
-{
-    lx_bounded across = {plate->across[i], plate->across_error[i]}, upward = {plate->upward[i], plate->upward_error[i]};
-    lx_bounded offset = lx_add(lx_mul(across, lx_exact(spot->at[0])), lx_mul(upward, lx_exact(spot->at[1])));
-    return lx_add(lx_exact(plate->anchor_mm[i]), offset);
+    chart_of(hunt, spot)->place(lx_spot_shape(hunt, spot), spot->at, place_mm, normal);
 }
 
 struct lx_element lx_spot_element(const struct lx_hunt *hunt, const struct lx_spot *spot)
 {
-    const struct lx_prepared_surface *own = &hunt->prepared->surfaces[spot->surface];
-    const struct lx_shape *shape = &own->shape;
-    const struct lx_observer *observer = observer_of(hunt);
-    struct lx_element element;
-    if (lx_element_on_sphere(hunt->prepared, spot->surface, spot->at, &element))
-        return element;
-    lx_bounded3 place = {along_plate(shape, spot, 0), along_plate(shape, spot, 1), along_plate(shape, spot, 2)};
-    lx_bounded3 up = lx_exact3((const double[]){0, 0, 1});
-    lx_bounded3 eye = lx_exact3((const double[]){0, 0, observer->z_mm});
-    return (struct lx_element){
-        .place_mm = place,
-        .normal = {{shape->axis[0], shape->axis_error[0]},
-                   {shape->axis[1], shape->axis_error[1]},
-                   {shape->axis[2], shape->axis_error[2]}},
-        .view = lx_views_along_z(observer) ? up : lx_unit3(lx_sub3(eye, place)),
-        .lobe = &own->lobe,
-        .own = own,
-    };
+    return lx_element_on(hunt->prepared, spot->surface, spot->at);
 }
 
 void lx_screen_of(const struct lx_hunt *hunt, const double place_mm[3], double screen_mm[2])
 {
-    const struct lx_observer *observer = observer_of(hunt);
-    double factor = observer->projection == LX_PERSPECTIVE ? observer->z_mm / (observer->z_mm - place_mm[2]) : 1;
+    double factor = lx_scale_at(observer_of(hunt), place_mm[2]);
     screen_mm[0] = place_mm[0] * factor;
     screen_mm[1] = place_mm[1] * factor;
 }
 
 bool lx_way_to_observer(const struct lx_hunt *hunt, const double place_mm[3], double way[3])
 {
-    const struct lx_observer *observer = observer_of(hunt);
-    bool endless = observer->projection == LX_ORTHOGRAPHIC;
-    way[0] = endless ? 0 : -place_mm[0];
-    way[1] = endless ? 0 : -place_mm[1];
-    way[2] = endless ? 1 : observer->z_mm - place_mm[2];
-    return endless;
+    const struct lx_origin eye = lx_eye_of(hunt);
+    return lx_way_to(&eye, place_mm, way);
 }
 
-double lx_sphere_front(const struct lx_hunt *hunt, size_t surface, double front[3])
+struct lx_origin lx_eye_of(const struct lx_hunt *hunt)
 {
-    const struct lx_shape *shape = &hunt->prepared->surfaces[surface].shape;
-    bool endless = lx_way_to_observer(hunt, shape->anchor_mm, front);
-    double distance_mm = lx_normalize(front);
-    return endless ? 0 : shape->radius_mm / distance_mm;
+    return lx_eye(observer_of(hunt));
+}
+
+struct lx_origin lx_viewer_of(const struct lx_hunt *hunt)
+{
+    return lx_viewer(observer_of(hunt));
 }
 
 static struct lx_spot spot_of_element(const struct lx_hunt *hunt, const struct lx_element *element)

@@ -30,7 +30,8 @@ static double room_on_screen(const struct lx_iso_search *search, const double fr
     return room;
 }
 
-/* From `inner` on through a place: on the way out, the last place of the surface, and a little back on a sphere. */
+/* From `inner` on through a place: on the way out, the last place of the surface, and a little back where lines of
+ * sight touch it. */
 static void reach_rim(const struct lx_iso_way *way, const double through[2], double xy_mm[2])
 {
     const struct lx_iso_search *search = way->search;
@@ -48,8 +49,8 @@ static void reach_rim(const struct lx_iso_way *way, const double through[2], dou
         xy_mm[0] = inner[0] + middle * direction[0], xy_mm[1] = inner[1] + middle * direction[1];
         *(lx_iso_seen(search, xy_mm) == way->surface ? &on : &off) = middle;
     }
-    /* on the rim of a sphere rounding shows in the value as its root: not so a little inside */
-    if (search->evaluator->prepared.surfaces[way->surface].shape.type == LX_SPHERE && length > 0)
+    /* where lines of sight touch the surface rounding shows in the value as its root: not so a little inside */
+    if (lx_shape_has_limb(&search->evaluator->prepared.surfaces[way->surface].shape) && length > 0)
         on = fmax(0, on - search->pull_mm / length);
     xy_mm[0] = inner[0] + on * direction[0], xy_mm[1] = inner[1] + on * direction[1];
 }

@@ -98,7 +98,7 @@ struct job {
 /* Where a place is seen on the screen; the sphere's point need not be visible. */
 static void project(const struct lx_observer *observer, const double place[3], luxel_profile_sample *sample)
 {
-    double scale = observer->projection == LX_PERSPECTIVE ? observer->z_mm / (observer->z_mm - place[2]) : 1;
+    double scale = lx_scale_at(observer, place[2]);
     sample->x_mm = place[0] * scale;
     sample->y_mm = place[1] * scale;
 }
@@ -148,7 +148,7 @@ static luxel_status find_arc(const struct luxel_evaluator *evaluator, const luxe
     luxel_value ends[2] = {luxel_evaluate(evaluator, path->from_mm[0], path->from_mm[1], NULL),
                            luxel_evaluate(evaluator, path->to_mm[0], path->to_mm[1], NULL)};
     for (int i = 0; i < 2; i++)
-        if (!ends[i].on_surface || prepared->surfaces[ends[i].surface].shape.type != LX_SPHERE)
+        if (!ends[i].on_surface || !lx_is_by_normal(prepared, ends[i].surface))
             return no_sphere(i == 0 ? path->from_mm : path->to_mm, diagnostics);
     if (ends[0].surface != ends[1].surface)
         return report(diagnostics, LX_MSG_PATH_TWO_SPHERES);

@@ -23,11 +23,11 @@ static double beyond_edge(const struct lx_scene_parameters *scene, const struct 
     double normal[3] = {0, 0, 0};
     normal[axis] = sign;
     if (scene->observer.projection == LX_ORTHOGRAPHIC)
-        return kind->farthest(surface->parameters, normal) - half;
+        return lx_surface_farthest(kind, surface->parameters, normal) - half;
     double eye = scene->observer.z_mm, length = hypot(eye, half);
     normal[axis] = sign * eye / length;
     normal[2] = half / length;
-    return kind->farthest(surface->parameters, normal) - eye * normal[2];
+    return lx_surface_farthest(kind, surface->parameters, normal) - eye * normal[2];
 }
 
 static bool is_beyond(const struct lx_scene_parameters *scene, const struct lx_item *surface, int axis, bool upper,
@@ -94,7 +94,7 @@ static bool is_behind(const struct lx_scene_parameters *scene, const double plac
     for (size_t s = 0; s < scene->surfaces.count; s++) {
         const struct lx_item *surface = &scene->surfaces.items[s];
         const struct lx_surface_kind *kind = (const struct lx_surface_kind *)surface->variant;
-        if (!kind->is_dark(surface->parameters, place_mm))
+        if (!lx_surface_is_dark(kind, surface->parameters, place_mm))
             return false;
     }
     return true;

@@ -225,7 +225,7 @@ luxel_status luxel_scene_surface_place(const luxel_scene *scene, size_t i, doubl
         return LUXEL_ERROR_ARGUMENT;
     const struct lx_item *item = &scene->parameters.surfaces.items[i];
     const struct lx_surface_kind *kind = (const struct lx_surface_kind *)item->variant;
-    struct lx_shape shape = kind->shape(item->parameters);
+    struct lx_shape shape = lx_surface_shape(kind, item->parameters);
     memcpy(center_mm, shape.anchor_mm, sizeof shape.anchor_mm);
     return LUXEL_OK;
 }

@@ -75,7 +75,7 @@ static bool standing_of(const luxel_scene *scene, size_t i, enum lx_standing *st
     double low[3], high[3];
     kind->extent(item->parameters, low, high);
     *highest_mm = high[2];
-    *standing = kind->standing(item->parameters, observer->z_mm, observer->projection == LX_PERSPECTIVE);
+    *standing = lx_surface_standing(kind, item->parameters, observer->z_mm, observer->projection == LX_PERSPECTIVE);
     return true;
 }
 

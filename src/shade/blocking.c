@@ -4,6 +4,8 @@
 
 #include <math.h>
 
+#include "general.h"
+
 struct lx_ball lx_shape_ball(const struct lx_shape *shape, const double low_mm[3], const double high_mm[3],
                              const double anchor_mm[3])
 {
@@ -43,5 +45,5 @@ void lx_block_one(const struct lx_kernels *kernels, const struct lx_shape *shape
     };
     for (int i = 0; i < 3; i++)
         blocker.shape.anchor_mm[i] -= anchor_mm[i];
-    kernels->block_light[shape->type](&blocker, block, count, open);
+    lx_block_shape(kernels, &blocker, block, count, open);
 }

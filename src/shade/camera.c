@@ -50,6 +50,21 @@ bool lx_views_along_z(const struct lx_observer *observer)
     return observer->projection == LX_ORTHOGRAPHIC && observer->view == LX_VIEW_PARALLEL;
 }
 
+static struct lx_origin origin_of(const struct lx_observer *observer, bool endless)
+{
+    return (struct lx_origin){.endless = endless, .at = {0, 0, endless ? 1 : observer->z_mm}};
+}
+
+struct lx_origin lx_eye(const struct lx_observer *observer)
+{
+    return origin_of(observer, observer->projection == LX_ORTHOGRAPHIC);
+}
+
+struct lx_origin lx_viewer(const struct lx_observer *observer)
+{
+    return origin_of(observer, lx_views_along_z(observer));
+}
+
 struct lx_ray lx_line_of_sight(const struct lx_observer *observer, double x_mm, double y_mm)
 {
     if (observer->projection == LX_PERSPECTIVE)

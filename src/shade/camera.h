@@ -16,6 +16,10 @@ bool lx_pixel_at(const struct lx_screen *screen, double x_mm, double y_mm, unsig
 /* Whether the view vector is (0, 0, 1) everywhere; else it points to the observer. */
 bool lx_views_along_z(const struct lx_observer *observer);
 
+/* Where lines of sight start, and where view vectors point to: the observer's place, or the direction (0, 0, 1). */
+struct lx_origin lx_eye(const struct lx_observer *observer);
+struct lx_origin lx_viewer(const struct lx_observer *observer);
+
 /* The line of sight through a screen point. */
 struct lx_ray lx_line_of_sight(const struct lx_observer *observer, double x_mm, double y_mm);
 

@@ -131,9 +131,10 @@ luxel_value luxel_evaluate_sphere(const luxel_evaluator *evaluator, size_t surfa
                                   double *shares)
 {
     const struct lx_prepared *prepared = &evaluator->prepared;
-    struct lx_element element;
-    if (surface < prepared->surface_count && lx_element_on_sphere(prepared, surface, normal, &element))
+    if (surface < prepared->surface_count && lx_is_by_normal(prepared, surface)) {
+        const struct lx_element element = lx_element_on(prepared, surface, normal);
         return lx_evaluate_element(evaluator, &element, shares);
+    }
     if (shares)
         memset(shares, 0, luxel_evaluator_light_count(evaluator) * sizeof *shares);
     return (luxel_value){.on_surface = false};

@@ -66,7 +66,7 @@ static bool is_behind(const struct hunt *hunt, const struct lx_prepared_surface 
         level += normal[i] * center[i];
         size += fabs(center[i]) + fabs(surface->shape.anchor_mm[i]);
     }
-    return surface->kind->farthest(surface->parameters, normal) <= level + 1e-12 * size;
+    return lx_surface_farthest(surface->kind, surface->parameters, normal) <= level + 1e-12 * size;
 }
 
 /* Whether a surface may stand between the plane and an emitter.  Sources of some size are not hidden. */

@@ -23,12 +23,6 @@ static void subtract(const double a[3], const double b[3], double difference[3])
         difference[i] = a[i] - b[i];
 }
 
-static void cross(const double a[3], const double b[3], double product[3])
-{
-    for (int i = 0; i < 3; i++)
-        product[i] = a[(i + 1) % 3] * b[(i + 2) % 3] - a[(i + 2) % 3] * b[(i + 1) % 3];
-}
-
 static void copy(const double from[3], double to[3])
 {
     for (int i = 0; i < 3; i++)
@@ -40,16 +34,20 @@ static void value_of(lx_bounded3 a, double value[3])
     value[0] = a.x.value, value[1] = a.y.value, value[2] = a.z.value;
 }
 
-static double value_at(const struct quadric *q, const double place[3])
+static double value_at(const void *data, const double place[3])
 {
+    const struct quadric *q = data;
     double from[3];
     subtract(place, q->at, from);
     double along = dot(q->axis, from);
     return q->square * dot(from, from) + q->along * along * along + dot(q->slope, from) + q->rest;
 }
 
+/* A quadratic function of a place; NaN: there is none. */
+typedef double quadratic(const void *data, const double place[3]);
+
 /* Its conic on the plane, from its values at six places. */
-static void add(const struct lx_cells *plane, const struct quadric *q, struct lx_edges *edges)
+static void add_conic(const struct lx_cells *plane, quadratic *value, const void *data, struct lx_edges *edges)
 {
     static const double places[6][2] = {{0, 0}, {1, 0}, {-1, 0}, {0, 1}, {0, -1}, {1, 1}};
     double across[3], upward[3], values[6];
@@ -62,7 +60,9 @@ static void add(const struct lx_cells *plane, const struct quadric *q, struct lx
         for (int i = 0; i < 3; i++)
             place[i] = plane->center_mm[i] + places[p][0] * plane->size_mm[0] * across[i] +
                        places[p][1] * plane->size_mm[1] * upward[i];
-        values[p] = value_at(q, place);
+        values[p] = value(data, place);
+        if (isnan(values[p]))
+            return;
     }
     double *c = edges->conics[edges->count++].c;
     c[0] = values[0];
@@ -71,6 +71,11 @@ static void add(const struct lx_cells *plane, const struct quadric *q, struct lx
     c[3] = (values[1] + values[2]) / 2 - values[0];
     c[5] = (values[3] + values[4]) / 2 - values[0];
     c[4] = values[5] - c[0] - c[1] - c[2] - c[3] - c[5];
+}
+
+static void add(const struct lx_cells *plane, const struct quadric *q, struct lx_edges *edges)
+{
+    add_conic(plane, value_at, q, edges);
 }
 
 static void add_plane(const struct lx_cells *plane, const double at[3], const double normal[3], struct lx_edges *edges)
@@ -93,44 +98,27 @@ static void add_cone(const struct lx_cells *plane, const double apex[3], const d
 
 /* ---- surfaces in the way ---- */
 
-static void add_sphere(const struct lx_cells *plane, const struct lx_shape *sphere, const struct lx_emitter *emitter,
-                       struct lx_edges *edges)
+struct shadow {
+    const struct lx_shape *shape;
+    struct lx_origin light;
+    unsigned edge;
+};
+
+static double shadow_at(const void *data, const double place[3])
 {
-    struct quadric q = {.square = 1, .rest = -sphere->radius_mm * sphere->radius_mm};
-    copy(sphere->anchor_mm, q.at);
-    add(plane, &q, edges);
-    if (emitter->type == LX_DIRECTION) { /* a cylinder */
-        value_of(emitter->towards, q.axis);
-        q.along = -1;
-        add(plane, &q, edges);
-        return;
-    }
-    double way[3];
-    subtract(sphere->anchor_mm, emitter->position_mm, way);
-    double distance = sqrt(dot(way, way)), sine = sphere->radius_mm / distance;
-    for (int i = 0; i < 3; i++)
-        way[i] /= distance;
-    if (sine < 1)
-        add_cone(plane, emitter->position_mm, way, sqrt((1 - sine) * (1 + sine)), edges);
+    const struct shadow *shadow = data;
+    return shadow->shape->kind->shadow_edge(shadow->shape, &shadow->light, shadow->edge, place);
 }
 
-static void add_plate(const struct lx_cells *plane, const struct lx_shape *plate, const struct lx_emitter *emitter,
-                      struct lx_edges *edges)
+static void add_shadow(const struct lx_cells *plane, const struct lx_shape *shape, const struct lx_emitter *emitter,
+                       struct lx_edges *edges)
 {
-    double towards[3], normal[3];
-    add_plane(plane, plate->anchor_mm, plate->axis, edges);
-    value_of(emitter->towards, towards);
-    for (int i = 0; i < 4; i++) {
-        const double *out = i < 2 ? plate->across : plate->upward, *edge = i < 2 ? plate->upward : plate->across;
-        const double reach = (i % 2 ? 1 : -1) * plate->half_mm[i / 2];
-        double at[3];
-        for (int k = 0; k < 3; k++)
-            at[k] = plate->anchor_mm[k] + reach * out[k];
-        if (emitter->type != LX_DIRECTION)
-            subtract(emitter->position_mm, at, towards);
-        cross(edge, towards, normal);
-        add_plane(plane, at, normal, edges);
-    }
+    struct shadow shadow = {.shape = shape, .light.endless = emitter->type == LX_DIRECTION};
+    copy(emitter->position_mm, shadow.light.at);
+    if (shadow.light.endless)
+        value_of(emitter->towards, shadow.light.at);
+    for (; shadow.edge < shape->kind->shadow_edges; shadow.edge++)
+        add_conic(plane, shadow_at, &shadow, edges);
 }
 
 /* ---- emitters ---- */
@@ -172,13 +160,8 @@ void lx_edges_add(const struct lx_prepared *prepared, const struct lx_cells *pla
     if (emitter->type == LX_POINT)
         add_point(plane, emitter, edges);
     add_faces(plane, emitter, edges);
-    for (size_t s = 0; may_be_hidden && s < prepared->surface_count; s++) {
-        const struct lx_shape *shape = &prepared->surfaces[s].shape;
-        if (shape->type == LX_SPHERE)
-            add_sphere(plane, shape, emitter, edges);
-        else
-            add_plate(plane, shape, emitter, edges);
-    }
+    for (size_t s = 0; may_be_hidden && s < prepared->surface_count; s++)
+        add_shadow(plane, &prepared->surfaces[s].shape, emitter, edges);
 }
 
 /* ---- lines ---- */

@@ -23,7 +23,7 @@
 #include "../base/rows.h"
 #include "../light/emitter.h"
 #include "../material/lobe.h"
-#include "../surface/surface.h"
+#include "../surface/shape.h"
 #include "rules.h"
 
 enum { LX_BLOCK = 256, LX_LANES = 16, LX_MOST_SAMPLES = 36 };

@@ -7,6 +7,7 @@
 #include "../base/memory.h"
 #include "blocking.h"
 #include "camera.h"
+#include "general.h"
 #include "plan.h"
 #include "shader.h"
 
@@ -432,6 +433,7 @@ static bool is_in_single_alone(const struct lx_plan *plan)
     const struct lx_planned_surface *surface = plan->surfaces;
     bool all =
         plan->surface_count == 1 && plan->forest.tree_count == 0 && lx_views_along_z(&plan->prepared->scene->observer);
+    all = all && lx_has_kernels(&surface->shape);
     all = all && has_closed_shells(surface);
     for (size_t s = 0; all && s < surface->shell_count; s++)
         all = surface->shells[s].shell.edges_single && !surface->shells[s].by_reference;
@@ -457,7 +459,7 @@ static bool has_panels(const struct lx_plan *plan)
     const unsigned *resolution = scene->screen.resolution;
     const double side_mm = scene->screen.width_mm / resolution[0] * LX_PANEL_SIDE;
     const size_t all = surface->lights.count + surface->shell_count;
-    return plan->precision == LUXEL_SINGLE && plan->surface_count == 1 &&
+    return plan->precision == LUXEL_SINGLE && plan->surface_count == 1 && lx_has_kernels(&surface->shape) &&
            (surface->glossy_count == 0 || lx_has_smooth_highlights(surface)) && plan->forest.tree_count == 0 &&
            plan->every == 1 && all > 0 && all <= LX_MOST_SMOOTH && plan->least_maximum > 0 &&
            resolution[0] >= LX_PANEL_SIDE && resolution[1] >= LX_PANEL_SIDE &&

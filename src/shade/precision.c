@@ -75,27 +75,14 @@ static double dot(const double a[3], const double b[3])
 /* The least distance of a place, given from the anchor, to the surface. */
 static double least_distance(const struct lx_shape *shape, const double from[3])
 {
-    if (shape->type == LX_SPHERE)
-        return fabs(distance(from, (double[]){0, 0, 0}) - shape->radius_mm);
-    double across = fmax(fabs(dot(from, shape->across)) - shape->half_mm[0], 0);
-    double upward = fmax(fabs(dot(from, shape->upward)) - shape->half_mm[1], 0);
-    return hypot(hypot(across, upward), dot(from, shape->axis));
+    double direction[3];
+    return fabs(lx_shape_distance(shape, from, direction));
 }
 
 /* How far the direction from the surface to a place at this distance from the anchor turns over the surface. */
 static double turn_towards(const struct lx_shape *shape, double away)
 {
-    bool inside_plate = shape->type == LX_PLATE && !(away > shape->radius_mm);
-    return inside_plate ? M_PI : asin(fmin(1, shape->radius_mm / away));
-}
-
-/* The least cosine, over a plate, between its normal and the direction to a place; or of a direction (away is 0). */
-static double least_cosine(const struct lx_shape *plate, const double towards[3], double away)
-{
-    double height = dot(towards, plate->axis);
-    if (!(away > 0))
-        return height;
-    return height > 0 ? height / (away + plate->radius_mm) : -1;
+    return away > shape->radius_mm ? asin(shape->radius_mm / away) : shape->kind->bounds->widest_turn;
 }
 
 /* The least length of L + V over the surface: 2 cos of half the largest angle between L and V. */
@@ -123,10 +110,12 @@ static double least_half_length(const struct lx_prepared *prepared, const struct
     double cosine = dot(eye, light) / (distance(eye, zero) * distance(light, zero));
     double angle = fmin(acos(fmax(-1, fmin(1, cosine))) + spread, M_PI);
     double least = 2 * cos(angle / 2);
-    if (shape->type != LX_PLATE)
+    const struct lx_surface_bounds *bounds = shape->kind->bounds;
+    if (!bounds->least_cosine)
         return least;
     /* L + V is no shorter than its part along the normal */
-    return fmax(least, least_cosine(shape, eye, eye_distance) + least_cosine(shape, light, light_distance));
+    return fmax(least,
+                bounds->least_cosine(shape, eye, eye_distance) + bounds->least_cosine(shape, light, light_distance));
 }
 
 static double greatest_attenuation(const struct lx_emitter *emitter, double nearest_mm)
@@ -184,6 +173,8 @@ double lx_bound_light(const struct lx_prepared *prepared, const struct lx_shape 
                       const struct lx_emitter *emitter)
 {
     struct lx_stand stand = {.least_half = 2};
+    if (!shape->kind->bounds)
+        return HUGE_VAL;
     if (emitter->type == LX_POINT) {
         double from[3];
         for (int i = 0; i < 3; i++)
@@ -221,16 +212,6 @@ static void farthest_corner(const struct lx_shell *shell, const double direction
         corner[i] = shell->center[i] + (dot(direction, from) < dot(direction, to) ? from : to)[i];
 }
 
-/* The point of a shape that is farthest in a direction, from the anchor; of a sphere the anchor. */
-static void farthest_point(const struct lx_shape *shape, const double direction[3], double point[3])
-{
-    for (int i = 0; i < 3; i++)
-        point[i] = 0;
-    for (int i = 0; i < 3 && shape->type == LX_PLATE; i++)
-        point[i] = copysign(shape->half_mm[0], dot(direction, shape->across)) * shape->across[i] +
-                   copysign(shape->half_mm[1], dot(direction, shape->upward)) * shape->upward[i];
-}
-
 /*
  * No place of the shell is nearer to the surface than this.  The shortest way between two convex bodies is the nearest
  * point to 0 of the differences of their places: it is approached as Frank and Wolfe do (1956), and every direction on
@@ -239,13 +220,13 @@ static void farthest_point(const struct lx_shape *shape, const double direction[
 static double least_gap(const struct lx_shape *shape, const struct lx_shell *shell, const struct lx_asking *asking)
 {
     enum { MOST_STEPS = 40 };
-    double way[3] = {shell->center[0], shell->center[1], shell->center[2]}, best = -HUGE_VAL;
+    double way[3] = {shell->center[0], shell->center[1], shell->center[2]}, best = -HUGE_VAL, radius = 0;
     for (int step = 0; step < MOST_STEPS; step++) {
         double corner[3], point[3], length = sqrt(dot(way, way)), along = 0, square = 0;
         if (!(length > 0))
             break;
         farthest_corner(shell, way, asking, corner);
-        farthest_point(shape, way, point);
+        radius = shape->kind->bounds->support(shape, way, point);
         for (int i = 0; i < 3; i++) {
             corner[i] -= point[i];
             along += way[i] * (way[i] - corner[i]);
@@ -258,11 +239,13 @@ static double least_gap(const struct lx_shape *shape, const struct lx_shell *she
         for (int i = 0; i < 3; i++)
             way[i] += share * (corner[i] - way[i]);
     }
-    return shape->type == LX_SPHERE ? best - shape->radius_mm : best;
+    return best - radius;
 }
 
 double lx_gap(const struct lx_shape *shape, const struct lx_shell *shell, const struct lx_asking *asking)
 {
+    if (!shape->kind->bounds)
+        return -HUGE_VAL;
     return shell->type == LX_FACETS ? least_gap(shape, shell, asking)
                                     : least_distance(shape, shell->center) - shell->radius_mm;
 }
@@ -293,7 +276,7 @@ static const double roundings = 2;
 double lx_bound_shell(const struct lx_shape *shape, double diffuse, const struct lx_shell *shell,
                       const struct lx_asking *asking)
 {
-    if (shell->type != LX_FACETS)
+    if (shell->type != LX_FACETS || !shape->kind->bounds)
         return HUGE_VAL;
     const double radius = shell->radius_mm, greatest = diffuse * shell->radiance;
     const double away = distance(shell->center, (double[]){0, 0, 0}), nearest = least_gap(shape, shell, asking);

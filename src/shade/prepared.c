@@ -48,7 +48,7 @@ static int prepare(const struct lx_scene_parameters *scene, double tolerance, co
         prepared->surfaces[i] = (struct lx_prepared_surface){
             .kind = kind,
             .parameters = item->parameters,
-            .shape = kind->shape(item->parameters),
+            .shape = lx_surface_shape(kind, item->parameters),
             .lobe = lx_lobe_prepare(&common->material),
         };
     }

@@ -4,6 +4,7 @@
 
 #include <math.h>
 #include <stdlib.h>
+#include <string.h>
 
 #include "../base/memory.h"
 
@@ -39,7 +40,7 @@ enum { MOST_STRETCHES = 8 };
 static bool has_stretches(const struct lx_prepared *prepared)
 {
     const struct lx_emitters *emitters = &prepared->emitters;
-    bool all = prepared->surface_count == 1 && prepared->surfaces->shape.type == LX_SPHERE &&
+    bool all = prepared->surface_count == 1 && prepared->surfaces->kind->lit_range &&
                prepared->scene->observer.projection == LX_ORTHOGRAPHIC && emitters->swarm_count == 0 &&
                emitters->count <= MOST_STRETCHES;
     for (size_t i = 0; all && i < emitters->count; i++)
@@ -78,29 +79,18 @@ void lx_reach_clear(struct lx_reach *reach)
     lx_prepared_clear(&reach->prepared);
 }
 
-/*
- * Where along a row a source may shine on a sphere, from the sphere's centre.  On the circle that the row shows, at the
- * angle a from the highest point, it does where D.(P - C) = y D_y + h (D_x sin a + D_z cos a) exceeds the threshold:
- * for a point at C + D that is R^2, for light from the direction D it is 0.
- */
-static struct lx_reach_stretch stretch_of(const struct lx_emitter *emitter, const struct lx_shape *sphere, double y_mm)
+/* Where along a row a source may shine. */
+static struct lx_reach_stretch stretch_of(const struct lx_emitter *emitter, const struct lx_prepared_surface *surface,
+                                          double y_mm)
 {
-    const double margin = 1e-9, radius = sphere->radius_mm, h = sqrt(fmax(0, radius * radius - y_mm * y_mm));
-    const bool is_point = emitter->type == LX_POINT;
-    const lx_bounded3 *towards = &emitter->towards;
-    const double *center = sphere->anchor_mm, *place = emitter->position_mm;
-    const double d[3] = {is_point ? place[0] - center[0] : towards->x.value,
-                         is_point ? place[1] - center[1] : towards->y.value,
-                         is_point ? place[2] - center[2] : towards->z.value};
-    const double reach = h * hypot(d[0], d[2]), size = radius * sqrt(d[0] * d[0] + d[1] * d[1] + d[2] * d[2]);
-    const double least = (is_point ? radius * radius : 0) - d[1] * y_mm - margin * (size + radius * radius);
-    if (!(emitter->strength > 0) || least > reach)
+    struct lx_origin light = {.endless = emitter->type == LX_DIRECTION};
+    struct lx_reach_stretch stretch;
+    const double towards[3] = {emitter->towards.x.value, emitter->towards.y.value, emitter->towards.z.value};
+    memcpy(light.at, light.endless ? towards : emitter->position_mm, sizeof light.at);
+    if (!(emitter->strength > 0) ||
+        !surface->kind->lit_range(&surface->shape, &light, y_mm, &stretch.low_mm, &stretch.high_mm))
         return (struct lx_reach_stretch){HUGE_VAL, -HUGE_VAL};
-    if (!(d[2] > 0) || !(least > -reach))
-        return (struct lx_reach_stretch){-HUGE_VAL, HUGE_VAL};
-    const double middle = atan2(d[0], d[2]), half = acos(least / reach);
-    const double low = fmax(middle - half, -M_PI_2), high = fmin(middle + half, M_PI_2);
-    return (struct lx_reach_stretch){h * sin(low) - margin * radius, h * sin(high) + margin * radius};
+    return stretch;
 }
 
 struct lx_reach_stretch lx_reach_stretch(const struct lx_reach *reach, double y_mm)
@@ -108,17 +98,14 @@ struct lx_reach_stretch lx_reach_stretch(const struct lx_reach *reach, double y_
     const struct lx_emitters *emitters = &reach->prepared.emitters;
     if (!reach->has_stretches)
         return (struct lx_reach_stretch){-HUGE_VAL, HUGE_VAL};
-    const struct lx_shape *sphere = &reach->prepared.surfaces->shape;
     struct lx_reach_stretch all = {HUGE_VAL, -HUGE_VAL};
     for (size_t i = 0; i < emitters->count; i++) {
         if (emitters->items[i].type == LX_UNIFORM)
             continue;
-        const struct lx_reach_stretch one = stretch_of(&emitters->items[i], sphere, y_mm - sphere->anchor_mm[1]);
+        const struct lx_reach_stretch one = stretch_of(&emitters->items[i], reach->prepared.surfaces, y_mm);
         all.low_mm = fmin(all.low_mm, one.low_mm);
         all.high_mm = fmax(all.high_mm, one.high_mm);
     }
-    all.low_mm += sphere->anchor_mm[0];
-    all.high_mm += sphere->anchor_mm[0];
     return all;
 }
 

@@ -65,20 +65,19 @@ const struct lx_prepared_surface *lx_surface_around(const struct lx_prepared *pr
     return NULL;
 }
 
-bool lx_element_on_sphere(const struct lx_prepared *prepared, size_t surface, const double normal[3],
-                          struct lx_element *element)
+bool lx_is_by_normal(const struct lx_prepared *prepared, size_t surface)
+{
+    const struct lx_surface_chart *chart = prepared->surfaces[surface].kind->chart;
+    return chart && chart->by_normal;
+}
+
+struct lx_element lx_element_on(const struct lx_prepared *prepared, size_t surface, const double at[3])
 {
     const struct lx_prepared_surface *own = &prepared->surfaces[surface];
-    if (own->shape.type != LX_SPHERE)
-        return false;
-    lx_bounded3 unit = lx_unit3(lx_exact3(normal));
-    lx_bounded3 place = lx_add3(lx_exact3(own->shape.anchor_mm), lx_mul3(unit, lx_exact(own->shape.radius_mm)));
-    *element = (struct lx_element){.place_mm = place,
-                                   .normal = unit,
-                                   .view = view_from(&prepared->scene->observer, place),
-                                   .lobe = &own->lobe,
-                                   .own = own};
-    return true;
+    struct lx_element element = {.lobe = &own->lobe, .own = own};
+    own->kind->chart->element(&own->shape, at, &element.place_mm, &element.normal);
+    element.view = view_from(&prepared->scene->observer, element.place_mm);
+    return element;
 }
 
 /* Whether a surface takes the light from the element that comes along a way; 1 or 0. */

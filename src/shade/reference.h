@@ -31,9 +31,11 @@ struct lx_element lx_element_at(const struct lx_prepared *prepared, const struct
 /* The surface inside of whose body a place is, the first of them; NULL: it is in none. */
 const struct lx_prepared_surface *lx_surface_around(const struct lx_prepared *prepared, const double place_mm[3]);
 
-/* The point of a sphere that lies from its centre along `normal`, of any length but 0; false: it is no sphere. */
-bool lx_element_on_sphere(const struct lx_prepared *prepared, size_t surface, const double normal[3],
-                          struct lx_element *element);
+/* The element of a surface that has a chart, at coordinates of that. */
+struct lx_element lx_element_on(const struct lx_prepared *prepared, size_t surface, const double at[3]);
+
+/* Whether those coordinates are the direction, of any length but 0, of the normal: so with spheres alone. */
+bool lx_is_by_normal(const struct lx_prepared *prepared, size_t surface);
 
 struct lx_lighting {
     bool on_element; /* the emitter lies on the element: there is no value */

@@ -6,6 +6,7 @@
 #include <string.h>
 
 #include "camera.h"
+#include "general.h"
 
 static struct lx_lines lines_in(struct lx_lines_room *room)
 {
@@ -35,8 +36,7 @@ static bool may_show(const struct lx_planned_surface *surface, const struct lx_r
 static size_t meet(const struct lx_plan *plan, const struct lx_planned_surface *surface, const struct lx_row_view *view,
                    const double *x_mm, size_t count, struct lx_lines lines)
 {
-    return plan->kernels->meet_lines[surface->shape.type](&surface->shape, view, x_mm, count, lines.depth, lines.px,
-                                                          lines.py, lines.pz);
+    return lx_meet_shape(plan->kernels, &surface->shape, view, x_mm, count, lines.depth, lines.px, lines.py, lines.pz);
 }
 
 /* Takes over what a further surface hides of the nearest so far; returns how many pixels showed none. */
@@ -149,8 +149,8 @@ struct lx_gathered lx_seen_gather(const struct lx_plan *plan, struct lx_seen *se
     gather_places(seen, seen->nearest.pz, in_one, elements, seen->block.pz);
     double from[3];
     if (elements > 0)
-        plan->kernels->complete_block[surface->shape.type](&surface->shape, lx_observer_from(plan, surface, from),
-                                                           &seen->block, &seen->copy, elements);
+        lx_complete_shape(plan->kernels, &surface->shape, lx_observer_from(plan, surface, from), &seen->block,
+                          &seen->copy, elements);
     return (struct lx_gathered){elements, in_one ? first : LX_BLOCK};
 }
 

@@ -1,20 +1,17 @@
 /* SPDX-License-Identifier: MIT */
 /*
- * The rectangle, a plate that is seen from its front and takes light away from both sides: its parameters, extent,
- * and float64 reference.  The kernels of the shade room hold the same formulas for blocks of rays.
- *
- * With n the axis, c the centre and d the direction of a ray from o, the plane is met at c + q,
- *
- *     q = n x ((o - c) x d) / (n.d),
- *
- * which has no part along a coordinate axis that n stands on and loses no digits for far observers.
+ * The rectangle, a plate that is seen from its front and takes light away from both sides: its parameters, and where
+ * its plane (plane.h) ends.  The kernels of the shade room hold the same formulas for blocks of rays.
  */
 #include <math.h>
 #include <string.h>
 
+#include "../base/phrase.h"
 #include "../base/pose.h"
+#include "../base/vector.h"
 #include "../parameter/check.h"
-#include "surface.h"
+#include "authored.h"
+#include "plane.h"
 
 static const struct lx_parameter plate_parameters[] = {
     {
@@ -74,70 +71,29 @@ static const struct lx_table plate_table = {
     .check = check_plate,
 };
 
-/* Ends of a way that are no farther from the plate than this share of its size and place lie on it. */
-static const double TOUCH = 1e-12;
-
-static struct lx_pose pose_of(const struct lx_plate_parameters *plate)
+static struct lx_shape plate_shape(const void *parameters)
 {
+    const struct lx_plate_parameters *plate = parameters;
     double up[3];
     if (lx_is_given(&plate_table, plate, "up"))
         memcpy(up, plate->up, sizeof up);
     else
         lx_usual_up(plate->axis, up);
-    return lx_pose_of(plate->axis, up);
-}
-
-/* A unit direction as the shape keeps it, and back. */
-static void keep_direction(lx_wide3 direction, double value[3], double error[3])
-{
-    lx_bounded3 rounded = lx_wide3_direction(direction);
-    value[0] = rounded.x.value, value[1] = rounded.y.value, value[2] = rounded.z.value;
-    error[0] = rounded.x.error, error[1] = rounded.y.error, error[2] = rounded.z.error;
-}
-
-static lx_bounded3 direction_of(const double value[3], const double error[3])
-{
-    return (lx_bounded3){{value[0], error[0]}, {value[1], error[1]}, {value[2], error[2]}};
-}
-
-/* The axis at a length near 1, without rounding. */
-static void scaled_axis(const struct lx_plate_parameters *plate, double axis[3])
-{
-    double scale = lx_scale_for3(lx_exact3(plate->axis));
-    for (int i = 0; i < 3; i++)
-        axis[i] = plate->axis[i] * scale;
-}
-
-static struct lx_shape plate_shape(const void *parameters)
-{
-    const struct lx_plate_parameters *plate = parameters;
-    struct lx_pose pose = pose_of(plate);
-    struct lx_shape shape = {.type = LX_PLATE};
-    memcpy(shape.anchor_mm, plate->center_mm, sizeof shape.anchor_mm);
-    keep_direction(pose.axis, shape.axis, shape.axis_error);
-    keep_direction(pose.across, shape.across, shape.across_error);
-    keep_direction(pose.upward, shape.upward, shape.upward_error);
-    scaled_axis(plate, shape.normal);
-    shape.radius_mm = hypot(plate->size_mm[0], plate->size_mm[1]) / 2;
-    double away = fabs(plate->center_mm[0]) + fabs(plate->center_mm[1]) + fabs(plate->center_mm[2]);
-    shape.touch_mm = TOUCH * (shape.radius_mm + away);
+    struct lx_shape shape =
+        lx_plane_lay(plate->center_mm, plate->axis, up, hypot(plate->size_mm[0], plate->size_mm[1]) / 2);
+    shape.type = LX_PLATE;
     /* The edges belong to the plate: what rounding cannot tell from them does, too. */
     for (int i = 0; i < 2; i++)
         shape.half_mm[i] = plate->size_mm[i] / 2 + shape.touch_mm;
     return shape;
 }
 
-static double dot(const double a[3], const double b[3])
-{
-    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-}
-
 static double plate_farthest(const void *parameters, const double direction[3])
 {
     const struct lx_plate_parameters *plate = parameters;
     struct lx_shape shape = plate_shape(parameters);
-    return dot(direction, plate->center_mm) + plate->size_mm[0] / 2 * fabs(dot(direction, shape.across)) +
-           plate->size_mm[1] / 2 * fabs(dot(direction, shape.upward));
+    return lx_dot(direction, plate->center_mm) + plate->size_mm[0] / 2 * fabs(lx_dot(direction, shape.across)) +
+           plate->size_mm[1] / 2 * fabs(lx_dot(direction, shape.upward));
 }
 
 static void plate_extent(const void *parameters, double low_mm[3], double high_mm[3])
@@ -151,82 +107,13 @@ static void plate_extent(const void *parameters, double low_mm[3], double high_m
     }
 }
 
-/* axis . from, from the centre, in twice the precision: which side a place lies on */
-static lx_bounded height_over(const double axis[3], const struct lx_pair from[3])
-{
-    double error;
-    struct lx_pair height = lx_exact_dot(
-        6, (double[]){axis[0], axis[1], axis[2], axis[0], axis[1], axis[2]},
-        (double[]){from[0].high, from[1].high, from[2].high, from[0].low, from[1].low, from[2].low}, &error);
-    return lx_rounded(height.high, error, 1);
-}
-
-/* Component i of a x b, where b is a pair of numbers off by `b_error` each. */
-static struct lx_pair cross_component(int i, const double a[3], const struct lx_pair b[3], double b_error,
-                                      double *error)
-{
-    int j = (i + 1) % 3, k = (i + 2) % 3;
-    struct lx_pair component = lx_exact_dot(4, (double[]){a[j], a[j], -a[k], -a[k]},
-                                            (double[]){b[k].high, b[k].low, b[j].high, b[j].low}, error);
-    *error = (*error + (fabs(a[j]) + fabs(a[k])) * b_error) * LX_BOUND_SLACK;
-    return component;
-}
-
-/* Where a ray meets the plane, from the centre: n x (from x d) / (n.d). */
-static lx_bounded3 meet_plane(const double axis[3], const struct lx_pair from[3], const double direction[3],
-                              lx_bounded slope)
-{
-    struct lx_pair moment[3]; /* d x from */
-    double errors[3], offset_error;
-    for (int i = 0; i < 3; i++)
-        moment[i] = cross_component(i, direction, from, 0, &errors[i]);
-    double moment_error = fmax(fmax(errors[0], errors[1]), errors[2]);
-    lx_bounded offset[3];
-    for (int i = 0; i < 3; i++) {
-        struct lx_pair component = cross_component(i, axis, moment, moment_error, &offset_error);
-        offset[i] = lx_negate(lx_div(lx_rounded(component.high, offset_error, 1), slope));
-    }
-    return (lx_bounded3){offset[0], offset[1], offset[2]};
-}
-
 static struct lx_hit plate_hit(const struct lx_shape *plate, const struct lx_ray *ray)
 {
-    double slope_error;
-    struct lx_pair from[3];
-    for (int i = 0; i < 3; i++)
-        from[i] = lx_exact_difference(ray->origin_mm[i], plate->anchor_mm[i]);
-    lx_bounded height = height_over(plate->normal, from);
-    struct lx_pair along = lx_exact_dot(3, plate->normal, ray->direction, &slope_error);
-    lx_bounded slope = lx_rounded(along.high, slope_error, 1);
-    if (!(height.value > 0 && slope.value < 0))
-        return (struct lx_hit){.exists = false};
-
-    lx_bounded3 offset = meet_plane(plate->normal, from, ray->direction, slope);
-    double place[3] = {offset.x.value, offset.y.value, offset.z.value};
-    if (!(fabs(dot(place, plate->across)) <= plate->half_mm[0] && fabs(dot(place, plate->upward)) <= plate->half_mm[1]))
-        return (struct lx_hit){.exists = false};
-
-    struct lx_hit hit = {
-        .exists = true,
-        .t = -height.value / slope.value,
-        .place_mm = lx_add3(lx_exact3(plate->anchor_mm), offset),
-        .normal = direction_of(plate->axis, plate->axis_error),
-    };
-    /* along the coordinates that a line of sight keeps nothing is rounded */
-    lx_bounded *places[] = {&hit.place_mm.x, &hit.place_mm.y, &hit.place_mm.z};
-    for (int i = 0; i < 3; i++)
-        if (ray->direction[i] == 0)
-            *places[i] = lx_exact(ray->origin_mm[i]);
-    return hit;
-}
-
-/* Whether heights lie on different sides, each beyond what counts as on the plate itself. */
-static lx_bounded is_between(lx_bounded a, double a_touch, lx_bounded b, double b_touch)
-{
-    lx_bounded least_a = lx_exact(a_touch), least_b = lx_exact(b_touch);
-    lx_bounded down = lx_both(lx_step(lx_sub(a, least_a), false), lx_step(lx_sub(lx_negate(b), least_b), false));
-    lx_bounded up = lx_both(lx_step(lx_sub(lx_negate(a), least_a), false), lx_step(lx_sub(b, least_b), false));
-    return lx_not(lx_both(lx_not(down), lx_not(up)));
+    double place[3];
+    const struct lx_hit hit = lx_plane_meet(plate, ray, place);
+    const bool is_on_it = fabs(lx_dot(place, plate->across)) <= plate->half_mm[0] &&
+                          fabs(lx_dot(place, plate->upward)) <= plate->half_mm[1];
+    return hit.exists && is_on_it ? hit : (struct lx_hit){.exists = false};
 }
 
 static lx_bounded absolute(lx_bounded a)
@@ -241,16 +128,13 @@ static lx_bounded absolute(lx_bounded a)
  */
 static lx_bounded plate_blocks(const struct lx_shape *plate, lx_bounded3 place_mm, lx_bounded3 towards, bool endless)
 {
-    lx_bounded3 axis = direction_of(plate->axis, plate->axis_error);
-    lx_bounded3 from = lx_sub3(place_mm, lx_exact3(plate->anchor_mm));
-    lx_bounded start = lx_dot3(from, axis), change = lx_dot3(towards, axis);
-    lx_bounded end = endless ? change : lx_dot3(lx_add3(from, towards), axis);
-    lx_bounded blocked = is_between(start, plate->touch_mm, end, endless ? 0 : plate->touch_mm);
-    const lx_bounded3 edges[2] = {direction_of(plate->across, plate->across_error),
-                                  direction_of(plate->upward, plate->upward_error)};
+    const struct lx_plane_crossing way = lx_plane_cross(plate, place_mm, towards, endless);
+    const lx_bounded3 edges[2] = {lx_shape_across(plate), lx_shape_upward(plate)};
+    lx_bounded blocked = way.crosses;
     for (int i = 0; i < 2 && !lx_is_zero(blocked); i++) {
-        lx_bounded offset = lx_sub(lx_mul(lx_dot3(from, edges[i]), change), lx_mul(start, lx_dot3(towards, edges[i])));
-        lx_bounded half = lx_mul(lx_exact(plate->half_mm[i]), absolute(change));
+        lx_bounded offset =
+            lx_sub(lx_mul(lx_dot3(way.from, edges[i]), way.change), lx_mul(way.start, lx_dot3(towards, edges[i])));
+        lx_bounded half = lx_mul(lx_exact(plate->half_mm[i]), absolute(way.change));
         blocked = lx_both(blocked, lx_step(lx_sub(half, absolute(offset)), true));
     }
     return blocked;
@@ -261,37 +145,134 @@ static bool plate_holds(const struct lx_shape *plate, const double place_mm[3])
     double from[3], near = 1e-9 * plate->radius_mm;
     for (int i = 0; i < 3; i++)
         from[i] = place_mm[i] - plate->anchor_mm[i];
-    return fabs(dot(from, plate->axis)) <= near && fabs(dot(from, plate->across)) <= plate->half_mm[0] + near &&
-           fabs(dot(from, plate->upward)) <= plate->half_mm[1] + near;
-}
-
-/* axis . (place - centre), whose sign tells the side */
-static double height_of(const struct lx_plate_parameters *plate, const double place_mm[3])
-{
-    double axis[3];
-    struct lx_pair from[3];
-    scaled_axis(plate, axis);
-    for (int i = 0; i < 3; i++)
-        from[i] = lx_exact_difference(place_mm[i], plate->center_mm[i]);
-    return height_over(axis, from).value;
+    return fabs(lx_dot(from, plate->axis)) <= near && fabs(lx_dot(from, plate->across)) <= plate->half_mm[0] + near &&
+           fabs(lx_dot(from, plate->upward)) <= plate->half_mm[1] + near;
 }
 
 static enum lx_standing plate_standing(const void *parameters, double observer_z_mm, bool perspective)
 {
     const struct lx_plate_parameters *plate = parameters;
-    if (perspective)
-        return height_of(plate, (double[]){0, 0, observer_z_mm}) > 0 ? LX_STANDS_BEFORE : LX_STANDS_BEHIND;
-    if (!(plate->axis[2] > 0))
-        return LX_TURNED_AWAY;
     double low[3], high[3];
     plate_extent(parameters, low, high);
-    return observer_z_mm > high[2] ? LX_STANDS_BEFORE : LX_STANDS_TOO_LOW;
+    return lx_plane_standing(plate->center_mm, plate->axis, observer_z_mm, high[2], perspective);
 }
 
 static bool plate_is_dark(const void *parameters, const double place_mm[3])
 {
-    return !(height_of(parameters, place_mm) > 0);
+    const struct lx_plate_parameters *plate = parameters;
+    return lx_plane_is_dark(plate->center_mm, plate->axis, place_mm);
 }
+
+static double plate_distance(const struct lx_shape *plate, const double offset_mm[3], double direction[3])
+{
+    double side = fmax(fabs(lx_dot(offset_mm, plate->across)) - plate->half_mm[0], 0);
+    double end = fmax(fabs(lx_dot(offset_mm, plate->upward)) - plate->half_mm[1], 0);
+    double height = lx_dot(offset_mm, plate->axis);
+    memcpy(direction, plate->axis, sizeof plate->axis);
+    return copysign(hypot(hypot(side, end), height), height);
+}
+
+/* Above it, where the way leads away from it, or where it crosses the plane outside. */
+static double plate_beside(const struct lx_shape *plate, const double place[3], const double way[3], bool endless)
+{
+    double crossing[3];
+    const double above = lx_plane_beside(plate, place, way, endless, crossing);
+    if (above >= 0)
+        return above;
+    double across = fabs(lx_dot(crossing, plate->across)) - plate->half_mm[0];
+    double upward = fabs(lx_dot(crossing, plate->upward)) - plate->half_mm[1];
+    return fmax(above, fmax(across, upward));
+}
+
+/* Its own plane, and the planes through its edges and the light. */
+static double plate_shadow_edge(const struct lx_shape *plate, const struct lx_origin *light, unsigned i,
+                                const double place_mm[3])
+{
+    double from[3], at[3], towards[3], normal[3];
+    if (i == 0) {
+        for (int k = 0; k < 3; k++)
+            from[k] = place_mm[k] - plate->anchor_mm[k];
+        return lx_dot(plate->axis, from);
+    }
+    i--;
+    const double *out = i < 2 ? plate->across : plate->upward, *edge = i < 2 ? plate->upward : plate->across;
+    const double reach = (i % 2 ? 1 : -1) * plate->half_mm[i / 2];
+    for (int k = 0; k < 3; k++) {
+        at[k] = plate->anchor_mm[k] + reach * out[k];
+        from[k] = place_mm[k] - at[k];
+    }
+    lx_way_to(light, at, towards);
+    for (int k = 0; k < 3; k++)
+        normal[k] = edge[(k + 1) % 3] * towards[(k + 2) % 3] - edge[(k + 2) % 3] * towards[(k + 1) % 3];
+    return lx_dot(normal, from);
+}
+
+static void plate_outline(const struct lx_shape *plate, const struct lx_origin *eye, int i, int steps,
+                          double place_mm[3], double inside_mm[3])
+{
+    const double turn = fmod(4.0 * i / steps, 4), along = fmod(turn, 1);
+    const double u[4] = {along, 1, 1 - along, 0}, v[4] = {0, along, 1, 1 - along};
+    const int side = (int)turn % 4;
+    (void)eye;
+    for (int k = 0; k < 3; k++) {
+        place_mm[k] = plate->anchor_mm[k] +
+                      (u[side] - 0.5) * 2 * (plate->half_mm[0] - plate->touch_mm) * plate->across[k] +
+                      (v[side] - 0.5) * 2 * (plate->half_mm[1] - plate->touch_mm) * plate->upward[k];
+        inside_mm[k] = place_mm[k] + 1e-3 * (plate->anchor_mm[k] - place_mm[k]);
+    }
+}
+
+/* Left, right, lower, upper. */
+static double wall_of_plate(const struct lx_shape *plate, const struct lx_origin *eye, unsigned i, const double at[3])
+{
+    (void)eye;
+    return plate->half_mm[i / 2] - plate->touch_mm + (i % 2 ? -at[i / 2] : at[i / 2]);
+}
+
+static void rim_of_plate(const struct lx_shape *plate, const struct lx_origin *eye, int i, int count, double at[3])
+{
+    (void)eye;
+    lx_around_square(i, count, at);
+    for (int k = 0; k < 2; k++)
+        at[k] *= plate->half_mm[k] - plate->touch_mm;
+    at[2] = 0;
+}
+
+static const struct lx_surface_chart plate_chart = {
+    .locate = lx_plane_locate,
+    .place = lx_plane_place,
+    .element = lx_plane_element,
+    .directions = lx_plane_directions,
+    .move = lx_plane_move,
+    .walls = 4,
+    .wall = wall_of_plate,
+    .rim = rim_of_plate,
+    .middle = lx_plane_middle,
+    .guess = lx_plane_guess,
+};
+
+/* ---- bounds and words ---- */
+
+/* The corner. */
+static double plate_support(const struct lx_shape *plate, const double direction[3], double place[3])
+{
+    for (int i = 0; i < 3; i++)
+        place[i] = copysign(plate->half_mm[0], lx_dot(direction, plate->across)) * plate->across[i] +
+                   copysign(plate->half_mm[1], lx_dot(direction, plate->upward)) * plate->upward[i];
+    return 0;
+}
+
+static const struct lx_surface_bounds plate_bounds = {
+    .support = plate_support,
+    .least_cosine = lx_plane_least_cosine,
+    .widest_turn = M_PI,
+    .curvature = lx_plane_curvature,
+};
+
+static const struct lx_surface_words plate_words = {
+    .sentence = LX_N("The normal {0} of a plate is its axis."),
+    .formulas = {"\\mathbf{N}"},
+};
 
 const struct lx_surface_kind lx_plate_kind = {
     .variant =
@@ -309,4 +290,13 @@ const struct lx_surface_kind lx_plate_kind = {
     .holds = plate_holds,
     .standing = plate_standing,
     .is_dark = plate_is_dark,
+    .normal = lx_plane_normal,
+    .distance = plate_distance,
+    .beside = plate_beside,
+    .shadow_edges = 5,
+    .shadow_edge = plate_shadow_edge,
+    .outline = plate_outline,
+    .chart = &plate_chart,
+    .bounds = &plate_bounds,
+    .words = &plate_words,
 };

@@ -6,6 +6,9 @@
 #include <math.h>
 #include <string.h>
 
+#include "../base/phrase.h"
+#include "../base/vector.h"
+#include "authored.h"
 #include "surface.h"
 
 static const struct lx_parameter sphere_parameters[] = {
@@ -157,13 +160,6 @@ static bool sphere_holds(const struct lx_shape *sphere, const double place_mm[3]
     return fabs(lx_length3(p).value - sphere->radius_mm) <= 1e-9 * sphere->radius_mm;
 }
 
-static enum lx_standing sphere_standing(const void *parameters, double observer_z_mm, bool perspective)
-{
-    const struct lx_sphere_parameters *sphere = parameters;
-    (void)perspective;
-    return observer_z_mm > sphere->center_mm[2] + sphere->radius_mm ? LX_STANDS_BEFORE : LX_STANDS_TOO_LOW;
-}
-
 /* The source is inside, or behind and in the shadow of the outline. */
 static bool sphere_is_dark(const void *parameters, const double place_mm[3])
 {
@@ -173,6 +169,301 @@ static bool sphere_is_dark(const void *parameters, const double place_mm[3])
         q[i] = (place_mm[i] - sphere->center_mm[i]) / sphere->radius_mm;
     return q[0] * q[0] + q[1] * q[1] + (q[2] < 0 ? 0 : q[2] * q[2]) <= 1;
 }
+
+static void sphere_normal(const struct lx_shape *sphere, const double offset_mm[3], double normal[3])
+{
+    for (int i = 0; i < 3; i++)
+        normal[i] = offset_mm[i] / sphere->radius_mm;
+}
+
+/*
+ * An element that looks outwards loses the light from below the tangent plane.  One that looks inwards, such as that of
+ * a table where a ball touches it, has what is inside the sphere in front of it, and loses all light from outside.
+ */
+static lx_bounded sphere_hides(const struct lx_shape *sphere, lx_bounded3 place_mm, double facing, lx_bounded3 towards,
+                               bool endless)
+{
+    lx_bounded3 from = lx_sub3(place_mm, lx_exact3(sphere->anchor_mm));
+    if (facing >= 0)
+        return lx_step(lx_negate(lx_dot3(from, towards)), false);
+    if (endless)
+        return lx_exact(1);
+    return lx_step(lx_sub(lx_length3(lx_add3(from, towards)), lx_exact(sphere->radius_mm)), false);
+}
+
+static bool sphere_encloses(const struct lx_shape *sphere, const double place_mm[3])
+{
+    lx_bounded3 from = lx_sub3(lx_exact3(place_mm), lx_exact3(sphere->anchor_mm));
+    return lx_length3(from).value < (1 - 1e-9) * sphere->radius_mm;
+}
+
+static double sphere_distance(const struct lx_shape *sphere, const double offset_mm[3], double direction[3])
+{
+    double length = sqrt(lx_dot(offset_mm, offset_mm));
+    for (int i = 0; i < 3; i++)
+        direction[i] = length > 0 ? offset_mm[i] / length : 0;
+    return length - sphere->radius_mm;
+}
+
+/* How far the way from a place passes outside of the sphere. */
+static double sphere_beside(const struct lx_shape *sphere, const double place[3], const double way[3], bool endless)
+{
+    double from[3], nearest[3];
+    for (int i = 0; i < 3; i++)
+        from[i] = place[i] - sphere->anchor_mm[i];
+    double t = fmax(-lx_dot(from, way) / lx_dot(way, way), 0);
+    if (!endless && t > 1)
+        t = 1;
+    for (int i = 0; i < 3; i++)
+        nearest[i] = from[i] + t * way[i];
+    return hypot(hypot(nearest[0], nearest[1]), nearest[2]) - sphere->radius_mm;
+}
+
+/* The sphere itself, and the cylinder, or cone, of the ways to the light that touch it. */
+static double sphere_shadow_edge(const struct lx_shape *sphere, const struct lx_origin *light, unsigned i,
+                                 const double place_mm[3])
+{
+    double from[3], axis[3];
+    for (int k = 0; k < 3; k++)
+        from[k] = place_mm[k] - sphere->anchor_mm[k];
+    const double square = lx_dot(from, from), r2 = sphere->radius_mm * sphere->radius_mm;
+    if (i == 0)
+        return square - r2;
+    if (light->endless) {
+        const double along = lx_dot(light->at, from);
+        return square - along * along - r2;
+    }
+    for (int k = 0; k < 3; k++) {
+        axis[k] = sphere->anchor_mm[k] - light->at[k];
+        from[k] = place_mm[k] - light->at[k];
+    }
+    const double sine = sphere->radius_mm / sqrt(lx_dot(axis, axis));
+    if (!(sine < 1))
+        return (double)NAN;
+    lx_normalize(axis);
+    const double along = lx_dot(axis, from);
+    return along * along - (1 - sine) * (1 + sine) * lx_dot(from, from);
+}
+
+/*
+ * On the circle that a row shows, at the angle a from the highest point, a light shines where
+ * D.(P - C) = y D_y + h (D_x sin a + D_z cos a) exceeds the threshold: for a point at C + D that is R^2, for light from
+ * the direction D it is 0.
+ */
+static bool sphere_lit_range(const struct lx_shape *sphere, const struct lx_origin *light, double y_mm, double *low_mm,
+                             double *high_mm)
+{
+    const double margin = 1e-9, radius = sphere->radius_mm, y = y_mm - sphere->anchor_mm[1];
+    const double h = sqrt(fmax(0, radius * radius - y * y));
+    double d[3];
+    const bool is_point = !lx_way_to(light, sphere->anchor_mm, d);
+    const double reach = h * hypot(d[0], d[2]), size = radius * sqrt(lx_dot(d, d));
+    const double least = (is_point ? radius * radius : 0) - d[1] * y - margin * (size + radius * radius);
+    if (least > reach)
+        return false;
+    *low_mm = -HUGE_VAL, *high_mm = HUGE_VAL;
+    if (!(d[2] > 0) || !(least > -reach))
+        return true;
+    const double middle = atan2(d[0], d[2]), half = acos(least / reach);
+    const double low = fmax(middle - half, -M_PI_2), high = fmin(middle + half, M_PI_2);
+    *low_mm = h * sin(low) - margin * radius + sphere->anchor_mm[0];
+    *high_mm = h * sin(high) + margin * radius + sphere->anchor_mm[0];
+    return true;
+}
+
+/* The middle direction of the part that faces the observer; returns the cosine of its rim. */
+static double front_of(const struct lx_shape *sphere, const struct lx_origin *eye, double front[3])
+{
+    bool endless = lx_way_to(eye, sphere->anchor_mm, front);
+    double distance_mm = lx_normalize(front);
+    return endless ? 0 : sphere->radius_mm / distance_mm;
+}
+
+static void sphere_outline(const struct lx_shape *sphere, const struct lx_origin *eye, int i, int steps,
+                           double place_mm[3], double inside_mm[3])
+{
+    double front[3], aside[3] = {1, 0, 0}, up[3] = {0, 1, 0};
+    const double height = front_of(sphere, eye, front), around = sqrt(1 - height * height);
+    const double turn = 2 * M_PI * i / steps;
+    if (!eye->endless) {
+        aside[0] = front[2], aside[1] = 0, aside[2] = -front[0]; /* up x front */
+        lx_normalize(aside);
+        for (int k = 0; k < 3; k++)
+            up[k] = front[(k + 1) % 3] * aside[(k + 2) % 3] - front[(k + 2) % 3] * aside[(k + 1) % 3];
+    }
+    for (int k = 0; k < 3; k++) {
+        place_mm[k] = sphere->anchor_mm[k] +
+                      sphere->radius_mm * (height * front[k] + around * (cos(turn) * aside[k] + sin(turn) * up[k]));
+        inside_mm[k] = place_mm[k] + 1e-3 * (sphere->anchor_mm[k] - place_mm[k]);
+    }
+}
+
+/* ---- coordinates: the unit normal ---- */
+
+static void locate_on_sphere(const struct lx_shape *sphere, const double offset_mm[3], const double normal[3],
+                             double at[3])
+{
+    (void)sphere, (void)offset_mm;
+    memcpy(at, normal, 3 * sizeof *at);
+    lx_normalize(at);
+}
+
+static void place_on_sphere(const struct lx_shape *sphere, const double at[3], double place_mm[3], double normal[3])
+{
+    for (int i = 0; i < 3; i++) {
+        place_mm[i] = sphere->anchor_mm[i] + sphere->radius_mm * at[i];
+        normal[i] = at[i];
+    }
+}
+
+static void element_on_sphere(const struct lx_shape *sphere, const double at[3], lx_bounded3 *place_mm,
+                              lx_bounded3 *normal)
+{
+    *normal = lx_unit3(lx_exact3(at));
+    *place_mm = lx_add3(lx_exact3(sphere->anchor_mm), lx_mul3(*normal, lx_exact(sphere->radius_mm)));
+}
+
+/* Across the axis that is farthest from the normal. */
+static void directions_on_sphere(const struct lx_shape *sphere, const double n[3], double first[3], double second[3])
+{
+    (void)sphere;
+    int least = fabs(n[0]) <= fabs(n[1]) ? 0 : 1;
+    least = fabs(n[2]) < fabs(n[least]) ? 2 : least;
+    for (int i = 0; i < 3; i++)
+        first[i] = (i == least) - n[least] * n[i];
+    lx_normalize(first);
+    for (int i = 0; i < 3; i++) {
+        int j = (i + 1) % 3, k = (i + 2) % 3;
+        second[i] = n[j] * first[k] - n[k] * first[j];
+    }
+}
+
+static void move_on_sphere(const struct lx_shape *sphere, const double at[3], const double first[3],
+                           const double second[3], const double step_mm[2], double moved[3])
+{
+    for (int i = 0; i < 3; i++)
+        moved[i] = at[i] + (step_mm[0] * first[i] + step_mm[1] * second[i]) / sphere->radius_mm;
+    lx_normalize(moved);
+}
+
+static double wall_of_sphere(const struct lx_shape *sphere, const struct lx_origin *eye, unsigned i, const double at[3])
+{
+    double front[3], rim = front_of(sphere, eye, front);
+    (void)i;
+    return sphere->radius_mm * (lx_dot(at, front) - rim);
+}
+
+static void rim_of_sphere(const struct lx_shape *sphere, const struct lx_origin *eye, int i, int count, double at[3])
+{
+    double front[3], first[3], second[3], out[3], rim = front_of(sphere, eye, front), turn = 2 * M_PI * i / count;
+    directions_on_sphere(sphere, front, first, second);
+    for (int k = 0; k < 3; k++)
+        out[k] = cos(turn) * first[k] + sin(turn) * second[k];
+    double along = lx_dot(out, front), sine = sqrt(1 - rim * rim);
+    for (int k = 0; k < 3; k++)
+        out[k] -= along * front[k];
+    lx_normalize(out);
+    for (int k = 0; k < 3; k++)
+        at[k] = rim * front[k] + sine * out[k];
+}
+
+static void middle_of_sphere(const struct lx_shape *sphere, const struct lx_origin *eye, double at[3])
+{
+    front_of(sphere, eye, at);
+}
+
+static bool is_near_limb(const struct lx_shape *sphere, const struct lx_origin *eye, const double at[3],
+                         double inside_mm[3])
+{
+    double front[3], rim = front_of(sphere, eye, front);
+    memcpy(inside_mm, sphere->anchor_mm, 3 * sizeof *inside_mm);
+    return lx_dot(at, front) < rim + 1e-3;
+}
+
+/* Where the sphere mirrors a light to the observer: between the two directions, where both make the same angle. */
+static void find_mirror(const struct lx_shape *sphere, const struct lx_origin *origin, const struct lx_origin *viewer,
+                        double at[3])
+{
+    double eye[3], light[3], across[3], place[3], normal[3], way[3], view[3];
+    lx_way_to(viewer, sphere->anchor_mm, eye);
+    lx_normalize(eye);
+    lx_way_to(origin, sphere->anchor_mm, light);
+    lx_normalize(light);
+    double along = lx_dot(eye, light);
+    for (int i = 0; i < 3; i++)
+        across[i] = light[i] - along * eye[i];
+    double angle = atan2(lx_normalize(across), along), low = 0, high = angle;
+    for (int step = 0; step < 60; step++) {
+        double middle = (low + high) / 2;
+        for (int i = 0; i < 3; i++)
+            at[i] = cos(middle) * eye[i] + sin(middle) * across[i];
+        place_on_sphere(sphere, at, place, normal);
+        lx_way_to(viewer, place, view);
+        lx_normalize(view);
+        lx_way_to(origin, place, way);
+        lx_normalize(way);
+        if (lx_dot(normal, way) < lx_dot(normal, view))
+            low = middle;
+        else
+            high = middle;
+    }
+}
+
+static int guess_on_sphere(const struct lx_shape *sphere, const struct lx_origin *light, const struct lx_origin *viewer,
+                           bool for_least, double at[LX_MOST_GUESSES][3])
+{
+    int count = 1;
+    lx_way_to(light, sphere->anchor_mm, at[0]);
+    lx_normalize(at[0]);
+    for (int i = 0; i < 3 && for_least; i++)
+        at[1][i] = -at[0][i];
+    count += for_least;
+    find_mirror(sphere, light, viewer, at[count]);
+    return count + 1;
+}
+
+static const struct lx_surface_chart sphere_chart = {
+    .by_normal = true,
+    .locate = locate_on_sphere,
+    .place = place_on_sphere,
+    .element = element_on_sphere,
+    .directions = directions_on_sphere,
+    .move = move_on_sphere,
+    .walls = 1,
+    .wall = wall_of_sphere,
+    .rim = rim_of_sphere,
+    .middle = middle_of_sphere,
+    .is_near_limb = is_near_limb,
+    .guess = guess_on_sphere,
+};
+
+/* ---- bounds and words ---- */
+
+static double sphere_support(const struct lx_shape *sphere, const double direction[3], double place[3])
+{
+    (void)direction;
+    place[0] = place[1] = place[2] = 0;
+    return sphere->radius_mm;
+}
+
+static double sphere_curvature(const struct lx_shape *sphere)
+{
+    return 1 / sphere->radius_mm;
+}
+
+static const struct lx_surface_bounds sphere_bounds = {
+    .support = sphere_support,
+    .widest_turn = M_PI_2,
+    .curvature = sphere_curvature,
+};
+
+static const struct lx_surface_words sphere_words = {
+    .height = "z = z_C + \\sqrt{R^2 - (x - x_C)^2 - (y - y_C)^2}",
+    .height_in_numbers = "@Z + \\sqrt{@R^2 - (@x - @X)^2 - (@y - @Y)^2} = @z",
+    .normal = "\\frac{\\mathbf{P} - \\mathbf{C}}{R}",
+    .sentence = LX_N("The normal of a sphere with the centre {0} and the radius {1} there is {2}."),
+    .formulas = {"\\mathbf{C}", "R", "\\mathbf{N} = (\\mathbf{P} - \\mathbf{C}) / R"},
+};
 
 const struct lx_surface_kind lx_sphere_kind = {
     .variant =
@@ -188,6 +479,17 @@ const struct lx_surface_kind lx_sphere_kind = {
     .hit = sphere_hit,
     .blocks = sphere_blocks,
     .holds = sphere_holds,
-    .standing = sphere_standing,
+    .normal = sphere_normal,
     .is_dark = sphere_is_dark,
+    .hides = sphere_hides,
+    .encloses = sphere_encloses,
+    .distance = sphere_distance,
+    .beside = sphere_beside,
+    .shadow_edges = 2,
+    .shadow_edge = sphere_shadow_edge,
+    .lit_range = sphere_lit_range,
+    .outline = sphere_outline,
+    .chart = &sphere_chart,
+    .bounds = &sphere_bounds,
+    .words = &sphere_words,
 };

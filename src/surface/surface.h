@@ -1,13 +1,17 @@
 /* SPDX-License-Identifier: MIT */
 /*
- * Kinds of surfaces.  A kind describes its authored parameters by a table and prepares its constants.
- * To add a kind: a file like sphere.c, and a line in registry.c.
+ * Kinds of surfaces.  A kind describes its authored parameters by a table, prepares its constants, and answers for its
+ * geometry: nothing outside this room asks which kind it has.  To add one: docs/ADDING-A-SURFACE.md.
+ *
+ * What a kind may leave out is NULL, and the functions at the end of this header, or whoever asks, then go the general
+ * way: float64 only, shadows and lines of sight by the reference, extrema by a search on the screen.
  */
 #ifndef LX_SURFACE_SURFACE_H
 #define LX_SURFACE_SURFACE_H
 
 #include "../base/bounded.h"
 #include "../parameter/table.h"
+#include "shape.h"
 
 /* A line of sight: origin + t direction, t > 0; the direction need not be of unit length. */
 struct lx_ray {
@@ -21,33 +25,10 @@ struct lx_hit {
     lx_bounded3 place_mm, normal;
 };
 
-struct lx_sphere_parameters {
-    uint64_t given;
-    double center_mm[3];
-    double radius_mm;
-};
-
-/* How a rectangle lies: base/pose.h. */
-struct lx_plate_parameters {
-    uint64_t given;
-    double center_mm[3];
-    double size_mm[2];
-    double axis[3], up[3];
-};
-
-/* The shapes that the kernels and references know, with their constants. */
-enum lx_shape_type { LX_SPHERE, LX_PLATE, LX_SHAPE_TYPES };
-
-struct lx_shape {
-    enum lx_shape_type type;
-    double anchor_mm[3]; /* offsets on the surface are measured from here: its centre */
-    double radius_mm;    /* no point of it is farther away: a sphere's radius, half a plate's diagonal */
-    /* of a plate: */
-    double normal[3];                     /* its axis without rounding, of a length near 1 */
-    double axis[3], across[3], upward[3]; /* unit: the normal, along its width, along its height */
-    double axis_error[3], across_error[3], upward_error[3];
-    double half_mm[2]; /* of width and height, with room for rounding: edges belong to it */
-    double touch_mm;   /* places that near to its plane lie on it: nothing is between them and it */
+/* Where a light or an observer is: a place in mm, or, `endless`, a direction. */
+struct lx_origin {
+    bool endless;
+    double at[3];
 };
 
 /* How an observer stands to a surface. */
@@ -58,28 +39,144 @@ enum lx_standing {
     LX_TURNED_AWAY     /* its front is turned away from whoever looks along -z */
 };
 
+enum { LX_MOST_GUESSES = 4 };
+
+/*
+ * Coordinates on a surface that stay smooth where the screen's do not, as at the rim of a sphere, in which a search can
+ * walk: three numbers `at`, of which a kind may leave some 0.
+ */
+struct lx_surface_chart {
+    bool by_normal; /* the coordinates are the unit normal itself, as of a sphere alone */
+    /* Of a place, as an offset from the anchor, and its unit normal. */
+    void (*locate)(const struct lx_shape *shape, const double offset_mm[3], const double normal[3], double at[3]);
+    void (*place)(const struct lx_shape *shape, const double at[3], double place_mm[3], double normal[3]);
+    /* The same with bounds of the errors; `at` need not be normalized. */
+    void (*element)(const struct lx_shape *shape, const double at[3], lx_bounded3 *place_mm, lx_bounded3 *normal);
+    /* Two directions in which coordinates change, and coordinates moved by so many mm along them. */
+    void (*directions)(const struct lx_shape *shape, const double at[3], double first[3], double second[3]);
+    void (*move)(const struct lx_shape *shape, const double at[3], const double first[3], const double second[3],
+                 const double step_mm[2], double moved[3]);
+    /* Where what can be seen ends: how far inside of wall i (from 0 to walls - 1) a place lies, about in mm. */
+    unsigned walls;
+    double (*wall)(const struct lx_shape *shape, const struct lx_origin *eye, unsigned i, const double at[3]);
+    /* Place i of `count` along the rim of what can be seen, and the middle of that. */
+    void (*rim)(const struct lx_shape *shape, const struct lx_origin *eye, int i, int count, double at[3]);
+    void (*middle)(const struct lx_shape *shape, const struct lx_origin *eye, double at[3]);
+    /* NULL where lines of sight nowhere touch the surface.  Whether they nearly do so at a place, so that the screen
+     * does not tell it from others; then *inside is a place towards whose picture the surface goes on. */
+    bool (*is_near_limb)(const struct lx_shape *shape, const struct lx_origin *eye, const double at[3],
+                         double inside_mm[3]);
+    /* Places where geometry puts extrema under a light: where it is nearest, where it is mirrored to `viewer`; for the
+     * least value also where it is farthest.  Returns how many; NULL: none are known. */
+    int (*guess)(const struct lx_shape *shape, const struct lx_origin *light, const struct lx_origin *viewer,
+                 bool for_least, double at[LX_MOST_GUESSES][3]);
+};
+
+/* What the a-priori bounds of rounding (shade/precision.h) ask of a shape. */
+struct lx_surface_bounds {
+    /* The place of a convex body that is farthest in a direction, from the anchor; returns the radius of the ball that
+     * has to be added to that body for the surface. */
+    double (*support)(const struct lx_shape *shape, const double direction[3], double place[3]);
+    /* The least cosine over the surface between its normal and the direction to a place at the distance `away`; or a
+     * direction (0).  NULL: not known. */
+    double (*least_cosine)(const struct lx_shape *shape, const double towards[3], double away);
+    double widest_turn; /* of the direction from the surface to a place nearer to the anchor than radius_mm */
+    /* 1/R of a sphere, 0 of a plane.  NULL: neither of them. */
+    double (*curvature)(const struct lx_shape *shape);
+};
+
+/*
+ * What explanations say of a kind: a formula for the height along z, that with numbers for @R, @x, @y, @z (the place),
+ * @X, @Y, @Z (the centre); one for the normal; a sentence (LX_N) with its formulas, NULL beyond the last.
+ */
+struct lx_surface_words {
+    const char *height, *height_in_numbers, *normal;
+    const char *sentence, *formulas[4];
+};
+
 struct lx_surface_kind {
     struct lx_variant variant; /* first, so that a variant of the list `surfaces` is its kind */
+
+    /* -- required -- */
+
     /* The extent of the surface along the axes, in mm: lowest and highest x, y, z. */
     void (*extent)(const void *parameters, double low_mm[3], double high_mm[3]);
-    /* How far it reaches along a direction: the greatest place . direction over the surface. */
-    double (*farthest)(const void *parameters, const double direction[3]);
-    /* The shape: the constants that the kernels and the reference below compute with. */
+    /* The shape: the constants that all below compute with.  lx_surface_shape() sets its kind. */
     struct lx_shape (*shape)(const void *parameters);
-    /* The reference: the first point of the surface on the ray, seen from outside. */
+    /* The reference: the first point of the surface on the ray, seen from its front. */
     struct lx_hit (*hit)(const struct lx_shape *shape, const struct lx_ray *ray);
+    /* The unit normal at a place of the surface, an offset from the anchor. */
+    void (*normal)(const struct lx_shape *shape, const double offset_mm[3], double normal[3]);
     /* Whether the surface crosses the open way from a place to `towards` away from it, that is between the
      * parameters 0 and 1 of place + t towards; `endless`: from 0 on.  1 or 0, the error 1 where it is in doubt. */
     lx_bounded (*blocks)(const struct lx_shape *shape, lx_bounded3 place_mm, lx_bounded3 towards, bool endless);
     /* Whether a place lies on the surface, to 1e-9 of its size. */
     bool (*holds)(const struct lx_shape *shape, const double place_mm[3]);
-    /* How an observer stands to it who is at (0, 0, z), or, not in perspective, looks along -z from all that height. */
+
+    /* -- what may be NULL -- */
+
+    /* How far it reaches along a direction: the greatest place . direction over the surface.  NULL: as its extent. */
+    double (*farthest)(const void *parameters, const double direction[3]);
+    /* How an observer stands to it who is at (0, 0, z), or, not in perspective, looks along -z from all that height.
+     * NULL: before it where all of it is lower. */
     enum lx_standing (*standing)(const void *parameters, double observer_z_mm, bool perspective);
-    /* Whether a source here lights nothing of it that is seen along -z: it is inside or behind. */
+    /* Whether a source here lights nothing of it that is seen along -z: it is inside or behind.  NULL: never. */
     bool (*is_dark)(const void *parameters, const double place_mm[3]);
+    /*
+     * Whether it takes light from a free element that it holds, on the side that the element's unit normal looks to;
+     * `facing` is that normal's cosine to the surface's own.  The way to the light and the answer are as of `blocks`.
+     * NULL: light from the other side of the tangent plane has to come through.
+     */
+    lx_bounded (*hides)(const struct lx_shape *shape, lx_bounded3 place_mm, double facing, lx_bounded3 towards,
+                        bool endless);
+    /* Whether a place is inside the body that it bounds, and not on the surface.  NULL: it bounds none. */
+    bool (*encloses)(const struct lx_shape *shape, const double place_mm[3]);
+    /* How far outside of it a place is, an offset from the anchor, and in which direction from the nearest point; less
+     * than 0 inside or behind.  NULL: by the ball around it. */
+    double (*distance)(const struct lx_shape *shape, const double offset_mm[3], double direction[3]);
+    /* How far the way from a place passes by it; 0 on the edge of its shadow, less inside, smooth beside both. */
+    double (*beside)(const struct lx_shape *shape, const double place_mm[3], const double way[3], bool endless);
+    /* Quadratic functions of the place, one of which is 0 where its shadow begins: the value of function i, from 0 to
+     * shadow_edges - 1, at a place; NaN where the light makes no such edge. */
+    unsigned shadow_edges;
+    double (*shadow_edge)(const struct lx_shape *shape, const struct lx_origin *light, unsigned i,
+                          const double place_mm[3]);
+    /* Where along a row of lines of sight along -z light may arrive, as a range of x; false: nowhere. */
+    bool (*lit_range)(const struct lx_shape *shape, const struct lx_origin *light, double y_mm, double *low_mm,
+                      double *high_mm);
+    /* Place i of `steps` along the closed outline of what is seen of it, and one that is seen a little inside. */
+    void (*outline)(const struct lx_shape *shape, const struct lx_origin *eye, int i, int steps, double place_mm[3],
+                    double inside_mm[3]);
+    const struct lx_surface_chart *chart;
+    const struct lx_surface_bounds *bounds;
+    const struct lx_surface_words *words;
 };
 
 /* NULL-terminated: the variants of the list `surfaces`. */
 extern const struct lx_variant *const lx_surface_variants[];
+
+/* The way from a place to a light or an observer; returns whether it is without end. */
+static inline bool lx_way_to(const struct lx_origin *origin, const double place_mm[3], double way[3])
+{
+    for (int i = 0; i < 3; i++)
+        way[i] = origin->endless ? origin->at[i] : origin->at[i] - place_mm[i];
+    return origin->endless;
+}
+
+/* The shape of authored parameters. */
+struct lx_shape lx_surface_shape(const struct lx_surface_kind *kind, const void *parameters);
+
+/* What the kind answers, or in general. */
+double lx_surface_farthest(const struct lx_surface_kind *kind, const void *parameters, const double direction[3]);
+enum lx_standing lx_surface_standing(const struct lx_surface_kind *kind, const void *parameters, double observer_z_mm,
+                                     bool perspective);
+bool lx_surface_is_dark(const struct lx_surface_kind *kind, const void *parameters, const double place_mm[3]);
+double lx_shape_distance(const struct lx_shape *shape, const double offset_mm[3], double direction[3]);
+
+/* Whether a search can walk on it and over the edges of its shadow. */
+bool lx_shape_is_walkable(const struct lx_shape *shape);
+
+/* Whether its rim is where lines of sight touch it. */
+bool lx_shape_has_limb(const struct lx_shape *shape);
 
 #endif

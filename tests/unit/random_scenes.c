@@ -172,7 +172,7 @@ void make_random_scene(struct randomness *random, bool with_plates, struct test_
         const struct lx_surface_kind *kind = kind_called(is_plate ? "rectangle" : "sphere");
         test->surfaces[i] = (struct lx_prepared_surface){.kind = kind,
                                                          .parameters = parameters,
-                                                         .shape = kind->shape(parameters),
+                                                         .shape = lx_surface_shape(kind, parameters),
                                                          .lobe = lx_lobe_prepare(&material)};
     }
     size_t lights = 1 + (size_t)pick(random, MAXIMUM_LIGHTS);

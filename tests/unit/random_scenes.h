@@ -10,6 +10,7 @@
 #include <stdint.h>
 
 #include "shade/prepared.h"
+#include "surface/authored.h"
 
 enum { COLUMNS = 67, ROWS = 53, MAXIMUM_LIGHTS = 4, MAXIMUM_SURFACES = 3 };
 

@@ -23,6 +23,7 @@
 #include "shade/camera.h"
 #include "shade/reference.h"
 #include "shade/shader.h"
+#include "surface/authored.h"
 
 /* Pictures that are darker than this are black in float32. */
 static const double LEAST_FLOAT = 1e-30;
@@ -115,8 +116,10 @@ static void set_surface(struct randomness *random, struct test_scene *test)
     }
     const void *parameters = is_plate ? (const void *)&test->plate : (const void *)&test->sphere;
     struct lx_material material = random_material(random);
-    test->surface = (struct lx_prepared_surface){
-        .kind = kind, .parameters = parameters, .shape = kind->shape(parameters), .lobe = lx_lobe_prepare(&material)};
+    test->surface = (struct lx_prepared_surface){.kind = kind,
+                                                 .parameters = parameters,
+                                                 .shape = lx_surface_shape(kind, parameters),
+                                                 .lobe = lx_lobe_prepare(&material)};
 }
 
 /* Where a source of this size may stand: before the surface, beside it, just above it, or anywhere. */

@@ -160,8 +160,10 @@ static void make_edge_scene(struct randomness *random, bool is_gated, bool is_pl
                                          .diffuse = uniform(random, 0.1, 1),
                                          .specular = uniform(random, 0.1, 1),
                                          .shininess = uniform(random, 1, 20)};
-    test->surfaces[0] = (struct lx_prepared_surface){
-        .kind = kind, .parameters = parameters, .shape = kind->shape(parameters), .lobe = lx_lobe_prepare(&material)};
+    test->surfaces[0] = (struct lx_prepared_surface){.kind = kind,
+                                                     .parameters = parameters,
+                                                     .shape = lx_surface_shape(kind, parameters),
+                                                     .lobe = lx_lobe_prepare(&material)};
 
     const double outer = uniform(random, 0.1, 90), narrow = logarithmic(random, 1e-3, outer);
     const enum lx_falloff falloff = (enum lx_falloff)(1 + pick(random, 4));

@@ -20,6 +20,8 @@
 #include "shade/precision.h"
 #include "shade/shell.h"
 
+extern const struct lx_surface_kind lx_sphere_kind;
+
 enum { SCENES = 24, EVERY = 16 };
 
 /* What the two sets of rules of pictures may be off by, of the greatest value. */
@@ -238,7 +240,7 @@ static double random_sphere(struct randomness *random, double reach, struct lx_e
     double direction[3];
     const double radius = reach * logarithmic(random, 0.1, 30), gap = reach * logarithmic(random, 0.03, 10);
     random_direction(random, direction);
-    *sphere = (struct lx_shape){.type = LX_SPHERE, .radius_mm = radius};
+    *sphere = (struct lx_shape){.type = LX_SPHERE, .kind = &lx_sphere_kind, .radius_mm = radius};
     for (int k = 0; k < 3; k++) {
         sphere->anchor_mm[k] = direction[k] * (radius + reach + gap);
         emitter->center_mm[k] = 0;

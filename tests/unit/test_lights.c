@@ -19,7 +19,10 @@
 
 static const double anchor[3] = {10, -20, 700};
 
-static const struct lx_shape sphere = {.type = LX_SPHERE, .anchor_mm = {0, 0, 1000}, .radius_mm = 300};
+extern const struct lx_surface_kind lx_sphere_kind;
+
+static const struct lx_shape sphere = {
+    .type = LX_SPHERE, .kind = &lx_sphere_kind, .anchor_mm = {0, 0, 1000}, .radius_mm = 300};
 
 /* What the header says of each number, plainly. */
 static void assert_constants(const struct lx_emitter *emitter, const struct lx_light_double *light)

@@ -11,6 +11,7 @@
 
 #include "base/pose.h"
 #include "scenes.h"
+#include "surface/authored.h"
 #include "surface/surface.h"
 
 enum { TEXT_SIZE = 2000 };
@@ -312,7 +313,7 @@ static void test_reference(void **state)
     const struct lx_surface_kind *kind = rectangle();
     const struct lx_plate_parameters plate = {
         .center_mm = {10, 20, 30}, .size_mm = {200, 100}, .axis = {3, 0, 4}, .up = {0, 1, 0}};
-    const struct lx_shape shape = kind->shape(&plate);
+    const struct lx_shape shape = lx_surface_shape(kind, &plate);
     assert_near(component(shape.across, (double[]){4, 0, -3}), 5, 1e-15);
     double low[3], high[3];
     kind->extent(&plate, low, high);

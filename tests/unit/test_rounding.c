@@ -16,7 +16,9 @@
 
 static const double unit = 0x1p-24, allowance = 2.5e-6;
 
-static const struct lx_shape sphere = {.type = LX_SPHERE, .radius_mm = 300};
+extern const struct lx_surface_kind lx_sphere_kind;
+
+static const struct lx_shape sphere = {.type = LX_SPHERE, .kind = &lx_sphere_kind, .radius_mm = 300};
 
 static void assert_near(double found, double expected, double relative)
 {

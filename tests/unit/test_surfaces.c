@@ -72,7 +72,7 @@ static void make_body(struct randomness *random, bool is_plate, struct body *bod
     for (int i = 0; i < 3; i++) /* the length of a direction does not matter */
         body->plate.axis[i] *= 7;
     body->parameters = is_plate ? (const void *)&body->plate : &body->sphere;
-    body->shape = body->kind->shape(body->parameters);
+    body->shape = lx_surface_shape(body->kind, body->parameters);
 }
 
 /* -- shapes -- */
@@ -261,8 +261,8 @@ static void standing(void **state)
         const double from[3] = {place[0] - body.shape.anchor_mm[0], place[1] - body.shape.anchor_mm[1],
                                 place[2] - body.shape.anchor_mm[2]};
         const double eye[3] = {-body.shape.anchor_mm[0], -body.shape.anchor_mm[1], z - body.shape.anchor_mm[2]};
-        enum lx_standing central = body.kind->standing(body.parameters, z, true);
-        enum lx_standing parallel = body.kind->standing(body.parameters, z, false);
+        enum lx_standing central = lx_surface_standing(body.kind, body.parameters, z, true);
+        enum lx_standing parallel = lx_surface_standing(body.kind, body.parameters, z, false);
         bool dark = body.kind->is_dark(body.parameters, place);
         if (n % 2) {
             assert_int_equal(central, dot(eye, body.axis) > 0 ? LX_STANDS_BEFORE : LX_STANDS_BEHIND);

@@ -1,0 +1,34 @@
+/* SPDX-License-Identifier: MIT */
+/* Vectors of three plain float64 numbers, and places around a square. */
+#ifndef LX_BASE_VECTOR_H
+#define LX_BASE_VECTOR_H
+
+#include <math.h>
+
+static inline double lx_dot(const double a[3], const double b[3])
+{
+    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+}
+
+/* The length of a vector, which becomes of unit length unless it is 0. */
+static inline double lx_normalize(double a[3])
+{
+    double length = sqrt(lx_dot(a, a));
+    if (!(length > 1e-140 && length < 1e140)) /* squares out of the range */
+        length = hypot(hypot(a[0], a[1]), a[2]);
+    for (int i = 0; i < 3 && length > 0; i++)
+        a[i] /= length;
+    return length;
+}
+
+/* Place i of `count` around the square from (-1, -1) to (1, 1), counter-clockwise from its lower left corner; the
+ * corners are among them if their number is a multiple of 4. */
+static inline void lx_around_square(int i, int count, double at[2])
+{
+    int side = 4 * i / count;
+    double along = 2 * (4.0 * i / count - side) - 1;
+    at[0] = side == 0 ? along : side == 1 ? 1 : side == 2 ? -along : -1;
+    at[1] = side == 0 ? -1 : side == 1 ? along : side == 2 ? 1 : -along;
+}
+
+#endif

@@ -1,0 +1,81 @@
+/* SPDX-License-Identifier: MIT */
+/* The general way of shapes without kernels: ray by ray and element by element, by the reference of their kind. */
+#include "general.h"
+
+#include <math.h>
+
+#include "../base/vector.h"
+
+static size_t meet_by_hit(const struct lx_shape *shape, const struct lx_row_view *view, const double *x_mm,
+                          size_t count, double *depth, double *px, double *py, double *pz)
+{
+    size_t met = 0;
+    for (size_t i = 0; i < count; i++) {
+        struct lx_ray ray = {.origin_mm = {x_mm[i], view->y_mm, view->observer_z_mm}, .direction = {0, 0, -1}};
+        if (view->perspective)
+            ray = (struct lx_ray){.origin_mm = {0, 0, view->observer_z_mm},
+                                  .direction = {x_mm[i], view->y_mm, -view->observer_z_mm}};
+        const struct lx_hit hit = shape->kind->hit(shape, &ray);
+        depth[i] = hit.exists ? hit.t : HUGE_VAL;
+        px[i] = hit.exists ? hit.place_mm.x.value - shape->anchor_mm[0] : 0;
+        py[i] = hit.exists ? hit.place_mm.y.value - shape->anchor_mm[1] : 0;
+        pz[i] = hit.exists ? hit.place_mm.z.value - shape->anchor_mm[2] : 0;
+        met += hit.exists;
+    }
+    return met;
+}
+
+static void complete_by_normal(const struct lx_shape *shape, const double *observer_mm, struct lx_block_double *block,
+                               struct lx_block_single *copy, size_t count)
+{
+    for (size_t i = 0; i < lx_padded(count); i++) {
+        const double place[3] = {block->px[i], block->py[i], block->pz[i]};
+        double normal[3];
+        shape->kind->normal(shape, place, normal);
+        block->nx[i] = normal[0], block->ny[i] = normal[1], block->nz[i] = normal[2];
+        copy->px[i] = (float)place[0], copy->py[i] = (float)place[1], copy->pz[i] = (float)place[2];
+        copy->nx[i] = (float)normal[0], copy->ny[i] = (float)normal[1], copy->nz[i] = (float)normal[2];
+        if (!observer_mm)
+            continue;
+        double view[3] = {observer_mm[0] - place[0], observer_mm[1] - place[1], observer_mm[2] - place[2]};
+        lx_normalize(view);
+        block->vx[i] = view[0], block->vy[i] = view[1], block->vz[i] = view[2];
+        copy->vx[i] = (float)view[0], copy->vy[i] = (float)view[1], copy->vz[i] = (float)view[2];
+    }
+}
+
+static void block_by_way(const struct lx_blocker *blocker, const struct lx_block_double *block, size_t count,
+                         float *open)
+{
+    const struct lx_shape *shape = &blocker->shape;
+    const struct lx_origin light = {.endless = !blocker->is_point,
+                                    .at = {blocker->light[0], blocker->light[1], blocker->light[2]}};
+    for (size_t i = 0; i < count; i++) {
+        const double place[3] = {block->px[i], block->py[i], block->pz[i]};
+        double way[3];
+        const bool endless = lx_way_to(&light, place, way);
+        if (shape->kind->blocks(shape, lx_exact3(place), lx_exact3(way), endless).value > 0)
+            open[i] = 0;
+    }
+}
+
+size_t lx_meet_shape(const struct lx_kernels *kernels, const struct lx_shape *shape, const struct lx_row_view *view,
+                     const double *x_mm, size_t count, double *depth, double *px, double *py, double *pz)
+{
+    lx_meet_lines *meet = lx_has_kernels(shape) ? kernels->meet_lines[shape->type] : meet_by_hit;
+    return meet(shape, view, x_mm, count, depth, px, py, pz);
+}
+
+void lx_complete_shape(const struct lx_kernels *kernels, const struct lx_shape *shape, const double *observer_mm,
+                       struct lx_block_double *block, struct lx_block_single *copy, size_t count)
+{
+    lx_complete_block *complete = lx_has_kernels(shape) ? kernels->complete_block[shape->type] : complete_by_normal;
+    complete(shape, observer_mm, block, copy, count);
+}
+
+void lx_block_shape(const struct lx_kernels *kernels, const struct lx_blocker *blocker,
+                    const struct lx_block_double *block, size_t count, float *open)
+{
+    lx_block_light *take = lx_has_kernels(&blocker->shape) ? kernels->block_light[blocker->shape.type] : block_by_way;
+    take(blocker, block, count, open);
+}

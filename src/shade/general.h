@@ -1,0 +1,27 @@
+/* SPDX-License-Identifier: MIT */
+/*
+ * Shapes in blocks: lines of sight that meet them, elements made whole, and light that they take away, by the kernels
+ * that a shape has, or else by its kind's float64 reference.  Arguments and results are as kernel.h has them.
+ */
+#ifndef LX_SHADE_GENERAL_H
+#define LX_SHADE_GENERAL_H
+
+#include "../surface/surface.h"
+#include "kernel.h"
+
+/* Whether a shape has kernels of its own, so that all that is made for these may be used. */
+static inline bool lx_has_kernels(const struct lx_shape *shape)
+{
+    return shape->type < LX_SHAPE_TYPES;
+}
+
+size_t lx_meet_shape(const struct lx_kernels *kernels, const struct lx_shape *shape, const struct lx_row_view *view,
+                     const double *x_mm, size_t count, double *depth, double *px, double *py, double *pz);
+
+void lx_complete_shape(const struct lx_kernels *kernels, const struct lx_shape *shape, const double *observer_mm,
+                       struct lx_block_double *block, struct lx_block_single *copy, size_t count);
+
+void lx_block_shape(const struct lx_kernels *kernels, const struct lx_blocker *blocker,
+                    const struct lx_block_double *block, size_t count, float *open);
+
+#endif
