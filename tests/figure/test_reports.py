@@ -5,6 +5,7 @@ import re
 import subprocess
 
 import numpy as np
+import yaml
 
 from tap import Tap
 from tool import run_tests
@@ -266,6 +267,51 @@ def parameters(tap, tool):
         tap.equal([table[key][0].strip("$"), table[key][2]], [symbol, value], key)
 
 
+def given_keys(value, prefix=""):
+    """The keys of an element of a scene as rows name them, with what they were given."""
+    for key, inner in value.items():
+        if isinstance(inner, dict):
+            yield from given_keys(inner, prefix + key + ".")
+        elif key not in ("type", "name", "enabled"):
+            yield prefix + key, inner
+
+
+def says_value(cell, value):
+    """Whether a row's cell holds a value of the scene."""
+    if isinstance(value, bool):
+        return cell == str(value).lower()
+    if isinstance(value, str):
+        return value in cell
+    found = [float(number) for number in re.findall(r"-?\d+(?:\.\d+)?(?:e[+-]?\d+)?", cell)]
+    wanted = np.ravel(value).tolist()
+    return found[:len(wanted)] == wanted
+
+
+def every_row(tap, tool):
+    """Every key that an element of a scene gives has its row, and no row belongs to a group that was not given."""
+    volumes = ["{type: volume, box: {center: [0, 900, 2000], size: [90, 80, 70]}, power: 9}",
+               "{type: volume, sphere: {center: [0, 900, 2000], radius: 40}, radiance: 7}",
+               "{type: volume, cylinder: {center: [0, 900, 2000], radius: 40, height: 300}, radiance: 7}",
+               "{type: planar, vertices: [[0, 900, 2000], [0, 950, 2000], [50, 900, 2000]], intensity: 3}",
+               "{type: planar, disk: {center: [0, 900, 2000], radius: 30}, power: 3}",
+               "{type: planar, rectangle: {center: [0, 900, 2000], size: [30, 20]}, radiance: 3}"]
+    scenes = [("report", ["lights=[%s]" % light]) for light in volumes] + [("all-sources", [])]
+    for scene, changes in scenes:
+        parts = [part for change in changes + ["screen.resolution=[64,64]"] for part in ("-s", change)]
+        text = tool.run("report", scene, *parts, "-o", "r.md") and tool.read("r.md").decode()
+        written = yaml.safe_load(tool.run("scene", scene, *parts).out)
+        for name in ("surfaces", "lights"):
+            for i, element in enumerate(written[name]):
+                title = "%s[%d] of %s" % (name, i, changes[0] if changes else scene)
+                table = rows(next(part for part in text.split("\n#") if "%s\\[%d\\]" % (name, i) in part.split("\n")[0]))
+                given = dict(given_keys(element))
+                wrong = [key for key, value in given.items() if not says_value(table.get(key, [""] * 3)[2], value)]
+                tap.equal(wrong, [], title + ": what was given")
+                groups = {key.split(".")[0] for key in given if "." in key} | {"material"}
+                strangers = [key for key in table if "." in key and key.split(".")[0] not in groups]
+                tap.equal(strangers, [], title + ": rows of what was not given")
+
+
 COVER = {"institution": "Ångström & Co", "faculty": "Physics <b>", "course": "Computer graphics",
          "teacher": "P. Petrov", "place": "Saint Petersburg", "author": "A_B $x$", "group": "4321", "date": "2026",
          "aim": "To see the light."}
@@ -311,5 +357,5 @@ def scene_on_one_page(tap, tool):
         tap.ok("Repetition" in pages[having[0]], "%d lights: with its heading" % count)
 
 
-run_tests(Tap(), the_exercise, kinds_of_light, other_scenes, quantities, repetition, parameters, title_page,
+run_tests(Tap(), the_exercise, kinds_of_light, other_scenes, quantities, repetition, parameters, every_row, title_page,
           scene_on_one_page)

@@ -289,6 +289,31 @@ static void uncertainty(void **unused)
     clear(&panel);
 }
 
+/*
+ * From where an edge of a box goes on beyond its end, that edge is seen end on and two faces from their sides: what is
+ * left is the face at that end, straight above its corner, whose light has a closed form (Howell's catalogue, B-3).
+ */
+static void edges_seen_end_on(void **unused)
+{
+    static const double center[3] = {30, -20, 10}, size[3] = {6, 4, 2}, away = 5;
+    struct shape box = one_piece(lx_facets_of_box(center, size));
+    (void)unused;
+    for (int i = 0; i < 24; i++) { /* 3 directions, 4 edges, 2 ends */
+        const int k = i % 3, u = (k + 1) % 3, v = (k + 2) % 3;
+        const double side = i / 3 % 2 ? 1 : -1, a = size[u] / away, b = size[v] / away;
+        double place[3], normal[3] = {0};
+        place[k] = center[k] + side * (0.5 * size[k] + away);
+        place[u] = center[u] + (i / 6 % 2 ? 0.5 : -0.5) * size[u];
+        place[v] = center[v] + (i / 12 % 2 ? 0.5 : -0.5) * size[v];
+        normal[k] = -side;
+        const lx_bounded found = light(&box, place, normal);
+        const double root = sqrt(1 + a * a), other = sqrt(1 + b * b);
+        assert_near(found.value, 0.5 * (a / root * atan(b / root) + b / other * atan(a / other)), 1e-14, "end on");
+        assert_true(found.error <= 1e-12 * found.value);
+    }
+    clear(&box);
+}
+
 /* ---- what must be so ---- */
 
 /* Cuts a quadrilateral in two, a corner of which is a rounded place of an edge. */
@@ -530,6 +555,7 @@ int main(void)
         cmocka_unit_test(touching),
         cmocka_unit_test(origin),
         cmocka_unit_test(uncertainty),
+        cmocka_unit_test(edges_seen_end_on),
         cmocka_unit_test(parts_add_up),
         cmocka_unit_test(scaling),
         cmocka_unit_test(faces_make_the_silhouette),

@@ -71,6 +71,13 @@ static void replaces_values(void **state)
         {"shadows: # c\n  # d\n  none # e\n", {"shadows=points"}, "shadows: # c\n  # d\n  points # e\n"},
         {"shadows:\n", {"shadows=none"}, "shadows: none\n"},
         {"shadows:", {"shadows=none"}, "shadows: none"},
+        /* values of several lines, and blocks, become one line wherever they go */
+        {"units: x\n", {"units=one\n  two"}, "units: one two\n"},
+        {"units: x\n", {"units=\"one\n  two\""}, "units: one two\n"},
+        {"units: x\n", {"units='one\n\n  two'"}, "units: \"one\\ntwo\"\n"},
+        {"units: x\n", {"units=|\n  one\n  two"}, "units: \"one\\ntwo\\n\"\n"},
+        {"units: x\n", {"units=|-\n  one"}, "units: one\n"},
+        {"{units: x, shadows: y}\n", {"units=>-\n  one\n  two"}, "{units: one two, shadows: y}\n"},
         {"shadows:  # c\nunits: x\n", {"shadows=none"}, "shadows: none  # c\nunits: x\n"},
         {"? shadows\n: none\n", {"shadows=points"}, "? shadows\n: points\n"},
         {"shadows : none\n", {"shadows=points"}, "shadows : points\n"},
