@@ -28,7 +28,7 @@
 /* Pictures that are darker than this are black in float32. */
 static const double LEAST_FLOAT = 1e-30;
 
-enum { COLUMNS = 75, ROWS = 7, MAXIMUM_LIGHTS = 2 };
+enum { COLUMNS = 75, ROWS = 3, MAXIMUM_LIGHTS = 2 };
 
 /* xorshift64*: the same scenes on every machine */
 struct randomness {
