@@ -15,6 +15,8 @@ SANITIZE ?= gcc clang
 MESON = $(shell test -x /usr/bin/meson && echo /usr/bin/meson || echo meson)
 PYTHON = $(shell test -x /usr/bin/python3 && echo /usr/bin/python3 || echo python3)
 JOBS = $(shell nproc 2>/dev/null || echo 2)
+# Tests wait for windows, files and processes at times; one more of them than processors fills these gaps.
+PROCESSES = $(shell expr $(JOBS) + 1)
 
 COMPILE = $(MESON) compile -j $(JOBS) -C
 RUN_TESTS = $(PYTHON) tools/run_tests.py $(MESON)
@@ -87,7 +89,7 @@ python: setup $(BUILD)/build.ninja
 	@echo 'PYTHONPATH=$(BUILD)/python python3 -c "import luxel"'
 
 check: setup build
-	@$(RUN_TESTS) $(BUILD) --num-processes $(JOBS) $(TESTS)
+	@$(RUN_TESTS) $(BUILD) --num-processes $(PROCESSES) $(TESTS)
 
 # Whole or not at all, as the page of the validation.
 bench: build
