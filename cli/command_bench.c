@@ -15,7 +15,16 @@
 #include "progress.h"
 #include "text.h"
 
-enum { SIDE = 800, COARSE_SIDE = 600, MANY = 16, LEAST_RUNS = 3, MOST_RUNS = 400, MOST_ROWS = 96, MOST_SETS = 8 };
+enum {
+    SIDE = 800,
+    STRIP = 6000,
+    NARROW = 60,
+    MANY = 16,
+    LEAST_RUNS = 3,
+    MOST_RUNS = 400,
+    MOST_ROWS = 128,
+    MOST_SETS = 8
+};
 
 /* How long one measurement goes on at least. */
 static const double LEAST_SECONDS = 0.15;
@@ -24,7 +33,8 @@ static const double LEAST_SECONDS = 0.15;
 enum bench_view {
     FROM_AFAR, /* by parallel lines of sight */
     IN_PERSPECTIVE,
-    COARSELY, /* in COARSE_SIDE pixels, so that no polynomials take the place of its lights (docs/KERNELS.md) */
+    IN_A_STRIP, /* as many pixels, but so few rows of them that no polynomials take the place of lights */
+    NOT_ALONE,  /* with a small sphere beside the picture, which may throw shadows */
 };
 
 /*
@@ -59,7 +69,9 @@ static const struct bench_case cases[] = {
     {N_("point, in perspective"), "point-perspective", POINT(""), "shininess: 20", MANY, 41, LUXEL_BRIGHTNESS, 1, 0,
      IN_PERSPECTIVE},
     {N_("point, each pixel on its own"), "point-by-pixel", POINT(""), "shininess: 20", MANY, 41, LUXEL_BRIGHTNESS, 1, 0,
-     COARSELY},
+     IN_A_STRIP},
+    {N_("point, a far sphere"), "point-beside", POINT(""), "shininess: 20", MANY, 41, LUXEL_BRIGHTNESS, 1, 0,
+     NOT_ALONE},
     {N_("point, shininess 20.5"), "point-any-exponent", POINT(""), "shininess: 20.5", MANY, 71, LUXEL_BRIGHTNESS, 1, 0,
      FROM_AFAR},
     {N_("point, Phong"), "point-phong", POINT(""), "model: phong", MANY, 42, LUXEL_BRIGHTNESS, 1, 0, FROM_AFAR},
@@ -81,14 +93,22 @@ static const struct bench_case cases[] = {
     {N_("rectangle, irradiance"), "rectangle", RECTANGLE, "shininess: 20", 1, 0, LUXEL_IRRADIANCE, 1, 0, FROM_AFAR},
     {N_("rectangle, highlight"), "rectangle-highlight", RECTANGLE, "shininess: 20", 1, 0, LUXEL_BRIGHTNESS, 1, 0,
      FROM_AFAR},
+    {N_("rectangle, highlight, a far sphere"), "rectangle-highlight-beside", RECTANGLE, "shininess: 20", 1, 0,
+     LUXEL_BRIGHTNESS, 1, 0, NOT_ALONE},
     {N_("disk, irradiance"), "disk", DISK, "shininess: 20", 1, 0, LUXEL_IRRADIANCE, 1, 0, FROM_AFAR},
     {N_("disk, highlight"), "disk-highlight", DISK, "shininess: 20", 1, 0, LUXEL_BRIGHTNESS, 1, 0, FROM_AFAR},
+    {N_("disk, highlight, a far sphere"), "disk-highlight-beside", DISK, "shininess: 20", 1, 0, LUXEL_BRIGHTNESS, 1, 0,
+     NOT_ALONE},
     {N_("box, irradiance"), "box", BOX, "shininess: 20", 1, 0, LUXEL_IRRADIANCE, 1, 0, FROM_AFAR},
     {N_("box, highlight"), "box-highlight", BOX, "shininess: 20", 1, 0, LUXEL_BRIGHTNESS, 1, 0, FROM_AFAR},
     {N_("ball, irradiance"), "ball", BALL, "shininess: 20", 1, 0, LUXEL_IRRADIANCE, 1, 0, FROM_AFAR},
     {N_("ball, highlight"), "ball-highlight", BALL, "shininess: 20", 1, 0, LUXEL_BRIGHTNESS, 1, 0, FROM_AFAR},
+    {N_("ball, highlight, a far sphere"), "ball-highlight-beside", BALL, "shininess: 20", 1, 0, LUXEL_BRIGHTNESS, 1, 0,
+     NOT_ALONE},
     {N_("tube, irradiance"), "tube", TUBE, "shininess: 20", 1, 0, LUXEL_IRRADIANCE, 1, 0, FROM_AFAR},
     {N_("tube, highlight"), "tube-highlight", TUBE, "shininess: 20", 1, 0, LUXEL_BRIGHTNESS, 1, 0, FROM_AFAR},
+    {N_("tube, highlight, a far sphere"), "tube-highlight-beside", TUBE, "shininess: 20", 1, 0, LUXEL_BRIGHTNESS, 1, 0,
+     NOT_ALONE},
     {N_("65536 points in 16 lamps"), "many-points",
      LIGHT("planar, radiance: 10, rectangle: {center: [%.3f, %.3f, 2500], size: [120, 120], aim: [0, 0, 1000]}, "
            "parts: 64"),
@@ -167,15 +187,17 @@ static luxel_scene *scene_of(const struct bench_case *each, luxel_diagnostics *d
 {
     char text[MANY * 256];
     luxel_scene *scene = NULL;
-    const int side = each->view == COARSELY ? COARSE_SIDE : SIDE;
-    size_t used =
-        (size_t)snprintf(text, sizeof text,
-                         "luxel: 1\n"
-                         "screen: {width: 500, height: 500, resolution: [%d, %d]}\n"
-                         "observer: {z: 1500, projection: %s}\n"
-                         "surfaces: [{type: sphere, center: [0, 0, 1000], radius: 360, material: {%s}}]\n"
-                         "lights:\n",
-                         side, side, each->view == IN_PERSPECTIVE ? "perspective" : "orthographic", each->material);
+    const bool is_strip = each->view == IN_A_STRIP;
+    const int columns = is_strip ? STRIP : SIDE, rows = is_strip ? NARROW : SIDE;
+    size_t used = (size_t)snprintf(
+        text, sizeof text,
+        "luxel: 1\n"
+        "screen: {width: 500, height: %g, resolution: [%d, %d]}\n"
+        "observer: {z: 1500, projection: %s}\n"
+        "surfaces: [{type: sphere, center: [0, 0, 1000], radius: 360, material: {%s}}%s]\n"
+        "lights:\n",
+        500.0 * rows / columns, columns, rows, each->view == IN_PERSPECTIVE ? "perspective" : "orthographic",
+        each->material, each->view == NOT_ALONE ? ", {type: sphere, center: [1500, 0, 1000], radius: 5}" : "");
 
     for (unsigned i = 0; i < each->lights; i++) {
         const double x = 2000 * cos(2 * M_PI * i / each->lights), y = 2000 * sin(2 * M_PI * i / each->lights);

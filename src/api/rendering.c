@@ -83,7 +83,7 @@ struct lx_piece {
  * the panel that a probe looks at; and where highlights are left to pixels one panel is work enough. */
 static unsigned panels_of_piece(const struct lx_plan *plan)
 {
-    return plan->smooth.has_highlights ? 1 : LX_BLOCK / LX_PANEL_SIDE;
+    return plan->has_gloss ? 1 : LX_BLOCK / LX_PANEL_SIDE;
 }
 
 static unsigned pieces_across(const struct lx_rendering *rendering)

@@ -35,6 +35,33 @@ bool lx_may_block(const struct lx_ball *blocker, const struct lx_ball *from, con
     return !(sqrt(gap) > (blocker->radius + thick) * (1 + 1e-9));
 }
 
+/* Whether all ways between two balls, or from one in a direction, stay on one side of the plane of what is flat. */
+static bool is_beside_plane(const struct lx_shape *flat, const struct lx_ball *middle, const struct lx_ball *from,
+                            const struct lx_ball *towards, bool endless)
+{
+    double height = 0, further = 0, size = 0;
+    for (int i = 0; i < 3; i++) {
+        const double way = from->center[i] - middle->center[i];
+        const double other = towards->center[i] - (endless ? 0 : middle->center[i]);
+        height += flat->axis[i] * way;
+        further += flat->axis[i] * other;
+        size += fabs(way) + fabs(other);
+    }
+    const double margin = from->radius + 1e-9 * size + 2 * flat->touch_mm;
+    const double far = endless ? further : fabs(further) > towards->radius + margin ? further : 0;
+    return fabs(height) > margin && (height > 0 ? far > 0 : far < 0);
+}
+
+bool lx_shape_may_block(const struct lx_shape *shape, const double anchor_mm[3], const struct lx_ball *from,
+                        const struct lx_ball *towards, bool endless)
+{
+    struct lx_ball ball = {.radius = shape->radius_mm + 2 * shape->touch_mm};
+    for (int i = 0; i < 3; i++)
+        ball.center[i] = shape->anchor_mm[i] - anchor_mm[i];
+    return lx_may_block(&ball, from, towards, endless) &&
+           !(lx_curvature(shape) == 0 && is_beside_plane(shape, &ball, from, towards, endless));
+}
+
 void lx_block_one(const struct lx_kernels *kernels, const struct lx_shape *shape, const double anchor_mm[3],
                   const struct lx_light_double *light, const struct lx_block_double *block, size_t count, float *open)
 {

@@ -21,6 +21,16 @@ struct lx_ball lx_shape_ball(const struct lx_shape *shape, const double low_mm[3
 bool lx_may_block(const struct lx_ball *blocker, const struct lx_ball *from, const struct lx_ball *towards,
                   bool endless);
 
+/* The ball around the part of a surface that a square shows. */
+static inline struct lx_ball lx_vicinity_ball(const struct lx_vicinity *at)
+{
+    return (struct lx_ball){.center = {at->place[0], at->place[1], at->place[2]}, .radius = at->place_leeway.tile};
+}
+
+/* The same question of a shape; both balls are offsets from the anchor of another one. */
+bool lx_shape_may_block(const struct lx_shape *shape, const double anchor_mm[3], const struct lx_ball *from,
+                        const struct lx_ball *towards, bool endless);
+
 /* Sets open[i] to 0 for the elements of a block that a shape takes the light from; leaves the others. */
 void lx_block_one(const struct lx_kernels *kernels, const struct lx_shape *shape, const double anchor_mm[3],
                   const struct lx_light_double *light, const struct lx_block_double *block, size_t count, float *open);

@@ -12,17 +12,15 @@
 
 enum { HALF_SIDE = LX_PANEL_SIDE / 2, QUARTERS = 4, SIDE_BY_SIDE = LX_BLOCK / LX_PANEL_SIDE };
 
+/* Highlights of extended sources that are not smooth in squares of so many pixels are sampled at each of them. */
+enum { LEAST_SIDE = LX_PANEL_SIDE / 4 };
+
 /* What polynomials may be off by, of the picture's maximum. */
 static const double SHARE = 8e-7;
 
 struct lx_panels_memory {
     struct lx_fitting fitting;
     uint8_t *was_left; /* of the lights: by the polynomial of the whole panel */
-    /* the plan, but for the lights that polynomials take in a square, and nothing uniform: */
-    struct lx_light_run *runs;
-    struct lx_planned_shell *shells;
-    struct lx_planned_surface surface;
-    struct lx_plan plan;
 };
 
 /* A piece of work: some panels side by side. */
@@ -47,18 +45,11 @@ struct lx_panels_memory *lx_panels_memory_new(const struct lx_plan *plan)
     struct lx_panels_memory *memory = lx_new_array(1, sizeof *memory);
     if (!memory)
         return NULL;
-    memory->was_left = lx_new_array(plan->smooth.count, 1);
-    memory->runs = lx_new_array(plan->surfaces->lights.count, sizeof *memory->runs);
-    memory->shells = lx_new_array(plan->surfaces->shell_count, sizeof *memory->shells);
-    memory->plan = *plan;
-    memory->surface = *plan->surfaces;
-    memory->plan.surfaces = &memory->surface;
-    memory->plan.at_once = false;
-    memory->surface.uniform = 0;
-    memory->surface.runs = memory->runs;
-    memory->surface.shells = memory->shells;
-    const int status = lx_fitting_make(plan, &memory->fitting);
-    if (status == 0 && memory->was_left && memory->runs && memory->shells)
+    size_t most = 0;
+    for (size_t s = 0; s < plan->surface_count; s++)
+        most = plan->surfaces[s].smooth.count > most ? plan->surfaces[s].smooth.count : most;
+    memory->was_left = lx_new_array(most, 1);
+    if (lx_fitting_make(plan, &memory->fitting) == 0 && memory->was_left)
         return memory;
     lx_panels_memory_free(memory);
     return NULL;
@@ -70,8 +61,6 @@ void lx_panels_memory_free(struct lx_panels_memory *memory)
         return;
     lx_fitting_clear(&memory->fitting);
     free(memory->was_left);
-    free(memory->runs);
-    free(memory->shells);
     free(memory);
 }
 
@@ -93,7 +82,8 @@ static struct part part_of(const struct job *job, unsigned row, unsigned column,
     return (struct part){row, column, rows < side ? rows : side, columns < side ? columns : side};
 }
 
-/* Such a square on the screen; pixels beyond the picture are as far from each other as in it. */
+/* Such a square on the screen, and what its middle shows; pixels beyond the picture are as far from each other as in
+ * it. */
 static struct lx_square square_of(const struct job *job, unsigned row, unsigned column, unsigned side)
 {
     const struct lx_screen *screen = &job->plan->prepared->scene->screen;
@@ -101,26 +91,27 @@ static struct lx_square square_of(const struct job *job, unsigned row, unsigned 
     const double left = lx_column_x_mm(screen, 0),
                  across = (lx_column_x_mm(screen, columns - 1) - left) / (columns - 1);
     const double top = lx_row_y_mm(screen, 0), down = (lx_row_y_mm(screen, rows - 1) - top) / (rows - 1);
-    return (struct lx_square){
+    struct lx_square square = {
         .x_mm = left + (column + (side - 1) / 2.0) * across,
         .y_mm = top + (row + (side - 1) / 2.0) * down,
         .half_mm = {fabs(across) * side / 2, fabs(down) * side / 2},
         .side = side,
     };
+    square.surface = lx_surface_seen(job->plan, square.x_mm, square.y_mm);
+    return square;
 }
 
 /* Fits polynomials to lights that are left over a square of pixels and puts them into the picture, or adds them to what
  * is there already.  False: there are none. */
-static bool fit_square(const struct job *job, unsigned row, unsigned column, unsigned side, bool has_some,
-                       double *allowance)
+static bool fit_square(const struct job *job, unsigned row, unsigned column, const struct lx_square *square,
+                       bool has_some, double *allowance)
 {
     const struct lx_plan *plan = job->plan;
     struct lx_fitting *fitting = &job->memory->fitting;
-    const struct lx_square square = square_of(job, row, column, side);
-    const struct part part = part_of(job, row, column, side);
-    const double uniform = has_some ? 0 : plan->surfaces->uniform;
+    const struct part part = part_of(job, row, column, square->side);
+    const double uniform = has_some ? 0 : square->surface->uniform;
     const struct lx_asking asking = {.control = job->control, .is_caller = job->is_caller};
-    if (!lx_smooth_fit(plan, fitting, job->shader, &square, uniform, !has_some, &asking, allowance))
+    if (!lx_smooth_fit(plan, fitting, job->shader, square, uniform, !has_some, &asking, allowance))
         return false;
     for (size_t i = 0; i < fitting->count; i++)
         plan->kernels->spread_polynomial(&fitting->polynomials[i], part.rows, part.columns, has_some || i > 0,
@@ -142,11 +133,13 @@ static void show(const struct job *job, struct part part)
     }
 }
 
-/* Shades a part by a plan, tile by tile, or adds to it what the plan's lights give. */
-static void shade_tiles(const struct job *job, const struct lx_plan *plan, struct part part, bool adds)
+/* Shades a part pixel by pixel, tile by tile, or adds to it what a portion of the light gives; NULL: all of it. */
+static void shade_tiles(const struct job *job, struct part part, const struct lx_portion *portion, bool adds)
 {
     const struct lx_canvas *canvas = job->canvas;
+    const struct lx_plan *plan = job->plan;
     const unsigned end = part.row + part.rows;
+    lx_shader_choose(job->shader, portion);
     for (unsigned top = part.row; top < end && goes_on(job); top += LX_TILE_ROWS) {
         const unsigned rows = end - top < LX_TILE_ROWS ? end - top : LX_TILE_ROWS;
         lx_shader_enter(plan, job->shader, canvas->y_mm + (top - canvas->top), rows,
@@ -165,46 +158,35 @@ static void shade_tiles(const struct job *job, const struct lx_plan *plan, struc
                 canvas->values[at + i] = (float)((double)canvas->values[at + i] + values[i]);
         }
     }
+    lx_shader_choose(job->shader, NULL);
 }
 
-/* The plan of the lights that are left, and nothing else. */
-static const struct lx_plan *plan_rest(const struct lx_plan *plan, struct lx_panels_memory *memory)
+static bool are_left(const struct job *job, const struct lx_square *square)
 {
-    const struct lx_planned_surface *surface = plan->surfaces;
-    const uint8_t *is_left = memory->fitting.is_left;
-    memory->surface.run_count = 0;
-    for (size_t r = 0; r < surface->run_count; r++) {
-        struct lx_light_run run = surface->runs[r];
-        for (size_t first = run.first, end = run.first + run.count, next; first < end; first = next) {
-            for (next = first; next < end && is_left[next] == is_left[first];)
-                next++;
-            run.first = first;
-            run.count = next - first;
-            if (is_left[first])
-                memory->runs[memory->surface.run_count++] = run;
-        }
-    }
-    memory->surface.shell_count = 0;
-    for (size_t s = 0; s < surface->shell_count; s++)
-        if (is_left[surface->lights.count + s])
-            memory->shells[memory->surface.shell_count++] = surface->shells[s];
-    memory->surface.glossy_count = lx_holds_of_highlights(&plan->smooth, is_left) ? surface->glossy_count : 0;
-    return &memory->plan;
+    return memchr(job->memory->fitting.is_left, 1, square->surface->smooth.count) != NULL;
 }
 
-/* Whether a quarter of a panel, some lights over which are left, shows a polynomial; *allowance: of the error. */
-static bool shade_quarter(const struct job *job, unsigned row, unsigned column, bool has_some, double allowance)
+/* Whether a quarter of a panel, some lights over which are left, shows a polynomial; *allowance: of the error.  The
+ * panel `has_some` of the surface that it shows. */
+static bool shade_quarter(const struct job *job, unsigned row, unsigned column,
+                          const struct lx_planned_surface *has_some, double allowance)
 {
     struct lx_fitting *fitting = &job->memory->fitting;
-    const size_t count = job->plan->smooth.count;
-    memcpy(fitting->is_left, job->memory->was_left, count);
-    const bool has_more = fit_square(job, row, column, HALF_SIDE, has_some, &allowance);
+    const struct lx_square square = square_of(job, row, column, HALF_SIDE);
+    if (!has_some && (!square.surface || !square.surface->smooth.pays))
+        return false;
+    if (has_some)
+        memcpy(fitting->is_left, job->memory->was_left, has_some->smooth.count);
+    else
+        memset(fitting->is_left, 1, square.surface->smooth.count);
+    const bool has_more = fit_square(job, row, column, &square, has_some, &allowance);
     if (!has_some && !has_more)
         return false;
     const struct part part = part_of(job, row, column, HALF_SIDE);
+    const struct lx_portion left = {.which = fitting->is_left, .lights = true};
     show(job, part);
-    if (memchr(fitting->is_left, 1, count))
-        shade_tiles(job, plan_rest(job->plan, job->memory), part, true);
+    if (are_left(job, &square))
+        shade_tiles(job, part, &left, true);
     return true;
 }
 
@@ -212,29 +194,34 @@ static bool shade_quarter(const struct job *job, unsigned row, unsigned column, 
 static void shade_panel(const struct job *job, unsigned row, unsigned column, bool is_plain[QUARTERS])
 {
     struct lx_fitting *fitting = &job->memory->fitting;
-    const size_t count = job->plan->smooth.count;
     const double allowance = SHARE * job->plan->least_maximum, kept = allowance / 4; /* for its quarters */
+    const struct lx_square square = square_of(job, row, column, LX_PANEL_SIDE);
+    const bool is_smooth = square.surface && square.surface->smooth.pays;
     double left_over = allowance - kept;
-    memset(fitting->is_left, 1, count);
-    const bool has_some = fit_square(job, row, column, LX_PANEL_SIDE, false, &left_over);
-    bool is_faint[QUARTERS];
-    memcpy(is_faint, fitting->is_faint, sizeof is_faint);
-    memcpy(job->memory->was_left, fitting->is_left, count);
-    if (!memchr(fitting->is_left, 1, count)) {
-        show(job, part_of(job, row, column, LX_PANEL_SIDE));
-        return;
+    bool is_faint[QUARTERS] = {false}, has_some = false;
+    if (is_smooth) {
+        memset(fitting->is_left, 1, square.surface->smooth.count);
+        has_some = fit_square(job, row, column, &square, false, &left_over);
+        memcpy(is_faint, fitting->is_faint, sizeof is_faint);
+        memcpy(job->memory->was_left, fitting->is_left, square.surface->smooth.count);
+        if (!are_left(job, &square)) {
+            show(job, part_of(job, row, column, LX_PANEL_SIDE));
+            return;
+        }
     }
     for (unsigned q = 0; q < QUARTERS && goes_on(job); q++) {
         const unsigned top = row + q / 2 * HALF_SIDE, left = column + q % 2 * HALF_SIDE;
         const struct part part = part_of(job, top, left, HALF_SIDE);
         if (part.rows > 0 && part.columns > 0)
-            is_plain[q] = is_faint[q] || !shade_quarter(job, top, left, has_some, left_over + kept);
+            is_plain[q] =
+                is_faint[q] || !shade_quarter(job, top, left, has_some ? square.surface : NULL, left_over + kept);
     }
 }
 
 /* Shades the plain quarters among panels side by side. */
 static void shade_plain(const struct job *job, unsigned row, unsigned column, bool (*is_plain)[QUARTERS])
 {
+    const struct lx_portion matte = {.lights = true, .uniform = true};
     for (unsigned half = 0; half < 2; half++)
         for (unsigned q = 0, next; q < 2 * SIDE_BY_SIDE && goes_on(job); q = next) {
             const bool first = is_plain[q / 2][2 * half + q % 2];
@@ -244,8 +231,47 @@ static void shade_plain(const struct job *job, unsigned row, unsigned column, bo
             const struct part end = part_of(job, row + half * HALF_SIDE, column + (next - 1) * HALF_SIDE, HALF_SIDE);
             part.columns = end.column + end.columns - part.column;
             if (first)
-                shade_tiles(job, job->plan, part, false);
+                shade_tiles(job, part, job->plan->has_gloss ? &matte : NULL, false);
         }
+}
+
+/* Whether some pixel of a part shows a surface. */
+static bool shows_any(const struct job *job, struct part part)
+{
+    const uint8_t *mask = job->canvas->mask + index_of(job, part.row, part.column);
+    for (unsigned row = 0; row < part.rows; row++, mask += job->canvas->stride)
+        if (memchr(mask, 1, part.columns))
+            return true;
+    return false;
+}
+
+/* Adds the highlights of extended sources over a square of pixels: by a polynomial, or over its quarters, or at each
+ * pixel. */
+static void add_gloss(const struct job *job, unsigned row, unsigned column, unsigned side)
+{
+    const struct lx_plan *plan = job->plan;
+    const struct part part = part_of(job, row, column, side);
+    const struct lx_asking asking = {.control = job->control, .is_caller = job->is_caller};
+    const struct lx_portion highlights = {.highlights = true};
+    if (part.rows == 0 || part.columns == 0 || !goes_on(job) || !shows_any(job, part))
+        return;
+    const struct lx_square square = square_of(job, row, column, side);
+    if (square.surface && square.surface->smooth.pays) {
+        struct lx_polynomial *polynomial = job->memory->fitting.polynomials;
+        const enum lx_gloss gloss =
+            lx_gloss_fit(plan, &job->memory->fitting, job->shader, &square, &asking, polynomial);
+        if (gloss == LX_GLOSS_SMOOTH)
+            plan->kernels->spread_polynomial(polynomial, part.rows, part.columns, true,
+                                             job->canvas->values + index_of(job, row, column), job->canvas->stride);
+        if (gloss != LX_GLOSS_ROUGH)
+            return;
+    }
+    if (side == LEAST_SIDE) {
+        shade_tiles(job, part, &highlights, true);
+        return;
+    }
+    for (unsigned q = 0; q < QUARTERS; q++)
+        add_gloss(job, row + q / 2 * side / 2, column + q % 2 * side / 2, side / 2);
 }
 
 void lx_shade_panels(const struct lx_plan *plan, struct lx_panels_memory *memory, struct lx_shader_memory *shader,
@@ -261,4 +287,6 @@ void lx_shade_panels(const struct lx_plan *plan, struct lx_panels_memory *memory
         if (column + p * LX_PANEL_SIDE < columns)
             shade_panel(&job, row, column + p * LX_PANEL_SIDE, is_plain[p]);
     shade_plain(&job, row, column, is_plain);
+    for (unsigned p = 0; p < panels && plan->has_gloss; p++)
+        add_gloss(&job, row, column + p * LX_PANEL_SIDE, LX_PANEL_SIDE);
 }

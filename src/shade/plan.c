@@ -20,6 +20,12 @@ enum { MANY_LIGHTS = 1 << 16 };
 /* Lights that are looked at between two questions whether to go on. */
 enum { LIGHTS_BETWEEN_CHECKS = 64 };
 
+/*
+ * Polynomials seldom pay where half a surface's size on the screen is not so many times the side of a panel: under
+ * enough lights, or extended sources, and under fewer.
+ */
+enum { ENOUGH_LIGHTS = 4, LEAST_PANELS = 1, LEAST_OF_FEW_LIGHTS = 7 };
+
 /* Of the highlights of extended sources. */
 static const double USUAL_TOLERANCE = 1e-3;
 
@@ -444,26 +450,50 @@ static bool is_in_single_alone(const struct lx_plan *plan)
     return all;
 }
 
-/* Half the size of the only surface as it looks on the screen. */
-static double radius_on_screen(const struct lx_plan *plan)
+/* Half the size of a surface as it looks on the screen. */
+static double radius_on_screen(const struct lx_plan *plan, const struct lx_planned_surface *surface)
 {
-    const struct lx_shape *shape = &plan->surfaces->shape;
+    const struct lx_shape *shape = &surface->shape;
     return shape->radius_mm * lx_scale_at(&plan->prepared->scene->observer, shape->anchor_mm[2]);
 }
 
-/* Whether polynomials may take the place of lights (smooth.h), and pay. */
-static bool has_panels(const struct lx_plan *plan)
+/* Whether polynomials may take the place of a surface's lights (smooth.h), and pay. */
+static bool is_smooth(const struct lx_plan *plan, const struct lx_planned_surface *surface)
 {
-    const struct lx_planned_surface *surface = plan->surfaces;
-    const struct lx_scene_parameters *scene = plan->prepared->scene;
-    const unsigned *resolution = scene->screen.resolution;
-    const double side_mm = scene->screen.width_mm / resolution[0] * LX_PANEL_SIDE;
+    const struct lx_screen *screen = &plan->prepared->scene->screen;
     const size_t all = surface->lights.count + surface->shell_count;
-    return plan->precision == LUXEL_SINGLE && plan->surface_count == 1 && lx_has_kernels(&surface->shape) &&
-           (surface->glossy_count == 0 || lx_has_smooth_highlights(surface)) && plan->forest.tree_count == 0 &&
-           plan->every == 1 && all > 0 && all <= LX_MOST_SMOOTH && plan->least_maximum > 0 &&
-           resolution[0] >= LX_PANEL_SIDE && resolution[1] >= LX_PANEL_SIDE &&
-           radius_on_screen(plan) > LX_LEAST_PANELS * side_mm;
+    const unsigned least = surface->shell_count > 0 || all >= ENOUGH_LIGHTS ? LEAST_PANELS : LEAST_OF_FEW_LIGHTS;
+    return lx_curvature(&surface->shape) >= 0 && all > 0 && all <= LX_MOST_SMOOTH &&
+           (surface->glossy_count == 0 || lx_has_smooth_highlights(surface)) &&
+           radius_on_screen(plan, surface) > least * screen->width_mm / screen->resolution[0] * LX_PANEL_SIDE;
+}
+
+/* Whether the picture is shaded by panels; then what they need is made. */
+static luxel_status plan_panels(struct lx_plan *plan, struct lx_control *control)
+{
+    const unsigned *resolution = plan->prepared->scene->screen.resolution;
+    const struct lx_asking asking = {.control = control, .is_caller = true};
+    luxel_status status = LUXEL_OK;
+    bool any = false, all = true, has_gloss = false;
+    if (plan->precision != LUXEL_SINGLE || plan->forest.tree_count > 0 || plan->every > 1 ||
+        !(plan->least_maximum > 0) || resolution[0] < LX_PANEL_SIDE || resolution[1] < LX_PANEL_SIDE)
+        return LUXEL_OK;
+    for (size_t s = 0; s < plan->surface_count; s++) {
+        const struct lx_planned_surface *surface = &plan->surfaces[s];
+        any = any || is_smooth(plan, surface);
+        all = all && (surface->glossy_count == 0 || lx_has_smooth_highlights(surface));
+        has_gloss = has_gloss || surface->glossy_count > 0;
+    }
+    plan->in_panels = any && all;
+    plan->has_gloss = plan->in_panels && has_gloss;
+    lx_bases_make(plan->bases);
+    lx_gloss_bases_make(plan->gloss_bases);
+    for (size_t s = 0; plan->in_panels && s < plan->surface_count && status == LUXEL_OK; s++) {
+        struct lx_planned_surface *surface = &plan->surfaces[s];
+        if (is_smooth(plan, surface))
+            status = lx_smooth_make(surface, radius_on_screen(plan, surface), &asking, &surface->smooth);
+    }
+    return status;
 }
 
 luxel_status lx_plan_make(const struct lx_prepared *prepared, const struct lx_kernels *kernels,
@@ -505,11 +535,7 @@ luxel_status lx_plan_make(const struct lx_prepared *prepared, const struct lx_ke
     plan->in_single_alone = status == LUXEL_OK && is_in_single_alone(plan);
     plan->at_once = plan->in_single_alone && plan->surfaces->run_count == 1 && plan->surfaces->shell_count == 0 &&
                     plan->surfaces->lights.count <= LX_MOST_IN_RUN && plan->every == 1;
-    plan->in_panels = status == LUXEL_OK && has_panels(plan);
-    const struct lx_asking asking = {.control = &control, .is_caller = true};
-    return plan->in_panels
-               ? lx_smooth_make(plan->surfaces, radius_on_screen(plan), plan->tolerance, &asking, &plan->smooth)
-               : status;
+    return status == LUXEL_OK ? plan_panels(plan, &control) : status;
 }
 
 void lx_plan_clear(struct lx_plan *plan)
@@ -519,6 +545,7 @@ void lx_plan_clear(struct lx_plan *plan)
         for (size_t i = 0; i < surface->shell_count; i++)
             lx_shell_clear(&surface->shells[i].shell);
         lx_lights_clear(&surface->lights);
+        lx_smooth_clear(&surface->smooth);
         free(surface->runs);
         free(surface->blockers);
         free(surface->shells);
@@ -528,6 +555,5 @@ void lx_plan_clear(struct lx_plan *plan)
     free(plan->rules);
     free(plan->node_rules);
     lx_forest_clear(&plan->forest);
-    lx_smooth_clear(&plan->smooth);
     *plan = (struct lx_plan){0};
 }

@@ -24,7 +24,7 @@
 #include "precision.h"
 #include "prepared.h"
 #include "sampling.h"
-#include "smooth.h"
+#include "smooth_gloss.h"
 #include "tree.h"
 
 /* Lights that follow each other, of one kind and precision, and with the same surfaces that may stand in their way. */
@@ -63,6 +63,7 @@ struct lx_planned_surface {
     size_t shell_count, glossy_count, by_law_count; /* by_law: that shine by laws other than 1/r^2 */
     struct lx_lobe_single glossy_single;            /* the lobe's two parts */
     struct lx_lobe_double glossy_exact, matte_exact;
+    struct lx_smooth smooth;
 };
 
 struct lx_plan {
@@ -73,7 +74,8 @@ struct lx_plan {
     bool in_single_alone; /* there is one surface, whose light takes nothing but its elements in float32 (seen.h), */
     bool at_once;         /* and few lights of one kind, whose sum is the value */
     bool in_panels;       /* the whole picture is shaded by panels (panels.h), with: */
-    struct lx_smooth smooth;
+    struct lx_basis bases[LX_BASES], gloss_bases[LX_GLOSS_BASES];
+    bool has_gloss; /* highlights of extended sources have polynomials of their own */
     luxel_precision precision;
     double tolerance;                  /* of the highlights of extended sources, relative to the picture's maximum */
     double least_maximum;              /* which is no less than this */

@@ -363,12 +363,30 @@ size_t lx_choose_precision(double *bounds, size_t count, double least_maximum, c
     return chosen;
 }
 
+/* No place of a cylinder is nearer to the surface than this: those of its axis between two that are looked at are no
+ * farther from the nearer of them than half their distance. */
+static double cylinder_gap(const struct lx_shape *shape, const struct lx_shell *shell)
+{
+    enum { PLACES = 32 };
+    double nearest = HUGE_VAL;
+    for (int i = 0; i < PLACES; i++) {
+        const double along = shell->half_mm * ((2 * i + 1) / (double)PLACES - 1);
+        double place[3];
+        for (int k = 0; k < 3; k++)
+            place[k] = shell->center[k] + along * shell->axis[k];
+        nearest = fmin(nearest, least_distance(shape, place));
+    }
+    return nearest - shell->half_mm / PLACES - shell->round_mm;
+}
+
 bool lx_samples_fit_single(const struct lx_shape *shape, const struct lx_lobe_double *lobe,
                            const struct lx_shell *shell, double tolerance)
 {
     const double margin = 200; /* between roundings and the tolerance, and for what is not looked at here */
     double away = distance(shell->center, (double[]){0, 0, 0});
     double nearest = least_distance(shape, shell->center) - shell->radius_mm;
+    if (shell->type == LX_CYLINDER)
+        nearest = fmax(nearest, cylinder_gap(shape, shell));
     double off = unit * (away + shell->radius_mm + shape->radius_mm) / nearest + 4 * unit;
     double error = off * fmax(1, power_slope(lobe->exponent.value));
     bool moderate = is_moderate(away) && is_moderate(nearest) && is_moderate(shell->radius_mm) &&

@@ -23,8 +23,10 @@ struct lx_shader_memory {
     double room_of_sum[LX_BLOCK];
     float open[LX_BLOCK];
     struct lx_sampling_memory *sampling;
+    const struct lx_portion *portion; /* NULL: everything is summed */
     struct lx_light_room room;
-    double tile_y[LX_TILE_ROWS], tile_x[LX_BLOCK];
+    _Alignas(64) double tile_x[LX_BLOCK];
+    double tile_y[LX_TILE_ROWS];
     size_t tile_rows, tile_columns;
     /* where points are clustered: */
     struct lx_cut cuts[KEPT_CUTS]; /* of a surface the one that its number leaves; of this tile where they have one */
@@ -51,6 +53,7 @@ struct lx_shader_memory *lx_shader_memory_new(const struct lx_plan *plan)
         return NULL;
     memory->sampling = size > 0 ? lx_sampling_memory_of((char *)memory + head, plan->most_patches) : NULL;
     memory->room = (struct lx_light_room){.of_singles = NULL};
+    memory->portion = NULL;
     lx_seen_init(plan, &memory->seen);
     bool has_all = true;
     size_t surfaces = plan->forest.tree_count > 0 ? plan->surface_count : 0;
@@ -68,6 +71,11 @@ void lx_shader_memory_free(struct lx_shader_memory *memory)
     for (size_t i = 0; memory && i < memory->cut_count; i++)
         lx_cut_clear(&memory->cuts[i]);
     free(memory);
+}
+
+void lx_shader_choose(struct lx_shader_memory *memory, const struct lx_portion *portion)
+{
+    memory->portion = portion;
 }
 
 struct lx_seen *lx_shader_seen(struct lx_shader_memory *memory)
@@ -113,18 +121,34 @@ static void light_by_run(const struct lx_plan *plan, const struct lx_planned_sur
                                     memory->sum);
 }
 
+static bool is_chosen(const struct lx_portion *portion, size_t light)
+{
+    return !portion || (portion->lights && (!portion->which || portion->which[light]));
+}
+
+/* The end of lights from `first` on, of a run, all of which are chosen or not as that is. */
+static size_t end_of_chosen(const struct lx_portion *portion, size_t first, size_t end)
+{
+    size_t next = first + 1;
+    while (portion && next < end && is_chosen(portion, next) == is_chosen(portion, first))
+        next++;
+    return portion ? next : end;
+}
+
 /* Sums all lights but the extended and the clustered ones over the gathered block. */
 static void light_block(const struct lx_plan *plan, const struct lx_planned_surface *surface,
                         struct lx_shader_memory *memory, size_t count, const struct lx_asking *asking)
 {
+    const struct lx_portion *portion = memory->portion;
     size_t step = 0;
-    plan->kernels->set_all(memory->sum, lx_padded(count), surface->uniform);
+    plan->kernels->set_all(memory->sum, lx_padded(count), !portion || portion->uniform ? surface->uniform : 0);
     for (size_t r = 0; r < surface->run_count; r++) {
         const struct lx_light_run *run = &surface->runs[r];
-        const size_t most = run->blocker_count > 0 ? 1 : LX_MOST_IN_RUN, end = run->first + run->count;
-        for (size_t first = run->first; first < end; first += most, step++) {
-            if (step % plan->every == 0)
-                light_by_run(plan, surface, run, first, end - first < most ? end - first : most, memory, count);
+        const size_t most = run->blocker_count > 0 ? 1 : LX_MOST_IN_RUN, all = run->first + run->count;
+        for (size_t first = run->first, end; first < all; first = end, step++) {
+            end = end_of_chosen(portion, first, all - first < most ? all : first + most);
+            if (step % plan->every == 0 && is_chosen(portion, first))
+                light_by_run(plan, surface, run, first, end - first, memory, count);
             if (step % RUNS_BETWEEN_CHECKS == RUNS_BETWEEN_CHECKS - 1 && !lx_asking_goes_on(asking))
                 return;
         }
@@ -268,6 +292,8 @@ static void light_by_shells(const struct lx_plan *plan, const struct lx_planned_
     const double diffuse = surface->lobe_exact.diffuse;
     for (size_t s = 0; s < surface->shell_count && diffuse > 0; s++) {
         const struct lx_shell *shell = &surface->shells[s].shell;
+        if (!is_chosen(memory->portion, surface->lights.count + s))
+            continue;
         if (s % SHELLS_BETWEEN_CHECKS == SHELLS_BETWEEN_CHECKS - 1 && !lx_asking_goes_on(asking))
             return;
         if (surface->shells[s].emitter->attenuation != LX_INVERSE_SQUARE)
@@ -279,7 +305,8 @@ static void light_by_shells(const struct lx_plan *plan, const struct lx_planned_
         else
             plan->kernels->light_by_shell[shell->type](shell, diffuse, &memory->seen.block, count, asking, memory->sum);
     }
-    for (size_t start = 0; start < count && surface->glossy_count > 0; start += LX_LANES) {
+    const bool has_highlights = surface->glossy_count > 0 && (!memory->portion || memory->portion->highlights);
+    for (size_t start = 0; start < count && has_highlights; start += LX_LANES) {
         light_by_highlights(plan, surface, memory, start, count, asking);
         if (!lx_asking_goes_on(asking))
             return;
@@ -502,7 +529,7 @@ size_t lx_shade_row_single(const struct lx_plan *plan, struct lx_shader_memory *
                            struct lx_control *control, bool is_caller, float *values, uint8_t *mask)
 {
     _Alignas(64) double exact[LX_BLOCK];
-    if (plan->at_once)
+    if (plan->at_once && !memory->portion)
         return shade_at_once(plan, memory, memory->tile_y[row], values, mask);
     const size_t found = lx_shade_row(plan, memory, row, control, is_caller, exact, mask);
     plan->kernels->round_all(exact, memory->tile_columns, values);

@@ -33,6 +33,15 @@ unsigned lx_tile_columns(const struct lx_plan *plan, unsigned columns);
 void lx_shader_enter(const struct lx_plan *plan, struct lx_shader_memory *memory, const double *y_mm, size_t rows,
                      const double *x_mm, size_t count);
 
+/* What is summed of a surface's light. */
+struct lx_portion {
+    const uint8_t *which; /* of its lights, and then its shells, those that are not 0; NULL: all */
+    bool lights, uniform, highlights;
+};
+
+/* From now on; NULL, as at first: all of it.  It stays the caller's. */
+void lx_shader_choose(struct lx_shader_memory *memory, const struct lx_portion *portion);
+
 /*
  * The values through the points (x[i], y[row]) of the tile, 0 off every surface, and the mask, 1 on a surface; values
  * has room for lx_padded(count).  `control` may be NULL; where it says stop, the call returns early with values

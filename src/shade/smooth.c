@@ -10,6 +10,8 @@
 #include "../base/larger.h"
 #include "../base/memory.h"
 #include "../light/extended.h"
+#include "blocking.h"
+#include "general.h"
 #include "seen.h"
 #include "shader.h"
 #include "shell_bound.h"
@@ -35,17 +37,6 @@ enum { MOST_FOR_PIXELS = 4 };
  * left over a whole panel, the trouble with its quarters. */
 enum { PIXELS_A_NODE = 4, COST_OF_QUARTERS = 3000 };
 
-/* And what highlights of extended sources cost, as so many lights. */
-enum { COST_OF_HIGHLIGHTS = 200 };
-
-/* What highlights of extended sources may be off by at nodes, and their polynomials beside, both of the tolerance: the
- * former grows by no more than the square of Lebesgue's constant, below 7.7. */
-static const double AT_NODES = 0.0625, BETWEEN_NODES = 0.25;
-
-/* Samples at nodes are in float32 where that is good enough for so much of the tolerance, as lx_samples_fit_single()
- * has it: by its margin roundings are a tiny part of that. */
-static const double IN_SINGLE = 0.375;
-
 /* What float32 may add to the error of a polynomial, of its largest value. */
 static const double ROUNDINGS = 4e-7;
 
@@ -61,7 +52,7 @@ static const double OF_ITSELF = 1e-3;
  * through n of them than 4 M/(r^(n - 1) (r - 1)) (Trefethen, Approximation Theory and Approximation Practice, theorem
  * 8.2); on the second axis that grows by no more than Lebesgue's constant, 1 + 2 ln(n)/pi.  Whatever is no larger than
  * e in the square is off by no more than e itself and, on both axes, the square of that constant times e. */
-static void make_basis(unsigned nodes, double reach, struct lx_basis *basis)
+void lx_basis_make(unsigned nodes, double reach, struct lx_basis *basis)
 {
     *basis = (struct lx_basis){.nodes = nodes, .reach = reach};
     const double lebesgue = 1 + 2 * log(nodes) / M_PI;
@@ -81,6 +72,12 @@ static void make_basis(unsigned nodes, double reach, struct lx_basis *basis)
     }
 }
 
+void lx_bases_make(struct lx_basis bases[LX_BASES])
+{
+    for (int b = 0; b < LX_BASES; b++)
+        lx_basis_make(BASES[b].nodes, BASES[b].reach, &bases[b]);
+}
+
 /* ---- lights ---- */
 
 /* What a shell shines with, in front of it. */
@@ -94,35 +91,38 @@ static double gain_of(const struct lx_planned_shell *planned, double diffuse)
     return planned->by_reference ? HUGE_VAL : diffuse * shell->radiance * area;
 }
 
-/* The sources of highlights as samples at nodes take them. */
-static int make_glossy(const struct lx_planned_surface *surface, double tolerance, struct lx_smooth *smooth)
+/* The parts that highlights are of, and numbers that stand for the profile of flat ones where they have none. */
+static int make_parts(const struct lx_planned_surface *surface, struct lx_smooth *smooth)
 {
-    const size_t count = surface->glossy_count;
-    smooth->glossy = lx_new_array(count, sizeof *smooth->glossy);
-    if (!smooth->glossy || lx_smooth_parts_make(surface, &smooth->parts, &smooth->round))
+    if (lx_smooth_parts_make(surface, &smooth->parts, &smooth->round))
         return -1;
-    for (size_t s = 0; s < count; s++) {
-        smooth->glossy[s] = surface->glossy[s];
-        smooth->glossy[s].in_double = !lx_samples_fit_single(&surface->shape, &surface->glossy_exact,
-                                                             surface->glossy[s].shell, IN_SINGLE * tolerance);
+    const size_t count = lx_padded(smooth->parts.count);
+    double *numbers = lx_new_aligned(3 * count, sizeof *numbers);
+    smooth->plain_parts = smooth->parts;
+    smooth->plain_parts.inner = numbers;
+    smooth->plain_parts.outer = numbers + count;
+    smooth->plain_parts.exponent = smooth->plain_parts.is_broken = numbers + 2 * count;
+    for (size_t i = 0; i < count && numbers; i++) {
+        numbers[i] = -2;
+        numbers[count + i] = -3;
+        numbers[2 * count + i] = 0;
     }
-    return 0;
+    return numbers ? 0 : -1;
 }
 
-luxel_status lx_smooth_make(const struct lx_planned_surface *surface, double radius_mm, double tolerance,
-                            const struct lx_asking *asking, struct lx_smooth *smooth)
+luxel_status lx_smooth_make(const struct lx_planned_surface *surface, double radius_mm, const struct lx_asking *asking,
+                            struct lx_smooth *smooth)
 {
     const struct lx_lights *lights = &surface->lights;
+    smooth->pays = true;
     smooth->has_highlights = surface->glossy_count > 0;
-    smooth->count = lights->count + surface->shell_count + smooth->has_highlights;
+    smooth->count = lights->count + surface->shell_count;
     smooth->radius_mm = radius_mm;
     smooth->gains = lx_new_array(surface->shell_count, sizeof *smooth->gains);
-    if (!smooth->gains || (smooth->has_highlights && make_glossy(surface, tolerance, smooth)))
+    if (!smooth->gains || (smooth->has_highlights && make_parts(surface, smooth)))
         return LUXEL_ERROR_MEMORY;
     for (size_t s = 0; s < surface->shell_count; s++)
         smooth->gains[s] = gain_of(&surface->shells[s], surface->lobe_exact.diffuse);
-    for (int b = 0; b < LX_BASES; b++)
-        make_basis(BASES[b].nodes, BASES[b].reach, &smooth->bases[b]);
     return lx_smooth_lights_make(lights, asking, &smooth->lights);
 }
 
@@ -132,24 +132,35 @@ void lx_smooth_clear(struct lx_smooth *smooth)
     lx_smooth_lights_clear(&smooth->parts);
     lx_round_parts_clear(&smooth->round);
     free(smooth->gains);
-    free(smooth->glossy);
+    free(smooth->plain_parts.inner);
 }
 
 /* ---- fitting ---- */
 
+static size_t larger_count(size_t a, size_t b)
+{
+    return a > b ? a : b;
+}
+
 int lx_fitting_make(const struct lx_plan *plan, struct lx_fitting *fitting)
 {
-    const size_t count = lx_padded(plan->smooth.count);
-    const size_t parts = plan->smooth.parts.count, round = plan->smooth.round.count;
+    size_t most = 0, parts = 0, most_round = 0;
+    for (size_t s = 0; s < plan->surface_count; s++) {
+        const struct lx_smooth *smooth = &plan->surfaces[s].smooth;
+        most = larger_count(most, smooth->count);
+        most_round = larger_count(most_round, smooth->round.count);
+        parts = larger_count(parts, larger_count(smooth->parts.count, smooth->round.count));
+    }
+    const size_t count = lx_padded(most);
     *fitting = (struct lx_fitting){
         .is_left = lx_new_array((1 + LX_BASES) * count, 1),
         .sizes = lx_new_aligned(count, sizeof *fitting->sizes),
-        .part_sizes = lx_new_aligned(lx_padded(parts > round ? parts : round), sizeof *fitting->part_sizes),
+        .part_sizes = lx_new_aligned(lx_padded(parts), sizeof *fitting->part_sizes),
         .turned = lx_new_aligned(1, sizeof *fitting->turned),
         .polynomials = lx_new_aligned(1 + LX_MOST_FOLDED, sizeof *fitting->polynomials),
     };
     if (!fitting->is_left || !fitting->sizes || !fitting->part_sizes || !fitting->turned || !fitting->polynomials ||
-        lx_round_lights_make(&plan->smooth.round, &fitting->round))
+        lx_round_lights_make(most_round, &fitting->round))
         return -1;
     *fitting->turned = (struct lx_block_double){.vx = {0}};
     for (size_t b = 0; b < LX_BASES; b++)
@@ -173,18 +184,17 @@ enum { NOT_TAKEN, WHOLE, FOLDED };
 struct taken {
     const struct lx_basis *basis;
     const uint8_t *how;
-    size_t weight, folded; /* a light weighs 1, highlights COST_OF_HIGHLIGHTS */
-    double error;          /* of lights */
-    double cost;           /* HUGE_VAL where none is taken */
+    size_t count, folded; /* of lights */
+    double error;
+    double cost; /* HUGE_VAL where none is taken */
 };
 
-/* What is left weighs so much. */
-static size_t weigh(const struct lx_smooth *smooth, const struct lx_fitting *fitting)
+static size_t count_left(const struct lx_smooth *smooth, const struct lx_fitting *fitting)
 {
-    size_t weight = lx_holds_of_highlights(smooth, fitting->is_left) ? COST_OF_HIGHLIGHTS - 1 : 0;
+    size_t left = 0;
     for (size_t i = 0; i < smooth->count; i++)
-        weight += fitting->is_left[i];
-    return weight;
+        left += fitting->is_left[i];
+    return left;
 }
 
 /* Of so much of what is left at nodes, and the rest afterwards. */
@@ -194,32 +204,32 @@ static double cost_of(const struct lx_square *square, unsigned nodes, size_t tak
     return (double)taken * nodes + (double)(left - taken) * (square->side * square->side / PIXELS_A_NODE) + further;
 }
 
-/* A bound of the highlights of parts together. */
-static double bound_parts(const struct lx_plan *plan, struct lx_fitting *fitting, const struct lx_smooth_lights *parts)
+/* Leaves lights in whose way something may stand for some of the square. */
+static void leave_shadows(const struct lx_plan *plan, struct lx_fitting *fitting,
+                          const struct lx_planned_surface *surface)
 {
-    double most = 0;
-    plan->kernels->bound_smooth(&fitting->vicinity, parts, 0, parts->count, &plan->surfaces->glossy_exact,
-                                fitting->part_sizes);
-    for (size_t i = 0; i < parts->count; i++)
-        most += fabs(fitting->part_sizes[i]);
-    return most;
-}
-
-/* Whether polynomials of a kind do for the highlights of extended sources, which are exact to the tolerance only. */
-static bool can_take_highlights(const struct lx_plan *plan, struct lx_fitting *fitting, const struct lx_basis *basis)
-{
-    const struct lx_smooth *smooth = &plan->smooth;
-    lx_round_lights_place(&smooth->round, &fitting->vicinity, &fitting->round);
-    const double most = bound_parts(plan, fitting, &smooth->parts) + bound_parts(plan, fitting, &fitting->round);
-    fitting->sizes[lx_highlights_index(smooth)] = most;
-    return most * basis->share <= BETWEEN_NODES * plan->tolerance * plan->least_maximum;
+    const struct lx_ball part = lx_vicinity_ball(&fitting->vicinity);
+    const double *anchor = surface->shape.anchor_mm;
+    for (size_t r = 0; r < surface->run_count; r++) {
+        const struct lx_light_run *run = &surface->runs[r];
+        const struct lx_smooth_lights *lights = &surface->smooth.lights;
+        for (size_t i = run->first; run->blocker_count > 0 && i < run->first + run->count; i++) {
+            const struct lx_ball light = {.center = {lights->x[i], lights->y[i], lights->z[i]}};
+            bool is_free = true;
+            for (size_t b = 0; fitting->is_left[i] && is_free && b < run->blocker_count; b++)
+                is_free = !lx_shape_may_block(&plan->surfaces[surface->blockers[run->blocker_first + b]].shape, anchor,
+                                              &part, &light, run->kind == LX_DISTANT);
+            fitting->sizes[i] = is_free ? fitting->sizes[i] : HUGE_VAL;
+        }
+    }
 }
 
 /* Bounds lights and shells that are left in the vicinity, and maybe others.  False: the work is to stop. */
-static bool bound_lights(const struct lx_plan *plan, struct lx_fitting *fitting, const struct lx_asking *asking)
+static bool bound_lights(const struct lx_plan *plan, struct lx_fitting *fitting, const struct lx_square *square,
+                         const struct lx_asking *asking)
 {
-    const struct lx_smooth *smooth = &plan->smooth;
-    const struct lx_planned_surface *surface = plan->surfaces;
+    const struct lx_planned_surface *surface = square->surface;
+    const struct lx_smooth *smooth = &surface->smooth;
     const size_t count = smooth->lights.count;
     for (size_t first = 0, end; first < count; first = end) {
         end = count - first < BOUNDED_AT_ONCE ? count : first + BOUNDED_AT_ONCE;
@@ -232,6 +242,7 @@ static bool bound_lights(const struct lx_plan *plan, struct lx_fitting *fitting,
     for (size_t s = 0; s < surface->shell_count; s++)
         fitting->sizes[count + s] =
             lx_smooth_shell_bound(&surface->shells[s].shell, smooth->gains[s], &fitting->vicinity);
+    leave_shadows(plan, fitting, surface);
     return true;
 }
 
@@ -240,16 +251,15 @@ static bool bound_lights(const struct lx_plan *plan, struct lx_fitting *fitting,
 static struct taken take_lights(const struct lx_plan *plan, struct lx_fitting *fitting, const struct lx_square *square,
                                 int b, double allowance, size_t left, const struct lx_asking *asking)
 {
-    const struct lx_smooth *smooth = &plan->smooth;
-    const size_t lights = smooth->lights.count + plan->surfaces->shell_count;
-    const struct lx_basis *basis = &smooth->bases[b];
+    const size_t lights = square->surface->smooth.count;
+    const struct lx_basis *basis = &plan->bases[b];
     uint8_t *how = fitting->how[b];
     const struct taken none = {.basis = basis, .how = how, .cost = HUGE_VAL};
     struct taken taken = none;
-    memset(how, NOT_TAKEN, smooth->count);
-    if (!lx_find_vicinity(plan, square, basis, &fitting->vicinity) || !bound_lights(plan, fitting, asking))
+    memset(how, NOT_TAKEN, lights);
+    if (!lx_find_vicinity(plan, square, basis, &fitting->vicinity) || !bound_lights(plan, fitting, square, asking))
         return none;
-    for (int round = 0; round < 2 && taken.weight < left; round++) {
+    for (int round = 0; round < 2 && taken.count < left; round++) {
         const double limit = round == 0 ? allowance / (double)left : HUGE_VAL;
         for (size_t i = 0; i < lights; i++) {
             const bool is_folded = fitting->sizes[i] < 0;
@@ -260,17 +270,13 @@ static struct taken take_lights(const struct lx_plan *plan, struct lx_fitting *f
                 (is_folded && taken.folded == LX_MOST_FOLDED))
                 continue;
             how[i] = is_folded ? FOLDED : WHOLE;
-            taken.weight++;
+            taken.count++;
             taken.folded += is_folded;
             taken.error += error;
         }
     }
-    if (lx_holds_of_highlights(smooth, fitting->is_left) && can_take_highlights(plan, fitting, basis)) {
-        how[lx_highlights_index(smooth)] = WHOLE;
-        taken.weight += COST_OF_HIGHLIGHTS;
-    }
-    if (taken.weight > 0)
-        taken.cost = cost_of(square, basis->nodes * basis->nodes, taken.weight, left);
+    if (taken.count > 0)
+        taken.cost = cost_of(square, basis->nodes * basis->nodes, taken.count, left);
     return taken;
 }
 
@@ -284,9 +290,9 @@ static struct taken choose_lights(const struct lx_plan *plan, struct lx_fitting 
                           : left < MOST_FOR_PIXELS      ? 1
                                                         : left - MOST_FOR_PIXELS + 1;
     struct taken best = {.cost = HUGE_VAL};
-    for (int b = 0; b < LX_BASES && best.weight < enough; b++) {
+    for (int b = 0; b < LX_BASES && best.count < enough; b++) {
         const unsigned nodes = BASES[b].nodes * BASES[b].nodes;
-        if (half * BASES[b].least_radius >= plan->smooth.radius_mm ||
+        if (half * BASES[b].least_radius >= square->surface->smooth.radius_mm ||
             nodes * PIXELS_A_NODE >= square->side * square->side)
             continue;
         const struct taken taken = take_lights(plan, fitting, square, b, allowance, left, asking);
@@ -295,11 +301,10 @@ static struct taken choose_lights(const struct lx_plan *plan, struct lx_fitting 
     return best;
 }
 
-/* Elements where lines of sight through the nodes of a square meet the surface. */
-static void gather_nodes(const struct lx_plan *plan, struct lx_seen *seen, const struct lx_square *square,
-                         const struct lx_basis *basis)
+void lx_gather_nodes(const struct lx_plan *plan, struct lx_seen *seen, const struct lx_square *square,
+                     const struct lx_basis *basis, bool in_tiles)
 {
-    const struct lx_planned_surface *surface = plan->surfaces;
+    const struct lx_planned_surface *surface = square->surface;
     const struct lx_shape *shape = &surface->shape;
     struct lx_block_double *block = &seen->block;
     const unsigned nodes = basis->nodes;
@@ -310,25 +315,26 @@ static void gather_nodes(const struct lx_plan *plan, struct lx_seen *seen, const
     _Static_assert((int)LX_MOST_NODES * LX_MOST_NODES <= (int)LX_BLOCK, "a block holds all nodes");
     for (unsigned j = 0; j < nodes; j++) {
         const struct lx_row_view view = lx_row_view_of(plan, square->y_mm - square->half_mm[1] * basis->place[j]);
-        plan->kernels->meet_lines[shape->type](shape, &view, x, LX_LANES, depth, places[0], places[1], places[2]);
-        memcpy(block->px + (size_t)j * nodes, places[0], nodes * sizeof *x);
-        memcpy(block->py + (size_t)j * nodes, places[1], nodes * sizeof *x);
-        memcpy(block->pz + (size_t)j * nodes, places[2], nodes * sizeof *x);
+        lx_meet_shape(plan->kernels, shape, &view, x, LX_LANES, depth, places[0], places[1], places[2]);
+        for (unsigned i = 0; i < nodes; i++) {
+            const size_t k = in_tiles ? lx_node_in_tiles(nodes, i, j) : (size_t)j * nodes + i;
+            block->px[k] = places[0][i], block->py[k] = places[1][i], block->pz[k] = places[2][i];
+        }
     }
     lx_seen_pad(block->px, (size_t)nodes * nodes);
     lx_seen_pad(block->py, (size_t)nodes * nodes);
     lx_seen_pad(block->pz, (size_t)nodes * nodes);
-    plan->kernels->complete_block[shape->type](shape, lx_observer_from(plan, surface, observer), block, &seen->copy,
-                                               (size_t)nodes * nodes);
+    lx_complete_shape(plan->kernels, shape, lx_observer_from(plan, surface, observer), block, &seen->copy,
+                      (size_t)nodes * nodes);
 }
 
 /* Sums the lights that are taken that way over the elements of a block; something else where the work is to stop.
  * False: an extended source is too near to one of them for the rules of its law. */
-static bool sum_lights(const struct lx_plan *plan, const struct lx_block_double *block, size_t count,
-                       const uint8_t *how, int wanted, const struct lx_lobe_double *lobe,
-                       const struct lx_asking *asking, struct lx_light_room *room, double *sum)
+static bool sum_lights(const struct lx_plan *plan, const struct lx_planned_surface *surface,
+                       const struct lx_block_double *block, size_t count, const uint8_t *how, int wanted,
+                       const struct lx_lobe_double *lobe, const struct lx_asking *asking, struct lx_light_room *room,
+                       double *sum)
 {
-    const struct lx_planned_surface *surface = plan->surfaces;
     const struct lx_lights *lights = &surface->lights;
     const size_t most = lights->cloud_count > 0 ? LX_MOST_IN_RUN : LIGHTS_BETWEEN_CHECKS;
     for (size_t r = 0; r < surface->run_count; r++) {
@@ -360,30 +366,6 @@ static bool sum_lights(const struct lx_plan *plan, const struct lx_block_double 
     return !memchr(left, 1, count);
 }
 
-/* Adds the highlights of extended sources.  False: they are not as good as they should be. */
-static bool add_highlights(const struct lx_plan *plan, struct lx_shader_memory *shader, size_t count,
-                           const struct lx_asking *asking, double *sum)
-{
-    const struct lx_seen *seen = lx_shader_seen(shader);
-    const struct lx_planned_surface *surface = plan->surfaces;
-    const struct lx_sampler sampler = {
-        .kernels = plan->kernels,
-        .sources = plan->smooth.glossy,
-        .source_count = surface->glossy_count,
-        .lobe = &surface->glossy_exact,
-        .lobe_single = &surface->glossy_single,
-        .tolerance = AT_NODES * plan->tolerance,
-        .least_maximum = plan->least_maximum,
-        .least = lx_least_of(plan->precision),
-        .most_cells = LX_MOST_CELLS,
-        .asking = asking,
-    };
-    bool is_good = true;
-    for (size_t start = 0; start < count && is_good; start += LX_LANES)
-        is_good = lx_sample_run(&sampler, lx_shader_sampling(shader), &seen->block, &seen->copy, start, sum + start);
-    return is_good;
-}
-
 /* Adds the polynomial through sums at nodes; returns what it may be off by in float32. */
 static double add_polynomial(const struct lx_plan *plan, struct lx_fitting *fitting, const struct lx_basis *basis,
                              unsigned side, const double *sums)
@@ -396,10 +378,10 @@ static double add_polynomial(const struct lx_plan *plan, struct lx_fitting *fitt
 
 /* The diffuse light of those that are folded, each on its own, without the fold: what falls on the surface less what
  * would if its normals were turned round.  Returns what they may be off by in float32. */
-static double add_folded(const struct lx_plan *plan, struct lx_fitting *fitting, const struct lx_block_double *block,
-                         const struct lx_basis *basis, unsigned side, const uint8_t *how)
+static double add_folded(const struct lx_plan *plan, const struct lx_planned_surface *surface,
+                         struct lx_fitting *fitting, const struct lx_block_double *block, const struct lx_basis *basis,
+                         unsigned side, const uint8_t *how)
 {
-    const struct lx_planned_surface *surface = plan->surfaces;
     const size_t nodes = (size_t)basis->nodes * basis->nodes, padded = lx_padded(nodes);
     struct lx_block_double *turned = fitting->turned;
     double rounding = 0;
@@ -407,7 +389,7 @@ static double add_folded(const struct lx_plan *plan, struct lx_fitting *fitting,
         turned->px[i] = block->px[i], turned->py[i] = block->py[i], turned->pz[i] = block->pz[i];
         turned->nx[i] = -block->nx[i], turned->ny[i] = -block->ny[i], turned->nz[i] = -block->nz[i];
     }
-    for (size_t i = 0; i < plan->smooth.lights.count; i++) {
+    for (size_t i = 0; i < surface->smooth.lights.count; i++) {
         if (how[i] != FOLDED)
             continue;
         _Alignas(64) double sum[LX_BLOCK], below[LX_BLOCK];
@@ -458,20 +440,21 @@ static size_t find_only_light(const struct lx_smooth *smooth, const struct lx_fi
  * its digits only as the n-th power of the root's polynomial.  All lights are taken with the basis that was tried last.
  * False: there is no such foot, or it would be off by too much.
  */
-static bool fit_foot(const struct lx_plan *plan, struct lx_fitting *fitting, const struct lx_basis *basis,
-                     unsigned side, double least, double *sums, double *error, double *rounding)
+static bool fit_foot(const struct lx_plan *plan, struct lx_fitting *fitting, const struct lx_square *square,
+                     const struct lx_basis *basis, double least, double *sums, double *error, double *rounding)
 {
-    const struct lx_lobe_double *lobe = &plan->surfaces->lobe_exact;
-    const size_t light = find_only_light(&plan->smooth, fitting), lights = plan->smooth.lights.count;
+    const struct lx_smooth *smooth = &square->surface->smooth;
+    const struct lx_lobe_double *lobe = &square->surface->lobe_exact;
+    const size_t light = find_only_light(smooth, fitting), lights = smooth->lights.count;
     const double n = lobe->exponent.value;
     if (light >= lights || lobe->model == LX_LAMBERT || lobe->highlight != LX_HIGHLIGHT_PLAIN ||
         lobe->exponent.whole == 0 || !(least >= DBL_MIN))
         return false;
-    const struct lx_foot foot = plan->kernels->bound_foot(&fitting->vicinity, &plan->smooth.lights, light, lobe);
+    const struct lx_foot foot = plan->kernels->bound_foot(&fitting->vicinity, &smooth->lights, light, lobe);
     if (!(foot.root < HUGE_VAL))
         return false;
     plan->kernels->find_roots(sums, lx_padded((size_t)basis->nodes * basis->nodes), n);
-    const double rounded = add_polynomial(plan, fitting, basis, side, sums), off = foot.root * basis->share;
+    const double rounded = add_polynomial(plan, fitting, basis, square->side, sums), off = foot.root * basis->share;
     fitting->polynomials[fitting->count - 1].power = lobe->exponent.whole;
     /* (q + d)^n - q^n is no more than n d (q + d)^(n - 1) */
     const double top = pow(foot.most, 1 / n) + off + rounded, slope = n * pow(top, n - 1);
@@ -485,40 +468,40 @@ bool lx_smooth_fit(const struct lx_plan *plan, struct lx_fitting *fitting, struc
                    const struct lx_square *square, double uniform, bool alone, const struct lx_asking *asking,
                    double *allowance)
 {
-    const struct lx_smooth *smooth = &plan->smooth;
-    const struct lx_planned_surface *surface = plan->surfaces;
+    const struct lx_planned_surface *surface = square->surface;
+    const struct lx_smooth *smooth = &surface->smooth;
     struct lx_seen *seen = lx_shader_seen(shader);
-    const size_t left = weigh(smooth, fitting);
+    const size_t left = count_left(smooth, fitting);
     const struct taken taken = choose_lights(plan, fitting, square, *allowance, left, asking);
     const struct lx_basis *basis = taken.basis;
     fitting->count = 0;
     memset(fitting->is_faint, 0, sizeof fitting->is_faint);
-    if (taken.weight == 0)
+    if (taken.count == 0)
         return false;
     _Alignas(64) double sum[LX_BLOCK];
     const size_t nodes = (size_t)basis->nodes * basis->nodes;
-    gather_nodes(plan, seen, square, basis);
+    lx_gather_nodes(plan, seen, square, basis, false);
     plan->kernels->set_all(sum, lx_padded(nodes), uniform);
-    if (!sum_lights(plan, &seen->block, nodes, taken.how, WHOLE, &surface->lobe_exact, asking, &fitting->room, sum))
+    if (!sum_lights(plan, surface, &seen->block, nodes, taken.how, WHOLE, &surface->lobe_exact, asking, &fitting->room,
+                    sum))
         return false;
     if (taken.folded > 0 && surface->glossy_exact.model != LX_LAMBERT &&
-        !sum_lights(plan, &seen->block, nodes, taken.how, FOLDED, &surface->glossy_exact, asking, &fitting->room, sum))
-        return false;
-    if (lx_holds_of_highlights(smooth, taken.how) && !add_highlights(plan, shader, nodes, asking, sum))
+        !sum_lights(plan, surface, &seen->block, nodes, taken.how, FOLDED, &surface->glossy_exact, asking,
+                    &fitting->room, sum))
         return false;
     const double least =
-        alone ? find_least(basis, sum, taken.error / OF_ITSELF, taken.weight == left, fitting) : HUGE_VAL;
+        alone ? find_least(basis, sum, taken.error / OF_ITSELF, taken.count == left, fitting) : HUGE_VAL;
     const bool has_digits = taken.error <= OF_ITSELF * least;
     double rounding, error = taken.error, maximum = plan->least_maximum;
     if (has_digits) {
         rounding = add_polynomial(plan, fitting, basis, square->side, sum);
         maximum = lx_larger(maximum, (double)fitting->polynomials[0].terms[0][0]);
-    } else if (uniform > 0 || taken.weight < left ||
-               !fit_foot(plan, fitting, basis, square->side, least, sum, &error, &rounding)) {
+    } else if (uniform > 0 || taken.count < left ||
+               !fit_foot(plan, fitting, square, basis, least, sum, &error, &rounding)) {
         return false;
     }
     if (taken.folded > 0)
-        rounding += add_folded(plan, fitting, &seen->block, basis, square->side, taken.how);
+        rounding += add_folded(plan, surface, fitting, &seen->block, basis, square->side, taken.how);
     if (!(rounding <= ROUNDINGS * maximum && rounding <= MOST_ROUNDING && error <= *allowance) ||
         (has_digits && !(rounding + error <= OF_ITSELF * least)))
         return false;

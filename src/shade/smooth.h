@@ -21,6 +21,7 @@
 struct lx_plan;
 struct lx_planned_surface;
 struct lx_shader_memory;
+struct lx_seen;
 
 /* Polynomials through so many nodes on each axis. */
 struct lx_basis {
@@ -34,50 +35,50 @@ struct lx_basis {
 
 enum { LX_BASES = 4 };
 
+void lx_basis_make(unsigned nodes, double reach, struct lx_basis *basis);
+void lx_bases_make(struct lx_basis bases[LX_BASES]); /* from the fewest nodes on */
+
 /*
- * What a plan knows for them.  Extended sources follow the lights, for what is diffuse: the surface's first shell is
- * light lights.count.  The highlights of all of them, where there are any, are the last light.
+ * What a plan knows for them of a surface.  Extended sources follow the lights, for what is diffuse: the surface's
+ * first shell is light lights.count.  Their highlights have polynomials of their own (smooth_gloss.h).
  */
 struct lx_smooth {
-    struct lx_basis bases[LX_BASES]; /* from the fewest nodes on */
+    bool pays; /* where it does not nothing else is there */
     struct lx_smooth_lights lights;
     double *gains; /* of the shells, as lx_smooth_shell_bound() takes them; infinite: to be summed for each pixel */
     bool has_highlights;
-    struct lx_smooth_lights parts; /* that highlights are of, */
+    struct lx_smooth_lights parts;       /* that highlights are of */
+    struct lx_smooth_lights plain_parts; /* the same as if they shone as much in all directions */
     struct lx_round_parts round;
-    struct lx_sampled *glossy; /* and their sources, as many as the surface has */
-    size_t count;              /* of all */
-    double radius_mm;          /* of the surface, as it looks on the screen */
+    size_t count;     /* of lights and shells */
+    double radius_mm; /* of the surface, as it looks on the screen */
 };
-
-/* Where there are highlights, which light they are. */
-static inline size_t lx_highlights_index(const struct lx_smooth *smooth)
-{
-    return smooth->count - 1;
-}
-
-/* Whether there are, and something is so of them that is told for each light. */
-static inline bool lx_holds_of_highlights(const struct lx_smooth *smooth, const uint8_t *told)
-{
-    return smooth->has_highlights && told[lx_highlights_index(smooth)];
-}
 
 /* Of more lights there are none: what is kept of each of them takes 144 bytes. */
 enum { LX_MOST_SMOOTH = 1 << 20 };
 
-/* Of the lights over a surface and its shells, whose highlights lx_has_smooth_highlights(), if they have any, and are
- * sampled to a tolerance.  LUXEL_OK, LUXEL_ERROR_MEMORY or LUXEL_CANCELLED. */
-luxel_status lx_smooth_make(const struct lx_planned_surface *surface, double radius_mm, double tolerance,
-                            const struct lx_asking *asking, struct lx_smooth *smooth);
+/* For the lights over a surface and its shells, whose highlights lx_has_smooth_highlights(), if they have any.
+ * LUXEL_OK, LUXEL_ERROR_MEMORY or LUXEL_CANCELLED. */
+luxel_status lx_smooth_make(const struct lx_planned_surface *surface, double radius_mm, const struct lx_asking *asking,
+                            struct lx_smooth *smooth);
 void lx_smooth_clear(struct lx_smooth *smooth);
 
-/* Where that radius is not so many times the side of a panel polynomials seldom pay. */
-enum { LX_LEAST_PANELS = 7 };
+/* Where in tiles of 4 x 4 the i-th node of row j stands, of a number on each axis that 4 divides. */
+static inline size_t lx_node_in_tiles(unsigned nodes, unsigned i, unsigned j)
+{
+    enum { TILE = 4 };
+    return ((size_t)(j / TILE) * (nodes / TILE) + i / TILE) * TILE * TILE + (size_t)(j % TILE) * TILE + i % TILE;
+}
+
+/* Elements where lines of sight through the nodes of a square meet its surface; `in_tiles` of 4 x 4 nodes, so that
+ * those of a run are near each other, else row by row. */
+void lx_gather_nodes(const struct lx_plan *plan, struct lx_seen *seen, const struct lx_square *square,
+                     const struct lx_basis *basis, bool in_tiles);
 
 /* Lights that set within a square and whose diffuse light a polynomial of its own does for, at most. */
 enum { LX_MOST_FOLDED = 16 };
 
-/* What one thread needs, for one plan. */
+/* What one thread needs, for one plan, whatever surfaces its squares show. */
 struct lx_fitting {
     uint8_t *is_left;       /* of each light */
     uint8_t *how[LX_BASES]; /* how polynomials of each basis take each light */

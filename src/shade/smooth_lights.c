@@ -269,9 +269,9 @@ void lx_round_parts_clear(struct lx_round_parts *round)
     *round = (struct lx_round_parts){.count = 0};
 }
 
-int lx_round_lights_make(const struct lx_round_parts *round, struct lx_smooth_lights *made)
+int lx_round_lights_make(size_t count, struct lx_smooth_lights *made)
 {
-    return make_room(round->count, made);
+    return make_room(count, made);
 }
 
 /* The patch of a ball or a cylinder's side as the middle of a square sees it, a ball as the disk that it is for it. */

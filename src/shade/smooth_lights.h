@@ -44,9 +44,9 @@ int lx_smooth_parts_make(const struct lx_planned_surface *surface, struct lx_smo
                          struct lx_round_parts *round);
 void lx_round_parts_clear(struct lx_round_parts *round);
 
-/* Room for round parts as lights, 0 or -1; and those of these lights that a square sees.  Where some places around it
- * may not be outside of the body they are so near that there is no bound. */
-int lx_round_lights_make(const struct lx_round_parts *round, struct lx_smooth_lights *made);
+/* Room for so many round parts as lights, 0 or -1; and those of these lights that a square sees.  Where some places
+ * around it may not be outside of the body they are so near that there is no bound. */
+int lx_round_lights_make(size_t count, struct lx_smooth_lights *made);
 void lx_round_lights_place(const struct lx_round_parts *round, const struct lx_vicinity *at,
                            struct lx_smooth_lights *made);
 

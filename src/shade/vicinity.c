@@ -6,6 +6,8 @@
 #include <string.h>
 
 #include "../base/larger.h"
+#include "blocking.h"
+#include "general.h"
 #include "seen.h"
 #include "smooth.h"
 
@@ -34,27 +36,58 @@ static double dot(const double a[3], const double b[3])
 
 /* Of lines through two places side by side, which may be the same, where the left one meets the surface.  False: not
  * both do. */
-static bool meet(const struct lx_plan *plan, const double x_mm[2], double y_mm, double place[3])
+static bool meet(const struct lx_plan *plan, const struct lx_planned_surface *surface, const double x_mm[2],
+                 double y_mm, double place[3], double *depth_of_left)
 {
-    const struct lx_shape *shape = &plan->surfaces->shape;
+    const struct lx_shape *shape = &surface->shape;
     const struct lx_row_view view = lx_row_view_of(plan, y_mm);
     _Alignas(64) double x[LX_LANES], depth[LX_LANES], places[3][LX_LANES];
     for (size_t i = 0; i < LX_LANES; i++)
         x[i] = x_mm[i > 0];
-    const size_t met =
-        plan->kernels->meet_lines[shape->type](shape, &view, x, 2, depth, places[0], places[1], places[2]);
+    const size_t met = lx_meet_shape(plan->kernels, shape, &view, x, 2, depth, places[0], places[1], places[2]);
     for (int i = 0; i < 3; i++)
         place[i] = places[i][0];
+    *depth_of_left = depth[0];
     return met == 2 && depth[0] > 0;
 }
 
-/* Whether a rectangle shows at all corners of a square, and so between them. */
+/* Whether what is flat and convex shows at all corners of a square, and so between them. */
 static bool shows_corners(const struct lx_plan *plan, const struct lx_square *square)
 {
     const double x[2] = {square->x_mm - square->half_mm[0], square->x_mm + square->half_mm[0]};
-    double place[3];
-    return meet(plan, x, square->y_mm - square->half_mm[1], place) &&
-           meet(plan, x, square->y_mm + square->half_mm[1], place);
+    double place[3], depth;
+    return meet(plan, square->surface, x, square->y_mm - square->half_mm[1], place, &depth) &&
+           meet(plan, square->surface, x, square->y_mm + square->half_mm[1], place, &depth);
+}
+
+const struct lx_planned_surface *lx_surface_seen(const struct lx_plan *plan, double x_mm, double y_mm)
+{
+    const struct lx_planned_surface *seen = NULL;
+    const double x[2] = {x_mm, x_mm};
+    double nearest = HUGE_VAL, depth, place[3];
+    for (size_t s = 0; s < plan->surface_count; s++)
+        if (meet(plan, &plan->surfaces[s], x, y_mm, place, &depth) && depth < nearest) {
+            nearest = depth;
+            seen = &plan->surfaces[s];
+        }
+    return seen;
+}
+
+/* Whether no other surface may stand between the observer and what a square shows. */
+static bool is_free(const struct lx_plan *plan, const struct lx_square *square, const struct lx_vicinity *at)
+{
+    const struct lx_planned_surface *surface = square->surface;
+    const struct lx_observer *observer = &plan->prepared->scene->observer;
+    const bool endless = observer->projection != LX_PERSPECTIVE;
+    const struct lx_ball part = lx_vicinity_ball(at);
+    struct lx_ball eye = {.center = {0, 0, 1}};
+    for (int i = 0; i < 3 && !endless; i++)
+        eye.center[i] = (i == 2 ? observer->z_mm : 0) - surface->shape.anchor_mm[i];
+    for (size_t s = 0; s < plan->surface_count; s++)
+        if (&plan->surfaces[s] != surface &&
+            lx_shape_may_block(&plan->surfaces[s].shape, surface->shape.anchor_mm, &part, &eye, endless))
+            return false;
+    return true;
 }
 
 /* ---- parallel lines of sight ---- */
@@ -165,7 +198,7 @@ static bool leeway_in_perspective(const struct pencil *pencil, struct reach reac
 
 static struct pencil pencil_of(const struct lx_plan *plan, const struct lx_square *square, const struct lx_vicinity *at)
 {
-    const struct lx_shape *shape = &plan->surfaces->shape;
+    const struct lx_shape *shape = &square->surface->shape;
     const double h = plan->prepared->scene->observer.z_mm, d[3] = {square->x_mm, square->y_mm, -h};
     const double length = sqrt(dot(d, d)), cosine = -dot(at->normal, d) / length;
     return (struct pencil){
@@ -176,7 +209,7 @@ static struct pencil pencil_of(const struct lx_plan *plan, const struct lx_squar
         .cosine = cosine,
         .sine = sqrt(lx_larger(1 - cosine * cosine, 0)),
         .n_across = root_of_sum(at->normal[0], at->normal[1]),
-        .bend = shape->type == LX_SPHERE ? 1 / shape->radius_mm : 0,
+        .bend = lx_curvature(shape),
     };
 }
 
@@ -210,13 +243,13 @@ static bool find_in_perspective(const struct lx_plan *plan, const struct lx_squa
     return leeway_in_perspective(&pencil, reach, &at->place_leeway) && leeway_of_view(back, &moves, at);
 }
 
-static bool find_in_parallel(const struct lx_plan *plan, struct reach reach, struct lx_vicinity *at)
+static bool find_in_parallel(const struct lx_plan *plan, const struct lx_planned_surface *surface, struct reach reach,
+                             struct lx_vicinity *at)
 {
-    const struct lx_planned_surface *surface = plan->surfaces;
     const struct lx_shape *shape = &surface->shape;
     double observer[3], way[3];
-    if (!(shape->type == LX_SPHERE ? leeway_on_sphere(shape->radius_mm, at->place, reach, &at->place_leeway)
-                                   : leeway_on_plate(at->normal, reach, &at->place_leeway)))
+    if (!(lx_curvature(shape) > 0 ? leeway_on_sphere(shape->radius_mm, at->place, reach, &at->place_leeway)
+                                  : leeway_on_plate(at->normal, reach, &at->place_leeway)))
         return false;
     if (!lx_observer_from(plan, surface, observer))
         return true;
@@ -228,7 +261,7 @@ static bool find_in_parallel(const struct lx_plan *plan, struct reach reach, str
 bool lx_find_vicinity(const struct lx_plan *plan, const struct lx_square *square, const struct lx_basis *basis,
                       struct lx_vicinity *at)
 {
-    const struct lx_shape *shape = &plan->surfaces->shape;
+    const struct lx_shape *shape = &square->surface->shape;
     const double half = lx_larger(square->half_mm[0], square->half_mm[1]), middle[2] = {square->x_mm, square->x_mm};
     const struct reach reach = {
         .real = root_of_sum((basis->reach + 1 / basis->reach) / 2, 1) * half,
@@ -236,19 +269,21 @@ bool lx_find_vicinity(const struct lx_plan *plan, const struct lx_square *square
         .tile = root_of_sum(square->half_mm[0], square->half_mm[1]),
     };
     *at = (struct lx_vicinity){.view = {0, 0, 1}, .slip = basis->slip};
-    if (!meet(plan, middle, square->y_mm, at->place) || (shape->type == LX_PLATE && !shows_corners(plan, square)))
+    double depth;
+    if (!meet(plan, square->surface, middle, square->y_mm, at->place, &depth) ||
+        (lx_curvature(shape) == 0 && !shows_corners(plan, square)))
         return false;
-    for (int i = 0; i < 3; i++)
-        at->normal[i] = shape->type == LX_SPHERE ? at->place[i] / shape->radius_mm : shape->axis[i];
-    if (!(plan->prepared->scene->observer.projection == LX_PERSPECTIVE ? find_in_perspective(plan, square, reach, at)
-                                                                       : find_in_parallel(plan, reach, at)))
+    shape->kind->normal(shape, at->place, at->normal);
+    if (!(plan->prepared->scene->observer.projection == LX_PERSPECTIVE
+              ? find_in_perspective(plan, square, reach, at)
+              : find_in_parallel(plan, square->surface, reach, at)))
         return false;
-    if (shape->type == LX_SPHERE) {
+    if (lx_curvature(shape) > 0) {
         const struct lx_leeway *place = &at->place_leeway;
         const double radius = shape->radius_mm;
         at->level = radius;
         at->normal_leeway = (struct lx_leeway){place->first / radius, place->second / radius, place->imaginary / radius,
                                                place->tile / radius};
     }
-    return true;
+    return is_free(plan, square, at);
 }

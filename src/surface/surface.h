@@ -163,6 +163,13 @@ static inline bool lx_way_to(const struct lx_origin *origin, const double place_
     return origin->endless;
 }
 
+/* 1/R of a sphere, 0 of what lies in a plane, less than 0 of all else. */
+static inline double lx_curvature(const struct lx_shape *shape)
+{
+    const struct lx_surface_bounds *bounds = shape->kind->bounds;
+    return bounds && bounds->curvature ? bounds->curvature(shape) : -1;
+}
+
 /* The shape of authored parameters. */
 struct lx_shape lx_surface_shape(const struct lx_surface_kind *kind, const void *parameters);
 

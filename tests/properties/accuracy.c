@@ -41,18 +41,20 @@ bool is_true_in_double(struct trial *trial)
     return is_true(trial, LUXEL_DOUBLE, most_pixels(trial));
 }
 
-/* A part of the first surface from so near that squares of pixels are smooth; under extended sources mostly without its
- * highlight, as its exact values take long. */
+/* A part of the first surface from so near that squares of pixels are smooth, alone or with all others in the view and
+ * in the light; under extended sources mostly without their highlights, as exact values of these take long. */
 bool is_true_in_panels(struct trial *trial)
 {
     enum { COLUMNS = 150, ROWS = 140, PANEL = 64, LEAST_PANELS = 8 };
     struct draft near = *trial->draft;
     struct draft_surface_numbers *surface = &near.surfaces[0].numbers;
-    const double farther = near.words.columns; /* by chance from 1 to 9 */
+    const double farther = near.words.columns;                                             /* by chance from 1 to 9 */
     const bool has_extended = draft_has_extended(&near), is_glossy = near.words.rows == 2; /* by chance */
-    if (has_extended && !is_glossy)
-        surface->specular = 0;
-    near.surface_count = 1;
+    const bool is_alone = near.words.columns % 2 == 0;
+    if (is_alone)
+        near.surface_count = 1;
+    for (size_t s = 0; has_extended && !is_glossy && s < near.surface_count; s++)
+        near.surfaces[s].numbers.specular = 0;
     near.words.columns = COLUMNS;
     near.words.rows = ROWS;
     near.numbers.pitch = surface->size[0] / (PANEL * LEAST_PANELS * farther);

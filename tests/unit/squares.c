@@ -24,6 +24,7 @@ static struct lx_square random_square(struct randomness *random, const struct lx
     const double scale = lx_scale_at(&plan->prepared->scene->observer, anchor[2]);
     const bool is_central = pick(random, 4) == 0;
     return (struct lx_square){
+        .surface = surface,
         .x_mm = scale * (is_central ? anchor[0] : uniform(random, surface->low_mm[0], surface->high_mm[0])),
         .y_mm = scale * (is_central ? anchor[1] : uniform(random, surface->low_mm[1], surface->high_mm[1])),
         .half_mm = {half, half},

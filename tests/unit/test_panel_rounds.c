@@ -163,16 +163,16 @@ static void try_parts(const struct test_scene *test, struct workplace *work, con
                       struct randomness *random, void *data)
 {
     const struct lx_plan *plan = &work->plan;
-    const struct lx_round_parts *round = &plan->smooth.round;
+    const struct lx_round_parts *round = &plan->surfaces->smooth.round;
     const struct lx_lobe_double *lobe = &plan->surfaces->glossy_exact;
-    const struct lx_basis *basis = &plan->smooth.bases[q % LX_BASES];
+    const struct lx_basis *basis = &plan->bases[q % LX_BASES];
     struct lx_smooth_lights *lights = &work->fitting.round;
     struct lx_vicinity vicinity;
     size_t *tried = data;
     const struct lx_emitter *emitter = &test->lights[0];
     if (emitter->type == LX_CYLINDER) { /* its section along the axis, and an end */
         const double radius = emitter->radius_mm, area = 2 * radius * emitter->height_mm + M_PI * radius * radius;
-        assert_true(fabs(plan->smooth.gains[0] / (0.25 * 1000 * area) - 1) < 1e-9);
+        assert_true(fabs(plan->surfaces->smooth.gains[0] / (0.25 * 1000 * area) - 1) < 1e-9);
     }
     if (!lx_find_vicinity(plan, square, basis, &vicinity))
         return;
@@ -271,7 +271,7 @@ static void parts_are_the_body(void **state)
         struct lx_sampled source = {.emitter = &emitter, .shell = &shell, .law = LX_INVERSE_SQUARE};
         const struct lx_planned_surface surface = {.shape = lit, .glossy = &source, .glossy_count = 1};
         assert_int_equal(lx_smooth_parts_make(&surface, &flat, &round), 0);
-        assert_int_equal(lx_round_lights_make(&round, &made), 0);
+        assert_int_equal(lx_round_lights_make(round.count, &made), 0);
         lx_round_lights_place(&round, &at, &made);
         assert_true(made.count == round.count && round.count >= 2);
         check_sums(&shell, &at, &round, &made);
@@ -354,7 +354,7 @@ static void hidden_sides(void **state)
     struct lx_sampled source = {.emitter = &emitter, .shell = &shell, .law = LX_INVERSE_SQUARE};
     const struct lx_planned_surface surface = {.shape = lit, .glossy = &source, .glossy_count = 1};
     assert_int_equal(lx_smooth_parts_make(&surface, &flat, &round), 0);
-    assert_int_equal(lx_round_lights_make(&round, &made), 0);
+    assert_int_equal(lx_round_lights_make(round.count, &made), 0);
     assert_true(flat.count > 0);
     struct lx_vicinity at = {.normal = {0, 0, 1}, .place_leeway = {.first = 40, .imaginary = 30, .tile = 10}};
     for (double x = 1; x < 600; x += 4) {

@@ -14,6 +14,7 @@
 #include <cmocka.h>
 
 #include "extended_sources.h"
+#include "lamp_scenes.h"
 #include "light/extended.h"
 #include "light/facets.h"
 #include "shade/reference.h"
@@ -23,69 +24,6 @@
 
 /* Plans of scenes with highlights take long to make. */
 enum { SQUARES = 6, GLOSSY_SQUARES = 24 };
-
-/* One surface without a highlight under one extended source, of the first so many kinds, and, at times, a point. */
-static void make_scene_of(int i, int kinds, struct test_scene *test)
-{
-    struct randomness random = {.state = UINT64_C(0x9E3779B97F4A7C15) * ((uint64_t)i + 1)};
-    const struct lx_material material = {.model = LX_LAMBERT, .diffuse = 0.7};
-    double direction[3], center[3];
-    make_finer_scene(&random, i % 3 == 0, test, direction, center);
-    test->surfaces[0].lobe = lx_lobe_prepare(&material);
-    test->prepared.emitters.count = 1 + (size_t)(i % 4 == 0);
-    const int kind = pick(&random, kinds);
-    test->lights[0] = source_of(kind < SOURCES ? kind : PRISM, center, 1000, 0);
-    if (kind >= SOURCES) {
-        lx_facets_free(test->lights[0].facets);
-        test->lights[0].facets = lx_facets_of_cylinder(center, 150, 300, direction, 3);
-        assert_non_null(test->lights[0].facets);
-    }
-    test->lights[0].attenuation = (enum lx_attenuation)(i / 2 % LX_LAWS);
-    test->lights[0].k_mm = 300 * (i % 5);
-}
-
-/* Beyond the last kind: a wedge, which is not symmetric. */
-static void make_scene(int i, struct test_scene *test)
-{
-    make_scene_of(i, SOURCES + 4, test);
-}
-
-/* A highlight of any kind: of whole exponents up to a limit, or of others. */
-static struct lx_material random_gloss(struct randomness *random, double most_whole, double least, double most)
-{
-    struct lx_material material = {.specular = 0.5};
-    material.model = pick(random, 2) ? LX_BLINN_PHONG : LX_PHONG;
-    material.diffuse = pick(random, 3) ? 0.5 : 0;
-    material.shininess = pick(random, 2) ? floor(logarithmic(random, 1, most_whole)) : logarithmic(random, least, most);
-    material.highlight = pick(random, 2) ? (int)LX_HIGHLIGHT_PLAIN : pick(random, 3);
-    return material;
-}
-
-/* Under any one, with a highlight. */
-static void make_glossy_scene(int i, struct test_scene *test)
-{
-    struct randomness random = {.state = UINT64_C(0xBF58476D1CE4E5B9) * ((uint64_t)i + 1)};
-    const struct lx_material material = random_gloss(&random, 300, 0.5, 100);
-    make_scene_of(i, SOURCES, test);
-    test->surfaces[0].lobe = lx_lobe_prepare(&material);
-}
-
-/* Under any one, with a highlight that may be as narrow as can be, by any law. */
-static luxel_precision make_narrow_scene(int i, struct test_scene *test)
-{
-    struct randomness random = {.state = UINT64_C(0xBF58476D1CE4E5B9) * ((uint64_t)i + 1)};
-    const struct lx_material material = random_gloss(&random, 3000, 0.2, 10000);
-    make_scene_of(i, SOURCES, test);
-    test->surfaces[0].lobe = lx_lobe_prepare(&material);
-    if (pick(&random, 4) == 0)
-        test->lights[0].attenuation = (enum lx_attenuation)pick(&random, 3);
-    return pick(&random, 3) ? LUXEL_SINGLE : LUXEL_DOUBLE;
-}
-
-static void clear_scene(struct test_scene *test)
-{
-    lx_facets_free(test->lights[0].facets);
-}
 
 /* ---- bounds ---- */
 
@@ -199,7 +137,7 @@ static double complex brightness(const struct lx_plan *plan, const struct lx_vic
 
 struct tally {
     bool has_bounds; /* and not polynomials alone */
-    size_t bounds, dark, squares, glossy;
+    size_t bounds, dark, squares;
     double tightest;               /* the largest share of a bound that was found */
     double worst, worst_of_itself; /* what polynomials are off by */
 };
@@ -212,7 +150,8 @@ static void try_bound(struct workplace *work, const struct lx_square *square, co
     struct lx_vicinity vicinity;
     if (!lx_find_vicinity(plan, square, basis, &vicinity))
         return;
-    const double bound = lx_smooth_shell_bound(&plan->surfaces->shells[0].shell, plan->smooth.gains[0], &vicinity);
+    const double bound =
+        lx_smooth_shell_bound(&plan->surfaces->shells[0].shell, plan->surfaces->smooth.gains[0], &vicinity);
     assert_true(bound >= 0);
     tally->bounds += bound > 0 && isfinite(bound);
     tally->dark += bound == 0;
@@ -255,9 +194,9 @@ static void try_parts(const struct test_scene *test, struct workplace *work, con
 {
     enum { PLACES = 3 };
     const struct lx_plan *plan = &work->plan;
-    const struct lx_smooth_lights *parts = &plan->smooth.parts;
+    const struct lx_smooth_lights *parts = &plan->surfaces->smooth.parts;
     const struct lx_lobe_double *lobe = &plan->surfaces->glossy_exact;
-    const struct lx_basis *basis = &plan->smooth.bases[q % LX_BASES];
+    const struct lx_basis *basis = &plan->bases[q % LX_BASES];
     struct lx_vicinity vicinity;
     size_t *tried = data;
     (void)test;
@@ -284,8 +223,8 @@ static void bounds_of_highlights(void **state)
         .scenes = 600,
         .squares = GLOSSY_SQUARES,
         .seed = UINT64_C(0xD1B54A32D192ED03),
-        .make = make_glossy_scene,
-        .clear = clear_scene,
+        .make = make_glossy_lamp_scene,
+        .clear = clear_lamp_scene,
         .visit = try_parts,
     };
     size_t tried = 0;
@@ -435,10 +374,10 @@ static void plans_end(void **state)
         const int number = i < KNOWN ? known[i] : i;
         struct test_scene test;
         struct lx_plan plan;
-        luxel_settings settings = {.precision = make_narrow_scene(number, &test)};
+        luxel_settings settings = {.precision = make_narrow_lamp_scene(number, &test)};
         assert_int_equal(lx_plan_make(&test.prepared, lx_kernels_get(k), &settings, &plan), LUXEL_OK);
         lx_plan_clear(&plan);
-        clear_scene(&test);
+        clear_lamp_scene(&test);
     }
 }
 
@@ -450,12 +389,10 @@ static double exact_value(const struct test_scene *test, const struct workplace 
     double sum = 0;
     assert_true(lx_element_seen(&test->prepared, x, y, &element));
     for (size_t i = 0; i < test->prepared.emitters.count; i++) {
-        const size_t lights = work->plan.smooth.lights.count, light = i == 0 ? lights : 0;
+        const size_t lights = work->plan.surfaces->smooth.lights.count, light = i == 0 ? lights : 0;
         const struct lx_lighting lighting = lx_light_element(&test->prepared, &element, &test->lights[i]);
         if (test->lights[i].type == LX_UNIFORM || !work->fitting.is_left[light])
             sum += lighting.diffuse.value + (i > 0 ? lighting.specular.value : 0);
-        if (i == 0 && !lx_holds_of_highlights(&work->plan.smooth, work->fitting.is_left))
-            sum += lighting.specular.value;
     }
     return sum;
 }
@@ -466,14 +403,13 @@ static void try_square(const struct test_scene *test, struct workplace *work, co
     const struct lx_plan *plan = &work->plan;
     float values[LX_PANEL_SIDE * LX_PANEL_SIDE];
     double allowance = 8e-7 * plan->least_maximum;
-    memset(work->fitting.is_left, 1, plan->smooth.count);
+    memset(work->fitting.is_left, 1, plan->surfaces->smooth.count);
     if (!lx_smooth_fit(plan, &work->fitting, work->shader, square, plan->surfaces->uniform, true, NULL, &allowance))
         return;
     for (size_t i = 0; i < work->fitting.count; i++)
         plan->kernels->spread_polynomial(&work->fitting.polynomials[i], square->side, square->side, i > 0, values,
                                          LX_PANEL_SIDE);
     tally->squares++;
-    tally->glossy += plan->smooth.has_highlights && !work->fitting.is_left[lx_highlights_index(&plan->smooth)];
     for (int k = 0; k < pixels; k++) {
         const int column = pick(random, (int)square->side), row = pick(random, (int)square->side);
         const double t = (2 * column + 1) / (double)square->side - 1, u = (2 * row + 1) / (double)square->side - 1;
@@ -492,7 +428,7 @@ static void visit_diffuse(const struct test_scene *test, struct workplace *work,
 {
     struct tally *tally = data;
     if (tally->has_bounds)
-        try_bound(work, square, &work->plan.smooth.bases[q % LX_BASES], random, tally);
+        try_bound(work, square, &work->plan.bases[q % LX_BASES], random, tally);
     try_square(test, work, square, 8, random, tally);
 }
 
@@ -503,8 +439,8 @@ static void squares(void **state)
         .scenes = 3000,
         .squares = SQUARES,
         .seed = UINT64_C(0xD1B54A32D192ED03),
-        .make = make_scene,
-        .clear = clear_scene,
+        .make = make_lamp_scene,
+        .clear = clear_lamp_scene,
         .visit = visit_diffuse,
     };
     bool is_first = true;
@@ -523,36 +459,6 @@ static void squares(void **state)
     }
 }
 
-static void visit_glossy(const struct test_scene *test, struct workplace *work, const struct lx_square *square, int q,
-                         struct randomness *random, void *data)
-{
-    (void)q;
-    try_square(test, work, square, 2, random, data);
-}
-
-/* Highlights are as good as the tolerance asks, of the maximum. */
-static void glossy_squares(void **state)
-{
-    (void)state;
-    const struct campaign campaign = {
-        .scenes = 200,
-        .squares = GLOSSY_SQUARES,
-        .seed = UINT64_C(0xD1B54A32D192ED03),
-        .make = make_glossy_scene,
-        .clear = clear_scene,
-        .visit = visit_glossy,
-    };
-    for (size_t k = 0; lx_kernels_get(k); k++) {
-        struct tally tally = {0};
-        if (!lx_kernels_get(k)->runs())
-            continue;
-        visit_squares(&campaign, lx_kernels_get(k), &tally);
-        print_message("# %s: %zu squares, %zu with highlights, off by %.2g of the maximum\n", lx_kernels_get(k)->name,
-                      tally.squares, tally.glossy, tally.worst);
-        assert_true(tally.glossy > 50 && tally.worst <= 1e-3);
-    }
-}
-
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -562,7 +468,6 @@ int main(void)
         cmocka_unit_test(parts_over_the_horizon),
         cmocka_unit_test(bounds_of_highlights),
         cmocka_unit_test(plans_end),
-        cmocka_unit_test(glossy_squares),
     };
     return cmocka_run_group_tests_name("panel shells", tests, NULL, NULL);
 }

@@ -100,7 +100,7 @@ static size_t try_bounds(struct workplace *work, const struct lx_square *square,
 {
     enum { PLACES = 40 };
     const struct lx_plan *plan = &work->plan;
-    const size_t count = plan->smooth.lights.count;
+    const size_t count = plan->surfaces->smooth.lights.count;
     struct lx_vicinity vicinity;
     size_t tried = 0;
     if (!lx_find_vicinity(plan, square, basis, &vicinity))
@@ -114,7 +114,7 @@ static size_t try_bounds(struct workplace *work, const struct lx_square *square,
         try_vicinity(plan, &vicinity, square->x_mm + across * square->half_mm[0],
                      square->y_mm + down * square->half_mm[1], true);
     }
-    plan->kernels->bound_smooth(&vicinity, &plan->smooth.lights, 0, plan->smooth.lights.count,
+    plan->kernels->bound_smooth(&vicinity, &plan->surfaces->smooth.lights, 0, plan->surfaces->smooth.lights.count,
                                 &plan->surfaces->lobe_exact, work->fitting.sizes);
     for (size_t i = 0; i < count; i++) {
         const double size = work->fitting.sizes[i];
@@ -142,9 +142,9 @@ static size_t try_feet(const struct workplace *work, const struct lx_square *squ
     if (lobe->model == LX_LAMBERT || lobe->highlight != LX_HIGHLIGHT_PLAIN || lobe->exponent.whole == 0 ||
         !lx_find_vicinity(plan, square, basis, &vicinity))
         return 0;
-    for (size_t i = 0; i < plan->smooth.lights.count; i++) {
+    for (size_t i = 0; i < plan->surfaces->smooth.lights.count; i++) {
         const struct lx_light_double *light = &plan->surfaces->lights.exacts[i];
-        const struct lx_foot foot = plan->kernels->bound_foot(&vicinity, &plan->smooth.lights, i, lobe);
+        const struct lx_foot foot = plan->kernels->bound_foot(&vicinity, &plan->surfaces->smooth.lights, i, lobe);
         const double n = lobe->exponent.value;
         assert_true(foot.root >= 0 && foot.most >= 0);
         if (!(foot.root < HUGE_VAL))
@@ -178,8 +178,8 @@ static void visit_bounds(const struct test_scene *test, struct workplace *work, 
     (void)test;
     (void)q;
     for (int b = 0; b < LX_BASES; b++) {
-        tried->bounds[b] += try_bounds(work, square, &work->plan.smooth.bases[b], random);
-        tried->feet += try_feet(work, square, &work->plan.smooth.bases[b], random);
+        tried->bounds[b] += try_bounds(work, square, &work->plan.bases[b], random);
+        tried->feet += try_feet(work, square, &work->plan.bases[b], random);
     }
 }
 
@@ -232,7 +232,7 @@ static void test_shares(void **state)
     make_scene(0, &test);
     assert_true(open_workplace(&test, lx_kernels_get(k), &work));
     for (int b = 0; b < LX_BASES; b++)
-        check_share(&work.plan.smooth.bases[b]);
+        check_share(&work.plan.bases[b]);
     close_workplace(&work);
 }
 
@@ -276,7 +276,7 @@ static void try_square(const struct test_scene *test, struct workplace *work, co
     float values[LX_PANEL_SIDE * LX_PANEL_SIDE];
     double allowance = allowed;
     (void)q;
-    memset(work->fitting.is_left, 1, plan->smooth.lights.count);
+    memset(work->fitting.is_left, 1, plan->surfaces->smooth.lights.count);
     leave_rubbish(&lx_shader_seen(work->shader)->block);
     if (!lx_smooth_fit(plan, &work->fitting, work->shader, square, plan->surfaces->uniform, true, NULL, &allowance))
         return;

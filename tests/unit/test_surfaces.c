@@ -308,7 +308,7 @@ static bool crosses(const struct body *body, const double place[3], const double
 static void shadows(void **state)
 {
     struct randomness random = {.state = 45};
-    unsigned dark = 0, all = 0;
+    unsigned dark = 0, all = 0, by_planes = 0;
     (void)state;
     for (int n = 0; n < 400; n++) {
         static struct lx_block_double block;
@@ -339,6 +339,15 @@ static void shadows(void **state)
             for (int k = 0; k < 3; k++)
                 blocker.center[k] = body.shape.anchor_mm[k], from.center[k] = place[k], towards.center[k] = light[k];
             assert_true(lx_may_block(&blocker, &from, &towards, endless) || !expected[i]);
+            /* so they do where the end is but some place of its ball; a plate's plane may tell that they do not */
+            double aside[3];
+            random_direction(&random, aside);
+            from.radius = uniform(&random, 0, 20);
+            for (int k = 0; k < 3; k++)
+                from.center[k] += 0.99 * from.radius * aside[k];
+            const bool may = lx_shape_may_block(&body.shape, (const double[]){0, 0, 0}, &from, &towards, endless);
+            assert_true(may || !expected[i]);
+            by_planes += !may && lx_may_block(&blocker, &from, &towards, endless);
         }
         for (size_t k = 0; lx_kernels_get(k); k++) {
             const struct lx_kernels *kernels = lx_kernels_get(k);
@@ -354,6 +363,7 @@ static void shadows(void **state)
         }
     }
     assert_true(dark > all / 20 && dark < all / 2);
+    assert_true(by_planes > all / 50);
 }
 
 /* How far the middle of a ball is from a line decides; the line is as thick as the larger of the balls at its ends. */
