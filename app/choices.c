@@ -19,6 +19,8 @@ static const struct {
     {"ambient", N_("ambient")},
     {"sphere", N_("sphere")},
     {"rectangle", N_("rectangle")},
+    {"disk", N_("disk")},
+    {"cylinder", N_("cylinder")},
     {"inverse-square", N_("inverse square")},
     {"practical", N_("practical, 1/(k + r)")},
     {"polynomial", N_("polynomial")},

@@ -9,6 +9,7 @@
 #include "../base/memory.h"
 #include "../shade/camera.h"
 #include "extrema.h"
+#include "extrema_plain.h"
 #include "field.h"
 #include "region.h"
 
@@ -340,6 +341,14 @@ static void judge_lights(struct lx_hunt *hunt)
     hunt->costly = hunt->costly || emitters->count > MOST_EDGE_LIGHTS;
 }
 
+static bool are_walkable(const struct lx_prepared *prepared)
+{
+    for (size_t i = 0; i < prepared->surface_count; i++)
+        if (!lx_shape_is_walkable(&prepared->surfaces[i].shape))
+            return false;
+    return true;
+}
+
 static luxel_status hunt_for(const luxel_evaluator *evaluator, const luxel_field *field, const luxel_region *region,
                              double sign, luxel_diagnostics *diagnostics, luxel_peak *peak)
 {
@@ -364,7 +373,9 @@ static luxel_status hunt_for(const luxel_evaluator *evaluator, const luxel_field
     hunt.bare.shadows = hunt.bare.shadows && !hunt.knows_lights;
     *peak = (luxel_peak){.exists = false};
     hunt.short_of_memory = !make_gates(&hunt);
-    if (!hunt.short_of_memory && lx_hunt_seeds(&hunt, field, &seeds))
+    if (!are_walkable(hunt.prepared))
+        lx_hunt_plainly(&hunt, field, peak);
+    else if (!hunt.short_of_memory && lx_hunt_seeds(&hunt, field, &seeds))
         search(&hunt, &seeds, peak);
     free(seeds.items);
     free(hunt.gates);

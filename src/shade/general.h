@@ -21,6 +21,20 @@ size_t lx_meet_shape(const struct lx_kernels *kernels, const struct lx_shape *sh
 void lx_complete_shape(const struct lx_kernels *kernels, const struct lx_shape *shape, const double *observer_mm,
                        struct lx_block_double *block, struct lx_block_single *copy, size_t count);
 
+/* Of a shape with kernels alone. */
+static inline void lx_set_shape_columns(const struct lx_kernels *kernels, const struct lx_shape *shape,
+                                        const double *x_mm, size_t count, struct lx_columns *columns)
+{
+    kernels->set_columns[shape->type](shape, x_mm, count, columns);
+}
+
+static inline struct lx_stretch lx_view_shape(const struct lx_kernels *kernels, const struct lx_shape *shape,
+                                              const struct lx_row_view *view, const struct lx_columns *columns,
+                                              struct lx_block_single *block, uint8_t *mask)
+{
+    return kernels->view_single[shape->type](shape, view, columns, block, mask);
+}
+
 void lx_block_shape(const struct lx_kernels *kernels, const struct lx_blocker *blocker,
                     const struct lx_block_double *block, size_t count, float *open);
 

@@ -68,7 +68,7 @@ struct lx_row_view lx_row_view_of(const struct lx_plan *plan, double y_mm)
 void lx_seen_enter(const struct lx_plan *plan, struct lx_seen *seen, const double *x_mm, size_t count)
 {
     const struct lx_shape *shape = &plan->surfaces->shape;
-    plan->kernels->set_columns[shape->type](shape, x_mm, count, &seen->columns);
+    lx_set_shape_columns(plan->kernels, shape, x_mm, count, &seen->columns);
 }
 
 struct lx_stretch lx_seen_in_single(const struct lx_plan *plan, struct lx_seen *seen, double y_mm, uint8_t *mask)
@@ -77,7 +77,7 @@ struct lx_stretch lx_seen_in_single(const struct lx_plan *plan, struct lx_seen *
     const struct lx_columns *columns = &seen->columns;
     const struct lx_row_view view = lx_row_view_of(plan, y_mm);
     if (may_show(surface, &view, columns->x_mm, columns->count))
-        return plan->kernels->view_single[surface->shape.type](&surface->shape, &view, columns, &seen->copy, mask);
+        return lx_view_shape(plan->kernels, &surface->shape, &view, columns, &seen->copy, mask);
     memset(mask, 0, columns->count);
     return (struct lx_stretch){0};
 }

@@ -1,0 +1,112 @@
+/* SPDX-License-Identifier: MIT */
+/*
+ * The plain search for an extremum, where a surface has no coordinates to walk in: from the best pixels over the
+ * screen, by steps in eight directions that are halved where none of them leads further (a pattern search: Hooke and
+ * Jeeves, 1961).
+ */
+#include "extrema_plain.h"
+
+#include "../shade/evaluate.h"
+#include "extrema.h"
+#include "field.h"
+
+/* The pixels to begin at, how often steps are halved, and how many steps are made at most. */
+enum { STARTS = 12, STARTS_COSTLY = 4, HALVINGS = 34, MOST_STEPS = 2000 };
+
+static const double ways[8][2] = {{1, 0}, {-1, 0}, {0, 1}, {0, -1}, {1, 1}, {-1, -1}, {1, -1}, {-1, 1}};
+
+struct found {
+    double at[2];
+    luxel_value value;
+};
+
+/* Whether there is a value at a place of the screen and the region. */
+static bool look(const struct lx_hunt *hunt, const double at[2], struct found *found)
+{
+    const struct lx_screen *screen = &hunt->prepared->scene->screen;
+    if (!(fabs(at[0]) <= screen->width_mm / 2 && fabs(at[1]) <= screen->height_mm / 2 &&
+          luxel_region_holds(hunt->region, at[0], at[1])))
+        return false;
+    *found = (struct found){{at[0], at[1]}, luxel_evaluate(hunt->evaluator, at[0], at[1], NULL)};
+    return found->value.on_surface && found->value.has_value;
+}
+
+/* The best pixel that is not near to one of those taken; false: there is none. */
+static bool next_start(const struct lx_hunt *hunt, const luxel_field *field, const struct found *taken, unsigned count,
+                       double at[2])
+{
+    double best = -HUGE_VAL;
+    const double near = 8 * hunt->pixel_mm;
+    for (size_t i = 0; i < (size_t)field->columns * field->rows; i++) {
+        const double x = field->x_mm[i % field->columns], y = field->y_mm[i / field->columns];
+        const double value = hunt->sign * lx_field_value(field, i);
+        bool fits = field->mask[i] && value > best && luxel_region_holds(hunt->region, x, y);
+        for (unsigned k = 0; fits && k < count; k++)
+            fits = fabs(x - taken[k].at[0]) > near || fabs(y - taken[k].at[1]) > near;
+        if (fits)
+            best = value, at[0] = x, at[1] = y;
+    }
+    return best > -HUGE_VAL;
+}
+
+static void climb(struct lx_hunt *hunt, struct found *here)
+{
+    double step_mm = hunt->pixel_mm;
+    for (int halvings = 0, steps = 0; halvings < HALVINGS && steps < MOST_STEPS && lx_hunt_goes_on(hunt); steps++) {
+        struct found best = *here, next;
+        for (int i = 0; i < 8; i++) {
+            const double at[2] = {here->at[0] + step_mm * ways[i][0], here->at[1] + step_mm * ways[i][1]};
+            if (look(hunt, at, &next) && hunt->sign * (next.value.value - best.value.value) > 0)
+                best = next;
+        }
+        const bool moved = best.at[0] != here->at[0] || best.at[1] != here->at[1];
+        *here = best;
+        halvings += !moved;
+        step_mm /= moved ? 1 : 2;
+    }
+}
+
+/* On a border of screen or region, on the rim of a surface, or inside. */
+static luxel_peak_place place_of(const struct lx_hunt *hunt, const struct found *peak)
+{
+    const struct lx_screen *screen = &hunt->prepared->scene->screen;
+    luxel_peak_place place = LUXEL_PEAK_INSIDE;
+    struct found next;
+    for (int i = 0; i < 8; i++) {
+        const double reach = 1e-6 * hunt->pixel_mm;
+        const double at[2] = {peak->at[0] + reach * ways[i][0], peak->at[1] + reach * ways[i][1]};
+        const bool inside = fabs(at[0]) <= screen->width_mm / 2 && fabs(at[1]) <= screen->height_mm / 2 &&
+                            luxel_region_holds(hunt->region, at[0], at[1]);
+        if (!inside)
+            return LUXEL_PEAK_BORDER;
+        if (!look(hunt, at, &next) || next.value.surface != peak->value.surface)
+            place = LUXEL_PEAK_LIMB;
+    }
+    return place;
+}
+
+void lx_hunt_plainly(struct lx_hunt *hunt, const luxel_field *field, luxel_peak *peak)
+{
+    struct found taken[STARTS], here;
+    const unsigned most = hunt->costly ? STARTS_COSTLY : STARTS;
+    for (unsigned count = 0; count < most && lx_hunt_goes_on(hunt); count++) {
+        if (!next_start(hunt, field, taken, count, taken[count].at))
+            return;
+        if (!look(hunt, taken[count].at, &here))
+            continue;
+        climb(hunt, &here);
+        if (peak->exists && hunt->sign * (here.value.value - peak->value) <= 0)
+            continue;
+        *peak = (luxel_peak){.exists = true,
+                             .value = here.value.value,
+                             .error = here.value.error,
+                             .x_mm = here.at[0],
+                             .y_mm = here.at[1],
+                             .surface = here.value.surface,
+                             .place = place_of(hunt, &here)};
+        for (int i = 0; i < 3; i++) {
+            peak->position_mm[i] = here.value.position_mm[i];
+            peak->normal[i] = here.value.normal[i];
+        }
+    }
+}

@@ -1,0 +1,114 @@
+# SPDX-License-Identifier: MIT
+"""Adds a surface the way docs/ADDING-A-SURFACE.md says, in a copy of the sources, and tries it.
+
+    test_adding_a_surface.py SOURCE_FOLDER MESON
+
+The page's own code blocks are taken: the kind's file, the two lines of the registry, the scene.  The new surface, a
+ring, must look as the disk that it is cut out of, show through its hole what is behind, take away the light that the
+disk takes and the disk in its hole does not, have a true maximum, and speak up in help and in errors.
+"""
+import json
+import re
+import sys
+import tempfile
+from pathlib import Path
+
+import numpy
+
+from tap import Tap
+from test_adding_a_light import call, code_blocks, copy_sources
+
+
+def add_surface(copy, kind, declaration, entry):
+    room = copy / "src/surface"
+    (room / "ring.c").write_text(kind)
+    registry = (room / "registry.c").read_text()
+    registry = registry.replace("\nconst struct lx_variant", "\n" + declaration + "\nconst struct lx_variant", 1)
+    (room / "registry.c").write_text(registry.replace("NULL,", entry + "NULL,", 1))
+    files = room / "meson.build"
+    files.write_text(files.read_text().replace("'sphere.c'", "'ring.c', 'sphere.c'"))
+
+
+def disk_instead(scene, radius):
+    return re.sub(r"type: ring(.*?)radius: \d+, hole: \d+", r"type: disk\1radius: %d" % radius, scene)
+
+
+class Pictures:
+    """Values of a scene with the ring, and with disks of both of its radii, or none, in its place."""
+
+    def __init__(self, tap, luxel, folder, scene):
+        outer, hole = (int(number) for number in re.search(r"radius: (\d+), hole: (\d+)", scene).groups())
+        texts = {"ring": scene, "outer": disk_instead(scene, outer), "inner": disk_instead(scene, hole),
+                 "none": re.sub(r".*type: ring.*\n", "", scene)}
+        for name, text in texts.items():
+            (folder / (name + ".yaml")).write_text(text)
+            made = call(luxel, "render", folder / (name + ".yaml"), "--precision", "double", "-o",
+                        folder / (name + ".npy"))
+            tap.equal(made.returncode, 0, "the scene with %s renders" % name, made.stderr)
+            setattr(self, name, numpy.load(folder / (name + ".npy")))
+
+
+def compare(tap, pictures):
+    """Where the disks differ from the floor alone is known, and so is what the ring has to show everywhere."""
+    changed_by_outer = pictures.outer != pictures.none
+    changed_by_inner = pictures.inner != pictures.none
+    expected = numpy.where(changed_by_outer, pictures.outer, pictures.none)
+    # In the hole, and in the light that falls through it, there is what is behind: but only where the ring itself
+    # neither is seen nor takes the light, of which the ring's own picture tells by being the floor's.
+    open_to_both = changed_by_inner & (pictures.ring == pictures.none)
+    expected = numpy.where(open_to_both, pictures.none, expected)
+    close = numpy.abs(pictures.ring - expected) <= 1e-11 * pictures.none.max()
+    tap.ok(close.all(), "the ring shows what the disk shows, and its hole what is behind",
+           "%d pixels differ" % (~close).sum())
+    tap.ok(open_to_both.sum() > 100 and (changed_by_outer & ~changed_by_inner).sum() > 500,
+           "both are seen in many pixels", str(open_to_both.sum()))
+    # Nothing but what the disk in the hole changes differs between the ring and the whole disk.
+    tap.ok(not ((numpy.abs(pictures.ring - pictures.outer) > 1e-11 * pictures.none.max()) & ~changed_by_inner).any(),
+           "outside of the hole and its light the ring is the disk")
+    lost = changed_by_inner & ~open_to_both
+    tap.ok(lost.sum() < 0.5 * changed_by_inner.sum(), "most of what the hole opens is open", str(lost.sum()))
+
+
+def try_surface(tap, luxel, folder, scene):
+    compare(tap, Pictures(tap, luxel, folder, scene))
+    ring = folder / "ring.yaml"
+    single = call(luxel, "render", ring, "-o", folder / "single.npy")
+    exact, rounded = numpy.load(folder / "ring.npy"), numpy.load(folder / "single.npy")
+    tap.ok(single.returncode == 0 and numpy.abs(rounded - exact).max() <= 2e-6 * exact.max(),
+           "float32 keeps its accuracy")
+    stats = json.loads(call(luxel, "stats", ring, "--json", "-s", "lights[0].position=[100, 60, 1300]").stdout)
+    outer = json.loads(call(luxel, "stats", folder / "outer.yaml", "--json", "-s",
+                            "lights[0].position=[150, 90, 1300]").stdout)
+    tap.ok(stats["maximum"]["value"] >= stats["max"]["value"], "its true maximum is no less than that of the pixels",
+           str(stats)[:500])
+    moved = json.loads(call(luxel, "stats", ring, "--json", "-s", "lights[0].position=[150, 90, 1300]").stdout)
+    tap.ok(abs(moved["maximum"]["value"] / outer["maximum"]["value"] - 1) < 1e-9,
+           "the search on the screen finds the maximum that a disk's own coordinates lead to",
+           str(moved["maximum"]), str(outer["maximum"]))
+    tap.ok("the radius of the hole" in call(luxel, "help", "ring").stdout, "help knows its keys")
+    wrong = call(luxel, "check", ring, "-s", "surfaces[1].hole=-1")
+    tap.ok(wrong.returncode == 3 and "hole" in wrong.stderr, "an illegal value is an error", wrong.stderr)
+    for command in ("explain", "advise", "isophotes"):
+        made = call(luxel, command, ring)
+        tap.equal(made.returncode, 0, "luxel %s takes it" % command, made.stderr)
+
+
+def main():
+    tap = Tap()
+    root, meson = Path(sys.argv[1]), sys.argv[2]
+    kind, declaration, entry, scene = code_blocks((root / "docs/ADDING-A-SURFACE.md").read_text())
+    with tempfile.TemporaryDirectory(prefix="luxel-surface-") as name:
+        folder = Path(name)
+        copy_sources(root, folder / "luxel")
+        add_surface(folder / "luxel", kind, declaration, entry)
+        made = call(meson, "setup", folder / "build", folder / "luxel", "-Doptimization=0", "-Dwerror=true")
+        if made.returncode == 0:
+            made = call("ninja", "-C", folder / "build", "cli/luxel")
+        if tap.ok(made.returncode == 0, "the sources with the new surface build without a warning", made.stdout[-2000:],
+                  made.stderr[-2000:]):
+            try_surface(tap, folder / "build/cli/luxel", folder, scene)
+    tap.finish()
+
+
+if __name__ == "__main__":
+    main()

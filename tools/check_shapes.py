@@ -1,0 +1,41 @@
+# SPDX-License-Identifier: MIT
+"""Surfaces answer for themselves: nothing outside src/surface asks which shape a surface has.
+
+The kernels stand by shape in their table, which shade/general.h and general.c read; the structs of what users write are
+seen by the kinds, and by tests, alone.
+"""
+import re
+import sys
+from pathlib import Path
+
+from tap import Tap
+
+ASKS = re.compile(r"\bLX_SPHERE\b|\bLX_PLATE\b|\bLX_GENERAL\b|\bLX_SHAPE_TYPES\b|\bshape(?:\.|->)type\b(?! [!=]= LX_GROUP)|"
+                  r"\benum lx_shape_type\b|\blx_(?:sphere|plate)_parameters\b|surface/authored\.h|"
+                  r"variant->name, \"(?:sphere|rectangle|disk|cylinder)\"")
+# An outline of a planar source is a shape, too, of another kind (light/spread.c), and so is a group of parameters.
+MAY_ASK = re.compile(r"^src/(surface/|shade/kernel[a-z_]*\.[ch]$|shade/general\.[ch]$|light/)")
+
+
+def find_askers(root):
+    for folder in ("src", "cli", "app", "front", "python"):
+        for path in sorted((root / folder).rglob("*.[ch]")):
+            name = path.relative_to(root).as_posix()
+            if MAY_ASK.match(name):
+                continue
+            for number, line in enumerate(path.read_text(encoding="utf-8").splitlines(), 1):
+                if ASKS.search(line):
+                    yield "%s:%d: %s" % (name, number, line.strip())
+
+
+def main():
+    tap = Tap()
+    root = Path(sys.argv[1])
+    askers = list(find_askers(root))
+    tap.ok(not askers, "nothing outside src/surface asks which shape a surface has", *askers)
+    tap.ok(list((root / "src/surface").glob("*.c")), "there are kinds of surfaces")
+    tap.finish()
+
+
+if __name__ == "__main__":
+    main()
