@@ -10,11 +10,12 @@ from pathlib import Path
 
 from tap import Tap
 
-ASKS = re.compile(r"\bLX_SPHERE\b|\bLX_PLATE\b|\bLX_GENERAL\b|\bLX_SHAPE_TYPES\b|\bshape(?:\.|->)type\b(?! [!=]= LX_GROUP)|"
-                  r"\benum lx_shape_type\b|\blx_(?:sphere|plate)_parameters\b|surface/authored\.h|"
-                  r"variant->name, \"(?:sphere|rectangle|disk|cylinder)\"")
 # An outline of a planar source is a shape, too, of another kind (light/spread.c), and so is a group of parameters.
-MAY_ASK = re.compile(r"^src/(surface/|shade/kernel[a-z_]*\.[ch]$|shade/general\.[ch]$|light/)")
+ASKS = re.compile(r"\bLX_SPHERE\b|\bLX_PLATE\b|\bLX_GENERAL\b|\bLX_SHAPE_TYPES\b|\benum lx_shape_type\b|"
+                  r"\bshape(?:\.|->)type\b(?! [!=]= LX_GROUP)|\blx_(?:sphere|plate)_parameters\b|surface/authored\.h|"
+                  r"variant->name, \"(?:sphere|rectangle|disk|cylinder)\"")
+# Panels (shade/smooth.c, vicinity.c) are made for what has kernels, and bounded for these shapes alone.
+MAY_ASK = re.compile(r"^src/(surface/|shade/(kernel[a-z_]*|general|smooth|vicinity)\.[ch]$|light/)")
 
 
 def find_askers(root):

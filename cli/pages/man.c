@@ -20,11 +20,12 @@ static void print_head(FILE *out)
           "\\fBluxel help\\fR [\\fICOMMAND\\fR|\\fIKEY\\fR]\n",
           out);
     fputs(".SH DESCRIPTION\n", out);
-    roff_text(out, _("luxel computes how light sources brighten a surface, and shows it: spheres, rectangles, disks and "
-                     "cylinders under ambient light, point sources and point clouds, distant sources, spotlights, planar and "
-                     "volume sources, with the Lambert, Phong and Blinn-Phong models. "
-                     "Exact values carry a bound of their error. Every convention that two programs may differ in is a "
-                     "key of the scene and is printed with the result."));
+    roff_text(
+        out, _("luxel computes how light sources brighten a surface, and shows it: spheres, rectangles, disks and "
+               "cylinders under ambient light, point sources and point clouds, distant sources, spotlights, planar and "
+               "volume sources, with the Lambert, Phong and Blinn-Phong models. "
+               "Exact values carry a bound of their error. Every convention that two programs may differ in is a "
+               "key of the scene and is printed with the result."));
     fputc('\n', out);
     roff_paragraph(out, _("SCENE is a YAML or JSON file, the name of a built-in scene, or - for standard input; where "
                           "a file has the name of a built-in scene, the file counts. Without a SCENE it is the "

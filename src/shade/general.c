@@ -1,26 +1,42 @@
 /* SPDX-License-Identifier: MIT */
-/* The general way of shapes without kernels: ray by ray and element by element, by the reference of their kind. */
+/* The general way of shapes without kernels: ray by ray and element by element, by their kind. */
 #include "general.h"
 
 #include <math.h>
 
 #include "../base/vector.h"
 
-static size_t meet_by_hit(const struct lx_shape *shape, const struct lx_row_view *view, const double *x_mm,
+static bool meet_one(const struct lx_shape *shape, const struct lx_ray *ray, double *t, double offset_mm[3])
+{
+    if (shape->kind->meets) {
+        const double from[3] = {ray->origin_mm[0] - shape->anchor_mm[0], ray->origin_mm[1] - shape->anchor_mm[1],
+                                ray->origin_mm[2] - shape->anchor_mm[2]};
+        return shape->kind->meets(shape, from, ray->direction, t, offset_mm);
+    }
+    const struct lx_hit hit = shape->kind->hit(shape, ray);
+    *t = hit.t;
+    offset_mm[0] = hit.place_mm.x.value - shape->anchor_mm[0];
+    offset_mm[1] = hit.place_mm.y.value - shape->anchor_mm[1];
+    offset_mm[2] = hit.place_mm.z.value - shape->anchor_mm[2];
+    return hit.exists;
+}
+
+static size_t meet_by_ray(const struct lx_shape *shape, const struct lx_row_view *view, const double *x_mm,
                           size_t count, double *depth, double *px, double *py, double *pz)
 {
     size_t met = 0;
     for (size_t i = 0; i < count; i++) {
         struct lx_ray ray = {.origin_mm = {x_mm[i], view->y_mm, view->observer_z_mm}, .direction = {0, 0, -1}};
+        double offset[3];
         if (view->perspective)
             ray = (struct lx_ray){.origin_mm = {0, 0, view->observer_z_mm},
                                   .direction = {x_mm[i], view->y_mm, -view->observer_z_mm}};
-        const struct lx_hit hit = shape->kind->hit(shape, &ray);
-        depth[i] = hit.exists ? hit.t : HUGE_VAL;
-        px[i] = hit.exists ? hit.place_mm.x.value - shape->anchor_mm[0] : 0;
-        py[i] = hit.exists ? hit.place_mm.y.value - shape->anchor_mm[1] : 0;
-        pz[i] = hit.exists ? hit.place_mm.z.value - shape->anchor_mm[2] : 0;
-        met += hit.exists;
+        const bool is_met = meet_one(shape, &ray, &depth[i], offset);
+        depth[i] = is_met ? depth[i] : HUGE_VAL;
+        px[i] = is_met ? offset[0] : 0;
+        py[i] = is_met ? offset[1] : 0;
+        pz[i] = is_met ? offset[2] : 0;
+        met += is_met;
     }
     return met;
 }
@@ -44,6 +60,15 @@ static void complete_by_normal(const struct lx_shape *shape, const double *obser
     }
 }
 
+static bool takes_one(const struct lx_shape *shape, const double place_mm[3], const double way[3], bool endless)
+{
+    if (!shape->kind->takes)
+        return shape->kind->blocks(shape, lx_exact3(place_mm), lx_exact3(way), endless).value > 0;
+    const double from[3] = {place_mm[0] - shape->anchor_mm[0], place_mm[1] - shape->anchor_mm[1],
+                            place_mm[2] - shape->anchor_mm[2]};
+    return shape->kind->takes(shape, from, way, endless);
+}
+
 static void block_by_way(const struct lx_blocker *blocker, const struct lx_block_double *block, size_t count,
                          float *open)
 {
@@ -54,7 +79,7 @@ static void block_by_way(const struct lx_blocker *blocker, const struct lx_block
         const double place[3] = {block->px[i], block->py[i], block->pz[i]};
         double way[3];
         const bool endless = lx_way_to(&light, place, way);
-        if (shape->kind->blocks(shape, lx_exact3(place), lx_exact3(way), endless).value > 0)
+        if (takes_one(shape, place, way, endless))
             open[i] = 0;
     }
 }
@@ -62,7 +87,7 @@ static void block_by_way(const struct lx_blocker *blocker, const struct lx_block
 size_t lx_meet_shape(const struct lx_kernels *kernels, const struct lx_shape *shape, const struct lx_row_view *view,
                      const double *x_mm, size_t count, double *depth, double *px, double *py, double *pz)
 {
-    lx_meet_lines *meet = lx_has_kernels(shape) ? kernels->meet_lines[shape->type] : meet_by_hit;
+    lx_meet_lines *meet = lx_has_kernels(shape) ? kernels->meet_lines[shape->type] : meet_by_ray;
     return meet(shape, view, x_mm, count, depth, px, py, pz);
 }
 

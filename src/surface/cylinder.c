@@ -252,6 +252,61 @@ static lx_bounded cylinder_blocks(const struct lx_shape *cylinder, lx_bounded3 p
     return lx_both(meets, crosses);
 }
 
+/* A way in plain float64: its parts across the axis and along it, the square of the former, and what is under the root,
+ * which cancels no more than the moment is rounded. */
+struct plain_way {
+    double p[3], v[3], start, change, square, middle, moment, below;
+};
+
+static struct plain_way plain_way_of(const struct lx_shape *cylinder, const double from_mm[3], const double way[3])
+{
+    struct plain_way at;
+    double cross[3];
+    split(cylinder, from_mm, at.p, &at.start);
+    split(cylinder, way, at.v, &at.change);
+    for (int i = 0; i < 3; i++)
+        cross[i] = at.p[(i + 1) % 3] * at.v[(i + 2) % 3] - at.p[(i + 2) % 3] * at.v[(i + 1) % 3];
+    at.square = lx_dot(at.v, at.v);
+    at.middle = lx_dot(at.p, at.v);
+    at.moment = lx_dot(cylinder->axis, cross);
+    const double reach = radius_of(cylinder) * sqrt(at.square);
+    at.below = (reach - fabs(at.moment)) * (reach + fabs(at.moment));
+    return at;
+}
+
+static bool cylinder_meets(const struct lx_shape *cylinder, const double from_mm[3], const double direction[3],
+                           double *t, double offset_mm[3])
+{
+    const struct plain_way at = plain_way_of(cylinder, from_mm, direction);
+    const double root = sqrt(fmax(at.below, 0)), *a = cylinder->axis;
+    if (!(at.below >= 0 && at.square > 1e-30 * lx_dot(direction, direction)))
+        return false;
+    *t = (-at.middle - root) / at.square;
+    const double z = at.start + *t * at.change;
+    if (!(*t > 0 && fabs(z) <= half_of(cylinder)))
+        return false;
+    for (int i = 0; i < 3; i++) {
+        const double e = a[(i + 1) % 3] * at.v[(i + 2) % 3] - a[(i + 2) % 3] * at.v[(i + 1) % 3];
+        offset_mm[i] = (-at.moment * e - root * at.v[i]) / at.square + z * a[i];
+    }
+    return true;
+}
+
+static bool cylinder_takes(const struct lx_shape *cylinder, const double from_mm[3], const double way[3], bool endless)
+{
+    const struct plain_way at = plain_way_of(cylinder, from_mm, way);
+    if (!(at.below > 0 && at.square > 1e-30 * lx_dot(way, way)))
+        return false;
+    const double root = sqrt(at.below), touch = cylinder->touch_mm / sqrt(at.square),
+                 last = endless ? HUGE_VAL : 1 - touch;
+    for (int sign = -1; sign <= 1; sign += 2) {
+        const double t = (-at.middle + sign * root) / at.square;
+        if (t > touch && t < last && fabs(at.start + t * at.change) <= half_of(cylinder))
+            return true;
+    }
+    return false;
+}
+
 /*
  * Light from behind the wall on whose side the element is has to come through it; light from the inner side has to pass
  * the wall opposite, which it reaches at the share t = -2 p.v/v^2 of the way.
@@ -586,6 +641,8 @@ const struct lx_surface_kind lx_cylinder_kind = {
     .normal = cylinder_normal,
     .blocks = cylinder_blocks,
     .holds = cylinder_holds,
+    .meets = cylinder_meets,
+    .takes = cylinder_takes,
     .farthest = cylinder_farthest,
     .is_dark = cylinder_is_dark,
     .hides = cylinder_hides,

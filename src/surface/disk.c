@@ -115,6 +115,32 @@ static lx_bounded disk_blocks(const struct lx_shape *disk, lx_bounded3 place_mm,
     return lx_both(way.crosses, lx_step(lx_sub(lx_mul(reach, reach), lx_square3(offset)), true));
 }
 
+static bool disk_meets(const struct lx_shape *disk, const double from_mm[3], const double direction[3], double *t,
+                       double offset_mm[3])
+{
+    const double height = lx_dot(disk->axis, from_mm), slope = lx_dot(disk->axis, direction), reach = reach_of(disk);
+    if (!(height > 0 && slope < 0))
+        return false;
+    *t = -height / slope;
+    for (int i = 0; i < 3; i++)
+        offset_mm[i] = from_mm[i] + *t * direction[i];
+    return lx_dot(offset_mm, offset_mm) <= reach * reach;
+}
+
+static bool disk_takes(const struct lx_shape *disk, const double from_mm[3], const double way[3], bool endless)
+{
+    const double start = lx_dot(disk->axis, from_mm), change = lx_dot(disk->axis, way), touch = disk->touch_mm;
+    const double end = endless ? change : start + change, end_touch = endless ? 0 : touch, reach = reach_of(disk);
+    double square = 0;
+    if (!((start > touch && end < -end_touch) || (start < -touch && end > end_touch)))
+        return false;
+    for (int i = 0; i < 3; i++) {
+        const double offset = from_mm[i] * change - way[i] * start;
+        square += offset * offset;
+    }
+    return square <= reach * reach * change * change;
+}
+
 static bool disk_holds(const struct lx_shape *disk, const double place_mm[3])
 {
     double from[3], near = 1e-9 * disk->radius_mm;
@@ -238,6 +264,8 @@ const struct lx_surface_kind lx_disk_kind = {
     .normal = lx_plane_normal,
     .blocks = disk_blocks,
     .holds = disk_holds,
+    .meets = disk_meets,
+    .takes = disk_takes,
     .farthest = disk_farthest,
     .standing = disk_standing,
     .is_dark = disk_is_dark,

@@ -115,6 +115,11 @@ struct lx_surface_kind {
 
     /* -- what may be NULL -- */
 
+    /* `hit` and `blocks` in plain float64, for the pixels of pictures, from an offset from the anchor: where a ray is
+     * met, and whether a way is taken.  NULL: by those. */
+    bool (*meets)(const struct lx_shape *shape, const double from_mm[3], const double direction[3], double *t,
+                  double offset_mm[3]);
+    bool (*takes)(const struct lx_shape *shape, const double from_mm[3], const double way[3], bool endless);
     /* How far it reaches along a direction: the greatest place . direction over the surface.  NULL: as its extent. */
     double (*farthest)(const void *parameters, const double direction[3]);
     /* How an observer stands to it who is at (0, 0, z), or, not in perspective, looks along -z from all that height.

@@ -174,13 +174,19 @@ static void rays(void **state)
                 first = fmin(first, t[i]);
         }
         struct lx_hit hit = body.kind->hit(&body.shape, &ray);
+        double from[3], plain[3], plain_t = HUGE_VAL;
+        for (int i = 0; i < 3; i++)
+            from[i] = ray.origin_mm[i] - body.center[i];
+        const bool meets = body.kind->meets(&body.shape, from, ray.direction, &plain_t, plain);
         if (is_doubtful(&body, ray.origin_mm, ray.direction))
             continue;
         assert_int_equal(hit.exists, first < HUGE_VAL);
+        assert_int_equal(meets, hit.exists);
         hits += hit.exists, misses += !hit.exists;
         if (!hit.exists)
             continue;
         assert_near(hit.t, first, 1e-9 * first, "way to the hit");
+        assert_near(plain_t, first, 1e-9 * first, "plain way to the hit");
         for (int k = 0; k < 3; k++)
             p[k] = ray.origin_mm[k] + first * ray.direction[k];
         into(&body, p, true, front);
@@ -192,6 +198,7 @@ static void rays(void **state)
         double offset[3], again[3];
         for (int i = 0; i < 3; i++) {
             assert_near(places[i]->value, p[i], 1e-7, "place");
+            assert_near(plain[i] + body.center[i], places[i]->value, places[i]->error + 1e-9, "plain place");
             assert_near(normals[i]->value, normal[i], 1e-8, "normal");
             assert_true(places[i]->error >= 0 && places[i]->error < 1e-6 && normals[i]->error < 1e-8);
             offset[i] = places[i]->value - body.center[i];
@@ -235,6 +242,10 @@ static void shadows(void **state)
             continue;
         const lx_bounded answer = body.kind->blocks(&body.shape, lx_exact3(place), lx_exact3(way), endless);
         assert_true(answer.error == 0 && (answer.value > 0) == expected);
+        double from[3];
+        for (int i = 0; i < 3; i++)
+            from[i] = place[i] - body.center[i];
+        assert_int_equal(body.kind->takes(&body.shape, from, way, endless), expected);
         const double beside = body.kind->beside(&body.shape, place, way, endless);
         assert_true(expected ? beside < 0 : beside > 0);
         blocked += expected;
