@@ -16,7 +16,7 @@
 #include "../base/phrase.h"
 #include "../base/pose.h"
 #include "../base/vector.h"
-#include "plane.h"
+#include "cylinder.h"
 
 struct cylinder_parameters {
     uint64_t given; /* always first: which keys the user wrote */
@@ -78,17 +78,6 @@ static const struct lx_table cylinder_table = {
     .size = sizeof(struct cylinder_parameters),
 };
 
-/* The shape keeps the radius and half the height, with room for rounding, as own[0] and own[1]. */
-static double radius_of(const struct lx_shape *cylinder)
-{
-    return cylinder->own[0];
-}
-
-static double half_of(const struct lx_shape *cylinder)
-{
-    return cylinder->own[1];
-}
-
 static struct lx_shape cylinder_shape(const void *parameters)
 {
     const struct cylinder_parameters *cylinder = parameters;
@@ -130,7 +119,7 @@ struct passing {
 
 static struct passing pass(const struct lx_shape *cylinder, const struct lx_ray *ray, const struct lx_pair from[3])
 {
-    const double *n = cylinder->normal, *d = ray->direction, radius = radius_of(cylinder);
+    const double *n = cylinder->normal, *d = ray->direction, radius = lx_cylinder_radius(cylinder);
     struct lx_pair e[3];
     double errors[5], size = 0, e_error = 0;
     for (int i = 0; i < 3; i++) {
@@ -184,12 +173,12 @@ static struct lx_hit cylinder_hit(const struct lx_shape *cylinder, const struct 
     const lx_bounded3 f = lx_cross3(at.across, n);
     const lx_bounded t = lx_div(lx_sub(lx_negate(lx_dot3(o, f)), lx_mul(length, root)), at.square);
     const lx_bounded z = lx_div(lx_add(lx_dot3(o, n), lx_mul(t, lx_dot3(d, n))), length);
-    if (!(t.value > 0 && fabs(z.value) <= half_of(cylinder)))
+    if (!(t.value > 0 && fabs(z.value) <= lx_cylinder_half(cylinder)))
         return none;
     const lx_bounded3 ahead = lx_mul3(f, lx_div(root, length));
     const lx_bounded3 sum = lx_sub3(lx_mul3(at.across, at.moment), ahead);
     const lx_bounded3 q = {lx_div(sum.x, at.square), lx_div(sum.y, at.square), lx_div(sum.z, at.square)};
-    const lx_bounded radius = lx_exact(radius_of(cylinder));
+    const lx_bounded radius = lx_exact(lx_cylinder_radius(cylinder));
     struct lx_hit hit = {
         .exists = true,
         .t = t.value,
@@ -200,18 +189,10 @@ static struct lx_hit cylinder_hit(const struct lx_shape *cylinder, const struct 
     return hit;
 }
 
-/* The part of an offset from the centre that lies across the axis, and that along it. */
-static void split(const struct lx_shape *cylinder, const double offset_mm[3], double aside[3], double *along)
-{
-    *along = lx_dot(offset_mm, cylinder->axis);
-    for (int i = 0; i < 3; i++)
-        aside[i] = offset_mm[i] - *along * cylinder->axis[i];
-}
-
 static void cylinder_normal(const struct lx_shape *cylinder, const double offset_mm[3], double normal[3])
 {
     double along;
-    split(cylinder, offset_mm, normal, &along);
+    lx_cylinder_split(cylinder, offset_mm, normal, &along);
     lx_normalize(normal);
 }
 
@@ -219,7 +200,7 @@ static void cylinder_normal(const struct lx_shape *cylinder, const double offset
 static lx_bounded crosses_at(const struct lx_shape *cylinder, lx_bounded t, lx_bounded start, lx_bounded change,
                              lx_bounded touch, bool endless)
 {
-    const lx_bounded z = lx_add(start, lx_mul(t, change)), half = lx_exact(half_of(cylinder));
+    const lx_bounded z = lx_add(start, lx_mul(t, change)), half = lx_exact(lx_cylinder_half(cylinder));
     lx_bounded crosses = lx_step(lx_sub(half, (lx_bounded){fabs(z.value), z.error}), true);
     crosses = lx_both(crosses, lx_step(lx_sub(t, touch), false));
     if (!endless)
@@ -238,7 +219,7 @@ static lx_bounded cylinder_blocks(const struct lx_shape *cylinder, lx_bounded3 p
     const lx_bounded start = lx_dot3(from, axis), change = lx_dot3(towards, axis);
     const lx_bounded3 p = lx_sub3(from, lx_mul3(axis, start)), v = lx_sub3(towards, lx_mul3(axis, change));
     const lx_bounded a = lx_square3(v), b = lx_dot3(p, v);
-    const lx_bounded moment = lx_dot3(axis, lx_cross3(p, v)), radius = lx_exact(radius_of(cylinder));
+    const lx_bounded moment = lx_dot3(axis, lx_cross3(p, v)), radius = lx_exact(lx_cylinder_radius(cylinder));
     const lx_bounded below = lx_sub(lx_mul(lx_mul(radius, radius), a), lx_mul(moment, moment));
     if (!(a.value > a.error) || below.value + below.error < 0)
         return lx_exact(0);
@@ -262,14 +243,14 @@ static struct plain_way plain_way_of(const struct lx_shape *cylinder, const doub
 {
     struct plain_way at;
     double cross[3];
-    split(cylinder, from_mm, at.p, &at.start);
-    split(cylinder, way, at.v, &at.change);
+    lx_cylinder_split(cylinder, from_mm, at.p, &at.start);
+    lx_cylinder_split(cylinder, way, at.v, &at.change);
     for (int i = 0; i < 3; i++)
         cross[i] = at.p[(i + 1) % 3] * at.v[(i + 2) % 3] - at.p[(i + 2) % 3] * at.v[(i + 1) % 3];
     at.square = lx_dot(at.v, at.v);
     at.middle = lx_dot(at.p, at.v);
     at.moment = lx_dot(cylinder->axis, cross);
-    const double reach = radius_of(cylinder) * sqrt(at.square);
+    const double reach = lx_cylinder_radius(cylinder) * sqrt(at.square);
     at.below = (reach - fabs(at.moment)) * (reach + fabs(at.moment));
     return at;
 }
@@ -283,7 +264,7 @@ static bool cylinder_meets(const struct lx_shape *cylinder, const double from_mm
         return false;
     *t = (-at.middle - root) / at.square;
     const double z = at.start + *t * at.change;
-    if (!(*t > 0 && fabs(z) <= half_of(cylinder)))
+    if (!(*t > 0 && fabs(z) <= lx_cylinder_half(cylinder)))
         return false;
     for (int i = 0; i < 3; i++) {
         const double e = a[(i + 1) % 3] * at.v[(i + 2) % 3] - a[(i + 2) % 3] * at.v[(i + 1) % 3];
@@ -301,7 +282,7 @@ static bool cylinder_takes(const struct lx_shape *cylinder, const double from_mm
                  last = endless ? HUGE_VAL : 1 - touch;
     for (int sign = -1; sign <= 1; sign += 2) {
         const double t = (-at.middle + sign * root) / at.square;
-        if (t > touch && t < last && fabs(at.start + t * at.change) <= half_of(cylinder))
+        if (t > touch && t < last && fabs(at.start + t * at.change) <= lx_cylinder_half(cylinder))
             return true;
     }
     return false;
@@ -332,8 +313,9 @@ static bool cylinder_holds(const struct lx_shape *cylinder, const double place_m
     double from[3], aside[3], along, near = 1e-9 * cylinder->radius_mm;
     for (int i = 0; i < 3; i++)
         from[i] = place_mm[i] - cylinder->anchor_mm[i];
-    split(cylinder, from, aside, &along);
-    return fabs(sqrt(lx_dot(aside, aside)) - radius_of(cylinder)) <= near && fabs(along) <= half_of(cylinder) + near;
+    lx_cylinder_split(cylinder, from, aside, &along);
+    return fabs(sqrt(lx_dot(aside, aside)) - lx_cylinder_radius(cylinder)) <= near &&
+           fabs(along) <= lx_cylinder_half(cylinder) + near;
 }
 
 /* A source inside of the infinite cylinder lights nothing of the outer side. */
@@ -343,16 +325,16 @@ static bool cylinder_is_dark(const void *parameters, const double place_mm[3])
     double from[3], aside[3], along;
     for (int i = 0; i < 3; i++)
         from[i] = place_mm[i] - shape.anchor_mm[i];
-    split(&shape, from, aside, &along);
-    return lx_dot(aside, aside) <= radius_of(&shape) * radius_of(&shape);
+    lx_cylinder_split(&shape, from, aside, &along);
+    return lx_dot(aside, aside) <= lx_cylinder_radius(&shape) * lx_cylinder_radius(&shape);
 }
 
 static double cylinder_distance(const struct lx_shape *cylinder, const double offset_mm[3], double direction[3])
 {
     double aside[3], along;
-    split(cylinder, offset_mm, aside, &along);
-    const double out = lx_normalize(aside) - radius_of(cylinder);
-    const double beyond = fmax(fabs(along) - half_of(cylinder), 0), length = hypot(out, beyond);
+    lx_cylinder_split(cylinder, offset_mm, aside, &along);
+    const double out = lx_normalize(aside) - lx_cylinder_radius(cylinder);
+    const double beyond = fmax(fabs(along) - lx_cylinder_half(cylinder), 0), length = hypot(out, beyond);
     for (int i = 0; i < 3; i++)
         direction[i] = beyond > 0 ? (out * aside[i] + copysign(beyond, along) * cylinder->axis[i]) / length : aside[i];
     return beyond > 0 || out > 0 ? length : -length;
@@ -362,7 +344,7 @@ static double cylinder_distance(const struct lx_shape *cylinder, const double of
 static double beside_crossing(const struct lx_shape *cylinder, double t, double start, double change, double length,
                               bool endless)
 {
-    double outside = fmax(fabs(start + t * change) - half_of(cylinder), -t * length);
+    double outside = fmax(fabs(start + t * change) - lx_cylinder_half(cylinder), -t * length);
     return endless ? outside : fmax(outside, (t - 1) * length);
 }
 
@@ -373,11 +355,12 @@ static double cylinder_beside(const struct lx_shape *cylinder, const double plac
     double from[3], p[3], v[3], cross[3], start, change;
     for (int i = 0; i < 3; i++)
         from[i] = place_mm[i] - cylinder->anchor_mm[i];
-    split(cylinder, from, p, &start);
-    split(cylinder, way, v, &change);
+    lx_cylinder_split(cylinder, from, p, &start);
+    lx_cylinder_split(cylinder, way, v, &change);
     for (int i = 0; i < 3; i++)
         cross[i] = p[(i + 1) % 3] * v[(i + 2) % 3] - p[(i + 2) % 3] * v[(i + 1) % 3];
-    const double a = lx_dot(v, v), b = lx_dot(p, v), length = sqrt(lx_dot(way, way)), radius = radius_of(cylinder);
+    const double a = lx_dot(v, v), b = lx_dot(p, v), length = sqrt(lx_dot(way, way)),
+                 radius = lx_cylinder_radius(cylinder);
     const double moment = lx_dot(cylinder->axis, cross), below = radius * radius * a - moment * moment;
     if (!(a > 1e-30 * length * length))
         return fabs(sqrt(lx_dot(p, p)) - radius);
@@ -391,226 +374,38 @@ static double cylinder_beside(const struct lx_shape *cylinder, const double plac
 static double cylinder_shadow_edge(const struct lx_shape *cylinder, const struct lx_origin *light, unsigned i,
                                    const double place_mm[3])
 {
-    double from[3], p[3], v[3], center[3], along, radius = radius_of(cylinder);
+    double from[3], p[3], v[3], center[3], along, radius = lx_cylinder_radius(cylinder);
     for (int k = 0; k < 3; k++) {
         from[k] = place_mm[k] - cylinder->anchor_mm[k];
-        center[k] = cylinder->anchor_mm[k] + (i == 2 ? -1 : 1) * half_of(cylinder) * cylinder->axis[k];
+        center[k] = cylinder->anchor_mm[k] + (i == 2 ? -1 : 1) * lx_cylinder_half(cylinder) * cylinder->axis[k];
     }
     if (i >= 2)
         return lx_circle_edge(center, cylinder->axis, radius, light, place_mm);
-    split(cylinder, from, p, &along);
+    lx_cylinder_split(cylinder, from, p, &along);
     if (i == 0)
         return lx_dot(p, p) - radius * radius;
     if (light->endless) {
-        split(cylinder, light->at, v, &along);
+        lx_cylinder_split(cylinder, light->at, v, &along);
         const double touch = lx_dot(p, v), a = lx_dot(v, v);
         return a > 0 ? (lx_dot(p, p) - radius * radius) * a - touch * touch : (double)NAN;
     }
     for (int k = 0; k < 3; k++)
         v[k] = place_mm[k] - light->at[k], from[k] = light->at[k] - cylinder->anchor_mm[k];
-    split(cylinder, from, p, &along);
+    lx_cylinder_split(cylinder, from, p, &along);
     memcpy(from, v, sizeof from);
-    split(cylinder, from, v, &along);
+    lx_cylinder_split(cylinder, from, v, &along);
     const double touch = lx_dot(p, v), outside = lx_dot(p, p) - radius * radius;
     return outside > 0 ? outside * lx_dot(v, v) - touch * touch : (double)NAN;
 }
 
-/* ---- coordinates: the cosine and sine of the angle about the axis, and the height along it in mm ---- */
-
-static void locate_on_cylinder(const struct lx_shape *cylinder, const double offset_mm[3], const double normal[3],
-                               double at[3])
-{
-    at[0] = lx_dot(normal, cylinder->across), at[1] = lx_dot(normal, cylinder->upward);
-    const double length = hypot(at[0], at[1]);
-    at[0] /= length, at[1] /= length;
-    at[2] = lx_dot(offset_mm, cylinder->axis);
-}
-
-static void place_on_cylinder(const struct lx_shape *cylinder, const double at[3], double place_mm[3], double normal[3])
-{
-    for (int i = 0; i < 3; i++) {
-        normal[i] = at[0] * cylinder->across[i] + at[1] * cylinder->upward[i];
-        place_mm[i] = cylinder->anchor_mm[i] + radius_of(cylinder) * normal[i] + at[2] * cylinder->axis[i];
-    }
-}
-
-static void element_on_cylinder(const struct lx_shape *cylinder, const double at[3], lx_bounded3 *place_mm,
-                                lx_bounded3 *normal)
-{
-    const lx_bounded3 unit = lx_unit3(lx_exact3((const double[]){at[0], at[1], 0}));
-    *normal = lx_add3(lx_mul3(lx_shape_across(cylinder), unit.x), lx_mul3(lx_shape_upward(cylinder), unit.y));
-    const lx_bounded3 offset =
-        lx_add3(lx_mul3(*normal, lx_exact(radius_of(cylinder))), lx_mul3(lx_shape_axis(cylinder), lx_exact(at[2])));
-    *place_mm = lx_add3(lx_exact3(cylinder->anchor_mm), offset);
-}
-
-static void directions_on_cylinder(const struct lx_shape *cylinder, const double at[3], double first[3],
-                                   double second[3])
-{
-    (void)cylinder;
-    first[0] = -at[1], first[1] = at[0], first[2] = 0;
-    second[0] = second[1] = 0, second[2] = 1;
-}
-
-static void move_on_cylinder(const struct lx_shape *cylinder, const double at[3], const double first[3],
-                             const double second[3], const double step_mm[2], double moved[3])
-{
-    const double radius = radius_of(cylinder);
-    for (int i = 0; i < 3; i++)
-        moved[i] = at[i] + (step_mm[0] * first[i] + step_mm[1] * second[i]) / (i < 2 ? radius : 1);
-    const double length = hypot(moved[0], moved[1]);
-    moved[0] /= length, moved[1] /= length;
-}
-
-/* The cosine between the normal and the way to the observer. */
-static double facing_of(const struct lx_shape *cylinder, const struct lx_origin *eye, const double at[3])
-{
-    double place[3], normal[3], way[3];
-    place_on_cylinder(cylinder, at, place, normal);
-    lx_way_to(eye, place, way);
-    lx_normalize(way);
-    return lx_dot(normal, way);
-}
-
-/* The limb, and the two ends. */
-static double wall_of_cylinder(const struct lx_shape *cylinder, const struct lx_origin *eye, unsigned i,
-                               const double at[3])
-{
-    if (i == 0)
-        return radius_of(cylinder) * facing_of(cylinder, eye, at);
-    const double half = half_of(cylinder) - cylinder->touch_mm;
-    return i == 1 ? half + at[2] : half - at[2];
-}
-
-/* The angle of the meridian that faces the observer; returns how far to both sides the side does: 0, nowhere. */
-static double front_of(const struct lx_shape *cylinder, const struct lx_origin *eye, double *middle)
-{
-    double way[3];
-    const bool endless = lx_way_to(eye, cylinder->anchor_mm, way);
-    const double x = lx_dot(way, cylinder->across), y = lx_dot(way, cylinder->upward), away = hypot(x, y);
-    *middle = away > 0 ? atan2(y, x) : 0;
-    if (endless)
-        return away > 0 ? M_PI_2 : 0;
-    return away > radius_of(cylinder) ? acos(radius_of(cylinder) / away) : 0;
-}
-
-static void set_at(double angle, double height, double at[3])
-{
-    at[0] = cos(angle), at[1] = sin(angle), at[2] = height;
-}
-
-/* Once around what is seen: along the lower end, up a limb, back along the upper end, and down. */
-static void around_front(const struct lx_shape *cylinder, const struct lx_origin *eye, int i, int count, double inset,
-                         double at[3])
-{
-    double middle, square[2], half = half_of(cylinder) - cylinder->touch_mm;
-    const double width = front_of(cylinder, eye, &middle);
-    lx_around_square(i % count, count, square);
-    set_at(middle + (1 - inset) * width * square[0], (1 - inset) * half * square[1], at);
-}
-
-static void rim_of_cylinder(const struct lx_shape *cylinder, const struct lx_origin *eye, int i, int count,
-                            double at[3])
-{
-    around_front(cylinder, eye, i, count, 0, at);
-}
-
-static void middle_of_cylinder(const struct lx_shape *cylinder, const struct lx_origin *eye, double at[3])
-{
-    double middle;
-    front_of(cylinder, eye, &middle);
-    set_at(middle, 0, at);
-}
-
-static void cylinder_outline(const struct lx_shape *cylinder, const struct lx_origin *eye, int i, int steps,
-                             double place_mm[3], double inside_mm[3])
-{
-    double at[3], normal[3];
-    around_front(cylinder, eye, i, steps, 0, at);
-    place_on_cylinder(cylinder, at, place_mm, normal);
-    around_front(cylinder, eye, i, steps, 1e-3, at);
-    place_on_cylinder(cylinder, at, inside_mm, normal);
-}
-
-static bool is_near_limb(const struct lx_shape *cylinder, const struct lx_origin *eye, const double at[3],
-                         double inside_mm[3])
-{
-    double middle, normal[3], inner[3];
-    front_of(cylinder, eye, &middle);
-    const double turn = remainder(atan2(at[1], at[0]) - middle, 2 * M_PI);
-    set_at(middle + turn - copysign(fmin(0.1, fabs(turn)), turn), (1 - 1e-3) * at[2], inner);
-    place_on_cylinder(cylinder, inner, inside_mm, normal);
-    return facing_of(cylinder, eye, at) < 1e-3;
-}
-
-/* Where a light is from the axis: its direction across, how far from the side, and its height; of a light without end
- * the height is not known. */
-struct stand {
-    double aside[3], gap, height;
-    bool endless;
-};
-
-static struct stand stand_of(const struct lx_shape *cylinder, const struct lx_origin *origin)
-{
-    double way[3];
-    struct stand stand = {.endless = lx_way_to(origin, cylinder->anchor_mm, way)};
-    split(cylinder, way, stand.aside, &stand.height);
-    stand.gap = fmax(lx_normalize(stand.aside) - radius_of(cylinder), 1e-6 * radius_of(cylinder));
-    return stand;
-}
-
-static void towards(const struct lx_shape *cylinder, const double aside[3], double height, double at[3])
-{
-    const double half = half_of(cylinder) - cylinder->touch_mm;
-    set_at(atan2(lx_dot(aside, cylinder->upward), lx_dot(aside, cylinder->across)), fmax(-half, fmin(half, height)),
-           at);
-}
-
-/* Nearest to the light, farthest from it, and about where the side mirrors it: between both, as far from each along the
- * axis as across it. */
-static int guess_on_cylinder(const struct lx_shape *cylinder, const struct lx_origin *light,
-                             const struct lx_origin *viewer, bool for_least, double at[LX_MOST_GUESSES][3])
-{
-    const struct stand one = stand_of(cylinder, light), other = stand_of(cylinder, viewer);
-    double between[3], opposite[3];
-    int count = 0;
-    for (int i = 0; i < 3; i++) {
-        between[i] = one.aside[i] + other.aside[i];
-        opposite[i] = -one.aside[i];
-    }
-    const double height = one.endless && other.endless ? 0
-                          : one.endless                ? other.height
-                          : other.endless              ? one.height
-                                          : (one.height * other.gap + other.height * one.gap) / (one.gap + other.gap);
-    towards(cylinder, one.aside, one.endless ? 0 : one.height, at[count++]);
-    if (for_least)
-        towards(cylinder, opposite, one.endless ? 0 : one.height, at[count++]);
-    if (lx_normalize(between) > 0)
-        towards(cylinder, between, height, at[count++]);
-    return count;
-}
-
-static const struct lx_surface_chart cylinder_chart = {
-    .locate = locate_on_cylinder,
-    .place = place_on_cylinder,
-    .element = element_on_cylinder,
-    .directions = directions_on_cylinder,
-    .move = move_on_cylinder,
-    .walls = 3,
-    .wall = wall_of_cylinder,
-    .rim = rim_of_cylinder,
-    .middle = middle_of_cylinder,
-    .is_near_limb = is_near_limb,
-    .guess = guess_on_cylinder,
-};
-
 static double cylinder_support(const struct lx_shape *cylinder, const double direction[3], double place[3])
 {
     double aside[3], along;
-    split(cylinder, direction, aside, &along);
+    lx_cylinder_split(cylinder, direction, aside, &along);
     lx_normalize(aside);
     for (int i = 0; i < 3; i++)
-        place[i] = radius_of(cylinder) * aside[i] + copysign(half_of(cylinder), along) * cylinder->axis[i];
+        place[i] =
+            lx_cylinder_radius(cylinder) * aside[i] + copysign(lx_cylinder_half(cylinder), along) * cylinder->axis[i];
     return 0;
 }
 
@@ -650,8 +445,8 @@ const struct lx_surface_kind lx_cylinder_kind = {
     .beside = cylinder_beside,
     .shadow_edges = 4,
     .shadow_edge = cylinder_shadow_edge,
-    .outline = cylinder_outline,
-    .chart = &cylinder_chart,
+    .outline = lx_cylinder_outline,
+    .chart = &lx_cylinder_chart,
     .bounds = &cylinder_bounds,
     .words = &cylinder_words,
 };

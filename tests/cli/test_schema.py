@@ -197,6 +197,11 @@ def random_scenes(tap, tool):
     made = [("scene %d" % i, good_scene(rng)) for i in range(120)]
     made += [("%s %d" % (kind, i), reference.random_case(rng, kind).scene) for kind in reference.KINDS
              for i in range(3)]
+    made.append(("scene of a disk and a cylinder", {
+        "luxel": 1, "screen": {"width": 800, "height": 800, "resolution": [80, 80]}, "observer": {"z": 3000},
+        "surfaces": [{"type": "disk", "center": [0, 0, 0], "radius": 300, "axis": [0, 1, 2]},
+                     {"type": "cylinder", "center": [0, 0, 500], "radius": 90, "height": 200, "axis": [1, 1, 0]}],
+        "lights": [{"type": "point", "position": [0, 900, 2000], "intensity": 5}]}))
     used = set()
     for title, scene in made:
         complaints = judges.complaints(scene)
