@@ -14,8 +14,7 @@ from tap import Tap
 ASKS = re.compile(r"\bLX_SPHERE\b|\bLX_PLATE\b|\bLX_GENERAL\b|\bLX_SHAPE_TYPES\b|\benum lx_shape_type\b|"
                   r"\bshape(?:\.|->)type\b(?! [!=]= LX_GROUP)|\blx_(?:sphere|plate)_parameters\b|surface/authored\.h|"
                   r"variant->name, \"(?:sphere|rectangle|disk|cylinder)\"")
-# Panels (shade/smooth.c, vicinity.c) are made for what has kernels, and bounded for these shapes alone.
-MAY_ASK = re.compile(r"^src/(surface/|shade/(kernel[a-z_]*|general|smooth|vicinity)\.[ch]$|light/)")
+MAY_ASK = re.compile(r"^src/(surface/|shade/(kernel[a-z_]*|general)\.[ch]$|light/)")
 
 
 def find_askers(root):

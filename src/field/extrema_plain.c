@@ -2,7 +2,7 @@
 /*
  * The plain search for an extremum, where a surface has no coordinates to walk in: from the best pixels over the
  * screen, by steps in eight directions that are halved where none of them leads further (a pattern search: Hooke and
- * Jeeves, 1961).
+ * Jeeves, 1961), and along the rim that they end on.
  */
 #include "extrema_plain.h"
 
@@ -66,6 +66,76 @@ static void climb(struct lx_hunt *hunt, struct found *here)
     }
 }
 
+/* -- along a rim, where no fixed direction leads on -- */
+
+/* Rounds along the rim, halvings on the way to it, and steps of the golden section. */
+enum { ROUNDS = 4, BISECTIONS = 60, SECTIONS = 44 };
+
+static bool shows(const struct lx_hunt *hunt, const double at[2], size_t surface)
+{
+    const struct lx_screen *screen = &hunt->prepared->scene->screen;
+    struct lx_element element;
+    return fabs(at[0]) <= screen->width_mm / 2 && fabs(at[1]) <= screen->height_mm / 2 &&
+           luxel_region_holds(hunt->region, at[0], at[1]) && lx_element_seen(hunt->prepared, at[0], at[1], &element) &&
+           (size_t)(element.own - hunt->prepared->surfaces) == surface;
+}
+
+/* What is found at the last place in a direction from an inner one, no farther than `most`, that shows the surface. */
+static bool look_at_rim(const struct lx_hunt *hunt, const double inner[2], double turn, double most, size_t surface,
+                        struct found *found)
+{
+    double on = 0, off = most, at[2] = {inner[0], inner[1]};
+    for (int i = 0; i < BISECTIONS; i++) {
+        const double middle = (on + off) / 2;
+        const double trial[2] = {inner[0] + middle * cos(turn), inner[1] + middle * sin(turn)};
+        if (shows(hunt, trial, surface))
+            on = middle, at[0] = trial[0], at[1] = trial[1];
+        else
+            off = middle;
+    }
+    return look(hunt, at, found) && found->value.surface == surface;
+}
+
+/* The best place of the rim within half a radian to both sides, seen from an inner place some pixels away. */
+static void follow_rim(struct lx_hunt *hunt, struct found *here)
+{
+    static const double golden = 0.6180339887498949;
+    for (int round = 0; round < ROUNDS && lx_hunt_goes_on(hunt); round++) {
+        const double away = 8 * hunt->pixel_mm;
+        double inner[2], low, high;
+        int way = 0;
+        struct found best = *here, next;
+        for (; way < 8; way++) {
+            const double share = away / hypot(ways[way][0], ways[way][1]);
+            inner[0] = here->at[0] + share * ways[way][0], inner[1] = here->at[1] + share * ways[way][1];
+            const double halfway[2] = {(inner[0] + here->at[0]) / 2, (inner[1] + here->at[1]) / 2};
+            const double beyond[2] = {here->at[0] - 1e-3 * (inner[0] - here->at[0]),
+                                      here->at[1] - 1e-3 * (inner[1] - here->at[1])};
+            if (shows(hunt, inner, here->value.surface) && shows(hunt, halfway, here->value.surface) &&
+                !shows(hunt, beyond, here->value.surface))
+                break;
+        }
+        if (way == 8)
+            return;
+        low = atan2(here->at[1] - inner[1], here->at[0] - inner[0]) - 0.5, high = low + 1;
+        for (int i = 0; i < SECTIONS; i++) {
+            double values[2] = {-HUGE_VAL, -HUGE_VAL};
+            const double turns[2] = {high - golden * (high - low), low + golden * (high - low)};
+            for (int k = 0; k < 2; k++) {
+                if (!look_at_rim(hunt, inner, turns[k], 4 * away, here->value.surface, &next))
+                    continue;
+                values[k] = hunt->sign * next.value.value;
+                if (values[k] > hunt->sign * best.value.value)
+                    best = next;
+            }
+            *(values[0] < values[1] ? &low : &high) = turns[values[0] >= values[1]];
+        }
+        if (best.at[0] == here->at[0] && best.at[1] == here->at[1])
+            return;
+        *here = best;
+    }
+}
+
 /* On a border of screen or region, on the rim of a surface, or inside. */
 static luxel_peak_place place_of(const struct lx_hunt *hunt, const struct found *peak)
 {
@@ -95,6 +165,8 @@ void lx_hunt_plainly(struct lx_hunt *hunt, const luxel_field *field, luxel_peak 
         if (!look(hunt, taken[count].at, &here))
             continue;
         climb(hunt, &here);
+        if (place_of(hunt, &here) != LUXEL_PEAK_INSIDE)
+            follow_rim(hunt, &here);
         if (peak->exists && hunt->sign * (here.value.value - peak->value) <= 0)
             continue;
         *peak = (luxel_peak){.exists = true,

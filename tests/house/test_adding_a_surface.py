@@ -44,7 +44,7 @@ class Pictures:
             (folder / (name + ".yaml")).write_text(text)
             made = call(luxel, "render", folder / (name + ".yaml"), "--precision", "double", "-o",
                         folder / (name + ".npy"))
-            tap.equal(made.returncode, 0, "the scene with %s renders" % name, made.stderr)
+            tap.ok(made.returncode == 0, "the scene with %s renders" % name, made.stderr)
             setattr(self, name, numpy.load(folder / (name + ".npy")))
 
 
@@ -57,7 +57,9 @@ def compare(tap, pictures):
     # neither is seen nor takes the light, of which the ring's own picture tells by being the floor's.
     open_to_both = changed_by_inner & (pictures.ring == pictures.none)
     expected = numpy.where(open_to_both, pictures.none, expected)
+    # What is seen through the hole may lie in the ring's own shadow, which nothing else lights.
     close = numpy.abs(pictures.ring - expected) <= 1e-11 * pictures.none.max()
+    close |= changed_by_inner & (pictures.ring == 0) & (pictures.none > 0)
     tap.ok(close.all(), "the ring shows what the disk shows, and its hole what is behind",
            "%d pixels differ" % (~close).sum())
     tap.ok(open_to_both.sum() > 100 and (changed_by_outer & ~changed_by_inner).sum() > 500,
@@ -90,7 +92,7 @@ def try_surface(tap, luxel, folder, scene):
     tap.ok(wrong.returncode == 3 and "hole" in wrong.stderr, "an illegal value is an error", wrong.stderr)
     for command in ("explain", "advise", "isophotes"):
         made = call(luxel, command, ring)
-        tap.equal(made.returncode, 0, "luxel %s takes it" % command, made.stderr)
+        tap.ok(made.returncode == 0, "luxel %s takes it" % command, made.stderr)
 
 
 def main():

@@ -350,6 +350,37 @@ static void turns(void **state)
     }
 }
 
+/* What is refused, and what a free element, an arc and a body are told. */
+static void refusals(void **state)
+{
+    static const struct {
+        const char *surface, *id;
+    } cases[] = {
+        {"{type: disk, center: [0, 0, 0], radius: 100, axis: [0, 1, -1]}", "turned-away"},
+        {"{type: disk, center: [0, 0, 4990], radius: 100, axis: [0, 1, 1]}", "observer-too-low"},
+        {"{type: cylinder, center: [0, 0, 4950], radius: 100, height: 10}", "observer-too-low"},
+        {"{type: disk, center: [0, 0, 0], radius: 0}", "out-of-range"},
+        {"{type: cylinder, center: [0, 0, 0], radius: 10, height: -1}", "out-of-range"},
+        {"{type: cylinder, center: [0, 0, 0], radius: 10}", "missing-key"},
+    };
+    (void)state;
+    for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
+        char text[1000];
+        luxel_scene *scene;
+        luxel_diagnostics *diagnostics = luxel_diagnostics_new();
+        snprintf(text, sizeof text,
+                 "luxel: 1\nscreen: {width: 800, height: 800, resolution: [80, 80]}\nobserver: {z: 5000}\n"
+                 "surfaces: [%s]\nlights: []\n",
+                 cases[i].surface);
+        assert_true(load(text, diagnostics, &scene) != LUXEL_OK);
+        assert_int_equal(luxel_diagnostics_count(diagnostics), 1);
+        if (strcmp(luxel_diagnostics_get(diagnostics, 0)->id, cases[i].id) != 0)
+            fail_msg("%s: %s", cases[i].surface, luxel_diagnostics_get(diagnostics, 0)->id);
+        luxel_scene_free(scene);
+        luxel_diagnostics_free(diagnostics);
+    }
+}
+
 static uint64_t chance_state = 99;
 
 static double chance(double low, double high)
@@ -407,9 +438,9 @@ static void extrema(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(closed_forms), cmocka_unit_test(cut_out), cmocka_unit_test(pictures),
-        cmocka_unit_test(facets),       cmocka_unit_test(shadows), cmocka_unit_test(inner_wall),
-        cmocka_unit_test(turns),        cmocka_unit_test(extrema),
+        cmocka_unit_test(closed_forms), cmocka_unit_test(cut_out),  cmocka_unit_test(pictures),
+        cmocka_unit_test(facets),       cmocka_unit_test(shadows),  cmocka_unit_test(inner_wall),
+        cmocka_unit_test(turns),        cmocka_unit_test(refusals), cmocka_unit_test(extrema),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
