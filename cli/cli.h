@@ -41,7 +41,8 @@ enum command_bit {
     COMMAND_GRADE = 1 << 18,
     COMMAND_BENCH = 1 << 19,
     COMMAND_PHOTOMETRY = 1 << 20,
-    COMMAND_ANY = ((1 << 21) - 1) & ~COMMAND_NONE
+    COMMAND_SWEEP = 1 << 21,
+    COMMAND_ANY = ((1 << 22) - 1) & ~COMMAND_NONE
 };
 
 /* What may stand behind a command, for those who complete it. */
@@ -63,7 +64,7 @@ struct command {
     const char *more;            /* operands behind it, as the usage line shows each; NULL: none */
     enum operand_kind more_kind; /* OPERAND_NONE: assignments KEY=VALUE, as -s takes them */
     unsigned most_operands;      /* how many in all where there are more, 0: any number */
-    const char *endings;         /* of the files that -o writes: ".svg .pdf"; NULL: those of luxel_output_ending() */
+    const char *endings; /* of the files that -o writes: ".svg .pdf"; NULL: those of luxel_output_ending(), "": none */
     const char *default_format;  /* of -o -; NULL: --format must name one */
     const char *summary;         /* one line */
     const char *description;     /* a paragraph */
@@ -74,9 +75,9 @@ struct command {
 extern const struct command command_render, command_probe, command_grid, command_check, command_scene, command_set,
     command_schema, command_help, command_figure, command_report, command_stats, command_profile, command_compare,
     command_isophotes, command_explain, command_advise, command_variant, command_grade, command_bench,
-    command_photometry;
+    command_photometry, command_sweep;
 
-enum { COMMAND_COUNT = 20 };
+enum { COMMAND_COUNT = 21 };
 
 /* All of them, in the order of the help. */
 extern const struct command *const commands[COMMAND_COUNT];

@@ -72,6 +72,8 @@ static void print_endings(const struct command *command)
 {
     char endings[TEXT_SIZE];
 
+    if (command->endings && !*command->endings)
+        return;
     for (size_t i = 0; options_row(i); i++)
         if (options_row(i)->value == VALUE_OUTPUT && (options_row(i)->commands & command->bit))
             printf(_("\nExtensions of FILE: %s\n"), command_endings(command, endings, sizeof endings));

@@ -342,10 +342,24 @@ static int report_unknown_topic(const luxel_parameters *keys, const char *topic)
     return EXIT_USAGE;
 }
 
+/* "study", "study.vary[].random": the keys of study files, as which key; NULL: not about them. */
+static const char *topic_of_study(const char *topic)
+{
+    static const char word[] = "study";
+    const size_t length = strlen(word);
+
+    if (!topic || strncmp(topic, word, length) != 0 || (topic[length] != '\0' && topic[length] != '.'))
+        return NULL;
+    return topic + length + (topic[length] == '.');
+}
+
 int help_print_keys(const char *topic, bool as_json)
 {
-    luxel_parameters *keys = luxel_parameters_new_translated(as_json ? NULL : language_translate, NULL);
-    char *path = topic ? normal_path(topic) : NULL;
+    const char *below = topic_of_study(topic);
+    const luxel_translate translate = as_json ? NULL : language_translate;
+    luxel_parameters *keys =
+        below ? luxel_study_keys(translate, NULL) : luxel_parameters_new_translated(translate, NULL);
+    char *path = below && !*below ? NULL : topic ? normal_path(below ? below : topic) : NULL;
     enum match best = MATCH_NONE;
     int code = EXIT_DONE;
 
@@ -364,7 +378,7 @@ int help_print_keys(const char *topic, bool as_json)
         help_word_print(topic);
     } else {
         print_text(keys, path, best);
-        if (best == MATCH_EXACT)
+        if (best == MATCH_EXACT && path)
             print_below(keys, path);
         if (topic && help_word_is_known(topic)) {
             fputc('\n', stdout);

@@ -27,7 +27,7 @@ static size_t row_count(void)
 
 static bool is_given(const struct options *options, size_t row)
 {
-    return (options->given & UINT64_C(1) << row) != 0;
+    return (options->given[row / 64] & UINT64_C(1) << row % 64) != 0;
 }
 
 bool options_given(const struct options *options, const char *name)
@@ -139,7 +139,7 @@ static bool read_dashed(int argc, char **argv, struct options *options)
             return false;
         }
         row = options_row(row_of_value(value));
-        options->given |= UINT64_C(1) << row_of_value(value);
+        options->given[row_of_value(value) / 64] |= UINT64_C(1) << row_of_value(value) % 64;
         if (!row->take)
             *(bool *)((char *)options + row->flag) = true;
         else if (!row->take(options, optarg))
@@ -259,6 +259,7 @@ int options_read(int argc, char **argv, struct options *options)
         .places = message_allocate(room, sizeof *options->places),
         .operands = message_allocate(room, sizeof *options->operands),
         .arguments = argv,
+        .sweep = {.parts = 1},
         .analysis = {.scale = {none, none},
                      .from_mm = {none, none},
                      .to_mm = {none, none},

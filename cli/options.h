@@ -30,7 +30,7 @@ enum option_csv {
 
 enum {
     OPTION_LEVELS = 64, /* that may be listed */
-    OPTIONS_MOST = 64   /* rows that the table may have */
+    OPTIONS_MOST = 128  /* rows that the table may have */
 };
 
 /* What stats, profile, isophotes and compare look at; numbers are NaN and counts 0 where none were given. */
@@ -55,6 +55,13 @@ struct option_drawing {
     size_t diagram;                 /* of luxel photometry, a luxel_diagram */
 };
 
+/* Of luxel sweep. */
+struct option_sweep {
+    uint64_t show;
+    unsigned part, parts, workers; /* parts is 1 and workers 0 where none were given */
+    const char *merge;
+};
+
 struct options {
     const struct command *command; /* NULL: none was named */
     char *const *arguments;        /* the whole command line, argv */
@@ -73,13 +80,14 @@ struct options {
     bool strict, json, quiet, list, dry_run, help, version;
     struct option_analysis analysis;
     struct option_drawing drawing;
+    struct option_sweep sweep;
     enum option_csv csv;
-    size_t format;            /* index in option_formats */
-    const char *format_word;  /* of --format; NULL: it was not given */
-    bool prints_document;     /* luxel explain: whether the explanation goes to standard output */
-    char standard_output[32]; /* the name of -o -, which says its format; "": there is none */
-    unsigned bits;            /* of a .png's grey levels; 0: none were given */
-    uint64_t given;           /* one bit for each row of the table */
+    size_t format;                     /* index in option_formats */
+    const char *format_word;           /* of --format; NULL: it was not given */
+    bool prints_document;              /* luxel explain: whether the explanation goes to standard output */
+    char standard_output[32];          /* the name of -o -, which says its format; "": there is none */
+    unsigned bits;                     /* of a .png's grey levels; 0: none were given */
+    uint64_t given[OPTIONS_MOST / 64]; /* one bit for each row of the table */
 };
 
 /* What an option's argument may be, for those who complete it. */

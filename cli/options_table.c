@@ -159,6 +159,46 @@ static bool take_light_error(struct options *options, const char *argument)
     return false;
 }
 
+static bool take_workers(struct options *options, const char *argument)
+{
+    return argument_whole("--workers", argument, 1, 1024, &options->sweep.workers);
+}
+
+static bool take_show(struct options *options, const char *argument)
+{
+    unsigned scene;
+    const bool good = argument_whole("--show", argument, 0, UINT32_MAX, &scene);
+
+    options->sweep.show = good ? scene : 0;
+    return good;
+}
+
+/* I/N: I of N, from 0 or from 1 on. */
+static bool take_shard(struct options *options, const char *argument)
+{
+    const char *slash = strchr(argument, '/');
+    char *part = slash ? strndup(argument, (size_t)(slash - argument)) : NULL;
+    bool good = part && argument_whole("--shard", part, 0, 65535, &options->sweep.part) &&
+                argument_whole("--shard", slash + 1, 1, 65535, &options->sweep.parts);
+
+    if (!slash)
+        message_error(_("--shard must be I/N, part I of N: \"%s\""), argument);
+    free(part);
+    if (good && options->sweep.part > options->sweep.parts) {
+        message_error(_("--shard %s: there is no part %u of %u"), argument, options->sweep.part, options->sweep.parts);
+        good = false;
+    }
+    if (good)
+        options->sweep.part %= options->sweep.parts;
+    return good;
+}
+
+static bool take_merge(struct options *options, const char *argument)
+{
+    options->sweep.merge = argument;
+    return true;
+}
+
 static bool take_threads(struct options *options, const char *argument)
 {
     return argument_whole("--threads", argument, 1, 1024, &options->settings.threads);
@@ -351,11 +391,22 @@ enum {
 };
 
 static const struct option_row rows[] = {
-    {"output", 'o', N_("FILE"), WRITING, TAKES(take_output), .value = VALUE_OUTPUT,
-     .help = N_("write the result to FILE, in the format given by its extension; may be repeated")},
+    {"output", 'o', N_("FILE"), WRITING | COMMAND_SWEEP, TAKES(take_output), .value = VALUE_OUTPUT,
+     .help = N_("write the result to FILE, in the format given by its extension; may be repeated; of sweep the folder "
+                "to fill")},
     {"bits", 0, N_("N"), COMMAND_RENDER, TAKES(take_bits), WORDS(bits_words),
      .help = N_("bits of the grey levels of a .png: 8 (default) or 16, which show differences that 256 levels hide")},
-    {"dry-run", 'n', NULL, COMMAND_SET, SETS(dry_run), .help = N_("print the changed scene and write no file")},
+    {"dry-run", 'n', NULL, COMMAND_SET | COMMAND_SWEEP, SETS(dry_run),
+     .help = N_("write no file: print the changed scene, or how many scenes, bytes and seconds a sweep is")},
+    {"show", 0, N_("I"), COMMAND_SWEEP, TAKES(take_show), .help = N_("print scene I of the study, from 0 on")},
+    {"shard", 0, N_("I/N"), COMMAND_SWEEP, TAKES(take_shard),
+     .help = N_("compute part I of N, the shards whose number is I modulo N, as one of the N jobs of an array")},
+    {"workers", 0, N_("N"), COMMAND_SWEEP, TAKES(take_workers),
+     .help = N_("how many threads compute a shard each; the default is one per processor")},
+    {"merge", 0, N_("FILE"), COMMAND_SWEEP, TAKES(take_merge), .value = VALUE_FILE,
+     .help =
+         N_("compute nothing, and put all shards of the folder into one file: .h5, or .npy of the output that it is "
+            "called as")},
     {"point", 'p', N_("X,Y"), COMMAND_PROBE | COMMAND_EXPLAIN, TAKES(take_point),
      .help = N_("take this point of the screen, in mm, instead of the scene's own points; may be repeated")},
     {"at", 0, N_("X,Y,Z,NX,NY,NZ"), COMMAND_PROBE, TAKES(take_element),
@@ -393,8 +444,7 @@ static const struct option_row rows[] = {
     {"bins", 0, N_("N"), COMMAND_STATS, TAKES(take_bins),
      .help = N_("steps of the histogram, 1 to 65536; the default is 16")},
     {"levels", 0, N_("N"), COMMAND_ISOPHOTES | COMMAND_FIGURE, TAKES(take_levels),
-     .help =
-         N_("about N round levels, 1 to 50; or the levels themselves: L1,L2,... (\"5,\" is the one level 5)")},
+     .help = N_("about N round levels, 1 to 50; or the levels themselves: L1,L2,... (\"5,\" is the one level 5)")},
     {"scale", 0, N_("LOW,HIGH"), COMMAND_STATS | COMMAND_ISOPHOTES | COMMAND_FIGURE, TAKES(take_scale),
      .help = N_("the range of values of the histogram, the levels or the colours")},
     {"log", 0, NULL, COMMAND_STATS | COMMAND_ISOPHOTES | COMMAND_FIGURE, SETS(analysis.logarithmic),

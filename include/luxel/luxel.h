@@ -34,6 +34,7 @@
 #include <luxel/scene.h>
 #include <luxel/statistics.h>
 #include <luxel/status.h>
+#include <luxel/study.h>
 #include <luxel/table.h>
 #include <luxel/text.h>
 #include <luxel/version.h>

@@ -51,7 +51,8 @@ typedef enum luxel_value_type {
     LUXEL_VECTORS,         /* a list of triples of numbers */
     LUXEL_CHOICE_OR_WHOLE, /* one of the choices, or a whole number */
     LUXEL_GROUPS,          /* a list of mappings, all with the same keys, which are parameters of their own */
-    LUXEL_VARIANTS         /* the same with keys by each one's `type`: surfaces, lights */
+    LUXEL_VARIANTS,        /* the same with keys by each one's `type`: surfaces, lights */
+    LUXEL_ANY              /* of a study: whatever `meaning` says */
 } luxel_value_type;
 
 /* A range of numbers. */

@@ -28,6 +28,15 @@ LUXEL_API bool luxel_scene_project(const luxel_scene *scene, const double positi
 LUXEL_API bool luxel_scene_unproject(const luxel_scene *scene, const double screen_mm[2], double z_mm,
                                      double position_mm[3]);
 
+/*
+ * What every pixel of a committed scene shows, row by row from the top: how far it is from the observer along the
+ * observer's line of view, in mm, and the unit normal of the surface there, towards the observer's side.  Where nothing
+ * is seen all of them are 0.  Each array has room for rows x columns elements, or is NULL: not wanted.
+ * LUXEL_ERROR_ARGUMENT: not committed.  LUXEL_ERROR_MEMORY.
+ */
+LUXEL_API luxel_status luxel_scene_geometry(const luxel_scene *scene, luxel_diagnostics *diagnostics, double *depth_mm,
+                                            double (*normals)[3]);
+
 #ifdef __cplusplus
 }
 #endif

@@ -210,6 +210,51 @@ void lx_report(luxel_diagnostics *diagnostics, luxel_severity severity, const st
     diagnostics->last_kept = true;
 }
 
+/* Gives an entry another place; false, and the entry is as it was, where memory ran out. */
+static bool move_entry(struct entry *entry, const struct lx_place *place)
+{
+    struct entry moved = {.shown = {.severity = entry->shown.severity, .id = entry->shown.id}};
+    if (!place_set(&moved, place)) {
+        entry_clear(&moved);
+        return false;
+    }
+    free(entry->source);
+    free(entry->key);
+    free(entry->excerpt);
+    moved.message = entry->message;
+    moved.hint = entry->hint;
+    moved.shown.source = moved.source;
+    moved.shown.key = moved.key;
+    moved.shown.excerpt = moved.excerpt;
+    *entry = moved;
+    return true;
+}
+
+void lx_hand_over(luxel_diagnostics *to, luxel_diagnostics *from, const char *source, const struct lx_place *place)
+{
+    for (size_t i = 0; from && i < from->count; i++) {
+        struct entry *entry = &from->entries[i];
+        const luxel_severity severity = entry->shown.severity;
+        const bool is_kept =
+            lx_keeps(to, severity) && lx_reserve(&to->entries, &to->capacity, to->count + 1, sizeof *to->entries) == 0;
+        if (!is_kept) {
+            entry_clear(entry);
+            continue;
+        }
+        if (!entry->source || (source && strcmp(entry->source, source) == 0))
+            move_entry(entry, place);
+        to->entries[to->count++] = *entry;
+        to->kept[severity]++;
+        to->last_kept = true;
+    }
+    if (!from)
+        return;
+    for (size_t s = 0; to && s < SEVERITIES; s++)
+        to->total[s] += from->total[s];
+    free(from->entries);
+    *from = (luxel_diagnostics){0};
+}
+
 const char *lx_message_words(enum lx_message message)
 {
     return messages[message].english;

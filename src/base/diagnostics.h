@@ -54,6 +54,12 @@ void lx_hint(luxel_diagnostics *diagnostics, enum lx_message message, const char
  */
 void lx_settle_hints(luxel_diagnostics *diagnostics);
 
+/*
+ * Moves the entries of `from`, which is then empty, to the end of `to`; those without a place, and those whose source
+ * is `source` (NULL: no other), get this one.
+ */
+void lx_hand_over(luxel_diagnostics *to, luxel_diagnostics *from, const char *source, const struct lx_place *place);
+
 /* Reports that memory ran out and returns LUXEL_ERROR_MEMORY. */
 luxel_status lx_out_of_memory(luxel_diagnostics *diagnostics);
 

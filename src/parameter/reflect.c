@@ -90,6 +90,7 @@ static void measure(const struct lx_parameter *parameter, luxel_parameter *shown
         [LX_CHOICE_OR_WHOLE] = LUXEL_CHOICE_OR_WHOLE,
         [LX_GROUPS] = LUXEL_GROUPS,
         [LX_VARIANTS] = LUXEL_VARIANTS,
+        [LX_ANY] = LUXEL_ANY,
     };
     bool by_component = parameter->advised[1].given;
     shown->value_type = types[parameter->type];

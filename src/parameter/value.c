@@ -143,19 +143,12 @@ static bool out_of_range(const struct value *value)
     return false;
 }
 
-static bool in_range(const struct lx_interval *range, double number)
-{
-    if (!range->given)
-        return true;
-    return (range->low_open ? number > range->low : number >= range->low) && number <= range->high;
-}
-
 static bool decode_real(const struct value *value, double *number)
 {
     double read;
     if (!lx_read_real(value->walk->document, value->id, &read))
         return not_a_number(value, LX_MSG_WRONG_NUMBER);
-    if (!in_range(&value->parameter->legal, read))
+    if (!lx_interval_holds(&value->parameter->legal, read))
         return out_of_range(value);
     *number = read;
     return true;
@@ -168,7 +161,7 @@ static bool decode_whole(const struct value *value, unsigned *number)
     size_t sign = text && (text[0] == '-' || text[0] == '+');
     if (!text || !text[sign] || text[sign + strspn(text + sign, "0123456789")])
         return not_a_number(value, LX_MSG_WRONG_WHOLE);
-    if (!lx_read_number(text, strlen(text), &read) || !in_range(&value->parameter->legal, read) || read < 0 ||
+    if (!lx_read_number(text, strlen(text), &read) || !lx_interval_holds(&value->parameter->legal, read) || read < 0 ||
         read > UINT32_MAX)
         return out_of_range(value);
     *number = (unsigned)read;
@@ -384,6 +377,7 @@ bool lx_decode_value(struct lx_walk *walk, const struct lx_step *step, const str
     case LX_CHOICE_OR_WHOLE: return decode_choice_or_whole(&v, value);
     case LX_POINTS: return decode_points(&v, value);
     case LX_VECTORS: return decode_vectors(&v, value);
+    case LX_ANY: *(lx_node_id *)value = id; return true;
     case LX_GROUP:
     case LX_GROUPS:
     case LX_VARIANTS: break; /* they hold tables of their own */

@@ -106,6 +106,7 @@ void lx_add_type(struct lx_text *text, const struct lx_parameter *parameter)
         [LX_CHOICE_OR_WHOLE] = LX_N("one of, or a whole number"),
         [LX_GROUPS] = LX_N("list of groups of keys"),
         [LX_VARIANTS] = LX_N("list"),
+        [LX_ANY] = LX_N("value"),
     };
     char count[LX_NUMBER_SIZE];
     lx_add_phrase(text, words[parameter->type], LX_ARGS(lx_write_number(parameter->count, count)));

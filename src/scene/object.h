@@ -3,6 +3,8 @@
 #ifndef LX_SCENE_OBJECT_H
 #define LX_SCENE_OBJECT_H
 
+#include <luxel/parameter.h>
+
 #include "../format/kept.h"
 #include "../parameter/decode.h"
 #include "../parameter/document.h"
@@ -18,6 +20,7 @@ struct luxel_scene {
     struct lx_document document;
     size_t compact_bytes; /* what the document held when it was last without garbage */
     bool committed;
+    bool is_ahead; /* the parameters have values that the document has not (bind.h) */
     struct lx_scene_parameters parameters; /* meaningful where committed, and so are the conventions */
     struct lx_convention *conventions;
     size_t convention_count;
@@ -25,6 +28,9 @@ struct luxel_scene {
     char *folder;              /* of the file that it was read from; NULL: none, or the current one */
     struct lx_kept_files kept; /* what was read of the files that it names */
 };
+
+/* The public list of the parameters of any table. */
+luxel_parameters *lx_parameters_of(const struct lx_table *table, luxel_translate translate, void *data);
 
 /* Takes the readiness away and frees what it consists of. */
 void lx_scene_uncommit(luxel_scene *scene);

@@ -5,19 +5,24 @@
 #include "../base/memory.h"
 #include "../parameter/reflect.h"
 #include "../parameter/schema.h"
-#include "scene.h"
+#include "object.h"
 
 struct luxel_parameters {
     struct lx_reflection reflection;
 };
 
-luxel_parameters *luxel_parameters_new_translated(luxel_translate translate, void *data)
+luxel_parameters *lx_parameters_of(const struct lx_table *table, luxel_translate translate, void *data)
 {
     luxel_parameters *parameters = lx_new_array(1, sizeof *parameters);
-    if (!parameters || lx_reflect(&lx_scene_table, translate, data, &parameters->reflection) == 0)
+    if (!parameters || lx_reflect(table, translate, data, &parameters->reflection) == 0)
         return parameters;
     free(parameters);
     return NULL;
+}
+
+luxel_parameters *luxel_parameters_new_translated(luxel_translate translate, void *data)
+{
+    return lx_parameters_of(&lx_scene_table, translate, data);
 }
 
 luxel_parameters *luxel_parameters_new(void)

@@ -106,7 +106,7 @@ static luxel_status commit(luxel_scene *scene, luxel_diagnostics *diagnostics);
 
 luxel_scene *luxel_scene_copy(const luxel_scene *scene)
 {
-    luxel_scene *copy = scene ? lx_new_array(1, sizeof *copy) : NULL;
+    luxel_scene *copy = scene && !scene->is_ahead ? lx_new_array(1, sizeof *copy) : NULL;
     if (!copy)
         return NULL;
     if (scene->folder)
@@ -139,7 +139,7 @@ void lx_scene_uncommit(luxel_scene *scene)
     lx_parameters_clear(&lx_scene_table, &scene->parameters);
     lx_clear_conventions(scene);
     memset(&scene->parameters, 0, sizeof scene->parameters);
-    scene->committed = false;
+    scene->committed = scene->is_ahead = false;
 }
 
 lx_node_id lx_scene_node(const luxel_scene *scene, const char *group, const char *key)
@@ -191,6 +191,11 @@ luxel_status luxel_scene_commit(luxel_scene *scene, luxel_diagnostics *diagnosti
 bool luxel_scene_is_committed(const luxel_scene *scene)
 {
     return scene && scene->committed;
+}
+
+bool lx_scene_is_ahead(const luxel_scene *scene)
+{
+    return scene->is_ahead;
 }
 
 const struct lx_scene_parameters *lx_scene_parameters(const luxel_scene *scene)

@@ -87,6 +87,9 @@ struct lx_scene_parameters {
 
 extern const struct lx_table lx_scene_table;
 
+/* Whether a scene's numbers are ahead of its text (bind.h), so that its text does not repeat it. */
+bool lx_scene_is_ahead(const luxel_scene *scene);
+
 /* The decoded parameters of a committed scene, NULL before; they live until the scene changes. */
 const struct lx_scene_parameters *lx_scene_parameters(const luxel_scene *scene);
 

@@ -40,7 +40,7 @@ static luxel_status write_changed(const struct lx_document *document, struct lx_
 
 luxel_status luxel_scene_write_text(const luxel_scene *scene, char **text)
 {
-    if (!scene || !text)
+    if (!scene || !text || scene->is_ahead)
         return LUXEL_ERROR_ARGUMENT;
     const struct lx_document *document = &scene->document;
     struct lx_place written = lx_document_place(document, document->root);
