@@ -65,6 +65,9 @@ static inline const void *lx_const_member(const struct lx_parameter *parameter, 
     return (const char *)parameters + parameter->offset;
 }
 
+/* Whether a number lies in a range. */
+bool lx_interval_holds(const struct lx_interval *range, double number);
+
 /* A number that was written plainly. */
 bool lx_read_real(const struct lx_document *document, lx_node_id id, double *value);
 

@@ -6,6 +6,7 @@
 
 #include "../base/memory.h"
 #include "../base/phrase.h"
+#include "any.h"
 #include "decode.h"
 #include "reflect.h"
 #include "words.h"

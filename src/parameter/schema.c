@@ -212,7 +212,7 @@ static void add_parameter(struct lx_json *json, const struct lx_table *table, co
     lx_json_open(json, parameter->name, '{');
     lx_json_text(json, "title", parameter->label);
     add_description(json, table, parameter);
-    switch (parameter->type) {
+    switch (parameter->type) { /* any.h: nothing can be said of it */
     case LX_REAL: add_number(json, parameter, false); break;
     case LX_WHOLE: add_number(json, parameter, true); break;
     case LX_BOOLEAN: lx_json_text(json, "type", "boolean"); break;
@@ -230,7 +230,6 @@ static void add_parameter(struct lx_json *json, const struct lx_table *table, co
     case LX_VECTORS: add_tuples(json, parameter, 3); break;
     case LX_GROUPS: add_groups(json, parameter); break;
     case LX_VARIANTS: add_list(json, parameter); break;
-    case LX_ANY: break; /* what check() reads itself */
     }
     add_default(json, parameter);
     lx_json_close(json, '}');

@@ -27,8 +27,7 @@ enum lx_parameter_type {
     LX_VECTORS,         /* struct lx_vectors: a list of triples of numbers, at least `count` of them */
     LX_CHOICE_OR_WHOLE, /* struct lx_choice_or_whole: one of choices, or a whole number in the legal range */
     LX_GROUPS,          /* struct lx_groups: a list of structs, all by `group` */
-    LX_VARIANTS,        /* struct lx_list: a list of structs, each of one of `variants`, told by its key `type` */
-    LX_ANY              /* uint32_t: the node of a value that the table's check() reads; 0: not written */
+    LX_VARIANTS         /* struct lx_list: a list of structs, each of one of `variants`, told by its key `type` */
 };
 
 /* Units by what they measure; their words depend on the scene's `units`. */
@@ -48,13 +47,6 @@ struct lx_interval {
     double low, high; /* -HUGE_VAL and HUGE_VAL: no bound */
     bool low_open;
 };
-
-static inline bool lx_interval_holds(const struct lx_interval *range, double number)
-{
-    if (!range->given)
-        return true;
-    return (range->low_open ? number > range->low : number >= range->low) && number <= range->high;
-}
 
 enum { LX_COMPONENTS = 3 };
 

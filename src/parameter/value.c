@@ -7,6 +7,7 @@
 
 #include "../base/memory.h"
 #include "../base/number.h"
+#include "any.h"
 #include "comma.h"
 #include "decode.h"
 #include "plain.h"
@@ -141,6 +142,13 @@ static bool out_of_range(const struct value *value)
     wrong(value, LX_MSG_OUT_OF_RANGE, range ? range : "");
     free(range);
     return false;
+}
+
+bool lx_interval_holds(const struct lx_interval *range, double number)
+{
+    if (!range->given)
+        return true;
+    return (range->low_open ? number > range->low : number >= range->low) && number <= range->high;
 }
 
 static bool decode_real(const struct value *value, double *number)
@@ -365,6 +373,10 @@ bool lx_decode_value(struct lx_walk *walk, const struct lx_step *step, const str
                      lx_node_id id, void *value)
 {
     struct value v = {walk, step, parameter, id};
+    if (parameter->type == LX_ANY) {
+        *(lx_node_id *)value = id;
+        return true;
+    }
     switch (parameter->type) {
     case LX_REAL: return decode_real(&v, value);
     case LX_WHOLE: return decode_whole(&v, value);
@@ -377,7 +389,6 @@ bool lx_decode_value(struct lx_walk *walk, const struct lx_step *step, const str
     case LX_CHOICE_OR_WHOLE: return decode_choice_or_whole(&v, value);
     case LX_POINTS: return decode_points(&v, value);
     case LX_VECTORS: return decode_vectors(&v, value);
-    case LX_ANY: *(lx_node_id *)value = id; return true;
     case LX_GROUP:
     case LX_GROUPS:
     case LX_VARIANTS: break; /* they hold tables of their own */

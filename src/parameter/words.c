@@ -5,6 +5,7 @@
 
 #include "../base/number.h"
 #include "../base/phrase.h"
+#include "any.h"
 #include "words.h"
 
 enum { LONGEST_FOUND = 40 };

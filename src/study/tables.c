@@ -3,6 +3,7 @@
 #include <math.h>
 #include <string.h>
 
+#include "../parameter/any.h"
 #include "../parameter/check.h"
 #include "../parameter/schema.h"
 #include "study.h"
