@@ -80,6 +80,8 @@ LUXEL_API char *luxel_diagnostics_hint(const luxel_diagnostics *diagnostics, siz
 
 /* Frees a text that a function of this library returned as the caller's; NULL is harmless. */
 LUXEL_API void luxel_text_free(char *text);
+/* Frees the bytes of a file that a function of this library made in memory; NULL is harmless. */
+LUXEL_API void luxel_bytes_free(unsigned char *bytes);
 
 #ifdef __cplusplus
 }

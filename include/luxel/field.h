@@ -127,6 +127,14 @@ typedef struct luxel_output {
 LUXEL_API luxel_status luxel_field_write_as(const luxel_field *field, const char *path, const luxel_output *how,
                                             luxel_diagnostics *diagnostics);
 
+/*
+ * Makes the file that luxel_field_write_as() would write, in memory: *bytes, *length of them, the caller's, freed with
+ * luxel_bytes_free().  `name` tells the format by its extension, and is named in messages: "field.png".
+ * LUXEL_ERROR_ARGUMENT, LUXEL_ERROR_MEMORY; *bytes and *length then stay as they were.
+ */
+LUXEL_API luxel_status luxel_field_write_memory(const luxel_field *field, const char *name, const luxel_output *how,
+                                                luxel_diagnostics *diagnostics, unsigned char **bytes, size_t *length);
+
 /* Whether luxel_field_write() knows the extension of this name; if not, says so in the diagnostics. */
 LUXEL_API luxel_status luxel_check_output_name(const char *path, luxel_diagnostics *diagnostics);
 
@@ -146,6 +154,13 @@ LUXEL_API luxel_status luxel_check_output_name(const char *path, luxel_diagnosti
  * The field is the caller's.
  */
 LUXEL_API luxel_status luxel_field_read(const char *path, luxel_diagnostics *diagnostics, luxel_field **field);
+
+/*
+ * Reads a field from the bytes of such a file; `name` stands for it in messages, and its extension tells the format
+ * where the content does not.  The bytes may go afterwards.  Errors as luxel_field_read().
+ */
+LUXEL_API luxel_status luxel_field_read_memory(const void *bytes, size_t length, const char *name,
+                                               luxel_diagnostics *diagnostics, luxel_field **field);
 
 /* The extensions that luxel_field_write() knows: the i-th with its dot, such as ".png"; NULL beyond the last. */
 LUXEL_API const char *luxel_output_ending(size_t i);

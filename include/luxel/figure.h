@@ -80,6 +80,15 @@ LUXEL_API luxel_status luxel_figure_write(const luxel_scene *scene, const luxel_
                                           const luxel_figure_settings *figure, const char *path,
                                           luxel_diagnostics *diagnostics);
 
+/*
+ * Draws the figure that luxel_figure_write() would write, in memory: *bytes, *length of them, the caller's, freed with
+ * luxel_bytes_free().  `name` tells the format by its extension: "figure.svg".  Errors as luxel_figure_write(); *bytes
+ * and *length then stay as they were.
+ */
+LUXEL_API luxel_status luxel_figure_write_memory(const luxel_scene *scene, const luxel_settings *settings,
+                                                 const luxel_figure_settings *figure, const char *name,
+                                                 luxel_diagnostics *diagnostics, unsigned char **bytes, size_t *length);
+
 /* Whether luxel_figure_write() knows the extension of this name; if not, says so in the diagnostics. */
 LUXEL_API luxel_status luxel_check_figure_name(const char *path, luxel_diagnostics *diagnostics);
 
@@ -112,6 +121,12 @@ LUXEL_API void luxel_diagram_settings_init(luxel_diagram_settings *settings);
 LUXEL_API luxel_status luxel_diagram_write(const luxel_photometry *photometry, const luxel_diagram_settings *settings,
                                            const char *path, luxel_diagnostics *diagnostics);
 
+/* Draws a luminaire in memory, as luxel_figure_write_memory() does a figure; errors as luxel_diagram_write(). */
+LUXEL_API luxel_status luxel_diagram_write_memory(const luxel_photometry *photometry,
+                                                  const luxel_diagram_settings *settings, const char *name,
+                                                  luxel_diagnostics *diagnostics, unsigned char **bytes,
+                                                  size_t *length);
+
 /* What a report says of itself; all may be NULL. */
 typedef struct luxel_report_settings {
     const char *title;              /* of the report; NULL: one that says what it is about */
@@ -137,6 +152,11 @@ typedef struct luxel_report_settings {
 LUXEL_API luxel_status luxel_report_write(const luxel_scene *scene, const luxel_settings *settings,
                                           const luxel_report_settings *report, const char *path,
                                           luxel_diagnostics *diagnostics);
+
+/* Makes the report in memory, as luxel_figure_write_memory() does a figure; errors as luxel_report_write(). */
+LUXEL_API luxel_status luxel_report_write_memory(const luxel_scene *scene, const luxel_settings *settings,
+                                                 const luxel_report_settings *report, const char *name,
+                                                 luxel_diagnostics *diagnostics, unsigned char **bytes, size_t *length);
 
 /* Whether luxel_report_write() knows the extension of this name; if not, says so in the diagnostics. */
 LUXEL_API luxel_status luxel_check_report_name(const char *path, luxel_diagnostics *diagnostics);

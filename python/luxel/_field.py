@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import os
-import tempfile
 from typing import TYPE_CHECKING, Any, Dict, List, Optional, Sequence, Tuple, Union
 
 from . import _luxel
@@ -223,11 +222,12 @@ class Field(_luxel.FieldHandle):
 
     def png(self, bits: int = 8) -> bytes:
         """The bytes of the picture that write() makes of it."""
-        with tempfile.TemporaryDirectory() as folder:
-            path = os.path.join(folder, "field.png")
-            self.write(path, bits=bits)
-            with open(path, "rb") as file:
-                return file.read()
+        return self.to_bytes(".png", bits)
+
+    def to_bytes(self, extension: str, bits: int = 8) -> bytes:
+        """The bytes of the file that write() makes of a name with this extension, such as ".npy"."""
+        content: bytes = _luxel.field_bytes(self, "field" + extension, bits)
+        return content
 
     def _repr_png_(self) -> bytes:
         return self.png()

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import os
-import tempfile
 from typing import TYPE_CHECKING, Any, List, Optional, Sequence, Tuple, Union
 
 from . import _luxel
@@ -53,11 +52,9 @@ class Figure:
         drawing().write_figure(capsule, self._settings, self._look, os.fsencode(path))
 
     def _bytes(self, ending: str) -> bytes:
-        with tempfile.TemporaryDirectory() as folder:
-            path = os.path.join(folder, "figure" + ending)
-            self.save(path)
-            with open(path, "rb") as file:
-                return file.read()
+        capsule = _luxel.scene_capsule(self._scene._handle)
+        content: bytes = drawing().figure_bytes(capsule, self._settings, self._look, "figure" + ending)
+        return content
 
     def png(self) -> bytes:
         """The bytes of a PNG."""

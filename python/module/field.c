@@ -201,6 +201,26 @@ static PyObject *field_write(PyObject *module, PyObject *arguments)
     return diagnostics_end(&module_state(module)->language, status, diagnostics) ? none() : NULL;
 }
 
+static PyObject *field_bytes(PyObject *module, PyObject *arguments)
+{
+    PyObject *handle;
+    const char *name;
+    const luxel_field *field;
+    luxel_output how = {0};
+    luxel_diagnostics *diagnostics;
+    luxel_status status;
+    unsigned char *bytes = NULL;
+    size_t length = 0;
+
+    if (!PyArg_ParseTuple(arguments, "OsI", &handle, &name, &how.bits) || !(field = field_of(module, handle)) ||
+        !(diagnostics = diagnostics_begin()))
+        return NULL;
+    Py_BEGIN_ALLOW_THREADS
+    status = luxel_field_write_memory(field, name, &how, diagnostics, &bytes, &length);
+    Py_END_ALLOW_THREADS
+    return file_of(diagnostics_end(&module_state(module)->language, status, diagnostics), bytes, length);
+}
+
 static PyObject *field_read(PyObject *module, PyObject *arguments)
 {
     PyObject *type;
@@ -230,6 +250,7 @@ const PyMethodDef field_functions[] = {
     {"field_statistics", field_statistics, METH_O, "field_statistics(field) -> tuple"},
     {"field_grey", field_grey, METH_VARARGS, "field_grey(field, buffer)"},
     {"field_write", field_write, METH_VARARGS, "field_write(field, path, bits)"},
+    {"field_bytes", field_bytes, METH_VARARGS, "field_bytes(field, name, bits) -> bytes of the file"},
     {"field_read", field_read, METH_VARARGS, "field_read(type, path) -> field"},
     {NULL, NULL, 0, NULL},
 };

@@ -77,27 +77,44 @@ static bool figure_of(PyObject *tuple, double levels[MOST_LEVELS], luxel_figure_
     return levels_of(list, levels, figure);
 }
 
-static PyObject *write_figure(PyObject *module, PyObject *arguments)
+/* Draws to a file of this name, or to the bytes that it would have. */
+static PyObject *draw_figure(PyObject *module, PyObject *arguments, bool in_memory)
 {
     PyObject *capsule, *settings, *tuple;
-    const char *path;
+    const char *name;
+    unsigned char *bytes = NULL;
+    size_t length = 0;
     struct work work;
     double levels[MOST_LEVELS];
     luxel_figure_settings figure;
     const luxel_scene *scene;
     luxel_diagnostics *diagnostics;
 
-    if (!PyArg_ParseTuple(arguments, "OOOy", &capsule, &settings, &tuple, &path) || !(scene = scene_in(capsule)) ||
-        !work_begin(&work, settings) || !figure_of(tuple, levels, &figure) || !(diagnostics = diagnostics_begin()))
+    if (!PyArg_ParseTuple(arguments, in_memory ? "OOOs" : "OOOy", &capsule, &settings, &tuple, &name) ||
+        !(scene = scene_in(capsule)) || !work_begin(&work, settings) || !figure_of(tuple, levels, &figure) ||
+        !(diagnostics = diagnostics_begin()))
         return NULL;
     const luxel_language language = language_of(language_here(module));
 
     figure.language = &language;
     work_leave(&work);
-    const luxel_status status = luxel_figure_write(scene, &work.settings, &figure, path, diagnostics);
+    const luxel_status status =
+        in_memory ? luxel_figure_write_memory(scene, &work.settings, &figure, name, diagnostics, &bytes, &length)
+                  : luxel_figure_write(scene, &work.settings, &figure, name, diagnostics);
 
     work_return(&work);
-    return diagnostics_end(language_here(module), status, diagnostics) ? none() : NULL;
+    const bool good = diagnostics_end(language_here(module), status, diagnostics);
+    return good && !in_memory ? none() : file_of(good, bytes, length);
+}
+
+static PyObject *write_figure(PyObject *module, PyObject *arguments)
+{
+    return draw_figure(module, arguments, false);
+}
+
+static PyObject *figure_bytes(PyObject *module, PyObject *arguments)
+{
+    return draw_figure(module, arguments, true);
 }
 
 /* ---- reports ---- */
@@ -141,6 +158,7 @@ static PyObject *palettes(PyObject *module, PyObject *unused)
 static PyMethodDef functions[] = {
     {"set_language", set_language, METH_VARARGS, "set_language(code, translate)"},
     {"write_figure", write_figure, METH_VARARGS, "write_figure(capsule, settings, figure, path)"},
+    {"figure_bytes", figure_bytes, METH_VARARGS, "figure_bytes(capsule, settings, figure, name) -> bytes of the file"},
     {"write_report", write_report, METH_VARARGS, "write_report(capsule, settings, texts, path)"},
     {"palettes", palettes, METH_NOARGS, "palettes() -> [name]"},
     {NULL, NULL, 0, NULL},

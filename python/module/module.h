@@ -86,6 +86,9 @@ PyObject *text_or_none(const char *text);
 PyObject *number_or_none(bool given, double number);
 PyObject *triple_or_none(bool given, const double vector[3]);
 
+/* The bytes of a file that the library made in memory, which are freed; `good` false: an exception is set. */
+PyObject *file_of(bool good, unsigned char *bytes, size_t length);
+
 /* Whether an argument is a tuple; if not, an exception is set. */
 bool is_tuple(PyObject *object);
 

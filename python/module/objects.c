@@ -14,6 +14,14 @@ PyObject *text_or_none(const char *text)
     return text ? PyUnicode_DecodeUTF8(text, (Py_ssize_t)strlen(text), "replace") : none();
 }
 
+PyObject *file_of(bool good, unsigned char *bytes, size_t length)
+{
+    PyObject *made = good ? PyBytes_FromStringAndSize((const char *)bytes, (Py_ssize_t)length) : NULL;
+
+    luxel_bytes_free(bytes);
+    return made;
+}
+
 PyObject *number_or_none(bool given, double number)
 {
     return given ? PyFloat_FromDouble(number) : none();

@@ -111,27 +111,52 @@ static void take_settings(struct luxel_field *field, const char *path, const str
     lx_source_close(silent);
 }
 
-luxel_status luxel_field_read(const char *path, luxel_diagnostics *diagnostics, luxel_field **field)
+/* What was read as a field, which `loaded` then no longer holds; `status` is that of reading it. */
+static luxel_status finish(struct lx_loaded *loaded, const char *path, luxel_status status,
+                           luxel_diagnostics *diagnostics, luxel_field **field)
 {
-    if (!path || !field) {
-        lx_report(diagnostics, LUXEL_SEVERITY_ERROR, NULL, LX_MSG_MISSING_ARGUMENT, LX_ARGS(path ? "field" : "path"));
-        return LUXEL_ERROR_ARGUMENT;
-    }
-    struct lx_loaded loaded = {0};
-    luxel_status status = lx_read_image(path, diagnostics, &loaded);
-    struct luxel_field *made = status == LUXEL_OK ? make_field(&loaded) : NULL;
+    struct luxel_field *made = status == LUXEL_OK ? make_field(loaded) : NULL;
     if (made) {
-        take_settings(made, path, &loaded.tags);
-        status = take_scene(made, &loaded.tags);
+        take_settings(made, path, &loaded->tags);
+        status = take_scene(made, &loaded->tags);
         if (status == LUXEL_OK && lx_gather_statistics(made) < 0)
             status = LUXEL_ERROR_MEMORY;
     }
     if ((status == LUXEL_OK && !made) || (made && status == LUXEL_ERROR_MEMORY))
         status = lx_out_of_memory(diagnostics);
-    lx_loaded_clear(&loaded);
+    lx_loaded_clear(loaded);
     if (status == LUXEL_OK)
         *field = made;
     else
         luxel_field_free(made);
     return status;
+}
+
+static luxel_status missing(luxel_diagnostics *diagnostics, const char *argument)
+{
+    lx_report(diagnostics, LUXEL_SEVERITY_ERROR, NULL, LX_MSG_MISSING_ARGUMENT, LX_ARGS(argument));
+    return LUXEL_ERROR_ARGUMENT;
+}
+
+luxel_status luxel_field_read(const char *path, luxel_diagnostics *diagnostics, luxel_field **field)
+{
+    struct lx_loaded loaded = {0};
+    if (!path || !field)
+        return missing(diagnostics, path ? "field" : "path");
+    luxel_status status = lx_read_image(path, diagnostics, &loaded);
+    return finish(&loaded, path, status, diagnostics, field);
+}
+
+luxel_status luxel_field_read_memory(const void *bytes, size_t length, const char *name, luxel_diagnostics *diagnostics,
+                                     luxel_field **field)
+{
+    struct lx_loaded loaded = {0};
+    struct lx_source *source = NULL;
+    if (!bytes || !name || !field)
+        return missing(diagnostics, !bytes ? "bytes" : !name ? "name" : "field");
+    luxel_status status = lx_source_of_bytes(name, bytes, length, diagnostics, &source);
+    if (status == LUXEL_OK)
+        status = lx_read_image_of(source, &loaded);
+    lx_source_close(source);
+    return finish(&loaded, name, status, diagnostics, field);
 }

@@ -36,7 +36,7 @@ struct tags {
 
 struct lx_output {
     const struct luxel_field *field;
-    const char *path;
+    struct lx_destination destination;
     luxel_diagnostics *diagnostics;
     luxel_status status; /* what keeping strips failed with; the writer keeps its own failures */
     struct tags tags;
@@ -89,7 +89,7 @@ static luxel_status begin(struct lx_output *output, const luxel_output *how)
 {
     const struct luxel_field *field = output->field;
     const struct lx_format *format;
-    luxel_status status = lx_find_format(output->path, output->diagnostics, &format);
+    luxel_status status = lx_find_format(output->destination.path, output->diagnostics, &format);
     if (status != LUXEL_OK)
         return status;
     if (!(format->samples & (LX_SAMPLE_F32 | LX_SAMPLE_F64))) {
@@ -111,16 +111,17 @@ static luxel_status begin(struct lx_output *output, const luxel_output *how)
         .tags = output->tags.list,
         .tag_count = output->tags.count,
     };
-    return lx_writer_open(output->path, &image, output->diagnostics, &output->writer);
+    return lx_writer_open(&output->destination, &image, output->diagnostics, &output->writer);
 }
 
-luxel_status lx_output_open(const struct luxel_field *field, const char *path, const luxel_output *how,
-                            luxel_diagnostics *diagnostics, struct lx_output **output)
+luxel_status lx_output_open(const struct luxel_field *field, const struct lx_destination *destination,
+                            const luxel_output *how, luxel_diagnostics *diagnostics, struct lx_output **output)
 {
     struct lx_output *made = lx_new_array(1, sizeof *made);
     if (!made)
         return lx_out_of_memory(diagnostics);
-    *made = (struct lx_output){.field = field, .path = path, .diagnostics = diagnostics, .least = HUGE_VAL};
+    *made =
+        (struct lx_output){.field = field, .destination = *destination, .diagnostics = diagnostics, .least = HUGE_VAL};
     luxel_status status = begin(made, how);
     if (status == LUXEL_OK)
         *output = made;
@@ -164,7 +165,7 @@ static void keep(struct lx_output *output, const struct lx_strip *strip)
     const struct luxel_field *field = output->field;
     if (!output->kept) {
         const uint64_t row_size = values_size(field, 1) + field->columns;
-        output->status = lx_sink_open(output->path, NULL, output->diagnostics, &output->kept);
+        output->status = lx_sink_open_at(&output->destination, output->diagnostics, &output->kept);
         if (output->status == LUXEL_OK)
             output->status = lx_sink_reserve(output->kept, row_size * field->rows);
     }
@@ -225,18 +226,30 @@ void lx_output_abort(struct lx_output *output)
     free(output);
 }
 
-luxel_status luxel_field_write_as(const luxel_field *field, const char *path, const luxel_output *how,
-                                  luxel_diagnostics *diagnostics)
+static luxel_status write_to(const struct lx_destination *destination, const luxel_field *field,
+                             const luxel_output *how, luxel_diagnostics *diagnostics)
 {
     const struct lx_strip all = lx_whole_strip(field);
     struct lx_output *output;
-    luxel_status status = lx_output_check(path, how, diagnostics);
+    luxel_status status = lx_output_check(destination->path, how, diagnostics);
     if (status == LUXEL_OK)
-        status = lx_output_open(field, path, how, diagnostics, &output);
+        status = lx_output_open(field, destination, how, diagnostics, &output);
     if (status != LUXEL_OK)
         return status;
     lx_output_add(output, &all);
     return lx_output_commit(output);
+}
+
+luxel_status luxel_field_write_as(const luxel_field *field, const char *path, const luxel_output *how,
+                                  luxel_diagnostics *diagnostics)
+{
+    return write_to(&(struct lx_destination){.path = path}, field, how, diagnostics);
+}
+
+luxel_status luxel_field_write_memory(const luxel_field *field, const char *name, const luxel_output *how,
+                                      luxel_diagnostics *diagnostics, unsigned char **bytes, size_t *length)
+{
+    return write_to(&(struct lx_destination){name, bytes, length}, field, how, diagnostics);
 }
 
 luxel_status luxel_field_write(const luxel_field *field, const char *path, luxel_diagnostics *diagnostics)

@@ -3,6 +3,7 @@
 #ifndef LX_API_OUTPUT_H
 #define LX_API_OUTPUT_H
 
+#include "../base/sink.h"
 #include "../field/field.h"
 
 struct lx_output;
@@ -12,10 +13,10 @@ luxel_status lx_output_check(const char *path, const luxel_output *how, luxel_di
 
 /*
  * Begins a file for the picture of a field, which may be a frame; it must live as long as the output, as `diagnostics`
- * must.  LUXEL_ERROR_ARGUMENT, LUXEL_ERROR_FILE, LUXEL_ERROR_MEMORY.
+ * and the destination's path must.  LUXEL_ERROR_ARGUMENT, LUXEL_ERROR_FILE, LUXEL_ERROR_MEMORY.
  */
-luxel_status lx_output_open(const struct luxel_field *field, const char *path, const luxel_output *how,
-                            luxel_diagnostics *diagnostics, struct lx_output **output);
+luxel_status lx_output_open(const struct luxel_field *field, const struct lx_destination *destination,
+                            const luxel_output *how, luxel_diagnostics *diagnostics, struct lx_output **output);
 
 /* Whether it can be written only from all values: then strips before the last are kept in a file beside it. */
 bool lx_output_waits(const struct lx_output *output);

@@ -40,8 +40,8 @@ static luxel_status open_files(struct files *files, const struct luxel_field *fi
     if (!files->outputs)
         return lx_out_of_memory(diagnostics);
     for (; files->count < count; files->count++) {
-        luxel_status status =
-            lx_output_open(field, paths[files->count], how, diagnostics, &files->outputs[files->count]);
+        luxel_status status = lx_output_open(field, &(struct lx_destination){.path = paths[files->count]}, how,
+                                             diagnostics, &files->outputs[files->count]);
         if (status != LUXEL_OK && status != LUXEL_ERROR_FILE)
             return status;
         files->status = status != LUXEL_OK ? status : files->status;

@@ -359,6 +359,11 @@ void luxel_text_free(char *text)
     free(text);
 }
 
+void luxel_bytes_free(unsigned char *bytes)
+{
+    free(bytes);
+}
+
 luxel_status lx_setting_out_of_range(luxel_diagnostics *diagnostics, const char *setting, double value,
                                      const char *range)
 {

@@ -13,6 +13,8 @@
  * it dies in the instant in which the file gets its name, a hidden file ".luxel-..." stays, which the next
  * sink for the same file removes.
  *
+ * A sink for memory is a file of the process alone: it takes, seeks and reads back as a regular one.
+ *
  * Threads: one sink belongs to one thread at a time; separate sinks are independent.
  */
 #ifndef LX_BASE_SINK_H
@@ -26,6 +28,13 @@
 #include "diagnostics.h"
 
 struct lx_sink;
+
+/* Where the bytes of a file go: to a path, or to memory, where nothing stands until all of them are there. */
+struct lx_destination {
+    const char *path;      /* of what is kept in memory only a name, for messages and by its ending for formats */
+    unsigned char **bytes; /* NULL: to the path.  Else lx_sink_commit() sets it to the bytes, which are the caller's, */
+    size_t *length;        /* and this to how many there are */
+};
 
 /* The system calls that a test replaces to see what happens when they fail.  Each works like its namesake. */
 struct lx_sink_system {
@@ -44,6 +53,14 @@ extern const struct lx_sink_system lx_sink_real_system;
  */
 luxel_status lx_sink_open(const char *path, const struct lx_sink_system *system, luxel_diagnostics *diagnostics,
                           struct lx_sink **sink);
+
+/* Opens a sink for a destination, as lx_sink_open() does; what it points to for the bytes must outlive the sink. */
+luxel_status lx_sink_open_at(const struct lx_destination *destination, luxel_diagnostics *diagnostics,
+                             struct lx_sink **sink);
+
+/* Writes a whole file at once, or not at all. */
+luxel_status lx_sink_put(const struct lx_destination *destination, const void *bytes, size_t count,
+                         luxel_diagnostics *diagnostics);
 
 /*
  * Appends bytes.  After a failure, which is reported once, it does nothing and returns the same status, so

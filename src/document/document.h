@@ -12,6 +12,7 @@
 
 #include <luxel/document.h>
 
+#include "../base/sink.h"
 #include "../base/text.h"
 
 /* What stands in for {0}, {1} ... in a sentence, or fills the cell of a table. */
@@ -105,5 +106,9 @@ void lx_document_row(struct luxel_document *document, const struct lx_span *cell
  */
 void lx_document_picture(struct luxel_document *document, const void *png, size_t length,
                          const struct lx_drawing *drawing, const char *english, const struct lx_span *spans);
+
+/* Writes a document as luxel_document_write() does, wherever it goes. */
+luxel_status lx_document_put(const struct luxel_document *document, const struct lx_destination *destination,
+                             luxel_diagnostics *diagnostics);
 
 #endif

@@ -33,23 +33,25 @@ luxel_status luxel_check_document_name(const char *path, luxel_diagnostics *diag
     return lx_find_ending(path, endings, sizeof endings / sizeof endings[0], diagnostics, &found);
 }
 
-luxel_status luxel_document_write(const luxel_document *document, const char *path, luxel_diagnostics *diagnostics)
+luxel_status lx_document_put(const struct luxel_document *document, const struct lx_destination *destination,
+                             luxel_diagnostics *diagnostics)
 {
     size_t format;
-    struct lx_sink *sink;
-    luxel_status status = lx_find_ending(path, endings, sizeof endings / sizeof endings[0], diagnostics, &format);
+    luxel_status status =
+        lx_find_ending(destination->path, endings, sizeof endings / sizeof endings[0], diagnostics, &format);
     if (status != LUXEL_OK)
         return status;
     char *text = luxel_document_write_text(document, (luxel_document_format)format);
     if (!text)
         return lx_out_of_memory(diagnostics);
-    status = lx_sink_open(path, NULL, diagnostics, &sink);
-    if (status == LUXEL_OK) {
-        lx_sink_write(sink, text, strlen(text));
-        status = lx_sink_commit(sink);
-    }
+    status = lx_sink_put(destination, text, strlen(text), diagnostics);
     luxel_text_free(text);
     return status;
+}
+
+luxel_status luxel_document_write(const luxel_document *document, const char *path, luxel_diagnostics *diagnostics)
+{
+    return lx_document_put(document, &(struct lx_destination){.path = path}, diagnostics);
 }
 
 size_t lx_table_room(const char *alignment, const size_t *widths, size_t line, size_t gap)

@@ -38,10 +38,11 @@ static struct used find_used(const struct lx_prepared *prepared)
     return used;
 }
 
+/* By its name: luxel-figure has tables of its own beside those of the library that prepared the scene. */
 static bool has_kind(const struct lx_prepared *prepared, const struct lx_variant *kind)
 {
     for (size_t i = 0; i < prepared->surface_count; i++)
-        if (&prepared->surfaces[i].kind->variant == kind)
+        if (strcmp(prepared->surfaces[i].kind->variant.name, kind->name) == 0)
             return true;
     return false;
 }

@@ -138,16 +138,16 @@ static luxel_status check_settings(const luxel_diagram_settings *settings, luxel
     return settings->diagram <= LUXEL_DIAGRAM_CONE ? LUXEL_OK : LUXEL_ERROR_ARGUMENT;
 }
 
-luxel_status luxel_diagram_write(const luxel_photometry *photometry, const luxel_diagram_settings *settings,
-                                 const char *path, luxel_diagnostics *diagnostics)
+static luxel_status write_to(const struct lx_destination *destination, const luxel_photometry *photometry,
+                             const luxel_diagram_settings *settings, luxel_diagnostics *diagnostics)
 {
     struct lx_diagram diagram = {.photometry = photometry};
     luxel_diagram_settings_init(&diagram.settings);
     if (settings)
         diagram.settings = *settings;
-    if (!photometry || !path)
+    if (!photometry || !destination->path)
         return LUXEL_ERROR_ARGUMENT;
-    luxel_status status = luxel_check_figure_name(path, diagnostics);
+    luxel_status status = luxel_check_figure_name(destination->path, diagnostics);
     if (status == LUXEL_OK)
         status = check_settings(&diagram.settings, diagnostics);
     if (status == LUXEL_OK)
@@ -162,9 +162,22 @@ luxel_status luxel_diagram_write(const luxel_photometry *photometry, const luxel
                                        .dark = diagram.settings.dark,
                                        .draw = draw,
                                        .what = &diagram};
-        status = lx_sheet_write(&sheet, path, diagnostics);
+        status = lx_sheet_write(&sheet, destination, diagnostics);
     }
     for (int i = 0; i < 2; i++)
         lx_section_clear(&diagram.sections[i]);
     return status;
+}
+
+luxel_status luxel_diagram_write(const luxel_photometry *photometry, const luxel_diagram_settings *settings,
+                                 const char *path, luxel_diagnostics *diagnostics)
+{
+    return write_to(&(struct lx_destination){.path = path}, photometry, settings, diagnostics);
+}
+
+luxel_status luxel_diagram_write_memory(const luxel_photometry *photometry, const luxel_diagram_settings *settings,
+                                        const char *name, luxel_diagnostics *diagnostics, unsigned char **bytes,
+                                        size_t *length)
+{
+    return write_to(&(struct lx_destination){name, bytes, length}, photometry, settings, diagnostics);
 }

@@ -175,10 +175,10 @@ static luxel_status build(struct lx_report *report)
     return lx_document_failed(report->document) ? lx_out_of_memory(report->diagnostics) : LUXEL_OK;
 }
 
-static luxel_status write_pages(const struct lx_report *report, const char *path)
+static luxel_status write_pages(const struct lx_report *report, const struct lx_destination *destination)
 {
     struct lx_sink *sink;
-    luxel_status status = lx_sink_open(path, NULL, report->diagnostics, &sink);
+    luxel_status status = lx_sink_open_at(destination, report->diagnostics, &sink);
     if (status != LUXEL_OK)
         return status;
     status = lx_pages_write(report->document, sink, report->diagnostics);
@@ -188,14 +188,16 @@ static luxel_status write_pages(const struct lx_report *report, const char *path
     return status;
 }
 
-luxel_status luxel_report_write(const luxel_scene *scene, const luxel_settings *settings,
-                                const luxel_report_settings *texts, const char *path, luxel_diagnostics *diagnostics)
+static luxel_status write_to(const struct lx_destination *destination, const luxel_scene *scene,
+                             const luxel_settings *settings, const luxel_report_settings *texts,
+                             luxel_diagnostics *diagnostics)
 {
     const luxel_report_settings none = {0};
     struct lx_report report = {
         .scene = scene, .settings = settings, .texts = texts ? texts : &none, .diagnostics = diagnostics};
     size_t format;
-    luxel_status status = lx_find_ending(path, endings, sizeof endings / sizeof endings[0], diagnostics, &format);
+    luxel_status status =
+        lx_find_ending(destination->path, endings, sizeof endings / sizeof endings[0], diagnostics, &format);
     if (status == LUXEL_OK && (!scene || !luxel_scene_is_committed(scene))) {
         lx_report(diagnostics, LUXEL_SEVERITY_ERROR, NULL, LX_MSG_NOT_COMMITTED, NULL);
         status = LUXEL_ERROR_ARGUMENT;
@@ -205,7 +207,21 @@ luxel_status luxel_report_write(const luxel_scene *scene, const luxel_settings *
     report.parameters = lx_scene_parameters(scene);
     status = build(&report);
     if (status == LUXEL_OK)
-        status = format == PDF ? write_pages(&report, path) : luxel_document_write(report.document, path, diagnostics);
+        status = format == PDF ? write_pages(&report, destination)
+                               : lx_document_put(report.document, destination, diagnostics);
     lx_report_clear(&report);
     return status;
+}
+
+luxel_status luxel_report_write(const luxel_scene *scene, const luxel_settings *settings,
+                                const luxel_report_settings *report, const char *path, luxel_diagnostics *diagnostics)
+{
+    return write_to(&(struct lx_destination){.path = path}, scene, settings, report, diagnostics);
+}
+
+luxel_status luxel_report_write_memory(const luxel_scene *scene, const luxel_settings *settings,
+                                       const luxel_report_settings *report, const char *name,
+                                       luxel_diagnostics *diagnostics, unsigned char **bytes, size_t *length)
+{
+    return write_to(&(struct lx_destination){name, bytes, length}, scene, settings, report, diagnostics);
 }

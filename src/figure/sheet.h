@@ -6,7 +6,7 @@
 #include <cairo.h>
 #include <stdbool.h>
 
-#include <luxel/diagnostics.h>
+#include "../base/sink.h"
 
 struct lx_sheet {
     const char *title; /* of the PDF */
@@ -21,7 +21,8 @@ struct lx_sheet {
 luxel_status lx_sheet_png(const struct lx_sheet *sheet, luxel_diagnostics *diagnostics, unsigned char **bytes,
                           size_t *length);
 
-/* Writes it to a file by the extension of its name, whole or not at all. */
-luxel_status lx_sheet_write(const struct lx_sheet *sheet, const char *path, luxel_diagnostics *diagnostics);
+/* Writes it as a file by the extension of its name, whole or not at all. */
+luxel_status lx_sheet_write(const struct lx_sheet *sheet, const struct lx_destination *destination,
+                            luxel_diagnostics *diagnostics);
 
 #endif

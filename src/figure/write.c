@@ -168,22 +168,19 @@ static bool draw_vector(const struct lx_sheet *sheet, size_t format, struct lx_t
     return done;
 }
 
-luxel_status lx_sheet_write(const struct lx_sheet *sheet, const char *path, luxel_diagnostics *diagnostics)
+luxel_status lx_sheet_write(const struct lx_sheet *sheet, const struct lx_destination *destination,
+                            luxel_diagnostics *diagnostics)
 {
     struct lx_text bytes = {0};
-    struct lx_sink *sink;
     size_t format;
-    luxel_status status = lx_find_ending(path, endings, sizeof endings / sizeof endings[0], diagnostics, &format);
+    luxel_status status =
+        lx_find_ending(destination->path, endings, sizeof endings / sizeof endings[0], diagnostics, &format);
     if (status == LUXEL_OK && format == PNG)
         status = check_dots(sheet, diagnostics);
     if (status == LUXEL_OK && !(format == PNG ? draw_png(sheet, &bytes) : draw_vector(sheet, format, &bytes)))
         status = lx_out_of_memory(diagnostics);
     if (status == LUXEL_OK)
-        status = lx_sink_open(path, NULL, diagnostics, &sink);
-    if (status == LUXEL_OK) {
-        lx_sink_write(sink, bytes.bytes, bytes.length);
-        status = lx_sink_commit(sink);
-    }
+        status = lx_sink_put(destination, bytes.bytes, bytes.length, diagnostics);
     lx_text_clear(&bytes);
     return status;
 }
@@ -212,19 +209,33 @@ luxel_status lx_figure_png(const struct lx_figure *figure, luxel_diagnostics *di
     return lx_sheet_png(&sheet, diagnostics, bytes, length);
 }
 
-luxel_status luxel_figure_write(const luxel_scene *scene, const luxel_settings *settings,
-                                const luxel_figure_settings *wanted, const char *path, luxel_diagnostics *diagnostics)
+static luxel_status write_to(const struct lx_destination *destination, const luxel_scene *scene,
+                             const luxel_settings *settings, const luxel_figure_settings *wanted,
+                             luxel_diagnostics *diagnostics)
 {
     struct lx_figure *figure = NULL;
-    luxel_status status = luxel_check_figure_name(path, diagnostics);
+    luxel_status status = luxel_check_figure_name(destination->path, diagnostics);
     if (status == LUXEL_OK)
         status = lx_figure_make(scene, settings, wanted, diagnostics, &figure);
     if (status == LUXEL_OK) {
         const struct lx_sheet sheet = sheet_of(figure);
-        status = lx_sheet_write(&sheet, path, diagnostics);
+        status = lx_sheet_write(&sheet, destination, diagnostics);
     }
     lx_figure_free(figure);
     return status;
+}
+
+luxel_status luxel_figure_write(const luxel_scene *scene, const luxel_settings *settings,
+                                const luxel_figure_settings *figure, const char *path, luxel_diagnostics *diagnostics)
+{
+    return write_to(&(struct lx_destination){.path = path}, scene, settings, figure, diagnostics);
+}
+
+luxel_status luxel_figure_write_memory(const luxel_scene *scene, const luxel_settings *settings,
+                                       const luxel_figure_settings *figure, const char *name,
+                                       luxel_diagnostics *diagnostics, unsigned char **bytes, size_t *length)
+{
+    return write_to(&(struct lx_destination){name, bytes, length}, scene, settings, figure, diagnostics);
 }
 
 /* ---- drawings of documents ---- */

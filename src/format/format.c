@@ -88,13 +88,13 @@ static luxel_status check_image(const char *path, const struct lx_format *format
     return LUXEL_ERROR_ARGUMENT;
 }
 
-luxel_status lx_writer_open(const char *path, const struct lx_image *image, luxel_diagnostics *diagnostics,
-                            struct lx_writer **writer)
+luxel_status lx_writer_open(const struct lx_destination *destination, const struct lx_image *image,
+                            luxel_diagnostics *diagnostics, struct lx_writer **writer)
 {
     const struct lx_format *format;
-    luxel_status status = lx_find_format(path, diagnostics, &format);
+    luxel_status status = lx_find_format(destination->path, diagnostics, &format);
     if (status == LUXEL_OK)
-        status = check_image(path, format, image, diagnostics);
+        status = check_image(destination->path, format, image, diagnostics);
     if (status != LUXEL_OK)
         return status;
     struct lx_writer *made = lx_new_array(1, sizeof *made);
@@ -102,7 +102,7 @@ luxel_status lx_writer_open(const char *path, const struct lx_image *image, luxe
         return lx_out_of_memory(diagnostics);
     made->format = format;
     made->image = *image;
-    status = lx_sink_open(path, NULL, diagnostics, &made->sink);
+    status = lx_sink_open_at(destination, diagnostics, &made->sink);
     if (status != LUXEL_OK) {
         free(made);
         return status;
@@ -146,7 +146,7 @@ luxel_status lx_write_image(const char *path, const struct lx_image *image, luxe
 {
     const struct lx_image_strip all = {.rows = image->rows, .data = image->data, .mask = image->mask};
     struct lx_writer *writer;
-    luxel_status status = lx_writer_open(path, image, diagnostics, &writer);
+    luxel_status status = lx_writer_open(&(struct lx_destination){.path = path}, image, diagnostics, &writer);
     if (status != LUXEL_OK)
         return status;
     lx_writer_add(writer, &all);
@@ -154,7 +154,7 @@ luxel_status lx_write_image(const char *path, const struct lx_image *image, luxe
 }
 
 /* The content decides; where it tells nothing the ending does, and the format says what is wrong with the content. */
-static luxel_status read_source(struct lx_source *source, struct lx_loaded *loaded)
+luxel_status lx_read_image_of(struct lx_source *source, struct lx_loaded *loaded)
 {
     const struct lx_format *format = lx_format_of_content(source);
     char known[FORMAT_COUNT * 8];
@@ -175,7 +175,7 @@ luxel_status lx_read_image(const char *path, luxel_diagnostics *diagnostics, str
     struct lx_source *source = NULL;
     luxel_status status = lx_source_open(path, MOST_OF_A_PIPE, diagnostics, &source);
     if (status == LUXEL_OK)
-        status = read_source(source, loaded);
+        status = lx_read_image_of(source, loaded);
     lx_source_close(source);
     return status;
 }

@@ -98,8 +98,8 @@ const char *lx_format_ending(size_t i);
  * Begins a file in the format of its ending; what `image` points to must live as long as the writer, as `diagnostics`
  * must.  LUXEL_ERROR_ARGUMENT: no such format, or one that takes no image of this kind.  LUXEL_ERROR_FILE.
  */
-luxel_status lx_writer_open(const char *path, const struct lx_image *image, luxel_diagnostics *diagnostics,
-                            struct lx_writer **writer);
+luxel_status lx_writer_open(const struct lx_destination *destination, const struct lx_image *image,
+                            luxel_diagnostics *diagnostics, struct lx_writer **writer);
 
 /* Whether it takes several strips; else the first must be the whole image. */
 bool lx_writer_takes_strips(const struct lx_writer *writer);
@@ -119,6 +119,9 @@ luxel_status lx_write_image(const char *path, const struct lx_image *image, luxe
  * LUXEL_ERROR_FILE: it cannot be read, or is none.  LUXEL_ERROR_MEMORY: it would not fit.
  */
 luxel_status lx_read_image(const char *path, luxel_diagnostics *diagnostics, struct lx_loaded *loaded);
+
+/* Reads the image of a source, as lx_read_image() does; a failure is the source's to keep, and is returned. */
+luxel_status lx_read_image_of(struct lx_source *source, struct lx_loaded *loaded);
 void lx_loaded_clear(struct lx_loaded *loaded);
 
 /*

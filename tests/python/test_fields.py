@@ -38,6 +38,10 @@ def test_files(tap, tool):
         statistics = scene.render_files(tool.file("c.png"), tool.file("c.npy"), **settings)
         tap.ok(tool.read("c.png") == tool.read("a.png") and statistics == field.statistics, name + ": row by row")
         tap.ok(pickle.loads(pickle.dumps(field)).png() == tool.read("a.png"), name + ": a pickle renders it anew")
+        for extension in (".npy", ".csv", ".png"):
+            field.write(tool.file("b" + extension))
+            tap.ok(field.to_bytes(extension) == tool.read("b" + extension), "%s: to_bytes(%r)" % (name, extension))
+        tap.ok(raises(ValueError, field.to_bytes, ".bmp"), name + ": to_bytes() of no format")
     tool.run("render", "report", "-q", "--bits", "16", "-o", "d.png")
     tap.ok(luxel.Scene().render().png(16) == tool.read("d.png"), "16 bits")
     for threads in (1, 3):

@@ -313,12 +313,84 @@ static void test_damage(void **state)
     assert_true(time(NULL) - start < 60);
 }
 
+/* Files in memory are those on the disk, byte for byte, and are read as they are. */
+static void test_in_memory(void **state)
+{
+    struct files *files = *state;
+    for (size_t i = 0; luxel_output_ending(i); i++)
+        for (int precision = 0; precision < 2; precision++) {
+            char name[32];
+            unsigned char *bytes = NULL;
+            size_t length = 0;
+            const luxel_output how = {.bits = precision ? 16 : 8};
+            luxel_field *field = render_small(precision ? LUXEL_DOUBLE : LUXEL_SINGLE, LUXEL_BRIGHTNESS);
+            luxel_field *read = NULL, *other = NULL;
+            snprintf(name, sizeof name, "a%s", luxel_output_ending(i));
+            if (luxel_field_write_as(field, path_of(files, name), &how, NULL) != LUXEL_OK) { /* .pfm, .exr: float32 */
+                assert_int_equal(luxel_field_write_memory(field, name, &how, NULL, &bytes, &length),
+                                 LUXEL_ERROR_ARGUMENT);
+                assert_null(bytes);
+                luxel_field_free(field);
+                continue;
+            }
+            assert_int_equal(luxel_field_write_memory(field, name, &how, NULL, &bytes, &length), LUXEL_OK);
+            FILE *file = fopen(files->path, "rb");
+            assert_non_null(file);
+            for (size_t k = 0; k < length; k++)
+                assert_int_equal(getc(file), bytes[k]);
+            assert_int_equal(getc(file), EOF);
+            fclose(file);
+            luxel_status status = luxel_field_read_memory(bytes, length, name, NULL, &read);
+            luxel_bytes_free(bytes);
+            assert_int_equal(status, luxel_field_read(files->path, NULL, &other));
+            assert_int_equal(status, strcmp(luxel_output_ending(i), ".png") == 0 ? LUXEL_ERROR_FILE : LUXEL_OK);
+            if (read) {
+                unsigned columns = luxel_field_columns(read), rows = luxel_field_rows(read);
+                assert_int_equal(columns, luxel_field_columns(other));
+                assert_int_equal(rows, luxel_field_rows(other));
+                for (unsigned pixel = 0; pixel < columns * rows; pixel++)
+                    assert_true(luxel_field_value(read, pixel % columns, pixel / columns) ==
+                                luxel_field_value(other, pixel % columns, pixel / columns));
+            }
+            luxel_field_free(other);
+            luxel_field_free(read);
+            luxel_field_free(field);
+        }
+}
+
+static void test_wrong_memory(void **state)
+{
+    luxel_diagnostics *diagnostics = luxel_diagnostics_new();
+    luxel_field *field = render_small(LUXEL_SINGLE, LUXEL_BRIGHTNESS), *read = NULL;
+    unsigned char *bytes = NULL;
+    size_t length = 0;
+    (void)state;
+    assert_int_equal(luxel_field_write_memory(field, "a.bmp", NULL, diagnostics, &bytes, &length),
+                     LUXEL_ERROR_ARGUMENT);
+    assert_int_equal(luxel_diagnostics_count(diagnostics), 1);
+    assert_null(bytes);
+    assert_int_equal(luxel_field_write_memory(field, "a.npy", NULL, diagnostics, &bytes, &length), LUXEL_OK);
+    for (size_t less = 0; less < length; less += 37) { /* cut off anywhere, it is named and refused */
+        assert_int_equal(luxel_field_read_memory(bytes, less, "cut.npy", diagnostics, &read), LUXEL_ERROR_FILE);
+        const size_t last = luxel_diagnostics_count(diagnostics) - 1;
+        if (last < 20)
+            assert_string_equal(luxel_diagnostics_get(diagnostics, last)->source, "cut.npy");
+    }
+    assert_int_equal(luxel_field_read_memory(NULL, 1, "a", diagnostics, &read), LUXEL_ERROR_ARGUMENT);
+    assert_int_equal(luxel_field_read_memory(bytes, length, NULL, diagnostics, &read), LUXEL_ERROR_ARGUMENT);
+    assert_null(read);
+    luxel_bytes_free(bytes);
+    luxel_field_free(field);
+    luxel_diagnostics_free(diagnostics);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         FILES_CASE(arrays),         FILES_CASE(exr),       FILES_CASE(csv),
         FILES_CASE(repeats_itself), FILES_CASE(bits),      FILES_CASE(settings_of_texts),
-        FILES_CASE(damage),         FILES_CASE(no_number),
+        FILES_CASE(damage),         FILES_CASE(no_number), FILES_CASE(in_memory),
+        FILES_CASE(wrong_memory),
     };
 
     return cmocka_run_group_tests_name("field files", tests, NULL, NULL);

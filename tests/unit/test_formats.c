@@ -386,7 +386,8 @@ static void test_strips(void **state)
         const size_t length = folder->length, row_size = widths[i] * COLUMNS;
         for (unsigned height = 1; height <= HIGH; height++) {
             struct lx_writer *writer = NULL;
-            assert_int_equal(lx_writer_open(folder->file, &image, NULL, &writer), LUXEL_OK);
+            assert_int_equal(lx_writer_open(&(struct lx_destination){.path = folder->file}, &image, NULL, &writer),
+                             LUXEL_OK);
             assert_true(lx_writer_takes_strips(writer));
             for (unsigned row = 0; row < HIGH; row += height) {
                 const unsigned rows = HIGH - row < height ? HIGH - row : height;
@@ -402,7 +403,8 @@ static void test_strips(void **state)
         struct lx_writer *writer = NULL;
         luxel_diagnostics *diagnostics = luxel_diagnostics_new();
         assert_int_equal(unlink(folder->file), 0);
-        assert_int_equal(lx_writer_open(folder->file, &image, diagnostics, &writer), LUXEL_OK);
+        assert_int_equal(lx_writer_open(&(struct lx_destination){.path = folder->file}, &image, diagnostics, &writer),
+                         LUXEL_OK);
         lx_writer_add(writer, &(struct lx_image_strip){0, 2, values, mask});
         lx_writer_abort(writer);
         assert_int_equal(luxel_diagnostics_count(diagnostics), 0);
@@ -429,7 +431,8 @@ static void test_strips_to_devices(void **state)
         struct lx_writer *writer = NULL;
         snprintf(folder->file, sizeof folder->file, "%s/image%s", folder->path, endings[i]);
         assert_int_equal(symlink("/dev/null", folder->file), 0);
-        assert_int_equal(lx_writer_open(folder->file, &image, NULL, &writer), LUXEL_OK);
+        assert_int_equal(lx_writer_open(&(struct lx_destination){.path = folder->file}, &image, NULL, &writer),
+                         LUXEL_OK);
         assert_true(lx_writer_takes_strips(writer) == (strcmp(endings[i], ".pfm") != 0));
         lx_writer_abort(writer);
         assert_int_equal(unlink(folder->file), 0);

@@ -405,12 +405,96 @@ BOTH_WAYS(out_of_order)
 BOTH_WAYS(reserved)
 BOTH_WAYS(folder_vanishes)
 
+/* ---- memory ---- */
+
+/* A file in memory holds what the file of the same writes holds: in pieces of all sizes, with places gone back to. */
+static void test_memory_is_a_file(void **state)
+{
+    enum { LARGE = 200000 };
+    static unsigned char large[LARGE], read[LARGE];
+    struct place *place = *state;
+    unsigned char *bytes = NULL;
+    size_t length = 0;
+    struct lx_sink *sinks[2];
+    const struct lx_destination memory = {"name.bin", &bytes, &length};
+
+    for (size_t i = 0; i < LARGE; i++) {
+        large[i] = (unsigned char)(i * i >> 7);
+    }
+    assert_int_equal(lx_sink_open(place->file, NULL, NULL, &sinks[0]), LUXEL_OK);
+    assert_int_equal(lx_sink_open_at(&memory, NULL, &sinks[1]), LUXEL_OK);
+    assert_false(lx_sink_is_direct(sinks[1]));
+    for (int i = 0; i < 2; i++) {
+        assert_int_equal(lx_sink_reserve(sinks[i], LARGE), LUXEL_OK);
+        assert_int_equal(lx_sink_write(sinks[i], "head", 4), LUXEL_OK);
+        assert_int_equal(lx_sink_write(sinks[i], large, LARGE), LUXEL_OK);
+        assert_int_equal(lx_sink_seek(sinks[i], 2), LUXEL_OK);
+        assert_int_equal(lx_sink_write(sinks[i], "--", 2), LUXEL_OK);
+        assert_int_equal(lx_sink_seek(sinks[i], LARGE + 1000), LUXEL_OK);
+        assert_int_equal(lx_sink_write(sinks[i], large, 77), LUXEL_OK);
+        assert_int_equal(lx_sink_read_back(sinks[i], 4, read, LARGE), LUXEL_OK);
+        assert_memory_equal(read, large, LARGE);
+        assert_null(bytes);
+    }
+    assert_int_equal(lx_sink_commit(sinks[0]), LUXEL_OK);
+    assert_int_equal(lx_sink_commit(sinks[1]), LUXEL_OK);
+    assert_int_equal(length, LARGE + 1077);
+    FILE *file = fopen(place->file, "rb");
+    assert_non_null(file);
+    for (size_t i = 0; i < length; i++) {
+        assert_int_equal(getc(file), bytes[i]);
+    }
+    assert_int_equal(getc(file), EOF);
+    fclose(file);
+    luxel_bytes_free(bytes);
+}
+
+static void test_memory_that_is_given_up(void **state)
+{
+    unsigned char *bytes = NULL, byte;
+    size_t length = 77;
+    struct lx_sink *sink;
+    const struct lx_destination memory = {"name.bin", &bytes, &length};
+    luxel_diagnostics *diagnostics = luxel_diagnostics_new();
+
+    (void)state;
+    assert_int_equal(lx_sink_open_at(&memory, NULL, &sink), LUXEL_OK);
+    assert_int_equal(lx_sink_write(sink, "head", 4), LUXEL_OK);
+    lx_sink_abort(sink);
+    assert_int_equal(lx_sink_open_at(&memory, diagnostics, &sink), LUXEL_OK);
+    assert_int_equal(lx_sink_write(sink, "head", 4), LUXEL_OK);
+    assert_int_equal(lx_sink_read_back(sink, 4, &byte, 1), LUXEL_ERROR_FILE); /* beyond what was written */
+    assert_int_equal(lx_sink_commit(sink), LUXEL_ERROR_FILE);
+    assert_int_equal(luxel_diagnostics_count(diagnostics), 1);
+    assert_null(bytes);
+    assert_int_equal(length, 77);
+    luxel_diagnostics_free(diagnostics);
+    /* an empty file is one, too */
+    assert_int_equal(lx_sink_put(&memory, "", 0, NULL), LUXEL_OK);
+    assert_non_null(bytes);
+    assert_int_equal(length, 0);
+    luxel_bytes_free(bytes);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        CASES(new_file), CASES(replaced_file), CASES(aborted),       CASES(pieces),          CASE(links),
-        CASE(streams),   CASE(names),          CASES(failing_calls), CASES(out_of_order),    CASES(reserved),
-        CASE(places),    CASE(one_report),     CASE(protected),      CASES(folder_vanishes),
+        CASES(new_file),
+        CASES(replaced_file),
+        CASES(aborted),
+        CASES(pieces),
+        CASE(links),
+        CASE(streams),
+        CASE(names),
+        CASES(failing_calls),
+        CASES(out_of_order),
+        CASES(reserved),
+        CASE(places),
+        CASE(one_report),
+        CASE(protected),
+        CASES(folder_vanishes),
+        CASE(memory_is_a_file),
+        CASE(memory_that_is_given_up),
     };
 
     return cmocka_run_group_tests_name("sink", tests, NULL, NULL);
