@@ -21,6 +21,7 @@ NAMES = set("""luxel YAML JSON Schema UTF png pfm npy exr csv PNG NPY PFM EXR CS
     FILE U0 Ud window grey viridis cividis inferno magma plasma coolwarm turbo HTML PDF SVG LaTeX markdown latex
     html text figure explain report stats profile isophotes compare variant grade advise bench photometry bench.json
     LOW HIGH TAP cairo pango luxel-draw
+    sweep study docs SWEEP shard manifest SHA
     options lp float NaN nx ny nz kc kl kq luminance lux IES EULUMDAT LM over_pi inverse-square
     center maximum rfc4180
     svg pdf txt md tex yml excel-ru student off right convention wrong value answers file line answer verdict
@@ -33,7 +34,7 @@ NAMES = set("""luxel YAML JSON Schema UTF png pfm npy exr csv PNG NPY PFM EXR CS
 COMMANDS = [
     [], ["help"], ["--help"], ["--version"], *[["help", name] for name in (
         "render", "probe", "grid", "check", "scene", "schema", "set", "help", "figure", "explain", "report", "stats",
-        "profile", "isophotes", "compare", "variant", "grade", "advise", "bench", "photometry")],
+        "profile", "isophotes", "compare", "variant", "grade", "advise", "bench", "photometry", "sweep")],
     ["stats"], ["stats", "--histogram"], ["profile"], ["profile", "three-lights"], ["isophotes"],
     ["compare", "report", "report"], ["compare", "report", "three-lights"], ["compare", "report"],
     ["explain", "-p", "0,0"], ["explain", "all-sources", "-p", "0,0"], ["explain", "-p", "900,0"],
