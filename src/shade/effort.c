@@ -44,6 +44,6 @@ double lx_effort_of_pixel_ns(const struct lx_plan *plan)
     for (size_t s = 0; s < plan->surface_count; s++)
         light +=
             (lights_ns(plan, &plan->surfaces[s]) + shells_ns(plan, &plan->surfaces[s])) / (double)plan->surface_count;
-    const double geometry = plan->in_single_alone ? ALONE_NS : SURFACE_NS * (double)plan->surface_count;
+    const double geometry = plan->alone ? ALONE_NS : SURFACE_NS * (double)plan->surface_count;
     return (geometry + light) * widest / plan->kernels->width;
 }

@@ -433,14 +433,10 @@ static bool has_closed_shells(const struct lx_planned_surface *surface)
     return surface->by_law_count == 0 && surface->glossy_count == 0;
 }
 
-/* Whether the elements of a run in float32 are all that its light takes. */
-static bool is_in_single_alone(const struct lx_plan *plan)
+/* Whether elements in float32 are all that a surface's light takes. */
+static bool is_in_single(const struct lx_planned_surface *surface)
 {
-    const struct lx_planned_surface *surface = plan->surfaces;
-    bool all =
-        plan->surface_count == 1 && plan->forest.tree_count == 0 && lx_views_along_z(&plan->prepared->scene->observer);
-    all = all && lx_has_kernels(&surface->shape);
-    all = all && has_closed_shells(surface);
+    bool all = lx_has_kernels(&surface->shape) && has_closed_shells(surface);
     for (size_t s = 0; all && s < surface->shell_count; s++)
         all = surface->shells[s].shell.edges_single && !surface->shells[s].by_reference;
     for (size_t r = 0; all && r < surface->run_count; r++) {
@@ -448,6 +444,37 @@ static bool is_in_single_alone(const struct lx_plan *plan)
         all = !run->in_double && !run->has_edges && run->blocker_count == 0;
     }
     return all;
+}
+
+/* The only surface that the picture may show, by parallel lines of sight along -z; NULL: there are more, or none. */
+static const struct lx_planned_surface *find_alone(const struct lx_plan *plan)
+{
+    const struct lx_screen *screen = &plan->prepared->scene->screen;
+    const double left = lx_column_x_mm(screen, 0), right = lx_column_x_mm(screen, screen->resolution[0] - 1);
+    const double top = lx_row_y_mm(screen, 0), bottom = lx_row_y_mm(screen, screen->resolution[1] - 1);
+    const struct lx_planned_surface *alone = plan->surface_count == 1 ? plan->surfaces : NULL;
+    for (size_t s = 0; plan->surface_count > 1 && s < plan->surface_count; s++) {
+        const struct lx_planned_surface *surface = &plan->surfaces[s];
+        if (right < surface->low_mm[0] || left > surface->high_mm[0] || top < surface->low_mm[1] ||
+            bottom > surface->high_mm[1])
+            continue;
+        if (alone)
+            return NULL;
+        alone = surface;
+    }
+    return alone;
+}
+
+static void plan_alone(struct lx_plan *plan)
+{
+    if (plan->forest.tree_count > 0 || !lx_views_along_z(&plan->prepared->scene->observer))
+        return;
+    const struct lx_planned_surface *alone = find_alone(plan);
+    if (!alone || !is_in_single(alone))
+        return;
+    plan->alone = alone;
+    plan->at_once =
+        alone->run_count == 1 && alone->shell_count == 0 && alone->lights.count <= LX_MOST_IN_RUN && plan->every == 1;
 }
 
 /* Half the size of a surface as it looks on the screen. */
@@ -532,10 +559,11 @@ luxel_status lx_plan_make(const struct lx_prepared *prepared, const struct lx_ke
     }
     if (status == LUXEL_OK)
         status = plan_accuracy(plan, &control);
-    plan->in_single_alone = status == LUXEL_OK && is_in_single_alone(plan);
-    plan->at_once = plan->in_single_alone && plan->surfaces->run_count == 1 && plan->surfaces->shell_count == 0 &&
-                    plan->surfaces->lights.count <= LX_MOST_IN_RUN && plan->every == 1;
-    return status == LUXEL_OK ? plan_panels(plan, &control) : status;
+    if (status == LUXEL_OK)
+        status = plan_panels(plan, &control);
+    if (status == LUXEL_OK)
+        plan_alone(plan);
+    return status;
 }
 
 void lx_plan_clear(struct lx_plan *plan)

@@ -71,9 +71,11 @@ struct lx_plan {
     const struct lx_kernels *kernels;
     struct lx_planned_surface *surfaces;
     size_t surface_count;
-    bool in_single_alone; /* there is one surface, whose light takes nothing but its elements in float32 (seen.h), */
-    bool at_once;         /* and few lights of one kind, whose sum is the value */
-    bool in_panels;       /* the whole picture is shaded by panels (panels.h), with: */
+    /* The only surface that the picture may show, if its light takes nothing but its elements in float32 (seen.h);
+     * NULL: there is none. */
+    const struct lx_planned_surface *alone;
+    bool at_once;   /* it is there, and has few lights of one kind, whose sum is the value */
+    bool in_panels; /* the whole picture is shaded by panels (panels.h), with: */
     struct lx_basis bases[LX_BASES], gloss_bases[LX_GLOSS_BASES];
     bool has_gloss; /* highlights of extended sources have polynomials of their own */
     luxel_precision precision;

@@ -67,13 +67,12 @@ struct lx_row_view lx_row_view_of(const struct lx_plan *plan, double y_mm)
 
 void lx_seen_enter(const struct lx_plan *plan, struct lx_seen *seen, const double *x_mm, size_t count)
 {
-    const struct lx_shape *shape = &plan->surfaces->shape;
-    lx_set_shape_columns(plan->kernels, shape, x_mm, count, &seen->columns);
+    lx_set_shape_columns(plan->kernels, &plan->alone->shape, x_mm, count, &seen->columns);
 }
 
 struct lx_stretch lx_seen_in_single(const struct lx_plan *plan, struct lx_seen *seen, double y_mm, uint8_t *mask)
 {
-    const struct lx_planned_surface *surface = plan->surfaces;
+    const struct lx_planned_surface *surface = plan->alone;
     const struct lx_columns *columns = &seen->columns;
     const struct lx_row_view view = lx_row_view_of(plan, y_mm);
     if (may_show(surface, &view, columns->x_mm, columns->count))

@@ -47,7 +47,7 @@ void lx_seen_init(const struct lx_plan *plan, struct lx_seen *seen);
 void lx_seen_pad(double *numbers, size_t count);
 
 /*
- * Where the plan does with it (in_single_alone): tells the columns, from left to right, and then of each row sets the
+ * Where the plan does with it (alone): tells the columns, from left to right, and then of each row sets the
  * mask of its pixels, and the copy, but not the block, to the elements of the surface that it shows, as kernel.h tells.
  */
 void lx_seen_enter(const struct lx_plan *plan, struct lx_seen *seen, const double *x_mm, size_t count);

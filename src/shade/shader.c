@@ -336,7 +336,7 @@ void lx_shader_enter(const struct lx_plan *plan, struct lx_shader_memory *memory
     memory->tile_columns = count;
     for (size_t i = 0; i < memory->cut_count; i++)
         memory->cuts[i].surface = NULL;
-    if (plan->in_single_alone)
+    if (plan->alone)
         lx_seen_enter(plan, &memory->seen, x_mm, count);
 }
 
@@ -458,7 +458,7 @@ static size_t shade_in_single(const struct lx_plan *plan, struct lx_shader_memor
     if (stretch.met == 0)
         return 0;
     memory->sum = values + stretch.first;
-    light_surface(plan, plan->surfaces, NULL, memory, stretch.count, asking);
+    light_surface(plan, plan->alone, NULL, memory, stretch.count, asking);
     for (size_t i = stretch.first; stretch.met < stretch.count && i < stretch.first + stretch.count; i++)
         values[i] = mask[i] ? values[i] : 0;
     return stretch.met;
@@ -472,7 +472,7 @@ size_t lx_shade_row(const struct lx_plan *plan, struct lx_shader_memory *memory,
     const size_t count = memory->tile_columns;
     struct lx_seen *seen = &memory->seen;
     memory->error = 0;
-    if (plan->in_single_alone)
+    if (plan->alone)
         return shade_in_single(plan, memory, y_mm, &asking, values, mask);
     const size_t found = lx_seen_find(plan, seen, y_mm, x_mm, count);
     size_t left = found;
@@ -510,7 +510,7 @@ size_t lx_shade_row(const struct lx_plan *plan, struct lx_shader_memory *memory,
 static size_t shade_at_once(const struct lx_plan *plan, struct lx_shader_memory *memory, double y_mm, float *values,
                             uint8_t *mask)
 {
-    const struct lx_planned_surface *surface = plan->surfaces;
+    const struct lx_planned_surface *surface = plan->alone;
     const size_t count = memory->tile_columns, lights = surface->lights.count;
     const struct lx_stretch stretch = lx_seen_in_single(plan, &memory->seen, y_mm, mask);
     if (stretch.met < count)

@@ -24,16 +24,21 @@ struct planned {
     struct lx_plan plan;
 };
 
-static void make_plan(const char *observer, const char *material, const char *lights, struct planned *made)
+static void plan_text(const char *text, struct planned *made)
 {
-    char text[2000];
-    snprintf(text, sizeof text, form, observer, material, lights);
     if (load(text, NULL, &made->scene) != LUXEL_OK)
         fail_msg("not a good scene: %s", text);
     assert_int_equal(lx_prepare(lx_scene_parameters(made->scene), LX_DEFAULT_TOLERANCE, NULL, &made->prepared), 0);
     luxel_settings settings;
     luxel_settings_init(&settings);
     assert_int_equal(lx_plan_make(&made->prepared, lx_kernels_choose("generic"), &settings, &made->plan), LUXEL_OK);
+}
+
+static void make_plan(const char *observer, const char *material, const char *lights, struct planned *made)
+{
+    char text[2000];
+    snprintf(text, sizeof text, form, observer, material, lights);
+    plan_text(text, made);
 }
 
 static bool is_in_double(const struct planned *made, size_t light)
@@ -191,7 +196,7 @@ static void the_quickest_ways(void **state)
 #define PLATE "{type: planar, rectangle: {center: [0, 0, 3000], size: [300, 200]}, radiance: 1}"
 #define NEAR_PLATE "{type: planar, rectangle: {center: [0, 0, 1300.001], size: [300, 200]}, radiance: 1}"
     static const struct {
-        bool in_single_alone, at_once;
+        bool in_single, at_once;
         const char *observer, *material, *lights;
     } cases[] = {
         {true, true, "", "shininess: 20", POINT},
@@ -213,8 +218,41 @@ static void the_quickest_ways(void **state)
     for (size_t i = 0; i < sizeof cases / sizeof cases[0]; i++) {
         struct planned made;
         make_plan(cases[i].observer, cases[i].material, cases[i].lights, &made);
-        if (made.plan.in_single_alone != cases[i].in_single_alone || made.plan.at_once != cases[i].at_once)
-            fail_msg("case %zu: in float32 alone %d, at once %d", i, made.plan.in_single_alone, made.plan.at_once);
+        if ((made.plan.alone != NULL) != cases[i].in_single || made.plan.at_once != cases[i].at_once)
+            fail_msg("case %zu: in float32 %d, at once %d", i, made.plan.alone != NULL, made.plan.at_once);
+        clear(&made);
+    }
+}
+
+/* Other surfaces count where the picture may show them, be it at its edge, or where they take light. */
+static void beside_the_picture(void **state)
+{
+    (void)state;
+    static const struct {
+        bool is_alone;
+        const char *observer, *another;
+    } cases[] = {
+        {true, "", "[900, 0, 1000], radius: 5"},      {true, "", "[0, -900, 1000], radius: 5"},
+        {true, "", "[0, 900, 1000], radius: 5"},      {false, "", "[499, 0, 1000], radius: 5"},
+        {false, "", "[0, -499, 1000], radius: 5"},    {false, "", "[100, 100, 100], radius: 5"},
+        {false, "", "[720, 400, 2600], radius: 100"}, {false, ", view: observer", "[900, 0, 1000], radius: 5"},
+    };
+    for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
+        char text[1000];
+        struct planned made;
+        snprintf(text, sizeof text,
+                 "luxel: 1\n"
+                 "screen: {width: 1000, height: 1000, resolution: [100, 100]}\n"
+                 "observer: {z: 3000%s}\n"
+                 "surfaces:\n"
+                 "  - {type: sphere, center: [0, 0, 1000], radius: 300, material: {shininess: 20}}\n"
+                 "  - {type: sphere, center: %s}\n"
+                 "lights: [{type: point, position: [900, 500, 3000], intensity: 5}]\n",
+                 cases[i].observer, cases[i].another);
+        plan_text(text, &made);
+        assert_int_equal(made.plan.alone == made.plan.surfaces, cases[i].is_alone);
+        assert_true(cases[i].is_alone || !made.plan.alone);
+        assert_int_equal(made.plan.at_once, cases[i].is_alone);
         clear(&made);
     }
 }
@@ -224,7 +262,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(what_float32_cannot_do), cmocka_unit_test(what_does_not_matter),
         cmocka_unit_test(shares_of_the_maximum),  cmocka_unit_test(rounding_of_facets),
-        cmocka_unit_test(the_quickest_ways),
+        cmocka_unit_test(the_quickest_ways),      cmocka_unit_test(beside_the_picture),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
