@@ -109,7 +109,7 @@ LUXEL_API void luxel_study_maker_free(luxel_study_maker *maker);
 /*
  * Scene i to be rendered and probed: equal to that of luxel_study_scene(), but it is the maker's, lasts until the next
  * call, and may have no text of its own: luxel_scene_write_text() and luxel_scene_copy() then fail, and fields of it
- * carry no scene.  Where only numbers differ it takes about a microsecond.  Errors as of luxel_study_scene().
+ * carry no scene.  Where only numbers differ it takes some microseconds.  Errors as of luxel_study_scene().
  */
 LUXEL_API luxel_status luxel_study_make(luxel_study_maker *maker, uint64_t i, luxel_diagnostics *diagnostics,
                                         const luxel_scene **scene);

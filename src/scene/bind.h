@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /*
  * Bindings: where the values of keys lie in a committed scene, so that a scene which differs in numbers only is ready
- * in a microsecond, without its text being read again.
+ * in some microseconds, without its text being read again.
  *
  * What is written through a binding is in the parameters alone: the scene is then ahead of its document.  It can be
  * rendered and probed, but neither written as text nor copied, until it is changed or committed in the usual way.
