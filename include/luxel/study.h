@@ -85,9 +85,9 @@ LUXEL_API const char *luxel_study_parameter_word(const luxel_study *study, size_
 LUXEL_API void luxel_study_parameters(const luxel_study *study, uint64_t i, double *numbers);
 
 /*
- * A text that tells all that the study's numbers depend on, and nothing else: base scene, variation, seed, shards,
- * outputs.  Two studies with the same text give the same files.  Free it with luxel_text_free(); NULL when memory is
- * short.
+ * A text that tells all that the study's numbers depend on, and nothing else: base scene and the contents of the files
+ * that it names, variation, seed, shards, outputs.  Two studies with the same text give the same files.  Free it with
+ * luxel_text_free(); NULL when memory is short.
  */
 LUXEL_API char *luxel_study_identity(const luxel_study *study);
 

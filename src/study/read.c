@@ -5,6 +5,7 @@
 
 #include "../base/memory.h"
 #include "../base/number.h"
+#include "../base/source.h"
 #include "../scene/guard.h"
 #include "../scene/input.h"
 #include "../scene/yaml.h"
@@ -244,6 +245,24 @@ static void identify_axis(struct lx_text *text, const struct lx_axis *axis)
     lx_text_puts(text, "\n");
 }
 
+/* A sum of a file's bytes (FNV-1a), 0 where it cannot be read any more. */
+static uint64_t sum_of_file(const char *path)
+{
+    unsigned char bytes[4096];
+    struct lx_source *source = lx_source_try(path, SIZE_MAX);
+    const uint64_t size = source && !lx_source_reason(source) ? lx_source_size(source) : 0;
+    uint64_t sum = UINT64_C(0xcbf29ce484222325);
+    for (uint64_t at = 0; at < size; at += sizeof bytes) {
+        const size_t count = size - at < sizeof bytes ? (size_t)(size - at) : sizeof bytes;
+        if (lx_source_read(source, at, bytes, count) != LUXEL_OK)
+            break;
+        for (size_t i = 0; i < count; i++)
+            sum = (sum ^ bytes[i]) * UINT64_C(0x100000001b3);
+    }
+    lx_source_close(source);
+    return size ? sum : 0;
+}
+
 char *luxel_study_identity(const luxel_study *study)
 {
     struct lx_text text = {0};
@@ -258,6 +277,8 @@ char *luxel_study_identity(const luxel_study *study)
         if (luxel_study_wanted(study, k) != LUXEL_STUDY_NONE)
             lx_text_printf(&text, "output %s %s\n", luxel_study_output_name(k),
                            luxel_study_type_name(luxel_study_wanted(study, k)));
+    for (size_t i = 0; i < study->base->kept.count; i++)
+        lx_text_printf(&text, "file %016llx\n", (unsigned long long)sum_of_file(study->base->kept.items[i].path));
     lx_text_puts(&text, scene);
     luxel_text_free(scene);
     return lx_text_take(&text);

@@ -250,6 +250,15 @@ def folders(tap, tool):
            "a changed study is refused, and nothing changes", result.err)
     tool.write("s.yaml", "# a comment\n" + STUDY.replace("seed: 7", "seed:   7"))
     tap.equal(tool.run("sweep", "s.yaml", "-o", "data").code, 0, "a comment is no change")
+    tool.write("c.csv", "x,y,z,intensity\n500,0,2000,10\n")
+    tool.write("c.yaml", "study: 1\nset: ['screen.resolution=[8,8]', 'lights=[{type: points, file: c.csv}]']\n"
+               "vary: [{key: 'surfaces[0].material.diffuse', values: [0.1, 0.2]}]")
+    tap.equal(tool.run("sweep", "c.yaml", "-o", "cloud", "-q").code, 0, "a scene that names a file")
+    tap.equal(tool.run("sweep", "c.yaml", "-o", "cloud", "-q").code, 0, "the same again")
+    tool.write("c.csv", "x,y,z,intensity\n500,0,2000,20\n")
+    result = tool.run("sweep", "c.yaml", "-o", "cloud", "-q")
+    tap.ok(result.code == 4 and "another sweep" in result.err, "another content of that file is another sweep",
+           result.code, result.err)
     tool.write("long.yaml", STUDY.replace("600", "100000").replace("24,24", "64,64").replace("d: 50", "d: 2000"))
     first = subprocess.Popen([tool.path, "sweep", "long.yaml", "-o", "busy", "--workers", "1"], cwd=tool.folder,
                              stderr=subprocess.PIPE, text=True)
