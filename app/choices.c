@@ -13,6 +13,8 @@ static const struct {
     {"point", N_("point")},
     {"points", N_("points of a file")},
     {"spot", N_("spot")},
+    {"luminaire", N_("luminaire of a file")},
+    {"angle", N_("linear in the angle")},
     {"planar", N_("planar")},
     {"volume", N_("volume")},
     {"distant", N_("distant")},

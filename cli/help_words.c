@@ -56,12 +56,13 @@ static const struct entry entries[] = {
      N_("Photometric units (lm, cd, lx, cd/m²) and radiometric units (W, W/sr, W/m², W/(sr·m²)): the key units chooses "
         "the names and changes no number."),
      "luxel help units"},
-    {"ies|ldt|eulumdat|lm-63|luminaire|luminaires|luminaire file|lamp|light fixture|polar curve|lorl|dff|flux code|"
+    {"ies|ldt|eulumdat|lm-63|luminaires|luminaire file|lamp|light fixture|polar curve|lorl|dff|flux code|"
      "светильник|светильники|лампа|ксс|кривая силы света|кпд светильника",
      N_("Luminaire files, IES LM-63 and EULUMDAT: luxel photometry tells what one says and what its table amounts to "
-        "(flux, ratios, beam angles). As light sources of scenes they are not read yet; a point with a pattern, a spot "
-        "or an extended source comes close to a luminaire whose distribution is known."),
-     "luxel photometry lamp.ies|luxel help photometry|luxel help spot|luxel help pattern"},
+        "(flux, ratios, beam angles). In a scene a light of the type luminaire hangs it up: its file, position, axis "
+        "or "
+        "aim, and c0, the direction of C = 0."),
+     "luxel photometry lamp.ies|luxel help photometry|luxel help luminaire|luxel help c0"},
     {"albedo|reflectance|reflectivity|kd|коэффициент отражения",
      N_("Reflectance: the share of the light that a matt surface sends back. With over_pi: true it is the key diffuse "
         "of the material."),

@@ -3,6 +3,7 @@
 #include <string.h>
 
 #include "../base/phrase.h"
+#include "../light/distribution.h"
 #include "../light/placed.h"
 #include "../parameter/decode.h"
 #include "../shade/camera.h"
@@ -11,6 +12,7 @@
 /* What of the kinds of lights there is in a scene. */
 struct used {
     bool ambient, distant, point, spot, extended, parts, laws[LX_LAWS], isotropic, lambertian, cosine, falloffs[5];
+    bool by_angle, by_cosine; /* luminaires */
 };
 
 static struct used find_used(const struct lx_prepared *prepared)
@@ -31,7 +33,11 @@ static struct used find_used(const struct lx_prepared *prepared)
         used.point = true;
         used.spot |= profile->falloff != LX_NO_CONE;
         used.falloffs[profile->falloff] = true;
-        used.isotropic |= profile->exponent == 0;
+        used.isotropic |= profile->exponent == 0 && !profile->luminaire;
+        if (profile->luminaire && profile->luminaire->distribution->interpolation == LUXEL_INTERPOLATE_ANGLE)
+            used.by_angle = true;
+        else if (profile->luminaire)
+            used.by_cosine = true;
         used.lambertian |= profile->exponent == 1;
         used.cosine |= profile->exponent > 0 && profile->exponent != 1;
     }
@@ -117,6 +123,15 @@ static void explain_laws(struct luxel_document *document, const struct used *use
     if (used->cosine)
         lx_document_item(document, LX_N("the pattern of a power of the cosine, by the angle from the axis: {0}"),
                          LX_SPANS(LX_MATH("g = \\max(0, \\cos \\theta)^m")));
+    if (used->by_angle)
+        lx_document_item(document,
+                         LX_N("the table of a luminaire's file, linear between its angles: {0}; beyond them 0"),
+                         LX_SPANS(LX_MATH("g = I(C,\\, \\gamma) / I")));
+    if (used->by_cosine)
+        lx_document_item(document,
+                         LX_N("the table of a luminaire's file, linear in C and {1} between its angles: {0}; beyond "
+                              "them 0"),
+                         LX_SPANS(LX_MATH("g = I(C,\\, \\gamma) / I"), LX_MATH("\\cos \\gamma")));
     if (used->falloffs[LX_SMOOTHSTEP])
         lx_document_item(
             document, LX_N("the cone of a spotlight, smooth between the inner angle a and the outer angle b: {0}"),

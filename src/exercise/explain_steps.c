@@ -8,6 +8,7 @@
 
 #include "../base/number.h"
 #include "../base/phrase.h"
+#include "../light/distribution.h"
 #include "../light/placed.h"
 #include "../parameter/words.h"
 #include "../shade/camera.h"
@@ -220,13 +221,46 @@ static void explain_attenuation(const struct lx_steps *steps, const struct lx_em
     end(steps, &line);
 }
 
+/* The direction as angles of the luminaire's table, and the intensity there. */
+static void explain_luminaire(const struct lx_steps *steps, const struct lx_emitter *emitter, lx_bounded3 towards,
+                              double left)
+{
+    const struct lx_pointed *luminaire = emitter->profile.luminaire;
+    const luxel_photometry_type type = luminaire->distribution->photometry->shown.type;
+    static const char *const first[] = {"X = ", "H = ", "C = "};
+    static const char *const second[] = {
+        "\\degree, \\qquad Y = ", "\\degree, \\qquad V = ", "\\degree, \\qquad \\gamma = "};
+    static const char *const third[] = {
+        "\\degree, \\qquad I(X,\\, Y) = ", "\\degree, \\qquad I(H,\\, V) = ", "\\degree, \\qquad I(C,\\, \\gamma) = "};
+    struct line line = {{0}};
+    double plane, angle;
+    lx_pointed_angles(luminaire, (double[]){towards.x.value, towards.y.value, towards.z.value}, &plane, &angle);
+    say(&line, first[type]);
+    number(&line, plane);
+    say(&line, second[type]);
+    number(&line, angle);
+    say(&line, third[type]);
+    number(&line, emitter->strength * left);
+    end(steps, &line);
+    lx_document_paragraph(steps->document,
+                          luminaire->distribution->interpolation == LUXEL_INTERPOLATE_ANGLE
+                              ? LX_N("This intensity is read off the table of the file, linear in both angles.")
+                              : LX_N("This intensity is read off the table of the file, linear in the horizontal angle "
+                                     "and the cosine of the other."),
+                          NULL);
+}
+
 /* What pattern and cone leave of the intensity: g f as one number, with the angle from the axis. */
 static void explain_profile(const struct lx_steps *steps, const struct lx_emitter *emitter, lx_bounded3 towards,
                             double left)
 {
     const struct lx_profile *profile = &emitter->profile;
     struct line line = {{0}};
-    if (profile->falloff == LX_NO_CONE && profile->exponent == 0)
+    if (profile->luminaire) {
+        explain_luminaire(steps, emitter, towards, left);
+        return;
+    }
+    if (lx_profile_is_isotropic(profile))
         return;
     double cosine = -dot(&profile->axis, &towards);
     say(&line, "\\cos \\theta = -\\mathbf{L} \\cdot \\mathbf{A} = ");
@@ -239,11 +273,25 @@ static void explain_profile(const struct lx_steps *steps, const struct lx_emitte
     end(steps, &line);
 }
 
+/* The irradiance as intensity, f and g, as far as there are these. */
+static void explain_factors(struct line *line, const struct lx_emitter *emitter, double left)
+{
+    const bool has_cone = emitter->profile.falloff != LX_NO_CONE, has_pattern = emitter->profile.exponent > 0;
+    say(line, has_cone && has_pattern ? "E_{\\perp} = I\\, f\\, g\\, a(r) = "
+              : has_cone              ? "E_{\\perp} = I\\, f\\, a(r) = "
+              : has_pattern           ? "E_{\\perp} = I\\, g\\, a(r) = "
+                                      : "E_{\\perp} = I\\, a(r) = ");
+    number(line, emitter->strength);
+    if (!has_cone && !has_pattern)
+        return;
+    say(line, " \\cdot ");
+    factor(line, left);
+}
+
 static void explain_irradiance(const struct lx_steps *steps, const struct lx_emitter *emitter,
                                const struct lx_sample *sample)
 {
     struct line line = {{0}};
-    bool has_cone = emitter->profile.falloff != LX_NO_CONE, has_pattern = emitter->profile.exponent > 0;
     double r_m = 0, left = 1;
     if (emitter->type == LX_DIRECTION) {
         say(&line, "\\mathbf{L} = ");
@@ -261,14 +309,11 @@ static void explain_irradiance(const struct lx_steps *steps, const struct lx_emi
     if (emitter->strength > 0)
         left = sample->e_perp.value / (emitter->strength * attenuation_at(emitter, r_m));
     explain_profile(steps, emitter, sample->towards, left);
-    say(&line, has_cone && has_pattern ? "E_{\\perp} = I\\, f\\, g\\, a(r) = "
-               : has_cone              ? "E_{\\perp} = I\\, f\\, a(r) = "
-               : has_pattern           ? "E_{\\perp} = I\\, g\\, a(r) = "
-                                       : "E_{\\perp} = I\\, a(r) = ");
-    number(&line, emitter->strength);
-    if (has_cone || has_pattern) {
-        say(&line, " \\cdot ");
-        factor(&line, left);
+    if (emitter->profile.luminaire) {
+        say(&line, "E_{\\perp} = I\\, a(r) = ");
+        number(&line, emitter->strength * left);
+    } else {
+        explain_factors(&line, emitter, left);
     }
     say(&line, " \\cdot ");
     number(&line, attenuation_at(emitter, r_m));

@@ -33,19 +33,19 @@ enum lx_brink_type {
     LX_BRINK_SCREEN,     /* the sides of the screen */
     LX_BRINK_REGION,     /* the sides of the region, or its circle */
     LX_BRINK_SHADOW,     /* of another surface: jumps */
-    LX_BRINK_CONE,       /* an angle of a spotlight's cone: jumps where it is hard */
+    LX_BRINK_CONE,       /* an angle at which a profile has a kink, or jumps as hard cones do */
     LX_BRINK_TERMINATOR, /* where the light sets: N.L = 0; jumps where highlights are gated */
     LX_BRINK_LOBE,       /* where the highlight ends */
-    LX_BRINK_PATTERN     /* where a light's pattern ends */
+    LX_BRINK_PATTERN     /* a plane through the light on which its profile has a kink */
 };
 
 struct lx_brink {
     enum lx_brink_type type;
-    unsigned side;    /* of screen or region, 0 to 3; of the own surface its wall */
-    bool closed;      /* whether what is on the line belongs to the inside, where the function is above 0 */
-    size_t surface;   /* that hides or shades */
-    size_t emitter;   /* of those that can be walked over */
-    double angle_rad; /* of a cone */
+    unsigned side;  /* of screen or region, 0 to 3; of the own surface its wall */
+    bool closed;    /* whether what is on the line belongs to the inside, where the function is above 0 */
+    size_t surface; /* that hides or shades */
+    size_t emitter; /* of those that can be walked over */
+    size_t place;   /* of a profile: which of its breaks */
 };
 
 static inline bool lx_brink_is_wall(const struct lx_brink *edge)

@@ -45,6 +45,22 @@ static bool add_walls(struct lx_hunt *hunt, size_t surface)
     return done;
 }
 
+/* Lines of a luminaire's table beyond so many are walked over: a climb looks at all edges at every step. */
+enum { MOST_BREAKS = 64 };
+
+/* Where a profile jumps or has a kink. */
+static bool add_breaks(struct lx_hunt *hunt, const struct lx_profile *profile, struct lx_brink edge)
+{
+    struct lx_break place;
+    bool done = true;
+    for (edge.place = 0; done && lx_profile_break(profile, edge.place, &place); edge.place++) {
+        edge.type = place.shape == LX_BREAK_CONE ? LX_BRINK_CONE : LX_BRINK_PATTERN;
+        if (place.order != LX_BEND && (edge.place < MOST_BREAKS || place.order == LX_JUMP))
+            done = add(hunt, edge);
+    }
+    return done;
+}
+
 /* The edges of a light that comes from one place or direction. */
 static bool add_light(struct lx_hunt *hunt, size_t surface, size_t index)
 {
@@ -52,7 +68,6 @@ static bool add_light(struct lx_hunt *hunt, size_t surface, size_t index)
     struct lx_emitter room;
     const struct lx_emitter *emitter = lx_emitter_at(&prepared->emitters, index, &room);
     const struct lx_lobe *lobe = &prepared->surfaces[surface].lobe;
-    const struct lx_profile *profile = &emitter->profile;
     struct lx_brink edge = {.emitter = index, .closed = true};
     bool done = true, casts = prepared->shadows && !emitter->is_part;
     for (size_t i = 0; casts && done && i < prepared->surface_count; i++) {
@@ -66,16 +81,7 @@ static bool add_light(struct lx_hunt *hunt, size_t surface, size_t index)
         done = done && add(hunt, edge);
     if (emitter->type != LX_POINT)
         return done;
-    edge.type = LX_BRINK_PATTERN;
-    if (profile->exponent > 0 && profile->exponent < 2)
-        done = done && add(hunt, edge);
-    edge.type = LX_BRINK_CONE, edge.angle_rad = profile->outer_rad.value;
-    if (profile->falloff == LX_HARD || profile->falloff == LX_LINEAR)
-        done = done && add(hunt, edge);
-    edge.angle_rad = profile->inner_rad.value;
-    if (profile->falloff == LX_SQUARED || profile->falloff == LX_LINEAR)
-        done = done && add(hunt, edge);
-    return done;
+    return done && add_breaks(hunt, &emitter->profile, edge);
 }
 
 bool lx_brinks_of(struct lx_hunt *hunt, size_t surface)
@@ -141,17 +147,23 @@ static void values_of(const lx_bounded3 *from, double to[3])
     to[0] = from->x.value, to[1] = from->y.value, to[2] = from->z.value;
 }
 
-/* How far inside of a cone, along its distance from the light. */
-static double inside_cone(const struct lx_emitter *emitter, double angle_rad, const double way[3])
+/* How far inside of a break of a profile, along its distance from the light. */
+static double inside_break(const struct lx_brink *edge, const struct lx_emitter *emitter, const double way[3],
+                           double size_mm)
 {
-    double axis[3], cross[3];
-    values_of(&emitter->profile.axis, axis);
+    struct lx_break place = {.angle_rad = 0};
+    double cross[3], length = sqrt(lx_dot(way, way));
+    lx_profile_break(&emitter->profile, edge->place, &place);
+    if (place.shape == LX_BREAK_PLANE)
+        return -size_mm * (lx_dot(place.axis, way) / length);
+    const double *other = place.shape == LX_BREAK_CONE ? way : place.begin;
     for (int i = 0; i < 3; i++) {
         int j = (i + 1) % 3, k = (i + 2) % 3;
-        cross[i] = axis[j] * way[k] - axis[k] * way[j];
+        cross[i] = place.axis[j] * other[k] - place.axis[k] * other[j];
     }
-    double theta = atan2(sqrt(lx_dot(cross, cross)), -lx_dot(axis, way));
-    return sqrt(lx_dot(way, way)) * (angle_rad - theta);
+    if (place.shape == LX_BREAK_HALF_PLANE) /* the whole plane */
+        return -lx_dot(cross, way);
+    return length * (place.angle_rad - atan2(sqrt(lx_dot(cross, cross)), -lx_dot(place.axis, way)));
 }
 
 static double light_distance(const struct lx_hunt *hunt, const struct lx_brink *edge, const struct lx_spot *spot,
@@ -159,7 +171,7 @@ static double light_distance(const struct lx_hunt *hunt, const struct lx_brink *
 {
     struct lx_emitter room;
     const struct lx_emitter *emitter = emitter_of(hunt, edge, &room);
-    double size_mm = lx_spot_shape(hunt, spot)->radius_mm, way[3], view[3], axis[3];
+    double size_mm = lx_spot_shape(hunt, spot)->radius_mm, way[3], view[3];
     bool endless = emitter->type == LX_DIRECTION;
     if (endless)
         values_of(&emitter->towards, way);
@@ -167,15 +179,11 @@ static double light_distance(const struct lx_hunt *hunt, const struct lx_brink *
         way[i] = emitter->position_mm[i] - place[i];
     if (edge->type == LX_BRINK_SHADOW)
         return beside(hunt, edge->surface, place, way, endless);
-    if (edge->type == LX_BRINK_CONE)
-        return inside_cone(emitter, edge->angle_rad, way);
+    if (edge->type == LX_BRINK_CONE || edge->type == LX_BRINK_PATTERN)
+        return inside_break(edge, emitter, way, size_mm);
     lx_normalize(way);
     if (edge->type == LX_BRINK_TERMINATOR)
         return size_mm * lx_dot(normal, way);
-    if (edge->type == LX_BRINK_PATTERN) {
-        values_of(&emitter->profile.axis, axis);
-        return -size_mm * lx_dot(axis, way);
-    }
     struct lx_element element = lx_spot_element(hunt, spot);
     values_of(&element.view, view);
     if (element.lobe->model == LX_BLINN_PHONG)

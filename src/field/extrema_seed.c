@@ -219,8 +219,13 @@ static struct lx_origin origin_of(const struct lx_emitter *emitter)
 static bool takes_away(const struct lx_hunt *hunt, size_t brink, size_t emitter, const struct lx_spot *spot)
 {
     const struct lx_brink *it = &hunt->brinks[brink];
-    bool cuts = it->type == LX_BRINK_SHADOW || it->type == LX_BRINK_CONE;
-    return (lx_brink_is_wall(it) || (cuts && it->emitter == emitter)) && lx_brink_distance(hunt, it, spot) < 0;
+    struct lx_emitter room;
+    const bool is_own = !lx_brink_is_wall(it) && it->emitter == emitter;
+    const bool is_cone = /* those of a luminaire's table do not end its light */
+        is_own && it->type == LX_BRINK_CONE &&
+        !lx_emitter_at(&hunt->prepared->emitters, emitter, &room)->profile.luminaire;
+    return (lx_brink_is_wall(it) || (is_own && it->type == LX_BRINK_SHADOW) || is_cone) &&
+           lx_brink_distance(hunt, it, spot) < 0;
 }
 
 /* A place where geometry puts a peak; where it is hidden, off the screen or in the shade, also the next place that is
@@ -301,7 +306,7 @@ static void add_lights(struct lx_gathering *gathering)
             continue;
         for (size_t k = 0; k < hunt->prepared->surface_count; k++)
             add_light(gathering, k, i);
-        if (emitter->type == LX_POINT && !(emitter->profile.falloff == LX_NO_CONE && emitter->profile.exponent == 0))
+        if (emitter->type == LX_POINT && !lx_profile_is_isotropic(&emitter->profile))
             add_beam(gathering, emitter);
     }
 }

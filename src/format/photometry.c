@@ -13,8 +13,6 @@
 #include "../base/source.h"
 #include "photometry.h"
 
-enum { MOST_BYTES = 64 << 20 };
-
 /* ---- memory ---- */
 
 void lx_photometry_free(struct lx_kept *kept)
@@ -103,7 +101,7 @@ void lx_luminaire_advise(struct lx_luminaire_file *file, size_t start, size_t en
                          const char *const *arguments)
 {
     struct lx_place place = place_of(file, start, end);
-    lx_report(file->diagnostics, LUXEL_SEVERITY_ADVICE, &place, message, arguments);
+    lx_report(file->advice, LUXEL_SEVERITY_ADVICE, &place, message, arguments);
 }
 
 const char *lx_shown(double number, char buffer[LX_SHOWN_SIZE])
@@ -269,7 +267,7 @@ static void compare_flux(struct lx_luminaire_file *file, const luxel_photometry_
     enum lx_message message = has_ratio                         ? LX_MSG_PHOTOMETRY_FLUX_RATIO
                               : figures->zone_lumens < expected ? LX_MSG_PHOTOMETRY_FLUX_LESS
                                                                 : LX_MSG_PHOTOMETRY_FLUX_MORE;
-    lx_report(file->diagnostics, LUXEL_SEVERITY_ADVICE, &whole, message, LX_ARGS(declared, lumens, share));
+    lx_report(file->advice, LUXEL_SEVERITY_ADVICE, &whole, message, LX_ARGS(declared, lumens, share));
 }
 
 /* Where the share of the flux that goes down is more than one of a hundred parts off what the file declares. */
@@ -282,7 +280,7 @@ static void compare_dff(struct lx_luminaire_file *file, const luxel_photometry_f
         return;
     lx_write_digits(shown->declared_dff, 4, declared);
     lx_write_digits(figures->dff, 4, found);
-    lx_report(file->diagnostics, LUXEL_SEVERITY_ADVICE, &whole, LX_MSG_PHOTOMETRY_DFF, LX_ARGS(declared, found));
+    lx_report(file->advice, LUXEL_SEVERITY_ADVICE, &whole, LX_MSG_PHOTOMETRY_DFF, LX_ARGS(declared, found));
 }
 
 static luxel_status finish(struct lx_luminaire_file *file)
@@ -327,21 +325,32 @@ static luxel_status read_plain(struct lx_luminaire_file *file)
     return status;
 }
 
-/* Reads a text, which may be changed. */
-static luxel_status read_text(char *text, size_t length, const char *name, luxel_diagnostics *diagnostics,
-                              luxel_photometry **photometry)
+luxel_status lx_photometry_read_text(char *text, size_t length, const char *name, luxel_diagnostics *errors,
+                                     luxel_diagnostics *advice, struct lx_photometry **photometry)
 {
     char *plain = lx_photometry_plain_text(text, &length);
     if (!plain)
-        return lx_out_of_memory(diagnostics);
-    struct lx_luminaire_file file = {.name = name, .text = plain, .length = length, .diagnostics = diagnostics};
+        return lx_out_of_memory(errors);
+    struct lx_luminaire_file file = {
+        .name = name, .text = plain, .length = length, .diagnostics = errors, .advice = advice};
     luxel_status status = read_plain(&file);
     if (status == LUXEL_OK)
-        *photometry = &file.made->shown;
+        *photometry = file.made;
     else if (file.made)
         lx_kept_release(&file.made->kept);
     if (plain != text)
         free(plain);
+    return status;
+}
+
+/* Reads a text, which may be changed. */
+static luxel_status read_text(char *text, size_t length, const char *name, luxel_diagnostics *diagnostics,
+                              luxel_photometry **photometry)
+{
+    struct lx_photometry *made;
+    luxel_status status = lx_photometry_read_text(text, length, name, diagnostics, diagnostics, &made);
+    if (status == LUXEL_OK)
+        *photometry = &made->shown;
     return status;
 }
 
@@ -351,7 +360,7 @@ luxel_status luxel_photometry_read_bytes(const void *bytes, size_t length, const
     if ((!bytes && length > 0) || !photometry)
         return LUXEL_ERROR_ARGUMENT;
     const struct lx_place whole = {.source = name ? name : "<text>"};
-    if (length > MOST_BYTES) {
+    if (length > LX_LARGEST_PHOTOMETRY) {
         lx_report(diagnostics, LUXEL_SEVERITY_ERROR, &whole, LX_MSG_PHOTOMETRY_TOO_LARGE, NULL);
         return LUXEL_ERROR_FILE;
     }
@@ -368,11 +377,11 @@ luxel_status luxel_photometry_read(const char *path, luxel_diagnostics *diagnost
     struct lx_source *source;
     if (!path || !photometry)
         return LUXEL_ERROR_ARGUMENT;
-    luxel_status status = lx_source_open(path, MOST_BYTES, diagnostics, &source);
+    luxel_status status = lx_source_open(path, LX_LARGEST_PHOTOMETRY, diagnostics, &source);
     if (status != LUXEL_OK)
         return status;
     uint64_t size = lx_source_size(source);
-    if (size > MOST_BYTES) {
+    if (size > LX_LARGEST_PHOTOMETRY) {
         status = lx_source_refuse(source, LX_MSG_PHOTOMETRY_TOO_LARGE, NULL);
     } else {
         char *text = lx_new_array((size_t)size + 1, 1);

@@ -36,12 +36,19 @@ struct lx_stored_table {
 struct lx_luminaire_file {
     const char *name, *text;
     size_t length, at;
-    luxel_diagnostics *diagnostics;
+    luxel_diagnostics *diagnostics, *advice; /* of errors, and of what is odd; often the same */
     size_t errors;
     bool no_memory;
     struct lx_photometry *made;
     struct lx_stored_table table;
 };
+
+enum { LX_LARGEST_PHOTOMETRY = 64 << 20 };
+
+/* Reads a text, which may be changed and has room for a 0 byte behind it: as luxel_photometry_read_bytes(), with
+ * advice going elsewhere; NULL: nowhere. */
+luxel_status lx_photometry_read_text(char *text, size_t length, const char *name, luxel_diagnostics *errors,
+                                     luxel_diagnostics *advice, struct lx_photometry **photometry);
 
 /* Makes every line end in LF, and UTF-16 UTF-8; the text, another one or the same, or NULL: no memory. */
 char *lx_photometry_plain_text(char *text, size_t *length);

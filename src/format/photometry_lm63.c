@@ -130,7 +130,7 @@ static void check_keywords(struct lx_lm63 *lm63)
     }
     if (missing.length > 0 && !missing.failed) {
         const struct lx_place whole = {.source = lm63->file->name};
-        lx_report(lm63->file->diagnostics, LUXEL_SEVERITY_ADVICE, &whole, LX_MSG_LM63_KEYWORDS, LX_ARGS(missing.bytes));
+        lx_report(lm63->file->advice, LUXEL_SEVERITY_ADVICE, &whole, LX_MSG_LM63_KEYWORDS, LX_ARGS(missing.bytes));
     }
     lx_text_clear(&missing);
 }
@@ -171,6 +171,7 @@ static void read_tilt_text(struct lx_lm63 *lm63, const char *path, char *text, s
                                      .text = plain,
                                      .length = length,
                                      .diagnostics = lm63->file->diagnostics,
+                                     .advice = lm63->file->advice,
                                      .made = lm63->file->made};
     struct lx_lm63 other = {.file = &file, .year = lm63->year};
     if (plain)

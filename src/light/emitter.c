@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* The emitters' float64 reference with its error bound, and the making of angular profiles. */
+/* Lists of emitters, and their float64 reference with its error bound. */
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -208,84 +208,6 @@ void lx_emitters_clear(struct lx_emitters *emitters)
     *emitters = (struct lx_emitters){0};
 }
 
-struct lx_profile lx_profile_isotropic(void)
-{
-    return (struct lx_profile){.falloff = LX_NO_CONE};
-}
-
-struct lx_profile lx_profile_cosine(lx_bounded3 axis, double exponent)
-{
-    return (struct lx_profile){.falloff = LX_NO_CONE, .axis = axis, .exponent = exponent};
-}
-
-static lx_bounded radians(double degrees)
-{
-    return lx_mul(lx_exact(degrees), lx_rounded(M_PI / 180, 0, 3));
-}
-
-/* 1 - cos = 2 sin^2 of the half angle */
-static lx_bounded versine(lx_bounded angle)
-{
-    lx_bounded sine = lx_sin(lx_scale(angle, 0.5));
-    return lx_scale(lx_mul(sine, sine), 2);
-}
-
-struct lx_profile lx_profile_cone(lx_bounded3 axis, enum lx_falloff falloff, double inner_deg, double outer_deg,
-                                  double exponent)
-{
-    lx_bounded inner = radians(inner_deg), outer = radians(outer_deg);
-    return (struct lx_profile){
-        .falloff = inner_deg == outer_deg ? LX_HARD : falloff,
-        .exponent = exponent,
-        .axis = axis,
-        .inner_rad = inner,
-        .outer_rad = outer,
-        .inner_versine = versine(inner),
-        .outer_versine = versine(outer),
-    };
-}
-
-static lx_bounded clamp01(lx_bounded a)
-{
-    if (a.value >= 1)
-        return (lx_bounded){1, fmax(a.error - (a.value - 1), 0)};
-    return lx_positive(a);
-}
-
-static lx_bounded cone(const struct lx_profile *profile, lx_bounded cosine, lx_bounded sine_squared)
-{
-    lx_bounded one = lx_exact(1);
-    lx_bounded versine = cosine.value > 0 ? lx_div(sine_squared, lx_add(one, cosine)) : lx_sub(one, cosine);
-    lx_bounded inside = lx_sub(profile->outer_versine, versine);
-    lx_bounded t;
-    switch (profile->falloff) {
-    case LX_HARD: return lx_step(inside, true);
-    case LX_LINEAR:
-        t = lx_div(lx_sub(profile->outer_rad, lx_angle(lx_sqrt(sine_squared), cosine)),
-                   lx_sub(profile->outer_rad, profile->inner_rad));
-        return clamp01(t);
-    case LX_SMOOTHSTEP:
-        t = clamp01(lx_div(inside, lx_sub(profile->outer_versine, profile->inner_versine)));
-        return lx_mul(lx_mul(t, t), lx_sub(lx_exact(3), lx_scale(t, 2)));
-    case LX_SQUARED:
-        t = clamp01(lx_div(inside, lx_sub(profile->outer_versine, profile->inner_versine)));
-        return lx_mul(t, t);
-    case LX_NO_CONE: break;
-    }
-    return one;
-}
-
-/* g for the direction L towards the light */
-static lx_bounded profile_value(const struct lx_profile *profile, lx_bounded3 towards)
-{
-    if (profile->falloff == LX_NO_CONE && profile->exponent == 0)
-        return lx_exact(1);
-    lx_bounded cosine = lx_negate(lx_dot3(profile->axis, towards));
-    lx_bounded sine_squared = lx_square3(lx_cross3(profile->axis, towards));
-    lx_bounded power = lx_cosine_power(cosine, sine_squared, profile->exponent);
-    return lx_mul(cone(profile, cosine, sine_squared), power);
-}
-
 static lx_bounded metres(lx_bounded length_mm)
 {
     return lx_div(length_mm, lx_exact(1000));
@@ -321,7 +243,7 @@ static struct lx_sample sample_point(const struct lx_emitter *emitter, lx_bounde
     lx_bounded e_perp = lx_mul(strength, attenuation(emitter, metres(distance)));
     return (struct lx_sample){
         .towards = towards,
-        .e_perp = lx_mul(e_perp, profile_value(&emitter->profile, towards)),
+        .e_perp = lx_mul(e_perp, lx_profile_value(&emitter->profile, towards)),
     };
 }
 

@@ -4,8 +4,8 @@
  *
  * uniform    adds its irradiance to every element, whatever its normal
  * direction  parallel light: one direction L and one irradiance E_perp
- * point      a point with radiant intensity I, an attenuation law a(r) and an angular profile g(theta):
- *            E_perp = I g(theta) a(r), r in metres, theta measured from the axis
+ * point      a point with radiant intensity I, an attenuation law a(r) and an angular profile g (profile.h):
+ *            E_perp = I g a(r), r in metres
  * facets, disk, ball, cylinder
  *            shells of uniform radiance; extended.h says more
  *
@@ -18,6 +18,7 @@
 #include <stddef.h>
 
 #include "../base/bounded.h"
+#include "profile.h"
 
 enum lx_emitter_type { LX_UNIFORM, LX_DIRECTION, LX_POINT, LX_FACETS, LX_DISK, LX_BALL, LX_CYLINDER };
 
@@ -27,20 +28,6 @@ struct lx_asking;
 /* The attenuation laws a(r): 1/r^2, 1/(k + r), 1, 1/(kc + kl r + kq r^2). */
 enum lx_attenuation { LX_INVERSE_SQUARE, LX_PRACTICAL, LX_NO_ATTENUATION, LX_POLYNOMIAL };
 enum { LX_LAWS = LX_POLYNOMIAL + 1 };
-
-/* How a cone falls from 1 at its inner to 0 at its outer angle; LX_NO_CONE: 1 everywhere. */
-enum lx_falloff { LX_SMOOTHSTEP, LX_SQUARED, LX_LINEAR, LX_HARD, LX_NO_CONE };
-
-/*
- * The angular profile g = f(theta) * max(0, cos theta)^exponent, with x^0 = 1.  The cone's angles stand as
- * angles and as versines 1 - cos, whose differences keep their digits where cosines lose them.
- */
-struct lx_profile {
-    enum lx_falloff falloff;
-    double exponent;
-    lx_bounded3 axis; /* unit */
-    lx_bounded inner_rad, outer_rad, inner_versine, outer_versine;
-};
 
 struct lx_emitter {
     enum lx_emitter_type type;
@@ -154,16 +141,6 @@ const struct lx_emitter *lx_span_at(const struct lx_emitter_span *span, size_t i
 
 /* Place and strength, x, y, z, I, of a point, by its number in the list. */
 void lx_emitter_row(const struct lx_emitters *emitters, size_t i, double row[4]);
-
-/* The profile that is 1 everywhere. */
-struct lx_profile lx_profile_isotropic(void);
-
-/* max(0, cos theta)^exponent about an axis. */
-struct lx_profile lx_profile_cosine(lx_bounded3 axis, double exponent);
-
-/* A cone with its angles in degrees; equal angles make it hard. */
-struct lx_profile lx_profile_cone(lx_bounded3 axis, enum lx_falloff falloff, double inner_deg, double outer_deg,
-                                  double exponent);
 
 /* What one emitter gives at a place. */
 struct lx_sample {

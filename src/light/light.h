@@ -14,6 +14,8 @@ struct lx_light_kind {
     struct lx_variant variant; /* first, so that a variant of the list `lights` is its kind */
     /* Appends the emitters that this light is made of; 0, or -1 when memory ran out.  Pure. */
     int (*prepare)(const void *parameters, struct lx_emitters *emitters);
+    /* The greatest length of what shines as one point, 0 where it is one; NULL: so are all of them. */
+    double (*opening_mm)(const void *parameters);
 };
 
 /* NULL-terminated: the variants of the list `lights`. */

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /*
- * Integrals of profiles.  Without a cone they are 4 pi, and 2 pi/(m + 1) with an exponent m > 0.
+ * Integrals of profiles.  Those of luminaires come with them.  Without a cone they are 4 pi, and 2 pi/(m + 1) with an
+ * exponent m > 0.
  *
  * With the profile cos^m within a hard cone of the half-angle b that integral is 2 pi F(b),
  *
@@ -14,6 +15,7 @@
 
 #include <math.h>
 
+#include "distribution.h"
 #include "gauss.h"
 
 /* Parts of an integral that matter no more. */
@@ -78,6 +80,8 @@ static double soft_cone(const struct lx_profile *profile)
 
 double lx_profile_solid_angle(const struct lx_profile *profile)
 {
+    if (profile->luminaire)
+        return profile->luminaire->distribution->solid_angle;
     switch (profile->falloff) {
     case LX_NO_CONE: return profile->exponent == 0 ? 4 * M_PI : 2 * M_PI / (profile->exponent + 1); /* 0^0 = 1 */
     case LX_HARD: return 2 * M_PI * hard_cone(edge_versine(profile, 1), profile->exponent);

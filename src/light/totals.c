@@ -99,7 +99,7 @@ bool lx_emitters_place(const struct lx_emitters *emitters, double place_mm[3])
 
 static bool is_isotropic(const struct lx_emitter *emitter)
 {
-    return emitter->type == LX_POINT && emitter->profile.falloff == LX_NO_CONE && emitter->profile.exponent == 0;
+    return emitter->type == LX_POINT && lx_profile_is_isotropic(&emitter->profile);
 }
 
 static bool direction_of(const struct lx_emitter *emitter, double direction[3])
@@ -170,7 +170,7 @@ double lx_emitters_intensity(const struct lx_emitters *emitters)
     for (size_t i = 0; i < emitters->count; i++) {
         const struct lx_emitter *emitter = lx_emitter_at(emitters, i, &room);
         if (!is_flat)
-            sum += emitter->strength;
+            sum += emitter->strength * lx_profile_on_axis(&emitter->profile);
         else if (direction_of(emitter, direction) && compare_directions(direction, along) > 0)
             sum += emitter->radiance.value * (lx_extended_area_mm2(emitter).value / 1e6);
     }

@@ -1,12 +1,13 @@
 /* SPDX-License-Identifier: MIT */
 /*
  * Advice about a committed scene, luxel_scene_advise() itself included: what the tables advise, surfaces that
- * are not wholly in view, lights that no visible part of a surface can see.
+ * are not wholly in view, lights that no visible part of a surface can see, luminaires too near to be points.
  */
 #include <math.h>
 #include <string.h>
 
 #include "../base/number.h"
+#include "../light/light.h"
 #include "../surface/surface.h"
 #include "mend.h"
 
@@ -118,6 +119,33 @@ static void mend_behind(struct lx_walk *walk, const struct lx_scene_parameters *
     lx_mend_hint(walk, &text);
 }
 
+/* A luminaire so near to a surface that it is no point. */
+static void advise_near(struct lx_walk *walk, const struct lx_scene_parameters *scene, size_t light, lx_node_id id,
+                        const double place_mm[3])
+{
+    static const double TIMES = 5;
+    const struct lx_item *item = &scene->lights.items[light];
+    const struct lx_light_kind *kind = (const struct lx_light_kind *)item->variant;
+    const double opening_mm = kind->opening_mm ? kind->opening_mm(item->parameters) : 0;
+    struct lx_step list = {NULL, "lights", 0}, element = {&list, NULL, light}, step = {&element, "position", 0};
+    for (size_t s = 0; opening_mm > 0 && s < scene->surfaces.count; s++) {
+        const struct lx_item *surface = &scene->surfaces.items[s];
+        const struct lx_shape shape =
+            lx_surface_shape((const struct lx_surface_kind *)surface->variant, surface->parameters);
+        double offset[3], direction[3];
+        char number[LX_NUMBER_SIZE], away[LX_NUMBER_SIZE], length[LX_NUMBER_SIZE];
+        for (int i = 0; i < 3; i++)
+            offset[i] = place_mm[i] - shape.anchor_mm[i];
+        const double distance = fabs(lx_shape_distance(&shape, offset, direction));
+        if (!(distance < TIMES * opening_mm))
+            continue;
+        lx_walk_tell(walk, LUXEL_SEVERITY_ADVICE, lx_document_place(walk->document, id), &step, LX_MSG_LUMINAIRE_NEAR,
+                     LX_ARGS(lx_write_number((double)s, number), lx_write_digits(distance, 4, away),
+                             lx_write_digits(opening_mm, 4, length)));
+        return;
+    }
+}
+
 static void advise_lights(struct lx_walk *walk, const struct lx_scene_parameters *scene, lx_node_id lights)
 {
     lx_node_id id = lx_document_node(walk->document, lights)->first;
@@ -128,6 +156,7 @@ static void advise_lights(struct lx_walk *walk, const struct lx_scene_parameters
         if (!position || !common->enabled)
             continue;
         const double *place_mm = lx_const_member(position, light->parameters);
+        advise_near(walk, scene, i, lx_document_find(walk->document, id, "position"), place_mm);
         if (!is_behind(scene, place_mm))
             continue;
         struct lx_step list = {NULL, "lights", 0}, item = {&list, NULL, i}, step = {&item, "position", 0};

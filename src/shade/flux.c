@@ -149,7 +149,8 @@ static bool in_closed_form(const struct plane *plane, const struct lx_emitter *e
         *flux = lx_exact(0);
         return true;
     }
-    if (emitter->attenuation != LX_INVERSE_SQUARE || profile->falloff != LX_NO_CONE || !(at.z.value > at.z.error))
+    if (emitter->attenuation != LX_INVERSE_SQUARE || profile->falloff != LX_NO_CONE || profile->luminaire ||
+        !(at.z.value > at.z.error))
         return false;
     lx_bounded share;
     if (profile->exponent == 0)
@@ -282,7 +283,7 @@ static void note_aim(struct hunt *hunt, const struct lx_emitter *emitter)
     lx_bounded3 at = above_plane(&hunt->plane, emitter->position_mm);
     double fall = -lx_dot3(profile->axis, hunt->plane.normal).value, met[3];
     const double axis[3] = {profile->axis.x.value, profile->axis.y.value, profile->axis.z.value};
-    if ((profile->falloff == LX_NO_CONE && profile->exponent == 0) || !(fall > 0 && at.z.value > 0))
+    if (lx_profile_is_isotropic(profile) || !(fall > 0 && at.z.value > 0))
         return;
     for (int i = 0; i < 3; i++)
         met[i] = emitter->position_mm[i] + at.z.value / fall * axis[i];

@@ -23,6 +23,12 @@ static void subtract(const double a[3], const double b[3], double difference[3])
         difference[i] = a[i] - b[i];
 }
 
+static void cross(const double a[3], const double b[3], double product[3])
+{
+    for (int i = 0; i < 3; i++)
+        product[i] = a[(i + 1) % 3] * b[(i + 2) % 3] - a[(i + 2) % 3] * b[(i + 1) % 3];
+}
+
 static void copy(const double from[3], double to[3])
 {
     for (int i = 0; i < 3; i++)
@@ -123,18 +129,20 @@ static void add_shadow(const struct lx_cells *plane, const struct lx_shape *shap
 
 /* ---- emitters ---- */
 
+/* Where its profile breaks; a half-plane counts as the whole one. */
 static void add_point(const struct lx_cells *plane, const struct lx_emitter *emitter, struct lx_edges *edges)
 {
-    const struct lx_profile *profile = &emitter->profile;
-    double axis[3];
-    value_of(profile->axis, axis);
-    if (profile->exponent > 0)
-        add_plane(plane, emitter->position_mm, axis, edges);
-    if (profile->falloff == LX_NO_CONE)
-        return;
-    add_cone(plane, emitter->position_mm, axis, cos(profile->outer_rad.value), edges);
-    if (profile->inner_rad.value < profile->outer_rad.value)
-        add_cone(plane, emitter->position_mm, axis, cos(profile->inner_rad.value), edges);
+    struct lx_break place;
+    double normal[3];
+    for (size_t i = 0; lx_profile_break(&emitter->profile, i, &place); i++) {
+        cross(place.axis, place.begin, normal);
+        if (place.shape == LX_BREAK_PLANE)
+            add_plane(plane, emitter->position_mm, place.axis, edges);
+        else if (place.shape == LX_BREAK_HALF_PLANE)
+            add_plane(plane, emitter->position_mm, normal, edges);
+        else if (place.angle_rad > 0 && place.angle_rad < M_PI)
+            add_cone(plane, emitter->position_mm, place.axis, cos(place.angle_rad), edges);
+    }
 }
 
 /* Where faces set. */

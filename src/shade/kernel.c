@@ -10,6 +10,7 @@
 #include <string.h>
 
 #include "../base/larger.h"
+#include "../light/distribution.h"
 #include "kernel_law.h"
 
 #define REAL double
@@ -32,6 +33,8 @@
 #include "kernel_space.h"
 
 #include "kernel_facets.h"
+#include "kernel_table.h"
+
 #include "kernel_real.h"
 #include "kernel_samples.h"
 #include "kernel_survey.h"
@@ -79,6 +82,8 @@
 
 #include "kernel_facets.h"
 #include "kernel_polynomial.h"
+#include "kernel_table.h"
+
 #include "kernel_real.h"
 #include "kernel_samples.h"
 #include "kernel_survey.h"

@@ -69,6 +69,7 @@ enum lx_light_kind { LX_DISTANT, LX_BY_SQUARE, LX_BY_SUM, LX_UNATTENUATED, LX_PR
         real edge_slope;   /* 1 / (outer - inner) of the same */                                                       \
         real inner_cosine; /* of its angles */                                                                         \
         real cosine, sine; /* of the outer one */                                                                      \
+        const struct lx_pointed *luminaire; /* instead of all of g; NULL: none */                                      \
     };                                                                                                                 \
     struct lx_lobe_##suffix {                                                                                          \
         enum lx_model model;                                                                                           \

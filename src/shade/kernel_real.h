@@ -113,6 +113,10 @@ LX_LANE NAME(lanes) NAME(profile)(const struct NAME(lx_light) * light, const str
                                   const struct NAME(elements) * at, const struct NAME(ray) * ray)
 {
     NAME(lanes) g = NAME(all)(1);
+    if (light->luminaire) {
+        NAME(look_up)(light->luminaire, &ray->x, &ray->y, &ray->z, &ray->r, &g);
+        return g;
+    }
     if (light->falloff != LX_NO_CONE)
         g = NAME(cone)(light, exact, at, ray);
     if (light->exponent.value > 0)

@@ -38,7 +38,7 @@ enum lx_light_kind lx_light_kind_of(const struct lx_emitter *emitter)
 {
     if (emitter->type != LX_POINT)
         return LX_DISTANT;
-    if (emitter->profile.falloff != LX_NO_CONE || emitter->profile.exponent > 0)
+    if (!lx_profile_is_isotropic(&emitter->profile))
         return LX_PROFILED;
     switch (emitter->attenuation) {
     case LX_INVERSE_SQUARE: return LX_BY_SQUARE;
@@ -87,6 +87,7 @@ void lx_light_set(const struct lx_emitter *emitter, const double anchor_mm[3], s
         .axis_y = profile->axis.y.value,
         .axis_z = profile->axis.z.value,
         .exponent = lx_exponent_of(profile->exponent),
+        .luminaire = emitter->type == LX_POINT ? profile->luminaire : NULL,
     };
     if (light->kind == LX_DISTANT)
         return;
@@ -124,6 +125,7 @@ struct lx_light_single lx_light_single_of(const struct lx_light_double *light)
         .inner_cosine = (float)light->inner_cosine,
         .cosine = (float)light->cosine,
         .sine = (float)light->sine,
+        .luminaire = light->luminaire,
     };
 }
 

@@ -39,34 +39,6 @@ static double distance(const double a[3], const double b[3])
     return sqrt(x * x + y * y + z * z); /* not hypot(): there may be millions; what leaves the range is not moderate */
 }
 
-/* The error of S^n for an error of its angle; also of cos^m, whose angle is that from the axis. */
-static double power_slope(double exponent)
-{
-    if (exponent == 0)
-        return 0;
-    return exponent < 1 ? HUGE_VAL : fmax(1, 0.61 * sqrt(exponent));
-}
-
-/*
- * The relative error that a profile adds, for errors of the direction and of the distance (it is 1 where it is
- * greatest).  In a penumbra what the cone's measure t is a part of is exact (kernel_edge.h), t itself is off by the
- * share that the distance is, and some roundings; a width near the roundings of float64 is not for float32.
- */
-static double profile_error(const struct lx_profile *profile, double off, double moved)
-{
-    const double width = profile->outer_versine.value - profile->inner_versine.value;
-    const double cone = 1.5 * moved + 3 * unit + 4 * DBL_EPSILON / width;
-    const double error = power_slope(profile->exponent) * off;
-    switch (profile->falloff) {
-    case LX_NO_CONE: return error;
-    case LX_HARD: return error + 4 * DBL_EPSILON / profile->outer_versine.value;
-    case LX_LINEAR:
-    case LX_SMOOTHSTEP: return error + cone; /* t dg/dt is at most 1 */
-    case LX_SQUARED: break;
-    }
-    return error + 2 * cone;
-}
-
 static double dot(const double a[3], const double b[3])
 {
     return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
@@ -149,20 +121,25 @@ static double lobe_error(const struct lx_lobe *lobe, double least_half, double o
     if (lobe->model == LX_BLINN_PHONG)
         angle = (off + 2 * unit) / least_half + 3 * unit;
     double weight = lobe->highlight == LX_HIGHLIGHT_COSINE ? off + unit : 0;
-    return error + lobe->specular.value * (power_slope(lobe->exponent) * angle + weight + 12 * unit);
+    return error + lobe->specular.value * (lx_power_slope(lobe->exponent) * angle + weight + 12 * unit);
 }
 
 double lx_bound_stand(const struct lx_shape *shape, const struct lx_lobe *lobe, const struct lx_emitter *emitter,
                       double strength, const struct lx_stand *stand)
 {
-    double radius = shape->radius_mm, off = unit, attenuation = 1, relative = 2 * unit;
+    double radius = shape->radius_mm, off = unit, attenuation = 1, relative = 2 * unit, of_profile = 0;
     if (emitter->type == LX_POINT) {
         double moved = unit * (stand->away_mm + radius) / stand->nearest_mm;
         off = moved + 3 * unit;
-        relative = 2 * moved + 4 * unit + profile_error(&emitter->profile, off + 2 * unit, moved);
+        of_profile = lx_profile_error_single(&emitter->profile, off + 2 * unit, moved);
+        relative = 2 * moved + 4 * unit;
         attenuation = greatest_attenuation(emitter, stand->nearest_mm);
     }
     double greatest = strength * attenuation, bound = greatest * lobe_error(lobe, stand->least_half, off);
+    if (!emitter->profile.luminaire) /* it is 1 where it is greatest, */
+        relative += of_profile;
+    else /* and a luminaire's slope may be where its value is small */
+        bound += greatest * (lobe->diffuse.value + lobe->specular.value) * of_profile;
     bool moderate = is_moderate(radius) && is_moderate(stand->away_mm) && is_moderate(strength) &&
                     has_moderate_law(emitter) && is_moderate(greatest) && is_moderate(lobe->diffuse.value) &&
                     is_moderate(lobe->specular.value);
@@ -388,7 +365,7 @@ bool lx_samples_fit_single(const struct lx_shape *shape, const struct lx_lobe_do
     if (shell->type == LX_CYLINDER)
         nearest = fmax(nearest, cylinder_gap(shape, shell));
     double off = unit * (away + shell->radius_mm + shape->radius_mm) / nearest + 4 * unit;
-    double error = off * fmax(1, power_slope(lobe->exponent.value));
+    double error = off * fmax(1, lx_power_slope(lobe->exponent.value));
     bool moderate = is_moderate(away) && is_moderate(nearest) && is_moderate(shell->radius_mm) &&
                     is_moderate(shape->radius_mm) && is_moderate(shell->radiance) && is_moderate(lobe->specular);
     return nearest > 0 && moderate && error * margin <= tolerance;

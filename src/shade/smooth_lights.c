@@ -49,6 +49,8 @@ static void set_profile(const struct lx_light_double *light, struct lx_smooth_li
     lights->axis_x[i] = light->axis_x, lights->axis_y[i] = light->axis_y, lights->axis_z[i] = light->axis_z;
     lights->inner[i] = has_cone ? lx_larger(inner, 0) : has_pattern ? 0 : none[0];
     lights->outer[i] = has_cone ? lx_larger(light->cosine, 0) : has_pattern ? 0 : none[1];
+    if (light->luminaire) /* its lines are everywhere: never within the inner cone, nor dark beyond the outer one */
+        lights->inner[i] = 3, lights->outer[i] = -3;
     lights->exponent[i] = light->exponent.value;
     lights->is_broken[i] = light->exponent.value != floor(light->exponent.value);
 }

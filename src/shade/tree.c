@@ -28,11 +28,8 @@ static bool same_law(const struct lx_emitter *a, const struct lx_emitter *b)
 
 static bool same_kind(const struct lx_emitter *a, const struct lx_emitter *b)
 {
-    const struct lx_profile *p = &a->profile, *q = &b->profile;
     return a->type == LX_POINT && b->type == LX_POINT && a->is_part == b->is_part && same_law(a, b) &&
-           p->falloff == q->falloff && p->exponent == q->exponent &&
-           (p->falloff == LX_NO_CONE ||
-            (p->inner_rad.value == q->inner_rad.value && p->outer_rad.value == q->outer_rad.value));
+           lx_profile_is_alike(&a->profile, &b->profile);
 }
 
 static bool goes_on(struct lx_control *control, size_t i)
@@ -57,7 +54,7 @@ static bool has_own_tree(const struct lx_emitter_span *span)
 static void count_points(struct kinds *kinds, const struct lx_emitter *emitter, size_t points, bool has_own)
 {
     size_t kind = 0;
-    if (emitter->type != LX_POINT)
+    if (emitter->type != LX_POINT || !lx_profile_is_alike(&emitter->profile, &emitter->profile))
         return;
     while (kind < kinds->count && !same_kind(kinds->models[kind], emitter))
         kind++;
@@ -532,7 +529,7 @@ static struct lx_tree *add_tree(struct lx_forest *forest, const struct lx_emitte
 {
     struct lx_tree *tree = &forest->trees[forest->tree_count++];
     tree->model = *model;
-    tree->has_axis = model->profile.falloff != LX_NO_CONE || model->profile.exponent > 0;
+    tree->has_axis = !lx_profile_is_isotropic(&model->profile);
     tree->pattern = lx_power_of(model->profile.exponent);
     return tree;
 }

@@ -9,6 +9,7 @@ import jsonschema
 import yaml
 from good_scenes import FILES, good_scene
 from malformed import LIGHT, SPOT, TEXTS, scenes
+import luminaires
 from tap import Tap
 from tool import SCENE, run_tests
 from yaml12 import read
@@ -202,6 +203,10 @@ def random_scenes(tap, tool):
         "surfaces": [{"type": "disk", "center": [0, 0, 0], "radius": 300, "axis": [0, 1, 2]},
                      {"type": "cylinder", "center": [0, 0, 500], "radius": 90, "height": 200, "axis": [1, 1, 0]}],
         "lights": [{"type": "point", "position": [0, 900, 2000], "intensity": 5}]}))
+    tool.write("lamp.ies", luminaires.HEAD + luminaires.AXIAL)
+    made.append(("scene of a luminaire", {**made[-1][1], "lights": [
+        {"type": "luminaire", "file": "lamp.ies", "position": [0, 0, 2500], "c0": [0, 1, 0], "flux": 900, "factor": 0.8,
+         "interpolation": "cosine"}]}))
     used = set()
     for title, scene in made:
         complaints = judges.complaints(scene)
