@@ -1,18 +1,19 @@
 /* SPDX-License-Identifier: MIT */
-/* Exact values at many places, by several threads. */
+/* Exact values at many places, batch by batch, by several threads. */
 #include <luxel/evaluator.h>
+
+#include <string.h>
 
 #include "../base/rows.h"
 #include "../shade/evaluate.h"
-
-/* Places are handed out so many at once: some tens of microseconds of work where there is one source. */
-enum { PLACES_AT_ONCE = 32 };
+#include "../shade/world.h"
 
 /* A control counts its rows in an unsigned; more places than this go one part after the other. */
 static const size_t MOST_AT_A_TIME = (size_t)1 << 30;
 
 struct evaluating {
     const luxel_evaluator *evaluator;
+    struct lx_world world;
     struct lx_control *control;
     const luxel_place *places;
     luxel_value *values;
@@ -20,23 +21,189 @@ struct evaluating {
     size_t lights;
 };
 
+/* A batch, and which of the places its elements are. */
+struct batch {
+    const struct evaluating *work;
+    const struct lx_asking *asking;
+    struct lx_elements elements;
+    size_t of[LX_BATCH];
+};
+
+static double *shares_of(const struct evaluating *work, size_t place)
+{
+    return work->shares ? work->shares + place * work->lights : NULL;
+}
+
+/* The places' shares of one light. */
+static void tell_shares(const struct batch *batch, size_t light, const struct lx_column *value)
+{
+    for (size_t i = 0; batch->work->shares && i < batch->elements.count; i++)
+        shares_of(batch->work, batch->of[i])[light] = value->value[i];
+}
+
+static void tell_value(const struct batch *batch, size_t i, const luxel_value *found)
+{
+    const struct evaluating *work = batch->work;
+    work->values[batch->of[i]] = *found;
+    if (!found->has_value && work->shares)
+        memset(shares_of(work, batch->of[i]), 0, work->lights * sizeof *work->shares);
+}
+
+/* Sums the lights of a batch. */
+static void light_batch(const struct batch *batch)
+{
+    const struct evaluating *work = batch->work;
+    const struct lx_elements *elements = &batch->elements;
+    const struct lx_prepared *prepared = work->world.prepared;
+    const enum lx_wanted wanted =
+        work->evaluator->settings.quantity == LUXEL_IRRADIANCE ? LX_WANT_IRRADIANCE : LX_WANT_BRIGHTNESS;
+    struct lx_received received;
+    struct lx_column value, total = {.value = {0}};
+    bool has_value[LX_BATCH];
+    memset(has_value, 1, sizeof has_value);
+    for (size_t next = 0; next < prepared->emitters.count && lx_asking_goes_on(batch->asking);) {
+        struct lx_emitter room;
+        const size_t light = lx_emitter_at(&prepared->emitters, next, &room)->light;
+        lx_world_light(&work->world, elements, wanted, batch->asking, &next, &received);
+        work->world.kernels->elements->sum(&received, wanted, elements->count, &value, &total);
+        for (size_t i = 0; i < elements->count; i++)
+            has_value[i] = has_value[i] && !received.on_element[i];
+        tell_shares(batch, light, &value);
+    }
+    for (size_t i = 0; i < elements->count; i++) {
+        const luxel_place *place = &work->places[batch->of[i]];
+        const lx_bounded sum = {total.value[i], total.error[i]};
+        luxel_value found = {
+            .on_surface = true,
+            .surface = elements->own[i] > 0 ? elements->own[i] - 1 : place->surface,
+            .position_mm = {elements->place_mm.x.value[i], elements->place_mm.y.value[i],
+                            elements->place_mm.z.value[i]},
+            .normal = {elements->normal.x.value[i], elements->normal.y.value[i], elements->normal.z.value[i]},
+            .has_value = has_value[i],
+            .value = has_value[i] ? sum.value : 0,
+            .error = has_value[i] ? lx_told_error(sum) : 0,
+        };
+        tell_value(batch, i, &found);
+    }
+}
+
+static const struct lx_lobe *lobe_of(const struct batch *batch, size_t i)
+{
+    const uint32_t own = batch->elements.own[i];
+    return &batch->work->world.prepared->surfaces[own > 0 ? own - 1 : batch->work->places[batch->of[i]].surface].lobe;
+}
+
+/* Lights a batch whose elements may have several lobes: those of each by themselves. */
+static void light_by_lobes(struct batch *batch)
+{
+    const struct lx_elements *all = &batch->elements;
+    bool is_done[LX_BATCH] = {false};
+    for (size_t first = 0; first < all->count; first++) {
+        const struct lx_lobe *lobe = lobe_of(batch, first);
+        struct batch part = {.work = batch->work, .asking = batch->asking};
+        if (is_done[first])
+            continue;
+        lx_elements_begin(&part.elements, lobe, all->are_free);
+        for (size_t i = first; i < all->count; i++)
+            if (lobe_of(batch, i) == lobe) {
+                part.of[part.elements.count] = batch->of[i];
+                lx_elements_copy(&part.elements, all, i);
+                is_done[i] = true;
+            }
+        lx_elements_end(&part.elements);
+        light_batch(&part);
+    }
+}
+
+static void light_elements(struct batch *batch)
+{
+    bool is_one = true;
+    for (size_t i = 1; i < batch->elements.count; i++)
+        is_one = is_one && lobe_of(batch, i) == lobe_of(batch, 0);
+    batch->elements.lobe = lobe_of(batch, 0);
+    if (is_one)
+        light_batch(batch);
+    else
+        light_by_lobes(batch);
+}
+
+/* Whether a place is a free element like another that begins a batch. */
+static bool is_alike(const struct evaluating *work, const luxel_place *place, const luxel_place *first)
+{
+    return place->is_element && lx_is_place(place) && place->surface < work->world.prepared->surface_count &&
+           place->has_view == first->has_view;
+}
+
+/* Evaluates the free elements from `first` on that are alike; returns behind the last of them. */
+static size_t evaluate_alike(const struct evaluating *work, const struct lx_asking *asking, size_t first, size_t last)
+{
+    const luxel_place *place = &work->places[first];
+    struct batch batch = {.work = work, .asking = asking};
+    size_t next = first;
+    lx_elements_begin(&batch.elements, NULL, true);
+    for (; next < last && batch.elements.count < LX_BATCH && is_alike(work, &work->places[next], place); next++) {
+        const luxel_place *at = &work->places[next];
+        batch.of[batch.elements.count] = next;
+        lx_elements_append_place(&batch.elements, lx_exact3(at->position_mm), lx_exact3(at->normal),
+                                 at->has_view ? at->view : NULL);
+    }
+    lx_elements_end(&batch.elements);
+    lx_world_settle(&work->world, &(struct lx_settling){.has_views = place->has_view}, &batch.elements);
+    light_elements(&batch);
+    return next;
+}
+
+/* Evaluates what is seen through the screen points from `first` on; returns behind the last of them. */
+static size_t evaluate_seen(const struct evaluating *work, const struct lx_asking *asking, size_t first, size_t last)
+{
+    struct batch batch = {.work = work, .asking = asking};
+    size_t next = first;
+    lx_elements_begin(&batch.elements, NULL, false);
+    for (; next < last && batch.elements.count < LX_BATCH && !work->places[next].is_element; next++) {
+        const luxel_place *at = &work->places[next];
+        struct lx_element element;
+        if (lx_is_place(at) && lx_element_seen(work->world.prepared, at->screen_mm[0], at->screen_mm[1], &element)) {
+            batch.of[batch.elements.count] = next;
+            lx_elements_append(work->world.prepared, &batch.elements, &element);
+            continue;
+        }
+        work->values[next] = (luxel_value){.on_surface = false};
+        if (work->shares)
+            memset(shares_of(work, next), 0, work->lights * sizeof *work->shares);
+    }
+    lx_elements_end(&batch.elements);
+    if (batch.elements.count > 0)
+        light_elements(&batch);
+    return next;
+}
+
 /* For the threads a place is a row. */
 static void evaluate(void *data, unsigned worker, bool is_caller, unsigned first, unsigned last)
 {
     const struct evaluating *work = data;
+    const struct lx_asking asking = {.control = work->control, .is_caller = is_caller};
     (void)worker;
-    for (size_t i = first; i < last && lx_control_goes_on(work->control, is_caller); i++)
-        work->values[i] = luxel_evaluate_place(work->evaluator, &work->places[i],
-                                               work->shares ? work->shares + i * work->lights : NULL);
+    for (size_t i = first; i < last && lx_control_goes_on(work->control, is_caller);) {
+        const luxel_place *place = &work->places[i];
+        if (!place->is_element) {
+            i = evaluate_seen(work, &asking, i, last);
+        } else if (is_alike(work, place, place)) {
+            i = evaluate_alike(work, &asking, i, last);
+        } else {
+            work->values[i] = luxel_evaluate_place(work->evaluator, place, shares_of(work, i));
+            i++;
+        }
+    }
 }
 
 static bool evaluate_part(struct evaluating *work, unsigned count)
 {
     const luxel_settings *settings = &work->evaluator->settings;
     struct lx_control control = {.rows = count, .progress = settings->progress, .data = settings->progress_data};
-    const struct lx_rows_part part = {.last = count, .tile_rows = PLACES_AT_ONCE, .work = evaluate, .data = work};
+    const unsigned batch = lx_world_batch(&work->world);
+    const struct lx_rows_part part = {.last = count, .tile_rows = batch, .work = evaluate, .data = work};
     work->control = &control;
-    return lx_rows_run_part(&control, lx_thread_count(settings->threads, count / PLACES_AT_ONCE + 1), &part);
+    return lx_rows_run_part(&control, lx_thread_count(settings->threads, count / batch + 1), &part);
 }
 
 luxel_status luxel_evaluate_places(const luxel_evaluator *evaluator, const luxel_place *places, size_t count,
@@ -45,10 +212,13 @@ luxel_status luxel_evaluate_places(const luxel_evaluator *evaluator, const luxel
     if (!evaluator || (count > 0 && (!places || !values)))
         return LUXEL_ERROR_ARGUMENT;
     struct evaluating work = {.evaluator = evaluator,
+                              .world = {&evaluator->prepared, evaluator->kernels},
                               .places = places,
                               .values = values,
                               .shares = shares,
                               .lights = luxel_evaluator_light_count(evaluator)};
+    if (shares)
+        memset(shares, 0, count * work.lights * sizeof *shares);
     while (count > 0) {
         const size_t now = count < MOST_AT_A_TIME ? count : MOST_AT_A_TIME;
         if (!evaluate_part(&work, (unsigned)now))

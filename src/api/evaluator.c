@@ -27,9 +27,11 @@ luxel_status luxel_evaluator_new(const luxel_scene *scene, const luxel_settings 
     struct luxel_evaluator *made = lx_new_array(1, sizeof *made);
     if (!made)
         return lx_out_of_memory(diagnostics);
-    luxel_status status = lx_settings_check(scene, settings, diagnostics, &made->settings);
-    if (status == LUXEL_OK)
-        status = lx_session_prepare(scene, &made->settings, diagnostics, &made->prepared);
+    struct lx_session session;
+    const luxel_status status = lx_session_open_world(scene, settings, diagnostics, &session);
+    made->settings = session.settings;
+    made->kernels = session.kernels;
+    made->prepared = session.prepared;
     if (status == LUXEL_OK)
         *evaluator = made;
     else

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* Measuring grids: the reference at the centre of each cell, in parallel, and what is read off the values. */
+/* Measuring grids: the light at the centre of each cell, batch by batch, and what is read off the values. */
 #include "grid.h"
 
 #include <float.h>
@@ -13,7 +13,9 @@
 #include "../base/number.h"
 #include "../base/rows.h"
 #include "../scene/scene.h"
+#include "../shade/evaluate.h"
 #include "../shade/flux.h"
+#include "../shade/world.h"
 #include "session.h"
 
 void luxel_grid_free(luxel_grid *grid)
@@ -50,50 +52,79 @@ luxel_status luxel_scene_grid_resolution(const luxel_scene *scene, size_t i, uns
 
 /* One measurement under way. */
 struct measuring {
-    const struct lx_prepared *prepared;
+    struct lx_world world;
+    const struct lx_prepared *prepared; /* of the world */
     struct lx_control *control;
     unsigned threads;
     struct lx_lobe lobe;
     struct lx_measured *made;
+    struct lx_lattice lattice; /* of its cells */
     double *values, *errors;
     uint8_t *mask;
 };
 
-/* The sum over the lights; false where one of them lies on the element, with that light. */
-static bool measure_cell(const struct measuring *measuring, size_t cell, lx_bounded *sum, size_t *blocking_light)
+/* The elements at the centres of some cells. */
+static void make_elements(const struct measuring *measuring, unsigned first, unsigned count,
+                          struct lx_elements *elements)
 {
-    const struct lx_prepared *prepared = measuring->prepared;
-    unsigned columns = measuring->made->grid.columns;
-    struct lx_element element = lx_cell_element(prepared, &measuring->made->cells, (unsigned)(cell % columns),
-                                                (unsigned)(cell / columns), &measuring->lobe);
-    *sum = lx_exact(0);
-    for (size_t i = 0; i < prepared->emitters.count; i++) {
-        struct lx_emitter room;
-        const struct lx_emitter *emitter = lx_emitter_at(&prepared->emitters, i, &room);
-        struct lx_lighting light = lx_light_element(prepared, &element, emitter);
-        if (light.on_element) {
-            *blocking_light = emitter->light;
-            return false;
-        }
-        *sum = lx_add(*sum, light.irradiance);
-    }
-    return true;
+    const unsigned columns = measuring->lattice.cells.n[0];
+    lx_elements_begin(elements, &measuring->lobe, true);
+    for (unsigned cell = first; cell < first + count; cell++)
+        lx_elements_append_place(elements, lx_lattice_place(&measuring->lattice, cell % columns, cell / columns),
+                                 measuring->lattice.cells.normal, NULL);
+    lx_elements_end(elements);
+    lx_world_settle(&measuring->world, &(struct lx_settling){.has_normals = true}, elements);
 }
 
-/* For the pool a cell is a row: one alone may be worth a thread, where it takes an integral. */
+/* For the pool a cell is a row; where light takes integrals one alone may be worth a thread. */
 static void measure_cells(void *data, unsigned worker, bool is_caller, unsigned first, unsigned last)
 {
     struct measuring *measuring = data;
+    const struct lx_asking asking = {.control = measuring->control, .is_caller = is_caller};
+    struct lx_elements elements;
+    struct lx_received received;
     (void)worker;
-    for (unsigned cell = first; cell < last && lx_control_goes_on(measuring->control, is_caller); cell++) {
-        lx_bounded sum;
-        size_t light;
-        if (!measure_cell(measuring, cell, &sum, &light))
-            continue;
-        measuring->mask[cell] = 1;
-        measuring->values[cell] = sum.value;
-        measuring->errors[cell] = sum.error >= 0 ? sum.error : HUGE_VAL; /* the bound itself may leave the range */
+    for (unsigned cell = first; cell < last && lx_asking_goes_on(&asking); cell += LX_BATCH) {
+        const unsigned count = last - cell < LX_BATCH ? last - cell : LX_BATCH;
+        make_elements(measuring, cell, count, &elements);
+        lx_world_all_light(&measuring->world, &elements, LX_WANT_IRRADIANCE, &asking, &received);
+        for (unsigned i = 0; i < count; i++) {
+            if (received.on_element[i])
+                continue;
+            const lx_bounded irradiance = {received.irradiance.value[i], received.irradiance.error[i]};
+            measuring->mask[cell + i] = 1;
+            measuring->values[cell + i] = irradiance.value;
+            measuring->errors[cell + i] = lx_told_error(irradiance);
+        }
     }
+}
+
+/* The pool's part of all cells. */
+static bool measure(struct measuring *measuring, bool counts_itself)
+{
+    const struct lx_cells *cells = &measuring->lattice.cells;
+    const struct lx_rows_part part = {.last = cells->n[0] * cells->n[1],
+                                      .tile_rows = lx_world_batch(&measuring->world),
+                                      .counts_itself = counts_itself,
+                                      .work = measure_cells,
+                                      .data = measuring};
+    return lx_rows_run_part(measuring->control, measuring->threads, &part);
+}
+
+/* The light that lies on a cell. */
+static size_t light_on(const struct measuring *measuring, size_t cell)
+{
+    struct lx_elements elements;
+    make_elements(measuring, (unsigned)cell, 1, &elements);
+    for (size_t next = 0; next < measuring->prepared->emitters.count;) {
+        struct lx_emitter room;
+        const size_t light = lx_emitter_at(&measuring->prepared->emitters, next, &room)->light;
+        struct lx_received received;
+        lx_world_light(&measuring->world, &elements, LX_WANT_IRRADIANCE, NULL, &next, &received);
+        if (received.on_element[0])
+            return light;
+    }
+    return 0;
 }
 
 static void note_extremum(const struct measuring *measuring, size_t cell, luxel_grid_extremum *extremum)
@@ -114,7 +145,7 @@ static void gather(const struct measuring *measuring)
     for (size_t i = 0; i < cells; i++) {
         if (!measuring->mask[i]) {
             if (grid->measured == i)
-                measure_cell(measuring, i, &(lx_bounded){0}, &grid->blocking_light);
+                grid->blocking_light = light_on(measuring, i);
             continue;
         }
         double value = measuring->values[i];
@@ -226,22 +257,23 @@ static void integrate(const struct measuring *measuring)
 static double sum_of_other(const struct measuring *measuring, struct lx_measured *other)
 {
     const size_t cells = (size_t)other->grid.columns * other->grid.rows;
-    struct measuring coarse = {.prepared = measuring->prepared,
+    struct measuring coarse = {.world = measuring->world,
+                               .prepared = measuring->prepared,
                                .control = measuring->control,
+                               .threads = measuring->threads,
                                .lobe = measuring->lobe,
                                .made = other,
                                .values = lx_new_array(cells, sizeof *coarse.values),
                                .errors = lx_new_array(cells, sizeof *coarse.errors),
                                .mask = lx_new_array(cells, sizeof *coarse.mask)};
-    const struct lx_rows_part part = {
-        .last = (unsigned)cells, .counts_itself = true, .work = measure_cells, .data = &coarse};
-    bool is_whole = coarse.values && coarse.errors && coarse.mask &&
-                    lx_rows_run_part(measuring->control, measuring->threads, &part);
+    bool is_whole = lx_lattice_make(&other->cells, &coarse.lattice) == 0 && coarse.values && coarse.errors &&
+                    coarse.mask && measure(&coarse, true);
     lx_wide sum = lx_wide_of(0);
     for (size_t cell = 0; cell < cells && is_whole; cell++) {
         is_whole = coarse.mask[cell];
         sum = lx_wide_add(sum, lx_wide_of(coarse.values[cell]));
     }
+    lx_lattice_clear(&coarse.lattice);
     free(coarse.values);
     free(coarse.errors);
     free(coarse.mask);
@@ -277,22 +309,38 @@ static void judge_sampling(const struct measuring *measuring)
     grid->is_coarse = grid->has_sampling_error && grid->sampling_error > COARSE * size;
 }
 
+static void value_of(lx_bounded3 a, double value[3])
+{
+    value[0] = a.x.value, value[1] = a.y.value, value[2] = a.z.value;
+}
+
+/* Whether the plane of the cells may meet the body that a shape bounds. */
+static bool meets_plane(const struct measuring *measuring, const struct lx_shape *shape)
+{
+    const luxel_grid *grid = &measuring->made->grid;
+    double height = 0, size = shape->radius_mm;
+    for (int k = 0; k < 3; k++) {
+        height += grid->axis[k] * (shape->anchor_mm[k] - grid->center_mm[k]);
+        size += fabs(shape->anchor_mm[k]) + fabs(grid->center_mm[k]);
+    }
+    return !(fabs(height) > shape->radius_mm + 1e-12 * size);
+}
+
 /* The cells inside of bodies. */
 static void find_enclosed(const struct measuring *measuring)
 {
     luxel_grid *grid = &measuring->made->grid;
-    for (size_t cell = 0; cell < (size_t)grid->columns * grid->rows; cell++) {
+    const struct lx_prepared *prepared = measuring->prepared;
+    bool any = false;
+    for (size_t s = 0; s < prepared->surface_count && !any; s++)
+        any = meets_plane(measuring, &prepared->surfaces[s].shape);
+    for (unsigned cell = 0; any && cell < grid->columns * grid->rows; cell++) {
         double place_mm[3];
-        luxel_grid_position(grid, (unsigned)(cell % grid->columns), (unsigned)(cell / grid->columns), place_mm);
-        const struct lx_prepared_surface *around = lx_surface_around(measuring->prepared, place_mm);
+        value_of(lx_lattice_place(&measuring->lattice, cell % grid->columns, cell / grid->columns), place_mm);
+        const struct lx_prepared_surface *around = lx_surface_around(prepared, place_mm);
         if (around && grid->enclosed++ == 0)
-            grid->enclosing_surface = (size_t)(around - measuring->prepared->surfaces);
+            grid->enclosing_surface = (size_t)(around - prepared->surfaces);
     }
-}
-
-static void value_of(lx_bounded3 a, double value[3])
-{
-    value[0] = a.x.value, value[1] = a.y.value, value[2] = a.z.value;
 }
 
 static void describe(const struct lx_grid *from, struct lx_measured *made)
@@ -339,6 +387,8 @@ static luxel_status new_grid(const struct lx_session *session, const struct lx_g
     if (!grid->values || !grid->errors || !grid->mask || (from->name && !grid->name))
         return lx_out_of_memory(diagnostics);
     describe(from, measuring->made);
+    if (lx_lattice_make(&measuring->made->cells, &measuring->lattice))
+        return lx_out_of_memory(diagnostics);
     grid->unit = lx_unit_of(&session->prepared, LUXEL_IRRADIANCE);
     return LUXEL_OK;
 }
@@ -351,7 +401,7 @@ static luxel_status run(const struct lx_session *session, struct measuring *meas
         .rows = grid->columns * grid->rows, .progress = settings->progress, .data = settings->progress_data};
     measuring->control = &control;
     measuring->threads = lx_thread_count(settings->threads, control.rows / 4 + 1);
-    if (!lx_rows_run(&control, measuring->threads, measure_cells, measuring))
+    if (!measure(measuring, false))
         return LUXEL_CANCELLED;
     gather(measuring);
     if (grid->measured > 0 && !isfinite(grid->average)) {
@@ -384,14 +434,17 @@ luxel_status luxel_measure(const luxel_scene *scene, const luxel_settings *setti
                            luxel_diagnostics *diagnostics, luxel_grid **grid)
 {
     struct lx_session session;
-    struct measuring measuring = {.prepared = &session.prepared, .lobe = lx_lobe_irradiance()};
-    luxel_status status = lx_session_open(scene, settings, diagnostics, &session);
+    struct measuring measuring = {
+        .world.prepared = &session.prepared, .prepared = &session.prepared, .lobe = lx_lobe_irradiance()};
+    luxel_status status = lx_session_open_world(scene, settings, diagnostics, &session);
+    measuring.world.kernels = session.kernels;
     if (status == LUXEL_OK)
         status = check_call(scene, i, grid, diagnostics);
     if (status == LUXEL_OK)
         status = new_grid(&session, find_grid(scene, i), diagnostics, &measuring);
     if (status == LUXEL_OK)
         status = run(&session, &measuring, diagnostics);
+    lx_lattice_clear(&measuring.lattice);
     lx_session_clear(&session);
     if (status == LUXEL_OK)
         *grid = &measuring.made->grid;

@@ -95,8 +95,8 @@ luxel_status lx_session_prepare(const luxel_scene *scene, const luxel_settings *
     return LUXEL_ERROR_MEMORY;
 }
 
-luxel_status lx_session_open(const luxel_scene *scene, const luxel_settings *settings, luxel_diagnostics *diagnostics,
-                             struct lx_session *session)
+luxel_status lx_session_open_world(const luxel_scene *scene, const luxel_settings *settings,
+                                   luxel_diagnostics *diagnostics, struct lx_session *session)
 {
     memset(session, 0, sizeof *session);
     luxel_status status = lx_settings_check(scene, settings, diagnostics, &session->settings);
@@ -104,6 +104,13 @@ luxel_status lx_session_open(const luxel_scene *scene, const luxel_settings *set
         status = choose_kernels(session, diagnostics);
     if (status == LUXEL_OK)
         status = lx_session_prepare(scene, &session->settings, diagnostics, &session->prepared);
+    return status;
+}
+
+luxel_status lx_session_open(const luxel_scene *scene, const luxel_settings *settings, luxel_diagnostics *diagnostics,
+                             struct lx_session *session)
+{
+    luxel_status status = lx_session_open_world(scene, settings, diagnostics, session);
     if (status == LUXEL_OK) {
         status = lx_plan_make(&session->prepared, session->kernels, &session->settings, &session->plan);
         if (status == LUXEL_ERROR_MEMORY)

@@ -25,7 +25,12 @@ luxel_status lx_settings_check(const luxel_scene *scene, const luxel_settings *s
 luxel_status lx_session_prepare(const luxel_scene *scene, const luxel_settings *settings,
                                 luxel_diagnostics *diagnostics, struct lx_prepared *prepared);
 
-/* Release with lx_session_clear() whatever it returns.  Errors as luxel_render() lists them. */
+/* The same for the settings, with kernels, but without a plan: for whoever needs no picture. */
+luxel_status lx_session_open_world(const luxel_scene *scene, const luxel_settings *settings,
+                                   luxel_diagnostics *diagnostics, struct lx_session *session);
+
+/* With the plan of the picture.  Release with lx_session_clear() whatever they return.  Errors as luxel_render() lists
+ * them. */
 luxel_status lx_session_open(const luxel_scene *scene, const luxel_settings *settings, luxel_diagnostics *diagnostics,
                              struct lx_session *session);
 void lx_session_clear(struct lx_session *session);

@@ -7,8 +7,11 @@
 
 #include "reference.h"
 
+struct lx_kernels;
+
 struct luxel_evaluator {
     luxel_settings settings;
+    const struct lx_kernels *kernels;
     struct lx_prepared prepared;
 };
 

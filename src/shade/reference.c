@@ -91,9 +91,8 @@ static lx_bounded blocked_by(const struct lx_prepared_surface *surface, const st
     return lx_shape_hides(&surface->shape, element->place_mm, element->normal, way, endless);
 }
 
-/* 1 where the way from the element to the emitter is free, 0 where a surface stands in it. */
-static lx_bounded openness(const struct lx_prepared *prepared, const struct lx_element *element,
-                           const struct lx_emitter *emitter)
+lx_bounded lx_openness_of(const struct lx_prepared *prepared, const struct lx_element *element,
+                          const struct lx_emitter *emitter)
 {
     lx_bounded open = lx_exact(1);
     const bool casts = element->is_free ? prepared->shadows_on_free : prepared->shadows;
@@ -143,7 +142,7 @@ struct lx_lighting lx_light_element(const struct lx_prepared *prepared, const st
             .diffuse = lx_mul(element->lobe->ambient, sample.e_perp),
         };
     struct lx_reflection reflection = lx_lobe_reflect(element->lobe, element->normal, element->view, sample.towards);
-    lx_bounded e_perp = lx_mul(sample.e_perp, openness(prepared, element, emitter));
+    lx_bounded e_perp = lx_mul(sample.e_perp, lx_openness_of(prepared, element, emitter));
     return (struct lx_lighting){
         .irradiance = lx_mul(e_perp, reflection.cosine),
         .diffuse = lx_mul(e_perp, reflection.diffuse),

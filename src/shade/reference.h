@@ -43,6 +43,10 @@ struct lx_lighting {
     size_t parts; /* points of an extended emitter that were looked at; 0: a closed form did */
 };
 
+/* 1 where the way from the element to a point or in a direction is free, 0 where a surface stands in it. */
+lx_bounded lx_openness_of(const struct lx_prepared *prepared, const struct lx_element *element,
+                          const struct lx_emitter *emitter);
+
 struct lx_lighting lx_light_element(const struct lx_prepared *prepared, const struct lx_element *element,
                                     const struct lx_emitter *emitter);
 

@@ -5,10 +5,6 @@
 #include "../base/vector.h"
 #include "beside.h"
 
-/* An element whose normal is off by less than this (1 less the cosine, for about a milliradian) has the normal of the
- * surface that it lies on, as far as who typed it could tell. */
-static const double SAME_NORMAL = 5e-7;
-
 /* In general light from the other side of the tangent plane has to come through the surface. */
 static lx_bounded tangent_hides(const double own[3], double facing, lx_bounded3 towards)
 {
@@ -26,11 +22,11 @@ lx_bounded lx_shape_hides(const struct lx_shape *shape, lx_bounded3 place_mm, lx
         offset[i] = places[i]->value - shape->anchor_mm[i];
     shape->kind->normal(shape, offset, own);
     const double facing = lx_dot(own, (double[]){normal.x.value, normal.y.value, normal.z.value});
-    if (facing >= 1 - SAME_NORMAL)
+    if (facing >= 1 - LX_SAME_NORMAL)
         return lx_exact(0);
     if (shape->kind->hides)
         return shape->kind->hides(shape, place_mm, facing, towards, endless);
-    return facing <= SAME_NORMAL - 1 ? lx_exact(0) : tangent_hides(own, facing, towards);
+    return facing <= LX_SAME_NORMAL - 1 ? lx_exact(0) : tangent_hides(own, facing, towards);
 }
 
 bool lx_shape_encloses(const struct lx_shape *shape, const double place_mm[3])

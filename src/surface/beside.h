@@ -8,6 +8,10 @@
 
 #include "surface.h"
 
+/* An element whose normal is off by less than this (1 less the cosine, for about a milliradian) has the normal of the
+ * surface that it lies on, as far as who typed it could tell. */
+#define LX_SAME_NORMAL 5e-7
+
 /*
  * Whether the shape takes light from an element that it holds, on the side that the element's unit normal looks to; it
  * takes none where that is the surface's own normal.  The way to the light and the answer are as of `blocks`.

@@ -1,0 +1,117 @@
+/* SPDX-License-Identifier: MIT */
+/*
+ * Batches of surface elements anywhere, as they are for the reference (reference.h), but side by side: a structure of
+ * arrays of bounded numbers.  Measuring grids, probes, evaluators and sections hand over such batches to a world
+ * (world.h), which knows no picture.
+ *
+ * What lights a batch are the operations of the reference on vectors, in the same order and without contraction, one
+ * source compiled once for each instruction set (kernel_bounded.c).  So an element's number and its bound are those of
+ * the reference to the last bit, whatever the set, the batch and the place in it.
+ */
+#ifndef LX_SHADE_ELEMENTS_H
+#define LX_SHADE_ELEMENTS_H
+
+#include <stdint.h>
+
+#include "blocking.h"
+#include "reference.h"
+
+/* So many elements are in a batch, and no vector has more numbers than that. */
+enum { LX_BATCH = 64, LX_VECTOR = 8 };
+
+/* Bounded numbers of a batch, in whole vectors. */
+struct lx_column {
+    _Alignas(64) double value[LX_BATCH];
+    double error[LX_BATCH];
+};
+
+struct lx_columns3 {
+    struct lx_column x, y, z;
+};
+
+/* Balls are larger than what they hold by this share of how far that is from the origin. */
+#define LX_BALL_ROOM 1e-12
+
+struct lx_elements {
+    size_t count;
+    const struct lx_lobe *lobe; /* all have the same */
+    bool are_free;              /* as struct lx_element has it */
+    struct lx_columns3 place_mm, normal, view;
+    uint32_t own[LX_BATCH]; /* the surface that each lies on, from 1; 0: none */
+    /*
+     * Of a free element with a normal of its own, what its own surface leaves: the light that comes from where its
+     * `side` looks to.  0 where all is left.  Where `asks` is set only the reference knows.
+     */
+    _Alignas(64) double side_x[LX_BATCH];
+    double side_y[LX_BATCH], side_z[LX_BATCH];
+    bool has_sides;
+    bool asks[LX_BATCH];
+    bool has_exact_normals;
+    struct lx_ball around; /* all places, with room for rounding */
+};
+
+/*
+ * A batch begins, gets elements and ends: then it goes on to whole vectors.  Elements are appended as the reference made
+ * them, or as places whose normals, not yet of unit length, and views, unless they are NULL, come with them
+ * (lx_world_settle() completes those), or from another batch of the same lobe.
+ */
+void lx_elements_begin(struct lx_elements *elements, const struct lx_lobe *lobe, bool are_free);
+void lx_elements_append(const struct lx_prepared *prepared, struct lx_elements *elements,
+                        const struct lx_element *element);
+void lx_elements_append_place(struct lx_elements *elements, lx_bounded3 place_mm, lx_bounded3 normal,
+                              const double view[3]);
+void lx_elements_copy(struct lx_elements *to, const struct lx_elements *from, size_t k);
+void lx_elements_end(struct lx_elements *elements);
+
+/* Element i of a batch on its own, and a vector of it. */
+struct lx_element lx_elements_get(const struct lx_prepared *prepared, const struct lx_elements *elements, size_t i);
+lx_bounded3 lx_columns_get(const struct lx_columns3 *columns, size_t i);
+
+/* The light that a batch receives from some emitters. */
+struct lx_received {
+    struct lx_column irradiance, diffuse, specular;
+    size_t parts[LX_BATCH];    /* as in struct lx_lighting */
+    bool on_element[LX_BATCH]; /* one of the emitters lies on the element: there is no value */
+};
+
+/* What is asked of a batch; the rest of what is received means nothing. */
+enum lx_wanted { LX_WANT_IRRADIANCE = 1, LX_WANT_BRIGHTNESS = 2 };
+
+/* Whether light gets from an emitter to elements, 1 or 0; where that is in doubt, the reference is to be asked. */
+struct lx_openness {
+    struct lx_column open;
+    bool in_doubt[LX_BATCH];
+    bool any_in_doubt;
+};
+
+/* The ways from elements to an emitter that is a point or a direction. */
+struct lx_ways {
+    bool endless;
+    double to[3]; /* the place of a point, the unit vector of a direction */
+};
+
+/* The functions of one instruction set. */
+struct lx_element_kernels {
+    /* Makes unit vectors of columns of exact values, `count` of them. */
+    void (*unit)(struct lx_columns3 *columns, size_t count);
+    /* The views from elements to a place, exact, whose columns are set. */
+    void (*look_at)(const double place_mm[3], struct lx_elements *elements);
+    /* By the type of a shape; NULL where only its kind knows.  Sets own[i] to `surface`, its number from 1, where it is 0
+     * and the place lies on the shape, as the kind has it. */
+    void (*hold[LX_SHAPE_TYPES])(const struct lx_shape *shape, uint32_t surface, struct lx_elements *elements);
+    /* Sets what the shape leaves to elements that lie on it, or that they ask. */
+    void (*settle[LX_SHAPE_TYPES])(const struct lx_shape *shape, uint32_t surface, struct lx_elements *elements);
+    /* Closes the ways that the surfaces which elements lie on do not leave. */
+    void (*close_own)(const struct lx_ways *ways, const struct lx_elements *elements, struct lx_openness *openness);
+    /* Closes the ways that a shape stands in, of elements that do not lie on it. */
+    void (*close[LX_SHAPE_TYPES])(const struct lx_shape *shape, uint32_t surface, const struct lx_ways *ways,
+                                  const struct lx_elements *elements, struct lx_openness *openness);
+    /* Adds the light of an emitter that is not extended; open: NULL where all ways are. */
+    void (*light)(const struct lx_emitter *emitter, const struct lx_elements *elements, const struct lx_column *open,
+                  enum lx_wanted wanted, struct lx_received *received);
+    /* The value of what is received, one of the two, and a sum that it is added to. */
+    void (*sum)(const struct lx_received *received, enum lx_wanted wanted, size_t count, struct lx_column *value,
+                struct lx_column *total);
+};
+
+#endif

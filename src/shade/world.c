@@ -1,0 +1,300 @@
+/* SPDX-License-Identifier: MIT */
+/* Lighting batches of elements: by vectors where they tell, else by the reference. */
+#include "world.h"
+
+#include <math.h>
+#include <string.h>
+
+#include "../surface/beside.h"
+#include "camera.h"
+
+/* Emitters between two questions whether to go on. */
+enum { BETWEEN_CHECKS = 64 };
+
+/* Whether a batch has the light of an emitter by vectors. */
+static bool is_vectored(const struct lx_emitter *emitter)
+{
+    return !lx_is_extended(emitter);
+}
+
+unsigned lx_world_batch(const struct lx_world *world)
+{
+    return world->prepared->emitters.extended > 0 ? 1 : LX_BATCH;
+}
+
+/* ---- completing elements ---- */
+
+/* The ball around a shape, in the scene's axes. */
+static struct lx_ball ball_of(const struct lx_shape *shape)
+{
+    struct lx_ball ball = {.radius = shape->radius_mm};
+    double size = 0;
+    for (int k = 0; k < 3; k++) {
+        ball.center[k] = shape->anchor_mm[k];
+        size += fabs(shape->anchor_mm[k]);
+    }
+    ball.radius = ball.radius * (1 + LX_BALL_ROOM) + LX_BALL_ROOM * size;
+    return ball;
+}
+
+/* Whether elements of a batch may lie on a shape. */
+static bool may_hold(const struct lx_shape *shape, const struct lx_elements *elements)
+{
+    const double room = 1 + 1e-8; /* what counts as on the surface, and more */
+    const struct lx_ball ball = ball_of(shape), *around = &elements->around;
+    double square = 0;
+    for (int k = 0; k < 3; k++)
+        square += (ball.center[k] - around->center[k]) * (ball.center[k] - around->center[k]);
+    return !(sqrt(square) > (ball.radius + around->radius) * room);
+}
+
+static void hold(const struct lx_world *world, size_t s, struct lx_elements *elements)
+{
+    const struct lx_prepared_surface *surface = &world->prepared->surfaces[s];
+    const uint32_t number = (uint32_t)s + 1;
+    if (world->kernels->elements->hold[surface->shape.type]) {
+        world->kernels->elements->hold[surface->shape.type](&surface->shape, number, elements);
+        return;
+    }
+    for (size_t i = 0; i < LX_BATCH && i < (elements->count + LX_VECTOR - 1) / LX_VECTOR * LX_VECTOR; i++) {
+        const lx_bounded3 place = lx_columns_get(&elements->place_mm, i);
+        if (elements->own[i] == 0 &&
+            surface->kind->holds(&surface->shape, (double[]){place.x.value, place.y.value, place.z.value}))
+            elements->own[i] = number;
+    }
+}
+
+/* What a surface leaves to the elements that lie on it. */
+static void settle(const struct lx_world *world, size_t s, struct lx_elements *elements)
+{
+    const struct lx_shape *shape = &world->prepared->surfaces[s].shape;
+    bool any = false;
+    for (size_t i = 0; i < elements->count; i++)
+        any = any || elements->own[i] == s + 1;
+    if (any && world->kernels->elements->settle[shape->type])
+        world->kernels->elements->settle[shape->type](shape, (uint32_t)s + 1, elements);
+    else if (any)
+        for (size_t i = 0; i < elements->count; i++) {
+            elements->asks[i] = elements->asks[i] || elements->own[i] == s + 1;
+            elements->has_sides = true;
+        }
+}
+
+static void set_views(const struct lx_world *world, const struct lx_settling *settling, struct lx_elements *elements)
+{
+    const struct lx_observer *observer = &world->prepared->scene->observer;
+    if (settling->has_views) {
+        world->kernels->elements->unit(&elements->view, elements->count);
+    } else if (lx_views_along_z(observer)) {
+        memset(&elements->view, 0, sizeof elements->view);
+        for (size_t i = 0; i < LX_BATCH; i++)
+            elements->view.z.value[i] = 1;
+    } else {
+        world->kernels->elements->look_at((const double[]){0, 0, observer->z_mm}, elements);
+    }
+}
+
+void lx_world_settle(const struct lx_world *world, const struct lx_settling *settling, struct lx_elements *elements)
+{
+    const struct lx_prepared *prepared = world->prepared;
+    if (!settling->has_normals) {
+        world->kernels->elements->unit(&elements->normal, elements->count);
+        elements->has_exact_normals = false;
+    }
+    set_views(world, settling, elements);
+    for (size_t s = 0; s < prepared->surface_count; s++)
+        if (may_hold(&prepared->surfaces[s].shape, elements)) {
+            hold(world, s, elements);
+            settle(world, s, elements);
+        }
+}
+
+/* ---- what stands in the way ---- */
+
+/* Whether a surface may stand between the elements of a batch and an emitter. */
+static bool may_close(const struct lx_shape *shape, const struct lx_elements *elements, const struct lx_ways *ways)
+{
+    const struct lx_ball ball = ball_of(shape);
+    struct lx_ball towards = {.radius = 0};
+    for (int k = 0; k < 3; k++) {
+        towards.center[k] = ways->to[k];
+        towards.radius += LX_BALL_ROOM * fabs(ways->to[k]);
+    }
+    return lx_may_block(&ball, &elements->around, &towards, ways->endless);
+}
+
+static struct lx_ways ways_to(const struct lx_emitter *emitter)
+{
+    if (emitter->type == LX_DIRECTION)
+        return (struct lx_ways){true, {emitter->towards.x.value, emitter->towards.y.value, emitter->towards.z.value}};
+    return (struct lx_ways){false, {emitter->position_mm[0], emitter->position_mm[1], emitter->position_mm[2]}};
+}
+
+static void open_all(struct lx_openness *openness)
+{
+    for (size_t i = 0; i < LX_BATCH; i++)
+        openness->open.value[i] = 1;
+    memset(openness->open.error, 0, sizeof openness->open.error);
+    memset(openness->in_doubt, 0, sizeof openness->in_doubt);
+    openness->any_in_doubt = false;
+}
+
+/* What is in doubt, by the reference, unless something else closes the way. */
+static void settle_doubts(const struct lx_world *world, const struct lx_elements *elements,
+                          const struct lx_emitter *emitter, struct lx_openness *openness)
+{
+    for (size_t i = 0; i < elements->count; i++) {
+        if (!openness->in_doubt[i] || openness->open.value[i] == 0)
+            continue;
+        const struct lx_element element = lx_elements_get(world->prepared, elements, i);
+        const lx_bounded open = lx_openness_of(world->prepared, &element, emitter);
+        openness->open.value[i] = open.value;
+        openness->open.error[i] = open.error;
+    }
+}
+
+/* The ways from elements to an emitter that is a point or a direction; NULL: all are open. */
+static const struct lx_column *find_open(const struct lx_world *world, const struct lx_elements *elements,
+                                         const struct lx_emitter *emitter, struct lx_openness *openness)
+{
+    const struct lx_prepared *prepared = world->prepared;
+    const struct lx_element_kernels *kernels = world->kernels->elements;
+    const bool casts = elements->are_free ? prepared->shadows_on_free : prepared->shadows;
+    bool is_open = true;
+    if (!casts || emitter->is_part || emitter->type == LX_UNIFORM)
+        return NULL;
+    const struct lx_ways ways = ways_to(emitter);
+    for (size_t s = 0; s < prepared->surface_count; s++) {
+        const struct lx_shape *shape = &prepared->surfaces[s].shape;
+        if (!may_close(shape, elements, &ways))
+            continue;
+        if (is_open)
+            open_all(openness);
+        is_open = false;
+        if (kernels->close[shape->type]) {
+            kernels->close[shape->type](shape, (uint32_t)s + 1, &ways, elements, openness);
+            continue;
+        }
+        memset(openness->in_doubt, 1, sizeof openness->in_doubt);
+        openness->any_in_doubt = true;
+    }
+    if (elements->has_sides) {
+        if (is_open)
+            open_all(openness);
+        is_open = false;
+        kernels->close_own(&ways, elements, openness);
+    }
+    if (!is_open && openness->any_in_doubt)
+        settle_doubts(world, elements, emitter, openness);
+    return is_open ? NULL : &openness->open;
+}
+
+/* ---- light ---- */
+
+static void add(struct lx_column *sum, size_t i, lx_bounded number)
+{
+    const lx_bounded made = lx_add((lx_bounded){sum->value[i], sum->error[i]}, number);
+    sum->value[i] = made.value;
+    sum->error[i] = made.error;
+}
+
+/* Adds what an emitter gives to one element. */
+static void add_one(const struct lx_world *world, const struct lx_element *element, const struct lx_emitter *emitter,
+                    size_t i, struct lx_received *received)
+{
+    const struct lx_lighting lighting = lx_light_element(world->prepared, element, emitter);
+    received->on_element[i] = received->on_element[i] || lighting.on_element;
+    received->parts[i] += lighting.parts;
+    add(&received->irradiance, i, lighting.irradiance);
+    add(&received->diffuse, i, lighting.diffuse);
+    add(&received->specular, i, lighting.specular);
+}
+
+/* Which emitters are summed: those of one light, or all. */
+struct range {
+    size_t first, end;
+};
+
+/* The same as the reference makes it. */
+static void sum_one(const struct lx_world *world, const struct lx_elements *elements, size_t i,
+                    const struct range *range, const struct lx_asking *asking, struct lx_received *received)
+{
+    const struct lx_element element = lx_elements_get(world->prepared, elements, i);
+    struct lx_column *const columns[] = {&received->irradiance, &received->diffuse, &received->specular};
+    for (int k = 0; k < 3; k++)
+        columns[k]->value[i] = columns[k]->error[i] = 0;
+    received->parts[i] = 0;
+    received->on_element[i] = false;
+    for (size_t k = range->first; k < range->end && !received->on_element[i]; k++) {
+        struct lx_emitter room;
+        if (!lx_asking_at_step(asking, k, BETWEEN_CHECKS))
+            return;
+        add_one(world, &element, lx_emitter_at(&world->prepared->emitters, k, &room), i, received);
+    }
+}
+
+static bool is_finite(const struct lx_column *column, size_t i)
+{
+    return isfinite(column->value[i]) && isfinite(column->error[i]);
+}
+
+/* Where a light may lie on an element, or a number has left the range, vectors need not have done what the reference
+ * does. */
+static bool is_certain(const struct lx_received *received, enum lx_wanted wanted, size_t i)
+{
+    return !received->on_element[i] && (!(wanted & LX_WANT_IRRADIANCE) || is_finite(&received->irradiance, i)) &&
+           (!(wanted & LX_WANT_BRIGHTNESS) || (is_finite(&received->diffuse, i) && is_finite(&received->specular, i)));
+}
+
+/* Adds the light of an emitter. */
+static void add_emitter(const struct lx_world *world, const struct lx_elements *elements,
+                        const struct lx_emitter *emitter, enum lx_wanted wanted, const struct lx_asking *asking,
+                        struct lx_received *received)
+{
+    struct lx_openness openness;
+    if (is_vectored(emitter)) {
+        const struct lx_column *open = find_open(world, elements, emitter, &openness);
+        world->kernels->elements->light(emitter, elements, open, wanted, received);
+        return;
+    }
+    for (size_t i = 0; i < elements->count && lx_asking_goes_on(asking); i++) {
+        const struct lx_element element = lx_elements_get(world->prepared, elements, i);
+        if (!received->on_element[i])
+            add_one(world, &element, emitter, i, received);
+    }
+}
+
+/* Sums emitters from the first on: of the light of that one, or all. */
+static size_t sum_emitters(const struct lx_world *world, const struct lx_elements *elements, size_t first, bool one,
+                           enum lx_wanted wanted, const struct lx_asking *asking, struct lx_received *received)
+{
+    const struct lx_emitters *emitters = &world->prepared->emitters;
+    struct range range = {first, first};
+    size_t light = 0;
+    memset(received, 0, sizeof *received);
+    for (; range.end < emitters->count; range.end++) {
+        struct lx_emitter room;
+        const struct lx_emitter *emitter = lx_emitter_at(emitters, range.end, &room);
+        if ((one && range.end > first && emitter->light != light) ||
+            !lx_asking_at_step(asking, range.end, BETWEEN_CHECKS))
+            break;
+        light = emitter->light;
+        add_emitter(world, elements, emitter, wanted, asking, received);
+    }
+    for (size_t i = 0; i < elements->count; i++)
+        if (!is_certain(received, wanted, i))
+            sum_one(world, elements, i, &range, asking, received);
+    return range.end;
+}
+
+void lx_world_light(const struct lx_world *world, const struct lx_elements *elements, enum lx_wanted wanted,
+                    const struct lx_asking *asking, size_t *next, struct lx_received *received)
+{
+    *next = sum_emitters(world, elements, *next, true, wanted, asking, received);
+}
+
+void lx_world_all_light(const struct lx_world *world, const struct lx_elements *elements, enum lx_wanted wanted,
+                        const struct lx_asking *asking, struct lx_received *received)
+{
+    sum_emitters(world, elements, 0, false, wanted, asking, received);
+}
