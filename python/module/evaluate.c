@@ -10,7 +10,7 @@
 #include "work.h"
 
 /* So many elements are handed to the library at once. */
-enum { PART = 16384 };
+enum { PART = 4096 };
 
 struct arrays {
     struct strided places, normals, views; /* n x 3; views may be missing */

@@ -100,9 +100,11 @@ static void light_by_lobes(struct batch *batch)
     bool is_done[LX_BATCH] = {false};
     for (size_t first = 0; first < all->count; first++) {
         const struct lx_lobe *lobe = lobe_of(batch, first);
-        struct batch part = {.work = batch->work, .asking = batch->asking};
+        struct batch part;
         if (is_done[first])
             continue;
+        part.work = batch->work;
+        part.asking = batch->asking;
         lx_elements_begin(&part.elements, lobe, all->are_free);
         for (size_t i = first; i < all->count; i++)
             if (lobe_of(batch, i) == lobe) {
@@ -138,8 +140,10 @@ static bool is_alike(const struct evaluating *work, const luxel_place *place, co
 static size_t evaluate_alike(const struct evaluating *work, const struct lx_asking *asking, size_t first, size_t last)
 {
     const luxel_place *place = &work->places[first];
-    struct batch batch = {.work = work, .asking = asking};
+    struct batch batch; /* most of which is set as elements come */
     size_t next = first;
+    batch.work = work;
+    batch.asking = asking;
     lx_elements_begin(&batch.elements, NULL, true);
     for (; next < last && batch.elements.count < LX_BATCH && is_alike(work, &work->places[next], place); next++) {
         const luxel_place *at = &work->places[next];
@@ -156,8 +160,10 @@ static size_t evaluate_alike(const struct evaluating *work, const struct lx_aski
 /* Evaluates what is seen through the screen points from `first` on; returns behind the last of them. */
 static size_t evaluate_seen(const struct evaluating *work, const struct lx_asking *asking, size_t first, size_t last)
 {
-    struct batch batch = {.work = work, .asking = asking};
+    struct batch batch; /* most of which is set as elements come */
     size_t next = first;
+    batch.work = work;
+    batch.asking = asking;
     lx_elements_begin(&batch.elements, NULL, false);
     for (; next < last && batch.elements.count < LX_BATCH && !work->places[next].is_element; next++) {
         const luxel_place *at = &work->places[next];

@@ -183,7 +183,7 @@ static bool integrates(const struct lx_emitters *emitters)
 static double light_around(const struct measuring *measuring, size_t cell)
 {
     unsigned columns = measuring->made->grid.columns;
-    lx_bounded3 place = lx_cell_place(&measuring->made->cells, (unsigned)(cell % columns), (unsigned)(cell / columns));
+    lx_bounded3 place = lx_lattice_place(&measuring->lattice, (unsigned)(cell % columns), (unsigned)(cell / columns));
     double sum = 0;
     for (size_t i = 0; i < measuring->prepared->emitters.count; i++) {
         struct lx_emitter room;

@@ -132,18 +132,3 @@ void lx_lattice_clear(struct lx_lattice *lattice)
     free(lattice->lines[1]);
     *lattice = (struct lx_lattice){.lines = {NULL, NULL}};
 }
-
-struct lx_element lx_cell_element(const struct lx_prepared *prepared, const struct lx_cells *cells, unsigned column,
-                                  unsigned row, const struct lx_lobe *lobe)
-{
-    lx_bounded3 place = lx_cell_place(cells, column, row), normal = cells->normal;
-    const struct lx_free_element asked = {
-        .place_mm = {place.x.value, place.y.value, place.z.value},
-        .normal = {normal.x.value, normal.y.value, normal.z.value},
-    };
-    struct lx_element element = lx_element_at(prepared, &asked);
-    element.place_mm = place;
-    element.normal = normal;
-    element.lobe = lobe;
-    return element;
-}

@@ -43,8 +43,4 @@ void lx_lattice_clear(struct lx_lattice *lattice);
 /* lx_cell_place(). */
 lx_bounded3 lx_lattice_place(const struct lx_lattice *lattice, unsigned column, unsigned row);
 
-/* The element at the centre of a cell; the lobe is the one to light it with. */
-struct lx_element lx_cell_element(const struct lx_prepared *prepared, const struct lx_cells *cells, unsigned column,
-                                  unsigned row, const struct lx_lobe *lobe);
-
 #endif

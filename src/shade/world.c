@@ -200,14 +200,17 @@ static void add(struct lx_column *sum, size_t i, lx_bounded number)
 
 /* Adds what an emitter gives to one element. */
 static void add_one(const struct lx_world *world, const struct lx_element *element, const struct lx_emitter *emitter,
-                    size_t i, struct lx_received *received)
+                    enum lx_wanted wanted, size_t i, struct lx_received *received)
 {
     const struct lx_lighting lighting = lx_light_element(world->prepared, element, emitter);
     received->on_element[i] = received->on_element[i] || lighting.on_element;
     received->parts[i] += lighting.parts;
-    add(&received->irradiance, i, lighting.irradiance);
-    add(&received->diffuse, i, lighting.diffuse);
-    add(&received->specular, i, lighting.specular);
+    if (wanted & LX_WANT_IRRADIANCE)
+        add(&received->irradiance, i, lighting.irradiance);
+    if (wanted & LX_WANT_BRIGHTNESS) {
+        add(&received->diffuse, i, lighting.diffuse);
+        add(&received->specular, i, lighting.specular);
+    }
 }
 
 /* Which emitters are summed: those of one light, or all. */
@@ -217,7 +220,8 @@ struct range {
 
 /* The same as the reference makes it. */
 static void sum_one(const struct lx_world *world, const struct lx_elements *elements, size_t i,
-                    const struct range *range, const struct lx_asking *asking, struct lx_received *received)
+                    const struct range *range, enum lx_wanted wanted, const struct lx_asking *asking,
+                    struct lx_received *received)
 {
     const struct lx_element element = lx_elements_get(world->prepared, elements, i);
     struct lx_column *const columns[] = {&received->irradiance, &received->diffuse, &received->specular};
@@ -229,7 +233,7 @@ static void sum_one(const struct lx_world *world, const struct lx_elements *elem
         struct lx_emitter room;
         if (!lx_asking_at_step(asking, k, BETWEEN_CHECKS))
             return;
-        add_one(world, &element, lx_emitter_at(&world->prepared->emitters, k, &room), i, received);
+        add_one(world, &element, lx_emitter_at(&world->prepared->emitters, k, &room), wanted, i, received);
     }
 }
 
@@ -260,7 +264,7 @@ static void add_emitter(const struct lx_world *world, const struct lx_elements *
     for (size_t i = 0; i < elements->count && lx_asking_goes_on(asking); i++) {
         const struct lx_element element = lx_elements_get(world->prepared, elements, i);
         if (!received->on_element[i])
-            add_one(world, &element, emitter, i, received);
+            add_one(world, &element, emitter, wanted, i, received);
     }
 }
 
@@ -271,7 +275,14 @@ static size_t sum_emitters(const struct lx_world *world, const struct lx_element
     const struct lx_emitters *emitters = &world->prepared->emitters;
     struct range range = {first, first};
     size_t light = 0;
-    memset(received, 0, sizeof *received);
+    if (wanted & LX_WANT_IRRADIANCE)
+        memset(&received->irradiance, 0, sizeof received->irradiance);
+    if (wanted & LX_WANT_BRIGHTNESS) {
+        memset(&received->diffuse, 0, sizeof received->diffuse);
+        memset(&received->specular, 0, sizeof received->specular);
+    }
+    memset(received->parts, 0, sizeof received->parts);
+    memset(received->on_element, 0, sizeof received->on_element);
     for (; range.end < emitters->count; range.end++) {
         struct lx_emitter room;
         const struct lx_emitter *emitter = lx_emitter_at(emitters, range.end, &room);
@@ -283,7 +294,7 @@ static size_t sum_emitters(const struct lx_world *world, const struct lx_element
     }
     for (size_t i = 0; i < elements->count; i++)
         if (!is_certain(received, wanted, i))
-            sum_one(world, elements, i, &range, asking, received);
+            sum_one(world, elements, i, &range, wanted, asking, received);
     return range.end;
 }
 
