@@ -96,7 +96,7 @@ struct lx_element_kernels {
     void (*unit)(struct lx_columns3 *columns, size_t count);
     /* The views from elements to a place, exact, whose columns are set. */
     void (*look_at)(const double place_mm[3], struct lx_elements *elements);
-    /* By the type of a shape; NULL where only its kind knows.  Sets own[i] to `surface`, its number from 1, where it is 0
+    /* By the type of a shape that has kernels (general.h).  Sets own[i] to `surface`, its number from 1, where it is 0
      * and the place lies on the shape, as the kind has it. */
     void (*hold[LX_SHAPE_TYPES])(const struct lx_shape *shape, uint32_t surface, struct lx_elements *elements);
     /* Sets what the shape leaves to elements that lie on it, or that they ask. */

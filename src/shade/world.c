@@ -7,6 +7,7 @@
 
 #include "../surface/beside.h"
 #include "camera.h"
+#include "general.h"
 
 /* Emitters between two questions whether to go on. */
 enum { BETWEEN_CHECKS = 64 };
@@ -52,7 +53,7 @@ static void hold(const struct lx_world *world, size_t s, struct lx_elements *ele
 {
     const struct lx_prepared_surface *surface = &world->prepared->surfaces[s];
     const uint32_t number = (uint32_t)s + 1;
-    if (world->kernels->elements->hold[surface->shape.type]) {
+    if (lx_has_kernels(&surface->shape)) {
         world->kernels->elements->hold[surface->shape.type](&surface->shape, number, elements);
         return;
     }
@@ -71,7 +72,7 @@ static void settle(const struct lx_world *world, size_t s, struct lx_elements *e
     bool any = false;
     for (size_t i = 0; i < elements->count; i++)
         any = any || elements->own[i] == s + 1;
-    if (any && world->kernels->elements->settle[shape->type])
+    if (any && lx_has_kernels(shape))
         world->kernels->elements->settle[shape->type](shape, (uint32_t)s + 1, elements);
     else if (any)
         for (size_t i = 0; i < elements->count; i++) {
@@ -171,7 +172,7 @@ static const struct lx_column *find_open(const struct lx_world *world, const str
         if (is_open)
             open_all(openness);
         is_open = false;
-        if (kernels->close[shape->type]) {
+        if (lx_has_kernels(shape)) {
             kernels->close[shape->type](shape, (uint32_t)s + 1, &ways, elements, openness);
             continue;
         }
