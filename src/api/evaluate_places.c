@@ -65,7 +65,7 @@ static void light_batch(const struct batch *batch)
         struct lx_emitter room;
         const size_t light = lx_emitter_at(&prepared->emitters, next, &room)->light;
         lx_world_light(&work->world, elements, wanted, batch->asking, &next, &received);
-        work->world.kernels->elements->sum(&received, wanted, elements->count, &value, &total);
+        work->world.kernels->sum(&received, wanted, elements->count, &value, &total);
         for (size_t i = 0; i < elements->count; i++)
             has_value[i] = has_value[i] && !received.on_element[i];
         tell_shares(batch, light, &value);
@@ -218,7 +218,7 @@ luxel_status luxel_evaluate_places(const luxel_evaluator *evaluator, const luxel
     if (!evaluator || (count > 0 && (!places || !values)))
         return LUXEL_ERROR_ARGUMENT;
     struct evaluating work = {.evaluator = evaluator,
-                              .world = {&evaluator->prepared, evaluator->kernels},
+                              .world = {&evaluator->prepared, lx_element_kernels_of(evaluator->kernels)},
                               .places = places,
                               .values = values,
                               .shares = shares,

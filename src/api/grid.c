@@ -437,7 +437,8 @@ luxel_status luxel_measure(const luxel_scene *scene, const luxel_settings *setti
     struct measuring measuring = {
         .world.prepared = &session.prepared, .prepared = &session.prepared, .lobe = lx_lobe_irradiance()};
     luxel_status status = lx_session_open_world(scene, settings, diagnostics, &session);
-    measuring.world.kernels = session.kernels;
+    if (status == LUXEL_OK)
+        measuring.world.kernels = lx_element_kernels_of(session.kernels);
     if (status == LUXEL_OK)
         status = check_call(scene, i, grid, diagnostics);
     if (status == LUXEL_OK)

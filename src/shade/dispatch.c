@@ -5,6 +5,7 @@
 #include <strings.h>
 
 #include "kernel.h"
+#include "kernel_elements.h"
 
 extern const struct lx_kernels lx_kernels_generic;
 #if defined __x86_64__
@@ -23,6 +24,30 @@ static const struct lx_kernels *const sets[] = {
 const struct lx_kernels *lx_kernels_get(size_t i)
 {
     return i < sizeof sets / sizeof sets[0] ? sets[i] : NULL;
+}
+
+extern const struct lx_element_kernels lx_element_kernels_generic;
+#if defined __x86_64__
+extern const struct lx_element_kernels lx_element_kernels_x86_64, lx_element_kernels_x86_64_v3,
+    lx_element_kernels_x86_64_v4;
+#endif
+
+/* In the same order. */
+static const struct lx_element_kernels *const of_elements[] = {
+#if defined __x86_64__
+    &lx_element_kernels_x86_64_v4,
+    &lx_element_kernels_x86_64_v3,
+    &lx_element_kernels_x86_64,
+#endif
+    &lx_element_kernels_generic,
+};
+
+const struct lx_element_kernels *lx_element_kernels_of(const struct lx_kernels *kernels)
+{
+    size_t i = 0;
+    while (sets[i] != kernels)
+        i++;
+    return of_elements[i];
 }
 
 /* "x86-64-v3" is also known as "v3" and "-v3". */

@@ -437,6 +437,5 @@ const struct lx_kernels TABLE_OF(LX_ISA) = {
     .set_columns = {[LX_SPHERE] = set_sphere_columns, [LX_PLATE] = place_columns},
     .view_single = {[LX_SPHERE] = view_sphere, [LX_PLATE] = view_plate},
     .block_light = {[LX_SPHERE] = block_by_sphere, [LX_PLATE] = block_by_plate},
-    .elements = &LX_OF_ISA(lx_element_kernels),
 };
 #endif

@@ -351,9 +351,6 @@ typedef void lx_light_by_law(const struct lx_shell *shell, const struct lx_gauss
                              const struct lx_block_double *block, size_t count, const struct lx_asking *asking,
                              double *sum, uint8_t *left);
 
-/* What lights elements anywhere in float64, each number with its bound (elements.h). */
-struct lx_element_kernels;
-
 struct lx_kernels {
     const char *name;
     bool (*runs)(void); /* whether this machine has the instruction set */
@@ -382,7 +379,6 @@ struct lx_kernels {
     lx_set_columns *set_columns[LX_SHAPE_TYPES];
     lx_view_single *view_single[LX_SHAPE_TYPES];
     lx_block_light *block_light[LX_SHAPE_TYPES];
-    const struct lx_element_kernels *elements;
 };
 
 /* The kernels by name ("x86-64-v3", "v3" ...; NULL: by LUXEL_ISA, else the best that runs here); NULL: none. */

@@ -10,7 +10,7 @@
 #include <string.h>
 
 #include "../surface/beside.h"
-#include "elements.h"
+#include "kernel_elements.h"
 #include "kernel_law.h"
 
 #define REAL double
@@ -251,6 +251,7 @@ static void light(const struct lx_emitter *emitter, const struct lx_elements *el
 
 #include "kernel_occlusion.h"
 
+extern const struct lx_element_kernels LX_OF_ISA(lx_element_kernels);
 const struct lx_element_kernels LX_OF_ISA(lx_element_kernels) = {
     .unit = unit,
     .look_at = look_at,

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* What kernel_law.c and kernel_bounded.c have for the table of kernel.c: functions of one instruction set, LX_ISA. */
+/* What kernel_law.c has for the table of kernel.c: functions of one instruction set, LX_ISA. */
 #ifndef LX_SHADE_KERNEL_LAW_H
 #define LX_SHADE_KERNEL_LAW_H
 
@@ -12,8 +12,5 @@
 lx_light_by_law LX_OF_ISA(lx_facets_by_rows_single), LX_OF_ISA(lx_facets_by_rows_double);
 lx_light_by_law LX_OF_ISA(lx_round_by_rows_single), LX_OF_ISA(lx_round_by_rows_double);
 lx_light_by_law LX_OF_ISA(lx_ball_by_rings_single), LX_OF_ISA(lx_ball_by_rings_double);
-
-/* And kernel_bounded.c. */
-extern const struct lx_element_kernels LX_OF_ISA(lx_element_kernels);
 
 #endif

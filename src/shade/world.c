@@ -7,7 +7,6 @@
 
 #include "../surface/beside.h"
 #include "camera.h"
-#include "general.h"
 
 /* Emitters between two questions whether to go on. */
 enum { BETWEEN_CHECKS = 64 };
@@ -53,10 +52,8 @@ static void hold(const struct lx_world *world, size_t s, struct lx_elements *ele
 {
     const struct lx_prepared_surface *surface = &world->prepared->surfaces[s];
     const uint32_t number = (uint32_t)s + 1;
-    if (lx_has_kernels(&surface->shape)) {
-        world->kernels->elements->hold[surface->shape.type](&surface->shape, number, elements);
+    if (lx_hold_shape(world->kernels, &surface->shape, number, elements))
         return;
-    }
     for (size_t i = 0; i < LX_BATCH && i < (elements->count + LX_VECTOR - 1) / LX_VECTOR * LX_VECTOR; i++) {
         const lx_bounded3 place = lx_columns_get(&elements->place_mm, i);
         if (elements->own[i] == 0 &&
@@ -72,9 +69,7 @@ static void settle(const struct lx_world *world, size_t s, struct lx_elements *e
     bool any = false;
     for (size_t i = 0; i < elements->count; i++)
         any = any || elements->own[i] == s + 1;
-    if (any && lx_has_kernels(shape))
-        world->kernels->elements->settle[shape->type](shape, (uint32_t)s + 1, elements);
-    else if (any)
+    if (any && !lx_settle_shape(world->kernels, shape, (uint32_t)s + 1, elements))
         for (size_t i = 0; i < elements->count; i++) {
             elements->asks[i] = elements->asks[i] || elements->own[i] == s + 1;
             elements->has_sides = true;
@@ -85,13 +80,13 @@ static void set_views(const struct lx_world *world, const struct lx_settling *se
 {
     const struct lx_observer *observer = &world->prepared->scene->observer;
     if (settling->has_views) {
-        world->kernels->elements->unit(&elements->view, elements->count);
+        world->kernels->unit(&elements->view, elements->count);
     } else if (lx_views_along_z(observer)) {
         memset(&elements->view, 0, sizeof elements->view);
         for (size_t i = 0; i < LX_BATCH; i++)
             elements->view.z.value[i] = 1;
     } else {
-        world->kernels->elements->look_at((const double[]){0, 0, observer->z_mm}, elements);
+        world->kernels->look_at((const double[]){0, 0, observer->z_mm}, elements);
     }
 }
 
@@ -99,7 +94,7 @@ void lx_world_settle(const struct lx_world *world, const struct lx_settling *set
 {
     const struct lx_prepared *prepared = world->prepared;
     if (!settling->has_normals) {
-        world->kernels->elements->unit(&elements->normal, elements->count);
+        world->kernels->unit(&elements->normal, elements->count);
         elements->has_exact_normals = false;
     }
     set_views(world, settling, elements);
@@ -159,7 +154,7 @@ static const struct lx_column *find_open(const struct lx_world *world, const str
                                          const struct lx_emitter *emitter, struct lx_openness *openness)
 {
     const struct lx_prepared *prepared = world->prepared;
-    const struct lx_element_kernels *kernels = world->kernels->elements;
+    const struct lx_element_kernels *kernels = world->kernels;
     const bool casts = elements->are_free ? prepared->shadows_on_free : prepared->shadows;
     bool is_open = true;
     if (!casts || emitter->is_part || emitter->type == LX_UNIFORM)
@@ -172,10 +167,8 @@ static const struct lx_column *find_open(const struct lx_world *world, const str
         if (is_open)
             open_all(openness);
         is_open = false;
-        if (lx_has_kernels(shape)) {
-            kernels->close[shape->type](shape, (uint32_t)s + 1, &ways, elements, openness);
+        if (lx_close_shape(kernels, shape, (uint32_t)s + 1, &ways, elements, openness))
             continue;
-        }
         memset(openness->in_doubt, 1, sizeof openness->in_doubt);
         openness->any_in_doubt = true;
     }
@@ -259,7 +252,7 @@ static void add_emitter(const struct lx_world *world, const struct lx_elements *
     struct lx_openness openness;
     if (is_vectored(emitter)) {
         const struct lx_column *open = find_open(world, elements, emitter, &openness);
-        world->kernels->elements->light(emitter, elements, open, wanted, received);
+        world->kernels->light(emitter, elements, open, wanted, received);
         return;
     }
     for (size_t i = 0; i < elements->count && lx_asking_goes_on(asking); i++) {

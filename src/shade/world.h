@@ -10,12 +10,11 @@
 #define LX_SHADE_WORLD_H
 
 #include "../base/rows.h"
-#include "elements.h"
-#include "kernel.h"
+#include "kernel_elements.h"
 
 struct lx_world {
     const struct lx_prepared *prepared;
-    const struct lx_kernels *kernels;
+    const struct lx_element_kernels *kernels;
 };
 
 /*

@@ -158,7 +158,7 @@ static void test_free_elements(void **state)
         }
         const struct lx_kernels *kernels;
         for (size_t k = 0; (kernels = lx_kernels_get(k)); k++) {
-            const struct lx_world world = {&test.prepared, kernels};
+            const struct lx_world world = {&test.prepared, lx_element_kernels_of(kernels)};
             struct lx_elements elements;
             if (!kernels->runs())
                 continue;
@@ -208,7 +208,7 @@ static void test_seen_elements(void **state)
         const struct lx_kernels *kernels;
         for (size_t k = 0; (kernels = lx_kernels_get(k)); k++)
             if (kernels->runs())
-                assert_batch(&(struct lx_world){&test.prepared, kernels}, &elements, seen);
+                assert_batch(&(struct lx_world){&test.prepared, lx_element_kernels_of(kernels)}, &elements, seen);
     }
 }
 
