@@ -11,10 +11,10 @@
 /* Emitters between two questions whether to go on. */
 enum { BETWEEN_CHECKS = 64 };
 
-/* Whether a batch has the light of an emitter by vectors. */
+/* Whether a batch has the light of an emitter by vectors; of extended sources and luminaires it asks the reference. */
 static bool is_vectored(const struct lx_emitter *emitter)
 {
-    return !lx_is_extended(emitter);
+    return !lx_is_extended(emitter) && !emitter->profile.luminaire;
 }
 
 unsigned lx_world_batch(const struct lx_world *world)
