@@ -107,7 +107,7 @@ static void finds_wrong_types(void **state)
     (void)state;
     expect_error("type: point", "type: poitn",
                  WANTED("unknown-choice", 11, 12, "lights[0].type",
-                        "point, points, spot, planar, volume, distant, ambient", "\"point\""));
+                        "point, points, spot, luminaire, planar, volume, distant, ambient", "\"point\""));
     expect_error("type: point, ", "", WANTED("missing-key", 11, 5, "lights[0].type", .hint = "spot"));
     expect_error("type: point", "type: [point]", WANTED("unknown-choice", 11, 12));
     expect_error("- {type: point, position: [2000, 0, 2000], intensity: 10, attenuation: none}", "- 5",
