@@ -101,8 +101,8 @@ static void makers_refuse(void **state)
         "study: 1\nscene: spot\nvary: [{key: 'lights[0].inner', values: [3, 8, 5]}]",
         "study: 1\nvary: [{key: observer.z, values: [1500, 1200, 1600]}]",
         "study: 1\nvary: [{key: screen.width, values: [500, 300, 500]}]",
-        "study: 1\nscene: spot\nset: ['lights[0].aim=[0, 0, 0]']\nvary: [{key: 'lights[0].aim', values: [[0, 0, 5], "
-        "[0, 0, 0], [0, 0, 7]]}, {key: 'lights[0].position', values: [[0, 0, 0]]}]",
+        ("study: 1\nscene: spot\nset: ['lights[0].aim=[0, 0, 0]']\nvary: [{key: 'lights[0].aim', values: [[0, 0, 5], "
+         "[0, 0, 0], [0, 0, 7]]}, {key: 'lights[0].position', values: [[0, 0, 0]]}]"),
     };
     for (size_t s = 0; s < sizeof studies / sizeof studies[0]; s++) {
         const char *text = studies[s];
