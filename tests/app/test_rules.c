@@ -169,6 +169,8 @@ static void shows_what_has_a_say(void **state)
          "type name enabled sphere sphere.center sphere.radius sphere.facets radiance attenuation k parts"},
         {"desk", 0, SPOT},
         {"desk", 1, AMBIENT},
+        {"tin", 0, SPOT},
+        {"tin", 1, AMBIENT},
         {"all-sources", 0, AMBIENT},
         {"all-sources", 1, DISTANT},
         {"all-sources", 2, POINT},
