@@ -125,7 +125,7 @@ def direction_words(normal):
 
 CIE_CASES = (
     ('4.1 to 4.6', 'measured rooms: compact fluorescent lamps, opal and semi-specular luminaires, grey and black walls',
-     'no', 'needs luminaires from files of intensity tables and, with grey walls, reflected light'),
+     'no', 'not tried: needs the intensity tables of those luminaires and, with grey walls, reflected light'),
     ('5.2', 'point sources', 'yes', 'the Lambertian pattern; the asymmetric one needs intensity tables'),
     ('5.3', 'area sources', 'yes', 'the Lambertian pattern; the asymmetric one needs intensity tables'),
     ('5.4', 'conservation of luminous flux', 'yes', ''),
