@@ -83,12 +83,14 @@ void *sweep_read_shard(const struct sweep *sweep, const struct merge_array *merg
 static int copy_to(struct sweep *sweep, const char *staged, const char *path)
 {
     enum { ROOM = 1 << 20 };
-    char *beside = message_allocate(strlen(path) + 8, 1), *room = message_allocate(ROOM, 1);
+    const size_t length = strlen(path);
+    char *beside = message_allocate(length + sizeof ".part", 1), *room = message_allocate(ROOM, 1);
     const int from = openat(sweep->folder.work, staged, O_RDONLY | O_CLOEXEC);
     ssize_t got = 0;
     int failed = from < 0 ? errno : 0, to = -1;
 
-    sprintf(beside, "%s.part", path);
+    memcpy(beside, path, length);
+    memcpy(beside + length, ".part", sizeof ".part");
     if (failed == 0 && (to = open(beside, O_CREAT | O_TRUNC | O_WRONLY | O_CLOEXEC, 0666)) < 0)
         failed = errno;
     while (failed == 0 && (got = read(from, room, ROOM)) > 0)
