@@ -13,16 +13,7 @@
 #include "kernel_elements.h"
 #include "kernel_law.h"
 
-#define REAL double
-#define LX_IS_SINGLE 0
-#define SUFFIX pd
-#define NAME(x) x##_double
-#define BITS uint64_t
-#define MANTISSA 52
-#define BIAS 1023
-#define MAGIC 6755399441055744.0
-#define SQRT sqrt
-#include "lanes.h"
+#include "lanes_double.h"
 
 #include "bounded_lanes.h"
 
