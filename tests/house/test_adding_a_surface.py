@@ -9,24 +9,10 @@ disk takes and the disk in its hole does not, have a true maximum, and speak up 
 """
 import json
 import re
-import sys
-import tempfile
-from pathlib import Path
 
 import numpy
 
-from tap import Tap
-from test_adding_a_light import call, code_blocks, copy_sources
-
-
-def add_surface(copy, kind, declaration, entry):
-    room = copy / "src/surface"
-    (room / "ring.c").write_text(kind)
-    registry = (room / "registry.c").read_text()
-    registry = registry.replace("\nconst struct lx_variant", "\n" + declaration + "\nconst struct lx_variant", 1)
-    (room / "registry.c").write_text(registry.replace("NULL,", entry + "NULL,", 1))
-    files = room / "meson.build"
-    files.write_text(files.read_text().replace("'sphere.c'", "'ring.c', 'sphere.c'"))
+from guide import call, follow
 
 
 def disk_instead(scene, radius):
@@ -95,22 +81,4 @@ def try_surface(tap, luxel, folder, scene):
         tap.ok(made.returncode == 0, "luxel %s takes it" % command, made.stderr)
 
 
-def main():
-    tap = Tap()
-    root, meson = Path(sys.argv[1]), sys.argv[2]
-    kind, declaration, entry, scene = code_blocks((root / "docs/ADDING-A-SURFACE.md").read_text())
-    with tempfile.TemporaryDirectory(prefix="luxel-surface-") as name:
-        folder = Path(name)
-        copy_sources(root, folder / "luxel")
-        add_surface(folder / "luxel", kind, declaration, entry)
-        made = call(meson, "setup", folder / "build", folder / "luxel", "-Doptimization=0", "-Dwerror=true")
-        if made.returncode == 0:
-            made = call("ninja", "-C", folder / "build", "cli/luxel")
-        if tap.ok(made.returncode == 0, "the sources with the new surface build without a warning", made.stdout[-2000:],
-                  made.stderr[-2000:]):
-            try_surface(tap, folder / "build/cli/luxel", folder, scene)
-    tap.finish()
-
-
-if __name__ == "__main__":
-    main()
+follow("docs/ADDING-A-SURFACE.md", "surface", "src/surface", "ring.c", "sphere.c", try_surface)
