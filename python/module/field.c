@@ -183,25 +183,8 @@ static PyObject *field_grey(PyObject *module, PyObject *arguments)
     return NULL;
 }
 
-static PyObject *field_write(PyObject *module, PyObject *arguments)
-{
-    PyObject *handle;
-    const char *path;
-    const luxel_field *field;
-    luxel_output how = {0};
-    luxel_diagnostics *diagnostics;
-    luxel_status status;
-
-    if (!PyArg_ParseTuple(arguments, "OyI", &handle, &path, &how.bits) || !(field = field_of(module, handle)) ||
-        !(diagnostics = diagnostics_begin()))
-        return NULL;
-    Py_BEGIN_ALLOW_THREADS
-    status = luxel_field_write_as(field, path, &how, diagnostics);
-    Py_END_ALLOW_THREADS
-    return diagnostics_end(&module_state(module)->language, status, diagnostics) ? none() : NULL;
-}
-
-static PyObject *field_bytes(PyObject *module, PyObject *arguments)
+/* Writes a file of this name, or makes the bytes that it would have. */
+static PyObject *make_file(PyObject *module, PyObject *arguments, bool in_memory)
 {
     PyObject *handle;
     const char *name;
@@ -212,13 +195,25 @@ static PyObject *field_bytes(PyObject *module, PyObject *arguments)
     unsigned char *bytes = NULL;
     size_t length = 0;
 
-    if (!PyArg_ParseTuple(arguments, "OsI", &handle, &name, &how.bits) || !(field = field_of(module, handle)) ||
-        !(diagnostics = diagnostics_begin()))
+    if (!PyArg_ParseTuple(arguments, in_memory ? "OsI" : "OyI", &handle, &name, &how.bits) ||
+        !(field = field_of(module, handle)) || !(diagnostics = diagnostics_begin()))
         return NULL;
     Py_BEGIN_ALLOW_THREADS
-    status = luxel_field_write_memory(field, name, &how, diagnostics, &bytes, &length);
+    status = in_memory ? luxel_field_write_memory(field, name, &how, diagnostics, &bytes, &length)
+                       : luxel_field_write_as(field, name, &how, diagnostics);
     Py_END_ALLOW_THREADS
-    return file_of(diagnostics_end(&module_state(module)->language, status, diagnostics), bytes, length);
+    const bool good = diagnostics_end(&module_state(module)->language, status, diagnostics);
+    return good && !in_memory ? none() : file_of(good, bytes, length);
+}
+
+static PyObject *field_write(PyObject *module, PyObject *arguments)
+{
+    return make_file(module, arguments, false);
+}
+
+static PyObject *field_bytes(PyObject *module, PyObject *arguments)
+{
+    return make_file(module, arguments, true);
 }
 
 static PyObject *field_read(PyObject *module, PyObject *arguments)
