@@ -55,7 +55,7 @@ struct option_drawing {
     size_t diagram;                 /* of luxel photometry, a luxel_diagram */
 };
 
-/* Of luxel sweep. */
+/* Options of luxel sweep. */
 struct option_sweep {
     uint64_t show;
     unsigned part, parts, workers; /* parts is 1 and workers 0 where none were given */

@@ -95,7 +95,7 @@ static bool attach(struct merging *merging, hid_t dataset, unsigned axis, const 
     return good;
 }
 
-/* What the axes of an output are called behind that of the scenes. */
+/* Names of an output's axes behind that of the scenes. */
 static const char *axis_name(size_t output, unsigned axis)
 {
     static const char *const pictures[] = {"row", "column", "component"};

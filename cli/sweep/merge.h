@@ -17,13 +17,13 @@ struct merge_array {
 /* `luxel sweep --merge`: returns an enum exit_code. */
 int sweep_merge(struct sweep *sweep, const struct options *options);
 
-/* The same into an HDF5 file: hdf5.c has it, and merge_elsewhere.c hands it to the program that does. */
+/* Merging into an HDF5 file: hdf5.c does it, and merge_elsewhere.c leaves it to the program that has hdf5.c. */
 int sweep_merge_hdf5(struct sweep *sweep, const struct options *options);
 
 /* Whether all shards are there, else reported; returns an enum exit_code. */
 int sweep_check_whole(const struct sweep *sweep);
 
-/* What output k is, LUXEL_STUDY_OUTPUTS being the parameters; false: there is no such array. */
+/* Array of output k, LUXEL_STUDY_OUTPUTS being the parameters; false: there is no such array. */
 int sweep_merge_array(const struct sweep *sweep, size_t output, struct merge_array *merged);
 
 /* The numbers of a shard, to be freed; NULL: they cannot be read, which is reported. */

@@ -142,7 +142,7 @@ static int open_folder(struct rank *rank, const char *path)
     return code;
 }
 
-/* What the ranks agree on is the worst that one of them met. */
+/* Exit code of all ranks: the worst that one of them met. */
 static int agree(int code)
 {
     int worst = code;

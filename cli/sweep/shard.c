@@ -106,7 +106,7 @@ static int add_positions(struct making *making, const luxel_scene *scene, uint64
     return array_add_doubles(array, row, 3 * lights);
 }
 
-/* What an output has of a picture. */
+/* Values of a picture, added to the array of its output. */
 static int add_field(struct array *array, const luxel_field *field)
 {
     const size_t pixels = (size_t)luxel_field_columns(field) * luxel_field_rows(field);

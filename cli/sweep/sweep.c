@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* What follows from a study: its identity, its shards, the shapes and sizes of its arrays. */
+/* Properties of a sweep that follow from its study: its identity, its shards, the shapes and sizes of its arrays. */
 #include "sweep.h"
 
 #include <stdlib.h>

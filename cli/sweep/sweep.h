@@ -35,7 +35,7 @@ struct sweep {
     int code;              /* an enum exit_code: the first failure */
 };
 
-/* What one worker needs for itself. */
+/* Resources of one worker. */
 struct sweep_worker {
     struct sweep *sweep;
     luxel_study_maker *maker;

@@ -80,7 +80,7 @@ static bool shows(const struct lx_hunt *hunt, const double at[2], size_t surface
            (size_t)(element.own - hunt->prepared->surfaces) == surface;
 }
 
-/* What is found at the last place in a direction from an inner one, no farther than `most`, that shows the surface. */
+/* Value at the last place in a direction from an inner one, no farther than `most`, that shows the surface. */
 static bool look_at_rim(const struct lx_hunt *hunt, const double inner[2], double turn, double most, size_t surface,
                         struct found *found)
 {

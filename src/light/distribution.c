@@ -143,7 +143,7 @@ static void extend(const struct lx_distribution *distribution, struct span azimu
         }
 }
 
-/* The same of any box; the azimuths of a whole turn have a seam. */
+/* Extent of any box; the azimuths of a whole turn have a seam. */
 static void extend_round(const struct lx_distribution *distribution, struct span azimuth, struct span polar,
                          struct extent *extent)
 {
@@ -189,9 +189,9 @@ static struct angles angles_of(const struct lx_pointed *pointed, lx_bounded3 tow
     return angles;
 }
 
-/* What the lines may be off for being counted from another direction than in the file, and sums for rounding. */
+/* Error of the lines for being counted from another direction than in the file, and sums for rounding. */
 static const double LINES_OFF = 3e-14; /* degrees */
-/* Those of two shares and three steps between values. */
+/* Roundings of two shares and three steps between values. */
 static const double ROUNDINGS = 12;
 
 lx_bounded lx_pointed_value(const struct lx_pointed *pointed, lx_bounded3 towards)

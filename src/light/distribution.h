@@ -69,7 +69,7 @@ struct lx_distribution {
 /* Makes it of a photometry, of which it becomes one more user; NULL: memory ran out.  Freed as lx_kept. */
 struct lx_distribution *lx_distribution_make(struct lx_photometry *photometry, luxel_interpolation interpolation);
 
-/* What frees it, by which lists of what was read tell the two interpolations apart. */
+/* Function that frees it, by which lists of what was read tell the two interpolations apart. */
 void (*lx_distribution_free_of(luxel_interpolation interpolation))(struct lx_kept *kept);
 
 /* A distribution in space. */
@@ -84,7 +84,7 @@ struct lx_pointed {
 /* Points a distribution: `axis` of any length but 0, c0 not parallel to it. */
 void lx_point_distribution(const struct lx_distribution *distribution, const double axis[3], const double c0[3],
                            struct lx_pointed *pointed);
-/* Likewise towards another place, which need not be at a distance of float64 numbers. */
+/* A distribution is aimed at another place, which need not be at a distance of float64 numbers. */
 void lx_aim_distribution(const struct lx_distribution *distribution, const double from[3], const double to[3],
                          const double c0[3], struct lx_pointed *pointed);
 
@@ -94,7 +94,7 @@ lx_bounded lx_pointed_value(const struct lx_pointed *pointed, lx_bounded3 toward
 /* C and gamma, or the horizontal and the vertical angle, of that direction in degrees. */
 void lx_pointed_angles(const struct lx_pointed *pointed, const double towards[3], double *plane_deg, double *angle_deg);
 
-/* What lx_profile_break() gives. */
+/* Breaks of the distribution, as lx_profile_break() gives them. */
 bool lx_pointed_break(const struct lx_pointed *pointed, size_t i, struct lx_break *place);
 
 #endif

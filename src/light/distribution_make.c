@@ -160,7 +160,7 @@ enum { MOST_BUCKETS = 65536 };
 
 static const double BEYOND = 100; /* more than any angle in radians */
 
-/* What the lines of one angle are made of. */
+/* Angles that the lines of one direction are made of. */
 struct plan_of_lines {
     const double *degrees;
     size_t count;

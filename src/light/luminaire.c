@@ -163,7 +163,7 @@ static bool load(const struct lx_check *check, struct luminaire_parameters *lumi
     return luminaire->distribution;
 }
 
-/* What is odd about the file, which is read once more for that. */
+/* Warnings about the file, which is read once more for them. */
 static void advise_file(const struct lx_check *check, const struct luminaire_parameters *luminaire)
 {
     char *path = luminaire->distribution ? lx_check_path(check, luminaire->file) : NULL;

@@ -16,7 +16,7 @@
 #include "blocking.h"
 #include "reference.h"
 
-/* So many elements are in a batch, and no vector has more numbers than that. */
+/* Elements of a batch, and numbers of a vector, at most. */
 enum { LX_BATCH = 64, LX_VECTOR = 8 };
 
 /* Bounded numbers of a batch, in whole vectors. */

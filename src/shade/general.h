@@ -21,7 +21,7 @@ size_t lx_meet_shape(const struct lx_kernels *kernels, const struct lx_shape *sh
 void lx_complete_shape(const struct lx_kernels *kernels, const struct lx_shape *shape, const double *observer_mm,
                        struct lx_block_double *block, struct lx_block_single *copy, size_t count);
 
-/* Of a shape with kernels alone. */
+/* Functions for shapes that have kernels. */
 static inline void lx_set_shape_columns(const struct lx_kernels *kernels, const struct lx_shape *shape,
                                         const double *x_mm, size_t count, struct lx_columns *columns)
 {

@@ -1,12 +1,12 @@
 /* SPDX-License-Identifier: MIT */
-/* What lights batches of elements: the functions of one instruction set (kernel_bounded.c), those of shapes by type. */
+/* Light on batches of elements: the functions of one instruction set (kernel_bounded.c), those of shapes by type. */
 #ifndef LX_SHADE_KERNEL_ELEMENTS_H
 #define LX_SHADE_KERNEL_ELEMENTS_H
 
 #include "elements.h"
 #include "general.h"
 
-/* What is asked of a batch; the rest of what is received means nothing. */
+/* Questions about a batch; members that were not asked for mean nothing. */
 enum lx_wanted { LX_WANT_IRRADIANCE = 1, LX_WANT_BRIGHTNESS = 2 };
 
 /* Whether light gets from an emitter to elements, 1 or 0; where that is in doubt, the reference is to be asked. */

@@ -11,7 +11,7 @@
 
 /* Some 500 times the bounds of sums of three products, relative to lengths. */
 #define MARGIN 0x1p-44
-/* Of squares, behind a quotient; the place itself is good to MARGIN. */
+/* Margin of squares, behind a quotient; the place itself is good to MARGIN. */
 #define WIDE_MARGIN 0x1p-34
 
 struct plain3 {

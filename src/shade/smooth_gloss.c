@@ -24,11 +24,11 @@ enum { PIXELS_A_NODE = 3 };
 /* Highlights in the dark are no larger than this, of the tolerance. */
 static const double DARK = 0.02;
 
-/* What highlights may be off by at nodes, of the tolerance: it grows by no more than the square of Lebesgue's constant,
+/* Error of highlights at nodes, a share of the tolerance: it grows by no more than the square of Lebesgue's constant,
  * below 7.7; and what the last terms of polynomials may come to. */
 static const double AT_NODES = 0.1, LAST_TERMS = 0.05;
 
-/* What may not be analytic is no larger than so much of the tolerance. */
+/* Share of the tolerance that parts which may not be analytic come to at most. */
 static const double DOUBTFUL = 0.01;
 
 void lx_gloss_bases_make(struct lx_basis bases[LX_GLOSS_BASES])
@@ -96,7 +96,7 @@ static bool sample_nodes(const struct lx_plan *plan, const struct lx_planned_sur
     return is_good;
 }
 
-/* What the terms of the two highest degrees on each axis come to, of the polynomial through values at nodes. */
+/* Sum of the terms of the two highest degrees on each axis, of the polynomial through values at nodes. */
 static double last_terms(const struct lx_basis *basis, const double *values)
 {
     const unsigned n = basis->nodes;
