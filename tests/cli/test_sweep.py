@@ -287,10 +287,10 @@ def folders(tap, tool):
     tap.ok(contents(tool, "full") == contents(tool, "fresh"), "and goes on when it can")
 
 
-def wait_for(condition, seconds=30):
+def wait_for(condition, seconds=30, pause=0.005):
     end = time.monotonic() + seconds
     while not condition() and time.monotonic() < end:
-        time.sleep(0.005)
+        time.sleep(pause)
     assert condition()
 
 
@@ -299,16 +299,22 @@ def kills(tap, tool):
     count = int(os.environ.get("LUXEL_SWEEP_KILLS", "6"))
     rng = random.Random(1)
     tool.write("s.yaml", STUDY.replace("600", str(600 + 300 * (count // 20))))
+    begin = time.monotonic()
     tool.run("sweep", "s.yaml", "-o", "expected", "-q")
+    whole = time.monotonic() - begin
     interrupted = 0
-    for _ in range(count):
+    for i in range(count):
         process = subprocess.Popen([tool.path, "sweep", "s.yaml", "-o", "killed", "-q", "--workers",
                                     str(rng.choice((1, 2, 4)))], cwd=tool.folder)
+        if i == 0:  # certainly at work: the first shard is not whole yet
+            wait_for(lambda: os.path.exists(tool.file("killed")) and any(
+                name.startswith(".work") for name in os.listdir(tool.file("killed"))), pause=0)
+            process.kill()
         try:
-            process.wait(rng.uniform(0.002, 0.12))
+            process.wait(rng.uniform(0.002, whole / 3))
         except subprocess.TimeoutExpired:
             process.send_signal(rng.choice((signal.SIGKILL, signal.SIGKILL, signal.SIGTERM, signal.SIGINT)))
-            interrupted += process.wait(60) != 0
+        interrupted += process.wait(60) != 0
     tap.ok(interrupted > 0, "%d of %d were killed at work" % (interrupted, count))
     tool.run("sweep", "s.yaml", "-o", "killed", "-q")
     tap.ok(contents(tool, "killed") == contents(tool, "expected"), "the same bytes after the kills")
