@@ -72,7 +72,7 @@ static bool add_light(struct lx_hunt *hunt, size_t surface, size_t index)
     bool done = true, casts = prepared->shadows && !emitter->is_part;
     for (size_t i = 0; casts && done && i < prepared->surface_count; i++) {
         edge.type = LX_BRINK_SHADOW, edge.surface = i;
-        done = i == surface || add(hunt, edge);
+        done = !lx_may_hide(&prepared->surfaces[i].shape, i == surface) || add(hunt, edge);
     }
     edge.type = LX_BRINK_TERMINATOR, edge.closed = false;
     done = done && add(hunt, edge);

@@ -47,7 +47,7 @@ static bool is_hidden(const struct lx_plan *plan, const struct lx_cut *cut, cons
         return false;
     for (size_t s = 0; s < plan->surface_count; s++) {
         const struct lx_planned_surface *other = &plan->surfaces[s];
-        if (other == cut->surface)
+        if (!lx_may_hide(&other->shape, other == cut->surface))
             continue;
         const struct lx_ball blocker =
             lx_shape_ball(&other->shape, other->low_mm, other->high_mm, cut->surface->shape.anchor_mm);
@@ -278,7 +278,8 @@ static bool find_open(struct shading *shading, const struct lx_light_double *lig
     for (size_t s = 0; plan->prepared->shadows && !shading->tree->model.is_part && s < plan->surface_count; s++) {
         const struct lx_planned_surface *other = &plan->surfaces[s];
         const struct lx_ball blocker = lx_shape_ball(&other->shape, other->low_mm, other->high_mm, anchor);
-        if (other == cut->surface || !lx_may_block(&blocker, &cut->tract.places, &place, false))
+        if (!lx_may_hide(&other->shape, other == cut->surface) ||
+            !lx_may_block(&blocker, &cut->tract.places, &place, false))
             continue;
         for (size_t i = 0; !any && i < lx_padded(shading->count); i++)
             shading->open[i] = 1;

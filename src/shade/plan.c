@@ -128,7 +128,7 @@ static int find_blockers(const struct lx_plan *plan, struct lx_planned_surface *
     for (uint32_t s = 0; s < plan->surface_count; s++) {
         const struct lx_planned_surface *other = &plan->surfaces[s];
         const struct lx_ball ball = lx_shape_ball(&other->shape, other->low_mm, other->high_mm, anchor);
-        if (other == lit || !lx_may_block(&ball, &from, &towards, endless))
+        if (!lx_may_hide(&other->shape, other == lit) || !lx_may_block(&ball, &from, &towards, endless))
             continue;
         size_t needed = lit->blocker_count + (size_t)count + 1;
         if (lx_reserve(&lit->blockers, &lit->blocker_capacity, needed, sizeof *lit->blockers))

@@ -36,7 +36,6 @@ static int prepare(const struct lx_scene_parameters *scene, double tolerance, co
         .surface_count = surfaces->count,
         .emitters = *room,
         .tolerance = tolerance,
-        .shadows = scene->shadows == LX_SHADOWS_POINTS && surfaces->count > 1,
         .shadows_on_free = scene->shadows == LX_SHADOWS_POINTS,
     };
     if (!prepared->surfaces)
@@ -45,12 +44,14 @@ static int prepare(const struct lx_scene_parameters *scene, double tolerance, co
         const struct lx_item *item = &surfaces->items[i];
         const struct lx_surface_common *common = item->common;
         const struct lx_surface_kind *kind = (const struct lx_surface_kind *)item->variant;
+        const struct lx_shape shape = lx_surface_shape(kind, item->parameters);
         prepared->surfaces[i] = (struct lx_prepared_surface){
-            .kind = kind,
+            .kind = shape.kind,
             .parameters = item->parameters,
-            .shape = lx_surface_shape(kind, item->parameters),
+            .shape = shape,
             .lobe = lx_lobe_prepare(&common->material),
         };
+        prepared->shadows = prepared->shadows || (prepared->shadows_on_free && lx_may_hide(&shape, i == 0));
     }
     int failed = prepare_lights(&scene->lights, &prepared->emitters);
     prepared->emitters.asking = NULL;

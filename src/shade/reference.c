@@ -84,11 +84,13 @@ struct lx_element lx_element_on(const struct lx_prepared *prepared, size_t surfa
 static lx_bounded blocked_by(const struct lx_prepared_surface *surface, const struct lx_element *element,
                              lx_bounded3 way, bool endless)
 {
-    if (surface != element->own)
-        return surface->kind->blocks(&surface->shape, element->place_mm, way, endless);
-    if (!element->is_free)
-        return lx_exact(0);
-    return lx_shape_hides(&surface->shape, element->place_mm, element->normal, way, endless);
+    const bool is_own = surface == element->own;
+    lx_bounded open = lx_exact(1);
+    if (lx_may_hide(&surface->shape, is_own))
+        open = lx_not(surface->kind->blocks(&surface->shape, element->place_mm, way, endless));
+    if (is_own && element->is_free)
+        open = lx_both(open, lx_not(lx_shape_hides(&surface->shape, element->place_mm, element->normal, way, endless)));
+    return lx_not(open);
 }
 
 lx_bounded lx_openness_of(const struct lx_prepared *prepared, const struct lx_element *element,

@@ -8,7 +8,7 @@
 struct lx_shape lx_surface_shape(const struct lx_surface_kind *kind, const void *parameters)
 {
     struct lx_shape shape = kind->shape(parameters);
-    shape.kind = kind;
+    shape.kind = shape.kind ? shape.kind : kind;
     return shape;
 }
 

@@ -101,7 +101,8 @@ struct lx_surface_kind {
 
     /* The extent of the surface along the axes, in mm: lowest and highest x, y, z. */
     void (*extent)(const void *parameters, double low_mm[3], double high_mm[3]);
-    /* The shape: the constants that all below compute with.  lx_surface_shape() sets its kind. */
+    /* The shape: the constants that all below compute with.  lx_surface_shape() sets its kind, unless parameters chose
+     * another one that answers for it. */
     struct lx_shape (*shape)(const void *parameters);
     /* The reference: the first point of the surface on the ray, seen from its front. */
     struct lx_hit (*hit)(const struct lx_shape *shape, const struct lx_ray *ray);
@@ -113,8 +114,12 @@ struct lx_surface_kind {
     /* Whether a place lies on the surface, to 1e-9 of its size. */
     bool (*holds)(const struct lx_shape *shape, const double place_mm[3]);
 
-    /* -- what may be NULL -- */
+    /* -- what may be NULL, or false -- */
 
+    /* Whether it takes light from its own elements, as what is hollow or folded does: then `blocks` and `takes` are
+     * asked for these, too, and have to leave out where the way begins.  Only for shapes without kernels of their own,
+     * LX_GENERAL. */
+    bool hides_itself;
     /* `hit` and `blocks` in plain float64, for the pixels of pictures, from an offset from the anchor: where a ray is
      * met, and whether a way is taken.  NULL: by those. */
     bool (*meets)(const struct lx_shape *shape, const double from_mm[3], const double direction[3], double *t,
@@ -173,6 +178,12 @@ static inline double lx_curvature(const struct lx_shape *shape)
 {
     const struct lx_surface_bounds *bounds = shape->kind->bounds;
     return bounds && bounds->curvature ? bounds->curvature(shape) : -1;
+}
+
+/* Whether a surface may take light from an element, its own or another's. */
+static inline bool lx_may_hide(const struct lx_shape *shape, bool is_own)
+{
+    return !is_own || shape->kind->hides_itself;
 }
 
 /* The shape of authored parameters. */
