@@ -308,6 +308,45 @@ static lx_bounded cylinder_hides(const struct lx_shape *cylinder, lx_bounded3 pl
     return crosses_at(cylinder, t, start, change, touch, endless);
 }
 
+static struct lx_obstacle tube_of(const struct lx_shape *cylinder)
+{
+    struct lx_obstacle tube = {
+        .type = LX_OBSTACLE_TUBE,
+        .radius_mm = lx_cylinder_radius(cylinder),
+        .half_mm = lx_cylinder_half(cylinder),
+        .touch_mm = cylinder->touch_mm,
+    };
+    memcpy(tube.center_mm, cylinder->anchor_mm, sizeof tube.center_mm);
+    memcpy(tube.axis, cylinder->axis, sizeof tube.axis);
+    return tube;
+}
+
+static int cylinder_gather(const struct lx_shape *cylinder, const struct lx_shaft *shaft,
+                           struct lx_obstacles *obstacles)
+{
+    struct lx_obstacle tube = tube_of(cylinder);
+    double offset[3], aside[3], along;
+    if (!lx_shaft_meets_ball(shaft, cylinder->anchor_mm, cylinder->radius_mm))
+        return 0;
+    for (int i = 0; i < 3; i++)
+        offset[i] = shaft->from_mm[i] - cylinder->anchor_mm[i];
+    lx_cylinder_split(cylinder, offset, aside, &along);
+    tube.is_around = sqrt(lx_dot(aside, aside)) < tube.radius_mm - tube.touch_mm;
+    return lx_obstacles_append(obstacles, &tube);
+}
+
+/* An element that looks inwards loses what the wall opposite takes, too. */
+static int cylinder_gather_beside(const struct lx_shape *cylinder, double facing, const struct lx_obstacle *beyond,
+                                  const struct lx_shaft *shaft, struct lx_obstacles *obstacles)
+{
+    struct lx_obstacle tube = tube_of(cylinder);
+    tube.is_around = true;
+    (void)shaft;
+    if (lx_obstacles_append(obstacles, beyond))
+        return -1;
+    return facing < 0 ? lx_obstacles_append(obstacles, &tube) : 0;
+}
+
 static bool cylinder_holds(const struct lx_shape *cylinder, const double place_mm[3])
 {
     double from[3], aside[3], along, near = 1e-9 * cylinder->radius_mm;
@@ -441,6 +480,8 @@ const struct lx_surface_kind lx_cylinder_kind = {
     .farthest = cylinder_farthest,
     .is_dark = cylinder_is_dark,
     .hides = cylinder_hides,
+    .gather = cylinder_gather,
+    .gather_beside = cylinder_gather_beside,
     .distance = cylinder_distance,
     .beside = cylinder_beside,
     .shadow_edges = 4,

@@ -141,6 +141,16 @@ static bool disk_takes(const struct lx_shape *disk, const double from_mm[3], con
     return square <= reach * reach * change * change;
 }
 
+static int disk_gather(const struct lx_shape *disk, const struct lx_shaft *shaft, struct lx_obstacles *obstacles)
+{
+    struct lx_obstacle round = {.type = LX_OBSTACLE_DISK, .radius_mm = reach_of(disk), .touch_mm = disk->touch_mm};
+    if (!lx_shaft_meets_ball(shaft, disk->anchor_mm, reach_of(disk)))
+        return 0;
+    memcpy(round.center_mm, disk->anchor_mm, sizeof round.center_mm);
+    memcpy(round.axis, disk->axis, sizeof round.axis);
+    return lx_obstacles_append(obstacles, &round);
+}
+
 static bool disk_holds(const struct lx_shape *disk, const double place_mm[3])
 {
     double from[3], near = 1e-9 * disk->radius_mm;
@@ -266,6 +276,7 @@ const struct lx_surface_kind lx_disk_kind = {
     .holds = disk_holds,
     .meets = disk_meets,
     .takes = disk_takes,
+    .gather = disk_gather,
     .farthest = disk_farthest,
     .standing = disk_standing,
     .is_dark = disk_is_dark,

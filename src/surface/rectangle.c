@@ -140,6 +140,19 @@ static lx_bounded plate_blocks(const struct lx_shape *plate, lx_bounded3 place_m
     return blocked;
 }
 
+static int plate_gather(const struct lx_shape *plate, const struct lx_shaft *shaft, struct lx_obstacles *obstacles)
+{
+    struct lx_obstacle polygon = {.type = LX_OBSTACLE_POLYGON, .corner_count = 4, .touch_mm = plate->touch_mm};
+    for (unsigned k = 0; k < polygon.corner_count; k++)
+        for (int i = 0; i < 3; i++)
+            polygon.corners_mm[k][i] = plate->anchor_mm[i] +
+                                       (k == 1 || k == 2 ? 1 : -1) * plate->half_mm[0] * plate->across[i] +
+                                       (k >= 2 ? 1 : -1) * plate->half_mm[1] * plate->upward[i];
+    if (!lx_shaft_meets_hull(shaft, polygon.corners_mm, polygon.corner_count))
+        return 0;
+    return lx_obstacles_append(obstacles, &polygon);
+}
+
 static bool plate_holds(const struct lx_shape *plate, const double place_mm[3])
 {
     double from[3], near = 1e-9 * plate->radius_mm;
@@ -287,6 +300,7 @@ const struct lx_surface_kind lx_plate_kind = {
     .shape = plate_shape,
     .hit = plate_hit,
     .blocks = plate_blocks,
+    .gather = plate_gather,
     .holds = plate_holds,
     .standing = plate_standing,
     .is_dark = plate_is_dark,

@@ -191,6 +191,32 @@ static lx_bounded sphere_hides(const struct lx_shape *sphere, lx_bounded3 place_
     return lx_step(lx_sub(lx_length3(lx_add3(from, towards)), lx_exact(sphere->radius_mm)), false);
 }
 
+/* From on the sphere and outwards it is seen from outside, whatever rounding says of the place. */
+static int sphere_gather(const struct lx_shape *sphere, const struct lx_shaft *shaft, struct lx_obstacles *obstacles)
+{
+    const double touch = 1e-12 * sphere->radius_mm;
+    struct lx_obstacle ball = {.type = LX_OBSTACLE_BALL, .radius_mm = sphere->radius_mm, .touch_mm = touch};
+    double offset[3];
+    if (!lx_shaft_meets_ball(shaft, sphere->anchor_mm, sphere->radius_mm))
+        return 0;
+    memcpy(ball.center_mm, sphere->anchor_mm, sizeof ball.center_mm);
+    for (int i = 0; i < 3; i++)
+        offset[i] = shaft->from_mm[i] - sphere->anchor_mm[i];
+    ball.is_around = sqrt(lx_dot(offset, offset)) < sphere->radius_mm - touch;
+    return lx_obstacles_append(obstacles, &ball);
+}
+
+static int sphere_gather_beside(const struct lx_shape *sphere, double facing, const struct lx_obstacle *beyond,
+                                const struct lx_shaft *shaft, struct lx_obstacles *obstacles)
+{
+    if (facing >= 0)
+        return lx_obstacles_append(obstacles, beyond);
+    struct lx_obstacle ball = {.type = LX_OBSTACLE_BALL, .is_around = true, .radius_mm = sphere->radius_mm};
+    memcpy(ball.center_mm, sphere->anchor_mm, sizeof ball.center_mm);
+    (void)shaft;
+    return lx_obstacles_append(obstacles, &ball);
+}
+
 static bool sphere_encloses(const struct lx_shape *sphere, const double place_mm[3])
 {
     lx_bounded3 from = lx_sub3(lx_exact3(place_mm), lx_exact3(sphere->anchor_mm));
@@ -482,6 +508,8 @@ const struct lx_surface_kind lx_sphere_kind = {
     .normal = sphere_normal,
     .is_dark = sphere_is_dark,
     .hides = sphere_hides,
+    .gather = sphere_gather,
+    .gather_beside = sphere_gather_beside,
     .encloses = sphere_encloses,
     .distance = sphere_distance,
     .beside = sphere_beside,

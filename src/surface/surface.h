@@ -11,6 +11,7 @@
 
 #include "../base/bounded.h"
 #include "../parameter/table.h"
+#include "obstacle.h"
 #include "shape.h"
 
 /* A line of sight: origin + t direction, t > 0; the direction need not be of unit length. */
@@ -139,6 +140,15 @@ struct lx_surface_kind {
      */
     lx_bounded (*hides)(const struct lx_shape *shape, lx_bounded3 place_mm, double facing, lx_bounded3 towards,
                         bool endless);
+    /*
+     * What it takes of the light of extended sources: appends its obstacles (obstacle.h) that may come into a shaft, which
+     * together take what `blocks` tells.  0, or -1 when memory ran out.  NULL: `blocks` is scanned.
+     */
+    int (*gather)(const struct lx_shape *shape, const struct lx_shaft *shaft, struct lx_obstacles *obstacles);
+    /* The same as `hides` tells; `beyond` hides what lies beyond the tangent plane.  NULL: that, or nothing from an
+     * element that looks away from the surface. */
+    int (*gather_beside)(const struct lx_shape *shape, double facing, const struct lx_obstacle *beyond,
+                         const struct lx_shaft *shaft, struct lx_obstacles *obstacles);
     /* Whether a place is inside the body that it bounds, and not on the surface.  NULL: it bounds none. */
     bool (*encloses)(const struct lx_shape *shape, const double place_mm[3]);
     /* How far outside of it a place is, an offset from the anchor, and in which direction from the nearest point; less
