@@ -7,40 +7,23 @@
 #include "kernel.h"
 #include "kernel_elements.h"
 
-extern const struct lx_kernels lx_kernels_generic;
-#if defined __x86_64__
-extern const struct lx_kernels lx_kernels_x86_64, lx_kernels_x86_64_v3, lx_kernels_x86_64_v4;
-#endif
+/* The build defines LX_KERNEL_SETS(SET) as the list of the sets that it makes, the best first. */
+#define DECLARE(set)                                                                                                   \
+    extern const struct lx_kernels lx_kernels_##set;                                                                   \
+    extern const struct lx_element_kernels lx_element_kernels_##set;
+LX_KERNEL_SETS(DECLARE)
 
-static const struct lx_kernels *const sets[] = {
-#if defined __x86_64__
-    &lx_kernels_x86_64_v4,
-    &lx_kernels_x86_64_v3,
-    &lx_kernels_x86_64,
-#endif
-    &lx_kernels_generic,
-};
+#define KERNELS(set) &lx_kernels_##set,
+static const struct lx_kernels *const sets[] = {LX_KERNEL_SETS(KERNELS)};
+
+/* In the same order. */
+#define ELEMENT_KERNELS(set) &lx_element_kernels_##set,
+static const struct lx_element_kernels *const of_elements[] = {LX_KERNEL_SETS(ELEMENT_KERNELS)};
 
 const struct lx_kernels *lx_kernels_get(size_t i)
 {
     return i < sizeof sets / sizeof sets[0] ? sets[i] : NULL;
 }
-
-extern const struct lx_element_kernels lx_element_kernels_generic;
-#if defined __x86_64__
-extern const struct lx_element_kernels lx_element_kernels_x86_64, lx_element_kernels_x86_64_v3,
-    lx_element_kernels_x86_64_v4;
-#endif
-
-/* In the same order. */
-static const struct lx_element_kernels *const of_elements[] = {
-#if defined __x86_64__
-    &lx_element_kernels_x86_64_v4,
-    &lx_element_kernels_x86_64_v3,
-    &lx_element_kernels_x86_64,
-#endif
-    &lx_element_kernels_generic,
-};
 
 const struct lx_element_kernels *lx_element_kernels_of(const struct lx_kernels *kernels)
 {
