@@ -54,7 +54,8 @@ struct lx_grid {
     double center_mm[3];
     double size_mm[2];
     double axis[3], up[3]; /* as of a rectangle: the normal of the elements; along the rows' order */
-    unsigned n[2];         /* columns, rows */
+    unsigned n[2];         /* columns, rows; as the spacing says where they are not given */
+    int spacing;
 };
 
 /* The keys that every surface and every light has beside those of its kind. */

@@ -293,6 +293,32 @@ def a_picture(tap, tool):
     tap.equal(tool.run("grid", "a.png", "--json").out, tool.run("grid", "a.yaml", "--json").out, "grid of a picture")
 
 
+def spacing(tap, tool):
+    """Cells by EN 12464-1: the published distances, the side that counts, whole cells, and what does not go with it."""
+    def cells(*size):
+        plane = {"center": [0, 0, 0], "size": size, "spacing": "en12464"}
+        result = tool.run("grid", "-", "--json", stdin=scene([LAMP], [plane]))
+        return result.json()["grids"][0]["n"] if result.code == 0 else result.err
+
+    # p = 0.2, 0.324669, 0.616012, 1, 1.623345, 3.080059 and 5 m for d = 1, 2, 5, 10, 20, 50 and 100 m
+    for size, expected in (((1000, 1000), [5, 5]), ((2000, 2000), [7, 7]), ((5000, 4000), [9, 7]),
+                           ((4000, 5000), [7, 9]), ((10000, 10000), [10, 10]), ((20000, 15000), [13, 10]),
+                           ((50000, 50000), [17, 17]), ((100000, 100000), [20, 20]),
+                           ((10000, 5000), [17, 9]),  # twice as long: by the shorter side
+                           ((10000, 5001), [10, 6]), ((100000, 1000), [500, 5]),
+                           ((1000000, 600000), [100, 60])):  # no more than 10 m
+        tap.equal(cells(*size), expected, "cells of %g x %g mm" % size)
+    tap.ok("30000 x 20000 cells are too many" in cells(3e8, 2e8), "too many")
+    plane = {key: FLOOR[key] for key in ("center", "size")}
+    answers = [tool.run("grid", "-", "--json", stdin=scene([LAMP], [{**plane, **cells}])).json()
+               for cells in ({"spacing": "en12464"}, {"n": [8, 8]})]
+    tap.equal(answers[0], answers[1], "the numbers are those of n")
+    for grid, word in (({**FLOOR, "spacing": "en12464"}, "mutually exclusive"), (plane, "needs one of n, spacing"),
+                       ({**plane, "spacing": "en12463"}, 'did you mean "en12464"')):
+        result = tool.run("grid", "-", stdin=scene([LAMP], [grid]))
+        tap.ok(result.code == 3 and word in result.err, word, result.code, result.err)
+
+
 def interrupted(tap, tool):
     tool.write("long.yaml", scene([{**LAMP, "position": [i, 0, 3000]} for i in range(300)],
                                   [{**FLOOR, "n": [2000, 2000]}]))
@@ -310,4 +336,4 @@ def interrupted(tap, tool):
 
 
 run_tests(Tap(), closed_numbers, closed_room, extended, honest_errors, text, on_a_source, tables, refused, threads,
-          a_picture, interrupted)
+          a_picture, spacing, interrupted)
