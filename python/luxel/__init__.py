@@ -17,6 +17,7 @@ from ._errors import Diagnostic, LuxelError, LuxelKeyError, LuxelValueError
 from ._field import Field, compare, read
 from ._grid import Grid
 from ._language import set_language
+from ._photometry import Diagram, Greatest, LampSet, Opening, Photometry, PhotometryFigures
 from ._pictures import Figure, palettes
 from ._probe import Probe, Probes, Share
 from ._results import (Alternative, Comparison, Extrema, Extremum, GridExtremum, Histogram, Isophote, Judgement, Light,
@@ -27,8 +28,9 @@ from ._luxel import version as _version
 __version__ = _version()
 
 __all__ = [
-    "Alternative", "Comparison", "Diagnostic", "Document", "Extrema", "Extremum", "Field", "Figure", "Grid",
-    "GridExtremum", "Histogram", "Isophote", "Judgement", "Light", "LuxelError", "LuxelKeyError", "LuxelValueError",
-    "Peak", "Probe", "Probes", "Profile", "Scene", "Share", "Statistics", "Summary", "builtin_scenes", "compare",
-    "instruction_sets", "palettes", "read", "schema", "set_language", "variant", "__version__",
+    "Alternative", "Comparison", "Diagnostic", "Diagram", "Document", "Extrema", "Extremum", "Field", "Figure",
+    "Greatest", "Grid", "GridExtremum", "Histogram", "Isophote", "Judgement", "LampSet", "Light", "LuxelError",
+    "LuxelKeyError", "LuxelValueError", "Opening", "Peak", "Photometry", "PhotometryFigures", "Probe", "Probes",
+    "Profile", "Scene", "Share", "Statistics", "Summary", "builtin_scenes", "compare", "instruction_sets",
+    "palettes", "read", "schema", "set_language", "variant", "__version__",
 ]

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /*
- * The module luxel._figure: figures and reports.  It is a module of its own, loaded when something is drawn, because it
- * brings cairo and pango with it.  Scenes come as capsules of luxel._luxel.
+ * The module luxel._figure: figures, reports and diagrams.  It is a module of its own, loaded when something is drawn,
+ * because it brings cairo and pango with it.  Scenes and luminaires come as capsules of luxel._luxel.
  */
 #include <luxel/figure.h>
 
@@ -117,6 +117,49 @@ static PyObject *figure_bytes(PyObject *module, PyObject *arguments)
     return draw_figure(module, arguments, true);
 }
 
+/* ---- diagrams of luminaires ---- */
+
+/* Draws to a file of this name, or to the bytes that it would have. */
+static PyObject *draw_diagram(PyObject *module, PyObject *arguments, bool in_memory)
+{
+    PyObject *capsule;
+    const char *name;
+    unsigned char *bytes = NULL;
+    size_t length = 0;
+    int diagram, dark;
+    luxel_diagram_settings look;
+    const luxel_photometry *lamp;
+    luxel_diagnostics *diagnostics;
+    luxel_status status;
+
+    luxel_diagram_settings_init(&look);
+    if (!PyArg_ParseTuple(arguments, in_memory ? "O(izddp)s" : "O(izddp)y", &capsule, &diagram, &look.title,
+                          &look.width_mm, &look.dots_per_inch, &dark, &name) ||
+        !(lamp = PyCapsule_GetPointer(capsule, PHOTOMETRY_CAPSULE)) || !(diagnostics = diagnostics_begin()))
+        return NULL;
+    const luxel_language language = language_of(language_here(module));
+
+    look.diagram = (luxel_diagram)diagram;
+    look.dark = dark != 0;
+    look.language = &language;
+    Py_BEGIN_ALLOW_THREADS
+    status = in_memory ? luxel_diagram_write_memory(lamp, &look, name, diagnostics, &bytes, &length)
+                       : luxel_diagram_write(lamp, &look, name, diagnostics);
+    Py_END_ALLOW_THREADS
+    const bool good = diagnostics_end(language_here(module), status, diagnostics);
+    return good && !in_memory ? none() : file_of(good, bytes, length);
+}
+
+static PyObject *write_diagram(PyObject *module, PyObject *arguments)
+{
+    return draw_diagram(module, arguments, false);
+}
+
+static PyObject *diagram_bytes(PyObject *module, PyObject *arguments)
+{
+    return draw_diagram(module, arguments, true);
+}
+
 /* ---- reports ---- */
 
 static PyObject *write_report(PyObject *module, PyObject *arguments)
@@ -159,6 +202,8 @@ static PyMethodDef functions[] = {
     {"set_language", set_language, METH_VARARGS, "set_language(code, translate)"},
     {"write_figure", write_figure, METH_VARARGS, "write_figure(capsule, settings, figure, path)"},
     {"figure_bytes", figure_bytes, METH_VARARGS, "figure_bytes(capsule, settings, figure, name) -> bytes of the file"},
+    {"write_diagram", write_diagram, METH_VARARGS, "write_diagram(capsule, look, path)"},
+    {"diagram_bytes", diagram_bytes, METH_VARARGS, "diagram_bytes(capsule, look, name) -> bytes of the file"},
     {"write_report", write_report, METH_VARARGS, "write_report(capsule, settings, texts, path)"},
     {"palettes", palettes, METH_NOARGS, "palettes() -> [name]"},
     {NULL, NULL, 0, NULL},
@@ -190,7 +235,7 @@ PyMODINIT_FUNC PyInit__figure(void)
     static struct PyModuleDef definition = {
         PyModuleDef_HEAD_INIT,
         .m_name = "_figure",
-        .m_doc = "Figures and reports for the package luxel.",
+        .m_doc = "Figures, reports and diagrams for the package luxel.",
         .m_size = sizeof(struct figure_state),
         .m_methods = functions,
         .m_slots = slots,

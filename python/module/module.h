@@ -39,8 +39,9 @@ struct scene_object {
     PyObject_HEAD luxel_scene *scene;
 };
 
-/* The name of the capsules by which the module that draws gets a scene. */
+/* The names of the capsules by which the module that draws gets a scene and a luminaire. */
 #define SCENE_CAPSULE "luxel._luxel.scene"
+#define PHOTOMETRY_CAPSULE "luxel._luxel.photometry"
 
 /* A picture, with the scene it shows or NULL; it hands its values out as a buffer. */
 struct field_object {
@@ -97,7 +98,7 @@ int append(PyObject *list, PyObject *item);
 
 extern const PyMethodDef scene_functions[], edit_functions[], render_functions[], field_functions[],
     reading_functions[], profile_functions[], probe_functions[], evaluate_functions[], grid_functions[],
-    document_functions[], exercise_functions[];
+    document_functions[], exercise_functions[], photometry_functions[];
 extern PyType_Spec scene_spec, field_spec, view_spec, holder_spec;
 
 #endif
