@@ -30,7 +30,9 @@ def main():
     else:
         for processor in PROCESSORS:
             for program in sys.argv[1:]:
-                tap.run(emulated, tap, processor, program)
+                # Panels take longest; whatever has AVX2 and no AVX-512 runs them as Haswell would.
+                if (processor, os.path.basename(program)) != ("Haswell", "test_panels"):
+                    tap.run(emulated, tap, processor, program)
     tap.finish()
 
 

@@ -1,16 +1,22 @@
 # SPDX-License-Identifier: MIT
-"""A guide to adding a kind is followed in a copy of the sources: its code blocks are built, and the tool is tried.
+"""Adds a light and a surface the way the guides in docs/ say, in a copy of the sources, and tries them.
 
-The blocks are the kind's file, the two lines of its registry, and a scene.
+    test_adding.py SOURCE_FOLDER MESON
+
+The pages' own code blocks are taken: of each the kind's file, the two lines of its registry, and a scene.
 """
 import re
 import shutil
-import subprocess
 import sys
 import tempfile
 from pathlib import Path
 
+import adding_a_light
+import adding_a_surface
+from calling import call
 from tap import Tap
+
+GUIDES = (adding_a_light.GUIDE, adding_a_surface.GUIDE)
 
 
 def code_blocks(page):
@@ -34,26 +40,27 @@ def add_kind(room, name, before, kind, declaration, entry):
     files.write_text(files.read_text().replace("'%s'" % before, "'%s', '%s'" % (name, before)))
 
 
-def call(*arguments, **options):
-    return subprocess.run([str(a) for a in arguments], stdin=subprocess.DEVNULL, capture_output=True, text=True,
-                          errors="replace", **options)
-
-
-def follow(page, what, room, name, before, attempt):
-    """Builds what a page says, the file `name` in a room of src/, and calls attempt(tap, luxel, folder, scene)."""
+def main():
     tap = Tap()
     root, meson = Path(sys.argv[1]), sys.argv[2]
-    kind, declaration, entry, scene = code_blocks((root / page).read_text())
-    with tempfile.TemporaryDirectory(prefix="luxel-%s-" % what) as place:
+    with tempfile.TemporaryDirectory(prefix="luxel-adding-") as place:
         folder = Path(place)
         copy_sources(root, folder / "luxel")
-        add_kind(folder / "luxel" / room, name, before, kind, declaration, entry)
+        scenes = []
+        for page, room, name, before, _ in GUIDES:
+            kind, declaration, entry, scene = code_blocks((root / page).read_text())
+            add_kind(folder / "luxel" / room, name, before, kind, declaration, entry)
+            scenes.append(scene)
         # Kernels take the compiler longest: the generic ones do.
         made = call(meson, "setup", folder / "build", folder / "luxel", "-Doptimization=0", "-Dwerror=true",
                     "-Dinstruction_sets=[]")
         if made.returncode == 0:
             made = call("ninja", "-C", folder / "build", "cli/luxel")
-        if tap.ok(made.returncode == 0, "the sources with the new %s build without a warning" % what,
+        if tap.ok(made.returncode == 0, "the sources with the new kinds build without a warning",
                   made.stdout[-2000:], made.stderr[-2000:]):
-            attempt(tap, folder / "build/cli/luxel", folder, scene)
+            for (*_, attempt), scene in zip(GUIDES, scenes):
+                attempt(tap, folder / "build/cli/luxel", folder, scene)
     tap.finish()
+
+
+main()

@@ -1,18 +1,15 @@
 # SPDX-License-Identifier: MIT
-"""Adds a surface the way docs/ADDING-A-SURFACE.md says, in a copy of the sources, and tries it.
+"""The surface that docs/ADDING-A-SURFACE.md adds (test_adding.py).
 
-    test_adding_a_surface.py SOURCE_FOLDER MESON
-
-The page's own code blocks are taken: the kind's file, the two lines of the registry, the scene.  The new surface, a
-ring, must look as the disk that it is cut out of, show through its hole what is behind, take away the light that the
-disk takes and the disk in its hole does not, have a true maximum, and speak up in help and in errors.
+The new surface, a ring, must look as the disk that it is cut out of, show through its hole what is behind, take away
+the light that the disk takes and the disk in its hole does not, have a true maximum, and speak up in help and in errors.
 """
 import json
 import re
 
 import numpy
 
-from guide import call, follow
+from calling import call
 
 
 def disk_instead(scene, radius):
@@ -81,4 +78,4 @@ def try_surface(tap, luxel, folder, scene):
         tap.ok(made.returncode == 0, "luxel %s takes it" % command, made.stderr)
 
 
-follow("docs/ADDING-A-SURFACE.md", "surface", "src/surface", "ring.c", "sphere.c", try_surface)
+GUIDE = ("docs/ADDING-A-SURFACE.md", "src/surface", "ring.c", "sphere.c", try_surface)

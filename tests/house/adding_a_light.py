@@ -1,14 +1,11 @@
 # SPDX-License-Identifier: MIT
-"""Adds a light the way docs/ADDING-A-LIGHT.md says, in a copy of the sources, and tries it.
+"""The light that docs/ADDING-A-LIGHT.md adds (test_adding.py).
 
-    test_adding_a_light.py SOURCE_FOLDER MESON
-
-The page's own code blocks are taken: the kind's file, the two lines of the registry, the scene.  The new light
-must give the same bytes as the two point sources that it is made of, and speak up in help and in errors.
+The new light must give the same bytes as the two point sources that it is made of, and speak up in help and in errors.
 """
 import re
 
-from guide import call, follow
+from calling import call
 
 TWINS = "lights:\n" + "".join(
     "  - {type: point, position: [%d, 800, 2000], intensity: 10}\n" % x for x in (-150, 150))
@@ -27,4 +24,4 @@ def try_light(tap, luxel, folder, scene):
     tap.ok(wrong.returncode == 3 and "distance" in wrong.stderr, "an illegal value is an error", wrong.stderr)
 
 
-follow("docs/ADDING-A-LIGHT.md", "light", "src/light", "pair.c", "placed.c", try_light)
+GUIDE = ("docs/ADDING-A-LIGHT.md", "src/light", "pair.c", "placed.c", try_light)
