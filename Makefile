@@ -28,7 +28,7 @@ WARNINGS_ARE_ERRORS = --werror
 .NOTPARALLEL:
 .PHONY: build help setup run app python check bench install clean check-clang check-sanitize check-threads check-valgrind \
     format fuzz coverage fuzz-coverage mutants properties frozen freeze docs validation abi po packages check-packages \
-    check-wheel notebook
+    check-kills check-wheel notebook
 
 build: $(BUILD)/build.ninja
 	@$(COMPILE) $(BUILD)
@@ -50,6 +50,7 @@ help:
 	@echo 'make mutants         whether tests fail when the library is made wrong; MUTANTS="--random 100 --seed 1"'
 	@echo 'make properties      try what must hold of any scene on random ones: SCENES=1000000 of them, from SEED=1 on,'
 	@echo '                     one light in EXTENDED=64 an extended source'
+	@echo 'make check-kills     kill a sweep KILLS=200 times at random moments: the bytes must be the same at the end'
 	@echo 'make frozen          whether pictures still have the bytes that tests/frozen/ holds; make freeze takes new ones'
 	@echo 'make bench           time pictures and other programs in turn, and write docs/PERFORMANCE.md'
 	@echo 'make install         install under PREFIX ($(PREFIX)); DESTDIR is honoured'
@@ -178,6 +179,11 @@ EXTENDED ?= 64
 properties: setup $(BUILD)/build.ninja
 	@$(COMPILE) $(BUILD) properties:executable
 	@$(BUILD)/tests/properties/properties --scenes $(SCENES) --seed $(SEED) --extended $(EXTENDED)
+
+# A sweep that is killed so many times at random moments, and must end with the same bytes.
+KILLS ?= 200
+check-kills: build
+	@LUXEL_SWEEP_KILLS=$(KILLS) $(RUN_TESTS) $(BUILD) --timeout-multiplier 10 'cli sweep'
 
 # For changes that must move no byte of a picture.
 frozen freeze: setup $(BUILD)/build.ninja
