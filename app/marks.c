@@ -268,6 +268,7 @@ gboolean app_hand_move(AppHand *hand, const AppTouch *touch, const AppMoment *mo
 {
     const double grain = touch->snap ? snap_of(touch) : grain_of(touch);
     double shown[2], place[3];
+    gboolean all = FALSE;
     follow_pointer(hand, touch);
     if (hand->mark.kind == APP_MARK_SURFACE || hand->mark.kind == APP_MARK_SOURCE)
         change_way(hand, touch);
@@ -284,12 +285,15 @@ gboolean app_hand_move(AppHand *hand, const AppTouch *touch, const AppMoment *mo
     } else if (hand->mark.kind == APP_MARK_POINT) {
         memcpy(place, shown, sizeof shown);
     } else {
-        /* the height stays; where perspective makes the place of a pixel depend on it, the moment knows */
-        if (!luxel_scene_unproject(moment->scene, shown, hand->start_mm[2], place))
+        /* the height above the screen stays; where perspective makes the place of a pixel depend on it, the moment
+         * knows */
+        double height;
+        if (!luxel_scene_height(moment->scene, hand->start_mm, &height) ||
+            !luxel_scene_unproject(moment->scene, shown, height, place))
             return FALSE;
-        place[2] = hand->start_mm[2];
+        all = place[2] != hand->start_mm[2]; /* of a screen that stands elsewhere */
     }
-    for (int k = 0; k < 2 && !hand->was_height; k++)
+    for (int k = 0; k < (all ? 3 : 2) && !hand->was_height; k++)
         place[k] = round_to(place[k], grain * (touch->snap ? 1 : hand->gain > 3 ? 10 : 1));
     gboolean done = put(document, &hand->mark, place);
     if (done)

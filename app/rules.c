@@ -126,6 +126,8 @@ static gboolean rule_shows(const AppKeys *keys, const luxel_parameter *parameter
 {
     if (rule->kind == LUXEL_RULE_USED)
         return written || other_is_chosen(keys, parameter, rule);
+    if (rule->kind == LUXEL_RULE_NEEDED && !rule->choices)
+        return written || other_is_chosen(keys, parameter, rule);
     if (rule->kind == LUXEL_RULE_ONE_OF)
         return written || is_first_of_none(keys, parameter, rule);
     if (rule->kind == LUXEL_RULE_EXCLUDES && !written)
@@ -326,7 +328,7 @@ static void add_needed(const AppKeys *keys, const luxel_parameter *parameter, co
         for (gsize r = 0; r < other->rule_count; r++) {
             const luxel_rule *rule = &other->rules[r];
             if (rule->kind != LUXEL_RULE_NEEDED || strcmp(rule->other, name_of(parameter)) != 0 ||
-                !lists(rule->choices, yaml))
+                (rule->choices && !lists(rule->choices, yaml)))
                 continue;
             char *value = first_value(keys, other);
             add_set(keys, other, value, edits);

@@ -140,7 +140,9 @@ static void add_rule(struct text_table *table, const luxel_rule *rule)
     switch (rule->kind) {
     case LUXEL_RULE_EXCLUDES: add_line(table, _("excludes"), rule->other); break;
     case LUXEL_RULE_NEEDED:
-        add_line(table, _("required"), text_format(words, _("with %s: %s"), rule->other, choices));
+        add_line(table, _("required"),
+                 rule->choices ? text_format(words, _("with %s: %s"), rule->other, choices)
+                               : text_format(words, _("with %s"), rule->other));
         break;
     case LUXEL_RULE_USED:
         add_line(table, _("has effect"),

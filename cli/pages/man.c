@@ -184,7 +184,7 @@ static void print_keys(FILE *out, const luxel_parameters *parameters)
     fputs(".SH \"SCENE KEYS\"\n", out);
     roff_text(out,
               _("A scene is one YAML 1.2 document. Lengths are millimetres; the screen lies in z = 0, y points up, "
-                "the observer looks along -z. This is the scene \"report\":"));
+                "the observer looks along -z, unless it has a position and a target. This is the scene \"report\":"));
     fputc('\n', out);
     for (size_t i = 0; luxel_builtin_scene_name(i); i++)
         if (strcmp(luxel_builtin_scene_name(i), "report") == 0)

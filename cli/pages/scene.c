@@ -15,7 +15,8 @@ static const char introduction[] =
 static const char conventions[] =
     "- Axes are right-handed. The screen lies in z = 0, centred on the origin, x to the right, y up. The observer is "
     "at "
-    "(0, 0, z) and looks along -z.\n"
+    "(0, 0, z) and looks along -z; or it stands at a position, looks at a target, and the screen is carried there as a "
+    "whole, its middle to the target, its z axis towards the observer.\n"
     "- Lengths are millimetres, angles degrees. A distance that enters an attenuation law is converted to metres "
     "first.\n"
     "- Units are given here by their radiometric names. `units: photometric` makes W/sr cd, W/m² lx, W/(sr·m²) cd/m² "

@@ -20,7 +20,8 @@ extern "C" {
 /* What must hold between a key and another one of the same mapping. */
 typedef enum luxel_rule_kind {
     LUXEL_RULE_EXCLUDES, /* the two must not both be given */
-    LUXEL_RULE_NEEDED,   /* the key must be given where the other is one of the choices */
+    LUXEL_RULE_NEEDED,   /* the key must be given where the other is one of the choices; where there are no choices,
+                          * where the other is given */
     LUXEL_RULE_USED,     /* the key has an effect only where the other is one of the choices; where there are no
                           * choices, where the other is given */
     LUXEL_RULE_AT_MOST,  /* the key must not be greater than the other */

@@ -1,7 +1,9 @@
 /* SPDX-License-Identifier: MIT */
 /*
- * The view of a committed scene: between places in space and the points of the screen, the plane z = 0, at which the
- * observer sees them.  Whether something stands in the way does not matter.
+ * The view of a committed scene: between places in space and the points of the screen at which the observer sees them.
+ * Whether something stands in the way does not matter.  The screen is the plane z = 0 of the scene, or, of an observer
+ * with a position, of a frame that was carried to its target, with the z axis towards the observer; heights are along
+ * that axis.
  *
  * Threads: these functions only read the scene; several threads may call them at once.
  */
@@ -15,22 +17,30 @@ extern "C" {
 #endif
 
 /*
- * The point (x, y) of the screen, which may lie off its edges, at which a place (x, y, z) is seen: in orthographic
- * projection straight below it, in perspective on the line from the observer through it.  Both in mm.
+ * The point (x, y) of the screen, which may lie off its edges, at which a place (x, y, z) of the scene is seen: in
+ * orthographic projection straight below it, in perspective on the line from the observer through it.  Both in mm.
  * False, and nothing is written, for a scene that is not committed, numbers that are not finite, and in perspective
  * where the place is not in front of the observer, below its height.
  */
 LUXEL_API bool luxel_scene_project(const luxel_scene *scene, const double position_mm[3], double screen_mm[2]);
 
 /*
- * The other way: the place at the height z that is seen at a point (x, y) of the screen.  False as above.
+ * The other way: the place of the scene at the height z above the screen that is seen at a point (x, y) of it.  False
+ * as above.
  */
 LUXEL_API bool luxel_scene_unproject(const luxel_scene *scene, const double screen_mm[2], double z_mm,
                                      double position_mm[3]);
 
 /*
+ * The height of a place of the scene above the screen: its z, unless the observer has a position.  False, and nothing
+ * is written, for a scene that is not committed or numbers that are not finite.
+ */
+LUXEL_API bool luxel_scene_height(const luxel_scene *scene, const double position_mm[3], double *z_mm);
+
+/*
  * What every pixel of a committed scene shows, row by row from the top: how far it is from the observer along the
- * observer's line of view, in mm, and the unit normal of the surface there, towards the observer's side.  Where nothing
+ * observer's line of view, in mm, and the unit normal of the surface there, as the scene has it, towards the
+ * observer's side.  Where nothing
  * is seen all of them are 0.  Each array has room for rows x columns elements, or is NULL: not wanted.
  * LUXEL_ERROR_ARGUMENT: not committed.  LUXEL_ERROR_MEMORY.
  */

@@ -6,13 +6,22 @@
 #include "session.h"
 #include <luxel/view.h>
 
+/* How far below the observer a place is, along the axis of view. */
+static double depth_of(const struct lx_camera *camera, const lx_bounded3 *place_mm)
+{
+    const double place[3] = {place_mm->x.value, place_mm->y.value, place_mm->z.value};
+    double carried[3];
+    lx_frame_carry(&camera->frame, place, carried);
+    return camera->z_mm - carried[2];
+}
+
 /* Fills one pixel of what is wanted. */
 static void see(const struct lx_prepared *prepared, double x_mm, double y_mm, double *depth_mm, double *normal)
 {
     struct lx_element element;
     const bool is_seen = lx_element_seen(prepared, x_mm, y_mm, &element);
     if (depth_mm)
-        *depth_mm = is_seen ? prepared->scene->observer.z_mm - element.place_mm.z.value : 0;
+        *depth_mm = is_seen ? depth_of(&prepared->camera, &element.place_mm) : 0;
     if (normal) {
         normal[0] = is_seen ? element.normal.x.value : 0;
         normal[1] = is_seen ? element.normal.y.value : 0;

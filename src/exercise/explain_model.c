@@ -6,7 +6,6 @@
 #include "../light/distribution.h"
 #include "../light/placed.h"
 #include "../parameter/decode.h"
-#include "../shade/camera.h"
 #include "explain.h"
 
 /* What of the kinds of lights there is in a scene. */
@@ -78,10 +77,50 @@ static void explain_kinds(struct luxel_document *document, const struct lx_prepa
     }
 }
 
+/* A screen that was carried to where the observer looks: its frame in numbers, and the place on a line of sight. */
+static void explain_carried(struct luxel_document *document, const struct lx_camera *camera)
+{
+    static const char *const names[] = {"\\mathbf{X}", "\\mathbf{Y}", "\\mathbf{Z}"};
+    const lx_bounded3 target = lx_exact3(camera->frame.origin_mm), position = lx_exact3(camera->position_mm);
+    struct lx_text formula = {0};
+    lx_document_paragraph(document,
+                          LX_N("The observer stands at {0} and looks at {1}, the middle of the screen. The screen is "
+                               "carried there as a whole; its axes are {2} to the right, {3} upwards and {4} towards "
+                               "the observer:"),
+                          LX_SPANS(LX_MATH("\\mathbf{O}"), LX_MATH("\\mathbf{T}"), LX_MATH(names[0]), LX_MATH(names[1]),
+                                   LX_MATH(names[2])));
+    lx_text_puts(&formula, "\\mathbf{O} = ");
+    lx_add_math_vector(&formula, &position);
+    lx_text_puts(&formula, "\\;\\mathrm{mm}, \\qquad \\mathbf{T} = ");
+    lx_add_math_vector(&formula, &target);
+    lx_text_puts(&formula, "\\;\\mathrm{mm}");
+    if (formula.bytes)
+        lx_document_formula(document, formula.bytes);
+    lx_text_clear(&formula);
+    for (int i = 0; i < 3; i++) {
+        lx_text_printf(&formula, "%s = ", names[i]);
+        lx_add_math_vector(&formula, &camera->frame.rounded[i]);
+        if (formula.bytes)
+            lx_document_formula(document, formula.bytes);
+        lx_text_clear(&formula);
+    }
+    lx_document_paragraph(document,
+                          LX_N("The line of sight through the point (x, y) of the screen meets a surface in the point "
+                               "{0}, the nearest to the observer:"),
+                          LX_SPANS(LX_MATH("\\mathbf{P}")));
+    lx_document_formula(document, camera->is_perspective
+                                      ? "\\mathbf{P} = \\mathbf{O} + t\\,(\\mathbf{T} + x\\,\\mathbf{X} + "
+                                        "y\\,\\mathbf{Y} - \\mathbf{O}), \\qquad t > 0"
+                                      : "\\mathbf{P} = \\mathbf{O} + x\\,\\mathbf{X} + y\\,\\mathbf{Y} - "
+                                        "t\\,\\mathbf{Z}, \\qquad t > 0");
+}
+
 static void explain_places(struct luxel_document *document, const struct lx_prepared *prepared)
 {
-    const struct lx_observer *observer = &prepared->scene->observer;
-    if (observer->projection == LX_ORTHOGRAPHIC) {
+    const struct lx_camera *camera = &prepared->camera;
+    if (!camera->frame.is_own) {
+        explain_carried(document, camera);
+    } else if (!camera->is_perspective) {
         lx_document_paragraph(document,
                               LX_N("Lines of sight run along −z (orthographic projection). Through the point (x, y) of "
                                    "the screen they meet a surface in the point {0}, the nearest to the observer:"),
@@ -95,9 +134,10 @@ static void explain_places(struct luxel_document *document, const struct lx_prep
         lx_document_formula(document, "\\mathbf{P} = \\mathbf{O} + t\\,(x,\\, y,\\, -z_O), \\qquad t > 0");
     }
     explain_kinds(document, prepared, false);
-    if (lx_views_along_z(observer))
-        lx_document_paragraph(document, LX_N("The view vector is {0} everywhere."),
-                              LX_SPANS(LX_MATH("\\mathbf{V} = (0,\\, 0,\\, 1)")));
+    if (camera->is_parallel)
+        lx_document_paragraph(
+            document, LX_N("The view vector is {0} everywhere."),
+            LX_SPANS(LX_MATH(camera->frame.is_own ? "\\mathbf{V} = (0,\\, 0,\\, 1)" : "\\mathbf{V} = \\mathbf{Z}")));
     else
         lx_document_paragraph(
             document, LX_N("The view vector points to the observer: {0}."),

@@ -113,19 +113,21 @@ static void explain_height(const struct lx_steps *steps, const struct lx_surface
 
 void lx_explain_place(const struct lx_steps *steps, double x_mm, double y_mm)
 {
-    const struct lx_observer *observer = &steps->prepared->scene->observer;
+    const struct lx_camera *camera = &steps->prepared->camera;
     const struct lx_element *element = steps->element;
     const struct lx_surface_words *words = element->own->kind->words;
-    bool parallel = observer->projection == LX_ORTHOGRAPHIC;
+    const bool parallel = !camera->is_perspective, is_own = camera->frame.is_own;
     struct line line = {{0}};
     lx_document_heading(steps->document, 1, LX_N("The point of the surface"), NULL);
     lx_document_paragraph(steps->document,
-                          parallel ? LX_N("The line of sight runs along −z through the point of the screen "
-                                          "(orthographic projection) and meets the surface first here:")
-                                   : LX_N("The line of sight runs from the observer through the point of the screen "
-                                          "(perspective projection) and meets the surface first here:"),
+                          parallel && is_own ? LX_N("The line of sight runs along −z through the point of the screen "
+                                                    "(orthographic projection) and meets the surface first here:")
+                          : parallel ? LX_N("The line of sight runs at right angles through the point of the screen "
+                                            "(orthographic projection) and meets the surface first here:")
+                                     : LX_N("The line of sight runs from the observer through the point of the screen "
+                                            "(perspective projection) and meets the surface first here:"),
                           NULL);
-    if (words && words->height && parallel)
+    if (words && words->height && parallel && is_own)
         explain_height(steps, words, x_mm, y_mm);
     say(&line, "\\mathbf{P} = ");
     vector(&line, &element->place_mm);
@@ -139,9 +141,8 @@ void lx_explain_place(const struct lx_steps *steps, double x_mm, double y_mm)
     }
     vector(&line, &element->normal);
     end(steps, &line);
-    say(&line, lx_views_along_z(observer)
-                   ? "\\mathbf{V} = "
-                   : "\\mathbf{V} = \\frac{\\mathbf{O} - \\mathbf{P}}{|\\mathbf{O} - \\mathbf{P}|} = ");
+    say(&line, camera->is_parallel ? "\\mathbf{V} = "
+                                   : "\\mathbf{V} = \\frac{\\mathbf{O} - \\mathbf{P}}{|\\mathbf{O} - \\mathbf{P}|} = ");
     vector(&line, &element->view);
     end(steps, &line);
 }

@@ -296,15 +296,23 @@ static void search(struct lx_hunt *hunt, const struct lx_seeds *seeds, luxel_pea
     }
 }
 
+static double size_of(const double place_mm[3])
+{
+    return sqrt(lx_dot(place_mm, place_mm));
+}
+
 static void set_scales(struct lx_hunt *hunt, const luxel_field *field)
 {
     const struct lx_scene_parameters *scene = hunt->prepared->scene;
     hunt->scale_mm = fmax(scene->screen.width_mm, scene->screen.height_mm);
-    if (scene->observer.projection == LX_PERSPECTIVE)
-        hunt->scale_mm = fmax(hunt->scale_mm, fabs(scene->observer.z_mm));
+    const struct lx_camera *camera = &hunt->prepared->camera;
+    if (camera->is_perspective)
+        hunt->scale_mm = fmax(hunt->scale_mm, fmax(fabs(camera->z_mm), size_of(camera->position_mm)));
+    if (!camera->frame.is_own)
+        hunt->scale_mm = fmax(hunt->scale_mm, size_of(camera->frame.origin_mm));
     for (size_t i = 0; i < hunt->prepared->surface_count; i++) {
         const struct lx_shape *shape = &hunt->prepared->surfaces[i].shape;
-        double reach = sqrt(lx_dot(shape->anchor_mm, shape->anchor_mm)) + shape->radius_mm;
+        double reach = size_of(shape->anchor_mm) + shape->radius_mm;
         hunt->scale_mm = fmax(hunt->scale_mm, reach);
     }
     hunt->pixel_mm = scene->screen.width_mm / field->columns;

@@ -261,7 +261,7 @@ static void add_towards(struct lx_gathering *gathering, struct lx_spot spot, siz
 static void add_beam(struct lx_gathering *gathering, const struct lx_emitter *emitter)
 {
     const struct lx_prepared *prepared = gathering->hunt->prepared;
-    struct lx_ray ray;
+    struct lx_ray ray = {.origin_error = {0}};
     values_of(&emitter->profile.axis, ray.direction);
     memcpy(ray.origin_mm, emitter->position_mm, sizeof ray.origin_mm);
     for (size_t i = 0; i < prepared->surface_count; i++) {

@@ -3,11 +3,6 @@
 #include "../shade/camera.h"
 #include "extrema.h"
 
-static const struct lx_observer *observer_of(const struct lx_hunt *hunt)
-{
-    return &hunt->prepared->scene->observer;
-}
-
 const struct lx_shape *lx_spot_shape(const struct lx_hunt *hunt, const struct lx_spot *spot)
 {
     return &hunt->prepared->surfaces[spot->surface].shape;
@@ -56,9 +51,7 @@ struct lx_element lx_spot_element(const struct lx_hunt *hunt, const struct lx_sp
 
 void lx_screen_of(const struct lx_hunt *hunt, const double place_mm[3], double screen_mm[2])
 {
-    double factor = lx_scale_at(observer_of(hunt), place_mm[2]);
-    screen_mm[0] = place_mm[0] * factor;
-    screen_mm[1] = place_mm[1] * factor;
+    lx_seen_at(&hunt->prepared->camera, place_mm, screen_mm);
 }
 
 bool lx_way_to_observer(const struct lx_hunt *hunt, const double place_mm[3], double way[3])
@@ -69,12 +62,12 @@ bool lx_way_to_observer(const struct lx_hunt *hunt, const double place_mm[3], do
 
 struct lx_origin lx_eye_of(const struct lx_hunt *hunt)
 {
-    return lx_eye(observer_of(hunt));
+    return lx_eye(&hunt->prepared->camera);
 }
 
 struct lx_origin lx_viewer_of(const struct lx_hunt *hunt)
 {
-    return lx_viewer(observer_of(hunt));
+    return lx_viewer(&hunt->prepared->camera);
 }
 
 static struct lx_spot spot_of_element(const struct lx_hunt *hunt, const struct lx_element *element)

@@ -33,14 +33,14 @@ static double *new_places(const double *samples, unsigned count, const double *e
 /* A box of the screen that holds all that is seen of a surface. */
 static void find_box(const struct lx_prepared *prepared, const struct lx_prepared_surface *surface, double box[4])
 {
-    const struct lx_observer *observer = &prepared->scene->observer;
+    const struct lx_camera *camera = &prepared->camera;
     double low[3], high[3];
-    surface->kind->extent(surface->parameters, low, high);
+    lx_surface_extent(surface->kind, surface->parameters, &camera->frame, low, high);
     box[0] = box[2] = HUGE_VAL;
     box[1] = box[3] = -HUGE_VAL;
     for (int corner = 0; corner < 8; corner++) {
         double z = corner & 4 ? high[2] : low[2];
-        double widening = observer->projection == LX_PERSPECTIVE ? observer->z_mm / (observer->z_mm - z) : 1;
+        double widening = camera->is_perspective ? camera->z_mm / (camera->z_mm - z) : 1;
         for (int axis = 0; axis < 2; axis++) {
             double at = (corner & (1 << axis) ? high[axis] : low[axis]) * widening, room = 1e-9 * fabs(at);
             box[2 * axis] = fmin(box[2 * axis], at - room);

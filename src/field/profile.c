@@ -96,11 +96,12 @@ struct job {
 };
 
 /* Where a place is seen on the screen; the sphere's point need not be visible. */
-static void project(const struct lx_observer *observer, const double place[3], luxel_profile_sample *sample)
+static void project(const struct lx_camera *camera, const double place[3], luxel_profile_sample *sample)
 {
-    double scale = lx_scale_at(observer, place[2]);
-    sample->x_mm = place[0] * scale;
-    sample->y_mm = place[1] * scale;
+    double at[2];
+    lx_seen_at(camera, place, at);
+    sample->x_mm = at[0];
+    sample->y_mm = at[1];
 }
 
 /* A light off has no share anywhere. */
@@ -114,7 +115,7 @@ static void evaluate_sample(const struct job *job, size_t i)
         for (int k = 0; k < 3; k++)
             normal[k] = job->arc->begin[k] * cos(angle) + job->arc->aside[k] * sin(angle);
         value = luxel_evaluate_sphere(job->evaluator, job->arc->surface, normal, shares);
-        project(&job->evaluator->prepared.scene->observer, value.position_mm, sample);
+        project(&job->evaluator->prepared.camera, value.position_mm, sample);
     } else {
         value = luxel_evaluate(job->evaluator, sample->x_mm, sample->y_mm, shares);
     }

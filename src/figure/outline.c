@@ -7,14 +7,6 @@
 #include "../shade/camera.h"
 #include "figure.h"
 
-/* Where a place is seen on the screen. */
-static void project(const struct lx_observer *observer, const double place[3], double at[2])
-{
-    double scale = lx_scale_at(observer, place[2]);
-    at[0] = place[0] * scale;
-    at[1] = place[1] * scale;
-}
-
 /* Whether what is seen a little inside the edge is this surface. */
 static bool is_seen(const struct lx_figure *figure, const luxel_evaluator *evaluator, size_t surface,
                     const double inside[2])
@@ -65,21 +57,23 @@ static void turn_round(struct lx_outline *contour)
 int lx_figure_outline(struct lx_figure *figure, const luxel_evaluator *evaluator, int steps)
 {
     const struct lx_list *surfaces = &figure->scene->surfaces;
-    const struct lx_observer *observer = &figure->scene->observer;
+    /* surfaces are carried into the frame of the screen, where kinds draw what the observer sees of them */
+    const struct lx_camera camera = lx_camera_of(&figure->scene->observer), own = lx_camera_carried(&camera);
+    const struct lx_origin eye = lx_eye(&own);
     figure->contours = lx_new_array(surfaces->count + 1, sizeof *figure->contours);
     if (!figure->contours)
         return -1;
     for (size_t s = 0; s < surfaces->count; s++) {
         const struct lx_item *surface = &surfaces->items[s];
         const struct lx_surface_kind *kind = (const struct lx_surface_kind *)surface->variant;
-        const struct lx_shape shape = lx_surface_shape(kind, surface->parameters);
-        const struct lx_origin eye = lx_eye(observer);
+        const struct lx_shape in_scene = lx_surface_shape(kind, surface->parameters);
+        const struct lx_shape shape = lx_shape_carried(&in_scene, &camera.frame);
         bool open = false;
         for (int i = 0; kind->outline && i <= steps; i++) {
             double place[3], inside[3], at[2], inner[2];
             kind->outline(&shape, &eye, i, steps, place, inside);
-            project(observer, place, at);
-            project(observer, inside, inner);
+            lx_seen_at(&own, place, at);
+            lx_seen_at(&own, inside, inner);
             bool seen = is_seen(figure, evaluator, s, inner);
             if ((i > 0 && append(&figure->contours[s], at) < 0) || (seen && add_place(figure, !open, at) < 0))
                 return -1;

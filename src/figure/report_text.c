@@ -8,6 +8,7 @@
 #include "../base/phrase.h"
 #include "../exercise/parameter_tables.h"
 #include "../parameter/decode.h"
+#include "../scene/observer.h"
 #include "report.h"
 
 const char *lx_report_quantity(const struct lx_report *report)
@@ -78,9 +79,13 @@ void lx_report_task(struct lx_report *report)
             document, LX_N("Give its values in the points asked for, and the greatest and the least value."), NULL);
     else
         lx_document_paragraph(document, LX_N("Give the greatest and the least value."), NULL);
+    const bool is_placed = lx_observer_is_placed(&report->parameters->observer);
     lx_document_paragraph(document,
-                          LX_N("The screen lies in the plane z = 0 with its centre in the origin, x to the right and "
-                               "y up. The observer looks along −z."),
+                          is_placed
+                              ? LX_N("The screen stands with its centre at the target, at right angles to the way "
+                                     "from there to the observer, its vertical along the up direction.")
+                              : LX_N("The screen lies in the plane z = 0 with its centre in the origin, x to the "
+                                     "right and y up. The observer looks along −z."),
                           NULL);
     lx_document_heading(document, 1, LX_N("Parameters"), NULL);
     lx_add_parameter_tables(document, report->parameters);

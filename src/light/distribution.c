@@ -28,6 +28,15 @@ static lx_wide3 negated(lx_wide3 a)
     return (lx_wide3){lx_wide_negate(a.x), lx_wide_negate(a.y), lx_wide_negate(a.z)};
 }
 
+/* Direction i of the table's frame. */
+static void set_frame(struct lx_pointed *pointed, int i, lx_bounded3 direction)
+{
+    pointed->frame[i] = direction;
+    copy(&direction, pointed->frame_double[i]);
+    for (int k = 0; k < 3; k++)
+        pointed->frame_single[i][k] = (float)pointed->frame_double[i][k];
+}
+
 /* pose.h's `upward` is `up` made perpendicular to the axis, and `across` is up x axis. */
 static void point(const struct lx_distribution *distribution, struct lx_pose pose, struct lx_pointed *pointed)
 {
@@ -42,12 +51,18 @@ static void point(const struct lx_distribution *distribution, struct lx_pose pos
     pointed->axis = lx_wide3_direction(axis);
     pointed->c0 = lx_wide3_direction(c0);
     pointed->across = lx_wide3_direction(across);
-    for (int i = 0; i < 3; i++) {
-        pointed->frame[i] = lx_wide3_direction(frames[type][i]);
-        copy(&pointed->frame[i], pointed->frame_double[i]);
-        for (int k = 0; k < 3; k++)
-            pointed->frame_single[i][k] = (float)pointed->frame_double[i][k];
-    }
+    for (int i = 0; i < 3; i++)
+        set_frame(pointed, i, lx_wide3_direction(frames[type][i]));
+}
+
+void lx_turn_distribution(const struct lx_pointed *pointed, const struct lx_frame *frame, struct lx_pointed *turned)
+{
+    *turned = *pointed;
+    turned->axis = lx_frame_turn_bounded(frame, pointed->axis);
+    turned->c0 = lx_frame_turn_bounded(frame, pointed->c0);
+    turned->across = lx_frame_turn_bounded(frame, pointed->across);
+    for (int i = 0; i < 3; i++)
+        set_frame(turned, i, lx_frame_turn_bounded(frame, pointed->frame[i]));
 }
 
 void lx_point_distribution(const struct lx_distribution *distribution, const double axis[3], const double c0[3],

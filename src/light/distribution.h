@@ -20,6 +20,7 @@
 
 #include <stdint.h>
 
+#include "../base/frame.h"
 #include "../format/photometry.h"
 #include "profile.h"
 
@@ -87,6 +88,9 @@ void lx_point_distribution(const struct lx_distribution *distribution, const dou
 /* A distribution is aimed at another place, which need not be at a distance of float64 numbers. */
 void lx_aim_distribution(const struct lx_distribution *distribution, const double from[3], const double to[3],
                          const double c0[3], struct lx_pointed *pointed);
+
+/* One that was pointed, as a frame has it. */
+void lx_turn_distribution(const struct lx_pointed *pointed, const struct lx_frame *frame, struct lx_pointed *turned);
 
 /* The function for the unit direction L to the light. */
 lx_bounded lx_pointed_value(const struct lx_pointed *pointed, lx_bounded3 towards);

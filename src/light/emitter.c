@@ -203,6 +203,9 @@ void lx_emitters_clear(struct lx_emitters *emitters)
         }
     for (size_t i = 0; i < emitters->swarm_count; i++)
         release_cloud(&emitters->swarms[i]);
+    for (size_t i = 0; i < emitters->turned_count; i++)
+        free(emitters->turned[i]);
+    free((void *)emitters->turned);
     free(emitters->items);
     free(emitters->swarms);
     *emitters = (struct lx_emitters){0};

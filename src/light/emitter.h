@@ -90,6 +90,8 @@ struct lx_emitters {
     size_t extended;                /* how many are */
     size_t by_square, unattenuated; /* how many shine by the law 1/r^2 or are distant or uniform; by none */
     const struct lx_asking *asking; /* whether to go on making them; NULL: nobody asks */
+    struct lx_pointed **turned;     /* luminaires that were carried into another frame (carry.h); theirs alone */
+    size_t turned_count;
     bool is_whole; /* sources of some size are appended as they are, however many parts they are to be cut into */
 };
 

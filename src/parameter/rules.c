@@ -158,8 +158,12 @@ static void check_needed(const struct lx_check *check, const struct lx_rule *rul
     if (!lx_rule_applies(rule, check->table, check->parameters))
         return;
     struct lx_step step = {check->up, rule->key, 0};
-    lx_walk_report(check->walk, LUXEL_SEVERITY_ERROR, lx_document_place(check->walk->document, check->mapping), &step,
-                   LX_MSG_NEEDED_KEY, rule->other, lx_chosen(other, check->parameters));
+    const struct lx_place place = lx_document_place(check->walk->document, check->mapping);
+    if (rule->choices)
+        lx_walk_report(check->walk, LUXEL_SEVERITY_ERROR, place, &step, LX_MSG_NEEDED_KEY, rule->other,
+                       lx_chosen(other, check->parameters));
+    else
+        lx_walk_report(check->walk, LUXEL_SEVERITY_ERROR, place, &step, LX_MSG_NEEDED_BESIDE, rule->other, NULL);
     lx_hint_expected(check->walk, lx_find_parameter(check->table, rule->key));
 }
 

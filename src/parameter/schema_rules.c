@@ -37,8 +37,24 @@ static void add_condition(struct lx_json *json, const struct lx_table *table, co
     lx_json_close(json, '}');
 }
 
+/* Where the one is given, the other must be, too. */
+static void add_beside(struct lx_json *json, const struct lx_rule *rule)
+{
+    lx_json_open_line(json, NULL, '{');
+    lx_json_open(json, "dependencies", '{');
+    lx_json_open(json, rule->other, '[');
+    lx_json_text(json, NULL, rule->key);
+    lx_json_close(json, ']');
+    lx_json_close(json, '}');
+    lx_json_close(json, '}');
+}
+
 static void add_needed(struct lx_json *json, const struct lx_table *table, const struct lx_rule *rule)
 {
+    if (!rule->choices) {
+        add_beside(json, rule);
+        return;
+    }
     lx_json_open_line(json, NULL, '{');
     add_condition(json, table, rule);
     lx_json_open(json, "then", '{');

@@ -76,7 +76,7 @@ struct lx_parameter {
 /* What must hold between the keys of one table. */
 enum lx_rule_kind {
     LX_RULE_EXCLUSIVE, /* key and other must not both be given */
-    LX_RULE_NEEDED,    /* key must be given where other is one of choices */
+    LX_RULE_NEEDED,    /* key must be given where other is one of choices, or is given if there are no choices */
     LX_RULE_USED,      /* key has an effect only where other is one of choices, or where it is given if there are no
                         * choices (else: advice when key is given) */
     LX_RULE_ORDERED,   /* key <= other (numbers) */

@@ -7,9 +7,21 @@
 #include <string.h>
 
 #include "../base/number.h"
+#include "../base/vector.h"
 #include "../light/light.h"
 #include "../surface/surface.h"
 #include "mend.h"
+#include "observer.h"
+
+/* How far a surface reaches along a direction of the screen's frame, from its origin. */
+static double farthest_on_screen(const struct lx_scene_parameters *scene, const struct lx_surface_kind *kind,
+                                 const void *parameters, const double direction[3])
+{
+    const struct lx_frame frame = lx_observer_frame(&scene->observer);
+    double in_scene[3];
+    lx_frame_turn_back(&frame, direction, in_scene);
+    return lx_surface_farthest(kind, parameters, in_scene) - lx_dot(in_scene, frame.origin_mm);
+}
 
 /*
  * How far a surface reaches beyond the edge of the screen, made `times` as large, on the side where `axis` (0: x,
@@ -24,11 +36,11 @@ static double beyond_edge(const struct lx_scene_parameters *scene, const struct 
     double normal[3] = {0, 0, 0};
     normal[axis] = sign;
     if (scene->observer.projection == LX_ORTHOGRAPHIC)
-        return lx_surface_farthest(kind, surface->parameters, normal) - half;
-    double eye = scene->observer.z_mm, length = hypot(eye, half);
+        return farthest_on_screen(scene, kind, surface->parameters, normal) - half;
+    double eye = lx_observer_height(&scene->observer), length = hypot(eye, half);
     normal[axis] = sign * eye / length;
     normal[2] = half / length;
-    return lx_surface_farthest(kind, surface->parameters, normal) - eye * normal[2];
+    return farthest_on_screen(scene, kind, surface->parameters, normal) - eye * normal[2];
 }
 
 static bool is_beyond(const struct lx_scene_parameters *scene, const struct lx_item *surface, int axis, bool upper,
@@ -92,30 +104,39 @@ static void advise_view(struct lx_walk *walk, const struct lx_scene_parameters *
 
 static bool is_behind(const struct lx_scene_parameters *scene, const double place_mm[3])
 {
+    const struct lx_frame frame = lx_observer_frame(&scene->observer);
     for (size_t s = 0; s < scene->surfaces.count; s++) {
         const struct lx_item *surface = &scene->surfaces.items[s];
         const struct lx_surface_kind *kind = (const struct lx_surface_kind *)surface->variant;
-        if (!lx_surface_is_dark(kind, surface->parameters, place_mm))
+        if (!lx_surface_is_dark(kind, surface->parameters, &frame, place_mm))
             return false;
     }
     return true;
 }
 
-/* The same place, raised above the first surface. */
+/* The same place, raised above the first surface, as the screen has it. */
 static void mend_behind(struct lx_walk *walk, const struct lx_scene_parameters *scene, size_t light,
                         const double place_mm[3])
 {
     const struct lx_item *surface = &scene->surfaces.items[0];
     char numbers[3][LX_NUMBER_SIZE];
-    double low[3], high[3];
+    double low[3], high[3], place[3];
     struct lx_text text = {0};
-    ((const struct lx_surface_kind *)surface->variant)->extent(surface->parameters, low, high);
+    const struct lx_frame frame = lx_observer_frame(&scene->observer);
+    lx_surface_extent((const struct lx_surface_kind *)surface->variant, surface->parameters, &frame, low, high);
     double raised = high[2] + fmax(high[0] - low[0], high[1] - low[1]), step = pow(10, floor(log10(fabs(raised))) - 1);
     raised = raised != 0 ? ceil(raised / step) * step : 0;
-    if (is_behind(scene, (const double[]){place_mm[0], place_mm[1], raised}))
+    lx_frame_carry(&frame, place_mm, place);
+    place[2] = raised;
+    lx_frame_bring(&frame, place, place);
+    for (int i = 0; i < 3 && !frame.is_own && step > 0; i++)
+        place[i] = round(place[i] / step) * step + 0.0;
+    if (is_behind(scene, place))
         return;
-    lx_mend_add(&text, "lights[%zu].position=[%s, %s, %s]", light, lx_write_number(place_mm[0], numbers[0]),
-                lx_write_number(place_mm[1], numbers[1]), lx_write_digits(raised, 12, numbers[2]));
+    lx_mend_add(&text, "lights[%zu].position=[%s, %s, %s]", light,
+                frame.is_own ? lx_write_number(place[0], numbers[0]) : lx_write_digits(place[0], 12, numbers[0]),
+                frame.is_own ? lx_write_number(place[1], numbers[1]) : lx_write_digits(place[1], 12, numbers[1]),
+                lx_write_digits(place[2], 12, numbers[2]));
     lx_mend_hint(walk, &text);
 }
 

@@ -36,7 +36,9 @@ struct lx_screen {
 
 struct lx_observer {
     uint64_t given;
-    double z_mm;
+    double z_mm;                         /* without a position */
+    double position_mm[3], target_mm[3]; /* instead of z */
+    double up[3];
     int projection; /* enum lx_projection */
     int view;       /* enum lx_view */
 };

@@ -6,13 +6,11 @@
 #include "../light/light.h"
 #include "../parameter/check.h"
 #include "../surface/surface.h"
-#include "scene.h"
+#include "observer.h"
 
 static const char *const units_names[] = {"radiometric", "photometric", NULL};
 static const char *const shadows_names[] = {"points", "none", NULL};
 static const char *const sampling_names[] = {"centers", "nodes", NULL};
-static const char *const projection_names[] = {"orthographic", "perspective", NULL};
-static const char *const view_names[] = {"parallel", "observer", NULL};
 static const char *const range_names[] = {"max", "minmax", "log", NULL};
 static const char *const rounding_names[] = {"truncate", "nearest", NULL};
 
@@ -67,52 +65,6 @@ static const struct lx_table screen_table = {
     .parameters = screen_parameters,
     .count = LX_COUNT(screen_parameters),
     .size = sizeof(struct lx_screen),
-};
-
-/* ---- observer ---- */
-
-static const struct lx_parameter observer_parameters[] = {
-    {
-        .name = "z",
-        .label = "Height z",
-        .type = LX_REAL,
-        .offset = offsetof(struct lx_observer, z_mm),
-        .unit = LX_UNIT_MM,
-        .required = true,
-        .advised = {LX_BETWEEN(100, 10000)},
-        .meaning = "the height of the observer above the screen, at (0, 0, z), above the front of every surface",
-    },
-    {
-        .name = "projection",
-        .label = "Projection",
-        .type = LX_CHOICE,
-        .offset = offsetof(struct lx_observer, projection),
-        .initial = "orthographic",
-        .choices = projection_names,
-        .meaning = "how points of the screen see the surface: along z, or from the observer through the point",
-    },
-    {
-        .name = "view",
-        .label = "View vector",
-        .type = LX_CHOICE,
-        .offset = offsetof(struct lx_observer, view),
-        .initial = "parallel",
-        .choices = view_names,
-        .meaning = "the view vector of the highlight: (0, 0, 1) everywhere, or from each point to the observer",
-    },
-};
-
-static const struct lx_rule observer_rules[] = {
-    {LX_RULE_USED, "view", "projection", "orthographic"},
-    {LX_RULE_POSITIVE, "z", "projection", "perspective"},
-};
-
-static const struct lx_table observer_table = {
-    .parameters = observer_parameters,
-    .count = LX_COUNT(observer_parameters),
-    .rules = observer_rules,
-    .rule_count = LX_COUNT(observer_rules),
-    .size = sizeof(struct lx_observer),
 };
 
 /* ---- picture ---- */
@@ -369,8 +321,8 @@ static const struct lx_parameter scene_parameters[] = {
         .type = LX_GROUP,
         .offset = offsetof(struct lx_scene_parameters, observer),
         .required = true,
-        .group = &observer_table,
-        .meaning = "who looks, along -z",
+        .group = &lx_observer_table,
+        .meaning = "who looks: along -z from a height, or from a position at a target",
     },
     {
         .name = "surfaces",

@@ -2,10 +2,12 @@
 /* What must hold between the parts of a scene.  Parts with errors of their own are left out here. */
 #include <math.h>
 #include <stdio.h>
+#include <string.h>
 
 #include "../base/number.h"
 #include "../surface/surface.h"
 #include "object.h"
+#include "observer.h"
 
 static const double SQUARE_TOLERANCE = 1e-6;
 enum { LARGEST_RESOLUTION = 65536 };
@@ -64,31 +66,47 @@ static bool is_good(const char *group, const void *parameters, const char *key)
     return lx_is_given(lx_find_parameter(&lx_scene_table, group)->group, parameters, key);
 }
 
+/* The observer, as the surfaces are looked at. */
+struct watch {
+    struct lx_frame frame;
+    double z_mm;
+    bool is_perspective;
+    const char *key; /* that says where it stands */
+};
+
 /* What an observer of the scene has to do with surface i; false: it has errors of its own. */
-static bool standing_of(const luxel_scene *scene, size_t i, enum lx_standing *standing, double *highest_mm)
+static bool standing_of(const luxel_scene *scene, const struct watch *watch, size_t i, enum lx_standing *standing,
+                        double *highest_mm)
 {
-    const struct lx_observer *observer = &scene->parameters.observer;
     const struct lx_item *item = &scene->parameters.surfaces.items[i];
     const struct lx_surface_kind *kind = (const struct lx_surface_kind *)item->variant;
     if (!kind)
         return false;
     double low[3], high[3];
-    kind->extent(item->parameters, low, high);
+    lx_surface_extent(kind, item->parameters, &watch->frame, low, high);
     *highest_mm = high[2];
-    *standing = lx_surface_standing(kind, item->parameters, observer->z_mm, observer->projection == LX_PERSPECTIVE);
+    *standing = lx_surface_standing(kind, item->parameters, &watch->frame, watch->z_mm, watch->is_perspective);
     return true;
 }
 
+/* Reports at the key that says where the observer stands. */
+static void report_observer(struct lx_walk *walk, const luxel_scene *scene, const struct watch *watch,
+                            enum lx_message message, const char *name, const char *number)
+{
+    struct lx_step group = {NULL, "observer", 0}, step = {&group, watch->key, 0};
+    const lx_node_id id = lx_scene_node(scene, "observer", watch->key);
+    lx_walk_report(walk, LUXEL_SEVERITY_ERROR, lx_document_place(walk->document, id), &step, message, name, number);
+}
+
 /* Of a surface that shows its back: at the observer's height, or at the surface's axis. */
-static void report_back(struct lx_walk *walk, const luxel_scene *scene, size_t i, enum lx_standing standing)
+static void report_back(struct lx_walk *walk, const luxel_scene *scene, const struct watch *watch, size_t i,
+                        enum lx_standing standing)
 {
     const struct lx_document *document = walk->document;
     char name[40];
     snprintf(name, sizeof name, "surfaces[%zu]", i);
     if (standing == LX_STANDS_BEHIND) {
-        struct lx_step group = {NULL, "observer", 0}, step = {&group, "z", 0};
-        lx_walk_report(walk, LUXEL_SEVERITY_ERROR, lx_document_place(document, lx_scene_node(scene, "observer", "z")),
-                       &step, LX_MSG_OBSERVER_BEHIND, name, NULL);
+        report_observer(walk, scene, watch, LX_MSG_OBSERVER_BEHIND, name, NULL);
         lx_hint(walk->diagnostics, LX_MSG_HINT_TURN_ROUND, NULL);
         return;
     }
@@ -97,42 +115,67 @@ static void report_back(struct lx_walk *walk, const luxel_scene *scene, size_t i
     for (size_t k = 0; k < i; k++)
         id = lx_document_node(document, id)->next;
     struct lx_step surfaces = {NULL, "surfaces", 0}, item = {&surfaces, NULL, i}, step = {&item, "axis", 0};
+    const bool is_own = watch->frame.is_own;
     lx_walk_report(walk, LUXEL_SEVERITY_ERROR, lx_document_place(document, lx_document_find(document, id, "axis")),
-                   &step, LX_MSG_TURNED_AWAY, name, NULL);
-    lx_hint(walk->diagnostics, LX_MSG_HINT_TURN_UP, NULL);
+                   &step, is_own ? LX_MSG_TURNED_AWAY : LX_MSG_TURNED_FROM_POSITION, name, NULL);
+    lx_hint(walk->diagnostics, is_own ? LX_MSG_HINT_TURN_UP : LX_MSG_HINT_TURN_ROUND, NULL);
+}
+
+static void report_too_low(struct lx_walk *walk, const luxel_scene *scene, const struct watch *watch, size_t highest,
+                           double highest_mm)
+{
+    char name[40], number[LX_NUMBER_SIZE];
+    const bool has_height = strcmp(watch->key, "z") == 0;
+    snprintf(name, sizeof name, "surfaces[%zu]", highest);
+    if (has_height)
+        lx_write_number(highest_mm, number);
+    else
+        lx_write_digits(highest_mm, 9, number);
+    report_observer(walk, scene, watch, has_height ? LX_MSG_OBSERVER_TOO_LOW : LX_MSG_OBSERVER_TOO_NEAR, name, number);
+    if (isfinite(highest_mm))
+        lx_hint(walk->diagnostics, has_height ? LX_MSG_HINT_RAISE_OBSERVER : LX_MSG_HINT_STAND_FARTHER,
+                LX_ARGS(number));
 }
 
 /* Of the surfaces that the observer is not above only the one that reaches highest is reported. */
 static void check_observer(struct lx_walk *walk, const luxel_scene *scene)
 {
     const struct lx_observer *observer = &scene->parameters.observer;
-    if (observer->projection == LX_PERSPECTIVE && !(observer->z_mm > 0))
+    const struct watch watch = {
+        .frame = lx_observer_frame(observer),
+        .z_mm = lx_observer_height(observer),
+        .is_perspective = observer->projection == LX_PERSPECTIVE,
+        .key = lx_observer_is_placed(observer) ? "position" : "z",
+    };
+    if (watch.is_perspective && !(watch.z_mm > 0))
         return; /* a rule of its table, and reported by it */
-    if (lx_scene_node(scene, "observer", "projection") && !is_good("observer", observer, "projection"))
-        return;
     size_t count = scene->parameters.surfaces.count, highest = count;
     double highest_mm = -HUGE_VAL;
     for (size_t i = 0; i < count; i++) {
         enum lx_standing standing;
         double top_mm;
-        if (!standing_of(scene, i, &standing, &top_mm) || standing == LX_STANDS_BEFORE)
+        if (!standing_of(scene, &watch, i, &standing, &top_mm) || standing == LX_STANDS_BEFORE)
             continue;
         if (standing != LX_STANDS_TOO_LOW) {
-            report_back(walk, scene, i, standing);
+            report_back(walk, scene, &watch, i, standing);
         } else if (highest == count || top_mm > highest_mm) {
             highest = i;
             highest_mm = top_mm;
         }
     }
-    if (highest == count)
-        return;
-    char name[40], number[LX_NUMBER_SIZE];
-    snprintf(name, sizeof name, "surfaces[%zu]", highest);
-    struct lx_step group = {NULL, "observer", 0}, step = {&group, "z", 0};
-    lx_walk_report(walk, LUXEL_SEVERITY_ERROR, lx_document_place(walk->document, lx_scene_node(scene, "observer", "z")),
-                   &step, LX_MSG_OBSERVER_TOO_LOW, name, lx_write_number(highest_mm, number));
-    if (isfinite(highest_mm))
-        lx_hint(walk->diagnostics, LX_MSG_HINT_RAISE_OBSERVER, LX_ARGS(number));
+    if (highest < count)
+        report_too_low(walk, scene, &watch, highest, highest_mm);
+}
+
+/* Whether the keys of the observer that were written are good, as far as they say how it stands to surfaces. */
+static bool is_observer_good(const luxel_scene *scene)
+{
+    static const char *const keys[] = {"projection", "up"};
+    const struct lx_observer *observer = &scene->parameters.observer;
+    for (size_t i = 0; i < LX_COUNT(keys); i++)
+        if (lx_scene_node(scene, "observer", keys[i]) && !is_good("observer", observer, keys[i]))
+            return false;
+    return lx_observer_is_sound(observer);
 }
 
 void lx_validate_scene(struct lx_walk *walk, const luxel_scene *scene)
@@ -141,6 +184,6 @@ void lx_validate_scene(struct lx_walk *walk, const luxel_scene *scene)
     if (is_good("screen", screen, "width") && is_good("screen", screen, "height") &&
         is_good("screen", screen, "resolution"))
         check_square(walk, scene);
-    if (is_good("observer", &scene->parameters.observer, "z"))
+    if (is_observer_good(scene))
         check_observer(walk, scene);
 }

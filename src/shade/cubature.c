@@ -58,7 +58,7 @@ static void marks_of(const struct lx_problem *problem, const struct lx_sweep *sw
     }
     const double *special[LONGITUDES] = {problem->mirrored, problem->view};
     for (size_t i = 0; problem->lobe && i < LONGITUDES; i++) {
-        const struct lx_frame *frame = &sweep->frame;
+        const struct lx_sweep_frame *frame = &sweep->frame;
         marks[m++] = lx_dot_plain(arc.direction, frame->x) * lx_dot_plain(special[i], frame->y) -
                      lx_dot_plain(arc.direction, frame->y) * lx_dot_plain(special[i], frame->x);
     }

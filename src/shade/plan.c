@@ -467,7 +467,7 @@ static const struct lx_planned_surface *find_alone(const struct lx_plan *plan)
 
 static void plan_alone(struct lx_plan *plan)
 {
-    if (plan->forest.tree_count > 0 || !lx_views_along_z(&plan->prepared->scene->observer))
+    if (plan->forest.tree_count > 0 || !plan->prepared->camera.is_parallel)
         return;
     const struct lx_planned_surface *alone = find_alone(plan);
     if (!alone || !is_in_single(alone))
@@ -481,7 +481,7 @@ static void plan_alone(struct lx_plan *plan)
 static double radius_on_screen(const struct lx_plan *plan, const struct lx_planned_surface *surface)
 {
     const struct lx_shape *shape = &surface->shape;
-    return shape->radius_mm * lx_scale_at(&plan->prepared->scene->observer, shape->anchor_mm[2]);
+    return shape->radius_mm * lx_scale_at(&plan->prepared->camera, shape->anchor_mm[2]);
 }
 
 /* Whether polynomials may take the place of a surface's lights (smooth.h), and pay. */
@@ -528,7 +528,6 @@ luxel_status lx_plan_make(const struct lx_prepared *prepared, const struct lx_ke
 {
     struct lx_control control = {.rows = 1, .progress = settings->progress, .data = settings->progress_data};
     *plan = (struct lx_plan){
-        .prepared = prepared,
         .kernels = kernels,
         .precision = settings->precision,
         .tolerance = settings->tolerance > 0 ? settings->tolerance : USUAL_TOLERANCE,
@@ -537,18 +536,19 @@ luxel_status lx_plan_make(const struct lx_prepared *prepared, const struct lx_ke
         .surface_count = prepared->surface_count,
         .every = 1,
     };
-    if (!plan->surfaces)
-        return LUXEL_ERROR_MEMORY;
+    const struct lx_asking asking = {.control = &control, .is_caller = true};
+    plan->prepared = prepared = lx_prepared_on_screen(prepared, &asking, &plan->carried);
+    if (!plan->surfaces || !prepared)
+        return atomic_load(&control.stop) ? LUXEL_CANCELLED : LUXEL_ERROR_MEMORY;
+    luxel_status status = LUXEL_OK;
     for (size_t s = 0; s < plan->surface_count; s++) {
         const struct lx_prepared_surface *surface = &prepared->surfaces[s];
         plan->surfaces[s].shape = surface->shape;
-        surface->kind->extent(surface->parameters, plan->surfaces[s].low_mm, plan->surfaces[s].high_mm);
         for (int i = 0; i < 3; i++) {
-            plan->surfaces[s].low_mm[i] -= 2 * surface->shape.touch_mm;
-            plan->surfaces[s].high_mm[i] += 2 * surface->shape.touch_mm;
+            plan->surfaces[s].low_mm[i] = surface->low_mm[i] - 2 * surface->shape.touch_mm;
+            plan->surfaces[s].high_mm[i] = surface->high_mm[i] + 2 * surface->shape.touch_mm;
         }
     }
-    luxel_status status = LUXEL_OK;
     if (settings->light_error > 0)
         status = lx_forest_plant(&prepared->emitters, &control, &plan->forest);
     struct lx_lobe irradiance = lx_lobe_irradiance();
@@ -583,5 +583,6 @@ void lx_plan_clear(struct lx_plan *plan)
     free(plan->rules);
     free(plan->node_rules);
     lx_forest_clear(&plan->forest);
+    lx_prepared_free(plan->carried);
     *plan = (struct lx_plan){0};
 }

@@ -67,7 +67,8 @@ struct lx_planned_surface {
 };
 
 struct lx_plan {
-    const struct lx_prepared *prepared;
+    const struct lx_prepared *prepared; /* the scene in the frame of its screen: */
+    struct lx_prepared *carried;        /* it was carried there; NULL: it is as it was prepared */
     const struct lx_kernels *kernels;
     struct lx_planned_surface *surfaces;
     size_t surface_count;

@@ -61,14 +61,14 @@ static double turn_towards(const struct lx_shape *shape, double away)
 static double least_half_length(const struct lx_prepared *prepared, const struct lx_shape *shape,
                                 const struct lx_emitter *emitter, double light_distance)
 {
-    const struct lx_observer *observer = &prepared->scene->observer;
+    const struct lx_camera *camera = &prepared->camera;
     const double *center = shape->anchor_mm;
-    double eye[3] = {-center[0], -center[1], observer->z_mm - center[2]}, light[3];
+    double eye[3] = {-center[0], -center[1], camera->z_mm - center[2]}, light[3];
     double spread = 0, eye_distance = 0; /* how far L and V turn over the surface; 0: the eye is a direction */
-    if (lx_views_along_z(observer)) {
+    if (camera->is_parallel) {
         eye[0] = eye[1] = 0, eye[2] = 1;
     } else {
-        eye_distance = distance((double[]){0, 0, observer->z_mm}, center);
+        eye_distance = distance((double[]){0, 0, camera->z_mm}, center);
         spread += turn_towards(shape, eye_distance);
     }
     if (emitter->type == LX_POINT) {

@@ -6,6 +6,7 @@
 #include "../base/memory.h"
 #include "../base/phrase.h"
 #include "../base/rows.h"
+#include "../light/carry.h"
 #include "../light/light.h"
 #include "prepared.h"
 
@@ -32,6 +33,7 @@ static int prepare(const struct lx_scene_parameters *scene, double tolerance, co
     const struct lx_list *surfaces = &scene->surfaces;
     *prepared = (struct lx_prepared){
         .scene = scene,
+        .camera = lx_camera_of(&scene->observer),
         .surfaces = lx_new_array(surfaces->count, sizeof *prepared->surfaces),
         .surface_count = surfaces->count,
         .emitters = *room,
@@ -52,6 +54,7 @@ static int prepare(const struct lx_scene_parameters *scene, double tolerance, co
             .lobe = lx_lobe_prepare(&common->material),
         };
         prepared->shadows = prepared->shadows || (prepared->shadows_on_free && lx_may_hide(&shape, i == 0));
+        shape.kind->extent(item->parameters, prepared->surfaces[i].low_mm, prepared->surfaces[i].high_mm);
     }
     int failed = prepare_lights(&scene->lights, &prepared->emitters);
     prepared->emitters.asking = NULL;
@@ -78,6 +81,43 @@ int lx_prepare_few(const struct lx_scene_parameters *scene, double tolerance, si
 {
     const struct lx_emitters room = {.most = most};
     return prepare(scene, tolerance, &room, prepared);
+}
+
+int lx_prepared_carry(const struct lx_prepared *prepared, const struct lx_asking *asking, struct lx_prepared *carried)
+{
+    const struct lx_frame *frame = &prepared->camera.frame;
+    *carried = *prepared;
+    carried->camera = lx_camera_carried(&prepared->camera);
+    carried->surfaces = lx_new_array(prepared->surface_count, sizeof *carried->surfaces);
+    carried->emitters = (struct lx_emitters){0};
+    if (!carried->surfaces)
+        return -1;
+    for (size_t i = 0; i < prepared->surface_count; i++) {
+        const struct lx_prepared_surface *surface = &prepared->surfaces[i];
+        struct lx_prepared_surface *made = &carried->surfaces[i];
+        *made = *surface;
+        made->shape = lx_shape_carried(&surface->shape, frame);
+        made->parameters = NULL;
+        lx_surface_extent(surface->kind, surface->parameters, frame, made->low_mm, made->high_mm);
+    }
+    return lx_emitters_carry(&prepared->emitters, frame, asking, &carried->emitters);
+}
+
+const struct lx_prepared *lx_prepared_on_screen(const struct lx_prepared *prepared, const struct lx_asking *asking,
+                                                struct lx_prepared **carried)
+{
+    *carried = NULL;
+    if (prepared->camera.frame.is_own)
+        return prepared;
+    *carried = lx_new_array(1, sizeof **carried);
+    return *carried && lx_prepared_carry(prepared, asking, *carried) == 0 ? *carried : NULL;
+}
+
+void lx_prepared_free(struct lx_prepared *carried)
+{
+    if (carried)
+        lx_prepared_clear(carried);
+    free(carried);
 }
 
 void lx_prepared_clear(struct lx_prepared *prepared)

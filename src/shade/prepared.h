@@ -10,6 +10,7 @@
 #include "../material/lobe.h"
 #include "../scene/scene.h"
 #include "../surface/surface.h"
+#include "camera.h"
 #include <luxel/field.h>
 
 /* Of probes where nothing else is asked for. */
@@ -17,13 +18,15 @@
 
 struct lx_prepared_surface {
     const struct lx_surface_kind *kind;
-    const void *parameters;
+    const void *parameters; /* in the frame of the scene; NULL in one that was carried */
     struct lx_shape shape;
+    double low_mm[3], high_mm[3]; /* its extent */
     struct lx_lobe lobe;
 };
 
 struct lx_prepared {
     const struct lx_scene_parameters *scene;
+    struct lx_camera camera;
     struct lx_prepared_surface *surfaces;
     size_t surface_count;
     struct lx_emitters emitters; /* of the enabled lights, in their order */
@@ -41,6 +44,17 @@ int lx_prepare(const struct lx_scene_parameters *scene, double tolerance, const 
 /* The same of a scene that has at most so many emitters; else -1, and prepared->emitters.is_short. */
 int lx_prepare_few(const struct lx_scene_parameters *scene, double tolerance, size_t most,
                    struct lx_prepared *prepared);
+/*
+ * The scene in the frame of its screen, in which the observer stands at (0, 0, z) and looks along -z, as pictures are
+ * made of it.  But for roundings all is as it was, with the same numbers of surfaces and emitters.  0, or -1 as above.
+ */
+int lx_prepared_carry(const struct lx_prepared *prepared, const struct lx_asking *asking, struct lx_prepared *carried);
+/* The same where that frame is not the scene's own: then it is put into *carried; else that is NULL, and it is the
+ * scene itself.  NULL: memory ran out, or the work is to stop.  Release *carried by lx_prepared_free() anyway. */
+const struct lx_prepared *lx_prepared_on_screen(const struct lx_prepared *prepared, const struct lx_asking *asking,
+                                                struct lx_prepared **carried);
+void lx_prepared_free(struct lx_prepared *carried);
+
 void lx_prepared_clear(struct lx_prepared *prepared);
 
 /* The unit of a quantity in this scene, UTF-8, as the attenuation laws, over_pi and `units` make it. */

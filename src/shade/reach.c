@@ -41,8 +41,7 @@ static bool has_stretches(const struct lx_prepared *prepared)
 {
     const struct lx_emitters *emitters = &prepared->emitters;
     bool all = prepared->surface_count == 1 && prepared->surfaces->kind->lit_range &&
-               prepared->scene->observer.projection == LX_ORTHOGRAPHIC && emitters->swarm_count == 0 &&
-               emitters->count <= MOST_STRETCHES;
+               !prepared->camera.is_perspective && emitters->swarm_count == 0 && emitters->count <= MOST_STRETCHES;
     for (size_t i = 0; all && i < emitters->count; i++)
         all = !lx_is_extended(&emitters->items[i]);
     return all;
@@ -69,8 +68,9 @@ luxel_status lx_reach_open(struct lx_reach *reach, const struct lx_scene_paramet
     }
     for (size_t i = 0; i < emitters->swarm_count; i++)
         make_plain(&emitters->swarms[i].model);
-    reach->has_stretches = has_stretches(&reach->prepared);
-    return lx_plan_make(&reach->prepared, kernels, &own, &reach->plan);
+    const luxel_status status = lx_plan_make(&reach->prepared, kernels, &own, &reach->plan);
+    reach->has_stretches = status == LUXEL_OK && has_stretches(reach->plan.prepared);
+    return status;
 }
 
 void lx_reach_clear(struct lx_reach *reach)
@@ -95,14 +95,14 @@ static struct lx_reach_stretch stretch_of(const struct lx_emitter *emitter, cons
 
 struct lx_reach_stretch lx_reach_stretch(const struct lx_reach *reach, double y_mm)
 {
-    const struct lx_emitters *emitters = &reach->prepared.emitters;
+    const struct lx_emitters *emitters = &reach->plan.prepared->emitters;
     if (!reach->has_stretches)
         return (struct lx_reach_stretch){-HUGE_VAL, HUGE_VAL};
     struct lx_reach_stretch all = {HUGE_VAL, -HUGE_VAL};
     for (size_t i = 0; i < emitters->count; i++) {
         if (emitters->items[i].type == LX_UNIFORM)
             continue;
-        const struct lx_reach_stretch one = stretch_of(&emitters->items[i], reach->prepared.surfaces, y_mm);
+        const struct lx_reach_stretch one = stretch_of(&emitters->items[i], reach->plan.prepared->surfaces, y_mm);
         all.low_mm = fmin(all.low_mm, one.low_mm);
         all.high_mm = fmax(all.high_mm, one.high_mm);
     }

@@ -6,22 +6,9 @@
 #include "camera.h"
 #include "cubature.h"
 
-static lx_bounded3 observer_place(const struct lx_observer *observer)
-{
-    return lx_exact3((const double[]){0, 0, observer->z_mm});
-}
-
-static lx_bounded3 view_from(const struct lx_observer *observer, lx_bounded3 place_mm)
-{
-    if (lx_views_along_z(observer))
-        return lx_exact3((const double[]){0, 0, 1});
-    return lx_unit3(lx_sub3(observer_place(observer), place_mm));
-}
-
 bool lx_element_seen(const struct lx_prepared *prepared, double x_mm, double y_mm, struct lx_element *element)
 {
-    const struct lx_observer *observer = &prepared->scene->observer;
-    struct lx_ray ray = lx_line_of_sight(observer, x_mm, y_mm);
+    struct lx_ray ray = lx_line_of_sight(&prepared->camera, x_mm, y_mm);
     struct lx_hit nearest = {.exists = false};
     for (size_t i = 0; i < prepared->surface_count; i++) {
         const struct lx_prepared_surface *surface = &prepared->surfaces[i];
@@ -33,7 +20,7 @@ bool lx_element_seen(const struct lx_prepared *prepared, double x_mm, double y_m
             (struct lx_element){.place_mm = hit.place_mm, .normal = hit.normal, .lobe = &surface->lobe, .own = surface};
     }
     if (nearest.exists)
-        element->view = view_from(observer, element->place_mm);
+        element->view = lx_view_from(&prepared->camera, element->place_mm);
     return nearest.exists;
 }
 
@@ -45,8 +32,7 @@ struct lx_element lx_element_at(const struct lx_prepared *prepared, const struct
         .lobe = &prepared->surfaces[asked->surface].lobe,
         .is_free = true,
     };
-    element.view =
-        asked->view ? lx_unit3(lx_exact3(asked->view)) : view_from(&prepared->scene->observer, element.place_mm);
+    element.view = asked->view ? lx_unit3(lx_exact3(asked->view)) : lx_view_from(&prepared->camera, element.place_mm);
     for (size_t i = 0; i < prepared->surface_count && !element.own; i++)
         if (prepared->surfaces[i].kind->holds(&prepared->surfaces[i].shape, asked->place_mm))
             element.own = &prepared->surfaces[i];
@@ -76,7 +62,7 @@ struct lx_element lx_element_on(const struct lx_prepared *prepared, size_t surfa
     const struct lx_prepared_surface *own = &prepared->surfaces[surface];
     struct lx_element element = {.lobe = &own->lobe, .own = own};
     own->kind->chart->element(&own->shape, at, &element.place_mm, &element.normal);
-    element.view = view_from(&prepared->scene->observer, element.place_mm);
+    element.view = lx_view_from(&prepared->camera, element.place_mm);
     return element;
 }
 

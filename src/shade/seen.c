@@ -60,9 +60,8 @@ static size_t merge(struct lx_seen *seen, uint32_t surface, size_t count)
 
 struct lx_row_view lx_row_view_of(const struct lx_plan *plan, double y_mm)
 {
-    const struct lx_observer *observer = &plan->prepared->scene->observer;
-    return (struct lx_row_view){
-        .perspective = observer->projection == LX_PERSPECTIVE, .observer_z_mm = observer->z_mm, .y_mm = y_mm};
+    const struct lx_camera *camera = &plan->prepared->camera;
+    return (struct lx_row_view){.perspective = camera->is_perspective, .observer_z_mm = camera->z_mm, .y_mm = y_mm};
 }
 
 void lx_seen_enter(const struct lx_plan *plan, struct lx_seen *seen, const double *x_mm, size_t count)
@@ -106,12 +105,12 @@ size_t lx_seen_find(const struct lx_plan *plan, struct lx_seen *seen, double y_m
 
 const double *lx_observer_from(const struct lx_plan *plan, const struct lx_planned_surface *surface, double from[3])
 {
-    const struct lx_observer *observer = &plan->prepared->scene->observer;
-    if (lx_views_along_z(observer))
+    const struct lx_camera *camera = &plan->prepared->camera;
+    if (camera->is_parallel)
         return NULL;
     from[0] = -surface->shape.anchor_mm[0];
     from[1] = -surface->shape.anchor_mm[1];
-    from[2] = observer->z_mm - surface->shape.anchor_mm[2];
+    from[2] = camera->z_mm - surface->shape.anchor_mm[2];
     return from;
 }
 

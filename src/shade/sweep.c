@@ -35,9 +35,9 @@ static void to_doubles(lx_wide3 a, double result[3])
 }
 
 /* A frame with this x and, as far as that leaves the choice, its pole perpendicular to `across`. */
-static struct lx_frame frame_about(const double x[3], const double across[3])
+static struct lx_sweep_frame frame_about(const double x[3], const double across[3])
 {
-    struct lx_frame frame;
+    struct lx_sweep_frame frame;
     memcpy(frame.x, x, sizeof frame.x);
     cross(x, across, frame.z);
     if (normalize(frame.z) < 1e-6) {

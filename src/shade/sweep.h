@@ -16,7 +16,7 @@
 #include "../light/extended.h"
 
 /* Right-handed: e(beta) = x cos(beta) + y sin(beta), the pole z. */
-struct lx_frame {
+struct lx_sweep_frame {
     double x[3], y[3], z[3];
 };
 
@@ -24,7 +24,7 @@ enum lx_sweep_kind { LX_SWEEP_STRIP, LX_SWEEP_DISK, LX_SWEEP_BALL, LX_SWEEP_SIDE
 
 struct lx_sweep {
     enum lx_sweep_kind kind;
-    struct lx_frame frame;
+    struct lx_sweep_frame frame;
     double height_mm; /* of a flat source's plane over the element; from the axis of a cylinder, from a ball's centre */
     double radius_mm; /* of the round ones */
     double y_mm, s_mm; /* the centre in the source's plane, from the element's foot: across and along the arcs; for

@@ -77,12 +77,12 @@ const struct lx_planned_surface *lx_surface_seen(const struct lx_plan *plan, dou
 static bool is_free(const struct lx_plan *plan, const struct lx_square *square, const struct lx_vicinity *at)
 {
     const struct lx_planned_surface *surface = square->surface;
-    const struct lx_observer *observer = &plan->prepared->scene->observer;
-    const bool endless = observer->projection != LX_PERSPECTIVE;
+    const struct lx_camera *camera = &plan->prepared->camera;
+    const bool endless = !camera->is_perspective;
     const struct lx_ball part = lx_vicinity_ball(at);
     struct lx_ball eye = {.center = {0, 0, 1}};
     for (int i = 0; i < 3 && !endless; i++)
-        eye.center[i] = (i == 2 ? observer->z_mm : 0) - surface->shape.anchor_mm[i];
+        eye.center[i] = (i == 2 ? camera->z_mm : 0) - surface->shape.anchor_mm[i];
     for (size_t s = 0; s < plan->surface_count; s++)
         if (&plan->surfaces[s] != surface &&
             lx_shape_may_block(&plan->surfaces[s].shape, surface->shape.anchor_mm, &part, &eye, endless))
@@ -199,7 +199,7 @@ static bool leeway_in_perspective(const struct pencil *pencil, struct reach reac
 static struct pencil pencil_of(const struct lx_plan *plan, const struct lx_square *square, const struct lx_vicinity *at)
 {
     const struct lx_shape *shape = &square->surface->shape;
-    const double h = plan->prepared->scene->observer.z_mm, d[3] = {square->x_mm, square->y_mm, -h};
+    const double h = plan->prepared->camera.z_mm, d[3] = {square->x_mm, square->y_mm, -h};
     const double length = sqrt(dot(d, d)), cosine = -dot(at->normal, d) / length;
     return (struct pencil){
         .h = h,
@@ -274,9 +274,8 @@ bool lx_find_vicinity(const struct lx_plan *plan, const struct lx_square *square
         (lx_curvature(shape) == 0 && !shows_corners(plan, square)))
         return false;
     shape->kind->normal(shape, at->place, at->normal);
-    if (!(plan->prepared->scene->observer.projection == LX_PERSPECTIVE
-              ? find_in_perspective(plan, square, reach, at)
-              : find_in_parallel(plan, square->surface, reach, at)))
+    if (!(plan->prepared->camera.is_perspective ? find_in_perspective(plan, square, reach, at)
+                                                : find_in_parallel(plan, square->surface, reach, at)))
         return false;
     if (lx_curvature(shape) > 0) {
         const struct lx_leeway *place = &at->place_leeway;

@@ -78,15 +78,18 @@ static void settle(const struct lx_world *world, size_t s, struct lx_elements *e
 
 static void set_views(const struct lx_world *world, const struct lx_settling *settling, struct lx_elements *elements)
 {
-    const struct lx_observer *observer = &world->prepared->scene->observer;
+    const struct lx_camera *camera = &world->prepared->camera;
     if (settling->has_views) {
         world->kernels->unit(&elements->view, elements->count);
-    } else if (lx_views_along_z(observer)) {
-        memset(&elements->view, 0, sizeof elements->view);
-        for (size_t i = 0; i < LX_BATCH; i++)
-            elements->view.z.value[i] = 1;
+    } else if (camera->is_parallel) {
+        const lx_bounded3 *axis = &camera->frame.rounded[2];
+        for (size_t i = 0; i < LX_BATCH; i++) {
+            elements->view.x.value[i] = axis->x.value, elements->view.x.error[i] = axis->x.error;
+            elements->view.y.value[i] = axis->y.value, elements->view.y.error[i] = axis->y.error;
+            elements->view.z.value[i] = axis->z.value, elements->view.z.error[i] = axis->z.error;
+        }
     } else {
-        world->kernels->look_at((const double[]){0, 0, observer->z_mm}, elements);
+        world->kernels->look_at(camera->position_mm, elements);
     }
 }
 

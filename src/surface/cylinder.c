@@ -125,10 +125,12 @@ static struct passing pass(const struct lx_shape *cylinder, const struct lx_ray 
     for (int i = 0; i < 3; i++) {
         int j = (i + 1) % 3, k = (i + 2) % 3;
         e[i] = lx_exact_dot(2, (double[]){n[j], -n[k]}, (double[]){d[k], d[j]}, &errors[i]);
+        errors[i] += fabs(n[j]) * ray->direction_error[k] + fabs(n[k]) * ray->direction_error[j];
         e_error = fmax(e_error, errors[i]);
     }
-    double left[9], right[9], squares[2][6];
+    double left[9], right[9], squares[2][6], of_origin = 0;
     for (int i = 0; i < 3; i++) {
+        of_origin += (fabs(e[i].high) + e_error) * ray->origin_error[i];
         left[i] = from[i].high, left[3 + i] = from[i].high, left[6 + i] = from[i].low;
         right[i] = e[i].high, right[3 + i] = e[i].low, right[6 + i] = e[i].high;
         squares[0][i] = e[i].high, squares[1][i] = e[i].high;
@@ -143,7 +145,7 @@ static struct passing pass(const struct lx_shape *cylinder, const struct lx_ray 
         lx_exact_dot(5, (double[]){square.high, square.high, square.low, -moment.high, -2 * moment.high},
                      (double[]){r2.high, r2.low, r2.high, moment.high, moment.low}, &rest);
     const double moment_error =
-        errors[3] + 3 * size * e_error + LX_ROUNDING * LX_ROUNDING * 8 * size * sqrt(square.high);
+        errors[3] + of_origin + 3 * size * e_error + LX_ROUNDING * LX_ROUNDING * 8 * size * sqrt(square.high);
     const double square_error = errors[4] + 6 * e_error * (sqrt(square.high) + e_error);
     const double left_out = 8 * LX_ROUNDING * LX_ROUNDING * (square.high * r2.high + moment.high * moment.high);
     return (struct passing){
@@ -166,9 +168,10 @@ static struct lx_hit cylinder_hit(const struct lx_shape *cylinder, const struct 
     const struct passing at = pass(cylinder, ray, from);
     if (!(at.below.value >= 0 && at.square.value > 0))
         return none;
-    const lx_bounded3 n = lx_exact3(cylinder->normal), d = lx_exact3(ray->direction);
-    const lx_bounded3 o = {
-        {from[0].high, fabs(from[0].low)}, {from[1].high, fabs(from[1].low)}, {from[2].high, fabs(from[2].low)}};
+    const lx_bounded3 n = lx_exact3(cylinder->normal), d = lx_ray_direction(ray);
+    const lx_bounded3 o = {{from[0].high, fabs(from[0].low) + ray->origin_error[0]},
+                           {from[1].high, fabs(from[1].low) + ray->origin_error[1]},
+                           {from[2].high, fabs(from[2].low) + ray->origin_error[2]}};
     const lx_bounded length = lx_sqrt(lx_square3(n)), root = lx_sqrt(at.below);
     const lx_bounded3 f = lx_cross3(at.across, n);
     const lx_bounded t = lx_div(lx_sub(lx_negate(lx_dot3(o, f)), lx_mul(length, root)), at.square);
@@ -358,14 +361,13 @@ static bool cylinder_holds(const struct lx_shape *cylinder, const double place_m
 }
 
 /* A source inside of the infinite cylinder lights nothing of the outer side. */
-static bool cylinder_is_dark(const void *parameters, const double place_mm[3])
+static bool cylinder_is_dark(const struct lx_shape *cylinder, const double place_mm[3])
 {
-    const struct lx_shape shape = cylinder_shape(parameters);
     double from[3], aside[3], along;
     for (int i = 0; i < 3; i++)
-        from[i] = place_mm[i] - shape.anchor_mm[i];
-    lx_cylinder_split(&shape, from, aside, &along);
-    return lx_dot(aside, aside) <= lx_cylinder_radius(&shape) * lx_cylinder_radius(&shape);
+        from[i] = place_mm[i] - cylinder->anchor_mm[i];
+    lx_cylinder_split(cylinder, from, aside, &along);
+    return lx_dot(aside, aside) <= lx_cylinder_radius(cylinder) * lx_cylinder_radius(cylinder);
 }
 
 static double cylinder_distance(const struct lx_shape *cylinder, const double offset_mm[3], double direction[3])

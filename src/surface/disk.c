@@ -159,20 +159,6 @@ static bool disk_holds(const struct lx_shape *disk, const double place_mm[3])
     return fabs(lx_dot(from, disk->axis)) <= near && sqrt(lx_dot(from, from)) <= reach_of(disk) + near;
 }
 
-static enum lx_standing disk_standing(const void *parameters, double observer_z_mm, bool perspective)
-{
-    const struct disk_parameters *disk = parameters;
-    double low[3], high[3];
-    disk_extent(parameters, low, high);
-    return lx_plane_standing(disk->center_mm, disk->axis, observer_z_mm, high[2], perspective);
-}
-
-static bool disk_is_dark(const void *parameters, const double place_mm[3])
-{
-    const struct disk_parameters *disk = parameters;
-    return lx_plane_is_dark(disk->center_mm, disk->axis, place_mm);
-}
-
 static double disk_distance(const struct lx_shape *disk, const double offset_mm[3], double direction[3])
 {
     const double height = lx_dot(offset_mm, disk->axis);
@@ -278,8 +264,8 @@ const struct lx_surface_kind lx_disk_kind = {
     .takes = disk_takes,
     .gather = disk_gather,
     .farthest = disk_farthest,
-    .standing = disk_standing,
-    .is_dark = disk_is_dark,
+    .standing = lx_plane_standing,
+    .is_dark = lx_plane_is_dark,
     .distance = disk_distance,
     .beside = disk_beside,
     .shadow_edges = 2,

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /* What holds for every kind of surface that does not know better. */
 #include <math.h>
+#include <string.h>
 
 #include "../base/vector.h"
 #include "surface.h"
@@ -23,19 +24,74 @@ double lx_surface_farthest(const struct lx_surface_kind *kind, const void *param
     return sum;
 }
 
-enum lx_standing lx_surface_standing(const struct lx_surface_kind *kind, const void *parameters, double observer_z_mm,
-                                     bool perspective)
+struct lx_shape lx_shape_carried(const struct lx_shape *shape, const struct lx_frame *frame)
 {
-    if (kind->standing)
-        return kind->standing(parameters, observer_z_mm, perspective);
-    double low[3], high[3];
-    kind->extent(parameters, low, high);
-    return observer_z_mm > high[2] ? LX_STANDS_BEFORE : LX_STANDS_TOO_LOW;
+    struct lx_shape carried = *shape;
+    if (frame->is_own)
+        return carried;
+    struct {
+        double *value, *error;
+    } directions[] = {{carried.axis, carried.axis_error},
+                      {carried.across, carried.across_error},
+                      {carried.upward, carried.upward_error}};
+    lx_frame_carry(frame, shape->anchor_mm, carried.anchor_mm);
+    for (size_t i = 0; i < LX_COUNT(directions); i++) {
+        double *value = directions[i].value, *error = directions[i].error;
+        const lx_bounded3 turned = lx_frame_turn_bounded(
+            frame, (lx_bounded3){{value[0], error[0]}, {value[1], error[1]}, {value[2], error[2]}});
+        value[0] = turned.x.value, value[1] = turned.y.value, value[2] = turned.z.value;
+        error[0] = turned.x.error, error[1] = turned.y.error, error[2] = turned.z.error;
+    }
+    memcpy(carried.normal, carried.axis, sizeof carried.normal);
+    if (shape->kind->carry)
+        shape->kind->carry(frame, &carried);
+    return carried;
 }
 
-bool lx_surface_is_dark(const struct lx_surface_kind *kind, const void *parameters, const double place_mm[3])
+/* The farthest place in the direction of axis i, or against it, is rounded by no more than some units of its parts. */
+void lx_surface_extent(const struct lx_surface_kind *kind, const void *parameters, const struct lx_frame *frame,
+                       double low_mm[3], double high_mm[3])
 {
-    return kind->is_dark && kind->is_dark(parameters, place_mm);
+    if (frame->is_own) {
+        kind->extent(parameters, low_mm, high_mm);
+        return;
+    }
+    for (int i = 0; i < 3; i++) {
+        const lx_bounded3 *axis = &frame->rounded[i];
+        const double ahead[3] = {axis->x.value, axis->y.value, axis->z.value};
+        const double back[3] = {-ahead[0], -ahead[1], -ahead[2]}, start = lx_dot(ahead, frame->origin_mm);
+        const double high = lx_surface_farthest(kind, parameters, ahead),
+                     low = -lx_surface_farthest(kind, parameters, back);
+        double size = fabs(high) + fabs(low);
+        for (int k = 0; k < 3; k++)
+            size += fabs(frame->origin_mm[k]);
+        high_mm[i] = high - start + 64 * DBL_EPSILON * size;
+        low_mm[i] = low - start - 64 * DBL_EPSILON * size;
+    }
+}
+
+enum lx_standing lx_surface_standing(const struct lx_surface_kind *kind, const void *parameters,
+                                     const struct lx_frame *frame, double observer_z_mm, bool perspective)
+{
+    double low[3], high[3];
+    struct lx_shape shape = lx_surface_shape(kind, parameters);
+    lx_surface_extent(kind, parameters, frame, low, high);
+    if (!shape.kind->standing)
+        return observer_z_mm > high[2] ? LX_STANDS_BEFORE : LX_STANDS_TOO_LOW;
+    shape = lx_shape_carried(&shape, frame);
+    return shape.kind->standing(&shape, high[2], observer_z_mm, perspective);
+}
+
+bool lx_surface_is_dark(const struct lx_surface_kind *kind, const void *parameters, const struct lx_frame *frame,
+                        const double place_mm[3])
+{
+    double carried[3];
+    struct lx_shape shape = lx_surface_shape(kind, parameters);
+    if (!shape.kind->is_dark)
+        return false;
+    shape = lx_shape_carried(&shape, frame);
+    lx_frame_carry(frame, place_mm, carried);
+    return shape.kind->is_dark(&shape, carried);
 }
 
 double lx_shape_distance(const struct lx_shape *shape, const double offset_mm[3], double direction[3])

@@ -76,26 +76,30 @@ static lx_bounded height_over(const double axis[3], const struct lx_pair from[3]
     return lx_rounded(height.high, error, 1);
 }
 
-/* Component i of a x b, where b is a pair of numbers off by `b_error` each. */
-static struct lx_pair cross_component(int i, const double a[3], const struct lx_pair b[3], double b_error,
+/* Component i of a x b, where b is pairs of numbers that are off by `b_error`. */
+static struct lx_pair cross_component(int i, const double a[3], const struct lx_pair b[3], const double b_error[3],
                                       double *error)
 {
     int j = (i + 1) % 3, k = (i + 2) % 3;
     struct lx_pair component = lx_exact_dot(4, (double[]){a[j], a[j], -a[k], -a[k]},
                                             (double[]){b[k].high, b[k].low, b[j].high, b[j].low}, error);
-    *error = (*error + (fabs(a[j]) + fabs(a[k])) * b_error) * LX_BOUND_SLACK;
+    *error = (*error + fabs(a[j]) * b_error[k] + fabs(a[k]) * b_error[j]) * LX_BOUND_SLACK;
     return component;
 }
 
 /* Where a ray meets the plane, from the centre: n x (from x d) / (n.d). */
-static lx_bounded3 meet_plane(const double axis[3], const struct lx_pair from[3], const double direction[3],
+static lx_bounded3 meet_plane(const double axis[3], const struct lx_pair from[3], const struct lx_ray *ray,
                               lx_bounded slope)
 {
     struct lx_pair moment[3]; /* d x from */
     double errors[3], offset_error;
-    for (int i = 0; i < 3; i++)
-        moment[i] = cross_component(i, direction, from, 0, &errors[i]);
-    double moment_error = fmax(fmax(errors[0], errors[1]), errors[2]);
+    for (int i = 0; i < 3; i++) {
+        const int j = (i + 1) % 3, k = (i + 2) % 3;
+        moment[i] = cross_component(i, ray->direction, from, ray->origin_error, &errors[i]);
+        errors[i] += ray->direction_error[j] * (fabs(from[k].high) + ray->origin_error[k]) +
+                     ray->direction_error[k] * (fabs(from[j].high) + ray->origin_error[j]);
+    }
+    const double most = fmax(fmax(errors[0], errors[1]), errors[2]), moment_error[3] = {most, most, most};
     lx_bounded offset[3];
     for (int i = 0; i < 3; i++) {
         struct lx_pair component = cross_component(i, axis, moment, moment_error, &offset_error);
@@ -108,8 +112,8 @@ void lx_keep_coordinates(const struct lx_ray *ray, lx_bounded3 *place_mm)
 {
     lx_bounded *places[] = {&place_mm->x, &place_mm->y, &place_mm->z};
     for (int i = 0; i < 3; i++)
-        if (ray->direction[i] == 0)
-            *places[i] = lx_exact(ray->origin_mm[i]);
+        if (ray->direction[i] == 0 && ray->direction_error[i] == 0)
+            *places[i] = (lx_bounded){ray->origin_mm[i], ray->origin_error[i]};
 }
 
 struct lx_hit lx_plane_meet(const struct lx_shape *plane, const struct lx_ray *ray, double offset_mm[3])
@@ -120,10 +124,12 @@ struct lx_hit lx_plane_meet(const struct lx_shape *plane, const struct lx_ray *r
         from[i] = lx_exact_difference(ray->origin_mm[i], plane->anchor_mm[i]), offset_mm[i] = 0;
     lx_bounded height = height_over(plane->normal, from);
     struct lx_pair along = lx_exact_dot(3, plane->normal, ray->direction, &slope_error);
+    for (int i = 0; i < 3; i++)
+        slope_error += fabs(plane->normal[i]) * ray->direction_error[i];
     lx_bounded slope = lx_rounded(along.high, slope_error, 1);
     if (!(height.value > 0 && slope.value < 0))
         return (struct lx_hit){.exists = false};
-    lx_bounded3 offset = meet_plane(plane->normal, from, ray->direction, slope);
+    lx_bounded3 offset = meet_plane(plane->normal, from, ray, slope);
     offset_mm[0] = offset.x.value, offset_mm[1] = offset.y.value, offset_mm[2] = offset.z.value;
     struct lx_hit hit = {
         .exists = true,
@@ -173,29 +179,27 @@ double lx_plane_beside(const struct lx_shape *plane, const double place_mm[3], c
 }
 
 /* axis . (place - centre), whose sign tells the side. */
-static double height_of(const double center_mm[3], const double axis[3], const double place_mm[3])
+static double height_of(const struct lx_shape *plane, const double place_mm[3])
 {
-    double scaled[3];
     struct lx_pair from[3];
-    lx_scaled_axis(axis, scaled);
     for (int i = 0; i < 3; i++)
-        from[i] = lx_exact_difference(place_mm[i], center_mm[i]);
-    return height_over(scaled, from).value;
+        from[i] = lx_exact_difference(place_mm[i], plane->anchor_mm[i]);
+    return height_over(plane->normal, from).value;
 }
 
-enum lx_standing lx_plane_standing(const double center_mm[3], const double axis[3], double observer_z_mm,
-                                   double highest_mm, bool perspective)
+enum lx_standing lx_plane_standing(const struct lx_shape *plane, double highest_mm, double observer_z_mm,
+                                   bool perspective)
 {
     if (perspective)
-        return height_of(center_mm, axis, (double[]){0, 0, observer_z_mm}) > 0 ? LX_STANDS_BEFORE : LX_STANDS_BEHIND;
-    if (!(axis[2] > 0))
+        return height_of(plane, (double[]){0, 0, observer_z_mm}) > 0 ? LX_STANDS_BEFORE : LX_STANDS_BEHIND;
+    if (!(plane->normal[2] > 0))
         return LX_TURNED_AWAY;
     return observer_z_mm > highest_mm ? LX_STANDS_BEFORE : LX_STANDS_TOO_LOW;
 }
 
-bool lx_plane_is_dark(const double center_mm[3], const double axis[3], const double place_mm[3])
+bool lx_plane_is_dark(const struct lx_shape *plane, const double place_mm[3])
 {
-    return !(height_of(center_mm, axis, place_mm) > 0);
+    return !(height_of(plane, place_mm) > 0);
 }
 
 void lx_plane_normal(const struct lx_shape *plane, const double offset_mm[3], double normal[3])

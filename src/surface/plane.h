@@ -41,13 +41,10 @@ struct lx_plane_crossing lx_plane_cross(const struct lx_shape *plane, lx_bounded
 double lx_plane_beside(const struct lx_shape *plane, const double place_mm[3], const double way[3], bool endless,
                        double crossing_mm[3]);
 
-/* The standing of an observer to a plane around a centre, of which so much is the highest z; whether a source is behind
- * it. */
-enum lx_standing lx_plane_standing(const double center_mm[3], const double axis[3], double observer_z_mm,
-                                   double highest_mm, bool perspective);
-bool lx_plane_is_dark(const double center_mm[3], const double axis[3], const double place_mm[3]);
-
 /* Members of kinds, charts and bounds: coordinates are the offsets across and upward in mm. */
+enum lx_standing lx_plane_standing(const struct lx_shape *plane, double highest_mm, double observer_z_mm,
+                                   bool perspective);
+bool lx_plane_is_dark(const struct lx_shape *plane, const double place_mm[3]);
 void lx_plane_normal(const struct lx_shape *plane, const double offset_mm[3], double normal[3]);
 void lx_plane_locate(const struct lx_shape *plane, const double offset_mm[3], const double normal[3], double at[3]);
 void lx_plane_place(const struct lx_shape *plane, const double at[3], double place_mm[3], double normal[3]);

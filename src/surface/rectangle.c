@@ -162,20 +162,6 @@ static bool plate_holds(const struct lx_shape *plate, const double place_mm[3])
            fabs(lx_dot(from, plate->upward)) <= plate->half_mm[1] + near;
 }
 
-static enum lx_standing plate_standing(const void *parameters, double observer_z_mm, bool perspective)
-{
-    const struct lx_plate_parameters *plate = parameters;
-    double low[3], high[3];
-    plate_extent(parameters, low, high);
-    return lx_plane_standing(plate->center_mm, plate->axis, observer_z_mm, high[2], perspective);
-}
-
-static bool plate_is_dark(const void *parameters, const double place_mm[3])
-{
-    const struct lx_plate_parameters *plate = parameters;
-    return lx_plane_is_dark(plate->center_mm, plate->axis, place_mm);
-}
-
 static double plate_distance(const struct lx_shape *plate, const double offset_mm[3], double direction[3])
 {
     double side = fmax(fabs(lx_dot(offset_mm, plate->across)) - plate->half_mm[0], 0);
@@ -302,8 +288,8 @@ const struct lx_surface_kind lx_plate_kind = {
     .blocks = plate_blocks,
     .gather = plate_gather,
     .holds = plate_holds,
-    .standing = plate_standing,
-    .is_dark = plate_is_dark,
+    .standing = lx_plane_standing,
+    .is_dark = lx_plane_is_dark,
     .normal = lx_plane_normal,
     .distance = plate_distance,
     .beside = plate_beside,

@@ -68,6 +68,13 @@ static struct lx_shape sphere_shape(const void *parameters)
     return shape;
 }
 
+/* What a ray's own errors make of the product of its direction along i and its origin along k. */
+static double moment_error(const struct lx_ray *ray, const struct lx_pair from[3], int i, int k)
+{
+    return ray->direction_error[i] * (fabs(from[k].high) + ray->origin_error[k]) +
+           fabs(ray->direction[i]) * ray->origin_error[k];
+}
+
 /*
  * With w = direction x (origin - centre) and a = direction^2, the ray passes the centre at the distance
  * |w|/sqrt(a); the offset of that nearest point is p = (w x direction)/a, and the hit lies before it by
@@ -84,8 +91,11 @@ static lx_bounded discriminant(const struct lx_ray *ray, const struct lx_pair fr
         int j = (i + 1) % 3, k = (i + 2) % 3;
         cross[i] = lx_exact_dot(4, (double[]){d[j], d[j], -d[k], -d[k]},
                                 (double[]){from[k].high, from[k].low, from[j].high, from[j].low}, &errors[i]);
+        errors[i] += moment_error(ray, from, j, k) + moment_error(ray, from, k, j);
     }
     struct lx_pair square = lx_exact_dot(3, d, d, &errors[3]);
+    for (int i = 0; i < 3; i++)
+        errors[3] += (2 * fabs(d[i]) + ray->direction_error[i]) * ray->direction_error[i];
     struct lx_pair r2 = lx_exact_product(radius, radius);
     double rest;
     struct lx_pair result =
@@ -110,7 +120,7 @@ static struct lx_hit sphere_hit(const struct lx_shape *sphere, const struct lx_r
     struct lx_pair from[3];
     for (int i = 0; i < 3; i++)
         from[i] = lx_exact_difference(ray->origin_mm[i], sphere->anchor_mm[i]);
-    lx_bounded3 w, direction = lx_exact3(ray->direction);
+    lx_bounded3 w, direction = lx_ray_direction(ray);
     lx_bounded a;
     lx_bounded below = discriminant(ray, from, sphere->radius_mm, &w, &a);
     if (!(below.value >= 0))
@@ -161,12 +171,11 @@ static bool sphere_holds(const struct lx_shape *sphere, const double place_mm[3]
 }
 
 /* The source is inside, or behind and in the shadow of the outline. */
-static bool sphere_is_dark(const void *parameters, const double place_mm[3])
+static bool sphere_is_dark(const struct lx_shape *sphere, const double place_mm[3])
 {
-    const struct lx_sphere_parameters *sphere = parameters;
     double q[3];
     for (int i = 0; i < 3; i++)
-        q[i] = (place_mm[i] - sphere->center_mm[i]) / sphere->radius_mm;
+        q[i] = (place_mm[i] - sphere->anchor_mm[i]) / sphere->radius_mm;
     return q[0] * q[0] + q[1] * q[1] + (q[2] < 0 ? 0 : q[2] * q[2]) <= 1;
 }
 

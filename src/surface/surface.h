@@ -9,15 +9,26 @@
 #ifndef LX_SURFACE_SURFACE_H
 #define LX_SURFACE_SURFACE_H
 
-#include "../base/bounded.h"
+#include "../base/frame.h"
 #include "../parameter/table.h"
 #include "obstacle.h"
 #include "shape.h"
 
-/* A line of sight: origin + t direction, t > 0; the direction need not be of unit length. */
+/*
+ * A line of sight: origin + t direction, t > 0; the direction need not be of unit length.  Both may be rounded, by no
+ * more than these errors, which the place and the normal of a hit take over into theirs.
+ */
 struct lx_ray {
     double origin_mm[3], direction[3];
+    double origin_error[3], direction_error[3];
 };
+
+/* The direction of a ray with its errors. */
+static inline lx_bounded3 lx_ray_direction(const struct lx_ray *ray)
+{
+    const double *value = ray->direction, *error = ray->direction_error;
+    return (lx_bounded3){{value[0], error[0]}, {value[1], error[1]}, {value[2], error[2]}};
+}
 
 /* Where a ray meets a surface: after t times its direction. */
 struct lx_hit {
@@ -37,7 +48,7 @@ enum lx_standing {
     LX_STANDS_BEFORE,  /* where the surface can be seen */
     LX_STANDS_TOO_LOW, /* not above all of it */
     LX_STANDS_BEHIND,  /* behind its front, or in its plane */
-    LX_TURNED_AWAY     /* its front is turned away from whoever looks along -z */
+    LX_TURNED_AWAY     /* its front is turned away from whoever looks along -z of the screen */
 };
 
 enum { LX_MOST_GUESSES = 4 };
@@ -128,11 +139,14 @@ struct lx_surface_kind {
     bool (*takes)(const struct lx_shape *shape, const double from_mm[3], const double way[3], bool endless);
     /* How far it reaches along a direction: the greatest place . direction over the surface.  NULL: as its extent. */
     double (*farthest)(const void *parameters, const double direction[3]);
-    /* How an observer stands to it who is at (0, 0, z), or, not in perspective, looks along -z from all that height.
-     * NULL: before it where all of it is lower. */
-    enum lx_standing (*standing)(const void *parameters, double observer_z_mm, bool perspective);
+    /* How an observer stands to it who is at (0, 0, z), or, not in perspective, looks along -z from all that height;
+     * `highest` is its greatest z.  NULL: before it where all of it is lower. */
+    enum lx_standing (*standing)(const struct lx_shape *shape, double highest_mm, double observer_z_mm,
+                                 bool perspective);
     /* Whether a source here lights nothing of it that is seen along -z: it is inside or behind.  NULL: never. */
-    bool (*is_dark)(const void *parameters, const double place_mm[3]);
+    bool (*is_dark)(const struct lx_shape *shape, const double place_mm[3]);
+    /* Carries what a shape has beside its place and its directions into a frame.  NULL: that looks the same in any. */
+    void (*carry)(const struct lx_frame *frame, struct lx_shape *shape);
     /*
      * Whether it takes light from a free element that it holds, on the side that the element's unit normal looks to;
      * `facing` is that normal's cosine to the surface's own.  The way to the light and the answer are as of `blocks`.
@@ -199,11 +213,20 @@ static inline bool lx_may_hide(const struct lx_shape *shape, bool is_own)
 /* The shape of authored parameters. */
 struct lx_shape lx_surface_shape(const struct lx_surface_kind *kind, const void *parameters);
 
+/* A shape as a frame has it; but for roundings it is the same. */
+struct lx_shape lx_shape_carried(const struct lx_shape *shape, const struct lx_frame *frame);
+
 /* What the kind answers, or in general. */
 double lx_surface_farthest(const struct lx_surface_kind *kind, const void *parameters, const double direction[3]);
-enum lx_standing lx_surface_standing(const struct lx_surface_kind *kind, const void *parameters, double observer_z_mm,
-                                     bool perspective);
-bool lx_surface_is_dark(const struct lx_surface_kind *kind, const void *parameters, const double place_mm[3]);
+
+/* A surface in the frame of a screen: its extent along the axes there, how an observer at the height z stands to it,
+ * and whether a source at a place of the scene lights nothing of it that is seen. */
+void lx_surface_extent(const struct lx_surface_kind *kind, const void *parameters, const struct lx_frame *frame,
+                       double low_mm[3], double high_mm[3]);
+enum lx_standing lx_surface_standing(const struct lx_surface_kind *kind, const void *parameters,
+                                     const struct lx_frame *frame, double observer_z_mm, bool perspective);
+bool lx_surface_is_dark(const struct lx_surface_kind *kind, const void *parameters, const struct lx_frame *frame,
+                        const double place_mm[3]);
 double lx_shape_distance(const struct lx_shape *shape, const double offset_mm[3], double direction[3]);
 
 /* Whether a search can walk on it and over the edges of its shadow. */

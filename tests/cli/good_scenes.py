@@ -145,8 +145,9 @@ def _volume(rng):
 
 
 def _grid(rng):
-    return {"center": [_number(rng) for _ in range(3)], "size": [_size(rng), _size(rng)],
-            "n": rng.choice([[1, 1], [7, 65536], [3, 4]]),
+    size = [_size(rng), _size(rng)]
+    cells = rng.choice([{"n": [1, 1]}, {"n": [7, 65536]}, {"n": [3, 4]}, {"spacing": "en12464", "size": [900, 2500.5]}])
+    return {"center": [_number(rng) for _ in range(3)], "size": size, **cells,
             **_some(rng, {"name": lambda: _name(rng), "axis": lambda: _vector(rng), "up": lambda: [0.3, 1, 0.7]})}
 
 
@@ -197,6 +198,15 @@ def _surface(rng):
     return {"type": "rectangle", "center": center, "size": size, **keys, **common}, center[2] + sum(size) + lean
 
 
+def _place(rng, height):
+    """Where an observer stands who is so high above the surfaces: at a height, or somewhere, looking straight down."""
+    if rng.random() < 0.6:
+        return {"z": height}
+    x, y = _number(rng), _number(rng)
+    return {"position": [x, y, height], "target": [x, y, height - rng.choice([1, 1e4])],
+            **_some(rng, {"up": lambda: [rng.choice([1, -3]), _number(rng), _number(rng)]})}
+
+
 def good_scene(rng):
     """A scene as a mapping that both the tool and the schema must accept."""
     columns, rows = rng.choice([(1, 1), (360, 360), (500, 400), (65536, 1), (7, 131)])
@@ -209,7 +219,8 @@ def good_scene(rng):
         "luxel": 1,
         "screen": {"width": columns * pitch, "height": rows * pitch, "resolution": [columns, rows],
                    **_some(rng, {"sampling": lambda: rng.choice(["nodes", "centers"])})},
-        "observer": {"z": above + rng.choice([1, 1500, 1e6]), **({"projection": projection} if projection else {}),
+        "observer": {**_place(rng, above + rng.choice([1, 1500, 1e6])),
+                     **({"projection": projection} if projection else {}),
                      **_some(rng, {"view": lambda: rng.choice(["parallel", "observer"])})},
         "surfaces": surfaces,
         "lights": [_light(rng) for _ in range(rng.randint(0, 4))],

@@ -174,12 +174,14 @@ void make_random_scene(struct randomness *random, bool with_plates, struct test_
                                                          .parameters = parameters,
                                                          .shape = lx_surface_shape(kind, parameters),
                                                          .lobe = lx_lobe_prepare(&material)};
+        kind->extent(parameters, test->surfaces[i].low_mm, test->surfaces[i].high_mm);
     }
     size_t lights = 1 + (size_t)pick(random, MAXIMUM_LIGHTS);
     for (size_t i = 0; i < lights; i++)
         test->lights[i] = random_emitter(random, &test->surfaces[0].shape);
     test->prepared = (struct lx_prepared){
         .scene = &test->scene,
+        .camera = lx_camera_of(&test->scene.observer),
         .surfaces = test->surfaces,
         .surface_count = surfaces,
         .emitters = {.items = test->lights, .count = lights},

@@ -21,7 +21,7 @@ static struct lx_square random_square(struct randomness *random, const struct lx
     const unsigned side = pick(random, 2) ? LX_PANEL_SIDE : LX_PANEL_SIDE / 2;
     const double half = screen->width_mm / screen->resolution[0] * side / 2;
     const double *anchor = surface->shape.anchor_mm;
-    const double scale = lx_scale_at(&plan->prepared->scene->observer, anchor[2]);
+    const double scale = lx_scale_at(&plan->prepared->camera, anchor[2]);
     const bool is_central = pick(random, 4) == 0;
     return (struct lx_square){
         .surface = surface,
@@ -148,19 +148,19 @@ double length_of_real(struct vector a)
 /* The observer, from the surface's anchor. */
 static struct vector observer_from(const struct lx_plan *plan)
 {
-    const double *anchor = plan->surfaces->shape.anchor_mm, z = plan->prepared->scene->observer.z_mm;
+    const double *anchor = plan->surfaces->shape.anchor_mm, z = plan->prepared->camera.z_mm;
     return (struct vector){-anchor[0], -anchor[1], z - anchor[2]};
 }
 
 struct vector place_at(const struct lx_plan *plan, double complex x, double complex y, struct vector *normal)
 {
-    const struct lx_observer *observer = &plan->prepared->scene->observer;
+    const struct lx_camera *camera = &plan->prepared->camera;
     const struct lx_shape *shape = &plan->surfaces->shape;
-    const bool is_central = observer->projection == LX_PERSPECTIVE;
+    const bool is_central = camera->is_perspective;
     const struct vector n = {shape->axis[0], shape->axis[1], shape->axis[2]}, zero = {0, 0, 0},
                         from = is_central ? observer_from(plan)
                                           : (struct vector){x - shape->anchor_mm[0], y - shape->anchor_mm[1], 0},
-                        line = is_central ? (struct vector){x, y, -observer->z_mm} : (struct vector){0, 0, -1},
+                        line = is_central ? (struct vector){x, y, -camera->z_mm} : (struct vector){0, 0, -1},
                         moment = cross(from, line);
     *normal = n;
     if (shape->type == LX_PLATE)
@@ -174,7 +174,7 @@ struct vector place_at(const struct lx_plan *plan, double complex x, double comp
 
 struct vector view_at(const struct lx_plan *plan, struct vector place)
 {
-    if (lx_views_along_z(&plan->prepared->scene->observer))
+    if (plan->prepared->camera.is_parallel)
         return (struct vector){0, 0, 1};
     return unit(plus(observer_from(plan), -1, place));
 }

@@ -120,6 +120,7 @@ static void set_surface(struct randomness *random, struct test_scene *test)
                                                  .parameters = parameters,
                                                  .shape = lx_surface_shape(kind, parameters),
                                                  .lobe = lx_lobe_prepare(&material)};
+    kind->extent(parameters, test->surface.low_mm, test->surface.high_mm);
 }
 
 /* Where a source of this size may stand: before the surface, beside it, just above it, or anywhere. */
@@ -204,6 +205,7 @@ static void make_scene(struct randomness *random, const struct demand *demand, s
         add_emitter(random, demand, test);
     test->prepared = (struct lx_prepared){
         .scene = &test->scene,
+        .camera = lx_camera_of(&test->scene.observer),
         .surfaces = &test->surface,
         .surface_count = 1,
         .emitters = test->emitters,

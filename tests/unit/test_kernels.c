@@ -164,6 +164,7 @@ static void make_edge_scene(struct randomness *random, bool is_gated, bool is_pl
                                                      .parameters = parameters,
                                                      .shape = lx_surface_shape(kind, parameters),
                                                      .lobe = lx_lobe_prepare(&material)};
+    kind->extent(parameters, test->surfaces[0].low_mm, test->surfaces[0].high_mm);
 
     const double outer = uniform(random, 0.1, 90), narrow = logarithmic(random, 1e-3, outer);
     const enum lx_falloff falloff = (enum lx_falloff)(1 + pick(random, 4));

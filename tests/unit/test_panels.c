@@ -53,6 +53,7 @@ static void come_near(struct randomness *random, struct test_scene *test)
     const struct lx_shape *shape = &test->surfaces[0].shape;
     test->scene.observer.z_mm =
         fmax(shape->anchor_mm[2] + shape->radius_mm * logarithmic(random, 1.05, 1000), 0.1 * shape->radius_mm);
+    test->prepared.camera = lx_camera_of(&test->scene.observer);
 }
 
 /* One surface, in pixels so small that the picture is shaded by panels. */

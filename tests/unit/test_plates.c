@@ -324,21 +324,22 @@ static void test_reference(void **state)
     for (int i = -1; i <= 1; i++)
         for (int k = -1; k <= 1; k++) {
             double x = 10 + 80 * i, y = 20 + 50 * k, z = 30 - 60 * i;
-            struct lx_ray ray = {{x, y, 500}, {0, 0, -1}};
+            struct lx_ray ray = {.origin_mm = {x, y, 500}, .direction = {0, 0, -1}};
             struct lx_hit hit = kind->hit(&shape, &ray);
             assert_true(hit.exists && fabs(hit.t - (500 - z)) < 1e-12 && hit.place_mm.x.value == x);
             assert_true(fabs(hit.place_mm.z.value - z) <= hit.place_mm.z.error && hit.place_mm.z.error < 1e-13);
             assert_true(hit.normal.x.value == 0.6 && hit.normal.z.value == 0.8);
-            struct lx_ray away = {{x, y, 500}, {0, 0, 1}}, behind = {{x, y, -500}, {0, 0, 1}};
+            struct lx_ray away = {.origin_mm = {x, y, 500}, .direction = {0, 0, 1}},
+                          behind = {.origin_mm = {x, y, -500}, .direction = {0, 0, 1}};
             assert_false(kind->hit(&shape, &away).exists || kind->hit(&shape, &behind).exists);
-            struct lx_ray past = {{x, y, -500}, {0, 0, -1}};
+            struct lx_ray past = {.origin_mm = {x, y, -500}, .direction = {0, 0, -1}};
             assert_false(kind->hit(&shape, &past).exists);
-            struct lx_ray beside = {{x + 1e-7 * i, y + 1e-7 * k, 500}, {0, 0, -1}};
+            struct lx_ray beside = {.origin_mm = {x + 1e-7 * i, y + 1e-7 * k, 500}, .direction = {0, 0, -1}};
             assert_int_equal(kind->hit(&shape, &beside).exists, i == 0 && k == 0);
             assert_true(kind->holds(&shape, (double[]){x, y, z}));
             assert_false(kind->holds(&shape, (double[]){x + 1e-5, y, z + 1e-5}));
         }
-    struct lx_ray along = {{500, 20, 30}, {-4, 0, 3}};
+    struct lx_ray along = {.origin_mm = {500, 20, 30}, .direction = {-4, 0, 3}};
     assert_false(kind->hit(&shape, &along).exists);
 }
 

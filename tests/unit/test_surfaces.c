@@ -163,7 +163,7 @@ static void rays(void **state)
     (void)state;
     for (int n = 0; n < 4000; n++) {
         struct body body;
-        struct lx_ray ray;
+        struct lx_ray ray = {.origin_error = {0}};
         make_body(&random, n % 2, &body);
         random_point(&random, 2000, ray.origin_mm);
         for (int i = 0; i < 3; i++)
@@ -251,6 +251,7 @@ static void edges(void **state)
 static void standing(void **state)
 {
     struct randomness random = {.state = 44};
+    const struct lx_frame own = lx_frame_own();
     (void)state;
     for (int n = 0; n < 400; n++) {
         struct body body;
@@ -261,9 +262,9 @@ static void standing(void **state)
         const double from[3] = {place[0] - body.shape.anchor_mm[0], place[1] - body.shape.anchor_mm[1],
                                 place[2] - body.shape.anchor_mm[2]};
         const double eye[3] = {-body.shape.anchor_mm[0], -body.shape.anchor_mm[1], z - body.shape.anchor_mm[2]};
-        enum lx_standing central = lx_surface_standing(body.kind, body.parameters, z, true);
-        enum lx_standing parallel = lx_surface_standing(body.kind, body.parameters, z, false);
-        bool dark = body.kind->is_dark(body.parameters, place);
+        enum lx_standing central = lx_surface_standing(body.kind, body.parameters, &own, z, true);
+        enum lx_standing parallel = lx_surface_standing(body.kind, body.parameters, &own, z, false);
+        bool dark = lx_surface_is_dark(body.kind, body.parameters, &own, place);
         if (n % 2) {
             assert_int_equal(central, dot(eye, body.axis) > 0 ? LX_STANDS_BEFORE : LX_STANDS_BEHIND);
             assert_int_equal(parallel, body.axis[2] <= 0 ? LX_TURNED_AWAY

@@ -152,7 +152,7 @@ static void rays(void **state)
     (void)state;
     for (int n = 0; n < 6000; n++) {
         struct body body;
-        struct lx_ray ray;
+        struct lx_ray ray = {.origin_error = {0}};
         double aim[3], t[2], normal[3], front[3];
         make_body(&random, n % 2, &body);
         random_point(&random, 2000, ray.origin_mm);

@@ -19,7 +19,9 @@ static void as_probed(const luxel_scene *scene)
                 seen++;
                 assert_true(luxel_scene_project(scene, probe->position_mm, screen));
                 assert_true(fabs(screen[0] - x) < 1e-11 && fabs(screen[1] - y) < 1e-11);
-                assert_true(luxel_scene_unproject(scene, point, probe->position_mm[2], place));
+                double height;
+                assert_true(luxel_scene_height(scene, probe->position_mm, &height));
+                assert_true(luxel_scene_unproject(scene, point, height, place));
                 for (int i = 0; i < 3; i++)
                     assert_true(fabs(place[i] - probe->position_mm[i]) < 1e-11);
             }
@@ -72,6 +74,35 @@ static void perspective(void **state)
     luxel_scene_free(scene);
 }
 
+/* Seen from the side, and once more from anywhere. */
+static void placed(void **state)
+{
+    static const char *const observers[] = {
+        "{position: [1500, 0, 1000], target: [0, 0, 1000], projection: orthographic, view: parallel}",
+        "{position: [1200, -900, 1800], target: [10, 20, 950], up: [1, 1, 3], projection: perspective}"};
+    (void)state;
+    for (int i = 0; i < 2; i++) {
+        luxel_scene *scene;
+        double screen[2], height, place[3] = {7, 7, 7};
+        char *text = changed("{z: 1500, projection: orthographic, view: parallel}", observers[i]);
+        assert_int_equal(load(text, NULL, &scene), LUXEL_OK);
+        luxel_text_free(text);
+        as_probed(scene);
+        if (i == 0) { /* x to the screen's depth, z to the left */
+            assert_true(luxel_scene_project(scene, (double[]){300, 20, 990}, screen));
+            assert_true(screen[0] == 10 && screen[1] == 20);
+            assert_true(luxel_scene_height(scene, (double[]){300, 20, 990}, &height) && height == 300);
+            assert_true(luxel_scene_unproject(scene, screen, 300, place));
+            assert_true(place[0] == 300 && place[1] == 20 && place[2] == 990);
+        } else {
+            assert_false(luxel_scene_project(scene, (double[]){1300, -1000, 1950}, screen));
+        }
+        assert_false(luxel_scene_height(scene, (double[]){NAN, 0, 0}, &height));
+        assert_false(luxel_scene_height(NULL, (double[]){0, 0, 0}, &height));
+        luxel_scene_free(scene);
+    }
+}
+
 static void refusals(void **state)
 {
     (void)state;
@@ -118,10 +149,8 @@ static void surfaces(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(orthographic),
-        cmocka_unit_test(perspective),
-        cmocka_unit_test(refusals),
-        cmocka_unit_test(surfaces),
+        cmocka_unit_test(orthographic), cmocka_unit_test(perspective), cmocka_unit_test(placed),
+        cmocka_unit_test(refusals),     cmocka_unit_test(surfaces),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -1,0 +1,26 @@
+/* SPDX-License-Identifier: MIT */
+/*
+ * The observer: either at the height z above the middle of the screen, which then lies in the plane z = 0 of the scene,
+ * or at a position, looking at a target, with the screen's frame carried there as a whole.
+ */
+#ifndef LX_SCENE_OBSERVER_H
+#define LX_SCENE_OBSERVER_H
+
+#include "../base/frame.h"
+#include "scene.h"
+
+extern const struct lx_table lx_observer_table;
+
+/* Whether it was given a position. */
+bool lx_observer_is_placed(const struct lx_observer *observer);
+
+/* Whether what was given of it makes a frame and a height. */
+bool lx_observer_is_sound(const struct lx_observer *observer);
+
+/* The frame of the screen: its origin is the target, its z axis points to the position. */
+struct lx_frame lx_observer_frame(const struct lx_observer *observer);
+
+/* How high the observer stands above the screen, along that z axis. */
+double lx_observer_height(const struct lx_observer *observer);
+
+#endif
