@@ -250,9 +250,14 @@ class Scene:
         return _luxel.scene_project(self._handle, x, y, z)
 
     def unproject(self, screen_mm: Sequence[float], z_mm: float) -> Optional[Vector]:
-        """The place at a height that is seen at a point of the screen."""
+        """The place at a height above the screen that is seen at a point of it."""
         x, y = screen_mm
         return _luxel.scene_unproject(self._handle, x, y, z_mm)
+
+    def height(self, position_mm: Sequence[float]) -> Optional[float]:
+        """How high a place is above the screen: its z, unless the observer has a position."""
+        x, y, z = position_mm
+        return _luxel.scene_height(self._handle, x, y, z)
 
     def advice(self) -> List[Diagnostic]:
         """What is legal but odd about the scene, and what would make it show more."""

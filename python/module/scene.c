@@ -314,6 +314,18 @@ static PyObject *scene_unproject(PyObject *module, PyObject *arguments)
     return triple_or_none(luxel_scene_unproject(scene, screen, z, place), place);
 }
 
+static PyObject *scene_height(PyObject *module, PyObject *arguments)
+{
+    PyObject *handle;
+    double place[3], z;
+    const luxel_scene *scene;
+
+    if (!PyArg_ParseTuple(arguments, "Oddd", &handle, &place[0], &place[1], &place[2]) ||
+        !(scene = scene_of(module, handle)))
+        return NULL;
+    return luxel_scene_height(scene, place, &z) ? PyFloat_FromDouble(z) : none();
+}
+
 /* ---- for the module that draws ---- */
 
 static void capsule_release(PyObject *capsule)
@@ -352,5 +364,6 @@ const PyMethodDef scene_functions[] = {
     {"scene_capsule", scene_capsule, METH_O, "scene_capsule(scene) -> capsule"},
     {"scene_project", scene_project, METH_VARARGS, "scene_project(scene, x, y, z) -> (x, y) or None"},
     {"scene_unproject", scene_unproject, METH_VARARGS, "scene_unproject(scene, x, y, z) -> (x, y, z) or None"},
+    {"scene_height", scene_height, METH_VARARGS, "scene_height(scene, x, y, z) -> height or None"},
     {NULL, NULL, 0, NULL},
 };

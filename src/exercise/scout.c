@@ -70,11 +70,12 @@ static double choose_step(const struct lx_scene_parameters *scene)
 {
     double width = scene->screen.width_mm, height = scene->screen.height_mm;
     double step = fmin(width, height) / SAMPLES;
+    const struct lx_frame frame = lx_observer_frame(&scene->observer);
     for (size_t i = 0; i < scene->surfaces.count; i++) {
         const struct lx_item *surface = &scene->surfaces.items[i];
         const struct lx_surface_kind *kind = (const struct lx_surface_kind *)surface->variant;
         double low[3], high[3];
-        kind->extent(surface->parameters, low, high);
+        lx_surface_extent(kind, surface->parameters, &frame, low, high);
         double size = fmax(high[0] - low[0], high[1] - low[1]);
         if (size > 0)
             step = fmin(step, size / SAMPLES_ACROSS);

@@ -38,8 +38,7 @@ static int prepare(const struct lx_scene_parameters *scene, double tolerance, co
         .surface_count = surfaces->count,
         .emitters = *room,
         .tolerance = tolerance,
-        .shadows_extended = scene->shadows == LX_SHADOWS_ALL,
-        .shadows_on_free = scene->shadows != LX_SHADOWS_NONE,
+        .shadows_on_free = scene->shadows == LX_SHADOWS_POINTS,
     };
     if (!prepared->surfaces)
         return -1;
@@ -66,13 +65,14 @@ int lx_prepare(const struct lx_scene_parameters *scene, double tolerance, const 
                struct lx_prepared *prepared)
 {
     /* The usual scene has few, and need not ask for memory; besides the emitters, each surface has its constants, and
-     * the numbers of the surfaces that may stand in their light. */
+     * the numbers of the surfaces that may stand in their light.  What is carried to a screen is there twice. */
     const size_t surfaces = scene->surfaces.count;
-    const size_t others = scene->shadows != LX_SHADOWS_NONE && surfaces > 1 ? surfaces - 1 : 0;
+    const size_t others = scene->shadows == LX_SHADOWS_POINTS && surfaces > 1 ? surfaces - 1 : 0;
+    const size_t placed = lx_observer_is_placed(&scene->observer);
     const struct lx_emitters room = {
         .most = FEW_EMITTERS,
-        .each = (double)(sizeof(struct lx_emitter) + surfaces * (320 + others * sizeof(uint32_t))),
-        .each_in_swarms = (double)(64 + surfaces * others * sizeof(uint32_t)),
+        .each = (double)((placed + 1) * sizeof(struct lx_emitter) + surfaces * (320 + others * sizeof(uint32_t))),
+        .each_in_swarms = (double)((placed + 1) * 64 + surfaces * others * sizeof(uint32_t)),
         .asking = asking,
     };
     return prepare(scene, tolerance, &room, prepared);

@@ -405,10 +405,33 @@ static void shifts_by_keys(void **state)
     end(&drag);
 }
 
+/* Seen from the side a mark moves as the screen lies, and its height above that stays. */
+static void seen_from_the_side(void **state)
+{
+    static const char text[] = "luxel: 1\nscreen: {width: 500, height: 500, resolution: [100, 100]}\n"
+                               "observer: {position: [2000, 0, 1000], target: [0, 0, 1000]}\n"
+                               "surfaces: [{type: sphere, center: [100, 20, 1040], radius: 100}]\n"
+                               "lights: [{type: point, position: [700, 200, 900], intensity: 10}]\n";
+    (void)state;
+    for (int i = 0; i < 2; i++) {
+        const AppMarkKind kind = i == 0 ? APP_MARK_SOURCE : APP_MARK_SURFACE;
+        Drag drag = take(document_of_text(text), kind, 0);
+        expect_near(drag.mark.screen_mm, i == 0 ? 100 : -40, i == 0 ? 200 : 20, 1e-9);
+        assert_true(pull(&drag, 30, -10, exact));
+        assert_true(pull(&drag, 20, -5, exact));
+        AppMark mark = drop(&drag);
+        expect_near(mark.screen_mm, i == 0 ? 150 : 10, i == 0 ? 185 : 5, 1e-4);
+        expect_near(mark.place_mm, i == 0 ? 700 : 100, i == 0 ? 185 : 5, 1e-4);
+        expect_near(&mark.place_mm[1], i == 0 ? 185 : 5, i == 0 ? 850 : 990, 1e-4);
+        end(&drag);
+    }
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(marks_everything),
+        cmocka_unit_test(seen_from_the_side),
         cmocka_unit_test(knows_keys_of_places),
         cmocka_unit_test(moves_what_is_dragged),
         cmocka_unit_test(moves_in_space_as_on_the_screen),

@@ -462,4 +462,22 @@ def refusals(tap, tool):
         tap.ok(result.code == 3 and message in result.err, words, result)
 
 
-run_tests(Tap(), own_frame, moved_scenes, smooth_pictures, honest_bounds, readings, free_elements, sweeps, refusals)
+def advice(tap, tool):
+    """What is in view, and what is behind, is judged as the screen has it."""
+    scene = "luxel: 1\nscreen: {width: 300, height: 300, resolution: [300, 300]}\n" \
+        "observer: {position: [1500, 0, 1000], target: [0, 0, 1000]}\n" \
+        "surfaces: [{type: sphere, center: [0, 0, %d], radius: 100}]\n" \
+        "lights: [{type: point, position: [%d, 20, 1100], intensity: 10}]\n"
+    good = tool.run("check", "-", stdin=scene % (1050, 900))
+    tap.ok(good.code == 0 and "advice" not in good.out + good.err, "in view, and lit", good)
+    aside = tool.run("check", "-", stdin=scene % (1100, 900))
+    tap.ok("on these sides: left" in aside.out + aside.err, "not wholly in view", aside)
+    behind = tool.run("check", "-", stdin=scene % (1050, -900))
+    told = behind.out + behind.err
+    tap.ok("stands inside or behind every surface" in told and "hint" in told, "a light behind", behind)
+    if "lights[0].position=" in told:
+        mended = tool.run("check", "-", "-s", told.split("'")[1], stdin=scene % (1050, -900))
+        tap.ok("behind" not in mended.out + mended.err, "and what mends it", mended)
+
+
+run_tests(Tap(), own_frame, moved_scenes, smooth_pictures, honest_bounds, readings, free_elements, sweeps, advice, refusals)

@@ -177,6 +177,10 @@ def test_about(tap, tool):
     tap.equal(report.points, [(0.0, 0.0), (150.0, 0.0), (-150.0, 0.0)], "points")
     tap.equal(report.project((10, 20, 300)), (10.0, 20.0), "projection")
     tap.equal(report.unproject((10, 20), 300), (10.0, 20.0, 300.0), "and back")
+    tap.equal(report.height((10, 20, 300)), 300.0, "a height")
+    aside = luxel.Scene("report").changed({"observer": {"position": [1500, 0, 1000], "target": [0, 0, 1000]}})
+    tap.equal((aside.project((300, 20, 990)), aside.height((300, 20, 990)), aside.unproject((10, 20), 300)),
+              ((10.0, 20.0), 300.0, (300.0, 20.0, 990.0)), "from the side")
     advised = [entry.message for entry in report.advice()]
     tap.ok(advised and all(message in tool.run("advise", "report").out + tool.run("advise", "report").err
                            for message in advised), "advice is that of the tool", advised)
