@@ -327,7 +327,10 @@ void lx_explain_model(struct luxel_document *document, const struct lx_prepared 
     struct used used = find_used(prepared);
     explain_places(document, prepared);
     explain_lights(document, &used, photometric);
-    if (prepared->shadows && (used.point || used.distant))
+    if (prepared->shadows && prepared->shadows_extended && prepared->emitters.extended > 0)
+        lx_document_paragraph(
+            document, LX_N("What another surface hides of a source gives no light, be it all of it or a part."), NULL);
+    else if (prepared->shadows && (used.point || used.distant))
         lx_document_paragraph(
             document,
             LX_N("Where another surface stands in the way of a source that is a point or distant, it gives no light."),

@@ -341,7 +341,8 @@ static void judge_lights(struct lx_hunt *hunt)
     for (size_t i = 0; i < emitters->count; i++) {
         struct lx_emitter room;
         const struct lx_emitter *emitter = lx_emitter_at(emitters, i, &room);
-        bool closed = emitter->attenuation == LX_INVERSE_SQUARE && (is_irradiance || !shines);
+        const bool is_hidden = hunt->prepared->shadows && hunt->prepared->shadows_extended;
+        bool closed = emitter->attenuation == LX_INVERSE_SQUARE && (is_irradiance || !shines) && !is_hidden;
         hunt->costly = hunt->costly || (lx_is_extended(emitter) && !closed);
         narrow += emitter->type == LX_POINT || emitter->type == LX_DIRECTION;
     }
@@ -378,7 +379,7 @@ static luxel_status hunt_for(const luxel_evaluator *evaluator, const luxel_field
     set_scales(&hunt, field);
     if (hunt.costly)
         hunt.quick.tolerance = fmax(COARSE, hunt.quick.tolerance);
-    hunt.bare.shadows = hunt.bare.shadows && !hunt.knows_lights;
+    hunt.bare.shadows = hunt.bare.shadows && !hunt.knows_lights; /* penumbrae stay */
     *peak = (luxel_peak){.exists = false};
     hunt.short_of_memory = !make_gates(&hunt);
     if (!are_walkable(hunt.prepared))

@@ -69,7 +69,7 @@ static bool add_light(struct lx_hunt *hunt, size_t surface, size_t index)
     const struct lx_emitter *emitter = lx_emitter_at(&prepared->emitters, index, &room);
     const struct lx_lobe *lobe = &prepared->surfaces[surface].lobe;
     struct lx_brink edge = {.emitter = index, .closed = true};
-    bool done = true, casts = prepared->shadows && !emitter->is_part;
+    bool done = true, casts = prepared->shadows;
     for (size_t i = 0; casts && done && i < prepared->surface_count; i++) {
         edge.type = LX_BRINK_SHADOW, edge.surface = i;
         done = !lx_may_hide(&prepared->surfaces[i].shape, i == surface) || add(hunt, edge);

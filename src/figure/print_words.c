@@ -28,6 +28,7 @@ static const struct {
 static const char *const conventions[] = {
     LX_N("units radiometric"),
     LX_N("units photometric"),
+    LX_N("shadows all"),
     LX_N("shadows points"),
     LX_N("shadows none"),
     LX_N("sampling nodes"),

@@ -32,7 +32,7 @@ enum { LX_LAWS = LX_POLYNOMIAL + 1 };
 struct lx_emitter {
     enum lx_emitter_type type;
     size_t light;          /* index of the light in the scene that it belongs to */
-    bool is_part;          /* a point that stands for a part of an extended source: surfaces do not hide it */
+    bool is_part;          /* a point that stands for a part of an extended source */
     double strength;       /* irradiance, or a point's radiant intensity, */
     double strength_error; /* which may be off by that */
     lx_bounded3 towards;   /* direction: the unit vector to the light */

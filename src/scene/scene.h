@@ -14,7 +14,7 @@
 
 enum lx_units { LX_RADIOMETRIC, LX_PHOTOMETRIC };
 
-enum lx_shadows { LX_SHADOWS_POINTS, LX_SHADOWS_NONE };
+enum lx_shadows { LX_SHADOWS_ALL, LX_SHADOWS_POINTS, LX_SHADOWS_NONE };
 enum lx_sampling { LX_CENTERS, LX_NODES };
 enum lx_projection { LX_ORTHOGRAPHIC, LX_PERSPECTIVE };
 enum lx_view { LX_VIEW_PARALLEL, LX_VIEW_OBSERVER };

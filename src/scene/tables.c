@@ -9,7 +9,7 @@
 #include "observer.h"
 
 static const char *const units_names[] = {"radiometric", "photometric", NULL};
-static const char *const shadows_names[] = {"points", "none", NULL};
+static const char *const shadows_names[] = {"all", "points", "none", NULL};
 static const char *const sampling_names[] = {"centers", "nodes", NULL};
 static const char *const range_names[] = {"max", "minmax", "log", NULL};
 static const char *const rounding_names[] = {"truncate", "nearest", NULL};
@@ -302,9 +302,11 @@ static const struct lx_parameter scene_parameters[] = {
         .label = "Shadows",
         .type = LX_CHOICE,
         .offset = offsetof(struct lx_scene_parameters, shadows),
-        .initial = "points",
+        .initial = "all",
         .choices = shadows_names,
-        .meaning = "whether surfaces take the light of point-like and distant sources from one another",
+        .meaning =
+            "what light surfaces take from one another: that of all sources, of extended ones as far as they are "
+            "hidden; that of point-like and distant ones, and of the points that `parts: N` makes; none",
     },
     {
         .name = "screen",

@@ -71,9 +71,43 @@ static bool is_resolved(const double x[PLACES], const double logs[PLACES], doubl
     return true;
 }
 
+/* How far a place is off the line through its neighbours. */
+static double bend(const double x[PLACES], const double values[PLACES], int i)
+{
+    const double share = (x[i] - x[i - 1]) / (x[i + 1] - x[i - 1]);
+    return fabs(values[i - 1] + share * (values[i + 1] - values[i - 1]) - values[i]);
+}
+
+/*
+ * What kinks may do to the sum: where the slope changes by s within a gap of the width g it is no more than s g^2/8,
+ * and the place on one of its sides is off the line through its neighbours by s g/4 and more, where these are as far.
+ */
+static double judge_kinks(const double x[PLACES], const double values[PLACES], const uint64_t forms[PLACES],
+                          struct lx_panel *panel, double middle)
+{
+    const double CAUTIOUS = 2;
+    double sum = 0, worst = 0;
+    for (int i = 0; i + 1 < PLACES; i++) {
+        if (forms[i] == forms[i + 1])
+            continue;
+        double off = 0;
+        for (int k = i - 1; k <= i + 2; k++)
+            off = k > 0 && k + 1 < PLACES ? fmax(off, bend(x, values, k)) : off;
+        const double amount = CAUTIOUS * (x[i + 1] - x[i]) * off;
+        sum += amount;
+        if (amount > worst) {
+            worst = amount;
+            panel->kink_from = middle + x[i];
+            panel->kink_to = middle + x[i + 1];
+        }
+    }
+    return sum;
+}
+
 static void evaluate(const struct lx_integrand *integrand, struct lx_panel *panel, double *top)
 {
-    double x[PLACES], logs[PLACES]; /* x: from the middle */
+    double x[PLACES], logs[PLACES], values[PLACES]; /* x: from the middle */
+    uint64_t forms[PLACES];
     double middle = panel->from + (panel->to - panel->from) / 2, half = (panel->to - panel->from) / 2;
     double by_kronrod = 0, by_gauss = 0, inherited = 0;
     for (int i = 0; i < PLACES; i++) {
@@ -83,6 +117,8 @@ static void evaluate(const struct lx_integrand *integrand, struct lx_panel *pane
         x[i] = i <= HALF ? -offset : offset;
         struct lx_point_value point = integrand->at(integrand->data, panel->interval, middle + x[i]);
         logs[i] = log(point.value);
+        values[i] = point.value;
+        forms[i] = point.form;
         *top = fmax(*top, logs[i]);
         if (end)
             continue;
@@ -93,6 +129,9 @@ static void evaluate(const struct lx_integrand *integrand, struct lx_panel *pane
     panel->value = by_kronrod * half;
     panel->inherited = inherited * half;
     panel->estimate = CAUTION * fabs(by_kronrod - by_gauss) * half;
+    panel->kink_from = panel->kink_to = panel->from;
+    if (integrand->form)
+        panel->estimate += judge_kinks(x, values, forms, panel, middle);
     if (is_resolved(x, logs, *top))
         return;
     double greatest = -HUGE_VAL;
@@ -121,6 +160,30 @@ static struct lx_panel *worst(struct lx_panels *panels)
     return found;
 }
 
+/* Where to cut a panel in two: in its middle, or where its form changes, which is looked for until no number is
+ * between; either part has one form there. */
+static void cut(const struct lx_integrand *integrand, struct lx_panel *first, struct lx_panel *second)
+{
+    enum { HALVINGS = 60 };
+    const double least = 1e-13 * (first->to - first->from);
+    double from = first->kink_from, to = first->kink_to, middle = first->from + (first->to - first->from) / 2;
+    *second = (struct lx_panel){.interval = first->interval, .from = middle, .to = first->to};
+    if (integrand->form && to > from) {
+        const uint64_t form = integrand->form(integrand->data, first->interval, from);
+        for (int i = 0; i < HALVINGS; i++) {
+            const double between = from + (to - from) / 2;
+            if (!(between > from && between < to))
+                break;
+            *(integrand->form(integrand->data, first->interval, between) == form ? &from : &to) = between;
+        }
+        if (from > first->from + least && to < first->to - least) { /* next to an end there is nothing to cut off */
+            second->from = to;
+            middle = from;
+        }
+    }
+    first->to = middle;
+}
+
 struct lx_integral lx_integrate_panels(const struct lx_integrand *integrand, struct lx_panels *panels)
 {
     const double floor = 1e-14; /* of a panel's value: below it the estimate is rounding */
@@ -134,8 +197,7 @@ struct lx_integral lx_integrate_panels(const struct lx_integrand *integrand, str
         double middle = first->from + (first->to - first->from) / 2;
         if (first->estimate <= floor * first->value || !(middle > first->from && middle < first->to))
             break;
-        *second = (struct lx_panel){.interval = first->interval, .from = middle, .to = first->to};
-        first->to = middle;
+        cut(integrand, first, second);
         panels->count++;
         evaluate(integrand, first, &top);
         evaluate(integrand, second, &top);

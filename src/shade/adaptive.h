@@ -5,22 +5,29 @@
  * sum of the estimates is small enough.  The estimate is 10 |K21 - G10|, which the error of K21 stays far below where
  * the panel is resolved; where the function varies too much between neighbouring points for that to be
  * believed, the panel's whole possible content counts as its error, with peaks that may hide between the points.
+ *
+ * A function that is made of pieces tells the form that it has at each point.  Where that changes from one point to the
+ * next there is a kink between them: both rules may miss the same there, so the estimate holds what it may amount to,
+ * and such a panel is cut where the form changes.
  */
 #ifndef LX_SHADE_ADAPTIVE_H
 #define LX_SHADE_ADAPTIVE_H
 
 #include <stdbool.h>
 #include <stddef.h>
+#include <stdint.h>
 
 /* The function at a point. */
 struct lx_point_value {
     double value, error; /* error: of the value, from elsewhere; it is integrated beside it */
+    uint64_t form;       /* which piece of the function it is on; 0 where there is but one */
 };
 
 struct lx_panel {
     size_t interval; /* which function of the list it belongs to */
     double from, to;
     double value, estimate, inherited;
+    double kink_from, kink_to; /* where its form changes, as far as that matters; the same: nowhere */
 };
 
 struct lx_panels {
@@ -39,6 +46,8 @@ struct lx_integrand {
     /* How small the sum of the estimates must become, told the integral so far. */
     double (*target)(void *data, const struct lx_integral *integral);
     void *data;
+    /* The form alone; NULL: it never changes. */
+    uint64_t (*form)(void *data, size_t interval, double x);
 };
 
 /* Integrates over the panels that are in the list, of which interval, from and to are set; leaves them refined. */

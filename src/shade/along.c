@@ -3,6 +3,7 @@
 #include <math.h>
 #include <stdlib.h>
 
+#include "../base/memory.h"
 #include "along.h"
 
 enum { INNER_PANELS = 256 };
@@ -82,7 +83,7 @@ static struct lx_point_value value_at(struct lx_problem *problem, double tau)
         double lobe_error = 0;
         log_value = lobe_log(problem, towards, distance, &lobe_error);
         if (!(log_value > -HUGE_VAL))
-            return (struct lx_point_value){0, 0};
+            return (struct lx_point_value){.value = 0};
         error += lobe_error;
         problem->highest = fmax(problem->highest, log_value);
         weight *= exp(fmin(log_value - problem->top, HIGHEST));
@@ -93,7 +94,7 @@ static struct lx_point_value value_at(struct lx_problem *problem, double tau)
     }
     bool by_cosine = !problem->lobe || problem->lobe->highlight == LX_HIGHLIGHT_COSINE;
     double value = by_cosine ? weight * fmax(cosine, 0) : weight;
-    return (struct lx_point_value){value, weight * error};
+    return (struct lx_point_value){.value = value, .error = weight * error};
 }
 
 /* ---- one arc ---- */
@@ -162,6 +163,74 @@ static size_t find_intervals(struct lx_problem *problem, const struct lx_sweep *
             count = cut_intervals(intervals, count, peak, acos(limit / amplitude));
     }
     return count;
+}
+
+/* What the light is at the end of a hidden part, times how far that end may be off. */
+static double doubt_of(struct lx_problem *problem, const struct lx_hidden *hidden, int end)
+{
+    return value_at(problem, hidden->ends[end]).value * fmin(hidden->slack[end], problem->arc.width);
+}
+
+/* Numbers in their order as one. */
+static uint64_t mix(uint64_t form, uint64_t number)
+{
+    return (form ^ number) * 0x100000001b3u + 0x9e3779b97f4a7c15u;
+}
+
+/*
+ * Takes the hidden parts of the arc out of its intervals; returns how many are left.  Whose the ends of what is left
+ * are is the form of the arc; what is in doubt of them is looked up where `doubts` says so.
+ */
+static size_t take_hidden(struct lx_problem *problem, size_t count, bool doubts)
+{
+    problem->intervals = problem->whole;
+    problem->doubt = 0;
+    problem->form = 0;
+    if (!lx_is_occluded(problem->occlusion) || count == 0)
+        return count;
+    const struct lx_hidden *hidden = problem->occlusion->hidden;
+    const size_t hidden_count = lx_occlusion_hide(problem->occlusion, problem->sweep, &problem->arc);
+    size_t left = 0;
+    for (size_t i = 0; i < count; i++) {
+        struct lx_stretch rest = problem->whole[i];
+        const double end = rest.to;
+        uint64_t began_by = 0;
+        for (size_t k = 0; k < hidden_count && rest.from < end; k++) {
+            if (hidden[k].ends[1] <= rest.from || hidden[k].ends[0] >= end)
+                continue;
+            rest.to = hidden[k].ends[0];
+            if (rest.to > rest.from) {
+                problem->room[left++] = rest;
+                problem->form = mix(mix(problem->form, began_by), hidden[k].bounds[0]);
+                problem->doubt += doubts ? doubt_of(problem, &hidden[k], 0) : 0;
+            }
+            rest.from = hidden[k].ends[1];
+            began_by = hidden[k].bounds[1];
+            if (rest.from < end)
+                problem->doubt += doubts ? doubt_of(problem, &hidden[k], 1) : 0;
+        }
+        rest.to = end;
+        if (rest.from < end) {
+            problem->room[left++] = rest;
+            problem->form = mix(mix(problem->form, began_by), 0);
+        }
+    }
+    problem->intervals = problem->room;
+    return left;
+}
+
+int lx_make_room_on_arcs(struct lx_problem *problem)
+{
+    problem->intervals = problem->whole;
+    problem->room_count = MOST_INTERVALS + problem->occlusion->most_hidden;
+    problem->panel_count = INNER_PANELS + problem->room_count * (MOST_PLACES + 1);
+    problem->room = lx_new_array(problem->room_count, sizeof *problem->room);
+    problem->panels = problem->lobe || problem->emitter->attenuation != LX_INVERSE_SQUARE
+                          ? lx_new_array(problem->panel_count, sizeof *problem->panels)
+                          : NULL;
+    return problem->room && (problem->panels || !(problem->lobe || problem->emitter->attenuation != LX_INVERSE_SQUARE))
+               ? 0
+               : -1;
 }
 
 /* The variable along an arc: tau as an offset from the arc's start; of a round arc the angle whose sine tau is. */
@@ -289,41 +358,94 @@ static void start_panels(const struct lx_problem *problem, size_t count, struct 
     }
 }
 
-/* The integral along the arc at x, times the sweep's measure. */
-struct lx_point_value lx_integrate_arc(void *data, size_t index, double t)
+/* Goes to the arc at t of a piece, and returns how many of its parts are seen; *slope: of the whole measure by t. */
+static size_t go_to_arc(struct lx_problem *problem, size_t index, double t, bool doubts, double *slope)
 {
-    struct lx_problem *problem = data;
     const struct lx_piece *piece = &problem->pieces[index];
-    if (problem->is_stopped)
-        return (struct lx_point_value){.value = 0};
     double length = piece->range.to - piece->range.from;
     double x = piece->range.from + length * (piece->range.eased ? ease(t) : t);
     problem->sweep = &problem->sweeps->items[piece->sweep];
     problem->arc = lx_sweep_arc(problem->sweep, x);
+    *slope = problem->arc.measure * length * (piece->range.eased ? ease_slope(t) : 1);
+    return take_hidden(problem, find_intervals(problem, problem->sweep, &problem->arc, problem->whole), doubts);
+}
+
+/* The integral of cos(tau) N.L over an interval, N.L = a cos(tau) + b sin(tau). */
+static struct lx_point_value cosine_along(const struct lx_problem *problem, const struct lx_stretch *interval)
+{
+    const double a = lx_dot_plain(problem->normal, problem->arc.direction);
+    const double b = lx_dot_plain(problem->normal, problem->sweep->frame.z);
+    const double width = interval->to - interval->from, sum = interval->to + interval->from, sine = sin(width);
+    const double moved = problem->normal_error + problem->place_error_mm / problem->arc.distance_mm;
+    return (struct lx_point_value){
+        .value = fmax((a * (width + cos(sum) * sine) + b * sin(sum) * sine) / 2, 0),
+        .error = (fabs(a) + fabs(b)) * width * (8 * DBL_EPSILON + 4 * moved) + 4 * DBL_EPSILON * fabs(sum),
+    };
+}
+
+static bool is_closed_along(const struct lx_problem *problem)
+{
+    return lx_is_occluded(problem->occlusion) && !problem->lobe && problem->emitter->attenuation == LX_INVERSE_SQUARE;
+}
+
+/* Adaptively, over all intervals. */
+static struct lx_point_value integrate_along(struct lx_problem *problem, size_t count, double slope)
+{
     const struct lx_arc *arc = &problem->arc;
     struct lx_stretch *intervals = problem->intervals;
-    size_t count = find_intervals(problem, problem->sweep, arc, intervals);
     struct lx_panel memory[INNER_PANELS];
     struct lx_panels panels = {memory, 0, INNER_PANELS};
+    if (lx_is_occluded(problem->occlusion))
+        panels = (struct lx_panels){problem->panels, 0, problem->panel_count};
     for (size_t i = 0; i < count; i++) {
         if (intervals[i].eased && problem->lobe && problem->lobe->highlight == LX_HIGHLIGHT_GATED) {
             double ends = fmax(value_at(problem, intervals[i].from).value, value_at(problem, intervals[i].to).value);
             problem->at_border = fmax(problem->at_border, ends);
         }
-        bool whole = !intervals[i].eased && !arc->round;
+        bool whole = intervals == problem->whole && !intervals[i].eased && !arc->round;
         intervals[i].from = whole ? 0 : to_variable(arc, intervals[i].from);
         intervals[i].to = whole ? arc->width : to_variable(arc, intervals[i].to);
     }
     start_panels(problem, count, &panels);
-    double slope = arc->measure * length * (piece->range.eased ? ease_slope(t) : 1);
     double share = 0.1 * problem->tolerance * (problem->known + problem->running);
     problem->wanted = slope > 0 ? share / (double)problem->piece_count / slope : 0;
-    struct lx_integrand integrand = {along, arc_target, problem};
+    struct lx_integrand integrand = {along, arc_target, problem, NULL};
     struct lx_integral integral = lx_integrate_panels(&integrand, &panels);
+    return (struct lx_point_value){.value = integral.value, .error = integral.error + integral.inherited};
+}
+
+/* The integral along the arc at x, times the sweep's measure. */
+struct lx_point_value lx_integrate_arc(void *data, size_t index, double t)
+{
+    struct lx_problem *problem = data;
+    if (problem->is_stopped)
+        return (struct lx_point_value){.value = 0};
+    double slope;
+    const size_t count = go_to_arc(problem, index, t, true, &slope);
+    struct lx_point_value sum = {.value = 0};
+    if (is_closed_along(problem)) {
+        for (size_t i = 0; i < count; i++) {
+            const struct lx_point_value part = cosine_along(problem, &problem->intervals[i]);
+            sum.value += part.value;
+            sum.error += part.error;
+        }
+        problem->parts++;
+    } else {
+        sum = integrate_along(problem, count, slope);
+    }
     return (struct lx_point_value){
-        .value = integral.value * slope,
-        .error = (integral.error + integral.inherited) * slope,
+        .value = sum.value * slope,
+        .error = (sum.error + problem->doubt) * slope,
+        .form = problem->form,
     };
+}
+
+uint64_t lx_form_of_arc(void *data, size_t index, double t)
+{
+    struct lx_problem *problem = data;
+    double slope;
+    go_to_arc(problem, index, t, false, &slope);
+    return problem->form;
 }
 
 /* Looks how great the lobe gets on the arc at x. */
@@ -333,7 +455,7 @@ void lx_look_at(struct lx_problem *problem, const struct lx_sweep *sweep, double
     problem->sweep = sweep;
     problem->arc = lx_sweep_arc(sweep, x);
     const struct lx_arc *arc = &problem->arc;
-    size_t count = find_intervals(problem, sweep, arc, problem->intervals);
+    size_t count = take_hidden(problem, find_intervals(problem, sweep, arc, problem->whole), false);
     double places[MOST_PLACES], unused;
     size_t place_count = find_places(problem, arc, places);
     for (size_t i = 0; i < count; i++)

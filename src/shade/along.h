@@ -15,6 +15,8 @@
 #include "../base/rows.h"
 #include "../material/lobe.h"
 #include "adaptive.h"
+#include "crossings.h"
+#include "occlusion.h"
 #include "sweep.h"
 
 enum { MOST_CONDITIONS = 2, MOST_INTERVALS = 2 * MOST_CONDITIONS + 1, MOST_PLACES = 4 };
@@ -55,11 +57,19 @@ struct lx_problem {
     size_t parts;
     const struct lx_asking *asking; /* whether to go on */
     bool is_stopped;
+    const struct lx_occlusion *occlusion;  /* what stands in the way; NULL: nothing */
+    const struct lx_directions *crossings; /* of its borders */
+    struct lx_stretch *room;               /* for the parts of an arc that are left, */
+    struct lx_panel *panels;               /* and for the integrals along them */
+    size_t room_count, panel_count;
     /* of the arc that is being integrated */
     const struct lx_sweep *sweep;
     struct lx_arc arc;
-    struct lx_stretch intervals[MOST_INTERVALS];
-    double wanted; /* for it, absolutely */
+    struct lx_stretch whole[MOST_INTERVALS];
+    struct lx_stretch *intervals; /* those that are seen: whole or room */
+    double wanted;                /* for it, absolutely */
+    double doubt;                 /* for what obstacles may be off */
+    uint64_t form;                /* which of them bound what is seen */
 };
 
 static inline double lx_dot_plain(const double a[3], const double b[3])
@@ -77,10 +87,16 @@ bool lx_goes_on(struct lx_problem *problem);
 void lx_along_arc(const struct lx_condition *condition, const struct lx_sweep *sweep, const struct lx_arc *arc,
                   double *amplitude, double *peak);
 
+/* Room for what obstacles leave of an arc; 0, or -1 when memory ran out.  free() room and panels. */
+int lx_make_room_on_arcs(struct lx_problem *problem);
+
 /* Looks how great the lobe gets on the arc at x of a sweep: raises the problem's top. */
 void lx_look_at(struct lx_problem *problem, const struct lx_sweep *sweep, double x);
 
 /* The integral along the arc at t of a piece, as an integrand for lx_integrate_panels(); data is the problem. */
 struct lx_point_value lx_integrate_arc(void *data, size_t piece, double t);
+
+/* Its form: which obstacles bound the parts of the arc that are seen. */
+uint64_t lx_form_of_arc(void *data, size_t piece, double t);
 
 #endif

@@ -14,7 +14,8 @@
 enum {
     OUTER_PANELS = 1024,
     SCANS = 16, /* samples in which changes of the arcs are looked for */
-    MOST_CUTS = 64
+    MOST_CUTS = 64,
+    MOST_BRINKS = 1024 /* beyond which the adaptive rule finds where obstacles begin */
 };
 
 /* Cuts nearer to each other than this are the same one. */
@@ -94,8 +95,30 @@ static int by_place(const void *a, const void *b)
     return (x > y) - (x < y);
 }
 
+/* Where obstacles begin and end, and where their borders and the source's cross. */
+static size_t cut_at_brinks(const struct lx_problem *problem, const struct lx_sweep *sweep, struct cut *cuts)
+{
+    const struct lx_obstacles *obstacles = &problem->occlusion->obstacles;
+    const struct lx_directions *crossings = problem->crossings;
+    size_t count = 0;
+    for (size_t i = 0; i < obstacles->count && count + LX_MOST_BRINKS <= MOST_BRINKS; i++) {
+        double brinks[LX_MOST_BRINKS][3];
+        bool round;
+        const size_t found = lx_obstacle_brinks(&obstacles->items[i], &sweep->frame, brinks, &round);
+        for (size_t k = 0; k < found; k++) {
+            cuts[count].border = round;
+            count += lx_sweep_find(sweep, brinks[k], &cuts[count].x);
+        }
+    }
+    for (size_t i = 0; i < crossings->count && count < MOST_BRINKS; i++) {
+        cuts[count].border = false;
+        count += lx_sweep_find(sweep, crossings->items[i], &cuts[count].x);
+    }
+    return count;
+}
+
 /* Cuts a sweep where its marks change, and looks how great the lobe gets on it. */
-static size_t cut_sweep(struct lx_problem *problem, const struct lx_sweep *sweep, struct cut cuts[MOST_CUTS])
+static size_t cut_sweep(struct lx_problem *problem, const struct lx_sweep *sweep, struct cut *cuts)
 {
     double before[MARKS], marks[MARKS];
     size_t count = 0;
@@ -115,6 +138,8 @@ static size_t cut_sweep(struct lx_problem *problem, const struct lx_sweep *sweep
             lx_look_at(problem, sweep, x);
     }
     cuts[count++] = (struct cut){1, false};
+    if (lx_is_occluded(problem->occlusion))
+        count += cut_at_brinks(problem, sweep, cuts + count);
     qsort(cuts, count, sizeof *cuts, by_place);
     return count;
 }
@@ -132,8 +157,8 @@ static double outer_target(void *data, const struct lx_integral *integral)
 static int make_pieces(struct lx_problem *problem, struct lx_panels *panels)
 {
     size_t capacity = 0;
+    struct cut cuts[MOST_CUTS + MOST_BRINKS];
     for (size_t i = 0; i < problem->sweeps->count && lx_goes_on(problem); i++) {
-        struct cut cuts[MOST_CUTS];
         size_t count = cut_sweep(problem, &problem->sweeps->items[i], cuts);
         if (lx_reserve(&problem->pieces, &capacity, problem->piece_count + count, sizeof *problem->pieces))
             return -1;
@@ -208,14 +233,21 @@ static lx_bounded integrate(struct lx_problem *problem, const double place_mm[3]
     lx_bounded result = {0, HUGE_VAL};
     const double *across_which =
         problem->lobe && problem->lobe->model == LX_PHONG ? problem->mirrored : problem->normal;
-    struct lx_integrand integrand = {lx_integrate_arc, outer_target, problem};
+    const bool is_occluded = lx_is_occluded(problem->occlusion);
+    struct lx_integrand integrand = {lx_integrate_arc, outer_target, problem, is_occluded ? lx_form_of_arc : NULL};
     problem->sweeps = &sweeps;
     problem->top = problem->lobe ? -HUGE_VAL : 0;
     problem->at_border = problem->running = 0;
     problem->highest = -HUGE_VAL;
     problem->pieces = NULL;
     problem->piece_count = 0;
-    if (!lx_sweeps_make(problem->emitter, place_mm, across_which, &sweeps) && !make_pieces(problem, &panels)) {
+    problem->room = NULL;
+    problem->panels = NULL;
+    struct lx_directions crossings = {.items = NULL};
+    problem->crossings = &crossings;
+    if ((!is_occluded ||
+         (!lx_make_room_on_arcs(problem) && !lx_find_crossings(problem->occlusion, problem->emitter, &crossings))) &&
+        !lx_sweeps_make(problem->emitter, place_mm, across_which, &sweeps) && !make_pieces(problem, &panels)) {
         if (problem->top == -HUGE_VAL)
             problem->top = 0; /* the lobe was met nowhere */
         if (problem->top < INVISIBLE)
@@ -239,6 +271,9 @@ static lx_bounded integrate(struct lx_problem *problem, const double place_mm[3]
         result.error = (estimate + all.inherited + strip + rounding * all.value) * scale;
         result.error += problem->top < 0 ? DBL_MIN : 0;
     }
+    free(crossings.items);
+    free(problem->room);
+    free(problem->panels);
     free(panels.items);
     free(problem->pieces);
     free(sweeps.items);
@@ -278,10 +313,17 @@ struct lx_cubature lx_integrate(const struct lx_emitter *emitter, const struct l
 struct lx_cubature lx_integrate_asking(const struct lx_emitter *emitter, const struct lx_element *element, bool diffuse,
                                        double known, double tolerance, const struct lx_asking *asking)
 {
+    return lx_integrate_seen(emitter, element, NULL, diffuse, known, tolerance, asking);
+}
+
+struct lx_cubature lx_integrate_seen(const struct lx_emitter *emitter, const struct lx_element *element,
+                                     const struct lx_occlusion *occlusion, bool diffuse, double known, double tolerance,
+                                     const struct lx_asking *asking)
+{
     struct lx_cubature result = {.irradiance = lx_exact(0), .specular = lx_exact(0)};
     const struct lx_lobe *lobe = element->lobe;
     double radiance = emitter->radiance.value, place[3];
-    struct lx_problem problem = {.emitter = emitter, .tolerance = tolerance, .asking = asking};
+    struct lx_problem problem = {.emitter = emitter, .tolerance = tolerance, .asking = asking, .occlusion = occlusion};
     values_of(element->place_mm, place);
     values_of(element->normal, problem.normal);
     values_of(element->view, problem.view);
@@ -295,6 +337,8 @@ struct lx_cubature lx_integrate_asking(const struct lx_emitter *emitter, const s
         return result;
     if (diffuse) {
         set_conditions(&problem);
+        if (lx_is_occluded(occlusion) && known > 0 && lobe->diffuse.value > 0)
+            problem.known = known / (radiance * lobe->diffuse.value);
         result.irradiance = lx_mul(emitter->radiance, integrate(&problem, place));
         known += result.irradiance.value * lobe->diffuse.value;
         result.parts = problem.parts;

@@ -12,6 +12,7 @@
 #define LX_SHADE_CUBATURE_H
 
 #include "../base/rows.h"
+#include "occlusion.h"
 #include "reference.h"
 
 struct lx_cubature {
@@ -32,5 +33,10 @@ struct lx_cubature lx_integrate(const struct lx_emitter *emitter, const struct l
 /* The same; where the work is to stop it ends early, with any result. */
 struct lx_cubature lx_integrate_asking(const struct lx_emitter *emitter, const struct lx_element *element, bool diffuse,
                                        double known, double tolerance, const struct lx_asking *asking);
+
+/* The same of what is left of the source behind what stands in the way (NULL: nothing). */
+struct lx_cubature lx_integrate_seen(const struct lx_emitter *emitter, const struct lx_element *element,
+                                     const struct lx_occlusion *occlusion, bool diffuse, double known, double tolerance,
+                                     const struct lx_asking *asking);
 
 #endif

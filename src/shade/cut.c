@@ -40,10 +40,9 @@ struct making {
 };
 
 /* Whether other surfaces may stand between the cut's tract and what is in a ball. */
-static bool is_hidden(const struct lx_plan *plan, const struct lx_cut *cut, const struct lx_tree *tree,
-                      const struct lx_ball *ball)
+static bool is_hidden(const struct lx_plan *plan, const struct lx_cut *cut, const struct lx_ball *ball)
 {
-    if (!plan->prepared->shadows || tree->model.is_part)
+    if (!plan->prepared->shadows)
         return false;
     for (size_t s = 0; s < plan->surface_count; s++) {
         const struct lx_planned_surface *other = &plan->surfaces[s];
@@ -96,7 +95,7 @@ static void add_cluster(struct making *making, uint32_t t, uint32_t c)
     const struct lx_ball ball = ball_of(cluster, surface->shape.anchor_mm);
     const struct lx_share_bound bound =
         lx_bound_cluster(&cut->tract, surface->shape.anchor_mm, &surface->limits, tree, cluster,
-                         tree->has_axis ? &tree->turns[c] : NULL, is_hidden(making->plan, cut, tree, &ball));
+                         tree->has_axis ? &tree->turns[c] : NULL, is_hidden(making->plan, cut, &ball));
     if (bound.most == 0)
         return;
     struct lx_cut_item item = {.error = bound.error, .least = bound.least, .tree = t, .cluster = c};
@@ -275,7 +274,7 @@ static bool find_open(struct shading *shading, const struct lx_light_double *lig
     const double *anchor = cut->surface->shape.anchor_mm;
     const struct lx_ball place = {.center = {light->x, light->y, light->z}};
     bool any = false;
-    for (size_t s = 0; plan->prepared->shadows && !shading->tree->model.is_part && s < plan->surface_count; s++) {
+    for (size_t s = 0; plan->prepared->shadows && s < plan->surface_count; s++) {
         const struct lx_planned_surface *other = &plan->surfaces[s];
         const struct lx_ball blocker = lx_shape_ball(&other->shape, other->low_mm, other->high_mm, anchor);
         if (!lx_may_hide(&other->shape, other == cut->surface) ||

@@ -11,6 +11,7 @@
 #include "adaptive.h"
 #include "blocking.h"
 #include "flux_edges.h"
+#include "occlusion.h"
 
 /* Panels of one line, and of the lines; feet of sources where they begin. */
 enum { MOST_PANELS = 512, MOST_FEET = 24, MOST_ENDS = 250 };
@@ -21,8 +22,8 @@ static const double TOLERANCE = 1e-9;
 static const double PLACES = 1e-11;
 
 /* The work that may be done, in shares of a point source at an element; a polygon takes so many of them, a round source
- * and a polyhedron more. */
-static const double MOST_WORK = 4e5, POLYGON_WORK = 10, ROUND_WORK = 20;
+ * and a polyhedron more, and those of which surfaces may hide a part most. */
+static const double MOST_WORK = 4e5, POLYGON_WORK = 10, ROUND_WORK = 20, HIDDEN_WORK = 100;
 
 /* The plane in float64: what directions lack to their wide numbers counts as their error. */
 struct plane {
@@ -69,17 +70,21 @@ static bool is_behind(const struct hunt *hunt, const struct lx_prepared_surface 
     return lx_surface_farthest(surface->kind, surface->parameters, normal) <= level + 1e-12 * size;
 }
 
-/* Whether a surface may stand between the plane and an emitter.  Sources of some size are not hidden. */
+/* Whether a surface may stand between the plane and an emitter. */
 static bool may_be_hidden(const struct hunt *hunt, const struct lx_emitter *emitter)
 {
     const struct lx_cells *cells = hunt->plane.cells;
     const struct lx_ball from = {.radius = hypot(cells->size_mm[0], cells->size_mm[1]) / 2};
     const bool endless = emitter->type == LX_DIRECTION;
     struct lx_ball towards = {.center = {emitter->towards.x.value, emitter->towards.y.value, emitter->towards.z.value}};
-    if (!hunt->prepared->shadows_on_free || emitter->is_part || lx_is_extended(emitter))
+    const bool is_extended = lx_is_extended(emitter);
+    if (!hunt->prepared->shadows_on_free || (is_extended && !hunt->prepared->shadows_extended))
         return false;
+    const struct lx_shaft shaft =
+        is_extended ? lx_shaft_to(cells->center_mm, from.radius, emitter) : (struct lx_shaft){.to_radius_mm = 0};
+    towards.radius = shaft.to_radius_mm;
     for (int i = 0; i < 3 && !endless; i++)
-        towards.center[i] = emitter->position_mm[i] - cells->center_mm[i];
+        towards.center[i] = (is_extended ? shaft.to_mm[i] : emitter->position_mm[i]) - cells->center_mm[i];
     for (size_t s = 0; s < hunt->prepared->surface_count; s++) {
         const struct lx_prepared_surface *surface = &hunt->prepared->surfaces[s];
         struct lx_ball ball = {.radius = surface->shape.radius_mm};
@@ -166,7 +171,7 @@ static bool in_closed_form(const struct plane *plane, const struct lx_emitter *e
 static struct lx_point_value light_at(struct hunt *hunt, double u, double v)
 {
     const struct lx_cells *cells = hunt->plane.cells;
-    struct lx_point_value point = {0, 0};
+    struct lx_point_value point = {.value = 0};
     lx_bounded3 place =
         lx_add3(lx_exact3(cells->center_mm), lx_add3(lx_mul3(hunt->plane.across, lx_exact(u * cells->size_mm[0])),
                                                      lx_mul3(hunt->plane.upward, lx_exact(v * cells->size_mm[1]))));
@@ -255,7 +260,7 @@ static struct lx_point_value at_line(void *data, size_t interval, double t)
     const double from = hunt->ends[interval], length = hunt->ends[interval + 1] - from;
     const double slope = 6 * t * (1 - t) * length;
     double error = 0, value = slope > 0 ? along_line(hunt, from + length * t * t * (3 - 2 * t), &error) : 0;
-    return (struct lx_point_value){slope * value, slope * error};
+    return (struct lx_point_value){.value = slope * value, .error = slope * error};
 }
 
 /* ---- the whole ---- */
@@ -290,7 +295,7 @@ static void note_aim(struct hunt *hunt, const struct lx_emitter *emitter)
     note_foot(hunt, met);
 }
 
-static void add_hard(struct hunt *hunt, size_t i, const struct lx_emitter *emitter)
+static void add_hard(struct hunt *hunt, size_t i, const struct lx_emitter *emitter, bool may_be_hidden)
 {
     hunt->hard[hunt->hard_count++] = i;
     if (emitter->type == LX_POINT) {
@@ -301,6 +306,7 @@ static void add_hard(struct hunt *hunt, size_t i, const struct lx_emitter *emitt
     else if (lx_is_extended(emitter))
         note_foot(hunt, emitter->center_mm);
     hunt->work_each += !lx_is_extended(emitter)                                         ? 1
+                       : may_be_hidden                                                  ? HIDDEN_WORK
                        : emitter->type == LX_FACETS && emitter->facets->face_count == 1 ? POLYGON_WORK
                                                                                         : ROUND_WORK;
 }
@@ -320,8 +326,9 @@ static lx_bounded sum_closed(struct hunt *hunt)
             sum = lx_add(sum, flux);
             continue;
         }
-        lx_edges_add(hunt->prepared, hunt->plane.cells, emitter, may_hide, &hunt->edges);
-        add_hard(hunt, i, emitter);
+        /* sources of some size have no edges, but a penumbra */
+        lx_edges_add(hunt->prepared, hunt->plane.cells, emitter, may_hide && !lx_is_extended(emitter), &hunt->edges);
+        add_hard(hunt, i, emitter, may_hide);
     }
     return sum;
 }

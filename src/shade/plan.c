@@ -8,6 +8,7 @@
 #include "blocking.h"
 #include "camera.h"
 #include "general.h"
+#include "penumbra.h"
 #include "plan.h"
 #include "shader.h"
 
@@ -102,6 +103,8 @@ static luxel_status plan_shells(struct lx_plan *plan, struct lx_control *control
         luxel_status status = lx_shell_make(emitter, &surface->shape, &asking, &planned->shell);
         struct lx_sampled *sampled = &surface->glossy[surface->shell_count++];
         surface->glossy_count += surface->glossy_exact.model != LX_LAMBERT;
+        if (status == LUXEL_OK && lx_find_shell_blockers(plan, surface, planned))
+            status = LUXEL_ERROR_MEMORY;
         if (status != LUXEL_OK)
             return status;
         *sampled = (struct lx_sampled){.emitter = emitter, .shell = &planned->shell, .law = emitter->attenuation};
@@ -206,7 +209,7 @@ static luxel_status plan_lights(struct lx_plan *plan, struct lx_control *control
                 continue;
             if (span.items && lx_lights_append(lights, emitter))
                 return LUXEL_ERROR_MEMORY;
-            int blockers = plan->prepared->shadows && !emitter->is_part ? find_blockers(plan, surface, emitter) : 0;
+            int blockers = plan->prepared->shadows ? find_blockers(plan, surface, emitter) : 0;
             if (blockers < 0 || append_to_runs(surface, emitter, i++, (size_t)blockers))
                 return LUXEL_ERROR_MEMORY;
         }
@@ -438,7 +441,8 @@ static bool is_in_single(const struct lx_planned_surface *surface)
 {
     bool all = lx_has_kernels(&surface->shape) && has_closed_shells(surface);
     for (size_t s = 0; all && s < surface->shell_count; s++)
-        all = surface->shells[s].shell.edges_single && !surface->shells[s].by_reference;
+        all = surface->shells[s].shell.edges_single && !surface->shells[s].by_reference &&
+              surface->shells[s].blocker_count == 0;
     for (size_t r = 0; all && r < surface->run_count; r++) {
         const struct lx_light_run *run = &surface->runs[r];
         all = !run->in_double && !run->has_edges && run->blocker_count == 0;
@@ -535,6 +539,7 @@ luxel_status lx_plan_make(const struct lx_prepared *prepared, const struct lx_ke
         .surfaces = lx_new_array(prepared->surface_count, sizeof *plan->surfaces),
         .surface_count = prepared->surface_count,
         .every = 1,
+        .part_tolerance = settings->precision == LUXEL_DOUBLE ? 1e-12 : 3e-7,
     };
     const struct lx_asking asking = {.control = &control, .is_caller = true};
     plan->prepared = prepared = lx_prepared_on_screen(prepared, &asking, &plan->carried);
@@ -571,7 +576,7 @@ void lx_plan_clear(struct lx_plan *plan)
     for (size_t s = 0; plan->surfaces && s < plan->surface_count; s++) {
         struct lx_planned_surface *surface = &plan->surfaces[s];
         for (size_t i = 0; i < surface->shell_count; i++)
-            lx_shell_clear(&surface->shells[i].shell);
+            lx_shell_clear(&surface->shells[i].shell), free(surface->shells[i].blockers);
         lx_lights_clear(&surface->lights);
         lx_smooth_clear(&surface->smooth);
         free(surface->runs);

@@ -40,8 +40,10 @@ struct lx_light_run {
 struct lx_planned_shell {
     const struct lx_emitter *emitter;
     struct lx_shell shell;
-    bool in_single;    /* its law, other than 1/r^2, is good enough in float32 */
-    bool by_reference; /* its diffuse light, as float64 would not keep the picture's accuracy */
+    bool in_single;     /* its law, other than 1/r^2, is good enough in float32 */
+    bool by_reference;  /* its diffuse light, as float64 would not keep the picture's accuracy */
+    uint32_t *blockers; /* which surfaces may hide a part of it (penumbra.h) */
+    size_t blocker_count;
 };
 
 struct lx_planned_surface {
@@ -82,6 +84,7 @@ struct lx_plan {
     luxel_precision precision;
     double tolerance;                  /* of the highlights of extended sources, relative to the picture's maximum */
     double least_maximum;              /* which is no less than this */
+    double part_tolerance;             /* of the diffuse light of those that are hidden in part, relative to the same */
     size_t most_patches;               /* of the extended sources together */
     struct lx_gauss_rules *rules;      /* for laws other than 1/r^2; NULL where there are none */
     struct lx_gauss_rules *node_rules; /* the same at the nodes of squares, which polynomials make more of */

@@ -38,7 +38,8 @@ static int prepare(const struct lx_scene_parameters *scene, double tolerance, co
         .surface_count = surfaces->count,
         .emitters = *room,
         .tolerance = tolerance,
-        .shadows_on_free = scene->shadows == LX_SHADOWS_POINTS,
+        .shadows_extended = scene->shadows == LX_SHADOWS_ALL,
+        .shadows_on_free = scene->shadows != LX_SHADOWS_NONE,
     };
     if (!prepared->surfaces)
         return -1;
@@ -67,7 +68,7 @@ int lx_prepare(const struct lx_scene_parameters *scene, double tolerance, const 
     /* The usual scene has few, and need not ask for memory; besides the emitters, each surface has its constants, and
      * the numbers of the surfaces that may stand in their light.  What is carried to a screen is there twice. */
     const size_t surfaces = scene->surfaces.count;
-    const size_t others = scene->shadows == LX_SHADOWS_POINTS && surfaces > 1 ? surfaces - 1 : 0;
+    const size_t others = scene->shadows != LX_SHADOWS_NONE && surfaces > 1 ? surfaces - 1 : 0;
     const size_t placed = lx_observer_is_placed(&scene->observer);
     const struct lx_emitters room = {
         .most = FEW_EMITTERS,

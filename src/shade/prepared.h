@@ -32,6 +32,7 @@ struct lx_prepared {
     struct lx_emitters emitters; /* of the enabled lights, in their order */
     double tolerance;            /* of integrals, relative to the value that they are a part of */
     bool shadows;                /* whether surfaces take light from each other */
+    bool shadows_extended;       /* whether extended sources are hidden, too, as far as they are */
     bool shadows_on_free;        /* whether they take it from free elements, for which one surface is enough */
 };
 

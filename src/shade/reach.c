@@ -70,6 +70,7 @@ luxel_status lx_reach_open(struct lx_reach *reach, const struct lx_scene_paramet
         make_plain(&emitters->swarms[i].model);
     const luxel_status status = lx_plan_make(&reach->prepared, kernels, &own, &reach->plan);
     reach->has_stretches = status == LUXEL_OK && has_stretches(reach->plan.prepared);
+    reach->plan.part_tolerance = 1e-3; /* what is hidden in part is lit, however much of it is left */
     return status;
 }
 

@@ -84,7 +84,7 @@ lx_bounded lx_openness_of(const struct lx_prepared *prepared, const struct lx_el
 {
     lx_bounded open = lx_exact(1);
     const bool casts = element->is_free ? prepared->shadows_on_free : prepared->shadows;
-    if (!casts || emitter->is_part)
+    if (!casts)
         return open;
     bool endless = emitter->type == LX_DIRECTION;
     lx_bounded3 way = endless ? emitter->towards : lx_sub3(lx_exact3(emitter->position_mm), element->place_mm);
@@ -93,26 +93,41 @@ lx_bounded lx_openness_of(const struct lx_prepared *prepared, const struct lx_el
     return open;
 }
 
-/* Closed form where there is one, else to the tolerance. */
-static struct lx_lighting light_by_extended(const struct lx_prepared *prepared, const struct lx_element *element,
-                                            const struct lx_emitter *emitter)
+/* In closed form where there is one, else to the tolerance; behind obstacles to the tolerance. */
+static struct lx_lighting light_around(const struct lx_prepared *prepared, const struct lx_element *element,
+                                       const struct lx_emitter *emitter, const struct lx_occlusion *occlusion)
 {
-    if (lx_extended_touches(emitter, element->place_mm))
-        return (struct lx_lighting){.on_element = true};
     const struct lx_lobe *lobe = element->lobe;
-    bool closed = emitter->attenuation == LX_INVERSE_SQUARE;
+    bool closed = emitter->attenuation == LX_INVERSE_SQUARE && !lx_is_occluded(occlusion);
     struct lx_lighting lighting = {.irradiance = lx_exact(0), .specular = lx_exact(0)};
     if (closed)
         lighting.irradiance = lx_extended_irradiance(emitter, element->place_mm, element->normal);
     if (!closed || lobe->specular.value > 0) {
         double known = lobe->diffuse.value * lighting.irradiance.value;
-        struct lx_cubature integral = lx_integrate(emitter, element, !closed, known, prepared->tolerance);
+        struct lx_cubature integral =
+            lx_integrate_seen(emitter, element, occlusion, !closed, known, prepared->tolerance, NULL);
         if (!closed)
             lighting.irradiance = integral.irradiance;
         lighting.specular = integral.specular;
         lighting.parts = integral.parts;
     }
     lighting.diffuse = lx_mul(lobe->diffuse, lighting.irradiance);
+    return lighting;
+}
+
+static struct lx_lighting light_by_extended(const struct lx_prepared *prepared, const struct lx_element *element,
+                                            const struct lx_emitter *emitter)
+{
+    if (lx_extended_touches(emitter, element->place_mm))
+        return (struct lx_lighting){.on_element = true};
+    if (!prepared->shadows_extended)
+        return light_around(prepared, element, emitter, NULL);
+    const bool above = !(element->lobe->specular.value > 0) || element->lobe->highlight != LX_HIGHLIGHT_PLAIN;
+    struct lx_occlusion occlusion = {.place_mm = {0}};
+    struct lx_lighting lighting = {.irradiance = {0, HUGE_VAL}, .diffuse = {0, HUGE_VAL}, .specular = {0, HUGE_VAL}};
+    if (!lx_occlusion_make(prepared, element, emitter, above, &occlusion))
+        lighting = light_around(prepared, element, emitter, &occlusion);
+    lx_occlusion_clear(&occlusion);
     return lighting;
 }
 

@@ -5,34 +5,10 @@
 #include <string.h>
 
 #include "../base/memory.h"
-#include "../light/extended.h"
-#include "cubature.h"
-#include "cut.h"
-#include "seen.h"
-#include "shader.h"
+#include "shader_memory.h"
 
-/* Some lights of a run, and extended sources, that are summed between two questions whether to go on. */
-enum { RUNS_BETWEEN_CHECKS = 16, SHELLS_BETWEEN_CHECKS = 4 };
-
-/* For how many surfaces that a tile shows the cuts are kept from row to row. */
-enum { KEPT_CUTS = 4 };
-
-struct lx_shader_memory {
-    struct lx_seen seen;
-    double *sum; /* of the elements: the pixels' values where each of them is one, else: */
-    double room_of_sum[LX_BLOCK];
-    float open[LX_BLOCK];
-    struct lx_sampling_memory *sampling;
-    const struct lx_portion *portion; /* NULL: everything is summed */
-    struct lx_light_room room;
-    _Alignas(64) double tile_x[LX_BLOCK];
-    double tile_y[LX_TILE_ROWS];
-    size_t tile_rows, tile_columns;
-    /* where points are clustered: */
-    struct lx_cut cuts[KEPT_CUTS]; /* of a surface the one that its number leaves; of this tile where they have one */
-    size_t cut_count;
-    double error;
-};
+/* Some lights of a run that are summed between two questions whether to go on. */
+enum { RUNS_BETWEEN_CHECKS = 16 };
 
 /* Whether some light is a sum over samples. */
 static bool has_samples(const struct lx_plan *plan)
@@ -53,6 +29,7 @@ struct lx_shader_memory *lx_shader_memory_new(const struct lx_plan *plan)
         return NULL;
     memory->sampling = size > 0 ? lx_sampling_memory_of((char *)memory + head, plan->most_patches) : NULL;
     memory->room = (struct lx_light_room){.of_singles = NULL};
+    memory->penumbra.occlusion = (struct lx_occlusion){.place_mm = {0}};
     memory->portion = NULL;
     lx_seen_init(plan, &memory->seen);
     bool has_all = true;
@@ -70,6 +47,8 @@ void lx_shader_memory_free(struct lx_shader_memory *memory)
 {
     for (size_t i = 0; memory && i < memory->cut_count; i++)
         lx_cut_clear(&memory->cuts[i]);
+    if (memory)
+        lx_penumbra_clear(&memory->penumbra);
     free(memory);
 }
 
@@ -121,16 +100,11 @@ static void light_by_run(const struct lx_plan *plan, const struct lx_planned_sur
                                     memory->sum);
 }
 
-static bool is_chosen(const struct lx_portion *portion, size_t light)
-{
-    return !portion || (portion->lights && (!portion->which || portion->which[light]));
-}
-
 /* The end of lights from `first` on, of a run, all of which are chosen or not as that is. */
 static size_t end_of_chosen(const struct lx_portion *portion, size_t first, size_t end)
 {
     size_t next = first + 1;
-    while (portion && next < end && is_chosen(portion, next) == is_chosen(portion, first))
+    while (portion && next < end && lx_is_chosen(portion, next) == lx_is_chosen(portion, first))
         next++;
     return portion ? next : end;
 }
@@ -147,169 +121,11 @@ static void light_block(const struct lx_plan *plan, const struct lx_planned_surf
         const size_t most = run->blocker_count > 0 ? 1 : LX_MOST_IN_RUN, all = run->first + run->count;
         for (size_t first = run->first, end; first < all; first = end, step++) {
             end = end_of_chosen(portion, first, all - first < most ? all : first + most);
-            if (step % plan->every == 0 && is_chosen(portion, first))
+            if (step % plan->every == 0 && lx_is_chosen(portion, first))
                 light_by_run(plan, surface, run, first, end - first, memory, count);
             if (step % RUNS_BETWEEN_CHECKS == RUNS_BETWEEN_CHECKS - 1 && !lx_asking_goes_on(asking))
                 return;
         }
-    }
-}
-
-/* An element of the block as the references take it. */
-static struct lx_element element_of(const struct lx_planned_surface *surface, const struct lx_block_double *block,
-                                    size_t i)
-{
-    const double *anchor = surface->shape.anchor_mm;
-    double place[3] = {anchor[0] + block->px[i], anchor[1] + block->py[i], anchor[2] + block->pz[i]};
-    return (struct lx_element){
-        .place_mm = lx_exact3(place),
-        .normal = lx_exact3((double[]){block->nx[i], block->ny[i], block->nz[i]}),
-        .view = lx_exact3((double[]){block->vx[i], block->vy[i], block->vz[i]}),
-        .lobe = &surface->lobe,
-    };
-}
-
-/* The diffuse light of one element by an extended source whose law has no closed form. */
-static double integrate_matte(const struct lx_plan *plan, const struct lx_planned_surface *surface,
-                              const struct lx_emitter *emitter, const struct lx_block_double *block, size_t i,
-                              const struct lx_asking *asking)
-{
-    struct lx_lobe matte = surface->lobe;
-    matte.specular = lx_exact(0);
-    struct lx_element element = element_of(surface, block, i);
-    element.lobe = &matte;
-    if (lx_extended_touches(emitter, element.place_mm))
-        return 0;
-    double tolerance = plan->precision == LUXEL_DOUBLE ? 1e-12 : 1e-7;
-    double irradiance = lx_integrate_asking(emitter, &element, true, 0, tolerance, asking).irradiance.value;
-    return irradiance > 0 ? matte.diffuse.value * irradiance : 0;
-}
-
-/* The highlights of one element. */
-static double integrate_glossy(const struct lx_plan *plan, const struct lx_planned_surface *surface, double known,
-                               const struct lx_block_double *block, size_t i, const struct lx_asking *asking)
-{
-    const struct lx_element element = element_of(surface, block, i);
-    double sum = 0;
-    for (size_t s = 0; s < surface->glossy_count && lx_asking_goes_on(asking); s++) {
-        const struct lx_emitter *emitter = surface->glossy[s].emitter;
-        if (lx_extended_touches(emitter, element.place_mm))
-            continue;
-        double specular =
-            lx_integrate_asking(emitter, &element, false, known, plan->tolerance / 2, asking).specular.value;
-        sum += specular > 0 ? specular : 0;
-    }
-    return sum;
-}
-
-/* Adds the diffuse light of an extended source by a law without a closed form: by rules of Gauss, and where the source
- * is too near for them by integrals for each element. */
-static void light_by_law(const struct lx_plan *plan, const struct lx_planned_surface *surface,
-                         const struct lx_planned_shell *planned, struct lx_shader_memory *memory, size_t count,
-                         const struct lx_asking *asking)
-{
-    const struct lx_shell *shell = &planned->shell;
-    uint8_t left[LX_BLOCK] = {0};
-    lx_light_by_law *const light =
-        planned->in_single ? plan->kernels->law_single[shell->type] : plan->kernels->law_double[shell->type];
-    light(shell, plan->rules, surface->lobe_exact.diffuse, &memory->seen.block, count, asking, memory->sum, left);
-    for (size_t i = 0; i < count; i++) {
-        if (!left[i])
-            continue;
-        memory->sum[i] += integrate_matte(plan, surface, planned->emitter, &memory->seen.block, i, asking);
-        if (!lx_asking_goes_on(asking))
-            return;
-    }
-}
-
-/* Adds the highlights of the extended sources to a run of elements. */
-static void light_by_highlights(const struct lx_plan *plan, const struct lx_planned_surface *surface,
-                                struct lx_shader_memory *memory, size_t start, size_t count,
-                                const struct lx_asking *asking)
-{
-    const struct lx_sampler sampling = {
-        .kernels = plan->kernels,
-        .sources = surface->glossy,
-        .source_count = surface->glossy_count,
-        .lobe = &surface->glossy_exact,
-        .lobe_single = &surface->glossy_single,
-        .tolerance = plan->tolerance,
-        .least_maximum = plan->least_maximum,
-        .least = lx_least_of(plan->precision),
-        .most_cells = LX_MOST_CELLS,
-        .asking = asking,
-    };
-    double sum[LX_LANES];
-    memcpy(sum, memory->sum + start, sizeof sum);
-    if (lx_sample_run(&sampling, memory->sampling, &memory->seen.block, &memory->seen.copy, start, sum)) {
-        memcpy(memory->sum + start, sum, sizeof sum);
-        return;
-    }
-    size_t last = start + LX_LANES < count ? start + LX_LANES : count;
-    for (size_t i = start; i < last && lx_asking_goes_on(asking); i++) {
-        double known = fmax(plan->least_maximum, memory->sum[i]);
-        memory->sum[i] += integrate_glossy(plan, surface, known, &memory->seen.block, i, asking);
-    }
-}
-
-/* Whether light of a shell of facets may fall on an element: a part above its horizon, and a face in front of which it
- * is. */
-static bool may_light(const struct lx_shell *shell, const struct lx_block_double *block, size_t i)
-{
-    const double p[3] = {block->px[i] - shell->center[0], block->py[i] - shell->center[1],
-                         block->pz[i] - shell->center[2]};
-    bool any = false;
-    if (block->nx[i] * p[0] + block->ny[i] * p[1] + block->nz[i] * p[2] > shell->radius_mm + shell->touch_mm)
-        return false;
-    for (size_t f = 0; f < shell->face_count && !any; f++) {
-        const struct lx_shell_face_double *face = &shell->faces_double[f];
-        const double height = face->normal[0] * p[0] + face->normal[1] * p[1] + face->normal[2] * p[2];
-        any = height > face->height - shell->touch_mm;
-    }
-    return any;
-}
-
-/* Adds the diffuse light of facets by the reference, element by element. */
-static void light_by_reference(const struct lx_planned_surface *surface, const struct lx_planned_shell *planned,
-                               struct lx_shader_memory *memory, size_t count, const struct lx_asking *asking)
-{
-    const struct lx_emitter *emitter = planned->emitter;
-    for (size_t i = 0; i < count && lx_asking_goes_on(asking); i++) {
-        if (!may_light(&planned->shell, &memory->seen.block, i))
-            continue;
-        const struct lx_element element = element_of(surface, &memory->seen.block, i);
-        if (lx_extended_touches(emitter, element.place_mm))
-            continue;
-        double irradiance = lx_extended_irradiance(emitter, element.place_mm, element.normal).value;
-        memory->sum[i] += irradiance > 0 ? surface->lobe_exact.diffuse * irradiance : 0;
-    }
-}
-
-/* Adds the extended sources' light: first all that is diffuse, as the highlights need be exact only beside the rest. */
-static void light_by_shells(const struct lx_plan *plan, const struct lx_planned_surface *surface,
-                            struct lx_shader_memory *memory, size_t count, const struct lx_asking *asking)
-{
-    const double diffuse = surface->lobe_exact.diffuse;
-    for (size_t s = 0; s < surface->shell_count && diffuse > 0; s++) {
-        const struct lx_shell *shell = &surface->shells[s].shell;
-        if (!is_chosen(memory->portion, surface->lights.count + s))
-            continue;
-        if (s % SHELLS_BETWEEN_CHECKS == SHELLS_BETWEEN_CHECKS - 1 && !lx_asking_goes_on(asking))
-            return;
-        if (surface->shells[s].emitter->attenuation != LX_INVERSE_SQUARE)
-            light_by_law(plan, surface, &surface->shells[s], memory, count, asking);
-        else if (surface->shells[s].by_reference)
-            light_by_reference(surface, &surface->shells[s], memory, count, asking);
-        else if (shell->edges_single)
-            plan->kernels->facets_single(shell, diffuse, &memory->seen.copy, count, asking, memory->sum);
-        else
-            plan->kernels->light_by_shell[shell->type](shell, diffuse, &memory->seen.block, count, asking, memory->sum);
-    }
-    const bool has_highlights = surface->glossy_count > 0 && (!memory->portion || memory->portion->highlights);
-    for (size_t start = 0; start < count && has_highlights; start += LX_LANES) {
-        light_by_highlights(plan, surface, memory, start, count, asking);
-        if (!lx_asking_goes_on(asking))
-            return;
     }
 }
 
@@ -444,7 +260,7 @@ static void light_surface(const struct lx_plan *plan, const struct lx_planned_su
     if (cut)
         lx_cut_shade(plan, cut, &memory->seen.block, &memory->seen.copy, elements, asking, memory->open, memory->sum);
     if (surface->shell_count > 0 || surface->glossy_count > 0)
-        light_by_shells(plan, surface, memory, elements, asking);
+        lx_light_by_shells(plan, surface, memory, elements, asking);
 }
 
 /* The values of a row where elements in float32 are all that their light takes. */

@@ -12,6 +12,7 @@
 #include "../light/extended.h"
 #include "blocking.h"
 #include "general.h"
+#include "penumbra.h"
 #include "seen.h"
 #include "shader.h"
 #include "shell_bound.h"
@@ -204,11 +205,15 @@ static double cost_of(const struct lx_square *square, unsigned nodes, size_t tak
     return (double)taken * nodes + (double)(left - taken) * (square->side * square->side / PIXELS_A_NODE) + further;
 }
 
-/* Leaves lights in whose way something may stand for some of the square. */
+/* Leaves lights, and extended sources, in whose way something may stand for some of the square. */
 static void leave_shadows(const struct lx_plan *plan, struct lx_fitting *fitting,
                           const struct lx_planned_surface *surface)
 {
     const struct lx_ball part = lx_vicinity_ball(&fitting->vicinity);
+    double *const of_shells = fitting->sizes + surface->smooth.lights.count;
+    for (size_t s = 0; s < surface->shell_count; s++)
+        if (surface->shells[s].blocker_count > 0 && lx_shell_may_be_hidden(plan, surface, &surface->shells[s], &part))
+            of_shells[s] = HUGE_VAL;
     const double *anchor = surface->shape.anchor_mm;
     for (size_t r = 0; r < surface->run_count; r++) {
         const struct lx_light_run *run = &surface->runs[r];

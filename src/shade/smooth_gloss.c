@@ -5,6 +5,7 @@
 #include <float.h>
 #include <math.h>
 
+#include "penumbra.h"
 #include "seen.h"
 #include "shader.h"
 
@@ -117,6 +118,17 @@ static double last_terms(const struct lx_basis *basis, const double *values)
     return sum;
 }
 
+/* Whether something may hide a part of a source in the square that was bounded last. */
+static bool may_be_hidden(const struct lx_plan *plan, const struct lx_fitting *fitting,
+                          const struct lx_planned_surface *surface)
+{
+    const struct lx_ball part = lx_vicinity_ball(&fitting->vicinity);
+    for (size_t s = 0; s < surface->shell_count; s++)
+        if (surface->shells[s].blocker_count > 0 && lx_shell_may_be_hidden(plan, surface, &surface->shells[s], &part))
+            return true;
+    return false;
+}
+
 enum lx_gloss lx_gloss_fit(const struct lx_plan *plan, struct lx_fitting *fitting, struct lx_shader_memory *shader,
                            const struct lx_square *square, const struct lx_asking *asking,
                            struct lx_polynomial *polynomial)
@@ -126,6 +138,8 @@ enum lx_gloss lx_gloss_fit(const struct lx_plan *plan, struct lx_fitting *fittin
     int b = 0;
     if (most <= DARK * plan->tolerance)
         return LX_GLOSS_DARK;
+    if (may_be_hidden(plan, fitting, square->surface))
+        return LX_GLOSS_ROUGH;
     while (b < LX_GLOSS_BASES && !(most <= BASES[b].most))
         b++;
     if (b == LX_GLOSS_BASES || BASES[b].nodes * BASES[b].nodes * PIXELS_A_NODE > square->side * square->side)

@@ -420,3 +420,24 @@ double lx_sweep_distance(const struct lx_sweep *sweep, const struct lx_arc *arc,
     *incidence = sweep->kind == LX_SWEEP_SIDE ? arc->slant * cos_tau : sweep->height_mm / distance;
     return distance;
 }
+
+bool lx_sweep_find(const struct lx_sweep *sweep, const double towards[3], double *x)
+{
+    const double ahead = dot(towards, sweep->frame.x), aside = dot(towards, sweep->frame.y), h = sweep->height_mm;
+    if (!(ahead > 0))
+        return false;
+    if (sweep->kind == LX_SWEEP_STRIP || sweep->kind == LX_SWEEP_DISK) {
+        const bool is_strip = sweep->kind == LX_SWEEP_STRIP;
+        const double shift = is_strip ? sweep->y_mm : 0, low = asinh((shift + sweep->y1_mm) / h);
+        const double high = asinh((shift + sweep->y2_mm) / h), share = (asinh(aside / ahead) - low) / (high - low);
+        if (!(share > 0 && share < 1))
+            return false;
+        *x = is_strip ? share : asin(sqrt(share)) / M_PI_2;
+        return true;
+    }
+    const double sine = aside / hypot(ahead, aside) * (h / sweep->radius_mm);
+    if (!(fabs(sine) < 1))
+        return false;
+    *x = (asin(sine) - sweep->angle1) / sweep->angle;
+    return *x > 0 && *x < 1;
+}

@@ -11,6 +11,7 @@
 #ifndef LX_SHADE_SWEEP_H
 #define LX_SHADE_SWEEP_H
 
+#include <stdbool.h>
 #include <stddef.h>
 
 #include "../light/extended.h"
@@ -69,5 +70,8 @@ double lx_sweep_distance(const struct lx_sweep *sweep, const struct lx_arc *arc,
  * the integral across them has a peak there; 1 where they do not.  A needle of a face is one, aslant to its arcs.
  */
 double lx_sweep_approach(const struct lx_sweep *sweep, double x);
+
+/* The x of the arc at whose longitude a direction (of any length) lies; false: the sweep has none. */
+bool lx_sweep_find(const struct lx_sweep *sweep, const double towards[3], double *x);
 
 #endif

@@ -160,7 +160,7 @@ static const struct lx_column *find_open(const struct lx_world *world, const str
     const struct lx_element_kernels *kernels = world->kernels;
     const bool casts = elements->are_free ? prepared->shadows_on_free : prepared->shadows;
     bool is_open = true;
-    if (!casts || emitter->is_part || emitter->type == LX_UNIFORM)
+    if (!casts || emitter->type == LX_UNIFORM)
         return NULL;
     const struct lx_ways ways = ways_to(emitter);
     for (size_t s = 0; s < prepared->surface_count; s++) {

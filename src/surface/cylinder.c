@@ -316,7 +316,7 @@ static struct lx_obstacle tube_of(const struct lx_shape *cylinder)
     struct lx_obstacle tube = {
         .type = LX_OBSTACLE_TUBE,
         .radius_mm = lx_cylinder_radius(cylinder),
-        .half_mm = lx_cylinder_half(cylinder),
+        .half_mm = lx_cylinder_half(cylinder) - cylinder->touch_mm,
         .touch_mm = cylinder->touch_mm,
     };
     memcpy(tube.center_mm, cylinder->anchor_mm, sizeof tube.center_mm);

@@ -143,7 +143,7 @@ static bool disk_takes(const struct lx_shape *disk, const double from_mm[3], con
 
 static int disk_gather(const struct lx_shape *disk, const struct lx_shaft *shaft, struct lx_obstacles *obstacles)
 {
-    struct lx_obstacle round = {.type = LX_OBSTACLE_DISK, .radius_mm = reach_of(disk), .touch_mm = disk->touch_mm};
+    struct lx_obstacle round = {.type = LX_OBSTACLE_DISK, .radius_mm = disk->radius_mm, .touch_mm = disk->touch_mm};
     if (!lx_shaft_meets_ball(shaft, disk->anchor_mm, reach_of(disk)))
         return 0;
     memcpy(round.center_mm, disk->anchor_mm, sizeof round.center_mm);

@@ -25,8 +25,8 @@ static double size_of(const double place_mm[3])
 }
 
 /*
- * The hull of two balls is that of all balls between them, at a + t w with the radius r + t k: a place at x along w and y
- * aside is as far from it as the least of sqrt((x - t w)^2 + y^2) - r - t k, which is convex in t.
+ * The hull of two balls is that of all balls between them, at a + t w with the radius r + t k: a place at x along w
+ * and y aside is as far from it as the least of sqrt((x - t w)^2 + y^2) - r - t k, which is convex in t.
  */
 bool lx_shaft_meets_ball(const struct lx_shaft *shaft, const double center_mm[3], double radius_mm)
 {

@@ -8,8 +8,8 @@
  * alone; one too few would be light where there is none.  A kind of many pieces, as a mesh, leaves out those of
  * which lx_shaft_meets_box() and the others tell that they are outside, a branch of its tree at a time.
  *
- * Obstacles take light from both of their sides, and may overlap.  What is nearer to the place than its `touch_mm` hides
- * nothing from it: an element of a mesh gets the triangle that it lies on as an obstacle, too, and need not sort it out.
+ * Obstacles take light from both of their sides, and may overlap.  What is nearer to the place than its `touch_mm`
+ * hides nothing from it: an element of a mesh gets the triangle that it lies on as an obstacle, too.
  */
 #ifndef LX_SURFACE_OBSTACLE_H
 #define LX_SURFACE_OBSTACLE_H
@@ -67,7 +67,7 @@ bool lx_shaft_meets_hull(const struct lx_shaft *shaft, const double (*places_mm)
 /* Appends what a shape puts into the shaft; 0, or -1 when memory ran out. */
 int lx_shape_gather(const struct lx_shape *shape, const struct lx_shaft *shaft, struct lx_obstacles *obstacles);
 
-/* The same for a free element that the shape holds, at shaft->from_mm and with that unit normal: as lx_shape_hides(). */
+/* The same for a free element that the shape holds, at shaft->from_mm, with that unit normal: as lx_shape_hides(). */
 int lx_shape_gather_beside(const struct lx_shape *shape, const double normal[3], const struct lx_shaft *shaft,
                            struct lx_obstacles *obstacles);
 

@@ -140,14 +140,15 @@ static lx_bounded plate_blocks(const struct lx_shape *plate, lx_bounded3 place_m
     return blocked;
 }
 
+/* Its true size: obstacles are cut out of light, and have no need of room for rounding at their edges. */
 static int plate_gather(const struct lx_shape *plate, const struct lx_shaft *shaft, struct lx_obstacles *obstacles)
 {
     struct lx_obstacle polygon = {.type = LX_OBSTACLE_POLYGON, .corner_count = 4, .touch_mm = plate->touch_mm};
+    const double width = plate->half_mm[0] - plate->touch_mm, height = plate->half_mm[1] - plate->touch_mm;
     for (unsigned k = 0; k < polygon.corner_count; k++)
         for (int i = 0; i < 3; i++)
-            polygon.corners_mm[k][i] = plate->anchor_mm[i] +
-                                       (k == 1 || k == 2 ? 1 : -1) * plate->half_mm[0] * plate->across[i] +
-                                       (k >= 2 ? 1 : -1) * plate->half_mm[1] * plate->upward[i];
+            polygon.corners_mm[k][i] = plate->anchor_mm[i] + (k == 1 || k == 2 ? width : -width) * plate->across[i] +
+                                       (k >= 2 ? height : -height) * plate->upward[i];
     if (!lx_shaft_meets_hull(shaft, polygon.corners_mm, polygon.corner_count))
         return 0;
     return lx_obstacles_append(obstacles, &polygon);

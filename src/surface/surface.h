@@ -155,8 +155,8 @@ struct lx_surface_kind {
     lx_bounded (*hides)(const struct lx_shape *shape, lx_bounded3 place_mm, double facing, lx_bounded3 towards,
                         bool endless);
     /*
-     * What it takes of the light of extended sources: appends its obstacles (obstacle.h) that may come into a shaft, which
-     * together take what `blocks` tells.  0, or -1 when memory ran out.  NULL: `blocks` is scanned.
+     * What it takes of the light of extended sources: appends its obstacles (obstacle.h) that may come into a shaft,
+     * which together take what `blocks` tells.  0, or -1 when memory ran out.  NULL: `blocks` is scanned.
      */
     int (*gather)(const struct lx_shape *shape, const struct lx_shaft *shaft, struct lx_obstacles *obstacles);
     /* The same as `hides` tells; `beyond` hides what lies beyond the tangent plane.  NULL: that, or nothing from an

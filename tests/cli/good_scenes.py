@@ -226,7 +226,7 @@ def good_scene(rng):
         "lights": [_light(rng) for _ in range(rng.randint(0, 4))],
         **_some(rng, {
             "units": lambda: rng.choice(["radiometric", "photometric"]),
-            "shadows": lambda: rng.choice(["points", "none"]),
+            "shadows": lambda: rng.choice(["all", "points", "none"]),
             "grids": lambda: [_grid(rng) for _ in range(rng.randint(0, 2))],
             "points": lambda: [[_number(rng), _number(rng)] for _ in range(rng.randint(0, 4))],
             "picture": lambda: _some(rng, {"range": lambda: _range(rng),

@@ -22,7 +22,7 @@ def completed(scene):
     """Returns a copy with the defaults; disabled lights are left out."""
     return {
         'units': scene.get('units', 'radiometric'),
-        'shadows': scene.get('shadows', 'points'),
+        'shadows': scene.get('shadows', 'all'),
         'screen': {'sampling': 'centers', **scene['screen']},
         'observer': {'projection': 'orthographic', 'view': 'parallel', **scene['observer']},
         'surfaces': [_surface(surface) for surface in scene['surfaces']],

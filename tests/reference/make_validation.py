@@ -135,7 +135,7 @@ CIE_CASES = (
     ('5.8', 'interreflection in a cube', 'no', 'light is not reflected from surface to surface'),
     ('5.9, 5.10', 'sky component under a roof opening, unglazed and glazed', 'no', 'there are no skies and no glass'),
     ('5.11 to 5.14', 'sky and ground through a facade opening, glazed, with horizontal and vertical masks', 'no',
-     'there are no skies and no glass, and area sources cast no shadows'),
+     'there are no skies and no glass'),
 )
 
 

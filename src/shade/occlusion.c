@@ -1,0 +1,388 @@
+/* SPDX-License-Identifier: MIT */
+/* Gathering the obstacles between an element and a source, and what they hide together of an arc. */
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "../base/memory.h"
+#include "../base/vector.h"
+#include "../light/extended.h"
+#include "occlusion.h"
+
+/* Parts that lie so near to each other are one, and have the same bound. */
+static const double SAME = 1e-13;
+
+static void cross(const double a[3], const double b[3], double result[3])
+{
+    for (int i = 0; i < 3; i++)
+        result[i] = a[(i + 1) % 3] * b[(i + 2) % 3] - a[(i + 2) % 3] * b[(i + 1) % 3];
+}
+
+/* ---- the shaft ---- */
+
+/* A plane of a shaft through a place, of any length; a normal of length 0 makes none. */
+static void add_plane(struct lx_shaft *shaft, const double normal[3], const double place_mm[3])
+{
+    if (shaft->plane_count == LX_SHAFT_PLANES)
+        return;
+    double *plane = shaft->planes[shaft->plane_count];
+    memcpy(plane, normal, 3 * sizeof *normal);
+    if (!(lx_normalize(plane) > 0))
+        return;
+    plane[3] = -lx_dot(plane, place_mm);
+    shaft->plane_count++;
+}
+
+static void corner_of(const struct lx_facets *facets, size_t i, double corner[3])
+{
+    const lx_wide3 *wide = &facets->corners_mm[i];
+    corner[0] = wide->x.high, corner[1] = wide->y.high, corner[2] = wide->z.high;
+}
+
+/* A flat polygon: what is behind it does not count; nor, from a single place, what is beyond the planes of its
+ * edges. */
+static void bound_by_face(struct lx_shaft *shaft, const struct lx_facets *facets)
+{
+    const struct lx_face *face = &facets->faces[0];
+    double first[3], normal[3] = {face->normal.x.high, face->normal.y.high, face->normal.z.high};
+    corner_of(facets, facets->loop[face->first], first);
+    add_plane(shaft, normal, first);
+    if (shaft->from_radius_mm > 0 || face->count + 1 > LX_SHAFT_PLANES - 1)
+        return;
+    for (unsigned i = 0; i < face->count; i++) {
+        double a[3], b[3], edge[3];
+        corner_of(facets, facets->loop[face->first + i], a);
+        corner_of(facets, facets->loop[face->first + (i + 1) % face->count], b);
+        for (int k = 0; k < 3; k++) {
+            a[k] -= shaft->from_mm[k];
+            b[k] -= shaft->from_mm[k];
+        }
+        cross(b, a, edge); /* a face runs counter-clockwise as seen from the place */
+        if (lx_dot(normal, a) < 0)
+            add_plane(shaft, edge, shaft->from_mm);
+    }
+}
+
+struct lx_shaft lx_shaft_to(const double from_mm[3], double radius_mm, const struct lx_emitter *emitter)
+{
+    const bool is_facets = emitter->type == LX_FACETS;
+    const struct lx_facets *facets = emitter->facets;
+    struct lx_shaft shaft = {
+        .from_radius_mm = radius_mm,
+        .to_radius_mm = is_facets ? facets->radius_mm : hypot(emitter->radius_mm, emitter->height_mm / 2),
+    };
+    memcpy(shaft.from_mm, from_mm, sizeof shaft.from_mm);
+    memcpy(shaft.to_mm, is_facets ? facets->center_mm : emitter->center_mm, sizeof shaft.to_mm);
+    if (is_facets && facets->face_count == 1)
+        bound_by_face(&shaft, facets);
+    else if (emitter->type == LX_DISK)
+        add_plane(&shaft, (const double[]){emitter->axis.x.value, emitter->axis.y.value, emitter->axis.z.value},
+                  emitter->center_mm);
+    return shaft;
+}
+
+/* ---- gathering ---- */
+
+/* Whether all of the source is beyond a plane through the place, as far as can be told. */
+static bool is_beyond(const struct lx_emitter *emitter, const double place_mm[3], const double normal[3])
+{
+    const double length = sqrt(lx_dot(normal, normal));
+    double offset[3];
+    if (emitter->type != LX_FACETS) {
+        for (int k = 0; k < 3; k++)
+            offset[k] = emitter->center_mm[k] - place_mm[k];
+        return lx_dot(normal, offset) < -length * hypot(emitter->radius_mm, emitter->height_mm / 2);
+    }
+    for (size_t i = 0; i < emitter->facets->corner_count; i++) {
+        corner_of(emitter->facets, i, offset);
+        for (int k = 0; k < 3; k++)
+            offset[k] -= place_mm[k];
+        if (!(lx_dot(normal, offset) < -1e-12 * length * sqrt(lx_dot(offset, offset))))
+            return false;
+    }
+    return true;
+}
+
+/* How far the source comes at most along a direction from the place. */
+static double reach_along(const struct lx_emitter *emitter, const double place_mm[3], const double direction[3],
+                          double *nearest)
+{
+    double offset[3], farthest = -HUGE_VAL;
+    *nearest = HUGE_VAL;
+    if (emitter->type == LX_FACETS) {
+        for (size_t i = 0; i < emitter->facets->corner_count; i++) {
+            corner_of(emitter->facets, i, offset);
+            for (int k = 0; k < 3; k++)
+                offset[k] -= place_mm[k];
+            const double along = lx_dot(direction, offset);
+            farthest = fmax(farthest, along);
+            *nearest = fmin(*nearest, along);
+        }
+        return farthest;
+    }
+    for (int k = 0; k < 3; k++)
+        offset[k] = emitter->center_mm[k] - place_mm[k];
+    const double middle = lx_dot(direction, offset),
+                 axis[3] = {emitter->axis.x.value, emitter->axis.y.value, emitter->axis.z.value};
+    const double by_axis = emitter->type == LX_BALL ? 0 : lx_dot(direction, axis);
+    const double around =
+        emitter->radius_mm * sqrt(fmax(1 - by_axis * by_axis, 0)) + emitter->height_mm / 2 * fabs(by_axis);
+    *nearest = middle - around;
+    return middle + around;
+}
+
+/* Whether a flat obstacle has the source on the element's side, or the element in its plane: then it hides nothing. */
+static bool is_aside(const struct lx_obstacle *flat, const struct lx_emitter *emitter, const double place_mm[3])
+{
+    double axis[3], first[3], second[3], nearest;
+    const double *at = flat->type == LX_OBSTACLE_DISK ? flat->center_mm : flat->corners_mm[0];
+    if (flat->type == LX_OBSTACLE_DISK) {
+        memcpy(axis, flat->axis, sizeof axis);
+    } else {
+        for (int k = 0; k < 3; k++) {
+            first[k] = flat->corners_mm[1][k] - at[k];
+            second[k] = flat->corners_mm[2][k] - at[k];
+        }
+        cross(first, second, axis);
+        if (!(lx_normalize(axis) > 0))
+            return true;
+    }
+    const double height = lx_dot(axis, at);
+    if (height < 0)
+        for (int k = 0; k < 3; k++)
+            axis[k] = -axis[k];
+    return fabs(height) <= flat->touch_mm ||
+           reach_along(emitter, place_mm, axis, &nearest) <= fabs(height) + flat->touch_mm;
+}
+
+/* Whether a polygon as seen from the place lies beside the source. */
+static bool is_beside(const struct lx_obstacle *polygon, const struct lx_emitter *emitter, const double place_mm[3])
+{
+    for (unsigned i = 0; i < polygon->corner_count; i++) {
+        double normal[3];
+        cross(polygon->corners_mm[i], polygon->corners_mm[(i + 1) % polygon->corner_count], normal);
+        if (lx_dot(normal, polygon->corners_mm[(i + 2) % polygon->corner_count]) < 0)
+            for (int k = 0; k < 3; k++)
+                normal[k] = -normal[k];
+        if (is_beyond(emitter, place_mm, normal))
+            return true;
+    }
+    return false;
+}
+
+/* Makes an obstacle relative to the place; false: it hides nothing. */
+static bool make_relative(struct lx_obstacle *obstacle, const struct lx_emitter *emitter, const double place_mm[3])
+{
+    for (unsigned i = 0; i < obstacle->corner_count; i++)
+        for (int k = 0; k < 3; k++)
+            obstacle->corners_mm[i][k] -= place_mm[k];
+    for (int k = 0; k < 3; k++)
+        obstacle->center_mm[k] -= place_mm[k];
+    if (obstacle->type == LX_OBSTACLE_POLYGON)
+        return !is_aside(obstacle, emitter, place_mm) && !is_beside(obstacle, emitter, place_mm);
+    if (obstacle->type == LX_OBSTACLE_DISK)
+        return !is_aside(obstacle, emitter, place_mm);
+    return true;
+}
+
+static double size_of(const struct lx_obstacle *obstacle)
+{
+    double size = obstacle->radius_mm + obstacle->half_mm + sqrt(lx_dot(obstacle->center_mm, obstacle->center_mm));
+    for (unsigned i = 0; i < obstacle->corner_count; i++)
+        size = fmax(size, sqrt(lx_dot(obstacle->corners_mm[i], obstacle->corners_mm[i])));
+    return size;
+}
+
+static int make_room(struct lx_occlusion *occlusion)
+{
+    const struct lx_obstacles *obstacles = &occlusion->obstacles;
+    size_t most = 0;
+    for (size_t i = 0; i < obstacles->count; i++)
+        most += obstacles->items[i].type == LX_OBSTACLE_SHAPE ? LX_SCANNED : LX_MOST_HIDDEN;
+    return lx_reserve(&occlusion->hidden, &occlusion->most_hidden, most, sizeof *occlusion->hidden);
+}
+
+struct lx_shaft lx_occlusion_begin(const double place_mm[3], const double *normal, const struct lx_emitter *emitter,
+                                   struct lx_occlusion *occlusion)
+{
+    struct lx_shaft shaft = lx_shaft_to(place_mm, 0, emitter);
+    occlusion->obstacles.count = 0;
+    memcpy(occlusion->place_mm, place_mm, sizeof occlusion->place_mm);
+    if (normal)
+        add_plane(&shaft, normal, place_mm);
+    return shaft;
+}
+
+int lx_occlusion_settle(const struct lx_emitter *emitter, double place_error_mm, struct lx_occlusion *occlusion)
+{
+    struct lx_obstacles *obstacles = &occlusion->obstacles;
+    const double *place = occlusion->place_mm;
+    size_t kept = 0;
+    double size = fabs(place[0]) + fabs(place[1]) + fabs(place[2]), largest = 0;
+    for (size_t i = 0; i < obstacles->count; i++) {
+        struct lx_obstacle obstacle = obstacles->items[i];
+        if (!make_relative(&obstacle, emitter, place))
+            continue;
+        largest = fmax(largest, size_of(&obstacle));
+        obstacles->items[kept++] = obstacle;
+    }
+    obstacles->count = kept;
+    occlusion->error_mm = 4 * DBL_EPSILON * (size + largest) + place_error_mm;
+    return kept > 0 ? make_room(occlusion) : 0;
+}
+
+int lx_occlusion_make(const struct lx_prepared *prepared, const struct lx_element *element,
+                      const struct lx_emitter *emitter, bool above, struct lx_occlusion *occlusion)
+{
+    const double place[3] = {element->place_mm.x.value, element->place_mm.y.value, element->place_mm.z.value};
+    const double normal[3] = {element->normal.x.value, element->normal.y.value, element->normal.z.value};
+    struct lx_obstacles *obstacles = &occlusion->obstacles;
+    const struct lx_shaft shaft = lx_occlusion_begin(place, above ? normal : NULL, emitter, occlusion);
+    for (size_t i = 0; i < prepared->surface_count; i++) {
+        const struct lx_shape *shape = &prepared->surfaces[i].shape;
+        const bool is_own = &prepared->surfaces[i] == element->own;
+        if (lx_may_hide(shape, is_own) && lx_shape_gather(shape, &shaft, obstacles))
+            return -1;
+        if (is_own && element->is_free && lx_shape_gather_beside(shape, normal, &shaft, obstacles))
+            return -1;
+    }
+    return lx_occlusion_settle(
+        emitter, element->place_mm.x.error + element->place_mm.y.error + element->place_mm.z.error, occlusion);
+}
+
+/* ---- all of it ---- */
+
+/* Whether a convex cone that is all within its planes holds all of the source: as polygons are. */
+static bool polygon_hides_all(const struct lx_obstacle *polygon, const struct lx_emitter *emitter,
+                              const double place_mm[3])
+{
+    double first[3], second[3], axis[3], nearest;
+    for (int k = 0; k < 3; k++) {
+        first[k] = polygon->corners_mm[1][k] - polygon->corners_mm[0][k];
+        second[k] = polygon->corners_mm[2][k] - polygon->corners_mm[0][k];
+    }
+    cross(first, second, axis);
+    lx_normalize(axis);
+    double height = lx_dot(axis, polygon->corners_mm[0]);
+    for (int k = 0; k < 3 && height < 0; k++)
+        axis[k] = -axis[k];
+    reach_along(emitter, place_mm, axis, &nearest);
+    if (!(nearest > fabs(height) + polygon->touch_mm))
+        return false;
+    for (unsigned i = 0; i < polygon->corner_count; i++) {
+        cross(polygon->corners_mm[i], polygon->corners_mm[(i + 1) % polygon->corner_count], first);
+        lx_normalize(first);
+        const double sign = lx_dot(first, polygon->corners_mm[(i + 2) % polygon->corner_count]) < 0 ? -1 : 1;
+        for (int k = 0; k < 3; k++)
+            first[k] *= sign;
+        reach_along(emitter, place_mm, first, &nearest);
+        if (!(nearest > 0))
+            return false;
+    }
+    return true;
+}
+
+/* Whether all of the source lies within the cone of directions that meet the ball, and behind its middle. */
+static bool ball_hides_all(const struct lx_obstacle *ball, const struct lx_emitter *emitter, const double place_mm[3])
+{
+    double axis[3], nearest, offset[3];
+    memcpy(axis, ball->center_mm, sizeof axis);
+    const double away = lx_normalize(axis), sine = ball->radius_mm / away;
+    if (ball->is_around || !(sine < 1))
+        return false;
+    reach_along(emitter, place_mm, axis, &nearest);
+    if (!(nearest > away))
+        return false;
+    const double alpha = asin(sine) * (1 - 1e-12), cosine = cos(alpha);
+    if (emitter->type != LX_FACETS) {
+        for (int k = 0; k < 3; k++)
+            offset[k] = emitter->center_mm[k] - place_mm[k];
+        const double distance = lx_normalize(offset);
+        const double radius = hypot(emitter->radius_mm, emitter->height_mm / 2);
+        return distance > radius && acos(fmin(lx_dot(axis, offset), 1)) + asin(radius / distance) < alpha;
+    }
+    for (size_t i = 0; i < emitter->facets->corner_count; i++) {
+        corner_of(emitter->facets, i, offset);
+        for (int k = 0; k < 3; k++)
+            offset[k] -= place_mm[k];
+        if (!(lx_dot(axis, offset) > cosine * sqrt(lx_dot(offset, offset))))
+            return false;
+    }
+    return true;
+}
+
+bool lx_occlusion_hides_all(const struct lx_occlusion *occlusion, const struct lx_emitter *emitter)
+{
+    for (size_t i = 0; i < occlusion->obstacles.count; i++) {
+        const struct lx_obstacle *obstacle = &occlusion->obstacles.items[i];
+        if ((obstacle->type == LX_OBSTACLE_POLYGON && polygon_hides_all(obstacle, emitter, occlusion->place_mm)) ||
+            (obstacle->type == LX_OBSTACLE_BALL && ball_hides_all(obstacle, emitter, occlusion->place_mm)))
+            return true;
+    }
+    return false;
+}
+
+void lx_occlusion_clear(struct lx_occlusion *occlusion)
+{
+    free(occlusion->obstacles.items);
+    free(occlusion->hidden);
+    *occlusion = (struct lx_occlusion){.place_mm = {0}};
+}
+
+/* ---- an arc ---- */
+
+static int by_beginning(const void *a, const void *b)
+{
+    const struct lx_hidden *x = a, *y = b;
+    if (x->ends[0] != y->ends[0])
+        return x->ends[0] < y->ends[0] ? -1 : 1;
+    return (x->bounds[0] > y->bounds[0]) - (x->bounds[0] < y->bounds[0]);
+}
+
+static void sort(struct lx_hidden *hidden, size_t count)
+{
+    enum { FEW = 12 };
+    if (count > FEW) {
+        qsort(hidden, count, sizeof *hidden, by_beginning);
+        return;
+    }
+    for (size_t i = 1; i < count; i++) {
+        const struct lx_hidden moved = hidden[i];
+        size_t k = i;
+        for (; k > 0 && by_beginning(&hidden[k - 1], &moved) > 0; k--)
+            hidden[k] = hidden[k - 1];
+        hidden[k] = moved;
+    }
+}
+
+/* Where two obstacles end at one place, as triangles at their common edge, it is the first that counts. */
+static void extend(struct lx_hidden *part, const struct lx_hidden *by)
+{
+    const double beyond = by->ends[1] - part->ends[1];
+    if (fabs(beyond) <= SAME) {
+        part->bounds[1] = by->bounds[1] < part->bounds[1] ? by->bounds[1] : part->bounds[1];
+        part->slack[1] = fmax(part->slack[1], by->slack[1]);
+    } else if (beyond > 0) {
+        part->bounds[1] = by->bounds[1];
+        part->slack[1] = by->slack[1];
+    }
+    part->ends[1] = fmax(part->ends[1], by->ends[1]);
+    if (by->ends[0] - part->ends[0] <= SAME && by->bounds[0] < part->bounds[0])
+        part->bounds[0] = by->bounds[0];
+}
+
+size_t lx_occlusion_hide(const struct lx_occlusion *occlusion, const struct lx_sweep *sweep, const struct lx_arc *arc)
+{
+    struct lx_hidden *hidden = occlusion->hidden;
+    size_t count = 0, kept = 0;
+    for (size_t i = 0; i < occlusion->obstacles.count; i++)
+        count = lx_obstacle_hide(occlusion, i + 1, sweep, arc, hidden, count);
+    sort(hidden, count);
+    for (size_t i = 0; i < count; i++) {
+        if (kept > 0 && hidden[i].ends[0] <= hidden[kept - 1].ends[1] + SAME)
+            extend(&hidden[kept - 1], &hidden[i]);
+        else
+            hidden[kept++] = hidden[i];
+    }
+    return kept;
+}

@@ -1,0 +1,201 @@
+/* SPDX-License-Identifier: MIT */
+/* Which pixels see how much of a source, and the light of what they see in part. */
+#include "penumbra.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "../base/memory.h"
+#include "../base/vector.h"
+#include "../light/extended.h"
+#include "cubature.h"
+#include "skyline.h"
+
+/* Elements next to each other in whose way the same surfaces are looked for. */
+enum { RUN = 16 };
+
+void lx_penumbra_clear(struct lx_penumbra *penumbra)
+{
+    lx_occlusion_clear(&penumbra->occlusion);
+}
+
+/* ---- what may be in the way ---- */
+
+/* Whether a flat shape has all of the shaft on one side of its plane, or in it. */
+static bool is_beside_plane(const struct lx_shape *flat, const struct lx_shaft *shaft)
+{
+    double from[3], to[3];
+    for (int k = 0; k < 3; k++) {
+        from[k] = shaft->from_mm[k] - flat->anchor_mm[k];
+        to[k] = shaft->to_mm[k] - flat->anchor_mm[k];
+    }
+    const double height = lx_dot(flat->axis, from), further = lx_dot(flat->axis, to);
+    const double room = 1e-12 * (sqrt(lx_dot(from, from)) + sqrt(lx_dot(to, to)));
+    const double least = fabs(height) - shaft->from_radius_mm - room;
+    return least > 0 && (height > 0 ? further : -further) > shaft->to_radius_mm + room;
+}
+
+static bool may_stand_in(const struct lx_shape *shape, const struct lx_shaft *shaft)
+{
+    return lx_shaft_meets_ball(shaft, shape->anchor_mm, shape->radius_mm + 2 * shape->touch_mm) &&
+           !(lx_curvature(shape) == 0 && is_beside_plane(shape, shaft));
+}
+
+/* From a ball, an offset from the surface's anchor. */
+static struct lx_shaft shaft_from(const struct lx_planned_surface *surface, const struct lx_ball *ball,
+                                  const struct lx_emitter *emitter)
+{
+    double place[3];
+    for (int k = 0; k < 3; k++)
+        place[k] = surface->shape.anchor_mm[k] + ball->center[k];
+    return lx_shaft_to(place, ball->radius, emitter);
+}
+
+int lx_find_shell_blockers(const struct lx_plan *plan, const struct lx_planned_surface *surface,
+                           struct lx_planned_shell *planned)
+{
+    const struct lx_ball all = {.radius = surface->shape.radius_mm};
+    const struct lx_shaft shaft = shaft_from(surface, &all, planned->emitter);
+    size_t capacity = 0;
+    for (uint32_t s = 0; plan->prepared->shadows_extended && s < plan->surface_count; s++) {
+        const struct lx_shape *shape = &plan->surfaces[s].shape;
+        if (!lx_may_hide(shape, &plan->surfaces[s] == surface) || !may_stand_in(shape, &shaft))
+            continue;
+        if (lx_reserve(&planned->blockers, &capacity, planned->blocker_count + 1, sizeof *planned->blockers))
+            return -1;
+        planned->blockers[planned->blocker_count++] = s;
+    }
+    return 0;
+}
+
+bool lx_shell_may_be_hidden(const struct lx_plan *plan, const struct lx_planned_surface *surface,
+                            const struct lx_planned_shell *planned, const struct lx_ball *ball)
+{
+    const struct lx_shaft shaft = shaft_from(surface, ball, planned->emitter);
+    for (size_t b = 0; b < planned->blocker_count; b++)
+        if (may_stand_in(&plan->surfaces[planned->blockers[b]].shape, &shaft))
+            return true;
+    return false;
+}
+
+/* ---- what is in the way ---- */
+
+/* The ball around some elements. */
+static struct lx_ball ball_around(const struct lx_block_double *block, size_t first, size_t end)
+{
+    const double *all[3] = {block->px, block->py, block->pz};
+    struct lx_ball ball;
+    double square = 0;
+    for (int k = 0; k < 3; k++) {
+        double low = HUGE_VAL, high = -HUGE_VAL;
+        for (size_t i = first; i < end; i++) {
+            low = fmin(low, all[k][i]);
+            high = fmax(high, all[k][i]);
+        }
+        ball.center[k] = low + (high - low) / 2;
+        square += (high - low) * (high - low) / 4;
+    }
+    ball.radius = sqrt(square) * (1 + 1e-12);
+    return ball;
+}
+
+/* Whether highlights reach below the horizon. */
+static bool looks_below(const struct lx_planned_surface *surface)
+{
+    return surface->glossy_count > 0 && surface->lobe.highlight == LX_HIGHLIGHT_PLAIN;
+}
+
+/* Gathers what is in the way of a single element. */
+static enum lx_share_seen look(const struct lx_plan *plan, const struct lx_planned_surface *surface,
+                               const struct lx_planned_shell *planned, const double place_mm[3], const double normal[3],
+                               struct lx_occlusion *occlusion)
+{
+    const struct lx_emitter *emitter = planned->emitter;
+    const struct lx_shaft shaft =
+        lx_occlusion_begin(place_mm, looks_below(surface) ? NULL : normal, emitter, occlusion);
+    bool failed = false;
+    for (size_t b = 0; b < planned->blocker_count && !failed; b++)
+        failed = lx_shape_gather(&plan->surfaces[planned->blockers[b]].shape, &shaft, &occlusion->obstacles) != 0;
+    if (failed || lx_occlusion_settle(emitter, 0, occlusion))
+        return LX_SEES_NOTHING;
+    if (!lx_is_occluded(occlusion))
+        return LX_SEES_ALL;
+    return lx_occlusion_hides_all(occlusion, emitter) ? LX_SEES_NOTHING : LX_SEES_PART;
+}
+
+static void place_of(const struct lx_planned_surface *surface, const struct lx_block_double *block, size_t i,
+                     double place_mm[3])
+{
+    place_mm[0] = surface->shape.anchor_mm[0] + block->px[i];
+    place_mm[1] = surface->shape.anchor_mm[1] + block->py[i];
+    place_mm[2] = surface->shape.anchor_mm[2] + block->pz[i];
+}
+
+bool lx_find_sight(const struct lx_plan *plan, const struct lx_planned_surface *surface,
+                   const struct lx_planned_shell *planned, const struct lx_block_double *block, size_t first,
+                   size_t end, struct lx_penumbra *penumbra)
+{
+    bool all = true;
+    memset(penumbra->sight + first, LX_SEES_ALL, end - first);
+    if (planned->blocker_count == 0)
+        return true;
+    for (size_t from = first; from < end; from += RUN) {
+        const size_t to = end - from < RUN ? end : from + RUN;
+        const struct lx_ball ball = ball_around(block, from, to);
+        if (!lx_shell_may_be_hidden(plan, surface, planned, &ball))
+            continue;
+        for (size_t i = from; i < to; i++) {
+            double place[3];
+            const double normal[3] = {block->nx[i], block->ny[i], block->nz[i]};
+            place_of(surface, block, i, place);
+            penumbra->sight[i] = look(plan, surface, planned, place, normal, &penumbra->occlusion);
+            all = all && penumbra->sight[i] == LX_SEES_ALL;
+        }
+    }
+    return all;
+}
+
+/* Gathers once more what is in the way of an element that sees a part. */
+static void look_again(const struct lx_plan *plan, const struct lx_planned_surface *surface,
+                       const struct lx_planned_shell *planned, const struct lx_element *element,
+                       struct lx_penumbra *penumbra)
+{
+    const double place[3] = {element->place_mm.x.value, element->place_mm.y.value, element->place_mm.z.value};
+    const double normal[3] = {element->normal.x.value, element->normal.y.value, element->normal.z.value};
+    look(plan, surface, planned, place, normal, &penumbra->occlusion);
+}
+
+double lx_diffuse_of_part(const struct lx_plan *plan, const struct lx_planned_surface *surface,
+                          const struct lx_planned_shell *planned, const struct lx_element *element,
+                          struct lx_penumbra *penumbra, const struct lx_asking *asking)
+{
+    struct lx_lobe matte = surface->lobe;
+    struct lx_element bare = *element;
+    matte.specular = lx_exact(0);
+    bare.lobe = &matte;
+    if (lx_extended_touches(planned->emitter, element->place_mm))
+        return 0;
+    look_again(plan, surface, planned, element, penumbra);
+    const double normal[3] = {element->normal.x.value, element->normal.y.value, element->normal.z.value};
+    double closed;
+    if (lx_skyline_irradiance(planned->emitter, normal, &penumbra->occlusion, &closed))
+        return closed > 0 ? matte.diffuse.value * planned->emitter->radiance.value * closed : 0;
+    const double irradiance = lx_integrate_seen(planned->emitter, &bare, &penumbra->occlusion, true,
+                                                plan->least_maximum, plan->part_tolerance, asking)
+                                  .irradiance.value;
+    return irradiance > 0 ? matte.diffuse.value * irradiance : 0;
+}
+
+double lx_highlight_of_part(const struct lx_plan *plan, const struct lx_planned_surface *surface,
+                            const struct lx_planned_shell *planned, const struct lx_element *element, double known,
+                            struct lx_penumbra *penumbra, const struct lx_asking *asking)
+{
+    if (lx_extended_touches(planned->emitter, element->place_mm))
+        return 0;
+    look_again(plan, surface, planned, element, penumbra);
+    const double specular =
+        lx_integrate_seen(planned->emitter, element, &penumbra->occlusion, false, known, plan->tolerance / 2, asking)
+            .specular.value;
+    return specular > 0 ? specular : 0;
+}
