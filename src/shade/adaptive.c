@@ -4,7 +4,7 @@
 
 #include "adaptive.h"
 
-enum { HALF = 10, NODES = 2 * HALF + 1, PLACES = NODES + 2 }; /* places: with the ends */
+enum { HALF = 10, NODES = 2 * HALF + 1, MOST_PLACES = NODES + 2 }; /* places: with the ends */
 
 /* Positive nodes from the outermost to the middle one; the Gauss rule has every second of them. */
 static const double nodes[HALF + 1] = {0.995657163025808080735527280689003,
@@ -27,6 +27,23 @@ static const double gauss[HALF / 2] = {0.066671344308688137593568809893332, 0.14
                                        0.219086362515982043995534934228163, 0.269266719309996355091226921569469,
                                        0.295524224714752870173815619188769};
 
+/* A rule: positive nodes and weights from the outermost to the middle one; every second node is one of Gauss's. */
+struct rule {
+    int half;
+    const double *nodes, *kronrod, *gauss;
+};
+
+static const struct rule fine_rule = {HALF, nodes, kronrod, gauss};
+
+/* With 3 and 7 points, where little is asked for. */
+static const struct rule coarse_rule = {
+    3,
+    (const double[]){0.960491268708020283423507092629080, 0.774596669241483377035853079956480,
+                     0.434243749346802558002071502844628, 0},
+    (const double[]){0.104656226026467265193823857192073, 0.268488089868333440728569280666710,
+                     0.401397414775962222905051818618432, 0.450916538658474142345110087045571},
+    (const double[]){0.555555555555555555555555555555556, 0.888888888888888888888888888888889}};
+
 /* Where the function begins like a small power, K21 is off by up to the plain difference. */
 static const double CAUTION = 10;
 
@@ -36,20 +53,20 @@ static const double STEEPEST = 6, NEGLIGIBLE = 40;
 static const double NARROWEST = 1e-7;
 
 /* Falling towards an end like a power is steep between the places next to it, and hides nothing. */
-static bool falls_to_end(int i, double rise)
+static bool falls_to_end(int i, int places, double rise)
 {
-    return (i < 2 && rise > 0) || (i >= PLACES - 3 && rise < 0);
+    return (i < 2 && rise > 0) || (i >= places - 3 && rise < 0);
 }
 
 /*
  * The most that the logarithm can be between places i and i + 1 where it is concave, as round a peak: it stays below
  * the lines through the two places before and through the two behind.  Beyond NEGLIGIBLE the panel is halved anyway.
  */
-static double height_between(const double x[PLACES], const double logs[PLACES], int i)
+static double height_between(const double *x, const double *logs, int places, int i)
 {
     double from = logs[i], to = logs[i + 1], length = x[i + 1] - x[i], higher = fmax(from, to);
     double before = i > 0 ? (from - logs[i - 1]) / (x[i] - x[i - 1]) : HUGE_VAL;
-    double behind = i + 2 < PLACES ? (logs[i + 2] - to) / (x[i + 2] - x[i + 1]) : -HUGE_VAL;
+    double behind = i + 2 < places ? (logs[i + 2] - to) / (x[i + 2] - x[i + 1]) : -HUGE_VAL;
     if (!(before > 0 && behind < 0))
         return higher;
     double meet = isinf(before)   ? to - behind * length
@@ -58,21 +75,21 @@ static double height_between(const double x[PLACES], const double logs[PLACES], 
     return fmax(higher, fmin(meet, higher + NEGLIGIBLE));
 }
 
-static bool is_resolved(const double x[PLACES], const double logs[PLACES], double top)
+static bool is_resolved(const double *x, const double *logs, int places, double top)
 {
-    double width = x[PLACES - 1] - x[0];
-    for (int i = 0; i + 1 < PLACES; i++) {
+    double width = x[places - 1] - x[0];
+    for (int i = 0; i + 1 < places; i++) {
         double rise = logs[i + 1] - logs[i];
         bool vanishes = isinf(rise) && width <= NARROWEST;
-        if (fabs(rise) > STEEPEST && !falls_to_end(i, rise) && !vanishes &&
-            height_between(x, logs, i) > top - NEGLIGIBLE)
+        if (fabs(rise) > STEEPEST && !falls_to_end(i, places, rise) && !vanishes &&
+            height_between(x, logs, places, i) > top - NEGLIGIBLE)
             return false;
     }
     return true;
 }
 
 /* How far a place is off the line through its neighbours. */
-static double bend(const double x[PLACES], const double values[PLACES], int i)
+static double bend(const double *x, const double *values, int i)
 {
     const double share = (x[i] - x[i - 1]) / (x[i + 1] - x[i - 1]);
     return fabs(values[i - 1] + share * (values[i + 1] - values[i - 1]) - values[i]);
@@ -82,17 +99,17 @@ static double bend(const double x[PLACES], const double values[PLACES], int i)
  * What kinks may do to the sum: where the slope changes by s within a gap of the width g it is no more than s g^2/8,
  * and the place on one of its sides is off the line through its neighbours by s g/4 and more, where these are as far.
  */
-static double judge_kinks(const double x[PLACES], const double values[PLACES], const uint64_t forms[PLACES],
+static double judge_kinks(const double *x, const double *values, const uint64_t *forms, int places,
                           struct lx_panel *panel, double middle)
 {
     const double CAUTIOUS = 2;
     double sum = 0, worst = 0;
-    for (int i = 0; i + 1 < PLACES; i++) {
+    for (int i = 0; i + 1 < places; i++) {
         if (forms[i] == forms[i + 1])
             continue;
         double off = 0;
         for (int k = i - 1; k <= i + 2; k++)
-            off = k > 0 && k + 1 < PLACES ? fmax(off, bend(x, values, k)) : off;
+            off = k > 0 && k + 1 < places ? fmax(off, bend(x, values, k)) : off;
         const double amount = CAUTIOUS * (x[i + 1] - x[i]) * off;
         sum += amount;
         if (amount > worst) {
@@ -106,15 +123,17 @@ static double judge_kinks(const double x[PLACES], const double values[PLACES], c
 
 static void evaluate(const struct lx_integrand *integrand, struct lx_panel *panel, double *top)
 {
-    double x[PLACES], logs[PLACES], values[PLACES]; /* x: from the middle */
-    uint64_t forms[PLACES];
+    const struct rule *rule = integrand->is_coarse ? &coarse_rule : &fine_rule;
+    const int places = 2 * rule->half + 3, count = places - 2;
+    double x[MOST_PLACES], logs[MOST_PLACES], values[MOST_PLACES]; /* x: from the middle */
+    uint64_t forms[MOST_PLACES];
     double middle = panel->from + (panel->to - panel->from) / 2, half = (panel->to - panel->from) / 2;
     double by_kronrod = 0, by_gauss = 0, inherited = 0;
-    for (int i = 0; i < PLACES; i++) {
-        bool end = i == 0 || i == PLACES - 1;
-        int k = i <= HALF + 1 ? i - 1 : NODES - i;
-        double offset = end ? half : nodes[k] * half;
-        x[i] = i <= HALF ? -offset : offset;
+    for (int i = 0; i < places; i++) {
+        bool end = i == 0 || i == places - 1;
+        int k = i <= rule->half + 1 ? i - 1 : count - i;
+        double offset = end ? half : rule->nodes[k] * half;
+        x[i] = i <= rule->half ? -offset : offset;
         struct lx_point_value point = integrand->at(integrand->data, panel->interval, middle + x[i]);
         logs[i] = log(point.value);
         values[i] = point.value;
@@ -122,21 +141,21 @@ static void evaluate(const struct lx_integrand *integrand, struct lx_panel *pane
         *top = fmax(*top, logs[i]);
         if (end)
             continue;
-        by_kronrod += kronrod[k] * point.value;
-        by_gauss += k % 2 ? gauss[k / 2] * point.value : 0;
-        inherited += kronrod[k] * point.error;
+        by_kronrod += rule->kronrod[k] * point.value;
+        by_gauss += k % 2 ? rule->gauss[k / 2] * point.value : 0;
+        inherited += rule->kronrod[k] * point.error;
     }
     panel->value = by_kronrod * half;
     panel->inherited = inherited * half;
     panel->estimate = CAUTION * fabs(by_kronrod - by_gauss) * half;
     panel->kink_from = panel->kink_to = panel->from;
     if (integrand->form)
-        panel->estimate += judge_kinks(x, values, forms, panel, middle);
-    if (is_resolved(x, logs, *top))
+        panel->estimate += judge_kinks(x, values, forms, places, panel, middle);
+    if (is_resolved(x, logs, places, *top))
         return;
     double greatest = -HUGE_VAL;
-    for (int i = 0; i + 1 < PLACES; i++)
-        greatest = fmax(greatest, height_between(x, logs, i));
+    for (int i = 0; i + 1 < places; i++)
+        greatest = fmax(greatest, height_between(x, logs, places, i));
     panel->estimate = fmax(panel->estimate, 2 * half * exp(greatest));
 }
 

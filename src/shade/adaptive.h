@@ -48,6 +48,7 @@ struct lx_integrand {
     void *data;
     /* The form alone; NULL: it never changes. */
     uint64_t (*form)(void *data, size_t interval, double x);
+    bool is_coarse; /* with 3 and 7 points, for tolerances from some 1e-4 on */
 };
 
 /* Integrates over the panels that are in the list, of which interval, from and to are set; leaves them refined. */

@@ -409,7 +409,7 @@ static struct lx_point_value integrate_along(struct lx_problem *problem, size_t 
     start_panels(problem, count, &panels);
     double share = 0.1 * problem->tolerance * (problem->known + problem->running);
     problem->wanted = slope > 0 ? share / (double)problem->piece_count / slope : 0;
-    struct lx_integrand integrand = {along, arc_target, problem, NULL};
+    struct lx_integrand integrand = {along, arc_target, problem, NULL, problem->is_coarse};
     struct lx_integral integral = lx_integrate_panels(&integrand, &panels);
     return (struct lx_point_value){.value = integral.value, .error = integral.error + integral.inherited};
 }

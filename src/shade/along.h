@@ -50,6 +50,7 @@ struct lx_problem {
     struct lx_piece *pieces;
     size_t piece_count;
     double known, tolerance;
+    bool is_coarse;   /* rules of few points do */
     double top;       /* logarithm of the greatest value of the lobe expected; values are relative to it */
     double highest;   /* the greatest met */
     double at_border; /* the greatest value met where a gated highlight jumps */

@@ -21,6 +21,9 @@ enum {
 /* Cuts nearer to each other than this are the same one. */
 static const double NARROWEST = 1e-14;
 
+/* From which tolerance on few points do for what is hidden in part, as pictures ask for. */
+static const double COARSE = 1e-4;
+
 /* Of a whole integral, relative: sweeps are made in float64. */
 static const double ROUNDING = 1e-13;
 
@@ -234,7 +237,8 @@ static lx_bounded integrate(struct lx_problem *problem, const double place_mm[3]
     const double *across_which =
         problem->lobe && problem->lobe->model == LX_PHONG ? problem->mirrored : problem->normal;
     const bool is_occluded = lx_is_occluded(problem->occlusion);
-    struct lx_integrand integrand = {lx_integrate_arc, outer_target, problem, is_occluded ? lx_form_of_arc : NULL};
+    struct lx_integrand integrand = {lx_integrate_arc, outer_target, problem, is_occluded ? lx_form_of_arc : NULL,
+                                     problem->is_coarse};
     problem->sweeps = &sweeps;
     problem->top = problem->lobe ? -HUGE_VAL : 0;
     problem->at_border = problem->running = 0;
@@ -349,6 +353,7 @@ struct lx_cubature lx_integrate_seen(const struct lx_emitter *emitter, const str
         problem.lobe = lobe;
         problem.known = known / strength.value;
         problem.tolerance = tolerance / caution_for(lobe);
+        problem.is_coarse = lx_is_occluded(occlusion) && problem.tolerance >= COARSE;
         set_conditions(&problem);
         result.specular = lx_mul(strength, integrate(&problem, place));
     }

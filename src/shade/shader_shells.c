@@ -113,7 +113,7 @@ static void light_by_seen_highlight(const struct lx_plan *plan, const struct lx_
                                     struct lx_shader_memory *memory, size_t start, size_t last,
                                     const struct lx_asking *asking)
 {
-    const double SMALL = 0.25; /* of the tolerance */
+    const double SMALL = 0.5; /* of the tolerance */
     const struct lx_planned_shell *planned = &surface->shells[s];
     const struct lx_block_double *block = &memory->seen.block;
     struct lx_sampler sampling = sampler_of(plan, surface, asking);

@@ -40,7 +40,7 @@ static double target(void *data, const struct lx_integral *integral)
 
 static struct lx_integral integrate(struct problem *problem, struct lx_panel *items, size_t count, size_t capacity)
 {
-    const struct lx_integrand integrand = {at, target, problem, NULL};
+    const struct lx_integrand integrand = {at, target, problem, NULL, false};
     struct lx_panels panels = {items, count, capacity};
     return lx_integrate_panels(&integrand, &panels);
 }
@@ -234,7 +234,7 @@ static void halving(void **state)
 {
     struct problem problem = {.of = square_root, .parameter = 3, .target = 1e-9};
     struct lx_panel items[MOST_PANELS] = {{.interval = 2, .from = 2, .to = 3}, {.interval = 0, .from = 1, .to = 2}};
-    const struct lx_integrand integrand = {at, target, &problem, NULL};
+    const struct lx_integrand integrand = {at, target, &problem, NULL, false};
     struct lx_panels panels = {items, 2, MOST_PANELS};
     (void)state;
     struct lx_integral found = lx_integrate_panels(&integrand, &panels);
@@ -261,7 +261,7 @@ static void ends_of_halving(void **state)
     struct lx_panel items[MOST_PANELS] = {{.from = 1, .to = 2}};
     (void)state;
     /* no more room */
-    const struct lx_integrand integrand = {at, target, &problem, NULL};
+    const struct lx_integrand integrand = {at, target, &problem, NULL, false};
     struct lx_panels panels = {items, 1, 5};
     lx_integrate_panels(&integrand, &panels);
     assert_int_equal(panels.count, 5);

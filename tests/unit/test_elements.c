@@ -66,7 +66,7 @@ static void gets_values(void **state)
     expect_got(scene, "lights[2].type", false, NULL);
     expect_got(scene, "points[0][1]", true, "2");
     expect_got(scene, "grids", false, "[]");
-    expect_got(scene, "shadows", false, "points");
+    expect_got(scene, "shadows", false, "all");
     assert_int_equal(luxel_scene_set(scene, "lights[1].outer= 07.50 # degrees", NULL), LUXEL_OK);
     expect_got(scene, "lights[1].outer", true, "07.50");
     expect_got(scene, " lights.1.outer ", true, "07.50");
