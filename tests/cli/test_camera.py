@@ -333,6 +333,30 @@ def honest_bounds(tap, tool):
     tap.ok(loosest < 1e-10, "bounds away from the rim are tight", loosest)
 
 
+def pixels_and_probes(tap, tool):
+    """Pictures are computed in the frame of the screen, probes in that of the scene: any observer sees the same."""
+    write_files(tool)
+    draw = random.Random(9)
+    for n, light in enumerate(("point", "spot", "rectangle", "ball", "luminaire", "points")):
+        scene = json.loads(make(STILL, light, ("balls", "tube")[n % 2], pixels=64))
+        for surface in scene["surfaces"]:
+            surface["material"] = dict(surface["material"], specular=0 if light in ("rectangle", "ball") else 0.4)
+        away = [draw.gauss(0, 1), draw.gauss(0, 1), 1 + abs(draw.gauss(0, 1))]
+        target = [draw.uniform(0, 90), draw.uniform(-40, 40), draw.uniform(900, 1000)]
+        size = 2000 / math.hypot(*away)
+        scene["observer"] = {"position": [t + size * a for t, a in zip(target, away)], "target": target,
+                             "up": [draw.gauss(0, 1) for _ in range(3)], **list(VIEWS.values())[n % 3]}
+        picks = [(draw.randrange(64), draw.randrange(64)) for _ in range(150)]
+        options = [word for column, row in picks for word in
+                   ("-p", "%r,%r" % (500 * (column + 0.5) / 64 - 250, 250 - 500 * (row + 0.5) / 64))]
+        points = tool.run("probe", "-", "--json", *options, stdin=json.dumps(scene)).json()["points"]
+        for precision, allowed in (("single", 2e-6), ("double", 1e-11)):
+            picture = render(tool, json.dumps(scene), "--precision", precision)
+            off = max(abs(picture[row][column] - (p["value"] or 0)) - (p["error"] or 0)
+                      for p, (column, row) in zip(points, picks)) / picture.max()
+            tap.ok(picture.max() > 0 and off <= allowed, "pixels and probes, %s, %s" % (light, precision), off)
+
+
 # ---- what is read off the picture ----
 
 def readings(tap, tool):
@@ -480,4 +504,5 @@ def advice(tap, tool):
         tap.ok("behind" not in mended.out + mended.err, "and what mends it", mended)
 
 
-run_tests(Tap(), own_frame, moved_scenes, smooth_pictures, honest_bounds, readings, free_elements, sweeps, advice, refusals)
+run_tests(Tap(), own_frame, moved_scenes, smooth_pictures, honest_bounds, pixels_and_probes, readings, free_elements, sweeps,
+          advice, refusals)
