@@ -65,12 +65,13 @@ static void print_pixel(const luxel_probe *probe)
         printf(_("  pixel (%u, %u)\n"), probe->column, probe->row);
 }
 
-/* "surfaces[1] ball" */
+/* "surfaces[1] ball", "surfaces[0], floor" */
 static const char *name_surface(const luxel_probe *probe, char buffer[TEXT_SIZE])
 {
     char *name = probe->surface_name ? luxel_escaped_text(probe->surface_name) : NULL;
 
-    text_format(buffer, "surfaces[%zu]%s%s", probe->surface, name ? " " : "", name ? name : "");
+    text_format(buffer, "surfaces[%zu]%s%s%s%s", probe->surface, name ? " " : "", name ? name : "",
+                probe->part_name ? ", " : "", probe->part_name ? probe->part_name : "");
     luxel_text_free(name);
     return buffer;
 }
@@ -81,7 +82,7 @@ static void print_surface(const struct result *result, const luxel_probe *probe)
     char name[TEXT_SIZE];
 
     if (probe->has_screen) {
-        if (luxel_scene_surface_count(result->scene) > 1)
+        if (luxel_scene_surface_count(result->scene) > 1 || probe->part_name)
             printf(_("  on %s\n"), name_surface(probe, name));
         return;
     }

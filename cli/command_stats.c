@@ -180,8 +180,10 @@ static void write_number_if(struct json *json, const char *key, bool exists, dou
         json_null(json, key);
 }
 
-static void write_peak(struct json *json, const char *key, const luxel_peak *peak)
+static void write_peak(struct json *json, const char *key, const luxel_scene *scene, const luxel_peak *peak)
 {
+    const char *wall = luxel_part_name(scene, peak->surface, peak->part);
+
     if (!peak->exists) {
         json_null(json, key);
         return;
@@ -191,6 +193,8 @@ static void write_peak(struct json *json, const char *key, const luxel_peak *pea
     json_number(json, "error", peak->error);
     json_numbers(json, "screen", (const double[]){peak->x_mm, peak->y_mm}, 2);
     json_whole(json, "surface", peak->surface);
+    if (wall)
+        json_text(json, "wall", wall);
     json_numbers(json, "position", peak->position_mm, 3);
     json_numbers(json, "normal", peak->normal, 3);
     json_text(json, "place", place_names[peak->place]);
@@ -252,8 +256,8 @@ static void print_json(const struct stats *stats)
     write_number_if(&json, "lit", some, summary->lit);
     write_number_if(&json, "u0", summary->has_evenness, summary->u0);
     write_number_if(&json, "ud", summary->has_evenness, summary->ud);
-    write_peak(&json, "maximum", &stats->extrema.maximum);
-    write_peak(&json, "minimum", &stats->extrema.minimum);
+    write_peak(&json, "maximum", stats->picture->loaded.scene, &stats->extrema.maximum);
+    write_peak(&json, "minimum", stats->picture->loaded.scene, &stats->extrema.minimum);
     write_histogram(&json, stats->histogram);
     if (stats->picture->loaded.scene)
         result_write_conventions(&json, stats->picture->loaded.scene, &use);

@@ -155,6 +155,8 @@ static void write_element(struct json *json, const luxel_probe *probe)
     json_open(json, "material", '{');
     json_whole(json, "surface", probe->surface);
     json_text(json, "name", probe->surface_name);
+    if (probe->part_name)
+        json_text(json, "wall", probe->part_name);
     json_bool(json, "lies_on_it", probe->lies_on_surface);
     json_close(json, '}');
     if (probe->is_enclosed)

@@ -163,6 +163,9 @@ LUXEL_API size_t luxel_scene_surface_count(const luxel_scene *scene);
 /* Of a committed scene: the centre of its i-th surface.  LUXEL_ERROR_ARGUMENT: not committed, or no such. */
 LUXEL_API luxel_status luxel_scene_surface_place(const luxel_scene *scene, size_t i, double center_mm[3]);
 
+/* Of a committed scene: what a part of its i-th surface is called, such as "floor" of a room; NULL: it has no such. */
+LUXEL_API const char *luxel_part_name(const luxel_scene *scene, size_t i, unsigned part);
+
 /* Of a committed scene: its pixels. */
 LUXEL_API luxel_status luxel_scene_resolution(const luxel_scene *scene, unsigned *columns, unsigned *rows);
 

@@ -36,14 +36,15 @@ static PyObject *probe_tuple(const luxel_probe *probe)
     if (!shares)
         return NULL;
     return Py_BuildValue(
-        "(NNONNONNNNNNONNN)", pair_or_none(probe->has_screen, probe->x_mm, probe->y_mm),
+        "(NNONNONNNNNNNONNN)", pair_or_none(probe->has_screen, probe->x_mm, probe->y_mm),
         probe->has_pixel ? Py_BuildValue("(II)", probe->column, probe->row) : none(),
         probe->on_surface ? Py_True : Py_False, number_or_none(probe->has_value, probe->value),
         number_or_none(probe->has_value, probe->error), probe->tolerance_reached ? Py_True : Py_False,
         number_or_none(probe->has_pixel_value, probe->pixel_value),
         triple_or_none(probe->on_surface, probe->position_mm), triple_or_none(probe->on_surface, probe->normal),
         triple_or_none(probe->on_surface, probe->view), index_or_none(probe->on_surface, probe->surface),
-        text_or_none(probe->on_surface ? probe->surface_name : NULL), probe->lies_on_surface ? Py_True : Py_False,
+        text_or_none(probe->on_surface ? probe->surface_name : NULL),
+        text_or_none(probe->on_surface ? probe->part_name : NULL), probe->lies_on_surface ? Py_True : Py_False,
         index_or_none(probe->is_enclosed, probe->enclosing_surface),
         index_or_none(probe->source_on_element, probe->blocking_light), shares);
 }

@@ -90,13 +90,14 @@ static PyObject *field_histogram(PyObject *module, PyObject *arguments)
 
 /* ---- extrema ---- */
 
-static PyObject *peak_tuple(const luxel_peak *peak)
+static PyObject *peak_tuple(const luxel_scene *scene, const luxel_peak *peak)
 {
     static const char *const places[] = {"inside", "limb", "border", "jump", "plateau"};
 
     if (!peak->exists)
         return none();
-    return Py_BuildValue("(ddddnNNs)", peak->value, peak->error, peak->x_mm, peak->y_mm, (Py_ssize_t)peak->surface,
+    return Py_BuildValue("(ddddnNNNs)", peak->value, peak->error, peak->x_mm, peak->y_mm, (Py_ssize_t)peak->surface,
+                         text_or_none(luxel_part_name(scene, peak->surface, peak->part)),
                          triple_or_none(true, peak->position_mm), triple_or_none(true, peak->normal),
                          places[peak->place]);
 }
@@ -126,7 +127,7 @@ static PyObject *field_extrema(PyObject *module, PyObject *arguments)
     work_return(&work);
     if (!diagnostics_end(&module_state(module)->language, status, diagnostics))
         return NULL;
-    return Py_BuildValue("(NN)", peak_tuple(&extrema.maximum), peak_tuple(&extrema.minimum));
+    return Py_BuildValue("(NN)", peak_tuple(scene, &extrema.maximum), peak_tuple(scene, &extrema.minimum));
 }
 
 /* ---- isophotes ---- */

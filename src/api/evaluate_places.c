@@ -73,9 +73,11 @@ static void light_batch(const struct batch *batch)
     for (size_t i = 0; i < elements->count; i++) {
         const luxel_place *place = &work->places[batch->of[i]];
         const lx_bounded sum = {total.value[i], total.error[i]};
+        const struct lx_prepared_surface *own = elements->own[i] > 0 ? &prepared->surfaces[elements->own[i] - 1] : NULL;
         luxel_value found = {
             .on_surface = true,
-            .surface = elements->own[i] > 0 ? elements->own[i] - 1 : place->surface,
+            .surface = own ? own->authored : place->surface,
+            .part = own ? own->part : 0,
             .position_mm = {elements->place_mm.x.value[i], elements->place_mm.y.value[i],
                             elements->place_mm.z.value[i]},
             .normal = {elements->normal.x.value[i], elements->normal.y.value[i], elements->normal.z.value[i]},
@@ -90,7 +92,9 @@ static void light_batch(const struct batch *batch)
 static const struct lx_lobe *lobe_of(const struct batch *batch, size_t i)
 {
     const uint32_t own = batch->elements.own[i];
-    return &batch->work->world.prepared->surfaces[own > 0 ? own - 1 : batch->work->places[batch->of[i]].surface].lobe;
+    const struct lx_prepared *prepared = batch->work->world.prepared;
+    return own > 0 ? &prepared->surfaces[own - 1].lobe
+                   : &prepared->authored[batch->work->places[batch->of[i]].surface].lobe;
 }
 
 /* Lights a batch whose elements may have several lobes: those of each by themselves. */
@@ -132,7 +136,7 @@ static void light_elements(struct batch *batch)
 /* Whether a place is a free element like another that begins a batch. */
 static bool is_alike(const struct evaluating *work, const luxel_place *place, const luxel_place *first)
 {
-    return place->is_element && lx_is_place(place) && place->surface < work->world.prepared->surface_count &&
+    return place->is_element && lx_is_place(place) && place->surface < work->world.prepared->scene->surfaces.count &&
            place->has_view == first->has_view;
 }
 

@@ -339,7 +339,7 @@ static void find_enclosed(const struct measuring *measuring)
         value_of(lx_lattice_place(&measuring->lattice, cell % grid->columns, cell / grid->columns), place_mm);
         const struct lx_prepared_surface *around = lx_surface_around(prepared, place_mm);
         if (around && grid->enclosed++ == 0)
-            grid->enclosing_surface = (size_t)(around - prepared->surfaces);
+            grid->enclosing_surface = around->authored;
     }
 }
 

@@ -169,6 +169,11 @@ static void copy3(double to[3], lx_bounded3 from)
     to[0] = from.x.value, to[1] = from.y.value, to[2] = from.z.value;
 }
 
+static const struct lx_surface_kind *kind_of(const struct lx_prepared *prepared, size_t surface)
+{
+    return (const struct lx_surface_kind *)prepared->scene->surfaces.items[surface].variant;
+}
+
 static void probe_element(const struct probing *probing, const luxel_place *place, const struct lx_element *element,
                           luxel_probe *probe)
 {
@@ -176,7 +181,12 @@ static void probe_element(const struct probing *probing, const luxel_place *plac
     probe->on_surface = true;
     probe->share_count = probing->probes->named_count;
     probe->lies_on_surface = element->own != NULL;
-    probe->surface = element->own ? (size_t)(element->own - prepared->surfaces) : place->surface;
+    probe->surface = place->surface;
+    if (element->own) {
+        probe->surface = element->own->authored;
+        probe->part = element->own->part;
+        probe->part_name = lx_part_name(kind_of(prepared, probe->surface), probe->part);
+    }
     probe->surface_name = probing->probes->surface_names[probe->surface];
     copy3(probe->position_mm, element->place_mm);
     copy3(probe->normal, element->normal);
@@ -192,7 +202,7 @@ static void probe_free_element(const struct probing *probing, const luxel_place 
     probe_element(probing, place, &element, probe);
     probe->is_enclosed = around != NULL;
     if (around)
-        probe->enclosing_surface = (size_t)(around - prepared->surfaces);
+        probe->enclosing_surface = around->authored;
 }
 
 static void probe_screen(const struct probing *probing, const luxel_place *place, luxel_probe *probe)

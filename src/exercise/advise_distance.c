@@ -77,7 +77,7 @@ static void advise_near(struct lx_adviser *adviser, const struct lx_prepared *pr
     char number[LX_NUMBER_SIZE], words[LX_ADVICE_SIZE];
     double direction[3], place[3], other;
     const struct lx_shape *again;
-    lx_advise(adviser, (struct lx_advised){"lights", true, emitter->light, "position", NULL}, LX_MSG_LIGHT_NEAR,
+    lx_advise(adviser, (struct lx_advised){"lights", true, emitter->light, "position", NULL, NULL}, LX_MSG_LIGHT_NEAR,
               lx_write_digits(distance, 2, number));
     outside(shape, emitter->position_mm, direction);
     for (double times = 1; times <= 4; times *= 2) {
@@ -95,7 +95,7 @@ static void advise_far(struct lx_adviser *adviser, const struct lx_prepared *pre
     char number[LX_NUMBER_SIZE], words[LX_ADVICE_SIZE], law[LX_ADVICE_SIZE];
     const struct lx_shape *shape = &prepared->surfaces[0].shape;
     double direction[3], place[3];
-    lx_advise(adviser, (struct lx_advised){"lights", true, emitter->light, "position", NULL}, LX_MSG_LIGHT_FAR,
+    lx_advise(adviser, (struct lx_advised){"lights", true, emitter->light, "position", NULL, NULL}, LX_MSG_LIGHT_FAR,
               lx_write_digits(100 * (change - 1), 2, number));
     outside(shape, emitter->position_mm, direction);
     snprintf(law, sizeof law, "lights[%zu].k=100", emitter->light);

@@ -8,7 +8,8 @@
 #include <string.h>
 
 #include "../base/number.h"
-#include "../surface/surface.h"
+#include "../scene/materials.h"
+#include "../surface/part.h"
 #include "adviser.h"
 
 /* Below this the highlight raises the maximum by too little to be told from the diffuse light. */
@@ -28,9 +29,18 @@ static bool look(struct lx_adviser *adviser, const char *const *assignments, str
     return status == LUXEL_OK && !scout->too_large;
 }
 
-static const struct lx_material *material_of(const struct lx_scene_parameters *scene, size_t surface)
+/* The material where the peak is. */
+static struct lx_scene_material material_at_peak(const struct lx_adviser *adviser)
 {
-    return &((const struct lx_surface_common *)scene->surfaces.items[surface].common)->material;
+    return lx_material_of(adviser->parameters, adviser->now.surface, adviser->now.part);
+}
+
+/* What advice about a key of that material is about. */
+static struct lx_advised about_material(const struct lx_scene_material *at, const char *key)
+{
+    if (at->part)
+        return (struct lx_advised){"surfaces", true, at->surface, "materials", at->part, key};
+    return (struct lx_advised){"surfaces", true, at->surface, "material", key, NULL};
 }
 
 /* ---- darkness ---- */
@@ -59,7 +69,7 @@ static bool mend_dark_light(struct lx_adviser *adviser, size_t light)
 
 static void advise_dark(struct lx_adviser *adviser)
 {
-    char words[LX_ADVICE_SIZE], place[LX_PLACE_SIZE];
+    char words[LX_ADVICE_SIZE], place[LX_PLACE_SIZE], key[LX_MATERIAL_KEY_SIZE];
     const struct lx_scene_parameters *scene = adviser->parameters;
     lx_advise(adviser, (struct lx_advised){.list = "lights"}, LX_MSG_PICTURE_DARK, NULL);
     if (scene->lights.count == 0) {
@@ -71,8 +81,9 @@ static void advise_dark(struct lx_adviser *adviser)
     for (size_t i = 0; i < scene->lights.count && i < 16; i++)
         if (mend_dark_light(adviser, i))
             return;
-    for (size_t i = 0; i < scene->surfaces.count && i < 16; i++) {
-        snprintf(words, sizeof words, "surfaces[%zu].material.diffuse=0.8", i);
+    size_t count = 0;
+    for (struct lx_scene_material at = {NULL}; lx_next_material(scene, &at) && count++ < 16;) {
+        snprintf(words, sizeof words, "%s.diffuse=0.8", lx_material_key(&at, key));
         if (lx_try(adviser, is_lit, words, NULL))
             return;
     }
@@ -128,20 +139,20 @@ static void advise_place(struct lx_adviser *adviser)
 
 /* ---- the highlight ---- */
 
-enum { MOST_SURFACES = 16, MOST_WORDS = MOST_SURFACES + 3 };
+enum { MOST_MATERIALS = 16, MOST_WORDS = MOST_MATERIALS + 3 };
 
 /* How far the highlight raises the maximum, as a share of what the diffuse light alone gives; NaN: not known. */
 static double rise_with(struct lx_adviser *adviser, const char *const *assignments, const struct lx_scout *with)
 {
-    char words[MOST_SURFACES][LX_ADVICE_SIZE];
+    char words[MOST_MATERIALS][LX_ADVICE_SIZE], key[LX_MATERIAL_KEY_SIZE];
     const char *list[MOST_WORDS];
     struct lx_scout without;
-    size_t count = 0;
+    size_t count = 0, used = 0;
     for (; assignments && *assignments; assignments++)
         list[count++] = *assignments;
-    for (size_t i = 0; i < adviser->parameters->surfaces.count; i++) {
-        snprintf(words[i], sizeof words[i], "surfaces[%zu].material.specular=0", i);
-        list[count++] = words[i];
+    for (struct lx_scene_material at = {NULL}; used < MOST_MATERIALS && lx_next_material(adviser->parameters, &at);) {
+        snprintf(words[used], sizeof words[used], "%s.specular=0", lx_material_key(&at, key));
+        list[count++] = words[used++];
     }
     list[count] = NULL;
     if (!look(adviser, list, &without))
@@ -159,17 +170,18 @@ static void mend_height(struct lx_adviser *adviser)
 {
     static const char *const speculars[] = {"0.1", "0.2", "0.3", "0.5", "0.7", "1"};
     static const char *const diffuses[] = {"0.5", "0.3", "0.1"};
-    char specular[LX_ADVICE_SIZE], diffuse[LX_ADVICE_SIZE];
-    size_t surface = adviser->now.surface;
+    char specular[LX_ADVICE_SIZE], diffuse[LX_ADVICE_SIZE], key[LX_MATERIAL_KEY_SIZE];
+    const struct lx_scene_material at = material_at_peak(adviser);
+    lx_material_key(&at, key);
     for (size_t i = 0; i < LX_COUNT(speculars); i++) {
-        snprintf(specular, sizeof specular, "surfaces[%zu].material.specular=%s", surface, speculars[i]);
+        snprintf(specular, sizeof specular, "%s.specular=%s", key, speculars[i]);
         if (lx_try(adviser, has_high_peak, specular, NULL))
             return;
     }
     if (lx_try_places(adviser, has_high_peak, adviser->now.strongest))
         return;
     for (size_t i = 0; i < LX_COUNT(diffuses); i++) {
-        snprintf(diffuse, sizeof diffuse, "surfaces[%zu].material.diffuse=%s", surface, diffuses[i]);
+        snprintf(diffuse, sizeof diffuse, "%s.diffuse=%s", key, diffuses[i]);
         if (lx_try_pair(adviser, has_high_peak, specular, diffuse))
             return;
     }
@@ -182,28 +194,34 @@ static double half_width_rad(const struct lx_material *material)
     return material->model == LX_PHONG ? angle / 2 : angle; /* the mirrored ray turns twice as far */
 }
 
-static double pixels_of_half(const struct lx_scene_parameters *scene, const struct lx_item *surface)
+/* The shape of what shows the peak. */
+static struct lx_shape shape_at_peak(const struct lx_adviser *adviser)
 {
-    const struct lx_surface_kind *kind = (const struct lx_surface_kind *)surface->variant;
-    const struct lx_material *material = &((const struct lx_surface_common *)surface->common)->material;
-    double pixel = scene->screen.width_mm / scene->screen.resolution[0];
-    return sin(half_width_rad(material)) * lx_surface_shape(kind, surface->parameters).radius_mm / pixel;
+    const struct lx_item *surface = &adviser->parameters->surfaces.items[adviser->now.surface];
+    struct lx_part part;
+    lx_part_make((const struct lx_surface_kind *)surface->variant, surface->parameters, adviser->now.part, &part);
+    return part.shape;
+}
+
+static double pixels_of_half(const struct lx_adviser *adviser, const struct lx_material *material)
+{
+    const struct lx_screen *screen = &adviser->parameters->screen;
+    const struct lx_shape shape = shape_at_peak(adviser);
+    return sin(half_width_rad(material)) * shape.radius_mm / (screen->width_mm / screen->resolution[0]);
 }
 
 /* A value of the shininess with which the highlight is neither too wide nor too narrow, tried in this order. */
-static void mend_width(struct lx_adviser *adviser, const struct lx_item *surface)
+static void mend_width(struct lx_adviser *adviser)
 {
     static const double values[] = {20, 10, 50, 100, 200, 500};
-    struct lx_surface_common common = *(const struct lx_surface_common *)surface->common;
-    const struct lx_item changed = {surface->variant, surface->parameters, &common};
+    const struct lx_scene_material at = material_at_peak(adviser);
+    struct lx_material changed = *at.material;
     for (size_t i = 0; i < LX_COUNT(values); i++) {
-        common.material.shininess = values[i];
-        if (half_width_rad(&common.material) > WIDEST_RAD ||
-            pixels_of_half(adviser->parameters, &changed) < LEAST_PIXELS)
+        changed.shininess = values[i];
+        if (half_width_rad(&changed) > WIDEST_RAD || pixels_of_half(adviser, &changed) < LEAST_PIXELS)
             continue;
-        char words[LX_ADVICE_SIZE], number[LX_NUMBER_SIZE];
-        snprintf(words, sizeof words, "surfaces[%zu].material.shininess=%s", adviser->now.surface,
-                 lx_write_number(values[i], number));
+        char words[LX_ADVICE_SIZE], number[LX_NUMBER_SIZE], key[LX_MATERIAL_KEY_SIZE];
+        snprintf(words, sizeof words, "%s.shininess=%s", lx_material_key(&at, key), lx_write_number(values[i], number));
         lx_suggest(adviser, (const char *const[]){words, NULL});
         return;
     }
@@ -212,22 +230,20 @@ static void mend_width(struct lx_adviser *adviser, const struct lx_item *surface
 /* On a sphere, where the normal's turn says how wide the highlight is. */
 static void advise_width(struct lx_adviser *adviser)
 {
-    const struct lx_item *surface = &adviser->parameters->surfaces.items[adviser->now.surface];
-    const struct lx_material *material = material_of(adviser->parameters, adviser->now.surface);
-    const struct lx_advised at = {"surfaces", true, adviser->now.surface, "material", "shininess"};
+    const struct lx_scene_material material = material_at_peak(adviser);
+    const struct lx_advised at = about_material(&material, "shininess");
     char number[LX_NUMBER_SIZE];
-    const struct lx_surface_kind *kind = (const struct lx_surface_kind *)surface->variant;
-    const struct lx_shape shape = lx_surface_shape(kind, surface->parameters);
-    if (!kind->bounds || !kind->bounds->curvature || !(kind->bounds->curvature(&shape) > 0))
+    const struct lx_shape shape = shape_at_peak(adviser);
+    if (!(lx_curvature(&shape) > 0))
         return;
-    double angle = half_width_rad(material), pixels = pixels_of_half(adviser->parameters, surface);
+    double angle = half_width_rad(material.material), pixels = pixels_of_half(adviser, material.material);
     if (angle > WIDEST_RAD)
         lx_advise(adviser, at, LX_MSG_PEAK_WIDE, lx_write_digits(angle * 180 / M_PI, 2, number));
     else if (pixels < LEAST_PIXELS && !adviser->now.is_coarse)
         lx_advise(adviser, at, LX_MSG_PEAK_NARROW, lx_write_digits(pixels, 2, number));
     else
         return;
-    mend_width(adviser, surface);
+    mend_width(adviser);
 }
 
 /* Whether some light that shines makes highlights; ambient light does not. */
@@ -244,20 +260,21 @@ static bool may_shine(const struct lx_scene_parameters *scene)
 static void advise_highlight(struct lx_adviser *adviser)
 {
     const struct lx_scout *now = &adviser->now;
-    const struct lx_material *material = material_of(adviser->parameters, now->surface);
-    const struct lx_item *surface = &adviser->parameters->surfaces.items[now->surface];
-    if (material->model == LX_LAMBERT || !may_shine(adviser->parameters) ||
-        adviser->parameters->surfaces.count > MOST_SURFACES)
+    const struct lx_scene_material material = material_at_peak(adviser);
+    size_t materials = 0;
+    for (struct lx_scene_material at = {NULL}; lx_next_material(adviser->parameters, &at);)
+        materials++;
+    if (material.material->model == LX_LAMBERT || !may_shine(adviser->parameters) || materials > MOST_MATERIALS)
         return;
     /* a highlight that may fall between the samples of a coarse picture is not judged by it */
-    double samples = pixels_of_half(adviser->parameters, surface) * adviser->parameters->screen.width_mm /
+    double samples = pixels_of_half(adviser, material.material) * adviser->parameters->screen.width_mm /
                      adviser->parameters->screen.resolution[0] / now->sample_mm;
     if (now->is_coarse && samples < 1)
         return;
     double rise = rise_with(adviser, NULL, now);
     if (rise < LEAST_RISE) {
         char number[LX_NUMBER_SIZE];
-        lx_advise(adviser, (struct lx_advised){"surfaces", true, now->surface, "material", "specular"}, LX_MSG_PEAK_LOW,
+        lx_advise(adviser, about_material(&material, "specular"), LX_MSG_PEAK_LOW,
                   lx_write_digits(floor(1000 * fmax(rise, 0)) / 10, 2, number));
         mend_height(adviser);
     } else if (!isnan(rise)) {

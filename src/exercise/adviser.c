@@ -49,7 +49,8 @@ void lx_advise(struct lx_adviser *adviser, struct lx_advised advised, enum lx_me
     const struct lx_document *document = &adviser->scene->document;
     const struct lx_step list = {NULL, advised.list, 0}, element = {&list, NULL, advised.index};
     const struct lx_step *top = advised.has_index ? &element : &list;
-    const struct lx_step key = {top, advised.key, 0}, last = {&key, advised.below, 0};
+    const struct lx_step key = {top, advised.key, 0}, under = {&key, advised.below, 0};
+    const struct lx_step last = {&under, advised.last, 0};
     lx_node_id id = below(document, document->root, advised.list);
     if (advised.has_index && lx_document_node(document, id)->kind == LX_SEQUENCE)
         id = lx_document_element(document, id, advised.index);
@@ -57,10 +58,16 @@ void lx_advise(struct lx_adviser *adviser, struct lx_advised advised, enum lx_me
         id = below(document, id, advised.key);
     if (advised.below)
         id = below(document, id, advised.below);
+    if (advised.last)
+        id = below(document, id, advised.last);
     const lx_node_id part = assigned_part(document, id, lx_document_node(document, id)->source);
     id = part ? part : id;
     lx_walk_report(&adviser->walk, LUXEL_SEVERITY_ADVICE, lx_document_place(document, id),
-                   advised.below ? &last : (advised.key ? &key : top), message, first, NULL);
+                   advised.last    ? &last
+                   : advised.below ? &under
+                   : advised.key   ? &key
+                                   : top,
+                   message, first, NULL);
 }
 
 void lx_suggest(struct lx_adviser *adviser, const char *const *assignments)
@@ -103,6 +110,30 @@ static double round_out(double value)
     return copysign(ceil(fabs(value) / step - 1e-9) * step, value);
 }
 
+/* The ways below lead so far within a room, as a share of its size. */
+static const double WITHIN = 0.1;
+
+/* The box around all surfaces; or true, and that of one which surrounds its middle, where lights have to be within. */
+static bool find_space(const struct lx_scene_parameters *scene, double low[3], double high[3])
+{
+    for (size_t s = 0; s < scene->surfaces.count; s++) {
+        const struct lx_item *surface = &scene->surfaces.items[s];
+        const struct lx_surface_kind *kind = (const struct lx_surface_kind *)surface->variant;
+        double from[3], to[3], middle[3];
+        kind->extent(surface->parameters, from, to);
+        for (int axis = 0; axis < 3; axis++)
+            middle[axis] = (from[axis] + to[axis]) / 2;
+        const bool surrounds = lx_surface_surrounds(kind, surface->parameters, middle);
+        for (int axis = 0; axis < 3; axis++) {
+            low[axis] = surrounds ? from[axis] : fmin(low[axis], from[axis]);
+            high[axis] = surrounds ? to[axis] : fmax(high[axis], to[axis]);
+        }
+        if (surrounds)
+            return true;
+    }
+    return false;
+}
+
 /* Around and above the middle of all surfaces, as seen from their distance; the steeper ones last. */
 bool lx_write_place(const struct lx_adviser *adviser, size_t i, char buffer[LX_PLACE_SIZE])
 {
@@ -111,20 +142,13 @@ bool lx_write_place(const struct lx_adviser *adviser, size_t i, char buffer[LX_P
     char numbers[3][LX_NUMBER_SIZE];
     if (i >= LX_COUNT(ways))
         return false;
-    for (size_t s = 0; s < adviser->parameters->surfaces.count; s++) {
-        const struct lx_item *surface = &adviser->parameters->surfaces.items[s];
-        double from[3], to[3];
-        ((const struct lx_surface_kind *)surface->variant)->extent(surface->parameters, from, to);
-        for (int axis = 0; axis < 3; axis++) {
-            low[axis] = fmin(low[axis], from[axis]);
-            high[axis] = fmax(high[axis], to[axis]);
-        }
-    }
+    const bool is_within = find_space(adviser->parameters, low, high);
     for (int axis = 0; axis < 3; axis++)
         size = fmax(size, high[axis] - low[axis]);
     for (int axis = 0; axis < 3; axis++) {
-        double from = axis == 2 ? high[2] : (low[axis] + high[axis]) / 2;
-        lx_write_digits(round_out(from + size * ways[i][axis]), 15, numbers[axis]);
+        const double middle = (low[axis] + high[axis]) / 2, from = axis == 2 && !is_within ? high[2] : middle;
+        const double step = is_within ? WITHIN * (high[axis] - low[axis]) : size;
+        lx_write_digits(round_out(from + step * ways[i][axis]), 15, numbers[axis]);
     }
     snprintf(buffer, LX_PLACE_SIZE, "[%s, %s, %s]", numbers[0], numbers[1], numbers[2]);
     return true;

@@ -29,6 +29,7 @@ struct lx_advised {
     bool has_index;
     size_t index;
     const char *key, *below; /* NULL: none */
+    const char *last;        /* below that; NULL: none */
 };
 
 /* Appends advice at the place of what it is about, or of what that stands in; {1} is the text `first` (NULL: none). */

@@ -3,6 +3,7 @@
 #include "alternatives.h"
 
 #include <math.h>
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -10,7 +11,7 @@
 #include "../base/memory.h"
 #include "../base/phrase.h"
 #include "../parameter/decode.h"
-#include "../scene/scene.h"
+#include "../scene/materials.h"
 #include "../shade/camera.h"
 
 /* Where the key of a convention stands. */
@@ -101,12 +102,9 @@ static void add_choice(struct lx_choices *choices, struct lx_choice choice)
         free(choice.assignment);
 }
 
-static void assign(struct lx_text *text, const char *list, size_t index, const char *path, const char *value)
+static void assign(struct lx_text *text, const char *path, const char *key, const char *value)
 {
-    lx_text_puts(text, text->length > 0 ? " -s " : "");
-    if (list)
-        lx_text_printf(text, "%s[%zu].", list, index);
-    lx_text_printf(text, "%s=%s", path, value);
+    lx_text_printf(text, "%s%s.%s=%s", text->length > 0 ? " -s " : "", path, key, value);
 }
 
 /* The word that a parameter has: a choice, or a truth value. */
@@ -140,44 +138,38 @@ struct collected {
 };
 
 static void collect(struct collected *collected, const struct convention *convention, const char *word,
-                    const struct lx_table *table, const void *parameters, const char *list, size_t index,
-                    const char *prefix)
+                    const struct lx_table *table, const void *parameters, const char *path)
 {
     const struct lx_parameter *parameter = lx_find_parameter(table, convention->key);
-    struct lx_text path = {0};
     if (!parameter || !is_usable(table, parameter, parameters, word))
         return;
     collected->holders++;
     collected->present += strcmp(word_of(parameter, parameters), word) == 0;
-    lx_text_printf(&path, "%s%s", prefix, convention->key);
-    if (path.bytes)
-        assign(&collected->text, list, index, path.bytes, word);
-    lx_text_clear(&path);
+    assign(&collected->text, path, convention->key, word);
 }
 
 static void collect_all(struct collected *collected, const struct convention *convention, const char *word,
                         const struct lx_scene_parameters *scene)
 {
     const struct lx_parameter *group;
+    char path[LX_MATERIAL_KEY_SIZE];
     switch (convention->holder) {
     case SCREEN:
     case OBSERVER:
         group = lx_find_parameter(&lx_scene_table, convention->holder == SCREEN ? "screen" : "observer");
-        collect(collected, convention, word, group->group, lx_const_member(group, scene), NULL, 0,
-                convention->holder == SCREEN ? "screen." : "observer.");
+        collect(collected, convention, word, group->group, lx_const_member(group, scene), group->name);
         break;
     case MATERIAL:
-        for (size_t i = 0; i < scene->surfaces.count; i++) {
-            const struct lx_surface_common *common = scene->surfaces.items[i].common;
-            collect(collected, convention, word, &lx_material_table, &common->material, "surfaces", i, "material.");
-        }
+        for (struct lx_scene_material at = {NULL}; lx_next_material(scene, &at);)
+            collect(collected, convention, word, &lx_material_table, at.material, lx_material_key(&at, path));
         break;
     case LIGHT:
         for (size_t i = 0; i < scene->lights.count; i++) {
             const struct lx_item *light = &scene->lights.items[i];
             const struct lx_light_common *common = light->common;
+            snprintf(path, sizeof path, "lights[%zu]", i);
             if (common->enabled)
-                collect(collected, convention, word, light->variant->table, light->parameters, "lights", i, "");
+                collect(collected, convention, word, light->variant->table, light->parameters, path);
         }
         break;
     }

@@ -6,6 +6,7 @@
 #include "../light/distribution.h"
 #include "../light/placed.h"
 #include "../parameter/decode.h"
+#include "../scene/materials.h"
 #include "explain.h"
 
 /* What of the kinds of lights there is in a scene. */
@@ -43,38 +44,50 @@ static struct used find_used(const struct lx_prepared *prepared)
     return used;
 }
 
-/* By its name: luxel-figure has tables of its own beside those of the library that prepared the scene. */
-static bool has_kind(const struct lx_prepared *prepared, const struct lx_variant *kind)
+/*
+ * The words of surface i, where it is of a kind with this name and none before it has the same.  By its name: luxel-
+ * figure has tables of its own beside those of the library that prepared the scene.
+ */
+static const struct lx_surface_words *words_of(const struct lx_prepared *prepared, size_t i,
+                                               const struct lx_variant *variant)
 {
-    for (size_t i = 0; i < prepared->surface_count; i++)
-        if (strcmp(prepared->surfaces[i].kind->variant.name, kind->name) == 0)
-            return true;
-    return false;
+    const struct lx_surface_kind *kind = prepared->surfaces[i].kind;
+    if (!kind->words || strcmp(kind->variant.name, variant->name) != 0)
+        return NULL;
+    for (size_t k = 0; k < i; k++)
+        if (prepared->surfaces[k].kind == kind)
+            return NULL;
+    return kind->words;
+}
+
+static void explain_kind(struct luxel_document *document, const struct lx_surface_words *words, bool heights)
+{
+    if (heights && words->height) {
+        struct lx_text formula = {0};
+        lx_text_puts(&formula, "\\mathbf{P} = (x,\\, y,\\, z), \\qquad ");
+        lx_text_puts(&formula, words->height);
+        if (formula.bytes)
+            lx_document_formula(document, formula.bytes);
+        lx_text_clear(&formula);
+    } else if (!heights && words->sentence) {
+        struct lx_span spans[LX_COUNT(words->formulas) + 1] = {{LX_SPAN_END, NULL}};
+        for (size_t i = 0; i < LX_COUNT(words->formulas) && words->formulas[i]; i++) {
+            spans[i] = (struct lx_span)LX_MATH(words->formulas[i]);
+            spans[i + 1] = (struct lx_span){LX_SPAN_END, NULL};
+        }
+        lx_document_paragraph(document, words->sentence, spans);
+    }
 }
 
 /* What holds for each kind of surface that the scene has: a formula of the place, or a sentence about the normal. */
 static void explain_kinds(struct luxel_document *document, const struct lx_prepared *prepared, bool heights)
 {
-    for (size_t k = 0; lx_surface_variants[k]; k++) {
-        const struct lx_surface_words *words = ((const struct lx_surface_kind *)lx_surface_variants[k])->words;
-        if (!words || !has_kind(prepared, lx_surface_variants[k]))
-            continue;
-        if (heights && words->height) {
-            struct lx_text formula = {0};
-            lx_text_puts(&formula, "\\mathbf{P} = (x,\\, y,\\, z), \\qquad ");
-            lx_text_puts(&formula, words->height);
-            if (formula.bytes)
-                lx_document_formula(document, formula.bytes);
-            lx_text_clear(&formula);
-        } else if (!heights && words->sentence) {
-            struct lx_span spans[LX_COUNT(words->formulas) + 1] = {{LX_SPAN_END, NULL}};
-            for (size_t i = 0; i < LX_COUNT(words->formulas) && words->formulas[i]; i++) {
-                spans[i] = (struct lx_span)LX_MATH(words->formulas[i]);
-                spans[i + 1] = (struct lx_span){LX_SPAN_END, NULL};
-            }
-            lx_document_paragraph(document, words->sentence, spans);
+    for (size_t k = 0; lx_surface_variants[k]; k++)
+        for (size_t i = 0; i < prepared->surface_count; i++) {
+            const struct lx_surface_words *words = words_of(prepared, i, lx_surface_variants[k]);
+            if (words)
+                explain_kind(document, words, heights);
         }
-    }
 }
 
 /* A screen that was carried to where the observer looks: its frame in numbers, and the place on a line of sight. */
@@ -260,12 +273,11 @@ static void explain_weight(struct luxel_document *document, const struct lx_mate
 /* How ambient light adds to the brightness, which materials divide by pi or not. */
 static void explain_ambient(struct luxel_document *document, const struct lx_prepared *prepared)
 {
-    const struct lx_list *surfaces = &prepared->scene->surfaces;
     const bool photometric = prepared->scene->units == LX_PHOTOMETRIC;
     size_t divided = 0;
-    for (size_t i = 0; i < surfaces->count; i++)
-        divided += ((const struct lx_surface_common *)surfaces->items[i].common)->material.over_pi;
-    if (divided > 0 && divided < surfaces->count)
+    for (size_t i = 0; i < prepared->surface_count; i++)
+        divided += prepared->surfaces[i].material->over_pi;
+    if (divided > 0 && divided < prepared->surface_count)
         lx_document_paragraph(
             document,
             photometric ? LX_N("Ambient light of the illuminance {0} adds {1}, whatever the normal, or {2} where the "
@@ -343,12 +355,15 @@ void lx_explain_model(struct luxel_document *document, const struct lx_prepared 
         return;
     }
     lx_document_paragraph(document, sum, NULL);
-    for (size_t i = 0; i < scene->surfaces.count; i++) {
-        const struct lx_surface_common *common = scene->surfaces.items[i].common;
+    size_t count = 0;
+    for (struct lx_scene_material at = {NULL}; lx_next_material(scene, &at);)
+        count++;
+    for (struct lx_scene_material at = {NULL}; lx_next_material(scene, &at);) {
         struct lx_text name = {0};
-        if (scene->surfaces.count > 1)
-            lx_text_printf(&name, "surfaces[%zu]", i);
-        explain_material(document, &common->material, name.bytes);
+        if (count > 1)
+            lx_text_printf(&name, "surfaces[%zu]%s%s", at.surface, at.part ? ".materials." : "",
+                           at.part ? at.part : "");
+        explain_material(document, at.material, name.bytes);
         lx_text_clear(&name);
     }
     if (used.ambient)

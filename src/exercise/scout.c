@@ -149,6 +149,7 @@ static void take_pixel(const luxel_evaluator *evaluator, const luxel_field *fiel
     *peak = (luxel_peak){.exists = maximum->exists,
                          .value = maximum->value,
                          .surface = value.surface,
+                         .part = value.part,
                          .x_mm = maximum->x_mm,
                          .y_mm = maximum->y_mm};
     /* where all is of one value, or nearly, no place is the brightest */
@@ -210,6 +211,7 @@ static luxel_status look(const luxel_evaluator *evaluator, const luxel_field *fi
     scout->is_seen = peak.exists;
     scout->maximum = peak.value;
     scout->surface = peak.surface;
+    scout->part = peak.part;
     scout->place = peak.place;
     if (scene->picture.range.choice < 0)
         scout->white = share_above(field, region, scene->picture.range.high);

@@ -22,6 +22,7 @@ struct lx_scout {
     bool is_coarse; /* whether the peak was read off the picture, because some source has no quick exact value */
     double maximum; /* the greatest brightness on the screen */
     size_t surface; /* where it is seen */
+    unsigned part;  /* of that surface */
     luxel_peak_place place;
     size_t strongest; /* the light that gives most of it */
     double white;     /* share of what is seen that is brighter than the picture's range reaches */

@@ -91,11 +91,13 @@ static bool look_at(struct lx_hunt *hunt, const struct lx_spot *spot, luxel_peak
         found = lx_evaluate_element(hunt->evaluator, &element, NULL);
     } else {
         lx_spot_place(hunt, spot, place, normal);
-        lx_screen_of(hunt, place, at);
+        if (!lx_screen_of(hunt, place, at))
+            return false;
         clip(hunt, at);
         found = luxel_evaluate(hunt->evaluator, at[0], at[1], NULL);
     }
-    if (!found.on_surface || found.surface != spot->surface || !found.has_value || !is_on_screen(hunt, at))
+    if (!found.on_surface || lx_prepared_index(hunt->prepared, found.surface, found.part) != spot->surface ||
+        !found.has_value || !is_on_screen(hunt, at))
         return false;
     *peak = (luxel_peak){
         .exists = true,
@@ -104,6 +106,7 @@ static bool look_at(struct lx_hunt *hunt, const struct lx_spot *spot, luxel_peak
         .x_mm = at[0],
         .y_mm = at[1],
         .surface = found.surface,
+        .part = found.part,
         .position_mm = {found.position_mm[0], found.position_mm[1], found.position_mm[2]},
         .normal = {found.normal[0], found.normal[1], found.normal[2]},
     };
@@ -215,7 +218,8 @@ static bool is_least(const struct lx_hunt *hunt, const luxel_peak *peak)
 {
     double least = 0;
     const struct lx_emitters *emitters = &hunt->prepared->emitters;
-    const struct lx_lobe *lobe = &hunt->prepared->surfaces[peak->surface].lobe;
+    const struct lx_lobe *lobe =
+        &hunt->prepared->surfaces[lx_prepared_index(hunt->prepared, peak->surface, peak->part)].lobe;
     for (size_t i = 0; i < lx_item_count(emitters); i++)
         if (emitters->items[i].type == LX_UNIFORM)
             least += (hunt->evaluator->settings.quantity == LUXEL_IRRADIANCE ? 1 : lobe->ambient.value) *

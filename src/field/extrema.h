@@ -100,13 +100,11 @@ struct lx_spot lx_spot_moved(const struct lx_hunt *hunt, const struct lx_spot *s
 struct lx_spot lx_spot_of(const struct lx_hunt *hunt, size_t surface, const double place_mm[3], const double normal[3]);
 void lx_spot_place(const struct lx_hunt *hunt, const struct lx_spot *spot, double place_mm[3], double normal[3]);
 struct lx_element lx_spot_element(const struct lx_hunt *hunt, const struct lx_spot *spot);
-/* Where on the screen a place is seen. */
-void lx_screen_of(const struct lx_hunt *hunt, const double place_mm[3], double screen_mm[2]);
+/* Where on the screen a place is seen; false, and infinitely far: it is not before an observer in perspective. */
+bool lx_screen_of(const struct lx_hunt *hunt, const double place_mm[3], double screen_mm[2]);
 /* Where lines of sight start, and where view vectors point to. */
 struct lx_origin lx_eye_of(const struct lx_hunt *hunt);
 struct lx_origin lx_viewer_of(const struct lx_hunt *hunt);
-/* The way from a place to the observer; returns whether it is without end. */
-bool lx_way_to_observer(const struct lx_hunt *hunt, const double place_mm[3], double way[3]);
 /* What is seen through a screen point; false: nothing. */
 bool lx_spot_shown(const struct lx_hunt *hunt, const double screen_mm[2], struct lx_spot *spot);
 /* The value seen through a screen point, roughly; false: nothing is seen there, or there is no value. */

@@ -28,6 +28,7 @@ static bool add_walls(struct lx_hunt *hunt, size_t surface)
 {
     const struct lx_prepared *prepared = hunt->prepared;
     const unsigned walls = prepared->surfaces[surface].shape.kind->chart->walls;
+    const struct lx_origin eye = lx_eye_of(hunt);
     bool done = true;
     unsigned region_sides = !hunt->region                                  ? 0
                             : hunt->region->type == LUXEL_REGION_RECTANGLE ? 4
@@ -40,7 +41,7 @@ static bool add_walls(struct lx_hunt *hunt, size_t surface)
             done = done && add(hunt, (struct lx_brink){.type = LX_BRINK_REGION, .side = i, .closed = true});
     }
     for (size_t i = 0; done && i < prepared->surface_count; i++)
-        if (i != surface)
+        if (i != surface && lx_shape_faces(&prepared->surfaces[i].shape, &eye))
             done = add(hunt, (struct lx_brink){.type = LX_BRINK_HIDDEN, .surface = i});
     return done;
 }
@@ -124,14 +125,14 @@ static double wall_distance(const struct lx_hunt *hunt, const struct lx_brink *e
 {
     const struct lx_shape *shape = lx_spot_shape(hunt, spot);
     const struct lx_screen *screen = &hunt->prepared->scene->screen;
-    double way[3], seen[2];
+    double seen[2];
     if (edge->type == LX_BRINK_RIM) {
         const struct lx_origin eye = lx_eye_of(hunt);
         return shape->kind->chart->wall(shape, &eye, edge->side, spot->at);
     }
     if (edge->type == LX_BRINK_HIDDEN) {
-        bool endless = lx_way_to_observer(hunt, place, way);
-        return beside(hunt, edge->surface, place, way, endless);
+        const struct lx_origin eye = lx_eye_of(hunt);
+        return lx_shape_veils(&hunt->prepared->surfaces[edge->surface].shape, place, &eye);
     }
     lx_screen_of(hunt, place, seen);
     if (edge->type == LX_BRINK_SCREEN)

@@ -71,6 +71,11 @@ static void climb(struct lx_hunt *hunt, struct found *here)
 /* Rounds along the rim, halvings on the way to it, and steps of the golden section. */
 enum { ROUNDS = 4, BISECTIONS = 60, SECTIONS = 44 };
 
+static size_t surface_of(const struct lx_hunt *hunt, const struct found *found)
+{
+    return lx_prepared_index(hunt->prepared, found->value.surface, found->value.part);
+}
+
 static bool shows(const struct lx_hunt *hunt, const double at[2], size_t surface)
 {
     const struct lx_screen *screen = &hunt->prepared->scene->screen;
@@ -93,7 +98,7 @@ static bool look_at_rim(const struct lx_hunt *hunt, const double inner[2], doubl
         else
             off = middle;
     }
-    return look(hunt, at, found) && found->value.surface == surface;
+    return look(hunt, at, found) && surface_of(hunt, found) == surface;
 }
 
 /* The best place of the rim within half a radian to both sides, seen from an inner place some pixels away. */
@@ -111,8 +116,8 @@ static void follow_rim(struct lx_hunt *hunt, struct found *here)
             const double halfway[2] = {(inner[0] + here->at[0]) / 2, (inner[1] + here->at[1]) / 2};
             const double beyond[2] = {here->at[0] - 1e-3 * (inner[0] - here->at[0]),
                                       here->at[1] - 1e-3 * (inner[1] - here->at[1])};
-            if (shows(hunt, inner, here->value.surface) && shows(hunt, halfway, here->value.surface) &&
-                !shows(hunt, beyond, here->value.surface))
+            if (shows(hunt, inner, surface_of(hunt, here)) && shows(hunt, halfway, surface_of(hunt, here)) &&
+                !shows(hunt, beyond, surface_of(hunt, here)))
                 break;
         }
         if (way == 8)
@@ -122,7 +127,7 @@ static void follow_rim(struct lx_hunt *hunt, struct found *here)
             double values[2] = {-HUGE_VAL, -HUGE_VAL};
             const double turns[2] = {high - golden * (high - low), low + golden * (high - low)};
             for (int k = 0; k < 2; k++) {
-                if (!look_at_rim(hunt, inner, turns[k], 4 * away, here->value.surface, &next))
+                if (!look_at_rim(hunt, inner, turns[k], 4 * away, surface_of(hunt, here), &next))
                     continue;
                 values[k] = hunt->sign * next.value.value;
                 if (values[k] > hunt->sign * best.value.value)
@@ -149,7 +154,7 @@ static luxel_peak_place place_of(const struct lx_hunt *hunt, const struct found 
                             luxel_region_holds(hunt->region, at[0], at[1]);
         if (!inside)
             return LUXEL_PEAK_BORDER;
-        if (!look(hunt, at, &next) || next.value.surface != peak->value.surface)
+        if (!look(hunt, at, &next) || surface_of(hunt, &next) != surface_of(hunt, peak))
             place = LUXEL_PEAK_LIMB;
     }
     return place;
@@ -175,6 +180,7 @@ void lx_hunt_plainly(struct lx_hunt *hunt, const luxel_field *field, luxel_peak 
                              .x_mm = here.at[0],
                              .y_mm = here.at[1],
                              .surface = here.value.surface,
+                             .part = here.value.part,
                              .place = place_of(hunt, &here)};
         for (int i = 0; i < 3; i++) {
             peak->position_mm[i] = here.value.position_mm[i];

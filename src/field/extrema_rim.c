@@ -71,7 +71,8 @@ void lx_gather_rim(struct lx_gathering *gathering, size_t surface)
         shape->kind->chart->rim(shape, &eye, i, ring.count, ring.spots[i].at);
     }
     behind.count = hunt->prepared->surface_count > 1 ? ring.count : 0;
-    lx_screen_of(hunt, shape->anchor_mm, center);
+    if (!lx_screen_of(hunt, shape->anchor_mm, center))
+        center[0] = center[1] = 0;
     for (int i = 0; i < ring.count; i++) {
         if (!lx_look_at_spot(hunt, &ring.spots[i], &ring.values[i]))
             ring.values[i] = -HUGE_VAL;

@@ -73,8 +73,8 @@ static void add_place(struct lx_gathering *gathering, const struct lx_spot *spot
 {
     double place[3], normal[3], screen[2];
     lx_spot_place(gathering->hunt, spot, place, normal);
-    lx_screen_of(gathering->hunt, place, screen);
-    add_screen(gathering, screen);
+    if (lx_screen_of(gathering->hunt, place, screen))
+        add_screen(gathering, screen);
 }
 
 static void add_if_seen(struct lx_gathering *gathering, const struct lx_spot *spot)
@@ -270,8 +270,8 @@ static void add_beam(struct lx_gathering *gathering, const struct lx_emitter *em
         if (!hit.exists)
             continue;
         values_of(&hit.place_mm, place);
-        lx_screen_of(gathering->hunt, place, screen);
-        add_screen(gathering, screen);
+        if (lx_screen_of(gathering->hunt, place, screen))
+            add_screen(gathering, screen);
     }
 }
 

@@ -1,5 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /* Spots: places on surfaces, how they are moved, lit and seen. */
+#include <math.h>
+
 #include "../shade/camera.h"
 #include "extrema.h"
 
@@ -49,15 +51,14 @@ struct lx_element lx_spot_element(const struct lx_hunt *hunt, const struct lx_sp
     return lx_element_on(hunt->prepared, spot->surface, spot->at);
 }
 
-void lx_screen_of(const struct lx_hunt *hunt, const double place_mm[3], double screen_mm[2])
+bool lx_screen_of(const struct lx_hunt *hunt, const double place_mm[3], double screen_mm[2])
 {
-    lx_seen_at(&hunt->prepared->camera, place_mm, screen_mm);
-}
-
-bool lx_way_to_observer(const struct lx_hunt *hunt, const double place_mm[3], double way[3])
-{
-    const struct lx_origin eye = lx_eye_of(hunt);
-    return lx_way_to(&eye, place_mm, way);
+    const struct lx_camera *camera = &hunt->prepared->camera;
+    const double height = lx_seen_at(camera, place_mm, screen_mm);
+    if (!camera->is_perspective || height < camera->z_mm)
+        return true;
+    screen_mm[0] = screen_mm[1] = HUGE_VAL;
+    return false;
 }
 
 struct lx_origin lx_eye_of(const struct lx_hunt *hunt)

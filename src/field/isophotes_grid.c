@@ -36,6 +36,12 @@ static void find_box(const struct lx_prepared *prepared, const struct lx_prepare
     const struct lx_camera *camera = &prepared->camera;
     double low[3], high[3];
     lx_surface_extent(surface->kind, surface->parameters, &camera->frame, low, high);
+    if (camera->is_perspective && !(high[2] < camera->z_mm)) {
+        /* it reaches beside the observer, as the walls of a room do, and may be seen anywhere */
+        box[0] = box[2] = -HUGE_VAL;
+        box[1] = box[3] = HUGE_VAL;
+        return;
+    }
     box[0] = box[2] = HUGE_VAL;
     box[1] = box[3] = -HUGE_VAL;
     for (int corner = 0; corner < 8; corner++) {
@@ -233,7 +239,8 @@ static void add_exact(struct lx_iso_search *search, unsigned line, unsigned colu
     luxel_value found = luxel_evaluate(search->evaluator, search->x_mm[column], search->y_mm[line], NULL);
     *exact = (struct lx_iso_exact){
         .column = column,
-        .surface = found.on_surface ? (int)found.surface : LX_ISO_NOTHING,
+        .surface = found.on_surface ? (int)lx_prepared_index(&search->evaluator->prepared, found.surface, found.part)
+                                    : LX_ISO_NOTHING,
         .value = found.on_surface && !found.has_value ? (double)NAN : found.value,
     };
 }

@@ -149,7 +149,8 @@ static luxel_status find_arc(const struct luxel_evaluator *evaluator, const luxe
     luxel_value ends[2] = {luxel_evaluate(evaluator, path->from_mm[0], path->from_mm[1], NULL),
                            luxel_evaluate(evaluator, path->to_mm[0], path->to_mm[1], NULL)};
     for (int i = 0; i < 2; i++)
-        if (!ends[i].on_surface || !lx_is_by_normal(prepared, ends[i].surface))
+        if (!ends[i].on_surface ||
+            !lx_is_by_normal(prepared, lx_prepared_index(prepared, ends[i].surface, ends[i].part)))
             return no_sphere(i == 0 ? path->from_mm : path->to_mm, diagnostics);
     if (ends[0].surface != ends[1].surface)
         return report(diagnostics, LX_MSG_PATH_TWO_SPHERES);

@@ -9,7 +9,7 @@
 #include "../base/number.h"
 #include "../base/vector.h"
 #include "../light/light.h"
-#include "../surface/surface.h"
+#include "../surface/part.h"
 #include "mend.h"
 #include "observer.h"
 
@@ -50,6 +50,16 @@ static bool is_beyond(const struct lx_scene_parameters *scene, const struct lx_i
     return beyond_edge(scene, surface, axis, upper ? 1 : -1, times) > tiny;
 }
 
+/* Whether the observer stands within a surface, and so sees it on all sides. */
+static bool is_around(const struct lx_scene_parameters *scene, const struct lx_item *surface)
+{
+    const struct lx_surface_kind *kind = (const struct lx_surface_kind *)surface->variant;
+    const struct lx_frame frame = lx_observer_frame(&scene->observer);
+    double place[3] = {0, 0, lx_observer_height(&scene->observer)};
+    lx_frame_bring(&frame, place, place);
+    return lx_surface_surrounds(kind, surface->parameters, place);
+}
+
 /* The first of some round factors by which the screen must grow to show all surfaces; 0: none will do. */
 static double find_growth(const struct lx_scene_parameters *scene)
 {
@@ -58,7 +68,7 @@ static double find_growth(const struct lx_scene_parameters *scene)
         for (size_t f = 0; f < LX_COUNT(factors); f++) {
             bool fits = true;
             for (size_t i = 0; i < scene->surfaces.count && fits; i++)
-                for (int edge = 0; edge < 4 && fits; edge++)
+                for (int edge = 0; edge < 4 && fits && !is_around(scene, &scene->surfaces.items[i]); edge++)
                     fits = !is_beyond(scene, &scene->surfaces.items[i], edge / 2, edge % 2, ten * factors[f]);
             if (fits)
                 return ten * factors[f];
@@ -84,6 +94,8 @@ static void advise_view(struct lx_walk *walk, const struct lx_scene_parameters *
     double growth = -1; /* not known yet */
     for (size_t i = 0; i < scene->surfaces.count; i++, id = lx_document_node(walk->document, id)->next) {
         struct lx_text edges = {0};
+        if (is_around(scene, &scene->surfaces.items[i]))
+            continue;
         for (int axis = 0; axis < 2; axis++)
             for (int side = 0; side < 2; side++) {
                 if (!is_beyond(scene, &scene->surfaces.items[i], axis, side, 1))
@@ -140,6 +152,26 @@ static void mend_behind(struct lx_walk *walk, const struct lx_scene_parameters *
     lx_mend_hint(walk, &text);
 }
 
+/* Of a surface's size: what is no farther away lies on it. */
+static const double MOUNTED = 1e-9;
+
+/* How far a place is from the nearest part of a surface. */
+static double distance_to(const struct lx_item *surface, const double place_mm[3])
+{
+    const struct lx_surface_kind *kind = (const struct lx_surface_kind *)surface->variant;
+    double least = HUGE_VAL, offset[3], direction[3];
+    for (unsigned k = 0; k < lx_part_count(kind); k++) {
+        struct lx_part part;
+        lx_part_make(kind, surface->parameters, k, &part);
+        for (int i = 0; i < 3; i++)
+            offset[i] = place_mm[i] - part.shape.anchor_mm[i];
+        const double distance = fabs(lx_shape_distance(&part.shape, offset, direction));
+        /* a luminaire that is mounted on a wall does not light it */
+        least = distance > MOUNTED * part.shape.radius_mm ? fmin(least, distance) : least;
+    }
+    return least;
+}
+
 /* A luminaire so near to a surface that it is no point. */
 static void advise_near(struct lx_walk *walk, const struct lx_scene_parameters *scene, size_t light, lx_node_id id,
                         const double place_mm[3])
@@ -150,14 +182,8 @@ static void advise_near(struct lx_walk *walk, const struct lx_scene_parameters *
     const double opening_mm = kind->opening_mm ? kind->opening_mm(item->parameters) : 0;
     struct lx_step list = {NULL, "lights", 0}, element = {&list, NULL, light}, step = {&element, "position", 0};
     for (size_t s = 0; opening_mm > 0 && s < scene->surfaces.count; s++) {
-        const struct lx_item *surface = &scene->surfaces.items[s];
-        const struct lx_shape shape =
-            lx_surface_shape((const struct lx_surface_kind *)surface->variant, surface->parameters);
-        double offset[3], direction[3];
         char number[LX_NUMBER_SIZE], away[LX_NUMBER_SIZE], length[LX_NUMBER_SIZE];
-        for (int i = 0; i < 3; i++)
-            offset[i] = place_mm[i] - shape.anchor_mm[i];
-        const double distance = fabs(lx_shape_distance(&shape, offset, direction));
+        const double distance = distance_to(&scene->surfaces.items[s], place_mm);
         if (!(distance < TIMES * opening_mm))
             continue;
         lx_walk_tell(walk, LUXEL_SEVERITY_ADVICE, lx_document_place(walk->document, id), &step, LX_MSG_LUMINAIRE_NEAR,

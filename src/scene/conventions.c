@@ -15,6 +15,7 @@
 #include "../base/number.h"
 #include "../base/phrase.h"
 #include "../base/text.h"
+#include "materials.h"
 #include "object.h"
 
 /* Which results a part of the scene has a say in. */
@@ -22,6 +23,7 @@ enum purpose { ANY_RESULT, OF_SCREEN, OF_PIXELS, OF_RANGE, OF_ROUNDING, OF_BRIGH
 
 struct collecting {
     const luxel_use *use; /* NULL: all */
+    bool skips_materials; /* of a surface that had no say, or whose parts have their own */
     struct lx_convention *list;
     size_t count, capacity;
 };
@@ -132,9 +134,9 @@ static enum purpose purpose_of(const struct lx_parameter *parameter, enum purpos
     static const struct {
         const char *name;
         enum purpose purpose;
-    } known[] = {{"screen", OF_PIXELS},    {"projection", OF_SCREEN},   {"surfaces", OF_SCREEN},
-                 {"view", OF_BRIGHTNESS},  {"material", OF_BRIGHTNESS}, {"range", OF_RANGE},
-                 {"rounding", OF_ROUNDING}};
+    } known[] = {{"screen", OF_PIXELS},   {"projection", OF_SCREEN},   {"surfaces", OF_SCREEN},
+                 {"view", OF_BRIGHTNESS}, {"material", OF_BRIGHTNESS}, {"materials", OF_BRIGHTNESS},
+                 {"range", OF_RANGE},     {"rounding", OF_ROUNDING}};
     for (size_t i = 0; i < sizeof known / sizeof known[0]; i++)
         if (strcmp(parameter->name, known[i].name) == 0)
             return known[i].purpose;
@@ -155,8 +157,11 @@ static int collect_list(struct collecting *all, const struct lx_parameter *param
         const struct lx_parameter *enabled = lx_find_parameter(parameter->group, "enabled");
         if (enabled && !*(const bool *)lx_const_member(enabled, item->common))
             continue;
-        result = collect_table(all, item->variant->table, item->parameters, true, purpose);
-        if (result == 0 && (!which || which[i]))
+        const bool is_used = !which || which[i], is_surface = purpose == OF_SCREEN;
+        all->skips_materials = !is_used;
+        result = collect_table(all, item->variant->table, item->parameters, !is_surface, purpose);
+        all->skips_materials = is_surface && !lx_uses_own_material(item);
+        if (result == 0 && is_used)
             result = collect_table(all, parameter->group, item->common, false, purpose);
     }
     return result;
@@ -194,6 +199,16 @@ static int collect_value(struct collecting *all, const struct lx_parameter *para
     return 0;
 }
 
+/* Whether a group is the material of nothing: of a wall that has none of its own, or where materials do not count. */
+static bool is_no_material(const struct collecting *all, const struct lx_table *table,
+                           const struct lx_parameter *parameter, const void *parameters)
+{
+    if (parameter->type != LX_GROUP || parameter->group != &lx_material_table)
+        return false;
+    const bool is_of_part = strcmp(parameter->name, "material") != 0;
+    return all->skips_materials || (is_of_part && !lx_is_given(table, parameters, parameter->name));
+}
+
 /* `booleans`: whether truth values of this table decide how things are computed, and not what there is. */
 static int collect_table(struct collecting *all, const struct lx_table *table, const void *parameters, bool booleans,
                          enum purpose purpose)
@@ -203,7 +218,7 @@ static int collect_table(struct collecting *all, const struct lx_table *table, c
         const struct lx_parameter *parameter = &table->parameters[i];
         const void *value = lx_const_member(parameter, parameters);
         const enum purpose of_key = purpose_of(parameter, purpose);
-        if (!has_effect(table, parameter, parameters))
+        if (!has_effect(table, parameter, parameters) || is_no_material(all, table, parameter, parameters))
             continue;
         if (parameter->type == LX_GROUP)
             result = collect_table(all, parameter->group, value, true, of_key);

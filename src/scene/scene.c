@@ -7,7 +7,7 @@
 #include <string.h>
 
 #include "../base/memory.h"
-#include "../surface/surface.h"
+#include "../surface/part.h"
 #include "guard.h"
 #include "input.h"
 #include "object.h"
@@ -233,6 +233,14 @@ luxel_status luxel_scene_surface_place(const luxel_scene *scene, size_t i, doubl
     struct lx_shape shape = lx_surface_shape(kind, item->parameters);
     memcpy(center_mm, shape.anchor_mm, sizeof shape.anchor_mm);
     return LUXEL_OK;
+}
+
+const char *luxel_part_name(const luxel_scene *scene, size_t i, unsigned part)
+{
+    if (i >= luxel_scene_surface_count(scene))
+        return NULL;
+    const struct lx_surface_kind *kind = (const struct lx_surface_kind *)scene->parameters.surfaces.items[i].variant;
+    return part < lx_part_count(kind) ? lx_part_name(kind, part) : NULL;
 }
 
 luxel_status luxel_scene_resolution(const luxel_scene *scene, unsigned *columns, unsigned *rows)

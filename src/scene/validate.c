@@ -74,7 +74,14 @@ struct watch {
     const char *key; /* that says where it stands */
 };
 
-/* What an observer of the scene has to do with surface i; false: it has errors of its own. */
+/* Whether a surface is one that observers may stand in, by the middle of its extent. */
+static bool is_room(const struct lx_item *surface)
+{
+    const struct lx_surface_kind *kind = (const struct lx_surface_kind *)surface->variant;
+    return lx_surface_surrounds(kind, surface->parameters, lx_surface_shape(kind, surface->parameters).anchor_mm);
+}
+
+/* What an observer of the scene has to do with surface i, and what to be above; false: it has errors of its own. */
 static bool standing_of(const luxel_scene *scene, const struct watch *watch, size_t i, enum lx_standing *standing,
                         double *highest_mm)
 {
@@ -84,7 +91,7 @@ static bool standing_of(const luxel_scene *scene, const struct watch *watch, siz
         return false;
     double low[3], high[3];
     lx_surface_extent(kind, item->parameters, &watch->frame, low, high);
-    *highest_mm = high[2];
+    *highest_mm = is_room(item) ? low[2] : high[2];
     *standing = lx_surface_standing(kind, item->parameters, &watch->frame, watch->z_mm, watch->is_perspective);
     return true;
 }
@@ -131,7 +138,10 @@ static void report_too_low(struct lx_walk *walk, const luxel_scene *scene, const
         lx_write_number(highest_mm, number);
     else
         lx_write_digits(highest_mm, 9, number);
-    report_observer(walk, scene, watch, has_height ? LX_MSG_OBSERVER_TOO_LOW : LX_MSG_OBSERVER_TOO_NEAR, name, number);
+    const enum lx_message message = !has_height                                           ? LX_MSG_OBSERVER_TOO_NEAR
+                                    : is_room(&scene->parameters.surfaces.items[highest]) ? LX_MSG_OBSERVER_BELOW_ROOM
+                                                                                          : LX_MSG_OBSERVER_TOO_LOW;
+    report_observer(walk, scene, watch, message, name, number);
     if (isfinite(highest_mm))
         lx_hint(walk->diagnostics, has_height ? LX_MSG_HINT_RAISE_OBSERVER : LX_MSG_HINT_STAND_FARTHER,
                 LX_ARGS(number));

@@ -47,7 +47,7 @@ static bool is_beside_plane(const struct lx_shape *flat, const struct lx_ball *m
         further += flat->axis[i] * other;
         size += fabs(way) + fabs(other);
     }
-    const double margin = from->radius + 1e-9 * size + 2 * flat->touch_mm;
+    const double margin = from->radius + 1e-9 * size + 2 * flat->touch_mm + flat->behind_mm;
     const double far = endless ? further : fabs(further) > towards->radius + margin ? further : 0;
     return fabs(height) > margin && (height > 0 ? far > 0 : far < 0);
 }
@@ -55,18 +55,33 @@ static bool is_beside_plane(const struct lx_shape *flat, const struct lx_ball *m
 bool lx_shape_may_block(const struct lx_shape *shape, const double anchor_mm[3], const struct lx_ball *from,
                         const struct lx_ball *towards, bool endless)
 {
-    struct lx_ball ball = {.radius = shape->radius_mm + 2 * shape->touch_mm};
+    struct lx_ball ball = {.radius = shape->radius_mm + lx_shape_room(shape)};
     for (int i = 0; i < 3; i++)
         ball.center[i] = shape->anchor_mm[i] - anchor_mm[i];
     return lx_may_block(&ball, from, towards, endless) &&
            !(lx_curvature(shape) == 0 && is_beside_plane(shape, &ball, from, towards, endless));
 }
 
+bool lx_are_before_wall(const struct lx_shape *wall, const struct lx_shape *lit, const struct lx_origin *light)
+{
+    const double room = 2 * wall->touch_mm - wall->behind_mm,
+                 back[3] = {-wall->axis[0], -wall->axis[1], -wall->axis[2]};
+    double lowest[3], height = 0, end = 0;
+    if (!(wall->behind_mm > 0) || !lit->kind->bounds)
+        return false;
+    const double around = lit->kind->bounds->support(lit, back, lowest);
+    for (int i = 0; i < 3; i++) {
+        height += wall->axis[i] * (lit->anchor_mm[i] + lowest[i] - wall->anchor_mm[i]);
+        end += wall->axis[i] * (light->at[i] - (light->endless ? 0 : wall->anchor_mm[i]));
+    }
+    return height - around > room && end > (light->endless ? 0 : room);
+}
+
 void lx_block_one(const struct lx_kernels *kernels, const struct lx_shape *shape, const double anchor_mm[3],
                   const struct lx_light_double *light, const struct lx_block_double *block, size_t count, float *open)
 {
     struct lx_blocker blocker = {
-        .shape = *shape,
+        .shape = lx_shape_in_the_way(shape),
         .is_point = light->kind != LX_DISTANT,
         .light = {light->x, light->y, light->z},
     };

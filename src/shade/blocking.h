@@ -3,6 +3,7 @@
 #ifndef LX_SHADE_BLOCKING_H
 #define LX_SHADE_BLOCKING_H
 
+#include "../surface/surface.h"
 #include "kernel.h"
 
 /* A ball, as an offset from a surface's anchor. */
@@ -30,6 +31,12 @@ static inline struct lx_ball lx_vicinity_ball(const struct lx_vicinity *at)
 /* The same question of a shape; both balls are offsets from the anchor of another one. */
 bool lx_shape_may_block(const struct lx_shape *shape, const double anchor_mm[3], const struct lx_ball *from,
                         const struct lx_ball *towards, bool endless);
+
+/*
+ * Whether a shape and a light, a place or a direction, are both before a wall of a room, which then does not stand
+ * between them; false: it is not known.
+ */
+bool lx_are_before_wall(const struct lx_shape *wall, const struct lx_shape *lit, const struct lx_origin *light);
 
 /* Sets open[i] to 0 for the elements of a block that a shape takes the light from; leaves the others. */
 void lx_block_one(const struct lx_kernels *kernels, const struct lx_shape *shape, const double anchor_mm[3],

@@ -51,8 +51,10 @@ luxel_value lx_evaluate_element(const struct luxel_evaluator *evaluator, const s
     luxel_value result = {.on_surface = true, .has_value = true};
     lx_bounded total = lx_exact(0);
     size_t lights = prepared->scene->lights.count;
-    if (element->own)
-        result.surface = (size_t)(element->own - prepared->surfaces);
+    if (element->own) {
+        result.surface = element->own->authored;
+        result.part = element->own->part;
+    }
     copy3(result.position_mm, &element->place_mm);
     copy3(result.normal, &element->normal);
     if (shares)
@@ -113,7 +115,7 @@ struct lx_element lx_free_element_at(const struct lx_prepared *prepared, const l
 luxel_value luxel_evaluate_place(const luxel_evaluator *evaluator, const luxel_place *place, double *shares)
 {
     const struct lx_prepared *prepared = &evaluator->prepared;
-    if (place->is_element && lx_is_place(place) && place->surface < prepared->surface_count) {
+    if (place->is_element && lx_is_place(place) && place->surface < prepared->scene->surfaces.count) {
         const struct lx_element element = lx_free_element_at(prepared, place);
         luxel_value value = lx_evaluate_element(evaluator, &element, shares);
         if (!element.own)
@@ -131,8 +133,9 @@ luxel_value luxel_evaluate_sphere(const luxel_evaluator *evaluator, size_t surfa
                                   double *shares)
 {
     const struct lx_prepared *prepared = &evaluator->prepared;
-    if (surface < prepared->surface_count && lx_is_by_normal(prepared, surface)) {
-        const struct lx_element element = lx_element_on(prepared, surface, normal);
+    if (surface < prepared->scene->surfaces.count &&
+        lx_is_by_normal(prepared, lx_prepared_index(prepared, surface, 0))) {
+        const struct lx_element element = lx_element_on(prepared, lx_prepared_index(prepared, surface, 0), normal);
         return lx_evaluate_element(evaluator, &element, shares);
     }
     if (shares)

@@ -7,6 +7,7 @@
 #include "../base/memory.h"
 #include "../base/vector.h"
 #include "../light/extended.h"
+#include "../surface/beside.h"
 #include "occlusion.h"
 
 /* Parts that lie so near to each other are one, and have the same bound. */
@@ -241,9 +242,12 @@ int lx_occlusion_make(const struct lx_prepared *prepared, const struct lx_elemen
     for (size_t i = 0; i < prepared->surface_count; i++) {
         const struct lx_shape *shape = &prepared->surfaces[i].shape;
         const bool is_own = &prepared->surfaces[i] == element->own;
-        if (lx_may_hide(shape, is_own) && lx_shape_gather(shape, &shaft, obstacles))
+        const bool is_turned =
+            is_own && element->is_free && lx_shape_is_turned(shape, element->place_mm, element->normal);
+        if ((is_turned ? lx_asks_both(shape->kind) : lx_may_hide(shape, is_own)) &&
+            lx_shape_gather(shape, &shaft, obstacles))
             return -1;
-        if (is_own && element->is_free && lx_shape_gather_beside(shape, normal, &shaft, obstacles))
+        if (is_turned && lx_shape_gather_beside(shape, normal, &shaft, obstacles))
             return -1;
     }
     return lx_occlusion_settle(

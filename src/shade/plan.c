@@ -125,13 +125,17 @@ static int find_blockers(const struct lx_plan *plan, struct lx_planned_surface *
     const struct lx_ball from = lx_shape_ball(&lit->shape, lit->low_mm, lit->high_mm, anchor);
     const bool endless = emitter->type == LX_DIRECTION;
     struct lx_ball towards = {.center = {emitter->towards.x.value, emitter->towards.y.value, emitter->towards.z.value}};
+    struct lx_origin light = {.endless = endless};
     int count = 0;
+    for (int i = 0; i < 3; i++)
+        light.at[i] = endless ? towards.center[i] : emitter->position_mm[i];
     for (int i = 0; i < 3 && !endless; i++)
         towards.center[i] = emitter->position_mm[i] - anchor[i];
     for (uint32_t s = 0; s < plan->surface_count; s++) {
         const struct lx_planned_surface *other = &plan->surfaces[s];
         const struct lx_ball ball = lx_shape_ball(&other->shape, other->low_mm, other->high_mm, anchor);
-        if (!lx_may_hide(&other->shape, other == lit) || !lx_may_block(&ball, &from, &towards, endless))
+        if (!lx_may_hide(&other->shape, other == lit) || lx_are_before_wall(&other->shape, &lit->shape, &light) ||
+            !lx_may_block(&ball, &from, &towards, endless))
             continue;
         size_t needed = lit->blocker_count + (size_t)count + 1;
         if (lx_reserve(&lit->blockers, &lit->blocker_capacity, needed, sizeof *lit->blockers))
@@ -550,8 +554,8 @@ luxel_status lx_plan_make(const struct lx_prepared *prepared, const struct lx_ke
         const struct lx_prepared_surface *surface = &prepared->surfaces[s];
         plan->surfaces[s].shape = surface->shape;
         for (int i = 0; i < 3; i++) {
-            plan->surfaces[s].low_mm[i] = surface->low_mm[i] - 2 * surface->shape.touch_mm;
-            plan->surfaces[s].high_mm[i] = surface->high_mm[i] + 2 * surface->shape.touch_mm;
+            plan->surfaces[s].low_mm[i] = surface->low_mm[i] - lx_shape_room(&surface->shape);
+            plan->surfaces[s].high_mm[i] = surface->high_mm[i] + lx_shape_room(&surface->shape);
         }
     }
     if (settings->light_error > 0)

@@ -2,6 +2,7 @@
 /* Lowering a scene to surfaces and emitters, and naming the unit of the result. */
 #include <math.h>
 #include <stdlib.h>
+#include <string.h>
 
 #include "../base/memory.h"
 #include "../base/phrase.h"
@@ -26,6 +27,45 @@ static int prepare_lights(const struct lx_list *lights, struct lx_emitters *emit
     return 0;
 }
 
+static size_t count_parts(const struct lx_list *surfaces)
+{
+    size_t count = 0;
+    for (size_t i = 0; i < surfaces->count; i++)
+        count += lx_part_count((const struct lx_surface_kind *)surfaces->items[i].variant);
+    return count;
+}
+
+/* Appends the parts of surface i. */
+static void prepare_surface(const struct lx_scene_parameters *scene, size_t i, struct lx_prepared *prepared)
+{
+    const struct lx_item *item = &scene->surfaces.items[i];
+    const struct lx_surface_common *common = item->common;
+    const struct lx_surface_kind *kind = (const struct lx_surface_kind *)item->variant;
+    const unsigned count = lx_part_count(kind);
+    prepared->authored[i] = (struct lx_authored_surface){prepared->surface_count, lx_lobe_prepare(&common->material)};
+    for (unsigned k = 0; k < count; k++) {
+        struct lx_prepared_surface *surface = &prepared->surfaces[prepared->surface_count];
+        struct lx_part part;
+        lx_part_make(kind, item->parameters, k, &part);
+        *surface = (struct lx_prepared_surface){
+            .kind = part.kind,
+            .parameters = part.parameters,
+            .shape = part.shape,
+            .material = part.material ? part.material : &common->material,
+            .lobe = part.material ? lx_lobe_prepare(part.material) : prepared->authored[i].lobe,
+            .authored = i,
+            .part = k,
+        };
+        if (part.parameters == (const void *)&part.own) {
+            surface->own = part.own;
+            surface->parameters = &surface->own;
+        }
+        surface->kind->extent(surface->parameters, surface->low_mm, surface->high_mm);
+        const bool is_first = prepared->surface_count++ == 0;
+        prepared->shadows = prepared->shadows || (prepared->shadows_on_free && lx_may_hide(&part.shape, is_first));
+    }
+}
+
 /* `room`: an empty list that knows how many emitters it may take. */
 static int prepare(const struct lx_scene_parameters *scene, double tolerance, const struct lx_emitters *room,
                    struct lx_prepared *prepared)
@@ -34,29 +74,17 @@ static int prepare(const struct lx_scene_parameters *scene, double tolerance, co
     *prepared = (struct lx_prepared){
         .scene = scene,
         .camera = lx_camera_of(&scene->observer),
-        .surfaces = lx_new_array(surfaces->count, sizeof *prepared->surfaces),
-        .surface_count = surfaces->count,
+        .surfaces = lx_new_array(count_parts(surfaces), sizeof *prepared->surfaces),
+        .authored = lx_new_array(surfaces->count, sizeof *prepared->authored),
         .emitters = *room,
         .tolerance = tolerance,
         .shadows_extended = scene->shadows == LX_SHADOWS_ALL,
         .shadows_on_free = scene->shadows != LX_SHADOWS_NONE,
     };
-    if (!prepared->surfaces)
+    if (!prepared->surfaces || !prepared->authored)
         return -1;
-    for (size_t i = 0; i < surfaces->count; i++) {
-        const struct lx_item *item = &surfaces->items[i];
-        const struct lx_surface_common *common = item->common;
-        const struct lx_surface_kind *kind = (const struct lx_surface_kind *)item->variant;
-        const struct lx_shape shape = lx_surface_shape(kind, item->parameters);
-        prepared->surfaces[i] = (struct lx_prepared_surface){
-            .kind = shape.kind,
-            .parameters = item->parameters,
-            .shape = shape,
-            .lobe = lx_lobe_prepare(&common->material),
-        };
-        prepared->shadows = prepared->shadows || (prepared->shadows_on_free && lx_may_hide(&shape, i == 0));
-        shape.kind->extent(item->parameters, prepared->surfaces[i].low_mm, prepared->surfaces[i].high_mm);
-    }
+    for (size_t i = 0; i < surfaces->count; i++)
+        prepare_surface(scene, i, prepared);
     int failed = prepare_lights(&scene->lights, &prepared->emitters);
     prepared->emitters.asking = NULL;
     return failed;
@@ -67,7 +95,7 @@ int lx_prepare(const struct lx_scene_parameters *scene, double tolerance, const 
 {
     /* The usual scene has few, and need not ask for memory; besides the emitters, each surface has its constants, and
      * the numbers of the surfaces that may stand in their light.  What is carried to a screen is there twice. */
-    const size_t surfaces = scene->surfaces.count;
+    const size_t surfaces = count_parts(&scene->surfaces);
     const size_t others = scene->shadows != LX_SHADOWS_NONE && surfaces > 1 ? surfaces - 1 : 0;
     const size_t placed = lx_observer_is_placed(&scene->observer);
     const struct lx_emitters room = {
@@ -91,9 +119,11 @@ int lx_prepared_carry(const struct lx_prepared *prepared, const struct lx_asking
     *carried = *prepared;
     carried->camera = lx_camera_carried(&prepared->camera);
     carried->surfaces = lx_new_array(prepared->surface_count, sizeof *carried->surfaces);
+    carried->authored = lx_new_array(prepared->scene->surfaces.count, sizeof *carried->authored);
     carried->emitters = (struct lx_emitters){0};
-    if (!carried->surfaces)
+    if (!carried->surfaces || !carried->authored)
         return -1;
+    memcpy(carried->authored, prepared->authored, prepared->scene->surfaces.count * sizeof *carried->authored);
     for (size_t i = 0; i < prepared->surface_count; i++) {
         const struct lx_prepared_surface *surface = &prepared->surfaces[i];
         struct lx_prepared_surface *made = &carried->surfaces[i];
@@ -125,6 +155,7 @@ void lx_prepared_free(struct lx_prepared *carried)
 void lx_prepared_clear(struct lx_prepared *prepared)
 {
     free(prepared->surfaces);
+    free(prepared->authored);
     lx_emitters_clear(&prepared->emitters);
     *prepared = (struct lx_prepared){0};
 }
@@ -148,14 +179,13 @@ static const char *unit_of_irradiance(const struct lx_emitters *emitters, bool p
 
 const char *lx_unit_of(const struct lx_prepared *prepared, luxel_quantity quantity)
 {
-    const struct lx_list *surfaces = &prepared->scene->surfaces;
     bool photometric = prepared->scene->units == LX_PHOTOMETRIC;
     size_t over_pi = 0;
     if (quantity == LUXEL_IRRADIANCE)
         return unit_of_irradiance(&prepared->emitters, photometric);
-    for (size_t i = 0; i < surfaces->count; i++)
-        over_pi += ((const struct lx_surface_common *)surfaces->items[i].common)->material.over_pi;
-    bool all = over_pi == surfaces->count && over_pi > 0, none = over_pi == 0;
+    for (size_t i = 0; i < prepared->surface_count; i++)
+        over_pi += prepared->surfaces[i].material->over_pi;
+    bool all = over_pi == prepared->surface_count && over_pi > 0, none = over_pi == 0;
 
     enum laws laws = common_law(&prepared->emitters);
     if (laws == ALL_UNATTENUATED && none)

@@ -9,26 +9,38 @@
 #include "../light/emitter.h"
 #include "../material/lobe.h"
 #include "../scene/scene.h"
-#include "../surface/surface.h"
+#include "../surface/part.h"
 #include "camera.h"
 #include <luxel/field.h>
 
 /* Of probes where nothing else is asked for. */
 #define LX_DEFAULT_TOLERANCE 1e-9
 
+/* A surface of the scene, or a part of one. */
 struct lx_prepared_surface {
     const struct lx_surface_kind *kind;
     const void *parameters; /* in the frame of the scene; NULL in one that was carried */
     struct lx_shape shape;
     double low_mm[3], high_mm[3]; /* its extent */
-    struct lx_lobe lobe;
+    const struct lx_material *material;
+    struct lx_lobe lobe; /* of it */
+    size_t authored;     /* which surface of the scene's list */
+    unsigned part;       /* and which part of it; 0 where it is one by itself */
+    struct lx_own_parameters own;
+};
+
+/* A surface as the scene's list has it. */
+struct lx_authored_surface {
+    size_t first;        /* its first part among the prepared surfaces */
+    struct lx_lobe lobe; /* of its material, whatever its parts have */
 };
 
 struct lx_prepared {
     const struct lx_scene_parameters *scene;
     struct lx_camera camera;
-    struct lx_prepared_surface *surfaces;
+    struct lx_prepared_surface *surfaces; /* the parts of all surfaces, in their order */
     size_t surface_count;
+    struct lx_authored_surface *authored;
     struct lx_emitters emitters; /* of the enabled lights, in their order */
     double tolerance;            /* of integrals, relative to the value that they are a part of */
     bool shadows;                /* whether surfaces take light from each other */
@@ -57,6 +69,12 @@ const struct lx_prepared *lx_prepared_on_screen(const struct lx_prepared *prepar
 void lx_prepared_free(struct lx_prepared *carried);
 
 void lx_prepared_clear(struct lx_prepared *prepared);
+
+/* The index of a part of a surface of the scene's list. */
+static inline size_t lx_prepared_index(const struct lx_prepared *prepared, size_t surface, unsigned part)
+{
+    return prepared->authored[surface].first + part;
+}
 
 /* The unit of a quantity in this scene, UTF-8, as the attenuation laws, over_pi and `units` make it. */
 const char *lx_unit_of(const struct lx_prepared *prepared, luxel_quantity quantity);

@@ -29,7 +29,7 @@ struct lx_element lx_element_at(const struct lx_prepared *prepared, const struct
     struct lx_element element = {
         .place_mm = lx_exact3(asked->place_mm),
         .normal = lx_unit3(lx_exact3(asked->normal)),
-        .lobe = &prepared->surfaces[asked->surface].lobe,
+        .lobe = &prepared->authored[asked->surface].lobe,
         .is_free = true,
     };
     element.view = asked->view ? lx_unit3(lx_exact3(asked->view)) : lx_view_from(&prepared->camera, element.place_mm);
@@ -70,12 +70,14 @@ struct lx_element lx_element_on(const struct lx_prepared *prepared, size_t surfa
 static lx_bounded blocked_by(const struct lx_prepared_surface *surface, const struct lx_element *element,
                              lx_bounded3 way, bool endless)
 {
+    const struct lx_shape *shape = &surface->shape;
     const bool is_own = surface == element->own;
+    const bool is_turned = is_own && element->is_free && lx_shape_is_turned(shape, element->place_mm, element->normal);
     lx_bounded open = lx_exact(1);
-    if (lx_may_hide(&surface->shape, is_own))
-        open = lx_not(surface->kind->blocks(&surface->shape, element->place_mm, way, endless));
-    if (is_own && element->is_free)
-        open = lx_both(open, lx_not(lx_shape_hides(&surface->shape, element->place_mm, element->normal, way, endless)));
+    if (is_turned ? lx_asks_both(surface->kind) : lx_may_hide(shape, is_own))
+        open = lx_not(surface->kind->blocks(shape, element->place_mm, way, endless));
+    if (is_turned)
+        open = lx_both(open, lx_not(lx_shape_hides(shape, element->place_mm, element->normal, way, endless)));
     return lx_not(open);
 }
 

@@ -7,6 +7,7 @@
 
 #include "../base/larger.h"
 #include "blocking.h"
+#include "camera.h"
 #include "general.h"
 #include "seen.h"
 #include "smooth.h"
@@ -80,11 +81,12 @@ static bool is_free(const struct lx_plan *plan, const struct lx_square *square, 
     const struct lx_camera *camera = &plan->prepared->camera;
     const bool endless = !camera->is_perspective;
     const struct lx_ball part = lx_vicinity_ball(at);
+    const struct lx_origin from = lx_eye(camera);
     struct lx_ball eye = {.center = {0, 0, 1}};
     for (int i = 0; i < 3 && !endless; i++)
         eye.center[i] = (i == 2 ? camera->z_mm : 0) - surface->shape.anchor_mm[i];
     for (size_t s = 0; s < plan->surface_count; s++)
-        if (&plan->surfaces[s] != surface &&
+        if (&plan->surfaces[s] != surface && lx_shape_faces(&plan->surfaces[s].shape, &from) &&
             lx_shape_may_block(&plan->surfaces[s].shape, surface->shape.anchor_mm, &part, &eye, endless))
             return false;
     return true;

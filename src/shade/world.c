@@ -27,7 +27,7 @@ unsigned lx_world_batch(const struct lx_world *world)
 /* The ball around a shape, in the scene's axes. */
 static struct lx_ball ball_of(const struct lx_shape *shape)
 {
-    struct lx_ball ball = {.radius = shape->radius_mm};
+    struct lx_ball ball = {.radius = shape->radius_mm + lx_shape_room(shape)};
     double size = 0;
     for (int k = 0; k < 3; k++) {
         ball.center[k] = shape->anchor_mm[k];
@@ -170,7 +170,9 @@ static const struct lx_column *find_open(const struct lx_world *world, const str
         if (is_open)
             open_all(openness);
         is_open = false;
-        if (lx_close_shape(kernels, shape, (uint32_t)s + 1, &ways, elements, openness))
+        const struct lx_shape in_the_way = lx_shape_in_the_way(shape);
+        const uint32_t spared = lx_may_hide(shape, true) ? UINT32_MAX : (uint32_t)s + 1;
+        if (lx_close_shape(kernels, &in_the_way, spared, &ways, elements, openness))
             continue;
         memset(openness->in_doubt, 1, sizeof openness->in_doubt);
         openness->any_in_doubt = true;

@@ -3,12 +3,14 @@
 #ifndef LX_SURFACE_AUTHORED_H
 #define LX_SURFACE_AUTHORED_H
 
+#include <stdbool.h>
 #include <stdint.h>
 
 struct lx_sphere_parameters {
     uint64_t given;
     double center_mm[3];
     double radius_mm;
+    bool inside; /* seen and lit there (inside.c) */
 };
 
 /* How a rectangle lies: base/pose.h. */

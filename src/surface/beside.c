@@ -13,15 +13,28 @@ static lx_bounded tangent_hides(const double own[3], double facing, lx_bounded3 
     return lx_step(facing < 0 ? above : lx_negate(above), false);
 }
 
-lx_bounded lx_shape_hides(const struct lx_shape *shape, lx_bounded3 place_mm, lx_bounded3 normal, lx_bounded3 towards,
-                          bool endless)
+/* The shape's own normal at a place, and the cosine of another one to it. */
+static double facing_of(const struct lx_shape *shape, lx_bounded3 place_mm, lx_bounded3 normal, double own[3])
 {
     const lx_bounded *places[3] = {&place_mm.x, &place_mm.y, &place_mm.z};
-    double offset[3], own[3];
+    double offset[3];
     for (int i = 0; i < 3; i++)
         offset[i] = places[i]->value - shape->anchor_mm[i];
     shape->kind->normal(shape, offset, own);
-    const double facing = lx_dot(own, (double[]){normal.x.value, normal.y.value, normal.z.value});
+    return lx_dot(own, (double[]){normal.x.value, normal.y.value, normal.z.value});
+}
+
+bool lx_shape_is_turned(const struct lx_shape *shape, lx_bounded3 place_mm, lx_bounded3 normal)
+{
+    double own[3];
+    return facing_of(shape, place_mm, normal, own) < 1 - LX_SAME_NORMAL;
+}
+
+lx_bounded lx_shape_hides(const struct lx_shape *shape, lx_bounded3 place_mm, lx_bounded3 normal, lx_bounded3 towards,
+                          bool endless)
+{
+    double own[3];
+    const double facing = facing_of(shape, place_mm, normal, own);
     if (facing >= 1 - LX_SAME_NORMAL)
         return lx_exact(0);
     if (shape->kind->hides)

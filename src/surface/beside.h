@@ -19,6 +19,15 @@
 lx_bounded lx_shape_hides(const struct lx_shape *shape, lx_bounded3 place_mm, lx_bounded3 normal, lx_bounded3 towards,
                           bool endless);
 
+/* Whether an element that the shape holds has another normal than the shape there. */
+bool lx_shape_is_turned(const struct lx_shape *shape, lx_bounded3 place_mm, lx_bounded3 normal);
+
+/* Whether a kind's `blocks` is asked for these, too: it hides itself, and `hides` does not tell all that it takes. */
+static inline bool lx_asks_both(const struct lx_surface_kind *kind)
+{
+    return kind->hides_itself && !kind->hides;
+}
+
 /* Whether a place is inside the body that the shape bounds, and not on the surface; a plate bounds none. */
 bool lx_shape_encloses(const struct lx_shape *shape, const double place_mm[3]);
 

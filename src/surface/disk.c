@@ -265,6 +265,7 @@ const struct lx_surface_kind lx_disk_kind = {
     .gather = disk_gather,
     .farthest = disk_farthest,
     .standing = lx_plane_standing,
+    .faces = lx_plane_faces,
     .is_dark = lx_plane_is_dark,
     .distance = disk_distance,
     .beside = disk_beside,

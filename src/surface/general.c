@@ -74,12 +74,19 @@ enum lx_standing lx_surface_standing(const struct lx_surface_kind *kind, const v
                                      const struct lx_frame *frame, double observer_z_mm, bool perspective)
 {
     double low[3], high[3];
-    struct lx_shape shape = lx_surface_shape(kind, parameters);
     lx_surface_extent(kind, parameters, frame, low, high);
+    struct lx_shape shape = lx_surface_shape(kind, parameters);
     if (!shape.kind->standing)
         return observer_z_mm > high[2] ? LX_STANDS_BEFORE : LX_STANDS_TOO_LOW;
     shape = lx_shape_carried(&shape, frame);
     return shape.kind->standing(&shape, high[2], observer_z_mm, perspective);
+}
+
+enum lx_standing lx_standing_within(const struct lx_shape *shape, double highest_mm, double observer_z_mm,
+                                    bool perspective)
+{
+    (void)perspective;
+    return observer_z_mm > 2 * shape->anchor_mm[2] - highest_mm ? LX_STANDS_BEFORE : LX_STANDS_TOO_LOW;
 }
 
 bool lx_surface_is_dark(const struct lx_surface_kind *kind, const void *parameters, const struct lx_frame *frame,
@@ -94,6 +101,22 @@ bool lx_surface_is_dark(const struct lx_surface_kind *kind, const void *paramete
     return shape.kind->is_dark(&shape, carried);
 }
 
+bool lx_surface_surrounds(const struct lx_surface_kind *kind, const void *parameters, const double place_mm[3])
+{
+    return kind->surrounds && kind->surrounds(parameters, place_mm);
+}
+
+struct lx_shape lx_shape_in_the_way(const struct lx_shape *shape)
+{
+    struct lx_shape moved = *shape;
+    moved.behind_mm = 0;
+    for (int i = 0; i < 3 && shape->behind_mm > 0; i++)
+        moved.anchor_mm[i] -= shape->behind_mm * shape->axis[i];
+    for (int i = 0; i < 2 && shape->behind_mm > 0; i++)
+        moved.half_mm[i] += 2 * shape->behind_mm;
+    return moved;
+}
+
 double lx_shape_distance(const struct lx_shape *shape, const double offset_mm[3], double direction[3])
 {
     if (shape->kind->distance)
@@ -101,6 +124,20 @@ double lx_shape_distance(const struct lx_shape *shape, const double offset_mm[3]
     for (int i = 0; i < 3; i++)
         direction[i] = offset_mm[i];
     return lx_normalize(direction) - shape->radius_mm;
+}
+
+bool lx_shape_faces(const struct lx_shape *shape, const struct lx_origin *eye)
+{
+    return !shape->kind->faces || shape->kind->faces(shape, eye);
+}
+
+double lx_shape_veils(const struct lx_shape *shape, const double place_mm[3], const struct lx_origin *eye)
+{
+    double way[3];
+    if (shape->kind->veils)
+        return shape->kind->veils(shape, place_mm, eye);
+    const bool endless = lx_way_to(eye, place_mm, way);
+    return shape->kind->beside(shape, place_mm, way, endless);
 }
 
 bool lx_shape_is_walkable(const struct lx_shape *shape)

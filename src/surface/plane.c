@@ -202,6 +202,13 @@ bool lx_plane_is_dark(const struct lx_shape *plane, const double place_mm[3])
     return !(height_of(plane, place_mm) > 0);
 }
 
+bool lx_plane_faces(const struct lx_shape *plane, const struct lx_origin *eye)
+{
+    double way[3];
+    lx_way_to(eye, plane->anchor_mm, way);
+    return lx_dot(way, plane->axis) > 0;
+}
+
 void lx_plane_normal(const struct lx_shape *plane, const double offset_mm[3], double normal[3])
 {
     (void)offset_mm;

@@ -45,6 +45,7 @@ double lx_plane_beside(const struct lx_shape *plane, const double place_mm[3], c
 enum lx_standing lx_plane_standing(const struct lx_shape *plane, double highest_mm, double observer_z_mm,
                                    bool perspective);
 bool lx_plane_is_dark(const struct lx_shape *plane, const double place_mm[3]);
+bool lx_plane_faces(const struct lx_shape *plane, const struct lx_origin *eye);
 void lx_plane_normal(const struct lx_shape *plane, const double offset_mm[3], double normal[3]);
 void lx_plane_locate(const struct lx_shape *plane, const double offset_mm[3], const double normal[3], double at[3]);
 void lx_plane_place(const struct lx_shape *plane, const double at[3], double place_mm[3], double normal[3]);

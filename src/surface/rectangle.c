@@ -126,8 +126,9 @@ static lx_bounded absolute(lx_bounded a)
  * its offset along an edge is u - a/b v, u that of its start and v its change; it is compared with half the edge
  * without the division.  A way without end goes to the other side where b points there.
  */
-static lx_bounded plate_blocks(const struct lx_shape *plate, lx_bounded3 place_mm, lx_bounded3 towards, bool endless)
+static lx_bounded plate_blocks(const struct lx_shape *shape, lx_bounded3 place_mm, lx_bounded3 towards, bool endless)
 {
+    const struct lx_shape moved = lx_shape_in_the_way(shape), *plate = &moved;
     const struct lx_plane_crossing way = lx_plane_cross(plate, place_mm, towards, endless);
     const lx_bounded3 edges[2] = {lx_shape_across(plate), lx_shape_upward(plate)};
     lx_bounded blocked = way.crosses;
@@ -141,8 +142,9 @@ static lx_bounded plate_blocks(const struct lx_shape *plate, lx_bounded3 place_m
 }
 
 /* Its true size: obstacles are cut out of light, and have no need of room for rounding at their edges. */
-static int plate_gather(const struct lx_shape *plate, const struct lx_shaft *shaft, struct lx_obstacles *obstacles)
+static int plate_gather(const struct lx_shape *shape, const struct lx_shaft *shaft, struct lx_obstacles *obstacles)
 {
+    const struct lx_shape moved = lx_shape_in_the_way(shape), *plate = &moved;
     struct lx_obstacle polygon = {.type = LX_OBSTACLE_POLYGON, .corner_count = 4, .touch_mm = plate->touch_mm};
     const double width = plate->half_mm[0] - plate->touch_mm, height = plate->half_mm[1] - plate->touch_mm;
     for (unsigned k = 0; k < polygon.corner_count; k++)
@@ -173,8 +175,9 @@ static double plate_distance(const struct lx_shape *plate, const double offset_m
 }
 
 /* Above it, where the way leads away from it, or where it crosses the plane outside. */
-static double plate_beside(const struct lx_shape *plate, const double place[3], const double way[3], bool endless)
+static double plate_beside(const struct lx_shape *shape, const double place[3], const double way[3], bool endless)
 {
+    const struct lx_shape moved = lx_shape_in_the_way(shape), *plate = &moved;
     double crossing[3];
     const double above = lx_plane_beside(plate, place, way, endless, crossing);
     if (above >= 0)
@@ -290,6 +293,7 @@ const struct lx_surface_kind lx_plate_kind = {
     .gather = plate_gather,
     .holds = plate_holds,
     .standing = lx_plane_standing,
+    .faces = lx_plane_faces,
     .is_dark = lx_plane_is_dark,
     .normal = lx_plane_normal,
     .distance = plate_distance,

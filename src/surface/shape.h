@@ -19,6 +19,8 @@ struct lx_shape {
     double axis_error[3], across_error[3], upward_error[3];
     double half_mm[2]; /* a plate's half width and half height, with room for rounding: edges belong to it */
     double touch_mm;   /* places that near to it lie on it: nothing is between them and it */
+    double behind_mm;  /* of a room's walls: in the way of light it stands so much farther back, and also before
+                        * its own back (surface.h) */
     double own[4];     /* what else a kind wants */
 };
 

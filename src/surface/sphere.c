@@ -9,7 +9,7 @@
 #include "../base/phrase.h"
 #include "../base/vector.h"
 #include "authored.h"
-#include "surface.h"
+#include "sphere.h"
 
 static const struct lx_parameter sphere_parameters[] = {
     {
@@ -34,6 +34,16 @@ static const struct lx_parameter sphere_parameters[] = {
         .advised = {LX_BETWEEN(50, 2000)},
         .meaning = "the radius of the sphere",
     },
+    {
+        .name = "inside",
+        .label = "Seen from inside",
+        .type = LX_BOOLEAN,
+        .offset = offsetof(struct lx_sphere_parameters, inside),
+        .initial = "false",
+        .meaning =
+            "whether its inner side is seen and lit, as of an integrating sphere; an observer outside does not see "
+            "the near half",
+    },
 };
 
 static const struct lx_table sphere_table = {
@@ -42,7 +52,7 @@ static const struct lx_table sphere_table = {
     .size = sizeof(struct lx_sphere_parameters),
 };
 
-static void sphere_extent(const void *parameters, double low_mm[3], double high_mm[3])
+void lx_sphere_extent(const void *parameters, double low_mm[3], double high_mm[3])
 {
     const struct lx_sphere_parameters *sphere = parameters;
     for (int i = 0; i < 3; i++) {
@@ -51,7 +61,7 @@ static void sphere_extent(const void *parameters, double low_mm[3], double high_
     }
 }
 
-static double sphere_farthest(const void *parameters, const double direction[3])
+double lx_sphere_farthest(const void *parameters, const double direction[3])
 {
     const struct lx_sphere_parameters *sphere = parameters;
     double length = hypot(hypot(direction[0], direction[1]), direction[2]), along = 0;
@@ -65,7 +75,16 @@ static struct lx_shape sphere_shape(const void *parameters)
     const struct lx_sphere_parameters *sphere = parameters;
     struct lx_shape shape = {.type = LX_SPHERE, .radius_mm = sphere->radius_mm};
     memcpy(shape.anchor_mm, sphere->center_mm, sizeof shape.anchor_mm);
-    return shape;
+    return sphere->inside ? lx_inside_kind.shape(sphere) : shape;
+}
+
+static bool sphere_surrounds(const void *parameters, const double place_mm[3])
+{
+    const struct lx_sphere_parameters *sphere = parameters;
+    double from[3];
+    for (int i = 0; i < 3; i++)
+        from[i] = place_mm[i] - sphere->center_mm[i];
+    return sphere->inside && lx_dot(from, from) < sphere->radius_mm * sphere->radius_mm;
 }
 
 /* What a ray's own errors make of the product of its direction along i and its origin along k. */
@@ -115,7 +134,7 @@ static lx_bounded discriminant(const struct lx_ray *ray, const struct lx_pair fr
     return lx_rounded(result.high, rest + errors[3] * r2.high + (2 * w_size + w_error) * w_error + left_out, 1);
 }
 
-static struct lx_hit sphere_hit(const struct lx_shape *sphere, const struct lx_ray *ray)
+struct lx_hit lx_sphere_meet(const struct lx_shape *sphere, const struct lx_ray *ray, bool farther)
 {
     struct lx_pair from[3];
     for (int i = 0; i < 3; i++)
@@ -127,6 +146,8 @@ static struct lx_hit sphere_hit(const struct lx_shape *sphere, const struct lx_r
         return (struct lx_hit){.exists = false};
 
     lx_bounded root = lx_sqrt(below);
+    if (farther)
+        root.value = -root.value;
     double along = 0;
     for (int i = 0; i < 3; i++)
         along += ray->direction[i] * from[i].high;
@@ -143,12 +164,17 @@ static struct lx_hit sphere_hit(const struct lx_shape *sphere, const struct lx_r
     };
 }
 
+static struct lx_hit sphere_hit(const struct lx_shape *sphere, const struct lx_ray *ray)
+{
+    return lx_sphere_meet(sphere, ray, false);
+}
+
 /*
  * The nearest point of the way to the centre lies at t = -(p . d)/d^2, p the place from the centre, cut to the
  * way's ends.  The sphere blocks where that point is nearer than the radius, unless both ends are inside: then the
  * way does not cross the surface.
  */
-static lx_bounded sphere_blocks(const struct lx_shape *sphere, lx_bounded3 place_mm, lx_bounded3 towards, bool endless)
+lx_bounded lx_sphere_reached(const struct lx_shape *sphere, lx_bounded3 place_mm, lx_bounded3 towards, bool endless)
 {
     lx_bounded radius = lx_exact(sphere->radius_mm);
     lx_bounded3 p = lx_sub3(place_mm, lx_exact3(sphere->anchor_mm));
@@ -156,15 +182,22 @@ static lx_bounded sphere_blocks(const struct lx_shape *sphere, lx_bounded3 place
     if (!endless && t.value >= 1)
         t = (lx_bounded){1, t.error};
     lx_bounded3 nearest = lx_add3(p, lx_mul3(towards, t));
-    lx_bounded reached = lx_step(lx_sub(radius, lx_length3(nearest)), false);
+    return lx_step(lx_sub(radius, lx_length3(nearest)), false);
+}
+
+static lx_bounded sphere_blocks(const struct lx_shape *sphere, lx_bounded3 place_mm, lx_bounded3 towards, bool endless)
+{
+    lx_bounded reached = lx_sphere_reached(sphere, place_mm, towards, endless);
     if (endless)
         return reached;
+    lx_bounded radius = lx_exact(sphere->radius_mm);
+    lx_bounded3 p = lx_sub3(place_mm, lx_exact3(sphere->anchor_mm));
     lx_bounded from_inside = lx_step(lx_sub(radius, lx_length3(p)), false);
     lx_bounded to_inside = lx_step(lx_sub(radius, lx_length3(lx_add3(p, towards))), false);
     return lx_both(reached, lx_not(lx_both(from_inside, to_inside)));
 }
 
-static bool sphere_holds(const struct lx_shape *sphere, const double place_mm[3])
+bool lx_sphere_holds(const struct lx_shape *sphere, const double place_mm[3])
 {
     lx_bounded3 p = lx_sub3(lx_exact3(place_mm), lx_exact3(sphere->anchor_mm));
     return fabs(lx_length3(p).value - sphere->radius_mm) <= 1e-9 * sphere->radius_mm;
@@ -241,7 +274,7 @@ static double sphere_distance(const struct lx_shape *sphere, const double offset
 }
 
 /* How far the way from a place passes outside of the sphere. */
-static double sphere_beside(const struct lx_shape *sphere, const double place[3], const double way[3], bool endless)
+double lx_sphere_beside(const struct lx_shape *sphere, const double place[3], const double way[3], bool endless)
 {
     double from[3], nearest[3];
     for (int i = 0; i < 3; i++)
@@ -255,8 +288,8 @@ static double sphere_beside(const struct lx_shape *sphere, const double place[3]
 }
 
 /* The sphere itself, and the cylinder, or cone, of the ways to the light that touch it. */
-static double sphere_shadow_edge(const struct lx_shape *sphere, const struct lx_origin *light, unsigned i,
-                                 const double place_mm[3])
+double lx_sphere_shadow_edge(const struct lx_shape *sphere, const struct lx_origin *light, unsigned i,
+                             const double place_mm[3])
 {
     double from[3], axis[3];
     for (int k = 0; k < 3; k++)
@@ -307,18 +340,18 @@ static bool sphere_lit_range(const struct lx_shape *sphere, const struct lx_orig
 }
 
 /* The middle direction of the part that faces the observer; returns the cosine of its rim. */
-static double front_of(const struct lx_shape *sphere, const struct lx_origin *eye, double front[3])
+double lx_sphere_front(const struct lx_shape *sphere, const struct lx_origin *eye, double front[3])
 {
     bool endless = lx_way_to(eye, sphere->anchor_mm, front);
     double distance_mm = lx_normalize(front);
     return endless ? 0 : sphere->radius_mm / distance_mm;
 }
 
-static void sphere_outline(const struct lx_shape *sphere, const struct lx_origin *eye, int i, int steps,
-                           double place_mm[3], double inside_mm[3])
+void lx_sphere_outline(const struct lx_shape *sphere, const struct lx_origin *eye, int i, int steps, double place_mm[3],
+                       double inside_mm[3])
 {
     double front[3], aside[3] = {1, 0, 0}, up[3] = {0, 1, 0};
-    const double height = front_of(sphere, eye, front), around = sqrt(1 - height * height);
+    const double height = lx_sphere_front(sphere, eye, front), around = sqrt(1 - height * height);
     const double turn = 2 * M_PI * i / steps;
     if (!eye->endless) {
         aside[0] = front[2], aside[1] = 0, aside[2] = -front[0]; /* up x front */
@@ -359,7 +392,7 @@ static void element_on_sphere(const struct lx_shape *sphere, const double at[3],
 }
 
 /* Across the axis that is farthest from the normal. */
-static void directions_on_sphere(const struct lx_shape *sphere, const double n[3], double first[3], double second[3])
+void lx_sphere_directions(const struct lx_shape *sphere, const double n[3], double first[3], double second[3])
 {
     (void)sphere;
     int least = fabs(n[0]) <= fabs(n[1]) ? 0 : 1;
@@ -373,8 +406,8 @@ static void directions_on_sphere(const struct lx_shape *sphere, const double n[3
     }
 }
 
-static void move_on_sphere(const struct lx_shape *sphere, const double at[3], const double first[3],
-                           const double second[3], const double step_mm[2], double moved[3])
+void lx_sphere_move(const struct lx_shape *sphere, const double at[3], const double first[3], const double second[3],
+                    const double step_mm[2], double moved[3])
 {
     for (int i = 0; i < 3; i++)
         moved[i] = at[i] + (step_mm[0] * first[i] + step_mm[1] * second[i]) / sphere->radius_mm;
@@ -383,15 +416,16 @@ static void move_on_sphere(const struct lx_shape *sphere, const double at[3], co
 
 static double wall_of_sphere(const struct lx_shape *sphere, const struct lx_origin *eye, unsigned i, const double at[3])
 {
-    double front[3], rim = front_of(sphere, eye, front);
+    double front[3], rim = lx_sphere_front(sphere, eye, front);
     (void)i;
     return sphere->radius_mm * (lx_dot(at, front) - rim);
 }
 
-static void rim_of_sphere(const struct lx_shape *sphere, const struct lx_origin *eye, int i, int count, double at[3])
+void lx_sphere_rim(const struct lx_shape *sphere, const struct lx_origin *eye, int i, int count, double at[3])
 {
-    double front[3], first[3], second[3], out[3], rim = front_of(sphere, eye, front), turn = 2 * M_PI * i / count;
-    directions_on_sphere(sphere, front, first, second);
+    double front[3], first[3], second[3], out[3], rim = lx_sphere_front(sphere, eye, front),
+                                                  turn = 2 * M_PI * i / count;
+    lx_sphere_directions(sphere, front, first, second);
     for (int k = 0; k < 3; k++)
         out[k] = cos(turn) * first[k] + sin(turn) * second[k];
     double along = lx_dot(out, front), sine = sqrt(1 - rim * rim);
@@ -404,13 +438,13 @@ static void rim_of_sphere(const struct lx_shape *sphere, const struct lx_origin 
 
 static void middle_of_sphere(const struct lx_shape *sphere, const struct lx_origin *eye, double at[3])
 {
-    front_of(sphere, eye, at);
+    lx_sphere_front(sphere, eye, at);
 }
 
 static bool is_near_limb(const struct lx_shape *sphere, const struct lx_origin *eye, const double at[3],
                          double inside_mm[3])
 {
-    double front[3], rim = front_of(sphere, eye, front);
+    double front[3], rim = lx_sphere_front(sphere, eye, front);
     memcpy(inside_mm, sphere->anchor_mm, 3 * sizeof *inside_mm);
     return lx_dot(at, front) < rim + 1e-3;
 }
@@ -462,11 +496,11 @@ static const struct lx_surface_chart sphere_chart = {
     .locate = locate_on_sphere,
     .place = place_on_sphere,
     .element = element_on_sphere,
-    .directions = directions_on_sphere,
-    .move = move_on_sphere,
+    .directions = lx_sphere_directions,
+    .move = lx_sphere_move,
     .walls = 1,
     .wall = wall_of_sphere,
-    .rim = rim_of_sphere,
+    .rim = lx_sphere_rim,
     .middle = middle_of_sphere,
     .is_near_limb = is_near_limb,
     .guess = guess_on_sphere,
@@ -504,28 +538,29 @@ const struct lx_surface_kind lx_sphere_kind = {
     .variant =
         {
             .name = "sphere",
-            .meaning = "a sphere, seen from outside",
+            .meaning = "a sphere, seen from outside or from inside",
             .example = "{type: sphere, center: [0, 0, 1000], radius: 200, material: {diffuse: 0.7, shininess: 40}}",
             .table = &sphere_table,
         },
-    .extent = sphere_extent,
-    .farthest = sphere_farthest,
+    .extent = lx_sphere_extent,
+    .farthest = lx_sphere_farthest,
     .shape = sphere_shape,
     .hit = sphere_hit,
     .blocks = sphere_blocks,
-    .holds = sphere_holds,
+    .holds = lx_sphere_holds,
     .normal = sphere_normal,
     .is_dark = sphere_is_dark,
+    .surrounds = sphere_surrounds,
     .hides = sphere_hides,
     .gather = sphere_gather,
     .gather_beside = sphere_gather_beside,
     .encloses = sphere_encloses,
     .distance = sphere_distance,
-    .beside = sphere_beside,
+    .beside = lx_sphere_beside,
     .shadow_edges = 2,
-    .shadow_edge = sphere_shadow_edge,
+    .shadow_edge = lx_sphere_shadow_edge,
     .lit_range = sphere_lit_range,
-    .outline = sphere_outline,
+    .outline = lx_sphere_outline,
     .chart = &sphere_chart,
     .bounds = &sphere_bounds,
     .words = &sphere_words,

@@ -14,6 +14,8 @@
 #include "obstacle.h"
 #include "shape.h"
 
+struct lx_part;
+
 /*
  * A line of sight: origin + t direction, t > 0; the direction need not be of unit length.  Both may be rounded, by no
  * more than these errors, which the place and the normal of a hit take over into theirs.
@@ -109,7 +111,7 @@ struct lx_surface_words {
 struct lx_surface_kind {
     struct lx_variant variant; /* first, so that a variant of the list `surfaces` is its kind */
 
-    /* -- required -- */
+    /* -- required; of a kind of parts (part.h) only the extent and the shape's place and size -- */
 
     /* The extent of the surface along the axes, in mm: lowest and highest x, y, z. */
     void (*extent)(const void *parameters, double low_mm[3], double high_mm[3]);
@@ -127,6 +129,11 @@ struct lx_surface_kind {
     bool (*holds)(const struct lx_shape *shape, const double place_mm[3]);
 
     /* -- what may be NULL, or false -- */
+
+    /* What its parts are called, NULL-terminated, and how many there are; makes part i of them. */
+    const char *const *part_names;
+    unsigned part_count;
+    void (*part)(const void *parameters, unsigned i, struct lx_part *part);
 
     /* Whether it takes light from its own elements, as what is hollow or folded does: then `blocks` and `takes` are
      * asked for these, too, and have to leave out where the way begins.  Only for shapes without kernels of their own,
@@ -147,6 +154,8 @@ struct lx_surface_kind {
     bool (*is_dark)(const struct lx_shape *shape, const double place_mm[3]);
     /* Carries what a shape has beside its place and its directions into a frame.  NULL: that looks the same in any. */
     void (*carry)(const struct lx_frame *frame, struct lx_shape *shape);
+    /* Whether it is all around a place of the scene: whoever stands there cannot see all of it.  NULL: never. */
+    bool (*surrounds)(const void *parameters, const double place_mm[3]);
     /*
      * Whether it takes light from a free element that it holds, on the side that the element's unit normal looks to;
      * `facing` is that normal's cosine to the surface's own.  The way to the light and the answer are as of `blocks`.
@@ -168,6 +177,12 @@ struct lx_surface_kind {
     /* How far outside of it a place is, an offset from the anchor, and in which direction from the nearest point; less
      * than 0 inside or behind.  NULL: by the ball around it. */
     double (*distance)(const struct lx_shape *shape, const double offset_mm[3], double direction[3]);
+    /* Whether an observer may see anything of it: of what is flat, its front.  Else it hides nothing from sight.
+     * NULL: always. */
+    bool (*faces)(const struct lx_shape *shape, const struct lx_origin *eye);
+    /* As `beside`, of the way to an observer who it faces, where it hides other things from sight than from light.
+     * NULL: it does not. */
+    double (*veils)(const struct lx_shape *shape, const double place_mm[3], const struct lx_origin *eye);
     /* How far the way from a place passes by it; 0 on the edge of its shadow, less inside, smooth beside both. */
     double (*beside)(const struct lx_shape *shape, const double place_mm[3], const double way[3], bool endless);
     /* Quadratic functions of the place, one of which is 0 where its shadow begins: the value of function i, from 0 to
@@ -207,8 +222,17 @@ static inline double lx_curvature(const struct lx_shape *shape)
 /* Whether a surface may take light from an element, its own or another's. */
 static inline bool lx_may_hide(const struct lx_shape *shape, bool is_own)
 {
-    return !is_own || shape->kind->hides_itself;
+    return !is_own || shape->kind->hides_itself || shape->behind_mm > 0;
 }
+
+/* How far rounding may take a shape out of its extent, as something that is seen or in the way. */
+static inline double lx_shape_room(const struct lx_shape *shape)
+{
+    return 2 * shape->touch_mm + 4 * shape->behind_mm;
+}
+
+/* The shape as something in the way of light: moved back by behind_mm, and larger by as much. */
+struct lx_shape lx_shape_in_the_way(const struct lx_shape *shape);
 
 /* The shape of authored parameters. */
 struct lx_shape lx_surface_shape(const struct lx_surface_kind *kind, const void *parameters);
@@ -227,7 +251,14 @@ enum lx_standing lx_surface_standing(const struct lx_surface_kind *kind, const v
                                      const struct lx_frame *frame, double observer_z_mm, bool perspective);
 bool lx_surface_is_dark(const struct lx_surface_kind *kind, const void *parameters, const struct lx_frame *frame,
                         const double place_mm[3]);
+bool lx_surface_surrounds(const struct lx_surface_kind *kind, const void *parameters, const double place_mm[3]);
+
+/* Standing of observers to what they may be in: before it above its lowest place.  Its middle is its anchor. */
+enum lx_standing lx_standing_within(const struct lx_shape *shape, double highest_mm, double observer_z_mm,
+                                    bool perspective);
 double lx_shape_distance(const struct lx_shape *shape, const double offset_mm[3], double direction[3]);
+bool lx_shape_faces(const struct lx_shape *shape, const struct lx_origin *eye);
+double lx_shape_veils(const struct lx_shape *shape, const double place_mm[3], const struct lx_origin *eye);
 
 /* Whether a search can walk on it and over the edges of its shadow. */
 bool lx_shape_is_walkable(const struct lx_shape *shape);
