@@ -35,12 +35,14 @@ static const struct {
     {"irradiance", "E"},
     {"center", "\\mathbf{C}"},
     {"position", "\\mathbf{S}"},
+    {"observer.position", "\\mathbf{O}"},
+    {"target", "\\mathbf{T}"},
     {"z", "z_O"},
     {"width", "W"},
     {"height", "H"},
 };
 
-/* The symbol of a key; NULL: it has none. */
+/* The symbol of a key, or of one by its path; NULL: it has none. */
 static const char *symbol_of(const char *key)
 {
     for (size_t i = 0; i < sizeof symbols / sizeof symbols[0]; i++)
@@ -152,7 +154,7 @@ static void add_row(struct walk *walk, const char *path, const struct lx_paramet
     if (parameter->advised[0].given)
         lx_add_advised(&range, parameter, unit);
     char *words = lx_document_rendered(walk->document, &range);
-    const char *symbol = symbol_of(parameter->name);
+    const char *own = symbol_of(path), *symbol = own ? own : symbol_of(parameter->name);
     const struct lx_span formula = LX_MATH(symbol ? symbol : ""), none = LX_PLAIN("");
     lx_document_row(walk->document,
                     LX_SPANS(LX_CODE(path), symbol ? formula : none, LX_TERM_SPAN(parameter->meaning),

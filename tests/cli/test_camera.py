@@ -486,6 +486,14 @@ def refusals(tap, tool):
         tap.ok(result.code == 3 and message in result.err, words, result)
 
 
+def explanations(tap, tool):
+    """The whole calculation of a point knows no height along z."""
+    for view in "parallel", "perspective":
+        result = tool.run("explain", "-", "-p", "45,-45", stdin=make(MOTIONS[1], view=view))
+        text = " ".join(result.out.split())
+        tap.ok(result.code == 0 and "z_C" not in text and "N = (P − C) / R" in text, view + ": a point", result)
+
+
 def advice(tap, tool):
     """What is in view, and what is behind, is judged as the screen has it."""
     scene = "luxel: 1\nscreen: {width: 300, height: 300, resolution: [300, 300]}\n" \
@@ -504,5 +512,5 @@ def advice(tap, tool):
         tap.ok("behind" not in mended.out + mended.err, "and what mends it", mended)
 
 
-run_tests(Tap(), own_frame, moved_scenes, smooth_pictures, honest_bounds, pixels_and_probes, readings, free_elements, sweeps,
-          advice, refusals)
+run_tests(Tap(), own_frame, moved_scenes, smooth_pictures, honest_bounds, pixels_and_probes, readings, free_elements,
+          sweeps, explanations, advice, refusals)

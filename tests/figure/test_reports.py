@@ -182,6 +182,19 @@ def other_scenes(tap, tool):
         says(tap, text, "of a plate is its axis", name == "desk", name)
 
 
+def placed_observers(tap, tool):
+    """The frame of a screen that was carried stands in numbers, and lines of sight go by it."""
+    place = "observer={position: [0, 900, 1000], target: [0, 0, 1000], up: [0, 0, 2], projection: %s}"
+    for projection, formula in (("orthographic", r"x\,\mathbf{X} + y\,\mathbf{Y} - t\,\mathbf{Z}"),
+                                ("perspective", r"t\,(\mathbf{T} + x\,\mathbf{X} + y\,\mathbf{Y} - \mathbf{O})")):
+        text = report(tool, "-s", place % projection, "-s", "screen.resolution=[40, 40]")
+        tap.ok(r"\mathbf{P} = \mathbf{O} + " + formula in text, projection + ": lines of sight", text)
+        for wanted in (r"\mathbf{O} = (0,\, 900,\, 1000)", r"\mathbf{X} = (-1,\, 0,\, 0)",
+                       r"\mathbf{Y} = (0,\, 0,\, 1)", "centre at the target"):
+            tap.ok(wanted in text, projection + ": " + wanted, text)
+        tap.ok("z_C" not in text, projection + ": no height along z")
+
+
 def quantities(tap, tool):
     """Title, aim, task and method name what is computed, by --quantity and the units of the scene, in Russian, too."""
     names = {("radiometric", "brightness"): "brightness", ("photometric", "brightness"): "luminance",
@@ -358,5 +371,5 @@ def scene_on_one_page(tap, tool):
         tap.ok("Repetition" in pages[having[0]], "%d lights: with its heading" % count)
 
 
-run_tests(Tap(), the_exercise, kinds_of_light, other_scenes, quantities, repetition, parameters, every_row, title_page,
-          scene_on_one_page)
+run_tests(Tap(), the_exercise, kinds_of_light, other_scenes, placed_observers, quantities, repetition, parameters,
+          every_row, title_page, scene_on_one_page)
