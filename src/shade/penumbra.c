@@ -9,6 +9,7 @@
 #include "../base/memory.h"
 #include "../base/vector.h"
 #include "../light/extended.h"
+#include "blocking.h"
 #include "cubature.h"
 #include "skyline.h"
 
@@ -52,6 +53,38 @@ static struct lx_shaft shaft_from(const struct lx_planned_surface *surface, cons
     return lx_shaft_to(place, ball->radius, emitter);
 }
 
+/* How far before a wall the place of a source is that is nearest to it, or farthest behind. */
+static double lowest_before(const struct lx_shape *wall, const struct lx_emitter *emitter)
+{
+    double lowest = HUGE_VAL, height = 0;
+    for (size_t c = 0; emitter->type == LX_FACETS && c < emitter->facets->corner_count; c++) {
+        const lx_wide3 *corner = &emitter->facets->corners_mm[c];
+        const double offset[3] = {lx_wide_value(corner->x) - wall->anchor_mm[0],
+                                  lx_wide_value(corner->y) - wall->anchor_mm[1],
+                                  lx_wide_value(corner->z) - wall->anchor_mm[2]};
+        lowest = fmin(lowest, lx_dot(wall->axis, offset));
+    }
+    if (emitter->type == LX_FACETS)
+        return lowest;
+    for (int k = 0; k < 3; k++)
+        height += wall->axis[k] * (emitter->center_mm[k] - wall->anchor_mm[k]);
+    const double axis[3] = {emitter->axis.x.value, emitter->axis.y.value, emitter->axis.z.value};
+    const double along = fmin(fabs(lx_dot(axis, wall->axis)), 1), across = sqrt(1 - along * along);
+    if (emitter->type == LX_BALL)
+        return height - emitter->radius_mm;
+    return height - emitter->radius_mm * across - (emitter->type == LX_CYLINDER ? emitter->height_mm / 2 * along : 0);
+}
+
+/* Whether a surface and a source are both before a wall of a room, which then hides nothing. */
+static bool are_before_wall(const struct lx_shape *wall, const struct lx_shape *lit, const struct lx_emitter *emitter)
+{
+    if (!(wall->behind_mm > 0))
+        return false;
+    const struct lx_origin on_wall = {.at = {wall->anchor_mm[0], wall->anchor_mm[1], wall->anchor_mm[2]}};
+    return lx_are_before_wall(wall, lit, &on_wall) &&
+           lowest_before(wall, emitter) > 2 * wall->touch_mm - wall->behind_mm;
+}
+
 int lx_find_shell_blockers(const struct lx_plan *plan, const struct lx_planned_surface *surface,
                            struct lx_planned_shell *planned)
 {
@@ -60,7 +93,8 @@ int lx_find_shell_blockers(const struct lx_plan *plan, const struct lx_planned_s
     size_t capacity = 0;
     for (uint32_t s = 0; plan->prepared->shadows_extended && s < plan->surface_count; s++) {
         const struct lx_shape *shape = &plan->surfaces[s].shape;
-        if (!lx_may_hide(shape, &plan->surfaces[s] == surface) || !may_stand_in(shape, &shaft))
+        if (!lx_may_hide(shape, &plan->surfaces[s] == surface) ||
+            are_before_wall(shape, &surface->shape, planned->emitter) || !may_stand_in(shape, &shaft))
             continue;
         if (lx_reserve(&planned->blockers, &capacity, planned->blocker_count + 1, sizeof *planned->blockers))
             return -1;

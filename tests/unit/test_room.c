@@ -190,6 +190,40 @@ static void test_pictures_keep_light_out(void **state)
         }
 }
 
+/* Lamps of some size, one of them mounted on the ceiling, lose nothing to walls: the picture is that without shadows, to
+ * the last bit.  From outside they light nothing. */
+static void test_area_lamps(void **state)
+{
+    (void)state;
+    static const char *const inside =
+        "{type: planar, rectangle: {center: [50, 400, 0], size: [200, 100], axis: [0, -1, 0]}, radiance: 30}, "
+        "{type: planar, disk: {center: [-400, 0, 0], radius: 90, axis: [1, 0, 0]}, radiance: 20}, "
+        "{type: volume, cylinder: {center: [0, 0, 0], radius: 20, height: 800, axis: [0, 1, 0]}, radiance: 10}, "
+        "{type: volume, sphere: {center: [300, -300, -300], radius: 100}, radiance: 10}";
+    static const char *const outside =
+        "{type: planar, rectangle: {center: [50, 401, 0], size: [2000, 1000], axis: [0, -1, 0]}, radiance: 30}, "
+        "{type: volume, sphere: {center: [600, -300, -300], radius: 100}, radiance: 10}";
+    for (int is_outside = 0; is_outside < 2; is_outside++) {
+        luxel_field *fields[2];
+        luxel_scene *scene =
+            scene_of("{z: 390, projection: perspective}",
+                     "{type: room, center: [0, 0, 0], size: [800, 800, 800], material: {model: lambert}}",
+                     is_outside ? outside : inside);
+        assert_int_equal(luxel_render(scene, NULL, NULL, &fields[0]), LUXEL_OK);
+        assert_int_equal(luxel_scene_set(scene, "shadows=none", NULL), LUXEL_OK);
+        assert_int_equal(luxel_scene_commit(scene, NULL), LUXEL_OK);
+        assert_int_equal(luxel_render(scene, NULL, NULL, &fields[1]), LUXEL_OK);
+        assert_true(luxel_field_statistics(fields[1])->maximum.value > 0);
+        for (unsigned pixel = 0; pixel < 80 * 80; pixel++) {
+            const double value = luxel_field_value(fields[0], pixel % 80, pixel / 80);
+            assert_true(value == (is_outside ? 0 : luxel_field_value(fields[1], pixel % 80, pixel / 80)));
+        }
+        luxel_field_free(fields[0]);
+        luxel_field_free(fields[1]);
+        luxel_scene_free(scene);
+    }
+}
+
 /* Six rectangles written by hand, in the order of the walls. */
 static const char *six_of(const struct box *box, const char *more, char text[TEXT_SIZE])
 {
@@ -400,6 +434,7 @@ int main(void)
         cmocka_unit_test(test_walls_under_a_lamp),
         cmocka_unit_test(test_no_light_leaks),
         cmocka_unit_test(test_pictures_keep_light_out),
+        cmocka_unit_test(test_area_lamps),
         cmocka_unit_test(test_is_six_rectangles),
         cmocka_unit_test(test_no_sight_leaks),
         cmocka_unit_test(test_observers),
