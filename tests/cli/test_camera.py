@@ -114,6 +114,8 @@ def surfaces(m):
                     "up": m.direction(0, 1, 0), "material": GLOSSY},
                    {"type": "disk", "center": m.place(90, 45, 900), "radius": 70, "axis": m.direction(0, 1, 4),
                     "material": GLOSSY}],
+        "shell": [{"type": "sphere", "center": m.place(45, -45, 1800), "radius": 1600, "inside": True,
+                   "material": GLOSSY}, ball],
         "tube": [{"type": "cylinder", "center": m.place(0, 0, 900), "radius": 120, "height": 400,
                   "axis": m.direction(1, 3, 1), "material": GLOSSY}, ball | {"center": m.place(225, -45, 900)}],
     }
@@ -357,6 +359,29 @@ def pixels_and_probes(tap, tool):
             tap.ok(picture.max() > 0 and off <= allowed, "pixels and probes, %s, %s" % (light, precision), off)
 
 
+def rooms(tap, tool):
+    """An observer inside of a room looks into a corner of it, at a ball: pixels and probes agree."""
+    scene = {"luxel": 1, "screen": {"width": 400, "height": 300, "resolution": [64, 48]},
+             "observer": {"position": [1500, -900, 1400], "target": [1100, -500, 1000], "projection": "perspective"},
+             "surfaces": [{"type": "room", "center": [0, 0, 0], "size": [4000, 2600, 3400],
+                           "materials": {"floor": {"diffuse": 0.3}}},
+                          {"type": "sphere", "center": [-100, 600, -200], "radius": 400, "material": GLOSSY}],
+             "lights": [{"type": "point", "position": [300, 1100, 600], "intensity": 10},
+                        {"type": "planar", "radiance": 5, "rectangle": {
+                            "center": [0, 1290, 0], "size": [300, 300], "axis": [0, -1, 0]}}]}
+    places = [(column, row) for column in range(0, 64, 5) for row in range(0, 48, 5)]
+    options = [word for column, row in places for word in
+               ("-p", "%r,%r" % (400 * (column + 0.5) / 64 - 200, 150 - 300 * (row + 0.5) / 48))]
+    result = tool.run("probe", "-", "--json", *options, stdin=json.dumps(scene))
+    tap.equal((result.code, result.err), (0, ""), "an observer in a room")
+    points = result.json()["points"]
+    picture = render(tool, json.dumps(scene), "--precision", "double")
+    off = [abs(picture[row][column] - p["value"]) - p["error"] for p, (column, row) in zip(points, places)]
+    tap.ok(all(p["on_surface"] for p in points) and len({tuple(p["normal"]) for p in points}) > 12,
+           "walls and the ball are seen", points[:2])
+    tap.ok(max(off) <= 1e-3 * picture.max(), "pixels and probes in a room", max(off) / picture.max())
+
+
 # ---- what is read off the picture ----
 
 def readings(tap, tool):
@@ -512,5 +537,5 @@ def advice(tap, tool):
         tap.ok("behind" not in mended.out + mended.err, "and what mends it", mended)
 
 
-run_tests(Tap(), own_frame, moved_scenes, smooth_pictures, honest_bounds, pixels_and_probes, readings, free_elements,
-          sweeps, explanations, advice, refusals)
+run_tests(Tap(), own_frame, moved_scenes, smooth_pictures, honest_bounds, pixels_and_probes, rooms, readings,
+          free_elements, sweeps, explanations, advice, refusals)
