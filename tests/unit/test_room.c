@@ -190,8 +190,8 @@ static void test_pictures_keep_light_out(void **state)
         }
 }
 
-/* Lamps of some size, one of them mounted on the ceiling, lose nothing to walls: the picture is that without shadows, to
- * the last bit.  From outside they light nothing. */
+/* Lamps of some size, one of them mounted on the ceiling, lose nothing to walls: the picture is that without shadows,
+ * to the last bit.  From outside they light nothing. */
 static void test_area_lamps(void **state)
 {
     (void)state;
