@@ -138,6 +138,14 @@ static void open_all(struct lx_openness *openness)
     openness->any_in_doubt = false;
 }
 
+/* Elements on a wall that hides itself, where some of a batch have normals of their own: the reference knows which. */
+static void doubt_own(const struct lx_elements *elements, uint32_t surface, struct lx_openness *openness)
+{
+    for (size_t i = 0; i < elements->count; i++)
+        if (elements->own[i] == surface)
+            openness->in_doubt[i] = openness->any_in_doubt = true;
+}
+
 /* What is in doubt, by the reference, unless something else closes the way. */
 static void settle_doubts(const struct lx_world *world, const struct lx_elements *elements,
                           const struct lx_emitter *emitter, struct lx_openness *openness)
@@ -171,9 +179,13 @@ static const struct lx_column *find_open(const struct lx_world *world, const str
             open_all(openness);
         is_open = false;
         const struct lx_shape in_the_way = lx_shape_in_the_way(shape);
-        const uint32_t spared = lx_may_hide(shape, true) ? UINT32_MAX : (uint32_t)s + 1;
-        if (lx_close_shape(kernels, &in_the_way, spared, &ways, elements, openness))
+        const bool hides_own = lx_may_hide(shape, true) && !elements->has_sides;
+        const uint32_t number = (uint32_t)s + 1;
+        if (lx_close_shape(kernels, &in_the_way, hides_own ? UINT32_MAX : number, &ways, elements, openness)) {
+            if (lx_may_hide(shape, true) && !hides_own)
+                doubt_own(elements, number, openness);
             continue;
+        }
         memset(openness->in_doubt, 1, sizeof openness->in_doubt);
         openness->any_in_doubt = true;
     }

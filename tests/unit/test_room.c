@@ -190,6 +190,42 @@ static void test_pictures_keep_light_out(void **state)
         }
 }
 
+/* Batches of free elements, on walls, with the walls' normals and with others, have what each has by itself. */
+static void test_batches(void **state)
+{
+    enum { PLACES = 300 };
+    (void)state;
+    for (int turned = 0; turned < 2; turned++) {
+        const struct box box = {{-700, -500, -900}, {800, 600, 1000}};
+        char room[TEXT_SIZE];
+        luxel_place places[PLACES] = {{.is_element = false}};
+        luxel_value values[PLACES];
+        luxel_evaluator *evaluator;
+        luxel_scene *scene = scene_of("{z: 9000}", room_of(&box, "", room),
+                                      "{type: point, position: [100, 50, 20], intensity: 3}, "
+                                      "{type: point, position: [1400, 50, 20], intensity: 3}, "
+                                      "{type: distant, direction: [0.3, -0.5, -0.6], irradiance: 2}");
+        assert_int_equal(luxel_evaluator_new(scene, NULL, NULL, &evaluator), LUXEL_OK);
+        size_t lit_count = 0;
+        for (int k = 0; k < PLACES; k++) {
+            places[k].is_element = true;
+            on_wall(&box, k % 6, places[k].position_mm, places[k].normal);
+            for (int i = 0; i < 3 && turned && k % 3 > 0; i++)
+                places[k].normal[i] = k % 3 == 1 ? -places[k].normal[i] : between(-1, 1);
+        }
+        assert_int_equal(luxel_evaluate_places(evaluator, places, PLACES, values, NULL), LUXEL_OK);
+        for (int k = 0; k < PLACES; k++) {
+            const luxel_value alone = luxel_evaluate_place(evaluator, &places[k], NULL);
+            assert_true(values[k].value == alone.value && values[k].error == alone.error);
+            assert_true(values[k].surface == 0 && values[k].part == (unsigned)k % 6 && alone.part == (unsigned)k % 6);
+            lit_count += alone.value > 0;
+        }
+        assert_true(lit_count > PLACES / 3);
+        luxel_evaluator_free(evaluator);
+        luxel_scene_free(scene);
+    }
+}
+
 /* Lamps of some size, one of them mounted on the ceiling, lose nothing to walls: the picture is that without shadows,
  * to the last bit.  From outside they light nothing. */
 static void test_area_lamps(void **state)
@@ -434,6 +470,7 @@ int main(void)
         cmocka_unit_test(test_walls_under_a_lamp),
         cmocka_unit_test(test_no_light_leaks),
         cmocka_unit_test(test_pictures_keep_light_out),
+        cmocka_unit_test(test_batches),
         cmocka_unit_test(test_area_lamps),
         cmocka_unit_test(test_is_six_rectangles),
         cmocka_unit_test(test_no_sight_leaks),
