@@ -82,7 +82,7 @@ static void advise_dark(struct lx_adviser *adviser)
         if (mend_dark_light(adviser, i))
             return;
     size_t count = 0;
-    for (struct lx_scene_material at = {NULL}; lx_next_material(scene, &at) && count++ < 16;) {
+    for (struct lx_scene_material at = {0}; lx_next_material(scene, &at) && count++ < 16;) {
         snprintf(words, sizeof words, "%s.diffuse=0.8", lx_material_key(&at, key));
         if (lx_try(adviser, is_lit, words, NULL))
             return;
@@ -150,7 +150,7 @@ static double rise_with(struct lx_adviser *adviser, const char *const *assignmen
     size_t count = 0, used = 0;
     for (; assignments && *assignments; assignments++)
         list[count++] = *assignments;
-    for (struct lx_scene_material at = {NULL}; used < MOST_MATERIALS && lx_next_material(adviser->parameters, &at);) {
+    for (struct lx_scene_material at = {0}; used < MOST_MATERIALS && lx_next_material(adviser->parameters, &at);) {
         snprintf(words[used], sizeof words[used], "%s.specular=0", lx_material_key(&at, key));
         list[count++] = words[used++];
     }
@@ -262,7 +262,7 @@ static void advise_highlight(struct lx_adviser *adviser)
     const struct lx_scout *now = &adviser->now;
     const struct lx_scene_material material = material_at_peak(adviser);
     size_t materials = 0;
-    for (struct lx_scene_material at = {NULL}; lx_next_material(adviser->parameters, &at);)
+    for (struct lx_scene_material at = {0}; lx_next_material(adviser->parameters, &at);)
         materials++;
     if (material.material->model == LX_LAMBERT || !may_shine(adviser->parameters) || materials > MOST_MATERIALS)
         return;

@@ -160,7 +160,7 @@ static void collect_all(struct collected *collected, const struct convention *co
         collect(collected, convention, word, group->group, lx_const_member(group, scene), group->name);
         break;
     case MATERIAL:
-        for (struct lx_scene_material at = {NULL}; lx_next_material(scene, &at);)
+        for (struct lx_scene_material at = {0}; lx_next_material(scene, &at);)
             collect(collected, convention, word, &lx_material_table, at.material, lx_material_key(&at, path));
         break;
     case LIGHT:

@@ -356,9 +356,9 @@ void lx_explain_model(struct luxel_document *document, const struct lx_prepared 
     }
     lx_document_paragraph(document, sum, NULL);
     size_t count = 0;
-    for (struct lx_scene_material at = {NULL}; lx_next_material(scene, &at);)
+    for (struct lx_scene_material at = {0}; lx_next_material(scene, &at);)
         count++;
-    for (struct lx_scene_material at = {NULL}; lx_next_material(scene, &at);) {
+    for (struct lx_scene_material at = {0}; lx_next_material(scene, &at);) {
         struct lx_text name = {0};
         if (count > 1)
             lx_text_printf(&name, "surfaces[%zu]%s%s", at.surface, at.part ? ".materials." : "",

@@ -183,7 +183,7 @@ bool lx_find_sight(const struct lx_plan *plan, const struct lx_planned_surface *
             double place[3];
             const double normal[3] = {block->nx[i], block->ny[i], block->nz[i]};
             place_of(surface, block, i, place);
-            penumbra->sight[i] = look(plan, surface, planned, place, normal, &penumbra->occlusion);
+            penumbra->sight[i] = (uint8_t)look(plan, surface, planned, place, normal, &penumbra->occlusion);
             all = all && penumbra->sight[i] == LX_SEES_ALL;
         }
     }

@@ -2,7 +2,7 @@
 """The surface that docs/ADDING-A-SURFACE.md adds (test_adding.py).
 
 The new surface, a ring, must look as the disk that it is cut out of, show through its hole what is behind, take away
-the light that the disk takes and the disk in its hole does not, have a true maximum, and speak up in help and in errors.
+the light that the disk takes and the disk in its hole does not, have a true maximum, and speak up in help and errors.
 """
 import json
 import re

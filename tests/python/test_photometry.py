@@ -37,7 +37,8 @@ def test_numbers(tap, tool):
                   (answer["max"]["intensity"], answer["max"]["c"], answer["max"]["gamma"]), name + ": the greatest")
         with open(tool.file(name), "rb") as file:
             tap.ok((luxel.Photometry(file.read(), name).intensities == lamp.intensities).all(), name + ": its bytes")
-    tap.equal((lamp.lamp_sets[0].lumens, lamp.lamp_sets[0].type, lamp.housing_mm), (1000, "LED", (100, 100, 50)), "lamps and housing")
+    tap.equal((lamp.lamp_sets[0].lumens, lamp.lamp_sets[0].type, lamp.housing_mm), (1000, "LED", (100, 100, 50)),
+              "lamps and housing")
     tap.equal(dict(luxel.Photometry(AXIAL.encode()).texts)["MANUFAC"], "Lampe AG", "texts")
 
 

@@ -97,7 +97,7 @@ static void placed(void **state)
         } else {
             assert_false(luxel_scene_project(scene, (double[]){1300, -1000, 1950}, screen));
         }
-        assert_false(luxel_scene_height(scene, (double[]){NAN, 0, 0}, &height));
+        assert_false(luxel_scene_height(scene, (double[]){(double)NAN, 0, 0}, &height));
         assert_false(luxel_scene_height(NULL, (double[]){0, 0, 0}, &height));
         luxel_scene_free(scene);
     }
