@@ -96,8 +96,8 @@ def exact_irradiance(scene, element):
 
 
 def elements_table(page, scene, elements, unit, printed=(), skip=(), places=None, digits=10):
-    """One row per element: place and normal, the values, the deviations."""
-    found = page.luxel.values_at(scene, elements=elements, options=['--quantity', 'irradiance'])
+    """One row per element: place and normal, the values, the deviations.  Nothing hides anything."""
+    found = page.luxel.values_at({**scene, 'shadows': 'none'}, elements=elements, options=['--quantity', 'irradiance'])
     rows = []
     for index, (element, value) in enumerate(zip(elements, found)):
         where = places[index] if places else ', '.join(f'{x:g}' for x in element[:3])
@@ -131,8 +131,8 @@ CIE_CASES = (
     ('5.4', 'conservation of luminous flux', 'yes', ''),
     ('5.5', 'directional transmittance of clear glass', 'no', 'nothing is transparent'),
     ('5.6', 'reflection by diffuse surfaces', 'yes', 'the reflecting square is given as a source'),
-    ('5.7', 'diffuse reflection with an internal obstruction', 'no',
-     'not tabled here; tests/unit/test_shadows.c holds it to the corrected numbers'),
+    ('5.7', 'diffuse reflection with an internal obstruction', 'yes',
+     'the reflecting wall is given as a source; the printed numbers are the corrected ones'),
     ('5.8', 'interreflection in a cube', 'no', 'light is not reflected from surface to surface'),
     ('5.9, 5.10', 'sky component under a roof opening, unglazed and glazed', 'no', 'there are no skies and no glass'),
     ('5.11 to 5.14', 'sky and ground through a facade opening, glazed, with horizontal and vertical masks', 'no',
@@ -170,6 +170,43 @@ def cie(page):
                      'for an exitance of 100) on a wall (y = 0) and on the ceiling; the origin is a corner of the room.'
                      + ('' if size == '4000' else ' No printed values of this size are at hand.'))
         elements_table(page, case['scene'], case['elements'], '%', printed.get('values', ()), printed.get('skip', ()))
+
+    obstruction(page)
+
+
+def obstruction(page):
+    """Test 5.7: what the box leaves of the wall is a rectangle above a level line, whose irradiance is a closed form."""
+    page.heading('CIE 171, test 5.7: a box before a lit wall',
+                 'The wall y = 4 m of a black room of 4 m × 4 m × 3 m shines as Lambert has it; before it, from y = 2.5 m '
+                 'to 2.7 m, stands a black box as wide as the room and 1 m high. Configuration factors in percent (the '
+                 'irradiance for an exitance of 100) on the wall opposite (y = 0) and on the floor, in the middle of the '
+                 'room. Table 19 of the publication is wrong; the printed numbers are the corrected ones (I. Ashdown, '
+                 'errata of CIE 171; NVIDIA Iray report, Table 14).')
+    # a wall of the room that looks away from the box, and the box's own sides
+    plates = [{'center': [2000, 2500, 500], 'size': [4000, 1000], 'axis': [0, -1, 1e-9], 'up': [0, 0, 1]},
+              {'center': [2000, 2700, 500], 'size': [4000, 1000], 'axis': [0, 1, 1e-9], 'up': [0, 0, 1]},
+              {'center': [2000, 2600, 1000], 'size': [4000, 200]}]
+    stage = {**STAGE, 'observer': {'z': 20000}}
+
+    def lit(low, high, surfaces):
+        wall = {'center': [2000, 4000, (low + high) / 2], 'size': [4000, high - low], 'axis': [0, -1, 0],
+                'up': [0, 0, 1]}
+        return {**stage, **({'surfaces': surfaces} if surfaces else {}),
+                'lights': [{'type': 'planar', 'rectangle': wall, 'radiance': 100 / math.pi}]}
+
+    rows = []
+    printed = (16.07, 16.33, 15.40, 13.32, 10.32, 7.08, 3.38, 3.63, 3.01, 0, 0)
+    places = [(0, 2750 - 500 * i) for i in range(6)] + [(250 + 500 * i, 0) for i in range(5)]
+    elements = [[2000, y, z, *((0, 1, 0) if y == 0 else (0, 0, 1))] for y, z in places]
+    found = page.luxel.values_at(lit(0, 3000, [{'type': 'rectangle', **plate} for plate in plates]), elements=elements,
+                                 options=['--quantity', 'irradiance'])
+    for (y, z), element, value, print_value in zip(places, elements, found, printed, strict=True):
+        # the wall is seen above the higher of the lines over the box's two upper edges
+        level = max(z + (1000 - z) * (4000 - y) / (edge - y) for edge in (2500, 2700))
+        exact = exact_irradiance(lit(max(level, 0), 3000, None), element) if level < 3000 else mpf(0)
+        rows.append([', '.join(f'{x:g}' for x in element[:3]), direction_words(element[3:]), figures(exact),
+                     figures(value), f'{print_value:.2f}', off_exact(value, exact), off_printed(value, print_value)])
+    page.table(['x, y, z (mm)', 'faces', 'exact (%)', 'Luxel (%)', 'printed (%)', 'off the exact', 'off the printed'], rows)
 
 
 def closed_room(page):
