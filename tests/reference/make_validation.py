@@ -175,13 +175,13 @@ def cie(page):
 
 
 def obstruction(page):
-    """Test 5.7: what the box leaves of the wall is a rectangle above a level line, whose irradiance is a closed form."""
+    """Test 5.7: what the box leaves of the wall is a rectangle above a level line, which has a closed form."""
     page.heading('CIE 171, test 5.7: a box before a lit wall',
-                 'The wall y = 4 m of a black room of 4 m × 4 m × 3 m shines as Lambert has it; before it, from y = 2.5 m '
-                 'to 2.7 m, stands a black box as wide as the room and 1 m high. Configuration factors in percent (the '
-                 'irradiance for an exitance of 100) on the wall opposite (y = 0) and on the floor, in the middle of the '
-                 'room. Table 19 of the publication is wrong; the printed numbers are the corrected ones (I. Ashdown, '
-                 'errata of CIE 171; NVIDIA Iray report, Table 14).')
+                 'The wall y = 4 m of a black room of 4 m × 4 m × 3 m shines as Lambert has it; before it, from y = '
+                 '2.5 m to 2.7 m, stands a black box as wide as the room and 1 m high. Configuration factors in '
+                 'percent (the irradiance for an exitance of 100) on the wall opposite (y = 0) and on the floor, in the '
+                 'middle of the room. Table 19 of the publication is wrong; the printed numbers are the corrected ones '
+                 '(I. Ashdown, errata of CIE 171; NVIDIA Iray report, Table 14).')
     # a wall of the room that looks away from the box, and the box's own sides
     plates = [{'center': [2000, 2500, 500], 'size': [4000, 1000], 'axis': [0, -1, 1e-9], 'up': [0, 0, 1]},
               {'center': [2000, 2700, 500], 'size': [4000, 1000], 'axis': [0, 1, 1e-9], 'up': [0, 0, 1]},
@@ -206,7 +206,8 @@ def obstruction(page):
         exact = exact_irradiance(lit(max(level, 0), 3000, None), element) if level < 3000 else mpf(0)
         rows.append([', '.join(f'{x:g}' for x in element[:3]), direction_words(element[3:]), figures(exact),
                      figures(value), f'{print_value:.2f}', off_exact(value, exact), off_printed(value, print_value)])
-    page.table(['x, y, z (mm)', 'faces', 'exact (%)', 'Luxel (%)', 'printed (%)', 'off the exact', 'off the printed'], rows)
+    page.table(['x, y, z (mm)', 'faces', 'exact (%)', 'Luxel (%)', 'printed (%)', 'off the exact', 'off the printed'],
+               rows)
 
 
 def closed_room(page):
