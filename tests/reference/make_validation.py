@@ -180,8 +180,8 @@ def obstruction(page):
                  'The wall y = 4 m of a black room of 4 m × 4 m × 3 m shines as Lambert has it; before it, from y = '
                  '2.5 m to 2.7 m, stands a black box as wide as the room and 1 m high. Configuration factors in '
                  'percent (the irradiance for an exitance of 100) on the wall opposite (y = 0) and on the floor, in '
-                 'the middle of the room. Table 19 of the publication is wrong; the printed numbers are the corrected ones '
-                 '(I. Ashdown, errata of CIE 171; NVIDIA Iray report, Table 14).')
+                 'the middle of the room. Table 19 of the publication is wrong; the printed numbers are the corrected '
+                 'ones (I. Ashdown, errata of CIE 171; NVIDIA Iray report, Table 14).')
     # a wall of the room that looks away from the box, and the box's own sides
     plates = [{'center': [2000, 2500, 500], 'size': [4000, 1000], 'axis': [0, -1, 1e-9], 'up': [0, 0, 1]},
               {'center': [2000, 2700, 500], 'size': [4000, 1000], 'axis': [0, 1, 1e-9], 'up': [0, 0, 1]},
