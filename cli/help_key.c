@@ -92,20 +92,42 @@ static bool same_rules(const luxel_parameter *a, const luxel_parameter *b)
     return same;
 }
 
-/* Whether two rows of the table say the same but for the type that they belong to. */
-static bool same_parameter(const luxel_parameter *a, const luxel_parameter *b)
+/* Whether two rows of the table say the same, wherever they stand. */
+static bool same_meaning(const luxel_parameter *a, const luxel_parameter *b)
 {
-    return same_text(a->path, b->path) && same_text(a->type, b->type) && same_text(a->choices, b->choices) &&
-           same_text(a->unit, b->unit) && same_text(a->default_value, b->default_value) && a->required == b->required &&
+    return same_text(a->type, b->type) && same_text(a->choices, b->choices) && same_text(a->unit, b->unit) &&
+           same_text(a->default_value, b->default_value) && a->required == b->required &&
            same_text(a->legal, b->legal) && same_text(a->advised, b->advised) && same_text(a->meaning, b->meaning) &&
            same_rules(a, b);
 }
 
-static bool is_first_of_its_kind(const luxel_parameters *keys, size_t i)
+/* The same of one key, but for the type that it belongs to. */
+static bool same_parameter(const luxel_parameter *a, const luxel_parameter *b)
 {
-    for (size_t k = 0; k < i; k++)
-        if (same_parameter(luxel_parameters_get(keys, k), luxel_parameters_get(keys, i)))
+    return same_text(a->path, b->path) && same_meaning(a, b);
+}
+
+/* Whether two keys stand in elements of one list. */
+static bool same_list(const char *path, const char *other)
+{
+    const size_t length = strcspn(path, "[");
+
+    return path[length] != '\0' && strncmp(path, other, length + 1) == 0;
+}
+
+/* A topic that both keys answer to, such as "shininess" of a material and of single walls, is explained once. */
+static bool is_first_of_its_kind(const luxel_parameters *keys, const char *topic, enum match wanted, size_t i)
+{
+    const luxel_parameter *parameter = luxel_parameters_get(keys, i);
+
+    for (size_t k = 0; k < i; k++) {
+        const luxel_parameter *other = luxel_parameters_get(keys, k);
+
+        if (same_parameter(other, parameter) ||
+            (topic && wanted == MATCH_EXACT && match_parameter(topic, other) == wanted &&
+             same_list(parameter->path, other->path) && same_meaning(other, parameter)))
             return false;
+    }
     return true;
 }
 
@@ -210,7 +232,8 @@ static void print_text(const luxel_parameters *keys, const char *topic, enum mat
     const char *separator = key_first ? "" : print_kinds(keys, topic, "");
 
     for (size_t i = 0; i < luxel_parameters_count(keys); i++) {
-        if (match_parameter(topic, luxel_parameters_get(keys, i)) != wanted || !is_first_of_its_kind(keys, i))
+        if (match_parameter(topic, luxel_parameters_get(keys, i)) != wanted ||
+            !is_first_of_its_kind(keys, topic, wanted, i))
             continue;
         fputs(separator, stdout);
         print_parameter(keys, i);

@@ -29,7 +29,7 @@ static void finds_wrong_keys(void **state)
     (void)state;
     expect_error("radius", "raduis", WANTED("unknown-key", 8, 5, "surfaces[0].raduis", "\"raduis\"", "\"radius\""));
     expect_error("radius: 300", "radius: 300\n    zebra: 1",
-                 WANTED("unknown-key", 9, 5, .hint = "type, center, radius, name, material"));
+                 WANTED("unknown-key", 9, 5, .hint = "type, center, radius, inside, name, material"));
     expect_error("radius: 300", "radius: 300\n    radius: 200", WANTED("doubled-key", 9, 5, "surfaces[0].radius"));
     expect_error("type: sphere", "type: sphere\n    type: sphere", WANTED("doubled-key", 7, 5));
     expect_error("    radius: 300\n", "",
