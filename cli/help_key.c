@@ -107,28 +107,47 @@ static bool same_parameter(const luxel_parameter *a, const luxel_parameter *b)
     return same_text(a->path, b->path) && same_meaning(a, b);
 }
 
-/* Whether two keys stand in elements of one list. */
-static bool same_list(const char *path, const char *other)
+/* Whether a key's group is called as another's and more, as "materials.floor" is to "material". */
+static bool extends_group(const char *path, const char *other)
 {
-    const size_t length = strcspn(path, "[");
+    const char *dot = strrchr(other, '.');
 
-    return path[length] != '\0' && strncmp(path, other, length + 1) == 0;
+    return dot && strncmp(path, other, (size_t)(dot - other)) == 0;
 }
 
-/* A topic that both keys answer to, such as "shininess" of a material and of single walls, is explained once. */
-static bool is_first_of_its_kind(const luxel_parameters *keys, const char *topic, enum match wanted, size_t i)
+/* Whether a key says what one before it has said to the same topic: "shininess" of single walls, after the material's. */
+static bool repeats(const luxel_parameter *key, const luxel_parameter *before, const char *topic)
+{
+    return topic && match_parameter(topic, before) == MATCH_EXACT && match_parameter(topic, key) == MATCH_EXACT &&
+           extends_group(key->path, before->path) && same_meaning(before, key);
+}
+
+static bool is_first_of_its_kind(const luxel_parameters *keys, const char *topic, size_t i)
 {
     const luxel_parameter *parameter = luxel_parameters_get(keys, i);
 
     for (size_t k = 0; k < i; k++) {
-        const luxel_parameter *other = luxel_parameters_get(keys, k);
+        const luxel_parameter *before = luxel_parameters_get(keys, k);
 
-        if (same_parameter(other, parameter) ||
-            (topic && wanted == MATCH_EXACT && match_parameter(topic, other) == wanted &&
-             same_list(parameter->path, other->path) && same_meaning(other, parameter)))
+        if (same_parameter(before, parameter) || repeats(parameter, before, topic))
             return false;
     }
     return true;
+}
+
+/* The paths of the keys that repeat parameter i; "" where there are none. */
+static const char *list_repeats(const luxel_parameters *keys, const char *topic, size_t i, char buffer[TEXT_SIZE])
+{
+    size_t used = 0;
+
+    buffer[0] = '\0';
+    for (size_t k = i + 1; k < luxel_parameters_count(keys) && used < TEXT_SIZE; k++) {
+        const luxel_parameter *other = luxel_parameters_get(keys, k);
+
+        if (repeats(other, luxel_parameters_get(keys, i), topic))
+            used += (size_t)snprintf(buffer + used, TEXT_SIZE - used, "%s%s", used > 0 ? ", " : "", other->path);
+    }
+    return buffer;
 }
 
 /* "point, spot": the types that have parameter i as it stands; "" for all. */
@@ -230,13 +249,15 @@ static void print_text(const luxel_parameters *keys, const char *topic, enum mat
 {
     const bool key_first = is_path(keys, topic);
     const char *separator = key_first ? "" : print_kinds(keys, topic, "");
+    char repeated[TEXT_SIZE], text[TEXT_SIZE];
 
     for (size_t i = 0; i < luxel_parameters_count(keys); i++) {
-        if (match_parameter(topic, luxel_parameters_get(keys, i)) != wanted ||
-            !is_first_of_its_kind(keys, topic, wanted, i))
+        if (match_parameter(topic, luxel_parameters_get(keys, i)) != wanted || !is_first_of_its_kind(keys, topic, i))
             continue;
         fputs(separator, stdout);
         print_parameter(keys, i);
+        if (*list_repeats(keys, topic, i, repeated))
+            text_definition(stdout, "", 2, text_format(text, _("the same for %s"), repeated));
         separator = "\n";
     }
     if (key_first)

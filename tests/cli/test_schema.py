@@ -207,6 +207,13 @@ def random_scenes(tap, tool):
     made.append(("scene of a luminaire", {**made[-1][1], "lights": [
         {"type": "luminaire", "file": "lamp.ies", "position": [0, 0, 2500], "c0": [0, 1, 0], "flux": 900, "factor": 0.8,
          "interpolation": "cosine"}]}))
+    wall = {"model": "phong", "diffuse": 0.5, "specular": 0.2, "shininess": 9, "ambient": 0.1, "over_pi": True,
+            "highlight": "cosine", "normalized": True}
+    made.append(("scene of a room and a sphere from inside", {
+        **made[-2][1], "grids": [{"center": [0, 0, 0], "size": [900, 600], "spacing": "en12464"}],
+        "surfaces": [{"type": "room", "center": [0, 0, 1000], "size": [2000, 2000, 2000], "materials": {
+            name: wall for name in ("left", "right", "floor", "ceiling", "back", "front")}},
+                     {"type": "sphere", "center": [0, 0, 500], "radius": 200, "inside": True}]}))
     used = set()
     for title, scene in made:
         complaints = judges.complaints(scene)
