@@ -27,6 +27,7 @@ static const struct {
     {"practical", N_("practical, 1/(k + r)")},
     {"polynomial", N_("polynomial")},
     {"none", N_("none")},
+    {"all", N_("all")},
     {"isotropic", N_("isotropic")},
     {"lambertian", N_("lambertian")},
     {"cosine", N_("cosine")},

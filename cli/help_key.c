@@ -115,7 +115,7 @@ static bool extends_group(const char *path, const char *other)
     return dot && strncmp(path, other, (size_t)(dot - other)) == 0;
 }
 
-/* Whether a key says what one before it has said to the same topic: "shininess" of single walls, after the material's. */
+/* Whether a key says what one before it has said to the same topic, as "shininess" of walls after a material's. */
 static bool repeats(const luxel_parameter *key, const luxel_parameter *before, const char *topic)
 {
     return topic && match_parameter(topic, before) == MATCH_EXACT && match_parameter(topic, key) == MATCH_EXACT &&

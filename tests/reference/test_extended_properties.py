@@ -344,24 +344,26 @@ def test_places(tap, options):
                [a for a in answers if a['value'] != 0 or a['error'] >= 1e-12][:3])
 
 
-def test_unhidden(tap, options):
-    """A sphere between an extended source and a plate takes no light away, whole or in parts, as a point's it does."""
+def test_hidden(tap, options):
+    """What a sphere takes from a plate: all light; by `points` that of points and parts, by `none` nothing."""
     surfaces = [{'type': 'rectangle', 'center': [0, 0, 0], 'size': [400, 400]},
                 {'type': 'sphere', 'center': [0, 0, 300], 'radius': 50}]
     screen = {'width': 400, 'height': 400, 'resolution': [8, 8]}
     lamp = {'rectangle': {'center': [200, 0, 600], 'size': [20, 20], 'aim': [-100, 0, 0]}, 'radiance': 100}
-    for name, light, hidden in (
-            ('converged', {'type': 'planar', **lamp}, False),
-            ('in parts', {'type': 'planar', 'parts': 3, **lamp}, False),
-            ('a point', {'type': 'point', 'position': [200, 0, 600], 'intensity': 0.04}, True)):
-        scene = {**STAGE, 'screen': screen, 'surfaces': surfaces, 'lights': [light]}
-        alone = {**scene, 'surfaces': surfaces[:1]}
-        element, switches = [[-200, 0, 0, 0, 0, 1]], IRRADIANCE
-        value = options.luxel.probe(scene, elements=element, options=switches)['points'][0]['value']
-        expected = options.luxel.probe(alone, elements=element, options=switches)['points'][0]['value']
-        tap.ok(expected > 0 and value == (0 if hidden else expected), f'behind a sphere, {name}', value, expected)
-        point = options.luxel.probe(scene, points=[[-175, 25]], options=switches)['points'][0]
-        tap.ok(abs(point['value'] - point['pixel_value']) <= 4e-6 * expected, f'in the picture, {name}', point)
+    for name, light, hiding in (
+            ('converged', {'type': 'planar', **lamp}, ('all',)),
+            ('in parts', {'type': 'planar', 'parts': 3, **lamp}, ('all', 'points')),
+            ('a point', {'type': 'point', 'position': [200, 0, 600], 'intensity': 0.04}, ('all', 'points'))):
+        for shadows in ('all', 'points', 'none'):
+            scene = {**STAGE, 'shadows': shadows, 'screen': screen, 'surfaces': surfaces, 'lights': [light]}
+            alone = {**scene, 'surfaces': surfaces[:1]}
+            element, switches, what = [[-200, 0, 0, 0, 0, 1]], IRRADIANCE, f'{name}, shadows {shadows}'
+            value = options.luxel.probe(scene, elements=element, options=switches)['points'][0]['value']
+            expected = options.luxel.probe(alone, elements=element, options=switches)['points'][0]['value']
+            tap.ok(expected > 0 and value == (0 if shadows in hiding else expected), f'behind a sphere: {what}', value,
+                   expected)
+            point = options.luxel.probe(scene, points=[[-175, 25]], options=switches)['points'][0]
+            tap.ok(abs(point['value'] - point['pixel_value']) <= 4e-6 * expected, f'in the picture: {what}', point)
 
 
 def test_pictures(tap, options):
@@ -402,7 +404,7 @@ def main():
     options = arguments(__doc__)
     tap = Tap()
     for test in (test_superposition, test_turned, test_scaled, test_split, test_reversed, test_far, test_parts,
-                 test_one_part, test_faceted, test_sphere_mean, test_places, test_unhidden, test_pictures):
+                 test_one_part, test_faceted, test_sphere_mean, test_places, test_hidden, test_pictures):
         if not options.kind or test.__name__.removeprefix('test_') in options.kind:
             tap.run(test, tap, options)
     tap.finish()
