@@ -23,6 +23,8 @@ static const struct {
     {"rectangle", N_("rectangle")},
     {"disk", N_("disk")},
     {"cylinder", N_("cylinder")},
+    {"room", N_("room")},
+    {"en12464", N_("as EN 12464-1 says")},
     {"inverse-square", N_("inverse square")},
     {"practical", N_("practical, 1/(k + r)")},
     {"polynomial", N_("polynomial")},
