@@ -227,6 +227,8 @@ def own_frame(tap, tool):
     for name in [each if isinstance(each, str) else each["name"] for each in names]:
         text = tool.run("scene", name).out
         line = next(row for row in text.splitlines() if row.startswith("observer:"))
+        if "position" in line:
+            continue
         height = line.split("z: ")[1].split(",")[0].rstrip("}")
         more = line[line.index("z: ") + 3 + len(height):]
         hashes = []
