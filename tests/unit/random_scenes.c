@@ -173,7 +173,9 @@ void make_random_scene(struct randomness *random, bool with_plates, struct test_
         test->surfaces[i] = (struct lx_prepared_surface){.kind = kind,
                                                          .parameters = parameters,
                                                          .shape = lx_surface_shape(kind, parameters),
-                                                         .lobe = lx_lobe_prepare(&material)};
+                                                         .lobe = lx_lobe_prepare(&material),
+                                                         .authored = i};
+        test->authored[i] = (struct lx_authored_surface){.first = i, .lobe = test->surfaces[i].lobe};
         kind->extent(parameters, test->surfaces[i].low_mm, test->surfaces[i].high_mm);
     }
     size_t lights = 1 + (size_t)pick(random, MAXIMUM_LIGHTS);
@@ -184,6 +186,7 @@ void make_random_scene(struct randomness *random, bool with_plates, struct test_
         .camera = lx_camera_of(&test->scene.observer),
         .surfaces = test->surfaces,
         .surface_count = surfaces,
+        .authored = test->authored,
         .emitters = {.items = test->lights, .count = lights},
         .shadows = surfaces > 1,
     };

@@ -25,6 +25,7 @@ struct test_scene {
     struct lx_plate_parameters plates[MAXIMUM_SURFACES];
     struct lx_item items[MAXIMUM_SURFACES];
     struct lx_prepared_surface surfaces[MAXIMUM_SURFACES];
+    struct lx_authored_surface authored[MAXIMUM_SURFACES];
     struct lx_emitter lights[MAXIMUM_LIGHTS];
     struct lx_prepared prepared;
 };
