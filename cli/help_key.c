@@ -101,7 +101,7 @@ static bool same_meaning(const luxel_parameter *a, const luxel_parameter *b)
            same_rules(a, b);
 }
 
-/* The same of one key, but for the type that it belongs to. */
+/* Rows of one key that say the same, but for the type that they belong to. */
 static bool same_parameter(const luxel_parameter *a, const luxel_parameter *b)
 {
     return same_text(a->path, b->path) && same_meaning(a, b);

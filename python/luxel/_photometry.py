@@ -9,7 +9,7 @@ from . import _html, _luxel
 from ._arrays import floats, shared
 from ._errors import Diagnostic
 from ._language import translate
-from ._pictures import Path, drawing
+from ._pictures import Drawing, Path, drawing
 from ._results import Vector
 from ._settings import choice
 
@@ -65,7 +65,7 @@ class PhotometryFigures(NamedTuple):
     spacing: Tuple[Optional[float], ...]  #: spacing criteria along C0-C180, along C90-C270, across the diagonals
 
 
-class Diagram:
+class Diagram(Drawing):
     """A diagram of a luminaire, drawn when it is asked for; a notebook shows it as SVG."""
 
     __slots__ = ("_luminaire", "_look")
@@ -75,10 +75,6 @@ class Diagram:
         self._look = look
 
     def save(self, path: Path) -> None:
-        """Draws it to a file by the extension of its name: .png, .svg or .pdf, whole or not at all.
-
-        Raises LuxelError where it cannot be drawn or written.
-        """
         capsule = _luxel.photometry_capsule(self._luminaire._holder)
         drawing().write_diagram(capsule, self._look, os.fsencode(path))
 
@@ -86,21 +82,6 @@ class Diagram:
         capsule = _luxel.photometry_capsule(self._luminaire._holder)
         content: bytes = drawing().diagram_bytes(capsule, self._look, "diagram" + ending)
         return content
-
-    def png(self) -> bytes:
-        """The bytes of a PNG."""
-        return self._bytes(".png")
-
-    def svg(self) -> str:
-        """The text of an SVG, letters as outlines."""
-        return self._bytes(".svg").decode("utf-8")
-
-    def pdf(self) -> bytes:
-        """The bytes of a PDF with its fonts."""
-        return self._bytes(".pdf")
-
-    def _repr_svg_(self) -> str:
-        return self.svg()
 
     def __repr__(self) -> str:
         return "<luxel.Diagram of %r>" % (self._luminaire,)

@@ -30,31 +30,20 @@ def palettes() -> List[str]:
     return names
 
 
-class Figure:
-    """A figure, drawn when it is asked for; a notebook shows it as SVG.
+class Drawing:
+    """What is drawn when it is asked for: to a file, or in memory; a notebook shows it as SVG."""
 
-    It shows the scene as it was when the figure was made.
-    """
-
-    __slots__ = ("_scene", "_settings", "_look")
-
-    def __init__(self, scene: "Scene", settings: Settings, look: Tuple[Any, ...]) -> None:
-        self._scene = scene
-        self._settings = settings
-        self._look = look
+    __slots__ = ()
 
     def save(self, path: Path) -> None:
         """Draws it to a file by the extension of its name: .png, .svg or .pdf, whole or not at all.
 
         Raises LuxelError where it cannot be drawn or written.
         """
-        capsule = _luxel.scene_capsule(self._scene._handle)
-        drawing().write_figure(capsule, self._settings, self._look, os.fsencode(path))
+        raise NotImplementedError
 
     def _bytes(self, ending: str) -> bytes:
-        capsule = _luxel.scene_capsule(self._scene._handle)
-        content: bytes = drawing().figure_bytes(capsule, self._settings, self._look, "figure" + ending)
-        return content
+        raise NotImplementedError
 
     def png(self) -> bytes:
         """The bytes of a PNG."""
@@ -70,6 +59,29 @@ class Figure:
 
     def _repr_svg_(self) -> str:
         return self.svg()
+
+
+class Figure(Drawing):
+    """A figure, drawn when it is asked for; a notebook shows it as SVG.
+
+    It shows the scene as it was when the figure was made.
+    """
+
+    __slots__ = ("_scene", "_settings", "_look")
+
+    def __init__(self, scene: "Scene", settings: Settings, look: Tuple[Any, ...]) -> None:
+        self._scene = scene
+        self._settings = settings
+        self._look = look
+
+    def save(self, path: Path) -> None:
+        capsule = _luxel.scene_capsule(self._scene._handle)
+        drawing().write_figure(capsule, self._settings, self._look, os.fsencode(path))
+
+    def _bytes(self, ending: str) -> bytes:
+        capsule = _luxel.scene_capsule(self._scene._handle)
+        content: bytes = drawing().figure_bytes(capsule, self._settings, self._look, "figure" + ending)
+        return content
 
     def __repr__(self) -> str:
         return "<luxel.Figure of %r>" % (self._scene,)

@@ -99,7 +99,7 @@ static PyObject *table(PyObject *module, PyObject *holder, const double *numbers
     return view_new(module, holder, &layout);
 }
 
-/* What the file says, in the order of luxel._photometry. */
+/* The contents of the file, in the order of luxel._photometry. */
 static PyObject *about(PyObject *module, PyObject *holder)
 {
     const luxel_photometry *lamp = photometry_of(module, holder);
@@ -137,7 +137,7 @@ static PyObject *room_indices(void)
     return numbers(indices, LUXEL_ROOM_INDICES);
 }
 
-/* What is read off the table, in the order of luxel._photometry. */
+/* Figures read off the table, in the order of luxel._photometry. */
 static PyObject *measured(PyObject *module, PyObject *holder)
 {
     const luxel_photometry *lamp = photometry_of(module, holder);
