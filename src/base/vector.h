@@ -10,6 +10,13 @@ static inline double lx_dot(const double a[3], const double b[3])
     return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
 }
 
+/* The product of two vectors, which is neither of them. */
+static inline void lx_cross(const double a[3], const double b[3], double product[3])
+{
+    for (int i = 0; i < 3; i++)
+        product[i] = a[(i + 1) % 3] * b[(i + 2) % 3] - a[(i + 2) % 3] * b[(i + 1) % 3];
+}
+
 /* The length of a vector, which becomes of unit length unless it is 0. */
 static inline double lx_normalize(double a[3])
 {

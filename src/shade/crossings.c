@@ -28,12 +28,6 @@ struct borders {
     bool is_full;
 };
 
-static void cross(const double a[3], const double b[3], double result[3])
-{
-    for (int i = 0; i < 3; i++)
-        result[i] = a[(i + 1) % 3] * b[(i + 2) % 3] - a[(i + 2) % 3] * b[(i + 1) % 3];
-}
-
 /* ---- collecting ---- */
 
 static void add(struct borders *borders, const struct border *border)
@@ -49,7 +43,7 @@ static void add_edge(struct borders *borders, size_t body, const double from[3],
     struct border edge = {.type = EDGE, .body = body};
     memcpy(edge.from, from, sizeof edge.from);
     memcpy(edge.to, to, sizeof edge.to);
-    cross(from, to, edge.axis);
+    lx_cross(from, to, edge.axis);
     if (lx_normalize(edge.axis) > 0)
         add(borders, &edge);
 }
@@ -74,7 +68,7 @@ static void add_rim(struct borders *borders, size_t body, const double center[3]
     for (int k = 0; k < 3; k++)
         rim.u[k] = (k == least) - axis[least] * axis[k];
     lx_normalize(rim.u);
-    cross(axis, rim.u, rim.v);
+    lx_cross(axis, rim.u, rim.v);
     add(borders, &rim);
 }
 
@@ -95,7 +89,7 @@ static void add_tube(struct borders *borders, size_t body, const double center[3
     if (!(sine < 1))
         return;
     const double cosine = sqrt((1 - sine) * (1 + sine));
-    cross(axis, aside, turned);
+    lx_cross(axis, aside, turned);
     for (int sign = -1; sign <= 1; sign += 2) {
         double from[3], to[3];
         for (int k = 0; k < 3; k++) {
@@ -162,8 +156,8 @@ static int append(struct lx_directions *directions, const double direction[3])
 static bool is_on_edge(const struct border *edge, const double d[3])
 {
     double before[3], behind[3];
-    cross(edge->from, d, before);
-    cross(d, edge->to, behind);
+    lx_cross(edge->from, d, before);
+    lx_cross(d, edge->to, behind);
     return lx_dot(before, edge->axis) >= 0 && lx_dot(behind, edge->axis) >= 0;
 }
 
@@ -191,7 +185,7 @@ static double outside_of(const struct border *border, const double d[3])
 static int cross_edges(const struct border *a, const struct border *b, struct lx_directions *directions)
 {
     double d[3];
-    cross(a->axis, b->axis, d);
+    lx_cross(a->axis, b->axis, d);
     for (int sign = 0; sign < 2; sign++) {
         if (is_on_edge(a, d) && is_on_edge(b, d))
             return append(directions, d);
@@ -244,7 +238,7 @@ static int cross_edge_and_rim(const struct border *edge, const struct border *ri
 static int cross_circles(const struct border *a, const struct border *b, struct lx_directions *directions)
 {
     double turned[3], d[3];
-    cross(a->axis, b->axis, turned);
+    lx_cross(a->axis, b->axis, turned);
     const double k = lx_dot(a->axis, b->axis), square = lx_dot(turned, turned);
     const double x = (a->cosine - k * b->cosine) / square, y = (b->cosine - k * a->cosine) / square;
     const double below = (1 - x * x - y * y - 2 * x * y * k) / square;

@@ -4,6 +4,7 @@
 
 #include <math.h>
 
+#include "../base/vector.h"
 #include "../light/extended.h"
 
 /* A quadratic form in space: q(Q) = square |Q - at|^2 + along (axis.(Q - at))^2 + (slope.(Q - at)) + rest. */
@@ -21,12 +22,6 @@ static void subtract(const double a[3], const double b[3], double difference[3])
 {
     for (int i = 0; i < 3; i++)
         difference[i] = a[i] - b[i];
-}
-
-static void cross(const double a[3], const double b[3], double product[3])
-{
-    for (int i = 0; i < 3; i++)
-        product[i] = a[(i + 1) % 3] * b[(i + 2) % 3] - a[(i + 2) % 3] * b[(i + 1) % 3];
 }
 
 static void copy(const double from[3], double to[3])
@@ -135,7 +130,7 @@ static void add_point(const struct lx_cells *plane, const struct lx_emitter *emi
     struct lx_break place;
     double normal[3];
     for (size_t i = 0; lx_profile_break(&emitter->profile, i, &place); i++) {
-        cross(place.axis, place.begin, normal);
+        lx_cross(place.axis, place.begin, normal);
         if (place.shape == LX_BREAK_PLANE)
             add_plane(plane, emitter->position_mm, place.axis, edges);
         else if (place.shape == LX_BREAK_HALF_PLANE)

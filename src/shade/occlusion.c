@@ -13,12 +13,6 @@
 /* Parts that lie so near to each other are one, and have the same bound. */
 static const double SAME = 1e-13;
 
-static void cross(const double a[3], const double b[3], double result[3])
-{
-    for (int i = 0; i < 3; i++)
-        result[i] = a[(i + 1) % 3] * b[(i + 2) % 3] - a[(i + 2) % 3] * b[(i + 1) % 3];
-}
-
 /* ---- the shaft ---- */
 
 /* A plane of a shaft through a place, of any length; a normal of length 0 makes none. */
@@ -58,7 +52,7 @@ static void bound_by_face(struct lx_shaft *shaft, const struct lx_facets *facets
             a[k] -= shaft->from_mm[k];
             b[k] -= shaft->from_mm[k];
         }
-        cross(b, a, edge); /* a face runs counter-clockwise as seen from the place */
+        lx_cross(b, a, edge); /* a face runs counter-clockwise as seen from the place */
         if (lx_dot(normal, a) < 0)
             add_plane(shaft, edge, shaft->from_mm);
     }
@@ -144,7 +138,7 @@ static bool is_aside(const struct lx_obstacle *flat, const struct lx_emitter *em
             first[k] = flat->corners_mm[1][k] - at[k];
             second[k] = flat->corners_mm[2][k] - at[k];
         }
-        cross(first, second, axis);
+        lx_cross(first, second, axis);
         if (!(lx_normalize(axis) > 0))
             return true;
     }
@@ -161,7 +155,7 @@ static bool is_beside(const struct lx_obstacle *polygon, const struct lx_emitter
 {
     for (unsigned i = 0; i < polygon->corner_count; i++) {
         double normal[3];
-        cross(polygon->corners_mm[i], polygon->corners_mm[(i + 1) % polygon->corner_count], normal);
+        lx_cross(polygon->corners_mm[i], polygon->corners_mm[(i + 1) % polygon->corner_count], normal);
         if (lx_dot(normal, polygon->corners_mm[(i + 2) % polygon->corner_count]) < 0)
             for (int k = 0; k < 3; k++)
                 normal[k] = -normal[k];
@@ -265,7 +259,7 @@ static bool polygon_hides_all(const struct lx_obstacle *polygon, const struct lx
         first[k] = polygon->corners_mm[1][k] - polygon->corners_mm[0][k];
         second[k] = polygon->corners_mm[2][k] - polygon->corners_mm[0][k];
     }
-    cross(first, second, axis);
+    lx_cross(first, second, axis);
     lx_normalize(axis);
     double height = lx_dot(axis, polygon->corners_mm[0]);
     for (int k = 0; k < 3 && height < 0; k++)
@@ -274,7 +268,7 @@ static bool polygon_hides_all(const struct lx_obstacle *polygon, const struct lx
     if (!(nearest > fabs(height) + polygon->touch_mm))
         return false;
     for (unsigned i = 0; i < polygon->corner_count; i++) {
-        cross(polygon->corners_mm[i], polygon->corners_mm[(i + 1) % polygon->corner_count], first);
+        lx_cross(polygon->corners_mm[i], polygon->corners_mm[(i + 1) % polygon->corner_count], first);
         lx_normalize(first);
         const double sign = lx_dot(first, polygon->corners_mm[(i + 2) % polygon->corner_count]) < 0 ? -1 : 1;
         for (int k = 0; k < 3; k++)

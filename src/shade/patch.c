@@ -4,6 +4,7 @@
 #include <string.h>
 
 #include "../base/larger.h"
+#include "../base/vector.h"
 #include "../light/extended.h"
 #include "patch.h"
 
@@ -24,13 +25,6 @@ static double dot(const double a[3], const double b[3])
     return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
 }
 
-static void cross(const double a[3], const double b[3], double result[3])
-{
-    result[0] = a[1] * b[2] - a[2] * b[1];
-    result[1] = a[2] * b[0] - a[0] * b[2];
-    result[2] = a[0] * b[1] - a[1] * b[0];
-}
-
 static void value_of3(lx_wide3 a, double result[3])
 {
     result[0] = lx_wide_value(a.x), result[1] = lx_wide_value(a.y), result[2] = lx_wide_value(a.z);
@@ -43,11 +37,11 @@ static void make_frame(const double n[3], double a[3], double b[3])
 {
     double other[3] = {0, 0, 0};
     other[fabs(n[0]) > 0.5 ? 1 : 0] = 1;
-    cross(n, other, b);
+    lx_cross(n, other, b);
     double scale = 1 / sqrt(dot(b, b));
     for (int i = 0; i < 3; i++)
         b[i] *= scale;
-    cross(b, n, a);
+    lx_cross(b, n, a);
 }
 
 size_t lx_patch_limit(const struct lx_shell *shell)
@@ -58,9 +52,9 @@ size_t lx_patch_limit(const struct lx_shell *shell)
 static void set_areas(struct lx_patch *patch)
 {
     double whole[3], by_s[3], by_t[3];
-    cross(patch->a, patch->b, whole);
-    cross(patch->a, patch->g, by_s);
-    cross(patch->g, patch->b, by_t);
+    lx_cross(patch->a, patch->b, whole);
+    lx_cross(patch->a, patch->g, by_s);
+    lx_cross(patch->g, patch->b, by_t);
     patch->area[0] = dot(patch->n, whole), patch->area[1] = dot(patch->n, by_s), patch->area[2] = dot(patch->n, by_t);
 }
 
@@ -144,7 +138,7 @@ static size_t side_patch(const struct lx_shell *shell, const struct lx_around *a
         patch->n[i] = shell->axis[i];
         offset[i] = around->center[i] - shell->center[i];
     }
-    cross(offset, patch->n, across);
+    lx_cross(offset, patch->n, across);
     const double farthest = sqrt(dot(across, across)) + around->radius;
     if (!(farthest > patch->radius))
         return 0;
@@ -184,7 +178,7 @@ static double round_place(const struct lx_patch *patch, double s, double t, cons
     double length = lx_larger(sqrt(dot(a, a)), 1e-15);
     for (int i = 0; i < 3; i++)
         a[i] /= length;
-    cross(n, a, b);
+    lx_cross(n, a, b);
     double above = lx_larger(distance - patch->radius, 0), share = is_side ? 2 * t - 1 : s;
     double whole = sqrt(above / (distance + patch->radius)), tangent = share * whole;
     double inverse = 1 / (1 + tangent * tangent);

@@ -36,19 +36,13 @@ struct skyline {
     const double *normal;
 };
 
-static void cross(const double a[3], const double b[3], double result[3])
-{
-    for (int i = 0; i < 3; i++)
-        result[i] = a[(i + 1) % 3] * b[(i + 2) % 3] - a[(i + 2) % 3] * b[(i + 1) % 3];
-}
-
 /* ---- making bodies ---- */
 
 /* The side of a cone between two of its edges, which has `inside` on its inner side; false: it has no width. */
 static bool make_side(const double from[3], const double to[3], const double inside[3], struct side *side)
 {
     *side = (struct side){.limit = 0};
-    cross(from, to, side->g);
+    lx_cross(from, to, side->g);
     const double length = lx_normalize(side->g);
     if (!(length > 1e-14 * sqrt(lx_dot(from, from) * lx_dot(to, to))))
         return false;
@@ -87,7 +81,7 @@ static void make_circle(const double axis[3], double cosine, double sine, struct
     for (int k = 0; k < 3; k++)
         side->p[k] = (k == least) - axis[least] * axis[k];
     lx_normalize(side->p);
-    cross(axis, side->p, side->q);
+    lx_cross(axis, side->p, side->q);
 }
 
 static bool make_cap(const double center[3], double radius, struct body *body)
@@ -229,7 +223,7 @@ static double piece(const struct side *side, double from, double to, const doubl
         double a[3], b[3], turned[3];
         place_on(side, from, a);
         place_on(side, to, b);
-        cross(a, b, turned);
+        lx_cross(a, b, turned);
         return atan2(sqrt(lx_dot(turned, turned)), lx_dot(a, b)) * lx_dot(normal, side->g) / 2;
     }
     const double sine = sin(to) - sin(from), cosine = cos(to) - cos(from);

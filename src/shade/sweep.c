@@ -5,6 +5,7 @@
 #include <string.h>
 
 #include "../base/memory.h"
+#include "../base/vector.h"
 #include "sweep.h"
 
 /* ---- plain vectors ---- */
@@ -12,13 +13,6 @@
 static double dot(const double a[3], const double b[3])
 {
     return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-}
-
-static void cross(const double a[3], const double b[3], double result[3])
-{
-    result[0] = a[1] * b[2] - a[2] * b[1];
-    result[1] = a[2] * b[0] - a[0] * b[2];
-    result[2] = a[0] * b[1] - a[1] * b[0];
 }
 
 static double normalize(double a[3])
@@ -39,14 +33,14 @@ static struct lx_sweep_frame frame_about(const double x[3], const double across[
 {
     struct lx_sweep_frame frame;
     memcpy(frame.x, x, sizeof frame.x);
-    cross(x, across, frame.z);
+    lx_cross(x, across, frame.z);
     if (normalize(frame.z) < 1e-6) {
         double other[3] = {0, 0, 0};
         other[fabs(x[0]) < 0.6 ? 0 : fabs(x[1]) < 0.6 ? 1 : 2] = 1;
-        cross(x, other, frame.z);
+        lx_cross(x, other, frame.z);
         normalize(frame.z);
     }
-    cross(frame.z, x, frame.y);
+    lx_cross(frame.z, x, frame.y);
     normalize(frame.y);
     return frame;
 }
@@ -323,7 +317,7 @@ static int sweep_cylinder(const struct lx_emitter *cylinder, const double place_
         };
         memcpy(side.frame.x, away, sizeof away);
         memcpy(side.frame.z, axis, sizeof axis);
-        cross(axis, away, side.frame.y);
+        lx_cross(axis, away, side.frame.y);
         if (append(sweeps, &side))
             return -1;
         side.angle1 = 0;
