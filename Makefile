@@ -7,6 +7,9 @@ RUN ?= -o report.png
 # Arguments of luxel-app in `make app`.
 APP ?=
 TESTS ?=
+# Options for the build folders of the checks: CONFIGURE=-Dinstruction_sets=x86-64-v3 builds fewer kernels, which take
+# compilers most of their time.
+CONFIGURE ?=
 # Compilers for `make check-sanitize`.
 SANITIZE ?= gcc clang
 
@@ -65,7 +68,8 @@ help:
 	@echo 'make po              take new texts from the sources into the translations (po/)'
 	@echo 'make clean           remove what was built'
 	@echo
-	@echo 'Variables: BUILD (build folder), RUN (arguments of luxel render), TESTS (arguments of meson test).'
+	@echo 'Variables: BUILD (build folder), RUN (arguments of luxel render), TESTS (arguments of meson test),'
+	@echo 'CONFIGURE (options of meson setup for check-clang, packages and check-wheel).'
 
 setup:
 	@tools/setup
@@ -99,7 +103,7 @@ bench: build
 
 check-clang:
 	@tools/setup clang
-	@test -e build-clang/build.ninja || CC=clang CXX=clang++ $(MESON) setup build-clang $(WARNINGS_ARE_ERRORS)
+	@test -e build-clang/build.ninja || CC=clang CXX=clang++ $(MESON) setup build-clang $(WARNINGS_ARE_ERRORS) $(CONFIGURE)
 	@$(COMPILE) build-clang
 	@$(RUN_TESTS) build-clang --num-processes $(JOBS) $(TESTS)
 
@@ -220,7 +224,7 @@ abi: build
 
 packages:
 	@tools/setup packages
-	@tools/packages $(BUILD)/packages
+	@CONFIGURE='$(CONFIGURE)' tools/packages $(BUILD)/packages
 
 check-packages: packages
 	@tools/check_packages $(BUILD)/packages
@@ -230,7 +234,7 @@ notebook:
 
 check-wheel:
 	@tools/setup wheel
-	@tools/check_wheel $(BUILD)/wheel
+	@CONFIGURE='$(CONFIGURE)' tools/check_wheel $(BUILD)/wheel
 
 # What is not translated yet is listed at the end.
 po: setup $(BUILD)/build.ninja

@@ -48,15 +48,13 @@ static int finish_output(int code)
 static void print_version(void)
 {
     const char *forced = getenv("LUXEL_ISA");
-    const char *name;
+    const char *name = luxel_instruction_set_chosen(NULL);
 
     printf("luxel %s\n", luxel_version());
-    for (size_t i = 0; (name = luxel_instruction_set_name(i)) != NULL; i++)
-        if (luxel_instruction_set_runs(i) && (!forced || !*forced || strcmp(name, forced) == 0)) {
-            printf(_("instruction set: %s\n"), name);
-            return;
-        }
-    printf(_("instruction set: none, this machine has no \"%s\"\n"), forced ? forced : "");
+    if (name)
+        printf(_("instruction set: %s\n"), name);
+    else
+        printf(_("instruction set: none, this machine has no \"%s\"\n"), forced ? forced : "");
 }
 
 static int run(const struct options *options)

@@ -10,17 +10,6 @@
 
 const char *const sweep_statistics[SWEEP_STATISTICS] = {"maximum", "minimum", "mean", "lit", "surface_pixels"};
 
-/* The set that luxel_render() takes. */
-static const char *chosen_set(void)
-{
-    const char *forced = getenv("LUXEL_ISA"), *name;
-
-    for (size_t i = 0; (name = luxel_instruction_set_name(i)) != NULL; i++)
-        if (luxel_instruction_set_runs(i) && (!forced || !*forced || strcmp(name, forced) == 0))
-            return name;
-    return "";
-}
-
 /* The sum of all that the bytes depend on: the study, the library, and its instruction set. */
 static void identify(struct sweep *sweep)
 {
@@ -45,12 +34,13 @@ void sweep_init(struct sweep *sweep, const luxel_study *study, const char *study
 {
     const luxel_scene *base = luxel_study_base(study);
     const unsigned shard = luxel_study_shard(study);
+    const char *set = luxel_instruction_set_chosen(NULL);
 
     *sweep = (struct sweep){
         .study = study,
         .study_name = study_name,
         .folder = {.folder = -1, .lock = -1, .work = -1, .parts = 1},
-        .instruction_set = chosen_set(),
+        .instruction_set = set ? set : "", /* none: the first scene says so */
         .scenes = luxel_study_count(study),
         .points = luxel_scene_point_count(base),
         .lights = luxel_scene_light_count(base),

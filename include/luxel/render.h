@@ -93,6 +93,12 @@ LUXEL_API luxel_status luxel_render_files(const luxel_scene *scene, const luxel_
 LUXEL_API const char *luxel_instruction_set_name(size_t i);
 /* Whether this machine can run the i-th instruction set; false beyond the last. */
 LUXEL_API bool luxel_instruction_set_runs(size_t i);
+/*
+ * The name of the instruction set that a computation takes whose settings ask for `wanted`: NULL is what LUXEL_ISA
+ * says, else the best of this machine.  Short names count too: "v3", and "generic" for the set that runs everywhere.
+ * NULL: this machine lacks what is asked for.
+ */
+LUXEL_API const char *luxel_instruction_set_chosen(const char *wanted);
 
 #ifdef __cplusplus
 }

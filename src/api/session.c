@@ -27,6 +27,12 @@ bool luxel_instruction_set_runs(size_t i)
     return kernels && kernels->runs();
 }
 
+const char *luxel_instruction_set_chosen(const char *wanted)
+{
+    const struct lx_kernels *kernels = lx_kernels_choose(wanted);
+    return kernels ? kernels->name : NULL;
+}
+
 static luxel_status check_settings(const luxel_settings *settings, luxel_diagnostics *diagnostics)
 {
     luxel_status status = LUXEL_OK;

@@ -33,11 +33,11 @@ const struct lx_element_kernels *lx_element_kernels_of(const struct lx_kernels *
     return of_elements[i];
 }
 
-/* "x86-64-v3" is also known as "v3" and "-v3". */
-static bool is_called(const struct lx_kernels *kernels, const char *name)
+/* "x86-64-v3" is also known as "v3" and "-v3"; the last set, which runs everywhere, as "generic". */
+static bool is_called(size_t i, const char *name)
 {
-    const char *level = strrchr(kernels->name, '-');
-    return strcasecmp(kernels->name, name) == 0 ||
+    const char *level = strrchr(sets[i]->name, '-');
+    return strcasecmp(sets[i]->name, name) == 0 || (!lx_kernels_get(i + 1) && strcasecmp(name, "generic") == 0) ||
            (level && level[1] == 'v' && (strcasecmp(level, name) == 0 || strcasecmp(level + 1, name) == 0));
 }
 
@@ -46,7 +46,7 @@ const struct lx_kernels *lx_kernels_choose(const char *name)
     if (!name)
         name = getenv("LUXEL_ISA");
     for (size_t i = 0; lx_kernels_get(i); i++)
-        if (lx_kernels_get(i)->runs() && (!name || !*name || is_called(lx_kernels_get(i), name)))
+        if (lx_kernels_get(i)->runs() && (!name || !*name || is_called(i, name)))
             return lx_kernels_get(i);
     return NULL;
 }

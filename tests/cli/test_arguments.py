@@ -258,7 +258,11 @@ def version_and_usage(tap, tool):
     tap.ok(len(tool.run("help", "scene").out.splitlines()) < 30, "the help of a small command is short")
     tap.equal(tool.run("version").out, version.out, "luxel version")
     forced = tool.run("--version", environment={"LUXEL_ISA": "generic"})
-    tap.ok("instruction set: generic\n" in forced.out, "LUXEL_ISA", forced)
+    widest = "x86-64" if os.uname().machine == "x86_64" else "generic"
+    tap.ok("instruction set: %s\n" % widest in forced.out, "LUXEL_ISA", forced)
+    if "instruction set: x86-64-v3\n" in tool.run("--version", environment={"LUXEL_ISA": "x86-64-v3"}).out:
+        short = tool.run("--version", environment={"LUXEL_ISA": "v3"})
+        tap.ok("instruction set: x86-64-v3\n" in short.out, "a short name of a set", short)
     tap.equal(tool.run("render", environment={"LUXEL_ISA": "nonsense"}).code, 2, "an unknown LUXEL_ISA")
     tool.write("my.yaml", SCENE)
     hint = tool.run("my.yaml")

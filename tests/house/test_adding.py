@@ -51,7 +51,7 @@ def main():
             kind, declaration, entry, scene = code_blocks((root / page).read_text())
             add_kind(folder / "luxel" / room, name, before, kind, declaration, entry)
             scenes.append(scene)
-        # Kernels take the compiler longest: the generic ones do.
+        # Kernels take the compiler longest: those for every processor do.
         made = call(meson, "setup", folder / "build", folder / "luxel", "-Doptimization=0", "-Dwerror=true",
                     "-Dinstruction_sets=[]")
         if made.returncode == 0:

@@ -256,7 +256,7 @@ def main():
     options = arguments(__doc__)
     tap = Tap()
     sets, lacking = options.luxel.instruction_sets(scenes.random_case(generator('sets'), 'orthographic').scene)
-    tap.ok('generic' in sets, 'the generic kernel runs')
+    tap.ok(sets, 'kernels run')
     for name in lacking:
         tap.skip(f'instruction set {name}', 'not of this machine')
     with tempfile.TemporaryDirectory() as folder:
