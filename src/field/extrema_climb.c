@@ -20,6 +20,9 @@ static const double POINT = 1e-13;
 /* Roundings that may stand beyond an edge, of the coordinates' scale. */
 static const double SLACK = 1e-13;
 
+/* A value that fell to less than this share of itself within one step falls farther. */
+static const double FALL = 0.7;
+
 enum outcome { MOVED, MET_EDGE, ENDED };
 
 static double size_of(const struct lx_hunt *hunt, const struct lx_climb *climb)
@@ -272,6 +275,30 @@ static enum outcome make_last_step(struct lx_hunt *hunt, struct lx_climb *climb,
     return ENDED;
 }
 
+/*
+ * A minimum may end in darkness, towards which the function falls like a high power of the way that is left: a highlight
+ * whose source sets.  Newton's method then goes a small share of that way a step; so while the function falls to a share
+ * of itself, the way is doubled.
+ */
+static void leap(struct lx_hunt *hunt, const struct lx_climb *climb, const struct path *path, double way_mm,
+                 struct lx_spot *trial, double *value)
+{
+    double before = climb->value;
+    while (hunt->sign < 0 && fabs(*value) < FALL * fabs(before)) {
+        struct lx_spot farther;
+        size_t edge;
+        way_mm *= 2;
+        if (!follow(hunt, climb, path, way_mm, &farther) || is_beyond(hunt, climb, &farther, &edge))
+            return;
+        const double there = value_at(hunt, &farther);
+        if (!(there > *value))
+            return;
+        before = *value;
+        *trial = farther;
+        *value = there;
+    }
+}
+
 /* Goes a way along a path, from which the model foretells a gain. */
 static enum outcome go(struct lx_hunt *hunt, struct lx_climb *climb, const struct path *path, double way_mm,
                        double foretold, struct around *around)
@@ -290,6 +317,7 @@ static enum outcome go(struct lx_hunt *hunt, struct lx_climb *climb, const struc
     }
     double value = value_at(hunt, &trial);
     set_trust(hunt, climb, fabs(way_mm), foretold, value - climb->value);
+    leap(hunt, climb, path, way_mm, &trial, &value);
     if (settle_for(hunt, climb, &trial, value, around))
         return MOVED;
     return climb->trust_mm > POINT * size_of(hunt, climb) ? MOVED : ENDED;

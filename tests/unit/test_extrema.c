@@ -498,6 +498,12 @@ static void minima(void **state)
     extrema = extrema_of(&setting, NULL);
     assert_true(extrema.minimum.value < 1e-12 && fabs(extrema.minimum.x_mm) < 1e-9);
     clear(&setting);
+    /* a ball whose highlight sets within the screen, and falls towards that line as a high power of the way to it */
+    setting = made(FLAT, "{type: sphere, center: [0, 0, 1000], radius: 400, material: {diffuse: 0.8, specular: 0.5}}",
+                   "{type: volume, sphere: {center: [0, 900, 2000], radius: 40}, radiance: 7}", LUXEL_BRIGHTNESS);
+    extrema = extrema_of(&setting, NULL);
+    assert_true(extrema.minimum.value == 0);
+    clear(&setting);
 }
 
 /* -- symmetries -- */
