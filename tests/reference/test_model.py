@@ -13,7 +13,7 @@ from completion import completed
 from luxel import generator
 from tap import Tap
 
-SCENES = 25  # of each kind
+SCENES = 10  # of each kind
 EXTENDED_SCENES = 3
 
 

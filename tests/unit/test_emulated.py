@@ -12,13 +12,13 @@ from tap import Tap
 
 PROCESSORS = ("Haswell", "Nehalem")
 # Scenes for each program, of 250, as an emulator takes some 20 times as long; panels count what they come across.
-SCENES = {"test_kernels": "25", "test_panels": "70"}
+SCENES = {"test_kernels": "8", "test_panels": "70"}
 
 
 def emulated(tap, processor, program):
     name = os.path.basename(program)
     run = emulator.run(processor, program, timeout=400,
-                       environment={"LUXEL_TEST_SCENES": SCENES.get(name, "25"), "CMOCKA_MESSAGE_OUTPUT": "TAP"})
+                       environment={"LUXEL_TEST_SCENES": SCENES.get(name, "8"), "CMOCKA_MESSAGE_OUTPUT": "TAP"})
     tap.ok(run.returncode == 0, "%s: %s" % (processor, name), run.stdout.decode(),
            run.stderr.decode())
 
