@@ -22,28 +22,20 @@ int work_end(struct work *work, luxel_status status, luxel_diagnostics *diagnost
     return status == LUXEL_OK ? EXIT_DONE : message_failure(status, diagnostics);
 }
 
-int work_write_each(const struct options *options, const struct loaded *loaded,
-                    luxel_status (*write)(const struct loaded *loaded, const luxel_settings *settings, const void *look,
-                                          const char *path),
-                    const void *look)
+int work_write_files(const struct options *options, const struct loaded *loaded,
+                     luxel_status (*write)(const struct loaded *loaded, const luxel_settings *settings,
+                                           const void *look, const char *const *paths, size_t count, bool *written),
+                     const void *look)
 {
     bool *written = message_allocate(options->output_count, sizeof *written);
-    int code = EXIT_DONE;
+    struct work work;
+    luxel_status status;
+    int code;
 
-    for (size_t i = 0; i < options->output_count; i++) {
-        struct work work;
-        luxel_status status;
-        int one;
-
-        work_begin(&work, options);
-        status = write(loaded, &work.settings, look, options->outputs[i]);
-        one = work_end(&work, status, loaded->diagnostics);
-        luxel_diagnostics_clear(loaded->diagnostics);
-        code = one == EXIT_DONE ? code : one;
-        written[i] = status == LUXEL_OK;
-        if (status == LUXEL_ERROR_ARGUMENT)
-            break;
-    }
+    work_begin(&work, options);
+    status = write(loaded, &work.settings, look, options->outputs, options->output_count, written);
+    code = work_end(&work, status, loaded->diagnostics);
+    luxel_diagnostics_clear(loaded->diagnostics);
     outputs_tell(options, options->outputs, written, options->output_count);
     free(written);
     return code;

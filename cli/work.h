@@ -20,13 +20,10 @@ void work_begin(struct work *work, const struct options *options);
 /* Ends what ended with `status`.  Returns an enum exit_code; what went wrong is reported here. */
 int work_end(struct work *work, luxel_status status, luxel_diagnostics *diagnostics);
 
-/*
- * Writes each file of -o in a work of its own; one that fails does not stop the others, unless it is for what was asked
- * for.  Returns an enum exit_code.
- */
-int work_write_each(const struct options *options, const struct loaded *loaded,
-                    luxel_status (*write)(const struct loaded *loaded, const luxel_settings *settings, const void *look,
-                                          const char *path),
-                    const void *look);
+/* Writes the files of -o, of which `written` tells those that are there.  Returns an enum exit_code. */
+int work_write_files(const struct options *options, const struct loaded *loaded,
+                     luxel_status (*write)(const struct loaded *loaded, const luxel_settings *settings,
+                                           const void *look, const char *const *paths, size_t count, bool *written),
+                     const void *look);
 
 #endif

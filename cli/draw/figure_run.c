@@ -143,10 +143,10 @@ static const char *default_title(const struct options *options, const struct loa
     return buffer;
 }
 
-static luxel_status write_figure(const struct loaded *loaded, const luxel_settings *settings, const void *look,
-                                 const char *path)
+static luxel_status write_figures(const struct loaded *loaded, const luxel_settings *settings, const void *look,
+                                  const char *const *paths, size_t count, bool *written)
 {
-    return luxel_figure_write(loaded->scene, settings, look, path, loaded->diagnostics);
+    return luxel_figure_write_files(loaded->scene, settings, look, paths, count, loaded->diagnostics, written);
 }
 
 static int figure(const struct options *options, const struct loaded *loaded)
@@ -159,7 +159,7 @@ static int figure(const struct options *options, const struct loaded *loaded)
         return EXIT_USAGE;
     if (!settings.title)
         settings.title = default_title(options, loaded, name, sizeof name);
-    return work_write_each(options, loaded, write_figure, &settings);
+    return work_write_files(options, loaded, write_figures, &settings);
 }
 
 int drawing_figure(const struct options *options)

@@ -10,10 +10,10 @@
 #include "../outputs.h"
 #include "../work.h"
 
-static luxel_status write_report(const struct loaded *loaded, const luxel_settings *settings, const void *look,
-                                 const char *path)
+static luxel_status write_reports(const struct loaded *loaded, const luxel_settings *settings, const void *look,
+                                  const char *const *paths, size_t count, bool *written)
 {
-    return luxel_report_write(loaded->scene, settings, look, path, loaded->diagnostics);
+    return luxel_report_write_files(loaded->scene, settings, look, paths, count, loaded->diagnostics, written);
 }
 
 static int report(const struct options *options, const struct loaded *loaded)
@@ -34,7 +34,7 @@ static int report(const struct options *options, const struct loaded *loaded)
         .language = &language,
     };
 
-    return work_write_each(options, loaded, write_report, &settings);
+    return work_write_files(options, loaded, write_reports, &settings);
 }
 
 int drawing_report(const struct options *options)

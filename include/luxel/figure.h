@@ -81,6 +81,15 @@ LUXEL_API luxel_status luxel_figure_write(const luxel_scene *scene, const luxel_
                                           luxel_diagnostics *diagnostics);
 
 /*
+ * Draws the figure to several files, for which it is computed once.  Names are checked before anything is computed; a
+ * file that cannot be written does not stop the others, and the status is that of the last that failed.  written[i]
+ * tells whether paths[i] was written.
+ */
+LUXEL_API luxel_status luxel_figure_write_files(const luxel_scene *scene, const luxel_settings *settings,
+                                                const luxel_figure_settings *figure, const char *const *paths,
+                                                size_t count, luxel_diagnostics *diagnostics, bool *written);
+
+/*
  * Draws the figure that luxel_figure_write() would write, in memory: *bytes, *length of them, the caller's, freed with
  * luxel_bytes_free().  `name` tells the format by its extension: "figure.svg".  Errors as luxel_figure_write(); *bytes
  * and *length then stay as they were.
@@ -152,6 +161,11 @@ typedef struct luxel_report_settings {
 LUXEL_API luxel_status luxel_report_write(const luxel_scene *scene, const luxel_settings *settings,
                                           const luxel_report_settings *report, const char *path,
                                           luxel_diagnostics *diagnostics);
+
+/* Writes the report to several files, for which it is made once, as luxel_figure_write_files() does a figure. */
+LUXEL_API luxel_status luxel_report_write_files(const luxel_scene *scene, const luxel_settings *settings,
+                                                const luxel_report_settings *report, const char *const *paths,
+                                                size_t count, luxel_diagnostics *diagnostics, bool *written);
 
 /* Makes the report in memory, as luxel_figure_write_memory() does a figure; errors as luxel_report_write(). */
 LUXEL_API luxel_status luxel_report_write_memory(const luxel_scene *scene, const luxel_settings *settings,

@@ -100,6 +100,15 @@ luxel_status lx_sink_open_at(const struct lx_destination *destination, luxel_dia
     return LUXEL_OK;
 }
 
+struct lx_destination *lx_destinations_of(const char *const *paths, size_t count)
+{
+    struct lx_destination *destinations = lx_new_array(count, sizeof *destinations);
+
+    for (size_t i = 0; destinations && i < count; i++)
+        destinations[i] = (struct lx_destination){.path = paths[i]};
+    return destinations;
+}
+
 luxel_status lx_sink_put(const struct lx_destination *destination, const void *bytes, size_t count,
                          luxel_diagnostics *diagnostics)
 {

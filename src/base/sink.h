@@ -58,6 +58,9 @@ luxel_status lx_sink_open(const char *path, const struct lx_sink_system *system,
 luxel_status lx_sink_open_at(const struct lx_destination *destination, luxel_diagnostics *diagnostics,
                              struct lx_sink **sink);
 
+/* The files of these paths as destinations, to be freed with free(); NULL: memory is short. */
+struct lx_destination *lx_destinations_of(const char *const *paths, size_t count);
+
 /* Writes a whole file at once, or not at all. */
 luxel_status lx_sink_put(const struct lx_destination *destination, const void *bytes, size_t count,
                          luxel_diagnostics *diagnostics);

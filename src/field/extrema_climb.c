@@ -276,9 +276,9 @@ static enum outcome make_last_step(struct lx_hunt *hunt, struct lx_climb *climb,
 }
 
 /*
- * A minimum may end in darkness, towards which the function falls like a high power of the way that is left: a highlight
- * whose source sets.  Newton's method then goes a small share of that way a step; so while the function falls to a share
- * of itself, the way is doubled.
+ * A minimum may end in darkness, towards which the function falls like a high power of the way that is left: a
+ * highlight whose source sets.  Newton's method then goes a small share of that way a step; so while the function falls
+ * to a share of itself, the way is doubled.
  */
 static void leap(struct lx_hunt *hunt, const struct lx_climb *climb, const struct path *path, double way_mm,
                  struct lx_spot *trial, double *value)

@@ -188,27 +188,47 @@ static luxel_status write_pages(const struct lx_report *report, const struct lx_
     return status;
 }
 
-static luxel_status write_to(const struct lx_destination *destination, const luxel_scene *scene,
-                             const luxel_settings *settings, const luxel_report_settings *texts,
-                             luxel_diagnostics *diagnostics)
+static luxel_status check(const struct lx_destination *destinations, size_t count, const luxel_scene *scene,
+                          luxel_diagnostics *diagnostics)
 {
-    const luxel_report_settings none = {0};
-    struct lx_report report = {
-        .scene = scene, .settings = settings, .texts = texts ? texts : &none, .diagnostics = diagnostics};
-    size_t format;
-    luxel_status status =
-        lx_find_ending(destination->path, endings, sizeof endings / sizeof endings[0], diagnostics, &format);
+    luxel_status status = LUXEL_OK;
+    for (size_t i = 0; i < count && status == LUXEL_OK; i++)
+        status = luxel_check_report_name(destinations[i].path, diagnostics);
     if (status == LUXEL_OK && (!scene || !luxel_scene_is_committed(scene))) {
         lx_report(diagnostics, LUXEL_SEVERITY_ERROR, NULL, LX_MSG_NOT_COMMITTED, NULL);
         status = LUXEL_ERROR_ARGUMENT;
     }
+    return status;
+}
+
+static luxel_status write_as(const struct lx_report *report, const struct lx_destination *destination)
+{
+    size_t format;
+    const luxel_status status =
+        lx_find_ending(destination->path, endings, sizeof endings / sizeof endings[0], report->diagnostics, &format);
+    if (status != LUXEL_OK)
+        return status;
+    return format == PDF ? write_pages(report, destination)
+                         : lx_document_put(report->document, destination, report->diagnostics);
+}
+
+static luxel_status write_to(const struct lx_destination *destinations, size_t count, const luxel_scene *scene,
+                             const luxel_settings *settings, const luxel_report_settings *texts,
+                             luxel_diagnostics *diagnostics, bool *written)
+{
+    const luxel_report_settings none = {0};
+    struct lx_report report = {
+        .scene = scene, .settings = settings, .texts = texts ? texts : &none, .diagnostics = diagnostics};
+    luxel_status status = check(destinations, count, scene, diagnostics);
     if (status != LUXEL_OK)
         return status;
     report.parameters = lx_scene_parameters(scene);
     status = build(&report);
-    if (status == LUXEL_OK)
-        status = format == PDF ? write_pages(&report, destination)
-                               : lx_document_put(report.document, destination, diagnostics);
+    for (size_t i = 0, built = status == LUXEL_OK; i < count && built; i++) {
+        const luxel_status one = write_as(&report, &destinations[i]);
+        written[i] = one == LUXEL_OK;
+        status = one == LUXEL_OK ? status : one;
+    }
     lx_report_clear(&report);
     return status;
 }
@@ -216,12 +236,27 @@ static luxel_status write_to(const struct lx_destination *destination, const lux
 luxel_status luxel_report_write(const luxel_scene *scene, const luxel_settings *settings,
                                 const luxel_report_settings *report, const char *path, luxel_diagnostics *diagnostics)
 {
-    return write_to(&(struct lx_destination){.path = path}, scene, settings, report, diagnostics);
+    bool written;
+    return write_to(&(struct lx_destination){.path = path}, 1, scene, settings, report, diagnostics, &written);
+}
+
+luxel_status luxel_report_write_files(const luxel_scene *scene, const luxel_settings *settings,
+                                      const luxel_report_settings *report, const char *const *paths, size_t count,
+                                      luxel_diagnostics *diagnostics, bool *written)
+{
+    struct lx_destination *destinations = lx_destinations_of(paths, count);
+    memset(written, 0, count * sizeof *written);
+    const luxel_status status = destinations
+                                    ? write_to(destinations, count, scene, settings, report, diagnostics, written)
+                                    : lx_out_of_memory(diagnostics);
+    free(destinations);
+    return status;
 }
 
 luxel_status luxel_report_write_memory(const luxel_scene *scene, const luxel_settings *settings,
                                        const luxel_report_settings *report, const char *name,
                                        luxel_diagnostics *diagnostics, unsigned char **bytes, size_t *length)
 {
-    return write_to(&(struct lx_destination){name, bytes, length}, scene, settings, report, diagnostics);
+    bool written;
+    return write_to(&(struct lx_destination){name, bytes, length}, 1, scene, settings, report, diagnostics, &written);
 }

@@ -209,17 +209,23 @@ luxel_status lx_figure_png(const struct lx_figure *figure, luxel_diagnostics *di
     return lx_sheet_png(&sheet, diagnostics, bytes, length);
 }
 
-static luxel_status write_to(const struct lx_destination *destination, const luxel_scene *scene,
+static luxel_status write_to(const struct lx_destination *destinations, size_t count, const luxel_scene *scene,
                              const luxel_settings *settings, const luxel_figure_settings *wanted,
-                             luxel_diagnostics *diagnostics)
+                             luxel_diagnostics *diagnostics, bool *written)
 {
     struct lx_figure *figure = NULL;
-    luxel_status status = luxel_check_figure_name(destination->path, diagnostics);
+    luxel_status status = LUXEL_OK;
+    for (size_t i = 0; i < count && status == LUXEL_OK; i++)
+        status = luxel_check_figure_name(destinations[i].path, diagnostics);
     if (status == LUXEL_OK)
         status = lx_figure_make(scene, settings, wanted, diagnostics, &figure);
     if (status == LUXEL_OK) {
         const struct lx_sheet sheet = sheet_of(figure);
-        status = lx_sheet_write(&sheet, destination, diagnostics);
+        for (size_t i = 0; i < count; i++) {
+            const luxel_status one = lx_sheet_write(&sheet, &destinations[i], diagnostics);
+            written[i] = one == LUXEL_OK;
+            status = one == LUXEL_OK ? status : one;
+        }
     }
     lx_figure_free(figure);
     return status;
@@ -228,14 +234,29 @@ static luxel_status write_to(const struct lx_destination *destination, const lux
 luxel_status luxel_figure_write(const luxel_scene *scene, const luxel_settings *settings,
                                 const luxel_figure_settings *figure, const char *path, luxel_diagnostics *diagnostics)
 {
-    return write_to(&(struct lx_destination){.path = path}, scene, settings, figure, diagnostics);
+    bool written;
+    return write_to(&(struct lx_destination){.path = path}, 1, scene, settings, figure, diagnostics, &written);
+}
+
+luxel_status luxel_figure_write_files(const luxel_scene *scene, const luxel_settings *settings,
+                                      const luxel_figure_settings *figure, const char *const *paths, size_t count,
+                                      luxel_diagnostics *diagnostics, bool *written)
+{
+    struct lx_destination *destinations = lx_destinations_of(paths, count);
+    memset(written, 0, count * sizeof *written);
+    const luxel_status status = destinations
+                                    ? write_to(destinations, count, scene, settings, figure, diagnostics, written)
+                                    : lx_out_of_memory(diagnostics);
+    free(destinations);
+    return status;
 }
 
 luxel_status luxel_figure_write_memory(const luxel_scene *scene, const luxel_settings *settings,
                                        const luxel_figure_settings *figure, const char *name,
                                        luxel_diagnostics *diagnostics, unsigned char **bytes, size_t *length)
 {
-    return write_to(&(struct lx_destination){name, bytes, length}, scene, settings, figure, diagnostics);
+    bool written;
+    return write_to(&(struct lx_destination){name, bytes, length}, 1, scene, settings, figure, diagnostics, &written);
 }
 
 /* ---- drawings of documents ---- */

@@ -481,8 +481,7 @@ static void plates(void **state)
 static void minima(void **state)
 {
     (void)state;
-    /* the corner farthest from the foot */
-    struct setting setting =
+    struct setting setting = /* the corner farthest from the foot */
         made(FLAT, FLOOR, "{type: point, position: [70, -90, 800], intensity: 4}", LUXEL_IRRADIANCE);
     luxel_extrema extrema = extrema_of(&setting, NULL);
     double least = below(4, 800, hypot(370, 390));
@@ -501,8 +500,7 @@ static void minima(void **state)
     /* a ball whose highlight sets within the screen, and falls towards that line as a high power of the way to it */
     setting = made(FLAT, "{type: sphere, center: [0, 0, 1000], radius: 400, material: {diffuse: 0.8, specular: 0.5}}",
                    "{type: volume, sphere: {center: [0, 900, 2000], radius: 40}, radiance: 7}", LUXEL_BRIGHTNESS);
-    extrema = extrema_of(&setting, NULL);
-    assert_true(extrema.minimum.value == 0);
+    assert_true(extrema_of(&setting, NULL).minimum.value == 0);
     clear(&setting);
 }
 
