@@ -77,7 +77,7 @@ static AppRowKind kind_of(luxel_value_type type)
 
 /* ---- changing ---- */
 
-/* Of an error that is about a key, what is to be said; the caller's, luxel_text_free().  NULL: there is none. */
+/* What is to be said of an error that is about a key; the caller's, luxel_text_free().  NULL: there is none. */
 static char *fault_about(const luxel_diagnostics *faults, const char *path)
 {
     const gsize length = strlen(path);

@@ -69,7 +69,7 @@ static inline guint32 sample(const guint32 *upper, const guint32 *lower, const T
     return blend(above, below, down);
 }
 
-/* Of one new row with one sample for each pixel. */
+/* One new row with one sample for each pixel. */
 static void blend_row(const guint32 *old, guint width, const Axis *x, const Tap *down, guint32 *row)
 {
     const guint32 *upper = old + (gsize)down->first * width, *lower = old + (gsize)down->second * width;
@@ -77,7 +77,7 @@ static void blend_row(const guint32 *old, guint width, const Axis *x, const Tap 
         row[i] = sample(upper, lower, &x->taps[i], down->weight);
 }
 
-/* Of one new row whose pixels are averages of the old ones that are nearest to their samples. */
+/* One new row whose pixels are averages of the old ones that are nearest to their samples. */
 static void average_row(const guint32 *old, guint width, const Axis *x, const Axis *y, const Tap *down, guint32 *row)
 {
     const guint32 mask = 0x00ff00ff, number = x->samples * y->samples;

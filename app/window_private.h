@@ -68,7 +68,7 @@ void app_window_show_reading(const AppReading *reading, gpointer owner);
 void app_window_draw_bar(GtkDrawingArea *area, cairo_t *cairo, int width, int height, gpointer data);
 /* Says something at the edge of the window. */
 void app_window_say(AppWindow *self, const char *text);
-/* The same, but only for some seconds. */
+/* Says something for some seconds only. */
 void app_window_mention(AppWindow *self, const char *text);
 /* Shows what went wrong with a file or a paste; NULL: nothing. */
 void app_window_show_fault(AppWindow *self, const char *text);

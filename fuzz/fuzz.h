@@ -34,7 +34,7 @@ void fuzz_close(struct fuzz_file *file);
 /* What a user may do with a scene that was read: commit, look, compute, probe, write.  Takes it over. */
 void fuzz_use_scene(luxel_scene *scene);
 
-/* The same with a scene that names a file of these bytes: `scene` is its text, with one %s for the file's name. */
+/* Tries a scene that names a file of these bytes: `scene` is its text, with one %s for the file's name. */
 void fuzz_use_file(const char *scene, const void *data, size_t size, const char *ending);
 
 /* What the command says on standard error from fuzz_listen() to fuzz_heard(). */

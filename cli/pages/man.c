@@ -7,7 +7,7 @@
 #include "pages.h"
 #include "roff.h"
 
-/* Of the release; it changes with the version. */
+/* The day of the release; it changes with the version. */
 static const char page_date[] = "2026-11-21";
 
 static void print_head(FILE *out)

@@ -8,9 +8,9 @@
 
 /* Prints a text as running text: every character stands for itself, a hyphen may end a line. */
 void roff_text(FILE *out, const char *text);
-/* The same in bold, as it is typed: hyphens are minus signs. */
+/* A text in bold, as it is typed: hyphens are minus signs. */
 void roff_typed(FILE *out, const char *text);
-/* The same in italics: a placeholder. */
+/* A text in italics: a placeholder. */
 void roff_placeholder(FILE *out, const char *text);
 /* A paragraph of running text. */
 void roff_paragraph(FILE *out, const char *text);

@@ -49,7 +49,7 @@ typedef struct luxel_extrema {
 /*
  * Finds the extrema.  `field` is a picture of the evaluator's scene and quantity, which tells where to look; its
  * resolution decides how narrow a peak may be that no geometry foretells.  `region` NULL: all that the screen shows.
- * The same result for any number of threads.
+ * Any number of threads gives the same result.
  * LUXEL_ERROR_ARGUMENT: the field is not of that scene's screen and quantity, or the region does not go.
  * LUXEL_CANCELLED: the settings' progress said so.  LUXEL_ERROR_MEMORY.
  */

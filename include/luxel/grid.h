@@ -76,9 +76,9 @@ typedef struct luxel_grid {
                                     tolerance, or 1e-9 where there is no closed form */
 } luxel_grid;
 
-/* Of a committed scene: the number of its measuring grids. */
+/* The number of measuring grids of a committed scene. */
 LUXEL_API size_t luxel_scene_grid_count(const luxel_scene *scene);
-/* Of a committed scene: the cells of its i-th grid.  LUXEL_ERROR_ARGUMENT: not committed, or no such. */
+/* The cells of the i-th grid of a committed scene.  LUXEL_ERROR_ARGUMENT: not committed, or no such. */
 LUXEL_API luxel_status luxel_scene_grid_resolution(const luxel_scene *scene, size_t i, unsigned *columns,
                                                    unsigned *rows);
 

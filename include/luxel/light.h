@@ -40,7 +40,7 @@ LUXEL_API luxel_status luxel_scene_light_flux(const luxel_scene *scene, size_t i
  * luxel_scene_light_direction(); of a cloud the sum over its points; of a planar source its radiance times the area of
  * one side, of a sphere times that of its cross-section.  Given by a power it is worked out, to 1e-12.
  * NaN for lights that have no such: ambient and distant ones, other bodies, clouds whose points are aimed.
- * The same errors as luxel_scene_light_flux().
+ * Errors as of luxel_scene_light_flux().
  */
 LUXEL_API luxel_status luxel_scene_light_intensity(const luxel_scene *scene, size_t i, double *intensity);
 

@@ -100,7 +100,7 @@ typedef struct luxel_parameters luxel_parameters;
 /* The list of all parameters, in the order of the scene file; NULL when memory is short. */
 LUXEL_API luxel_parameters *luxel_parameters_new(void);
 /*
- * The same list with types, units, ranges, labels and meanings in the language of `translate` (NULL: English), which
+ * The list with types, units, ranges, labels and meanings in the language of `translate` (NULL: English), which
  * is called with `data` while the list is made; keys, choices and values stay as they are.  NULL when memory is short.
  */
 LUXEL_API luxel_parameters *luxel_parameters_new_translated(luxel_translate translate, void *data);

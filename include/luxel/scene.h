@@ -112,7 +112,7 @@ LUXEL_API luxel_status luxel_scene_insert(luxel_scene *scene, const char *list, 
 LUXEL_API luxel_status luxel_scene_remove(luxel_scene *scene, const char *key, luxel_diagnostics *diagnostics);
 /*
  * Moves the element `from` of a list to another place: `to` is its index afterwards, and the elements between close up.
- * The same index: nothing changes.
+ * An index that is equal to it changes nothing.
  * LUXEL_ERROR_PATH: no such list or elements.
  */
 LUXEL_API luxel_status luxel_scene_move(luxel_scene *scene, const char *list, size_t from, size_t to,
@@ -153,23 +153,23 @@ LUXEL_API luxel_scene *luxel_scene_copy(const luxel_scene *scene);
 /* Frees a scene; NULL is harmless. */
 LUXEL_API void luxel_scene_free(luxel_scene *scene);
 
-/* Of a committed scene: the number of its measuring points. */
+/* The number of measuring points of a committed scene. */
 LUXEL_API size_t luxel_scene_point_count(const luxel_scene *scene);
-/* Of a committed scene: its i-th measuring point on the screen.  LUXEL_ERROR_ARGUMENT: not committed, or no such. */
+/* The i-th measuring point of a committed scene on the screen.  LUXEL_ERROR_ARGUMENT: not committed, or no such. */
 LUXEL_API luxel_status luxel_scene_point(const luxel_scene *scene, size_t i, double *x_mm, double *y_mm);
 
-/* Of a committed scene: the number of its surfaces. */
+/* The number of surfaces of a committed scene. */
 LUXEL_API size_t luxel_scene_surface_count(const luxel_scene *scene);
-/* Of a committed scene: the centre of its i-th surface.  LUXEL_ERROR_ARGUMENT: not committed, or no such. */
+/* The centre of the i-th surface of a committed scene.  LUXEL_ERROR_ARGUMENT: not committed, or no such. */
 LUXEL_API luxel_status luxel_scene_surface_place(const luxel_scene *scene, size_t i, double center_mm[3]);
 
-/* Of a committed scene: what a part of its i-th surface is called, such as "floor" of a room; NULL: it has no such. */
+/* The name of a part of the i-th surface of a committed scene, such as "floor" of a room; NULL: it has no such part. */
 LUXEL_API const char *luxel_part_name(const luxel_scene *scene, size_t i, unsigned part);
 
-/* Of a committed scene: its pixels. */
+/* The pixels of a committed scene. */
 LUXEL_API luxel_status luxel_scene_resolution(const luxel_scene *scene, unsigned *columns, unsigned *rows);
 
-/* Of a committed scene: the number of conventions that decide its numbers, pairs of words ("sampling", "nodes"). */
+/* The number of conventions that decide the numbers of a committed scene, pairs of words ("sampling", "nodes"). */
 LUXEL_API size_t luxel_scene_convention_count(const luxel_scene *scene);
 /* The word for the i-th convention, such as "sampling"; NULL beyond the last. */
 LUXEL_API const char *luxel_scene_convention_key(const luxel_scene *scene, size_t i);

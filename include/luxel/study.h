@@ -54,7 +54,7 @@ typedef enum luxel_study_type {
  * LUXEL_ERROR_SCENE: it has errors.  LUXEL_ERROR_FILE: it, or what it names, cannot be read.  LUXEL_ERROR_MEMORY.
  */
 LUXEL_API luxel_status luxel_study_read_file(const char *path, luxel_diagnostics *diagnostics, luxel_study **study);
-/* The same from `length` bytes of text; `source` is the name shown in messages.  What it names is relative to the
+/* Reads a study from `length` bytes of text; `source` is the name shown in messages.  What it names is relative to the
  * current folder. */
 LUXEL_API luxel_status luxel_study_read_text(const char *text, size_t length, const char *source,
                                              luxel_diagnostics *diagnostics, luxel_study **study);

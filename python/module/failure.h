@@ -8,7 +8,7 @@
 /* A luxel_translate whose data is the struct language; it may be called with or without the interpreter's lock. */
 const char *language_translate(const char *english, void *data);
 
-/* The same as the library wants it. */
+/* The language as the library wants it. */
 luxel_language language_of(struct language *language);
 
 /* Sets the language from (code, function or None). */

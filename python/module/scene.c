@@ -224,7 +224,7 @@ static PyObject *scene_unit(PyObject *module, PyObject *arguments)
                          luxel_scene_quantity_word(scene, (luxel_quantity)quantity));
 }
 
-/* Of a scene from a picture the settings that it was made with, else None. */
+/* The settings that a scene from a picture was made with, else None. */
 static PyObject *scene_carried(PyObject *module, PyObject *handle)
 {
     const luxel_scene *scene = scene_of(module, handle);

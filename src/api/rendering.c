@@ -18,7 +18,7 @@
 #include "../format/tags.h"
 #include "../shade/effort.h"
 
-/* Of a row whose pixels off the surfaces are 0, and no other is below. */
+/* The row's pixels off the surfaces are 0, and no other is below. */
 static struct lx_row_statistics look_over_row(const struct lx_rendering *rendering, unsigned row, size_t surface_pixels)
 {
     const struct luxel_field *field = rendering->field;

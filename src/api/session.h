@@ -25,7 +25,7 @@ luxel_status lx_settings_check(const luxel_scene *scene, const luxel_settings *s
 luxel_status lx_session_prepare(const luxel_scene *scene, const luxel_settings *settings,
                                 luxel_diagnostics *diagnostics, struct lx_prepared *prepared);
 
-/* The same for the settings, with kernels, but without a plan: for whoever needs no picture. */
+/* Opens a session by the settings, with kernels, but without a plan: for whoever needs no picture. */
 luxel_status lx_session_open_world(const luxel_scene *scene, const luxel_settings *settings,
                                    luxel_diagnostics *diagnostics, struct lx_session *session);
 

@@ -17,7 +17,7 @@ struct lx_json {
 
 /* Opens an object or an array: '{' or '['. */
 void lx_json_open(struct lx_json *json, const char *key, char bracket);
-/* The same, on one line with all that it holds. */
+/* Opens one that stands on one line with all that it holds. */
 void lx_json_open_line(struct lx_json *json, const char *key, char bracket);
 /* Closes it: '}' or ']'.  The outermost ends its line. */
 void lx_json_close(struct lx_json *json, char bracket);

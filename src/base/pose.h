@@ -22,7 +22,7 @@ void lx_usual_up(const double axis[3], double up[3]);
 /* The pose of an axis and an `up` that are not parallel. */
 struct lx_pose lx_pose_of(const double axis[3], const double up[3]);
 
-/* The same for the axis from one place to another, which need not be a float64 number. */
+/* The pose of an axis from one place to another, which need not be a float64 number. */
 struct lx_pose lx_pose_towards(const double from[3], const double to[3], const double up[3]);
 
 /* One of these directions as the nearest float64 numbers, with their rounding as the bound. */

@@ -38,7 +38,7 @@ static inline bool lx_asking_goes_on(const struct lx_asking *asking)
     return !asking || !asking->control || lx_control_goes_on(asking->control, asking->is_caller);
 }
 
-/* The same for step i of a loop, which asks at every so many-th step, the first among them. */
+/* Whether step i of a loop goes on, which asks at every so many-th step, the first among them. */
 static inline bool lx_asking_at_step(const struct lx_asking *asking, size_t i, size_t every)
 {
     return i % every != 0 || lx_asking_goes_on(asking);

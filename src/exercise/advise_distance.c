@@ -10,7 +10,7 @@
 #include "../shade/prepared.h"
 #include "adviser.h"
 
-/* Of a surface's radius: nearer, and half of the light falls on less than a tenth of its width. */
+/* A share of a surface's radius: nearer, and half of the light falls on less than a tenth of its width. */
 #define NEAREST 0.05
 /* The change of the attenuation over all surfaces that can still be seen in a picture of 256 grey levels. */
 #define LEAST_CHANGE 0.01

@@ -13,7 +13,7 @@
 #include "field.h"
 #include "region.h"
 
-/* Of a look around where values need integrals. */
+/* The tolerance of a look around where values need integrals. */
 static const double COARSE = 1e-5;
 /* What may be lost, relative, by standing a little off an edge where that is needed. */
 static const double NEAR = 2e-11;

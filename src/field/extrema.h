@@ -186,7 +186,7 @@ bool lx_look_at_spot(struct lx_hunt *hunt, const struct lx_spot *spot, double *v
 
 /* The peaks along the rim of a surface, and beside it of surfaces behind. */
 void lx_gather_rim(struct lx_gathering *gathering, size_t surface);
-/* The same along the screen or the region, and places inside a region. */
+/* The peaks along the screen or the region, and places inside a region. */
 void lx_gather_border(struct lx_gathering *gathering);
 
 #endif

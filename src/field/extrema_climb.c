@@ -36,7 +36,7 @@ static double value_at(struct lx_hunt *hunt, const struct lx_spot *spot)
     return lx_piece_value(hunt, spot, &error);
 }
 
-/* The same, and what it tells of the roughness. */
+/* The value where the climb stands, and what it tells of the roughness. */
 static double value_here(struct lx_hunt *hunt, struct lx_climb *climb)
 {
     double error, value = lx_piece_value(hunt, &climb->at, &error);

@@ -123,7 +123,7 @@ void lx_iso_grid_clear(struct lx_iso_search *search)
 
 /* -- reading it -- */
 
-/* Of a line of the grid, the row of the field; false: it is an edge of the screen, or lies beyond the grid. */
+/* The row of the field that a line of the grid is; false: it is an edge of the screen, or lies beyond the grid. */
 static bool find_row(const struct lx_iso_search *search, long long line, size_t *row)
 {
     long long place = line - search->top;

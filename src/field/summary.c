@@ -31,7 +31,7 @@ static double deviation_of(const struct lx_gathered *gathered, double mean)
     return scale * sqrt(sum / (double)gathered->count);
 }
 
-/* Of an even number of values, the mean of the two in the middle. */
+/* The middle of an even number of values is the mean of two. */
 static double median_of(struct lx_gathered *gathered)
 {
     size_t half = gathered->count / 2;

@@ -5,7 +5,7 @@
 
 #include "parts.h"
 
-/* Of the letters' size. */
+/* Shares of the letters' size. */
 static const double LINE = 0.06, WIDTH = 1.5, TICK = 0.35, GAP = 0.35, POINT = 1;
 
 /* The colours as an image of one column, so that no file holds hundreds of rectangles with seams between them. */

@@ -8,7 +8,7 @@
 #include "../exercise/parameter_tables.h"
 #include "figure.h"
 
-/* Of a contour: so many that a sphere looks round however far a program zooms in. */
+/* Steps of a contour: so many that a sphere looks round however far a program zooms in. */
 enum { STEPS = 1440 };
 
 /* The list that callers see comes first, so that a pointer to it is one to the whole. */

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /*
  * Reading EULUMDAT (.ldt): one text or number a line, in a fixed order; a blank line where a number is expected is 0.
- * Of the planes that it announces a file with symmetry holds only some.
+ * A file with symmetry holds only some of the planes that it announces.
  */
 #include <math.h>
 #include <stdlib.h>

@@ -41,7 +41,7 @@ static void take_planes(const luxel_photometry *photometry, double plane_deg, st
     add_dark(section, angles[count - 1], 180);
 }
 
-/* Of types A and B: along the horizontal angles at the vertical angle 0, or the other way round. */
+/* Types A and B: along the horizontal angles at the vertical angle 0, or the other way round. */
 static void take_cross(const luxel_photometry *photometry, bool is_upright, struct lx_section *section)
 {
     const double *places = is_upright ? photometry->angles : photometry->planes;

@@ -40,7 +40,7 @@ bool lx_is_our_tag(const char *key);
 
 /*
  * Adds a tag; `value`, of malloc() with room for a 0 byte behind its length, becomes the list's, or is freed.
- * Of several tags with one key the first counts.  0, or -1 when memory ran out.
+ * The first of several tags with one key counts.  0, or -1 when memory ran out.
  */
 int lx_tags_add(struct lx_tags *tags, const char *key, char *value, size_t length);
 

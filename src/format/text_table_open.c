@@ -10,7 +10,7 @@
 #include "text_table.h"
 #include "text_table_lines.h"
 
-/* Of a pipe no more is taken into memory. */
+/* No more of a pipe is taken into memory. */
 enum { MOST_OF_A_PIPE = 1 << 30 };
 
 struct luxel_table {

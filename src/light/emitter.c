@@ -13,7 +13,7 @@
 /* Emitters that are appended between two questions whether to go on. */
 enum { BETWEEN_CHECKS = 128 };
 
-/* Of so many items room is made at once. */
+/* Room is made for so many items at once. */
 static const double MANY = 4096;
 
 /* Counts emitters that have the law of one in common. */

@@ -18,7 +18,7 @@ bool lx_extended_touches(const struct lx_emitter *emitter, lx_bounded3 place_mm)
     return lx_round_touches(emitter, place_mm);
 }
 
-/* Of facets it was summed as it stands, from the rounded areas of the faces. */
+/* The area of facets was summed as it stands, from the rounded areas of the faces. */
 lx_bounded lx_extended_area_mm2(const struct lx_emitter *emitter)
 {
     lx_bounded pi = lx_rounded(M_PI, 0, 1);

@@ -100,7 +100,7 @@ static double exact_height(const struct view *view, const struct lx_face *face, 
     return fabs(height) <= *error ? 0 : height;
 }
 
-/* The same in float64 where that will do. */
+/* The height in float64 where that will do. */
 static double height_over(const struct view *view, const struct lx_face *face, double *error)
 {
     const lx_wide3 *corner = corner_of(view->facets, face, 0);

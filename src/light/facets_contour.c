@@ -119,7 +119,7 @@ void lx_contour_set_base(struct lx_contour *contour, unsigned corner)
     contour->known_vertex = *base;
 }
 
-/* Of a corner below the horizon nothing but that is of interest. */
+/* A corner below the horizon: nothing but that is of interest. */
 static struct lx_contour_vertex at_corner(const struct lx_contour *contour, unsigned corner)
 {
     if (corner == contour->base)

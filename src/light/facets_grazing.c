@@ -27,7 +27,7 @@ static const double SHORTEST = 0x1p-60;
 /* The highest that the contour may get above the horizon, relative to the least distance. */
 static const double LOW = 0.125;
 
-/* Of Gauss's formula for 20 points: the positive places in [-1, 1], and the weights. */
+/* Gauss's formula for 20 points: the positive places in [-1, 1], and the weights. */
 static const struct {
     lx_wide x, weight;
 } pairs[PAIRS] = {

@@ -134,7 +134,7 @@ static struct lx_edge edge_of(const struct side *side, int right)
     };
 }
 
-/* Of a closed shell each edge has two sides, which run opposite ways. */
+/* Each edge of a closed shell has two sides, which run opposite ways. */
 static struct lx_shape_report pair_sides(struct lx_facets *facets, struct side *sides, size_t count,
                                          const struct lx_asking *asking)
 {

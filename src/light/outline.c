@@ -61,7 +61,7 @@ bool lx_turns_left(const lx_wide (*xy)[2], const unsigned *loop, size_t count)
     return true;
 }
 
-/* Of a point on the line of a and b: whether it lies between them, ends included. */
+/* Whether a point on the line of a and b lies between them, ends included. */
 static bool is_between(const lx_wide a[2], const lx_wide b[2], const lx_wide point[2])
 {
     int k = fabs(lx_wide_sub(a[0], b[0]).high) >= fabs(lx_wide_sub(a[1], b[1]).high) ? 0 : 1;

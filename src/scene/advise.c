@@ -126,7 +126,7 @@ static bool is_behind(const struct lx_scene_parameters *scene, const double plac
     return true;
 }
 
-/* The same place, raised above the first surface, as the screen has it. */
+/* The place, raised above the first surface, as the screen has it. */
 static void mend_behind(struct lx_walk *walk, const struct lx_scene_parameters *scene, size_t light,
                         const double place_mm[3])
 {
@@ -152,7 +152,7 @@ static void mend_behind(struct lx_walk *walk, const struct lx_scene_parameters *
     lx_mend_hint(walk, &text);
 }
 
-/* Of a surface's size: what is no farther away lies on it. */
+/* A share of a surface's size: what is no farther away lies on it. */
 static const double MOUNTED = 1e-9;
 
 /* How far a place is from the nearest part of a surface. */

@@ -105,7 +105,7 @@ static void report_observer(struct lx_walk *walk, const luxel_scene *scene, cons
     lx_walk_report(walk, LUXEL_SEVERITY_ERROR, lx_document_place(walk->document, id), &step, message, name, number);
 }
 
-/* Of a surface that shows its back: at the observer's height, or at the surface's axis. */
+/* An error of a surface that shows its back: at the observer's height, or at the surface's axis. */
 static void report_back(struct lx_walk *walk, const luxel_scene *scene, const struct watch *watch, size_t i,
                         enum lx_standing standing)
 {
@@ -147,7 +147,7 @@ static void report_too_low(struct lx_walk *walk, const luxel_scene *scene, const
                 LX_ARGS(number));
 }
 
-/* Of the surfaces that the observer is not above only the one that reaches highest is reported. */
+/* Only the one that reaches highest is reported of the surfaces that the observer is not above. */
 static void check_observer(struct lx_walk *walk, const luxel_scene *scene)
 {
     const struct lx_observer *observer = &scene->parameters.observer;

@@ -319,7 +319,7 @@ static void reads_isophotes(void **state)
     app_shot_unref(shot);
 }
 
-/* Of a quick look: what is exact at once, and no grey levels, which the whole picture will have. */
+/* A quick look: what is exact at once, and no grey levels, which the whole picture will have. */
 static void answers_for_quick_looks(void **state)
 {
     (void)state;

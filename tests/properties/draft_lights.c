@@ -214,7 +214,7 @@ static void choose_extent(struct choices *choices, double size, struct draft_lig
     choose_corners(choices, light);
 }
 
-/* Of lights one in so many is extended; 0: none. */
+/* One light in so many is extended; 0: none. */
 static enum draft_light_type choose_type(struct choices *choices, unsigned extended_one_in)
 {
     static const enum draft_light_type types[] = {DRAFT_POINT, DRAFT_POINT,   DRAFT_SPOT,

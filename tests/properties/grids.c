@@ -5,7 +5,7 @@
 #include <float.h>
 #include <math.h>
 
-/* Of integrals, as users would take it. */
+/* The tolerance of integrals, as users would take it. */
 static const double TOLERANCE = 1e-4;
 
 static luxel_grid *measure(const luxel_scene *scene, double tolerance)

@@ -49,7 +49,7 @@ struct seen_place {
     double complex e; /* E_perp that it gives for a unit of s, t and the radiance, times the square of the way */
 };
 
-/* Of a cylinder's side (round_view.h). */
+/* A place of a cylinder's side (round_view.h). */
 struct seen_place seen_of_side(const struct lx_shell *shell, struct vector place, double s, double t);
 
 /* The irradiance by a cylinder of the radiance 1: its side, and the end that is seen from the middle of the square. */

@@ -46,7 +46,7 @@ static long double moved(lx_bounded a, int i)
     return (long double)a.value + (long double)share * (long double)a.error;
 }
 
-/* The same for a second operand, so that all pairs of ends occur. */
+/* Numbers for a second operand, so that all pairs of ends occur. */
 static long double moved_too(lx_bounded a, int i)
 {
     return moved(a, i == 2 ? 1 : i == 3 ? 2 : i);
@@ -359,7 +359,7 @@ static lx_bounded of(double value, double error)
     return (lx_bounded){value, error};
 }
 
-/* Of numbers without errors the roundings alone: half a unit in the last place for each. */
+/* Numbers without errors have the roundings alone: half a unit in the last place for each. */
 static void widths_of_roundings(void **unused)
 {
     const double u = DBL_EPSILON / 2;

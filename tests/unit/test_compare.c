@@ -60,7 +60,7 @@ static void test_symmetry(void **state)
     luxel_field_free(b);
 }
 
-/* The same field by way of a file without a mask: which pixels show a surface is guessed, by their not being 0. */
+/* The field by way of a file without a mask: which pixels show a surface is guessed, by their not being 0. */
 static luxel_field *without_mask(const luxel_field *field)
 {
     char path[] = "/tmp/luxel-field-XXXXXX.npy";

@@ -120,7 +120,7 @@ static double off(lx_wide a, lx_wide b)
     return fabs(lx_wide_sub(a, b).high);
 }
 
-/* Of all sizes, above the horizon, cut by it, and below it. */
+/* Polygons of all sizes, above the horizon, cut by it, and below it. */
 static void contours(void **state)
 {
     struct randomness random = {.state = 5};

@@ -166,7 +166,7 @@ static void diffuse_as_in_closed_form(void **unused)
     }
 }
 
-/* Of a needle even the area is rounded: 30 mm x 0.0001 mm. */
+/* Even the area of a needle is rounded: 30 mm x 0.0001 mm. */
 static void needles(void **unused)
 {
     uint64_t random = 23;

@@ -163,7 +163,7 @@ static void test_corner(void **state)
                   "axis: [-424, -500, -1080]}, radiance: 1}]\n");
 }
 
-/* Of a highlight 1e-236 of its peak is to be seen, where sums of what was in doubt leave more than that by rounding. */
+/* 1e-236 of a highlight's peak is to be seen, where sums of what was in doubt leave more than that by rounding. */
 static void test_far_foot(void **state)
 {
     (void)state;
@@ -248,7 +248,7 @@ static void test_tiny_cone(void **state)
         }
 }
 
-/* Of a light as near as places are known no error can be told, and so it is told as infinite. */
+/* No error can be told of a light as near as places are known, and so it is told as infinite. */
 static void test_error_without_bound(void **state)
 {
     (void)state;

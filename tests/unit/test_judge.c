@@ -164,7 +164,7 @@ static void expect_slips(const char *const *assignments)
     luxel_scene_free(scene);
 }
 
-/* Of a bright picture, and of one that is nowhere as bright as 1. */
+/* A bright picture, and one that is nowhere as bright as 1. */
 static void explains_slips(void **state)
 {
     static const char *const dim[] = {"lights[0].intensity=0.1", NULL};
@@ -173,7 +173,7 @@ static void explains_slips(void **state)
     expect_slips(dim);
 }
 
-/* Of several conventions within a generous tolerance the nearest is told. */
+/* The nearest of several conventions within a generous tolerance is told. */
 static void tells_the_nearest(void **state)
 {
     (void)state;

@@ -154,7 +154,7 @@ static void test_whole_powers(void **state)
     report("whole powers in float64", &twice, 6);
 }
 
-/* Of powers down to 1e-250 the relative error, over 1 + |ln power|, in ulp: they may be all that a picture shows. */
+/* The relative error of powers down to 1e-250, over 1 + |ln power|, in ulp: they may be all that a picture shows. */
 static void test_small_powers(void **state)
 {
     (void)state;

@@ -43,7 +43,7 @@ static double reference_picture(const struct test_scene *test, lx_bounded pictur
     return maximum;
 }
 
-/* The same row in float32 is the same, but for roundings, and ends where it ends. */
+/* A row in float32 is the same, but for roundings, and ends where it ends. */
 static void check_single(const struct lx_plan *plan, struct lx_shader_memory *memory, const double *values,
                          const uint8_t *mask)
 {

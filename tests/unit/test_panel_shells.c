@@ -55,7 +55,7 @@ static void corner_of(const struct lx_facets *facets, const struct lx_face *face
     corner[0] = from->x.high - anchor[0], corner[1] = from->y.high - anchor[1], corner[2] = from->z.high - anchor[2];
 }
 
-/* Of the faces that are seen from the middle of the square. */
+/* The faces that are seen from the middle of the square. */
 static double complex by_facets(const struct lx_law *law, const struct lx_facets *facets, const struct lx_vicinity *at,
                                 const double anchor[3], struct vector place, struct vector normal)
 {

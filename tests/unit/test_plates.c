@@ -82,7 +82,7 @@ static void test_closed_forms(void **state)
         }
     luxel_scene_free(scene);
 
-    /* The same on a plate that leans: turned about y by the angle whose tangent is 3/4. */
+    /* Light on a plate that leans: turned about y by the angle whose tangent is 3/4. */
     scene = scene_of(NULL, "{type: rectangle, center: [10, 0, 100], size: [400, 400], axis: [0.6, 0, 0.8], " WHITE "}",
                      "{type: point, position: [130, 0, 260], intensity: 8}");
     for (int i = -6; i <= 6; i++) {

@@ -153,7 +153,7 @@ static void make_powers(double powers[LX_MOST_NODES][LX_MOST_NODES])
             powers[n][m] = (m > 0 ? 2 * powers[n - 1][m - 1] : 0) - powers[n - 2][m];
 }
 
-/* Of one product alone the terms are whole numbers. */
+/* The terms of one product alone are whole numbers. */
 static void check_terms(const struct lx_kernels *kernels, const struct nodes *nodes,
                         const double (*powers)[LX_MOST_NODES], unsigned l, unsigned k)
 {
@@ -227,7 +227,7 @@ static void test_spreading(void **state)
             }
 }
 
-/* Of a plane, so that powers can be told to some roundings however faint they are; and of what is below 0. */
+/* Polynomials of a plane, so that powers can be told to some roundings however faint they are; and what is below 0. */
 static void test_powers(void **state)
 {
     (void)state;

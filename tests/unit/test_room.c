@@ -164,7 +164,7 @@ static void test_no_light_leaks(void **state)
     }
 }
 
-/* The same in pictures: the screen shows the back wall to its very edges, and a lamp outside lights no pixel of it. */
+/* Pictures: the screen shows the back wall to its very edges, and a lamp outside lights no pixel of it. */
 static void test_pictures_keep_light_out(void **state)
 {
     (void)state;

@@ -48,7 +48,7 @@ static void add(struct tally *tally, double number)
     }
 }
 
-/* Of a number with its bound. */
+/* Numbers with their bounds. */
 struct pair {
     struct tally value, error;
 };
