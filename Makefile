@@ -31,7 +31,7 @@ WARNINGS_ARE_ERRORS = --werror
 .NOTPARALLEL:
 .PHONY: build help setup run app python check bench install clean check-clang check-sanitize check-threads check-valgrind \
     format fuzz coverage fuzz-coverage mutants properties frozen freeze docs validation abi po packages check-packages \
-    check-kills check-wheel notebook
+    check-kills check-wheel notebook web check-web
 
 build: $(BUILD)/build.ninja
 	@$(COMPILE) $(BUILD)
@@ -62,6 +62,8 @@ help:
 	@echo 'make packages        the Debian packages in $(BUILD)/packages, judged by lintian'
 	@echo 'make check-packages  the same, installed into a fresh Debian and tried there'
 	@echo 'make check-wheel     the Python package as a wheel in $(BUILD)/wheel, installed into a fresh environment and tried'
+	@echo 'make web             the web page in build-web/page: static files, for any server, and luxel.html alone'
+	@echo 'make check-web       the same, tried in Node and in Chromium; ends with "N passed, N failed"'
 	@echo 'make notebook        write docs/python/tutorial.ipynb anew from docs/PYTHON.md'
 	@echo 'make abi             add new functions to the list of exported symbols'
 	@echo 'make format          format the C sources with clang-format'
@@ -236,6 +238,15 @@ check-wheel:
 	@tools/setup wheel
 	@CONFIGURE='$(CONFIGURE)' tools/check_wheel $(BUILD)/wheel
 
+# The core by emscripten, whatever BUILD is, and the page by Vite.
+web:
+	@tools/setup web
+	@tools/web_page build-web
+
+check-web: web setup $(BUILD)/build.ninja
+	@$(COMPILE) $(BUILD) luxel:executable
+	@node web/tests/run.mjs build-web/core/web/core/luxel-core.wasm $(abspath $(BUILD))/cli/luxel build-web/page
+
 # What is not translated yet is listed at the end.
 po: setup $(BUILD)/build.ninja
 	@$(COMPILE) $(BUILD) luxel-pot
@@ -251,4 +262,4 @@ format:
 
 clean:
 	@rm -rf $(BUILD) build-clang build-fuzz build-coverage build-threads build-mutants build-sanitize-gcc \
-	    build-sanitize-clang
+	    build-sanitize-clang build-web web/node_modules

@@ -9,7 +9,7 @@ import sys
 
 from tap import Tap
 
-FOLDERS = ["include", "src", "front", "cli", "app", "tests", "tools", "bench", "fuzz", "examples", "data",
+FOLDERS = ["include", "src", "front", "cli", "app", "tests", "tools", "bench", "fuzz", "examples", "data", "web/core",
            "python"]
 C_LIKE = (".c", ".h", ".def", ".inc", ".cpp", ".hpp")
 LONGEST = 600

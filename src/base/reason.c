@@ -7,7 +7,11 @@
 
 const char *lx_reason(int number)
 {
+#ifdef __GLIBC__
     const char *text = strerrordesc_np(number);
+#else
+    const char *text = strerror(number); /* of the C library of the web page, whose texts are constant */
+#endif
 
     return text != NULL ? text : "unknown error";
 }

@@ -272,6 +272,11 @@ luxel_status lx_sink_read_back(struct lx_sink *sink, uint64_t place, void *bytes
     return sink->status;
 }
 
+#ifdef __EMSCRIPTEN__
+/* WebAssembly has no disk that could be full. */
+#define fallocate(file, mode, from, bytes) ((void)(bytes), 0)
+#endif
+
 luxel_status lx_sink_reserve(struct lx_sink *sink, uint64_t bytes)
 {
     if (sink->status == LUXEL_OK && sink->destination.bytes == NULL && !sink->staged.direct &&

@@ -14,9 +14,10 @@ static const struct lx_format *const FORMATS[] = {&lx_format_png, &lx_format_npy
                                                   &lx_format_exr};
 enum { FORMAT_COUNT = sizeof FORMATS / sizeof FORMATS[0] };
 
+/* The format whose library may be missing is the last, so that those that can be written stand together. */
 const char *lx_format_ending(size_t i)
 {
-    return i < FORMAT_COUNT ? FORMATS[i]->ending : NULL;
+    return i < FORMAT_COUNT && FORMATS[i]->begin ? FORMATS[i]->ending : NULL;
 }
 
 /* The ending of the last name in a path with its dot, or NULL.  A dot that begins a name begins no ending. */
@@ -42,7 +43,7 @@ static const char *list_endings(bool readable, char list[FORMAT_COUNT * 8])
 {
     list[0] = '\0'; /* each ending and its separator are shorter than 8 */
     for (size_t i = 0; i < FORMAT_COUNT; i++)
-        if (!readable || FORMATS[i]->read)
+        if (readable ? FORMATS[i]->read != NULL : FORMATS[i]->begin != NULL)
             strcat(strcat(list, list[0] ? ", " : ""), FORMATS[i]->ending);
     return list;
 }
@@ -52,7 +53,7 @@ luxel_status lx_find_format(const char *path, luxel_diagnostics *diagnostics, co
     const char *ending = ending_of(path);
     const struct lx_format *found = format_of_ending(ending);
     char known[FORMAT_COUNT * 8];
-    if (found) {
+    if (found && found->begin) {
         *format = found;
         return LUXEL_OK;
     }

@@ -69,7 +69,7 @@ struct lx_format {
     size_t magic_length;
     bool bottom_up; /* whether the last row comes first, so that strips need a sink that can seek */
     /* Write what stands before the rows; the strips of an image, each once, from the top on; and what stands behind.
-     * A failure is the sink's to keep; after one only `end` is called. */
+     * A failure is the sink's to keep; after one only `end` is called.  `begin` NULL: this build cannot write it. */
     void (*begin)(struct lx_writer *writer);
     void (*add)(struct lx_writer *writer, const struct lx_image_strip *strip);
     void (*end)(struct lx_writer *writer,

@@ -121,7 +121,7 @@ static long find_beyond(const struct tree *tree, const struct reach *reach, doub
             const double *at = tree->places[n].at;
             *off = normal[0] * at[0] + normal[1] * at[1] + normal[2] * at[2] - reach->plane;
             if (*off > reach->tolerance && *off > allowed_at(reach, at))
-                return tree->places[n].corner;
+                return (long)tree->places[n].corner;
         }
         i++;
     }

@@ -1,0 +1,30 @@
+/* SPDX-License-Identifier: MIT */
+/*
+ * The core of the page keeps one scene that is whole, the last that was; what the page asks is about that one.  Texts
+ * of the page come as bytes in memory that page_memory() gave, and what the core answers lives until its next answer.
+ */
+#ifndef WEB_CORE_H
+#define WEB_CORE_H
+
+#include <luxel/luxel.h>
+
+struct core {
+    luxel_scene *scene;             /* NULL: none was whole yet */
+    luxel_evaluator *evaluator;     /* of the scene and the quantity; NULL: not asked for yet */
+    luxel_field *field;             /* the picture that was computed last; NULL: none */
+    luxel_diagnostics *diagnostics; /* of the last call that can fail */
+    luxel_quantity quantity;
+};
+
+extern struct core core;
+
+/* Empties what the last call reported, and gives the list for the next one. */
+luxel_diagnostics *fresh_diagnostics(void);
+
+/* The evaluator of the present scene and quantity, or NULL. */
+const luxel_evaluator *present_evaluator(void);
+
+/* The default settings with the present quantity. */
+luxel_settings present_settings(void);
+
+#endif

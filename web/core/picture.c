@@ -1,0 +1,244 @@
+/* SPDX-License-Identifier: MIT */
+/* Pictures of the present scene: their samples, files of them, exact values, explanations, sections. */
+#include <stdlib.h>
+
+#include "answer.h"
+#include "core.h"
+
+/* Computes the picture, or a quick look at it; returns a luxel_status.  The one before stays where it fails. */
+PAGE_CALLS(page_render) int page_render(unsigned stride)
+{
+    luxel_settings settings = present_settings();
+    luxel_field *field = NULL;
+    settings.stride = stride;
+    const luxel_status status = luxel_render(core.scene, &settings, fresh_diagnostics(), &field);
+    if (status == LUXEL_OK) {
+        luxel_field_free(core.field);
+        core.field = field;
+    }
+    return (int)status;
+}
+
+PAGE_CALLS(page_values) const float *page_values(void)
+{
+    return core.field ? luxel_field_single(core.field) : NULL;
+}
+
+PAGE_CALLS(page_mask) const uint8_t *page_mask(void)
+{
+    return core.field ? luxel_field_mask(core.field) : NULL;
+}
+
+PAGE_CALLS(page_grey) int page_grey(uint8_t *grey)
+{
+    if (core.field)
+        luxel_field_grey(core.field, grey);
+    return core.field != NULL;
+}
+
+static void answer_extremum(const char *key, const luxel_extremum *extremum)
+{
+    answer_key(key);
+    answer_open('{');
+    answer_key("exists");
+    answer_bool(extremum->exists);
+    answer_key("value");
+    answer_number(extremum->value);
+    answer_key("x");
+    answer_number(extremum->x_mm);
+    answer_key("y");
+    answer_number(extremum->y_mm);
+    answer_close('}');
+}
+
+/* What the picture is: its size, places, unit and statistics. */
+PAGE_CALLS(page_picture) const char *page_picture(void)
+{
+    if (!core.field)
+        return NULL;
+    const luxel_statistics *statistics = luxel_field_statistics(core.field);
+    answer_begin();
+    answer_open('{');
+    answer_key("columns");
+    answer_number(luxel_field_columns(core.field));
+    answer_key("rows");
+    answer_number(luxel_field_rows(core.field));
+    answer_key("unit");
+    answer_string(page_translate(luxel_field_unit(core.field), NULL));
+    answer_key("word");
+    answer_string(luxel_field_quantity_word(core.field));
+    answer_extremum("maximum", &statistics->maximum);
+    answer_extremum("minimum", &statistics->minimum);
+    answer_key("mean");
+    answer_number(statistics->mean);
+    answer_key("lit");
+    answer_number(statistics->lit);
+    answer_close('}');
+    return answer_text();
+}
+
+/* The bytes of the file that the tool would write: a whole picture, not a quick look. */
+PAGE_CALLS(page_file) unsigned char *page_file(const char *name, size_t *length)
+{
+    const luxel_settings settings = present_settings();
+    luxel_field *field = NULL;
+    unsigned char *bytes = NULL;
+    if (luxel_render(core.scene, &settings, fresh_diagnostics(), &field) == LUXEL_OK)
+        (void)luxel_field_write_memory(field, name, NULL, core.diagnostics, &bytes, length);
+    luxel_field_free(field);
+    return bytes;
+}
+
+static void answer_value(const luxel_value *value, const double *shares, size_t lights)
+{
+    answer_open('{');
+    answer_key("surface");
+    if (value->on_surface)
+        answer_number((double)value->surface);
+    else
+        answer_string(NULL);
+    answer_key("part");
+    answer_string(value->on_surface ? luxel_part_name(core.scene, value->surface, value->part) : NULL);
+    answer_key("value");
+    if (value->has_value)
+        answer_number(value->value);
+    else
+        answer_string(NULL);
+    answer_key("error");
+    answer_number(value->error);
+    answer_key("position");
+    answer_numbers(value->position_mm, value->on_surface ? 3 : 0);
+    answer_key("normal");
+    answer_numbers(value->normal, value->on_surface ? 3 : 0);
+    answer_key("shares");
+    answer_numbers(shares, lights);
+    answer_close('}');
+}
+
+/* The exact value seen through a point of the screen, and what each light gives of it. */
+PAGE_CALLS(page_probe) const char *page_probe(double x_mm, double y_mm)
+{
+    const luxel_evaluator *evaluator = present_evaluator();
+    const size_t lights = evaluator ? luxel_evaluator_light_count(evaluator) : 0;
+    double *shares = calloc(lights + 1, sizeof *shares);
+    if (!evaluator || !shares) {
+        free(shares);
+        return NULL;
+    }
+    const luxel_value value = luxel_evaluate(evaluator, x_mm, y_mm, shares);
+    answer_begin();
+    answer_value(&value, shares, lights);
+    free(shares);
+    return answer_text();
+}
+
+/* How the value at a point comes about: a page of HTML (3), Markdown (1), LaTeX (2) or text (0). */
+PAGE_CALLS(page_explain)
+const char *page_explain(double x_mm, double y_mm, int format, const char *language_code)
+{
+    static char *text;
+    const luxel_settings settings = present_settings();
+    const luxel_language language = {.translate = page_translate, .code = language_code};
+    luxel_document *document = NULL;
+    luxel_text_free(text);
+    text = NULL;
+    if (core.scene && luxel_explain(core.scene, &settings, x_mm, y_mm, &language, fresh_diagnostics(), &document) == 0)
+        text = luxel_document_write_text(document, (luxel_document_format)format);
+    luxel_document_free(document);
+    return text;
+}
+
+/* The true extrema on what the screen shows, between the pixels. */
+PAGE_CALLS(page_extrema) const char *page_extrema(void)
+{
+    const luxel_settings settings = present_settings();
+    luxel_field *field = NULL;
+    luxel_extrema extrema;
+    const luxel_evaluator *evaluator = present_evaluator();
+    if (!evaluator || luxel_render(core.scene, &settings, fresh_diagnostics(), &field) != LUXEL_OK)
+        return NULL;
+    const luxel_status status = luxel_find_extrema(evaluator, field, NULL, core.diagnostics, &extrema);
+    luxel_field_free(field);
+    if (status != LUXEL_OK || !extrema.maximum.exists)
+        return NULL;
+    const luxel_peak *const peaks[2] = {&extrema.maximum, &extrema.minimum};
+    answer_begin();
+    answer_open('[');
+    for (size_t i = 0; i < 2; i++) {
+        answer_open('{');
+        answer_key("value");
+        answer_number(peaks[i]->value);
+        answer_key("x");
+        answer_number(peaks[i]->x_mm);
+        answer_key("y");
+        answer_number(peaks[i]->y_mm);
+        answer_close('}');
+    }
+    answer_close(']');
+    return answer_text();
+}
+
+/* The section across the screen through a point: abscissa, value and each light's share, row by row. */
+PAGE_CALLS(page_section) const char *page_section(double x_mm, double y_mm, double degrees, unsigned samples)
+{
+    const luxel_evaluator *evaluator = present_evaluator();
+    luxel_path path = {.type = LUXEL_PATH_LINE, .samples = samples};
+    luxel_profile *profile = NULL;
+    const double through_mm[2] = {x_mm, y_mm};
+    if (!evaluator || luxel_line_across_screen(core.scene, through_mm, degrees, fresh_diagnostics(), path.from_mm,
+                                               path.to_mm) != LUXEL_OK)
+        return NULL;
+    if (luxel_find_profile(evaluator, &path, core.diagnostics, &profile) != LUXEL_OK)
+        return NULL;
+    answer_begin();
+    answer_open('[');
+    for (size_t i = 0; i < profile->count; i++) {
+        const luxel_profile_sample *sample = &profile->samples[i];
+        answer_open('[');
+        answer_number(sample->abscissa);
+        if (sample->has_value)
+            answer_number(sample->value);
+        else
+            answer_string(NULL);
+        for (size_t light = 0; light < profile->lights; light++)
+            answer_number(profile->shares[i * profile->lights + light]);
+        answer_close(']');
+    }
+    answer_close(']');
+    luxel_profile_free(profile);
+    return answer_text();
+}
+
+/* Lines of equal value on the last picture, at about so many round levels. */
+PAGE_CALLS(page_isophotes) const char *page_isophotes(unsigned wanted, int logarithmic)
+{
+    enum { ROOM = 32 };
+    double levels[ROOM];
+    luxel_isophotes *found = NULL;
+    if (!core.field)
+        return NULL;
+    const luxel_statistics *statistics = luxel_field_statistics(core.field);
+    const double high = statistics->maximum.value;
+    const double low = logarithmic ? high * 1e-3 : 0;
+    const size_t count = luxel_round_levels(low, high, logarithmic != 0, wanted, levels, ROOM);
+    if (luxel_find_isophotes(core.field, NULL, levels, count, fresh_diagnostics(), &found) != LUXEL_OK)
+        return NULL;
+    answer_begin();
+    answer_open('[');
+    for (size_t i = 0; i < found->count; i++) {
+        const luxel_isophote *line = &found->lines[i];
+        answer_open('{');
+        answer_key("level");
+        answer_number(line->level);
+        answer_key("closed");
+        answer_bool(line->closed);
+        answer_key("x");
+        answer_numbers(line->x_mm, line->count);
+        answer_key("y");
+        answer_numbers(line->y_mm, line->count);
+        answer_close('}');
+    }
+    answer_close(']');
+    luxel_isophotes_free(found);
+    return answer_text();
+}

@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: MIT
+// The page's end of the worker: questions as promises, and a new worker where the old one failed.
+import type { Questions } from './worker';
+import CoreWorker from './worker?worker';
+
+type Answer<T> = T extends (...values: never[]) => infer R ? Awaited<R> : never;
+
+function embedded(id: string): Uint8Array<ArrayBuffer> | null {
+    const text = document.getElementById(id)?.textContent;
+    return text ? Uint8Array.from(atob(text), (character) => character.charCodeAt(0)) : null;
+}
+
+async function fetched(name: string): Promise<Response> {
+    const response = await fetch(new URL(name, document.baseURI));
+    if (!response.ok) throw new Error(`${name}: ${response.status}`);
+    return response;
+}
+
+/** The smallest module with an operation on vectors. */
+export function hasVectors(): boolean {
+    const module = [
+        0, 97, 115, 109, 1, 0, 0, 0, 1, 5, 1, 96, 0, 1, 123, 3, 2, 1, 0, 10, 10, 1, 8, 0, 65, 0, 253, 15, 253, 98, 11,
+    ];
+    return typeof WebAssembly === 'object' && WebAssembly.validate(new Uint8Array(module));
+}
+
+export class Client {
+    private worker!: Worker;
+    private waiting = new Map<number, { resolve: (answer: any) => void; reject: (error: Error) => void }>();
+    private next = 0;
+    private module!: WebAssembly.Module;
+    private words: Record<string, string> = {};
+    private russian: Record<string, string> | null = null;
+    /** Called when a worker had to be started anew. */
+    onRestart: () => void = () => undefined;
+
+    async start(language: string) {
+        const bytes = embedded('embedded-core') ?? (await (await fetched('luxel-core.wasm')).arrayBuffer());
+        this.module = await WebAssembly.compile(bytes);
+        this.words = await this.wordsOf(language);
+        return this.restart();
+    }
+
+    private async wordsOf(language: string): Promise<Record<string, string>> {
+        if (language !== 'ru') return {};
+        const own = embedded('embedded-words');
+        this.russian ??= own ? JSON.parse(new TextDecoder().decode(own)) : await (await fetched('ru.json')).json();
+        return this.russian!;
+    }
+
+    async translate(language: string) {
+        this.words = await this.wordsOf(language);
+        return this.ask('translate', this.words);
+    }
+
+    private restart() {
+        const own = embedded('embedded-worker');
+        this.worker?.terminate();
+        this.worker = own
+            ? new Worker(URL.createObjectURL(new Blob([own], { type: 'text/javascript' })))
+            : new CoreWorker();
+        this.worker.onmessage = ({ data }) => this.answered(data);
+        this.worker.onerror = (event) => this.failed(event.message);
+        return this.ask('start', this.module, this.words);
+    }
+
+    private answered({ id, answer, failure }: { id: number; answer: unknown; failure?: string }) {
+        const asked = this.waiting.get(id);
+        this.waiting.delete(id);
+        if (failure === undefined) asked?.resolve(answer);
+        else {
+            asked?.reject(new Error(failure));
+            this.failed(failure);
+        }
+    }
+
+    private failed(reason: string) {
+        for (const asked of this.waiting.values()) asked.reject(new Error(reason));
+        this.waiting.clear();
+        this.restart().then(this.onRestart, () => undefined);
+    }
+
+    ask<Name extends keyof Questions>(
+        name: Name,
+        ...values: Parameters<Questions[Name]>
+    ): Promise<Answer<Questions[Name]>> {
+        const id = this.next++;
+        return new Promise((resolve, reject) => {
+            this.waiting.set(id, { resolve, reject });
+            this.worker.postMessage({ id, name, arguments: values });
+        });
+    }
+}

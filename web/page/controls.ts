@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: MIT
+// The rows of controls above the picture and above the space view.
+import { choice, h } from './dom';
+import type { PictureView } from './picture';
+import type { Side, SpaceView } from './space';
+import { t, typedNumber } from './words';
+
+function box(label: string, checked: boolean, onchange: (checked: boolean) => void) {
+    const input = h('input', { type: 'checkbox', checked, onchange: () => onchange(input.checked) });
+    return h('label', {}, input, t(label));
+}
+
+/** The colour bar's: map, range and how it is divided; and isophotes.  `ends` are the fields of the range. */
+export function scaleControls(picture: PictureView, changed: () => void) {
+    const { scale } = picture;
+    const end = (label: string, which: 'low' | 'high') => {
+        const input = h('input', { type: 'text', inputmode: 'decimal', class: 'end', 'aria-label': t(label) });
+        input.addEventListener('change', () => {
+            const value = typedNumber(input.value);
+            if (value === null) return;
+            scale[which] = value;
+            scale.locked = true;
+            (locked.firstChild as HTMLInputElement).checked = true;
+            changed();
+        });
+        return input;
+    };
+    const ends: [HTMLInputElement, HTMLInputElement] = [end('From', 'low'), end('To', 'high')];
+    const locked = box('Lock range', scale.locked, (checked) => {
+        scale.locked = checked;
+        changed();
+    });
+    const names: [string, string][] = ['grey', 'viridis', 'turbo'].map((map) => [map, t(map)]);
+    const maps = choice(t('Colours'), names, scale.map, (map) => {
+        scale.map = map as typeof scale.map;
+        changed();
+    });
+    const logarithmic = box('Logarithmic', scale.logarithmic, (checked) => {
+        scale.logarithmic = checked;
+        changed();
+    });
+    const isophotes = box('Isophotes', picture.showsIsophotes, (checked) => {
+        picture.showsIsophotes = checked;
+        changed();
+    });
+    return { element: h('div', { class: 'controls' }, maps, ...ends, locked, logarithmic, isophotes), ends };
+}
+
+/** From which side the space view looks. */
+export function sideControls(space: SpaceView): HTMLElement {
+    const names: [Side, string][] = [
+        ['orbit', 'Orbit'],
+        ['plan', 'Plan'],
+        ['elevation', 'Elevation'],
+    ];
+    const buttons = names.map(([side, label]) =>
+        h('button', { type: 'button', onclick: () => space.setSide(side) }, t(label)),
+    );
+    space.onSide = (side) =>
+        buttons.forEach((button, i) => button.setAttribute('aria-pressed', String(names[i][0] === side)));
+    space.onSide(space.side);
+    return h('div', { class: 'controls' }, ...buttons);
+}

@@ -1,0 +1,353 @@
+// SPDX-License-Identifier: MIT
+// The core: starts the WebAssembly of web/core and hands texts, numbers and bytes to and fro.  It runs in the worker
+// of the page, and in Node for the tests.
+
+export interface Message {
+    error: boolean;
+    line: number;
+    column: number;
+    length: number;
+    key: string | null;
+    message: string;
+    hint: string;
+}
+
+export interface Extremum {
+    exists: boolean;
+    value: number;
+    x: number;
+    y: number;
+}
+
+export interface PictureFacts {
+    columns: number;
+    rows: number;
+    unit: string;
+    word: string;
+    maximum: Extremum;
+    minimum: Extremum;
+    mean: number;
+    lit: number;
+}
+
+export interface Probe {
+    surface: number | null;
+    part: string | null;
+    value: number | null;
+    error: number;
+    position: number[];
+    normal: number[];
+    shares: number[];
+}
+
+export interface LightFacts {
+    type: string;
+    name: string | null;
+    enabled: boolean;
+    place: number[] | null;
+    direction: number[] | null;
+    flux: number | null;
+}
+
+export interface SceneFacts {
+    columns: number;
+    rows: number;
+    unit: string;
+    word: string;
+    lights: LightFacts[];
+    surfaces: (number[] | null)[];
+    points: number[][];
+}
+
+export interface Key {
+    path: string;
+    variant: string | null;
+    type: number;
+    count: number;
+    choices: string | null;
+    unit: string;
+    photometric: string;
+    label: string;
+    meaning: string;
+    legal: string | null;
+    advised: [number | null, number | null] | null;
+}
+
+export interface Kind {
+    list: string;
+    name: string;
+    meaning: string;
+    example: string | null;
+}
+
+export interface Builtin {
+    name: string;
+    title: string;
+    text: string;
+}
+
+export interface Isophote {
+    level: number;
+    closed: boolean;
+    x: number[];
+    y: number[];
+}
+
+/** What went wrong in the core itself, not in a scene: it is to be started anew. */
+export class CoreFailure extends Error {}
+
+type Exports = Record<string, (...numbers: number[]) => number>;
+
+// What WASI calls a file that is not there, what a call of the system that there is not, and one without a right.
+const BAD_FILE = 8;
+const NO_SUCH_FILE = -44; // ENOENT
+const NO_SUCH_CALL = -52; // ENOSYS
+
+export class Core {
+    private call!: Exports;
+    private memory!: WebAssembly.Memory;
+    private table!: WebAssembly.Table;
+    private words: Record<string, string> = {};
+    private places = new Map<string, number>();
+    private highBits = 0;
+
+    static async start(module: WebAssembly.Module): Promise<Core> {
+        const core = new Core();
+        const imports: WebAssembly.Imports = {};
+        for (const { module: from, name, kind } of WebAssembly.Module.imports(module)) {
+            if (kind !== 'function') throw new CoreFailure(`the core wants a ${kind}, ${from}.${name}`);
+            (imports[from] ??= {})[name] = core.imported(name);
+        }
+        const { exports } = await WebAssembly.instantiate(module, imports);
+        core.memory = exports.memory as WebAssembly.Memory;
+        core.table = exports.__indirect_function_table as WebAssembly.Table;
+        core.call = exports as unknown as Exports;
+        core.call._initialize();
+        return core;
+    }
+
+    /** The texts that the core translates, by the English ones; those asked for before stay. */
+    translate(words: Record<string, string>): void {
+        this.words = words;
+        this.places.clear();
+    }
+
+    // What the core imports: the clock, texts, and long jumps.  There are no files, and calls for them say so.
+    private imported(name: string): (...numbers: any[]) => any {
+        if (name.startsWith('invoke_')) return this.invoke.bind(this);
+        switch (name) {
+            case 'page_translation':
+                return (place: number) => this.translation(place);
+            case '_emscripten_throw_longjmp':
+                return () => {
+                    throw Infinity;
+                };
+            case 'setTempRet0':
+                return (bits: number) => void (this.highBits = bits);
+            case 'getTempRet0':
+                return () => this.highBits;
+            case 'clock_time_get':
+                return (_clock: number, _precision: bigint, at: number) => {
+                    this.view().setBigUint64(at, BigInt(Math.round(performance.now() * 1e6)), true);
+                    return 0;
+                };
+            case 'environ_sizes_get':
+                return (count: number, size: number) => {
+                    this.view().setUint32(count, 0, true);
+                    this.view().setUint32(size, 0, true);
+                    return 0;
+                };
+            case 'environ_get':
+                return () => 0;
+            case 'emscripten_notify_memory_growth':
+                return () => undefined;
+            case 'proc_exit':
+                return (code: number) => {
+                    throw new CoreFailure(`the core ended with ${code}`);
+                };
+            default:
+                if (name.startsWith('fd_')) return () => BAD_FILE;
+                if (name === '__syscall_openat' || name.includes('stat') || name.includes('access'))
+                    return () => NO_SUCH_FILE;
+                return () => NO_SUCH_CALL;
+        }
+    }
+
+    // A function that may end with a long jump: libpng's way to report a failure.
+    private invoke(index: number, ...rest: number[]): number | undefined {
+        const stack = this.call.stackSave();
+        try {
+            return this.table.get(index)(...rest);
+        } catch (thrown) {
+            this.call.stackRestore(stack);
+            if (thrown !== Infinity) throw thrown;
+            this.call.setThrew(1, 0);
+            return undefined;
+        }
+    }
+
+    private translation(place: number): number {
+        const english = this.text(place) ?? '';
+        const known = this.places.get(english);
+        if (known !== undefined) return known;
+        const word = this.words[english];
+        const made = word ? this.put(word)[0] : 0;
+        this.places.set(english, made);
+        return made;
+    }
+
+    private view(): DataView {
+        return new DataView(this.memory.buffer);
+    }
+
+    private text(place: number): string | null {
+        if (!place) return null;
+        const bytes = new Uint8Array(this.memory.buffer);
+        return new TextDecoder().decode(bytes.subarray(place, bytes.indexOf(0, place)));
+    }
+
+    // Copies a text with a 0 behind it into memory that the caller frees; its place and length in bytes.
+    private put(text: string): [number, number] {
+        const bytes = new TextEncoder().encode(text);
+        return this.putBytes(bytes);
+    }
+
+    private putBytes(bytes: Uint8Array): [number, number] {
+        const place = this.call.page_memory(bytes.length + 1);
+        if (!place) throw new CoreFailure('memory is short');
+        const memory = new Uint8Array(this.memory.buffer);
+        memory.set(bytes, place);
+        memory[place + bytes.length] = 0;
+        return [place, bytes.length];
+    }
+
+    private withTexts<T>(texts: string[], use: (...places: number[]) => T): T {
+        const places = texts.map((text) => this.put(text)[0]);
+        try {
+            return use(...places);
+        } finally {
+            places.forEach((place) => this.call.page_free(place));
+        }
+    }
+
+    private json<T>(place: number): T | null {
+        const text = this.text(place);
+        return text === null ? null : (JSON.parse(text) as T);
+    }
+
+    /** Judges a text or a picture that carries its scene; true: it is the present scene now. */
+    open(scene: string | Uint8Array, name = 'scene.yaml'): boolean {
+        const [place, length] = typeof scene === 'string' ? this.put(scene) : this.putBytes(scene);
+        try {
+            return this.withTexts([name], (at) => this.call.page_open(place, length, at) === 0);
+        } finally {
+            this.call.page_free(place);
+        }
+    }
+
+    messages(): Message[] {
+        return this.json<Message[]>(this.call.page_messages()) ?? [];
+    }
+
+    quantity(irradiance: boolean): void {
+        this.call.page_quantity(irradiance ? 1 : 0);
+    }
+
+    /** Changes a text: assignments KEY=VALUE, elements put into lists, keys taken out.  Null: it does not go. */
+    edit(text: string | Uint8Array, changes: Change[]): string | null {
+        const [place, length] = typeof text === 'string' ? this.put(text) : this.putBytes(text);
+        try {
+            if (this.call.page_edit(place, length) !== 0) return null;
+            for (const change of changes) if (!this.change(change)) return null;
+            return this.text(this.call.page_edited());
+        } finally {
+            this.call.page_free(place);
+        }
+    }
+
+    private change(change: Change): boolean {
+        if ('set' in change) return this.withTexts([change.set], (at) => this.call.page_set(at)) === 0;
+        if ('remove' in change) return this.withTexts([change.remove], (at) => this.call.page_remove(at)) === 0;
+        const { list, index, insert } = change;
+        return this.withTexts([list, insert], (at, value) => this.call.page_insert(at, index, value)) === 0;
+    }
+
+    get(key: string): string | null {
+        return this.text(this.withTexts([key], (at) => this.call.page_get(at)));
+    }
+
+    render(stride: number): boolean {
+        return this.call.page_render(stride) === 0;
+    }
+
+    picture(): PictureFacts {
+        const facts = this.json<PictureFacts>(this.call.page_picture());
+        if (!facts) throw new CoreFailure('there is no picture');
+        return facts;
+    }
+
+    /** Copies of the samples and of the mask of the last picture. */
+    samples(): { values: Float32Array<ArrayBuffer>; mask: Uint8Array<ArrayBuffer> } {
+        const { columns, rows } = this.picture();
+        const values = this.call.page_values();
+        const mask = this.call.page_mask();
+        return {
+            values: new Float32Array(this.memory.buffer as ArrayBuffer, values, columns * rows).slice(),
+            mask: new Uint8Array(this.memory.buffer as ArrayBuffer, mask, columns * rows).slice(),
+        };
+    }
+
+    /** The bytes of a file that the tool would write, or null where messages() tell why not. */
+    file(name: string): Uint8Array<ArrayBuffer> | null {
+        const length = this.call.page_memory(4);
+        const place = this.withTexts([name], (at) => this.call.page_file(at, length));
+        const count = this.view().getUint32(length, true);
+        const bytes = place ? new Uint8Array(this.memory.buffer as ArrayBuffer, place, count).slice() : null;
+        this.call.page_free(place);
+        this.call.page_free(length);
+        return bytes;
+    }
+
+    probe(x: number, y: number): Probe | null {
+        return this.json<Probe>(this.call.page_probe(x, y));
+    }
+
+    explain(x: number, y: number, format: number, language: string): string | null {
+        return this.text(this.withTexts([language], (code) => this.call.page_explain(x, y, format, code)));
+    }
+
+    extrema(): { value: number; x: number; y: number }[] | null {
+        return this.json(this.call.page_extrema());
+    }
+
+    section(x: number, y: number, degrees: number, samples: number): (number | null)[][] | null {
+        return this.json(this.call.page_section(x, y, degrees, samples));
+    }
+
+    isophotes(wanted: number, logarithmic: boolean): Isophote[] {
+        return this.json<Isophote[]>(this.call.page_isophotes(wanted, logarithmic ? 1 : 0)) ?? [];
+    }
+
+    scene(): SceneFacts | null {
+        return this.json<SceneFacts>(this.call.page_scene());
+    }
+
+    /** Where a place is seen on the screen, and its height above it. */
+    project(place: number[]): number[] | null {
+        return this.json<number[]>(this.call.page_project(place[0], place[1], place[2]));
+    }
+
+    unproject(x: number, y: number, height: number): number[] | null {
+        return this.json<number[]>(this.call.page_unproject(x, y, height));
+    }
+
+    parameters(): { keys: Key[]; kinds: Kind[] } {
+        return this.json<{ keys: Key[]; kinds: Kind[] }>(this.call.page_parameters()) ?? { keys: [], kinds: [] };
+    }
+
+    builtins(): Builtin[] {
+        return this.json<Builtin[]>(this.call.page_builtins()) ?? [];
+    }
+}
+
+export type Change = { set: string } | { remove: string } | { list: string; index: number; insert: string };

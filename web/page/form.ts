@@ -1,0 +1,354 @@
+// SPDX-License-Identifier: MIT
+// The form: every key of the scene that has a value, and those that could have one behind "more", in the core's own
+// words, with its units and ranges.  What is typed becomes an assignment to the text.
+import type { Key, Kind } from './core';
+import { choice, h, lightColour } from './dom';
+import type { Model } from './model';
+import { number, t, typedNumber } from './words';
+
+// Types of keys, as luxel/parameter.h numbers them.
+const NUMBER = 0,
+    WHOLE = 1,
+    YES_OR_NO = 2,
+    CHOICE = 3,
+    TEXT = 4,
+    NUMBERS = 5,
+    WHOLE_NUMBERS = 6,
+    CHOICE_OR_PAIR = 7,
+    CHOICE_OR_WHOLE = 11;
+const SIMPLE = [NUMBER, WHOLE, YES_OR_NO, CHOICE, TEXT, NUMBERS, WHOLE_NUMBERS, CHOICE_OR_PAIR, CHOICE_OR_WHOLE];
+
+interface Field {
+    path: string;
+    key: Key;
+    update(value: string | null): void;
+    row: HTMLElement;
+    note: HTMLElement;
+}
+
+function quoted(text: string): string {
+    return JSON.stringify(text);
+}
+
+export class Form {
+    readonly element = h('div', { class: 'form' });
+    private keys: Key[] = [];
+    private kinds: Kind[] = [];
+    private fields: Field[] = [];
+    private shape = '';
+    private generation = 0; // of the keys' words
+    private opened = new Set<string>();
+
+    constructor(private readonly model: Model) {}
+
+    async reload() {
+        ({ keys: this.keys, kinds: this.kinds } = await this.model.client.ask('parameters'));
+        this.generation++;
+        await this.refresh();
+    }
+
+    /** Shows the present values; the form is built anew only where other keys are to be seen. */
+    async refresh() {
+        const { scene } = this.model;
+        const { generation } = this;
+        if (!scene || !this.keys.length) return;
+        const lists: [string, string[]][] = [
+            [
+                'surfaces',
+                (await this.valuesOf(scene.surfaces.map((_, i) => `surfaces[${i}].type`))).map((type) => type ?? ''),
+            ],
+            ['lights', scene.lights.map(({ type }) => type)],
+        ];
+        const wanted: [string, Key][] = [];
+        for (const key of this.keys.filter(
+            ({ path, type }) => !/^(surfaces|lights|grids|luxel)/.test(path) && SIMPLE.includes(type),
+        ))
+            wanted.push([key.path, key]);
+        for (const [list, types] of lists)
+            types.forEach((type, i) => {
+                for (const key of this.keys)
+                    if (
+                        key.path.startsWith(`${list}[].`) &&
+                        (!key.variant || key.variant === type) &&
+                        SIMPLE.includes(key.type)
+                    )
+                        wanted.push([key.path.replace('[]', `[${i}]`), key]);
+            });
+        const values = await this.valuesOf(wanted.map(([path]) => path));
+        if (generation !== this.generation) return; // whoever changed the words comes after this
+        const shape = JSON.stringify([
+            generation,
+            lists,
+            wanted.map(([path], i) => (values[i] === null ? 0 : path)),
+            this.model.photometric,
+        ]);
+        if (shape !== this.shape) {
+            this.shape = shape;
+            this.build(lists, wanted, values);
+        }
+        this.fields.forEach((field) => {
+            const index = wanted.findIndex(([path]) => path === field.path);
+            field.update(index >= 0 ? values[index] : null);
+        });
+        this.showMessages();
+    }
+
+    private valuesOf(keys: string[]) {
+        return this.model.client.ask('values', keys);
+    }
+
+    showMessages() {
+        for (const { path, row, note } of this.fields) {
+            const message = this.model.messages.find(({ key }) => key === path);
+            note.textContent = message ? message.message : '';
+            row.classList.toggle('wrong', !!message?.error);
+        }
+    }
+
+    private build(lists: [string, string[]][], wanted: [string, Key][], values: (string | null)[]) {
+        this.fields = [];
+        this.element.replaceChildren();
+        const section = (
+            title: string,
+            prefix: string,
+            matches: (path: string) => boolean,
+            open: boolean,
+            extra?: HTMLElement,
+        ) => {
+            const shown = h('div', {});
+            const hidden = h('div', {});
+            wanted.forEach(([path, key], i) => {
+                if (!matches(path)) return;
+                (values[i] === null || path.includes('.materials.') ? hidden : shown).append(this.field(path, key));
+            });
+            const more =
+                hidden.childElementCount > 0 && h('details', { class: 'more' }, h('summary', {}, t('more')), hidden);
+            const details = h(
+                'details',
+                { open: this.opened.has(prefix) || open },
+                h('summary', {}, title),
+                extra,
+                shown,
+                more,
+            );
+            details.addEventListener('toggle', () =>
+                details.open ? this.opened.add(prefix) : this.opened.delete(prefix),
+            );
+            this.element.append(details);
+            return details;
+        };
+        for (const [list, types] of lists.slice().reverse()) {
+            const isLights = list === 'lights';
+            this.element.append(h('h3', {}, t(isLights ? 'Lights' : 'Surfaces'), this.adder(list, types.length)));
+            types.forEach((type, i) => {
+                const name = isLights ? this.model.scene!.lights[i].name : null;
+                const base = `${list}[${i}]`;
+                const details = section(
+                    `${i + 1} · ${this.kindWords(list, type)}${name ? `: ${name}` : ''}`,
+                    base,
+                    (path) => path.startsWith(`${base}.`),
+                    i === 0 && types.length < 4,
+                    this.remover(base),
+                );
+                if (isLights) details.style.borderInlineStartColor = lightColour(i);
+            });
+        }
+        this.element.append(h('h3', {}, t('Scene')));
+        section(t('Scene'), 'scene', (path) => !/^(surfaces|lights)\[/.test(path), false);
+    }
+
+    private kindWords(list: string, type: string): string {
+        return this.kinds.find((kind) => kind.list === list && kind.name === type)?.name ?? type;
+    }
+
+    private remover(base: string) {
+        return h(
+            'button',
+            { type: 'button', class: 'small', onclick: () => this.model.change([{ remove: base }]) },
+            t('Remove'),
+        );
+    }
+
+    private adder(list: string, count: number) {
+        const kinds = this.kinds.filter((kind) => kind.list === list && kind.example);
+        const select = choice(
+            t('Add'),
+            [
+                ['', `${t('Add')}…`],
+                ...kinds.map(({ name, meaning }): [string, string] => [name, `${name}: ${meaning}`]),
+            ],
+            '',
+            (name) => {
+                const kind = kinds.find((each) => each.name === name);
+                select.value = '';
+                if (kind) this.model.change([{ list, index: count, insert: kind.example! }]);
+            },
+        );
+        return select;
+    }
+
+    private set(path: string, value: string, mark = '') {
+        return this.model.change([{ set: `${path}=${value}` }], mark);
+    }
+
+    // Another kind of light or surface has other keys: it begins as the example of its kind.
+    private choose(path: string, word: string) {
+        const found = /^(lights|surfaces)\[(\d+)\]\.type$/.exec(path);
+        const kind = found && this.kinds.find(({ list, name }) => list === found[1] && name === word);
+        if (!found || !kind?.example) return this.set(path, word);
+        const [, list, index] = found;
+        return this.model.change([
+            { remove: `${list}[${index}]` },
+            { list, index: Number(index), insert: kind.example },
+        ]);
+    }
+
+    private field(path: string, key: Key): HTMLElement {
+        const name = `field-${path}`;
+        const note = h('p', { class: 'note', role: 'alert' });
+        const unit = this.model.photometric ? key.photometric : key.unit;
+        const caption = h(
+            'span',
+            { class: 'caption', id: name, title: `${path}: ${key.meaning}${key.legal ? ` (${key.legal})` : ''}` },
+            key.label,
+            unit ? h('span', { class: 'unit' }, ` ${unit}`) : null,
+        );
+        const { inputs, update } = this.inputs(path, key, name);
+        const row = h('div', { class: 'field' }, caption, h('span', { class: 'inputs' }, ...inputs), note);
+        this.fields.push({ path, key, update, row, note });
+        return row;
+    }
+
+    private inputs(
+        path: string,
+        key: Key,
+        name: string,
+    ): { inputs: HTMLElement[]; update(value: string | null): void } {
+        switch (key.type) {
+            case YES_OR_NO: {
+                const box = h('input', {
+                    type: 'checkbox',
+                    'aria-labelledby': name,
+                    onchange: () => this.set(path, String(box.checked)),
+                });
+                return { inputs: [box], update: (value) => (box.checked = value === 'true') };
+            }
+            case CHOICE: {
+                const words = (key.choices ?? '').split(', ');
+                const select = h('select', {
+                    'aria-labelledby': name,
+                    onchange: () => select.value && this.choose(path, select.value),
+                });
+                select.append(
+                    h('option', { value: '' }, ''),
+                    ...words.map((word) => h('option', { value: word }, word)),
+                );
+                return { inputs: [select], update: (value) => (select.value = value ?? '') };
+            }
+            case NUMBER:
+            case WHOLE:
+                return this.numberInputs(path, key, name);
+            case NUMBERS:
+            case WHOLE_NUMBERS:
+                return this.vectorInputs(path, key);
+            default: {
+                const input = h('input', {
+                    type: 'text',
+                    'aria-labelledby': name,
+                    onchange: () => this.set(path, key.type === TEXT ? quoted(input.value) : input.value),
+                });
+                return {
+                    inputs: [input],
+                    update: (value) => {
+                        if (document.activeElement !== input) input.value = (value ?? '').replace(/^"(.*)"$/, '$1');
+                    },
+                };
+            }
+        }
+    }
+
+    private numberInputs(path: string, key: Key, name: string) {
+        const input = h('input', { type: 'text', inputmode: 'decimal', 'aria-labelledby': name });
+        input.addEventListener('change', () => {
+            const value = typedNumber(input.value);
+            if (value !== null) this.set(path, String(value));
+            else if (input.value.trim()) this.set(path, quoted(input.value));
+        });
+        input.addEventListener('keydown', (event) =>
+            this.step(event, input, (value) => this.set(path, value, `step ${path}`)),
+        );
+        const [low, high] = key.advised ?? [null, null];
+        const inputs: HTMLElement[] = [input];
+        let slider: HTMLInputElement | null = null;
+        const logarithmic = low !== null && high !== null && low > 0 && high / low > 100;
+        if (low !== null && high !== null) {
+            slider = h('input', { type: 'range', min: 0, max: 1000, 'aria-labelledby': name });
+            slider.addEventListener('input', () => {
+                const at = Number(slider!.value) / 1000;
+                const value = logarithmic ? low * (high / low) ** at : low + (high - low) * at;
+                this.set(
+                    path,
+                    String(key.type === WHOLE ? Math.round(value) : Number(value.toPrecision(3))),
+                    `slide ${path}`,
+                );
+            });
+            slider.addEventListener('change', () => this.model.endStep());
+            inputs.push(slider);
+        }
+        const update = (text: string | null) => {
+            const value = text === null ? null : Number(text);
+            if (document.activeElement !== input) input.value = value === null ? '' : number(value, 10);
+            if (slider && value !== null && document.activeElement !== slider) {
+                const at = logarithmic
+                    ? Math.log(value / low!) / Math.log(high! / low!)
+                    : (value - low!) / (high! - low!);
+                slider.value = String(Math.round(1000 * at));
+            }
+        };
+        return { inputs, update };
+    }
+
+    private vectorInputs(path: string, key: Key) {
+        const names = key.count === 3 ? ['x', 'y', 'z'] : ['1', '2'];
+        const read = () => inputs.map((input) => typedNumber(input.value));
+        const commit = (mark = '') => {
+            const numbers = read();
+            if (numbers.every((value) => value !== null)) this.set(path, `[${numbers.join(', ')}]`, mark);
+        };
+        const inputs = names.slice(0, key.count).map((axis) => {
+            const input = h('input', {
+                type: 'text',
+                inputmode: 'decimal',
+                'aria-label': `${key.label}, ${axis}`,
+                onchange: () => commit(),
+            });
+            input.addEventListener('keydown', (event) => this.step(event, input, () => commit(`step ${path}`)));
+            return input;
+        });
+        const update = (text: string | null) => {
+            let numbers: number[] = [];
+            try {
+                numbers = JSON.parse(text ?? '[]');
+            } catch {
+                return; // a number that JSON writes otherwise stays as it was typed
+            }
+            inputs.forEach((input, i) => {
+                if (document.activeElement !== input)
+                    input.value = numbers[i] === undefined ? '' : number(numbers[i], 10);
+            });
+        };
+        return { inputs: inputs as HTMLElement[], update };
+    }
+
+    // Up and down change a number by a step of its own size.
+    private step(event: KeyboardEvent, input: HTMLInputElement, commit: (value: string) => void) {
+        const sign = event.key === 'ArrowUp' ? 1 : event.key === 'ArrowDown' ? -1 : 0;
+        const value = typedNumber(input.value);
+        if (!sign || value === null) return;
+        event.preventDefault();
+        const size = value === 0 ? 10 : 10 ** Math.floor(Math.log10(Math.abs(value)) - 0.5);
+        const next = Number((value + sign * size * (event.shiftKey ? 10 : 1)).toPrecision(10));
+        input.value = number(next, 10);
+        commit(String(next));
+    }
+}

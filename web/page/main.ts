@@ -1,0 +1,506 @@
+// SPDX-License-Identifier: MIT
+// The page: what stands where, and what each control does.
+import './style.css';
+import type { Builtin, Message } from './core';
+import { hasVectors } from './client';
+import { scaleControls, sideControls } from './controls';
+import { choice, h } from './dom';
+import { FIRST_SCENE } from './first';
+import { Form } from './form';
+import { download, packed, unpacked } from './link';
+import { Model, type Thing } from './model';
+import { drawColourBar, drawSection, explain, lightName, pointsTable, ProbePanel } from './panels';
+import { PictureView } from './picture';
+import { SpaceView } from './space';
+import { TextEditor } from './text';
+import { currentLanguage, number, setLanguage, t, type Language } from './words';
+
+const FILES: [string, string][] = [
+    ['.png', 'PNG'],
+    ['.npy', 'NPY'],
+    ['.csv', 'CSV'],
+    ['.pfm', 'PFM'],
+    ['.yaml', 'YAML'],
+];
+const TYPES: Record<string, string> = { '.png': 'image/png', '.csv': 'text/csv', '.yaml': 'application/yaml' };
+
+class Page {
+    private readonly app = document.getElementById('app')!;
+    private readonly model = new Model();
+    private readonly picture = new PictureView(this.model);
+    private readonly space = new SpaceView(this.model);
+    private readonly form = new Form(this.model);
+    private readonly text = new TextEditor(this.model);
+    private readonly probe = new ProbePanel(this.model);
+    private readonly bar = h('canvas', { class: 'colour-bar', role: 'img' });
+    private readonly section = h('canvas', { class: 'section', role: 'img' });
+    private readonly dialog = h('dialog', { class: 'why' });
+    private readonly messages = h('ul', { class: 'messages' });
+    private readonly status = h('div', { role: 'status' }, this.messages);
+    private readonly stale = h('p', { class: 'stale', role: 'alert', hidden: true });
+    private readonly toast = h('p', { class: 'toast', role: 'status', hidden: true });
+    private readonly table = h('div', { class: 'points' });
+    private readonly statistics = h('p', { class: 'dim statistics' });
+    private readonly chosen = h('p', { class: 'dim', 'aria-live': 'polite' });
+    private undoButton!: HTMLButtonElement;
+    private redoButton!: HTMLButtonElement;
+    private low!: HTMLInputElement;
+    private high!: HTMLInputElement;
+    private builtins: Builtin[] = [];
+    private tab: 'form' | 'text' = 'form';
+    private linkTimer = 0;
+
+    async start() {
+        setLanguage(this.firstLanguage());
+        if (!hasVectors()) {
+            this.fail(
+                'This browser cannot run Luxel: it needs WebAssembly with SIMD (Chromium 91, Firefox 89, Safari 16.4 or newer).',
+            );
+            return;
+        }
+        try {
+            this.builtins = await this.model.client.start(currentLanguage());
+        } catch (error) {
+            this.fail('Luxel could not be loaded.', String(error));
+            return;
+        }
+        this.listen();
+        this.build();
+        await this.openFirst();
+        await this.form.reload();
+    }
+
+    private firstLanguage(): Language {
+        let kept: string | null = null;
+        try {
+            kept = localStorage.getItem('luxel-language');
+        } catch {
+            // A frame may be without storage; then the browser's language counts.
+        }
+        return (kept ?? navigator.language).startsWith('ru') ? 'ru' : 'en';
+    }
+
+    private fail(message: string, detail = '') {
+        this.app.replaceChildren(h('p', { class: 'failure', role: 'alert' }, t(message), ' ', detail));
+    }
+
+    private async openFirst() {
+        let text = FIRST_SCENE;
+        try {
+            const linked = await unpacked(location.hash);
+            text = linked?.text ?? this.builtins.find(({ name }) => name === linked?.name)?.text ?? text;
+        } catch {
+            this.say(t('The link holds no scene that can be read.'));
+        }
+        this.model.setText(text);
+    }
+
+    private listen() {
+        this.model.client.onRestart = () => {
+            this.say(t('The core failed and was started anew. Nothing is lost.'));
+            this.model.judge();
+        };
+        this.model.listen((topic) => {
+            if (topic === 'text') this.textChanged();
+            else if (topic === 'scene') this.sceneChanged();
+            else if (topic === 'geometry') this.geometryChanged();
+            else if (topic === 'picture') this.pictureChanged();
+        });
+        this.picture.onProbe = (x, y) => {
+            this.probe.ask(x, y);
+            this.wantSection();
+        };
+        this.probe.onValue = (probe) => {
+            this.space.probe = probe;
+            this.space.draw();
+        };
+        this.picture.onWhy = () => this.why();
+        const select = (thing: Thing | null) => {
+            this.picture.selected = this.space.selected = thing;
+            this.picture.draw();
+            this.space.draw();
+            this.showChosen();
+        };
+        this.picture.onSelect = select;
+        this.space.onSelect = select;
+        window.addEventListener('hashchange', () => this.openFirst());
+        window.addEventListener('keydown', (event) => this.key(event));
+        document.addEventListener('dragover', (event) => event.preventDefault());
+        document.addEventListener('drop', (event) => {
+            event.preventDefault();
+            const file = event.dataTransfer?.files[0];
+            if (file) this.openFile(file);
+        });
+        matchMedia('(prefers-color-scheme: dark)').addEventListener('change', () => this.redraw());
+        new ResizeObserver(() => drawColourBar(this.bar, this.picture.scale)).observe(this.bar);
+        new ResizeObserver(() => this.wantSection()).observe(this.section);
+    }
+
+    private key(event: KeyboardEvent) {
+        const isTyping = event.target instanceof HTMLTextAreaElement || event.target instanceof HTMLInputElement;
+        if (!(event.ctrlKey || event.metaKey) || isTyping) return;
+        const letter = event.key.toLowerCase();
+        if (letter === 'z' && !event.shiftKey) this.model.undo();
+        else if (letter === 'y' || (letter === 'z' && event.shiftKey)) this.model.redo();
+        else return;
+        event.preventDefault();
+    }
+
+    // Everything that has words; called anew for another language.
+    private build() {
+        this.picture.relabel();
+        this.space.relabel();
+        this.text.relabel();
+        this.bar.setAttribute('aria-label', t('Scale'));
+        this.section.setAttribute('aria-label', t('Section along x through the probe'));
+        this.app.replaceChildren(
+            this.header(),
+            this.stale,
+            h(
+                'main',
+                {},
+                h(
+                    'section',
+                    { class: 'view', 'aria-label': t('Picture') },
+                    h('h2', {}, t('Picture')),
+                    this.newScaleControls(),
+                    h('div', { class: 'picture-row' }, this.picture.canvas, this.bar),
+                    this.statistics,
+                ),
+                h(
+                    'section',
+                    { class: 'view', 'aria-label': t('Space view') },
+                    h('h2', {}, t('Space view')),
+                    sideControls(this.space),
+                    this.space.canvas,
+                    this.chosen,
+                ),
+                h('section', { class: 'edit' }, this.tabs(), this.form.element, this.text.element, this.status),
+                h(
+                    'section',
+                    { class: 'values', 'aria-label': t('Value') },
+                    h('h2', {}, t('Value'), h('button', { type: 'button', onclick: () => this.why() }, t('Why?'))),
+                    this.probe.element,
+                    h('h3', {}, t('Section along x through the probe')),
+                    this.section,
+                    this.table,
+                ),
+            ),
+            this.toast,
+            this.dialog,
+        );
+        this.stale.textContent = t('The scene has errors. The picture is of the last scene without errors.');
+        this.showTab();
+        this.showHistory();
+    }
+
+    private header(): HTMLElement {
+        const button = (label: string, onclick: () => void) => h('button', { type: 'button', onclick }, t(label));
+        this.undoButton = button('Undo', () => this.model.undo());
+        this.redoButton = button('Redo', () => this.model.redo());
+        const file = h('input', { type: 'file', accept: '.yaml,.yml,.json,.png,.exr', hidden: true, id: 'file' });
+        file.addEventListener('change', () => {
+            if (file.files?.[0]) this.openFile(file.files[0]);
+            file.value = '';
+        });
+        const scenes = choice(
+            t('Built-in scene'),
+            [
+                ['', `${t('Built-in scene')}…`],
+                ...this.builtins.map(({ name, title }): [string, string] => [name, title]),
+            ],
+            '',
+            (name) => {
+                const builtin = this.builtins.find((each) => each.name === name);
+                if (builtin) this.openText(builtin.text);
+                scenes.value = '';
+            },
+        );
+        const quantities = choice(
+            t('Quantity'),
+            [
+                ['brightness', t('brightness')],
+                ['irradiance', t('irradiance')],
+            ],
+            this.model.irradiance ? 'irradiance' : 'brightness',
+            (value) => this.model.setIrradiance(value === 'irradiance'),
+        );
+        const files = choice(t('Download'), [['', `${t('Download')}…`], ...FILES], '', (ending) => {
+            files.value = '';
+            this.save(ending);
+        });
+        const languages = choice(
+            t('Language'),
+            [
+                ['en', 'English'],
+                ['ru', 'Русский'],
+            ],
+            currentLanguage(),
+            (code) => this.changeLanguage(code as Language),
+        );
+        return h(
+            'header',
+            {},
+            h('h1', {}, 'Luxel'),
+            h('span', { class: 'dim motto' }, t('Light in space')),
+            scenes,
+            quantities,
+            this.undoButton,
+            this.redoButton,
+            button('Open…', () => file.click()),
+            file,
+            files,
+            button('Copy link', () => this.copyLink()),
+            languages,
+        );
+    }
+
+    private newScaleControls(): HTMLElement {
+        const controls = scaleControls(this.picture, () => this.pictureChanged());
+        [this.low, this.high] = controls.ends;
+        return controls.element;
+    }
+
+    private tabs(): HTMLElement {
+        const tab = (name: 'form' | 'text', label: string) =>
+            h(
+                'button',
+                {
+                    type: 'button',
+                    'aria-pressed': String(this.tab === name),
+                    onclick: () => {
+                        this.tab = name;
+                        this.showTab();
+                    },
+                },
+                t(label),
+            );
+        const buttons = [tab('form', 'Form'), tab('text', 'Text')];
+        return h('div', { class: 'controls tabs' }, ...buttons);
+    }
+
+    private showTab() {
+        const buttons = this.app.querySelectorAll('.tabs button');
+        buttons[0]?.setAttribute('aria-pressed', String(this.tab === 'form'));
+        buttons[1]?.setAttribute('aria-pressed', String(this.tab === 'text'));
+        this.form.element.hidden = this.tab !== 'form';
+        this.text.element.hidden = this.tab !== 'text';
+        this.text.number();
+    }
+
+    private async changeLanguage(code: Language) {
+        setLanguage(code);
+        try {
+            localStorage.setItem('luxel-language', code);
+        } catch {
+            // Without storage the choice lasts as long as the page.
+        }
+        this.builtins = await this.model.client.translate(code);
+        this.build();
+        await this.model.judge();
+        await this.form.reload();
+        this.pictureChanged();
+        this.sceneChanged();
+    }
+
+    private openText(text: string) {
+        this.space.fit();
+        this.picture.probe = null;
+        this.model.setText(text);
+        this.refit = true;
+    }
+
+    private refit = false;
+
+    private async openFile(file: File) {
+        const bytes = new Uint8Array(await file.arrayBuffer());
+        const isPicture = bytes[0] === 0x89 || bytes[0] === 0x76;
+        if (!isPicture) {
+            this.openText(new TextDecoder().decode(bytes));
+            return;
+        }
+        const { text, messages } = await this.model.client.ask('edit', bytes, []);
+        if (text !== null) this.openText(text);
+        else {
+            this.model.messages = messages;
+            this.sceneChanged();
+        }
+    }
+
+    private async save(ending: string) {
+        if (!ending) return;
+        if (ending === '.yaml') {
+            download('scene.yaml', this.model.text, TYPES[ending]);
+            return;
+        }
+        const { bytes, messages } = await this.model.client.ask('file', `scene${ending}`);
+        if (bytes) download(`scene${ending}`, bytes, TYPES[ending] ?? 'application/octet-stream');
+        else this.say(messages.map(({ message }) => message).join('; '));
+    }
+
+    private async copyLink() {
+        const link = location.href.split('#')[0] + (await packed(this.model.text));
+        history.replaceState(null, '', link);
+        try {
+            await navigator.clipboard.writeText(link);
+            this.say(t('Link copied'));
+        } catch {
+            this.say(link); // the address has it, too
+        }
+    }
+
+    private async why() {
+        const [x, y] = this.picture.probe ?? [0, 0];
+        if (!this.model.scene) return;
+        await explain(this.model, this.dialog, x, y, (html) => download('explanation.html', html, 'text/html'));
+    }
+
+    private textChanged() {
+        this.text.textChanged();
+        this.showHistory();
+        clearTimeout(this.linkTimer);
+        this.linkTimer = window.setTimeout(
+            async () => history.replaceState(null, '', await packed(this.model.text)),
+            600,
+        );
+    }
+
+    private showHistory() {
+        this.undoButton.disabled = !this.model.canUndo;
+        this.redoButton.disabled = !this.model.canRedo;
+    }
+
+    private sceneChanged() {
+        this.stale.hidden = !this.model.stale;
+        this.app.classList.toggle('is-stale', this.model.stale);
+        this.text.number();
+        this.messages.setAttribute('aria-label', t('Messages'));
+        this.messages.replaceChildren(...this.model.messages.map((message) => this.messageItem(message)));
+        if (this.model.stale) this.form.showMessages();
+        else this.form.refresh();
+    }
+
+    private messageItem(message: Message): HTMLElement {
+        const go =
+            message.line > 0 &&
+            h(
+                'button',
+                {
+                    type: 'button',
+                    class: 'small',
+                    onclick: () => {
+                        this.tab = 'text';
+                        this.showTab();
+                        this.text.show(message);
+                    },
+                },
+                `${t('line')} ${message.line}`,
+            );
+        return h(
+            'li',
+            { class: message.error ? 'error' : 'advice' },
+            go,
+            ` ${message.message}`,
+            message.hint ? h('span', { class: 'dim' }, ` — ${message.hint}`) : null,
+            this.mending(message),
+        );
+    }
+
+    // A hint of assignments, as the tool takes them behind -s, can be followed by a button.
+    private mending(message: Message): HTMLElement | null {
+        const changes = [...message.hint.matchAll(/-s '([^']+)'/g)].map(([, set]) => ({ set }));
+        if (!changes.length || this.model.stale) return null;
+        return h('button', { type: 'button', class: 'small', onclick: () => this.model.change(changes) }, t('Apply'));
+    }
+
+    private async geometryChanged() {
+        if (this.refit) this.space.fit();
+        this.refit = false;
+        this.space.geometryChanged();
+        this.showChosen();
+        await this.picture.geometryChanged();
+        this.table.replaceChildren(
+            this.model.scene?.points.length
+                ? await pointsTable(this.model, (x, y) => this.picture.moveProbe(x, y))
+                : '',
+        );
+        if (this.picture.probe === null)
+            this.picture.moveProbe(...((this.model.scene?.points[0] as [number, number]) ?? [0, 0]));
+        else this.picture.moveProbe(...this.picture.probe);
+    }
+
+    private showChosen() {
+        const thing = this.model.things.find(
+            ({ key, kind }) => key === this.space.selected?.key && kind === this.space.selected.kind,
+        );
+        const words = {
+            light: 'light',
+            aim: 'aim of light',
+            direction: 'direction of light',
+            surface: 'surface',
+            observer: 'observer',
+        };
+        const which =
+            thing &&
+            (thing.kind === 'light' || thing.kind === 'aim' || thing.kind === 'direction'
+                ? lightName(this.model, thing.index)
+                : thing.kind === 'surface'
+                  ? String(thing.index + 1)
+                  : '');
+        this.chosen.textContent = thing
+            ? `${t('Selected')}: ${t(words[thing.kind])} ${which} (${thing.at.map((c) => number(c, 5)).join('; ')}) ${t('mm')}`
+            : `${t('Selected')}: ${t('nothing')}`;
+    }
+
+    private async pictureChanged() {
+        await this.picture.pictureChanged();
+        const { scale } = this.picture;
+        for (const [input, value] of [
+            [this.low, scale.low],
+            [this.high, scale.high],
+        ] as const)
+            if (document.activeElement !== input) input.value = number(value, 4);
+        drawColourBar(this.bar, scale);
+        const facts = this.model.picture?.facts;
+        if (facts)
+            this.statistics.textContent = `${t(facts.word)}, ${facts.unit === 'relative' ? t('relative') : facts.unit}: ${t('maximum')} ${number(facts.maximum.value, 5)}, ${t('mean')} ${number(facts.mean, 5)}`;
+        this.app.dataset.stride = String(this.model.picture?.stride ?? 0);
+    }
+
+    private sectionTimer = 0;
+
+    private wantSection() {
+        clearTimeout(this.sectionTimer);
+        this.sectionTimer = window.setTimeout(() => {
+            if (this.model.scene && this.picture.probe)
+                drawSection(this.section, this.model, this.picture.probe[1], this.picture.probe[0]).catch(
+                    () => undefined,
+                );
+        }, 60);
+    }
+
+    private redraw() {
+        this.picture.draw();
+        this.space.draw();
+        drawColourBar(this.bar, this.picture.scale);
+        this.wantSection();
+    }
+
+    private toastTimer = 0;
+
+    private say(text: string) {
+        this.toast.textContent = text;
+        this.toast.hidden = false;
+        clearTimeout(this.toastTimer);
+        this.toastTimer = window.setTimeout(() => (this.toast.hidden = true), 6000);
+    }
+
+    /** For the tests: what there is to look at, and a fault in the core. */
+    get inside() {
+        return { model: this.model, picture: this.picture, space: this.space, builtins: this.builtins };
+    }
+}
+
+const page = new Page();
+(window as unknown as { luxel: Page }).luxel = page;
+page.start();

@@ -1,0 +1,112 @@
+// SPDX-License-Identifier: MIT
+// The page's own words in English and Russian, and numbers as each language writes them.  What the core says is
+// translated by the catalogue of the tool.
+
+const RUSSIAN: Record<string, string> = {
+    'Light in space': 'Свет в пространстве',
+    'Built-in scene': 'Встроенная сцена',
+    Undo: 'Отменить',
+    Redo: 'Вернуть',
+    'Open…': 'Открыть…',
+    'Copy link': 'Скопировать ссылку',
+    'Link copied': 'Ссылка скопирована',
+    Download: 'Скачать',
+    Quantity: 'Величина',
+    brightness: 'яркость',
+    irradiance: 'облучённость',
+    luminance: 'яркость',
+    illuminance: 'освещённость',
+    relative: 'отн. ед.',
+    Language: 'Язык',
+    Picture: 'Изображение',
+    'Picture. Arrow keys move the probe, Shift moves it faster, Enter explains the value.':
+        'Изображение. Стрелки двигают точку измерения, с Shift быстрее, Enter объясняет значение.',
+    'Space view': 'Вид в пространстве',
+    'Space view. Arrow keys and Page Up, Page Down move what is selected; 1, 2, 3 change the view.':
+        'Вид в пространстве. Стрелки и Page Up, Page Down двигают выбранное; 1, 2, 3 меняют вид.',
+    Orbit: 'Орбита',
+    Plan: 'План',
+    Elevation: 'Фасад',
+    Selected: 'Выбрано',
+    nothing: 'ничего',
+    light: 'источник',
+    'aim of light': 'цель источника',
+    'direction of light': 'направление источника',
+    surface: 'поверхность',
+    observer: 'наблюдатель',
+    Value: 'Значение',
+    'off every surface': 'вне поверхностей',
+    'Shares of the lights': 'Доли источников',
+    'Why?': 'Почему?',
+    'Why this value?': 'Почему такое значение?',
+    Close: 'Закрыть',
+    Scale: 'Шкала',
+    Colours: 'Цвета',
+    grey: 'серые',
+    viridis: 'viridis',
+    turbo: 'turbo',
+    Logarithmic: 'Логарифмическая',
+    Isophotes: 'Изофоты',
+    'Lock range': 'Закрепить пределы',
+    From: 'От',
+    To: 'До',
+    Form: 'Форма',
+    Text: 'Текст',
+    'Scene text (YAML)': 'Текст сцены (YAML)',
+    Lights: 'Источники',
+    Surfaces: 'Поверхности',
+    Scene: 'Сцена',
+    Add: 'Добавить',
+    Remove: 'Удалить',
+    Points: 'Точки',
+    Point: 'Точка',
+    'Section along x through the probe': 'Сечение вдоль x через точку измерения',
+    mean: 'среднее',
+    maximum: 'максимум',
+    Messages: 'Сообщения',
+    'The scene has errors. The picture is of the last scene without errors.':
+        'В сцене есть ошибки. Изображение показывает последнюю сцену без ошибок.',
+    line: 'строка',
+    'The core failed and was started anew. Nothing is lost.': 'Ядро дало сбой и запущено заново. Ничего не потеряно.',
+    'This browser cannot run Luxel: it needs WebAssembly with SIMD (Chromium 91, Firefox 89, Safari 16.4 or newer).':
+        'Этот браузер не может выполнить Luxel: нужен WebAssembly с SIMD (Chromium 91, Firefox 89, Safari 16.4 или новее).',
+    'Luxel could not be loaded.': 'Не удалось загрузить Luxel.',
+    'The link holds no scene that can be read.': 'В ссылке нет сцены, которую можно прочитать.',
+    more: 'ещё',
+    Apply: 'Применить',
+    mm: 'мм',
+};
+
+export type Language = 'en' | 'ru';
+
+let language: Language = 'en';
+
+export function setLanguage(to: Language): void {
+    language = to;
+    document.documentElement.lang = to;
+}
+
+export function currentLanguage(): Language {
+    return language;
+}
+
+/** A text of the page in the present language. */
+export function t(english: string): string {
+    return language === 'ru' ? (RUSSIAN[english] ?? english) : english;
+}
+
+/** A number to so many significant digits, with the decimal sign of the language. */
+export function number(value: number | null | undefined, digits = 5): string {
+    if (value === null || value === undefined || !Number.isFinite(value)) return '—';
+    if (value === 0) return '0';
+    const size = Math.abs(value);
+    const text =
+        size >= 1e7 || size < 1e-4 ? value.toExponential(digits - 1) : String(Number(value.toPrecision(digits)));
+    return (language === 'ru' ? text.replace('.', ',') : text).replace('-', '−');
+}
+
+/** What was typed as a number, with a point or a comma; null: it is none. */
+export function typedNumber(text: string): number | null {
+    const value = Number(text.trim().replace('−', '-').replace(',', '.'));
+    return text.trim() !== '' && Number.isFinite(value) ? value : null;
+}

@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: MIT
+// The worker: the core, and the questions of the page to it in the order in which they come.
+import { Core, CoreFailure, type Change } from './core';
+
+export interface Picture {
+    facts: ReturnType<Core['picture']>;
+    values: Float32Array<ArrayBuffer>;
+    mask: Uint8Array<ArrayBuffer>;
+    stride: number;
+    text: string; // of its scene
+    milliseconds: number;
+}
+
+let core: Core;
+let openText: string | null = null;
+
+function open(text: string) {
+    if (text === openText) return true;
+    const whole = core.open(text);
+    openText = whole ? text : null;
+    return whole;
+}
+
+const questions = {
+    async start(module: WebAssembly.Module, words: Record<string, string>) {
+        core = await Core.start(module);
+        core.translate(words);
+        return core.builtins();
+    },
+    translate(words: Record<string, string>) {
+        core.translate(words);
+        return core.builtins();
+    },
+    parameters: () => core.parameters(),
+    /** Judges a text; what it holds where it is whole. */
+    judge(text: string, irradiance: boolean) {
+        openText = null;
+        core.quantity(irradiance);
+        const whole = open(text);
+        const messages = core.messages();
+        return { whole, messages, scene: whole ? core.scene() : null };
+    },
+    /** Computes a picture of a text that was found to be whole, or of each n-th pixel. */
+    render(text: string, irradiance: boolean, stride: number): Picture | { messages: ReturnType<Core['messages']> } {
+        core.quantity(irradiance);
+        if (!open(text)) return { messages: core.messages() };
+        const before = performance.now();
+        if (!core.render(stride)) return { messages: core.messages() };
+        const milliseconds = performance.now() - before;
+        return { facts: core.picture(), ...core.samples(), stride, text, milliseconds };
+    },
+    probe: (x: number, y: number) => core.probe(x, y),
+    table: (points: number[][]) => points.map(([x, y]) => core.probe(x, y)),
+    explain: (x: number, y: number, format: number, language: string) => core.explain(x, y, format, language),
+    section: (x: number, y: number, degrees: number, samples: number) => core.section(x, y, degrees, samples),
+    isophotes: (wanted: number, logarithmic: boolean) => core.isophotes(wanted, logarithmic),
+    extrema: () => core.extrema(),
+    values: (keys: string[]) => keys.map((key) => core.get(key)),
+    project: (places: number[][]) => places.map((place) => core.project(place)),
+    unproject: (x: number, y: number, height: number) => core.unproject(x, y, height),
+    edit: (text: string | Uint8Array, changes: Change[]) => {
+        const changed = core.edit(text, changes);
+        return { text: changed, messages: changed === null ? core.messages() : [] };
+    },
+    file: (name: string) => {
+        const bytes = core.file(name);
+        return { bytes, messages: bytes ? [] : core.messages() };
+    },
+    /** Ends the core as a fault in it would, for the test of what the page does then. */
+    crash: () => {
+        throw new CoreFailure('asked for');
+    },
+};
+
+export type Questions = typeof questions;
+
+self.onmessage = async ({ data: { id, name, arguments: values } }) => {
+    try {
+        const answer = await (questions[name as keyof Questions] as (...values: unknown[]) => unknown)(...values);
+        self.postMessage({ id, answer });
+    } catch (error) {
+        // Whatever ended the core has left its memory in no known state.
+        self.postMessage({ id, failure: String(error) });
+    }
+};

@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: MIT
+// The core's numbers are the tool's: every built-in scene, as this machine's kernels of 128 bits compute it, and the
+// files that hold it.
+import { execFileSync } from 'node:child_process';
+import fs from 'node:fs';
+import os from 'node:os';
+import path from 'node:path';
+import { check, equal, test } from './tap.mjs';
+
+const HEADER = 128; // bytes of an .npy file before its numbers
+
+function native(tool, folder, scene, arguments_) {
+    return execFileSync(tool, ['render', scene, ...arguments_], {
+        cwd: folder,
+        env: { ...process.env, LUXEL_ISA: process.arch === 'x64' ? 'x86-64' : 'generic', LC_ALL: 'C' },
+        stdio: ['ignore', 'pipe', 'pipe'],
+    });
+}
+
+function floats(bytes) {
+    return new Float32Array(bytes.buffer.slice(bytes.byteOffset + HEADER, bytes.byteOffset + bytes.length));
+}
+
+/** The largest difference in units of the picture's maximum. */
+function difference(a, b) {
+    equal(a.length, b.length, 'numbers');
+    let most = 0;
+    let greatest = 0;
+    for (let i = 0; i < a.length; i++) {
+        const off = Math.abs(a[i] - b[i]);
+        if (!(off <= most)) most = off; // NaN is off, too
+        greatest = Math.max(greatest, Math.abs(b[i]));
+    }
+    return most / greatest;
+}
+
+async function compareScene(core, tool, folder, builtin) {
+    check(core.open(builtin.text, builtin.name), JSON.stringify(core.messages()));
+    const bytes = core.file('scene.npy');
+    check(bytes, JSON.stringify(core.messages()));
+    native(tool, folder, builtin.name, ['-o', 'scene.npy']);
+    const truth = fs.readFileSync(path.join(folder, 'scene.npy'));
+    if (truth.equals(Buffer.from(bytes))) return 'the same bytes';
+    equal(Buffer.from(bytes.slice(0, HEADER)).toString(), truth.subarray(0, HEADER).toString(), 'header');
+    const off = difference(floats(bytes), floats(truth));
+    check(off <= 2e-6, `${off} of the maximum off`);
+    return `within ${off.toExponential(1)} of the maximum`;
+}
+
+async function compareFiles(core, tool, folder, builtin, ending) {
+    core.open(builtin.text, builtin.name);
+    const bytes = core.file(`scene${ending}`);
+    check(bytes, JSON.stringify(core.messages()));
+    native(tool, folder, builtin.name, ['-o', `scene${ending}`]);
+    const truth = fs.readFileSync(path.join(folder, `scene${ending}`));
+    check(truth.equals(Buffer.from(bytes)), `${bytes.length} other bytes than the ${truth.length} of the tool`);
+}
+
+function judgeMistakes(core) {
+    check(!core.open('luxel: 1\nlights:\n  - {type: pont}\n'), 'a wrong scene was taken');
+    const message = core.messages().find((entry) => entry.key === 'lights[0].type');
+    check(message && message.line === 3 && message.column === 12, JSON.stringify(core.messages()));
+    check(core.scene() !== null, 'the last whole scene is gone');
+}
+
+function editKeepsComments(core, builtin) {
+    const changed = core.edit(builtin.text, [{ set: 'lights[0].intensity=20' }]);
+    equal(changed, builtin.text.replace('intensity: 10', 'intensity: 20'), 'text');
+    equal(core.edit(builtin.text, [{ set: 'nowhere=1' }]), null, 'a change that does not go');
+}
+
+function probesAgree(core, tool, builtin) {
+    core.open(builtin.text, builtin.name);
+    const probe = core.probe(150, 0);
+    const answer = JSON.parse(execFileSync(tool, ['probe', builtin.name, '-p', '150,0', '--json']));
+    equal(probe.value, answer.points[0].value, 'value');
+    equal(probe.shares.length, 1, 'shares');
+}
+
+export async function numbers(core, tool) {
+    const folder = fs.mkdtempSync(path.join(os.tmpdir(), 'luxel-web-'));
+    const builtins = core.builtins();
+    try {
+        for (const builtin of builtins)
+            await test(`numbers of ${builtin.name}`, () => compareScene(core, tool, folder, builtin));
+        for (const ending of ['.png', '.csv', '.npy', '.pfm'])
+            await test(`the tool's bytes in ${ending}`, () => compareFiles(core, tool, folder, builtins[0], ending));
+        await test('mistakes are told in place, and the last whole scene stays', () => judgeMistakes(core));
+        await test('a change leaves all else of the text', () => editKeepsComments(core, builtins[0]));
+        await test('a probe gives the number of the tool', () => probesAgree(core, tool, builtins[0]));
+    } finally {
+        fs.rmSync(folder, { recursive: true });
+    }
+}

@@ -1,0 +1,394 @@
+// SPDX-License-Identifier: MIT
+// The page in Debian's Chromium: what people do with mouse, keys and fingers, and what they then see.
+import { execFileSync } from 'node:child_process';
+import fs from 'node:fs';
+import os from 'node:os';
+import path from 'node:path';
+import { pathToFileURL } from 'node:url';
+import axe from 'axe-core';
+import { chromium } from 'playwright-core';
+import { serve } from './server.mjs';
+import { check, equal, test } from './tap.mjs';
+
+const CHROMIUM = process.env.LUXEL_CHROMIUM ?? '/usr/bin/chromium';
+const SHOTS = process.env.LUXEL_SCREENSHOTS; // a folder for pictures of the page, to be looked at
+
+async function opened(browser, url, options = {}) {
+    const context = await browser.newContext({ viewport: { width: 1400, height: 900 }, locale: 'en-GB', ...options });
+    const page = await context.newPage();
+    page.faults = [];
+    page.on('pageerror', (error) => page.faults.push(String(error)));
+    page.on('console', (message) => message.type() === 'error' && page.faults.push(message.text()));
+    page.setDefaultTimeout(10000);
+    await page.goto(url);
+    await ready(page);
+    return page;
+}
+
+/** Waits until the picture is whole. */
+async function ready(page) {
+    await page.waitForFunction(
+        () => window.luxel?.inside.model.picture?.stride === 1 && document.querySelector('.value'),
+    );
+}
+
+const inside = (page, what) =>
+    page.evaluate(`(() => { const { model, picture, space } = window.luxel.inside; return ${what}; })()`);
+
+/** Waits until something inside is as it should be. */
+async function until(page, what) {
+    for (let i = 0; i < 200; i++) {
+        if (await inside(page, what)) return;
+        await page.waitForTimeout(50);
+    }
+    throw new Error(`it never came that ${what}`);
+}
+
+async function shot(page, name) {
+    if (!SHOTS) return;
+    fs.mkdirSync(SHOTS, { recursive: true });
+    await page.screenshot({ path: path.join(SHOTS, `${name}.png`), fullPage: true });
+}
+
+async function openScene(page, name) {
+    const text = await page.evaluate(
+        (name) => window.luxel.inside.builtins.find((each) => each.name === name).text,
+        name,
+    );
+    await page.getByLabel('Built-in scene').selectOption(name);
+    await page.waitForFunction((text) => {
+        const { model } = window.luxel.inside;
+        return model.wholeText === text && model.picture?.stride === 1 && model.picture.text === text;
+    }, text);
+}
+
+async function lampIn(page, view) {
+    const box = await page.locator(`canvas.${view}`).boundingBox();
+    const [x, y] =
+        view === 'space'
+            ? await inside(page, "space.seen(model.things.find(({ kind }) => kind === 'light').at)")
+            : await inside(
+                  page,
+                  'picture.markPlace(picture.marks[0], picture.canvas.clientWidth, picture.canvas.clientHeight)',
+              );
+    return [box.x + x, box.y + y];
+}
+
+async function dragBy(page, [x, y], dx, dy) {
+    await page.mouse.move(x, y);
+    await page.mouse.down();
+    for (let i = 1; i <= 5; i++) await page.mouse.move(x + (dx * i) / 5, y + (dy * i) / 5);
+    await page.mouse.up();
+}
+
+async function startsLit(page) {
+    const facts = await inside(page, 'model.picture.facts');
+    check(facts.maximum.value > 10 && facts.columns === 600, JSON.stringify(facts));
+    check(await inside(page, 'model.messages.length === 0'), 'the first scene is not whole in view');
+    const [x, y] = await lampIn(page, 'space');
+    const box = await page.locator('canvas.space').boundingBox();
+    check(x > box.x && x < box.x + box.width && y > box.y && y < box.y + box.height, 'the lamp is out of sight');
+    const lit = await page.evaluate(() => {
+        const canvas = document.querySelector('canvas.picture');
+        const { data } = canvas.getContext('2d').getImageData(0, 0, canvas.width, canvas.height);
+        return data.some((byte, i) => i % 4 === 0 && byte > 240 && data[i + 3] === 255);
+    });
+    check(lit, 'no pixel of the picture is bright');
+}
+
+async function dragsInSpace(page) {
+    await openScene(page, 'report');
+    const before = await inside(page, 'model.scene.lights[0].place');
+    await page.getByRole('button', { name: 'Plan' }).click();
+    await dragBy(page, await lampIn(page, 'space'), -60, 30);
+    await until(page, `model.scene.lights[0].place[0] < ${before[0]} - 10 && model.scene.lights[0].place[1] < -10`);
+    const follows = "model.text.includes(`position: [${model.scene.lights[0].place.join(', ')}]`)";
+    await until(page, `model.text === model.wholeText && ${follows}`);
+    const after = await inside(page, 'model.scene.lights[0].place');
+    equal(after[2], before[2], 'height in the plan');
+    check((await inside(page, 'model.text')).startsWith('# The lab report'), 'comments are gone');
+    await page.getByRole('button', { name: 'Undo' }).click();
+    await until(page, `model.scene.lights[0].place[0] === ${before[0]}`);
+    await page.getByRole('button', { name: 'Redo' }).click();
+    await until(page, `model.scene.lights[0].place[0] === ${after[0]}`);
+    await page.getByRole('button', { name: 'Orbit' }).click();
+}
+
+async function dragsInPicture(page) {
+    await openScene(page, 'report');
+    await dragBy(page, await lampIn(page, 'picture'), -80, 0);
+    await until(page, 'model.scene.lights[0].place[0] < 1990');
+    equal(await inside(page, 'model.scene.lights[0].place[2]'), 2000, 'height above the screen');
+}
+
+async function movesByKeys(page) {
+    await openScene(page, 'report');
+    await inside(page, "space.select(model.things.find(({ kind }) => kind === 'light'))");
+    await page.locator('canvas.space').focus();
+    await page.keyboard.press('ArrowLeft');
+    await until(page, 'model.scene.lights[0].place[0] === 1990');
+    await page.keyboard.press('Shift+PageUp');
+    await until(page, 'model.scene.lights[0].place[2] === 2100');
+    await page.keyboard.press('2');
+    equal(await inside(page, 'space.side'), 'plan', 'view');
+    await page.keyboard.press('1');
+}
+
+async function probes(page, tool) {
+    await openScene(page, 'three-lights');
+    await page.locator('canvas.picture').focus();
+    await inside(page, 'picture.moveProbe(50, 40)');
+    const answer = JSON.parse(execFileSync(tool, ['probe', 'three-lights', '-p', '50,40', '--json']).toString())
+        .points[0];
+    await page.waitForFunction(
+        (text) => document.querySelector('.value').textContent.startsWith(text),
+        Number(answer.value.toPrecision(6)).toString(),
+    );
+    equal(await page.locator('.shares li').count(), 3, 'bars');
+    await page.keyboard.press('ArrowRight');
+    check((await inside(page, 'picture.probe[0]')) > 50, 'the arrow does not move the probe');
+}
+
+async function explains(page) {
+    await openScene(page, 'report');
+    await page.locator('canvas.picture').focus();
+    await page.keyboard.press('Enter');
+    await page.locator('dialog.why math').first().waitFor();
+    const text = await page.locator('dialog.why').innerText();
+    check(text.includes('W/sr'), text.slice(0, 300));
+    await shot(page, 'why');
+    await page.keyboard.press('Escape');
+    check(!(await page.locator('dialog.why').isVisible()), 'Escape does not close it');
+}
+
+async function keepsLastGood(page) {
+    await openScene(page, 'report');
+    await page.getByRole('button', { name: 'Text', exact: true }).click();
+    const area = page.getByLabel('Scene text (YAML)');
+    const good = await area.inputValue();
+    await area.fill(good.replace('intensity: 10', 'intensity: ten').replace('radius: 300', 'radius: -3'));
+    await page.locator('.stale').waitFor();
+    equal(await page.locator('.messages li.error').count(), 2, 'errors');
+    equal(await page.locator('.text pre .error').count(), 2, 'marked lines');
+    equal(await inside(page, 'model.picture.facts.columns'), 360, 'picture');
+    await shot(page, 'errors');
+    await page.locator('.messages button').first().click();
+    const mark = await area.evaluate((element) => element.value.slice(element.selectionStart, element.selectionEnd));
+    check(mark.includes('-3') || mark.includes('ten'), `"${mark}" is marked`);
+    await area.fill(good);
+    await page.locator('.stale').waitFor({ state: 'hidden' });
+    await page.getByRole('button', { name: 'Form', exact: true }).click();
+}
+
+async function editsByForm(page) {
+    await openScene(page, 'report');
+    const field = page.getByLabel(/^Intensity/).first();
+    await field.fill('20');
+    await field.press('Enter');
+    await until(page, "model.text.includes('intensity: 20') && model.picture.facts.maximum.value > 23");
+    await field.press('ArrowUp');
+    await until(page, '/intensity: 2[1-9]/.test(model.text)');
+    await page.getByLabel('Add').first().selectOption('ambient');
+    await until(page, 'model.scene.lights.length === 2');
+    await page.getByText('2 · ambient').click();
+    await page.getByRole('button', { name: 'Remove' }).nth(1).click();
+    await until(page, 'model.scene.lights.length === 1');
+    await page.getByLabel('Type').first().selectOption('spot');
+    await until(page, "model.scene.lights[0].type === 'spot' && !model.stale");
+}
+
+async function showsColours(page) {
+    await openScene(page, 'report');
+    await page.getByLabel('Colours').selectOption('turbo');
+    await page.getByLabel('Logarithmic').check();
+    await page.getByLabel('Isophotes').check();
+    await until(page, 'picture.isophotes.length > 2');
+    check((await inside(page, 'picture.scale.low')) > 0, 'a logarithmic range begins at 0');
+    await shot(page, 'isophotes');
+    await page.getByLabel('Logarithmic').uncheck();
+    await page.getByLabel('To', { exact: true }).fill('6');
+    await page.getByLabel('To', { exact: true }).press('Enter');
+    check(await page.getByLabel('Lock range').isChecked(), 'a range that was typed is not locked');
+    equal(await inside(page, 'picture.scale.high'), 6, 'range');
+    await page.getByLabel('Lock range').uncheck();
+    await page.getByLabel('Isophotes').uncheck();
+    await page.getByLabel('Colours').selectOption('grey');
+}
+
+async function downloads(page, tool) {
+    await openScene(page, 'spot');
+    const folder = fs.mkdtempSync(path.join(os.tmpdir(), 'luxel-page-'));
+    for (const ending of ['.png', '.csv', '.yaml']) {
+        const [file] = await Promise.all([
+            page.waitForEvent('download'),
+            page.getByLabel('Download').selectOption(ending),
+        ]);
+        await file.saveAs(path.join(folder, `page${ending}`));
+    }
+    const yaml = fs.readFileSync(path.join(folder, 'page.yaml'));
+    execFileSync(tool, ['render', 'page.yaml', '-o', 'tool.csv', '-o', 'tool.png'], { cwd: folder, stdio: 'ignore' });
+    equal(yaml.toString(), await inside(page, 'model.text'), 'text');
+    const count = (name) => fs.readFileSync(path.join(folder, name)).toString().split('\n').length;
+    equal(count('page.csv'), count('tool.csv'), 'lines of the table');
+    await openScene(page, 'report');
+    await page.locator('#file').setInputFiles(path.join(folder, 'page.png'));
+    await page.waitForFunction((text) => window.luxel.inside.model.text === text, yaml.toString());
+    fs.rmSync(folder, { recursive: true });
+}
+
+async function links(page, browser, url) {
+    await openScene(page, 'two-spheres');
+    await page.getByRole('button', { name: 'Copy link' }).click();
+    await page.waitForFunction(() => location.hash.startsWith('#s='));
+    const other = await opened(browser, page.url());
+    equal(await inside(other, 'model.text'), await inside(page, 'model.text'), 'scene of the link');
+    await other.context().close();
+    const named = await opened(browser, `${url}#scene=ambient`);
+    check((await inside(named, 'model.text')).includes('ambient'), 'the name in a link');
+    await named.context().close();
+    const damaged = await opened(browser, `${url}#s=AAAA`);
+    await damaged.locator('.toast').waitFor();
+    await damaged.context().close();
+}
+
+async function survivesCrash(page) {
+    await openScene(page, 'report');
+    const text = await inside(page, 'model.text');
+    await page.evaluate(() => window.luxel.inside.model.client.ask('crash').catch(() => undefined));
+    await page.locator('.toast').waitFor();
+    equal(await inside(page, 'model.text'), text, 'text');
+    await inside(page, 'picture.moveProbe(150, 0)');
+    await page.waitForFunction(() => document.querySelector('.value').textContent.startsWith('11.038'));
+}
+
+async function speaksRussian(page) {
+    await openScene(page, 'report');
+    await page.getByLabel('Language').selectOption('ru');
+    await page.getByRole('heading', { name: 'Вид в пространстве' }).waitFor();
+    await inside(page, 'picture.moveProbe(150, 0)');
+    await page.waitForFunction(() => document.querySelector('.value').textContent.startsWith('11,038'));
+    await page.getByLabel(/^Сила/).first().waitFor();
+    const field = page.getByLabel(/^Сила/).first();
+    await field.fill('12,5');
+    await field.press('Enter');
+    await until(page, "model.text.includes('intensity: 12.5')");
+    await shot(page, 'russian');
+    await page.getByLabel('Язык').selectOption('en');
+    await page.getByRole('heading', { name: 'Space view' }).waitFor();
+}
+
+async function accessible(page, what) {
+    await page.evaluate(axe.source);
+    const { violations } = await page.evaluate(() => window.axe.run({ runOnly: ['wcag2a', 'wcag2aa', 'wcag21aa'] }));
+    equal(
+        violations.map(
+            ({ id, nodes }) =>
+                `${id}: ${nodes
+                    .slice(0, 3)
+                    .map(({ html }) => html)
+                    .join(' ')}`,
+        ),
+        [],
+        `axe, ${what}`,
+    );
+}
+
+async function onPhone(browser, url) {
+    const page = await opened(browser, url, { viewport: { width: 390, height: 844 }, hasTouch: true, isMobile: true });
+    const width = await page.evaluate(() => document.documentElement.scrollWidth);
+    check(width <= 390, `${width} px wide`);
+    await shot(page, 'phone');
+    await page.locator('canvas.picture').scrollIntoViewIfNeeded();
+    const box = await page.locator('canvas.picture').boundingBox();
+    await page.touchscreen.tap(box.x + box.width * 0.6, box.y + box.height / 2);
+    await until(page, 'picture.probe[0] > 10');
+    await page.context().close();
+}
+
+async function inDark(browser, url) {
+    const page = await opened(browser, url, { colorScheme: 'dark', reducedMotion: 'reduce' });
+    await accessible(page, 'dark');
+    await shot(page, 'dark');
+    await page.context().close();
+}
+
+async function single(browser, folder) {
+    const page = await opened(browser, pathToFileURL(path.join(folder, 'luxel.html')).href);
+    check((await inside(page, 'model.picture.facts.maximum.value')) > 10, 'no picture');
+    equal(page.faults, [], 'faults');
+    await page.context().close();
+}
+
+async function withoutWasm(browser, url) {
+    const context = await browser.newContext({ locale: 'en-GB' });
+    await context.addInitScript(() => delete globalThis.WebAssembly);
+    const page = await context.newPage();
+    await page.goto(url);
+    await page.getByText('This browser cannot run Luxel').waitFor();
+    await context.close();
+}
+
+async function offline(page, asked) {
+    const before = asked.length;
+    await page.context().setOffline(true);
+    await openScene(page, 'tin');
+    await page.getByRole('button', { name: 'Why?' }).click();
+    await page.locator('dialog.why math').first().waitFor();
+    await page.keyboard.press('Escape');
+    await page.context().setOffline(false);
+    equal(asked.slice(before), [], 'asked for after loading');
+}
+
+async function quick(page) {
+    await openScene(page, 'report');
+    await page.getByRole('button', { name: 'Text', exact: true }).click();
+    const text = (await inside(page, 'model.text')).replace('[360, 360]', '[800, 800]');
+    await page.getByLabel('Scene text (YAML)').fill(text);
+    await until(page, 'model.picture.facts.columns === 800');
+    await page.getByRole('button', { name: 'Form', exact: true }).click();
+    const times = await page.evaluate(async () => {
+        const { model } = window.luxel.inside;
+        const all = [];
+        for (let i = 0; i < 12; i++)
+            all.push((await model.client.ask('render', model.wholeText, false, 1)).milliseconds);
+        return all;
+    });
+    const best = Math.min(...times);
+    check(best < 100, `${best} ms`);
+    return `800 x 800 in ${best.toFixed(1)} ms at best`;
+}
+
+export async function page(folder, tool) {
+    const { server, asked, url } = await serve(folder);
+    const browser = await chromium.launch({ executablePath: CHROMIUM, args: ['--no-sandbox', '--disable-gpu'] });
+    const page = await opened(browser, url);
+    await shot(page, 'desktop');
+    await test('starts with a whole lit sphere and its lamp in sight', () => startsLit(page));
+    await test('a lamp is dragged in space; undo and redo', () => dragsInSpace(page));
+    await test('a lamp is dragged in the picture at its height', () => dragsInPicture(page));
+    await test('keys move what is selected and change the view', () => movesByKeys(page));
+    await test('the probe shows the number of the tool and the shares', () => probes(page, tool));
+    await test('Why? explains the value', () => explains(page));
+    await test('errors are told in place, and the last good picture stays, stale', () => keepsLastGood(page));
+    await test('the form changes the text; lights are added and removed', () => editsByForm(page));
+    await test('colours, range and isophotes', () => showsColours(page));
+    await test('files are downloaded and opened again', () => downloads(page, tool));
+    await test('a scene travels in a link', () => links(page, browser, url));
+    await test('a crash of the core loses nothing', () => survivesCrash(page));
+    await test('Russian, with decimal commas', () => speaksRussian(page));
+    await test('nothing is fetched after loading', () => offline(page, asked));
+    await test('quick', () => quick(page));
+    await test('names and contrast (axe)', () => accessible(page, 'light'));
+    await test('no fault was reported by the browser', () =>
+        equal(
+            page.faults.filter((fault) => !fault.includes('asked for')),
+            [],
+            'faults',
+        ));
+    await test('a phone, 390 px wide', () => onPhone(browser, url));
+    await test('dark', () => inDark(browser, url));
+    await test('a single file, from the disk', () => single(browser, folder));
+    await test('a browser without WebAssembly is told', () => withoutWasm(browser, url));
+    await browser.close();
+    server.close();
+}

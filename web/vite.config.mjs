@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: MIT
+// The page as static files with relative paths; core and words come from the build folder, LUXEL_WEB_FOLDER.
+import fs from 'node:fs';
+import path from 'node:path';
+import { defineConfig } from 'vite';
+
+const folder = path.resolve(process.env.LUXEL_WEB_FOLDER ?? '../build-web');
+
+// The licences of what the page and its core are made of, in this order.
+function licences() {
+    const sources = path.join(folder, 'libraries/sources');
+    const files = fs
+        .readdirSync(sources)
+        .sort()
+        .map((name) => path.join(sources, name, 'LICENSE'))
+        .filter((file) => fs.existsSync(file));
+    const musl = '/usr/share/emscripten/system/lib/libc/musl/COPYRIGHT';
+    const titled = (title, file) => `${title}\n\n${fs.readFileSync(file, 'utf8').trim()}\n`;
+    const texts = [
+        titled('Luxel', '../LICENSE'),
+        ...files.map((file) => titled(path.basename(path.dirname(file)), file)),
+        titled('musl', musl),
+        titled('The colours "turbo"', '../LICENSES/Apache-2.0.txt'),
+    ];
+    return texts.join('\n\n').replaceAll('&', '&amp;').replaceAll('<', '&lt;');
+}
+
+const core = {
+    name: 'luxel-core',
+    transformIndexHtml: (html) => html.replace('<!-- licences -->', licences),
+    generateBundle() {
+        const take = (fileName, from) =>
+            this.emitFile({ type: 'asset', fileName, source: fs.readFileSync(path.join(folder, from)) });
+        take('luxel-core.wasm', 'core/web/core/luxel-core.wasm');
+        take('ru.json', 'ru.json');
+    },
+};
+
+export default defineConfig({
+    root: 'page',
+    base: './',
+    plugins: [core],
+    worker: { format: 'iife', rollupOptions: { output: { entryFileNames: 'worker.js' } } },
+    build: {
+        outDir: path.join(folder, 'page'),
+        emptyOutDir: true,
+        assetsInlineLimit: 0,
+        modulePreload: false,
+        target: 'es2022',
+        rollupOptions: { output: { entryFileNames: 'luxel.js', assetFileNames: '[name][extname]' } },
+    },
+});
