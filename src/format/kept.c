@@ -15,6 +15,7 @@ void lx_kept_init(struct lx_kept *kept, void (*free)(struct lx_kept *kept))
 {
     atomic_init(&kept->users, 1);
     kept->free = free;
+    kept->is_current = NULL;
 }
 
 struct lx_kept *lx_kept_hold(struct lx_kept *kept)
@@ -92,12 +93,18 @@ struct lx_file_state lx_file_state_of(const char *path)
     return state;
 }
 
-static bool is_as_before(const struct lx_kept_file *file)
+bool lx_file_is_as_before(const char *path, const struct lx_file_state *then)
 {
-    const struct lx_file_state now = lx_file_state_of(file->path), *then = &file->state;
+    const struct lx_file_state now = lx_file_state_of(path);
     return then->is_known && now.is_known && now.device == then->device && now.inode == then->inode &&
            now.size == then->size && now.modified_s == then->modified_s && now.modified_ns == then->modified_ns &&
            now.changed_s == then->changed_s && now.changed_ns == then->changed_ns;
+}
+
+static bool is_as_before(const struct lx_kept_file *file)
+{
+    return lx_file_is_as_before(file->path, &file->state) &&
+           (!file->kept->is_current || file->kept->is_current(file->kept));
 }
 
 struct lx_kept *lx_kept_find(struct lx_kept_files *files, const char *path, void (*free)(struct lx_kept *kept))

@@ -15,6 +15,8 @@
 struct lx_kept {
     _Atomic size_t users;
     void (*free)(struct lx_kept *kept); /* frees all of it; what it is of is told by this, too */
+    /* Whether the files that it was read from beside its own are as they were; NULL: there are none. */
+    bool (*is_current)(const struct lx_kept *kept);
 };
 
 /* Makes what begins with it have one user. */
@@ -48,6 +50,9 @@ struct lx_file_state {
 };
 
 struct lx_file_state lx_file_state_of(const char *path);
+
+/* Whether a file is known to be as it was. */
+bool lx_file_is_as_before(const char *path, const struct lx_file_state *then);
 
 /* What was read, by the paths of the files; starts as {0}. */
 struct lx_kept_files {

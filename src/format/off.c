@@ -3,6 +3,7 @@
  * Reading OFF: a header, corners, faces.  Programs put each corner and face on a line of its own, with colours and the
  * like behind them, or let lines end anywhere; the one is tried first, then the other.
  */
+#include <stdlib.h>
 #include <string.h>
 #include <strings.h>
 
@@ -10,8 +11,9 @@
 
 /* What the word before the numbers says. */
 struct header {
-    size_t extra;   /* numbers behind the place of a corner */
-    size_t letters; /* length of the word up to its end OFF */
+    size_t extra;     /* numbers behind the place of a corner */
+    bool has_normals; /* the first three of them are a normal */
+    size_t letters;   /* length of the word up to its end OFF */
     bool is_known;
 };
 
@@ -30,6 +32,7 @@ static struct header judge_word(const char *word, size_t length)
         if (!is_texture && letter != 'C' && letter != 'N' && word[i] != '4')
             return header;
         header.extra += is_texture ? 2 : letter == 'C' ? 4 : 3;
+        header.has_normals = header.has_normals || letter == 'N';
         i += 1 + is_texture;
     }
     return header;
@@ -80,7 +83,7 @@ static bool next_whole(struct off *off, size_t most, size_t *number)
 
 static struct lx_mesh_report say(const struct off *off, enum lx_message message)
 {
-    return (struct lx_mesh_report){message, off->lines.line};
+    return lx_mesh_fault(message, off->lines.line);
 }
 
 /* The word OFF, if it is there, without digits that are joined to it; what kind of file is not read is told. */
@@ -127,7 +130,8 @@ static struct lx_mesh_report read_counts(struct off *off)
 
 static struct lx_mesh_report read_corner(struct off *off)
 {
-    double corner[3], unused;
+    double corner[3], normal[3] = {0, 0, 0}, number;
+    bool is_whole = true;
     const char *word;
     size_t length;
     for (int i = 0; i < 3; i++) {
@@ -136,15 +140,26 @@ static struct lx_mesh_report read_corner(struct off *off)
         if (!lx_read_place(off->raw, word, length, &corner[i]))
             return say(off, LX_MSG_MESH_CORNER);
     }
-    for (size_t i = 0; off->is_free && i < off->header.extra; i++)
-        if (!next_word(off, &word, &length) || !lx_read_number(word, length, &unused))
+    for (size_t i = 0; i < (off->is_free ? off->header.extra : off->header.has_normals ? 3 : 0); i++) {
+        const bool is_number = next_word(off, &word, &length) && lx_read_number(word, length, &number);
+        if (!is_number && off->is_free)
             return say(off, LX_MSG_MESH_CORNER);
+        is_whole = is_whole && is_number;
+        if (i < 3 && is_number)
+            normal[i] = number;
+    }
+    if (off->header.has_normals) {
+        const double none[3] = {0, 0, 0};
+        const struct lx_mesh_report report = lx_add_normal(off->raw, is_whole ? normal : none, off->lines.line);
+        if (report.message != LX_MSG_COUNT)
+            return report;
+    }
     return lx_add_corner(off->raw, corner, off->lines.line);
 }
 
 static struct lx_mesh_report read_face(struct off *off)
 {
-    struct lx_mesh_report report = {LX_MSG_COUNT, off->lines.line};
+    struct lx_mesh_report report = lx_mesh_fault(LX_MSG_COUNT, off->lines.line);
     size_t count, corner;
     const char *word;
     size_t length;
@@ -158,7 +173,8 @@ static struct lx_mesh_report read_face(struct off *off)
             return say(off, LX_MSG_OFF_FACE);
         if (corner >= off->raw->mesh->corner_count)
             return say(off, LX_MSG_MESH_INDEX);
-        report = lx_add_to_loop(off->raw, (unsigned)corner, report.line);
+        const unsigned normal = off->header.has_normals ? (unsigned)corner : LX_NO_NORMAL;
+        report = lx_add_to_loop(off->raw, (unsigned)corner, normal, report.line);
     }
     return report.message == LX_MSG_COUNT ? lx_add_face(off->raw, (unsigned)count, report.line) : report;
 }
@@ -188,7 +204,10 @@ static struct lx_mesh_report read_all(struct lx_raw_mesh *raw, bool is_free)
 static void begin_again(struct lx_raw_mesh *raw)
 {
     struct lx_mesh *mesh = raw->mesh;
-    mesh->corner_count = mesh->face_count = raw->loop_count = 0;
+    mesh->corner_count = mesh->face_count = mesh->normal_count = raw->loop_count = 0;
+    free(mesh->turns);
+    mesh->turns = NULL;
+    raw->turn_capacity = 0;
     mesh->face_total = 0;
     mesh->thin = (struct lx_mesh_note){0};
     raw->digits = (struct lx_digits){0};

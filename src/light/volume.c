@@ -10,11 +10,14 @@
 #include "../base/memory.h"
 #include "../base/number.h"
 #include "../base/phrase.h"
-#include "../format/mesh.h"
+#include "../parameter/mesh_file.h"
 #include "spread.h"
 
 /* Corners of a mesh are off by no more than this share of its size, however few digits the file has. */
 static const double COARSEST = 5e-4;
+
+/* Larger bodies take the time of a picture for each element. */
+enum { MOST_SHINING = 1000000 };
 
 struct box_parameters {
     uint64_t given;
@@ -126,9 +129,8 @@ static const struct lx_parameter cylinder_parameters[] = {
         .offset = offsetof(struct cylinder_parameters, facets),
         .legal = LX_BETWEEN(3, 1000),
         .advised = {LX_BETWEEN(6, 100)},
-        .meaning =
-            "replaces it by the prism with that many sides, whose edges lie on the cylinder; not given: the "
-            "cylinder itself",
+        .meaning = "replaces it by the prism with that many sides, whose edges lie on the cylinder; not given: the "
+                   "cylinder itself",
     },
 };
 
@@ -168,9 +170,9 @@ static const struct lx_parameter volume_parameters[] = {
         .label = "Mesh file",
         .type = LX_TEXT,
         .offset = offsetof(struct volume_parameters, mesh_file),
-        .meaning =
-            "an OFF or OBJ file with the body, closed and convex, in mm unless `scale` says otherwise; relative to the "
-            "folder of the scene, or to the current one where the scene comes from standard input",
+        .meaning = "a mesh file (OBJ, PLY, STL, OFF, glTF) with the body, closed and convex, in mm unless `scale` says "
+                   "otherwise; relative to the "
+                   "folder of the scene, or to the current one where the scene comes from standard input",
     },
     {
         .name = "scale",
@@ -247,6 +249,13 @@ static const char *body_of(const struct volume_parameters *volume)
     return "mesh";
 }
 
+/* mm for each unit of the mesh file: as given, or as its format says. */
+static double scale_of(const struct volume_parameters *volume)
+{
+    const bool is_told = lx_is_given(&volume_table, volume, "scale") || !(volume->mesh->unit_mm > 0);
+    return is_told ? volume->scale : volume->mesh->unit_mm;
+}
+
 static struct lx_shape_report make_body(const struct lx_mesh *mesh, double scale, struct lx_shape_rounding *rounding,
                                         struct lx_facets **facets)
 {
@@ -282,10 +291,10 @@ static struct lx_shape_report make_shapes(const struct volume_parameters *volume
         result = add_cylinder(&volume->cylinder, round, shapes);
     } else {
         struct lx_facets *facets = NULL;
-        if (volume->mesh->body && volume->mesh->scale == volume->scale)
+        if (volume->mesh->body && volume->mesh->scale == scale_of(volume))
             facets = (struct lx_facets *)lx_kept_hold(volume->mesh->body);
         else
-            report = make_body(volume->mesh, volume->scale, rounding, &facets);
+            report = make_body(volume->mesh, scale_of(volume), rounding, &facets);
         if (report.fault != LX_SHAPE_GOOD)
             return report;
         result = lx_shapes_add_facets(shapes, facets);
@@ -329,44 +338,27 @@ static void report_mesh(const struct lx_check *check, const struct volume_parame
 /* Reads the file of a mesh, unless the scene has done so already; false where that failed, which is reported. */
 static bool load_mesh(const struct lx_check *check, struct volume_parameters *volume, const char *path)
 {
-    char line[LX_NUMBER_SIZE];
-    size_t length;
-    volume->mesh = (struct lx_mesh *)lx_check_kept(check, path, lx_mesh_free);
-    if (volume->mesh)
-        return true;
-    char *text = lx_check_read(check, "mesh", path, LX_LARGEST_MESH, &length);
-    if (!text)
+    bool is_new;
+    volume->mesh = lx_check_mesh(check, "mesh", path, &is_new);
+    if (volume->mesh && volume->mesh->face_count > MOST_SHINING) {
+        lx_check_report(check, "mesh", LX_ALL_OF_IT, LX_MSG_MESH_TOO_LARGE_SOURCE, LX_ARGS(path));
         return false;
-    struct lx_mesh_report report = lx_mesh_read(path, text, length, &volume->mesh);
-    free(text);
-    if (report.message == LX_MSG_OUT_OF_MEMORY)
-        check->walk->out_of_memory = true;
-    else if (report.message != LX_MSG_COUNT)
-        lx_check_report(check, "mesh", LX_ALL_OF_IT, report.message,
-                        LX_ARGS(path, lx_write_number((double)report.line, line)));
-    if (report.message != LX_MSG_COUNT)
-        return false;
+    }
+    if (!volume->mesh || !is_new)
+        return volume->mesh != NULL;
     /* The body is made once for all scenes that share the mesh; what is wrong with it is told by the check. */
     struct lx_facets *body = NULL;
     struct lx_shape_rounding rounding;
-    struct lx_shape_report shape = make_body(volume->mesh, volume->scale, &rounding, &body);
+    const double scale = scale_of(volume);
+    struct lx_shape_report shape = make_body(volume->mesh, scale, &rounding, &body);
     if (shape.fault == LX_SHAPE_NOT_CLOSED && lx_mesh_join(volume->mesh)) /* corners that differ in their last digits */
-        shape = make_body(volume->mesh, volume->scale, &rounding, &body);
+        shape = make_body(volume->mesh, scale, &rounding, &body);
     if (shape.fault == LX_SHAPE_GOOD) {
         volume->mesh->body = &body->kept;
-        volume->mesh->scale = volume->scale;
+        volume->mesh->scale = scale;
     }
-    lx_check_keep(check, path, &volume->mesh->kept);
+    lx_check_keep_mesh(check, path, volume->mesh);
     return true;
-}
-
-static void note(const struct lx_check *check, const char *file, const struct lx_mesh_note *about,
-                 enum lx_message message)
-{
-    char count[LX_NUMBER_SIZE], line[LX_NUMBER_SIZE];
-    if (about->count > 0)
-        lx_check_advise(check, "mesh", message,
-                        LX_ARGS(file, lx_write_number(about->count, count), lx_write_number(about->line, line)));
 }
 
 /* A body of an odd size, and the scale that would make it one of those that lamps have. */
@@ -375,7 +367,7 @@ static void advise_size(const struct lx_check *check, const struct volume_parame
     static const double scales[] = {1000, 10, 25.4, 0.001}, least = 1, most = 10000;
     static const char *const units[] = {LX_N("metres"), LX_N("centimetres"), LX_N("inches"), LX_N("micrometres")};
     char size[LX_NUMBER_SIZE], scale[LX_NUMBER_SIZE];
-    double bare = lx_mesh_size(volume->mesh), across = bare * volume->scale;
+    double bare = lx_mesh_size(volume->mesh), across = bare * scale_of(volume);
     if (across >= least && across <= most)
         return;
     for (size_t i = 0; i < LX_COUNT(scales); i++)
@@ -393,9 +385,7 @@ static void advise_volume(const struct lx_check *check, const struct volume_para
     const struct lx_mesh *mesh = volume->mesh;
     if (!mesh || !lx_is_given(&volume_table, volume, "mesh"))
         return;
-    note(check, volume->mesh_file, &mesh->thin, LX_MSG_MESH_THIN);
-    note(check, volume->mesh_file, &mesh->doubled, LX_MSG_MESH_DOUBLED);
-    note(check, volume->mesh_file, &mesh->others, LX_MSG_MESH_OTHERS);
+    lx_check_advise_mesh(check, "mesh", volume->mesh_file, mesh);
     advise_size(check, volume);
 }
 

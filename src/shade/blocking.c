@@ -77,8 +77,9 @@ bool lx_are_before_wall(const struct lx_shape *wall, const struct lx_shape *lit,
     return height - around > room && end > (light->endless ? 0 : room);
 }
 
-void lx_block_one(const struct lx_kernels *kernels, const struct lx_shape *shape, const double anchor_mm[3],
-                  const struct lx_light_double *light, const struct lx_block_double *block, size_t count, float *open)
+void lx_block_one(const struct lx_kernels *kernels, const struct lx_shape *shape, bool is_own,
+                  const double anchor_mm[3], const struct lx_light_double *light, const struct lx_block_double *block,
+                  size_t count, float *open)
 {
     struct lx_blocker blocker = {
         .shape = lx_shape_in_the_way(shape),
@@ -87,5 +88,5 @@ void lx_block_one(const struct lx_kernels *kernels, const struct lx_shape *shape
     };
     for (int i = 0; i < 3; i++)
         blocker.shape.anchor_mm[i] -= anchor_mm[i];
-    lx_block_shape(kernels, &blocker, block, count, open);
+    lx_block_shape(kernels, &blocker, is_own, block, count, open);
 }

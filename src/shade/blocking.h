@@ -38,8 +38,10 @@ bool lx_shape_may_block(const struct lx_shape *shape, const double anchor_mm[3],
  */
 bool lx_are_before_wall(const struct lx_shape *wall, const struct lx_shape *lit, const struct lx_origin *light);
 
-/* Sets open[i] to 0 for the elements of a block that a shape takes the light from; leaves the others. */
-void lx_block_one(const struct lx_kernels *kernels, const struct lx_shape *shape, const double anchor_mm[3],
-                  const struct lx_light_double *light, const struct lx_block_double *block, size_t count, float *open);
+/* Sets open[i] to 0 for the elements of a block that a shape takes the light from, which may be their own; leaves the
+ * others. */
+void lx_block_one(const struct lx_kernels *kernels, const struct lx_shape *shape, bool is_own,
+                  const double anchor_mm[3], const struct lx_light_double *light, const struct lx_block_double *block,
+                  size_t count, float *open);
 
 #endif

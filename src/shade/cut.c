@@ -283,7 +283,8 @@ static bool find_open(struct shading *shading, const struct lx_light_double *lig
         for (size_t i = 0; !any && i < lx_padded(shading->count); i++)
             shading->open[i] = 1;
         any = true;
-        lx_block_one(plan->kernels, &other->shape, anchor, light, shading->block, shading->count, shading->open);
+        lx_block_one(plan->kernels, &other->shape, other == cut->surface, anchor, light, shading->block, shading->count,
+                     shading->open);
     }
     return any;
 }

@@ -41,13 +41,28 @@ static size_t meet_by_ray(const struct lx_shape *shape, const struct lx_row_view
     return met;
 }
 
-static void complete_by_normal(const struct lx_shape *shape, const double *observer_mm, struct lx_block_double *block,
-                               struct lx_block_single *copy, size_t count)
+/* The normal that is seen at a place. */
+static void normal_from(const struct lx_shape *shape, const struct lx_origin *eye, const double place[3],
+                        double normal[3])
+{
+    double sight[3];
+    if (!shape->kind->normal_seen) {
+        shape->kind->normal(shape, place, normal);
+        return;
+    }
+    lx_way_to(eye, place, sight);
+    for (int k = 0; k < 3; k++)
+        sight[k] = -sight[k];
+    shape->kind->normal_seen(shape, place, sight, normal);
+}
+
+static void complete_by_normal(const struct lx_shape *shape, const double *observer_mm, const struct lx_origin *eye,
+                               struct lx_block_double *block, struct lx_block_single *copy, size_t count)
 {
     for (size_t i = 0; i < lx_padded(count); i++) {
         const double place[3] = {block->px[i], block->py[i], block->pz[i]};
         double normal[3];
-        shape->kind->normal(shape, place, normal);
+        normal_from(shape, eye, place, normal);
         block->nx[i] = normal[0], block->ny[i] = normal[1], block->nz[i] = normal[2];
         copy->px[i] = (float)place[0], copy->py[i] = (float)place[1], copy->pz[i] = (float)place[2];
         copy->nx[i] = (float)normal[0], copy->ny[i] = (float)normal[1], copy->nz[i] = (float)normal[2];
@@ -69,8 +84,16 @@ static bool takes_one(const struct lx_shape *shape, const double place_mm[3], co
     return shape->kind->takes(shape, from, way, endless);
 }
 
-static void block_by_way(const struct lx_blocker *blocker, const struct lx_block_double *block, size_t count,
-                         float *open)
+/* Whether a way leads behind the face of an element of the shape itself. */
+static bool is_behind(const struct lx_shape *shape, const struct lx_block_double *block, size_t i, const double way[3])
+{
+    const double place[3] = {block->px[i], block->py[i], block->pz[i]};
+    const double normal[3] = {block->nx[i], block->ny[i], block->nz[i]};
+    return shape->kind->is_behind && shape->kind->is_behind(shape, place, normal, way);
+}
+
+static void block_by_way(const struct lx_blocker *blocker, bool is_own, const struct lx_block_double *block,
+                         size_t count, float *open)
 {
     const struct lx_shape *shape = &blocker->shape;
     const struct lx_origin light = {.endless = !blocker->is_point,
@@ -79,7 +102,7 @@ static void block_by_way(const struct lx_blocker *blocker, const struct lx_block
         const double place[3] = {block->px[i], block->py[i], block->pz[i]};
         double way[3];
         const bool endless = lx_way_to(&light, place, way);
-        if (takes_one(shape, place, way, endless))
+        if (open[i] > 0 && ((is_own && is_behind(shape, block, i, way)) || takes_one(shape, place, way, endless)))
             open[i] = 0;
     }
 }
@@ -92,15 +115,20 @@ size_t lx_meet_shape(const struct lx_kernels *kernels, const struct lx_shape *sh
 }
 
 void lx_complete_shape(const struct lx_kernels *kernels, const struct lx_shape *shape, const double *observer_mm,
-                       struct lx_block_double *block, struct lx_block_single *copy, size_t count)
+                       const struct lx_origin *eye, struct lx_block_double *block, struct lx_block_single *copy,
+                       size_t count)
 {
-    lx_complete_block *complete = lx_has_kernels(shape) ? kernels->complete_block[shape->type] : complete_by_normal;
-    complete(shape, observer_mm, block, copy, count);
+    if (lx_has_kernels(shape))
+        kernels->complete_block[shape->type](shape, observer_mm, block, copy, count);
+    else
+        complete_by_normal(shape, observer_mm, eye, block, copy, count);
 }
 
-void lx_block_shape(const struct lx_kernels *kernels, const struct lx_blocker *blocker,
+void lx_block_shape(const struct lx_kernels *kernels, const struct lx_blocker *blocker, bool is_own,
                     const struct lx_block_double *block, size_t count, float *open)
 {
-    lx_block_light *take = lx_has_kernels(&blocker->shape) ? kernels->block_light[blocker->shape.type] : block_by_way;
-    take(blocker, block, count, open);
+    if (lx_has_kernels(&blocker->shape))
+        kernels->block_light[blocker->shape.type](blocker, block, count, open);
+    else
+        block_by_way(blocker, is_own, block, count, open);
 }

@@ -18,8 +18,10 @@ static inline bool lx_has_kernels(const struct lx_shape *shape)
 size_t lx_meet_shape(const struct lx_kernels *kernels, const struct lx_shape *shape, const struct lx_row_view *view,
                      const double *x_mm, size_t count, double *depth, double *px, double *py, double *pz);
 
+/* `eye`: where lines of sight start, from the anchor, or the direction that they come from. */
 void lx_complete_shape(const struct lx_kernels *kernels, const struct lx_shape *shape, const double *observer_mm,
-                       struct lx_block_double *block, struct lx_block_single *copy, size_t count);
+                       const struct lx_origin *eye, struct lx_block_double *block, struct lx_block_single *copy,
+                       size_t count);
 
 /* Functions for shapes that have kernels. */
 static inline void lx_set_shape_columns(const struct lx_kernels *kernels, const struct lx_shape *shape,
@@ -35,7 +37,8 @@ static inline struct lx_stretch lx_view_shape(const struct lx_kernels *kernels, 
     return kernels->view_single[shape->type](shape, view, columns, block, mask);
 }
 
-void lx_block_shape(const struct lx_kernels *kernels, const struct lx_blocker *blocker,
+/* `is_own`: of elements that lie on the shape itself. */
+void lx_block_shape(const struct lx_kernels *kernels, const struct lx_blocker *blocker, bool is_own,
                     const struct lx_block_double *block, size_t count, float *open);
 
 #endif

@@ -76,7 +76,7 @@ static lx_bounded blocked_by(const struct lx_prepared_surface *surface, const st
     lx_bounded open = lx_exact(1);
     if (is_turned ? lx_asks_both(surface->kind) : lx_may_hide(shape, is_own))
         open = lx_not(surface->kind->blocks(shape, element->place_mm, way, endless));
-    if (is_turned)
+    if (is_turned || (is_own && surface->kind->normal_seen))
         open = lx_both(open, lx_not(lx_shape_hides(shape, element->place_mm, element->normal, way, endless)));
     return lx_not(open);
 }

@@ -114,6 +114,14 @@ const double *lx_observer_from(const struct lx_plan *plan, const struct lx_plann
     return from;
 }
 
+struct lx_origin lx_eye_from(const struct lx_plan *plan, const struct lx_planned_surface *surface)
+{
+    struct lx_origin eye = lx_eye(&plan->prepared->camera);
+    for (int i = 0; i < 3 && !eye.endless; i++)
+        eye.at[i] -= surface->shape.anchor_mm[i];
+    return eye;
+}
+
 void lx_seen_pad(double *numbers, size_t count)
 {
     for (size_t k = count; k < lx_padded(count); k++)
@@ -146,8 +154,9 @@ struct lx_gathered lx_seen_gather(const struct lx_plan *plan, struct lx_seen *se
     gather_places(seen, seen->nearest.py, in_one, elements, seen->block.py);
     gather_places(seen, seen->nearest.pz, in_one, elements, seen->block.pz);
     double from[3];
+    const struct lx_origin eye = lx_eye_from(plan, surface);
     if (elements > 0)
-        lx_complete_shape(plan->kernels, &surface->shape, lx_observer_from(plan, surface, from), &seen->block,
+        lx_complete_shape(plan->kernels, &surface->shape, lx_observer_from(plan, surface, from), &eye, &seen->block,
                           &seen->copy, elements);
     return (struct lx_gathered){elements, in_one ? first : LX_BLOCK};
 }

@@ -37,6 +37,9 @@ struct lx_gathered {
 /* Where the view vectors of a surface start, from its anchor; NULL where they are all the same. */
 const double *lx_observer_from(const struct lx_plan *plan, const struct lx_planned_surface *surface, double from[3]);
 
+/* Where the lines of sight that meet it start, from its anchor, or the direction that they come from. */
+struct lx_origin lx_eye_from(const struct lx_plan *plan, const struct lx_planned_surface *surface);
+
 /* The lines of sight of a row. */
 struct lx_row_view lx_row_view_of(const struct lx_plan *plan, double y_mm);
 

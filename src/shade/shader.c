@@ -76,8 +76,9 @@ static const float *find_open(const struct lx_plan *plan, const struct lx_planne
     for (size_t i = 0; i < lx_padded(count); i++)
         memory->open[i] = 1;
     for (size_t b = 0; b < run->blocker_count; b++) {
-        const struct lx_shape *blocker = &plan->surfaces[surface->blockers[run->blocker_first + b]].shape;
-        lx_block_one(plan->kernels, blocker, surface->shape.anchor_mm, light, &memory->seen.block, count, memory->open);
+        const struct lx_planned_surface *blocker = &plan->surfaces[surface->blockers[run->blocker_first + b]];
+        lx_block_one(plan->kernels, &blocker->shape, blocker == surface, surface->shape.anchor_mm, light,
+                     &memory->seen.block, count, memory->open);
     }
     return memory->open;
 }

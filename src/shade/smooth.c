@@ -329,7 +329,8 @@ void lx_gather_nodes(const struct lx_plan *plan, struct lx_seen *seen, const str
     lx_seen_pad(block->px, (size_t)nodes * nodes);
     lx_seen_pad(block->py, (size_t)nodes * nodes);
     lx_seen_pad(block->pz, (size_t)nodes * nodes);
-    lx_complete_shape(plan->kernels, shape, lx_observer_from(plan, surface, observer), block, &seen->copy,
+    const struct lx_origin eye = lx_eye_from(plan, surface);
+    lx_complete_shape(plan->kernels, shape, lx_observer_from(plan, surface, observer), &eye, block, &seen->copy,
                       (size_t)nodes * nodes);
 }
 

@@ -35,7 +35,7 @@ lx_bounded lx_shape_hides(const struct lx_shape *shape, lx_bounded3 place_mm, lx
 {
     double own[3];
     const double facing = facing_of(shape, place_mm, normal, own);
-    if (facing >= 1 - LX_SAME_NORMAL)
+    if (facing >= 1 - LX_SAME_NORMAL && !shape->kind->normal_seen)
         return lx_exact(0);
     if (shape->kind->hides)
         return shape->kind->hides(shape, place_mm, facing, towards, endless);

@@ -3,9 +3,14 @@
 #include "surface.h"
 
 extern const struct lx_surface_kind lx_sphere_kind, lx_plate_kind;
-extern const struct lx_surface_kind lx_disk_kind, lx_cylinder_kind, lx_room_kind;
+extern const struct lx_surface_kind lx_disk_kind, lx_cylinder_kind, lx_mesh_kind, lx_room_kind;
 
 const struct lx_variant *const lx_surface_variants[] = {
-    &lx_sphere_kind.variant,   &lx_plate_kind.variant, &lx_disk_kind.variant,
-    &lx_cylinder_kind.variant, &lx_room_kind.variant,  NULL,
+    &lx_sphere_kind.variant,
+    &lx_plate_kind.variant,
+    &lx_disk_kind.variant,
+    &lx_cylinder_kind.variant,
+    &lx_room_kind.variant,
+    &lx_mesh_kind.variant,
+    NULL,
 };

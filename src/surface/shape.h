@@ -22,6 +22,7 @@ struct lx_shape {
     double behind_mm;  /* of a room's walls: in the way of light it stands so much farther back, and also before
                         * its own back (surface.h) */
     double own[4];     /* what else a kind wants */
+    const void *body;  /* what it has too much of for that, held by the parameters; NULL: nothing */
 };
 
 #endif

@@ -144,6 +144,16 @@ struct lx_surface_kind {
     bool (*meets)(const struct lx_shape *shape, const double from_mm[3], const double direction[3], double *t,
                   double offset_mm[3]);
     bool (*takes)(const struct lx_shape *shape, const double from_mm[3], const double way[3], bool endless);
+    /*
+     * Of a kind that may be seen from both of its sides, or whose normals need not be those of its faces: the unit
+     * normal that a line of sight along `sight` sees at a place, turned to it.  NULL: `normal`.  `hides` is then asked
+     * of all its own elements, and `is_behind` of those of pictures, in plain float64: whether a way leads behind the
+     * face of an element with that normal.
+     */
+    void (*normal_seen)(const struct lx_shape *shape, const double offset_mm[3], const double sight[3],
+                        double normal[3]);
+    bool (*is_behind)(const struct lx_shape *shape, const double offset_mm[3], const double normal[3],
+                      const double way[3]);
     /* How far it reaches along a direction: the greatest place . direction over the surface.  NULL: as its extent. */
     double (*farthest)(const void *parameters, const double direction[3]);
     /* How an observer stands to it who is at (0, 0, z), or, not in perspective, looks along -z from all that height;

@@ -14,7 +14,7 @@ static struct lx_mesh_report read_text(const char *name, const char *text, struc
     char *copy = lx_copy_text(text, strlen(text));
     assert_non_null(copy);
     *mesh = NULL;
-    struct lx_mesh_report report = lx_mesh_read(name, copy, strlen(text), mesh);
+    struct lx_mesh_report report = lx_mesh_read(name, copy, strlen(text), NULL, mesh);
     free(copy);
     assert_true((report.message == LX_MSG_COUNT) == (*mesh != NULL));
     return report;
@@ -168,14 +168,14 @@ static void names_the_line(void **state)
         {"nOFF 3\n1 1 1\n", LX_MSG_OFF_DIMENSIONS, 1},
         {"OFFER\n1 1 1\n", LX_MSG_MESH_FORMAT, 0},
         {"OFF BINARY\n\1\2", LX_MSG_OFF_BINARY, 1},
-        {"solid stl\n", LX_MSG_MESH_FORMAT, 0},
+        {"some words\n", LX_MSG_MESH_FORMAT, 0},
         {"OFF\n", LX_MSG_MESH_ENDS, 1},
         {"OFF\n\n4\n", LX_MSG_MESH_COUNTS, 3},
         {"OFF\n-1 4 0\n", LX_MSG_MESH_COUNTS, 2},
         {"OFF\n4.0 4 0\n", LX_MSG_MESH_COUNTS, 2},
         {"OFF\n99999999999999999999999 4 0\n", LX_MSG_MESH_COUNTS, 2},
-        {"OFF\n4 1000001 0\n", LX_MSG_MESH_TOO_LARGE, 2},
-        {"OFF\n2000001 4 0\n", LX_MSG_MESH_TOO_LARGE, 2},
+        {"OFF\n4 10000001 0\n", LX_MSG_MESH_TOO_LARGE, 2},
+        {"OFF\n30000001 4 0\n", LX_MSG_MESH_TOO_LARGE, 2},
         {"OFF\n2000000 1000000 0\n0 0 0\n", LX_MSG_MESH_ENDS, 3},
         {"OFF\n1 1 0\n0 0\n", LX_MSG_MESH_CORNER, 3},
         {"OFF\n1 1 0\n0 0 x\n", LX_MSG_MESH_CORNER, 3},

@@ -357,7 +357,7 @@ static void shadows(void **state)
                 continue;
             for (int i = 0; i < LX_BLOCK; i++)
                 open[i] = i % 7 != 6; /* what is shut already stays so */
-            lx_block_one(kernels, &body.shape, anchor, &constants, &block, LX_BLOCK, open);
+            lx_block_one(kernels, &body.shape, false, anchor, &constants, &block, LX_BLOCK, open);
             for (int i = 0; i < LX_BLOCK; i++)
                 if (open[i] != (i % 7 != 6 && !expected[i]))
                     fail_msg("%s, case %d, element %d: %g", kernels->name, n, i, (double)open[i]);
@@ -445,7 +445,8 @@ static void plates_touch(void **state)
             light.y = way[1] + (endless ? 0 : place[1]);
             light.z = way[2] + (endless ? 0 : place[2]);
             float open[LX_BLOCK] = {1};
-            lx_block_one(lx_kernels_choose(NULL), &body.shape, (const double[]){0, 0, 0}, &light, &block, 1, open);
+            lx_block_one(lx_kernels_choose(NULL), &body.shape, false, (const double[]){0, 0, 0}, &light, &block, 1,
+                         open);
             assert_true(open[0] == (k % 2 ? 0 : 1));
         }
     }

@@ -1,0 +1,284 @@
+# SPDX-License-Identifier: MIT
+"""Meshes as surfaces: every format shows the same, what they show is what other surfaces of the same form do, and
+whatever is wrong with a file is told."""
+import json
+import math
+import os
+import random
+import subprocess
+import sys
+
+import mesh_files
+from tap import Tap
+from tool import run_tests
+
+SCENE = """\
+luxel: 1
+screen: {width: 500, height: 500, resolution: [40, 40]}
+observer: {z: 2000, projection: perspective}
+surfaces:
+%s
+lights:
+  - {type: point, position: [300, 500, 1500], intensity: 10}
+  - {type: distant, direction: [1, -0.5, -1], irradiance: 3}
+points: [[0, 0], [60, 40], [-70, 10], [33.25, -41.5], [-120, -90]]
+"""
+MATERIAL = "material: {model: lambert}"
+SIZE = (240, 160, 120)
+
+
+def scene(*surfaces):
+    return SCENE % "\n".join("  - " + surface for surface in surfaces)
+
+
+def mesh(name, more=""):
+    return "{type: mesh, file: %s, %sposition: [10, 20, 500], %s}" % (name, more, MATERIAL)
+
+
+def values(tool, text, *more):
+    tool.write("scene.yaml", text)
+    result = tool.run("probe", "scene.yaml", "--json", *more)
+    return [(point["value"], point.get("error")) for point in result.json()["points"]]
+
+
+def near(found, expected, share=1e-12):
+    return len(found) == len(expected) and all(
+        (a is None and b is None) or (a is not None and b is not None and abs(a - b) <= share * abs(b) + ea + eb)
+        for (a, ea), (b, eb) in zip(found, expected))
+
+
+def files_of(corners, faces, normals=None):
+    document, data = mesh_files.gltf_parts(corners, faces, normals)
+    mirrored = [(-x, y, z) for x, y, z in corners]
+    apart, apart_data = mesh_files.gltf_parts(mirrored, [face[::-1] for face in faces], None, indexed=False, stride=8,
+                                              node={"scale": [-1, 1, 1]})
+    little, big = "binary_little_endian", "binary_big_endian"
+    return {
+        "a.obj": mesh_files.obj(corners, faces), "a.off": mesh_files.off(corners, faces),
+        "ascii.ply": mesh_files.ply(corners, faces), "more.ply": mesh_files.ply(corners, faces, extra=True),
+        "little.ply": mesh_files.ply(corners, faces, little, extra=True, index="uint"),
+        "big.ply": mesh_files.ply(corners, faces, big, extra=True, count="ushort", place="float", name="vertex_index"),
+        "text.stl": mesh_files.stl_text(corners, faces, solids=3), "binary.stl": mesh_files.stl_binary(corners, faces),
+        "data.gltf": mesh_files.gltf(document, data), "file.gltf": mesh_files.gltf(document, data, "the%20buffer.bin"),
+        "the buffer.bin": data, "a.glb": mesh_files.glb(document, data), "apart.glb": mesh_files.glb(apart, apart_data),
+    }
+
+
+def formats_agree(tap, tool):
+    corners, faces = mesh_files.box(SIZE)
+    expected = None
+    os.mkdir(tool.file("models"))
+    for name, content in files_of(corners, faces).items():
+        tool.write("models/" + name, content)
+    for name in sorted(os.listdir(tool.file("models"))):
+        if name.endswith(".bin"):
+            continue
+        found = values(tool, scene(mesh("models/" + name, "rotate: [10, 20, 30], scale: 1, ")))
+        expected = expected or found
+        tap.ok(near(found, expected, 0) and all(value is not None for value, _ in found[:4]), name, found, expected)
+    document, data = mesh_files.gltf_parts([[c / 1000 for c in corner] for corner in corners], faces)
+    tool.write("metres.glb", mesh_files.glb(document, data))
+    found = values(tool, scene(mesh("metres.glb", "rotate: [10, 20, 30], ")))
+    tap.ok(near(found, expected, 1e-5), "glTF is in metres", found, expected)
+
+
+def strips_and_sparse(tap, tool):
+    corners, faces = mesh_files.box(SIZE)
+    tool.write("plain.obj", mesh_files.obj(corners, faces))
+    expected = values(tool, scene(mesh("plain.obj", "rotate: [10, 20, 30], ")))
+    strip = [(a, b, d, c) for a, b, c, d in faces]
+    indices = [i for k, quad in enumerate(strip) for i in ([65535] if k else []) + list(quad)]
+    document, data = mesh_files.gltf_parts(corners, faces, mode=5, indices=indices)
+    tool.write("strip.glb", mesh_files.glb(document, data))
+    fan = [i for k, quad in enumerate(faces) for i in ([65535] if k else []) + list(quad)]
+    document, data = mesh_files.gltf_parts(corners, faces, mode=6, indices=fan)
+    tool.write("fan.glb", mesh_files.glb(document, data))
+    moved = [(0, 0, 0)] + corners[1:]
+    document, data = mesh_files.gltf_parts(moved, faces)
+    other, more = mesh_files.gltf_parts([corners[0]], [], indices=[0])
+    base = len(data) + (-len(data) % 4)
+    document["bufferViews"] += [dict(view, byteOffset=view["byteOffset"] + base) for view in other["bufferViews"]]
+    document["accessors"][0]["sparse"] = {
+        "count": 1, "values": {"bufferView": 2}, "indices": {"bufferView": 3, "componentType": 5123}}
+    data += b"\0" * (-len(data) % 4) + more
+    document["buffers"][0]["byteLength"] = len(data)
+    tool.write("sparse.glb", mesh_files.glb(document, data))
+    for name in "strip.glb", "fan.glb", "sparse.glb":
+        found = values(tool, scene(mesh(name, "rotate: [10, 20, 30], scale: 1, ")))
+        tap.ok(near(found, expected, 0), name, found, expected)
+
+
+def plates(size, center):
+    """The six sides of a box; those that would turn their backs to the observer at (0, 0, 2000) look into it."""
+    x, y, z = size
+    sides = [((1, 0, 0), (z, y)), ((-1, 0, 0), (z, y)), ((0, 1, 0), (x, z)), ((0, -1, 0), (x, z)), ((0, 0, 1), (x, y)),
+             ((0, 0, -1), (x, y))]
+    made = []
+    for axis, (w, h) in sides:
+        at = [c + a * s / 2 for c, a, s in zip(center, axis, size)]
+        if sum(a * (e - c) for a, e, c in zip(axis, (0, 0, 2000), at)) < 0:
+            axis = tuple(-a for a in axis)
+        made.append("{type: rectangle, center: %s, size: [%s, %s], axis: %s, %s}" % (at, w, h, list(axis), MATERIAL))
+    return made
+
+
+def as_other_surfaces(tap, tool):
+    corners, faces = mesh_files.box(SIZE)
+    tool.write("box.obj", mesh_files.obj(corners, faces))
+    floor = "{type: disk, center: [0, 0, 300], radius: 900, %s}" % MATERIAL
+    found = values(tool, scene(mesh("box.obj"), floor))
+    expected = values(tool, scene(floor, *plates(SIZE, (10, 20, 500))))
+    tap.ok(near(found, expected), "a box is six plates, with shadows", found, expected)
+    lamps = ("lights=[{type: planar, rectangle: {center: [300, 400, 1500], size: [400, 300], axis: [-1, -1, -3]}, "
+             "radiance: 9}]")
+    found = values(tool, scene(mesh("box.obj"), floor), "-s", lamps)
+    expected = values(tool, scene(floor, *plates(SIZE, (10, 20, 500))), "-s", lamps)
+    tap.ok(near(found, expected, 1e-9), "and the soft shadows of an area", found, expected)
+    for projection in "perspective", "orthographic":
+        both = []
+        for text in scene(mesh("box.obj"), floor), scene(floor, *plates(SIZE, (10, 20, 500))):
+            tool.write("scene.yaml", text)
+            tool.run("render", "scene.yaml", "-s", "observer.projection=" + projection, "-o", "a.csv", "--precision",
+                     "double")
+            with open(tool.file("a.csv"), encoding="utf-8") as file:
+                both.append([float(line.split(",")[2]) for line in file.readlines()[1:]])
+        most = max(both[1])
+        tap.ok(len(both[0]) == len(both[1]) and all(abs(a - b) <= 1e-11 * most for a, b in zip(*both)),
+               "pictures, too: " + projection)
+
+
+def balls_tend_to_a_ball(tap, tool):
+    ball = "{type: sphere, center: [10, 20, 500], radius: 200, %s}" % MATERIAL
+    expected = values(tool, scene(ball))
+    off = []
+    for bands in 16, 32, 64:
+        corners, faces = mesh_files.ball(bands, 200)
+        tool.write("ball.ply", mesh_files.ply(corners, faces, "binary_little_endian"))
+        found = values(tool, scene(mesh("ball.ply", "normals: smooth, ")))
+        off.append(sum(abs(a - b) for (a, _), (b, _) in zip(found, expected)))
+    tap.ok(3 < off[0] / off[1] < 5.3 and 3 < off[1] / off[2] < 5.3, "four times nearer with twice the bands", off)
+
+
+def turns(tap, tool):
+    """x, then y, then z: against corners that are turned here."""
+    corners, faces = mesh_files.box(SIZE)
+    angles = (20, -35, 50)
+    moved = corners
+    for axis, degrees in enumerate(angles):
+        s, c = math.sin(math.radians(degrees)), math.cos(math.radians(degrees))
+        y, z = (axis + 1) % 3, (axis + 2) % 3
+        for_axis = []
+        for corner in moved:
+            corner = list(corner)
+            corner[y], corner[z] = c * corner[y] - s * corner[z], s * corner[y] + c * corner[z]
+            for_axis.append(tuple(corner))
+        moved = for_axis
+    tool.write("as_is.obj", mesh_files.obj(corners, faces))
+    tool.write("turned.obj", mesh_files.obj(moved, faces))
+    found = values(tool, scene(mesh("as_is.obj", "rotate: %s, " % list(angles))))
+    tap.ok(near(found, values(tool, scene(mesh("turned.obj")))), "rotate", found)
+    quarter = values(tool, scene(mesh("as_is.obj", "rotate: [0, 0, 90], ")))
+    turned = [(-y, x, z) for x, y, z in corners]
+    tool.write("quarter.obj", mesh_files.obj(turned, faces))
+    tap.ok(near(quarter, values(tool, scene(mesh("quarter.obj"))), 0), "a quarter, without rounding", quarter)
+
+
+def sides(tap, tool):
+    sheet = [(-100, -100, 0), (100, -100, 0), (100, 100, 0), (-100, 100, 0)]
+    tool.write("front.obj", mesh_files.obj(sheet, [(0, 1, 2, 3)]))
+    tool.write("back.obj", mesh_files.obj(sheet, [(3, 2, 1, 0)]))
+    front = values(tool, scene(mesh("front.obj")))
+    tap.ok(near(values(tool, scene(mesh("back.obj"))), front, 0), "both sides are seen", front)
+    back = values(tool, scene(mesh("back.obj", "sides: front, ")))
+    tap.ok(all(value is None for value, _ in back), "a back is not, with sides: front", back)
+    behind = "lights=[{type: point, position: [0, 0, -800], intensity: 10}]"
+    dark = values(tool, scene("{type: mesh, file: front.obj, position: [0, 0, 500]}"), "-s", behind)
+    tap.ok(dark[0][0] == 0, "light from behind does not come through, not even as a highlight", dark)
+    tap.equal(tool.run("check", "scene.yaml", "-s", "surfaces[0].normals=file").code, 3, "a file without normals")
+
+
+def files_are_told(tap, tool):
+    tool.write("scene.yaml", scene(mesh("model.obj")))
+    result = tool.run("check", "scene.yaml")
+    tap.ok(result.code == 4 and "cannot read model.obj" in result.err, "no file", result)
+    cases = {
+        "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 4\n": "line 4: the face has a corner that is not in the file",
+        "v 0 0 0\nv 1 0 nan\nv 0 1 0\nf 1 2 3\n": "line 2: expected a corner",
+        "v 0 0 0\nv 1 0 0\nv 2 0 0\nf 1 2 3\n": "have no area",
+        "": "has no faces",
+        "ply\nformat ascii 1.0\nelement vertex x\nend_header\n": "line 3: expected a line of the header",
+        "ply\nformat ascii 1.0\nelement vertex 1\nproperty float x\nend_header\n1\n":
+            "corner 1 is not at a finite place",
+        "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\nproperty float z\nend_header\n"
+        "1 2 3\n4 5 6\n": "ends before",
+        "solid a\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nfacet\n": "line 5: expected vertex or endfacet",
+        '{"asset": {"version": "1.0"}}': "not glTF 2.x",
+        '{"asset": {"version": "2.0"},\n "nodes": [}': "line 2: expected JSON",
+        '{"asset": {"version": "2.0"}, "extensionsRequired": ["KHR_draco_mesh_compression"]}':
+            "KHR_draco_mesh_compression",
+        '{"asset": {"version": "2.0"}, "extensionsRequired": ["KHR_mesh_quantization"]}': "KHR_mesh_quantization",
+        '{"asset": {"version": "2.0"}, "scenes": [{"nodes": [0]}], "nodes": [{"children": [0]}]}': "below itself",
+        '{"asset": {"version": "2.0"}, "buffers": [{"uri": "gone.bin", "byteLength": 4}]}': "cannot read gone.bin",
+    }
+    for text, words in cases.items():
+        tool.write("model.obj" if "{" not in text else "model.gltf", text)
+        tool.write("scene.yaml", scene(mesh("model.obj" if "{" not in text else "model.gltf")))
+        result = tool.run("check", "scene.yaml")
+        tap.ok(result.code in (3, 4) and words in result.err, "told: " + words, result)
+    document, data = mesh_files.gltf_parts(*mesh_files.box(SIZE))
+    for change in ({"count": 1 << 29}, {"byteOffset": 1 << 29}, {"count": 9}, {"byteOffset": 5}):
+        broken = json.loads(json.dumps(document))
+        broken["accessors"][0].update(change)
+        tool.write("model.gltf", mesh_files.gltf(broken, data))
+        result = tool.run("check", "scene.yaml")
+        tap.ok(result.code == 3 and "accessors[0] goes beyond" in result.err, "told: %s" % change, result)
+
+
+def broken_files_end(tap, tool):
+    """Hundreds of mutations: an error or a mesh, at once, never anything else."""
+    chance, corners, faces = random.Random(31), *mesh_files.box(SIZE)
+    codes = set()
+    for name, content in files_of(corners, faces).items():
+        for k in range(12):
+            data = bytearray(content)
+            for _ in range(chance.randrange(1, 4)):
+                at, way = chance.randrange(len(data)), chance.randrange(3)
+                if way == 0:
+                    data[at] = chance.randrange(256)
+                elif way == 1:
+                    del data[at:at + chance.randrange(1, 40)]
+                else:
+                    data[at:at] = bytes(chance.choice(b"0123456789-.e\n \xff\0") for _ in range(chance.randrange(1, 9)))
+                data = data or bytearray(b" ")
+            tool.write(name, bytes(data))
+            tool.write("scene.yaml", scene(mesh("file.gltf" if name.endswith("bin") else name)))
+            codes.add(tool.run("check", "scene.yaml").code)
+    tap.ok(codes <= {0, 3, 4} and {0, 3} <= codes, "broken files end in a mesh or an error", codes)
+
+
+def as_scenes_go(tap, tool):
+    corners, faces = mesh_files.box(SIZE)
+    os.mkdir(tool.file("room"))
+    tool.write("room/box.obj", mesh_files.obj(corners, faces))
+    tool.write("room/scene.yaml", scene(mesh("box.obj")))
+    tap.equal(tool.run("render", "room/scene.yaml", "-o", "room/a.png", "-o", "away.png").code, 0, "a picture")
+    tap.equal(tool.run("check", "room/a.png").code, 0, "carries a scene that finds its mesh beside it")
+    tap.equal(tool.run("check", "away.png").code, 4, "and not elsewhere")
+    tool.write("room/other.obj", mesh_files.obj([(2 * x, y, z) for x, y, z in corners], faces))
+    result = tool.run("render", "room/scene.yaml", "--json", "-s", "surfaces[0].file=other.obj")
+    tap.ok(result.code == 0 and result.json()["max"]["value"] > 0, "-s file", result)
+
+
+def the_example(tap, tool):
+    folder = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..", "examples", "meshes")
+    made = subprocess.run([sys.executable, os.path.join(folder, "make_knot.py"), tool.file("knot.ply")], check=False)
+    with open(os.path.join(folder, "knot.ply"), "rb") as kept, open(tool.file("knot.ply"), "rb") as again:
+        tap.ok(made.returncode == 0 and kept.read() == again.read(), "its mesh is what its program makes")
+    result = tool.run("render", os.path.join(folder, "knot.yaml"), "--json", "-s", "screen.resolution=[60, 60]")
+    tap.ok(result.code == 0 and 0.5 < result.json()["lit"] <= 1, "and it is seen", result)
+    result = tool.run("check", os.path.join(folder, "knot.yaml"))
+    tap.ok(result.code == 0 and "knot.ply" not in result.out, "a closed mesh without advice", result)
+
+
+run_tests(Tap(), formats_agree, strips_and_sparse, as_other_surfaces, balls_tend_to_a_ball, turns, sides,
+          files_are_told, broken_files_end, as_scenes_go, the_example)
