@@ -225,7 +225,7 @@ lx_bounded lx_mesh_blocks(const struct lx_shape *shape, lx_bounded3 place_mm, lx
     return (lx_bounded){doubts.count > 0, doubts.count > 0};
 }
 
-/* Light comes from behind its own face to no element. */
+/* Light comes from behind its own face to no element, and through the rest of the mesh to none, either. */
 lx_bounded lx_mesh_hides(const struct lx_shape *shape, lx_bounded3 place_mm, double facing, lx_bounded3 towards,
                          bool endless)
 {
@@ -242,5 +242,8 @@ lx_bounded lx_mesh_hides(const struct lx_shape *shape, lx_bounded3 place_mm, dou
     }
     const lx_bounded3 normal = lx_cross3(lx_sub3(corners[1], corners[0]), lx_sub3(corners[2], corners[0]));
     const lx_bounded above = lx_dot3(normal, way.towards);
-    return lx_step(facing < 0 ? above : lx_negate(above), false);
+    const lx_bounded behind = lx_step(facing < 0 ? above : lx_negate(above), false);
+    if (behind.value > 0 && behind.error == 0)
+        return behind;
+    return lx_not(lx_both(lx_not(behind), lx_not(lx_mesh_blocks(shape, place_mm, towards, endless))));
 }
