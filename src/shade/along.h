@@ -58,7 +58,7 @@ struct lx_problem {
     size_t parts;
     const struct lx_asking *asking; /* whether to go on */
     bool is_stopped;
-    const struct lx_occlusion *occlusion;  /* what stands in the way; NULL: nothing */
+    struct lx_occlusion *occlusion;        /* what stands in the way; NULL: nothing */
     const struct lx_directions *crossings; /* of its borders */
     struct lx_stretch *room;               /* for the parts of an arc that are left, */
     struct lx_panel *panels;               /* and for the integrals along them */

@@ -8,6 +8,7 @@
 #include "../base/vector.h"
 #include "../light/extended.h"
 #include "crossings.h"
+#include "outline.h"
 
 enum { MOST_BORDERS = 96 };
 
@@ -38,13 +39,20 @@ static void add(struct borders *borders, const struct border *border)
         borders->is_full = true;
 }
 
+/* False: it has no length. */
+static bool make_edge(struct border *edge, size_t body, const double from[3], const double to[3])
+{
+    *edge = (struct border){.type = EDGE, .body = body};
+    memcpy(edge->from, from, sizeof edge->from);
+    memcpy(edge->to, to, sizeof edge->to);
+    lx_cross(from, to, edge->axis);
+    return lx_normalize(edge->axis) > 0;
+}
+
 static void add_edge(struct borders *borders, size_t body, const double from[3], const double to[3])
 {
-    struct border edge = {.type = EDGE, .body = body};
-    memcpy(edge.from, from, sizeof edge.from);
-    memcpy(edge.to, to, sizeof edge.to);
-    lx_cross(from, to, edge.axis);
-    if (lx_normalize(edge.axis) > 0)
+    struct border edge;
+    if (make_edge(&edge, body, from, to))
         add(borders, &edge);
 }
 
@@ -289,6 +297,38 @@ static int cross_borders(const struct border *a, const struct border *b, struct 
     return b->type == CIRCLE ? cross_circles(a, b, directions) : follow_rim(b, a, directions);
 }
 
+/* Those of the lines that bound what an outline hides, and of all else but flat sources, which it knows. */
+static int cross_outline(const struct borders *borders, const struct lx_outline *outline, bool knows_source,
+                         struct lx_directions *directions)
+{
+    for (size_t n = 0; n < outline->lay_count; n++) {
+        const struct lx_outline_lay *lay = &outline->lays[n];
+        const struct lx_sweep_frame *frame = lay->line_count > 0 ? &outline->sweeps->items[n].frame : NULL;
+        uint32_t before = UINT32_MAX;
+        for (size_t i = 0; i < 2 * lay->part_count; i++) {
+            const struct lx_outline_part *part = &lay->parts[i / 2];
+            const uint32_t number = i % 2 ? part->upper : part->lower;
+            const struct lx_outline_line *line = &lay->lines[number];
+            struct border edge;
+            double from[3], to[3];
+            if (line->kind != LX_OUTLINE_EDGE || number == before)
+                continue;
+            before = number;
+            for (int k = 0; k < 3; k++) {
+                from[k] = line->from[0] * frame->x[k] + line->from[1] * frame->y[k] + line->from[2] * frame->z[k];
+                to[k] = line->to[0] * frame->x[k] + line->to[1] * frame->y[k] + line->to[2] * frame->z[k];
+            }
+            if (!make_edge(&edge, 0, from, to))
+                continue;
+            for (size_t b = 0; b < borders->count; b++)
+                if ((borders->items[b].body > 0 || !knows_source) &&
+                    cross_borders(&edge, &borders->items[b], directions))
+                    return -1;
+        }
+    }
+    return 0;
+}
+
 int lx_find_crossings(const struct lx_occlusion *occlusion, const struct lx_emitter *emitter,
                       struct lx_directions *directions)
 {
@@ -299,6 +339,8 @@ int lx_find_crossings(const struct lx_occlusion *occlusion, const struct lx_emit
     add_source(&borders, emitter, occlusion->place_mm);
     for (size_t i = 0; i < occlusion->obstacles.count && !borders.is_full; i++)
         add_obstacle(&borders, i + 1, &occlusion->obstacles.items[i]);
+    if (occlusion->has_outline && !borders.is_full)
+        failed = cross_outline(&borders, occlusion->outline, emitter->type == LX_FACETS, directions);
     for (size_t i = 0; i < borders.count && !borders.is_full; i++)
         for (size_t k = i + 1; k < borders.count && !failed; k++)
             if (borders.items[i].body != borders.items[k].body || borders.items[i].type != borders.items[k].type)

@@ -10,6 +10,7 @@
 #include "../base/memory.h"
 #include "along.h"
 #include "cubature.h"
+#include "outline.h"
 
 enum {
     OUTER_PANELS = 1024,
@@ -98,6 +99,33 @@ static int by_place(const void *a, const void *b)
     return (x > y) - (x < y);
 }
 
+/* Where the slabs of an outline end. */
+static size_t cut_at_slabs(const struct lx_problem *problem, const struct lx_sweep *sweep, struct cut *cuts)
+{
+    const struct lx_outline_lay *lay = &problem->occlusion->outline->lays[sweep - problem->sweeps->items];
+    size_t count = 0;
+    for (size_t i = 1; i < lay->slab_count; i++) {
+        double towards[3];
+        for (int k = 0; k < 3; k++)
+            towards[k] = sweep->frame.x[k] + lay->slabs[i].low * sweep->frame.y[k];
+        cuts[count].border = false;
+        count += lx_sweep_find(sweep, towards, &cuts[count].x);
+    }
+    return count;
+}
+
+/* The most of them on a sweep. */
+static size_t most_slabs(const struct lx_problem *problem)
+{
+    size_t most = 0;
+    for (size_t i = 0;
+         lx_is_occluded(problem->occlusion) && problem->occlusion->has_outline && i < problem->sweeps->count; i++) {
+        const size_t count = problem->occlusion->outline->lays[i].slab_count;
+        most = count > most ? count : most;
+    }
+    return most;
+}
+
 /* Where obstacles begin and end, and where their borders and the source's cross. */
 static size_t cut_at_brinks(const struct lx_problem *problem, const struct lx_sweep *sweep, struct cut *cuts)
 {
@@ -143,6 +171,8 @@ static size_t cut_sweep(struct lx_problem *problem, const struct lx_sweep *sweep
     cuts[count++] = (struct cut){1, false};
     if (lx_is_occluded(problem->occlusion))
         count += cut_at_brinks(problem, sweep, cuts + count);
+    if (lx_is_occluded(problem->occlusion) && problem->occlusion->has_outline)
+        count += cut_at_slabs(problem, sweep, cuts + count);
     qsort(cuts, count, sizeof *cuts, by_place);
     return count;
 }
@@ -160,16 +190,21 @@ static double outer_target(void *data, const struct lx_integral *integral)
 static int make_pieces(struct lx_problem *problem, struct lx_panels *panels)
 {
     size_t capacity = 0;
-    struct cut cuts[MOST_CUTS + MOST_BRINKS];
+    struct cut *cuts = lx_new_array(MOST_CUTS + MOST_BRINKS + most_slabs(problem), sizeof *cuts);
+    if (!cuts)
+        return -1;
     for (size_t i = 0; i < problem->sweeps->count && lx_goes_on(problem); i++) {
         size_t count = cut_sweep(problem, &problem->sweeps->items[i], cuts);
-        if (lx_reserve(&problem->pieces, &capacity, problem->piece_count + count, sizeof *problem->pieces))
+        if (lx_reserve(&problem->pieces, &capacity, problem->piece_count + count, sizeof *problem->pieces)) {
+            free(cuts);
             return -1;
+        }
         for (size_t k = 0; k + 1 < count; k++)
             if (cuts[k + 1].x - cuts[k].x > NARROWEST)
                 problem->pieces[problem->piece_count++] =
                     (struct lx_piece){i, {cuts[k].x, cuts[k + 1].x, cuts[k].border || cuts[k + 1].border}};
     }
+    free(cuts);
     panels->capacity = problem->piece_count + OUTER_PANELS;
     panels->items = lx_new_array(panels->capacity, sizeof *panels->items);
     return panels->items ? 0 : -1;
@@ -228,6 +263,37 @@ static double facets_error(const struct lx_facets *facets)
     return facets->face_count <= FEW ? worst : rounding * lengths / facets->area_mm2;
 }
 
+/* Lays out what is in the way of the sweeps. */
+static int lay_occlusion(struct lx_problem *problem, struct lx_directions *crossings)
+{
+    struct lx_occlusion *occlusion = problem->occlusion;
+    if (occlusion->has_outline && lx_outline_lay(occlusion, problem->sweeps, problem->asking))
+        return -1;
+    return lx_occlusion_make_room(occlusion) || lx_make_room_on_arcs(problem) ||
+                   lx_find_crossings(occlusion, problem->emitter, crossings)
+               ? -1
+               : 0;
+}
+
+/* What of an integral is in doubt because an outline is: all of it where meshes reach into a round source, or have too
+ * many edges; else where rays tell something else than edges do, times the most that the integrand may be. */
+static double doubt_in_outline(const struct lx_problem *problem, double value, const double place_mm[3])
+{
+    const struct lx_outline *outline = problem->occlusion->has_outline ? problem->occlusion->outline : NULL;
+    if (!outline)
+        return 0;
+    const double unsure = lx_outline_unsure(outline);
+    const bool is_open = unsure > 0 || outline->is_doubtful || outline->is_broken;
+    const bool is_facets = problem->emitter->type == LX_FACETS;
+    const double *center = is_facets ? problem->emitter->facets->center_mm : problem->emitter->center_mm;
+    double away = is_facets ? problem->emitter->facets->radius_mm
+                            : hypot(problem->emitter->radius_mm, problem->emitter->height_mm / 2);
+    for (int k = 0; k < 3; k++)
+        away += fabs(center[k] - place_mm[k]);
+    const double largest = problem->emitter->attenuation == LX_INVERSE_SQUARE ? 1 : fmax(away * away * 1e-6, 1);
+    return (is_open ? value : 0) + (unsure + lx_outline_skipped(outline)) * largest;
+}
+
 /* Integrates the problem over the source as it is seen from a place. */
 static lx_bounded integrate(struct lx_problem *problem, const double place_mm[3])
 {
@@ -249,9 +315,8 @@ static lx_bounded integrate(struct lx_problem *problem, const double place_mm[3]
     problem->panels = NULL;
     struct lx_directions crossings = {.items = NULL};
     problem->crossings = &crossings;
-    if ((!is_occluded ||
-         (!lx_make_room_on_arcs(problem) && !lx_find_crossings(problem->occlusion, problem->emitter, &crossings))) &&
-        !lx_sweeps_make(problem->emitter, place_mm, across_which, &sweeps) && !make_pieces(problem, &panels)) {
+    if (!lx_sweeps_make(problem->emitter, place_mm, across_which, &sweeps) &&
+        (!is_occluded || !lay_occlusion(problem, &crossings)) && !make_pieces(problem, &panels)) {
         if (problem->top == -HUGE_VAL)
             problem->top = 0; /* the lobe was met nowhere */
         if (problem->top < INVISIBLE)
@@ -274,6 +339,7 @@ static lx_bounded integrate(struct lx_problem *problem, const double place_mm[3]
             rounding += facets_error(problem->emitter->facets);
         result.error = (estimate + all.inherited + strip + rounding * all.value) * scale;
         result.error += problem->top < 0 ? DBL_MIN : 0;
+        result.error += is_occluded ? doubt_in_outline(problem, result.value, place_mm) : 0;
     }
     free(crossings.items);
     free(problem->room);
@@ -308,6 +374,16 @@ static void set_conditions(struct lx_problem *problem)
         set_condition(problem, problem->normal, 0);
 }
 
+/* What an outline leaves, in closed form if that is good enough. */
+static bool sum_outline(struct lx_problem *problem, lx_bounded *seen)
+{
+    if (!lx_outline_sum(problem->occlusion, problem->emitter, problem->normal, problem->normal_error, problem->asking,
+                        &seen->value, &seen->error))
+        return false;
+    problem->parts++;
+    return seen->error <= fmax(problem->tolerance, 1e-12) * (seen->value + problem->known);
+}
+
 struct lx_cubature lx_integrate(const struct lx_emitter *emitter, const struct lx_element *element, bool diffuse,
                                 double known, double tolerance)
 {
@@ -321,7 +397,7 @@ struct lx_cubature lx_integrate_asking(const struct lx_emitter *emitter, const s
 }
 
 struct lx_cubature lx_integrate_seen(const struct lx_emitter *emitter, const struct lx_element *element,
-                                     const struct lx_occlusion *occlusion, bool diffuse, double known, double tolerance,
+                                     struct lx_occlusion *occlusion, bool diffuse, double known, double tolerance,
                                      const struct lx_asking *asking)
 {
     struct lx_cubature result = {.irradiance = lx_exact(0), .specular = lx_exact(0)};
@@ -343,7 +419,10 @@ struct lx_cubature lx_integrate_seen(const struct lx_emitter *emitter, const str
         set_conditions(&problem);
         if (lx_is_occluded(occlusion) && known > 0 && lobe->diffuse.value > 0)
             problem.known = known / (radiance * lobe->diffuse.value);
-        result.irradiance = lx_mul(emitter->radiance, integrate(&problem, place));
+        lx_bounded seen;
+        if (!occlusion || !sum_outline(&problem, &seen))
+            seen = integrate(&problem, place);
+        result.irradiance = lx_mul(emitter->radiance, seen);
         known += result.irradiance.value * lobe->diffuse.value;
         result.parts = problem.parts;
         problem.parts = 0; /* each integral may take all the work that there may be */

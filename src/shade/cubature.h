@@ -36,7 +36,7 @@ struct lx_cubature lx_integrate_asking(const struct lx_emitter *emitter, const s
 
 /* The same of what is left of the source behind what stands in the way (NULL: nothing). */
 struct lx_cubature lx_integrate_seen(const struct lx_emitter *emitter, const struct lx_element *element,
-                                     const struct lx_occlusion *occlusion, bool diffuse, double known, double tolerance,
+                                     struct lx_occlusion *occlusion, bool diffuse, double known, double tolerance,
                                      const struct lx_asking *asking);
 
 #endif

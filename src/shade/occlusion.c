@@ -9,6 +9,7 @@
 #include "../light/extended.h"
 #include "../surface/beside.h"
 #include "occlusion.h"
+#include "outline.h"
 
 /* Parts that lie so near to each other are one, and have the same bound. */
 static const double SAME = 1e-13;
@@ -58,6 +59,43 @@ static void bound_by_face(struct lx_shaft *shaft, const struct lx_facets *facets
     }
 }
 
+/* Of a ball around a round source and the rectangles around it in which its outlines are laid out (outline_lay.c): of
+ * disks and balls squares; of a cylinder's side one that is as high as where it is nearest. */
+static double radius_of_rectangles(const struct lx_emitter *emitter, const double place_mm[3])
+{
+    const double axis[3] = {emitter->axis.x.value, emitter->axis.y.value, emitter->axis.z.value};
+    double offset[3], half = emitter->height_mm / 2;
+    if (emitter->type != LX_CYLINDER)
+        return M_SQRT2 * emitter->radius_mm;
+    for (int k = 0; k < 3; k++)
+        offset[k] = emitter->center_mm[k] - place_mm[k];
+    const double along = lx_dot(offset, axis), away = sqrt(fmax(lx_dot(offset, offset) - along * along, 0));
+    if (away > emitter->radius_mm)
+        half += (fabs(along) + half) * (emitter->radius_mm / away);
+    return hypot(M_SQRT2 * emitter->radius_mm, half);
+}
+
+/* The plane of a flat source, which is the first one of its shaft, or one that touches the ball around the source; a
+ * little nearer, for roundings.  The way to a cylinder's side passes the plane that touches it (outline_lay.c) in its
+ * second half. */
+static void set_before(struct lx_shaft *shaft, bool is_flat, bool is_cylinder)
+{
+    static const double NEARER = 1e-10;
+    double *before = shaft->before, way[3];
+    for (int k = 0; k < 3; k++)
+        way[k] = shaft->to_mm[k] - shaft->from_mm[k];
+    const double away = lx_normalize(way);
+    if (is_flat && shaft->plane_count > 0) {
+        memcpy(before, shaft->planes[0], sizeof shaft->before);
+    } else {
+        for (int k = 0; k < 3; k++)
+            before[k] = -way[k];
+        const double start = lx_dot(way, shaft->from_mm), gap = away - shaft->outline_radius_mm;
+        before[3] = start + (is_cylinder ? fmin(gap, gap / 2) : gap);
+    }
+    before[3] -= NEARER * (away + shaft->outline_radius_mm);
+}
+
 struct lx_shaft lx_shaft_to(const double from_mm[3], double radius_mm, const struct lx_emitter *emitter)
 {
     const bool is_facets = emitter->type == LX_FACETS;
@@ -73,6 +111,9 @@ struct lx_shaft lx_shaft_to(const double from_mm[3], double radius_mm, const str
     else if (emitter->type == LX_DISK)
         add_plane(&shaft, (const double[]){emitter->axis.x.value, emitter->axis.y.value, emitter->axis.z.value},
                   emitter->center_mm);
+    shaft.outline_radius_mm = is_facets ? facets->radius_mm : radius_of_rectangles(emitter, from_mm);
+    set_before(&shaft, emitter->type == LX_DISK || (is_facets && facets->face_count == 1),
+               emitter->type == LX_CYLINDER);
     return shaft;
 }
 
@@ -188,24 +229,113 @@ static double size_of(const struct lx_obstacle *obstacle)
     return size;
 }
 
-static int make_room(struct lx_occlusion *occlusion)
+int lx_occlusion_make_room(struct lx_occlusion *occlusion)
 {
     const struct lx_obstacles *obstacles = &occlusion->obstacles;
-    size_t most = 0;
+    size_t most = occlusion->has_outline ? lx_outline_most(occlusion->outline) : 1;
     for (size_t i = 0; i < obstacles->count; i++)
         most += obstacles->items[i].type == LX_OBSTACLE_SHAPE ? LX_SCANNED : LX_MOST_HIDDEN;
     return lx_reserve(&occlusion->hidden, &occlusion->most_hidden, most, sizeof *occlusion->hidden);
 }
 
-struct lx_shaft lx_occlusion_begin(const double place_mm[3], const double *normal, const struct lx_emitter *emitter,
-                                   struct lx_occlusion *occlusion)
+const struct lx_shaft *lx_occlusion_begin(const double place_mm[3], const double *normal,
+                                          const struct lx_emitter *emitter, struct lx_occlusion *occlusion)
 {
-    struct lx_shaft shaft = lx_shaft_to(place_mm, 0, emitter);
-    occlusion->obstacles.count = 0;
+    occlusion->shaft = lx_shaft_to(place_mm, 0, emitter);
+    occlusion->obstacles.count = occlusion->obstacles.sheet_count = 0;
+    occlusion->obstacles.edge_count = occlusion->obstacles.layered_count = 0;
+    occlusion->horizon_count = 0;
+    occlusion->has_outline = occlusion->is_dark = false;
     memcpy(occlusion->place_mm, place_mm, sizeof occlusion->place_mm);
-    if (normal)
-        add_plane(&shaft, normal, place_mm);
-    return shaft;
+    if (normal) {
+        add_plane(&occlusion->shaft, normal, place_mm);
+        memcpy(occlusion->horizons[occlusion->horizon_count++], normal, sizeof occlusion->horizons[0]);
+    }
+    return &occlusion->shaft;
+}
+
+/* Whether a space behind a plane hides nothing: of the source, or that the horizon leaves. */
+static bool is_below(const struct lx_obstacle *space, const struct lx_emitter *emitter,
+                     const struct lx_occlusion *occlusion)
+{
+    static const double SAME_PLANE = 1e-14;
+    const double down[3] = {-space->axis[0], -space->axis[1], -space->axis[2]};
+    double off = HUGE_VAL;
+    for (unsigned i = 0; i < occlusion->horizon_count; i++) {
+        const double *n = occlusion->horizons[i];
+        off = fmin(off, fabs(n[0] + down[0]) + fabs(n[1] + down[1]) + fabs(n[2] + down[2]));
+    }
+    return off <= SAME_PLANE || is_beyond(emitter, occlusion->place_mm, down);
+}
+
+/* A direction to a place of the source above the horizons, if there is one: where it is highest, nearly. */
+static bool look_up(const struct lx_emitter *emitter, const struct lx_occlusion *occlusion, double way[3])
+{
+    const double *center = emitter->type == LX_FACETS ? emitter->facets->center_mm : emitter->center_mm;
+    double best = -HUGE_VAL;
+    for (int k = 0; k < 3; k++)
+        way[k] = center[k] - occlusion->place_mm[k];
+    if (occlusion->horizon_count == 0)
+        return true;
+    const double *normal = occlusion->horizons[0];
+    double middle[3] = {way[0], way[1], way[2]}, radius = emitter->radius_mm;
+    for (size_t i = 0; emitter->type == LX_FACETS && i < emitter->facets->corner_count; i++) {
+        double corner[3];
+        corner_of(emitter->facets, i, corner);
+        for (int k = 0; k < 3; k++)
+            corner[k] = 0.98 * (corner[k] - occlusion->place_mm[k]) + 0.02 * middle[k];
+        if (lx_dot(normal, corner) > best) {
+            best = lx_dot(normal, corner);
+            memcpy(way, corner, sizeof corner);
+        }
+    }
+    if (emitter->type != LX_FACETS) {
+        const double axis[3] = {emitter->axis.x.value, emitter->axis.y.value, emitter->axis.z.value};
+        const double along = lx_dot(normal, axis);
+        double up[3];
+        for (int k = 0; k < 3; k++)
+            up[k] = emitter->type == LX_BALL ? normal[k] : normal[k] - along * axis[k];
+        lx_normalize(up);
+        for (int k = 0; k < 3; k++)
+            way[k] += 0.98 * radius * up[k] +
+                      (emitter->type == LX_CYLINDER ? copysign(0.49 * emitter->height_mm, along) * axis[k] : 0);
+    }
+    for (unsigned i = 0; i < occlusion->horizon_count; i++)
+        if (!(lx_dot(occlusion->horizons[i], way) > 0))
+            return false;
+    return true;
+}
+
+/*
+ * What sheets do: where no edge of theirs comes into the shaft, they hide all or nothing.  One plane hides nothing of
+ * what the other leaves, so with two of them this is not tried.
+ */
+static int settle_sheets(const struct lx_emitter *emitter, struct lx_occlusion *occlusion)
+{
+    struct lx_obstacles *obstacles = &occlusion->obstacles;
+    double way[3];
+    if (obstacles->layered_count == 0)
+        return 0;
+    for (size_t i = 0; i < obstacles->sheet_count; i++)
+        for (int c = 0; c < 3; c++)
+            for (int k = 0; k < 3; k++)
+                obstacles->sheets[i].corners_mm[c][k] -= occlusion->place_mm[k];
+    for (size_t i = 0; i < obstacles->edge_count; i++)
+        for (int k = 0; k < 3; k++) {
+            obstacles->edges[i].from_mm[k] -= occlusion->place_mm[k];
+            obstacles->edges[i].to_mm[k] -= occlusion->place_mm[k];
+        }
+    occlusion->outline = occlusion->outline ? occlusion->outline : lx_outline_new();
+    if (!occlusion->outline)
+        return -1;
+    occlusion->has_outline = true;
+    if (obstacles->edge_count > 0 || occlusion->horizon_count > 1)
+        return 0;
+    if (lx_outline_may_cut(occlusion, emitter))
+        return 0;
+    occlusion->has_outline = false;
+    occlusion->is_dark = look_up(emitter, occlusion, way) && lx_outline_layers(occlusion, way) > 0;
+    return 0;
 }
 
 int lx_occlusion_settle(const struct lx_emitter *emitter, double place_error_mm, struct lx_occlusion *occlusion)
@@ -216,14 +346,34 @@ int lx_occlusion_settle(const struct lx_emitter *emitter, double place_error_mm,
     double size = fabs(place[0]) + fabs(place[1]) + fabs(place[2]), largest = 0;
     for (size_t i = 0; i < obstacles->count; i++) {
         struct lx_obstacle obstacle = obstacles->items[i];
-        if (!make_relative(&obstacle, emitter, place))
+        if (!make_relative(&obstacle, emitter, place) ||
+            (obstacle.type == LX_OBSTACLE_SPACE && is_below(&obstacle, emitter, occlusion)))
             continue;
         largest = fmax(largest, size_of(&obstacle));
         obstacles->items[kept++] = obstacle;
     }
     obstacles->count = kept;
+    for (size_t i = 0; i < kept; i++)
+        if (obstacles->items[i].type == LX_OBSTACLE_SPACE && occlusion->horizon_count < LX_MOST_HORIZONS)
+            memcpy(occlusion->horizons[occlusion->horizon_count++], obstacles->items[i].axis,
+                   sizeof occlusion->horizons[0]);
+    if (settle_sheets(emitter, occlusion))
+        return -1;
+    for (size_t i = 0; i < obstacles->edge_count; i++)
+        largest = fmax(largest, sqrt(fmax(lx_dot(obstacles->edges[i].from_mm, obstacles->edges[i].from_mm),
+                                          lx_dot(obstacles->edges[i].to_mm, obstacles->edges[i].to_mm))));
     occlusion->error_mm = 4 * DBL_EPSILON * (size + largest) + place_error_mm;
-    return kept > 0 ? make_room(occlusion) : 0;
+    return 0;
+}
+
+int lx_occlusion_gather(const struct lx_shape *shape, bool is_own, bool is_turned, const double normal[3],
+                        struct lx_occlusion *occlusion)
+{
+    const bool is_beside = is_turned || (is_own && shape->kind->normal_seen);
+    if ((is_beside ? lx_asks_both(shape->kind) : lx_may_hide(shape, is_own)) &&
+        lx_shape_gather(shape, &occlusion->shaft, &occlusion->obstacles))
+        return -1;
+    return is_beside ? lx_shape_gather_beside(shape, normal, &occlusion->shaft, &occlusion->obstacles) : 0;
 }
 
 int lx_occlusion_make(const struct lx_prepared *prepared, const struct lx_element *element,
@@ -231,17 +381,13 @@ int lx_occlusion_make(const struct lx_prepared *prepared, const struct lx_elemen
 {
     const double place[3] = {element->place_mm.x.value, element->place_mm.y.value, element->place_mm.z.value};
     const double normal[3] = {element->normal.x.value, element->normal.y.value, element->normal.z.value};
-    struct lx_obstacles *obstacles = &occlusion->obstacles;
-    const struct lx_shaft shaft = lx_occlusion_begin(place, above ? normal : NULL, emitter, occlusion);
+    lx_occlusion_begin(place, above ? normal : NULL, emitter, occlusion);
     for (size_t i = 0; i < prepared->surface_count; i++) {
         const struct lx_shape *shape = &prepared->surfaces[i].shape;
         const bool is_own = &prepared->surfaces[i] == element->own;
         const bool is_turned =
             is_own && element->is_free && lx_shape_is_turned(shape, element->place_mm, element->normal);
-        if ((is_turned ? lx_asks_both(shape->kind) : lx_may_hide(shape, is_own)) &&
-            lx_shape_gather(shape, &shaft, obstacles))
-            return -1;
-        if (is_turned && lx_shape_gather_beside(shape, normal, &shaft, obstacles))
+        if (lx_occlusion_gather(shape, is_own, is_turned, normal, occlusion))
             return -1;
     }
     return lx_occlusion_settle(
@@ -311,6 +457,8 @@ static bool ball_hides_all(const struct lx_obstacle *ball, const struct lx_emitt
 
 bool lx_occlusion_hides_all(const struct lx_occlusion *occlusion, const struct lx_emitter *emitter)
 {
+    if (occlusion->is_dark)
+        return true;
     for (size_t i = 0; i < occlusion->obstacles.count; i++) {
         const struct lx_obstacle *obstacle = &occlusion->obstacles.items[i];
         if ((obstacle->type == LX_OBSTACLE_POLYGON && polygon_hides_all(obstacle, emitter, occlusion->place_mm)) ||
@@ -322,7 +470,8 @@ bool lx_occlusion_hides_all(const struct lx_occlusion *occlusion, const struct l
 
 void lx_occlusion_clear(struct lx_occlusion *occlusion)
 {
-    free(occlusion->obstacles.items);
+    lx_obstacles_clear(&occlusion->obstacles);
+    lx_outline_free(occlusion->outline);
     free(occlusion->hidden);
     *occlusion = (struct lx_occlusion){.place_mm = {0}};
 }
@@ -375,6 +524,10 @@ size_t lx_occlusion_hide(const struct lx_occlusion *occlusion, const struct lx_s
     size_t count = 0, kept = 0;
     for (size_t i = 0; i < occlusion->obstacles.count; i++)
         count = lx_obstacle_hide(occlusion, i + 1, sweep, arc, hidden, count);
+    if (occlusion->has_outline)
+        count = lx_outline_hide(occlusion, sweep, arc, hidden, count);
+    if (occlusion->is_dark)
+        hidden[count++] = (struct lx_hidden){.ends = {-M_PI, M_PI}};
     sort(hidden, count);
     for (size_t i = 0; i < count; i++) {
         if (kept > 0 && hidden[i].ends[0] <= hidden[kept - 1].ends[1] + SAME)

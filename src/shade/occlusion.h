@@ -23,11 +23,21 @@ struct lx_hidden {
     unsigned bounds[2];
 };
 
+struct lx_outline;
+
+/* Planes through the element behind which nothing is looked at: its horizon, and that of the face it lies on. */
+enum { LX_MOST_HORIZONS = 2 };
+
 struct lx_occlusion {
     struct lx_obstacles obstacles; /* their places are offsets from the element, but those of shapes */
+    struct lx_shaft shaft;
     double place_mm[3];
-    double error_mm;          /* how far any of them may be off */
-    struct lx_hidden *hidden; /* room for the most on an arc */
+    double horizons[LX_MOST_HORIZONS][3];
+    unsigned horizon_count;
+    struct lx_outline *outline; /* of the sheets, whose memory is kept */
+    bool has_outline, is_dark;  /* they hide something perhaps; all, certainly */
+    double error_mm;            /* how far any of them may be off */
+    struct lx_hidden *hidden;   /* room for the most on an arc */
     size_t most_hidden;
 };
 
@@ -47,20 +57,25 @@ int lx_occlusion_make(const struct lx_prepared *prepared, const struct lx_elemen
 void lx_occlusion_clear(struct lx_occlusion *occlusion);
 
 /*
- * The same step by step: begins with no obstacles, and returns the shaft in which they are to be gathered into
- * occlusion->obstacles; then leaves out those that hide nothing.  `normal`: what is below that horizon does not matter;
- * NULL: it does.  0, or -1 when memory ran out.
+ * The same step by step: begins with no obstacles, and returns the shaft in which they are to be gathered; gathers
+ * those of a shape, which may be the element's own, turned away from its normal; then leaves out those that hide
+ * nothing.  `normal`: what is below that horizon does not matter; NULL: it does.  0, or -1 when memory ran out.
  */
-struct lx_shaft lx_occlusion_begin(const double place_mm[3], const double *normal, const struct lx_emitter *emitter,
-                                   struct lx_occlusion *occlusion);
+const struct lx_shaft *lx_occlusion_begin(const double place_mm[3], const double *normal,
+                                          const struct lx_emitter *emitter, struct lx_occlusion *occlusion);
+int lx_occlusion_gather(const struct lx_shape *shape, bool is_own, bool is_turned, const double normal[3],
+                        struct lx_occlusion *occlusion);
 int lx_occlusion_settle(const struct lx_emitter *emitter, double place_error_mm, struct lx_occlusion *occlusion);
+
+/* Room for what is hidden of an arc, when outlines are laid out; 0, or -1. */
+int lx_occlusion_make_room(struct lx_occlusion *occlusion);
 
 /* Whether one of the obstacles hides all of the source, as far as can be told at once. */
 bool lx_occlusion_hides_all(const struct lx_occlusion *occlusion, const struct lx_emitter *emitter);
 
 static inline bool lx_is_occluded(const struct lx_occlusion *occlusion)
 {
-    return occlusion && occlusion->obstacles.count > 0;
+    return occlusion && (occlusion->obstacles.count > 0 || occlusion->has_outline || occlusion->is_dark);
 }
 
 /* The shaft from a ball of places to a source; all obstacles that count are before it. */

@@ -146,11 +146,12 @@ static enum lx_share_seen look(const struct lx_plan *plan, const struct lx_plann
                                struct lx_occlusion *occlusion)
 {
     const struct lx_emitter *emitter = planned->emitter;
-    const struct lx_shaft shaft =
-        lx_occlusion_begin(place_mm, looks_below(surface) ? NULL : normal, emitter, occlusion);
     bool failed = false;
-    for (size_t b = 0; b < planned->blocker_count && !failed; b++)
-        failed = lx_shape_gather(&plan->surfaces[planned->blockers[b]].shape, &shaft, &occlusion->obstacles) != 0;
+    lx_occlusion_begin(place_mm, looks_below(surface) ? NULL : normal, emitter, occlusion);
+    for (size_t b = 0; b < planned->blocker_count && !failed; b++) {
+        const struct lx_planned_surface *blocker = &plan->surfaces[planned->blockers[b]];
+        failed = lx_occlusion_gather(&blocker->shape, blocker == surface, false, normal, occlusion) != 0;
+    }
     if (failed || lx_occlusion_settle(emitter, 0, occlusion))
         return LX_SEES_NOTHING;
     if (!lx_is_occluded(occlusion))
@@ -215,6 +216,8 @@ double lx_diffuse_of_part(const struct lx_plan *plan, const struct lx_planned_su
     double closed;
     if (lx_skyline_irradiance(planned->emitter, normal, &penumbra->occlusion, &closed))
         return closed > 0 ? matte.diffuse.value * planned->emitter->radiance.value * closed : 0;
+    if (penumbra->occlusion.is_dark)
+        return 0;
     const double irradiance = lx_integrate_seen(planned->emitter, &bare, &penumbra->occlusion, true,
                                                 plan->least_maximum, plan->part_tolerance, asking)
                                   .irradiance.value;

@@ -97,7 +97,7 @@ lx_bounded lx_openness_of(const struct lx_prepared *prepared, const struct lx_el
 
 /* In closed form where there is one, else to the tolerance; behind obstacles to the tolerance. */
 static struct lx_lighting light_around(const struct lx_prepared *prepared, const struct lx_element *element,
-                                       const struct lx_emitter *emitter, const struct lx_occlusion *occlusion)
+                                       const struct lx_emitter *emitter, struct lx_occlusion *occlusion)
 {
     const struct lx_lobe *lobe = element->lobe;
     bool closed = emitter->attenuation == LX_INVERSE_SQUARE && !lx_is_occluded(occlusion);
@@ -128,7 +128,8 @@ static struct lx_lighting light_by_extended(const struct lx_prepared *prepared, 
     struct lx_occlusion occlusion = {.place_mm = {0}};
     struct lx_lighting lighting = {.irradiance = {0, HUGE_VAL}, .diffuse = {0, HUGE_VAL}, .specular = {0, HUGE_VAL}};
     if (!lx_occlusion_make(prepared, element, emitter, above, &occlusion))
-        lighting = light_around(prepared, element, emitter, &occlusion);
+        lighting = occlusion.is_dark ? (struct lx_lighting){.irradiance = lx_exact(0)}
+                                     : light_around(prepared, element, emitter, &occlusion);
     lx_occlusion_clear(&occlusion);
     return lighting;
 }

@@ -300,7 +300,7 @@ static bool are_in_front(const struct lx_occlusion *occlusion, const double norm
 static bool make_obstacles(const struct lx_occlusion *occlusion, struct skyline *skyline)
 {
     skyline->count = 1;
-    if (occlusion->obstacles.count >= MOST_BODIES)
+    if (occlusion->has_outline || occlusion->obstacles.count >= MOST_BODIES)
         return false;
     for (size_t i = 0; i < occlusion->obstacles.count; i++) {
         const struct lx_obstacle *obstacle = &occlusion->obstacles.items[i];

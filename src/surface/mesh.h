@@ -28,6 +28,9 @@ static inline double lx_mesh_size_of(const struct lx_shape *shape)
 void lx_mesh_enter(const struct lx_shape *shape, const double offset_mm[3], double place[3]);
 void lx_mesh_leave(const struct lx_shape *shape, const double direction[3], double turned[3]);
 
+/* The unit normal of the face at a place, as its corners run; false: there is none. */
+bool lx_mesh_face_normal(const struct lx_shape *shape, const double place_mm[3], double normal[3]);
+
 /* Members of the kind: mesh_shape.c, mesh_blocks.c. */
 struct lx_hit lx_mesh_hit(const struct lx_shape *shape, const struct lx_ray *ray);
 void lx_mesh_normal(const struct lx_shape *shape, const double offset_mm[3], double normal[3]);
@@ -41,6 +44,9 @@ lx_bounded lx_mesh_blocks(const struct lx_shape *shape, lx_bounded3 place_mm, lx
 int lx_mesh_gather(const struct lx_shape *shape, const struct lx_shaft *shaft, struct lx_obstacles *obstacles);
 lx_bounded lx_mesh_hides(const struct lx_shape *shape, lx_bounded3 place_mm, double facing, lx_bounded3 towards,
                          bool endless);
+unsigned lx_mesh_layers(const struct lx_shape *shape, const double from_mm[3], const double way[3]);
+int lx_mesh_gather_beside(const struct lx_shape *shape, double facing, const struct lx_obstacle *beyond,
+                          const struct lx_shaft *shaft, struct lx_obstacles *obstacles);
 bool lx_mesh_is_behind(const struct lx_shape *shape, const double offset_mm[3], const double normal[3],
                        const double way[3]);
 bool lx_mesh_encloses(const struct lx_shape *shape, const double place_mm[3]);

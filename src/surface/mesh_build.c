@@ -6,7 +6,7 @@
 
 #include "../base/larger.h"
 #include "../base/memory.h"
-#include "mesh_tree.h"
+#include "mesh_edges.h"
 
 enum {
     BINS = 16,
@@ -245,6 +245,7 @@ static void set_item(const struct lx_tree_triangle *triangle, struct item *item)
 static void free_tree(struct lx_kept *kept)
 {
     struct lx_mesh_tree *tree = (struct lx_mesh_tree *)kept;
+    lx_tree_free_edges(tree);
     free(tree->nodes);
     free(tree->triangles);
     free(tree->places);
@@ -304,5 +305,9 @@ struct lx_mesh_tree *lx_mesh_tree_new(const double (*corners)[3], const unsigned
         tree->places[number] = (uint32_t)i;
     }
     free(build.items);
+    if (lx_tree_make_edges(tree)) {
+        lx_kept_release(&tree->kept);
+        return NULL;
+    }
     return tree;
 }

@@ -1,16 +1,18 @@
 /* SPDX-License-Identifier: MIT */
-/* What a mesh puts between elements and an extended source: its triangles in a shaft, which the tree finds. */
+/*
+ * What a mesh puts between elements and an extended source: its outlines in a shaft, and the triangles that reach
+ * beyond where the source begins, but for those on which the element lies; and what is behind the face of an element
+ * of its own.
+ */
 #include <math.h>
 #include <string.h>
 
 #include "../base/vector.h"
 #include "mesh.h"
+#include "mesh_edges.h"
 #include "obstacle.h"
 
-/* Cutting sources by obstacles takes too long for more of them: larger meshes take no light of extended sources. */
-enum { MOST_OBSTACLES = 24 };
-
-/* A search for triangles in a shaft, which is in the frame of the tree. */
+/* A search for outlines in a shaft, which is in the frame of the tree. */
 struct gathering {
     const struct lx_shape *shape;
     struct lx_shaft shaft;
@@ -28,20 +30,24 @@ static void carry_ball(const struct lx_shape *shape, const double center_mm[3], 
     *radius = radius_mm / lx_mesh_size_of(shape);
 }
 
+static void carry_plane(const struct lx_shape *shape, const double plane[4], double room_mm, double made[4])
+{
+    made[0] = lx_dot(plane, shape->across);
+    made[1] = lx_dot(plane, shape->upward);
+    made[2] = lx_dot(plane, shape->axis);
+    made[3] = (lx_dot(plane, shape->anchor_mm) + plane[3] + room_mm) / lx_mesh_size_of(shape);
+}
+
 /* A shaft in the frame of the tree, wider by what lies on a face without touching it. */
 static struct lx_shaft shaft_in_tree(const struct lx_shape *shape, const struct lx_shaft *shaft)
 {
-    const double size = lx_mesh_size_of(shape), touch = shape->touch_mm;
+    const double touch = shape->touch_mm;
     struct lx_shaft made = {.plane_count = shaft->plane_count};
     carry_ball(shape, shaft->from_mm, shaft->from_radius_mm + touch, made.from_mm, &made.from_radius_mm);
-    carry_ball(shape, shaft->to_mm, shaft->to_radius_mm + touch, made.to_mm, &made.to_radius_mm);
-    for (unsigned i = 0; i < shaft->plane_count; i++) {
-        const double *plane = shaft->planes[i];
-        made.planes[i][0] = lx_dot(plane, shape->across);
-        made.planes[i][1] = lx_dot(plane, shape->upward);
-        made.planes[i][2] = lx_dot(plane, shape->axis);
-        made.planes[i][3] = (lx_dot(plane, shape->anchor_mm) + plane[3] + touch) / size;
-    }
+    carry_ball(shape, shaft->to_mm, shaft->outline_radius_mm + touch, made.to_mm, &made.to_radius_mm);
+    for (unsigned i = 0; i < shaft->plane_count; i++)
+        carry_plane(shape, shaft->planes[i], touch, made.planes[i]);
+    carry_plane(shape, shaft->before, -touch, made.before);
     return made;
 }
 
@@ -51,29 +57,92 @@ static bool meets_shaft(const void *data, const double low[3], const double high
     return lx_shaft_meets_box(&gathering->shaft, low, high);
 }
 
+/* Whether a box is not all before the source. */
+static bool reaches_beyond(const void *data, const double low[3], const double high[3])
+{
+    const struct gathering *gathering = data;
+    const double *plane = gathering->shaft.before;
+    double least = plane[3];
+    for (int k = 0; k < 3; k++)
+        least += plane[k] * (plane[k] > 0 ? low[k] : high[k]);
+    return least < 0;
+}
+
+static void leave_place(const struct lx_shape *shape, const double place[3], double place_mm[3])
+{
+    lx_mesh_leave(shape, place, place_mm);
+    for (int k = 0; k < 3; k++)
+        place_mm[k] = place_mm[k] * lx_mesh_size_of(shape) + shape->anchor_mm[k];
+}
+
+static bool take_edge(void *data, const double from[3], const double to[3], int change)
+{
+    struct gathering *gathering = data;
+    const double ends[2][3] = {{from[0], from[1], from[2]}, {to[0], to[1], to[2]}};
+    struct lx_outline_edge edge = {.change = change};
+    if (!lx_shaft_meets_hull(&gathering->shaft, ends, 2))
+        return true;
+    leave_place(gathering->shape, from, edge.from_mm);
+    leave_place(gathering->shape, to, edge.to_mm);
+    gathering->failed = lx_obstacles_append_edge(gathering->obstacles, &edge) < 0;
+    return !gathering->failed;
+}
+
 static bool take_triangle(void *data, const struct lx_tree_triangle *triangle)
 {
     struct gathering *gathering = data;
-    const struct lx_shape *shape = gathering->shape;
-    struct lx_obstacle obstacle = {.type = LX_OBSTACLE_POLYGON, .corner_count = 3, .touch_mm = shape->touch_mm};
+    struct lx_sheet sheet = {.turn = lx_triangle_turn(triangle, gathering->shaft.from_mm)};
     if (!lx_shaft_meets_hull(&gathering->shaft, triangle->corners, 3))
         return true;
     for (int c = 0; c < 3; c++) {
-        lx_mesh_leave(shape, triangle->corners[c], obstacle.corners_mm[c]);
-        for (int k = 0; k < 3; k++)
-            obstacle.corners_mm[c][k] = obstacle.corners_mm[c][k] * lx_mesh_size_of(shape) + shape->anchor_mm[k];
+        sheet.names[c] = triangle->names[c];
+        leave_place(gathering->shape, triangle->corners[c], sheet.corners_mm[c]);
     }
-    gathering->failed = lx_obstacles_append(gathering->obstacles, &obstacle) < 0;
+    gathering->failed = lx_obstacles_append_sheet(gathering->obstacles, &sheet) < 0;
     return !gathering->failed;
 }
 
 int lx_mesh_gather(const struct lx_shape *shape, const struct lx_shaft *shaft, struct lx_obstacles *obstacles)
 {
     const struct lx_mesh_body *body = shape->body;
-    if (body->tree->triangle_count > MOST_OBSTACLES)
+    if (!lx_shaft_meets_ball(shaft, shape->anchor_mm, shape->radius_mm + shape->touch_mm))
         return 0;
-    struct gathering gathering = {shape, shaft_in_tree(shape, shaft), obstacles, false};
-    const struct lx_tree_search search = {meets_shaft, take_triangle, &gathering};
-    lx_tree_search(body->tree, &search);
-    return gathering.failed ? -1 : 0;
+    struct gathering gathering = {
+        .shape = shape,
+        .shaft = shaft_in_tree(shape, shaft),
+        .obstacles = obstacles,
+    };
+    struct lx_tree_outline outline = {
+        .touch = shape->touch_mm / lx_mesh_size_of(shape),
+        .meets = meets_shaft,
+        .reaches_beyond = reaches_beyond,
+        .take_edge = take_edge,
+        .take_triangle = take_triangle,
+        .data = &gathering,
+    };
+    memcpy(outline.place, gathering.shaft.from_mm, sizeof outline.place);
+    lx_tree_outline(body->tree, &outline);
+    return gathering.failed || lx_obstacles_append_layered(obstacles, shape) ? -1 : 0;
+}
+
+int lx_mesh_gather_beside(const struct lx_shape *shape, double facing, const struct lx_obstacle *beyond,
+                          const struct lx_shaft *shaft, struct lx_obstacles *obstacles)
+{
+    struct lx_obstacle behind = *beyond;
+    if (lx_mesh_face_normal(shape, shaft->from_mm, behind.axis)) {
+        for (int k = 0; k < 3 && facing < 0; k++)
+            behind.axis[k] = -behind.axis[k];
+        if (lx_obstacles_append(obstacles, &behind))
+            return -1;
+    }
+    return lx_mesh_gather(shape, shaft, obstacles);
+}
+
+unsigned lx_mesh_layers(const struct lx_shape *shape, const double from_mm[3], const double way[3])
+{
+    const struct lx_mesh_body *body = shape->body;
+    struct lx_tree_ray ray = {.from = 0, .to = 1};
+    lx_mesh_enter(shape, from_mm, ray.origin);
+    lx_mesh_enter(shape, way, ray.direction);
+    return lx_tree_count(body->tree, &ray, shape->touch_mm / lx_mesh_size_of(shape));
 }

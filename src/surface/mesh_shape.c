@@ -114,6 +114,20 @@ void lx_mesh_normal_seen(const struct lx_shape *shape, const double offset_mm[3]
             normal[k] = -normal[k];
 }
 
+bool lx_mesh_face_normal(const struct lx_shape *shape, const double place_mm[3], double normal[3])
+{
+    double offset[3], place[3], own[3], distance;
+    for (int k = 0; k < 3; k++)
+        offset[k] = place_mm[k] - shape->anchor_mm[k];
+    lx_mesh_enter(shape, offset, place);
+    const struct lx_tree_triangle *triangle = triangle_at(shape, place, &distance);
+    if (!triangle)
+        return false;
+    face_normal(triangle, own);
+    lx_mesh_leave(shape, own, normal);
+    return lx_normalize(normal) > 0;
+}
+
 /* Shaded by the normals of its faces it is dark there already, but for highlights. */
 bool lx_mesh_is_behind(const struct lx_shape *shape, const double offset_mm[3], const double normal[3],
                        const double way[3])

@@ -275,6 +275,23 @@ bool lx_tree_is_met(const struct lx_mesh_tree *tree, const struct lx_tree_ray *r
     return false;
 }
 
+unsigned lx_tree_count(const struct lx_mesh_tree *tree, const struct lx_tree_ray *ray, double touch)
+{
+    const struct sheared sheared = shear_ray(tree, ray);
+    struct lx_tree_walk walk;
+    unsigned count = 0;
+    begin(&walk, tree, &sheared);
+    while (next_leaf(&walk))
+        for (; walk.next < walk.last; walk.next++) {
+            const struct lx_tree_triangle *triangle = &tree->triangles[walk.next];
+            double t;
+            bool is_front;
+            count += meet(&sheared, triangle, &t, &is_front) && t > sheared.from && t < sheared.to &&
+                     lx_triangle_square(triangle, ray->origin) > touch * touch;
+        }
+    return count;
+}
+
 bool lx_tree_is_inside(const struct lx_mesh_tree *tree, const double place[3])
 {
     /* Ways that no mesh is likely to be aligned with; the last one decides between the others. */
@@ -379,27 +396,4 @@ const struct lx_tree_triangle *lx_tree_nearest(const struct lx_mesh_tree *tree, 
     }
     *distance = sqrt(least);
     return best;
-}
-
-bool lx_tree_search(const struct lx_mesh_tree *tree, const struct lx_tree_search *search)
-{
-    uint32_t stack[LX_TREE_DEPTH];
-    unsigned depth = 1;
-    stack[0] = 0;
-    while (depth > 0) {
-        const struct lx_tree_node *node = &tree->nodes[stack[--depth]];
-        for (int side = 0; side < 2; side++) {
-            double low[3], high[3];
-            for (int k = 0; k < 3; k++)
-                low[k] = (double)node->ends[k][side], high[k] = (double)node->ends[k][side + 2];
-            if (node->count[side] == 0 || !search->meets(search->data, low, high))
-                continue;
-            if (node->count[side] == LX_TREE_BRANCH)
-                stack[depth++] = node->child[side];
-            for (uint32_t i = 0; node->count[side] != LX_TREE_BRANCH && i < node->count[side]; i++)
-                if (!search->take(search->data, &tree->triangles[node->child[side] + i]))
-                    return false;
-        }
-    }
-    return true;
 }

@@ -34,12 +34,31 @@ struct lx_tree_triangle {
     uint32_t names[3]; /* of the corners: the same place has one name */
 };
 
+/* An edge: its ends, each a triangle times 4 and one of its corners, and the faces along it. */
+struct lx_tree_edge {
+    uint32_t ends[2], first, count;
+};
+
+/* Around normals of faces, on both sides of which the cosine and the sine are those of its half angle. */
+struct lx_tree_cone {
+    float axis[3], sine, cosine;
+    bool is_known;
+};
+
+/* The edges (mesh_edges.h), by the triangles that own them: those of triangle t from owned[t] to owned[t + 1]. */
+struct lx_tree_edges {
+    struct lx_tree_edge *items;
+    uint32_t *faces, *owned;    /* a face: the triangle times 2, and 1 if it runs from the first end to the second */
+    struct lx_tree_cone *cones; /* of both sides of each node */
+};
+
 struct lx_mesh_tree {
     struct lx_kept kept;
     struct lx_tree_node *nodes;
     struct lx_tree_triangle *triangles; /* leaf by leaf */
     uint32_t *places;                   /* where each triangle of the mesh is among them */
     size_t node_count, triangle_count;
+    struct lx_tree_edges edges;
     double middle[3], unit;           /* a place p of the file is (p - middle)/unit in the tree */
     double low[3], high[3], farthest; /* the box around it and the greatest distance from the origin, in the tree */
 };
@@ -68,6 +87,9 @@ struct lx_tree_hit lx_tree_first(const struct lx_mesh_tree *tree, const struct l
 /* Whether a line meets any that is farther from its origin than `touch`, and from its end. */
 bool lx_tree_is_met(const struct lx_mesh_tree *tree, const struct lx_tree_ray *ray, double touch);
 
+/* How many of them it meets. */
+unsigned lx_tree_count(const struct lx_mesh_tree *tree, const struct lx_tree_ray *ray, double touch);
+
 /* Triangles that a line may meet, all whose box it passes, one a call: the next one, or NULL in the end. */
 enum { LX_TREE_DEPTH = 96 };
 struct lx_tree_walk {
@@ -90,14 +112,5 @@ double lx_triangle_square(const struct lx_tree_triangle *triangle, const double 
 
 /* Whether a closed mesh has a place inside, by a ray from it: the number of fronts and backs that it passes. */
 bool lx_tree_is_inside(const struct lx_mesh_tree *tree, const double place[3]);
-
-/* Branches of the tree for which `meets` is true of their boxes, in the tree's frame, down to triangles, for each of
- * which `take` is called; false: it stopped. */
-struct lx_tree_search {
-    bool (*meets)(const void *data, const double low[3], const double high[3]);
-    bool (*take)(void *data, const struct lx_tree_triangle *triangle);
-    void *data;
-};
-bool lx_tree_search(const struct lx_mesh_tree *tree, const struct lx_tree_search *search);
 
 #endif

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /* Lists of obstacles, what may come into a shaft, and what holds for kinds that gather nothing by themselves. */
 #include <math.h>
+#include <stdlib.h>
 #include <string.h>
 
 #include "../base/memory.h"
@@ -17,6 +18,40 @@ int lx_obstacles_append(struct lx_obstacles *obstacles, const struct lx_obstacle
         return -1;
     obstacles->items[obstacles->count++] = *obstacle;
     return 0;
+}
+
+int lx_obstacles_append_edge(struct lx_obstacles *obstacles, const struct lx_outline_edge *edge)
+{
+    if (lx_reserve(&obstacles->edges, &obstacles->edge_capacity, obstacles->edge_count + 1, sizeof *edge))
+        return -1;
+    obstacles->edges[obstacles->edge_count++] = *edge;
+    return 0;
+}
+
+int lx_obstacles_append_sheet(struct lx_obstacles *obstacles, const struct lx_sheet *sheet)
+{
+    if (lx_reserve(&obstacles->sheets, &obstacles->sheet_capacity, obstacles->sheet_count + 1, sizeof *sheet))
+        return -1;
+    obstacles->sheets[obstacles->sheet_count++] = *sheet;
+    return 0;
+}
+
+int lx_obstacles_append_layered(struct lx_obstacles *obstacles, const struct lx_shape *shape)
+{
+    if (lx_reserve(&obstacles->layered, &obstacles->layered_capacity, obstacles->layered_count + 1,
+                   sizeof *obstacles->layered))
+        return -1;
+    obstacles->layered[obstacles->layered_count++] = shape;
+    return 0;
+}
+
+void lx_obstacles_clear(struct lx_obstacles *obstacles)
+{
+    free(obstacles->items);
+    free(obstacles->edges);
+    free(obstacles->sheets);
+    free(obstacles->layered);
+    *obstacles = (struct lx_obstacles){.items = NULL};
 }
 
 static double size_of(const double place_mm[3])
@@ -109,7 +144,7 @@ int lx_shape_gather_beside(const struct lx_shape *shape, const double normal[3],
         offset[i] = shaft->from_mm[i] - shape->anchor_mm[i];
     shape->kind->normal(shape, offset, beyond.axis);
     const double facing = lx_dot(beyond.axis, normal);
-    if (facing >= 1 - LX_SAME_NORMAL)
+    if (facing >= 1 - LX_SAME_NORMAL && !shape->kind->normal_seen)
         return 0;
     if (facing < 0)
         for (int i = 0; i < 3; i++)

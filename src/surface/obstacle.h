@@ -9,13 +9,18 @@
  * which lx_shaft_meets_box() and the others tell that they are outside, a branch of its tree at a time.
  *
  * Obstacles take light from both of their sides, and may overlap.  What is nearer to the place than its `touch_mm`
- * hides nothing from it: an element of a mesh gets the triangle that it lies on as an obstacle, too.
+ * hides nothing from it.
+ *
+ * A kind of very many triangles, its sheets, gathers their outlines instead, as seen from a single place: the edges
+ * that sheets do not go on behind (shade/outline.h), and those sheets that reach beyond the plane behind which the
+ * source begins.  How many of them a way passes the kind's `layers` tells.
  */
 #ifndef LX_SURFACE_OBSTACLE_H
 #define LX_SURFACE_OBSTACLE_H
 
 #include <stdbool.h>
 #include <stddef.h>
+#include <stdint.h>
 
 #include "../base/bounded.h"
 #include "shape.h"
@@ -41,14 +46,37 @@ struct lx_obstacle {
     const struct lx_shape *shape; /* of LX_OBSTACLE_SHAPE */
 };
 
-/* A list; zero-initialise, free `items` with free().  It may be used again: set the count to 0. */
+/* An edge of sheets, and how many of them there are more on its left than on its right, as the place sees it. */
+struct lx_outline_edge {
+    double from_mm[3], to_mm[3];
+    int change;
+};
+
+/* A triangle; corners of one name are at one place. */
+struct lx_sheet {
+    double corners_mm[3][3];
+    uint32_t names[3];
+    int turn; /* 1 where the corners run counter-clockwise as the place sees them, else -1 */
+};
+
+/* Lists; zero-initialise, and clear.  They may be used again: set the counts to 0. */
 struct lx_obstacles {
     struct lx_obstacle *items;
     size_t count, capacity;
+    struct lx_outline_edge *edges;
+    size_t edge_count, edge_capacity;
+    struct lx_sheet *sheets;
+    size_t sheet_count, sheet_capacity;
+    const struct lx_shape **layered; /* whose sheets may be in the shaft */
+    size_t layered_count, layered_capacity;
 };
 
 /* 0, or -1 when memory ran out. */
 int lx_obstacles_append(struct lx_obstacles *obstacles, const struct lx_obstacle *obstacle);
+int lx_obstacles_append_edge(struct lx_obstacles *obstacles, const struct lx_outline_edge *edge);
+int lx_obstacles_append_sheet(struct lx_obstacles *obstacles, const struct lx_sheet *sheet);
+int lx_obstacles_append_layered(struct lx_obstacles *obstacles, const struct lx_shape *shape);
+void lx_obstacles_clear(struct lx_obstacles *obstacles);
 
 /* p.x + p[3] >= 0 for all places x of the shaft, p a unit vector, for each of the planes. */
 enum { LX_SHAFT_PLANES = 12 };
@@ -57,6 +85,8 @@ struct lx_shaft {
     double to_mm[3], to_radius_mm;     /* around the source */
     double planes[LX_SHAFT_PLANES][4];
     unsigned plane_count;
+    double outline_radius_mm; /* around the source, and around the rectangles in which outlines are looked at */
+    double before[4];         /* p.x + p[3] < 0 for all places of the source and beyond */
 };
 
 /* Whether something may come into the shaft: a ball, a box along the axes, the hull of some places. */

@@ -14,6 +14,10 @@ FILES = {
 }
 
 
+# By which a mesh may be shaded that has none of its own.
+NORMALS = ["auto", "smooth", "flat"]
+
+
 def _number(rng, low=-1000.0, high=1000.0):
     return rng.choice([rng.uniform(low, high), round(rng.uniform(low, high)), round(rng.uniform(low, high), 2)])
 
@@ -191,6 +195,13 @@ def _surface(rng):
     if rng.random() < 0.6:
         radius = rng.uniform(1e-3, 1000)
         return {"type": "sphere", "center": center, "radius": radius, **common}, center[2] + radius
+    if rng.random() < 0.2:
+        scale = rng.choice([0.1, 1, rng.uniform(0.01, 2)])
+        keys = _some(rng, {
+            "rotate": lambda: [_number(rng), 90, 0], "normals": lambda: rng.choice(NORMALS),
+            "crease": lambda: rng.choice([0, 180, 30.5]), "sides": lambda: rng.choice(["both", "front"])})
+        mesh = {"type": "mesh", "file": rng.choice(["cube.off", "cube.obj"]), "scale": scale, "position": center}
+        return {**mesh, **keys, **common}, center[2] + 2200 * scale
     size = [rng.uniform(1e-3, 1000) for _ in range(2)]
     keys = _some(rng, {"axis": lambda: rng.choice([[0, 0, 1e-300], [rng.uniform(-3, 3), 2.5, 10]]),
                        "up": lambda: rng.choice([[0, 1, 0], [-1, 0, 0], [1e300, -1e300, 0]])})

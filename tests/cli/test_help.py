@@ -72,7 +72,7 @@ def kinds(tap, tool):
         result = tool.run("help", kind["name"])
         tap.ok(kind["meaning"] in " ".join(result.out.split()) and (kind["example"] or "") in result.out,
                "help %s has its meaning and an example" % kind["name"], result)
-    tap.equal([kind["name"] for kind in kinds if not kind["example"]], ["points", "luminaire"],
+    tap.equal([kind["name"] for kind in kinds if not kind["example"]], ["mesh", "points", "luminaire"],
               "those that need a file have none")
     both = tool.run("help", "points").out
     tap.ok(both.startswith("points\n") and "points of the list lights" in both and "lights[].file" in both,

@@ -35,7 +35,7 @@ BEYOND = {
     "an area beyond reason": "an outline encloses an area",
     "corners in no plane": "an outline lies in a plane",
     "edges that cross": "the edges of an outline do not cross",
-    "mesh that is the scene": "a mesh is an OFF or OBJ file",
+    "mesh that is the scene": "a mesh is one of the formats that are read",
     "cloud that is the scene": "a cloud is a CSV or NPY file",
     "grid of too many cells": "a grid has ten million cells at most",
     "rectangle that shows its back": "the observer sees the front of every rectangle",
