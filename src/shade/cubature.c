@@ -340,6 +340,9 @@ static lx_bounded integrate(struct lx_problem *problem, const double place_mm[3]
         result.error = (estimate + all.inherited + strip + rounding * all.value) * scale;
         result.error += problem->top < 0 ? DBL_MIN : 0;
         result.error += is_occluded ? doubt_in_outline(problem, result.value, place_mm) : 0;
+        if (is_occluded && problem->occlusion->has_outline && !problem->is_stopped &&
+            result.value + result.error <= lx_outline_nothing(problem->occlusion->outline))
+            result = (lx_bounded){0, 0};
     }
     free(crossings.items);
     free(problem->room);

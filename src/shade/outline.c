@@ -102,6 +102,15 @@ double lx_outline_skipped(const struct lx_outline *outline)
     return sum;
 }
 
+double lx_outline_nothing(const struct lx_outline *outline)
+{
+    static const double NOTHING = 1e-14;
+    double sum = 0;
+    for (size_t i = 0; i < outline->lay_count; i++)
+        sum += NOTHING * outline->lays[i].area;
+    return sum;
+}
+
 size_t lx_outline_most(const struct lx_outline *outline)
 {
     size_t most = 1;

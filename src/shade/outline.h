@@ -50,7 +50,8 @@ struct lx_outline_lay {
     struct lx_outline_slab *slabs;
     size_t slab_count, slab_capacity;
     double unsure;  /* the width in u, times the height in v, of where rays and edges disagree */
-    double skipped; /* the same of slabs that are too narrow to be told from their neighbours */
+    double area;    /* the same of all that was looked at */
+    double skipped; /* and of slabs that are too narrow to be told from their neighbours */
 };
 
 struct lx_outline {
@@ -85,6 +86,10 @@ size_t lx_outline_hide(const struct lx_occlusion *occlusion, const struct lx_swe
  * too narrow. */
 double lx_outline_unsure(const struct lx_outline *outline);
 double lx_outline_skipped(const struct lx_outline *outline);
+
+/* A solid angle so small beside all that was looked at that no rounding tells it from nothing: what is no larger with
+ * its error counts as hidden. */
+double lx_outline_nothing(const struct lx_outline *outline);
 
 /*
  * The integral of N.L over what is seen of a source of facets, in closed form.  False: something else is in the way,

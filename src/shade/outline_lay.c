@@ -291,7 +291,8 @@ static int make_slabs(struct laying *laying, const struct lx_asking *asking)
     const double *ends = laying->u, height = laying->v[1] - laying->v[0];
     const double least = NARROW * (ends[1] - ends[0]) + ROUNDING * (fabs(ends[0]) + fabs(ends[1]));
     size_t next = 0, wall = 0;
-    lay->skipped = 8 * DBL_EPSILON * (ends[1] - ends[0]) * height;
+    lay->area = (ends[1] - ends[0]) * height;
+    lay->skipped = 8 * DBL_EPSILON * lay->area;
     if (ends[1] - ends[0] < UNSURE * (fabs(ends[0]) + fabs(ends[1]))) /* a strip between corners of one longitude */
         lay->skipped += (ends[1] - ends[0]) * height;
     if (lx_reserve(&laying->places, &laying->place_capacity, lay->line_count + 1, sizeof *laying->places))
@@ -343,7 +344,7 @@ static int lay_sweep(struct laying *laying, const struct lx_asking *asking)
 {
     struct lx_outline_lay *lay = laying->lay;
     lay->line_count = lay->part_count = lay->slab_count = 0;
-    lay->unsure = lay->skipped = 0;
+    lay->unsure = lay->skipped = lay->area = 0;
     laying->event_count = laying->wall_count = laying->row_count = laying->gap_count = 0;
     laying->horizon_count = 0;
     if (lx_outline_draw(laying))
@@ -368,7 +369,7 @@ int lx_outline_lay(const struct lx_occlusion *occlusion, const struct lx_sweeps 
     }
     for (size_t i = 0; i < outline->lay_count; i++)
         outline->lays[i].line_count = outline->lays[i].part_count = outline->lays[i].slab_count = 0,
-        outline->lays[i].unsure = outline->lays[i].skipped = 0;
+        outline->lays[i].unsure = outline->lays[i].skipped = outline->lays[i].area = 0;
     for (size_t i = 0; i < sweeps->count && !failed; i++) {
         laying.sweep = &sweeps->items[i];
         laying.lay = &outline->lays[i];

@@ -404,10 +404,12 @@ bool lx_tree_outline(const struct lx_mesh_tree *tree, const struct lx_tree_outli
                 continue;
             for (int k = 0; k < 3; k++)
                 low[k] = (double)node->ends[k][side], high[k] = (double)node->ends[k][side + 2];
+            if (!outline->meets(outline->data, low, high))
+                continue;
             const bool has_edges =
                 !sees_one_side(&tree->edges.cones[2 * number + (uint32_t)side], low, high, outline->place);
             const bool beyond = outline->reaches_beyond(outline->data, low, high);
-            if ((!has_edges && !beyond) || !outline->meets(outline->data, low, high))
+            if (!has_edges && !beyond)
                 continue;
             const uint32_t first = node->child[side], end = first + node->count[side];
             if (node->count[side] == LX_TREE_BRANCH)

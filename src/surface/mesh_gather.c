@@ -51,10 +51,38 @@ static struct lx_shaft shaft_in_tree(const struct lx_shape *shape, const struct 
     return made;
 }
 
+/* A pyramid from the place is bounded by its planes alone: the hull of balls around it need not be asked, which takes
+ * longer than all of them. */
+enum { PYRAMID = 5 };
+
 static bool meets_shaft(const void *data, const double low[3], const double high[3])
 {
-    const struct gathering *gathering = data;
-    return lx_shaft_meets_box(&gathering->shaft, low, high);
+    static const double ROOM = 1e-11; /* the tree is no larger than 1 */
+    const struct lx_shaft *shaft = &((const struct gathering *)data)->shaft;
+    if (shaft->plane_count < PYRAMID)
+        return lx_shaft_meets_box(shaft, low, high);
+    for (unsigned i = 0; i < shaft->plane_count; i++) {
+        const double *plane = shaft->planes[i];
+        double most = plane[3];
+        for (int k = 0; k < 3; k++)
+            most += plane[k] * (plane[k] > 0 ? high[k] : low[k]);
+        if (most < -ROOM)
+            return false;
+    }
+    return true;
+}
+
+static bool edge_meets_shaft(const struct lx_shaft *shaft, const double ends[2][3])
+{
+    static const double ROOM = 1e-11;
+    if (shaft->plane_count < PYRAMID)
+        return lx_shaft_meets_hull(shaft, ends, 2);
+    for (unsigned i = 0; i < shaft->plane_count; i++) {
+        const double *plane = shaft->planes[i];
+        if (lx_dot(plane, ends[0]) + plane[3] < -ROOM && lx_dot(plane, ends[1]) + plane[3] < -ROOM)
+            return false;
+    }
+    return true;
 }
 
 /* Whether a box is not all before the source. */
@@ -80,7 +108,7 @@ static bool take_edge(void *data, const double from[3], const double to[3], int 
     struct gathering *gathering = data;
     const double ends[2][3] = {{from[0], from[1], from[2]}, {to[0], to[1], to[2]}};
     struct lx_outline_edge edge = {.change = change};
-    if (!lx_shaft_meets_hull(&gathering->shaft, ends, 2))
+    if (!edge_meets_shaft(&gathering->shaft, ends))
         return true;
     leave_place(gathering->shape, from, edge.from_mm);
     leave_place(gathering->shape, to, edge.to_mm);

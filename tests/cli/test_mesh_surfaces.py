@@ -159,6 +159,34 @@ def balls_tend_to_a_ball(tap, tool):
     tap.ok(3 < off[0] / off[1] < 5.3 and 3 < off[1] / off[2] < 5.3, "four times nearer with twice the bands", off)
 
 
+def soft_shadows(tap, tool):
+    """Of balls of bands, which tend to that of the ball; in the umbra nothing is in doubt, and where a mesh stands in a
+    round source all is, which is told."""
+    floor = "{type: rectangle, center: [0, 0, 0], size: [1200, 1200], %s}" % MATERIAL
+    lamp = "lights=[{type: planar, rectangle: {center: [50, 30, 1500], size: [400, 300]}, radiance: 9}]"
+    places = ("--at", "260,40,0,0,0,1", "--at", "-190,200,0,0,0,1", "--at", "150,-250,0,0.2,0,1")
+    expected = values(tool, scene("{type: sphere, center: [10, 20, 500], radius: 200, %s}" % MATERIAL, floor), "-s",
+                      lamp, *places)
+    off = []
+    for bands in 16, 32, 64:
+        corners, faces = mesh_files.ball(bands, 200)
+        tool.write("ball.ply", mesh_files.ply(corners, faces, "binary_little_endian"))
+        text = scene(mesh("ball.ply"), floor)
+        found = values(tool, text, "-s", lamp, *places)
+        off.append(sum(abs(a - b) for (a, _), (b, _) in zip(found, expected)))
+        tap.ok(all(0 < value and error <= 1e-9 * value for value, error in found), "%d bands, to 1e-9" % bands, found)
+    tap.ok(off[1] < off[0] / 3 and off[2] < off[1] / 3 and 11 < off[0] / off[2] < 23,
+           "sixteen times nearer with four times the bands", off)
+    result = tool.run("probe", "scene.yaml", "--json", "-s", lamp, "--at", "10,20,0,0,0,1")
+    tap.ok(result.code == 0 and result.json()["points"][0]["value"] == 0, "the umbra is dark, without a doubt", result)
+    tool.write("in.yaml", text.replace("lights:", "lights:\n  - {type: volume, radiance: 1, sphere: "
+                                       "{center: [180, 20, 650], radius: 90}}"))
+    result = tool.run("probe", "in.yaml", "--json", "--at", "420,20,0,0,0,1")
+    point = result.json()["points"][0]["lights"][0]
+    tap.ok(result.code == 5 and point["error"] >= 0.5 * point["irradiance"] > 0, "a mesh in a globe is in doubt",
+           result)
+
+
 def turns(tap, tool):
     """x, then y, then z: against corners that are turned here."""
     corners, faces = mesh_files.box(SIZE)
@@ -274,11 +302,16 @@ def the_example(tap, tool):
     made = subprocess.run([sys.executable, os.path.join(folder, "make_knot.py"), tool.file("knot.ply")], check=False)
     with open(os.path.join(folder, "knot.ply"), "rb") as kept, open(tool.file("knot.ply"), "rb") as again:
         tap.ok(made.returncode == 0 and kept.read() == again.read(), "its mesh is what its program makes")
+    made = subprocess.run([sys.executable, os.path.join(folder, "make_pot.py"), tool.file("pot.ply")], check=False)
+    with open(os.path.join(folder, "pot.ply"), "rb") as kept, open(tool.file("pot.ply"), "rb") as again:
+        tap.ok(made.returncode == 0 and kept.read() == again.read(), "so is the other one's")
+    result = tool.run("render", os.path.join(folder, "window.yaml"), "--json", "-s", "screen.resolution=[40, 30]")
+    tap.ok(result.code == 0 and result.json()["lit"] > 0.9, "under a window", result)
     result = tool.run("render", os.path.join(folder, "knot.yaml"), "--json", "-s", "screen.resolution=[60, 60]")
     tap.ok(result.code == 0 and 0.5 < result.json()["lit"] <= 1, "and it is seen", result)
     result = tool.run("check", os.path.join(folder, "knot.yaml"))
     tap.ok(result.code == 0 and "knot.ply" not in result.out, "a closed mesh without advice", result)
 
 
-run_tests(Tap(), formats_agree, strips_and_sparse, as_other_surfaces, balls_tend_to_a_ball, turns, sides,
+run_tests(Tap(), formats_agree, strips_and_sparse, as_other_surfaces, balls_tend_to_a_ball, soft_shadows, turns, sides,
           files_are_told, broken_files_end, as_scenes_go, the_example)
