@@ -275,23 +275,34 @@ static int lay_occlusion(struct lx_problem *problem, struct lx_directions *cross
                : 0;
 }
 
-/* What of an integral is in doubt because an outline is: all of it where meshes reach into a round source, or have too
- * many edges; else where rays tell something else than edges do, times the most that the integrand may be. */
-static double doubt_in_outline(const struct lx_problem *problem, double value, const double place_mm[3])
+/* About the most that the integrand may be for a solid angle: of a lobe, as met. */
+static double largest_integrand(const struct lx_problem *problem, const double place_mm[3])
 {
-    const struct lx_outline *outline = problem->occlusion->has_outline ? problem->occlusion->outline : NULL;
-    if (!outline)
-        return 0;
-    const double unsure = lx_outline_unsure(outline);
-    const bool is_open = unsure > 0 || outline->is_doubtful || outline->is_broken;
+    static const double BETWEEN = 4; /* more than at any of the places that were looked at */
     const bool is_facets = problem->emitter->type == LX_FACETS;
     const double *center = is_facets ? problem->emitter->facets->center_mm : problem->emitter->center_mm;
     double away = is_facets ? problem->emitter->facets->radius_mm
                             : hypot(problem->emitter->radius_mm, problem->emitter->height_mm / 2);
     for (int k = 0; k < 3; k++)
         away += fabs(center[k] - place_mm[k]);
-    const double largest = problem->emitter->attenuation == LX_INVERSE_SQUARE ? 1 : fmax(away * away * 1e-6, 1);
-    return (is_open ? value : 0) + (unsure + lx_outline_skipped(outline)) * largest;
+    const double by_law = problem->emitter->attenuation == LX_INVERSE_SQUARE ? 1 : fmax(away * away * 1e-6, 1);
+    return by_law * (problem->lobe ? fmin(BETWEEN * exp(fmax(problem->highest, problem->top)), 1) : 1);
+}
+
+/*
+ * What of an integral is in doubt because an outline is: all of it where meshes reach into a round source, or have too
+ * many edges; else where rays tell something else than edges do, times the most that the integrand may be.  What is no
+ * more than a rounding of all that was looked at is nothing, but for tails of highlights.
+ */
+static lx_bounded doubt_outline(const struct lx_problem *problem, lx_bounded found, const double place_mm[3])
+{
+    const struct lx_outline *outline = problem->occlusion->outline;
+    const double unsure = lx_outline_unsure(outline), largest = largest_integrand(problem, place_mm);
+    const bool is_open = unsure > 0 || outline->is_doubtful || outline->is_broken;
+    const lx_bounded made = {found.value, found.error + (is_open ? found.value : 0) +
+                                              (unsure + lx_outline_skipped(outline)) * largest};
+    const bool is_nothing = made.value + made.error <= lx_outline_nothing(outline) * largest;
+    return is_nothing && !problem->lobe && !problem->is_stopped ? lx_exact(0) : made;
 }
 
 /* Integrates the problem over the source as it is seen from a place. */
@@ -339,10 +350,8 @@ static lx_bounded integrate(struct lx_problem *problem, const double place_mm[3]
             rounding += facets_error(problem->emitter->facets);
         result.error = (estimate + all.inherited + strip + rounding * all.value) * scale;
         result.error += problem->top < 0 ? DBL_MIN : 0;
-        result.error += is_occluded ? doubt_in_outline(problem, result.value, place_mm) : 0;
-        if (is_occluded && problem->occlusion->has_outline && !problem->is_stopped &&
-            result.value + result.error <= lx_outline_nothing(problem->occlusion->outline))
-            result = (lx_bounded){0, 0};
+        if (is_occluded && problem->occlusion->has_outline)
+            result = doubt_outline(problem, result, place_mm);
     }
     free(crossings.items);
     free(problem->room);

@@ -1,6 +1,5 @@
 /* SPDX-License-Identifier: MIT */
 /* Laying sweeps out: what is hidden between two places at which lines begin, end or cross. */
-#include <float.h>
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -292,7 +291,6 @@ static int make_slabs(struct laying *laying, const struct lx_asking *asking)
     const double least = NARROW * (ends[1] - ends[0]) + ROUNDING * (fabs(ends[0]) + fabs(ends[1]));
     size_t next = 0, wall = 0;
     lay->area = (ends[1] - ends[0]) * height;
-    lay->skipped = 8 * DBL_EPSILON * lay->area;
     if (ends[1] - ends[0] < UNSURE * (fabs(ends[0]) + fabs(ends[1]))) /* a strip between corners of one longitude */
         lay->skipped += (ends[1] - ends[0]) * height;
     if (lx_reserve(&laying->places, &laying->place_capacity, lay->line_count + 1, sizeof *laying->places))
@@ -319,7 +317,6 @@ static int make_slabs(struct laying *laying, const struct lx_asking *asking)
             return 0;
         if (make_slab(laying, low, start, high, (unsigned)i))
             return -1;
-        lay->skipped += high - low < UNSURE * (ends[1] - ends[0]) ? (high - low) * height : 0;
         low = start = high;
     }
     if (lay->slab_count > 0)
