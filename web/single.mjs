@@ -17,7 +17,6 @@ const html = read('index.html')
     .toString()
     .replace("script-src 'self'", () => `script-src 'sha256-${hash}'`)
     .replace("style-src 'self'", () => `style-src 'sha256-${styleHash}'`)
-    .replace("worker-src 'self'", () => 'worker-src blob:')
     .replace(/<link rel="stylesheet"[^>]*>/, () => `<style>${style}</style>`)
     .replace(/<script type="module"[^>]*><\/script>/, '')
     .replace('</body>', () =>

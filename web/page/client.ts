@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The page's end of the worker: questions as promises, and a new worker where the old one failed.
 import type { Questions } from './worker';
-import CoreWorker from './worker?worker';
+import workerAddress from './worker?worker&url';
 
 type Answer<T> = T extends (...values: never[]) => infer R ? Awaited<R> : never;
 
@@ -10,7 +10,7 @@ function embedded(id: string): Uint8Array<ArrayBuffer> | null {
     return text ? Uint8Array.from(atob(text), (character) => character.charCodeAt(0)) : null;
 }
 
-async function fetched(name: string): Promise<Response> {
+async function fetched(name: string | URL): Promise<Response> {
     const response = await fetch(new URL(name, document.baseURI));
     if (!response.ok) throw new Error(`${name}: ${response.status}`);
     return response;
@@ -29,7 +29,9 @@ export class Client {
     private waiting = new Map<number, { resolve: (answer: any) => void; reject: (error: Error) => void }>();
     private next = 0;
     private module!: WebAssembly.Module;
+    private source!: string; // the address of the worker's text, which is kept so that a new one asks for nothing
     private words: Record<string, string> = {};
+    private isTwin = false;
     private russian: Record<string, string> | null = null;
     /** Called when a worker had to be started anew. */
     onRestart: () => void = () => undefined;
@@ -37,8 +39,26 @@ export class Client {
     async start(language: string) {
         const bytes = embedded('embedded-core') ?? (await (await fetched('luxel-core.wasm')).arrayBuffer());
         this.module = await WebAssembly.compile(bytes);
+        const text =
+            embedded('embedded-worker') ??
+            (await (await fetched(new URL(workerAddress, import.meta.url))).arrayBuffer());
+        this.source = URL.createObjectURL(new Blob([text], { type: 'text/javascript' }));
         this.words = await this.wordsOf(language);
         return this.restart();
+    }
+
+    /** Another worker with a core of its own, for long work that may be given up. */
+    async twin(): Promise<Client> {
+        const twin = new Client();
+        Object.assign(twin, { module: this.module, source: this.source, words: this.words, isTwin: true });
+        await twin.restart();
+        return twin;
+    }
+
+    /** Gives up whatever it does; it cannot be asked any more. */
+    stop() {
+        this.worker.terminate();
+        this.giveUp('stopped');
     }
 
     private async wordsOf(language: string): Promise<Record<string, string>> {
@@ -54,11 +74,8 @@ export class Client {
     }
 
     private restart() {
-        const own = embedded('embedded-worker');
         this.worker?.terminate();
-        this.worker = own
-            ? new Worker(URL.createObjectURL(new Blob([own], { type: 'text/javascript' })))
-            : new CoreWorker();
+        this.worker = new Worker(this.source);
         this.worker.onmessage = ({ data }) => this.answered(data);
         this.worker.onerror = (event) => this.failed(event.message);
         return this.ask('start', this.module, this.words);
@@ -74,10 +91,15 @@ export class Client {
         }
     }
 
-    private failed(reason: string) {
+    private giveUp(reason: string) {
         for (const asked of this.waiting.values()) asked.reject(new Error(reason));
         this.waiting.clear();
-        this.restart().then(this.onRestart, () => undefined);
+    }
+
+    private failed(reason: string) {
+        this.giveUp(reason);
+        if (this.isTwin) this.worker.terminate();
+        else this.restart().then(this.onRestart, () => undefined);
     }
 
     ask<Name extends keyof Questions>(

@@ -92,13 +92,13 @@ class Page {
         } catch {
             this.say(t('The link holds no scene that can be read.'));
         }
-        this.model.setText(text);
+        this.model.begin(text);
     }
 
     private listen() {
         this.model.client.onRestart = () => {
             this.say(t('The core failed and was started anew. Nothing is lost.'));
-            this.model.judge();
+            this.model.recover(t('The core fails on this scene. Change it, or undo.'));
         };
         this.model.listen((topic) => {
             if (topic === 'text') this.textChanged();
@@ -114,6 +114,8 @@ class Page {
             this.space.probe = probe;
             this.space.draw();
         };
+        this.space.image = this.picture.image;
+        this.picture.onPaint = () => this.space.draw();
         this.picture.onWhy = () => this.why();
         const select = (thing: Thing | null) => {
             this.picture.selected = this.space.selected = thing;
@@ -306,7 +308,7 @@ class Page {
     private openText(text: string) {
         this.space.fit();
         this.picture.probe = null;
-        this.model.setText(text);
+        this.model.begin(text);
         this.refit = true;
     }
 

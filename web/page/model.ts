@@ -6,6 +6,8 @@ import { Client } from './client';
 import type { Picture } from './worker';
 
 const OFTEN = 24; // milliseconds that a picture may take to follow the hand
+const SLOW = 200; // milliseconds from which on a second worker makes a picture
+const UNKNOWN = 8; // the stride of a scene's first picture
 const STRIDES = [1, 2, 4, 8, 16];
 const MOST_STEPS = 200; // of the history
 
@@ -58,6 +60,10 @@ export class Model {
     private wantsPicture = false;
     private coarse = 1; // the stride at which a picture follows the hand
     private lastMark = '';
+    private wholeTime = 0; // milliseconds that a whole picture takes, by the last one
+    private slow: Client | null = null;
+    private pictureClient = this.client;
+    private failing = ''; // the text with which the core failed last
 
     listen(listener: (topic: Topic) => void) {
         this.listeners.push(listener);
@@ -79,6 +85,12 @@ export class Model {
         this.text = text;
         this.tell('text');
         this.judge();
+    }
+
+    /** Takes another scene, of which a coarse picture comes first, as nobody knows how long it takes. */
+    begin(text: string) {
+        this.coarse = UNKNOWN;
+        this.setText(text);
     }
 
     /** Ends a step of the history, so that the next change begins one. */
@@ -163,32 +175,63 @@ export class Model {
 
     private async render() {
         this.wantsPicture = true;
+        this.slow?.stop();
+        this.slow = null;
         if (this.rendering) return;
         this.rendering = true;
         while (this.wantsPicture) {
             this.wantsPicture = false;
             const stride = this.coarse;
-            await this.renderOnce(stride).catch(() => undefined);
-            if (!this.wantsPicture && stride > 1) {
-                await new Promise((resolve) => setTimeout(resolve, 120)); // the hand may still be moving
-                if (!this.wantsPicture) await this.renderOnce(1).catch(() => undefined);
-            }
+            await this.renderOnce(stride, this.client).catch(() => undefined);
+            if (this.wantsPicture || this.picture?.stride === 1) continue;
+            await new Promise((resolve) => setTimeout(resolve, 120)); // the hand may still be moving
+            if (!this.wantsPicture) await this.renderWhole().catch(() => undefined);
         }
         this.rendering = false;
     }
 
-    private async renderOnce(stride: number) {
-        const picture = await this.client.ask('render', this.wholeText, this.irradiance, stride);
+    /** A whole picture that takes long is made by a second worker, which is stopped when another one is wanted. */
+    private async renderWhole() {
+        if (this.wholeTime < SLOW) return this.renderOnce(1, this.client);
+        const slow = await this.client.twin();
+        if (this.wantsPicture) return slow.stop();
+        this.slow = slow;
+        await this.renderOnce(1, slow);
+    }
+
+    private async renderOnce(stride: number, client: Client) {
+        const text = this.wholeText;
+        const picture = await client.ask('render', text, this.irradiance, stride);
         if ('messages' in picture) {
             this.messages = picture.messages;
             this.stale = true;
             this.tell('scene');
             return;
         }
-        const whole = picture.milliseconds * stride * stride;
-        this.coarse = STRIDES.find((each) => whole / (each * each) <= OFTEN) ?? STRIDES[STRIDES.length - 1];
+        this.failing = '';
+        this.wholeTime = picture.milliseconds * stride * stride;
+        this.coarse = STRIDES.find((each) => this.wholeTime / (each * each) <= OFTEN) ?? STRIDES[STRIDES.length - 1];
         this.picture = picture;
+        this.pictureClient = client;
         this.tell('picture');
+    }
+
+    /** Lines of equal value of the picture that is shown. */
+    isophotes(logarithmic: boolean) {
+        return this.pictureClient.ask('isophotes', 8, logarithmic).catch(() => []);
+    }
+
+    /** After a failure of the core: begins anew, but not with a text that made it fail twice. */
+    recover(message: string) {
+        const isHopeless = this.failing === this.text;
+        this.failing = this.text;
+        if (!isHopeless) {
+            void this.judge();
+            return;
+        }
+        this.stale = true;
+        this.messages = [{ error: true, line: 0, column: 0, length: 0, key: null, message, hint: '' }];
+        this.tell('scene');
     }
 
     private async numbersOf(keys: string[]): Promise<(number[] | null)[]> {

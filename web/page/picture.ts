@@ -20,10 +20,11 @@ export class PictureView {
     probe: [number, number] | null = null;
     onProbe: (x: number, y: number) => void = () => undefined;
     onWhy: () => void = () => undefined;
+    onPaint: () => void = () => undefined;
     onSelect: (thing: Thing) => void = () => undefined;
     private marks: Mark[] = [];
     private isophotes: Isophote[] = [];
-    private image = document.createElement('canvas');
+    readonly image = document.createElement('canvas'); // the samples in their colours
     private isDrawn = true;
     private isDragging = false;
 
@@ -54,7 +55,7 @@ export class PictureView {
         const picture = this.model.picture;
         if (!picture) return;
         this.adapt();
-        this.isophotes = this.showsIsophotes ? await this.model.client.ask('isophotes', 8, this.scale.logarithmic) : [];
+        this.isophotes = this.showsIsophotes ? await this.model.isophotes(this.scale.logarithmic) : [];
         this.repaint();
     }
 
@@ -66,6 +67,7 @@ export class PictureView {
         this.image.height = rows;
         const pixels = paint(picture.values, picture.mask, this.scale);
         this.image.getContext('2d')!.putImageData(new ImageData(pixels, columns, rows), 0, 0);
+        this.onPaint();
         this.draw();
     }
 

@@ -16,6 +16,7 @@ export class SpaceView {
     readonly canvas = h('canvas', { tabindex: 0, class: 'space', role: 'img' });
     selected: Thing | null = null;
     probe: Probe | null = null;
+    image: HTMLCanvasElement | null = null; // what the screen shows
     onSelect: (thing: Thing | null) => void = () => undefined;
     onSide: (side: Side) => void = () => undefined;
     side: Side = 'orbit';
@@ -163,12 +164,32 @@ export class SpaceView {
             [w / 2, h / 2, 0],
             [-w / 2, h / 2, 0],
         ];
+        if (this.image && this.image.width > 1) this.drawPicture(context, this.image);
         context.strokeStyle = styleColour('--accent');
         this.path(context, corners, true);
         context.globalAlpha = 0.08;
         context.fillStyle = styleColour('--accent');
         context.fill();
         context.globalAlpha = 1;
+    }
+
+    // The picture lies in the screen; a parallel view of a rectangle is an affine map of it.
+    private drawPicture(context: CanvasRenderingContext2D, image: HTMLCanvasElement) {
+        const [w, h] = this.model.screen;
+        const [ox, oy] = this.seen([-w / 2, h / 2, 0]);
+        const [rx, ry] = this.seen([w / 2, h / 2, 0]);
+        const [dx, dy] = this.seen([-w / 2, -h / 2, 0]);
+        context.save();
+        context.transform(
+            (rx - ox) / image.width,
+            (ry - oy) / image.width,
+            (dx - ox) / image.height,
+            (dy - oy) / image.height,
+            ox,
+            oy,
+        );
+        context.drawImage(image, 0, 0);
+        context.restore();
     }
 
     private drawShape(context: CanvasRenderingContext2D, shape: Shape) {

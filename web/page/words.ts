@@ -75,6 +75,8 @@ const RUSSIAN: Record<string, string> = {
     more: 'ещё',
     Apply: 'Применить',
     mm: 'мм',
+    'The core fails on this scene. Change it, or undo.':
+        'Ядро не справляется с этой сценой. Измените её или отмените изменение.',
 };
 
 export type Language = 'en' | 'ru';

@@ -261,6 +261,26 @@ async function survivesCrash(page) {
     await page.waitForFunction(() => document.querySelector('.value').textContent.startsWith('11.038'));
 }
 
+async function endsLongWork(page) {
+    await openScene(page, 'report');
+    const text = await page.evaluate(() => window.luxel.inside.builtins.find(({ name }) => name === 'room').text);
+    await inside(page, `void model.begin(${JSON.stringify(text)})`);
+    await until(page, 'model.slow !== null && model.picture.stride > 1');
+    const start = Date.now();
+    await inside(page, 'void model.change([{ set: "lights[0].enabled=false" }])');
+    await until(page, "model.slow === null && model.wholeText.includes('enabled: false')");
+    return `${Date.now() - start} ms until a long picture gives way`;
+}
+
+async function givesUpHopeless(page) {
+    await openScene(page, 'report');
+    await inside(page, 'void (model.failing = model.text)'); // as if it had been this text that failed before
+    await page.evaluate(() => window.luxel.inside.model.client.ask('crash').catch(() => undefined));
+    await page.locator('.messages .error').waitFor();
+    await inside(page, "void model.change([{ set: 'lights[0].intensity=11' }])");
+    await until(page, "!model.stale && model.failing === ''");
+}
+
 async function speaksRussian(page) {
     await openScene(page, 'report');
     await page.getByLabel('Language').selectOption('ru');
@@ -375,6 +395,8 @@ export async function page(folder, tool) {
     await test('files are downloaded and opened again', () => downloads(page, tool));
     await test('a scene travels in a link', () => links(page, browser, url));
     await test('a crash of the core loses nothing', () => survivesCrash(page));
+    await test('a scene on which the core fails again and again is told', () => givesUpHopeless(page));
+    await test('a picture that takes long gives way to a change', () => endsLongWork(page));
     await test('Russian, with decimal commas', () => speaksRussian(page));
     await test('nothing is fetched after loading', () => offline(page, asked));
     await test('quick', () => quick(page));
