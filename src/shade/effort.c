@@ -13,6 +13,9 @@ static const double SINGLE_NS = 0.3, DOUBLE_NS = 0.8, SMOOTH_NS = 0.06, BLOCKER_
 static const double EDGE_NS = 0.5, ROUND_NS = 2, LAW_NS = 20, INTEGRAL_NS = 50;
 static const double HIGHLIGHT_NS = 5, REFERENCE_NS = 5000, TREE_NS = 50;
 
+/* A source that surfaces may hide, of which one pixel in eight may see a part; and its highlight, or another law. */
+static const double PENUMBRA_NS = 200, SEEN_NS = 800;
+
 static double lights_ns(const struct lx_plan *plan, const struct lx_planned_surface *surface)
 {
     double sum = 0;
@@ -30,7 +33,9 @@ static double shells_ns(const struct lx_plan *plan, const struct lx_planned_surf
     double sum = LAW_NS * (double)surface->by_law_count + highlight * (double)surface->glossy_count;
     for (size_t s = 0; s < surface->shell_count; s++) {
         const struct lx_planned_shell *planned = &surface->shells[s];
+        const bool is_summed = surface->glossy_count > 0 || planned->emitter->attenuation != LX_INVERSE_SQUARE;
         sum += planned->by_reference ? REFERENCE_NS : 0;
+        sum += planned->blocker_count > 0 ? PENUMBRA_NS + (is_summed ? SEEN_NS : 0) : 0;
         sum += planned->shell.type == LX_FACETS ? EDGE_NS * (double)planned->shell.edge_count : ROUND_NS;
     }
     return sum;

@@ -24,6 +24,7 @@
 
 #include "kernel_real.h"
 #include "kernel_samples.h"
+#include "kernel_beams.h"
 #include "kernel_survey.h"
 
 #include "kernel_angle.h"
@@ -47,6 +48,7 @@
 
 #include "kernel_real.h"
 #include "kernel_samples.h"
+#include "kernel_beams.h"
 #include "kernel_survey.h"
 
 static void set_all(double *values, size_t count, double number)
@@ -371,6 +373,8 @@ const struct lx_kernels TABLE_OF(LX_ISA) = {
     .value_single = value_single,
     .samples_single = samples_single,
     .samples_double = samples_double,
+    .beams_single = sum_beams_single,
+    .beams_double = sum_beams_double,
     .survey_single = survey_single,
     .survey_double = survey_double,
     .set_all = set_all,

@@ -93,6 +93,10 @@ enum lx_light_kind { LX_DISTANT, LX_BY_SQUARE, LX_BY_SUM, LX_UNATTENUATED, LX_PR
         enum lx_attenuation law;                                                                                       \
         real k, by_none, by_root, by_square; /* as in struct lx_light */                                               \
     };                                                                                                                 \
+    struct lx_beams_##suffix {                                                                                         \
+        _Alignas(64) real x[LX_BLOCK], y[LX_BLOCK], z[LX_BLOCK]; /* a direction, of any length */                      \
+        real weight[LX_BLOCK];                                                                                         \
+    };                                                                                                                 \
     struct lx_shell_face_##suffix {                                                                                    \
         real normal[3]; /* unit */                                                                                     \
         real height;    /* of its plane over the source's centre */                                                    \
@@ -109,7 +113,10 @@ enum lx_light_kind { LX_DISTANT, LX_BY_SQUARE, LX_BY_SUM, LX_UNATTENUATED, LX_PR
                                    const float *open, size_t count, double *sum);                                      \
     typedef void lx_shade_samples_##suffix(const struct lx_samples_##suffix *samples, size_t first, size_t count,      \
                                            const struct lx_lobe_##suffix *lobe, const struct lx_block_##suffix *block, \
-                                           size_t start, real *sum)
+                                           size_t start, real *sum);                                                   \
+    typedef double lx_sum_beams_##suffix(const struct lx_beams_##suffix *beams, size_t count,                          \
+                                         const struct lx_lobe_##suffix *lobe, const double normal[3],                  \
+                                         const double view[3])
 
 /*
  * lx_shade_single, lx_shade_double: add to sum[i] what the lights, at least one and all of one kind, give to element i.
@@ -121,6 +128,10 @@ enum lx_light_kind { LX_DISTANT, LX_BY_SQUARE, LX_BY_SUM, LX_UNATTENUATED, LX_PR
  * brightness that `count` of them, from the first on, give to the elements from `start` on.  A sample gives
  * gain cos(its angle) a, with a by law: 1/r^2, 1/(k + r), 1; r in mm.  Of a ball gain is area, over R^2, for a unit of
  * x and of the turn, but for sin(angle) d angle/dx; of a side over R for a unit of length and y, but for d angle/dy.
+ *
+ * lx_sum_beams_single, lx_sum_beams_double: what one element makes of light from many directions: the sum of their
+ * weights times the highlight, for a specular coefficient of 1 and not cut at the horizon, over the cubes of their
+ * lengths.  Of `count` directions in whole lanes; those beyond the ones that are meant weigh 0.
  */
 LX_KERNEL_TYPES(double, double);
 LX_KERNEL_TYPES(float, single);
@@ -360,6 +371,8 @@ struct lx_kernels {
     lx_value_single *value_single;
     lx_shade_samples_single *samples_single;
     lx_shade_samples_double *samples_double;
+    lx_sum_beams_single *beams_single;
+    lx_sum_beams_double *beams_double;
     lx_survey_single *survey_single;
     lx_survey_double *survey_double;
     lx_set_all *set_all;

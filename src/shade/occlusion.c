@@ -139,9 +139,8 @@ static bool is_beyond(const struct lx_emitter *emitter, const double place_mm[3]
     return true;
 }
 
-/* How far the source comes at most along a direction from the place. */
-static double reach_along(const struct lx_emitter *emitter, const double place_mm[3], const double direction[3],
-                          double *nearest)
+double lx_reach_along(const struct lx_emitter *emitter, const double place_mm[3], const double direction[3],
+                      double *nearest)
 {
     double offset[3], farthest = -HUGE_VAL;
     *nearest = HUGE_VAL;
@@ -188,7 +187,7 @@ static bool is_aside(const struct lx_obstacle *flat, const struct lx_emitter *em
         for (int k = 0; k < 3; k++)
             axis[k] = -axis[k];
     return fabs(height) <= flat->touch_mm ||
-           reach_along(emitter, place_mm, axis, &nearest) <= fabs(height) + flat->touch_mm;
+           lx_reach_along(emitter, place_mm, axis, &nearest) <= fabs(height) + flat->touch_mm;
 }
 
 /* Whether a polygon as seen from the place lies beside the source. */
@@ -410,7 +409,7 @@ static bool polygon_hides_all(const struct lx_obstacle *polygon, const struct lx
     double height = lx_dot(axis, polygon->corners_mm[0]);
     for (int k = 0; k < 3 && height < 0; k++)
         axis[k] = -axis[k];
-    reach_along(emitter, place_mm, axis, &nearest);
+    lx_reach_along(emitter, place_mm, axis, &nearest);
     if (!(nearest > fabs(height) + polygon->touch_mm))
         return false;
     for (unsigned i = 0; i < polygon->corner_count; i++) {
@@ -419,7 +418,7 @@ static bool polygon_hides_all(const struct lx_obstacle *polygon, const struct lx
         const double sign = lx_dot(first, polygon->corners_mm[(i + 2) % polygon->corner_count]) < 0 ? -1 : 1;
         for (int k = 0; k < 3; k++)
             first[k] *= sign;
-        reach_along(emitter, place_mm, first, &nearest);
+        lx_reach_along(emitter, place_mm, first, &nearest);
         if (!(nearest > 0))
             return false;
     }
@@ -434,7 +433,7 @@ static bool ball_hides_all(const struct lx_obstacle *ball, const struct lx_emitt
     const double away = lx_normalize(axis), sine = ball->radius_mm / away;
     if (ball->is_around || !(sine < 1))
         return false;
-    reach_along(emitter, place_mm, axis, &nearest);
+    lx_reach_along(emitter, place_mm, axis, &nearest);
     if (!(nearest > away))
         return false;
     const double alpha = asin(sine) * (1 - 1e-12), cosine = cos(alpha);

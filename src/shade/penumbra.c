@@ -11,6 +11,7 @@
 #include "../light/extended.h"
 #include "blocking.h"
 #include "cubature.h"
+#include "glimpse.h"
 #include "skyline.h"
 
 /* Elements next to each other in whose way the same surfaces are looked for. */
@@ -201,6 +202,47 @@ static void look_again(const struct lx_plan *plan, const struct lx_planned_surfa
     look(plan, surface, planned, place, normal, &penumbra->occlusion);
 }
 
+/* Whether skylines are as exact as the picture: the outline of a cylinder is put together of parts that touch each
+ * other, which costs half of the digits. */
+static bool is_closed(const struct lx_plan *plan, const struct lx_emitter *emitter,
+                      const struct lx_occlusion *occlusion)
+{
+    bool has_cylinder = emitter->type == LX_CYLINDER;
+    for (size_t i = 0; i < occlusion->obstacles.count; i++)
+        has_cylinder = has_cylinder || occlusion->obstacles.items[i].type == LX_OBSTACLE_TUBE;
+    return !has_cylinder || plan->precision != LUXEL_DOUBLE;
+}
+
+static struct lx_glimpse glimpse_of(const struct lx_plan *plan, const struct lx_planned_surface *surface,
+                                    const struct lx_planned_shell *planned, const struct lx_element *element,
+                                    const struct lx_penumbra *penumbra)
+{
+    return (struct lx_glimpse){
+        .kernels = plan->kernels,
+        .source = &surface->glossy[planned - surface->shells],
+        .occlusion = &penumbra->occlusion,
+        .lobe = &surface->glossy_exact,
+        .lobe_single = &surface->glossy_single,
+        .normal = {element->normal.x.value, element->normal.y.value, element->normal.z.value},
+        .view = {element->view.x.value, element->view.y.value, element->view.z.value},
+    };
+}
+
+/* The irradiance of what an element sees, for a radiance of 1, if it is known without an integral over arcs. */
+static bool find_irradiance(const struct lx_plan *plan, const struct lx_planned_surface *surface,
+                            const struct lx_planned_shell *planned, const struct lx_element *element,
+                            const struct lx_penumbra *penumbra, double *irradiance)
+{
+    const struct lx_emitter *emitter = planned->emitter;
+    const double normal[3] = {element->normal.x.value, element->normal.y.value, element->normal.z.value};
+    if (emitter->attenuation == LX_INVERSE_SQUARE)
+        return is_closed(plan, emitter, &penumbra->occlusion) &&
+               lx_skyline_irradiance(emitter, normal, &penumbra->occlusion, irradiance);
+    struct lx_glimpse glimpse = glimpse_of(plan, surface, planned, element, penumbra);
+    glimpse.is_matte = true;
+    return plan->precision != LUXEL_DOUBLE && lx_glimpse_sum(&glimpse, irradiance);
+}
+
 double lx_diffuse_of_part(const struct lx_plan *plan, const struct lx_planned_surface *surface,
                           const struct lx_planned_shell *planned, const struct lx_element *element,
                           struct lx_penumbra *penumbra, const struct lx_asking *asking)
@@ -212,16 +254,30 @@ double lx_diffuse_of_part(const struct lx_plan *plan, const struct lx_planned_su
     if (lx_extended_touches(planned->emitter, element->place_mm))
         return 0;
     look_again(plan, surface, planned, element, penumbra);
-    const double normal[3] = {element->normal.x.value, element->normal.y.value, element->normal.z.value};
-    double closed;
-    if (lx_skyline_irradiance(planned->emitter, normal, &penumbra->occlusion, &closed))
-        return closed > 0 ? matte.diffuse.value * planned->emitter->radiance.value * closed : 0;
+    double seen;
+    if (find_irradiance(plan, surface, planned, element, penumbra, &seen))
+        return seen > 0 ? matte.diffuse.value * planned->emitter->radiance.value * seen : 0;
     if (penumbra->occlusion.is_dark)
         return 0;
     const double irradiance = lx_integrate_seen(planned->emitter, &bare, &penumbra->occlusion, true,
                                                 plan->least_maximum, plan->part_tolerance, asking)
                                   .irradiance.value;
     return irradiance > 0 ? matte.diffuse.value * irradiance : 0;
+}
+
+bool lx_glimpse_of_part(const struct lx_plan *plan, const struct lx_planned_surface *surface,
+                        const struct lx_planned_shell *planned, const struct lx_element *element, double known,
+                        struct lx_penumbra *penumbra, double *highlight)
+{
+    if (plan->tolerance < LX_GLIMPSE_TOLERANCE || lx_extended_touches(planned->emitter, element->place_mm))
+        return false;
+    look_again(plan, surface, planned, element, penumbra);
+    struct lx_glimpse glimpse = glimpse_of(plan, surface, planned, element, penumbra);
+    glimpse.allowed = plan->tolerance / 2 * known;
+    if (!lx_glimpse_sum(&glimpse, highlight))
+        return false;
+    *highlight *= planned->emitter->radiance.value * surface->glossy_exact.specular;
+    return true;
 }
 
 double lx_highlight_of_part(const struct lx_plan *plan, const struct lx_planned_surface *surface,

@@ -42,10 +42,13 @@ bool lx_find_sight(const struct lx_plan *plan, const struct lx_planned_surface *
                    size_t end, struct lx_penumbra *penumbra);
 
 /* The diffuse light and the highlight of an element that sees a part of a source; `known`: how bright it is, and the
- * picture somewhere. */
+ * picture somewhere.  A glimpse is quick; false: it is not for this part. */
 double lx_diffuse_of_part(const struct lx_plan *plan, const struct lx_planned_surface *surface,
                           const struct lx_planned_shell *planned, const struct lx_element *element,
                           struct lx_penumbra *penumbra, const struct lx_asking *asking);
+bool lx_glimpse_of_part(const struct lx_plan *plan, const struct lx_planned_surface *surface,
+                        const struct lx_planned_shell *planned, const struct lx_element *element, double known,
+                        struct lx_penumbra *penumbra, double *highlight);
 double lx_highlight_of_part(const struct lx_plan *plan, const struct lx_planned_surface *surface,
                             const struct lx_planned_shell *planned, const struct lx_element *element, double known,
                             struct lx_penumbra *penumbra, const struct lx_asking *asking);

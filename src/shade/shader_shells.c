@@ -105,9 +105,32 @@ static bool sees_all(const struct lx_plan *plan, const struct lx_planned_surface
     return true;
 }
 
+/* The highlight of all of a source over a run of elements, sampled when it is first asked for. */
+struct whole_highlight {
+    double added[LX_LANES];
+    bool is_tried, is_good;
+};
+
+static void sample_whole(const struct lx_plan *plan, const struct lx_planned_surface *surface, size_t s,
+                         struct lx_shader_memory *memory, size_t start, const struct lx_asking *asking,
+                         struct whole_highlight *whole)
+{
+    struct lx_sampler sampling = sampler_of(plan, surface, asking);
+    double sum[LX_LANES];
+    if (whole->is_tried)
+        return;
+    sampling.sources += s;
+    sampling.source_count = 1;
+    memcpy(sum, memory->sum + start, sizeof sum);
+    whole->is_tried = true;
+    whole->is_good = lx_sample_run(&sampling, memory->sampling, &memory->seen.block, &memory->seen.copy, start, sum);
+    for (size_t i = 0; i < LX_LANES; i++)
+        whole->added[i] = sum[i] - memory->sum[start + i];
+}
+
 /*
- * Adds the highlight of a source to a run of elements that see parts of it.  That of the whole source is no less: where
- * it does not matter, half of it does for a part.
+ * Adds the highlight of a source to a run of elements that see parts of it.  Where rules of few nodes are not for a
+ * part, that of the whole source tells whether it matters: it is no less, and half of it does where it is small.
  */
 static void light_by_seen_highlight(const struct lx_plan *plan, const struct lx_planned_surface *surface, size_t s,
                                     struct lx_shader_memory *memory, size_t start, size_t last,
@@ -116,29 +139,29 @@ static void light_by_seen_highlight(const struct lx_plan *plan, const struct lx_
     const double SMALL = 0.5; /* of the tolerance */
     const struct lx_planned_shell *planned = &surface->shells[s];
     const struct lx_block_double *block = &memory->seen.block;
-    struct lx_sampler sampling = sampler_of(plan, surface, asking);
-    double sum[LX_LANES];
-    sampling.sources += s;
-    sampling.source_count = 1;
-    const bool all = lx_find_sight(plan, surface, planned, block, start, last, &memory->penumbra);
-    memcpy(sum, memory->sum + start, sizeof sum);
-    const bool is_sampled = lx_sample_run(&sampling, memory->sampling, block, &memory->seen.copy, start, sum);
-    if (all && is_sampled) {
-        memcpy(memory->sum + start, sum, sizeof sum);
-        return;
-    }
+    struct lx_penumbra *penumbra = &memory->penumbra;
+    struct whole_highlight whole = {.is_tried = false};
+    lx_find_sight(plan, surface, planned, block, start, last, penumbra);
+    if (memchr(penumbra->sight + start, LX_SEES_ALL, last - start))
+        sample_whole(plan, surface, s, memory, start, asking, &whole);
     for (size_t i = start; i < last && lx_asking_goes_on(asking); i++) {
-        const uint8_t sight = memory->penumbra.sight[i];
-        const double added = sum[i - start] - memory->sum[i];
+        const uint8_t sight = penumbra->sight[i];
         const double known = fmax(plan->least_maximum, memory->sum[i]);
+        const struct lx_element element = element_of(surface, block, i);
+        double glimpsed;
         if (sight == LX_SEES_NOTHING)
             continue;
-        if (is_sampled && (sight == LX_SEES_ALL || added < SMALL * plan->tolerance * known)) {
+        if (sight == LX_SEES_PART && lx_glimpse_of_part(plan, surface, planned, &element, known, penumbra, &glimpsed)) {
+            memory->sum[i] += glimpsed;
+            continue;
+        }
+        sample_whole(plan, surface, s, memory, start, asking, &whole);
+        const double added = whole.added[i - start];
+        if (whole.is_good && (sight == LX_SEES_ALL || added < SMALL * plan->tolerance * known)) {
             memory->sum[i] += sight == LX_SEES_ALL ? added : added / 2;
             continue;
         }
-        const struct lx_element element = element_of(surface, block, i);
-        memory->sum[i] += lx_highlight_of_part(plan, surface, planned, &element, known, &memory->penumbra, asking);
+        memory->sum[i] += lx_highlight_of_part(plan, surface, planned, &element, known, penumbra, asking);
     }
 }
 
