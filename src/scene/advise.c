@@ -60,6 +60,16 @@ static bool is_around(const struct lx_scene_parameters *scene, const struct lx_i
     return lx_surface_surrounds(kind, surface->parameters, place);
 }
 
+/* Whether a surface is one that nobody wants to see the ends of: it surrounds the observer, or fills the screen beyond
+ * all its sides behind or under others, as a floor does. */
+static bool is_backdrop(const struct lx_scene_parameters *scene, const struct lx_item *surface)
+{
+    bool fills = scene->surfaces.count > 1;
+    for (int edge = 0; edge < 4 && fills; edge++)
+        fills = is_beyond(scene, surface, edge / 2, edge % 2, 1);
+    return fills || is_around(scene, surface);
+}
+
 /* The first of some round factors by which the screen must grow to show all surfaces; 0: none will do. */
 static double find_growth(const struct lx_scene_parameters *scene)
 {
@@ -68,7 +78,7 @@ static double find_growth(const struct lx_scene_parameters *scene)
         for (size_t f = 0; f < LX_COUNT(factors); f++) {
             bool fits = true;
             for (size_t i = 0; i < scene->surfaces.count && fits; i++)
-                for (int edge = 0; edge < 4 && fits && !is_around(scene, &scene->surfaces.items[i]); edge++)
+                for (int edge = 0; edge < 4 && fits && !is_backdrop(scene, &scene->surfaces.items[i]); edge++)
                     fits = !is_beyond(scene, &scene->surfaces.items[i], edge / 2, edge % 2, ten * factors[f]);
             if (fits)
                 return ten * factors[f];
@@ -94,7 +104,7 @@ static void advise_view(struct lx_walk *walk, const struct lx_scene_parameters *
     double growth = -1; /* not known yet */
     for (size_t i = 0; i < scene->surfaces.count; i++, id = lx_document_node(walk->document, id)->next) {
         struct lx_text edges = {0};
-        if (is_around(scene, &scene->surfaces.items[i]))
+        if (is_backdrop(scene, &scene->surfaces.items[i]))
             continue;
         for (int axis = 0; axis < 2; axis++)
             for (int side = 0; side < 2; side++) {

@@ -59,6 +59,9 @@ static void watches_the_view(void **state)
     expect_advice("center: [0, 0, 1000]", "center: [101, 0, 1000]",
                   WANTED("not-in-view", 6, 5, "surfaces[0]", "right"));
     expect_advice("center: [0, 0, 1000]", "center: [0, -150, 1000]", WANTED("not-in-view", 6, 5, .message = "bottom"));
+    /* a wall behind it, whose ends nobody wants to see */
+    expect_advice("surfaces:\n", "surfaces:\n  - {type: rectangle, center: [0, 0, 500], size: [900, 900]}\n",
+                  WANTED(NULL));
     /* in perspective the same sphere looks larger: its outline lies at 100/sqrt(500^2 - 100^2) of 1500 mm */
     static const struct {
         const char *words;
