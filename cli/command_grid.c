@@ -147,6 +147,12 @@ static void write_grid(struct json *json, const luxel_grid *grid)
     write_number_if(json, "mean", grid->has_mean, grid->mean);
     write_number_if(json, "mean_error", grid->has_mean, grid->mean_error);
     write_number_if(json, "error", measured, grid->error);
+    if (grid->has_reflected) {
+        json_open(json, "reflected", '{');
+        json_number(json, "average", grid->reflected_average);
+        json_number(json, "error", grid->reflected_error);
+        json_close(json, '}');
+    }
     write_number_if(json, "average_error", measured, grid->average_error);
     write_number_if(json, "sampling_error", grid->has_sampling_error, grid->sampling_error);
     json_text(json, "sampling_error_is",
@@ -369,7 +375,7 @@ static int finish(const struct options *options, const struct loaded *loaded, co
     size_t missed = 0;
 
     for (size_t i = 0; i < grids->count; i++)
-        missed += !grids->list[i]->tolerance_reached;
+        missed += !(grids->list[i]->tolerance_reached && grids->list[i]->reflected_reached);
     if (options->json)
         print_json(grids);
     else if (standard_output_is_free(options))

@@ -49,6 +49,13 @@ static void print_shares(const luxel_scene *scene, const luxel_probe *probe)
                                          text_value(specular, 12, share->specular), text_error(share->error, error),
                                          split ? text_format(parts, "%zu", share->parts) : NULL));
     }
+    if (probe->has_reflected) {
+        char irradiance[TEXT_SIZE], value[TEXT_SIZE], error[TEXT_SIZE];
+
+        text_table_row(table, TEXT_CELLS(_("reflected"), "", text_value(irradiance, 12, probe->reflected_irradiance),
+                                         text_value(value, 12, probe->reflected_value), "",
+                                         text_error(probe->reflected_error, error), split ? "" : NULL));
+    }
     text_table_print(table, stdout, 4);
 }
 
@@ -109,7 +116,7 @@ static void print_point(const struct result *result, size_t i)
            probe->normal[0] + 0.0, probe->normal[1] + 0.0, probe->normal[2] + 0.0);
     print_surface(result, probe);
     print_pixel(probe);
-    if (probe->share_count > 0)
+    if (probe->share_count > 0 || probe->has_reflected)
         print_shares(result->scene, probe);
 }
 

@@ -159,6 +159,20 @@ static bool take_light_error(struct options *options, const char *argument)
     return false;
 }
 
+static bool take_reflected_error(struct options *options, const char *argument)
+{
+    double value;
+
+    if (!argument_number("--reflected-error", argument, &value))
+        return false;
+    if (value > 0.0 && value < 1.0) {
+        options->settings.reflected_error = value;
+        return true;
+    }
+    message_error(_("--reflected-error %s: expected a number above 0 and below 1"), argument);
+    return false;
+}
+
 static bool take_workers(struct options *options, const char *argument)
 {
     return argument_whole("--workers", argument, 1, 1024, &options->sweep.workers);
@@ -515,6 +529,9 @@ static const struct option_row rows[] = {
     {"light-error", 0, N_("E"), COMPUTING, SHARED, TAKES(take_light_error),
      .help = N_("error of a pixel allowed for taking many points together, relative to its value or to a thousandth of "
                 "the maximum, from 0 (the default: each point is summed) to below 1")},
+    {"reflected-error", 0, N_("R"), COMPUTING, SHARED, TAKES(take_reflected_error),
+     .help = N_("error that reflected light may have, relative to the value of a probe or of a grid's cell, above 0 and "
+                "below 1; the default is 0.001; exit code 5 where it is not reached")},
     {"strict", 0, NULL, SCENES, SHARED, SETS(strict), .help = N_("treat advice about the scene as an error")},
     {"json", 0, NULL, COMMAND_ANY, SHARED, SETS(json), .help = N_("print the results as one JSON object")},
     {"quiet", 'q', NULL, COMMAND_ANY, SHARED, SETS(quiet),

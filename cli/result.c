@@ -41,7 +41,8 @@ int result_probe(const struct options *options, const luxel_scene *scene, luxel_
     result->surfaces = message_allocate(luxel_scene_surface_count(scene), sizeof *result->surfaces);
     result->use = places_use(options, scene, result->probes, result->count, result->surfaces);
     for (size_t i = 0; i < result->count; i++)
-        missed += result->probes[i].has_value && !result->probes[i].tolerance_reached;
+        missed += result->probes[i].has_value &&
+                  !(result->probes[i].tolerance_reached && result->probes[i].reflected_reached);
     if (missed > 0)
         message_tolerance(missed, result->count);
     return missed > 0 ? EXIT_TOLERANCE : EXIT_DONE;
@@ -187,6 +188,13 @@ static void write_probe(struct json *json, const struct light_strengths *lights,
     for (size_t i = 0; probe->has_value && i < probe->share_count; i++)
         write_share(json, lights, &probe->shares[i]);
     json_close(json, ']');
+    if (probe->has_reflected) {
+        json_open(json, "reflected", '{');
+        json_number(json, "irradiance", probe->reflected_irradiance);
+        json_number(json, "value", probe->reflected_value);
+        json_number(json, "error", probe->reflected_error);
+        json_close(json, '}');
+    }
     if (probe->source_on_element)
         json_text(json, "reason", text_format(reason, on_element, probe->blocking_light));
     json_close(json, '}');

@@ -11,7 +11,7 @@ import sys
 from tap import Tap
 
 # From the ground up.  Rooms of one line never include each other.
-FLOORS = [["base"], ["format"], ["parameter"], ["material"], ["light", "surface"], ["scene"], ["study"], ["shade"],
+FLOORS = [["base"], ["format"], ["parameter"], ["material"], ["light", "surface"], ["scene"], ["study"], ["shade"], ["reflect"],
           ["field"], ["document"], ["api"], ["exercise"], ["figure"]]
 # Folders of programs that use the library as any other program would.
 OUTSIDE = ["front", "cli", "app", "web", "bindings", "examples", "python", "tests/cli", "tests/app",

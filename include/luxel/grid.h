@@ -71,6 +71,10 @@ typedef struct luxel_grid {
     bool is_coarse;              /* the sampling error is above a hundredth of the mean: finer cells are needed */
     size_t enclosed;             /* the number of cells whose centres are inside the bodies of surfaces */
     size_t enclosing_surface;    /* where there are some: the surface around the first, as an index in the scene */
+    bool has_reflected;          /* whether surfaces reflect light to each other; then all numbers above have it */
+    double reflected_average;    /* the plain mean of what is reflected */
+    double reflected_error;      /* the largest of the bounds of its errors */
+    bool reflected_reached;      /* whether each of them is at most reflected_error times the value; see settings */
     bool tolerance_reached;      /* whether each error is at most the tolerance times the value (for a dark cell, times
                                     the maximum or, where all is dark, what the lights bring to it): the settings'
                                     tolerance, or 1e-9 where there is no closed form */

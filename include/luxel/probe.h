@@ -59,6 +59,11 @@ typedef struct luxel_probe {
     double value;             /* the exact value, the sum over the lights */
     double error;             /* bounds |value - truth| */
     bool tolerance_reached;   /* whether error <= tolerance * |value|; see luxel_settings */
+    bool has_reflected;       /* whether the scene's surfaces reflect light to each other; then value and error have it */
+    double reflected_irradiance; /* E_r, what the element receives this way */
+    double reflected_value;   /* what that adds to the value */
+    double reflected_error;   /* bounds the error of what it adds */
+    bool reflected_reached;   /* whether reflected_error <= reflected_error * |value|; see luxel_settings */
     bool has_pixel_value;     /* false where there is no pixel, or it has no value */
     double pixel_value;       /* the picture's value at the pixel */
     double position_mm[3];    /* the element's place, where on_surface */

@@ -10,7 +10,7 @@ PRECISIONS = ("single", "double")
 #: Called at most 20 times a second with the share done, 0 to 1; returning False ends the work with a LuxelError.
 Progress = Callable[[float], Any]
 #: What luxel._luxel takes.
-Settings = Tuple[int, int, int, Optional[str], float, float, int, bool, Optional[Progress]]
+Settings = Tuple[int, int, int, Optional[str], float, float, float, int, bool, Optional[Progress]]
 #: What a picture that carries its scene was made with: quantity, precision, tolerance, light_error.
 Carried = Tuple[int, int, float, float]
 
@@ -26,13 +26,14 @@ def choice(name: str, word: str, words: Tuple[str, ...]) -> int:
 def settings(carried: Optional[Carried], quantity: Optional[str] = None, precision: Optional[str] = None,
              threads: int = 0, instruction_set: Optional[str] = None, tolerance: Optional[float] = None,
              light_error: Optional[float] = None, stride: int = 1, minimum_reached: bool = False,
-             progress: Optional[Progress] = None) -> Settings:
+             progress: Optional[Progress] = None, reflected_error: Optional[float] = None) -> Settings:
     """The settings: what is not given is as the picture tells that the scene was read from, or the default."""
     default = carried or (0, 0, 0.0, 0.0)
     return (default[0] if quantity is None else choice("quantity", quantity, QUANTITIES),
             default[1] if precision is None else choice("precision", precision, PRECISIONS),
             _count("threads", threads), instruction_set, default[2] if tolerance is None else float(tolerance),
-            default[3] if light_error is None else float(light_error), _count("stride", stride), minimum_reached,
+            default[3] if light_error is None else float(light_error),
+            0.0 if reflected_error is None else float(reflected_error), _count("stride", stride), minimum_reached,
             progress)
 
 

@@ -61,9 +61,9 @@ bool work_begin(struct work *work, PyObject *settings)
     *work = (struct work){.share = 1};
     luxel_settings_init(&work->settings);
     if (!is_tuple(settings) ||
-        !PyArg_ParseTuple(settings, "iiIzddIpO", &quantity, &precision, &work->settings.threads,
+        !PyArg_ParseTuple(settings, "iiIzdddIpO", &quantity, &precision, &work->settings.threads,
                           &work->settings.instruction_set, &work->settings.tolerance, &work->settings.light_error,
-                          &work->settings.stride, &reached, &progress))
+                          &work->settings.reflected_error, &work->settings.stride, &reached, &progress))
         return false;
     work->settings.quantity = (luxel_quantity)quantity;
     work->settings.precision = (luxel_precision)precision;

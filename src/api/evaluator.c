@@ -7,7 +7,7 @@
 #include "../base/diagnostics.h"
 #include "../base/memory.h"
 #include "../shade/evaluate.h"
-#include "session.h"
+#include "reflecting.h"
 
 void luxel_evaluator_free(luxel_evaluator *evaluator)
 {
@@ -28,7 +28,9 @@ luxel_status luxel_evaluator_new(const luxel_scene *scene, const luxel_settings 
     if (!made)
         return lx_out_of_memory(diagnostics);
     struct lx_session session;
-    const luxel_status status = lx_session_open_world(scene, settings, diagnostics, &session);
+    luxel_status status = lx_session_open_world(scene, settings, diagnostics, &session);
+    if (status == LUXEL_OK)
+        status = lx_refuse_reflections(session.prepared.scene, diagnostics);
     made->settings = session.settings;
     made->kernels = session.kernels;
     made->prepared = session.prepared;

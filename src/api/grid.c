@@ -16,7 +16,7 @@
 #include "../shade/evaluate.h"
 #include "../shade/flux.h"
 #include "../shade/world.h"
-#include "session.h"
+#include "reflecting.h"
 
 void luxel_grid_free(luxel_grid *grid)
 {
@@ -214,14 +214,26 @@ static bool reaches(const struct measuring *measuring, bool is_asked_for)
     return true;
 }
 
-static void judge(const struct measuring *measuring, bool is_tolerance_asked_for)
+/* What is read off the values, and is to be read anew. */
+static void forget(luxel_grid *grid)
 {
-    luxel_grid *grid = &measuring->made->grid;
+    grid->measured = 0;
+    grid->error = 0;
+}
+
+static void judge_evenness(luxel_grid *grid)
+{
     grid->has_evenness = grid->average > 0; /* which a maximum below the normal numbers may leave at 0 */
     if (grid->has_evenness) {
         grid->u0 = grid->minimum.value / grid->average;
         grid->ud = grid->minimum.value / grid->maximum.value;
     }
+}
+
+static void judge(const struct measuring *measuring, bool is_tolerance_asked_for)
+{
+    luxel_grid *grid = &measuring->made->grid;
+    judge_evenness(grid);
     grid->tolerance_reached = reaches(measuring, is_tolerance_asked_for);
 }
 
@@ -393,6 +405,73 @@ static luxel_status new_grid(const struct lx_session *session, const struct lx_g
     return LUXEL_OK;
 }
 
+/* ---- reflected light ---- */
+
+/* The cells that have values, as places that receive light; returns how many. */
+static size_t make_places(const struct measuring *measuring, struct lx_reflected_place *places)
+{
+    const luxel_grid *grid = &measuring->made->grid;
+    size_t made = 0;
+    for (unsigned cell = 0; cell < grid->columns * grid->rows; cell++) {
+        struct lx_elements elements;
+        if (!measuring->mask[cell])
+            continue;
+        make_elements(measuring, cell, 1, &elements);
+        const struct lx_element element = lx_elements_get(measuring->prepared, &elements, 0);
+        places[made].receiver = lx_receiver_of(measuring->prepared, &element);
+        places[made++].direct = measuring->values[cell];
+    }
+    return made;
+}
+
+/* Adds what is reflected to the cells that have values. */
+static void add_reflected(const struct measuring *measuring, const luxel_settings *settings,
+                          const lx_bounded *irradiance)
+{
+    luxel_grid *grid = &measuring->made->grid;
+    size_t made = 0;
+    grid->has_reflected = true;
+    for (size_t cell = 0; cell < (size_t)grid->columns * grid->rows; cell++) {
+        if (!measuring->mask[cell])
+            continue;
+        const lx_bounded light = irradiance[made++];
+        const lx_bounded total = lx_add((lx_bounded){measuring->values[cell], measuring->errors[cell]}, light);
+        grid->reflected_average += light.value;
+        grid->reflected_error = fmax(grid->reflected_error, lx_told_error(light));
+        measuring->values[cell] = total.value;
+        measuring->errors[cell] = lx_told_error(total);
+        if (!(lx_told_error(light) <= fmax(lx_reflected_error_of(settings) * total.value, DBL_MIN)))
+            grid->reflected_reached = false;
+    }
+    if (made > 0)
+        grid->reflected_average /= (double)made;
+}
+
+static luxel_status reflect(const struct lx_session *session, const struct measuring *measuring,
+                            luxel_diagnostics *diagnostics)
+{
+    const size_t cells = (size_t)measuring->made->grid.columns * measuring->made->grid.rows;
+    struct lx_reflected_place *places = lx_new_array(cells, sizeof *places);
+    lx_bounded *irradiance = lx_new_array(cells, sizeof *irradiance);
+    luxel_status status = places && irradiance ? LUXEL_OK : lx_out_of_memory(diagnostics);
+    const size_t count = status == LUXEL_OK ? make_places(measuring, places) : 0;
+    if (count > 0) {
+        const struct lx_reflecting reflecting = {.prepared = measuring->prepared,
+                                                 .kernels = measuring->world.kernels,
+                                                 .settings = &session->settings,
+                                                 .control = measuring->control,
+                                                 .places = places,
+                                                 .count = count,
+                                                 .irradiance = irradiance};
+        status = lx_reflect_places(&reflecting, diagnostics);
+    }
+    if (status == LUXEL_OK)
+        add_reflected(measuring, &session->settings, irradiance);
+    free(places);
+    free(irradiance);
+    return status;
+}
+
 static luxel_status run(const struct lx_session *session, struct measuring *measuring, luxel_diagnostics *diagnostics)
 {
     luxel_grid *grid = &measuring->made->grid;
@@ -403,16 +482,28 @@ static luxel_status run(const struct lx_session *session, struct measuring *meas
     measuring->threads = lx_thread_count(settings->threads, control.rows / 4 + 1);
     if (!measure(measuring, false))
         return LUXEL_CANCELLED;
+    const bool reflects = lx_wants_reflections(measuring->prepared->scene);
     gather(measuring);
+    judge(measuring, settings->tolerance > 0);
+    grid->reflected_reached = true;
+    if (reflects) {
+        const luxel_status status = reflect(session, measuring, diagnostics);
+        if (status != LUXEL_OK)
+            return status;
+        forget(grid);
+        gather(measuring);
+        judge_evenness(grid);
+    }
     if (grid->measured > 0 && !isfinite(grid->average)) {
         lx_report(diagnostics, LUXEL_SEVERITY_ERROR, NULL, LX_MSG_VALUE_TOO_LARGE, LX_ARGS("double"));
         lx_hint(diagnostics, LX_MSG_LOWER_STRENGTHS, NULL);
         return LUXEL_ERROR_RANGE;
     }
-    judge(measuring, settings->tolerance > 0);
     find_enclosed(measuring);
-    integrate(measuring);
-    judge_sampling(measuring);
+    if (!reflects) { /* what these know is the direct light */
+        integrate(measuring);
+        judge_sampling(measuring);
+    }
     return atomic_load(&control.stop) ? LUXEL_CANCELLED : LUXEL_OK;
 }
 

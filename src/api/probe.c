@@ -16,6 +16,7 @@
 #include "../shade/camera.h"
 #include "../shade/evaluate.h"
 #include "probe_pixels.h"
+#include "reflecting.h"
 #include "session.h"
 
 /* Probes with all that they point to: a single one is an array of one. */
@@ -103,6 +104,7 @@ static luxel_status new_probes(const struct lx_scene_parameters *scene, size_t c
     for (size_t i = 0; i < count; i++) {
         luxel_probe *probe = &made->list[i];
         probe->tolerance_reached = true;
+        probe->reflected_reached = true;
         probe->share_count = 0;
         probe->shares = made->shares + i * made->named_count;
         memcpy(probe->shares, made->named, made->named_count * sizeof *probe->shares);
@@ -241,6 +243,80 @@ static luxel_status check_values(const luxel_probe *probes, size_t count, luxel_
     return LUXEL_OK;
 }
 
+/* ---- reflected light ---- */
+
+/* The element of a probe that has a value. */
+static struct lx_element element_of(const struct lx_prepared *prepared, const luxel_place *place)
+{
+    struct lx_element element;
+    if (place->is_element)
+        return lx_free_element_at(prepared, place);
+    lx_element_seen(prepared, place->screen_mm[0], place->screen_mm[1], &element);
+    return element;
+}
+
+/* What a value has of an irradiance that comes by diffuse reflection. */
+static lx_bounded share_of(const struct lx_session *session, const struct lx_element *element)
+{
+    return session->settings.quantity == LUXEL_IRRADIANCE ? lx_exact(1) : element->lobe->diffuse;
+}
+
+/* Adds what is reflected to the probes that have values. */
+static void add_reflected(const struct probing *probing, const lx_bounded *irradiance, size_t count)
+{
+    const struct lx_session *session = probing->session;
+    for (size_t i = 0, made = 0; i < count; i++) {
+        luxel_probe *probe = &probing->probes->list[i];
+        if (!probe->has_value)
+            continue;
+        const struct lx_element element = element_of(&session->prepared, &probing->places[i]);
+        const lx_bounded value = lx_mul(share_of(session, &element), irradiance[made]);
+        const lx_bounded total = lx_add((lx_bounded){probe->value, probe->error}, value);
+        probe->has_reflected = true;
+        probe->reflected_irradiance = irradiance[made++].value;
+        probe->reflected_value = value.value;
+        probe->reflected_error = lx_told_error(value);
+        probe->value = total.value;
+        probe->error = lx_told_error(total);
+        probe->reflected_reached =
+            probe->reflected_error <= fmax(lx_reflected_error_of(&session->settings) * fabs(probe->value), DBL_MIN);
+    }
+}
+
+/* Solves for all probes that have values. */
+static luxel_status reflect(const struct probing *probing, size_t count, luxel_diagnostics *diagnostics)
+{
+    const struct lx_session *session = probing->session;
+    struct lx_reflected_place *places = lx_new_array(count, sizeof *places);
+    lx_bounded *irradiance = lx_new_array(count, sizeof *irradiance);
+    size_t made = 0;
+    luxel_status status = places && irradiance ? LUXEL_OK : lx_out_of_memory(diagnostics);
+    for (size_t i = 0; i < count && status == LUXEL_OK; i++) {
+        const luxel_probe *probe = &probing->probes->list[i];
+        if (!probe->has_value)
+            continue;
+        const struct lx_element element = element_of(&session->prepared, &probing->places[i]);
+        const double share = share_of(session, &element).value;
+        places[made].receiver = lx_receiver_of(&session->prepared, &element);
+        places[made++].direct = share > 0 ? probe->value / share : HUGE_VAL;
+    }
+    if (status == LUXEL_OK && made > 0) {
+        const struct lx_reflecting reflecting = {.prepared = &session->prepared,
+                                                 .kernels = lx_element_kernels_of(session->kernels),
+                                                 .settings = &session->settings,
+                                                 .control = probing->control,
+                                                 .places = places,
+                                                 .count = made,
+                                                 .irradiance = irradiance};
+        status = lx_reflect_places(&reflecting, diagnostics);
+    }
+    if (status == LUXEL_OK)
+        add_reflected(probing, irradiance, count);
+    free(places);
+    free(irradiance);
+    return status;
+}
+
 /* First the values, then the pixels. */
 static luxel_status compute(struct probing *probing, struct lx_control *control, size_t count,
                             luxel_diagnostics *diagnostics)
@@ -252,9 +328,14 @@ static luxel_status compute(struct probing *probing, struct lx_control *control,
         return LUXEL_OK;
     if (!lx_rows_run_part(control, lx_thread_count(probing->session->settings.threads, places / 4 + 1), &values))
         return LUXEL_CANCELLED;
-    luxel_status status = lx_probe_pixels(probing->session, control, list, count);
-    if (status == LUXEL_ERROR_MEMORY)
-        lx_out_of_memory(diagnostics);
+    luxel_status status;
+    if (lx_wants_reflections(probing->session->prepared.scene)) {
+        status = reflect(probing, count, diagnostics);
+    } else {
+        status = lx_probe_pixels(probing->session, control, list, count);
+        if (status == LUXEL_ERROR_MEMORY)
+            lx_out_of_memory(diagnostics);
+    }
     return status == LUXEL_OK ? check_values(list, count, diagnostics) : status;
 }
 

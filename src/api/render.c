@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /* luxel_render(): the whole picture as one strip, which becomes the field's. */
 #include "../base/diagnostics.h"
+#include "reflecting.h"
 #include "rendering.h"
 
 luxel_status luxel_render(const luxel_scene *scene, const luxel_settings *settings, luxel_diagnostics *diagnostics,
@@ -14,6 +15,8 @@ luxel_status luxel_render(const luxel_scene *scene, const luxel_settings *settin
     struct lx_rendering rendering = {0};
     struct luxel_field *made = NULL;
     luxel_status status = lx_session_open(scene, settings, diagnostics, &session);
+    if (status == LUXEL_OK)
+        status = lx_refuse_reflections(session.prepared.scene, diagnostics);
     if (status == LUXEL_OK)
         status = lx_new_frame(&session, scene, diagnostics, &made);
     if (status == LUXEL_OK)

@@ -5,6 +5,7 @@
 #include "../base/diagnostics.h"
 #include "../base/memory.h"
 #include "output.h"
+#include "reflecting.h"
 #include "rendering.h"
 
 /*
@@ -150,6 +151,8 @@ luxel_status luxel_render_files(const luxel_scene *scene, const luxel_settings *
     luxel_status status = check_arguments(paths, count, how, diagnostics);
     if (status == LUXEL_OK)
         status = lx_session_open(scene, settings, diagnostics, &session);
+    if (status == LUXEL_OK)
+        status = lx_refuse_reflections(session.prepared.scene, diagnostics);
     if (status == LUXEL_OK)
         status = lx_new_frame(&session, scene, diagnostics, &frame);
     if (status == LUXEL_OK)

@@ -48,6 +48,9 @@ static luxel_status check_settings(const luxel_settings *settings, luxel_diagnos
         status = lx_setting_out_of_range(diagnostics, "tolerance", settings->tolerance, LX_N("from 0 to below 1"));
     if (!(settings->light_error >= 0 && settings->light_error < 1))
         status = lx_setting_out_of_range(diagnostics, "light_error", settings->light_error, LX_N("from 0 to below 1"));
+    if (!(settings->reflected_error >= 0 && settings->reflected_error < 1))
+        status = lx_setting_out_of_range(diagnostics, "reflected_error", settings->reflected_error,
+                                         LX_N("from 0 to below 1"));
     if (settings->stride > MAXIMUM_STRIDE)
         status = lx_setting_out_of_range(diagnostics, "stride", settings->stride, LX_N("0 to 65536"));
     return status;

@@ -5,6 +5,7 @@
 #include <math.h>
 #include <stdlib.h>
 
+#include "../api/reflecting.h"
 #include "../base/diagnostics.h"
 #include "../base/number.h"
 #include "../base/phrase.h"
@@ -213,6 +214,9 @@ luxel_status luxel_explain(const luxel_scene *scene, const luxel_settings *setti
 {
     luxel_probe *probe = NULL;
     struct explaining explaining = {.scene = scene, .settings = settings};
+    if (scene && luxel_scene_is_committed(scene) &&
+        lx_refuse_reflections(lx_scene_parameters(scene), diagnostics) != LUXEL_OK)
+        return LUXEL_ERROR_ARGUMENT;
     luxel_status status = luxel_probe_screen(scene, settings, x_mm, y_mm, diagnostics, &probe);
     if (status != LUXEL_OK)
         return status;

@@ -15,6 +15,7 @@
 enum lx_units { LX_RADIOMETRIC, LX_PHOTOMETRIC };
 
 enum lx_shadows { LX_SHADOWS_ALL, LX_SHADOWS_POINTS, LX_SHADOWS_NONE };
+enum lx_reflections { LX_REFLECTIONS_NONE, LX_REFLECTIONS_ALL };
 enum lx_sampling { LX_CENTERS, LX_NODES };
 enum lx_projection { LX_ORTHOGRAPHIC, LX_PERSPECTIVE };
 enum lx_view { LX_VIEW_PARALLEL, LX_VIEW_OBSERVER };
@@ -79,6 +80,7 @@ struct lx_scene_parameters {
     unsigned luxel;
     int units;   /* enum lx_units */
     int shadows; /* enum lx_shadows */
+    struct lx_choice_or_whole reflections; /* enum lx_reflections, or the number of bounces */
     struct lx_screen screen;
     struct lx_observer observer;
     struct lx_list surfaces; /* variants are lx_surface_kind, common lx_surface_common */

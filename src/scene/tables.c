@@ -10,6 +10,7 @@
 
 static const char *const units_names[] = {"radiometric", "photometric", NULL};
 static const char *const shadows_names[] = {"all", "points", "none", NULL};
+static const char *const reflections_names[] = {"none", "all", NULL};
 static const char *const sampling_names[] = {"centers", "nodes", NULL};
 static const char *const range_names[] = {"max", "minmax", "log", NULL};
 static const char *const rounding_names[] = {"truncate", "nearest", NULL};
@@ -307,6 +308,19 @@ static const struct lx_parameter scene_parameters[] = {
         .meaning =
             "what light surfaces take from one another: that of all sources, of extended ones as far as they are "
             "hidden; that of point-like and distant ones, and of the points that `parts: N` makes; none",
+    },
+    {
+        .name = "reflections",
+        .label = "Reflections",
+        .type = LX_CHOICE_OR_WHOLE,
+        .offset = offsetof(struct lx_scene_parameters, reflections),
+        .initial = "none",
+        .legal = LX_FROM(1),
+        .choices = reflections_names,
+        .meaning =
+            "how often the light that falls on surfaces is sent on to other surfaces, by Lambert's law with the "
+            "reflectance diffuse: never, so many times, until nothing is left; needs over_pi, diffuse below 1 and "
+            "physical laws of attenuation",
     },
     {
         .name = "screen",

@@ -196,4 +196,5 @@ void lx_validate_scene(struct lx_walk *walk, const luxel_scene *scene)
         check_square(walk, scene);
     if (is_observer_good(scene))
         check_observer(walk, scene);
+    lx_validate_reflections(walk, scene);
 }

@@ -1,0 +1,79 @@
+/* SPDX-License-Identifier: MIT */
+/* Solving for places, and asking at each of them. */
+#include "reflecting.h"
+
+#include <stdlib.h>
+
+#include "../base/diagnostics.h"
+#include "../base/memory.h"
+
+bool lx_wants_reflections(const struct lx_scene_parameters *scene)
+{
+    return scene->reflections.choice != LX_REFLECTIONS_NONE;
+}
+
+double lx_reflected_error_of(const luxel_settings *settings)
+{
+    return settings->reflected_error > 0 ? settings->reflected_error : LX_DEFAULT_REFLECTED_ERROR;
+}
+
+luxel_status lx_refuse_reflections(const struct lx_scene_parameters *scene, luxel_diagnostics *diagnostics)
+{
+    if (!lx_wants_reflections(scene))
+        return LUXEL_OK;
+    lx_report(diagnostics, LUXEL_SEVERITY_ERROR, NULL, LX_MSG_NO_REFLECTIONS_HERE, NULL);
+    lx_hint(diagnostics, LX_MSG_HINT_REFLECTIONS_NONE, NULL);
+    return LUXEL_ERROR_ARGUMENT;
+}
+
+/* Places that are asked, in parallel. */
+struct asking {
+    const struct lx_reflecting *reflecting;
+    const struct lx_radiosity *reflected;
+    struct lx_veils *veils; /* of each worker */
+};
+
+static void ask_places(void *data, unsigned worker, bool is_caller, unsigned first, unsigned last)
+{
+    const struct asking *asking = data;
+    for (unsigned i = first; i < last && lx_control_goes_on(asking->reflecting->control, is_caller); i++)
+        asking->reflecting->irradiance[i] =
+            lx_reflected_at(asking->reflected, &asking->reflecting->places[i].receiver, &asking->veils[worker]);
+}
+
+static luxel_status ask(const struct lx_reflecting *reflecting, const struct lx_radiosity *reflected, unsigned threads)
+{
+    struct asking asking = {reflecting, reflected, lx_new_array(threads, sizeof *asking.veils)};
+    const struct lx_rows_part part = {
+        .last = (unsigned)reflecting->count, .counts_itself = true, .work = ask_places, .data = &asking};
+    luxel_status status = !asking.veils                                            ? LUXEL_ERROR_MEMORY
+                          : !lx_rows_run_part(reflecting->control, threads, &part) ? LUXEL_CANCELLED
+                                                                                   : LUXEL_OK;
+    for (unsigned w = 0; asking.veils && w < threads; w++) {
+        status = status == LUXEL_OK && asking.veils[w].failed ? LUXEL_ERROR_MEMORY : status;
+        lx_veils_clear(&asking.veils[w]);
+    }
+    free(asking.veils);
+    return status;
+}
+
+luxel_status lx_reflect_places(const struct lx_reflecting *reflecting, luxel_diagnostics *diagnostics)
+{
+    enum { MOST_WORTH = 64 };
+    const unsigned threads = lx_thread_count(reflecting->settings->threads, MOST_WORTH);
+    const struct lx_reflected_wish wish = {
+        .prepared = reflecting->prepared,
+        .kernels = reflecting->kernels,
+        .error = lx_reflected_error_of(reflecting->settings),
+        .places = reflecting->places,
+        .place_count = reflecting->count,
+        .threads = threads,
+        .control = reflecting->control,
+    };
+    struct lx_radiosity *reflected;
+    luxel_status status = lx_reflected_make(&wish, &reflected);
+    if (status == LUXEL_OK)
+        status = ask(reflecting, reflected, threads);
+    lx_reflected_free(reflected);
+    return status == LUXEL_ERROR_MEMORY ? lx_out_of_memory(diagnostics) : status;
+}

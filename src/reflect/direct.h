@@ -1,0 +1,28 @@
+/* SPDX-License-Identifier: MIT */
+/*
+ * Direct light on tiles, sampled by the world of elements: on each window at the nodes of Gauss's rule, and again on
+ * its quarters until these tell nothing new.
+ */
+#ifndef LX_REFLECT_DIRECT_H
+#define LX_REFLECT_DIRECT_H
+
+#include "../shade/world.h"
+#include "tile.h"
+
+struct lx_sampling_direct {
+    struct lx_world world;
+    struct lx_lobe lobe;
+    double least_flux; /* differences below this, in mm^2 times irradiance, tell nothing; 0: quarters are not asked */
+    int most_levels;
+};
+
+/* Direct irradiance at places of a face; 0, or -1 where the work is to stop. */
+int lx_direct_at(const struct lx_sampling_direct *sampling, const double (*places_mm)[3], const double (*normals)[3],
+                 int count, const struct lx_asking *asking, double irradiance[]);
+
+/* Sets the direct light of a tile and its error; 0, or -1 when memory ran out or the work is to stop. */
+int lx_direct_sample(const struct lx_sampling_direct *sampling, const struct lx_matte_face *face,
+                     const struct lx_asking *asking, struct lx_tile *tile);
+void lx_direct_clear(struct lx_direct *direct);
+
+#endif

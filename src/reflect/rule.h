@@ -1,0 +1,70 @@
+/* SPDX-License-Identifier: MIT */
+/*
+ * The rule of Gauss on a square: ORDER x ORDER nodes, polynomials by their values there, and their values at other
+ * places.  Node q = ORDER i + j is at (place[i], place[j]).
+ */
+#ifndef LX_REFLECT_RULE_H
+#define LX_REFLECT_RULE_H
+
+enum { LX_ORDER = 4, LX_RULE_NODES = LX_ORDER * LX_ORDER };
+
+extern const double lx_rule_places[LX_ORDER], lx_rule_weights[LX_ORDER];
+
+/* The polynomials that are 1 at one node and 0 at the others, at x. */
+static inline void lx_rule_basis(double x, double basis[LX_ORDER])
+{
+    for (int i = 0; i < LX_ORDER; i++) {
+        double product = 1;
+        for (int k = 0; k < LX_ORDER; k++)
+            if (k != i)
+                product *= (x - lx_rule_places[k]) / (lx_rule_places[i] - lx_rule_places[k]);
+        basis[i] = product;
+    }
+}
+
+/* The polynomial with these values at the nodes, at (x, y). */
+static inline double lx_rule_value(const double nodes[LX_RULE_NODES], double x, double y)
+{
+    double across[LX_ORDER], upward[LX_ORDER], sum = 0;
+    lx_rule_basis(x, across);
+    lx_rule_basis(y, upward);
+    for (int i = 0; i < LX_ORDER; i++) {
+        double row = 0;
+        for (int j = 0; j < LX_ORDER; j++)
+            row += upward[j] * nodes[LX_ORDER * i + j];
+        sum += across[i] * row;
+    }
+    return sum;
+}
+
+/* A rectangle of coordinates: its middle and half its sides. */
+struct lx_window {
+    double middle[2], half[2];
+};
+
+static inline struct lx_window lx_window_of(double low_s, double high_s, double low_t, double high_t)
+{
+    return (struct lx_window){{(low_s + high_s) / 2, (low_t + high_t) / 2},
+                              {(high_s - low_s) / 2, (high_t - low_t) / 2}};
+}
+
+/* Quarter i of a window; half i of it, cut across direction `way`. */
+static inline struct lx_window lx_window_quarter(const struct lx_window *window, int i)
+{
+    struct lx_window made = *window;
+    for (int k = 0; k < 2; k++) {
+        made.half[k] /= 2;
+        made.middle[k] += (i >> k & 1 ? 1 : -1) * made.half[k];
+    }
+    return made;
+}
+
+static inline struct lx_window lx_window_half(const struct lx_window *window, int way, int i)
+{
+    struct lx_window made = *window;
+    made.half[way] /= 2;
+    made.middle[way] += (i ? 1 : -1) * made.half[way];
+    return made;
+}
+
+#endif

@@ -1,0 +1,227 @@
+/* SPDX-License-Identifier: MIT */
+/*
+ * Collocation on the tiles as they are: the matrix of transfers, what is reflected, the residual between the nodes, and
+ * the slack, which bounds the errors.
+ */
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "../base/memory.h"
+#include "linear.h"
+#include "refine.h"
+
+const struct lx_fineness lx_fine = {.seen = 0.35, .rough = 0.2, .flat_part = 0.1, .round_part = 0.03};
+const struct lx_fineness lx_coarse = {.seen = 0.45, .rough = 0.25, .flat_part = 0.2, .round_part = 0.06};
+
+/* Residuals are looked for at places that near to the edges of a tile, and may be larger between these by a factor. */
+static const double BESIDE = 0.97, BETWEEN = 2;
+
+enum { PLACES = 9 };
+
+/* A solution under way. */
+struct solving {
+    struct lx_radiosity *reflected;
+    float *matrix;
+    double *reflectance, *direct, *residual; /* at the nodes */
+    struct lx_veils *veils;                  /* of each worker */
+    double *sampled;                         /* residuals at the places of each tile */
+    const double *before, *after;            /* one bounce lies between them */
+};
+
+static struct lx_receiver node_of(const struct lx_radiosity *reflected, size_t i)
+{
+    const struct lx_tile *tile = &reflected->tiles[i / LX_RULE_NODES];
+    struct lx_receiver receiver = {.own = reflected->faces[tile->face].surface};
+    memcpy(receiver.place_mm, tile->cell.place_mm[i % LX_RULE_NODES], sizeof receiver.place_mm);
+    memcpy(receiver.normal, tile->cell.normal[i % LX_RULE_NODES], sizeof receiver.normal);
+    return receiver;
+}
+
+/* Rows of the matrix, and the first bounce. */
+static void make_rows(void *data, unsigned worker, bool is_caller, unsigned first, unsigned last)
+{
+    struct solving *solving = data;
+    struct lx_radiosity *reflected = solving->reflected;
+    const size_t count = reflected->tile_count * LX_RULE_NODES;
+    for (size_t i = first; i < last && lx_control_goes_on(reflected->control, is_caller); i++) {
+        const struct lx_receiver receiver = node_of(reflected, i);
+        solving->direct[i] = lx_gather(reflected, &lx_coarse, &receiver, NULL, NULL, &solving->veils[worker],
+                                       solving->matrix + i * count)
+                                 .value;
+    }
+}
+
+/* Place p of a tile: in its middle, and beside its edges. */
+static void place_of(int p, double at[2])
+{
+    at[0] = (p % 3 - 1) * BESIDE;
+    at[1] = (p / 3 - 1) * BESIDE;
+}
+
+static void find_residuals(void *data, unsigned worker, bool is_caller, unsigned first, unsigned last)
+{
+    struct solving *solving = data;
+    struct lx_radiosity *reflected = solving->reflected;
+    for (size_t i = first; i < last && lx_control_goes_on(reflected->control, is_caller); i++) {
+        const struct lx_tile *tile = &reflected->tiles[i / PLACES];
+        const struct lx_matte_face *face = &reflected->faces[tile->face];
+        struct lx_receiver receiver = {.own = face->surface};
+        double at[2];
+        place_of((int)(i % PLACES), at);
+        lx_sheet_place(&face->sheet, tile->window.middle[0] + at[0] * tile->window.half[0],
+                       tile->window.middle[1] + at[1] * tile->window.half[1], receiver.place_mm, receiver.normal);
+        const struct lx_arrival sent =
+            lx_gather(reflected, &lx_fine, &receiver, solving->before, NULL, &solving->veils[worker], NULL);
+        solving->sampled[i] = sent.value - lx_rule_value(solving->after + i / PLACES * LX_RULE_NODES, at[0], at[1]);
+    }
+}
+
+/* What the places of a tile tell. */
+static void judge_tile(const struct solving *solving, size_t t)
+{
+    const double *sampled = solving->sampled + t * PLACES;
+    struct lx_tile *tile = &solving->reflected->tiles[t];
+    double mean = 0;
+    for (int p = 0; p < PLACES; p++) /* by Simpson's rule */
+        mean += (p % 3 == 1 ? 4 : 1) * (p / 3 == 1 ? 4 : 1) / 36.0 * fabs(sampled[p]);
+    for (int k = 0; k < 2; k++) {
+        const int step = k == 0 ? 1 : 3, other = 4 - step;
+        double off = 0;
+        for (int r = -1; r <= 1; r++) /* along k, beside the middle and both edges */
+            for (int sign = -1; sign <= 1; sign += 2)
+                off = fmax(off, fabs(sampled[4 + r * other + sign * step] - sampled[4 + r * other]));
+        tile->residual[k] = fmax(tile->residual[k], off);
+    }
+    for (int q = 0; q < LX_RULE_NODES; q++)
+        solving->residual[t * LX_RULE_NODES + (size_t)q] =
+            fmax(solving->residual[t * LX_RULE_NODES + (size_t)q], BETWEEN * mean);
+}
+
+static bool run(const struct solving *solving, size_t count, lx_rows_work *work)
+{
+    const struct lx_rows_part part = {
+        .last = (unsigned)count, .tile_rows = 4, .counts_itself = true, .work = work, .data = (void *)solving};
+    return lx_rows_run_part(solving->reflected->control, solving->reflected->threads, &part);
+}
+
+/* The residual of one bounce, from *before to *after. */
+static bool look_between(struct solving *solving, const double *before, const double *after)
+{
+    const size_t tiles = solving->reflected->tile_count;
+    solving->before = before;
+    solving->after = after;
+    if (!run(solving, tiles * PLACES, find_residuals))
+        return false;
+    for (size_t t = 0; t < tiles; t++)
+        judge_tile(solving, t);
+    return true;
+}
+
+/* x = sum of the first N bounces of `right`; *before that of one less.  False: the work is to stop. */
+static bool bounce(const struct lx_linear *linear, unsigned bounces, const double *right, double *before, double *x)
+{
+    memset(before, 0, linear->count * sizeof *before);
+    memcpy(x, right, linear->count * sizeof *x);
+    for (unsigned n = 1; n < bounces; n++) {
+        double change = 0, greatest = 0;
+        memcpy(before, x, linear->count * sizeof *x);
+        if (!lx_linear_bounce(linear, right, before, x))
+            return false;
+        for (size_t i = 0; i < linear->count; i++) {
+            change = fmax(change, fabs(x[i] - before[i]));
+            greatest = fmax(greatest, fabs(x[i]));
+        }
+        if (change <= 1e-14 * greatest)
+            break;
+    }
+    return true;
+}
+
+static bool solve(const struct solving *solving, const double *right, double *before, double *x)
+{
+    const struct lx_radiosity *reflected = solving->reflected;
+    const struct lx_linear linear = {.count = reflected->tile_count * LX_RULE_NODES,
+                                     .matrix = solving->matrix,
+                                     .reflectance = solving->reflectance,
+                                     .control = reflected->control,
+                                     .threads = reflected->threads};
+    if (reflected->bounces > 0)
+        return bounce(&linear, reflected->bounces, right, before, x);
+    if (lx_linear_solve(&linear, right, x))
+        return false;
+    memcpy(before, x, linear.count * sizeof *x);
+    return true;
+}
+
+/* The slack begins with the residual and with what is not known of the direct light, one bounce of it. */
+static bool find_slack(struct solving *solving)
+{
+    struct lx_radiosity *reflected = solving->reflected;
+    const size_t count = reflected->tile_count * LX_RULE_NODES;
+    double *unsure = lx_new_array(count, sizeof *unsure), *right = lx_new_array(count, sizeof *right);
+    const struct lx_linear linear = {.count = count,
+                                     .matrix = solving->matrix,
+                                     .reflectance = solving->reflectance,
+                                     .control = reflected->control,
+                                     .threads = reflected->threads};
+    for (size_t i = 0; unsure && i < count; i++)
+        unsure[i] = reflected->tiles[i / LX_RULE_NODES].direct_error;
+    const bool whole = unsure && right && lx_linear_bounce(&linear, solving->residual, unsure, right) &&
+                       solve(solving, right, reflected->slack_before, reflected->slack);
+    free(unsure);
+    free(right);
+    return whole;
+}
+
+static bool work(struct solving *solving)
+{
+    struct lx_radiosity *reflected = solving->reflected;
+    const size_t count = reflected->tile_count * LX_RULE_NODES;
+    for (size_t i = 0; i < count; i++)
+        solving->reflectance[i] = reflected->faces[reflected->tiles[i / LX_RULE_NODES].face].reflectance;
+    for (size_t t = 0; t < reflected->tile_count; t++)
+        reflected->tiles[t].residual[0] = reflected->tiles[t].residual[1] = 0;
+    if (!run(solving, count, make_rows) || !solve(solving, solving->direct, reflected->before, reflected->indirect) ||
+        !look_between(solving, reflected->before, reflected->indirect))
+        return false;
+    if (reflected->bounces > 1 && !look_between(solving, NULL, solving->direct))
+        return false;
+    return find_slack(solving);
+}
+
+static int renew(double **numbers, size_t count)
+{
+    free(*numbers);
+    *numbers = lx_new_array(count, sizeof **numbers);
+    return *numbers ? 0 : -1;
+}
+
+luxel_status lx_reflected_solve(struct lx_radiosity *reflected)
+{
+    const size_t count = reflected->tile_count * LX_RULE_NODES, workers = reflected->threads;
+    struct solving solving = {.reflected = reflected,
+                              .matrix = lx_new_aligned(count * count, sizeof(float)),
+                              .reflectance = lx_new_array(count, sizeof(double)),
+                              .direct = lx_new_array(count, sizeof(double)),
+                              .residual = lx_new_array(count, sizeof(double)),
+                              .veils = lx_new_array(workers, sizeof(struct lx_veils)),
+                              .sampled = lx_new_array(reflected->tile_count * PLACES, sizeof(double))};
+    bool has_room = solving.matrix && solving.reflectance && solving.direct && solving.residual && solving.veils &&
+                    solving.sampled && !renew(&reflected->indirect, count) && !renew(&reflected->before, count) &&
+                    !renew(&reflected->slack, count) && !renew(&reflected->slack_before, count);
+    bool whole = has_room && work(&solving);
+    for (size_t w = 0; solving.veils && w < workers; w++) {
+        has_room = has_room && !solving.veils[w].failed;
+        lx_veils_clear(&solving.veils[w]);
+    }
+    free(solving.matrix);
+    free(solving.reflectance);
+    free(solving.direct);
+    free(solving.residual);
+    free(solving.veils);
+    free(solving.sampled);
+    if (whole && has_room)
+        return LUXEL_OK;
+    return atomic_load(&reflected->control->stop) ? LUXEL_CANCELLED : LUXEL_ERROR_MEMORY;
+}

@@ -1,0 +1,95 @@
+/* SPDX-License-Identifier: MIT */
+/* Faces and cells: where they lie, and the nodes of Gauss's rule on them. */
+#include "tile.h"
+
+#include <math.h>
+#include <string.h>
+
+#include "../base/vector.h"
+
+const double lx_rule_places[LX_ORDER] = {-0.86113631159405257522, -0.33998104358485626480, 0.33998104358485626480,
+                                         0.86113631159405257522};
+const double lx_rule_weights[LX_ORDER] = {0.34785484513745385737, 0.65214515486254614263, 0.65214515486254614263,
+                                          0.34785484513745385737};
+
+static double distance(const double a[3], const double b[3])
+{
+    return sqrt((a[0] - b[0]) * (a[0] - b[0]) + (a[1] - b[1]) * (a[1] - b[1]) + (a[2] - b[2]) * (a[2] - b[2]));
+}
+
+static void bound_plate(const struct lx_matte_face *face, const struct lx_window *window, struct lx_tile_cell *cell)
+{
+    const struct lx_sheet *sheet = &face->sheet;
+    double normal[3];
+    lx_sheet_place(sheet, window->middle[0], window->middle[1], cell->center_mm, normal);
+    for (int k = 0; k < 2; k++)
+        cell->lengths_mm[k] = sheet->half_mm[k] * window->half[k];
+    for (int i = 0; i < 3; i++) {
+        cell->first_mm[i] = cell->lengths_mm[0] * sheet->across[i];
+        cell->second_mm[i] = cell->lengths_mm[1] * sheet->upward[i];
+    }
+    cell->radius_mm = hypot(cell->lengths_mm[0], cell->lengths_mm[1]);
+}
+
+/* Curved cells are within the ball around their middle that holds the corners and the middles of their edges, but for
+ * what bulges. */
+static void bound_round(const struct lx_matte_face *face, const struct lx_window *window, struct lx_tile_cell *cell)
+{
+    const double room = 1.05;
+    double normal[3], place[3];
+    lx_sheet_place(&face->sheet, window->middle[0], window->middle[1], cell->center_mm, normal);
+    memset(cell->first_mm, 0, sizeof cell->first_mm);
+    memset(cell->second_mm, 0, sizeof cell->second_mm);
+    cell->radius_mm = cell->lengths_mm[0] = cell->lengths_mm[1] = 0;
+    for (int i = 0; i < 9; i++) {
+        const int x = i % 3 - 1, y = i / 3 - 1;
+        lx_sheet_place(&face->sheet, window->middle[0] + x * window->half[0], window->middle[1] + y * window->half[1],
+                       place, normal);
+        const double away = distance(place, cell->center_mm);
+        cell->radius_mm = fmax(cell->radius_mm, room * away);
+        if (y == 0)
+            cell->lengths_mm[0] = fmax(cell->lengths_mm[0], away);
+        if (x == 0)
+            cell->lengths_mm[1] = fmax(cell->lengths_mm[1], away);
+    }
+}
+
+void lx_cell_bound(const struct lx_matte_face *face, const struct lx_window *window, struct lx_tile_cell *cell)
+{
+    if (face->sheet.type == LX_SHEET_PLATE)
+        bound_plate(face, window, cell);
+    else
+        bound_round(face, window, cell);
+}
+
+void lx_cell_nodes(const struct lx_matte_face *face, const struct lx_window *window, struct lx_tile_cell *cell)
+{
+    const double share = window->half[0] * window->half[1];
+    for (int i = 0; i < LX_ORDER; i++)
+        for (int j = 0; j < LX_ORDER; j++) {
+            const int q = LX_ORDER * i + j;
+            const double s = window->middle[0] + window->half[0] * lx_rule_places[i];
+            const double t = window->middle[1] + window->half[1] * lx_rule_places[j];
+            cell->area[q] = share * lx_rule_weights[i] * lx_rule_weights[j] *
+                            lx_sheet_place(&face->sheet, s, t, cell->place_mm[q], cell->normal[q]);
+        }
+}
+
+void lx_cell_make(const struct lx_matte_face *face, const struct lx_window *window, struct lx_tile_cell *cell)
+{
+    lx_cell_bound(face, window, cell);
+    lx_cell_nodes(face, window, cell);
+}
+
+void lx_face_make(const struct lx_sheet *sheet, size_t surface, double reflectance, struct lx_matte_face *face)
+{
+    const struct lx_window whole = {{0, 0}, {1, 1}};
+    struct lx_tile_cell cell;
+    *face = (struct lx_matte_face){.sheet = *sheet, .surface = surface, .reflectance = reflectance};
+    face->is_flat = sheet->type == LX_SHEET_PLATE || sheet->type == LX_SHEET_DISK;
+    lx_cell_bound(face, &whole, &cell);
+    memcpy(face->center_mm, cell.center_mm, sizeof face->center_mm);
+    face->radius_mm = cell.radius_mm;
+    for (int k = 0; k < 2; k++)
+        face->size_mm[k] = 2 * cell.lengths_mm[k];
+}

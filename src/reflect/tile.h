@@ -1,0 +1,59 @@
+/* SPDX-License-Identifier: MIT */
+/*
+ * Tiles: faces of the scene, one side of a sheet each, cut into windows, on each of which the reflected irradiance is
+ * a polynomial by its values at the nodes; and cells, windows of any size with the places of their nodes.
+ */
+#ifndef LX_REFLECT_TILE_H
+#define LX_REFLECT_TILE_H
+
+#include <stddef.h>
+
+#include "../shade/prepared.h"
+#include "../surface/sheet.h"
+#include "rule.h"
+
+/* A face reflects, on one side of a surface. */
+struct lx_matte_face {
+    struct lx_sheet sheet;
+    size_t surface; /* among the prepared ones */
+    double reflectance;
+    double center_mm[3], radius_mm; /* a ball around it */
+    double size_mm[2];              /* about how long it is along s and t */
+    bool is_flat;
+};
+
+/* A window of a face in space.  Of a plate it is the parallelogram center + x first + y second, x and y from -1 to 1. */
+struct lx_tile_cell {
+    double center_mm[3], radius_mm; /* a ball around it */
+    double first_mm[3], second_mm[3];
+    double lengths_mm[2]; /* about half its sides */
+    double place_mm[LX_RULE_NODES][3], normal[LX_RULE_NODES][3], area[LX_RULE_NODES];
+};
+
+/* Direct light on a window: coefficients at the nodes that have the true integrals with all polynomials of the rule's
+ * degree; children, quarters, where that is not all of it. */
+struct lx_direct {
+    double nodes[LX_RULE_NODES];
+    struct lx_direct *quarters; /* four of them; NULL: none */
+};
+
+struct lx_tile {
+    uint32_t face;
+    struct lx_window window;
+    struct lx_tile_cell cell;
+    struct lx_direct direct;
+    bool has_light;
+    double direct_error; /* of the mean of the direct light that was sampled */
+    double residual[2];  /* the greatest of the solution's, off along s and along t */
+};
+
+/* The bounds and nodes of a window. */
+void lx_cell_make(const struct lx_matte_face *face, const struct lx_window *window, struct lx_tile_cell *cell);
+/* The bounds alone, and the nodes of a cell that has bounds. */
+void lx_cell_bound(const struct lx_matte_face *face, const struct lx_window *window, struct lx_tile_cell *cell);
+void lx_cell_nodes(const struct lx_matte_face *face, const struct lx_window *window, struct lx_tile_cell *cell);
+
+/* A face of a sheet. */
+void lx_face_make(const struct lx_sheet *sheet, size_t surface, double reflectance, struct lx_matte_face *face);
+
+#endif

@@ -1,0 +1,28 @@
+/* SPDX-License-Identifier: MIT */
+/*
+ * Transfer: what a tile sends to a receiver, the integral of its light times cos cos' / (pi r^2) over what is seen of
+ * it, as weights of the tile's values at its nodes, and of the direct light, which is known in more detail, at once.
+ *
+ * Far cells that are wholly seen go by their nodes; others are cut, down to cells that are small against their
+ * distance; of those what is seen is cut out exactly, where they are flat, else node by node.
+ */
+#ifndef LX_REFLECT_TRANSFER_H
+#define LX_REFLECT_TRANSFER_H
+
+#include "veil.h"
+
+/* How small cells have to be, as shares of their distance: those that are seen, those whose direct light is rough, and
+ * those seen in part, flat and round. */
+struct lx_fineness {
+    double seen, rough, flat_part, round_part;
+};
+
+struct lx_sent {
+    double weights[LX_RULE_NODES];
+    double direct;
+};
+
+void lx_transfer(const struct lx_fineness *fineness, const struct lx_receiver *receiver, const struct lx_veils *veils,
+                 const struct lx_matte_face *face, const struct lx_tile *tile, struct lx_sent *sent);
+
+#endif

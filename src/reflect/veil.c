@@ -1,0 +1,443 @@
+/* SPDX-License-Identifier: MIT */
+/* Making veils of the scene's surfaces, and asking them. */
+#include "veil.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "../base/memory.h"
+#include "../base/vector.h"
+
+/* Corners of what stands for a circle. */
+enum { ROUND = 32 };
+/* Ends of ways that are left out, as a share of them. */
+static const double ENDS = 1e-9;
+
+static void sub(const double a[3], const double b[3], double difference[3])
+{
+    for (int i = 0; i < 3; i++)
+        difference[i] = a[i] - b[i];
+}
+
+/* ---- making ---- */
+
+static void begin_veil(struct lx_veils *veils)
+{
+    if (lx_reserve(&veils->items, &veils->capacity, veils->count + 1, sizeof *veils->items)) {
+        veils->failed = true;
+        return;
+    }
+    veils->items[veils->count++] = (struct lx_veil){.first = veils->plane_count};
+}
+
+/* The plane through a place, hidden where the normal, of any length but 0, points to. */
+static void add_plane(struct lx_veils *veils, const double normal[3], const double through_mm[3])
+{
+    const double length = sqrt(lx_dot(normal, normal));
+    if (veils->failed || !(length > 0))
+        return;
+    if (lx_reserve(&veils->planes, &veils->plane_capacity, veils->plane_count + 1, sizeof *veils->planes)) {
+        veils->failed = true;
+        return;
+    }
+    double *plane = veils->planes[veils->plane_count++];
+    for (int i = 0; i < 3; i++)
+        plane[i] = normal[i] / length;
+    plane[3] = -lx_dot(plane, through_mm);
+    veils->items[veils->count - 1].count++;
+}
+
+static void add_half_space(struct lx_veils *veils, const double normal[3], const double through_mm[3])
+{
+    begin_veil(veils);
+    add_plane(veils, normal, through_mm);
+}
+
+/* What lies behind a convex polygon in a plane that has the place `height_mm` above itself. */
+static void add_polygon(struct lx_veils *veils, const double (*corners)[3], int count, const double axis[3],
+                        const double center_mm[3], double height_mm)
+{
+    double from[3], to[3], middle[3], edge[3], beyond[3];
+    sub(center_mm, veils->place_mm, middle);
+    begin_veil(veils);
+    for (int i = 0; i < 3; i++)
+        beyond[i] = height_mm > 0 ? -axis[i] : axis[i];
+    add_plane(veils, beyond, center_mm);
+    for (int k = 0; k < count; k++) {
+        sub(corners[k], veils->place_mm, from);
+        sub(corners[(k + 1) % count], veils->place_mm, to);
+        lx_cross(from, to, edge);
+        if (lx_dot(edge, middle) < 0)
+            for (int i = 0; i < 3; i++)
+                edge[i] = -edge[i];
+        add_plane(veils, edge, veils->place_mm);
+    }
+}
+
+static double height_over(const struct lx_veils *veils, const double axis[3], const double center_mm[3])
+{
+    double from[3];
+    sub(veils->place_mm, center_mm, from);
+    return lx_dot(axis, from);
+}
+
+/* A circle as a polygon of as much area. */
+static void circle(const double center_mm[3], const double first[3], const double second[3], double radius_mm,
+                   double corners[ROUND][3])
+{
+    const double step = 2 * M_PI / ROUND, larger = radius_mm * sqrt(step / sin(step));
+    for (int k = 0; k < ROUND; k++)
+        for (int i = 0; i < 3; i++)
+            corners[k][i] = center_mm[i] + larger * (cos(k * step) * first[i] + sin(k * step) * second[i]);
+}
+
+static void add_plate(struct lx_veils *veils, const struct lx_sheet *plate)
+{
+    const double height = height_over(veils, plate->axis, plate->center_mm);
+    double corners[4][3];
+    if (fabs(height) <= veils->touch_mm)
+        return;
+    for (int k = 0; k < 4; k++) {
+        const double x = k == 0 || k == 3 ? -plate->half_mm[0] : plate->half_mm[0];
+        const double y = k < 2 ? -plate->half_mm[1] : plate->half_mm[1];
+        for (int i = 0; i < 3; i++)
+            corners[k][i] = plate->center_mm[i] + x * plate->across[i] + y * plate->upward[i];
+    }
+    add_polygon(veils, (const double(*)[3])corners, 4, plate->axis, plate->center_mm, height);
+}
+
+static void add_disk(struct lx_veils *veils, const struct lx_sheet *disk)
+{
+    const double height = height_over(veils, disk->axis, disk->center_mm);
+    double corners[ROUND][3];
+    if (fabs(height) <= veils->touch_mm)
+        return;
+    circle(disk->center_mm, disk->across, disk->upward, disk->half_mm[0], corners);
+    add_polygon(veils, (const double(*)[3])corners, ROUND, disk->axis, disk->center_mm, height);
+}
+
+/* Two directions at right angles to one of unit length. */
+static void beside(const double axis[3], double first[3], double second[3])
+{
+    const double other[3] = {fabs(axis[0]) < 0.6, fabs(axis[0]) >= 0.6, 0};
+    lx_cross(axis, other, first);
+    lx_normalize(first);
+    lx_cross(axis, first, second);
+}
+
+/* A ball hides what the circle does in which the tangents touch it.  False: the place is inside. */
+static bool add_ball(struct lx_veils *veils, const struct lx_sheet *ball)
+{
+    const double radius = ball->half_mm[0];
+    double way[3], first[3], second[3], middle[3], corners[ROUND][3];
+    sub(ball->center_mm, veils->place_mm, way);
+    const double away = lx_normalize(way), share = radius / away, below = 1 - share * share;
+    if (!(below > 1e-12))
+        return false;
+    for (int i = 0; i < 3; i++)
+        middle[i] = veils->place_mm[i] + away * below * way[i];
+    beside(way, first, second);
+    circle(middle, first, second, radius * sqrt(below), corners);
+    add_polygon(veils, (const double(*)[3])corners, ROUND, way, middle, -1);
+    return true;
+}
+
+static void add_shape(struct lx_veils *veils, const struct lx_shape *shape)
+{
+    begin_veil(veils);
+    if (veils->failed)
+        return;
+    struct lx_veil *veil = &veils->items[veils->count - 1];
+    veil->shape = shape;
+    memcpy(veil->center_mm, shape->anchor_mm, sizeof veil->center_mm);
+    veil->radius_mm = shape->radius_mm;
+}
+
+/* Whether one ball may stand before another as the place sees them: their cones overlap. */
+static bool may_stand_before(const struct lx_veils *veils, const double center_mm[3], double radius_mm,
+                             const double behind_mm[3], double behind_radius_mm)
+{
+    double way[3], from[3];
+    sub(behind_mm, veils->place_mm, way);
+    sub(center_mm, veils->place_mm, from);
+    const double far = lx_normalize(way), near = lx_normalize(from);
+    if (near - radius_mm > far + behind_radius_mm)
+        return false;
+    if (near <= radius_mm || far <= behind_radius_mm)
+        return true;
+    const double widths = asin(radius_mm / near) + asin(behind_radius_mm / far);
+    return widths >= M_PI || lx_dot(way, from) >= cos(widths) - 1e-12;
+}
+
+/* Whether a plate has the place and all of a face on one of its sides. */
+static bool is_aside(const struct lx_veils *veils, const struct lx_sheet *plate, const struct lx_matte_face *face)
+{
+    const double height = height_over(veils, plate->axis, plate->center_mm);
+    const double side = height > 0 ? 1 : -1;
+    double from[3], reach = face->radius_mm;
+    sub(face->center_mm, plate->center_mm, from);
+    if (face->is_flat) {
+        const double *half = face->sheet.half_mm;
+        const double a = lx_dot(plate->axis, face->sheet.across), b = lx_dot(plate->axis, face->sheet.upward);
+        reach = face->sheet.type == LX_SHEET_PLATE ? fabs(a) * half[0] + fabs(b) * half[1] : half[0] * hypot(a, b);
+        sub(face->sheet.center_mm, plate->center_mm, from);
+    }
+    return side * lx_dot(plate->axis, from) >= reach - veils->touch_mm;
+}
+
+/* One other surface in the way; false: it hides all. */
+static bool add_surface(struct lx_veils *veils, const struct lx_prepared_surface *surface,
+                        const struct lx_matte_face *face)
+{
+    struct lx_sheet sheets[LX_MOST_SHEETS];
+    const struct lx_shape *shape = &surface->shape;
+    if (!may_stand_before(veils, shape->anchor_mm, shape->radius_mm, face->center_mm, face->radius_mm))
+        return true;
+    const bool is_flat_or_ball = lx_shape_sheets(shape, sheets) > 0 && sheets[0].type != LX_SHEET_TUBE;
+    if (!is_flat_or_ball || (sheets[0].type == LX_SHEET_BALL && sheets[0].turn < 0)) {
+        add_shape(veils, shape);
+    } else if (sheets[0].type == LX_SHEET_PLATE) {
+        if (!is_aside(veils, &sheets[0], face))
+            add_plate(veils, &sheets[0]);
+    } else if (sheets[0].type == LX_SHEET_DISK) {
+        add_disk(veils, &sheets[0]);
+    } else {
+        return add_ball(veils, &sheets[0]);
+    }
+    return true;
+}
+
+/* The part of a round face that is turned away from the place is on one side of a plane. */
+static bool add_turned(struct lx_veils *veils, const struct lx_matte_face *face)
+{
+    const struct lx_sheet *sheet = &face->sheet;
+    double from[3], through[3];
+    sub(veils->place_mm, sheet->center_mm, from);
+    if (face->is_flat)
+        return sheet->turn * lx_dot(sheet->axis, from) > veils->touch_mm;
+    if (sheet->type == LX_SHEET_TUBE) {
+        const double along = lx_dot(from, sheet->axis);
+        for (int i = 0; i < 3; i++)
+            from[i] -= along * sheet->axis[i];
+    }
+    const double away = sqrt(lx_dot(from, from)), radius = sheet->half_mm[0];
+    if (sheet->type == LX_SHEET_BALL)
+        if (sheet->turn < 0 ? away > radius * (1 + 1e-9) : away < radius * (1 - 1e-9))
+            return false;
+    if (away <= radius * (1 + 1e-9)) /* inside, or on it: all that is turned inwards is seen, nothing of the rest */
+        return sheet->turn < 0;
+    for (int i = 0; i < 3; i++) {
+        through[i] = sheet->center_mm[i] + from[i] / away * (radius * radius / away);
+        from[i] *= -sheet->turn;
+    }
+    add_half_space(veils, from, through);
+    return true;
+}
+
+/* What its own surface hides from a receiver that has not its normal; and of a tube also from others. */
+static void add_own(struct lx_veils *veils, const struct lx_prepared_surface *own, const struct lx_receiver *receiver)
+{
+    const double *anchor = own->shape.anchor_mm;
+    double normal[3], offset[3];
+    sub(receiver->place_mm, anchor, offset);
+    own->kind->normal(&own->shape, offset, normal);
+    const double side = lx_dot(normal, receiver->normal) > 0 ? -1 : 1;
+    for (int i = 0; i < 3; i++)
+        normal[i] *= side;
+    add_half_space(veils, normal, receiver->place_mm);
+}
+
+/* The shell of a tube, seen from outside, hides its inner side but for what the ends leave. */
+static bool hides_itself(const struct lx_matte_face *face, const struct lx_receiver *receiver)
+{
+    return face->sheet.type == LX_SHEET_TUBE && face->sheet.turn < 0 && face->surface != receiver->own;
+}
+
+/* Whether the receiver lies on the inner side of a tube or a hollow ball, which is between it and what is outside. */
+static bool is_within(const struct lx_shape *shape, const struct lx_receiver *receiver)
+{
+    struct lx_sheet sheets[LX_MOST_SHEETS];
+    double from[3];
+    if (lx_shape_sheets(shape, sheets) == 0 || (sheets[0].type != LX_SHEET_TUBE && sheets[0].type != LX_SHEET_BALL))
+        return false;
+    sub(receiver->place_mm, shape->anchor_mm, from);
+    if (sheets[0].type == LX_SHEET_TUBE) {
+        const double along = lx_dot(from, shape->axis);
+        for (int i = 0; i < 3; i++)
+            from[i] -= along * shape->axis[i];
+    }
+    return lx_dot(from, receiver->normal) < 0;
+}
+
+bool lx_veils_set(const struct lx_prepared *prepared, const struct lx_receiver *receiver,
+                  const struct lx_matte_face *face, double size_mm, struct lx_veils *veils)
+{
+    veils->count = veils->plane_count = 0;
+    veils->touch_mm = 1e-10 * size_mm;
+    memcpy(veils->place_mm, receiver->place_mm, sizeof veils->place_mm);
+    double below[3], from[3];
+    for (int i = 0; i < 3; i++)
+        below[i] = -receiver->normal[i];
+    sub(face->center_mm, receiver->place_mm, from);
+    if (lx_dot(from, receiver->normal) < -face->radius_mm || !add_turned(veils, face))
+        return false;
+    add_half_space(veils, below, receiver->place_mm);
+    if (receiver->is_turned && receiver->own < prepared->surface_count)
+        add_own(veils, &prepared->surfaces[receiver->own], receiver);
+    for (size_t s = 0; s < prepared->surface_count; s++) {
+        const struct lx_prepared_surface *surface = &prepared->surfaces[s];
+        if (s == face->surface) {
+            if (!hides_itself(face, receiver))
+                continue;
+        } else if (s == receiver->own) {
+            if (is_within(&surface->shape, receiver))
+                add_shape(veils, &surface->shape);
+            continue;
+        }
+        if (!add_surface(veils, surface, face))
+            return false;
+    }
+    return !veils->failed;
+}
+
+void lx_veils_clear(struct lx_veils *veils)
+{
+    free(veils->planes);
+    free(veils->items);
+    *veils = (struct lx_veils){0};
+}
+
+/* ---- asking ---- */
+
+static enum lx_outlook look(const struct lx_veils *veils, const struct lx_veil *veil, const struct lx_tile_cell *cell)
+{
+    enum lx_outlook sight = LX_NONE_SEEN;
+    if (veil->shape)
+        return may_stand_before(veils, veil->center_mm, veil->radius_mm, cell->center_mm, cell->radius_mm)
+                   ? LX_PART_SEEN
+                   : LX_ALL_SEEN;
+    const bool is_round = lx_dot(cell->first_mm, cell->first_mm) == 0;
+    for (size_t k = veil->first; k < veil->first + veil->count; k++) {
+        const double *plane = veils->planes[k], middle = lx_dot(plane, cell->center_mm) + plane[3];
+        const double spread =
+            is_round ? cell->radius_mm : fabs(lx_dot(plane, cell->first_mm)) + fabs(lx_dot(plane, cell->second_mm));
+        if (middle + spread <= veils->touch_mm)
+            return LX_ALL_SEEN;
+        if (middle - spread < -veils->touch_mm)
+            sight = LX_PART_SEEN;
+    }
+    return sight;
+}
+
+enum lx_outlook lx_veils_look(const struct lx_veils *veils, const struct lx_tile_cell *cell)
+{
+    enum lx_outlook sight = LX_ALL_SEEN;
+    for (size_t i = 0; i < veils->count; i++) {
+        const enum lx_outlook one = look(veils, &veils->items[i], cell);
+        if (one == LX_NONE_SEEN)
+            return LX_NONE_SEEN;
+        if (one == LX_PART_SEEN)
+            sight = LX_PART_SEEN;
+    }
+    return sight;
+}
+
+static bool shape_takes(const struct lx_veils *veils, const struct lx_shape *shape, const double place_mm[3])
+{
+    double from[3], way[3];
+    sub(place_mm, veils->place_mm, way);
+    for (int i = 0; i < 3; i++) {
+        from[i] = veils->place_mm[i] + ENDS * way[i];
+        way[i] *= 1 - 2 * ENDS;
+    }
+    if (!shape->kind->takes)
+        return shape->kind->blocks(shape, lx_exact3(from), lx_exact3(way), false).value != 0;
+    for (int i = 0; i < 3; i++)
+        from[i] -= shape->anchor_mm[i];
+    return shape->kind->takes(shape, from, way, false);
+}
+
+bool lx_veils_leave(const struct lx_veils *veils, const double place_mm[3])
+{
+    for (size_t i = 0; i < veils->count; i++) {
+        const struct lx_veil *veil = &veils->items[i];
+        bool hidden = true;
+        for (size_t k = veil->first; k < veil->first + veil->count && hidden; k++)
+            hidden = lx_dot(veils->planes[k], place_mm) + veils->planes[k][3] > 0;
+        if (veil->shape ? shape_takes(veils, veil->shape, place_mm) : hidden)
+            return false;
+    }
+    return true;
+}
+
+/* ---- cutting ---- */
+
+/* A linear function on the cell. */
+struct line {
+    double constant, x, y;
+};
+
+static double on_line(const struct line *line, const double at[2])
+{
+    return line->constant + line->x * at[0] + line->y * at[1];
+}
+
+/* The part of a piece where the line is positive, or not; one corner more at most. */
+static bool clip(const struct lx_clipped *piece, const struct line *line, bool positive, struct lx_clipped *part)
+{
+    const double sign = positive ? 1 : -1;
+    part->count = 0;
+    for (unsigned k = 0; k < piece->count; k++) {
+        const double *from = piece->at[k], *to = piece->at[(k + 1) % piece->count];
+        const double a = sign * on_line(line, from), b = sign * on_line(line, to);
+        if (part->count + 2 > LX_PIECE_CORNERS)
+            return false;
+        if (a >= 0)
+            memcpy(part->at[part->count++], from, sizeof *part->at);
+        if ((a > 0 && b < 0) || (a < 0 && b > 0)) {
+            double *at = part->at[part->count++];
+            for (int i = 0; i < 2; i++)
+                at[i] = from[i] + a / (a - b) * (to[i] - from[i]);
+        }
+    }
+    return true;
+}
+
+/* Takes a veil from one piece; what is left is appended.  False: too many pieces. */
+static bool take(const struct lx_veils *veils, const struct lx_veil *veil, const struct lx_tile_cell *cell,
+                 struct lx_clipped piece, struct lx_clipped *pieces, int *count)
+{
+    for (size_t k = veil->first; k < veil->first + veil->count && piece.count > 2; k++) {
+        const double *plane = veils->planes[k];
+        const struct line line = {lx_dot(plane, cell->center_mm) + plane[3], lx_dot(plane, cell->first_mm),
+                                  lx_dot(plane, cell->second_mm)};
+        struct lx_clipped outside, inside;
+        if (*count == LX_MOST_PIECES || !clip(&piece, &line, false, &outside) || !clip(&piece, &line, true, &inside))
+            return false;
+        if (outside.count > 2)
+            pieces[(*count)++] = outside;
+        piece = inside;
+    }
+    return true;
+}
+
+int lx_veils_cut(const struct lx_veils *veils, const struct lx_tile_cell *cell,
+                 struct lx_clipped pieces[LX_MOST_PIECES])
+{
+    struct lx_clipped left[LX_MOST_PIECES];
+    int count = 1;
+    pieces[0] = (struct lx_clipped){4, {{-1, -1}, {1, -1}, {1, 1}, {-1, 1}}};
+    for (size_t i = 0; i < veils->count; i++) {
+        const struct lx_veil *veil = &veils->items[i];
+        if (veil->shape || look(veils, veil, cell) == LX_ALL_SEEN)
+            continue;
+        int made = 0;
+        for (int k = 0; k < count; k++)
+            if (!take(veils, veil, cell, pieces[k], left, &made))
+                return -1;
+        memcpy(pieces, left, (size_t)made * sizeof *left);
+        count = made;
+    }
+    return count;
+}

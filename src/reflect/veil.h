@@ -1,0 +1,58 @@
+/* SPDX-License-Identifier: MIT */
+/*
+ * Veils: what of a face is hidden from a place.  A veil is the part of space where some linear functions are all
+ * positive: behind the horizon of the place, turned away from it, or behind a surface that is convex as seen from
+ * there; round outlines are polygons of as much area.  What is not convex is asked way by way.
+ */
+#ifndef LX_REFLECT_VEIL_H
+#define LX_REFLECT_VEIL_H
+
+#include "tile.h"
+
+/* Where light is received. */
+struct lx_receiver {
+    double place_mm[3], normal[3]; /* unit */
+    size_t own;                    /* the prepared surface that it lies on; SIZE_MAX: none */
+    bool is_turned;                /* its normal is not that of its surface there */
+};
+
+struct lx_veil {
+    size_t first, count;            /* planes */
+    const struct lx_shape *shape;   /* instead of planes: by its own answer */
+    double center_mm[3], radius_mm; /* a ball around that */
+};
+
+/* x.p + p[3] > 0 is on the hidden side; p of unit length. */
+struct lx_veils {
+    double (*planes)[4];
+    size_t plane_count, plane_capacity;
+    struct lx_veil *items;
+    size_t count, capacity;
+    double place_mm[3], touch_mm; /* of the receiver; what is below rounding */
+    bool failed;                  /* memory ran out */
+};
+
+/* How a cell is seen. */
+enum lx_outlook { LX_ALL_SEEN, LX_NONE_SEEN, LX_PART_SEEN };
+
+/* Sets the veils before a face; false: nothing of it can be seen.  `size_mm`: of the scene. */
+bool lx_veils_set(const struct lx_prepared *prepared, const struct lx_receiver *receiver,
+                  const struct lx_matte_face *face, double size_mm, struct lx_veils *veils);
+void lx_veils_clear(struct lx_veils *veils);
+
+enum lx_outlook lx_veils_look(const struct lx_veils *veils, const struct lx_tile_cell *cell);
+
+/* Whether a single place of the face is seen. */
+bool lx_veils_leave(const struct lx_veils *veils, const double place_mm[3]);
+
+/* The pieces of a parallelogram that no veil of planes hides: convex polygons in its coordinates from -1 to 1. */
+enum { LX_PIECE_CORNERS = 24, LX_MOST_PIECES = 48 };
+struct lx_clipped {
+    unsigned count;
+    double at[LX_PIECE_CORNERS][2];
+};
+/* Returns how many; -1: too many. */
+int lx_veils_cut(const struct lx_veils *veils, const struct lx_tile_cell *cell,
+                 struct lx_clipped pieces[LX_MOST_PIECES]);
+
+#endif

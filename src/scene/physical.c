@@ -1,0 +1,148 @@
+/* SPDX-License-Identifier: MIT */
+/*
+ * What reflected light asks of a scene, beyond what each of its keys may be: surfaces that send back less than they get,
+ * as reflectances and not as weights, and lights whose law is physical.
+ */
+#include <string.h>
+
+#include "../base/number.h"
+#include "../surface/sheet.h"
+#include "materials.h"
+#include "object.h"
+
+/* A way down from the root of the document; the deepest node on it that was written. */
+struct descent {
+    const struct lx_document *document;
+    lx_node_id node, place;
+};
+
+static void descend(struct descent *descent, lx_node_id next)
+{
+    descent->node = next;
+    if (next)
+        descent->place = next;
+}
+
+static void go_to_key(struct descent *descent, const char *key)
+{
+    descend(descent, descent->node ? lx_document_find(descent->document, descent->node, key) : 0);
+}
+
+static void go_to_element(struct descent *descent, size_t index)
+{
+    lx_node_id id = descent->node ? lx_document_node(descent->document, descent->node)->first : 0;
+    for (size_t k = 0; k < index && id; k++)
+        id = lx_document_node(descent->document, id)->next;
+    descend(descent, id);
+}
+
+static struct descent begin(const struct lx_document *document)
+{
+    return (struct descent){document, document->root, document->root};
+}
+
+/* Reports at a key of a material; `number`: what is there, or NULL. */
+static void report_material(struct lx_walk *walk, const struct lx_scene_material *at, const char *key,
+                            enum lx_message message, const char *number)
+{
+    const struct lx_document *document = walk->document;
+    struct descent descent = begin(document);
+    go_to_key(&descent, "surfaces");
+    go_to_element(&descent, at->surface);
+    go_to_key(&descent, at->part ? "materials" : "material");
+    struct lx_step list = {NULL, "surfaces", 0}, item = {&list, NULL, at->surface},
+                   group = {&item, at->part ? "materials" : "material", 0}, part = {&group, at->part, 0};
+    if (at->part)
+        go_to_key(&descent, at->part);
+    go_to_key(&descent, key);
+    struct lx_step step = {at->part ? &part : &group, key, 0};
+    lx_walk_report(walk, LUXEL_SEVERITY_ERROR, lx_document_place(document, descent.place), &step, message, number,
+                   NULL);
+}
+
+static bool is_sound(const struct lx_scene_parameters *scene)
+{
+    for (size_t i = 0; i < scene->surfaces.count; i++)
+        if (!scene->surfaces.items[i].variant)
+            return false;
+    return true;
+}
+
+static void check_materials(struct lx_walk *walk, const luxel_scene *scene)
+{
+    struct lx_scene_material at = {.material = NULL};
+    while (lx_next_material(&scene->parameters, &at)) {
+        char number[LX_NUMBER_SIZE];
+        if (!at.material->over_pi) {
+            report_material(walk, &at, "over_pi", LX_MSG_REFLECTS_BY_WEIGHT, NULL);
+            lx_hint(walk->diagnostics, LX_MSG_HINT_OVER_PI, NULL);
+        }
+        if (at.material->diffuse >= 1) {
+            report_material(walk, &at, "diffuse", LX_MSG_REFLECTS_ALL, lx_write_number(at.material->diffuse, number));
+            lx_hint(walk->diagnostics, LX_MSG_HINT_LOWER_DIFFUSE, NULL);
+        }
+    }
+}
+
+/* The name of a light's law, where it has one that is not physical. */
+static const char *foreign_law(const struct lx_item *light)
+{
+    const struct lx_light_common *common = light->common;
+    if (!light->variant || !common->enabled)
+        return NULL;
+    const struct lx_parameter *law = lx_find_parameter(light->variant->table, "attenuation");
+    const char *word = law ? lx_chosen(law, light->parameters) : NULL;
+    return word && strcmp(word, "inverse-square") != 0 ? word : NULL;
+}
+
+static void check_laws(struct lx_walk *walk, const luxel_scene *scene)
+{
+    const struct lx_document *document = walk->document;
+    for (size_t i = 0; i < scene->parameters.lights.count; i++) {
+        const char *law = foreign_law(&scene->parameters.lights.items[i]);
+        if (!law)
+            continue;
+        struct descent descent = begin(document);
+        struct lx_step list = {NULL, "lights", 0}, item = {&list, NULL, i}, step = {&item, "attenuation", 0};
+        go_to_key(&descent, "lights");
+        go_to_element(&descent, i);
+        go_to_key(&descent, "attenuation");
+        lx_walk_report(walk, LUXEL_SEVERITY_ERROR, lx_document_place(document, descent.place), &step,
+                       LX_MSG_REFLECTS_BY_LAW, law, NULL);
+        lx_hint(walk->diagnostics, LX_MSG_HINT_INVERSE_SQUARE, NULL);
+    }
+}
+
+/* Surfaces whose reflected light is not known. */
+static void check_kinds(struct lx_walk *walk, const luxel_scene *scene)
+{
+    const struct lx_list *surfaces = &scene->parameters.surfaces;
+    for (size_t i = 0; i < surfaces->count; i++) {
+        const struct lx_surface_kind *kind = (const struct lx_surface_kind *)surfaces->items[i].variant;
+        struct lx_sheet sheets[LX_MOST_SHEETS];
+        if (kind->part_count > 0)
+            continue;
+        const struct lx_shape shape = lx_surface_shape(kind, surfaces->items[i].parameters);
+        if (lx_shape_sheets(&shape, sheets) > 0)
+            continue;
+        struct descent descent = begin(walk->document);
+        struct lx_step list = {NULL, "surfaces", 0}, item = {&list, NULL, i}, step = {&item, "type", 0};
+        go_to_key(&descent, "surfaces");
+        go_to_element(&descent, i);
+        go_to_key(&descent, "type");
+        lx_walk_report(walk, LUXEL_SEVERITY_ERROR, lx_document_place(walk->document, descent.place), &step,
+                       LX_MSG_REFLECTS_NOT_YET, kind->variant.name, NULL);
+        lx_hint(walk->diagnostics, LX_MSG_HINT_REFLECTIONS_NONE, NULL);
+    }
+}
+
+void lx_validate_reflections(struct lx_walk *walk, const luxel_scene *scene)
+{
+    if (scene->parameters.reflections.choice == LX_REFLECTIONS_NONE)
+        return;
+    if (is_sound(&scene->parameters)) {
+        check_materials(walk, scene);
+        check_kinds(walk, scene);
+    }
+    check_laws(walk, scene);
+}

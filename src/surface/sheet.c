@@ -1,0 +1,154 @@
+/* SPDX-License-Identifier: MIT */
+/* Sheets of the kinds of surfaces, and their coordinates. */
+#include "sheet.h"
+
+#include <math.h>
+#include <string.h>
+
+#include "../base/vector.h"
+#include "cylinder.h"
+#include "sphere.h"
+
+extern const struct lx_surface_kind lx_disk_kind, lx_cylinder_kind;
+
+enum { SECTORS = 4, CUBE = 6 };
+#define SECTOR (M_PI / SECTORS) /* half of one */
+
+static struct lx_sheet sheet_of(const struct lx_shape *shape, enum lx_sheet_type type)
+{
+    struct lx_sheet sheet = {.type = type, .turn = 1};
+    memcpy(sheet.center_mm, shape->anchor_mm, sizeof sheet.center_mm);
+    memcpy(sheet.across, shape->across, sizeof sheet.across);
+    memcpy(sheet.upward, shape->upward, sizeof sheet.upward);
+    memcpy(sheet.axis, shape->axis, sizeof sheet.axis);
+    return sheet;
+}
+
+/* The other side of `count` sheets, behind them. */
+static int add_backs(struct lx_sheet *sheets, int count)
+{
+    for (int i = 0; i < count; i++) {
+        sheets[count + i] = sheets[i];
+        sheets[count + i].turn = -sheets[i].turn;
+    }
+    return 2 * count;
+}
+
+static int cut_plate(const struct lx_shape *shape, struct lx_sheet *sheets)
+{
+    sheets[0] = sheet_of(shape, LX_SHEET_PLATE);
+    for (int i = 0; i < 2; i++)
+        sheets[0].half_mm[i] = shape->half_mm[i] - shape->touch_mm;
+    return add_backs(sheets, 1);
+}
+
+static int cut_sectors(const struct lx_shape *shape, enum lx_sheet_type type, double radius_mm, double half_mm,
+                       struct lx_sheet *sheets)
+{
+    for (int i = 0; i < SECTORS; i++) {
+        sheets[i] = sheet_of(shape, type);
+        sheets[i].half_mm[0] = radius_mm;
+        sheets[i].half_mm[1] = half_mm;
+        sheets[i].middle = (2 * i + 1) * SECTOR;
+    }
+    return add_backs(sheets, SECTORS);
+}
+
+/* A ball has no inside, a hollow one has both sides. */
+static int cut_ball(const struct lx_shape *shape, bool is_hollow, struct lx_sheet *sheets)
+{
+    for (int i = 0; i < CUBE; i++) {
+        const double sign = i < CUBE / 2 ? 1 : -1;
+        sheets[i] = (struct lx_sheet){.type = LX_SHEET_BALL, .turn = is_hollow ? -1 : 1, .half_mm = {shape->radius_mm}};
+        memcpy(sheets[i].center_mm, shape->anchor_mm, sizeof sheets[i].center_mm);
+        sheets[i].axis[i % 3] = sign;
+        sheets[i].across[(i + 1) % 3] = sign;
+        sheets[i].upward[(i + 2) % 3] = 1;
+    }
+    return is_hollow ? add_backs(sheets, CUBE) : CUBE;
+}
+
+int lx_shape_sheets(const struct lx_shape *shape, struct lx_sheet sheets[LX_MOST_SHEETS])
+{
+    if (shape->type == LX_PLATE)
+        return cut_plate(shape, sheets);
+    if (shape->type == LX_SPHERE)
+        return cut_ball(shape, false, sheets);
+    if (shape->kind == &lx_inside_kind)
+        return cut_ball(shape, true, sheets);
+    if (shape->kind == &lx_disk_kind)
+        return cut_sectors(shape, LX_SHEET_DISK, shape->half_mm[0] - shape->touch_mm, 0, sheets);
+    if (shape->kind == &lx_cylinder_kind)
+        return cut_sectors(shape, LX_SHEET_TUBE, lx_cylinder_radius(shape), lx_cylinder_half(shape) - shape->touch_mm,
+                           sheets);
+    return 0;
+}
+
+/* place = center + a across + b upward + c axis */
+static void lay(const struct lx_sheet *sheet, double a, double b, double c, double place_mm[3])
+{
+    for (int i = 0; i < 3; i++)
+        place_mm[i] = sheet->center_mm[i] + a * sheet->across[i] + b * sheet->upward[i] + c * sheet->axis[i];
+}
+
+static void turn(const struct lx_sheet *sheet, double a, double b, double c, double normal[3])
+{
+    for (int i = 0; i < 3; i++)
+        normal[i] = sheet->turn * (a * sheet->across[i] + b * sheet->upward[i] + c * sheet->axis[i]);
+}
+
+double lx_sheet_place(const struct lx_sheet *sheet, double s, double t, double place_mm[3], double normal[3])
+{
+    const double radius = sheet->half_mm[0], angle = sheet->middle + SECTOR * s;
+    if (sheet->type == LX_SHEET_PLATE) {
+        lay(sheet, s * sheet->half_mm[0], t * sheet->half_mm[1], 0, place_mm);
+        turn(sheet, 0, 0, 1, normal);
+        return sheet->half_mm[0] * sheet->half_mm[1];
+    }
+    if (sheet->type == LX_SHEET_DISK) {
+        const double away = radius * (1 + t) / 2;
+        lay(sheet, away * cos(angle), away * sin(angle), 0, place_mm);
+        turn(sheet, 0, 0, 1, normal);
+        return away * SECTOR * radius / 2;
+    }
+    if (sheet->type == LX_SHEET_TUBE) {
+        lay(sheet, radius * cos(angle), radius * sin(angle), t * sheet->half_mm[1], place_mm);
+        turn(sheet, cos(angle), sin(angle), 0, normal);
+        return radius * SECTOR * sheet->half_mm[1];
+    }
+    const double x = tan(M_PI / 4 * s), y = tan(M_PI / 4 * t), square = 1 + x * x + y * y, length = sqrt(square);
+    lay(sheet, radius * x / length, radius * y / length, radius / length, place_mm);
+    turn(sheet, x / length, y / length, 1 / length, normal);
+    return radius * radius * (M_PI / 4) * (M_PI / 4) * (1 + x * x) * (1 + y * y) / (square * length);
+}
+
+/* The coordinate of an angle in a sector. */
+static double along_sector(const struct lx_sheet *sheet, double y, double x)
+{
+    return remainder(atan2(y, x) - sheet->middle, 2 * M_PI) / SECTOR;
+}
+
+void lx_sheet_locate(const struct lx_sheet *sheet, const double place_mm[3], double at[2])
+{
+    const double from[3] = {place_mm[0] - sheet->center_mm[0], place_mm[1] - sheet->center_mm[1],
+                            place_mm[2] - sheet->center_mm[2]};
+    const double a = lx_dot(from, sheet->across), b = lx_dot(from, sheet->upward), c = lx_dot(from, sheet->axis);
+    switch (sheet->type) {
+    case LX_SHEET_PLATE:
+        at[0] = a / sheet->half_mm[0];
+        at[1] = b / sheet->half_mm[1];
+        break;
+    case LX_SHEET_DISK:
+        at[0] = along_sector(sheet, b, a);
+        at[1] = 2 * hypot(a, b) / sheet->half_mm[0] - 1;
+        break;
+    case LX_SHEET_TUBE:
+        at[0] = along_sector(sheet, b, a);
+        at[1] = c / sheet->half_mm[1];
+        break;
+    case LX_SHEET_BALL:
+        at[0] = c > 0 ? atan(a / c) * 4 / M_PI : 2;
+        at[1] = c > 0 ? atan(b / c) * 4 / M_PI : 2;
+        break;
+    }
+}
