@@ -59,7 +59,7 @@ typedef struct luxel_probe {
     double value;             /* the exact value, the sum over the lights */
     double error;             /* bounds |value - truth| */
     bool tolerance_reached;   /* whether error <= tolerance * |value|; see luxel_settings */
-    bool has_reflected;       /* whether the scene's surfaces reflect light to each other; then value and error have it */
+    bool has_reflected;       /* whether surfaces reflect light to each other; then value and error have it */
     double reflected_irradiance; /* E_r, what the element receives this way */
     double reflected_value;   /* what that adds to the value */
     double reflected_error;   /* bounds the error of what it adds */

@@ -5,7 +5,7 @@ from typing import Any, Callable, List, Optional, Tuple, Type, TypeVar, final
 LOCALEDIR: str
 
 _Field = TypeVar("_Field", bound="FieldHandle")
-_Settings = Tuple[int, int, int, Optional[str], float, float, int, bool, Optional[Callable[[float], Any]]]
+_Settings = Tuple[int, int, int, Optional[str], float, float, float, int, bool, Optional[Callable[[float], Any]]]
 
 @final
 class SceneHandle: ...

@@ -44,6 +44,8 @@ class Probe(NamedTuple):
     lies_on_surface: bool
     enclosing_surface: Optional[int]  #: the surface inside whose body a free element is
     blocking_light: Optional[int]  #: the light that lies on the element, which then has no value
+    #: what other surfaces send: irradiance, its part of the value, the bound of that part's error
+    reflected: Optional[Tuple[float, float, float]]
     shares: Tuple[Share, ...]  #: one for each enabled light
     unit: str
 

@@ -290,29 +290,35 @@ class Scene:
 
     @overload
     def probe(self, points: Pair, *, quantity: Optional[str] = ..., tolerance: Optional[float] = ...,
-              threads: int = ..., progress: Optional[Progress] = ...) -> Probe: ...
+              reflected_error: Optional[float] = ..., threads: int = ...,
+              progress: Optional[Progress] = ...) -> Probe: ...
 
     @overload
     def probe(self, points: "Union[None, Iterable[Pair], npt.NDArray[Any]]" = ..., *, quantity: Optional[str] = ...,
-              tolerance: Optional[float] = ..., threads: int = ..., progress: Optional[Progress] = ...) -> Probes: ...
+              tolerance: Optional[float] = ..., reflected_error: Optional[float] = ..., threads: int = ...,
+              progress: Optional[Progress] = ...) -> Probes: ...
 
     def probe(self, points: Any = None, *, quantity: Optional[str] = None, tolerance: Optional[float] = None,
-              threads: int = 0, progress: Optional[Progress] = None) -> Union[Probe, Probes]:
+              reflected_error: Optional[float] = None, threads: int = 0,
+              progress: Optional[Progress] = None) -> Union[Probe, Probes]:
         """The exact values at points of the screen, x and y in mm, light by light, with bounds of their errors.
 
         One pair gives a Probe; a list of pairs or an array of two columns gives Probes; None takes the scene's points.
-        Thousands at once are fastest; for arrays of surface elements there is evaluate().
+        Thousands at once are fastest.  `reflected_error` is the bound wanted of reflected light, relative to
+        the value, 0.001 unless it is given.  For arrays of surface elements there is evaluate().
         """
         points = self.points if points is None else points
         shape = getattr(points, "shape", None)
         is_one = len(shape) == 1 if shape is not None else (
             isinstance(points, (tuple, list)) and len(points) == 2 and not hasattr(points[0], "__len__"))
-        found = self._probe(_flow.pairs([points] if is_one else points), quantity, tolerance, threads, progress)
+        found = self._probe(_flow.pairs([points] if is_one else points), quantity, tolerance, reflected_error, threads,
+                            progress)
         return found[0] if is_one else Probes(found)
 
     def probe_element(self, position_mm: Sequence[float], normal: Sequence[float], *,
                       view: Optional[Sequence[float]] = None, surface: int = 0, quantity: Optional[str] = None,
-                      tolerance: Optional[float] = None, threads: int = 0) -> Probe:
+                      tolerance: Optional[float] = None, reflected_error: Optional[float] = None,
+                      threads: int = 0) -> Probe:
         """The exact value of a free surface element, with all that evaluate() leaves out.
 
         An element on a surface has its material, else that of the surface named; the view is the scene's or its own.
@@ -322,11 +328,13 @@ class Scene:
         x, y, z = (float(number) for number in position_mm)
         place = (x, y, z) + tuple(float(number) for number in normal)
         direction = None if view is None else tuple(float(number) for number in view)
-        return self._probe([place + (direction, surface)], quantity, tolerance, threads, None)[0]
+        return self._probe([place + (direction, surface)], quantity, tolerance, reflected_error, threads,
+                           None)[0]
 
-    def _probe(self, places: List[Any], quantity: Optional[str], tolerance: Optional[float], threads: int,
-               progress: Optional[Progress]) -> List[Probe]:
-        how = settings(self._carried, quantity, None, threads, None, tolerance, progress=progress)
+    def _probe(self, places: List[Any], quantity: Optional[str], tolerance: Optional[float],
+               reflected_error: Optional[float], threads: int, progress: Optional[Progress]) -> List[Probe]:
+        how = settings(self._carried, quantity, None, threads, None, tolerance, progress=progress,
+                       reflected_error=reflected_error)
         return probes(_luxel.probe(self._handle, places, how), _luxel.scene_unit(self._handle, how[0])[0])
 
     def evaluate(self, places: "npt.ArrayLike", normals: "npt.ArrayLike", view: "Optional[npt.ArrayLike]" = None, *,
@@ -372,8 +380,8 @@ class Scene:
         _luxel.evaluate(self._handle, arrays, surface, how)
         return result
 
-    def grid(self, name: Union[str, int] = 0, *, tolerance: Optional[float] = None, threads: int = 0,
-             progress: Optional[Progress] = None) -> Grid:
+    def grid(self, name: Union[str, int] = 0, *, tolerance: Optional[float] = None,
+             reflected_error: Optional[float] = None, threads: int = 0, progress: Optional[Progress] = None) -> Grid:
         """Measures a grid, by its name or index: the irradiance of its cells, average, extrema, uniformity, flux."""
         if isinstance(name, str):
             names = self.grids
@@ -382,7 +390,8 @@ class Scene:
             name = names.index(name)
         elif not 0 <= name < _luxel.grid_count(self._handle):
             raise IndexError("grids[%d]" % name)
-        how = settings(self._carried, None, None, threads, None, tolerance, progress=progress)
+        how = settings(self._carried, None, None, threads, None, tolerance, progress=progress,
+                       reflected_error=reflected_error)
         return Grid(_luxel.measure(self._handle, name, how))
 
     def profile(self, start: Pair, end: Pair, samples: Optional[int] = None, *, arc: bool = False,

@@ -63,7 +63,7 @@ static PyObject *grid_tuple(PyObject *module, luxel_grid *grid)
         extremum(grid, &grid->minimum), extremum(grid, &grid->maximum), number_or_none(grid->has_evenness, grid->u0),
         number_or_none(grid->has_evenness, grid->ud), plane(grid), sampling(grid),
         grid->enclosed > 0 ? PyLong_FromSize_t(grid->enclosing_surface) : none(),
-        grid->tolerance_reached ? Py_True : Py_False, (Py_ssize_t)grid->enclosed);
+        grid->tolerance_reached && grid->reflected_reached ? Py_True : Py_False, (Py_ssize_t)grid->enclosed);
 
     Py_DECREF(holder);
     return tuple;

@@ -36,17 +36,22 @@ static PyObject *probe_tuple(const luxel_probe *probe)
     if (!shares)
         return NULL;
     return Py_BuildValue(
-        "(NNONNONNNNNNNONNN)", pair_or_none(probe->has_screen, probe->x_mm, probe->y_mm),
+        "(NNONNONNNNNNNONNNN)", pair_or_none(probe->has_screen, probe->x_mm, probe->y_mm),
         probe->has_pixel ? Py_BuildValue("(II)", probe->column, probe->row) : none(),
         probe->on_surface ? Py_True : Py_False, number_or_none(probe->has_value, probe->value),
-        number_or_none(probe->has_value, probe->error), probe->tolerance_reached ? Py_True : Py_False,
+        number_or_none(probe->has_value, probe->error),
+        probe->tolerance_reached && probe->reflected_reached ? Py_True : Py_False,
         number_or_none(probe->has_pixel_value, probe->pixel_value),
         triple_or_none(probe->on_surface, probe->position_mm), triple_or_none(probe->on_surface, probe->normal),
         triple_or_none(probe->on_surface, probe->view), index_or_none(probe->on_surface, probe->surface),
         text_or_none(probe->on_surface ? probe->surface_name : NULL),
         text_or_none(probe->on_surface ? probe->part_name : NULL), probe->lies_on_surface ? Py_True : Py_False,
         index_or_none(probe->is_enclosed, probe->enclosing_surface),
-        index_or_none(probe->source_on_element, probe->blocking_light), shares);
+        index_or_none(probe->source_on_element, probe->blocking_light),
+        probe->has_reflected
+            ? Py_BuildValue("(ddd)", probe->reflected_irradiance, probe->reflected_value, probe->reflected_error)
+            : none(),
+        shares);
 }
 
 /* From (x, y) on the screen, or (x, y, z, nx, ny, nz, view or None, surface).  False: an exception is set. */

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /*
- * The linear system of reflected light: x = right + K (rho x), K the matrix of transfers between the nodes of all tiles,
- * whose rows sum to no more than 1, so that it has one solution wherever rho is below 1.
+ * The linear system of reflected light: x = right + K (rho x), K the matrix of transfers between the nodes of all
+ * tiles, whose rows sum to no more than 1, so that it has one solution wherever rho is below 1.
  */
 #ifndef LX_REFLECT_LINEAR_H
 #define LX_REFLECT_LINEAR_H

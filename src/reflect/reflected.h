@@ -5,8 +5,8 @@
  *
  * The direct irradiance E_d of each face is known at any place.  The reflected one obeys E_r = K rho (E_d + E_r), where
  * K is the integral over all faces that are seen; it is a polynomial on each of some tiles, graded towards edges,
- * found by collocation at their nodes.  How far the right side of the equation is from the polynomials, the residual, is
- * looked for between the nodes; errors e of the solution obey |e| <= |residual| + K rho |e|, which is solved as
+ * found by collocation at their nodes.  How far the right side of the equation is from the polynomials, the residual,
+ * is looked for between the nodes; errors e of the solution obey |e| <= |residual| + K rho |e|, which is solved as
  * well.  One more integral gives E_r at any place, and of the errors, too.  docs/MATHS.md, "Reflected light".
  */
 #ifndef LX_REFLECT_REFLECTED_H

@@ -11,11 +11,15 @@
 #include "linear.h"
 #include "refine.h"
 
-const struct lx_fineness lx_fine = {.seen = 0.35, .rough = 0.2, .flat_part = 0.1, .round_part = 0.03};
-const struct lx_fineness lx_coarse = {.seen = 0.45, .rough = 0.25, .flat_part = 0.2, .round_part = 0.06};
+const struct lx_fineness lx_fine = {.seen = 0.35, .rough = 0.2, .flat_part = 0.1, .round_part = 0.06};
+const struct lx_fineness lx_coarse = {.seen = 0.45, .rough = 0.25, .flat_part = 0.2, .round_part = 0.12};
 
 /* Residuals are looked for at places that near to the edges of a tile, and may be larger between these by a factor. */
 static const double BESIDE = 0.97, BETWEEN = 2;
+
+/* What the rules of integration leave, as a share of what arrives: of cells that are cut to size, and of the areas of
+ * round tiles. */
+static const double FLAT_RULE = 2e-8, ROUND_RULE = 4e-7;
 
 enum { PLACES = 9 };
 
@@ -85,6 +89,8 @@ static void judge_tile(const struct solving *solving, size_t t)
     double mean = 0;
     for (int p = 0; p < PLACES; p++) /* by Simpson's rule */
         mean += (p % 3 == 1 ? 4 : 1) * (p / 3 == 1 ? 4 : 1) / 36.0 * fabs(sampled[p]);
+    const size_t first = t * LX_RULE_NODES;
+    const double rule = solving->reflected->has_round_faces ? ROUND_RULE : FLAT_RULE;
     for (int k = 0; k < 2; k++) {
         const int step = k == 0 ? 1 : 3, other = 4 - step;
         double off = 0;
@@ -93,9 +99,8 @@ static void judge_tile(const struct solving *solving, size_t t)
                 off = fmax(off, fabs(sampled[4 + r * other + sign * step] - sampled[4 + r * other]));
         tile->residual[k] = fmax(tile->residual[k], off);
     }
-    for (int q = 0; q < LX_RULE_NODES; q++)
-        solving->residual[t * LX_RULE_NODES + (size_t)q] =
-            fmax(solving->residual[t * LX_RULE_NODES + (size_t)q], BETWEEN * mean);
+    for (size_t i = first; i < first + LX_RULE_NODES; i++)
+        solving->residual[i] = fmax(solving->residual[i], BETWEEN * mean + rule * fabs(solving->after[i]));
 }
 
 static bool run(const struct solving *solving, size_t count, lx_rows_work *work)

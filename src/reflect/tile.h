@@ -22,7 +22,7 @@ struct lx_matte_face {
     bool is_flat;
 };
 
-/* A window of a face in space.  Of a plate it is the parallelogram center + x first + y second, x and y from -1 to 1. */
+/* A window of a face in space.  Of a plate it is a parallelogram, center + x first + y second, x and y from -1 to 1. */
 struct lx_tile_cell {
     double center_mm[3], radius_mm; /* a ball around it */
     double first_mm[3], second_mm[3];

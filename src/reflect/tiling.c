@@ -122,8 +122,11 @@ static int add_faces(struct lx_radiosity *reflected, size_t s)
     const struct lx_prepared_surface *surface = &reflected->prepared->surfaces[s];
     struct lx_sheet sheets[LX_MOST_SHEETS];
     const int count = lx_shape_sheets(&surface->shape, sheets);
-    for (int i = 0; i < count; i++)
-        lx_face_make(&sheets[i], s, surface->material->diffuse, &reflected->faces[reflected->face_count++]);
+    for (int i = 0; i < count; i++) {
+        struct lx_matte_face *face = &reflected->faces[reflected->face_count++];
+        lx_face_make(&sheets[i], s, surface->material->diffuse, face);
+        reflected->has_round_faces = reflected->has_round_faces || !face->is_flat;
+    }
     return 0;
 }
 

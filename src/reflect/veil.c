@@ -282,7 +282,9 @@ bool lx_veils_set(const struct lx_prepared *prepared, const struct lx_receiver *
     sub(face->center_mm, receiver->place_mm, from);
     if (lx_dot(from, receiver->normal) < -face->radius_mm || !add_turned(veils, face))
         return false;
-    add_half_space(veils, below, receiver->place_mm);
+    /* of what is hollow nothing is below a tangent plane */
+    if (face->surface != receiver->own || receiver->is_turned)
+        add_half_space(veils, below, receiver->place_mm);
     if (receiver->is_turned && receiver->own < prepared->surface_count)
         add_own(veils, &prepared->surfaces[receiver->own], receiver);
     for (size_t s = 0; s < prepared->surface_count; s++) {

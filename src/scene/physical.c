@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /*
- * What reflected light asks of a scene, beyond what each of its keys may be: surfaces that send back less than they get,
- * as reflectances and not as weights, and lights whose law is physical.
+ * What reflected light asks of a scene, beyond what each of its keys may be: surfaces that send back less than they
+ * get, as reflectances and not as weights, and lights whose law is physical.
  */
 #include <string.h>
 

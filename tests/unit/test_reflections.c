@@ -1,0 +1,199 @@
+/* SPDX-License-Identifier: MIT */
+/*
+ * Reflected light against truths: the furnace (in any closed enclosure of one reflectance under uniform light, whatever
+ * stands in it, E = E0/(1 - rho)), the integrating sphere, concentric spheres, points of a cube to eight digits, one
+ * bounce over a plane; what is refused; the same digits for any number of threads.
+ */
+#include <math.h>
+#include <stdio.h>
+
+#include "scenes.h"
+
+enum { TEXT_SIZE = 3000 };
+
+static luxel_scene *scene_of(const char *reflections, const char *surfaces, const char *lights)
+{
+    char text[TEXT_SIZE];
+    luxel_scene *scene;
+    const int length = snprintf(text, sizeof text,
+                                "luxel: 1\nunits: photometric\nreflections: %s\n"
+                                "screen: {width: 400, height: 400, resolution: [4, 4]}\nobserver: {z: 30000, "
+                                "projection: perspective}\nsurfaces: [%s]\nlights: [%s]\n",
+                                reflections, surfaces, lights);
+    assert_true(length > 0 && length < TEXT_SIZE);
+    luxel_diagnostics *diagnostics = luxel_diagnostics_new();
+    if (load(text, diagnostics, &scene) != LUXEL_OK)
+        fail_msg("%s", luxel_diagnostics_message(diagnostics, 0, NULL, NULL));
+    luxel_diagnostics_free(diagnostics);
+    return scene;
+}
+
+/* A free element and its true reflected irradiance. */
+struct truth {
+    double place[3], normal[3], irradiance;
+};
+
+/* The values are within their bounds of the truth, and these are no more than `most` of it. */
+static void expect(luxel_scene *scene, const struct truth *truths, size_t count, double most)
+{
+    luxel_settings settings;
+    luxel_settings_init(&settings);
+    settings.quantity = LUXEL_IRRADIANCE;
+    settings.reflected_error = most;
+    luxel_place places[8] = {0};
+    luxel_probe *probes;
+    for (size_t i = 0; i < count; i++) {
+        places[i].is_element = true;
+        for (int k = 0; k < 3; k++) {
+            places[i].position_mm[k] = truths[i].place[k];
+            places[i].normal[k] = truths[i].normal[k];
+        }
+    }
+    assert_int_equal(luxel_probe_many(scene, &settings, places, count, NULL, &probes), LUXEL_OK);
+    for (size_t i = 0; i < count; i++) {
+        const luxel_probe *probe = &probes[i];
+        const double off = fabs(probe->reflected_irradiance - truths[i].irradiance);
+        assert_true(probe->has_reflected && probe->reflected_reached);
+        if (!(off <= probe->reflected_error) || !(probe->reflected_error <= most * probe->value))
+            fail_msg("place %zu: %.10g instead of %.10g, bound %.2g", i, probe->reflected_irradiance,
+                     truths[i].irradiance, probe->reflected_error);
+    }
+    luxel_probe_free(probes);
+    luxel_scene_free(scene);
+}
+
+#define ROOM(rho)                                                                                                      \
+    "{type: room, center: [0, 0, 0], size: [4000, 4000, 4000], material: {model: lambert, diffuse: " rho               \
+    ", over_pi: true}}"
+#define MATERIAL(rho) "material: {model: lambert, diffuse: " rho ", over_pi: true}"
+
+/* Eight digits by spectral collocation, of 10 000 lm from the middle of a cube of 4 m. */
+static void cube(void **state)
+{
+    (void)state;
+    static const double truths[2][3] = {{112.03836, 107.78338, 96.850238}, {255.00881, 248.68833, 231.79366}};
+    static const char *const rooms[] = {ROOM("0.5"), ROOM("0.7")};
+    for (int r = 0; r < 2; r++) {
+        const struct truth at[] = {{{0, 0, -2000}, {0, 0, 1}, truths[r][0]},
+                                   {{-2000, 1000, 1000}, {1, 0, 0}, truths[r][1]},
+                                   {{1500, -2000, 1500}, {0, 1, 0}, truths[r][2]}};
+        expect(scene_of("all", rooms[r], "{type: point, position: [0, 0, 0], power: 10000}"), at, 3, 2e-3);
+    }
+}
+
+static void furnace(void **state)
+{
+    (void)state;
+    const struct truth at[] = {{{0, 0, -2000}, {0, 0, 1}, 1},
+                               {{300, -1000, 200}, {0, -1, -0.1}, 1},
+                               {{300, -2000, 200}, {0, 1, 0}, 1},
+                               {{-900, -1400, 500}, {0, 1, 0}, 1},
+                               {{100, 500, 300}, {1, 2, 3}, 1}};
+    expect(scene_of(
+               "all",
+               ROOM("0.5") ", {type: rectangle, center: [300, -1000, 200], size: [1500, 900], axis: [0, 1, "
+                           "0.1], " MATERIAL(
+                               "0.5") "}, {type: sphere, center: [-900, -1700, 500], radius: 300, " MATERIAL("0.5") "}",
+               "{type: ambient, irradiance: 1}"),
+           at, 5, 5e-3);
+}
+
+/* The kernel of a sphere is constant: mean rho E / (1 - rho) on all of it, whatever the lamp's pattern. */
+static void integrating_sphere(void **state)
+{
+    (void)state;
+    const char *sphere = "{type: sphere, center: [0, 0, 0], radius: 500, inside: true, " MATERIAL("0.9") "}";
+    const char *lamp = "{type: point, position: [100, 50, -200], power: 1000}";
+    const char *spot = "{type: spot, position: [0, 100, 50], axis: [1, 0.3, 0.2], inner: 10, outer: 40, power: 1000}";
+    const double mean = 1000 / M_PI; /* by 4 pi 0.5^2 m^2 */
+    const struct truth all[] = {{{0, 0, -500}, {0, 0, 1}, 9 * mean}, {{500, 0, 0}, {-1, 0, 0}, 9 * mean}};
+    const struct truth one[] = {{{0, 0, -500}, {0, 0, 1}, 0.9 * mean}};
+    const struct truth two[] = {{{0, 0, -500}, {0, 0, 1}, 1.71 * mean}};
+    expect(scene_of("all", sphere, lamp), all, 2, 1e-4);
+    expect(scene_of("all", sphere, spot), all, 2, 1e-4);
+    expect(scene_of("1", sphere, spot), one, 1, 1e-4);
+    expect(scene_of("2", sphere, lamp), two, 1, 1e-4);
+}
+
+/* e1 = 1 + 0.8 e2 inside, e2 = 1 + 0.5 e1/4 + 0.8 (3/4) e2 outside. */
+static void concentric_spheres(void **state)
+{
+    (void)state;
+    const struct truth at[] = {{{0, 0, 500}, {0, 0, 1}, 3}, {{0, 1000, 0}, {0, -1, 0}, 2.75}};
+    expect(scene_of("all",
+                    "{type: sphere, center: [0, 0, 0], radius: 1000, inside: true, " MATERIAL(
+                        "0.8") "}, {type: sphere, center: [0, 0, 0], radius: 500, " MATERIAL("0.5") "}",
+                    "{type: ambient, irradiance: 1}"),
+           at, 2, 5e-3);
+}
+
+/* A point at the height of 2 m over a plane, an element at 1 m below it; the plane's end takes less than 1e-7. */
+static void one_bounce(void **state)
+{
+    (void)state;
+    const struct truth at[] = {{{0, 0, 1000}, {0, 0, -1}, 0.159769335799369 * 50}};
+    expect(scene_of("1", "{type: rectangle, center: [0, 0, 0], size: [60000, 60000], " MATERIAL("0.5") "}",
+                    "{type: point, position: [0, 0, 2000], intensity: 100}"),
+           at, 1, 1e-3);
+}
+
+/* All that is wrong is told at once, and pictures are not made of direct light alone. */
+static void refusals(void **state)
+{
+    (void)state;
+    luxel_diagnostics *diagnostics = luxel_diagnostics_new();
+    luxel_scene *scene;
+    assert_int_equal(
+        load("luxel: 1\nreflections: 2\nscreen: {width: 400, height: 400, resolution: [4, 4]}\n"
+             "observer: {z: 3000}\nsurfaces:\n  - {type: sphere, center: [0, 0, 0], radius: 100}\n"
+             "  - {type: sphere, center: [300, 0, 0], radius: 100, material: {diffuse: 1, over_pi: "
+             "true}}\nlights:\n  - {type: point, position: [0, 0, 900], intensity: 1, attenuation: none}\n",
+             diagnostics, &scene),
+        LUXEL_ERROR_SCENE);
+    assert_int_equal(luxel_diagnostics_count(diagnostics), 3);
+    expect_entry(diagnostics, 0, WANTED("reflects-by-weight", 6, .key = "surfaces[0].material.over_pi"));
+    expect_entry(diagnostics, 1, WANTED("reflects-all", 7, .key = "surfaces[1].material.diffuse"));
+    expect_entry(diagnostics, 2, WANTED("reflects-by-law", 9, .key = "lights[0].attenuation"));
+    luxel_scene_free(scene);
+
+    luxel_field *field = NULL;
+    luxel_diagnostics_clear(diagnostics);
+    scene = scene_of("all", ROOM("0.5"), "");
+    assert_int_equal(luxel_render(scene, NULL, diagnostics, &field), LUXEL_ERROR_ARGUMENT);
+    expect_entry(diagnostics, 0, WANTED("no-reflections-here"));
+    luxel_scene_free(scene);
+    luxel_diagnostics_free(diagnostics);
+}
+
+static void threads(void **state)
+{
+    (void)state;
+    double values[2] = {0};
+    luxel_scene *scene = scene_of("all", ROOM("0.5"), "{type: point, position: [500, 0, 0], power: 10000}");
+    for (unsigned i = 0; i < 2; i++) {
+        luxel_settings settings;
+        luxel_probe *probe;
+        luxel_settings_init(&settings);
+        settings.threads = 1 + 2 * i;
+        settings.reflected_error = 0.02;
+        assert_int_equal(luxel_probe_screen(scene, &settings, 100, 50, NULL, &probe), LUXEL_OK);
+        values[i] = probe->value;
+        luxel_probe_free(probe);
+    }
+    luxel_scene_free(scene);
+    assert_true(values[0] == values[1]);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(cube),
+        cmocka_unit_test(furnace),
+        cmocka_unit_test(integrating_sphere),
+        cmocka_unit_test(concentric_spheres),
+        cmocka_unit_test(one_bounce),
+        cmocka_unit_test(refusals),
+        cmocka_unit_test(threads),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
