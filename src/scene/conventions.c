@@ -192,6 +192,9 @@ static int collect_value(struct collecting *all, const struct lx_parameter *para
                                                     : add(all, parameter->name, lx_chosen(parameter, parameters));
     if (parameter->type == LX_CHOICE_OR_PAIR)
         return add_choice_or_pair(all, parameter, value);
+    if (strcmp(parameter->name, "reflections") == 0 &&
+        ((const struct lx_choice_or_whole *)value)->choice == LX_REFLECTIONS_NONE)
+        return 0; /* direct light alone goes without saying */
     if (parameter->type == LX_CHOICE_OR_WHOLE)
         return add_choice_or_whole(all, parameter, value);
     if (parameter->type == LX_BOOLEAN && booleans)
