@@ -14,7 +14,7 @@ struct lx_radiosity {
     double size_mm;   /* of the scene */
     struct lx_matte_face *faces;
     size_t face_count;
-    bool has_round_faces; /* balls or tubes */
+    bool has_round_faces;  /* balls or tubes */
     struct lx_tile *tiles; /* face by face */
     size_t tile_count, tile_capacity;
     size_t *first_tile; /* of each face, and behind the last */

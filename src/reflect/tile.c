@@ -19,7 +19,7 @@ static double distance(const double a[3], const double b[3])
 
 static void bound_plate(const struct lx_matte_face *face, const struct lx_window *window, struct lx_tile_cell *cell)
 {
-    const struct lx_sheet *sheet = &face->sheet;
+    const struct lx_smooth_sheet *sheet = &face->sheet;
     double normal[3];
     lx_sheet_place(sheet, window->middle[0], window->middle[1], cell->center_mm, normal);
     for (int k = 0; k < 2; k++)
@@ -81,7 +81,7 @@ void lx_cell_make(const struct lx_matte_face *face, const struct lx_window *wind
     lx_cell_nodes(face, window, cell);
 }
 
-void lx_face_make(const struct lx_sheet *sheet, size_t surface, double reflectance, struct lx_matte_face *face)
+void lx_face_make(const struct lx_smooth_sheet *sheet, size_t surface, double reflectance, struct lx_matte_face *face)
 {
     const struct lx_window whole = {{0, 0}, {1, 1}};
     struct lx_tile_cell cell;

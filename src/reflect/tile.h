@@ -14,7 +14,7 @@
 
 /* A face reflects, on one side of a surface. */
 struct lx_matte_face {
-    struct lx_sheet sheet;
+    struct lx_smooth_sheet sheet;
     size_t surface; /* among the prepared ones */
     double reflectance;
     double center_mm[3], radius_mm; /* a ball around it */
@@ -54,6 +54,6 @@ void lx_cell_bound(const struct lx_matte_face *face, const struct lx_window *win
 void lx_cell_nodes(const struct lx_matte_face *face, const struct lx_window *window, struct lx_tile_cell *cell);
 
 /* A face of a sheet. */
-void lx_face_make(const struct lx_sheet *sheet, size_t surface, double reflectance, struct lx_matte_face *face);
+void lx_face_make(const struct lx_smooth_sheet *sheet, size_t surface, double reflectance, struct lx_matte_face *face);
 
 #endif

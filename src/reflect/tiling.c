@@ -120,7 +120,7 @@ static int cut_face(struct lx_radiosity *reflected, uint32_t f, double scale_mm)
 static int add_faces(struct lx_radiosity *reflected, size_t s)
 {
     const struct lx_prepared_surface *surface = &reflected->prepared->surfaces[s];
-    struct lx_sheet sheets[LX_MOST_SHEETS];
+    struct lx_smooth_sheet sheets[LX_MOST_SHEETS];
     const int count = lx_shape_sheets(&surface->shape, sheets);
     for (int i = 0; i < count; i++) {
         struct lx_matte_face *face = &reflected->faces[reflected->face_count++];
@@ -133,7 +133,7 @@ static int add_faces(struct lx_radiosity *reflected, size_t s)
 /* How far before the plane of a flat face anything of the other one is. */
 static double highest_over(const struct lx_matte_face *flat, const struct lx_matte_face *other)
 {
-    const struct lx_sheet *plane = &flat->sheet, *sheet = &other->sheet;
+    const struct lx_smooth_sheet *plane = &flat->sheet, *sheet = &other->sheet;
     double from[3], reach = other->radius_mm;
     const double *center = other->is_flat ? sheet->center_mm : other->center_mm;
     if (other->is_flat) {

@@ -92,7 +92,7 @@ static void circle(const double center_mm[3], const double first[3], const doubl
             corners[k][i] = center_mm[i] + larger * (cos(k * step) * first[i] + sin(k * step) * second[i]);
 }
 
-static void add_plate(struct lx_veils *veils, const struct lx_sheet *plate)
+static void add_plate(struct lx_veils *veils, const struct lx_smooth_sheet *plate)
 {
     const double height = height_over(veils, plate->axis, plate->center_mm);
     double corners[4][3];
@@ -107,7 +107,7 @@ static void add_plate(struct lx_veils *veils, const struct lx_sheet *plate)
     add_polygon(veils, (const double(*)[3])corners, 4, plate->axis, plate->center_mm, height);
 }
 
-static void add_disk(struct lx_veils *veils, const struct lx_sheet *disk)
+static void add_disk(struct lx_veils *veils, const struct lx_smooth_sheet *disk)
 {
     const double height = height_over(veils, disk->axis, disk->center_mm);
     double corners[ROUND][3];
@@ -127,7 +127,7 @@ static void beside(const double axis[3], double first[3], double second[3])
 }
 
 /* A ball hides what the circle does in which the tangents touch it.  False: the place is inside. */
-static bool add_ball(struct lx_veils *veils, const struct lx_sheet *ball)
+static bool add_ball(struct lx_veils *veils, const struct lx_smooth_sheet *ball)
 {
     const double radius = ball->half_mm[0];
     double way[3], first[3], second[3], middle[3], corners[ROUND][3];
@@ -171,7 +171,8 @@ static bool may_stand_before(const struct lx_veils *veils, const double center_m
 }
 
 /* Whether a plate has the place and all of a face on one of its sides. */
-static bool is_aside(const struct lx_veils *veils, const struct lx_sheet *plate, const struct lx_matte_face *face)
+static bool is_aside(const struct lx_veils *veils, const struct lx_smooth_sheet *plate,
+                     const struct lx_matte_face *face)
 {
     const double height = height_over(veils, plate->axis, plate->center_mm);
     const double side = height > 0 ? 1 : -1;
@@ -190,7 +191,7 @@ static bool is_aside(const struct lx_veils *veils, const struct lx_sheet *plate,
 static bool add_surface(struct lx_veils *veils, const struct lx_prepared_surface *surface,
                         const struct lx_matte_face *face)
 {
-    struct lx_sheet sheets[LX_MOST_SHEETS];
+    struct lx_smooth_sheet sheets[LX_MOST_SHEETS];
     const struct lx_shape *shape = &surface->shape;
     if (!may_stand_before(veils, shape->anchor_mm, shape->radius_mm, face->center_mm, face->radius_mm))
         return true;
@@ -211,7 +212,7 @@ static bool add_surface(struct lx_veils *veils, const struct lx_prepared_surface
 /* The part of a round face that is turned away from the place is on one side of a plane. */
 static bool add_turned(struct lx_veils *veils, const struct lx_matte_face *face)
 {
-    const struct lx_sheet *sheet = &face->sheet;
+    const struct lx_smooth_sheet *sheet = &face->sheet;
     double from[3], through[3];
     sub(veils->place_mm, sheet->center_mm, from);
     if (face->is_flat)
@@ -257,7 +258,7 @@ static bool hides_itself(const struct lx_matte_face *face, const struct lx_recei
 /* Whether the receiver lies on the inner side of a tube or a hollow ball, which is between it and what is outside. */
 static bool is_within(const struct lx_shape *shape, const struct lx_receiver *receiver)
 {
-    struct lx_sheet sheets[LX_MOST_SHEETS];
+    struct lx_smooth_sheet sheets[LX_MOST_SHEETS];
     double from[3];
     if (lx_shape_sheets(shape, sheets) == 0 || (sheets[0].type != LX_SHEET_TUBE && sheets[0].type != LX_SHEET_BALL))
         return false;

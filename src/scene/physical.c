@@ -119,7 +119,7 @@ static void check_kinds(struct lx_walk *walk, const luxel_scene *scene)
     const struct lx_list *surfaces = &scene->parameters.surfaces;
     for (size_t i = 0; i < surfaces->count; i++) {
         const struct lx_surface_kind *kind = (const struct lx_surface_kind *)surfaces->items[i].variant;
-        struct lx_sheet sheets[LX_MOST_SHEETS];
+        struct lx_smooth_sheet sheets[LX_MOST_SHEETS];
         if (kind->part_count > 0)
             continue;
         const struct lx_shape shape = lx_surface_shape(kind, surfaces->items[i].parameters);

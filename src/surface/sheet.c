@@ -14,9 +14,9 @@ extern const struct lx_surface_kind lx_disk_kind, lx_cylinder_kind;
 enum { SECTORS = 4, CUBE = 6 };
 #define SECTOR (M_PI / SECTORS) /* half of one */
 
-static struct lx_sheet sheet_of(const struct lx_shape *shape, enum lx_sheet_type type)
+static struct lx_smooth_sheet sheet_of(const struct lx_shape *shape, enum lx_sheet_type type)
 {
-    struct lx_sheet sheet = {.type = type, .turn = 1};
+    struct lx_smooth_sheet sheet = {.type = type, .turn = 1};
     memcpy(sheet.center_mm, shape->anchor_mm, sizeof sheet.center_mm);
     memcpy(sheet.across, shape->across, sizeof sheet.across);
     memcpy(sheet.upward, shape->upward, sizeof sheet.upward);
@@ -25,7 +25,7 @@ static struct lx_sheet sheet_of(const struct lx_shape *shape, enum lx_sheet_type
 }
 
 /* The other side of `count` sheets, behind them. */
-static int add_backs(struct lx_sheet *sheets, int count)
+static int add_backs(struct lx_smooth_sheet *sheets, int count)
 {
     for (int i = 0; i < count; i++) {
         sheets[count + i] = sheets[i];
@@ -34,7 +34,7 @@ static int add_backs(struct lx_sheet *sheets, int count)
     return 2 * count;
 }
 
-static int cut_plate(const struct lx_shape *shape, struct lx_sheet *sheets)
+static int cut_plate(const struct lx_shape *shape, struct lx_smooth_sheet *sheets)
 {
     sheets[0] = sheet_of(shape, LX_SHEET_PLATE);
     for (int i = 0; i < 2; i++)
@@ -43,7 +43,7 @@ static int cut_plate(const struct lx_shape *shape, struct lx_sheet *sheets)
 }
 
 static int cut_sectors(const struct lx_shape *shape, enum lx_sheet_type type, double radius_mm, double half_mm,
-                       struct lx_sheet *sheets)
+                       struct lx_smooth_sheet *sheets)
 {
     for (int i = 0; i < SECTORS; i++) {
         sheets[i] = sheet_of(shape, type);
@@ -55,11 +55,12 @@ static int cut_sectors(const struct lx_shape *shape, enum lx_sheet_type type, do
 }
 
 /* A ball has no inside, a hollow one has both sides. */
-static int cut_ball(const struct lx_shape *shape, bool is_hollow, struct lx_sheet *sheets)
+static int cut_ball(const struct lx_shape *shape, bool is_hollow, struct lx_smooth_sheet *sheets)
 {
     for (int i = 0; i < CUBE; i++) {
         const double sign = i < CUBE / 2 ? 1 : -1;
-        sheets[i] = (struct lx_sheet){.type = LX_SHEET_BALL, .turn = is_hollow ? -1 : 1, .half_mm = {shape->radius_mm}};
+        sheets[i] =
+            (struct lx_smooth_sheet){.type = LX_SHEET_BALL, .turn = is_hollow ? -1 : 1, .half_mm = {shape->radius_mm}};
         memcpy(sheets[i].center_mm, shape->anchor_mm, sizeof sheets[i].center_mm);
         sheets[i].axis[i % 3] = sign;
         sheets[i].across[(i + 1) % 3] = sign;
@@ -68,7 +69,7 @@ static int cut_ball(const struct lx_shape *shape, bool is_hollow, struct lx_shee
     return is_hollow ? add_backs(sheets, CUBE) : CUBE;
 }
 
-int lx_shape_sheets(const struct lx_shape *shape, struct lx_sheet sheets[LX_MOST_SHEETS])
+int lx_shape_sheets(const struct lx_shape *shape, struct lx_smooth_sheet sheets[LX_MOST_SHEETS])
 {
     if (shape->type == LX_PLATE)
         return cut_plate(shape, sheets);
@@ -85,19 +86,19 @@ int lx_shape_sheets(const struct lx_shape *shape, struct lx_sheet sheets[LX_MOST
 }
 
 /* place = center + a across + b upward + c axis */
-static void lay(const struct lx_sheet *sheet, double a, double b, double c, double place_mm[3])
+static void lay(const struct lx_smooth_sheet *sheet, double a, double b, double c, double place_mm[3])
 {
     for (int i = 0; i < 3; i++)
         place_mm[i] = sheet->center_mm[i] + a * sheet->across[i] + b * sheet->upward[i] + c * sheet->axis[i];
 }
 
-static void turn(const struct lx_sheet *sheet, double a, double b, double c, double normal[3])
+static void turn(const struct lx_smooth_sheet *sheet, double a, double b, double c, double normal[3])
 {
     for (int i = 0; i < 3; i++)
         normal[i] = sheet->turn * (a * sheet->across[i] + b * sheet->upward[i] + c * sheet->axis[i]);
 }
 
-double lx_sheet_place(const struct lx_sheet *sheet, double s, double t, double place_mm[3], double normal[3])
+double lx_sheet_place(const struct lx_smooth_sheet *sheet, double s, double t, double place_mm[3], double normal[3])
 {
     const double radius = sheet->half_mm[0], angle = sheet->middle + SECTOR * s;
     if (sheet->type == LX_SHEET_PLATE) {
@@ -123,12 +124,12 @@ double lx_sheet_place(const struct lx_sheet *sheet, double s, double t, double p
 }
 
 /* The coordinate of an angle in a sector. */
-static double along_sector(const struct lx_sheet *sheet, double y, double x)
+static double along_sector(const struct lx_smooth_sheet *sheet, double y, double x)
 {
     return remainder(atan2(y, x) - sheet->middle, 2 * M_PI) / SECTOR;
 }
 
-void lx_sheet_locate(const struct lx_sheet *sheet, const double place_mm[3], double at[2])
+void lx_sheet_locate(const struct lx_smooth_sheet *sheet, const double place_mm[3], double at[2])
 {
     const double from[3] = {place_mm[0] - sheet->center_mm[0], place_mm[1] - sheet->center_mm[1],
                             place_mm[2] - sheet->center_mm[2]};

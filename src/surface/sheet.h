@@ -13,7 +13,7 @@
 
 enum lx_sheet_type { LX_SHEET_PLATE, LX_SHEET_DISK, LX_SHEET_TUBE, LX_SHEET_BALL };
 
-struct lx_sheet {
+struct lx_smooth_sheet {
     enum lx_sheet_type type;
     double turn; /* 1: the normal is along the axis, or away from the middle; -1: the other way */
     double center_mm[3];
@@ -25,12 +25,12 @@ struct lx_sheet {
 enum { LX_MOST_SHEETS = 12 };
 
 /* The sheets of a shape; returns how many, 0: it cannot be cut into any. */
-int lx_shape_sheets(const struct lx_shape *shape, struct lx_sheet sheets[LX_MOST_SHEETS]);
+int lx_shape_sheets(const struct lx_shape *shape, struct lx_smooth_sheet sheets[LX_MOST_SHEETS]);
 
 /* The place, the unit normal and the area for each unit of s and t, in mm^2. */
-double lx_sheet_place(const struct lx_sheet *sheet, double s, double t, double place_mm[3], double normal[3]);
+double lx_sheet_place(const struct lx_smooth_sheet *sheet, double s, double t, double place_mm[3], double normal[3]);
 
 /* The coordinates of a place on the surface; they are beyond 1 or -1 where it is on another sheet. */
-void lx_sheet_locate(const struct lx_sheet *sheet, const double place_mm[3], double at[2]);
+void lx_sheet_locate(const struct lx_smooth_sheet *sheet, const double place_mm[3], double at[2]);
 
 #endif
