@@ -7,6 +7,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "../api/reflecting.h"
 #include "../base/diagnostics.h"
 #include "../base/memory.h"
 #include "../base/phrase.h"
@@ -327,6 +328,9 @@ void luxel_alternatives_free(luxel_alternatives *alternatives)
 luxel_status luxel_find_alternatives(const luxel_scene *scene, const luxel_settings *settings, double x_mm, double y_mm,
                                      luxel_diagnostics *diagnostics, luxel_alternatives **alternatives)
 {
+    if (scene && luxel_scene_is_committed(scene) &&
+        lx_refuse_reflections(lx_scene_parameters(scene), diagnostics) != LUXEL_OK)
+        return LUXEL_ERROR_ARGUMENT;
     struct made *made = lx_new_array(1, sizeof *made);
     if (!made)
         return lx_out_of_memory(diagnostics);
