@@ -4,19 +4,14 @@
 #define LX_API_REFLECTING_H
 
 #include "../reflect/reflected.h"
+#include "refuse.h"
 #include "session.h"
 
 /* The bound that is asked for where settings name none. */
 #define LX_DEFAULT_REFLECTED_ERROR 1e-3
 
-/* Whether a scene wants light to be reflected. */
-bool lx_wants_reflections(const struct lx_scene_parameters *scene);
-
 /* The bound that settings ask for. */
 double lx_reflected_error_of(const luxel_settings *settings);
-
-/* Reports that something knows no reflected light, where the scene wants it: LUXEL_ERROR_ARGUMENT, or LUXEL_OK. */
-luxel_status lx_refuse_reflections(const struct lx_scene_parameters *scene, luxel_diagnostics *diagnostics);
 
 /*
  * What is reflected to places, of which `reached` tells whether its error is as small as the settings ask for.  Solves

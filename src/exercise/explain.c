@@ -5,7 +5,7 @@
 #include <math.h>
 #include <stdlib.h>
 
-#include "../api/reflecting.h"
+#include "../api/refuse.h"
 #include "../base/diagnostics.h"
 #include "../base/number.h"
 #include "../base/phrase.h"
