@@ -210,7 +210,8 @@ def random_scenes(tap, tool):
     wall = {"model": "phong", "diffuse": 0.5, "specular": 0.2, "shininess": 9, "ambient": 0.1, "over_pi": True,
             "highlight": "cosine", "normalized": True}
     made.append(("scene of a room and a sphere from inside", {
-        **made[-2][1], "reflections": "none", "grids": [{"center": [0, 0, 0], "size": [900, 600], "spacing": "en12464"}],
+        **made[-2][1], "reflections": "none",
+        "grids": [{"center": [0, 0, 0], "size": [900, 600], "spacing": "en12464"}],
         "surfaces": [{"type": "room", "center": [0, 0, 1000], "size": [2000, 2000, 2000], "materials": {
             name: wall for name in ("left", "right", "floor", "ceiling", "back", "front")}},
                      {"type": "sphere", "center": [0, 0, 500], "radius": 200, "inside": True}]}))
