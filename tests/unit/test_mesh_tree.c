@@ -107,11 +107,13 @@ static void clear(struct made *made, struct lx_mesh_tree *tree)
 static int meets(const struct lx_tree_triangle *triangle, const struct lx_tree_ray *ray, long double *t)
 {
     long double e1[3], e2[3], p[3], s[3], q[3], det = 0, u = 0, v = 0;
-    const double *d = ray->direction;
+    long double d[3];
     for (int k = 0; k < 3; k++) {
-        e1[k] = (long double)triangle->corners[1][k] - triangle->corners[0][k];
-        e2[k] = (long double)triangle->corners[2][k] - triangle->corners[0][k];
-        s[k] = (long double)ray->origin[k] - triangle->corners[0][k];
+        const long double corner = (long double)triangle->corners[0][k];
+        d[k] = (long double)ray->direction[k];
+        e1[k] = (long double)triangle->corners[1][k] - corner;
+        e2[k] = (long double)triangle->corners[2][k] - corner;
+        s[k] = (long double)ray->origin[k] - corner;
     }
     for (int k = 0; k < 3; k++) {
         const int y = (k + 1) % 3, z = (k + 2) % 3;
@@ -123,7 +125,9 @@ static int meets(const struct lx_tree_triangle *triangle, const struct lx_tree_r
     *t = (e2[0] * q[0] + e2[1] * q[1] + e2[2] * q[2]) / det;
     u /= det, v /= det;
     const long double least = fminl(fminl(u, v), 1 - u - v);
-    return fabsl(least) < 1e-9L || !isfinite(least) ? 2 : least > 0 && *t >= ray->from && *t <= ray->to;
+    return fabsl(least) < 1e-9L || !isfinite(least)
+               ? 2
+               : least > 0 && *t >= (long double)ray->from && *t <= (long double)ray->to;
 }
 
 static void agrees_with_every_triangle(void **state)
@@ -150,7 +154,7 @@ static void agrees_with_every_triangle(void **state)
                 continue;
             const struct lx_tree_hit hit = lx_tree_first(tree, &ray, false);
             assert_int_equal(hit.triangle != NULL, nearest < HUGE_VALL);
-            assert_true(!hit.triangle || fabsl(hit.t - nearest) <= 1e-9L * (1 + nearest));
+            assert_true(!hit.triangle || fabsl((long double)hit.t - nearest) <= 1e-9L * (1 + nearest));
             assert_int_equal(lx_tree_is_met(tree, &ray, 0), nearest < HUGE_VALL && nearest > 0);
         }
         clear(&made, tree);
