@@ -303,7 +303,8 @@ int lx_outline_draw(struct laying *laying)
         return 0;
     if (add_lines(laying) || add_event(laying, laying->u[1]))
         return -1;
-    qsort(lay->lines, lay->line_count, sizeof *lay->lines, by_low);
+    if (lay->line_count > 1)
+        qsort(lay->lines, lay->line_count, sizeof *lay->lines, by_low);
     if (add_crossings(laying))
         return -1;
     qsort(laying->events, laying->event_count, sizeof *laying->events, by_value);
