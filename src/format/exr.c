@@ -185,12 +185,6 @@ static void end_exr(struct lx_writer *writer, bool whole)
     free(own);
 }
 
-static luxel_status read_tags(struct lx_source *source, struct lx_tags *tags)
-{
-    struct lx_exr_header header;
-    return lx_exr_read_header(source, &header, tags);
-}
-
 const struct lx_format lx_format_exr = {
     .ending = ".exr",
     .name = LX_EXR_NAME,
@@ -201,5 +195,5 @@ const struct lx_format lx_format_exr = {
     .add = add_exr,
     .end = end_exr,
     .read = lx_exr_read,
-    .read_tags = read_tags,
+    .read_tags = lx_exr_read_tags,
 };

@@ -208,3 +208,9 @@ luxel_status lx_exr_read_header(struct lx_source *source, struct lx_exr_header *
     }
     return lx_bad_file(source, LX_EXR_NAME, "header");
 }
+
+luxel_status lx_exr_read_tags(struct lx_source *source, struct lx_tags *tags)
+{
+    struct lx_exr_header header;
+    return lx_exr_read_header(source, &header, tags);
+}

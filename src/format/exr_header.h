@@ -27,4 +27,7 @@ struct lx_exr_header {
  */
 luxel_status lx_exr_read_header(struct lx_source *source, struct lx_exr_header *header, struct lx_tags *tags);
 
+/* Adds the tags that the header carries. */
+luxel_status lx_exr_read_tags(struct lx_source *source, struct lx_tags *tags);
+
 #endif

@@ -74,7 +74,7 @@ static bool check_head(struct lx_gltf *gltf)
 
 /* ---- nodes ---- */
 
-/* So many numbers of a list; false where they are not there, or no numbers. */
+/* Reads so many numbers of a list; false where they are not there, or no numbers. */
 static bool read_numbers(struct lx_gltf *gltf, uint32_t object, const char *key, size_t count, double *numbers)
 {
     const uint32_t list = lx_json_find(&gltf->json, object, key);

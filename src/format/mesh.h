@@ -26,7 +26,7 @@
 
 enum { LX_LARGEST_MESH = 1 << 30, LX_MOST_FACES = 10000000, LX_MOST_CORNERS = 30000000 };
 
-/* Of a corner of a face that has no normal. */
+/* The normal's number of a corner that has none. */
 #define LX_NO_NORMAL UINT_MAX
 
 /* Where a face comes from: its number in the file, from 1 on, and its line; 0 in files without lines. */

@@ -47,7 +47,7 @@ lx_node_id lx_scene_node(const luxel_scene *scene, const char *group, const char
  */
 void lx_validate_scene(struct lx_walk *walk, const luxel_scene *scene);
 
-/* The same of what reflected light asks of surfaces and lights. */
+/* Checks what reflected light asks of surfaces and lights. */
 void lx_validate_reflections(struct lx_walk *walk, const luxel_scene *scene);
 
 /* Collects the conventions of the decoded scene; 0, or -1 when memory ran out. */

@@ -59,7 +59,7 @@ static void bound_by_face(struct lx_shaft *shaft, const struct lx_facets *facets
     }
 }
 
-/* Of a ball around a round source and the rectangles around it in which its outlines are laid out (outline_lay.c): of
+/* A ball around a round source and the rectangles around it in which its outlines are laid out (outline_lay.c): of
  * disks and balls squares; of a cylinder's side one that is as high as where it is nearest. */
 static double radius_of_rectangles(const struct lx_emitter *emitter, const double place_mm[3])
 {

@@ -23,7 +23,7 @@ static bool range_of_strip(const struct laying *laying, double u, double range[2
     return found == 2;
 }
 
-/* Of a round source, all of the rectangle around it: the shaft holds that, too (obstacle.h). */
+/* All of the rectangle around a round source: the shaft holds that, too (obstacle.h). */
 static bool range_of_rectangle(const struct laying *laying, double range[2])
 {
     const double room = 2e-6 * (laying->v[1] - laying->v[0]);

@@ -398,7 +398,7 @@ static void add_irradiance(void *data, const struct lx_skyline_side *side, doubl
     *(sign > 0 ? &sum->of_source : &sum->of_obstacles) += irradiance_of(side, from, to, sum->normal);
 }
 
-/* Of a ball what is above the horizon; false: it has no outline. */
+/* The part of a ball above the horizon; false: it has no outline. */
 static bool make_ball(const struct lx_emitter *ball, const struct lx_occlusion *occlusion, const double normal[3],
                       struct lx_skyline_body *body)
 {

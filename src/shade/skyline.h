@@ -75,7 +75,7 @@ bool lx_skyline_put_aside(const struct lx_skyline_shape *shape, struct lx_skylin
 bool lx_skyline_outline(const struct lx_occlusion *occlusion, const struct lx_facets *facets,
                         struct lx_skyline_polygon *outline);
 
-/* The same of one face; *away: its normal, away from the element if that sees it. */
+/* The outline of one face; *away: its normal, away from the element if that sees it. */
 bool lx_skyline_face(const struct lx_occlusion *occlusion, const struct lx_facets *facets, size_t face,
                      struct lx_skyline_polygon *outline, double away[3]);
 

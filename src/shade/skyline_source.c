@@ -64,7 +64,7 @@ static bool is_before_face(const struct lx_occlusion *occlusion, const struct lx
     return false;
 }
 
-/* Of what is round: the plane that touches a ball, or a side, where that is nearest, or one of an end. */
+/* The plane of what is round: the one that touches a ball, or a side, where that is nearest, or one of an end. */
 static bool is_before_round(const struct lx_occlusion *occlusion, const struct lx_emitter *emitter,
                             const struct lx_obstacle *obstacle)
 {

@@ -45,7 +45,7 @@ struct lx_mesh_normals {
     size_t count;
 };
 
-/* The same for its normals; within a crease of so many degrees faces are shaded as one.  NULL: memory ran out. */
+/* Makes its normals; within a crease of so many degrees faces are shaded as one.  NULL: memory ran out. */
 struct lx_mesh_normals *lx_normals_of(const struct lx_mesh *mesh, const struct lx_solid *solid,
                                       enum lx_solid_normals way, double crease);
 

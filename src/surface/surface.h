@@ -145,7 +145,7 @@ struct lx_surface_kind {
                   double offset_mm[3]);
     bool (*takes)(const struct lx_shape *shape, const double from_mm[3], const double way[3], bool endless);
     /*
-     * Of a kind that may be seen from both of its sides, or whose normals need not be those of its faces: the unit
+     * For a kind that may be seen from both of its sides, or whose normals need not be those of its faces: the unit
      * normal that a line of sight along `sight` sees at a place, turned to it.  NULL: `normal`.  `hides` and
      * `gather_beside` are then asked of all its own elements, and `is_behind` of those of pictures, in plain float64:
      * whether a way leads behind the face of an element with that normal.
@@ -178,7 +178,7 @@ struct lx_surface_kind {
      * which together take what `blocks` tells.  0, or -1 when memory ran out.  NULL: `blocks` is scanned.
      */
     int (*gather)(const struct lx_shape *shape, const struct lx_shaft *shaft, struct lx_obstacles *obstacles);
-    /* Of a kind that gathers sheets: how many an open way from a place passes, an offset from the anchor, but for those
+    /* For kinds that gather sheets: how many an open way from a place passes, an offset from the anchor, but for those
      * that `gather` left out because that place lies on them. */
     unsigned (*layers)(const struct lx_shape *shape, const double from_mm[3], const double way[3]);
     /* The same as `hides` tells; `beyond` hides what lies beyond the tangent plane.  NULL: that, or nothing from an
