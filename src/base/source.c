@@ -9,6 +9,7 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include "builtin_file.h"
 #include "memory.h"
 #include "reason.h"
 
@@ -119,9 +120,21 @@ static luxel_status take_all(struct lx_source *source, size_t most)
     return LUXEL_OK;
 }
 
+static luxel_status open_builtin(struct lx_source *source)
+{
+    const struct lx_builtin_file *file = lx_builtin_file_of(source->name);
+    if (!file)
+        return cannot_read(source, LX_N("There is no built-in file of that name"));
+    source->bytes = file->bytes;
+    source->size = file->length;
+    return LUXEL_OK;
+}
+
 static luxel_status open_file(struct lx_source *source, size_t most, bool may_be_device)
 {
     struct stat about;
+    if (lx_is_builtin_path(source->name))
+        return open_builtin(source);
     source->file = open(source->name, O_RDONLY | O_CLOEXEC | O_NOCTTY);
     if (source->file < 0 || fstat(source->file, &about) < 0)
         return cannot_read(source, lx_reason(errno));

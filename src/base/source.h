@@ -3,6 +3,8 @@
  * Sources: the bytes of a file, of a pipe or of memory, read at any offset.  Like a sink, a source keeps its first
  * failure and reports it once, under its name, so that a reader of a format need not look at every call.
  *
+ * Built-in files (builtin_file.h) are read by their paths, like others.
+ *
  * A regular file is read where it stands, whatever its size.  What cannot be read at any offset (a pipe, a device)
  * is taken into memory first, up to a limit, so that an endless one comes to an end.
  *

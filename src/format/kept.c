@@ -9,6 +9,7 @@
 #include <sys/stat.h>
 #include <time.h>
 
+#include "../base/builtin_file.h"
 #include "../base/memory.h"
 
 void lx_kept_init(struct lx_kept *kept, void (*free)(struct lx_kept *kept))
@@ -80,6 +81,8 @@ struct lx_file_state lx_file_state_of(const char *path)
     struct stat about;
     struct timespec now;
     struct lx_file_state state = {.is_known = false};
+    if (lx_builtin_file_of(path))
+        return (struct lx_file_state){.is_known = true}; /* it never changes */
     if (stat(path, &about) != 0 || !S_ISREG(about.st_mode) || clock_gettime(CLOCK_REALTIME, &now) != 0)
         return state;
     state.is_known = now.tv_sec - about.st_mtim.tv_sec > SETTLING && now.tv_sec - about.st_ctim.tv_sec > SETTLING;

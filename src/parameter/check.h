@@ -29,7 +29,7 @@ void lx_check_hint(const struct lx_check *check, enum lx_message message, const 
 /* Reports a key `up` that was given and is parallel to the axis (of any length but 0). */
 void lx_check_pose(const struct lx_check *check, const double axis[3], const double up[3]);
 
-/* The path of a file that a scene names: from the folder of the walk on.  NULL where memory ran out. */
+/* The path of a file that a scene names: from the folder of the walk on, or built-in.  NULL where memory ran out. */
 char *lx_check_path(const struct lx_check *check, const char *file);
 
 /*

@@ -3,6 +3,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "../base/builtin_file.h"
 #include "../base/memory.h"
 #include "check.h"
 
@@ -10,7 +11,7 @@ char *lx_check_path(const struct lx_check *check, const char *file)
 {
     const char *folder = check->walk->folder;
     struct lx_text path = {0};
-    if (folder && folder[0] && file[0] != '/') {
+    if (folder && folder[0] && file[0] != '/' && !lx_is_builtin_path(file)) {
         lx_text_puts(&path, folder);
         lx_text_puts(&path, folder[strlen(folder) - 1] == '/' ? "" : "/");
     }

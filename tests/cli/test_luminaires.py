@@ -289,5 +289,24 @@ def folders(tap, tool):
     tap.ok("γ = 8.2067" in explained and "C = 33.690" in explained, "explained by C and gamma", explained)
 
 
+def built_in_files(tap, tool):
+    """The path builtin:NAME means the same bytes wherever a scene stands."""
+    path = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..", "data", "files", "office-lamp.ies")
+    with open(path, encoding="ascii") as file:
+        tool.write("copy.ies", file.read())
+    os.mkdir(tool.file("away"))
+    light = {"file": "builtin:office-lamp.ies", "position": [100, 200, 2500]}
+    here, there = scene(tool, "b.yaml", light), scene(tool, "away/b.yaml", light)
+    values = [json.loads(tool.run("probe", name, "-p", "300,200", "--json").out)["points"][0]["value"]
+              for name in (here, there, scene(tool, "c.yaml", {**light, "file": "copy.ies"}))]
+    tap.ok(values[0] > 0 and values[0] == values[1] == values[2], "in any folder", values)
+    tap.equal(tool.run("render", here, "-q", "-o", "b.png").code, 0, "a picture of it")
+    tap.equal(json.loads(tool.run("probe", "b.png", "-p", "300,200", "--json").out)["points"][0]["value"], values[0],
+              "carries it")
+    tap.ok("4200 lm" in tool.run("photometry", "builtin:office-lamp.ies").out, "the tool reads it as a file")
+    result = tool.run("probe", scene(tool, "d.yaml", {**light, "file": "builtin:lamp.ies"}))
+    tap.ok(result.code == 4 and "no built-in file of that name" in result.err, "another name", result.code, result.err)
+
+
 run_tests(Tap(), against_the_model, lambert_lamps, three_types, turned_twins, pictures, extrema_and_grids, wrong_files,
-          folders)
+          folders, built_in_files)
