@@ -53,7 +53,7 @@ static void write_entries(struct json *json, const luxel_diagnostics *diagnostic
             write_entry(json, diagnostics, i);
 }
 
-void advice_print_json(const struct loaded *loaded, bool valid, bool strict)
+void advice_print_json(const struct loaded *loaded, bool valid, bool strict, const struct meshes *meshes)
 {
     const luxel_diagnostics *diagnostics = loaded->diagnostics;
     const bool as_errors = strict && !valid;
@@ -78,5 +78,7 @@ void advice_print_json(const struct loaded *loaded, bool valid, bool strict)
     json_close(&json, ']');
     json_whole(&json, "error_count", errors);
     json_whole(&json, "advice_count", advice);
+    if (meshes)
+        meshes_write(&json, meshes);
     json_close(&json, '}');
 }

@@ -16,7 +16,7 @@ static int advise(const struct options *options, const struct loaded *loaded)
     if (code != EXIT_DONE)
         return code;
     if (options->json) {
-        advice_print_json(loaded, true, options->strict);
+        advice_print_json(loaded, true, options->strict, NULL);
     } else if (luxel_diagnostics_total(loaded->diagnostics, LUXEL_SEVERITY_ADVICE) > 0) {
         message_diagnostics(stdout, loaded->diagnostics, LUXEL_SEVERITY_ADVICE, LUXEL_SEVERITY_ADVICE);
     } else if (!options->quiet) {

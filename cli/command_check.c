@@ -9,37 +9,42 @@
 #include "options.h"
 #include "text.h"
 
-static void print_text(const struct loaded *loaded, bool quiet)
+static void print_text(const struct loaded *loaded, const struct meshes *meshes, bool quiet)
 {
     if (!quiet) {
         text_print_escaped(stdout, loaded->name);
         fputs(_(": valid\n"), stdout);
+        meshes_print(meshes);
     }
     message_diagnostics(stdout, loaded->diagnostics, LUXEL_SEVERITY_ADVICE, LUXEL_SEVERITY_ADVICE);
 }
 
 /* A scene that could not be read at all has no result. */
-static int report(const struct options *options, const struct loaded *loaded, int code)
+static int report(const struct options *options, const struct loaded *loaded, struct meshes *meshes, int code)
 {
     if (code == EXIT_DONE) {
         const int gathered = advice_gather(options, loaded);
 
         if (gathered != EXIT_DONE)
             return gathered;
+        if (!meshes_gather(loaded->scene, meshes))
+            return message_failure(LUXEL_ERROR_MEMORY, loaded->diagnostics);
     }
     if (options->json && code != EXIT_FILE)
-        advice_print_json(loaded, code == EXIT_DONE, options->strict);
+        advice_print_json(loaded, code == EXIT_DONE, options->strict, code == EXIT_DONE ? meshes : NULL);
     else if (code == EXIT_DONE)
-        print_text(loaded, options->quiet);
+        print_text(loaded, meshes, options->quiet);
     return code;
 }
 
 static int run(const struct options *options)
 {
     struct loaded loaded;
+    struct meshes meshes = {.list = NULL};
     int code = load_scene(options, false, &loaded);
 
-    code = report(options, &loaded, code);
+    code = report(options, &loaded, &meshes, code);
+    meshes_clear(&meshes);
     load_clear(&loaded);
     return code;
 }
@@ -51,7 +56,9 @@ const struct command command_check = {
     .summary = N_("validate a scene and list advice about it"),
     .description = N_("Reports every error with its place. For a valid scene it lists what lies outside the advised "
                       "ranges, has no effect or is out of view, with what would mend it; with --strict that makes the "
-                      "scene fail. Advice about the peak and the picture, as luxel advise gives it, never does."),
+                      "scene fail. Advice about the peak and the picture, as luxel advise gives it, never does. "
+                      "Of each mesh it tells how many triangles it has, whether it is closed, its Euler number, its "
+                      "volume, faces that look the wrong way, and its size."),
     .examples = "luxel check my.yaml\n"
                 "luxel check my.yaml --strict --json",
     .run = run,

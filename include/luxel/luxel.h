@@ -26,6 +26,7 @@
 #include <luxel/grid.h>
 #include <luxel/isophotes.h>
 #include <luxel/light.h>
+#include <luxel/mesh.h>
 #include <luxel/parameter.h>
 #include <luxel/photometry.h>
 #include <luxel/probe.h>

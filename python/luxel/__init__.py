@@ -21,7 +21,7 @@ from ._photometry import Diagram, Greatest, LampSet, Opening, Photometry, Photom
 from ._pictures import Figure, palettes
 from ._probe import Probe, Probes, Share
 from ._results import (Alternative, Comparison, Extrema, Extremum, GridExtremum, Histogram, Isophote, Judgement, Light,
-                       Peak, Profile, Statistics, Summary)
+                       Mesh, Peak, Profile, Statistics, Summary)
 from ._scene import Scene, builtin_scenes, instruction_sets, schema, variant
 from ._luxel import version as _version
 
@@ -30,7 +30,7 @@ __version__ = _version()
 __all__ = [
     "Alternative", "Comparison", "Diagnostic", "Diagram", "Document", "Extrema", "Extremum", "Field", "Figure",
     "Greatest", "Grid", "GridExtremum", "Histogram", "Isophote", "Judgement", "LampSet", "Light", "LuxelError",
-    "LuxelKeyError", "LuxelValueError", "Opening", "Peak", "Photometry", "PhotometryFigures", "Probe", "Probes",
+    "LuxelKeyError", "LuxelValueError", "Mesh", "Opening", "Peak", "Photometry", "PhotometryFigures", "Probe", "Probes",
     "Profile", "Scene", "Share", "Statistics", "Summary", "builtin_scenes", "compare", "instruction_sets",
     "palettes", "read", "schema", "set_language", "variant", "__version__",
 ]

@@ -146,6 +146,26 @@ class Light(NamedTuple):
     direction: Optional[Vector]  #: in which it shines, of length 1
 
 
+class Mesh(NamedTuple):
+    """What a mesh that a surface or a volume source reads is as a body."""
+
+    key: str  #: that names the file, such as "surfaces[0].file"
+    file: str
+    triangles: int
+    corners: int  #: at different places
+    edges: int
+    open_edges: int  #: of one face alone
+    crowded_edges: int  #: of more than two faces
+    closed: bool  #: no edge is open or crowded
+    euler_number: int  #: corners - edges + faces: 2 of what is like a ball, 0 of what is like a ring
+    parts: int  #: that share no edge
+    flipped_faces: int  #: that look to the other side than most of the faces that they go on with
+    one_sided: bool  #: no two sides can be told, as of a Moebius strip
+    volume_mm3: Optional[float]  #: below 0 where its faces look inwards; None unless closed and without flipped faces
+    scale_mm: float  #: how long a unit of the file is
+    size_mm: Vector  #: the sides of the box around it, along the axes of the file
+
+
 class Alternative(NamedTuple):
     """One choice of a convention and the value that it would give."""
 

@@ -15,7 +15,7 @@ from ._field import Field, made, profile
 from ._grid import Grid
 from ._pictures import Figure, drawing, look
 from ._probe import Probe, Probes, probes
-from ._results import Alternative, Judgement, Light, Profile, Statistics, Vector, alternatives, statistics
+from ._results import Alternative, Judgement, Light, Mesh, Profile, Statistics, Vector, alternatives, statistics
 from ._settings import QUANTITIES, Carried, Progress, choice, settings
 
 if TYPE_CHECKING:
@@ -239,6 +239,11 @@ class Scene:
     def lights(self) -> List[Light]:
         """The lights with their flux, intensity, place and direction."""
         return [Light(*light) for light in _luxel.scene_lights(self._handle)]
+
+    @property
+    def meshes(self) -> List[Mesh]:
+        """The meshes that surfaces and volume sources read from files, and what they are as bodies."""
+        return [Mesh(*mesh) for mesh in _luxel.scene_meshes(self._handle)]
 
     def unit(self, quantity: str = "brightness") -> str:
         """The unit of a quantity in this scene, such as "W/sr" or "relative"."""

@@ -290,6 +290,45 @@ static PyObject *scene_lights(PyObject *module, PyObject *handle)
     return list;
 }
 
+/* A mesh whose key is that of item i of a list. */
+static PyObject *mesh(const char *list, size_t i, const luxel_mesh_survey *survey)
+{
+    PyObject *key = PyUnicode_FromFormat("%s[%zu].%s", list, i, survey->key);
+    const double volume = survey->volume_mm3;
+
+    return Py_BuildValue("(NNnnnnnOlnnONdN)", key, text_or_none(survey->file), (Py_ssize_t)survey->triangles,
+                         (Py_ssize_t)survey->corners, (Py_ssize_t)survey->edges, (Py_ssize_t)survey->open_edges,
+                         (Py_ssize_t)survey->crowded_edges, survey->is_closed ? Py_True : Py_False,
+                         survey->euler_number, (Py_ssize_t)survey->parts, (Py_ssize_t)survey->flipped_faces,
+                         survey->is_one_sided ? Py_True : Py_False, number_or_none(volume == volume, volume),
+                         survey->scale_mm, triple_or_none(true, survey->size_mm));
+}
+
+static PyObject *scene_meshes(PyObject *module, PyObject *handle)
+{
+    const luxel_scene *scene = scene_of(module, handle);
+    PyObject *list = scene ? PyList_New(0) : NULL;
+    const size_t surfaces = list ? luxel_scene_surface_count(scene) : 0;
+    const size_t count = list ? surfaces + luxel_scene_light_count(scene) : 0;
+    luxel_mesh_survey survey;
+
+    for (size_t i = 0; list && i < count; i++) {
+        const bool of_surface = i < surfaces;
+        const size_t at = of_surface ? i : i - surfaces;
+        bool is_mesh = false;
+        const luxel_status status = of_surface ? luxel_scene_surface_mesh(scene, at, &is_mesh, &survey)
+                                               : luxel_scene_light_mesh(scene, at, &is_mesh, &survey);
+
+        if (status != LUXEL_OK) {
+            Py_CLEAR(list);
+            PyErr_NoMemory();
+        } else if (is_mesh && append(list, mesh(of_surface ? "surfaces" : "lights", at, &survey)) < 0) {
+            Py_CLEAR(list);
+        }
+    }
+    return list;
+}
+
 static PyObject *scene_project(PyObject *module, PyObject *arguments)
 {
     PyObject *handle;
@@ -361,6 +400,7 @@ const PyMethodDef scene_functions[] = {
     {"scene_carried", scene_carried, METH_O, "scene_carried(scene) -> settings or None"},
     {"scene_advice", scene_advice, METH_O, "scene_advice(scene) -> entries"},
     {"scene_lights", scene_lights, METH_O, "scene_lights(scene) -> tuples"},
+    {"scene_meshes", scene_meshes, METH_O, "scene_meshes(scene) -> tuples"},
     {"scene_capsule", scene_capsule, METH_O, "scene_capsule(scene) -> capsule"},
     {"scene_project", scene_project, METH_VARARGS, "scene_project(scene, x, y, z) -> (x, y) or None"},
     {"scene_unproject", scene_unproject, METH_VARARGS, "scene_unproject(scene, x, y, z) -> (x, y, z) or None"},

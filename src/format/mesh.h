@@ -96,7 +96,8 @@ struct lx_mesh_report {
 struct lx_mesh_report lx_mesh_read(const char *name, char *text, size_t length, const struct lx_mesh_opener *opener,
                                    struct lx_mesh **mesh);
 
-/* The longest side of the box around a mesh, in units of the file. */
+/* The sides of the box around a mesh, and the longest of them, in units of the file. */
+void lx_mesh_sizes(const struct lx_mesh *mesh, double sizes[3]);
 double lx_mesh_size(const struct lx_mesh *mesh);
 
 /*

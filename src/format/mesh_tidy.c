@@ -288,18 +288,23 @@ static unsigned find_near(const struct lx_mesh *mesh, const struct celled *cells
     return joined;
 }
 
-double lx_mesh_size(const struct lx_mesh *mesh)
+void lx_mesh_sizes(const struct lx_mesh *mesh, double sizes[3])
 {
-    double size = 0;
     for (int k = 0; k < 3; k++) {
         double low = HUGE_VAL, high = -HUGE_VAL;
         for (size_t i = 0; i < mesh->corner_count; i++) {
             low = fmin(low, mesh->corners[i][k]);
             high = fmax(high, mesh->corners[i][k]);
         }
-        size = fmax(size, high - low);
+        sizes[k] = fmax(high - low, 0);
     }
-    return size;
+}
+
+double lx_mesh_size(const struct lx_mesh *mesh)
+{
+    double sizes[3];
+    lx_mesh_sizes(mesh, sizes);
+    return fmax(sizes[0], fmax(sizes[1], sizes[2]));
 }
 
 bool lx_mesh_join(struct lx_mesh *mesh)

@@ -7,6 +7,7 @@
 #ifndef LX_LIGHT_LIGHT_H
 #define LX_LIGHT_LIGHT_H
 
+#include "../format/mesh_survey.h"
 #include "../parameter/table.h"
 #include "emitter.h"
 
@@ -16,6 +17,8 @@ struct lx_light_kind {
     int (*prepare)(const void *parameters, struct lx_emitters *emitters);
     /* The greatest length of what shines as one point, 0 where it is one; NULL: so are all of them. */
     double (*opening_mm)(const void *parameters);
+    /* The mesh that parameters name, where they do.  NULL: never. */
+    bool (*mesh)(const void *parameters, struct lx_mesh_use *use);
 };
 
 /* NULL-terminated: the variants of the list `lights`. */

@@ -361,23 +361,8 @@ static bool load_mesh(const struct lx_check *check, struct volume_parameters *vo
     return true;
 }
 
-/* A body of an odd size, and the scale that would make it one of those that lamps have. */
-static void advise_size(const struct lx_check *check, const struct volume_parameters *volume)
-{
-    static const double scales[] = {1000, 10, 25.4, 0.001}, least = 1, most = 10000;
-    static const char *const units[] = {LX_N("metres"), LX_N("centimetres"), LX_N("inches"), LX_N("micrometres")};
-    char size[LX_NUMBER_SIZE], scale[LX_NUMBER_SIZE];
-    double bare = lx_mesh_size(volume->mesh), across = bare * scale_of(volume);
-    if (across >= least && across <= most)
-        return;
-    for (size_t i = 0; i < LX_COUNT(scales); i++)
-        if (bare * scales[i] >= least && bare * scales[i] <= most) {
-            lx_check_advise(check, "mesh", LX_MSG_MESH_SIZE,
-                            LX_ARGS(lx_write_digits(across, 4, size), LX_TERM(units[i])));
-            lx_check_hint(check, LX_MSG_HINT_MESH_SCALE, LX_ARGS(lx_write_number(scales[i], scale)));
-            return;
-        }
-}
+/* Sizes in mm that lamps may have. */
+static const double LEAST = 1, MOST = 10000;
 
 /* What was left out of the file, and whether its unit can be mm. */
 static void advise_volume(const struct lx_check *check, const struct volume_parameters *volume)
@@ -386,7 +371,7 @@ static void advise_volume(const struct lx_check *check, const struct volume_para
     if (!mesh || !lx_is_given(&volume_table, volume, "mesh"))
         return;
     lx_check_advise_mesh(check, "mesh", volume->mesh_file, mesh);
-    advise_size(check, volume);
+    lx_check_advise_mesh_size(check, "mesh", mesh, scale_of(volume), LEAST, MOST);
 }
 
 static void check_volume(const struct lx_check *check, void *parameters)
@@ -433,6 +418,15 @@ static int prepare_volume(const void *parameters, struct lx_emitters *emitters)
     return lx_spread_emit(&volume->spread, radiance, &shapes, emitters);
 }
 
+static bool mesh_used(const void *parameters, struct lx_mesh_use *use)
+{
+    const struct volume_parameters *volume = parameters;
+    if (!volume->mesh || !lx_is_given(&volume_table, volume, "mesh"))
+        return false;
+    *use = (struct lx_mesh_use){"mesh", volume->mesh_file, volume->mesh, scale_of(volume), NULL};
+    return true;
+}
+
 const struct lx_light_kind lx_volume_kind = {
     .variant =
         {
@@ -442,4 +436,5 @@ const struct lx_light_kind lx_volume_kind = {
             .table = &volume_table,
         },
     .prepare = prepare_volume,
+    .mesh = mesh_used,
 };

@@ -7,6 +7,7 @@
 
 #include "../base/memory.h"
 #include "../base/number.h"
+#include "../base/phrase.h"
 
 /* What a file is read for. */
 struct reading {
@@ -85,4 +86,21 @@ void lx_check_advise_mesh(const struct lx_check *check, const char *key, const c
     note(check, key, file, &mesh->doubled, LX_MSG_MESH_DOUBLED);
     note(check, key, file, &mesh->others, LX_MSG_MESH_OTHERS);
     note(check, key, file, &mesh->lost_normals, LX_MSG_MESH_LOST_NORMALS);
+}
+
+void lx_check_advise_mesh_size(const struct lx_check *check, const char *key, const struct lx_mesh *mesh,
+                               double scale_mm, double least_mm, double most_mm)
+{
+    static const double scales[] = {1000, 10, 25.4, 0.001};
+    static const char *const units[] = {LX_N("metres"), LX_N("centimetres"), LX_N("inches"), LX_N("micrometres")};
+    char size[LX_NUMBER_SIZE], scale[LX_NUMBER_SIZE];
+    const double bare = lx_mesh_size(mesh), across = bare * scale_mm;
+    if (across >= least_mm && across <= most_mm)
+        return;
+    for (size_t i = 0; i < LX_COUNT(scales); i++)
+        if (bare * scales[i] >= least_mm && bare * scales[i] <= most_mm) {
+            lx_check_advise(check, key, LX_MSG_MESH_SIZE, LX_ARGS(lx_write_digits(across, 4, size), LX_TERM(units[i])));
+            lx_check_hint(check, LX_MSG_HINT_MESH_SCALE, LX_ARGS(lx_write_number(scales[i], scale)));
+            return;
+        }
 }

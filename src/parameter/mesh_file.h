@@ -16,4 +16,8 @@ void lx_check_keep_mesh(const struct lx_check *check, const char *path, struct l
 /* Advice on what was left out of it. */
 void lx_check_advise_mesh(const struct lx_check *check, const char *key, const char *file, const struct lx_mesh *mesh);
 
+/* Advice where the longest side is not between two sizes in mm, but would be in another unit. */
+void lx_check_advise_mesh_size(const struct lx_check *check, const char *key, const struct lx_mesh *mesh,
+                               double scale_mm, double least_mm, double most_mm);
+
 #endif

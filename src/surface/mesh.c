@@ -187,23 +187,8 @@ static void make_body(const struct lx_check *check, struct mesh_parameters *mesh
         };
 }
 
-/* A mesh of an odd size, and the scale that would make it one that a scene may show. */
-static void advise_size(const struct lx_check *check, const struct mesh_parameters *mesh)
-{
-    static const double scales[] = {1000, 10, 25.4, 0.001}, least = 10, most = 20000;
-    static const char *const units[] = {LX_N("metres"), LX_N("centimetres"), LX_N("inches"), LX_N("micrometres")};
-    char size[LX_NUMBER_SIZE], scale[LX_NUMBER_SIZE];
-    const double bare = lx_mesh_size(mesh->mesh), across = bare * scale_of(mesh);
-    if (across >= least && across <= most)
-        return;
-    for (size_t i = 0; i < LX_COUNT(scales); i++)
-        if (bare * scales[i] >= least && bare * scales[i] <= most) {
-            lx_check_advise(check, "file", LX_MSG_MESH_SIZE,
-                            LX_ARGS(lx_write_digits(across, 4, size), LX_TERM(units[i])));
-            lx_check_hint(check, LX_MSG_HINT_MESH_SCALE, LX_ARGS(lx_write_number(scales[i], scale)));
-            return;
-        }
-}
+/* Sizes in mm that what a scene shows may have. */
+static const double LEAST = 10, MOST = 20000;
 
 static void advise_mesh(const struct lx_check *check, const struct mesh_parameters *mesh)
 {
@@ -225,7 +210,7 @@ static void advise_mesh(const struct lx_check *check, const struct mesh_paramete
         lx_check_advise(check, "sides", LX_MSG_MESH_LOOKS_INWARDS, LX_ARGS(mesh->file));
         lx_check_hint(check, LX_MSG_HINT_BOTH_SIDES, NULL);
     }
-    advise_size(check, mesh);
+    lx_check_advise_mesh_size(check, "file", mesh->mesh, scale_of(mesh), LEAST, MOST);
 }
 
 static void check_mesh(const struct lx_check *check, void *parameters)
@@ -358,6 +343,14 @@ static double mesh_farthest(const void *parameters, const double direction[3])
     return reach_along(&shape, direction);
 }
 
+static bool mesh_used(const void *parameters, struct lx_mesh_use *use)
+{
+    const struct mesh_parameters *mesh = parameters;
+    const struct lx_mesh_survey *survey = mesh->solid ? &mesh->solid->survey : NULL;
+    *use = (struct lx_mesh_use){"file", mesh->file, mesh->mesh, scale_of(mesh), survey};
+    return mesh->mesh != NULL;
+}
+
 const struct lx_surface_kind lx_mesh_kind = {
     .variant =
         {
@@ -384,4 +377,5 @@ const struct lx_surface_kind lx_mesh_kind = {
     .hides = lx_mesh_hides,
     .encloses = lx_mesh_encloses,
     .distance = lx_mesh_distance,
+    .mesh = mesh_used,
 };

@@ -6,18 +6,8 @@
 #ifndef LX_SURFACE_SOLID_H
 #define LX_SURFACE_SOLID_H
 
-#include "../format/mesh.h"
+#include "../format/mesh_survey.h"
 #include "mesh_tree.h"
-
-/* A mesh as a body. */
-struct lx_mesh_survey {
-    size_t triangles, corners, edges;
-    size_t open, crowded, flipped; /* edges of one face, of more than two, of two that run along it the same way */
-    struct lx_mesh_origin open_at, crowded_at, flipped_at;
-    double volume; /* in cubes of the file's unit, above 0 where its faces look outwards */
-    long euler;    /* corners - edges + faces */
-    size_t parts;  /* that share no edge */
-};
 
 struct lx_solid {
     struct lx_kept kept;
@@ -54,13 +44,5 @@ struct lx_mesh_normals *lx_normals_of(const struct lx_mesh *mesh, const struct l
 void lx_cut_polygon(const double (*corners)[3], const unsigned *loop, unsigned count, unsigned *room,
                     unsigned (*triangles)[3]);
 enum { LX_LARGEST_POLYGON = 4096 };
-
-/* False: memory ran out. */
-bool lx_survey_mesh(const struct lx_mesh *mesh, struct lx_mesh_survey *survey);
-
-static inline bool lx_is_closed(const struct lx_mesh_survey *survey)
-{
-    return survey->open == 0 && survey->crowded == 0;
-}
 
 #endif

@@ -10,6 +10,7 @@
 #define LX_SURFACE_SURFACE_H
 
 #include "../base/frame.h"
+#include "../format/mesh_survey.h"
 #include "../parameter/table.h"
 #include "obstacle.h"
 #include "shape.h"
@@ -209,6 +210,8 @@ struct lx_surface_kind {
     /* Place i of `steps` along the closed outline of what is seen of it, and one that is seen a little inside. */
     void (*outline)(const struct lx_shape *shape, const struct lx_origin *eye, int i, int steps, double place_mm[3],
                     double inside_mm[3]);
+    /* The mesh that parameters name, where they do.  NULL: never. */
+    bool (*mesh)(const void *parameters, struct lx_mesh_use *use);
     const struct lx_surface_chart *chart;
     const struct lx_surface_bounds *bounds;
     const struct lx_surface_words *words;

@@ -310,8 +310,81 @@ def the_example(tap, tool):
     result = tool.run("render", os.path.join(folder, "knot.yaml"), "--json", "-s", "screen.resolution=[60, 60]")
     tap.ok(result.code == 0 and 0.5 < result.json()["lit"] <= 1, "and it is seen", result)
     result = tool.run("check", os.path.join(folder, "knot.yaml"))
-    tap.ok(result.code == 0 and "knot.ply" not in result.out, "a closed mesh without advice", result)
+    tap.ok(result.code == 0 and "advice" not in result.out, "a closed mesh without advice", result)
+
+
+def ring(big=300, small=60, around=48, across=24):
+    """A torus of quadrilaterals."""
+    corners = []
+    for i in range(around):
+        for k in range(across):
+            u, v = 2 * math.pi * i / around, 2 * math.pi * k / across
+            r = big + small * math.cos(v)
+            corners.append((r * math.cos(u), r * math.sin(u), small * math.sin(v)))
+
+    def name(i, k):
+        return i % around * across + k % across
+    return corners, [(name(i, k), name(i + 1, k), name(i + 1, k + 1), name(i, k + 1)) for i in range(around)
+                     for k in range(across)]
+
+
+def surveys(tap, tool):
+    corners, faces = mesh_files.box(SIZE)
+    x, y, z = SIZE
+    tool.write("box.obj", mesh_files.obj(corners, faces))
+    tool.write("inwards.obj", mesh_files.obj(corners, [face[::-1] for face in faces]))
+    tool.write("flipped.obj", mesh_files.obj(corners, faces[:4] + [faces[4][::-1]] + faces[5:]))
+    tool.write("open.obj", mesh_files.obj(corners, faces[1:]))
+    tool.write("ring.off", mesh_files.off(*ring()))
+    far = [(cx + 1000, cy, cz) for cx, cy, cz in corners]
+    two = faces + [tuple(i + len(corners) for i in face) for face in faces]
+    tool.write("two.ply", mesh_files.ply(corners + far, two))
+
+    def survey(name, more=""):
+        tool.write("scene.yaml", scene(mesh(name, more)))
+        result = tool.run("check", "scene.yaml", "--json")
+        (found,) = result.json()["meshes"]
+        text = tool.run("check", "scene.yaml").out
+        tap.ok("surfaces[0].file: %s\n" % name in text and "triangles" in text, "the text of " + name, text)
+        return found, text
+
+    found, _ = survey("box.obj", "scale: 2, rotate: [10, 20, 30], ")
+    tap.ok((found["key"], found["file"], found["triangles"], found["corners"], found["edges"], found["closed"]) ==
+           ("surfaces[0].file", "box.obj", 12, 8, 12, True) and found["euler_number"] == 2 and found["parts"] == 1 and
+           found["flipped_faces"] == found["open_edges"] == found["crowded_edges"] == 0, "a box", found)
+    tap.ok(abs(found["volume_mm3"] / (8 * x * y * z) - 1) < 1e-12 and found["scale_mm"] == 2 and
+           all(abs(a - 2 * b) < 1e-9 for a, b in zip(found["size_mm"], SIZE)), "its volume and size", found)
+    found, text = survey("inwards.obj")
+    tap.ok(abs(found["volume_mm3"] / (x * y * z) + 1) < 1e-12 and found["flipped_faces"] == 0 and
+           "its faces look inwards" in text, "inside out", found)
+    found, text = survey("flipped.obj")
+    tap.ok(found["closed"] and found["flipped_faces"] == 1 and found["volume_mm3"] is None and
+           "1, the first is face 5" in text, "a face that looks inwards alone", found, text)
+    found, text = survey("open.obj")
+    tap.ok(not found["closed"] and found["open_edges"] == 4 and found["euler_number"] == 1 and
+           found["volume_mm3"] is None and "no; edges of one face alone: 4" in text, "a box without a lid", found, text)
+    found, _ = survey("two.ply")
+    tap.ok(found["closed"] and found["parts"] == 2 and found["euler_number"] == 4 and
+           abs(found["volume_mm3"] / (2 * x * y * z) - 1) < 1e-12, "two of them", found)
+    found, _ = survey("ring.off")
+    # between two planes of the axis at an angle t each strip at the distance r has the length 2 r sin(t/2), and lies at
+    # r cos(t/2): the area by the distance of its middle by sin t
+    area, step = 12 * 60 ** 2 * math.sin(math.pi / 12), math.pi / 24
+    exact = area * 2 * math.pi * 300 * math.sin(step) / step
+    tap.ok(found["closed"] and found["euler_number"] == 0 and abs(found["volume_mm3"] / exact - 1) < 1e-9,
+           "a ring", found)
+    tool.write("scene.yaml", scene(mesh("box.obj"), mesh("box.obj"), mesh("box.obj", "scale: 3, ")).replace(
+        "points:", "  - {type: volume, mesh: box.obj, radiance: 1}\npoints:"))
+    result = tool.run("check", "scene.yaml", "--json").json()["meshes"]
+    tap.equal([entry["key"] for entry in result],
+              ["surfaces[0].file", "surfaces[1].file", "surfaces[2].file", "lights[2].mesh"], "all that name one")
+    text = tool.run("check", "scene.yaml").out
+    tap.ok("surfaces[0].file" in text and "surfaces[1].file" not in text and "surfaces[2].file" in text and
+           "lights[2].mesh" not in text, "told once for each scale", text)
+    tap.ok("box.obj" not in tool.run("check", "scene.yaml", "--quiet").out, "not with --quiet")
+    tool.write("plain.yaml", scene("{type: sphere, center: [0, 0, 0], radius: 100}"))
+    tap.equal(tool.run("check", "plain.yaml", "--json").json()["meshes"], [], "a scene without meshes")
 
 
 run_tests(Tap(), formats_agree, strips_and_sparse, as_other_surfaces, balls_tend_to_a_ball, soft_shadows, turns, sides,
-          files_are_told, broken_files_end, as_scenes_go, the_example)
+          files_are_told, broken_files_end, surveys, as_scenes_go, the_example)

@@ -48,6 +48,21 @@ def test_picture(tap, tool):
     tap.equal(luxel.Scene(tool.read("a.png")).text, scene.text, "its bytes are as good")
 
 
+def test_meshes(tap, tool):
+    tool.write("box.obj", "".join("v %d %d %d\n" % (x, y, z) for x in (0, 2) for y in (0, 3) for z in (0, 4)) +
+               "f 1 2 4 3\nf 5 7 8 6\nf 1 5 6 2\nf 3 4 8 7\nf 1 3 7 5\nf 2 6 8 4\n")
+    path = tool.file(tool.write("mesh.yaml", SCENE.replace(
+        "lights:", "  - {type: mesh, file: box.obj, scale: 10}\nlights:\n"
+        "  - {type: volume, mesh: box.obj, radiance: 1}")))
+    first, second = luxel.Scene(path).meshes
+    tap.equal((first.key, first.file, first.triangles, first.closed, first.euler_number, first.size_mm),
+              ("surfaces[1].file", "box.obj", 12, True, 2, (20, 30, 40)), "a mesh of a surface")
+    tap.near(first.volume_mm3, 24000, 1e-12, "its volume")
+    tap.equal((second.key, second.corners, second.edges, second.flipped_faces, second.scale_mm),
+              ("lights[0].mesh", 8, 12, 0, 1), "a mesh of a source")
+    tap.equal(luxel.Scene(SCENE).meshes, [], "none")
+
+
 def test_keys(tap, tool):
     scene = luxel.Scene(SCENE)
     before = scene.copy()
@@ -190,4 +205,5 @@ def test_about(tap, tool):
     tap.ok("report" in repr(report) and "360 x 360" in repr(report), "what it shows as", repr(report))
 
 
-run_tests(Tap(), test_sources, test_picture, test_keys, test_refused, test_language, test_pickles, test_about)
+run_tests(Tap(), test_sources, test_picture, test_meshes, test_keys, test_refused, test_language, test_pickles,
+          test_about)

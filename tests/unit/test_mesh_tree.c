@@ -278,12 +278,18 @@ static void surveys_bodies(void **state)
         size_t open, crowded, flipped, parts;
         double volume;
         long euler;
+        size_t turned;
+        unsigned first;
+        bool is_one_sided;
     } cases[] = {
-        {"f 1 3 2\nf 1 2 4\nf 2 3 4\nf 1 4 3\n", 0, 0, 0, 1, 4, 2},
-        {"f 1 2 3\nf 1 4 2\nf 2 4 3\nf 1 3 4\n", 0, 0, 0, 1, -4, 2},
-        {"f 1 3 2\nf 1 2 4\nf 2 3 4\n", 3, 0, 0, 1, 4, 1},
-        {"f 1 2 3\nf 1 2 4\nf 2 3 4\nf 1 4 3\n", 0, 0, 3, 1, 4, 2},
-        {"f 1 3 2\nf 1 2 4\nf 2 3 4\nf 1 4 3\nv 1 1 9\nf 1 2 5\n", 2, 1, 0, 1, 4, 2},
+        {"f 1 3 2\nf 1 2 4\nf 2 3 4\nf 1 4 3\n", 0, 0, 0, 1, 4, 2, 0, 0, false},
+        {"f 1 2 3\nf 1 4 2\nf 2 4 3\nf 1 3 4\n", 0, 0, 0, 1, -4, 2, 0, 0, false},
+        {"f 1 3 2\nf 1 2 4\nf 2 3 4\n", 3, 0, 0, 1, 4, 1, 0, 0, false},
+        {"f 1 2 3\nf 1 2 4\nf 2 3 4\nf 1 4 3\n", 0, 0, 3, 1, 4, 2, 1, 1, false},
+        {"f 1 3 2\nf 1 2 4\nf 4 3 2\nf 1 4 3\n", 0, 0, 3, 1, 4, 2, 1, 3, false},
+        {"f 1 3 2\nf 1 2 4\nf 2 3 4\nf 1 4 3\nv 1 1 9\nf 1 2 5\n", 2, 1, 0, 1, 4, 2, 0, 0, false},
+        /* a strip of three faces, glued with half a turn */
+        {"v 9 0 0\nv 9 9 0\nf 1 2 4 3\nf 3 4 6 5\nf 5 6 1 2\n", 6, 0, 1, 1, -3, 0, 0, 0, true},
     };
     for (size_t i = 0; i < sizeof cases / sizeof cases[0]; i++) {
         char text[300];
@@ -296,7 +302,13 @@ static void surveys_bodies(void **state)
         assert_int_equal(survey.flipped, cases[i].flipped);
         assert_int_equal(survey.parts, cases[i].parts);
         assert_int_equal(survey.euler, cases[i].euler);
-        assert_true(fabs(survey.volume - cases[i].volume) < 1e-12);
+        assert_int_equal(survey.is_one_sided, cases[i].is_one_sided);
+        if (!survey.is_one_sided)
+            assert_int_equal(survey.turned_faces, cases[i].turned);
+        if (!survey.is_one_sided)
+            assert_int_equal(survey.turned_at.number, cases[i].first);
+        if (survey.open == 0 && survey.turned_faces == 0)
+            assert_true(fabs(survey.volume - cases[i].volume) < 1e-12);
         lx_kept_release(&mesh->kept);
     }
 }
