@@ -11,24 +11,18 @@
 #include "number.h"
 #include "row.h"
 #include "rules.h"
+#include "source_row.h"
 
 static const char *const prefixes[] = {"lights[].", NULL};
 
-enum { ROW_HEIGHT = 36, MOST_ROWS = 5 /* that are seen without scrolling */ };
-
-/* A row of the list. */
-typedef struct Item {
-    AppSources *sources;
-    gsize index;
-    GtkWidget *enabled, *name, *gives, *solo;
-} Item;
+enum { ROW_HEIGHT = 54, MOST_ROWS = 5 /* that are seen without scrolling */ };
 
 struct _AppSources {
     GtkBox parent;
     AppDocument *document;
     const luxel_parameters *parameters;
     GtkWidget *list, *scrolled, *more, *form, *aim;
-    GPtrArray *items;
+    GPtrArray *items; /* AppSourceRow's */
     gsize chosen;
     gssize solo;
     gboolean is_updating;
@@ -48,89 +42,34 @@ static char *get(AppSources *self, gsize index, const char *name)
 
 /* ---- rows ---- */
 
-static void enabled_toggled(GtkCheckButton *button, Item *item)
+static void enabled_pressed(AppSourceRow *row, gboolean active, AppSources *self)
 {
-    if (item->sources->is_updating)
-        return;
-    char *key = g_strdup_printf("lights[%zu].enabled", item->index);
-    app_document_set(item->sources->document, key, gtk_check_button_get_active(button) ? "true" : "false", NULL);
+    char *key = g_strdup_printf("lights[%zu].enabled", app_source_row_light(row));
+    app_document_set(self->document, key, active ? "true" : "false", NULL);
     g_free(key);
 }
 
-static void solo_toggled(GtkToggleButton *button, Item *item)
+static void solo_pressed(AppSourceRow *row, gboolean active, AppSources *self)
 {
-    AppSources *self = item->sources;
-    if (self->is_updating)
-        return;
-    self->solo = gtk_toggle_button_get_active(button) ? (gssize)item->index : -1;
+    self->solo = active ? (gssize)app_source_row_light(row) : -1;
     g_signal_emit(self, signals[SOLO], 0, (int)self->solo);
     app_sources_refresh(self);
 }
 
-static void name_control(GtkWidget *control, const char *format, gsize index)
-{
-    char *text = g_strdup_printf(format, index + 1);
-    app_name_control(control, text);
-    gtk_widget_set_tooltip_text(control, text);
-    g_free(text);
-}
-
-static void pointer_came(GtkEventControllerMotion *motion, double x, double y, Item *item)
-{
-    (void)motion;
-    (void)x;
-    (void)y;
-    g_signal_emit(item->sources, signals[HOVERED], 0, (int)item->index);
-}
-
-static void pointer_went(GtkEventControllerMotion *motion, Item *item)
-{
-    (void)motion;
-    g_signal_emit(item->sources, signals[HOVERED], 0, -1);
-}
-
 /* The mark of the row that the pointer is on is lit up on the picture. */
-static void watch_pointer(GtkWidget *row, Item *item)
+static void row_hovered(AppSourceRow *row, gboolean inside, AppSources *self)
 {
-    GtkEventController *motion = gtk_event_controller_motion_new();
-    g_signal_connect(motion, "enter", G_CALLBACK(pointer_came), item);
-    g_signal_connect(motion, "leave", G_CALLBACK(pointer_went), item);
-    gtk_widget_add_controller(row, motion);
+    g_signal_emit(self, signals[HOVERED], 0, inside ? (int)app_source_row_light(row) : -1);
 }
 
 static void add_item(AppSources *self)
 {
-    Item *item = g_new0(Item, 1);
-    GtkWidget *line = gtk_box_new(GTK_ORIENTATION_HORIZONTAL, 6), *texts = gtk_box_new(GTK_ORIENTATION_VERTICAL, 0);
-    *item = (Item){self,
-                   self->items->len,
-                   gtk_check_button_new(),
-                   gtk_label_new(NULL),
-                   gtk_label_new(NULL),
-                   gtk_toggle_button_new_with_label(_("Solo"))};
-    name_control(item->enabled, _("Source %zu on"), item->index);
-    name_control(item->solo, _("Only source %zu"), item->index);
-    gtk_label_set_xalign(GTK_LABEL(item->name), 0);
-    gtk_label_set_ellipsize(GTK_LABEL(item->name), PANGO_ELLIPSIZE_END);
-    gtk_label_set_xalign(GTK_LABEL(item->gives), 0);
-    gtk_label_set_wrap(GTK_LABEL(item->gives), TRUE);
-    gtk_widget_add_css_class(item->gives, "note");
-    gtk_widget_set_hexpand(texts, TRUE);
-    gtk_widget_set_valign(item->solo, GTK_ALIGN_CENTER);
-    gtk_widget_add_css_class(item->solo, "small");
-    gtk_box_append(GTK_BOX(texts), item->name);
-    gtk_box_append(GTK_BOX(texts), item->gives);
-    gtk_box_append(GTK_BOX(line), item->enabled);
-    gtk_box_append(GTK_BOX(line), texts);
-    gtk_box_append(GTK_BOX(line), item->solo);
-    g_signal_connect(item->enabled, "toggled", G_CALLBACK(enabled_toggled), item);
-    g_signal_connect(item->solo, "toggled", G_CALLBACK(solo_toggled), item);
-    gtk_widget_set_tooltip_text(item->gives,
-                                _("Φ: the flux of the source in all\nE: the irradiance or illuminance where the centre "
-                                  "of the first surface is seen; 0 also in shadow"));
-    gtk_list_box_append(GTK_LIST_BOX(self->list), line);
-    watch_pointer(gtk_widget_get_parent(line), item);
-    g_ptr_array_add(self->items, item);
+    GtkWidget *row = app_source_row_new(self->items->len);
+    g_signal_connect(row, "enabled", G_CALLBACK(enabled_pressed), self);
+    g_signal_connect(row, "solo", G_CALLBACK(solo_pressed), self);
+    g_signal_connect(row, "hovered", G_CALLBACK(row_hovered), self);
+    gtk_list_box_append(GTK_LIST_BOX(self->list), row);
+    g_ptr_array_add(self->items, row);
 }
 
 static void remove_last(AppSources *self)
@@ -140,24 +79,24 @@ static void remove_last(AppSources *self)
     g_ptr_array_set_size(self->items, (int)self->items->len - 1);
 }
 
-static void refresh_item(AppSources *self, Item *item)
+static void refresh_item(AppSources *self, AppSourceRow *row)
 {
-    char *type = get(self, item->index, "type"), *enabled = get(self, item->index, "enabled");
-    char *yaml = get(self, item->index, "name"), *name = yaml ? app_yaml_unquote(yaml) : NULL;
+    const gsize index = app_source_row_light(row);
+    char *type = get(self, index, "type"), *enabled = get(self, index, "enabled");
+    char *yaml = get(self, index, "name"), *name = yaml ? app_yaml_unquote(yaml) : NULL;
     const char *kind = type ? app_choice_label(type) : "";
-    char *title = name && *name ? g_strdup_printf("%zu  %s (%s)", item->index + 1, name, kind)
-                                : g_strdup_printf("%zu  %s", item->index + 1, kind);
-    gtk_label_set_text(GTK_LABEL(item->name), title);
-    gtk_accessible_update_property(
-        GTK_ACCESSIBLE(gtk_list_box_get_row_at_index(GTK_LIST_BOX(self->list), (int)item->index)),
-        GTK_ACCESSIBLE_PROPERTY_LABEL, title, -1);
-    gtk_check_button_set_active(GTK_CHECK_BUTTON(item->enabled), g_strcmp0(enabled, "false") != 0);
-    gtk_toggle_button_set_active(GTK_TOGGLE_BUTTON(item->solo), self->solo == (gssize)item->index);
+    /* the badge has the number for those who see it */
+    char *title = name && *name ? g_strdup_printf("%s (%s)", name, kind) : g_strdup(kind);
+    char *whole = g_strdup_printf("%zu  %s", index + 1, title);
+    app_source_row_show(row, title, g_strcmp0(enabled, "false") != 0, self->solo == (gssize)index);
+    gtk_accessible_update_property(GTK_ACCESSIBLE(gtk_list_box_get_row_at_index(GTK_LIST_BOX(self->list), (int)index)),
+                                   GTK_ACCESSIBLE_PROPERTY_LABEL, whole, -1);
     g_free(type);
     g_free(enabled);
     g_free(yaml);
     g_free(name);
     g_free(title);
+    g_free(whole);
 }
 
 /* The mapping in which the chosen source can be aimed, such as lights[0] or lights[0].disk; NULL where it cannot. */
@@ -244,20 +183,25 @@ void app_sources_hover(AppSources *self, gssize index)
 
 void app_sources_set_stale(AppSources *self, gboolean stale)
 {
-    for (guint i = 0; i < self->items->len; i++) {
-        const Item *item = g_ptr_array_index(self->items, i);
-        if (stale)
-            gtk_widget_add_css_class(item->gives, "stale");
-        else
-            gtk_widget_remove_css_class(item->gives, "stale");
-    }
+    for (guint i = 0; i < self->items->len; i++)
+        app_source_row_set_stale(g_ptr_array_index(self->items, i), stale);
+    if (stale)
+        app_sources_show_shares(self, NULL);
+}
+
+void app_sources_show_shares(AppSources *self, const AppReading *reading)
+{
+    const gboolean any = reading && reading->value.on_surface && reading->value.has_value;
+    for (guint i = 0; i < self->items->len; i++)
+        app_source_row_set_share(g_ptr_array_index(self->items, i),
+                                 any && i < reading->share_count ? reading->shares[i] : (double)NAN,
+                                 any ? reading->value.value : 0);
 }
 
 void app_sources_show(AppSources *self, const AppMeasures *measures, gboolean photometric)
 {
     for (guint i = 0; i < self->items->len && i < measures->source_count; i++) {
         const AppSource *source = &measures->sources[i];
-        Item *item = g_ptr_array_index(self->items, i);
         char flux[APP_NUMBER_SIZE], irradiance[APP_NUMBER_SIZE];
         GString *text = g_string_new(NULL);
         if (isfinite(source->flux))
@@ -267,8 +211,7 @@ void app_sources_show(AppSources *self, const AppMeasures *measures, gboolean ph
             g_string_append_printf(text, "%sE %s %s", text->len ? "   " : "",
                                    app_number_round(source->irradiance, 4, irradiance),
                                    gettext(luxel_scene_unit(measures->live->moment->scene, LUXEL_IRRADIANCE)));
-        if (strcmp(text->str, gtk_label_get_text(GTK_LABEL(item->gives))) != 0)
-            gtk_label_set_text(GTK_LABEL(item->gives), text->str);
+        app_source_row_set_gives(g_ptr_array_index(self->items, i), text->str);
         g_string_free(text, TRUE);
     }
 }
@@ -438,7 +381,7 @@ static void app_sources_class_init(AppSourcesClass *class)
 
 static void app_sources_init(AppSources *self)
 {
-    self->items = g_ptr_array_new_with_free_func(g_free);
+    self->items = g_ptr_array_new();
     self->solo = -1;
     gtk_orientable_set_orientation(GTK_ORIENTABLE(self), GTK_ORIENTATION_VERTICAL);
     gtk_box_set_spacing(GTK_BOX(self), 6);

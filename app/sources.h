@@ -24,6 +24,8 @@ void app_sources_hover(AppSources *self, gssize index);
 void app_sources_set_stale(AppSources *self, gboolean stale);
 /* Shows flux and irradiance; `photometric`: in lm and lx. */
 void app_sources_show(AppSources *self, const AppMeasures *measures, gboolean photometric);
+/* Shows each source's share of the value that was read under the pointer; NULL: there is none. */
+void app_sources_show_shares(AppSources *self, const AppReading *reading);
 /* Marks a wrong key; TRUE where the form has it. */
 gboolean app_sources_set_fault(AppSources *self, const char *key, const char *reason);
 

@@ -3,6 +3,9 @@
 #include "view_draw.h"
 
 #include <math.h>
+#include <string.h>
+
+#include "lamp.h"
 
 enum { MARK_ROOM = 14, EDGE = 16, DIRECTIONS = 64, SEAM = 2, BESIDE = 8, MOST_NAMES = 512 };
 
@@ -11,6 +14,7 @@ typedef enum Shape { SHAPE_LAMP, SHAPE_SUN, SHAPE_ARROW, SHAPE_POINT, SHAPE_MAXI
 
 typedef struct Look {
     Shape shape;
+    gsize light;   /* whose it is, of a source */
     int direction; /* of an arrow, of DIRECTIONS */
     gboolean is_on, selected;
     int dots; /* for a pixel */
@@ -57,31 +61,34 @@ static void stroke(cairo_t *cairo, double width, double red, double green, doubl
 
 static void draw_lamp(cairo_t *cairo, const Look *look)
 {
-    const gboolean selected = look->selected;
-    const double blue = selected ? 0.25 : 0.55;
-    cairo_arc(cairo, 0, 0, 5, 0, 2 * G_PI);
-    cairo_set_source_rgba(cairo, 1, 0.85, blue, look->is_on ? 1 : 0.15);
-    cairo_fill_preserve(cairo);
-    stroke(cairo, selected ? 2 : 1.2, 1, look->is_on ? 0.8 : 0.75, look->is_on ? blue : 0.75);
+    const AppBadge badge = {.light = look->light, .is_on = look->is_on, .selected = look->selected};
+    double color[3];
+    app_lamp_color(look->light, color);
     for (int i = 0; i < 8; i++) {
-        double angle = i * G_PI / 4, outer = look->shape == SHAPE_SUN ? 12 : 10;
-        cairo_move_to(cairo, 7.5 * cos(angle), 7.5 * sin(angle));
+        const double angle = (i + 0.5) * G_PI / 4, outer = look->shape == SHAPE_SUN ? 13 : 11.5;
+        cairo_move_to(cairo, 9 * cos(angle), 9 * sin(angle));
         cairo_line_to(cairo, outer * cos(angle), outer * sin(angle));
     }
-    stroke(cairo, selected ? 1.8 : 1, 1, look->is_on ? 0.85 : 0.75, look->is_on ? blue : 0.75);
+    stroke(cairo, look->shape == SHAPE_SUN ? 2 : 1.2, color[0], color[1], color[2]);
+    app_lamp_draw_badge(cairo, &badge);
 }
 
-static void draw_arrow(cairo_t *cairo, double angle, gboolean is_on, gboolean selected)
+static void draw_arrow(cairo_t *cairo, const Look *look)
 {
-    cairo_rotate(cairo, angle);
+    double color[3];
+    app_lamp_color(look->light, color);
+    cairo_rotate(cairo, 2 * G_PI * look->direction / DIRECTIONS);
     cairo_move_to(cairo, 11, 0);
     cairo_line_to(cairo, -5, -8);
     cairo_line_to(cairo, -1, 0);
     cairo_line_to(cairo, -5, 8);
     cairo_close_path(cairo);
-    cairo_set_source_rgba(cairo, 1, 0.85, selected ? 0.25 : 0.55, is_on ? 1 : 0.15);
+    cairo_set_source_rgba(cairo, color[0], color[1], color[2], look->is_on ? 1 : 0.15);
     cairo_fill_preserve(cairo);
-    stroke(cairo, selected ? 2 : 1, 1, is_on ? 0.85 : 0.75, is_on ? 0.45 : 0.75);
+    if (look->selected)
+        stroke(cairo, 2, 1, 1, 1);
+    else
+        stroke(cairo, 1, color[0], color[1], color[2]);
 }
 
 static void draw_cross(cairo_t *cairo, gboolean selected)
@@ -113,7 +120,7 @@ static void draw_ring(cairo_t *cairo)
 static void draw_shape(cairo_t *cairo, const Look *look)
 {
     if (look->shape == SHAPE_ARROW)
-        draw_arrow(cairo, 2 * G_PI * look->direction / DIRECTIONS, look->is_on, look->selected);
+        draw_arrow(cairo, look);
     else if (look->shape == SHAPE_POINT)
         draw_cross(cairo, look->selected);
     else if (look->shape == SHAPE_MAXIMUM)
@@ -158,8 +165,10 @@ static GdkTexture *new_texture(const Look *look)
 static GdkTexture *texture_of(GtkWidget *widget, const Look *look)
 {
     static const char name[] = "luxel-marks";
-    const guint key = (guint)(((look->dots * DIRECTIONS + look->direction) * 8 + (int)look->shape) * 4 +
-                              (look->is_on ? 2 : 0) + (look->selected ? 1 : 0));
+    enum { MOST_DOTS = 8 };
+    const guint shape = (guint)(((look->dots % MOST_DOTS) * DIRECTIONS + look->direction) * 8 + (int)look->shape);
+    const guint key = (((guint)look->light * MOST_DOTS * DIRECTIONS * 8 + shape) * 4) + (look->is_on ? 2 : 0) +
+                      (look->selected ? 1 : 0);
     GHashTable *textures = g_object_get_data(G_OBJECT(widget), name);
     if (!textures) {
         textures = g_hash_table_new_full(g_direct_hash, g_direct_equal, NULL, g_object_unref);
@@ -210,7 +219,7 @@ static GdkTexture *name_of(GtkWidget *widget, const char *name, const GdkRGBA *c
 {
     static const char kept[] = "luxel-names";
     GHashTable *textures = g_object_get_data(G_OBJECT(widget), kept);
-    char *key = g_strdup_printf("%d %.2f %s", dots, (double)color->blue, name);
+    char *key = g_strdup_printf("%d %.2f %s", dots, (double)color->red, name);
     if (!textures || g_hash_table_size(textures) > MOST_NAMES) {
         textures = g_hash_table_new_full(g_str_hash, g_str_equal, g_free, g_object_unref);
         g_object_set_data_full(G_OBJECT(widget), kept, textures, (GDestroyNotify)g_hash_table_unref);
@@ -246,13 +255,13 @@ static void draw_name(GtkSnapshot *snapshot, GtkWidget *widget, const double at[
 void app_draw_mark(GtkSnapshot *snapshot, GtkWidget *widget, const AppMap *map, const AppMark *mark, gboolean selected,
                    gboolean hovered)
 {
-    static const GdkRGBA of_points = {0.65f, 0.9f, 1, 1}, of_lamps = {1, 0.9f, 0.6f, 1},
-                         of_dark = {0.8f, 0.8f, 0.8f, 1};
+    static const GdkRGBA of_points = {0.65f, 0.9f, 1, 1}, of_lamps = {1, 1, 1, 1}, of_dark = {0.8f, 0.8f, 0.8f, 1};
     double at[2], angle;
     gboolean arrow = app_mark_shown(map, mark, gtk_widget_get_width(widget), gtk_widget_get_height(widget), at, &angle);
     if (mark->kind == APP_MARK_SURFACE)
         return;
     Look look = {.shape = mark->is_distant ? SHAPE_SUN : SHAPE_LAMP,
+                 .light = mark->index,
                  .is_on = mark->is_on && !mark->is_behind,
                  .selected = selected};
     if (mark->kind == APP_MARK_POINT)
@@ -264,7 +273,11 @@ void app_draw_mark(GtkSnapshot *snapshot, GtkWidget *widget, const AppMap *map, 
     put_shape(snapshot, widget, at, look);
     if (hovered)
         put_shape(snapshot, widget, at, (Look){.shape = SHAPE_RING});
-    draw_name(snapshot, widget, at, mark->label,
+    /* a badge has its number in it already */
+    const char *name = mark->kind == APP_MARK_SOURCE && !arrow ? strchr(mark->label, ' ') : mark->label;
+    if (!name)
+        return;
+    draw_name(snapshot, widget, at, name,
               mark->kind == APP_MARK_POINT ? &of_points
               : look.is_on                 ? &of_lamps
                                            : &of_dark);

@@ -159,8 +159,10 @@ static void view_pointed(AppView *view, double x_mm, double y_mm, gboolean insid
     self->pointer_mm[0] = x_mm;
     self->pointer_mm[1] = y_mm;
     self->pointer_inside = inside;
-    if (!inside)
+    if (!inside) {
         gtk_label_set_text(GTK_LABEL(self->status_label), "");
+        app_sources_show_shares(APP_SOURCES(self->sources), NULL);
+    }
     app_window_ask_pointer(self);
 }
 

@@ -7,6 +7,7 @@
 #include "../front/language.h"
 #include "../front/words.h"
 #include "export.h"
+#include "lamp.h"
 #include "number.h"
 #include "pulse.h"
 #include "window_private.h"
@@ -149,7 +150,7 @@ static int by_share(gconstpointer a, gconstpointer b, gpointer shares)
     return first < second ? 1 : first > second ? -1 : 0;
 }
 
-/* "2: 12.3, 1: 0.5": what the lights give, the greatest first; those that give nothing are not told. */
+/* "2: 12.3, 1: 0.5" as markup: what the lights give, the greatest first; those that give nothing are not told. */
 static void add_shares(GString *text, const AppReading *reading)
 {
     char number[APP_NUMBER_SIZE];
@@ -158,8 +159,10 @@ static void add_shares(GString *text, const AppReading *reading)
         order[i] = i;
     g_qsort_with_data(order, (int)reading->share_count, sizeof *order, by_share, reading->shares);
     while (shown < reading->share_count && shown < MOST_SHARES && reading->shares[order[shown]] != 0) {
-        g_string_append_printf(text, "%s%zu: %s", shown ? ", " : "", order[shown] + 1,
-                               app_number_round(reading->shares[order[shown]], 4, number));
+        char *color = app_lamp_color_name(order[shown]);
+        g_string_append_printf(text, "%s<span background=\"%s\" color=\"black\">%zu</span>: %s", shown ? ", " : "",
+                               color, order[shown] + 1, app_number_round(reading->shares[order[shown]], 4, number));
+        g_free(color);
         shown++;
     }
     if (shown < reading->share_count && reading->shares[order[shown]] != 0)
@@ -200,10 +203,6 @@ static void add_value(GString *text, const AppReading *reading)
         g_string_append(text, _("a source lies here"));
     if (reading->has_pixel)
         g_string_append_printf(text, "   %s %u", _("grey"), reading->grey);
-    if (reading->share_count > 1 && value->has_value) {
-        g_string_append_printf(text, "   %s ", _("sources"));
-        add_shares(text, reading);
-    }
 }
 
 void app_window_show_reading(const AppReading *reading, gpointer owner)
@@ -224,6 +223,14 @@ void app_window_show_reading(const AppReading *reading, gpointer owner)
         g_string_append_printf(text, "   %s", _("off the surface"));
     else
         add_value(text, reading);
-    gtk_label_set_text(GTK_LABEL(self->status_label), text->str);
+    char *markup = g_markup_escape_text(text->str, -1);
+    g_string_assign(text, markup);
+    g_free(markup);
+    if (!reading->has_minus && reading->share_count > 1 && value->on_surface && value->has_value) {
+        g_string_append_printf(text, "   %s ", _("sources"));
+        add_shares(text, reading);
+    }
+    gtk_label_set_markup(GTK_LABEL(self->status_label), text->str);
+    app_sources_show_shares(APP_SOURCES(self->sources), reading);
     g_string_free(text, TRUE);
 }

@@ -5,21 +5,30 @@
 #include "parts.h"
 
 /* Colours that keep apart for those who are colour-blind, too (M. Okabe and K. Ito 2008), yellow left out. */
-void lx_light_line(const struct lx_canvas *canvas, size_t light, bool stacked, double size, double color[3])
+static const unsigned char colors[][3] = {{230, 159, 0},   {86, 180, 233}, {0, 158, 115},
+                                          {204, 121, 167}, {213, 94, 0},   {0, 114, 178}};
+enum { COLORS = sizeof colors / sizeof colors[0] };
+
+void lx_light_color(const double ground[3], size_t light, double color[3])
 {
-    static const unsigned char colors[][3] = {{230, 159, 0},   {86, 180, 233}, {0, 158, 115},
-                                              {204, 121, 167}, {213, 94, 0},   {0, 114, 178}};
-    const size_t count = sizeof colors / sizeof colors[0];
-    const double dashes[][4] = {{0.7, 0.35, 0.7, 0.35}, {0.2, 0.25, 0.2, 0.25}, {0.9, 0.25, 0.2, 0.25}};
-    double lengths[4];
     for (int i = 0; i < 3; i++)
-        color[i] = colors[light % count][i] / 255.0;
-    if (stacked) /* areas have no dashes: they become paler */
-        for (int i = 0; i < 3; i++)
-            color[i] += (canvas->ground[i] - color[i]) * fmin(0.15 + 0.3 * (double)(light / count), 0.75);
-    else if (lx_lightness(canvas->ground) < 0.5)
+        color[i] = colors[light % COLORS][i] / 255.0;
+    if (lx_lightness(ground) < 0.5)
         for (int i = 0; i < 3; i++)
             color[i] = 1 - (1 - color[i]) * 0.8;
+}
+
+void lx_light_line(const struct lx_canvas *canvas, size_t light, bool stacked, double size, double color[3])
+{
+    const size_t count = COLORS;
+    const double dashes[][4] = {{0.7, 0.35, 0.7, 0.35}, {0.2, 0.25, 0.2, 0.25}, {0.9, 0.25, 0.2, 0.25}};
+    double lengths[4];
+    lx_light_color(canvas->ground, light, color);
+    if (stacked) /* areas have no dashes: they become paler */
+        for (int i = 0; i < 3; i++) {
+            color[i] = colors[light % count][i] / 255.0;
+            color[i] += (canvas->ground[i] - color[i]) * fmin(0.15 + 0.3 * (double)(light / count), 0.75);
+        }
     for (int i = 0; i < 4; i++)
         lengths[i] = light < count ? 0 : size * dashes[(light / count - 1) % 3][i];
     cairo_set_dash(canvas->cairo, lengths, light < count || stacked ? 0 : 4, 0);

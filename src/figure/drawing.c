@@ -35,6 +35,14 @@ bool lx_can_draw(cairo_t *cairo, const luxel_drawing_style *style, double width,
            has_size(height);
 }
 
+luxel_status luxel_light_color(const luxel_drawing_style *style, size_t i, double color[3])
+{
+    if (!style_goes(style) || !color)
+        return LUXEL_ERROR_ARGUMENT;
+    lx_light_color(style->ground, i, color);
+    return LUXEL_OK;
+}
+
 bool lx_scale_goes(const struct lx_scale *scale)
 {
     return isfinite(scale->low) && isfinite(scale->high) && scale->low < scale->high &&

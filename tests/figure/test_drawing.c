@@ -274,6 +274,35 @@ static void test_lines(void **state)
     }
 }
 
+/* Light and dark, the colour that is told for a light is that of its curve; every sixth light has it again. */
+static void test_light_colors(void **state)
+{
+    (void)state;
+    struct profiled made;
+    luxel_drawing_style style;
+    const int all[] = {0, 0, 400, 300};
+    make_profile(&made, 1, 3);
+    for (int dark = 0; dark < 2; dark++) {
+        double first[3], again[3];
+        luxel_drawing_style_init(&style, dark == 1);
+        style.letters = 20; /* wide lines, whose middle has their colour alone */
+        cairo_t *cairo = draw_profile(&made, &style, NULL, 400, 300);
+        for (size_t light = 0; light < 2; light++) {
+            double color[3];
+            assert_int_equal(luxel_light_color(&style, light, color), LUXEL_OK);
+            const uint32_t wanted = (uint32_t)lround(255 * color[0]) << 16 | (uint32_t)lround(255 * color[1]) << 8 |
+                                    (uint32_t)lround(255 * color[2]);
+            assert_true(find(cairo, wanted, all).count > 80);
+        }
+        assert_int_equal(luxel_light_color(&style, 0, first), LUXEL_OK);
+        assert_int_equal(luxel_light_color(&style, 6, again), LUXEL_OK);
+        assert_memory_equal(first, again, sizeof first);
+        cairo_destroy(cairo);
+    }
+    assert_int_equal(luxel_light_color(NULL, 0, (double[3]){0}), LUXEL_ERROR_ARGUMENT);
+    assert_int_equal(luxel_light_color(&style, 0, NULL), LUXEL_ERROR_ARGUMENT);
+}
+
 /* Stacked, the areas are as high as the shares; along x, which falls along the way, they are mirrored. */
 static void test_stacked(void **state)
 {
@@ -539,7 +568,7 @@ int main(void)
         cmocka_unit_test(test_bars),  cmocka_unit_test(test_points),         cmocka_unit_test(test_bar_labels),
         cmocka_unit_test(test_lines), cmocka_unit_test(test_stacked),        cmocka_unit_test(test_names),
         cmocka_unit_test(test_words), cmocka_unit_test(test_histogram),      cmocka_unit_test(test_refusals),
-        cmocka_unit_test(test_sizes), cmocka_unit_test(test_whole_pictures),
+        cmocka_unit_test(test_sizes), cmocka_unit_test(test_whole_pictures), cmocka_unit_test(test_light_colors),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

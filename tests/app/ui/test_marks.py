@@ -5,6 +5,7 @@ import re
 from desk import luxel, trial
 from waiting import wait
 
+SHARE = re.compile(r"Share (\S+), (\S+) %")
 RING = (255, 255, 255)
 
 
@@ -53,6 +54,7 @@ def names(tap, desk):
     place = arrow_of(desk, window, rows[1])
     tap.ok(place, "the row of a source lights up its mark", place)
     if place:
+        desk.move(place[0] - 1, place[1])
         desk.move(*place)
         said = wait("a tooltip", lambda: next((text for text in everything(window) if "Source 2 fill" in text), None))
         tap.ok(re.search(r"x \S+, y \S+, z \S+ mm", said), "which says its number, its name and where it is", said)
@@ -100,4 +102,31 @@ def dark(tap, desk):
            "an empty clipboard is said to be empty")
 
 
-trial(wheel, names, dark)
+def shares(tap, desk):
+    """One colour a source, and its share of what is under the pointer."""
+    window = desk.start().window()
+    window.act("source-duplicate")
+    wait("two sources", lambda: len(window.sources()) == 2)
+    window.act("false-color")
+    list_area = window.widget.find("list").area()
+    left, top = window.edges()
+
+    def dots(color):
+        area = [round(number) for number in (left + list_area[0], top + list_area[1], list_area[2], list_area[3])]
+        data = desk.screen(*area)
+        return sum(1 for i in range(0, len(data), 3) if tuple(data[i:i + 3]) == color)
+
+    for color in ((230, 159, 0), (86, 180, 233)):
+        tap.ok(wait("its colour", lambda: dots(color) > 40), "the list has a badge in the colour of the curve", color)
+    tap.equal([part.name for part in window.widget.find("list").all(None, "Share")], ["Share", "Share"],
+              "without a pointer there is no share")
+    window.pointed(*window.pixel(0, 0))
+    found = wait("the shares", lambda: [match for match in (SHARE.fullmatch(part.name) for part in
+                                                            window.widget.find("list").all()) if match])
+    tap.equal(len(found), 2, "under the pointer each source has its share")
+    tap.ok(abs(sum(float(match.group(2)) for match in found) - 100) < 0.2, "which together are the whole")
+    told = dict(part.split(": ") for part in window.says("sources ").rpartition("sources ")[2].split(", "))
+    tap.equal(sorted(told.values()), sorted(match.group(1) for match in found), "the line at the edge says the same")
+
+
+trial(wheel, names, dark, shares)
