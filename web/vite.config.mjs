@@ -2,6 +2,7 @@
 // The page as static files with relative paths; core and words come from the build folder, LUXEL_WEB_FOLDER.
 import fs from 'node:fs';
 import path from 'node:path';
+import { build } from 'esbuild';
 import { defineConfig } from 'vite';
 
 const folder = path.resolve(process.env.LUXEL_WEB_FOLDER ?? '../build-web');
@@ -25,6 +26,23 @@ function licences() {
     return texts.join('\n\n').replaceAll('&', '&amp;').replaceAll('<', '&lt;');
 }
 
+// <luxel-scene> is a script of its own, as it runs in other pages.
+const element = {
+    name: 'luxel-scene',
+    async generateBundle() {
+        const { outputFiles } = await build({
+            entryPoints: ['page/luxel-scene.ts'],
+            bundle: true,
+            minify: true,
+            format: 'iife',
+            target: 'es2022',
+            legalComments: 'inline',
+            write: false,
+        });
+        this.emitFile({ type: 'asset', fileName: 'luxel-scene.js', source: outputFiles[0].contents });
+    },
+};
+
 const core = {
     name: 'luxel-core',
     transformIndexHtml: (html) => html.replace('<!-- licences -->', licences),
@@ -39,7 +57,7 @@ const core = {
 export default defineConfig({
     root: 'page',
     base: './',
-    plugins: [core],
+    plugins: [core, element],
     worker: { format: 'iife', rollupOptions: { output: { entryFileNames: 'worker.js' } } },
     build: {
         outDir: path.join(folder, 'page'),

@@ -162,6 +162,8 @@ LUXEL_API luxel_status luxel_scene_point(const luxel_scene *scene, size_t i, dou
 LUXEL_API size_t luxel_scene_surface_count(const luxel_scene *scene);
 /* The centre of the i-th surface of a committed scene.  LUXEL_ERROR_ARGUMENT: not committed, or no such. */
 LUXEL_API luxel_status luxel_scene_surface_place(const luxel_scene *scene, size_t i, double center_mm[3]);
+/* How far from its centre the i-th surface of a committed scene reaches at most.  LUXEL_ERROR_ARGUMENT as above. */
+LUXEL_API luxel_status luxel_scene_surface_radius(const luxel_scene *scene, size_t i, double *radius_mm);
 
 /* The name of a part of the i-th surface of a committed scene, such as "floor" of a room; NULL: it has no such part. */
 LUXEL_API const char *luxel_part_name(const luxel_scene *scene, size_t i, unsigned part);

@@ -224,14 +224,26 @@ size_t luxel_scene_surface_count(const luxel_scene *scene)
     return luxel_scene_is_committed(scene) ? scene->parameters.surfaces.count : 0;
 }
 
+static struct lx_shape shape_of(const luxel_scene *scene, size_t i)
+{
+    const struct lx_item *item = &scene->parameters.surfaces.items[i];
+    return lx_surface_shape((const struct lx_surface_kind *)item->variant, item->parameters);
+}
+
 luxel_status luxel_scene_surface_place(const luxel_scene *scene, size_t i, double center_mm[3])
 {
     if (i >= luxel_scene_surface_count(scene) || !center_mm)
         return LUXEL_ERROR_ARGUMENT;
-    const struct lx_item *item = &scene->parameters.surfaces.items[i];
-    const struct lx_surface_kind *kind = (const struct lx_surface_kind *)item->variant;
-    struct lx_shape shape = lx_surface_shape(kind, item->parameters);
+    const struct lx_shape shape = shape_of(scene, i);
     memcpy(center_mm, shape.anchor_mm, sizeof shape.anchor_mm);
+    return LUXEL_OK;
+}
+
+luxel_status luxel_scene_surface_radius(const luxel_scene *scene, size_t i, double *radius_mm)
+{
+    if (i >= luxel_scene_surface_count(scene) || !radius_mm)
+        return LUXEL_ERROR_ARGUMENT;
+    *radius_mm = shape_of(scene, i).radius_mm;
     return LUXEL_OK;
 }
 

@@ -138,6 +138,11 @@ static void surfaces(void **state)
     assert_true(place[0] == 0 && place[1] == 0 && place[2] == 1000);
     assert_int_equal(luxel_scene_surface_place(scene, 2, place), LUXEL_ERROR_ARGUMENT);
     assert_int_equal(luxel_scene_surface_place(scene, 0, NULL), LUXEL_ERROR_ARGUMENT);
+    double radius;
+    assert_int_equal(luxel_scene_surface_radius(scene, 0, &radius), LUXEL_OK);
+    assert_true(fabs(radius - hypot(7, 9) / 2) < 1e-9);
+    assert_int_equal(luxel_scene_surface_radius(scene, 2, &radius), LUXEL_ERROR_ARGUMENT);
+    assert_int_equal(luxel_scene_surface_radius(scene, 0, NULL), LUXEL_ERROR_ARGUMENT);
     assert_int_equal(luxel_scene_set(scene, "observer.z=2000", NULL), LUXEL_OK);
     assert_int_equal(luxel_scene_surface_count(scene), 0);
     assert_int_equal(luxel_scene_surface_place(scene, 0, place), LUXEL_ERROR_ARGUMENT);

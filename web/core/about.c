@@ -22,13 +22,28 @@ static void answer_light(size_t i)
     answer_close('}');
 }
 
+static void answer_surface(size_t i)
+{
+    double center[3], radius;
+    if (luxel_scene_surface_place(core.scene, i, center) != LUXEL_OK ||
+        luxel_scene_surface_radius(core.scene, i, &radius) != LUXEL_OK) {
+        answer_string(NULL);
+        return;
+    }
+    answer_open('{');
+    answer_key("center");
+    answer_numbers(center, 3);
+    answer_key("reach");
+    answer_number(radius);
+    answer_close('}');
+}
+
 static void answer_surfaces(void)
 {
-    double center[3];
     answer_key("surfaces");
     answer_open('[');
     for (size_t i = 0; i < luxel_scene_surface_count(core.scene); i++)
-        answer_numbers(luxel_scene_surface_place(core.scene, i, center) == LUXEL_OK ? center : NULL, 3);
+        answer_surface(i);
     answer_close(']');
 }
 
@@ -169,6 +184,11 @@ PAGE_CALLS(page_parameters) const char *page_parameters(void)
     answer_close('}');
     luxel_parameters_free(parameters);
     return answer_text();
+}
+
+PAGE_CALLS(page_version) const char *page_version(void)
+{
+    return luxel_version();
 }
 
 PAGE_CALLS(page_builtins) const char *page_builtins(void)

@@ -172,41 +172,99 @@ PAGE_CALLS(page_extrema) const char *page_extrema(void)
         answer_number(peaks[i]->x_mm);
         answer_key("y");
         answer_number(peaks[i]->y_mm);
+        answer_key("position");
+        answer_numbers(peaks[i]->position_mm, 3);
+        answer_key("place");
+        answer_number(peaks[i]->place);
         answer_close('}');
     }
     answer_close(']');
     return answer_text();
 }
 
-/* The section across the screen through a point: abscissa, value and each light's share, row by row. */
-PAGE_CALLS(page_section) const char *page_section(double x_mm, double y_mm, double degrees, unsigned samples)
+/* What is read off all pixels of the whole picture. */
+PAGE_CALLS(page_summary) const char *page_summary(void)
 {
-    const luxel_evaluator *evaluator = present_evaluator();
-    luxel_path path = {.type = LUXEL_PATH_LINE, .samples = samples};
-    luxel_profile *profile = NULL;
-    const double through_mm[2] = {x_mm, y_mm};
-    if (!evaluator || luxel_line_across_screen(core.scene, through_mm, degrees, fresh_diagnostics(), path.from_mm,
-                                               path.to_mm) != LUXEL_OK)
+    const luxel_settings settings = present_settings();
+    luxel_field *field = NULL;
+    luxel_summary summary;
+    if (!core.scene || luxel_render(core.scene, &settings, fresh_diagnostics(), &field) != LUXEL_OK)
         return NULL;
-    if (luxel_find_profile(evaluator, &path, core.diagnostics, &profile) != LUXEL_OK)
+    const luxel_status status = luxel_field_summary(field, NULL, core.diagnostics, &summary);
+    luxel_field_free(field);
+    if (status != LUXEL_OK)
         return NULL;
     answer_begin();
+    answer_open('{');
+    answer_key("pixels");
+    answer_number((double)summary.pixels);
+    answer_extremum("maximum", &summary.maximum);
+    answer_extremum("minimum", &summary.minimum);
+    answer_key("mean");
+    answer_number(summary.mean);
+    answer_key("median");
+    answer_number(summary.median);
+    answer_key("deviation");
+    answer_number(summary.standard_deviation);
+    answer_key("u0");
+    if (summary.has_evenness)
+        answer_number(summary.u0);
+    else
+        answer_string(NULL);
+    answer_close('}');
+    return answer_text();
+}
+
+static void answer_sample(const luxel_profile *profile, size_t i)
+{
+    const luxel_profile_sample *sample = &profile->samples[i];
     answer_open('[');
-    for (size_t i = 0; i < profile->count; i++) {
-        const luxel_profile_sample *sample = &profile->samples[i];
-        answer_open('[');
-        answer_number(sample->abscissa);
-        if (sample->has_value)
-            answer_number(sample->value);
-        else
-            answer_string(NULL);
-        for (size_t light = 0; light < profile->lights; light++)
-            answer_number(profile->shares[i * profile->lights + light]);
-        answer_close(']');
-    }
+    answer_number(sample->abscissa);
+    if (sample->has_value)
+        answer_number(sample->value);
+    else
+        answer_string(NULL);
+    for (size_t light = 0; light < profile->lights; light++)
+        answer_number(profile->shares[i * profile->lights + light]);
     answer_close(']');
+}
+
+/* The section along a line: its ends, and in rows abscissa, value and each light's share. */
+PAGE_CALLS(page_section)
+const char *page_section(double from_x_mm, double from_y_mm, double to_x_mm, double to_y_mm, unsigned samples)
+{
+    const luxel_evaluator *evaluator = present_evaluator();
+    const luxel_path path = {
+        .type = LUXEL_PATH_LINE, .from_mm = {from_x_mm, from_y_mm}, .to_mm = {to_x_mm, to_y_mm}, .samples = samples};
+    luxel_profile *profile = NULL;
+    if (!evaluator || luxel_find_profile(evaluator, &path, fresh_diagnostics(), &profile) != LUXEL_OK)
+        return NULL;
+    answer_begin();
+    answer_open('{');
+    answer_key("from");
+    answer_numbers(path.from_mm, 2);
+    answer_key("to");
+    answer_numbers(path.to_mm, 2);
+    answer_key("rows");
+    answer_open('[');
+    for (size_t i = 0; i < profile->count; i++)
+        answer_sample(profile, i);
+    answer_close(']');
+    answer_close('}');
     luxel_profile_free(profile);
     return answer_text();
+}
+
+/* The section across the whole screen through a point, at an angle to the x axis. */
+PAGE_CALLS(page_section_across)
+const char *page_section_across(double x_mm, double y_mm, double degrees, unsigned samples)
+{
+    const double through_mm[2] = {x_mm, y_mm};
+    double from_mm[2], to_mm[2];
+    if (!core.scene ||
+        luxel_line_across_screen(core.scene, through_mm, degrees, fresh_diagnostics(), from_mm, to_mm) != LUXEL_OK)
+        return NULL;
+    return page_section(from_mm[0], from_mm[1], to_mm[0], to_mm[1], samples);
 }
 
 /* Lines of equal value on the last picture, at about so many round levels. */

@@ -32,9 +32,15 @@ export class Client {
     private source!: string; // the address of the worker's text, which is kept so that a new one asks for nothing
     private words: Record<string, string> = {};
     private isTwin = false;
+    /** What the user gave of the files that scenes name. */
+    readonly files: Map<string, Uint8Array>;
     private russian: Record<string, string> | null = null;
     /** Called when a worker had to be started anew. */
     onRestart: () => void = () => undefined;
+
+    constructor(files = new Map<string, Uint8Array>()) {
+        this.files = files;
+    }
 
     async start(language: string) {
         const bytes = embedded('embedded-core') ?? (await (await fetched('luxel-core.wasm')).arrayBuffer());
@@ -49,7 +55,7 @@ export class Client {
 
     /** Another worker with a core of its own, for long work that may be given up. */
     async twin(): Promise<Client> {
-        const twin = new Client();
+        const twin = new Client(this.files);
         Object.assign(twin, { module: this.module, source: this.source, words: this.words, isTwin: true });
         await twin.restart();
         return twin;
@@ -68,9 +74,20 @@ export class Client {
         return this.russian!;
     }
 
+    /** A text of the core in the present language. */
+    word(english: string): string {
+        return this.words[english] ?? english;
+    }
+
     async translate(language: string) {
         this.words = await this.wordsOf(language);
         return this.ask('translate', this.words);
+    }
+
+    /** Gives a file that scenes name; workers that are started later have it, too. */
+    give(name: string, bytes: Uint8Array) {
+        this.files.set(name, bytes);
+        return this.ask('give', name, bytes);
     }
 
     private restart() {
@@ -78,7 +95,7 @@ export class Client {
         this.worker = new Worker(this.source);
         this.worker.onmessage = ({ data }) => this.answered(data);
         this.worker.onerror = (event) => this.failed(event.message);
-        return this.ask('start', this.module, this.words);
+        return this.ask('start', this.module, this.words, this.files);
     }
 
     private answered({ id, answer, failure }: { id: number; answer: unknown; failure?: string }) {

@@ -2,11 +2,12 @@
 // From values to colours: the range of the colour bar, and the maps.
 
 export interface Scale {
-    map: 'grey' | 'viridis' | 'turbo';
+    map: 'grey' | 'viridis' | 'turbo' | 'difference';
     logarithmic: boolean;
     locked: boolean;
     low: number;
     high: number;
+    exposure: number; // stops by which the range is below that of the picture
 }
 
 // Viridis at equal steps (van der Walt, Smith and Firing; public domain), between which colours are interpolated.
@@ -34,6 +35,20 @@ function turbo(x: number): number[] {
     ].map((value) => Math.max(0, Math.min(255, value)));
 }
 
+// Below zero blue, above it red, white between: for differences.
+function diverging(at: number): number[] {
+    const from = at < 0.5 ? [33, 102, 172] : [178, 24, 43];
+    const share = Math.min(1, Math.abs(2 * at - 1)) ** 0.8;
+    return from.map((part) => 247 + (part - 247) * share);
+}
+
+const MAPS: Record<Scale['map'], (at: number) => number[]> = {
+    grey: (at) => [255 * at, 255 * at, 255 * at],
+    viridis,
+    turbo,
+    difference: diverging,
+};
+
 const STEPS = 1024;
 
 /** The colours of a map in equal steps, as the pixels of an image. */
@@ -41,7 +56,7 @@ export function colourTable(map: Scale['map']): Uint32Array {
     const table = new Uint32Array(STEPS);
     for (let i = 0; i < STEPS; i++) {
         const at = i / (STEPS - 1);
-        const [r, g, b] = map === 'grey' ? [255 * at, 255 * at, 255 * at] : map === 'viridis' ? viridis(at) : turbo(at);
+        const [r, g, b] = MAPS[map](at);
         table[i] = (255 << 24) | (Math.round(b) << 16) | (Math.round(g) << 8) | Math.round(r);
     }
     return table;

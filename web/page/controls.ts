@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The rows of controls above the picture and above the space view.
+import type { Dial } from './dial';
 import { choice, h } from './dom';
 import type { PictureView } from './picture';
 import type { Side, SpaceView } from './space';
@@ -11,7 +12,7 @@ function box(label: string, checked: boolean, onchange: (checked: boolean) => vo
 }
 
 /** The colour bar's: map, range and how it is divided; and isophotes.  `ends` are the fields of the range. */
-export function scaleControls(picture: PictureView, changed: () => void) {
+export function scaleControls(picture: PictureView, dial: Dial, changed: () => void) {
     const { scale } = picture;
     const end = (label: string, which: 'low' | 'high') => {
         const input = h('input', { type: 'text', inputmode: 'decimal', class: 'end', 'aria-label': t(label) });
@@ -20,7 +21,7 @@ export function scaleControls(picture: PictureView, changed: () => void) {
             if (value === null) return;
             scale[which] = value;
             scale.locked = true;
-            (locked.firstChild as HTMLInputElement).checked = true;
+            scale.exposure = 0;
             changed();
         });
         return input;
@@ -43,7 +44,9 @@ export function scaleControls(picture: PictureView, changed: () => void) {
         picture.showsIsophotes = checked;
         changed();
     });
-    return { element: h('div', { class: 'controls' }, maps, ...ends, locked, logarithmic, isophotes), ends };
+    const exposure = h('label', {}, t('Exposure'), dial.exposure, dial.told);
+    const element = h('div', { class: 'controls' }, maps, ...ends, locked, logarithmic, isophotes, exposure);
+    return { element, ends, locked: locked.firstChild as HTMLInputElement };
 }
 
 /** From which side the space view looks. */

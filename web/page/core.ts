@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The core: starts the WebAssembly of web/core and hands texts, numbers and bytes to and fro.  It runs in the worker
 // of the page, and in Node for the tests.
+import { Folder } from './folder';
 
 export interface Message {
     error: boolean;
@@ -55,7 +56,7 @@ export interface SceneFacts {
     unit: string;
     word: string;
     lights: LightFacts[];
-    surfaces: (number[] | null)[];
+    surfaces: ({ center: number[]; reach: number } | null)[];
     points: number[][];
 }
 
@@ -93,14 +94,38 @@ export interface Isophote {
     y: number[];
 }
 
+/** Abscissa, value and each light's share, row by row, between two places of the screen. */
+export interface Section {
+    from: number[];
+    to: number[];
+    rows: (number | null)[][];
+}
+
+export interface Summary {
+    pixels: number;
+    maximum: Extremum;
+    minimum: Extremum;
+    mean: number;
+    median: number;
+    deviation: number;
+    u0: number | null;
+}
+
+export interface Peak {
+    value: number;
+    x: number;
+    y: number;
+    position: number[];
+    place: number; // as luxel/extrema.h numbers them: inside, limb, border, jump, plateau
+}
+
 /** What went wrong in the core itself, not in a scene: it is to be started anew. */
 export class CoreFailure extends Error {}
 
 type Exports = Record<string, (...numbers: number[]) => number>;
 
-// What WASI calls a file that is not there, what a call of the system that there is not, and one without a right.
+// What WASI calls a file that is not there, what a call of the system that there is not.
 const BAD_FILE = 8;
-const NO_SUCH_FILE = -44; // ENOENT
 const NO_SUCH_CALL = -52; // ENOSYS
 
 export class Core {
@@ -110,6 +135,8 @@ export class Core {
     private words: Record<string, string> = {};
     private places = new Map<string, number>();
     private highBits = 0;
+    /** The files that scenes name. */
+    readonly folder = new Folder(() => this.memory.buffer as ArrayBuffer);
 
     static async start(module: WebAssembly.Module): Promise<Core> {
         const core = new Core();
@@ -132,7 +159,7 @@ export class Core {
         this.places.clear();
     }
 
-    // What the core imports: the clock, texts, and long jumps.  There are no files, and calls for them say so.
+    // What the core imports: the clock, texts, long jumps, and the calls that read the files of the folder.
     private imported(name: string): (...numbers: any[]) => any {
         if (name.startsWith('invoke_')) return this.invoke.bind(this);
         switch (name) {
@@ -165,10 +192,22 @@ export class Core {
                 return (code: number) => {
                     throw new CoreFailure(`the core ended with ${code}`);
                 };
+            case 'page_opened':
+                return (path: number) => this.folder.open(this.text(path) ?? '');
+            case '__syscall_stat64':
+                return (path: number, at: number) => this.folder.state(this.text(path) ?? '', at);
+            case '__syscall_fstat64':
+                return (file: number, at: number) => this.folder.stateOfOpen(file, at);
+            case 'fd_read':
+                return (file: number, places: number, count: number, done: number) =>
+                    this.folder.read(file, places, count, null, done);
+            case 'fd_pread':
+                return (file: number, places: number, count: number, from: bigint, done: number) =>
+                    this.folder.read(file, places, count, from, done);
+            case 'fd_close':
+                return (file: number) => this.folder.close(file);
             default:
                 if (name.startsWith('fd_')) return () => BAD_FILE;
-                if (name === '__syscall_openat' || name.includes('stat') || name.includes('access'))
-                    return () => NO_SUCH_FILE;
                 return () => NO_SUCH_CALL;
         }
     }
@@ -316,12 +355,26 @@ export class Core {
         return this.text(this.withTexts([language], (code) => this.call.page_explain(x, y, format, code)));
     }
 
-    extrema(): { value: number; x: number; y: number }[] | null {
+    /** The greatest and the least value of the exact function. */
+    extrema(): Peak[] | null {
         return this.json(this.call.page_extrema());
     }
 
-    section(x: number, y: number, degrees: number, samples: number): (number | null)[][] | null {
-        return this.json(this.call.page_section(x, y, degrees, samples));
+    version(): string {
+        return this.text(this.call.page_version()) ?? '';
+    }
+
+    summary(): Summary | null {
+        return this.json(this.call.page_summary());
+    }
+
+    /** Across the whole screen, through a point at an angle. */
+    section(x: number, y: number, degrees: number, samples: number): Section | null {
+        return this.json(this.call.page_section_across(x, y, degrees, samples));
+    }
+
+    sectionBetween(from: number[], to: number[], samples: number): Section | null {
+        return this.json(this.call.page_section(from[0], from[1], to[0], to[1], samples));
     }
 
     isophotes(wanted: number, logarithmic: boolean): Isophote[] {

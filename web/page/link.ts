@@ -21,7 +21,7 @@ const MOST = 1 << 22; // bytes of a text; a few of a link could unpack to very m
 
 /** The text or the name in a link; null: there is none.  Throws where it is damaged. */
 export async function unpacked(fragment: string): Promise<{ text?: string; name?: string } | null> {
-    const found = /^#(s|scene)=(.*)$/.exec(fragment);
+    const found = /^#(?:.*&)?(s|scene)=([^&]*)/.exec(fragment);
     if (!found) return null;
     if (found[1] === 'scene') return { name: decodeURIComponent(found[2]) };
     const binary = atob(found[2].replaceAll('-', '+').replaceAll('_', '/'));

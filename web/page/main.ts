@@ -1,42 +1,52 @@
 // SPDX-License-Identifier: MIT
 // The page: what stands where, and what each control does.
 import './style.css';
-import type { Builtin, Message } from './core';
+import type { Builtin } from './core';
 import { hasVectors } from './client';
 import { scaleControls, sideControls } from './controls';
-import { choice, h } from './dom';
+import { Compare } from './compare';
+import { Dial } from './dial';
+import { h } from './dom';
+import { Embedding, wishes } from './embedding';
 import { FIRST_SCENE } from './first';
+import { Files } from './files';
 import { Form } from './form';
+import { Gallery } from './gallery';
+import { header } from './header';
 import { download, packed, unpacked } from './link';
+import { Messages } from './messages';
 import { Model, type Thing } from './model';
-import { drawColourBar, drawSection, explain, lightName, pointsTable, ProbePanel } from './panels';
+import { explain, lightName, pointsTable, ProbePanel } from './panels';
 import { PictureView } from './picture';
+import { report } from './report';
+import { SectionPanel } from './section';
 import { SpaceView } from './space';
 import { TextEditor } from './text';
 import { currentLanguage, number, setLanguage, t, type Language } from './words';
 
-const FILES: [string, string][] = [
-    ['.png', 'PNG'],
-    ['.npy', 'NPY'],
-    ['.csv', 'CSV'],
-    ['.pfm', 'PFM'],
-    ['.yaml', 'YAML'],
-];
-const TYPES: Record<string, string> = { '.png': 'image/png', '.csv': 'text/csv', '.yaml': 'application/yaml' };
+const TYPES: Record<string, string> = {
+    '.png': 'image/png',
+    '.csv': 'text/csv',
+    '.yaml': 'application/yaml',
+    '.html': 'text/html',
+};
 
 class Page {
     private readonly app = document.getElementById('app')!;
     private readonly model = new Model();
-    private readonly picture = new PictureView(this.model);
+    private readonly compare = new Compare(this.model);
+    private readonly section = new SectionPanel(this.model, this.compare);
+    private readonly picture = new PictureView(this.model, this.compare, this.section);
+    private readonly dial = new Dial(this.picture.scale);
     private readonly space = new SpaceView(this.model);
     private readonly form = new Form(this.model);
     private readonly text = new TextEditor(this.model);
-    private readonly probe = new ProbePanel(this.model);
-    private readonly bar = h('canvas', { class: 'colour-bar', role: 'img' });
-    private readonly section = h('canvas', { class: 'section', role: 'img' });
+    private readonly probe = new ProbePanel(this.model, this.compare);
+    private readonly files = new Files(this.model);
+    private readonly gallery = new Gallery(this.model.client);
+    private readonly embedding = new Embedding(this.model);
     private readonly dialog = h('dialog', { class: 'why' });
-    private readonly messages = h('ul', { class: 'messages' });
-    private readonly status = h('div', { role: 'status' }, this.messages);
+    private readonly messages = new Messages(this.model);
     private readonly stale = h('p', { class: 'stale', role: 'alert', hidden: true });
     private readonly toast = h('p', { class: 'toast', role: 'status', hidden: true });
     private readonly table = h('div', { class: 'points' });
@@ -46,6 +56,7 @@ class Page {
     private redoButton!: HTMLButtonElement;
     private low!: HTMLInputElement;
     private high!: HTMLInputElement;
+    private locked!: HTMLInputElement;
     private builtins: Builtin[] = [];
     private tab: 'form' | 'text' = 'form';
     private linkTimer = 0;
@@ -67,6 +78,7 @@ class Page {
         this.listen();
         this.build();
         await this.openFirst();
+        this.embedding.begin();
         await this.form.reload();
     }
 
@@ -77,7 +89,8 @@ class Page {
         } catch {
             // A frame may be without storage; then the browser's language counts.
         }
-        return (kept ?? navigator.language).startsWith('ru') ? 'ru' : 'en';
+        const wanted = wishes(location.hash).language ?? kept ?? navigator.language;
+        return wanted.startsWith('ru') ? 'ru' : 'en';
     }
 
     private fail(message: string, detail = '') {
@@ -108,7 +121,7 @@ class Page {
         });
         this.picture.onProbe = (x, y) => {
             this.probe.ask(x, y);
-            this.wantSection();
+            this.section.through(x, y);
         };
         this.probe.onValue = (probe) => {
             this.space.probe = probe;
@@ -125,17 +138,29 @@ class Page {
         };
         this.picture.onSelect = select;
         this.space.onSelect = select;
+        this.embedding.onText = (text) => this.openText(text);
+        this.files.onScene = (text) => this.openText(text);
+        this.files.onTrouble = (text) => this.say(text);
         window.addEventListener('hashchange', () => this.openFirst());
         window.addEventListener('keydown', (event) => this.key(event));
         document.addEventListener('dragover', (event) => event.preventDefault());
         document.addEventListener('drop', (event) => {
             event.preventDefault();
-            const file = event.dataTransfer?.files[0];
-            if (file) this.openFile(file);
+            this.files.take([...(event.dataTransfer?.files ?? [])]);
         });
         matchMedia('(prefers-color-scheme: dark)').addEventListener('change', () => this.redraw());
-        new ResizeObserver(() => drawColourBar(this.bar, this.picture.scale)).observe(this.bar);
-        new ResizeObserver(() => this.wantSection()).observe(this.section);
+        this.section.onLine = () => this.picture.draw();
+        this.dial.onChange = () => this.pictureChanged();
+        this.compare.onChange = () => {
+            this.pictureChanged();
+            this.section.draw();
+        };
+        this.gallery.onChoose = ({ text }) => this.openText(text);
+        this.messages.onShow = (message) => {
+            this.tab = 'text';
+            this.showTab();
+            this.text.show(message);
+        };
     }
 
     private key(event: KeyboardEvent) {
@@ -153,9 +178,9 @@ class Page {
         this.picture.relabel();
         this.space.relabel();
         this.text.relabel();
-        this.bar.setAttribute('aria-label', t('Scale'));
-        this.section.setAttribute('aria-label', t('Section along x through the probe'));
-        this.app.replaceChildren(
+        this.dial.relabel();
+        this.compare.relabel();
+        const parts = [
             this.header(),
             this.stale,
             h(
@@ -163,103 +188,69 @@ class Page {
                 {},
                 h(
                     'section',
-                    { class: 'view', 'aria-label': t('Picture') },
+                    { class: 'view of-picture', 'aria-label': t('Picture') },
                     h('h2', {}, t('Picture')),
                     this.newScaleControls(),
-                    h('div', { class: 'picture-row' }, this.picture.canvas, this.bar),
+                    h('div', { class: 'picture-row' }, this.picture.canvas, this.dial.element),
                     this.statistics,
+                    this.compare.element,
+                    this.compare.summary,
                 ),
                 h(
                     'section',
-                    { class: 'view', 'aria-label': t('Space view') },
+                    { class: 'view of-space', 'aria-label': t('Space view') },
                     h('h2', {}, t('Space view')),
                     sideControls(this.space),
                     this.space.canvas,
                     this.chosen,
                 ),
-                h('section', { class: 'edit' }, this.tabs(), this.form.element, this.text.element, this.status),
+                h(
+                    'section',
+                    { class: 'edit' },
+                    this.tabs(),
+                    this.form.element,
+                    this.text.element,
+                    this.files.element,
+                    this.messages.element,
+                ),
                 h(
                     'section',
                     { class: 'values', 'aria-label': t('Value') },
                     h('h2', {}, t('Value'), h('button', { type: 'button', onclick: () => this.why() }, t('Why?'))),
                     this.probe.element,
-                    h('h3', {}, t('Section along x through the probe')),
-                    this.section,
+                    h('h3', {}, t('Section')),
+                    this.section.controls(),
+                    this.section.canvas,
                     this.table,
                 ),
             ),
+            this.embedding.link(),
             this.toast,
             this.dialog,
-        );
+            this.gallery.dialog,
+        ];
+        this.app.replaceChildren(...parts.filter((part) => part !== null));
         this.stale.textContent = t('The scene has errors. The picture is of the last scene without errors.');
         this.showTab();
         this.showHistory();
     }
 
     private header(): HTMLElement {
-        const button = (label: string, onclick: () => void) => h('button', { type: 'button', onclick }, t(label));
-        this.undoButton = button('Undo', () => this.model.undo());
-        this.redoButton = button('Redo', () => this.model.redo());
-        const file = h('input', { type: 'file', accept: '.yaml,.yml,.json,.png,.exr', hidden: true, id: 'file' });
-        file.addEventListener('change', () => {
-            if (file.files?.[0]) this.openFile(file.files[0]);
-            file.value = '';
+        const made = header(this.model, {
+            gallery: () => this.gallery.open(this.builtins),
+            take: (files) => this.files.take(files),
+            save: (ending) => this.save(ending),
+            copyLink: () => this.copyLink(),
+            changeLanguage: (code) => this.changeLanguage(code),
         });
-        const scenes = choice(
-            t('Built-in scene'),
-            [
-                ['', `${t('Built-in scene')}…`],
-                ...this.builtins.map(({ name, title }): [string, string] => [name, title]),
-            ],
-            '',
-            (name) => {
-                const builtin = this.builtins.find((each) => each.name === name);
-                if (builtin) this.openText(builtin.text);
-                scenes.value = '';
-            },
-        );
-        const quantities = choice(
-            t('Quantity'),
-            [
-                ['brightness', t('brightness')],
-                ['irradiance', t('irradiance')],
-            ],
-            this.model.irradiance ? 'irradiance' : 'brightness',
-            (value) => this.model.setIrradiance(value === 'irradiance'),
-        );
-        const files = choice(t('Download'), [['', `${t('Download')}…`], ...FILES], '', (ending) => {
-            files.value = '';
-            this.save(ending);
-        });
-        const languages = choice(
-            t('Language'),
-            [
-                ['en', 'English'],
-                ['ru', 'Русский'],
-            ],
-            currentLanguage(),
-            (code) => this.changeLanguage(code as Language),
-        );
-        return h(
-            'header',
-            {},
-            h('h1', {}, 'Luxel'),
-            h('span', { class: 'dim motto' }, t('Light in space')),
-            scenes,
-            quantities,
-            this.undoButton,
-            this.redoButton,
-            button('Open…', () => file.click()),
-            file,
-            files,
-            button('Copy link', () => this.copyLink()),
-            languages,
-        );
+        [this.undoButton, this.redoButton] = [made.undo, made.redo];
+        return made.element;
     }
 
     private newScaleControls(): HTMLElement {
-        const controls = scaleControls(this.picture, () => this.pictureChanged());
+        const controls = scaleControls(this.picture, this.dial, () => this.pictureChanged());
         [this.low, this.high] = controls.ends;
+        this.locked = controls.locked;
         return controls.element;
     }
 
@@ -314,26 +305,11 @@ class Page {
 
     private refit = false;
 
-    private async openFile(file: File) {
-        const bytes = new Uint8Array(await file.arrayBuffer());
-        const isPicture = bytes[0] === 0x89 || bytes[0] === 0x76;
-        if (!isPicture) {
-            this.openText(new TextDecoder().decode(bytes));
-            return;
-        }
-        const { text, messages } = await this.model.client.ask('edit', bytes, []);
-        if (text !== null) this.openText(text);
-        else {
-            this.model.messages = messages;
-            this.sceneChanged();
-        }
-    }
-
     private async save(ending: string) {
-        if (!ending) return;
-        if (ending === '.yaml') {
-            download('scene.yaml', this.model.text, TYPES[ending]);
-            return;
+        if (ending === '.yaml') return download('scene.yaml', this.model.text, TYPES[ending]);
+        if (ending === '.html') {
+            const html = await report(this.model, this.picture).catch(() => null);
+            return html ? download('report.html', html, TYPES[ending]) : undefined;
         }
         const { bytes, messages } = await this.model.client.ask('file', `scene${ending}`);
         if (bytes) download(`scene${ending}`, bytes, TYPES[ending] ?? 'application/octet-stream');
@@ -345,7 +321,13 @@ class Page {
         history.replaceState(null, '', link);
         try {
             await navigator.clipboard.writeText(link);
-            this.say(t('Link copied'));
+            this.say(
+                t(
+                    this.model.files.length
+                        ? 'Link copied; the files that the scene names are not in it'
+                        : 'Link copied',
+                ),
+            );
         } catch {
             this.say(link); // the address has it, too
         }
@@ -361,6 +343,7 @@ class Page {
         this.text.textChanged();
         this.showHistory();
         clearTimeout(this.linkTimer);
+        if (this.embedding.view !== 'all') return;
         this.linkTimer = window.setTimeout(
             async () => history.replaceState(null, '', await packed(this.model.text)),
             600,
@@ -376,43 +359,10 @@ class Page {
         this.stale.hidden = !this.model.stale;
         this.app.classList.toggle('is-stale', this.model.stale);
         this.text.number();
-        this.messages.setAttribute('aria-label', t('Messages'));
-        this.messages.replaceChildren(...this.model.messages.map((message) => this.messageItem(message)));
+        this.files.show();
+        this.messages.show();
         if (this.model.stale) this.form.showMessages();
         else this.form.refresh();
-    }
-
-    private messageItem(message: Message): HTMLElement {
-        const go =
-            message.line > 0 &&
-            h(
-                'button',
-                {
-                    type: 'button',
-                    class: 'small',
-                    onclick: () => {
-                        this.tab = 'text';
-                        this.showTab();
-                        this.text.show(message);
-                    },
-                },
-                `${t('line')} ${message.line}`,
-            );
-        return h(
-            'li',
-            { class: message.error ? 'error' : 'advice' },
-            go,
-            ` ${message.message}`,
-            message.hint ? h('span', { class: 'dim' }, ` — ${message.hint}`) : null,
-            this.mending(message),
-        );
-    }
-
-    // A hint of assignments, as the tool takes them behind -s, can be followed by a button.
-    private mending(message: Message): HTMLElement | null {
-        const changes = [...message.hint.matchAll(/-s '([^']+)'/g)].map(([, set]) => ({ set }));
-        if (!changes.length || this.model.stale) return null;
-        return h('button', { type: 'button', class: 'small', onclick: () => this.model.change(changes) }, t('Apply'));
     }
 
     private async geometryChanged() {
@@ -455,37 +405,27 @@ class Page {
     }
 
     private async pictureChanged() {
+        this.locked.checked = this.picture.scale.locked;
         await this.picture.pictureChanged();
-        const { scale } = this.picture;
+        const scale = this.picture.shownScale;
+        this.compare.tell();
         for (const [input, value] of [
             [this.low, scale.low],
             [this.high, scale.high],
         ] as const)
             if (document.activeElement !== input) input.value = number(value, 4);
-        drawColourBar(this.bar, scale);
+        this.dial.draw(scale);
         const facts = this.model.picture?.facts;
         if (facts)
             this.statistics.textContent = `${t(facts.word)}, ${facts.unit === 'relative' ? t('relative') : facts.unit}: ${t('maximum')} ${number(facts.maximum.value, 5)}, ${t('mean')} ${number(facts.mean, 5)}`;
         this.app.dataset.stride = String(this.model.picture?.stride ?? 0);
     }
 
-    private sectionTimer = 0;
-
-    private wantSection() {
-        clearTimeout(this.sectionTimer);
-        this.sectionTimer = window.setTimeout(() => {
-            if (this.model.scene && this.picture.probe)
-                drawSection(this.section, this.model, this.picture.probe[1], this.picture.probe[0]).catch(
-                    () => undefined,
-                );
-        }, 60);
-    }
-
     private redraw() {
         this.picture.draw();
         this.space.draw();
-        drawColourBar(this.bar, this.picture.scale);
-        this.wantSection();
+        this.dial.draw(this.picture.shownScale);
+        this.section.draw();
     }
 
     private toastTimer = 0;
@@ -499,7 +439,8 @@ class Page {
 
     /** For the tests: what there is to look at, and a fault in the core. */
     get inside() {
-        return { model: this.model, picture: this.picture, space: this.space, builtins: this.builtins };
+        const { model, picture, space, section, compare, dial, builtins } = this;
+        return { model, picture, space, section, compare, dial, builtins, open: (text: string) => this.openText(text) };
     }
 }
 

@@ -51,6 +51,8 @@ export class Model {
     screen: number[] = [1, 1]; // width and height in mm
     observer: { position: number[]; perspective: boolean } | null = null;
     photometric = false;
+    /** The files that the text names, and whether they were given. */
+    files: [string, boolean][] = [];
     private past: string[] = [];
     private future: string[] = [];
     private listeners: ((topic: Topic) => void)[] = [];
@@ -159,9 +161,10 @@ export class Model {
 
     private async judgeOnce() {
         const text = this.text;
-        const { whole, messages, scene } = await this.client.ask('judge', text, this.irradiance);
+        const { whole, messages, scene, files } = await this.client.ask('judge', text, this.irradiance);
         if (text !== this.text) return;
         this.messages = messages;
+        this.files = files;
         this.stale = !whole;
         if (whole) {
             this.wholeText = text;
@@ -277,9 +280,10 @@ export class Model {
     private async measureSurface(index: number, things: Thing[], shapes: Shape[]) {
         const base = `surfaces[${index}]`;
         const [type] = await this.client.ask('values', [`${base}.type`]);
-        const [center, radius, size, height, axis, up] = await this.numbersOf(
-            ['center', 'radius', 'size', 'height', 'axis', 'up'].map((key) => `${base}.${key}`),
+        const [center, radius, size, height, axis, up, position] = await this.numbersOf(
+            ['center', 'radius', 'size', 'height', 'axis', 'up', 'position'].map((key) => `${base}.${key}`),
         );
+        if (type === 'mesh') this.measureMesh(index, position ?? [0, 0, 0], things, shapes);
         if (!center) return;
         things.push({ kind: 'surface', index, key: `${base}.center`, at: center });
         shapes.push({
@@ -293,6 +297,13 @@ export class Model {
             axis: axis ?? undefined,
             up: up ?? undefined,
         });
+    }
+
+    // Of a mesh the page knows the ball around it.
+    private measureMesh(index: number, position: number[], things: Thing[], shapes: Shape[]) {
+        const ball = this.scene!.surfaces[index];
+        things.push({ kind: 'surface', index, key: `surfaces[${index}].position`, at: position });
+        if (ball) shapes.push({ kind: 'surface', index, type: 'ball', center: ball.center, radius: ball.reach });
     }
 
     private async measureLight(index: number, things: Thing[], shapes: Shape[]) {
@@ -345,7 +356,7 @@ export class Model {
 
     // Distant light comes from infinitely far; its handle stands a screen away from the first surface.
     private measureDistant(index: number, direction: number[], things: Thing[]) {
-        const target = this.scene!.surfaces[0] ?? [0, 0, 0];
+        const target = this.scene!.surfaces[0]?.center ?? [0, 0, 0];
         const far = 1.2 * Math.max(...this.screen);
         const at = target.map((coordinate, axis) => coordinate - far * direction[axis]);
         things.push({ kind: 'direction', index, key: `lights[${index}].direction`, at, from: target });

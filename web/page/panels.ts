@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
-// What stands beside the picture: the probe with each light's share, the table of points, the section, the explanation.
+// What stands beside the picture: the probe with each light's share, the table of points, the explanation.
 import type { Probe } from './core';
-import { colourTable, placeInRange, type Scale } from './colours';
-import { fitted, h, lightColour, styleColour } from './dom';
+import type { Compare } from './compare';
+import { h, lightColour } from './dom';
 import type { Model } from './model';
 import { currentLanguage, number, t } from './words';
 
@@ -17,7 +17,10 @@ export class ProbePanel {
     private busy = false;
     private next: [number, number] | null = null;
 
-    constructor(private readonly model: Model) {}
+    constructor(
+        private readonly model: Model,
+        private readonly compare: Compare,
+    ) {}
 
     /** Asks for the value at a point; the newest one wins. */
     async ask(x: number, y: number) {
@@ -53,6 +56,7 @@ export class ProbePanel {
                 h('span', { class: 'amount' }, `${number(share, 4)} · ${number(100 * part, 3)} %`),
             );
         });
+        const before = this.compare.valueOfA(x, y);
         this.element.replaceChildren(
             h(
                 'p',
@@ -65,6 +69,9 @@ export class ProbePanel {
                     value === null && probe?.surface === null ? `${place}: ${t('off every surface')}` : place,
                 ),
             ),
+            ...(before === null
+                ? []
+                : [h('p', { class: 'dim' }, `${t('A, the pixel here')}: ${number(before, 4)} ${unit}`)]),
             h('ul', { class: 'shares', 'aria-label': t('Shares of the lights') }, ...(value === null ? [] : bars)),
         );
     }
@@ -97,95 +104,6 @@ export async function pointsTable(model: Model, onChoose: (x: number, y: number)
         );
     });
     return h('table', {}, h('caption', {}, t('Points')), h('thead', {}, head), h('tbody', {}, ...rows));
-}
-
-/** The section along x through the probe: the value, and each light's share in its colour. */
-export async function drawSection(canvas: HTMLCanvasElement, model: Model, y: number, x: number | null) {
-    const rows = await model.client.ask('section', 0, y, 0, 241);
-    const [width, height, context] = fitted(canvas);
-    if (!rows) return;
-    const most = Math.max(...rows.map((row) => row[1] ?? 0), 1e-300);
-    const left = 44,
-        bottom = 18,
-        top = 8;
-    const last = rows[rows.length - 1][0] ?? 1;
-    const place = (s: number, value: number): [number, number] => [
-        left + ((width - left - 6) * s) / last,
-        height - bottom - ((height - bottom - top) * value) / most,
-    ];
-    context.strokeStyle = styleColour('--line');
-    context.fillStyle = styleColour('--dim');
-    context.font = '11px system-ui, sans-serif';
-    context.textAlign = 'right';
-    context.textBaseline = 'middle';
-    for (const share of [0, 0.5, 1]) {
-        const [, cy] = place(0, share * most);
-        context.beginPath();
-        context.moveTo(left, cy);
-        context.lineTo(width - 6, cy);
-        context.stroke();
-        context.fillText(number(share * most, 3), left - 4, cy);
-    }
-    context.textBaseline = 'top';
-    context.textAlign = 'center';
-    for (const share of [0, 0.5, 1])
-        context.fillText(
-            number((share - 0.5) * last, 3),
-            Math.min(width - 20, place(share * last, 0)[0]),
-            height - bottom + 4,
-        );
-    const curve = (column: number, colour: string, thick: number) => {
-        context.strokeStyle = colour;
-        context.lineWidth = thick;
-        context.beginPath();
-        let drawing = false;
-        for (const row of rows) {
-            const value = row[1] === null ? null : row[column];
-            if (value !== null && value !== undefined) {
-                if (drawing) context.lineTo(...place(row[0]!, value));
-                else context.moveTo(...place(row[0]!, value));
-            }
-            drawing = value !== null;
-        }
-        context.stroke();
-    };
-    const lights = rows[0].length - 2;
-    if (lights > 1) for (let i = 0; i < lights; i++) curve(i + 2, lightColour(i), 1.5);
-    curve(1, styleColour('--text'), 2);
-    if (x !== null) {
-        const [cx] = place(x + last / 2, 0);
-        context.strokeStyle = styleColour('--accent');
-        context.lineWidth = 1;
-        context.beginPath();
-        context.moveTo(cx, top);
-        context.lineTo(cx, height - bottom);
-        context.stroke();
-    }
-}
-
-/** The colour bar: from below to above, with the ends of its range and round values between. */
-export function drawColourBar(canvas: HTMLCanvasElement, scale: Scale) {
-    const [width, height, context] = fitted(canvas);
-    const table = colourTable(scale.map);
-    const bar = 16;
-    for (let y = 0; y < height; y++) {
-        const colour = table[Math.round(((height - 1 - y) / (height - 1)) * (table.length - 1))];
-        context.fillStyle = `rgb(${colour & 255} ${(colour >> 8) & 255} ${(colour >> 16) & 255})`;
-        context.fillRect(0, y, bar, 1.5);
-    }
-    context.fillStyle = styleColour('--text');
-    context.font = '11px system-ui, sans-serif';
-    context.textBaseline = 'middle';
-    const steps = 4;
-    for (let i = 0; i <= steps; i++) {
-        const share = i / steps;
-        const value =
-            scale.logarithmic && scale.low > 0
-                ? scale.low * (scale.high / scale.low) ** share
-                : scale.low + share * (scale.high - scale.low);
-        const y = height - placeInRange(value, scale) * height;
-        context.fillText(number(value, 3), bar + 5, Math.max(7, Math.min(height - 7, y)), width - bar - 5);
-    }
 }
 
 /** The dialog that explains a value: what the core writes as a page of HTML, taken into this one. */

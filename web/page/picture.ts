@@ -2,9 +2,11 @@
 // The picture: samples in the colours of the bar, lamps where they are seen, isophotes, measuring points and the probe.
 import type { Isophote } from './core';
 import { paint, type Scale } from './colours';
+import type { Compare, Shown } from './compare';
 import { fitted, h, numberMark, styleColour } from './dom';
 import { Drag, followPointer } from './drag';
 import type { Model, Thing } from './model';
+import type { SectionPanel } from './section';
 import { t } from './words';
 
 interface Mark {
@@ -14,7 +16,7 @@ interface Mark {
 
 export class PictureView {
     readonly canvas = h('canvas', { tabindex: 0, class: 'picture', role: 'img' });
-    readonly scale: Scale = { map: 'grey', logarithmic: false, locked: false, low: 0, high: 1 };
+    readonly scale: Scale = { map: 'grey', logarithmic: false, locked: false, low: 0, high: 1, exposure: 0 };
     showsIsophotes = false;
     selected: Thing | null = null;
     probe: [number, number] | null = null;
@@ -22,13 +24,18 @@ export class PictureView {
     onWhy: () => void = () => undefined;
     onPaint: () => void = () => undefined;
     onSelect: (thing: Thing) => void = () => undefined;
+    private readonly differences: Scale = { ...this.scale, map: 'difference' };
     private marks: Mark[] = [];
     private isophotes: Isophote[] = [];
     readonly image = document.createElement('canvas'); // the samples in their colours
     private isDrawn = true;
     private isDragging = false;
 
-    constructor(private readonly model: Model) {
+    constructor(
+        private readonly model: Model,
+        private readonly compare: Compare,
+        private readonly section: SectionPanel,
+    ) {
         new ResizeObserver(() => this.draw()).observe(this.canvas);
         this.canvas.addEventListener('pointermove', (event) => this.hover(event));
         this.canvas.addEventListener('keydown', (event) => this.key(event));
@@ -43,29 +50,35 @@ export class PictureView {
     }
 
     /** The range of the colour bar for a new picture, unless it is locked. */
-    private adapt() {
-        const { maximum, minimum } = this.model.picture!.facts;
-        if (this.scale.locked) return;
-        this.scale.high = maximum.exists ? maximum.value : 1;
-        const least = minimum.exists ? minimum.value : 0;
-        this.scale.low = this.scale.logarithmic ? Math.max(least, this.scale.high * 1e-3) : 0;
+    private adapt({ least, most }: Shown) {
+        const { scale } = this;
+        if (scale.locked) return;
+        const factor = 2 ** -scale.exposure;
+        scale.high = factor * most;
+        scale.low = scale.logarithmic ? Math.max(factor * least, scale.high * 1e-3) : 0;
+    }
+
+    /** What the colours mean: the range of the pictures, or of differences, which no control changes. */
+    get shownScale(): Scale {
+        return this.compare.shown()?.isDifference ? this.differences : this.scale;
     }
 
     async pictureChanged() {
-        const picture = this.model.picture;
-        if (!picture) return;
-        this.adapt();
+        const shown = this.compare.shown();
+        if (!shown) return;
+        if (shown.isDifference) Object.assign(this.differences, { low: shown.least, high: shown.most });
+        else this.adapt(shown);
         this.isophotes = this.showsIsophotes ? await this.model.isophotes(this.scale.logarithmic) : [];
         this.repaint();
     }
 
     repaint() {
-        const picture = this.model.picture;
-        if (!picture) return;
-        const { columns, rows } = picture.facts;
+        const shown = this.compare.shown();
+        if (!shown) return;
+        const { columns, rows } = shown;
         this.image.width = columns;
         this.image.height = rows;
-        const pixels = paint(picture.values, picture.mask, this.scale);
+        const pixels = paint(shown.values, shown.mask, shown.isDifference ? this.differences : this.scale);
         this.image.getContext('2d')!.putImageData(new ImageData(pixels, columns, rows), 0, 0);
         this.onPaint();
         this.draw();
@@ -119,7 +132,8 @@ export class PictureView {
         context.strokeStyle = styleColour('--line');
         context.lineWidth = 1;
         context.strokeRect(left - 0.5, top - 0.5, w + 1, h + 1);
-        this.drawIsophotes(context, width, height);
+        if (this.compare.which === 'B') this.drawIsophotes(context, width, height);
+        this.drawSection(context, width, height);
         this.drawPoints(context, width, height);
         this.drawMarks(context, width, height);
         this.drawProbe(context, width, height);
@@ -138,6 +152,44 @@ export class PictureView {
             if (line.closed) context.closePath();
             context.stroke();
         }
+    }
+
+    // The line of the section; its ends can be taken where it stays.
+    private drawSection(context: CanvasRenderingContext2D, width: number, height: number) {
+        const { last, fixed } = this.section;
+        if (!last) return;
+        const ends = (fixed ?? [last.from, last.to]).map((end) => this.toCanvas(end[0], end[1], width, height));
+        for (const [style, line, dashes] of [
+            ['#000', 2.5, []],
+            ['#ffd54a', 1, [6, 4]],
+        ] as const) {
+            context.strokeStyle = style;
+            context.globalAlpha = fixed ? 1 : 0.45;
+            context.lineWidth = line;
+            context.setLineDash([...dashes]);
+            context.beginPath();
+            context.moveTo(...ends[0]);
+            context.lineTo(...ends[1]);
+            context.stroke();
+        }
+        context.setLineDash([]);
+        for (const [x, y] of fixed ? ends : []) {
+            context.fillStyle = '#ffd54a';
+            context.fillRect(x - 6, y - 6, 12, 12);
+            context.lineWidth = 1.5;
+            context.strokeStyle = '#000';
+            context.strokeRect(x - 6, y - 6, 12, 12);
+        }
+        context.globalAlpha = 1;
+    }
+
+    /** The end of a section that stays, under a point of the canvas; -1: none. */
+    private endAt(x: number, y: number): number {
+        const { width, height } = this.canvas.getBoundingClientRect();
+        return (this.section.fixed ?? []).findIndex((end) => {
+            const [ex, ey] = this.toCanvas(end[0], end[1], width, height);
+            return Math.hypot(ex - x, ey - y) <= 14;
+        });
     }
 
     private drawPoints(context: CanvasRenderingContext2D, width: number, height: number) {
@@ -216,6 +268,11 @@ export class PictureView {
 
     private begin(x: number, y: number) {
         const mark = this.markAt(x, y);
+        const held = mark ? -1 : this.endAt(x, y);
+        if (held >= 0) {
+            const move = (nx: number, ny: number) => this.section.moveEnd(held, ...this.toScreen(nx, ny));
+            return { move, end: () => undefined };
+        }
         if (!mark) {
             this.moveProbe(...this.toScreen(x, y));
             return { move: (x: number, y: number) => this.moveProbe(...this.toScreen(x, y)), end: () => undefined };
@@ -242,7 +299,7 @@ export class PictureView {
         if (event.pointerType !== 'mouse' || event.buttons !== 0 || this.isDragging) return;
         const { left, top } = this.canvas.getBoundingClientRect();
         const [x, y] = [event.clientX - left, event.clientY - top];
-        this.canvas.style.cursor = this.markAt(x, y) ? 'grab' : 'crosshair';
+        this.canvas.style.cursor = this.markAt(x, y) || this.endAt(x, y) >= 0 ? 'grab' : 'crosshair';
         this.moveProbe(...this.toScreen(x, y));
     }
 

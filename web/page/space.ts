@@ -198,7 +198,7 @@ export class SpaceView {
         const { center, radius = 0, size, height = 0 } = shape;
         const [u, v, n] = basis(shape.axis ?? [0, 0, 1], shape.up);
         if (shape.outline) this.path(context, shape.outline, true);
-        else if (shape.type === 'sphere') this.drawSphere(context, center, radius);
+        else if (shape.type === 'sphere' || shape.type === 'ball') this.drawSphere(context, center, radius);
         else if (shape.type === 'rectangle' && size) {
             const corner = (a: number, b: number) => along(center, u, (a * size[0]) / 2, v, (b * size[1]) / 2);
             this.path(context, [corner(-1, -1), corner(1, -1), corner(1, 1), corner(-1, 1)], true);

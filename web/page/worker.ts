@@ -16,29 +16,36 @@ let openText: string | null = null;
 
 function open(text: string) {
     if (text === openText) return true;
+    core.folder.asked.clear();
     const whole = core.open(text);
     openText = whole ? text : null;
     return whole;
 }
 
 const questions = {
-    async start(module: WebAssembly.Module, words: Record<string, string>) {
+    async start(module: WebAssembly.Module, words: Record<string, string>, files: Map<string, Uint8Array>) {
         core = await Core.start(module);
         core.translate(words);
+        for (const [name, bytes] of files) core.folder.put(name, bytes);
         return core.builtins();
+    },
+    /** Puts a file that scenes name into the folder, in place of an older one. */
+    give(name: string, bytes: Uint8Array) {
+        core.folder.put(name, bytes);
+        openText = null;
     },
     translate(words: Record<string, string>) {
         core.translate(words);
         return core.builtins();
     },
     parameters: () => core.parameters(),
-    /** Judges a text; what it holds where it is whole. */
+    /** Judges a text; what it holds where it is whole, and the files that it names: whether each is there. */
     judge(text: string, irradiance: boolean) {
         openText = null;
         core.quantity(irradiance);
         const whole = open(text);
         const messages = core.messages();
-        return { whole, messages, scene: whole ? core.scene() : null };
+        return { whole, messages, scene: whole ? core.scene() : null, files: [...core.folder.asked] };
     },
     /** Computes a picture of a text that was found to be whole, or of each n-th pixel. */
     render(text: string, irradiance: boolean, stride: number): Picture | { messages: ReturnType<Core['messages']> } {
@@ -53,6 +60,9 @@ const questions = {
     table: (points: number[][]) => points.map(([x, y]) => core.probe(x, y)),
     explain: (x: number, y: number, format: number, language: string) => core.explain(x, y, format, language),
     section: (x: number, y: number, degrees: number, samples: number) => core.section(x, y, degrees, samples),
+    sectionBetween: (from: number[], to: number[], samples: number) => core.sectionBetween(from, to, samples),
+    summary: () => core.summary(),
+    version: () => core.version(),
     isophotes: (wanted: number, logarithmic: boolean) => core.isophotes(wanted, logarithmic),
     extrema: () => core.extrema(),
     values: (keys: string[]) => keys.map((key) => core.get(key)),

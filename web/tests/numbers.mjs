@@ -56,6 +56,37 @@ async function compareFiles(core, tool, folder, builtin, ending) {
     check(truth.equals(Buffer.from(bytes)), `${bytes.length} other bytes than the ${truth.length} of the tool`);
 }
 
+const LAMP = 'IESNA91\nTILT=NONE\n1 800 1 3 1 1 2 .1 .1 0 1 1 20\n0 45 90 0 300 200 0\n';
+const CLOUD = 'x,y,z,intensity\n300,200,1500,4\n-400,0,1700,6\n';
+const NAMING = `luxel: 1
+screen: {width: 700, height: 700, resolution: [90, 90]}
+observer: {z: 1700, projection: orthographic, view: parallel}
+surfaces:
+  - {type: mesh, file: models/knot.ply, scale: 2, position: [0, 0, 300]}
+lights:
+  - {type: luminaire, file: lamp.ies, position: [420, 300, 1250]}
+  - {type: points, file: cloud.csv}
+`;
+
+/** A scene that names files: each that is missing is told by its name, and with all of them the numbers are the tool's. */
+async function namesFiles(core, tool, folder) {
+    const files = { 'knot.ply': fs.readFileSync(MESH), 'lamp.ies': LAMP, 'cloud.csv': CLOUD };
+    check(!core.open(NAMING), 'a scene without its files was taken');
+    equal(
+        core.messages().map(({ key }) => key),
+        ['surfaces[0].file', 'lights[0].file', 'lights[1].file'],
+        'keys',
+    );
+    equal([...core.folder.asked.values()], [false, false, false], 'found');
+    fs.mkdirSync(path.join(folder, 'models'));
+    for (const [name, content] of Object.entries(files)) {
+        core.folder.put(name, Buffer.from(content));
+        fs.writeFileSync(path.join(folder, name === 'knot.ply' ? `models/${name}` : name), content);
+    }
+    fs.writeFileSync(path.join(folder, 'naming.yaml'), NAMING);
+    return compareScene(core, tool, folder, { name: 'naming.yaml', text: NAMING });
+}
+
 function judgeMistakes(core) {
     check(!core.open('luxel: 1\nlights:\n  - {type: pont}\n'), 'a wrong scene was taken');
     const message = core.messages().find((entry) => entry.key === 'lights[0].type');
@@ -77,6 +108,8 @@ function probesAgree(core, tool, builtin) {
     equal(probe.shares.length, 1, 'shares');
 }
 
+const MESH = new URL('../../examples/meshes/knot.ply', import.meta.url);
+
 export async function numbers(core, tool) {
     const folder = fs.mkdtempSync(path.join(os.tmpdir(), 'luxel-web-'));
     const builtins = core.builtins();
@@ -85,6 +118,7 @@ export async function numbers(core, tool) {
             await test(`numbers of ${builtin.name}`, () => compareScene(core, tool, folder, builtin));
         for (const ending of ['.png', '.csv', '.npy', '.pfm'])
             await test(`the tool's bytes in ${ending}`, () => compareFiles(core, tool, folder, builtins[0], ending));
+        await test('files that a scene names', () => namesFiles(core, tool, folder));
         await test('mistakes are told in place, and the last whole scene stays', () => judgeMistakes(core));
         await test('a change leaves all else of the text', () => editKeepsComments(core, builtins[0]));
         await test('a probe gives the number of the tool', () => probesAgree(core, tool, builtins[0]));

@@ -6,80 +6,10 @@ import os from 'node:os';
 import path from 'node:path';
 import { pathToFileURL } from 'node:url';
 import axe from 'axe-core';
-import { chromium } from 'playwright-core';
+import { more, PAGES } from './more.mjs';
+import { dragBy, inside, lampIn, opened, openScene, shot, started, until } from './hands.mjs';
 import { serve } from './server.mjs';
 import { check, equal, test } from './tap.mjs';
-
-const CHROMIUM = process.env.LUXEL_CHROMIUM ?? '/usr/bin/chromium';
-const SHOTS = process.env.LUXEL_SCREENSHOTS; // a folder for pictures of the page, to be looked at
-
-async function opened(browser, url, options = {}) {
-    const context = await browser.newContext({ viewport: { width: 1400, height: 900 }, locale: 'en-GB', ...options });
-    const page = await context.newPage();
-    page.faults = [];
-    page.on('pageerror', (error) => page.faults.push(String(error)));
-    page.on('console', (message) => message.type() === 'error' && page.faults.push(message.text()));
-    page.setDefaultTimeout(10000);
-    await page.goto(url);
-    await ready(page);
-    return page;
-}
-
-/** Waits until the picture is whole. */
-async function ready(page) {
-    await page.waitForFunction(
-        () => window.luxel?.inside.model.picture?.stride === 1 && document.querySelector('.value'),
-    );
-}
-
-const inside = (page, what) =>
-    page.evaluate(`(() => { const { model, picture, space } = window.luxel.inside; return ${what}; })()`);
-
-/** Waits until something inside is as it should be. */
-async function until(page, what) {
-    for (let i = 0; i < 200; i++) {
-        if (await inside(page, what)) return;
-        await page.waitForTimeout(50);
-    }
-    throw new Error(`it never came that ${what}`);
-}
-
-async function shot(page, name) {
-    if (!SHOTS) return;
-    fs.mkdirSync(SHOTS, { recursive: true });
-    await page.screenshot({ path: path.join(SHOTS, `${name}.png`), fullPage: true });
-}
-
-async function openScene(page, name) {
-    const text = await page.evaluate(
-        (name) => window.luxel.inside.builtins.find((each) => each.name === name).text,
-        name,
-    );
-    await page.getByLabel('Built-in scene').selectOption(name);
-    await page.waitForFunction((text) => {
-        const { model } = window.luxel.inside;
-        return model.wholeText === text && model.picture?.stride === 1 && model.picture.text === text;
-    }, text);
-}
-
-async function lampIn(page, view) {
-    const box = await page.locator(`canvas.${view}`).boundingBox();
-    const [x, y] =
-        view === 'space'
-            ? await inside(page, "space.seen(model.things.find(({ kind }) => kind === 'light').at)")
-            : await inside(
-                  page,
-                  'picture.markPlace(picture.marks[0], picture.canvas.clientWidth, picture.canvas.clientHeight)',
-              );
-    return [box.x + x, box.y + y];
-}
-
-async function dragBy(page, [x, y], dx, dy) {
-    await page.mouse.move(x, y);
-    await page.mouse.down();
-    for (let i = 1; i <= 5; i++) await page.mouse.move(x + (dx * i) / 5, y + (dy * i) / 5);
-    await page.mouse.up();
-}
 
 async function startsLit(page) {
     const facts = await inside(page, 'model.picture.facts');
@@ -379,8 +309,8 @@ async function quick(page) {
 }
 
 export async function page(folder, tool) {
-    const { server, asked, url } = await serve(folder);
-    const browser = await chromium.launch({ executablePath: CHROMIUM, args: ['--no-sandbox', '--disable-gpu'] });
+    const { server, asked, url } = await serve(folder, PAGES);
+    const browser = await started();
     const page = await opened(browser, url);
     await shot(page, 'desktop');
     await test('starts with a whole lit sphere and its lamp in sight', () => startsLit(page));
@@ -393,6 +323,7 @@ export async function page(folder, tool) {
     await test('the form changes the text; lights are added and removed', () => editsByForm(page));
     await test('colours, range and isophotes', () => showsColours(page));
     await test('files are downloaded and opened again', () => downloads(page, tool));
+    await more(page, browser, url, tool);
     await test('a scene travels in a link', () => links(page, browser, url));
     await test('a crash of the core loses nothing', () => survivesCrash(page));
     await test('a scene on which the core fails again and again is told', () => givesUpHopeless(page));

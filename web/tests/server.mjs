@@ -12,13 +12,16 @@ const TYPES = {
     '.wasm': 'application/wasm',
 };
 
-export function serve(folder) {
+/** Serves a folder, and pages that are made by the test: their text by name. */
+export function serve(folder, pages = {}) {
     const asked = [];
     const server = http.createServer((request, response) => {
         const name = path.basename(request.url.split('?')[0]) || 'index.html';
         asked.push(name);
         const file = path.join(folder, name);
-        if (!fs.existsSync(file)) response.writeHead(404).end();
+        if (pages[name])
+            response.writeHead(200, { 'content-type': TYPES[path.extname(name)] ?? 'text/plain' }).end(pages[name]);
+        else if (!fs.existsSync(file)) response.writeHead(404).end();
         else
             response
                 .writeHead(200, { 'content-type': TYPES[path.extname(name)] ?? 'application/octet-stream' })

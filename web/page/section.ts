@@ -1,0 +1,253 @@
+// SPDX-License-Identifier: MIT
+// Sections: the value, or each lamp's share of it, along the line through the probe at any angle, or along a line that
+// stays where its ends were put.
+import type { Section } from './core';
+import type { Compare } from './compare';
+import { choice, fitted, h, lightColour, styleColour } from './dom';
+import { download } from './link';
+import type { Model } from './model';
+import { number, t, typedNumber } from './words';
+
+const SAMPLES = 241;
+const PAUSE = 60; // milliseconds between two sections while the probe moves
+
+const MARGIN = { left: 44, right: 6, bottom: 18, top: 8 };
+
+export class SectionPanel {
+    readonly canvas = h('canvas', { class: 'section', role: 'img' });
+    /** The last section; its ends are drawn in the picture. */
+    last: Section | null = null;
+    /** The ends of a line that stays, in mm on the screen. */
+    fixed: [number, number][] | null = null;
+    onLine: () => void = () => undefined;
+    private degrees = 0;
+    private showsShares = false;
+    private probe: [number, number] = [0, 0];
+    private timer = 0;
+    private ends: HTMLInputElement[] = [];
+
+    constructor(
+        private readonly model: Model,
+        private readonly compare: Compare,
+    ) {
+        new ResizeObserver(() => this.want()).observe(this.canvas);
+    }
+
+    /** The controls, in the words of the present language. */
+    controls(): HTMLElement {
+        this.canvas.setAttribute('aria-label', t('Section'));
+        const angle = h('input', { type: 'range', min: 0, max: 179, value: this.degrees, 'aria-label': t('Angle') });
+        const told = h('output', {}, `${this.degrees}°`);
+        angle.addEventListener('input', () => {
+            this.degrees = Number(angle.value);
+            told.textContent = `${this.degrees}°`;
+            this.want();
+        });
+        const box = h('input', { type: 'checkbox', checked: this.fixed !== null });
+        const places = h('span', { class: 'ends', hidden: this.fixed === null });
+        box.addEventListener('change', () => {
+            this.fixed = box.checked && this.last ? [pair(this.last.from), pair(this.last.to)] : null;
+            places.hidden = this.fixed === null;
+            angle.disabled = this.fixed !== null;
+            this.want();
+        });
+        this.ends = ['x₁', 'y₁', 'x₂', 'y₂'].map((name, i) =>
+            h('input', {
+                type: 'text',
+                inputmode: 'decimal',
+                class: 'place',
+                'aria-label': `${name}, ${t('mm')}`,
+                onchange: () => this.typed(i),
+            }),
+        );
+        places.append(...this.ends);
+        const what = choice(
+            t('Curves'),
+            [
+                ['values', t('values')],
+                ['shares', t('shares of the lights, %')],
+            ],
+            this.showsShares ? 'shares' : 'values',
+            (word) => {
+                this.showsShares = word === 'shares';
+                this.draw();
+            },
+        );
+        const save = h('button', { type: 'button', onclick: () => this.save() }, 'CSV');
+        save.setAttribute('aria-label', `${t('Section')} (CSV)`);
+        return h(
+            'div',
+            { class: 'controls' },
+            what,
+            h('label', {}, t('Angle'), angle, told),
+            h('label', {}, box, t('Fix the line')),
+            places,
+            save,
+        );
+    }
+
+    private typed(i: number) {
+        const value = typedNumber(this.ends[i].value);
+        if (value === null || !this.fixed) return;
+        this.fixed[i >> 1][i & 1] = value;
+        this.want();
+    }
+
+    /** Puts one end of the fixed line somewhere else. */
+    moveEnd(i: number, x: number, y: number) {
+        if (!this.fixed) return;
+        this.fixed[i] = [Math.round(x), Math.round(y)];
+        this.want();
+    }
+
+    through(x: number, y: number) {
+        this.probe = [x, y];
+        if (!this.fixed) this.want();
+        else this.draw();
+    }
+
+    want() {
+        clearTimeout(this.timer);
+        this.timer = window.setTimeout(() => this.ask().catch(() => undefined), PAUSE);
+    }
+
+    private async ask() {
+        if (!this.model.scene) return;
+        const { client } = this.model;
+        const section = this.fixed
+            ? await client.ask('sectionBetween', this.fixed[0], this.fixed[1], SAMPLES)
+            : await client.ask('section', this.probe[0], this.probe[1], this.degrees, SAMPLES);
+        if (!section) return;
+        this.last = section;
+        this.ends.forEach((input, i) => {
+            const end = this.fixed?.[i >> 1];
+            if (end && document.activeElement !== input) input.value = number(end[i & 1], 5);
+        });
+        this.draw();
+        this.onLine();
+    }
+
+    /** Curves by columns of numbers: colour, thickness, dashes. */
+    private curves(section: Section): { values: (number | null)[]; colour: string; thick: number; dashed?: boolean }[] {
+        const { rows } = section;
+        const lights = rows[0].length - 2;
+        const share = (row: (number | null)[], i: number) =>
+            row[1] === null ? null : row[1] > 0 ? (100 * (row[i + 2] ?? 0)) / row[1] : 0;
+        const shares = Array.from({ length: lights }, (_, i) => ({
+            values: rows.map((row) =>
+                this.showsShares ? share(row, i) : row[1] === null ? null : (row[i + 2] ?? null),
+            ),
+            colour: lightColour(i),
+            thick: 1.5,
+        }));
+        if (this.showsShares) return shares;
+        const whole = { values: rows.map((row) => row[1]), colour: styleColour('--text'), thick: 2 };
+        const before = this.compare.alongA(section.from, section.to, rows.length);
+        const other = before ? [{ values: before, colour: styleColour('--dim'), thick: 1.5, dashed: true }] : [];
+        return [...(lights > 1 ? shares : []), ...other, whole];
+    }
+
+    draw() {
+        const [width, height, context] = fitted(this.canvas);
+        const { last } = this;
+        if (!last || !last.rows.length) return;
+        const curves = this.curves(last);
+        const most = this.showsShares
+            ? 100
+            : Math.max(...curves.flatMap(({ values }) => values.map((v) => v ?? 0)), 1e-300);
+        const length = last.rows[last.rows.length - 1][0] ?? 1;
+        const place = (s: number, value: number): [number, number] => [
+            MARGIN.left + ((width - MARGIN.left - MARGIN.right) * s) / length,
+            height - MARGIN.bottom - ((height - MARGIN.bottom - MARGIN.top) * value) / most,
+        ];
+        this.drawAxes(context, place, most, length, width);
+        for (const { values, colour, thick, dashed } of curves) {
+            context.strokeStyle = colour;
+            context.lineWidth = thick;
+            context.setLineDash(dashed ? [5, 4] : []);
+            context.beginPath();
+            let drawing = false;
+            values.forEach((value, i) => {
+                if (value !== null) {
+                    if (drawing) context.lineTo(...place(last.rows[i][0]!, value));
+                    else context.moveTo(...place(last.rows[i][0]!, value));
+                }
+                drawing = value !== null;
+            });
+            context.stroke();
+        }
+        context.setLineDash([]);
+        this.drawProbe(context, place, most, length);
+    }
+
+    private drawAxes(
+        context: CanvasRenderingContext2D,
+        place: (s: number, value: number) => [number, number],
+        most: number,
+        length: number,
+        width: number,
+    ) {
+        context.lineWidth = 1;
+        context.strokeStyle = styleColour('--line');
+        context.fillStyle = styleColour('--dim');
+        context.font = '11px system-ui, sans-serif';
+        context.textAlign = 'right';
+        context.textBaseline = 'middle';
+        for (const share of [0, 0.5, 1]) {
+            const [cx, cy] = place(0, share * most);
+            context.beginPath();
+            context.moveTo(cx, cy);
+            context.lineTo(width - MARGIN.right, cy);
+            context.stroke();
+            context.fillText(number(share * most, 3), cx - 4, cy);
+        }
+        context.textBaseline = 'top';
+        context.textAlign = 'center';
+        for (const share of [0, 0.5, 1]) {
+            const [cx, cy] = place(share * length, 0);
+            const unit = share === 1 ? ` ${t('mm')}` : '';
+            context.fillText(`${number(share * length, 3)}${unit}`, Math.min(width - 26, cx), cy + 4);
+        }
+    }
+
+    // Where the probe is on the line, if it is near it.
+    private drawProbe(
+        context: CanvasRenderingContext2D,
+        place: (s: number, value: number) => [number, number],
+        most: number,
+        length: number,
+    ) {
+        const { from, to } = this.last!;
+        const [dx, dy] = [(to[0] - from[0]) / length, (to[1] - from[1]) / length];
+        const [px, py] = [this.probe[0] - from[0], this.probe[1] - from[1]];
+        const along = px * dx + py * dy;
+        if (along < 0 || along > length || Math.abs(py * dx - px * dy) > length / 50) return;
+        context.strokeStyle = styleColour('--accent');
+        context.lineWidth = 1;
+        context.beginPath();
+        context.moveTo(...place(along, 0));
+        context.lineTo(...place(along, most));
+        context.stroke();
+    }
+
+    /** The section as a table: place on the line and on the screen, value, and each light's share of it. */
+    private save() {
+        const { last } = this;
+        if (!last) return;
+        const names = (this.model.scene?.lights ?? []).map((_, i) => `light_${i + 1}`);
+        const length = last.rows[last.rows.length - 1][0] ?? 1;
+        const lines = last.rows.map((row) => {
+            const at = [0, 1].map((axis) => last.from[axis] + ((last.to[axis] - last.from[axis]) * row[0]!) / length);
+            return [row[0], ...at, ...row.slice(1)].map((value) => value ?? '').join(',');
+        });
+        download(
+            'section.csv',
+            [['s_mm', 'x_mm', 'y_mm', 'value', ...names].join(','), ...lines, ''].join('\n'),
+            'text/csv',
+        );
+    }
+}
+
+function pair(place: number[]): [number, number] {
+    return [Math.round(place[0]), Math.round(place[1])];
+}

@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: MIT
+// What the tests do with the page: a browser and its pages, waiting, scenes, drags, screenshots.
+import fs from 'node:fs';
+import path from 'node:path';
+import { chromium } from 'playwright-core';
+
+const CHROMIUM = process.env.LUXEL_CHROMIUM ?? '/usr/bin/chromium';
+const SHOTS = process.env.LUXEL_SCREENSHOTS; // a folder for pictures of the page, to be looked at
+
+export function started() {
+    return chromium.launch({ executablePath: CHROMIUM, args: ['--no-sandbox', '--disable-gpu'] });
+}
+
+export async function opened(browser, url, options = {}) {
+    const context = await browser.newContext({ viewport: { width: 1400, height: 900 }, locale: 'en-GB', ...options });
+    const page = await context.newPage();
+    page.faults = [];
+    page.on('pageerror', (error) => page.faults.push(String(error)));
+    page.on('console', (message) => message.type() === 'error' && page.faults.push(message.text()));
+    page.setDefaultTimeout(10000);
+    await page.goto(url);
+    await ready(page);
+    return page;
+}
+
+/** Waits until the picture is whole. */
+export async function ready(page) {
+    await page.waitForFunction(
+        () => window.luxel?.inside.model.picture?.stride === 1 && document.querySelector('.value'),
+    );
+}
+
+export const inside = (page, what) =>
+    page.evaluate(
+        `(() => { const { model, picture, space, section, compare, dial } = window.luxel.inside; return ${what}; })()`,
+    );
+
+/** Waits until something inside is as it should be. */
+export async function until(page, what) {
+    for (let i = 0; i < 200; i++) {
+        if (await inside(page, what)) return;
+        await page.waitForTimeout(50);
+    }
+    throw new Error(`it never came that ${what}`);
+}
+
+export async function shot(page, name) {
+    if (!SHOTS) return;
+    fs.mkdirSync(SHOTS, { recursive: true });
+    await page.screenshot({ path: path.join(SHOTS, `${name}.png`), fullPage: true });
+}
+
+export async function openScene(page, name) {
+    const text = await page.evaluate(
+        (name) => window.luxel.inside.builtins.find((each) => each.name === name).text,
+        name,
+    );
+    await page.evaluate((text) => window.luxel.inside.open(text), text);
+    await page.waitForFunction((text) => {
+        const { model } = window.luxel.inside;
+        return model.wholeText === text && model.picture?.stride === 1 && model.picture.text === text;
+    }, text);
+}
+
+export async function lampIn(page, view) {
+    const box = await page.locator(`canvas.${view}`).boundingBox();
+    const [x, y] =
+        view === 'space'
+            ? await inside(page, "space.seen(model.things.find(({ kind }) => kind === 'light').at)")
+            : await inside(
+                  page,
+                  'picture.markPlace(picture.marks[0], picture.canvas.clientWidth, picture.canvas.clientHeight)',
+              );
+    return [box.x + x, box.y + y];
+}
+
+export async function dragBy(page, [x, y], dx, dy) {
+    await page.mouse.move(x, y);
+    await page.mouse.down();
+    for (let i = 1; i <= 5; i++) await page.mouse.move(x + (dx * i) / 5, y + (dy * i) / 5);
+    await page.mouse.up();
+}
