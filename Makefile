@@ -109,6 +109,9 @@ check-clang:
 	@$(COMPILE) build-clang
 	@$(RUN_TESTS) build-clang --num-processes $(JOBS) $(TESTS)
 
+# How many of the random scenes of unit tests are tried where all takes many times as long, in per cent of the usual.
+CAMPAIGN ?= 20
+
 # Kernels take sanitizers' compilers most of the time; one set of vectors tells as much as three.
 SANITIZED_SETS = -Dinstruction_sets=x86-64-v3
 
@@ -122,7 +125,7 @@ sanitize-%:
 	    -Db_sanitize=address,undefined -Db_lundef=false -Doptimization=1 $(SANITIZED_SETS)
 	@$(COMPILE) build-sanitize-$*
 	@UBSAN_OPTIONS=print_stacktrace=1:halt_on_error=1 ASAN_OPTIONS=detect_stack_use_after_return=1 \
-	    LSAN_OPTIONS=suppressions=$(CURDIR)/tests/leaks.txt:print_suppressions=0 \
+	    LSAN_OPTIONS=suppressions=$(CURDIR)/tests/leaks.txt:print_suppressions=0 LUXEL_CAMPAIGN=$(CAMPAIGN) \
 	    $(RUN_TESTS) build-sanitize-$* --num-processes $(JOBS) --timeout-multiplier 10 $(TESTS)
 
 # What threads do to one another, by gcc's sanitizer, which has to see every access: only what these tests need is built.
@@ -131,7 +134,7 @@ sanitize-%:
 check-threads: setup
 	@test -e build-threads/build.ninja || CC=gcc $(MESON) setup build-threads $(WARNINGS_ARE_ERRORS) \
 	    -Db_sanitize=thread -Db_lundef=false -Doptimization=1 $(SANITIZED_SETS)
-	@G_SLICE=always-malloc TSAN_OPTIONS=suppressions=$(CURDIR)/tests/races.txt \
+	@G_SLICE=always-malloc TSAN_OPTIONS=suppressions=$(CURDIR)/tests/races.txt LUXEL_CAMPAIGN=$(CAMPAIGN) \
 	    $(RUN_TESTS) build-threads --num-processes $(JOBS) --timeout-multiplier 10 --suite threads $(TESTS)
 
 # Each target so long, one after the other; what it finds lies in build-fuzz/findings/TARGET, to be mended and then put

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /* Random squares, and complex places around them. */
 #include "squares.h"
+#include "campaign.h"
 
 #include <math.h>
 #include <setjmp.h>
@@ -51,12 +52,6 @@ void close_workplace(struct workplace *work)
         lx_fitting_clear(&work->fitting);
     lx_shader_memory_free(work->shader);
     lx_plan_clear(&work->plan);
-}
-
-int scenes_to_try(int usual)
-{
-    const char *asked = getenv("LUXEL_TEST_SCENES");
-    return asked ? 20 * atoi(asked) : usual;
 }
 
 void make_finer_scene(struct randomness *random, bool is_plate, struct test_scene *test, double direction[3],

@@ -58,7 +58,7 @@ double complex irradiance_by_cylinder(const struct lx_shell *shell, const struct
 
 /* What is tried of squares of random scenes. */
 struct campaign {
-    int scenes;  /* how many as a rule; LUXEL_TEST_SCENES says how many times 20 instead */
+    int scenes;  /* how many as a rule (campaign.h) */
     int squares; /* of each picture that is shaded by panels */
     uint64_t seed;
     void (*make)(int i, struct test_scene *test);
@@ -66,8 +66,6 @@ struct campaign {
     void (*visit)(const struct test_scene *test, struct workplace *work, const struct lx_square *square, int q,
                   struct randomness *random, void *data);
 };
-
-int scenes_to_try(int usual);
 
 /* Visits squares, each with its number q, by the kernels of an instruction set; or by all that the machine has: every
  * scene by the best of them, each tenth by the others. */

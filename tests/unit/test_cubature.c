@@ -14,6 +14,7 @@
 
 #include <cmocka.h>
 
+#include "campaign.h"
 #include "light/facets.h"
 #include "shade/cubature.h"
 
@@ -150,7 +151,7 @@ static void diffuse_as_in_closed_form(void **unused)
     enum { SCENES = 400 };
     uint64_t random = 20;
     (void)unused;
-    for (int i = 0; i < SCENES; i++) {
+    for (int i = 0; i < scenes_to_try(SCENES); i++) {
         struct lx_emitter emitter;
         struct lx_lobe lobe = lx_lobe_irradiance();
         if (!random_source(&random, &emitter))
@@ -262,7 +263,7 @@ static void errors_are_honest(void **unused)
     static const double tolerances[] = {1e-2, 1e-4, 1e-6, 1e-9};
     uint64_t random = 21;
     (void)unused;
-    for (int i = 0; i < SCENES; i++) {
+    for (int i = 0; i < scenes_to_try(SCENES); i++) {
         struct lx_emitter emitter;
         if (!random_source(&random, &emitter))
             continue;
@@ -313,7 +314,7 @@ static void uncertain_elements(void **unused)
     uint64_t random = 24;
     unsigned farther = 0;
     (void)unused;
-    for (int i = 0; i < SCENES; i++) {
+    for (int i = 0; i < scenes_to_try(SCENES); i++) {
         struct lx_emitter emitter;
         if (!random_source(&random, &emitter))
             continue;
@@ -352,7 +353,7 @@ static void uncertain_elements(void **unused)
         }
         lx_facets_free(emitter.facets);
     }
-    assert_true(farther > SCENES / 4); /* most moves matter */
+    assert_true(farther > (unsigned)scenes_to_try(SCENES) / 4); /* most moves matter */
 }
 
 /* A corner of a rectangle; the edge from corner 0 to corner 1, or from 1 to 2, is the one along its width. */

@@ -8,6 +8,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "campaign.h"
 #include "scene/layout.h"
 #include "scene/path.h"
 #include "scene/tidy.h"
@@ -309,7 +310,7 @@ static void changes_builtin_scenes(void **state)
 {
     (void)state;
     for (size_t i = 0; i < luxel_builtin_scene_count(); i++)
-        for (uint64_t seed = 0; seed < 20; seed++) {
+        for (uint64_t seed = 0; seed < (uint64_t)scenes_to_try(12); seed++) {
             change(luxel_builtin_scene_text(i), false, seed);
             take_keys(luxel_builtin_scene_text(i), seed);
         }
@@ -318,7 +319,7 @@ static void changes_builtin_scenes(void **state)
 static void changes_any_style(void **state)
 {
     (void)state;
-    for (uint64_t seed = 0; seed < TEXTS; seed++) {
+    for (uint64_t seed = 0; seed < (uint64_t)scenes_to_try(TEXTS); seed++) {
         luxel_scene *scene = NULL;
         bool json;
         const char *name = luxel_builtin_scene_name(seed % luxel_builtin_scene_count());

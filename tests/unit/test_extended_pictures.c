@@ -18,6 +18,7 @@
 
 #include <luxel/luxel.h>
 
+#include "campaign.h"
 #include "light/extended.h"
 #include "light/facets.h"
 #include "shade/camera.h"
@@ -307,10 +308,9 @@ static double worst_pixel(const struct test_scene *test, const struct lx_kernels
 static void check(const struct demand *demand, int scenes)
 {
     static lx_bounded picture[ROWS][COLUMNS];
-    const char *campaign = getenv("LUXEL_TEST_SCENES");
     double worst = 0, share, single = 0;
     struct tally tally = {0, 0};
-    scenes = campaign ? atoi(campaign) : scenes;
+    scenes = scenes_to_try(scenes);
     for (int i = 0; i < scenes; i++) {
         struct randomness random = {.state = UINT64_C(0x9E3779B97F4A7C15) * ((uint64_t)i + 1)};
         struct test_scene test;
@@ -370,7 +370,7 @@ static void test_exact_laws(void **state)
 static void test_highlights(void **state)
 {
     (void)state;
-    check(&(struct demand){LUXEL_BRIGHTNESS, LUXEL_SINGLE, INVERSE_SQUARE, 1e-3, 0, false}, 60);
+    check(&(struct demand){LUXEL_BRIGHTNESS, LUXEL_SINGLE, INVERSE_SQUARE, 1e-3, 0, false}, 30);
 }
 
 /* Also where the light falls by other laws, and all of it is an integral. */

@@ -8,12 +8,12 @@
  */
 #include <math.h>
 #include <stdio.h>
-#include <stdlib.h>
 #include <string.h>
 
+#include "campaign.h"
 #include "scenes.h"
 
-enum { TEXT_SIZE = 8000, RANDOM_SCENES = 150 };
+enum { TEXT_SIZE = 8000 };
 
 static luxel_scene *scene_of(const char *text)
 {
@@ -314,9 +314,9 @@ static void hold_against_chance(const struct setting *setting, const luxel_regio
 
 static void random_scenes(void **state)
 {
-    (void)state;
     static char text[TEXT_SIZE];
-    for (int i = 0; i < RANDOM_SCENES; i++) {
+    (void)state;
+    for (int i = 0; i < scenes_to_try(75); i++) {
         chance_state = 0x9e3779b97f4a7c15u * (uint64_t)(i + 1);
         for (int warm = 0; warm < 8; warm++)
             chance(0, 1);

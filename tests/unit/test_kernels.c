@@ -18,6 +18,7 @@
 
 #include <cmocka.h>
 
+#include "campaign.h"
 #include "random_scenes.h"
 #include "shade/camera.h"
 #include "shade/reference.h"
@@ -227,8 +228,7 @@ static void make_with_wide_highlights(int i, struct test_scene *test)
 static double check_precision(luxel_precision precision, void (*make)(int i, struct test_scene *test), double bound)
 {
     static lx_bounded picture[ROWS][COLUMNS];
-    const char *campaign = getenv("LUXEL_TEST_SCENES");
-    int scenes = campaign ? atoi(campaign) : 250;
+    const int scenes = scenes_to_try(250);
     double worst = 0, single = 0;
     int pictures = 0;
     for (int i = 0; i < scenes; i++) {

@@ -14,6 +14,7 @@
 
 #include <cmocka.h>
 
+#include "campaign.h"
 #include "light/extended.h"
 #include "light/facets.h"
 #include "shade/cubature.h"
@@ -208,8 +209,7 @@ static void check_sources(enum lx_emitter_type type)
 {
     struct randomness random = {UINT64_C(0x1357924680ACE135) + (uint64_t)type};
     struct tally tally = {0};
-    const char *campaign = getenv("LUXEL_TEST_SCENES");
-    const int scenes = campaign ? atoi(campaign) : SCENES;
+    const int scenes = scenes_to_try(SCENES);
     for (int s = 0; s < scenes; s++) {
         struct lx_emitter emitter = random_source(&random, type, logarithmic(&random, 1, 1000));
         const struct lx_shape lit = {.radius_mm = 0};

@@ -14,6 +14,7 @@
 
 #include <cmocka.h>
 
+#include "campaign.h"
 #include "format/cloud.h"
 #include "random_scenes.h"
 #include "scenes.h"
@@ -136,8 +137,7 @@ static void check_errors(luxel_precision precision, double rounding)
 {
     static struct lx_emitter room[MOST_POINTS];
     static struct picture full, picture;
-    const char *campaign = getenv("LUXEL_TEST_SCENES");
-    const int scenes = campaign ? atoi(campaign) : 60;
+    const int scenes = scenes_to_try(60);
     double worst = 0;
     int changed_scenes = 0;
     for (int i = 0; i < scenes; i++) {

@@ -10,6 +10,7 @@
 #include <string.h>
 
 #include "base/vector.h"
+#include "campaign.h"
 #include "light/extended.h"
 #include "place.h"
 #include "scenes.h"
@@ -186,8 +187,8 @@ static struct lx_element choose_element(const struct lx_prepared *prepared, cons
 static void outlines_against_triangles(void **state)
 {
     const struct place *folder = *state;
-    const char *wanted = getenv("LUXEL_SHADOW_SCENES"), *from = getenv("LUXEL_SHADOW_SEED");
-    const int count = wanted ? atoi(wanted) : 240;
+    const char *from = getenv("LUXEL_SHADOW_SEED");
+    const int count = scenes_to_try(240);
     struct dice dice = {from ? strtoull(from, NULL, 0) : 7131};
     int partly = 0, precise = 0, own = 0;
     for (int n = 0; n < count; n++) {

@@ -13,6 +13,7 @@
 #include <luxel/evaluator.h>
 
 #include "base/larger.h"
+#include "campaign.h"
 #include "scenes.h"
 #include "shade/patch.h"
 #include "shade/sight.h"
@@ -163,8 +164,7 @@ static void test_tolerance(void **state)
     (void)state;
     static const char *const models[] = {"blinn-phong", "phong"}, *const highlights[] = {"plain", "gated", "cosine"};
     static const char *const laws[] = {"inverse-square", "inverse-square", "practical, k: 300", "none"};
-    const char *campaign = getenv("LUXEL_TEST_SCENES");
-    const int scenes = campaign ? atoi(campaign) : 42;
+    const int scenes = scenes_to_try(42);
     uint64_t random = UINT64_C(0x9E3779B97F4A7C15);
     int known = 0;
     for (int i = 0; i < scenes; i++) {

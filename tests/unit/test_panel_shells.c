@@ -13,6 +13,7 @@
 
 #include <cmocka.h>
 
+#include "campaign.h"
 #include "extended_sources.h"
 #include "lamp_scenes.h"
 #include "light/extended.h"
@@ -230,7 +231,7 @@ static void bounds_of_highlights(void **state)
     size_t tried = 0;
     visit_by_all_sets(&campaign, &tried);
     print_message("# bounds of %zu parts over squares\n", tried);
-    assert_true(tried > 50000);
+    assert_true(tried > in_campaign(50000));
 }
 
 /* The bound of a part that stands so high over a place, beside which nothing has any leeway; its highlight is cut off,
@@ -436,7 +437,7 @@ static void squares(void **state)
 {
     (void)state;
     const struct campaign campaign = {
-        .scenes = 3000,
+        .scenes = 1500,
         .squares = SQUARES,
         .seed = UINT64_C(0xD1B54A32D192ED03),
         .make = make_lamp_scene,
@@ -454,8 +455,9 @@ static void squares(void **state)
                       "maximum, %.2g of themselves\n",
                       lx_kernels_get(k)->name, tally.bounds, tally.tightest, tally.dark, tally.squares, tally.worst,
                       tally.worst_of_itself);
-        assert_true(!tally.has_bounds || (tally.bounds > 300 && tally.dark > 100 && tally.tightest > 0.1));
-        assert_true(tally.squares > 300 && tally.worst <= 1.2e-6 && tally.worst_of_itself <= 1e-3);
+        assert_true(!tally.has_bounds ||
+                    (tally.bounds > in_campaign(150) && tally.dark > in_campaign(50) && tally.tightest > 0.1));
+        assert_true(tally.squares > in_campaign(150) && tally.worst <= 1.2e-6 && tally.worst_of_itself <= 1e-3);
     }
 }
 

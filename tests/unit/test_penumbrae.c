@@ -9,6 +9,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "campaign.h"
 #include "scenes.h"
 #include "shadow_scenes.h"
 
@@ -81,8 +82,8 @@ static size_t compare(const luxel_scene *scene, luxel_precision precision, doubl
 static void random_pictures(void **state)
 {
     (void)state;
-    const char *wanted = getenv("LUXEL_SHADOW_SCENES"), *seed = getenv("LUXEL_SHADOW_SEED");
-    const int count = wanted ? atoi(wanted) : 6;
+    const char *seed = getenv("LUXEL_SHADOW_SEED");
+    const int count = scenes_to_try(6);
     struct dice dice = {seed ? strtoull(seed, NULL, 0) : 5};
     size_t compared = 0;
     for (int n = 0; n < count; n++) {

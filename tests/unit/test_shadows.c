@@ -10,6 +10,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "campaign.h"
 #include "light/extended.h"
 #include "scenes.h"
 #include "shade/reference.h"
@@ -107,8 +108,8 @@ static void compare_with_rays(struct lx_prepared *prepared, const struct lx_elem
 static void random_scenes(void **state)
 {
     (void)state;
-    const char *wanted = getenv("LUXEL_SHADOW_SCENES"), *from = getenv("LUXEL_SHADOW_SEED");
-    const int count = wanted ? atoi(wanted) : 400;
+    const char *from = getenv("LUXEL_SHADOW_SEED");
+    const int count = scenes_to_try(400);
     struct dice dice = {from ? strtoull(from, NULL, 0) : 20261};
     size_t partly = 0, work = 0, most = 0;
     for (int n = 0; n < count; n++) {
