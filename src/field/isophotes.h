@@ -146,6 +146,11 @@ struct lx_iso_sample {
 
 enum { LX_ISO_SAMPLES = 64 };
 
+/* Where the line from an inner place through a share of the chord meets the rim, as a multiple of the way to the chord. */
+struct lx_iso_rim {
+    double share, reach;
+};
+
 /* A way across the screen on which the function is followed: along x or y, or along the rim of a surface. */
 struct lx_iso_way {
     const struct lx_iso_search *search;
@@ -155,6 +160,9 @@ struct lx_iso_way {
     double across_mm;   /* the other coordinate */
     double inner_mm[2]; /* of a rim: a place well on the surface */
     double ends_mm[2][2];
+    /* of a rim: where it was found last, the newest first, which tells about where it is near by */
+    unsigned rim_count;
+    struct lx_iso_rim rims[3];
     /* what was found, in rising order of `at` */
     size_t count;
     struct lx_iso_sample samples[LX_ISO_SAMPLES];
@@ -165,7 +173,7 @@ int lx_iso_seen(const struct lx_iso_search *search, const double xy_mm[2]);
 /* The value there, on this surface; NaN: another is seen, or it has none. */
 double lx_iso_value(const struct lx_iso_search *search, int surface, const double xy_mm[2]);
 /* Where a way is. */
-void lx_iso_way_place(const struct lx_iso_way *way, double at, double xy_mm[2]);
+void lx_iso_way_place(struct lx_iso_way *way, double at, double xy_mm[2]);
 /*
  * Finds where the way is on a level, between places where it is on either side of it, roughly; false: nowhere, as
  * the function jumps.
@@ -173,7 +181,7 @@ void lx_iso_way_place(const struct lx_iso_way *way, double at, double xy_mm[2]);
 bool lx_iso_way_cross(struct lx_iso_way *way, double level, struct lx_iso_sample from, struct lx_iso_sample to,
                       double *at);
 /* Where the way, from a place on its surface towards one that is not, leaves it: the last place found on it. */
-double lx_iso_way_leave(const struct lx_iso_way *way, double on, double off);
+double lx_iso_way_leave(struct lx_iso_way *way, double on, double off);
 /* The extremum on a piece of the way within which it is known to be, the greatest (sign 1) or the least (-1). */
 struct lx_iso_sample lx_iso_way_extremum(struct lx_iso_way *way, double from, double to, double sign);
 

@@ -132,7 +132,7 @@ static bool end_on_rim(const struct cell *cell, const struct polygon *polygon, u
     way.search = search;
     way.surface = polygon->surface;
     way.along_rim = true;
-    way.count = 0;
+    way.count = way.rim_count = 0;
     find_inner(cell, polygon, way.inner_mm);
     memcpy(way.ends_mm[0], from->xy_mm, sizeof from->xy_mm);
     memcpy(way.ends_mm[1], to->xy_mm, sizeof to->xy_mm);

@@ -31,48 +31,118 @@ static double room_on_screen(const struct lx_iso_search *search, const double fr
     return room;
 }
 
-/* From `inner` on through a place: on the way out, the last place of the surface, and a little back where lines of
- * sight touch it. */
-static void reach_rim(const struct lx_iso_way *way, const double through[2], double xy_mm[2])
+/* A ray across the screen from a place on the surface, to be followed as far as there is room. */
+struct ray {
+    const struct lx_iso_search *search;
+    int surface;
+    double inner_mm[2], direction[2], room;
+};
+
+static bool is_on_surface(const struct ray *ray, double reach)
+{
+    const double xy_mm[2] = {ray->inner_mm[0] + reach * ray->direction[0],
+                             ray->inner_mm[1] + reach * ray->direction[1]};
+    return lx_iso_seen(ray->search, xy_mm) == ray->surface;
+}
+
+/* Between which reaches the ray leaves the surface, or all its room if it does not, from nothing. */
+static void enclose_rim(const struct ray *ray, double *on, double *off)
+{
+    *on = 0, *off = 1;
+    for (int i = 0; i < 10 && *on < ray->room; i++, *off *= 1.5) {
+        *off = fmin(*off, ray->room);
+        if (!is_on_surface(ray, *off))
+            break;
+        *on = *off;
+    }
+}
+
+/*
+ * Where the rim is at a share of the chord by the parabola through where it was found last, and about how far off that
+ * may be.  A way is followed in ever smaller steps, by which both soon have all digits.
+ */
+static bool guess_rim(const struct lx_iso_way *way, double share, double *reach, double *doubt)
+{
+    const struct lx_iso_rim *rims = way->rims;
+    if (way->rim_count < 3)
+        return false;
+    const double slope = (rims[1].reach - rims[0].reach) / (rims[1].share - rims[0].share);
+    const double next = (rims[2].reach - rims[1].reach) / (rims[2].share - rims[1].share);
+    const double bend = (next - slope) / (rims[2].share - rims[0].share);
+    const double change = bend * (share - rims[0].share) * (share - rims[1].share);
+    *reach = rims[0].reach + slope * (share - rims[0].share) + change;
+    *doubt = 0.1 * fabs(change) + 2e-15 * *reach;
+    return true;
+}
+
+/* Between which reaches around a guess the ray leaves the surface; false: not near it, where it might come back to the
+ * surface behind another. */
+static bool enclose_near(const struct ray *ray, double guess, double doubt, double *on, double *off)
+{
+    *on = guess - doubt, *off = guess + doubt;
+    const bool beyond = is_on_surface(ray, *on);
+    for (; doubt < 1e-3 * guess && *off < ray->room; doubt *= 4) {
+        if (is_on_surface(ray, beyond ? *off : *on) != beyond)
+            return true;
+        *(beyond ? on : off) = beyond ? *off : *on;
+        *(beyond ? off : on) = beyond ? guess + 4 * doubt : guess - 4 * doubt;
+    }
+    return false;
+}
+
+/* The last reach of the ray on the surface. */
+static double find_rim(struct lx_iso_way *way, const struct ray *ray, double share)
+{
+    double on, off, guess, doubt;
+    for (unsigned i = 0; i < way->rim_count; i++)
+        if (way->rims[i].share == share)
+            return way->rims[i].reach;
+    if (!guess_rim(way, share, &guess, &doubt) || !enclose_near(ray, guess, doubt, &on, &off))
+        enclose_rim(ray, &on, &off);
+    for (double middle = on + (off - on) / 2; on < middle && middle < off; middle = on + (off - on) / 2)
+        *(is_on_surface(ray, middle) ? &on : &off) = middle;
+    way->rims[2] = way->rims[1], way->rims[1] = way->rims[0];
+    way->rims[0] = (struct lx_iso_rim){share, on};
+    way->rim_count = way->rim_count < 3 ? way->rim_count + 1 : 3;
+    return on;
+}
+
+/* From `inner` on through a share of the chord: the last place of the surface on the way out, and a little back where
+ * lines of sight touch it. */
+static void reach_rim(struct lx_iso_way *way, double share, double xy_mm[2])
 {
     const struct lx_iso_search *search = way->search;
     const double *inner = way->inner_mm;
-    double direction[2] = {through[0] - inner[0], through[1] - inner[1]}, on = 0, off = 1;
-    double length = hypot(direction[0], direction[1]), room = room_on_screen(search, inner, direction);
-    for (int i = 0; i < 10 && on < room; i++, off *= 1.5) {
-        off = fmin(off, room);
-        xy_mm[0] = inner[0] + off * direction[0], xy_mm[1] = inner[1] + off * direction[1];
-        if (lx_iso_seen(search, xy_mm) != way->surface)
-            break;
-        on = off;
+    struct ray ray = {.search = search, .surface = way->surface};
+    for (int i = 0; i < 2; i++) {
+        const double *from = &way->ends_mm[0][i], *to = &way->ends_mm[1][i];
+        ray.inner_mm[i] = inner[i];
+        ray.direction[i] = *from + share * (*to - *from) - inner[i];
     }
-    for (double middle = on + (off - on) / 2; on < middle && middle < off; middle = on + (off - on) / 2) {
-        xy_mm[0] = inner[0] + middle * direction[0], xy_mm[1] = inner[1] + middle * direction[1];
-        *(lx_iso_seen(search, xy_mm) == way->surface ? &on : &off) = middle;
-    }
+    const double length = hypot(ray.direction[0], ray.direction[1]);
+    ray.room = room_on_screen(search, inner, ray.direction);
+    double reach = find_rim(way, &ray, share);
     /* where lines of sight touch the surface rounding shows in the value as its root: not so a little inside */
     if (lx_shape_has_limb(&search->evaluator->prepared.surfaces[way->surface].shape) && length > 0)
-        on = fmax(0, on - search->pull_mm / length);
-    xy_mm[0] = inner[0] + on * direction[0], xy_mm[1] = inner[1] + on * direction[1];
+        reach = fmax(0, reach - search->pull_mm / length);
+    xy_mm[0] = inner[0] + reach * ray.direction[0], xy_mm[1] = inner[1] + reach * ray.direction[1];
 }
 
 /*
  * Along a rim the way runs from one end (at -1) straight to the rim (at 0), along it, always where the line from the
  * inner place through the chord of the two ends meets it (to 1), and straight to the other end (at 2).
  */
-static void rim_place(const struct lx_iso_way *way, double at, double xy_mm[2])
+static void rim_place(struct lx_iso_way *way, double at, double xy_mm[2])
 {
-    const double(*ends)[2] = way->ends_mm;
-    double u = fmin(fmax(at, 0), 1), rim[2];
-    double chord[2] = {ends[0][0] + u * (ends[1][0] - ends[0][0]), ends[0][1] + u * (ends[1][1] - ends[0][1])};
-    reach_rim(way, chord, rim);
+    double rim[2];
+    reach_rim(way, fmin(fmax(at, 0), 1), rim);
     double back = at < 0 ? -at : at > 1 ? at - 1 : 0;
-    const double *end = ends[at > 1];
+    const double *end = way->ends_mm[at > 1];
     for (int i = 0; i < 2; i++)
         xy_mm[i] = back < 1 ? rim[i] + back * (end[i] - rim[i]) : end[i];
 }
 
-void lx_iso_way_place(const struct lx_iso_way *way, double at, double xy_mm[2])
+void lx_iso_way_place(struct lx_iso_way *way, double at, double xy_mm[2])
 {
     if (way->along_rim) {
         rim_place(way, at, xy_mm);
@@ -205,7 +275,7 @@ bool lx_iso_way_cross(struct lx_iso_way *way, double level, struct lx_iso_sample
 
 /* -- where it leaves its surface, and where it has an extremum -- */
 
-double lx_iso_way_leave(const struct lx_iso_way *way, double on, double off)
+double lx_iso_way_leave(struct lx_iso_way *way, double on, double off)
 {
     double close = way->search->pull_mm, xy_mm[2];
     lx_iso_way_place(way, off, xy_mm);
