@@ -146,7 +146,7 @@ struct lx_iso_sample {
 
 enum { LX_ISO_SAMPLES = 64 };
 
-/* Where the line from an inner place through a share of the chord meets the rim, as a multiple of the way to the chord. */
+/* Where the line from an inner place through a share of the chord meets the rim: a multiple of the way to the chord. */
 struct lx_iso_rim {
     double share, reach;
 };
