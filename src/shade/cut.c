@@ -6,6 +6,7 @@
 #include <stdlib.h>
 
 #include "../base/memory.h"
+#include "among.h"
 
 /* Clusters, or lights, between two questions whether to go on. */
 enum { STEPS_BETWEEN_CHECKS = 16 };
@@ -44,12 +45,15 @@ static bool is_hidden(const struct lx_plan *plan, const struct lx_cut *cut, cons
 {
     if (!plan->prepared->shadows)
         return false;
-    for (size_t s = 0; s < plan->surface_count; s++) {
-        const struct lx_planned_surface *other = &plan->surfaces[s];
+    struct lx_found found;
+    const double *anchor = cut->surface->shape.anchor_mm;
+    const bool is_found = lx_among_balls(plan->prepared, anchor, &cut->tract.places, ball, false, &found);
+    const size_t count = lx_found_count(&found, is_found, plan->surface_count);
+    for (size_t i = 0; i < count; i++) {
+        const struct lx_planned_surface *other = &plan->surfaces[lx_found_at(&found, is_found, i)];
         if (!lx_may_hide(&other->shape, other == cut->surface))
             continue;
-        const struct lx_ball blocker =
-            lx_shape_ball(&other->shape, other->low_mm, other->high_mm, cut->surface->shape.anchor_mm);
+        const struct lx_ball blocker = lx_shape_ball(&other->shape, other->low_mm, other->high_mm, anchor);
         if (lx_may_block(&blocker, &cut->tract.places, ball, false))
             return true;
     }
@@ -274,8 +278,11 @@ static bool find_open(struct shading *shading, const struct lx_light_double *lig
     const double *anchor = cut->surface->shape.anchor_mm;
     const struct lx_ball place = {.center = {light->x, light->y, light->z}};
     bool any = false;
-    for (size_t s = 0; plan->prepared->shadows && s < plan->surface_count; s++) {
-        const struct lx_planned_surface *other = &plan->surfaces[s];
+    struct lx_found found;
+    const bool is_found = lx_among_balls(plan->prepared, anchor, &cut->tract.places, &place, false, &found);
+    const size_t count = lx_found_count(&found, is_found, plan->surface_count);
+    for (size_t s = 0; plan->prepared->shadows && s < count; s++) {
+        const struct lx_planned_surface *other = &plan->surfaces[lx_found_at(&found, is_found, s)];
         const struct lx_ball blocker = lx_shape_ball(&other->shape, other->low_mm, other->high_mm, anchor);
         if (!lx_may_hide(&other->shape, other == cut->surface) ||
             !lx_may_block(&blocker, &cut->tract.places, &place, false))

@@ -8,6 +8,7 @@
 #include "../base/vector.h"
 #include "../light/extended.h"
 #include "../surface/beside.h"
+#include "among.h"
 #include "occlusion.h"
 #include "outline.h"
 
@@ -381,9 +382,13 @@ int lx_occlusion_make(const struct lx_prepared *prepared, const struct lx_elemen
     const double place[3] = {element->place_mm.x.value, element->place_mm.y.value, element->place_mm.z.value};
     const double normal[3] = {element->normal.x.value, element->normal.y.value, element->normal.z.value};
     lx_occlusion_begin(place, above ? normal : NULL, emitter, occlusion);
-    for (size_t i = 0; i < prepared->surface_count; i++) {
-        const struct lx_shape *shape = &prepared->surfaces[i].shape;
-        const bool is_own = &prepared->surfaces[i] == element->own;
+    struct lx_found found;
+    const bool is_found = lx_among_shaft(prepared, &occlusion->shaft, &found);
+    const size_t count = lx_found_count(&found, is_found, prepared->surface_count);
+    for (size_t i = 0; i < count; i++) {
+        const struct lx_prepared_surface *surface = &prepared->surfaces[lx_found_at(&found, is_found, i)];
+        const struct lx_shape *shape = &surface->shape;
+        const bool is_own = surface == element->own;
         const bool is_turned =
             is_own && element->is_free && lx_shape_is_turned(shape, element->place_mm, element->normal);
         if (lx_occlusion_gather(shape, is_own, is_turned, normal, occlusion))

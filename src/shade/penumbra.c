@@ -9,6 +9,7 @@
 #include "../base/memory.h"
 #include "../base/vector.h"
 #include "../light/extended.h"
+#include "among.h"
 #include "blocking.h"
 #include "cubature.h"
 #include "glimpse.h"
@@ -89,10 +90,14 @@ static bool are_before_wall(const struct lx_shape *wall, const struct lx_shape *
 int lx_find_shell_blockers(const struct lx_plan *plan, const struct lx_planned_surface *surface,
                            struct lx_planned_shell *planned)
 {
-    const struct lx_ball all = {.radius = surface->shape.radius_mm};
-    const struct lx_shaft shaft = shaft_from(surface, &all, planned->emitter);
+    const struct lx_ball whole = {.radius = surface->shape.radius_mm};
+    const struct lx_shaft shaft = shaft_from(surface, &whole, planned->emitter);
     size_t capacity = 0;
-    for (uint32_t s = 0; plan->prepared->shadows_extended && s < plan->surface_count; s++) {
+    struct lx_found found;
+    const bool is_found = lx_among_shaft(plan->prepared, &shaft, &found);
+    const size_t all = lx_found_count(&found, is_found, plan->surface_count);
+    for (size_t i = 0; plan->prepared->shadows_extended && i < all; i++) {
+        const uint32_t s = (uint32_t)lx_found_at(&found, is_found, i);
         const struct lx_shape *shape = &plan->surfaces[s].shape;
         if (!lx_may_hide(shape, &plan->surfaces[s] == surface) ||
             are_before_wall(shape, &surface->shape, planned->emitter) || !may_stand_in(shape, &shaft))
@@ -104,12 +109,29 @@ int lx_find_shell_blockers(const struct lx_plan *plan, const struct lx_planned_s
     return 0;
 }
 
+/* Those of many blockers that may stand in a shaft. */
+static bool find_blockers(const struct lx_plan *plan, const struct lx_planned_shell *planned,
+                          const struct lx_shaft *shaft, struct lx_found *found)
+{
+    size_t kept = 0;
+    if (planned->blocker_count <= LX_FEW_BOXES || !lx_among_shaft(plan->prepared, shaft, found))
+        return false;
+    for (size_t i = 0; i < found->count; i++)
+        if (lx_is_among(planned->blockers, planned->blocker_count, found->items[i]))
+            found->items[kept++] = found->items[i];
+    found->count = kept;
+    return true;
+}
+
 bool lx_shell_may_be_hidden(const struct lx_plan *plan, const struct lx_planned_surface *surface,
                             const struct lx_planned_shell *planned, const struct lx_ball *ball)
 {
     const struct lx_shaft shaft = shaft_from(surface, ball, planned->emitter);
-    for (size_t b = 0; b < planned->blocker_count; b++)
-        if (may_stand_in(&plan->surfaces[planned->blockers[b]].shape, &shaft))
+    struct lx_found found;
+    const bool is_found = find_blockers(plan, planned, &shaft, &found);
+    const size_t count = lx_found_count(&found, is_found, planned->blocker_count);
+    for (size_t b = 0; b < count; b++)
+        if (may_stand_in(&plan->surfaces[is_found ? found.items[b] : planned->blockers[b]].shape, &shaft))
             return true;
     return false;
 }
@@ -149,8 +171,11 @@ static enum lx_share_seen look(const struct lx_plan *plan, const struct lx_plann
     const struct lx_emitter *emitter = planned->emitter;
     bool failed = false;
     lx_occlusion_begin(place_mm, looks_below(surface) ? NULL : normal, emitter, occlusion);
-    for (size_t b = 0; b < planned->blocker_count && !failed; b++) {
-        const struct lx_planned_surface *blocker = &plan->surfaces[planned->blockers[b]];
+    struct lx_found found;
+    const bool is_found = find_blockers(plan, planned, &occlusion->shaft, &found);
+    const size_t count = lx_found_count(&found, is_found, planned->blocker_count);
+    for (size_t b = 0; b < count && !failed; b++) {
+        const struct lx_planned_surface *blocker = &plan->surfaces[is_found ? found.items[b] : planned->blockers[b]];
         failed = lx_occlusion_gather(&blocker->shape, blocker == surface, false, normal, occlusion) != 0;
     }
     if (failed || lx_occlusion_settle(emitter, 0, occlusion))

@@ -5,11 +5,13 @@
 #include <string.h>
 
 #include "../base/memory.h"
+#include "among.h"
 #include "blocking.h"
 #include "camera.h"
 #include "general.h"
 #include "penumbra.h"
 #include "plan.h"
+#include "seen.h"
 #include "shader.h"
 
 /* The picture's maximum is bounded from below by this many samples on each axis, or by all its pixels. */
@@ -131,7 +133,11 @@ static int find_blockers(const struct lx_plan *plan, struct lx_planned_surface *
         light.at[i] = endless ? towards.center[i] : emitter->position_mm[i];
     for (int i = 0; i < 3 && !endless; i++)
         towards.center[i] = emitter->position_mm[i] - anchor[i];
-    for (uint32_t s = 0; s < plan->surface_count; s++) {
+    struct lx_found found;
+    const bool is_found = lx_among_balls(plan->prepared, anchor, &from, &towards, endless, &found);
+    const size_t all = lx_found_count(&found, is_found, plan->surface_count);
+    for (size_t i = 0; i < all; i++) {
+        const uint32_t s = (uint32_t)lx_found_at(&found, is_found, i);
         const struct lx_planned_surface *other = &plan->surfaces[s];
         const struct lx_ball ball = lx_shape_ball(&other->shape, other->low_mm, other->high_mm, anchor);
         if (!lx_may_hide(&other->shape, other == lit) || lx_are_before_wall(&other->shape, &lit->shape, &light) ||
@@ -558,6 +564,8 @@ luxel_status lx_plan_make(const struct lx_prepared *prepared, const struct lx_ke
             plan->surfaces[s].high_mm[i] = surface->high_mm[i] + lx_shape_room(&surface->shape);
         }
     }
+    if (lx_seen_plan(plan))
+        return LUXEL_ERROR_MEMORY;
     if (settings->light_error > 0)
         status = lx_forest_plant(&prepared->emitters, &control, &plan->forest);
     struct lx_lobe irradiance = lx_lobe_irradiance();
@@ -589,6 +597,7 @@ void lx_plan_clear(struct lx_plan *plan)
         free(surface->glossy);
     }
     free(plan->surfaces);
+    lx_boxes_clear(&plan->on_screen);
     free(plan->rules);
     free(plan->node_rules);
     lx_forest_clear(&plan->forest);

@@ -74,6 +74,7 @@ struct lx_plan {
     const struct lx_kernels *kernels;
     struct lx_planned_surface *surfaces;
     size_t surface_count;
+    struct lx_boxes on_screen; /* over where many of them may be seen, with z = 0 */
     /* The only surface that the picture may show, if its light takes nothing but its elements in float32 (seen.h);
      * NULL: there is none. */
     const struct lx_planned_surface *alone;

@@ -9,6 +9,7 @@
 #include "../base/rows.h"
 #include "../light/carry.h"
 #include "../light/light.h"
+#include "among.h"
 #include "prepared.h"
 
 /* How many a scene may have without asking how much memory there is. */
@@ -85,6 +86,8 @@ static int prepare(const struct lx_scene_parameters *scene, double tolerance, co
         return -1;
     for (size_t i = 0; i < surfaces->count; i++)
         prepare_surface(scene, i, prepared);
+    if (lx_among_make(prepared))
+        return -1;
     int failed = prepare_lights(&scene->lights, &prepared->emitters);
     prepared->emitters.asking = NULL;
     return failed;
@@ -120,6 +123,7 @@ int lx_prepared_carry(const struct lx_prepared *prepared, const struct lx_asking
     carried->camera = lx_camera_carried(&prepared->camera);
     carried->surfaces = lx_new_array(prepared->surface_count, sizeof *carried->surfaces);
     carried->authored = lx_new_array(prepared->scene->surfaces.count, sizeof *carried->authored);
+    carried->boxes = (struct lx_boxes){NULL, NULL, NULL};
     carried->emitters = (struct lx_emitters){0};
     if (!carried->surfaces || !carried->authored)
         return -1;
@@ -132,6 +136,8 @@ int lx_prepared_carry(const struct lx_prepared *prepared, const struct lx_asking
         made->parameters = NULL;
         lx_surface_extent(surface->kind, surface->parameters, frame, made->low_mm, made->high_mm);
     }
+    if (lx_among_make(carried))
+        return -1;
     return lx_emitters_carry(&prepared->emitters, frame, asking, &carried->emitters);
 }
 
@@ -155,6 +161,7 @@ void lx_prepared_free(struct lx_prepared *carried)
 void lx_prepared_clear(struct lx_prepared *prepared)
 {
     free(prepared->surfaces);
+    lx_boxes_clear(&prepared->boxes);
     free(prepared->authored);
     lx_emitters_clear(&prepared->emitters);
     *prepared = (struct lx_prepared){0};

@@ -10,6 +10,7 @@
 #include "../material/lobe.h"
 #include "../scene/scene.h"
 #include "../surface/part.h"
+#include "boxes.h"
 #include "camera.h"
 #include <luxel/field.h>
 
@@ -40,6 +41,7 @@ struct lx_prepared {
     struct lx_camera camera;
     struct lx_prepared_surface *surfaces; /* the parts of all surfaces, in their order */
     size_t surface_count;
+    struct lx_boxes boxes; /* over many of them (among.h) */
     struct lx_authored_surface *authored;
     struct lx_emitters emitters; /* of the enabled lights, in their order */
     double tolerance;            /* of integrals, relative to the value that they are a part of */

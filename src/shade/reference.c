@@ -3,6 +3,7 @@
 #include "reference.h"
 #include "../light/extended.h"
 #include "../surface/beside.h"
+#include "among.h"
 #include "camera.h"
 #include "cubature.h"
 
@@ -10,8 +11,11 @@ bool lx_element_seen(const struct lx_prepared *prepared, double x_mm, double y_m
 {
     struct lx_ray ray = lx_line_of_sight(&prepared->camera, x_mm, y_mm);
     struct lx_hit nearest = {.exists = false};
-    for (size_t i = 0; i < prepared->surface_count; i++) {
-        const struct lx_prepared_surface *surface = &prepared->surfaces[i];
+    struct lx_found found;
+    const bool is_found = lx_among_ray(prepared, &ray, &found);
+    const size_t count = lx_found_count(&found, is_found, prepared->surface_count);
+    for (size_t i = 0; i < count; i++) {
+        const struct lx_prepared_surface *surface = &prepared->surfaces[lx_found_at(&found, is_found, i)];
         struct lx_hit hit = surface->kind->hit(&surface->shape, &ray);
         if (!hit.exists || (nearest.exists && hit.t >= nearest.t))
             continue;
@@ -24,6 +28,14 @@ bool lx_element_seen(const struct lx_prepared *prepared, double x_mm, double y_m
     return nearest.exists;
 }
 
+/* The surfaces that a place may lie on, or in. */
+static bool find_around(const struct lx_prepared *prepared, const double place_mm[3], struct lx_found *found)
+{
+    static const double nowhere[3];
+    const lx_bounded3 place = lx_exact3(place_mm), way = lx_exact3(nowhere);
+    return lx_among_way(prepared, &place, &way, false, found);
+}
+
 struct lx_element lx_element_at(const struct lx_prepared *prepared, const struct lx_free_element *asked)
 {
     struct lx_element element = {
@@ -33,9 +45,14 @@ struct lx_element lx_element_at(const struct lx_prepared *prepared, const struct
         .is_free = true,
     };
     element.view = asked->view ? lx_unit3(lx_exact3(asked->view)) : lx_view_from(&prepared->camera, element.place_mm);
-    for (size_t i = 0; i < prepared->surface_count && !element.own; i++)
-        if (prepared->surfaces[i].kind->holds(&prepared->surfaces[i].shape, asked->place_mm))
-            element.own = &prepared->surfaces[i];
+    struct lx_found found;
+    const bool is_found = find_around(prepared, asked->place_mm, &found);
+    const size_t count = lx_found_count(&found, is_found, prepared->surface_count);
+    for (size_t i = 0; i < count && !element.own; i++) {
+        const struct lx_prepared_surface *surface = &prepared->surfaces[lx_found_at(&found, is_found, i)];
+        if (surface->kind->holds(&surface->shape, asked->place_mm))
+            element.own = surface;
+    }
     if (element.own)
         element.lobe = &element.own->lobe;
     return element;
@@ -43,8 +60,11 @@ struct lx_element lx_element_at(const struct lx_prepared *prepared, const struct
 
 const struct lx_prepared_surface *lx_surface_around(const struct lx_prepared *prepared, const double place_mm[3])
 {
-    for (size_t i = 0; i < prepared->surface_count; i++) {
-        const struct lx_prepared_surface *surface = &prepared->surfaces[i];
+    struct lx_found found;
+    const bool is_found = find_around(prepared, place_mm, &found);
+    const size_t count = lx_found_count(&found, is_found, prepared->surface_count);
+    for (size_t i = 0; i < count; i++) {
+        const struct lx_prepared_surface *surface = &prepared->surfaces[lx_found_at(&found, is_found, i)];
         if (lx_shape_encloses(&surface->shape, place_mm))
             return surface;
     }
@@ -90,8 +110,13 @@ lx_bounded lx_openness_of(const struct lx_prepared *prepared, const struct lx_el
         return open;
     bool endless = emitter->type == LX_DIRECTION;
     lx_bounded3 way = endless ? emitter->towards : lx_sub3(lx_exact3(emitter->position_mm), element->place_mm);
-    for (size_t i = 0; i < prepared->surface_count; i++)
-        open = lx_both(open, lx_not(blocked_by(&prepared->surfaces[i], element, way, endless)));
+    struct lx_found found;
+    const bool is_found = lx_among_way(prepared, &element->place_mm, &way, endless, &found);
+    const size_t count = lx_found_count(&found, is_found, prepared->surface_count);
+    for (size_t i = 0; i < count; i++) {
+        const struct lx_prepared_surface *surface = &prepared->surfaces[lx_found_at(&found, is_found, i)];
+        open = lx_both(open, lx_not(blocked_by(surface, element, way, endless)));
+    }
     return open;
 }
 

@@ -3,8 +3,10 @@
 #include "seen.h"
 
 #include <math.h>
+#include <stdlib.h>
 #include <string.h>
 
+#include "../base/memory.h"
 #include "camera.h"
 #include "general.h"
 
@@ -80,13 +82,69 @@ struct lx_stretch lx_seen_in_single(const struct lx_plan *plan, struct lx_seen *
     return (struct lx_stretch){0};
 }
 
+/* The box on the screen in which a surface may be seen. */
+static struct lx_box box_on_screen(const struct lx_camera *camera, const struct lx_planned_surface *surface)
+{
+    static const double ROOM = 1e-6; /* what touches a surface may seem to be on it */
+    const double z_mm = camera->z_mm, under = z_mm - surface->low_mm[2], above = z_mm - surface->high_mm[2];
+    struct lx_box box = {.low = {0, 0, 0}, .high = {0, 0, 0}};
+    for (int k = 0; k < 2; k++) {
+        double low = surface->low_mm[k], high = surface->high_mm[k];
+        const double size = high - low;
+        if (camera->is_perspective && !(above > ROOM * z_mm)) {
+            low = -HUGE_VAL, high = HUGE_VAL;
+        } else if (camera->is_perspective) {
+            low *= z_mm / (low < 0 ? above : under);
+            high *= z_mm / (high > 0 ? above : under);
+        }
+        const double room = ROOM * (fabs(low) + fabs(high) + size * (camera->is_perspective ? z_mm / above : 1));
+        box.low[k] = low > -HUGE_VAL ? low - room : low;
+        box.high[k] = high < HUGE_VAL ? high + room : high;
+    }
+    return box;
+}
+
+int lx_seen_plan(struct lx_plan *plan)
+{
+    if (plan->surface_count <= LX_FEW_BOXES)
+        return 0;
+    struct lx_box *boxes = lx_new_array(plan->surface_count, sizeof *boxes);
+    for (size_t s = 0; boxes && s < plan->surface_count; s++)
+        boxes[s] = box_on_screen(&plan->prepared->camera, &plan->surfaces[s]);
+    const int result = boxes ? lx_boxes_make(boxes, plan->surface_count, &plan->on_screen) : -1;
+    free(boxes);
+    return result;
+}
+
+/* A rectangle on the screen. */
+struct within {
+    const double *low, *high;
+};
+
+static bool is_within(const void *data, const double low[3], const double high[3])
+{
+    const struct within *within = data;
+    return within->low[0] <= high[0] && within->high[0] >= low[0] && within->low[1] <= high[1] &&
+           within->high[1] >= low[1];
+}
+
+bool lx_seen_within(const struct lx_plan *plan, const double low_mm[2], const double high_mm[2], struct lx_found *found)
+{
+    const struct within within = {low_mm, high_mm};
+    return lx_boxes_find(&plan->on_screen, is_within, &within, found);
+}
+
 size_t lx_seen_find(const struct lx_plan *plan, struct lx_seen *seen, double y_mm, const double *x_mm, size_t count)
 {
     const struct lx_row_view view = lx_row_view_of(plan, y_mm);
     size_t found = 0;
     bool any = false;
     seen->shows_one = false;
-    for (uint32_t s = 0; s < plan->surface_count; s++) {
+    seen->is_found =
+        lx_seen_within(plan, (const double[]){x_mm[0], y_mm}, (const double[]){x_mm[count - 1], y_mm}, &seen->found);
+    const size_t all = lx_found_count(&seen->found, seen->is_found, plan->surface_count);
+    for (size_t i = 0; i < all; i++) {
+        const uint32_t s = (uint32_t)lx_found_at(&seen->found, seen->is_found, i);
         if (!may_show(&plan->surfaces[s], &view, x_mm, count))
             continue;
         const size_t met =
@@ -95,9 +153,8 @@ size_t lx_seen_find(const struct lx_plan *plan, struct lx_seen *seen, double y_m
         if (seen->shows_one)
             return count;
         found += any ? merge(seen, s, count) : met;
-        if (!any)
-            for (size_t i = 0; i < count; i++)
-                seen->shown[i] = seen->nearest.depth[i] < HUGE_VAL ? s + 1 : 0;
+        for (size_t k = 0; !any && k < count; k++)
+            seen->shown[k] = seen->nearest.depth[k] < HUGE_VAL ? s + 1 : 0;
         any = true;
     }
     return found;

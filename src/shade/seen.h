@@ -23,6 +23,8 @@ struct lx_seen {
     struct lx_columns columns; /* in whose rows elements in float32 alone are looked for */
     struct lx_lines nearest;   /* its places are those of the block where there is one surface alone */
     struct lx_lines_room room_of_nearest, candidate;
+    struct lx_found found; /* those of many surfaces that the run may show */
+    bool is_found;
     bool shows_one;           /* every pixel of the run shows the only surface that there is; else: */
     uint32_t shown[LX_BLOCK]; /* surface of each pixel, from 1; 0: none */
     unsigned place[LX_BLOCK]; /* pixel of each element of the block */
@@ -42,6 +44,13 @@ struct lx_origin lx_eye_from(const struct lx_plan *plan, const struct lx_planned
 
 /* The lines of sight of a row. */
 struct lx_row_view lx_row_view_of(const struct lx_plan *plan, double y_mm);
+
+/* Makes the tree over where surfaces may be seen; 0, or -1 when memory ran out. */
+int lx_seen_plan(struct lx_plan *plan);
+
+/* Those that may be seen between two places of the screen. */
+bool lx_seen_within(const struct lx_plan *plan, const double low_mm[2], const double high_mm[2],
+                    struct lx_found *found);
 
 void lx_seen_init(const struct lx_plan *plan, struct lx_seen *seen);
 

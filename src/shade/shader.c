@@ -5,6 +5,7 @@
 #include <string.h>
 
 #include "../base/memory.h"
+#include "among.h"
 #include "shader_memory.h"
 
 /* Some lights of a run that are summed between two questions whether to go on. */
@@ -67,16 +68,69 @@ struct lx_sampling_memory *lx_shader_sampling(struct lx_shader_memory *memory)
     return memory->sampling;
 }
 
+/* The lowest and highest of the three coordinates of vectors. */
+struct extent {
+    double low[3], high[3];
+};
+
+static const struct extent EMPTY = {{HUGE_VAL, HUGE_VAL, HUGE_VAL}, {-HUGE_VAL, -HUGE_VAL, -HUGE_VAL}};
+
+static void extend(struct extent *extent, const double *x, const double *y, const double *z, size_t count)
+{
+    const double *all[3] = {x, y, z};
+    for (int k = 0; k < 3; k++) {
+        double low = extent->low[k], high = extent->high[k];
+        for (size_t i = 0; i < count; i++) {
+            low = all[k][i] < low ? all[k][i] : low;
+            high = all[k][i] > high ? all[k][i] : high;
+        }
+        extent->low[k] = low;
+        extent->high[k] = high;
+    }
+}
+
+static struct lx_ball ball_around(const struct extent *extent)
+{
+    struct lx_ball ball;
+    double square = 0;
+    for (int k = 0; k < 3; k++) {
+        double half = (extent->high[k] - extent->low[k]) / 2;
+        ball.center[k] = extent->low[k] + half;
+        square += half * half;
+    }
+    ball.radius = sqrt(square);
+    return ball;
+}
+
+/* Those of many surfaces that may stand between the block's elements and a light. */
+static bool find_near(const struct lx_plan *plan, const struct lx_planned_surface *surface,
+                      const struct lx_light_double *light, const struct lx_shader_memory *memory, size_t count,
+                      struct lx_found *found)
+{
+    const struct lx_block_double *block = &memory->seen.block;
+    struct extent places = EMPTY;
+    extend(&places, block->px, block->py, block->pz, count);
+    const struct lx_ball from = ball_around(&places);
+    const struct lx_ball towards = {.center = {light->x, light->y, light->z}};
+    return lx_among_balls(plan->prepared, surface->shape.anchor_mm, &from, &towards, light->kind == LX_DISTANT, found);
+}
+
 static const float *find_open(const struct lx_plan *plan, const struct lx_planned_surface *surface,
                               const struct lx_light_run *run, const struct lx_light_double *light,
                               struct lx_shader_memory *memory, size_t count)
 {
     if (run->blocker_count == 0)
         return NULL;
+    const uint32_t *blockers = surface->blockers + run->blocker_first;
+    struct lx_found found;
+    const bool is_found = run->blocker_count > LX_FEW_BOXES && find_near(plan, surface, light, memory, count, &found);
+    const size_t all = lx_found_count(&found, is_found, run->blocker_count);
     for (size_t i = 0; i < lx_padded(count); i++)
         memory->open[i] = 1;
-    for (size_t b = 0; b < run->blocker_count; b++) {
-        const struct lx_planned_surface *blocker = &plan->surfaces[surface->blockers[run->blocker_first + b]];
+    for (size_t b = 0; b < all; b++) {
+        if (is_found && !lx_is_among(blockers, run->blocker_count, found.items[b]))
+            continue;
+        const struct lx_planned_surface *blocker = &plan->surfaces[is_found ? found.items[b] : blockers[b]];
         lx_block_one(plan->kernels, &blocker->shape, blocker == surface, surface->shape.anchor_mm, light,
                      &memory->seen.block, count, memory->open);
     }
@@ -160,40 +214,6 @@ void lx_shader_enter(const struct lx_plan *plan, struct lx_shader_memory *memory
 double lx_shader_error(const struct lx_shader_memory *memory)
 {
     return memory->error;
-}
-
-/* The lowest and highest of the three coordinates of vectors. */
-struct extent {
-    double low[3], high[3];
-};
-
-static const struct extent EMPTY = {{HUGE_VAL, HUGE_VAL, HUGE_VAL}, {-HUGE_VAL, -HUGE_VAL, -HUGE_VAL}};
-
-static void extend(struct extent *extent, const double *x, const double *y, const double *z, size_t count)
-{
-    const double *all[3] = {x, y, z};
-    for (int k = 0; k < 3; k++) {
-        double low = extent->low[k], high = extent->high[k];
-        for (size_t i = 0; i < count; i++) {
-            low = all[k][i] < low ? all[k][i] : low;
-            high = all[k][i] > high ? all[k][i] : high;
-        }
-        extent->low[k] = low;
-        extent->high[k] = high;
-    }
-}
-
-static struct lx_ball ball_around(const struct extent *extent)
-{
-    struct lx_ball ball;
-    double square = 0;
-    for (int k = 0; k < 3; k++) {
-        double half = (extent->high[k] - extent->low[k]) / 2;
-        ball.center[k] = extent->low[k] + half;
-        square += half * half;
-    }
-    ball.radius = sqrt(square);
-    return ball;
 }
 
 /* The cone of unit vectors in a box: they are in the ball around it. */
@@ -299,7 +319,9 @@ size_t lx_shade_row(const struct lx_plan *plan, struct lx_shader_memory *memory,
         memset(values, 0, count * sizeof *values);
     for (size_t i = 0; left > 0 && !seen->shows_one && i < count; i++)
         mask[i] = seen->shown[i] != 0;
-    for (size_t s = 0; left > 0 && s < plan->surface_count; s++) {
+    const size_t all = lx_found_count(&seen->found, seen->is_found, plan->surface_count);
+    for (size_t i = 0; left > 0 && i < all; i++) {
+        const size_t s = lx_found_at(&seen->found, seen->is_found, i);
         struct lx_gathered gathered = lx_seen_gather(plan, seen, s, count);
         const struct lx_cut *cut = NULL;
         if (gathered.count == 0)

@@ -10,6 +10,7 @@
 #include "../base/larger.h"
 #include "../base/memory.h"
 #include "../light/extended.h"
+#include "among.h"
 #include "blocking.h"
 #include "general.h"
 #include "penumbra.h"
@@ -205,6 +206,26 @@ static double cost_of(const struct lx_square *square, unsigned nodes, size_t tak
     return (double)taken * nodes + (double)(left - taken) * (square->side * square->side / PIXELS_A_NODE) + further;
 }
 
+/* Whether something may stand between a part of a surface and a light of a run. */
+static bool may_be_blocked(const struct lx_plan *plan, const struct lx_planned_surface *surface,
+                           const struct lx_light_run *run, const struct lx_ball *part, const struct lx_ball *light)
+{
+    const bool endless = run->kind == LX_DISTANT;
+    const double *anchor = surface->shape.anchor_mm;
+    const uint32_t *blockers = surface->blockers + run->blocker_first;
+    struct lx_found found;
+    const bool is_found =
+        run->blocker_count > LX_FEW_BOXES && lx_among_balls(plan->prepared, anchor, part, light, endless, &found);
+    const size_t count = lx_found_count(&found, is_found, run->blocker_count);
+    for (size_t b = 0; b < count; b++) {
+        const uint32_t s = is_found ? found.items[b] : blockers[b];
+        if ((!is_found || lx_is_among(blockers, run->blocker_count, s)) &&
+            lx_shape_may_block(&plan->surfaces[s].shape, anchor, part, light, endless))
+            return true;
+    }
+    return false;
+}
+
 /* Leaves lights, and extended sources, in whose way something may stand for some of the square. */
 static void leave_shadows(const struct lx_plan *plan, struct lx_fitting *fitting,
                           const struct lx_planned_surface *surface)
@@ -214,17 +235,13 @@ static void leave_shadows(const struct lx_plan *plan, struct lx_fitting *fitting
     for (size_t s = 0; s < surface->shell_count; s++)
         if (surface->shells[s].blocker_count > 0 && lx_shell_may_be_hidden(plan, surface, &surface->shells[s], &part))
             of_shells[s] = HUGE_VAL;
-    const double *anchor = surface->shape.anchor_mm;
     for (size_t r = 0; r < surface->run_count; r++) {
         const struct lx_light_run *run = &surface->runs[r];
         const struct lx_smooth_lights *lights = &surface->smooth.lights;
         for (size_t i = run->first; run->blocker_count > 0 && i < run->first + run->count; i++) {
             const struct lx_ball light = {.center = {lights->x[i], lights->y[i], lights->z[i]}};
-            bool is_free = true;
-            for (size_t b = 0; fitting->is_left[i] && is_free && b < run->blocker_count; b++)
-                is_free = !lx_shape_may_block(&plan->surfaces[surface->blockers[run->blocker_first + b]].shape, anchor,
-                                              &part, &light, run->kind == LX_DISTANT);
-            fitting->sizes[i] = is_free ? fitting->sizes[i] : HUGE_VAL;
+            if (fitting->is_left[i] && may_be_blocked(plan, surface, run, &part, &light))
+                fitting->sizes[i] = HUGE_VAL;
         }
     }
 }

@@ -6,6 +6,7 @@
 #include <string.h>
 
 #include "../base/larger.h"
+#include "among.h"
 #include "blocking.h"
 #include "camera.h"
 #include "general.h"
@@ -65,12 +66,18 @@ const struct lx_planned_surface *lx_surface_seen(const struct lx_plan *plan, dou
 {
     const struct lx_planned_surface *seen = NULL;
     const double x[2] = {x_mm, x_mm};
+    const double at[2] = {x_mm, y_mm};
     double nearest = HUGE_VAL, depth, place[3];
-    for (size_t s = 0; s < plan->surface_count; s++)
-        if (meet(plan, &plan->surfaces[s], x, y_mm, place, &depth) && depth < nearest) {
+    struct lx_found found;
+    const bool is_found = lx_seen_within(plan, at, at, &found);
+    const size_t count = lx_found_count(&found, is_found, plan->surface_count);
+    for (size_t i = 0; i < count; i++) {
+        const struct lx_planned_surface *surface = &plan->surfaces[lx_found_at(&found, is_found, i)];
+        if (meet(plan, surface, x, y_mm, place, &depth) && depth < nearest) {
             nearest = depth;
-            seen = &plan->surfaces[s];
+            seen = surface;
         }
+    }
     return seen;
 }
 
@@ -85,10 +92,15 @@ static bool is_free(const struct lx_plan *plan, const struct lx_square *square, 
     struct lx_ball eye = {.center = {0, 0, 1}};
     for (int i = 0; i < 3 && !endless; i++)
         eye.center[i] = (i == 2 ? camera->z_mm : 0) - surface->shape.anchor_mm[i];
-    for (size_t s = 0; s < plan->surface_count; s++)
-        if (&plan->surfaces[s] != surface && lx_shape_faces(&plan->surfaces[s].shape, &from) &&
-            lx_shape_may_block(&plan->surfaces[s].shape, surface->shape.anchor_mm, &part, &eye, endless))
+    struct lx_found found;
+    const bool is_found = lx_among_balls(plan->prepared, surface->shape.anchor_mm, &part, &eye, endless, &found);
+    const size_t count = lx_found_count(&found, is_found, plan->surface_count);
+    for (size_t i = 0; i < count; i++) {
+        const struct lx_planned_surface *other = &plan->surfaces[lx_found_at(&found, is_found, i)];
+        if (other != surface && lx_shape_faces(&other->shape, &from) &&
+            lx_shape_may_block(&other->shape, surface->shape.anchor_mm, &part, &eye, endless))
             return false;
+    }
     return true;
 }
 

@@ -6,6 +6,7 @@
 #include <string.h>
 
 #include "../surface/beside.h"
+#include "among.h"
 #include "camera.h"
 
 /* Emitters between two questions whether to go on. */
@@ -101,24 +102,46 @@ void lx_world_settle(const struct lx_world *world, const struct lx_settling *set
         elements->has_exact_normals = false;
     }
     set_views(world, settling, elements);
-    for (size_t s = 0; s < prepared->surface_count; s++)
+    const struct lx_ball here = {.radius = elements->around.radius};
+    struct lx_found found;
+    const bool is_found = lx_among_balls(prepared, elements->around.center, &here, &here, false, &found);
+    const size_t count = lx_found_count(&found, is_found, prepared->surface_count);
+    for (size_t i = 0; i < count; i++) {
+        const size_t s = lx_found_at(&found, is_found, i);
         if (may_hold(&prepared->surfaces[s].shape, elements)) {
             hold(world, s, elements);
             settle(world, s, elements);
         }
+    }
 }
 
 /* ---- what stands in the way ---- */
 
-/* Whether a surface may stand between the elements of a batch and an emitter. */
-static bool may_close(const struct lx_shape *shape, const struct lx_elements *elements, const struct lx_ways *ways)
+/* The ball around where ways lead to, or their direction. */
+static struct lx_ball end_of(const struct lx_ways *ways)
 {
-    const struct lx_ball ball = ball_of(shape);
     struct lx_ball towards = {.radius = 0};
     for (int k = 0; k < 3; k++) {
         towards.center[k] = ways->to[k];
         towards.radius += LX_BALL_ROOM * fabs(ways->to[k]);
     }
+    return towards;
+}
+
+/* Those of many surfaces that may stand between the elements of a batch and an emitter. */
+static bool find_near(const struct lx_prepared *prepared, const struct lx_elements *elements,
+                      const struct lx_ways *ways, struct lx_found *found)
+{
+    static const double origin[3];
+    const struct lx_ball towards = end_of(ways);
+    return lx_among_balls(prepared, origin, &elements->around, &towards, ways->endless, found);
+}
+
+/* Whether a surface may stand between the elements of a batch and an emitter. */
+static bool may_close(const struct lx_shape *shape, const struct lx_elements *elements, const struct lx_ways *ways)
+{
+    const struct lx_ball ball = ball_of(shape);
+    const struct lx_ball towards = end_of(ways);
     return lx_may_block(&ball, &elements->around, &towards, ways->endless);
 }
 
@@ -171,7 +194,11 @@ static const struct lx_column *find_open(const struct lx_world *world, const str
     if (!casts || emitter->type == LX_UNIFORM)
         return NULL;
     const struct lx_ways ways = ways_to(emitter);
-    for (size_t s = 0; s < prepared->surface_count; s++) {
+    struct lx_found found;
+    const bool is_found = find_near(prepared, elements, &ways, &found);
+    const size_t count = lx_found_count(&found, is_found, prepared->surface_count);
+    for (size_t i = 0; i < count; i++) {
+        const size_t s = lx_found_at(&found, is_found, i);
         const struct lx_shape *shape = &prepared->surfaces[s].shape;
         if (!may_close(shape, elements, &ways))
             continue;
