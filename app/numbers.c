@@ -292,7 +292,7 @@ void app_numbers_set_colors(AppNumbers *self, const char *palette, double low, d
     self->logarithmic = logarithmic;
 }
 
-static const char *const page_names[] = {"points", "section", "statistics"};
+static const char *const page_names[] = {"space", "points", "section", "statistics"};
 
 AppPage app_numbers_page(AppNumbers *self)
 {
@@ -346,15 +346,16 @@ static void app_numbers_init(AppNumbers *self)
     gtk_box_set_spacing(GTK_BOX(self), 8);
 }
 
-GtkWidget *app_numbers_new(AppDocument *document)
+GtkWidget *app_numbers_new(AppDocument *document, GtkWidget *space)
 {
     AppNumbers *self = g_object_new(APP_TYPE_NUMBERS, NULL);
     GtkWidget *switcher = gtk_stack_switcher_new();
     self->document = g_object_ref(document);
     self->stack = gtk_stack_new();
-    gtk_stack_add_titled(GTK_STACK(self->stack), new_points(self), page_names[0], _("Points"));
-    gtk_stack_add_titled(GTK_STACK(self->stack), new_sections(self), page_names[1], _("Section"));
-    gtk_stack_add_titled(GTK_STACK(self->stack), app_numbers_new_statistics(self), page_names[2], _("Statistics"));
+    gtk_stack_add_titled(GTK_STACK(self->stack), space, page_names[0], _("Plan"));
+    gtk_stack_add_titled(GTK_STACK(self->stack), new_points(self), page_names[1], _("Points"));
+    gtk_stack_add_titled(GTK_STACK(self->stack), new_sections(self), page_names[2], _("Section"));
+    gtk_stack_add_titled(GTK_STACK(self->stack), app_numbers_new_statistics(self), page_names[3], _("Statistics"));
     gtk_stack_switcher_set_stack(GTK_STACK_SWITCHER(switcher), GTK_STACK(self->stack));
     gtk_widget_set_vexpand(self->stack, TRUE);
     g_signal_connect_swapped(self->stack, "notify::visible-child", G_CALLBACK(page_turned), self);

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /*
- * The numbers beside the picture: a page each for points, sections and statistics.
+ * What stands beside the picture: a page each for the scene in space, points, sections and statistics.
  *
  * Signal: "wanted" when another page was turned to, which may need other numbers.
  */
@@ -15,9 +15,10 @@
 #define APP_TYPE_NUMBERS (app_numbers_get_type())
 G_DECLARE_FINAL_TYPE(AppNumbers, app_numbers, APP, NUMBERS, GtkBox)
 
-typedef enum AppPage { APP_PAGE_POINTS, APP_PAGE_SECTION, APP_PAGE_STATISTICS } AppPage;
+typedef enum AppPage { APP_PAGE_SPACE, APP_PAGE_POINTS, APP_PAGE_SECTION, APP_PAGE_STATISTICS } AppPage;
 
-GtkWidget *app_numbers_new(AppDocument *document);
+/* `space` is shown on the first page. */
+GtkWidget *app_numbers_new(AppDocument *document, GtkWidget *space);
 AppPage app_numbers_page(AppNumbers *self);
 void app_numbers_turn_to(AppNumbers *self, AppPage page);
 

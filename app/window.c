@@ -162,6 +162,7 @@ static void view_pointed(AppView *view, double x_mm, double y_mm, gboolean insid
     if (!inside) {
         gtk_label_set_text(GTK_LABEL(self->status_label), "");
         app_sources_show_shares(APP_SOURCES(self->sources), NULL);
+        app_stage_set_reading(APP_STAGE(self->stage), NULL);
     }
     app_window_ask_pointer(self);
 }
@@ -169,9 +170,10 @@ static void view_pointed(AppView *view, double x_mm, double y_mm, gboolean insid
 static void view_selected(AppView *view, int kind, guint index, AppWindow *self)
 {
     (void)view;
-    if (kind == APP_MARK_SOURCE)
+    if (kind == APP_MARK_SOURCE) {
         app_sources_choose(APP_SOURCES(self->sources), index);
-    else if (kind == APP_MARK_SURFACE)
+        app_stage_select(APP_STAGE(self->stage), index);
+    } else if (kind == APP_MARK_SURFACE)
         gtk_drop_down_set_selected(GTK_DROP_DOWN(self->surface_list), index);
 }
 
@@ -179,12 +181,38 @@ static void view_hovered(AppView *view, int kind, guint index, AppWindow *self)
 {
     (void)view;
     app_sources_hover(APP_SOURCES(self->sources), kind == APP_MARK_SOURCE ? (gssize)index : -1);
+    app_stage_hover(APP_STAGE(self->stage), kind == APP_MARK_SOURCE ? (gssize)index : -1);
+}
+
+static gboolean is_of_lamp(int kind)
+{
+    return kind != APP_THING_NONE && kind < APP_THING_SURFACE;
+}
+
+static void stage_hovered(AppStage *stage, int kind, guint index, AppWindow *self)
+{
+    const gssize light = is_of_lamp(kind) ? (gssize)index : -1;
+    app_stage_hover(stage, light);
+    app_sources_hover(APP_SOURCES(self->sources), light);
+    app_view_hover(self->view, light < 0 ? APP_MARK_NONE : APP_MARK_SOURCE, light < 0 ? 0 : (gsize)light);
+}
+
+static void stage_selected(AppStage *stage, int kind, guint index, AppWindow *self)
+{
+    (void)stage;
+    if (is_of_lamp(kind)) {
+        app_sources_choose(APP_SOURCES(self->sources), index);
+        app_view_select(self->view, APP_MARK_SOURCE, index);
+        app_stage_select(stage, index);
+    } else if (kind == APP_THING_SURFACE)
+        gtk_drop_down_set_selected(GTK_DROP_DOWN(self->surface_list), index);
 }
 
 static void list_hovered(AppSources *sources, int index, AppWindow *self)
 {
     (void)sources;
     app_view_hover(self->view, index < 0 ? APP_MARK_NONE : APP_MARK_SOURCE, index < 0 ? 0 : (gsize)index);
+    app_stage_hover(APP_STAGE(self->stage), index);
 }
 
 static void section_moved(AppView *view, double x_mm, double y_mm, AppWindow *self)
@@ -206,6 +234,7 @@ static void source_chosen(AppSources *sources, guint index, AppWindow *self)
 {
     (void)sources;
     app_view_select(self->view, APP_MARK_SOURCE, index);
+    app_stage_select(APP_STAGE(self->stage), index);
 }
 
 static void solo_changed(AppSources *sources, int index, AppWindow *self)
@@ -329,6 +358,8 @@ static void connect_parts(AppWindow *self)
     g_signal_connect(self->view, "selected", G_CALLBACK(view_selected), self);
     g_signal_connect(self->view, "hovered", G_CALLBACK(view_hovered), self);
     g_signal_connect(self->sources, "hovered", G_CALLBACK(list_hovered), self);
+    g_signal_connect(self->stage, "selected", G_CALLBACK(stage_selected), self);
+    g_signal_connect(self->stage, "hovered", G_CALLBACK(stage_hovered), self);
     g_signal_connect(self->view, "section-moved", G_CALLBACK(section_moved), self);
     g_signal_connect_swapped(self->view, "framed", G_CALLBACK(app_window_ask_picture), self);
     g_signal_connect(self->sources, "chosen", G_CALLBACK(source_chosen), self);
@@ -367,6 +398,7 @@ AppWindow *app_window_new(AppApplication *application)
     document_renamed(self);
     app_window_ask_picture(self);
     app_view_select(self->view, APP_MARK_SOURCE, 0);
+    app_stage_select(APP_STAGE(self->stage), 0);
     if (app_pulse_is_on())
         self->pulse_timer = g_timeout_add(PULSE_MS, show_pulse, self);
     gtk_widget_grab_focus(GTK_WIDGET(self->view));
@@ -455,7 +487,8 @@ static void app_window_init(AppWindow *self)
     self->pointer = app_pointer_new(app_window_show_reading, self);
     app_view_set_document(self->view, self->document);
     make_left(self);
-    self->numbers = app_numbers_new(self->document);
+    self->stage = app_stage_new(self->document);
+    self->numbers = app_numbers_new(self->document, self->stage);
     gtk_box_append(GTK_BOX(self->right_box), self->numbers);
     connect_parts(self);
     show_surface(self);

@@ -10,6 +10,7 @@
 #include "recovery.h"
 #include "repair.h"
 #include "sources.h"
+#include "stage.h"
 #include "view.h"
 #include "window.h"
 
@@ -51,7 +52,7 @@ struct _AppWindow {
     GMenu *builtin_menu, *recent_menu, *export_menu;
     /* made by hand */
     GtkWidget *screen_form, *surface_list, *surface_form, *material_form, *picture_form;
-    GtkWidget *sources, *points, *display_form, *numbers;
+    GtkWidget *sources, *points, *display_form, *numbers, *stage;
 };
 
 /* Whether the window is still there for what was begun in it: a file, a paste. */

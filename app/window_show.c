@@ -94,6 +94,7 @@ void app_window_show_picture(AppPicture *picture, gpointer owner)
     app_picture_unref(self->picture);
     self->picture = picture;
     app_view_set_picture(self->view, picture);
+    app_stage_set_moment(APP_STAGE(self->stage), picture->shot->moment);
     app_display_form_tell_range(APP_DISPLAY_FORM(self->display_form), picture->low, picture->high);
     app_form_suggest(APP_FORM(self->picture_form), "picture.range", picture->low, picture->high);
     app_numbers_set_colors(APP_NUMBERS(self->numbers), picture->display.palette, picture->low, picture->high,
@@ -232,5 +233,6 @@ void app_window_show_reading(const AppReading *reading, gpointer owner)
     }
     gtk_label_set_markup(GTK_LABEL(self->status_label), text->str);
     app_sources_show_shares(APP_SOURCES(self->sources), reading);
+    app_stage_set_reading(APP_STAGE(self->stage), reading);
     g_string_free(text, TRUE);
 }

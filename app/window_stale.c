@@ -19,6 +19,7 @@ static void dim(AppWindow *self, gboolean stale)
             gtk_widget_remove_css_class(parts[i], dimmed);
     app_view_set_stale(self->view, stale);
     app_sources_set_stale(APP_SOURCES(self->sources), stale);
+    app_stage_set_stale(APP_STAGE(self->stage), stale);
 }
 
 /* Marks the rows that the faults name, in whichever form they stand. */
