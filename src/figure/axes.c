@@ -61,7 +61,7 @@ static bool stand_apart(const struct lx_canvas *canvas, const struct lx_ticks *t
     const struct lx_type type = {.size = size};
     double end = -HUGE_VAL;
     for (size_t i = 0; i < ticks->count; i++) {
-        struct lx_box text = lx_measure(canvas, ticks->texts[i], &type);
+        struct lx_pane text = lx_measure(canvas, ticks->texts[i], &type);
         double half = (upright ? text.height : text.width) / 2;
         double at = length * lx_scale_place(scale, ticks->values[i]);
         if (at - half < end)
@@ -118,7 +118,7 @@ static void line(const struct lx_canvas *canvas, double x1, double y1, double x2
 static void draw_x(const struct lx_canvas *canvas, const struct lx_plot *plot, const char *label, bool grid)
 {
     const struct lx_type type = {.size = plot->size};
-    const struct lx_box *box = &plot->box;
+    const struct lx_pane *box = &plot->box;
     struct lx_ticks ticks = lx_ticks_along(canvas, &plot->x, box->width, plot->size, false, 7);
     double bottom = box->y + box->height, below = bottom + (TICK + GAP) * plot->size;
     for (size_t i = 0; i < ticks.count; i++) {
@@ -139,7 +139,7 @@ static void draw_x(const struct lx_canvas *canvas, const struct lx_plot *plot, c
 static void draw_y(const struct lx_canvas *canvas, const struct lx_plot *plot, const char *label, bool grid)
 {
     const struct lx_type type = {.size = plot->size};
-    const struct lx_box *box = &plot->box;
+    const struct lx_pane *box = &plot->box;
     struct lx_ticks ticks = lx_ticks_along(canvas, &plot->y, box->height, plot->size, true, 7);
     double right = box->x - (TICK + GAP) * plot->size, widest = 0;
     for (size_t i = 0; i < ticks.count; i++) {

@@ -34,7 +34,7 @@ const char *lx_tick_text(double value, char buffer[LX_TICK_TEXT]);
 
 /* A rectangle with two scales. */
 struct lx_plot {
-    struct lx_box box;
+    struct lx_pane box;
     struct lx_scale x, y;
     double size; /* of the letters */
 };

@@ -9,7 +9,7 @@
 static const double LINE = 0.06, WIDTH = 1.5, TICK = 0.35, GAP = 0.35, POINT = 1;
 
 /* The colours as an image of one column, so that no file holds hundreds of rectangles with seams between them. */
-static void draw_colors(const struct lx_bar *bar, const struct lx_canvas *canvas, const struct lx_box *box)
+static void draw_colors(const struct lx_bar *bar, const struct lx_canvas *canvas, const struct lx_pane *box)
 {
     enum { STEPS = 512 };
     cairo_surface_t *image = cairo_image_surface_create(CAIRO_FORMAT_RGB24, 1, STEPS);
@@ -46,7 +46,7 @@ static void draw_colors(const struct lx_bar *bar, const struct lx_canvas *canvas
 }
 
 /* The colours at the ends, which the points have, too. */
-static void draw_ends(const struct lx_bar *bar, const struct lx_canvas *canvas, const struct lx_box *box, double size)
+static void draw_ends(const struct lx_bar *bar, const struct lx_canvas *canvas, const struct lx_pane *box, double size)
 {
     for (int end = 0; end < 2; end++) {
         double color[3], half = box->height / 2 + POINT * size;
@@ -59,7 +59,7 @@ static void draw_ends(const struct lx_bar *bar, const struct lx_canvas *canvas, 
 }
 
 /* The bar's edge, pointed at the ends that have values beyond them. */
-static void trace_edge(const struct lx_bar *bar, const struct lx_canvas *canvas, const struct lx_box *box, double size)
+static void trace_edge(const struct lx_bar *bar, const struct lx_canvas *canvas, const struct lx_pane *box, double size)
 {
     double point = POINT * size, middle = box->x + box->width / 2, bottom = box->y + box->height;
     cairo_t *cairo = canvas->cairo;
@@ -75,7 +75,7 @@ static void trace_edge(const struct lx_bar *bar, const struct lx_canvas *canvas,
 }
 
 /* The levels of the isophotes that the map shows. */
-static void draw_levels(const struct lx_bar *bar, const struct lx_canvas *canvas, const struct lx_box *box)
+static void draw_levels(const struct lx_bar *bar, const struct lx_canvas *canvas, const struct lx_pane *box)
 {
     for (size_t i = 0; bar->lined && i < bar->level_count; i++) {
         double t = lx_scale_place(&bar->scale, bar->levels[i]), color[3];
@@ -98,7 +98,7 @@ static struct lx_ticks bar_ticks(const struct lx_bar *bar, const struct lx_canva
     struct lx_ticks ticks = lx_ticks_along(canvas, &bar->scale, length, size, !bar->lying, 9);
     *across = 0;
     for (size_t i = 0; i < ticks.count; i++) {
-        struct lx_box text = lx_measure(canvas, ticks.texts[i], &type);
+        struct lx_pane text = lx_measure(canvas, ticks.texts[i], &type);
         *across = fmax(*across, bar->lying ? text.height : text.width);
     }
     return ticks;
@@ -120,11 +120,11 @@ double lx_bar_room(const struct lx_bar *bar, const struct lx_canvas *canvas, dou
 }
 
 /* Upright; that of a bar which lies was turned a quarter clockwise, so its ticks' texts are turned back. */
-static void draw_upright(const struct lx_bar *bar, const struct lx_canvas *canvas, const struct lx_box *place,
+static void draw_upright(const struct lx_bar *bar, const struct lx_canvas *canvas, const struct lx_pane *place,
                          double size)
 {
     const struct lx_type type = {.size = size}, label = label_type(place->height, size);
-    struct lx_box box = *place;
+    struct lx_pane box = *place;
     double across, right = box.x + WIDTH * size;
     box.width = WIDTH * size;
     box.y += bar->has_above ? POINT * size : 0;
@@ -155,14 +155,14 @@ static void draw_upright(const struct lx_bar *bar, const struct lx_canvas *canva
                  0.5, 0, -M_PI / 2);
 }
 
-void lx_draw_bar(const struct lx_bar *bar, const struct lx_canvas *canvas, const struct lx_box *place, double size)
+void lx_draw_bar(const struct lx_bar *bar, const struct lx_canvas *canvas, const struct lx_pane *place, double size)
 {
     if (!bar->lying) {
         draw_upright(bar, canvas, place, size);
         return;
     }
     /* x runs down and y to the left */
-    const struct lx_box turned = {place->y, -(place->x + place->width), place->height, place->width};
+    const struct lx_pane turned = {place->y, -(place->x + place->width), place->height, place->width};
     cairo_save(canvas->cairo);
     cairo_transform(canvas->cairo, &(cairo_matrix_t){.xx = 0, .yx = 1, .xy = -1, .yy = 0});
     draw_upright(bar, canvas, &turned, size);

@@ -68,20 +68,20 @@ static PangoLayout *layout_of(const struct lx_canvas *canvas, const char *text, 
     return layout;
 }
 
-static struct lx_box size_of(PangoLayout *layout)
+static struct lx_pane size_of(PangoLayout *layout)
 {
     PangoRectangle logical;
     pango_layout_get_extents(layout, NULL, &logical);
     /* wrapped lines around their middle begin within the room that they have */
-    return (struct lx_box){.x = (double)logical.x / PANGO_SCALE,
-                           .width = (double)logical.width / PANGO_SCALE,
-                           .height = (double)logical.height / PANGO_SCALE};
+    return (struct lx_pane){.x = (double)logical.x / PANGO_SCALE,
+                            .width = (double)logical.width / PANGO_SCALE,
+                            .height = (double)logical.height / PANGO_SCALE};
 }
 
-struct lx_box lx_measure(const struct lx_canvas *canvas, const char *text, const struct lx_type *type)
+struct lx_pane lx_measure(const struct lx_canvas *canvas, const char *text, const struct lx_type *type)
 {
     PangoLayout *layout = layout_of(canvas, text, type);
-    struct lx_box size = size_of(layout);
+    struct lx_pane size = size_of(layout);
     g_object_unref(layout);
     return size;
 }
@@ -90,7 +90,7 @@ void lx_write(const struct lx_canvas *canvas, const char *text, const struct lx_
               double across, double down, double turned)
 {
     PangoLayout *layout = layout_of(canvas, text, type);
-    struct lx_box size = size_of(layout);
+    struct lx_pane size = size_of(layout);
     cairo_t *cairo = canvas->cairo;
     cairo_save(cairo);
     cairo_translate(cairo, x, y);

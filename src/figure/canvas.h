@@ -13,7 +13,7 @@ struct lx_canvas {
     double ink[3], ground[3], faint[3];
 };
 
-struct lx_box {
+struct lx_pane {
     double x, y, width, height;
 };
 
@@ -34,7 +34,7 @@ struct lx_type {
 };
 
 /* Width and height of a text. */
-struct lx_box lx_measure(const struct lx_canvas *canvas, const char *text, const struct lx_type *type);
+struct lx_pane lx_measure(const struct lx_canvas *canvas, const char *text, const struct lx_type *type);
 
 /*
  * Draws a text so that the point of it at (across, down), shares of its width and height, stands at (x, y); turned

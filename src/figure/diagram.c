@@ -44,7 +44,7 @@ void lx_curve_line(const struct lx_canvas *canvas, size_t curve, double size)
     lx_curve_color(canvas, curve, 1);
 }
 
-double lx_draw_names(const struct lx_canvas *canvas, const struct lx_box *place, double size, const char *const *names,
+double lx_draw_names(const struct lx_canvas *canvas, const struct lx_pane *place, double size, const char *const *names,
                      const size_t *curves, size_t count, bool drawn)
 {
     const struct lx_type type = {.size = size};
@@ -108,7 +108,7 @@ static double draw(const void *what, cairo_t *cairo, double width)
     cairo_t *context = cairo ? cairo : cairo_create(nowhere); /* measuring needs fonts, too */
     struct lx_canvas canvas = lx_canvas_of(context, diagram->settings.dark);
     double size = fmin(fmax(width / 40, 6), 12), margin = size;
-    struct lx_box place = {.x = margin, .y = margin, .width = width - 2 * margin};
+    struct lx_pane place = {.x = margin, .y = margin, .width = width - 2 * margin};
     struct lx_type type = {.size = 1.2 * size, .bold = true, .wrap = place.width};
     const char *title = diagram->settings.title;
     if (title && *title) {

@@ -31,15 +31,15 @@ void lx_curve_color(const struct lx_canvas *canvas, size_t curve, double opacity
 void lx_curve_line(const struct lx_canvas *canvas, size_t curve, double size);
 
 /* Names of curves with their lines, from a place on within a width; returns where they end. */
-double lx_draw_names(const struct lx_canvas *canvas, const struct lx_box *place, double size, const char *const *names,
+double lx_draw_names(const struct lx_canvas *canvas, const struct lx_pane *place, double size, const char *const *names,
                      const size_t *curves, size_t count, bool drawn);
 
 /* Each draws from the top of the place on within its width, or only measures; returns where it ends. */
-double lx_draw_polar(const struct lx_diagram *diagram, const struct lx_canvas *canvas, const struct lx_box *place,
+double lx_draw_polar(const struct lx_diagram *diagram, const struct lx_canvas *canvas, const struct lx_pane *place,
                      double size, bool drawn);
-double lx_draw_cartesian(const struct lx_diagram *diagram, const struct lx_canvas *canvas, const struct lx_box *place,
+double lx_draw_cartesian(const struct lx_diagram *diagram, const struct lx_canvas *canvas, const struct lx_pane *place,
                          double size, bool drawn);
-double lx_draw_cone(const struct lx_diagram *diagram, const struct lx_canvas *canvas, const struct lx_box *place,
+double lx_draw_cone(const struct lx_diagram *diagram, const struct lx_canvas *canvas, const struct lx_pane *place,
                     double size, bool drawn);
 
 #endif

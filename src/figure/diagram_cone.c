@@ -44,7 +44,7 @@ static void write_heads(const struct lx_diagram *diagram, const struct lx_canvas
 }
 
 /* The cone with a line at each distance; wide beams are drawn only as wide as there is room. */
-static void draw_beam(const struct lx_canvas *canvas, const struct lx_box *box, double beam_deg, double size)
+static void draw_beam(const struct lx_canvas *canvas, const struct lx_pane *box, double beam_deg, double size)
 {
     cairo_t *cairo = canvas->cairo;
     double x = box->x + box->width / 2, half = 0.5 * box->width;
@@ -70,7 +70,7 @@ static void draw_beam(const struct lx_canvas *canvas, const struct lx_box *box, 
     }
 }
 
-double lx_draw_cone(const struct lx_diagram *diagram, const struct lx_canvas *canvas, const struct lx_box *place,
+double lx_draw_cone(const struct lx_diagram *diagram, const struct lx_canvas *canvas, const struct lx_pane *place,
                     double size, bool drawn)
 {
     const luxel_photometry_figures *figures = &diagram->figures;
@@ -78,7 +78,7 @@ double lx_draw_cone(const struct lx_diagram *diagram, const struct lx_canvas *ca
     const char *print = lx_diagram_word(diagram, LX_N("distance, diameters of the beam (50 %) in m, illuminance in the "
                                                       "middle"));
     double line = lx_measure(canvas, "0", &small).height, height = 0.6 * place->width;
-    struct lx_box cone = {.x = place->x, .y = place->y + 1.5 * line, .width = 0.42 * place->width, .height = height};
+    struct lx_pane cone = {.x = place->x, .y = place->y + 1.5 * line, .width = 0.42 * place->width, .height = height};
     double columns[COLUMNS], end = cone.y + height + line;
     for (int i = 0; i < COLUMNS; i++)
         columns[i] = place->x + place->width * (0.53 + 0.155 * i);

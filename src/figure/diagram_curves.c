@@ -99,11 +99,11 @@ static void draw_section(const struct lx_canvas *canvas, const struct net *net, 
     cairo_stroke(canvas->cairo);
 }
 
-double lx_draw_polar(const struct lx_diagram *diagram, const struct lx_canvas *canvas, const struct lx_box *place,
+double lx_draw_polar(const struct lx_diagram *diagram, const struct lx_canvas *canvas, const struct lx_pane *place,
                      double size, bool drawn)
 {
     const struct lx_type type = {.size = size};
-    const struct lx_box angle = lx_measure(canvas, "120°", &type);
+    const struct lx_pane angle = lx_measure(canvas, "120°", &type);
     const char *const names[] = {lx_section_name(diagram, 0), lx_section_name(diagram, 1)};
     struct net net = {.has_above = has_light(diagram, true)};
     net.has_below = has_light(diagram, false) || !net.has_above;
@@ -122,7 +122,7 @@ double lx_draw_polar(const struct lx_diagram *diagram, const struct lx_canvas *c
         draw_values(canvas, &net, size);
         lx_write(canvas, lx_diagram_word(diagram, diagram->unit), &type, place->x + place->width, end, 1, 0, 0);
     }
-    const struct lx_box below = {.x = place->x, .y = end, .width = place->width - 5 * size};
+    const struct lx_pane below = {.x = place->x, .y = end, .width = place->width - 5 * size};
     return lx_draw_names(canvas, &below, size, names, (const size_t[]){0, 1}, diagram->is_axial ? 1 : 2, drawn);
 }
 
@@ -175,7 +175,7 @@ static void draw_curve(const struct lx_canvas *canvas, const struct lx_plot *plo
     cairo_stroke(canvas->cairo);
 }
 
-double lx_draw_cartesian(const struct lx_diagram *diagram, const struct lx_canvas *canvas, const struct lx_box *place,
+double lx_draw_cartesian(const struct lx_diagram *diagram, const struct lx_canvas *canvas, const struct lx_pane *place,
                          double size, bool drawn)
 {
     static const size_t all[] = {0, 1, 2, 3};
@@ -196,6 +196,6 @@ double lx_draw_cartesian(const struct lx_diagram *diagram, const struct lx_canva
         }
         cairo_set_dash(canvas->cairo, NULL, 0, 0);
     }
-    const struct lx_box below = {.x = place->x, .y = place->y + height + 0.6 * size, .width = place->width};
+    const struct lx_pane below = {.x = place->x, .y = place->y + height + 0.6 * size, .width = place->width};
     return lx_draw_names(canvas, &below, size, curves.names, all, curves.count, drawn);
 }

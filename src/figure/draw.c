@@ -46,7 +46,7 @@ static double draw_map_and_bar(const struct lx_figure *figure, const struct lx_c
     const char *x_label = lx_figure_word(figure, LX_N("x, mm")), *y_label = lx_figure_word(figure, LX_N("y, mm"));
     double aspect = screen->height_mm / screen->width_mm, bar_height = 0, room = 0, gap = 0, bar_width = 0;
     struct lx_margins margins = {0};
-    plot.box = (struct lx_box){.width = layout->width / 2, .height = layout->width / 2 * aspect};
+    plot.box = (struct lx_pane){.width = layout->width / 2, .height = layout->width / 2 * aspect};
     for (int pass = 0; pass < 3; pass++) { /* ticks and labels, and with them the room, depend on the size */
         margins = lx_plot_margins(canvas, &plot, x_label, y_label);
         /* a low map gets a bar that its ticks have room on */
@@ -62,7 +62,7 @@ static double draw_map_and_bar(const struct lx_figure *figure, const struct lx_c
     plot.box.x = layout->margin + margins.left + (room - plot.box.width) / 2;
     plot.box.y = top + margins.above + shift;
     if (drawn) {
-        struct lx_box colors = {plot.box.x + plot.box.width + gap, plot.box.y - shift, bar_width, bar_height};
+        struct lx_pane colors = {plot.box.x + plot.box.width + gap, plot.box.y - shift, bar_width, bar_height};
         lx_draw_map(figure, canvas, &plot);
         lx_draw_axes(canvas, &plot, x_label, y_label, false);
         lx_draw_bar(&bar, canvas, &colors, layout->size);
@@ -107,7 +107,7 @@ static double draw_legend(const struct lx_figure *figure, const struct lx_canvas
         .whole = lx_figure_word(figure, LX_N("all together")),
         .stacked = figure->settings.stacked,
     };
-    const struct lx_box place = {.x = layout->margin, .y = top, .width = layout->width - 2 * layout->margin};
+    const struct lx_pane place = {.x = layout->margin, .y = top, .width = layout->width - 2 * layout->margin};
     return lx_draw_legend(&legend, canvas, &place, layout->size, drawn);
 }
 

@@ -93,7 +93,7 @@ luxel_status lx_drawing_end(struct lx_canvas *canvas)
 
 bool lx_fit_plot(const struct lx_canvas *canvas, struct lx_plot *plot, const char *x_label, const char *y_label)
 {
-    const struct lx_box place = plot->box;
+    const struct lx_pane place = plot->box;
     for (int pass = 0; pass < 3; pass++) { /* ticks and labels, and with them the room, depend on the size */
         struct lx_margins margins = lx_plot_margins(canvas, plot, x_label, y_label);
         double right = fmax(margins.right, 0.3 * plot->size), above = fmax(margins.above, 0.3 * plot->size);
@@ -122,16 +122,16 @@ static struct lx_bar bar_of(const luxel_bar *bar, bool lying)
 }
 
 /* Where the bar itself goes: the ticks' texts at its ends reach beyond it by half of what they take along it. */
-static struct lx_box bar_place(const struct lx_bar *bar, const struct lx_canvas *canvas, double width, double height,
-                               double size)
+static struct lx_pane bar_place(const struct lx_bar *bar, const struct lx_canvas *canvas, double width, double height,
+                                double size)
 {
     const struct lx_type type = {.size = size};
-    struct lx_box place = {.width = width, .height = height};
+    struct lx_pane place = {.width = width, .height = height};
     const struct lx_ticks ticks =
         lx_ticks_along(canvas, &bar->scale, bar->lying ? width : height, size, !bar->lying, 9);
     double beyond = 0;
     for (size_t i = 0; i < ticks.count; i++) {
-        struct lx_box text = lx_measure(canvas, ticks.texts[i], &type);
+        struct lx_pane text = lx_measure(canvas, ticks.texts[i], &type);
         beyond = fmax(beyond, (bar->lying ? text.width : text.height) / 2);
     }
     double edge = fmin(fmax(beyond, 0.1 * size), 0.2 * (bar->lying ? width : height));
@@ -149,7 +149,7 @@ luxel_status luxel_draw_bar(cairo_t *cairo, const luxel_drawing_style *style, co
         return LUXEL_ERROR_ARGUMENT;
     struct lx_bar drawn = bar_of(bar, width > height);
     struct lx_canvas canvas = lx_drawing_begin(cairo, style, width, height);
-    const struct lx_box place = bar_place(&drawn, &canvas, width, height, style->letters);
+    const struct lx_pane place = bar_place(&drawn, &canvas, width, height, style->letters);
     double length = drawn.lying ? place.width : place.height, across = drawn.lying ? place.height : place.width;
     if (lx_bar_room(&drawn, &canvas, length, style->letters) > across + 0.5)
         drawn.label = NULL;
@@ -166,7 +166,7 @@ luxel_status luxel_measure_bar(const luxel_drawing_style *style, const luxel_bar
     cairo_surface_t *nowhere = cairo_recording_surface_create(CAIRO_CONTENT_COLOR_ALPHA, NULL);
     cairo_t *cairo = cairo_create(nowhere);
     struct lx_canvas canvas = lx_drawing_begin(cairo, style, length, length);
-    const struct lx_box place = bar_place(&measured, &canvas, length, length, style->letters);
+    const struct lx_pane place = bar_place(&measured, &canvas, length, length, style->letters);
     *room = lx_bar_room(&measured, &canvas, lying ? place.width : place.height, style->letters) + 0.2 * style->letters;
     luxel_status status = lx_drawing_end(&canvas);
     cairo_destroy(cairo);

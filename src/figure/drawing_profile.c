@@ -141,14 +141,14 @@ static void draw(struct drawing *drawing, const struct lx_canvas *canvas, double
 {
     const double size = drawing->plot.size;
     const double least = 5 * size; /* of the plot, that a legend must leave */
-    struct lx_box below = {.x = 0.3 * size, .width = width - 0.6 * size};
+    struct lx_pane below = {.x = 0.3 * size, .width = width - 0.6 * size};
     double legend = lx_draw_legend(&drawing->legend, canvas, &below, size, false);
     struct lx_plot *plot = &drawing->plot;
-    plot->box = (struct lx_box){.width = width, .height = height - legend - (legend > 0 ? 0.4 * size : 0)};
+    plot->box = (struct lx_pane){.width = width, .height = height - legend - (legend > 0 ? 0.4 * size : 0)};
     bool fits = plot->box.height > 0 && lx_fit_plot(canvas, plot, drawing->x_label, drawing->y_label);
     if (legend > 0 && (!fits || plot->box.height < least)) {
         legend = 0;
-        plot->box = (struct lx_box){.width = width, .height = height};
+        plot->box = (struct lx_pane){.width = width, .height = height};
         fits = lx_fit_plot(canvas, plot, drawing->x_label, drawing->y_label);
     }
     if (!fits)

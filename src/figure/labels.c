@@ -66,7 +66,7 @@ static bool meet(const struct lx_patch *a, const struct lx_patch *b)
 
 static bool fits(const struct lx_labels *labels, const struct lx_patch *patch)
 {
-    const struct lx_box *map = &labels->plot->box;
+    const struct lx_pane *map = &labels->plot->box;
     double across = reach_along(patch, 1, 0) + AWAY * labels->size, up = reach_along(patch, 0, 1) + AWAY * labels->size;
     if (patch->x - across < map->x || patch->x + across > map->x + map->width || patch->y - up < map->y ||
         patch->y + up > map->y + map->height)
@@ -84,7 +84,7 @@ static bool fits(const struct lx_labels *labels, const struct lx_patch *patch)
 
 static uint16_t *cell_at(struct lx_labels *labels, double x, double y)
 {
-    const struct lx_box *map = &labels->plot->box;
+    const struct lx_pane *map = &labels->plot->box;
     double column = floor((x - map->x) / map->width * LX_LABEL_CELLS);
     double row = floor((y - map->y) / map->height * LX_LABEL_CELLS);
     if (!(column >= 0 && column < LX_LABEL_CELLS && row >= 0 && row < LX_LABEL_CELLS))
@@ -95,7 +95,7 @@ static uint16_t *cell_at(struct lx_labels *labels, double x, double y)
 /* Enters a stretch of a line into the cells that it runs through. */
 static void enter(struct lx_labels *labels, const double from[2], const double to[2], uint16_t line)
 {
-    const struct lx_box *map = &labels->plot->box;
+    const struct lx_pane *map = &labels->plot->box;
     double cell = fmin(map->width, map->height) / LX_LABEL_CELLS;
     double steps = fmin(ceil(hypot(to[0] - from[0], to[1] - from[1]) / cell) + 1, 4 * LX_LABEL_CELLS);
     for (double i = 0; i <= steps; i++) {
@@ -157,7 +157,7 @@ static double crowded(struct lx_labels *labels, const struct lx_patch *patch, ui
 static void ground_at(const struct lx_labels *labels, double x, double y, double color[3])
 {
     const struct lx_figure *figure = labels->figure;
-    const struct lx_box *map = &labels->plot->box;
+    const struct lx_pane *map = &labels->plot->box;
     const luxel_field *field = figure->field;
     unsigned columns = luxel_field_columns(field), rows = luxel_field_rows(field);
     double u = floor((x - map->x) / map->width * columns), v = floor((y - map->y) / map->height * rows);
@@ -233,7 +233,7 @@ static void place_beside(struct lx_labels *labels, struct lx_label *label)
     static const double directions[][2] = {{1, -1}, {1, 1}, {-1, -1}, {-1, 1}, {1, 0}, {-1, 0}, {0, -1}, {0, 1}};
     static const double steps[] = {0.55, 1.3, 2.2, 3.4, 5};
     struct lx_type type = {.size = LETTERS * labels->size, .bold = true};
-    struct lx_box text = lx_measure(labels->canvas, label->text, &type);
+    struct lx_pane text = lx_measure(labels->canvas, label->text, &type);
     struct lx_patch best = {.width = 0};
     double least = HUGE_VAL;
     for (size_t i = 0; i < LX_COUNT(steps) * LX_COUNT(directions); i++) {
@@ -299,7 +299,7 @@ static void at_length(double (*track)[3], size_t count, double length, double at
 }
 
 /* Along the chord under the label, upright for who reads; how far the line bulges away from it counts against it. */
-static double try_place(struct lx_labels *labels, size_t count, double length, const struct lx_box *text, uint16_t own,
+static double try_place(struct lx_labels *labels, size_t count, double length, const struct lx_pane *text, uint16_t own,
                         struct lx_patch *patch)
 {
     double before[2], behind[2], middle[2], total = labels->track[count - 1][2], half = text->width / 2;
@@ -328,7 +328,7 @@ static void label_line(struct lx_labels *labels, size_t index)
     struct lx_type type = {.size = LETTERS * labels->size};
     struct lx_label label = {.mark = LX_MARK_NONE};
     lx_tick_text(line->level, label.text);
-    struct lx_box text = lx_measure(labels->canvas, label.text, &type);
+    struct lx_pane text = lx_measure(labels->canvas, label.text, &type);
     text.width += 0.35 * type.size; /* a little of the line is left out on either side */
     text.height *= 0.8;
     /* a label must not be most of its line */
@@ -405,7 +405,7 @@ void lx_place_labels(struct lx_labels *labels, const struct lx_figure *figure, c
 
 void lx_clip_labels(const struct lx_labels *labels)
 {
-    const struct lx_box *map = &labels->plot->box;
+    const struct lx_pane *map = &labels->plot->box;
     cairo_t *cairo = labels->canvas->cairo;
     cairo_rectangle(cairo, map->x, map->y, map->width, map->height);
     for (size_t i = 0; i < labels->count; i++) {

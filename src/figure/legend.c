@@ -7,12 +7,12 @@
 
 /* A name with its line or patch; returns its height, and how wide it is with what keeps it apart. */
 static double draw_name(const struct lx_legend *legend, const struct lx_canvas *canvas, double width, double size,
-                        size_t light, struct lx_box *box, bool drawn)
+                        size_t light, struct lx_pane *box, bool drawn)
 {
     bool whole = light == legend->count;
     const char *name = whole ? legend->whole : legend->names[light];
     struct lx_type type = {.size = size, .wrap = width - 2 * size};
-    struct lx_box text = lx_measure(canvas, name, &type);
+    struct lx_pane text = lx_measure(canvas, name, &type);
     double line = lx_measure(canvas, "0", &type).height, y = box->y + line / 2, color[3];
     box->width = text.width + 2 * size;
     box->height = text.height;
@@ -31,10 +31,10 @@ static double draw_name(const struct lx_legend *legend, const struct lx_canvas *
     return text.height;
 }
 
-double lx_draw_legend(const struct lx_legend *legend, const struct lx_canvas *canvas, const struct lx_box *place,
+double lx_draw_legend(const struct lx_legend *legend, const struct lx_canvas *canvas, const struct lx_pane *place,
                       double size, bool drawn)
 {
-    struct lx_box box = {.x = place->x, .y = place->y};
+    struct lx_pane box = {.x = place->x, .y = place->y};
     double row = 0;
     if (legend->count < 2)
         return place->y;

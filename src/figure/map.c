@@ -205,7 +205,7 @@ static void draw_section_lines(const struct lx_figure *figure, const struct lx_c
                                const struct lx_plot *plot)
 {
     const double dashes[] = {0.6 * plot->size, 0.4 * plot->size};
-    const struct lx_box *box = &plot->box;
+    const struct lx_pane *box = &plot->box;
     double x = lx_plot_x(plot, figure->section_mm[0]), y = lx_plot_y(plot, figure->section_mm[1]);
     if (!figure->sections[0])
         return;

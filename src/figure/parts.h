@@ -22,7 +22,7 @@ struct lx_bar {
 
 /* How much room a bar of this length takes across, with its ticks and label. */
 double lx_bar_room(const struct lx_bar *bar, const struct lx_canvas *canvas, double length, double size);
-void lx_draw_bar(const struct lx_bar *bar, const struct lx_canvas *canvas, const struct lx_box *place, double size);
+void lx_draw_bar(const struct lx_bar *bar, const struct lx_canvas *canvas, const struct lx_pane *place, double size);
 
 /* What curves are drawn along. */
 enum lx_along { LX_ALONG_X, LX_ALONG_Y, LX_ALONG_WAY };
@@ -56,7 +56,7 @@ struct lx_legend {
 
 /* Draws it, or only measures, from the place's top on and within its width; returns where it ends.  A single light has
  * none. */
-double lx_draw_legend(const struct lx_legend *legend, const struct lx_canvas *canvas, const struct lx_box *place,
+double lx_draw_legend(const struct lx_legend *legend, const struct lx_canvas *canvas, const struct lx_pane *place,
                       double size, bool drawn);
 
 /* From 0 (black) to 1 (white). */

@@ -12,7 +12,7 @@
 static const double APART = 72 / 25.4;
 enum { CELLS_APART = 3, CELLS_TO_COME_BACK = 6, MOST_CELLS = 3000 };
 
-void lx_thinning_begin(struct lx_thinning *thinning, const struct lx_box *box)
+void lx_thinning_begin(struct lx_thinning *thinning, const struct lx_pane *box)
 {
     const double largest = fmax(box->width, box->height);
     thinning->cell = fmax(APART / CELLS_APART, largest / MOST_CELLS);

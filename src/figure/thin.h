@@ -16,7 +16,7 @@ struct lx_thinning {
 };
 
 /* For a rectangle of the map; without memory for it nothing is left out. */
-void lx_thinning_begin(struct lx_thinning *thinning, const struct lx_box *box);
+void lx_thinning_begin(struct lx_thinning *thinning, const struct lx_pane *box);
 void lx_thinning_clear(struct lx_thinning *thinning);
 
 /* Adds what is to be drawn of a line of this level to the path of `cairo`, and takes it for drawn. */
