@@ -13,8 +13,8 @@ from completion import completed
 from luxel import generator
 from tap import Tap
 
-SCENES = 10  # of each kind
-EXTENDED_SCENES = 3
+SCENES = 4  # of each kind
+EXTENDED_SCENES = 1
 
 
 def test_cases(tap):

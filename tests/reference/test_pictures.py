@@ -19,7 +19,7 @@ import vector_model
 from luxel import arguments, generator, read_png
 from tap import Tap
 
-SCENES = 10                                        # of each kind
+SCENES = 5                                         # of each kind
 BOUNDS = {'single': 2e-6, 'double': 1e-11}         # of the picture's maximum,
 DARK = {'single': 1.2e-38, 'double': 1e-290}       # or this where the numbers end
 THREADS = (1, 2, 7)

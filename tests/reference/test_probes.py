@@ -14,7 +14,7 @@ import scenes
 from luxel import Failed, arguments, generator
 from tap import Tap
 
-SCENES = 40           # of each kind
+SCENES = 15           # of each kind
 # Relative accuracy up to a condition: the relative change of the value per relative move of the place.
 ACCURACY = ((50, 1e-12), (1000, 1e-11))
 STATED = 3e-12        # the stated error, relative, per 1 + condition
