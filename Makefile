@@ -202,7 +202,7 @@ frozen freeze: setup $(BUILD)/build.ninja
 check-valgrind: build
 	@tools/setup valgrind
 	@PYTHONPATH=tests PYTHONDONTWRITEBYTECODE=1 $(PYTHON) tests/cli/under_valgrind.py $(BUILD)/cli/luxel $(VALGRIND)
-	@$(RUN_TESTS) $(BUILD) --num-processes $(JOBS) --suite unit --suite fuzz --no-suite long \
+	@LUXEL_CAMPAIGN=$(CAMPAIGN) $(RUN_TESTS) $(BUILD) --num-processes $(JOBS) --suite unit --suite fuzz --no-suite long \
 	    --timeout-multiplier 50 --wrapper='$(VALGRIND)' $(TESTS)
 
 # A PREFIX that is given now holds, whatever the folder was configured for.
