@@ -275,6 +275,20 @@ static void show_menu(AppRow *row, GtkWidget *at, Entry *entry)
 
 /* ---- making rows ---- */
 
+/* The window chooses the file, as it knows which kinds there are. */
+static void browse(AppRow *row, Entry *entry)
+{
+    char *path = app_keys_path(&entry->form->keys, entry->parameter);
+    gtk_widget_activate_action(GTK_WIDGET(row), "win.choose-file", "s", path);
+    g_free(path);
+}
+
+static gboolean is_file(const luxel_parameter *parameter)
+{
+    return parameter->value_type == LUXEL_TEXT &&
+           (g_str_has_suffix(parameter->path, ".file") || g_str_has_suffix(parameter->path, ".mesh"));
+}
+
 static void add_entry(AppForm *self, const luxel_parameter *parameter, int component)
 {
     Entry *entry = g_new0(Entry, 1);
@@ -289,11 +303,13 @@ static void add_entry(AppForm *self, const luxel_parameter *parameter, int compo
         .advised = parameter->advised_range[MAX(component, 0)],
         .advised_words = parameter->advised,
         .hint = parameter->choices ? parameter->choices : parameter->type,
+        .is_file = is_file(parameter),
     };
     *entry = (Entry){self, parameter, component, app_row_new(&spec)};
     g_signal_connect(entry->row, "edited", G_CALLBACK(edited), entry);
     g_signal_connect(entry->row, "reset", G_CALLBACK(reset), entry);
     g_signal_connect(entry->row, "menu", G_CALLBACK(show_menu), entry);
+    g_signal_connect(entry->row, "browse", G_CALLBACK(browse), entry);
     gtk_box_append(GTK_BOX(self), entry->row);
     g_ptr_array_add(self->entries, entry);
     g_free(label);

@@ -9,6 +9,7 @@
 #include "number.h"
 #include "picture.h"
 #include "rules.h"
+#include "scalar.h"
 
 enum { LOOK = 48 /* pixels across of the pictures that tell how strong sources are */ };
 static const double STEP_MM = 100;                       /* between a source and its double */
@@ -211,27 +212,43 @@ static void become_as_strong(AppDocument *trial, gsize light, double wanted)
 
 /* ---- all of it ---- */
 
-char *app_new_source(const AppDocument *document, const luxel_parameters *parameters, const char *kind, gsize chosen)
+/* A source made from an example; `is_as_strong`: it gives as much light as the chosen one. */
+static char *make(const AppDocument *document, const luxel_parameters *parameters, const char *example, gsize chosen,
+                  gboolean is_as_strong)
 {
-    const luxel_kind *found = find_kind(parameters, kind);
     const gsize light = app_document_size(document, "lights");
     const gboolean is_like = chosen < light;
-    if (!found || !found->example)
-        return NULL;
     AppDocument *trial = app_document_copy(document);
-    const AppEdit edit = {.kind = APP_EDIT_INSERT, .key = "lights", .value = found->example, .index = light};
+    const AppEdit edit = {.kind = APP_EDIT_INSERT, .key = "lights", .value = example, .index = light};
     char *key = g_strdup_printf("lights[%zu]", light), *yaml = NULL;
     if (app_document_edit(trial, &edit, 1, NULL, NULL)) {
         if (is_like)
             take_law(trial, parameters, chosen, light);
         stand(trial, light, is_like ? chosen : light);
         aim_pattern(trial, light);
-        if (is_like)
+        if (is_like && is_as_strong)
             become_as_strong(trial, light, greatest_irradiance(trial, chosen));
         yaml = app_document_get(trial, key, NULL);
     }
     g_object_unref(trial);
     g_free(key);
+    return yaml;
+}
+
+char *app_new_source(const AppDocument *document, const luxel_parameters *parameters, const char *kind, gsize chosen)
+{
+    const luxel_kind *found = find_kind(parameters, kind);
+    return found && found->example ? make(document, parameters, found->example, chosen, TRUE) : NULL;
+}
+
+char *app_new_luminaire(const AppDocument *document, const luxel_parameters *parameters, const char *file, gsize chosen)
+{
+    char *quoted = app_yaml_quote(file);
+    char *example =
+        g_strdup_printf("{type: luminaire, file: %s, position: [800, 500, 2500], aim: [0, 0, 1000]}", quoted);
+    char *yaml = make(document, parameters, example, chosen, FALSE);
+    g_free(example);
+    g_free(quoted);
     return yaml;
 }
 

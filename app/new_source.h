@@ -14,6 +14,10 @@
  */
 char *app_new_source(const AppDocument *document, const luxel_parameters *parameters, const char *kind, gsize chosen);
 
+/* A luminaire of a photometry file, named as the scene names it, likewise, with the file's own intensities. */
+char *app_new_luminaire(const AppDocument *document, const luxel_parameters *parameters, const char *file,
+                        gsize chosen);
+
 /* The source `chosen`, moved aside so that both are seen, as YAML; the caller's.  NULL: there is none. */
 char *app_doubled_source(const AppDocument *document, gsize chosen);
 

@@ -10,7 +10,7 @@
 #include "number.h"
 #include "row_private.h"
 
-enum { EDITED, RESET, MENU, SIGNALS };
+enum { EDITED, RESET, MENU, BROWSE, SIGNALS };
 static guint signals[SIGNALS];
 
 G_DEFINE_FINAL_TYPE(AppRow, app_row, GTK_TYPE_BOX)
@@ -215,6 +215,20 @@ static void add_text(AppRow *self, const char *hint)
     gtk_widget_add_controller(self->control, focus);
 }
 
+static void browsed(AppRow *self)
+{
+    g_signal_emit(self, signals[BROWSE], 0);
+}
+
+static void add_browsing(AppRow *self, GtkWidget *line)
+{
+    GtkWidget *button = gtk_button_new_with_label(_("Open…"));
+    gtk_widget_set_tooltip_text(button, _("Choose a file"));
+    g_signal_connect_swapped(button, "clicked", G_CALLBACK(browsed), self);
+    gtk_box_append(GTK_BOX(line), self->control);
+    gtk_box_append(GTK_BOX(line), button);
+}
+
 static gboolean settle(gpointer row)
 {
     field_left(row);
@@ -294,6 +308,7 @@ static void app_row_finalize(GObject *object)
 
 static void app_row_class_init(AppRowClass *class)
 {
+    signals[BROWSE] = g_signal_new("browse", APP_TYPE_ROW, G_SIGNAL_RUN_LAST, 0, NULL, NULL, NULL, G_TYPE_NONE, 0);
     G_OBJECT_CLASS(class)->finalize = app_row_finalize;
     signals[EDITED] =
         g_signal_new("edited", APP_TYPE_ROW, G_SIGNAL_RUN_LAST, 0, NULL, NULL, NULL, G_TYPE_NONE, 1, G_TYPE_STRING);
@@ -375,6 +390,8 @@ GtkWidget *app_row_new(const AppRowSpec *spec)
         add_choice(self, spec->choices);
     else
         add_text(self, spec->hint);
+    if (spec->is_file)
+        add_browsing(self, line);
     if (!gtk_widget_get_parent(self->control))
         gtk_box_append(GTK_BOX(line), self->control);
     gtk_label_set_xalign(GTK_LABEL(self->unit), 0);

@@ -7,7 +7,7 @@
  * be taken turns the field red, with the reason below it, and changes nothing.
  *
  * Signals: "edited" (value as YAML) when the user changed it; "reset" on a double click on the label; "menu" (widget)
- * when the menu of the row is wanted.
+ * when the menu of the row is wanted; "browse" when a file is to be chosen.
  */
 #ifndef LUXEL_APP_ROW_H
 #define LUXEL_APP_ROW_H
@@ -39,6 +39,7 @@ typedef struct AppRowSpec {
     luxel_interval legal, advised; /* of numbers */
     const char *advised_words;     /* or NULL */
     const char *hint;              /* of a text: what is expected */
+    gboolean is_file;              /* a text that names a file, which can be chosen */
 } AppRowSpec;
 
 GtkWidget *app_row_new(const AppRowSpec *spec);

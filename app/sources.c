@@ -7,6 +7,7 @@
 
 #include "../front/words.h"
 #include "choices.h"
+#include "diagram.h"
 #include "new_source.h"
 #include "number.h"
 #include "row.h"
@@ -21,7 +22,7 @@ struct _AppSources {
     GtkBox parent;
     AppDocument *document;
     const luxel_parameters *parameters;
-    GtkWidget *list, *scrolled, *more, *form, *aim;
+    GtkWidget *list, *scrolled, *more, *form, *diagram, *aim;
     GPtrArray *items; /* AppSourceRow's */
     gsize chosen;
     gssize solo;
@@ -120,12 +121,30 @@ static char *aimed_part(AppSources *self)
     return found;
 }
 
+/* Of a luminaire the diagram of its file, which is looked for where the scene looks for it. */
+static void show_diagram(AppSources *self, const char *type)
+{
+    char *yaml = g_strcmp0(type, "luminaire") == 0 ? get(self, self->chosen, "file") : NULL;
+    char *file = yaml ? app_yaml_unquote(yaml) : NULL, *path = NULL;
+    if (file && *file) {
+        const char *scene = app_document_path(self->document);
+        char *folder = scene ? g_path_get_dirname(scene) : g_strdup(".");
+        path = g_path_is_absolute(file) ? g_strdup(file) : g_build_filename(folder, file, NULL);
+        g_free(folder);
+    }
+    app_diagram_show(APP_DIAGRAM(self->diagram), path);
+    g_free(path);
+    g_free(file);
+    g_free(yaml);
+}
+
 static void show_chosen(AppSources *self)
 {
     char *type = self->chosen < app_document_size(self->document, "lights") ? get(self, self->chosen, "type") : NULL;
     char *aimed = type ? aimed_part(self) : NULL;
     app_form_set_element(APP_FORM(self->form), self->chosen, type);
     gtk_widget_set_sensitive(self->aim, aimed != NULL);
+    show_diagram(self, type);
     g_free(type);
     g_free(aimed);
 }
@@ -247,6 +266,14 @@ static void insert(AppSources *self, gsize index, const char *yaml)
 void app_sources_add(AppSources *self, const char *name)
 {
     char *yaml = app_new_source(self->document, self->parameters, name, self->chosen);
+    if (yaml)
+        insert(self, behind_chosen(self), yaml);
+    g_free(yaml);
+}
+
+void app_sources_add_luminaire(AppSources *self, const char *file)
+{
+    char *yaml = app_new_luminaire(self->document, self->parameters, file, self->chosen);
     if (yaml)
         insert(self, behind_chosen(self), yaml);
     g_free(yaml);
@@ -451,6 +478,8 @@ GtkWidget *app_sources_new(AppDocument *document, const luxel_parameters *parame
     gtk_box_append(GTK_BOX(self), self->scrolled);
     gtk_box_append(GTK_BOX(self), self->more);
     gtk_box_append(GTK_BOX(self), self->form);
+    self->diagram = app_diagram_new();
+    gtk_box_append(GTK_BOX(self), self->diagram);
     app_sources_refresh(self);
     return GTK_WIDGET(self);
 }

@@ -31,6 +31,8 @@ gboolean app_sources_set_fault(AppSources *self, const char *key, const char *re
 
 /* What can be done with sources; the window's actions call these. */
 void app_sources_add(AppSources *self, const char *kind);
+/* A luminaire of a photometry file, as the scene names it. */
+void app_sources_add_luminaire(AppSources *self, const char *file);
 void app_sources_duplicate(AppSources *self);
 void app_sources_delete(AppSources *self);
 void app_sources_move(AppSources *self, int step);

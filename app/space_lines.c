@@ -179,6 +179,46 @@ static void add_box(AppSpace *space, const luxel_scene *scene, const AppBody *bo
     }
 }
 
+static void turn(double place[3], int axis, double degrees)
+{
+    const double c = cos(degrees * G_PI / 180), s = sin(degrees * G_PI / 180);
+    const int u = (axis + 1) % 3, v = (axis + 2) % 3;
+    const double turned[2] = {c * place[u] - s * place[v], s * place[u] + c * place[v]};
+    place[u] = turned[0];
+    place[v] = turned[1];
+}
+
+/* The box around a mesh along the axes of its file, turned as the mesh is. */
+static void add_mesh(AppSpace *space, const luxel_scene *scene, const AppBody *body)
+{
+    static const int order[][2] = {{-1, -1}, {1, -1}, {1, 1}, {-1, 1}};
+    luxel_mesh_survey survey;
+    bool is_mesh = false;
+    double center[3], angles[3] = {0}, places[2][4][3];
+    if (luxel_scene_surface_mesh(scene, body->index, &is_mesh, &survey) != LUXEL_OK || !is_mesh ||
+        luxel_scene_surface_place(scene, body->index, center) != LUXEL_OK)
+        return;
+    app_space_numbers(scene, body->base, "rotate", angles, 3);
+    for (int i = 0; i < 8; i++) {
+        double *place = places[i / 4][i % 4];
+        place[0] = order[i % 4][0] * survey.size_mm[0] / 2;
+        place[1] = order[i % 4][1] * survey.size_mm[1] / 2;
+        place[2] = (i < 4 ? -1 : 1) * survey.size_mm[2] / 2;
+        for (int k = 0; k < 3; k++)
+            turn(place, k, angles[k]);
+        for (int k = 0; k < 3; k++)
+            place[k] += center[k];
+    }
+    for (int i = 0; i < 4; i++) {
+        double edge[2][3];
+        memcpy(edge[0], places[0][i], sizeof edge[0]);
+        memcpy(edge[1], places[1][i], sizeof edge[1]);
+        app_space_add_line(space, body->kind, body->index, FALSE, (const double(*)[3])edge, 2);
+    }
+    for (int i = 0; i < 2; i++)
+        app_space_add_line(space, body->kind, body->index, TRUE, (const double(*)[3])places[i], 4);
+}
+
 static void add_polygon(AppSpace *space, const luxel_scene *scene, const AppBody *body, const double center[3])
 {
     double *places = g_new(double, 3 * MOST_CORNERS), axis[3];
@@ -205,6 +245,8 @@ void app_space_add_body(AppSpace *space, const luxel_scene *scene, const AppBody
         add_round(space, scene, body, center);
     else if (strcmp(shape, "box") == 0 || strcmp(shape, "room") == 0)
         add_box(space, scene, body, center);
+    else if (strcmp(shape, "mesh") == 0)
+        add_mesh(space, scene, body);
     else if (strcmp(shape, "polygon") == 0)
         add_polygon(space, scene, body, center);
 }

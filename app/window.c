@@ -494,5 +494,6 @@ static void app_window_init(AppWindow *self)
     show_surface(self);
     app_window_add_actions(self);
     app_window_add_file_actions(self);
+    app_window_add_chosen_actions(self);
     app_window_update_actions(self);
 }

@@ -447,7 +447,7 @@ static gboolean dropped(GtkDropTarget *target, const GValue *value, double x, do
     (void)y;
     for (GSList *at = files; at; at = at->next) {
         char *path = g_file_get_path(at->data);
-        if (path)
+        if (path && !app_window_take_file(self, path))
             open_chosen(self, path, NULL);
         g_free(path);
     }

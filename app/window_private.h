@@ -94,6 +94,9 @@ void app_window_load_report(AppWindow *self, AppReport *report);
 /* window_actions.c */
 void app_window_add_actions(AppWindow *self);
 void app_window_update_actions(AppWindow *self);
+/* window_chosen.c: a mesh or a luminaire becomes a part of the scene; FALSE: the file is neither. */
+gboolean app_window_take_file(AppWindow *self, const char *path);
+void app_window_add_chosen_actions(AppWindow *self);
 /* window_files.c */
 void app_window_add_file_actions(AppWindow *self);
 void app_window_fill_menus(AppWindow *self);
