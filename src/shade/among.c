@@ -1,5 +1,8 @@
 /* SPDX-License-Identifier: MIT */
-/* Boxes around surfaces, and the questions to the tree over them. */
+/*
+ * Boxes around surfaces, and the questions to the tree over them.  Without a tree lines are held against each box,
+ * which spares most of what is computed with all digits; what asks of shafts has quick answers of its own.
+ */
 #include "among.h"
 
 #include <math.h>
@@ -31,8 +34,6 @@ static struct lx_box box_of(const struct lx_prepared_surface *surface)
 int lx_among_make(struct lx_prepared *prepared)
 {
     const size_t count = prepared->surface_count;
-    if (count <= LX_FEW_BOXES)
-        return 0;
     struct lx_box *boxes = lx_new_array(count, sizeof *boxes);
     for (size_t i = 0; boxes && i < count; i++)
         boxes[i] = box_of(&prepared->surfaces[i]);
@@ -75,12 +76,14 @@ static bool shaft_meets(const void *shaft, const double low[3], const double hig
 
 bool lx_among_shaft(const struct lx_prepared *prepared, const struct lx_shaft *shaft, struct lx_found *found)
 {
-    return lx_boxes_find(&prepared->boxes, shaft_meets, shaft, found);
+    return prepared->boxes.nodes && lx_boxes_find(&prepared->boxes, shaft_meets, shaft, found);
 }
 
 bool lx_among_balls(const struct lx_prepared *prepared, const double anchor_mm[3], const struct lx_ball *from,
                     const struct lx_ball *towards, bool endless, struct lx_found *found)
 {
+    if (!prepared->boxes.nodes)
+        return false;
     double room = (endless ? from->radius : fmax(from->radius, towards->radius)) * (1 + ROOM), begin[3], along[3];
     for (int k = 0; k < 3; k++) {
         begin[k] = anchor_mm[k] + from->center[k];

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /*
- * Which of the surfaces of a prepared scene a line of sight may meet, or may stand in the way of light: by the tree over
- * boxes around them (boxes.h), which hold all that `hit`, `blocks`, `gather` and the balls around shapes speak of.
+ * Which of the surfaces of a prepared scene a line of sight may meet, or may stand in the way of light: by the tree
+ * over boxes around them (boxes.h), which hold all that `hit`, `blocks`, `gather` and the balls around shapes speak of.
  * What is found is ascending; false: each has to be asked.
  */
 #ifndef LX_SHADE_AMONG_H

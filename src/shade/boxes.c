@@ -8,6 +8,7 @@
 #include <float.h>
 #include <math.h>
 #include <stdlib.h>
+#include <string.h>
 
 #include "../base/larger.h"
 #include "../base/memory.h"
@@ -80,9 +81,16 @@ static uint32_t make_node(struct lx_boxes *tree, uint32_t at, uint32_t first, ui
 
 int lx_boxes_make(const struct lx_box *boxes, size_t count, struct lx_boxes *tree)
 {
-    *tree = (struct lx_boxes){NULL, NULL, NULL};
-    if (count <= LX_FEW_BOXES || count > UINT32_MAX / 2)
+    *tree = (struct lx_boxes){NULL, NULL, NULL, 0};
+    if (count == 0 || count > UINT32_MAX / 2)
         return 0;
+    if (count <= LX_FEW_BOXES) {
+        tree->boxes = lx_new_array(count, sizeof *tree->boxes);
+        if (tree->boxes)
+            memcpy(tree->boxes, boxes, count * sizeof *boxes);
+        tree->count = count;
+        return tree->boxes ? 0 : -1;
+    }
     struct stop *stops = lx_new_array(count, sizeof *stops);
     tree->nodes = lx_new_array(2 * count, sizeof *tree->nodes);
     tree->order = lx_new_array(count, sizeof *tree->order);
@@ -98,6 +106,7 @@ int lx_boxes_make(const struct lx_box *boxes, size_t count, struct lx_boxes *tre
         for (size_t i = 0; i < count; i++)
             tree->order[i] = stops[i].box, tree->boxes[i] = boxes[stops[i].box];
         make_node(tree, 0, 0, (uint32_t)count);
+        tree->count = count;
     } else {
         lx_boxes_clear(tree);
     }
@@ -110,7 +119,7 @@ void lx_boxes_clear(struct lx_boxes *tree)
     free(tree->nodes);
     free(tree->order);
     free(tree->boxes);
-    *tree = (struct lx_boxes){NULL, NULL, NULL};
+    *tree = (struct lx_boxes){NULL, NULL, NULL, 0};
 }
 
 static int compare_items(const void *first, const void *second)
@@ -135,13 +144,22 @@ static void sort_items(struct lx_found *found)
     }
 }
 
+static void ask_each(const struct lx_boxes *boxes, lx_box_test *may_meet, const void *data, struct lx_found *found)
+{
+    for (uint32_t i = 0; i < boxes->count; i++)
+        if (may_meet(data, boxes->boxes[i].low, boxes->boxes[i].high))
+            found->items[found->count++] = i;
+}
+
 bool lx_boxes_find(const struct lx_boxes *tree, lx_box_test *may_meet, const void *data, struct lx_found *found)
 {
     uint32_t waiting[MOST_DEPTH];
     size_t depth = 0;
     found->count = 0;
-    if (!tree->nodes)
-        return false;
+    if (!tree->nodes) {
+        ask_each(tree, may_meet, data, found);
+        return tree->count > 0;
+    }
     waiting[depth++] = 0;
     while (depth > 0) {
         const uint32_t at = waiting[--depth];

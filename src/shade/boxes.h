@@ -17,12 +17,13 @@ struct lx_box {
 
 /* Zero-initialise, and clear. */
 struct lx_boxes {
-    struct lx_box_node *nodes; /* NULL: there is no tree, and each has to be asked */
-    uint32_t *order;
-    struct lx_box *boxes; /* in that order */
+    struct lx_box_node *nodes; /* NULL: there are few, and each is asked */
+    uint32_t *order;           /* of many: theirs in the tree */
+    struct lx_box *boxes;      /* in that order */
+    size_t count;
 };
 
-/* Fewer boxes are asked one by one. */
+/* So many boxes have no tree. */
 enum { LX_FEW_BOXES = 48 };
 
 /* More than so many are not listed: then each has to be asked. */
@@ -33,15 +34,15 @@ struct lx_found {
     size_t count;
 };
 
-/* Makes the tree, of few boxes none; 0, or -1 when memory ran out. */
+/* Makes the tree; 0, or -1 when memory ran out. */
 int lx_boxes_make(const struct lx_box *boxes, size_t count, struct lx_boxes *tree);
 void lx_boxes_clear(struct lx_boxes *tree);
 
 /* Whether something may be met that lies in a box. */
 typedef bool lx_box_test(const void *data, const double low[3], const double high[3]);
 
-/* Finds the boxes that a test, which answers for boxes around others as well, does not rule out.  False: there is no
- * tree, or they are too many. */
+/* Finds the boxes that a test, which answers for boxes around others as well, does not rule out.  False: there is
+ * nothing to find them by, or they are too many. */
 bool lx_boxes_find(const struct lx_boxes *tree, lx_box_test *may_meet, const void *data, struct lx_found *found);
 
 /* The places `from` + t `way`, t from 0 to 1 or without end, with that much room around. */
