@@ -27,14 +27,19 @@ enum {
 #define EXACT_COST 1e5   /* of the continuous maximum on a surface, in pixels */
 #define SURFACE_COST 0.5 /* of a surface that may be seen, or stand in the light of a source, at a pixel in ns */
 
+/* Of each of many surfaces that may hide parts of an extended source, and from how many on pixels have some. */
+#define PENUMBRA_COST 40
+enum { MANY_SURFACES = 48 };
+
 /* What one source costs at a pixel, about, in ns as measured. */
 static double cost_of(const struct lx_emitter *emitter, bool shines, size_t shadows)
 {
     if (!lx_is_extended(emitter))
         return 2 + SURFACE_COST * (double)shadows;
-    double faces = emitter->type == LX_FACETS ? (double)emitter->facets->face_count : 4;
+    const double faces = emitter->type == LX_FACETS ? (double)emitter->facets->face_count : 4;
+    const double penumbrae = shadows > MANY_SURFACES ? PENUMBRA_COST * (double)shadows : 0;
     /* only of the law 1/r^2 the diffuse light is no integral */
-    return faces * (emitter->attenuation != LX_INVERSE_SQUARE ? 25000 : shines ? 1500 : 200);
+    return penumbrae + faces * (emitter->attenuation != LX_INVERSE_SQUARE ? 25000 : shines ? 1500 : 200);
 }
 
 /* What the sources are like. */

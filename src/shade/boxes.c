@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /*
- * Trees over boxes: sorted along a curve through all of their middles (Morton's), the list is halved again and again; an
- * inner node's first half is the node behind it.
+ * Trees over boxes: sorted along a curve through all of their middles (Morton's), the list is halved again and again;
+ * an inner node's first half is the node behind it.
  */
 #include "boxes.h"
 

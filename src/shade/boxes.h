@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: MIT */
 /*
- * A tree over boxes along the axes, by which those of a scene's many surfaces are found that a line or a shaft may meet,
- * without asking each.  What it finds may be too much, never too little, and comes in the order of the surfaces, so that
- * whoever asks a few of them computes what asking all would give.
+ * A tree over boxes along the axes, by which those of a scene's many surfaces are found that a line or a shaft may
+ * meet, without asking each.  What it finds may be too much, never too little, and comes in the order of the surfaces,
+ * so that whoever asks a few of them computes what asking all would give.
  */
 #ifndef LX_SHADE_BOXES_H
 #define LX_SHADE_BOXES_H

@@ -7,9 +7,10 @@
 
 #include "../base/vector.h"
 #include "../light/extended.h"
+#include "glimpse_rules.h"
 #include "skyline.h"
 
-enum { MOST_NODES = 8, MOST_PENDING = 48, MOST_PARTS = 160 };
+enum { MOST_PENDING = 48, MOST_PARTS = 160 };
 
 /* Share of what is allowed for parts that are left out. */
 static const double LEFT_OUT = 0.1;
@@ -23,38 +24,6 @@ static const double MOST_ALONG = 2.1;
 
 /* Laws other than 1/r^2: how many times as obliquely the plane of a face may be seen at one corner as at another. */
 static const double MOST_OBLIQUE = 1.6;
-
-/* Rules of Gauss on (0, 1). */
-static const double PLACES[MOST_NODES][MOST_NODES] = {
-    {0.5},
-    {0.21132486540518713, 0.78867513459481287},
-    {0.1127016653792583, 0.5, 0.8872983346207417},
-    {0.069431844202973714, 0.33000947820757187, 0.66999052179242813, 0.93056815579702623},
-    {0.046910077030668018, 0.23076534494715845, 0.5, 0.7692346550528415, 0.95308992296933193},
-    {0.033765242898423975, 0.1693953067668677, 0.38069040695840151, 0.61930959304159849, 0.83060469323313235,
-     0.96623475710157603},
-    {0.025446043828620757, 0.12923440720030277, 0.29707742431130141, 0.5, 0.70292257568869854, 0.87076559279969723,
-     0.97455395617137919},
-    {0.019855071751231856, 0.10166676129318658, 0.2372337950418355, 0.40828267875217511, 0.59171732124782495,
-     0.7627662049581645, 0.89833323870681348, 0.9801449282487682},
-};
-static const double WEIGHTS[MOST_NODES][MOST_NODES] = {
-    {1},
-    {0.50000000000000011, 0.50000000000000011},
-    {0.27777777777777762, 0.44444444444444442, 0.27777777777777762},
-    {0.17392742256872687, 0.32607257743127305, 0.32607257743127305, 0.17392742256872687},
-    {0.1184634425280945, 0.23931433524968324, 0.28444444444444444, 0.23931433524968324, 0.1184634425280945},
-    {0.085662246189585248, 0.1803807865240693, 0.23395696728634563, 0.23395696728634563, 0.1803807865240693,
-     0.085662246189585248},
-    {0.064742483084434838, 0.13985269574463835, 0.19091502525255952, 0.2089795918367347, 0.19091502525255952,
-     0.13985269574463835, 0.064742483084434838},
-    {0.050614268145188088, 0.11119051722668723, 0.15685332293894369, 0.181341891689181, 0.181341891689181,
-     0.15685332293894369, 0.11119051722668723, 0.050614268145188088},
-};
-
-/* A rule of so many nodes leaves no more than 3e-5 of the greatest value of exp(-x^2/2) over an interval of twice this
- * length, wherever it lies. */
-static const double REACHES[MOST_NODES] = {0.013, 0.229, 0.64, 1.128, 1.642, 2.164, 2.687, 3.209};
 
 /* What is being summed. */
 struct work {
@@ -149,18 +118,16 @@ static unsigned order_for(const struct work *work, double length)
 {
     unsigned order = length < 0.15 ? 2 : length < 0.4 ? 3 : 4; /* by the cosines alone */
     if (work->asked->is_matte)
-        return MOST_NODES;
+        return LX_GLIMPSE_NODES;
     if (work->emitter->type == LX_BALL && work->emitter->attenuation != LX_INVERSE_SQUARE)
         order += 2;
-    while (order < MOST_NODES && REACHES[order - 1] < length / 2 / work->width)
-        order++;
-    return order;
+    return lx_glimpse_order(order, length / 2 / work->width);
 }
 
 /* The nodes between the middle and a place on the border, in its plane; eased, diffuse light takes two rules. */
 static void add_spoke(struct work *work, const double x[3], unsigned order, double weight)
 {
-    const double *places = PLACES[order - 1], *weights = WEIGHTS[order - 1];
+    const double *places = lx_glimpse_places[order - 1], *weights = lx_glimpse_weights[order - 1];
     struct lx_beams_double *beams = &work->beams;
     const bool by_square = work->emitter->attenuation == LX_INVERSE_SQUARE;
     const bool is_eased = work->emitter->type == LX_BALL && !by_square; /* distances end like roots at the rim */
@@ -210,9 +177,9 @@ static void add_triangle(struct work *work, const struct lx_skyline_side *side, 
     const unsigned across = order_for(work, fmax(distance(work->middle, a), distance(work->middle, b)));
     for (unsigned p = 0; p < parts; p++)
         for (unsigned i = 0; i < along; i++) {
-            const double t = (p + PLACES[along - 1][i]) / parts;
+            const double t = (p + lx_glimpse_places[along - 1][i]) / parts;
             const double x[3] = {a[0] + t * (b[0] - a[0]), a[1] + t * (b[1] - a[1]), a[2] + t * (b[2] - a[2])};
-            add_spoke(work, x, across, area * WEIGHTS[along - 1][i] / parts);
+            add_spoke(work, x, across, area * lx_glimpse_weights[along - 1][i] / parts);
         }
 }
 
@@ -235,7 +202,7 @@ static void add_sector(struct work *work, const struct lx_skyline_side *side, do
     const unsigned along = by_turn > by_length ? by_turn : by_length;
     for (unsigned p = 0; p < parts; p++)
         for (unsigned i = 0; i < along; i++) {
-            const double t = from + (p + PLACES[along - 1][i]) * turn, c = cos(t), s = sin(t);
+            const double t = from + (p + lx_glimpse_places[along - 1][i]) * turn, c = cos(t), s = sin(t);
             double slope[3], turned[3];
             for (int k = 0; k < 3; k++) {
                 u[k] = side->limit * side->g[k] + side->sine * (c * side->p[k] + s * side->q[k]);
@@ -245,7 +212,7 @@ static void add_sector(struct work *work, const struct lx_skyline_side *side, do
             const double ahead = lx_dot(work->middle, u);
             project(work, u, x);
             add_spoke(work, x, across,
-                      sign * lx_dot(work->middle, turned) / (ahead * ahead) * WEIGHTS[along - 1][i] * turn);
+                      sign * lx_dot(work->middle, turned) / (ahead * ahead) * lx_glimpse_weights[along - 1][i] * turn);
         }
 }
 
@@ -267,24 +234,13 @@ struct look {
     double oblique; /* the ratio of cosines of incidence, of a law other than 1/r^2 */
 };
 
-/* The greatest S^n within an angle from the middle, as in sight.c. */
-static double greatest_power(const struct work *work, double cosine, double sine)
-{
-    const struct lx_lobe_double *lobe = work->asked->lobe;
-    const double towards = fmin(lx_dot(work->middle, work->mirrored), 1);
-    const double aside = sqrt(fmax(1 - towards * towards, 0));
-    const double nearest = towards >= cosine ? 1 : fmin(towards * cosine + aside * sine, 1);
-    if (lobe->model == LX_BLINN_PHONG)
-        return pow(fmax((1 + nearest) / 2, 0), lobe->exponent.value / 2);
-    return nearest > 0 ? pow(nearest, lobe->exponent.value) : 0;
-}
-
 /* A bound of the highlight of what is within an angle from the middle, and no farther than that. */
 static double bound_of(const struct work *work, double cosine, double farthest_mm)
 {
     const double sine = sqrt(fmax(1 - cosine * cosine, 0));
     return work->emitter->radiance.value * work->asked->lobe->specular * law_at(work->emitter, farthest_mm) * 2 * M_PI *
-           (1 - cosine) * (cosine > 0 ? greatest_power(work, cosine, sine) : 1);
+           (1 - cosine) *
+           (cosine > 0 ? lx_glimpse_power(work->asked->lobe, work->mirrored, work->middle, cosine, sine) : 1);
 }
 
 static bool look_at(struct work *work, const struct lx_skyline_polygon *part, struct look *look)
@@ -313,22 +269,6 @@ static bool look_at(struct work *work, const struct lx_skyline_polygon *part, st
         farthest = sqrt(lx_dot(work->center, work->center)) + work->emitter->radius_mm;
     look->bound = work->asked->is_matte ? 0 : bound_of(work, look->cosine, farthest);
     return is_even || least > 0;
-}
-
-/* How wide the lobe is in the part: half vectors turn the faster the shorter they are. */
-static double width_in(const struct work *work, double sine)
-{
-    const double NARROWEST = 0.05; /* of the widest */
-    const struct lx_lobe_double *lobe = work->asked->lobe;
-    const double sigma = 1 / sqrt(fmax(lobe->exponent.value, 1));
-    double half[3];
-    if (work->asked->is_matte)
-        return HUGE_VAL;
-    if (lobe->model == LX_PHONG)
-        return sigma;
-    for (int k = 0; k < 3; k++)
-        half[k] = work->middle[k] + work->asked->view[k];
-    return 2 * sigma * fmin(fmax((sqrt(lx_dot(half, half)) - sine) / 2, NARROWEST), 1);
 }
 
 /* Whether the lobe may end in the part so steeply that the rules are not for it. */
@@ -380,7 +320,9 @@ static bool work_off(struct work *work)
             continue;
         }
         const double sine = sqrt(fmax(1 - look.cosine * look.cosine, 0));
-        work->width = width_in(work, sine);
+        work->width = work->asked->is_matte
+                          ? HUGE_VAL
+                          : lx_glimpse_width(work->asked->lobe, work->asked->view, work->middle, sine);
         const bool is_near = look.cosine > 0 && sine <= WIDEST * look.cosine;
         if (!is_near || sine > MOST_WIDTHS * work->width * look.cosine || look.oblique > MOST_OBLIQUE) {
             if (!halve(work, &part))

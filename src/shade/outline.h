@@ -91,6 +91,12 @@ double lx_outline_skipped(const struct lx_outline *outline);
  * its error counts as hidden. */
 double lx_outline_nothing(const struct lx_outline *outline);
 
+/* Whether nothing but the outline, and a plane that it knows, is in the way. */
+bool lx_outline_is_alone(const struct lx_occlusion *occlusion);
+
+/* Adds the horizon of the element's normal, unless it is among those that are known.  False: they are too many. */
+bool lx_outline_add_horizon(struct lx_occlusion *occlusion, const double normal[3]);
+
 /*
  * The integral of N.L over what is seen of a source of facets, in closed form.  False: something else is in the way,
  * or memory ran out.

@@ -76,8 +76,7 @@ static void add_lay(struct sum *sum, const struct lx_outline_lay *lay)
     }
 }
 
-/* Whether nothing but the outline, and a plane that it knows, is in the way. */
-static bool is_alone(const struct lx_occlusion *occlusion)
+bool lx_outline_is_alone(const struct lx_occlusion *occlusion)
 {
     for (size_t i = 0; i < occlusion->obstacles.count; i++)
         if (occlusion->obstacles.items[i].type != LX_OBSTACLE_SPACE)
@@ -85,8 +84,7 @@ static bool is_alone(const struct lx_occlusion *occlusion)
     return occlusion->has_outline && occlusion->obstacles.count <= 1;
 }
 
-/* The horizon of the element's normal, if that is not among those that are known. */
-static bool add_horizon(struct lx_occlusion *occlusion, const double normal[3])
+bool lx_outline_add_horizon(struct lx_occlusion *occlusion, const double normal[3])
 {
     for (unsigned i = 0; i < occlusion->horizon_count; i++) {
         const double *n = occlusion->horizons[i];
@@ -105,8 +103,8 @@ bool lx_outline_sum(const struct lx_occlusion *known, const struct lx_emitter *e
     struct lx_sweeps sweeps = {0};
     struct lx_occlusion with_horizon = *known, *const occlusion = &with_horizon;
     *result = *error = 0;
-    if (emitter->type != LX_FACETS || emitter->attenuation != LX_INVERSE_SQUARE || !is_alone(occlusion) ||
-        !add_horizon(occlusion, normal))
+    if (emitter->type != LX_FACETS || emitter->attenuation != LX_INVERSE_SQUARE || !lx_outline_is_alone(occlusion) ||
+        !lx_outline_add_horizon(occlusion, normal))
         return false;
     const bool failed = lx_sweeps_make(emitter, occlusion->place_mm, normal, &sweeps) ||
                         lx_outline_lay(occlusion, &sweeps, asking) || occlusion->outline->is_broken;

@@ -18,8 +18,24 @@
 /* Elements next to each other in whose way the same surfaces are looked for. */
 enum { RUN = 16 };
 
+/* More of what is in the way of an element is gathered again when it is needed, since a block has many elements. */
+enum { MOST_KEPT = 600 };
+
+void lx_penumbra_init(struct lx_penumbra *penumbra)
+{
+    penumbra->occlusion = (struct lx_occlusion){.place_mm = {0}};
+    penumbra->source = NULL;
+    penumbra->used = &penumbra->occlusion;
+    penumbra->kept = NULL;
+}
+
 void lx_penumbra_clear(struct lx_penumbra *penumbra)
 {
+    for (size_t i = 0; penumbra->kept && i < LX_BLOCK; i++) {
+        penumbra->kept[i].outline = NULL; /* they all use one */
+        lx_occlusion_clear(&penumbra->kept[i]);
+    }
+    free(penumbra->kept);
     lx_occlusion_clear(&penumbra->occlusion);
 }
 
@@ -193,38 +209,92 @@ static void place_of(const struct lx_planned_surface *surface, const struct lx_b
     place_mm[2] = surface->shape.anchor_mm[2] + block->pz[i];
 }
 
+/* Whether what these elements of a block see of a source was asked for last. */
+static bool is_known(const struct lx_penumbra *penumbra, const struct lx_planned_shell *planned,
+                     const double *const elements[6], size_t first, size_t end)
+{
+    bool known = penumbra->source == planned && penumbra->first <= first && penumbra->end >= end;
+    for (int k = 0; k < 6 && known; k++)
+        known = memcmp(penumbra->elements[k] + first, elements[k] + first, (end - first) * sizeof **elements) == 0;
+    return known;
+}
+
+/* Keeps what was gathered for an element, and takes for the next one the memory of what was kept before. */
+static void keep(struct lx_penumbra *penumbra, size_t i)
+{
+    const struct lx_occlusion gathered = penumbra->occlusion;
+    const struct lx_obstacles *obstacles = &gathered.obstacles;
+    if (!penumbra->kept)
+        penumbra->kept = lx_new_array(LX_BLOCK, sizeof *penumbra->kept);
+    penumbra->is_kept[i] =
+        penumbra->kept &&
+        obstacles->count + obstacles->edge_count + obstacles->sheet_count + obstacles->layered_count <= MOST_KEPT;
+    if (!penumbra->is_kept[i])
+        return;
+    penumbra->occlusion = penumbra->kept[i];
+    penumbra->occlusion.outline = gathered.outline;
+    penumbra->kept[i] = gathered;
+}
+
+/* Looks at a run of elements. */
+static void look_at_run(const struct lx_plan *plan, const struct lx_planned_surface *surface,
+                        const struct lx_planned_shell *planned, const struct lx_block_double *block, size_t from,
+                        size_t to, struct lx_penumbra *penumbra)
+{
+    const struct lx_ball ball = ball_around(block, from, to);
+    if (!lx_shell_may_be_hidden(plan, surface, planned, &ball))
+        return;
+    for (size_t i = from; i < to; i++) {
+        double place[3];
+        const double normal[3] = {block->nx[i], block->ny[i], block->nz[i]};
+        place_of(surface, block, i, place);
+        penumbra->sight[i] = (uint8_t)look(plan, surface, planned, place, normal, &penumbra->occlusion);
+        if (penumbra->sight[i] == LX_SEES_PART)
+            keep(penumbra, i);
+    }
+}
+
 bool lx_find_sight(const struct lx_plan *plan, const struct lx_planned_surface *surface,
                    const struct lx_planned_shell *planned, const struct lx_block_double *block, size_t first,
                    size_t end, struct lx_penumbra *penumbra)
 {
+    const double *const elements[6] = {block->px, block->py, block->pz, block->nx, block->ny, block->nz};
     bool all = true;
-    memset(penumbra->sight + first, LX_SEES_ALL, end - first);
-    if (planned->blocker_count == 0)
+    if (planned->blocker_count == 0) {
+        memset(penumbra->sight + first, LX_SEES_ALL, end - first);
+        penumbra->source = NULL;
         return true;
-    for (size_t from = first; from < end; from += RUN) {
-        const size_t to = end - from < RUN ? end : from + RUN;
-        const struct lx_ball ball = ball_around(block, from, to);
-        if (!lx_shell_may_be_hidden(plan, surface, planned, &ball))
-            continue;
-        for (size_t i = from; i < to; i++) {
-            double place[3];
-            const double normal[3] = {block->nx[i], block->ny[i], block->nz[i]};
-            place_of(surface, block, i, place);
-            penumbra->sight[i] = (uint8_t)look(plan, surface, planned, place, normal, &penumbra->occlusion);
-            all = all && penumbra->sight[i] == LX_SEES_ALL;
-        }
     }
+    if (!is_known(penumbra, planned, elements, first, end)) {
+        penumbra->source = planned;
+        penumbra->first = first;
+        penumbra->end = end;
+        for (int k = 0; k < 6; k++)
+            memcpy(penumbra->elements[k] + first, elements[k] + first, (end - first) * sizeof **elements);
+        memset(penumbra->sight + first, LX_SEES_ALL, end - first);
+        memset(penumbra->is_kept + first, 0, (end - first) * sizeof *penumbra->is_kept);
+        for (size_t from = first; from < end; from += RUN)
+            look_at_run(plan, surface, planned, block, from, end - from < RUN ? end : from + RUN, penumbra);
+    }
+    for (size_t i = first; i < end; i++)
+        all = all && penumbra->sight[i] == LX_SEES_ALL;
     return all;
 }
 
-/* Gathers once more what is in the way of an element that sees a part. */
+/* What is in the way of an element that sees a part: as it was kept, or gathered once more. */
 static void look_again(const struct lx_plan *plan, const struct lx_planned_surface *surface,
-                       const struct lx_planned_shell *planned, const struct lx_element *element,
+                       const struct lx_planned_shell *planned, const struct lx_element *element, size_t i,
                        struct lx_penumbra *penumbra)
 {
     const double place[3] = {element->place_mm.x.value, element->place_mm.y.value, element->place_mm.z.value};
     const double normal[3] = {element->normal.x.value, element->normal.y.value, element->normal.z.value};
-    look(plan, surface, planned, place, normal, &penumbra->occlusion);
+    const bool is_kept = penumbra->source == planned && i >= penumbra->first && i < penumbra->end &&
+                         penumbra->is_kept[i] && memcmp(penumbra->kept[i].place_mm, place, sizeof place) == 0;
+    penumbra->used = is_kept ? &penumbra->kept[i] : &penumbra->occlusion;
+    if (is_kept)
+        penumbra->used->outline = penumbra->occlusion.outline;
+    else
+        look(plan, surface, planned, place, normal, &penumbra->occlusion);
 }
 
 /* Whether skylines are as exact as the picture: the outline of a cylinder is put together of parts that touch each
@@ -245,7 +315,7 @@ static struct lx_glimpse glimpse_of(const struct lx_plan *plan, const struct lx_
     return (struct lx_glimpse){
         .kernels = plan->kernels,
         .source = &surface->glossy[planned - surface->shells],
-        .occlusion = &penumbra->occlusion,
+        .occlusion = penumbra->used,
         .lobe = &surface->glossy_exact,
         .lobe_single = &surface->glossy_single,
         .normal = {element->normal.x.value, element->normal.y.value, element->normal.z.value},
@@ -261,15 +331,15 @@ static bool find_irradiance(const struct lx_plan *plan, const struct lx_planned_
     const struct lx_emitter *emitter = planned->emitter;
     const double normal[3] = {element->normal.x.value, element->normal.y.value, element->normal.z.value};
     if (emitter->attenuation == LX_INVERSE_SQUARE)
-        return is_closed(plan, emitter, &penumbra->occlusion) &&
-               lx_skyline_irradiance(emitter, normal, &penumbra->occlusion, irradiance);
+        return is_closed(plan, emitter, penumbra->used) &&
+               lx_skyline_irradiance(emitter, normal, penumbra->used, irradiance);
     struct lx_glimpse glimpse = glimpse_of(plan, surface, planned, element, penumbra);
     glimpse.is_matte = true;
     return plan->precision != LUXEL_DOUBLE && lx_glimpse_sum(&glimpse, irradiance);
 }
 
 double lx_diffuse_of_part(const struct lx_plan *plan, const struct lx_planned_surface *surface,
-                          const struct lx_planned_shell *planned, const struct lx_element *element,
+                          const struct lx_planned_shell *planned, const struct lx_element *element, size_t i,
                           struct lx_penumbra *penumbra, const struct lx_asking *asking)
 {
     struct lx_lobe matte = surface->lobe;
@@ -278,42 +348,43 @@ double lx_diffuse_of_part(const struct lx_plan *plan, const struct lx_planned_su
     bare.lobe = &matte;
     if (lx_extended_touches(planned->emitter, element->place_mm))
         return 0;
-    look_again(plan, surface, planned, element, penumbra);
+    look_again(plan, surface, planned, element, i, penumbra);
     double seen;
     if (find_irradiance(plan, surface, planned, element, penumbra, &seen))
         return seen > 0 ? matte.diffuse.value * planned->emitter->radiance.value * seen : 0;
-    if (penumbra->occlusion.is_dark)
+    if (penumbra->used->is_dark)
         return 0;
-    const double irradiance = lx_integrate_seen(planned->emitter, &bare, &penumbra->occlusion, true,
-                                                plan->least_maximum, plan->part_tolerance, asking)
+    const double irradiance = lx_integrate_seen(planned->emitter, &bare, penumbra->used, true, plan->least_maximum,
+                                                plan->part_tolerance, asking)
                                   .irradiance.value;
     return irradiance > 0 ? matte.diffuse.value * irradiance : 0;
 }
 
 bool lx_glimpse_of_part(const struct lx_plan *plan, const struct lx_planned_surface *surface,
-                        const struct lx_planned_shell *planned, const struct lx_element *element, double known,
-                        struct lx_penumbra *penumbra, double *highlight)
+                        const struct lx_planned_shell *planned, const struct lx_element *element, size_t i,
+                        double known, struct lx_penumbra *penumbra, const struct lx_asking *asking, double *highlight)
 {
     if (plan->tolerance < LX_GLIMPSE_TOLERANCE || lx_extended_touches(planned->emitter, element->place_mm))
         return false;
-    look_again(plan, surface, planned, element, penumbra);
+    look_again(plan, surface, planned, element, i, penumbra);
     struct lx_glimpse glimpse = glimpse_of(plan, surface, planned, element, penumbra);
     glimpse.allowed = plan->tolerance / 2 * known;
-    if (!lx_glimpse_sum(&glimpse, highlight))
+    if (penumbra->used->has_outline ? !lx_glimpse_outline(&glimpse, asking, highlight)
+                                    : !lx_glimpse_sum(&glimpse, highlight))
         return false;
     *highlight *= planned->emitter->radiance.value * surface->glossy_exact.specular;
     return true;
 }
 
 double lx_highlight_of_part(const struct lx_plan *plan, const struct lx_planned_surface *surface,
-                            const struct lx_planned_shell *planned, const struct lx_element *element, double known,
-                            struct lx_penumbra *penumbra, const struct lx_asking *asking)
+                            const struct lx_planned_shell *planned, const struct lx_element *element, size_t i,
+                            double known, struct lx_penumbra *penumbra, const struct lx_asking *asking)
 {
     if (lx_extended_touches(planned->emitter, element->place_mm))
         return 0;
-    look_again(plan, surface, planned, element, penumbra);
+    look_again(plan, surface, planned, element, i, penumbra);
     const double specular =
-        lx_integrate_seen(planned->emitter, element, &penumbra->occlusion, false, known, plan->tolerance / 2, asking)
+        lx_integrate_seen(planned->emitter, element, penumbra->used, false, known, plan->tolerance / 2, asking)
             .specular.value;
     return specular > 0 ? specular : 0;
 }

@@ -17,12 +17,19 @@
 /* What an element sees of a source. */
 enum lx_share_seen { LX_SEES_ALL, LX_SEES_PART, LX_SEES_NOTHING };
 
-/* What a thread needs; zero-initialise, and clear. */
+/* What a thread needs. */
 struct lx_penumbra {
     struct lx_occlusion occlusion;
-    uint8_t sight[LX_BLOCK]; /* of the elements that were looked at last */
+    uint8_t sight[LX_BLOCK]; /* of the elements that were looked at last, which are: */
+    const struct lx_planned_shell *source;
+    size_t first, end;
+    double elements[6][LX_BLOCK]; /* places and normals */
+    struct lx_occlusion *kept; /* what is in their way, where they see a part and it is not too much; NULL at first */
+    bool is_kept[LX_BLOCK];
+    struct lx_occlusion *used; /* the last one that was asked for */
 };
 
+void lx_penumbra_init(struct lx_penumbra *penumbra);
 void lx_penumbra_clear(struct lx_penumbra *penumbra);
 
 /* Lists the surfaces that may stand between a surface and a source; 0, or -1 when memory ran out. */
@@ -41,16 +48,18 @@ bool lx_find_sight(const struct lx_plan *plan, const struct lx_planned_surface *
                    const struct lx_planned_shell *planned, const struct lx_block_double *block, size_t first,
                    size_t end, struct lx_penumbra *penumbra);
 
-/* The diffuse light and the highlight of an element that sees a part of a source; `known`: how bright it is, and the
- * picture somewhere.  A glimpse is quick; false: it is not for this part. */
+/*
+ * The diffuse light and the highlight of element i of a block, which was looked at and sees a part of a source;
+ * `known`: how bright it is, and the picture somewhere.  A glimpse is quick; false: it is not for this part.
+ */
 double lx_diffuse_of_part(const struct lx_plan *plan, const struct lx_planned_surface *surface,
-                          const struct lx_planned_shell *planned, const struct lx_element *element,
+                          const struct lx_planned_shell *planned, const struct lx_element *element, size_t i,
                           struct lx_penumbra *penumbra, const struct lx_asking *asking);
 bool lx_glimpse_of_part(const struct lx_plan *plan, const struct lx_planned_surface *surface,
-                        const struct lx_planned_shell *planned, const struct lx_element *element, double known,
-                        struct lx_penumbra *penumbra, double *highlight);
+                        const struct lx_planned_shell *planned, const struct lx_element *element, size_t i,
+                        double known, struct lx_penumbra *penumbra, const struct lx_asking *asking, double *highlight);
 double lx_highlight_of_part(const struct lx_plan *plan, const struct lx_planned_surface *surface,
-                            const struct lx_planned_shell *planned, const struct lx_element *element, double known,
-                            struct lx_penumbra *penumbra, const struct lx_asking *asking);
+                            const struct lx_planned_shell *planned, const struct lx_element *element, size_t i,
+                            double known, struct lx_penumbra *penumbra, const struct lx_asking *asking);
 
 #endif

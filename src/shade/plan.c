@@ -5,8 +5,7 @@
 #include <string.h>
 
 #include "../base/memory.h"
-#include "among.h"
-#include "blocking.h"
+#include "blockers.h"
 #include "camera.h"
 #include "general.h"
 #include "penumbra.h"
@@ -120,37 +119,6 @@ static luxel_status plan_shells(struct lx_plan *plan, struct lx_control *control
     return surface->by_law_count > 0 ? plan_rules(plan, control, surface) : LUXEL_OK;
 }
 
-/* Puts the surfaces that may stand in the light of light i at the end of the list.  How many, or -1. */
-static int find_blockers(const struct lx_plan *plan, struct lx_planned_surface *lit, const struct lx_emitter *emitter)
-{
-    const double *anchor = lit->shape.anchor_mm;
-    const struct lx_ball from = lx_shape_ball(&lit->shape, lit->low_mm, lit->high_mm, anchor);
-    const bool endless = emitter->type == LX_DIRECTION;
-    struct lx_ball towards = {.center = {emitter->towards.x.value, emitter->towards.y.value, emitter->towards.z.value}};
-    struct lx_origin light = {.endless = endless};
-    int count = 0;
-    for (int i = 0; i < 3; i++)
-        light.at[i] = endless ? towards.center[i] : emitter->position_mm[i];
-    for (int i = 0; i < 3 && !endless; i++)
-        towards.center[i] = emitter->position_mm[i] - anchor[i];
-    struct lx_found found;
-    const bool is_found = lx_among_balls(plan->prepared, anchor, &from, &towards, endless, &found);
-    const size_t all = lx_found_count(&found, is_found, plan->surface_count);
-    for (size_t i = 0; i < all; i++) {
-        const uint32_t s = (uint32_t)lx_found_at(&found, is_found, i);
-        const struct lx_planned_surface *other = &plan->surfaces[s];
-        const struct lx_ball ball = lx_shape_ball(&other->shape, other->low_mm, other->high_mm, anchor);
-        if (!lx_may_hide(&other->shape, other == lit) || lx_are_before_wall(&other->shape, &lit->shape, &light) ||
-            !lx_may_block(&ball, &from, &towards, endless))
-            continue;
-        size_t needed = lit->blocker_count + (size_t)count + 1;
-        if (lx_reserve(&lit->blockers, &lit->blocker_capacity, needed, sizeof *lit->blockers))
-            return -1;
-        lit->blockers[lit->blocker_count + (size_t)count++] = s;
-    }
-    return count;
-}
-
 /* Appends light i, whose blockers stand at the end of their list, to the runs. */
 static int append_to_runs(struct lx_planned_surface *surface, const struct lx_emitter *emitter, size_t i,
                           size_t blocker_count)
@@ -219,7 +187,7 @@ static luxel_status plan_lights(struct lx_plan *plan, struct lx_control *control
                 continue;
             if (span.items && lx_lights_append(lights, emitter))
                 return LUXEL_ERROR_MEMORY;
-            int blockers = plan->prepared->shadows ? find_blockers(plan, surface, emitter) : 0;
+            int blockers = plan->prepared->shadows ? lx_find_blockers(plan, surface, emitter) : 0;
             if (blockers < 0 || append_to_runs(surface, emitter, i++, (size_t)blockers))
                 return LUXEL_ERROR_MEMORY;
         }

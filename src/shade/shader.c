@@ -30,7 +30,7 @@ struct lx_shader_memory *lx_shader_memory_new(const struct lx_plan *plan)
         return NULL;
     memory->sampling = size > 0 ? lx_sampling_memory_of((char *)memory + head, plan->most_patches) : NULL;
     memory->room = (struct lx_light_room){.of_singles = NULL};
-    memory->penumbra.occlusion = (struct lx_occlusion){.place_mm = {0}};
+    lx_penumbra_init(&memory->penumbra);
     memory->portion = NULL;
     lx_seen_init(plan, &memory->seen);
     bool has_all = true;

@@ -151,7 +151,8 @@ static void light_by_seen_highlight(const struct lx_plan *plan, const struct lx_
         double glimpsed;
         if (sight == LX_SEES_NOTHING)
             continue;
-        if (sight == LX_SEES_PART && lx_glimpse_of_part(plan, surface, planned, &element, known, penumbra, &glimpsed)) {
+        if (sight == LX_SEES_PART &&
+            lx_glimpse_of_part(plan, surface, planned, &element, i, known, penumbra, asking, &glimpsed)) {
             memory->sum[i] += glimpsed;
             continue;
         }
@@ -161,7 +162,7 @@ static void light_by_seen_highlight(const struct lx_plan *plan, const struct lx_
             memory->sum[i] += sight == LX_SEES_ALL ? added : added / 2;
             continue;
         }
-        memory->sum[i] += lx_highlight_of_part(plan, surface, planned, &element, known, penumbra, asking);
+        memory->sum[i] += lx_highlight_of_part(plan, surface, planned, &element, i, known, penumbra, asking);
     }
 }
 
@@ -259,7 +260,7 @@ static void light_by_seen(const struct lx_plan *plan, const struct lx_planned_su
         memory->sum[i] = before[i];
         const struct lx_element element = element_of(surface, block, i);
         if (memory->penumbra.sight[i] == LX_SEES_PART)
-            memory->sum[i] += lx_diffuse_of_part(plan, surface, planned, &element, &memory->penumbra, asking);
+            memory->sum[i] += lx_diffuse_of_part(plan, surface, planned, &element, i, &memory->penumbra, asking);
     }
 }
 

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: MIT
-"""Many surfaces are found by a tree, few are asked one by one: what neither shows nor hides anything, put to few so that
-they are many, changes no byte of a picture and no digit of a probe; and thousands take seconds of nobody's time."""
+"""Many surfaces are found by a tree, few are asked one by one: what neither shows nor hides anything, put to few so
+that they are many, changes no byte of a picture and no digit of a probe; and thousands take nobody's time."""
 import random
 import time
 

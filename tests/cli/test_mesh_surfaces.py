@@ -297,6 +297,31 @@ def as_scenes_go(tap, tool):
     tap.ok(result.code == 0 and result.json()["max"]["value"] > 0, "-s file", result)
 
 
+def highlights_behind(tap, tool):
+    """Highlights that meshes hide in part: quick rules between the outline's edges against the reference's arcs, which
+    a small tolerance asks for; the same with each number of threads, and where two windows take turns."""
+    corners, faces = ring(180, 45, 20, 9)
+    tool.write("ring.obj", mesh_files.obj(corners, faces))
+    window = "planar, rectangle: {center: [%d, %d, 1300], size: [%d, 500], axis: [%d, %d, -2]}, radiance: 60}"
+    for highlight, shininess, turn in ("gated", 40, 30), ("plain", 300, 70), ("cosine", 8, 5):
+        shine = "material: {diffuse: 0.3, specular: 0.7, shininess: %d, highlight: %s}" % (shininess, highlight)
+        tool.write("scene.yaml", "\n".join([
+            "luxel: 1", "screen: {width: 840, height: 660, resolution: [28, 22]}",
+            "observer: {position: [100, -900, 900], target: [0, 0, 100], projection: perspective}", "surfaces:",
+            "  - {type: rectangle, center: [0, 0, 0], size: [2000, 2000], %s}" % shine,
+            "  - {type: mesh, file: ring.obj, position: [0, 0, 260], rotate: [%d, 20, 0], normals: smooth, %s}" % (
+                turn, shine),
+            "lights:", "  - {type: " + window % (-500, 400, 700, 1, -1),
+            "  - {type: " + window % (600, 500, 300, -1, -1)]) + "\n")
+        for name, words in (("quick.npy", ("--threads", "1")), ("threads.npy", ("--threads", "3")),
+                            ("exact.npy", ("--tolerance", "1e-6"))):
+            tap.equal(tool.run("render", "scene.yaml", "-o", name, *words).code, 0, "%s: %s" % (highlight, name))
+        tap.ok(tool.read("quick.npy") == tool.read("threads.npy"), "the same bytes with three threads")
+        found = tool.run("compare", "quick.npy", "exact.npy", "--json").json()
+        tap.ok(found["largest"]["value"] <= 1e-4 * found["scale"] and found["rms"] > 0, "as exact as can be seen",
+               found)
+
+
 def the_example(tap, tool):
     folder = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..", "examples", "meshes")
     made = subprocess.run([sys.executable, os.path.join(folder, "make_knot.py"), tool.file("knot.ply")], check=False)
@@ -387,4 +412,5 @@ def surveys(tap, tool):
 
 
 run_tests(Tap(), formats_agree, strips_and_sparse, as_other_surfaces, balls_tend_to_a_ball, soft_shadows, turns, sides,
-          files_are_told, broken_files_end, surveys, as_scenes_go, the_example)
+          files_are_told, broken_files_end, surveys, highlights_behind,
+          as_scenes_go, the_example)
