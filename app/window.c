@@ -167,12 +167,19 @@ static void view_pointed(AppView *view, double x_mm, double y_mm, gboolean insid
     app_window_ask_pointer(self);
 }
 
+/* The chosen source is marked in space, and is the one whose formula is shown. */
+static void choose_light(AppWindow *self, gsize index)
+{
+    app_stage_select(APP_STAGE(self->stage), (gssize)index);
+    app_why_choose(APP_WHY(self->why), index);
+}
+
 static void view_selected(AppView *view, int kind, guint index, AppWindow *self)
 {
     (void)view;
     if (kind == APP_MARK_SOURCE) {
         app_sources_choose(APP_SOURCES(self->sources), index);
-        app_stage_select(APP_STAGE(self->stage), index);
+        choose_light(self, index);
     } else if (kind == APP_MARK_SURFACE)
         gtk_drop_down_set_selected(GTK_DROP_DOWN(self->surface_list), index);
 }
@@ -203,7 +210,7 @@ static void stage_selected(AppStage *stage, int kind, guint index, AppWindow *se
     if (is_of_lamp(kind)) {
         app_sources_choose(APP_SOURCES(self->sources), index);
         app_view_select(self->view, APP_MARK_SOURCE, index);
-        app_stage_select(stage, index);
+        choose_light(self, index);
     } else if (kind == APP_THING_SURFACE)
         gtk_drop_down_set_selected(GTK_DROP_DOWN(self->surface_list), index);
 }
@@ -234,7 +241,7 @@ static void source_chosen(AppSources *sources, guint index, AppWindow *self)
 {
     (void)sources;
     app_view_select(self->view, APP_MARK_SOURCE, index);
-    app_stage_select(APP_STAGE(self->stage), index);
+    choose_light(self, index);
 }
 
 static void solo_changed(AppSources *sources, int index, AppWindow *self)
@@ -398,7 +405,7 @@ AppWindow *app_window_new(AppApplication *application)
     document_renamed(self);
     app_window_ask_picture(self);
     app_view_select(self->view, APP_MARK_SOURCE, 0);
-    app_stage_select(APP_STAGE(self->stage), 0);
+    choose_light(self, 0);
     if (app_pulse_is_on())
         self->pulse_timer = g_timeout_add(PULSE_MS, show_pulse, self);
     gtk_widget_grab_focus(GTK_WIDGET(self->view));
@@ -474,6 +481,16 @@ static void app_window_class_init(AppWindowClass *class)
 #undef BIND
 }
 
+static void make_space(AppWindow *self)
+{
+    GtkWidget *space = gtk_box_new(GTK_ORIENTATION_VERTICAL, 6);
+    self->stage = app_stage_new(self->document);
+    self->why = app_why_new();
+    gtk_box_append(GTK_BOX(space), self->stage);
+    gtk_box_append(GTK_BOX(space), self->why);
+    self->numbers = app_numbers_new(self->document, space);
+}
+
 static void app_window_init(AppWindow *self)
 {
     gtk_widget_init_template(GTK_WIDGET(self));
@@ -487,8 +504,7 @@ static void app_window_init(AppWindow *self)
     self->pointer = app_pointer_new(app_window_show_reading, self);
     app_view_set_document(self->view, self->document);
     make_left(self);
-    self->stage = app_stage_new(self->document);
-    self->numbers = app_numbers_new(self->document, self->stage);
+    make_space(self);
     gtk_box_append(GTK_BOX(self->right_box), self->numbers);
     connect_parts(self);
     show_surface(self);

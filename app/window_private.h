@@ -12,6 +12,7 @@
 #include "sources.h"
 #include "stage.h"
 #include "view.h"
+#include "why.h"
 #include "window.h"
 
 struct _AppWindow {
@@ -52,7 +53,7 @@ struct _AppWindow {
     GMenu *builtin_menu, *recent_menu, *export_menu;
     /* made by hand */
     GtkWidget *screen_form, *surface_list, *surface_form, *material_form, *picture_form;
-    GtkWidget *sources, *points, *display_form, *numbers, *stage;
+    GtkWidget *sources, *points, *display_form, *numbers, *stage, *why;
 };
 
 /* Whether the window is still there for what was begun in it: a file, a paste. */

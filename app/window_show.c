@@ -234,5 +234,7 @@ void app_window_show_reading(const AppReading *reading, gpointer owner)
     gtk_label_set_markup(GTK_LABEL(self->status_label), text->str);
     app_sources_show_shares(APP_SOURCES(self->sources), reading);
     app_stage_set_reading(APP_STAGE(self->stage), reading);
+    if (value->on_surface && value->has_value)
+        app_why_point(APP_WHY(self->why), app_window_shot(self), reading->x_mm, reading->y_mm);
     g_string_free(text, TRUE);
 }

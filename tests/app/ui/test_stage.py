@@ -81,4 +81,24 @@ def lights_up(tap, desk):
     tap.equal(window.save(), scene, "nothing is changed by that")
 
 
-trial(drags, lights_up)
+def why(tap, desk):
+    """The formula of the chosen source with the numbers of the place, which are those of luxel explain."""
+    window = desk.start().window()
+    window.click(wait("a button", lambda: window.widget.find(None, "Why?")))
+    tap.ok(wait("a hint", lambda: window.says("Rest with the pointer")), "before a place it says what to do")
+    window.pointed(*window.pixel(60, 40))
+    formula = wait("the formula", lambda: window.says("N · L = ", "B = B_d + Bₛ"))
+    where = re.search(r"x = (\S+), y = (\S+) mm", window.says("x = ", "y = "))
+    tap.ok(where and abs(float(where.group(1)) - 60) < 1 and abs(float(where.group(2)) - 40) < 1, "where it is", where)
+    product = float(re.search(r"N · L = ([\d.]+)", formula).group(1))
+    told = luxel("explain", "report", "-p", "60,40").decode()
+    tap.ok(abs(product - float(re.search(r"N · L = ([\d.]+)", told).group(1))) < 0.01, "as luxel explain has it", product)
+    window.press("The whole…", None)
+    whole = wait("the whole", lambda: next((part for top in desk.reader.program(window.app.process.pid).children()
+                                            for part in top.all(None, "Why this value?")
+                                            if "Text" in part.interfaces), None))
+    tap.ok(formula.split("\n")[-1] in whole.text and "The point of the surface" in whole.text,
+           "one click away is the whole calculation")
+
+
+trial(drags, lights_up, why)

@@ -1,0 +1,23 @@
+/* SPDX-License-Identifier: MIT */
+/*
+ * Why a value is what it is: under plan and elevation the formula of the chosen source, filled with the numbers of the
+ * place that the pointer rested at, and one click away the whole calculation, as `luxel explain` prints it.
+ */
+#ifndef LUXEL_APP_WHY_H
+#define LUXEL_APP_WHY_H
+
+#include <gtk/gtk.h>
+
+#include "picture.h"
+
+#define APP_TYPE_WHY (app_why_get_type())
+G_DECLARE_FINAL_TYPE(AppWhy, app_why, APP, WHY, GtkBox)
+
+GtkWidget *app_why_new(void);
+
+/* The pointer is at a place of the screen, of this shot; where it rests it is explained, if that is wanted. */
+void app_why_point(AppWhy *self, AppShot *shot, double x_mm, double y_mm);
+/* Whose formula is shown. */
+void app_why_choose(AppWhy *self, gsize light);
+
+#endif
