@@ -200,6 +200,8 @@ static int run(const struct options *options)
         code = open_one(options, 1, &b);
     if (code == EXIT_DONE)
         code = compare(options, &a, &b);
+    if (code == EXIT_DONE)
+        code = a.code != EXIT_DONE ? a.code : b.code;
     picture_close(&a);
     picture_close(&b);
     return code;

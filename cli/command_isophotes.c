@@ -179,6 +179,8 @@ static int run(const struct options *options)
             print_text(&drawing);
     }
     luxel_isophotes_free(drawing.isophotes);
+    if (code == EXIT_DONE)
+        code = picture.code;
     picture_close(&picture);
     return code;
 }

@@ -293,6 +293,8 @@ static int run(const struct options *options)
     }
     luxel_probe_free(profiling.probe);
     luxel_profile_free(profiling.profile);
+    if (code == EXIT_DONE)
+        code = picture.code;
     picture_close(&picture);
     return code;
 }

@@ -46,7 +46,7 @@ static void print_statistics(const struct result *result)
     /* where points are taken together it is not looked for */
     const bool is_known = statistics->minimum_reached.exists || !(result->options->settings.light_error > 0.0);
     struct text_table *table = text_table_new("lrrr");
-    char heading[TEXT_SIZE], mean[TEXT_SIZE], lit[TEXT_SIZE];
+    char heading[TEXT_SIZE], mean[TEXT_SIZE], lit[TEXT_SIZE], reflected[TEXT_SIZE];
 
     text_format(heading, _("value (%s)"), _(result_unit(result)));
     text_table_row(table, TEXT_CELLS("", heading, _("pixel (u, v)"), _("screen x, y (mm)")));
@@ -61,6 +61,10 @@ static void print_statistics(const struct result *result)
     } else {
         text_table_line(table, _("no pixel shows a surface"));
     }
+    if (statistics->has_reflected && statistics->has_surface)
+        text_table_row(table, TEXT_CELLS(_("error of reflected light"),
+                                         text_error(statistics->reflected_error * statistics->maximum.value, reflected),
+                                         "", ""));
     text_table_print(table, stdout, 2);
     if (is_known)
         explain_minimum(statistics);
@@ -148,6 +152,8 @@ static int render(const struct options *options, const struct loaded *loaded)
         write_code = compute(options, loaded, &statistics);
         if (write_code != EXIT_DONE)
             code = write_code;
+        else if (!message_reflected(&statistics))
+            code = EXIT_TOLERANCE;
         if (write_code == EXIT_DONE || write_code == EXIT_FILE) {
             result.statistics = &statistics;
             result.use.screen = result.use.pixels = true;

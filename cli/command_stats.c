@@ -316,6 +316,8 @@ static int run(const struct options *options)
             print_text(&stats);
     }
     luxel_histogram_free(stats.histogram);
+    if (code == EXIT_DONE)
+        code = picture.code;
     picture_close(&picture);
     return code;
 }

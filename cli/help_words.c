@@ -83,9 +83,8 @@ static const struct entry entries[] = {
         "prints for each measuring grid."),
      "luxel help grid|luxel help grids"},
     {"ugr|glare|daylight factor|блёскость|ослеплённость",
-     N_("Glare ratings and daylight factors are not computed. Light that surfaces reflect to each other counts at "
-        "points "
-        "and on measuring grids, where the key reflections asks for it."),
+     N_("Glare ratings and daylight factors are not computed. Light that surfaces reflect to each other counts "
+        "where the key reflections asks for it."),
      "luxel grid desk|luxel help ambient"},
     {"plot|false color|false colour|falsecolor|colormap|graph|график|рисунок",
      N_("Pictures for people, in false colour with axes, isophotes and sections, are drawn by luxel figure."),

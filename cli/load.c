@@ -136,6 +136,8 @@ struct options load_options(const struct options *options, const luxel_scene *sc
         merged.settings.tolerance = options->settings.tolerance;
     if (options_given(options, "light-error"))
         merged.settings.light_error = options->settings.light_error;
+    if (options_given(options, "reflected-error"))
+        merged.settings.reflected_error = options->settings.reflected_error;
     return merged;
 }
 

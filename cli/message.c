@@ -73,6 +73,16 @@ void message_tolerance(size_t missed, size_t count)
     message_hint(_("they are printed with their errors; --tolerance T allows another one"));
 }
 
+bool message_reflected(const luxel_statistics *statistics)
+{
+    if (statistics->reflected_reached)
+        return true;
+    message_error(_("the reflected light of the picture may be off by %.2g of its maximum"),
+                  statistics->reflected_error);
+    message_hint(_("it is made all the same; --reflected-error R allows another share"));
+    return false;
+}
+
 void message_did_you_mean(const char *nearest)
 {
     if (nearest)

@@ -530,8 +530,9 @@ static const struct option_row rows[] = {
      .help = N_("error of a pixel allowed for taking many points together, relative to its value or to a thousandth of "
                 "the maximum, from 0 (the default: each point is summed) to below 1")},
     {"reflected-error", 0, N_("R"), COMPUTING, SHARED, TAKES(take_reflected_error),
-     .help = N_("error that reflected light may have, relative to the value of a probe or of a grid's cell, above 0 "
-                "and below 1; the default is 0.001; exit code 5 where it is not reached")},
+     .help =
+         N_("error that reflected light may have, relative to the value of a probe or of a grid's cell, or to the "
+            "maximum of a picture, above 0 and below 1; the default is 0.001; exit code 5 where it is not reached")},
     {"strict", 0, NULL, SCENES, SHARED, SETS(strict), .help = N_("treat advice about the scene as an error")},
     {"json", 0, NULL, COMMAND_ANY, SHARED, SETS(json), .help = N_("print the results as one JSON object")},
     {"quiet", 'q', NULL, COMMAND_ANY, SHARED, SETS(quiet),

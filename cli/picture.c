@@ -54,7 +54,10 @@ int picture_open(const struct options *options, const char *operand, struct pict
     picture->options = load_options(&picture->options, picture->loaded.scene);
     work_begin(&work, &picture->options);
     status = luxel_render(picture->loaded.scene, &work.settings, picture->loaded.diagnostics, &picture->field);
-    return work_end(&work, status, picture->loaded.diagnostics);
+    code = work_end(&work, status, picture->loaded.diagnostics);
+    if (code == EXIT_DONE && !message_reflected(luxel_field_statistics(picture->field)))
+        picture->code = EXIT_TOLERANCE;
+    return code;
 }
 
 void picture_close(struct picture *picture)

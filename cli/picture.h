@@ -9,6 +9,7 @@ struct picture {
     struct loaded loaded;   /* its scene is NULL where the values come from a file */
     struct options options; /* as they count for this picture */
     luxel_field *field;
+    int code; /* EXIT_TOLERANCE: its reflected light is less exact than was asked for, which was said; else EXIT_DONE */
 };
 
 /* Whether a name ends as that of a file of values. */

@@ -229,6 +229,8 @@ void result_write_json(FILE *stream, const struct result *result)
     json_text(&json, "unit", result_unit(result));
     json_wholes(&json, "resolution", resolution, 2);
     write_statistics(&json, result->statistics);
+    if (result->statistics && result->statistics->has_reflected)
+        json_number(&json, "reflected_error", result->statistics->reflected_error);
     json_open(&json, "points", '[');
     for (size_t i = 0; i < result->count; i++)
         write_probe(&json, &lights, &result->probes[i]);

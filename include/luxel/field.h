@@ -57,6 +57,9 @@ typedef struct luxel_statistics {
      * light.  Only where the settings of luxel_render() ask for it, as it costs more than a picture of few point
      * sources; not of a quick look, nor where a light_error takes points together. */
     luxel_extremum minimum_reached;
+    bool has_reflected;     /* whether surfaces reflect light to each other; then all values have it */
+    double reflected_error; /* bounds the error of what it adds to any pixel, as a share of the maximum */
+    bool reflected_reached; /* whether that is no more than the settings ask for; true without such light */
 } luxel_statistics;
 
 /* Frees a field; NULL is harmless. */

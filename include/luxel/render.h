@@ -30,7 +30,7 @@ typedef struct luxel_settings {
     const char *instruction_set; /* NULL: what LUXEL_ISA says, else the best of this machine */
     double tolerance;            /* of probes, relative; 0: 1e-9 where there is no closed form */
     double light_error;          /* 0: each point is summed; else many are taken together: see luxel_render() */
-    double reflected_error;      /* of reflected light, relative to the value; 0: 1e-3: see luxel_probe */
+    double reflected_error;      /* of reflected light, relative to a probe's value or a picture's maximum; 0: 1e-3 */
     unsigned stride;             /* 1 (0 too): every pixel; n, to 65536: each n-th column and row: see luxel_render() */
     bool minimum_reached; /* false; true: statistics tell the least value where light arrives, see luxel_statistics */
     luxel_progress progress; /* NULL: none */
@@ -41,8 +41,8 @@ typedef struct luxel_settings {
 LUXEL_API void luxel_settings_init(luxel_settings *settings);
 
 /*
- * For a scene that was read from a picture: sets quantity, precision, tolerance and light_error to those that the
- * picture was made with, so that rendering repeats it byte for byte (on the same instruction set), and returns true.
+ * For a scene that was read from a picture: sets quantity, precision, tolerance, light_error and reflected_error to
+ * those that the picture was made with, so that rendering repeats it byte for byte (on the same instruction set), and returns true.
  * For any other scene it changes nothing and returns false.
  */
 LUXEL_API bool luxel_scene_settings(const luxel_scene *scene, luxel_settings *settings);

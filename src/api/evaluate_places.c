@@ -49,6 +49,17 @@ static void tell_value(const struct batch *batch, size_t i, const luxel_value *f
         memset(shares_of(work, batch->of[i]), 0, work->lights * sizeof *work->shares);
 }
 
+/* The direct light of an element with what surfaces reflect to it. */
+static lx_bounded with_reflected(const struct batch *batch, size_t i, lx_bounded direct)
+{
+    const luxel_evaluator *evaluator = batch->work->evaluator;
+    if (!evaluator->reflected_at)
+        return direct;
+    const struct lx_element element = lx_elements_get(batch->work->world.prepared, &batch->elements, i);
+    return lx_add(direct, lx_reflected_value(batch->elements.lobe, evaluator->settings.quantity,
+                                             evaluator->reflected_at(evaluator, &element)));
+}
+
 /* Sums the lights of a batch. */
 static void light_batch(const struct batch *batch)
 {
@@ -72,7 +83,7 @@ static void light_batch(const struct batch *batch)
     }
     for (size_t i = 0; i < elements->count; i++) {
         const luxel_place *place = &work->places[batch->of[i]];
-        const lx_bounded sum = {total.value[i], total.error[i]};
+        const lx_bounded sum = with_reflected(batch, i, (lx_bounded){total.value[i], total.error[i]});
         const struct lx_prepared_surface *own = elements->own[i] > 0 ? &prepared->surfaces[elements->own[i] - 1] : NULL;
         luxel_value found = {
             .on_surface = true,

@@ -2,6 +2,7 @@
 /* Evaluators: checked settings and a prepared scene, kept. */
 #include <luxel/evaluator.h>
 
+#include <math.h>
 #include <stdlib.h>
 
 #include "../base/diagnostics.h"
@@ -9,10 +10,26 @@
 #include "../shade/evaluate.h"
 #include "reflecting.h"
 
+/* On surfaces by what was found for the picture, elsewhere by an integral over all of them. */
+static lx_bounded reflected_at(const struct luxel_evaluator *evaluator, const struct lx_element *element)
+{
+    const struct lx_radiosity *reflected = evaluator->reflected;
+    const struct lx_receiver receiver = lx_receiver_of(&evaluator->prepared, element);
+    struct lx_veils veils = {0};
+    size_t near = 0;
+    if (element->own && !receiver.is_turned)
+        return lx_reflected_on(reflected, receiver.own, receiver.place_mm, receiver.normal, &near);
+    const lx_bounded light = lx_reflected_at(reflected, &evaluator->prepared, &receiver, &veils);
+    const bool failed = veils.failed;
+    lx_veils_clear(&veils);
+    return failed ? (lx_bounded){light.value, HUGE_VAL} : light;
+}
+
 void luxel_evaluator_free(luxel_evaluator *evaluator)
 {
     if (!evaluator)
         return;
+    lx_reflected_free(evaluator->reflected);
     lx_prepared_clear(&evaluator->prepared);
     free(evaluator);
 }
@@ -30,7 +47,9 @@ luxel_status luxel_evaluator_new(const luxel_scene *scene, const luxel_settings 
     struct lx_session session;
     luxel_status status = lx_session_open_world(scene, settings, diagnostics, &session);
     if (status == LUXEL_OK)
-        status = lx_refuse_reflections(session.prepared.scene, diagnostics);
+        status = lx_reflect_picture(scene, &session, diagnostics);
+    made->reflected = session.reflected;
+    made->reflected_at = session.reflected ? reflected_at : NULL;
     made->settings = session.settings;
     made->kernels = session.kernels;
     made->prepared = session.prepared;

@@ -107,6 +107,7 @@ static void take_settings(struct luxel_field *field, const char *path, const str
         field->quantity_word = lx_quantity_word(carried.quantity, is_photometric(field->unit));
         field->tolerance = carried.tolerance;
         field->light_error = carried.light_error;
+        field->reflected_error = carried.reflected_error;
     }
     lx_source_close(silent);
 }

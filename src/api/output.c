@@ -31,7 +31,7 @@ const char *luxel_output_ending(size_t i)
 struct tags {
     struct lx_tag list[LX_CARRIED_TAGS];
     size_t count;
-    char tolerance[LX_NUMBER_SIZE], light_error[LX_NUMBER_SIZE];
+    char tolerance[LX_NUMBER_SIZE], light_error[LX_NUMBER_SIZE], reflected_error[LX_NUMBER_SIZE];
 };
 
 struct lx_output {
@@ -65,6 +65,8 @@ static void collect_tags(const luxel_field *field, struct tags *tags)
         add_tag(tags, LX_TAG_TOLERANCE, lx_write_number(field->tolerance, tags->tolerance));
     if (field->light_error > 0)
         add_tag(tags, LX_TAG_LIGHT_ERROR, lx_write_number(field->light_error, tags->light_error));
+    if (field->reflected_error > 0)
+        add_tag(tags, LX_TAG_REFLECTED_ERROR, lx_write_number(field->reflected_error, tags->reflected_error));
     add_tag(tags, LX_TAG_UNIT, field->unit);
     add_tag(tags, LX_TAG_SCENE, field->scene);
 }

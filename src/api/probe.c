@@ -160,7 +160,8 @@ static void sum_lights(const struct lx_session *session, const struct lx_element
 
 /* The work on all places. */
 struct probing {
-    const struct lx_session *session;
+    const luxel_scene *scene;
+    struct lx_session *session; /* of it */
     const luxel_place *places;
     struct probes *probes;
     struct lx_control *control;
@@ -255,12 +256,6 @@ static struct lx_element element_of(const struct lx_prepared *prepared, const lu
     return element;
 }
 
-/* What a value has of an irradiance that comes by diffuse reflection. */
-static lx_bounded share_of(const struct lx_session *session, const struct lx_element *element)
-{
-    return session->settings.quantity == LUXEL_IRRADIANCE ? lx_exact(1) : element->lobe->diffuse;
-}
-
 /* Adds what is reflected to the probes that have values. */
 static void add_reflected(const struct probing *probing, const lx_bounded *irradiance, size_t count)
 {
@@ -270,7 +265,7 @@ static void add_reflected(const struct probing *probing, const lx_bounded *irrad
         if (!probe->has_value)
             continue;
         const struct lx_element element = element_of(&session->prepared, &probing->places[i]);
-        const lx_bounded value = lx_mul(share_of(session, &element), irradiance[made]);
+        const lx_bounded value = lx_reflected_value(element.lobe, session->settings.quantity, irradiance[made]);
         const lx_bounded total = lx_add((lx_bounded){probe->value, probe->error}, value);
         probe->has_reflected = true;
         probe->reflected_irradiance = irradiance[made++].value;
@@ -296,12 +291,13 @@ static luxel_status reflect(const struct probing *probing, size_t count, luxel_d
         if (!probe->has_value)
             continue;
         const struct lx_element element = element_of(&session->prepared, &probing->places[i]);
-        const double share = share_of(session, &element).value;
+        const double share = lx_reflected_value(element.lobe, session->settings.quantity, lx_exact(1)).value;
         places[made].receiver = lx_receiver_of(&session->prepared, &element);
         places[made++].direct = share > 0 ? probe->value / share : HUGE_VAL;
     }
     if (status == LUXEL_OK && made > 0) {
-        const struct lx_reflecting reflecting = {.prepared = &session->prepared,
+        const struct lx_reflecting reflecting = {.picture = session->reflected,
+                                                 .prepared = &session->prepared,
                                                  .kernels = lx_element_kernels_of(session->kernels),
                                                  .settings = &session->settings,
                                                  .control = probing->control,
@@ -317,7 +313,16 @@ static luxel_status reflect(const struct probing *probing, size_t count, luxel_d
     return status;
 }
 
-/* First the values, then the pixels. */
+/* Finds what surfaces reflect in the picture, if some probe has a pixel there. */
+static luxel_status reflect_picture(const struct probing *probing, size_t count, luxel_diagnostics *diagnostics)
+{
+    for (size_t i = 0; i < count; i++)
+        if (probing->probes->list[i].on_surface && probing->probes->list[i].has_pixel)
+            return lx_reflect_picture(probing->scene, probing->session, diagnostics);
+    return LUXEL_OK;
+}
+
+/* First the values, then the pixels, and what surfaces reflect. */
 static luxel_status compute(struct probing *probing, struct lx_control *control, size_t count,
                             luxel_diagnostics *diagnostics)
 {
@@ -328,14 +333,14 @@ static luxel_status compute(struct probing *probing, struct lx_control *control,
         return LUXEL_OK;
     if (!lx_rows_run_part(control, lx_thread_count(probing->session->settings.threads, places / 4 + 1), &values))
         return LUXEL_CANCELLED;
-    luxel_status status;
-    if (lx_wants_reflections(probing->session->prepared.scene)) {
-        status = reflect(probing, count, diagnostics);
-    } else {
+    luxel_status status = reflect_picture(probing, count, diagnostics);
+    if (status == LUXEL_OK) {
         status = lx_probe_pixels(probing->session, control, list, count);
         if (status == LUXEL_ERROR_MEMORY)
             lx_out_of_memory(diagnostics);
     }
+    if (status == LUXEL_OK && lx_wants_reflections(probing->session->prepared.scene))
+        status = reflect(probing, count, diagnostics);
     return status == LUXEL_OK ? check_values(list, count, diagnostics) : status;
 }
 
@@ -364,7 +369,7 @@ luxel_status luxel_probe_many(const luxel_scene *scene, const luxel_settings *se
 {
     struct lx_session session;
     struct lx_control control = {.rows = count < UINT_MAX / 2 ? 2 * (unsigned)count : UINT_MAX};
-    struct probing probing = {.session = &session, .places = places, .control = &control};
+    struct probing probing = {.scene = scene, .session = &session, .places = places, .control = &control};
     if (!probes || (!places && count > 0)) {
         lx_report(diagnostics, LUXEL_SEVERITY_ERROR, NULL, LX_MSG_MISSING_ARGUMENT,
                   LX_ARGS(probes ? "places" : "probes"));

@@ -11,6 +11,7 @@
 #include "../base/rows.h"
 #include "../shade/camera.h"
 #include "../shade/panels.h"
+#include "reflecting.h"
 
 /* A pixel that is wanted: the tile it lies in, by the place of that in the picture, and whose probe it is. */
 struct wanted {
@@ -112,6 +113,33 @@ static const struct scratch *scratch_of(const struct pixels *pixels, unsigned wo
     return scratch->shader && (scratch->panels || !plan->in_panels) ? scratch : NULL;
 }
 
+/* Adds what surfaces reflect to the pixels, each as in its row of the picture. */
+static luxel_status reflect(const struct pixels *pixels, size_t count)
+{
+    const struct lx_session *session = pixels->session;
+    const struct lx_screen *screen = &session->prepared.scene->screen;
+    struct lx_shader_memory *memory = lx_shader_memory_new(&session->plan);
+    const uint8_t shown = 1;
+    for (size_t i = 0; memory && i < count; i++) {
+        luxel_probe *probe = pixels->wanted[i].probe;
+        const double x_mm = lx_column_x_mm(screen, probe->column);
+        float single = (float)probe->pixel_value;
+        const bool in_double = session->settings.precision == LUXEL_DOUBLE;
+        const struct lx_lit_row row = {.y_mm = lx_row_y_mm(screen, probe->row),
+                                       .x_mm = &x_mm,
+                                       .count = 1,
+                                       .values = in_double ? (void *)&probe->pixel_value : &single,
+                                       .mask = &shown};
+        if (!probe->has_pixel_value)
+            continue;
+        lx_reflect_row(session, memory, &row);
+        if (!in_double)
+            probe->pixel_value = (double)single;
+    }
+    lx_shader_memory_free(memory);
+    return memory ? LUXEL_OK : LUXEL_ERROR_MEMORY;
+}
+
 /* For the pool a tile is a row. */
 static void shade_tiles(void *data, unsigned worker, bool is_caller, unsigned first, unsigned last)
 {
@@ -186,6 +214,8 @@ luxel_status lx_probe_pixels(const struct lx_session *session, struct lx_control
         else if (atomic_load(&pixels.failed))
             status = LUXEL_ERROR_MEMORY;
     }
+    if (status == LUXEL_OK && session->reflected)
+        status = reflect(&pixels, pixels.first[tiles]);
     for (unsigned i = 0; pixels.scratch && i < threads; i++) {
         lx_panels_memory_free(pixels.scratch[i].panels);
         lx_shader_memory_free(pixels.scratch[i].shader);

@@ -34,7 +34,8 @@ luxel_status lx_reaching_open(struct lx_reaching *reaching, const struct lx_sess
     const luxel_settings *settings = &session->settings;
     if (!settings->minimum_reached || settings->stride > 1)
         return LUXEL_OK;
-    reaching->is_plain = lx_reach_is_plain(&session->prepared, settings->quantity);
+    /* what surfaces reflect arrives wherever there is any */
+    reaching->is_plain = session->reflected || lx_reach_is_plain(&session->prepared, settings->quantity);
     if (reaching->is_plain || session->plan.forest.tree_count > 0)
         return LUXEL_OK;
     luxel_status status = lx_reach_open(&reaching->reach, session->prepared.scene, session->kernels, settings);

@@ -38,7 +38,8 @@ static void ask_places(void *data, unsigned worker, bool is_caller, unsigned fir
     const struct asking *asking = data;
     for (unsigned i = first; i < last && lx_control_goes_on(asking->reflecting->control, is_caller); i++)
         asking->reflecting->irradiance[i] =
-            lx_reflected_at(asking->reflected, &asking->reflecting->places[i].receiver, &asking->veils[worker]);
+            lx_reflected_at(asking->reflected, asking->reflecting->prepared, &asking->reflecting->places[i].receiver,
+                            &asking->veils[worker]);
 }
 
 static luxel_status ask(const struct lx_reflecting *reflecting, const struct lx_radiosity *reflected, unsigned threads)
@@ -70,10 +71,13 @@ luxel_status lx_reflect_places(const struct lx_reflecting *reflecting, luxel_dia
         .threads = threads,
         .control = reflecting->control,
     };
-    struct lx_radiosity *reflected;
-    luxel_status status = lx_reflected_make(&wish, &reflected);
+    struct lx_radiosity *reflected = NULL;
+    const struct lx_radiosity *picture = reflecting->picture;
+    if (picture && !lx_reflected_is_reached(picture, &wish))
+        picture = NULL;
+    luxel_status status = picture ? LUXEL_OK : lx_reflected_make(&wish, &reflected);
     if (status == LUXEL_OK)
-        status = ask(reflecting, reflected, threads);
+        status = ask(reflecting, picture ? picture : reflected, threads);
     lx_reflected_free(reflected);
     return status == LUXEL_ERROR_MEMORY ? lx_out_of_memory(diagnostics) : status;
 }

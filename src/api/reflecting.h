@@ -4,6 +4,7 @@
 #define LX_API_REFLECTING_H
 
 #include "../reflect/reflected.h"
+#include "../shade/shader.h"
 #include "refuse.h"
 #include "session.h"
 
@@ -18,6 +19,7 @@ double lx_reflected_error_of(const luxel_settings *settings);
  * for them, and asks at each, in parallel.  LUXEL_OK, LUXEL_CANCELLED, LUXEL_ERROR_MEMORY, which is reported.
  */
 struct lx_reflecting {
+    const struct lx_radiosity *picture; /* what was found for the picture, if it is good enough; NULL: was not found */
     const struct lx_prepared *prepared;
     const struct lx_element_kernels *kernels;
     const luxel_settings *settings;
@@ -27,5 +29,25 @@ struct lx_reflecting {
     lx_bounded *irradiance; /* of each place: set here */
 };
 luxel_status lx_reflect_places(const struct lx_reflecting *reflecting, luxel_diagnostics *diagnostics);
+
+/*
+ * Finds what surfaces reflect in the session's picture, if the scene wants light to be reflected: session->reflected,
+ * from the scene where it was found before, whose next user finds it there.  LUXEL_OK, LUXEL_CANCELLED,
+ * LUXEL_ERROR_MEMORY, which is reported.
+ */
+luxel_status lx_reflect_picture(const luxel_scene *scene, struct lx_session *session, luxel_diagnostics *diagnostics);
+
+/* Finished pixels of direct light in a row, through (x_mm[i], y_mm): float or double as the settings say, and which of
+ * them show a surface. */
+struct lx_lit_row {
+    double y_mm;
+    const double *x_mm;
+    size_t count;
+    void *values;
+    const uint8_t *mask;
+};
+
+/* Adds what is reflected, with the scratch memory of the plan's shader.  Returns a bound of the errors of that. */
+double lx_reflect_row(const struct lx_session *session, struct lx_shader_memory *memory, const struct lx_lit_row *row);
 
 #endif

@@ -16,7 +16,7 @@ luxel_status luxel_render(const luxel_scene *scene, const luxel_settings *settin
     struct luxel_field *made = NULL;
     luxel_status status = lx_session_open(scene, settings, diagnostics, &session);
     if (status == LUXEL_OK)
-        status = lx_refuse_reflections(session.prepared.scene, diagnostics);
+        status = lx_reflect_picture(scene, &session, diagnostics);
     if (status == LUXEL_OK)
         status = lx_new_frame(&session, scene, diagnostics, &made);
     if (status == LUXEL_OK)

@@ -152,11 +152,11 @@ luxel_status luxel_render_files(const luxel_scene *scene, const luxel_settings *
     if (status == LUXEL_OK)
         status = lx_session_open(scene, settings, diagnostics, &session);
     if (status == LUXEL_OK)
-        status = lx_refuse_reflections(session.prepared.scene, diagnostics);
-    if (status == LUXEL_OK)
         status = lx_new_frame(&session, scene, diagnostics, &frame);
     if (status == LUXEL_OK)
         status = open_files(&files, frame, paths, count, how, diagnostics);
+    if (status == LUXEL_OK)
+        status = lx_reflect_picture(scene, &session, diagnostics);
     if (status == LUXEL_OK)
         status = write_files(&rendering, &session, frame, &files, diagnostics);
     if (status == LUXEL_OK) {

@@ -17,6 +17,7 @@
 #include "../base/number.h"
 #include "../format/tags.h"
 #include "../shade/effort.h"
+#include "reflecting.h"
 
 /* The row's pixels off the surfaces are 0, and no other is below. */
 static struct lx_row_statistics look_over_row(const struct lx_rendering *rendering, unsigned row, size_t surface_pixels)
@@ -41,10 +42,28 @@ static struct lx_row_statistics look_over_row(const struct lx_rendering *renderi
     };
 }
 
-/* All that is gathered of a row. */
+/* Adds what surfaces reflect to a row of direct light. */
+static void reflect_row(struct lx_rendering *rendering, unsigned worker, unsigned row)
+{
+    const struct luxel_field *field = rendering->field;
+    const struct lx_strip *strip = &rendering->computed->strip;
+    const size_t size = field->precision == LUXEL_DOUBLE ? sizeof(double) : sizeof(float);
+    const size_t first = (size_t)(row - strip->first) * field->columns;
+    const struct lx_lit_row lit = {.y_mm = field->y_mm[row],
+                                   .x_mm = field->x_mm,
+                                   .count = field->columns,
+                                   .values = (char *)strip->values + first * size,
+                                   .mask = strip->mask + first};
+    rendering->computed->reflected_errors[row - strip->first] =
+        lx_reflect_row(rendering->session, rendering->memories[worker], &lit);
+}
+
+/* Finishes a row, and all that is gathered of it. */
 static void survey_row(struct lx_rendering *rendering, unsigned worker, unsigned row, size_t surface_pixels)
 {
     const struct lx_strip *strip = &rendering->computed->strip;
+    if (rendering->computed->reflected_errors)
+        reflect_row(rendering, worker, row);
     struct lx_row_statistics *gathered = &rendering->computed->rows[row - strip->first];
     *gathered = look_over_row(rendering, row, surface_pixels);
     lx_reaching_row(&rendering->reaching, worker, rendering->field, strip, row, gathered);
@@ -183,6 +202,7 @@ static luxel_status keep_origin(const struct lx_session *session, const luxel_sc
     field->quantity = settings->quantity;
     field->tolerance = settings->tolerance;
     field->light_error = settings->light_error;
+    field->reflected_error = lx_wants_reflections(session->prepared.scene) ? settings->reflected_error : 0;
     field->instruction_set = session->kernels->name;
     field->quantity_word = lx_quantity_word(settings->quantity, session->prepared.scene->units == LX_PHOTOMETRIC);
     field->unit = lx_copy_text(unit, strlen(unit));
@@ -223,7 +243,10 @@ static luxel_status hold(struct lx_rendering *rendering, unsigned height)
         struct lx_held *held = &rendering->held[i];
         held->strip.rows = height;
         held->rows = lx_new_array(height, sizeof *held->rows);
-        complete = complete && held->rows && lx_strip_allocate(field, &held->strip) == 0;
+        if (rendering->session->reflected)
+            held->reflected_errors = lx_new_array(height, sizeof *held->reflected_errors);
+        complete = complete && held->rows && (held->reflected_errors || !rendering->session->reflected) &&
+                   lx_strip_allocate(field, &held->strip) == 0;
     }
     return complete ? LUXEL_OK : too_large(size, needed, needed < available ? 0 : available, rendering->diagnostics);
 }
@@ -253,6 +276,7 @@ luxel_status lx_rendering_open(struct lx_rendering *rendering, const struct lx_s
 {
     const luxel_settings *settings = &session->settings;
     *rendering = (struct lx_rendering){
+        .session = session,
         .plan = &session->plan,
         .field = field,
         .diagnostics = diagnostics,
@@ -284,6 +308,12 @@ static void finish_statistics(struct lx_rendering *rendering)
     *statistics = lx_tally_finish(&rendering->tally);
     if (rendering->reaching.is_plain)
         statistics->minimum_reached = statistics->minimum;
+    if (!rendering->session->reflected)
+        return;
+    const double maximum = statistics->maximum.exists ? statistics->maximum.value : 0;
+    statistics->has_reflected = true;
+    statistics->reflected_error = maximum > 0 ? rendering->reflected_error / maximum : 0;
+    statistics->reflected_reached = statistics->reflected_error <= lx_reflected_error_of(&rendering->session->settings);
 }
 
 /* Takes the rows that are finished into the statistics and hands them on. */
@@ -293,6 +323,8 @@ static void put_away(void *data)
     struct luxel_field *field = rendering->field;
     const struct lx_strip *strip = &rendering->finished->strip;
     lx_tally_add(&rendering->tally, field, strip, rendering->finished->rows);
+    for (unsigned i = 0; rendering->finished->reflected_errors && i < strip->rows; i++)
+        rendering->reflected_error = fmax(rendering->reflected_error, rendering->finished->reflected_errors[i]);
     rendering->status = check_range(field, &rendering->tally.so_far.maximum, rendering->diagnostics);
     if (rendering->status != LUXEL_OK) {
         atomic_store(&rendering->control.stop, true);
@@ -358,5 +390,6 @@ void lx_rendering_clear(struct lx_rendering *rendering)
         free(rendering->held[i].strip.values);
         free(rendering->held[i].strip.mask);
         free(rendering->held[i].rows);
+        free(rendering->held[i].reflected_errors);
     }
 }

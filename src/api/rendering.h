@@ -11,11 +11,13 @@
 struct lx_held {
     struct lx_strip strip;
     struct lx_row_statistics *rows;
+    double *reflected_errors; /* of each row; NULL: nothing is reflected */
 };
 
 struct lx_rendering {
-    const struct lx_plan *plan;
-    struct luxel_field *field; /* a frame; gets its statistics before the last strip is handed on */
+    const struct lx_session *session;
+    const struct lx_plan *plan; /* of it */
+    struct luxel_field *field;  /* a frame; gets its statistics before the last strip is handed on */
     luxel_diagnostics *diagnostics;
     struct lx_control control;
     unsigned threads;
@@ -28,6 +30,7 @@ struct lx_rendering {
     struct lx_held *finished;           /* and these, which come before, handed on; NULL: none yet */
     struct lx_reaching reaching;
     struct lx_tally tally;
+    double reflected_error; /* of what was added to the rows that were put away */
     luxel_status status;
     /* For the user: what takes the strips, from the top on, each once, in the calling thread; NULL: nothing. */
     void (*take)(void *data, const struct lx_strip *strip);

@@ -130,6 +130,7 @@ luxel_status lx_session_open(const luxel_scene *scene, const luxel_settings *set
 
 void lx_session_clear(struct lx_session *session)
 {
+    lx_reflected_free(session->reflected);
     lx_plan_clear(&session->plan);
     lx_prepared_clear(&session->prepared);
 }

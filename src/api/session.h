@@ -8,6 +8,7 @@
 
 #include <luxel/render.h>
 
+#include "../reflect/reflected.h"
 #include "../shade/plan.h"
 
 struct lx_session {
@@ -15,6 +16,8 @@ struct lx_session {
     const struct lx_kernels *kernels;
     struct lx_prepared prepared;
     struct lx_plan plan;
+    struct lx_radiosity
+        *reflected; /* what surfaces reflect in the picture; NULL: they do not, or it is not known yet */
 };
 
 /* The scene is committed and the settings (NULL: the defaults) in their ranges; they are copied. */

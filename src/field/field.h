@@ -24,7 +24,7 @@ struct luxel_field {
     luxel_quantity quantity;
     const char *quantity_word; /* a constant */
     luxel_precision precision;
-    double tolerance, light_error; /* of the settings that it was made with; 0: the defaults */
+    double tolerance, light_error, reflected_error; /* of the settings that it was made with; 0: the defaults */
     char *unit;
     const char *instruction_set; /* a constant of the program */
     char *scene;                 /* as text; NULL: not known */

@@ -87,6 +87,7 @@ luxel_statistics lx_tally_finish(const struct lx_tally *tally)
 {
     luxel_statistics all = tally->so_far;
     all.has_surface = all.surface_pixels > 0;
+    all.reflected_reached = true;
     if (all.has_surface) {
         all.mean = tally->sum / (double)all.surface_pixels;
         all.lit = (double)tally->lit_pixels / (double)all.surface_pixels;

@@ -5,9 +5,9 @@
 
 #include "solution.h"
 
-struct lx_arrival lx_gather(const struct lx_radiosity *reflected, const struct lx_fineness *fineness,
-                            const struct lx_receiver *receiver, const double *indirect, const double *slack,
-                            struct lx_veils *veils, float *row)
+struct lx_arrival lx_gather(const struct lx_radiosity *reflected, const struct lx_prepared *prepared,
+                            const struct lx_fineness *fineness, const struct lx_receiver *receiver,
+                            const double *indirect, const double *slack, struct lx_veils *veils, float *row)
 {
     struct lx_arrival sum = {0, 0};
     if (row)
@@ -16,7 +16,7 @@ struct lx_arrival lx_gather(const struct lx_radiosity *reflected, const struct l
         const struct lx_matte_face *face = &reflected->faces[f];
         const bool is_own = face->surface == receiver->own && !receiver->is_turned;
         if ((is_own && (face->is_flat || face->sheet.turn > 0)) ||
-            !lx_veils_set(reflected->prepared, receiver, face, reflected->size_mm, veils))
+            !lx_veils_set(prepared, receiver, face, reflected->size_mm, veils))
             continue;
         double value = 0, error = 0;
         for (size_t t = reflected->first_tile[f]; t < reflected->first_tile[f + 1]; t++) {

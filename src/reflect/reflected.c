@@ -10,17 +10,18 @@
 #include "../surface/beside.h"
 #include "refine.h"
 
-enum { MOST_ROUNDS = 6, MOST_TILES = 560, LEVELS = 6 };
+enum { MOST_ROUNDS = 6, MOST_ROUNDS_OF_PICTURES = 4, LEVELS = 6 };
+/* Cells along a face at first: for places, and for pictures, of which less is asked. */
+enum { CELLS = 6, CELLS_OF_PICTURES = 4 };
 
 /* Differences of direct light that do not count, as a share of all of it. */
 static const double LITTLE = 2e-6;
 /* Errors of the last integral beside what two of them differ by. */
 static const double ROUNDING = 1e-7;
 
-void lx_reflected_free(struct lx_radiosity *reflected)
+static void free_solution(struct lx_kept *kept)
 {
-    if (!reflected)
-        return;
+    struct lx_radiosity *reflected = (struct lx_radiosity *)kept;
     for (size_t t = 0; t < reflected->tile_count; t++)
         lx_direct_clear(&reflected->tiles[t].direct);
     free(reflected->faces);
@@ -31,6 +32,25 @@ void lx_reflected_free(struct lx_radiosity *reflected)
     free(reflected->slack);
     free(reflected->slack_before);
     free(reflected);
+}
+
+void lx_reflected_free(struct lx_radiosity *reflected)
+{
+    lx_kept_release(reflected ? &reflected->kept : NULL);
+}
+
+struct lx_kept *lx_reflected_kept(struct lx_radiosity *reflected)
+{
+    return &reflected->kept;
+}
+
+struct lx_radiosity *lx_reflected_of_kept(struct lx_kept *kept, const struct lx_reflected_key *key)
+{
+    struct lx_radiosity *reflected = (struct lx_radiosity *)kept;
+    const struct lx_reflected_key *made = &reflected->key;
+    const bool is_it = made->quantity == key->quantity && made->error == key->error &&
+                       made->tolerance == key->tolerance && made->kernels == key->kernels;
+    return is_it ? reflected : NULL;
 }
 
 /* ---- direct light ---- */
@@ -93,136 +113,46 @@ static luxel_status light_up(struct lx_radiosity *reflected)
 /* ---- what is asked for ---- */
 
 /* A place, by an integral twice: once coarse, to tell what the cells of integrals leave. */
-lx_bounded lx_reflected_at(const struct lx_radiosity *reflected, const struct lx_receiver *receiver,
-                           struct lx_veils *veils)
+lx_bounded lx_reflected_at(const struct lx_radiosity *reflected, const struct lx_prepared *prepared,
+                           const struct lx_receiver *receiver, struct lx_veils *veils)
 {
     const struct lx_arrival fine =
-        lx_gather(reflected, &lx_fine, receiver, reflected->before, reflected->slack_before, veils, NULL);
-    const struct lx_arrival coarse = lx_gather(reflected, &lx_coarse, receiver, reflected->before, NULL, veils, NULL);
+        lx_gather(reflected, prepared, &lx_fine, receiver, reflected->before, reflected->slack_before, veils, NULL);
+    const struct lx_arrival coarse =
+        lx_gather(reflected, prepared, &lx_coarse, receiver, reflected->before, NULL, veils, NULL);
     return (lx_bounded){fine.value, fine.slack + fabs(fine.value - coarse.value) + ROUNDING * fabs(fine.value)};
 }
 
-/* What the tiles add to the error of a place: residuals and weights. */
-static luxel_status weigh_place(const struct lx_radiosity *reflected, const struct lx_receiver *receiver, float *row,
-                                double *weights)
-{
-    struct lx_veils veils = {0};
-    lx_gather(reflected, &lx_coarse, receiver, NULL, NULL, &veils, row);
-    lx_veils_clear(&veils);
-    for (size_t i = 0; i < reflected->tile_count * LX_RULE_NODES; i++)
-        weights[i / LX_RULE_NODES] = fmax(weights[i / LX_RULE_NODES], 0) + fabs((double)row[i]);
-    return LUXEL_OK;
-}
+/* ---- rounds of refinement ---- */
 
-struct judging {
-    struct lx_radiosity *reflected;
-    const struct lx_reflected_wish *wish;
-    bool reached;
-};
-
-/* Whether the errors at all places are small enough. */
-static bool is_reached(const struct lx_radiosity *reflected, const struct lx_reflected_wish *wish)
+bool lx_reflected_is_reached(const struct lx_radiosity *reflected, const struct lx_reflected_wish *wish)
 {
-    struct lx_veils veils = {0};
-    bool reached = true;
-    for (size_t p = 0; p < wish->place_count && reached; p++) {
-        const struct lx_reflected_place *place = &wish->places[p];
-        const lx_bounded light = lx_reflected_at(reflected, &place->receiver, &veils);
-        reached = light.error <= wish->error * (light.value + place->direct);
-    }
-    lx_veils_clear(&veils);
-    return reached;
-}
-
-static double area_of(const struct lx_tile *tile)
-{
-    double area = 0;
-    for (int q = 0; q < LX_RULE_NODES; q++)
-        area += tile->cell.area[q];
-    return area;
-}
-
-/* How much the residual of each tile matters: by what the places see of it, and by its share of all. */
-static int weigh(const struct lx_radiosity *reflected, const struct lx_reflected_wish *wish, double *scores)
-{
-    enum { MOST_WEIGHED = 16 };
-    const size_t tiles = reflected->tile_count;
-    float *row = lx_new_array(tiles * LX_RULE_NODES, sizeof *row);
-    double *weights = lx_new_array(tiles, sizeof *weights), all = 0;
-    const size_t step = wish->place_count / MOST_WEIGHED + 1;
-    for (size_t t = 0; t < tiles; t++)
-        all += area_of(&reflected->tiles[t]);
-    for (size_t p = 0; row && weights && p < wish->place_count; p += step)
-        weigh_place(reflected, &wish->places[p].receiver, row, weights);
-    for (size_t t = 0; row && weights && t < tiles; t++) {
-        const struct lx_tile *tile = &reflected->tiles[t];
-        const double seen = weights[t] / (double)(wish->place_count / step + 1), share = 4 * area_of(tile) / all;
-        scores[t] = reflected->faces[tile->face].reflectance * (seen + share) *
-                    (tile->residual[0] + tile->residual[1] + tile->direct_error);
-    }
-    const int failed = row && weights ? 0 : -1;
-    free(row);
-    free(weights);
-    return failed;
-}
-
-static int falling(const void *a, const void *b)
-{
-    const double x = *(const double *)a, y = *(const double *)b;
-    return (x < y) - (x > y);
-}
-
-/* The score from which on tiles are cut: they are to hold most of the sum, but not to become too many. */
-static double threshold_of(const double *scores, size_t count, size_t most)
-{
-    const double most_of_it = 0.85;
-    double *sorted = lx_new_array(count, sizeof *sorted), sum = 0, reached = 0, threshold = HUGE_VAL;
-    if (!sorted)
-        return -1;
-    memcpy(sorted, scores, count * sizeof *sorted);
-    qsort(sorted, count, sizeof *sorted, falling);
-    for (size_t t = 0; t < count; t++)
-        sum += sorted[t];
-    for (size_t t = 0; t < count && t < most && reached < most_of_it * sum; t++) {
-        reached += sorted[t];
-        threshold = sorted[t];
-    }
-    free(sorted);
-    return threshold;
+    return wish->place_count > 0 ? lx_places_are_reached(reflected, wish) : lx_spots_are_reached(reflected, wish);
 }
 
 /* Cuts the tiles that matter; false: none, or *failed. */
 static bool refine(struct lx_radiosity *reflected, const struct lx_reflected_wish *wish, bool *failed)
 {
     const size_t count = reflected->tile_count;
-    if (count >= MOST_TILES)
+    if (count >= LX_MOST_TILES)
         return false;
-    double *scores = lx_new_array(count, sizeof *scores);
     uint8_t *cuts = lx_new_array(count, sizeof *cuts);
-    bool any = false;
-    *failed = !scores || !cuts || weigh(reflected, wish, scores);
-    const double threshold = *failed ? 0 : threshold_of(scores, count, (MOST_TILES - count) * 2 / 3 + 1);
-    *failed = *failed || threshold < 0;
-    for (size_t t = 0; t < count && !*failed; t++) {
-        const double *residual = reflected->tiles[t].residual;
-        if (!(scores[t] >= threshold && scores[t] > 0))
-            continue;
-        cuts[t] = residual[0] > 3 * residual[1] ? 1 : residual[1] > 3 * residual[0] ? 2 : 3;
-        any = true;
-    }
-    *failed = *failed || (any && lx_tiling_cut(reflected, cuts));
-    free(scores);
+    const int any = !cuts                   ? -1
+                    : wish->place_count > 0 ? lx_places_cut(reflected, wish, cuts)
+                                            : lx_spots_cut(reflected, wish, cuts);
+    *failed = any < 0 || (any > 0 && lx_tiling_cut(reflected, cuts));
     free(cuts);
-    return any && !*failed;
+    return any > 0 && !*failed;
 }
 
 static luxel_status work(struct lx_radiosity *reflected, const struct lx_reflected_wish *wish)
 {
+    const int most = wish->place_count > 0 ? MOST_ROUNDS : MOST_ROUNDS_OF_PICTURES;
     luxel_status status = lx_tiling_make(reflected) ? LUXEL_ERROR_MEMORY : light_up(reflected);
     for (int round = 0; status == LUXEL_OK; round++) {
         bool failed = false;
         status = lx_reflected_solve(reflected);
-        if (status != LUXEL_OK || round == MOST_ROUNDS || is_reached(reflected, wish) ||
+        if (status != LUXEL_OK || round == most || lx_reflected_is_reached(reflected, wish) ||
             !refine(reflected, wish, &failed))
             return failed ? LUXEL_ERROR_MEMORY : status;
         status = sample(reflected);
@@ -238,13 +168,18 @@ luxel_status lx_reflected_make(const struct lx_reflected_wish *wish, struct lx_r
         return LUXEL_ERROR_MEMORY;
     const struct lx_choice_or_whole *bounces = &wish->prepared->scene->reflections;
     *reflected = (struct lx_radiosity){
+        .key = wish->key,
         .prepared = wish->prepared,
+        .most_cells = wish->place_count > 0 ? CELLS : CELLS_OF_PICTURES,
         .sampling = {.world = {wish->prepared, wish->kernels}, .lobe = lx_lobe_irradiance(), .most_levels = LEVELS},
         .bounces = bounces->choice < 0 ? bounces->whole : 0,
         .threads = wish->threads,
         .control = wish->control,
     };
+    lx_kept_init(&reflected->kept, free_solution);
     const luxel_status status = work(reflected, wish);
+    reflected->prepared = reflected->sampling.world.prepared = NULL;
+    reflected->control = NULL;
     if (status != LUXEL_OK) {
         lx_reflected_free(reflected);
         *made = NULL;

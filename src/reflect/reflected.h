@@ -12,11 +12,20 @@
 #ifndef LX_REFLECT_REFLECTED_H
 #define LX_REFLECT_REFLECTED_H
 
+#include "../format/kept.h"
 #include "../shade/reference.h"
 #include "../shade/world.h"
 #include "veil.h"
 
+/* A solution; it never changes once made, and may be shared. */
 struct lx_radiosity;
+
+/* What a solution for a picture was made with, beside its scene. */
+struct lx_reflected_key {
+    int quantity;
+    double error, tolerance;
+    const void *kernels;
+};
 
 /* A place whose reflected light is wanted, and how large the error may be beside what is reflected: the direct
  * irradiance there. */
@@ -25,12 +34,23 @@ struct lx_reflected_place {
     double direct;
 };
 
+/* A place of a surface that a picture shows: what its value takes of the reflected irradiance, and what it has beside
+ * that, or less. */
+struct lx_reflected_spot {
+    size_t surface;
+    double place_mm[3], normal[3];
+    double share, value;
+};
+
 struct lx_reflected_wish {
     const struct lx_prepared *prepared;
     const struct lx_element_kernels *kernels;
-    double error; /* the bound wanted: relative to the value of each place or, without places, to the greatest value */
-    const struct lx_reflected_place *places; /* tiles are refined for these; NULL: for all that there is */
+    double error; /* the bound wanted: relative to the value of each place, or of spots to the greatest value */
+    const struct lx_reflected_place *places; /* tiles are refined for these, or where there are none for: */
     size_t place_count;
+    const struct lx_reflected_spot *spots;
+    size_t spot_count;
+    struct lx_reflected_key key;
     unsigned threads;
     struct lx_control *control;
 };
@@ -39,11 +59,26 @@ struct lx_reflected_wish {
 luxel_status lx_reflected_make(const struct lx_reflected_wish *wish, struct lx_radiosity **made);
 void lx_reflected_free(struct lx_radiosity *reflected);
 
+/* Solutions among what is kept: as such, and, of what is, as what was made with this; NULL: it was made with another. */
+struct lx_kept *lx_reflected_kept(struct lx_radiosity *reflected);
+struct lx_radiosity *lx_reflected_of_kept(struct lx_kept *kept, const struct lx_reflected_key *key);
+
 /* The receiver of an element. */
 struct lx_receiver lx_receiver_of(const struct lx_prepared *prepared, const struct lx_element *element);
 
-/* The reflected irradiance of a receiver; `veils` is memory of the caller, zero-initialised at first. */
-lx_bounded lx_reflected_at(const struct lx_radiosity *reflected, const struct lx_receiver *receiver,
-                           struct lx_veils *veils);
+/* Whether the errors at places, which are in the wish, are small enough. */
+bool lx_reflected_is_reached(const struct lx_radiosity *reflected, const struct lx_reflected_wish *wish);
+
+/* The reflected irradiance of a receiver in the prepared scene that it was made of, or in one prepared likewise;
+ * `veils` is memory of the caller, zero-initialised at first. */
+lx_bounded lx_reflected_at(const struct lx_radiosity *reflected, const struct lx_prepared *prepared,
+                           const struct lx_receiver *receiver, struct lx_veils *veils);
+
+/*
+ * The same on a surface, for many places: the polynomial of the tile there, with the bound that holds on all of it.
+ * `near` is of the caller, 0 at first: places that follow each other are often on one tile.
+ */
+lx_bounded lx_reflected_on(const struct lx_radiosity *reflected, size_t surface, const double place_mm[3],
+                           const double normal[3], size_t *near);
 
 #endif

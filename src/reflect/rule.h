@@ -8,18 +8,25 @@
 
 enum { LX_ORDER = 4, LX_RULE_NODES = LX_ORDER * LX_ORDER };
 
-extern const double lx_rule_places[LX_ORDER], lx_rule_weights[LX_ORDER];
+#define LX_RULE_OUTER 0.86113631159405257522
+#define LX_RULE_INNER 0.33998104358485626480
+#define LX_RULE_OUTER_WEIGHT 0.34785484513745385737
+#define LX_RULE_INNER_WEIGHT 0.65214515486254614263
 
-/* The polynomials that are 1 at one node and 0 at the others, at x. */
+static const double lx_rule_places[LX_ORDER] = {-LX_RULE_OUTER, -LX_RULE_INNER, LX_RULE_INNER, LX_RULE_OUTER};
+static const double lx_rule_weights[LX_ORDER] = {LX_RULE_OUTER_WEIGHT, LX_RULE_INNER_WEIGHT, LX_RULE_INNER_WEIGHT,
+                                                 LX_RULE_OUTER_WEIGHT};
+
+/* The polynomials that are 1 at one node and 0 at the others, at x; the nodes lie in pairs. */
 static inline void lx_rule_basis(double x, double basis[LX_ORDER])
 {
-    for (int i = 0; i < LX_ORDER; i++) {
-        double product = 1;
-        for (int k = 0; k < LX_ORDER; k++)
-            if (k != i)
-                product *= (x - lx_rule_places[k]) / (lx_rule_places[i] - lx_rule_places[k]);
-        basis[i] = product;
-    }
+    const double outer = LX_RULE_OUTER, inner = LX_RULE_INNER, apart = outer * outer - inner * inner;
+    const double beyond = (x * x - outer * outer) / (-apart * 2 * inner),
+                 within = (x * x - inner * inner) / (apart * 2 * outer);
+    basis[0] = within * (outer - x);
+    basis[1] = beyond * (inner - x);
+    basis[2] = beyond * (inner + x);
+    basis[3] = within * (outer + x);
 }
 
 /* The polynomial with these values at the nodes, at (x, y). */

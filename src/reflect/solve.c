@@ -50,8 +50,8 @@ static void make_rows(void *data, unsigned worker, bool is_caller, unsigned firs
     const size_t count = reflected->tile_count * LX_RULE_NODES;
     for (size_t i = first; i < last && lx_control_goes_on(reflected->control, is_caller); i++) {
         const struct lx_receiver receiver = node_of(reflected, i);
-        solving->direct[i] = lx_gather(reflected, &lx_coarse, &receiver, NULL, NULL, &solving->veils[worker],
-                                       solving->matrix + i * count)
+        solving->direct[i] = lx_gather(reflected, reflected->prepared, &lx_coarse, &receiver, NULL, NULL,
+                                       &solving->veils[worker], solving->matrix + i * count)
                                  .value;
     }
 }
@@ -75,8 +75,8 @@ static void find_residuals(void *data, unsigned worker, bool is_caller, unsigned
         place_of((int)(i % PLACES), at);
         lx_sheet_place(&face->sheet, tile->window.middle[0] + at[0] * tile->window.half[0],
                        tile->window.middle[1] + at[1] * tile->window.half[1], receiver.place_mm, receiver.normal);
-        const struct lx_arrival sent =
-            lx_gather(reflected, &lx_fine, &receiver, solving->before, NULL, &solving->veils[worker], NULL);
+        const struct lx_arrival sent = lx_gather(reflected, reflected->prepared, &lx_fine, &receiver, solving->before,
+                                                 NULL, &solving->veils[worker], NULL);
         solving->sampled[i] = sent.value - lx_rule_value(solving->after + i / PLACES * LX_RULE_NODES, at[0], at[1]);
     }
 }
@@ -86,9 +86,11 @@ static void judge_tile(const struct solving *solving, size_t t)
 {
     const double *sampled = solving->sampled + t * PLACES;
     struct lx_tile *tile = &solving->reflected->tiles[t];
-    double mean = 0;
-    for (int p = 0; p < PLACES; p++) /* by Simpson's rule */
+    double mean = 0, greatest = 0, received = 0;
+    for (int p = 0; p < PLACES; p++) { /* by Simpson's rule */
         mean += (p % 3 == 1 ? 4 : 1) * (p / 3 == 1 ? 4 : 1) / 36.0 * fabs(sampled[p]);
+        greatest = fmax(greatest, fabs(sampled[p]));
+    }
     const size_t first = t * LX_RULE_NODES;
     const double rule = solving->reflected->has_round_faces ? ROUND_RULE : FLAT_RULE;
     for (int k = 0; k < 2; k++) {
@@ -99,8 +101,11 @@ static void judge_tile(const struct solving *solving, size_t t)
                 off = fmax(off, fabs(sampled[4 + r * other + sign * step] - sampled[4 + r * other]));
         tile->residual[k] = fmax(tile->residual[k], off);
     }
-    for (size_t i = first; i < first + LX_RULE_NODES; i++)
+    for (size_t i = first; i < first + LX_RULE_NODES; i++) {
+        received = fmax(received, fabs(solving->after[i]));
         solving->residual[i] = fmax(solving->residual[i], BETWEEN * mean + rule * fabs(solving->after[i]));
+    }
+    tile->own_error = fmax(tile->own_error, BETWEEN * greatest + rule * received);
 }
 
 static bool run(const struct solving *solving, size_t count, lx_rows_work *work)
@@ -179,6 +184,20 @@ static bool find_slack(struct solving *solving)
     return whole;
 }
 
+/* The slack is the residual's mean and what arrives of other errors, which is smooth: between the nodes no more than a
+ * little above the greatest of them. */
+static void bound_tiles(const struct solving *solving)
+{
+    const double beyond = 1.1;
+    for (size_t t = 0; t < solving->reflected->tile_count; t++) {
+        struct lx_tile *tile = &solving->reflected->tiles[t];
+        double arrives = 0;
+        for (size_t i = t * LX_RULE_NODES; i < (t + 1) * LX_RULE_NODES; i++)
+            arrives = fmax(arrives, solving->reflected->slack[i] - solving->residual[i]);
+        tile->error = tile->own_error + beyond * arrives;
+    }
+}
+
 static bool work(struct solving *solving)
 {
     struct lx_radiosity *reflected = solving->reflected;
@@ -186,13 +205,16 @@ static bool work(struct solving *solving)
     for (size_t i = 0; i < count; i++)
         solving->reflectance[i] = reflected->faces[reflected->tiles[i / LX_RULE_NODES].face].reflectance;
     for (size_t t = 0; t < reflected->tile_count; t++)
-        reflected->tiles[t].residual[0] = reflected->tiles[t].residual[1] = 0;
+        reflected->tiles[t].residual[0] = reflected->tiles[t].residual[1] = reflected->tiles[t].own_error = 0;
     if (!run(solving, count, make_rows) || !solve(solving, solving->direct, reflected->before, reflected->indirect) ||
         !look_between(solving, reflected->before, reflected->indirect))
         return false;
     if (reflected->bounces > 1 && !look_between(solving, NULL, solving->direct))
         return false;
-    return find_slack(solving);
+    if (!find_slack(solving))
+        return false;
+    bound_tiles(solving);
+    return true;
 }
 
 static int renew(double **numbers, size_t count)

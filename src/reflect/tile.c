@@ -7,11 +7,6 @@
 
 #include "../base/vector.h"
 
-const double lx_rule_places[LX_ORDER] = {-0.86113631159405257522, -0.33998104358485626480, 0.33998104358485626480,
-                                         0.86113631159405257522};
-const double lx_rule_weights[LX_ORDER] = {0.34785484513745385737, 0.65214515486254614263, 0.65214515486254614263,
-                                          0.34785484513745385737};
-
 static double distance(const double a[3], const double b[3])
 {
     return sqrt((a[0] - b[0]) * (a[0] - b[0]) + (a[1] - b[1]) * (a[1] - b[1]) + (a[2] - b[2]) * (a[2] - b[2]));

@@ -45,6 +45,8 @@ struct lx_tile {
     bool has_light;
     double direct_error; /* of the mean of the direct light that was sampled */
     double residual[2];  /* the greatest of the solution's, off along s and along t */
+    double own_error;    /* what the polynomial of the solution may be off by itself, anywhere on the tile, */
+    double error;        /* and with the errors of what it receives: a bound */
 };
 
 /* The bounds and nodes of a window. */

@@ -11,7 +11,7 @@
 #include "../base/vector.h"
 #include "solution.h"
 
-enum { MOST_LINES = 64, MOST_CELLS = 6 };
+enum { MOST_LINES = 64 };
 
 static int append_tile(struct lx_radiosity *reflected, uint32_t face, const struct lx_window *window)
 {
@@ -90,7 +90,8 @@ static void find_cuts(const struct lx_radiosity *reflected, const struct lx_matt
     for (int i = 0; i <= lines.count; i++) {
         const double low = i == 0 ? -1 : lines.at[i - 1], high = i == lines.count ? 1 : lines.at[i];
         const double length = (high - low) / 2 * face->size_mm[way] / scale_mm;
-        int cells = length > 0.5 ? MOST_CELLS : length > 0.15 ? 4 : length > 0.03 ? 2 : 1;
+        const int most = reflected->most_cells;
+        int cells = length > 0.5 ? most : length > 0.15 ? (most + 3) / 2 : length > 0.03 ? 2 : 1;
         if (face->sheet.type != LX_SHEET_PLATE && cells > 2)
             cells = 2;
         grade(low, high, cells, cuts);

@@ -52,6 +52,8 @@ luxel_status lx_carried_read(struct lx_source *source, const struct lx_tags *tag
         status = read_share(source, tags, LX_TAG_TOLERANCE, &carried->tolerance);
     if (status == LUXEL_OK)
         status = read_share(source, tags, LX_TAG_LIGHT_ERROR, &carried->light_error);
+    if (status == LUXEL_OK)
+        status = read_share(source, tags, LX_TAG_REFLECTED_ERROR, &carried->reflected_error);
     if (status != LUXEL_OK)
         return status;
     carried->exists = true;
@@ -68,5 +70,6 @@ bool luxel_scene_settings(const luxel_scene *scene, luxel_settings *settings)
     settings->precision = scene->carried.precision;
     settings->tolerance = scene->carried.tolerance;
     settings->light_error = scene->carried.light_error;
+    settings->reflected_error = scene->carried.reflected_error;
     return true;
 }

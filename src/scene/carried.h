@@ -16,9 +16,10 @@
 #define LX_TAG_PRECISION "luxel:precision"
 #define LX_TAG_TOLERANCE "luxel:tolerance"
 #define LX_TAG_LIGHT_ERROR "luxel:light-error"
+#define LX_TAG_REFLECTED_ERROR "luxel:reflected-error"
 #define LX_TAG_UNIT "luxel:unit"
 #define LX_TAG_SCENE "luxel:scene"
-enum { LX_CARRIED_TAGS = 6 };
+enum { LX_CARRIED_TAGS = 7 };
 
 /* The words for luxel_quantity and luxel_precision, in their order; NULL behind the last. */
 extern const char *const lx_carried_quantities[], *const lx_carried_precisions[];
@@ -27,7 +28,7 @@ struct lx_carried {
     bool exists; /* false: all that follows is the default */
     luxel_quantity quantity;
     luxel_precision precision;
-    double tolerance, light_error; /* 0: the default */
+    double tolerance, light_error, reflected_error; /* 0: the default */
 };
 
 /*

@@ -20,13 +20,14 @@ struct luxel_scene {
     struct lx_document document;
     size_t compact_bytes; /* what the document held when it was last without garbage */
     bool committed;
-    bool is_ahead; /* the parameters have values that the document has not (bind.h) */
+    bool is_ahead;                         /* the parameters have values that the document has not (bind.h) */
     struct lx_scene_parameters parameters; /* meaningful where committed, and so are the conventions */
     struct lx_convention *conventions;
     size_t convention_count;
-    struct lx_carried carried; /* of the picture that it was read from */
-    char *folder;              /* of the file that it was read from; NULL: none, or the current one */
-    struct lx_kept_files kept; /* what was read of the files that it names */
+    struct lx_carried carried;      /* of the picture that it was read from */
+    char *folder;                   /* of the file that it was read from; NULL: none, or the current one */
+    struct lx_kept_files kept;      /* what was read of the files that it names */
+    struct lx_kept_slot *reflected; /* what its surfaces reflect, once that was found; NULL: nothing is */
 };
 
 /* The public list of the parameters of any table. */

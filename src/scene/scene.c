@@ -118,6 +118,10 @@ luxel_scene *luxel_scene_copy(const luxel_scene *scene)
     }
     copy->compact_bytes = lx_document_bytes(&copy->document);
     copy->carried = scene->carried;
+    struct lx_kept *reflected = scene->reflected && copy->reflected ? lx_kept_slot_look(scene->reflected) : NULL;
+    if (reflected)
+        lx_kept_slot_put(copy->reflected, reflected);
+    lx_kept_release(reflected);
     return copy;
 }
 
@@ -140,6 +144,13 @@ void lx_scene_uncommit(luxel_scene *scene)
     lx_clear_conventions(scene);
     memset(&scene->parameters, 0, sizeof scene->parameters);
     scene->committed = scene->is_ahead = false;
+    lx_kept_slot_free(scene->reflected);
+    scene->reflected = NULL;
+}
+
+struct lx_kept_slot *lx_scene_reflected(const luxel_scene *scene)
+{
+    return scene->is_ahead ? NULL : scene->reflected;
 }
 
 lx_node_id lx_scene_node(const luxel_scene *scene, const char *group, const char *key)
@@ -170,6 +181,8 @@ static luxel_status commit(luxel_scene *scene, luxel_diagnostics *diagnostics)
     }
     if (status == LUXEL_OK && lx_collect_conventions(scene) < 0)
         status = lx_out_of_memory(diagnostics);
+    if (status == LUXEL_OK && scene->parameters.reflections.choice != LX_REFLECTIONS_NONE)
+        scene->reflected = lx_kept_slot_new(); /* without it, it is found each time */
     if (status == LUXEL_OK)
         scene->committed = true;
     else

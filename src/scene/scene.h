@@ -78,8 +78,8 @@ struct lx_light_common {
 struct lx_scene_parameters {
     uint64_t given;
     unsigned luxel;
-    int units;   /* enum lx_units */
-    int shadows; /* enum lx_shadows */
+    int units;                             /* enum lx_units */
+    int shadows;                           /* enum lx_shadows */
     struct lx_choice_or_whole reflections; /* enum lx_reflections, or the number of bounces */
     struct lx_screen screen;
     struct lx_observer observer;
@@ -94,6 +94,9 @@ extern const struct lx_table lx_scene_table;
 
 /* Whether a scene's numbers are ahead of its text (bind.h), so that its text does not repeat it. */
 bool lx_scene_is_ahead(const luxel_scene *scene);
+
+/* A place to keep what the surfaces of a committed scene reflect, for whoever asks next; NULL: there is none. */
+struct lx_kept_slot *lx_scene_reflected(const luxel_scene *scene);
 
 /* The decoded parameters of a committed scene, NULL before; they live until the scene changes. */
 const struct lx_scene_parameters *lx_scene_parameters(const luxel_scene *scene);

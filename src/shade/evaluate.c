@@ -32,6 +32,11 @@ lx_bounded lx_share_value(const struct lx_share *share, luxel_quantity quantity)
     return quantity == LUXEL_IRRADIANCE ? share->irradiance : lx_add(share->diffuse, share->specular);
 }
 
+lx_bounded lx_reflected_value(const struct lx_lobe *lobe, luxel_quantity quantity, lx_bounded irradiance)
+{
+    return quantity == LUXEL_IRRADIANCE ? irradiance : lx_mul(lobe->diffuse, irradiance);
+}
+
 double lx_told_error(lx_bounded number)
 {
     return number.error >= 0 ? number.error : HUGE_VAL;
@@ -74,6 +79,9 @@ luxel_value lx_evaluate_element(const struct luxel_evaluator *evaluator, const s
             shares[light] = value.value;
         total = lx_add(total, value);
     }
+    if (evaluator->reflected_at)
+        total = lx_add(total, lx_reflected_value(element->lobe, evaluator->settings.quantity,
+                                                 evaluator->reflected_at(evaluator, element)));
     result.value = total.value;
     result.error = lx_told_error(total);
     return result;

@@ -13,6 +13,9 @@ struct luxel_evaluator {
     luxel_settings settings;
     const struct lx_kernels *kernels;
     struct lx_prepared prepared;
+    /* The reflected irradiance of an element, by who knows it; NULL: surfaces do not reflect. */
+    lx_bounded (*reflected_at)(const struct luxel_evaluator *evaluator, const struct lx_element *element);
+    void *reflected; /* what it knows it by */
 };
 
 /* What one light gives at an element. */
@@ -30,6 +33,9 @@ bool lx_light_share(const struct lx_prepared *prepared, const struct lx_element 
 
 /* What a share adds to the value of a quantity. */
 lx_bounded lx_share_value(const struct lx_share *share, luxel_quantity quantity);
+
+/* What reflected light adds to it, of an irradiance. */
+lx_bounded lx_reflected_value(const struct lx_lobe *lobe, luxel_quantity quantity, lx_bounded irradiance);
 
 /* The error that is told of a number: infinite where the bound has left the range and so is none. */
 double lx_told_error(lx_bounded number);

@@ -137,7 +137,7 @@ static void one_bounce(void **state)
            at, 1, 1e-3);
 }
 
-/* All that is wrong is told at once, and pictures are not made of direct light alone. */
+/* All that is wrong is told at once, and nothing is explained of direct light alone. */
 static void refusals(void **state)
 {
     (void)state;
@@ -156,10 +156,10 @@ static void refusals(void **state)
     expect_entry(diagnostics, 2, WANTED("reflects-by-law", 9, .key = "lights[0].attenuation"));
     luxel_scene_free(scene);
 
-    luxel_field *field = NULL;
+    luxel_document *document = NULL;
     luxel_diagnostics_clear(diagnostics);
     scene = scene_of("all", ROOM("0.5"), "");
-    assert_int_equal(luxel_render(scene, NULL, diagnostics, &field), LUXEL_ERROR_ARGUMENT);
+    assert_int_equal(luxel_explain(scene, NULL, 0, 0, NULL, diagnostics, &document), LUXEL_ERROR_ARGUMENT);
     expect_entry(diagnostics, 0, WANTED("no-reflections-here"));
     luxel_scene_free(scene);
     luxel_diagnostics_free(diagnostics);

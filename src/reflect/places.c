@@ -1,0 +1,115 @@
+/* SPDX-License-Identifier: MIT */
+/* Refinement for places: whether their errors are small enough, and which tiles they have them from. */
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "../base/memory.h"
+#include "refine.h"
+
+/* What the tiles add to the error of a place: residuals and weights. */
+static luxel_status weigh_place(const struct lx_radiosity *reflected, const struct lx_receiver *receiver, float *row,
+                                double *weights)
+{
+    struct lx_veils veils = {0};
+    lx_gather(reflected, reflected->prepared, &lx_coarse, receiver, NULL, NULL, &veils, row);
+    lx_veils_clear(&veils);
+    for (size_t i = 0; i < reflected->tile_count * LX_RULE_NODES; i++)
+        weights[i / LX_RULE_NODES] = fmax(weights[i / LX_RULE_NODES], 0) + fabs((double)row[i]);
+    return LUXEL_OK;
+}
+
+bool lx_places_are_reached(const struct lx_radiosity *reflected, const struct lx_reflected_wish *wish)
+{
+    struct lx_veils veils = {0};
+    bool reached = true;
+    for (size_t p = 0; p < wish->place_count && reached; p++) {
+        const struct lx_reflected_place *place = &wish->places[p];
+        const lx_bounded light = lx_reflected_at(reflected, wish->prepared, &place->receiver, &veils);
+        reached = light.error <= wish->error * (light.value + place->direct);
+    }
+    lx_veils_clear(&veils);
+    return reached;
+}
+
+double lx_tile_area(const struct lx_tile *tile)
+{
+    double area = 0;
+    for (int q = 0; q < LX_RULE_NODES; q++)
+        area += tile->cell.area[q];
+    return area;
+}
+
+/* How much the residual of each tile matters: by what the places see of it, and by its share of all. */
+static int weigh(const struct lx_radiosity *reflected, const struct lx_reflected_wish *wish, double *scores)
+{
+    enum { MOST_WEIGHED = 16 };
+    const size_t tiles = reflected->tile_count;
+    float *row = lx_new_array(tiles * LX_RULE_NODES, sizeof *row);
+    double *weights = lx_new_array(tiles, sizeof *weights), all = 0;
+    const size_t step = wish->place_count / MOST_WEIGHED + 1;
+    for (size_t t = 0; t < tiles; t++)
+        all += lx_tile_area(&reflected->tiles[t]);
+    for (size_t p = 0; row && weights && p < wish->place_count; p += step)
+        weigh_place(reflected, &wish->places[p].receiver, row, weights);
+    for (size_t t = 0; row && weights && t < tiles; t++) {
+        const struct lx_tile *tile = &reflected->tiles[t];
+        const double seen = weights[t] / (double)(wish->place_count / step + 1), share = 4 * lx_tile_area(tile) / all;
+        scores[t] = reflected->faces[tile->face].reflectance * (seen + share) *
+                    (tile->residual[0] + tile->residual[1] + tile->direct_error);
+    }
+    const int failed = row && weights ? 0 : -1;
+    free(row);
+    free(weights);
+    return failed;
+}
+
+static int falling(const void *a, const void *b)
+{
+    const double x = *(const double *)a, y = *(const double *)b;
+    return (x < y) - (x > y);
+}
+
+/* The score from which on tiles are cut: they are to hold most of the sum, but not to become too many. */
+static double threshold_of(const double *scores, size_t count, size_t most)
+{
+    const double most_of_it = 0.85;
+    double *sorted = lx_new_array(count, sizeof *sorted), sum = 0, reached = 0, threshold = HUGE_VAL;
+    if (!sorted)
+        return -1;
+    memcpy(sorted, scores, count * sizeof *sorted);
+    qsort(sorted, count, sizeof *sorted, falling);
+    for (size_t t = 0; t < count; t++)
+        sum += sorted[t];
+    for (size_t t = 0; t < count && t < most && reached < most_of_it * sum; t++) {
+        reached += sorted[t];
+        threshold = sorted[t];
+    }
+    free(sorted);
+    return threshold;
+}
+
+int lx_cut_greatest(const struct lx_radiosity *reflected, const double *scores, size_t most, uint8_t *cuts)
+{
+    const double threshold = threshold_of(scores, reflected->tile_count, most);
+    int any = threshold < 0 ? -1 : 0;
+    for (size_t t = 0; t < reflected->tile_count && any >= 0; t++) {
+        const double *residual = reflected->tiles[t].residual;
+        if (!(scores[t] >= threshold && scores[t] > 0))
+            continue;
+        cuts[t] |= residual[0] > 2 * residual[1] ? 1 : residual[1] > 2 * residual[0] ? 2 : 3;
+        any = 1;
+    }
+    return any;
+}
+
+int lx_places_cut(const struct lx_radiosity *reflected, const struct lx_reflected_wish *wish, uint8_t *cuts)
+{
+    const size_t count = reflected->tile_count;
+    double *scores = lx_new_array(count, sizeof *scores);
+    const int any = !scores || weigh(reflected, wish, scores)
+                        ? -1
+                        : lx_cut_greatest(reflected, scores, (LX_MOST_TILES - count) * 2 / 3 + 1, cuts);
+    free(scores);
+    return any;
+}

@@ -1,0 +1,175 @@
+/* SPDX-License-Identifier: MIT */
+/*
+ * Pictures: reflected light where surfaces are seen is the polynomial of the tile there.  Tiles are refined until the
+ * bounds of all that the picture shows are a small share of its greatest value.
+ */
+#include <math.h>
+#include <stdlib.h>
+
+#include "../base/memory.h"
+#include "../base/vector.h"
+#include "solution.h"
+
+/* How far beyond a face or a tile rounding may put a place of it, in its coordinates. */
+static const double BESIDE = 1e-6;
+/* A tile that is no share of itself near to its edges is not left for another one that a place has in common. */
+static const double STRICTLY = 1e-9;
+
+/* ---- where a place is ---- */
+
+/* How far a place is beyond the sheet, in its coordinates; infinite on the other side of the surface. */
+static double beyond_face(const struct lx_matte_face *face, const double place_mm[3], const double normal[3],
+                          double at[2])
+{
+    const struct lx_smooth_sheet *sheet = &face->sheet;
+    double there[3], out[3];
+    if (face->is_flat) {
+        if (sheet->turn * lx_dot(sheet->axis, normal) <= 0)
+            return HUGE_VAL;
+        lx_sheet_locate(sheet, place_mm, at);
+    } else {
+        lx_sheet_locate(sheet, place_mm, at);
+        if (!(fabs(at[0]) <= 1 + BESIDE && fabs(at[1]) <= 1 + BESIDE))
+            return HUGE_VAL;
+        lx_sheet_place(sheet, at[0], at[1], there, out);
+        if (lx_dot(out, normal) <= 0)
+            return HUGE_VAL;
+    }
+    return fmax(fabs(at[0]), fabs(at[1])) - 1;
+}
+
+static double beyond_tile(const struct lx_tile *tile, const double at[2])
+{
+    return fmax(fabs(at[0] - tile->window.middle[0]) - tile->window.half[0],
+                fabs(at[1] - tile->window.middle[1]) - tile->window.half[1]);
+}
+
+/* The tile of a place, and where on its face; SIZE_MAX: there is none. */
+static size_t find_tile(const struct lx_radiosity *reflected, size_t surface, const double place_mm[3],
+                        const double normal[3], double at[2])
+{
+    double least = HUGE_VAL, trial[2];
+    size_t face = SIZE_MAX, found = SIZE_MAX;
+    for (size_t f = 0; f < reflected->face_count; f++) {
+        if (reflected->faces[f].surface != surface)
+            continue;
+        const double beyond = beyond_face(&reflected->faces[f], place_mm, normal, trial);
+        if (beyond < least) {
+            least = beyond;
+            face = f;
+            at[0] = trial[0], at[1] = trial[1];
+        }
+    }
+    if (face == SIZE_MAX)
+        return SIZE_MAX;
+    least = HUGE_VAL;
+    for (size_t t = reflected->first_tile[face]; t < reflected->first_tile[face + 1] && least > 0; t++) {
+        const double beyond = beyond_tile(&reflected->tiles[t], at);
+        if (beyond < least) {
+            least = beyond;
+            found = t;
+        }
+    }
+    return found;
+}
+
+/* Whether a place is well within the tile that was found before. */
+static bool is_on(const struct lx_radiosity *reflected, size_t t, size_t surface, const double place_mm[3],
+                  const double normal[3], double at[2])
+{
+    const struct lx_tile *tile = &reflected->tiles[t];
+    const struct lx_matte_face *face = &reflected->faces[tile->face];
+    return face->surface == surface && beyond_face(face, place_mm, normal, at) < -STRICTLY &&
+           beyond_tile(tile, at) < -STRICTLY;
+}
+
+static double clamp(double x)
+{
+    return fmin(fmax(x, -1), 1);
+}
+
+static size_t tile_of(const struct lx_radiosity *reflected, size_t surface, const double place_mm[3],
+                      const double normal[3], size_t *near, double at[2])
+{
+    if (*near == 0 || !is_on(reflected, *near - 1, surface, place_mm, normal, at))
+        *near = find_tile(reflected, surface, place_mm, normal, at) + 1;
+    return *near - 1;
+}
+
+lx_bounded lx_reflected_on(const struct lx_radiosity *reflected, size_t surface, const double place_mm[3],
+                           const double normal[3], size_t *near)
+{
+    double at[2] = {0, 0};
+    if (!reflected->indirect) /* there is no light */
+        return lx_exact(0);
+    const size_t t = tile_of(reflected, surface, place_mm, normal, near, at);
+    if (t == SIZE_MAX)
+        return lx_exact(0);
+    const struct lx_tile *tile = &reflected->tiles[t];
+    const double x = clamp((at[0] - tile->window.middle[0]) / tile->window.half[0]);
+    const double y = clamp((at[1] - tile->window.middle[1]) / tile->window.half[1]);
+    return (lx_bounded){fmax(lx_rule_value(reflected->indirect + t * LX_RULE_NODES, x, y), 0), tile->error};
+}
+
+/* ---- refinement ---- */
+
+/* What is needed for a picture: a lower bound of its greatest value, and of each tile the greatest share that values
+ * take of its light. */
+struct shown {
+    double maximum;
+    double *shares;
+};
+
+static struct shown look(const struct lx_radiosity *reflected, const struct lx_reflected_wish *wish)
+{
+    struct shown shown = {0, lx_new_array(reflected->tile_count, sizeof(double))};
+    size_t near = 0;
+    for (size_t i = 0; shown.shares && i < wish->spot_count; i++) {
+        const struct lx_reflected_spot *spot = &wish->spots[i];
+        const lx_bounded light = lx_reflected_on(reflected, spot->surface, spot->place_mm, spot->normal, &near);
+        shown.maximum = fmax(shown.maximum, spot->value + spot->share * light.value);
+        if (near > 0)
+            shown.shares[near - 1] = fmax(shown.shares[near - 1], spot->share);
+    }
+    return shown;
+}
+
+bool lx_spots_are_reached(const struct lx_radiosity *reflected, const struct lx_reflected_wish *wish)
+{
+    const struct shown shown = look(reflected, wish);
+    bool reached = true;
+    for (size_t t = 0; shown.shares && t < reflected->tile_count && reached; t++)
+        reached = shown.shares[t] * reflected->tiles[t].error <= wish->error * shown.maximum;
+    free(shown.shares);
+    return reached;
+}
+
+/* Errors of a tile's own are mended there; those that arrive come from all tiles, by their areas. */
+int lx_spots_cut(const struct lx_radiosity *reflected, const struct lx_reflected_wish *wish, uint8_t *cuts)
+{
+    const size_t count = reflected->tile_count;
+    const struct shown shown = look(reflected, wish);
+    double *scores = lx_new_array(count, sizeof *scores), greatest = 0;
+    const double allowed = wish->error * shown.maximum;
+    const size_t most = (LX_MOST_TILES - count) / 4 + 1;
+    int any = shown.shares && scores ? 0 : -1;
+    for (size_t t = 0; t < count && any >= 0; t++) {
+        const struct lx_tile *tile = &reflected->tiles[t];
+        greatest = fmax(greatest, shown.shares[t] * (tile->error - tile->own_error));
+        scores[t] = shown.shares[t] * tile->own_error > 0.4 * allowed ? shown.shares[t] * tile->own_error : 0;
+    }
+    if (any == 0)
+        any = lx_cut_greatest(reflected, scores, most, cuts);
+    for (size_t t = 0; t < count && any >= 0; t++) {
+        const struct lx_tile *tile = &reflected->tiles[t];
+        scores[t] = reflected->faces[tile->face].reflectance * lx_tile_area(tile) *
+                    (tile->residual[0] + tile->residual[1] + tile->direct_error);
+    }
+    if (any >= 0 && greatest > 0.4 * allowed) {
+        const int more = lx_cut_greatest(reflected, scores, most, cuts);
+        any = more < 0 ? -1 : any | more;
+    }
+    free(scores);
+    free(shown.shares);
+    return any;
+}
