@@ -42,8 +42,8 @@ LUXEL_API void luxel_settings_init(luxel_settings *settings);
 
 /*
  * For a scene that was read from a picture: sets quantity, precision, tolerance, light_error and reflected_error to
- * those that the picture was made with, so that rendering repeats it byte for byte (on the same instruction set), and returns true.
- * For any other scene it changes nothing and returns false.
+ * those that the picture was made with, so that rendering repeats it byte for byte (on the same instruction set), and
+ * returns true.  For any other scene it changes nothing and returns false.
  */
 LUXEL_API bool luxel_scene_settings(const luxel_scene *scene, luxel_settings *settings);
 

@@ -11,8 +11,8 @@
 #include "../shade/seen.h"
 #include "reflecting.h"
 
-/* The picture is looked at by so many samples on each axis, or by all of its pixels; of about so many of them, both ways,
- * the whole value is asked for, which tells how bright the picture is at least. */
+/* The picture is looked at by so many samples on each axis, or by all of its pixels; of about so many of them the whole
+ * value is asked for, which tells how bright the picture is at least. */
 enum { SAMPLES = 160, WHOLE = 24 };
 /* More threads than these are not worth their while. */
 enum { MOST_WORTH = 64 };

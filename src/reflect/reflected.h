@@ -59,7 +59,7 @@ struct lx_reflected_wish {
 luxel_status lx_reflected_make(const struct lx_reflected_wish *wish, struct lx_radiosity **made);
 void lx_reflected_free(struct lx_radiosity *reflected);
 
-/* Solutions among what is kept: as such, and, of what is, as what was made with this; NULL: it was made with another. */
+/* A solution as something that is kept, and back, if it was made with this; NULL: it was made with something else. */
 struct lx_kept *lx_reflected_kept(struct lx_radiosity *reflected);
 struct lx_radiosity *lx_reflected_of_kept(struct lx_kept *kept, const struct lx_reflected_key *key);
 

@@ -42,7 +42,7 @@ static luxel_field *render(const luxel_scene *scene, double reflected_error, uns
     return field;
 }
 
-/* The wall of a cube of 4 m with 10 000 lm in its middle: direct light by its formula, the rest by spectral collocation. */
+/* The wall of a cube of 4 m with 10 000 lm in its middle: direct light by its formula, the rest by collocation. */
 static void cube(void **state)
 {
     (void)state;
