@@ -330,6 +330,17 @@ def the_example(tap, tool):
     made = subprocess.run([sys.executable, os.path.join(folder, "make_pot.py"), tool.file("pot.ply")], check=False)
     with open(os.path.join(folder, "pot.ply"), "rb") as kept, open(tool.file("pot.ply"), "rb") as again:
         tap.ok(made.returncode == 0 and kept.read() == again.read(), "so is the other one's")
+    built_in, program = [os.path.join(folder, "..", "..", *way) for way in (
+        ("data", "files"), ("tools", "make_still_life.py"))]
+    made = subprocess.run([sys.executable, "-B", program, tool.folder], check=False)
+    for name in "pot.ply", "knot.ply":
+        with open(os.path.join(built_in, name), "rb") as kept:
+            tap.ok(made.returncode == 0 and kept.read() == tool.read(name), "so is the built-in " + name)
+    checked = tool.run("check", "pot", "--json")
+    meshes = checked.json()["meshes"]
+    tap.ok(checked.code == 0 and checked.json()["advice_count"] == 0 and len(meshes) == 2 and
+           all(mesh["closed"] and mesh["flipped_faces"] == 0 for mesh in meshes) and
+           [mesh["euler_number"] for mesh in meshes] == [2, 0], "of a built-in scene without advice", checked)
     result = tool.run("render", os.path.join(folder, "window.yaml"), "--json", "-s", "screen.resolution=[40, 30]")
     tap.ok(result.code == 0 and result.json()["lit"] > 0.9, "under a window", result)
     result = tool.run("render", os.path.join(folder, "knot.yaml"), "--json", "-s", "screen.resolution=[60, 60]")
