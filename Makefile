@@ -152,6 +152,7 @@ fuzz:
 	    LSAN_OPTIONS=suppressions=$(CURDIR)/fuzz/leaks.txt:print_suppressions=0 \
 	        build-fuzz/fuzz/fuzz-$$target -max_total_time=$$(($(MINUTES) * 60)) -timeout=10 -rss_limit_mb=4096 \
 	        -print_final_stats=1 -artifact_prefix=build-fuzz/findings/$$target/ \
+	        $$(test ! -e fuzz/dictionaries/$$target.dict || echo -dict=fuzz/dictionaries/$$target.dict) \
 	        build-fuzz/corpus/$$target fuzz/corpus/$$target >build-fuzz/$$target.log 2>&1; code=$$?; \
 	    echo "$$target: $$(grep number_of_executed_units build-fuzz/$$target.log | tr -dc 0-9) inputs, rc $$code"; \
 	    test $$code = 0 || { tail -40 build-fuzz/$$target.log; exit 1; }; \

@@ -168,6 +168,46 @@ ARGUMENTS = [
 ]
 
 
+def other_meshes():
+    """A box, a roof with normals and a strip in each of the other formats, and what readers trip over."""
+    import mesh_files
+    corners, faces = mesh_files.box((120, 90, 60))
+    roof, slopes = [(-9, 0, 0), (0, 0, 9), (9, 0, 0), (-9, 9, 0), (0, 9, 9), (9, 9, 0)], [(0, 1, 4, 3), (1, 2, 5, 4)]
+    leaning = [(-1, 0, 1), (0, 0, 1), (1, 0, 1)] * 2
+    little, big = "binary_little_endian", "binary_big_endian"
+    kinds = {"ply": 2, "stl": 3, "gltf": 4, "glb": 5}
+
+    def add(name, data):
+        put("mesh", name, bytes([kinds[name.rsplit(".", 1)[1]]]) + data)
+    add("box.ply", mesh_files.ply(corners, faces))
+    add("more.ply", mesh_files.ply(roof, slopes, normals=leaning, extra=True))
+    add("little.ply", mesh_files.ply(corners, faces, little, extra=True, index="uint", name="vertex_index"))
+    add("big.ply", mesh_files.ply(roof, slopes, big, leaning, count="ushort", place="float"))
+    add("no-end.ply", mesh_files.ply(corners, faces, little)[:-3])
+    add("many.ply", b"ply\nformat ascii 1.0\nelement vertex 4000000000\nproperty float x\nend_header\n1\n")
+    add("text.stl", mesh_files.stl_text(corners, faces, solids=2))
+    add("binary.stl", mesh_files.stl_binary(corners, faces))
+    add("short.stl", mesh_files.stl_binary(corners, faces)[:-9])
+    corners = [[c / 1000 for c in corner] for corner in corners]  # metres
+    roof = [[c / 1000 for c in corner] for corner in roof]
+    document, data = mesh_files.gltf_parts(corners, faces)
+    add("box.gltf", mesh_files.gltf(document, data))
+    add("box.glb", mesh_files.glb(document, data))
+    add("away.gltf", mesh_files.gltf(document, data, "box.bin"))
+    add("cut.glb", mesh_files.glb(document, data)[:-40])
+    document["extensionsRequired"] = ["KHR_draco_mesh_compression"]
+    add("draco.gltf", mesh_files.gltf(document, data))
+    document, data = mesh_files.gltf_parts(roof, slopes, leaning, indexed=False, stride=8,
+                                           node={"scale": [-1, 2, 1], "rotation": [0, 0.6, 0, 0.8]})
+    add("turned.glb", mesh_files.glb(document, data))
+    document, data = mesh_files.gltf_parts(roof, slopes, mode=5, indices=[0, 1, 3, 4, 65535, 1, 2, 4, 5])
+    document["accessors"][0]["sparse"] = {"count": 1, "indices": {"bufferView": 1, "componentType": 5123},
+                                          "values": {"bufferView": 0}}
+    add("strip.glb", mesh_files.glb(document, data))
+    document["nodes"][0]["children"] = [0]
+    add("circle.glb", mesh_files.glb(document, data))
+
+
 def answers():
     for i, text in enumerate(ANSWERS):
         put("answers", "table-%02d.csv" % i, text)
@@ -245,6 +285,7 @@ def main():
     for i, text in enumerate(EDITS):
         put("edit", "edits-%d.txt" % i, text)
     meshes()
+    other_meshes()
     luminaires()
     answers()
     arguments()

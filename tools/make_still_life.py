@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
-"""Makes the meshes of the built-in scene pot, data/files/pot.ply and knot.ply: those of examples/meshes with fewer faces,
-as smooth normals want no more.  make_still_life.py FOLDER"""
+"""Makes the meshes of the built-in scene pot, data/files/pot.ply and knot.ply: those of examples/meshes with fewer
+faces, as smooth normals want no more.  make_still_life.py FOLDER"""
 import importlib.util
 import pathlib
 import sys
