@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* The file is read, and the diagram drawn, when another file is shown or it was changed, and when light becomes dark. */
+/* The file is read and drawn when another one is shown, when it was changed, and when light becomes dark. */
 #include "diagram.h"
 
 #include <luxel/figure.h>

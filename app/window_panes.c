@@ -6,7 +6,8 @@
  */
 #include "window_private.h"
 
-enum { LEFT_WIDTH = 340, RIGHT_WIDTH = 380, LEAST_CENTER = 300 };
+enum { LEFT_WIDTH = 340, RIGHT_WIDTH = 380, LEAST_LEFT = 270, LEAST_RIGHT = 250, LEAST_CENTER = 300, NARROW = 1200 };
+static const double CENTER_SHARE = 0.47; /* of a narrow window: the picture comes before what stands at its sides */
 
 static void keep(AppWindow *self, const char *key, int *kept, int width)
 {
@@ -43,13 +44,33 @@ static gboolean divider_moved_by_keys(GtkPaned *pane, GtkScrollType type, AppWin
     return FALSE;
 }
 
+/* What a hand made of them, of a narrow window less: first the right side gives way, then the left one. */
+static void find_widths(AppWindow *self, int *left, int *right)
+{
+    const int total = gtk_widget_get_width(self->left_pane);
+    *left = self->left_width;
+    *right = self->right_width;
+    if (total <= 0 || total >= NARROW)
+        return;
+    const int shown = gtk_widget_get_visible(self->right_box) ? *right : 0;
+    int over = *left + shown + (int)(CENTER_SHARE * total) - total;
+    if (over > 0 && shown > LEAST_RIGHT) {
+        *right = MAX(shown - over, LEAST_RIGHT);
+        over -= shown - *right;
+    }
+    if (over > 0 && *left > LEAST_LEFT)
+        *left = MAX(*left - over, LEAST_LEFT);
+}
+
 /* A pane counts from the left, the right side's width from the right. */
 static void place(AppWindow *self)
 {
+    int left, right;
+    find_widths(self, &left, &right);
     const int whole = gtk_widget_get_width(self->right_pane);
-    const int position = MAX(whole - self->right_width, LEAST_CENTER);
-    if (gtk_paned_get_position(GTK_PANED(self->left_pane)) != self->left_width)
-        gtk_paned_set_position(GTK_PANED(self->left_pane), self->left_width);
+    const int position = MAX(whole - right, LEAST_CENTER);
+    if (gtk_paned_get_position(GTK_PANED(self->left_pane)) != left)
+        gtk_paned_set_position(GTK_PANED(self->left_pane), left);
     if (whole > 0 && position != gtk_paned_get_position(GTK_PANED(self->right_pane)))
         gtk_paned_set_position(GTK_PANED(self->right_pane), position);
 }

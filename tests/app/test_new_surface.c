@@ -54,7 +54,7 @@ static void test_names(void **state)
     g_object_unref(document);
 }
 
-/* Tiny, right and huge ones: each is of a size that suits, in the middle of the screen, and the scene can be computed. */
+/* Tiny, right and huge ones: each is made to suit, in the middle of the screen, and the scene can be computed. */
 static void test_meshes(void **state)
 {
     static const double sizes[] = {0.02, 200, 40000};
