@@ -229,12 +229,12 @@ void result_write_json(FILE *stream, const struct result *result)
     json_text(&json, "unit", result_unit(result));
     json_wholes(&json, "resolution", resolution, 2);
     write_statistics(&json, result->statistics);
-    if (result->statistics && result->statistics->has_reflected)
-        json_number(&json, "reflected_error", result->statistics->reflected_error);
     json_open(&json, "points", '[');
     for (size_t i = 0; i < result->count; i++)
         write_probe(&json, &lights, &result->probes[i]);
     json_close(&json, ']');
+    if (result->statistics && result->statistics->has_reflected)
+        json_number(&json, "reflected_error", result->statistics->reflected_error);
     result_write_extremum(&json, "min_reached", result->statistics ? &result->statistics->minimum_reached : NULL);
     lights_write(&json, &lights);
     result_write_conventions(&json, result->scene, &result->use);

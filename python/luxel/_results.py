@@ -33,6 +33,7 @@ class Statistics(NamedTuple):
     lit: Optional[float]  #: share of the pixels from 1.2e-38 up
     pixels: int  #: how many show a surface
     minimum_reached: Optional[Extremum]  #: the least value where light arrives, if it was asked for
+    reflected_error: Optional[float]  #: bounds what reflected light may be off, as a share of the maximum
 
     def _repr_html_(self) -> str:
         rows = [[translate(name), _html.number(e and e.value), "(%d, %d)" % (e.column, e.row) if e else "—"]
@@ -193,8 +194,8 @@ def extremum(found: Any) -> Optional[Extremum]:
 
 def statistics(found: Any) -> Statistics:
     """The statistics of a tuple of the library."""
-    maximum, minimum, mean, lit, pixels, reached = found
-    return Statistics(extremum(maximum), extremum(minimum), mean, lit, pixels, extremum(reached))
+    maximum, minimum, mean, lit, pixels, reached, reflected_error = found
+    return Statistics(extremum(maximum), extremum(minimum), mean, lit, pixels, extremum(reached), reflected_error)
 
 
 def alternatives(found: List[Any]) -> Tuple[Alternative, ...]:

@@ -271,24 +271,28 @@ class Scene:
     # ---- pictures ----
 
     def render(self, *, quantity: Optional[str] = None, precision: Optional[str] = None, threads: int = 0,
-               light_error: Optional[float] = None, stride: int = 1, minimum_reached: bool = False,
-               instruction_set: Optional[str] = None, progress: Optional[Progress] = None) -> Field:
+               light_error: Optional[float] = None, reflected_error: Optional[float] = None, stride: int = 1,
+               minimum_reached: bool = False, instruction_set: Optional[str] = None,
+               progress: Optional[Progress] = None) -> Field:
         """Computes the picture, with the interpreter's lock released; Ctrl-C ends it.
 
         `quantity`: "brightness" or "irradiance".  `precision`: "single" (float32, within 2e-6 of the maximum) or
         "double" (float64, 1e-11).  `threads` 0: as many as pay.  `stride` n: a quick look at each n-th pixel.
-        `light_error` E: many points may be taken together, within E of the value.  `progress` is called with the share
-        done; where it returns False, the work ends with a LuxelError.  The same bytes for any number of threads.
+        `light_error` E: many points may be taken together, within E of the value.  `reflected_error`: the bound wanted
+        of what surfaces reflect, as a share of the maximum; `statistics` tell which was reached.  `progress` is called
+        with the share done; where it returns False, the work ends with a LuxelError.  The same bytes for any number of
+        threads.
         """
         return made(self._handle, settings(self._carried, quantity, precision, threads, instruction_set, None,
-                                           light_error, stride, minimum_reached, progress))
+                                           light_error, stride, minimum_reached, progress, reflected_error))
 
     def render_files(self, *paths: Path, bits: int = 8, quantity: Optional[str] = None,
                      precision: Optional[str] = None, threads: int = 0, light_error: Optional[float] = None,
-                     instruction_set: Optional[str] = None, progress: Optional[Progress] = None) -> Statistics:
+                     reflected_error: Optional[float] = None, instruction_set: Optional[str] = None,
+                     progress: Optional[Progress] = None) -> Statistics:
         """Computes the picture and writes it to files, row by row: it need not fit in memory."""
         how = settings(self._carried, quantity, precision, threads, instruction_set, None, light_error,
-                       progress=progress)
+                       progress=progress, reflected_error=reflected_error)
         return statistics(_luxel.render_files(self._handle, [os.fsencode(path) for path in paths], bits, how))
 
     # ---- exact values ----

@@ -12,7 +12,7 @@ Progress = Callable[[float], Any]
 #: What luxel._luxel takes.
 Settings = Tuple[int, int, int, Optional[str], float, float, float, int, bool, Optional[Progress]]
 #: What a picture that carries its scene was made with: quantity, precision, tolerance, light_error.
-Carried = Tuple[int, int, float, float]
+Carried = Tuple[int, int, float, float, float]
 
 
 def choice(name: str, word: str, words: Tuple[str, ...]) -> int:
@@ -28,13 +28,13 @@ def settings(carried: Optional[Carried], quantity: Optional[str] = None, precisi
              light_error: Optional[float] = None, stride: int = 1, minimum_reached: bool = False,
              progress: Optional[Progress] = None, reflected_error: Optional[float] = None) -> Settings:
     """The settings: what is not given is as the picture tells that the scene was read from, or the default."""
-    default = carried or (0, 0, 0.0, 0.0)
+    default = carried or (0, 0, 0.0, 0.0, 0.0)
     return (default[0] if quantity is None else choice("quantity", quantity, QUANTITIES),
             default[1] if precision is None else choice("precision", precision, PRECISIONS),
             _count("threads", threads), instruction_set, default[2] if tolerance is None else float(tolerance),
             default[3] if light_error is None else float(light_error),
-            0.0 if reflected_error is None else float(reflected_error), _count("stride", stride), minimum_reached,
-            progress)
+            default[4] if reflected_error is None else float(reflected_error), _count("stride", stride),
+            minimum_reached, progress)
 
 
 def _count(name: str, number: int) -> int:

@@ -235,7 +235,8 @@ static PyObject *scene_carried(PyObject *module, PyObject *handle)
     luxel_settings_init(&settings);
     if (!luxel_scene_settings(scene, &settings))
         return none();
-    return Py_BuildValue("(iidd)", settings.quantity, settings.precision, settings.tolerance, settings.light_error);
+    return Py_BuildValue("(iiddd)", settings.quantity, settings.precision, settings.tolerance, settings.light_error,
+                         settings.reflected_error);
 }
 
 static PyObject *scene_advice(PyObject *module, PyObject *handle)

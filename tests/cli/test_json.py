@@ -100,4 +100,36 @@ def seventeen_digits(tap, tool):
     tap.ok("0.10000000000000001" in out and "0.69999999999999996" in out, "numbers have 17 digits", out)
 
 
-run_tests(Tap(), report, probe_agrees, nothing_there, source_on_element, names_are_escaped, seventeen_digits)
+ROOM = """luxel: 1
+reflections: all
+screen: {width: 3000, height: 3000, resolution: [8, 8]}
+observer: {z: 9000, projection: perspective}
+surfaces: [{type: room, center: [0, 0, 2000], size: [4000, 4000, 4000],
+            material: {model: lambert, diffuse: 0.5, over_pi: true}}]
+lights: [{type: ambient, irradiance: 1}]
+points: [[0, 0]]
+"""
+BALL = ("{type: sphere, center: [0, 0, 0], radius: 900, inside: true, "
+         "material: {model: lambert, diffuse: 0.5, over_pi: true}}")
+
+
+def reflected_light(tap, tool):
+    ways = ["--quantity", "irradiance", "--reflected-error"]
+    result = tool.run("render", "-", "--json", *ways, "0.01", stdin=ROOM)
+    answer = result.json()
+    tap.equal((result.code, list(answer)[:len(TOP)]), (0, TOP), "reflected light")
+    tap.ok(0 < answer["reflected_error"] <= 0.01, "its bound is a share of the maximum", answer["reflected_error"])
+    tap.near(answer["mean"], 2, 0.01, "a closed room of reflectance 0.5 in uniform light")
+    point = answer["points"][0]
+    tap.near(point["value"], 2, 0.01, "a point of it")
+    tap.near(point["pixel_value"], 2, 0.01, "and its pixel")
+    tap.ok(abs(point["value"] - 2) <= point["error"], "within the bound", point)
+    for command in "render", "stats":
+        result = tool.run(command, "-", *ways, "1e-14", "-s", "surfaces[0]=" + BALL, "-s", "reflections=1", stdin=ROOM)
+        tap.ok(result.code == 5 and "maximum" in result.out and "may be off by" in result.err,
+               command + " prints a picture whose bound is not reached, and says so", result)
+    tap.ok("reflected_error" not in tool.run("render", "--json").json(), "without reflections there is no bound")
+
+
+run_tests(Tap(), report, probe_agrees, nothing_there, source_on_element, names_are_escaped, seventeen_digits,
+          reflected_light)

@@ -12,6 +12,15 @@ WAYS = [("report", {}, {}), ("three-lights", {"screen.resolution": [50, 40]}, {"
         ("window", {"screen.resolution": [40, 40]}, {}),
         ("all-sources", {"screen.resolution": [30, 30]}, {"precision": "double", "quantity": "irradiance"})]
 
+ROOM = """luxel: 1
+reflections: all
+screen: {width: 3000, height: 3000, resolution: [12, 12]}
+observer: {z: 9000, projection: perspective}
+surfaces: [{type: room, center: [0, 0, 2000], size: [4000, 4000, 4000],
+            material: {model: lambert, diffuse: 0.5, over_pi: true}}]
+lights: [{type: ambient, irradiance: 1}]
+"""
+
 
 def arguments(changes, settings):
     found = []
@@ -84,6 +93,12 @@ def test_statistics(tap, tool):
     histogram = field.histogram(20)
     counts, edges = numpy.histogram(values[mask], 20)
     tap.ok((histogram.counts == counts).all() and numpy.allclose(histogram.edges, edges, rtol=1e-12), "the histogram")
+    room = luxel.Scene.from_text(ROOM)
+    reflected = room.render(quantity="irradiance", reflected_error=0.01)
+    bound = reflected.statistics.reflected_error
+    tap.ok(0 < bound <= 0.01 and abs(numpy.asarray(reflected) - 2).max() <= bound * reflected.statistics.maximum.value,
+           "a closed room of reflectance 0.5 in uniform light has twice its irradiance")
+    tap.ok(luxel.Scene("report").render().statistics.reflected_error is None, "without reflections there is no bound")
     reached = luxel.Scene("report").render(minimum_reached=True).statistics.minimum_reached
     tap.equal(reached.value, tool.run("render", "report", "--json").json()["min_reached"]["value"],
               "where light arrives")
