@@ -64,6 +64,12 @@ LUXEL_API luxel_status luxel_scene_read_text(const char *text, size_t length, co
 LUXEL_API luxel_status luxel_scene_set_folder_of(luxel_scene *scene, const char *path);
 
 /*
+ * Takes over what another scene, such as that of the text a moment ago, has read from files: luxel_scene_commit() then
+ * reads only those that the other one did not name or that have changed since.  LUXEL_ERROR_MEMORY.
+ */
+LUXEL_API luxel_status luxel_scene_keep_files(luxel_scene *scene, const luxel_scene *other);
+
+/*
  * Changes one value: `assignment` is KEY=VALUE, where KEY is a path such as lights[0].intensity or
  * lights.0.intensity and VALUE is YAML.  Keys with defaults that the scene does not write yet are added.
  * LUXEL_ERROR_PATH: no '=', or no such key or element (the scene stays as it was).

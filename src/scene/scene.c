@@ -84,6 +84,13 @@ luxel_status luxel_scene_set_folder_of(luxel_scene *scene, const char *path)
     return LUXEL_OK;
 }
 
+luxel_status luxel_scene_keep_files(luxel_scene *scene, const luxel_scene *other)
+{
+    if (!scene || !other || scene == other)
+        return LUXEL_ERROR_ARGUMENT;
+    return lx_kept_copy(&other->kept, &scene->kept) < 0 ? LUXEL_ERROR_MEMORY : LUXEL_OK;
+}
+
 luxel_status luxel_scene_read_file(const char *path, luxel_diagnostics *diagnostics, luxel_scene **scene)
 {
     if (!path || !scene)

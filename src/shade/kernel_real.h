@@ -363,10 +363,17 @@ LX_LANE void NAME(add_lights)(const struct NAME(work) * work, enum lx_light_kind
         values[i] = uniform + (float)totals[i];
 }
 
+/*
+ * Each kind of material has a loop of its own, which asks nothing on its way.  With LX_FEW_KERNELS all have one, which
+ * takes less room for the same numbers.
+ */
 LX_LANE void NAME(by_lobe)(const struct NAME(work) * work, enum lx_light_kind kind)
 {
     const enum lx_model model = work->lobe->model;
     const enum lx_highlight highlight = work->lobe->highlight;
+#ifdef LX_FEW_KERNELS
+    NAME(add_lights)(work, kind, model, highlight);
+#else
     if (model == LX_LAMBERT)
         NAME(add_lights)(work, kind, LX_LAMBERT, LX_HIGHLIGHT_PLAIN);
     else if (model == LX_BLINN_PHONG && highlight == LX_HIGHLIGHT_PLAIN)
@@ -381,23 +388,37 @@ LX_LANE void NAME(by_lobe)(const struct NAME(work) * work, enum lx_light_kind ki
         NAME(add_lights)(work, kind, LX_PHONG, LX_HIGHLIGHT_GATED);
     else
         NAME(add_lights)(work, kind, LX_PHONG, LX_HIGHLIGHT_COSINE);
+#endif
 }
 
-/* Functions of their own for each kind: compilers take much longer for one that holds them all. */
+/*
+ * Functions of their own for each kind: compilers take much longer for one that holds them all.  Of float64, which few
+ * pictures need, LX_FEW_KERNELS has but one.
+ */
 #define LX_SHADE_BY(name, kind)                                                                                        \
     static __attribute__((noinline)) void NAME(name)(const struct NAME(work) * work)                                   \
     {                                                                                                                  \
         NAME(by_lobe)(work, kind);                                                                                     \
     }
+#if defined LX_FEW_KERNELS && !LX_IS_SINGLE
+static __attribute__((noinline)) void NAME(by_any)(const struct NAME(work) * work)
+{
+    NAME(by_lobe)(work, work->lights->kind);
+}
+#else
 LX_SHADE_BY(by_direction, LX_DISTANT)
 LX_SHADE_BY(by_square, LX_BY_SQUARE)
 LX_SHADE_BY(by_sum, LX_BY_SUM)
 LX_SHADE_BY(unattenuated, LX_UNATTENUATED)
 LX_SHADE_BY(profiled, LX_PROFILED)
+#endif
 #undef LX_SHADE_BY
 
 LX_LANE void NAME(by_kind)(const struct NAME(work) * work)
 {
+#if defined LX_FEW_KERNELS && !LX_IS_SINGLE
+    NAME(by_any)(work);
+#else
     switch (work->lights->kind) {
     case LX_DISTANT: NAME(by_direction)(work); break;
     case LX_BY_SQUARE: NAME(by_square)(work); break;
@@ -405,6 +426,7 @@ LX_LANE void NAME(by_kind)(const struct NAME(work) * work)
     case LX_UNATTENUATED: NAME(unattenuated)(work); break;
     case LX_PROFILED: NAME(profiled)(work); break;
     }
+#endif
 }
 
 static void NAME(shade)(const struct NAME(lx_light) * lights, const struct lx_light_double *exacts, size_t light_count,

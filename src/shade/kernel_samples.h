@@ -131,6 +131,9 @@ static void NAME(samples)(const struct NAME(lx_samples) * samples, size_t first,
                           const struct NAME(lx_lobe) * lobe, const struct NAME(lx_block) * block, size_t start,
                           REAL *sum)
 {
+#ifdef LX_FEW_KERNELS
+    NAME(samples_of)(samples, first, count, lobe, block, start, lobe->model, lobe->highlight, sum);
+#else
     if (lobe->model == LX_LAMBERT)
         NAME(samples_of)(samples, first, count, lobe, block, start, LX_LAMBERT, LX_HIGHLIGHT_PLAIN, sum);
     else if (lobe->model == LX_BLINN_PHONG && lobe->highlight == LX_HIGHLIGHT_PLAIN)
@@ -145,4 +148,5 @@ static void NAME(samples)(const struct NAME(lx_samples) * samples, size_t first,
         NAME(samples_of)(samples, first, count, lobe, block, start, LX_PHONG, LX_HIGHLIGHT_GATED, sum);
     else
         NAME(samples_of)(samples, first, count, lobe, block, start, LX_PHONG, LX_HIGHLIGHT_COSINE, sum);
+#endif
 }

@@ -151,11 +151,29 @@ static void surfaces(void **state)
     luxel_text_free(text);
 }
 
+/* What is taken over from another scene: whole, or told why not; a scene without files stays as it is. */
+static void files_of_another(void **state)
+{
+    (void)state;
+    char *text = changed("surfaces:\n", "surfaces:\n");
+    luxel_scene *before, *scene;
+    assert_int_equal(load(text, NULL, &before), LUXEL_OK);
+    assert_int_equal(luxel_scene_read_text(text, strlen(text), NULL, NULL, &scene), LUXEL_OK);
+    assert_int_equal(luxel_scene_keep_files(scene, before), LUXEL_OK);
+    assert_int_equal(luxel_scene_commit(scene, NULL), LUXEL_OK);
+    assert_int_equal(luxel_scene_keep_files(scene, scene), LUXEL_ERROR_ARGUMENT);
+    assert_int_equal(luxel_scene_keep_files(NULL, before), LUXEL_ERROR_ARGUMENT);
+    assert_int_equal(luxel_scene_keep_files(scene, NULL), LUXEL_ERROR_ARGUMENT);
+    luxel_scene_free(before);
+    luxel_scene_free(scene);
+    luxel_text_free(text);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(orthographic), cmocka_unit_test(perspective), cmocka_unit_test(placed),
-        cmocka_unit_test(refusals),     cmocka_unit_test(surfaces),
+        cmocka_unit_test(refusals),     cmocka_unit_test(surfaces),    cmocka_unit_test(files_of_another),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -60,6 +60,8 @@ PAGE_CALLS(page_open) int page_open(const char *text, size_t length, const char 
     luxel_diagnostics *diagnostics = fresh_diagnostics();
     luxel_scene *scene = NULL;
     luxel_status status = luxel_scene_read_text(text, length, name, diagnostics, &scene);
+    if (status == LUXEL_OK && core.scene)
+        status = luxel_scene_keep_files(scene, core.scene);
     if (status == LUXEL_OK)
         status = luxel_scene_commit(scene, diagnostics);
     if (status != LUXEL_OK) {

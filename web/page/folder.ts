@@ -22,6 +22,8 @@ export class Folder {
     private readonly opened = new Map<number, { bytes: Uint8Array; at: number }>();
     private nextFile = 3;
     private nextInode = 1;
+    /** Which files were opened. */
+    readonly readings = new Set<string>();
     /** The names that were asked for, and whether they were found. */
     readonly asked = new Map<string, boolean>();
 
@@ -31,14 +33,20 @@ export class Folder {
         this.kept.set(name, { bytes, inode: this.nextInode++ });
     }
 
+    // What begins so is in the core itself.
+    private note(path: string, isFound: boolean) {
+        if (path && !path.startsWith('builtin:')) this.asked.set(path, isFound);
+    }
+
     private find(path: string): Kept | undefined {
         return this.kept.get(path) ?? this.kept.get(lastPart(path));
     }
 
     open(path: string): number {
         const found = this.find(path);
-        if (path) this.asked.set(path, found !== undefined);
+        this.note(path, found !== undefined);
         if (!found) return FAULT.noSuchFile;
+        this.readings.add(path);
         this.opened.set(this.nextFile, { bytes: found.bytes, at: 0 });
         return this.nextFile++;
     }
@@ -58,8 +66,10 @@ export class Folder {
         return 0;
     }
 
+    // The core asks for the state of a file before it reads it, and of those that it has read already.
     state(path: string, at: number): number {
         const found = this.find(path);
+        this.note(path, found !== undefined);
         return found ? this.describe(at, found.bytes, found.inode) : FAULT.noSuchFile;
     }
 

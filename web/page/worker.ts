@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The worker: the core, and the questions of the page to it in the order in which they come.
 import { Core, CoreFailure, type Change } from './core';
+import { lastPart } from './folder';
 
 export interface Picture {
     facts: ReturnType<Core['picture']>;
@@ -45,7 +46,9 @@ const questions = {
         core.quantity(irradiance);
         const whole = open(text);
         const messages = core.messages();
-        return { whole, messages, scene: whole ? core.scene() : null, files: [...core.folder.asked] };
+        // Those that the scene before named are looked at, too.
+        const files = [...core.folder.asked].filter(([name, found]) => !found || text.includes(lastPart(name)));
+        return { whole, messages, scene: whole ? core.scene() : null, files };
     },
     /** Computes a picture of a text that was found to be whole, or of each n-th pixel. */
     render(text: string, irradiance: boolean, stride: number): Picture | { messages: ReturnType<Core['messages']> } {

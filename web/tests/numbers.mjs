@@ -84,6 +84,11 @@ async function namesFiles(core, tool, folder) {
         fs.writeFileSync(path.join(folder, name === 'knot.ply' ? `models/${name}` : name), content);
     }
     fs.writeFileSync(path.join(folder, 'naming.yaml'), NAMING);
+    check(core.open(NAMING), JSON.stringify(core.messages()));
+    const { readings } = core.folder;
+    readings.clear();
+    check(core.open(NAMING.replace('420', '421')), 'another place of the lamp');
+    check(!readings.has('models/knot.ply'), 'a mesh that has not changed is read anew');
     return compareScene(core, tool, folder, { name: 'naming.yaml', text: NAMING });
 }
 

@@ -6,6 +6,7 @@ import os from 'node:os';
 import path from 'node:path';
 import { pathToFileURL } from 'node:url';
 import axe from 'axe-core';
+import { FIREFOX, inFirefox } from './firefox.mjs';
 import { more, PAGES } from './more.mjs';
 import { dragBy, inside, lampIn, opened, openScene, shot, started, until } from './hands.mjs';
 import { serve } from './server.mjs';
@@ -243,6 +244,19 @@ async function accessible(page, what) {
     );
 }
 
+/** A finger takes the lamp in the space view and moves it. */
+async function dragByFinger(page) {
+    await page.locator('canvas.space').scrollIntoViewIfNeeded();
+    const [x, y] = await lampIn(page, 'space');
+    const before = await inside(page, 'model.scene.lights[0].place');
+    const touch = await page.context().newCDPSession(page);
+    const at = (type, points) => touch.send('Input.dispatchTouchEvent', { type, touchPoints: points });
+    await at('touchStart', [{ x, y }]);
+    for (let i = 1; i <= 5; i++) await at('touchMove', [{ x: x - 8 * i, y }]);
+    await at('touchEnd', []);
+    await until(page, `model.scene.lights[0].place[0] < ${before[0]} - 10`);
+}
+
 async function onPhone(browser, url) {
     const page = await opened(browser, url, { viewport: { width: 390, height: 844 }, hasTouch: true, isMobile: true });
     const width = await page.evaluate(() => document.documentElement.scrollWidth);
@@ -252,6 +266,7 @@ async function onPhone(browser, url) {
     const box = await page.locator('canvas.picture').boundingBox();
     await page.touchscreen.tap(box.x + box.width * 0.6, box.y + box.height / 2);
     await until(page, 'picture.probe[0] > 10');
+    await dragByFinger(page);
     await page.context().close();
 }
 
@@ -313,8 +328,11 @@ export async function page(folder, tool) {
     const browser = await started();
     const page = await opened(browser, url);
     await shot(page, 'desktop');
+    let most = 0;
     await test('starts with a whole lit sphere and its lamp in sight', () => startsLit(page));
     await test('a lamp is dragged in space; undo and redo', () => dragsInSpace(page));
+    await openScene(page, 'report');
+    most = await inside(page, 'model.picture.facts.maximum.value');
     await test('a lamp is dragged in the picture at its height', () => dragsInPicture(page));
     await test('keys move what is selected and change the view', () => movesByKeys(page));
     await test('the probe shows the number of the tool and the shares', () => probes(page, tool));
@@ -343,5 +361,7 @@ export async function page(folder, tool) {
     await test('a single file, from the disk', () => single(browser, folder));
     await test('a browser without WebAssembly is told', () => withoutWasm(browser, url));
     await browser.close();
+    if (fs.existsSync(FIREFOX)) await test('Firefox has the same numbers', () => inFirefox(url, most));
+    else console.log(`${FIREFOX} is not there: the page is not tried in Firefox`);
     server.close();
 }

@@ -7,7 +7,7 @@ import { numbers } from './numbers.mjs';
 import { check, summary, test } from './tap.mjs';
 
 const [wasm, tool, page] = process.argv.slice(2);
-const MOST_OF_CORE = 700e3; // bytes, gzip; docs/WEB.md tells what they are
+const MOST_OF_CORE = 600e3; // bytes, gzip; docs/WEB.md tells what they are
 
 await test('the core is small', () => {
     const size = gzipSync(fs.readFileSync(wasm), { level: 9 }).length;
