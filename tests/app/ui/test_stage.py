@@ -92,7 +92,7 @@ def why(tap, desk):
     tap.ok(where and abs(float(where.group(1)) - 60) < 1 and abs(float(where.group(2)) - 40) < 1, "where it is", where)
     product = float(re.search(r"N · L = ([\d.]+)", formula).group(1))
     told = luxel("explain", "report", "-p", "60,40").decode()
-    tap.ok(abs(product - float(re.search(r"N · L = ([\d.]+)", told).group(1))) < 0.01, "as luxel explain has it", product)
+    tap.ok(abs(product - float(re.search(r"N · L = ([\d.]+)", told).group(1))) < 0.01, "as luxel explain has it")
     window.press("The whole…", None)
     whole = wait("the whole", lambda: next((part for top in desk.reader.program(window.app.process.pid).children()
                                             for part in top.all(None, "Why this value?")
