@@ -12,6 +12,7 @@
 #include "../base/memory.h"
 #include "../base/number.h"
 #include "../base/rows.h"
+#include "../light/extended.h"
 #include "../scene/scene.h"
 #include "../shade/evaluate.h"
 #include "../shade/flux.h"
@@ -174,9 +175,25 @@ static void gather(const struct measuring *measuring)
 static bool integrates(const struct lx_emitters *emitters)
 {
     for (size_t i = 0; i < lx_item_count(emitters); i++)
-        if (lx_is_extended(&emitters->items[i]) && emitters->items[i].attenuation != LX_INVERSE_SQUARE)
+        if (lx_is_extended(&emitters->items[i]) && !lx_has_closed_form(&emitters->items[i]))
             return true;
     return false;
+}
+
+/* What all of an opening would bring to a place as a point, no nearer than it is large. */
+static double opening_around(const struct lx_emitter *emitter, lx_bounded3 place)
+{
+    const bool is_facets = emitter->type == LX_FACETS;
+    const double *center = is_facets ? emitter->facets->center_mm : emitter->center_mm;
+    const double size = is_facets ? emitter->facets->radius_mm : hypot(emitter->radius_mm, emitter->height_mm / 2);
+    struct lx_emitter point = *emitter;
+    point.type = LX_POINT;
+    point.strength = emitter->radiance.value * lx_extended_area_mm2(emitter).value / 1e6;
+    point.profile = lx_profile_isotropic();
+    memcpy(point.position_mm, center, sizeof point.position_mm);
+    if (lx_length3(lx_sub3(lx_exact3(center), place)).value < size)
+        place = lx_exact3((const double[]){center[0] + size, center[1], center[2]});
+    return lx_emitter_sample(&point, place).e_perp.value;
 }
 
 /* What the lights bring to a cell, however it is turned: E_perp, and of extended ones pi times the radiance. */
@@ -188,8 +205,9 @@ static double light_around(const struct measuring *measuring, size_t cell)
     for (size_t i = 0; i < measuring->prepared->emitters.count; i++) {
         struct lx_emitter room;
         const struct lx_emitter *emitter = lx_emitter_at(&measuring->prepared->emitters, i, &room);
-        sum +=
-            lx_is_extended(emitter) ? M_PI * emitter->radiance.value : lx_emitter_sample(emitter, place).e_perp.value;
+        sum += lx_is_opening(emitter)    ? opening_around(emitter, place)
+               : lx_is_extended(emitter) ? M_PI * emitter->radiance.value
+                                         : lx_emitter_sample(emitter, place).e_perp.value;
     }
     return sum;
 }
@@ -242,13 +260,23 @@ static void judge(const struct measuring *measuring, bool is_tolerance_asked_for
 /* From this share of the mean on the sampling error is said to be one. */
 static const double COARSE = 0.01;
 
+/* Light of luminous openings is an integral at each place: that over a plane would take a million of them. */
+static bool has_openings(const struct lx_emitters *emitters)
+{
+    for (size_t i = 0; i < lx_item_count(emitters); i++)
+        if (lx_is_opening(&emitters->items[i]))
+            return true;
+    return false;
+}
+
 /* The mean over the plane and the flux, where they are known. */
 static void integrate(const struct measuring *measuring)
 {
     luxel_grid *grid = &measuring->made->grid;
     const struct lx_asking asking = {.control = measuring->control, .is_caller = true};
     const bool photometric = strcmp(grid->unit, "lx") == 0, radiometric = strcmp(grid->unit, "W/m²") == 0;
-    if ((!photometric && !radiometric) || grid->measured != (size_t)grid->columns * grid->rows)
+    if ((!photometric && !radiometric) || grid->measured != (size_t)grid->columns * grid->rows ||
+        has_openings(&measuring->prepared->emitters))
         return;
     const struct lx_flux flux = lx_plane_flux(measuring->prepared, &measuring->made->cells, grid->average, &asking);
     lx_bounded area =

@@ -11,9 +11,18 @@
 
 /* What of the kinds of lights there is in a scene. */
 struct used {
-    bool ambient, distant, point, spot, extended, parts, laws[LX_LAWS], isotropic, lambertian, cosine, falloffs[5];
+    bool ambient, distant, point, spot, extended, opening, parts, laws[LX_LAWS], isotropic, lambertian, cosine,
+        falloffs[5];
     bool by_angle, by_cosine; /* luminaires */
 };
+
+static void note_interpolation(struct used *used, const struct lx_profile *profile)
+{
+    if (!profile->luminaire)
+        return;
+    const bool by_angle = profile->luminaire->distribution->interpolation == LUXEL_INTERPOLATE_ANGLE;
+    *(by_angle ? &used->by_angle : &used->by_cosine) = true;
+}
 
 static struct used find_used(const struct lx_prepared *prepared)
 {
@@ -24,20 +33,18 @@ static struct used find_used(const struct lx_prepared *prepared)
         const struct lx_profile *profile = &emitter->profile;
         used.ambient |= emitter->type == LX_UNIFORM;
         used.distant |= emitter->type == LX_DIRECTION;
-        used.extended |= lx_is_extended(emitter);
+        used.extended |= lx_is_extended(emitter) && !lx_is_opening(emitter);
+        used.opening |= lx_is_opening(emitter);
         used.parts |= emitter->is_part;
         if (lx_is_extended(emitter) || emitter->type == LX_POINT)
             used.laws[emitter->attenuation] = true;
+        note_interpolation(&used, profile);
         if (emitter->type != LX_POINT || emitter->is_part)
             continue;
         used.point = true;
         used.spot |= profile->falloff != LX_NO_CONE;
         used.falloffs[profile->falloff] = true;
         used.isotropic |= profile->exponent == 0 && !profile->luminaire;
-        if (profile->luminaire && profile->luminaire->distribution->interpolation == LUXEL_INTERPOLATE_ANGLE)
-            used.by_angle = true;
-        else if (profile->luminaire)
-            used.by_cosine = true;
         used.lambertian |= profile->exponent == 1;
         used.cosine |= profile->exponent > 0 && profile->exponent != 1;
     }
@@ -219,7 +226,7 @@ static void explain_lights(struct luxel_document *document, const struct used *u
                                  : "\\mathbf{L} = \\frac{\\mathbf{S} - \\mathbf{P}}{r}, \\qquad r = |\\mathbf{S} - "
                                    "\\mathbf{P}|, \\qquad E_{\\perp} = I\\, g\\, a(r)");
     }
-    if (used->point || used->extended || used->parts)
+    if (used->point || used->extended || used->opening || used->parts)
         explain_laws(document, used);
     if (used->point && used->isotropic)
         lx_document_item(document, LX_N("the same in all directions: {0}"), LX_SPANS(LX_MATH("g = 1")));
@@ -238,6 +245,14 @@ static void explain_lights(struct luxel_document *document, const struct used *u
                                          "faces the point, each part of it with its own direction and distance:"),
                               LX_SPANS(LX_MATH("L_e")));
         lx_document_formula(document, "dE_{\\perp} = L_e\\, \\max(0, \\cos \\theta')\\, a(r)\\, dA'");
+    }
+    if (used->opening) {
+        lx_document_paragraph(document,
+                              LX_N("A luminaire with a luminous opening of the area {0} is the integral over it: each "
+                                   "part of it is a point with all of the intensities and its share of the area, "
+                                   "whatever the angle under which it is seen:"),
+                              LX_SPANS(LX_MATH("A")));
+        lx_document_formula(document, "dE_{\\perp} = I(C, \\gamma)\\, a(r)\\, \\frac{dA}{A}");
     }
     if (used->parts)
         lx_document_paragraph(document,

@@ -422,20 +422,27 @@ static void explain_ambient(const struct lx_steps *steps, const luxel_light_shar
     end(steps, &line);
 }
 
-static void explain_sum(const struct lx_steps *steps, const luxel_light_share *share, size_t emitters, bool are_parts)
+static void explain_sum(const struct lx_steps *steps, const luxel_light_share *share, size_t emitters,
+                        const struct lx_emitter *first)
 {
+    const bool are_parts = lx_is_extended(first) || first->is_part;
     struct line line = {{0}};
     char parts[LX_NUMBER_SIZE];
     if (emitters > 1)
         lx_document_paragraph(steps->document,
                               are_parts ? LX_N("It is the sum of {0} parts.") : LX_N("It is the sum of {0} sources."),
                               LX_SPANS(LX_PLAIN(lx_write_number((double)emitters, parts))));
-    if (share->parts > 0)
+    if (share->parts > 0 && lx_is_opening(first))
+        lx_document_paragraph(steps->document,
+                              LX_N("The integral over the luminous opening was computed from {0} of its points, until "
+                                   "its error was small enough."),
+                              LX_SPANS(LX_PLAIN(lx_write_number((double)share->parts, parts))));
+    else if (share->parts > 0)
         lx_document_paragraph(steps->document,
                               LX_N("The integral over the source was computed from {0} of its points, until its error "
                                    "was small enough; what is diffuse by the inverse square is a closed form."),
                               LX_SPANS(LX_PLAIN(lx_write_number((double)share->parts, parts))));
-    else if (are_parts && emitters == 1)
+    else if (are_parts && emitters == 1 && !lx_is_opening(first))
         lx_document_paragraph(steps->document, LX_N("The integral over the source has a closed form."), NULL);
     say(&line, "E = ");
     number(&line, share->irradiance);
@@ -499,7 +506,7 @@ void lx_explain_light(const struct lx_steps *steps, const luxel_light_share *sha
         if (lx_emitter_at(emitters, i, &room)->light != share->light)
             continue;
         first = first ? first : lx_emitter_at(emitters, i, &made);
-        count++;
+        count += !lx_emitter_at(emitters, i, &room)->is_back;
     }
     lx_add_element_name(&name, "lights", share->light, share->name);
     if (name.bytes)
@@ -516,7 +523,7 @@ void lx_explain_light(const struct lx_steps *steps, const luxel_light_share *sha
         return;
     }
     if (lx_is_extended(first) || first->is_part || count > 1) {
-        explain_sum(steps, share, count, lx_is_extended(first) || first->is_part);
+        explain_sum(steps, share, count, first);
         sum_parts(steps, share);
         return;
     }

@@ -100,6 +100,7 @@ static bool add_value(struct lx_text *text, const struct lx_parameter *parameter
         else
             add_number(text, whole->whole);
         return true;
+    case LX_GROUP: lx_text_puts(text, parameter->choices[((const struct lx_worded *)value)->word]); return true;
     case LX_VECTORS:
         for (size_t i = 0; i < vectors->count; i++) {
             lx_text_puts(text, i > 0 ? ", " : "");
@@ -171,6 +172,8 @@ static void add_rows(struct walk *walk, const char *prefix, const struct lx_tabl
         const void *value = lx_const_member(parameter, parameters);
         struct lx_text path = {0};
         bool is_group = parameter->type == LX_GROUP;
+        if (is_group && parameter->choices)
+            is_group = ((const struct lx_worded *)value)->word < 0;
         if (is_group ? is_other_choice(table, parameters, parameter->name) : !is_shown(table, parameter, parameters))
             continue;
         lx_text_puts(&path, prefix);

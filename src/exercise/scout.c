@@ -39,7 +39,7 @@ static double cost_of(const struct lx_emitter *emitter, bool shines, size_t shad
     const double faces = emitter->type == LX_FACETS ? (double)emitter->facets->face_count : 4;
     const double penumbrae = shadows > MANY_SURFACES ? PENUMBRA_COST * (double)shadows : 0;
     /* only of the law 1/r^2 the diffuse light is no integral */
-    return penumbrae + faces * (emitter->attenuation != LX_INVERSE_SQUARE ? 25000 : shines ? 1500 : 200);
+    return penumbrae + faces * (!lx_has_closed_form(emitter) ? 25000 : shines ? 1500 : 200);
 }
 
 /* What the sources are like. */

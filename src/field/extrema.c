@@ -346,7 +346,7 @@ static void judge_lights(struct lx_hunt *hunt)
         struct lx_emitter room;
         const struct lx_emitter *emitter = lx_emitter_at(emitters, i, &room);
         const bool is_hidden = hunt->prepared->shadows && hunt->prepared->shadows_extended;
-        bool closed = emitter->attenuation == LX_INVERSE_SQUARE && (is_irradiance || !shines) && !is_hidden;
+        bool closed = lx_has_closed_form(emitter) && (is_irradiance || !shines) && !is_hidden;
         hunt->costly = hunt->costly || (lx_is_extended(emitter) && !closed);
         narrow += emitter->type == LX_POINT || emitter->type == LX_DIRECTION;
     }

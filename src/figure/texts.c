@@ -76,7 +76,7 @@ static void print_place(const struct lx_figure *figure, const struct lx_table *t
     }
     for (size_t i = 0; i < table->count; i++) {
         const struct lx_parameter *shape = &table->parameters[i];
-        if (shape->type != LX_GROUP || !lx_is_given(table, parameters, shape->name))
+        if (shape->type != LX_GROUP || shape->choices || !lx_is_given(table, parameters, shape->name))
             continue;
         lx_text_puts(text, " ");
         lx_text_puts(text, lx_figure_kind(figure, shape->name));

@@ -98,6 +98,15 @@ static int carry_shell(struct carrying *carrying, struct lx_emitter *emitter)
     return emitter->facets ? 0 : -1;
 }
 
+/* An opening takes its luminaire along. */
+static int carry_opening(struct carrying *carrying, struct lx_emitter *emitter)
+{
+    if (!emitter->profile.luminaire)
+        return 0;
+    emitter->profile.axis = lx_frame_turn_bounded(carrying->frame, emitter->profile.axis);
+    return carry_luminaire(carrying, &emitter->profile);
+}
+
 /* A copy of an emitter becomes the carried one; what of it could not be made is NULL. */
 static int carry_one(struct carrying *carrying, struct lx_emitter *emitter)
 {
@@ -109,14 +118,14 @@ static int carry_one(struct carrying *carrying, struct lx_emitter *emitter)
         lx_frame_carry(frame, emitter->position_mm, emitter->position_mm);
         emitter->profile.axis = lx_frame_turn_bounded(frame, emitter->profile.axis);
         return emitter->profile.luminaire ? carry_luminaire(carrying, &emitter->profile) : 0;
-    case LX_FACETS: return carry_shell(carrying, emitter);
+    case LX_FACETS: return carry_shell(carrying, emitter) || carry_opening(carrying, emitter) ? -1 : 0;
     case LX_DISK:
     case LX_BALL:
     case LX_CYLINDER: break;
     }
     lx_frame_carry(frame, emitter->center_mm, emitter->center_mm);
     emitter->axis = lx_frame_turn_bounded(frame, emitter->axis);
-    return 0;
+    return carry_opening(carrying, emitter);
 }
 
 static struct lx_cloud *carry_cloud(const struct carrying *carrying, const struct lx_cloud *cloud)

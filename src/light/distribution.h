@@ -95,6 +95,20 @@ void lx_turn_distribution(const struct lx_pointed *pointed, const struct lx_fram
 /* The function for the unit direction L to the light. */
 lx_bounded lx_pointed_value(const struct lx_pointed *pointed, lx_bounded3 towards);
 
+/* The same in plain float64, and its greatest slope, for a radian, where it does not jump. */
+double lx_pointed_plain(const struct lx_pointed *pointed, const double towards[3]);
+double lx_pointed_slope(const struct lx_pointed *pointed);
+
+/* An arc of directions L = direction cos(tau) + pole sin(tau), both unit and at right angles. */
+struct lx_pointed_arc {
+    double direction[3], pole[3];
+    double from, width; /* of tau */
+};
+
+/* The tau at which the lines of the table cross an arc, in no order, at most so many of them; how many. */
+size_t lx_pointed_crossings(const struct lx_pointed *pointed, const struct lx_pointed_arc *arc, size_t most,
+                            double *places);
+
 /* C and gamma, or the horizontal and the vertical angle, of that direction in degrees. */
 void lx_pointed_angles(const struct lx_pointed *pointed, const double towards[3], double *plane_deg, double *angle_deg);
 

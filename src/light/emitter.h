@@ -7,7 +7,9 @@
  * point      a point with radiant intensity I, an attenuation law a(r) and an angular profile g (profile.h):
  *            E_perp = I g a(r), r in metres
  * facets, disk, ball, cylinder
- *            shells of uniform radiance; extended.h says more
+ *            shells of uniform radiance; extended.h says more.  With the profile of a luminaire they are its luminous
+ *            opening: each part of them is a point with all of the distribution, and `radiance` says how much
+ *            intensity there is for an area
  *
  * The kernels of the shade room hold the same formulas for whole blocks of elements.
  */
@@ -43,6 +45,7 @@ struct lx_emitter {
     struct lx_profile profile;
     /* the extended ones: */
     lx_bounded radiance;      /* W/(sr m^2) */
+    bool is_back;             /* of an opening: the other side of one that is in the list, with the same area */
     struct lx_facets *facets; /* of LX_FACETS; belongs to the list that the emitter is in */
     double center_mm[3];      /* of a disk, ball, cylinder */
     double radius_mm, height_mm;
@@ -58,6 +61,18 @@ static inline double lx_by_polynomial(const double coefficients[3], double dista
 static inline bool lx_is_extended(const struct lx_emitter *emitter)
 {
     return emitter->type >= LX_FACETS;
+}
+
+/* Whether it is a side of a luminous opening. */
+static inline bool lx_is_opening(const struct lx_emitter *emitter)
+{
+    return lx_is_extended(emitter) && emitter->profile.luminaire;
+}
+
+/* Whether the irradiance of an extended emitter has a closed form. */
+static inline bool lx_has_closed_form(const struct lx_emitter *emitter)
+{
+    return emitter->attenuation == LX_INVERSE_SQUARE && !emitter->profile.luminaire;
 }
 
 struct lx_cloud;

@@ -11,8 +11,17 @@ void lx_facets_free(struct lx_facets *facets)
     lx_kept_release((struct lx_kept *)facets);
 }
 
+/* Whether it is within a sphere that is an opening, whose surface is seen from outside alone. */
+static bool is_within(const struct lx_emitter *emitter, lx_bounded3 place_mm)
+{
+    const lx_bounded3 offset = lx_sub3(lx_exact3(emitter->center_mm), place_mm);
+    return lx_is_opening(emitter) && emitter->type == LX_BALL && lx_length3(offset).value < emitter->radius_mm;
+}
+
 bool lx_extended_touches(const struct lx_emitter *emitter, lx_bounded3 place_mm)
 {
+    if (is_within(emitter, place_mm))
+        return true;
     if (emitter->type == LX_FACETS)
         return lx_facets_touch(emitter->facets, place_mm);
     return lx_round_touches(emitter, place_mm);

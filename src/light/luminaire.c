@@ -9,10 +9,12 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "../base/number.h"
 #include "../base/pose.h"
 #include "../parameter/check.h"
 #include "distribution.h"
 #include "law.h"
+#include "opening.h"
 #include "placed.h"
 
 struct luminaire_parameters {
@@ -23,7 +25,8 @@ struct luminaire_parameters {
     double c0[3];
     double flux;
     double factor;
-    int interpolation;                    /* luxel_interpolation */
+    int interpolation; /* luxel_interpolation */
+    struct lx_opening opening;
     struct lx_distribution *distribution; /* what was read of the file */
     struct lx_pointed *pointed;           /* and as it hangs */
 };
@@ -94,6 +97,17 @@ static const struct lx_parameter luminaire_parameters[] = {
         .initial = "angle",
         .meaning = "how the intensity goes on between the angles of the file: linear in both of them, or in the "
                    "horizontal angle and the cosine of the other, with which the flux is that of the zone rule",
+    },
+    {
+        .name = "opening",
+        .label = "Luminous opening",
+        .type = LX_GROUP,
+        .offset = offsetof(struct luminaire_parameters, opening),
+        .group = &lx_opening_table,
+        .choices = lx_opening_words,
+        .initial = "point",
+        .meaning = "where the light comes from: from one point, from the luminous opening that the file declares, or "
+                   "from a shape; each part of it shines as the whole luminaire does, with its share of the intensity",
     },
 };
 
@@ -176,6 +190,14 @@ static void advise_file(const struct lx_check *check, const struct luminaire_par
     free(path);
 }
 
+/* Tells where `opening: file` changes nothing. */
+static void advise_opening(const struct lx_check *check, const struct luminaire_parameters *luminaire)
+{
+    if (luminaire->opening.word == LX_OPENING_IS_OF_FILE && luminaire->distribution &&
+        luminaire->distribution->photometry->shown.opening.shape == LUXEL_OPENING_POINT)
+        lx_check_advise(check, "opening", LX_MSG_OPENING_IS_POINT, LX_ARGS(luminaire->file));
+}
+
 /* ---- how it hangs ---- */
 
 static bool is_aimed(const struct luminaire_parameters *luminaire)
@@ -231,12 +253,47 @@ static void check_flux(const struct lx_check *check, const struct luminaire_para
         lx_check_report(check, "flux", LX_ALL_OF_IT, LX_MSG_POWER_TOO_LARGE, NULL);
 }
 
+/* The opening that the luminaire has as a shape; false: it is a point. */
+static bool find_opening(const struct luminaire_parameters *luminaire, struct lx_opening *opening, bool *is_good)
+{
+    bool is_point = luminaire->opening.word == LX_OPENING_IS_POINT;
+    *is_good = true;
+    *opening = luminaire->opening;
+    if (luminaire->opening.word != LX_OPENING_IS_OF_FILE)
+        return !is_point;
+    *is_good = lx_opening_of_file(&luminaire->distribution->photometry->shown.opening, luminaire->pointed, opening,
+                                  &is_point) ||
+               is_point;
+    return *is_good && !is_point;
+}
+
+/* The file's opening must be of a shape that there is. */
+static void check_opening(const struct lx_check *check, const struct luminaire_parameters *luminaire, const char *path)
+{
+    const luxel_opening *declared = &luminaire->distribution->photometry->shown.opening;
+    const double *lengths[] = {&declared->length_mm, &declared->width_mm, &declared->height_mm};
+    struct lx_opening opening;
+    struct lx_text sizes = {0};
+    char number[LX_NUMBER_SIZE];
+    bool is_good;
+    find_opening(luminaire, &opening, &is_good);
+    if (is_good)
+        return;
+    for (int i = 0; i < 3; i++)
+        lx_text_printf(&sizes, "%s%s", i > 0 ? " × " : "", lx_write_digits(*lengths[i], 6, number));
+    char *words = lx_text_take(&sizes);
+    lx_check_report(check, "opening", LX_ALL_OF_IT, LX_MSG_OPENING_OF_FILE, LX_ARGS(path, words ? words : ""));
+    lx_check_hint(check, LX_MSG_HINT_OPENING_SHAPE, NULL);
+    free(words);
+}
+
 static void check_luminaire(const struct lx_check *check, void *parameters)
 {
     struct luminaire_parameters *luminaire = parameters;
     double c0[3];
     if (check->advises) {
         advise_file(check, luminaire);
+        advise_opening(check, luminaire);
         return;
     }
     const bool hangs = find_c0(check, luminaire, c0);
@@ -245,6 +302,8 @@ static void check_luminaire(const struct lx_check *check, void *parameters)
         check_flux(check, luminaire, path);
         if (hangs)
             hang(check, luminaire, c0);
+        if (luminaire->pointed)
+            check_opening(check, luminaire, path);
     }
     free(path);
 }
@@ -264,12 +323,17 @@ static int prepare_luminaire(const void *parameters, struct lx_emitters *emitter
     /* the zone rule's sums have as many roundings as the table has lines at most */
     const double lines = (double)(distribution->azimuth_count + distribution->polar_count);
     emitter.strength_error = emitter.strength * DBL_EPSILON * (is_scaled ? lines + 8 : luminaire->factor != 1);
-    return lx_emitters_append(emitters, &emitter);
+    struct lx_opening opening;
+    bool is_good;
+    return find_opening(luminaire, &opening, &is_good) ? lx_opening_emit(&opening, &emitter, emitters)
+                                                       : lx_emitters_append(emitters, &emitter);
 }
 
 static double opening_of(const void *parameters)
 {
     const struct luminaire_parameters *luminaire = parameters;
+    if (luminaire->opening.word != LX_OPENING_IS_POINT)
+        return 0; /* it counts as what it is */
     const luxel_opening *opening = &luminaire->distribution->photometry->shown.opening;
     return opening->shape == LUXEL_OPENING_POINT
                ? 0

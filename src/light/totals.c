@@ -14,8 +14,16 @@
 
 /* ---- flux ---- */
 
+/* The intensity that an opening is worth, as a point; both of its sides have the same area. */
+static double strength_of_opening(const struct lx_emitter *emitter)
+{
+    return emitter->is_back ? 0 : emitter->radiance.value * (lx_extended_area_mm2(emitter).value / 1e6);
+}
+
 static double flux_of(const struct lx_emitter *emitter)
 {
+    if (lx_is_opening(emitter))
+        return strength_of_opening(emitter) * lx_profile_solid_angle(&emitter->profile);
     if (lx_is_extended(emitter))
         return M_PI * emitter->radiance.value * (lx_extended_area_mm2(emitter).value / 1e6);
     return emitter->type == LX_POINT ? emitter->strength * lx_profile_solid_angle(&emitter->profile) : (double)NAN;
@@ -105,6 +113,12 @@ static bool is_isotropic(const struct lx_emitter *emitter)
 static bool direction_of(const struct lx_emitter *emitter, double direction[3])
 {
     lx_bounded3 axis = emitter->axis;
+    if (lx_is_opening(emitter)) {
+        memcpy(direction,
+               (double[]){emitter->profile.axis.x.value, emitter->profile.axis.y.value, emitter->profile.axis.z.value},
+               3 * sizeof *direction);
+        return true;
+    }
     switch (emitter->type) {
     case LX_DIRECTION: axis = lx_negate3(emitter->towards); break;
     case LX_POINT:
@@ -162,14 +176,16 @@ double lx_emitters_intensity(const struct lx_emitters *emitters)
     if (emitters->count == 0)
         return (double)NAN;
     const struct lx_emitter *first = lx_emitter_at(emitters, 0, &room);
-    if (first->type == LX_BALL && emitters->count == 1)
+    if (first->type == LX_BALL && emitters->count == 1 && !lx_is_opening(first))
         return M_PI * first->radiance.value * (first->radius_mm / 1e3) * (first->radius_mm / 1e3);
     const bool is_even = is_isotropic(first), is_flat = lx_is_extended(first);
     if (first->type < LX_POINT || (!is_even && !lx_emitters_direction(emitters, along)))
         return (double)NAN;
     for (size_t i = 0; i < emitters->count; i++) {
         const struct lx_emitter *emitter = lx_emitter_at(emitters, i, &room);
-        if (!is_flat)
+        if (lx_is_opening(emitter))
+            sum += strength_of_opening(emitter) * lx_profile_on_axis(&emitter->profile);
+        else if (!is_flat)
             sum += emitter->strength * lx_profile_on_axis(&emitter->profile);
         else if (direction_of(emitter, direction) && compare_directions(direction, along) > 0)
             sum += emitter->radiance.value * (lx_extended_area_mm2(emitter).value / 1e6);

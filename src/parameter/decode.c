@@ -54,6 +54,7 @@ void lx_set_default(const struct lx_parameter *parameter, void *value)
     case LX_REALS: numbers_default(parameter->initial, parameter->count, value); break;
     case LX_BOOLEAN: *(bool *)value = strcmp(parameter->initial, "true") == 0; break;
     case LX_CHOICE: *(int *)value = choice_default(parameter); break;
+    case LX_GROUP: ((struct lx_worded *)value)->word = choice_default(parameter); break;
     case LX_CHOICE_OR_PAIR: ((struct lx_choice_or_pair *)value)->choice = choice_default(parameter); break;
     case LX_CHOICE_OR_WHOLE: ((struct lx_choice_or_whole *)value)->choice = choice_default(parameter); break;
     default: break;
@@ -419,6 +420,16 @@ static bool decode_group(struct lx_walk *walk, const struct lx_step *step, const
     return decode_mapping(&mapping);
 }
 
+/* A group whose value may be a word, which leaves its keys at their defaults. */
+static bool decode_worded(struct lx_walk *walk, const struct lx_step *step, const struct lx_parameter *parameter,
+                          lx_node_id id, struct lx_worded *worded)
+{
+    if (lx_document_node(walk->document, id)->kind != LX_MAPPING)
+        return lx_decode_value(walk, step, parameter, id, &worded->word);
+    worded->word = -1;
+    return decode_group(walk, step, parameter->group, id, worded);
+}
+
 static bool decode_groups(struct lx_walk *walk, const struct lx_step *step, const struct lx_parameter *list,
                           lx_node_id id, struct lx_groups *result)
 {
@@ -446,7 +457,9 @@ static bool decode_parameter(struct lx_walk *walk, const struct lx_step *step, c
     switch (parameter->type) {
     case LX_VARIANTS: return decode_variants(walk, step, parameter, id, value);
     case LX_GROUPS: return decode_groups(walk, step, parameter, id, value);
-    case LX_GROUP: return decode_group(walk, step, parameter->group, id, value);
+    case LX_GROUP:
+        return parameter->choices ? decode_worded(walk, step, parameter, id, value)
+                                  : decode_group(walk, step, parameter->group, id, value);
     default: return lx_decode_value(walk, step, parameter, id, value);
     }
 }

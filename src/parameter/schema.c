@@ -186,6 +186,22 @@ static void add_list(struct lx_json *json, const struct lx_parameter *parameter)
 static void add_object(struct lx_json *json, const struct lx_table *const *tables, size_t count,
                        const struct lx_variant *variant);
 
+static void add_group(struct lx_json *json, const struct lx_parameter *parameter)
+{
+    if (!parameter->choices) {
+        add_object(json, &parameter->group, 1, NULL);
+        return;
+    }
+    lx_json_open(json, "anyOf", '[');
+    lx_json_open_line(json, NULL, '{');
+    add_choices(json, parameter->choices);
+    lx_json_close(json, '}');
+    lx_json_open(json, NULL, '{');
+    add_object(json, &parameter->group, 1, NULL);
+    lx_json_close(json, '}');
+    lx_json_close(json, ']');
+}
+
 static void add_groups(struct lx_json *json, const struct lx_parameter *parameter)
 {
     lx_json_text(json, "type", "array");
@@ -224,7 +240,7 @@ static void add_parameter(struct lx_json *json, const struct lx_table *table, co
     case LX_REALS: add_numbers(json, parameter, parameter->count, false); break;
     case LX_WHOLES: add_numbers(json, parameter, parameter->count, true); break;
     case LX_CHOICE_OR_PAIR: add_choice_or_pair(json, parameter); break;
-    case LX_GROUP: add_object(json, &parameter->group, 1, NULL); break;
+    case LX_GROUP: add_group(json, parameter); break;
     case LX_CHOICE_OR_WHOLE: add_choice_or_whole(json, parameter); break;
     case LX_POINTS: add_tuples(json, parameter, 2); break;
     case LX_VECTORS: add_tuples(json, parameter, 3); break;

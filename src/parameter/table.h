@@ -22,7 +22,7 @@ enum lx_parameter_type {
     LX_REALS,           /* double[count] */
     LX_WHOLES,          /* unsigned[count] */
     LX_CHOICE_OR_PAIR,  /* struct lx_choice_or_pair: one of choices, or [low, high] */
-    LX_GROUP,           /* a struct of its own, by `group`, in place */
+    LX_GROUP,           /* a struct of its own, by `group`, in place; with choices it begins with struct lx_worded */
     LX_POINTS,          /* struct lx_points: a list of pairs of numbers */
     LX_VECTORS,         /* struct lx_vectors: a list of triples of numbers, at least `count` of them */
     LX_CHOICE_OR_WHOLE, /* struct lx_choice_or_whole: one of choices, or a whole number in the legal range */
@@ -66,7 +66,7 @@ struct lx_parameter {
     const char *initial;      /* default as YAML, NULL where there is none ("required", or "not given") */
     struct lx_interval legal; /* of each number */
     struct lx_interval advised[LX_COMPONENTS]; /* by component; where only the first is given it goes for all */
-    const char *const *choices;                /* NULL-terminated; LX_CHOICE, LX_CHOICE_OR_PAIR, LX_CHOICE_OR_WHOLE */
+    const char *const *choices; /* NULL-terminated; of choices, LX_CHOICE_OR_..., and of groups that may be a word */
     const struct lx_table
         *group; /* LX_GROUP, LX_GROUPS; LX_VARIANTS: the keys that all variants have beside their own */
     const struct lx_variant *const *variants; /* LX_VARIANTS, NULL-terminated */
@@ -110,6 +110,12 @@ struct lx_variant {
     const char *meaning;
     const char *example; /* an element of the list as YAML on one line, for references and forms */
     const struct lx_table *table;
+};
+
+/* What a group begins with whose value may be one of choices instead of keys. */
+struct lx_worded {
+    uint64_t given;
+    int word; /* -1: the keys */
 };
 
 /* The struct behind each composite type. */

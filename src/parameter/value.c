@@ -389,7 +389,7 @@ bool lx_decode_value(struct lx_walk *walk, const struct lx_step *step, const str
     case LX_CHOICE_OR_WHOLE: return decode_choice_or_whole(&v, value);
     case LX_POINTS: return decode_points(&v, value);
     case LX_VECTORS: return decode_vectors(&v, value);
-    case LX_GROUP:
+    case LX_GROUP: return decode_choice(&v, LX_MSG_WRONG_CHOICE_OR_GROUP, value); /* a word instead of the keys */
     case LX_GROUPS:
     case LX_VARIANTS: break; /* they hold tables of their own */
     }

@@ -110,6 +110,10 @@ void lx_add_type(struct lx_text *text, const struct lx_parameter *parameter)
         [LX_ANY] = LX_N("value"),
     };
     char count[LX_NUMBER_SIZE];
+    if (parameter->type == LX_GROUP && parameter->choices) {
+        lx_add_phrase(text, LX_N("one of, or a group of keys"), NULL);
+        return;
+    }
     lx_add_phrase(text, words[parameter->type], LX_ARGS(lx_write_number(parameter->count, count)));
 }
 

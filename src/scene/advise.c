@@ -199,6 +199,7 @@ static void advise_near(struct lx_walk *walk, const struct lx_scene_parameters *
         lx_walk_tell(walk, LUXEL_SEVERITY_ADVICE, lx_document_place(walk->document, id), &step, LX_MSG_LUMINAIRE_NEAR,
                      LX_ARGS(lx_write_number((double)s, number), lx_write_digits(distance, 4, away),
                              lx_write_digits(opening_mm, 4, length)));
+        lx_hint(walk->diagnostics, LX_MSG_HINT_OPENING, NULL);
         return;
     }
 }

@@ -212,6 +212,17 @@ static bool is_no_material(const struct collecting *all, const struct lx_table *
     return all->skips_materials || (is_of_part && !lx_is_given(table, parameters, parameter->name));
 }
 
+/* A group that may be a word: that, or the key that says of which kind it is. */
+static const char *word_of_group(const struct lx_parameter *parameter, const void *value)
+{
+    const struct lx_worded *worded = value;
+    const struct lx_table *group = parameter->group;
+    for (size_t i = 0; worded->word < 0 && i < group->count; i++)
+        if (lx_is_given(group, value, group->parameters[i].name))
+            return group->parameters[i].name;
+    return parameter->choices[worded->word < 0 ? 0 : worded->word];
+}
+
 /* `booleans`: whether truth values of this table decide how things are computed, and not what there is. */
 static int collect_table(struct collecting *all, const struct lx_table *table, const void *parameters, bool booleans,
                          enum purpose purpose)
@@ -223,7 +234,9 @@ static int collect_table(struct collecting *all, const struct lx_table *table, c
         const enum purpose of_key = purpose_of(parameter, purpose);
         if (!has_effect(table, parameter, parameters) || is_no_material(all, table, parameter, parameters))
             continue;
-        if (parameter->type == LX_GROUP)
+        if (parameter->type == LX_GROUP && parameter->choices && matters(all->use, of_key))
+            result = add(all, parameter->name, word_of_group(parameter, value));
+        else if (parameter->type == LX_GROUP)
             result = collect_table(all, parameter->group, value, true, of_key);
         else if (parameter->type == LX_VARIANTS)
             result = collect_list(all, parameter, value, of_key);

@@ -4,12 +4,16 @@
 #include <stdlib.h>
 
 #include "../base/memory.h"
+#include "../light/distribution.h"
 #include "along.h"
 
-enum { INNER_PANELS = 256 };
+enum { INNER_PANELS = 256, INNER_PANELS_OF_TABLE = INNER_PANELS + 2 * MOST_LINES };
 
 /* Cuts nearer to each other than this are the same one. */
 static const double NARROWEST = 1e-14;
+
+/* Of a ball's rim, where arcs end and what is integrated grows like the inverse of it; nothing is summed there. */
+static const double LEAST_INCIDENCE = 1e-9;
 
 /* Work that is never exceeded; what was reached by then is told by the error. */
 static const size_t MOST_PARTS = 4000000;
@@ -66,6 +70,24 @@ static double lobe_log(const struct lx_problem *problem, const double towards[3]
     return exponent * (sine2 < 0.5 ? log1p(-sine2) / 2 : log(cosine));
 }
 
+/*
+ * What a part of an opening is: the area dA = r^2 dw/cos(incidence) of it, with the distribution in this direction.
+ * Returns the factor of the integrand; *error: absolute, as turns of the direction change it, which is all that a
+ * moved place does.
+ */
+static double opening_at(const struct lx_problem *problem, const double towards[3], double tau, double distance_mm,
+                         double incidence, double moved, double *error)
+{
+    const struct lx_pointed *luminaire = problem->emitter->profile.luminaire;
+    double area = 1 / fmax(incidence, DBL_MIN);
+    if (problem->emitter->type == LX_BALL) { /* the weight is for the distance of the near side */
+        const double far = lx_sweep_far(problem->sweep, &problem->arc, tau, &incidence);
+        area = (1 + law(problem->emitter, far) / law(problem->emitter, distance_mm)) / fmax(incidence, LEAST_INCIDENCE);
+    }
+    *error = area * (lx_pointed_slope(luminaire) * (moved + 8 * DBL_EPSILON) + 16 * DBL_EPSILON);
+    return area * lx_pointed_plain(luminaire, towards);
+}
+
 /* What is integrated at tau: f r^2 a cos(tau), relative to exp(top). */
 static struct lx_point_value value_at(struct lx_problem *problem, double tau)
 {
@@ -75,8 +97,12 @@ static struct lx_point_value value_at(struct lx_problem *problem, double tau)
     double distance = lx_sweep_distance(problem->sweep, &problem->arc, cos_tau, sin_tau, &incidence);
     double cosine = lx_dot_plain(problem->normal, towards), weight = law(problem->emitter, distance) * cos_tau;
     double moved = problem->place_error_mm / distance, error = 16 * DBL_EPSILON + 4 * moved;
-    if (moved > 0)
+    const bool is_opening = lx_is_opening(problem->emitter);
+    if (moved > 0 && !is_opening)
         error += fmin(moved / incidence, 1);
+    double opening = 1, opening_error = 0;
+    if (is_opening)
+        opening = opening_at(problem, towards, tau, distance, incidence, moved, &opening_error);
     double log_value = 0, turned = problem->normal_error + moved + DBL_EPSILON;
     problem->parts++;
     if (problem->lobe) {
@@ -94,7 +120,7 @@ static struct lx_point_value value_at(struct lx_problem *problem, double tau)
     }
     bool by_cosine = !problem->lobe || problem->lobe->highlight == LX_HIGHLIGHT_COSINE;
     double value = by_cosine ? weight * fmax(cosine, 0) : weight;
-    return (struct lx_point_value){.value = value, .error = weight * error};
+    return (struct lx_point_value){.value = value * opening, .error = weight * error * opening + value * opening_error};
 }
 
 /* ---- one arc ---- */
@@ -223,14 +249,12 @@ int lx_make_room_on_arcs(struct lx_problem *problem)
 {
     problem->intervals = problem->whole;
     problem->room_count = MOST_INTERVALS + problem->occlusion->most_hidden;
+    const bool is_integrated = problem->lobe || !lx_has_closed_form(problem->emitter);
     problem->panel_count = INNER_PANELS + problem->room_count * (MOST_PLACES + 1);
+    problem->panel_count += lx_is_opening(problem->emitter) ? 2 * MOST_LINES : 0;
     problem->room = lx_new_array(problem->room_count, sizeof *problem->room);
-    problem->panels = problem->lobe || problem->emitter->attenuation != LX_INVERSE_SQUARE
-                          ? lx_new_array(problem->panel_count, sizeof *problem->panels)
-                          : NULL;
-    return problem->room && (problem->panels || !(problem->lobe || problem->emitter->attenuation != LX_INVERSE_SQUARE))
-               ? 0
-               : -1;
+    problem->panels = is_integrated ? lx_new_array(problem->panel_count, sizeof *problem->panels) : NULL;
+    return problem->room && (problem->panels || !is_integrated) ? 0 : -1;
 }
 
 /* The variable along an arc: tau as an offset from the arc's start; of a round arc the angle whose sine tau is. */
@@ -334,11 +358,25 @@ static int by_value(const void *a, const void *b)
     return (x > y) - (x < y);
 }
 
+/* Where lines of a luminaire's table cross the arc. */
+static size_t find_lines(const struct lx_problem *problem, double *places)
+{
+    struct lx_pointed_arc arc = {.from = problem->arc.from, .width = problem->arc.width};
+    if (!lx_is_opening(problem->emitter))
+        return 0;
+    for (int i = 0; i < 3; i++) {
+        arc.direction[i] = problem->arc.direction[i];
+        arc.pole[i] = problem->sweep->frame.z[i];
+    }
+    return lx_pointed_crossings(problem->emitter->profile.luminaire, &arc, MOST_LINES, places);
+}
+
 /* The panels of each interval. */
 static void start_panels(const struct lx_problem *problem, size_t count, struct lx_panels *panels)
 {
-    double places[MOST_PLACES], cuts[MOST_PLACES + 1];
+    double places[MOST_PLACES + MOST_LINES], cuts[MOST_PLACES + MOST_LINES + 1];
     size_t place_count = find_places(problem, &problem->arc, places);
+    place_count += find_lines(problem, places + place_count);
     for (size_t i = 0; i < count; i++) {
         const struct lx_stretch *interval = &problem->intervals[i];
         size_t cut_count = 0;
@@ -385,7 +423,7 @@ static struct lx_point_value cosine_along(const struct lx_problem *problem, cons
 
 static bool is_closed_along(const struct lx_problem *problem)
 {
-    return lx_is_occluded(problem->occlusion) && !problem->lobe && problem->emitter->attenuation == LX_INVERSE_SQUARE;
+    return lx_is_occluded(problem->occlusion) && !problem->lobe && lx_has_closed_form(problem->emitter);
 }
 
 /* Adaptively, over all intervals. */
@@ -393,8 +431,8 @@ static struct lx_point_value integrate_along(struct lx_problem *problem, size_t 
 {
     const struct lx_arc *arc = &problem->arc;
     struct lx_stretch *intervals = problem->intervals;
-    struct lx_panel memory[INNER_PANELS];
-    struct lx_panels panels = {memory, 0, INNER_PANELS};
+    struct lx_panel memory[INNER_PANELS_OF_TABLE];
+    struct lx_panels panels = {memory, 0, lx_is_opening(problem->emitter) ? INNER_PANELS_OF_TABLE : INNER_PANELS};
     if (lx_is_occluded(problem->occlusion))
         panels = (struct lx_panels){problem->panels, 0, problem->panel_count};
     for (size_t i = 0; i < count; i++) {

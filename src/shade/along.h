@@ -38,6 +38,9 @@ struct lx_piece {
     struct lx_stretch range;
 };
 
+/* Lines of a luminaire's table that an arc is cut at; beyond them the adaptive rule finds its way. */
+enum { MOST_LINES = 192 };
+
 /* One integral over a source, and where its work stands. */
 struct lx_problem {
     const struct lx_emitter *emitter;

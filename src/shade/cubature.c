@@ -226,18 +226,30 @@ static double caution_for(const struct lx_lobe *lobe)
     return lobe && lobe->exponent < 1 ? 10 : 1;
 }
 
+/* A place in the plane of an opening is taken a little out of it. */
+static double opening_error(const struct lx_facets *facets, const double place_mm[3])
+{
+    double away = facets->radius_mm;
+    for (int i = 0; i < 3; i++)
+        away += fabs(facets->center_mm[i] - place_mm[i]);
+    return LX_FLATTEST * away;
+}
+
 /*
  * How far the shape is off that the sweeps are made of, in mm: the rounding of where it lies, and the turn of an
  * uncertain axis about the centre.  A disk's rim is turned with it by as much as the angles of `normal_error` tell.
  */
 static double shape_error(const struct lx_emitter *emitter, const double place_mm[3])
 {
-    if (emitter->type == LX_FACETS)
+    if (emitter->type == LX_FACETS && !lx_is_opening(emitter))
         return 0;
+    if (emitter->type == LX_FACETS)
+        return opening_error(emitter->facets, place_mm);
     double away = emitter->type == LX_DISK ? 0 : emitter->radius_mm + emitter->height_mm / 2;
     for (int i = 0; i < 3; i++)
         away += fabs(emitter->center_mm[i] - place_mm[i]);
-    return away * (2 * DBL_EPSILON + (emitter->type == LX_BALL ? 0 : error_of(emitter->axis)));
+    const double flat = lx_is_opening(emitter) ? LX_FLATTEST : 0;
+    return away * (2 * DBL_EPSILON + flat + (emitter->type == LX_BALL ? 0 : error_of(emitter->axis)));
 }
 
 /*
@@ -286,7 +298,10 @@ static double largest_integrand(const struct lx_problem *problem, const double p
     for (int k = 0; k < 3; k++)
         away += fabs(center[k] - place_mm[k]);
     const double by_law = problem->emitter->attenuation == LX_INVERSE_SQUARE ? 1 : fmax(away * away * 1e-6, 1);
-    return by_law * (problem->lobe ? fmin(BETWEEN * exp(fmax(problem->highest, problem->top)), 1) : 1);
+    double by_area = 1;
+    for (size_t i = 0; lx_is_opening(problem->emitter) && i < problem->sweeps->count; i++)
+        by_area = fmax(by_area, away / problem->sweeps->items[i].height_mm);
+    return by_law * by_area * (problem->lobe ? fmin(BETWEEN * exp(fmax(problem->highest, problem->top)), 1) : 1);
 }
 
 /*
@@ -429,10 +444,11 @@ struct lx_cubature lx_integrate_seen(const struct lx_emitter *emitter, const str
         return result;
     if (diffuse) {
         set_conditions(&problem);
-        if (lx_is_occluded(occlusion) && known > 0 && lobe->diffuse.value > 0)
+        if ((lx_is_occluded(occlusion) || lx_is_opening(emitter)) && known > 0 && lobe->diffuse.value > 0)
             problem.known = known / (radiance * lobe->diffuse.value);
         lx_bounded seen;
-        if (!occlusion || !sum_outline(&problem, &seen))
+        problem.is_coarse = lx_is_opening(emitter) && tolerance >= COARSE;
+        if (!occlusion || lx_is_opening(emitter) || !sum_outline(&problem, &seen))
             seen = integrate(&problem, place);
         result.irradiance = lx_mul(emitter->radiance, seen);
         known += result.irradiance.value * lobe->diffuse.value;
@@ -444,7 +460,7 @@ struct lx_cubature lx_integrate_seen(const struct lx_emitter *emitter, const str
         problem.lobe = lobe;
         problem.known = known / strength.value;
         problem.tolerance = tolerance / caution_for(lobe);
-        problem.is_coarse = lx_is_occluded(occlusion) && problem.tolerance >= COARSE;
+        problem.is_coarse = (lx_is_occluded(occlusion) || lx_is_opening(emitter)) && problem.tolerance >= COARSE;
         set_conditions(&problem);
         result.specular = lx_mul(strength, integrate(&problem, place));
     }

@@ -13,6 +13,9 @@ static const double SINGLE_NS = 0.3, DOUBLE_NS = 0.8, SMOOTH_NS = 0.06, BLOCKER_
 static const double EDGE_NS = 0.5, ROUND_NS = 2, LAW_NS = 20, INTEGRAL_NS = 50;
 static const double HIGHLIGHT_NS = 5, REFERENCE_NS = 5000, TREE_NS = 50;
 
+/* A side of a luminous opening. */
+static const double OPENING_NS = 8000;
+
 /* A source that surfaces may hide, of which one pixel in eight may see a part; and its highlight, or another law. */
 static const double PENUMBRA_NS = 200, SEEN_NS = 800;
 
@@ -38,6 +41,7 @@ static double shells_ns(const struct lx_plan *plan, const struct lx_planned_surf
         sum += planned->blocker_count > 0 ? PENUMBRA_NS + (is_summed ? SEEN_NS : 0) : 0;
         sum += planned->shell.type == LX_FACETS ? EDGE_NS * (double)planned->shell.edge_count : ROUND_NS;
     }
+    sum += OPENING_NS * (double)surface->opening_count;
     return sum;
 }
 

@@ -176,7 +176,9 @@ static struct lx_ball ball_around(const struct lx_block_double *block, size_t fi
 /* Whether highlights reach below the horizon. */
 static bool looks_below(const struct lx_planned_surface *surface)
 {
-    return surface->glossy_count > 0 && surface->lobe.highlight == LX_HIGHLIGHT_PLAIN;
+    const bool shines =
+        surface->glossy_count > 0 || (surface->opening_count > 0 && surface->glossy_exact.model != LX_LAMBERT);
+    return shines && surface->lobe.highlight == LX_HIGHLIGHT_PLAIN;
 }
 
 /* Gathers what is in the way of a single element. */
@@ -281,10 +283,9 @@ bool lx_find_sight(const struct lx_plan *plan, const struct lx_planned_surface *
     return all;
 }
 
-/* What is in the way of an element that sees a part: as it was kept, or gathered once more. */
-static void look_again(const struct lx_plan *plan, const struct lx_planned_surface *surface,
-                       const struct lx_planned_shell *planned, const struct lx_element *element, size_t i,
-                       struct lx_penumbra *penumbra)
+void lx_look_again(const struct lx_plan *plan, const struct lx_planned_surface *surface,
+                   const struct lx_planned_shell *planned, const struct lx_element *element, size_t i,
+                   struct lx_penumbra *penumbra)
 {
     const double place[3] = {element->place_mm.x.value, element->place_mm.y.value, element->place_mm.z.value};
     const double normal[3] = {element->normal.x.value, element->normal.y.value, element->normal.z.value};
@@ -348,7 +349,7 @@ double lx_diffuse_of_part(const struct lx_plan *plan, const struct lx_planned_su
     bare.lobe = &matte;
     if (lx_extended_touches(planned->emitter, element->place_mm))
         return 0;
-    look_again(plan, surface, planned, element, i, penumbra);
+    lx_look_again(plan, surface, planned, element, i, penumbra);
     double seen;
     if (find_irradiance(plan, surface, planned, element, penumbra, &seen))
         return seen > 0 ? matte.diffuse.value * planned->emitter->radiance.value * seen : 0;
@@ -366,7 +367,7 @@ bool lx_glimpse_of_part(const struct lx_plan *plan, const struct lx_planned_surf
 {
     if (plan->tolerance < LX_GLIMPSE_TOLERANCE || lx_extended_touches(planned->emitter, element->place_mm))
         return false;
-    look_again(plan, surface, planned, element, i, penumbra);
+    lx_look_again(plan, surface, planned, element, i, penumbra);
     struct lx_glimpse glimpse = glimpse_of(plan, surface, planned, element, penumbra);
     glimpse.allowed = plan->tolerance / 2 * known;
     if (penumbra->used->has_outline ? !lx_glimpse_outline(&glimpse, asking, highlight)
@@ -382,7 +383,7 @@ double lx_highlight_of_part(const struct lx_plan *plan, const struct lx_planned_
 {
     if (lx_extended_touches(planned->emitter, element->place_mm))
         return 0;
-    look_again(plan, surface, planned, element, i, penumbra);
+    lx_look_again(plan, surface, planned, element, i, penumbra);
     const double specular =
         lx_integrate_seen(planned->emitter, element, penumbra->used, false, known, plan->tolerance / 2, asking)
             .specular.value;

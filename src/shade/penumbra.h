@@ -48,6 +48,12 @@ bool lx_find_sight(const struct lx_plan *plan, const struct lx_planned_surface *
                    const struct lx_planned_shell *planned, const struct lx_block_double *block, size_t first,
                    size_t end, struct lx_penumbra *penumbra);
 
+/* What is in the way of element i of a block, which was looked at and sees a part -> used: as it was kept, or gathered
+ * once more. */
+void lx_look_again(const struct lx_plan *plan, const struct lx_planned_surface *surface,
+                   const struct lx_planned_shell *planned, const struct lx_element *element, size_t i,
+                   struct lx_penumbra *penumbra);
+
 /*
  * The diffuse light and the highlight of element i of a block, which was looked at and sees a part of a source;
  * `known`: how bright it is, and the picture somewhere.  A glimpse is quick; false: it is not for this part.

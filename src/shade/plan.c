@@ -8,20 +8,14 @@
 #include "blockers.h"
 #include "camera.h"
 #include "general.h"
-#include "penumbra.h"
-#include "plan.h"
-#include "seen.h"
-#include "shader.h"
+#include "openings.h"
 
 /* The picture's maximum is bounded from below by this many samples on each axis, or by all its pixels. */
 enum { SAMPLES = 16 };
-
 /* Of more lights only some are summed to find the brightest row of samples. */
 enum { MANY_LIGHTS = 1 << 16 };
-
 /* Lights that are looked at between two questions whether to go on. */
 enum { LIGHTS_BETWEEN_CHECKS = 64 };
-
 /*
  * Polynomials seldom pay where half a surface's size on the screen is not so many times the side of a panel: under
  * enough lights, or extended sources, and under fewer.
@@ -83,7 +77,7 @@ static luxel_status plan_shells(struct lx_plan *plan, struct lx_control *control
     const struct lx_asking asking = {.control = control, .is_caller = true};
     size_t count = 0, patches = 0, items = lx_item_count(emitters);
     for (size_t i = 0; i < items; i++) {
-        count += lx_is_extended(&emitters->items[i]);
+        count += lx_is_shell(&emitters->items[i]);
         if (!goes_on(control, i))
             return LUXEL_CANCELLED;
     }
@@ -97,7 +91,7 @@ static luxel_status plan_shells(struct lx_plan *plan, struct lx_control *control
         const struct lx_emitter *emitter = &emitters->items[i];
         if (!goes_on(control, i))
             return LUXEL_CANCELLED;
-        if (!lx_is_extended(emitter))
+        if (!lx_is_shell(emitter))
             continue;
         struct lx_planned_shell *planned = &surface->shells[surface->shell_count];
         planned->emitter = emitter;
@@ -200,7 +194,9 @@ static luxel_status plan_surface(struct lx_plan *plan, struct lx_control *contro
 {
     set_lobes(lobe, surface);
     luxel_status status = plan_lights(plan, control, surface);
-    return status == LUXEL_OK ? plan_shells(plan, control, surface) : status;
+    if (status == LUXEL_OK)
+        status = plan_shells(plan, control, surface);
+    return status == LUXEL_OK ? lx_plan_openings(plan, control, surface) : status;
 }
 
 /* Splits the runs into those whose bounds say float32, being negative, and those of the others. */
@@ -365,7 +361,7 @@ static luxel_status sample_maximum(struct lx_plan *plan, struct lx_control *cont
 /* Finds a lower bound of the picture's maximum, by a rough look at the highlights and at clusters. */
 static luxel_status find_maximum(struct lx_plan *plan, struct lx_control *control, size_t every)
 {
-    const double rough = 0.1, tolerance = plan->tolerance, light_error = plan->light_error;
+    const double rough = LX_ROUGH, tolerance = plan->tolerance, light_error = plan->light_error;
     double maximum;
     plan->tolerance = fmax(tolerance, rough);
     plan->light_error = rough;
@@ -373,7 +369,7 @@ static luxel_status find_maximum(struct lx_plan *plan, struct lx_control *contro
     luxel_status status = sample_maximum(plan, control, every, &maximum);
     plan->tolerance = tolerance;
     plan->light_error = light_error;
-    plan->least_maximum = plan->most_patches > 0 ? (1 - rough) * maximum : maximum;
+    plan->least_maximum = plan->most_patches > 0 || plan->opening_rules ? (1 - rough) * maximum : maximum;
     plan->least_value = DIM * plan->least_maximum;
     return status;
 }
@@ -398,7 +394,8 @@ static luxel_status plan_accuracy(struct lx_plan *plan, struct lx_control *contr
 {
     size_t every = 1;
     bool fits;
-    if (plan->precision == LUXEL_DOUBLE && plan->most_patches == 0 && plan->forest.tree_count == 0)
+    const bool is_rough = plan->most_patches > 0 || plan->forest.tree_count > 0 || plan->opening_rules;
+    if (plan->precision == LUXEL_DOUBLE && !is_rough)
         return LUXEL_OK;
     for (size_t s = 0; s < plan->surface_count && plan->most_patches == 0; s++)
         every =
@@ -408,16 +405,11 @@ static luxel_status plan_accuracy(struct lx_plan *plan, struct lx_control *contr
     return status == LUXEL_OK && every > 1 && !fits ? find_accuracy(plan, control, 1, &fits) : status;
 }
 
-/* Whether the light of all extended sources is diffuse and by closed forms. */
-static bool has_closed_shells(const struct lx_planned_surface *surface)
-{
-    return surface->by_law_count == 0 && surface->glossy_count == 0;
-}
-
 /* Whether elements in float32 are all that a surface's light takes. */
 static bool is_in_single(const struct lx_planned_surface *surface)
 {
-    bool all = lx_has_kernels(&surface->shape) && has_closed_shells(surface);
+    bool all = lx_has_kernels(&surface->shape) && surface->by_law_count == 0 && surface->glossy_count == 0;
+    all = all && surface->opening_count == 0;
     for (size_t s = 0; all && s < surface->shell_count; s++)
         all = surface->shells[s].shell.edges_single && !surface->shells[s].by_reference &&
               surface->shells[s].blocker_count == 0;
@@ -490,7 +482,7 @@ static luxel_status plan_panels(struct lx_plan *plan, struct lx_control *control
     for (size_t s = 0; s < plan->surface_count; s++) {
         const struct lx_planned_surface *surface = &plan->surfaces[s];
         any = any || is_smooth(plan, surface);
-        all = all && (surface->glossy_count == 0 || lx_has_smooth_highlights(surface));
+        all = all && (surface->glossy_count == 0 || lx_has_smooth_highlights(surface)) && surface->opening_count == 0;
         has_gloss = has_gloss || surface->glossy_count > 0;
     }
     plan->in_panels = any && all;
@@ -557,6 +549,7 @@ void lx_plan_clear(struct lx_plan *plan)
         struct lx_planned_surface *surface = &plan->surfaces[s];
         for (size_t i = 0; i < surface->shell_count; i++)
             lx_shell_clear(&surface->shells[i].shell), free(surface->shells[i].blockers);
+        lx_openings_clear(surface);
         lx_lights_clear(&surface->lights);
         lx_smooth_clear(&surface->smooth);
         free(surface->runs);
@@ -568,6 +561,7 @@ void lx_plan_clear(struct lx_plan *plan)
     lx_boxes_clear(&plan->on_screen);
     free(plan->rules);
     free(plan->node_rules);
+    free(plan->opening_rules);
     lx_forest_clear(&plan->forest);
     lx_prepared_free(plan->carried);
     *plan = (struct lx_plan){0};

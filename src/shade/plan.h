@@ -63,7 +63,9 @@ struct lx_planned_surface {
     struct lx_planned_shell *shells;
     struct lx_sampled *glossy;                      /* all of them, where there is a highlight */
     size_t shell_count, glossy_count, by_law_count; /* by_law: that shine by laws other than 1/r^2 */
-    struct lx_lobe_single glossy_single;            /* the lobe's two parts */
+    struct lx_planned_shell *openings;              /* of luminaires, which are among neither (openings.h) */
+    size_t opening_count;
+    struct lx_lobe_single glossy_single; /* the lobe's two parts */
     struct lx_lobe_double glossy_exact, matte_exact;
     struct lx_smooth smooth;
 };
@@ -83,14 +85,15 @@ struct lx_plan {
     struct lx_basis bases[LX_BASES], gloss_bases[LX_GLOSS_BASES];
     bool has_gloss; /* highlights of extended sources have polynomials of their own */
     luxel_precision precision;
-    double tolerance;                  /* of the highlights of extended sources, relative to the picture's maximum */
-    double least_maximum;              /* which is no less than this */
-    double part_tolerance;             /* of the diffuse light of those that are hidden in part, relative to the same */
-    size_t most_patches;               /* of the extended sources together */
-    struct lx_gauss_rules *rules;      /* for laws other than 1/r^2; NULL where there are none */
-    struct lx_gauss_rules *node_rules; /* the same at the nodes of squares, which polynomials make more of */
-    struct lx_forest forest;           /* the points that are clustered */
-    double light_error;                /* how wrong they may make a pixel, relative to the larger of its value and: */
+    double tolerance;             /* of the highlights of extended sources, relative to the picture's maximum */
+    double least_maximum;         /* which is no less than this */
+    double part_tolerance;        /* of the diffuse light of those that are hidden in part, relative to the same */
+    size_t most_patches;          /* of the extended sources together */
+    struct lx_gauss_rules *rules; /* for laws other than 1/r^2; NULL where there are none */
+    struct lx_gauss_rules *opening_rules; /* along lines over openings; NULL where there are none */
+    struct lx_gauss_rules *node_rules;    /* the same at the nodes of squares, which polynomials make more of */
+    struct lx_forest forest;              /* the points that are clustered */
+    double light_error; /* how wrong they may make a pixel, relative to the larger of its value and: */
     double least_value;
     size_t every; /* of the lights only each such one is summed: for a look at many */
 };
@@ -102,6 +105,9 @@ struct lx_plan {
 luxel_status lx_plan_make(const struct lx_prepared *prepared, const struct lx_kernels *kernels,
                           const luxel_settings *settings, struct lx_plan *plan);
 void lx_plan_clear(struct lx_plan *plan);
+
+/* How exact highlights and clusters are while the maximum is looked for. */
+#define LX_ROUGH 0.1
 
 /* No picture shows what is smaller: the least number above 0, in float64 the least that has all its digits. */
 static inline double lx_least_of(luxel_precision precision)

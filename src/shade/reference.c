@@ -125,7 +125,7 @@ static struct lx_lighting light_around(const struct lx_prepared *prepared, const
                                        const struct lx_emitter *emitter, struct lx_occlusion *occlusion)
 {
     const struct lx_lobe *lobe = element->lobe;
-    bool closed = emitter->attenuation == LX_INVERSE_SQUARE && !lx_is_occluded(occlusion);
+    bool closed = lx_has_closed_form(emitter) && !lx_is_occluded(occlusion);
     struct lx_lighting lighting = {.irradiance = lx_exact(0), .specular = lx_exact(0)};
     if (closed)
         lighting.irradiance = lx_extended_irradiance(emitter, element->place_mm, element->normal);

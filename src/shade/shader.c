@@ -6,6 +6,7 @@
 
 #include "../base/memory.h"
 #include "among.h"
+#include "openings.h"
 #include "shader_memory.h"
 
 /* Some lights of a run that are summed between two questions whether to go on. */
@@ -282,6 +283,8 @@ static void light_surface(const struct lx_plan *plan, const struct lx_planned_su
         lx_cut_shade(plan, cut, &memory->seen.block, &memory->seen.copy, elements, asking, memory->open, memory->sum);
     if (surface->shell_count > 0 || surface->glossy_count > 0)
         lx_light_by_shells(plan, surface, memory, elements, asking);
+    if (surface->opening_count > 0)
+        lx_light_by_openings(plan, surface, memory, elements, asking);
 }
 
 /* The values of a row where elements in float32 are all that their light takes. */

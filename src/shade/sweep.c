@@ -95,20 +95,33 @@ static bool cut_strip(const struct corner *corners, unsigned count, struct lx_sw
     return strip->width1_mm > 0 || strip->width2_mm > 0;
 }
 
-static int sweep_face(const struct lx_facets *facets, const struct lx_face *face, const double place_mm[3],
+/*
+ * The height of a place over a flat source, 0 where it sees nothing of it.  Openings are seen from their plane as well:
+ * nothing of them depends on the angle under which they are seen, so a height too small for the sums may be replaced.
+ */
+static double height_over(const struct lx_emitter *emitter, double height, double distance)
+{
+    if (!lx_is_opening(emitter))
+        return height > 0 ? height : 0;
+    return height > 0 || (height == 0 && !emitter->is_back) ? fmax(height, LX_FLATTEST * distance) : 0;
+}
+
+static int sweep_face(const struct lx_emitter *emitter, const struct lx_face *face, const double place_mm[3],
                       const double across[3], struct lx_sweeps *sweeps)
 {
+    const struct lx_facets *facets = emitter->facets;
     const unsigned *loop = facets->loop + face->first;
     lx_wide3 place = lx_wide3_of(place_mm), center = lx_wide3_of(facets->center_mm);
     double height = lx_wide_value(lx_wide3_dot(face->normal, lx_wide3_sub(place, facets->corners_mm[loop[0]])));
+    double normal[3], to_center[3];
+    to_doubles(lx_wide3_sub(center, place), to_center);
+    height = height_over(emitter, height, facets->radius_mm + sqrt(dot(to_center, to_center)));
     if (!(height > 0))
         return 0;
-    double normal[3], to_center[3];
     to_doubles(face->normal, normal);
     for (int i = 0; i < 3; i++)
         normal[i] = -normal[i];
     struct lx_sweep strip = {.kind = LX_SWEEP_STRIP, .frame = frame_about(normal, across), .height_mm = height};
-    to_doubles(lx_wide3_sub(center, place), to_center);
     strip.y_mm = dot(strip.frame.y, to_center);
     strip.s_mm = dot(strip.frame.z, to_center);
 
@@ -209,15 +222,17 @@ static struct lx_arc strip_arc(const struct lx_sweep *strip, double x)
 
 /* ---- round sources ---- */
 
-static int sweep_disk(const double center_mm[3], const double axis[3], double radius_mm, const double place_mm[3],
-                      const double across[3], struct lx_sweeps *sweeps)
+static int sweep_disk(const struct lx_emitter *emitter, const double center_mm[3], const double axis[3],
+                      const double place_mm[3], const double across[3], struct lx_sweeps *sweeps)
 {
+    const double radius_mm = emitter->radius_mm;
     double inwards[3], to_center[3], height = 0;
     for (int i = 0; i < 3; i++) {
         inwards[i] = -axis[i];
         to_center[i] = center_mm[i] - place_mm[i];
         height += inwards[i] * to_center[i];
     }
+    height = height_over(emitter, height, radius_mm + sqrt(dot(to_center, to_center)));
     if (!(height > 0))
         return 0;
     struct lx_sweep disk = {
@@ -290,6 +305,46 @@ static struct lx_arc ball_arc(const struct lx_sweep *ball, double x)
     return arc;
 }
 
+/* All of the side of a cylinder, around its axis; `away` is the way from the element to the axis, of any length. */
+static int sweep_tube(const struct lx_emitter *cylinder, const double away[3], double distance, double low,
+                      const double axis[3], struct lx_sweeps *sweeps)
+{
+    struct lx_sweep tube = {
+        .kind = LX_SWEEP_TUBE,
+        .frame = frame_about(axis, away),
+        .height_mm = distance,
+        .radius_mm = cylinder->radius_mm,
+        .s_mm = low,
+        .length_mm = cylinder->height_mm,
+        .angle = M_PI,
+    };
+    double across[3];
+    lx_cross(axis, tube.frame.z, across); /* frame.z is perpendicular to both: the third direction is along `away` */
+    const double sign = dot(across, away) < 0 ? -1 : 1;
+    for (int i = 0; i < 3; i++)
+        tube.frame.x[i] = sign * across[i];
+    memcpy(tube.frame.z, axis, sizeof tube.frame.z);
+    lx_cross(tube.frame.z, tube.frame.x, tube.frame.y);
+    if (append(sweeps, &tube))
+        return -1;
+    tube.angle1 = M_PI;
+    return append(sweeps, &tube);
+}
+
+/* Its ends, of which both sides are seen. */
+static int sweep_ends(const struct lx_emitter *cylinder, const double caps[2][3], const double axis[3],
+                      const double place_mm[3], const double across[3], struct lx_sweeps *sweeps)
+{
+    const double backwards[3] = {-axis[0], -axis[1], -axis[2]};
+    struct lx_emitter back = *cylinder;
+    back.is_back = true;
+    for (int i = 0; i < 2; i++)
+        if (sweep_disk(cylinder, caps[i], axis, place_mm, across, sweeps) ||
+            sweep_disk(&back, caps[i], backwards, place_mm, across, sweeps))
+            return -1;
+    return 0;
+}
+
 static int sweep_cylinder(const struct lx_emitter *cylinder, const double place_mm[3], const double across[3],
                           struct lx_sweeps *sweeps)
 {
@@ -305,6 +360,11 @@ static int sweep_cylinder(const struct lx_emitter *cylinder, const double place_
     for (int i = 0; i < 3; i++)
         away[i] = offset[i] - along * axis[i];
     double distance = normalize(away);
+    if (lx_is_opening(cylinder))
+        return sweep_tube(cylinder, away, distance, along - half, axis, sweeps) ||
+                       sweep_ends(cylinder, (const double(*)[3])caps, axis, place_mm, across, sweeps)
+                   ? -1
+                   : 0;
     if (distance > cylinder->radius_mm) {
         struct lx_sweep side = {
             .kind = LX_SWEEP_SIDE,
@@ -324,9 +384,9 @@ static int sweep_cylinder(const struct lx_emitter *cylinder, const double place_
         if (append(sweeps, &side))
             return -1;
     }
-    if (sweep_disk(caps[0], axis, cylinder->radius_mm, place_mm, across, sweeps))
+    if (sweep_disk(cylinder, caps[0], axis, place_mm, across, sweeps))
         return -1;
-    return sweep_disk(caps[1], backwards, cylinder->radius_mm, place_mm, across, sweeps);
+    return sweep_disk(cylinder, caps[1], backwards, place_mm, across, sweeps);
 }
 
 /* sin(beta) = (R/rho) sin(t), t the angle of incidence */
@@ -346,6 +406,28 @@ static struct lx_arc side_arc(const struct lx_sweep *side, double x)
     };
     for (int i = 0; i < 3; i++)
         arc.direction[i] = side->frame.x[i] * cosine + side->frame.y[i] * sine;
+    return arc;
+}
+
+/* From the angle about the axis; of the area R dphi ds that is the measure, for a cosine of incidence cos(tau). */
+static struct lx_arc tube_arc(const struct lx_sweep *tube, double x)
+{
+    const double angle = tube->angle1 + x * tube->angle, half = sin(angle / 2);
+    /* towards the axis and from there to the side, near an angle of half a turn as its difference */
+    const double turned = cos(angle / 2);
+    const double ahead = angle < M_PI_2 || angle > 3 * M_PI_2
+                             ? tube->height_mm + tube->radius_mm * (1 - 2 * half * half)
+                             : tube->height_mm - tube->radius_mm + 2 * tube->radius_mm * turned * turned;
+    const double aside = tube->radius_mm * sin(angle), c = hypot(ahead, aside);
+    struct lx_arc arc = {
+        .measure = tube->radius_mm * tube->angle / c,
+        .from = atan2(tube->s_mm, c),
+        .width = atan2(c * tube->length_mm, c * c + tube->s_mm * (tube->s_mm + tube->length_mm)),
+        .distance_mm = c,
+        .slant = 1,
+    };
+    for (int i = 0; i < 3; i++)
+        arc.direction[i] = tube->frame.x[i] * (ahead / c) + tube->frame.y[i] * (aside / c);
     return arc;
 }
 
@@ -376,7 +458,7 @@ int lx_sweeps_make(const struct lx_emitter *emitter, const double place_mm[3], c
     if (emitter->type == LX_FACETS) {
         const struct lx_facets *facets = emitter->facets;
         for (size_t i = 0; i < facets->face_count; i++)
-            if (sweep_face(facets, &facets->faces[i], place_mm, across, sweeps))
+            if (sweep_face(emitter, &facets->faces[i], place_mm, across, sweeps))
                 return -1;
         return 0;
     }
@@ -385,7 +467,7 @@ int lx_sweeps_make(const struct lx_emitter *emitter, const double place_mm[3], c
     if (emitter->type == LX_CYLINDER)
         return sweep_cylinder(emitter, place_mm, across, sweeps);
     const double axis[3] = {emitter->axis.x.value, emitter->axis.y.value, emitter->axis.z.value};
-    return sweep_disk(emitter->center_mm, axis, emitter->radius_mm, place_mm, across, sweeps);
+    return sweep_disk(emitter, emitter->center_mm, axis, place_mm, across, sweeps);
 }
 
 struct lx_arc lx_sweep_arc(const struct lx_sweep *sweep, double x)
@@ -394,6 +476,7 @@ struct lx_arc lx_sweep_arc(const struct lx_sweep *sweep, double x)
     case LX_SWEEP_STRIP: return strip_arc(sweep, x);
     case LX_SWEEP_DISK: return disk_arc(sweep, x);
     case LX_SWEEP_BALL: return ball_arc(sweep, x);
+    case LX_SWEEP_TUBE: return tube_arc(sweep, x);
     case LX_SWEEP_SIDE: break;
     }
     return side_arc(sweep, x);
@@ -411,14 +494,23 @@ double lx_sweep_distance(const struct lx_sweep *sweep, const struct lx_arc *arc,
         return (d - r) * (d + r) / (d * x * cos_tau + root);
     }
     double distance = arc->distance_mm / cos_tau;
-    *incidence = sweep->kind == LX_SWEEP_SIDE ? arc->slant * cos_tau : sweep->height_mm / distance;
+    *incidence = sweep->kind == LX_SWEEP_SIDE || sweep->kind == LX_SWEEP_TUBE ? arc->slant * cos_tau
+                                                                              : sweep->height_mm / distance;
     return distance;
+}
+
+double lx_sweep_far(const struct lx_sweep *sweep, const struct lx_arc *arc, double tau, double *incidence)
+{
+    const double d = sweep->height_mm, x = dot(arc->direction, sweep->frame.x);
+    const double root = d * x * sqrt(fmax(sin(arc->from + arc->width - tau) * sin(tau - arc->from), 0));
+    *incidence = root / sweep->radius_mm;
+    return d * x * cos(tau) + root;
 }
 
 bool lx_sweep_find(const struct lx_sweep *sweep, const double towards[3], double *x)
 {
     const double ahead = dot(towards, sweep->frame.x), aside = dot(towards, sweep->frame.y), h = sweep->height_mm;
-    if (!(ahead > 0))
+    if (!(ahead > 0) || sweep->kind == LX_SWEEP_TUBE)
         return false;
     if (sweep->kind == LX_SWEEP_STRIP || sweep->kind == LX_SWEEP_DISK) {
         const bool is_strip = sweep->kind == LX_SWEEP_STRIP;

@@ -21,7 +21,13 @@ struct lx_sweep_frame {
     double x[3], y[3], z[3];
 };
 
-enum lx_sweep_kind { LX_SWEEP_STRIP, LX_SWEEP_DISK, LX_SWEEP_BALL, LX_SWEEP_SIDE };
+enum lx_sweep_kind {
+    LX_SWEEP_STRIP,
+    LX_SWEEP_DISK,
+    LX_SWEEP_BALL,
+    LX_SWEEP_SIDE,
+    LX_SWEEP_TUBE /* all of a cylinder's side, as an opening; its incidence is told so that areas come out right */
+};
 
 struct lx_sweep {
     enum lx_sweep_kind kind;
@@ -46,6 +52,9 @@ struct lx_arc {
     double slant;        /* cosine of incidence at tau = 0, of a side */
 };
 
+/* What is nearer to the plane of an opening than this share of its distance is so far from it. */
+#define LX_FLATTEST 1e-13
+
 /* A list; zero-initialise, free `items` with free(). */
 struct lx_sweeps {
     struct lx_sweep *items;
@@ -64,6 +73,12 @@ struct lx_arc lx_sweep_arc(const struct lx_sweep *sweep, double x);
 /* How far the source is along the direction at tau, and the cosine of its incidence there (>= 0). */
 double lx_sweep_distance(const struct lx_sweep *sweep, const struct lx_arc *arc, double cos_tau, double sin_tau,
                          double *incidence);
+
+/*
+ * Where the arc leaves a ball, whose far side belongs to an opening, too; and the incidence with all the digits that it
+ * has at tau, towards the ends of the arc.
+ */
+double lx_sweep_far(const struct lx_sweep *sweep, const struct lx_arc *arc, double tau, double *incidence);
 
 /*
  * Changes its sign at the x whose arc comes nearest to the element, of a sweep whose arcs pass by it so quickly that

@@ -206,7 +206,13 @@ def random_scenes(tap, tool):
     tool.write("lamp.ies", luminaires.HEAD + luminaires.AXIAL)
     made.append(("scene of a luminaire", {**made[-1][1], "lights": [
         {"type": "luminaire", "file": "lamp.ies", "position": [0, 0, 2500], "c0": [0, 1, 0], "flux": 900, "factor": 0.8,
-         "interpolation": "cosine"}]}))
+         "interpolation": "cosine", "opening": "file"}] + [
+             {"type": "luminaire", "file": "lamp.ies", "position": [0, 0, 2500], "opening": shape} for shape in (
+                 {"rectangle": {"size": [600, 300], "center": [0, 0, 2490]}},
+                 {"disk": {"radius": 90, "center": [0, 0, 2490], "axis": [0, 1, 0]}},
+                 {"box": {"size": [600, 300, 90], "center": [0, 0, 2490]}},
+                 {"sphere": {"radius": 90, "center": [0, 0, 2490]}},
+                 {"cylinder": {"radius": 90, "height": 600, "center": [0, 0, 2490], "axis": [1, 0, 0]}})]}))
     wall = {"model": "phong", "diffuse": 0.5, "specular": 0.2, "shininess": 9, "ambient": 0.1, "over_pi": True,
             "highlight": "cosine", "normalized": True}
     made.append(("scene of a room and a sphere from inside", {

@@ -1,0 +1,302 @@
+/* SPDX-License-Identifier: MIT */
+/* Openings of luminaires: their keys, what files declare, and the emitters that they are made of. */
+#include "opening.h"
+
+#include <math.h>
+#include <string.h>
+
+#include "../base/phrase.h"
+#include "../base/pose.h"
+#include "facets.h"
+#include "spread.h"
+
+const char *const lx_opening_words[] = {"point", "file", NULL};
+
+/* ---- tables ---- */
+
+#define SIZE(count_, meaning_)                                                                                         \
+    {                                                                                                                  \
+        .name = "size", .label = "Size", .type = LX_REALS, .offset = offsetof(struct lx_opening_shape, size_mm),       \
+        .count = count_, .unit = LX_UNIT_MM, .required = true, .legal = LX_ABOVE(0), .advised = {LX_BETWEEN(1, 5000)}, \
+        .meaning = meaning_,                                                                                           \
+    }
+
+#define LENGTH(name_, label_, member_, meaning_)                                                                       \
+    {                                                                                                                  \
+        .name = name_, .label = label_, .type = LX_REAL, .offset = offsetof(struct lx_opening_shape, member_),         \
+        .unit = LX_UNIT_MM, .required = true, .legal = LX_ABOVE(0), .advised = {LX_BETWEEN(1, 5000)},                  \
+        .meaning = meaning_,                                                                                           \
+    }
+
+#define CENTER                                                                                                         \
+    {                                                                                                                  \
+        .name = "center", .label = "Centre", .type = LX_REALS, .offset = offsetof(struct lx_opening_shape, center_mm), \
+        .count = 3, .unit = LX_UNIT_MM, .advised = LX_SPREAD_PLACES,                                                   \
+        .meaning = "where its centre lies; not given: at the luminaire's position",                                    \
+    }
+
+#define AXIS(meaning_)                                                                                                 \
+    {                                                                                                                  \
+        .name = "axis", .label = "Axis", .type = LX_REALS, .offset = offsetof(struct lx_opening_shape, axis),          \
+        .count = 3, .nonzero = true, .meaning = meaning_,                                                              \
+    }
+
+#define TABLE(name_)                                                                                                   \
+    static const struct lx_table name_##_table = {                                                                     \
+        .parameters = name_##_parameters,                                                                              \
+        .count = LX_COUNT(name_##_parameters),                                                                         \
+        .size = sizeof(struct lx_opening_shape),                                                                       \
+    }
+
+static const struct lx_parameter rectangle_parameters[] = {
+    SIZE(2, LX_N("its lengths along the luminaire's C = 0 and along C = 90")),
+    CENTER,
+};
+TABLE(rectangle);
+
+static const struct lx_parameter disk_parameters[] = {
+    LENGTH("radius", LX_N("Radius"), radius_mm, LX_N("its radius")),
+    CENTER,
+    AXIS(LX_N("its normal, of any length; not given: the luminaire's axis")),
+};
+TABLE(disk);
+
+static const struct lx_parameter box_parameters[] = {
+    SIZE(3, LX_N("its lengths along the luminaire's C = 0, along C = 90 and along its axis")),
+    CENTER,
+};
+TABLE(box);
+
+static const struct lx_parameter sphere_parameters[] = {
+    LENGTH("radius", LX_N("Radius"), radius_mm, LX_N("its radius")),
+    CENTER,
+};
+TABLE(sphere);
+
+static const struct lx_parameter cylinder_parameters[] = {
+    LENGTH("radius", LX_N("Radius"), radius_mm, LX_N("its radius")),
+    LENGTH("height", LX_N("Height"), height_mm, LX_N("its length along the axis; both ends are closed")),
+    CENTER,
+    AXIS(LX_N("the direction of its axis, of any length; not given: the luminaire's axis")),
+};
+TABLE(cylinder);
+
+#define SHAPE(name_, label_, meaning_)                                                                                 \
+    {                                                                                                                  \
+        .name = #name_, .label = label_, .type = LX_GROUP, .offset = offsetof(struct lx_opening, name_),               \
+        .group = &name_##_table, .meaning = meaning_,                                                                  \
+    }
+
+static const struct lx_parameter opening_parameters[] = {
+    SHAPE(rectangle, LX_N("Rectangle"), LX_N("a rectangle across the luminaire's axis")),
+    SHAPE(disk, LX_N("Disk"), LX_N("a disk")),
+    SHAPE(box, LX_N("Box"), LX_N("a box along the luminaire's directions, all of whose faces are luminous")),
+    SHAPE(sphere, LX_N("Sphere"), LX_N("the surface of a sphere")),
+    SHAPE(cylinder, LX_N("Cylinder"), LX_N("the surface of a cylinder with its ends")),
+};
+
+static const struct lx_rule opening_rules[] = {
+    {LX_RULE_ONE, "rectangle", NULL, "rectangle|disk|box|sphere|cylinder"},
+};
+
+const struct lx_table lx_opening_table = {
+    .parameters = opening_parameters,
+    .count = LX_COUNT(opening_parameters),
+    .rules = opening_rules,
+    .rule_count = LX_COUNT(opening_rules),
+    .size = sizeof(struct lx_opening),
+};
+
+/* ---- what files declare ---- */
+
+static void values_of(lx_bounded3 a, double result[3])
+{
+    result[0] = a.x.value, result[1] = a.y.value, result[2] = a.z.value;
+}
+
+static void give(const struct lx_table *table, void *parameters, const char *key)
+{
+    const struct lx_parameter *parameter = lx_find_parameter(table, key);
+    *(uint64_t *)parameters |= (uint64_t)1 << (parameter - table->parameters);
+}
+
+/* A round shape of two lengths that are to be the same. */
+static bool set_round(const struct lx_table *table, const char *key, double length, double other, double height,
+                      const double axis[3], struct lx_opening_shape *shape, struct lx_opening *opening)
+{
+    shape->radius_mm = length / 2;
+    shape->height_mm = height;
+    if (axis) {
+        memcpy(shape->axis, axis, sizeof shape->axis);
+        give(table, shape, "axis");
+    }
+    give(&lx_opening_table, opening, key);
+    return length == other;
+}
+
+bool lx_opening_of_file(const luxel_opening *declared, const struct lx_pointed *pointed, struct lx_opening *opening,
+                        bool *is_point)
+{
+    const double width = declared->width_mm, length = declared->length_mm, height = declared->height_mm;
+    double c0[3], across[3];
+    values_of(pointed->c0, c0);
+    values_of(pointed->across, across);
+    *opening = (struct lx_opening){.word = -1};
+    *is_point = declared->shape == LUXEL_OPENING_POINT;
+    switch (declared->shape) {
+    case LUXEL_OPENING_POINT: return false;
+    case LUXEL_OPENING_RECTANGLE:
+        memcpy(opening->rectangle.size_mm, (double[]){length, width, 0}, sizeof opening->rectangle.size_mm);
+        give(&lx_opening_table, opening, "rectangle");
+        *is_point = !(length > 0 && width > 0);
+        return !*is_point;
+    case LUXEL_OPENING_BOX:
+        memcpy(opening->box.size_mm, (double[]){length, width, height}, sizeof opening->box.size_mm);
+        give(&lx_opening_table, opening, "box");
+        *is_point = !(length * width + width * height + height * length > 0);
+        return !*is_point;
+    case LUXEL_OPENING_ELLIPSE: return set_round(&disk_table, "disk", width, length, 0, NULL, &opening->disk, opening);
+    case LUXEL_OPENING_CYLINDER:
+        return set_round(&cylinder_table, "cylinder", width, length, height, NULL, &opening->cylinder, opening);
+    case LUXEL_OPENING_ELLIPSOID:
+        return set_round(&sphere_table, "sphere", width, length, 0, NULL, &opening->sphere, opening) && height == width;
+    case LUXEL_OPENING_CYLINDER_LENGTH:
+        return set_round(&cylinder_table, "cylinder", width, height, length, c0, &opening->cylinder, opening);
+    case LUXEL_OPENING_CYLINDER_WIDTH:
+        return set_round(&cylinder_table, "cylinder", length, height, width, across, &opening->cylinder, opening);
+    case LUXEL_OPENING_FACING_LENGTH:
+        return set_round(&disk_table, "disk", width, height, 0, c0, &opening->disk, opening);
+    case LUXEL_OPENING_FACING_WIDTH:
+        return set_round(&disk_table, "disk", length, height, 0, across, &opening->disk, opening);
+    }
+    return false;
+}
+
+/* ---- emitters ---- */
+
+/* The directions of a luminaire in plain numbers, and where its opening is. */
+struct stand {
+    double axis[3], c0[3], across[3];
+    double center_mm[3];
+};
+
+static struct stand stand_of(const struct lx_table *table, const struct lx_opening_shape *shape,
+                             const struct lx_emitter *point)
+{
+    struct stand stand;
+    values_of(point->profile.luminaire->axis, stand.axis);
+    values_of(point->profile.luminaire->c0, stand.c0);
+    values_of(point->profile.luminaire->across, stand.across);
+    memcpy(stand.center_mm, lx_is_given(table, shape, "center") ? shape->center_mm : point->position_mm,
+           sizeof stand.center_mm);
+    return stand;
+}
+
+static int add_sides(struct lx_shapes *shapes, struct lx_facets *facets)
+{
+    struct lx_emitter back = {.type = LX_FACETS, .is_back = true};
+    if (lx_shapes_add_facets(shapes, facets))
+        return -1;
+    back.facets = lx_facets_turned(facets);
+    return lx_shapes_add(shapes, &back);
+}
+
+/* A rectangle of a pose: w runs along up x axis, h along up. */
+static int add_rectangle(struct lx_shapes *shapes, const double center_mm[3], double w, double h, const double axis[3],
+                         const double up[3])
+{
+    const struct lx_pose pose = lx_pose_of(axis, up);
+    return add_sides(shapes, lx_facets_of_pose(center_mm, (const double[]){w, h}, &pose));
+}
+
+/* The six faces; those of a length of 0 are left out, and of two that coincide one. */
+static int add_box(struct lx_shapes *shapes, const struct stand *stand, const double size_mm[3])
+{
+    const double *const ways[3] = {stand->c0, stand->across, stand->axis};
+    for (int way = 0; way < 3; way++) {
+        const int w = way == 0 ? 2 : 0, h = way == 1 ? 2 : 1; /* which lengths run along the sides */
+        if (!(size_mm[w] > 0 && size_mm[h] > 0))
+            continue;
+        for (int side = -1; side <= 1; side += 2) {
+            double center[3], axis[3];
+            for (int k = 0; k < 3; k++) {
+                center[k] = stand->center_mm[k] + side * size_mm[way] / 2 * ways[way][k];
+                axis[k] = side * ways[way][k];
+            }
+            if (side > 0 && size_mm[way] == 0)
+                continue;
+            if (add_rectangle(shapes, center, size_mm[w], size_mm[h], axis, ways[h]))
+                return -1;
+        }
+    }
+    return 0;
+}
+
+static int add_round(struct lx_shapes *shapes, enum lx_emitter_type type, const struct stand *stand,
+                     const struct lx_opening_shape *shape, const double axis[3])
+{
+    struct lx_emitter round = {
+        .type = type, .radius_mm = shape->radius_mm, .height_mm = type == LX_CYLINDER ? shape->height_mm : 0};
+    memcpy(round.center_mm, stand->center_mm, sizeof round.center_mm);
+    round.axis = lx_unit3(lx_exact3(axis));
+    if (lx_shapes_add(shapes, &round) || type != LX_DISK)
+        return type != LX_DISK && shapes->emitters.count == 0 ? -1 : 0;
+    round.axis = lx_negate3(round.axis);
+    round.is_back = true;
+    return lx_shapes_add(shapes, &round);
+}
+
+static int make_shapes(const struct lx_opening *opening, const struct lx_emitter *point, struct lx_shapes *shapes)
+{
+    static const enum lx_emitter_type round_types[] = {LX_DISK, LX_BALL, LX_CYLINDER};
+    const struct lx_opening_shape *const rounds[] = {&opening->disk, &opening->sphere, &opening->cylinder};
+    const char *const names[] = {"disk", "sphere", "cylinder"};
+    const struct lx_table *const tables[] = {&disk_table, &sphere_table, &cylinder_table};
+    if (lx_is_given(&lx_opening_table, opening, "rectangle")) {
+        const struct stand stand = stand_of(&rectangle_table, &opening->rectangle, point);
+        return add_rectangle(shapes, stand.center_mm, opening->rectangle.size_mm[0], opening->rectangle.size_mm[1],
+                             stand.axis, stand.across);
+    }
+    if (lx_is_given(&lx_opening_table, opening, "box")) {
+        const struct stand stand = stand_of(&box_table, &opening->box, point);
+        return add_box(shapes, &stand, opening->box.size_mm);
+    }
+    for (size_t i = 0; i < LX_COUNT(names); i++) {
+        const struct stand stand = stand_of(tables[i], rounds[i], point);
+        const bool has_axis = round_types[i] != LX_BALL && lx_is_given(tables[i], rounds[i], "axis");
+        if (lx_is_given(&lx_opening_table, opening, names[i]))
+            return add_round(shapes, round_types[i], &stand, rounds[i], has_axis ? rounds[i]->axis : stand.axis);
+    }
+    return -1;
+}
+
+/* The area of all parts, each counted once, in m^2. */
+static lx_bounded area_of(const struct lx_shapes *shapes)
+{
+    lx_bounded area = lx_exact(0);
+    for (size_t i = 0; i < shapes->emitters.count; i++)
+        if (!shapes->emitters.items[i].is_back)
+            area = lx_add(area, lx_extended_area_mm2(&shapes->emitters.items[i]));
+    return lx_div(area, lx_exact(1e6));
+}
+
+int lx_opening_emit(const struct lx_opening *opening, const struct lx_emitter *point, struct lx_emitters *emitters)
+{
+    struct lx_shapes shapes = {0};
+    int result = make_shapes(opening, point, &shapes);
+    const lx_bounded density =
+        result == 0 ? lx_div((lx_bounded){point->strength, point->strength_error}, area_of(&shapes)) : lx_exact(0);
+    for (size_t i = 0; i < shapes.emitters.count && result == 0; i++) {
+        struct lx_emitter *emitter = &shapes.emitters.items[i];
+        emitter->radiance = density;
+        emitter->profile = point->profile;
+        lx_law_copy(point, emitter);
+        result = lx_emitters_make_room(emitters, 1, emitter->type == LX_FACETS ? emitter->facets->face_count : 0, 0);
+        if (result == 0) {
+            result = lx_emitters_append(emitters, emitter);
+            emitter->facets = NULL; /* they are the list's now */
+        }
+    }
+    lx_shapes_clear(&shapes);
+    return result;
+}

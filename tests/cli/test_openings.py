@@ -1,0 +1,289 @@
+# SPDX-License-Identifier: MIT
+"""Luminous openings of luminaires: against closed forms of Lambertian sources, and against sums over many points."""
+import json
+import math
+import os
+import random
+import sys
+
+import numpy as np
+
+sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "unit"))
+
+from tap import Tap
+from tool import run_tests
+
+HEAD = "IESNA:LM-63-2002\n[TEST] own\n[TESTLAB] own\n[ISSUEDATE] now\n[MANUFAC] own\nTILT=NONE\n"
+MATT = {"model": "lambert", "diffuse": 1}
+SCENE = {"luxel": 1, "shadows": "none", "screen": {"width": 4000, "height": 4000, "resolution": [40, 40]},
+         "observer": {"z": 9000},
+         "surfaces": [{"type": "rectangle", "center": [0, 0, 0], "size": [4000, 4000], "material": MATT}]}
+
+
+def lamp_text(angles, planes, intensity, opening="0 0 0"):
+    rows = [[intensity(plane, angle) for angle in angles] for plane in planes]
+    return HEAD + "1 -1 1 %d %d 1 2 %s\n1 1 20\n%s\n%s\n%s\n" % (
+        len(angles), len(planes), opening, " ".join(map(repr, angles)), " ".join(map(repr, planes)),
+        "\n".join(" ".join(map(repr, row)) for row in rows))
+
+
+def lambert(opening="0 0 0"):
+    """Exact by the cosine: 1000 cd downwards, nothing upwards."""
+    return lamp_text([0.0, 90.0], [0.0], lambda plane, angle: 1000.0 if angle == 0 else 0.0, opening)
+
+
+def wings(plane, angle):
+    c, g = math.radians(plane), math.radians(angle)
+    return 900 * (0.3 + math.cos(g / 2) ** 2) * (1 + math.sin(g) ** 2 * (0.5 * math.cos(2 * c) + 0.25 * math.sin(c)))
+
+
+ANGLES, PLANES = [7.5 * i for i in range(25)], [15.0 * i for i in range(25)]
+WINGS = lamp_text(ANGLES, PLANES, wings)
+TABLE = np.array([[wings(plane, angle) for angle in ANGLES] for plane in PLANES])
+
+
+def table_at(towards, axis, c0):
+    """The table towards unit ways from the lamp, linear in both angles, by the words of the specification."""
+    across = np.cross(c0, axis)
+    polar = np.degrees(np.arccos(np.clip(towards @ axis, -1, 1))) / 7.5
+    azimuth = np.degrees(np.arctan2(towards @ across, towards @ c0)) % 360 / 15
+    i, j = np.minimum(azimuth.astype(int), 23), np.minimum(polar.astype(int), 23)
+    u, v = azimuth - i, polar - j
+    return ((1 - u) * ((1 - v) * TABLE[i, j] + v * TABLE[i, j + 1]) +
+            u * ((1 - v) * TABLE[i + 1, j] + v * TABLE[i + 1, j + 1]))
+
+
+def unit(vector):
+    return np.asarray(vector, float) / np.linalg.norm(vector)
+
+
+def grid_rule(count):
+    """Gauss's rule with three places on each of so many parts of 0 to 1."""
+    places, weights = np.polynomial.legendre.leggauss(3)
+    return ((np.arange(count)[:, None] + (places + 1) / 2) / count).ravel(), np.tile(weights / 2 / count, count)
+
+
+def points_of(shape, frame, center, count=160):
+    """Places over an opening and their shares of its area; the frame is c0, across, axis."""
+    kind, keys = next(iter(shape.items()))
+    s, w = grid_rule(count)
+    u, v = (a.ravel() for a in np.meshgrid(s, s))
+    weight = np.outer(w, w).ravel()
+    if kind == "rectangle":
+        local = np.stack([(u - 0.5) * keys["size"][0], (v - 0.5) * keys["size"][1], 0 * u], 1)
+    elif kind == "disk":
+        radius = keys["radius"] * np.sqrt(u)
+        local = np.stack([radius * np.cos(2 * np.pi * v), radius * np.sin(2 * np.pi * v), 0 * u], 1)
+    elif kind == "sphere":
+        z, flat = 2 * u - 1, np.sqrt(1 - (2 * u - 1) ** 2)
+        local = keys["radius"] * np.stack([flat * np.cos(2 * np.pi * v), flat * np.sin(2 * np.pi * v), z], 1)
+    elif kind == "cylinder":
+        radius, height = keys["radius"], keys["height"]
+        side = np.stack([radius * np.cos(2 * np.pi * v), radius * np.sin(2 * np.pi * v), (u - 0.5) * height], 1)
+        ring = radius * np.sqrt(u)
+        ends = [np.stack([ring * np.cos(2 * np.pi * v), ring * np.sin(2 * np.pi * v), 0 * u + sign * height / 2], 1)
+                for sign in (-1, 1)]
+        parts = [(2 * np.pi * radius * height, side)] + [(np.pi * radius ** 2, end) for end in ends]
+    if kind == "box":
+        size = keys["size"]
+        parts = []
+        for way in range(3):
+            a, b = [k for k in range(3) if k != way]
+            for sign in (-0.5, 0.5):
+                face = np.zeros((len(u), 3))
+                face[:, a], face[:, b], face[:, way] = (u - 0.5) * size[a], (v - 0.5) * size[b], sign * size[way]
+                parts.append((size[a] * size[b], face))
+    if kind in ("box", "cylinder"):
+        whole = sum(area for area, _ in parts)
+        local = np.concatenate([part for _, part in parts])
+        weight = np.concatenate([area / whole * weight for area, _ in parts])
+    return center + local @ frame, weight
+
+
+def shining(places, weights, place, normal, view, material, axis, c0):
+    """Irradiance and highlight at an element, summed over the places."""
+    way = places - place
+    r = np.linalg.norm(way, axis=1)
+    way /= r[:, None]
+    e = weights * table_at(-way, axis, c0) / (r / 1000) ** 2
+    half = way + view
+    half /= np.linalg.norm(half, axis=1)[:, None]
+    lobe = material["specular"] * np.maximum(half @ normal, 0) ** material["shininess"]
+    return e @ np.maximum(way @ normal, 0), e @ lobe
+
+
+def scene(tool, name, *lights, **others):
+    tool.write(name, json.dumps({**SCENE, **others, "lights": list(lights)}))
+    return name
+
+
+def probe(tool, name, elements, *words):
+    tool.write("places.csv", "x,y,z,nx,ny,nz\n" + "".join(
+        ",".join("%.17g" % x for x in list(place) + list(normal)) + "\n" for place, normal in elements))
+    return tool.run("probe", name, "--points", "places.csv", "--json", *words).json()["points"]
+
+
+def value_at(tool, name, at, *words):
+    return tool.run("probe", name, "-p", at, "--json", *words).json()["points"][0]["value"]
+
+
+def panel_below(tap, tool):
+    """The panel of 0.6 m by 0.6 m with 1000 lm: values of the closed form."""
+    tool.write("l.ies", lambert("0.6 0.6 0"))
+    for z, lux in ((300, 1539.24006660992), (600, 665.156862391038), (1000, 284.366081147748),
+                   (2000, 77.2629448818329), (3000, 34.9027013714797)):
+        for opening in "file", {"rectangle": {"size": [600, 600]}}:
+            name = scene(tool, "s.yaml", {"type": "luminaire", "file": "l.ies", "position": [0, 0, z],
+                                          "flux": 1000, "interpolation": "cosine", "opening": opening})
+            point = tool.run("probe", name, "-p", "0,0", "--json").json()["points"][0]
+            tap.ok(abs(point["value"] - lux) <= point["error"] + 1e-12 * lux and point["error"] < 1e-9 * lux,
+                   "%d mm below the panel, %s" % (z, "file" if opening == "file" else "size"), point["value"], lux,
+                   point["error"])
+            tap.near(point["lights"][0]["flux"], 1000, 1e-12, "its flux")
+
+
+def as_planar(tap, tool):
+    """A Lambertian table makes the planar source, tilted, in shadows, with highlights, and in pictures."""
+    tool.write("l.ies", lambert())
+    balls = [{"type": "sphere", "center": [150, 60, 700], "radius": 160, "material": {"shininess": 40}},
+             {"type": "sphere", "center": [-500, -300, 300], "radius": 250, "material": {"shininess": 12}}]
+    floor = {**SCENE["surfaces"][0], "material": {"shininess": 30, "specular": 0.4}}
+    for shape, planar in (
+            ({"rectangle": {"size": [500, 300]}}, {"rectangle": {"size": [500, 300], "up": [-0.25, 1, 0.25]}}),
+            ({"disk": {"radius": 220}}, {"disk": {"radius": 220}})):
+        key = next(iter(planar))
+        planar[key].update(center=[100, 50, 1500], axis=[0.25, 0.3, -0.95])
+        for law in ({"attenuation": "inverse-square"},) if key == "disk" else ({"attenuation": "practical", "k": 300},):
+            values, pictures = [], []
+            # up is along C = 90, so that w runs along C = 0
+            axis = [0.25, 0.3, -0.95]
+            lamp = {"type": "luminaire", "file": "l.ies", "position": [100, 50, 1500], "axis": axis, "opening": shape,
+                    "c0": np.cross(axis, [-0.25, 1, 0.25]).tolist(), "interpolation": "cosine", **law}
+            for light in lamp, {"type": "planar", "intensity": 1000, **planar, **law}:
+                name = scene(tool, "p.yaml", light, surfaces=[floor] + balls, shadows="all")
+                ways = [word for i in range(8) for word in ("-p", "%d,%d" % (80 * i - 300, 70 * i - 250))]
+                values.append(tool.run("probe", name, *ways, "--json").json()["points"])
+                tool.run("render", name, "-q", "-o", "p.npy", "--tolerance", "1e-4")
+                pictures.append(np.load(tool.file("p.npy")))
+            bad = ["%r: %r, not %r; errors %r, %r" % (a["screen"], a["value"], b["value"], a["error"], b["error"])
+                   for a, b in zip(*values)
+                   if not abs(a["value"] - b["value"]) <= a["error"] + b["error"] or a["error"] > 2e-9 * a["value"]]
+            tap.ok(not bad, "as the planar %s by the law %s" % (key, law["attenuation"]), *bad)
+            worst = np.abs(pictures[0] - pictures[1]).max() / pictures[1].max()
+            tap.ok(worst < 2e-4, "and in a picture", worst)
+
+
+def random_elements(tap, tool):
+    """Every shape with a table that is like nothing else, around it and in its plane, against sums over its points."""
+    rng = random.Random(20261127)
+    tool.write("w.ies", WINGS)
+    material = {"diffuse": 1, "specular": 0.5, "shininess": 25}
+    floor = {**SCENE["surfaces"][0], "material": material}
+    for shape in ({"rectangle": {"size": [600, 250]}}, {"disk": {"radius": 240}}, {"box": {"size": [400, 250, 150]}},
+                  {"sphere": {"radius": 200}}, {"cylinder": {"radius": 120, "height": 500}}):
+        kind = next(iter(shape))
+        axis, center = unit([rng.gauss(0, 1) for _ in range(3)]), np.array([100.0, 200.0, 3000.0])
+        c0 = unit(np.cross(axis, [rng.gauss(0, 1) for _ in range(3)]))
+        frame = np.stack([c0, np.cross(c0, axis), axis])
+        name = scene(tool, "r.yaml", {"type": "luminaire", "file": "w.ies", "position": center.tolist(),
+                                      "axis": axis.tolist(), "c0": c0.tolist(), "opening": shape}, surfaces=[floor])
+        elements = []
+        for i in range(4):
+            way = unit([rng.gauss(0, 1) for _ in range(3)])
+            if i == 0 and kind != "sphere":  # in the plane of the opening's middle
+                way = unit(frame[0] * 0.8 + frame[1] * 0.6)
+            distance = rng.uniform(450, 1200)
+            elements.append((center + distance * way, unit(-way + [rng.uniform(-0.7, 0.7) for _ in range(3)])))
+        told = probe(tool, name, elements, "--tolerance", "1e-6")
+        places, weights = points_of(shape, frame, center)
+        bad = []
+        for (place, normal), point in zip(elements, told):
+            irradiance, highlight = shining(places, weights, place, normal, np.array([0, 0, 1.0]), material, axis, c0)
+            share = point["lights"][0]
+            if not (abs(share["irradiance"] - irradiance) <= 4e-6 * irradiance and
+                    abs(share["specular"] - highlight) <= 4e-6 * (highlight + irradiance) and
+                    0 < point["error"] <= 1e-6 * point["value"]):
+                bad.append("%r: %r %r, not %r %r; error %r of %r" % (
+                    place.tolist(), share["irradiance"], share["specular"], irradiance, highlight, point["error"],
+                    point["value"]))
+        tap.ok(not bad, "elements around the %s" % kind, *bad)
+
+
+def openings_of_files(tap, tool):
+    """The file's opening is the shape that it declares; what is not round is told."""
+    for opening, shape in (
+            ("0.3 0.5 0", {"rectangle": {"size": [500, 300]}}), ("0.3 0.5 0.1", {"box": {"size": [500, 300, 100]}}),
+            ("-0.3 -0.3 0", {"disk": {"radius": 150}}), ("-0.3 -0.3 -0.3", {"sphere": {"radius": 150}}),
+            ("-0.3 -0.3 0.2", {"cylinder": {"radius": 150, "height": 200}}),
+            ("-0.1 0.6 -0.1", {"cylinder": {"radius": 50, "height": 600, "axis": [0, 1, 0]}}),
+            ("0 -0.2 -0.2", {"disk": {"radius": 100, "axis": [1, 0, 0]}}), ("0 0 0", "point")):
+        tool.write("o.ies", lamp_text(ANGLES, PLANES, wings, opening))
+        light = {"type": "luminaire", "file": "o.ies", "position": [0, 0, 900], "c0": [0, 1, 0]}
+        values = [value_at(tool, scene(tool, "o.yaml", {**light, "opening": how}), "200,100", "--tolerance", "1e-5")
+                  for how in ("file", shape)]
+        tap.ok(values[0] > 0 and values[0] == values[1], "width, length, height %s" % opening, *values)
+    tool.write("o.ies", lamp_text(ANGLES, PLANES, wings, "-0.3 -0.5 -0.2"))
+    result = tool.run("probe", scene(tool, "o.yaml", {"type": "luminaire", "file": "o.ies", "opening": "file",
+                                                      "position": [0, 0, 900]}))
+    tap.ok(result.code == 3 and "500 × 300 × 200 mm, is elliptic" in result.err and "o.yaml:1:" in result.err,
+           "an ellipsoid", result.err)
+
+
+def wrong_openings(tap, tool):
+    tool.write("l.ies", lambert("0.6 0.6 0"))
+    light = {"type": "luminaire", "file": "l.ies", "position": [0, 0, 2500]}
+    for opening, words in (("files", ("point, file or a mapping", 'did you mean "file"')), (5, ("or a mapping", "5")),
+                           ({}, ("rectangle", "disk", "box")), ([], ("or a mapping",)),
+                           ({"rectangle": {"size": [600, 600]}, "disk": {"radius": 5}}, ("rectangle", "disk")),
+                           ({"rectangle": {"size": [600, 0]}}, ("size", "> 0")),
+                           ({"rectangle": {}}, ("size", "missing")), ({"disk": {"radius": -1}}, ("radius",)),
+                           ({"ring": {"radius": 1}}, ("ring",)), ({"box": {"size": [1, 2]}}, ("3 numbers",))):
+        result = tool.run("probe", scene(tool, "w.yaml", {**light, "opening": opening}))
+        tap.ok(result.code == 3 and all(word in result.err for word in words) and "w.yaml:1:" in result.err,
+               "opening: %s" % json.dumps(opening), result.err)
+    name = scene(tool, "n.yaml", {**light, "position": [0, 0, 900]})
+    tap.ok("opening: file" in tool.run("check", name).out, "check names the key")
+    tap.ok("five times" not in tool.run("check", name, "-s", "lights[0].opening=file").out, "and is content with it")
+    told = [value_at(tool, name, "0,0", "-s", "lights[0].opening" + words)
+            for words in ("=file", "={rectangle: {size: [600, 600]}}", ".rectangle={size: [600, 600]}")]
+    tap.ok(told[0] == told[1] == told[2], "set from the command line", told)
+    tool.write("p.ies", lambert())
+    result = tool.run("check", scene(tool, "p.yaml", {**light, "file": "p.ies", "opening": "file"}))
+    tap.ok("declares no luminous opening" in result.out, "a file without an opening", result.out)
+
+
+def pictures_and_grids(tap, tool):
+    """Pictures show what probes tell, in either precision and for any number of threads; and so do grids."""
+    tool.write("w.ies", WINGS)
+    ball = {"type": "sphere", "center": [300, 100, 500], "radius": 200, "material": MATT}
+    lights = [{"type": "luminaire", "file": "w.ies", "position": [-300, 100, 900], "aim": [0, 0, 0], "c0": [1, 2, 0],
+               "opening": {"rectangle": {"size": [600, 200]}}},
+              {"type": "luminaire", "file": "w.ies", "position": [600, -400, 1200],
+               "opening": {"disk": {"radius": 150}}}]
+    grids = [{"name": "floor", "center": [0, 0, 0], "size": [2000, 2000], "n": [5, 5]}]
+    name = scene(tool, "g.yaml", *lights, surfaces=SCENE["surfaces"] + [ball], shadows="all", grids=grids)
+    for out, words in (("1.npy", ("--threads", "1")), ("2.npy", ("--threads", "3")),
+                       ("d.npy", ("--precision", "double", "-s", "screen.resolution=[8, 8]"))):
+        tool.run("render", name, "-q", "-o", out, *words)
+    single, other, double = (np.load(tool.file(out)) for out in ("1.npy", "2.npy", "d.npy"))
+    tap.ok((single == other).all(), "the same bytes by any number of threads")
+    for picture, side, allowed in ((single, 40, 2e-6), (double, 8, 1e-11)):
+        places = [(x, y) for x in range(1, side, side // 4) for y in range(0, side, side // 4)]
+        step = 4000 / side
+        ways = [word for x, y in places for word in (
+            "-p", "%.17g,%.17g" % (-2000 + step * (x + 0.5), 2000 - step * (y + 0.5)))]
+        tolerance = "1e-12" if side == 8 else "1e-9"
+        told = tool.run("probe", name, *ways, "--json", "--tolerance", tolerance).json()["points"]
+        worst = max(abs(picture[y, x] - point["value"]) for (x, y), point in zip(places, told)) / single.max()
+        tap.ok(worst < allowed, "%d pixels a side as probes tell" % side, worst)
+    grid = tool.run("grid", name, "--json").json()["grids"][0]
+    values = [point["value"] for point in probe(tool, name, [
+        ((400 * i - 800, 800 - 400 * j, 0), (0, 0, 1)) for j in range(5) for i in range(5)],
+        "--quantity", "irradiance")]
+    cells = np.array(grid["values"]).ravel()
+    tap.ok(np.allclose(np.sort(cells), np.sort(values), rtol=3e-9), "a grid as probes tell", cells, values)
+    text = tool.run("explain", name, "-p", "0,0").out
+    tap.ok("opening" in text and "closed form" not in text, "explained", text)
+
+
+run_tests(Tap(), panel_below, as_planar, random_elements, openings_of_files, wrong_openings, pictures_and_grids)
