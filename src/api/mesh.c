@@ -11,7 +11,7 @@
 /* The volume in cubes of the file's unit; NaN where no body is bounded, or some faces would be counted against it. */
 static double volume_of(const struct lx_mesh_survey *survey)
 {
-    return lx_is_closed(survey) && !survey->is_one_sided && survey->flipped == 0 ? survey->volume : NAN;
+    return lx_is_closed(survey) && !survey->is_one_sided && survey->flipped == 0 ? survey->volume : (double)NAN;
 }
 
 static luxel_status answer(const struct lx_mesh_use *use, luxel_mesh_survey *survey)
