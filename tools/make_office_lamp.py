@@ -2,9 +2,9 @@
 # SPDX-License-Identifier: MIT
 """Writes data/files/office-lamp.ies, the luminaire of the built-in scene `office`: make_office_lamp.py OUTPUT
 
-The lamp is invented: a linear luminaire with a microprism cover, 1200 mm along C90 and 200 mm along C0.  Its
-intensity follows I = I0 cos(g)^1.5 (1 + a sin(g)^2), which spreads more light across the lamp (a = 2.4 at C0) than
-along it (a = 0.6 at C90), as such covers do; I0 is what makes the flux by the zone rule 4200 lm.
+The lamp is invented: a luminaire 200 mm square with a grooved cover, so small that all of the office is farther away
+than five times that.  Its intensity follows I = I0 cos(g)^1.5 (1 + a sin(g)^2), which spreads more light across the
+grooves (a = 2.4 at C0) than along them (a = 0.6 at C90); I0 is what makes the flux by the zone rule 4200 lm.
 """
 import math
 import sys
@@ -38,9 +38,9 @@ def rows(numbers, each=10):
 def main():
     scale = FLUX / zone_flux()
     text = ("IESNA:LM-63-2002\n[TEST] invented\n[TESTLAB] Luxel, data/files, by tools/make_office_lamp.py\n"
-            "[ISSUEDATE] 2026-11-27\n[MANUFAC] Luxel\n[LUMINAIRE] linear lamp with a microprism cover\n"
+            "[ISSUEDATE] 2026-11-27\n[MANUFAC] Luxel\n[LUMINAIRE] square lamp with a grooved cover\n"
             "[LAMP] LED 35 W\nTILT=NONE\n"
-            f"1 {FLUX} 1 {len(ANGLES)} {len(PLANES)} 1 2 1.2 0.2 0\n1 1 35\n")
+            f"1 {FLUX} 1 {len(ANGLES)} {len(PLANES)} 1 2 0.2 0.2 0\n1 1 35\n")
     text += rows([f"{angle:g}" for angle in ANGLES], 19) + rows([str(plane) for plane in PLANES])
     for c in PLANES:
         text += rows([f"{max(scale * shape(c, g), 0):.2f}" for g in ANGLES])

@@ -27,7 +27,7 @@ NAMES = set("""luxel YAML JSON Schema UTF png pfm npy exr csv PNG NPY PFM EXR CS
     center maximum rfc4180
     svg pdf txt md tex yml excel-ru student off right convention wrong value answers file line answer verdict
     too_few_digits error explanations submissions key fill rim k_d sky moon bulb spotlight round lamp lantern globe
-    disk-lamp box-lamp ball-lamp tube lampshade tin sundial integrating-sphere room pot all-sources min_reached
+    disk-lamp box-lamp ball-lamp tube lampshade tin sundial integrating-sphere room office pot all-sources min_reached
     polar cartesian cone LORL DFF TILT NONE INCLUDE IESNA MORE TEST TESTLAB ISSUEDATE MANUFAC Lampe AG LED
     LDT ies ldt lamp
     repeated first_line missing_points submissions asked answered""".split())
