@@ -57,6 +57,25 @@ void lx_cell_bound(const struct lx_matte_face *face, const struct lx_window *win
         bound_round(face, window, cell);
 }
 
+/*
+ * The rule knows areas of balls to 1e-7 of large cells, which light that goes to and fro in them adds up, in all places
+ * alike, so that no residual shows it: weights are scaled to the right area.  Of small cells it has all digits.
+ */
+static void scale_to_ball(const struct lx_matte_face *face, const struct lx_window *window, struct lx_tile_cell *cell)
+{
+    const double least = 1.0 / 64;
+    if (fmax(window->half[0], window->half[1]) < least)
+        return;
+    double low[2], high[2], sum = 0;
+    for (int k = 0; k < 2; k++)
+        low[k] = window->middle[k] - window->half[k], high[k] = window->middle[k] + window->half[k];
+    for (int q = 0; q < LX_RULE_NODES; q++)
+        sum += cell->area[q];
+    const double scale = lx_sheet_ball_area(&face->sheet, low, high) / sum;
+    for (int q = 0; q < LX_RULE_NODES; q++)
+        cell->area[q] *= scale;
+}
+
 void lx_cell_nodes(const struct lx_matte_face *face, const struct lx_window *window, struct lx_tile_cell *cell)
 {
     const double share = window->half[0] * window->half[1];
@@ -68,6 +87,8 @@ void lx_cell_nodes(const struct lx_matte_face *face, const struct lx_window *win
             cell->area[q] = share * lx_rule_weights[i] * lx_rule_weights[j] *
                             lx_sheet_place(&face->sheet, s, t, cell->place_mm[q], cell->normal[q]);
         }
+    if (face->sheet.type == LX_SHEET_BALL)
+        scale_to_ball(face, window, cell);
 }
 
 void lx_cell_make(const struct lx_matte_face *face, const struct lx_window *window, struct lx_tile_cell *cell)

@@ -123,6 +123,20 @@ double lx_sheet_place(const struct lx_smooth_sheet *sheet, double s, double t, d
     return radius * radius * (M_PI / 4) * (M_PI / 4) * (1 + x * x) * (1 + y * y) / (square * length);
 }
 
+/* The solid angle of the rectangle from (0, 0, 1) to (x, y, 1), seen from 0. */
+static double angle_of_corner(double s, double t)
+{
+    const double x = tan(M_PI / 4 * s), y = tan(M_PI / 4 * t);
+    return atan(x * y / sqrt(1 + x * x + y * y));
+}
+
+double lx_sheet_ball_area(const struct lx_smooth_sheet *ball, const double low[2], const double high[2])
+{
+    const double angle = angle_of_corner(high[0], high[1]) - angle_of_corner(low[0], high[1]) -
+                         angle_of_corner(high[0], low[1]) + angle_of_corner(low[0], low[1]);
+    return ball->half_mm[0] * ball->half_mm[0] * angle;
+}
+
 /* The coordinate of an angle in a sector. */
 static double along_sector(const struct lx_smooth_sheet *sheet, double y, double x)
 {

@@ -30,6 +30,9 @@ int lx_shape_sheets(const struct lx_shape *shape, struct lx_smooth_sheet sheets[
 /* The place, the unit normal and the area for each unit of s and t, in mm^2. */
 double lx_sheet_place(const struct lx_smooth_sheet *sheet, double s, double t, double place_mm[3], double normal[3]);
 
+/* The area of a part of a ball between coordinates, in closed form, mm^2. */
+double lx_sheet_ball_area(const struct lx_smooth_sheet *ball, const double low[2], const double high[2]);
+
 /* The coordinates of a place on the surface; they are beyond 1 or -1 where it is on another sheet. */
 void lx_sheet_locate(const struct lx_smooth_sheet *sheet, const double place_mm[3], double at[2]);
 

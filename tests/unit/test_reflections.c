@@ -113,6 +113,17 @@ static void integrating_sphere(void **state)
     expect(scene_of("all", sphere, spot), all, 2, 1e-4);
     expect(scene_of("1", sphere, spot), one, 1, 1e-4);
     expect(scene_of("2", sphere, lamp), two, 1, 1e-4);
+    /* where residuals are next to nothing the areas of tiles must be right as well */
+    static const double reflectances[] = {0.2, 0.5, 0.98};
+    static const char *const spheres[] = {
+        "{type: sphere, center: [0, 0, 0], radius: 500, inside: true, " MATERIAL("0.2") "}",
+        "{type: sphere, center: [0, 0, 0], radius: 500, inside: true, " MATERIAL("0.5") "}",
+        "{type: sphere, center: [0, 0, 0], radius: 500, inside: true, " MATERIAL("0.98") "}"};
+    for (int i = 0; i < 3; i++) {
+        const double rho = reflectances[i];
+        const struct truth at[] = {{{0, 300, -400}, {0, -0.6, 0.8}, mean * rho / (1 - rho)}};
+        expect(scene_of("all", spheres[i], "{type: point, position: [0, 0, 0], power: 1000}"), at, 1, 1e-4);
+    }
 }
 
 /* e1 = 1 + 0.8 e2 inside, e2 = 1 + 0.5 e1/4 + 0.8 (3/4) e2 outside. */
