@@ -333,10 +333,12 @@ def enclosure(surface, reflectance, lumens):
 
 def reflected_rows(page, scene, elements, places, exact):
     """A row for each element: what is reflected to it, and whether that is within the bound that is told."""
-    for where, element, told, right in zip(places, elements, page.luxel.probe(scene, elements=elements)['points'], exact):
+    found = page.luxel.probe(scene, elements=elements)['points']
+    for where, told, right in zip(places, found, exact):
         value, error = told['reflected']['irradiance'], told['reflected']['error']
-        yield [where, figures(right, 8), figures(value, 5), power_above(error / value), power_above(abs(value / right - 1)),
-               'yes' if abs(value - right) <= error else 'NO']
+        off = abs(value - right)
+        yield [where, figures(right, 8), figures(value, 5), power_above(error / value), power_above(off / right),
+               'yes' if off <= error else 'NO']
 
 
 REFLECTED_COLUMNS = ['exact (lx)', 'Luxel (lx)', 'error told, relative', 'error, relative', 'within']
