@@ -21,7 +21,8 @@ typedef struct Sheet {
 
 static void set_ink(const Sheet *sheet, double opacity)
 {
-    cairo_set_source_rgba(sheet->cairo, sheet->ink.red, sheet->ink.green, sheet->ink.blue, opacity);
+    const GdkRGBA *ink = &sheet->ink;
+    cairo_set_source_rgba(sheet->cairo, (double)ink->red, (double)ink->green, (double)ink->blue, opacity);
 }
 
 static void set_lamp(const Sheet *sheet, gsize light, double opacity)
