@@ -110,8 +110,14 @@ char *app_place_key(const AppDocument *document, AppMarkKind kind, gsize index)
 {
     static const char *const places[] = {"position",      "rectangle.center", "disk.center", "box.center",
                                          "sphere.center", "cylinder.center",  "vertices"};
-    if (kind == APP_MARK_SURFACE)
-        return g_strdup_printf("surfaces[%zu].center", index);
+    if (kind == APP_MARK_SURFACE) {
+        char *type_key = g_strdup_printf("surfaces[%zu].type", index);
+        char *type = app_document_get(document, type_key, NULL);
+        const gboolean is_mesh = g_strcmp0(type, "mesh") == 0;
+        g_free(type);
+        g_free(type_key);
+        return g_strdup_printf("surfaces[%zu].%s", index, is_mesh ? "position" : "center");
+    }
     if (kind == APP_MARK_POINT)
         return g_strdup_printf("points[%zu]", index);
     for (gsize i = 0; kind == APP_MARK_SOURCE && i < G_N_ELEMENTS(places); i++) {
@@ -177,6 +183,24 @@ static gboolean shift_vertices(AppDocument *document, const char *key, const dou
     return done;
 }
 
+/* Whether the key of a surface tells where its file's origin lies, which its mark may be far from. */
+static gboolean is_offset(const AppMark *mark, const char *key)
+{
+    return mark->kind == APP_MARK_SURFACE && g_str_has_suffix(key, ".position");
+}
+
+/* A mesh is moved as far as its mark. */
+static gboolean shift_offset(AppDocument *document, const char *key, const double from[3], const double to[3])
+{
+    double now[3] = {0, 0, 0};
+    char *text = app_document_get(document, key, NULL);
+    app_list_read(text, now, 3);
+    g_free(text);
+    for (int i = 0; i < 3; i++)
+        now[i] = round_to(now[i] + to[i] - from[i], 1e-6);
+    return set_numbers(document, key, now, 3);
+}
+
 /* Gives a mark its new place, or direction. */
 static gboolean put(AppDocument *document, const AppMark *mark, const double place[3])
 {
@@ -191,6 +215,8 @@ static gboolean put(AppDocument *document, const AppMark *mark, const double pla
     gboolean done = FALSE;
     if (key && g_str_has_suffix(key, ".vertices"))
         done = shift_vertices(document, key, mark->place_mm, place);
+    else if (key && is_offset(mark, key))
+        done = shift_offset(document, key, mark->place_mm, place);
     else if (key)
         done = set_numbers(document, key, place, mark->kind == APP_MARK_POINT ? 2 : 3);
     g_free(key);
@@ -204,7 +230,8 @@ static void find_place(AppDocument *document, const AppMark *mark, double place[
     const gsize count = mark->kind == APP_MARK_POINT ? 2 : 3;
     double now[3];
     char *key = app_place_key(document, mark->kind, mark->index);
-    char *text = key && !g_str_has_suffix(key, ".vertices") ? app_document_get(document, key, NULL) : NULL;
+    const gboolean is_place = key && !g_str_has_suffix(key, ".vertices") && !is_offset(mark, key);
+    char *text = is_place ? app_document_get(document, key, NULL) : NULL;
     memcpy(place, mark->place_mm, sizeof mark->place_mm);
     if (app_list_read(text, now, count) == count)
         memcpy(place, now, count * sizeof *place);

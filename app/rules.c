@@ -135,6 +135,15 @@ static gboolean rule_shows(const AppKeys *keys, const luxel_parameter *parameter
     return TRUE;
 }
 
+/* Whether a word stands for a group, or nothing, instead of keys of its own. */
+static gboolean is_word(const AppKeys *keys, const luxel_parameter *group)
+{
+    char *value = value_of(keys, group, NULL);
+    const gboolean is_word = !value || value[0] != '{';
+    g_free(value);
+    return is_word;
+}
+
 gboolean app_keys_is_shown(const AppKeys *keys, const luxel_parameter *parameter)
 {
     if (!app_keys_has(keys, parameter))
@@ -142,6 +151,8 @@ gboolean app_keys_is_shown(const AppKeys *keys, const luxel_parameter *parameter
     const gboolean written = is_written(keys, parameter);
     const luxel_parameter *group = group_of(keys, parameter);
     if (group && !app_keys_is_shown(keys, group))
+        return FALSE;
+    if (group && group->choices && !written && is_word(keys, group))
         return FALSE;
     for (gsize i = 0; i < parameter->rule_count; i++)
         if (!rule_shows(keys, parameter, &parameter->rules[i], written))

@@ -42,6 +42,9 @@ static void gives_as_much(void **state)
     gsize compared = 0;
     for (gsize s = 0; luxel_builtin_scene_name(s); s++)
         for (gsize i = 0; i < luxel_parameters_kind_count(parameters); i++) {
+            /* in its ceiling, which the others shine at from next to it */
+            if (strcmp(luxel_builtin_scene_name(s), "office") == 0)
+                continue;
             const luxel_kind *kind = luxel_parameters_kind(parameters, i);
             if (strcmp(kind->list, "lights") != 0 || !kind->example)
                 continue;

@@ -135,6 +135,7 @@ static char *shown(const Light *light)
 #define SPOT "type name enabled position intensity attenuation aim inner outer falloff exponent"
 #define POINT "type name enabled position intensity attenuation pattern"
 #define AMBIENT "type name enabled irradiance"
+#define LUMINAIRE "type name enabled file position attenuation axis c0 flux factor interpolation opening"
 #define DISTANT "type name enabled direction irradiance"
 
 static void shows_what_has_a_say(void **state)
@@ -180,6 +181,15 @@ static void shows_what_has_a_say(void **state)
          "radiance " BODY},
         {"room", 1, POINT},
         {"room", 2, AMBIENT},
+        {"office", 0, LUMINAIRE},
+        {"office", 1, LUMINAIRE},
+        {"office", 2, LUMINAIRE},
+        {"office", 3, LUMINAIRE},
+        {"office", 4, AMBIENT},
+        {"pot", 0,
+         "type name enabled rectangle rectangle.center rectangle.axis rectangle.size rectangle.up sides "
+         "radiance " BODY},
+        {"pot", 1, AMBIENT},
         {"all-sources", 0, AMBIENT},
         {"all-sources", 1, DISTANT},
         {"all-sources", 2, POINT},

@@ -37,10 +37,12 @@ def builtin_scenes(tool):
 
 
 def coarse(tool, name):
-    """A built-in scene with a quarter of its rows and columns, and integrals to 1e-4: drawn as large in less time."""
+    """A built-in scene with a quarter of its rows and columns, or half, and integrals to 1e-4: drawn as large in less
+    time."""
     resolution = re.search(r"resolution: \[(\d+), (\d+)\]", tool.run("scene", name).out)
-    return [name, "-s", "screen.resolution=[%d,%d]" % tuple(int(count) // 4 for count in resolution.groups()),
-            "--tolerance", "1e-4"]
+    columns, rows = map(int, resolution.groups())
+    coarser = 4 if columns % 4 == rows % 4 == 0 else 2
+    return [name, "-s", "screen.resolution=[%d,%d]" % (columns // coarser, rows // coarser), "--tolerance", "1e-4"]
 
 
 def every_scene(tap, tool):
