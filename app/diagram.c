@@ -26,7 +26,7 @@ static gboolean is_dark(GtkWidget *widget)
     return ink.red + ink.green + ink.blue > 1.5f;
 }
 
-/* What tells a file from another, and from itself as it was. */
+/* Marks that tell a file from another, and from itself as it was. */
 static char *state_of(AppDiagram *self, const char *path)
 {
     GFile *file = g_file_new_for_path(path);

@@ -8,7 +8,7 @@
 #include "number.h"
 #include "scalar.h"
 
-/* Of the shorter side of the screen: how large meshes are left as they are, and how large they are made. */
+/* Shares of the shorter side of the screen: how large meshes are left as they are, and how large they are made. */
 static const double LEAST = 0.1, MOST = 1.2, WANTED = 0.5;
 static const double GAP_MM = 20;
 

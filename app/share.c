@@ -18,7 +18,7 @@ struct _AppShare {
 
 G_DEFINE_FINAL_TYPE(AppShare, app_share, GTK_TYPE_WIDGET)
 
-/* Of the whole, 0 to 1; light cannot be taken away, so rounding alone goes beyond. */
+/* A share of the whole, 0 to 1; light cannot be taken away, so rounding alone goes beyond. */
 static double part_of(const AppShare *self)
 {
     return self->whole > 0 ? CLAMP(self->share / self->whole, 0, 1) : 0;

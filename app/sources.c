@@ -121,7 +121,7 @@ static char *aimed_part(AppSources *self)
     return found;
 }
 
-/* Of a luminaire the diagram of its file, which is looked for where the scene looks for it. */
+/* The diagram of a luminaire's file, which is looked for where the scene looks for it. */
 static void show_diagram(AppSources *self, const char *type)
 {
     char *yaml = g_strcmp0(type, "luminaire") == 0 ? get(self, self->chosen, "file") : NULL;

@@ -62,16 +62,6 @@ static void answered(GtkNativeDialog *dialog, int response, Asked *asked)
     g_object_unref(dialog);
 }
 
-static void add_filter(GtkFileChooser *chooser, const char *name, const char *const *patterns)
-{
-    GtkFileFilter *filter = gtk_file_filter_new();
-    gtk_file_filter_set_name(filter, name);
-    for (gsize i = 0; patterns[i]; i++)
-        gtk_file_filter_add_pattern(filter, patterns[i]);
-    gtk_file_chooser_add_filter(chooser, filter);
-    g_object_unref(filter);
-}
-
 static void choose_file(GSimpleAction *action, GVariant *argument, gpointer data)
 {
     static const char *const all[] = {"*", NULL};
@@ -89,8 +79,8 @@ static void choose_file(GSimpleAction *action, GVariant *argument, gpointer data
         g_object_unref(folder);
         g_object_unref(file);
     }
-    add_filter(GTK_FILE_CHOOSER(dialog), _(choice->name), choice->patterns);
-    add_filter(GTK_FILE_CHOOSER(dialog), _("All files"), all);
+    app_chooser_add_filter(GTK_FILE_CHOOSER(dialog), _(choice->name), choice->patterns);
+    app_chooser_add_filter(GTK_FILE_CHOOSER(dialog), _("All files"), all);
     g_signal_connect(dialog, "response", G_CALLBACK(answered), asked);
     gtk_native_dialog_set_modal(GTK_NATIVE_DIALOG(dialog), FALSE);
     gtk_native_dialog_show(GTK_NATIVE_DIALOG(dialog));

@@ -99,7 +99,7 @@ static void answered(GtkNativeDialog *dialog, int response, Asked *asked)
     g_object_unref(dialog);
 }
 
-static void add_filter(GtkFileChooser *chooser, const char *name, const char *const *patterns)
+void app_chooser_add_filter(GtkFileChooser *chooser, const char *name, const char *const *patterns)
 {
     GtkFileFilter *filter = gtk_file_filter_new();
     gtk_file_filter_set_name(filter, name);
@@ -130,8 +130,8 @@ static void ask_file(AppWindow *self, GtkFileChooserAction kind, const char *tit
         g_object_unref(place);
     }
     if (kind == GTK_FILE_CHOOSER_ACTION_OPEN) {
-        add_filter(chooser, _("Scenes, and pictures that carry one"), scenes);
-        add_filter(chooser, _("All files"), all);
+        app_chooser_add_filter(chooser, _("Scenes, and pictures that carry one"), scenes);
+        app_chooser_add_filter(chooser, _("All files"), all);
     } else
         gtk_file_chooser_set_current_name(chooser, name);
     g_signal_connect(dialog, "response", G_CALLBACK(answered), asked);

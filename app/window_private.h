@@ -58,6 +58,8 @@ struct _AppWindow {
 
 /* Whether the window is still there for what was begun in it: a file, a paste. */
 gboolean app_window_is_open(AppWindow *self);
+/* Files of these patterns can be shown alone. */
+void app_chooser_add_filter(GtkFileChooser *chooser, const char *name, const char *const *patterns);
 /* Asks for a picture of the document as it is, and for the numbers beside the last one. */
 void app_window_ask_picture(AppWindow *self);
 void app_window_ask_numbers(AppWindow *self);

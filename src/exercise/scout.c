@@ -27,7 +27,7 @@ enum {
 #define EXACT_COST 1e5   /* of the continuous maximum on a surface, in pixels */
 #define SURFACE_COST 0.5 /* of a surface that may be seen, or stand in the light of a source, at a pixel in ns */
 
-/* Of each of many surfaces that may hide parts of an extended source, and from how many on pixels have some. */
+/* The cost at a pixel, in ns, of each of many surfaces that may hide parts of an extended source; so many are many. */
 #define PENUMBRA_COST 40
 enum { MANY_SURFACES = 48 };
 
