@@ -80,6 +80,12 @@ luxel_status lx_output_check(const char *path, const luxel_output *how, luxel_di
     return status;
 }
 
+bool lx_output_carries(const char *path)
+{
+    const struct lx_format *format;
+    return lx_find_format(path, NULL, &format) == LUXEL_OK && format->read_tags;
+}
+
 static enum lx_sample sample_of(const struct luxel_field *field, unsigned bits)
 {
     if (bits > 0)

@@ -11,6 +11,9 @@ struct lx_output;
 /* Whether luxel_field_write_as() takes this; else says why not.  LUXEL_ERROR_ARGUMENT. */
 luxel_status lx_output_check(const char *path, const luxel_output *how, luxel_diagnostics *diagnostics);
 
+/* Whether a file of that name carries texts, the scene's among them. */
+bool lx_output_carries(const char *path);
+
 /*
  * Begins a file for the picture of a field, which may be a frame; it must live as long as the output, as `diagnostics`
  * and the destination's path must.  LUXEL_ERROR_ARGUMENT, LUXEL_ERROR_FILE, LUXEL_ERROR_MEMORY.

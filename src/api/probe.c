@@ -375,7 +375,9 @@ luxel_status luxel_probe_many(const luxel_scene *scene, const luxel_settings *se
                   LX_ARGS(probes ? "places" : "probes"));
         return LUXEL_ERROR_ARGUMENT;
     }
-    luxel_status status = lx_session_open(scene, settings, diagnostics, &session);
+    /* no place needs no plan, which takes long where surfaces are many */
+    luxel_status status = count > 0 ? lx_session_open(scene, settings, diagnostics, &session)
+                                    : lx_session_open_world(scene, settings, diagnostics, &session);
     if (status == LUXEL_OK)
         status = check_places(session.prepared.scene, places, count, diagnostics);
     if (status == LUXEL_OK)

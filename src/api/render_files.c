@@ -33,6 +33,15 @@ static luxel_status check_arguments(const char *const *paths, size_t count, cons
     return status;
 }
 
+/* Whether some file carries the scene's text, which takes longer to write than a scene with many surfaces to draw. */
+static bool some_carries(const char *const *paths, size_t count)
+{
+    bool any = false;
+    for (size_t i = 0; i < count; i++)
+        any = any || lx_output_carries(paths[i]);
+    return any;
+}
+
 /* A file that cannot be begun does not stop the others. */
 static luxel_status open_files(struct files *files, const struct luxel_field *field, const char *const *paths,
                                size_t count, const luxel_output *how, luxel_diagnostics *diagnostics)
@@ -152,7 +161,7 @@ luxel_status luxel_render_files(const luxel_scene *scene, const luxel_settings *
     if (status == LUXEL_OK)
         status = lx_session_open(scene, settings, diagnostics, &session);
     if (status == LUXEL_OK)
-        status = lx_new_frame(&session, scene, diagnostics, &frame);
+        status = lx_new_frame(&session, some_carries(paths, count) ? scene : NULL, diagnostics, &frame);
     if (status == LUXEL_OK)
         status = open_files(&files, frame, paths, count, how, diagnostics);
     if (status == LUXEL_OK)

@@ -191,8 +191,8 @@ static luxel_status too_large(const unsigned size[2], double needed, double avai
 }
 
 /*
- * What the field keeps of where it came from.  A scene that is larger than can be read again is left out, and that of
- * a quick look, which is not its picture, or of a scene whose text is behind its numbers.
+ * What the field keeps of where it came from.  A scene that nobody wants (NULL) is left out, one that is larger than
+ * can be read again, and that of a quick look, which is not its picture, or of a scene whose text is behind its numbers.
  */
 static luxel_status keep_origin(const struct lx_session *session, const luxel_scene *scene,
                                 luxel_diagnostics *diagnostics, struct luxel_field *field)
@@ -208,7 +208,7 @@ static luxel_status keep_origin(const struct lx_session *session, const luxel_sc
     field->unit = lx_copy_text(unit, strlen(unit));
     if (!field->unit)
         return lx_out_of_memory(diagnostics);
-    if (settings->stride > 1 || lx_scene_is_ahead(scene))
+    if (!scene || settings->stride > 1 || lx_scene_is_ahead(scene))
         return LUXEL_OK;
     if (luxel_scene_write_text(scene, &field->scene) != LUXEL_OK)
         return lx_out_of_memory(diagnostics);

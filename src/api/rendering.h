@@ -37,7 +37,8 @@ struct lx_rendering {
     void *take_data;
 };
 
-/* A field without values that knows all else of the session's picture; the caller's, even where it fails. */
+/* A field without values that knows all else of the session's picture; the caller's, even where it fails.  `scene`:
+ * whose text it keeps, NULL: none. */
 luxel_status lx_new_frame(const struct lx_session *session, const luxel_scene *scene, luxel_diagnostics *diagnostics,
                           struct luxel_field **frame);
 

@@ -138,7 +138,7 @@ static enum purpose purpose_of(const struct lx_parameter *parameter, enum purpos
                  {"view", OF_BRIGHTNESS}, {"material", OF_BRIGHTNESS}, {"materials", OF_BRIGHTNESS},
                  {"range", OF_RANGE},     {"rounding", OF_ROUNDING}};
     for (size_t i = 0; i < sizeof known / sizeof known[0]; i++)
-        if (strcmp(parameter->name, known[i].name) == 0)
+        if (parameter->name[0] == known[i].name[0] && strcmp(parameter->name, known[i].name) == 0)
             return known[i].purpose;
     return of_table;
 }

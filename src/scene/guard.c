@@ -113,13 +113,17 @@ static luxel_status scan_close(struct scan *scan, luxel_diagnostics *diagnostics
     return LUXEL_OK;
 }
 
+/* Whether the character that is looked at is the last of a word. */
+static bool ends_word(const struct scan *scan)
+{
+    return scan->at + 1 == scan->place->length || strchr(" \t\n\r", scan->place->text[scan->at + 1]);
+}
+
 /* One character that is not part of a quoted text or comment. */
 static luxel_status scan_character(struct scan *scan, luxel_diagnostics *diagnostics)
 {
     const char *text = scan->place->text;
     char c = text[scan->at];
-    bool last = scan->at + 1 == scan->place->length;
-    bool spaced = last || strchr(" \t\n\r", text[scan->at + 1]);
     if ((c == '[' || c == '{') && (scan->depth || scan->fresh))
         return scan_open(scan, diagnostics);
     if ((c == ']' || c == '}') && scan->depth)
@@ -129,12 +133,12 @@ static luxel_status scan_character(struct scan *scan, luxel_diagnostics *diagnos
     if (is_break(c)) {
         scan->fresh = true;
         scan->after_colon = scan->depth && scan->after_colon;
-    } else if (c == ':' && (spaced || scan->depth)) {
+    } else if (c == ':' && (scan->depth || ends_word(scan))) {
         scan->fresh = scan->after_colon = true;
     } else if (c == ',' && scan->depth) {
         scan->fresh = true;
         scan->after_colon = false;
-    } else if (c != ' ' && c != '\t' && !((c == '-' || c == '?') && spaced && scan->fresh)) {
+    } else if (c != ' ' && c != '\t' && !((c == '-' || c == '?') && scan->fresh && ends_word(scan))) {
         scan->fresh = false;
         scan->begun = true;
     }

@@ -59,14 +59,14 @@ bool lx_among_ray(const struct lx_prepared *prepared, const struct lx_ray *ray, 
                               {ray->origin_mm[2], ray->origin_error[2]}};
     const lx_bounded3 direction = lx_ray_direction(ray);
     const struct lx_box_way way = way_of(&from, &direction, true);
-    return lx_boxes_find(&prepared->boxes, lx_box_way_meets, &way, found);
+    return lx_boxes_find_on_way(&prepared->boxes, &way, found);
 }
 
 bool lx_among_way(const struct lx_prepared *prepared, const lx_bounded3 *place_mm, const lx_bounded3 *towards,
                   bool endless, struct lx_found *found)
 {
     const struct lx_box_way way = way_of(place_mm, towards, endless);
-    return lx_boxes_find(&prepared->boxes, lx_box_way_meets, &way, found);
+    return lx_boxes_find_on_way(&prepared->boxes, &way, found);
 }
 
 static bool shaft_meets(const void *shaft, const double low[3], const double high[3])
@@ -91,5 +91,5 @@ bool lx_among_balls(const struct lx_prepared *prepared, const double anchor_mm[3
         room += ROOM * (fabs(anchor_mm[k]) + fabs(from->center[k]) + (endless ? 0 : fabs(towards->center[k])));
     }
     const struct lx_box_way way = lx_box_way_of(begin, along, room, endless);
-    return lx_boxes_find(&prepared->boxes, lx_box_way_meets, &way, found);
+    return lx_boxes_find_on_way(&prepared->boxes, &way, found);
 }

@@ -9,7 +9,7 @@
 int lx_find_blockers(const struct lx_plan *plan, struct lx_planned_surface *lit, const struct lx_emitter *emitter)
 {
     const double *anchor = lit->shape.anchor_mm;
-    const struct lx_ball from = lx_shape_ball(&lit->shape, lit->low_mm, lit->high_mm, anchor);
+    const struct lx_ball from = lx_ball_from(&plan->balls[lit - plan->surfaces], anchor);
     const bool endless = emitter->type == LX_DIRECTION;
     struct lx_ball towards = {.center = {emitter->towards.x.value, emitter->towards.y.value, emitter->towards.z.value}};
     struct lx_origin light = {.endless = endless};
@@ -24,9 +24,9 @@ int lx_find_blockers(const struct lx_plan *plan, struct lx_planned_surface *lit,
     for (size_t i = 0; i < all; i++) {
         const uint32_t s = (uint32_t)lx_found_at(&found, is_found, i);
         const struct lx_planned_surface *other = &plan->surfaces[s];
-        const struct lx_ball ball = lx_shape_ball(&other->shape, other->low_mm, other->high_mm, anchor);
-        if (!lx_may_hide(&other->shape, other == lit) || lx_are_before_wall(&other->shape, &lit->shape, &light) ||
-            !lx_may_block(&ball, &from, &towards, endless))
+        const struct lx_ball ball = lx_ball_from(&plan->balls[s], anchor);
+        if (!lx_may_block(&ball, &from, &towards, endless) || !lx_may_hide(&other->shape, other == lit) ||
+            lx_are_before_wall(&other->shape, &lit->shape, &light))
             continue;
         size_t needed = lit->blocker_count + (size_t)count + 1;
         if (lx_reserve(&lit->blockers, &lit->blocker_capacity, needed, sizeof *lit->blockers))

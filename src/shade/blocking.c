@@ -16,6 +16,13 @@ struct lx_ball lx_shape_ball(const struct lx_shape *shape, const double low_mm[3
     return ball;
 }
 
+struct lx_ball lx_ball_from(const struct lx_ball *ball, const double anchor_mm[3])
+{
+    const double *center = ball->center;
+    return (struct lx_ball){.center = {center[0] - anchor_mm[0], center[1] - anchor_mm[1], center[2] - anchor_mm[2]},
+                            .radius = ball->radius};
+}
+
 bool lx_may_block(const struct lx_ball *blocker, const struct lx_ball *from, const struct lx_ball *towards,
                   bool endless)
 {

@@ -11,9 +11,10 @@ struct lx_ball {
     double center[3], radius;
 };
 
-/* The ball around a surface, from the anchor of another. */
+/* The ball around a surface, from the anchor of another; and from there what was asked for from the origin. */
 struct lx_ball lx_shape_ball(const struct lx_shape *shape, const double low_mm[3], const double high_mm[3],
                              const double anchor_mm[3]);
+struct lx_ball lx_ball_from(const struct lx_ball *ball, const double anchor_mm[3]);
 
 /*
  * Whether what is in a ball may come near the ways between two others, which as a whole are a line as thick as the

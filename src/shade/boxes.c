@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /*
- * Trees over boxes: sorted along a curve through all of their middles (Morton's), the list is halved again and again;
- * an inner node's first half is the node behind it.
+ * Trees over boxes: sorted along a curve through all of their middles (Morton's), the list is cut into quarters again
+ * and again.  A node holds the boxes of its quarters side by side, so that a line is held against all four at once.
  */
 #include "boxes.h"
 
@@ -16,12 +16,12 @@
 /* What roundings may do to shares of a way. */
 static const double SLACK = 1e-9;
 
-enum { LEAF = 4, MOST_DEPTH = 64, BITS = 21 };
+enum { WIDE = 4, MOST_DEPTH = 64, BITS = 21 };
 
 struct lx_box_node {
-    struct lx_box box;
-    uint32_t first, count; /* of the boxes below; */
-    uint32_t second;       /* the node of the second half; 0: a leaf */
+    double low[3][WIDE], high[3][WIDE];
+    uint32_t below[WIDE]; /* of each quarter the node, or of one box alone its number */
+    uint32_t inner, used; /* bits: which quarters are nodes, and which there are */
 };
 
 /* A box on the curve. */
@@ -50,8 +50,8 @@ static uint64_t spread(uint64_t bits)
 static void add(struct lx_box *box, const struct lx_box *other)
 {
     for (int k = 0; k < 3; k++) {
-        box->low[k] = fmin(box->low[k], other->low[k]);
-        box->high[k] = fmax(box->high[k], other->high[k]);
+        box->low[k] = lx_smaller(box->low[k], other->low[k]);
+        box->high[k] = lx_larger(box->high[k], other->high[k]);
     }
 }
 
@@ -66,36 +66,57 @@ static uint64_t code_of(const struct lx_box *box, const struct lx_box *all)
     return code;
 }
 
-/* Makes the node of a range of the order, and those below; returns the number behind the last. */
-static uint32_t make_node(struct lx_boxes *tree, uint32_t at, uint32_t first, uint32_t count)
+/* Puts a box into a quarter of a node. */
+static void put(struct lx_box_node *node, int quarter, const struct lx_box *box)
 {
+    for (int k = 0; k < 3; k++) {
+        node->low[k][quarter] = box->low[k];
+        node->high[k][quarter] = box->high[k];
+    }
+    node->used |= 1U << quarter;
+}
+
+/* Makes the node of some stops, and those below; sets the box around them. */
+static void make_node(struct lx_boxes *tree, const struct lx_box *boxes, const struct stop *stops, uint32_t count,
+                      struct lx_box *around)
+{
+    const uint32_t at = tree->node_count++;
     struct lx_box_node *node = &tree->nodes[at];
-    *node = (struct lx_box_node){.box = tree->boxes[first], .first = first, .count = count};
-    for (uint32_t i = 1; i < count; i++)
-        add(&node->box, &tree->boxes[first + i]);
-    if (count <= LEAF)
-        return at + 1;
-    node->second = make_node(tree, at + 1, first, count / 2);
-    return make_node(tree, node->second, first + count / 2, count - count / 2);
+    *node = (struct lx_box_node){.used = 0};
+    for (uint32_t quarter = 0, first = 0, next; quarter < WIDE; quarter++, first = next) {
+        next = (uint32_t)((uint64_t)count * (quarter + 1) / WIDE);
+        if (next == first)
+            continue;
+        struct lx_box box = boxes[stops[first].box];
+        node->below[quarter] = stops[first].box;
+        if (next - first > 1) {
+            node->inner |= 1U << quarter;
+            node->below[quarter] = tree->node_count;
+            make_node(tree, boxes, stops + first, next - first, &box);
+        }
+        put(node, (int)quarter, &box);
+        if (first == 0)
+            *around = box;
+        add(around, &box);
+    }
 }
 
 int lx_boxes_make(const struct lx_box *boxes, size_t count, struct lx_boxes *tree)
 {
-    *tree = (struct lx_boxes){NULL, NULL, NULL, 0};
-    if (count == 0 || count > UINT32_MAX / 2)
+    *tree = (struct lx_boxes){.count = count};
+    if (count == 0 || count > UINT32_MAX / 2) {
+        tree->count = 0;
         return 0;
+    }
     if (count <= LX_FEW_BOXES) {
         tree->boxes = lx_new_array(count, sizeof *tree->boxes);
         if (tree->boxes)
             memcpy(tree->boxes, boxes, count * sizeof *boxes);
-        tree->count = count;
         return tree->boxes ? 0 : -1;
     }
     struct stop *stops = lx_new_array(count, sizeof *stops);
-    tree->nodes = lx_new_array(2 * count, sizeof *tree->nodes);
-    tree->order = lx_new_array(count, sizeof *tree->order);
-    tree->boxes = lx_new_array(count, sizeof *tree->boxes);
-    const bool has_room = stops && tree->nodes && tree->order && tree->boxes;
+    tree->nodes = lx_new_array(count, sizeof *tree->nodes); /* each has two quarters or more */
+    const bool has_room = stops && tree->nodes;
     struct lx_box all = boxes[0];
     for (size_t i = 1; i < count; i++)
         add(&all, &boxes[i]);
@@ -103,10 +124,7 @@ int lx_boxes_make(const struct lx_box *boxes, size_t count, struct lx_boxes *tre
         stops[i] = (struct stop){code_of(&boxes[i], &all), (uint32_t)i};
     if (has_room) {
         qsort(stops, count, sizeof *stops, compare_stops);
-        for (size_t i = 0; i < count; i++)
-            tree->order[i] = stops[i].box, tree->boxes[i] = boxes[stops[i].box];
-        make_node(tree, 0, 0, (uint32_t)count);
-        tree->count = count;
+        make_node(tree, boxes, stops, (uint32_t)count, &all);
     } else {
         lx_boxes_clear(tree);
     }
@@ -117,9 +135,8 @@ int lx_boxes_make(const struct lx_box *boxes, size_t count, struct lx_boxes *tre
 void lx_boxes_clear(struct lx_boxes *tree)
 {
     free(tree->nodes);
-    free(tree->order);
     free(tree->boxes);
-    *tree = (struct lx_boxes){NULL, NULL, NULL, 0};
+    *tree = (struct lx_boxes){.count = 0};
 }
 
 static int compare_items(const void *first, const void *second)
@@ -144,43 +161,58 @@ static void sort_items(struct lx_found *found)
     }
 }
 
-static void ask_each(const struct lx_boxes *boxes, lx_box_test *may_meet, const void *data, struct lx_found *found)
+/* Of each quarter of a node whether something may be met in it, as bits. */
+typedef unsigned node_test(const void *data, lx_box_test *may_meet, const struct lx_box_node *node);
+
+static unsigned quarters_met(const void *data, lx_box_test *may_meet, const struct lx_box_node *node)
 {
-    for (uint32_t i = 0; i < boxes->count; i++)
-        if (may_meet(data, boxes->boxes[i].low, boxes->boxes[i].high))
-            found->items[found->count++] = i;
+    unsigned met = 0;
+    for (int i = 0; i < WIDE; i++) {
+        const double low[3] = {node->low[0][i], node->low[1][i], node->low[2][i]};
+        const double high[3] = {node->high[0][i], node->high[1][i], node->high[2][i]};
+        if (node->used >> i & 1 && may_meet(data, low, high))
+            met |= 1U << i;
+    }
+    return met;
 }
 
-bool lx_boxes_find(const struct lx_boxes *tree, lx_box_test *may_meet, const void *data, struct lx_found *found)
+/* The walk through a tree, for each test compiled by itself. */
+static inline __attribute__((always_inline)) bool walk(const struct lx_boxes *tree, node_test *test,
+                                                       lx_box_test *may_meet, const void *data, struct lx_found *found)
 {
     uint32_t waiting[MOST_DEPTH];
     size_t depth = 0;
-    found->count = 0;
-    if (!tree->nodes) {
-        ask_each(tree, may_meet, data, found);
-        return tree->count > 0;
-    }
     waiting[depth++] = 0;
+    found->count = 0;
     while (depth > 0) {
-        const uint32_t at = waiting[--depth];
-        const struct lx_box_node *node = &tree->nodes[at];
-        if (!may_meet(data, node->box.low, node->box.high))
-            continue;
-        if (node->second > 0) {
-            waiting[depth++] = node->second;
-            waiting[depth++] = at + 1;
-            continue;
-        }
-        for (uint32_t i = node->first; i < node->first + node->count; i++) {
-            if (!may_meet(data, tree->boxes[i].low, tree->boxes[i].high))
+        const struct lx_box_node *node = &tree->nodes[waiting[--depth]];
+        for (unsigned met = test(data, may_meet, node) & node->used; met != 0; met &= met - 1) {
+            const unsigned i = (unsigned)__builtin_ctz(met);
+            if (node->inner >> i & 1) {
+                waiting[depth++] = node->below[i];
                 continue;
+            }
             if (found->count == LX_MOST_FOUND)
                 return false;
-            found->items[found->count++] = tree->order[i];
+            found->items[found->count++] = node->below[i];
         }
     }
     sort_items(found);
     return true;
+}
+
+static bool ask_each(const struct lx_boxes *boxes, lx_box_test *may_meet, const void *data, struct lx_found *found)
+{
+    found->count = 0;
+    for (uint32_t i = 0; i < boxes->count; i++)
+        if (may_meet(data, boxes->boxes[i].low, boxes->boxes[i].high))
+            found->items[found->count++] = i;
+    return boxes->count > 0;
+}
+
+bool lx_boxes_find(const struct lx_boxes *tree, lx_box_test *may_meet, const void *data, struct lx_found *found)
+{
+    return tree->nodes ? walk(tree, quarters_met, may_meet, data, found) : ask_each(tree, may_meet, data, found);
 }
 
 struct lx_box_way lx_box_way_of(const double from[3], const double way[3], double room, bool endless)
@@ -194,18 +226,43 @@ struct lx_box_way lx_box_way_of(const double from[3], const double way[3], doubl
     return made;
 }
 
+/* The shares of a way between which it is in a box, narrowed by one axis. */
+static inline void narrow(const struct lx_box_way *way, int axis, double low, double high, double *begin, double *end)
+{
+    const double a = (low - way->room - way->from[axis]) * way->each[axis];
+    const double b = (high + way->room - way->from[axis]) * way->each[axis];
+    *begin = lx_larger(*begin, lx_smaller(a, b));
+    *end = lx_smaller(*end, lx_larger(a, b));
+}
+
 bool lx_box_way_meets(const void *data, const double low[3], const double high[3])
 {
     const struct lx_box_way *way = data;
     double begin = -SLACK, end = way->end;
-    for (int k = 0; k < 3; k++) {
-        const double a = (low[k] - way->room - way->from[k]) * way->each[k];
-        const double b = (high[k] + way->room - way->from[k]) * way->each[k];
-        const double first = lx_smaller(a, b), last = lx_larger(a, b);
-        begin = lx_larger(begin, first);
-        end = lx_smaller(end, last);
-    }
+    for (int k = 0; k < 3; k++)
+        narrow(way, k, low[k], high[k], &begin, &end);
     return begin - SLACK * fabs(begin) <= end;
+}
+
+static unsigned quarters_on_way(const void *data, lx_box_test *may_meet, const struct lx_box_node *node)
+{
+    const struct lx_box_way *way = data;
+    double begin[WIDE], end[WIDE];
+    unsigned met = 0;
+    (void)may_meet;
+    for (int i = 0; i < WIDE; i++)
+        begin[i] = -SLACK, end[i] = way->end;
+    for (int k = 0; k < 3; k++)
+        for (int i = 0; i < WIDE; i++)
+            narrow(way, k, node->low[k][i], node->high[k][i], &begin[i], &end[i]);
+    for (int i = 0; i < WIDE; i++)
+        met |= (unsigned)(begin[i] - SLACK * fabs(begin[i]) <= end[i]) << i;
+    return met;
+}
+
+bool lx_boxes_find_on_way(const struct lx_boxes *tree, const struct lx_box_way *way, struct lx_found *found)
+{
+    return tree->nodes ? walk(tree, quarters_on_way, NULL, way, found) : ask_each(tree, lx_box_way_meets, way, found);
 }
 
 bool lx_is_among(const uint32_t *list, size_t count, uint32_t number)

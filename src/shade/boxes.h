@@ -17,10 +17,10 @@ struct lx_box {
 
 /* Zero-initialise, and clear. */
 struct lx_boxes {
-    struct lx_box_node *nodes; /* NULL: there are few, and each is asked */
-    uint32_t *order;           /* of many: theirs in the tree */
-    struct lx_box *boxes;      /* in that order */
+    struct lx_box_node *nodes; /* of many; NULL: there are few, and each is asked: */
+    struct lx_box *boxes;
     size_t count;
+    uint32_t node_count;
 };
 
 /* So many boxes have no tree. */
@@ -52,6 +52,7 @@ struct lx_box_way {
 };
 struct lx_box_way lx_box_way_of(const double from[3], const double way[3], double room, bool endless);
 bool lx_box_way_meets(const void *way, const double low[3], const double high[3]);
+bool lx_boxes_find_on_way(const struct lx_boxes *tree, const struct lx_box_way *way, struct lx_found *found);
 
 /* The place of item i of those that are to be asked, which are all of `count` where nothing was found. */
 static inline size_t lx_found_count(const struct lx_found *found, bool is_found, size_t count)

@@ -53,7 +53,7 @@ static bool is_hidden(const struct lx_plan *plan, const struct lx_cut *cut, cons
         const struct lx_planned_surface *other = &plan->surfaces[lx_found_at(&found, is_found, i)];
         if (!lx_may_hide(&other->shape, other == cut->surface))
             continue;
-        const struct lx_ball blocker = lx_shape_ball(&other->shape, other->low_mm, other->high_mm, anchor);
+        const struct lx_ball blocker = lx_ball_from(&plan->balls[other - plan->surfaces], anchor);
         if (lx_may_block(&blocker, &cut->tract.places, ball, false))
             return true;
     }
@@ -283,7 +283,7 @@ static bool find_open(struct shading *shading, const struct lx_light_double *lig
     const size_t count = lx_found_count(&found, is_found, plan->surface_count);
     for (size_t s = 0; plan->prepared->shadows && s < count; s++) {
         const struct lx_planned_surface *other = &plan->surfaces[lx_found_at(&found, is_found, s)];
-        const struct lx_ball blocker = lx_shape_ball(&other->shape, other->low_mm, other->high_mm, anchor);
+        const struct lx_ball blocker = lx_ball_from(&plan->balls[other - plan->surfaces], anchor);
         if (!lx_may_hide(&other->shape, other == cut->surface) ||
             !lx_may_block(&blocker, &cut->tract.places, &place, false))
             continue;

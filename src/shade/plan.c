@@ -500,6 +500,7 @@ static luxel_status plan_panels(struct lx_plan *plan, struct lx_control *control
 luxel_status lx_plan_make(const struct lx_prepared *prepared, const struct lx_kernels *kernels,
                           const luxel_settings *settings, struct lx_plan *plan)
 {
+    static const double ORIGIN[3] = {0, 0, 0};
     struct lx_control control = {.rows = 1, .progress = settings->progress, .data = settings->progress_data};
     *plan = (struct lx_plan){
         .kernels = kernels,
@@ -507,22 +508,25 @@ luxel_status lx_plan_make(const struct lx_prepared *prepared, const struct lx_ke
         .tolerance = settings->tolerance > 0 ? settings->tolerance : USUAL_TOLERANCE,
         .light_error = settings->light_error,
         .surfaces = lx_new_array(prepared->surface_count, sizeof *plan->surfaces),
+        .balls = lx_new_array(prepared->surface_count, sizeof *plan->balls),
         .surface_count = prepared->surface_count,
         .every = 1,
         .part_tolerance = settings->precision == LUXEL_DOUBLE ? 1e-12 : 3e-7,
     };
     const struct lx_asking asking = {.control = &control, .is_caller = true};
     plan->prepared = prepared = lx_prepared_on_screen(prepared, &asking, &plan->carried);
-    if (!plan->surfaces || !prepared)
+    if (!plan->surfaces || !plan->balls || !prepared)
         return atomic_load(&control.stop) ? LUXEL_CANCELLED : LUXEL_ERROR_MEMORY;
     luxel_status status = LUXEL_OK;
     for (size_t s = 0; s < plan->surface_count; s++) {
         const struct lx_prepared_surface *surface = &prepared->surfaces[s];
-        plan->surfaces[s].shape = surface->shape;
+        struct lx_planned_surface *planned = &plan->surfaces[s];
+        planned->shape = surface->shape;
         for (int i = 0; i < 3; i++) {
-            plan->surfaces[s].low_mm[i] = surface->low_mm[i] - lx_shape_room(&surface->shape);
-            plan->surfaces[s].high_mm[i] = surface->high_mm[i] + lx_shape_room(&surface->shape);
+            planned->low_mm[i] = surface->low_mm[i] - lx_shape_room(&surface->shape);
+            planned->high_mm[i] = surface->high_mm[i] + lx_shape_room(&surface->shape);
         }
+        plan->balls[s] = lx_shape_ball(&planned->shape, planned->low_mm, planned->high_mm, ORIGIN);
     }
     if (lx_seen_plan(plan))
         return LUXEL_ERROR_MEMORY;
@@ -558,6 +562,7 @@ void lx_plan_clear(struct lx_plan *plan)
         free(surface->glossy);
     }
     free(plan->surfaces);
+    free(plan->balls);
     lx_boxes_clear(&plan->on_screen);
     free(plan->rules);
     free(plan->node_rules);

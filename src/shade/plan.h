@@ -75,6 +75,7 @@ struct lx_plan {
     struct lx_prepared *carried;        /* it was carried there; NULL: it is as it was prepared */
     const struct lx_kernels *kernels;
     struct lx_planned_surface *surfaces;
+    struct lx_ball *balls; /* around them, from the origin, side by side */
     size_t surface_count;
     struct lx_boxes on_screen; /* over where many of them may be seen, with z = 0 */
     /* The only surface that the picture may show, if its light takes nothing but its elements in float32 (seen.h);

@@ -123,7 +123,7 @@ int lx_prepared_carry(const struct lx_prepared *prepared, const struct lx_asking
     carried->camera = lx_camera_carried(&prepared->camera);
     carried->surfaces = lx_new_array(prepared->surface_count, sizeof *carried->surfaces);
     carried->authored = lx_new_array(prepared->scene->surfaces.count, sizeof *carried->authored);
-    carried->boxes = (struct lx_boxes){NULL, NULL, NULL, 0};
+    carried->boxes = (struct lx_boxes){.count = 0};
     carried->emitters = (struct lx_emitters){0};
     if (!carried->surfaces || !carried->authored)
         return -1;
