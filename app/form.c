@@ -9,6 +9,7 @@
 #include "number.h"
 #include "row.h"
 #include "rules.h"
+#include "vector.h"
 
 /* One control: a parameter, or one of its numbers. */
 typedef struct Entry {
@@ -16,6 +17,7 @@ typedef struct Entry {
     const luxel_parameter *parameter;
     int component; /* -1: the whole */
     GtkWidget *row;
+    GtkWidget *block; /* what stands in the form: the row, or the vector that it is a part of */
 } Entry;
 
 struct _AppForm {
@@ -27,6 +29,7 @@ struct _AppForm {
     AppKeys keys;
     char *type;
     GPtrArray *entries;
+    GHashTable *slid; /* the paths of the parameters whose sliders are shown */
     gboolean is_photometric;
 };
 
@@ -289,13 +292,14 @@ static gboolean is_file(const luxel_parameter *parameter)
            (g_str_has_suffix(parameter->path, ".file") || g_str_has_suffix(parameter->path, ".mesh"));
 }
 
-static void add_entry(AppForm *self, const luxel_parameter *parameter, int component)
+static Entry *new_entry(AppForm *self, const luxel_parameter *parameter, int component)
 {
     Entry *entry = g_new0(Entry, 1);
     char *label = label_of(self, parameter, component);
     const AppRowSpec spec = {
         .kind = kind_of(parameter->value_type),
         .label = label,
+        .part = component < 0 ? NULL : component_name(parameter, component),
         .unit = unit_of(self, parameter),
         .meaning = parameter->meaning,
         .choices = parameter->choices,
@@ -305,13 +309,54 @@ static void add_entry(AppForm *self, const luxel_parameter *parameter, int compo
         .hint = parameter->choices ? parameter->choices : parameter->type,
         .is_file = is_file(parameter),
     };
-    *entry = (Entry){self, parameter, component, app_row_new(&spec)};
+    *entry = (Entry){self, parameter, component, app_row_new(&spec), NULL};
     g_signal_connect(entry->row, "edited", G_CALLBACK(edited), entry);
     g_signal_connect(entry->row, "reset", G_CALLBACK(reset), entry);
     g_signal_connect(entry->row, "menu", G_CALLBACK(show_menu), entry);
     g_signal_connect(entry->row, "browse", G_CALLBACK(browse), entry);
-    gtk_box_append(GTK_BOX(self), entry->row);
     g_ptr_array_add(self->entries, entry);
+    g_free(label);
+    return entry;
+}
+
+/* Sliders that were shown are shown again when the form is made for another element. */
+static void slid(GtkToggleButton *toggle, AppForm *self)
+{
+    const char *path = g_object_get_data(G_OBJECT(toggle), "luxel-path"); /* of the table, which outlives the form */
+    if (gtk_toggle_button_get_active(toggle))
+        g_hash_table_add(self->slid, (gpointer)path);
+    else
+        g_hash_table_remove(self->slid, path);
+}
+
+static void watch_toggle(AppForm *self, GtkWidget *toggle, const char *path)
+{
+    if (!toggle)
+        return;
+    g_object_set_data(G_OBJECT(toggle), "luxel-path", (gpointer)path);
+    gtk_toggle_button_set_active(GTK_TOGGLE_BUTTON(toggle), g_hash_table_contains(self->slid, path));
+    g_signal_connect(toggle, "toggled", G_CALLBACK(slid), self);
+}
+
+static void add_single(AppForm *self, const luxel_parameter *parameter)
+{
+    Entry *entry = new_entry(self, parameter, -1);
+    entry->block = entry->row;
+    watch_toggle(self, app_row_toggle(APP_ROW(entry->row)), parameter->path);
+    gtk_box_append(GTK_BOX(self), entry->block);
+}
+
+static void add_vector(AppForm *self, const luxel_parameter *parameter)
+{
+    char *label = label_of(self, parameter, -1);
+    GtkWidget *vector = app_vector_new(label, unit_of(self, parameter), parameter->meaning);
+    for (guint i = 0; i < parameter->count; i++) {
+        Entry *entry = new_entry(self, parameter, (int)i);
+        entry->block = vector;
+        app_vector_add(APP_VECTOR(vector), APP_ROW(entry->row));
+    }
+    watch_toggle(self, app_vector_toggle(APP_VECTOR(vector)), parameter->path);
+    gtk_box_append(GTK_BOX(self), vector);
     g_free(label);
 }
 
@@ -334,10 +379,9 @@ static void add_entries(AppForm *self, const luxel_parameter *parameter)
     if (type == LUXEL_GROUP || type == LUXEL_GROUPS || type == LUXEL_VARIANTS)
         return;
     if ((type == LUXEL_NUMBERS || type == LUXEL_WHOLE_NUMBERS) && parameter->count <= 3)
-        for (guint i = 0; i < parameter->count; i++)
-            add_entry(self, parameter, (int)i);
+        add_vector(self, parameter);
     else
-        add_entry(self, parameter, -1);
+        add_single(self, parameter);
 }
 
 static void rebuild(AppForm *self)
@@ -379,7 +423,10 @@ static void refresh_units(AppForm *self)
     for (guint i = 0; i < self->entries->len; i++) {
         const Entry *entry = g_ptr_array_index(self->entries, i);
         char *label = label_of(self, entry->parameter, entry->component);
-        app_row_set_unit(APP_ROW(entry->row), unit_of(self, entry->parameter));
+        if (APP_IS_VECTOR(entry->block))
+            app_vector_set_unit(APP_VECTOR(entry->block), unit_of(self, entry->parameter));
+        else
+            app_row_set_unit(APP_ROW(entry->row), unit_of(self, entry->parameter));
         app_row_set_label(APP_ROW(entry->row), label);
         g_free(label);
     }
@@ -391,7 +438,7 @@ void app_form_refresh(AppForm *self)
     for (guint i = 0; i < self->entries->len; i++) {
         const Entry *entry = g_ptr_array_index(self->entries, i);
         const gboolean shown = app_keys_is_shown(&self->keys, entry->parameter);
-        gtk_widget_set_visible(entry->row, shown);
+        gtk_widget_set_visible(entry->block, shown);
         if (shown)
             show_value(self, entry);
     }
@@ -451,6 +498,7 @@ static void app_form_finalize(GObject *object)
 {
     AppForm *self = APP_FORM(object);
     g_ptr_array_unref(self->entries);
+    g_hash_table_unref(self->slid);
     g_free(self->type);
     G_OBJECT_CLASS(app_form_parent_class)->finalize(object);
 }
@@ -464,6 +512,7 @@ static void app_form_class_init(AppFormClass *class)
 static void app_form_init(AppForm *self)
 {
     self->entries = g_ptr_array_new_with_free_func(g_free);
+    self->slid = g_hash_table_new(g_str_hash, g_str_equal);
     gtk_orientable_set_orientation(GTK_ORIENTABLE(self), GTK_ORIENTATION_VERTICAL);
     gtk_box_set_spacing(GTK_BOX(self), 4);
 }

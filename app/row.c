@@ -69,6 +69,21 @@ void app_row_set_fault(AppRow *self, const char *reason)
         app_row_say_state(self);
 }
 
+GtkWidget *app_row_toggle(AppRow *self)
+{
+    return self->toggle;
+}
+
+GtkWidget *app_row_slider(AppRow *self)
+{
+    return self->slider;
+}
+
+GtkWidget *app_row_words(AppRow *self)
+{
+    return self->note;
+}
+
 void app_row_set_unit(AppRow *self, const char *unit)
 {
     gtk_label_set_text(GTK_LABEL(self->unit), unit);
@@ -90,7 +105,8 @@ void app_row_set_label(AppRow *self, const char *label)
         return;
     g_free(self->label);
     self->label = g_strdup(label);
-    gtk_label_set_text(GTK_LABEL(self->name), label);
+    if (!self->is_part)
+        gtk_label_set_text(GTK_LABEL(self->name), label);
     name_row(self);
 }
 
@@ -301,6 +317,8 @@ void app_row_set(AppRow *self, const char *yaml)
 static void app_row_finalize(GObject *object)
 {
     AppRow *self = APP_ROW(object);
+    g_object_unref(self->note);
+    g_clear_object(&self->slider);
     g_free(self->label);
     g_free(self->advised_words);
     G_OBJECT_CLASS(app_row_parent_class)->finalize(object);
@@ -353,14 +371,16 @@ static void app_row_init(AppRow *self)
     gtk_widget_add_controller(GTK_WIDGET(self), keys);
 }
 
-static void add_label(AppRow *self, GtkWidget *line, const char *meaning)
+static void add_label(AppRow *self, GtkWidget *line, const char *part, const char *meaning)
 {
     GtkGesture *click = gtk_gesture_click_new();
-    self->name = gtk_label_new(self->label);
+    self->name = gtk_label_new(part ? part : self->label);
     gtk_label_set_xalign(GTK_LABEL(self->name), 0);
     gtk_label_set_wrap(GTK_LABEL(self->name), TRUE);
-    gtk_label_set_width_chars(GTK_LABEL(self->name), 10);
-    gtk_widget_set_hexpand(self->name, TRUE);
+    if (!part) {
+        gtk_label_set_width_chars(GTK_LABEL(self->name), 6);
+        gtk_widget_set_hexpand(self->name, TRUE);
+    }
     gtk_widget_set_tooltip_text(GTK_WIDGET(self), meaning);
     gtk_gesture_single_set_button(GTK_GESTURE_SINGLE(click), 0);
     g_signal_connect(click, "pressed", G_CALLBACK(label_clicked), self);
@@ -368,18 +388,35 @@ static void add_label(AppRow *self, GtkWidget *line, const char *meaning)
     gtk_box_append(GTK_BOX(line), self->name);
 }
 
+/* The unit behind the control, and below it slider and note. */
+static void add_what_surrounds(AppRow *self, GtkWidget *line, const char *unit)
+{
+    gtk_label_set_xalign(GTK_LABEL(self->unit), 0);
+    gtk_label_set_width_chars(GTK_LABEL(self->unit), unit && *unit ? 3 : 0);
+    gtk_widget_add_css_class(self->unit, "dim-label");
+    gtk_box_append(GTK_BOX(line), self->unit);
+    if (self->slider) {
+        self->toggle = app_slider_toggle_new(self->label);
+        g_object_bind_property(self->toggle, "active", self->slider, "visible", G_BINDING_SYNC_CREATE);
+        gtk_box_append(GTK_BOX(line), self->toggle);
+        gtk_box_append(GTK_BOX(self), self->slider);
+    }
+    gtk_box_append(GTK_BOX(self), self->note);
+}
+
 GtkWidget *app_row_new(const AppRowSpec *spec)
 {
     AppRow *self = g_object_new(APP_TYPE_ROW, NULL);
-    GtkWidget *line = gtk_box_new(GTK_ORIENTATION_HORIZONTAL, 6);
+    GtkWidget *line = gtk_box_new(GTK_ORIENTATION_HORIZONTAL, 4);
     self->kind = spec->kind;
     self->legal = spec->legal;
     self->advised = spec->advised;
     self->label = g_strdup(spec->label);
     self->advised_words = g_strdup(spec->advised_words);
-    self->note = gtk_label_new(NULL);
+    self->is_part = spec->part != NULL;
+    self->note = g_object_ref_sink(gtk_label_new(NULL));
     self->unit = gtk_label_new(spec->unit);
-    add_label(self, line, spec->meaning);
+    add_label(self, line, spec->part, spec->meaning);
     if (spec->kind == APP_ROW_NUMBER || spec->kind == APP_ROW_WHOLE) {
         app_row_add_number(self, line);
         watch_field(self);
@@ -394,18 +431,13 @@ GtkWidget *app_row_new(const AppRowSpec *spec)
         add_browsing(self, line);
     if (!gtk_widget_get_parent(self->control))
         gtk_box_append(GTK_BOX(line), self->control);
-    gtk_label_set_xalign(GTK_LABEL(self->unit), 0);
-    gtk_label_set_width_chars(GTK_LABEL(self->unit), spec->unit && *spec->unit ? 4 : 0);
-    gtk_widget_add_css_class(self->unit, "dim-label");
-    gtk_box_append(GTK_BOX(line), self->unit);
     gtk_label_set_xalign(GTK_LABEL(self->note), 0);
     gtk_label_set_wrap(GTK_LABEL(self->note), TRUE);
     gtk_widget_set_visible(self->note, FALSE);
     gtk_widget_add_css_class(self->note, "note");
     gtk_box_append(GTK_BOX(self), line);
-    if (self->slider)
-        gtk_box_append(GTK_BOX(self), self->slider);
-    gtk_box_append(GTK_BOX(self), self->note);
+    if (!spec->part)
+        add_what_surrounds(self, line, spec->unit);
     name_row(self);
     if (!APP_IS_CHOICE(self->control))
         gtk_accessible_update_property(GTK_ACCESSIBLE(self->control), GTK_ACCESSIBLE_PROPERTY_DESCRIPTION,

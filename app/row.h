@@ -3,8 +3,9 @@
  * A row of a form: one value with its label, unit and control, all by the parameter table.  Values come and go as
  * YAML, the way the scene has them.
  *
- * A number has a field and a slider over the advised range; legal values beyond it are taken and marked.  What cannot
- * be taken turns the field red, with the reason below it, and changes nothing.
+ * A number has a field and, on demand, a slider over the advised range; legal values beyond it are taken and marked.
+ * What cannot be taken turns the field red, with the reason below it, and changes nothing.  A number that is a part of
+ * a vector stands with the others in one line (vector.h), which has their sliders and what is said of them.
  *
  * Signals: "edited" (value as YAML) when the user changed it; "reset" on a double click on the label; "menu" (widget)
  * when the menu of the row is wanted; "browse" when a file is to be chosen.
@@ -35,6 +36,7 @@ typedef enum AppRowKind {
 typedef struct AppRowSpec {
     AppRowKind kind;
     const char *label, *unit, *meaning;
+    const char *part;              /* of a number of a vector: its short name, such as "x"; else NULL */
     const char *choices;           /* "a, b, c" of APP_ROW_CHOICE */
     luxel_interval legal, advised; /* of numbers */
     const char *advised_words;     /* or NULL */
@@ -54,6 +56,13 @@ void app_row_refuse(AppRow *self, const char *reason);
 gboolean app_row_restore(AppRow *self);
 /* The range in force, which a typed one begins with. */
 void app_row_suggest(AppRow *self, double low, double high);
+/* What shows the slider; NULL: the row has none, or the vector that it is a part of has it. */
+GtkWidget *app_row_toggle(AppRow *self);
+/* Something that shows sliders of what is called so. */
+GtkWidget *app_slider_toggle_new(const char *label);
+/* Slider (or NULL) and note of a part, which stand below the line of its vector. */
+GtkWidget *app_row_slider(AppRow *self);
+GtkWidget *app_row_words(AppRow *self);
 /* The unit's name. */
 void app_row_set_unit(AppRow *self, const char *unit);
 void app_row_set_label(AppRow *self, const char *label);

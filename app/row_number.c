@@ -146,6 +146,36 @@ static double step_of(const AppRow *self)
     return pow(10, floor(log10((self->advised.high - self->advised.low) / 50)));
 }
 
+/* Keys and sliders do what they would, and the numbers have their room. */
+static void hide_buttons(GtkWidget *spin)
+{
+    for (GtkWidget *child = gtk_widget_get_first_child(spin); child; child = gtk_widget_get_next_sibling(child))
+        if (GTK_IS_BUTTON(child))
+            gtk_widget_set_visible(child, FALSE);
+}
+
+static void toggled(GtkToggleButton *toggle)
+{
+    const gboolean active = gtk_toggle_button_get_active(toggle);
+    gtk_button_set_icon_name(GTK_BUTTON(toggle), active ? "pan-down-symbolic" : "pan-start-symbolic");
+}
+
+GtkWidget *app_slider_toggle_new(const char *label)
+{
+    GtkWidget *toggle = gtk_toggle_button_new();
+    /* TRANSLATORS: what shows the slider of a value; %s is its name, such as Radius */
+    char *name = g_strdup_printf(_("%s: show the slider"), label);
+    gtk_button_set_icon_name(GTK_BUTTON(toggle), "pan-start-symbolic");
+    gtk_button_set_has_frame(GTK_BUTTON(toggle), FALSE);
+    gtk_widget_add_css_class(toggle, "fold");
+    gtk_widget_set_valign(toggle, GTK_ALIGN_CENTER);
+    app_name_control(toggle, name);
+    gtk_widget_set_tooltip_text(toggle, _("Show the slider"));
+    g_signal_connect(toggle, "toggled", G_CALLBACK(toggled), NULL);
+    g_free(name);
+    return toggle;
+}
+
 void app_row_add_number(AppRow *self, GtkWidget *line)
 {
     const double low = self->legal.given && isfinite(self->legal.low) ? self->legal.low : -FARTHEST;
@@ -154,8 +184,10 @@ void app_row_add_number(AppRow *self, GtkWidget *line)
     GtkAdjustment *adjustment = gtk_adjustment_new(0, low, high, step, 10 * step, 0);
     self->control = gtk_spin_button_new(adjustment, 0.2, 17);
     gtk_spin_button_set_update_policy(GTK_SPIN_BUTTON(self->control), GTK_UPDATE_IF_VALID);
-    gtk_editable_set_width_chars(GTK_EDITABLE(self->control), 8);
+    gtk_editable_set_width_chars(GTK_EDITABLE(self->control), self->is_part ? 3 : 6);
     gtk_editable_set_max_width_chars(GTK_EDITABLE(self->control), 8);
+    gtk_widget_set_hexpand(self->control, self->is_part);
+    hide_buttons(self->control);
     g_signal_connect(self->control, "input", G_CALLBACK(read_field), self);
     g_signal_connect(self->control, "output", G_CALLBACK(write_field), self);
     g_signal_connect(self->control, "value-changed", G_CALLBACK(field_changed), self);
@@ -164,7 +196,8 @@ void app_row_add_number(AppRow *self, GtkWidget *line)
         return;
     self->logarithmic = self->advised.low > 0 && self->advised.high >= LOGARITHMIC_FROM * self->advised.low;
     const double from = to_slider(self, self->advised.low), to = to_slider(self, self->advised.high);
-    self->slider = gtk_scale_new_with_range(GTK_ORIENTATION_HORIZONTAL, from, to, (to - from) / 100);
+    self->slider =
+        g_object_ref_sink(gtk_scale_new_with_range(GTK_ORIENTATION_HORIZONTAL, from, to, (to - from) / 100));
     gtk_scale_set_draw_value(GTK_SCALE(self->slider), FALSE);
     gtk_range_set_round_digits(GTK_RANGE(self->slider), -1);
     g_signal_connect(self->slider, "change-value", G_CALLBACK(slider_moved), self);

@@ -14,8 +14,9 @@ struct _AppRow {
     gboolean is_updating; /* values are shown, not edited */
     gboolean is_wrong;    /* what is typed cannot be taken */
     gboolean is_empty;    /* there is no number */
+    gboolean is_part;     /* a vector has its slider, its note and its unit */
     double value;
-    GtkWidget *name, *control, *slider, *unit, *note;
+    GtkWidget *name, *control, *slider, *toggle, *unit, *note;
 };
 
 /* Says something below the row, as what is wrong or as advice; NULL: nothing. */

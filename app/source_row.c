@@ -138,7 +138,7 @@ static void app_source_row_init(AppSourceRow *self)
     self->name = gtk_label_new(NULL);
     self->gives = gtk_label_new(NULL);
     self->solo = gtk_toggle_button_new_with_label(_("Solo"));
-    gtk_box_set_spacing(GTK_BOX(self), 6);
+    gtk_box_set_spacing(GTK_BOX(self), 4);
     gtk_drawing_area_set_content_width(GTK_DRAWING_AREA(self->badge), BADGE_SIDE);
     gtk_drawing_area_set_content_height(GTK_DRAWING_AREA(self->badge), BADGE_SIDE);
     gtk_drawing_area_set_draw_func(GTK_DRAWING_AREA(self->badge), draw_badge, self, NULL);

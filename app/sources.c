@@ -445,6 +445,7 @@ static GtkWidget *new_toolbar(AppSources *self)
 {
     GtkWidget *bar = gtk_box_new(GTK_ORIENTATION_HORIZONTAL, 2), *add = gtk_menu_button_new();
     GMenuModel *kinds = menu_of_kinds(self->parameters);
+    gtk_widget_add_css_class(bar, "tools");
     gtk_menu_button_set_icon_name(GTK_MENU_BUTTON(add), "list-add-symbolic");
     gtk_menu_button_set_menu_model(GTK_MENU_BUTTON(add), kinds);
     gtk_widget_set_tooltip_text(add, _("Add a source"));

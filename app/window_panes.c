@@ -6,8 +6,8 @@
  */
 #include "window_private.h"
 
-enum { LEFT_WIDTH = 340, RIGHT_WIDTH = 380, LEAST_LEFT = 270, LEAST_RIGHT = 250, LEAST_CENTER = 300, NARROW = 1200 };
-static const double CENTER_SHARE = 0.47; /* of a narrow window: the picture comes before what stands at its sides */
+enum { LEFT_WIDTH = 340, RIGHT_WIDTH = 380, LEAST_LEFT = 206, LEAST_RIGHT = 205, LEAST_CENTER = 300, NARROW = 1200 };
+static const double CENTER_SHARE = 0.6; /* of a narrow window: the picture comes before what stands at its sides */
 
 static void keep(AppWindow *self, const char *key, int *kept, int width)
 {

@@ -7,6 +7,7 @@ from desk import trial
 from waiting import wait
 
 NEAR = 3  # pixels
+LEAST_SHARE = 0.45  # of the window's area that the picture has
 
 
 def widths(window):
@@ -52,6 +53,34 @@ def small_and_large(tap, desk):
            widths(window))
 
 
+def share_of_picture(window):
+    width, height = window.widget.find("image").area()[2:]
+    return width * height / (window.widget.area()[2] * window.widget.area()[3])
+
+
+def picture_first(tap, desk, language):
+    window = desk.start(LANGUAGE=language).window()
+    resize(desk, window, 1024, 700)
+    tap.ok(wait("the share of the picture", lambda: share_of_picture(window) >= LEAST_SHARE),
+           "%s: the picture has its share of a small window" % language, share_of_picture(window))
+    before = window.picture_area()
+    window.act("open-path", "/nowhere.yaml")
+    wait("what is wrong", lambda: window.says("/nowhere.yaml"))
+    desk.hand("sleep", "0.7")  # until the message has come in
+    tap.equal(window.picture_area(), before, "%s: a message does not move the picture" % language)
+    x, y, width, height = before
+    window.pointed(x + width / 2, y + height / 2)
+    tap.equal(window.picture_area(), before, "%s: nor does what is under the pointer" % language)
+
+
+def english(tap, desk):
+    picture_first(tap, desk, "en")
+
+
+def russian(tap, desk):
+    picture_first(tap, desk, "ru")
+
+
 def maximized(tap, desk):
     if not shutil.which("openbox"):
         tap.skip("maximized windows", "no window manager (openbox) is installed")
@@ -75,4 +104,4 @@ def maximized(tap, desk):
     tap.ok(found[0][2] < 420, "and no more of it is given to the numbers than a hand gave them", found)
 
 
-trial(small_and_large, maximized)
+trial(small_and_large, english, russian, maximized)

@@ -9,7 +9,8 @@ from waiting import wait
 def sliders(tap, desk):
     window = desk.start().window()
     before, values = window.save(), window.values()
-    slider = window.control("slider", "Radius, slider")
+    tap.equal(window.widget.find("slider"), None, "no sliders stand in the way")
+    slider = window.slider("Radius")
     x, y = window.place(slider)
     width = slider.area()[2]
     desk.drag((x - width / 6, y), (x - width / 3, y))
@@ -26,6 +27,42 @@ def sliders(tap, desk):
     window.click(window.control("label", "Radius"), count=2)
     wait("the old numbers", lambda: window.values() == values)
     tap.equal(window.save(), before, "a double click on the name brings the old value back")
+
+
+def vectors(tap, desk):
+    window = desk.start().window()
+    fields = [window.control("spin button", "Position, " + axis) for axis in "xyz"]
+    tap.equal(len({field.area()[1] for field in fields}), 1, "x, y and z stand in one line")
+    places = [field.area()[0] for field in fields]
+    tap.equal(places, sorted(places), "in their order")
+    tap.ok(all(field.area()[2] >= 40 for field in fields), "each with room for its digits", fields)
+    below = window.control("spin button", "Intensity")
+    high = below.area()[1]
+    window.toggle("Position: show the slider").act()
+    wait("three sliders", lambda: all(window.widget.find("slider", "Position, %s, slider" % axis) for axis in "xyz"))
+    tap.ok(wait("room for them", lambda: below.area()[1] > high), "the sliders come when they are asked for")
+    slider = window.control("slider", "Position, y, slider")
+    x, y = window.place(slider)
+    values = window.values()
+    desk.drag((x, y), (x + slider.area()[2] / 5, y))
+    wait("other numbers", lambda: window.values() != values)
+    place = re.search(rb"position: \[2000, ([\d.]+), 2000\]", window.save())
+    tap.ok(place and float(place.group(1)) > 100, "each moves its own number", window.save())
+    window.act("source-duplicate")
+    wait("two sources", lambda: len(window.sources()) == 2)
+    tap.ok(window.widget.find("slider", "Position, x, slider"), "they stay for other sources")
+    window.toggle("Position: show the slider").act()
+    wait("no sliders", lambda: not window.widget.find("slider"))
+    window.act("undo")
+    window.enter("Position, z", "1e999")
+    tap.ok(wait("what is wrong", lambda: window.says("1e999")), "what cannot be taken is said below")
+    desk.key("Escape")
+    window.enter("Position, x", "1234")
+    window.enter("Position, y", "-17")
+    wait("another place", lambda: window.enabled("undo"))
+    window.click(window.control("label", "Position"), count=2)
+    wait("the old place", lambda: window.control("spin button", "Position, x").text == "2000")
+    tap.ok(place.group(0) in window.save(), "a double click on the name brings all three back, as they were saved")
 
 
 def sections(tap, desk):
@@ -101,4 +138,4 @@ def dialogs(tap, desk):
     tap.equal(window.values()[0], "2.727591", "light or dark, the numbers stay")
 
 
-trial(sliders, sections, comparing, from_afar, dialogs)
+trial(sliders, vectors, sections, comparing, from_afar, dialogs)

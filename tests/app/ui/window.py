@@ -98,6 +98,17 @@ class Window:
     def press(self, name, role="button"):
         self.control(role, name).act()
 
+    def toggle(self, name):
+        """A button that stays pressed; newer versions of GTK have a role of their own for it."""
+        return wait("toggle %r" % name,
+                    lambda: self.widget.find("toggle button", name) or self.widget.find("button", name))
+
+    def slider(self, name):
+        """The slider of a value, which is shown when it is asked for."""
+        if not self.widget.find("slider", name + ", slider"):
+            self.toggle(name + ": show the slider").act()
+        return self.control("slider", name + ", slider")
+
     def place(self, widget):
         """The middle of a widget on the screen, brought into view where it is in the panel on the left."""
         frame, panel = self.widget.area(), self.panel()
