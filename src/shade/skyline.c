@@ -11,7 +11,7 @@
 #include "../light/extended.h"
 #include "skyline.h"
 
-enum { MOST_CROSSINGS = 4 * LX_SKYLINE_SIDES * LX_SKYLINE_BODIES };
+enum { MOST_CROSSINGS = 4 * (LX_SKYLINE_SIDES + LX_SKYLINE_OBSTACLE_SIDES) };
 
 /* Directions that are nearer than this to a curve lie on it. */
 static const double ON = 1e-12;
@@ -121,7 +121,9 @@ static unsigned cross_curves(const struct lx_skyline_side *side, const struct lx
                    other->is_cone ? (i == 0 ? 1 : -1) : -other->limit * other->limit);
     if (!other->is_cone)
         add_square(&waves, side, other->g, 1);
-    return find_zeros(&waves, at);
+    const double swing =
+        sqrt(waves.a1 * waves.a1 + waves.b1 * waves.b1) + sqrt(waves.a2 * waves.a2 + waves.b2 * waves.b2);
+    return fabs(waves.a0) > swing * (1 + 1e-12) ? 0 : find_zeros(&waves, at);
 }
 
 /* Both roots between 0 and 1 of a t^2 + 2 b t + c. */

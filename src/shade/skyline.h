@@ -13,7 +13,8 @@
 
 #include "occlusion.h"
 
-enum { LX_SKYLINE_SIDES = 12, LX_SKYLINE_BODIES = 12 };
+/* Sides of the source at most; bodies, and the sides of all obstacles together. */
+enum { LX_SKYLINE_SIDES = 12, LX_SKYLINE_BODIES = 64, LX_SKYLINE_OBSTACLE_SIDES = 132 };
 
 struct lx_skyline_side {
     double g[3], limit;
@@ -26,15 +27,16 @@ struct lx_skyline_side {
 };
 
 struct lx_skyline_body {
-    struct lx_skyline_side sides[LX_SKYLINE_SIDES];
+    struct lx_skyline_side *sides;
     unsigned count;
     bool is_pipe; /* one that can be seen through */
 };
 
-/* Large: what is not needed of it stays as it is. */
+/* Large: what is not needed of it stays as it is.  It stays where it is, as its bodies point to its sides. */
 struct lx_skyline {
-    struct lx_skyline_body bodies[LX_SKYLINE_BODIES]; /* the source first */
+    struct lx_skyline_body bodies[LX_SKYLINE_BODIES]; /* the source first, with room for the most sides */
     unsigned count;
+    struct lx_skyline_side sides[LX_SKYLINE_SIDES + LX_SKYLINE_OBSTACLE_SIDES]; /* body behind body */
     bool has_hole; /* the sides of what is seen through a pipe, */
     struct lx_skyline_side hole[2];
 };
@@ -82,7 +84,7 @@ bool lx_skyline_face(const struct lx_occlusion *occlusion, const struct lx_facet
 /* Keeps the part of a convex polygon with normal.u > 0, if any; the polygon must have room for a corner more. */
 void lx_skyline_cut(struct lx_skyline_polygon *polygon, const double normal[3]);
 
-/* Makes a body of a polygon, or adds the circle of directions that meet a ball, or any circle, to a body, as one more
+/* Makes a body, which has room for that, of a polygon, or adds the circle of directions that meet a ball, or any circle, to a body, as one more
  * side.  False: it is seen edge-on, or the element is in the ball. */
 bool lx_skyline_add_polygon(const struct lx_skyline_polygon *polygon, struct lx_skyline_body *body);
 bool lx_skyline_add_ball(const double center[3], double radius, struct lx_skyline_body *body);

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /* The bodies of a skyline: cones over polygons, balls, disks and cylinders, and those of the obstacles. */
 #include <math.h>
+#include <stddef.h>
 #include <string.h>
 
 #include "../base/vector.h"
@@ -93,13 +94,12 @@ void lx_skyline_cut(struct lx_skyline_polygon *polygon, const double normal[3])
 bool lx_skyline_disk(const double center[3], const double axis[3], double radius, struct lx_skyline_side *side)
 {
     const double EDGE_ON = 1e-9;
-    struct lx_skyline_body circle = {.count = 0};
+    struct lx_skyline_body circle = {.sides = side};
     double normal[3];
     const double height = lx_dot(center, axis);
     for (int k = 0; k < 3; k++)
         normal[k] = height < 0 ? -axis[k] : axis[k];
     lx_skyline_add_circle(normal, 1, radius, &circle);
-    *side = circle.sides[0];
     memcpy(side->g, center, sizeof side->g);
     const double away = lx_normalize(side->g);
     if (!(fabs(height) > EDGE_ON * away))
@@ -149,19 +149,25 @@ struct lx_skyline_polygon lx_skyline_side_of_tube(const struct lx_skyline_tube *
 
 /* ---- obstacles ---- */
 
-static struct lx_skyline_body *append(struct lx_skyline *skyline)
+/* Begins one more body, behind one that is complete; NULL: there is no room for so many sides. */
+static struct lx_skyline_body *append(struct lx_skyline *skyline, unsigned sides)
 {
+    const struct lx_skyline_side *end = skyline->sides + LX_SKYLINE_SIDES + LX_SKYLINE_OBSTACLE_SIDES;
     if (skyline->count == LX_SKYLINE_BODIES)
         return NULL;
-    struct lx_skyline_body *body = &skyline->bodies[skyline->count++];
+    struct lx_skyline_body *body = &skyline->bodies[skyline->count];
+    body->sides = body[-1].sides + (skyline->count > 1 ? body[-1].count : LX_SKYLINE_SIDES);
     body->count = 0;
     body->is_pipe = false;
+    if (end - body->sides < (ptrdiff_t)sides)
+        return NULL;
+    skyline->count++;
     return body;
 }
 
 static bool append_outline(struct lx_skyline *skyline, const struct lx_skyline_side *side)
 {
-    struct lx_skyline_body *body = append(skyline);
+    struct lx_skyline_body *body = append(skyline, 1);
     if (body)
         body->sides[body->count++] = *side;
     return body;
@@ -201,7 +207,7 @@ static bool append_pipe(struct lx_skyline *skyline, const struct lx_obstacle *pi
             return false;
     if (!pipe->is_around) {
         const struct lx_skyline_polygon side = lx_skyline_side_of_tube(&tube);
-        struct lx_skyline_body *body = append(skyline);
+        struct lx_skyline_body *body = append(skyline, side.count);
         if (!body || !lx_skyline_add_polygon(&side, body))
             return false;
     }
@@ -218,10 +224,10 @@ static bool append_obstacle(struct lx_skyline *skyline, const struct lx_obstacle
     struct lx_skyline_body *body;
     switch (obstacle->type) {
     case LX_OBSTACLE_BALL:
-        body = obstacle->is_around ? NULL : append(skyline);
+        body = obstacle->is_around ? NULL : append(skyline, 1);
         return body && lx_skyline_add_ball(obstacle->center_mm, obstacle->radius_mm, body);
     case LX_OBSTACLE_POLYGON:
-        body = append(skyline);
+        body = append(skyline, obstacle->corner_count);
         return body && make_cone(obstacle->corners_mm, obstacle->corner_count, body);
     case LX_OBSTACLE_DISK:
         return lx_skyline_disk(obstacle->center_mm, obstacle->axis, obstacle->radius_mm, &side) &&
@@ -234,6 +240,7 @@ static bool append_obstacle(struct lx_skyline *skyline, const struct lx_obstacle
 bool lx_skyline_begin(const struct lx_occlusion *occlusion, struct lx_skyline *skyline)
 {
     skyline->count = 1;
+    skyline->bodies[0].sides = skyline->sides;
     skyline->has_hole = skyline->bodies[0].is_pipe = false;
     if (occlusion->has_outline || occlusion->is_dark)
         return false;
@@ -247,6 +254,6 @@ bool lx_skyline_put_aside(const struct lx_skyline_shape *shape, struct lx_skylin
 {
     if (shape->has_curve)
         return append_outline(skyline, &shape->curve);
-    struct lx_skyline_body *body = append(skyline);
+    struct lx_skyline_body *body = append(skyline, shape->polygon.count);
     return body && lx_skyline_add_polygon(&shape->polygon, body);
 }

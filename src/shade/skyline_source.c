@@ -243,10 +243,9 @@ static bool shape_ball(const double center[3], double radius, struct lx_skyline_
 {
     const double MOST = 2; /* a tangent */
     struct lx_skyline_shape *shape = &shapes->items[0];
-    struct lx_skyline_body body = {.count = 0};
-    if (!lx_skyline_add_ball(center, radius, &body) || !(body.sides[0].sine < MOST * body.sides[0].limit))
+    struct lx_skyline_body body = {.sides = &shape->curve};
+    if (!lx_skyline_add_ball(center, radius, &body) || !(shape->curve.sine < MOST * shape->curve.limit))
         return false;
-    shape->curve = body.sides[0];
     shape->has_curve = true;
     make_square(shape->curve.g, shape->curve.p, shape->curve.q, shape->curve.sine / shape->curve.limit,
                 &shape->polygon);

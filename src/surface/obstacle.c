@@ -83,7 +83,8 @@ bool lx_shaft_meets_ball(const struct lx_shaft *shaft, const double center_mm[3]
         t = fmin(fmax((along + slope * aside / sqrt((1 - slope) * (1 + slope))) / length, 0), 1);
     else
         t = growth > 0; /* one ball holds the other */
-    const double gap = hypot(along - t * length, aside) - shaft->from_radius_mm - t * growth;
+    const double beyond = along - t * length;
+    const double gap = sqrt(beyond * beyond + aside * aside) - shaft->from_radius_mm - t * growth;
     return !(gap > radius_mm + room);
 }
 

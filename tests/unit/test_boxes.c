@@ -65,9 +65,12 @@ static size_t find_all(size_t count, size_t *asked)
     assert_int_equal(lx_boxes_make(boxes, count, &tree), 0);
     for (int round = 0; round < ROUNDS; round++) {
         struct counted way = {random_way(round), 0};
-        struct lx_found found;
+        struct lx_found found, on_way;
         size_t next = 0;
         assert_true(lx_boxes_find(&tree, counts, &way, &found));
+        assert_true(lx_boxes_find_on_way(&tree, &way.way, &on_way));
+        assert_int_equal(on_way.count, found.count);
+        assert_memory_equal(on_way.items, found.items, found.count * sizeof *found.items);
         *asked += way.asked;
         for (size_t i = 0; i < count; i++)
             if (lx_box_way_meets(&way.way, boxes[i].low, boxes[i].high)) {

@@ -1,0 +1,103 @@
+/* SPDX-License-Identifier: MIT */
+/*
+ * Skylines of many obstacles: what dozens of balls and plates leave of a source of each kind, as a sum over the borders
+ * of what is seen, is what the integral over arcs tells; and pictures do not fall back on the integral, which takes a
+ * hundred times as long.
+ */
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+
+#include "campaign.h"
+#include "scenes.h"
+#include "shadow_scenes.h"
+
+#include "../../src/shade/cubature.h"
+#include "../../src/shade/reference.h"
+#include "../../src/shade/skyline.h"
+
+static const char *const sources[] = {
+    "{type: planar, rectangle: {center: [20, 30, 900], size: [300, 260], aim: [0, 0, 0]}, radiance: 1}",
+    "{type: planar, disk: {center: [20, 30, 900], radius: 150, aim: [0, 0, 0]}, radiance: 1}",
+    "{type: volume, box: {center: [20, 30, 900], size: [200, 220, 180]}, radiance: 1}",
+    "{type: volume, sphere: {center: [20, 30, 900], radius: 140}, radiance: 1}",
+};
+enum { LAMPS = 4, MOST_SIZE = 16384 };
+
+/* A plate under balls and smaller plates between it and the source. */
+static void write_scene(struct dice *dice, int source, int balls, int plates, char *text)
+{
+    char *end =
+        text + snprintf(text, MOST_SIZE,
+                        "luxel: 1\nobserver: {z: 3000}\nscreen: {width: 400, height: 400, resolution: [8, 8]}\n"
+                        "surfaces:\n  - {type: rectangle, center: [0, 0, 0], size: [400, 400], axis: [0, 0, 1], "
+                        "up: [0, 1, 0], material: {model: lambert}}\n");
+    for (int i = 0; i < balls + plates; i++) {
+        const double x = dice_uniform(dice, -80, 100), y = dice_uniform(dice, -80, 100);
+        const double z = dice_uniform(dice, 300, 600), size = dice_uniform(dice, 5, 25);
+        end +=
+            snprintf(end, (size_t)(text + MOST_SIZE - end),
+                     i < balls ? "  - {type: sphere, center: [%g, %g, %g], radius: %g, material: {model: lambert}}\n"
+                               : "  - {type: rectangle, center: [%g, %g, %g], size: [%g, 20], axis: [0.1, 0.2, 1], up: "
+                                 "[0, 1, 0], material: {model: lambert}}\n",
+                     x, y, z, size);
+    }
+    snprintf(end, (size_t)(text + MOST_SIZE - end), "lights:\n  - %s\n", sources[source]);
+}
+
+/* Compares both at some elements of the plate; returns how many of them had so many obstacles. */
+static size_t compare(const char *text, struct dice *dice, size_t many)
+{
+    enum { ELEMENTS = 3 };
+    luxel_scene *scene;
+    struct lx_prepared prepared;
+    size_t had = 0;
+    if (load(text, NULL, &scene) != LUXEL_OK)
+        fail_msg("not a scene:\n%s", text);
+    assert_int_equal(lx_prepare(lx_scene_parameters(scene), 1e-9, NULL, &prepared), 0);
+    const struct lx_emitter *emitter = &prepared.emitters.items[0];
+    for (int i = 0; i < ELEMENTS; i++) {
+        const struct lx_free_element asked = {.place_mm = {dice_uniform(dice, -60, 60), dice_uniform(dice, -60, 60), 0},
+                                              .normal = {0, 0, 1}};
+        const struct lx_element element = lx_element_at(&prepared, &asked);
+        struct lx_occlusion occlusion = {.place_mm = {0}};
+        double found;
+        assert_int_equal(lx_occlusion_make(&prepared, &element, emitter, true, &occlusion), 0);
+        had += occlusion.obstacles.count >= many;
+        if (!lx_skyline_irradiance(emitter, asked.normal, &occlusion, &found))
+            fail_msg("%zu obstacles are too many:\n%s", occlusion.obstacles.count, text);
+        found *= emitter->radiance.value;
+        const lx_bounded seen =
+            lx_integrate_seen(emitter, &element, &occlusion, true, 0, prepared.tolerance, NULL).irradiance;
+        if (!(fabs(found - seen.value) <= seen.error + 1e-12))
+            fail_msg("%.17g by borders, %.17g +- %g by arcs, behind %zu obstacles:\n%s", found, seen.value, seen.error,
+                     occlusion.obstacles.count, text);
+        lx_occlusion_clear(&occlusion);
+    }
+    lx_prepared_clear(&prepared);
+    luxel_scene_free(scene);
+    return had;
+}
+
+static void dozens_of_obstacles(void **state)
+{
+    (void)state;
+    enum { ROUNDS = 3, MANY = 15 };
+    const int rounds = scenes_to_try(ROUNDS);
+    struct dice dice = {31};
+    char text[MOST_SIZE];
+    size_t had = 0;
+    for (int i = 0; i < rounds * LAMPS; i++) {
+        write_scene(&dice, i % LAMPS, 30 + dice_pick(&dice, 20), i / LAMPS % 2 ? 10 : 0, text);
+        had += compare(text, &dice, MANY);
+    }
+    assert_true(had >= (size_t)rounds * LAMPS);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(dozens_of_obstacles),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
