@@ -6,6 +6,7 @@
 #include <luxel/version.h>
 #include <signal.h>
 #include <stdio.h>
+#include <string.h>
 
 #include "../front/words.h"
 #include "pulse.h"
@@ -164,6 +165,13 @@ void app_application_open(AppApplication *self, const char *path)
     gtk_window_present(GTK_WINDOW(window));
 }
 
+static void open_builtin(AppApplication *self, const char *name)
+{
+    AppWindow *window = fresh_window(self);
+    app_window_open_builtin(window, name);
+    gtk_window_present(GTK_WINDOW(window));
+}
+
 static void app_application_activate(GApplication *application)
 {
     GtkWindow *active = gtk_application_get_active_window(GTK_APPLICATION(application));
@@ -176,10 +184,13 @@ static void app_application_open_files(GApplication *application, GFile **files,
 {
     (void)hint;
     for (int i = 0; i < count; i++) {
-        char *path = g_file_get_path(files[i]);
+        char *path = g_file_get_path(files[i]), *uri = g_file_get_uri(files[i]);
         if (path)
             app_application_open(APP_APPLICATION(application), path);
+        else if (g_str_has_prefix(uri, APP_BUILTIN))
+            open_builtin(APP_APPLICATION(application), uri + strlen(APP_BUILTIN));
         g_free(path);
+        g_free(uri);
     }
 }
 

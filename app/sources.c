@@ -13,6 +13,7 @@
 #include "row.h"
 #include "rules.h"
 #include "source_row.h"
+#include "toolbar.h"
 
 static const char *const prefixes[] = {"lights[].", NULL};
 
@@ -414,50 +415,16 @@ static void app_sources_init(AppSources *self)
     gtk_box_set_spacing(GTK_BOX(self), 6);
 }
 
-static GtkWidget *add_button(GtkWidget *box, const char *icon, const char *meaning, const char *action)
-{
-    GtkWidget *button = gtk_button_new_from_icon_name(icon);
-    gtk_widget_set_tooltip_text(button, meaning);
-    gtk_accessible_update_property(GTK_ACCESSIBLE(button), GTK_ACCESSIBLE_PROPERTY_LABEL, meaning, -1);
-    gtk_actionable_set_action_name(GTK_ACTIONABLE(button), action);
-    gtk_box_append(GTK_BOX(box), button);
-    return button;
-}
-
-static GMenuModel *menu_of_kinds(const luxel_parameters *parameters)
-{
-    GMenu *menu = g_menu_new();
-    for (gsize i = 0; i < luxel_parameters_kind_count(parameters); i++) {
-        const luxel_kind *kind = luxel_parameters_kind(parameters, i);
-        if (strcmp(kind->list, "lights") != 0 || !kind->example)
-            continue;
-        char *text = g_strdup_printf("%s: %s", app_choice_label(kind->name), kind->meaning);
-        GMenuItem *item = g_menu_item_new(text, NULL);
-        g_menu_item_set_action_and_target(item, "win.source-add", "s", kind->name);
-        g_menu_append_item(menu, item);
-        g_object_unref(item);
-        g_free(text);
-    }
-    return G_MENU_MODEL(menu);
-}
-
 static GtkWidget *new_toolbar(AppSources *self)
 {
-    GtkWidget *bar = gtk_box_new(GTK_ORIENTATION_HORIZONTAL, 2), *add = gtk_menu_button_new();
-    GMenuModel *kinds = menu_of_kinds(self->parameters);
-    gtk_widget_add_css_class(bar, "tools");
-    gtk_menu_button_set_icon_name(GTK_MENU_BUTTON(add), "list-add-symbolic");
-    gtk_menu_button_set_menu_model(GTK_MENU_BUTTON(add), kinds);
-    gtk_widget_set_tooltip_text(add, _("Add a source"));
-    app_name_control(add, _("Add a source"));
-    g_object_unref(kinds);
-    gtk_box_append(GTK_BOX(bar), add);
-    add_button(bar, "edit-copy-symbolic", _("Duplicate the source"), "win.source-duplicate");
-    add_button(bar, "list-remove-symbolic", _("Delete the source"), "win.source-delete");
-    add_button(bar, "go-up-symbolic", _("Move the source up"), "win.source-up");
-    add_button(bar, "go-down-symbolic", _("Move the source down"), "win.source-down");
-    self->aim = add_button(bar, "find-location-symbolic", _("Aim the source at the surface"), "win.source-aim");
-    add_button(bar, "edit-paste-symbolic", _("Paste sources: x, y, z; x, y, z"), "win.source-paste");
+    GtkWidget *bar = app_toolbar_new();
+    app_toolbar_add_kinds(bar, self->parameters, "lights", _("Add a source"), "win.source-add");
+    app_toolbar_add(bar, "edit-copy-symbolic", _("Duplicate the source"), "win.source-duplicate");
+    app_toolbar_add(bar, "list-remove-symbolic", _("Delete the source"), "win.source-delete");
+    app_toolbar_add(bar, "go-up-symbolic", _("Move the source up"), "win.source-up");
+    app_toolbar_add(bar, "go-down-symbolic", _("Move the source down"), "win.source-down");
+    self->aim = app_toolbar_add(bar, "find-location-symbolic", _("Aim the source at the surface"), "win.source-aim");
+    app_toolbar_add(bar, "edit-paste-symbolic", _("Paste sources: x, y, z; x, y, z"), "win.source-paste");
     return bar;
 }
 

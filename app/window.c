@@ -342,7 +342,7 @@ static void make_left(AppWindow *self)
     self->display_form = app_display_form_new();
     add_group(self, _("Sources"), TRUE, self->sources, NULL, NULL);
     add_group(self, _("Material"), TRUE, self->material_form, NULL, NULL);
-    add_group(self, _("Surfaces"), TRUE, new_surface_list(self), self->surface_form, NULL);
+    add_group(self, _("Surfaces"), TRUE, app_window_new_surface_bar(self), new_surface_list(self), self->surface_form);
     add_group(self, _("Screen and observer"), FALSE, self->screen_form, NULL, NULL);
     add_group(self, _("Points"), FALSE, self->points, NULL, NULL);
     add_group(self, _("Picture"), FALSE, self->picture_form, gtk_separator_new(GTK_ORIENTATION_HORIZONTAL),
@@ -511,5 +511,6 @@ static void app_window_init(AppWindow *self)
     app_window_add_actions(self);
     app_window_add_file_actions(self);
     app_window_add_chosen_actions(self);
+    app_window_add_surface_actions(self);
     app_window_update_actions(self);
 }

@@ -13,6 +13,8 @@ G_DECLARE_FINAL_TYPE(AppWindow, app_window, APP, WINDOW, GtkApplicationWindow)
 AppWindow *app_window_new(AppApplication *application);
 /* Opens a file here; where that fails the reason is shown and the document stays. */
 gboolean app_window_open(AppWindow *self, const char *path);
+/* Shows a built-in scene, as it shows a file. */
+void app_window_open_builtin(AppWindow *self, const char *name);
 /* Whether there is nothing in it yet that opening a file could take away. */
 gboolean app_window_is_fresh(AppWindow *self);
 /* Offers unsaved work that was found. */

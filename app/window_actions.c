@@ -324,6 +324,7 @@ void app_window_update_actions(AppWindow *self)
     set_enabled(self, "undo", app_history_can_undo(history));
     set_enabled(self, "redo", app_history_can_redo(history));
     set_enabled(self, "unpin", self->pinned != NULL);
+    set_enabled(self, "surface-delete", app_document_size(self->document, "surfaces") > 1); /* a scene has one */
     for (gsize i = 0; i < G_N_ELEMENTS(of_sources); i++)
         set_enabled(self, of_sources[i], any);
     GAction *colored = g_action_map_lookup_action(G_ACTION_MAP(self), "false-color");

@@ -45,15 +45,19 @@ static void set_file(AppWindow *self, const char *key, const char *path)
 
 typedef struct Asked {
     AppWindow *window;
-    char *key;
+    char *key; /* NULL: the file becomes a part of the scene of its own */
 } Asked;
 
 static void answered(GtkNativeDialog *dialog, int response, Asked *asked)
 {
     GFile *file = response == GTK_RESPONSE_ACCEPT ? gtk_file_chooser_get_file(GTK_FILE_CHOOSER(dialog)) : NULL;
     char *path = file ? g_file_get_path(file) : NULL;
-    if (path && app_window_is_open(asked->window))
-        set_file(asked->window, asked->key, path);
+    if (path && app_window_is_open(asked->window)) {
+        if (asked->key)
+            set_file(asked->window, asked->key, path);
+        else
+            app_window_take_file(asked->window, path);
+    }
     g_free(path);
     g_clear_object(&file);
     g_object_unref(asked->window);
@@ -62,16 +66,13 @@ static void answered(GtkNativeDialog *dialog, int response, Asked *asked)
     g_object_unref(dialog);
 }
 
-static void choose_file(GSimpleAction *action, GVariant *argument, gpointer data)
+static void ask(AppWindow *self, const Choice *choice, const char *key)
 {
     static const char *const all[] = {"*", NULL};
-    AppWindow *self = data;
-    const char *key = g_variant_get_string(argument, NULL), *scene = app_document_path(self->document);
-    const Choice *choice = choice_for(self, key);
+    const char *scene = app_document_path(self->document);
     GtkFileChooserNative *dialog =
         gtk_file_chooser_native_new(_(choice->title), GTK_WINDOW(self), GTK_FILE_CHOOSER_ACTION_OPEN, NULL, NULL);
     Asked *asked = g_new(Asked, 1);
-    (void)action;
     *asked = (Asked){g_object_ref(self), g_strdup(key)};
     if (scene) {
         GFile *file = g_file_new_for_path(scene), *folder = g_file_get_parent(file);
@@ -84,6 +85,20 @@ static void choose_file(GSimpleAction *action, GVariant *argument, gpointer data
     g_signal_connect(dialog, "response", G_CALLBACK(answered), asked);
     gtk_native_dialog_set_modal(GTK_NATIVE_DIALOG(dialog), FALSE);
     gtk_native_dialog_show(GTK_NATIVE_DIALOG(dialog));
+}
+
+static void choose_file(GSimpleAction *action, GVariant *argument, gpointer data)
+{
+    const char *key = g_variant_get_string(argument, NULL);
+    (void)action;
+    ask(data, choice_for(data, key), key);
+}
+
+static void surface_mesh(GSimpleAction *action, GVariant *argument, gpointer data)
+{
+    (void)action;
+    (void)argument;
+    ask(data, &choices[0], NULL);
 }
 
 /* For scripts and tests, through the window's actions on the session bus. */
@@ -157,6 +172,7 @@ void app_window_add_chosen_actions(AppWindow *self)
 {
     static const GActionEntry actions[] = {
         {.name = "choose-file", .activate = choose_file, .parameter_type = "s"},
+        {.name = "surface-mesh", .activate = surface_mesh},
         {.name = "choose-file-path", .activate = choose_file_path, .parameter_type = "(ss)"},
         {.name = "take-path", .activate = take_path, .parameter_type = "s"},
     };

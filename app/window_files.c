@@ -66,6 +66,16 @@ gboolean app_window_open(AppWindow *self, const char *path)
     return done;
 }
 
+void app_window_open_builtin(AppWindow *self, const char *name)
+{
+    if (app_document_open_builtin(self->document, name, NULL))
+        return;
+    /* TRANSLATORS: %s is a name, such as report */
+    char *text = g_strdup_printf(_("there is no built-in scene “%s”"), name);
+    app_window_show_fault(self, text);
+    g_free(text);
+}
+
 /* ---- dialogs ---- */
 
 /* A dialog that is not modal; `done` is called with a path. */

@@ -100,6 +100,9 @@ void app_window_update_actions(AppWindow *self);
 /* window_chosen.c: a mesh or a luminaire becomes a part of the scene; FALSE: the file is neither. */
 gboolean app_window_take_file(AppWindow *self, const char *path);
 void app_window_add_chosen_actions(AppWindow *self);
+/* window_surfaces.c */
+GtkWidget *app_window_new_surface_bar(AppWindow *self);
+void app_window_add_surface_actions(AppWindow *self);
 /* window_files.c */
 void app_window_add_file_actions(AppWindow *self);
 void app_window_fill_menus(AppWindow *self);

@@ -6,6 +6,8 @@
 #include <math.h>
 #include <string.h>
 
+#include <luxel/evaluator.h>
+
 #include "scenes.h"
 
 static char *folder;
@@ -94,10 +96,85 @@ static void test_no_mesh(void **state)
     g_object_unref(document);
 }
 
+/* Which share of the screen shows a surface of a document that must have no faults. */
+static double seen(const AppDocument *document, gsize surface)
+{
+    enum { PLACES = 40 };
+    AppMoment *moment = moment_of(document);
+    luxel_evaluator *evaluator;
+    gsize count = 0;
+    const double width = app_document_get_number(document, "screen.width");
+    const double height = app_document_get_number(document, "screen.height");
+    assert_int_equal(luxel_evaluator_new(moment->scene, NULL, NULL, &evaluator), LUXEL_OK);
+    for (int i = 0; i < PLACES * PLACES; i++) {
+        const double x = ((i % PLACES + 0.5) / PLACES - 0.5) * width;
+        const double y = ((double)(i / PLACES) + 0.5) / PLACES - 0.5;
+        const luxel_value value = luxel_evaluate(evaluator, x, y * height, NULL);
+        count += value.on_surface && value.surface == surface;
+    }
+    luxel_evaluator_free(evaluator);
+    app_moment_unref(moment);
+    return (double)count / (PLACES * PLACES);
+}
+
+static void insert(AppDocument *document, char *yaml)
+{
+    const gsize count = app_document_size(document, "surfaces");
+    const AppEdit edit = {.kind = APP_EDIT_INSERT, .key = "surfaces", .value = yaml, .index = count};
+    assert_non_null(yaml);
+    assert_true(app_document_edit(document, &edit, 1, NULL, NULL));
+    g_free(yaml);
+}
+
+/* Each kind that has an example is seen in each of these scenes, and what was there before, too. */
+static void test_of_kinds(void **state)
+{
+    static const char *const scenes[] = {"report", "three-lights", "two-spheres", "desk", "tin"};
+    luxel_parameters *parameters = luxel_parameters_new();
+    gsize tried = 0;
+    (void)state;
+    for (gsize i = 0; i < luxel_parameters_kind_count(parameters); i++) {
+        const luxel_kind *kind = luxel_parameters_kind(parameters, i);
+        for (gsize k = 0; k < G_N_ELEMENTS(scenes) && strcmp(kind->list, "surfaces") == 0 && kind->example; k++) {
+            AppDocument *document = document_of_builtin(scenes[k]);
+            const gsize count = app_document_size(document, "surfaces");
+            insert(document, app_new_surface(document, parameters, kind->name));
+            if (seen(document, count) < 0.01 || seen(document, 0) < 0.01)
+                fail_msg("%s in %s: %.3f of the screen, the first surface %.3f", kind->name, scenes[k],
+                         seen(document, count), seen(document, 0));
+            assert_true(app_document_undo(document));
+            assert_int_equal(app_document_size(document, "surfaces"), count);
+            g_object_unref(document);
+            tried++;
+        }
+    }
+    assert_true(tried >= 5 * G_N_ELEMENTS(scenes));
+    AppDocument *document = document_of_builtin("report");
+    assert_null(app_new_surface(document, parameters, "mesh"));
+    assert_null(app_new_surface(document, parameters, "point"));
+    g_object_unref(document);
+    luxel_parameters_free(parameters);
+}
+
+static void test_doubles(void **state)
+{
+    static const char *const scenes[] = {"three-lights", "two-spheres", "desk", "tin", "pot"};
+    (void)state;
+    for (gsize k = 0; k < G_N_ELEMENTS(scenes); k++) {
+        AppDocument *document = document_of_builtin(scenes[k]);
+        const gsize count = app_document_size(document, "surfaces");
+        insert(document, app_doubled_surface(document, count - 1));
+        if (seen(document, count) < 0.005)
+            fail_msg("the double in %s: %.3f of the screen", scenes[k], seen(document, count));
+        g_object_unref(document);
+    }
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {cmocka_unit_test(test_kinds), cmocka_unit_test(test_names),
-                                       cmocka_unit_test(test_meshes), cmocka_unit_test(test_no_mesh)};
+                                       cmocka_unit_test(test_meshes),
+                                       cmocka_unit_test(test_of_kinds), cmocka_unit_test(test_doubles), cmocka_unit_test(test_no_mesh)};
     folder = g_dir_make_tmp("luxel-XXXXXX", NULL);
     assert_non_null(folder);
     const int failed = cmocka_run_group_tests(tests, NULL, NULL);

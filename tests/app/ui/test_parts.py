@@ -29,6 +29,27 @@ def sliders(tap, desk):
     tap.equal(window.save(), before, "a double click on the name brings the old value back")
 
 
+def surfaces(tap, desk):
+    window = desk.start().window()
+    before, values = window.save(), window.values()
+    tap.ok(not window.enabled("surface-delete"), "the only surface stays")
+    for count, kind in enumerate(("sphere", "cylinder", "disk", "rectangle"), 2):
+        window.act("surface-add", kind)
+        wait("one more surface", lambda: window.save().count(b"{type: " + kind.encode()) == 1)
+        tap.ok(wait("it is chosen", lambda: window.says("%d  %s" % (count, kind))), "a %s is added and chosen" % kind)
+        tap.equal(window.says("Not this scene"), None, "and stands where it can be computed")
+    window.press("Duplicate the surface")
+    tap.ok(wait("the double", lambda: window.save().count(b"{type: rectangle") == 2), "a surface is doubled")
+    window.press("Delete the surface")
+    tap.ok(wait("no double", lambda: window.save().count(b"{type: rectangle") == 1), "and deleted")
+    for _ in range(6):
+        window.act("undo")
+    tap.equal(window.save(), before, "undo takes all of it back")
+    wait("the old numbers", lambda: window.values() == values)
+    window.act("redo")
+    tap.ok(wait("a surface", lambda: window.enabled("surface-delete")), "redo brings it")
+
+
 def vectors(tap, desk):
     window = desk.start().window()
     fields = [window.control("spin button", "Position, " + axis) for axis in "xyz"]
@@ -138,4 +159,4 @@ def dialogs(tap, desk):
     tap.equal(window.values()[0], "2.727591", "light or dark, the numbers stay")
 
 
-trial(sliders, vectors, sections, comparing, from_afar, dialogs)
+trial(sliders, surfaces, vectors, sections, comparing, from_afar, dialogs)

@@ -47,10 +47,24 @@ def scenes_given(tap, desk):
     tap.ok(said.startswith(broken + ":11:1: "), "so is a broken scene", said)
 
 
+def by_name(tap, desk):
+    app = desk.start("three-lights")
+    window = app.window()
+    tap.equal(len(window.sources()), 3, "a built-in scene is opened by its name")
+    tap.equal(window.title, "three-lights – Luxel", "which the title has")
+    run(APP, "builtin:tin", env=desk.environment)
+    tap.ok(wait("the other scene", lambda: window.title == "tin – Luxel"), "one more start hands its name over")
+    with open(desk.path("spot"), "wb") as file:
+        file.write(luxel("scene", "report"))
+    run(APP, "spot", env=desk.environment, cwd=desk.folder)
+    tap.ok(wait("the file", lambda: window.title == "spot – Luxel" and window.sources() == ["1  point"]),
+           "a file of that name comes first")
+
+
 def version(tap, desk):
     said = run(APP, "--version", env=desk.environment).decode()
     tap.equal(said.split()[1], luxel("--version").decode().split()[1], "app and tool are of one version")
     tap.ok(os.path.basename(LUXEL) in "luxel" and said.startswith("luxel-app "), "and it names itself", said)
 
 
-trial(built_in_scene, scenes_given, version)
+trial(built_in_scene, scenes_given, by_name, version)
