@@ -6,6 +6,7 @@
 
 #include "../base/vector.h"
 #include "../light/extended.h"
+#include "blocking.h"
 
 /* A quadratic form in space: q(Q) = square |Q - at|^2 + along (axis.(Q - at))^2 + (slope.(Q - at)) + rest. */
 struct quadric {
@@ -111,6 +112,20 @@ static double shadow_at(const void *data, const double place[3])
     return shadow->shape->kind->shadow_edge(shadow->shape, &shadow->light, shadow->edge, place);
 }
 
+/* Whether a surface may come between the plane and a light without size; what does not would take the room for edges of
+ * those that do. */
+static bool may_fall_on(const struct lx_cells *plane, const struct lx_shape *shape, const struct lx_emitter *emitter)
+{
+    const bool endless = emitter->type == LX_DIRECTION;
+    const struct lx_ball from = {.radius = hypot(plane->size_mm[0], plane->size_mm[1]) / 2};
+    struct lx_ball towards = {.radius = 0}, ball = {.radius = shape->radius_mm + lx_shape_room(shape)};
+    value_of(emitter->towards, towards.center);
+    if (!endless)
+        subtract(emitter->position_mm, plane->center_mm, towards.center);
+    subtract(shape->anchor_mm, plane->center_mm, ball.center);
+    return lx_may_block(&ball, &from, &towards, endless);
+}
+
 static void add_shadow(const struct lx_cells *plane, const struct lx_shape *shape, const struct lx_emitter *emitter,
                        struct lx_edges *edges)
 {
@@ -164,7 +179,8 @@ void lx_edges_add(const struct lx_prepared *prepared, const struct lx_cells *pla
         add_point(plane, emitter, edges);
     add_faces(plane, emitter, edges);
     for (size_t s = 0; may_be_hidden && s < prepared->surface_count; s++)
-        add_shadow(plane, &prepared->surfaces[s].shape, emitter, edges);
+        if (may_fall_on(plane, &prepared->surfaces[s].shape, emitter))
+            add_shadow(plane, &prepared->surfaces[s].shape, emitter, edges);
 }
 
 /* ---- lines ---- */

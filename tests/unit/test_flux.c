@@ -156,6 +156,28 @@ static void shadows(void **state)
     expect_flux("{type: sphere, center: [100, -70, -300], radius: 300}", sun, plane, 10, 1e-14);
 }
 
+/* Plates beside the light's way, whose edges together are more than are kept, change nothing of a plate's shadow. */
+static void plates_aside(void **state)
+{
+    (void)state;
+    enum { ASIDE = 30 };
+    static const char plate[] =
+        "{type: rectangle, center: [%d, %d, 60], size: [%d, 31], axis: [0.1, 0.2, 1], up: [0, 1, 0]}%s";
+    static const char *const lamp = "{type: point, position: [10, 20, 100], intensity: 100}",
+                             *const plane = "{center: [0, 0, 0], size: [100, 100], n: [4, 4]}";
+    char alone[128], all[ASIDE * 96 + 256];
+    size_t length = 0;
+    for (int i = 0; i < ASIDE; i++)
+        length += (size_t)snprintf(all + length, sizeof all - length, plate, 300 + 40 * i, 200, 20, ", ");
+    snprintf(alone, sizeof alone, plate, 5, -3, 26, "");
+    snprintf(all + length, sizeof all - length, "%s", alone);
+    luxel_scene *scene = scene_with(alone, lamp, plane);
+    luxel_grid *grid = measure(scene, 0);
+    expect_flux(all, lamp, plane, grid->flux, 1e-8);
+    luxel_grid_free(grid);
+    luxel_scene_free(scene);
+}
+
 /* Where the light varies over a cell, it is said so; where there is no flux, from a coarser grid. */
 static void sampling(void **state)
 {
@@ -194,7 +216,7 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(closed_numbers), cmocka_unit_test(squares),  cmocka_unit_test(closed_rooms),
-        cmocka_unit_test(shadows),        cmocka_unit_test(sampling),
+        cmocka_unit_test(shadows),        cmocka_unit_test(sampling), cmocka_unit_test(plates_aside),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
