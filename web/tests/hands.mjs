@@ -62,8 +62,14 @@ export async function openScene(page, name) {
     }, text);
 }
 
+/** Where an element is in the window, which is scrolled so that all of it is seen: the mouse reaches nothing else. */
+export async function boxOf(locator) {
+    await locator.scrollIntoViewIfNeeded();
+    return locator.boundingBox();
+}
+
 export async function lampIn(page, view) {
-    const box = await page.locator(`canvas.${view}`).boundingBox();
+    const box = await boxOf(page.locator(`canvas.${view}`));
     const [x, y] =
         view === 'space'
             ? await inside(page, "space.seen(model.things.find(({ kind }) => kind === 'light').at)")
@@ -75,6 +81,8 @@ export async function lampIn(page, view) {
 }
 
 export async function dragBy(page, [x, y], dx, dy) {
+    const { width, height } = page.viewportSize();
+    if (!(x >= 0 && x < width && y >= 0 && y < height)) throw new Error(`(${x}, ${y}) is outside of the window`);
     await page.mouse.move(x, y);
     await page.mouse.down();
     for (let i = 1; i <= 5; i++) await page.mouse.move(x + (dx * i) / 5, y + (dy * i) / 5);

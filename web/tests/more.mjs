@@ -3,7 +3,7 @@
 // the report, and the element for other pages.
 import { execFileSync } from 'node:child_process';
 import fs from 'node:fs';
-import { dragBy, inside, opened, openScene, shot, until } from './hands.mjs';
+import { boxOf, dragBy, inside, opened, openScene, shot, until } from './hands.mjs';
 import { check, equal, test } from './tap.mjs';
 
 const file = (name, content) => ({ name, mimeType: 'application/octet-stream', buffer: Buffer.from(content) });
@@ -89,7 +89,7 @@ async function turnsDial(page) {
     check(Math.abs(halved - most / 2) < 1e-9 * most, `one stop more: ${halved} of ${most}`);
     for (let i = 0; i < 4; i++) await page.keyboard.press('ArrowLeft');
     const upper = page.getByRole('slider', { name: 'Upper end of the scale' });
-    const box = await upper.boundingBox();
+    const box = await boxOf(upper);
     await dragBy(page, [box.x + 12, box.y + 11], 0, 100);
     const dragged = await inside(page, 'picture.scale.high');
     check(dragged < 0.9 * most && dragged > 0.4 * most, `${dragged} of ${most}`);
@@ -124,7 +124,7 @@ async function cuts(page, tool) {
         .trim()
         .split('\n');
     equal([lines[0], lines.length], ['s_mm,x_mm,y_mm,value,light_1,light_2,light_3', 242], 'table');
-    const canvas = await page.locator('canvas.picture').boundingBox();
+    const canvas = await boxOf(page.locator('canvas.picture'));
     const [x, y] = await inside(
         page,
         'picture.toCanvas(120, 80, picture.canvas.clientWidth, picture.canvas.clientHeight)',

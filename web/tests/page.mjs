@@ -8,7 +8,7 @@ import { pathToFileURL } from 'node:url';
 import axe from 'axe-core';
 import { FIREFOX, inFirefox } from './firefox.mjs';
 import { more, PAGES } from './more.mjs';
-import { dragBy, inside, lampIn, opened, openScene, shot, started, until } from './hands.mjs';
+import { boxOf, dragBy, inside, lampIn, opened, openScene, shot, started, until } from './hands.mjs';
 import { serve } from './server.mjs';
 import { check, equal, test } from './tap.mjs';
 
@@ -17,7 +17,7 @@ async function startsLit(page) {
     check(facts.maximum.value > 10 && facts.columns === 600, JSON.stringify(facts));
     check(await inside(page, 'model.messages.length === 0'), 'the first scene is not whole in view');
     const [x, y] = await lampIn(page, 'space');
-    const box = await page.locator('canvas.space').boundingBox();
+    const box = await boxOf(page.locator('canvas.space'));
     check(x > box.x && x < box.x + box.width && y > box.y && y < box.y + box.height, 'the lamp is out of sight');
     const lit = await page.evaluate(() => {
         const canvas = document.querySelector('canvas.picture');
@@ -169,9 +169,11 @@ async function downloads(page, tool) {
 
 async function links(page, browser, url) {
     await openScene(page, 'two-spheres');
+    await page.evaluate(() => history.replaceState(null, '', location.pathname));
     await page.getByRole('button', { name: 'Copy link' }).click();
     await page.waitForFunction(() => location.hash.startsWith('#s='));
-    const other = await opened(browser, page.url());
+    // The browser tells its new address late to those outside of it.
+    const other = await opened(browser, await page.evaluate(() => location.href));
     equal(await inside(other, 'model.text'), await inside(page, 'model.text'), 'scene of the link');
     await other.context().close();
     const named = await opened(browser, `${url}#scene=ambient`);
@@ -187,6 +189,11 @@ async function survivesCrash(page) {
     const text = await inside(page, 'model.text');
     await page.evaluate(() => window.luxel.inside.model.client.ask('crash').catch(() => undefined));
     await page.locator('.toast').waitFor();
+    const isInTheWay = await page.locator('.toast').evaluate((toast) => {
+        const { left, top, width, height } = toast.getBoundingClientRect();
+        return toast.contains(document.elementFromPoint(left + width / 2, top + height / 2));
+    });
+    check(!isInTheWay, 'the notice takes the clicks on what is below it');
     equal(await inside(page, 'model.text'), text, 'text');
     await inside(page, 'picture.moveProbe(150, 0)');
     await page.waitForFunction(() => document.querySelector('.value').textContent.startsWith('11.038'));
@@ -246,7 +253,6 @@ async function accessible(page, what) {
 
 /** A finger takes the lamp in the space view and moves it. */
 async function dragByFinger(page) {
-    await page.locator('canvas.space').scrollIntoViewIfNeeded();
     const [x, y] = await lampIn(page, 'space');
     const before = await inside(page, 'model.scene.lights[0].place');
     const touch = await page.context().newCDPSession(page);
@@ -262,8 +268,7 @@ async function onPhone(browser, url) {
     const width = await page.evaluate(() => document.documentElement.scrollWidth);
     check(width <= 390, `${width} px wide`);
     await shot(page, 'phone');
-    await page.locator('canvas.picture').scrollIntoViewIfNeeded();
-    const box = await page.locator('canvas.picture').boundingBox();
+    const box = await boxOf(page.locator('canvas.picture'));
     await page.touchscreen.tap(box.x + box.width * 0.6, box.y + box.height / 2);
     await until(page, 'picture.probe[0] > 10');
     await dragByFinger(page);
