@@ -232,10 +232,8 @@ char *app_doubled_surface(const AppDocument *document, gsize chosen)
     luxel_scene_free(scene);
     for (gsize i = 0; yaml && placed && !found && i < G_N_ELEMENTS(sides); i++) {
         const AppEdit edit = {.kind = APP_EDIT_INSERT, .key = "surfaces", .value = yaml, .index = surface};
-        const AppMark mark = {.kind = APP_MARK_SURFACE,
-                              .index = surface,
-                              .is_on = TRUE,
-                              .place_mm = {center[0], center[1], center[2]}};
+        const AppMark mark = {
+            .kind = APP_MARK_SURFACE, .index = surface, .is_on = TRUE, .place_mm = {center[0], center[1], center[2]}};
         const double step[3] = {round(sides[i] * screen[0])};
         double seen[2];
         char *whole = key_of(surface, "");

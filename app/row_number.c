@@ -196,8 +196,7 @@ void app_row_add_number(AppRow *self, GtkWidget *line)
         return;
     self->logarithmic = self->advised.low > 0 && self->advised.high >= LOGARITHMIC_FROM * self->advised.low;
     const double from = to_slider(self, self->advised.low), to = to_slider(self, self->advised.high);
-    self->slider =
-        g_object_ref_sink(gtk_scale_new_with_range(GTK_ORIENTATION_HORIZONTAL, from, to, (to - from) / 100));
+    self->slider = g_object_ref_sink(gtk_scale_new_with_range(GTK_ORIENTATION_HORIZONTAL, from, to, (to - from) / 100));
     gtk_scale_set_draw_value(GTK_SCALE(self->slider), FALSE);
     gtk_range_set_round_digits(GTK_RANGE(self->slider), -1);
     g_signal_connect(self->slider, "change-value", G_CALLBACK(slider_moved), self);

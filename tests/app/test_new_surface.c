@@ -172,9 +172,9 @@ static void test_doubles(void **state)
 
 int main(void)
 {
-    const struct CMUnitTest tests[] = {cmocka_unit_test(test_kinds), cmocka_unit_test(test_names),
-                                       cmocka_unit_test(test_meshes),
-                                       cmocka_unit_test(test_of_kinds), cmocka_unit_test(test_doubles), cmocka_unit_test(test_no_mesh)};
+    const struct CMUnitTest tests[] = {cmocka_unit_test(test_kinds),   cmocka_unit_test(test_names),
+                                       cmocka_unit_test(test_meshes),  cmocka_unit_test(test_of_kinds),
+                                       cmocka_unit_test(test_doubles), cmocka_unit_test(test_no_mesh)};
     folder = g_dir_make_tmp("luxel-XXXXXX", NULL);
     assert_non_null(folder);
     const int failed = cmocka_run_group_tests(tests, NULL, NULL);
