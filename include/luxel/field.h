@@ -165,6 +165,28 @@ LUXEL_API luxel_status luxel_field_read(const char *path, luxel_diagnostics *dia
 LUXEL_API luxel_status luxel_field_read_memory(const void *bytes, size_t length, const char *name,
                                                luxel_diagnostics *diagnostics, luxel_field **field);
 
+/* A picture of somebody else's making: its size and values, and what else is known of it. */
+typedef struct luxel_field_content {
+    unsigned columns, rows;    /* 1 to 65536 */
+    luxel_precision precision; /* float values, or double ones */
+    luxel_quantity quantity;   /* where it is known what the values are */
+    bool quantity_known;       /* else they are called "values" */
+    const void *values;        /* rows x columns of them, from the top left */
+    const uint8_t *mask;       /* as many bytes, not 0 on a surface; NULL: where the value is not 0 */
+    const double *x_mm;        /* the places of the columns, from the left, going up; NULL: not known, nor is y_mm */
+    const double *y_mm;        /* the places of the rows, from the top, going down */
+    const char *unit;          /* NULL: not known */
+    void *reserved[4];         /* NULL */
+} luxel_field_content;
+
+/*
+ * Makes a field of values in memory, which are copied; off the mask they become 0.  It is as one that was read from a
+ * file.  LUXEL_ERROR_ARGUMENT: a size or enumeration out of range, places that are not finite or do not go on.
+ * LUXEL_ERROR_MEMORY.  The field is the caller's.
+ */
+LUXEL_API luxel_status luxel_field_of_values(const luxel_field_content *content, luxel_diagnostics *diagnostics,
+                                             luxel_field **field);
+
 /* The extensions that luxel_field_write() knows: the i-th with its dot, such as ".png"; NULL beyond the last. */
 LUXEL_API const char *luxel_output_ending(size_t i);
 

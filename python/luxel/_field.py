@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any, Dict, List, Optional, Sequence, Tuple, Un
 from . import _luxel
 from ._arrays import shared
 from ._results import Comparison, Extrema, Histogram, Isophote, Peak, Profile, Statistics, Summary, extremum, statistics
-from ._settings import PRECISIONS, QUANTITIES, Progress, Settings, settings
+from ._settings import PRECISIONS, QUANTITIES, Progress, Settings, choice, settings
 
 if TYPE_CHECKING:
     from ._arrays import Bools, Floats
@@ -24,7 +24,7 @@ class Field(_luxel.FieldHandle):
     """A picture: rows x columns values, row 0 on top, float32 or float64 by its precision.
 
     `numpy.asarray(field)` and `memoryview(field)` share its memory, which is never written; they keep it alive.  Off
-    the surfaces the value is 0 and `mask` False.  Fields are made by Scene.render() and luxel.read().
+    the surfaces the value is 0 and `mask` False.  Fields are made by Scene.render(), luxel.read() and Field.of().
     """
 
     __slots__ = ("_made",)
@@ -237,9 +237,40 @@ class Field(_luxel.FieldHandle):
                                                     " in " + self.unit if self.unit else "", self.precision)
 
     def __reduce__(self) -> Tuple[Any, ...]:
-        if _luxel.field_scene(self) is None:
-            raise TypeError("only fields of Scene.render() can be pickled, as they are rendered anew")
-        return _again, (self.scene, self._made)
+        if _luxel.field_scene(self) is not None:
+            return _rendered, (self.scene, self._made)
+        if self.scene_text is not None:
+            return _of_bytes, (self.to_bytes(".exr"),)
+        columns, rows, quantity, precision, word, unit = self._about()[:6]
+        places = [None if view is None else bytes(view) for view in _luxel.field_places(self)]
+        return _of_parts, (columns, rows, precision, -1 if word == "values" else quantity, unit or None,
+                           memoryview(self).tobytes(), bytes(_luxel.field_mask(self)), *places)
+
+    @classmethod
+    def of(cls, values: Any, *, mask: Any = None, x_mm: Any = None, y_mm: Any = None, unit: Optional[str] = None,
+           quantity: Optional[str] = None) -> "Field":
+        """A field of your own values, such as those of another program or of a measurement, to compare, draw and write.
+
+        `values`: rows x columns, row 0 on top, which are copied: float32 stays, all else becomes float64.  `mask`: as
+        many of bool, true on a surface; else that is where the value is not 0.  `x_mm`, `y_mm`: the places of the
+        columns, going up, and of the rows, going down; both or none.  `quantity`: "brightness" or "irradiance", where
+        it is known.  Raises LuxelError, ValueError where shapes do not fit.
+        """
+        import numpy
+
+        array = numpy.asarray(values)
+        if array.ndim != 2 or 0 in array.shape:
+            raise ValueError("rows x columns of values are needed, not the shape %r" % (array.shape,))
+        is_single = array.dtype == numpy.float32
+        kinds = (numpy.float32 if is_single else numpy.float64, numpy.bool_, numpy.float64, numpy.float64)
+        shapes = (array.shape, array.shape, array.shape[1:], array.shape[:1])
+        parts = [None if part is None else numpy.ascontiguousarray(part, dtype=kind)
+                 for part, kind in zip((array, mask, x_mm, y_mm), kinds)]
+        for name, part, shape in zip(("values", "mask", "x_mm", "y_mm"), parts, shapes):
+            if part is not None and part.shape != shape:
+                raise ValueError("%s has the shape %r, not %r" % (name, part.shape, shape))
+        kind = -1 if quantity is None else choice("quantity", quantity, QUANTITIES)
+        return _luxel.field_of_values(cls, array.shape[1], array.shape[0], 0 if is_single else 1, kind, unit, *parts)
 
 
 def made(handle: "_luxel.SceneHandle", how: Settings) -> Field:
@@ -249,9 +280,19 @@ def made(handle: "_luxel.SceneHandle", how: Settings) -> Field:
     return field
 
 
-def _again(scene: "Scene", how: Settings) -> Field:
+def _rendered(scene: "Scene", how: Settings) -> Field:
     """Renders a field that was pickled."""
     return made(scene._handle, how)
+
+
+def _of_bytes(content: bytes) -> Field:
+    """A field that was pickled as a picture that carries its scene."""
+    return _luxel.field_read_bytes(Field, content, "<pickle>.exr")
+
+
+def _of_parts(columns: int, rows: int, precision: int, quantity: int, unit: Optional[str], *parts: Any) -> Field:
+    """A field that was pickled as its values, mask and places."""
+    return _luxel.field_of_values(Field, columns, rows, precision, quantity, unit, *parts)
 
 
 def profile(found: Any) -> Profile:

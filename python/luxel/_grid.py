@@ -9,9 +9,11 @@ from . import _html, _luxel
 from ._arrays import shared
 from ._language import translate
 from ._results import GridExtremum, Vector
+from ._settings import Settings
 
 if TYPE_CHECKING:
     from ._arrays import Bools, Floats
+    from ._scene import Scene
 
 
 def _extremum(found: Any) -> Optional[GridExtremum]:
@@ -19,7 +21,7 @@ def _extremum(found: Any) -> Optional[GridExtremum]:
 
 
 class Grid:
-    """A measured grid.
+    """A measured grid.  It is pickled as its scene, and then measured again.
 
     Row 0 is the top one, farthest along `up`; column 0 the first along up x axis.  The irradiance of each cell is
     that at its centre.  Where a source lies on a cell there is no value: `mask` is False, the value 0.
@@ -56,7 +58,9 @@ class Grid:
     enclosed: int  #: how many are
     tolerance_reached: bool
 
-    def __init__(self, found: Any) -> None:
+    def __init__(self, scene: "Scene", index: int, how: Settings) -> None:
+        found: Any = _luxel.measure(scene._handle, index, how)
+        self._again = (scene.copy(), index, how[:-1] + (None,))
         (self._holder, self.name, place, self.unit, values, errors, mask, self.measured, self.blocking_light,
          self.error, self.average, self.average_error, minimum, maximum, self.u0, self.ud, plane, sampling,
          self.enclosing_surface, self.tolerance_reached, self.enclosed) = found
@@ -84,6 +88,9 @@ class Grid:
     def write(self, path: Union[str, "os.PathLike[str]"]) -> None:
         """Writes the cells to a .csv file.  Raises LuxelError where it cannot be written."""
         _luxel.grid_write(self._holder, os.fsencode(path))
+
+    def __reduce__(self) -> Tuple[Any, ...]:
+        return Grid, self._again
 
     def __repr__(self) -> str:
         rows, columns = self.values.shape

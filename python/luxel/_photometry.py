@@ -83,8 +83,19 @@ class Diagram(Drawing):
         content: bytes = drawing().diagram_bytes(capsule, self._look, "diagram" + ending)
         return content
 
+    def __reduce__(self) -> Tuple[Any, ...]:
+        return Diagram, (self._luminaire, self._look)
+
     def __repr__(self) -> str:
         return "<luxel.Diagram of %r>" % (self._luminaire,)
+
+
+def _content_of(path: Path) -> Optional[Tuple[bytes, str]]:
+    """The bytes and the name of a plain file, by which the luminaire is pickled; what is none is not read twice."""
+    if not os.path.isfile(path):
+        return None
+    with open(path, "rb") as file:
+        return file.read(), os.fsdecode(path).encode("utf-8", "replace").decode("utf-8")
 
 
 class Photometry:
@@ -118,9 +129,11 @@ class Photometry:
 
     def __init__(self, source: Union[str, "os.PathLike[str]", bytes], name: str = "<bytes>") -> None:
         if isinstance(source, (bytes, bytearray, memoryview)):
-            self._holder, entries = _luxel.photometry_read_bytes(bytes(source), name)
+            self._pickled: Optional[Tuple[bytes, str]] = (bytes(source), name)
+            self._holder, entries = _luxel.photometry_read_bytes(*self._pickled)
         else:
             self._holder, entries = _luxel.photometry_read(os.fsencode(source))
+            self._pickled = _content_of(source)
         self.warnings = [Diagnostic(*entry) for entry in entries]
         (self.format, self.version, self.type, self.symmetry, planes, angles, intensities, self.is_absolute,
          self.declared_lumens, self.declared_lorl, self.declared_dff, self.multiplier, self.watts, opening,
@@ -190,6 +203,11 @@ class Photometry:
                 dots_per_inch: float = 200, dark: bool = False) -> Diagram:
         """Its "polar", "cartesian" or "cone" diagram; ImportError, when it is drawn, where Luxel has no figures."""
         return Diagram(self, (choice("diagram", diagram, DIAGRAMS), title, float(width_mm), float(dots_per_inch), dark))
+
+    def __reduce__(self) -> Tuple[Any, ...]:
+        if self._pickled is None:
+            raise TypeError("a luminaire can be pickled that was read from bytes or a plain file")
+        return Photometry, self._pickled
 
     def __repr__(self) -> str:
         return "<luxel.Photometry %s: %d x %d, %s lm>" % (self.format, len(self.planes), len(self.angles),

@@ -401,7 +401,7 @@ class Scene:
             raise IndexError("grids[%d]" % name)
         how = settings(self._carried, None, None, threads, None, tolerance, progress=progress,
                        reflected_error=reflected_error)
-        return Grid(_luxel.measure(self._handle, name, how))
+        return Grid(self, name, how)
 
     def profile(self, start: Pair, end: Pair, samples: Optional[int] = None, *, arc: bool = False,
                 quantity: Optional[str] = None, tolerance: Optional[float] = None, threads: int = 0,

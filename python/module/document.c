@@ -79,8 +79,9 @@ static PyObject *document_write(PyObject *module, PyObject *arguments)
 }
 
 const PyMethodDef document_functions[] = {
-    {"explain", explain, METH_VARARGS, "explain(scene, x, y, settings) -> document"},
-    {"document_text", document_text, METH_VARARGS, "document_text(document, format) -> str"},
-    {"document_write", document_write, METH_VARARGS, "document_write(document, path)"},
+    FUNCTION("explain", explain, METH_VARARGS, "scene: SceneHandle, x: float, y: float, settings: _Settings, /",
+             "Holder"),
+    FUNCTION("document_text", document_text, METH_VARARGS, "document: Holder, format: int, /", "str"),
+    FUNCTION("document_write", document_write, METH_VARARGS, "document: Holder, path: bytes, /", "None"),
     {NULL, NULL, 0, NULL},
 };

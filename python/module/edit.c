@@ -92,7 +92,8 @@ static PyObject *scene_write(PyObject *module, PyObject *arguments)
 }
 
 const PyMethodDef edit_functions[] = {
-    {"scene_change", scene_change, METH_VARARGS, "scene_change(scene, edits) -> scene"},
-    {"scene_write", scene_write, METH_VARARGS, "scene_write(scene, path)"},
+    FUNCTION("scene_change", scene_change, METH_VARARGS,
+             "scene: SceneHandle, edits: List[Tuple[str, str, int, int, Optional[str]]], /", "SceneHandle"),
+    FUNCTION("scene_write", scene_write, METH_VARARGS, "scene: SceneHandle, path: bytes, /", "None"),
     {NULL, NULL, 0, NULL},
 };

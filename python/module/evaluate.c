@@ -177,7 +177,7 @@ static PyObject *evaluate(PyObject *module, PyObject *arguments)
 }
 
 const PyMethodDef evaluate_functions[] = {
-    {"evaluate", evaluate, METH_VARARGS,
-     "evaluate(scene, (places, normals, views, value, error, shares), surface, settings)"},
+    FUNCTION("evaluate", evaluate, METH_VARARGS,
+             "scene: SceneHandle, arrays: Tuple[Any, ...], surface: int, settings: _Settings, /", "None"),
     {NULL, NULL, 0, NULL},
 };

@@ -115,9 +115,13 @@ static PyObject *judge(PyObject *module, PyObject *arguments)
 }
 
 const PyMethodDef exercise_functions[] = {
-    {"variant_text", variant_text, METH_VARARGS, "variant_text(number) -> str"},
-    {"scene_schema", scene_schema, METH_NOARGS, "scene_schema() -> str"},
-    {"find_alternatives", find_alternatives, METH_VARARGS, "find_alternatives(scene, x, y, settings) -> tuples"},
-    {"judge", judge, METH_VARARGS, "judge(scene, x, y, answer, tolerance, rounding, settings) -> tuple"},
+    FUNCTION("variant_text", variant_text, METH_VARARGS, "number: int, /", "str"),
+    FUNCTION("scene_schema", scene_schema, METH_NOARGS, "", "str"),
+    FUNCTION("find_alternatives", find_alternatives, METH_VARARGS,
+             "scene: SceneHandle, x: float, y: float, settings: _Settings, /", "List[Tuple[Any, ...]]"),
+    FUNCTION("judge", judge, METH_VARARGS,
+             "scene: SceneHandle, x: float, y: float, answer: float, tolerance: float, rounding: float, "
+             "settings: _Settings, /",
+             "Tuple[str, Optional[float], Optional[float], List[Tuple[Any, ...]]]"),
     {NULL, NULL, 0, NULL},
 };

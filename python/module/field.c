@@ -237,16 +237,100 @@ static PyObject *field_read(PyObject *module, PyObject *arguments)
     return field_handle(module, type, field, NULL);
 }
 
+/* The buffers that a field is made of, in this order; None where there is none. */
+enum { VALUES, MASK, X_MM, Y_MM, PARTS };
+
+/* Takes the buffers: contiguous, values of float or double, the mask of bytes, places of double, each as long as the
+ * picture is large.  False: an exception is set.  Those that were taken are to be released in any case. */
+static bool take_parts(PyObject *const objects[PARTS], Py_buffer buffers[PARTS], luxel_field_content *content)
+{
+    const Py_ssize_t pixels = (Py_ssize_t)content->columns * content->rows;
+    const Py_ssize_t width =
+        content->precision == LUXEL_DOUBLE ? (Py_ssize_t)sizeof(double) : (Py_ssize_t)sizeof(float);
+    const Py_ssize_t place = (Py_ssize_t)sizeof(double);
+    const Py_ssize_t lengths[PARTS] = {pixels * width, pixels, content->columns * place, content->rows * place};
+
+    for (int i = 0; i < PARTS; i++) {
+        if (objects[i] == Py_None && i != VALUES)
+            continue;
+        if (PyObject_GetBuffer(objects[i], &buffers[i], PyBUF_C_CONTIGUOUS) < 0)
+            return false;
+        if (buffers[i].len != lengths[i]) {
+            PyErr_SetString(PyExc_ValueError, "an array has another size than the picture");
+            return false;
+        }
+    }
+    content->values = buffers[VALUES].buf;
+    content->mask = buffers[MASK].buf;
+    content->x_mm = buffers[X_MM].buf;
+    content->y_mm = buffers[Y_MM].buf;
+    return true;
+}
+
+static PyObject *field_of_values(PyObject *module, PyObject *arguments)
+{
+    PyObject *type, *parts[PARTS], *made = NULL;
+    Py_buffer buffers[PARTS] = {0};
+    luxel_field_content content = {0};
+    luxel_field *field = NULL;
+    luxel_diagnostics *diagnostics;
+    unsigned precision;
+    int quantity; /* below 0: not known */
+
+    if (!PyArg_ParseTuple(arguments, "OIIIizOOOO", &type, &content.columns, &content.rows, &precision, &quantity,
+                          &content.unit, &parts[VALUES], &parts[MASK], &parts[X_MM], &parts[Y_MM]))
+        return NULL;
+    content.precision = (luxel_precision)precision;
+    content.quantity_known = quantity >= 0;
+    content.quantity = quantity > 0 ? (luxel_quantity)quantity : LUXEL_BRIGHTNESS;
+    if (take_parts(parts, buffers, &content) && (diagnostics = diagnostics_begin())) {
+        luxel_status status;
+        Py_BEGIN_ALLOW_THREADS
+        status = luxel_field_of_values(&content, diagnostics, &field);
+        Py_END_ALLOW_THREADS
+        if (diagnostics_end(&module_state(module)->language, status, diagnostics))
+            made = field_handle(module, type, field, NULL);
+    }
+    for (int i = 0; i < PARTS; i++)
+        PyBuffer_Release(&buffers[i]);
+    return made;
+}
+
+static PyObject *field_read_bytes(PyObject *module, PyObject *arguments)
+{
+    PyObject *type;
+    const char *bytes, *name;
+    Py_ssize_t length;
+    luxel_field *field = NULL;
+    luxel_diagnostics *diagnostics;
+    luxel_status status;
+
+    if (!PyArg_ParseTuple(arguments, "Oy#s", &type, &bytes, &length, &name) || !(diagnostics = diagnostics_begin()))
+        return NULL;
+    Py_BEGIN_ALLOW_THREADS
+    status = luxel_field_read_memory(bytes, (size_t)length, name, diagnostics, &field);
+    Py_END_ALLOW_THREADS
+    return diagnostics_end(&module_state(module)->language, status, diagnostics)
+               ? field_handle(module, type, field, NULL)
+               : NULL;
+}
+
 const PyMethodDef field_functions[] = {
-    {"field_about", field_about, METH_O,
-     "field_about(field) -> (columns, rows, quantity, precision, word, unit, instruction set, scene)"},
-    {"field_scene", field_scene, METH_O, "field_scene(field) -> scene or None"},
-    {"field_mask", field_mask, METH_O, "field_mask(field) -> view"},
-    {"field_places", field_places, METH_O, "field_places(field) -> (view of x or None, view of y or None)"},
-    {"field_statistics", field_statistics, METH_O, "field_statistics(field) -> tuple"},
-    {"field_grey", field_grey, METH_VARARGS, "field_grey(field, buffer)"},
-    {"field_write", field_write, METH_VARARGS, "field_write(field, path, bits)"},
-    {"field_bytes", field_bytes, METH_VARARGS, "field_bytes(field, name, bits) -> bytes of the file"},
-    {"field_read", field_read, METH_VARARGS, "field_read(type, path) -> field"},
+    FUNCTION("field_about", field_about, METH_O, "field: FieldHandle, /",
+             "Tuple[int, int, int, int, str, str, str, Optional[str]]"),
+    FUNCTION("field_scene", field_scene, METH_O, "field: FieldHandle, /", "Optional[SceneHandle]"),
+    FUNCTION("field_mask", field_mask, METH_O, "field: FieldHandle, /", "View"),
+    FUNCTION("field_places", field_places, METH_O, "field: FieldHandle, /", "Tuple[Optional[View], Optional[View]]"),
+    FUNCTION("field_statistics", field_statistics, METH_O, "field: FieldHandle, /", "Tuple[Any, ...]"),
+    FUNCTION("field_grey", field_grey, METH_VARARGS, "field: FieldHandle, levels: Any, /", "None"),
+    FUNCTION("field_write", field_write, METH_VARARGS, "field: FieldHandle, path: bytes, bits: int, /", "None"),
+    FUNCTION("field_bytes", field_bytes, METH_VARARGS, "field: FieldHandle, name: str, bits: int, /", "bytes"),
+    FUNCTION("field_read", field_read, METH_VARARGS, "type: Type[_Field], path: bytes, /", "_Field"),
+    FUNCTION("field_read_bytes", field_read_bytes, METH_VARARGS, "type: Type[_Field], bytes: bytes, name: str, /",
+             "_Field"),
+    FUNCTION("field_of_values", field_of_values, METH_VARARGS,
+             "type: Type[_Field], columns: int, rows: int, precision: int, quantity: int, unit: Optional[str], "
+             "values: Any, mask: Any, x_mm: Any, y_mm: Any, /",
+             "_Field"),
     {NULL, NULL, 0, NULL},
 };

@@ -199,13 +199,19 @@ static PyObject *palettes(PyObject *module, PyObject *unused)
 }
 
 static PyMethodDef functions[] = {
-    {"set_language", set_language, METH_VARARGS, "set_language(code, translate)"},
-    {"write_figure", write_figure, METH_VARARGS, "write_figure(capsule, settings, figure, path)"},
-    {"figure_bytes", figure_bytes, METH_VARARGS, "figure_bytes(capsule, settings, figure, name) -> bytes of the file"},
-    {"write_diagram", write_diagram, METH_VARARGS, "write_diagram(capsule, look, path)"},
-    {"diagram_bytes", diagram_bytes, METH_VARARGS, "diagram_bytes(capsule, look, name) -> bytes of the file"},
-    {"write_report", write_report, METH_VARARGS, "write_report(capsule, settings, texts, path)"},
-    {"palettes", palettes, METH_NOARGS, "palettes() -> [name]"},
+    FUNCTION("set_language", set_language, METH_VARARGS, "code: str, translate: Optional[Callable[[str], str]], /",
+             "None"),
+    FUNCTION("write_figure", write_figure, METH_VARARGS,
+             "capsule: object, settings: Tuple[Any, ...], figure: Tuple[Any, ...], path: bytes, /", "None"),
+    FUNCTION("figure_bytes", figure_bytes, METH_VARARGS,
+             "capsule: object, settings: Tuple[Any, ...], figure: Tuple[Any, ...], name: str, /", "bytes"),
+    FUNCTION("write_diagram", write_diagram, METH_VARARGS, "capsule: object, look: Tuple[Any, ...], path: bytes, /",
+             "None"),
+    FUNCTION("diagram_bytes", diagram_bytes, METH_VARARGS, "capsule: object, look: Tuple[Any, ...], name: str, /",
+             "bytes"),
+    FUNCTION("write_report", write_report, METH_VARARGS,
+             "capsule: object, settings: Tuple[Any, ...], texts: Tuple[Optional[str], ...], path: bytes, /", "None"),
+    FUNCTION("palettes", palettes, METH_NOARGS, "", "List[str]"),
     {NULL, NULL, 0, NULL},
 };
 

@@ -148,9 +148,10 @@ static PyObject *grid_write(PyObject *module, PyObject *arguments)
 }
 
 const PyMethodDef grid_functions[] = {
-    {"measure", measure, METH_VARARGS, "measure(scene, index, settings) -> tuple"},
-    {"grid_count", grid_count, METH_O, "grid_count(scene) -> int"},
-    {"grid_positions", grid_positions, METH_VARARGS, "grid_positions(grid, array)"},
-    {"grid_write", grid_write, METH_VARARGS, "grid_write(grid, path)"},
+    FUNCTION("measure", measure, METH_VARARGS, "scene: SceneHandle, index: int, settings: _Settings, /",
+             "Tuple[Any, ...]"),
+    FUNCTION("grid_count", grid_count, METH_O, "scene: SceneHandle, /", "int"),
+    FUNCTION("grid_positions", grid_positions, METH_VARARGS, "grid: Holder, places: Any, /", "None"),
+    FUNCTION("grid_write", grid_write, METH_VARARGS, "grid: Holder, path: bytes, /", "None"),
     {NULL, NULL, 0, NULL},
 };

@@ -25,8 +25,9 @@ static PyObject *version(PyObject *module, PyObject *unused)
 }
 
 static PyMethodDef own_functions[] = {
-    {"set_language", set_language, METH_VARARGS, "set_language(code, translate)"},
-    {"version", version, METH_NOARGS, "version() -> str"},
+    FUNCTION("set_language", set_language, METH_VARARGS, "code: str, translate: Optional[Callable[[str], str]], /",
+             "None"),
+    FUNCTION("version", version, METH_NOARGS, "", "str"),
     {NULL, NULL, 0, NULL},
 };
 

@@ -16,6 +16,15 @@
 
 #include <luxel/luxel.h>
 
+/*
+ * A function of a module: its arguments and its result in the words of Python's types, such as "key: str, /" and "int".
+ * tools/make_stubs.py makes the stubs of them, and a test holds these and the function's own signature against it.
+ */
+#define FUNCTION(name, function, how, parameters, result)                                                              \
+    {                                                                                                                  \
+        name, function, how, name "(" parameters ")\n--\n\n-> " result                                                 \
+    }
+
 /* The language of messages. */
 struct language {
     PyObject *translate; /* from English, a function of Python; NULL: English */

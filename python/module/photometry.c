@@ -290,15 +290,17 @@ static PyObject *capsule(PyObject *module, PyObject *holder)
 }
 
 const PyMethodDef photometry_functions[] = {
-    {"photometry_read", read_file, METH_O, "photometry_read(path) -> (luminaire, entries)"},
-    {"photometry_read_bytes", read_bytes, METH_VARARGS, "photometry_read_bytes(bytes, name) -> (luminaire, entries)"},
-    {"photometry_about", about, METH_O, "photometry_about(luminaire) -> tuple"},
-    {"photometry_measured", measured, METH_O, "photometry_measured(luminaire) -> tuple"},
-    {"photometry_intensities", intensities, METH_VARARGS,
-     "photometry_intensities(luminaire, interpolation, planes, angles, target)"},
-    {"photometry_directions", directions, METH_VARARGS, "photometry_directions(luminaire, planes, angles, target)"},
-    {"photometry_angles", angles, METH_VARARGS, "photometry_angles(luminaire, directions, target)"},
-    {"photometry_write", write_file, METH_VARARGS, "photometry_write(luminaire, path)"},
-    {"photometry_capsule", capsule, METH_O, "photometry_capsule(luminaire) -> capsule"},
+    FUNCTION("photometry_read", read_file, METH_O, "path: bytes, /", "Tuple[Holder, List[Tuple[Any, ...]]]"),
+    FUNCTION("photometry_read_bytes", read_bytes, METH_VARARGS, "bytes: bytes, name: str, /",
+             "Tuple[Holder, List[Tuple[Any, ...]]]"),
+    FUNCTION("photometry_about", about, METH_O, "luminaire: Holder, /", "Tuple[Any, ...]"),
+    FUNCTION("photometry_measured", measured, METH_O, "luminaire: Holder, /", "Tuple[Any, ...]"),
+    FUNCTION("photometry_intensities", intensities, METH_VARARGS,
+             "luminaire: Holder, interpolation: int, planes: Any, angles: Any, target: Any, /", "None"),
+    FUNCTION("photometry_directions", directions, METH_VARARGS,
+             "luminaire: Holder, planes: Any, angles: Any, target: Any, /", "None"),
+    FUNCTION("photometry_angles", angles, METH_VARARGS, "luminaire: Holder, directions: Any, target: Any, /", "None"),
+    FUNCTION("photometry_write", write_file, METH_VARARGS, "luminaire: Holder, path: bytes, /", "None"),
+    FUNCTION("photometry_capsule", capsule, METH_O, "luminaire: Holder, /", "object"),
     {NULL, NULL, 0, NULL},
 };

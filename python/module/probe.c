@@ -132,6 +132,7 @@ static PyObject *probe(PyObject *module, PyObject *arguments)
 }
 
 const PyMethodDef probe_functions[] = {
-    {"probe", probe, METH_VARARGS, "probe(scene, places, settings) -> tuples"},
+    FUNCTION("probe", probe, METH_VARARGS, "scene: SceneHandle, places: List[Tuple[Any, ...]], settings: _Settings, /",
+             "List[Tuple[Any, ...]]"),
     {NULL, NULL, 0, NULL},
 };

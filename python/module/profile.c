@@ -152,9 +152,14 @@ static PyObject *compare(PyObject *module, PyObject *arguments)
 }
 
 const PyMethodDef profile_functions[] = {
-    {"line_across", line_across, METH_VARARGS, "line_across(scene, x, y, degrees) -> (x, y, x, y)"},
-    {"scene_profile", scene_profile, METH_VARARGS, "scene_profile(scene, path, settings) -> tuple"},
-    {"field_profile", field_profile, METH_VARARGS, "field_profile(field, path) -> tuple"},
-    {"compare", compare, METH_VARARGS, "compare(field, field, type) -> tuple"},
+    FUNCTION("line_across", line_across, METH_VARARGS, "scene: SceneHandle, x: float, y: float, degrees: float, /",
+             "Tuple[float, float, float, float]"),
+    FUNCTION("scene_profile", scene_profile, METH_VARARGS,
+             "scene: SceneHandle, path: Tuple[bool, float, float, float, float, int], settings: _Settings, /",
+             "Tuple[Any, ...]"),
+    FUNCTION("field_profile", field_profile, METH_VARARGS,
+             "field: FieldHandle, path: Tuple[bool, float, float, float, float, int], /", "Tuple[Any, ...]"),
+    FUNCTION("compare", compare, METH_VARARGS, "a: FieldHandle, b: FieldHandle, type: Type[FieldHandle], /",
+             "Tuple[Any, ...]"),
     {NULL, NULL, 0, NULL},
 };

@@ -229,11 +229,19 @@ static PyObject *round_levels(PyObject *module, PyObject *arguments)
 }
 
 const PyMethodDef reading_functions[] = {
-    {"field_summary", field_summary, METH_VARARGS, "field_summary(field, region) -> tuple"},
-    {"field_histogram", field_histogram, METH_VARARGS, "field_histogram(field, region, log, low, high, bins) -> tuple"},
-    {"field_extrema", field_extrema, METH_VARARGS, "field_extrema(scene, field, region, settings) -> (peak, peak)"},
-    {"field_isophotes", field_isophotes, METH_VARARGS,
-     "field_isophotes(field, scene or None, levels, settings) -> lines"},
-    {"round_levels", round_levels, METH_VARARGS, "round_levels(low, high, log, wanted) -> list"},
+    FUNCTION("field_summary", field_summary, METH_VARARGS, "field: FieldHandle, region: Optional[Tuple[float, ...]], /",
+             "Tuple[Any, ...]"),
+    FUNCTION("field_histogram", field_histogram, METH_VARARGS,
+             "field: FieldHandle, region: Optional[Tuple[float, ...]], log: bool, low: float, high: float, "
+             "bins: int, /",
+             "Tuple[Any, ...]"),
+    FUNCTION("field_extrema", field_extrema, METH_VARARGS,
+             "scene: SceneHandle, field: FieldHandle, region: Optional[Tuple[float, ...]], settings: _Settings, /",
+             "Tuple[Any, Any]"),
+    FUNCTION("field_isophotes", field_isophotes, METH_VARARGS,
+             "field: FieldHandle, scene: Optional[SceneHandle], levels: List[float], settings: _Settings, /",
+             "List[Tuple[float, bool, View, View]]"),
+    FUNCTION("round_levels", round_levels, METH_VARARGS, "low: float, high: float, log: bool, wanted: int, /",
+             "List[float]"),
     {NULL, NULL, 0, NULL},
 };

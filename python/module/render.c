@@ -82,8 +82,10 @@ static PyObject *instruction_sets(PyObject *module, PyObject *unused)
 }
 
 const PyMethodDef render_functions[] = {
-    {"render", render, METH_VARARGS, "render(scene, type, settings) -> field"},
-    {"render_files", render_files, METH_VARARGS, "render_files(scene, paths, bits, settings) -> statistics"},
-    {"instruction_sets", instruction_sets, METH_NOARGS, "instruction_sets() -> [name]"},
+    FUNCTION("render", render, METH_VARARGS, "scene: SceneHandle, type: Type[_Field], settings: _Settings, /",
+             "_Field"),
+    FUNCTION("render_files", render_files, METH_VARARGS,
+             "scene: SceneHandle, paths: List[bytes], bits: int, settings: _Settings, /", "Tuple[Any, ...]"),
+    FUNCTION("instruction_sets", instruction_sets, METH_NOARGS, "", "List[str]"),
     {NULL, NULL, 0, NULL},
 };

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* Reading a field from a file: its values, and what else the file tells about it. */
+/* Fields of files and of values in memory: the values, and what else is told about them. */
+#include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -160,4 +161,98 @@ luxel_status luxel_field_read_memory(const void *bytes, size_t length, const cha
         status = lx_read_image_of(source, &loaded);
     lx_source_close(source);
     return finish(&loaded, name, status, diagnostics, field);
+}
+
+/* Copies the places of columns, which go up, or of rows, which go down; `places` NULL: none. */
+static luxel_status copy_places(const double *places, size_t count, bool go_up, luxel_diagnostics *diagnostics,
+                                double **copied)
+{
+    if (!places)
+        return LUXEL_OK;
+    for (size_t i = 0; i < count; i++) {
+        const double step = i == 0 ? 1 : go_up ? places[i] - places[i - 1] : places[i - 1] - places[i];
+        if (!isfinite(places[i]) || !(step > 0))
+            return lx_setting_out_of_range(diagnostics, go_up ? "x_mm" : "y_mm", places[i],
+                                           go_up ? LX_N("finite and above the one before")
+                                                 : LX_N("finite and below the one before"));
+    }
+    *copied = lx_new_array(count, sizeof **copied);
+    if (!*copied)
+        return lx_out_of_memory(diagnostics);
+    memcpy(*copied, places, count * sizeof **copied);
+    return LUXEL_OK;
+}
+
+/* Copies the values and the mask, off which a field is 0. */
+static luxel_status copy_values(const luxel_field_content *content, struct lx_loaded *loaded,
+                                luxel_diagnostics *diagnostics)
+{
+    struct lx_source *source = NULL;
+    luxel_status status = lx_source_of_bytes("values", "", 0, diagnostics, &source);
+    if (status == LUXEL_OK)
+        status = lx_loaded_allocate(source, loaded);
+    lx_source_close(source);
+    if (status != LUXEL_OK)
+        return status;
+    const size_t pixels = (size_t)content->columns * content->rows;
+    const size_t width = content->precision == LUXEL_DOUBLE ? sizeof(double) : sizeof(float);
+    memcpy(loaded->values, content->values, pixels * width);
+    loaded->mask = content->mask ? lx_new_aligned(pixels, 1) : NULL;
+    if (content->mask && !loaded->mask)
+        return lx_out_of_memory(diagnostics);
+    for (size_t i = 0; content->mask && i < pixels; i++) {
+        loaded->mask[i] = content->mask[i] != 0;
+        if (!loaded->mask[i])
+            memset((char *)loaded->values + i * width, 0, width);
+    }
+    return LUXEL_OK;
+}
+
+/* Whether size and enumerations are in their ranges, and the places of columns and rows come together. */
+static luxel_status check_content(const luxel_field_content *content, luxel_diagnostics *diagnostics)
+{
+    static const char size[] = LX_N("1 to 65536");
+    if (!content->values || !content->x_mm != !content->y_mm)
+        return missing(diagnostics, !content->values ? "values" : content->x_mm ? "y_mm" : "x_mm");
+    if (content->columns - 1 >= LX_MOST_PIXELS)
+        return lx_setting_out_of_range(diagnostics, "columns", content->columns, size);
+    if (content->rows - 1 >= LX_MOST_PIXELS)
+        return lx_setting_out_of_range(diagnostics, "rows", content->rows, size);
+    if ((unsigned)content->precision > LUXEL_DOUBLE)
+        return lx_setting_out_of_range(diagnostics, "precision", (double)content->precision, LX_N("single or double"));
+    if ((unsigned)content->quantity > LUXEL_IRRADIANCE)
+        return lx_setting_out_of_range(diagnostics, "quantity", (double)content->quantity,
+                                       LX_N("brightness or irradiance"));
+    return LUXEL_OK;
+}
+
+luxel_status luxel_field_of_values(const luxel_field_content *content, luxel_diagnostics *diagnostics,
+                                   luxel_field **field)
+{
+    if (!content || !field)
+        return missing(diagnostics, content ? "field" : "content");
+    luxel_status status = check_content(content, diagnostics);
+    if (status != LUXEL_OK)
+        return status;
+    struct lx_loaded loaded = {
+        .columns = content->columns,
+        .rows = content->rows,
+        .sample = content->precision == LUXEL_DOUBLE ? LX_SAMPLE_F64 : LX_SAMPLE_F32,
+    };
+    status = copy_places(content->x_mm, content->columns, true, diagnostics, &loaded.x_mm);
+    if (status == LUXEL_OK)
+        status = copy_places(content->y_mm, content->rows, false, diagnostics, &loaded.y_mm);
+    if (status == LUXEL_OK)
+        status = copy_values(content, &loaded, diagnostics);
+    if (status == LUXEL_OK && content->unit && !(loaded.unit = lx_copy_text(content->unit, strlen(content->unit))))
+        status = lx_out_of_memory(diagnostics);
+    luxel_field *made = NULL;
+    status = finish(&loaded, "values", status, diagnostics, &made);
+    if (status != LUXEL_OK)
+        return status;
+    made->quantity = content->quantity_known ? content->quantity : LUXEL_BRIGHTNESS;
+    made->quantity_word =
+        content->quantity_known ? lx_quantity_word(made->quantity, is_photometric(made->unit)) : LX_N("values");
+    *field = made;
+    return LUXEL_OK;
 }

@@ -100,6 +100,10 @@ def test_grid(tap, tool):
     tool.run("grid", "desk", "-o", "a.csv")
     tap.equal(tool.read("b.csv"), tool.read("a.csv"), "the file has the bytes of the tool")
     tap.ok("<table>" in grid._repr_html_() and "desk" in repr(grid), "a table for notebooks")
+    again = pickle.loads(pickle.dumps(grid))
+    again.write(tool.file("c.csv"))
+    tap.equal((again.values.tolist(), again.flux, tool.read("c.csv")), (grid.values.tolist(), grid.flux,
+              tool.read("b.csv")), "a pickle is measured again")
     values = grid.values
     del grid
     tap.equal(values.tolist(), told["values"], "the numbers outlive the grid")

@@ -68,10 +68,48 @@ def test_read(tap, tool):
         tap.ok(ending == ".csv" or (numpy.asarray(again) == numpy.asarray(field)).all(), ending + " is read back")
         tap.equal(again.scene is not None, ending == ".exr", ending + ": whether it knows its scene")
         tap.ok(numpy.isnan(again.error), ending + ": no bound is known of what was read")
+        tap.equal(content_of(pickle.loads(pickle.dumps(again))), content_of(again), ending + ": a pickle is as it is")
     tap.ok(raises(ValueError, again.extrema), "what was read has no exact function")
-    tap.ok(raises(TypeError, pickle.dumps, again), "nor can it be pickled")
     tap.ok(again.isophotes(3, exact=False), "but lines as the picture has them")
     tap.ok(raises(luxel.LuxelError, luxel.read, tool.file("nothing.npy")), "a file that there is not")
+
+
+def content_of(field):
+    """All that a field tells of itself, to compare."""
+    places = [None if place is None else place.tolist() for place in (field.x_mm, field.y_mm)]
+    return (field.shape, field.precision, field.quantity, field.quantity_word, field.unit, field.scene_text, places,
+            bytes(field), field.mask.tobytes(), str(field.statistics))
+
+
+def test_of(tap, tool):
+    """Values of one's own: fields as those that are rendered or read."""
+    field = luxel.Scene("report").changed({"screen.resolution": [40, 40]}).render()
+    copy = luxel.Field.of(field.values, mask=field.mask, x_mm=field.x_mm, y_mm=field.y_mm, unit=field.unit,
+                          quantity=field.quantity)
+    told = (content_of(copy)[:5], content_of(copy)[6:])
+    tap.equal(told, (content_of(field)[:5], content_of(field)[6:]), "a field of a field's values")
+    compared = luxel.compare(field, copy)
+    tap.equal((compared.pixels, compared.largest.value, compared.only_a), (int(field.mask.sum()), 0, 0), "is equal")
+    again = pickle.loads(pickle.dumps(copy))
+    tap.equal(content_of(again), content_of(copy), "and can be pickled")
+    tap.equal(content_of(pickle.loads(pickle.dumps(compared)).difference), content_of(compared.difference),
+              "so can a difference")
+    image = numpy.linspace(0, 5, 12).reshape(4, 3)[::-1, ::2]
+    bare = luxel.Field.of(image)
+    tap.equal((bare.precision, bare.quantity_word, bare.unit, bare.x_mm), ("double", "values", "", None),
+              "values alone")
+    tap.ok((numpy.asarray(bare) == image).all() and (bare.mask == (image != 0)).all(), "of any strides")
+    tap.equal(content_of(pickle.loads(pickle.dumps(bare))), content_of(bare), "can be pickled")
+    bare.write(tool.file("a.npy"))
+    tap.ok((numpy.load(tool.file("a.npy")) == image).all(), "and written")
+    tap.equal(luxel.Field.of([[1, 2], [3, 0]]).statistics.pixels, 3, "lists of whole numbers")
+    for wrong in (lambda: luxel.Field.of([1, 2]), lambda: luxel.Field.of(numpy.zeros((0, 4))),
+                  lambda: luxel.Field.of(image, mask=[[True]]), lambda: luxel.Field.of(image, quantity="colour")):
+        tap.ok(raises(ValueError, wrong), "wrong shapes and words are refused")
+    error = raises(luxel.LuxelError, luxel.Field.of, image, x_mm=[1, 0], y_mm=[3, 2, 1, 0])
+    tap.ok("the setting x_mm is 0; it must be finite and above the one before" in str(error), "places that go back",
+           str(error))
+    tap.ok(raises(luxel.LuxelError, luxel.Field.of, image, x_mm=[0, 1]), "or are told for one axis alone")
 
 
 def test_statistics(tap, tool):
@@ -182,5 +220,5 @@ def test_xarray(tap, tool):
               "by places")
 
 
-run_tests(Tap(), test_files, test_read, test_statistics, test_extrema, test_lines, test_profiles, test_compare,
+run_tests(Tap(), test_files, test_read, test_of, test_statistics, test_extrema, test_lines, test_profiles, test_compare,
           test_xarray)

@@ -2,6 +2,7 @@
 """Luminaires: the numbers of `luxel photometry`, intensities in any direction, files, diagrams, what is refused."""
 import math
 import os
+import pickle
 import re
 import threading
 
@@ -77,6 +78,11 @@ def test_files(tap, tool):
         again = luxel.Photometry(tool.file(name))
         tap.ok(numpy.allclose(again.intensity(lamp.planes[:, None], lamp.angles), lamp.intensities, rtol=1e-12),
                name + " reads back")
+        pickled = pickle.dumps(again)
+        os.remove(tool.file(name))
+        tap.equal(pickle.loads(pickled).intensities.tolist(), again.intensities.tolist(),
+                  name + ": a pickle has its file")
+        lamp.write(tool.file(name))
     tap.ok(raises(luxel.LuxelValueError, lamp.write, tool.file("copy.txt")), "another extension")
     tap.ok(raises(luxel.LuxelError, lamp.write, tool.file("no/folder.ies")), "a folder that is not there")
     scene = luxel.Scene("desk")
@@ -118,6 +124,7 @@ def test_diagrams(tap, tool):
         diagram.save(tool.file("d.svg"))
         tap.ok(drawn(tool.read("d.svg").decode()) == drawn(diagram.svg()) == drawn(diagram._repr_svg_()),
                kind + " as SVG")
+        tap.ok(pickle.loads(pickle.dumps(diagram)).png() == diagram.png(), kind + " pickled")
         tap.ok(diagram.png().startswith(b"\x89PNG") and diagram.pdf().startswith(b"%PDF"), kind + " as PNG and PDF")
     tool.run("photometry", "a.ies", "-o", "tool.svg", "--title", "A lamp")
     tap.ok(drawn(lamp.diagram(title="A lamp").svg()) == drawn(tool.read("tool.svg").decode()), "as the tool draws it")

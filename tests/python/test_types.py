@@ -1,11 +1,15 @@
 # SPDX-License-Identifier: MIT
-"""Types: the package and a user's program pass `mypy --strict`, wrong ones do not; the stubs agree with the modules."""
+"""Types: the package and a user's program pass `mypy --strict`, wrong ones do not; the stubs, which are made from the
+modules' sources, agree with the modules, and these with what they say of themselves."""
+import importlib
+import inspect
 import os
+import re
 import shutil
 import subprocess
 import sys
 
-from package import Tap, luxel, run_tests
+from package import Tap, luxel, raises, run_tests
 
 GOOD = '''
 import numpy as np
@@ -27,6 +31,7 @@ own: luxel.Probes = scene.probe()
 names = [share.type.upper() for share in one.shares]
 result = scene.evaluate(np.zeros((4, 3)), [0, 0, 1], per_light=True)
 total: float = float(result["value"].sum())
+own_field: luxel.Field = luxel.Field.of(values, mask=lit, unit="W/sr")
 lines: list[luxel.Isophote] = field.isophotes([1.0, 2.0])
 peak = field.extrema().maximum
 place: str = peak.place if peak else ""
@@ -46,6 +51,7 @@ WRONG = ['luxel.Scene(5)', 'luxel.Scene().render(thread=2)', 'luxel.Scene().rend
 
 
 FOLDER = os.path.dirname(os.path.dirname(luxel.__file__))
+ROOT = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..")
 
 
 def mypy(tool, path, *arguments):
@@ -68,6 +74,43 @@ def test_stubs(tap, tool):
         shutil.copy(os.path.join(FOLDER, "luxel", name + ".pyi"), tool.file("luxel"))
     done = mypy(tool, tool.folder, "mypy.stubtest", *["luxel." + name for name in names])
     tap.equal(done.returncode, 0, "the stubs agree with the modules") or tap.note(done.stdout, done.stderr)
+
+
+def names_of(module):
+    return [name for name, value in vars(module).items() if inspect.isbuiltin(value)]
+
+
+def test_signatures(tap, tool):
+    """Each function takes as many arguments as it says; its stub is its signature and result, word for word."""
+    for name in ["_luxel"] + (["_figure"] if has_figures() else []):
+        module = importlib.import_module("luxel." + name)
+        with open(os.path.join(FOLDER, "luxel", name + ".pyi"), encoding="utf-8") as file:
+            stub = re.sub(r"\(\n +|\n(?=\) ->)", lambda found: found.group()[:1].strip(), file.read())
+        lines = {re.match(r"def (\w+)", line).group(1): line for line in stub.splitlines() if line.startswith("def ")}
+        tap.equal(sorted(lines), sorted(names_of(module)), name + ": each function has a stub")
+        for function in names_of(module):
+            called = getattr(module, function)
+            told = "def %s%s %s: ..." % (function, called.__text_signature__, called.__doc__)
+            tap.equal(lines[function], told, "%s.%s: its stub" % (name, function))
+            count = called.__text_signature__.count(": ")
+            error = raises(TypeError, called, *[None] * (count + 1))
+            found = re.search(r"takes (?:exactly )?(one|no|\d+) arguments? \((\d+) given\)", str(error))
+            wanted = {"one": 1, "no": 0}.get(found.group(1), found.group(1)) if found else str(error)
+            tap.equal((int(wanted) if found else wanted, found and int(found.group(2))), (count, count + 1),
+                      "%s.%s: takes %d arguments" % (name, function, count))
+
+
+def test_tool_of_stubs(tap, tool):
+    """What is no such line is told, not left out."""
+    made = [sys.executable, os.path.join(ROOT, "tools", "make_stubs.py"), "A module.", tool.file("x.pyi")]
+    good = '    FUNCTION("f", f, METH_VARARGS, "a: int, "\n             "b: Any, /", "None"),\n'
+    done = subprocess.run(made + [tool.file(tool.write("x.c", good))], capture_output=True, text=True)
+    tap.equal((done.returncode, tool.read("x.pyi").decode()), (
+        0, "# SPDX-License-Identifier: MIT\n# A module.\nfrom typing import Any\n\n"
+        "def f(a: int, b: Any, /) -> None: ...\n"), "a stub")
+    tool.write("x.c", good + '    FUNCTION("g", g, METH_O, PARAMETERS, "None"),\n')
+    done = subprocess.run(made + [tool.file("x.c")], capture_output=True, text=True)
+    tap.ok(done.returncode != 0 and "FUNCTION()" in done.stderr, "another form is refused", done.stderr)
 
 
 def test_types(tap, tool):
@@ -93,4 +136,4 @@ def has_figures():
     return os.path.exists(os.path.join(os.path.dirname(luxel.__file__), "_figure.abi3.so"))
 
 
-run_tests(Tap(), test_types, test_stubs)
+run_tests(Tap(), test_types, test_stubs, test_signatures, test_tool_of_stubs)

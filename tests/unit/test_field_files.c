@@ -384,13 +384,81 @@ static void test_wrong_memory(void **state)
     luxel_diagnostics_free(diagnostics);
 }
 
+/* Values in memory become a field as those of a file do; what cannot be one is refused. */
+static void of_values(void **state)
+{
+    (void)state;
+    const float values[] = {1, -0.0F, 3, 4, NAN, 6};
+    const uint8_t mask[] = {1, 1, 0, 7, 1, 0};
+    const double x_mm[] = {-1, 0, 4}, y_mm[] = {2, -2}, same[] = {0, 0, 1}, wild[] = {0, NAN, 1};
+    const luxel_field_content good = {.columns = 3,
+                                      .rows = 2,
+                                      .values = values,
+                                      .mask = mask,
+                                      .x_mm = x_mm,
+                                      .y_mm = y_mm,
+                                      .unit = "lx",
+                                      .quantity_known = true,
+                                      .quantity = LUXEL_IRRADIANCE};
+    const uint8_t shown[] = {1, 1, 0, 1, 1, 0};
+    luxel_field *field = NULL;
+    assert_int_equal(luxel_field_of_values(&good, NULL, &field), LUXEL_OK);
+    const float expected[] = {1, -0.0F, 0, 4, NAN, 0};
+    assert_memory_equal(luxel_field_single(field), expected, sizeof expected);
+    assert_memory_equal(luxel_field_mask(field), shown, sizeof shown);
+    assert_memory_equal(luxel_field_x_mm(field), x_mm, sizeof x_mm);
+    assert_memory_equal(luxel_field_y_mm(field), y_mm, sizeof y_mm);
+    assert_string_equal(luxel_field_unit(field), "lx");
+    assert_string_equal(luxel_field_quantity_word(field), "illuminance");
+    assert_int_equal(luxel_field_statistics(field)->surface_pixels, 4);
+    luxel_field_free(field);
+    const double doubles[] = {0, 5};
+    const luxel_field_content bare = {.columns = 1, .rows = 2, .values = doubles, .precision = LUXEL_DOUBLE};
+    assert_int_equal(luxel_field_of_values(&bare, NULL, &field), LUXEL_OK);
+    assert_memory_equal(luxel_field_double(field), doubles, sizeof doubles);
+    assert_int_equal(luxel_field_mask(field)[0] + 2 * luxel_field_mask(field)[1], 2);
+    assert_string_equal(luxel_field_quantity_word(field), "values");
+    assert_null(luxel_field_x_mm(field));
+    luxel_field_free(field);
+
+    luxel_field_content wrong[9];
+    for (size_t i = 0; i < sizeof wrong / sizeof *wrong; i++)
+        wrong[i] = good;
+    wrong[0].columns = 0;
+    wrong[1].rows = 65537;
+    wrong[2].values = NULL;
+    wrong[3].y_mm = NULL;
+    wrong[4].x_mm = same;
+    wrong[5].x_mm = wild;
+    wrong[6].y_mm = x_mm;
+    wrong[7].precision = (luxel_precision)2;
+    wrong[8].quantity = (luxel_quantity)2;
+    for (size_t i = 0; i < sizeof wrong / sizeof *wrong; i++) {
+        luxel_diagnostics *diagnostics = luxel_diagnostics_new();
+        field = NULL;
+        assert_int_equal(luxel_field_of_values(&wrong[i], diagnostics, &field), LUXEL_ERROR_ARGUMENT);
+        assert_int_equal(luxel_diagnostics_count(diagnostics), 1);
+        assert_null(field);
+        luxel_diagnostics_free(diagnostics);
+    }
+    assert_int_equal(luxel_field_of_values(NULL, NULL, &field), LUXEL_ERROR_ARGUMENT);
+    assert_int_equal(luxel_field_of_values(&good, NULL, NULL), LUXEL_ERROR_ARGUMENT);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        FILES_CASE(arrays),         FILES_CASE(exr),       FILES_CASE(csv),
-        FILES_CASE(repeats_itself), FILES_CASE(bits),      FILES_CASE(settings_of_texts),
-        FILES_CASE(damage),         FILES_CASE(no_number), FILES_CASE(in_memory),
+        FILES_CASE(arrays),
+        FILES_CASE(exr),
+        FILES_CASE(csv),
+        FILES_CASE(repeats_itself),
+        FILES_CASE(bits),
+        FILES_CASE(settings_of_texts),
+        FILES_CASE(damage),
+        FILES_CASE(no_number),
+        FILES_CASE(in_memory),
         FILES_CASE(wrong_memory),
+        cmocka_unit_test(of_values),
     };
 
     return cmocka_run_group_tests_name("field files", tests, NULL, NULL);
