@@ -73,6 +73,13 @@ PAGE_CALLS(page_picture) const char *page_picture(void)
     answer_number(statistics->mean);
     answer_key("lit");
     answer_number(statistics->lit);
+    answer_key("reflected");
+    if (statistics->has_reflected)
+        answer_number(statistics->reflected_error);
+    else
+        answer_string(NULL);
+    answer_key("reached");
+    answer_bool(statistics->reflected_reached);
     answer_close('}');
     return answer_text();
 }

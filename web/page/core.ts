@@ -29,6 +29,8 @@ export interface PictureFacts {
     minimum: Extremum;
     mean: number;
     lit: number;
+    reflected: number | null; // bounds the error of light between surfaces, as a share of the maximum; null: there is none
+    reached: boolean; // whether that is as small as it should be
 }
 
 export interface Probe {
@@ -383,6 +385,12 @@ export class Core {
 
     scene(): SceneFacts | null {
         return this.json<SceneFacts>(this.call.page_scene());
+    }
+
+    /** How a surface looks from a side: shades from 1 on, 0 where it is not, in rows from the top. */
+    relief(surface: number, eye: number[], up: number[], pixels: number): Uint8Array<ArrayBuffer> | null {
+        const place = this.call.page_relief(surface, ...eye, ...up, pixels);
+        return place ? new Uint8Array(this.memory.buffer as ArrayBuffer, place, pixels * pixels).slice() : null;
     }
 
     /** Where a place is seen on the screen, and its height above it. */

@@ -3,20 +3,9 @@
 // words, with its units and ranges.  What is typed becomes an assignment to the text.
 import type { Key, Kind } from './core';
 import { choice, h, lightColour } from './dom';
+import { CHOICE, NUMBER, NUMBERS, sceneKeys, TEXT, WHOLE, WHOLE_NUMBERS, YES_OR_NO } from './keys';
 import type { Model } from './model';
 import { number, t, typedNumber } from './words';
-
-// Types of keys, as luxel/parameter.h numbers them.
-const NUMBER = 0,
-    WHOLE = 1,
-    YES_OR_NO = 2,
-    CHOICE = 3,
-    TEXT = 4,
-    NUMBERS = 5,
-    WHOLE_NUMBERS = 6,
-    CHOICE_OR_PAIR = 7,
-    CHOICE_OR_WHOLE = 11;
-const SIMPLE = [NUMBER, WHOLE, YES_OR_NO, CHOICE, TEXT, NUMBERS, WHOLE_NUMBERS, CHOICE_OR_PAIR, CHOICE_OR_WHOLE];
 
 interface Field {
     path: string;
@@ -52,29 +41,7 @@ export class Form {
         const { scene } = this.model;
         const { generation } = this;
         if (!scene || !this.keys.length) return;
-        const lists: [string, string[]][] = [
-            [
-                'surfaces',
-                (await this.valuesOf(scene.surfaces.map((_, i) => `surfaces[${i}].type`))).map((type) => type ?? ''),
-            ],
-            ['lights', scene.lights.map(({ type }) => type)],
-        ];
-        const wanted: [string, Key][] = [];
-        for (const key of this.keys.filter(
-            ({ path, type }) => !/^(surfaces|lights|grids|luxel)/.test(path) && SIMPLE.includes(type),
-        ))
-            wanted.push([key.path, key]);
-        for (const [list, types] of lists)
-            types.forEach((type, i) => {
-                for (const key of this.keys)
-                    if (
-                        key.path.startsWith(`${list}[].`) &&
-                        (!key.variant || key.variant === type) &&
-                        SIMPLE.includes(key.type)
-                    )
-                        wanted.push([key.path.replace('[]', `[${i}]`), key]);
-            });
-        const values = await this.valuesOf(wanted.map(([path]) => path));
+        const { lists, paths: wanted, values } = await sceneKeys(this.model, this.keys);
         if (generation !== this.generation) return; // whoever changed the words comes after this
         const shape = JSON.stringify([
             generation,
@@ -91,10 +58,6 @@ export class Form {
             field.update(index >= 0 ? values[index] : null);
         });
         this.showMessages();
-    }
-
-    private valuesOf(keys: string[]) {
-        return this.model.client.ask('values', keys);
     }
 
     showMessages() {

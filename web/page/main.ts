@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The page: what stands where, and what each control does.
 import './style.css';
-import type { Builtin } from './core';
+import type { Builtin, PictureFacts } from './core';
 import { hasVectors } from './client';
 import { scaleControls, sideControls } from './controls';
 import { Compare } from './compare';
@@ -30,6 +30,16 @@ const TYPES: Record<string, string> = {
     '.yaml': 'application/yaml',
     '.html': 'text/html',
 };
+
+/** What a picture is, in one line. */
+function told(facts: PictureFacts): string {
+    const unit = facts.unit === 'relative' ? t('relative') : facts.unit;
+    const extremes = `${t('maximum')} ${number(facts.maximum.value, 5)}, ${t('mean')} ${number(facts.mean, 5)}`;
+    const reflected =
+        facts.reflected === null ? '' : `; ${t('reflected light within')} ${number(100 * facts.reflected, 2)} %`;
+    const missed = facts.reached ? '' : ` (${t('less exact than it should be')})`;
+    return `${t(facts.word)}, ${unit}: ${extremes}${reflected}${missed}`;
+}
 
 class Page {
     private readonly app = document.getElementById('app')!;
@@ -206,15 +216,6 @@ class Page {
                 ),
                 h(
                     'section',
-                    { class: 'edit' },
-                    this.tabs(),
-                    this.form.element,
-                    this.text.element,
-                    this.files.element,
-                    this.messages.element,
-                ),
-                h(
-                    'section',
                     { class: 'values', 'aria-label': t('Value') },
                     h('h2', {}, t('Value'), h('button', { type: 'button', onclick: () => this.why() }, t('Why?'))),
                     this.probe.element,
@@ -222,6 +223,15 @@ class Page {
                     this.section.controls(),
                     this.section.canvas,
                     this.table,
+                ),
+                h(
+                    'section',
+                    { class: 'edit' },
+                    this.tabs(),
+                    this.form.element,
+                    this.text.element,
+                    this.files.element,
+                    this.messages.element,
                 ),
             ),
             this.embedding.link(),
@@ -416,8 +426,7 @@ class Page {
             if (document.activeElement !== input) input.value = number(value, 4);
         this.dial.draw(scale);
         const facts = this.model.picture?.facts;
-        if (facts)
-            this.statistics.textContent = `${t(facts.word)}, ${facts.unit === 'relative' ? t('relative') : facts.unit}: ${t('maximum')} ${number(facts.maximum.value, 5)}, ${t('mean')} ${number(facts.mean, 5)}`;
+        if (facts) this.statistics.textContent = told(facts);
         this.app.dataset.stride = String(this.model.picture?.stride ?? 0);
     }
 

@@ -299,11 +299,11 @@ export class Model {
         });
     }
 
-    // Of a mesh the page knows the ball around it.
+    // Of a mesh the page knows the ball around it; its form the space view asks for.
     private measureMesh(index: number, position: number[], things: Thing[], shapes: Shape[]) {
         const ball = this.scene!.surfaces[index];
         things.push({ kind: 'surface', index, key: `surfaces[${index}].position`, at: position });
-        if (ball) shapes.push({ kind: 'surface', index, type: 'ball', center: ball.center, radius: ball.reach });
+        if (ball) shapes.push({ kind: 'surface', index, type: 'mesh', center: ball.center, radius: ball.reach });
     }
 
     private async measureLight(index: number, things: Thing[], shapes: Shape[]) {

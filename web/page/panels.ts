@@ -57,11 +57,14 @@ export class ProbePanel {
             );
         });
         const before = this.compare.valueOfA(x, y);
+        // Digits that are shown are exact, but for a value whose error may be seen in them.
+        const isRough = probe && value !== null && probe.error > 5e-6 * Math.abs(value);
+        const bound = isRough ? ` ± ${number(probe.error, 2)}` : '';
         this.element.replaceChildren(
             h(
                 'p',
                 {},
-                h('strong', { class: 'value' }, value === null ? '—' : `${number(value, 6)} ${unit}`),
+                h('strong', { class: 'value' }, value === null ? '—' : `${number(value, 6)}${bound} ${unit}`),
                 ' ',
                 h(
                     'span',

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
-// The report as one page of HTML: aim, task, pictures, results, conclusions, the calculation of the first point, and
+// The report as one page of HTML: aim, task, parameters, pictures, results, conclusions, the calculation of the first point, and
 // how to repeat it, in the sentences of the tool's report; each stands only where the numbers make it true.
 import { paint, type Scale } from './colours';
-import type { Extremum, Isophote, Peak, Probe, Section, Summary } from './core';
+import type { Extremum, Isophote, Key, Peak, Probe, Section, Summary } from './core';
+import { NUMBER, NUMBERS, sceneKeys, WHOLE } from './keys';
 import type { Model } from './model';
 import type { PictureView } from './picture';
 import { currentLanguage, number, t } from './words';
@@ -72,6 +73,35 @@ function table(head: string[], rows: string[][]): string {
     return `<div class="table"><table><thead><tr>${cells(head, 'th')}</tr></thead><tbody>${rows
         .map((row) => `<tr>${cells(row, 'td')}</tr>`)
         .join('')}</tbody></table></div>`;
+}
+
+// What the scene says of its screen and observer, and of each surface and light.
+async function parameters({ model, word }: Facts): Promise<string> {
+    const { keys } = await model.client.ask('parameters');
+    const { lists, paths, values } = await sceneKeys(model, keys);
+    const written = (value: string) => value.replace(/-?\d+(\.\d+)?(e[-+]?\d+)?/gi, (n) => number(Number(n), 12));
+    const isNumber = ({ type }: Key) => type === NUMBER || type === NUMBERS || type === WHOLE;
+    const rows = (matches: (path: string) => boolean) =>
+        paths.flatMap(([path, key], i) => {
+            const value = values[i];
+            // What a room or box says of its walls one by one stands in the scene at the end.
+            if (value === null || !matches(path) || path.includes('.materials.') || path.endsWith('.type')) return [];
+            const unit = model.photometric ? key.photometric : key.unit;
+            return [[path, key.label, isNumber(key) ? written(value) : value, unit === '1' ? '' : unit]];
+        });
+    const heads = [word('key'), word('meaning'), word('value'), ''];
+    const part = (title: string, matches: (path: string) => boolean) =>
+        `<h3>${escaped(title)}</h3>${table(heads, rows(matches))}`;
+    const parts = [part(t('Scene'), (path) => !/^(surfaces|lights)\[/.test(path))];
+    for (const [list, types] of lists)
+        types.forEach((type, i) =>
+            parts.push(
+                part(`${t(list === 'surfaces' ? 'surface' : 'light')} ${i + 1}: ${type}`, (path) =>
+                    path.startsWith(`${list}[${i}].`),
+                ),
+            ),
+        );
+    return parts.join('\n');
 }
 
 // The picture in the colours of a map; in false colour with lines of equal value and the points.
@@ -318,6 +348,7 @@ export async function report(model: Model, view: PictureView): Promise<string | 
 <h1>${title}</h1>
 ${chapter('Aim of the work', paragraph(`To learn to compute how sources of light distribute the ${kind} over surfaces, and to show the distribution as a picture.`))}
 ${chapter('Task', paragraph(`Compute how the ${kind} is distributed over the surfaces below, seen on a screen, and show it as a picture of grey levels 0 to 255.`), paragraph(facts.probes.length ? 'Give its values in the points asked for, and the greatest and the least value.' : 'Give the greatest and the least value.'))}
+${chapter('Parameters', await parameters(facts))}
 ${chapter('Pictures', picture('grey', 'The picture in grey levels.'), picture('viridis', 'False colour with lines of equal value.'), `<figure>${curves(facts)}<figcaption>${escaped(t('Sections along x and y through the maximum.'))}</figcaption></figure>`)}
 ${chapter('Results', results(facts))}
 ${chapter(

@@ -5,6 +5,7 @@ import type { Probe } from './core';
 import { fitted, h, lightColour, numberMark, styleColour } from './dom';
 import { Drag, followPointer } from './drag';
 import type { Model, Shape, Thing } from './model';
+import { Reliefs } from './reliefs';
 import { add, along, basis, circle, cross, unit, type Place } from './space_math';
 import { t } from './words';
 
@@ -27,8 +28,10 @@ export class SpaceView {
     private reach = 1000; // mm from the centre that must be seen
     private isFitted = false;
     private isDrawn = true;
+    private readonly reliefs: Reliefs;
 
     constructor(private readonly model: Model) {
+        this.reliefs = new Reliefs(model, () => this.draw());
         new ResizeObserver(() => this.draw()).observe(this.canvas);
         followPointer(this.canvas, (x, y, event) => this.begin(x, y, event));
         this.canvas.addEventListener('keydown', (event) => this.key(event));
@@ -198,7 +201,8 @@ export class SpaceView {
         const { center, radius = 0, size, height = 0 } = shape;
         const [u, v, n] = basis(shape.axis ?? [0, 0, 1], shape.up);
         if (shape.outline) this.path(context, shape.outline, true);
-        else if (shape.type === 'sphere' || shape.type === 'ball') this.drawSphere(context, center, radius);
+        else if (shape.type === 'mesh') this.drawMesh(context, shape.index, center, radius);
+        else if (shape.type === 'sphere') this.drawSphere(context, center, radius);
         else if (shape.type === 'rectangle' && size) {
             const corner = (a: number, b: number) => along(center, u, (a * size[0]) / 2, v, (b * size[1]) / 2);
             this.path(context, [corner(-1, -1), corner(1, -1), corner(1, 1), corner(-1, 1)], true);
@@ -230,6 +234,19 @@ export class SpaceView {
         this.path(context, circle(center, [1, 0, 0], [0, 0, 1], radius), true);
         this.path(context, circle(center, [0, 1, 0], [0, 0, 1], radius), true);
         context.globalAlpha = 1;
+    }
+
+    // A mesh as it looks from this side; the ball around it until the core has told.
+    private drawMesh(context: CanvasRenderingContext2D, index: number, center: number[], radius: number) {
+        const [, up, eye] = this.axes();
+        const relief = this.reliefs.from(index, eye, up, styleColour('--text'));
+        if (!relief) {
+            this.drawSphere(context, center, radius);
+            return;
+        }
+        const side = this.reliefs.side(radius) * this.factor();
+        const [x, y] = this.seen(center);
+        context.drawImage(relief, x - side / 2, y - side / 2, side, side);
     }
 
     private drawBox(context: CanvasRenderingContext2D, center: number[], size: number[]) {

@@ -92,6 +92,8 @@ const RUSSIAN: Record<string, string> = {
     'Open the whole page': 'Открыть страницу целиком',
     mean: 'среднее',
     maximum: 'максимум',
+    'reflected light within': 'отражённый свет с погрешностью до',
+    'less exact than it should be': 'больше заданной',
     Messages: 'Сообщения',
     'The scene has errors. The picture is of the last scene without errors.':
         'В сцене есть ошибки. Изображение показывает последнюю сцену без ошибок.',

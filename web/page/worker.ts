@@ -69,6 +69,8 @@ const questions = {
     isophotes: (wanted: number, logarithmic: boolean) => core.isophotes(wanted, logarithmic),
     extrema: () => core.extrema(),
     values: (keys: string[]) => keys.map((key) => core.get(key)),
+    relief: (text: string, surface: number, eye: number[], up: number[], pixels: number) =>
+        open(text) ? core.relief(surface, eye, up, pixels) : null,
     project: (places: number[][]) => places.map((place) => core.project(place)),
     unproject: (x: number, y: number, height: number) => core.unproject(x, y, height),
     edit: (text: string | Uint8Array, changes: Change[]) => {

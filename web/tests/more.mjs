@@ -146,7 +146,7 @@ async function reports(page, browser, tool) {
     const other = await (await browser.newContext({ viewport: { width: 900, height: 900 } })).newPage();
     await other.setContent(html);
     const text = await other.locator('body').innerText();
-    const titles = ['Aim of the work', 'Task', 'Pictures', 'Results', 'Conclusions', 'Method', 'Repetition'];
+    const titles = ['Aim of the work', 'Task', 'Parameters', 'Pictures', 'Results', 'Conclusions', 'Method', 'Repetition'];
     equal(
         await other.locator('h2').allInnerTexts(),
         titles.map((title, i) => `${i + 1}. ${title}`),
@@ -159,6 +159,8 @@ async function reports(page, browser, tool) {
                 text.includes(value.toExponential(11).replace('-', '−')),
             `${value} is not in it`,
         );
+    const cells = await other.locator('tr', { hasText: 'lights[0].intensity' }).locator('td').allInnerTexts();
+    equal([cells[0], cells[2], cells[3]], ['lights[0].intensity', '10', 'W/sr'], 'a row of the parameters');
     check(/The brightness is greatest, 11\.\d+ W\/sr/.test(text), text.slice(0, 3000));
     equal(
         await other.locator('img').evaluateAll((all) => all.every(({ naturalWidth }) => naturalWidth > 99)),

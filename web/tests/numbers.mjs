@@ -68,6 +68,43 @@ lights:
   - {type: points, file: cloud.csv}
 `;
 
+const POT = `luxel: 1
+screen: {width: 700, height: 700, resolution: [90, 90]}
+observer: {z: 1700}
+surfaces: [{type: mesh, file: 'builtin:pot.ply', position: [0, 0, 300]}]
+lights: [{type: luminaire, file: 'builtin:office-lamp.ies', position: [420, 300, 1250]}]
+`;
+
+/** Files that the core brings are there without being given, and none of them is asked for. */
+function namesOwnFiles(core, tool, folder) {
+    check(core.open(POT), JSON.stringify(core.messages()));
+    equal(
+        [...core.folder.asked.keys()].filter((name) => name.includes('builtin')),
+        [],
+        'files that are asked for',
+    );
+    fs.writeFileSync(path.join(folder, 'pot.yaml'), POT);
+    const told = compareScene(core, tool, folder, { name: 'pot.yaml', text: POT });
+    check(!core.open(POT.replace('pot.ply', 'pan.ply')), 'one that there is not was taken');
+    equal(
+        core.messages().map(({ key }) => key),
+        ['surfaces[0].file'],
+        'keys',
+    );
+    return told;
+}
+
+/** Light between surfaces: the tool's numbers, with the bound of what is left out. */
+async function reflects(core, tool, folder, builtin) {
+    const text = builtin.text.replace(/^luxel: 1$/m, 'luxel: 1\nreflections: 2').replace(/\[\d+, \d+\]/, '[60, 60]');
+    check(core.open(text), JSON.stringify(core.messages()));
+    check(core.render(1), JSON.stringify(core.messages()));
+    const { reflected, reached } = core.picture();
+    check(reflected > 0 && reflected <= 1e-3 && reached, JSON.stringify(core.picture()));
+    fs.writeFileSync(path.join(folder, 'reflections.yaml'), text);
+    return compareScene(core, tool, folder, { name: 'reflections.yaml', text });
+}
+
 /** A scene that names files: each that is missing is told by its name, and with all of them the numbers are the tool's. */
 async function namesFiles(core, tool, folder) {
     const files = { 'knot.ply': fs.readFileSync(MESH), 'lamp.ies': LAMP, 'cloud.csv': CLOUD };
@@ -90,6 +127,26 @@ async function namesFiles(core, tool, folder) {
     check(core.open(NAMING.replace('420', '421')), 'another place of the lamp');
     check(!readings.has('models/knot.ply'), 'a mesh that has not changed is read anew');
     return compareScene(core, tool, folder, { name: 'naming.yaml', text: NAMING });
+}
+
+/** A mesh from any side is what the core draws of it, and the other side is another one. */
+function relief(core) {
+    check(core.open(POT), JSON.stringify(core.messages()));
+    const views = [
+        [[1, 0, 0], [0, 0, 1]],
+        [[-1, 0, 0], [0, 0, 1]],
+        [[0, 0, 1], [0, 1, 0]],
+    ].map(([eye, up]) => core.relief(0, eye, up, 64));
+    check(views.every((shades) => shades), 'there is none');
+    const [front, back, top] = views.map((shades) => shades.map((shade) => (shade ? 1 : 0)));
+    const seen = front.reduce((sum, each) => sum + each, 0);
+    check(seen > 64 * 64 * 0.1 && seen < 64 * 64 * 0.7, `${seen} pixels are seen`);
+    const mirrored = front.map((_, i) => front[64 * Math.floor(i / 64) + 63 - (i % 64)]);
+    const off = mirrored.filter((each, i) => each !== back[i]).length;
+    check(off <= 8, `${off} pixels of the outline from behind are not those from the front, mirrored`);
+    check(top.some((each, i) => each !== front[i]), 'from above it looks as from the front');
+    equal(core.relief(1, [0, 0, 1], [0, 1, 0], 64), null, 'of a surface that is not there');
+    check(core.picture && core.scene().surfaces.length === 1, 'the scene is another one');
 }
 
 function judgeMistakes(core) {
@@ -115,15 +172,21 @@ function probesAgree(core, tool, builtin) {
 
 const MESH = new URL('../../examples/meshes/knot.ply', import.meta.url);
 
-export async function numbers(core, tool) {
+/** Tries the core; of the built-in scenes those with these names, or all. */
+export async function numbers(core, tool, names = null) {
     const folder = fs.mkdtempSync(path.join(os.tmpdir(), 'luxel-web-'));
     const builtins = core.builtins();
     try {
-        for (const builtin of builtins)
+        for (const builtin of builtins.filter(({ name }) => !names || names.includes(name)))
             await test(`numbers of ${builtin.name}`, () => compareScene(core, tool, folder, builtin));
         for (const ending of ['.png', '.csv', '.npy', '.pfm'])
             await test(`the tool's bytes in ${ending}`, () => compareFiles(core, tool, folder, builtins[0], ending));
         await test('files that a scene names', () => namesFiles(core, tool, folder));
+        await test('files that the core brings', () => namesOwnFiles(core, tool, folder));
+        await test('a mesh from all sides', () => relief(core));
+        if (!names)
+            await test('light between surfaces', () =>
+                reflects(core, tool, folder, builtins.find(({ name }) => name === 'two-spheres')));
         await test('mistakes are told in place, and the last whole scene stays', () => judgeMistakes(core));
         await test('a change leaves all else of the text', () => editKeepsComments(core, builtins[0]));
         await test('a probe gives the number of the tool', () => probesAgree(core, tool, builtins[0]));

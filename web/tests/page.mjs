@@ -328,6 +328,20 @@ async function quick(page) {
     return `800 x 800 in ${best.toFixed(1)} ms at best`;
 }
 
+/** What must go in any case, in seconds. */
+export async function inShort(folder, tool) {
+    const { server, url } = await serve(folder);
+    const browser = await started();
+    const page = await opened(browser, url);
+    await test('starts with a whole lit sphere and its lamp in sight', () => startsLit(page));
+    await test('a lamp is dragged in space; undo and redo', () => dragsInSpace(page));
+    await test('the probe shows the number of the tool and the shares', () => probes(page, tool));
+    await test('errors are told in place, and the last good picture stays, stale', () => keepsLastGood(page));
+    await test('no fault was reported by the browser', () => equal(page.faults, [], 'faults'));
+    await browser.close();
+    server.close();
+}
+
 export async function page(folder, tool) {
     const { server, asked, url } = await serve(folder, PAGES);
     const browser = await started();

@@ -11,9 +11,9 @@ export async function test(name, body) {
     } catch (error) {
         failures.push(name);
         console.log(
-            `not ok ${name}\n  ${String(error?.message ?? error)
+            `not ok ${name}\n# ${String(error?.message ?? error)
                 .split('\n')
-                .join('\n  ')}`,
+                .join('\n# ')}`,
         );
     }
 }
@@ -30,5 +30,11 @@ export function equal(got, expected, what) {
 /** Prints the sum; the exit code that goes with it. */
 export function summary() {
     console.log(`${passed} passed, ${failures.length} failed`);
+    return failures.length === 0 && passed > 0 ? 0 : 1;
+}
+
+/** Prints the count of the tests, as TAP has it; the exit code that goes with it. */
+export function plan() {
+    console.log(`1..${passed + failures.length}`);
     return failures.length === 0 && passed > 0 ? 0 : 1;
 }
