@@ -24,9 +24,24 @@ export function hasVectors(): boolean {
     return typeof WebAssembly === 'object' && WebAssembly.validate(new Uint8Array(module));
 }
 
+interface Asked {
+    name: keyof Questions;
+    resolve: (answer: any) => void;
+    reject: (error: Error) => void;
+}
+
+// Pictures and values may take long, as where surfaces reflect light to each other.
+const LONG: (keyof Questions)[] = ['render', 'probe', 'table', 'section', 'sectionBetween', 'extrema', 'explain'];
+const PATIENCE = 600; // milliseconds that something urgent waits for them
+
+class Interrupted extends Error {}
+
 export class Client {
     private worker!: Worker;
-    private waiting = new Map<number, { resolve: (answer: any) => void; reject: (error: Error) => void }>();
+    private waiting = new Map<number, Asked>();
+    private starting: Promise<unknown> | null = null; // a worker in the place of one that was interrupted
+    /** How often long work was given up for the sake of something urgent. */
+    interruptions = 0;
     private next = 0;
     private module!: WebAssembly.Module;
     private source!: string; // the address of the worker's text, which is kept so that a new one asks for nothing
@@ -95,7 +110,36 @@ export class Client {
         this.worker = new Worker(this.source);
         this.worker.onmessage = ({ data }) => this.answered(data);
         this.worker.onerror = (event) => this.failed(event.message);
-        return this.ask('start', this.module, this.words, this.files);
+        return this.post('start', this.module, this.words, this.files);
+    }
+
+    /** Asks what does not wait for a picture or a value that takes long: its worker is ended, and another one asked. */
+    async urgent<Name extends keyof Questions>(
+        name: Name,
+        ...values: Parameters<Questions[Name]>
+    ): Promise<Answer<Questions[Name]>> {
+        await this.starting;
+        const id = this.next;
+        const timer = setTimeout(() => this.interrupt(id), PATIENCE);
+        try {
+            return await this.post(name, ...values);
+        } catch (error) {
+            if (!(error instanceof Interrupted)) throw error;
+        } finally {
+            clearTimeout(timer);
+        }
+        return this.urgent(name, ...values);
+    }
+
+    // Starts another worker if something long was asked before the question with this number.
+    private interrupt(before: number) {
+        if (this.starting || ![...this.waiting].some(([id, { name }]) => id < before && LONG.includes(name))) return;
+        this.interruptions++;
+        const given = [...this.waiting.values()];
+        this.waiting.clear();
+        const starting = this.restart().finally(() => (this.starting = null));
+        this.starting = starting;
+        for (const { reject } of given) reject(new Interrupted('something urgent came'));
     }
 
     private answered({ id, answer, failure }: { id: number; answer: unknown; failure?: string }) {
@@ -119,13 +163,24 @@ export class Client {
         else this.restart().then(this.onRestart, () => undefined);
     }
 
-    ask<Name extends keyof Questions>(
+    async ask<Name extends keyof Questions>(
+        name: Name,
+        ...values: Parameters<Questions[Name]>
+    ): Promise<Answer<Questions[Name]>> {
+        while (this.starting) {
+            await this.starting;
+            await new Promise((resolve) => setTimeout(resolve)); // what is urgent comes first
+        }
+        return this.post(name, ...values);
+    }
+
+    private post<Name extends keyof Questions>(
         name: Name,
         ...values: Parameters<Questions[Name]>
     ): Promise<Answer<Questions[Name]>> {
         const id = this.next++;
         return new Promise((resolve, reject) => {
-            this.waiting.set(id, { resolve, reject });
+            this.waiting.set(id, { name, resolve, reject });
             this.worker.postMessage({ id, name, arguments: values });
         });
     }

@@ -137,7 +137,9 @@ export class Model {
     /** Changes values by assignments and the like; false: it does not go, and messages tell why. */
     async change(changes: Change[], mark = ''): Promise<boolean> {
         const before = this.text;
-        const { text, messages } = await this.client.ask('edit', before, changes);
+        const { interruptions } = this.client;
+        const { text, messages } = await this.client.urgent('edit', before, changes);
+        if (this.client.interruptions !== interruptions) void this.judge(); // a picture was given up
         if (this.text !== before) return false; // somebody was faster
         if (text === null) {
             this.messages = messages;
@@ -161,7 +163,7 @@ export class Model {
 
     private async judgeOnce() {
         const text = this.text;
-        const { whole, messages, scene, files } = await this.client.ask('judge', text, this.irradiance);
+        const { whole, messages, scene, files } = await this.client.urgent('judge', text, this.irradiance);
         if (text !== this.text) return;
         this.messages = messages;
         this.files = files;

@@ -67,7 +67,8 @@ export class SpaceView {
         const [w, h] = this.model.screen;
         places.push([-w / 2, -h / 2, 0], [w / 2, h / 2, 0]);
         for (const { center, radius, size } of this.model.shapes) {
-            const r = Math.max(radius ?? 0, ...(size ?? []).map((each) => each / 2));
+            // Floors and walls far beyond what is seen of them need not be in sight as a whole.
+            const r = Math.min(Math.max(radius ?? 0, ...(size ?? []).map((each) => each / 2)), Math.max(w, h));
             places.push(
                 center.map((c) => c - r),
                 center.map((c) => c + r),

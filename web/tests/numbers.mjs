@@ -96,7 +96,7 @@ function namesOwnFiles(core, tool, folder) {
 
 /** Light between surfaces: the tool's numbers, with the bound of what is left out. */
 async function reflects(core, tool, folder, builtin) {
-    const text = builtin.text.replace(/^luxel: 1$/m, 'luxel: 1\nreflections: 2').replace(/\[\d+, \d+\]/, '[60, 60]');
+    const text = builtin.text.replace(/^luxel: 1$/m, 'luxel: 1\nreflections: 2').replace(/resolution: .*\]/, 'resolution: [50, 40]');
     check(core.open(text), JSON.stringify(core.messages()));
     check(core.render(1), JSON.stringify(core.messages()));
     const { reflected, reached } = core.picture();

@@ -210,6 +210,21 @@ async function endsLongWork(page) {
     return `${Date.now() - start} ms until a long picture gives way`;
 }
 
+async function changesDoNotWait(page) {
+    await openScene(page, 'report');
+    const text = await page.evaluate(() => window.luxel.inside.builtins.find(({ name }) => name === 'room').text);
+    const reflecting = text.replace('luxel: 1', 'luxel: 1\nreflections: all');
+    await inside(page, `void model.begin(${JSON.stringify(reflecting)})`);
+    await until(page, `model.wholeText === ${JSON.stringify(reflecting)}`);
+    const start = Date.now();
+    await inside(page, 'void model.change([{ set: "lights[0].enabled=false" }])');
+    await until(page, "model.wholeText.includes('enabled: false')");
+    const time = Date.now() - start;
+    await inside(page, "void model.change([{ set: 'reflections=none' }])");
+    await until(page, "model.picture.text.includes('reflections: none')");
+    return `${time} ms until a change is taken`;
+}
+
 async function givesUpHopeless(page) {
     await openScene(page, 'report');
     await inside(page, 'void (model.failing = model.text)'); // as if it had been this text that failed before
@@ -365,6 +380,7 @@ export async function page(folder, tool) {
     await test('a crash of the core loses nothing', () => survivesCrash(page));
     await test('a scene on which the core fails again and again is told', () => givesUpHopeless(page));
     await test('a picture that takes long gives way to a change', () => endsLongWork(page));
+    await test('a change does not wait for reflected light', () => changesDoNotWait(page));
     await test('Russian, with decimal commas', () => speaksRussian(page));
     await test('nothing is fetched after loading', () => offline(page, asked));
     await test('quick', () => quick(page));
