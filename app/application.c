@@ -45,6 +45,11 @@ static const struct {
     {"win.source-up", {"<Alt>Up"}},
     {"win.source-down", {"<Alt>Down"}},
     {"win.numbers", {"F9"}},
+    {"win.pane(uint32 0)", {"<Control>1", "<Control>KP_1"}},
+    {"win.pane(uint32 1)", {"<Control>2", "<Control>KP_2"}},
+    {"win.pane(uint32 2)", {"<Control>3", "<Control>KP_3"}},
+    {"win.next-pane(1)", {"F6"}},
+    {"win.next-pane(-1)", {"<Shift>F6"}},
     {"win.shortcuts", {"<Control>question", "F1"}},
 };
 

@@ -33,6 +33,28 @@ void app_display_range(const AppDisplay *display, const luxel_field *field, doub
         *low = *high * pow(10, -DECADES);
 }
 
+double app_range_place(const AppRange *range, double value)
+{
+    if (!range->logarithmic)
+        return (value - range->low) / (range->high - range->low);
+    return value > 0 ? log(value / range->low) / log(range->high / range->low) : -HUGE_VAL;
+}
+
+/* The ends keep a thousandth of the length between them, so that the way back is open. */
+AppRange app_range_move(const AppRange *range, gboolean upper, double parts)
+{
+    static const double LEAST_PART = 1e-3;
+    const double at = upper ? MAX(1 + parts, LEAST_PART) : MIN(parts, 1 - LEAST_PART);
+    const double value = range->logarithmic ? range->low * pow(range->high / range->low, at)
+                                            : range->low + at * (range->high - range->low);
+    AppRange moved = *range;
+    if (upper)
+        moved.high = value;
+    else
+        moved.low = range->low >= 0 && !range->logarithmic ? MAX(value, 0) : value;
+    return moved;
+}
+
 static guint32 pack(const double color[3])
 {
     guint32 bytes[3];

@@ -22,6 +22,17 @@ typedef struct AppDisplay {
     gboolean marks;       /* sources, points and the section */
 } AppDisplay;
 
+/* The values of the first and the last colour, and how those between lie: low < high. */
+typedef struct AppRange {
+    double low, high;
+    gboolean logarithmic; /* then 0 < low */
+} AppRange;
+
+/* Where a value lies between the ends: 0 at the lower one, 1 at the upper one; beyond them less or more. */
+double app_range_place(const AppRange *range, double value);
+/* The range when an end has gone to the value that stood so many parts of the length farther up. */
+AppRange app_range_move(const AppRange *range, gboolean upper, double parts);
+
 /* Grey on black, all marks shown. */
 void app_display_init(AppDisplay *display);
 

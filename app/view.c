@@ -85,6 +85,16 @@ double app_view_mm_per_pixel(AppView *self)
     return self->map.scale > 0 ? 1 / self->map.scale : 1;
 }
 
+double app_view_magnification(AppView *self)
+{
+    const luxel_field *field = field_of(self);
+    if (!field)
+        return 0;
+    const AppArea area = app_area_of(field);
+    return self->map.scale * gtk_widget_get_scale_factor(GTK_WIDGET(self)) * (area.high[0] - area.low[0]) /
+           luxel_field_columns(field);
+}
+
 void app_view_zoom_at(AppView *self, const double at[2], double factor)
 {
     double place[2];

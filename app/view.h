@@ -40,6 +40,8 @@ void app_view_one_to_one(AppView *self);
 void app_view_zoom(AppView *self, double factor);
 /* Millimetres for a pixel of the widget. */
 double app_view_mm_per_pixel(AppView *self);
+/* Dots of the screen for a pixel of the picture; 0: there is none. */
+double app_view_magnification(AppView *self);
 
 /* What the view shows of the screen, for the painter. */
 AppFrame app_view_frame(AppView *self);

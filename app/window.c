@@ -5,6 +5,7 @@
  */
 #include "window.h"
 
+#include <math.h>
 #include <string.h>
 
 #include "../front/language.h"
@@ -161,6 +162,7 @@ static void view_pointed(AppView *view, double x_mm, double y_mm, gboolean insid
     self->pointer_inside = inside;
     if (!inside) {
         gtk_label_set_text(GTK_LABEL(self->status_label), "");
+        app_dial_set_needle(APP_DIAL(self->bar), (double)NAN);
         app_sources_show_shares(APP_SOURCES(self->sources), NULL);
         app_stage_set_reading(APP_STAGE(self->stage), NULL);
     }
@@ -374,7 +376,7 @@ static void connect_parts(AppWindow *self)
     g_signal_connect_swapped(self->display_form, "changed", G_CALLBACK(display_changed), self);
     g_signal_connect_swapped(self->numbers, "wanted", G_CALLBACK(page_turned), self);
     g_signal_connect_swapped(self->fault_bar, "response", G_CALLBACK(close_faults), self);
-    gtk_drawing_area_set_draw_func(GTK_DRAWING_AREA(self->bar), app_window_draw_bar, self, NULL);
+    app_dial_set_form(APP_DIAL(self->bar), APP_DISPLAY_FORM(self->display_form));
 }
 
 /* Sizes and choices of the last time. */
@@ -452,6 +454,7 @@ static void app_window_class_init(AppWindowClass *class)
     G_OBJECT_CLASS(class)->dispose = app_window_dispose;
     G_OBJECT_CLASS(class)->finalize = app_window_finalize;
     g_type_ensure(APP_TYPE_VIEW);
+    g_type_ensure(APP_TYPE_DIAL);
     gtk_widget_class_set_template_from_resource(widget, "/org/luxel/Luxel/window.ui");
 #define BIND(name) gtk_widget_class_bind_template_child(widget, AppWindow, name)
     BIND(view);
@@ -474,6 +477,7 @@ static void app_window_class_init(AppWindowClass *class)
     BIND(repair_label);
     BIND(status_label);
     BIND(message_label);
+    BIND(zoom_label);
     BIND(progress);
     BIND(builtin_menu);
     BIND(recent_menu);
@@ -512,5 +516,6 @@ static void app_window_init(AppWindow *self)
     app_window_add_file_actions(self);
     app_window_add_chosen_actions(self);
     app_window_add_surface_actions(self);
+    app_window_add_focus_actions(self);
     app_window_update_actions(self);
 }

@@ -292,6 +292,9 @@ static gboolean letter_pressed(GtkEventControllerKey *controller, guint key, gui
     }
     if (state & (GDK_CONTROL_MASK | GDK_ALT_MASK))
         return FALSE;
+    const guint digit = gdk_keyval_to_unicode(key);
+    if (digit >= '1' && digit <= '9')
+        return gtk_widget_activate_action(GTK_WIDGET(self), "win.source-choose", "u", digit - '1');
     for (gsize i = 0; i < G_N_ELEMENTS(letters); i++) {
         if ((lower != letters[i].latin && lower != letters[i].cyrillic) ||
             ((state & GDK_SHIFT_MASK) != 0) != letters[i].shifted)

@@ -3,6 +3,7 @@
 #ifndef LUXEL_APP_WINDOW_PRIVATE_H
 #define LUXEL_APP_WINDOW_PRIVATE_H
 
+#include "dial.h"
 #include "display_form.h"
 #include "export.h"
 #include "numbers.h"
@@ -49,7 +50,7 @@ struct _AppWindow {
     GtkWidget *left_pane, *right_pane, *left_scroll, *left_box, *right_box, *compare_box, *compare_label, *bar;
     GtkWidget *unsaved_bar, *unsaved_label, *discard_button, *fault_bar, *fault_label;
     GtkWidget *stale_box, *stale_label, *repair_button, *repair_label;
-    GtkWidget *status_label, *message_label, *progress;
+    GtkWidget *status_label, *message_label, *zoom_label, *progress;
     GMenu *builtin_menu, *recent_menu, *export_menu;
     /* made by hand */
     GtkWidget *screen_form, *surface_list, *surface_form, *material_form, *picture_form;
@@ -69,7 +70,6 @@ void app_window_ask_pointer(AppWindow *self);
 void app_window_show_picture(AppPicture *picture, gpointer owner);
 void app_window_show_numbers(AppMeasures *measures, gpointer owner);
 void app_window_show_reading(const AppReading *reading, gpointer owner);
-void app_window_draw_bar(GtkDrawingArea *area, cairo_t *cairo, int width, int height, gpointer data);
 /* Says something at the edge of the window. */
 void app_window_say(AppWindow *self, const char *text);
 /* Says something for some seconds only. */
@@ -88,6 +88,9 @@ void app_window_make_repair(AppWindow *self);
 
 /* window_panes.c: the widths of the panes, in whatever window they stand. */
 void app_window_watch_panes(AppWindow *self);
+
+/* window_focus.c: the keyboard goes from pane to pane. */
+void app_window_add_focus_actions(AppWindow *self);
 
 /* window_report.c: who hands a report in is asked before its file is. */
 void app_window_ask_report(AppWindow *self, void (*done)(AppWindow *self));

@@ -1,10 +1,8 @@
 /* SPDX-License-Identifier: MIT */
 /* What a window shows of pictures, numbers, readings and faults when they come. */
-#include <luxel/drawing.h>
 #include <math.h>
 #include <string.h>
 
-#include "../front/language.h"
 #include "../front/words.h"
 #include "export.h"
 #include "lamp.h"
@@ -84,6 +82,17 @@ static void show_comparison(AppWindow *self, const AppPicture *picture)
     g_free(text);
 }
 
+/* A coarse picture has other pixels: the figure waits for the fine one. */
+static void show_zoom(AppWindow *self)
+{
+    char text[APP_NUMBER_SIZE + 4], percent[APP_NUMBER_SIZE];
+    if (!self->picture->shot->is_fine)
+        return;
+    g_snprintf(text, sizeof text, "%s %%", app_number_plain(100 * app_view_magnification(self->view), 3, percent));
+    if (strcmp(gtk_label_get_text(GTK_LABEL(self->zoom_label)), text) != 0)
+        gtk_label_set_text(GTK_LABEL(self->zoom_label), text);
+}
+
 void app_window_show_picture(AppPicture *picture, gpointer owner)
 {
     AppWindow *self = owner;
@@ -99,38 +108,12 @@ void app_window_show_picture(AppPicture *picture, gpointer owner)
     app_form_suggest(APP_FORM(self->picture_form), "picture.range", picture->low, picture->high);
     app_numbers_set_colors(APP_NUMBERS(self->numbers), picture->display.palette, picture->low, picture->high,
                            picture->display.logarithmic);
-    gtk_widget_queue_draw(self->bar);
+    app_dial_set_picture(APP_DIAL(self->bar), picture);
+    show_zoom(self);
     show_comparison(self, picture);
     app_window_ask_numbers(self);
     app_window_ask_pointer(self);
     app_pulse_picture();
-}
-
-void app_window_draw_bar(GtkDrawingArea *area, cairo_t *cairo, int width, int height, gpointer data)
-{
-    AppWindow *self = data;
-    const AppPicture *picture = self->picture;
-    const luxel_language language = {.translate = language_translate, .code = language_code()};
-    luxel_drawing_style style;
-    GdkRGBA ink;
-    if (!picture || width < 60)
-        return;
-    gtk_style_context_get_color(gtk_widget_get_style_context(GTK_WIDGET(area)), &ink);
-    luxel_drawing_style_init(&style, ink.red + ink.green + ink.blue > 1.5f);
-    style.letters = 11;
-    style.language = &language;
-    const double gain = exp2(picture->display.exposure);
-    const luxel_field *field = app_window_shot(self)->field;
-    char *label = g_strdup_printf("%s%s, %s", picture->side == APP_SIDE_DIFFERENCE ? _("B − A: ") : "",
-                                  gettext(luxel_field_quantity_word(field)), gettext(luxel_field_unit(field)));
-    const luxel_bar bar = {.palette = picture->display.palette,
-                           .low = picture->low / gain,
-                           .high = picture->high / gain,
-                           .logarithmic = picture->display.logarithmic,
-                           .label = label};
-    cairo_translate(cairo, 16, 4);
-    luxel_draw_bar(cairo, &style, &bar, width - 32, height - 4);
-    g_free(label);
 }
 
 /* ---- numbers ---- */
@@ -141,6 +124,8 @@ void app_window_show_numbers(AppMeasures *measures, gpointer owner)
     app_numbers_show(APP_NUMBERS(self->numbers), measures);
     if (measures->has_points)
         app_sources_show(APP_SOURCES(self->sources), measures, is_photometric(self));
+    if (measures->has_isophotes)
+        app_dial_set_isophotes(APP_DIAL(self->bar), measures->isophotes);
     if (measures->has_isophotes)
         app_view_set_isophotes(self->view, g_steal_pointer(&measures->isophotes));
 }
@@ -206,6 +191,17 @@ static void add_value(GString *text, const AppReading *reading)
         g_string_append_printf(text, "   %s %u", _("grey"), reading->grey);
 }
 
+/* The value, or at the difference how far apart both are; NaN: there is none. */
+static double shown_value(const AppReading *reading)
+{
+    const luxel_value *value = &reading->value, *minus = &reading->minus;
+    if (!value->on_surface || !value->has_value)
+        return (double)NAN;
+    if (!reading->has_minus)
+        return value->value;
+    return minus->on_surface && minus->has_value ? value->value - minus->value : (double)NAN;
+}
+
 void app_window_show_reading(const AppReading *reading, gpointer owner)
 {
     AppWindow *self = owner;
@@ -232,6 +228,7 @@ void app_window_show_reading(const AppReading *reading, gpointer owner)
         add_shares(text, reading);
     }
     gtk_label_set_markup(GTK_LABEL(self->status_label), text->str);
+    app_dial_set_needle(APP_DIAL(self->bar), shown_value(reading));
     app_sources_show_shares(APP_SOURCES(self->sources), reading);
     app_stage_set_reading(APP_STAGE(self->stage), reading);
     if (value->on_surface && value->has_value)

@@ -287,6 +287,32 @@ static void paints_either_precision(void **state)
     finish(&painting);
 }
 
+/* The ends of a range go where the hand puts them: to the value that stood there, and never past each other. */
+static void moves_ends(void **state)
+{
+    (void)state;
+    const AppRange line = {2, 10, FALSE}, decades = {0.01, 100, TRUE};
+    assert_true(fabs(app_range_place(&line, 4) - 0.25) < 1e-15);
+    assert_true(fabs(app_range_place(&line, 12) - 1.25) < 1e-15);
+    assert_true(fabs(app_range_place(&decades, 1) - 0.5) < 1e-15);
+    assert_true(app_range_place(&decades, 0) < -1e300);
+    for (double parts = -0.9; parts < 0.95; parts += 0.1) {
+        const AppRange ranges[] = {line, decades};
+        for (int i = 0; i < 2; i++) {
+            const AppRange up = app_range_move(&ranges[i], TRUE, parts),
+                           down = app_range_move(&ranges[i], FALSE, parts);
+            assert_true(up.low == ranges[i].low && down.high == ranges[i].high);
+            assert_true(fabs(app_range_place(&ranges[i], up.high) - (1 + parts)) < 1e-12);
+            if (down.low > 0)
+                assert_true(fabs(app_range_place(&ranges[i], down.low) - parts) < 1e-12);
+            else
+                assert_true(down.low == 0 && i == 0);
+        }
+    }
+    assert_true(app_range_move(&line, TRUE, -3).high > line.low);
+    assert_true(app_range_move(&decades, FALSE, 3).low < decades.high);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -300,6 +326,7 @@ int main(void)
         cmocka_unit_test(paints_around_the_surface_only),
         cmocka_unit_test(shows_differences_alike_both_ways),
         cmocka_unit_test(paints_either_precision),
+        cmocka_unit_test(moves_ends),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -46,6 +46,9 @@ def letters(tap, desk, window, layout):
     scale = window.map()[0]
     desk.key("plus" if layout == "us" else "21")
     becomes(tap, "+ zooms" + under, lambda: window.map()[0] > 1.1 * scale)
+    desk.key("ctrl+0")
+    becomes(tap, "Ctrl+0 shows pixels as they are, which the line at the edge tells" + under,
+            lambda: window.says("100 %") == "100 %")
     desk.key(F)
     becomes(tap, "F fits" + under, lambda: abs(window.map()[0] - scale) < 1e-3)
 
@@ -143,6 +146,46 @@ def from_part_to_part(tap, desk):
     becomes(tap, "and shows them", lambda: window.state("numbers"))
 
 
+def pane(window):
+    """Which pane has the keyboard, by where on the window it is."""
+    focus = next((part for part in window.widget.all() if part.has("focused")), None)
+    left, picture = window.panel(), window.widget.find("image").area()
+    x, y = focus.area()[:2]
+    return ("scene" if x < left[0] + left[2] else "numbers" if x >= picture[0] + picture[2]
+            else "picture" if focus.role == "image" else "bar" if y >= picture[1] + picture[3] else "other")
+
+
+def round_the_panes(tap, desk):
+    window = desk.start().window()
+    met = []
+    for _ in range(4):
+        before = focused(window)
+        desk.key("F6")
+        wait("another part with the keyboard", lambda: focused(window) != before)
+        met.append(pane(window))
+    tap.equal(met, ["numbers", "bar", "scene", "picture"], "F6 goes round the panes")
+    desk.key("shift+F6")
+    becomes(tap, "Shift+F6 goes back", lambda: pane(window) == "scene")
+    for key, name in (("ctrl+3", "numbers"), ("ctrl+1", "scene"), ("ctrl+2", "picture")):
+        desk.key(key)
+        becomes(tap, "%s goes to the %s" % (key, name), lambda: pane(window) == name)
+    desk.key("F9")
+    wait("no numbers", lambda: not window.state("numbers"))
+    desk.key("ctrl+3")
+    becomes(tap, "which are shown where they were not", lambda: window.state("numbers") and pane(window) == "numbers")
+
+
+def digits(tap, desk):
+    window = desk.start("three-lights").window()
+    items = list(window.widget.find("list").all("list item"))
+    for number in (3, 1, 2):
+        desk.key(str(number))
+        becomes(tap, "%d chooses that source" % number,
+                lambda: [item.has("selected") for item in items] == [i == number - 1 for i in range(3)])
+    desk.key("9")
+    tap.ok(items[1].has("selected"), "a digit without a source chooses none")
+
+
 def keys_in_fields(tap, desk):
     window = desk.start().window()
     window.enter("Name", "nerd.fic", "text box")
@@ -151,4 +194,4 @@ def keys_in_fields(tap, desk):
     tap.ok(not window.state("false-color") and not window.state("isophotes"), "and switch nothing")
 
 
-trial(latin, cyrillic, both_layouts, from_part_to_part, keys_in_fields)
+trial(latin, cyrillic, both_layouts, from_part_to_part, round_the_panes, digits, keys_in_fields)
