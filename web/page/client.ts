@@ -32,9 +32,10 @@ interface Asked {
 
 // Pictures and values may take long, as where surfaces reflect light to each other.
 const LONG: (keyof Questions)[] = ['render', 'probe', 'table', 'section', 'sectionBetween', 'extrema', 'explain'];
-const PATIENCE = 600; // milliseconds that something urgent waits for them
+const PATIENCE = 1500; // milliseconds that something urgent waits for them
 
-class Interrupted extends Error {}
+/** Why a question has no answer: its worker was ended for the sake of something urgent. */
+export class Interrupted extends Error {}
 
 export class Client {
     private worker!: Worker;
@@ -137,8 +138,7 @@ export class Client {
         this.interruptions++;
         const given = [...this.waiting.values()];
         this.waiting.clear();
-        const starting = this.restart().finally(() => (this.starting = null));
-        this.starting = starting;
+        this.starting = this.restart().finally(() => (this.starting = null));
         for (const { reject } of given) reject(new Interrupted('something urgent came'));
     }
 

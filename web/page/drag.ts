@@ -8,6 +8,7 @@ export class Drag {
     private readonly mark = `drag ${++drags}`;
     private next: number[] | null = null;
     private busy = false;
+    private isOver = false;
 
     constructor(
         private readonly model: Model,
@@ -24,12 +25,15 @@ export class Drag {
             const present = this.model.things.find(
                 ({ key, kind }) => key === this.thing.key && kind === this.thing.kind,
             );
-            await this.model.moveThing(present ?? this.thing, place, this.mark).catch(() => undefined);
+            const went = await this.model.moveThing(present ?? this.thing, place, this.mark).catch(() => false);
+            // What was undone while the last movement was on its way stays undone.
+            if (!went && this.isOver) this.next = null;
         }
         this.busy = false;
     }
 
     end() {
+        this.isOver = true;
         this.model.endStep();
     }
 }

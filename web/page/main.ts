@@ -2,7 +2,7 @@
 // The page: what stands where, and what each control does.
 import './style.css';
 import type { Builtin, PictureFacts } from './core';
-import { hasVectors } from './client';
+import { hasVectors, Interrupted } from './client';
 import { scaleControls, sideControls } from './controls';
 import { Compare } from './compare';
 import { Dial } from './dial';
@@ -126,7 +126,7 @@ class Page {
         this.model.listen((topic) => {
             if (topic === 'text') this.textChanged();
             else if (topic === 'scene') this.sceneChanged();
-            else if (topic === 'geometry') this.geometryChanged();
+            else if (topic === 'geometry') void this.geometryChanged();
             else if (topic === 'picture') this.pictureChanged();
         });
         this.picture.onProbe = (x, y) => {
@@ -151,6 +151,11 @@ class Page {
         this.embedding.onText = (text) => this.openText(text);
         this.files.onScene = (text) => this.openText(text);
         this.files.onTrouble = (text) => this.say(text);
+        // What a worker was asked that had to make way is asked anew of the next scene.
+        window.addEventListener(
+            'unhandledrejection',
+            (event) => void (event.reason instanceof Interrupted && event.preventDefault()),
+        );
         window.addEventListener('hashchange', () => this.openFirst());
         window.addEventListener('keydown', (event) => this.key(event));
         document.addEventListener('dragover', (event) => event.preventDefault());
