@@ -28,10 +28,11 @@ static const luxel_use of_planes = {.screen = false};
 struct grids {
     const luxel_scene *scene;
     luxel_grid **list;
+    luxel_grid_extrema *extrema; /* on the planes of each */
     size_t count;
 };
 
-/* Progress of all grids together, by their cells. */
+/* Progress of all grids together, by their cells, for each of which the extrema count as much again. */
 struct share {
     struct progress *progress;
     double before, own, all;
@@ -61,16 +62,23 @@ static luxel_status measure(const struct options *options, const struct loaded *
     struct share share = {.progress = &progress};
     luxel_status status = LUXEL_OK;
 
-    *grids = (struct grids){.scene = loaded->scene, .list = message_allocate(count, sizeof *grids->list)};
+    *grids = (struct grids){.scene = loaded->scene,
+                            .list = message_allocate(count, sizeof *grids->list),
+                            .extrema = message_allocate(count, sizeof *grids->extrema)};
     for (size_t i = 0; i < count; i++)
-        share.all += count_cells(loaded->scene, i);
+        share.all += 2 * count_cells(loaded->scene, i);
     settings.progress = report_share;
     settings.progress_data = &share;
     progress_begin(&progress, options->quiet);
     while (status == LUXEL_OK && grids->count < count) {
-        share.own = count_cells(loaded->scene, grids->count);
-        status = luxel_measure(loaded->scene, &settings, grids->count, loaded->diagnostics, &grids->list[grids->count]);
+        const size_t i = grids->count;
+
+        share.own = count_cells(loaded->scene, i);
+        status = luxel_measure(loaded->scene, &settings, i, loaded->diagnostics, &grids->list[i]);
         grids->count += status == LUXEL_OK;
+        share.before += share.own;
+        if (status == LUXEL_OK)
+            status = luxel_find_grid_extrema(loaded->scene, &settings, i, loaded->diagnostics, &grids->extrema[i]);
         share.before += share.own;
     }
     progress_end(&progress);
@@ -82,6 +90,7 @@ static void grids_clear(struct grids *grids)
     for (size_t i = 0; i < grids->count; i++)
         luxel_grid_free(grids->list[i]);
     free(grids->list);
+    free(grids->extrema);
 }
 
 static void write_extremum(struct json *json, const char *key, const luxel_grid *grid,
@@ -125,7 +134,20 @@ static void write_number_if(struct json *json, const char *key, bool exists, dou
         json_null(json, key);
 }
 
-static void write_grid(struct json *json, const luxel_grid *grid)
+static void write_peak(struct json *json, const char *key, const luxel_grid_peak *peak)
+{
+    if (!peak->exists) {
+        json_null(json, key);
+        return;
+    }
+    json_open(json, key, '{');
+    json_number(json, "value", peak->value);
+    json_number(json, "error", peak->error);
+    json_numbers(json, "position", peak->position_mm, 3);
+    json_close(json, '}');
+}
+
+static void write_grid(struct json *json, const luxel_grid *grid, const luxel_grid_extrema *extrema)
 {
     const bool measured = grid->measured > 0;
 
@@ -139,6 +161,10 @@ static void write_grid(struct json *json, const luxel_grid *grid)
     write_number_if(json, "average", measured, grid->average);
     write_extremum(json, "minimum", grid, &grid->minimum);
     write_extremum(json, "maximum", grid, &grid->maximum);
+    json_open(json, "extrema", '{');
+    write_peak(json, "minimum", &extrema->minimum);
+    write_peak(json, "maximum", &extrema->maximum);
+    json_close(json, '}');
     write_number_if(json, "u0", grid->has_evenness, grid->u0);
     write_number_if(json, "ud", grid->has_evenness, grid->ud);
     write_number_if(json, "flux", grid->flux_unit != NULL, grid->flux);
@@ -176,7 +202,7 @@ static void print_json(const struct grids *grids)
     json_text(&json, "unit", luxel_scene_unit(grids->scene, LUXEL_IRRADIANCE));
     json_open(&json, "grids", '[');
     for (size_t i = 0; i < grids->count; i++)
-        write_grid(&json, grids->list[i]);
+        write_grid(&json, grids->list[i], &grids->extrema[i]);
     json_close(&json, ']');
     result_write_conventions(&json, grids->scene, &of_planes);
     json_close(&json, '}');
@@ -251,6 +277,18 @@ static void add_extremum(struct text_table *table, const char *name, const luxel
                                      text_lengths(extremum->position_mm, 3, position)));
 }
 
+/* An extremum between the points, with its bound. */
+static void add_peak(struct text_table *table, const char *name, const luxel_grid_peak *peak)
+{
+    char value[TEXT_SIZE], bound[TEXT_SIZE], cell[TEXT_SIZE], position[TEXT_SIZE];
+
+    if (peak->exists)
+        text_table_row(table,
+                       TEXT_CELLS(name, text_value(value, 6, peak->value),
+                                  text_format(cell, "± %s", text_bound(bound, peak->value, peak->error)),
+                                  text_lengths(peak->position_mm, 3, position)));
+}
+
 /* A number in as many digits as may hold, with its bound. */
 static void add_bounded(struct text_table *table, const char *name, double value, double error)
 {
@@ -273,7 +311,7 @@ static void add_sampling(struct text_table *table, const luxel_grid *grid)
                           size > 0.0 ? text_format(share, "%.2g %%", 100.0 * grid->sampling_error / size) : "", ""));
 }
 
-static void print_statistics(const luxel_grid *grid)
+static void print_statistics(const luxel_grid *grid, const luxel_grid_extrema *extrema)
 {
     struct text_table *table = text_table_new("lrrr");
     char heading[TEXT_SIZE], flux[TEXT_SIZE], error[TEXT_SIZE];
@@ -284,6 +322,8 @@ static void print_statistics(const luxel_grid *grid)
     add_number(table, _("average of the values"), measured, grid->average);
     add_extremum(table, _("minimum"), grid, &grid->minimum);
     add_extremum(table, _("maximum"), grid, &grid->maximum);
+    add_peak(table, _("minimum on the whole plane"), &extrema->minimum);
+    add_peak(table, _("maximum on the whole plane"), &extrema->maximum);
     text_table_row(table, TEXT_CELLS(_("error of the values at most"),
                                      measured ? text_error(grid->error, error) : _("none"), "", ""));
     add_number(table, _("U0 = minimum / average of the values"), grid->has_evenness, grid->u0);
@@ -299,7 +339,7 @@ static void print_statistics(const luxel_grid *grid)
     text_table_print(table, stdout, 2);
 }
 
-static void print_grid(const luxel_grid *grid, size_t i)
+static void print_grid(const luxel_grid *grid, const luxel_grid_extrema *extrema, size_t i)
 {
     const size_t without = (size_t)grid->columns * grid->rows - grid->measured;
 
@@ -307,7 +347,7 @@ static void print_grid(const luxel_grid *grid, size_t i)
     print_plane(grid);
     if (grid->columns <= MOST_COLUMNS && grid->rows <= MOST_ROWS)
         print_values(grid);
-    print_statistics(grid);
+    print_statistics(grid, extrema);
     if (without > 0)
         printf(ngettext("  %zu cell lies on a source, lights[%zu], and has no value\n",
                         "  %zu cells lie on a source, the first of them on lights[%zu], and have no value\n", without),
@@ -327,7 +367,7 @@ static void print_text(const struct grids *grids, const char *name)
     printf(_(": %s in %s\n\n"), _(luxel_scene_quantity_word(grids->scene, LUXEL_IRRADIANCE)),
            _(luxel_scene_unit(grids->scene, LUXEL_IRRADIANCE)));
     for (size_t i = 0; i < grids->count; i++)
-        print_grid(grids->list[i], i);
+        print_grid(grids->list[i], &grids->extrema[i], i);
     result_print_conventions(grids->scene, &of_planes);
 }
 
@@ -425,8 +465,8 @@ const struct command command_grid = {
     .default_format = "csv",
     .summary = N_("measure the irradiance on planes and its uniformity"),
     .description = N_("Prints the irradiance at the centres of the cells of each measuring grid of the scene (its key "
-                      "grids), seen from the front of the plane, with the average, the minimum, the maximum, how "
-                      "evenly the plane is lit and the flux that falls on it. Each FILE, of comma-separated values, "
+                      "grids), seen from the front of the plane, with the average, the minimum, the maximum, the "
+                      "extrema on the whole plane between the cells' centres, how evenly the plane is lit and the flux that falls on it. Each FILE, of comma-separated values, "
                       "appears whole or not at all."),
     .examples = "luxel grid room.yaml\n"
                 "luxel grid room.yaml --json -o room.csv\n"

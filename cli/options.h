@@ -48,7 +48,7 @@ struct option_analysis {
 
 /* What figures and reports look like; texts are NULL where none were given. */
 struct option_drawing {
-    const char *palette, *label, *title, *author, *group, *date, *section;
+    const char *palette, *label, *title, *author, *group, *date, *section, *grid;
     const char *institution, *faculty, *course, *teacher, *place, *aim;
     bool palettes, contours, bands, lines, plain, no_extrema, no_points, stacked, dark;
     double width_mm, dots_per_inch; /* 0: the default */

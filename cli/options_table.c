@@ -370,6 +370,7 @@ static bool take_section(struct options *options, const char *argument)
         return true;                                                                                                   \
     }
 TAKES_TEXT(palette)
+TAKES_TEXT(grid)
 TAKES_TEXT(label)
 TAKES_TEXT(title)
 TAKES_TEXT(author)
@@ -471,10 +472,13 @@ static const struct option_row rows[] = {
     {"lines", 0, NULL, COMMAND_FIGURE, SETS(drawing.lines), .help = N_("draw the isophotes alone, coloured")},
     {"plain", 0, NULL, COMMAND_FIGURE, SETS(drawing.plain), .help = N_("draw smooth colours without isophotes")},
     {"no-extrema", 0, NULL, COMMAND_FIGURE, SETS(drawing.no_extrema), .help = N_("do not mark the maximum")},
-    {"no-points", 0, NULL, COMMAND_FIGURE, SETS(drawing.no_points), .help = N_("do not mark the scene's points")},
+    {"no-points", 0, NULL, COMMAND_FIGURE, SETS(drawing.no_points), .help = N_("do not mark the scene's points; of a grid, do not write its values")},
     {"palette", 0, N_("NAME"), COMMAND_FIGURE | COMMAND_REPORT, TAKES(take_palette),
      .help = N_("the colours: viridis (default) or another of --palettes")},
     {"palettes", 0, NULL, COMMAND_FIGURE, SETS(drawing.palettes), .help = N_("list the palettes")},
+    {"grid", 0, N_("NAME"), COMMAND_FIGURE, TAKES(take_grid),
+     .help = N_("draw the plane of a measuring grid, by its name or number, from 1 on: its irradiance with the values "
+                "at its points, where lights stand before it, average, minimum, maximum and U0")},
     {"section", 0, N_("PLACE"), COMMAND_FIGURE, TAKES(take_section), .value = VALUE_OPTIONAL, .words = section_words,
      .help = N_("plot the horizontal and the vertical section below, through the center (the default), the maximum or "
                 "a point: --section=X,Y")},

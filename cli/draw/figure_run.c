@@ -66,6 +66,37 @@ static bool take_section(const char *argument, luxel_figure_settings *figure)
     return false;
 }
 
+/* A grid of the scene by its name, else by its number, from 1 on. */
+static bool take_grid(const struct options *options, const struct loaded *loaded, luxel_figure_settings *figure)
+{
+    enum { MOST_NAMES = 64 };
+    const size_t count = luxel_scene_grid_count(loaded->scene);
+    const char *wanted = options->drawing.grid, *names[MOST_NAMES];
+    size_t named = 0;
+    char number[TEXT_SIZE];
+
+    for (size_t i = 0; i < count; i++) {
+        const char *name = luxel_scene_grid_name(loaded->scene, i);
+
+        if (name && strcmp(name, wanted) == 0)
+            figure->grid = figure->grid > 0 ? figure->grid : i + 1;
+        if (name && named < MOST_NAMES)
+            names[named++] = name;
+    }
+    for (size_t i = 0; i < count && figure->grid == 0; i++)
+        if (strcmp(text_format(number, "%zu", i + 1), wanted) == 0)
+            figure->grid = i + 1;
+    if (figure->grid > 0)
+        return true;
+    message_error(_("--grid %s: %s has no measuring grid of this name or number"), wanted, loaded->name);
+    if (count == 0)
+        message_hint(_("add some under the key grids, or try %s"),
+                     "-s 'grids=[{center: [0,0,0], size: [1000,1000], n: [10,10]}]'");
+    else
+        message_did_you_mean(luxel_nearest_word(wanted, names, named));
+    return false;
+}
+
 static bool take_bands(const struct option_drawing *drawing, luxel_figure_settings *figure)
 {
     if (drawing->contours + drawing->bands + drawing->lines + drawing->plain > 1) {
@@ -157,9 +188,25 @@ static int figure(const struct options *options, const struct loaded *loaded)
 
     if (!take_settings(options, &language, &settings))
         return EXIT_USAGE;
+    if (options->drawing.grid && !take_grid(options, loaded, &settings))
+        return EXIT_USAGE;
+    if (!settings.title && settings.grid > 0)
+        settings.title = luxel_scene_grid_name(loaded->scene, settings.grid - 1);
     if (!settings.title)
         settings.title = default_title(options, loaded, name, sizeof name);
     return work_write_files(options, loaded, write_figures, &settings);
+}
+
+/* What cannot be drawn of a grid. */
+static bool suits_grid(const struct options *options)
+{
+    if (options->drawing.section)
+        message_error(_("--section is of the picture: the figure of a grid has no sections"));
+    else if (options_given(options, "quantity") && options->settings.quantity != LUXEL_IRRADIANCE)
+        message_error(_("luxel grid measures the irradiance: a measuring plane has no material to be bright by"));
+    else
+        return true;
+    return false;
 }
 
 int drawing_figure(const struct options *options)
@@ -173,6 +220,8 @@ int drawing_figure(const struct options *options)
         message_hint(_("add -o FILE.png, -o FILE.svg or -o FILE.pdf"));
         return EXIT_USAGE;
     }
+    if (options->drawing.grid && !suits_grid(options))
+        return EXIT_USAGE;
     code = outputs_check(options, luxel_check_figure_name);
     return code == EXIT_DONE ? load_and(options, figure) : code;
 }

@@ -35,7 +35,16 @@ typedef enum luxel_section {
     LUXEL_SECTION_POINT
 } luxel_section;
 
-/* What a figure shows; luxel_figure_settings_init() sets the defaults, which the comments name. */
+/*
+ * What a figure shows; luxel_figure_settings_init() sets the defaults, which the comments name.
+ *
+ * The figure of a grid shows the irradiance on its plane as it is seen from its front, whatever the screen shows: the
+ * colours and isophotes of cells much finer than its own, its values at its own points where there is room for them
+ * (`points`), the maximum on the plane (`extrema`), where lights stand in front of it, and what is read off its values:
+ * average, minimum, maximum and U0.  Its axes are the scene's where it lies along them, else from its middle on.  The
+ * range of its colours is 0 to its maximum unless one is given, or the scene's picture says minmax or log.  It has no
+ * sections, whatever the settings say.
+ */
 typedef struct luxel_figure_settings {
     const char *palette;      /* a name of luxel_palette_name(): NULL: viridis */
     double low;               /* of the range of the bar; NaN: what the picture of the scene says, or its values */
@@ -57,6 +66,7 @@ typedef struct luxel_figure_settings {
     bool dark;                /* light lines on a dark ground, for projectors; false */
     bool small_print;         /* the parameters under the picture; true */
     const luxel_language *language; /* NULL: English */
+    size_t grid; /* 0: the picture; else the plane of the scene's grid of this number, from 1 on; see below */
 } luxel_figure_settings;
 
 /* Sets every member to its default, given above. */

@@ -82,6 +82,8 @@ typedef struct luxel_grid {
 
 /* The number of measuring grids of a committed scene. */
 LUXEL_API size_t luxel_scene_grid_count(const luxel_scene *scene);
+/* The name of the i-th grid, the scene's until that changes; NULL where it has none, or where there is no such grid. */
+LUXEL_API const char *luxel_scene_grid_name(const luxel_scene *scene, size_t i);
 /* The cells of the i-th grid of a committed scene.  LUXEL_ERROR_ARGUMENT: not committed, or no such. */
 LUXEL_API luxel_status luxel_scene_grid_resolution(const luxel_scene *scene, size_t i, unsigned *columns,
                                                    unsigned *rows);
@@ -94,6 +96,43 @@ LUXEL_API luxel_status luxel_scene_grid_resolution(const luxel_scene *scene, siz
  */
 LUXEL_API luxel_status luxel_measure(const luxel_scene *scene, const luxel_settings *settings, size_t i,
                                      luxel_diagnostics *diagnostics, luxel_grid **grid);
+
+/* The least or the greatest value on a whole plane. */
+typedef struct luxel_grid_peak {
+    bool exists;           /* false where no place has a value; then the rest is 0 */
+    double value;          /* in the grid's unit */
+    double error;          /* bounds |value - truth at this very place| */
+    double position_mm[3]; /* of the place */
+    double on_plane_mm[2]; /* from the plane's middle, along up x axis and along up */
+} luxel_grid_peak;
+
+/* Both. */
+typedef struct luxel_grid_extrema {
+    luxel_grid_peak minimum; /* the least value */
+    luxel_grid_peak maximum; /* the greatest value */
+} luxel_grid_extrema;
+
+/*
+ * Finds the extrema on the plane of the scene's i-th grid, its sides and corners included, between the points of the
+ * grid.  They are looked for at the centres, sides and corners of all cells and, where no light takes integrals, at
+ * some thousand places, and refined from there; so neither is less extreme than that of the grid's values, and no bound
+ * is known of what is narrower than the places lie apart.  Where light jumps, at the edge of a shadow say, the place is
+ * as near as the steps lead.  With light that surfaces reflect to each other neither exists.
+ * The same numbers for any number of threads.  Errors as luxel_measure().
+ */
+LUXEL_API luxel_status luxel_find_grid_extrema(const luxel_scene *scene, const luxel_settings *settings, size_t i,
+                                               luxel_diagnostics *diagnostics, luxel_grid_extrema *extrema);
+
+/*
+ * Measures the plane of the scene's i-th grid at the centres of other cells, so many columns and rows, as a field: the
+ * irradiance in float64, row 0 the top one, its places in mm from the plane's middle, x along up x axis and y along up.
+ * An odd multiple of the grid's own cells has their centres among its own.  The field is the caller's, as
+ * luxel_render() has it, but knows no scene.
+ * Errors as luxel_measure(); LUXEL_ERROR_ARGUMENT: columns or rows are not 1 to 65536, too.
+ */
+LUXEL_API luxel_status luxel_measure_field(const luxel_scene *scene, const luxel_settings *settings, size_t i,
+                                           unsigned columns, unsigned rows, luxel_diagnostics *diagnostics,
+                                           luxel_field **field);
 
 /* Frees a grid with its values; NULL is harmless. */
 LUXEL_API void luxel_grid_free(luxel_grid *grid);

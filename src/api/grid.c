@@ -41,6 +41,12 @@ static const struct lx_grid *find_grid(const luxel_scene *scene, size_t i)
                                              : NULL;
 }
 
+const char *luxel_scene_grid_name(const luxel_scene *scene, size_t i)
+{
+    const struct lx_grid *grid = find_grid(scene, i);
+    return grid ? grid->name : NULL;
+}
+
 luxel_status luxel_scene_grid_resolution(const luxel_scene *scene, size_t i, unsigned *columns, unsigned *rows)
 {
     const struct lx_grid *grid = find_grid(scene, i);
@@ -62,6 +68,7 @@ struct measuring {
     struct lx_lattice lattice; /* of its cells */
     double *values, *errors;
     uint8_t *mask;
+    bool values_alone; /* nothing is asked of the plane as a whole */
 };
 
 /* The elements at the centres of some cells. */
@@ -527,8 +534,9 @@ static luxel_status run(const struct lx_session *session, struct measuring *meas
         lx_hint(diagnostics, LX_MSG_LOWER_STRENGTHS, NULL);
         return LUXEL_ERROR_RANGE;
     }
-    find_enclosed(measuring);
-    if (!reflects) { /* what these know is the direct light */
+    if (!measuring->values_alone)
+        find_enclosed(measuring);
+    if (!reflects && !measuring->values_alone) { /* what these know is the direct light */
         integrate(measuring);
         judge_sampling(measuring);
     }
@@ -552,16 +560,29 @@ static luxel_status check_call(const luxel_scene *scene, size_t i, luxel_grid **
 luxel_status luxel_measure(const luxel_scene *scene, const luxel_settings *settings, size_t i,
                            luxel_diagnostics *diagnostics, luxel_grid **grid)
 {
+    return lx_measure_cells(scene, settings, i, NULL, diagnostics, grid);
+}
+
+luxel_status lx_measure_cells(const luxel_scene *scene, const luxel_settings *settings, size_t i, const unsigned n[2],
+                              luxel_diagnostics *diagnostics, luxel_grid **grid)
+{
     struct lx_session session;
-    struct measuring measuring = {
-        .world.prepared = &session.prepared, .prepared = &session.prepared, .lobe = lx_lobe_irradiance()};
+    struct measuring measuring = {.world.prepared = &session.prepared,
+                                  .prepared = &session.prepared,
+                                  .lobe = lx_lobe_irradiance(),
+                                  .values_alone = n != NULL};
+    struct lx_grid wanted;
     luxel_status status = lx_session_open_world(scene, settings, diagnostics, &session);
     if (status == LUXEL_OK)
         measuring.world.kernels = lx_element_kernels_of(session.kernels);
     if (status == LUXEL_OK)
         status = check_call(scene, i, grid, diagnostics);
-    if (status == LUXEL_OK)
-        status = new_grid(&session, find_grid(scene, i), diagnostics, &measuring);
+    if (status == LUXEL_OK) {
+        wanted = *find_grid(scene, i);
+        if (n)
+            memcpy(wanted.n, n, sizeof wanted.n);
+        status = new_grid(&session, &wanted, diagnostics, &measuring);
+    }
     if (status == LUXEL_OK)
         status = run(&session, &measuring, diagnostics);
     lx_lattice_clear(&measuring.lattice);

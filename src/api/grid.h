@@ -12,4 +12,11 @@ struct lx_measured {
     struct lx_cells cells;
 };
 
+/*
+ * luxel_measure(), or with `n` the values alone of that plane's cells if there were n[0] columns and n[1] rows: without
+ * flux, mean, sampling error and what is inside of bodies.
+ */
+luxel_status lx_measure_cells(const luxel_scene *scene, const luxel_settings *settings, size_t i, const unsigned n[2],
+                              luxel_diagnostics *diagnostics, luxel_grid **grid);
+
 #endif

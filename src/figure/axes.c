@@ -5,6 +5,7 @@
 #include <luxel/isophotes.h>
 #include <math.h>
 #include <stdio.h>
+#include <string.h>
 
 #include "../base/number.h"
 
@@ -29,10 +30,25 @@ const char *lx_tick_text(double value, char buffer[LX_TICK_TEXT])
     return buffer;
 }
 
+/* Ticks the other way round. */
+static struct lx_ticks turn(const struct lx_ticks ticks)
+{
+    struct lx_ticks turned = {.count = ticks.count};
+    for (size_t i = 0; i < ticks.count; i++) {
+        turned.values[i] = ticks.values[ticks.count - 1 - i];
+        memcpy(turned.texts[i], ticks.texts[ticks.count - 1 - i], sizeof turned.texts[i]);
+    }
+    return turned;
+}
+
 struct lx_ticks lx_ticks_of(const struct lx_scale *scale, size_t wanted)
 {
     struct lx_ticks ticks = {.count = 0};
     double beyond = 1e-9 * (scale->high - scale->low);
+    if (scale->high < scale->low) {
+        const struct lx_scale turned = {.low = scale->high, .high = scale->low};
+        return turn(lx_ticks_of(&turned, wanted));
+    }
     double low = scale->logarithmic ? scale->low * (1 - 1e-9) : scale->low - beyond;
     double high = scale->logarithmic ? scale->high * (1 + 1e-9) : scale->high + beyond;
     ticks.count = luxel_round_levels(low, high, scale->logarithmic, wanted, ticks.values, LX_MOST_TICKS);

@@ -9,7 +9,7 @@ enum { LX_MOST_TICKS = 64, LX_TICK_TEXT = 40 };
 
 /* A range of values along a length. */
 struct lx_scale {
-    double low, high; /* low < high */
+    double low, high; /* low < high; along the axes of a plot also the other way round, if not logarithmic */
     bool logarithmic; /* then both are above 0 */
 };
 

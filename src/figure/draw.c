@@ -38,13 +38,12 @@ static struct lx_bar bar_of(const struct lx_figure *figure)
 static double draw_map_and_bar(const struct lx_figure *figure, const struct lx_canvas *canvas,
                                const struct layout *layout, double top, bool drawn)
 {
-    const struct lx_screen *screen = &figure->scene->screen;
+    const double *size_mm = figure->size_mm;
     const struct lx_bar bar = bar_of(figure);
-    struct lx_plot plot = {.x = {.low = -screen->width_mm / 2, .high = screen->width_mm / 2},
-                           .y = {.low = -screen->height_mm / 2, .high = screen->height_mm / 2},
-                           .size = layout->size};
-    const char *x_label = lx_figure_word(figure, LX_N("x, mm")), *y_label = lx_figure_word(figure, LX_N("y, mm"));
-    double aspect = screen->height_mm / screen->width_mm, bar_height = 0, room = 0, gap = 0, bar_width = 0;
+    struct lx_plot plot = {.x = figure->axes[0], .y = figure->axes[1], .size = layout->size};
+    const char *x_label = lx_figure_word(figure, figure->axis_names[0]);
+    const char *y_label = lx_figure_word(figure, figure->axis_names[1]);
+    double aspect = size_mm[1] / size_mm[0], bar_height = 0, room = 0, gap = 0, bar_width = 0;
     struct lx_margins margins = {0};
     plot.box = (struct lx_pane){.width = layout->width / 2, .height = layout->width / 2 * aspect};
     for (int pass = 0; pass < 3; pass++) { /* ticks and labels, and with them the room, depend on the size */
@@ -63,7 +62,10 @@ static double draw_map_and_bar(const struct lx_figure *figure, const struct lx_c
     plot.box.y = top + margins.above + shift;
     if (drawn) {
         struct lx_pane colors = {plot.box.x + plot.box.width + gap, plot.box.y - shift, bar_width, bar_height};
-        lx_draw_map(figure, canvas, &plot);
+        struct lx_plot map = plot;
+        map.x = (struct lx_scale){.low = -size_mm[0] / 2, .high = size_mm[0] / 2};
+        map.y = (struct lx_scale){.low = -size_mm[1] / 2, .high = size_mm[1] / 2};
+        lx_draw_map(figure, canvas, &map);
         lx_draw_axes(canvas, &plot, x_label, y_label, false);
         lx_draw_bar(&bar, canvas, &colors, layout->size);
     }
@@ -144,6 +146,15 @@ static double draw_sections(const struct lx_figure *figure, const struct lx_canv
     return draw_legend(figure, canvas, layout, end, drawn);
 }
 
+/* Draws a text, or only measures; returns where it ends. */
+static double draw_text(const char *text, const struct lx_canvas *canvas, const struct lx_type *type, double x,
+                        double y, bool drawn)
+{
+    if (drawn)
+        lx_write(canvas, text, type, x, y, 0, 0, 0);
+    return y + lx_measure(canvas, text, type).height;
+}
+
 double lx_figure_draw(const struct lx_figure *figure, cairo_t *cairo, double width)
 {
     /* measuring needs fonts, too */
@@ -152,24 +163,20 @@ double lx_figure_draw(const struct lx_figure *figure, cairo_t *cairo, double wid
     struct lx_canvas canvas = lx_canvas_of(context, figure->settings.dark);
     struct layout layout = layout_of(width);
     struct lx_type title = {.size = 1.3 * layout.size, .bold = true, .wrap = width - 2 * layout.margin};
+    struct lx_type caption = {.size = layout.size, .wrap = title.wrap};
     struct lx_type print = {
         .size = fmax(6, 0.75 * layout.size), .color = canvas.faint, .wrap = width - 2 * layout.margin};
     double y = layout.margin;
     bool drawn = cairo != NULL;
-    if (*figure->title) {
-        if (drawn)
-            lx_write(&canvas, figure->title, &title, layout.margin, y, 0, 0, 0);
-        y += lx_measure(&canvas, figure->title, &title).height + layout.gap;
-    }
+    if (*figure->title)
+        y = draw_text(figure->title, &canvas, &title, layout.margin, y, drawn) + layout.gap;
     y = draw_map_and_bar(figure, &canvas, &layout, y, drawn);
+    if (figure->plane)
+        y = draw_text(figure->plane->caption, &canvas, &caption, layout.margin, y + layout.gap, drawn);
     if (figure->sections[0] && figure->sections[1])
         y = draw_sections(figure, &canvas, &layout, y + layout.gap, drawn);
-    if (*figure->print) {
-        y += layout.gap;
-        if (drawn)
-            lx_write(&canvas, figure->print, &print, layout.margin, y, 0, 0, 0);
-        y += lx_measure(&canvas, figure->print, &print).height;
-    }
+    if (*figure->print)
+        y = draw_text(figure->print, &canvas, &print, layout.margin, y + layout.gap, drawn);
     lx_canvas_clear(&canvas);
     if (!cairo) {
         cairo_destroy(context);

@@ -4,6 +4,7 @@
 #define LX_FIGURE_FIGURE_H
 
 #include <luxel/figure.h>
+#include <luxel/grid.h>
 
 #include "../document/document.h"
 #include "../scene/scene.h"
@@ -17,11 +18,30 @@ struct lx_outline {
     size_t count, capacity;
 };
 
+/* A light in front of a measuring plane: where it stands, in mm from the plane's middle. */
+struct lx_lamp {
+    double place_mm[2];
+    size_t light; /* index in the scene */
+};
+
+/* What the figure of a measuring plane has beside that of a picture. */
+struct lx_plane {
+    luxel_grid *grid;
+    luxel_grid_extrema extrema; /* on the whole plane */
+    struct lx_lamp *lamps;
+    size_t lamp_count;
+    char *caption; /* what is read off the values */
+};
+
 struct lx_figure {
     luxel_figure_settings settings;
     const struct lx_scene_parameters *scene;
     luxel_scene *copy; /* of the scene, which the rest points into */
     luxel_field *field;
+    struct lx_plane *plane;   /* NULL: it shows the picture */
+    double size_mm[2];        /* of the map, whose middle is at (0, 0) */
+    struct lx_scale axes[2];  /* what is written along its sides, which may run downwards */
+    const char *axis_names[2]; /* English */
     luxel_isophotes *isophotes; /* NULL: none are drawn */
     luxel_extrema extrema;
     double levels[LX_MOST_LEVELS];
@@ -52,6 +72,13 @@ void lx_figure_free(struct lx_figure *figure);
 /* The settings (NULL: the defaults) for the whole picture, whatever stride they have. */
 luxel_settings lx_whole_picture(const luxel_settings *settings);
 
+/* The plane of a grid: its values, the field between them, the lights before it, and its axes (plane.c). */
+luxel_status lx_figure_plane(struct lx_figure *figure, const luxel_settings *settings, luxel_diagnostics *diagnostics);
+void lx_plane_free(struct lx_plane *plane);
+
+/* Whether an exact value takes an integral, of which thousands would take too long for a figure. */
+bool lx_figure_is_slow(const struct lx_figure *figure);
+
 /* The outlines of the surfaces as they are seen, each contour in so many steps; 0, or -1 when memory ran out. */
 int lx_figure_outline(struct lx_figure *figure, const luxel_evaluator *evaluator, int steps);
 
@@ -67,6 +94,9 @@ void lx_line_color(const struct lx_figure *figure, const struct lx_canvas *canva
 void lx_empty_color(const struct lx_canvas *canvas, double color[3]);
 /* Whether the maximum is marked. */
 bool lx_shows_maximum(const struct lx_figure *figure);
+
+/* A value at a point of a grid: three digits, or all that stand before the point. */
+const char *lx_value_text(double value, char buffer[LX_TICK_TEXT]);
 
 /* Makes all texts, in the figure's language. */
 luxel_status lx_figure_texts(struct lx_figure *figure, luxel_diagnostics *diagnostics);

@@ -209,18 +209,35 @@ static void add_mark(struct lx_labels *labels, enum lx_mark_type type, double x_
     labels->marks[labels->mark_count++] = (struct lx_patch){.x = x, .y = y, .width = room, .height = room};
 }
 
+/* The lights before a plane, by their names. */
+static void add_lamps(struct lx_labels *labels)
+{
+    const struct lx_figure *figure = labels->figure;
+    const struct lx_plane *plane = figure->plane;
+    for (size_t i = 0; i < plane->lamp_count && labels->count < LX_MOST_LABELS / 4; i++) {
+        add_mark(labels, LX_MARK_LAMP, plane->lamps[i].place_mm[0], plane->lamps[i].place_mm[1]);
+        for (size_t k = 0; k < figure->light_count; k++)
+            if (figure->light_places[k] == plane->lamps[i].light)
+                snprintf(labels->labels[labels->count - 1].text, LX_LABEL_TEXT, "%s", figure->lights[k]);
+    }
+}
+
 static void add_marks(struct lx_labels *labels)
 {
     const struct lx_figure *figure = labels->figure;
-    const struct lx_screen *screen = &figure->scene->screen;
+    const double *size_mm = figure->size_mm;
     if (lx_shows_maximum(figure)) {
         add_mark(labels, LX_MARK_RING, figure->extrema.maximum.x_mm, figure->extrema.maximum.y_mm);
         snprintf(labels->labels[labels->count - 1].text, LX_LABEL_TEXT, "%s", figure->maximum);
     }
+    if (figure->plane) {
+        add_lamps(labels);
+        return;
+    }
     for (size_t i = 0; figure->settings.points && i < luxel_scene_point_count(figure->copy); i++) {
         double x, y;
         luxel_scene_point(figure->copy, i, &x, &y);
-        if (fabs(x) > screen->width_mm / 2 || fabs(y) > screen->height_mm / 2 || labels->count == LX_MOST_LABELS)
+        if (fabs(x) > size_mm[0] / 2 || fabs(y) > size_mm[1] / 2 || labels->count == LX_MOST_LABELS)
             continue;
         add_mark(labels, LX_MARK_CROSS, x, y);
         snprintf(labels->labels[labels->count - 1].text, LX_LABEL_TEXT, "P%zu", i + 1);
@@ -265,6 +282,61 @@ static void place_beside(struct lx_labels *labels, struct lx_label *label)
     label->patch = best;
     ground_under(labels, &best, label->halo);
     contrast(label->halo, label->color);
+}
+
+/* ---- values ---- */
+
+/* How many cells lie from one value to the next along a side, so that they stand apart. */
+static unsigned value_step(double length, unsigned cells, double room)
+{
+    unsigned step = (unsigned)fmin(ceil(room * cells / length), cells);
+    return step > 0 ? step : 1;
+}
+
+/* The value at a point of the grid; left out where a mark stands. */
+static void add_value(struct lx_labels *labels, unsigned column, unsigned row)
+{
+    const luxel_grid *grid = labels->figure->plane->grid;
+    const struct lx_pane *map = &labels->plot->box;
+    const struct lx_type type = {.size = LETTERS * labels->size};
+    const size_t cell = (size_t)row * grid->columns + column;
+    char number[LX_TICK_TEXT];
+    if (!grid->mask[cell])
+        return;
+    const struct lx_pane text = lx_measure(labels->canvas, lx_value_text(grid->values[cell], number), &type);
+    struct lx_label label = {.patch = {.x = map->x + map->width * (column + 0.5) / grid->columns,
+                                       .y = map->y + map->height * (row + 0.5) / grid->rows,
+                                       .width = text.width + 0.35 * type.size,
+                                       .height = 0.8 * text.height}};
+    if (!fits(labels, &label.patch))
+        return;
+    snprintf(label.text, LX_LABEL_TEXT, "%s", number);
+    ground_under(labels, &label.patch, label.halo);
+    contrast(label.halo, label.color);
+    labels->labels[labels->count++] = label;
+}
+
+/* The values at the points of a plane's grid; where there is no room for all, at every second, third and so on. */
+static void add_values(struct lx_labels *labels)
+{
+    enum { MOST = 300 };
+    const luxel_grid *grid = labels->figure->plane->grid;
+    const struct lx_pane *map = &labels->plot->box;
+    const struct lx_type type = {.size = LETTERS * labels->size};
+    double widest = 0, height = 0;
+    for (size_t i = 0; i < (size_t)grid->columns * grid->rows && i < 4 * MOST; i++) {
+        char number[LX_TICK_TEXT];
+        const struct lx_pane text = lx_measure(labels->canvas, lx_value_text(grid->values[i], number), &type);
+        widest = fmax(widest, text.width);
+        height = fmax(height, text.height);
+    }
+    unsigned across = value_step(map->width, grid->columns, widest + labels->size);
+    unsigned down = value_step(map->height, grid->rows, 1.6 * height);
+    while ((size_t)((grid->columns + across - 1) / across) * ((grid->rows + down - 1) / down) > MOST)
+        across++, down++;
+    for (unsigned row = (grid->rows - 1) % down / 2; row < grid->rows; row += down)
+        for (unsigned column = (grid->columns - 1) % across / 2; column < grid->columns; column += across)
+            add_value(labels, column, row);
 }
 
 /* ---- lines ---- */
@@ -392,7 +464,10 @@ void lx_place_labels(struct lx_labels *labels, const struct lx_figure *figure, c
     labels->size = plot->size;
     enter_lines(labels);
     add_marks(labels);
-    for (size_t i = 0; i < labels->count; i++)
+    const size_t marks = labels->count;
+    if (figure->plane && figure->settings.points)
+        add_values(labels);
+    for (size_t i = 0; i < marks; i++)
         place_beside(labels, &labels->labels[i]);
     if (figure->settings.bands == LUXEL_BANDS) /* the bar tells them apart */
         return;
@@ -430,6 +505,14 @@ static void draw_mark(const struct lx_labels *labels, const struct lx_label *lab
     if (label->mark == LX_MARK_RING) {
         cairo_new_sub_path(cairo);
         cairo_arc(cairo, x, y, 1.1 * reach, 0, 2 * M_PI);
+    } else if (label->mark == LX_MARK_LAMP) { /* as drawings of electrical installations have it */
+        const double arm = reach * M_SQRT1_2;
+        cairo_new_sub_path(cairo);
+        cairo_arc(cairo, x, y, reach, 0, 2 * M_PI);
+        cairo_move_to(cairo, x - arm, y - arm);
+        cairo_line_to(cairo, x + arm, y + arm);
+        cairo_move_to(cairo, x - arm, y + arm);
+        cairo_line_to(cairo, x + arm, y - arm);
     } else {
         cairo_move_to(cairo, x - reach, y);
         cairo_line_to(cairo, x + reach, y);

@@ -13,10 +13,10 @@ struct lx_patch {
     double x, y, width, height, angle;
 };
 
-enum lx_mark_type { LX_MARK_NONE, LX_MARK_RING, LX_MARK_CROSS };
+enum lx_mark_type { LX_MARK_NONE, LX_MARK_RING, LX_MARK_CROSS, LX_MARK_LAMP };
 
 struct lx_label {
-    enum lx_mark_type mark; /* what it marks, at `marked`; LX_MARK_NONE: a line */
+    enum lx_mark_type mark; /* what it marks, at `marked`; LX_MARK_NONE: a line, or the value at a point */
     double marked[2];
     char text[LX_LABEL_TEXT]; /* empty: there was no room for it */
     struct lx_patch patch;

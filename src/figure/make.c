@@ -57,6 +57,7 @@ void lx_figure_free(struct lx_figure *figure)
     free(figure->maximum);
     for (int i = 0; i < 2; i++)
         free(figure->section_titles[i]);
+    lx_plane_free(figure->plane);
     luxel_isophotes_free(figure->isophotes);
     luxel_field_free(figure->field);
     luxel_scene_free(figure->copy);
@@ -117,7 +118,7 @@ static void choose_scale(struct lx_figure *figure, const luxel_summary *summary)
     if (!isnan(settings->low)) {
         scale->low = settings->low;
         scale->high = settings->high;
-    } else if (range->choice == -1) {
+    } else if (range->choice == -1 && !figure->plane) {
         scale->low = range->low;
         scale->high = range->high;
     } else if (range->choice == LX_RANGE_MINMAX) {
@@ -145,13 +146,14 @@ static void choose_levels(struct lx_figure *figure)
                                                  settings->levels, figure->levels, LX_MOST_LEVELS);
 }
 
-/* Whether an exact value takes an integral, of which thousands would take too long for a figure. */
-static bool is_slow(const struct lx_figure *figure)
+bool lx_figure_is_slow(const struct lx_figure *figure)
 {
     for (size_t i = 0; i < figure->scene->lights.count; i++) {
         const struct lx_item *light = &figure->scene->lights.items[i];
         const struct lx_light_common *common = light->common;
-        bool extended = strcmp(light->variant->name, "planar") == 0 || strcmp(light->variant->name, "volume") == 0;
+        const struct lx_table *table = light->variant->table;
+        bool extended = strcmp(light->variant->name, "planar") == 0 || strcmp(light->variant->name, "volume") == 0 ||
+                        (lx_find_parameter(table, "opening") && lx_is_given(table, light->parameters, "opening"));
         if (common->enabled && extended)
             return true;
     }
@@ -200,27 +202,42 @@ luxel_settings lx_whole_picture(const luxel_settings *settings)
     return whole;
 }
 
-static luxel_status compute(struct lx_figure *figure, const luxel_settings *settings, luxel_diagnostics *diagnostics)
+/* The picture with what tells of it between the pixels. */
+static luxel_status make_picture(struct lx_figure *figure, const luxel_settings *settings,
+                                 luxel_diagnostics *diagnostics, luxel_evaluator **evaluator)
 {
     const luxel_settings whole = lx_whole_picture(settings);
-    luxel_evaluator *evaluator = NULL;
-    luxel_summary summary;
+    const struct lx_screen *screen = &figure->scene->screen;
     luxel_status status = luxel_render(figure->copy, &whole, diagnostics, &figure->field);
     if (status == LUXEL_OK)
-        status = luxel_evaluator_new(figure->copy, settings, diagnostics, &evaluator);
+        status = luxel_evaluator_new(figure->copy, settings, diagnostics, evaluator);
+    if (status == LUXEL_OK && wants_extrema(&figure->settings))
+        status = luxel_find_extrema(*evaluator, figure->field, NULL, diagnostics, &figure->extrema);
+    if (status == LUXEL_OK && lx_figure_outline(figure, *evaluator, OUTLINE_STEPS) < 0)
+        status = lx_out_of_memory(diagnostics);
+    figure->size_mm[0] = screen->width_mm, figure->size_mm[1] = screen->height_mm;
+    for (int i = 0; i < 2; i++)
+        figure->axes[i] = (struct lx_scale){.low = -figure->size_mm[i] / 2, .high = figure->size_mm[i] / 2};
+    figure->axis_names[0] = LX_N("x, mm"), figure->axis_names[1] = LX_N("y, mm");
+    return status;
+}
+
+static luxel_status compute(struct lx_figure *figure, const luxel_settings *settings, luxel_diagnostics *diagnostics)
+{
+    luxel_evaluator *evaluator = NULL;
+    luxel_summary summary;
+    luxel_status status = figure->settings.grid > 0 ? lx_figure_plane(figure, settings, diagnostics)
+                                                    : make_picture(figure, settings, diagnostics, &evaluator);
     if (status == LUXEL_OK)
         status = luxel_field_summary(figure->field, NULL, diagnostics, &summary);
-    if (status == LUXEL_OK && wants_extrema(&figure->settings))
-        status = luxel_find_extrema(evaluator, figure->field, NULL, diagnostics, &figure->extrema);
     if (status == LUXEL_OK) {
         choose_scale(figure, &summary);
         choose_levels(figure);
     }
     if (status == LUXEL_OK && figure->settings.bands != LUXEL_SMOOTH)
-        status = luxel_find_isophotes(figure->field, is_slow(figure) ? NULL : evaluator, figure->levels,
+        status = luxel_find_isophotes(figure->field, lx_figure_is_slow(figure) ? NULL : evaluator, figure->levels,
                                       figure->level_count, diagnostics, &figure->isophotes);
-    if (status == LUXEL_OK &&
-        (lx_figure_outline(figure, evaluator, OUTLINE_STEPS) < 0 || lx_labels_prepare(figure) < 0))
+    if (status == LUXEL_OK && lx_labels_prepare(figure) < 0)
         status = lx_out_of_memory(diagnostics);
     if (status == LUXEL_OK && figure->settings.section != LUXEL_SECTION_NONE)
         status = make_sections(figure, evaluator, diagnostics);

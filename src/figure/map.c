@@ -98,19 +98,25 @@ static void draw_image(const struct lx_figure *figure, const struct lx_canvas *c
     cairo_surface_t *image = make_image(figure, canvas);
     const double *x = luxel_field_x_mm(figure->field), *y = luxel_field_y_mm(figure->field);
     unsigned columns = luxel_field_columns(figure->field), rows = luxel_field_rows(figure->field);
-    const struct lx_screen *screen = &figure->scene->screen;
-    double side = columns > 1 ? x[1] - x[0] : rows > 1 ? y[0] - y[1] : screen->width_mm;
-    double left = lx_plot_x(plot, x[0] - side / 2), right = lx_plot_x(plot, x[columns - 1] + side / 2);
-    double top = lx_plot_y(plot, y[0] + side / 2), bottom = lx_plot_y(plot, y[rows - 1] - side / 2);
+    /* pixels are squares, cells of a plane need not be */
+    double wide = columns > 1 ? x[1] - x[0] : rows > 1 && !figure->plane ? y[0] - y[1] : figure->size_mm[0];
+    double high = rows > 1 ? y[0] - y[1] : figure->plane ? figure->size_mm[1] : wide;
+    double left = lx_plot_x(plot, x[0] - wide / 2), right = lx_plot_x(plot, x[columns - 1] + wide / 2);
+    double top = lx_plot_y(plot, y[0] + high / 2), bottom = lx_plot_y(plot, y[rows - 1] - high / 2);
     cairo_t *cairo = canvas->cairo;
     cairo_save(cairo);
     cairo_translate(cairo, left, top);
     cairo_scale(cairo, (right - left) / columns, (bottom - top) / rows);
     cairo_set_source_surface(cairo, image, 0, 0);
-    /* squares when they are enlarged, means when they are made smaller */
+    /* squares when they are enlarged, as pixels are data, and what lies between the cells of a plane; means when they
+     * are made smaller */
     double dots = 1, unused = 0;
+    const bool is_even = figure->plane && figure->settings.bands != LUXEL_BANDS;
     cairo_user_to_device_distance(cairo, &dots, &unused);
-    cairo_pattern_set_filter(cairo_get_source(cairo), fabs(dots) < 0.9 ? CAIRO_FILTER_GOOD : CAIRO_FILTER_NEAREST);
+    cairo_pattern_set_extend(cairo_get_source(cairo), is_even ? CAIRO_EXTEND_PAD : CAIRO_EXTEND_NONE);
+    cairo_pattern_set_filter(cairo_get_source(cairo), fabs(dots) < 0.9 ? CAIRO_FILTER_GOOD
+                                                      : is_even        ? CAIRO_FILTER_BILINEAR
+                                                                       : CAIRO_FILTER_NEAREST);
     cairo_paint(cairo);
     cairo_restore(cairo);
     cairo_surface_destroy(image);

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /* All that a figure says in words: title, label of the bar, names of lights, headings of sections, small print. */
 #include <math.h>
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -137,9 +138,9 @@ static void print_lights(const struct lx_figure *figure, struct lx_text *text)
 static void print_conventions(const struct lx_figure *figure, struct lx_text *text)
 {
     const luxel_use use = {
-        .screen = true,
-        .pixels = true,
-        .range = isnan(figure->settings.low),
+        .screen = !figure->plane,
+        .pixels = !figure->plane,
+        .range = isnan(figure->settings.low) && !figure->plane,
         .brightness = luxel_field_quantity(figure->field) != LUXEL_IRRADIANCE,
     };
     luxel_conventions *conventions = NULL;
@@ -183,8 +184,56 @@ static char *make_maximum(const struct lx_figure *figure)
     char number[LX_TICK_TEXT];
     lx_text_puts(&text, lx_figure_word(figure, LX_N("max")));
     lx_text_puts(&text, " ");
-    lx_text_puts(&text, lx_tick_text(figure->extrema.maximum.value, number));
+    lx_text_puts(&text, figure->plane ? lx_value_text(figure->extrema.maximum.value, number)
+                                      : lx_tick_text(figure->extrema.maximum.value, number));
     return take(&text);
+}
+
+const char *lx_value_text(double value, char buffer[LX_TICK_TEXT])
+{
+    char number[LX_NUMBER_SIZE];
+    const double size = fabs(value);
+    const int before = size >= 1 ? (int)floor(log10(size)) + 1 : 1;
+    lx_write_digits(value, before > 3 ? (before < 9 ? before : 9) : 3, number);
+    snprintf(buffer, LX_TICK_TEXT, "%s", number);
+    return buffer;
+}
+
+/* "average 512 lx, minimum 300 lx, maximum 800 lx; U0 = 0.586": what is read off a grid's values. */
+static char *make_caption(const struct lx_figure *figure)
+{
+    const luxel_grid *grid = figure->plane->grid;
+    const luxel_grid_extrema *extrema = &figure->plane->extrema;
+    const char *unit = lx_figure_word(figure, grid->unit);
+    char average[LX_TICK_TEXT], minimum[LX_TICK_TEXT], maximum[LX_TICK_TEXT], evenness[LX_NUMBER_SIZE];
+    struct lx_text phrase = {0};
+    if (grid->measured == 0)
+        return take(&phrase);
+    lx_value_text(grid->average, average);
+    lx_value_text(grid->minimum.value, minimum);
+    lx_value_text(grid->maximum.value, maximum);
+    lx_write_digits(grid->u0, 3, evenness);
+    lx_add_phrase(&phrase,
+                  grid->has_evenness
+                      ? LX_N("at the points: average {0} {3}, minimum {1} {3}, maximum {2} {3}, U0 = {4}")
+                      : LX_N("at the points: average {0} {3}, minimum {1} {3}, maximum {2} {3}"),
+                  LX_ARGS(average, minimum, maximum, unit, evenness));
+    char *points = render(figure, &phrase);
+    if (!points || !extrema->maximum.exists)
+        return points;
+    struct lx_text whole = {0}, caption = {0};
+    lx_value_text(extrema->minimum.value, minimum);
+    lx_value_text(extrema->maximum.value, maximum);
+    lx_add_phrase(&whole, LX_N("on the whole plane: minimum {0} {2}, maximum {1} {2}"),
+                  LX_ARGS(minimum, maximum, unit));
+    char *plane = render(figure, &whole);
+    lx_text_puts(&caption, points);
+    lx_text_puts(&caption, "\n");
+    lx_text_puts(&caption, plane ? plane : "");
+    caption.failed |= !plane;
+    free(points);
+    free(plane);
+    return take(&caption);
 }
 
 static char *make_section_title(const struct lx_figure *figure, int which)
@@ -232,6 +281,10 @@ luxel_status lx_figure_texts(struct lx_figure *figure, luxel_diagnostics *diagno
         if (!figure->section_titles[i])
             return lx_out_of_memory(diagnostics);
     }
+    if (figure->plane)
+        figure->plane->caption = make_caption(figure);
+    if (figure->plane && !figure->plane->caption)
+        return lx_out_of_memory(diagnostics);
     return figure->title && figure->label && figure->maximum && figure->print && name_lights(figure) == 0
                ? LUXEL_OK
                : lx_out_of_memory(diagnostics);

@@ -25,6 +25,7 @@ struct luminaire_parameters {
     double c0[3];
     double flux;
     double factor;
+    double maintenance;
     int interpolation; /* luxel_interpolation */
     struct lx_opening opening;
     struct lx_distribution *distribution; /* what was read of the file */
@@ -86,7 +87,18 @@ static const struct lx_parameter luminaire_parameters[] = {
         .initial = "1",
         .legal = LX_FROM(0),
         .advised = {LX_BETWEEN(0.01, 100)},
-        .meaning = "a factor of all intensities, such as a maintenance factor or a dimmer's",
+        .meaning = "a factor of all intensities, such as a dimmer's",
+    },
+    {
+        .name = "maintenance_factor",
+        .label = "Maintenance factor",
+        .type = LX_REAL,
+        .offset = offsetof(struct luminaire_parameters, maintenance),
+        .initial = "1",
+        .legal = {.given = true, .low = 0, .high = 1, .low_open = true},
+        .advised = {LX_BETWEEN(0.5, 1)},
+        .meaning = "the share of its light that the luminaire still gives when it is due to be cleaned and its lamps "
+                   "changed; it multiplies all intensities, so that results are maintained values",
     },
     {
         .name = "interpolation",
@@ -237,6 +249,12 @@ static void hang(const struct lx_check *check, struct luminaire_parameters *lumi
         lx_point_distribution(distribution, luminaire->shining.axis, c0, luminaire->pointed);
 }
 
+/* By what the intensities of the file are multiplied, the flux apart. */
+static double factors_of(const struct luminaire_parameters *luminaire)
+{
+    return luminaire->factor * luminaire->maintenance;
+}
+
 static bool has_flux(const struct luminaire_parameters *luminaire)
 {
     return lx_is_given(&luminaire_table, luminaire, "flux");
@@ -246,7 +264,7 @@ static bool has_flux(const struct luminaire_parameters *luminaire)
 static void check_flux(const struct lx_check *check, const struct luminaire_parameters *luminaire, const char *path)
 {
     const struct lx_distribution *distribution = luminaire->distribution;
-    const double scale = distribution->unit_cd * luminaire->factor;
+    const double scale = distribution->unit_cd * factors_of(luminaire);
     if (has_flux(luminaire) && luminaire->flux > 0 && !(distribution->zone_lumens > 0))
         lx_check_report(check, "flux", LX_ALL_OF_IT, LX_MSG_LUMINAIRE_DARK, LX_ARGS(path));
     else if (has_flux(luminaire) && !isfinite(luminaire->flux / distribution->zone_lumens * scale))
@@ -315,14 +333,14 @@ static int prepare_luminaire(const void *parameters, struct lx_emitters *emitter
     const struct luminaire_parameters *luminaire = parameters;
     const struct lx_distribution *distribution = luminaire->distribution;
     struct lx_emitter emitter =
-        lx_shining_emitter(&luminaire->shining, luminaire->position_mm, distribution->unit_cd * luminaire->factor,
-                           lx_profile_luminaire(luminaire->pointed));
+        lx_shining_emitter(&luminaire->shining, luminaire->position_mm,
+                           distribution->unit_cd * factors_of(luminaire), lx_profile_luminaire(luminaire->pointed));
     const bool is_scaled = has_flux(luminaire) && distribution->zone_lumens > 0;
     if (is_scaled)
         emitter.strength *= luminaire->flux / distribution->zone_lumens;
     /* the zone rule's sums have as many roundings as the table has lines at most */
     const double lines = (double)(distribution->azimuth_count + distribution->polar_count);
-    emitter.strength_error = emitter.strength * DBL_EPSILON * (is_scaled ? lines + 8 : luminaire->factor != 1);
+    emitter.strength_error = emitter.strength * DBL_EPSILON * (is_scaled ? lines + 8 : factors_of(luminaire) != 1 ? 2 : 0);
     struct lx_opening opening;
     bool is_good;
     return find_opening(luminaire, &opening, &is_good) ? lx_opening_emit(&opening, &emitter, emitters)

@@ -197,6 +197,10 @@ static int collect_value(struct collecting *all, const struct lx_parameter *para
         return 0; /* direct light alone goes without saying */
     if (parameter->type == LX_CHOICE_OR_WHOLE)
         return add_choice_or_whole(all, parameter, value);
+    if (strcmp(parameter->name, "maintenance_factor") == 0 && *(const double *)value != 1) {
+        char number[LX_NUMBER_SIZE];
+        return add(all, parameter->name, lx_write_number(*(const double *)value, number));
+    }
     if (parameter->type == LX_BOOLEAN && booleans)
         return add(all, parameter->name, *(const bool *)value ? "true" : "false");
     return 0;

@@ -19,9 +19,9 @@ from tool import AT_ONCE, run_tests, wait_until_caught
 mpmath.mp.dps = 50
 
 TOP = ["quantity", "unit", "grids", "conventions"]
-GRID = ["name", "center", "size", "axis", "up", "n", "average", "minimum", "maximum", "u0", "ud", "flux", "flux_unit",
-        "flux_error", "mean", "mean_error", "error", "average_error", "sampling_error", "sampling_error_is", "coarse",
-        "measured", "inside", "values", "errors"]
+GRID = ["name", "center", "size", "axis", "up", "n", "average", "minimum", "maximum", "extrema", "u0", "ud", "flux",
+        "flux_unit", "flux_error", "mean", "mean_error", "error", "average_error", "sampling_error",
+        "sampling_error_is", "coarse", "measured", "inside", "values", "errors"]
 
 
 def scene(lights, grids, units="radiometric", **more):
@@ -319,6 +319,40 @@ def spacing(tap, tool):
         tap.ok(result.code == 3 and word in result.err, word, result.code, result.err)
 
 
+def extrema(tap, tool):
+    """Between the points: below a lamp and in the corner that is farthest from it, and never within the points' own."""
+    lamp = {"type": "point", "position": [137, 211, 2000], "intensity": 1000}
+    plane = {"center": [0, 0, 0], "size": [3500, 2500], "n": [4, 3]}
+    found = tool.run("grid", "-", "--json", stdin=scene([lamp], [plane])).json()["grids"][0]["extrema"]
+    far = (137 + 1750) ** 2 + (211 + 1250) ** 2
+    for name, truth, place, near in (("maximum", 1000 / 2.0 ** 2, [137, 211, 0], 0.1),
+                                     ("minimum", 1000 * 2.0 / ((far + 2000 ** 2) * 1e-6) ** 1.5, [-1750, -1250, 0], 0)):
+        tap.near(found[name]["value"], truth, 1e-12, name)
+        tap.ok(found[name]["error"] <= 1e-12 * truth, "with its bound", found[name])
+        tap.ok(math.dist(found[name]["position"], place) <= near, "and its place", found[name])
+    rng, inside, missed = random.Random(32), [], []
+    for i in range(24):
+        lights = [{"type": "spot", "position": [rng.uniform(-1500, 1500), rng.uniform(-1000, 1000), 2000],
+                   "intensity": rng.uniform(1, 9), "inner": rng.uniform(5, 15), "outer": rng.uniform(20, 35)}
+                  for _ in range(3)]
+        ball = [{"type": "sphere", "center": [rng.uniform(-1000, 1000), 0, 900], "radius": 200}]
+        text = scene(lights, [{**plane, "n": [7, 5]}, {**plane, "n": [175, 125]}], shadows="all", surfaces=ball)
+        coarse, fine = tool.run("grid", "-", "--json", stdin=text).json()["grids"]
+        for name, sign in (("maximum", 1), ("minimum", -1)):
+            value = sign * coarse["extrema"][name]["value"]
+            inside += [(i, name)] * (value < sign * coarse[name]["value"])
+            missed += [(i, name)] * (value < sign * fine[name]["value"] - 1e-3 * fine["maximum"]["value"])
+    tap.ok(not inside, "never less extreme than the points", *inside)
+    tap.ok(not missed, "nor than a grid of 21 875 points", *missed)
+    wall = {"model": "lambert", "diffuse": 0.5, "over_pi": True}
+    lit = scene([lamp], [plane], reflections=1, surfaces=[
+        {"type": "sphere", "center": [0, 0, 900], "radius": 200, "material": wall}])
+    tap.equal(tool.run("grid", "-", "--json", stdin=lit).json()["grids"][0]["extrema"],
+              {"minimum": None, "maximum": None}, "not known with reflected light")
+    told = " ".join(tool.run("grid", "-", stdin=scene([lamp], [plane])).out.split())
+    tap.ok("maximum on the whole plane 250 ±" in told, "the text", told)
+
+
 def interrupted(tap, tool):
     tool.write("long.yaml", scene([{**LAMP, "position": [i, 0, 3000]} for i in range(300)],
                                   [{**FLOOR, "n": [2000, 2000]}]))
@@ -336,4 +370,4 @@ def interrupted(tap, tool):
 
 
 run_tests(Tap(), closed_numbers, closed_room, extended, honest_errors, text, on_a_source, tables, refused, threads,
-          a_picture, spacing, interrupted)
+          a_picture, spacing, extrema, interrupted)

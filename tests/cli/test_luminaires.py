@@ -100,21 +100,22 @@ def against_the_model(tap, tool):
         tool.write(name, data)
         axis, c0 = [[rng.gauss(0, 1) for _ in range(3)] for _ in range(2)]
         position = [rng.uniform(-500, 500), rng.uniform(-500, 500), 2500.0]
-        cosine, factor = rng.random() < 0.5, rng.choice((1, 0.8))
+        cosine, factor, kept = rng.random() < 0.5, rng.choice((1, 0.8)), rng.choice((1, 0.67))
         scene(tool, "scene.yaml", {"file": name, "position": position, "axis": axis, "c0": c0, "factor": factor,
+                                   "maintenance_factor": kept,
                                    "interpolation": "cosine" if cosine else "angle"})
         elements = list(places(rng, position, 60))
         told = irradiances(tool, "scene.yaml", elements)
         if not isinstance(told, list):
             wrong.append("%s: %s" % (name, told.err))
             continue
-        greatest = factor * max(map(max, lamp.values))
+        greatest = factor * kept * max(map(max, lamp.values))
         for (place, normal), point in zip(elements, told):
             way = [x - y for x, y in zip(place, position)]
             r = math.sqrt(dot(way, way))
             plane, angle = angles_of(lamp.kind, axis, c0, way)
             rest = -dot(way, normal) / r / (r / 1000) ** 2
-            truth = factor * lamp.at(plane, angle, cosine) * rest
+            truth = factor * kept * lamp.at(plane, angle, cosine) * rest
             asked += 1
             sharp += point["error"] <= 1e-11 * greatest * rest
             if not abs(point["value"] - truth) <= point["error"] + 3e-12 * greatest * rest:
@@ -289,6 +290,23 @@ def folders(tap, tool):
     tap.ok("γ = 8.2067" in explained and "C = 33.690" in explained, "explained by C and gamma", explained)
 
 
+def maintained(tap, tool):
+    """A maintenance factor multiplies, is named with results, and must be above 0 and at most 1."""
+    tool.write("lamp.ies", lambert(5))
+    light = {"file": "lamp.ies", "position": [100, 200, 2500], "flux": 900}
+    new, kept = [tool.run("probe", scene(tool, name, more), "-p", "300,200", "--json").json()
+                 for name, more in (("a.yaml", light), ("b.yaml", {**light, "maintenance_factor": 0.67}))]
+    tap.near(kept["points"][0]["value"], 0.67 * new["points"][0]["value"], 1e-14, "it multiplies")
+    flux = [answer["points"][0]["lights"][0]["flux"] for answer in (new, kept)]
+    tap.near(flux[1], 0.67 * flux[0], 1e-14, "the flux, too")
+    named = [tool.run("probe", name, "-p", "300,200").out for name in ("a.yaml", "b.yaml")]
+    tap.equal(["maintenance factor" in out.lower().replace("_", " ") for out in named], [False, True],
+              "it is named where it is not 1")
+    for value in (0, 1.01, -1):
+        result = tool.run("probe", scene(tool, "c.yaml", {**light, "maintenance_factor": value}))
+        tap.ok(result.code == 3 and "maintenance_factor" in result.err, "%g is refused" % value, result.err)
+
+
 def built_in_files(tap, tool):
     """The path builtin:NAME means the same bytes wherever a scene stands."""
     path = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..", "data", "files", "office-lamp.ies")
@@ -309,4 +327,4 @@ def built_in_files(tap, tool):
 
 
 run_tests(Tap(), against_the_model, lambert_lamps, three_types, turned_twins, pictures, extrema_and_grids, wrong_files,
-          folders, built_in_files)
+          folders, maintained, built_in_files)

@@ -206,7 +206,7 @@ def random_scenes(tap, tool):
     tool.write("lamp.ies", luminaires.HEAD + luminaires.AXIAL)
     made.append(("scene of a luminaire", {**made[-1][1], "lights": [
         {"type": "luminaire", "file": "lamp.ies", "position": [0, 0, 2500], "c0": [0, 1, 0], "flux": 900, "factor": 0.8,
-         "interpolation": "cosine", "opening": "file"}] + [
+         "maintenance_factor": 0.7, "interpolation": "cosine", "opening": "file"}] + [
              {"type": "luminaire", "file": "lamp.ies", "position": [0, 0, 2500], "opening": shape} for shape in (
                  {"rectangle": {"size": [600, 300], "center": [0, 0, 2490]}},
                  {"disk": {"radius": 90, "center": [0, 0, 2490], "axis": [0, 1, 0]}},

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: MIT
 """luxel figure and luxel report: every built-in scene in every format, sizes, texts and fonts, the same bytes again,
 even palettes, and what is refused.  test_figures.py LUXEL, on the path of the tests of the command line."""
+import json
 import math
 import re
 import struct
@@ -165,6 +166,38 @@ def palettes(tap, tool):
             tap.ok(steps[0] - steps[-1] > 55, "%s: from dark to light" % name, steps[0], steps[-1])
 
 
+def planes(tap, tool):
+    """The figure of a grid says what luxel grid does."""
+    tool.write("office.yaml", tool.run("scene", "office", "-s", "shadows=none", "-s", "lights=" + json.dumps([
+        {"type": "point", "name": name, "position": place, "intensity": intensity} for name, place, intensity in (
+            ("front left", [-1200, 2800, 1400], 2700), ("back right", [1200, 2800, 4000], 4500))])).out)
+    answer = tool.run("grid", "office.yaml", "--json").json()
+    for name, axes in (("floor", ("x, mm", "z, mm")), ("desk at the wall", ("x, mm", "z, mm"))):
+        grid, = [grid for grid in answer["grids"] if grid["name"] == name]
+        result = tool.run("figure", "office.yaml", "--grid", name, "-o", "f.pdf", "-o", "f.png", "-o", "f.svg")
+        tap.equal((result.code, result.out, result.err), (0, "", ""), "figure --grid '%s'" % name)
+        words = " ".join(text_of(tool, "f.pdf").split())
+        for part in (name, *axes, "average %.0f lx" % grid["average"], "minimum %.0f lx" % grid["minimum"]["value"],
+                     "maximum %.0f lx" % grid["maximum"]["value"], "U0 = %.3g" % grid["u0"],
+                     "on the whole plane: minimum %.0f lx" % grid["extrema"]["minimum"]["value"],
+                     "max %.0f" % grid["extrema"]["maximum"]["value"]):
+            tap.ok(part in words, "%s says %s" % (name, part), words)
+        shown = re.findall(r"\d+", words)
+        values = ["%.0f" % value for row in grid["values"] for value in row]
+        tap.ok(sum(value in shown for value in values) > 0.7 * len(values), "%s: values at its points" % name, words)
+        tap.ok(tool.read("f.png")[:4] == b"\x89PNG" and b"<svg" in tool.read("f.svg"), "as PNG and SVG")
+    tool.run("figure", "office.yaml", "--grid", "3", "-o", "g.pdf", "--no-points")
+    words = " ".join(text_of(tool, "g.pdf").split())
+    tap.ok(all(name in words for name in ("floor", "front left", "back right")), "by number, with its lights", words)
+    large = [{"center": [0, 10, 2700], "size": [3800, 4400], "axis": [0, 1, 0], "n": [100, 120]}]
+    result = tool.run("figure", "office.yaml", "-s", "grids=" + json.dumps(large), "--grid", "1", "-o", "h.pdf")
+    count = len(re.findall(r"\d{2,}", text_of(tool, "h.pdf")))
+    tap.ok(result.code == 0 and 60 < count < 450, "values are thinned where there are too many", count, result.err)
+    tap.equal([tool.run("figure", "office.yaml", "--grid", "floor", "-o", "%d.pdf" % n, "--threads", str(n)).code
+               for n in (1, 3)], [0, 0], "twice")
+    tap.ok(tool.read("1.pdf") == tool.read("3.pdf"), "the same bytes for any number of threads")
+
+
 REFUSED = [
     (["figure"], "needs a file"),
     (["figure", "-o", "f.bmp"], "known extensions: .png, .svg, .pdf"),
@@ -176,6 +209,11 @@ REFUSED = [
     (["figure", "-o", "f.png", "--section=top"], "center, maximum or X,Y"),
     (["figure", "-o", "f.png", "--section=0,9000"], "does not cross"),
     (["figure", "-o", "f.png", "--log", "--scale", "0,5"], "above 0"),
+    (["figure", "office", "-o", "f.png", "--grid", "flor"], 'did you mean floor'),
+    (["figure", "office", "-o", "f.png", "--grid", "4"], "no measuring grid"),
+    (["figure", "-o", "f.png", "--grid", "1"], "add some under the key grids"),
+    (["figure", "office", "-o", "f.png", "--grid", "floor", "--section"], "no sections"),
+    (["figure", "office", "-o", "f.png", "--grid", "floor", "--quantity", "brightness"], "measures the irradiance"),
     (["report"], "needs a file"),
     (["report", "-o", "r.doc"], "known extensions: .pdf"),
 ]
@@ -207,4 +245,4 @@ def reports(tap, tool):
                "%s: no outside links" % name)
 
 
-run_tests(Tap(), every_scene, numbers, thinned, titles, repeated, shapes, palettes, refused, reports)
+run_tests(Tap(), every_scene, numbers, thinned, titles, repeated, shapes, palettes, planes, refused, reports)

@@ -1,0 +1,239 @@
+/* SPDX-License-Identifier: MIT */
+/*
+ * The true extrema on a measuring plane, between the points of its grid: looked for on a lattice that holds the
+ * centres, the sides and the corners of all cells, and refined from its best places by steps of ever half the length to
+ * the best of eight neighbours, which jumps and kinks do not mislead.
+ */
+#include <float.h>
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "../base/diagnostics.h"
+#include "../base/memory.h"
+#include "../base/number.h"
+#include "../base/rows.h"
+#include "../scene/scene.h"
+#include "../shade/evaluate.h"
+#include "../shade/world.h"
+#include "grid.h"
+#include "refuse.h"
+#include "session.h"
+
+/* Nodes of the lattice that are wanted where light is quickly told; from how many of them the search goes on; and how
+ * often its steps are halved: a level peak is then known to the square of the last step. */
+enum { WANTED_NODES = 6000, STARTS = 6, HALVINGS = 26, STARTS_COSTLY = 2, HALVINGS_COSTLY = 10 };
+
+/* A place of the plane, in mm from its middle, with what falls on it. */
+struct node {
+    double at[2];
+    lx_bounded value;
+    bool has_value; /* false: it lies on a source */
+};
+
+struct search {
+    struct lx_world world;
+    const struct lx_prepared *prepared; /* of the world */
+    struct lx_control *control;
+    struct lx_lobe lobe;
+    struct lx_cells cells;
+    bool is_costly;
+    unsigned n[2]; /* of the lattice */
+    struct node *nodes;
+};
+
+static void place_of(const struct search *search, const double at[2], double place_mm[3])
+{
+    const lx_bounded3 across = lx_wide3_direction(search->cells.pose.across);
+    const lx_bounded3 up = lx_wide3_direction(search->cells.pose.upward);
+    place_mm[0] = search->cells.center_mm[0] + at[0] * across.x.value + at[1] * up.x.value;
+    place_mm[1] = search->cells.center_mm[1] + at[0] * across.y.value + at[1] * up.y.value;
+    place_mm[2] = search->cells.center_mm[2] + at[0] * across.z.value + at[1] * up.z.value;
+}
+
+/* What falls on some nodes, at most a batch of them. */
+static void look(const struct search *search, struct node *nodes, unsigned count, bool is_caller)
+{
+    const struct lx_asking asking = {.control = search->control, .is_caller = is_caller};
+    struct lx_elements elements;
+    struct lx_received received;
+    lx_elements_begin(&elements, &search->lobe, true);
+    for (unsigned i = 0; i < count; i++) {
+        double place_mm[3];
+        place_of(search, nodes[i].at, place_mm);
+        lx_elements_append_place(&elements, lx_exact3(place_mm), search->cells.normal, NULL);
+    }
+    lx_elements_end(&elements);
+    lx_world_settle(&search->world, &(struct lx_settling){.has_normals = true}, &elements);
+    lx_world_all_light(&search->world, &elements, LX_WANT_IRRADIANCE, &asking, &received);
+    for (unsigned i = 0; i < count; i++) {
+        nodes[i].value = (lx_bounded){received.irradiance.value[i], received.irradiance.error[i]};
+        nodes[i].has_value = !received.on_element[i] && isfinite(nodes[i].value.value);
+    }
+}
+
+/* ---- the lattice ---- */
+
+static void look_at_lattice(void *data, unsigned worker, bool is_caller, unsigned first, unsigned last)
+{
+    struct search *search = data;
+    const struct lx_asking asking = {.control = search->control, .is_caller = is_caller};
+    (void)worker;
+    for (unsigned i = first; i < last && lx_asking_goes_on(&asking); i += LX_BATCH)
+        look(search, &search->nodes[i], last - i < LX_BATCH ? last - i : LX_BATCH, is_caller);
+}
+
+/* Two nodes a cell each way, so that centres and sides are among them, or an even multiple. */
+static int make_lattice(struct search *search)
+{
+    const unsigned *n = search->cells.n;
+    const double wanted = search->is_costly ? 0 : WANTED_NODES;
+    const double more = fmax(floor(sqrt(wanted / (4.0 * n[0] * n[1]))), 1);
+    size_t count = 1;
+    for (int i = 0; i < 2; i++) {
+        search->n[i] = 2 * (unsigned)more * n[i] + 1;
+        count *= search->n[i];
+    }
+    if (count > UINT32_MAX)
+        return -1;
+    search->nodes = lx_new_array(count, sizeof *search->nodes);
+    for (size_t i = 0; search->nodes && i < count; i++) {
+        const double column = (double)(i % search->n[0]), row = (double)(i / search->n[0]);
+        search->nodes[i].at[0] = search->cells.size_mm[0] * (column / (search->n[0] - 1) - 0.5);
+        search->nodes[i].at[1] = search->cells.size_mm[1] * (0.5 - row / (search->n[1] - 1));
+    }
+    return search->nodes ? 0 : -1;
+}
+
+/* ---- the climb ---- */
+
+/* Whether one node is further that way than another. */
+static bool is_beyond(const struct node *a, const struct node *b, double sign)
+{
+    return a->has_value && (!b->has_value || sign * a->value.value > sign * b->value.value);
+}
+
+/* Whether none of its neighbours is further that way. */
+static bool is_peak(const struct search *search, size_t i, double sign)
+{
+    const long column = (long)(i % search->n[0]), row = (long)(i / search->n[0]);
+    for (long k = 0; k < 9; k++) {
+        const long u = column + k % 3 - 1, v = row + k / 3 - 1;
+        if (u >= 0 && v >= 0 && u < (long)search->n[0] && v < (long)search->n[1] &&
+            is_beyond(&search->nodes[(size_t)v * search->n[0] + (size_t)u], &search->nodes[i], sign))
+            return false;
+    }
+    return search->nodes[i].has_value;
+}
+
+/* The best peaks of the lattice, the first in row order of equal ones; returns how many. */
+static unsigned find_starts(const struct search *search, double sign, struct node starts[STARTS])
+{
+    const unsigned most = search->is_costly ? STARTS_COSTLY : STARTS;
+    unsigned count = 0;
+    for (size_t i = 0; i < (size_t)search->n[0] * search->n[1]; i++) {
+        if (!is_peak(search, i, sign) || (count == most && !is_beyond(&search->nodes[i], &starts[most - 1], sign)))
+            continue;
+        unsigned at = count < most ? count++ : most - 1;
+        for (; at > 0 && is_beyond(&search->nodes[i], &starts[at - 1], sign); at--)
+            starts[at] = starts[at - 1];
+        starts[at] = search->nodes[i];
+    }
+    return count;
+}
+
+/* Goes from a node to the best of eight around it, with steps that are halved where none is better. */
+static void climb(const struct search *search, double sign, struct node *best)
+{
+    const struct lx_asking asking = {.control = search->control, .is_caller = true};
+    const double *size = search->cells.size_mm;
+    double step[2] = {size[0] / (search->n[0] - 1), size[1] / (search->n[1] - 1)};
+    for (int left = search->is_costly ? HALVINGS_COSTLY : HALVINGS; left > 0 && lx_asking_goes_on(&asking);) {
+        struct node around[8];
+        const struct node *next = best;
+        for (int k = 0; k < 8; k++) {
+            const int place = k < 4 ? k : k + 1; /* without the middle one */
+            const double way[2] = {place % 3 - 1, place / 3 - 1};
+            for (int i = 0; i < 2; i++)
+                around[k].at[i] = fmin(fmax(best->at[i] + way[i] * step[i], -size[i] / 2), size[i] / 2);
+        }
+        look(search, around, 8, true);
+        for (int k = 0; k < 8; k++)
+            if (is_beyond(&around[k], next, sign))
+                next = &around[k];
+        if (next != best) {
+            *best = *next;
+            continue;
+        }
+        left--;
+        step[0] /= 2, step[1] /= 2;
+    }
+}
+
+static luxel_grid_peak find_peak(const struct search *search, double sign)
+{
+    struct node starts[STARTS], best = {.has_value = false};
+    const unsigned count = find_starts(search, sign, starts);
+    luxel_grid_peak peak = {.exists = false};
+    for (unsigned i = 0; i < count; i++) {
+        climb(search, sign, &starts[i]);
+        if (is_beyond(&starts[i], &best, sign))
+            best = starts[i];
+    }
+    if (!best.has_value)
+        return peak;
+    peak.exists = true;
+    peak.value = best.value.value;
+    peak.error = lx_told_error(best.value);
+    place_of(search, best.at, peak.position_mm);
+    memcpy(peak.on_plane_mm, best.at, sizeof peak.on_plane_mm);
+    return peak;
+}
+
+static luxel_status run(const struct lx_session *session, const struct lx_grid *grid, struct search *search,
+                        luxel_diagnostics *diagnostics, luxel_grid_extrema *extrema)
+{
+    search->cells = lx_cells_of(grid);
+    search->is_costly = lx_world_batch(&search->world) < LX_BATCH;
+    if (make_lattice(search) < 0)
+        return lx_out_of_memory(diagnostics);
+    struct lx_control control = {.rows = search->n[0] * search->n[1],
+                                 .progress = session->settings.progress,
+                                 .data = session->settings.progress_data};
+    const struct lx_rows_part part = {.last = control.rows,
+                                      .tile_rows = lx_world_batch(&search->world),
+                                      .work = look_at_lattice,
+                                      .data = search};
+    search->control = &control;
+    if (!lx_rows_run_part(&control, lx_thread_count(session->settings.threads, control.rows / 4 + 1), &part))
+        return LUXEL_CANCELLED;
+    extrema->maximum = find_peak(search, 1);
+    extrema->minimum = find_peak(search, -1);
+    return atomic_load(&control.stop) ? LUXEL_CANCELLED : LUXEL_OK;
+}
+
+luxel_status luxel_find_grid_extrema(const luxel_scene *scene, const luxel_settings *settings, size_t i,
+                                     luxel_diagnostics *diagnostics, luxel_grid_extrema *extrema)
+{
+    struct lx_session session;
+    struct search search = {
+        .world.prepared = &session.prepared, .prepared = &session.prepared, .lobe = lx_lobe_irradiance()};
+    luxel_grid_extrema found = {.minimum.exists = false};
+    luxel_status status = lx_session_open_world(scene, settings, diagnostics, &session);
+    if (status == LUXEL_OK && i >= luxel_scene_grid_count(scene)) {
+        char index[LX_NUMBER_SIZE];
+        lx_report(diagnostics, LUXEL_SEVERITY_ERROR, NULL, LX_MSG_NO_SUCH_GRID,
+                  LX_ARGS(lx_write_number((double)i, index)));
+        status = LUXEL_ERROR_ARGUMENT;
+    }
+    if (status == LUXEL_OK && !lx_wants_reflections(session.prepared.scene)) {
+        search.world.kernels = lx_element_kernels_of(session.kernels);
+        const struct lx_grid *grid = (const struct lx_grid *)lx_scene_parameters(scene)->grids.items + i;
+        status = run(&session, grid, &search, diagnostics, &found);
+    }
+    free(search.nodes);
+    lx_session_clear(&session);
+    if (status == LUXEL_OK)
+        *extrema = found;
+    return status;
+}

@@ -1,0 +1,168 @@
+/* SPDX-License-Identifier: MIT */
+/* Computing what the figure of a measuring plane shows: the values of its grid, the field between them, its axes, and
+ * where lights stand in front of it. */
+#include <math.h>
+#include <stdlib.h>
+
+#include <luxel/light.h>
+
+#include "../base/diagnostics.h"
+#include "../base/memory.h"
+#include "../base/phrase.h"
+#include "figure.h"
+
+/* The cells from which colours and isophotes are made: about so many, fewer where each takes integrals or a share of
+ * what is reflected. */
+enum { FINE_CELLS = 40000, FINE_CELLS_COSTLY = 2500 };
+/* Eyes tell no more of a colour. */
+static const double FINE_TOLERANCE = 1e-4;
+
+void lx_plane_free(struct lx_plane *plane)
+{
+    if (!plane)
+        return;
+    luxel_grid_free(plane->grid);
+    free(plane->lamps);
+    free(plane->caption);
+    free(plane);
+}
+
+static double dot(const double a[3], const double b[3])
+{
+    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+}
+
+/* ---- axes ---- */
+
+/* The axis of the scene along which a direction runs; 3: none. */
+static int axis_along(const double direction[3])
+{
+    for (int k = 0; k < 3; k++)
+        if (fabs(direction[k]) > 1 - 1e-12)
+            return k;
+    return 3;
+}
+
+/* The scene's coordinates along a side of the plane that runs along an axis, else lengths from the middle. */
+static void set_axis(struct lx_figure *figure, int side)
+{
+    static const char *const along[] = {LX_N("x, mm"), LX_N("y, mm"), LX_N("z, mm")};
+    static const char *const beside[] = {LX_N("across from the middle, mm"), LX_N("up from the middle, mm")};
+    const luxel_grid *grid = figure->plane->grid;
+    const double *direction = side == 0 ? grid->across : grid->up, half = grid->size_mm[side] / 2;
+    const int axis = axis_along(direction);
+    const double middle = axis < 3 ? grid->center_mm[axis] : 0, sign = axis < 3 && direction[axis] < 0 ? -1 : 1;
+    figure->size_mm[side] = grid->size_mm[side];
+    figure->axes[side] = (struct lx_scale){.low = middle - sign * half, .high = middle + sign * half};
+    figure->axis_names[side] = axis < 3 ? along[axis] : beside[side];
+}
+
+/* ---- lights ---- */
+
+/* The lights that stand in front of the plane, where they stand over it. */
+static int find_lamps(struct lx_figure *figure)
+{
+    struct lx_plane *plane = figure->plane;
+    const luxel_grid *grid = plane->grid;
+    const size_t count = luxel_scene_light_count(figure->copy);
+    plane->lamps = lx_new_array(count + 1, sizeof *plane->lamps);
+    for (size_t i = 0; plane->lamps && i < count; i++) {
+        double place[3], away[3];
+        if (!luxel_scene_light_enabled(figure->copy, i) || !luxel_scene_light_place(figure->copy, i, place))
+            continue;
+        for (int k = 0; k < 3; k++)
+            away[k] = place[k] - grid->center_mm[k];
+        const struct lx_lamp lamp = {.place_mm = {dot(away, grid->across), dot(away, grid->up)}, .light = i};
+        if (dot(away, grid->axis) > 0 && fabs(lamp.place_mm[0]) <= grid->size_mm[0] / 2 &&
+            fabs(lamp.place_mm[1]) <= grid->size_mm[1] / 2)
+            plane->lamps[plane->lamp_count++] = lamp;
+    }
+    return plane->lamps ? 0 : -1;
+}
+
+/* ---- the field ---- */
+
+/* Into how many parts a side of a cell of the grid is cut: an odd number, so that its own centre is among theirs. */
+static unsigned parts_of(double cell_mm, double wanted_mm)
+{
+    return 2 * (unsigned)fmin(fmax(round((cell_mm / wanted_mm - 1) / 2), 0), 1000) + 1;
+}
+
+static luxel_status make_field(struct lx_figure *figure, const luxel_settings *settings,
+                               luxel_diagnostics *diagnostics)
+{
+    const luxel_grid *grid = figure->plane->grid;
+    const bool is_costly = lx_figure_is_slow(figure) || grid->has_reflected;
+    const double cells = is_costly ? FINE_CELLS_COSTLY : FINE_CELLS;
+    const double wanted_mm = sqrt(grid->size_mm[0] * grid->size_mm[1] / cells);
+    const unsigned n[2] = {grid->columns, grid->rows};
+    luxel_settings fine = lx_whole_picture(settings);
+    unsigned fine_n[2];
+    for (int i = 0; i < 2; i++)
+        fine_n[i] = (unsigned)fmin(n[i] * (double)parts_of(grid->size_mm[i] / n[i], wanted_mm), 65536);
+    fine.tolerance = fmax(fine.tolerance, FINE_TOLERANCE);
+    return luxel_measure_field(figure->copy, &fine, figure->settings.grid - 1, fine_n[0], fine_n[1], diagnostics,
+                               &figure->field);
+}
+
+/* The whole plane, as the contour of what has colours. */
+static int make_contour(struct lx_figure *figure)
+{
+    struct lx_outline *contour = figure->contours = lx_new_array(1, sizeof *figure->contours);
+    if (!contour)
+        return -1;
+    figure->contour_count = 1;
+    contour->places_mm = lx_new_array(4, sizeof *contour->places_mm);
+    if (!contour->places_mm)
+        return -1;
+    contour->count = contour->capacity = 4;
+    for (int i = 0; i < 4; i++) {
+        contour->places_mm[i][0] = figure->size_mm[0] * (i == 1 || i == 2 ? 0.5 : -0.5);
+        contour->places_mm[i][1] = figure->size_mm[1] * (i > 1 ? 0.5 : -0.5);
+    }
+    return 0;
+}
+
+/* The maximum on the plane, where it is known between the points, else that of the points. */
+static luxel_status find_maximum(struct lx_figure *figure, const luxel_settings *settings,
+                                 luxel_diagnostics *diagnostics)
+{
+    struct lx_plane *plane = figure->plane;
+    const luxel_grid *grid = plane->grid;
+    luxel_peak *maximum = &figure->extrema.maximum;
+    double away[3];
+    const luxel_status status =
+        luxel_find_grid_extrema(figure->copy, settings, figure->settings.grid - 1, diagnostics, &plane->extrema);
+    for (int k = 0; k < 3; k++)
+        away[k] = grid->maximum.position_mm[k] - grid->center_mm[k];
+    *maximum = (luxel_peak){.exists = grid->measured > 0,
+                            .value = grid->maximum.value,
+                            .x_mm = dot(away, grid->across),
+                            .y_mm = dot(away, grid->up)};
+    if (plane->extrema.maximum.exists) {
+        maximum->value = plane->extrema.maximum.value;
+        maximum->x_mm = plane->extrema.maximum.on_plane_mm[0];
+        maximum->y_mm = plane->extrema.maximum.on_plane_mm[1];
+    }
+    return status;
+}
+
+luxel_status lx_figure_plane(struct lx_figure *figure, const luxel_settings *settings, luxel_diagnostics *diagnostics)
+{
+    figure->settings.section = LUXEL_SECTION_NONE; /* those are of the picture */
+    figure->plane = lx_new_array(1, sizeof *figure->plane);
+    if (!figure->plane)
+        return lx_out_of_memory(diagnostics);
+    luxel_status status =
+        luxel_measure(figure->copy, settings, figure->settings.grid - 1, diagnostics, &figure->plane->grid);
+    if (status != LUXEL_OK)
+        return status;
+    for (int side = 0; side < 2; side++)
+        set_axis(figure, side);
+    status = find_maximum(figure, settings, diagnostics);
+    if (status == LUXEL_OK)
+        status = make_field(figure, settings, diagnostics);
+    if (status == LUXEL_OK && (make_contour(figure) < 0 || find_lamps(figure) < 0))
+        status = lx_out_of_memory(diagnostics);
+    return status;
+}
