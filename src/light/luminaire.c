@@ -340,7 +340,8 @@ static int prepare_luminaire(const void *parameters, struct lx_emitters *emitter
         emitter.strength *= luminaire->flux / distribution->zone_lumens;
     /* the zone rule's sums have as many roundings as the table has lines at most */
     const double lines = (double)(distribution->azimuth_count + distribution->polar_count);
-    emitter.strength_error = emitter.strength * DBL_EPSILON * (is_scaled ? lines + 8 : factors_of(luminaire) != 1 ? 2 : 0);
+    const double roundings = factors_of(luminaire) != 1 ? 2 : 0;
+    emitter.strength_error = emitter.strength * DBL_EPSILON * (is_scaled ? lines + 8 : roundings);
     struct lx_opening opening;
     bool is_good;
     return find_opening(luminaire, &opening, &is_good) ? lx_opening_emit(&opening, &emitter, emitters)
