@@ -410,7 +410,7 @@ static void tell(AppDial *self)
     const AppDisplay *display = app_display_form_get(self->form);
     const AppRange range = shown_range(self);
     char n[2][APP_NUMBER_SIZE], stops[APP_NUMBER_SIZE];
-    g_snprintf(stops, sizeof stops, "%+.2f EV", display->exposure);
+    g_snprintf(stops, sizeof stops, _("%+.2f EV"), display->exposure);
     app_number_round(range.low, DIGITS, n[0]);
     app_number_round(range.high, DIGITS, n[1]);
     tell_slider(self->ends[END_LOW], range.low, -G_MAXDOUBLE, range.high, n[0]);
@@ -542,9 +542,9 @@ static void make_buttons(AppDial *self)
     self->logarithmic =
         new_toggle(_("Logarithmic scale"), _("Colours by the logarithm of the value, over four decades"),
                    G_CALLBACK(logarithmic_toggled), self);
-    gtk_button_set_label(GTK_BUTTON(self->logarithmic), "log");
+    gtk_button_set_label(GTK_BUTTON(self->logarithmic), _("log"));
     app_name_control(self->logarithmic, _("Logarithmic scale")); /* which the label has become */
-    self->stops = gtk_label_new("+0.00 EV");
+    self->stops = gtk_label_new(NULL);
     gtk_label_set_width_chars(GTK_LABEL(self->stops), (int)strlen("+40.00 EV"));
     gtk_label_set_xalign(GTK_LABEL(self->stops), 1);
     gtk_widget_add_css_class(self->stops, "numeric");
