@@ -52,15 +52,9 @@ bool lx_has_decimal_commas(const struct lx_document *document, lx_node_id list, 
     return found > wanted && joined >= found - wanted;
 }
 
-lx_node_id lx_number_before_key(const struct lx_document *document, lx_node_id mapping, lx_node_id key)
+bool lx_number_goes_on_in_key(const struct lx_document *document, lx_node_id before, lx_node_id key)
 {
     const struct lx_node *node = lx_document_node(document, key);
-    lx_node_id before = 0;
-    for (lx_node_id id = lx_document_node(document, mapping)->first; id && id != key;
-         id = lx_document_node(document, id)->next)
-        before = id;
-    if (!before || !lx_document_is_null(document, key) || !is_fraction(lx_document_key(document, key)) ||
-        !is_whole_part(document, before) || !is_joined(document, before, node->source, node->key_start))
-        return 0;
-    return before;
+    return before && lx_document_is_null(document, key) && is_fraction(lx_document_key(document, key)) &&
+           is_whole_part(document, before) && is_joined(document, before, node->source, node->key_start);
 }

@@ -11,7 +11,7 @@
 /* Whether a list has more numbers than are wanted because commas of some of them were read as those of the list. */
 bool lx_has_decimal_commas(const struct lx_document *document, lx_node_id list, size_t wanted);
 
-/* The node of a mapping whose number goes on in this key, which no table has; 0: there is none. */
-lx_node_id lx_number_before_key(const struct lx_document *document, lx_node_id mapping, lx_node_id key);
+/* Whether the number of the node before a key, 0: there is none, goes on in that key, which no table has. */
+bool lx_number_goes_on_in_key(const struct lx_document *document, lx_node_id before, lx_node_id key);
 
 #endif

@@ -141,13 +141,14 @@ static void report_key(const struct mapping *mapping, lx_node_id id, enum lx_mes
 }
 
 /* Reports a key that is the fraction of the number before it, behind a decimal comma; false: it is none. */
-static bool report_comma(const struct mapping *mapping, lx_node_id id)
+static bool report_comma(const struct mapping *mapping, lx_node_id before, lx_node_id id)
 {
     struct lx_walk *walk = mapping->walk;
     const struct lx_document *document = walk->document;
-    const lx_node_id before = lx_number_before_key(document, mapping->id, id);
+    if (!lx_number_goes_on_in_key(document, before, id))
+        return false;
     const struct lx_parameter *parameter = NULL;
-    for (size_t t = 0; before && t < mapping->table_count && !parameter; t++)
+    for (size_t t = 0; t < mapping->table_count && !parameter; t++)
         parameter = lx_find_parameter(mapping->tables[t], lx_document_key(document, before));
     if (!parameter || (parameter->type != LX_REAL && parameter->type != LX_WHOLE))
         return false;
@@ -163,8 +164,11 @@ static bool report_comma(const struct mapping *mapping, lx_node_id id)
     return true;
 }
 
-/* Decodes one key with its value; each is known to one of the tables, doubled, or unknown. */
-static void decode_key(struct mapping *mapping, lx_node_id id)
+/*
+ * Decodes one key with its value, behind the node before it (0: none); each is known to one of the tables, doubled, or
+ * unknown.
+ */
+static void decode_key(struct mapping *mapping, lx_node_id before, lx_node_id id)
 {
     struct lx_walk *walk = mapping->walk;
     const char *key = lx_document_key(walk->document, id);
@@ -189,7 +193,7 @@ static void decode_key(struct mapping *mapping, lx_node_id id)
             *(uint64_t *)mapping->parameters[t] |= bit;
         return;
     }
-    if (report_comma(mapping, id))
+    if (report_comma(mapping, before, id))
         return;
     bool worth_a_hint = lx_keeps(walk->diagnostics, LUXEL_SEVERITY_ERROR);
     report_key(mapping, id, LX_MSG_UNKNOWN_KEY);
@@ -271,9 +275,10 @@ static bool decode_mapping(struct mapping *mapping)
     walk->failed = false;
     for (size_t t = 0; t < mapping->table_count; t++)
         table_defaults(mapping->tables[t], mapping->parameters[t]);
+    lx_node_id before = 0;
     for (lx_node_id id = lx_document_node(walk->document, mapping->id)->first; id && !walk->out_of_memory;
-         id = lx_document_node(walk->document, id)->next)
-        decode_key(mapping, id);
+         before = id, id = lx_document_node(walk->document, id)->next)
+        decode_key(mapping, before, id);
     for (size_t t = 0; t < mapping->table_count; t++)
         judge_table(mapping, t);
     bool good = !walk->failed && !walk->out_of_memory;

@@ -372,7 +372,7 @@ LX_LANE void NAME(by_lobe)(const struct NAME(work) * work, enum lx_light_kind ki
     const enum lx_model model = work->lobe->model;
     const enum lx_highlight highlight = work->lobe->highlight;
 #ifdef LX_FEW_KERNELS
-    NAME(add_lights)(work, kind, model, highlight);
+    NAME(add_lights)(work, kind, model, model == LX_LAMBERT ? LX_HIGHLIGHT_PLAIN : highlight);
 #else
     if (model == LX_LAMBERT)
         NAME(add_lights)(work, kind, LX_LAMBERT, LX_HIGHLIGHT_PLAIN);

@@ -132,7 +132,8 @@ static void NAME(samples)(const struct NAME(lx_samples) * samples, size_t first,
                           REAL *sum)
 {
 #ifdef LX_FEW_KERNELS
-    NAME(samples_of)(samples, first, count, lobe, block, start, lobe->model, lobe->highlight, sum);
+    NAME(samples_of)(samples, first, count, lobe, block, start, lobe->model,
+                     lobe->model == LX_LAMBERT ? LX_HIGHLIGHT_PLAIN : lobe->highlight, sum);
 #else
     if (lobe->model == LX_LAMBERT)
         NAME(samples_of)(samples, first, count, lobe, block, start, LX_LAMBERT, LX_HIGHLIGHT_PLAIN, sum);

@@ -139,8 +139,9 @@ def repeat(tap, tool, name, *arguments):
 
 def builtin_scenes(tap, tool):
     for name in (scene["name"] for scene in tool.run("scene", "--list", "--json").json()["scenes"]):
-        repeat(tap, tool, name, name)
-        repeat(tap, tool, name + ", irradiance, double", name, "--quantity", "irradiance", "--precision", "double")
+        repeat(tap, tool, name, name, *(SMALL if os.environ.get("LUXEL_SANITIZED") else []))
+        repeat(tap, tool, name + ", irradiance, double", name, "--quantity", "irradiance", "--precision", "double",
+               *SMALL)
 
 
 def own_scenes(tap, tool):
