@@ -70,10 +70,13 @@ static void write_alternative(struct json *json, const luxel_alternative *altern
     json_text(json, "choice", alternative->choice);
     json_text(json, "meaning", alternative->meaning);
     json_bool(json, "present", alternative->is_present);
-    if (alternative->has_value)
+    if (alternative->has_value) {
         json_number(json, "value", alternative->value);
-    else
+        json_number(json, "error", alternative->error);
+    } else {
         json_null(json, "value");
+        json_null(json, "error");
+    }
     json_text(json, "assignment", alternative->assignment);
     json_close(json, '}');
 }
@@ -100,6 +103,7 @@ static int write_point(struct json *json, const struct options *options, const s
             json_null(json, "value");
             json_null(json, "error");
         }
+        result_write_reflected(json, probe);
         json_open(json, "alternatives", '[');
         for (size_t i = 0; i < alternatives->count; i++)
             write_alternative(json, &alternatives->list[i]);

@@ -152,9 +152,7 @@ static int render(const struct options *options, const struct loaded *loaded)
         write_code = compute(options, loaded, &statistics);
         if (write_code != EXIT_DONE)
             code = write_code;
-        else if (!message_reflected(&statistics))
-            code = EXIT_TOLERANCE;
-        if (write_code == EXIT_DONE || write_code == EXIT_FILE) {
+        if (write_code == EXIT_DONE || write_code == EXIT_TOLERANCE || write_code == EXIT_FILE) {
             result.statistics = &statistics;
             result.use.screen = result.use.pixels = true;
             result.use.surfaces = NULL;

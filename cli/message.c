@@ -73,16 +73,6 @@ void message_tolerance(size_t missed, size_t count)
     message_hint(_("they are printed with their errors; --tolerance T allows another one"));
 }
 
-bool message_reflected(const luxel_statistics *statistics)
-{
-    if (statistics->reflected_reached)
-        return true;
-    message_error(_("the reflected light of the picture may be off by %.2g of its maximum"),
-                  statistics->reflected_error);
-    message_hint(_("it is made all the same; --reflected-error R allows another share"));
-    return false;
-}
-
 void message_did_you_mean(const char *nearest)
 {
     if (nearest)
@@ -168,6 +158,20 @@ void message_diagnostics(FILE *stream, const luxel_diagnostics *diagnostics, lux
         fprintf(stream, ngettext("and %zu more error\n", "and %zu more errors\n", left), left);
     else if (left > 0)
         fprintf(stream, ngettext("and %zu more line of advice\n", "and %zu more lines of advice\n", left), left);
+}
+
+bool message_reflected(luxel_diagnostics *diagnostics)
+{
+    bool is_reached = true;
+
+    for (size_t i = 0; i < luxel_diagnostics_count(diagnostics) && is_reached; i++)
+        is_reached = strcmp(luxel_diagnostics_get(diagnostics, i)->id, "reflected-error") != 0;
+    if (!is_reached) {
+        message_diagnostics(stderr, diagnostics, LUXEL_SEVERITY_ADVICE, LUXEL_SEVERITY_ERROR);
+        message_hint(_("it is made all the same; --reflected-error R allows another share"));
+        luxel_diagnostics_clear(diagnostics);
+    }
+    return is_reached;
 }
 
 void message_passed_over(luxel_diagnostics *diagnostics, bool quiet)

@@ -13,8 +13,8 @@ void message_error(const char *format, ...) __attribute__((format(printf, 1, 2))
 void message_hint(const char *format, ...) __attribute__((format(printf, 1, 2)));
 /* Some results, which are printed all the same, are not as exact as was asked for. */
 void message_tolerance(size_t missed, size_t count);
-/* Whether the reflected light of a picture is as exact as was asked for; if not, says so. */
-bool message_reflected(const luxel_statistics *statistics);
+/* Whether the reflected light of a picture is as exact as was asked for; if not, says so once: it is forgotten. */
+bool message_reflected(luxel_diagnostics *diagnostics);
 /* "  hint: did you mean X?" unless `nearest` is NULL. */
 void message_did_you_mean(const char *nearest);
 /* "luxel: ..." */

@@ -55,9 +55,10 @@ int picture_open(const struct options *options, const char *operand, struct pict
     work_begin(&work, &picture->options);
     status = luxel_render(picture->loaded.scene, &work.settings, picture->loaded.diagnostics, &picture->field);
     code = work_end(&work, status, picture->loaded.diagnostics);
-    if (code == EXIT_DONE && !message_reflected(luxel_field_statistics(picture->field)))
-        picture->code = EXIT_TOLERANCE;
-    return code;
+    if (code != EXIT_TOLERANCE)
+        return code;
+    picture->code = EXIT_TOLERANCE;
+    return EXIT_DONE;
 }
 
 void picture_close(struct picture *picture)

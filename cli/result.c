@@ -188,15 +188,20 @@ static void write_probe(struct json *json, const struct light_strengths *lights,
     for (size_t i = 0; probe->has_value && i < probe->share_count; i++)
         write_share(json, lights, &probe->shares[i]);
     json_close(json, ']');
-    if (probe->has_reflected) {
-        json_open(json, "reflected", '{');
-        json_number(json, "irradiance", probe->reflected_irradiance);
-        json_number(json, "value", probe->reflected_value);
-        json_number(json, "error", probe->reflected_error);
-        json_close(json, '}');
-    }
+    result_write_reflected(json, probe);
     if (probe->source_on_element)
         json_text(json, "reason", text_format(reason, on_element, probe->blocking_light));
+    json_close(json, '}');
+}
+
+void result_write_reflected(struct json *json, const luxel_probe *probe)
+{
+    if (!probe->has_reflected)
+        return;
+    json_open(json, "reflected", '{');
+    json_number(json, "irradiance", probe->reflected_irradiance);
+    json_number(json, "value", probe->reflected_value);
+    json_number(json, "error", probe->reflected_error);
     json_close(json, '}');
 }
 

@@ -38,6 +38,9 @@ luxel_use result_use_of_screen(const struct options *options, bool pixels);
 /* Writes an extremum as SPEC's `max` and `min` are written; null where there is none. */
 void result_write_extremum(struct json *json, const char *key, const luxel_extremum *extremum);
 
+/* Writes what is reflected to a probe as the member `reflected`; nothing where the scene reflects no light. */
+void result_write_reflected(struct json *json, const luxel_probe *probe);
+
 /* Writes the object of SPEC's `--json`, and prints it on standard output. */
 void result_write_json(FILE *stream, const struct result *result);
 void result_print_json(const struct result *result);

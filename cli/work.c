@@ -19,7 +19,9 @@ void work_begin(struct work *work, const struct options *options)
 int work_end(struct work *work, luxel_status status, luxel_diagnostics *diagnostics)
 {
     progress_end(&work->progress);
-    return status == LUXEL_OK ? EXIT_DONE : message_failure(status, diagnostics);
+    if (status != LUXEL_OK)
+        return message_failure(status, diagnostics);
+    return message_reflected(diagnostics) ? EXIT_DONE : EXIT_TOLERANCE;
 }
 
 int work_write_files(const struct options *options, const struct loaded *loaded,

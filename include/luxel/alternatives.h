@@ -5,7 +5,8 @@
  *
  * An alternative changes one convention of the scene (the place that is evaluated, the view vector, 1/pi, the
  * highlight, the law of attenuation, the pattern of the sources, the model, the projection, the sampling) and leaves
- * all else as it is.
+ * all else as it is.  Of a scene with reflections the alternatives are only how often light is reflected: not at all,
+ * once, as often as the scene says, until nothing is left.
  */
 #ifndef LUXEL_ALTERNATIVES_H
 #define LUXEL_ALTERNATIVES_H
@@ -26,6 +27,7 @@ typedef struct luxel_alternative {
     bool is_present;        /* whether it is what the scene says, and the value the scene's own */
     bool has_value;         /* false where it does not give any, such as off every surface */
     double value;           /* in the unit of luxel_scene_unit() */
+    double error;           /* bounds |value - truth|, rounding included */
 } luxel_alternative;
 
 /*

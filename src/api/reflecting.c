@@ -17,15 +17,6 @@ double lx_reflected_error_of(const luxel_settings *settings)
     return settings->reflected_error > 0 ? settings->reflected_error : LX_DEFAULT_REFLECTED_ERROR;
 }
 
-luxel_status lx_refuse_reflections(const struct lx_scene_parameters *scene, luxel_diagnostics *diagnostics)
-{
-    if (!lx_wants_reflections(scene))
-        return LUXEL_OK;
-    lx_report(diagnostics, LUXEL_SEVERITY_ERROR, NULL, LX_MSG_NO_REFLECTIONS_HERE, NULL);
-    lx_hint(diagnostics, LX_MSG_HINT_REFLECTIONS_NONE, NULL);
-    return LUXEL_ERROR_ARGUMENT;
-}
-
 /* Places that are asked, in parallel. */
 struct asking {
     const struct lx_reflecting *reflecting;

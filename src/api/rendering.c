@@ -314,6 +314,11 @@ static void finish_statistics(struct lx_rendering *rendering)
     statistics->has_reflected = true;
     statistics->reflected_error = maximum > 0 ? rendering->reflected_error / maximum : 0;
     statistics->reflected_reached = statistics->reflected_error <= lx_reflected_error_of(&rendering->session->settings);
+    if (statistics->reflected_reached)
+        return;
+    char error[LX_NUMBER_SIZE];
+    lx_report(rendering->diagnostics, LUXEL_SEVERITY_ADVICE, NULL, LX_MSG_REFLECTED_ERROR,
+              LX_ARGS(lx_write_digits(statistics->reflected_error, 2, error)));
 }
 
 /* Takes the rows that are finished into the statistics and hands them on. */

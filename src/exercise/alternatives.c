@@ -10,6 +10,7 @@
 #include "../api/refuse.h"
 #include "../base/diagnostics.h"
 #include "../base/memory.h"
+#include "../base/number.h"
 #include "../base/phrase.h"
 #include "../parameter/decode.h"
 #include "../scene/materials.h"
@@ -207,6 +208,36 @@ static int find_choices(const struct convention *convention, const struct lx_sce
     return failed ? -1 : 0;
 }
 
+/* How often light is reflected: not at all, once, as often as the scene says, and until nothing is left. */
+static int find_bounces(const struct lx_choice_or_whole *present, struct lx_choices *choices)
+{
+    static const char *const meanings[] = {LX_N("direct light alone"), LX_N("direct light and the first bounce"),
+                                           LX_N("so many bounces"), LX_N("all bounces")};
+    const bool is_all = present->choice == LX_REFLECTIONS_ALL;
+    char whole[LX_NUMBER_SIZE];
+    snprintf(whole, sizeof whole, "%u", present->whole);
+    const char *const words[] = {"none", "1", is_all || present->whole == 1 ? NULL : whole, "all"};
+    const size_t own = is_all ? 3 : present->whole == 1 ? 1 : 2;
+    for (size_t pass = 0; pass < 2; pass++)
+        for (size_t i = 0; i < LX_COUNT(words); i++) {
+            struct lx_text text = {0};
+            if (!words[i] || (i == own) != (pass == 0))
+                continue;
+            lx_text_printf(&text, "reflections=%s", words[i]);
+            char *assignment = lx_text_take(&text);
+            if (!assignment)
+                return -1;
+            add_choice(choices, (struct lx_choice){.convention = LX_N("reflected light"),
+                                                   .choice = assignment + strlen("reflections="),
+                                                   .meaning = meanings[i],
+                                                   .assignment = assignment,
+                                                   .is_bounces = true,
+                                                   .is_present = i == own});
+        }
+    choices->has_bounces = true;
+    return 0;
+}
+
 luxel_status lx_choices_find(const luxel_scene *scene, const luxel_settings *settings, double x_mm, double y_mm,
                              luxel_diagnostics *diagnostics, struct lx_choices *choices)
 {
@@ -219,6 +250,9 @@ luxel_status lx_choices_find(const luxel_scene *scene, const luxel_settings *set
         choices->settings = *settings;
     else
         luxel_settings_init(&choices->settings);
+    const struct lx_scene_parameters *parameters = lx_scene_parameters(scene);
+    if (lx_wants_reflections(parameters) && find_bounces(&parameters->reflections, choices) < 0)
+        return lx_out_of_memory(diagnostics);
     for (size_t i = 0; i < LX_COUNT(places); i++)
         add_choice(choices, (struct lx_choice){.convention = LX_N("place"),
                                                .choice = places[i].choice,
@@ -226,7 +260,7 @@ luxel_status lx_choices_find(const luxel_scene *scene, const luxel_settings *set
                                                .place = places[i].place,
                                                .is_present = i == 0});
     for (size_t i = 0; i < LX_COUNT(conventions); i++)
-        if (find_choices(&conventions[i], lx_scene_parameters(scene), choices) < 0)
+        if (find_choices(&conventions[i], parameters, choices) < 0)
             return lx_out_of_memory(diagnostics);
     return LUXEL_OK;
 }
@@ -269,30 +303,27 @@ static bool find_place(const struct lx_scene_parameters *scene, enum lx_looked_a
 }
 
 static luxel_status probe(const struct lx_choices *choices, const luxel_scene *scene, enum lx_looked_at place,
-                          luxel_diagnostics *diagnostics, bool *has_value, double *value)
+                          luxel_diagnostics *diagnostics, struct lx_choice_value *found)
 {
     double x_mm = choices->x_mm, y_mm = choices->y_mm;
     luxel_probe *made = NULL;
     if (!find_place(lx_scene_parameters(scene), place, &x_mm, &y_mm))
         return LUXEL_OK;
     luxel_status status = luxel_probe_screen(scene, &choices->settings, x_mm, y_mm, diagnostics, &made);
-    if (status == LUXEL_OK && made->has_value) {
-        *has_value = true;
-        *value = made->value;
-    }
+    if (status == LUXEL_OK && made->has_value)
+        *found = (struct lx_choice_value){true, made->value, made->error};
     luxel_probe_free(made);
     return status;
 }
 
 luxel_status lx_choices_value(const struct lx_choices *choices, const size_t *which, size_t count,
-                              luxel_diagnostics *diagnostics, bool *has_value, double *value)
+                              luxel_diagnostics *diagnostics, struct lx_choice_value *found)
 {
     enum lx_looked_at place = LX_AT_POINT;
     luxel_diagnostics *unseen = luxel_diagnostics_new();
     luxel_scene *scene = luxel_scene_copy(choices->scene);
     luxel_status status = scene && unseen ? LUXEL_OK : lx_out_of_memory(diagnostics);
-    *has_value = false;
-    *value = 0;
+    *found = (struct lx_choice_value){0};
     for (size_t i = 0; status == LUXEL_OK && i < count; i++) {
         const struct lx_choice *choice = &choices->list[which[i]];
         status = apply(scene, choice->assignment, unseen);
@@ -302,7 +333,7 @@ luxel_status lx_choices_value(const struct lx_choices *choices, const size_t *wh
         status = luxel_scene_commit(scene, unseen);
     bool refused = status == LUXEL_ERROR_SCENE || status == LUXEL_ERROR_PATH;
     if (status == LUXEL_OK)
-        status = probe(choices, scene, place, diagnostics, has_value, value);
+        status = probe(choices, scene, place, diagnostics, found);
     luxel_scene_free(scene);
     luxel_diagnostics_free(unseen);
     return refused ? LUXEL_OK : status; /* what the scene does not allow has no value */
@@ -328,17 +359,17 @@ void luxel_alternatives_free(luxel_alternatives *alternatives)
 luxel_status luxel_find_alternatives(const luxel_scene *scene, const luxel_settings *settings, double x_mm, double y_mm,
                                      luxel_diagnostics *diagnostics, luxel_alternatives **alternatives)
 {
-    if (scene && luxel_scene_is_committed(scene) &&
-        lx_refuse_reflections(lx_scene_parameters(scene), diagnostics) != LUXEL_OK)
-        return LUXEL_ERROR_ARGUMENT;
     struct made *made = lx_new_array(1, sizeof *made);
     if (!made)
         return lx_out_of_memory(diagnostics);
     luxel_status status = lx_choices_find(scene, settings, x_mm, y_mm, diagnostics, &made->choices);
-    made->shown = (luxel_alternatives){.count = made->choices.count, .list = made->list};
+    size_t count = 0;
     for (size_t i = 0; status == LUXEL_OK && i < made->choices.count; i++) {
         const struct lx_choice *choice = &made->choices.list[i];
-        luxel_alternative *shown = &made->list[i];
+        struct lx_choice_value found;
+        if (made->choices.has_bounces && !choice->is_bounces)
+            continue; /* each would need all reflected light anew */
+        luxel_alternative *shown = &made->list[count++];
         *shown = (luxel_alternative){
             .convention = choice->convention,
             .choice = choice->choice,
@@ -346,8 +377,12 @@ luxel_status luxel_find_alternatives(const luxel_scene *scene, const luxel_setti
             .assignment = choice->assignment,
             .is_present = choice->is_present,
         };
-        status = lx_choices_value(&made->choices, &i, 1, diagnostics, &shown->has_value, &shown->value);
+        status = lx_choices_value(&made->choices, &i, 1, diagnostics, &found);
+        shown->has_value = found.has_value;
+        shown->value = found.value;
+        shown->error = found.error;
     }
+    made->shown = (luxel_alternatives){.count = count, .list = made->list};
     if (status == LUXEL_OK)
         *alternatives = &made->shown;
     else

@@ -20,6 +20,7 @@ struct lx_choice {
     const char *convention, *choice, *meaning;
     char *assignment; /* those that make it, with " -s " between them; NULL: none, it is a place */
     enum lx_looked_at place;
+    bool is_bounces; /* says how often light is reflected */
     bool is_present;
 };
 
@@ -29,6 +30,13 @@ struct lx_choices {
     double x_mm, y_mm;
     struct lx_choice list[LX_MOST_CHOICES];
     size_t count;
+    bool has_bounces; /* the scene reflects light */
+};
+
+/* No value: off every surface, off the screen, or where the scene does not allow the choices. */
+struct lx_choice_value {
+    bool has_value;
+    double value, error;
 };
 
 /* Finds the choices of a committed scene.  lx_choices_clear() is due whatever it returns.  LUXEL_ERROR_MEMORY. */
@@ -37,11 +45,10 @@ luxel_status lx_choices_find(const luxel_scene *scene, const luxel_settings *set
 void lx_choices_clear(struct lx_choices *choices);
 
 /*
- * The value that `count` choices together give; of one convention only one.  *has_value is false where they give none:
- * off every surface, off the screen, or where the scene does not allow them.
+ * The value that `count` choices together give; of one convention only one.
  * LUXEL_ERROR_MEMORY, or what a probe of the scene ends with.
  */
 luxel_status lx_choices_value(const struct lx_choices *choices, const size_t *which, size_t count,
-                              luxel_diagnostics *diagnostics, bool *has_value, double *value);
+                              luxel_diagnostics *diagnostics, struct lx_choice_value *found);
 
 #endif

@@ -5,7 +5,6 @@
 #include <math.h>
 #include <stdlib.h>
 
-#include "../api/refuse.h"
 #include "../base/diagnostics.h"
 #include "../base/number.h"
 #include "../base/phrase.h"
@@ -112,17 +111,55 @@ static void add_sum(const struct explaining *explaining)
     char number[LX_NUMBER_SIZE];
     lx_document_heading(explaining->document, 1, LX_N("The sum"), NULL);
     lx_text_puts(&line, explaining->quantity == LUXEL_IRRADIANCE ? "E = " : "B = ");
-    for (size_t i = 0; i < probe->share_count && probe->share_count <= MOST_LIGHTS && probe->share_count > 1; i++) {
+    const size_t terms = probe->share_count + probe->has_reflected;
+    const bool shows_terms = terms > 1 && probe->share_count <= MOST_LIGHTS;
+    for (size_t i = 0; i < terms && shows_terms; i++) {
         lx_text_puts(&line, i > 0 ? " + " : "");
-        lx_add_math_number(&line, share_value(explaining, &probe->shares[i]));
+        lx_add_math_number(&line, i < probe->share_count ? share_value(explaining, &probe->shares[i])
+                                                         : probe->reflected_value);
     }
-    lx_text_puts(&line, probe->share_count > 1 && probe->share_count <= MOST_LIGHTS ? " = " : "");
+    lx_text_puts(&line, shows_terms ? " = " : "");
     lx_add_math_number(&line, probe->value);
     if (line.bytes)
         lx_document_formula(explaining->document, line.bytes);
     lx_text_clear(&line);
     lx_document_paragraph(explaining->document, LX_N("To all its digits: {0} {1}."),
                           LX_SPANS(LX_PLAIN(lx_write_number(probe->value, number)), LX_PLAIN(explaining->unit)));
+}
+
+/* ---- reflected light ---- */
+
+/* How many bounces give how much, of the alternatives that a scene with reflections has. */
+static void add_bounces(const struct explaining *explaining, const luxel_alternatives *alternatives)
+{
+    struct luxel_document *document = explaining->document;
+    const luxel_probe *probe = explaining->probe;
+    char value[LX_NUMBER_SIZE], adds[LX_NUMBER_SIZE], bound[LX_NUMBER_SIZE];
+    lx_document_heading(document, 1, LX_N("What surfaces reflect"), NULL);
+    lx_document_paragraph(document,
+                          LX_N("From other surfaces the point receives {0}, which adds {1} to the value, with an error "
+                               "of at most {2}."),
+                          LX_SPANS(LX_MATH("E_r"), LX_PLAIN(digits(probe->reflected_value, 7, adds)),
+                                   LX_PLAIN(digits(probe->reflected_error, 2, bound))));
+    struct lx_text line = {0};
+    lx_text_puts(&line, "E_r = ");
+    lx_add_math_number(&line, probe->reflected_irradiance);
+    if (line.bytes)
+        lx_document_formula(document, line.bytes);
+    lx_text_clear(&line);
+    lx_document_table(document, "llrr");
+    lx_document_row(document,
+                    LX_SPANS(LX_TERM_SPAN(LX_N("reflections")), LX_TERM_SPAN(LX_N("meaning")),
+                             LX_TERM_SPAN(LX_N("value")), LX_TERM_SPAN(LX_N("error, at most"))),
+                    false);
+    for (size_t i = 0; i < alternatives->count; i++) {
+        const luxel_alternative *bounces = &alternatives->list[i];
+        lx_document_row(document,
+                        LX_SPANS(LX_CODE(bounces->choice), LX_TERM_SPAN(bounces->meaning),
+                                 LX_PLAIN(digits(bounces->value, 7, value)),
+                                 LX_PLAIN(digits(bounces->error, 2, bound))),
+                        bounces->is_present);
+    }
 }
 
 /* ---- conventions ---- */
@@ -186,8 +223,11 @@ static luxel_status explain_value(const struct explaining *explaining, luxel_dia
         add_result(explaining);
         lx_explain_place(&steps, probe->x_mm, probe->y_mm);
         add_lights(explaining, &steps);
+        if (probe->has_reflected)
+            add_bounces(explaining, alternatives);
         add_sum(explaining);
-        add_alternatives(explaining, alternatives);
+        if (!probe->has_reflected)
+            add_alternatives(explaining, alternatives);
     }
     luxel_alternatives_free(alternatives);
     lx_prepared_clear(&prepared);
@@ -214,9 +254,6 @@ luxel_status luxel_explain(const luxel_scene *scene, const luxel_settings *setti
 {
     luxel_probe *probe = NULL;
     struct explaining explaining = {.scene = scene, .settings = settings};
-    if (scene && luxel_scene_is_committed(scene) &&
-        lx_refuse_reflections(lx_scene_parameters(scene), diagnostics) != LUXEL_OK)
-        return LUXEL_ERROR_ARGUMENT;
     luxel_status status = luxel_probe_screen(scene, settings, x_mm, y_mm, diagnostics, &probe);
     if (status != LUXEL_OK)
         return status;

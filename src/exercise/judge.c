@@ -74,10 +74,10 @@ static double distance_from(const struct search *search, bool has_value, double 
 }
 
 /* Takes an explanation of one or two choices if it agrees, and better than what was found before. */
-static void offer(struct search *search, const luxel_alternative *one, const luxel_alternative *other, bool has_value,
-                  double value)
+static void offer(struct search *search, const luxel_alternative *one, const luxel_alternative *other,
+                  const struct lx_choice_value *found)
 {
-    double distance = distance_from(search, has_value, value, other ? PAIR_STRICTNESS : 1);
+    double distance = distance_from(search, found->has_value, found->value, other ? PAIR_STRICTNESS : 1);
     luxel_judgement *shown = &search->made->shown;
     if (!(distance <= 1) || !(distance < search->distance))
         return;
@@ -86,8 +86,9 @@ static void offer(struct search *search, const luxel_alternative *one, const lux
     if (other)
         search->made->explanations[1] = *other;
     for (int i = 0; i < MOST_EXPLANATIONS; i++) {
-        search->made->explanations[i].has_value = has_value;
-        search->made->explanations[i].value = value;
+        search->made->explanations[i].has_value = found->has_value;
+        search->made->explanations[i].value = found->value;
+        search->made->explanations[i].error = found->error;
     }
     shown->verdict = LUXEL_ANSWER_CONVENTION;
     shown->explanation_count = other ? 2 : 1;
@@ -105,12 +106,12 @@ static luxel_alternative shown_choice(const struct lx_choice *choice)
 }
 
 /* The value with one choice made, or two; what cannot be computed has none. */
-static luxel_status value_of(const struct lx_choices *choices, size_t one, size_t other, bool *has_value, double *value)
+static luxel_status value_of(const struct lx_choices *choices, size_t one, size_t other, struct lx_choice_value *found)
 {
     const size_t which[] = {one, other};
-    luxel_status status = lx_choices_value(choices, which, one == other ? 1 : 2, NULL, has_value, value);
+    luxel_status status = lx_choices_value(choices, which, one == other ? 1 : 2, NULL, found);
     if (status == LUXEL_ERROR_RANGE)
-        *has_value = false;
+        found->has_value = false;
     return status == LUXEL_ERROR_RANGE ? LUXEL_OK : status;
 }
 
@@ -120,13 +121,12 @@ static luxel_status try_choices(struct search *search, size_t one, size_t other)
     const struct lx_choices *choices = &search->made->choices;
     const struct lx_choice *first = &choices->list[one], *second = &choices->list[other];
     luxel_alternative a = shown_choice(first), b = shown_choice(second);
-    bool has_value;
-    double value;
+    struct lx_choice_value found;
     if (first->is_present || second->is_present || (one != other && first->convention == second->convention))
         return LUXEL_OK;
-    luxel_status status = value_of(choices, one, other, &has_value, &value);
+    luxel_status status = value_of(choices, one, other, &found);
     if (status == LUXEL_OK)
-        offer(search, &a, one == other ? NULL : &b, has_value, value);
+        offer(search, &a, one == other ? NULL : &b, &found);
     return status;
 }
 
@@ -140,7 +140,7 @@ static luxel_status try_irradiance(struct search *search, const luxel_scene *sce
     settings.quantity = LUXEL_IRRADIANCE;
     luxel_status status = luxel_probe_screen(scene, &settings, choices->x_mm, choices->y_mm, NULL, &probe);
     if (status == LUXEL_OK)
-        offer(search, &irradiances, NULL, probe->has_value, probe->value);
+        offer(search, &irradiances, NULL, &(struct lx_choice_value){probe->has_value, probe->value, probe->error});
     luxel_probe_free(probe);
     return status == LUXEL_ERROR_RANGE ? LUXEL_OK : status;
 }
@@ -173,7 +173,7 @@ static luxel_status try_grey(struct search *search, const luxel_probe *probe)
     luxel_field_grey(search->field, levels);
     size_t pixel = (size_t)probe->row * luxel_field_columns(search->field) + probe->column;
     if (luxel_field_mask(search->field)[pixel] && levels[pixel] == search->answer)
-        offer(search, &greys, NULL, true, search->answer);
+        offer(search, &greys, NULL, &(struct lx_choice_value){true, search->answer, 0});
     free(levels);
     return LUXEL_OK;
 }
@@ -184,12 +184,13 @@ static luxel_status try_share(struct search *search, size_t place)
     const struct lx_choices *choices = &search->made->choices;
     const struct lx_choice *choice = &choices->list[place];
     luxel_alternative shown = shown_choice(choice);
-    bool has_value;
-    double value;
-    luxel_status status = value_of(choices, place, place, &has_value, &value);
-    if (status == LUXEL_OK && has_value && search->maximum > 0)
-        offer(search, choice->is_present ? &shares : &shown, choice->is_present ? NULL : &shares, true,
-              value / search->maximum);
+    struct lx_choice_value found;
+    luxel_status status = value_of(choices, place, place, &found);
+    if (status == LUXEL_OK && found.has_value && search->maximum > 0) {
+        found.value /= search->maximum;
+        found.error /= search->maximum;
+        offer(search, choice->is_present ? &shares : &shown, choice->is_present ? NULL : &shares, &found);
+    }
     return status;
 }
 

@@ -128,6 +128,16 @@ def reflected_light(tap, tool):
         result = tool.run(command, "-", *ways, "1e-14", "-s", "surfaces[0]=" + BALL, "-s", "reflections=1", stdin=ROOM)
         tap.ok(result.code == 5 and "maximum" in result.out and "may be off by" in result.err,
                command + " prints a picture whose bound is not reached, and says so", result)
+    result = tool.run("report", "-", "-o", "r.md", *ways, "1e-14", "-s", "surfaces[0]=" + BALL, "-s", "reflections=1",
+                      stdin=ROOM)
+    if "luxel-draw" in result.err:
+        tap.skip("a report that misses the bound", "built without figures")
+    else:
+        tap.ok(result.code == 5 and result.err.count("may be off by") == 1, "so does a report, once", result)
+    result = tool.run("explain", "-", "--json", "--quantity", "irradiance", stdin=ROOM)
+    told = {one["choice"]: one for one in result.json()["points"][0]["alternatives"]}
+    for choice, truth in {"none": 1, "1": 1.5, "all": 2}.items():
+        tap.ok(abs(told[choice]["value"] - truth) <= told[choice]["error"] <= 2e-3, "explained: " + choice, told)
     tap.ok("reflected_error" not in tool.run("render", "--json").json(), "without reflections there is no bound")
 
 

@@ -6,6 +6,7 @@
  */
 #include <math.h>
 #include <stdio.h>
+#include <string.h>
 
 #include "scenes.h"
 
@@ -148,7 +149,7 @@ static void one_bounce(void **state)
            at, 1, 1e-3);
 }
 
-/* All that is wrong is told at once, and nothing is explained of direct light alone. */
+/* All that is wrong is told at once. */
 static void refusals(void **state)
 {
     (void)state;
@@ -166,12 +167,31 @@ static void refusals(void **state)
     expect_entry(diagnostics, 1, WANTED("reflects-all", 7, .key = "surfaces[1].material.diffuse"));
     expect_entry(diagnostics, 2, WANTED("reflects-by-law", 9, .key = "lights[0].attenuation"));
     luxel_scene_free(scene);
+    luxel_diagnostics_free(diagnostics);
+}
 
-    luxel_document *document = NULL;
-    luxel_diagnostics_clear(diagnostics);
-    scene = scene_of("all", ROOM("0.5"), "");
-    assert_int_equal(luxel_explain(scene, NULL, 0, 0, NULL, diagnostics, &document), LUXEL_ERROR_ARGUMENT);
-    expect_entry(diagnostics, 0, WANTED("no-reflections-here"));
+/* In a furnace of reflectance 1/2 and irradiance 1 every bounce adds half of the one before: 1, 3/2, 7/4 ... 2.  The
+ * scene's own number comes first, and each value is inside its bound. */
+static void explanations(void **state)
+{
+    (void)state;
+    static const char *const choices[] = {"2", "none", "1", "all"};
+    static const double truths[] = {1.75, 1, 1.5, 2};
+    luxel_settings settings;
+    luxel_settings_init(&settings);
+    settings.quantity = LUXEL_IRRADIANCE;
+    luxel_diagnostics *diagnostics = luxel_diagnostics_new();
+    luxel_scene *scene = scene_of("2", ROOM("0.5"), "{type: ambient, irradiance: 1}");
+    luxel_alternatives *found = NULL;
+    assert_int_equal(luxel_find_alternatives(scene, &settings, 0, 0, diagnostics, &found), LUXEL_OK);
+    assert_int_equal(found->count, 4);
+    for (size_t i = 0; i < found->count; i++) {
+        assert_string_equal(found->list[i].choice, choices[i]);
+        assert_int_equal(found->list[i].is_present, i == 0);
+        assert_true(fabs(found->list[i].value - truths[i]) <= found->list[i].error);
+        assert_true(found->list[i].error <= 2e-3);
+    }
+    luxel_alternatives_free(found);
     luxel_scene_free(scene);
     luxel_diagnostics_free(diagnostics);
 }
@@ -204,6 +224,7 @@ int main(void)
         cmocka_unit_test(concentric_spheres),
         cmocka_unit_test(one_bounce),
         cmocka_unit_test(refusals),
+        cmocka_unit_test(explanations),
         cmocka_unit_test(threads),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
