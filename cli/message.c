@@ -162,16 +162,18 @@ void message_diagnostics(FILE *stream, const luxel_diagnostics *diagnostics, lux
 
 bool message_reflected(luxel_diagnostics *diagnostics)
 {
-    bool is_reached = true;
+    const size_t count = luxel_diagnostics_count(diagnostics);
+    size_t last = count; /* a report has several pictures of one scene: one line tells it of all */
 
-    for (size_t i = 0; i < luxel_diagnostics_count(diagnostics) && is_reached; i++)
-        is_reached = strcmp(luxel_diagnostics_get(diagnostics, i)->id, "reflected-error") != 0;
-    if (!is_reached) {
-        message_diagnostics(stderr, diagnostics, LUXEL_SEVERITY_ADVICE, LUXEL_SEVERITY_ERROR);
-        message_hint(_("it is made all the same; --reflected-error R allows another share"));
-        luxel_diagnostics_clear(diagnostics);
-    }
-    return is_reached;
+    for (size_t i = 0; i < count; i++)
+        if (strcmp(luxel_diagnostics_get(diagnostics, i)->id, "reflected-error") == 0)
+            last = i;
+    if (last == count)
+        return true;
+    print_entry(stderr, diagnostics, last, LUXEL_SEVERITY_ERROR);
+    message_hint(_("it is made all the same; --reflected-error R allows another share"));
+    luxel_diagnostics_clear(diagnostics);
+    return false;
 }
 
 void message_passed_over(luxel_diagnostics *diagnostics, bool quiet)

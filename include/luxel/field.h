@@ -167,7 +167,8 @@ LUXEL_API luxel_status luxel_field_read_memory(const void *bytes, size_t length,
 
 /* A picture of somebody else's making: its size and values, and what else is known of it. */
 typedef struct luxel_field_content {
-    unsigned columns, rows;    /* 1 to 65536 */
+    unsigned columns;          /* of pixels, 1 to 65536 */
+    unsigned rows;             /* of pixels, 1 to 65536 */
     luxel_precision precision; /* float values, or double ones */
     luxel_quantity quantity;   /* where it is known what the values are */
     bool quantity_known;       /* else they are called "values" */

@@ -192,7 +192,8 @@ static luxel_status too_large(const unsigned size[2], double needed, double avai
 
 /*
  * What the field keeps of where it came from.  A scene that nobody wants (NULL) is left out, one that is larger than
- * can be read again, and that of a quick look, which is not its picture, or of a scene whose text is behind its numbers.
+ * can be read again, and that of a quick look, which is not its picture, or of a scene whose text is behind its
+ * numbers.
  */
 static luxel_status keep_origin(const struct lx_session *session, const luxel_scene *scene,
                                 luxel_diagnostics *diagnostics, struct luxel_field *field)

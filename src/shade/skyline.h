@@ -84,8 +84,10 @@ bool lx_skyline_face(const struct lx_occlusion *occlusion, const struct lx_facet
 /* Keeps the part of a convex polygon with normal.u > 0, if any; the polygon must have room for a corner more. */
 void lx_skyline_cut(struct lx_skyline_polygon *polygon, const double normal[3]);
 
-/* Makes a body, which has room for that, of a polygon, or adds the circle of directions that meet a ball, or any circle, to a body, as one more
- * side.  False: it is seen edge-on, or the element is in the ball. */
+/*
+ * Makes a body, which has room for that, of a polygon, or adds the circle of directions that meet a ball, or any
+ * circle, to a body, as one more side.  False: it is seen edge-on, or the element is in the ball.
+ */
 bool lx_skyline_add_polygon(const struct lx_skyline_polygon *polygon, struct lx_skyline_body *body);
 bool lx_skyline_add_ball(const double center[3], double radius, struct lx_skyline_body *body);
 void lx_skyline_add_circle(const double axis[3], double cosine, double sine, struct lx_skyline_body *body);

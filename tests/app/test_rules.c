@@ -135,7 +135,8 @@ static char *shown(const Light *light)
 #define SPOT "type name enabled position intensity attenuation aim inner outer falloff exponent"
 #define POINT "type name enabled position intensity attenuation pattern"
 #define AMBIENT "type name enabled irradiance"
-#define LUMINAIRE "type name enabled file position attenuation axis c0 flux factor interpolation opening"
+#define LUMINAIRE                                                                                                      \
+    "type name enabled file position attenuation axis c0 flux factor maintenance_factor interpolation opening"
 #define DISTANT "type name enabled direction irradiance"
 
 static void shows_what_has_a_say(void **state)

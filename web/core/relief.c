@@ -55,7 +55,8 @@ static uint8_t shade(double depth, const double normal[3], const double eye[3])
 
 /*
  * The shades of a surface, pixels x pixels of them row by row from the top, on a square around its centre with sides of
- * 2 MARGIN times the reach of page_scene(), looked at from the unit vector `eye` with `up` upwards.  NULL: there are none.
+ * 2 MARGIN times the reach of page_scene(), looked at from the unit vector `eye` with `up` upwards.  NULL: there are
+ * none.
  */
 PAGE_CALLS(page_relief)
 const uint8_t *page_relief(unsigned surface, double eye_x, double eye_y, double eye_z, double up_x, double up_y,

@@ -119,8 +119,8 @@ def focused(window):
 def from_part_to_part(tap, desk):
     window = desk.start().window()
     tap.equal(focused(window), "Picture", "at the start the picture has the keyboard")
-    wanted = {"Picture", "Position, x", "Intensity", "Intensity: show the slider", "Attenuation", "Material", "Shininess n",
-              "Only source 1", "Source 1 on", "Add a source", "Points", "Open"}
+    wanted = {"Picture", "Position, x", "Intensity", "Intensity: show the slider", "Attenuation", "Material",
+              "Shininess n", "Only source 1", "Source 1 on", "Add a source", "Points", "Open"}
     met = set()
     for _ in range(120):
         desk.key("Tab")

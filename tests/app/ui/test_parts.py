@@ -74,7 +74,7 @@ def vectors(tap, desk):
     wait("two sources", lambda: len(window.sources()) == 2)
     tap.ok(window.widget.find("slider", "Position, x, slider"), "they stay for other sources")
     window.toggle("Position: show the slider").act()
-    wait("no sliders", lambda: not window.widget.find("slider"))
+    wait("no sliders", lambda: not window.widget.find("slider", "Position, x, slider"))
     window.act("undo")
     window.enter("Position, z", "1e999")
     tap.ok(wait("what is wrong", lambda: window.says("1e999")), "what cannot be taken is said below")
