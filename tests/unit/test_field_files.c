@@ -390,7 +390,7 @@ static void of_values(void **state)
     (void)state;
     const float values[] = {1, -0.0F, 3, 4, NAN, 6};
     const uint8_t mask[] = {1, 1, 0, 7, 1, 0};
-    const double x_mm[] = {-1, 0, 4}, y_mm[] = {2, -2}, same[] = {0, 0, 1}, wild[] = {0, NAN, 1};
+    const double x_mm[] = {-1, 0, 4}, y_mm[] = {2, -2}, same[] = {0, 0, 1}, wild[] = {0, (double)NAN, 1};
     const luxel_field_content good = {.columns = 3,
                                       .rows = 2,
                                       .values = values,
