@@ -5,7 +5,7 @@
 
 #include <gtk/gtk.h>
 
-/* What names a built-in scene among files: "builtin:report". */
+/* The prefix that names a built-in scene among files: "builtin:report". */
 #define APP_BUILTIN "builtin:"
 
 #define APP_TYPE_APPLICATION (app_application_get_type())

@@ -248,7 +248,7 @@ static void draw_end(const AppDial *self, cairo_t *cairo, End end, double width,
     cairo_stroke(cairo);
 }
 
-/* What the numbers are of; shortened where it is longer than the bar. */
+/* The quantity and unit of the numbers; shortened where they are longer than the bar. */
 static void write_label(const AppDial *self, cairo_t *cairo, PangoLayout *layout, double width, double height)
 {
     const luxel_field *field = field_of(self);

@@ -197,7 +197,7 @@ static int figure(const struct options *options, const struct loaded *loaded)
     return work_write_files(options, loaded, write_figures, &settings);
 }
 
-/* What cannot be drawn of a grid. */
+/* Whether all that is asked for can be drawn of a grid; if not, says what cannot. */
 static bool suits_grid(const struct options *options)
 {
     if (options->drawing.section)

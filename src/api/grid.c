@@ -543,18 +543,17 @@ static luxel_status run(const struct lx_session *session, struct measuring *meas
     return atomic_load(&control.stop) ? LUXEL_CANCELLED : LUXEL_OK;
 }
 
-/* Errors of the call itself. */
-static luxel_status check_call(const luxel_scene *scene, size_t i, luxel_grid **grid, luxel_diagnostics *diagnostics)
+const struct lx_grid *lx_asked_grid(const luxel_scene *scene, size_t i, const void *answer, const char *name,
+                                    luxel_diagnostics *diagnostics)
 {
+    const struct lx_grid *grid = find_grid(scene, i);
     char index[LX_NUMBER_SIZE];
-    if (!grid)
-        lx_report(diagnostics, LUXEL_SEVERITY_ERROR, NULL, LX_MSG_MISSING_ARGUMENT, LX_ARGS("grid"));
-    else if (!find_grid(scene, i))
+    if (!answer)
+        lx_report(diagnostics, LUXEL_SEVERITY_ERROR, NULL, LX_MSG_MISSING_ARGUMENT, LX_ARGS(name));
+    else if (!grid)
         lx_report(diagnostics, LUXEL_SEVERITY_ERROR, NULL, LX_MSG_NO_SUCH_GRID,
                   LX_ARGS(lx_write_number((double)i, index)));
-    else
-        return LUXEL_OK;
-    return LUXEL_ERROR_ARGUMENT;
+    return answer ? grid : NULL;
 }
 
 luxel_status luxel_measure(const luxel_scene *scene, const luxel_settings *settings, size_t i,
@@ -573,12 +572,12 @@ luxel_status lx_measure_cells(const luxel_scene *scene, const luxel_settings *se
                                   .values_alone = n != NULL};
     struct lx_grid wanted;
     luxel_status status = lx_session_open_world(scene, settings, diagnostics, &session);
-    if (status == LUXEL_OK)
-        measuring.world.kernels = lx_element_kernels_of(session.kernels);
-    if (status == LUXEL_OK)
-        status = check_call(scene, i, grid, diagnostics);
+    const struct lx_grid *asked = status == LUXEL_OK ? lx_asked_grid(scene, i, grid, "grid", diagnostics) : NULL;
+    if (status == LUXEL_OK && !asked)
+        status = LUXEL_ERROR_ARGUMENT;
     if (status == LUXEL_OK) {
-        wanted = *find_grid(scene, i);
+        measuring.world.kernels = lx_element_kernels_of(session.kernels);
+        wanted = *asked;
         if (n)
             memcpy(wanted.n, n, sizeof wanted.n);
         status = new_grid(&session, &wanted, diagnostics, &measuring);

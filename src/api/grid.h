@@ -12,6 +12,10 @@ struct lx_measured {
     struct lx_cells cells;
 };
 
+/* The scene's i-th grid, for a call with an answer of this name; NULL, and reported: there is none, or no answer. */
+const struct lx_grid *lx_asked_grid(const luxel_scene *scene, size_t i, const void *answer, const char *name,
+                                    luxel_diagnostics *diagnostics);
+
 /*
  * luxel_measure(), or with `n` the values alone of that plane's cells if there were n[0] columns and n[1] rows: without
  * flux, mean, sampling error and what is inside of bodies.

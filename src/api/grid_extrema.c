@@ -11,7 +11,6 @@
 
 #include "../base/diagnostics.h"
 #include "../base/memory.h"
-#include "../base/number.h"
 #include "../base/rows.h"
 #include "../scene/scene.h"
 #include "../shade/evaluate.h"
@@ -33,7 +32,6 @@ struct node {
 
 struct search {
     struct lx_world world;
-    const struct lx_prepared *prepared; /* of the world */
     struct lx_control *control;
     struct lx_lobe lobe;
     struct lx_cells cells;
@@ -216,19 +214,15 @@ luxel_status luxel_find_grid_extrema(const luxel_scene *scene, const luxel_setti
                                      luxel_diagnostics *diagnostics, luxel_grid_extrema *extrema)
 {
     struct lx_session session;
-    struct search search = {
-        .world.prepared = &session.prepared, .prepared = &session.prepared, .lobe = lx_lobe_irradiance()};
+    struct search search = {.world.prepared = &session.prepared, .lobe = lx_lobe_irradiance()};
     luxel_grid_extrema found = {.minimum.exists = false};
     luxel_status status = lx_session_open_world(scene, settings, diagnostics, &session);
-    if (status == LUXEL_OK && i >= luxel_scene_grid_count(scene)) {
-        char index[LX_NUMBER_SIZE];
-        lx_report(diagnostics, LUXEL_SEVERITY_ERROR, NULL, LX_MSG_NO_SUCH_GRID,
-                  LX_ARGS(lx_write_number((double)i, index)));
+    const struct lx_grid *grid =
+        status == LUXEL_OK ? lx_asked_grid(scene, i, extrema, "extrema", diagnostics) : NULL;
+    if (status == LUXEL_OK && !grid)
         status = LUXEL_ERROR_ARGUMENT;
-    }
     if (status == LUXEL_OK && !lx_wants_reflections(session.prepared.scene)) {
         search.world.kernels = lx_element_kernels_of(session.kernels);
-        const struct lx_grid *grid = (const struct lx_grid *)lx_scene_parameters(scene)->grids.items + i;
         status = run(&session, grid, &search, diagnostics, &found);
     }
     free(search.nodes);

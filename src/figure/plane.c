@@ -9,6 +9,7 @@
 #include "../base/diagnostics.h"
 #include "../base/memory.h"
 #include "../base/phrase.h"
+#include "../base/vector.h"
 #include "figure.h"
 
 /* The cells from which colours and isophotes are made: about so many, fewer where each takes integrals or a share of
@@ -25,11 +26,6 @@ void lx_plane_free(struct lx_plane *plane)
     free(plane->lamps);
     free(plane->caption);
     free(plane);
-}
-
-static double dot(const double a[3], const double b[3])
-{
-    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
 }
 
 /* ---- axes ---- */
@@ -72,8 +68,8 @@ static int find_lamps(struct lx_figure *figure)
             continue;
         for (int k = 0; k < 3; k++)
             away[k] = place[k] - grid->center_mm[k];
-        const struct lx_lamp lamp = {.place_mm = {dot(away, grid->across), dot(away, grid->up)}, .light = i};
-        if (dot(away, grid->axis) > 0 && fabs(lamp.place_mm[0]) <= grid->size_mm[0] / 2 &&
+        const struct lx_lamp lamp = {.place_mm = {lx_dot(away, grid->across), lx_dot(away, grid->up)}, .light = i};
+        if (lx_dot(away, grid->axis) > 0 && fabs(lamp.place_mm[0]) <= grid->size_mm[0] / 2 &&
             fabs(lamp.place_mm[1]) <= grid->size_mm[1] / 2)
             plane->lamps[plane->lamp_count++] = lamp;
     }
@@ -137,8 +133,8 @@ static luxel_status find_maximum(struct lx_figure *figure, const luxel_settings 
         away[k] = grid->maximum.position_mm[k] - grid->center_mm[k];
     *maximum = (luxel_peak){.exists = grid->measured > 0,
                             .value = grid->maximum.value,
-                            .x_mm = dot(away, grid->across),
-                            .y_mm = dot(away, grid->up)};
+                            .x_mm = lx_dot(away, grid->across),
+                            .y_mm = lx_dot(away, grid->up)};
     if (plane->extrema.maximum.exists) {
         maximum->value = plane->extrema.maximum.value;
         maximum->x_mm = plane->extrema.maximum.on_plane_mm[0];

@@ -353,6 +353,8 @@ static void test_refusals(void **state)
                                     "{center: [9, 0, 0], size: [30, 30], n: [300, 300]}");
     luxel_settings settings;
     luxel_grid *grid = NULL;
+    luxel_grid_extrema extrema;
+    luxel_field *field = NULL;
     unsigned calls = 0, columns = 0, rows = 0;
     luxel_settings_init(&settings);
 
@@ -360,6 +362,12 @@ static void test_refusals(void **state)
     expect_error(luxel_measure(scene, NULL, 0, diagnostics, NULL), LUXEL_ERROR_ARGUMENT, diagnostics,
                  "missing-argument");
     expect_error(luxel_measure(scene, NULL, 1, diagnostics, &grid), LUXEL_ERROR_ARGUMENT, diagnostics, "no-such-grid");
+    expect_error(luxel_find_grid_extrema(scene, NULL, 0, diagnostics, NULL), LUXEL_ERROR_ARGUMENT, diagnostics,
+                 "missing-argument");
+    expect_error(luxel_find_grid_extrema(scene, NULL, 1, diagnostics, &extrema), LUXEL_ERROR_ARGUMENT, diagnostics,
+                 "no-such-grid");
+    expect_error(luxel_measure_field(scene, NULL, 1, 2, 2, diagnostics, &field), LUXEL_ERROR_ARGUMENT, diagnostics,
+                 "no-such-grid");
     settings.threads = 5000;
     expect_error(luxel_measure(scene, &settings, 0, diagnostics, &grid), LUXEL_ERROR_ARGUMENT, diagnostics,
                  "setting-out-of-range");
