@@ -8,7 +8,6 @@ Deviations are printed as the next power of ten above them, so that the page is 
 """
 import argparse
 import math
-import textwrap
 
 import numpy as np
 from mpmath import mp, mpf
@@ -17,23 +16,17 @@ import model
 from cases import CASES
 from luxel import TOLERANCE, Luxel
 from tap import Tap
+from validation_lamps import lamps
+from validation_page import STAGE, Page, figures, off_exact, off_printed, power_above
 
-STAGE = {
-    'luxel': 1,
-    'screen': {'width': 100, 'height': 100, 'resolution': [10, 10]},
-    'observer': {'z': 2000},
-    'surfaces': [{'type': 'sphere', 'center': [0, 0, -9000], 'radius': 100}],
-}
-WIDTH = 118       # of the page's text
-LEAST = -14       # nearer to float64's own resolution, compilers may differ
 UNIT_RADIANCE = 1 / math.pi  # so that the irradiance is the configuration factor
 
 HEAD = """\
 # Validation
 
 What Luxel gives where the right answer is known: the tests of CIE 171:2006 (*Test cases to assess the accuracy of
-lighting computer programs*), reflected light, configuration factors of radiative heat transfer, and integrals of
-highlights.
+lighting computer programs*), luminaire files, reflected light, configuration factors of radiative heat transfer, and
+integrals of highlights.
 This page is written by a program, `tests/reference/make_validation.py`, from what it measures with the built command.
 `make validation` writes it anew; a test of `make check` compares it with what the command gives.
 
@@ -45,47 +38,6 @@ This page is written by a program, `tests/reference/make_validation.py`, from wh
 - *off the exact*: |Luxel - exact| / exact, rounded up to a power of ten, 1e-14 at least.
 - *off the printed*, *off the reference*: Luxel / that - 1, in percent.
 """
-
-
-class Page:
-    def __init__(self, luxel):
-        self.luxel = luxel
-        self.lines = HEAD.splitlines()
-
-    def heading(self, title, *paragraphs):
-        self.lines += ['', '## ' + title]
-        for paragraph in paragraphs:
-            self.lines += ['', *textwrap.wrap(paragraph, WIDTH, break_long_words=False, break_on_hyphens=False)]
-
-    def table(self, columns, rows):
-        self.lines += ['', '| ' + ' | '.join(columns) + ' |', '|' + '---|' * len(columns)]
-        self.lines += ['| ' + ' | '.join(row) + ' |' for row in rows]
-
-    def text(self):
-        return '\n'.join(self.lines) + '\n'
-
-
-def off_exact(value, exact):
-    if exact == 0:
-        return '0' if value == 0 else power_above(abs(mpf(value))) + ' (absolute)'
-    return power_above(abs(mpf(value) / exact - 1))
-
-
-def power_above(number):
-    if number == 0:
-        return f'1e{LEAST}'
-    return f'1e{max(LEAST, int(mp.ceil(mp.log10(number))))}'
-
-
-def off_printed(value, printed):
-    if not printed:
-        return ''
-    text = f'{100 * (value / printed - 1):+.3f}'
-    return ('0.000' if float(text) == 0 else text) + ' %'
-
-
-def figures(number, digits=10):
-    return f'{float(number):.{digits}g}' if abs(number) > 1e-14 else '0'
 
 
 def case_named(name):
@@ -127,7 +79,8 @@ def direction_words(normal):
 CIE_CASES = (
     ('4.1 to 4.6', 'measured rooms: compact fluorescent lamps, opal and semi-specular luminaires, grey and black walls',
      'no', 'not tried: needs the intensity tables of those luminaires'),
-    ('5.2', 'point sources', 'yes', 'the Lambertian pattern; the asymmetric one needs intensity tables'),
+    ('5.2', 'point sources', 'yes',
+     'the Lambertian pattern, as a source and in luminaire files; the asymmetric one needs intensity tables'),
     ('5.3', 'area sources', 'yes', 'the Lambertian pattern; the asymmetric one needs intensity tables'),
     ('5.4', 'conservation of luminous flux', 'yes', ''),
     ('5.5', 'directional transmittance of clear glass', 'no', 'nothing is transparent'),
@@ -433,8 +386,8 @@ def highlights(page):
 
 
 def page_of(luxel):
-    page = Page(luxel)
-    for part in (cie, reflected, factors, sphere_means, highlights):
+    page = Page(luxel, HEAD)
+    for part in (cie, lamps, reflected, factors, sphere_means, highlights):
         part(page)
     return page.text()
 
