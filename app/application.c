@@ -9,6 +9,7 @@
 #include <string.h>
 
 #include "../front/words.h"
+#include "document.h"
 #include "pulse.h"
 #include "window.h"
 
@@ -44,6 +45,7 @@ static const struct {
     {"win.source-delete", {"<Control>Delete"}},
     {"win.source-up", {"<Alt>Up"}},
     {"win.source-down", {"<Alt>Down"}},
+    {"win.gallery", {"F2"}},
     {"win.numbers", {"F9"}},
     {"win.pane(uint32 0)", {"<Control>1", "<Control>KP_1"}},
     {"win.pane(uint32 1)", {"<Control>2", "<Control>KP_2"}},

@@ -5,9 +5,6 @@
 
 #include <gtk/gtk.h>
 
-/* The prefix that names a built-in scene among files: "builtin:report". */
-#define APP_BUILTIN "builtin:"
-
 #define APP_TYPE_APPLICATION (app_application_get_type())
 G_DECLARE_FINAL_TYPE(AppApplication, app_application, APP, APPLICATION, GtkApplication)
 

@@ -14,6 +14,9 @@
 
 #include "history.h"
 
+/* The prefix that names a built-in scene among files: "builtin:report". */
+#define APP_BUILTIN "builtin:"
+
 #define APP_TYPE_DOCUMENT (app_document_get_type())
 G_DECLARE_FINAL_TYPE(AppDocument, app_document, APP, DOCUMENT, GObject)
 

@@ -2,6 +2,7 @@
 /* luxel-app: the language, then the application. */
 #include "../front/language.h"
 #include "application.h"
+#include "document.h"
 #include <locale.h>
 #include <string.h>
 

@@ -14,6 +14,7 @@ static const struct {
     const char *keys, *meaning;
 } lines[] = {
     {NULL, N_("Scene")},
+    {"F2", N_("Pictures of the scenes")},
     {"Ctrl+O", N_("Open")},
     {"Ctrl+S", N_("Save the scene")},
     {"Ctrl+Shift+S", N_("Save as")},

@@ -11,7 +11,7 @@
 enum { MARGIN = 12 };
 static const double LEAST_ZOOM = 0.02, MOST_ZOOM = 200; /* of the fitted picture */
 
-enum { POINTED, SELECTED, SECTION_MOVED, FRAMED, HOVERED, SIGNALS };
+enum { POINTED, SELECTED, SECTION_MOVED, FRAMED, HOVERED, MOVED, SIGNALS };
 static guint signals[SIGNALS];
 
 G_DEFINE_FINAL_TYPE(AppView, app_view, GTK_TYPE_WIDGET)
@@ -215,6 +215,16 @@ void app_view_set_stale(AppView *self, gboolean stale)
     gtk_widget_queue_draw(GTK_WIDGET(self));
 }
 
+void app_view_set_hint(AppView *self, const char *hint)
+{
+    if (g_strcmp0(hint, self->hint) == 0)
+        return;
+    g_free(self->hint);
+    self->hint = g_strdup(hint);
+    gtk_accessible_update_property(GTK_ACCESSIBLE(self), GTK_ACCESSIBLE_PROPERTY_DESCRIPTION, hint ? hint : "", -1);
+    gtk_widget_queue_draw(GTK_WIDGET(self));
+}
+
 void app_view_set_surface(AppView *self, gssize surface)
 {
     self->surface = surface;
@@ -242,6 +252,8 @@ static void draw_marks(AppView *self, GtkSnapshot *snapshot)
         app_draw_mark(snapshot, GTK_WIDGET(self), &self->map, mark,
                       is_mark(mark, self->selected_kind, self->selected_index),
                       is_mark(mark, self->hovered_kind, self->hovered_index));
+        if (self->hint && is_mark(mark, APP_MARK_SOURCE, 0))
+            app_draw_hint(snapshot, GTK_WIDGET(self), &self->map, mark, self->hint);
     }
 }
 
@@ -294,10 +306,17 @@ static void app_view_dispose(GObject *object)
     G_OBJECT_CLASS(app_view_parent_class)->dispose(object);
 }
 
+static void app_view_finalize(GObject *object)
+{
+    g_free(APP_VIEW(object)->hint);
+    G_OBJECT_CLASS(app_view_parent_class)->finalize(object);
+}
+
 static void app_view_class_init(AppViewClass *class)
 {
     GtkWidgetClass *widget = GTK_WIDGET_CLASS(class);
     G_OBJECT_CLASS(class)->dispose = app_view_dispose;
+    G_OBJECT_CLASS(class)->finalize = app_view_finalize;
     widget->snapshot = app_view_snapshot;
     widget->size_allocate = app_view_size_allocate;
     gtk_widget_class_set_css_name(widget, "luxelview");
@@ -310,6 +329,7 @@ static void app_view_class_init(AppViewClass *class)
                                           G_TYPE_NONE, 2, G_TYPE_DOUBLE, G_TYPE_DOUBLE);
     signals[HOVERED] = g_signal_new("hovered", APP_TYPE_VIEW, G_SIGNAL_RUN_LAST, 0, NULL, NULL, NULL, G_TYPE_NONE, 2,
                                     G_TYPE_INT, G_TYPE_UINT);
+    signals[MOVED] = g_signal_new("moved", APP_TYPE_VIEW, G_SIGNAL_RUN_LAST, 0, NULL, NULL, NULL, G_TYPE_NONE, 0);
     signals[FRAMED] = g_signal_new("framed", APP_TYPE_VIEW, G_SIGNAL_RUN_LAST, 0, NULL, NULL, NULL, G_TYPE_NONE, 0);
 }
 

@@ -4,7 +4,7 @@
  *
  * Signals: "pointed" (x_mm, y_mm, is_inside) when the pointer moves; "selected" (kind, index) when a mark was taken;
  * "section-moved" (x_mm, y_mm); "framed" when another part of the screen is shown than before; "hovered" (kind, index)
- * when the pointer comes to a mark, or with kind 0 leaves it.
+ * when the pointer comes to a mark, or with kind 0 leaves it; "moved" when a drag moves a mark.
  */
 #ifndef LUXEL_APP_VIEW_H
 #define LUXEL_APP_VIEW_H
@@ -33,6 +33,9 @@ void app_view_hover(AppView *self, AppMarkKind kind, gsize index);
 void app_view_set_stale(AppView *self, gboolean stale);
 /* Which surface was under the pointer, -1 for none: what a press there takes. */
 void app_view_set_surface(AppView *self, gssize surface);
+
+/* What is said beside the first source's mark; NULL: nothing. */
+void app_view_set_hint(AppView *self, const char *hint);
 
 void app_view_fit(AppView *self);
 /* One pixel of the picture on one of the screen. */

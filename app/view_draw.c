@@ -283,6 +283,34 @@ void app_draw_mark(GtkSnapshot *snapshot, GtkWidget *widget, const AppMap *map, 
                                            : &of_dark);
 }
 
+void app_draw_hint(GtkSnapshot *snapshot, GtkWidget *widget, const AppMap *map, const AppMark *mark, const char *hint)
+{
+    enum { APART = 20, PAD = 8 };
+    static const GdkRGBA ground = {0.1f, 0.1f, 0.1f, 0.85f}, ink = {1, 1, 1, 1};
+    const int width = gtk_widget_get_width(widget), height = gtk_widget_get_height(widget);
+    PangoLayout *layout = gtk_widget_create_pango_layout(widget, hint);
+    double at[2], angle;
+    int wide, high;
+    app_mark_shown(map, mark, width, height, at, &angle);
+    pango_layout_get_pixel_size(layout, &wide, &high);
+    const double x = CLAMP(at[0] - wide / 2.0, 2 * PAD, MAX(width - wide - 2 * PAD, 2 * PAD));
+    /* below the mark, or above it where the lower edge is near */
+    const double below = at[1] + APART + PAD, y = below + high + PAD > height ? at[1] - APART - PAD - high : below;
+    GskRoundedRect rounded;
+    gsk_rounded_rect_init_from_rect(
+        &rounded,
+        &GRAPHENE_RECT_INIT((float)round(x) - PAD, (float)round(y) - PAD, (float)wide + 2 * PAD, (float)high + 2 * PAD),
+        PAD);
+    gtk_snapshot_push_rounded_clip(snapshot, &rounded);
+    gtk_snapshot_append_color(snapshot, &ground, &rounded.bounds);
+    gtk_snapshot_pop(snapshot);
+    gtk_snapshot_save(snapshot);
+    gtk_snapshot_translate(snapshot, &GRAPHENE_POINT_INIT((float)round(x), (float)round(y)));
+    gtk_snapshot_append_layout(snapshot, layout, &ink);
+    gtk_snapshot_restore(snapshot);
+    g_object_unref(layout);
+}
+
 /* Dashes of two colours, as lines that show on everything. */
 static void append_line(GtkSnapshot *snapshot, float x, float y, float width, float height)
 {

@@ -23,6 +23,8 @@ gboolean app_mark_shown(const AppMap *map, const AppMark *mark, double width, do
 /* The mark with its label; `hovered`: with a ring around it, as the pointer is on it or on its line of a list. */
 void app_draw_mark(GtkSnapshot *snapshot, GtkWidget *widget, const AppMap *map, const AppMark *mark, gboolean selected,
                    gboolean hovered);
+/* A sentence beside a mark. */
+void app_draw_hint(GtkSnapshot *snapshot, GtkWidget *widget, const AppMap *map, const AppMark *mark, const char *hint);
 void app_draw_section(GtkSnapshot *snapshot, const AppMap *map, const double section_mm[2], double width,
                       double height);
 void app_draw_isophotes(GtkSnapshot *snapshot, const AppMap *map, const luxel_isophotes *isophotes,

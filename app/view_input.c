@@ -134,8 +134,8 @@ static void drag_update(GtkGestureDrag *gesture, double dx, double dy, AppView *
         app_map_from_widget(&self->map, at, touch.pointer_mm);
         if (self->hand.mark.kind == APP_MARK_SECTION)
             move_section(self, &touch);
-        else
-            app_hand_move(&self->hand, &touch, self->picture->shot->moment, self->document);
+        else if (app_hand_move(&self->hand, &touch, self->picture->shot->moment, self->document))
+            g_signal_emit_by_name(self, "moved");
     }
 }
 

@@ -21,6 +21,7 @@ struct _AppView {
     gsize selected_index;
     AppMarkKind hovered_kind; /* that the pointer is on, here or in a list */
     gsize hovered_index;
+    char *hint;        /* beside the first source; NULL: none */
     gssize surface;    /* under the pointer */
     gboolean is_stale; /* the document can no longer be computed: the picture is of a scene of before */
     gboolean is_fitted;

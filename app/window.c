@@ -141,6 +141,7 @@ static void document_changed(AppWindow *self)
     app_sources_refresh(APP_SOURCES(self->sources));
     app_points_refresh(APP_POINTS(self->points));
     app_window_update_actions(self);
+    app_window_update_hint(self);
     app_window_ask_picture(self);
 }
 
@@ -404,6 +405,7 @@ AppWindow *app_window_new(AppApplication *application)
     app_window_watch_panes(self);
     app_window_init_report(self);
     app_window_fill_menus(self);
+    app_window_begin_hint(self);
     document_renamed(self);
     app_window_ask_picture(self);
     app_view_select(self->view, APP_MARK_SOURCE, 0);
@@ -458,6 +460,7 @@ static void app_window_class_init(AppWindowClass *class)
     gtk_widget_class_set_template_from_resource(widget, "/org/luxel/Luxel/window.ui");
 #define BIND(name) gtk_widget_class_bind_template_child(widget, AppWindow, name)
     BIND(view);
+    BIND(pages);
     BIND(left_pane);
     BIND(right_pane);
     BIND(left_scroll);
@@ -517,5 +520,6 @@ static void app_window_init(AppWindow *self)
     app_window_add_chosen_actions(self);
     app_window_add_surface_actions(self);
     app_window_add_focus_actions(self);
+    app_window_add_begin_actions(self);
     app_window_update_actions(self);
 }

@@ -290,7 +290,7 @@ static gboolean letter_pressed(GtkEventControllerKey *controller, guint key, gui
         paste_action(G_SIMPLE_ACTION(g_action_map_lookup_action(G_ACTION_MAP(self), "paste")), NULL, self);
         return TRUE;
     }
-    if (state & (GDK_CONTROL_MASK | GDK_ALT_MASK))
+    if ((state & (GDK_CONTROL_MASK | GDK_ALT_MASK)) || app_window_gallery_is_open(self))
         return FALSE;
     const guint digit = gdk_keyval_to_unicode(key);
     if (digit >= '1' && digit <= '9')

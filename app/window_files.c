@@ -5,33 +5,12 @@
 #include "../front/language.h"
 #include "../front/words.h"
 #include "export.h"
+#include "recent.h"
 #include "window_private.h"
-
-enum { MOST_RECENT = 10 };
-static const char mime_type[] = "application/x-luxel-scene";
 
 static AppApplication *application_of(AppWindow *self)
 {
     return APP_APPLICATION(gtk_window_get_application(GTK_WINDOW(self)));
-}
-
-static void remember(const char *path)
-{
-    GFile *file = g_file_new_for_path(path);
-    char *uri = g_file_get_uri(file), *name = g_path_get_basename(path), *groups[] = {NULL};
-    /* the type is given, as a scene by another name would not be known by it */
-    GtkRecentData data = {.display_name = name,
-                          .mime_type = g_strdup(mime_type),
-                          .app_name = g_strdup("Luxel"),
-                          .app_exec = g_strdup("luxel-app %f"),
-                          .groups = groups};
-    gtk_recent_manager_add_full(gtk_recent_manager_get_default(), uri, &data);
-    g_free(data.mime_type);
-    g_free(data.app_name);
-    g_free(data.app_exec);
-    g_free(uri);
-    g_free(name);
-    g_object_unref(file);
 }
 
 /* The first fault with where it is, as files have lines. */
@@ -51,7 +30,7 @@ gboolean app_window_open(AppWindow *self, const char *path)
     luxel_diagnostics *faults = luxel_diagnostics_new();
     gboolean done = app_document_open_file(self->document, path, faults);
     if (done) {
-        remember(path);
+        app_recent_add(path);
         app_window_show_fault(self, NULL);
     } else {
         char *fault = fault_of_file(faults, path);
@@ -191,7 +170,7 @@ static void save_chosen(AppWindow *self, const char *path, const AppExport *how)
     char *text;
     (void)how;
     if (app_document_save(self->document, path, faults)) {
-        remember(path);
+        app_recent_add(path);
         text = g_strdup_printf(_("saved: %s"), path);
         app_window_mention(self, text);
         app_window_show_fault(self, NULL);
@@ -392,24 +371,17 @@ static void discard(GSimpleAction *action, GVariant *argument, gpointer data)
 
 static void fill_recent(AppWindow *self)
 {
-    GList *items = gtk_recent_manager_get_items(gtk_recent_manager_get_default());
-    int shown = 0;
+    char **paths = app_recent_paths();
     g_menu_remove_all(self->recent_menu);
-    for (GList *at = items; at && shown < MOST_RECENT; at = at->next) {
-        GtkRecentInfo *info = at->data;
-        char *path = gtk_recent_info_has_application(info, "Luxel")
-                         ? g_filename_from_uri(gtk_recent_info_get_uri(info), NULL, NULL)
-                         : NULL;
-        if (path && g_file_test(path, G_FILE_TEST_EXISTS)) {
-            GMenuItem *item = g_menu_item_new(gtk_recent_info_get_display_name(info), NULL);
-            g_menu_item_set_action_and_target(item, "win.open-path", "s", path);
-            g_menu_append_item(self->recent_menu, item);
-            g_object_unref(item);
-            shown++;
-        }
-        g_free(path);
+    for (guint i = 0; paths[i]; i++) {
+        char *name = g_filename_display_basename(paths[i]);
+        GMenuItem *item = g_menu_item_new(name, NULL);
+        g_menu_item_set_action_and_target(item, "win.open-path", "s", paths[i]);
+        g_menu_append_item(self->recent_menu, item);
+        g_object_unref(item);
+        g_free(name);
     }
-    g_list_free_full(items, (GDestroyNotify)gtk_recent_info_unref);
+    g_strfreev(paths);
 }
 
 /* As much of a title as a menu has room for. */

@@ -42,12 +42,13 @@ struct _AppWindow {
     int left_width, right_width; /* of the panes, as a hand left them */
     gboolean is_placed;          /* they are where they belong */
     gboolean is_pressed;         /* a button of the mouse, in this window */
+    gboolean is_hinting;         /* no mark was dragged yet */
     GSettings *settings;         /* NULL: none */
     const char *false_palette;   /* of false colour */
 
     /* of the template */
     AppView *view;
-    GtkWidget *left_pane, *right_pane, *left_scroll, *left_box, *right_box, *compare_box, *compare_label, *bar;
+    GtkWidget *pages, *left_pane, *right_pane, *left_scroll, *left_box, *right_box, *compare_box, *compare_label, *bar;
     GtkWidget *unsaved_bar, *unsaved_label, *discard_button, *fault_bar, *fault_label;
     GtkWidget *stale_box, *stale_label, *repair_button, *repair_label;
     GtkWidget *status_label, *message_label, *zoom_label, *progress;
@@ -55,6 +56,7 @@ struct _AppWindow {
     /* made by hand */
     GtkWidget *screen_form, *surface_list, *surface_form, *material_form, *picture_form;
     GtkWidget *sources, *points, *display_form, *numbers, *stage, *why;
+    GtkWidget *gallery; /* NULL: it was not asked for yet */
 };
 
 /* Whether the window is still there for what was begun in it: a file, a paste. */
@@ -106,6 +108,11 @@ void app_window_add_chosen_actions(AppWindow *self);
 /* window_surfaces.c */
 GtkWidget *app_window_new_surface_bar(AppWindow *self);
 void app_window_add_surface_actions(AppWindow *self);
+/* window_begin.c: what helps to begin: pictures of scenes, and a hint until a mark was dragged. */
+void app_window_add_begin_actions(AppWindow *self);
+void app_window_begin_hint(AppWindow *self);
+void app_window_update_hint(AppWindow *self);
+gboolean app_window_gallery_is_open(AppWindow *self);
 /* window_files.c */
 void app_window_add_file_actions(AppWindow *self);
 void app_window_fill_menus(AppWindow *self);

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: MIT
 """The marks on the picture: the wheel over them, names, tooltips, and how list and marks light each other up."""
 import re
+import time
 
 from desk import luxel, trial
 from waiting import wait
@@ -46,18 +47,29 @@ def names(tap, desk):
     area = window.picture_area()
     desk.move(area[0] + area[2] / 2, area[1] + area[3] + 20)
     point = window.pixel(200, 0)
-    desk.move(*point)
-    tap.ok(wait("a tooltip", lambda: next((text for text in everything(window) if text.startswith("Point P3")), None)),
-           "a point says its name and place")
+    tap.ok(tooltip(window, point, "Point P3"), "a point says its name and place")
     rows = list(window.widget.find("list").all("list item"))
     # the second source is an arrow at the right edge; its row lights it up
     place = arrow_of(desk, window, rows[1])
     tap.ok(place, "the row of a source lights up its mark", place)
     if place:
-        desk.move(place[0] - 1, place[1])
-        desk.move(*place)
-        said = wait("a tooltip", lambda: next((text for text in everything(window) if "Source 2 fill" in text), None))
+        said = tooltip(window, place, "Source 2 fill")
         tap.ok(re.search(r"x \S+, y \S+, z \S+ mm", said), "which says its number, its name and where it is", said)
+
+
+def tooltip(window, place, start):
+    """What a tooltip says that begins so: the pointer comes and rests there, again and again until it is there."""
+    def come_and_rest():
+        window.desk.move(place[0] - 1, place[1])
+        window.desk.move(*place)
+        for _ in range(3):
+            time.sleep(0.7)  # what comes up while the texts are read is found by the next reading
+            said = next((text for text in everything(window) if text.startswith(start)), None)
+            if said:
+                return said
+        return None
+
+    return wait("a tooltip", come_and_rest)
 
 
 def everything(window):
