@@ -13,17 +13,17 @@
 #include "flux_edges.h"
 #include "occlusion.h"
 
-/* Panels of one line, and of the lines; feet of sources where they begin. */
-enum { MOST_PANELS = 512, MOST_FEET = 24, MOST_ENDS = 250 };
+/* Panels of one line and of the lines, beside those that they begin with; feet of sources where they begin. */
+enum { MORE_PANELS = 512, MOST_FEET = 24 };
 
 /* How small the estimated error is made, relative to the flux. */
 static const double TOLERANCE = 1e-9;
 /* How well the places of edges are known, by the side of the plane; panels end that far before them. */
 static const double PLACES = 1e-11;
 
-/* The work that may be done, in shares of a point source at an element; a polygon takes so many of them, a round source
- * and a polyhedron more, and those of which surfaces may hide a part most. */
-static const double MOST_WORK = 4e5, POLYGON_WORK = 10, ROUND_WORK = 20, HIDDEN_WORK = 100;
+/* The work that may be done, in shares of a point source at an element that has to ask surfaces; a polygon takes so
+ * many of them, a round source and a polyhedron more, and those of which surfaces may hide a part most. */
+static const double MOST_WORK = 4e5, POINT_WORK = 0.25, POLYGON_WORK = 10, ROUND_WORK = 20, HIDDEN_WORK = 100;
 
 /* The plane in float64: what directions lack to their wide numbers counts as their error. */
 struct plane {
@@ -35,18 +35,26 @@ struct hunt {
     const struct lx_prepared *prepared;
     const struct lx_asking *asking;
     struct plane plane;
-    const struct lx_lobe *lobe;
-    size_t *hard; /* emitters that have no closed form here */
-    size_t hard_count;
-    double work_each, work; /* of an element, and what was done */
-    double scale;
+    struct lx_lobe lobe;
+    bool *aside;           /* which surfaces lie behind the plane or in it */
+    double work, scale;    /* what was done; an irradiance that is usual on the plane */
+    bool touches, stopped; /* a source lies on an element; nobody waits any more, or memory ran out */
+};
+
+/* The integral over the light of one emitter. */
+struct task {
+    struct hunt *hunt;
     struct lx_edges edges;
+    struct lx_prepared asked;  /* the scene; with no shadows where the edges tell all of them */
+    double work;               /* of an element */
     double feet[2][MOST_FEET]; /* along each side from -1/2 to 1/2, in no order */
     size_t foot_count[2];
-    bool touches, stopped; /* a source lies on an element; nobody waits any more */
-    double v;              /* of the line */
+    double v; /* of the line */
     struct lx_panel *line;
-    double ends[MOST_ENDS + 2]; /* of the intervals between the lines that matter */
+    struct lx_line_part *lit;
+    size_t most_lit; /* of a line */
+    double *ends;    /* of the intervals between the lines that matter */
+    size_t end_count, end_capacity;
 };
 
 static lx_bounded area_m2(const struct lx_cells *cells)
@@ -58,7 +66,7 @@ static lx_bounded area_m2(const struct lx_cells *cells)
 /* ---- what surfaces may take ---- */
 
 /* Whether all of a surface lies behind the plane or in it. */
-static bool is_behind(const struct hunt *hunt, const struct lx_prepared_surface *surface)
+static bool is_aside(const struct hunt *hunt, const struct lx_prepared_surface *surface)
 {
     const double normal[3] = {hunt->plane.normal.x.value, hunt->plane.normal.y.value, hunt->plane.normal.z.value};
     const double *center = hunt->plane.cells->center_mm;
@@ -90,7 +98,7 @@ static bool may_be_hidden(const struct hunt *hunt, const struct lx_emitter *emit
         struct lx_ball ball = {.radius = surface->shape.radius_mm};
         for (int i = 0; i < 3; i++)
             ball.center[i] = surface->shape.anchor_mm[i] - cells->center_mm[i];
-        if (!is_behind(hunt, surface) && lx_may_block(&ball, &from, &towards, endless))
+        if (!hunt->aside[s] && lx_may_block(&ball, &from, &towards, endless))
             return true;
     }
     return false;
@@ -168,39 +176,33 @@ static bool in_closed_form(const struct plane *plane, const struct lx_emitter *e
 
 /* ---- the integral ---- */
 
-static struct lx_point_value light_at(struct hunt *hunt, double u, double v)
+static struct lx_point_value light_at(struct task *task, double u, double v)
 {
+    struct hunt *hunt = task->hunt;
     const struct lx_cells *cells = hunt->plane.cells;
-    struct lx_point_value point = {.value = 0};
-    lx_bounded3 place =
-        lx_add3(lx_exact3(cells->center_mm), lx_add3(lx_mul3(hunt->plane.across, lx_exact(u * cells->size_mm[0])),
-                                                     lx_mul3(hunt->plane.upward, lx_exact(v * cells->size_mm[1]))));
+    const lx_bounded3 place = lx_edges_place(&task->edges, u, v);
     struct lx_free_element asked = {.place_mm = {place.x.value, place.y.value, place.z.value},
                                     .normal = {cells->normal.x.value, cells->normal.y.value, cells->normal.z.value}};
-    struct lx_element element = lx_element_at(hunt->prepared, &asked);
-    element.lobe = hunt->lobe;
+    struct lx_element element = lx_element_at(&task->asked, &asked);
+    element.lobe = &hunt->lobe;
     hunt->stopped = hunt->stopped || !lx_asking_goes_on(hunt->asking);
-    hunt->work += hunt->work_each;
-    for (size_t i = 0; i < hunt->hard_count && !hunt->stopped; i++) {
-        struct lx_emitter room;
-        const struct lx_emitter *emitter = lx_emitter_at(&hunt->prepared->emitters, hunt->hard[i], &room);
-        struct lx_lighting light = lx_light_element(hunt->prepared, &element, emitter);
-        /* a source may touch the plane's edge */
-        hunt->touches = hunt->touches || (light.on_element && fabs(u) < 0.5 && fabs(v) < 0.5);
-        if (light.on_element)
-            continue;
-        point.value += light.irradiance.value;
-        /* where it is in doubt on which side of an edge the place is, the edge is where the panels end */
-        if (hunt->edges.count == 0 || light.irradiance.error < light.irradiance.value / 4)
-            point.error += light.irradiance.error;
-    }
-    point.value = fmax(point.value, 0);
-    return point;
+    hunt->work += task->work;
+    if (hunt->stopped)
+        return (struct lx_point_value){.value = 0};
+    const struct lx_lighting light = lx_light_element(&task->asked, &element, task->edges.emitter);
+    /* a source may touch the plane's edge */
+    hunt->touches = hunt->touches || (light.on_element && fabs(u) < 0.5 && fabs(v) < 0.5);
+    if (light.on_element)
+        return (struct lx_point_value){.value = 0};
+    /* where it is in doubt on which side of an edge the place is, the edge is where the panels end */
+    const bool is_doubtful = task->edges.count > 0 && !(light.irradiance.error < light.irradiance.value / 4);
+    return (struct lx_point_value){.value = fmax(light.irradiance.value, 0),
+                                   .error = is_doubtful ? 0 : light.irradiance.error};
 }
 
 static double target(void *data, const struct lx_integral *integral)
 {
-    const struct hunt *hunt = data;
+    const struct hunt *hunt = ((const struct task *)data)->hunt;
     if (hunt->stopped || hunt->touches || hunt->work > MOST_WORK)
         return HUGE_VAL;
     return TOLERANCE * fmax(integral->value, hunt->scale);
@@ -214,9 +216,9 @@ static double target_of_line(void *data, const struct lx_integral *integral)
 
 static struct lx_point_value at_point(void *data, size_t interval, double u)
 {
-    struct hunt *hunt = data;
+    struct task *task = data;
     (void)interval;
-    return light_at(hunt, u, hunt->v);
+    return light_at(task, u, task->v);
 }
 
 static int by_size(const void *left, const void *right)
@@ -225,28 +227,30 @@ static int by_size(const void *left, const void *right)
     return a < b ? -1 : a > b;
 }
 
-/* Sorts the ends of panels, those of the plane among them; returns how many there are. */
-static size_t sort_ends(const struct hunt *hunt, int side, double *ends, size_t count)
+/* The panels of a lit range, which end where a source has its foot. */
+static size_t cut_range(const struct task *task, const struct lx_line_part *range, struct lx_panel *panels)
 {
-    for (size_t i = 0; i < hunt->foot_count[side]; i++)
-        ends[count++] = hunt->feet[side][i];
-    ends[count++] = -0.5;
-    ends[count++] = 0.5;
-    qsort(ends, count, sizeof *ends, by_size);
+    size_t count = 0;
+    double from = range->from;
+    for (size_t i = 0; i <= task->foot_count[0]; i++) { /* feet in order */
+        const double to = i < task->foot_count[0] ? fmin(task->feet[0][i], range->to) : range->to;
+        if (to - from > 4 * PLACES)
+            panels[count++] = (struct lx_panel){.from = from + PLACES, .to = to - PLACES};
+        from = fmax(from, to);
+    }
     return count;
 }
 
-static double along_line(struct hunt *hunt, double v, double *error)
+static double along_line(struct task *task, double v, double *error)
 {
-    struct lx_integrand integrand = {.at = at_point, .target = target_of_line, .data = hunt};
-    struct lx_panels panels = {.items = hunt->line, .capacity = MOST_PANELS};
-    double ends[MOST_ENDS + 2];
-    size_t count = lx_edges_across(&hunt->edges, v, ends, MOST_ENDS - MOST_FEET);
-    count = sort_ends(hunt, 0, ends, count);
-    for (size_t i = 0; i + 1 < count; i++)
-        if (ends[i + 1] - ends[i] > 4 * PLACES)
-            hunt->line[panels.count++] = (struct lx_panel){.from = ends[i] + PLACES, .to = ends[i + 1] - PLACES};
-    hunt->v = v;
+    struct lx_integrand integrand = {.at = at_point, .target = target_of_line, .data = task};
+    const size_t lit_count = lx_edges_lit(&task->edges, v, task->lit);
+    struct lx_panels panels = {.items = task->line};
+    for (size_t i = 0; i < lit_count; i++)
+        panels.count += cut_range(task, &task->lit[i], task->line + panels.count);
+    panels.capacity = panels.count + MORE_PANELS;
+    task->most_lit = panels.count > task->most_lit ? panels.count : task->most_lit;
+    task->v = v;
     struct lx_integral integral = lx_integrate_panels(&integrand, &panels);
     *error = integral.error + integral.inherited;
     return integral.value;
@@ -256,120 +260,170 @@ static double along_line(struct hunt *hunt, double v, double *error)
  * and is smooth in t with v = from + (to - from) (3 t^2 - 2 t^3). */
 static struct lx_point_value at_line(void *data, size_t interval, double t)
 {
-    struct hunt *hunt = data;
-    const double from = hunt->ends[interval], length = hunt->ends[interval + 1] - from;
+    struct task *task = data;
+    const double from = task->ends[interval], length = task->ends[interval + 1] - from;
     const double slope = 6 * t * (1 - t) * length;
-    double error = 0, value = slope > 0 ? along_line(hunt, from + length * t * t * (3 - 2 * t), &error) : 0;
+    double error = 0, value = slope > 0 ? along_line(task, from + length * t * t * (3 - 2 * t), &error) : 0;
     return (struct lx_point_value){.value = slope * value, .error = slope * error};
 }
 
-/* ---- the whole ---- */
-
 /* Notes where a source stands above the plane, where there the rule begins a panel. */
-static void note_foot(struct hunt *hunt, const double position_mm[3])
+static void note_foot(struct task *task, const double position_mm[3])
 {
-    const struct lx_cells *cells = hunt->plane.cells;
-    lx_bounded3 at = above_plane(&hunt->plane, position_mm);
+    const struct lx_cells *cells = task->hunt->plane.cells;
+    lx_bounded3 at = above_plane(&task->hunt->plane, position_mm);
     const double feet[2] = {at.x.value / cells->size_mm[0], at.y.value / cells->size_mm[1]};
-    for (int side = 0; side < 2; side++) {
-        size_t count = hunt->foot_count[side];
-        bool is_known = count == MOST_FEET || !(fabs(feet[side]) < 0.5);
-        for (size_t i = 0; i < count && !is_known; i++)
-            is_known = fabs(hunt->feet[side][i] - feet[side]) < 1e-6;
-        if (!is_known)
-            hunt->feet[side][hunt->foot_count[side]++] = feet[side];
-    }
+    for (int side = 0; side < 2; side++)
+        if (fabs(feet[side]) < 0.5)
+            task->feet[side][task->foot_count[side]++] = feet[side];
 }
 
 /* Notes where the axis of a source with a beam meets the plane. */
-static void note_aim(struct hunt *hunt, const struct lx_emitter *emitter)
+static void note_aim(struct task *task, const struct lx_emitter *emitter)
 {
     const struct lx_profile *profile = &emitter->profile;
-    lx_bounded3 at = above_plane(&hunt->plane, emitter->position_mm);
-    double fall = -lx_dot3(profile->axis, hunt->plane.normal).value, met[3];
+    lx_bounded3 at = above_plane(&task->hunt->plane, emitter->position_mm);
+    double fall = -lx_dot3(profile->axis, task->hunt->plane.normal).value, met[3];
     const double axis[3] = {profile->axis.x.value, profile->axis.y.value, profile->axis.z.value};
     if (lx_profile_is_isotropic(profile) || !(fall > 0 && at.z.value > 0))
         return;
     for (int i = 0; i < 3; i++)
         met[i] = emitter->position_mm[i] + at.z.value / fall * axis[i];
-    note_foot(hunt, met);
+    note_foot(task, met);
 }
 
-static void add_hard(struct hunt *hunt, size_t i, const struct lx_emitter *emitter, bool may_be_hidden)
+static void note_feet(struct task *task, const struct lx_emitter *emitter)
 {
-    hunt->hard[hunt->hard_count++] = i;
     if (emitter->type == LX_POINT) {
-        note_foot(hunt, emitter->position_mm);
-        note_aim(hunt, emitter);
+        note_foot(task, emitter->position_mm);
+        note_aim(task, emitter);
     } else if (emitter->type == LX_FACETS)
-        note_foot(hunt, emitter->facets->center_mm);
+        note_foot(task, emitter->facets->center_mm);
     else if (lx_is_extended(emitter))
-        note_foot(hunt, emitter->center_mm);
-    hunt->work_each += !lx_is_extended(emitter)                                         ? 1
-                       : may_be_hidden                                                  ? HIDDEN_WORK
-                       : emitter->type == LX_FACETS && emitter->facets->face_count == 1 ? POLYGON_WORK
-                                                                                        : ROUND_WORK;
+        note_foot(task, emitter->center_mm);
+    for (int side = 0; side < 2; side++)
+        if (task->foot_count[side] > 1)
+            qsort(task->feet[side], task->foot_count[side], sizeof(double), by_size);
 }
 
-/* Sums the closed forms, and lists the others. */
-static lx_bounded sum_closed(struct hunt *hunt)
+/* Where the lines change their shape, in order, the plane's ends among them; false: memory ran out. */
+static bool find_ends(struct task *task)
 {
-    const struct lx_emitters *emitters = &hunt->prepared->emitters;
-    lx_bounded sum = lx_exact(0);
-    for (size_t i = 0; i < emitters->count && !hunt->stopped; i++) {
-        struct lx_emitter room;
-        const struct lx_emitter *emitter = lx_emitter_at(emitters, i, &room);
-        lx_bounded flux;
-        const bool may_hide = may_be_hidden(hunt, emitter);
-        hunt->stopped = !lx_asking_at_step(hunt->asking, i, 64);
-        if (!may_hide && in_closed_form(&hunt->plane, emitter, &flux)) {
-            sum = lx_add(sum, flux);
-            continue;
-        }
-        /* sources of some size have no edges, but a penumbra */
-        lx_edges_add(hunt->prepared, hunt->plane.cells, emitter, may_hide && !lx_is_extended(emitter), &hunt->edges);
-        add_hard(hunt, i, emitter, may_hide);
+    if (lx_edges_turns(&task->edges, &task->ends, &task->end_count, &task->end_capacity) ||
+        lx_reserve(&task->ends, &task->end_capacity, task->end_count + MOST_FEET + 2, sizeof *task->ends))
+        return false;
+    for (size_t i = 0; i < task->foot_count[1]; i++)
+        task->ends[task->end_count++] = task->feet[1][i];
+    task->ends[task->end_count++] = -0.5;
+    task->ends[task->end_count++] = 0.5;
+    qsort(task->ends, task->end_count, sizeof *task->ends, by_size);
+    return true;
+}
+
+/* The mean over the plane; false: memory ran out. */
+static bool integrate(struct task *task, lx_bounded *mean)
+{
+    struct lx_integrand integrand = {.at = at_line, .target = target, .data = task};
+    const size_t most = lx_edges_most(&task->edges);
+    if (!find_ends(task))
+        return false;
+    struct lx_panels panels = {.items = lx_new_array(task->end_count + MORE_PANELS, sizeof *panels.items)};
+    task->lit = lx_new_array(most, sizeof *task->lit);
+    task->line = lx_new_array(most * (MOST_FEET + 1) + MORE_PANELS, sizeof *task->line);
+    const bool is_room = panels.items && task->lit && task->line;
+    for (size_t i = 0; i + 1 < task->end_count && is_room; i++)
+        if (task->ends[i + 1] - task->ends[i] > PLACES)
+            panels.items[panels.count++] = (struct lx_panel){.interval = i, .from = 0, .to = 1};
+    panels.capacity = panels.count + MORE_PANELS;
+    if (is_room) {
+        const struct lx_integral integral = lx_integrate_panels(&integrand, &panels);
+        const double left_out = 8 * PLACES * (double)(task->end_count + task->most_lit);
+        const double places = task->edges.count > 0 ? left_out * fmax(integral.value, task->hunt->scale) : 0;
+        *mean = (lx_bounded){integral.value, integral.error + integral.inherited + places};
     }
-    return sum;
+    free(panels.items);
+    free(task->lit);
+    free(task->line);
+    return is_room;
 }
 
-static lx_bounded integrate(struct hunt *hunt)
+static double work_of(const struct lx_emitter *emitter, bool asks_surfaces)
 {
-    struct lx_integrand integrand = {.at = at_line, .target = target, .data = hunt};
-    struct lx_panel items[MOST_PANELS];
-    struct lx_panels panels = {.items = items, .capacity = MOST_PANELS};
-    size_t count = lx_edges_turn(&hunt->edges, hunt->ends, MOST_ENDS - MOST_FEET);
-    count = sort_ends(hunt, 1, hunt->ends, count);
-    for (size_t i = 0; i + 1 < count; i++)
-        if (hunt->ends[i + 1] - hunt->ends[i] > PLACES)
-            items[panels.count++] = (struct lx_panel){.interval = i, .from = 0, .to = 1};
-    struct lx_integral integral = lx_integrate_panels(&integrand, &panels);
-    double places = hunt->edges.count > 0 ? 8 * (double)count * PLACES * fmax(integral.value, hunt->scale) : 0;
-    lx_bounded mean = {integral.value, integral.error + integral.inherited + places};
+    if (!lx_is_extended(emitter))
+        return asks_surfaces ? 1 : POINT_WORK;
+    if (asks_surfaces)
+        return HIDDEN_WORK;
+    return emitter->type == LX_FACETS && emitter->facets->face_count == 1 ? POLYGON_WORK : ROUND_WORK;
+}
+
+/* The flux of an emitter by its integral. */
+static lx_bounded integral_of(struct hunt *hunt, const struct lx_emitter *emitter, bool casts)
+{
+    struct task task = {.hunt = hunt, .asked = *hunt->prepared};
+    lx_bounded mean = lx_exact(0);
+    if (lx_edges_make(hunt->prepared, hunt->plane.cells, emitter, hunt->aside, casts, &task.edges) == 0) {
+        const bool asks_surfaces = casts && !task.edges.knows_shadows;
+        task.work = work_of(emitter, asks_surfaces);
+        if (!asks_surfaces)
+            task.asked.shadows_on_free = task.asked.shadows_extended = false;
+        note_feet(&task, emitter);
+        hunt->stopped = !integrate(&task, &mean) || hunt->stopped;
+    } else
+        hunt->stopped = true;
+    lx_edges_clear(&task.edges);
+    free(task.ends);
     return lx_mul(mean, area_m2(hunt->plane.cells));
+}
+
+/* ---- the whole ---- */
+
+static lx_bounded open_flux(struct hunt *hunt, const struct lx_emitter *emitter)
+{
+    lx_bounded flux;
+    return in_closed_form(&hunt->plane, emitter, &flux) ? flux : integral_of(hunt, emitter, false);
+}
+
+/* The flux of an emitter: between 0 and what it would be without anything in the way, whatever an integral over many
+ * shadows is off. */
+static lx_bounded flux_of(struct hunt *hunt, const struct lx_emitter *emitter)
+{
+    if (!may_be_hidden(hunt, emitter))
+        return open_flux(hunt, emitter);
+    lx_bounded flux = integral_of(hunt, emitter, true);
+    if (flux.error <= flux.value)
+        return flux;
+    const lx_bounded open = open_flux(hunt, emitter);
+    const double most = open.value + open.error;
+    if (!(flux.value <= most))
+        flux.value = most;
+    flux.error = fmin(flux.error, fmax(flux.value, most - flux.value));
+    return flux;
 }
 
 struct lx_flux lx_plane_flux(const struct lx_prepared *prepared, const struct lx_cells *plane, double usual,
                              const struct lx_asking *asking)
 {
-    const struct lx_lobe lobe = lx_lobe_irradiance();
-    struct lx_panel line[MOST_PANELS];
+    const struct lx_emitters *emitters = &prepared->emitters;
     struct hunt hunt = {
         .prepared = prepared,
         .asking = asking,
         .plane = {plane, lx_wide3_direction(plane->pose.across), lx_wide3_direction(plane->pose.upward),
                   lx_wide3_direction(plane->pose.axis)},
-        .lobe = &lobe,
-        .hard = lx_new_array(prepared->emitters.count, sizeof *hunt.hard),
+        .lobe = lx_lobe_irradiance(),
+        .aside = lx_new_array(prepared->surface_count, sizeof *hunt.aside),
         .scale = usual,
-        .line = line,
     };
-    if (!hunt.hard)
-        return (struct lx_flux){.is_known = false};
-    struct lx_flux flux = {.value = sum_closed(&hunt)};
-    if (hunt.hard_count > 0)
-        flux.value = lx_add(flux.value, integrate(&hunt));
+    struct lx_flux flux = {.value = lx_exact(0)};
+    if (!hunt.aside)
+        return flux;
+    for (size_t s = 0; s < prepared->surface_count; s++)
+        hunt.aside[s] = is_aside(&hunt, &prepared->surfaces[s]);
+    for (size_t i = 0; i < emitters->count && !hunt.stopped; i++) {
+        struct lx_emitter room;
+        hunt.stopped = !lx_asking_at_step(asking, i, 64);
+        flux.value = lx_add(flux.value, flux_of(&hunt, lx_emitter_at(emitters, i, &room)));
+    }
     flux.is_known = !hunt.touches && !hunt.stopped;
-    free(hunt.hard);
+    free(hunt.aside);
     return flux;
 }

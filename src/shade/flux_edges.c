@@ -3,7 +3,9 @@
 #include "flux_edges.h"
 
 #include <math.h>
+#include <stdlib.h>
 
+#include "../base/memory.h"
 #include "../base/vector.h"
 #include "../light/extended.h"
 #include "blocking.h"
@@ -13,11 +15,6 @@ struct quadric {
     double at[3], axis[3], slope[3];
     double square, along, rest;
 };
-
-static double dot(const double a[3], const double b[3])
-{
-    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-}
 
 static void subtract(const double a[3], const double b[3], double difference[3])
 {
@@ -41,61 +38,71 @@ static double value_at(const void *data, const double place[3])
     const struct quadric *q = data;
     double from[3];
     subtract(place, q->at, from);
-    double along = dot(q->axis, from);
-    return q->square * dot(from, from) + q->along * along * along + dot(q->slope, from) + q->rest;
+    double along = lx_dot(q->axis, from);
+    return q->square * lx_dot(from, from) + q->along * along * along + lx_dot(q->slope, from) + q->rest;
 }
 
 /* A quadratic function of a place; NaN: there is none. */
 typedef double quadratic(const void *data, const double place[3]);
 
-/* Its conic on the plane, from its values at six places. */
-static void add_conic(const struct lx_cells *plane, quadratic *value, const void *data, struct lx_edges *edges)
+/* Whether an edge may cross the plane. */
+static bool may_cross(const double c[6])
+{
+    const double most = (fabs(c[1]) + fabs(c[2])) / 2 + (fabs(c[3]) + fabs(c[4]) + fabs(c[5])) / 4;
+    return fabs(c[0]) <= most * (1 + 1e-9);
+}
+
+/* Its conic on the plane, from its values at six places; false: memory ran out. */
+static bool add_conic(struct lx_edges *edges, size_t caster, quadratic *value, const void *data)
 {
     static const double places[6][2] = {{0, 0}, {1, 0}, {-1, 0}, {0, 1}, {0, -1}, {1, 1}};
-    double across[3], upward[3], values[6];
-    if (edges->count == LX_MOST_EDGES)
-        return;
-    value_of(lx_wide3_direction(plane->pose.across), across);
-    value_of(lx_wide3_direction(plane->pose.upward), upward);
+    const double straight = 1e-13; /* of its size: bends below are rounding */
+    struct lx_conic edge = {.caster = caster};
+    double values[6], *c = edge.c, size = 0;
     for (int p = 0; p < 6; p++) {
         double place[3];
-        for (int i = 0; i < 3; i++)
-            place[i] = plane->center_mm[i] + places[p][0] * plane->size_mm[0] * across[i] +
-                       places[p][1] * plane->size_mm[1] * upward[i];
+        value_of(lx_edges_place(edges, places[p][0], places[p][1]), place);
         values[p] = value(data, place);
         if (isnan(values[p]))
-            return;
+            return true;
+        size = fmax(size, fabs(values[p]));
     }
-    double *c = edges->conics[edges->count++].c;
     c[0] = values[0];
     c[1] = (values[1] - values[2]) / 2;
     c[2] = (values[3] - values[4]) / 2;
     c[3] = (values[1] + values[2]) / 2 - values[0];
     c[5] = (values[3] + values[4]) / 2 - values[0];
     c[4] = values[5] - c[0] - c[1] - c[2] - c[3] - c[5];
+    for (int i = 3; i < 6; i++)
+        c[i] = fabs(c[i]) > straight * size ? c[i] : 0;
+    if (!may_cross(c) || (caster == LX_NO_CASTER && edges->count == LX_MOST_OWN_EDGES))
+        return true;
+    if (lx_reserve(&edges->items, &edges->capacity, edges->count + 1, sizeof *edges->items))
+        return false;
+    edges->items[edges->count++] = edge;
+    return true;
 }
 
-static void add(const struct lx_cells *plane, const struct quadric *q, struct lx_edges *edges)
+static bool add(struct lx_edges *edges, const struct quadric *q)
 {
-    add_conic(plane, value_at, q, edges);
+    return add_conic(edges, LX_NO_CASTER, value_at, q);
 }
 
-static void add_plane(const struct lx_cells *plane, const double at[3], const double normal[3], struct lx_edges *edges)
+static bool add_plane(struct lx_edges *edges, const double at[3], const double normal[3])
 {
     struct quadric q = {.square = 0};
     copy(at, q.at);
     copy(normal, q.slope);
-    add(plane, &q, edges);
+    return add(edges, &q);
 }
 
 /* All places from which `apex` is seen under the cosine to the axis, a unit vector. */
-static void add_cone(const struct lx_cells *plane, const double apex[3], const double axis[3], double cosine,
-                     struct lx_edges *edges)
+static bool add_cone(struct lx_edges *edges, const double apex[3], const double axis[3], double cosine)
 {
     struct quadric q = {.square = -cosine * cosine, .along = 1};
     copy(apex, q.at);
     copy(axis, q.axis);
-    add(plane, &q, edges);
+    return add(edges, &q);
 }
 
 /* ---- surfaces in the way ---- */
@@ -112,8 +119,25 @@ static double shadow_at(const void *data, const double place[3])
     return shadow->shape->kind->shadow_edge(shadow->shape, &shadow->light, shadow->edge, place);
 }
 
-/* Whether a surface may come between the plane and a light without size; what does not would take the room for edges of
- * those that do. */
+lx_bounded3 lx_edges_place(const struct lx_edges *edges, double u, double v)
+{
+    return lx_add3(lx_exact3(edges->plane->center_mm),
+                   lx_add3(lx_mul3(edges->across, lx_exact(u)), lx_mul3(edges->upward, lx_exact(v))));
+}
+
+bool lx_caster_hides(const struct lx_edges *edges, size_t caster, double u, double v)
+{
+    const struct lx_prepared_surface *surface = edges->casters[caster].surface;
+    const struct lx_emitter *emitter = edges->emitter;
+    struct lx_element element = {
+        .place_mm = lx_edges_place(edges, u, v), .normal = edges->plane->normal, .is_free = true};
+    double place[3];
+    value_of(element.place_mm, place);
+    element.own = surface->kind->holds(&surface->shape, place) ? surface : NULL;
+    return lx_hidden_by(surface, &element, emitter).value > 0.5;
+}
+
+/* Whether a surface may come between the plane and a light without size. */
 static bool may_fall_on(const struct lx_cells *plane, const struct lx_shape *shape, const struct lx_emitter *emitter)
 {
     const bool endless = emitter->type == LX_DIRECTION;
@@ -126,122 +150,194 @@ static bool may_fall_on(const struct lx_cells *plane, const struct lx_shape *sha
     return lx_may_block(&ball, &from, &towards, endless);
 }
 
-static void add_shadow(const struct lx_cells *plane, const struct lx_shape *shape, const struct lx_emitter *emitter,
-                       struct lx_edges *edges)
+/* A surface without edges on the plane hides all of it or nothing. */
+static bool add_caster(struct lx_edges *edges, const struct lx_prepared_surface *surface)
 {
+    const struct lx_shape *shape = &surface->shape;
+    const struct lx_emitter *emitter = edges->emitter;
     struct shadow shadow = {.shape = shape, .light.endless = emitter->type == LX_DIRECTION};
+    struct lx_caster caster = {.surface = surface, .first = edges->count};
+    if (lx_reserve(&edges->casters, &edges->caster_capacity, edges->caster_count + 1, sizeof *edges->casters))
+        return false;
     copy(emitter->position_mm, shadow.light.at);
     if (shadow.light.endless)
         value_of(emitter->towards, shadow.light.at);
     for (; shadow.edge < shape->kind->shadow_edges; shadow.edge++)
-        add_conic(plane, shadow_at, &shadow, edges);
+        if (!add_conic(edges, edges->caster_count, shadow_at, &shadow))
+            return false;
+    caster.count = edges->count - caster.first;
+    edges->casters[edges->caster_count] = caster;
+    if (caster.count > 0 || lx_caster_hides(edges, edges->caster_count, 0, 0))
+        edges->caster_count++;
+    return true;
 }
 
 /* ---- emitters ---- */
 
 /* Where its profile breaks; a half-plane counts as the whole one. */
-static void add_point(const struct lx_cells *plane, const struct lx_emitter *emitter, struct lx_edges *edges)
+static bool add_point(struct lx_edges *edges, const struct lx_emitter *emitter)
 {
     struct lx_break place;
     double normal[3];
-    for (size_t i = 0; lx_profile_break(&emitter->profile, i, &place); i++) {
+    bool is_whole = true;
+    for (size_t i = 0; is_whole && lx_profile_break(&emitter->profile, i, &place); i++) {
         lx_cross(place.axis, place.begin, normal);
         if (place.shape == LX_BREAK_PLANE)
-            add_plane(plane, emitter->position_mm, place.axis, edges);
+            is_whole = add_plane(edges, emitter->position_mm, place.axis);
         else if (place.shape == LX_BREAK_HALF_PLANE)
-            add_plane(plane, emitter->position_mm, normal, edges);
+            is_whole = add_plane(edges, emitter->position_mm, normal);
         else if (place.angle_rad > 0 && place.angle_rad < M_PI)
-            add_cone(plane, emitter->position_mm, place.axis, cos(place.angle_rad), edges);
+            is_whole = add_cone(edges, emitter->position_mm, place.axis, cos(place.angle_rad));
     }
+    return is_whole;
 }
 
 /* Where faces set. */
-static void add_faces(const struct lx_cells *plane, const struct lx_emitter *emitter, struct lx_edges *edges)
+static bool add_faces(struct lx_edges *edges, const struct lx_emitter *emitter)
 {
     double normal[3];
+    bool is_whole = true;
     if (emitter->type == LX_DISK) {
         value_of(emitter->axis, normal);
-        add_plane(plane, emitter->center_mm, normal, edges);
+        is_whole = add_plane(edges, emitter->center_mm, normal);
     }
-    for (size_t i = 0; emitter->type == LX_FACETS && i < emitter->facets->face_count; i++) {
+    for (size_t i = 0; emitter->type == LX_FACETS && i < emitter->facets->face_count && is_whole; i++) {
         const struct lx_face *face = &emitter->facets->faces[i];
         const lx_wide3 *corner = &emitter->facets->corners_mm[emitter->facets->loop[face->first]];
         const double at[3] = {lx_wide_value(corner->x), lx_wide_value(corner->y), lx_wide_value(corner->z)};
         value_of(lx_wide3_direction(face->normal), normal);
-        add_plane(plane, at, normal, edges);
+        is_whole = add_plane(edges, at, normal);
     }
+    return is_whole;
 }
 
-void lx_edges_add(const struct lx_prepared *prepared, const struct lx_cells *plane, const struct lx_emitter *emitter,
-                  bool may_be_hidden, struct lx_edges *edges)
+size_t lx_edges_most(const struct lx_edges *edges)
 {
-    if (emitter->type == LX_POINT)
-        add_point(plane, emitter, edges);
-    add_faces(plane, emitter, edges);
-    for (size_t s = 0; may_be_hidden && s < prepared->surface_count; s++)
-        if (may_fall_on(plane, &prepared->surfaces[s].shape, emitter))
-            add_shadow(plane, &prepared->surfaces[s].shape, emitter, edges);
+    return 2 * edges->count + edges->caster_count + 1;
+}
+
+int lx_edges_make(const struct lx_prepared *prepared, const struct lx_cells *plane, const struct lx_emitter *emitter,
+                  const bool *aside, bool casts, struct lx_edges *edges)
+{
+    const lx_bounded size[2] = {lx_exact(plane->size_mm[0]), lx_exact(plane->size_mm[1])};
+    *edges = (struct lx_edges){.plane = plane,
+                               .emitter = emitter,
+                               .across = lx_mul3(lx_wide3_direction(plane->pose.across), size[0]),
+                               .upward = lx_mul3(lx_wide3_direction(plane->pose.upward), size[1]),
+                               .knows_shadows = !casts || !lx_is_extended(emitter)};
+    bool is_whole = (emitter->type != LX_POINT || add_point(edges, emitter)) && add_faces(edges, emitter);
+    /* sources of some size have no edges, but a penumbra */
+    for (size_t s = 0; casts && edges->knows_shadows && is_whole && s < prepared->surface_count; s++) {
+        const struct lx_prepared_surface *surface = &prepared->surfaces[s];
+        if (aside[s] || !may_fall_on(plane, &surface->shape, emitter))
+            continue;
+        if (surface->kind->shadow_edges > 0)
+            is_whole = add_caster(edges, surface);
+        else
+            edges->knows_shadows = false;
+    }
+    edges->places = lx_new_array(2 * edges->count + 2, sizeof *edges->places);
+    edges->dark = lx_new_array(lx_edges_most(edges), sizeof *edges->dark);
+    return is_whole && edges->places && edges->dark ? 0 : -1;
+}
+
+void lx_edges_clear(struct lx_edges *edges)
+{
+    free(edges->items);
+    free(edges->casters);
+    free(edges->places);
+    free(edges->dark);
+    *edges = (struct lx_edges){.count = 0};
 }
 
 /* ---- lines ---- */
 
-struct found {
-    double *list;
-    size_t count, most;
-};
-
-static void note(struct found *found, double x)
-{
-    if (fabs(x) < 0.5 && found->count < found->most)
-        found->list[found->count++] = x;
-}
-
-/* The roots of a + b x + c x^2, by the form that does not cancel. */
-static void note_roots(double a, double b, double c, struct found *found)
+int lx_edge_roots(double a, double b, double c, double roots[2])
 {
     double square = b * b - 4 * a * c;
+    int count = 0;
     if (!(square >= 0))
-        return;
+        return 0;
     double q = -(b + copysign(sqrt(square), b)) / 2;
     if (q != 0)
-        note(found, a / q);
+        roots[count++] = a / q;
     if (c != 0)
-        note(found, q / c);
+        roots[count++] = q / c;
+    return count;
 }
 
-size_t lx_edges_across(const struct lx_edges *edges, double v, double *u, size_t most)
+static int by_size(const void *left, const void *right)
 {
-    struct found found = {.list = u, .most = most};
-    for (size_t i = 0; i < edges->count; i++) {
-        const double *c = edges->conics[i].c;
-        note_roots(c[0] + v * (c[2] + v * c[5]), c[1] + v * c[4], c[3], &found);
+    const double a = *(const double *)left, b = *(const double *)right;
+    return a < b ? -1 : a > b;
+}
+
+static int by_begin(const void *left, const void *right)
+{
+    const struct lx_line_part *a = left, *b = right;
+    return by_size(&a->from, &b->from);
+}
+
+/* Where some edges, one after the other, cross a line within the plane, in order, between its ends; how many. */
+static size_t cut_line(const struct lx_edges *edges, size_t first, size_t count, double v)
+{
+    size_t found = 0;
+    edges->places[found++] = -0.5;
+    for (size_t i = first; i < first + count; i++) {
+        const double *c = edges->items[i].c;
+        double roots[2];
+        const int n = lx_edge_roots(c[0] + v * (c[2] + v * c[5]), c[1] + v * c[4], c[3], roots);
+        for (int k = 0; k < n; k++)
+            if (fabs(roots[k]) < 0.5)
+                edges->places[found++] = roots[k];
     }
-    return found.count;
+    edges->places[found++] = 0.5;
+    qsort(edges->places, found, sizeof *edges->places, by_size);
+    return found;
 }
 
-/* Where two straight edges meet. */
-static void note_corner(const double a[6], const double b[6], struct found *found)
+/* The ranges that a caster hides are appended to the dark ones. */
+static size_t note_dark(const struct lx_edges *edges, size_t caster, double v, size_t dark_count)
 {
-    double size_a = fabs(a[1]) + fabs(a[2]), size_b = fabs(b[1]) + fabs(b[2]);
-    if (fabs(a[3]) + fabs(a[4]) + fabs(a[5]) > 1e-9 * size_a || fabs(b[3]) + fabs(b[4]) + fabs(b[5]) > 1e-9 * size_b)
-        return;
-    double turn = a[1] * b[2] - a[2] * b[1];
-    if (fabs(turn) > 1e-12 * size_a * size_b)
-        note(found, (a[0] * b[1] - a[1] * b[0]) / turn);
-}
-
-size_t lx_edges_turn(const struct lx_edges *edges, double *v, size_t most)
-{
-    struct found found = {.list = v, .most = most};
-    for (size_t i = 0; i < edges->count; i++) {
-        const double *c = edges->conics[i].c;
-        /* (c1 + c4 v)^2 = 4 c3 (c0 + c2 v + c5 v^2), then the sides u = -1/2 and 1/2 */
-        note_roots(c[1] * c[1] - 4 * c[3] * c[0], 2 * c[1] * c[4] - 4 * c[3] * c[2], c[4] * c[4] - 4 * c[3] * c[5],
-                   &found);
-        for (int side = -1; side <= 1; side += 2)
-            note_roots(c[0] + side * c[1] / 2 + c[3] / 4, c[2] + side * c[4] / 2, c[5], &found);
-        for (size_t k = 0; k < i; k++)
-            note_corner(c, edges->conics[k].c, &found);
+    const struct lx_caster *one = &edges->casters[caster];
+    const size_t count = cut_line(edges, one->first, one->count, v);
+    bool is_dark = false;
+    for (size_t i = 0; i + 1 < count; i++) {
+        const struct lx_line_part range = {edges->places[i], edges->places[i + 1]};
+        const double middle = range.from + (range.to - range.from) / 2;
+        if (!(middle > range.from && middle < range.to)) /* too narrow to be asked */
+            continue;
+        const bool was_dark = is_dark;
+        is_dark = lx_caster_hides(edges, caster, middle, v);
+        if (is_dark && was_dark)
+            edges->dark[dark_count - 1].to = range.to;
+        else if (is_dark)
+            edges->dark[dark_count++] = range;
     }
-    return found.count;
+    return dark_count;
+}
+
+size_t lx_edges_lit(const struct lx_edges *edges, double v, struct lx_line_part *lit)
+{
+    size_t dark_count = 0, lit_count = 0, own = 0, k = 0;
+    for (size_t i = 0; i < edges->caster_count; i++)
+        dark_count = note_dark(edges, i, v, dark_count);
+    if (dark_count > 0)
+        qsort(edges->dark, dark_count, sizeof *edges->dark, by_begin);
+    while (own < edges->count && edges->items[own].caster == LX_NO_CASTER)
+        own++;
+    const size_t count = cut_line(edges, 0, own, v);
+    double reached = -0.5; /* all before is dark or in the list */
+    for (size_t i = 1; i < count; i++) {
+        const double end = edges->places[i];
+        for (; k < dark_count && edges->dark[k].from < end; k++) {
+            if (edges->dark[k].from > reached)
+                lit[lit_count++] = (struct lx_line_part){reached, edges->dark[k].from};
+            reached = fmax(reached, edges->dark[k].to);
+        }
+        if (end > reached)
+            lit[lit_count++] = (struct lx_line_part){reached, end};
+        reached = fmax(reached, end);
+    }
+    return lit_count;
 }

@@ -101,6 +101,21 @@ static lx_bounded blocked_by(const struct lx_prepared_surface *surface, const st
     return lx_not(open);
 }
 
+/* The way from the element to an emitter without size; sets whether it has no end. */
+static lx_bounded3 way_to(const struct lx_element *element, const struct lx_emitter *emitter, bool *endless)
+{
+    *endless = emitter->type == LX_DIRECTION;
+    return *endless ? emitter->towards : lx_sub3(lx_exact3(emitter->position_mm), element->place_mm);
+}
+
+lx_bounded lx_hidden_by(const struct lx_prepared_surface *surface, const struct lx_element *element,
+                        const struct lx_emitter *emitter)
+{
+    bool endless;
+    const lx_bounded3 way = way_to(element, emitter, &endless);
+    return blocked_by(surface, element, way, endless);
+}
+
 lx_bounded lx_openness_of(const struct lx_prepared *prepared, const struct lx_element *element,
                           const struct lx_emitter *emitter)
 {
@@ -108,8 +123,8 @@ lx_bounded lx_openness_of(const struct lx_prepared *prepared, const struct lx_el
     const bool casts = element->is_free ? prepared->shadows_on_free : prepared->shadows;
     if (!casts)
         return open;
-    bool endless = emitter->type == LX_DIRECTION;
-    lx_bounded3 way = endless ? emitter->towards : lx_sub3(lx_exact3(emitter->position_mm), element->place_mm);
+    bool endless;
+    const lx_bounded3 way = way_to(element, emitter, &endless);
     struct lx_found found;
     const bool is_found = lx_among_way(prepared, &element->place_mm, &way, endless, &found);
     const size_t count = lx_found_count(&found, is_found, prepared->surface_count);

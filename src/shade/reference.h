@@ -47,6 +47,10 @@ struct lx_lighting {
 lx_bounded lx_openness_of(const struct lx_prepared *prepared, const struct lx_element *element,
                           const struct lx_emitter *emitter);
 
+/* 1 where one surface stands in that way, 0 where it does not; it is not asked whether the scene has shadows. */
+lx_bounded lx_hidden_by(const struct lx_prepared_surface *surface, const struct lx_element *element,
+                        const struct lx_emitter *emitter);
+
 struct lx_lighting lx_light_element(const struct lx_prepared *prepared, const struct lx_element *element,
                                     const struct lx_emitter *emitter);
 

@@ -16,11 +16,13 @@
 
 #include <luxel/luxel.h>
 
+#include "flux_crowd.h"
+
 static luxel_scene *scene_with(const char *surfaces, const char *lights, const char *grids)
 {
     luxel_diagnostics *diagnostics = luxel_diagnostics_new();
     luxel_scene *scene = NULL;
-    char text[4096];
+    static char text[32768];
     int length = snprintf(text, sizeof text,
                           "luxel: 1\nunits: photometric\nscreen: {width: 100, height: 100, resolution: [8, 8]}\n"
                           "observer: {z: 200000}\nsurfaces: [%s]\nlights: [%s]\ngrids: [%s]\n",
@@ -178,6 +180,56 @@ static void plates_aside(void **state)
     luxel_scene_free(scene);
 }
 
+/* Many plates that lie over the plane, whose shadows together are a union of rectangles, under a point source. */
+static void plates_over(void **state)
+{
+    (void)state;
+    struct crowd crowd = make_crowd(CROWD_FLAT, 7);
+    char lamp[128], plane[128];
+    snprintf(lamp, sizeof lamp, "{type: point, position: [%g, %g, %g], intensity: 100}", CROWD_LAMP[0], CROWD_LAMP[1],
+             CROWD_LAMP[2]);
+    snprintf(plane, sizeof plane, "{center: [0, 0, 0], size: [%d, %d], n: [2, 2]}", CROWD_SIZE, CROWD_SIZE);
+    expect_flux(crowd.text, lamp, plane, 100 * open_solid_angle(&crowd), 1e-7);
+}
+
+/* Balls and tilted plates under parallel light: what is left of lines across the plane, which a sum over many of them
+ * finds to some 1e-8 of it. */
+static void crowds_under_the_sun(void **state)
+{
+    (void)state;
+    for (uint64_t seed = 1; seed <= 3; seed++) {
+        struct crowd crowd = make_crowd(CROWD_MIXED, seed);
+        char plane[128];
+        snprintf(plane, sizeof plane, "{center: [0, 0, 0], size: [%d, %d], n: [2, 2]}", CROWD_SIZE, CROWD_SIZE);
+        luxel_scene *scene = scene_with(crowd.text, "{type: distant, direction: [0, 0, -1], irradiance: 5}", plane);
+        luxel_grid *grid = measure(scene, 0);
+        const double expected = 5 * open_area(&crowd) * 1e-6;
+        if (!(fabs(grid->flux - expected) <= 1e-6 * expected && grid->flux_error <= 1e-6 * expected))
+            fail_msg("seed %d: %.12g +- %g, not %.12g", (int)seed, grid->flux, grid->flux_error, expected);
+        luxel_grid_free(grid);
+        luxel_scene_free(scene);
+    }
+}
+
+/* Penumbrae of many surfaces are more than the work may resolve; the bound is no more than the light without them. */
+static void bounds_of_penumbrae(void **state)
+{
+    (void)state;
+    struct crowd crowd = make_crowd(CROWD_MIXED, 5);
+    const char *lamp = "{type: planar, rectangle: {center: [10, 20, 900], size: [50, 50]}, radiance: 10000}";
+    char plane[128];
+    snprintf(plane, sizeof plane, "{center: [0, 0, 0], size: [%d, %d], n: [12, 12]}", CROWD_SIZE, CROWD_SIZE);
+    luxel_scene *open = scene_with(NULL, lamp, plane), *scene = scene_with(crowd.text, lamp, plane);
+    luxel_grid *whole = measure(open, 0), *grid = measure(scene, 0);
+    assert_true(grid->flux >= 0 && grid->flux <= whole->flux + whole->flux_error);
+    assert_true(grid->flux_error <= whole->flux + whole->flux_error);
+    assert_true(fabs(grid->flux - grid->average * CROWD_SIZE * CROWD_SIZE * 1e-6) < 0.1 * grid->flux);
+    luxel_grid_free(whole);
+    luxel_grid_free(grid);
+    luxel_scene_free(open);
+    luxel_scene_free(scene);
+}
+
 /* Where the light varies over a cell, it is said so; where there is no flux, from a coarser grid. */
 static void sampling(void **state)
 {
@@ -215,8 +267,15 @@ static void sampling(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(closed_numbers), cmocka_unit_test(squares),  cmocka_unit_test(closed_rooms),
-        cmocka_unit_test(shadows),        cmocka_unit_test(sampling), cmocka_unit_test(plates_aside),
+        cmocka_unit_test(closed_numbers),
+        cmocka_unit_test(squares),
+        cmocka_unit_test(closed_rooms),
+        cmocka_unit_test(shadows),
+        cmocka_unit_test(sampling),
+        cmocka_unit_test(plates_aside),
+        cmocka_unit_test(plates_over),
+        cmocka_unit_test(crowds_under_the_sun),
+        cmocka_unit_test(bounds_of_penumbrae),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
