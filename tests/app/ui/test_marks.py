@@ -1,13 +1,12 @@
 # SPDX-License-Identifier: MIT
 """The marks on the picture: the wheel over them, names, tooltips, and how list and marks light each other up."""
 import re
-import time
 
 from desk import luxel, trial
 from waiting import wait
 
 SHARE = re.compile(r"Share (\S+), (\S+) %")
-RING = (255, 255, 255)
+MARK = 40  # dots that a mark and its ring are wide at the most
 
 
 def wheel(tap, desk):
@@ -46,53 +45,41 @@ def names(tap, desk):
     tap.ok(re.search(r"sources 2: [\d.]+, 1: [\d.]+$", said), "of the sources' shares the greatest is told first", said)
     area = window.picture_area()
     desk.move(area[0] + area[2] / 2, area[1] + area[3] + 20)
-    point = window.pixel(200, 0)
-    tap.ok(tooltip(window, point, "Point P3"), "a point says its name and place")
+    tap.ok(window.tooltip(*window.pixel(200, 0), "Point P3"), "a point says its name and place")
     rows = list(window.widget.find("list").all("list item"))
     # the second source is an arrow at the right edge; its row lights it up
     place = arrow_of(desk, window, rows[1])
     tap.ok(place, "the row of a source lights up its mark", place)
-    if place:
-        said = tooltip(window, place, "Source 2 fill")
-        tap.ok(re.search(r"x \S+, y \S+, z \S+ mm", said), "which says its number, its name and where it is", said)
-
-
-def tooltip(window, place, start):
-    """What a tooltip says that begins so: the pointer comes and rests there, again and again until it is there."""
-    def come_and_rest():
-        window.desk.move(place[0] - 1, place[1])
-        window.desk.move(*place)
-        for _ in range(3):
-            time.sleep(0.7)  # what comes up while the texts are read is found by the next reading
-            said = next((text for text in everything(window) if text.startswith(start)), None)
-            if said:
-                return said
-        return None
-
-    return wait("a tooltip", come_and_rest)
-
-
-def everything(window):
-    """Texts of the window and of what pops up of it."""
-    for top in window.desk.reader.program(window.app.process.pid).children():
-        for part in top.all("label"):
-            yield part.name
+    said = window.tooltip(*place, "Source 2 fill")
+    tap.ok(re.search(r"x \S+, y \S+, z \S+ mm", said), "which says its number, its name and where it is", said)
 
 
 def arrow_of(desk, window, row):
-    """Where dots become white when the pointer is on a row: the middle of the ring around the mark."""
+    """Where dots become white when the pointer is on a row: the middle of the ring around the mark, which is in the
+    right third of the picture; the row's own tooltip may reach over the rest."""
     x, y, width, height = (round(number) for number in window.picture_area())
-    desk.move(x + width / 2, y + height + 20)
-    desk.hand("sleep", "0.4")
-    before = desk.screen(x, y, width, height)
+    x, width = x + width - width // 3, width // 3
+
+    def at_rest():
+        """The picture without tooltips, twice the same."""
+        seen = desk.screen(x, y, width, height)
+        desk.hand("sleep", "0.3")
+        alone = not any("\nx " in text for text in window.floating())
+        return seen if alone and seen == desk.screen(x, y, width, height) else None
+
+    desk.move(x, y + height + 20)
+    before = wait("the picture to rest", at_rest)
     desk.move(*window.place(row))
-    desk.hand("sleep", "0.4")
-    after = desk.screen(x, y, width, height)
-    ring = [i for i in range(0, len(after), 3) if after[i:i + 3] != before[i:i + 3] and min(after[i:i + 3]) > 230]
-    if len(ring) < 20:
-        return None
-    across, down = [i // 3 % width for i in ring], [i // 3 // width for i in ring]
-    return x + sum(across) / len(ring), y + sum(down) / len(ring)
+
+    def ring():
+        after = desk.screen(x, y, width, height)
+        dots = [i for i in range(0, len(after), 3) if after[i:i + 3] != before[i:i + 3] and min(after[i:i + 3]) > 230]
+        across, down = [i // 3 % width for i in dots], [i // 3 // width for i in dots]
+        if len(dots) < 20 or max(across) - min(across) > MARK or max(down) - min(down) > MARK:
+            return None
+        return x + sum(across) / len(dots), y + sum(down) / len(dots)
+
+    return wait("the ring around a mark", ring)
 
 
 def dark(tap, desk):

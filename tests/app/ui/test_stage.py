@@ -74,9 +74,7 @@ def lights_up(tap, desk):
     desk.move(plan[0] - 1, plan[1])
     desk.move(*plan)
     tap.ok(wait("a frame around the row", lambda: frame() != plain), "a lamp in the plan lights up its row")
-    said = wait("a tooltip", lambda: next((text for top in desk.reader.program(window.app.process.pid).children()
-                                           for text in (part.name for part in top.all("label"))
-                                           if text.startswith("Source 1\n")), None))
+    said = window.tooltip(*plan, "Source 1\n")
     tap.equal(said, "Source 1\nx 2000, y 0, z 2000 mm", "and says where it is")
     tap.equal(window.save(), scene, "nothing is changed by that")
 

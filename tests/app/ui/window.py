@@ -5,10 +5,11 @@ import os
 import re
 
 from accessible import Rejected
-from waiting import wait
+from waiting import Late, wait
 
 PLACE = re.compile(r"x (\S+)  y (\S+) (?:mm|мм)")
 VALUE = re.compile(r"P(\d+) [^:]*: (.*)")
+HOVER = 5  # seconds a tooltip is waited for before the pointer moves again
 WHEEL = 60  # how far a notch moves the panel
 saved = itertools.count(1)
 
@@ -165,6 +166,27 @@ class Window:
         self.desk.move(x, y)
         return wait("the place under the pointer", lambda: next(
             (tuple(map(float, match.groups())) for match in map(PLACE.match, self.labels()) if match), None))
+
+    def tooltip(self, x, y, beginning):
+        """The tooltip at a place of the screen, one that begins so.  On a busy machine GTK loses the one it has
+        prepared, and waits for the next motion: so the pointer moves by a dot until there is one."""
+        shifts = itertools.cycle((0, -1))
+
+        def shown():
+            self.desk.move(x + next(shifts), y)
+            try:
+                return wait("a tooltip", lambda: next((text for text in self.floating() if text.startswith(beginning)),
+                                                      None), HOVER)
+            except Late:
+                return None
+
+        return wait("the tooltip " + beginning, shown)
+
+    def floating(self):
+        """Texts of the program's windows and of what pops up of them, tooltips among them."""
+        for top in self.desk.reader.program(self.app.process.pid).children():
+            for part in top.all("label"):
+                yield part.name
 
     def map(self):
         """How millimetres become pixels: scale and where the origin is."""
