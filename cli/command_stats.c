@@ -5,6 +5,7 @@
 #include <math.h>
 #include <stdlib.h>
 
+#include "balance.h"
 #include "cli.h"
 #include "csv.h"
 #include "json.h"
@@ -23,6 +24,7 @@ struct stats {
     luxel_extrema extrema;
     bool has_extrema; /* of a scene that shows a surface in the region */
     luxel_histogram *histogram;
+    luxel_balance *balance; /* NULL: no scene, or one that reflects no light */
 };
 
 /* The words of JSON; those of texts are below. */
@@ -72,6 +74,24 @@ static int compute(struct stats *stats)
     if (status == LUXEL_OK && picture->loaded.scene)
         status = find_extrema(stats, &work.settings);
     return work_end(&work, status, picture->loaded.diagnostics);
+}
+
+/* The light on all surfaces, of a scene that reflects light; a bound that was missed is told, and counts at the end. */
+static int find_balance(struct stats *stats)
+{
+    struct picture *picture = stats->picture;
+    struct work work;
+
+    if (!picture->loaded.scene)
+        return EXIT_DONE;
+    work_begin(&work, &picture->options);
+    const luxel_status status =
+        luxel_find_balance(picture->loaded.scene, &work.settings, picture->loaded.diagnostics, &stats->balance);
+    const int code = work_end(&work, status, picture->loaded.diagnostics);
+    if (code != EXIT_TOLERANCE)
+        return code;
+    picture->code = EXIT_TOLERANCE;
+    return EXIT_DONE;
 }
 
 /* ---- text ---- */
@@ -164,6 +184,8 @@ static void print_text(const struct stats *stats)
         fputc('\n', stdout);
         print_histogram(stats->histogram);
     }
+    if (stats->balance)
+        balance_print(stats->balance);
     if (stats->picture->loaded.scene) {
         fputc('\n', stdout);
         result_print_conventions(stats->picture->loaded.scene, &use);
@@ -259,6 +281,8 @@ static void print_json(const struct stats *stats)
     write_peak(&json, "maximum", stats->picture->loaded.scene, &stats->extrema.maximum);
     write_peak(&json, "minimum", stats->picture->loaded.scene, &stats->extrema.minimum);
     write_histogram(&json, stats->histogram);
+    if (stats->balance)
+        balance_write(&json, stats->balance);
     if (stats->picture->loaded.scene)
         result_write_conventions(&json, stats->picture->loaded.scene, &use);
     json_close(&json, '}');
@@ -307,6 +331,8 @@ static int run(const struct options *options)
 
     if (code == EXIT_DONE)
         code = compute(&stats);
+    if (code == EXIT_DONE)
+        code = find_balance(&stats);
     if (code == EXIT_DONE) {
         if (options->csv != CSV_NONE)
             code = csv_write(options, write_csv, &stats);
@@ -316,6 +342,7 @@ static int run(const struct options *options)
             print_text(&stats);
     }
     luxel_histogram_free(stats.histogram);
+    luxel_balance_free(stats.balance);
     if (code == EXIT_DONE)
         code = picture.code;
     picture_close(&picture);
@@ -327,10 +354,11 @@ const struct command command_stats = {
     .bit = COMMAND_STATS,
     .operand = N_("SCENE"),
     .summary = N_("statistics of the picture, and its true maximum and minimum"),
-    .description =
-        N_("Prints maximum, minimum, mean, median, standard deviation and evenness of the pixels that show a "
-           "surface, in the whole picture or in a region, and the true extrema, which lie between the "
-           "pixels. SCENE may also be a file of values: .npy, .pfm, .exr, .csv."),
+    .description = N_(
+        "Prints maximum, minimum, mean, median, standard deviation and evenness of the pixels that show a "
+        "surface, in the whole picture or in a region, and the true extrema, which lie between the "
+        "pixels. Of a scene whose surfaces reflect light also the mean irradiance of each surface and the balance of "
+        "the flux: what is absorbed and what escapes. SCENE may also be a file of values: .npy, .pfm, .exr, .csv."),
     .examples = "luxel stats my.yaml --region 0,0,100 --json\n"
                 "luxel stats sphere.npy --histogram --bins 20 --log",
     .run = run,

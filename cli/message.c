@@ -162,12 +162,14 @@ void message_diagnostics(FILE *stream, const luxel_diagnostics *diagnostics, lux
 
 bool message_reflected(luxel_diagnostics *diagnostics)
 {
+    static const char *const missed[] = {"reflected-error", "balance-error"};
     const size_t count = luxel_diagnostics_count(diagnostics);
     size_t last = count; /* a report has several pictures of one scene: one line tells it of all */
 
     for (size_t i = 0; i < count; i++)
-        if (strcmp(luxel_diagnostics_get(diagnostics, i)->id, "reflected-error") == 0)
-            last = i;
+        for (size_t k = 0; k < COUNT_OF(missed); k++)
+            if (strcmp(luxel_diagnostics_get(diagnostics, i)->id, missed[k]) == 0)
+                last = i;
     if (last == count)
         return true;
     print_entry(stderr, diagnostics, last, LUXEL_SEVERITY_ERROR);

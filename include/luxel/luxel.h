@@ -15,6 +15,7 @@
 #define LUXEL_LUXEL_H
 
 #include <luxel/alternatives.h>
+#include <luxel/balance.h>
 #include <luxel/compare.h>
 #include <luxel/conventions.h>
 #include <luxel/diagnostics.h>

@@ -126,16 +126,29 @@ static struct lx_radiosity *find_kept(struct lx_kept_slot *slot, const struct lx
     return found;
 }
 
+/* What a solution for the session's picture is made with. */
+static struct lx_reflected_key key_of(const struct lx_session *session)
+{
+    const luxel_settings *settings = &session->settings;
+    return (struct lx_reflected_key){.quantity = (int)settings->quantity,
+                                     .error = lx_reflected_error_of(settings),
+                                     .tolerance = session->prepared.tolerance,
+                                     .kernels = session->kernels};
+}
+
+struct lx_radiosity *lx_reflected_of_picture(const luxel_scene *scene, const struct lx_session *session)
+{
+    const struct lx_reflected_key key = key_of(session);
+    return find_kept(lx_scene_reflected(scene), &key);
+}
+
 luxel_status lx_reflect_picture(const luxel_scene *scene, struct lx_session *session, luxel_diagnostics *diagnostics)
 {
     const luxel_settings *settings = &session->settings;
     if (!lx_wants_reflections(session->prepared.scene))
         return LUXEL_OK;
     struct lx_kept_slot *slot = lx_scene_reflected(scene);
-    const struct lx_reflected_key key = {.quantity = (int)settings->quantity,
-                                         .error = lx_reflected_error_of(settings),
-                                         .tolerance = session->prepared.tolerance,
-                                         .kernels = session->kernels};
+    const struct lx_reflected_key key = key_of(session);
     struct lx_control control = {.rows = 1, .progress = settings->progress, .data = settings->progress_data};
     session->reflected = find_kept(slot, &key);
     if (session->reflected)

@@ -3,6 +3,7 @@
 #ifndef LX_FIGURE_REPORT_H
 #define LX_FIGURE_REPORT_H
 
+#include <luxel/balance.h>
 #include <luxel/compare.h>
 #include <luxel/figure.h>
 #include <luxel/probe.h>
@@ -34,6 +35,7 @@ struct lx_report {
     size_t probe_count;
     luxel_probe *peak;                /* at the maximum; NULL where there is none */
     struct lx_report_width widths[2]; /* along x, along y */
+    luxel_balance *balance;           /* NULL: no light is reflected */
     const char *unit;                 /* in the document's language */
 };
 
@@ -46,6 +48,9 @@ void lx_report_task(struct lx_report *report);
 void lx_report_results(struct lx_report *report);
 void lx_report_conclusions(struct lx_report *report);
 void lx_report_repetition(struct lx_report *report);
+
+/* A part of the results, where surfaces reflect light. */
+void lx_report_balance(struct lx_report *report);
 
 /* The pictures: grey, false colour with isophotes, sections. */
 luxel_status lx_report_pictures(struct lx_report *report);

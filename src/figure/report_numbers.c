@@ -21,6 +21,7 @@ void lx_report_clear(struct lx_report *report)
         luxel_probe_free(report->probes[i]);
     free(report->probes);
     luxel_probe_free(report->peak);
+    luxel_balance_free(report->balance);
     luxel_field_free(report->field);
     luxel_document_free(report->document);
 }
@@ -146,5 +147,7 @@ luxel_status lx_report_compute(struct lx_report *report)
         status = probe_points(report);
     if (status == LUXEL_OK)
         status = find_extrema(report);
+    if (status == LUXEL_OK)
+        status = luxel_find_balance(report->scene, report->settings, report->diagnostics, &report->balance);
     return status;
 }

@@ -233,6 +233,7 @@ void lx_report_results(struct lx_report *report)
     lx_document_heading(report->document, 1, LX_N("Results"), NULL);
     add_points(report);
     add_statistics(report);
+    lx_report_balance(report);
 }
 
 /* ---- repetition ---- */
@@ -250,6 +251,8 @@ static void add_command(const struct lx_report *report, struct lx_text *text, co
         lx_text_printf(text, " --tolerance %s", lx_write_number(report->settings->tolerance, number));
     if (report->settings && report->settings->light_error > 0)
         lx_text_printf(text, " --light-error %s", lx_write_number(report->settings->light_error, number));
+    if (report->settings && report->settings->reflected_error > 0)
+        lx_text_printf(text, " --reflected-error %s", lx_write_number(report->settings->reflected_error, number));
 }
 
 /* Whether the scene is more than its text. */

@@ -9,7 +9,7 @@ struct lx_arrival lx_gather(const struct lx_radiosity *reflected, const struct l
                             const struct lx_fineness *fineness, const struct lx_receiver *receiver,
                             const double *indirect, const double *slack, struct lx_veils *veils, float *row)
 {
-    struct lx_arrival sum = {0, 0};
+    struct lx_arrival sum = {0};
     if (row)
         memset(row, 0, reflected->tile_count * LX_RULE_NODES * sizeof *row);
     for (size_t f = 0; f < reflected->face_count; f++) {
@@ -28,6 +28,7 @@ struct lx_arrival lx_gather(const struct lx_radiosity *reflected, const struct l
             for (int q = 0; q < LX_RULE_NODES; q++) {
                 const size_t i = t * LX_RULE_NODES + (size_t)q;
                 total += fabs(sent.weights[q]);
+                sum.seen += sent.weights[q];
                 if (indirect)
                     value += sent.weights[q] * indirect[i];
                 if (slack)

@@ -31,6 +31,7 @@ static void free_solution(struct lx_kept *kept)
     free(reflected->before);
     free(reflected->slack);
     free(reflected->slack_before);
+    free(reflected->seen);
     free(reflected);
 }
 
@@ -127,7 +128,9 @@ lx_bounded lx_reflected_at(const struct lx_radiosity *reflected, const struct lx
 
 bool lx_reflected_is_reached(const struct lx_radiosity *reflected, const struct lx_reflected_wish *wish)
 {
-    return wish->place_count > 0 ? lx_places_are_reached(reflected, wish) : lx_spots_are_reached(reflected, wish);
+    return wish->place_count > 0 ? lx_places_are_reached(reflected, wish)
+           : wish->spots         ? lx_spots_are_reached(reflected, wish)
+                                 : lx_means_are_reached(reflected, wish);
 }
 
 /* Cuts the tiles that matter; false: none, or *failed. */
@@ -139,7 +142,8 @@ static bool refine(struct lx_radiosity *reflected, const struct lx_reflected_wis
     uint8_t *cuts = lx_new_array(count, sizeof *cuts);
     const int any = !cuts                   ? -1
                     : wish->place_count > 0 ? lx_places_cut(reflected, wish, cuts)
-                                            : lx_spots_cut(reflected, wish, cuts);
+                    : wish->spots           ? lx_spots_cut(reflected, wish, cuts)
+                                            : lx_means_cut(reflected, wish, cuts);
     *failed = any < 0 || (any > 0 && lx_tiling_cut(reflected, cuts));
     free(cuts);
     return any > 0 && !*failed;

@@ -45,10 +45,10 @@ struct lx_reflected_spot {
 struct lx_reflected_wish {
     const struct lx_prepared *prepared;
     const struct lx_element_kernels *kernels;
-    double error; /* the bound wanted: relative to the value of each place, or of spots to the greatest value */
+    double error; /* the bound wanted: relative to the value of each place, or of spots and means to the greatest */
     const struct lx_reflected_place *places; /* tiles are refined for these, or where there are none for: */
     size_t place_count;
-    const struct lx_reflected_spot *spots;
+    const struct lx_reflected_spot *spots; /* and where there are neither, for the means of all sides */
     size_t spot_count;
     struct lx_reflected_key key;
     unsigned threads;
@@ -73,6 +73,27 @@ bool lx_reflected_is_reached(const struct lx_radiosity *reflected, const struct 
  * `veils` is memory of the caller, zero-initialised at first. */
 lx_bounded lx_reflected_at(const struct lx_radiosity *reflected, const struct lx_prepared *prepared,
                            const struct lx_receiver *receiver, struct lx_veils *veils);
+
+/* The light on one side of a prepared surface. */
+struct lx_lit_side {
+    size_t surface;
+    bool is_flat, is_back; /* the side that the normal leaves behind, of what is round the inner one */
+    double area_m2, reflectance;
+    lx_bounded direct, irradiance; /* means over the side: direct light, and all */
+};
+
+/* Where the light stays that arrives directly: fluxes, in the irradiance's unit times m^2. */
+struct lx_light_balance {
+    lx_bounded arrives, absorbed, escaped;
+    lx_bounded pending;    /* what is reflected after the last bounce that is wanted, wherever it goes */
+    lx_bounded difference; /* what all three are beside what arrives: in truth 0 */
+};
+
+/* Sets the sides that light may reach, in the order of the surfaces, in memory for lx_reflected_most_sides() of them;
+ * returns how many. */
+size_t lx_reflected_most_sides(const struct lx_radiosity *reflected);
+size_t lx_reflected_sides(const struct lx_radiosity *reflected, struct lx_lit_side *sides);
+struct lx_light_balance lx_reflected_balance(const struct lx_radiosity *reflected);
 
 /*
  * The same on a surface, for many places: the polynomial of the tile there, with the bound that holds on all of it.

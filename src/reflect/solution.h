@@ -28,6 +28,7 @@ struct lx_radiosity {
     double *before;     /* with one bounce less, which is what is reflected */
     double *slack;      /* bound of its error, and */
     double *slack_before;
+    double *seen; /* the share of all ways from a node, by Lambert's law, that end on faces */
     unsigned threads;
     struct lx_control *control;
 };
@@ -50,6 +51,10 @@ int lx_places_cut(const struct lx_radiosity *reflected, const struct lx_reflecte
 bool lx_spots_are_reached(const struct lx_radiosity *reflected, const struct lx_reflected_wish *wish);
 int lx_spots_cut(const struct lx_radiosity *reflected, const struct lx_reflected_wish *wish, uint8_t *cuts);
 
+/* Likewise for the means of all sides. */
+bool lx_means_are_reached(const struct lx_radiosity *reflected, const struct lx_reflected_wish *wish);
+int lx_means_cut(const struct lx_radiosity *reflected, const struct lx_reflected_wish *wish, uint8_t *cuts);
+
 /* Marks the tiles with the greatest scores: most of their sum, but no more than `most` tiles.  As above. */
 int lx_cut_greatest(const struct lx_radiosity *reflected, const double *scores, size_t most, uint8_t *cuts);
 double lx_tile_area(const struct lx_tile *tile);
@@ -57,6 +62,7 @@ double lx_tile_area(const struct lx_tile *tile);
 /* Sums over all faces for a receiver. */
 struct lx_arrival {
     double value, slack;
+    double seen; /* of all ways, how many end on faces */
 };
 /* `row`: NULL, or weights of all nodes.  What is sent: direct light alone where `indirect` is NULL. */
 struct lx_arrival lx_gather(const struct lx_radiosity *reflected, const struct lx_prepared *prepared,

@@ -30,6 +30,7 @@ struct solving {
     double *reflectance, *direct, *residual; /* at the nodes */
     struct lx_veils *veils;                  /* of each worker */
     double *sampled;                         /* residuals at the places of each tile */
+    double *sights;                          /* and what the share that ends on faces is beside the polynomial's */
     const double *before, *after;            /* one bounce lies between them */
 };
 
@@ -50,9 +51,10 @@ static void make_rows(void *data, unsigned worker, bool is_caller, unsigned firs
     const size_t count = reflected->tile_count * LX_RULE_NODES;
     for (size_t i = first; i < last && lx_control_goes_on(reflected->control, is_caller); i++) {
         const struct lx_receiver receiver = node_of(reflected, i);
-        solving->direct[i] = lx_gather(reflected, reflected->prepared, &lx_coarse, &receiver, NULL, NULL,
-                                       &solving->veils[worker], solving->matrix + i * count)
-                                 .value;
+        const struct lx_arrival sent = lx_gather(reflected, reflected->prepared, &lx_coarse, &receiver, NULL, NULL,
+                                                 &solving->veils[worker], solving->matrix + i * count);
+        solving->direct[i] = sent.value;
+        reflected->seen[i] = sent.seen;
     }
 }
 
@@ -77,8 +79,19 @@ static void find_residuals(void *data, unsigned worker, bool is_caller, unsigned
                        tile->window.middle[1] + at[1] * tile->window.half[1], receiver.place_mm, receiver.normal);
         const struct lx_arrival sent = lx_gather(reflected, reflected->prepared, &lx_fine, &receiver, solving->before,
                                                  NULL, &solving->veils[worker], NULL);
-        solving->sampled[i] = sent.value - lx_rule_value(solving->after + i / PLACES * LX_RULE_NODES, at[0], at[1]);
+        const size_t nodes = i / PLACES * LX_RULE_NODES;
+        solving->sampled[i] = sent.value - lx_rule_value(solving->after + nodes, at[0], at[1]);
+        solving->sights[i] = sent.seen - lx_rule_value(reflected->seen + nodes, at[0], at[1]);
     }
+}
+
+/* The mean of what the places of a tile have, without signs: by Simpson's rule. */
+static double mean_of_places(const double places[PLACES])
+{
+    double mean = 0;
+    for (int p = 0; p < PLACES; p++)
+        mean += (p % 3 == 1 ? 4 : 1) * (p / 3 == 1 ? 4 : 1) / 36.0 * fabs(places[p]);
+    return mean;
 }
 
 /* What the places of a tile tell. */
@@ -86,11 +99,10 @@ static void judge_tile(const struct solving *solving, size_t t)
 {
     const double *sampled = solving->sampled + t * PLACES;
     struct lx_tile *tile = &solving->reflected->tiles[t];
-    double mean = 0, greatest = 0, received = 0;
-    for (int p = 0; p < PLACES; p++) { /* by Simpson's rule */
-        mean += (p % 3 == 1 ? 4 : 1) * (p / 3 == 1 ? 4 : 1) / 36.0 * fabs(sampled[p]);
+    double greatest = 0, received = 0;
+    const double mean = mean_of_places(sampled);
+    for (int p = 0; p < PLACES; p++)
         greatest = fmax(greatest, fabs(sampled[p]));
-    }
     const size_t first = t * LX_RULE_NODES;
     const double rule = solving->reflected->has_round_faces ? ROUND_RULE : FLAT_RULE;
     for (int k = 0; k < 2; k++) {
@@ -106,6 +118,7 @@ static void judge_tile(const struct solving *solving, size_t t)
         solving->residual[i] = fmax(solving->residual[i], BETWEEN * mean + rule * fabs(solving->after[i]));
     }
     tile->own_error = fmax(tile->own_error, BETWEEN * greatest + rule * received);
+    tile->seen_error = BETWEEN * mean_of_places(solving->sights + t * PLACES) + rule;
 }
 
 static bool run(const struct solving *solving, size_t count, lx_rows_work *work)
@@ -233,9 +246,11 @@ luxel_status lx_reflected_solve(struct lx_radiosity *reflected)
                               .direct = lx_new_array(count, sizeof(double)),
                               .residual = lx_new_array(count, sizeof(double)),
                               .veils = lx_new_array(workers, sizeof(struct lx_veils)),
-                              .sampled = lx_new_array(reflected->tile_count * PLACES, sizeof(double))};
+                              .sampled = lx_new_array(reflected->tile_count * PLACES, sizeof(double)),
+                              .sights = lx_new_array(reflected->tile_count * PLACES, sizeof(double))};
     bool has_room = solving.matrix && solving.reflectance && solving.direct && solving.residual && solving.veils &&
-                    solving.sampled && !renew(&reflected->indirect, count) && !renew(&reflected->before, count) &&
+                    solving.sampled && solving.sights && !renew(&reflected->seen, count) &&
+                    !renew(&reflected->indirect, count) && !renew(&reflected->before, count) &&
                     !renew(&reflected->slack, count) && !renew(&reflected->slack_before, count);
     bool whole = has_room && work(&solving);
     for (size_t w = 0; solving.veils && w < workers; w++) {
@@ -248,6 +263,7 @@ luxel_status lx_reflected_solve(struct lx_radiosity *reflected)
     free(solving.residual);
     free(solving.veils);
     free(solving.sampled);
+    free(solving.sights);
     if (whole && has_room)
         return LUXEL_OK;
     return atomic_load(&reflected->control->stop) ? LUXEL_CANCELLED : LUXEL_ERROR_MEMORY;

@@ -44,6 +44,7 @@ struct lx_tile {
     struct lx_direct direct;
     bool has_light;
     double direct_error; /* of the mean of the direct light that was sampled */
+    double seen_error;   /* of the share of all ways from the tile that end on faces (lx_radiosity.seen), in the mean */
     double residual[2];  /* the greatest of the solution's, off along s and along t */
     double own_error;    /* what the polynomial of the solution may be off by itself, anywhere on the tile, */
     double error;        /* and with the errors of what it receives: a bound */

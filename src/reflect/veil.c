@@ -283,8 +283,11 @@ bool lx_veils_set(const struct lx_prepared *prepared, const struct lx_receiver *
     sub(face->center_mm, receiver->place_mm, from);
     if (lx_dot(from, receiver->normal) < -face->radius_mm || !add_turned(veils, face))
         return false;
-    /* of what is hollow nothing is below a tangent plane */
-    if (face->surface != receiver->own || receiver->is_turned)
+    /* of what is hollow nothing is below a tangent plane of its inner side, and all is behind its outer one */
+    const bool is_own = face->surface == receiver->own && !receiver->is_turned;
+    if (is_own && !is_within(&prepared->surfaces[receiver->own].shape, receiver))
+        return false;
+    if (!is_own)
         add_half_space(veils, below, receiver->place_mm);
     if (receiver->is_turned && receiver->own < prepared->surface_count)
         add_own(veils, &prepared->surfaces[receiver->own], receiver);

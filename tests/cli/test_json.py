@@ -128,6 +128,17 @@ def reflected_light(tap, tool):
         result = tool.run(command, "-", *ways, "1e-14", "-s", "surfaces[0]=" + BALL, "-s", "reflections=1", stdin=ROOM)
         tap.ok(result.code == 5 and "maximum" in result.out and "may be off by" in result.err,
                command + " prints a picture whose bound is not reached, and says so", result)
+    result = tool.run("stats", "-", "--json", stdin=ROOM)
+    sides, balance = result.json()["surfaces"], result.json()["balance"]
+    tap.equal([(side["wall"], side["side"]) for side in sides[:2]], [("left", "front"), ("left", "back")], "sides")
+    for side, truth in zip(sides, [2, 1] * 6):
+        tap.ok(abs(side["irradiance"]["value"] - truth) <= side["irradiance"]["error"] <= 2e-3, "their means", side)
+    tap.ok(balance["closes"] and balance["emitted"] is None and balance["unit"] == "W", "the balance closes", balance)
+    tap.near(balance["arrives"]["value"], 2 * 96, 1e-9, "what arrives at both sides of all walls")
+    tap.ok(abs(balance["absorbed"]["value"] - 96 * 1.5) <= balance["absorbed"]["error"] < 0.2, "is absorbed", balance)
+    text = tool.run("stats", "-", stdin=ROOM).out
+    tap.ok("surfaces[0], floor" in text and "It closes" in text, "stats prints them, too", text)
+    tap.ok("balance" not in tool.run("stats", "--json").json(), "without reflections there is no balance")
     result = tool.run("report", "-", "-o", "r.md", *ways, "1e-14", "-s", "surfaces[0]=" + BALL, "-s", "reflections=1",
                       stdin=ROOM)
     if "luxel-draw" in result.err:

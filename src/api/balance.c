@@ -1,0 +1,173 @@
+/* SPDX-License-Identifier: MIT */
+/* The balance of the flux, and the means of all sides: of the picture's solution where that is good enough, or of one
+ * made for them. */
+#include <luxel/balance.h>
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "../base/diagnostics.h"
+#include "../base/memory.h"
+#include "../base/number.h"
+#include "../light/totals.h"
+#include "../shade/evaluate.h"
+#include "reflecting.h"
+
+/* More threads than these are not worth their while. */
+enum { MOST_WORTH = 64 };
+/* How well the flux of emitters is known. */
+static const double FLUX = 1e-12;
+
+const char *luxel_side_name(luxel_side side)
+{
+    static const char *const names[] = {
+        [LUXEL_FRONT] = "front", [LUXEL_BACK] = "back", [LUXEL_OUTSIDE] = "outside", [LUXEL_INSIDE] = "inside"};
+    return side <= LUXEL_INSIDE ? names[side] : NULL;
+}
+
+void luxel_balance_free(luxel_balance *balance)
+{
+    if (!balance)
+        return;
+    for (size_t i = 0; i < balance->side_count; i++)
+        free((char *)balance->sides[i].surface_name);
+    free((luxel_lit_side *)balance->sides);
+    free(balance);
+}
+
+static luxel_amount amount(lx_bounded number)
+{
+    return (luxel_amount){number.value, lx_told_error(number)};
+}
+
+/* The sources' flux, and what of it meets no surface. */
+static void weigh_sources(const struct lx_prepared *prepared, luxel_balance *balance)
+{
+    const double flux = lx_emitters_flux(&prepared->emitters);
+    balance->has_emitted = isfinite(flux) && prepared->scene->shadows == LX_SHADOWS_ALL;
+    if (!balance->has_emitted)
+        return;
+    balance->emitted = (luxel_amount){flux, FLUX * flux};
+    balance->missed = (luxel_amount){flux - balance->arrives.value, balance->emitted.error + balance->arrives.error};
+}
+
+static luxel_side name_side(const struct lx_lit_side *side)
+{
+    return side->is_flat ? (side->is_back ? LUXEL_BACK : LUXEL_FRONT) : (side->is_back ? LUXEL_INSIDE : LUXEL_OUTSIDE);
+}
+
+/* 0, or -1 when memory ran out. */
+static int tell_sides(const struct lx_prepared *prepared, const struct lx_radiosity *reflected, luxel_balance *balance)
+{
+    const struct lx_list *surfaces = &prepared->scene->surfaces;
+    const size_t most = lx_reflected_most_sides(reflected);
+    bool failed;
+    struct lx_lit_side *found = lx_new_array(most + 1, sizeof *found);
+    luxel_lit_side *sides = lx_new_array(most + 1, sizeof *sides);
+    balance->sides = sides;
+    failed = !found || !sides;
+    if (!failed)
+        balance->side_count = lx_reflected_sides(reflected, found);
+    for (size_t i = 0; i < balance->side_count; i++) {
+        const struct lx_prepared_surface *surface = &prepared->surfaces[found[i].surface];
+        const struct lx_item *item = &surfaces->items[surface->authored];
+        const char *name = ((const struct lx_surface_common *)item->common)->name;
+        sides[i] =
+            (luxel_lit_side){.surface = surface->authored,
+                             .surface_name = name ? lx_copy_text(name, strlen(name)) : NULL,
+                             .part = surface->part,
+                             .part_name = lx_part_name((const struct lx_surface_kind *)item->variant, surface->part),
+                             .side = name_side(&found[i]),
+                             .area_m2 = found[i].area_m2,
+                             .reflectance = found[i].reflectance,
+                             .direct = amount(found[i].direct),
+                             .irradiance = amount(found[i].irradiance)};
+        failed = failed || (name && !sides[i].surface_name);
+    }
+    free(found);
+    return failed ? -1 : 0;
+}
+
+/* Tells the bound that was missed, as a share of the greatest mean. */
+static void report_error(const luxel_balance *balance, luxel_diagnostics *diagnostics)
+{
+    double error = 0, greatest = 0;
+    char share[LX_NUMBER_SIZE];
+    for (size_t i = 0; i < balance->side_count; i++) {
+        error = fmax(error, balance->sides[i].irradiance.error);
+        greatest = fmax(greatest, balance->sides[i].irradiance.value);
+    }
+    lx_report(diagnostics, LUXEL_SEVERITY_ADVICE, NULL, LX_MSG_BALANCE_ERROR,
+              LX_ARGS(lx_write_digits(greatest > 0 ? error / greatest : 0, 2, share)));
+}
+
+static luxel_status tell(const struct lx_session *session, const struct lx_reflected_wish *wish,
+                         const struct lx_radiosity *reflected, luxel_diagnostics *diagnostics, luxel_balance **made)
+{
+    luxel_balance *balance = lx_new_array(1, sizeof *balance);
+    if (!balance)
+        return LUXEL_ERROR_MEMORY;
+    const struct lx_light_balance fluxes = lx_reflected_balance(reflected);
+    balance->unit = lx_unit_of(&session->prepared, LUXEL_IRRADIANCE);
+    balance->flux_unit = session->prepared.scene->units == LX_PHOTOMETRIC ? "lm" : "W";
+    balance->arrives = amount(fluxes.arrives);
+    balance->absorbed = amount(fluxes.absorbed);
+    balance->escaped = amount(fluxes.escaped);
+    balance->pending = amount(fluxes.pending);
+    balance->difference = amount(fluxes.difference);
+    weigh_sources(&session->prepared, balance);
+    balance->closes = fabs(balance->difference.value) <= balance->difference.error &&
+                      (!balance->has_emitted || balance->missed.value >= -balance->missed.error);
+    balance->reached = lx_reflected_is_reached(reflected, wish);
+    if (tell_sides(&session->prepared, reflected, balance)) {
+        luxel_balance_free(balance);
+        return LUXEL_ERROR_MEMORY;
+    }
+    if (!balance->reached)
+        report_error(balance, diagnostics);
+    *made = balance;
+    return LUXEL_OK;
+}
+
+static luxel_status find(const luxel_scene *scene, const struct lx_session *session, luxel_diagnostics *diagnostics,
+                         luxel_balance **made)
+{
+    const luxel_settings *settings = &session->settings;
+    struct lx_control control = {.rows = 1, .progress = settings->progress, .data = settings->progress_data};
+    const struct lx_reflected_wish wish = {
+        .prepared = &session->prepared,
+        .kernels = lx_element_kernels_of(session->kernels),
+        .error = lx_reflected_error_of(settings),
+        .threads = lx_thread_count(settings->threads, MOST_WORTH),
+        .control = &control,
+    };
+    struct lx_radiosity *reflected = lx_reflected_of_picture(scene, session);
+    luxel_status status = LUXEL_OK;
+    if (!reflected || !lx_reflected_is_reached(reflected, &wish)) {
+        lx_reflected_free(reflected);
+        status = lx_reflected_make(&wish, &reflected);
+    }
+    if (status == LUXEL_OK)
+        status = tell(session, &wish, reflected, diagnostics, made);
+    lx_reflected_free(reflected);
+    return status == LUXEL_ERROR_MEMORY ? lx_out_of_memory(diagnostics) : status;
+}
+
+luxel_status luxel_find_balance(const luxel_scene *scene, const luxel_settings *settings,
+                                luxel_diagnostics *diagnostics, luxel_balance **balance)
+{
+    struct lx_session session;
+    luxel_balance *made = NULL;
+    if (!balance) {
+        lx_report(diagnostics, LUXEL_SEVERITY_ERROR, NULL, LX_MSG_MISSING_ARGUMENT, LX_ARGS("balance"));
+        return LUXEL_ERROR_ARGUMENT;
+    }
+    luxel_status status = lx_session_open_world(scene, settings, diagnostics, &session);
+    if (status == LUXEL_OK && lx_wants_reflections(session.prepared.scene))
+        status = find(scene, &session, diagnostics, &made);
+    lx_session_clear(&session);
+    if (status == LUXEL_OK)
+        *balance = made;
+    return status;
+}
