@@ -97,6 +97,13 @@ LUXEL_API luxel_status luxel_scene_grid_resolution(const luxel_scene *scene, siz
 LUXEL_API luxel_status luxel_measure(const luxel_scene *scene, const luxel_settings *settings, size_t i,
                                      luxel_diagnostics *diagnostics, luxel_grid **grid);
 
+/*
+ * The values of luxel_measure() alone, with their average and extrema: without the flux and the mean of the plane, the
+ * sampling error and what is inside of bodies, which for sources of some size behind obstacles take most of the time.
+ */
+LUXEL_API luxel_status luxel_measure_values(const luxel_scene *scene, const luxel_settings *settings, size_t i,
+                                            luxel_diagnostics *diagnostics, luxel_grid **grid);
+
 /* The least or the greatest value on a whole plane. */
 typedef struct luxel_grid_peak {
     bool exists;           /* false where no place has a value; then the rest is 0 */

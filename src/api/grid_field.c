@@ -1,5 +1,8 @@
 /* SPDX-License-Identifier: MIT */
-/* A measuring plane as a field: the irradiance at as many cells as are wanted, with their places on the plane. */
+/*
+ * The values of a measuring plane alone: of its own cells, and as a field of as many as are wanted, with places on the
+ * plane.
+ */
 #include <limits.h>
 #include <stdlib.h>
 #include <string.h>
@@ -9,6 +12,14 @@
 #include "../base/number.h"
 #include "../field/field.h"
 #include "grid.h"
+
+luxel_status luxel_measure_values(const luxel_scene *scene, const luxel_settings *settings, size_t i,
+                                  luxel_diagnostics *diagnostics, luxel_grid **grid)
+{
+    unsigned n[2] = {0, 0};
+    luxel_scene_grid_resolution(scene, i, &n[0], &n[1]);
+    return lx_measure_cells(scene, settings, i, n, diagnostics, grid);
+}
 
 /* The centres of cells along a side, from its middle. */
 static double *new_places(double size_mm, unsigned count, double sign)

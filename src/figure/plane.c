@@ -84,8 +84,7 @@ static unsigned parts_of(double cell_mm, double wanted_mm)
     return 2 * (unsigned)fmin(fmax(round((cell_mm / wanted_mm - 1) / 2), 0), 1000) + 1;
 }
 
-static luxel_status make_field(struct lx_figure *figure, const luxel_settings *settings,
-                               luxel_diagnostics *diagnostics)
+static luxel_status make_field(struct lx_figure *figure, const luxel_settings *settings, luxel_diagnostics *diagnostics)
 {
     const luxel_grid *grid = figure->plane->grid;
     const bool is_costly = lx_figure_is_slow(figure) || grid->has_reflected;
@@ -150,7 +149,7 @@ luxel_status lx_figure_plane(struct lx_figure *figure, const luxel_settings *set
     if (!figure->plane)
         return lx_out_of_memory(diagnostics);
     luxel_status status =
-        luxel_measure(figure->copy, settings, figure->settings.grid - 1, diagnostics, &figure->plane->grid);
+        luxel_measure_values(figure->copy, settings, figure->settings.grid - 1, diagnostics, &figure->plane->grid);
     if (status != LUXEL_OK)
         return status;
     for (int side = 0; side < 2; side++)

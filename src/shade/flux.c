@@ -11,6 +11,7 @@
 #include "adaptive.h"
 #include "blocking.h"
 #include "flux_edges.h"
+#include "flux_luminaire.h"
 #include "occlusion.h"
 
 /* Panels of one line and of the lines, beside those that they begin with; feet of sources where they begin. */
@@ -244,7 +245,8 @@ static size_t cut_range(const struct task *task, const struct lx_line_part *rang
 static double along_line(struct task *task, double v, double *error)
 {
     struct lx_integrand integrand = {.at = at_point, .target = target_of_line, .data = task};
-    const size_t lit_count = lx_edges_lit(&task->edges, v, task->lit);
+    const struct lx_plane_line line = {.middle = {0, v}, .slope = {1, 0}};
+    const size_t lit_count = lx_edges_lit(&task->edges, &line, task->lit);
     struct lx_panels panels = {.items = task->line};
     for (size_t i = 0; i < lit_count; i++)
         panels.count += cut_range(task, &task->lit[i], task->line + panels.count);
@@ -359,6 +361,17 @@ static double work_of(const struct lx_emitter *emitter, bool asks_surfaces)
 /* The flux of an emitter by its integral. */
 static lx_bounded integral_of(struct hunt *hunt, const struct lx_emitter *emitter, bool casts)
 {
+    const struct lx_flux_asked asked = {.prepared = hunt->prepared,
+                                        .plane = hunt->plane.cells,
+                                        .emitter = emitter,
+                                        .aside = hunt->aside,
+                                        .casts = casts,
+                                        .usual = hunt->scale * area_m2(hunt->plane.cells).value,
+                                        .tolerance = TOLERANCE,
+                                        .asking = hunt->asking};
+    lx_bounded flux;
+    if (lx_luminaire_flux(&asked, &flux))
+        return flux;
     struct task task = {.hunt = hunt, .asked = *hunt->prepared};
     lx_bounded mean = lx_exact(0);
     if (lx_edges_make(hunt->prepared, hunt->plane.cells, emitter, hunt->aside, casts, &task.edges) == 0) {

@@ -266,78 +266,93 @@ int lx_edge_roots(double a, double b, double c, double roots[2])
     return count;
 }
 
-static int by_size(const void *left, const void *right)
+static int by_size(double a, double b)
 {
-    const double a = *(const double *)left, b = *(const double *)right;
     return a < b ? -1 : a > b;
+}
+
+static int by_place(const void *left, const void *right)
+{
+    const struct lx_crossing *a = left, *b = right;
+    return by_size(a->at, b->at);
 }
 
 static int by_begin(const void *left, const void *right)
 {
     const struct lx_line_part *a = left, *b = right;
-    return by_size(&a->from, &b->from);
+    return by_size(a->from, b->from);
 }
 
-/* Where some edges, one after the other, cross a line within the plane, in order, between its ends; how many. */
-static size_t cut_line(const struct lx_edges *edges, size_t first, size_t count, double v)
+/* Where some edges, one after the other, cross a line, in order, between its ends; how many. */
+static size_t cut_line(const struct lx_edges *edges, size_t first, size_t count, const struct lx_plane_line *line)
 {
+    const double u = line->middle[0], v = line->middle[1], du = line->slope[0], dv = line->slope[1];
     size_t found = 0;
-    edges->places[found++] = -0.5;
+    edges->places[found++] = (struct lx_crossing){-0.5, LX_LINE_END};
     for (size_t i = first; i < first + count; i++) {
         const double *c = edges->items[i].c;
         double roots[2];
-        const int n = lx_edge_roots(c[0] + v * (c[2] + v * c[5]), c[1] + v * c[4], c[3], roots);
+        const int n = lx_edge_roots(lx_conic_at(&edges->items[i], u, v),
+                                    du * (c[1] + 2 * c[3] * u + c[4] * v) + dv * (c[2] + 2 * c[5] * v + c[4] * u),
+                                    du * (c[3] * du + c[4] * dv) + c[5] * dv * dv, roots);
         for (int k = 0; k < n; k++)
             if (fabs(roots[k]) < 0.5)
-                edges->places[found++] = roots[k];
+                edges->places[found++] = (struct lx_crossing){roots[k], i};
     }
-    edges->places[found++] = 0.5;
-    qsort(edges->places, found, sizeof *edges->places, by_size);
+    edges->places[found++] = (struct lx_crossing){0.5, LX_LINE_END};
+    qsort(edges->places, found, sizeof *edges->places, by_place);
     return found;
 }
 
 /* The ranges that a caster hides are appended to the dark ones. */
-static size_t note_dark(const struct lx_edges *edges, size_t caster, double v, size_t dark_count)
+static size_t note_dark(const struct lx_edges *edges, size_t caster, const struct lx_plane_line *line,
+                        size_t dark_count)
 {
     const struct lx_caster *one = &edges->casters[caster];
-    const size_t count = cut_line(edges, one->first, one->count, v);
+    const size_t count = cut_line(edges, one->first, one->count, line);
     bool is_dark = false;
     for (size_t i = 0; i + 1 < count; i++) {
-        const struct lx_line_part range = {edges->places[i], edges->places[i + 1]};
-        const double middle = range.from + (range.to - range.from) / 2;
-        if (!(middle > range.from && middle < range.to)) /* too narrow to be asked */
+        const struct lx_crossing *from = &edges->places[i], *to = from + 1;
+        const double middle = from->at + (to->at - from->at) / 2;
+        if (!(middle > from->at && middle < to->at)) /* too narrow to be asked */
             continue;
         const bool was_dark = is_dark;
-        is_dark = lx_caster_hides(edges, caster, middle, v);
-        if (is_dark && was_dark)
-            edges->dark[dark_count - 1].to = range.to;
-        else if (is_dark)
-            edges->dark[dark_count++] = range;
+        is_dark = lx_caster_hides(edges, caster, line->middle[0] + middle * line->slope[0],
+                                  line->middle[1] + middle * line->slope[1]);
+        if (is_dark && !was_dark)
+            edges->dark[dark_count++] = (struct lx_line_part){.from = from->at, .bounds = {from->edge}};
+        if (is_dark) {
+            edges->dark[dark_count - 1].to = to->at;
+            edges->dark[dark_count - 1].bounds[1] = to->edge;
+        }
     }
     return dark_count;
 }
 
-size_t lx_edges_lit(const struct lx_edges *edges, double v, struct lx_line_part *lit)
+size_t lx_edges_lit(const struct lx_edges *edges, const struct lx_plane_line *line, struct lx_line_part *lit)
 {
     size_t dark_count = 0, lit_count = 0, own = 0, k = 0;
     for (size_t i = 0; i < edges->caster_count; i++)
-        dark_count = note_dark(edges, i, v, dark_count);
+        dark_count = note_dark(edges, i, line, dark_count);
     if (dark_count > 0)
         qsort(edges->dark, dark_count, sizeof *edges->dark, by_begin);
     while (own < edges->count && edges->items[own].caster == LX_NO_CASTER)
         own++;
-    const size_t count = cut_line(edges, 0, own, v);
-    double reached = -0.5; /* all before is dark or in the list */
+    const size_t count = cut_line(edges, 0, own, line);
+    struct lx_crossing reached = {-0.5, LX_LINE_END}; /* all before is dark or in the list */
     for (size_t i = 1; i < count; i++) {
-        const double end = edges->places[i];
-        for (; k < dark_count && edges->dark[k].from < end; k++) {
-            if (edges->dark[k].from > reached)
-                lit[lit_count++] = (struct lx_line_part){reached, edges->dark[k].from};
-            reached = fmax(reached, edges->dark[k].to);
+        const struct lx_crossing end = edges->places[i];
+        for (; k < dark_count && edges->dark[k].from < end.at; k++) {
+            const struct lx_line_part *dark = &edges->dark[k];
+            if (dark->from > reached.at)
+                lit[lit_count++] = (struct lx_line_part){reached.at, dark->from, {reached.edge, dark->bounds[0]}};
+            if (dark->to > reached.at)
+                reached = (struct lx_crossing){dark->to, dark->bounds[1]};
         }
-        if (end > reached)
-            lit[lit_count++] = (struct lx_line_part){reached, end};
-        reached = fmax(reached, end);
+        if (end.at > reached.at) {
+            lit[lit_count++] = (struct lx_line_part){reached.at, end.at, {reached.edge, end.edge}};
+            reached = end;
+        }
     }
     return lit_count;
 }

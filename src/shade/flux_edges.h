@@ -29,8 +29,23 @@ struct lx_caster {
     size_t first, count;
 };
 
+/* A line across the plane: the place (u, v) = middle + x slope. */
+struct lx_plane_line {
+    double middle[2], slope[2];
+};
+
+/* A range of a line's x, and which edges bound it: their number in the list, or LX_LINE_END. */
 struct lx_line_part {
     double from, to;
+    size_t bounds[2];
+};
+
+#define LX_LINE_END SIZE_MAX
+
+/* A place on a line. */
+struct lx_crossing {
+    double at;
+    size_t edge;
 };
 
 struct lx_edges {
@@ -43,7 +58,7 @@ struct lx_edges {
     size_t caster_count, caster_capacity;
     bool knows_shadows; /* all that may stand in the way are casters */
     /* room for what one line has: places on it, and dark ranges */
-    double *places;
+    struct lx_crossing *places;
     struct lx_line_part *dark;
 };
 
@@ -64,9 +79,9 @@ bool lx_caster_hides(const struct lx_edges *edges, size_t caster, double u, doub
 /* The most ranges that a line may have. */
 size_t lx_edges_most(const struct lx_edges *edges);
 
-/* The ranges of the line v in which no caster hides the emitter, cut where edges of the light cross them, in the order
- * of u; returns how many there are. */
-size_t lx_edges_lit(const struct lx_edges *edges, double v, struct lx_line_part *lit);
+/* The ranges of a line, x from -1/2 to 1/2, in which no caster hides the emitter, cut where edges of the light cross
+ * them, in order; returns how many there are. */
+size_t lx_edges_lit(const struct lx_edges *edges, const struct lx_plane_line *line, struct lx_line_part *lit);
 
 /* Appends the v of all turns, in no order; 0, or -1 when memory ran out. */
 int lx_edges_turns(const struct lx_edges *edges, double **turns, size_t *count, size_t *capacity);

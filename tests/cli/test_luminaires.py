@@ -241,6 +241,47 @@ def extrema_and_grids(tap, tool):
     tap.near(grid["average"], sum(values) / len(values), 3e-5, "the mean of a measuring plane")
 
 
+def fluxes(tap, tool, *lights, surfaces, grids):
+    scene = {**SCENE, "units": "photometric", "shadows": "all", "surfaces": surfaces, "grids": grids,
+             "lights": list(lights)}
+    tool.write("flux.yaml", json.dumps(scene))
+    return [(grid["flux"], grid["flux_error"]) for grid in tool.run("grid", "flux.yaml", "--json").json()["grids"]]
+
+
+def through_planes(tap, tool):
+    """The flux through planes behind surfaces of all kinds: of a Lambert lamp that of a point by another way, of any
+    lamp that of its parts."""
+    tool.write("lambert.ies", lambert(15))
+    tool.write("wings.ies", WINGS)
+    rng = model.random.Random(11)
+    some = lambda size: [rng.uniform(-size, size) for _ in range(3)]
+    shapes = [{"type": "rectangle", "size": [500, 300]}, {"type": "sphere", "radius": 200},
+              {"type": "disk", "radius": 250}, {"type": "cylinder", "radius": 80, "height": 500}]
+    wrong, loose = [], []
+    for _ in range(5):
+        surfaces = [{**shape, "center": [200 + 300 * k + rng.uniform(-99, 99), rng.uniform(-300, 300),
+                                         rng.uniform(800, 1500)], **({} if shape["type"] == "sphere" else {
+                                             "axis": [*some(1)[:2], 0.5]})} for k, shape in enumerate(shapes)]
+        position, axis = [rng.uniform(0, 900), rng.uniform(-400, 400), 2500.0], [*some(0.5)[:2], -1]
+        grids = [{"center": [500, 0, 0], "size": [2000, 1600], "axis": [*some(0.4)[:2], 1], "n": [3, 3]}]
+        point = {"type": "point", "pattern": "lambertian", "intensity": 1000, "position": position, "axis": axis}
+        lamp = {"type": "luminaire", "position": position, "axis": axis, "file": "lambert.ies",
+                "interpolation": "cosine"}
+        (a, a_error), = fluxes(tap, tool, point, surfaces=surfaces, grids=grids)
+        (b, b_error), = fluxes(tap, tool, lamp, surfaces=surfaces, grids=grids)
+        if not abs(a - b) <= a_error + b_error:
+            wrong.append("as a point: %r +- %r, %r +- %r" % (a, a_error, b, b_error))
+        halves = [{**grids[0], "center": [x + 500 * sign * y for x, y in zip(grids[0]["center"], unit(
+            cross([0, 1, 0], grids[0]["axis"])))], "size": [1000, 1600]} for sign in (-1, 1)]
+        lamp = {**lamp, "file": "wings.ies", "interpolation": "angle", "axis": some(1), "c0": some(1)}
+        (all_of_it, error), *parts = fluxes(tap, tool, lamp, surfaces=surfaces, grids=grids + halves)
+        if not abs(all_of_it - sum(part for part, _ in parts)) <= error + sum(error for _, error in parts):
+            wrong.append("in halves: %r +- %r, %r" % (all_of_it, error, parts))
+        loose += [told for flux, told in ((b, b_error), (all_of_it, error)) if not told <= 2e-7 * max(flux, 1)]
+    tap.ok(not wrong, "flux behind surfaces", *wrong)
+    tap.ok(not loose, "with small errors", *loose)
+
+
 def wrong_files(tap, tool):
     tool.write("lamp.ies", lambert(5))
     light = {"file": "lamp.ies", "position": [0, 0, 2500]}
@@ -326,5 +367,5 @@ def built_in_files(tap, tool):
     tap.ok(result.code == 4 and "no built-in file of that name" in result.err, "another name", result.code, result.err)
 
 
-run_tests(Tap(), against_the_model, lambert_lamps, three_types, turned_twins, pictures, extrema_and_grids, wrong_files,
-          folders, maintained, built_in_files)
+run_tests(Tap(), against_the_model, lambert_lamps, three_types, turned_twins, pictures, extrema_and_grids,
+          through_planes, wrong_files, folders, maintained, built_in_files)

@@ -124,6 +124,11 @@ static void closed_rooms(void **state)
         {"{type: point, position: [0, 0, 1000], intensity: 3, pattern: cosine, exponent: 7, axis: [1, 2, -3]}", 1e-7},
         {"{type: spot, position: [-500, 0, 1900], intensity: 3, inner: 10, outer: 40, axis: [1, 0, -1]}", 1e-6},
         {"{type: spot, position: [-500, 0, 1900], intensity: 3, inner: 20, outer: 20, axis: [1, 0.5, -1]}", 1e-6},
+        {"{type: luminaire, file: 'builtin:office-lamp.ies', position: [700, -900, 2000]}", 1e-7},
+        {"{type: luminaire, file: 'builtin:office-lamp.ies', position: [-1900, 0, 300], axis: [1, 2, 3], c0: [1, 0, "
+         "0], "
+         "interpolation: cosine}",
+         1e-7},
         {"{type: planar, disk: {center: [0, 300, 2500], radius: 200}, radiance: 10}", 1e-7},
         {"{type: volume, sphere: {center: [0, 300, 2500], radius: 200}, radiance: 10}", 1e-5},
         {"{type: volume, box: {center: [0, 300, 1500], size: [300, 200, 100]}, radiance: 10}", 1e-5},
@@ -230,6 +235,22 @@ static void bounds_of_penumbrae(void **state)
     luxel_scene_free(scene);
 }
 
+/* Values alone are the same ones, without what is asked of the plane as a whole. */
+static void values_alone(void **state)
+{
+    (void)state;
+    luxel_scene *scene = scene_with(NULL, "{type: point, position: [10, 0, 20], intensity: 100}",
+                                    "{center: [0, 0, 0], size: [100, 80], n: [5, 4]}");
+    luxel_grid *whole = measure(scene, 0), *alone = NULL;
+    assert_int_equal(luxel_measure_values(scene, NULL, 0, NULL, &alone), LUXEL_OK);
+    assert_memory_equal(whole->values, alone->values, 20 * sizeof *whole->values);
+    assert_true(whole->average == alone->average && whole->u0 == alone->u0 && whole->measured == alone->measured);
+    assert_true(whole->has_mean && whole->has_sampling_error && !alone->has_mean && !alone->has_sampling_error);
+    luxel_grid_free(whole);
+    luxel_grid_free(alone);
+    luxel_scene_free(scene);
+}
+
 /* Where the light varies over a cell, it is said so; where there is no flux, from a coarser grid. */
 static void sampling(void **state)
 {
@@ -267,15 +288,11 @@ static void sampling(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(closed_numbers),
-        cmocka_unit_test(squares),
-        cmocka_unit_test(closed_rooms),
-        cmocka_unit_test(shadows),
-        cmocka_unit_test(sampling),
-        cmocka_unit_test(plates_aside),
-        cmocka_unit_test(plates_over),
-        cmocka_unit_test(crowds_under_the_sun),
-        cmocka_unit_test(bounds_of_penumbrae),
+        cmocka_unit_test(closed_numbers),       cmocka_unit_test(squares),
+        cmocka_unit_test(closed_rooms),         cmocka_unit_test(shadows),
+        cmocka_unit_test(values_alone),         cmocka_unit_test(sampling),
+        cmocka_unit_test(plates_aside),         cmocka_unit_test(plates_over),
+        cmocka_unit_test(crowds_under_the_sun), cmocka_unit_test(bounds_of_penumbrae),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

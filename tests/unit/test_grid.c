@@ -368,6 +368,10 @@ static void test_refusals(void **state)
                  "no-such-grid");
     expect_error(luxel_measure_field(scene, NULL, 1, 2, 2, diagnostics, &field), LUXEL_ERROR_ARGUMENT, diagnostics,
                  "no-such-grid");
+    expect_error(luxel_measure_values(scene, NULL, 1, diagnostics, &grid), LUXEL_ERROR_ARGUMENT, diagnostics,
+                 "no-such-grid");
+    expect_error(luxel_measure_values(scene, NULL, 0, diagnostics, NULL), LUXEL_ERROR_ARGUMENT, diagnostics,
+                 "missing-argument");
     settings.threads = 5000;
     expect_error(luxel_measure(scene, &settings, 0, diagnostics, &grid), LUXEL_ERROR_ARGUMENT, diagnostics,
                  "setting-out-of-range");
