@@ -105,7 +105,8 @@ static void take_settings(struct luxel_field *field, const char *path, const str
     if (lx_source_of_bytes(path, "", 0, NULL, &silent) == LUXEL_OK &&
         lx_carried_read(silent, tags, &carried) == LUXEL_OK) {
         field->quantity = carried.quantity;
-        field->quantity_word = lx_quantity_word(carried.quantity, is_photometric(field->unit));
+        if (lx_tags_find(tags, LX_TAG_QUANTITY))
+            field->quantity_word = lx_quantity_word(carried.quantity, is_photometric(field->unit));
         field->tolerance = carried.tolerance;
         field->light_error = carried.light_error;
         field->reflected_error = carried.reflected_error;

@@ -82,6 +82,7 @@ static void test_arrays(void **state)
         assert_same_values(field, read);
         assert_int_equal(luxel_field_precision(read), luxel_field_precision(field));
         assert_string_equal(luxel_field_unit(read), "");
+        assert_string_equal(luxel_field_quantity_word(read), "values");
         assert_string_equal(luxel_field_instruction_set(read), "");
         assert_null(luxel_field_x_mm(read));
         assert_null(luxel_field_y_mm(read));
@@ -126,6 +127,7 @@ static void test_exr(void **state)
 
     assert_same_values(field, read);
     assert_int_equal(luxel_field_quantity(read), LUXEL_IRRADIANCE);
+    assert_string_equal(luxel_field_quantity_word(read), "irradiance");
     assert_string_equal(luxel_field_unit(read), luxel_field_unit(field));
     assert_string_equal(luxel_field_scene(read), luxel_field_scene(field));
     assert_memory_equal(luxel_field_x_mm(read), luxel_field_x_mm(field), 12 * sizeof(double));
