@@ -375,13 +375,13 @@ luxel_status luxel_probe_many(const luxel_scene *scene, const luxel_settings *se
                   LX_ARGS(probes ? "places" : "probes"));
         return LUXEL_ERROR_ARGUMENT;
     }
-    /* no place needs no plan, which takes long where surfaces are many */
+    /* no place needs no world and no plan, which take long where surfaces are many */
     luxel_status status = count > 0 ? lx_session_open(scene, settings, diagnostics, &session)
-                                    : lx_session_open_world(scene, settings, diagnostics, &session);
+                                    : lx_session_begin(scene, settings, diagnostics, &session);
     if (status == LUXEL_OK)
-        status = check_places(session.prepared.scene, places, count, diagnostics);
+        status = check_places(lx_scene_parameters(scene), places, count, diagnostics);
     if (status == LUXEL_OK)
-        status = new_probes(session.prepared.scene, count, diagnostics, &probing.probes);
+        status = new_probes(lx_scene_parameters(scene), count, diagnostics, &probing.probes);
     if (status == LUXEL_OK) {
         control.progress = session.settings.progress;
         control.data = session.settings.progress_data;
@@ -413,12 +413,6 @@ luxel_status luxel_probe_element(const luxel_scene *scene, const luxel_settings 
 
 const char *luxel_scene_unit(const luxel_scene *scene, luxel_quantity quantity)
 {
-    struct lx_prepared prepared;
-    const char *unit = "relative";
-    if (!scene || !luxel_scene_is_committed(scene))
-        return unit;
-    if (lx_prepare(lx_scene_parameters(scene), LX_DEFAULT_TOLERANCE, NULL, &prepared) == 0)
-        unit = lx_unit_of(&prepared, quantity);
-    lx_prepared_clear(&prepared);
-    return unit;
+    return scene && luxel_scene_is_committed(scene) ? lx_unit_of_scene(lx_scene_parameters(scene), quantity)
+                                                    : "relative";
 }

@@ -104,13 +104,18 @@ luxel_status lx_session_prepare(const luxel_scene *scene, const luxel_settings *
     return LUXEL_ERROR_MEMORY;
 }
 
+luxel_status lx_session_begin(const luxel_scene *scene, const luxel_settings *settings, luxel_diagnostics *diagnostics,
+                              struct lx_session *session)
+{
+    memset(session, 0, sizeof *session);
+    const luxel_status status = lx_settings_check(scene, settings, diagnostics, &session->settings);
+    return status == LUXEL_OK ? choose_kernels(session, diagnostics) : status;
+}
+
 luxel_status lx_session_open_world(const luxel_scene *scene, const luxel_settings *settings,
                                    luxel_diagnostics *diagnostics, struct lx_session *session)
 {
-    memset(session, 0, sizeof *session);
-    luxel_status status = lx_settings_check(scene, settings, diagnostics, &session->settings);
-    if (status == LUXEL_OK)
-        status = choose_kernels(session, diagnostics);
+    luxel_status status = lx_session_begin(scene, settings, diagnostics, session);
     if (status == LUXEL_OK)
         status = lx_session_prepare(scene, &session->settings, diagnostics, &session->prepared);
     return status;

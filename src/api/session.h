@@ -28,7 +28,11 @@ luxel_status lx_settings_check(const luxel_scene *scene, const luxel_settings *s
 luxel_status lx_session_prepare(const luxel_scene *scene, const luxel_settings *settings,
                                 luxel_diagnostics *diagnostics, struct lx_prepared *prepared);
 
-/* Opens a session by the settings, with kernels, but without a plan: for whoever needs no picture. */
+/* Begins a session by the settings, with kernels; lx_session_clear() is due in any case. */
+luxel_status lx_session_begin(const luxel_scene *scene, const luxel_settings *settings, luxel_diagnostics *diagnostics,
+                              struct lx_session *session);
+
+/* Opens it with the prepared scene, but without a plan: for whoever needs no picture. */
 luxel_status lx_session_open_world(const luxel_scene *scene, const luxel_settings *settings,
                                    luxel_diagnostics *diagnostics, struct lx_session *session);
 

@@ -14,6 +14,8 @@
 
 /* How many a scene may have without asking how much memory there is. */
 enum { FEW_EMITTERS = 4096 };
+/* What a point of a swarm takes. */
+enum { SWARM_BYTES = 64 };
 
 static int prepare_lights(const struct lx_list *lights, struct lx_emitters *emitters)
 {
@@ -104,7 +106,7 @@ int lx_prepare(const struct lx_scene_parameters *scene, double tolerance, const 
     const struct lx_emitters room = {
         .most = FEW_EMITTERS,
         .each = (double)((placed + 1) * sizeof(struct lx_emitter) + surfaces * (320 + others * sizeof(uint32_t))),
-        .each_in_swarms = (double)((placed + 1) * 64 + surfaces * others * sizeof(uint32_t)),
+        .each_in_swarms = (double)((placed + 1) * SWARM_BYTES + surfaces * others * sizeof(uint32_t)),
         .asking = asking,
     };
     return prepare(scene, tolerance, &room, prepared);
@@ -184,17 +186,12 @@ static const char *unit_of_irradiance(const struct lx_emitters *emitters, bool p
     return emitters->by_square == emitters->count ? unit : LX_N("relative");
 }
 
-const char *lx_unit_of(const struct lx_prepared *prepared, luxel_quantity quantity)
+/* Of `parts` surfaces and parts of them so many weigh by 1/pi. */
+static const char *unit_of_brightness(const struct lx_emitters *emitters, bool photometric, size_t over_pi,
+                                      size_t parts)
 {
-    bool photometric = prepared->scene->units == LX_PHOTOMETRIC;
-    size_t over_pi = 0;
-    if (quantity == LUXEL_IRRADIANCE)
-        return unit_of_irradiance(&prepared->emitters, photometric);
-    for (size_t i = 0; i < prepared->surface_count; i++)
-        over_pi += prepared->surfaces[i].material->over_pi;
-    bool all = over_pi == prepared->surface_count && over_pi > 0, none = over_pi == 0;
-
-    enum laws laws = common_law(&prepared->emitters);
+    const bool all = over_pi == parts && over_pi > 0, none = over_pi == 0;
+    enum laws laws = common_law(emitters);
     if (laws == ALL_UNATTENUATED && none)
         return photometric ? LX_N("cd") : LX_N("W/sr");
     if (laws == ALL_PHYSICAL && none)
@@ -202,4 +199,48 @@ const char *lx_unit_of(const struct lx_prepared *prepared, luxel_quantity quanti
     if (laws == ALL_PHYSICAL && all)
         return photometric ? LX_N("cd/m²") : LX_N("W/(sr·m²)");
     return LX_N("relative");
+}
+
+const char *lx_unit_of(const struct lx_prepared *prepared, luxel_quantity quantity)
+{
+    const bool photometric = prepared->scene->units == LX_PHOTOMETRIC;
+    size_t over_pi = 0;
+    if (quantity == LUXEL_IRRADIANCE)
+        return unit_of_irradiance(&prepared->emitters, photometric);
+    for (size_t i = 0; i < prepared->surface_count; i++)
+        over_pi += prepared->surfaces[i].material->over_pi;
+    return unit_of_brightness(&prepared->emitters, photometric, over_pi, prepared->surface_count);
+}
+
+/* How many parts of a surface weigh by 1/pi. */
+static size_t count_over_pi(const struct lx_item *item)
+{
+    const struct lx_surface_common *common = item->common;
+    const struct lx_surface_kind *kind = (const struct lx_surface_kind *)item->variant;
+    size_t count = 0;
+    if (!kind->part_names)
+        return common->material.over_pi;
+    for (unsigned k = 0; k < lx_part_count(kind); k++) {
+        struct lx_part part;
+        lx_part_make(kind, item->parameters, k, &part);
+        count += part.material ? part.material->over_pi : common->material.over_pi;
+    }
+    return count;
+}
+
+const char *lx_unit_of_scene(const struct lx_scene_parameters *scene, luxel_quantity quantity)
+{
+    const bool photometric = scene->units == LX_PHOTOMETRIC;
+    struct lx_emitters emitters = {
+        .most = FEW_EMITTERS, .each = sizeof(struct lx_emitter), .each_in_swarms = SWARM_BYTES};
+    const char *unit = LX_N("relative");
+    size_t over_pi = 0;
+    for (size_t i = 0; i < scene->surfaces.count && quantity == LUXEL_BRIGHTNESS; i++)
+        over_pi += count_over_pi(&scene->surfaces.items[i]);
+    if (prepare_lights(&scene->lights, &emitters) == 0)
+        unit = quantity == LUXEL_IRRADIANCE
+                   ? unit_of_irradiance(&emitters, photometric)
+                   : unit_of_brightness(&emitters, photometric, over_pi, count_parts(&scene->surfaces));
+    lx_emitters_clear(&emitters);
+    return unit;
 }

@@ -80,5 +80,7 @@ static inline size_t lx_prepared_index(const struct lx_prepared *prepared, size_
 
 /* The unit of a quantity in this scene, UTF-8, as the attenuation laws, over_pi and `units` make it. */
 const char *lx_unit_of(const struct lx_prepared *prepared, luxel_quantity quantity);
+/* The same of a committed scene; only its lights are prepared. */
+const char *lx_unit_of_scene(const struct lx_scene_parameters *scene, luxel_quantity quantity);
 
 #endif
