@@ -28,6 +28,7 @@ typedef enum Line {
     LINE_U0,
     LINE_UD,
     LINE_PIXELS,
+    LINE_REFLECTED,
     LINES
 } Line;
 

@@ -28,6 +28,7 @@ static const char *const line_names[LINES] = {
     [LINE_U0] = N_("Uniformity U0 = minimum / mean"),
     [LINE_UD] = N_("Diversity Ud = minimum / maximum"),
     [LINE_PIXELS] = N_("Pixels on a surface"),
+    [LINE_REFLECTED] = N_("Error of reflected light, of the maximum"),
 };
 
 static void draw_histogram(GtkDrawingArea *area, cairo_t *cairo, int width, int height, gpointer data)
@@ -82,16 +83,39 @@ static void show_place(AppNumbers *self, Line line, double x_mm, double y_mm)
     app_numbers_set_text(self->lines[line], text);
 }
 
+/* A line with its name. */
+static void choose_line(AppNumbers *self, Line line, gboolean is_shown)
+{
+    GtkWidget *value = self->lines[line], *name = gtk_widget_get_prev_sibling(value);
+    gtk_widget_set_visible(value, is_shown);
+    gtk_widget_set_visible(name, is_shown);
+}
+
 /* Leaves out the lines that say nothing of a difference, which has neither a least value above 0 nor uniformity. */
 static void choose_lines(AppNumbers *self, gboolean is_difference)
 {
     static const Line of_pictures[] = {LINE_LEAST,         LINE_LEAST_PLACE, LINE_REACHED,
                                        LINE_REACHED_PLACE, LINE_U0,          LINE_UD};
-    for (gsize i = 0; i < G_N_ELEMENTS(of_pictures); i++) {
-        GtkWidget *value = self->lines[of_pictures[i]], *name = gtk_widget_get_prev_sibling(value);
-        gtk_widget_set_visible(value, !is_difference);
-        gtk_widget_set_visible(name, !is_difference);
-    }
+    for (gsize i = 0; i < G_N_ELEMENTS(of_pictures); i++)
+        choose_line(self, of_pictures[i], !is_difference);
+}
+
+/* The bound of what surfaces reflect, where they do; marked where it is larger than it should be. */
+static void show_reflected(AppNumbers *self, const luxel_statistics *statistics, gboolean is_difference)
+{
+    char text[APP_NUMBER_SIZE];
+    const gboolean is_missed = !statistics->reflected_reached;
+    GtkWidget *label = self->lines[LINE_REFLECTED];
+    choose_line(self, LINE_REFLECTED, statistics->has_reflected && !is_difference);
+    g_snprintf(text, sizeof text, "%.2g %%%s", 100 * statistics->reflected_error, is_missed ? " ⚠" : "");
+    app_numbers_set_text(label, text);
+    gtk_widget_set_tooltip_text(label, is_missed ? _("Less exact than it should be: many surfaces stand close to each "
+                                                     "other. Values are shown all the same.")
+                                                 : NULL);
+    if (is_missed)
+        gtk_widget_add_css_class(label, "warning");
+    else
+        gtk_widget_remove_css_class(label, "warning");
 }
 
 /* The place of a least value in the line below it. */
@@ -124,12 +148,14 @@ void app_numbers_show_statistics(AppNumbers *self, AppMeasures *measures)
         [LINE_U0] = summary->u0,
         [LINE_UD] = summary->ud,
         [LINE_PIXELS] = (double)summary->pixels,
+        [LINE_REFLECTED] = statistics->reflected_error,
     };
     for (int i = 0; i < LINES; i++)
         app_numbers_set_number(self->lines[i], numbers[i]);
     show_place(self, LINE_MAXIMUM_PLACE, summary->maximum.x_mm, summary->maximum.y_mm);
     show_place(self, LINE_TRUE_MAXIMUM_PLACE, maximum->x_mm, maximum->y_mm);
     choose_lines(self, measures->is_difference);
+    show_reflected(self, statistics, measures->is_difference);
     show_least(self, LINE_LEAST, &statistics->minimum);
     show_least(self, LINE_REACHED, &measures->reached);
     if (!measures->has_extrema) {

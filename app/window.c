@@ -162,7 +162,7 @@ static void view_pointed(AppView *view, double x_mm, double y_mm, gboolean insid
     self->pointer_mm[1] = y_mm;
     self->pointer_inside = inside;
     if (!inside) {
-        gtk_label_set_text(GTK_LABEL(self->status_label), "");
+        app_window_rest(self);
         app_dial_set_needle(APP_DIAL(self->bar), (double)NAN);
         app_sources_show_shares(APP_SOURCES(self->sources), NULL);
         app_stage_set_reading(APP_STAGE(self->stage), NULL);

@@ -93,6 +93,20 @@ static void show_zoom(AppWindow *self)
         gtk_label_set_text(GTK_LABEL(self->zoom_label), text);
 }
 
+void app_window_rest(AppWindow *self)
+{
+    const luxel_statistics *statistics = self->picture ? luxel_field_statistics(self->picture->shot->field) : NULL;
+    if (!statistics || !statistics->has_reflected || statistics->reflected_reached) {
+        gtk_label_set_text(GTK_LABEL(self->status_label), "");
+        return;
+    }
+    char share[APP_NUMBER_SIZE];
+    char *text = g_strdup_printf(_("Reflected light is less exact than it should be: within %s %% of the maximum"),
+                                 app_number_round(100 * statistics->reflected_error, 2, share));
+    gtk_label_set_text(GTK_LABEL(self->status_label), text);
+    g_free(text);
+}
+
 void app_window_show_picture(AppPicture *picture, gpointer owner)
 {
     AppWindow *self = owner;
@@ -102,6 +116,8 @@ void app_window_show_picture(AppPicture *picture, gpointer owner)
     app_picture_ref(picture);
     app_picture_unref(self->picture);
     self->picture = picture;
+    if (!self->pointer_inside)
+        app_window_rest(self);
     app_view_set_picture(self->view, picture);
     app_stage_set_moment(APP_STAGE(self->stage), picture->shot->moment);
     app_display_form_tell_range(APP_DISPLAY_FORM(self->display_form), picture->low, picture->high);

@@ -176,7 +176,8 @@ static int sweep_by_ranks(struct rank *rank, const struct options *options, cons
         code = agree(open_folder(rank, options->outputs[0]));
     if (code == EXIT_DONE) {
         work(rank);
-        code = agree(rank->code);
+        code = sweep_tell_missed(&rank->sweep); /* of its own scenes */
+        code = agree(rank->code ? rank->code : code);
         sweep_worker_clear(&rank->worker);
         const int finished = agree(finish(rank, options->quiet));
 

@@ -19,6 +19,7 @@ struct making {
     struct sweep_worker *worker;
     uint64_t shard;
     int folder;
+    bool missed; /* the scene's reflected light is less exact than it should be */
     struct array arrays[SWEEP_FILES];
 };
 
@@ -154,6 +155,9 @@ static luxel_status add_picture(struct making *making, const luxel_scene *scene,
                                   (size_t)sweep->columns * sweep->rows);
     if (*failed == 0 && carries_rest && wanted(sweep, LUXEL_STUDY_STATISTICS) != LUXEL_STUDY_NONE)
         *failed = add_statistics(making, field);
+    const luxel_statistics *statistics = luxel_field_statistics(field);
+
+    making->missed = making->missed || (statistics->has_reflected && !statistics->reflected_reached);
     luxel_field_free(field);
     return LUXEL_OK;
 }
@@ -173,6 +177,7 @@ static luxel_status add_probes(struct making *making, const luxel_scene *scene, 
         if (status != LUXEL_OK)
             return status;
         row[k] = probe->has_value ? probe->value : (double)NAN;
+        making->missed = making->missed || (probe->has_reflected && !probe->reflected_reached);
         luxel_probe_free(probe);
     }
     *failed = array_add_doubles(&making->arrays[LUXEL_STUDY_PROBES], row, points);
@@ -234,6 +239,29 @@ static luxel_status add_scene(struct making *making, uint64_t i, int *failed)
 }
 
 /* ---- a shard ---- */
+
+/* Counts a scene that missed the bound of its reflected light. */
+static void note_missed(struct sweep *sweep, uint64_t i)
+{
+    pthread_mutex_lock(&sweep->mutex);
+    if (sweep->missed == 0 || i < sweep->first_missed)
+        sweep->first_missed = i;
+    sweep->missed++;
+    pthread_mutex_unlock(&sweep->mutex);
+}
+
+int sweep_tell_missed(const struct sweep *sweep)
+{
+    if (sweep->missed == 0)
+        return EXIT_DONE;
+    message_error(ngettext("the reflected light of %llu scene may be off by more than a thousandth: scene %llu",
+                           "the reflected light of %llu scenes may be off by more than a thousandth: scene %llu first",
+                           (unsigned long)sweep->missed),
+                  (unsigned long long)sweep->missed, (unsigned long long)sweep->first_missed);
+    message_hint(_("they are kept all the same; luxel sweep STUDY --show N prints a scene, and luxel render tells how "
+                   "exact it is"));
+    return EXIT_TOLERANCE;
+}
 
 /* Reports once, and stops everybody. */
 static int fail_scene(struct making *making, uint64_t i, luxel_status status, int failed)
@@ -333,7 +361,10 @@ int sweep_shard(struct sweep_worker *worker, uint64_t shard)
     making.folder = folder_stage(&sweep->folder, shard);
     failed = making.folder >= 0 ? open_arrays(&making) : errno;
     for (; i < scenes && failed == 0 && status == LUXEL_OK && !atomic_load(&sweep->stop); i++) {
+        making.missed = false;
         status = add_scene(&making, first + i, &failed);
+        if (making.missed && status == LUXEL_OK && failed == 0)
+            note_missed(sweep, first + i);
         atomic_fetch_add(&sweep->done, status == LUXEL_OK && failed == 0);
     }
     closed = close_arrays(&making, i == scenes && failed == 0 && status == LUXEL_OK);

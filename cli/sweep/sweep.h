@@ -33,6 +33,8 @@ struct sweep {
     atomic_ullong done;    /* scenes since the start */
     pthread_mutex_t mutex; /* of what follows, and of what is printed */
     int code;              /* an enum exit_code: the first failure */
+    uint64_t missed;       /* scenes computed whose reflected light is less exact than it should be, */
+    uint64_t first_missed; /* and the first of them */
 };
 
 /* Resources of one worker. */
@@ -62,6 +64,9 @@ uint64_t sweep_bytes(const struct sweep *sweep);
 int sweep_worker_init(struct sweep_worker *worker, struct sweep *sweep);
 int sweep_shard(struct sweep_worker *worker, uint64_t shard);
 void sweep_worker_clear(struct sweep_worker *worker);
+
+/* Tells of scenes that missed the bound of their reflected light; returns an enum exit_code. */
+int sweep_tell_missed(const struct sweep *sweep);
 
 /* Renders scenes of the study for about `seconds`, and returns how long one takes in seconds; below 0: one is wrong,
  * which is reported. */

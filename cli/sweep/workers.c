@@ -216,6 +216,7 @@ static void tell_end(const struct crew *crew, uint64_t whole)
         json_whole(&json, "shards", sweep->shards);
         json_number(&json, "scenes_per_second", rate_of(crew));
         json_bool(&json, "complete", whole == sweep->shards);
+        json_whole(&json, "reflected_missed", sweep->missed);
         json_close(&json, '}');
     } else if (!crew->how->quiet) {
         text_print_escaped(stdout, sweep->folder.path);
@@ -249,6 +250,8 @@ int sweep_work(struct sweep *sweep, const struct sweep_run *how)
         crew.code = EXIT_INTERRUPTED;
     if (crew.code == EXIT_DONE)
         tell_end(&crew, whole);
+    code = sweep_tell_missed(sweep);
+    crew.code = crew.code ? crew.code : code;
     pthread_cond_destroy(&crew.ended);
     free(crew.missing);
     return crew.code;

@@ -13,7 +13,7 @@ when arrays are asked for.  Everything may be used by several threads at once: a
 thread computes with it goes on there as it was.
 """
 from ._document import Document
-from ._errors import Diagnostic, LuxelError, LuxelKeyError, LuxelValueError
+from ._errors import Diagnostic, LuxelError, LuxelKeyError, LuxelValueError, LuxelWarning
 from ._field import Field, compare, read
 from ._grid import Grid
 from ._language import set_language
@@ -30,7 +30,7 @@ __version__ = _version()
 __all__ = [
     "Alternative", "Comparison", "Diagnostic", "Diagram", "Document", "Extrema", "Extremum", "Field", "Figure",
     "Greatest", "Grid", "GridExtremum", "Histogram", "Isophote", "Judgement", "LampSet", "Light", "LuxelError",
-    "LuxelKeyError", "LuxelValueError", "Mesh", "Opening", "Peak", "Photometry", "PhotometryFigures", "Probe", "Probes",
-    "Profile", "Scene", "Share", "Statistics", "Summary", "builtin_scenes", "compare", "instruction_sets",
-    "palettes", "read", "schema", "set_language", "variant", "__version__",
+    "LuxelKeyError", "LuxelValueError", "LuxelWarning", "Mesh", "Opening", "Peak", "Photometry", "PhotometryFigures",
+    "Probe", "Probes", "Profile", "Scene", "Share", "Statistics", "Summary", "builtin_scenes", "compare",
+    "instruction_sets", "palettes", "read", "schema", "set_language", "variant", "__version__",
 ]

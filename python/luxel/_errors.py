@@ -2,6 +2,8 @@
 """What went wrong: exceptions with every message of the library, each with its place and how to mend it."""
 from __future__ import annotations
 
+import sys
+import warnings
 from typing import List, NamedTuple, Optional, Sequence, Tuple
 
 
@@ -60,6 +62,19 @@ class LuxelKeyError(LuxelError, KeyError):
 
 class LuxelValueError(LuxelError, ValueError):
     """A call that is wrong in itself: a setting out of its range, a place that is no number; a ValueError too."""
+
+
+class LuxelWarning(UserWarning):
+    """A result is less exact than was asked for: light that surfaces reflect to each other missed its bound.  The
+    result is made all the same, and tells its bound."""
+
+
+def warn(message: str) -> None:
+    """Warns whoever called the package."""
+    frame, level = sys._getframe(1), 2
+    while frame.f_back and frame.f_globals.get("__name__", "").split(".")[0] == "luxel":
+        frame, level = frame.f_back, level + 1
+    warnings.warn(message, LuxelWarning, stacklevel=level)
 
 
 def make_error(status: str, entries: List[Tuple[str, str, str, str, Optional[str], Optional[str], int, int,

@@ -176,6 +176,7 @@ class Alternative(NamedTuple):
     assignment: Optional[str]  #: what makes it: for Scene.set(); None where it is no key of the scene
     present: bool  #: whether it is what the scene says
     value: Optional[float]
+    error: Optional[float]  #: bounds |value - truth|
 
 
 class Judgement(NamedTuple):

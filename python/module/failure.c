@@ -137,10 +137,31 @@ static void raise_failure(struct language *language, luxel_status status, const 
     Py_XDECREF(errors);
 }
 
+/* Warns of bounds of reflected light that were missed, which is advice of the library. */
+static void warn_of_bounds(struct language *language, const luxel_diagnostics *diagnostics)
+{
+    for (size_t i = 0; i < luxel_diagnostics_count(diagnostics) && !PyErr_Occurred(); i++) {
+        const char *id = luxel_diagnostics_get(diagnostics, i)->id;
+
+        if (strcmp(id, "reflected-error") != 0 && strcmp(id, "balance-error") != 0)
+            continue;
+        const luxel_translate translate = language->translate ? language_translate : NULL;
+        PyObject *message = take_text(luxel_diagnostics_message(diagnostics, i, translate, language));
+        PyObject *errors = message ? PyImport_ImportModule("luxel._errors") : NULL;
+        PyObject *done = errors ? PyObject_CallMethod(errors, "warn", "O", message) : NULL;
+
+        Py_XDECREF(done);
+        Py_XDECREF(errors);
+        Py_XDECREF(message);
+    }
+}
+
 bool diagnostics_end(struct language *language, luxel_status status, luxel_diagnostics *diagnostics)
 {
     if (status != LUXEL_OK && !PyErr_Occurred())
         raise_failure(language, status, diagnostics);
+    if (status == LUXEL_OK)
+        warn_of_bounds(language, diagnostics);
     luxel_diagnostics_free(diagnostics);
     return status == LUXEL_OK && !PyErr_Occurred();
 }

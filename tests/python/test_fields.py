@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: MIT
 """Fields are those of the tool: the same bytes in every format, statistics, lines, sections and differences."""
 import pickle
+import warnings
 
 import numpy
 
@@ -146,6 +147,28 @@ def test_statistics(tap, tool):
     tap.ok(numpy.abs(values - numpy.asarray(exact)).max() <= field.error + exact.error, "which holds")
 
 
+def test_missed_bound(tap, tool):
+    room = luxel.Scene.from_text(ROOM.replace("reflections: all", "reflections: 1"))
+    ball = room.changed({"surfaces[0]": {"type": "sphere", "center": [0, 0, 0], "radius": 900, "inside": True,
+                                         "material": {"model": "lambert", "diffuse": 0.5, "over_pi": True}}})
+    ways = {"quantity": "irradiance", "reflected_error": 1e-14}
+    for name, make in (("a picture", lambda: ball.render(**ways)),
+                       ("files", lambda: ball.render_files(tool.file("missed.npy"), **ways))):
+        with warnings.catch_warnings(record=True) as told:
+            warnings.simplefilter("always")
+            make()
+        tap.equal([(one.category, one.filename) for one in told], [(luxel.LuxelWarning, __file__)],
+                  name + " that misses its bound is made, with one warning where it was asked for")
+        tap.ok("maximum" in str(told[0].message), "which tells the bound", str(told[0].message))
+    with warnings.catch_warnings():
+        warnings.simplefilter("error", luxel.LuxelWarning)
+        tap.ok(raises(luxel.LuxelWarning, ball.render, **ways), "which may be made an error")
+        ball.render(quantity="irradiance", reflected_error=0.02)
+    choices = room.alternatives((0, 0), quantity="irradiance")
+    tap.ok(all(abs(one.value - {"none": 1, "1": 1.5, "all": 2}[one.choice]) <= one.error for one in choices),
+           "alternatives have bounds", choices)
+
+
 def test_extrema(tap, tool):
     told = tool.run("stats", "report", "--json").json()
     extrema = luxel.Scene("report").render().extrema()
@@ -220,5 +243,5 @@ def test_xarray(tap, tool):
               "by places")
 
 
-run_tests(Tap(), test_files, test_read, test_of, test_statistics, test_extrema, test_lines, test_profiles, test_compare,
-          test_xarray)
+run_tests(Tap(), test_files, test_read, test_of, test_statistics, test_missed_bound, test_extrema, test_lines,
+          test_profiles, test_compare, test_xarray)

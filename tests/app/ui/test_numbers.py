@@ -61,4 +61,29 @@ def statistics(tap, desk):
     tap.ok(wait("the section", lambda: window.says("Through x = 0, y = 0 mm")), "the section says where it lies")
 
 
-trial(typed_and_set, statistics)
+# Plates that cross each other: a thousandth of the maximum is out of reach there.
+CROSSING = """luxel: 1
+reflections: 1
+screen: {width: 3000, height: 3000, resolution: [8, 8]}
+observer: {z: 9000}
+surfaces:
+  - {type: rectangle, center: [0, 0, 0], size: [3000, 3000], material: {model: lambert, diffuse: 0.8, over_pi: true}}
+  - {type: rectangle, center: [0, 0, 100], size: [1000, 100], axis: [0.9, 0, 0.5],
+     material: {model: lambert, diffuse: 0.8, over_pi: true}}
+lights: [{type: ambient, irradiance: 1}]
+points: [[0, 1000]]
+"""
+
+
+def reflected_light(tap, desk):
+    path = desk.path("crossing.yaml")
+    with open(path, "w", encoding="utf-8") as file:
+        file.write(CROSSING)
+    window = desk.start(path).window()
+    desk.move(5, 5)
+    tap.ok(wait("the missed bound", lambda: window.says("less exact than it should be")), "a missed bound is told")
+    window.press("Statistics", "tab")
+    tap.ok(wait("the bound", lambda: window.says(" %", "\u26a0")), "and stands beside the statistics")
+
+
+trial(typed_and_set, statistics, reflected_light)
