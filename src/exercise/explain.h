@@ -27,5 +27,7 @@ struct lx_steps {
 void lx_explain_place(const struct lx_steps *steps, double x_mm, double y_mm);
 /* The share of one light of the probe. */
 void lx_explain_light(const struct lx_steps *steps, const luxel_light_share *share);
+/* Which surfaces hide how much of a light of so many emitters, if any do. */
+void lx_explain_shadows(const struct lx_steps *steps, const luxel_light_share *share, size_t emitters);
 
 #endif

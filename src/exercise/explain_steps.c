@@ -525,6 +525,7 @@ void lx_explain_light(const struct lx_steps *steps, const luxel_light_share *sha
     if (lx_is_extended(first) || first->is_part || count > 1) {
         explain_sum(steps, share, count, first);
         sum_parts(steps, share);
+        lx_explain_shadows(steps, share, count);
         return;
     }
     struct lx_sample sample = lx_emitter_sample(first, steps->element->place_mm);
@@ -535,6 +536,8 @@ void lx_explain_light(const struct lx_steps *steps, const luxel_light_share *sha
     bool hidden = seen > 0 && lighting.diffuse.value + lighting.specular.value == 0;
     explain_irradiance(steps, first, &sample);
     explain_diffuse(steps, &sample, hidden ? 0 : 1, share);
+    if (hidden)
+        lx_explain_shadows(steps, share, count);
     if (hidden || steps->quantity == LUXEL_IRRADIANCE || steps->element->lobe->model == LX_LAMBERT)
         return;
     explain_highlight(steps, &sample, share);

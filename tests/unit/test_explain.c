@@ -61,6 +61,27 @@ static void tells_what_blocks_it(void **state)
            NULL);
 }
 
+/* Two plates each take half of a lamp, three quarters together; without shadows nothing is told. */
+static void tells_who_hides_it(void **state)
+{
+    (void)state;
+    static const char surfaces[] =
+        "surfaces=[{type: rectangle, center: [0, 0, 0], size: [400, 400]}, {type: rectangle, "
+        "name: screen, center: [510, 0, 500], size: [1000, 1000]}, {type: rectangle, "
+        "center: [0, 510, 250], size: [1000, 1000]}]",
+                      lamp[] = "lights=[{type: planar, rectangle: {center: [10, 10, 1000], size: [200, 200]}, "
+                               "radiance: 10}]",
+                      eye[] = "observer={z: 3000, projection: perspective}";
+    static const char *const words[] = {"; 75 % of that is hidden", "surfaces\\[1\\] screen: 50 %",
+                                        "surfaces\\[2\\]: 50 %"};
+    for (int i = 0; i < 3; i++)
+        expect((struct asked){.scene = "report", .assignments = {surfaces, lamp, eye}, .x_mm = 10, .y_mm = 10},
+               words[i], "surfaces\\[0\\]: ");
+    expect(
+        (struct asked){.scene = "report", .assignments = {surfaces, lamp, eye, "shadows=none"}, .x_mm = 10, .y_mm = 10},
+        "The sum", "of that is hidden");
+}
+
 /* Twelve lights are told one by one; of the others, which give 1 and 2, only the sum. */
 static void adds_up_the_others(void **state)
 {
@@ -102,6 +123,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(tells_where_it_is_not_seen),
         cmocka_unit_test(tells_what_blocks_it),
+        cmocka_unit_test(tells_who_hides_it),
         cmocka_unit_test(adds_up_the_others),
         cmocka_unit_test(tells_the_model),
         cmocka_unit_test(tells_how_an_integral_is_found),
