@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* The pages of points and sections, and what all pages share. */
+/* The page of points, and what all pages share. */
 #include "numbers_private.h"
 
 #include <luxel/drawing.h>
@@ -13,9 +13,9 @@
 #include "results.h"
 #include "row.h"
 
-enum { PLOT_HEIGHT = 230, POINT_COLUMNS = 5 };
+enum { POINT_COLUMNS = 5 };
 
-enum { WANTED, SIGNALS };
+enum { WANTED, READ, SIGNALS };
 static guint signals[SIGNALS];
 
 G_DEFINE_FINAL_TYPE(AppNumbers, app_numbers, GTK_TYPE_BOX)
@@ -138,92 +138,6 @@ luxel_drawing_style app_numbers_style(GtkWidget *widget, luxel_language *languag
     return style;
 }
 
-static void draw_profile(GtkDrawingArea *area, cairo_t *cairo, int width, int height, gpointer data)
-{
-    AppNumbers *self = data;
-    const int which = GTK_WIDGET(area) == self->plots[1];
-    luxel_language language;
-    luxel_drawing_style style = app_numbers_style(GTK_WIDGET(area), &language);
-    luxel_profile_style how;
-    const AppCurve *curve = self->curves[which];
-    const luxel_profile *profile = curve ? &curve->profile : NULL;
-    if (!profile)
-        return;
-    luxel_profile_style_init(&how);
-    if (curve->is_difference) {
-        how.low = curve->low;
-        how.high = curve->high;
-    }
-    how.along = which ? LUXEL_ALONG_Y : LUXEL_ALONG_X;
-    how.marker = self->section_mm[which];
-    how.y_label = self->unit_name;
-    if (self->names && profile->lights == self->name_count)
-        how.names = (const char *const *)self->names;
-    luxel_draw_profile(cairo, &style, profile, &how, width, height);
-}
-
-GtkWidget *app_numbers_new_plot(GtkDrawingAreaDrawFunc draw, AppNumbers *self, const char *name)
-{
-    GtkWidget *area = gtk_drawing_area_new();
-    gtk_drawing_area_set_content_height(GTK_DRAWING_AREA(area), PLOT_HEIGHT);
-    gtk_drawing_area_set_draw_func(GTK_DRAWING_AREA(area), draw, self, NULL);
-    gtk_widget_set_hexpand(area, TRUE);
-    gtk_accessible_update_property(GTK_ACCESSIBLE(area), GTK_ACCESSIBLE_PROPERTY_LABEL, name, -1);
-    return area;
-}
-
-static GtkWidget *new_sections(AppNumbers *self)
-{
-    GtkWidget *page = gtk_box_new(GTK_ORIENTATION_VERTICAL, 8), *scrolled = gtk_scrolled_window_new();
-    self->section_place = gtk_label_new(NULL);
-    gtk_label_set_xalign(GTK_LABEL(self->section_place), 0);
-    gtk_label_set_wrap(GTK_LABEL(self->section_place), TRUE);
-    gtk_label_set_max_width_chars(GTK_LABEL(self->section_place), TEXT_COLUMNS);
-    self->plots[0] = app_numbers_new_plot(draw_profile, self, _("Horizontal section"));
-    self->plots[1] = app_numbers_new_plot(draw_profile, self, _("Vertical section"));
-    gtk_box_append(GTK_BOX(page), self->section_place);
-    gtk_box_append(GTK_BOX(page), self->plots[0]);
-    gtk_box_append(GTK_BOX(page), self->plots[1]);
-    gtk_scrolled_window_set_child(GTK_SCROLLED_WINDOW(scrolled), page);
-    return scrolled;
-}
-
-/* Names for the legend: of a light its own or its type, counted; none of those that are off. */
-static void name_lights(AppNumbers *self)
-{
-    g_strfreev(self->names);
-    self->name_count = app_document_size(self->document, "lights");
-    self->names = g_new0(char *, self->name_count + 1);
-    for (gsize i = 0; i < self->name_count; i++) {
-        char *key = g_strdup_printf("lights[%zu].name", i), *name = app_document_get(self->document, key, NULL);
-        g_free(key);
-        key = g_strdup_printf("lights[%zu].type", i);
-        char *type = app_document_get(self->document, key, NULL), *plain = name ? app_yaml_unquote(name) : NULL;
-        self->names[i] = g_strdup_printf("%zu %s", i + 1, plain ? plain : type ? app_choice_label(type) : "");
-        g_free(plain);
-        g_free(name);
-        g_free(type);
-        g_free(key);
-    }
-}
-
-static void show_sections(AppNumbers *self, AppMeasures *measures)
-{
-    char x[APP_NUMBER_SIZE], y[APP_NUMBER_SIZE];
-    for (int i = 0; i < 2; i++) {
-        app_curve_free(self->curves[i]);
-        self->curves[i] = g_steal_pointer(&measures->curves[i]);
-        self->section_mm[i] = measures->section_mm[i];
-    }
-    name_lights(self);
-    char *text = g_strdup_printf(_("Through x = %s, y = %s mm; drag the lines on the picture"),
-                                 app_number_write(self->section_mm[0], x), app_number_write(self->section_mm[1], y));
-    app_numbers_set_text(self->section_place, text);
-    g_free(text);
-    gtk_widget_queue_draw(self->plots[0]);
-    gtk_widget_queue_draw(self->plots[1]);
-}
-
 /* ---- all ---- */
 
 /* What can be copied; extrema of another shot are no longer those of this one. */
@@ -279,7 +193,7 @@ void app_numbers_show(AppNumbers *self, AppMeasures *measures)
         show_points(self, measures);
     }
     if (measures->has_section)
-        show_sections(self, measures);
+        app_numbers_show_sections(self, measures);
     if (measures->has_statistics)
         app_numbers_show_statistics(self, measures);
 }
@@ -337,6 +251,8 @@ static void app_numbers_class_init(AppNumbersClass *class)
 {
     G_OBJECT_CLASS(class)->dispose = app_numbers_dispose;
     G_OBJECT_CLASS(class)->finalize = app_numbers_finalize;
+    signals[READ] = g_signal_new("read", APP_TYPE_NUMBERS, G_SIGNAL_RUN_LAST, 0, NULL, NULL, NULL, G_TYPE_NONE, 3,
+                                 G_TYPE_DOUBLE, G_TYPE_DOUBLE, G_TYPE_BOOLEAN);
     signals[WANTED] = g_signal_new("wanted", APP_TYPE_NUMBERS, G_SIGNAL_RUN_LAST, 0, NULL, NULL, NULL, G_TYPE_NONE, 0);
 }
 
@@ -344,6 +260,8 @@ static void app_numbers_init(AppNumbers *self)
 {
     gtk_orientable_set_orientation(GTK_ORIENTABLE(self), GTK_ORIENTATION_VERTICAL);
     gtk_box_set_spacing(GTK_BOX(self), 8);
+    for (int i = 0; i < PLOTS; i++)
+        self->cursors[i].at = -1;
 }
 
 GtkWidget *app_numbers_new(AppDocument *document, GtkWidget *space)
@@ -354,7 +272,7 @@ GtkWidget *app_numbers_new(AppDocument *document, GtkWidget *space)
     self->stack = gtk_stack_new();
     gtk_stack_add_titled(GTK_STACK(self->stack), space, page_names[0], _("Plan"));
     gtk_stack_add_titled(GTK_STACK(self->stack), new_points(self), page_names[1], _("Points"));
-    gtk_stack_add_titled(GTK_STACK(self->stack), new_sections(self), page_names[2], _("Section"));
+    gtk_stack_add_titled(GTK_STACK(self->stack), app_numbers_new_sections(self), page_names[2], _("Section"));
     gtk_stack_add_titled(GTK_STACK(self->stack), app_numbers_new_statistics(self), page_names[3], _("Statistics"));
     gtk_stack_switcher_set_stack(GTK_STACK_SWITCHER(switcher), GTK_STACK(self->stack));
     gtk_widget_set_vexpand(self->stack, TRUE);

@@ -2,7 +2,8 @@
 /*
  * What stands beside the picture: a page each for the scene in space, points, sections and statistics.
  *
- * Signal: "wanted" when another page was turned to, which may need other numbers.
+ * Signals: "wanted" when another page was turned to, which may need other numbers; "read" (x_mm, y_mm, is_inside) when a
+ * section is read at a place, or no longer.
  */
 #ifndef LUXEL_APP_NUMBERS_H
 #define LUXEL_APP_NUMBERS_H

@@ -32,10 +32,20 @@ typedef enum Line {
     LINES
 } Line;
 
+/* The plots, off which a cursor reads values. */
+typedef enum Plot { PLOT_HORIZONTAL, PLOT_VERTICAL, PLOT_HISTOGRAM, PLOTS } Plot;
+
+typedef struct Cursor {
+    GtkWidget *words;  /* what it reads */
+    gssize at;         /* the sample or bin, -1: nowhere */
+    luxel_frame frame; /* of the plot, as it was drawn last */
+} Cursor;
+
 struct _AppNumbers {
     GtkBox parent;
     AppDocument *document;
-    GtkWidget *stack, *points, *points_left, *unit, *plots[2], *section_place, *histogram;
+    GtkWidget *stack, *points, *points_left, *unit, *section_place, *plots[PLOTS];
+    Cursor cursors[PLOTS];
     GtkWidget *lines[LINES];
     guint point_rows;
     char *unit_name;
@@ -61,7 +71,17 @@ void app_numbers_set_text(GtkWidget *label, const char *text);
 void app_numbers_set_number(GtkWidget *label, double number);
 /* How plots are drawn on a widget; `language` is room for what the style points to. */
 luxel_drawing_style app_numbers_style(GtkWidget *widget, luxel_language *language);
-GtkWidget *app_numbers_new_plot(GtkDrawingAreaDrawFunc draw, AppNumbers *self, const char *name);
+
+/* numbers_cursor.c: plots, and what is read off them. */
+void app_numbers_add_plot(AppNumbers *self, Plot plot, GtkDrawingAreaDrawFunc draw, const char *name, GtkWidget *page);
+/* Draws the cursor over a plot, whose frame is known. */
+void app_numbers_draw_cursor(AppNumbers *self, Plot plot, cairo_t *cairo, const luxel_drawing_style *style);
+/* The plot has become another: it is drawn, and read, anew. */
+void app_numbers_tell_cursor(AppNumbers *self, Plot plot);
+
+/* numbers_sections.c */
+GtkWidget *app_numbers_new_sections(AppNumbers *self);
+void app_numbers_show_sections(AppNumbers *self, AppMeasures *measures);
 
 /* numbers_statistics.c */
 GtkWidget *app_numbers_new_statistics(AppNumbers *self);

@@ -38,16 +38,26 @@ static void draw_histogram(GtkDrawingArea *area, cairo_t *cairo, int width, int 
     luxel_drawing_style style = app_numbers_style(GTK_WIDGET(area), &language);
     const luxel_bar bar = {
         .palette = self->palette, .low = self->low, .high = self->high, .logarithmic = self->logarithmic};
-    if (self->bins)
-        luxel_draw_histogram(cairo, &style, self->bins, self->palette && self->high > self->low ? &bar : NULL,
-                             self->unit_name, _("pixels"), width, height);
+    if (!self->bins)
+        return;
+    luxel_draw_histogram(cairo, &style, self->bins, self->palette && self->high > self->low ? &bar : NULL,
+                         self->unit_name, _("pixels"), width, height);
+    if (luxel_measure_histogram(&style, self->bins, self->unit_name, _("pixels"), width, height,
+                                &self->cursors[PLOT_HISTOGRAM].frame) == LUXEL_OK)
+        app_numbers_draw_cursor(self, PLOT_HISTOGRAM, cairo, &style);
+}
+
+static gboolean is_place(Line line)
+{
+    return line == LINE_MAXIMUM_PLACE || line == LINE_TRUE_MAXIMUM_PLACE || line == LINE_LEAST_PLACE ||
+           line == LINE_REACHED_PLACE;
 }
 
 GtkWidget *app_numbers_new_statistics(AppNumbers *self)
 {
     GtkWidget *page = gtk_box_new(GTK_ORIENTATION_VERTICAL, 8), *grid = gtk_grid_new();
     GtkWidget *scrolled = gtk_scrolled_window_new();
-    gtk_grid_set_column_spacing(GTK_GRID(grid), 12);
+    gtk_grid_set_column_spacing(GTK_GRID(grid), 6);
     gtk_grid_set_row_spacing(GTK_GRID(grid), 4);
     for (int i = 0; i < LINES; i++) {
         GtkWidget *name = gtk_label_new(_(line_names[i]));
@@ -58,12 +68,13 @@ GtkWidget *app_numbers_new_statistics(AppNumbers *self)
         gtk_label_set_xalign(GTK_LABEL(self->lines[i]), 1);
         gtk_label_set_selectable(GTK_LABEL(self->lines[i]), TRUE);
         gtk_widget_add_css_class(self->lines[i], "numeric");
+        if (is_place((Line)i)) /* two numbers are as wide as a narrow pane */
+            gtk_widget_add_css_class(self->lines[i], "note");
         gtk_grid_attach(GTK_GRID(grid), name, 0, i, 1, 1);
         gtk_grid_attach(GTK_GRID(grid), self->lines[i], 1, i, 1, 1);
     }
-    self->histogram = app_numbers_new_plot(draw_histogram, self, _("Histogram"));
     gtk_box_append(GTK_BOX(page), grid);
-    gtk_box_append(GTK_BOX(page), self->histogram);
+    app_numbers_add_plot(self, PLOT_HISTOGRAM, draw_histogram, _("Histogram"), page);
     gtk_scrolled_window_set_child(GTK_SCROLLED_WINDOW(scrolled), page);
     return scrolled;
 }
@@ -169,5 +180,5 @@ void app_numbers_show_statistics(AppNumbers *self, AppMeasures *measures)
     }
     luxel_histogram_free(self->bins);
     self->bins = g_steal_pointer(&measures->histogram);
-    gtk_widget_queue_draw(self->histogram);
+    app_numbers_tell_cursor(self, PLOT_HISTOGRAM);
 }

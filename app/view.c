@@ -193,6 +193,14 @@ void app_view_set_section(AppView *self, gboolean shown, const double section_mm
     gtk_widget_queue_draw(GTK_WIDGET(self));
 }
 
+void app_view_set_read(AppView *self, const double place_mm[2])
+{
+    self->is_read = place_mm != NULL;
+    if (place_mm)
+        memcpy(self->read_mm, place_mm, sizeof self->read_mm);
+    gtk_widget_queue_draw(GTK_WIDGET(self));
+}
+
 void app_view_select(AppView *self, AppMarkKind kind, gsize index)
 {
     self->selected_kind = kind;
@@ -278,6 +286,8 @@ static void app_view_snapshot(GtkWidget *widget, GtkSnapshot *snapshot)
         gtk_snapshot_pop(snapshot);
     if (display->marks && self->section_shown)
         app_draw_section(snapshot, &self->map, self->section_mm, width, height);
+    if (self->section_shown && self->is_read)
+        app_draw_read(snapshot, widget, &self->map, self->read_mm);
     if (is_whole && display->maximum && !self->is_stale)
         draw_maximum(self, snapshot);
     if (display->marks)

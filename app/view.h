@@ -25,6 +25,8 @@ void app_view_set_picture(AppView *self, AppPicture *picture);
 void app_view_set_isophotes(AppView *self, luxel_isophotes *isophotes);
 /* Shows the section's lines; `shown` FALSE: not. */
 void app_view_set_section(AppView *self, gboolean shown, const double section_mm[2]);
+/* Rings the place at which a section is read; NULL: none is. */
+void app_view_set_read(AppView *self, const double place_mm[2]);
 /* Which source is marked as the chosen one. */
 void app_view_select(AppView *self, AppMarkKind kind, gsize index);
 /* Which mark is lit up, as the pointer is on its line in a list; kind APP_MARK_NONE: none. */

@@ -327,6 +327,13 @@ void app_draw_section(GtkSnapshot *snapshot, const AppMap *map, const double sec
     append_line(snapshot, (float)round(at[0]), 0, 1, (float)height);
 }
 
+void app_draw_read(GtkSnapshot *snapshot, GtkWidget *widget, const AppMap *map, const double place_mm[2])
+{
+    double at[2];
+    app_map_to_widget(map, place_mm, at);
+    put_shape(snapshot, widget, at, (Look){.shape = SHAPE_RING});
+}
+
 void app_draw_isophotes(GtkSnapshot *snapshot, const AppMap *map, const luxel_isophotes *isophotes,
                         const graphene_rect_t *area)
 {

@@ -27,6 +27,7 @@ void app_draw_mark(GtkSnapshot *snapshot, GtkWidget *widget, const AppMap *map, 
 void app_draw_hint(GtkSnapshot *snapshot, GtkWidget *widget, const AppMap *map, const AppMark *mark, const char *hint);
 void app_draw_section(GtkSnapshot *snapshot, const AppMap *map, const double section_mm[2], double width,
                       double height);
+void app_draw_read(GtkSnapshot *snapshot, GtkWidget *widget, const AppMap *map, const double place_mm[2]);
 void app_draw_isophotes(GtkSnapshot *snapshot, const AppMap *map, const luxel_isophotes *isophotes,
                         const graphene_rect_t *area);
 void app_draw_maximum(GtkSnapshot *snapshot, GtkWidget *widget, const AppMap *map, const luxel_extremum *maximum);

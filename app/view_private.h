@@ -17,6 +17,8 @@ struct _AppView {
     luxel_isophotes *isophotes;
     gboolean section_shown;
     double section_mm[2];
+    gboolean is_read; /* a section, at this place */
+    double read_mm[2];
     AppMarkKind selected_kind;
     gsize selected_index;
     AppMarkKind hovered_kind; /* that the pointer is on, here or in a list */

@@ -233,6 +233,13 @@ static void section_moved(AppView *view, double x_mm, double y_mm, AppWindow *se
     app_window_ask_numbers(self);
 }
 
+static void section_read(AppNumbers *numbers, double x_mm, double y_mm, gboolean inside, AppWindow *self)
+{
+    const double place[2] = {x_mm, y_mm};
+    (void)numbers;
+    app_view_set_read(self->view, inside ? place : NULL);
+}
+
 static void page_turned(AppWindow *self)
 {
     app_view_set_section(self->view, app_numbers_page(APP_NUMBERS(self->numbers)) == APP_PAGE_SECTION,
@@ -375,6 +382,7 @@ static void connect_parts(AppWindow *self)
     g_signal_connect(self->sources, "chosen", G_CALLBACK(source_chosen), self);
     g_signal_connect(self->sources, "solo", G_CALLBACK(solo_changed), self);
     g_signal_connect_swapped(self->display_form, "changed", G_CALLBACK(display_changed), self);
+    g_signal_connect(self->numbers, "read", G_CALLBACK(section_read), self);
     g_signal_connect_swapped(self->numbers, "wanted", G_CALLBACK(page_turned), self);
     g_signal_connect_swapped(self->fault_bar, "response", G_CALLBACK(close_faults), self);
     app_dial_set_form(APP_DIAL(self->bar), APP_DISPLAY_FORM(self->display_form));

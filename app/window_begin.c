@@ -15,9 +15,8 @@ static const char hint_key[] = "drag-hint", scene_page[] = "scene", gallery_page
 
 void app_window_update_hint(AppWindow *self)
 {
-    app_view_set_hint(self->view, self->is_hinting && app_window_is_fresh(self)
-                                      ? _("Drag the lamp: the picture follows")
-                                      : NULL);
+    app_view_set_hint(self->view,
+                      self->is_hinting && app_window_is_fresh(self) ? _("Drag the lamp: the picture follows") : NULL);
 }
 
 /* Whoever has dragged a mark needs it no longer, in this window or another. */

@@ -97,6 +97,23 @@ LUXEL_API luxel_status luxel_draw_profile(cairo_t *cairo, const luxel_drawing_st
                                           const luxel_profile *profile, const luxel_profile_style *how, double width,
                                           double height);
 
+/* The frame of a plot's axes, for programs that find the values under a pointer or draw more into it. */
+typedef struct luxel_frame {
+    double x;      /* of its upper left corner */
+    double y;      /* of its upper left corner, downwards */
+    double width;  /* of the frame; 0 where there is no room for the plot */
+    double height; /* likewise */
+    double left;   /* the value at its left edge; between left and right, values lie by powers where the plot does */
+    double right;  /* at its right edge */
+    double bottom; /* at its lower edge */
+    double top;    /* at its upper edge */
+} luxel_frame;
+
+/* Where luxel_draw_profile() with the same arguments draws the curves. */
+LUXEL_API luxel_status luxel_measure_profile(const luxel_drawing_style *style, const luxel_profile *profile,
+                                             const luxel_profile_style *how, double width, double height,
+                                             luxel_frame *frame);
+
 /*
  * Draws a histogram with its axes.  `colors`: the bins in the colours that their values have in this bar; NULL: in ink.
  * The labels: NULL: none.
@@ -104,6 +121,11 @@ LUXEL_API luxel_status luxel_draw_profile(cairo_t *cairo, const luxel_drawing_st
 LUXEL_API luxel_status luxel_draw_histogram(cairo_t *cairo, const luxel_drawing_style *style,
                                             const luxel_histogram *histogram, const luxel_bar *colors,
                                             const char *x_label, const char *y_label, double width, double height);
+
+/* Where luxel_draw_histogram() with the same arguments draws the bins. */
+LUXEL_API luxel_status luxel_measure_histogram(const luxel_drawing_style *style, const luxel_histogram *histogram,
+                                               const char *x_label, const char *y_label, double width, double height,
+                                               luxel_frame *frame);
 
 /* A chain of places along the edge of a surface, as far as nothing stands before it. */
 typedef struct luxel_outline {

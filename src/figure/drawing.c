@@ -35,6 +35,11 @@ bool lx_can_draw(cairo_t *cairo, const luxel_drawing_style *style, double width,
            has_size(height);
 }
 
+bool lx_can_measure(const luxel_drawing_style *style, double width, double height)
+{
+    return style_goes(style) && has_size(width) && has_size(height);
+}
+
 luxel_status luxel_light_color(const luxel_drawing_style *style, size_t i, double color[3])
 {
     if (!style_goes(style) || !color)
@@ -89,6 +94,36 @@ luxel_status lx_drawing_end(struct lx_canvas *canvas)
     case CAIRO_STATUS_NO_MEMORY: return LUXEL_ERROR_MEMORY;
     default: return LUXEL_ERROR_ARGUMENT;
     }
+}
+
+struct lx_canvas lx_measuring_begin(const luxel_drawing_style *style, double width, double height)
+{
+    cairo_surface_t *nowhere = cairo_recording_surface_create(CAIRO_CONTENT_COLOR_ALPHA, NULL);
+    cairo_t *cairo = cairo_create(nowhere);
+    cairo_surface_destroy(nowhere); /* the context has it */
+    return lx_drawing_begin(cairo, style, width, height);
+}
+
+luxel_status lx_measuring_end(struct lx_canvas *canvas)
+{
+    cairo_t *cairo = canvas->cairo;
+    luxel_status status = lx_drawing_end(canvas);
+    cairo_destroy(cairo);
+    return status;
+}
+
+luxel_frame lx_frame_of(const struct lx_plot *plot, bool fits)
+{
+    return (luxel_frame){
+        .x = plot->box.x,
+        .y = plot->box.y,
+        .width = fits ? plot->box.width : 0,
+        .height = fits ? plot->box.height : 0,
+        .left = plot->x.low,
+        .right = plot->x.high,
+        .bottom = plot->y.low,
+        .top = plot->y.high,
+    };
 }
 
 bool lx_fit_plot(const struct lx_canvas *canvas, struct lx_plot *plot, const char *x_label, const char *y_label)
@@ -160,18 +195,13 @@ luxel_status luxel_draw_bar(cairo_t *cairo, const luxel_drawing_style *style, co
 luxel_status luxel_measure_bar(const luxel_drawing_style *style, const luxel_bar *bar, double length, bool lying,
                                double *room)
 {
-    if (!style_goes(style) || !lx_bar_goes(bar) || !has_size(length) || !room)
+    if (!lx_can_measure(style, length, length) || !lx_bar_goes(bar) || !room)
         return LUXEL_ERROR_ARGUMENT;
     const struct lx_bar measured = bar_of(bar, lying);
-    cairo_surface_t *nowhere = cairo_recording_surface_create(CAIRO_CONTENT_COLOR_ALPHA, NULL);
-    cairo_t *cairo = cairo_create(nowhere);
-    struct lx_canvas canvas = lx_drawing_begin(cairo, style, length, length);
+    struct lx_canvas canvas = lx_measuring_begin(style, length, length);
     const struct lx_pane place = bar_place(&measured, &canvas, length, length, style->letters);
     *room = lx_bar_room(&measured, &canvas, lying ? place.width : place.height, style->letters) + 0.2 * style->letters;
-    luxel_status status = lx_drawing_end(&canvas);
-    cairo_destroy(cairo);
-    cairo_surface_destroy(nowhere);
-    return status;
+    return lx_measuring_end(&canvas);
 }
 
 /* ---- histograms ---- */
@@ -255,4 +285,19 @@ luxel_status luxel_draw_histogram(cairo_t *cairo, const luxel_drawing_style *sty
         draw_outline(histogram, &canvas, &plot);
     }
     return lx_drawing_end(&canvas);
+}
+
+luxel_status luxel_measure_histogram(const luxel_drawing_style *style, const luxel_histogram *histogram,
+                                     const char *x_label, const char *y_label, double width, double height,
+                                     luxel_frame *frame)
+{
+    struct lx_plot plot = {.box = {.width = width, .height = height}};
+    if (!lx_can_measure(style, width, height) || !histogram_goes(histogram, &plot.x) || !frame)
+        return LUXEL_ERROR_ARGUMENT;
+    struct lx_canvas canvas = lx_measuring_begin(style, width, height);
+    plot.y = count_scale(histogram);
+    plot.size = style->letters;
+    const bool fits = lx_fit_plot(&canvas, &plot, x_label, y_label);
+    *frame = lx_frame_of(&plot, fits);
+    return lx_measuring_end(&canvas);
 }

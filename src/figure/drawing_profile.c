@@ -136,49 +136,71 @@ static void draw_marker(const struct drawing *drawing, const struct lx_canvas *c
     }
 }
 
-/* The legend at the bottom, where it leaves room for the plot. */
-static void draw(struct drawing *drawing, const struct lx_canvas *canvas, double width, double height, double marker)
+/* Fits the plot into its rectangle, above the legend, of which *legend is the height, where that leaves room for it;
+ * false: there is none for the plot either. */
+static bool lay_out(struct drawing *drawing, const struct lx_canvas *canvas, double width, double height,
+                    double *legend)
 {
     const double size = drawing->plot.size;
     const double least = 5 * size; /* of the plot, that a legend must leave */
-    struct lx_pane below = {.x = 0.3 * size, .width = width - 0.6 * size};
-    double legend = lx_draw_legend(&drawing->legend, canvas, &below, size, false);
+    const struct lx_pane below = {.x = 0.3 * size, .width = width - 0.6 * size};
     struct lx_plot *plot = &drawing->plot;
-    plot->box = (struct lx_pane){.width = width, .height = height - legend - (legend > 0 ? 0.4 * size : 0)};
+    *legend = lx_draw_legend(&drawing->legend, canvas, &below, size, false);
+    plot->box = (struct lx_pane){.width = width, .height = height - *legend - (*legend > 0 ? 0.4 * size : 0)};
     bool fits = plot->box.height > 0 && lx_fit_plot(canvas, plot, drawing->x_label, drawing->y_label);
-    if (legend > 0 && (!fits || plot->box.height < least)) {
-        legend = 0;
+    if (*legend > 0 && (!fits || plot->box.height < least)) {
+        *legend = 0;
         plot->box = (struct lx_pane){.width = width, .height = height};
         fits = lx_fit_plot(canvas, plot, drawing->x_label, drawing->y_label);
     }
-    if (!fits)
+    return fits;
+}
+
+static void draw(struct drawing *drawing, const struct lx_canvas *canvas, double width, double height, double marker)
+{
+    const double size = drawing->plot.size;
+    double legend;
+    if (!lay_out(drawing, canvas, width, height, &legend))
         return;
-    lx_draw_axes(canvas, plot, drawing->x_label, drawing->y_label, true);
-    lx_draw_curves(&drawing->curves, canvas, plot);
+    lx_draw_axes(canvas, &drawing->plot, drawing->x_label, drawing->y_label, true);
+    lx_draw_curves(&drawing->curves, canvas, &drawing->plot);
     draw_marker(drawing, canvas, marker);
-    below.y = height - legend;
+    const struct lx_pane below = {.x = 0.3 * size, .y = height - legend, .width = width - 0.6 * size};
     if (legend > 0)
         lx_draw_legend(&drawing->legend, canvas, &below, size, true);
+}
+
+/* False: the profile cannot be drawn. */
+static bool begin(const luxel_drawing_style *style, const luxel_profile *profile, const luxel_profile_style *how,
+                  struct drawing *drawing)
+{
+    static const enum lx_along ways[] = {LX_ALONG_WAY, LX_ALONG_X, LX_ALONG_Y};
+    if (!profile || !profile->samples || profile->count < 2 || how->along > LUXEL_ALONG_Y)
+        return false;
+    *drawing = (struct drawing){
+        .curves = {.profile = profile, .along = ways[how->along], .stacked = how->stacked},
+        .legend.stacked = how->stacked,
+        .plot.size = style->letters,
+    };
+    choose_x(drawing);
+    choose_y(how, drawing);
+    return lx_scale_goes(&drawing->plot.x) && lx_scale_goes(&drawing->plot.y);
+}
+
+static void end(struct drawing *drawing)
+{
+    free(drawing->lights);
+    free(drawing->names);
 }
 
 luxel_status luxel_draw_profile(cairo_t *cairo, const luxel_drawing_style *style, const luxel_profile *profile,
                                 const luxel_profile_style *how, double width, double height)
 {
     luxel_profile_style defaults;
+    struct drawing drawing;
     luxel_profile_style_init(&defaults);
     how = how ? how : &defaults;
-    if (!lx_can_draw(cairo, style, width, height) || !profile || !profile->samples || profile->count < 2 ||
-        how->along > LUXEL_ALONG_Y)
-        return LUXEL_ERROR_ARGUMENT;
-    static const enum lx_along ways[] = {LX_ALONG_WAY, LX_ALONG_X, LX_ALONG_Y};
-    struct drawing drawing = {
-        .curves = {.profile = profile, .along = ways[how->along], .stacked = how->stacked},
-        .legend.stacked = how->stacked,
-        .plot.size = style->letters,
-    };
-    choose_x(&drawing);
-    choose_y(how, &drawing);
-    if (!lx_scale_goes(&drawing.plot.x) || !lx_scale_goes(&drawing.plot.y))
+    if (!lx_can_draw(cairo, style, width, height) || !begin(style, profile, how, &drawing))
         return LUXEL_ERROR_ARGUMENT;
     luxel_status status = LUXEL_ERROR_MEMORY;
     if (choose_lights(profile, how, &drawing) == 0) {
@@ -187,7 +209,28 @@ luxel_status luxel_draw_profile(cairo_t *cairo, const luxel_drawing_style *style
         draw(&drawing, &canvas, width, height, how->marker);
         status = lx_drawing_end(&canvas);
     }
-    free(drawing.lights);
-    free(drawing.names);
+    end(&drawing);
+    return status;
+}
+
+luxel_status luxel_measure_profile(const luxel_drawing_style *style, const luxel_profile *profile,
+                                   const luxel_profile_style *how, double width, double height, luxel_frame *frame)
+{
+    luxel_profile_style defaults;
+    struct drawing drawing;
+    double legend;
+    luxel_profile_style_init(&defaults);
+    how = how ? how : &defaults;
+    if (!lx_can_measure(style, width, height) || !frame || !begin(style, profile, how, &drawing))
+        return LUXEL_ERROR_ARGUMENT;
+    luxel_status status = LUXEL_ERROR_MEMORY;
+    if (choose_lights(profile, how, &drawing) == 0) {
+        struct lx_canvas canvas = lx_measuring_begin(style, width, height);
+        choose_labels(style, profile, how, &drawing);
+        const bool fits = lay_out(&drawing, &canvas, width, height, &legend);
+        *frame = lx_frame_of(&drawing.plot, fits);
+        status = lx_measuring_end(&canvas);
+    }
+    end(&drawing);
     return status;
 }

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: MIT
 """The numbers beside the picture are those of `luxel probe`, whichever way the scene was changed."""
 import json
+import re
 
 from desk import luxel, trial
 from waiting import wait
@@ -86,4 +87,65 @@ def reflected_light(tap, desk):
     tap.ok(wait("the bound", lambda: window.says(" %", "\u26a0")), "and stands beside the statistics")
 
 
-trial(typed_and_set, statistics, reflected_light)
+BIN = re.compile(r"(\S+) … (\S+): (\d+) pixels?, (\S+) %")
+READ = re.compile(r"([xy]) = (\S+) mm: (\S+)\s*((?:\d+ \S+\s*)*)")
+
+
+def read(window, name, share):
+    """What is read off a plot at a share of its width: the pointer comes there again until something is."""
+    desk, plot = window.desk, wait(name, lambda: window.widget.find(name=name))
+
+    def come():
+        x, y, width, height = plot.area()
+        left, top = window.edges()
+        desk.move(left + x + width * share - 1, top + y + height / 2)
+        desk.move(left + x + width * share, top + y + height / 2)
+        return plot.description
+
+    return wait("what is read off the %s" % name.lower(), come)
+
+
+def sections_are_read(tap, desk):
+    path = desk.path("lights.yaml")
+    with open(path, "wb") as file:
+        file.write(luxel("scene", "three-lights"))
+    window = desk.start(path).window()
+    window.press("Section", "tab")
+    wait("the section", lambda: window.says("Through x = 0, y = 0 mm"))
+    for name, along in (("Horizontal section", "x"), ("Vertical section", "y")):
+        said = wait("the curve", lambda: READ.fullmatch(read(window, name, 0.55)))
+        place = float(said.group(2))
+        point = json.loads(luxel("probe", path, "-p", "%r,0" % place if along == "x" else "0,%r" % place, "--json"))
+        probe = point["points"][0]
+        tap.equal((said.group(1), said.group(3)), (along, "%.7g" % probe["value"]),
+                  "a %s is read with the value of luxel probe" % name.lower())
+        shares = dict(zip(*[iter(said.group(4).split())] * 2))
+        expected = {str(i + 1): "%.5g" % (light["diffuse"] + light["specular"])
+                    for i, light in enumerate(probe["lights"]) if light["irradiance"]}
+        tap.equal(shares, expected, "and with the sources' shares")
+    desk.move(*window.pixel(0, 0))
+    plot = window.widget.find(name="Horizontal section")
+    tap.ok(wait("nothing", lambda: not plot.description), "beside the curves nothing is read")
+
+
+def histogram_is_read(tap, desk):
+    path = desk.path("lights.yaml")
+    with open(path, "wb") as file:
+        file.write(luxel("scene", "three-lights"))
+    window = desk.start(path).window()
+    window.press("Statistics", "tab")
+    wait("the numbers", lambda: window.says("Pixels on a surface"))
+    plot = wait("the histogram", lambda: window.widget.find(name="Histogram"))
+    said = wait("a bin", lambda: BIN.fullmatch(read(window, "Histogram", 0.5)))
+    found = json.loads(luxel("stats", path, "--json", "--histogram", "--bins", "64"))["histogram"]
+    bins = [("%.7g" % found["edges"][i], "%.7g" % found["edges"][i + 1], str(count))
+            for i, count in enumerate(found["counts"])]
+    tap.ok(said.groups()[:3] in bins, "a bin is read as luxel stats has it", said.group())
+    first = bins.index(said.groups()[:3])
+    desk.hand("click", "1")
+    desk.key("Right")
+    tap.ok(wait("the next bin", lambda: BIN.fullmatch(plot.description).groups()[:3] == bins[first + 1]),
+           "and the next one after an arrow")
+
+
+trial(typed_and_set, statistics, reflected_light, sections_are_read, histogram_is_read)
