@@ -2,8 +2,8 @@
 /*
  * What stands beside the picture: a page each for the scene in space, points, sections and statistics.
  *
- * Signals: "wanted" when another page was turned to, which may need other numbers; "read" (x_mm, y_mm, is_inside) when a
- * section is read at a place, or no longer.
+ * Signals: "wanted" when another page was turned to, which may need other numbers; "read" (x_mm, y_mm, is_inside) when
+ * a section is read at a place, or no longer.
  */
 #ifndef LUXEL_APP_NUMBERS_H
 #define LUXEL_APP_NUMBERS_H

@@ -91,6 +91,27 @@ void app_picture_unref(AppPicture *picture)
         g_atomic_rc_box_release_full(picture, clear_picture);
 }
 
+static gboolean value_of(const luxel_field *field, guint column, guint row, double *value)
+{
+    const guint columns = luxel_field_columns(field);
+    if (column >= columns || row >= luxel_field_rows(field) || !luxel_field_mask(field)[(gsize)row * columns + column])
+        return FALSE;
+    *value = luxel_field_value(field, column, row);
+    return TRUE;
+}
+
+gboolean app_picture_value(const AppPicture *picture, guint column, guint row, double *value)
+{
+    double minus = 0;
+    if (picture->side == APP_SIDE_PINNED)
+        return value_of(picture->pinned->field, column, row, value);
+    if (!value_of(picture->shot->field, column, row, value) ||
+        (picture->side == APP_SIDE_DIFFERENCE && !value_of(picture->pinned->field, column, row, &minus)))
+        return FALSE;
+    *value -= minus;
+    return TRUE;
+}
+
 /* Turns all lights but one off; whether that could be done. */
 static gboolean turn_off_others(luxel_scene *scene, gsize solo, luxel_diagnostics *faults)
 {

@@ -56,6 +56,9 @@ void app_shot_unref(AppShot *shot);
 AppPicture *app_picture_ref(AppPicture *picture);
 void app_picture_unref(AppPicture *picture);
 
+/* What the picture shows at a pixel of its field: a value, or the difference of two; FALSE: none, off the surfaces. */
+gboolean app_picture_value(const AppPicture *picture, guint column, guint row, double *value);
+
 /* What is wanted of a painter. */
 typedef struct AppWish {
     luxel_scene *scene; /* a copy, not committed, which is taken over */

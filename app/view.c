@@ -282,7 +282,9 @@ static void app_view_snapshot(GtkWidget *widget, GtkSnapshot *snapshot)
     if (is_whole && display->isophotes && self->isophotes)
         app_draw_isophotes(snapshot, &self->map, self->isophotes,
                            &GRAPHENE_RECT_INIT(0, 0, (float)width, (float)height));
-    if (self->is_stale)
+    if (!self->is_stale)
+        app_draw_values(snapshot, widget, &self->map, self->picture);
+    else
         gtk_snapshot_pop(snapshot);
     if (display->marks && self->section_shown)
         app_draw_section(snapshot, &self->map, self->section_mm, width, height);

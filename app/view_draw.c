@@ -252,6 +252,19 @@ static void draw_name(GtkSnapshot *snapshot, GtkWidget *widget, const double at[
                                                     (float)width, (float)height));
 }
 
+void app_draw_text(GtkSnapshot *snapshot, GtkWidget *widget, const double middle[2], const char *text)
+{
+    static const GdkRGBA white = {1, 1, 1, 1};
+    const int dots = gtk_widget_get_scale_factor(widget);
+    GdkTexture *texture = name_of(widget, text, &white, dots);
+    const double width = (double)gdk_texture_get_width(texture) / dots;
+    const double height = (double)gdk_texture_get_height(texture) / dots;
+    gtk_snapshot_append_texture(snapshot, texture,
+                                &GRAPHENE_RECT_INIT((float)(round((middle[0] - width / 2) * dots) / dots),
+                                                    (float)(round((middle[1] - height / 2) * dots) / dots),
+                                                    (float)width, (float)height));
+}
+
 void app_draw_mark(GtkSnapshot *snapshot, GtkWidget *widget, const AppMap *map, const AppMark *mark, gboolean selected,
                    gboolean hovered)
 {

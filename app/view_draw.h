@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* Drawing what lies over the picture: marks, sections, isophotes. */
+/* Drawing what lies over the picture: values, marks, sections, isophotes. */
 #ifndef LUXEL_APP_VIEW_DRAW_H
 #define LUXEL_APP_VIEW_DRAW_H
 
@@ -23,6 +23,10 @@ gboolean app_mark_shown(const AppMap *map, const AppMark *mark, double width, do
 /* The mark with its label; `hovered`: with a ring around it, as the pointer is on it or on its line of a list. */
 void app_draw_mark(GtkSnapshot *snapshot, GtkWidget *widget, const AppMap *map, const AppMark *mark, gboolean selected,
                    gboolean hovered);
+/* Writes the values of the pixels into them, where they are large enough on the screen for that. */
+void app_draw_values(GtkSnapshot *snapshot, GtkWidget *widget, const AppMap *map, const AppPicture *picture);
+/* A text around its middle, readable on every ground. */
+void app_draw_text(GtkSnapshot *snapshot, GtkWidget *widget, const double middle[2], const char *text);
 /* A sentence beside a mark. */
 void app_draw_hint(GtkSnapshot *snapshot, GtkWidget *widget, const AppMap *map, const AppMark *mark, const char *hint);
 void app_draw_section(GtkSnapshot *snapshot, const AppMap *map, const double section_mm[2], double width,

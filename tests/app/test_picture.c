@@ -284,6 +284,23 @@ static void tells_faults_and_goes_on(void **state)
     close_studio(studio);
 }
 
+/* The values that are told of the pixels are the field's, and there are none where no surface is. */
+static void expect_values(const AppPicture *picture, const luxel_field *field)
+{
+    const guint columns = luxel_field_columns(field), rows = luxel_field_rows(field);
+    const guint8 *mask = luxel_field_mask(field);
+    double value;
+    for (guint row = 0; row < rows; row += 7)
+        for (guint column = 0; column < columns; column++) {
+            const gboolean any = app_picture_value(picture, column, row, &value);
+            assert_int_equal(any, mask[(gsize)row * columns + column] != 0);
+            if (any)
+                assert_true(fabs(value - luxel_field_value(field, column, row)) <= 1e-6 * fabs(value));
+        }
+    assert_false(app_picture_value(picture, columns, 0, &value));
+    assert_false(app_picture_value(picture, 0, rows, &value));
+}
+
 static void compares_with_what_was_pinned(void **state)
 {
     (void)state;
@@ -301,17 +318,20 @@ static void compares_with_what_was_pinned(void **state)
     assert_true(picture->comparison.rms == comparison.rms);
     assert_true(picture->high == comparison.largest.value && picture->low == -picture->high); /* both ways alike */
     expect_pixels(picture, &picture->display, difference);
+    expect_values(picture, difference);
     luxel_field_free(difference);
     studio->wish.side = APP_SIDE_PINNED;
     picture = picture_of(studio);
     assert_int_equal(picture->side, APP_SIDE_PINNED);
     expect_pixels(picture, &studio->wish.display, pinned->field);
+    expect_values(picture, pinned->field);
     set(studio->document, "screen.resolution", "[50, 50]"); /* another grid: no difference, the picture itself */
     studio->wish.side = APP_SIDE_DIFFERENCE;
     picture = picture_of(studio);
     assert_false(picture->has_comparison);
     assert_int_equal(picture->side, APP_SIDE_LIVE);
     expect_pixels(picture, &studio->wish.display, picture->shot->field);
+    expect_values(picture, picture->shot->field);
     app_shot_unref(pinned);
     close_studio(studio);
 }

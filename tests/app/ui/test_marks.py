@@ -128,4 +128,27 @@ def shares(tap, desk):
     tap.equal(sorted(told.values()), sorted(match.group(1) for match in found), "the line at the edge says the same")
 
 
-trial(wheel, names, dark, shares)
+def values_in_pixels(tap, desk):
+    window = desk.start().window()
+    x, y, width, height = (round(number) for number in window.picture_area())
+
+    def whites():
+        # left of the middle and below it, where no mark is and no hint
+        data = desk.screen(x + 40, y + height // 2 + 60, width // 2 - 80, height // 2 - 120)
+        return sum(min(data[i:i + 3]) > 180 for i in range(0, len(data), 3))
+
+    def zoom(times):
+        for _ in range(times):
+            window.act("zoom-in")
+
+    desk.move(x + width / 2, y + height + 20)
+    zoom(8)
+    wait("the zoom", lambda: window.says(" %") and not window.says("146 %"))
+    tap.equal(whites(), 0, "pixels that are somewhat larger have no numbers in them")
+    zoom(11)
+    tap.ok(wait("numbers", lambda: whites() > 40), "those with room for it have")
+    window.act("fit")
+    tap.ok(wait("no numbers", lambda: whites() == 0), "and they are gone when all is in view")
+
+
+trial(wheel, names, values_in_pixels, dark, shares)

@@ -105,6 +105,12 @@ def read(window, name, share):
     return wait("what is read off the %s" % name.lower(), come)
 
 
+def reads(plot):
+    """The bin that is read off a histogram."""
+    said = BIN.fullmatch(plot.description)
+    return said and said.groups()[:3]
+
+
 def sections_are_read(tap, desk):
     path = desk.path("lights.yaml")
     with open(path, "wb") as file:
@@ -141,11 +147,13 @@ def histogram_is_read(tap, desk):
     bins = [("%.7g" % found["edges"][i], "%.7g" % found["edges"][i + 1], str(count))
             for i, count in enumerate(found["counts"])]
     tap.ok(said.groups()[:3] in bins, "a bin is read as luxel stats has it", said.group())
-    first = bins.index(said.groups()[:3])
     desk.hand("click", "1")
-    desk.key("Right")
-    tap.ok(wait("the next bin", lambda: BIN.fullmatch(plot.description).groups()[:3] == bins[first + 1]),
-           "and the next one after an arrow")
+    wait("the keyboard", lambda: plot.has("focused"))
+    desk.move(*window.pixel(0, 0))
+    wait("nothing is read", lambda: not plot.description)
+    for key, index in (("Home", 0), ("Right", 1), ("End", len(bins) - 1), ("Left", len(bins) - 2)):
+        desk.key(key)
+        tap.ok(wait(key, lambda i=index: reads(plot) == bins[i]), "%s goes to its bin" % key)
 
 
 trial(typed_and_set, statistics, reflected_light, sections_are_read, histogram_is_read)
