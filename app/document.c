@@ -19,6 +19,7 @@ struct _AppDocument {
     guint64 serial;
     gint64 last_change; /* monotonic time */
     guint gestures;
+    const char *topic;       /* of every change; NULL: each has its own */
     gboolean gesture_is_new; /* nothing was changed in it yet */
     gboolean was_modified;
 };
@@ -314,7 +315,7 @@ gboolean app_document_edit(AppDocument *self, const AppEdit *edits, gsize count,
     }
     /* taking elements in and out is never one with what was done before */
     gboolean merge = edits[0].kind == APP_EDIT_SET && merges(self);
-    app_history_add(self->history, self->text, text, topic ? topic : edits[0].key, merge);
+    app_history_add(self->history, self->text, text, topic ? topic : self->topic ? self->topic : edits[0].key, merge);
     g_free(self->text);
     self->text = text;
     tell(self, FALSE);
@@ -325,6 +326,11 @@ gboolean app_document_set(AppDocument *self, const char *key, const char *value,
 {
     const AppEdit edit = {.kind = APP_EDIT_SET, .key = key, .value = value};
     return app_document_edit(self, &edit, 1, NULL, diagnostics);
+}
+
+void app_document_set_topic(AppDocument *self, const char *topic)
+{
+    self->topic = topic;
 }
 
 void app_document_begin_gesture(AppDocument *self)

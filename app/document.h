@@ -86,6 +86,10 @@ gboolean app_document_set(AppDocument *self, const char *key, const char *value,
 void app_document_begin_gesture(AppDocument *self);
 void app_document_end_gesture(AppDocument *self);
 
+/* While it is set, every change is about this topic, as of several elements that are changed together; NULL: each about
+ * its own.  The text lives as long. */
+void app_document_set_topic(AppDocument *self, const char *topic);
+
 gboolean app_document_undo(AppDocument *self);
 gboolean app_document_redo(AppDocument *self);
 const AppHistory *app_document_history(const AppDocument *self);

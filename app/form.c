@@ -28,6 +28,7 @@ struct _AppForm {
     const char *except;
     AppKeys keys;
     char *type;
+    GArray *others; /* gsize: the elements that take the changes, too */
     GPtrArray *entries;
     GHashTable *slid; /* the paths of the parameters whose sliders are shown */
     gboolean is_photometric;
@@ -127,16 +128,43 @@ static void apply(AppForm *self, AppEdits *edits, const Entry *entry)
     luxel_diagnostics_free(faults);
 }
 
+/* Adds to the edits what a change of the entry is to one element. */
+typedef void (*Change)(const AppKeys *keys, const Entry *entry, const char *yaml, AppEdits *edits);
+
+/* The change of the element that is shown, and of the others, as one step. */
+static void change_all(const Entry *entry, Change change, const char *yaml, AppEdits *edits)
+{
+    const AppForm *self = entry->form;
+    const gboolean is_name = g_str_has_suffix(entry->parameter->path, ".name");
+    change(&self->keys, entry, yaml, edits);
+    for (guint i = 0; i < self->others->len && !is_name; i++) {
+        AppKeys keys = self->keys;
+        keys.index = g_array_index(self->others, gsize, i);
+        char *path = g_strdup_printf("lights[%zu].type", keys.index);
+        char *type = app_document_get(self->document, path, NULL);
+        keys.type = type;
+        if (type && app_keys_has(&keys, entry->parameter) && app_keys_is_shown(&keys, entry->parameter))
+            change(&keys, entry, yaml, edits);
+        g_free(type);
+        g_free(path);
+    }
+}
+
+static void change_value(const AppKeys *keys, const Entry *entry, const char *yaml, AppEdits *edits)
+{
+    if (*yaml == '\0' || strcmp(yaml, "\"\"") == 0) {
+        char *path = app_keys_path(keys, entry->parameter);
+        app_edits_add(edits, APP_EDIT_REMOVE, path, NULL, 0, 0);
+        g_free(path);
+    } else
+        app_keys_set(keys, entry->parameter, entry->component, yaml, edits);
+}
+
 static void edited(AppRow *row, const char *yaml, Entry *entry)
 {
     AppEdits *edits = app_edits_new();
     app_row_set_fault(row, NULL);
-    if (*yaml == '\0' || strcmp(yaml, "\"\"") == 0) {
-        char *path = app_keys_path(&entry->form->keys, entry->parameter);
-        app_edits_add(edits, APP_EDIT_REMOVE, path, NULL, 0, 0);
-        g_free(path);
-    } else
-        app_keys_set(&entry->form->keys, entry->parameter, entry->component, yaml, edits);
+    change_all(entry, change_value, yaml, edits);
     const AppRowKind kind = kind_of(entry->parameter->value_type);
     const gboolean is_typed = kind == APP_ROW_TEXT || kind == APP_ROW_YAML;
     char *reason = is_typed ? reason_against(entry->form, edits, entry) : NULL;
@@ -149,21 +177,26 @@ static void edited(AppRow *row, const char *yaml, Entry *entry)
 }
 
 /* The default, or what the scene had when it was opened. */
-static void reset(AppRow *row, Entry *entry)
+static void change_back(const AppKeys *keys, const Entry *entry, const char *yaml, AppEdits *edits)
 {
-    AppForm *self = entry->form;
-    AppEdits *edits = app_edits_new();
-    char *path = app_keys_path(&self->keys, entry->parameter);
-    char *opened = app_document_get_opened(self->document, path);
-    (void)row;
+    char *path = app_keys_path(keys, entry->parameter);
+    char *opened = app_document_get_opened(entry->form->document, path);
+    (void)yaml;
     if (entry->parameter->default_value)
         app_edits_add(edits, APP_EDIT_REMOVE, path, NULL, 0, 0);
     else if (opened)
-        app_keys_set(&self->keys, entry->parameter, -1, opened, edits);
-    if (edits->list->len > 0)
-        apply(self, edits, entry);
+        app_keys_set(keys, entry->parameter, -1, opened, edits);
     g_free(opened);
     g_free(path);
+}
+
+static void reset(AppRow *row, Entry *entry)
+{
+    AppEdits *edits = app_edits_new();
+    (void)row;
+    change_all(entry, change_back, NULL, edits);
+    if (edits->list->len > 0)
+        apply(entry->form, edits, entry);
     app_edits_free(edits);
 }
 
@@ -459,6 +492,12 @@ void app_form_set_element(AppForm *self, gsize index, const char *type)
         app_form_refresh(self);
 }
 
+void app_form_set_others(AppForm *self, const gsize *others, gsize count)
+{
+    g_array_set_size(self->others, 0);
+    g_array_append_vals(self->others, others, (guint)count);
+}
+
 void app_form_suggest(AppForm *self, const char *key, double low, double high)
 {
     for (guint i = 0; i < self->entries->len; i++) {
@@ -499,6 +538,7 @@ static void app_form_finalize(GObject *object)
     AppForm *self = APP_FORM(object);
     g_ptr_array_unref(self->entries);
     g_hash_table_unref(self->slid);
+    g_array_unref(self->others);
     g_free(self->type);
     G_OBJECT_CLASS(app_form_parent_class)->finalize(object);
 }
@@ -512,6 +552,7 @@ static void app_form_class_init(AppFormClass *class)
 static void app_form_init(AppForm *self)
 {
     self->entries = g_ptr_array_new_with_free_func(g_free);
+    self->others = g_array_new(FALSE, FALSE, sizeof(gsize));
     self->slid = g_hash_table_new(g_str_hash, g_str_equal);
     gtk_orientable_set_orientation(GTK_ORIENTABLE(self), GTK_ORIENTATION_VERTICAL);
     gtk_box_set_spacing(GTK_BOX(self), 4);

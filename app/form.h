@@ -23,6 +23,9 @@ GtkWidget *app_form_new(AppDocument *document, const luxel_parameters *parameter
 /* Shows the element `index` of the list that the paths go through, of this type; NULL: there is none. */
 void app_form_set_element(AppForm *self, gsize index, const char *type);
 
+/* Which other elements of the list take every change, too, as far as they have its key; names are each one's own. */
+void app_form_set_others(AppForm *self, const gsize *others, gsize count);
+
 /* Shows the document's present values. */
 void app_form_refresh(AppForm *self);
 

@@ -28,6 +28,7 @@ static const struct {
     {"Ctrl+D", N_("Duplicate the source")},
     {"Ctrl+Delete", N_("Delete the source")},
     {"1 … 9", N_("Choose the source of this number")},
+    {N_("Ctrl+click, Shift+click"), N_("Choose one more source, in the list or on the picture")},
     {"Alt+↑, Alt+↓", N_("Move the source in the list")},
     {"Ctrl+V", N_("Paste sources “x, y, z; …” or points “x, y; …”")},
     {"Esc", N_("In a field: back to the value that holds")},

@@ -24,8 +24,11 @@ struct _AppSources {
     AppDocument *document;
     const luxel_parameters *parameters;
     GtkWidget *list, *scrolled, *more, *form, *diagram, *aim;
+    GtkWidget *several;
     GPtrArray *items; /* AppSourceRow's */
     gsize chosen;
+    GArray *together; /* gsize, rising: all that are chosen */
+    gsize count;      /* of the sources, as it was last */
     gssize solo;
     gboolean is_updating;
 };
@@ -40,6 +43,28 @@ static char *get(AppSources *self, gsize index, const char *name)
     char *key = g_strdup_printf("lights[%zu].%s", index, name), *value = app_document_get(self->document, key, NULL);
     g_free(key);
     return value;
+}
+
+/* ---- which are chosen ---- */
+
+const GArray *app_sources_chosen(const AppSources *self)
+{
+    return self->together;
+}
+
+static gboolean is_chosen(const AppSources *self, gsize index)
+{
+    for (guint i = 0; i < self->together->len; i++)
+        if (g_array_index(self->together, gsize, i) == index)
+            return TRUE;
+    return FALSE;
+}
+
+static void choose_alone(AppSources *self, gsize index)
+{
+    self->chosen = index;
+    g_array_set_size(self->together, 0);
+    g_array_append_val(self->together, index);
 }
 
 /* ---- rows ---- */
@@ -143,11 +168,36 @@ static void show_chosen(AppSources *self)
 {
     char *type = self->chosen < app_document_size(self->document, "lights") ? get(self, self->chosen, "type") : NULL;
     char *aimed = type ? aimed_part(self) : NULL;
+    GArray *others = g_array_new(FALSE, FALSE, sizeof(gsize));
+    for (guint i = 0; i < self->together->len; i++)
+        if (g_array_index(self->together, gsize, i) != self->chosen)
+            g_array_append_val(others, g_array_index(self->together, gsize, i));
+    char *several = g_strdup_printf(
+        ngettext("%u source is changed", "%u sources are changed together", others->len + 1), others->len + 1);
+    gtk_label_set_text(GTK_LABEL(self->several), others->len > 0 ? several : "");
+    gtk_widget_set_visible(self->several, others->len > 0);
     app_form_set_element(APP_FORM(self->form), self->chosen, type);
+    app_form_set_others(APP_FORM(self->form), (const gsize *)(const void *)others->data, others->len);
+    g_free(several);
+    g_array_unref(others);
     gtk_widget_set_sensitive(self->aim, aimed != NULL);
     show_diagram(self, type);
     g_free(type);
     g_free(aimed);
+}
+
+/* The list shows what is chosen. */
+static void show_rows(AppSources *self)
+{
+    for (guint i = 0; i < self->items->len; i++) {
+        GtkListBoxRow *row = gtk_list_box_get_row_at_index(GTK_LIST_BOX(self->list), (int)i);
+        if (is_chosen(self, i) == gtk_list_box_row_is_selected(row))
+            continue;
+        if (is_chosen(self, i))
+            gtk_list_box_select_row(GTK_LIST_BOX(self->list), row);
+        else
+            gtk_list_box_unselect_row(GTK_LIST_BOX(self->list), row);
+    }
 }
 
 void app_sources_refresh(AppSources *self)
@@ -160,10 +210,10 @@ void app_sources_refresh(AppSources *self)
         remove_last(self);
     for (guint i = 0; i < self->items->len; i++)
         refresh_item(self, g_ptr_array_index(self->items, i));
-    self->chosen = MIN(self->chosen, count > 0 ? count - 1 : 0);
-    GtkListBoxRow *row = gtk_list_box_get_row_at_index(GTK_LIST_BOX(self->list), (int)self->chosen);
-    if (row && row != gtk_list_box_get_selected_row(GTK_LIST_BOX(self->list)))
-        gtk_list_box_select_row(GTK_LIST_BOX(self->list), row);
+    if (count != self->count || self->chosen >= MAX(count, 1)) /* the others are no longer where they were */
+        choose_alone(self, MIN(self->chosen, count > 0 ? count - 1 : 0));
+    self->count = count;
+    show_rows(self);
     gtk_scrolled_window_set_min_content_height(GTK_SCROLLED_WINDOW(self->scrolled),
                                                (int)MIN(shown, MOST_ROWS) * ROW_HEIGHT);
     char *more = g_strdup_printf(ngettext("and %zu more", "and %zu more", count - shown), count - shown);
@@ -174,20 +224,60 @@ void app_sources_refresh(AppSources *self)
     show_chosen(self);
 }
 
-static void row_selected(GtkListBox *list, GtkListBoxRow *row, AppSources *self)
+/* The one that is new among the selected rows is shown; where none is, the one that was, or the last of them. */
+static void rows_selected(GtkListBox *list, AppSources *self)
 {
-    (void)list;
-    if (self->is_updating || !row)
+    if (self->is_updating)
         return;
-    self->chosen = (gsize)gtk_list_box_row_get_index(row);
+    GList *rows = gtk_list_box_get_selected_rows(list);
+    GArray *together = g_array_new(FALSE, FALSE, sizeof(gsize));
+    gsize shown = self->chosen;
+    gboolean is_left = TRUE, is_new = FALSE;
+    for (GList *at = rows; at; at = at->next) {
+        const gsize index = (gsize)gtk_list_box_row_get_index(at->data);
+        g_array_append_val(together, index);
+        is_left = is_left && index != self->chosen;
+        if (is_chosen(self, index))
+            continue;
+        shown = index;
+        is_new = TRUE;
+    }
+    g_list_free(rows);
+    if (together->len == 0) { /* one stays chosen */
+        g_array_unref(together);
+        app_sources_refresh(self);
+        return;
+    }
+    if (is_left && !is_new)
+        shown = g_array_index(together, gsize, together->len - 1);
+    self->chosen = shown;
+    g_array_unref(self->together);
+    self->together = together;
     show_chosen(self);
     g_signal_emit(self, signals[CHOSEN], 0, (guint)self->chosen);
 }
 
 void app_sources_choose(AppSources *self, gsize index)
 {
-    self->chosen = index;
+    choose_alone(self, index);
     app_sources_refresh(self);
+}
+
+void app_sources_toggle(AppSources *self, gsize index)
+{
+    guint at = 0;
+    while (at < self->together->len && g_array_index(self->together, gsize, at) < index)
+        at++;
+    if (!is_chosen(self, index)) {
+        g_array_insert_val(self->together, at, index);
+        self->chosen = index;
+    } else if (self->together->len > 1) {
+        g_array_remove_index(self->together, at);
+        if (self->chosen == index)
+            self->chosen = g_array_index(self->together, gsize, 0);
+    }
+    app_sources_refresh(self);
+    g_signal_emit(self, signals[CHOSEN], 0, (guint)self->chosen);
 }
 
 void app_sources_hover(AppSources *self, gssize index)
@@ -280,22 +370,47 @@ void app_sources_add_luminaire(AppSources *self, const char *file)
     g_free(yaml);
 }
 
+/* The doubles stand behind the last of the chosen ones, and are chosen in their place. */
 void app_sources_duplicate(AppSources *self)
 {
-    char *yaml = app_doubled_source(self->document, self->chosen);
-    if (yaml)
-        insert(self, behind_chosen(self), yaml);
-    g_free(yaml);
+    AppEdits *edits = app_edits_new();
+    const gsize behind = g_array_index(self->together, gsize, self->together->len - 1) + 1;
+    gsize count = 0;
+    for (guint i = 0; i < self->together->len; i++) {
+        char *yaml = app_doubled_source(self->document, g_array_index(self->together, gsize, i));
+        if (yaml)
+            app_edits_add(edits, APP_EDIT_INSERT, "lights", yaml, behind + count++, 0);
+        g_free(yaml);
+    }
+    app_sources_end_solo(self);
+    if (count > 0 && app_edits_make(edits, self->document, NULL)) {
+        choose_alone(self, behind);
+        for (gsize i = 1; i < count; i++) {
+            const gsize index = behind + i;
+            g_array_append_val(self->together, index);
+        }
+        app_sources_refresh(self);
+        g_signal_emit(self, signals[CHOSEN], 0, (guint)self->chosen);
+    }
+    app_edits_free(edits);
 }
 
 void app_sources_delete(AppSources *self)
 {
-    char *key = g_strdup_printf("lights[%zu]", self->chosen);
-    const AppEdit edit = {.kind = APP_EDIT_REMOVE, .key = key};
+    AppEdits *edits = app_edits_new();
+    for (guint i = self->together->len; i-- > 0;) { /* from the end, so that the others stay where they are */
+        const gsize index = g_array_index(self->together, gsize, i);
+        char *key = g_strdup_printf("lights[%zu]", index);
+        if (index < app_document_size(self->document, "lights"))
+            app_edits_add(edits, APP_EDIT_REMOVE, key, NULL, 0, 0);
+        g_free(key);
+    }
     app_sources_end_solo(self);
-    if (self->chosen < app_document_size(self->document, "lights"))
-        app_document_edit(self->document, &edit, 1, NULL, NULL);
-    g_free(key);
+    if (edits->list->len > 0) {
+        choose_alone(self, g_array_index(self->together, gsize, 0));
+        app_edits_make(edits, self->document, NULL);
+    }
+    app_edits_free(edits);
 }
 
 void app_sources_move(AppSources *self, int step)
@@ -305,7 +420,7 @@ void app_sources_move(AppSources *self, int step)
         return;
     const AppEdit edit = {.kind = APP_EDIT_MOVE, .key = "lights", .index = self->chosen, .to = (gsize)to};
     app_sources_end_solo(self);
-    self->chosen = (gsize)to;
+    choose_alone(self, (gsize)to);
     app_document_edit(self->document, &edit, 1, NULL, NULL);
     g_signal_emit(self, signals[CHOSEN], 0, (guint)self->chosen);
 }
@@ -385,6 +500,7 @@ char *app_sources_paste(AppSources *self, const char *text)
 static void app_sources_dispose(GObject *object)
 {
     AppSources *self = APP_SOURCES(object);
+    self->is_updating = TRUE; /* rows that go choose nothing */
     g_clear_object(&self->document);
     G_OBJECT_CLASS(app_sources_parent_class)->dispose(object);
 }
@@ -392,6 +508,7 @@ static void app_sources_dispose(GObject *object)
 static void app_sources_finalize(GObject *object)
 {
     g_ptr_array_unref(APP_SOURCES(object)->items);
+    g_array_unref(APP_SOURCES(object)->together);
     G_OBJECT_CLASS(app_sources_parent_class)->finalize(object);
 }
 
@@ -410,6 +527,8 @@ static void app_sources_class_init(AppSourcesClass *class)
 static void app_sources_init(AppSources *self)
 {
     self->items = g_ptr_array_new();
+    self->together = g_array_new(FALSE, FALSE, sizeof(gsize));
+    choose_alone(self, 0);
     self->solo = -1;
     gtk_orientable_set_orientation(GTK_ORIENTABLE(self), GTK_ORIENTATION_VERTICAL);
     gtk_box_set_spacing(GTK_BOX(self), 6);
@@ -438,13 +557,19 @@ GtkWidget *app_sources_new(AppDocument *document, const luxel_parameters *parame
     self->form = app_form_new(document, parameters, prefixes, NULL);
     gtk_widget_add_css_class(self->list, "frame");
     gtk_accessible_update_property(GTK_ACCESSIBLE(self->list), GTK_ACCESSIBLE_PROPERTY_LABEL, _("Sources"), -1);
-    g_signal_connect(self->list, "row-selected", G_CALLBACK(row_selected), self);
+    gtk_list_box_set_selection_mode(GTK_LIST_BOX(self->list), GTK_SELECTION_MULTIPLE);
+    g_signal_connect(self->list, "selected-rows-changed", G_CALLBACK(rows_selected), self);
+    self->several = gtk_label_new(NULL);
+    gtk_label_set_xalign(GTK_LABEL(self->several), 0);
+    gtk_label_set_wrap(GTK_LABEL(self->several), TRUE);
+    gtk_widget_add_css_class(self->several, "heading");
     self->scrolled = gtk_scrolled_window_new();
     gtk_scrolled_window_set_policy(GTK_SCROLLED_WINDOW(self->scrolled), GTK_POLICY_NEVER, GTK_POLICY_AUTOMATIC);
     gtk_scrolled_window_set_child(GTK_SCROLLED_WINDOW(self->scrolled), self->list);
     gtk_box_append(GTK_BOX(self), new_toolbar(self)); /* above the list, which grows, so that it stays in its place */
     gtk_box_append(GTK_BOX(self), self->scrolled);
     gtk_box_append(GTK_BOX(self), self->more);
+    gtk_box_append(GTK_BOX(self), self->several);
     gtk_box_append(GTK_BOX(self), self->form);
     self->diagram = app_diagram_new();
     gtk_box_append(GTK_BOX(self), self->diagram);

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /*
- * The list of sources with what each gives, and the form of the chosen one.
+ * The list of sources with what each gives, and the form of the chosen one; of several that are chosen, of the
+ * one that was chosen last, and its changes are for all of them.
  *
  * Signals: "chosen" (index) when another one was chosen; "solo" (index, -1 for none) when one alone is to be seen;
  * "hovered" (index, -1 for none) when the pointer comes to a row or leaves it.
@@ -17,7 +18,11 @@ G_DECLARE_FINAL_TYPE(AppSources, app_sources, APP, SOURCES, GtkBox)
 GtkWidget *app_sources_new(AppDocument *document, const luxel_parameters *parameters);
 
 void app_sources_refresh(AppSources *self);
+/* Chooses one source alone; or takes one more in, or one out, of which one stays. */
 void app_sources_choose(AppSources *self, gsize index);
+void app_sources_toggle(AppSources *self, gsize index);
+/* All that are chosen, rising (gsize); they are changed together. */
+const GArray *app_sources_chosen(const AppSources *self);
 /* Which row is lit up, as the pointer is on its mark; -1: none. */
 void app_sources_hover(AppSources *self, gssize index);
 /* Dims what the sources give: it is of an earlier scene. */

@@ -11,7 +11,7 @@
 enum { MARGIN = 12 };
 static const double LEAST_ZOOM = 0.02, MOST_ZOOM = 200; /* of the fitted picture */
 
-enum { POINTED, SELECTED, SECTION_MOVED, FRAMED, HOVERED, MOVED, SIGNALS };
+enum { POINTED, SELECTED, SECTION_MOVED, FRAMED, HOVERED, MOVED, TOGGLED, SIGNALS };
 static guint signals[SIGNALS];
 
 G_DEFINE_FINAL_TYPE(AppView, app_view, GTK_TYPE_WIDGET)
@@ -208,6 +208,21 @@ void app_view_select(AppView *self, AppMarkKind kind, gsize index)
     gtk_widget_queue_draw(GTK_WIDGET(self));
 }
 
+void app_view_choose(AppView *self, const GArray *lights)
+{
+    g_array_set_size(self->chosen, 0);
+    g_array_append_vals(self->chosen, lights->data, lights->len);
+    gtk_widget_queue_draw(GTK_WIDGET(self));
+}
+
+gboolean app_view_is_chosen(const AppView *self, const AppMark *mark)
+{
+    for (guint i = 0; i < self->chosen->len && self->chosen->len > 1 && mark->kind == APP_MARK_SOURCE; i++)
+        if (g_array_index(self->chosen, gsize, i) == mark->index)
+            return TRUE;
+    return FALSE;
+}
+
 void app_view_hover(AppView *self, AppMarkKind kind, gsize index)
 {
     if (kind == self->hovered_kind && index == self->hovered_index)
@@ -258,7 +273,7 @@ static void draw_marks(AppView *self, GtkSnapshot *snapshot)
     for (guint i = 0; i < self->marks->len; i++) {
         const AppMark *mark = &g_array_index(self->marks, AppMark, i);
         app_draw_mark(snapshot, GTK_WIDGET(self), &self->map, mark,
-                      is_mark(mark, self->selected_kind, self->selected_index),
+                      is_mark(mark, self->selected_kind, self->selected_index) || app_view_is_chosen(self, mark),
                       is_mark(mark, self->hovered_kind, self->hovered_index));
         if (self->hint && is_mark(mark, APP_MARK_SOURCE, 0))
             app_draw_hint(snapshot, GTK_WIDGET(self), &self->map, mark, self->hint);
@@ -321,6 +336,7 @@ static void app_view_dispose(GObject *object)
 static void app_view_finalize(GObject *object)
 {
     g_free(APP_VIEW(object)->hint);
+    g_array_unref(APP_VIEW(object)->chosen);
     G_OBJECT_CLASS(app_view_parent_class)->finalize(object);
 }
 
@@ -341,6 +357,8 @@ static void app_view_class_init(AppViewClass *class)
                                           G_TYPE_NONE, 2, G_TYPE_DOUBLE, G_TYPE_DOUBLE);
     signals[HOVERED] = g_signal_new("hovered", APP_TYPE_VIEW, G_SIGNAL_RUN_LAST, 0, NULL, NULL, NULL, G_TYPE_NONE, 2,
                                     G_TYPE_INT, G_TYPE_UINT);
+    signals[TOGGLED] =
+        g_signal_new("toggled", APP_TYPE_VIEW, G_SIGNAL_RUN_LAST, 0, NULL, NULL, NULL, G_TYPE_NONE, 1, G_TYPE_UINT);
     signals[MOVED] = g_signal_new("moved", APP_TYPE_VIEW, G_SIGNAL_RUN_LAST, 0, NULL, NULL, NULL, G_TYPE_NONE, 0);
     signals[FRAMED] = g_signal_new("framed", APP_TYPE_VIEW, G_SIGNAL_RUN_LAST, 0, NULL, NULL, NULL, G_TYPE_NONE, 0);
 }
@@ -349,6 +367,7 @@ static void app_view_init(AppView *self)
 {
     GtkWidget *widget = GTK_WIDGET(self);
     self->marks = g_array_new(FALSE, TRUE, sizeof(AppMark));
+    self->chosen = g_array_new(FALSE, FALSE, sizeof(gsize));
     self->surface = -1;
     self->is_fitted = TRUE;
     self->map.scale = 1;

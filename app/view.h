@@ -4,7 +4,8 @@
  *
  * Signals: "pointed" (x_mm, y_mm, is_inside) when the pointer moves; "selected" (kind, index) when a mark was taken;
  * "section-moved" (x_mm, y_mm); "framed" when another part of the screen is shown than before; "hovered" (kind, index)
- * when the pointer comes to a mark, or with kind 0 leaves it; "moved" when a drag moves a mark.
+ * when the pointer comes to a mark, or with kind 0 leaves it; "moved" when a drag moves a mark; "toggled"
+ * (index) when a source is to be chosen beside the others, or no longer.
  */
 #ifndef LUXEL_APP_VIEW_H
 #define LUXEL_APP_VIEW_H
@@ -29,6 +30,8 @@ void app_view_set_section(AppView *self, gboolean shown, const double section_mm
 void app_view_set_read(AppView *self, const double place_mm[2]);
 /* Which source is marked as the chosen one. */
 void app_view_select(AppView *self, AppMarkKind kind, gsize index);
+/* The sources that are chosen together (gsize), which are moved together. */
+void app_view_choose(AppView *self, const GArray *lights);
 /* Which mark is lit up, as the pointer is on its line in a list; kind APP_MARK_NONE: none. */
 void app_view_hover(AppView *self, AppMarkKind kind, gsize index);
 /* Dims the picture: it is of an earlier scene, as the present one cannot be computed. */

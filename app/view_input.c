@@ -7,7 +7,10 @@
 #include "number.h"
 #include "view_private.h"
 
-enum { REACH = 12 /* pixels from a mark within which a press takes it */ };
+enum {
+    REACH = 12, /* pixels from a mark within which a press takes it */
+    STILL = 4   /* within which a press with Ctrl or Shift is no drag */
+};
 
 /* ---- taking hold ---- */
 
@@ -82,8 +85,56 @@ static void take(AppView *self, const AppMark *mark, const double at[2])
     app_hand_take(&self->hand, mark, pointer, shown);
     self->doing = DOING_MOVE;
     app_document_begin_gesture(self->document);
-    if (mark->kind != APP_MARK_SECTION)
+    self->was_chosen = app_view_is_chosen(self, mark);
+    self->has_moved = FALSE;
+    if (mark->kind != APP_MARK_SECTION && !self->was_chosen && !self->is_toggling)
         select_mark(self, mark);
+}
+
+/* Moves the other chosen sources as far as one of them was; distant light stands nowhere, and stays. */
+static void move_others(AppView *self, const AppMark *moved, const double step[3])
+{
+    for (guint i = 0; i < self->marks->len; i++) {
+        const AppMark *mark = &g_array_index(self->marks, AppMark, i);
+        if (app_view_is_chosen(self, mark) && mark->index != moved->index && !mark->is_distant)
+            app_mark_shift(mark, step, self->document);
+    }
+}
+
+/* Shifts a mark, and with a chosen source the others, as one step of undo. */
+static void shift(AppView *self, const AppMark *mark, const double step[3])
+{
+    const gboolean several = app_view_is_chosen(self, mark);
+    app_document_set_topic(self->document, several ? "lights" : NULL);
+    app_mark_shift(mark, step, self->document);
+    if (several)
+        move_others(self, mark, step);
+    app_document_set_topic(self->document, NULL);
+}
+
+/* As the hand does; FALSE where that is not possible. */
+static gboolean move_mark(AppView *self, const AppTouch *touch)
+{
+    const gboolean several = app_view_is_chosen(self, &self->hand.mark) && !self->hand.mark.is_distant;
+    double step[3];
+    memcpy(step, self->hand.mark.place_mm, sizeof step);
+    app_document_set_topic(self->document, several ? "lights" : NULL);
+    const gboolean done = app_hand_move(&self->hand, touch, self->picture->shot->moment, self->document);
+    for (int k = 0; k < 3; k++)
+        step[k] = self->hand.mark.place_mm[k] - step[k];
+    if (done && several)
+        move_others(self, &self->hand.mark, step);
+    app_document_set_topic(self->document, NULL);
+    return done;
+}
+
+/* A press with Ctrl or Shift that becomes a drag is one: it chooses nothing but what it moves. */
+static void begin_to_move(AppView *self)
+{
+    if (self->is_toggling && !self->was_chosen)
+        select_mark(self, &self->hand.mark);
+    self->is_toggling = FALSE;
+    self->has_moved = TRUE;
 }
 
 static void move_section(AppView *self, const AppTouch *touch)
@@ -100,11 +151,13 @@ static void drag_begin(GtkGestureDrag *gesture, double x, double y, AppView *sel
 {
     const double at[2] = {x, y};
     const guint button = gtk_gesture_single_get_current_button(GTK_GESTURE_SINGLE(gesture));
+    const GdkModifierType state = gtk_event_controller_get_current_event_state(GTK_EVENT_CONTROLLER(gesture));
     AppMark mark;
     gtk_widget_grab_focus(GTK_WIDGET(self));
     if (!self->picture || !self->picture->shot || !self->document)
         return;
     if (button == GDK_BUTTON_PRIMARY && what_is_at(self, at, &mark)) {
+        self->is_toggling = mark.kind == APP_MARK_SOURCE && (state & (GDK_CONTROL_MASK | GDK_SHIFT_MASK));
         take(self, &mark, at);
         return;
     }
@@ -126,7 +179,8 @@ static void drag_update(GtkGestureDrag *gesture, double dx, double dy, AppView *
         self->is_fitted = FALSE;
         app_view_tell_frame(self);
         gtk_widget_queue_draw(GTK_WIDGET(self));
-    } else if (self->doing == DOING_MOVE) {
+    } else if (self->doing == DOING_MOVE && (!self->is_toggling || hypot(dx, dy) >= STILL)) {
+        begin_to_move(self);
         AppTouch touch = {.mm_per_pixel = app_view_mm_per_pixel(self),
                           .fine = (state & GDK_SHIFT_MASK) != 0,
                           .snap = (state & GDK_CONTROL_MASK) != 0,
@@ -134,19 +188,25 @@ static void drag_update(GtkGestureDrag *gesture, double dx, double dy, AppView *
         app_map_from_widget(&self->map, at, touch.pointer_mm);
         if (self->hand.mark.kind == APP_MARK_SECTION)
             move_section(self, &touch);
-        else if (app_hand_move(&self->hand, &touch, self->picture->shot->moment, self->document))
+        else if (move_mark(self, &touch))
             g_signal_emit_by_name(self, "moved");
     }
 }
 
 static void drag_end(GtkGestureDrag *gesture, double dx, double dy, AppView *self)
 {
+    const gboolean is_click = self->doing == DOING_MOVE && !self->has_moved;
     (void)gesture;
     (void)dx;
     (void)dy;
     if (self->doing == DOING_MOVE)
         app_document_end_gesture(self->document);
     self->doing = DOING_NOTHING;
+    if (is_click && self->is_toggling)
+        g_signal_emit_by_name(self, "toggled", (guint)self->hand.mark.index);
+    else if (is_click && self->was_chosen)
+        select_mark(self, &self->hand.mark);
+    self->is_toggling = FALSE;
 }
 
 /* ---- pointer, wheel, keys ---- */
@@ -251,7 +311,9 @@ static gboolean scrolled(GtkEventControllerScroll *controller, double dx, double
         app_view_zoom_at(self, self->pointer, exp(-0.15 * dy));
     else if (self->document && source_to_lift(self, &mark)) {
         const double step[3] = {0, 0, -dy * ((state & GDK_SHIFT_MASK) ? 1 : 10)};
-        app_mark_shift(&mark, step, self->document);
+        shift(self, &mark, step);
+        if (app_view_is_chosen(self, &mark))
+            return TRUE;
         if (mark.index != self->selected_index || self->selected_kind != APP_MARK_SOURCE)
             select_mark(self, &mark);
     }
@@ -307,8 +369,8 @@ static gboolean key_pressed(GtkEventControllerKey *controller, guint key, guint 
         const double step = (state & GDK_SHIFT_MASK) ? 1 : (state & GDK_CONTROL_MASK) ? 100 : 10;
         for (gsize i = 0; i < G_N_ELEMENTS(moves); i++)
             if (moves[i].key == key && mark && self->document) {
-                const double shift[3] = {moves[i].step[0] * step, moves[i].step[1] * step, moves[i].step[2] * step};
-                app_mark_shift(mark, shift, self->document);
+                const double way[3] = {moves[i].step[0] * step, moves[i].step[1] * step, moves[i].step[2] * step};
+                shift(self, mark, way);
                 return TRUE;
             }
         return FALSE;

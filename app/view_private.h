@@ -21,6 +21,7 @@ struct _AppView {
     double read_mm[2];
     AppMarkKind selected_kind;
     gsize selected_index;
+    GArray *chosen;           /* gsize: the sources that are chosen together */
     AppMarkKind hovered_kind; /* that the pointer is on, here or in a list */
     gsize hovered_index;
     char *hint;        /* beside the first source; NULL: none */
@@ -31,6 +32,9 @@ struct _AppView {
     AppMap map, told;  /* `told`: as it was when the last signal went out */
     double pointer[2]; /* in the widget */
     Doing doing;
+    gboolean is_toggling; /* pressed with Ctrl or Shift, and not moved yet */
+    gboolean was_chosen;  /* what was pressed, with others */
+    gboolean has_moved;
     AppHand hand;
     double pan_start[2];
     double pinch; /* the scale that was zoomed by so far */
@@ -40,6 +44,9 @@ struct _AppView {
 void app_view_zoom_at(AppView *self, const double at[2], double factor);
 /* Tells when the map has become another. */
 void app_view_tell_frame(AppView *self);
+
+/* Whether a mark is one of several sources that are chosen together. */
+gboolean app_view_is_chosen(const AppView *self, const AppMark *mark);
 
 /* view_input.c: what the pointer, the wheel, the keys and fingers do. */
 void app_view_add_input(AppView *self);

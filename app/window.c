@@ -139,6 +139,7 @@ static void document_changed(AppWindow *self)
     app_form_refresh(APP_FORM(self->picture_form));
     show_surface(self);
     app_sources_refresh(APP_SOURCES(self->sources));
+    app_view_choose(self->view, app_sources_chosen(APP_SOURCES(self->sources)));
     app_points_refresh(APP_POINTS(self->points));
     app_window_update_actions(self);
     app_window_update_hint(self);
@@ -173,6 +174,7 @@ static void view_pointed(AppView *view, double x_mm, double y_mm, gboolean insid
 /* The chosen source is marked in space, and is the one whose formula is shown. */
 static void choose_light(AppWindow *self, gsize index)
 {
+    app_view_choose(self->view, app_sources_chosen(APP_SOURCES(self->sources)));
     app_stage_select(APP_STAGE(self->stage), (gssize)index);
     app_why_choose(APP_WHY(self->why), index);
 }
@@ -185,6 +187,12 @@ static void view_selected(AppView *view, int kind, guint index, AppWindow *self)
         choose_light(self, index);
     } else if (kind == APP_MARK_SURFACE)
         gtk_drop_down_set_selected(GTK_DROP_DOWN(self->surface_list), index);
+}
+
+static void view_toggled(AppView *view, guint index, AppWindow *self)
+{
+    (void)view;
+    app_sources_toggle(APP_SOURCES(self->sources), index);
 }
 
 static void view_hovered(AppView *view, int kind, guint index, AppWindow *self)
@@ -373,6 +381,7 @@ static void connect_parts(AppWindow *self)
     g_signal_connect_object(self->document, "renamed", G_CALLBACK(document_renamed), self, G_CONNECT_SWAPPED);
     g_signal_connect(self->view, "pointed", G_CALLBACK(view_pointed), self);
     g_signal_connect(self->view, "selected", G_CALLBACK(view_selected), self);
+    g_signal_connect(self->view, "toggled", G_CALLBACK(view_toggled), self);
     g_signal_connect(self->view, "hovered", G_CALLBACK(view_hovered), self);
     g_signal_connect(self->sources, "hovered", G_CALLBACK(list_hovered), self);
     g_signal_connect(self->stage, "selected", G_CALLBACK(stage_selected), self);

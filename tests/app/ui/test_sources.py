@@ -154,4 +154,82 @@ def another_key(tap, desk):
            "%s is given instead of %s" % (other.lower(), given.lower()), scene)
 
 
-trial(other_type, another_key, list_of_sources, every_kind, names_of_quantities, on_off_alone, aimed)
+LIGHT = re.compile(rb"\{type: point, position: \[([^]]*)\], intensity: ([^,]*)")
+
+
+def lights(window):
+    """Places and intensities of the sources, as the scene is saved."""
+    return [([float(number) for number in place.split(b",")], float(intensity))
+            for place, intensity in LIGHT.findall(window.save())]
+
+
+def three_in_view(desk):
+    """A scene of three point sources that are all seen, and the window of it."""
+    path = desk.path("three.yaml")
+    text = luxel("scene", "report")
+    head, rest = text.split(b"lights:\n")
+    lamps = [b"  - {type: point, position: [%d, %d, 2000], intensity: %d, attenuation: none}\n" % lamp
+             for lamp in ((-100, 100, 3), (120, 60, 4), (0, -150, 5))]
+    with open(path, "wb") as file:
+        file.write(head + b"lights:\n" + b"".join(lamps) + rest.split(b"\n", 1)[1])
+    return desk.start(path).window()
+
+
+def chosen(window):
+    return [row.has("selected") for row in window.widget.find("list").all("list item")]
+
+
+def several_by_list(tap, desk):
+    window = three_in_view(desk)
+    before = window.save()
+    rows = list(window.widget.find("list").all("list item"))
+    window.click(rows[0])
+    desk.move(*window.place(rows[2]))
+    desk.hand("keydown", "ctrl", "click", "1", "keyup", "ctrl")
+    tap.ok(wait("two", lambda: chosen(window) == [True, False, True]), "Ctrl and a click choose one more source")
+    tap.ok(wait("how many", lambda: window.says("2 sources")), "which is said above the form")
+    window.enter("Intensity", "7")
+    tap.ok(wait("both", lambda: [one[1] for one in lights(window)] == [7, 4, 7]), "a number that is typed is both's")
+    window.act("undo")
+    tap.ok(wait("as before", lambda: window.save() == before), "and one step of undo")
+    window.act("source-duplicate")
+    tap.ok(wait("five", lambda: [one[1] for one in lights(window)] == [3, 4, 5, 3, 5]), "both are doubled")
+    tap.ok(wait("the doubles", lambda: chosen(window) == [False, False, False, True, True]), "the doubles are chosen")
+    window.act("source-delete")
+    tap.ok(wait("three", lambda: window.save() == before), "and deleted together")
+    tap.equal(sum(chosen(window)), 1, "after which one is chosen")
+    window.act("undo")
+    tap.ok(wait("five", lambda: len(lights(window)) == 5), "which is one step, too")
+
+
+def several_by_marks(tap, desk):
+    window = three_in_view(desk)
+    before, start = window.save(), lights(window)
+    scale, x, y = window.map()
+    marks = [(x + place[0] * scale, y - place[1] * scale) for place, _intensity in start]
+    desk.click(*marks[0])
+    wait("the first", lambda: chosen(window) == [True, False, False])
+    desk.move(*marks[1])
+    desk.hand("keydown", "shift", "click", "1", "keyup", "shift")
+    tap.ok(wait("two", lambda: chosen(window) == [True, True, False]), "Shift and a click choose one more mark")
+    tap.equal(window.save(), before, "and move nothing")
+    desk.drag(marks[0], (marks[0][0] + 40, marks[0][1] - 25))
+    wait("a motion", lambda: lights(window)[0] != start[0])
+    moved = lights(window)
+    way = [[after[0][k] - earlier[0][k] for k in range(3)] for earlier, after in zip(start, moved)]
+    tap.ok(abs(way[0][0] - 40 / scale) < 2 and abs(way[0][1] - 25 / scale) < 2, "a drag moves the one", way)
+    tap.ok(all(abs(way[0][k] - way[1][k]) < 1e-5 for k in range(3)), "and the other as far", way)
+    tap.equal(way[2], [0, 0, 0], "and not the third")
+    window.act("undo")
+    tap.ok(wait("as before", lambda: window.save() == before), "in one step of undo")
+    desk.key("Left")
+    tap.ok(wait("the keys", lambda: [one[0][0] for one in lights(window)] == [-110, 110, 0]), "arrows move both")
+    window.act("undo")
+    wait("as before", lambda: window.save() == before)
+    desk.move(*marks[1])
+    desk.hand("keydown", "ctrl", "click", "1", "keyup", "ctrl")
+    tap.ok(wait("one", lambda: chosen(window) == [True, False, False]), "one more click takes the mark out")
+
+
+trial(other_type, another_key, list_of_sources, every_kind, names_of_quantities, on_off_alone, aimed,
+      several_by_list, several_by_marks)
