@@ -60,7 +60,6 @@ luxel_status luxel_scene_grid_resolution(const luxel_scene *scene, size_t i, uns
 /* One measurement under way. */
 struct measuring {
     struct lx_world world;
-    const struct lx_prepared *prepared; /* of the world */
     struct lx_control *control;
     unsigned threads;
     struct lx_lobe lobe;
@@ -124,9 +123,9 @@ static size_t light_on(const struct measuring *measuring, size_t cell)
 {
     struct lx_elements elements;
     make_elements(measuring, (unsigned)cell, 1, &elements);
-    for (size_t next = 0; next < measuring->prepared->emitters.count;) {
+    for (size_t next = 0; next < measuring->world.prepared->emitters.count;) {
         struct lx_emitter room;
-        const size_t light = lx_emitter_at(&measuring->prepared->emitters, next, &room)->light;
+        const size_t light = lx_emitter_at(&measuring->world.prepared->emitters, next, &room)->light;
         struct lx_received received;
         lx_world_light(&measuring->world, &elements, LX_WANT_IRRADIANCE, NULL, &next, &received);
         if (received.on_element[0])
@@ -209,9 +208,9 @@ static double light_around(const struct measuring *measuring, size_t cell)
     unsigned columns = measuring->made->grid.columns;
     lx_bounded3 place = lx_lattice_place(&measuring->lattice, (unsigned)(cell % columns), (unsigned)(cell / columns));
     double sum = 0;
-    for (size_t i = 0; i < measuring->prepared->emitters.count; i++) {
+    for (size_t i = 0; i < measuring->world.prepared->emitters.count; i++) {
         struct lx_emitter room;
-        const struct lx_emitter *emitter = lx_emitter_at(&measuring->prepared->emitters, i, &room);
+        const struct lx_emitter *emitter = lx_emitter_at(&measuring->world.prepared->emitters, i, &room);
         sum += lx_is_opening(emitter)    ? opening_around(emitter, place)
                : lx_is_extended(emitter) ? M_PI * emitter->radiance.value
                                          : lx_emitter_sample(emitter, place).e_perp.value;
@@ -230,11 +229,11 @@ static bool reaches(const struct measuring *measuring, bool is_asked_for)
 {
     const luxel_grid *grid = &measuring->made->grid;
     size_t cells = (size_t)grid->columns * grid->rows;
-    if (!is_asked_for && !integrates(&measuring->prepared->emitters))
+    if (!is_asked_for && !integrates(&measuring->world.prepared->emitters))
         return true;
     for (size_t i = 0; i < cells; i++)
         if (measuring->mask[i] && measuring->errors[i] > DBL_MIN &&
-            !(measuring->errors[i] <= measuring->prepared->tolerance * size_of(measuring, i)))
+            !(measuring->errors[i] <= measuring->world.prepared->tolerance * size_of(measuring, i)))
             return false;
     return true;
 }
@@ -283,9 +282,10 @@ static void integrate(const struct measuring *measuring)
     const struct lx_asking asking = {.control = measuring->control, .is_caller = true};
     const bool photometric = strcmp(grid->unit, "lx") == 0, radiometric = strcmp(grid->unit, "W/m²") == 0;
     if ((!photometric && !radiometric) || grid->measured != (size_t)grid->columns * grid->rows ||
-        has_openings(&measuring->prepared->emitters))
+        has_openings(&measuring->world.prepared->emitters))
         return;
-    const struct lx_flux flux = lx_plane_flux(measuring->prepared, &measuring->made->cells, grid->average, &asking);
+    const struct lx_flux flux =
+        lx_plane_flux(measuring->world.prepared, &measuring->made->cells, grid->average, &asking);
     lx_bounded area =
         lx_mul(lx_div(lx_exact(grid->size_mm[0]), lx_exact(1000)), lx_div(lx_exact(grid->size_mm[1]), lx_exact(1000)));
     lx_bounded mean = lx_div(flux.value, area);
@@ -304,8 +304,9 @@ static void integrate(const struct measuring *measuring)
 static double sum_of_other(const struct measuring *measuring, struct lx_measured *other)
 {
     const size_t cells = (size_t)other->grid.columns * other->grid.rows;
+    struct lx_prepared hasty = *measuring->world.prepared; /* more digits than an estimate needs */
+    hasty.tolerance = fmax(hasty.tolerance, 1e-6);
     struct measuring coarse = {.world = measuring->world,
-                               .prepared = measuring->prepared,
                                .control = measuring->control,
                                .threads = measuring->threads,
                                .lobe = measuring->lobe,
@@ -313,6 +314,7 @@ static double sum_of_other(const struct measuring *measuring, struct lx_measured
                                .values = lx_new_array(cells, sizeof *coarse.values),
                                .errors = lx_new_array(cells, sizeof *coarse.errors),
                                .mask = lx_new_array(cells, sizeof *coarse.mask)};
+    coarse.world.prepared = &hasty;
     bool is_whole = lx_lattice_make(&other->cells, &coarse.lattice) == 0 && coarse.values && coarse.errors &&
                     coarse.mask && measure(&coarse, true);
     lx_wide sum = lx_wide_of(0);
@@ -377,7 +379,7 @@ static bool meets_plane(const struct measuring *measuring, const struct lx_shape
 static void find_enclosed(const struct measuring *measuring)
 {
     luxel_grid *grid = &measuring->made->grid;
-    const struct lx_prepared *prepared = measuring->prepared;
+    const struct lx_prepared *prepared = measuring->world.prepared;
     bool any = false;
     for (size_t s = 0; s < prepared->surface_count && !any; s++)
         any = meets_plane(measuring, &prepared->surfaces[s].shape);
@@ -452,8 +454,8 @@ static size_t make_places(const struct measuring *measuring, struct lx_reflected
         if (!measuring->mask[cell])
             continue;
         make_elements(measuring, cell, 1, &elements);
-        const struct lx_element element = lx_elements_get(measuring->prepared, &elements, 0);
-        places[made].receiver = lx_receiver_of(measuring->prepared, &element);
+        const struct lx_element element = lx_elements_get(measuring->world.prepared, &elements, 0);
+        places[made].receiver = lx_receiver_of(measuring->world.prepared, &element);
         places[made++].direct = measuring->values[cell];
     }
     return made;
@@ -491,7 +493,7 @@ static luxel_status reflect(const struct lx_session *session, const struct measu
     luxel_status status = places && irradiance ? LUXEL_OK : lx_out_of_memory(diagnostics);
     const size_t count = status == LUXEL_OK ? make_places(measuring, places) : 0;
     if (count > 0) {
-        const struct lx_reflecting reflecting = {.prepared = measuring->prepared,
+        const struct lx_reflecting reflecting = {.prepared = measuring->world.prepared,
                                                  .kernels = measuring->world.kernels,
                                                  .settings = &session->settings,
                                                  .control = measuring->control,
@@ -517,7 +519,7 @@ static luxel_status run(const struct lx_session *session, struct measuring *meas
     measuring->threads = lx_thread_count(settings->threads, control.rows / 4 + 1);
     if (!measure(measuring, false))
         return LUXEL_CANCELLED;
-    const bool reflects = lx_wants_reflections(measuring->prepared->scene);
+    const bool reflects = lx_wants_reflections(measuring->world.prepared->scene);
     gather(measuring);
     judge(measuring, settings->tolerance > 0);
     grid->reflected_reached = true;
@@ -566,10 +568,8 @@ luxel_status lx_measure_cells(const luxel_scene *scene, const luxel_settings *se
                               luxel_diagnostics *diagnostics, luxel_grid **grid)
 {
     struct lx_session session;
-    struct measuring measuring = {.world.prepared = &session.prepared,
-                                  .prepared = &session.prepared,
-                                  .lobe = lx_lobe_irradiance(),
-                                  .values_alone = n != NULL};
+    struct measuring measuring = {
+        .world.prepared = &session.prepared, .lobe = lx_lobe_irradiance(), .values_alone = n != NULL};
     struct lx_grid wanted;
     luxel_status status = lx_session_open_world(scene, settings, diagnostics, &session);
     const struct lx_grid *asked = status == LUXEL_OK ? lx_asked_grid(scene, i, grid, "grid", diagnostics) : NULL;

@@ -23,6 +23,9 @@
  * often its steps are halved: a level peak is then known to the square of the last step. */
 enum { WANTED_NODES = 6000, STARTS = 6, HALVINGS = 26, STARTS_COSTLY = 2, HALVINGS_COSTLY = 10 };
 
+/* The tolerance of integrals while places are compared; what is as far as that tells is asked again. */
+static const double WHILE_SEARCHING = 1e-6;
+
 /* A place of the plane, in mm from its middle, with what falls on it. */
 struct node {
     double at[2];
@@ -32,6 +35,7 @@ struct node {
 
 struct search {
     struct lx_world world;
+    struct lx_prepared hasty; /* the scene, with that tolerance */
     struct lx_control *control;
     struct lx_lobe lobe;
     struct lx_cells cells;
@@ -168,7 +172,31 @@ static void climb(const struct search *search, double sign, struct node *best)
     }
 }
 
-static luxel_grid_peak find_peak(const struct search *search, double sign)
+/* Whether a node may be as far that way as another, for all that their errors say. */
+static bool may_be_beyond(const struct node *a, const struct node *b, double sign)
+{
+    return a->has_value && sign * (a->value.value - b->value.value) >= -(a->value.error + b->value.error);
+}
+
+/* Asks for the best node, and all of the lattice that may be as good, to the tolerance of the results. */
+static void settle(const struct search *search, const struct lx_prepared *prepared, double sign, struct node *best)
+{
+    struct search exact = *search;
+    exact.world.prepared = prepared;
+    struct node settled = *best;
+    look(&exact, &settled, 1, true);
+    for (size_t i = 0; i < (size_t)search->n[0] * search->n[1]; i++) {
+        struct node node = search->nodes[i];
+        if (!may_be_beyond(&node, best, sign))
+            continue;
+        look(&exact, &node, 1, true);
+        if (is_beyond(&node, &settled, sign))
+            settled = node;
+    }
+    *best = settled;
+}
+
+static luxel_grid_peak find_peak(const struct search *search, const struct lx_prepared *prepared, double sign)
 {
     struct node starts[STARTS], best = {.has_value = false};
     const unsigned count = find_starts(search, sign, starts);
@@ -180,6 +208,8 @@ static luxel_grid_peak find_peak(const struct search *search, double sign)
     }
     if (!best.has_value)
         return peak;
+    if (search->hasty.tolerance > prepared->tolerance)
+        settle(search, prepared, sign, &best);
     peak.exists = true;
     peak.value = best.value.value;
     peak.error = lx_told_error(best.value);
@@ -198,15 +228,13 @@ static luxel_status run(const struct lx_session *session, const struct lx_grid *
     struct lx_control control = {.rows = search->n[0] * search->n[1],
                                  .progress = session->settings.progress,
                                  .data = session->settings.progress_data};
-    const struct lx_rows_part part = {.last = control.rows,
-                                      .tile_rows = lx_world_batch(&search->world),
-                                      .work = look_at_lattice,
-                                      .data = search};
+    const struct lx_rows_part part = {
+        .last = control.rows, .tile_rows = lx_world_batch(&search->world), .work = look_at_lattice, .data = search};
     search->control = &control;
     if (!lx_rows_run_part(&control, lx_thread_count(session->settings.threads, control.rows / 4 + 1), &part))
         return LUXEL_CANCELLED;
-    extrema->maximum = find_peak(search, 1);
-    extrema->minimum = find_peak(search, -1);
+    extrema->maximum = find_peak(search, &session->prepared, 1);
+    extrema->minimum = find_peak(search, &session->prepared, -1);
     return atomic_load(&control.stop) ? LUXEL_CANCELLED : LUXEL_OK;
 }
 
@@ -214,15 +242,16 @@ luxel_status luxel_find_grid_extrema(const luxel_scene *scene, const luxel_setti
                                      luxel_diagnostics *diagnostics, luxel_grid_extrema *extrema)
 {
     struct lx_session session;
-    struct search search = {.world.prepared = &session.prepared, .lobe = lx_lobe_irradiance()};
+    struct search search = {.world.prepared = &search.hasty, .lobe = lx_lobe_irradiance()};
     luxel_grid_extrema found = {.minimum.exists = false};
     luxel_status status = lx_session_open_world(scene, settings, diagnostics, &session);
-    const struct lx_grid *grid =
-        status == LUXEL_OK ? lx_asked_grid(scene, i, extrema, "extrema", diagnostics) : NULL;
+    const struct lx_grid *grid = status == LUXEL_OK ? lx_asked_grid(scene, i, extrema, "extrema", diagnostics) : NULL;
     if (status == LUXEL_OK && !grid)
         status = LUXEL_ERROR_ARGUMENT;
     if (status == LUXEL_OK && !lx_wants_reflections(session.prepared.scene)) {
         search.world.kernels = lx_element_kernels_of(session.kernels);
+        search.hasty = session.prepared;
+        search.hasty.tolerance = fmax(session.prepared.tolerance, WHILE_SEARCHING);
         status = run(&session, grid, &search, diagnostics, &found);
     }
     free(search.nodes);

@@ -11,6 +11,9 @@
 #include "../light/emitter.h"
 #include "rules.h"
 
+/* From this tolerance on, relative to the light, the rule is exact enough. */
+#define LX_OPENING_TOLERANCE 1e-8
+
 /* Whether there is such a rule for it: rectangles and disks. */
 bool lx_opening_is_flat(const struct lx_emitter *emitter);
 

@@ -94,7 +94,7 @@ static double matte_tolerance(const struct lx_plan *plan)
 {
     if (plan->tolerance >= LX_ROUGH)
         return LX_ROUGH / 100;
-    return plan->precision == LUXEL_DOUBLE ? 1e-12 : 3e-7;
+    return plan->part_tolerance;
 }
 
 static double matte_by_reference(const struct lit *lit, struct lx_occlusion *occlusion)
@@ -113,7 +113,7 @@ static double matte_of_all(const struct lit *lit)
 {
     const struct lx_emitter *emitter = lit->planned->emitter;
     const double diffuse = lit->surface->lobe_exact.diffuse, gain = diffuse * emitter->radiance.value;
-    if (lit->plan->precision == LUXEL_DOUBLE || !lx_opening_is_flat(emitter))
+    if (matte_tolerance(lit->plan) < LX_OPENING_TOLERANCE || !lx_opening_is_flat(emitter))
         return matte_by_reference(lit, NULL);
     return gain * lx_opening_light(emitter, lit->plan->opening_rules, lit->place, lit->normal,
                                    matte_tolerance(lit->plan) * lit->known / gain, lit->asking);

@@ -88,7 +88,7 @@ struct lx_plan {
     luxel_precision precision;
     double tolerance;             /* of the highlights of extended sources, relative to the picture's maximum */
     double least_maximum;         /* which is no less than this */
-    double part_tolerance;        /* of the diffuse light of those that are hidden in part, relative to the same */
+    double part_tolerance;        /* of the diffuse light of openings and of hidden parts, relative to the same */
     size_t most_patches;          /* of the extended sources together */
     struct lx_gauss_rules *rules; /* for laws other than 1/r^2; NULL where there are none */
     struct lx_gauss_rules *opening_rules; /* along lines over openings; NULL where there are none */

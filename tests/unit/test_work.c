@@ -109,6 +109,11 @@ struct view {
 #define NEAR_LIGHT "{type: point, position: [300, 200, 1500], intensity: 5}"
 #define FAR_LIGHT "{type: distant, direction: [-0.3, 0.2, -1], irradiance: 4}"
 
+#define UNDER_OPENING                                                                                                  \
+    SCREEN "projection: orthographic}\nsurfaces: [" PLATE(                                                             \
+        "[0, 0, 1]") "]\nlights: [{type: luminaire, "                                                                  \
+                     "file: 'builtin:office-lamp.ies', position: [200, 90, 2400], opening: file}]\n"
+
 /* A text, a built-in scene, or the variant of this number, with a value changed. */
 static struct view view_of(const char *name, unsigned resolution, const char *set)
 {
@@ -169,6 +174,12 @@ static void render(struct view *view)
 static void render_in_double(struct view *view)
 {
     view->settings.precision = LUXEL_DOUBLE;
+    render(view);
+}
+
+static void render_with_least(struct view *view)
+{
+    view->settings.minimum_reached = true;
     render(view);
 }
 
@@ -386,6 +397,8 @@ static const struct job jobs[] = {
      60,
      "surfaces[0].radius=300",
      {0, 0, 0, 0, 0, 222, 765}},
+    /* a luminous opening, and whether any of its light arrives, which needs few digits */
+    {render_with_least, UNDER_OPENING, 20, NULL, {0, 0, 0, 0, 12492}},
 };
 
 /* -- integrals over sources of every kind, seen by elements that stand and are seen in many ways -- */
