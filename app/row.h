@@ -32,7 +32,7 @@ typedef enum AppRowKind {
     APP_ROW_YAML
 } AppRowKind;
 
-/* What a row is for; the texts are copied. */
+/* The purpose of a row; the texts are copied. */
 typedef struct AppRowSpec {
     AppRowKind kind;
     const char *label, *unit, *meaning;
@@ -56,7 +56,7 @@ void app_row_refuse(AppRow *self, const char *reason);
 gboolean app_row_restore(AppRow *self);
 /* The range in force, which a typed one begins with. */
 void app_row_suggest(AppRow *self, double low, double high);
-/* What shows the slider; NULL: the row has none, or the vector that it is a part of has it. */
+/* The button that shows the slider; NULL: the row has none, or the vector that it is a part of has it. */
 GtkWidget *app_row_toggle(AppRow *self);
 /* Something that shows sliders of what is called so. */
 GtkWidget *app_slider_toggle_new(const char *label);

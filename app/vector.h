@@ -16,7 +16,7 @@ GtkWidget *app_vector_new(const char *label, const char *unit, const char *meani
 /* One more number: a row with a short name (AppRowSpec.part). */
 void app_vector_add(AppVector *self, AppRow *part);
 void app_vector_set_unit(AppVector *self, const char *unit);
-/* What shows the sliders. */
+/* The button that shows the sliders. */
 GtkWidget *app_vector_toggle(AppVector *self);
 
 #endif

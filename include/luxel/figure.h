@@ -27,7 +27,7 @@ typedef enum luxel_bands {
     LUXEL_LINES     /* isophotes alone, coloured, on white */
 } luxel_bands;
 
-/* What a section is drawn through. */
+/* The place that a section is drawn through. */
 typedef enum luxel_section {
     LUXEL_SECTION_NONE,
     LUXEL_SECTION_CENTER, /* the screen's centre */
@@ -36,7 +36,7 @@ typedef enum luxel_section {
 } luxel_section;
 
 /*
- * What a figure shows; luxel_figure_settings_init() sets the defaults, which the comments name.
+ * The contents of a figure; luxel_figure_settings_init() sets the defaults, which the comments name.
  *
  * The figure of a grid shows the irradiance on its plane as it is seen from its front, whatever the screen shows: the
  * colours and isophotes of cells much finer than its own, its values at its own points where there is room for them
@@ -74,7 +74,7 @@ LUXEL_API void luxel_figure_settings_init(luxel_figure_settings *settings);
 
 /* The name of the i-th palette, such as "viridis"; NULL beyond the last. */
 LUXEL_API const char *luxel_palette_name(size_t i);
-/* What the i-th palette is for, English, to be translated; NULL beyond the last. */
+/* The purpose of the i-th palette, English, to be translated; NULL beyond the last. */
 LUXEL_API const char *luxel_palette_meaning(size_t i);
 /* The colour of a palette (NULL: viridis) at t from 0 to 1 (clipped), as red, green, blue from 0 to 1; false: no such
  * palette. */
@@ -146,7 +146,7 @@ LUXEL_API luxel_status luxel_diagram_write_memory(const luxel_photometry *photom
                                                   luxel_diagnostics *diagnostics, unsigned char **bytes,
                                                   size_t *length);
 
-/* What a report says of itself; all may be NULL. */
+/* Texts that a report says of itself; all may be NULL. */
 typedef struct luxel_report_settings {
     const char *title;              /* of the report; NULL: one that says what it is about */
     const char *author;             /* who hands it in */

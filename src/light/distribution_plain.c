@@ -5,14 +5,10 @@
  */
 #include <math.h>
 
+#include "../base/vector.h"
 #include "distribution.h"
 
 static const double DEGREE = 0.017453292519943295;
-
-static double dot(const double a[3], const double b[3])
-{
-    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-}
 
 /* The cell of an angle in radians, as the kernels find it. */
 static size_t cell_of(const struct lx_lines_double *lines, double angle)
@@ -51,7 +47,7 @@ double lx_pointed_plain(const struct lx_pointed *pointed, const double towards[3
     const struct lx_table_double *table = &distribution->table_double;
     double d[3];
     for (int i = 0; i < 3; i++)
-        d[i] = -dot(pointed->frame_double[i], towards);
+        d[i] = -lx_dot(pointed->frame_double[i], towards);
     const double polar = atan2(sqrt(d[0] * d[0] + d[1] * d[1]), d[2]);
     if (polar < table->polar.dark_below || polar > table->polar.dark_above)
         return 0;
@@ -142,8 +138,8 @@ size_t lx_pointed_crossings(const struct lx_pointed *pointed, const struct lx_po
     const struct lx_distribution *distribution = pointed->distribution;
     double e[3], d[3];
     for (int i = 0; i < 3; i++) {
-        e[i] = -dot(pointed->frame_double[i], arc->direction);
-        d[i] = -dot(pointed->frame_double[i], arc->pole);
+        e[i] = -lx_dot(pointed->frame_double[i], arc->direction);
+        d[i] = -lx_dot(pointed->frame_double[i], arc->pole);
     }
     const size_t count = cross_polars(distribution, arc, e[2], d[2], most, places);
     return distribution->table_double.is_axial ? count : cross_azimuths(distribution, arc, e, d, count, most, places);

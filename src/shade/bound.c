@@ -16,14 +16,10 @@
 #include <math.h>
 
 #include "../base/larger.h"
+#include "../base/vector.h"
 
 /* Bounds are computed with rounding, too: relative to them, and to the directions. */
 static const double ROOM = 1 + 1e-6, ANGLE_ROOM = 1e-7;
-
-static double dot(const double a[3], const double b[3])
-{
-    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-}
 
 /* The cone of what is within one angle of directions that are within another one of an axis. */
 static struct lx_cone widened(const struct lx_cone *cone, double cosine, double sine)
@@ -41,7 +37,7 @@ static struct lx_cone widened(const struct lx_cone *cone, double cosine, double 
 /* The cosines of the angles between a direction and those of a cone. */
 static struct lx_cosines cosines_to(const struct lx_cone *cone, const double direction[3])
 {
-    double cosine = dot(cone->axis, direction), sine = sqrt(lx_larger(1 - cosine * cosine, 0));
+    double cosine = lx_dot(cone->axis, direction), sine = sqrt(lx_larger(1 - cosine * cosine, 0));
     return (struct lx_cosines){
         .least = cosine <= -cone->cosine ? -1 : cosine * cone->cosine - sine * cone->sine,
         .most = cosine >= cone->cosine ? 1 : cosine * cone->cosine + sine * cone->sine,
@@ -155,7 +151,7 @@ static struct lx_jet jet_of_half(const struct lx_tract *tract, const struct sigh
     double half[3], length;
     for (int k = 0; k < 3; k++)
         half[k] = sight->towards[k] + tract->views.axis[k];
-    length = sqrt(dot(half, half));
+    length = sqrt(lx_dot(half, half));
     for (int k = 0; k < 3; k++)
         half[k] /= length;
     const struct lx_cone normals = widened(&tract->normals, sqrt(1 - off * off), off);
@@ -296,7 +292,7 @@ struct lx_share_bound lx_bound_cluster(const struct lx_tract *tract, const doubl
 struct lx_stand lx_stand_of(const struct lx_tract *tract, const double place[3], bool has_half)
 {
     const struct sight sight = sight_of(tract, place, 0);
-    struct lx_stand stand = {.nearest_mm = sight.nearest, .away_mm = sqrt(dot(place, place)), .least_half = 2};
+    struct lx_stand stand = {.nearest_mm = sight.nearest, .away_mm = sqrt(lx_dot(place, place)), .least_half = 2};
     if (!(sight.nearest > 0 && sight.sine < 1))
         stand.nearest_mm = 0;
     else if (has_half)

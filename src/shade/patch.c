@@ -20,11 +20,6 @@ static const double NEAR = 2;
 
 /* ---- vectors ---- */
 
-static double dot(const double a[3], const double b[3])
-{
-    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-}
-
 static void value_of3(lx_wide3 a, double result[3])
 {
     result[0] = lx_wide_value(a.x), result[1] = lx_wide_value(a.y), result[2] = lx_wide_value(a.z);
@@ -38,7 +33,7 @@ static void make_frame(const double n[3], double a[3], double b[3])
     double other[3] = {0, 0, 0};
     other[fabs(n[0]) > 0.5 ? 1 : 0] = 1;
     lx_cross(n, other, b);
-    double scale = 1 / sqrt(dot(b, b));
+    double scale = 1 / sqrt(lx_dot(b, b));
     for (int i = 0; i < 3; i++)
         b[i] *= scale;
     lx_cross(b, n, a);
@@ -55,7 +50,8 @@ static void set_areas(struct lx_patch *patch)
     lx_cross(patch->a, patch->b, whole);
     lx_cross(patch->a, patch->g, by_s);
     lx_cross(patch->g, patch->b, by_t);
-    patch->area[0] = dot(patch->n, whole), patch->area[1] = dot(patch->n, by_s), patch->area[2] = dot(patch->n, by_t);
+    patch->area[0] = lx_dot(patch->n, whole), patch->area[1] = lx_dot(patch->n, by_s),
+    patch->area[2] = lx_dot(patch->n, by_t);
 }
 
 /* A face as quadrilaterals that share its first corner, the last one maybe a triangle. */
@@ -122,7 +118,7 @@ static size_t ball_patch(const struct lx_shell *shell, const struct lx_around *a
         patch->o[i] = shell->center[i];
         towards[i] = around->center[i] - shell->center[i];
     }
-    double distance = sqrt(dot(towards, towards));
+    double distance = sqrt(lx_dot(towards, towards));
     for (int i = 0; i < 3; i++)
         towards[i] = distance > 0 ? towards[i] / distance : i == 0;
     make_frame(towards, patch->a, patch->b);
@@ -139,7 +135,7 @@ static size_t side_patch(const struct lx_shell *shell, const struct lx_around *a
         offset[i] = around->center[i] - shell->center[i];
     }
     lx_cross(offset, patch->n, across);
-    const double farthest = sqrt(dot(across, across)) + around->radius;
+    const double farthest = sqrt(lx_dot(across, across)) + around->radius;
     if (!(farthest > patch->radius))
         return 0;
     patch->breadth = 4 * patch->radius * atan(sqrt((farthest - patch->radius) / (farthest + patch->radius)));
@@ -167,15 +163,15 @@ static double round_place(const struct lx_patch *patch, double s, double t, cons
     double n[3], a[3], b[3];
     for (int i = 0; i < 3; i++)
         n[i] = element[i] - patch->o[i];
-    double along = is_side ? dot(n, patch->n) : 0;
+    double along = is_side ? lx_dot(n, patch->n) : 0;
     for (int i = 0; i < 3; i++)
         n[i] -= along * patch->n[i];
-    double distance = lx_larger(sqrt(dot(n, n)), patch->radius * 1e-15), slant = dot(n, patch->a) / distance;
+    double distance = lx_larger(sqrt(lx_dot(n, n)), patch->radius * 1e-15), slant = lx_dot(n, patch->a) / distance;
     for (int i = 0; i < 3; i++) {
         n[i] /= distance;
         a[i] = is_side ? patch->n[i] : patch->a[i] - slant * n[i];
     }
-    double length = lx_larger(sqrt(dot(a, a)), 1e-15);
+    double length = lx_larger(sqrt(lx_dot(a, a)), 1e-15);
     for (int i = 0; i < 3; i++)
         a[i] /= length;
     lx_cross(n, a, b);
@@ -206,7 +202,7 @@ static double look_at_flat(const struct lx_patch *patch, const struct lx_cell *c
         flat_place(patch, cell->s + (corner & 1) * cell->ds, cell->t + (corner >> 1) * cell->dt, place);
         for (int i = 0; i < 3; i++)
             place[i] -= middle[i];
-        farthest = lx_larger(farthest, dot(place, place));
+        farthest = lx_larger(farthest, lx_dot(place, place));
     }
     return sqrt(farthest);
 }
@@ -255,12 +251,12 @@ double lx_patch_above(const struct lx_patch *patch, const double element[3])
     double from[3];
     for (int i = 0; i < 3; i++)
         from[i] = element[i] - patch->o[i];
-    const double along = patch->kind == LX_PATCH_BALL ? 0 : dot(from, patch->n);
+    const double along = patch->kind == LX_PATCH_BALL ? 0 : lx_dot(from, patch->n);
     if (patch->kind == LX_PATCH_FLAT || patch->kind == LX_PATCH_DISK)
         return along;
     for (int i = 0; i < 3; i++)
         from[i] -= along * patch->n[i];
-    return sqrt(dot(from, from)) - patch->radius;
+    return sqrt(lx_dot(from, from)) - patch->radius;
 }
 
 /* How long a cell is in each direction, on average; of what is bent relative to each other. */
@@ -272,7 +268,7 @@ static void cell_lengths(const struct lx_patch *patch, const struct lx_cell *cel
     case LX_PATCH_FLAT:
         for (int i = 0; i < 3; i++)
             by_s[i] = patch->a[i] + t * patch->g[i], by_t[i] = patch->b[i] + s * patch->g[i];
-        lengths[0] = sqrt(dot(by_s, by_s)) * cell->ds, lengths[1] = sqrt(dot(by_t, by_t)) * cell->dt;
+        lengths[0] = sqrt(lx_dot(by_s, by_s)) * cell->ds, lengths[1] = sqrt(lx_dot(by_t, by_t)) * cell->dt;
         return;
     case LX_PATCH_SIDE: lengths[0] = patch->length * cell->ds, lengths[1] = patch->breadth * cell->dt; return;
     case LX_PATCH_DISK:
@@ -344,7 +340,7 @@ static bool is_near(const struct lx_patch *patch, const struct lx_around *around
     const double size = patch_size(patch, middle);
     for (int i = 0; i < 3; i++)
         away[i] = around->center[i] - middle[i];
-    const double distance = lx_larger(above, sqrt(dot(away, away)) - size) - around->radius;
+    const double distance = lx_larger(above, sqrt(lx_dot(away, away)) - size) - around->radius;
     return size > NEAR * distance;
 }
 
@@ -367,7 +363,7 @@ void lx_patch_samples(const struct lx_patch *patch, double touch_mm, struct lx_s
     samples->ax = patch->a[0], samples->ay = patch->a[1], samples->az = patch->a[2];
     samples->nx = patch->n[0], samples->ny = patch->n[1], samples->nz = patch->n[2];
     samples->radius = patch->radius;
-    samples->height = dot(patch->o, patch->n) + touch_mm;
+    samples->height = lx_dot(patch->o, patch->n) + touch_mm;
     samples->touch = touch_mm;
 }
 

@@ -14,6 +14,7 @@
 #include <float.h>
 #include <math.h>
 
+#include "../base/vector.h"
 #include "camera.h"
 #include "precision.h"
 #include "shell.h"
@@ -37,11 +38,6 @@ static double distance(const double a[3], const double b[3])
 {
     double x = a[0] - b[0], y = a[1] - b[1], z = a[2] - b[2];
     return sqrt(x * x + y * y + z * z); /* not hypot(): there may be millions; what leaves the range is not moderate */
-}
-
-static double dot(const double a[3], const double b[3])
-{
-    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
 }
 
 /* The least distance of a place, given from the anchor, to the surface. */
@@ -79,7 +75,7 @@ static double least_half_length(const struct lx_prepared *prepared, const struct
         light[0] = emitter->towards.x.value, light[1] = emitter->towards.y.value, light[2] = emitter->towards.z.value;
     }
     double zero[3] = {0, 0, 0};
-    double cosine = dot(eye, light) / (distance(eye, zero) * distance(light, zero));
+    double cosine = lx_dot(eye, light) / (distance(eye, zero) * distance(light, zero));
     double angle = fmin(acos(fmax(-1, fmin(1, cosine))) + spread, M_PI);
     double least = 2 * cos(angle / 2);
     const struct lx_surface_bounds *bounds = shape->kind->bounds;
@@ -180,13 +176,13 @@ static void farthest_corner(const struct lx_shell *shell, const double direction
     double least = HUGE_VAL;
     size_t best = 0;
     for (size_t i = 0; i < shell->edge_count && goes_on(asking, i); i++) {
-        double height = fmin(dot(direction, edges[i].from), dot(direction, edges[i].to));
+        double height = fmin(lx_dot(direction, edges[i].from), lx_dot(direction, edges[i].to));
         best = height < least ? i : best;
         least = fmin(height, least);
     }
     const double *from = edges[best].from, *to = edges[best].to;
     for (int i = 0; i < 3; i++)
-        corner[i] = shell->center[i] + (dot(direction, from) < dot(direction, to) ? from : to)[i];
+        corner[i] = shell->center[i] + (lx_dot(direction, from) < lx_dot(direction, to) ? from : to)[i];
 }
 
 /*
@@ -199,7 +195,7 @@ static double least_gap(const struct lx_shape *shape, const struct lx_shell *she
     enum { MOST_STEPS = 40 };
     double way[3] = {shell->center[0], shell->center[1], shell->center[2]}, best = -HUGE_VAL, radius = 0;
     for (int step = 0; step < MOST_STEPS; step++) {
-        double corner[3], point[3], length = sqrt(dot(way, way)), along = 0, square = 0;
+        double corner[3], point[3], length = sqrt(lx_dot(way, way)), along = 0, square = 0;
         if (!(length > 0))
             break;
         farthest_corner(shell, way, asking, corner);
@@ -209,7 +205,7 @@ static double least_gap(const struct lx_shape *shape, const struct lx_shell *she
             along += way[i] * (way[i] - corner[i]);
             square += (way[i] - corner[i]) * (way[i] - corner[i]);
         }
-        best = fmax(best, dot(way, corner) / length);
+        best = fmax(best, lx_dot(way, corner) / length);
         if (!(best < 0.99 * length))
             break;
         double share = fmax(0, fmin(1, along / square));
@@ -237,7 +233,7 @@ static double terms_of(const struct lx_shape *shape, const struct lx_shell *shel
     const double radius = shell->radius_mm, middle = fmax(least_distance(shape, shell->center), sqrt(7) * radius);
     double edges = 0;
     for (size_t i = 0; i < shell->edge_count && goes_on(asking, i); i++)
-        edges += sqrt(dot(shell->edges_double[i].along, shell->edges_double[i].along));
+        edges += sqrt(lx_dot(shell->edges_double[i].along, shell->edges_double[i].along));
     edges = fmin(edges, 4 * M_PI * radius); /* those of the contour alone */
     const double far = edges * radius / (middle * middle), near = nearest > 0 ? edges / nearest : HUGE_VAL;
     return middle <= sqrt(7) * radius ? fmax(far, fmin(near, 2 * M_PI)) : far;

@@ -11,16 +11,12 @@
 #include <math.h>
 
 #include "../base/larger.h"
-
-static double dot(const double a[3], const double b[3])
-{
-    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-}
+#include "../base/vector.h"
 
 double lx_distance_from_axis(const struct lx_shell *cylinder, const double from_center[3])
 {
-    const double along = dot(cylinder->axis, from_center);
-    return sqrt(lx_larger(dot(from_center, from_center) - along * along, 0));
+    const double along = lx_dot(cylinder->axis, from_center);
+    return sqrt(lx_larger(lx_dot(from_center, from_center) - along * along, 0));
 }
 
 /*
@@ -60,7 +56,7 @@ bool lx_round_view_of(const struct lx_shell *shell, const struct lx_vicinity *at
     const double from_center[3] = {at->place[0] - shell->center[0], at->place[1] - shell->center[1],
                                    at->place[2] - shell->center[2]};
     const double distance =
-        shell->type == LX_BALL ? sqrt(dot(from_center, from_center)) : lx_distance_from_axis(shell, from_center);
+        shell->type == LX_BALL ? sqrt(lx_dot(from_center, from_center)) : lx_distance_from_axis(shell, from_center);
     const double margin = 1e-9 * distance + shell->touch_mm, moved = place->first + place->second + margin;
     const double nearest = distance - moved, imaginary = place->imaginary;
     if (!(nearest > imaginary))

@@ -5,15 +5,11 @@
 #include <math.h>
 
 #include "../base/larger.h"
+#include "../base/vector.h"
 #include "round_view.h"
 
 /* More edges, and faces, are not looked at for each square. */
 enum { MOST_EDGES = 64 };
-
-static double dot(const double a[3], const double b[3])
-{
-    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-}
 
 /* Where the square is of some plane, which its places are above by `height` less or more `leeway`. */
 enum side { BEHIND, BEFORE, UNSURE };
@@ -28,16 +24,16 @@ static double reach_of(const struct lx_shell *shell, const double direction[3])
 {
     double farthest = -HUGE_VAL;
     if (shell->type == LX_DISK) {
-        const double cosine = dot(direction, shell->axis);
+        const double cosine = lx_dot(direction, shell->axis);
         return shell->round_mm * sqrt(lx_larger(1 - cosine * cosine, 0));
     }
     if (shell->type == LX_CYLINDER) {
-        const double cosine = dot(direction, shell->axis);
+        const double cosine = lx_dot(direction, shell->axis);
         return shell->half_mm * fabs(cosine) + shell->round_mm * sqrt(lx_larger(1 - cosine * cosine, 0));
     }
     for (size_t e = 0; e < shell->edge_count && shell->edge_count <= MOST_EDGES; e++) {
         const struct lx_shell_edge_double *edge = &shell->edges_double[e];
-        farthest = lx_larger(farthest, lx_larger(dot(direction, edge->from), dot(direction, edge->to)));
+        farthest = lx_larger(farthest, lx_larger(lx_dot(direction, edge->from), lx_dot(direction, edge->to)));
     }
     return farthest > -HUGE_VAL ? farthest : shell->radius_mm;
 }
@@ -46,8 +42,8 @@ static double reach_of(const struct lx_shell *shell, const double direction[3])
 static enum side side_of_horizon(const struct lx_shell *shell, const struct lx_vicinity *at, double margin)
 {
     const double *n = at->normal, below[3] = {-n[0], -n[1], -n[2]}, turn = at->normal_leeway.tile;
-    const double height = dot(n, shell->center) - at->level;
-    const double leeway = turn * (sqrt(dot(shell->center, shell->center)) + shell->radius_mm) + margin;
+    const double height = lx_dot(n, shell->center) - at->level;
+    const double leeway = turn * (sqrt(lx_dot(shell->center, shell->center)) + shell->radius_mm) + margin;
     if (height - reach_of(shell, below) > leeway)
         return BEFORE;
     return height + reach_of(shell, n) < -leeway ? BEHIND : UNSURE;
@@ -56,7 +52,7 @@ static enum side side_of_horizon(const struct lx_shell *shell, const struct lx_v
 /* The same of a cylinder's ends and side, of which the latter is seen from outside. */
 static enum side side_of_cylinder(const struct lx_shell *shell, const double from_center[3], double leeway)
 {
-    const double along = dot(shell->axis, from_center);
+    const double along = lx_dot(shell->axis, from_center);
     const enum side side = side_of(lx_distance_from_axis(shell, from_center) - shell->round_mm, leeway),
                     end = side_of(fabs(along) - shell->half_mm, leeway);
     return side == UNSURE || end == UNSURE ? UNSURE : side == BEFORE || end == BEFORE ? BEFORE : BEHIND;
@@ -71,13 +67,13 @@ static enum side side_of_faces(const struct lx_shell *shell, const struct lx_vic
     enum side side = BEHIND;
     switch (shell->type) {
     case LX_BALL: return BEFORE;
-    case LX_DISK: return side_of(dot(shell->axis, from_center), leeway);
+    case LX_DISK: return side_of(lx_dot(shell->axis, from_center), leeway);
     case LX_CYLINDER: return side_of_cylinder(shell, from_center, leeway);
     default: break;
     }
     for (size_t f = 0; f < shell->face_count && side != UNSURE; f++) {
         const struct lx_shell_face_double *face = &shell->faces_double[f];
-        const enum side of_face = side_of(dot(face->normal, from_center) - face->height, leeway);
+        const enum side of_face = side_of(lx_dot(face->normal, from_center) - face->height, leeway);
         side = of_face == BEHIND ? side : of_face;
     }
     return shell->edge_count <= MOST_EDGES ? side : UNSURE;
@@ -87,9 +83,9 @@ static enum side side_of_faces(const struct lx_shell *shell, const struct lx_vic
 static double least_distance(const struct lx_shell *shell, const double from_center[3])
 {
     if (shell->type != LX_CYLINDER)
-        return sqrt(dot(from_center, from_center)) - shell->radius_mm;
+        return sqrt(lx_dot(from_center, from_center)) - shell->radius_mm;
     return hypot(lx_larger(lx_distance_from_axis(shell, from_center) - shell->round_mm, 0),
-                 lx_larger(fabs(dot(shell->axis, from_center)) - shell->half_mm, 0));
+                 lx_larger(fabs(lx_dot(shell->axis, from_center)) - shell->half_mm, 0));
 }
 
 /* The most that r^2 a(r) comes to over a ball that is seen from w, w.w having the real part `least` at least, |w| no
@@ -126,7 +122,7 @@ double lx_smooth_shell_bound(const struct lx_shell *shell, double gain, const st
     struct lx_round_view view = {.most = 0};
     const double from_center[3] = {at->place[0] - shell->center[0], at->place[1] - shell->center[1],
                                    at->place[2] - shell->center[2]};
-    const double away = sqrt(dot(from_center, from_center)), margin = 1e-9 * away + shell->touch_mm;
+    const double away = sqrt(lx_dot(from_center, from_center)), margin = 1e-9 * away + shell->touch_mm;
     const enum side horizon = side_of_horizon(shell, at, margin);
     const enum side faces = side_of_faces(shell, at, from_center, margin);
     if (horizon == BEHIND || faces == BEHIND)

@@ -4,6 +4,7 @@
 #include <math.h>
 
 #include "../base/larger.h"
+#include "../base/vector.h"
 #include "sight.h"
 
 /* Cells up to this share of the lobe's width are begun with one sample against four. */
@@ -19,11 +20,6 @@ static const double STEEP = 6;
  */
 static const double GAP = 0.1127, CUT_SHARE = 0.1, SLIVER_SHARE = 0.0282;
 
-static double dot(const double a[3], const double b[3])
-{
-    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-}
-
 void lx_viewers_find(const struct lx_block_double *block, size_t start, const struct lx_lobe_double *lobe,
                      struct lx_viewers *viewers)
 {
@@ -35,7 +31,7 @@ void lx_viewers_find(const struct lx_block_double *block, size_t start, const st
     for (size_t lane = 0; lane < LX_LANES; lane++) {
         size_t i = start + lane;
         double n[3] = {block->nx[i], block->ny[i], block->nz[i]}, v[3] = {block->vx[i], block->vy[i], block->vz[i]};
-        double facing = dot(n, v);
+        double facing = lx_dot(n, v);
         viewers->facing[lane] = facing;
         for (int k = 0; k < 3; k++)
             viewers->mirrored[lane][k] = 2 * facing * n[k] - v[k];
@@ -73,16 +69,16 @@ static void look(const struct lx_viewers *viewers, const struct lx_patch *patch,
             radius = lx_cell_look(patch, cell, place, middle);
         for (int k = 0; k < 3; k++)
             towards[k] = middle[k] - place[k];
-        const bool in_front = !is_flat || dot(towards, patch->n) < 0;
-        const double distance = sqrt(dot(towards, towards));
-        seen->may = radius >= 0 && in_front && (!by_cosine || dot(n, towards) > -radius);
+        const bool in_front = !is_flat || lx_dot(towards, patch->n) < 0;
+        const double distance = sqrt(lx_dot(towards, towards));
+        seen->may = radius >= 0 && in_front && (!by_cosine || lx_dot(n, towards) > -radius);
         seen->above = lx_patch_above(patch, place);
         seen->radius = radius;
         seen->distance = distance;
         seen->size = radius / distance;
         for (int k = 0; k < 3; k++)
             towards[k] /= lx_larger(distance, DBL_MIN);
-        seen->height = dot(n, towards);
+        seen->height = lx_dot(n, towards);
     }
 }
 
@@ -96,7 +92,7 @@ static double half_length(const struct lx_viewers *viewers, size_t lane, const s
     if (viewers->lobe->model != LX_BLINN_PHONG)
         return 1;
     const double half[3] = {l[0] + block->vx[i], l[1] + block->vy[i], l[2] + block->vz[i]};
-    return sqrt(dot(half, half)) - seen->size;
+    return sqrt(lx_dot(half, half)) - seen->size;
 }
 
 /*
@@ -106,7 +102,7 @@ static double half_length(const struct lx_viewers *viewers, size_t lane, const s
  */
 static double greatest_square(const struct lx_viewers *viewers, size_t lane, const struct look *seen)
 {
-    const double cosine = lx_smaller(dot(seen->towards, viewers->mirrored[lane]), 1), size = seen->size;
+    const double cosine = lx_smaller(lx_dot(seen->towards, viewers->mirrored[lane]), 1), size = seen->size;
     if (!(size < 1))
         return 1;
     double around = sqrt(1 - size * size), sine = sqrt(lx_larger(1 - cosine * cosine, 0));
@@ -127,7 +123,7 @@ static double doubtful_share(const struct lx_viewers *viewers, size_t lane, cons
     const struct lx_lobe_double *lobe = viewers->lobe;
     const double size = seen->size;
     const double beyond_end =
-        lobe->model == LX_PHONG ? dot(seen->towards, viewers->mirrored[lane]) : seen->height + viewers->facing[lane];
+        lobe->model == LX_PHONG ? lx_dot(seen->towards, viewers->mirrored[lane]) : seen->height + viewers->facing[lane];
     const bool is_at_horizon = fabs(seen->height) < size, is_at_end = fabs(beyond_end) < size;
     if (!(half > 0) || (lobe->highlight == LX_HIGHLIGHT_GATED && is_at_horizon) ||
         (lobe->exponent.value < 1 && is_at_end))

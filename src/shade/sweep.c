@@ -8,12 +8,7 @@
 #include "../base/vector.h"
 #include "sweep.h"
 
-/* ---- plain vectors ---- */
-
-static double dot(const double a[3], const double b[3])
-{
-    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-}
+/* ---- vectors ---- */
 
 static double normalize(double a[3])
 {
@@ -115,15 +110,15 @@ static int sweep_face(const struct lx_emitter *emitter, const struct lx_face *fa
     double height = lx_wide_value(lx_wide3_dot(face->normal, lx_wide3_sub(place, facets->corners_mm[loop[0]])));
     double normal[3], to_center[3];
     to_doubles(lx_wide3_sub(center, place), to_center);
-    height = height_over(emitter, height, facets->radius_mm + sqrt(dot(to_center, to_center)));
+    height = height_over(emitter, height, facets->radius_mm + sqrt(lx_dot(to_center, to_center)));
     if (!(height > 0))
         return 0;
     to_doubles(face->normal, normal);
     for (int i = 0; i < 3; i++)
         normal[i] = -normal[i];
     struct lx_sweep strip = {.kind = LX_SWEEP_STRIP, .frame = frame_about(normal, across), .height_mm = height};
-    strip.y_mm = dot(strip.frame.y, to_center);
-    strip.s_mm = dot(strip.frame.z, to_center);
+    strip.y_mm = lx_dot(strip.frame.y, to_center);
+    strip.s_mm = lx_dot(strip.frame.z, to_center);
 
     struct corner *corners = lx_new_array(face->count, sizeof *corners);
     double *cuts = lx_new_array(face->count + 1, sizeof *cuts);
@@ -131,7 +126,7 @@ static int sweep_face(const struct lx_emitter *emitter, const struct lx_face *fa
     for (unsigned i = 0; i < face->count && !failed; i++) {
         double offset[3];
         to_doubles(lx_wide3_sub(facets->corners_mm[loop[i]], center), offset);
-        corners[i] = (struct corner){dot(strip.frame.y, offset), dot(strip.frame.z, offset)};
+        corners[i] = (struct corner){lx_dot(strip.frame.y, offset), lx_dot(strip.frame.z, offset)};
         cuts[i] = corners[i].y;
     }
     if (!failed) {
@@ -232,13 +227,13 @@ static int sweep_disk(const struct lx_emitter *emitter, const double center_mm[3
         to_center[i] = center_mm[i] - place_mm[i];
         height += inwards[i] * to_center[i];
     }
-    height = height_over(emitter, height, radius_mm + sqrt(dot(to_center, to_center)));
+    height = height_over(emitter, height, radius_mm + sqrt(lx_dot(to_center, to_center)));
     if (!(height > 0))
         return 0;
     struct lx_sweep disk = {
         .kind = LX_SWEEP_DISK, .frame = frame_about(inwards, across), .height_mm = height, .radius_mm = radius_mm};
-    disk.y_mm = dot(disk.frame.y, to_center);
-    disk.s_mm = dot(disk.frame.z, to_center);
+    disk.y_mm = lx_dot(disk.frame.y, to_center);
+    disk.s_mm = lx_dot(disk.frame.z, to_center);
     double low = disk.y_mm - radius_mm, high = disk.y_mm + radius_mm;
     disk.y1_mm = low;
     disk.y2_mm = low < 0 && high > 0 ? 0 : high;
@@ -320,7 +315,7 @@ static int sweep_tube(const struct lx_emitter *cylinder, const double away[3], d
     };
     double across[3];
     lx_cross(axis, tube.frame.z, across); /* frame.z is perpendicular to both: the third direction is along `away` */
-    const double sign = dot(across, away) < 0 ? -1 : 1;
+    const double sign = lx_dot(across, away) < 0 ? -1 : 1;
     for (int i = 0; i < 3; i++)
         tube.frame.x[i] = sign * across[i];
     memcpy(tube.frame.z, axis, sizeof tube.frame.z);
@@ -356,7 +351,7 @@ static int sweep_cylinder(const struct lx_emitter *cylinder, const double place_
         caps[0][i] = cylinder->center_mm[i] + half * axis[i];
         caps[1][i] = cylinder->center_mm[i] - half * axis[i];
     }
-    double along = dot(offset, axis);
+    double along = lx_dot(offset, axis);
     for (int i = 0; i < 3; i++)
         away[i] = offset[i] - along * axis[i];
     double distance = normalize(away);
@@ -487,8 +482,8 @@ double lx_sweep_distance(const struct lx_sweep *sweep, const struct lx_arc *arc,
 {
     if (sweep->kind == LX_SWEEP_BALL) {
         /* the cosine and the squared sine of the angle from the ball's centre */
-        double d = sweep->height_mm, r = sweep->radius_mm, x = dot(arc->direction, sweep->frame.x);
-        double y = dot(arc->direction, sweep->frame.y), sine2 = y * y + x * x * sin_tau * sin_tau;
+        double d = sweep->height_mm, r = sweep->radius_mm, x = lx_dot(arc->direction, sweep->frame.x);
+        double y = lx_dot(arc->direction, sweep->frame.y), sine2 = y * y + x * x * sin_tau * sin_tau;
         double root = sqrt(fmax(r * r - d * d * sine2, 0));
         *incidence = root / r;
         return (d - r) * (d + r) / (d * x * cos_tau + root);
@@ -501,7 +496,7 @@ double lx_sweep_distance(const struct lx_sweep *sweep, const struct lx_arc *arc,
 
 double lx_sweep_far(const struct lx_sweep *sweep, const struct lx_arc *arc, double tau, double *incidence)
 {
-    const double d = sweep->height_mm, x = dot(arc->direction, sweep->frame.x);
+    const double d = sweep->height_mm, x = lx_dot(arc->direction, sweep->frame.x);
     const double root = d * x * sqrt(fmax(sin(arc->from + arc->width - tau) * sin(tau - arc->from), 0));
     *incidence = root / sweep->radius_mm;
     return d * x * cos(tau) + root;
@@ -509,7 +504,7 @@ double lx_sweep_far(const struct lx_sweep *sweep, const struct lx_arc *arc, doub
 
 bool lx_sweep_find(const struct lx_sweep *sweep, const double towards[3], double *x)
 {
-    const double ahead = dot(towards, sweep->frame.x), aside = dot(towards, sweep->frame.y), h = sweep->height_mm;
+    const double ahead = lx_dot(towards, sweep->frame.x), aside = lx_dot(towards, sweep->frame.y), h = sweep->height_mm;
     if (!(ahead > 0) || sweep->kind == LX_SWEEP_TUBE)
         return false;
     if (sweep->kind == LX_SWEEP_STRIP || sweep->kind == LX_SWEEP_DISK) {

@@ -6,6 +6,7 @@
 #include <string.h>
 
 #include "../base/larger.h"
+#include "../base/vector.h"
 #include "among.h"
 #include "blocking.h"
 #include "camera.h"
@@ -27,11 +28,6 @@ struct reach {
 static double root_of_sum(double a, double b)
 {
     return sqrt(a * a + b * b);
-}
-
-static double dot(const double a[3], const double b[3])
-{
-    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
 }
 
 /* ---- where lines of sight meet the surface ---- */
@@ -214,7 +210,7 @@ static struct pencil pencil_of(const struct lx_plan *plan, const struct lx_squar
 {
     const struct lx_shape *shape = &square->surface->shape;
     const double h = plan->prepared->camera.z_mm, d[3] = {square->x_mm, square->y_mm, -h};
-    const double length = sqrt(dot(d, d)), cosine = -dot(at->normal, d) / length;
+    const double length = sqrt(lx_dot(d, d)), cosine = -lx_dot(at->normal, d) / length;
     return (struct pencil){
         .h = h,
         .length = length,
@@ -232,7 +228,7 @@ static struct pencil pencil_of(const struct lx_plan *plan, const struct lx_squar
 /* Of the view vector along a way that moves, as kernel_smooth.h finds that of the way to a light. */
 static bool leeway_of_view(const double way[3], const struct lx_leeway *moves, struct lx_vicinity *at)
 {
-    const double d = sqrt(dot(way, way)), nearest = d - moves->first - moves->second;
+    const double d = sqrt(lx_dot(way, way)), nearest = d - moves->first - moves->second;
     if (!(0.9 * nearest > moves->imaginary && nearest > 0.05 * d))
         return false;
     const double k = moves->imaginary / nearest, more = 1 / sqrt(1 - k * k) - 1;

@@ -256,10 +256,11 @@ def main():
         if abs(truth) < ROUNDINGS:
             truth = mpf(0)
         value = float(truth)
-        row = [*map(written, place)], [*map(written, normal)]
+        lines = [f'{{{", ".join(map(written, place))}}}, {{{", ".join(map(written, normal))}}},',
+                 f'{written(value)}, {written(float(truth - mpf(value)))}}},']
+        gap = " " if len(lines[0]) + len(lines[1]) + 6 <= 120 else "\n     "
         print(f'    {{"{name}", {shape}, {len(numbers)}, {{\n{wrapped(map(written, numbers))}\n     }},\n'
-              f'     {{{", ".join(row[0])}}},\n     {{{", ".join(row[1])}}},\n'
-              f'     {written(value)}, {written(float(truth - mpf(value)))}}},')
+              f'     {gap.join(lines)}')
     print("};")
 
 
