@@ -109,10 +109,11 @@ struct view {
 #define NEAR_LIGHT "{type: point, position: [300, 200, 1500], intensity: 5}"
 #define FAR_LIGHT "{type: distant, direction: [-0.3, 0.2, -1], irradiance: 4}"
 
+#define OPENING "{type: luminaire, file: 'builtin:office-lamp.ies', position: [200, 90, 2400], opening: file}"
 #define UNDER_OPENING                                                                                                  \
     SCREEN "projection: orthographic}\nsurfaces: [" PLATE(                                                             \
-        "[0, 0, 1]") "]\nlights: [{type: luminaire, "                                                                  \
-                     "file: 'builtin:office-lamp.ies', position: [200, 90, 2400], opening: file}]\n"
+        "[0, 0, 1]") "]\n"                                                                                             \
+                     "lights: [{type: ambient, irradiance: 9}, " OPENING "]\n"
 
 /* A text, a built-in scene, or the variant of this number, with a value changed. */
 static struct view view_of(const char *name, unsigned resolution, const char *set)
