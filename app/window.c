@@ -527,6 +527,7 @@ static void app_window_init(AppWindow *self)
     self->meter = app_meter_new(app_window_show_numbers, self);
     self->pointer = app_pointer_new(app_window_show_reading, self);
     app_view_set_document(self->view, self->document);
+    app_window_set_columns(self);
     make_left(self);
     make_space(self);
     gtk_box_append(GTK_BOX(self->right_box), self->numbers);

@@ -180,10 +180,10 @@ static void add_difference(GString *text, const AppReading *reading)
     const luxel_value *a = &reading->minus, *b = &reading->value;
     char n[3][APP_NUMBER_SIZE];
     if (!a->has_value || !b->has_value) {
-        g_string_append_printf(text, "   %s", _("no value in both pictures"));
+        g_string_append_printf(text, "\t%s", _("no value in both pictures"));
         return;
     }
-    g_string_append_printf(text, "   A %s   B %s   B − A %s %s", app_number_round(a->value, DIGITS, n[0]),
+    g_string_append_printf(text, "\tA %s   B %s   B − A %s %s", app_number_round(a->value, DIGITS, n[0]),
                            app_number_round(b->value, DIGITS, n[1]),
                            app_number_round(b->value - a->value, DIGITS, n[2]),
                            gettext(luxel_scene_unit(reading->moment->scene, reading->quantity)));
@@ -197,14 +197,14 @@ static void add_value(GString *text, const AppReading *reading)
         app_number_place(value->position_mm[i], 1000, n[i]);
         app_number_round(value->normal[i], 3, n[3 + i]);
     }
-    g_string_append_printf(text, "   P (%s, %s, %s)   N (%s, %s, %s)   ", n[0], n[1], n[2], n[3], n[4], n[5]);
+    g_string_append_printf(text, "\tP (%s, %s, %s)\tN (%s, %s, %s)\t", n[0], n[1], n[2], n[3], n[4], n[5]);
     if (value->has_value)
         g_string_append_printf(text, "%s %s", app_number_round(value->value, DIGITS, n[6]),
                                gettext(luxel_scene_unit(reading->moment->scene, reading->quantity)));
     else
         g_string_append(text, _("a source lies here"));
     if (reading->has_pixel)
-        g_string_append_printf(text, "   %s %u", _("grey"), reading->grey);
+        g_string_append_printf(text, "\t%s %u", _("grey"), reading->grey);
 }
 
 /* The value, or at the difference how far apart both are; NaN: there is none. */
@@ -216,6 +216,31 @@ static double shown_value(const AppReading *reading)
     if (!reading->has_minus)
         return value->value;
     return minus->on_surface && minus->has_value ? value->value - minus->value : (double)NAN;
+}
+
+/* What is read stands in columns, as wide as the widest of each that is usual, so that no number moves another. */
+void app_window_set_columns(AppWindow *self)
+{
+    char *place = g_strdup_printf("x −000.00  y −000.00 %s  ", _("mm"));
+    char *value = g_strdup_printf("0.000000e-00 %s  ", gettext("W/(sr·m²)")); /* the widest of the units */
+    char *grey = g_strdup_printf("%s 255   ", _("grey"));
+    const char *const widest[] = {place, "P (−000.000, −000.000, 0000.000)  ", "N (−0.000, −0.000, −0.000)  ", value,
+                                  grey};
+    PangoTabArray *tabs = pango_tab_array_new(G_N_ELEMENTS(widest), TRUE);
+    PangoLayout *layout = gtk_widget_create_pango_layout(self->status_label, NULL);
+    int end = 0, width;
+    for (gsize i = 0; i < G_N_ELEMENTS(widest); i++) {
+        pango_layout_set_text(layout, widest[i], -1);
+        pango_layout_get_pixel_size(layout, &width, NULL);
+        end += width;
+        pango_tab_array_set_tab(tabs, (int)i, PANGO_TAB_LEFT, end);
+    }
+    gtk_label_set_tabs(GTK_LABEL(self->status_label), tabs);
+    pango_tab_array_free(tabs);
+    g_free(grey);
+    g_free(value);
+    g_free(place);
+    g_object_unref(layout);
 }
 
 void app_window_show_reading(const AppReading *reading, gpointer owner)
@@ -233,14 +258,14 @@ void app_window_show_reading(const AppReading *reading, gpointer owner)
     if (reading->has_minus && (value->on_surface || reading->minus.on_surface))
         add_difference(text, reading);
     else if (!value->on_surface)
-        g_string_append_printf(text, "   %s", _("off the surface"));
+        g_string_append_printf(text, "\t%s", _("off the surface"));
     else
         add_value(text, reading);
     char *markup = g_markup_escape_text(text->str, -1);
     g_string_assign(text, markup);
     g_free(markup);
     if (!reading->has_minus && reading->share_count > 1 && value->on_surface && value->has_value) {
-        g_string_append_printf(text, "   %s ", _("sources"));
+        g_string_append_printf(text, "\t%s ", _("sources"));
         add_shares(text, reading);
     }
     gtk_label_set_markup(GTK_LABEL(self->status_label), text->str);

@@ -31,7 +31,7 @@ def sides(tap, desk):
     tap.ok(window.says("Uniformity U0") and window.says("Least value above 0"), "uniformity and least value among them")
     pinned = pointed_value(window, *place)
     tap.ok("   A:" in pinned, "the line at the edge says that it reads A", pinned)
-    number = re.compile(r"N \([^)]*\)   (\S+)")
+    number = re.compile(r"N \([^)]*\)\t(\S+)")
     tap.near(float(number.search(live).group(1)), 2.5 * float(number.search(pinned).group(1)), 1e-4, "and does")
     desk.key("d")
     wait("the difference", lambda: window.state("side") == "difference")
