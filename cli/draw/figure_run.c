@@ -88,12 +88,15 @@ static bool take_grid(const struct options *options, const struct loaded *loaded
             figure->grid = i + 1;
     if (figure->grid > 0)
         return true;
+    const char *nearest = luxel_nearest_word(wanted, names, named);
     message_error(_("--grid %s: %s has no measuring grid of this name or number"), wanted, loaded->name);
     if (count == 0)
         message_hint(_("add some under the key grids, or try %s"),
                      "-s 'grids=[{center: [0,0,0], size: [1000,1000], n: [10,10]}]'");
+    else if (nearest)
+        message_did_you_mean(nearest);
     else
-        message_did_you_mean(luxel_nearest_word(wanted, names, named));
+        message_hint(_("its grids are numbered from 1 to %zu; luxel grid %s shows them"), count, loaded->name);
     return false;
 }
 

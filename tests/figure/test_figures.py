@@ -210,6 +210,7 @@ REFUSED = [
     (["figure", "-o", "f.png", "--section=0,9000"], "does not cross"),
     (["figure", "-o", "f.png", "--log", "--scale", "0,5"], "above 0"),
     (["figure", "office", "-o", "f.png", "--grid", "flor"], 'did you mean floor'),
+    (["figure", "office", "-o", "f.png", "--grid", "4"], 'numbered from 1 to 3; luxel grid office shows them'),
     (["figure", "office", "-o", "f.png", "--grid", "4"], "no measuring grid"),
     (["figure", "-o", "f.png", "--grid", "1"], "add some under the key grids"),
     (["figure", "office", "-o", "f.png", "--grid", "floor", "--section"], "no sections"),
