@@ -8,19 +8,23 @@
 
 #include "../base/memory.h"
 
-int lx_direct_at(const struct lx_sampling_direct *sampling, const double (*places_mm)[3], const double (*normals)[3],
-                 int count, const struct lx_asking *asking, double irradiance[])
+/* Direct irradiance at the nodes of a cell; *error is that of its integral.  0, or -1 where the work is to stop. */
+static int sample_cell(const struct lx_sampling_direct *sampling, const struct lx_tile_cell *cell,
+                       const struct lx_asking *asking, double irradiance[LX_RULE_NODES], double *error)
 {
     struct lx_elements elements;
     struct lx_received received;
+    *error = 0;
     lx_elements_begin(&elements, &sampling->lobe, true);
-    for (int i = 0; i < count; i++)
-        lx_elements_append_place(&elements, lx_exact3(places_mm[i]), lx_exact3(normals[i]), NULL);
+    for (int i = 0; i < LX_RULE_NODES; i++)
+        lx_elements_append_place(&elements, lx_exact3(cell->place_mm[i]), lx_exact3(cell->normal[i]), NULL);
     lx_elements_end(&elements);
     lx_world_settle(&sampling->world, &(struct lx_settling){.has_normals = false}, &elements);
     lx_world_all_light(&sampling->world, &elements, LX_WANT_IRRADIANCE, asking, &received);
-    for (int i = 0; i < count; i++)
+    for (int i = 0; i < LX_RULE_NODES; i++) {
         irradiance[i] = received.on_element[i] ? 0 : received.irradiance.value[i];
+        *error += received.on_element[i] ? 0 : cell->area[i] * received.irradiance.error[i];
+    }
     return lx_asking_goes_on(asking) ? 0 : -1;
 }
 
@@ -51,6 +55,7 @@ struct descent {
     const struct lx_matte_face *face;
     const struct lx_asking *asking;
     double squares; /* of the errors of leaves' fluxes */
+    double errors;  /* of the samples, in the same */
 };
 
 static int look_closer(struct descent *descent, const struct lx_window *window, const struct lx_tile_cell *cell,
@@ -63,14 +68,14 @@ static int make_quarters(struct descent *descent, const struct lx_window *window
     const struct lx_sampling_direct *sampling = descent->sampling;
     struct lx_direct *quarters = lx_new_array(4, sizeof *quarters);
     struct lx_tile_cell *cells = lx_new_array(4, sizeof *cells);
-    double off = 0, difference = 0, moments[LX_RULE_NODES] = {0};
+    double off = 0, difference = 0, errors = 0, moments[LX_RULE_NODES] = {0};
     int failed = quarters && cells ? 0 : -1;
     for (int i = 0; i < 4 && !failed; i++) {
         const struct lx_window quarter = lx_window_quarter(window, i);
-        double foreseen[LX_RULE_NODES];
+        double foreseen[LX_RULE_NODES], error;
         lx_cell_make(descent->face, &quarter, &cells[i]);
-        failed = lx_direct_at(sampling, cells[i].place_mm, cells[i].normal, LX_RULE_NODES, descent->asking,
-                              quarters[i].nodes);
+        failed = sample_cell(sampling, &cells[i], descent->asking, quarters[i].nodes, &error);
+        errors += error;
         foresee(direct->nodes, i, foreseen);
         for (int q = 0; q < LX_RULE_NODES; q++) {
             const double change = (quarters[i].nodes[q] - foreseen[q]) * cells[i].area[q];
@@ -80,8 +85,10 @@ static int make_quarters(struct descent *descent, const struct lx_window *window
     }
     direct->quarters = quarters;
     const bool tells = off > sampling->least_flux && level < sampling->most_levels;
-    if (!tells)
+    if (!tells) {
         descent->squares += difference * difference + 1e-4 * off * off;
+        descent->errors += errors;
+    }
     for (int i = 0; i < 4 && !failed && tells; i++) {
         const struct lx_window quarter = lx_window_quarter(window, i);
         failed = look_closer(descent, &quarter, &cells[i], level + 1, &quarters[i]);
@@ -108,15 +115,14 @@ int lx_direct_sample(const struct lx_sampling_direct *sampling, const struct lx_
                      const struct lx_asking *asking, struct lx_tile *tile)
 {
     struct descent descent = {.sampling = sampling, .face = face, .asking = asking};
-    double area = 0;
-    if (lx_direct_at(sampling, (const double(*)[3])tile->cell.place_mm, (const double(*)[3])tile->cell.normal,
-                     LX_RULE_NODES, asking, tile->direct.nodes))
+    double area = 0, error;
+    if (sample_cell(sampling, &tile->cell, asking, tile->direct.nodes, &error))
         return -1;
     if (sampling->least_flux > 0 && look_closer(&descent, &tile->window, &tile->cell, 0, &tile->direct))
         return -1;
     for (int q = 0; q < LX_RULE_NODES; q++)
         area += tile->cell.area[q];
-    tile->direct_error = sqrt(descent.squares) / area;
+    tile->direct_error = (sqrt(descent.squares) + descent.errors) / area;
     return 0;
 }
 

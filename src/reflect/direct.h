@@ -16,10 +16,6 @@ struct lx_sampling_direct {
     int most_levels;
 };
 
-/* Direct irradiance at places of a face; 0, or -1 where the work is to stop. */
-int lx_direct_at(const struct lx_sampling_direct *sampling, const double (*places_mm)[3], const double (*normals)[3],
-                 int count, const struct lx_asking *asking, double irradiance[]);
-
 /* Sets the direct light of a tile and its error; 0, or -1 when memory ran out or the work is to stop. */
 int lx_direct_sample(const struct lx_sampling_direct *sampling, const struct lx_matte_face *face,
                      const struct lx_asking *asking, struct lx_tile *tile);

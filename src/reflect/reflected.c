@@ -14,8 +14,13 @@ enum { MOST_ROUNDS = 6, MOST_ROUNDS_OF_PICTURES = 4, LEVELS = 6 };
 /* Cells along a face at first: for places, and for pictures, of which less is asked. */
 enum { CELLS = 6, CELLS_OF_PICTURES = 4 };
 
-/* Differences of direct light that do not count, as a share of all of it. */
-static const double LITTLE = 2e-6;
+/* Differences of direct light that do not count, as a share of all of it and of the bound that is wanted. */
+static const double LITTLE = 1e-2;
+/* How exact integrals over sources are made that samples of direct light take, as a share of the bound that is wanted:
+ * errors of samples count as errors of the direct light. */
+static const double SAMPLED = 1e-3;
+/* Samples are no finer for smaller bounds than this. */
+static const double LEAST_ERROR = 1e-5;
 /* Errors of the last integral beside what two of them differ by. */
 static const double ROUNDING = 1e-7;
 
@@ -93,7 +98,7 @@ static luxel_status sample(struct lx_radiosity *reflected)
 }
 
 /* First the nodes, which tell how much light there is, then all that counts. */
-static luxel_status light_up(struct lx_radiosity *reflected)
+static luxel_status light_up(struct lx_radiosity *reflected, double error)
 {
     uint8_t *is_lit = lx_new_array(reflected->face_count, sizeof *is_lit);
     double flux = 0;
@@ -107,7 +112,7 @@ static luxel_status light_up(struct lx_radiosity *reflected)
     if (status == LUXEL_OK && lx_tiling_drop(reflected, is_lit))
         status = LUXEL_ERROR_MEMORY;
     free(is_lit);
-    reflected->sampling.least_flux = LITTLE * flux;
+    reflected->sampling.least_flux = LITTLE * fmax(error, LEAST_ERROR) * flux;
     return status == LUXEL_OK && flux > 0 ? sample(reflected) : status;
 }
 
@@ -152,7 +157,7 @@ static bool refine(struct lx_radiosity *reflected, const struct lx_reflected_wis
 static luxel_status work(struct lx_radiosity *reflected, const struct lx_reflected_wish *wish)
 {
     const int most = wish->place_count > 0 ? MOST_ROUNDS : MOST_ROUNDS_OF_PICTURES;
-    luxel_status status = lx_tiling_make(reflected) ? LUXEL_ERROR_MEMORY : light_up(reflected);
+    luxel_status status = lx_tiling_make(reflected) ? LUXEL_ERROR_MEMORY : light_up(reflected, wish->error);
     for (int round = 0; status == LUXEL_OK; round++) {
         bool failed = false;
         status = lx_reflected_solve(reflected);
@@ -174,12 +179,15 @@ luxel_status lx_reflected_make(const struct lx_reflected_wish *wish, struct lx_r
     *reflected = (struct lx_radiosity){
         .key = wish->key,
         .prepared = wish->prepared,
+        .sampled = *wish->prepared,
         .most_cells = wish->place_count > 0 ? CELLS : CELLS_OF_PICTURES,
-        .sampling = {.world = {wish->prepared, wish->kernels}, .lobe = lx_lobe_irradiance(), .most_levels = LEVELS},
+        .sampling = {.world = {NULL, wish->kernels}, .lobe = lx_lobe_irradiance(), .most_levels = LEVELS},
         .bounces = bounces->choice < 0 ? bounces->whole : 0,
         .threads = wish->threads,
         .control = wish->control,
     };
+    reflected->sampled.tolerance = fmax(reflected->sampled.tolerance, SAMPLED * wish->error);
+    reflected->sampling.world.prepared = &reflected->sampled;
     lx_kept_init(&reflected->kept, free_solution);
     const luxel_status status = work(reflected, wish);
     reflected->prepared = reflected->sampling.world.prepared = NULL;

@@ -13,7 +13,8 @@ enum { LX_MOST_TILES = 560 };
 struct lx_radiosity {
     struct lx_kept kept;
     struct lx_reflected_key key;
-    const struct lx_prepared *prepared; /* while it is made */
+    const struct lx_prepared *prepared; /* while it is made; */
+    struct lx_prepared sampled;         /* likewise, with the tolerance that samples of direct light are good for */
     struct lx_sampling_direct sampling;
     unsigned bounces; /* 0: all */
     double size_mm;   /* of the scene */

@@ -11,8 +11,8 @@
 #include "linear.h"
 #include "refine.h"
 
-const struct lx_fineness lx_fine = {.seen = 0.35, .rough = 0.2, .flat_part = 0.1, .round_part = 0.06};
-const struct lx_fineness lx_coarse = {.seen = 0.45, .rough = 0.25, .flat_part = 0.2, .round_part = 0.12};
+const struct lx_fineness lx_fine = {.seen = 0.35, .rough = 0.2, .flat_part = 0.25, .round_part = 0.06};
+const struct lx_fineness lx_coarse = {.seen = 0.45, .rough = 0.25, .flat_part = 0.4, .round_part = 0.12};
 
 /* Residuals are looked for at places that near to the edges of a tile, and may be larger between these by a factor. */
 static const double BESIDE = 0.97, BETWEEN = 2;
