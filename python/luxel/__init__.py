@@ -20,8 +20,8 @@ from ._language import set_language
 from ._photometry import Diagram, Greatest, LampSet, Opening, Photometry, PhotometryFigures
 from ._pictures import Figure, palettes
 from ._probe import Probe, Probes, Share
-from ._results import (Alternative, Comparison, Extrema, Extremum, GridExtremum, Histogram, Isophote, Judgement, Light,
-                       Mesh, Peak, Profile, Statistics, Summary)
+from ._results import (Alternative, Comparison, Extrema, Extremum, GridExtrema, GridExtremum, GridPeak, Histogram,
+                       Isophote, Judgement, Light, Mesh, Peak, Profile, Statistics, Summary)
 from ._scene import Scene, builtin_scenes, instruction_sets, schema, variant
 from ._luxel import version as _version
 
@@ -29,8 +29,8 @@ __version__ = _version()
 
 __all__ = [
     "Alternative", "Comparison", "Diagnostic", "Diagram", "Document", "Extrema", "Extremum", "Field", "Figure",
-    "Greatest", "Grid", "GridExtremum", "Histogram", "Isophote", "Judgement", "LampSet", "Light", "LuxelError",
-    "LuxelKeyError", "LuxelValueError", "LuxelWarning", "Mesh", "Opening", "Peak", "Photometry", "PhotometryFigures",
-    "Probe", "Probes", "Profile", "Scene", "Share", "Statistics", "Summary", "builtin_scenes", "compare",
-    "instruction_sets", "palettes", "read", "schema", "set_language", "variant", "__version__",
+    "Greatest", "Grid", "GridExtrema", "GridExtremum", "GridPeak", "Histogram", "Isophote", "Judgement", "LampSet",
+    "Light", "LuxelError", "LuxelKeyError", "LuxelValueError", "LuxelWarning", "Mesh", "Opening", "Peak", "Photometry",
+    "PhotometryFigures", "Probe", "Probes", "Profile", "Scene", "Share", "Statistics", "Summary", "builtin_scenes",
+    "compare", "instruction_sets", "palettes", "read", "schema", "set_language", "variant", "__version__",
 ]

@@ -8,8 +8,8 @@ from typing import TYPE_CHECKING, Any, Optional, Tuple, Union
 from . import _html, _luxel
 from ._arrays import shared
 from ._language import translate
-from ._results import GridExtremum, Vector
-from ._settings import Settings
+from ._results import GridExtrema, GridExtremum, GridPeak, Vector
+from ._settings import Progress, Settings
 
 if TYPE_CHECKING:
     from ._arrays import Bools, Floats
@@ -84,6 +84,17 @@ class Grid:
         array: "Floats" = numpy.empty(self.values.shape + (3,))
         _luxel.grid_positions(self._holder, array)
         return array
+
+    def extrema(self, *, progress: Optional[Progress] = None) -> GridExtrema:
+        """The greatest and the least value on the whole plane, its sides and corners included, with their bounds.
+
+        They are found with the settings that the grid was measured with, in its scene as it was then; neither is less
+        extreme than `maximum` and `minimum`, which are those of the cells.  What is narrower than the places that are
+        looked at lie apart may be missed.  Raises LuxelError.
+        """
+        scene, index, how = self._again
+        found = _luxel.grid_extrema(scene._handle, index, how[:-1] + (progress,))
+        return GridExtrema(*(None if peak is None else GridPeak(*peak) for peak in found))
 
     def write(self, path: Union[str, "os.PathLike[str]"]) -> None:
         """Writes the cells to a .csv file.  Raises LuxelError where it cannot be written."""

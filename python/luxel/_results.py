@@ -135,6 +135,23 @@ class GridExtremum(NamedTuple):
     position_mm: Vector  #: the centre of its cell
 
 
+class GridPeak(NamedTuple):
+    """The greatest or least value on the whole plane of a measuring grid, between its points."""
+
+    value: float
+    error: float  #: bounds |value - truth at this very place|
+    position_mm: Vector
+    on_plane_mm: Tuple[float, float]  #: from the plane's middle, along up x axis and along up
+
+
+class GridExtrema(NamedTuple):
+    """The maximum and minimum on the whole plane; None where no place has a value, and with light that surfaces
+    reflect to each other."""
+
+    maximum: Optional[GridPeak]
+    minimum: Optional[GridPeak]
+
+
 class Light(NamedTuple):
     """A light of a scene."""
 

@@ -13,6 +13,7 @@ from ._document import Document
 from ._errors import Diagnostic, LuxelError
 from ._field import Field, made, profile
 from ._grid import Grid
+from ._language import translate
 from ._pictures import Figure, drawing, look
 from ._probe import Probe, Probes, probes
 from ._results import Alternative, Judgement, Light, Mesh, Profile, Statistics, Vector, alternatives, statistics
@@ -54,8 +55,6 @@ def variant(number: int) -> "Scene":
 def _missing(path: str) -> LuxelError:
     """What the tool says of a name that is neither a file nor a built-in scene."""
     from difflib import get_close_matches
-
-    from ._language import translate
 
     message = translate("%s: no such file, and no built-in scene of that name") % path
     near = get_close_matches(path, list(builtin_scenes()), 1)
@@ -451,21 +450,40 @@ class Scene:
                                                       rounding, how)
         return Judgement(verdict, value, error, alternatives(reasons))
 
-    def figure(self, *, palette: Optional[str] = None, low: Optional[float] = None, high: Optional[float] = None,
-               logarithmic: bool = False, bands: str = "contours", levels: Union[int, Sequence[float]] = 8,
-               extrema: bool = True, points: bool = True, section: Union[None, str, Pair] = None, stacked: bool = False,
-               title: Optional[str] = None, label: Optional[str] = None, width_mm: float = 160.0,
-               dots_per_inch: float = 200.0, dark: bool = False, small_print: bool = True,
-               quantity: Optional[str] = None, precision: Optional[str] = None, threads: int = 0,
-               progress: Optional[Progress] = None) -> Figure:
+    def _grid_number(self, grid: Union[str, int]) -> int:
+        """The number, from 1 on, of the grid of this name or number."""
+        names = tuple(self.grids)
+        if not names:
+            raise ValueError("grid: %r: %s" % (grid, translate("%s has no measuring grids") % self._name))
+        if isinstance(grid, str):
+            return 1 + choice("grid", grid, names)
+        if not 1 <= grid <= len(names):
+            raise ValueError("grid: %r: 1 to %d (%s)" % (grid, len(names), ", ".join(names)))
+        return grid
+
+    def figure(self, *, grid: Union[None, str, int] = None, palette: Optional[str] = None, low: Optional[float] = None,
+               high: Optional[float] = None, logarithmic: bool = False, bands: str = "contours",
+               levels: Union[int, Sequence[float]] = 8, extrema: bool = True, points: bool = True,
+               section: Union[None, str, Pair] = None, stacked: bool = False, title: Optional[str] = None,
+               label: Optional[str] = None, width_mm: float = 160.0, dots_per_inch: float = 200.0,
+               dark: bool = False, small_print: bool = True, quantity: Optional[str] = None,
+               precision: Optional[str] = None, threads: int = 0, progress: Optional[Progress] = None) -> Figure:
         """A figure in false colour with a bar, axes in mm, isophotes and marks, drawn when it is shown or saved.
 
         `bands`: "smooth", "bands", "contours" or "lines".  `section`: None, "center", "maximum" or a point.
+        `grid`: the plane of a measuring grid instead of the picture, by its name or number, from 1 on as in
+        `luxel figure --grid`: its irradiance with the values of its points, the lights over it, average, minimum,
+        maximum and U0; it has no sections.
         ImportError when it is drawn where Luxel was built without figures.
         """
+        number = 0 if grid is None else self._grid_number(grid)
+        if number and section is not None:
+            raise ValueError("section: %r: the figure of a grid has no sections" % (section,))
+        if number and quantity not in (None, "irradiance"):
+            raise ValueError("quantity: %r: a measuring grid has the irradiance" % quantity)
         how = settings(self._carried, quantity, precision, threads, progress=progress)
         return Figure(self.copy(), how, look(palette, low, high, logarithmic, bands, levels, extrema, points, section,
-                                             stacked, title, label, width_mm, dots_per_inch, dark, small_print))
+                                             stacked, title, label, width_mm, dots_per_inch, dark, small_print, number))
 
     def report(self, path: Path, *, title: Optional[str] = None, author: Optional[str] = None,
                group: Optional[str] = None, date: Optional[str] = None, palette: Optional[str] = None,

@@ -55,15 +55,15 @@ static bool levels_of(PyObject *list, double levels[MOST_LEVELS], luxel_figure_s
 static bool figure_of(PyObject *tuple, double levels[MOST_LEVELS], luxel_figure_settings *figure)
 {
     int logarithmic, bands, extrema, points, section, stacked, dark, small_print;
-    Py_ssize_t wanted;
+    Py_ssize_t wanted, grid;
     PyObject *list;
 
     luxel_figure_settings_init(figure);
     if (!is_tuple(tuple) ||
-        !PyArg_ParseTuple(tuple, "zddpinOppi(dd)pzzddpp", &figure->palette, &figure->low, &figure->high, &logarithmic,
+        !PyArg_ParseTuple(tuple, "zddpinOppi(dd)pzzddppn", &figure->palette, &figure->low, &figure->high, &logarithmic,
                           &bands, &wanted, &list, &extrema, &points, &section, &figure->section_mm[0],
                           &figure->section_mm[1], &stacked, &figure->title, &figure->label, &figure->width_mm,
-                          &figure->dots_per_inch, &dark, &small_print))
+                          &figure->dots_per_inch, &dark, &small_print, &grid))
         return false;
     figure->logarithmic = logarithmic != 0;
     figure->bands = (luxel_bands)bands;
@@ -74,6 +74,7 @@ static bool figure_of(PyObject *tuple, double levels[MOST_LEVELS], luxel_figure_
     figure->stacked = stacked != 0;
     figure->dark = dark != 0;
     figure->small_print = small_print != 0;
+    figure->grid = (size_t)grid;
     return levels_of(list, levels, figure);
 }
 

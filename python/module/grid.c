@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* Measuring grids: their values and errors as views, and what is read off them. */
+/* Measuring grids: their values and errors as views, what is read off them, and the extrema on their planes. */
 #include "failure.h"
 #include "work.h"
 
@@ -91,6 +91,38 @@ static PyObject *measure(PyObject *module, PyObject *arguments)
     return NULL;
 }
 
+/* ---- the whole plane ---- */
+
+static PyObject *peak(const luxel_grid_peak *peak)
+{
+    return peak->exists ? Py_BuildValue("(ddN(dd))", peak->value, peak->error, triple_or_none(true, peak->position_mm),
+                                        peak->on_plane_mm[0], peak->on_plane_mm[1])
+                        : none();
+}
+
+static PyObject *grid_extrema(PyObject *module, PyObject *arguments)
+{
+    PyObject *handle, *settings;
+    Py_ssize_t index;
+    struct work work;
+    luxel_grid_extrema extrema;
+    const luxel_scene *scene;
+    luxel_diagnostics *diagnostics;
+
+    if (!PyArg_ParseTuple(arguments, "OnO", &handle, &index, &settings) || !(scene = scene_of(module, handle)) ||
+        !work_begin(&work, settings) || !(diagnostics = diagnostics_begin()))
+        return NULL;
+    work_leave(&work);
+    const luxel_status status = luxel_find_grid_extrema(scene, &work.settings, (size_t)index, diagnostics, &extrema);
+
+    work_return(&work);
+    if (!diagnostics_end(&module_state(module)->language, status, diagnostics))
+        return NULL;
+    return Py_BuildValue("(NN)", peak(&extrema.maximum), peak(&extrema.minimum));
+}
+
+/* ---- the cells ---- */
+
 static PyObject *grid_count(PyObject *module, PyObject *handle)
 {
     const luxel_scene *scene = scene_of(module, handle);
@@ -150,6 +182,8 @@ static PyObject *grid_write(PyObject *module, PyObject *arguments)
 const PyMethodDef grid_functions[] = {
     FUNCTION("measure", measure, METH_VARARGS, "scene: SceneHandle, index: int, settings: _Settings, /",
              "Tuple[Any, ...]"),
+    FUNCTION("grid_extrema", grid_extrema, METH_VARARGS, "scene: SceneHandle, index: int, settings: _Settings, /",
+             "Tuple[Any, Any]"),
     FUNCTION("grid_count", grid_count, METH_O, "scene: SceneHandle, /", "int"),
     FUNCTION("grid_positions", grid_positions, METH_VARARGS, "grid: Holder, places: Any, /", "None"),
     FUNCTION("grid_write", grid_write, METH_VARARGS, "grid: Holder, path: bytes, /", "None"),

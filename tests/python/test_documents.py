@@ -4,6 +4,8 @@ import os
 import pickle
 import re
 
+import numpy
+
 from package import Tap, luxel, raises, run_tests
 from tool import SCENE
 
@@ -83,6 +85,63 @@ def test_figures(tap, tool):
         luxel.set_language("en")
 
 
+TWO_GRIDS = [{"name": "table", "center": [0, 0, 900], "size": [400, 200], "n": [4, 2]},
+             {"name": "shelf", "center": [0, 0, 500], "size": [800, 400], "n": [4, 2]}]
+
+
+def test_grid_figures(tap, tool):
+    try:
+        luxel.palettes()
+    except ImportError as error:
+        tap.skip("figures of grids", error)
+        return
+    scene = luxel.Scene("desk").changed({"grids": TWO_GRIDS})
+    scene.save(tool.file("two.yaml"))
+    for grid in ("table", "shelf", 2):
+        figure = scene.figure(grid=grid, title="T", bands="lines")
+        tool.run("figure", "two.yaml", "--grid", str(grid), "-o", "a.svg", "--title", "T", "--lines")
+        tap.ok(without_numbers(figure.svg().encode()) == without_numbers(tool.read("a.svg")),
+               "of grid %s, with the bytes of the tool" % grid)
+    tap.ok(figure.png() == pickle.loads(pickle.dumps(figure)).png(), "pickled")
+    tap.ok(scene.figure(grid="shelf").png() != scene.figure(grid="table").png() != scene.figure().png(),
+           "each grid has its own, and the picture")
+    for wrong in ("floor", 0, 3, -1):
+        told = str(raises(ValueError, scene.figure, grid=wrong))
+        tap.ok(told.startswith("grid: %r: " % wrong) and "table, shelf" in told, "grids that there are", told)
+    told = str(raises(ValueError, luxel.Scene("report").figure, grid=1))
+    tap.ok("no measuring grids" in told, "none at all", told)
+    for wrong in ({"section": "center"}, {"section": (0, 0)}, {"quantity": "brightness"}):
+        tap.ok(raises(ValueError, scene.figure, grid=1, **wrong), "%r of a grid is refused" % wrong)
+    tap.ok(scene.figure(grid=1, quantity="irradiance").svg().startswith("<?xml"), "the irradiance is not")
+
+
+def test_grid_extrema(tap, tool):
+    """Between the points of the grid, as the tool tells them and as free elements have them there."""
+    scene = luxel.Scene("desk").changed({"grids": TWO_GRIDS})
+    scene.save(tool.file("two.yaml"))
+    for index, told in enumerate(tool.run("grid", "two.yaml", "--json").json()["grids"]):
+        grid = scene.grid(index)
+        found = grid.extrema()
+        for kind in ("maximum", "minimum"):
+            peak, expected = getattr(found, kind), told["extrema"][kind]
+            tap.equal((peak.value, peak.error, list(peak.position_mm)),
+                      (expected["value"], expected["error"], expected["position"]), "%s of %s" % (kind, grid.name))
+            value, error = scene.evaluate(peak.position_mm, grid.axis, quantity="irradiance").tolist()
+            tap.near(value, peak.value, error + peak.error + 1e-9 * peak.value, "is that of an element there")
+            place = [c + peak.on_plane_mm[0] * x + peak.on_plane_mm[1] * y
+                     for c, x, y in zip(grid.center_mm, grid.across, grid.up)]
+            tap.ok(numpy.allclose(place, peak.position_mm, rtol=0, atol=1e-9), "on the plane", place, peak)
+        tap.ok(found.minimum.value <= grid.minimum.value and found.maximum.value >= grid.maximum.value,
+               "none of the cells is beyond")
+    scene["lights[0].enabled"] = False
+    tap.equal((grid.extrema(), pickle.loads(pickle.dumps(grid)).extrema()), (found, found),
+              "those of the scene that was measured")
+    tap.equal(raises(luxel.LuxelError, luxel.Scene("office").grid(2).extrema, progress=lambda done: False).status,
+              "cancelled", "progress that returns False ends the search")
+    shining = luxel.Scene("two-spheres").changed({"grids": TWO_GRIDS[:1], "reflections": 1})
+    tap.equal(tuple(shining.grid(reflected_error=0.1).extrema()), (None, None), "none with reflected light")
+
+
 def test_grid(tap, tool):
     told = tool.run("grid", "desk", "--json").json()["grids"][0]
     scene = luxel.Scene("desk")
@@ -126,4 +185,4 @@ def test_tables(tap, tool):
     tap.ok(os.path.exists(os.path.join(os.path.dirname(luxel.__file__), "py.typed")), "types are there")
 
 
-run_tests(Tap(), test_explain, test_judge, test_figures, test_grid, test_tables)
+run_tests(Tap(), test_explain, test_judge, test_figures, test_grid_figures, test_grid_extrema, test_grid, test_tables)

@@ -55,6 +55,8 @@ def test_growth(tap, tool):
     grows(tap, "documents", lambda: scene.explain().text, 60)
     desk = luxel.Scene("desk").changed({"grids[0].n": [2, 2]})
     grows(tap, "grids", lambda: desk.grid().values.sum(), 60)
+    measured = desk.grid()
+    grows(tap, "extrema of grids", measured.extrema, 60)
 
 
 def test_references(tap, tool):
@@ -71,6 +73,7 @@ def test_references(tap, tool):
         field.extrema()
         luxel._luxel.probe(handle, [(0.0, 0.0), (0.0, 0.0, 1300.0, 0.0, 0.0, 1.0, None, 0)], settings)
         raises(TypeError, luxel._luxel.probe, handle, [(1.0,)], settings)
+        raises(ValueError, luxel._luxel.grid_extrema, handle, 0, settings)
         raises(TypeError, luxel._luxel.render, handle, int, settings)
         raises(KeyError, luxel._luxel.scene_get, handle, "nonsense")
 
