@@ -12,6 +12,7 @@ Lengths are millimetres, y points up on the screen; docs/SCENE.md of Luxel tells
 when arrays are asked for.  Everything may be used by several threads at once: a scene that is changed while another
 thread computes with it goes on there as it was.
 """
+from ._balance import Amount, Balance, LitSide
 from ._document import Document
 from ._errors import Diagnostic, LuxelError, LuxelKeyError, LuxelValueError, LuxelWarning
 from ._field import Field, compare, read
@@ -28,9 +29,10 @@ from ._luxel import version as _version
 __version__ = _version()
 
 __all__ = [
-    "Alternative", "Comparison", "Diagnostic", "Diagram", "Document", "Extrema", "Extremum", "Field", "Figure",
-    "Greatest", "Grid", "GridExtrema", "GridExtremum", "GridPeak", "Histogram", "Isophote", "Judgement", "LampSet",
-    "Light", "LuxelError", "LuxelKeyError", "LuxelValueError", "LuxelWarning", "Mesh", "Opening", "Peak", "Photometry",
-    "PhotometryFigures", "Probe", "Probes", "Profile", "Scene", "Share", "Statistics", "Summary", "builtin_scenes",
-    "compare", "instruction_sets", "palettes", "read", "schema", "set_language", "variant", "__version__",
+    "Alternative", "Amount", "Balance", "Comparison", "Diagnostic", "Diagram", "Document", "Extrema", "Extremum",
+    "Field", "Figure", "Greatest", "Grid", "GridExtrema", "GridExtremum", "GridPeak", "Histogram", "Isophote",
+    "Judgement", "LampSet", "Light", "LitSide", "LuxelError", "LuxelKeyError", "LuxelValueError", "LuxelWarning",
+    "Mesh", "Opening", "Peak", "Photometry", "PhotometryFigures", "Probe", "Probes", "Profile", "Scene", "Share",
+    "Statistics", "Summary", "builtin_scenes", "compare", "instruction_sets", "palettes", "read", "schema",
+    "set_language", "variant", "__version__",
 ]

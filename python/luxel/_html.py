@@ -2,7 +2,8 @@
 """Tables for notebooks."""
 from __future__ import annotations
 
-from typing import Iterable, Optional, Sequence
+from math import floor, log10
+from typing import Iterable, Optional, Sequence, Tuple
 
 from ._language import translate
 
@@ -10,6 +11,13 @@ from ._language import translate
 def number(value: Optional[float], digits: int = 9) -> str:
     """A number as tables show it; "—" where there is none."""
     return "—" if value is None else "%.*g" % (digits, value)
+
+
+def bounded(amount: Tuple[float, float]) -> str:
+    """A value with no digits beyond those of the bound of its error, and the bound of what is shown."""
+    value, error = amount
+    shown = "%.7g" % (round(value, 1 - floor(log10(error))) + 0.0 if error > 0 else value)
+    return "%s ± %.2g" % (shown, error + abs(float(shown) - value))
 
 
 def table(heading: Sequence[str], rows: Iterable[Sequence[str]], caption: str = "") -> str:

@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, Any, Dict, Iterable, List, Mapping, Optional, 
 
 from . import _flow, _luxel
 from ._arrays import floats
+from ._balance import Balance, balance
 from ._document import Document
 from ._errors import Diagnostic, LuxelError
 from ._field import Field, made, profile
@@ -401,6 +402,17 @@ class Scene:
         how = settings(self._carried, None, None, threads, None, tolerance, progress=progress,
                        reflected_error=reflected_error)
         return Grid(self, name, how)
+
+    def balance(self, *, tolerance: Optional[float] = None, reflected_error: Optional[float] = None, threads: int = 0,
+                progress: Optional[Progress] = None) -> Optional[Balance]:
+        """The mean irradiance of each side of the surfaces, and the balance of the flux, with bounds of their errors.
+
+        None where surfaces reflect no light to each other (the scene's key `reflections`).  `reflected_error` is the
+        bound wanted of the means, as a share of the greatest; where it is missed there is a LuxelWarning.
+        """
+        how = settings(self._carried, None, None, threads, None, tolerance, progress=progress,
+                       reflected_error=reflected_error)
+        return balance(_luxel.find_balance(self._handle, how))
 
     def profile(self, start: Pair, end: Pair, samples: Optional[int] = None, *, arc: bool = False,
                 quantity: Optional[str] = None, tolerance: Optional[float] = None, threads: int = 0,

@@ -13,6 +13,15 @@ from tool import PATIENCE, SCENE
 SETTINGS = (0, 0, 0, None, 0.0, 0.0, 0.0, 1, False, None)
 LIMIT = 20 * PATIENCE  # seconds, after which a loop ends early on a slow machine
 
+BALL = """luxel: 1
+reflections: 1
+screen: {width: 1000, height: 1000, resolution: [8, 8]}
+observer: {z: 9000}
+surfaces: [{type: sphere, center: [0, 0, 0], radius: 500, inside: true,
+            material: {model: lambert, diffuse: 0.8, over_pi: true}}]
+lights: [{type: ambient, irradiance: 1}]
+"""
+
 
 def resident():
     """Kilobytes of memory that the process has."""
@@ -55,6 +64,8 @@ def test_growth(tap, tool):
     grows(tap, "documents", lambda: scene.explain().text, 60)
     desk = luxel.Scene("desk").changed({"grids[0].n": [2, 2]})
     grows(tap, "grids", lambda: desk.grid().values.sum(), 60)
+    shining = luxel.Scene(BALL)
+    grows(tap, "balances", lambda: shining.balance(reflected_error=0.05), 200)
     measured = desk.grid()
     grows(tap, "extrema of grids", measured.extrema, 60)
 

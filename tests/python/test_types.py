@@ -38,6 +38,8 @@ place: str = peak.place if peak else ""
 grid: luxel.Grid = luxel.Scene("desk").grid("desk")
 cells: npt.NDArray[np.float64] = grid.values
 greatest: luxel.GridPeak | None = grid.extrema().maximum
+light: luxel.Balance | None = scene.balance()
+flux: float = light.absorbed.value if light else 0.0
 plane: luxel.Figure = luxel.Scene("desk").figure(grid="desk")
 svg: str = scene.figure(palette="turbo", section=(0, 0)).svg()
 text: str = scene.explain((0, 0)).html
@@ -49,7 +51,8 @@ except luxel.LuxelError as error:
 '''
 WRONG = ['luxel.Scene(5)', 'luxel.Scene().render(thread=2)', 'luxel.Scene().render(threads="2")',
          'luxel.Scene().probe((0, 0)).valeu', 'luxel.Scene().grid(1.5)', 'luxel.Scene().explain("a").text',
-         'luxel.Scene().render().shape.upper()', 'luxel.Scene("desk").figure(grid=1.5)']
+         'luxel.Scene().render().shape.upper()', 'luxel.Scene("desk").figure(grid=1.5)',
+         'luxel.Scene().balance().sides']
 
 
 FOLDER = os.path.dirname(os.path.dirname(luxel.__file__))

@@ -1,0 +1,105 @@
+# SPDX-License-Identifier: MIT
+"""The light on surfaces and the balance of the flux: as the tool tells them, and as they are known in closed form."""
+import pickle
+import re
+import warnings
+
+from package import Tap, luxel, raises, run_tests
+
+ROOM = """luxel: 1
+reflections: all
+screen: {width: 3000, height: 3000, resolution: [8, 8]}
+observer: {z: 9000, projection: perspective}
+surfaces: [{type: room, center: [0, 0, 2000], size: [4000, 4000, 4000],
+            material: {model: lambert, diffuse: 0.5, over_pi: true}}]
+lights: [{type: ambient, irradiance: 1}]
+"""
+BALL = """luxel: 1
+reflections: 2
+units: photometric
+screen: {width: 1000, height: 1000, resolution: [8, 8]}
+observer: {z: 9000}
+surfaces: [{type: sphere, name: "<ball>", center: [0, 0, 0], radius: 500, inside: true,
+            material: {model: lambert, diffuse: 0.8, over_pi: true}}]
+lights: [{type: point, position: [0, 0, 0], power: 1000, attenuation: inverse-square}]
+"""
+QUICK = {"reflections": 1, "lights[0]": {"type": "ambient", "irradiance": 1}}
+FLUXES = ("emitted", "missed", "arrives", "absorbed", "escaped", "pending", "difference")
+
+
+def within(amount, truth, most):
+    return abs(amount.value - truth) <= amount.error <= most
+
+
+def told_amount(told):
+    return told and (told["value"], told["error"])
+
+
+def test_tool(tap, tool):
+    for name, text in (("a room", ROOM), ("a ball", BALL)):
+        scene = luxel.Scene(text)
+        told = tool.run("stats", "-", "--json", stdin=text).json()
+        scene.render()  # as the tool does, whose balance is that of the picture's reflected light
+        found = scene.balance()
+        tap.equal([(side.surface, side.surface_name, side.wall, side.side, side.area_m2, side.reflectance, side.direct,
+                    side.irradiance) for side in found.sides],
+                  [(side["surface"], side["name"], side.get("wall"), side["side"], side["area"], side["reflectance"],
+                    told_amount(side["direct"]), told_amount(side["irradiance"])) for side in told["surfaces"]],
+                  name + ": the sides")
+        balance = told["balance"]
+        tap.equal([getattr(found, flux) for flux in FLUXES], [told_amount(balance[flux]) for flux in FLUXES],
+                  name + ": the fluxes")
+        tap.equal((found.flux_unit, found.closes, found.reached), (balance["unit"], balance["closes"], True),
+                  name + ": unit, whether it closes, whether the bound was reached")
+        tap.equal(pickle.loads(pickle.dumps(found)), found, name + ": pickled")
+        again = luxel.Scene(text).balance(threads=1)
+        tap.ok(abs(again.absorbed.value - found.absorbed.value) <= again.absorbed.error + found.absorbed.error,
+               name + ": without the picture it is within its bounds, too")
+
+
+def test_truth(tap, tool):
+    found = luxel.Scene(ROOM).balance(reflected_error=1e-3)
+    tap.equal((found.unit, found.flux_unit, found.emitted, found.missed), ("W/m²", "W", None, None), "ambient light")
+    tap.equal([(side.wall, side.side) for side in found.sides[:2]], [("left", "front"), ("left", "back")], "walls")
+    for side, truth in zip(found.sides, [2, 1] * 6):
+        tap.ok(within(side.irradiance, truth, 2e-3) and abs(side.area_m2 - 16) < 1e-9 and
+               side.reflectance == 0.5, "the mean of " + side.wall, side)
+    tap.ok(within(found.absorbed, 96 * 1.5, 0.2) and found.pending == (0, 0) and found.closes, "all is absorbed", found)
+    found = luxel.Scene(BALL).balance()
+    tap.ok(within(found.emitted, 1000, 1e-6) and within(found.missed, 0, 1), "a lamp in a ball", found)
+    tap.ok(within(found.pending, 1000 * 0.8 ** 3, 4) and within(found.absorbed, 1000 * (1 - 0.8 ** 3), 4),
+           "what is left after two bounces", found)
+    tap.equal([(side.surface_name, side.wall, side.side) for side in found.sides], [("<ball>", None, "inside")],
+              "its side")
+
+
+def test_ways(tap, tool):
+    tap.equal(luxel.Scene("report").balance(), None, "a scene without reflected light has none")
+    scene = luxel.Scene(BALL)
+    with warnings.catch_warnings(record=True) as told:
+        warnings.simplefilter("always")
+        missed = scene.changed(QUICK).balance(reflected_error=1e-14)
+    tap.equal([(one.category, one.filename) for one in told] + [missed.reached],
+              [(luxel.LuxelWarning, __file__), False], "a bound that is missed is told")
+    tap.ok(raises(luxel.LuxelValueError, scene.balance, reflected_error=-1), "a bound below 0 is refused")
+    found = scene.balance()
+    html = found._repr_html_()
+    tap.ok("&lt;ball&gt;, inside" in html and "absorbed by surfaces" in html and "reflected after the last" in html,
+           "tables for notebooks", html)
+    shown = re.findall(r"([^>]+) ± ([^<]+)<", html)
+    amounts = [found.sides[0].direct, found.sides[0].irradiance] + [getattr(found, flux) for flux in FLUXES]
+    tap.equal(len(shown), len(amounts), "all numbers")
+    for (value, error), amount in zip(shown, amounts):
+        tap.ok(abs(float(value) - amount.value) <= 1.06 * float(error) < 1e-3 * amounts[0].value, "within its bound",
+               value, amount)
+    tap.equal(shown[2 + FLUXES.index("escaped")][0], "0", "what is 0 within its bound is shown as 0")
+    tap.ok("reflected after the last" not in luxel.Scene(ROOM).balance()._repr_html_(), "without what there is not")
+    luxel.set_language("ru")
+    try:
+        html = found._repr_html_()
+        tap.ok("absorbed" not in html and "inside" not in html and "лк" in html, "in Russian", html)
+    finally:
+        luxel.set_language("en")
+
+
+run_tests(Tap(), test_tool, test_truth, test_ways)
