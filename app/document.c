@@ -59,7 +59,7 @@ static void app_document_init(AppDocument *self)
 AppDocument *app_document_new(void)
 {
     AppDocument *self = g_object_new(APP_TYPE_DOCUMENT, NULL);
-    gboolean done = app_document_open_builtin(self, "report", NULL);
+    gboolean done = app_document_open_builtin(self, "sphere", NULL);
     g_assert(done); /* it is part of the library */
     return self;
 }

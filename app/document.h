@@ -20,7 +20,7 @@
 #define APP_TYPE_DOCUMENT (app_document_get_type())
 G_DECLARE_FINAL_TYPE(AppDocument, app_document, APP, DOCUMENT, GObject)
 
-/* A document of the built-in scene `report`. */
+/* A document of the built-in scene `sphere`, which is whole in view with its lamp. */
 AppDocument *app_document_new(void);
 
 /*

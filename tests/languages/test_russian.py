@@ -17,8 +17,8 @@ WORD = re.compile(r"[A-Za-z][A-Za-z_-]*[A-Za-z]")
 # Names of things, in every language.
 NAMES = set("""luxel YAML JSON Schema UTF png pfm npy exr csv PNG NPY PFM EXR CSV OpenEXR libpng zlib stdin NX NY NZ
     yaml-language-server luxel.schema json yaml NULL x_mm y_mm value_ single double NUMPY Pf quantity
-    brightnesz kd ks ka my render probe grid check scene set schema help report three-lights two-spheres desk OFF OBJ
-    PLY STL glTF
+    brightnesz kd ks ka my render probe grid check scene set schema help report sphere three-lights two-spheres desk
+    OFF OBJ PLY STL glTF
     FILE U0 Ud window grey viridis cividis inferno magma plasma coolwarm turbo HTML PDF SVG LaTeX markdown latex
     html text figure explain report stats profile isophotes compare variant grade advise bench photometry bench.json
     LOW HIGH TAP cairo pango luxel-draw

@@ -8,7 +8,6 @@ import { Compare } from './compare';
 import { Dial } from './dial';
 import { h } from './dom';
 import { Embedding, wishes } from './embedding';
-import { FIRST_SCENE } from './first';
 import { Files } from './files';
 import { Form } from './form';
 import { Gallery } from './gallery';
@@ -23,6 +22,9 @@ import { SectionPanel } from './section';
 import { SpaceView } from './space';
 import { TextEditor } from './text';
 import { currentLanguage, number, setLanguage, t, type Language } from './words';
+
+/** The built-in scene that the page begins with, where its link names no other: whole in view, with its lamp. */
+const FIRST_SCENE = 'sphere';
 
 const TYPES: Record<string, string> = {
     '.png': 'image/png',
@@ -108,10 +110,11 @@ class Page {
     }
 
     private async openFirst() {
-        let text = FIRST_SCENE;
+        const named = (wanted?: string) => this.builtins.find(({ name }) => name === wanted)?.text;
+        let text = named(FIRST_SCENE) ?? '';
         try {
             const linked = await unpacked(location.hash);
-            text = linked?.text ?? this.builtins.find(({ name }) => name === linked?.name)?.text ?? text;
+            text = linked?.text ?? named(linked?.name) ?? text;
         } catch {
             this.say(t('The link holds no scene that can be read.'));
         }

@@ -121,7 +121,11 @@ class Desk:
         shutil.rmtree(self.folder, ignore_errors=True)
 
     def start(self, *arguments, **environment):
-        """luxel-app; environment variables can be given by name."""
+        """luxel-app with the lab report's scene, or with what is named; environment variables can be given by name."""
+        return self.start_bare(*(arguments or ("report",)), **environment)
+
+    def start_bare(self, *arguments, **environment):
+        """luxel-app with these arguments and no others."""
         app = App(self, arguments, environment)
         self.apps.append(app)
         return app

@@ -24,6 +24,18 @@ def built_in_scene(tap, desk):
     tap.equal(app.process.returncode, 0, "Ctrl+Q ends it")
 
 
+def first_scene(tap, desk):
+    """Without a name: a whole sphere and its lamp, both in the picture."""
+    window = desk.start_bare().window()
+    tap.equal(window.title, "sphere – Luxel", "the title names the scene")
+    tap.equal(window.save(), luxel("scene", "sphere"), "it is the built-in one, byte for byte")
+    x, y, width, height = window.picture_area()
+    for what, place in (("sphere's left end", (-300, 0)), ("sphere's upper end", (0, 300)), ("lamp", (300, 300))):
+        seen = window.pixel(*place)
+        tap.ok(x < seen[0] < x + width and y < seen[1] < y + height, "in the picture: the " + what,
+               seen)
+
+
 def scenes_given(tap, desk):
     path, broken = desk.path("two.yaml"), desk.path("broken.yaml")
     with open(path, "wb") as file:
@@ -67,4 +79,4 @@ def version(tap, desk):
     tap.ok(os.path.basename(LUXEL) in "luxel" and said.startswith("luxel-app "), "and it names itself", said)
 
 
-trial(built_in_scene, scenes_given, by_name, version)
+trial(built_in_scene, first_scene, scenes_given, by_name, version)
