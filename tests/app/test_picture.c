@@ -116,7 +116,10 @@ static void paints_what_is_computed(void **state)
         set(studio->document, "screen.resolution", "[100, 80]");
         set(studio->document, "screen.width", "800");
         set(studio->document, "screen.height", "640");
-        studio->wish.display.palette = i % 2 ? "viridis" : "grey";
+        /* grey pictures keep to a range that the scene has */
+        char *range = app_document_get(studio->document, "picture.range", NULL);
+        studio->wish.display.palette = i % 2 || (range && strcmp(range, "max") != 0) ? "viridis" : "grey";
+        g_free(range);
         studio->wish.quantity = i % 3 ? LUXEL_BRIGHTNESS : LUXEL_IRRADIANCE;
         AppPicture *picture = picture_of(studio);
         AppShot *shot = shot_of(studio->document, studio->wish.quantity);

@@ -148,6 +148,7 @@ static void shows_what_has_a_say(void **state)
         const char *keys;
     } cases[] = {
         {"report", 0, POINT},
+        {"sphere", 0, POINT},
         {"distant", 0, DISTANT},
         {"distant", 1, AMBIENT},
         {"spot", 0, SPOT},
