@@ -25,6 +25,7 @@ export class Compare {
     onChange: () => void = () => undefined;
     which: Which = 'B';
     private kept: Picture | null = null;
+    private awaitsWhole = false; // the next whole picture becomes A
     private screen = [1, 1]; // of A, in mm
 
     constructor(private readonly model: Model) {}
@@ -50,10 +51,17 @@ export class Compare {
               ]
             : [];
         this.element.replaceChildren(
-            button('Keep as A', () => this.keep(this.model.picture?.stride === 1 ? this.model.picture : null)),
+            button('Keep as A', () => this.keepWhole()),
             ...parts,
         );
         this.tell();
+    }
+
+    /** Keeps the present picture or, while it is coarse, the whole one that is on its way. */
+    private keepWhole() {
+        const { picture } = this.model;
+        this.awaitsWhole = picture?.stride !== 1;
+        if (!this.awaitsWhole) this.keep(picture);
     }
 
     private keep(picture: Picture | null) {
@@ -103,6 +111,7 @@ export class Compare {
 
     /** Says how far B is from A; called for each new picture. */
     tell() {
+        if (this.awaitsWhole && this.model.picture?.stride === 1) return this.keepWhole();
         const { kept } = this;
         const { picture } = this.model;
         this.summary.hidden = !kept;

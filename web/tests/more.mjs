@@ -77,6 +77,12 @@ async function compares(page) {
     await until(page, `picture.scale.high === ${kept}`);
     await page.getByRole('button', { name: 'Forget A' }).click();
     equal(await page.getByLabel('Compare').count(), 0, 'choices without A');
+    await inside(page, 'void (model.picture = { ...model.picture, stride: 2 })'); // as if the whole one were on its way
+    await page.getByRole('button', { name: 'Keep as A' }).click();
+    equal(await page.getByLabel('Compare').count(), 0, 'choices before A is there');
+    await inside(page, "void model.change([{ set: 'lights[0].intensity=12' }])");
+    await page.getByLabel('Compare').waitFor();
+    await page.getByRole('button', { name: 'Forget A' }).click();
 }
 
 async function turnsDial(page) {
