@@ -104,7 +104,7 @@ export class Form {
             const isLights = list === 'lights';
             this.element.append(h('h3', {}, t(isLights ? 'Lights' : 'Surfaces'), this.adder(list, types.length)));
             types.forEach((type, i) => {
-                const name = isLights ? this.model.scene!.lights[i].name : null;
+                const name = isLights ? this.model.scene?.lights[i]?.name : null; // lists may be newer than scene
                 const base = `${list}[${i}]`;
                 const details = section(
                     `${i + 1} · ${this.kindWords(list, type)}${name ? `: ${name}` : ''}`,

@@ -5,6 +5,7 @@ import path from 'node:path';
 import { chromium } from 'playwright-core';
 
 const CHROMIUM = process.env.LUXEL_CHROMIUM ?? '/usr/bin/chromium';
+const PATIENCE = 60000; // milliseconds that a busy machine may need
 const SHOTS = process.env.LUXEL_SCREENSHOTS; // a folder for pictures of the page, to be looked at
 
 export function started() {
@@ -17,7 +18,7 @@ export async function opened(browser, url, options = {}) {
     page.faults = [];
     page.on('pageerror', (error) => page.faults.push(String(error)));
     page.on('console', (message) => message.type() === 'error' && page.faults.push(message.text()));
-    page.setDefaultTimeout(10000);
+    page.setDefaultTimeout(PATIENCE);
     await page.goto(url);
     await ready(page);
     return page;
@@ -37,7 +38,7 @@ export const inside = (page, what) =>
 
 /** Waits until something inside is as it should be. */
 export async function until(page, what) {
-    for (let i = 0; i < 200; i++) {
+    for (let i = 0; i < PATIENCE / 50; i++) {
         if (await inside(page, what)) return;
         await page.waitForTimeout(50);
     }
