@@ -56,7 +56,7 @@ void app_shot_unref(AppShot *shot);
 AppPicture *app_picture_ref(AppPicture *picture);
 void app_picture_unref(AppPicture *picture);
 
-/* What the picture shows at a pixel of its field: a value, or the difference of two; FALSE: none, off the surfaces. */
+/* A pixel's value as the picture shows it, or the difference of two; FALSE: none, off the surfaces. */
 gboolean app_picture_value(const AppPicture *picture, guint column, guint row, double *value);
 
 /* What is wanted of a painter. */

@@ -39,7 +39,7 @@ void app_view_set_stale(AppView *self, gboolean stale);
 /* Which surface was under the pointer, -1 for none: what a press there takes. */
 void app_view_set_surface(AppView *self, gssize surface);
 
-/* What is said beside the first source's mark; NULL: nothing. */
+/* Words beside the first source's mark; NULL: none. */
 void app_view_set_hint(AppView *self, const char *hint);
 
 void app_view_fit(AppView *self);

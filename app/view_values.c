@@ -7,7 +7,7 @@
 
 enum { LEAST_SIDE = 60 /* of a pixel in those of the widget */, DIGITS = 4 };
 
-/* What is shown of a row of `count` pixels that begins at `origin` of the widget: from *first to before *end. */
+/* The shown pixels, from *first to before *end, of a row of `count` that begins at `origin` of the widget. */
 static void find_shown(double origin, double side, double length, guint count, guint *first, guint *end)
 {
     *first = (guint)CLAMP(floor(-origin / side), 0, count);

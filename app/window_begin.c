@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /*
- * What helps to begin.  A window opens with a scene at work, as an instrument does, not with a page to choose from: the
+ * Help for beginners.  A window opens with a scene at work, as an instrument does, not with a page to choose from: the
  * pictures of the scenes are one button away, and lie over the scene only as long as one looks at them.
  */
 #include <string.h>

@@ -72,7 +72,7 @@ void app_window_ask_pointer(AppWindow *self);
 void app_window_show_picture(AppPicture *picture, gpointer owner);
 void app_window_show_numbers(AppMeasures *measures, gpointer owner);
 void app_window_show_reading(const AppReading *reading, gpointer owner);
-/* What the status line says where the pointer is not in the picture: a bound that was missed, or nothing. */
+/* The status line's words where the pointer is not in the picture: a bound that was missed, or nothing. */
 void app_window_rest(AppWindow *self);
 void app_window_set_columns(AppWindow *self);
 /* Says something at the edge of the window. */

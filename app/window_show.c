@@ -218,7 +218,7 @@ static double shown_value(const AppReading *reading)
     return minus->on_surface && minus->has_value ? value->value - minus->value : (double)NAN;
 }
 
-/* What is read stands in columns, as wide as the widest of each that is usual, so that no number moves another. */
+/* Readings stand in columns, as wide as the widest of each that is usual, so that no number moves another. */
 void app_window_set_columns(AppWindow *self)
 {
     char *place = g_strdup_printf("x −000.00  y −000.00 %s  ", _("mm"));

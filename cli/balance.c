@@ -8,13 +8,6 @@
 #include "cli.h"
 #include "text.h"
 
-static const char *const side_words[] = {
-    [LUXEL_FRONT] = N_("front"),
-    [LUXEL_BACK] = N_("back"),
-    [LUXEL_OUTSIDE] = N_("outside"),
-    [LUXEL_INSIDE] = N_("inside"),
-};
-
 /* ---- text ---- */
 
 /* "surfaces[1] ball, outside", "surfaces[0] room, floor"; the back of a wall is told, too. */
@@ -25,7 +18,7 @@ static const char *name_side(const luxel_lit_side *side, char buffer[TEXT_SIZE])
 
     text_format(buffer, "surfaces[%zu]%s%s%s%s%s%s", side->surface, name ? " " : "", name ? name : "",
                 side->part_name ? ", " : "", side->part_name ? side->part_name : "", is_inner_wall ? "" : ", ",
-                is_inner_wall ? "" : _(side_words[side->side]));
+                is_inner_wall ? "" : _(luxel_side_name(side->side)));
     luxel_text_free(name);
     return buffer;
 }

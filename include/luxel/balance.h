@@ -28,7 +28,7 @@ typedef struct luxel_amount {
 /* The sides of surfaces: of what is flat by its normal, of what is round by its middle. */
 typedef enum luxel_side { LUXEL_FRONT, LUXEL_BACK, LUXEL_OUTSIDE, LUXEL_INSIDE } luxel_side;
 
-/* The word of a side, as JSON has it: "front", "back", "outside", "inside"; NULL: no such side. */
+/* The English word of a side, for callers to translate: "front", "back", "outside", "inside"; NULL: no such side. */
 LUXEL_API const char *luxel_side_name(luxel_side side);
 
 /* The light on one side of a surface. */

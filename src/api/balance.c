@@ -10,6 +10,7 @@
 #include "../base/diagnostics.h"
 #include "../base/memory.h"
 #include "../base/number.h"
+#include "../base/phrase.h"
 #include "../light/totals.h"
 #include "../shade/evaluate.h"
 #include "reflecting.h"
@@ -22,7 +23,11 @@ static const double FLUX = 1e-12;
 const char *luxel_side_name(luxel_side side)
 {
     static const char *const names[] = {
-        [LUXEL_FRONT] = "front", [LUXEL_BACK] = "back", [LUXEL_OUTSIDE] = "outside", [LUXEL_INSIDE] = "inside"};
+        [LUXEL_FRONT] = LX_N("front"),
+        [LUXEL_BACK] = LX_N("back"),
+        [LUXEL_OUTSIDE] = LX_N("outside"),
+        [LUXEL_INSIDE] = LX_N("inside"),
+    };
     return side <= LUXEL_INSIDE ? names[side] : NULL;
 }
 

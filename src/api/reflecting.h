@@ -37,7 +37,7 @@ luxel_status lx_reflect_places(const struct lx_reflecting *reflecting, luxel_dia
  */
 luxel_status lx_reflect_picture(const luxel_scene *scene, struct lx_session *session, luxel_diagnostics *diagnostics);
 
-/* What the scene keeps of a picture by the session's settings, to be released; NULL: nothing. */
+/* The solution that the scene keeps of a picture by the session's settings, to be released; NULL: none. */
 struct lx_radiosity *lx_reflected_of_picture(const luxel_scene *scene, const struct lx_session *session);
 
 /* Finished pixels of direct light in a row, through (x_mm[i], y_mm): float or double as the settings say, and which of

@@ -126,7 +126,7 @@ static struct lx_radiosity *find_kept(struct lx_kept_slot *slot, const struct lx
     return found;
 }
 
-/* What a solution for the session's picture is made with. */
+/* The settings that a solution for the session's picture is made with. */
 static struct lx_reflected_key key_of(const struct lx_session *session)
 {
     const luxel_settings *settings = &session->settings;

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /*
- * What stands between an element and a light, and how much of it each surface takes: the light is asked for again with
+ * The surfaces between an element and a light, and how much of it each takes: the light is asked for again with
  * nothing in its way, and with one surface after the other alone.
  */
 #include "../base/number.h"

@@ -9,13 +9,6 @@
 
 enum { CELL = 2 * LX_NUMBER_SIZE + 8 };
 
-static const char *const side_words[] = {
-    [LUXEL_FRONT] = LX_N("front"),
-    [LUXEL_BACK] = LX_N("back"),
-    [LUXEL_OUTSIDE] = LX_N("outside"),
-    [LUXEL_INSIDE] = LX_N("inside"),
-};
-
 /* "208.3341 ± 0.085" */
 static const char *write_amount(const luxel_amount *amount, char cell[CELL])
 {
@@ -35,7 +28,7 @@ static void name_side(const struct lx_report *report, const luxel_lit_side *side
     if (side->part_name)
         lx_text_printf(name, ", %s", side->part_name);
     if (!side->part_name || side->side != LUXEL_FRONT)
-        lx_text_printf(name, ", %s", lx_document_word(report->document, side_words[side->side]));
+        lx_text_printf(name, ", %s", lx_document_word(report->document, luxel_side_name(side->side)));
 }
 
 static void add_side(const struct lx_report *report, const luxel_lit_side *side)

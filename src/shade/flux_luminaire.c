@@ -17,7 +17,7 @@ enum { MORE_PANELS = 1024, FEWEST = 12 };
 static const double DEGREE = 0.017453292519943295;
 /* How well the places of edges are known, by the side of the plane. */
 static const double PLACES = 1e-11;
-/* What directions, angles and sums lose to rounding, of the flux. */
+/* The share of the flux that directions, angles and sums lose to rounding. */
 static const double ROUNDINGS = 1e-13;
 
 struct fan {
@@ -118,7 +118,7 @@ struct line {
 /* The plane's four sides, and the pole. */
 enum { MOST_ENDS = 5 };
 
-/* What is left of the line where a + b tau >= 0. */
+/* The rest of the line, where a + b tau >= 0. */
 static void keep(struct line *line, double a, double b, unsigned side)
 {
     const double at = -a / b;

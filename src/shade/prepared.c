@@ -14,7 +14,7 @@
 
 /* How many a scene may have without asking how much memory there is. */
 enum { FEW_EMITTERS = 4096 };
-/* What a point of a swarm takes. */
+/* A point of a swarm takes so much. */
 enum { SWARM_BYTES = 64 };
 
 static int prepare_lights(const struct lx_list *lights, struct lx_emitters *emitters)

@@ -114,7 +114,7 @@ static double open_solid_angle(const struct crowd *crowd)
     return sum;
 }
 
-/* What the shadows leave of the line y under light along -z. */
+/* The part of the line y that shadows leave, under light along -z. */
 static double open_length(const struct crowd *crowd, double y)
 {
     const double half = CROWD_SIZE / 2.0;
