@@ -30,7 +30,7 @@ class Field(_luxel.FieldHandle):
     __slots__ = ("_made",)
     _made: Settings  #: how it was rendered; not set where it was read
 
-    def _about(self) -> Tuple[int, int, int, int, str, str, str, Optional[str]]:
+    def _about(self) -> Tuple[int, int, int, int, str, str, str]:
         return _luxel.field_about(self)
 
     @property
@@ -77,7 +77,7 @@ class Field(_luxel.FieldHandle):
     @property
     def scene_text(self) -> Optional[str]:
         """The scene as YAML; None where it is not known, as of a stride above 1."""
-        return self._about()[7]
+        return _luxel.field_text(self)
 
     @property
     def scene(self) -> "Optional[Scene]":

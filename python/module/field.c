@@ -93,10 +93,17 @@ static PyObject *field_about(PyObject *module, PyObject *handle)
 
     if (!field)
         return NULL;
-    return Py_BuildValue("(IIiiNNNN)", luxel_field_columns(field), luxel_field_rows(field), luxel_field_quantity(field),
+    return Py_BuildValue("(IIiiNNN)", luxel_field_columns(field), luxel_field_rows(field), luxel_field_quantity(field),
                          luxel_field_precision(field), text_or_none(luxel_field_quantity_word(field)),
-                         text_or_none(luxel_field_unit(field)), text_or_none(luxel_field_instruction_set(field)),
-                         text_or_none(luxel_field_scene(field)));
+                         text_or_none(luxel_field_unit(field)), text_or_none(luxel_field_instruction_set(field)));
+}
+
+/* By itself, as a rendered field writes it when it is first asked for. */
+static PyObject *field_text(PyObject *module, PyObject *handle)
+{
+    const luxel_field *field = field_of(module, handle);
+
+    return field ? text_or_none(luxel_field_scene(field)) : NULL;
 }
 
 static PyObject *field_scene(PyObject *module, PyObject *handle)
@@ -317,7 +324,8 @@ static PyObject *field_read_bytes(PyObject *module, PyObject *arguments)
 
 const PyMethodDef field_functions[] = {
     FUNCTION("field_about", field_about, METH_O, "field: FieldHandle, /",
-             "Tuple[int, int, int, int, str, str, str, Optional[str]]"),
+             "Tuple[int, int, int, int, str, str, str]"),
+    FUNCTION("field_text", field_text, METH_O, "field: FieldHandle, /", "Optional[str]"),
     FUNCTION("field_scene", field_scene, METH_O, "field: FieldHandle, /", "Optional[SceneHandle]"),
     FUNCTION("field_mask", field_mask, METH_O, "field: FieldHandle, /", "View"),
     FUNCTION("field_places", field_places, METH_O, "field: FieldHandle, /", "Tuple[Optional[View], Optional[View]]"),

@@ -90,7 +90,7 @@ static luxel_status take_scene(struct luxel_field *field, const struct lx_tags *
             field->quantity_word = lx_quantity_word(field->quantity, true);
         field->x_mm = lx_new_column_places(&parameters->screen, 1);
         field->y_mm = lx_new_row_places(&parameters->screen, 1);
-        field->scene = lx_copy_text(tag->value, tag->length);
+        field->scene = lx_scene_text_copy(tag->value, tag->length);
         status = field->x_mm && field->y_mm && field->scene ? LUXEL_OK : LUXEL_ERROR_MEMORY;
     }
     luxel_scene_free(scene);

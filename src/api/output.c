@@ -56,8 +56,10 @@ static void add_tag(struct tags *tags, const char *key, const char *value)
         tags->list[tags->count++] = (struct lx_tag){key, value};
 }
 
-static void collect_tags(const luxel_field *field, struct tags *tags)
+static luxel_status collect_tags(const luxel_field *field, struct tags *tags)
 {
+    const char *scene;
+    const luxel_status status = lx_scene_text_get(field->scene, &scene);
     tags->count = 0;
     add_tag(tags, LX_TAG_QUANTITY, lx_carried_quantities[field->quantity]);
     add_tag(tags, LX_TAG_PRECISION, lx_carried_precisions[field->precision]);
@@ -68,7 +70,8 @@ static void collect_tags(const luxel_field *field, struct tags *tags)
     if (field->reflected_error > 0)
         add_tag(tags, LX_TAG_REFLECTED_ERROR, lx_write_number(field->reflected_error, tags->reflected_error));
     add_tag(tags, LX_TAG_UNIT, field->unit);
-    add_tag(tags, LX_TAG_SCENE, field->scene);
+    add_tag(tags, LX_TAG_SCENE, scene);
+    return status;
 }
 
 luxel_status lx_output_check(const char *path, const luxel_output *how, luxel_diagnostics *diagnostics)
@@ -107,7 +110,8 @@ static luxel_status begin(struct lx_output *output, const luxel_output *how)
         if (!output->levels)
             return lx_out_of_memory(output->diagnostics);
     }
-    collect_tags(field, &output->tags);
+    if (collect_tags(field, &output->tags) != LUXEL_OK)
+        return lx_out_of_memory(output->diagnostics);
     const struct lx_image image = {
         .columns = field->columns,
         .rows = field->rows,

@@ -15,7 +15,6 @@
 #include "../base/diagnostics.h"
 #include "../base/memory.h"
 #include "../base/number.h"
-#include "../format/tags.h"
 #include "../shade/effort.h"
 #include "reflecting.h"
 
@@ -191,9 +190,8 @@ static luxel_status too_large(const unsigned size[2], double needed, double avai
 }
 
 /*
- * What the field keeps of where it came from.  A scene that nobody wants (NULL) is left out, one that is larger than
- * can be read again, and that of a quick look, which is not its picture, or of a scene whose text is behind its
- * numbers.
+ * What the field keeps of where it came from.  A scene that nobody wants (NULL) is left out, and that of a quick look,
+ * which is not its picture, or of a scene whose text is behind its numbers.
  */
 static luxel_status keep_origin(const struct lx_session *session, const luxel_scene *scene,
                                 luxel_diagnostics *diagnostics, struct luxel_field *field)
@@ -211,13 +209,8 @@ static luxel_status keep_origin(const struct lx_session *session, const luxel_sc
         return lx_out_of_memory(diagnostics);
     if (!scene || settings->stride > 1 || lx_scene_is_ahead(scene))
         return LUXEL_OK;
-    if (luxel_scene_write_text(scene, &field->scene) != LUXEL_OK)
-        return lx_out_of_memory(diagnostics);
-    if (strlen(field->scene) > LX_LARGEST_TAG) {
-        free(field->scene);
-        field->scene = NULL;
-    }
-    return LUXEL_OK;
+    field->scene = lx_scene_text_of(scene);
+    return field->scene ? LUXEL_OK : lx_out_of_memory(diagnostics);
 }
 
 luxel_status lx_new_frame(const struct lx_session *session, const luxel_scene *scene, luxel_diagnostics *diagnostics,

@@ -83,7 +83,7 @@ void luxel_field_free(luxel_field *field)
     free(field->x_mm);
     free(field->y_mm);
     free(field->unit);
-    free(field->scene);
+    lx_scene_text_free(field->scene);
     free(field);
 }
 
@@ -130,7 +130,8 @@ const char *luxel_field_instruction_set(const luxel_field *field)
 
 const char *luxel_field_scene(const luxel_field *field)
 {
-    return field->scene;
+    const char *text;
+    return lx_scene_text_get(field->scene, &text) == LUXEL_OK ? text : NULL;
 }
 
 const double *luxel_field_x_mm(const luxel_field *field)

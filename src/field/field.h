@@ -6,6 +6,7 @@
 #include <luxel/field.h>
 
 #include "../scene/scene.h"
+#include "../scene/scene_text.h"
 
 /* What is gathered of one row. */
 struct lx_row_statistics {
@@ -27,7 +28,7 @@ struct luxel_field {
     double tolerance, light_error, reflected_error; /* of the settings that it was made with; 0: the defaults */
     char *unit;
     const char *instruction_set; /* a constant of the program */
-    char *scene;                 /* as text; NULL: not known */
+    struct lx_scene_text *scene; /* that it was made of; NULL: not known */
     void *values;                /* float or double */
     uint8_t *mask;
     bool mask_is_guess;  /* of a file that tells none: the pixels that are not 0 */

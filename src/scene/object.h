@@ -36,6 +36,9 @@ luxel_parameters *lx_parameters_of(const struct lx_table *table, luxel_translate
 /* Takes the readiness away and frees what it consists of. */
 void lx_scene_uncommit(luxel_scene *scene);
 
+/* The text of a scene's document, as luxel_scene_write_text() gives it; the caller's. */
+luxel_status lx_write_document(const struct lx_document *document, char **text);
+
 /* A walk over the scene's document. */
 struct lx_walk lx_scene_walk(const luxel_scene *scene, luxel_diagnostics *diagnostics);
 

@@ -38,11 +38,8 @@ static luxel_status write_changed(const struct lx_document *document, struct lx_
     return status;
 }
 
-luxel_status luxel_scene_write_text(const luxel_scene *scene, char **text)
+luxel_status lx_write_document(const struct lx_document *document, char **text)
 {
-    if (!scene || !text || scene->is_ahead)
-        return LUXEL_ERROR_ARGUMENT;
-    const struct lx_document *document = &scene->document;
     struct lx_place written = lx_document_place(document, document->root);
     struct lx_text words = {0};
     luxel_status status = LUXEL_OK;
@@ -56,6 +53,13 @@ luxel_status luxel_scene_write_text(const luxel_scene *scene, char **text)
         *text = lx_text_take(&words);
     lx_text_clear(&words);
     return status;
+}
+
+luxel_status luxel_scene_write_text(const luxel_scene *scene, char **text)
+{
+    if (!scene || !text || scene->is_ahead)
+        return LUXEL_ERROR_ARGUMENT;
+    return lx_write_document(&scene->document, text);
 }
 
 luxel_status luxel_scene_write_file(const luxel_scene *scene, const char *path, luxel_diagnostics *diagnostics)

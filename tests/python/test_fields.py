@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: MIT
 """Fields are those of the tool: the same bytes in every format, statistics, lines, sections and differences."""
 import pickle
+import time
 import warnings
 
 import numpy
@@ -243,5 +244,30 @@ def test_xarray(tap, tool):
               "by places")
 
 
-run_tests(Tap(), test_files, test_read, test_of, test_statistics, test_missed_bound, test_extrema, test_lines,
+def seconds_of(function, times=50, rounds=7):
+    """Processor time of a call, the least of several rounds."""
+    best = float("inf")
+    for _ in range(rounds):
+        begin = time.process_time()
+        for _ in range(times):
+            function()
+        best = min(best, (time.process_time() - begin) / times)
+    return best
+
+
+def test_overhead(tap, tool):
+    """A picture does not write its scene's text before somebody asks for it: that takes ten times as long as the call."""
+    scene = luxel.Scene(SCENE).changed({"screen.resolution": [1, 1]})
+    writing = seconds_of(lambda: scene.text)
+    for name, call in (("render", scene.render), ("its unit", lambda: scene.render().unit),
+                       ("its numbers", lambda: numpy.asarray(scene.render()))):
+        taken = seconds_of(call)
+        tap.ok(taken < writing / 2, "%s: no text is written" % name, taken, writing)
+    field = scene.render()
+    expected = scene.text
+    scene["lights[0].intensity"] = 7
+    tap.equal(field.scene_text, expected, "the text is that of the scene as it was rendered")
+
+
+run_tests(Tap(), test_overhead, test_files, test_read, test_of, test_statistics, test_missed_bound, test_extrema, test_lines,
           test_profiles, test_compare, test_xarray)

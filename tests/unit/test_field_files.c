@@ -6,6 +6,7 @@
 #include "files.h"
 
 #include <math.h>
+#include <pthread.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -116,6 +117,38 @@ static void test_no_number(void **state)
         assert_true(maximum->column == i % 2 && maximum->row == 1 - i / 2);
         luxel_field_free(read);
     }
+}
+
+static void *ask_for_scene(void *field)
+{
+    return (void *)luxel_field_scene(field);
+}
+
+/* A field tells the scene that it was made of, whatever becomes of that, and the same to each of many threads. */
+static void test_scene_as_it_was(void **state)
+{
+    enum { THREADS = 8 };
+    luxel_scene *scene = open_scene(SMALL);
+    assert_int_equal(luxel_scene_set(scene, "lights[0].intensity=12", NULL), LUXEL_OK);
+    assert_int_equal(luxel_scene_commit(scene, NULL), LUXEL_OK);
+
+    luxel_field *field = render(scene, NULL);
+    char *expected = NULL;
+    pthread_t threads[THREADS];
+    void *found[THREADS];
+    (void)state;
+    assert_int_equal(luxel_scene_write_text(scene, &expected), LUXEL_OK);
+    assert_int_equal(luxel_scene_set(scene, "lights[0].intensity=7", NULL), LUXEL_OK);
+    luxel_scene_free(scene);
+    for (size_t i = 0; i < THREADS; i++)
+        assert_int_equal(pthread_create(&threads[i], NULL, ask_for_scene, field), 0);
+    for (size_t i = 0; i < THREADS; i++) {
+        pthread_join(threads[i], &found[i]);
+        assert_ptr_equal(found[i], found[0]);
+    }
+    assert_string_equal(found[0], expected);
+    luxel_text_free(expected);
+    luxel_field_free(field);
 }
 
 /* An EXR file tells where it came from. */
@@ -451,6 +484,7 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         FILES_CASE(arrays),
+        cmocka_unit_test(test_scene_as_it_was),
         FILES_CASE(exr),
         FILES_CASE(csv),
         FILES_CASE(repeats_itself),
