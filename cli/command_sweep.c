@@ -116,10 +116,13 @@ static int compute(const struct options *options, struct sweep *sweep, unsigned 
     return code;
 }
 
+/* Merges what is there: no folder is begun for it. */
 static int merge(const struct options *options, struct sweep *sweep)
 {
-    int code = folder_open(&sweep->folder, options->outputs[0], 0, 1);
+    int code = sweep_check_begun(sweep, options->outputs[0]);
 
+    if (code == EXIT_DONE)
+        code = folder_open(&sweep->folder, options->outputs[0], 0, 1);
     if (code == EXIT_DONE)
         code = sweep_claim(sweep);
     return code == EXIT_DONE ? sweep_merge(sweep, options) : code;

@@ -1,7 +1,9 @@
 /* SPDX-License-Identifier: MIT */
 /* The manifest of a sweep: what the folder holds, with the sum of each file, and whose it is. */
+#include <errno.h>
 #include <stdlib.h>
 #include <string.h>
+#include <unistd.h>
 
 #include "../../front/language.h"
 #include "../cli.h"
@@ -131,6 +133,21 @@ int sweep_write_manifest(struct sweep *sweep, uint64_t *whole)
     if (failed == 0)
         return EXIT_DONE;
     message_error(_("%s/%s cannot be written: %s"), sweep->folder.path, manifest_name, language_reason(failed));
+    return EXIT_FILE;
+}
+
+int sweep_check_begun(const struct sweep *sweep, const char *path)
+{
+    char *name = message_allocate(strlen(path) + sizeof "/" + sizeof manifest_name, 1);
+    int failed;
+
+    sprintf(name, "%s/%s", path, manifest_name);
+    failed = access(name, F_OK) == 0 ? 0 : errno;
+    free(name);
+    if (failed == 0)
+        return EXIT_DONE;
+    message_error(_("%s/%s cannot be read: %s"), path, manifest_name, language_reason(failed));
+    message_hint(_("luxel sweep %s -o %s computes what is missing"), sweep->study_name, path);
     return EXIT_FILE;
 }
 

@@ -75,6 +75,9 @@ double sweep_time_of_scene(struct sweep_worker *worker, double seconds);
 /* Whether a shard is whole. */
 bool sweep_has(const struct sweep *sweep, uint64_t shard);
 
+/* Whether a sweep was begun in the folder at this path, else reported; returns an enum exit_code. */
+int sweep_check_begun(const struct sweep *sweep, const char *path);
+
 /* Whether the folder is this sweep's, or new; a new one gets its manifest.  Returns an enum exit_code. */
 int sweep_claim(struct sweep *sweep);
 /* Writes what there is into the manifest; returns an enum exit_code, and how many shards are whole. */

@@ -102,14 +102,17 @@ static luxel_status decode(struct luxel_study *study, luxel_diagnostics *diagnos
     struct lx_walk walk = {.document = &study->document, .diagnostics = diagnostics};
     struct lx_study_parameters *parameters = &study->parameters;
     luxel_status status = lx_decode(&walk, &lx_study_table, parameters);
-    if (status != LUXEL_OK)
+    /* what is wrong elsewhere is told all the same, as far as it is known what it is about */
+    if (status == LUXEL_ERROR_MEMORY ||
+        (status != LUXEL_OK && !lx_is_given(&lx_study_table, parameters, "scene")))
         return status;
     if (!lx_is_given(&lx_study_table, parameters, "outputs")) {
         parameters->outputs.given = 1 << LUXEL_STUDY_BRIGHTNESS;
         parameters->outputs.words[LUXEL_STUDY_BRIGHTNESS] = LUXEL_STUDY_FLOAT32 - LUXEL_STUDY_FLOAT16;
     }
     const luxel_status of_base = make_base(&walk, study);
-    if (study->plain && of_base != LUXEL_ERROR_MEMORY)
+    const bool is_varied = lx_is_given(&lx_study_table, parameters, "vary"); /* and each axis is good by itself */
+    if (study->plain && of_base != LUXEL_ERROR_MEMORY && (is_varied || parameters->vary.count == 0))
         lx_axes_make(&walk, study);
     status = lx_walk_status(&walk);
     return status == LUXEL_OK ? of_base : status;
