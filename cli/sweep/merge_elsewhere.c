@@ -13,6 +13,7 @@ int sweep_merge_hdf5(struct sweep *sweep, const struct options *options)
     folder_close(&sweep->folder); /* the other one takes the lock */
     reason = elsewhere_run("luxel-hdf5", options->arguments);
     message_error(_("luxel sweep cannot run luxel-hdf5, which writes .h5 files: %s"), language_reason(reason));
-    message_hint(_("install the package luxel-hdf5 or build Luxel where HDF5 is (libhdf5-dev), or merge into .npy files"));
+    message_hint(_("install the package luxel-hdf5 or build Luxel where HDF5 is (libhdf5-dev), or merge into .npy "
+                   "files"));
     return EXIT_FILE;
 }

@@ -19,7 +19,8 @@ struct lx_scene_text *lx_scene_text_copy(const char *bytes, size_t length);
 /* NULL is harmless. */
 void lx_scene_text_free(struct lx_scene_text *text);
 
-/* Its characters, which live as long as it does; NULL where there is none (`text` NULL), or more than can be read again. */
+/* Its characters, which live as long as it does; NULL where there is none (`text` NULL), or more than can be read
+ * again. */
 luxel_status lx_scene_text_get(struct lx_scene_text *text, const char **characters);
 
 #endif

@@ -213,8 +213,8 @@ WRONG = [
     ("study: 1\noutputs: {brightness: float8}", ["2:23", "float16, float32, float64"]),
     ("study: 1\noutputs: {brigthness: float32}", ["2:11", "did you mean", "brightness"]),
     ("study: 1\nshard: 0", ["2:8", "shard"]),
-    ("study: 1\nscene: report\nset: ['lights[0].intensty=5']\ncount: -3\nvary: [{key: 'lights[0].power', values: [-1]}]",
-     ["3:7", "4:8", "5:42"]),
+    ("study: 1\nscene: report\nset: ['lights[0].intensty=5']\ncount: -3\n"
+     "vary: [{key: 'lights[0].power', values: [-1]}]", ["3:7", "4:8", "5:42"]),
     ("study: 1\nscene: report\nset: ['lights[0].intensty=5']\nvary: [{values: [-1]}, {key: 5, steps: 2}]",
      ["3:7", "4:8", "4:30"]),
     ("[1, 2]", ["1:1", "mapping"]),
@@ -300,7 +300,7 @@ def wait_for(condition, seconds=30, pause=0.005):
 
 
 def kills(tap, tool):
-    """Killed at random moments, the same bytes whenever a sweep gets through; LUXEL_SWEEP_KILLS=200 for more of them."""
+    """Killed at random moments, the same bytes whenever one gets through; LUXEL_SWEEP_KILLS=200 for more of them."""
     wanted = int(os.environ.get("LUXEL_SWEEP_KILLS", "6"))
     rng = random.Random(1)
     tool.write("s.yaml", STUDY)

@@ -256,7 +256,7 @@ def seconds_of(function, times=50, rounds=7):
 
 
 def test_overhead(tap, tool):
-    """A picture does not write its scene's text before somebody asks for it: that takes ten times as long as the call."""
+    """A picture does not write its scene's text before somebody asks for it: that takes ten times as long."""
     scene = luxel.Scene(SCENE).changed({"screen.resolution": [1, 1]})
     writing = seconds_of(lambda: scene.text)
     for name, call in (("render", scene.render), ("its unit", lambda: scene.render().unit),
@@ -269,5 +269,5 @@ def test_overhead(tap, tool):
     tap.equal(field.scene_text, expected, "the text is that of the scene as it was rendered")
 
 
-run_tests(Tap(), test_overhead, test_files, test_read, test_of, test_statistics, test_missed_bound, test_extrema, test_lines,
-          test_profiles, test_compare, test_xarray)
+run_tests(Tap(), test_overhead, test_files, test_read, test_of, test_statistics, test_missed_bound, test_extrema,
+          test_lines, test_profiles, test_compare, test_xarray)
