@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any, Dict, List, Optional, Sequence, Tuple, Un
 from . import _luxel
 from ._arrays import shared
 from ._results import Comparison, Extrema, Histogram, Isophote, Peak, Profile, Statistics, Summary, extremum, statistics
-from ._settings import PRECISIONS, QUANTITIES, Progress, Settings, choice, settings
+from ._settings import PRECISIONS, QUANTITIES, Progress, Settings, choice, point, real, settings
 
 if TYPE_CHECKING:
     from ._arrays import Bools, Floats
@@ -186,13 +186,13 @@ class Field(_luxel.FieldHandle):
             found = self.statistics.maximum
             levels = _luxel.round_levels(0.0, found.value if found else 0.0, logarithmic, levels)
         scene = self._exact() if exact else None
-        lines = _luxel.field_isophotes(self, scene, [float(level) for level in levels],
+        lines = _luxel.field_isophotes(self, scene, [real("levels[%d]" % i, level) for i, level in enumerate(levels)],
                                        self._settings(threads, tolerance, progress))
         return [Isophote(level, closed, shared(x), shared(y)) for level, closed, x, y in lines]
 
     def profile(self, start: Tuple[float, float], end: Tuple[float, float], samples: Optional[int] = None) -> Profile:
         """The pixels' values along a line of the screen, in mm; Scene.profile() gives the exact ones."""
-        path = (False, float(start[0]), float(start[1]), float(end[0]), float(end[1]),
+        path = (False, *point("start", start), *point("end", end),
                 max(2, *self.shape) if samples is None else samples)
         return profile(_luxel.field_profile(self, path))
 

@@ -7,6 +7,8 @@ import os
 import re
 from typing import Any, List, Tuple
 
+from ._settings import point
+
 _NUMBER = re.compile(r"[-+]?(\.[0-9]+|[0-9]+(\.[0-9]*)?)([eE][-+]?[0-9]+)?\Z")
 _WHOLE = re.compile(r"[-+]?[0-9]+\Z")
 _WORDS = {"true": True, "True": True, "TRUE": True, "false": False, "False": False, "FALSE": False,
@@ -135,8 +137,6 @@ def assignment(key: str, value: Any) -> str:
 def pairs(points: Any) -> List[Tuple[float, float]]:
     """Points of the screen from a list of pairs or an array of two columns."""
     rows = points.tolist() if hasattr(points, "tolist") else points
-    found = []
-    for row in rows:
-        x, y = row
-        found.append((float(x), float(y)))
-    return found
+    if not hasattr(rows, "__iter__"):
+        raise TypeError("points: %r: pairs of numbers are expected, x and y in mm" % (points,))
+    return [point("points[%d]" % i, row) for i, row in enumerate(rows)]

@@ -12,6 +12,7 @@ if TYPE_CHECKING:
     from ._field import Field
 
 Vector = Tuple[float, float, float]
+TABLE_ROWS = 21  #: of a profile in a notebook
 
 
 class Extremum(NamedTuple):
@@ -55,6 +56,13 @@ class Summary(NamedTuple):
     u0: Optional[float]  #: minimum / mean, the uniformity U0 (EN 12665); None where the mean is 0
     ud: Optional[float]  #: minimum / maximum, the diversity Ud
 
+    def _repr_html_(self) -> str:
+        rows = [[translate(name), _html.number(value)] for name, value in (
+            ("maximum", self.maximum and self.maximum.value), ("minimum", self.minimum and self.minimum.value),
+            ("mean", self.mean), ("median", self.median), ("standard deviation", self.standard_deviation))]
+        rows += [["U0", _html.number(self.u0)], ["Ud", _html.number(self.ud)]]
+        return _html.table(["", translate("value")], rows)
+
 
 class Histogram(NamedTuple):
     """How many pixels have values from where to where."""
@@ -86,6 +94,13 @@ class Extrema(NamedTuple):
     maximum: Optional[Peak]
     minimum: Optional[Peak]
 
+    def _repr_html_(self) -> str:
+        rows = [[translate(name), _html.number(peak.value, 12), _html.number(peak.error, 2), _html.number(peak.x_mm, 7),
+                 _html.number(peak.y_mm, 7)]
+                for name, peak in (("maximum", self.maximum), ("minimum", self.minimum)) if peak]
+        return _html.table(["", _html.valued(""), translate("error at most"), translate("x (mm)"), translate("y (mm)")],
+                           rows)
+
 
 class Isophote(NamedTuple):
     """A line of equal value on the screen; the greater values lie to the left along it."""
@@ -106,6 +121,16 @@ class Profile(NamedTuple):
     value: "Floats"
     error: "Floats"  #: bounds |value - truth|; 0 where the value is the picture's
     shares: "Optional[Floats]"  #: samples x lights: what each light gives; None where the value is the picture's
+
+    def _repr_html_(self) -> str:
+        """Some of the samples, evenly along the line, the ends included."""
+        count = len(self.value)
+        some = sorted({round(i * (count - 1) / (TABLE_ROWS - 1)) for i in range(TABLE_ROWS)}) if count else []
+        rows = [[_html.number(self.x_mm[i], 7), _html.number(self.y_mm[i], 7),
+                 _html.number(self.value[i] if self.has_value[i] else None, 12),
+                 _html.number(self.error[i] if self.has_value[i] else None, 2)] for i in some]
+        return _html.table([translate("x (mm)"), translate("y (mm)"), translate("value"), translate("error at most")],
+                           rows)
 
 
 class Comparison(NamedTuple):

@@ -18,7 +18,7 @@ from ._language import translate
 from ._pictures import Figure, drawing, look
 from ._probe import Probe, Probes, probes
 from ._results import Alternative, Judgement, Light, Mesh, Profile, Statistics, Vector, alternatives, statistics
-from ._settings import QUANTITIES, Carried, Progress, choice, settings
+from ._settings import QUANTITIES, Carried, Progress, choice, point as _point, real, reals, settings, surface_index
 
 if TYPE_CHECKING:
     import numpy
@@ -332,11 +332,10 @@ class Scene:
 
         An element on a surface has its material, else that of the surface named; the view is the scene's or its own.
         """
-        if not 0 <= surface < self.size("surfaces"):
-            raise IndexError("surface: %d" % surface)
-        x, y, z = (float(number) for number in position_mm)
-        place = (x, y, z) + tuple(float(number) for number in normal)
-        direction = None if view is None else tuple(float(number) for number in view)
+        surface_index(surface, self.size("surfaces"))
+        triple = "three numbers are expected, x, y and z"
+        place = reals("position_mm", position_mm, 3, triple) + reals("normal", normal, 3, triple)
+        direction = None if view is None else reals("view", view, 3, triple)
         return self._probe([place + (direction, surface)], quantity, tolerance, reflected_error, threads,
                            None)[0]
 
@@ -368,8 +367,7 @@ class Scene:
             if array.ndim < 1 or array.shape[-1] != 3:
                 raise ValueError("places, normals and view are arrays (..., 3)")
         shape = numpy.broadcast_shapes(*(array.shape for array in ((p, n) if v is None else (p, n, v))))[:-1]
-        if not 0 <= surface < self.size("surfaces"):
-            raise IndexError("surface: %d" % surface)
+        surface_index(surface, self.size("surfaces"))
         fields: List[Any] = [("value", "f8"), ("error", "f8")]
         if per_light:
             fields.append(("shares", "f8", (self.size("lights"),)))
@@ -422,7 +420,7 @@ class Scene:
         `arc`: along the great circle of a sphere through the two places that are seen there, by the angle in degrees.
         """
         count = samples if samples is not None else ARC_SAMPLES if arc else max(2, *self.resolution)
-        path = (arc, float(start[0]), float(start[1]), float(end[0]), float(end[1]), count)
+        path = (arc, *_point("start", start), *_point("end", end), count)
         how = settings(self._carried, quantity, None, threads, None, tolerance, progress=progress)
         return profile(_luxel.scene_profile(self._handle, path, how))
 
@@ -433,7 +431,7 @@ class Scene:
 
         `angle` in degrees from the x axis, counter-clockwise: 0 horizontal, 90 vertical.
         """
-        ends = _luxel.line_across(self._handle, float(through[0]), float(through[1]), float(angle))
+        ends = _luxel.line_across(self._handle, *_point("through", through), real("angle", angle))
         return self.profile(ends[:2], ends[2:], samples, quantity=quantity, tolerance=tolerance, threads=threads,
                             progress=progress)
 
@@ -443,13 +441,13 @@ class Scene:
                 tolerance: Optional[float] = None) -> Document:
         """The whole calculation of the value at a point, and what each other convention would give."""
         how = settings(self._carried, quantity, None, 0, None, tolerance)
-        return Document(_luxel.explain(self._handle, float(point[0]), float(point[1]), how))
+        return Document(_luxel.explain(self._handle, *_point("point", point), how))
 
     def alternatives(self, point: Pair = (0.0, 0.0), *, quantity: Optional[str] = None,
                      tolerance: Optional[float] = None) -> Tuple[Alternative, ...]:
         """The value that each other choice of a convention would give at a point."""
         how = settings(self._carried, quantity, None, 0, None, tolerance)
-        return alternatives(_luxel.find_alternatives(self._handle, float(point[0]), float(point[1]), how))
+        return alternatives(_luxel.find_alternatives(self._handle, *_point("point", point), how))
 
     def judge(self, point: Pair, answer: float, *, tolerance: float = 1e-3, rounding: float = 0.0,
               quantity: Optional[str] = None) -> Judgement:
@@ -458,7 +456,7 @@ class Scene:
         `rounding` is half a unit of the last digit that was given; an answer NaN says "off the surface".
         """
         how = settings(self._carried, quantity)
-        verdict, value, error, reasons = _luxel.judge(self._handle, float(point[0]), float(point[1]), answer, tolerance,
+        verdict, value, error, reasons = _luxel.judge(self._handle, *_point("point", point), answer, tolerance,
                                                       rounding, how)
         return Judgement(verdict, value, error, alternatives(reasons))
 

@@ -2,7 +2,7 @@
 """How something is computed: the words of the settings as the library's numbers."""
 from __future__ import annotations
 
-from typing import Any, Callable, Optional, Tuple
+from typing import Any, Callable, Optional, SupportsFloat, SupportsIndex, Tuple, Type
 
 QUANTITIES = ("brightness", "irradiance")
 PRECISIONS = ("single", "double")
@@ -31,13 +31,53 @@ def settings(carried: Optional[Carried], quantity: Optional[str] = None, precisi
     default = carried or (0, 0, 0.0, 0.0, 0.0)
     return (default[0] if quantity is None else choice("quantity", quantity, QUANTITIES),
             default[1] if precision is None else choice("precision", precision, PRECISIONS),
-            _count("threads", threads), instruction_set, default[2] if tolerance is None else float(tolerance),
-            default[3] if light_error is None else float(light_error),
-            default[4] if reflected_error is None else float(reflected_error), _count("stride", stride),
-            minimum_reached, progress)
+            _count("threads", threads, "a whole number is expected, 0 for all processors"), instruction_set,
+            default[2] if tolerance is None else real("tolerance", tolerance),
+            default[3] if light_error is None else real("light_error", light_error),
+            default[4] if reflected_error is None else real("reflected_error", reflected_error),
+            _count("stride", stride, "a whole number is expected, 1 for every pixel"), minimum_reached, progress)
 
 
-def _count(name: str, number: int) -> int:
-    if not 0 <= number < 1 << 32:
-        raise ValueError("%s: %r" % (name, number))
-    return number
+def _count(name: str, number: int, expected: str) -> int:
+    if not isinstance(number, SupportsIndex):
+        raise TypeError("%s: %r: %s" % (name, number, expected))
+    if not 0 <= number.__index__() < 1 << 32:
+        raise ValueError("%s: %r: %s" % (name, number, expected))
+    return number.__index__()
+
+
+def real(name: str, number: Any) -> float:
+    """A number of an argument that is called so."""
+    try:
+        return float(number)
+    except (TypeError, ValueError):
+        raise type_or_value(number)("%s: %r: a number is expected" % (name, number)) from None
+
+
+def reals(name: str, numbers: Any, count: int, meaning: str) -> Tuple[float, ...]:
+    """So many numbers of an argument that is called so; `meaning` tells what they are, for the message."""
+    try:
+        found = tuple(float(number) for number in numbers)
+    except (TypeError, ValueError):
+        found = ()
+    if len(found) != count:
+        raise type_or_value(numbers)("%s: %r: %s" % (name, numbers, meaning))
+    return found
+
+
+def point(name: str, numbers: Any) -> Tuple[float, float]:
+    """A place of the screen that is called so."""
+    x, y = reals(name, numbers, 2, "two numbers are expected, x and y in mm")
+    return x, y
+
+
+def type_or_value(thing: Any) -> Type[Exception]:
+    """The kind of error for what is no list, number or text, and for one of these that is not as it should be."""
+    return ValueError if hasattr(thing, "__len__") or isinstance(thing, SupportsFloat) else TypeError
+
+
+def surface_index(surface: int, count: int) -> int:
+    """The index of one of so many surfaces."""
+    if not 0 <= surface < count:
+        raise IndexError("surface: %r: the scene has %d, counted from 0" % (surface, count))
+    return surface

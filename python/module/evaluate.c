@@ -4,13 +4,15 @@
  * in the cache, by the library's threads and without the interpreter's lock.
  */
 #include <math.h>
+#include <unistd.h>
 
 #include "failure.h"
 #include "strided.h"
 #include "work.h"
 
-/* So many elements are handed to the library at once. */
-enum { PART = 4096 };
+/* So many elements for each thread are handed to the library at once: they fit in its cache, and take long enough that
+ * beginning the threads does not count. */
+enum { PART = 4096, MOST_THREADS = 64 };
 
 struct arrays {
     struct strided places, normals, views; /* n x 3; views may be missing */
@@ -22,7 +24,8 @@ struct evaluating {
     struct arrays arrays;
     luxel_evaluator *evaluator;
     size_t surface;
-    luxel_place *places; /* PART of each */
+    Py_ssize_t part;     /* elements at once */
+    luxel_place *places; /* so many of each */
     luxel_value *found;
     double *shares;
     bool is_too_large;
@@ -113,8 +116,8 @@ static luxel_status evaluate_all(struct evaluating *evaluating, struct work *wor
     const Py_ssize_t rows = evaluating->arrays.places.shape[0];
     luxel_status status = LUXEL_OK;
 
-    for (Py_ssize_t first = 0; status == LUXEL_OK && first < rows; first += PART) {
-        const size_t count = rows - first < PART ? (size_t)(rows - first) : PART;
+    for (Py_ssize_t first = 0; status == LUXEL_OK && first < rows; first += evaluating->part) {
+        const size_t count = (size_t)(rows - first < evaluating->part ? rows - first : evaluating->part);
 
         work->before = (double)first / (double)rows;
         work->share = (double)count / (double)rows;
@@ -127,12 +130,19 @@ static luxel_status evaluate_all(struct evaluating *evaluating, struct work *wor
     return status == LUXEL_OK && evaluating->is_too_large ? LUXEL_ERROR_RANGE : status;
 }
 
+static Py_ssize_t part_for(unsigned threads)
+{
+    const long wanted = threads > 0 ? (long)threads : sysconf(_SC_NPROCESSORS_ONLN);
+
+    return PART * (wanted < 1 ? 1 : wanted < MOST_THREADS ? wanted : MOST_THREADS);
+}
+
 /* Room for a part.  False: an exception is set. */
 static bool make_room(struct evaluating *work)
 {
     const bool wants_shares = work->arrays.shares.is_held;
-    const size_t rows = (size_t)work->arrays.places.shape[0];
-    const size_t most = rows < PART ? rows + 1 : PART;
+    const Py_ssize_t rows = work->arrays.places.shape[0];
+    const size_t most = (size_t)(rows < work->part ? rows + 1 : work->part);
     const size_t lights = luxel_evaluator_light_count(work->evaluator);
 
     work->places = PyMem_Malloc(most * sizeof *work->places);
@@ -161,6 +171,7 @@ static PyObject *evaluate(PyObject *module, PyObject *arguments)
 
     work_return(&work);
     evaluating.surface = (size_t)surface;
+    evaluating.part = part_for(work.settings.threads);
     if (status == LUXEL_OK &&
         arrays_take(tuple, luxel_evaluator_light_count(evaluating.evaluator), &evaluating.arrays) &&
         make_room(&evaluating)) {

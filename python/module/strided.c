@@ -43,21 +43,3 @@ void strided_release(struct strided *strided)
         PyBuffer_Release(&strided->buffer);
     strided->is_held = false;
 }
-
-static char *at(const struct strided *strided, Py_ssize_t row, Py_ssize_t column)
-{
-    return strided->data + row * strided->strides[0] + column * strided->strides[1];
-}
-
-double strided_get(const struct strided *strided, Py_ssize_t row, Py_ssize_t column)
-{
-    double number;
-
-    memcpy(&number, at(strided, row, column), sizeof number);
-    return number;
-}
-
-void strided_set(const struct strided *strided, Py_ssize_t row, Py_ssize_t column, double number)
-{
-    memcpy(at(strided, row, column), &number, sizeof number);
-}

@@ -5,6 +5,8 @@
 
 #include "module.h"
 
+#include <string.h>
+
 struct strided {
     Py_buffer buffer;
     bool is_held;          /* the buffer is to be released */
@@ -21,7 +23,17 @@ bool strided_take(PyObject *array, const char *name, int dimensions, bool is_wri
 void strided_release(struct strided *strided);
 
 /* One number; the array may lie anywhere. */
-double strided_get(const struct strided *strided, Py_ssize_t row, Py_ssize_t column);
-void strided_set(const struct strided *strided, Py_ssize_t row, Py_ssize_t column, double number);
+static inline double strided_get(const struct strided *strided, Py_ssize_t row, Py_ssize_t column)
+{
+    double number;
+
+    memcpy(&number, strided->data + row * strided->strides[0] + column * strided->strides[1], sizeof number);
+    return number;
+}
+
+static inline void strided_set(const struct strided *strided, Py_ssize_t row, Py_ssize_t column, double number)
+{
+    memcpy(strided->data + row * strided->strides[0] + column * strided->strides[1], &number, sizeof number);
+}
 
 #endif

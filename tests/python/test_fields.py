@@ -255,6 +255,27 @@ def seconds_of(function, times=50, rounds=7):
     return best
 
 
+def test_tables(tap, tool):
+    """Notebooks show what is read off pictures as tables, in the user's language."""
+    scene = luxel.Scene(SCENE)
+    field = scene.render()
+    section, extrema = scene.section(samples=101), field.extrema()
+    page = section._repr_html_()
+    tap.equal(page.count("<tr>"), 22, "a section has a heading and 21 of its samples")
+    for i in (0, 50, 100):
+        tap.ok(">%.7g<" % section.x_mm[i] in page, "sample %d is one of them" % i, page)
+    tap.ok("%.12g" % section.value[50] in page and "—" in page, "its values, and where there is none", page)
+    tap.equal(scene.section(samples=2)._repr_html_().count("<tr>"), 3, "a section of two samples")
+    tap.ok("%.12g" % extrema.maximum.value in extrema._repr_html_(), "extrema", extrema._repr_html_())
+    tap.equal(luxel.Extrema(None, None)._repr_html_().count("<tr>"), 1, "no extrema")
+    tap.ok("%.9g" % field.summary().median in field.summary()._repr_html_(), "a summary")
+    luxel.set_language("ru")
+    try:
+        tap.ok("x (мм)" in section._repr_html_(), "in Russian")
+    finally:
+        luxel.set_language("en")
+
+
 def test_overhead(tap, tool):
     """A picture does not write its scene's text before somebody asks for it: that takes ten times as long."""
     scene = luxel.Scene(SCENE).changed({"screen.resolution": [1, 1]})
@@ -269,5 +290,5 @@ def test_overhead(tap, tool):
     tap.equal(field.scene_text, expected, "the text is that of the scene as it was rendered")
 
 
-run_tests(Tap(), test_overhead, test_files, test_read, test_of, test_statistics, test_missed_bound, test_extrema,
-          test_lines, test_profiles, test_compare, test_xarray)
+run_tests(Tap(), test_overhead, test_tables, test_files, test_read, test_of, test_statistics, test_missed_bound,
+          test_extrema, test_lines, test_profiles, test_compare, test_xarray)

@@ -134,6 +134,34 @@ def test_refused(tap, tool):
     tap.ok(str(error).endswith("and 5 more errors"), "and the others are counted", str(error)[-60:])
 
 
+def test_arguments(tap, tool):
+    """Arguments are judged before anything is computed; the message names the wrong one and says what is expected."""
+    scene = luxel.Scene(SCENE)
+    field = scene.render()
+    pair, triple, number = "two numbers are expected", "three numbers are expected", "a number is expected"
+    cases = [(TypeError, "points: 5: pairs", lambda: scene.probe(5)),
+             (ValueError, "points[1]: (1, 2, 3): " + pair, lambda: scene.probe([(0, 0), (1, 2, 3)])),
+             (ValueError, "points[0]: ('x', 1): " + pair, lambda: scene.probe([("x", 1)])),
+             (ValueError, "through: (0,): " + pair, lambda: scene.section(through=(0,))),
+             (ValueError, "angle: 'x': " + number, lambda: scene.section(angle="x")),
+             (ValueError, "end: (1,): " + pair, lambda: scene.profile((0, 0), (1,))),
+             (ValueError, "start: 'a': " + pair, lambda: field.profile("a", (1, 0))),
+             (ValueError, "point: 3: " + pair, lambda: scene.explain(3)),
+             (ValueError, "normal: (0, 1): " + triple, lambda: scene.probe_element((0, 0, 0), (0, 1))),
+             (IndexError, "surface: 4: the scene has 1", lambda: scene.probe_element((0, 0, 0), (0, 0, 1), surface=4)),
+             (IndexError, "surface: -1: the scene has 1", lambda: scene.evaluate([0, 0, 0], [0, 0, 1], surface=-1)),
+             (ValueError, "threads: -1: a whole number", lambda: scene.render(threads=-1)),
+             (TypeError, "threads: 1.5: a whole number", lambda: scene.render(threads=1.5)),
+             (ValueError, "reflected_error: 'x': " + number, lambda: scene.render(reflected_error="x")),
+             (TypeError, "tolerance: {}: ", lambda: scene.section(tolerance=object())),
+             (ValueError, "levels[1]: 'x': " + number, lambda: field.isophotes([5, "x"]))]
+    for kind, text, call in cases:
+        error = raises(kind, call)
+        tap.ok(error is not None and str(error).startswith(text.split("{}")[0]), text, repr(error))
+    tap.equal(numpy.asarray(scene.render(threads=numpy.int64(1))).tobytes(), numpy.asarray(field).tobytes(),
+              "numbers of NumPy are numbers")
+
+
 def test_language(tap, tool):
     scene = luxel.Scene(SCENE)
     luxel.set_language("ru")
@@ -205,5 +233,5 @@ def test_about(tap, tool):
     tap.ok("report" in repr(report) and "360 x 360" in repr(report), "what it shows as", repr(report))
 
 
-run_tests(Tap(), test_sources, test_picture, test_meshes, test_keys, test_refused, test_language, test_pickles,
-          test_about)
+run_tests(Tap(), test_sources, test_picture, test_meshes, test_keys, test_refused, test_arguments, test_language,
+          test_pickles, test_about)
