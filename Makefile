@@ -29,7 +29,7 @@ WARNINGS_ARE_ERRORS = --werror
 
 # One thing at a time: the parallel work is Ninja's.
 .NOTPARALLEL:
-.PHONY: build help setup run app python check bench install clean check-clang check-sanitize check-threads check-valgrind \
+.PHONY: build help setup run app python check check-long bench install clean check-clang check-sanitize check-threads check-valgrind \
     format fuzz coverage fuzz-coverage mutants properties frozen freeze docs validation abi po packages check-packages \
     check-kills check-wheel notebook web check-web
 
@@ -42,7 +42,8 @@ help:
 	@echo 'make run             build, compute the scene "report", print its table, write report.png'
 	@echo 'make app             build and start the desktop app; APP="scene.yaml" opens a scene'
 	@echo 'make python          build the Python package in $(BUILD)/python: PYTHONPATH=$(BUILD)/python python3'
-	@echo 'make check           build and run every test; ends with "N passed, N failed"'
+	@echo 'make check           build and run the tests; ends with "N passed, N failed"'
+	@echo 'make check-long      those that take long: many random scenes, large files, other processors and compilers'
 	@echo 'make check-clang     the same with clang, warnings being errors'
 	@echo 'make check-sanitize  the same with address and undefined-behaviour sanitizers (SANITIZE="gcc clang")'
 	@echo 'make check-threads   what computes in several threads, watched by the thread sanitizer'
@@ -96,7 +97,11 @@ python: setup $(BUILD)/build.ninja
 	@echo 'PYTHONPATH=$(BUILD)/python python3 -c "import luxel"'
 
 check: setup build
-	@$(RUN_TESTS) $(BUILD) --num-processes $(PROCESSES) $(TESTS)
+	@$(RUN_TESTS) $(BUILD) --num-processes $(PROCESSES) $(if $(TESTS),$(TESTS),--no-suite campaign)
+
+# What takes long and is tried in short by `make check`.
+check-long: setup build
+	@$(RUN_TESTS) $(BUILD) --num-processes $(PROCESSES) --suite campaign $(TESTS)
 
 # Whole or not at all, as the page of the validation.
 bench: build

@@ -137,7 +137,7 @@ def short_of_memory(tap, tool):
         "{type: volume, sphere: {center: [0, 0, 2000], radius: 9, facets: 600}, power: 1}"))
     before = tool.files()
     work = [["render", "-q", "-s", "screen.resolution=[%d, %d]" % (side, side), "-o", "a.npy"]
-            for side in (8000, 20000)]
+            for side in (6000, 12000)]
     work += [["probe", "cloud.yaml"], ["check", "lights.yaml"], ["check", "facets.yaml"], ["figure", "-o", "a.png"]]
     for arguments, megabytes in itertools.product(work, (60, 100, 300, 1024, 4096)):
         if arguments[0] == "figure" and megabytes < 300:

@@ -2,7 +2,7 @@
 """Tests of the kernels as a machine without AVX-512 runs them, and one without AVX2: the instruction sets that it lacks
 are left out, and what remains is tested as thoroughly.
 
-Arguments: the programs of these tests.
+Arguments: the program of the unit tests, and those of other tests that need no argument.
 """
 import os
 import sys
@@ -11,13 +11,12 @@ import emulator
 from tap import Tap
 
 PROCESSORS = ("Haswell", "Nehalem")
-# How many of a program's random scenes are tried, in per cent, as an emulator takes some 20 times as long.
-CAMPAIGN = {"test_kernels": "3", "test_panels": "40"}
+# Unit tests, and how many of their random scenes are tried, in per cent, as an emulator takes some 20 times as long.
+CAMPAIGN = {"kernels": "3", "panels": "40"}
 
 
-def emulated(tap, processor, program):
-    name = os.path.basename(program)
-    run = emulator.run(processor, program, timeout=400,
+def emulated(tap, processor, name, *command):
+    run = emulator.run(processor, *command, timeout=400,
                        environment={"LUXEL_CAMPAIGN": CAMPAIGN.get(name, "3"), "CMOCKA_MESSAGE_OUTPUT": "TAP"})
     tap.ok(run.returncode == 0, "%s: %s" % (processor, name), run.stdout.decode(),
            run.stderr.decode())
@@ -29,10 +28,12 @@ def main():
         tap.skip("kernels of old processors", emulator.why_not())
     else:
         for processor in PROCESSORS:
-            for program in sys.argv[1:]:
+            for name in CAMPAIGN:
                 # Panels take longest; whatever has AVX2 and no AVX-512 runs them as Haswell would.
-                if (processor, os.path.basename(program)) != ("Haswell", "test_panels"):
-                    tap.run(emulated, tap, processor, program)
+                if (processor, name) != ("Haswell", "panels"):
+                    tap.run(emulated, tap, processor, name, sys.argv[1], name)
+            for program in sys.argv[2:]:
+                tap.run(emulated, tap, processor, os.path.basename(program), program)
     tap.finish()
 
 
