@@ -124,21 +124,32 @@ static void work(struct rank *rank)
     MPI_Win_free(&rank->window);
 }
 
-/* The folder is rank 0's to begin; the others come when it has. */
+/* The folder is rank 0's to begin; the others come when it has, and not where it could not. */
 static int open_folder(struct rank *rank, const char *path)
 {
     int code = EXIT_DONE;
 
     for (int turn = 0; turn < 2; turn++) {
-        if ((rank->number == 0) == (turn == 0)) {
+        if (code == EXIT_DONE && (rank->number == 0) == (turn == 0)) {
             code = folder_open(&rank->sweep.folder, path, (unsigned)rank->number, (unsigned)rank->count);
             if (code == EXIT_DONE)
                 code = sweep_claim(&rank->sweep);
         }
         wait_for_all();
+        if (turn == 0)
+            MPI_Bcast(&code, 1, MPI_INT, 0, MPI_COMM_WORLD);
     }
     if (code == EXIT_DONE)
         code = sweep_worker_init(&rank->worker, &rank->sweep);
+    return code;
+}
+
+/* Whether the study can be swept; what is wrong is the same for all ranks, and told by one. */
+static int check(const struct rank *rank)
+{
+    int code = rank->number == 0 ? sweep_check(&rank->sweep) : EXIT_DONE;
+
+    MPI_Bcast(&code, 1, MPI_INT, 0, MPI_COMM_WORLD);
     return code;
 }
 
@@ -171,7 +182,7 @@ static int sweep_by_ranks(struct rank *rank, const struct options *options, cons
     int code;
 
     sweep_init(&rank->sweep, study, options->operand);
-    code = agree(sweep_check(&rank->sweep));
+    code = check(rank);
     if (code == EXIT_DONE)
         code = agree(open_folder(rank, options->outputs[0]));
     if (code == EXIT_DONE) {

@@ -83,6 +83,15 @@ def mpi(tap, tool):
     process = start_ranks(tool, 2, "wrong")
     text = process.communicate(timeout=120)[0]
     tap.ok(process.returncode != 0 and text.count("did you mean") == 1, "a wrong study is told once", text)
+    tool.write("s.yaml", STUDY.replace("count: 900", "count: 901"))
+    process = start_ranks(tool, 3, "of3")
+    text = process.communicate(timeout=120)[0]
+    tap.ok(process.returncode == 4 and text.count("another sweep") == 1, "another study's folder is refused once", text)
+    tap.ok(sums(tool, "of3") == expected, "and left as it was")
+    tool.write("s.yaml", STUDY.replace("uint8}", "uint8, probes: float32}").replace("set: [", "set: ['points=[]', "))
+    process = start_ranks(tool, 3, "none")
+    text = process.communicate(timeout=120)[0]
+    tap.ok(process.returncode == 3 and text.count("wants probes") == 1, "no points to probe: told once", text)
 
 
 SLURM = """ClusterName=luxel
