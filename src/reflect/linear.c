@@ -12,7 +12,6 @@
 #include "../base/memory.h"
 
 enum { MOST_STEPS = 120 };
-static const double SMALL_REST = 1e-12;
 
 /* A product under way. */
 struct product {
@@ -159,7 +158,7 @@ int lx_linear_solve(const struct lx_linear *linear, const double *right, double 
         krylov->basis[i] = right[i] / length;
     if (whole)
         krylov->rest[0] = length;
-    while (whole && length > 0 && steps < MOST_STEPS && fabs(krylov->rest[steps]) > SMALL_REST * length) {
+    while (whole && length > 0 && steps < MOST_STEPS && fabs(krylov->rest[steps]) > linear->rest * length) {
         whole = extend(linear, krylov, steps);
         if (whole)
             rotate(krylov, steps++);

@@ -14,6 +14,7 @@ struct lx_linear {
     size_t count;
     const float *matrix;       /* row by row */
     const double *reflectance; /* of each node */
+    double rest;               /* the share of the right side that a solution may leave */
     struct lx_control *control;
     unsigned threads;
 };

@@ -5,6 +5,7 @@
 #include <string.h>
 
 #include "../base/memory.h"
+#include "between.h"
 #include "refine.h"
 
 /* What the tiles add to the error of a place: residuals and weights. */
@@ -40,21 +41,25 @@ double lx_tile_area(const struct lx_tile *tile)
     return area;
 }
 
-/* How much the residual of each tile matters: by what the places see of it, and by its share of all. */
-static int weigh(const struct lx_radiosity *reflected, const struct lx_reflected_wish *wish, double *scores)
+int lx_weigh(const struct lx_radiosity *reflected, const struct lx_reflected_place *places, size_t count,
+             double *scores)
 {
     enum { MOST_WEIGHED = 16 };
     const size_t tiles = reflected->tile_count;
     float *row = lx_new_array(tiles * LX_RULE_NODES, sizeof *row);
-    double *weights = lx_new_array(tiles, sizeof *weights), all = 0;
-    const size_t step = wish->place_count / MOST_WEIGHED + 1;
-    for (size_t t = 0; t < tiles; t++)
-        all += lx_tile_area(&reflected->tiles[t]);
-    for (size_t p = 0; row && weights && p < wish->place_count; p += step)
-        weigh_place(reflected, &wish->places[p].receiver, row, weights);
+    double *weights = lx_new_array(tiles, sizeof *weights), all = 0, reflecting = 0;
+    const size_t step = count / MOST_WEIGHED + 1;
+    for (size_t t = 0; t < tiles; t++) {
+        const double area = lx_tile_area(&reflected->tiles[t]);
+        all += area;
+        reflecting += reflected->faces[reflected->tiles[t].face].reflectance * area;
+    }
+    const double bounces = fmax(reflecting / (all - reflecting), 1); /* after the last one that the places see */
+    for (size_t p = 0; row && weights && p < count; p += step)
+        weigh_place(reflected, &places[p].receiver, row, weights);
     for (size_t t = 0; row && weights && t < tiles; t++) {
         const struct lx_tile *tile = &reflected->tiles[t];
-        const double seen = weights[t] / (double)(wish->place_count / step + 1), share = 4 * lx_tile_area(tile) / all;
+        const double seen = weights[t] / (double)(count / step + 1), share = bounces * lx_tile_area(tile) / all;
         scores[t] = reflected->faces[tile->face].reflectance * (seen + share) *
                     (tile->residual[0] + tile->residual[1] + tile->direct_error);
     }
@@ -94,10 +99,9 @@ int lx_cut_greatest(const struct lx_radiosity *reflected, const double *scores, 
     const double threshold = threshold_of(scores, reflected->tile_count, most);
     int any = threshold < 0 ? -1 : 0;
     for (size_t t = 0; t < reflected->tile_count && any >= 0; t++) {
-        const double *residual = reflected->tiles[t].residual;
         if (!(scores[t] >= threshold && scores[t] > 0))
             continue;
-        cuts[t] |= residual[0] > 2 * residual[1] ? 1 : residual[1] > 2 * residual[0] ? 2 : 3;
+        cuts[t] |= lx_between_cuts(reflected->tiles[t].residual);
         any = 1;
     }
     return any;
@@ -107,7 +111,7 @@ int lx_places_cut(const struct lx_radiosity *reflected, const struct lx_reflecte
 {
     const size_t count = reflected->tile_count;
     double *scores = lx_new_array(count, sizeof *scores);
-    const int any = !scores || weigh(reflected, wish, scores)
+    const int any = !scores || lx_weigh(reflected, wish->places, wish->place_count, scores)
                         ? -1
                         : lx_cut_greatest(reflected, scores, (LX_MOST_TILES - count) * 2 / 3 + 1, cuts);
     free(scores);

@@ -10,12 +10,12 @@
 #include "../surface/beside.h"
 #include "refine.h"
 
-enum { MOST_ROUNDS = 6, MOST_ROUNDS_OF_PICTURES = 4, LEVELS = 6 };
-/* Cells along a face at first: for places, and for pictures, of which less is asked. */
-enum { CELLS = 6, CELLS_OF_PICTURES = 4 };
+enum { MOST_ROUNDS = 6, LEVELS = 6 };
 
+/* With more tiles than this share of the most, too few are left for another round. */
+static const double WORTH_A_ROUND = 0.92;
 /* Differences of direct light that do not count, as a share of all of it and of the bound that is wanted. */
-static const double LITTLE = 1e-2;
+static const double LITTLE = 5e-2;
 /* How exact integrals over sources are made that samples of direct light take, as a share of the bound that is wanted:
  * errors of samples count as errors of the direct light. */
 static const double SAMPLED = 1e-3;
@@ -37,6 +37,7 @@ static void free_solution(struct lx_kept *kept)
     free(reflected->slack);
     free(reflected->slack_before);
     free(reflected->seen);
+    free(reflected->parts);
     free(reflected);
 }
 
@@ -142,7 +143,7 @@ bool lx_reflected_is_reached(const struct lx_radiosity *reflected, const struct 
 static bool refine(struct lx_radiosity *reflected, const struct lx_reflected_wish *wish, bool *failed)
 {
     const size_t count = reflected->tile_count;
-    if (count >= LX_MOST_TILES)
+    if (count >= WORTH_A_ROUND * LX_MOST_TILES)
         return false;
     uint8_t *cuts = lx_new_array(count, sizeof *cuts);
     const int any = !cuts                   ? -1
@@ -154,16 +155,24 @@ static bool refine(struct lx_radiosity *reflected, const struct lx_reflected_wis
     return any > 0 && !*failed;
 }
 
+static luxel_status solve(struct lx_radiosity *reflected, const struct lx_reflected_wish *wish)
+{
+    luxel_status status = lx_reflected_solve(reflected);
+    if (status == LUXEL_OK && lx_parts_make(reflected))
+        status = LUXEL_ERROR_MEMORY;
+    return status == LUXEL_OK && wish->spots ? lx_spots_show(reflected, wish, false) : status;
+}
+
 static luxel_status work(struct lx_radiosity *reflected, const struct lx_reflected_wish *wish)
 {
-    const int most = wish->place_count > 0 ? MOST_ROUNDS : MOST_ROUNDS_OF_PICTURES;
     luxel_status status = lx_tiling_make(reflected) ? LUXEL_ERROR_MEMORY : light_up(reflected, wish->error);
     for (int round = 0; status == LUXEL_OK; round++) {
         bool failed = false;
-        status = lx_reflected_solve(reflected);
-        if (status != LUXEL_OK || round == most || lx_reflected_is_reached(reflected, wish) ||
-            !refine(reflected, wish, &failed))
-            return failed ? LUXEL_ERROR_MEMORY : status;
+        status = solve(reflected, wish);
+        if (status != LUXEL_OK || lx_reflected_is_reached(reflected, wish))
+            return status;
+        if (round == MOST_ROUNDS || !refine(reflected, wish, &failed))
+            return failed ? LUXEL_ERROR_MEMORY : wish->spots ? lx_spots_show(reflected, wish, true) : LUXEL_OK;
         status = sample(reflected);
     }
     return status;
@@ -180,7 +189,7 @@ luxel_status lx_reflected_make(const struct lx_reflected_wish *wish, struct lx_r
         .key = wish->key,
         .prepared = wish->prepared,
         .sampled = *wish->prepared,
-        .most_cells = wish->place_count > 0 ? CELLS : CELLS_OF_PICTURES,
+        .error = wish->error,
         .sampling = {.world = {NULL, wish->kernels}, .lobe = lx_lobe_irradiance(), .most_levels = LEVELS},
         .bounces = bounces->choice < 0 ? bounces->whole : 0,
         .threads = wish->threads,

@@ -10,18 +10,29 @@
 /* No solution has many more tiles. */
 enum { LX_MOST_TILES = 560 };
 
+/* A part of a tile as pictures show it. */
+struct lx_shown_part {
+    size_t tile;
+    struct lx_window window;
+    size_t first;                         /* of the parts that it is cut into; */
+    unsigned count;                       /* 0: it is not */
+    double nodes[LX_RULE_NODES];          /* reflected irradiance */
+    double residual[2], own_error, error; /* as of tiles, */
+    unsigned worst;                       /* likewise */
+};
+
 struct lx_radiosity {
     struct lx_kept kept;
     struct lx_reflected_key key;
     const struct lx_prepared *prepared; /* while it is made; */
     struct lx_prepared sampled;         /* likewise, with the tolerance that samples of direct light are good for */
     struct lx_sampling_direct sampling;
+    double error;     /* the bound that is wanted */
     unsigned bounces; /* 0: all */
     double size_mm;   /* of the scene */
     struct lx_matte_face *faces;
     size_t face_count;
     bool has_round_faces;  /* balls or tubes */
-    int most_cells;        /* along a face at first */
     struct lx_tile *tiles; /* face by face */
     size_t tile_count, tile_capacity;
     size_t *first_tile; /* of each face, and behind the last */
@@ -29,6 +40,8 @@ struct lx_radiosity {
     double *before;     /* with one bounce less, which is what is reflected */
     double *slack;      /* bound of its error, and */
     double *slack_before;
+    struct lx_shown_part *parts; /* first one of each tile, which is all of it */
+    size_t part_count, part_capacity;
     double *seen; /* the share of all ways from a node, by Lambert's law, that end on faces */
     unsigned threads;
     struct lx_control *control;
@@ -48,14 +61,30 @@ bool lx_places_are_reached(const struct lx_radiosity *reflected, const struct lx
 /* Which tiles are to be cut for them, as lx_tiling_cut() has it; 1: some, 0: none, -1: memory ran out. */
 int lx_places_cut(const struct lx_radiosity *reflected, const struct lx_reflected_wish *wish, uint8_t *cuts);
 
+/* Parts of the solution as it is: first the tiles; 0, or -1. */
+int lx_parts_make(struct lx_radiosity *reflected);
+/* Cuts parts as long as they show more error than is allowed on each tile and this is their own. */
+luxel_status lx_parts_refine(struct lx_radiosity *reflected, const double *allowed);
+bool lx_parts_are_below(const struct lx_radiosity *reflected, const double *allowed);
+/* Sets places at which more error arrives than a share of what is allowed, the worst ones of them; how many, or -1. */
+int lx_parts_worst(const struct lx_radiosity *reflected, const double *allowed, double share, size_t most,
+                   struct lx_reflected_place *places);
+/* The reflected irradiance on a tile, at coordinates of its face. */
+lx_bounded lx_parts_value(const struct lx_radiosity *reflected, size_t tile, const double at[2]);
+
 /* Likewise for what a picture shows. */
 bool lx_spots_are_reached(const struct lx_radiosity *reflected, const struct lx_reflected_wish *wish);
 int lx_spots_cut(const struct lx_radiosity *reflected, const struct lx_reflected_wish *wish, uint8_t *cuts);
+/* Parts for it, if what arrives of errors lets it be reached by them, or anyway. */
+luxel_status lx_spots_show(struct lx_radiosity *reflected, const struct lx_reflected_wish *wish, bool anyway);
 
 /* Likewise for the means of all sides. */
 bool lx_means_are_reached(const struct lx_radiosity *reflected, const struct lx_reflected_wish *wish);
 int lx_means_cut(const struct lx_radiosity *reflected, const struct lx_reflected_wish *wish, uint8_t *cuts);
 
+/* Sets how much the residual of each tile matters: by what the places see of it, and by its share of all.  0, or -1. */
+int lx_weigh(const struct lx_radiosity *reflected, const struct lx_reflected_place *places, size_t count,
+             double *scores);
 /* Marks the tiles with the greatest scores: most of their sum, but no more than `most` tiles.  As above. */
 int lx_cut_greatest(const struct lx_radiosity *reflected, const double *scores, size_t most, uint8_t *cuts);
 double lx_tile_area(const struct lx_tile *tile);

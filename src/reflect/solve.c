@@ -8,20 +8,18 @@
 #include <string.h>
 
 #include "../base/memory.h"
+#include "between.h"
 #include "linear.h"
 #include "refine.h"
 
 const struct lx_fineness lx_fine = {.seen = 0.35, .rough = 0.2, .flat_part = 0.25, .round_part = 0.06};
 const struct lx_fineness lx_coarse = {.seen = 0.45, .rough = 0.25, .flat_part = 0.4, .round_part = 0.12};
 
-/* Residuals are looked for at places that near to the edges of a tile, and may be larger between these by a factor. */
-static const double BESIDE = 0.97, BETWEEN = 2;
-
-/* What the rules of integration leave, as a share of what arrives: of cells that are cut to size, and of the areas of
- * round tiles. */
-static const double FLAT_RULE = 2e-8, ROUND_RULE = 4e-7;
-
-enum { PLACES = 9 };
+/* What solutions of the linear system may leave: of the light, where it counts as residual, beside the bound that is
+ * wanted; of the slack, where it is added. */
+static const double LIGHT_REST = 1e-3, SLACK_REST = 1e-6;
+/* No more, whatever is wanted, and no less than numbers hold. */
+static const double MOST_REST = 1e-5, LEAST_REST = 1e-12;
 
 /* A solution under way. */
 struct solving {
@@ -58,67 +56,43 @@ static void make_rows(void *data, unsigned worker, bool is_caller, unsigned firs
     }
 }
 
-/* Place p of a tile: in its middle, and beside its edges. */
-static void place_of(int p, double at[2])
-{
-    at[0] = (p % 3 - 1) * BESIDE;
-    at[1] = (p / 3 - 1) * BESIDE;
-}
-
 static void find_residuals(void *data, unsigned worker, bool is_caller, unsigned first, unsigned last)
 {
     struct solving *solving = data;
     struct lx_radiosity *reflected = solving->reflected;
     for (size_t i = first; i < last && lx_control_goes_on(reflected->control, is_caller); i++) {
-        const struct lx_tile *tile = &reflected->tiles[i / PLACES];
+        const struct lx_tile *tile = &reflected->tiles[i / LX_BETWEEN];
         const struct lx_matte_face *face = &reflected->faces[tile->face];
         struct lx_receiver receiver = {.own = face->surface};
         double at[2];
-        place_of((int)(i % PLACES), at);
+        lx_between_place((int)(i % LX_BETWEEN), at);
         lx_sheet_place(&face->sheet, tile->window.middle[0] + at[0] * tile->window.half[0],
                        tile->window.middle[1] + at[1] * tile->window.half[1], receiver.place_mm, receiver.normal);
         const struct lx_arrival sent = lx_gather(reflected, reflected->prepared, &lx_fine, &receiver, solving->before,
                                                  NULL, &solving->veils[worker], NULL);
-        const size_t nodes = i / PLACES * LX_RULE_NODES;
+        const size_t nodes = i / LX_BETWEEN * LX_RULE_NODES;
         solving->sampled[i] = sent.value - lx_rule_value(solving->after + nodes, at[0], at[1]);
         solving->sights[i] = sent.seen - lx_rule_value(reflected->seen + nodes, at[0], at[1]);
     }
 }
 
-/* The mean of what the places of a tile have, without signs: by Simpson's rule. */
-static double mean_of_places(const double places[PLACES])
-{
-    double mean = 0;
-    for (int p = 0; p < PLACES; p++)
-        mean += (p % 3 == 1 ? 4 : 1) * (p / 3 == 1 ? 4 : 1) / 36.0 * fabs(places[p]);
-    return mean;
-}
-
 /* What the places of a tile tell. */
 static void judge_tile(const struct solving *solving, size_t t)
 {
-    const double *sampled = solving->sampled + t * PLACES;
+    const double *sampled = solving->sampled + t * LX_BETWEEN;
     struct lx_tile *tile = &solving->reflected->tiles[t];
-    double greatest = 0, received = 0;
-    const double mean = mean_of_places(sampled);
-    for (int p = 0; p < PLACES; p++)
-        greatest = fmax(greatest, fabs(sampled[p]));
+    const double mean = lx_between_mean(sampled);
     const size_t first = t * LX_RULE_NODES;
-    const double rule = solving->reflected->has_round_faces ? ROUND_RULE : FLAT_RULE;
-    for (int k = 0; k < 2; k++) {
-        const int step = k == 0 ? 1 : 3, other = 4 - step;
-        double off = 0;
-        for (int r = -1; r <= 1; r++) /* along k, beside the middle and both edges */
-            for (int sign = -1; sign <= 1; sign += 2)
-                off = fmax(off, fabs(sampled[4 + r * other + sign * step] - sampled[4 + r * other]));
-        tile->residual[k] = fmax(tile->residual[k], off);
-    }
+    const double rule = solving->reflected->has_round_faces ? LX_ROUND_RULE : LX_FLAT_RULE;
+    double received = 0;
+    for (int way = 0; way < 2; way++)
+        tile->residual[way] = fmax(tile->residual[way], lx_between_change(sampled, way));
     for (size_t i = first; i < first + LX_RULE_NODES; i++) {
         received = fmax(received, fabs(solving->after[i]));
-        solving->residual[i] = fmax(solving->residual[i], BETWEEN * mean + rule * fabs(solving->after[i]));
+        solving->residual[i] = fmax(solving->residual[i], LX_BETWEEN_FACTOR * mean + rule * fabs(solving->after[i]));
     }
-    tile->own_error = fmax(tile->own_error, BETWEEN * greatest + rule * received);
-    tile->seen_error = BETWEEN * mean_of_places(solving->sights + t * PLACES) + rule;
+    tile->own_error = fmax(tile->own_error, LX_BETWEEN_FACTOR * lx_between_greatest(sampled) + rule * received);
+    tile->seen_error = LX_BETWEEN_FACTOR * lx_between_mean(solving->sights + t * LX_BETWEEN) + rule;
 }
 
 static bool run(const struct solving *solving, size_t count, lx_rows_work *work)
@@ -134,7 +108,7 @@ static bool look_between(struct solving *solving, const double *before, const do
     const size_t tiles = solving->reflected->tile_count;
     solving->before = before;
     solving->after = after;
-    if (!run(solving, tiles * PLACES, find_residuals))
+    if (!run(solving, tiles * LX_BETWEEN, find_residuals))
         return false;
     for (size_t t = 0; t < tiles; t++)
         judge_tile(solving, t);
@@ -161,12 +135,13 @@ static bool bounce(const struct lx_linear *linear, unsigned bounces, const doubl
     return true;
 }
 
-static bool solve(const struct solving *solving, const double *right, double *before, double *x)
+static bool solve(const struct solving *solving, const double *right, double rest, double *before, double *x)
 {
     const struct lx_radiosity *reflected = solving->reflected;
     const struct lx_linear linear = {.count = reflected->tile_count * LX_RULE_NODES,
                                      .matrix = solving->matrix,
                                      .reflectance = solving->reflectance,
+                                     .rest = rest,
                                      .control = reflected->control,
                                      .threads = reflected->threads};
     if (reflected->bounces > 0)
@@ -175,6 +150,23 @@ static bool solve(const struct solving *solving, const double *right, double *be
         return false;
     memcpy(before, x, linear.count * sizeof *x);
     return true;
+}
+
+/* The solution for the slack leaves a rest of its equation, no place of which is greater than its length: that adds no
+ * more than the sum of all bounces of it, wherever anything arrives. */
+static void add_rest(const struct solving *solving, const double *right)
+{
+    const struct lx_radiosity *reflected = solving->reflected;
+    const size_t count = reflected->tile_count * LX_RULE_NODES;
+    double squares = 0, largest = 0;
+    for (size_t i = 0; i < count; i++) {
+        squares += right[i] * right[i];
+        largest = fmax(largest, solving->reflectance[i]);
+    }
+    const double rest = SLACK_REST * sqrt(squares) / (1 - largest);
+    for (size_t i = 0; i < count; i++)
+        if (reflected->seen[i] > 0)
+            reflected->slack_before[i] = reflected->slack[i] += rest;
 }
 
 /* The slack begins with the residual and with what is not known of the direct light, one bounce of it. */
@@ -191,7 +183,9 @@ static bool find_slack(struct solving *solving)
     for (size_t i = 0; unsure && i < count; i++)
         unsure[i] = reflected->tiles[i / LX_RULE_NODES].direct_error;
     const bool whole = unsure && right && lx_linear_bounce(&linear, solving->residual, unsure, right) &&
-                       solve(solving, right, reflected->slack_before, reflected->slack);
+                       solve(solving, right, SLACK_REST, reflected->slack_before, reflected->slack);
+    if (whole && reflected->bounces == 0)
+        add_rest(solving, right);
     free(unsure);
     free(right);
     return whole;
@@ -205,8 +199,14 @@ static void bound_tiles(const struct solving *solving)
     for (size_t t = 0; t < solving->reflected->tile_count; t++) {
         struct lx_tile *tile = &solving->reflected->tiles[t];
         double arrives = 0;
-        for (size_t i = t * LX_RULE_NODES; i < (t + 1) * LX_RULE_NODES; i++)
-            arrives = fmax(arrives, solving->reflected->slack[i] - solving->residual[i]);
+        for (unsigned q = 0; q < LX_RULE_NODES; q++) {
+            const double error =
+                solving->reflected->slack[t * LX_RULE_NODES + q] - solving->residual[t * LX_RULE_NODES + q];
+            if (error > arrives) {
+                arrives = error;
+                tile->worst = q;
+            }
+        }
         tile->error = tile->own_error + beyond * arrives;
     }
 }
@@ -219,7 +219,9 @@ static bool work(struct solving *solving)
         solving->reflectance[i] = reflected->faces[reflected->tiles[i / LX_RULE_NODES].face].reflectance;
     for (size_t t = 0; t < reflected->tile_count; t++)
         reflected->tiles[t].residual[0] = reflected->tiles[t].residual[1] = reflected->tiles[t].own_error = 0;
-    if (!run(solving, count, make_rows) || !solve(solving, solving->direct, reflected->before, reflected->indirect) ||
+    const double rest = fmin(fmax(LIGHT_REST * reflected->error, LEAST_REST), MOST_REST);
+    if (!run(solving, count, make_rows) ||
+        !solve(solving, solving->direct, rest, reflected->before, reflected->indirect) ||
         !look_between(solving, reflected->before, reflected->indirect))
         return false;
     if (reflected->bounces > 1 && !look_between(solving, NULL, solving->direct))
@@ -246,8 +248,8 @@ luxel_status lx_reflected_solve(struct lx_radiosity *reflected)
                               .direct = lx_new_array(count, sizeof(double)),
                               .residual = lx_new_array(count, sizeof(double)),
                               .veils = lx_new_array(workers, sizeof(struct lx_veils)),
-                              .sampled = lx_new_array(reflected->tile_count * PLACES, sizeof(double)),
-                              .sights = lx_new_array(reflected->tile_count * PLACES, sizeof(double))};
+                              .sampled = lx_new_array(reflected->tile_count * LX_BETWEEN, sizeof(double)),
+                              .sights = lx_new_array(reflected->tile_count * LX_BETWEEN, sizeof(double))};
     bool has_room = solving.matrix && solving.reflectance && solving.direct && solving.residual && solving.veils &&
                     solving.sampled && solving.sights && !renew(&reflected->seen, count) &&
                     !renew(&reflected->indirect, count) && !renew(&reflected->before, count) &&

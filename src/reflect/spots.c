@@ -14,6 +14,8 @@
 static const double BESIDE = 1e-6;
 /* A tile that is no share of itself near to its edges is not left for another one that a place has in common. */
 static const double STRICTLY = 1e-9;
+/* The share of the bound that what arrives of errors may take. */
+static const double ARRIVES = 0.75;
 
 /* ---- where a place is ---- */
 
@@ -83,11 +85,6 @@ static bool is_on(const struct lx_radiosity *reflected, size_t t, size_t surface
            beyond_tile(tile, at) < -STRICTLY;
 }
 
-static double clamp(double x)
-{
-    return fmin(fmax(x, -1), 1);
-}
-
 static size_t tile_of(const struct lx_radiosity *reflected, size_t surface, const double place_mm[3],
                       const double normal[3], size_t *near, double at[2])
 {
@@ -105,71 +102,60 @@ lx_bounded lx_reflected_on(const struct lx_radiosity *reflected, size_t surface,
     const size_t t = tile_of(reflected, surface, place_mm, normal, near, at);
     if (t == SIZE_MAX)
         return lx_exact(0);
-    const struct lx_tile *tile = &reflected->tiles[t];
-    const double x = clamp((at[0] - tile->window.middle[0]) / tile->window.half[0]);
-    const double y = clamp((at[1] - tile->window.middle[1]) / tile->window.half[1]);
-    return (lx_bounded){fmax(lx_rule_value(reflected->indirect + t * LX_RULE_NODES, x, y), 0), tile->error};
+    return lx_parts_value(reflected, t, at);
 }
 
 /* ---- refinement ---- */
 
-/* What is needed for a picture: a lower bound of its greatest value, and of each tile the greatest share that values
- * take of its light. */
-struct shown {
-    double maximum;
-    double *shares;
-};
-
-static struct shown look(const struct lx_radiosity *reflected, const struct lx_reflected_wish *wish)
+/* The error that a picture allows on each tile: a share of its greatest value, of which there is a lower bound; NULL:
+ * memory ran out. */
+static double *find_allowed(const struct lx_radiosity *reflected, const struct lx_reflected_wish *wish)
 {
-    struct shown shown = {0, lx_new_array(reflected->tile_count, sizeof(double))};
+    double *allowed = lx_new_array(reflected->tile_count, sizeof *allowed), maximum = 0;
     size_t near = 0;
-    for (size_t i = 0; shown.shares && i < wish->spot_count; i++) {
+    for (size_t i = 0; allowed && i < wish->spot_count; i++) {
         const struct lx_reflected_spot *spot = &wish->spots[i];
         const lx_bounded light = lx_reflected_on(reflected, spot->surface, spot->place_mm, spot->normal, &near);
-        shown.maximum = fmax(shown.maximum, spot->value + spot->share * light.value);
+        maximum = fmax(maximum, spot->value + spot->share * light.value);
         if (near > 0)
-            shown.shares[near - 1] = fmax(shown.shares[near - 1], spot->share);
+            allowed[near - 1] = fmax(allowed[near - 1], spot->share);
     }
-    return shown;
+    for (size_t t = 0; allowed && t < reflected->tile_count; t++)
+        allowed[t] = allowed[t] > 0 ? wish->error * maximum / allowed[t] : HUGE_VAL;
+    return allowed;
 }
 
 bool lx_spots_are_reached(const struct lx_radiosity *reflected, const struct lx_reflected_wish *wish)
 {
-    const struct shown shown = look(reflected, wish);
-    bool reached = true;
-    for (size_t t = 0; shown.shares && t < reflected->tile_count && reached; t++)
-        reached = shown.shares[t] * reflected->tiles[t].error <= wish->error * shown.maximum;
-    free(shown.shares);
+    double *allowed = find_allowed(reflected, wish);
+    const bool reached = allowed && lx_parts_are_below(reflected, allowed);
+    free(allowed);
     return reached;
 }
 
-/* Errors of a tile's own are mended there; those that arrive come from all tiles, by their areas. */
+luxel_status lx_spots_show(struct lx_radiosity *reflected, const struct lx_reflected_wish *wish, bool anyway)
+{
+    double *allowed = find_allowed(reflected, wish);
+    struct lx_reflected_place place;
+    const int any = allowed ? lx_parts_worst(reflected, allowed, ARRIVES, 1, &place) : -1;
+    const luxel_status status = any < 0              ? LUXEL_ERROR_MEMORY
+                                : any == 0 || anyway ? lx_parts_refine(reflected, allowed)
+                                                     : LUXEL_OK;
+    free(allowed);
+    return status;
+}
+
+/* Errors that a part has of its own are mended there; those that arrive at it, where they come from. */
 int lx_spots_cut(const struct lx_radiosity *reflected, const struct lx_reflected_wish *wish, uint8_t *cuts)
 {
-    const size_t count = reflected->tile_count;
-    const struct shown shown = look(reflected, wish);
-    double *scores = lx_new_array(count, sizeof *scores), greatest = 0;
-    const double allowed = wish->error * shown.maximum;
-    const size_t most = (LX_MOST_TILES - count) / 4 + 1;
-    int any = shown.shares && scores ? 0 : -1;
-    for (size_t t = 0; t < count && any >= 0; t++) {
-        const struct lx_tile *tile = &reflected->tiles[t];
-        greatest = fmax(greatest, shown.shares[t] * (tile->error - tile->own_error));
-        scores[t] = shown.shares[t] * tile->own_error > 0.4 * allowed ? shown.shares[t] * tile->own_error : 0;
-    }
-    if (any == 0)
-        any = lx_cut_greatest(reflected, scores, most, cuts);
-    for (size_t t = 0; t < count && any >= 0; t++) {
-        const struct lx_tile *tile = &reflected->tiles[t];
-        scores[t] = reflected->faces[tile->face].reflectance * lx_tile_area(tile) *
-                    (tile->residual[0] + tile->residual[1] + tile->direct_error);
-    }
-    if (any >= 0 && greatest > 0.4 * allowed) {
-        const int more = lx_cut_greatest(reflected, scores, most, cuts);
-        any = more < 0 ? -1 : any | more;
-    }
+    enum { MOST_WORST = 16 };
+    const size_t count = reflected->tile_count, most = (LX_MOST_TILES - count) / 3 + 1;
+    struct lx_reflected_place places[MOST_WORST];
+    double *allowed = find_allowed(reflected, wish), *scores = lx_new_array(count, sizeof *scores);
+    int any = allowed && scores ? lx_parts_worst(reflected, allowed, ARRIVES, MOST_WORST, places) : -1;
+    if (any > 0)
+        any = lx_weigh(reflected, places, (size_t)any, scores) ? -1 : lx_cut_greatest(reflected, scores, most, cuts);
     free(scores);
-    free(shown.shares);
+    free(allowed);
     return any;
 }

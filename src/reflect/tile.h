@@ -48,6 +48,7 @@ struct lx_tile {
     double residual[2];  /* the greatest of the solution's, off along s and along t */
     double own_error;    /* what the polynomial of the solution may be off by itself, anywhere on the tile, */
     double error;        /* and with the errors of what it receives: a bound */
+    unsigned worst;      /* the node that receives the most of these */
 };
 
 /* The bounds and nodes of a window. */

@@ -9,9 +9,12 @@
 
 #include "../base/memory.h"
 #include "../base/vector.h"
+#include "between.h"
 #include "solution.h"
 
 enum { MOST_LINES = 64 };
+/* Cells along a face, or between lines of it, at first. */
+enum { MOST_CELLS = 4 };
 
 static int append_tile(struct lx_radiosity *reflected, uint32_t face, const struct lx_window *window)
 {
@@ -90,8 +93,7 @@ static void find_cuts(const struct lx_radiosity *reflected, const struct lx_matt
     for (int i = 0; i <= lines.count; i++) {
         const double low = i == 0 ? -1 : lines.at[i - 1], high = i == lines.count ? 1 : lines.at[i];
         const double length = (high - low) / 2 * face->size_mm[way] / scale_mm;
-        const int most = reflected->most_cells;
-        int cells = length > 0.5 ? most : length > 0.15 ? (most + 3) / 2 : length > 0.03 ? 2 : 1;
+        int cells = length > 0.5 ? MOST_CELLS : length > 0.12 ? 2 : 1;
         if (face->sheet.type != LX_SHEET_PLATE && cells > 2)
             cells = 2;
         grade(low, high, cells, cuts);
@@ -214,9 +216,8 @@ int lx_tiling_cut(struct lx_radiosity *reflected, const uint8_t *cuts)
             continue;
         }
         lx_direct_clear(&tile->direct);
-        for (int i = 0; i < (cuts[t] == 3 ? 4 : 2) && !failed; i++) {
-            const struct lx_window part =
-                cuts[t] == 3 ? lx_window_quarter(&tile->window, i) : lx_window_half(&tile->window, cuts[t] - 1, i);
+        for (unsigned i = 0; i < lx_window_parts(cuts[t]) && !failed; i++) {
+            const struct lx_window part = lx_window_part(&tile->window, cuts[t], i);
             failed = append_tile(reflected, tile->face, &part);
         }
     }

@@ -1,0 +1,241 @@
+/* SPDX-License-Identifier: MIT */
+/*
+ * Parts of tiles, for what a picture shows.  What tiles receive from each other is often known long before each of
+ * them shows it well: a polynomial on a large tile is coarse where light changes fast, near to edges and to the feet
+ * of things.  So the tile is cut for showing alone, and its parts have polynomials by one more integral over the
+ * solution, which stays as it is.
+ */
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "../base/memory.h"
+#include "between.h"
+#include "refine.h"
+
+/* No picture has many more parts. */
+enum { MOST_PARTS = 2400 };
+/* What arrives is smooth: between the nodes no more than that beyond the greatest of them. */
+static const double BEYOND = 1.1;
+
+/* Parts under way: from `first` on they are new. */
+struct showing {
+    struct lx_radiosity *reflected;
+    struct lx_veils *veils; /* of each worker */
+    size_t first;
+};
+
+static struct lx_shown_part *append(struct lx_radiosity *reflected)
+{
+    if (lx_reserve(&reflected->parts, &reflected->part_capacity, reflected->part_count + 1, sizeof *reflected->parts))
+        return NULL;
+    struct lx_shown_part *part = &reflected->parts[reflected->part_count++];
+    *part = (struct lx_shown_part){0};
+    return part;
+}
+
+int lx_parts_make(struct lx_radiosity *reflected)
+{
+    reflected->part_count = 0;
+    for (size_t t = 0; t < reflected->tile_count; t++) {
+        const struct lx_tile *tile = &reflected->tiles[t];
+        struct lx_shown_part *part = append(reflected);
+        if (!part)
+            return -1;
+        part->tile = t;
+        part->window = tile->window;
+        part->own_error = tile->own_error;
+        part->error = tile->error;
+        part->worst = tile->worst;
+        memcpy(part->residual, tile->residual, sizeof part->residual);
+        memcpy(part->nodes, reflected->indirect + t * LX_RULE_NODES, sizeof part->nodes);
+    }
+    return 0;
+}
+
+/* ---- one more integral ---- */
+
+static struct lx_arrival arrival_at(const struct showing *showing, const struct lx_fineness *fineness,
+                                    const struct lx_receiver *receiver, const double *slack, struct lx_veils *veils)
+{
+    const struct lx_radiosity *reflected = showing->reflected;
+    return lx_gather(reflected, reflected->prepared, fineness, receiver, reflected->before, slack, veils, NULL);
+}
+
+/* As with tiles, coarse integrals at the nodes, and fine ones between them. */
+static void fill(const struct showing *showing, struct lx_veils *veils, struct lx_shown_part *part)
+{
+    const struct lx_radiosity *reflected = showing->reflected;
+    const struct lx_matte_face *face = &reflected->faces[reflected->tiles[part->tile].face];
+    struct lx_receiver receiver = {.own = face->surface};
+    struct lx_tile_cell cell;
+    double arrives = 0, received = 0, between[LX_BETWEEN];
+    lx_cell_make(face, &part->window, &cell);
+    for (int q = 0; q < LX_RULE_NODES; q++) {
+        memcpy(receiver.place_mm, cell.place_mm[q], sizeof receiver.place_mm);
+        memcpy(receiver.normal, cell.normal[q], sizeof receiver.normal);
+        const struct lx_arrival arrival = arrival_at(showing, &lx_coarse, &receiver, reflected->slack_before, veils);
+        part->nodes[q] = arrival.value;
+        if (arrival.slack > arrives) {
+            arrives = arrival.slack;
+            part->worst = (unsigned)q;
+        }
+        received = fmax(received, fabs(arrival.value));
+    }
+    for (int p = 0; p < LX_BETWEEN; p++) {
+        double at[2];
+        lx_between_place(p, at);
+        lx_sheet_place(&face->sheet, part->window.middle[0] + at[0] * part->window.half[0],
+                       part->window.middle[1] + at[1] * part->window.half[1], receiver.place_mm, receiver.normal);
+        between[p] =
+            arrival_at(showing, &lx_fine, &receiver, NULL, veils).value - lx_rule_value(part->nodes, at[0], at[1]);
+    }
+    for (int way = 0; way < 2; way++)
+        part->residual[way] = lx_between_change(between, way);
+    part->own_error = LX_BETWEEN_FACTOR * lx_between_greatest(between) +
+                      (reflected->has_round_faces ? LX_ROUND_RULE : LX_FLAT_RULE) * received;
+    part->error = part->own_error + BEYOND * arrives;
+}
+
+static void fill_parts(void *data, unsigned worker, bool is_caller, unsigned first, unsigned last)
+{
+    const struct showing *showing = data;
+    for (size_t i = first; i < last && lx_control_goes_on(showing->reflected->control, is_caller); i++)
+        fill(showing, &showing->veils[worker], &showing->reflected->parts[showing->first + i]);
+}
+
+/* ---- cutting ---- */
+
+static int cut(struct lx_radiosity *reflected, size_t p)
+{
+    const unsigned char cuts = lx_between_cuts(reflected->parts[p].residual);
+    const unsigned count = lx_window_parts(cuts);
+    reflected->parts[p].first = reflected->part_count;
+    for (unsigned i = 0; i < count; i++) {
+        struct lx_shown_part *part = append(reflected);
+        if (!part)
+            return -1;
+        part->tile = reflected->parts[p].tile;
+        part->window = lx_window_part(&reflected->parts[p].window, cuts, i);
+    }
+    reflected->parts[p].count = count;
+    return 0;
+}
+
+/* Cuts the parts that show more error than is allowed, of their own. */
+static int cut_some(struct lx_radiosity *reflected, const double *allowed)
+{
+    const size_t count = reflected->part_count;
+    int failed = 0;
+    for (size_t p = 0; p < count && reflected->part_count < MOST_PARTS && !failed; p++) {
+        const struct lx_shown_part *part = &reflected->parts[p];
+        const double most = allowed[part->tile];
+        if (part->count == 0 && part->error > most && part->own_error > 0.25 * most)
+            failed = cut(reflected, p);
+    }
+    return failed;
+}
+
+luxel_status lx_parts_refine(struct lx_radiosity *reflected, const double *allowed)
+{
+    enum { MOST_LEVELS = 8 };
+    struct showing showing = {reflected, lx_new_array(reflected->threads, sizeof(struct lx_veils)), 0};
+    bool has_room = showing.veils, whole = true, is_done = false;
+    for (int level = 0; level < MOST_LEVELS && has_room && whole && !is_done; level++) {
+        showing.first = reflected->part_count;
+        has_room = cut_some(reflected, allowed) == 0;
+        is_done = reflected->part_count == showing.first;
+        const struct lx_rows_part part = {.last = (unsigned)(reflected->part_count - showing.first),
+                                          .tile_rows = 1,
+                                          .counts_itself = true,
+                                          .work = fill_parts,
+                                          .data = &showing};
+        whole = !has_room || is_done || lx_rows_run_part(reflected->control, reflected->threads, &part);
+    }
+    for (size_t w = 0; showing.veils && w < reflected->threads; w++) {
+        has_room = has_room && !showing.veils[w].failed;
+        lx_veils_clear(&showing.veils[w]);
+    }
+    free(showing.veils);
+    return !has_room ? LUXEL_ERROR_MEMORY : whole ? LUXEL_OK : LUXEL_CANCELLED;
+}
+
+/* ---- asking ---- */
+
+static double beyond_window(const struct lx_window *window, const double at[2])
+{
+    return fmax(fabs(at[0] - window->middle[0]) - window->half[0], fabs(at[1] - window->middle[1]) - window->half[1]);
+}
+
+static double clamp(double x)
+{
+    return fmin(fmax(x, -1), 1);
+}
+
+lx_bounded lx_parts_value(const struct lx_radiosity *reflected, size_t tile, const double at[2])
+{
+    const struct lx_shown_part *part = &reflected->parts[tile];
+    while (part->count > 0) {
+        const struct lx_shown_part *children = &reflected->parts[part->first], *nearest = children;
+        for (unsigned i = 1; i < part->count; i++)
+            if (beyond_window(&children[i].window, at) < beyond_window(&nearest->window, at))
+                nearest = &children[i];
+        part = nearest;
+    }
+    const double x = clamp((at[0] - part->window.middle[0]) / part->window.half[0]);
+    const double y = clamp((at[1] - part->window.middle[1]) / part->window.half[1]);
+    return (lx_bounded){fmax(lx_rule_value(part->nodes, x, y), 0), part->error};
+}
+
+bool lx_parts_are_below(const struct lx_radiosity *reflected, const double *allowed)
+{
+    for (size_t p = 0; p < reflected->part_count; p++)
+        if (reflected->parts[p].count == 0 && reflected->parts[p].error > allowed[reflected->parts[p].tile])
+            return false;
+    return true;
+}
+
+/* ---- what is worst ---- */
+
+struct worst {
+    double excess; /* beside what is allowed */
+    size_t part;
+};
+
+static int by_excess(const void *a, const void *b)
+{
+    const struct worst *x = a, *y = b;
+    return x->excess != y->excess ? (x->excess < y->excess ? 1 : -1) : (x->part > y->part) - (x->part < y->part);
+}
+
+static struct lx_receiver receiver_of(const struct lx_radiosity *reflected, const struct lx_shown_part *part)
+{
+    const struct lx_matte_face *face = &reflected->faces[reflected->tiles[part->tile].face];
+    struct lx_receiver receiver = {.own = face->surface};
+    struct lx_tile_cell cell;
+    lx_cell_make(face, &part->window, &cell);
+    memcpy(receiver.place_mm, cell.place_mm[part->worst], sizeof receiver.place_mm);
+    memcpy(receiver.normal, cell.normal[part->worst], sizeof receiver.normal);
+    return receiver;
+}
+
+int lx_parts_worst(const struct lx_radiosity *reflected, const double *allowed, double share, size_t most,
+                   struct lx_reflected_place *places)
+{
+    struct worst *worst = lx_new_array(reflected->part_count, sizeof *worst);
+    size_t count = 0;
+    if (!worst)
+        return -1;
+    for (size_t p = 0; p < reflected->part_count; p++) {
+        const struct lx_shown_part *part = &reflected->parts[p];
+        const double arrives = part->error - part->own_error, limit = allowed[part->tile];
+        if (part->count == 0 && arrives > share * limit)
+            worst[count++] = (struct worst){arrives / limit, p};
+    }
+    if (count > 1)
+        qsort(worst, count, sizeof *worst, by_excess);
+    for (size_t i = 0; i < count && i < most; i++)
+        places[i] = (struct lx_reflected_place){.receiver = receiver_of(reflected, &reflected->parts[worst[i].part])};
+    free(worst);
+    return (int)(count < most ? count : most);
+}
