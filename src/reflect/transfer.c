@@ -135,7 +135,7 @@ static void add_triangle(const struct sending *sending, const struct lx_window *
     const double *a = corners[0], *b = corners[1], *c = corners[2];
     const double half = fabs((b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0])) / 2;
     const double area = half * cell->lengths_mm[0] * cell->lengths_mm[1];
-    static const double shares[2] = {0.10128650732345633, 0.47014206410511505};  /* (6 -+ sqrt 15)/21 */
+    static const double shares[2] = {0.10128650732345633, 0.47014206410511505}; /* (6 -+ sqrt 15)/21 */
     static const double weights[2] = {0.12593918054482717, 0.13239415278850619}; /* (155 -+ sqrt 15)/1200 */
     const double sum[2] = {a[0] + b[0] + c[0], a[1] + b[1] + c[1]};
     add_sample(sending, window, cell, light, (const double[]){sum[0] / 3, sum[1] / 3}, area * 9 / 40);
