@@ -198,7 +198,7 @@ struct path_interval path_reflected(const struct path_room *room, const double p
     double largest = 0, mean = 0, squares = 0;
     for (size_t i = 0; i < room->thing_count; i++)
         largest = fmax(largest, room->things[i].reflectance);
-    /* a path brings at most the sum of all bounces of the greatest direct light, and what it leaves is so small a part */
+    /* a path brings at most the sum of all bounces of the greatest direct light, and leaves a small part of that */
     const double most = greatest_direct(room) * largest / (1 - largest), left = least_weight / largest * most;
     for (size_t i = 0; i < paths; i++) {
         const double value = follow(room, place, normal, least_weight, &random), step = value - mean;
