@@ -389,17 +389,17 @@ class Scene:
 
     def grid(self, name: Union[str, int] = 0, *, tolerance: Optional[float] = None,
              reflected_error: Optional[float] = None, threads: int = 0, progress: Optional[Progress] = None) -> Grid:
-        """Measures a grid, by its name or index: the irradiance of its cells, average, extrema, uniformity, flux."""
-        if isinstance(name, str):
-            names = self.grids
-            if name not in names:
-                raise KeyError(name)
-            name = names.index(name)
-        elif not 0 <= name < _luxel.grid_count(self._handle):
-            raise IndexError("grids[%d]" % name)
+        """Measures a grid, by its name or index: the irradiance of its cells, average, extrema, uniformity, flux.
+
+        KeyError, IndexError: there is no such grid; the message names those that there are.
+        """
+        try:
+            index = self._grid_index(name)
+        except ValueError as error:
+            raise (KeyError if isinstance(name, str) else IndexError)(str(error)) from None
         how = settings(self._carried, None, None, threads, None, tolerance, progress=progress,
                        reflected_error=reflected_error)
-        return Grid(self, name, how)
+        return Grid(self, index, how)
 
     def balance(self, *, tolerance: Optional[float] = None, reflected_error: Optional[float] = None, threads: int = 0,
                 progress: Optional[Progress] = None) -> Optional[Balance]:
@@ -460,15 +460,15 @@ class Scene:
                                                       rounding, how)
         return Judgement(verdict, value, error, alternatives(reasons))
 
-    def _grid_number(self, grid: Union[str, int]) -> int:
-        """The number, from 1 on, of the grid of this name or number."""
+    def _grid_index(self, grid: Union[str, int]) -> int:
+        """The index of the grid of this name or index, as of `grids`."""
         names = tuple(self.grids)
         if not names:
             raise ValueError("grid: %r: %s" % (grid, translate("%s has no measuring grids") % self._name))
         if isinstance(grid, str):
-            return 1 + choice("grid", grid, names)
-        if not 1 <= grid <= len(names):
-            raise ValueError("grid: %r: 1 to %d (%s)" % (grid, len(names), ", ".join(names)))
+            return choice("grid", grid, names)
+        if not 0 <= grid < len(names):
+            raise ValueError("grid: %r: 0 to %d (%s)" % (grid, len(names) - 1, ", ".join(names)))
         return grid
 
     def figure(self, *, grid: Union[None, str, int] = None, palette: Optional[str] = None, low: Optional[float] = None,
@@ -481,12 +481,12 @@ class Scene:
         """A figure in false colour with a bar, axes in mm, isophotes and marks, drawn when it is shown or saved.
 
         `bands`: "smooth", "bands", "contours" or "lines".  `section`: None, "center", "maximum" or a point.
-        `grid`: the plane of a measuring grid instead of the picture, by its name or number, from 1 on as in
-        `luxel figure --grid`: its irradiance with the values of its points, the lights over it, average, minimum,
+        `grid`: the plane of a measuring grid instead of the picture, by its name or index, from 0 on
+        as of `grids` and `grid()`: its irradiance with the values of its points, the lights over it, average, minimum,
         maximum and U0; it has no sections.
         ImportError when it is drawn where Luxel was built without figures.
         """
-        number = 0 if grid is None else self._grid_number(grid)
+        number = 0 if grid is None else 1 + self._grid_index(grid)  # as `luxel figure --grid` counts
         if number and section is not None:
             raise ValueError("section: %r: the figure of a grid has no sections" % (section,))
         if number and quantity not in (None, "irradiance"):

@@ -15,8 +15,7 @@
 #include "../light/extended.h"
 #include "../scene/scene.h"
 #include "../shade/evaluate.h"
-#include "../shade/flux.h"
-#include "../shade/world.h"
+#include "grid_measuring.h"
 #include "reflecting.h"
 
 void luxel_grid_free(luxel_grid *grid)
@@ -57,21 +56,8 @@ luxel_status luxel_scene_grid_resolution(const luxel_scene *scene, size_t i, uns
     return LUXEL_OK;
 }
 
-/* One measurement under way. */
-struct measuring {
-    struct lx_world world;
-    struct lx_control *control;
-    unsigned threads;
-    struct lx_lobe lobe;
-    struct lx_measured *made;
-    struct lx_lattice lattice; /* of its cells */
-    double *values, *errors;
-    uint8_t *mask;
-    bool values_alone; /* nothing is asked of the plane as a whole */
-};
-
 /* The elements at the centres of some cells. */
-static void make_elements(const struct measuring *measuring, unsigned first, unsigned count,
+static void make_elements(const struct lx_measuring *measuring, unsigned first, unsigned count,
                           struct lx_elements *elements)
 {
     const unsigned columns = measuring->lattice.cells.n[0];
@@ -86,7 +72,7 @@ static void make_elements(const struct measuring *measuring, unsigned first, uns
 /* For the pool a cell is a row; where light takes integrals one alone may be worth a thread. */
 static void measure_cells(void *data, unsigned worker, bool is_caller, unsigned first, unsigned last)
 {
-    struct measuring *measuring = data;
+    struct lx_measuring *measuring = data;
     const struct lx_asking asking = {.control = measuring->control, .is_caller = is_caller};
     struct lx_elements elements;
     struct lx_received received;
@@ -106,8 +92,7 @@ static void measure_cells(void *data, unsigned worker, bool is_caller, unsigned 
     }
 }
 
-/* The pool's part of all cells. */
-static bool measure(struct measuring *measuring, bool counts_itself)
+bool lx_measure_lattice(struct lx_measuring *measuring, bool counts_itself)
 {
     const struct lx_cells *cells = &measuring->lattice.cells;
     const struct lx_rows_part part = {.last = cells->n[0] * cells->n[1],
@@ -119,7 +104,7 @@ static bool measure(struct measuring *measuring, bool counts_itself)
 }
 
 /* The light that lies on a cell. */
-static size_t light_on(const struct measuring *measuring, size_t cell)
+static size_t light_on(const struct lx_measuring *measuring, size_t cell)
 {
     struct lx_elements elements;
     make_elements(measuring, (unsigned)cell, 1, &elements);
@@ -134,7 +119,7 @@ static size_t light_on(const struct measuring *measuring, size_t cell)
     return 0;
 }
 
-static void note_extremum(const struct measuring *measuring, size_t cell, luxel_grid_extremum *extremum)
+static void note_extremum(const struct lx_measuring *measuring, size_t cell, luxel_grid_extremum *extremum)
 {
     unsigned columns = measuring->made->grid.columns;
     extremum->value = measuring->values[cell];
@@ -144,7 +129,7 @@ static void note_extremum(const struct measuring *measuring, size_t cell, luxel_
 }
 
 /* Average and extrema, in row order.  The sum is wide, so that it adds nothing to the error of many cells. */
-static void gather(const struct measuring *measuring)
+static void gather(const struct lx_measuring *measuring)
 {
     luxel_grid *grid = &measuring->made->grid;
     size_t cells = (size_t)grid->columns * grid->rows, least = cells, greatest = cells;
@@ -203,7 +188,7 @@ static double opening_around(const struct lx_emitter *emitter, lx_bounded3 place
 }
 
 /* What the lights bring to a cell, however it is turned: E_perp, and of extended ones pi times the radiance. */
-static double light_around(const struct measuring *measuring, size_t cell)
+static double light_around(const struct lx_measuring *measuring, size_t cell)
 {
     unsigned columns = measuring->made->grid.columns;
     lx_bounded3 place = lx_lattice_place(&measuring->lattice, (unsigned)(cell % columns), (unsigned)(cell / columns));
@@ -219,13 +204,13 @@ static double light_around(const struct measuring *measuring, size_t cell)
 }
 
 /* What the error of a cell is compared with.  That of a dark one may be the rounding of a cosine. */
-static double size_of(const struct measuring *measuring, size_t cell)
+static double size_of(const struct lx_measuring *measuring, size_t cell)
 {
     double value = measuring->values[cell], maximum = measuring->made->grid.maximum.value;
     return value > 0 ? value : maximum > 0 ? maximum : light_around(measuring, cell);
 }
 
-static bool reaches(const struct measuring *measuring, bool is_asked_for)
+static bool reaches(const struct lx_measuring *measuring, bool is_asked_for)
 {
     const luxel_grid *grid = &measuring->made->grid;
     size_t cells = (size_t)grid->columns * grid->rows;
@@ -254,142 +239,16 @@ static void judge_evenness(luxel_grid *grid)
     }
 }
 
-static void judge(const struct measuring *measuring, bool is_tolerance_asked_for)
+static void judge(const struct lx_measuring *measuring, bool is_tolerance_asked_for)
 {
     luxel_grid *grid = &measuring->made->grid;
     judge_evenness(grid);
     grid->tolerance_reached = reaches(measuring, is_tolerance_asked_for);
 }
 
-/* ---- the plane as a whole ---- */
-
-/* From this share of the mean on the sampling error is said to be one. */
-static const double COARSE = 0.01;
-
-/* Light of luminous openings is an integral at each place: that over a plane would take a million of them. */
-static bool has_openings(const struct lx_emitters *emitters)
-{
-    for (size_t i = 0; i < lx_item_count(emitters); i++)
-        if (lx_is_opening(&emitters->items[i]))
-            return true;
-    return false;
-}
-
-/* The mean over the plane and the flux, where they are known. */
-static void integrate(const struct measuring *measuring)
-{
-    luxel_grid *grid = &measuring->made->grid;
-    const struct lx_asking asking = {.control = measuring->control, .is_caller = true};
-    const bool photometric = strcmp(grid->unit, "lx") == 0, radiometric = strcmp(grid->unit, "W/m²") == 0;
-    if ((!photometric && !radiometric) || grid->measured != (size_t)grid->columns * grid->rows ||
-        has_openings(&measuring->world.prepared->emitters))
-        return;
-    const struct lx_flux flux =
-        lx_plane_flux(measuring->world.prepared, &measuring->made->cells, grid->average, &asking);
-    lx_bounded area =
-        lx_mul(lx_div(lx_exact(grid->size_mm[0]), lx_exact(1000)), lx_div(lx_exact(grid->size_mm[1]), lx_exact(1000)));
-    lx_bounded mean = lx_div(flux.value, area);
-    grid->has_mean = flux.is_known && isfinite(mean.value) && isfinite(mean.error);
-    if (!grid->has_mean)
-        return;
-    grid->mean = mean.value;
-    grid->mean_error = mean.error;
-    grid->flux_unit = photometric ? "lm" : "W";
-    grid->flux = flux.value.value;
-    grid->flux_error = flux.value.error;
-}
-
-/* The sum of the values of a grid of half as many cells each way, of twice as many of a single one; NaN where a cell
- * has none, or memory is short. */
-static double sum_of_other(const struct measuring *measuring, struct lx_measured *other)
-{
-    const size_t cells = (size_t)other->grid.columns * other->grid.rows;
-    struct lx_prepared hasty = *measuring->world.prepared; /* more digits than an estimate needs */
-    hasty.tolerance = fmax(hasty.tolerance, 1e-6);
-    struct measuring coarse = {.world = measuring->world,
-                               .control = measuring->control,
-                               .threads = measuring->threads,
-                               .lobe = measuring->lobe,
-                               .made = other,
-                               .values = lx_new_array(cells, sizeof *coarse.values),
-                               .errors = lx_new_array(cells, sizeof *coarse.errors),
-                               .mask = lx_new_array(cells, sizeof *coarse.mask)};
-    coarse.world.prepared = &hasty;
-    bool is_whole = lx_lattice_make(&other->cells, &coarse.lattice) == 0 && coarse.values && coarse.errors &&
-                    coarse.mask && measure(&coarse, true);
-    lx_wide sum = lx_wide_of(0);
-    for (size_t cell = 0; cell < cells && is_whole; cell++) {
-        is_whole = coarse.mask[cell];
-        sum = lx_wide_add(sum, lx_wide_of(coarse.values[cell]));
-    }
-    lx_lattice_clear(&coarse.lattice);
-    free(coarse.values);
-    free(coarse.errors);
-    free(coarse.mask);
-    return is_whole ? lx_wide_value(sum) : (double)NAN;
-}
-
-/* The average of that grid. */
-static double other_average(const struct measuring *measuring)
-{
-    struct lx_measured other = {.cells = measuring->made->cells};
-    for (int i = 0; i < 2; i++)
-        other.cells.n[i] = other.cells.n[i] > 1 ? (other.cells.n[i] + 1) / 2 : 2;
-    other.grid.columns = other.cells.n[0];
-    other.grid.rows = other.cells.n[1];
-    return sum_of_other(measuring, &other) / ((double)other.cells.n[0] * other.cells.n[1]);
-}
-
-/* How far the average of the values may be from the mean over the plane. */
-static void judge_sampling(const struct measuring *measuring)
-{
-    luxel_grid *grid = &measuring->made->grid;
-    if (grid->measured != (size_t)grid->columns * grid->rows)
-        return;
-    if (grid->has_mean) {
-        grid->has_sampling_error = grid->sampling_is_bound = true;
-        grid->sampling_error = fabs(grid->average - grid->mean) + grid->mean_error;
-    } else {
-        grid->sampling_error = fabs(grid->average - other_average(measuring));
-        grid->has_sampling_error = isfinite(grid->sampling_error);
-        grid->sampling_error = grid->has_sampling_error ? grid->sampling_error : 0;
-    }
-    const double size = fmax(fabs(grid->average), grid->has_mean ? fabs(grid->mean) : 0);
-    grid->is_coarse = grid->has_sampling_error && grid->sampling_error > COARSE * size;
-}
-
 static void value_of(lx_bounded3 a, double value[3])
 {
     value[0] = a.x.value, value[1] = a.y.value, value[2] = a.z.value;
-}
-
-/* Whether the plane of the cells may meet the body that a shape bounds. */
-static bool meets_plane(const struct measuring *measuring, const struct lx_shape *shape)
-{
-    const luxel_grid *grid = &measuring->made->grid;
-    double height = 0, size = shape->radius_mm;
-    for (int k = 0; k < 3; k++) {
-        height += grid->axis[k] * (shape->anchor_mm[k] - grid->center_mm[k]);
-        size += fabs(shape->anchor_mm[k]) + fabs(grid->center_mm[k]);
-    }
-    return !(fabs(height) > shape->radius_mm + 1e-12 * size);
-}
-
-/* The cells inside of bodies. */
-static void find_enclosed(const struct measuring *measuring)
-{
-    luxel_grid *grid = &measuring->made->grid;
-    const struct lx_prepared *prepared = measuring->world.prepared;
-    bool any = false;
-    for (size_t s = 0; s < prepared->surface_count && !any; s++)
-        any = meets_plane(measuring, &prepared->surfaces[s].shape);
-    for (unsigned cell = 0; any && cell < grid->columns * grid->rows; cell++) {
-        double place_mm[3];
-        value_of(lx_lattice_place(&measuring->lattice, cell % grid->columns, cell / grid->columns), place_mm);
-        const struct lx_prepared_surface *around = lx_surface_around(prepared, place_mm);
-        if (around && grid->enclosed++ == 0)
-            grid->enclosing_surface = around->authored;
-    }
 }
 
 static void describe(const struct lx_grid *from, struct lx_measured *made)
@@ -418,7 +277,7 @@ static luxel_status too_large(const struct lx_grid *grid, double needed, double 
 
 /* The grid without its values, which get their memory. */
 static luxel_status new_grid(const struct lx_session *session, const struct lx_grid *from,
-                             luxel_diagnostics *diagnostics, struct measuring *measuring)
+                             luxel_diagnostics *diagnostics, struct lx_measuring *measuring)
 {
     size_t cells = (size_t)from->n[0] * from->n[1];
     double needed = (double)cells * (2 * sizeof(double) + 1), available = lx_available_bytes();
@@ -445,7 +304,7 @@ static luxel_status new_grid(const struct lx_session *session, const struct lx_g
 /* ---- reflected light ---- */
 
 /* The cells that have values, as places that receive light; returns how many. */
-static size_t make_places(const struct measuring *measuring, struct lx_reflected_place *places)
+static size_t make_places(const struct lx_measuring *measuring, struct lx_reflected_place *places)
 {
     const luxel_grid *grid = &measuring->made->grid;
     size_t made = 0;
@@ -462,7 +321,7 @@ static size_t make_places(const struct measuring *measuring, struct lx_reflected
 }
 
 /* Adds what is reflected to the cells that have values. */
-static void add_reflected(const struct measuring *measuring, const luxel_settings *settings,
+static void add_reflected(const struct lx_measuring *measuring, const luxel_settings *settings,
                           const lx_bounded *irradiance)
 {
     luxel_grid *grid = &measuring->made->grid;
@@ -484,7 +343,7 @@ static void add_reflected(const struct measuring *measuring, const luxel_setting
         grid->reflected_average /= (double)made;
 }
 
-static luxel_status reflect(const struct lx_session *session, const struct measuring *measuring,
+static luxel_status reflect(const struct lx_session *session, const struct lx_measuring *measuring,
                             luxel_diagnostics *diagnostics)
 {
     const size_t cells = (size_t)measuring->made->grid.columns * measuring->made->grid.rows;
@@ -509,7 +368,8 @@ static luxel_status reflect(const struct lx_session *session, const struct measu
     return status;
 }
 
-static luxel_status run(const struct lx_session *session, struct measuring *measuring, luxel_diagnostics *diagnostics)
+static luxel_status run(const struct lx_session *session, struct lx_measuring *measuring,
+                        luxel_diagnostics *diagnostics)
 {
     luxel_grid *grid = &measuring->made->grid;
     const luxel_settings *settings = &session->settings;
@@ -517,7 +377,7 @@ static luxel_status run(const struct lx_session *session, struct measuring *meas
         .rows = grid->columns * grid->rows, .progress = settings->progress, .data = settings->progress_data};
     measuring->control = &control;
     measuring->threads = lx_thread_count(settings->threads, control.rows / 4 + 1);
-    if (!measure(measuring, false))
+    if (!lx_measure_lattice(measuring, false))
         return LUXEL_CANCELLED;
     const bool reflects = lx_wants_reflections(measuring->world.prepared->scene);
     gather(measuring);
@@ -537,10 +397,10 @@ static luxel_status run(const struct lx_session *session, struct measuring *meas
         return LUXEL_ERROR_RANGE;
     }
     if (!measuring->values_alone)
-        find_enclosed(measuring);
+        lx_find_enclosed_cells(measuring);
     if (!reflects && !measuring->values_alone) { /* what these know is the direct light */
-        integrate(measuring);
-        judge_sampling(measuring);
+        lx_integrate_plane(measuring);
+        lx_judge_sampling(measuring);
     }
     return atomic_load(&control.stop) ? LUXEL_CANCELLED : LUXEL_OK;
 }
@@ -568,7 +428,7 @@ luxel_status lx_measure_cells(const luxel_scene *scene, const luxel_settings *se
                               luxel_diagnostics *diagnostics, luxel_grid **grid)
 {
     struct lx_session session;
-    struct measuring measuring = {
+    struct lx_measuring measuring = {
         .world.prepared = &session.prepared, .lobe = lx_lobe_irradiance(), .values_alone = n != NULL};
     struct lx_grid wanted;
     luxel_status status = lx_session_open_world(scene, settings, diagnostics, &session);

@@ -3,10 +3,12 @@
 #include "opening.h"
 
 #include <math.h>
+#include <stdlib.h>
 #include <string.h>
 
 #include "../base/phrase.h"
 #include "../base/pose.h"
+#include "../base/vector.h"
 #include "facets.h"
 #include "spread.h"
 
@@ -120,25 +122,36 @@ static void give(const struct lx_table *table, void *parameters, const char *key
     *(uint64_t *)parameters |= (uint64_t)1 << (parameter - table->parameters);
 }
 
-/* A round shape of two lengths that are to be the same. */
-static bool set_round(const struct lx_table *table, const char *key, double length, double other, double height,
-                      const double axis[3], struct lx_opening_shape *shape, struct lx_opening *opening)
+/* A round shape of a length, and of another one along a direction, in which case it is an ellipse. */
+struct roundness {
+    double length, other_length, height;
+    const double *other;
+    const double *axis; /* NULL: the luminaire's */
+};
+
+static void set_round(const struct lx_table *table, const char *key, const struct roundness *round,
+                      struct lx_opening_shape *shape, struct lx_opening *opening)
 {
-    shape->radius_mm = length / 2;
-    shape->height_mm = height;
-    if (axis) {
-        memcpy(shape->axis, axis, sizeof shape->axis);
+    shape->radius_mm = round->length / 2;
+    shape->height_mm = round->height;
+    if (round->axis) {
+        memcpy(shape->axis, round->axis, sizeof shape->axis);
         give(table, shape, "axis");
     }
+    if (round->length != round->other_length) {
+        shape->other_radius_mm = round->other_length / 2;
+        memcpy(shape->other, round->other, sizeof shape->other);
+    }
     give(&lx_opening_table, opening, key);
-    return length == other;
 }
 
 bool lx_opening_of_file(const luxel_opening *declared, const struct lx_pointed *pointed, struct lx_opening *opening,
                         bool *is_point)
 {
     const double width = declared->width_mm, length = declared->length_mm, height = declared->height_mm;
-    double c0[3], across[3];
+    struct roundness round = {.height = 0};
+    double axis[3], c0[3], across[3];
+    values_of(pointed->axis, axis);
     values_of(pointed->c0, c0);
     values_of(pointed->across, across);
     *opening = (struct lx_opening){.word = -1};
@@ -155,21 +168,22 @@ bool lx_opening_of_file(const luxel_opening *declared, const struct lx_pointed *
         give(&lx_opening_table, opening, "box");
         *is_point = !(length * width + width * height + height * length > 0);
         return !*is_point;
-    case LUXEL_OPENING_ELLIPSE: return set_round(&disk_table, "disk", width, length, 0, NULL, &opening->disk, opening);
-    case LUXEL_OPENING_CYLINDER:
-        return set_round(&cylinder_table, "cylinder", width, length, height, NULL, &opening->cylinder, opening);
-    case LUXEL_OPENING_ELLIPSOID:
-        return set_round(&sphere_table, "sphere", width, length, 0, NULL, &opening->sphere, opening) && height == width;
-    case LUXEL_OPENING_CYLINDER_LENGTH:
-        return set_round(&cylinder_table, "cylinder", width, height, length, c0, &opening->cylinder, opening);
-    case LUXEL_OPENING_CYLINDER_WIDTH:
-        return set_round(&cylinder_table, "cylinder", length, height, width, across, &opening->cylinder, opening);
-    case LUXEL_OPENING_FACING_LENGTH:
-        return set_round(&disk_table, "disk", width, height, 0, c0, &opening->disk, opening);
-    case LUXEL_OPENING_FACING_WIDTH:
-        return set_round(&disk_table, "disk", length, height, 0, across, &opening->disk, opening);
+    case LUXEL_OPENING_ELLIPSE: round = (struct roundness){width, length, 0, c0, NULL}; break;
+    case LUXEL_OPENING_CYLINDER: round = (struct roundness){width, length, height, c0, NULL}; break;
+    case LUXEL_OPENING_ELLIPSOID: round = (struct roundness){width, length, 0, c0, NULL}; break;
+    case LUXEL_OPENING_CYLINDER_LENGTH: round = (struct roundness){width, height, length, axis, c0}; break;
+    case LUXEL_OPENING_CYLINDER_WIDTH: round = (struct roundness){length, height, width, axis, across}; break;
+    case LUXEL_OPENING_FACING_LENGTH: round = (struct roundness){width, height, 0, axis, c0}; break;
+    case LUXEL_OPENING_FACING_WIDTH: round = (struct roundness){length, height, 0, axis, across}; break;
     }
-    return false;
+    if (declared->shape == LUXEL_OPENING_ELLIPSOID)
+        set_round(&sphere_table, "sphere", &round, &opening->sphere, opening);
+    else if (round.height > 0)
+        set_round(&cylinder_table, "cylinder", &round, &opening->cylinder, opening);
+    else
+        set_round(&disk_table, "disk", &round, &opening->disk, opening);
+    const bool is_round = round.length == round.other_length;
+    return declared->shape == LUXEL_OPENING_ELLIPSOID ? is_round && height == width : is_round || !(round.height > 0);
 }
 
 /* ---- emitters ---- */
@@ -246,6 +260,42 @@ static int add_round(struct lx_shapes *shapes, enum lx_emitter_type type, const 
     return lx_shapes_add(shapes, &round);
 }
 
+/* ---- ellipses ---- */
+
+/* The polygon that stands for an ellipse has the area of it.  Its second moments are then 1e-7 of themselves too large,
+ * and so is, some lengths away, what an opening gives beside a point. */
+enum { SIDES = 96 };
+
+/* The corners of the polygon around a centre, counter-clockwise about `axis`. */
+static void ellipse_corners(const struct lx_opening_shape *shape, const double axis[3], const double center_mm[3],
+                            double corners_mm[SIDES][3])
+{
+    const double turn = 2 * M_PI / SIDES, larger = sqrt(turn / sin(turn));
+    double first[3];
+    lx_cross(shape->other, axis, first);
+    for (int i = 0; i < SIDES; i++)
+        for (int k = 0; k < 3; k++)
+            corners_mm[i][k] = center_mm[k] + larger * (shape->radius_mm * cos(turn * i) * first[k] +
+                                                        shape->other_radius_mm * sin(turn * i) * shape->other[k]);
+}
+
+static int add_ellipse(struct lx_shapes *shapes, const struct lx_opening_shape *shape, const double axis[3],
+                       const double center_mm[3])
+{
+    double corners_mm[SIDES][3];
+    struct lx_facets **facets = NULL;
+    size_t count = 0;
+    ellipse_corners(shape, axis, center_mm, corners_mm);
+    const bool is_good =
+        lx_facets_of_outline((const double(*)[3])corners_mm, SIDES, &facets, &count).fault == LX_SHAPE_GOOD &&
+        count == 1;
+    const int result = is_good ? add_sides(shapes, facets[0]) : -1;
+    for (size_t i = 0; i < count && !is_good; i++)
+        lx_facets_free(facets[i]);
+    free((void *)facets);
+    return result;
+}
+
 static int make_shapes(const struct lx_opening *opening, const struct lx_emitter *point, struct lx_shapes *shapes)
 {
     static const enum lx_emitter_type round_types[] = {LX_DISK, LX_BALL, LX_CYLINDER};
@@ -264,8 +314,12 @@ static int make_shapes(const struct lx_opening *opening, const struct lx_emitter
     for (size_t i = 0; i < LX_COUNT(names); i++) {
         const struct stand stand = stand_of(tables[i], rounds[i], point);
         const bool has_axis = round_types[i] != LX_BALL && lx_is_given(tables[i], rounds[i], "axis");
-        if (lx_is_given(&lx_opening_table, opening, names[i]))
-            return add_round(shapes, round_types[i], &stand, rounds[i], has_axis ? rounds[i]->axis : stand.axis);
+        const double *axis = has_axis ? rounds[i]->axis : stand.axis;
+        if (!lx_is_given(&lx_opening_table, opening, names[i]))
+            continue;
+        if (!(rounds[i]->other_radius_mm > 0))
+            return add_round(shapes, round_types[i], &stand, rounds[i], axis);
+        return add_ellipse(shapes, rounds[i], axis, stand.center_mm);
     }
     return -1;
 }

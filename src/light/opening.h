@@ -20,6 +20,8 @@ struct lx_opening_shape {
     uint64_t given;
     double size_mm[3]; /* of a rectangle and of a box: along c0, along C = 90, along the axis */
     double radius_mm, height_mm;
+    double other_radius_mm; /* of an ellipse, along `other`, its first one being across it; 0: it is round */
+    double other[3];        /* unit */
     double center_mm[3];
     double axis[3];
 };
@@ -34,8 +36,8 @@ struct lx_opening {
 extern const char *const lx_opening_words[];
 extern const struct lx_table lx_opening_table;
 
-/* The opening that a file declares, as one of the shapes; false: it has none, or one that is not round where it should
- * be, `*is_point` tells which. */
+/* The opening that a file declares, as one of the shapes; false: it has none, or it is a body that is not round where
+ * it should be, `*is_point` tells which. */
 bool lx_opening_of_file(const luxel_opening *declared, const struct lx_pointed *pointed, struct lx_opening *opening,
                         bool *is_point);
 

@@ -97,18 +97,18 @@ def test_grid_figures(tap, tool):
         return
     scene = luxel.Scene("desk").changed({"grids": TWO_GRIDS})
     scene.save(tool.file("two.yaml"))
-    for grid in ("table", "shelf", 2):
+    for grid, told in (("table", "table"), ("shelf", "shelf"), (1, "2")):  # the tool counts from 1
         figure = scene.figure(grid=grid, title="T", bands="lines")
-        tool.run("figure", "two.yaml", "--grid", str(grid), "-o", "a.svg", "--title", "T", "--lines")
+        tool.run("figure", "two.yaml", "--grid", told, "-o", "a.svg", "--title", "T", "--lines")
         tap.ok(without_numbers(figure.svg().encode()) == without_numbers(tool.read("a.svg")),
                "of grid %s, with the bytes of the tool" % grid)
     tap.ok(figure.png() == pickle.loads(pickle.dumps(figure)).png(), "pickled")
     tap.ok(scene.figure(grid="shelf").png() != scene.figure(grid="table").png() != scene.figure().png(),
            "each grid has its own, and the picture")
-    for wrong in ("floor", 0, 3, -1):
+    for wrong in ("floor", 2, -1):
         told = str(raises(ValueError, scene.figure, grid=wrong))
         tap.ok(told.startswith("grid: %r: " % wrong) and "table, shelf" in told, "grids that there are", told)
-    told = str(raises(ValueError, luxel.Scene("report").figure, grid=1))
+    told = str(raises(ValueError, luxel.Scene("report").figure, grid=0))
     tap.ok("no measuring grids" in told, "none at all", told)
     for wrong in ({"section": "center"}, {"section": (0, 0)}, {"quantity": "brightness"}):
         tap.ok(raises(ValueError, scene.figure, grid=1, **wrong), "%r of a grid is refused" % wrong)
@@ -166,7 +166,10 @@ def test_grid(tap, tool):
     values = grid.values
     del grid
     tap.equal(values.tolist(), told["values"], "the numbers outlive the grid")
-    tap.ok(raises(KeyError, scene.grid, "floor") and raises(IndexError, scene.grid, 1), "a grid that there is not")
+    for error, wrong in ((KeyError, "floor"), (IndexError, 1), (IndexError, -1)):
+        told = str(raises(error, scene.grid, wrong))
+        tap.ok(repr(wrong) in told and "desk" in told, "a grid that there is not: those that there are", told)
+    tap.ok("no measuring grids" in str(raises(KeyError, luxel.Scene("report").grid, "desk")), "none at all")
     tap.ok(raises(AttributeError, lambda: scene.grid().nonsense), "or something it does not have")
 
 

@@ -1,0 +1,32 @@
+/* SPDX-License-Identifier: MIT */
+/* A measurement of a grid under way, which grid.c makes cell by cell and grid_plane.c judges as a plane. */
+#ifndef LX_API_GRID_MEASURING_H
+#define LX_API_GRID_MEASURING_H
+
+#include "../base/rows.h"
+#include "../shade/world.h"
+#include "grid.h"
+
+struct lx_measuring {
+    struct lx_world world;
+    struct lx_control *control;
+    unsigned threads;
+    struct lx_lobe lobe;
+    struct lx_measured *made;
+    struct lx_lattice lattice; /* of its cells */
+    double *values, *errors;
+    uint8_t *mask;
+    bool values_alone; /* nothing is asked of the plane as a whole */
+};
+
+/* Measures all cells of its lattice, by the pool; false: it was cancelled. */
+bool lx_measure_lattice(struct lx_measuring *measuring, bool counts_itself);
+
+/* The mean over the plane and the flux, where they are known. */
+void lx_integrate_plane(const struct lx_measuring *measuring);
+/* How far the average of the values may be from the mean over the plane. */
+void lx_judge_sampling(const struct lx_measuring *measuring);
+/* The cells inside of bodies. */
+void lx_find_enclosed_cells(const struct lx_measuring *measuring);
+
+#endif
