@@ -227,6 +227,34 @@ static void print_ratios(const luxel_photometry_figures *figures)
     text_table_print(table, stdout, 2);
 }
 
+/* UGR of the standard rooms, as catalogues lay it out: reflectances above, crosswise on the left, endwise right. */
+static void print_glare(const luxel_ugr_table *glare)
+{
+    enum { COLUMNS = 2 + 2 * LUXEL_UGR_REFLECTANCES };
+    const char *const parts[] = {_("ceiling, %"), _("walls, %"), _("floor, %")};
+    struct text_table *table = text_table_new("lrrrrrlrrrrr");
+    char cells[COLUMNS][TEXT_SIZE], label[TEXT_SIZE];
+    const char *row[COLUMNS];
+
+    printf(_("\n  UGR (CIE 190), luminaires %.3g of their height above the eye apart: crosswise, endwise\n\n"),
+           glare->spacing);
+    for (size_t line = 0; line < 3 + LUXEL_UGR_ROOMS; line++) {
+        const size_t room = line - 3;
+
+        row[0] = line < 3 ? parts[line]
+                          : text_format(label, "%.3gH × %.3gH", luxel_ugr_room(room, 0), luxel_ugr_room(room, 1));
+        row[1 + LUXEL_UGR_REFLECTANCES] = "";
+        for (size_t i = 0; i < 2 * LUXEL_UGR_REFLECTANCES; i++) {
+            const size_t way = i / LUXEL_UGR_REFLECTANCES, k = i % LUXEL_UGR_REFLECTANCES;
+            const double number = line < 3 ? 100 * luxel_ugr_reflectance(k, line) : glare->ratings[room][way][k];
+
+            row[1 + i + way] = isfinite(number) ? text_format(cells[i], line < 3 ? "%.0f" : "%.1f", number) : "-";
+        }
+        text_table_row(table, row);
+    }
+    text_table_print(table, stdout, 2);
+}
+
 static void print_warnings(const struct luminaire *luminaire)
 {
     char *warning;
@@ -264,6 +292,8 @@ static void print_text(const struct luminaire *luminaire)
         fputc('\n', stdout);
         print_ratios(figures);
     }
+    if (luminaire->glare.exists)
+        print_glare(&luminaire->glare);
     print_warnings(luminaire);
 }
 
@@ -344,12 +374,14 @@ const struct command command_photometry = {
     .description = N_(
         "Reads a luminaire file, IES LM-63 of 1986 to 2019 or EULUMDAT, and prints what it says and what its table "
         "of intensities amounts to: the flux by the zone rule and by the linear rule, light output ratio and "
-        "downward flux fraction, the greatest intensity, beam and field angle, CIE flux code, spacing criterion "
-        "and direct ratios. All errors of a wrong file are listed with line and column; what is odd is a warning, "
-        "and no number is ever rescaled in silence. A FILE of -o shows the luminaire (.png, .svg, .pdf): its "
+        "downward flux fraction, the greatest intensity, beam and field angle, CIE flux code, spacing criterion, "
+        "direct ratios and the table of unified glare ratings (UGR) of standard rooms. All errors of a wrong file are "
+        "listed with line and column; what is odd is a warning, and no number is ever rescaled in silence. A FILE of "
+        "-o shows the luminaire (.png, .svg, .pdf): its "
         "polar diagram or what --diagram names; or it is the same luminaire as LM-63-2002 (.ies) or EULUMDAT (.ldt)."),
     .examples = "luxel photometry lamp.ies\n"
                 "luxel photometry lamp.ldt --json\n"
+                "luxel photometry lamp.ldt --spacing 1\n"
                 "luxel photometry lamp.ldt -o lamp.ies\n"
                 "luxel photometry lamp.ies -o polar.svg\n"
                 "luxel photometry lamp.ies -o cone.pdf --diagram cone",

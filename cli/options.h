@@ -53,6 +53,7 @@ struct option_drawing {
     bool palettes, contours, bands, lines, plain, no_extrema, no_points, stacked, dark;
     double width_mm, dots_per_inch; /* 0: the default */
     size_t diagram;                 /* of luxel photometry, a luxel_diagram */
+    double spacing;                 /* of the luminaires of its UGR table; 0: the default */
 };
 
 /* Options of luxel sweep. */
@@ -75,6 +76,7 @@ struct options {
     struct option_place *places; /* of -p, --at and --points, in order */
     size_t place_count;
     double view[3];          /* of free elements; 0 where none was given */
+    double up[3];            /* of observers; 0 where none was given */
     unsigned material;       /* the surface whose material they have that lie on none; 0 where none was given */
     luxel_settings settings; /* its tolerance is 0 unless one was asked for */
     bool strict, json, quiet, list, dry_run, help, version;

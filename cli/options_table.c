@@ -37,18 +37,28 @@ static bool take_point(struct options *options, const char *argument)
     return argument_numbers("-p", "X,Y", argument, place->numbers, 2);
 }
 
-static bool take_element(struct options *options, const char *argument)
+static bool is_direction(const char *argument, const double direction[3], const char *zero)
+{
+    if (direction[0] != 0.0 || direction[1] != 0.0 || direction[2] != 0.0)
+        return true;
+    message_error(zero, argument); /* a format of ours */
+    return false;
+}
+
+/* A place with a direction; `zero` tells that this must not be 0. */
+static bool add_element(struct options *options, const char *option, const char *form, const char *argument,
+                        const char *zero)
 {
     struct option_place *place = &options->places[options->place_count++];
-    const double *normal = place->numbers + 3;
 
     place->is_element = true;
-    if (!argument_numbers("--at", "X,Y,Z,NX,NY,NZ", argument, place->numbers, 6))
-        return false;
-    if (normal[0] != 0.0 || normal[1] != 0.0 || normal[2] != 0.0)
-        return true;
-    message_error(_("--at %s: the normal NX,NY,NZ must not be zero"), argument);
-    return false;
+    return argument_numbers(option, form, argument, place->numbers, 6) &&
+           is_direction(argument, place->numbers + 3, zero);
+}
+
+static bool take_element(struct options *options, const char *argument)
+{
+    return add_element(options, "--at", "X,Y,Z,NX,NY,NZ", argument, _("--at %s: the normal NX,NY,NZ must not be zero"));
 }
 
 static bool take_points(struct options *options, const char *argument)
@@ -59,14 +69,14 @@ static bool take_points(struct options *options, const char *argument)
 
 static bool take_view(struct options *options, const char *argument)
 {
-    const double *view = options->view;
+    return argument_numbers("--view", "X,Y,Z", argument, options->view, 3) &&
+           is_direction(argument, options->view, _("--view %s: the direction must not be zero"));
+}
 
-    if (!argument_numbers("--view", "X,Y,Z", argument, options->view, 3))
-        return false;
-    if (view[0] != 0.0 || view[1] != 0.0 || view[2] != 0.0)
-        return true;
-    message_error(_("--view %s: the direction must not be zero"), argument);
-    return false;
+static bool take_up(struct options *options, const char *argument)
+{
+    return argument_numbers("--up", "X,Y,Z", argument, options->up, 3) &&
+           is_direction(argument, options->up, _("--up %s: the direction must not be zero"));
 }
 
 static bool take_material(struct options *options, const char *argument)
@@ -357,6 +367,27 @@ static bool take_diagram(struct options *options, const char *argument)
     return take_word("--diagram", argument, diagram_words, &options->drawing.diagram);
 }
 
+static bool take_eye(struct options *options, const char *argument)
+{
+    return add_element(options, "--eye", "X,Y,Z,VX,VY,VZ", argument,
+                       _("--eye %s: the direction of view VX,VY,VZ must not be zero"));
+}
+
+static bool take_spacing(struct options *options, const char *argument)
+{
+    double spacing, parts;
+
+    if (!argument_number("--spacing", argument, &spacing))
+        return false;
+    parts = spacing > 0 ? round(1 / spacing) : 0;
+    if (!(parts >= 1 && parts <= 8 && fabs(parts * spacing - 1) < 0.01)) {
+        message_error(_("--spacing is %s, expected 1 or its half, third ... eighth, such as 0.25"), argument);
+        return false;
+    }
+    options->drawing.spacing = 1 / parts;
+    return true;
+}
+
 static bool take_section(struct options *options, const char *argument)
 {
     options->drawing.section = argument ? argument : "center";
@@ -397,8 +428,9 @@ enum {
                COMMAND_COMPARE | COMMAND_FIGURE | COMMAND_REPORT | COMMAND_GRID,
     MEASURING = COMMAND_RENDER | COMMAND_PROBE | COMMAND_GRID | COMMAND_STATS | COMMAND_PROFILE | COMMAND_ISOPHOTES |
                 COMMAND_COMPARE,
-    COMPUTING = PICTURES | COMMAND_GRADE | COMMAND_BENCH,
-    SCENES = PICTURES | COMMAND_CHECK | COMMAND_ADVISE | COMMAND_SCENE | COMMAND_SET | COMMAND_VARIANT | COMMAND_BENCH,
+    COMPUTING = PICTURES | COMMAND_GRADE | COMMAND_BENCH | COMMAND_GLARE,
+    SCENES = PICTURES | COMMAND_CHECK | COMMAND_ADVISE | COMMAND_SCENE | COMMAND_SET | COMMAND_VARIANT | COMMAND_BENCH |
+             COMMAND_GLARE,
     WRITING = COMMAND_RENDER | COMMAND_PROBE | COMMAND_GRID | COMMAND_SET | COMMAND_PROFILE | COMMAND_ISOPHOTES |
               COMMAND_COMPARE | COMMAND_FIGURE | COMMAND_EXPLAIN | COMMAND_REPORT | COMMAND_VARIANT |
               COMMAND_PHOTOMETRY,
@@ -426,6 +458,11 @@ static const struct option_row rows[] = {
      .help = N_("take this point of the screen, in mm, instead of the scene's own points; may be repeated")},
     {"at", 0, N_("X,Y,Z,NX,NY,NZ"), COMMAND_PROBE, TAKES(take_element),
      .help = N_("probe a free surface element: its position in mm and its normal; may be repeated")},
+    {"eye", 0, N_("X,Y,Z,VX,VY,VZ"), COMMAND_GLARE, TAKES(take_eye),
+     .help = N_("an observer: where the eye is, in mm, and the direction in which it looks; may be repeated")},
+    {"up", 0, N_("X,Y,Z"), COMMAND_GLARE, TAKES(take_up),
+     .help =
+         N_("what is up for the observers; the default is the scene's observer.up, or (0, 0, 1) where it has none")},
     {"points", 0, N_("FILE"), COMMAND_PROBE, TAKES(take_points), .value = VALUE_FILE,
      .help =
          N_("probe the places of a table, CSV or .pts: points x, y of the screen, or free elements x, y, z, nx, ny, "
@@ -489,6 +526,9 @@ static const struct option_row rows[] = {
      .help =
          N_("what a figure shows: the polar diagram (default), cartesian, the intensity over gamma, or cone, the beam "
             "from 1 to 5 m away")},
+    {"spacing", 0, N_("RATIO"), COMMAND_PHOTOMETRY, TAKES(take_spacing),
+     .help = N_("of the UGR table: between luminaires, over their height above the eye; 0.25 (default), as in "
+                "catalogues, or 1, as in CIE 190, or another part of it")},
     {"dark", 0, NULL, COMMAND_FIGURE | COMMAND_PHOTOMETRY, SETS(drawing.dark),
      .help = N_("light lines on a dark ground, for projectors")},
     {"width", 0, N_("MM"), COMMAND_FIGURE | COMMAND_PHOTOMETRY, TAKES(take_width),

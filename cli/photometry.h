@@ -11,6 +11,7 @@ struct luminaire {
     const char *name; /* as results show it */
     luxel_photometry *photometry;
     luxel_photometry_figures figures;
+    luxel_ugr_table glare;
     luxel_diagnostics *diagnostics; /* its advice are the warnings */
 };
 

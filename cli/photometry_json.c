@@ -80,6 +80,39 @@ static void write_ratios(struct json *json, const luxel_photometry_figures *figu
     json_close(json, '}');
 }
 
+/* The ratings; null: the luminaire has none. */
+static void write_glare(struct json *json, const luxel_ugr_table *glare)
+{
+    static const char *const parts[] = {"ceiling", "walls", "floor"};
+    static const char *const ways[] = {"crosswise", "endwise"};
+
+    if (!glare->exists) {
+        json_null(json, "ugr");
+        return;
+    }
+    json_open(json, "ugr", '{');
+    json_number(json, "spacing", glare->spacing);
+    json_open(json, "reflectances", '[');
+    for (size_t i = 0; i < LUXEL_UGR_REFLECTANCES; i++) {
+        json_open(json, NULL, '{');
+        for (size_t part = 0; part < 3; part++)
+            json_number(json, parts[part], luxel_ugr_reflectance(i, part));
+        json_close(json, '}');
+    }
+    json_close(json, ']');
+    json_open(json, "rooms", '[');
+    for (size_t i = 0; i < LUXEL_UGR_ROOMS; i++) {
+        json_open(json, NULL, '{');
+        json_number(json, "across", luxel_ugr_room(i, 0));
+        json_number(json, "along", luxel_ugr_room(i, 1));
+        for (int way = 0; way < 2; way++)
+            json_numbers(json, ways[way], glare->ratings[i][way], LUXEL_UGR_REFLECTANCES);
+        json_close(json, '}');
+    }
+    json_close(json, ']');
+    json_close(json, '}');
+}
+
 static void write_lamps(struct json *json, const luxel_photometry *photometry)
 {
     json_open(json, "lamps", '[');
@@ -164,6 +197,7 @@ void luminaire_print_json(const struct luminaire *luminaire)
     json_numbers(&json, "field_angles", figures->field_sections_deg, 2);
     write_code(&json, figures);
     write_ratios(&json, figures);
+    write_glare(&json, &luminaire->glare);
     write_lamps(&json, photometry);
     write_tilt(&json, photometry);
     write_angles(&json, photometry);

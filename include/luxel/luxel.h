@@ -24,6 +24,7 @@
 #include <luxel/exercise.h>
 #include <luxel/extrema.h>
 #include <luxel/field.h>
+#include <luxel/glare.h>
 #include <luxel/grid.h>
 #include <luxel/isophotes.h>
 #include <luxel/light.h>

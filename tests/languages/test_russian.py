@@ -21,6 +21,7 @@ NAMES = set("""luxel YAML JSON Schema UTF png pfm npy exr csv PNG NPY PFM EXR CS
     OFF OBJ PLY STL glTF
     FILE U0 Ud window grey viridis cividis inferno magma plasma coolwarm turbo HTML PDF SVG LaTeX markdown latex
     html text figure explain report stats profile isophotes compare variant grade advise bench photometry bench.json
+    glare UGR VX VY VZ
     LOW HIGH TAP cairo pango luxel-draw
     sweep study docs SWEEP shard manifest SHA
     options lp float NaN nx ny nz kc kl kq luminance lux IES EULUMDAT LM over_pi inverse-square

@@ -1,0 +1,202 @@
+/* SPDX-License-Identifier: MIT */
+/* luxel glare: the unified glare rating of observers in a scene, light by light. */
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include <luxel/luxel.h>
+
+#include "cli.h"
+#include "json.h"
+#include "load.h"
+#include "message.h"
+#include "options.h"
+#include "text.h"
+#include "work.h"
+
+/* Reasons as JSON has them. */
+static const char *const reason_names[] = {
+    [LUXEL_GLARE_COUNTS] = "counts", [LUXEL_GLARE_NO_AREA] = "no_area", [LUXEL_GLARE_UNSEEN] = "unseen",
+    [LUXEL_GLARE_HIDDEN] = "hidden", [LUXEL_GLARE_DARK] = "dark",       [LUXEL_GLARE_BACKGROUND] = "background",
+};
+
+struct ratings {
+    const struct options *options;
+    const struct loaded *loaded;
+    luxel_glare **list; /* one for each observer */
+};
+
+/* ---- text ---- */
+
+static void add_source(struct text_table *table, const luxel_glare_source *source)
+{
+    char *name = source->name ? luxel_escaped_text(source->name) : NULL;
+    char light[TEXT_SIZE], luminance[TEXT_SIZE], angle[TEXT_SIZE], seen[TEXT_SIZE], index[TEXT_SIZE], share[TEXT_SIZE];
+    const bool has_numbers = source->solid_angle > 0;
+
+    text_format(light, "lights[%zu]%s%s", source->light, name ? " " : "", name ? name : "");
+    text_table_row(table,
+                   TEXT_CELLS(light, source->type, has_numbers ? text_value(luminance, 5, source->luminance) : "",
+                              has_numbers ? text_value(angle, 4, source->solid_angle) : "",
+                              has_numbers ? text_format(seen, "%.4g %%", 100 * source->seen) : "",
+                              isfinite(source->position_index) && has_numbers
+                                  ? text_format(index, "%.4g", source->position_index)
+                                  : "",
+                              source->reason == LUXEL_GLARE_COUNTS ? text_format(share, "%.2f %%", 100 * source->share)
+                                                                   : _(luxel_glare_reason_words(source->reason))));
+    luxel_text_free(name);
+}
+
+static void print_rating(const struct ratings *ratings, size_t i)
+{
+    const luxel_glare *glare = ratings->list[i];
+    const double *numbers = ratings->options->places[i].numbers;
+    struct text_table *table = text_table_new("llrrrrr");
+    char place[TEXT_SIZE], value[TEXT_SIZE], error[TEXT_SIZE], background[TEXT_SIZE], bound[TEXT_SIZE];
+
+    printf(_("the eye at %s mm, looking along (%.6g, %.6g, %.6g)\n"), text_lengths(numbers, 3, place), numbers[3],
+           numbers[4], numbers[5]);
+    if (glare->has_rating)
+        printf(_("  UGR %s ± %s\n"), text_value(value, 6, glare->rating),
+               text_bound(error, glare->rating, glare->error));
+    else
+        printf(glare->background > 0 ? _("  no UGR: nothing dazzles\n")
+                                     : _("  no UGR: the background is dark, as nothing reflects light\n"));
+    printf(_("  background luminance %s ± %s cd/m²\n"), text_value(background, 6, glare->background),
+           text_bound(bound, glare->background, glare->background_error));
+    text_table_row(table, TEXT_CELLS(_("light"), _("type"), _("luminance, cd/m²"), _("solid angle, sr"), _("seen"),
+                                     _("position index"), _("share of the glare")));
+    for (size_t k = 0; k < glare->source_count; k++)
+        add_source(table, &glare->sources[k]);
+    text_table_print(table, stdout, 4);
+}
+
+/* ---- JSON ---- */
+
+static void write_source(struct json *json, const luxel_glare_source *source)
+{
+    json_open(json, NULL, '{');
+    json_whole(json, "light", source->light);
+    json_text(json, "type", source->type);
+    json_text(json, "name", source->name);
+    json_text(json, "status", reason_names[source->reason]);
+    json_number(json, "luminance", source->luminance);
+    json_number(json, "solid_angle", source->solid_angle);
+    json_number(json, "seen", source->seen);
+    json_number(json, "position_index", source->position_index);
+    json_number(json, "share", source->share);
+    json_close(json, '}');
+}
+
+static void write_rating(struct json *json, const double numbers[6], const luxel_glare *glare)
+{
+    json_open(json, NULL, '{');
+    json_numbers(json, "eye", numbers, 3);
+    json_numbers(json, "view", numbers + 3, 3);
+    json_number(json, "ugr", glare->has_rating ? glare->rating : (double)NAN);
+    json_number(json, "error", glare->has_rating ? glare->error : (double)NAN);
+    json_open(json, "background", '{');
+    json_number(json, "value", glare->background);
+    json_number(json, "error", glare->background_error);
+    json_close(json, '}');
+    json_open(json, "sources", '[');
+    for (size_t k = 0; k < glare->source_count; k++)
+        write_source(json, &glare->sources[k]);
+    json_close(json, ']');
+    json_close(json, '}');
+}
+
+static void print(const struct ratings *ratings)
+{
+    const struct options *options = ratings->options;
+    struct json json = {.stream = stdout};
+
+    if (!options->json) {
+        text_print_escaped(stdout, ratings->loaded->name);
+        printf(_(": unified glare rating\n"));
+        for (size_t i = 0; i < options->place_count; i++) {
+            fputc('\n', stdout);
+            print_rating(ratings, i);
+        }
+        return;
+    }
+    json_open(&json, NULL, '{');
+    json_text(&json, "unit", "cd/m²");
+    json_open(&json, "observers", '[');
+    for (size_t i = 0; i < options->place_count; i++)
+        write_rating(&json, options->places[i].numbers, ratings->list[i]);
+    json_close(&json, ']');
+    json_close(&json, '}');
+}
+
+/* ---- the command ---- */
+
+static luxel_status rate_all(struct ratings *ratings, const luxel_settings *settings)
+{
+    luxel_status status = LUXEL_OK;
+
+    for (size_t i = 0; i < ratings->options->place_count && status == LUXEL_OK; i++) {
+        luxel_sight sight;
+
+        memcpy(sight.eye_mm, ratings->options->places[i].numbers, sizeof sight.eye_mm);
+        memcpy(sight.view, ratings->options->places[i].numbers + 3, sizeof sight.view);
+        memcpy(sight.up, ratings->options->up, sizeof sight.up);
+        status =
+            luxel_rate_glare(ratings->loaded->scene, settings, &sight, ratings->loaded->diagnostics, &ratings->list[i]);
+    }
+    return status;
+}
+
+static int rate(const struct options *options, const struct loaded *loaded)
+{
+    struct ratings ratings = {.options = options, .loaded = loaded};
+    struct work work;
+    int code;
+
+    if (strcmp(luxel_scene_unit(loaded->scene, LUXEL_IRRADIANCE), "W/m²") == 0) {
+        message_error(_("%s is in radiometric units, and glare is rated by luminances"), loaded->name);
+        message_hint(_("units: photometric, or -s units=photometric"));
+        return EXIT_SCENE;
+    }
+    ratings.list = message_allocate(options->place_count, sizeof *ratings.list);
+    work_begin(&work, options);
+    code = work_end(&work, rate_all(&ratings, &work.settings), loaded->diagnostics);
+    if (code == EXIT_DONE) {
+        for (size_t i = 0; i < options->place_count; i++)
+            code = ratings.list[i]->reached ? code : EXIT_TOLERANCE;
+        print(&ratings);
+        if (code == EXIT_TOLERANCE)
+            message_error(_("reflected light is not known as well as --reflected-error asks for; the bounds hold"));
+    }
+    for (size_t i = 0; i < options->place_count; i++)
+        luxel_glare_free(ratings.list[i]);
+    free(ratings.list);
+    return code;
+}
+
+static int run(const struct options *options)
+{
+    if (options->place_count == 0) {
+        message_error(_("luxel glare needs an observer"));
+        message_hint(_("name one with --eye X,Y,Z,VX,VY,VZ: where the eye is, in mm, and where it looks"));
+        return EXIT_USAGE;
+    }
+    return load_and(options, rate);
+}
+
+const struct command command_glare = {
+    .name = "glare",
+    .bit = COMMAND_GLARE,
+    .operand = N_("SCENE"),
+    .endings = "",
+    .summary = N_("the unified glare rating (UGR) of observers"),
+    .description = N_(
+        "Prints how much the lights of a scene dazzle an observer: the unified glare rating of CIE 117 with a bound of "
+        "its error, the luminance of the background, and for each light its luminance, the solid angle and the "
+        "position index under which it is seen, how much of it surfaces leave to be seen, and its share of the glare. "
+        "The background is the light that reaches the eye by reflections, which the scene must ask for (reflections), "
+        "and as ambient light. A luminaire that shines as a point counts with the luminous opening of its file."),
+    .examples = "luxel glare office -s reflections=1 --eye 0,1200,5300,0,0,-1\n"
+                "luxel glare room.yaml --eye 0,-1900,1200,0,1,0 --eye 1900,0,1200,-1,0,0 --json",
+    .run = run,
+};

@@ -1,0 +1,292 @@
+/* SPDX-License-Identifier: MIT */
+/*
+ * The unified glare rating of an observer in a scene.  Each light is one source: the middle and the area of what its
+ * emitters show to the eye tell its solid angle and where in the field of view it is; what part of it surfaces hide is
+ * told by the irradiance that it gives there with and without their shadows.  The background is the irradiance of the
+ * eye by reflected and ambient light.
+ */
+#include <luxel/glare.h>
+
+#include <float.h>
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "../base/diagnostics.h"
+#include "../base/glare.h"
+#include "../base/memory.h"
+#include "../base/phrase.h"
+#include "../base/vector.h"
+#include "../scene/observer.h"
+#include "../scene/scene.h"
+#include "../shade/evaluate.h"
+#include "glare_light.h"
+#include "reflecting.h"
+
+/* How exact places, areas and position indices are, relative: some roundings of plain float64. */
+static const double PLAIN = 1e-13;
+
+const char *luxel_glare_reason_words(luxel_glare_reason reason)
+{
+    static const char *const words[] = {
+        [LUXEL_GLARE_COUNTS] = LX_N("counts"),
+        [LUXEL_GLARE_NO_AREA] = LX_N("has no luminous area"),
+        [LUXEL_GLARE_UNSEEN] = LX_N("outside the field of view"),
+        [LUXEL_GLARE_HIDDEN] = LX_N("hidden"),
+        [LUXEL_GLARE_DARK] = LX_N("shines elsewhere"),
+        [LUXEL_GLARE_BACKGROUND] = LX_N("part of the background"),
+    };
+    return reason <= LUXEL_GLARE_BACKGROUND ? words[reason] : NULL;
+}
+
+void luxel_glare_free(luxel_glare *glare)
+{
+    if (!glare)
+        return;
+    for (size_t i = 0; i < glare->source_count; i++)
+        free((char *)glare->sources[i].name);
+    free(glare->sources);
+    free(glare);
+}
+
+/* ---- the observer ---- */
+
+/* The eye and its directions, unit and at right angles. */
+struct eye {
+    const double *place_mm;
+    double ahead[3], aside[3], above[3];
+};
+
+static bool normalize(double a[3])
+{
+    double length = lx_normalize(a);
+    return length > 0 && isfinite(length);
+}
+
+/* Takes the part along a unit direction out of another one; false: nothing is left. */
+static bool make_across(const double along[3], double a[3])
+{
+    if (!normalize(a))
+        return false;
+    double part = lx_dot(along, a);
+    for (int i = 0; i < 3; i++)
+        a[i] -= part * along[i];
+    return lx_normalize(a) > 1e-9;
+}
+
+static bool open_eye(const struct lx_observer *observer, const luxel_sight *sight, struct eye *eye)
+{
+    static const double z[3] = {0, 0, 1};
+    const bool has_up = sight->up[0] != 0 || sight->up[1] != 0 || sight->up[2] != 0;
+    const bool scene_has_up = lx_is_given(&lx_observer_table, observer, "up");
+    eye->place_mm = sight->eye_mm;
+    memcpy(eye->ahead, sight->view, sizeof eye->ahead);
+    memcpy(eye->above, has_up ? sight->up : scene_has_up ? observer->up : z, sizeof eye->above);
+    if (!isfinite(lx_dot(sight->eye_mm, sight->eye_mm)) || !normalize(eye->ahead))
+        return false;
+    if (!make_across(eye->ahead, eye->above)) {
+        memcpy(eye->above, (const double[3]){0, 1, 0}, sizeof eye->above);
+        if (has_up || !make_across(eye->ahead, eye->above))
+            return false;
+    }
+    lx_cross(eye->ahead, eye->above, eye->aside);
+    return true;
+}
+
+/* ---- the sum over the sources ---- */
+
+/* A rating in the making. */
+struct rating {
+    const struct lx_session *session;
+    struct lx_prepared open; /* the scene without shadows */
+    struct eye eye;
+    luxel_glare *glare;
+    lx_bounded sum;     /* of L^2 w / p^2 */
+    lx_bounded ambient; /* irradiance of the eye by lights that are part of the background */
+    lx_bounded *shares; /* of the sources */
+};
+
+static lx_bounded plain(double value)
+{
+    return (lx_bounded){value, PLAIN * fabs(value)};
+}
+
+/* The irradiance of an element at the eye by one light; moves `next`.  False: the light lies on the eye. */
+static bool light_eye(const struct lx_prepared *prepared, const struct eye *eye, const double normal[3], size_t light,
+                      size_t *next, lx_bounded *irradiance)
+{
+    luxel_place place = {.is_element = true};
+    struct lx_share share;
+    memcpy(place.position_mm, eye->place_mm, sizeof place.position_mm);
+    memcpy(place.normal, normal, sizeof place.normal);
+    const struct lx_element element = lx_free_element_at(prepared, &place);
+    const bool is_apart = lx_light_share(prepared, &element, light, next, &share);
+    *irradiance = is_apart ? share.irradiance : lx_exact(0);
+    return is_apart;
+}
+
+/* The numbers of a source that has an area in the field of view, and its share of the sum. */
+static lx_bounded weigh(const struct lx_light_seen *seen, lx_bounded open, lx_bounded shadowed,
+                        luxel_glare_source *source)
+{
+    const double solid_angle = seen->area_m2 / (seen->distance_m * seen->distance_m);
+    const bool is_lambertian = seen->radiance.value > 0;
+    const lx_bounded luminance = is_lambertian ? seen->radiance : lx_div(open, plain(solid_angle));
+    const lx_bounded part = lx_div(shadowed, open);
+    source->luminance = luminance.value;
+    source->solid_angle = solid_angle;
+    source->seen = fmin(1, part.value);
+    if (!(shadowed.value > 0))
+        source->reason = LUXEL_GLARE_HIDDEN;
+    else if (isnan(source->position_index))
+        source->reason = LUXEL_GLARE_UNSEEN;
+    if (source->reason != LUXEL_GLARE_COUNTS)
+        return lx_exact(0);
+    return lx_mul(lx_mul(lx_mul(luminance, luminance), part),
+                  plain(solid_angle / (source->position_index * source->position_index)));
+}
+
+static luxel_status rate_light(struct rating *rating, size_t light, size_t *next, luxel_glare_source *source,
+                               lx_bounded *share)
+{
+    const struct lx_prepared *prepared = &rating->session->prepared;
+    const struct eye *eye = &rating->eye;
+    struct lx_light_seen seen;
+    lx_bounded open, shadowed;
+    size_t again = *next;
+    if (!lx_see_light(&prepared->scene->lights.items[light], eye->place_mm, &seen))
+        return LUXEL_ERROR_MEMORY;
+    const double *normal = seen.distance_m > 0 ? seen.towards : eye->ahead;
+    *share = lx_exact(0);
+    source->position_index = seen.distance_m > 0
+                                 ? lx_position_index(lx_dot(seen.towards, eye->ahead), lx_dot(seen.towards, eye->aside),
+                                                     lx_dot(seen.towards, eye->above))
+                                 : (double)NAN;
+    light_eye(&rating->open, eye, normal, light, &again, &open);
+    light_eye(prepared, eye, normal, light, next, &shadowed);
+    if (seen.is_uniform) {
+        source->reason = LUXEL_GLARE_BACKGROUND;
+        rating->ambient = lx_add(rating->ambient, shadowed);
+    } else if (!(open.value > 0)) {
+        source->reason = LUXEL_GLARE_DARK;
+    } else if (!(seen.area_m2 > 0)) {
+        source->reason = LUXEL_GLARE_NO_AREA;
+    } else {
+        *share = weigh(&seen, open, shadowed, source);
+        rating->sum = lx_add(rating->sum, *share);
+    }
+    return LUXEL_OK;
+}
+
+/* Reads the lights that are enabled; they come first, so that names can be freed. */
+static luxel_status rate_lights(struct rating *rating)
+{
+    const struct lx_list *lights = &rating->session->prepared.scene->lights;
+    luxel_glare *glare = rating->glare;
+    luxel_status status = LUXEL_OK;
+    size_t next = 0;
+    glare->sources = lx_new_array(lights->count + 1, sizeof *glare->sources);
+    rating->shares = lx_new_array(lights->count + 1, sizeof *rating->shares);
+    if (!glare->sources || !rating->shares)
+        return LUXEL_ERROR_MEMORY;
+    for (size_t i = 0; i < lights->count && status == LUXEL_OK; i++) {
+        const struct lx_light_common *common = lights->items[i].common;
+        if (!common->enabled)
+            continue;
+        luxel_glare_source *source = &glare->sources[glare->source_count];
+        *source = (luxel_glare_source){.light = i, .type = lights->items[i].variant->name};
+        if (common->name && !(source->name = lx_copy_text(common->name, strlen(common->name))))
+            return LUXEL_ERROR_MEMORY;
+        status = rate_light(rating, i, &next, source, &rating->shares[glare->source_count++]);
+    }
+    for (size_t i = 0; i < glare->source_count && rating->sum.value > 0; i++)
+        glare->sources[i].share = rating->shares[i].value / rating->sum.value;
+    return status;
+}
+
+/* ---- the background ---- */
+
+static luxel_status reflect(const struct rating *rating, luxel_diagnostics *diagnostics, lx_bounded *irradiance)
+{
+    const struct lx_session *session = rating->session;
+    struct lx_control control = {
+        .rows = 1, .progress = session->settings.progress, .data = session->settings.progress_data};
+    luxel_place place = {.is_element = true};
+    memcpy(place.position_mm, rating->eye.place_mm, sizeof place.position_mm);
+    memcpy(place.normal, rating->eye.ahead, sizeof place.normal);
+    const struct lx_element element = lx_free_element_at(&session->prepared, &place);
+    const struct lx_reflected_place asked = {.receiver = lx_receiver_of(&session->prepared, &element),
+                                             .direct = rating->ambient.value};
+    const struct lx_reflecting reflecting = {.prepared = &session->prepared,
+                                             .kernels = lx_element_kernels_of(session->kernels),
+                                             .settings = &session->settings,
+                                             .control = &control,
+                                             .places = &asked,
+                                             .count = 1,
+                                             .irradiance = irradiance};
+    return lx_reflect_places(&reflecting, diagnostics);
+}
+
+/* UGR and its bound: between the least sum over the greatest background and the other way round. */
+static void conclude(const struct rating *rating, lx_bounded background)
+{
+    luxel_glare *glare = rating->glare;
+    const lx_bounded sum = rating->sum;
+    glare->background = background.value;
+    glare->background_error = lx_told_error(background);
+    glare->has_rating = rating->session->prepared.scene->units == LX_PHOTOMETRIC && sum.value > sum.error &&
+                        background.value > background.error;
+    if (!glare->has_rating)
+        return;
+    glare->rating = 8 * log10(0.25 * sum.value / background.value);
+    glare->error =
+        8 * fmax(
+                log10((sum.value + sum.error) / sum.value * background.value / (background.value - background.error)),
+                log10(sum.value / (sum.value - sum.error) * (background.value + background.error) / background.value)) +
+        16 * DBL_EPSILON * (1 + fabs(glare->rating));
+}
+
+static luxel_status rate(struct rating *rating, luxel_diagnostics *diagnostics)
+{
+    const struct lx_session *session = rating->session;
+    lx_bounded reflected = lx_exact(0);
+    luxel_status status = rate_lights(rating);
+    rating->glare->reached = true;
+    if (status == LUXEL_OK && lx_wants_reflections(session->prepared.scene)) {
+        status = reflect(rating, diagnostics, &reflected);
+        rating->glare->reached = reflected.error <= lx_reflected_error_of(&session->settings) *
+                                                        fabs(reflected.value + rating->ambient.value);
+    }
+    if (status == LUXEL_OK)
+        conclude(rating, lx_div(lx_add(reflected, rating->ambient), plain(M_PI)));
+    return status == LUXEL_ERROR_MEMORY ? lx_out_of_memory(diagnostics) : status;
+}
+
+luxel_status luxel_rate_glare(const luxel_scene *scene, const luxel_settings *settings, const luxel_sight *sight,
+                              luxel_diagnostics *diagnostics, luxel_glare **glare)
+{
+    struct lx_session session;
+    struct rating rating = {.session = &session, .sum = lx_exact(0), .ambient = lx_exact(0)};
+    if (!sight || !glare) {
+        lx_report(diagnostics, LUXEL_SEVERITY_ERROR, NULL, LX_MSG_MISSING_ARGUMENT, LX_ARGS(glare ? "sight" : "glare"));
+        return LUXEL_ERROR_ARGUMENT;
+    }
+    luxel_status status = lx_session_open_world(scene, settings, diagnostics, &session);
+    if (status == LUXEL_OK && !open_eye(&session.prepared.scene->observer, sight, &rating.eye)) {
+        lx_report(diagnostics, LUXEL_SEVERITY_ERROR, NULL, LX_MSG_MISSING_ARGUMENT, LX_ARGS("sight"));
+        status = LUXEL_ERROR_ARGUMENT;
+    }
+    if (status == LUXEL_OK) {
+        rating.open = session.prepared;
+        rating.open.shadows_on_free = rating.open.shadows_extended = false;
+        rating.glare = lx_new_array(1, sizeof *rating.glare);
+        status = rating.glare ? rate(&rating, diagnostics) : lx_out_of_memory(diagnostics);
+    }
+    lx_session_clear(&session);
+    free(rating.shares);
+    if (status == LUXEL_OK)
+        *glare = rating.glare;
+    else
+        luxel_glare_free(rating.glare);
+    return status;
+}

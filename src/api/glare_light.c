@@ -1,0 +1,83 @@
+/* SPDX-License-Identifier: MIT */
+/* Areas that lights show: those of their emitters, and of a luminaire that shines as a point, of its file's opening. */
+#include "glare_light.h"
+
+#include <math.h>
+
+#include "../base/pose.h"
+#include "../base/vector.h"
+#include "../format/photometry_area.h"
+#include "../light/distribution.h"
+#include "../light/extended.h"
+#include "../light/light.h"
+#include "../light/totals.h"
+
+/* The area of faces that look at the eye. */
+static double faces_seen(const struct lx_facets *facets, const double from_source[3])
+{
+    double sum = 0;
+    for (size_t i = 0; i < facets->face_count; i++) {
+        const lx_bounded3 normal = lx_wide3_direction(facets->faces[i].normal);
+        const double axis[3] = {normal.x.value, normal.y.value, normal.z.value};
+        sum += facets->faces[i].area_mm2 * fmax(0, lx_dot(axis, from_source));
+    }
+    return sum;
+}
+
+/* The area in m^2 that an emitter shows to a direction; 0: it has none. */
+static double area_seen(const struct lx_emitter *emitter, const double from_source[3])
+{
+    const double radius = emitter->radius_mm,
+                 axis[3] = {emitter->axis.x.value, emitter->axis.y.value, emitter->axis.z.value};
+    const struct lx_pointed *pointed = emitter->profile.luminaire;
+    const double along = lx_dot(axis, from_source);
+    switch (emitter->type) {
+    case LX_FACETS: return faces_seen(emitter->facets, from_source) / 1e6;
+    case LX_DISK: return M_PI * radius * radius * fmax(0, along) / 1e6;
+    case LX_BALL: return M_PI * radius * radius / 1e6;
+    case LX_CYLINDER:
+        return (M_PI * radius * radius * fabs(along) +
+                2 * radius * emitter->height_mm * sqrt(fmax(0, 1 - along * along))) /
+               1e6;
+    case LX_POINT: break;
+    default: return 0;
+    }
+    if (!pointed)
+        return 0;
+    const lx_bounded3 *const ways[3] = {&pointed->axis, &pointed->c0, &pointed->across};
+    double direction[3];
+    for (int i = 0; i < 3; i++)
+        direction[i] = lx_dot((const double[3]){ways[i]->x.value, ways[i]->y.value, ways[i]->z.value}, from_source);
+    return lx_opening_seen_area(&pointed->distribution->photometry->shown.opening, direction);
+}
+
+/* All emitters together; points of a cloud are many sources and show no area. */
+bool lx_see_light(const struct lx_item *item, const double eye_mm[3], struct lx_light_seen *seen)
+{
+    const struct lx_light_kind *kind = (const struct lx_light_kind *)item->variant;
+    struct lx_emitters emitters = {.is_whole = true};
+    struct lx_emitter room;
+    double middle[3], from_source[3];
+    *seen = (struct lx_light_seen){.radiance = lx_exact(0)};
+    if (kind->prepare(item->parameters, &emitters) != 0) {
+        lx_emitters_clear(&emitters);
+        return false;
+    }
+    const bool is_one = emitters.count == 1 || emitters.extended == emitters.count;
+    seen->is_uniform = emitters.count == 1 && lx_emitter_at(&emitters, 0, &room)->type == LX_UNIFORM;
+    if (is_one && emitters.count > 0 && lx_emitters_place(&emitters, middle)) {
+        for (int i = 0; i < 3; i++)
+            seen->towards[i] = (middle[i] - eye_mm[i]) / 1e3;
+        seen->distance_m = lx_normalize(seen->towards);
+        for (int i = 0; i < 3; i++)
+            from_source[i] = -seen->towards[i];
+        for (size_t i = 0; i < emitters.count && seen->distance_m > 0; i++) {
+            const struct lx_emitter *emitter = lx_emitter_at(&emitters, i, &room);
+            seen->area_m2 += area_seen(emitter, from_source);
+            if (lx_is_extended(emitter) && lx_has_closed_form(emitter))
+                seen->radiance = emitter->radiance;
+        }
+    }
+    lx_emitters_clear(&emitters);
+    return true;
+}

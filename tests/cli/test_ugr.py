@@ -1,0 +1,149 @@
+# SPDX-License-Identifier: MIT
+"""Unified glare rating of luminaires in standard rooms, against a calculation of its own: Lambertian flux on rectangles
+in closed form, form factors of walls one by one, bounces one by one, and the plain sum over the luminaires."""
+import math
+
+from luminaires import HEAD
+from tap import Tap
+from tool import run_tests
+
+ROOMS = ((2, 2), (2, 3), (2, 4), (2, 6), (2, 8), (2, 12), (4, 2), (4, 3), (4, 4), (4, 6), (4, 8), (4, 12), (8, 4),
+         (8, 6), (8, 8), (8, 12), (12, 4), (12, 6), (12, 8))
+REFLECTANCES = ((.7, .5, .2), (.7, .3, .2), (.5, .5, .2), (.5, .3, .2), (.3, .3, .2))  # ceiling, walls, floor
+
+
+def lamp(intensity, opening=".4 1.2 0", step=1, planes=(0, 22.5, 45, 67.5, 90)):
+    """A file with I(C, gamma); width and length of the opening in metres."""
+    angles = range(0, 91, step)
+    rows = (" ".join(repr(intensity(c, gamma)) for gamma in angles) for c in planes)
+    return HEAD + "1 -1 1 %d %d 1 2 %s\n1 1 10\n%s\n%s\n%s\n" % (
+        len(angles), len(planes), opening, " ".join(map(str, angles)), " ".join(map(str, planes)), "\n".join(rows))
+
+
+def lambert(_, gamma):
+    return 1000 * max(0, math.cos(math.radians(gamma)))
+
+
+def index(ahead, aside, above):
+    """The position index."""
+    off = math.degrees(math.acos(ahead / math.sqrt(ahead ** 2 + aside ** 2 + above ** 2)))
+    tilt = math.degrees(math.atan(abs(aside) / above))
+    return math.exp((35.2 - .31889 * tilt - 1.22 * math.exp(-2 * tilt / 9)) * off / 1e3 +
+                    (21 + .26667 * tilt - .002963 * tilt ** 2) * off ** 2 / 1e5)
+
+
+def on_corner(a, b):
+    """The share of Lambertian light from a point on the axis of a corner that falls on a rectangle 1 away."""
+    p, q = math.sqrt(1 + a * a), math.sqrt(1 + b * b)
+    return (a / p * math.atan(b / p) + b / q * math.atan(a / q)) / (2 * math.pi)
+
+
+def next_to(length, depth, height):
+    """The form factor of a floor to the wall on one of its sides of that length."""
+    h, w = height / length, depth / length
+    s = h * h + w * w
+    logs = ((1 + w * w) * (1 + h * h) / (1 + s) * (w * w * (1 + s) / ((1 + w * w) * s)) ** (w * w) *
+            (h * h * (1 + s) / ((1 + h * h) * s)) ** (h * h))
+    return (w * math.atan(1 / w) + h * math.atan(1 / h) - math.sqrt(s) * math.atan(1 / math.sqrt(s)) +
+            math.log(logs) / 4) / (math.pi * w)
+
+
+def background(x, y, spacing, reflectances):
+    """Lb under Lambertian luminaires of 1000 cd."""
+    nx, ny = round(x / spacing), round(y / spacing)
+    places = [(i + .5) * spacing for i in range(nx)], [(j + .5) * spacing for j in range(ny)]
+    share = sum(on_corner(a, b) + on_corner(x - a, b) + on_corner(a, y - b) + on_corner(x - a, y - b)
+                for a in places[0] for b in places[1])
+    flux = 1000 * math.pi
+    floor, walls = x * y, 2 * (x + y)
+    to_walls = 2 * next_to(x, y, 1) + 2 * next_to(y, x, 1)
+    ceiling_light, wall_light, floor_light = 0, flux * (nx * ny - share), flux * share  # lumens that arrive
+    indirect = 0
+    for _ in range(400):
+        from_ceiling, from_walls, from_floor = (a * b for a, b in
+                                                zip(reflectances, (ceiling_light, wall_light, floor_light)))
+        up = to_walls * floor / walls  # of the walls to the floor, and to the ceiling
+        ceiling_light = from_walls * up + from_floor * (1 - to_walls)
+        floor_light = from_walls * up + from_ceiling * (1 - to_walls)
+        wall_light = (from_ceiling + from_floor) * to_walls + from_walls * (1 - 2 * up)
+        indirect += wall_light
+    return indirect / walls / math.pi
+
+
+def glare(x, y, spacing, intensity, area, turn):
+    """The sum over the luminaires that are seen; area(C, gamma) as it is seen."""
+    total = 0
+    for i in range(round(x / spacing)):
+        for j in range(round(y / spacing)):
+            aside, ahead = (i + .5) * spacing - x / 2, (j + .5) * spacing
+            gamma = math.degrees(math.atan(math.hypot(aside, ahead)))
+            if gamma > 85 or 1 > 1.9 * ahead or abs(aside) > 3 * ahead:
+                continue
+            c = turn + math.degrees(math.atan(abs(aside) / ahead)) * (-1 if turn else 1)
+            total += intensity(c, gamma) ** 2 / area(c, gamma) / (1 + aside ** 2 + ahead ** 2) / index(
+                ahead, aside, 1) ** 2
+    return total
+
+
+def compare(tap, about, spacing, intensity, area, allowed, name):
+    worst = 0
+    for (x, y), room in zip(ROOMS, about["ugr"]["rooms"]):
+        tap.ok((room["across"], room["along"]) == (x, y), "the room is %gH by %gH" % (x, y))
+        for way, turn in (("crosswise", 0), ("endwise", 90)):
+            total = glare(x, y, spacing, intensity, area, turn)
+            for reflectances, rating in zip(REFLECTANCES, room[way]):
+                expected = 8 * math.log10(.25 / background(x, y, spacing, reflectances) * total)
+                worst = max(worst, abs(rating - expected))
+    tap.ok(worst < allowed, name, worst)
+
+
+def rooms(tap, tool):
+    flat = lambda c, gamma: .4 * 1.2 * math.cos(math.radians(gamma))
+    tool.write("lamp.ies", lamp(lambert))
+    about = tool.run("photometry", "lamp.ies", "--json").json()
+    tap.equal(about["ugr"]["spacing"], .25, "the spacing of catalogues")
+    tap.equal([(r["ceiling"], r["walls"], r["floor"]) for r in about["ugr"]["reflectances"]], list(REFLECTANCES),
+              "reflectances")
+    compare(tap, about, .25, lambert, flat, .002, "a Lambertian panel, 0.25 of its height apart")
+    about = tool.run("photometry", "lamp.ies", "--json", "--spacing", "1").json()
+    compare(tap, about, 1, lambert, flat, .002, "a Lambertian panel, as far apart as it is high")
+    # Its mean over C is Lambertian, as far as trapezoids of 22.5 degrees go, which is exact for cos 2C.
+    uneven = lambda c, gamma: lambert(c, gamma) * (1 + .5 * math.cos(math.radians(2 * c)))
+    tool.write("uneven.ies", lamp(uneven, step=1, planes=[3 * i for i in range(31)]))
+    about = tool.run("photometry", "uneven.ies", "--json", "--spacing", "0.5").json()
+    compare(tap, about, .5, uneven, flat, .02, "one that shines along C0-C180: crosswise is not endwise")
+    box = lambda c, gamma: (flat(c, gamma) + .1 * math.sin(math.radians(gamma)) * (
+        .4 * abs(math.cos(math.radians(c))) + 1.2 * abs(math.sin(math.radians(c)))))
+    tool.write("box.ies", lamp(lambert, ".4 1.2 .1"))
+    about = tool.run("photometry", "box.ies", "--json", "--spacing", "0.5").json()
+    compare(tap, about, .5, lambert, box, .002, "a box with luminous sides")
+    disk = lambda c, gamma: math.pi * .09 * math.cos(math.radians(gamma))
+    tool.write("disk.ies", lamp(lambert, "-.6 -.6 0"))
+    about = tool.run("photometry", "disk.ies", "--json", "--spacing", "0.5").json()
+    compare(tap, about, .5, lambert, disk, .002, "a disk")
+    tool.write("brighter.ies", lamp(lambda c, gamma: 10 * lambert(c, gamma), "-.6 -.6 0"))
+    brighter = tool.run("photometry", "brighter.ies", "--json", "--spacing", "0.5").json()["ugr"]["rooms"]
+    tap.near(brighter[7]["endwise"][2] - about["ugr"]["rooms"][7]["endwise"][2], 8, 1e-9, "ten times the light")
+
+
+def texts(tap, tool):
+    tool.write("lamp.ies", lamp(lambert))
+    table = tool.run("photometry", "lamp.ies", "--json").json()["ugr"]["rooms"]
+    lines = tool.run("photometry", "lamp.ies").out.splitlines()
+    row = [line for line in lines if line.split()[:3] == ["4H", "×", "8H"]]
+    tap.equal(row[0].split()[3:], ["%.1f" % value for way in ("crosswise", "endwise") for value in table[10][way]],
+              "a room of the table")
+    tap.ok(any(line.split() == ["walls,", "%"] + ["50", "30", "50", "30", "30"] * 2 for line in lines), "walls", lines)
+    tool.write("point.ies", lamp(lambert, "0 0 0"))
+    tap.equal(tool.run("photometry", "point.ies", "--json").json()["ugr"], None, "a point has no luminance")
+    tap.ok("UGR" not in tool.run("photometry", "point.ies").out, "and no table")
+    tool.write("up.ies", lamp(lambda c, gamma: 0))
+    result = tool.run("photometry", "up.ies", "--json")
+    tap.equal(result.json()["ugr"]["rooms"][0]["crosswise"], [None] * 5, "a lamp that is dark below dazzles nobody")
+    for spacing in ("0.3", "0", "-1", "2", "x"):
+        result = tool.run("photometry", "lamp.ies", "--spacing", spacing)
+        tap.ok(result.code == 2 and "--spacing" in result.err, "no spacing: " + spacing, result.err)
+
+
+if __name__ == "__main__":
+    run_tests(Tap(), rooms, texts)
