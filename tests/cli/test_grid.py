@@ -349,6 +349,9 @@ def extrema(tap, tool):
         {"type": "sphere", "center": [0, 0, 900], "radius": 200, "material": wall}])
     tap.equal(tool.run("grid", "-", "--json", stdin=lit).json()["grids"][0]["extrema"],
               {"minimum": None, "maximum": None}, "not known with reflected light")
+    for text, expected in ((lit, True), (scene([lamp], [plane]), False)):
+        told = tool.run("grid", "-", stdin=text).out
+        tap.equal("with reflected light: no extrema, mean and flux of the whole plane" in told, expected, "is told")
     told = " ".join(tool.run("grid", "-", stdin=scene([lamp], [plane])).out.split())
     tap.ok("maximum on the whole plane 250 ±" in told, "the text", told)
 
