@@ -246,10 +246,10 @@ LX_LANE NAME(lanes) NAME(whole_of)(NAME(lanes) a)
 }
 #endif
 
-/* Of a `whole` that is none the whole number below it counts. */
-LX_LANE NAME(lanes) NAME(scale)(NAME(lanes) a, NAME(lanes) whole)
+/* Of a k that is none the whole number below it counts.  Numbers below the normal ones would cost a hundredfold. */
+LX_LANE NAME(lanes) NAME(scale)(NAME(lanes) a, NAME(lanes) k)
 {
-    return LX_OPERATION(scalef)(a, whole);
+    return LX_OPERATION(maskz_scalef)(LX_JOIN(LX_OPERATION(cmp), _mask)(k, NAME(all)(1 - BIAS), _CMP_GE_OQ), a, k);
 }
 
 #else
