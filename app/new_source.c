@@ -8,7 +8,6 @@
 #include "marks.h"
 #include "number.h"
 #include "picture.h"
-#include "rules.h"
 #include "scalar.h"
 
 enum { LOOK = 48 /* pixels across of the pictures that tell how strong sources are */ };
@@ -267,4 +266,40 @@ char *app_doubled_source(const AppDocument *document, gsize chosen)
     g_clear_object(&trial);
     g_free(key);
     return yaml;
+}
+
+/* Strength and attenuation of the chosen source, if it is a point; else those of the exercise. */
+static char *rest_of_point(const AppDocument *document, gsize chosen)
+{
+    static const char *const copied[] = {"intensity", "power", "attenuation", "k", "coefficients"};
+    GString *rest = g_string_new(NULL);
+    char *type_key = key_of(chosen, "type"), *type = app_document_get(document, type_key, NULL);
+    for (gsize i = 0; i < G_N_ELEMENTS(copied) && g_strcmp0(type, "point") == 0; i++) {
+        gboolean written;
+        char *key = key_of(chosen, copied[i]);
+        char *value = app_document_get(document, key, &written);
+        if (written)
+            g_string_append_printf(rest, ", %s: %s", copied[i], value);
+        g_free(value);
+        g_free(key);
+    }
+    if (rest->len == 0)
+        g_string_append(rest, ", intensity: 10, attenuation: none");
+    g_free(type);
+    g_free(type_key);
+    return g_string_free(rest, FALSE);
+}
+
+void app_new_points(const AppDocument *document, const double *places_mm, gsize count, gsize chosen, gsize at,
+                    AppEdits *edits)
+{
+    char *rest = rest_of_point(document, chosen);
+    for (gsize i = 0; i < count; i++) {
+        char *place = app_list_write(&places_mm[3 * i], 3);
+        char *yaml = g_strdup_printf("{type: point, position: %s%s}", place, rest);
+        app_edits_add(edits, APP_EDIT_INSERT, "lights", yaml, at + i, 0);
+        g_free(yaml);
+        g_free(place);
+    }
+    g_free(rest);
 }

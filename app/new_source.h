@@ -7,6 +7,7 @@
 #define LUXEL_APP_NEW_SOURCE_H
 
 #include "document.h"
+#include "rules.h"
 
 /*
  * A source of a kind, made like the source `chosen` of the document (beyond the last: like the example of the kind),
@@ -20,5 +21,9 @@ char *app_new_luminaire(const AppDocument *document, const luxel_parameters *par
 
 /* The source `chosen`, moved aside so that both are seen, as YAML; the caller's.  NULL: there is none. */
 char *app_doubled_source(const AppDocument *document, gsize chosen);
+
+/* Adds to the edits a point source at each of `count` places, as strong as the source `chosen`, from index `at` on. */
+void app_new_points(const AppDocument *document, const double *places_mm, gsize count, gsize chosen, gsize at,
+                    AppEdits *edits);
 
 #endif

@@ -52,6 +52,11 @@ const GArray *app_sources_chosen(const AppSources *self)
     return self->together;
 }
 
+gsize app_sources_shown(const AppSources *self)
+{
+    return self->chosen;
+}
+
 static gboolean is_chosen(const AppSources *self, gsize index)
 {
     for (guint i = 0; i < self->together->len; i++)
@@ -69,11 +74,24 @@ static void choose_alone(AppSources *self, gsize index)
 
 /* ---- rows ---- */
 
+static void add_edit(AppEdits *edits, AppEditKind kind, gsize index, const char *name, const char *value)
+{
+    char *key = g_strdup_printf("lights[%zu].%s", index, name);
+    app_edits_add(edits, kind, key, value, 0, 0);
+    g_free(key);
+}
+
+/* The box of a chosen one is that of all of them. */
 static void enabled_pressed(AppSourceRow *row, gboolean active, AppSources *self)
 {
-    char *key = g_strdup_printf("lights[%zu].enabled", app_source_row_light(row));
-    app_document_set(self->document, key, active ? "true" : "false", NULL);
-    g_free(key);
+    const gsize light = app_source_row_light(row);
+    AppEdits *edits = app_edits_new();
+    for (guint i = 0; i < self->together->len && is_chosen(self, light); i++)
+        add_edit(edits, APP_EDIT_SET, g_array_index(self->together, gsize, i), "enabled", active ? "true" : "false");
+    if (edits->list->len == 0)
+        add_edit(edits, APP_EDIT_SET, light, "enabled", active ? "true" : "false");
+    app_edits_make(edits, self->document, NULL);
+    app_edits_free(edits);
 }
 
 static void solo_pressed(AppSourceRow *row, gboolean active, AppSources *self)
@@ -126,11 +144,11 @@ static void refresh_item(AppSources *self, AppSourceRow *row)
     g_free(whole);
 }
 
-/* The mapping in which the chosen source can be aimed, such as lights[0] or lights[0].disk; NULL where it cannot. */
-static char *aimed_part(AppSources *self)
+/* The mapping in which a source can be aimed, such as lights[0] or lights[0].disk; NULL where it cannot. */
+static char *aimed_part(AppSources *self, gsize light)
 {
-    char *type = get(self, self->chosen, "type"), *found = NULL;
-    const AppKeys keys = {self->document, self->parameters, type, self->chosen};
+    char *type = get(self, light, "type"), *found = NULL;
+    const AppKeys keys = {self->document, self->parameters, type, light};
     for (gsize i = 0; i < luxel_parameters_count(keys.parameters) && type && !found; i++) {
         const luxel_parameter *parameter = luxel_parameters_get(keys.parameters, i);
         gboolean written;
@@ -167,11 +185,16 @@ static void show_diagram(AppSources *self, const char *type)
 static void show_chosen(AppSources *self)
 {
     char *type = self->chosen < app_document_size(self->document, "lights") ? get(self, self->chosen, "type") : NULL;
-    char *aimed = type ? aimed_part(self) : NULL;
+    gboolean can_aim = FALSE;
     GArray *others = g_array_new(FALSE, FALSE, sizeof(gsize));
-    for (guint i = 0; i < self->together->len; i++)
-        if (g_array_index(self->together, gsize, i) != self->chosen)
-            g_array_append_val(others, g_array_index(self->together, gsize, i));
+    for (guint i = 0; i < self->together->len; i++) {
+        const gsize light = g_array_index(self->together, gsize, i);
+        char *aimed = type ? aimed_part(self, light) : NULL;
+        can_aim = can_aim || aimed;
+        g_free(aimed);
+        if (light != self->chosen)
+            g_array_append_val(others, light);
+    }
     char *several = g_strdup_printf(
         ngettext("%u source is changed", "%u sources are changed together", others->len + 1), others->len + 1);
     gtk_label_set_text(GTK_LABEL(self->several), others->len > 0 ? several : "");
@@ -180,10 +203,9 @@ static void show_chosen(AppSources *self)
     app_form_set_others(APP_FORM(self->form), (const gsize *)(const void *)others->data, others->len);
     g_free(several);
     g_array_unref(others);
-    gtk_widget_set_sensitive(self->aim, aimed != NULL);
+    gtk_widget_set_sensitive(self->aim, can_aim);
     show_diagram(self, type);
     g_free(type);
-    g_free(aimed);
 }
 
 /* The list shows what is chosen. */
@@ -254,6 +276,19 @@ static void rows_selected(GtkListBox *list, AppSources *self)
     g_array_unref(self->together);
     self->together = together;
     show_chosen(self);
+    g_signal_emit(self, signals[CHOSEN], 0, (guint)self->chosen);
+}
+
+/* A finger chooses one alone, as the mouse does, where GTK would take one more in. */
+static void row_tapped(GtkGestureClick *gesture, int count, double x, double y, AppSources *self)
+{
+    GtkListBoxRow *row = gtk_list_box_get_row_at_y(GTK_LIST_BOX(self->list), (int)y);
+    (void)count;
+    (void)x;
+    if (!row)
+        return;
+    gtk_gesture_set_state(GTK_GESTURE(gesture), GTK_EVENT_SEQUENCE_CLAIMED);
+    app_sources_choose(self, (gsize)gtk_list_box_row_get_index(row));
     g_signal_emit(self, signals[CHOSEN], 0, (guint)self->chosen);
 }
 
@@ -425,17 +460,25 @@ void app_sources_move(AppSources *self, int step)
     g_signal_emit(self, signals[CHOSEN], 0, (guint)self->chosen);
 }
 
+/* All that are chosen and can be aimed. */
 void app_sources_aim(AppSources *self)
 {
-    char *aimed = aimed_part(self), *center = app_document_get(self->document, "surfaces[0].center", NULL);
-    char *axis = g_strconcat(aimed, ".axis", NULL), *aim = g_strconcat(aimed, ".aim", NULL); /* NULL stays NULL */
-    const AppEdit edits[] = {{.kind = APP_EDIT_REMOVE, .key = axis},
-                             {.kind = APP_EDIT_SET, .key = aim, .value = center}};
-    if (aimed && center)
-        app_document_edit(self->document, edits, G_N_ELEMENTS(edits), "lights", NULL);
-    g_free(aimed);
-    g_free(axis);
-    g_free(aim);
+    char *center = app_document_get(self->document, "surfaces[0].center", NULL);
+    AppEdits *edits = app_edits_new();
+    for (guint i = 0; i < self->together->len && center; i++) {
+        char *aimed = aimed_part(self, g_array_index(self->together, gsize, i));
+        char *axis = g_strconcat(aimed, ".axis", NULL), *aim = g_strconcat(aimed, ".aim", NULL); /* NULL stays NULL */
+        if (aimed) {
+            app_edits_add(edits, APP_EDIT_REMOVE, axis, NULL, 0, 0);
+            app_edits_add(edits, APP_EDIT_SET, aim, center, 0, 0);
+        }
+        g_free(aimed);
+        g_free(axis);
+        g_free(aim);
+    }
+    if (edits->list->len > 0)
+        app_edits_make(edits, self->document, NULL);
+    app_edits_free(edits);
     g_free(center);
 }
 
@@ -448,27 +491,6 @@ void app_sources_end_solo(AppSources *self)
     app_sources_refresh(self);
 }
 
-/* Strength and attenuation of the chosen source, if it is a point; else those of the exercise. */
-static char *rest_of_point(AppSources *self)
-{
-    static const char *const copied[] = {"intensity", "power", "attenuation", "k", "coefficients"};
-    GString *rest = g_string_new(NULL);
-    char *type = get(self, self->chosen, "type");
-    for (gsize i = 0; i < G_N_ELEMENTS(copied) && g_strcmp0(type, "point") == 0; i++) {
-        gboolean written;
-        char *key = g_strdup_printf("lights[%zu].%s", self->chosen, copied[i]);
-        char *value = app_document_get(self->document, key, &written);
-        if (written)
-            g_string_append_printf(rest, ", %s: %s", copied[i], value);
-        g_free(value);
-        g_free(key);
-    }
-    if (rest->len == 0)
-        g_string_append(rest, ", intensity: 10, attenuation: none");
-    g_free(type);
-    return g_string_free(rest, FALSE);
-}
-
 char *app_sources_paste(AppSources *self, const char *text)
 {
     gsize count;
@@ -477,20 +499,12 @@ char *app_sources_paste(AppSources *self, const char *text)
     if (!places)
         return fault;
     AppEdits *edits = app_edits_new();
-    char *rest = rest_of_point(self);
-    gsize at = behind_chosen(self);
-    for (gsize i = 0; i < count; i++) {
-        char *place = app_list_write(&places[3 * i], 3);
-        char *yaml = g_strdup_printf("{type: point, position: %s%s}", place, rest);
-        app_edits_add(edits, APP_EDIT_INSERT, "lights", yaml, at + i, 0);
-        g_free(yaml);
-        g_free(place);
-    }
+    const gsize at = behind_chosen(self);
+    app_new_points(self->document, places, count, self->chosen, at, edits);
     app_sources_end_solo(self);
     if (app_edits_make(edits, self->document, NULL))
         app_sources_choose(self, at + count - 1);
     app_edits_free(edits);
-    g_free(rest);
     g_free(places);
     return NULL;
 }
@@ -558,6 +572,12 @@ GtkWidget *app_sources_new(AppDocument *document, const luxel_parameters *parame
     gtk_widget_add_css_class(self->list, "frame");
     gtk_accessible_update_property(GTK_ACCESSIBLE(self->list), GTK_ACCESSIBLE_PROPERTY_LABEL, _("Sources"), -1);
     gtk_list_box_set_selection_mode(GTK_LIST_BOX(self->list), GTK_SELECTION_MULTIPLE);
+    /* else a click takes one more in, as with Ctrl */
+    gtk_list_box_set_activate_on_single_click(GTK_LIST_BOX(self->list), FALSE);
+    GtkGesture *tap = gtk_gesture_click_new();
+    gtk_gesture_single_set_touch_only(GTK_GESTURE_SINGLE(tap), TRUE);
+    g_signal_connect(tap, "released", G_CALLBACK(row_tapped), self);
+    gtk_widget_add_controller(self->list, GTK_EVENT_CONTROLLER(tap));
     g_signal_connect(self->list, "selected-rows-changed", G_CALLBACK(rows_selected), self);
     self->several = gtk_label_new(NULL);
     gtk_label_set_xalign(GTK_LABEL(self->several), 0);

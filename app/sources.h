@@ -21,8 +21,9 @@ void app_sources_refresh(AppSources *self);
 /* Chooses one source alone; or takes one more in, or one out, of which one stays. */
 void app_sources_choose(AppSources *self, gsize index);
 void app_sources_toggle(AppSources *self, gsize index);
-/* All that are chosen, rising (gsize); they are changed together. */
+/* All that are chosen, rising (gsize); they are changed together.  Which of them the form shows. */
 const GArray *app_sources_chosen(const AppSources *self);
+gsize app_sources_shown(const AppSources *self);
 /* Which row is lit up, as the pointer is on its mark; -1: none. */
 void app_sources_hover(AppSources *self, gssize index);
 /* Dims what the sources give: it is of an earlier scene. */

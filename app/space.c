@@ -314,7 +314,7 @@ static gboolean set_direction(const AppThing *thing, const double to_mm[3], AppD
     return done;
 }
 
-static gboolean set_place(const AppThing *thing, AppProjection projection, const double to_mm[3], double grain_mm,
+static gboolean set_place(AppThing *thing, AppProjection projection, const double to_mm[3], double grain_mm,
                           AppDocument *document)
 {
     const int up = app_projection_up(projection);
@@ -328,6 +328,8 @@ static gboolean set_place(const AppThing *thing, AppProjection projection, const
     place[up] = round_to(to_mm[up], grain_mm);
     char *list = app_list_write(place, 3);
     const gboolean done = app_document_set(document, thing->key, list, NULL);
+    if (done)
+        memcpy(thing->at_mm, place, sizeof place);
     g_free(list);
     return done;
 }

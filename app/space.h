@@ -68,7 +68,8 @@ void app_space_view(const AppSpace *space, const double place_mm[3], double view
 
 /*
  * Moves a thing: the coordinates of the projection become those of `to_mm`, rounded to `grain_mm`, the third one stays.
- * Corners are moved by as much as the thing, whose at_mm follows.  FALSE where it cannot be moved so.
+ * Corners are moved by as much as the thing.  The at_mm of what stands at a place follows.  FALSE where it cannot be
+ * moved so.
  */
 gboolean app_space_move(AppThing *thing, AppProjection projection, const double to_mm[3], double grain_mm,
                         AppDocument *document);

@@ -6,12 +6,13 @@
 #include <string.h>
 
 #include "../front/words.h"
+#include "marks.h"
 #include "number.h"
 #include "stage_private.h"
 
-enum { MARGIN = 20, REACH = 14, LEAST_SIDE = 40 };
+enum { MARGIN = 20, REACH = 14, LEAST_SIDE = 40, STILL = 4 /* within which a press with Ctrl or Shift is no drag */ };
 
-enum { SELECTED, HOVERED, SIGNALS };
+enum { SELECTED, HOVERED, TOGGLED, SIGNALS };
 static guint signals[SIGNALS];
 
 G_DEFINE_FINAL_TYPE(AppStage, app_stage, GTK_TYPE_WIDGET)
@@ -55,6 +56,21 @@ static void read_space(AppStage *self)
         return;
     self->space = app_space_new(self->moment->scene);
     fit(self);
+}
+
+/* ---- which are chosen ---- */
+
+gboolean app_stage_is_chosen(const AppStage *self, gsize light)
+{
+    for (guint i = 0; i < self->chosen->len; i++)
+        if (g_array_index(self->chosen, gsize, i) == light)
+            return TRUE;
+    return FALSE;
+}
+
+static gboolean is_lamp(const AppThing *thing)
+{
+    return thing->kind == APP_THING_LAMP || thing->kind == APP_THING_DIRECTION;
 }
 
 /* ---- the hand ---- */
@@ -114,8 +130,14 @@ static void pointer_left(GtkEventControllerMotion *controller, AppStage *self)
         tell_hovered(self, &none);
 }
 
+static void select_thing(AppStage *self)
+{
+    g_signal_emit(self, signals[SELECTED], 0, (int)self->thing.kind, (guint)self->thing.index);
+}
+
 static void drag_begin(GtkGestureDrag *gesture, double x, double y, AppStage *self)
 {
+    const GdkModifierType state = gtk_event_controller_get_current_event_state(GTK_EVENT_CONTROLLER(gesture));
     AppThing thing;
     gtk_widget_grab_focus(GTK_WIDGET(self));
     if (self->is_stale || !thing_at(self, x, y, &thing)) {
@@ -126,8 +148,12 @@ static void drag_begin(GtkGestureDrag *gesture, double x, double y, AppStage *se
     self->projection = projection_at(self, y);
     memcpy(self->start_mm, thing.at_mm, sizeof self->start_mm);
     self->is_held = TRUE;
+    self->has_moved = FALSE;
+    self->is_toggling = is_lamp(&thing) && (state & (GDK_CONTROL_MASK | GDK_SHIFT_MASK));
+    self->was_chosen = is_lamp(&thing) && self->chosen->len > 1 && app_stage_is_chosen(self, thing.index);
     app_document_begin_gesture(self->document);
-    g_signal_emit(self, signals[SELECTED], 0, (int)thing.kind, (guint)thing.index);
+    if (!self->was_chosen && !self->is_toggling)
+        select_thing(self);
 }
 
 /* A power of ten below what a pixel shows; a round step of some eight pixels where numbers are to be round. */
@@ -140,17 +166,41 @@ static double grain_of(const AppStage *self, GdkModifierType state)
     return power * (share < 2 ? 2 : share < 5 ? 5 : 10);
 }
 
+/* Moves the thing that is held, and with a lamp the others that are chosen, as one step of undo. */
+static void move_held(AppStage *self, const double to_mm[3], double grain_mm)
+{
+    AppThing *thing = &self->thing;
+    const gboolean several = self->was_chosen && thing->kind == APP_THING_LAMP;
+    double step[3];
+    memcpy(step, thing->at_mm, sizeof step);
+    app_document_set_topic(self->document, several ? "lights" : NULL);
+    if (app_space_move(thing, self->projection, to_mm, grain_mm, self->document) && several) {
+        for (int k = 0; k < 3; k++)
+            step[k] = thing->at_mm[k] - step[k];
+        for (guint i = 0; i < self->chosen->len; i++) {
+            const AppMark mark = {.kind = APP_MARK_SOURCE, .index = g_array_index(self->chosen, gsize, i)};
+            if (mark.index != thing->index) /* light that stands nowhere stays */
+                app_mark_shift(&mark, step, self->document);
+        }
+    }
+    app_document_set_topic(self->document, NULL);
+}
+
 static void drag_update(GtkGestureDrag *gesture, double dx, double dy, AppStage *self)
 {
     const GdkModifierType state = gtk_event_controller_get_current_event_state(GTK_EVENT_CONTROLLER(gesture));
     const double gain = ((state & GDK_SHIFT_MASK) ? 0.1 : 1) / self->map.scale;
     double to[3];
-    if (!self->is_held)
+    if (!self->is_held || (self->is_toggling && hypot(dx, dy) < STILL))
         return;
+    if (self->is_toggling && !self->was_chosen) /* it is a drag, which chooses nothing but what it moves */
+        select_thing(self);
+    self->is_toggling = FALSE;
+    self->has_moved = TRUE;
     memcpy(to, self->start_mm, sizeof to);
     to[0] += dx * gain;
     to[app_projection_up(self->projection)] -= dy * gain;
-    app_space_move(&self->thing, self->projection, to, grain_of(self, state), self->document);
+    move_held(self, to, grain_of(self, state));
 }
 
 static void drag_end(GtkGestureDrag *gesture, double dx, double dy, AppStage *self)
@@ -162,6 +212,10 @@ static void drag_end(GtkGestureDrag *gesture, double dx, double dy, AppStage *se
         return;
     self->is_held = FALSE;
     app_document_end_gesture(self->document);
+    if (!self->has_moved && self->is_toggling)
+        g_signal_emit(self, signals[TOGGLED], 0, (guint)self->thing.index);
+    else if (!self->has_moved && self->was_chosen)
+        select_thing(self);
     fit(self);
     gtk_widget_queue_draw(GTK_WIDGET(self));
 }
@@ -207,9 +261,11 @@ void app_stage_set_moment(AppStage *self, AppMoment *moment)
     gtk_widget_queue_draw(GTK_WIDGET(self));
 }
 
-void app_stage_select(AppStage *self, gssize light)
+void app_stage_choose(AppStage *self, const GArray *lights, gsize selected)
 {
-    self->selected = light;
+    self->selected = (gssize)selected;
+    g_array_set_size(self->chosen, 0);
+    g_array_append_vals(self->chosen, lights->data, lights->len);
     gtk_widget_queue_draw(GTK_WIDGET(self));
 }
 
@@ -281,10 +337,17 @@ static void app_stage_dispose(GObject *object)
     G_OBJECT_CLASS(app_stage_parent_class)->dispose(object);
 }
 
+static void app_stage_finalize(GObject *object)
+{
+    g_array_unref(APP_STAGE(object)->chosen);
+    G_OBJECT_CLASS(app_stage_parent_class)->finalize(object);
+}
+
 static void app_stage_class_init(AppStageClass *class)
 {
     GtkWidgetClass *widget = GTK_WIDGET_CLASS(class);
     G_OBJECT_CLASS(class)->dispose = app_stage_dispose;
+    G_OBJECT_CLASS(class)->finalize = app_stage_finalize;
     widget->snapshot = app_stage_snapshot;
     widget->size_allocate = app_stage_size_allocate;
     widget->map = app_stage_map;
@@ -294,6 +357,8 @@ static void app_stage_class_init(AppStageClass *class)
                                      G_TYPE_INT, G_TYPE_UINT);
     signals[HOVERED] = g_signal_new("hovered", APP_TYPE_STAGE, G_SIGNAL_RUN_LAST, 0, NULL, NULL, NULL, G_TYPE_NONE, 2,
                                     G_TYPE_INT, G_TYPE_UINT);
+    signals[TOGGLED] =
+        g_signal_new("toggled", APP_TYPE_STAGE, G_SIGNAL_RUN_LAST, 0, NULL, NULL, NULL, G_TYPE_NONE, 1, G_TYPE_UINT);
 }
 
 static void app_stage_init(AppStage *self)
@@ -302,6 +367,7 @@ static void app_stage_init(AppStage *self)
     GtkEventController *motion = gtk_event_controller_motion_new();
     GtkGesture *drag = gtk_gesture_drag_new();
     self->selected = self->hovered = -1;
+    self->chosen = g_array_new(FALSE, FALSE, sizeof(gsize));
     gtk_widget_set_focusable(widget, TRUE);
     gtk_widget_set_hexpand(widget, TRUE);
     gtk_widget_set_vexpand(widget, TRUE);

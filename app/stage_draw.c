@@ -60,8 +60,8 @@ static void set_look(const Sheet *sheet, const AppLine *line)
     static const double dashes[] = {3, 3};
     cairo_t *cairo = sheet->cairo;
     const AppStage *stage = sheet->stage;
-    const gboolean is_chosen = line->kind == APP_LINE_LAMP &&
-                               ((gssize)line->index == stage->selected || (gssize)line->index == stage->hovered);
+    const gboolean is_chosen = line->kind == APP_LINE_LAMP && (app_stage_is_chosen(stage, line->index) ||
+                                                               (gssize)line->index == stage->hovered);
     cairo_set_line_width(cairo, is_chosen ? 2.2 : 1.3);
     cairo_set_dash(cairo, dashes, line->kind == APP_LINE_SIGHT ? 2 : 0, 0);
     switch (line->kind) {
@@ -166,7 +166,7 @@ static void draw_badge(const Sheet *sheet, const AppThing *thing, const double a
 {
     const AppStage *stage = sheet->stage;
     const AppBadge badge = {
-        .light = thing->index, .is_on = thing->is_on, .selected = (gssize)thing->index == stage->selected};
+        .light = thing->index, .is_on = thing->is_on, .selected = app_stage_is_chosen(stage, thing->index)};
     cairo_save(sheet->cairo);
     cairo_translate(sheet->cairo, at[0], at[1]);
     app_lamp_draw_badge(sheet->cairo, &badge);

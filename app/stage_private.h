@@ -22,6 +22,10 @@ struct _AppStage {
     gboolean is_held; /* something is dragged: the map stays */
     gboolean is_stale;
     gssize selected, hovered; /* lights */
+    GArray *chosen;           /* gsize: the lights that are chosen together, the selected one among them */
+    gboolean was_chosen;      /* what was pressed, with others */
+    gboolean is_toggling;     /* pressed to be chosen beside the others, or no longer */
+    gboolean has_moved;       /* since it was pressed */
     AppThing thing;           /* that is held, or that the pointer is on */
     AppProjection projection; /* in which it is */
     double start_mm[3];       /* where it was taken */
@@ -30,6 +34,7 @@ struct _AppStage {
 };
 
 /* stage.c */
+gboolean app_stage_is_chosen(const AppStage *self, gsize light);
 void app_stage_place(const AppStageMap *map, AppProjection projection, const double place_mm[3], double at[2]);
 /* stage_draw.c */
 void app_stage_draw(AppStage *self, cairo_t *cairo, double width, double height);

@@ -133,13 +133,23 @@ static void show_surface(AppWindow *self)
     g_free(key);
 }
 
+/* The chosen sources are marked on the picture and in space; the formula is that of the one that the form shows. */
+static void show_chosen(AppWindow *self)
+{
+    const GArray *chosen = app_sources_chosen(APP_SOURCES(self->sources));
+    const gsize shown = app_sources_shown(APP_SOURCES(self->sources));
+    app_view_choose(self->view, chosen);
+    app_stage_choose(APP_STAGE(self->stage), chosen, shown);
+    app_why_choose(APP_WHY(self->why), shown);
+}
+
 static void document_changed(AppWindow *self)
 {
     app_form_refresh(APP_FORM(self->screen_form));
     app_form_refresh(APP_FORM(self->picture_form));
     show_surface(self);
     app_sources_refresh(APP_SOURCES(self->sources));
-    app_view_choose(self->view, app_sources_chosen(APP_SOURCES(self->sources)));
+    show_chosen(self);
     app_points_refresh(APP_POINTS(self->points));
     app_window_update_actions(self);
     app_window_update_hint(self);
@@ -171,27 +181,20 @@ static void view_pointed(AppView *view, double x_mm, double y_mm, gboolean insid
     app_window_ask_pointer(self);
 }
 
-/* The chosen source is marked in space, and is the one whose formula is shown. */
-static void choose_light(AppWindow *self, gsize index)
-{
-    app_view_choose(self->view, app_sources_chosen(APP_SOURCES(self->sources)));
-    app_stage_select(APP_STAGE(self->stage), (gssize)index);
-    app_why_choose(APP_WHY(self->why), index);
-}
-
 static void view_selected(AppView *view, int kind, guint index, AppWindow *self)
 {
     (void)view;
     if (kind == APP_MARK_SOURCE) {
         app_sources_choose(APP_SOURCES(self->sources), index);
-        choose_light(self, index);
+        show_chosen(self);
     } else if (kind == APP_MARK_SURFACE)
         gtk_drop_down_set_selected(GTK_DROP_DOWN(self->surface_list), index);
 }
 
-static void view_toggled(AppView *view, guint index, AppWindow *self)
+/* On the picture or in space. */
+static void source_toggled(GtkWidget *where, guint index, AppWindow *self)
 {
-    (void)view;
+    (void)where;
     app_sources_toggle(APP_SOURCES(self->sources), index);
 }
 
@@ -221,7 +224,7 @@ static void stage_selected(AppStage *stage, int kind, guint index, AppWindow *se
     if (is_of_lamp(kind)) {
         app_sources_choose(APP_SOURCES(self->sources), index);
         app_view_select(self->view, APP_MARK_SOURCE, index);
-        choose_light(self, index);
+        show_chosen(self);
     } else if (kind == APP_THING_SURFACE)
         gtk_drop_down_set_selected(GTK_DROP_DOWN(self->surface_list), index);
 }
@@ -259,7 +262,7 @@ static void source_chosen(AppSources *sources, guint index, AppWindow *self)
 {
     (void)sources;
     app_view_select(self->view, APP_MARK_SOURCE, index);
-    choose_light(self, index);
+    show_chosen(self);
 }
 
 static void solo_changed(AppSources *sources, int index, AppWindow *self)
@@ -381,10 +384,11 @@ static void connect_parts(AppWindow *self)
     g_signal_connect_object(self->document, "renamed", G_CALLBACK(document_renamed), self, G_CONNECT_SWAPPED);
     g_signal_connect(self->view, "pointed", G_CALLBACK(view_pointed), self);
     g_signal_connect(self->view, "selected", G_CALLBACK(view_selected), self);
-    g_signal_connect(self->view, "toggled", G_CALLBACK(view_toggled), self);
+    g_signal_connect(self->view, "toggled", G_CALLBACK(source_toggled), self);
     g_signal_connect(self->view, "hovered", G_CALLBACK(view_hovered), self);
     g_signal_connect(self->sources, "hovered", G_CALLBACK(list_hovered), self);
     g_signal_connect(self->stage, "selected", G_CALLBACK(stage_selected), self);
+    g_signal_connect(self->stage, "toggled", G_CALLBACK(source_toggled), self);
     g_signal_connect(self->stage, "hovered", G_CALLBACK(stage_hovered), self);
     g_signal_connect(self->view, "section-moved", G_CALLBACK(section_moved), self);
     g_signal_connect_swapped(self->view, "framed", G_CALLBACK(app_window_ask_picture), self);
@@ -426,7 +430,7 @@ AppWindow *app_window_new(AppApplication *application)
     document_renamed(self);
     app_window_ask_picture(self);
     app_view_select(self->view, APP_MARK_SOURCE, 0);
-    choose_light(self, 0);
+    show_chosen(self);
     if (app_pulse_is_on())
         self->pulse_timer = g_timeout_add(PULSE_MS, show_pulse, self);
     gtk_widget_grab_focus(GTK_WIDGET(self->view));

@@ -163,16 +163,19 @@ def lights(window):
             for place, intensity in LIGHT.findall(window.save())]
 
 
+def scene_of(desk, *lamps):
+    """A window of the lab report's sphere under other lamps, each a mapping of YAML."""
+    path = desk.path("lamps.yaml")
+    head, rest = luxel("scene", "report").split(b"lights:\n")
+    with open(path, "wb") as file:
+        file.write(head + b"lights:\n" + b"".join(b"  - {%s}\n" % lamp for lamp in lamps) + rest.split(b"\n", 1)[1])
+    return desk.start(path).window()
+
+
 def three_in_view(desk):
     """A scene of three point sources that are all seen, and the window of it."""
-    path = desk.path("three.yaml")
-    text = luxel("scene", "report")
-    head, rest = text.split(b"lights:\n")
-    lamps = [b"  - {type: point, position: [%d, %d, 2000], intensity: %d, attenuation: none}\n" % lamp
-             for lamp in ((-100, 100, 3), (120, 60, 4), (0, -150, 5))]
-    with open(path, "wb") as file:
-        file.write(head + b"lights:\n" + b"".join(lamps) + rest.split(b"\n", 1)[1])
-    return desk.start(path).window()
+    return scene_of(desk, *(b"type: point, position: [%d, %d, 2000], intensity: %d, attenuation: none" % lamp
+                            for lamp in ((-100, 100, 3), (120, 60, 4), (0, -150, 5))))
 
 
 def chosen(window):
@@ -183,11 +186,18 @@ def several_by_list(tap, desk):
     window = three_in_view(desk)
     before = window.save()
     rows = list(window.widget.find("list").all("list item"))
+    window.click(rows[1])
+    wait("the second", lambda: chosen(window) == [False, True, False])
     window.click(rows[0])
+    tap.ok(wait("the first", lambda: chosen(window) == [True, False, False]), "a click chooses one alone")
     desk.move(*window.place(rows[2]))
     desk.hand("keydown", "ctrl", "click", "1", "keyup", "ctrl")
     tap.ok(wait("two", lambda: chosen(window) == [True, False, True]), "Ctrl and a click choose one more source")
     tap.ok(wait("how many", lambda: window.says("2 sources")), "which is said above the form")
+    desk.hand("keydown", "ctrl", "click", "1", "keyup", "ctrl")
+    tap.ok(wait("one", lambda: chosen(window) == [True, False, False]), "and once more, that it is no longer")
+    desk.hand("keydown", "ctrl", "click", "1", "keyup", "ctrl")
+    wait("two", lambda: chosen(window) == [True, False, True])
     window.enter("Intensity", "7")
     tap.ok(wait("both", lambda: [one[1] for one in lights(window)] == [7, 4, 7]), "a number that is typed is both's")
     window.act("undo")
@@ -231,5 +241,32 @@ def several_by_marks(tap, desk):
     tap.ok(wait("one", lambda: chosen(window) == [True, False, False]), "one more click takes the mark out")
 
 
+def several_at_once(tap, desk):
+    """The box of a chosen row is that of all that are chosen, and so is "aim"; each is one step of undo."""
+    spot = b"type: spot, position: [%d, 0, 2000], axis: [0, 0, -1], inner: 10, outer: 20, intensity: 9"
+    window = scene_of(desk, spot % -100, b"type: point, position: [0, 0, 2000], intensity: 9", spot % 100)
+    wait("three", lambda: len(window.sources()) == 3)
+    before = window.save()
+    rows = list(window.widget.find("list").all("list item"))
+    window.click(rows[0])
+    wait("one", lambda: chosen(window) == [True, False, False])
+    desk.move(*window.place(rows[2]))
+    desk.hand("keydown", "ctrl", "click", "1", "keyup", "ctrl")
+    wait("both", lambda: chosen(window) == [True, False, True])
+    window.click(window.control("checkbox", "Source 1 on"))
+    tap.ok(wait("both off", lambda: window.save().count(b"enabled: false") == 2), "both are switched off by one box")
+    window.act("undo")
+    tap.ok(wait("as before", lambda: window.save() == before), "in one step of undo")
+    window.click(window.control("checkbox", "Source 2 on"))
+    tap.ok(wait("one off", lambda: window.save().count(b"enabled: false") == 1), "the box of another row is its own")
+    window.act("undo")
+    wait("as before", lambda: window.save() == before)
+    window.press("Aim the source at the surface")
+    tap.ok(wait("both aimed", lambda: window.save().count(b"aim: [0, 0, 1000]") == 2), "both are aimed at the surface")
+    tap.ok(b"axis" not in window.save(), "instead of along an axis")
+    window.act("undo")
+    tap.ok(wait("as before", lambda: window.save() == before), "in one step of undo, too")
+
+
 trial(other_type, another_key, list_of_sources, every_kind, names_of_quantities, on_off_alone, aimed,
-      several_by_list, several_by_marks)
+      several_by_list, several_by_marks, several_at_once)

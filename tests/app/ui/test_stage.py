@@ -31,6 +31,13 @@ def resting(desk, window):
     return before if badges(desk, window)[0] == before else None
 
 
+def places(window):
+    """Where all sources are: a position, or the centre of a rectangle."""
+    lamps = re.search(rb"lights:(.*)", window.save(), re.S).group(1)
+    found = re.findall(rb"(?:position|center): \[([^\]]*)\]", lamps)
+    return [[float(number) for number in place.split(b",")] for place in found][:2]
+
+
 def place(window):
     return tuple(map(float, POSITION.search(window.save()).groups()))
 
@@ -56,6 +63,43 @@ def drags(tap, desk):
               "a drag is one step of undo")
     window.act("undo")
     tap.equal(place(window), start, "each of them")
+
+
+def together(tap, desk):
+    """Lamps that are chosen together are moved together, in the plan and in the elevation."""
+    path = desk.path("lamps.yaml")
+    luxel("set", "report", "-s", "lights[0].position=[900, 400, 1900]", "-o", path)
+    window = desk.start(path).window()
+    window.act("source-add", "planar")
+    wait("two sources", lambda: len(window.sources()) == 2)
+    rows = list(window.widget.find("list").all("list item"))
+    window.click(rows[1])
+    chosen = lambda: [row.has("selected") for row in window.widget.find("list").all("list item")]
+    wait("the second", lambda: chosen() == [False, True])
+    before = places(window)
+    plan = wait("badges that rest", lambda: resting(desk, window))
+    desk.move(*plan)
+    desk.hand("keydown", "ctrl", "click", "1", "keyup", "ctrl")
+    tap.ok(wait("both", lambda: chosen() == [True, True]), "Ctrl and a click choose one more lamp in the plan")
+    tap.equal(places(window), before, "and move nothing")
+    desk.drag(plan, (plan[0] - 24, plan[1] - 12))
+    moved = wait("new places", lambda: places(window) if places(window) != before else None)
+    ways = [[moved[i][k] - before[i][k] for k in range(3)] for i in range(2)]
+    tap.ok(ways[0][0] < 0 < ways[0][1] and ways[0][2] == 0, "a drag in the plan moves the lamp", ways)
+    tap.ok(all(abs(ways[0][k] - ways[1][k]) < 1e-5 for k in range(3)), "and the other as far", ways)
+    tap.equal(chosen(), [True, True], "both stay chosen")
+    window.act("undo")
+    tap.ok(wait("as before", lambda: places(window) == before), "which is one step of undo")
+    elevation = wait("badges that rest", lambda: resting(desk, window) and badges(desk, window)[1])
+    desk.drag(elevation, (elevation[0], elevation[1] - 20))
+    raised = wait("new heights", lambda: places(window) if places(window) != before else None)
+    rises = [raised[i][2] - before[i][2] for i in range(2)]
+    tap.ok(rises[0] > 0 and abs(rises[0] - rises[1]) < 1e-5, "a drag in the elevation raises both", rises)
+    window.act("undo")
+    wait("as before", lambda: places(window) == before)
+    plan = wait("badges that rest", lambda: resting(desk, window))
+    desk.click(*plan)
+    tap.ok(wait("one", lambda: chosen() == [True, False]), "a click chooses the one alone")
 
 
 def lights_up(tap, desk):
@@ -99,4 +143,4 @@ def why(tap, desk):
            "one click away is the whole calculation")
 
 
-trial(drags, lights_up, why)
+trial(drags, together, lights_up, why)
