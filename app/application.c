@@ -11,6 +11,7 @@
 #include "../front/words.h"
 #include "document.h"
 #include "pulse.h"
+#include "touch.h"
 #include "window.h"
 
 struct _AppApplication {
@@ -148,6 +149,7 @@ static void app_application_startup(GApplication *application)
         g_action_group_change_action_state(G_ACTION_GROUP(self), "color-scheme", scheme);
         g_variant_unref(scheme);
     }
+    app_touch_begin(GTK_APPLICATION(self), self->settings);
     gtk_window_set_default_icon_name("org.luxel.Luxel");
     g_unix_signal_add(SIGINT, interrupted, self);
     g_unix_signal_add(SIGTERM, interrupted, self);

@@ -10,13 +10,13 @@
 
 #include "../front/words.h"
 #include "number.h"
+#include "touch.h"
 #include "row.h"
 
 enum {
     INSET = 22, /* of the bar at both ends: half a finger */
     ABOVE = 17, /* the room for the isophotes' values */
     BAR = 16,
-    FINGER = 44,
     HEIGHT = 72,
     LEAST_WIDTH = 150,
     LETTERS = 11,
@@ -470,7 +470,7 @@ static gboolean place_child(GtkOverlay *overlay, GtkWidget *child, GdkRectangle 
     const End end = end_of(self, child);
     if (end == NO_END)
         return FALSE;
-    *place = (GdkRectangle){end == END_HIGH ? width - FINGER : 0, 0, FINGER, FINGER};
+    *place = (GdkRectangle){end == END_HIGH ? width - APP_FINGER : 0, 0, APP_FINGER, APP_FINGER};
     return TRUE;
 }
 
@@ -525,7 +525,7 @@ static void make_bar(AppDial *self)
 static GtkWidget *new_toggle(const char *name, const char *meaning, GCallback toggled, AppDial *self)
 {
     GtkWidget *button = gtk_toggle_button_new();
-    gtk_widget_set_size_request(button, FINGER, FINGER);
+    gtk_widget_set_size_request(button, APP_FINGER, APP_FINGER);
     gtk_widget_add_css_class(button, "flat");
     gtk_widget_set_tooltip_text(button, meaning);
     app_name_control(button, name);

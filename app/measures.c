@@ -202,6 +202,7 @@ static void free_measures(gpointer data)
     app_curve_free(measures->curves[1]);
     luxel_histogram_free(measures->histogram);
     luxel_isophotes_free(measures->isophotes);
+    luxel_balance_free(measures->balance);
     g_free(measures);
 }
 
@@ -305,6 +306,23 @@ static void measure_statistics(AppRunner *runner, const AppQuestion *question, c
     app_runner_report(runner, measures);
 }
 
+/* The balance of the flux, which takes as long as the picture. */
+static void measure_balance(AppRunner *runner, const AppQuestion *question, Kept *kept)
+{
+    const luxel_statistics *statistics = luxel_field_statistics(question->shot->field);
+    if (!statistics->has_reflected || question->minus || app_runner_is_outdated(runner))
+        return;
+    luxel_settings settings = settings_of(question->shot, kept);
+    luxel_balance *balance = NULL;
+    const luxel_status status = luxel_find_balance(question->shot->moment->scene, &settings, NULL, &balance);
+    if (status == LUXEL_CANCELLED)
+        return;
+    AppMeasures *measures = new_measures(question);
+    measures->has_balance = TRUE;
+    measures->balance = status == LUXEL_OK ? balance : NULL;
+    app_runner_report(runner, measures);
+}
+
 static void measure_isophotes(AppRunner *runner, const AppQuestion *question)
 {
     double levels[MOST_LEVELS];
@@ -330,8 +348,10 @@ static void answer(AppRunner *runner, gpointer job, gpointer state)
         return;
     if (question->isophotes && !question->minus)
         measure_isophotes(runner, question);
-    if (evaluator && question->statistics && !app_runner_rest(runner, REST_MS))
+    if (evaluator && question->statistics && !app_runner_rest(runner, REST_MS)) {
         measure_statistics(runner, question, evaluator, &both->shot);
+        measure_balance(runner, question, &both->shot);
+    }
 }
 
 static void free_question(gpointer data)

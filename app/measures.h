@@ -16,7 +16,7 @@ typedef struct AppQuestion {
     AppShot *live;    /* that the sources are told of */
     gboolean section; /* the profiles through section_mm */
     double section_mm[2];
-    gboolean statistics; /* summary, extrema, histogram */
+    gboolean statistics; /* summary, extrema, histogram, and of surfaces that reflect light the balance */
     gboolean isophotes;  /* lines at levels of the range low to high */
     double low, high;
     gboolean logarithmic; /* histogram and levels */
@@ -58,6 +58,8 @@ typedef struct AppMeasures {
     luxel_histogram *histogram;
     gboolean has_isophotes;
     luxel_isophotes *isophotes;
+    gboolean has_balance;
+    luxel_balance *balance; /* NULL: it could not be found */
 } AppMeasures;
 
 enum { APP_MOST_POINTS = 200 };

@@ -93,6 +93,19 @@ const char *app_number_plain(double value, int digits, char text[APP_NUMBER_SIZE
     return app_number_write(g_ascii_strtod(app_number_round(value, digits, text), NULL), text);
 }
 
+const char *app_amount_write(double value, double error, char text[APP_AMOUNT_SIZE])
+{
+    enum { DIGITS = 7 };
+    char number[APP_NUMBER_SIZE], bound[APP_NUMBER_SIZE];
+    const double last = error > 0 ? pow(10, floor(log10(error)) - 1) : 0;
+    app_number_round(last > 0 ? round(value / last) * last : value, DIGITS, number);
+    const double whole = error + fabs(g_ascii_strtod(number, NULL) - value);
+    const double grain = whole > 0 ? pow(10, floor(log10(whole)) - 1) : 0;
+    app_number_round(grain > 0 ? ceil(whole / grain * (1 - 1e-12)) * grain : 0, 2, bound);
+    g_snprintf(text, APP_AMOUNT_SIZE, "%s ± %s", number, bound);
+    return text;
+}
+
 const char *app_number_place(double value, double size, char text[APP_NUMBER_SIZE])
 {
     const double grain = size > 0 ? pow(10, floor(log10(size)) - 6) : 0;

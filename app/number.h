@@ -26,6 +26,13 @@ const char *app_number_round(double value, int digits, char text[APP_NUMBER_SIZE
 const char *app_number_plain(double value, int digits, char text[APP_NUMBER_SIZE]);
 
 /*
+ * Writes a number with the bound of its error, "208.33 ± 0.086": no digits beyond those of the bound, which is rounded
+ * up and covers the rounding of the number; returns `text`.
+ */
+enum { APP_AMOUNT_SIZE = 2 * APP_NUMBER_SIZE + 8 };
+const char *app_amount_write(double value, double error, char text[APP_AMOUNT_SIZE]);
+
+/*
  * Writes a place on a screen of this size, of which a millionth part is resolved: what lies below is none, and reads 0.
  */
 const char *app_number_place(double value, double size, char text[APP_NUMBER_SIZE]);

@@ -196,6 +196,19 @@ void app_numbers_show(AppNumbers *self, AppMeasures *measures)
         app_numbers_show_sections(self, measures);
     if (measures->has_statistics)
         app_numbers_show_statistics(self, measures);
+    if (measures->has_balance)
+        app_numbers_show_balance(self, measures->balance);
+}
+
+void app_numbers_set_waiting(AppNumbers *self, gboolean waiting)
+{
+    GtkWidget *page = gtk_widget_get_first_child(self->stack);
+    while ((page = gtk_widget_get_next_sibling(page)))
+        if (waiting)
+            gtk_widget_add_css_class(page, "stale");
+        else
+            gtk_widget_remove_css_class(page, "stale");
+    gtk_widget_set_sensitive(self->copy, !waiting);
 }
 
 void app_numbers_set_colors(AppNumbers *self, const char *palette, double low, double high, gboolean logarithmic)
@@ -277,7 +290,7 @@ GtkWidget *app_numbers_new(AppDocument *document, GtkWidget *space)
     gtk_stack_switcher_set_stack(GTK_STACK_SWITCHER(switcher), GTK_STACK(self->stack));
     gtk_widget_set_vexpand(self->stack, TRUE);
     g_signal_connect_swapped(self->stack, "notify::visible-child", G_CALLBACK(page_turned), self);
-    GtkWidget *copy = gtk_button_new_with_label(_("Copy results"));
+    GtkWidget *copy = self->copy = gtk_button_new_with_label(_("Copy results"));
     gtk_widget_set_tooltip_text(copy, _("Maximum, minimum and points as one text"));
     gtk_widget_set_halign(copy, GTK_ALIGN_START);
     g_signal_connect_swapped(copy, "clicked", G_CALLBACK(copy_results), self);

@@ -25,6 +25,8 @@ void app_numbers_turn_to(AppNumbers *self, AppPage page);
 
 /* Shows what the answers have; profiles and histogram are taken out of them. */
 void app_numbers_show(AppNumbers *self, AppMeasures *measures);
+/* Dims all but the first page, and copies nothing: the numbers of the present scene are still on their way. */
+void app_numbers_set_waiting(AppNumbers *self, gboolean waiting);
 /* The colours of the histogram. */
 void app_numbers_set_colors(AppNumbers *self, const char *palette, double low, double high, gboolean logarithmic);
 

@@ -46,7 +46,7 @@ struct _AppNumbers {
     AppDocument *document;
     GtkWidget *stack, *points, *points_left, *unit, *section_place, *plots[PLOTS];
     Cursor cursors[PLOTS];
-    GtkWidget *lines[LINES];
+    GtkWidget *lines[LINES], *balance, *copy;
     guint point_rows;
     char *unit_name;
     AppCurve *curves[2];
@@ -86,5 +86,11 @@ void app_numbers_show_sections(AppNumbers *self, AppMeasures *measures);
 /* numbers_statistics.c */
 GtkWidget *app_numbers_new_statistics(AppNumbers *self);
 void app_numbers_show_statistics(AppNumbers *self, AppMeasures *measures);
+
+/* numbers_balance.c: of scenes whose surfaces reflect light */
+GtkWidget *app_numbers_new_balance(AppNumbers *self);
+/* Dims the balance until another one comes; FALSE: none will. */
+void app_numbers_await_balance(AppNumbers *self, gboolean is_coming);
+void app_numbers_show_balance(AppNumbers *self, const luxel_balance *balance);
 
 #endif

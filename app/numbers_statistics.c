@@ -74,6 +74,7 @@ GtkWidget *app_numbers_new_statistics(AppNumbers *self)
         gtk_grid_attach(GTK_GRID(grid), self->lines[i], 1, i, 1, 1);
     }
     gtk_box_append(GTK_BOX(page), grid);
+    gtk_box_append(GTK_BOX(page), app_numbers_new_balance(self));
     app_numbers_add_plot(self, PLOT_HISTOGRAM, draw_histogram, _("Histogram"), page);
     gtk_scrolled_window_set_child(GTK_SCROLLED_WINDOW(scrolled), page);
     return scrolled;
@@ -167,6 +168,7 @@ void app_numbers_show_statistics(AppNumbers *self, AppMeasures *measures)
     show_place(self, LINE_TRUE_MAXIMUM_PLACE, maximum->x_mm, maximum->y_mm);
     choose_lines(self, measures->is_difference);
     show_reflected(self, statistics, measures->is_difference);
+    app_numbers_await_balance(self, statistics->has_reflected && !measures->is_difference);
     show_least(self, LINE_LEAST, &statistics->minimum);
     show_least(self, LINE_REACHED, &measures->reached);
     if (!measures->has_extrema) {

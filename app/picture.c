@@ -135,7 +135,25 @@ AppMoment *app_moment_new(luxel_scene *scene, guint64 serial, gssize solo, luxel
         return NULL;
     }
     AppMoment *moment = g_atomic_rc_box_new0(AppMoment);
-    *moment = (AppMoment){scene, serial, solo, NULL};
+    *moment = (AppMoment){.scene = scene, .serial = serial, .solo = solo};
+    return moment;
+}
+
+/* The moment without what its surfaces reflect; NULL: they reflect nothing, or the scene has faults. */
+static AppMoment *direct_moment(const AppWish *wish)
+{
+    char *reflections = NULL;
+    AppMoment *moment = NULL;
+    luxel_scene *scene = NULL;
+    if (luxel_scene_get(wish->scene, "reflections", NULL, NULL, &reflections) == LUXEL_OK &&
+        g_strcmp0(reflections, "none") != 0)
+        scene = luxel_scene_copy(wish->scene);
+    luxel_text_free(reflections);
+    if (scene && luxel_scene_set(scene, "reflections=none", NULL) == LUXEL_OK)
+        moment = app_moment_new(g_steal_pointer(&scene), wish->serial, wish->solo, NULL);
+    luxel_scene_free(scene);
+    if (moment)
+        moment->is_direct = TRUE;
     return moment;
 }
 
@@ -386,12 +404,16 @@ static guint stride_for(const Work *work, double pixels)
     return (guint)CLAMP(stride, 1, LARGEST_STRIDE);
 }
 
-/* Keeps and shows the fine picture. */
+/* Keeps and shows the fine picture of all light. */
 static void finish(Work *work, AppRunner *runner, const AppWish *wish, AppShot *shot)
 {
+    paint_and_report(runner, wish, shot);
+    if (shot->moment->is_direct) {
+        app_shot_unref(shot);
+        return;
+    }
     app_shot_unref(work->last);
     work->last = shot;
-    paint_and_report(runner, wish, shot);
 }
 
 static void compute_and_paint(Work *work, AppRunner *runner, const AppWish *wish, AppMoment *moment,
@@ -418,6 +440,17 @@ static void compute_and_paint(Work *work, AppRunner *runner, const AppWish *wish
         finish(work, runner, wish, fine);
 }
 
+/* All of the light, after the direct light was shown; how fast that follows the hand stays known. */
+static void add_reflected(Work *work, AppRunner *runner, const AppWish *wish, AppMoment *moment,
+                          luxel_diagnostics *faults)
+{
+    const double known = work->seconds_per_pixel;
+    AppShot *shot = compute(work, runner, moment, 1, FALSE, faults);
+    work->seconds_per_pixel = known;
+    if (shot)
+        finish(work, runner, wish, shot);
+}
+
 /* Whether the last fine picture shows what is wished, so that it need only be painted anew. */
 static gboolean is_last(const Work *work, const AppWish *wish)
 {
@@ -433,11 +466,19 @@ static void do_wish(AppRunner *runner, gpointer job, gpointer state)
         paint_and_report(runner, wish, work->last);
         return;
     }
-    luxel_diagnostics *faults = luxel_diagnostics_new();
-    AppMoment *moment = app_moment_new(g_steal_pointer(&wish->scene), wish->serial, wish->solo, faults);
     work->quantity = wish->quantity;
-    if (moment)
+    luxel_diagnostics *faults = luxel_diagnostics_new();
+    AppMoment *direct = wish->pinned ? NULL : direct_moment(wish); /* what is compared is all light */
+    if (direct)
+        compute_and_paint(work, runner, wish, direct, NULL);
+    const gboolean is_enough = direct && app_runner_is_outdated(runner);
+    AppMoment *moment =
+        is_enough ? NULL : app_moment_new(g_steal_pointer(&wish->scene), wish->serial, wish->solo, faults);
+    if (moment && direct)
+        add_reflected(work, runner, wish, moment, faults);
+    else if (moment)
         compute_and_paint(work, runner, wish, moment, faults);
+    app_moment_unref(direct);
     app_moment_unref(moment);
     if (luxel_diagnostics_total(faults, LUXEL_SEVERITY_ERROR) > 0)
         report_faults(runner, wish, faults);

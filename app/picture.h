@@ -1,7 +1,8 @@
 /* SPDX-License-Identifier: MIT */
 /*
  * Pictures: a scene on its way to the screen.  A thread commits it, computes it and paints it; where that takes longer
- * than a frame, a coarse picture comes at once and the fine one when no newer scene has come.
+ * than a frame, a coarse picture comes at once and the fine one when no newer scene has come.  Where surfaces reflect
+ * light to each other, pictures of the direct light come in the same way before that of all light.
  *
  * Moments, shots and pictures are counted and never change, so that threads share them.
  */
@@ -20,6 +21,7 @@ typedef struct AppMoment {
     luxel_scene *scene;
     guint64 serial;           /* of the document */
     gssize solo;              /* the light that alone is on, or -1 */
+    gboolean is_direct;       /* without the reflected light that the document's scene asks for */
     luxel_outlines *outlines; /* of its surfaces; the painter's, which makes them when they are wanted; NULL: none */
 } AppMoment;
 

@@ -9,6 +9,7 @@
 #include "choice.h"
 #include "number.h"
 #include "row_private.h"
+#include "touch.h"
 
 enum { EDITED, RESET, MENU, BROWSE, SIGNALS };
 static guint signals[SIGNALS];
@@ -346,6 +347,14 @@ static void label_clicked(GtkGestureClick *gesture, int count, double x, double 
         g_signal_emit(self, signals[RESET], 0);
 }
 
+static void label_held(GtkGestureLongPress *gesture, double x, double y, AppRow *self)
+{
+    (void)gesture;
+    (void)x;
+    (void)y;
+    g_signal_emit(self, signals[MENU], 0, self->name);
+}
+
 static gboolean menu_key(GtkWidget *widget, GVariant *arguments, gpointer data)
 {
     (void)arguments;
@@ -385,6 +394,7 @@ static void add_label(AppRow *self, GtkWidget *line, const char *part, const cha
     gtk_gesture_single_set_button(GTK_GESTURE_SINGLE(click), 0);
     g_signal_connect(click, "pressed", G_CALLBACK(label_clicked), self);
     gtk_widget_add_controller(self->name, GTK_EVENT_CONTROLLER(click));
+    app_touch_on_rest(self->name, G_CALLBACK(label_held), self);
     gtk_box_append(GTK_BOX(line), self->name);
 }
 

@@ -8,7 +8,7 @@
 #include "lamp.h"
 #include "number.h"
 
-enum { HEIGHT = 15, BAR = 6, NUMBER_WIDTH = 58, PERCENT_WIDTH = 44, GAP = 4 };
+enum { HEIGHT = 15, BAR = 6, NUMBER_WIDTH = 58, PERCENT_WIDTH = 52, GAP = 4 };
 
 struct _AppShare {
     GtkWidget parent;

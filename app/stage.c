@@ -9,8 +9,9 @@
 #include "marks.h"
 #include "number.h"
 #include "stage_private.h"
+#include "touch.h"
 
-enum { MARGIN = 20, REACH = 14, LEAST_SIDE = 40, STILL = 4 /* within which a press with Ctrl or Shift is no drag */ };
+enum { MARGIN = 20, TITLE = 14, REACH = 14, LEAST_SIDE = 40, STILL = 4 /* within which a press with Ctrl or Shift is no drag */ };
 
 enum { SELECTED, HOVERED, TOGGLED, SIGNALS };
 static guint signals[SIGNALS];
@@ -36,15 +37,15 @@ static void fit(AppStage *self)
     for (int k = 0; k < 3; k++)
         sides[k] = MAX(space->high[k] - space->low[k], 1);
     AppStageMap *map = &self->map;
-    map->scale = MIN((width - 2 * MARGIN) / sides[0], (height - 4 * MARGIN) / (sides[1] + sides[2]));
+    map->scale = MIN((width - 2 * MARGIN) / sides[0], (height - 4 * MARGIN - 2 * TITLE) / (sides[1] + sides[2]));
     map->left = width / 2 - (space->low[0] + space->high[0]) / 2 * map->scale;
-    const double spare = (height - 4 * MARGIN - map->scale * (sides[1] + sides[2])) / 2;
+    const double spare = (height - 4 * MARGIN - 2 * TITLE - map->scale * (sides[1] + sides[2])) / 2;
     double top = 0;
     for (int i = 0; i < APP_PROJECTIONS; i++) {
         const int up = app_projection_up((AppProjection)i);
         map->tops[i] = top;
-        map->floors[i] = top + MARGIN + spare / 2 + space->high[up] * map->scale;
-        top += 2 * MARGIN + spare + sides[up] * map->scale;
+        map->floors[i] = top + TITLE + MARGIN + spare / 2 + space->high[up] * map->scale;
+        top += TITLE + 2 * MARGIN + spare + sides[up] * map->scale;
     }
     map->tops[APP_PROJECTIONS] = height;
 }
@@ -84,7 +85,7 @@ static AppProjection projection_at(const AppStage *self, double y)
 static gboolean thing_at(const AppStage *self, double x, double y, AppThing *found)
 {
     const AppProjection projection = projection_at(self, y);
-    double best = REACH;
+    double best = app_touch_reach((GtkWidget *)self, REACH);
     found->kind = APP_THING_NONE;
     for (guint i = 0; self->space && i < self->space->things->len; i++) {
         const AppThing *thing = &g_array_index(self->space->things, AppThing, i);

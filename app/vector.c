@@ -2,6 +2,8 @@
 /* The numbers are rows of their own; the vector only gives them their places. */
 #include "vector.h"
 
+#include "touch.h"
+
 struct _AppVector {
     GtkBox parent;
     GtkWidget *name, *unit, *toggle, *numbers;
@@ -20,6 +22,15 @@ static void label_clicked(GtkGestureClick *gesture, int count, double x, double 
         g_signal_emit_by_name(self->first, "menu", self->name);
     else if (self->first && button == GDK_BUTTON_PRIMARY && count == 2)
         g_signal_emit_by_name(self->first, "reset");
+}
+
+static void label_held(GtkGestureLongPress *gesture, double x, double y, AppVector *self)
+{
+    (void)gesture;
+    (void)x;
+    (void)y;
+    if (self->first)
+        g_signal_emit_by_name(self->first, "menu", self->name);
 }
 
 void app_vector_add(AppVector *self, AppRow *part)
@@ -76,6 +87,7 @@ GtkWidget *app_vector_new(const char *label, const char *unit, const char *meani
     gtk_gesture_single_set_button(GTK_GESTURE_SINGLE(click), 0);
     g_signal_connect(click, "pressed", G_CALLBACK(label_clicked), self);
     gtk_widget_add_controller(self->name, GTK_EVENT_CONTROLLER(click));
+    app_touch_on_rest(self->name, G_CALLBACK(label_held), self);
     self->toggle = app_slider_toggle_new(label);
     gtk_widget_set_visible(self->toggle, FALSE);
     gtk_box_append(GTK_BOX(line), self->name);

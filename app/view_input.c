@@ -5,6 +5,7 @@
 
 #include "../front/words.h"
 #include "number.h"
+#include "touch.h"
 #include "view_private.h"
 
 enum {
@@ -17,7 +18,8 @@ enum {
 /* The mark within reach of a place of the widget that is nearest; points and sources before surfaces. */
 static gboolean mark_at(const AppView *self, const double at[2], AppMark *found)
 {
-    double best = REACH * REACH;
+    const int reach = app_touch_reach((GtkWidget *)self, REACH);
+    double best = reach * reach;
     gboolean any = FALSE;
     if (!self->picture || !self->picture->display.marks)
         return FALSE;
@@ -44,7 +46,8 @@ static gboolean section_at(const AppView *self, const double at[2], AppMark *fou
     if (!self->section_shown || !self->picture || !self->picture->display.marks)
         return FALSE;
     app_map_to_widget(&self->map, self->section_mm, line);
-    gboolean by_x = fabs(at[0] - line[0]) < REACH / 2, by_y = fabs(at[1] - line[1]) < REACH / 2;
+    const int reach = app_touch_reach((GtkWidget *)self, REACH) / 2;
+    gboolean by_x = fabs(at[0] - line[0]) < reach, by_y = fabs(at[1] - line[1]) < reach;
     *found = (AppMark){.kind = APP_MARK_SECTION, .index = by_x && by_y ? 0 : by_y ? 1 : 2};
     return by_x || by_y;
 }

@@ -74,9 +74,10 @@ AppShot *app_window_minus(const AppWindow *self)
     return self->picture && self->picture->side == APP_SIDE_DIFFERENCE ? self->picture->pinned : NULL;
 }
 
+/* Of direct light alone no numbers are told: they would be taken for those of the scene. */
 void app_window_ask_numbers(AppWindow *self)
 {
-    if (!app_window_shot(self))
+    if (!app_window_shot(self) || app_window_shot(self)->moment->is_direct)
         return;
     const AppPage page = app_numbers_page(APP_NUMBERS(self->numbers));
     const AppDisplay *display = &self->picture->display;
@@ -495,6 +496,7 @@ static void app_window_class_init(AppWindowClass *class)
     BIND(discard_button);
     BIND(fault_bar);
     BIND(fault_label);
+    BIND(direct_label);
     BIND(stale_box);
     BIND(stale_label);
     BIND(repair_button);

@@ -156,7 +156,8 @@ static void pin(GSimpleAction *action, GVariant *argument, gpointer data)
     AppWindow *self = data;
     (void)action;
     (void)argument;
-    if (!self->picture || !self->picture->shot || !self->picture->shot->is_fine || self->is_stale)
+    if (!self->picture || !self->picture->shot || !self->picture->shot->is_fine ||
+        self->picture->shot->moment->is_direct || self->is_stale)
         return;
     AppShot *shot = app_shot_ref(self->picture->shot);
     app_shot_unref(self->pinned);

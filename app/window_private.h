@@ -50,6 +50,7 @@ struct _AppWindow {
     AppView *view;
     GtkWidget *pages, *left_pane, *right_pane, *left_scroll, *left_box, *right_box, *compare_box, *compare_label, *bar;
     GtkWidget *unsaved_bar, *unsaved_label, *discard_button, *fault_bar, *fault_label;
+    GtkWidget *direct_label; /* what the picture is, before reflected light has come */
     GtkWidget *stale_box, *stale_label, *repair_button, *repair_label;
     GtkWidget *status_label, *message_label, *zoom_label, *progress;
     GMenu *builtin_menu, *recent_menu, *export_menu;
@@ -89,6 +90,8 @@ AppShot *app_window_minus(const AppWindow *self);
 
 /* window_stale.c: a document that cannot be computed; `faults` NULL: it can. */
 void app_window_set_stale(AppWindow *self, const luxel_diagnostics *faults);
+/* The picture is that of direct light; what surfaces reflect is still to come. */
+void app_window_set_direct(AppWindow *self, gboolean is_direct);
 void app_window_make_repair(AppWindow *self);
 
 /* window_panes.c: the widths of the panes, in whatever window they stand. */

@@ -111,6 +111,7 @@ void app_window_show_picture(AppPicture *picture, gpointer owner)
 {
     AppWindow *self = owner;
     app_window_set_stale(self, picture->faults);
+    app_window_set_direct(self, !picture->faults && picture->shot->moment->is_direct);
     if (picture->faults)
         return;
     app_picture_ref(picture);

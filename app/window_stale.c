@@ -1,7 +1,8 @@
 /* SPDX-License-Identifier: MIT */
 /*
  * A document that cannot be computed.  The picture of before stays to be worked on, but it is dimmed, as are the
- * numbers, and over it stands that it is not of this scene, why, and what would mend it.
+ * numbers, and over it stands that it is not of this scene, why, and what would mend it.  One whose reflected light is
+ * not computed yet: the picture is that of the direct light, which stands on it, and the numbers are dimmed.
  */
 #include "../front/language.h"
 #include "../front/words.h"
@@ -9,17 +10,27 @@
 
 static const char *const dimmed = "stale";
 
+static void set_class(GtkWidget *widget, gboolean is_dimmed)
+{
+    if (is_dimmed)
+        gtk_widget_add_css_class(widget, dimmed);
+    else
+        gtk_widget_remove_css_class(widget, dimmed);
+}
+
 static void dim(AppWindow *self, gboolean stale)
 {
-    GtkWidget *const parts[] = {self->numbers, self->bar};
-    for (gsize i = 0; i < G_N_ELEMENTS(parts); i++)
-        if (stale)
-            gtk_widget_add_css_class(parts[i], dimmed);
-        else
-            gtk_widget_remove_css_class(parts[i], dimmed);
-    app_view_set_stale(self->view, stale);
+    set_class(self->numbers, stale);
+    set_class(self->bar, stale);
     app_sources_set_stale(APP_SOURCES(self->sources), stale);
+    app_view_set_stale(self->view, stale);
     app_stage_set_stale(APP_STAGE(self->stage), stale);
+}
+
+void app_window_set_direct(AppWindow *self, gboolean is_direct)
+{
+    gtk_widget_set_visible(self->direct_label, is_direct);
+    app_numbers_set_waiting(APP_NUMBERS(self->numbers), is_direct);
 }
 
 /* Marks the rows that the faults name, in whichever form they stand. */

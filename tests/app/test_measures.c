@@ -10,7 +10,7 @@
 typedef struct Desk {
     AppMeter *meter;
     AppPointer *pointer;
-    AppMeasures points, section, statistics, isophotes; /* of which the members are stolen */
+    AppMeasures points, section, statistics, isophotes, balance; /* of which the members are stolen */
     int answers, readings, empty_sections;
     AppReading reading;
     double shares[16];
@@ -20,11 +20,13 @@ static void tell_measures(AppMeasures *measures, gpointer owner)
 {
     Desk *desk = owner;
     desk->answers++;
-    assert_int_equal(measures->has_points + measures->has_section + measures->has_statistics + measures->has_isophotes,
+    assert_int_equal(measures->has_points + measures->has_section + measures->has_statistics +
+                         measures->has_isophotes + measures->has_balance,
                      1);
     AppMeasures *place = measures->has_points       ? &desk->points
                          : measures->has_section    ? &desk->section
                          : measures->has_statistics ? &desk->statistics
+                         : measures->has_balance    ? &desk->balance
                                                     : &desk->isophotes;
     desk->empty_sections += measures->has_section && !(measures->curves[0] && measures->curves[1]);
     AppMeasures taken = *measures;
@@ -86,6 +88,11 @@ static AppShot *small_shot(const char *scene, luxel_quantity quantity)
 static gboolean has_statistics(gpointer desk)
 {
     return ((Desk *)desk)->statistics.has_statistics;
+}
+
+static gboolean has_balance(gpointer desk)
+{
+    return ((Desk *)desk)->balance.has_balance;
 }
 
 static gboolean has_isophotes(gpointer desk)
@@ -366,6 +373,35 @@ static void answers_the_newest_question(void **state)
     app_shot_unref(shots[1]);
 }
 
+/* Of surfaces that reflect light the balance follows the statistics, with the library's numbers. */
+static void finds_the_balance(void **state)
+{
+    (void)state;
+    luxel_balance *balance;
+    AppDocument *document = document_of_builtin("report");
+    set(document, "surfaces",
+        "[{type: rectangle, center: [0, 0, 0], size: [900, 900], material: {model: lambert, diffuse: 0.7, over_pi: true}},"
+        " {type: sphere, center: [0, 0, 400], radius: 150, material: {model: lambert, diffuse: 0.5, over_pi: true}}]");
+    set(document, "lights", "[{type: point, position: [-300, 0, 900], power: 20, attenuation: inverse-square}]");
+    set(document, "screen.resolution", "[40, 40]");
+    set(document, "reflections", "1");
+    AppShot *shot = shot_of(document, LUXEL_BRIGHTNESS);
+    Desk *desk = open_desk();
+    app_meter_ask(desk->meter, &(AppQuestion){.shot = shot, .statistics = TRUE});
+    wait_until(has_balance, desk);
+    assert_true(desk->statistics.has_statistics);
+    assert_int_equal(luxel_find_balance(shot->moment->scene, NULL, NULL, &balance), LUXEL_OK);
+    const luxel_balance *found = desk->balance.balance;
+    assert_non_null(found);
+    assert_true(found->closes && found->side_count == balance->side_count);
+    assert_true(found->absorbed.value == balance->absorbed.value && found->absorbed.error == balance->absorbed.error);
+    assert_true(found->sides[0].irradiance.value == balance->sides[0].irradiance.value);
+    luxel_balance_free(balance);
+    close_desk(desk);
+    app_shot_unref(shot);
+    g_object_unref(document);
+}
+
 static void reads_what_is_under_the_pointer(void **state)
 {
     (void)state;
@@ -458,6 +494,7 @@ int main(void)
         cmocka_unit_test(reads_isophotes),
         cmocka_unit_test(answers_for_quick_looks),
         cmocka_unit_test(answers_the_newest_question),
+        cmocka_unit_test(finds_the_balance),
         cmocka_unit_test(reads_what_is_under_the_pointer),
         cmocka_unit_test(finds_pixels),
         cmocka_unit_test(stops_while_measuring),

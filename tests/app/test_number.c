@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /* Numbers as people type and paste them, in any language, and writing them back. */
 #include <math.h>
+#include <string.h>
 
 #include "../../app/number.h"
 #include "scenes.h"
@@ -203,11 +204,34 @@ static void reads_yaml_lists(void **state)
     assert_int_equal(app_list_read(NULL, numbers, 6), 0);
 }
 
+/* Digits as far as the bound goes, which is rounded up and covers what was rounded off the number. */
+static void writes_amounts(void **state)
+{
+    (void)state;
+    static const struct {
+        double value, error;
+        const char *text;
+    } cases[] = {{208.3341, 0.0853, "208.334 \u00b1 0.086"},
+                 {1.5, 0, "1.5 \u00b1 0"},
+                 {0.00004, 0.0031, "0 \u00b1 0.0032"},
+                 {12345678, 1, "1.234568e+07 \u00b1 3"},
+                 {0.123456, 0.009999, "0.1235 \u00b1 0.011"}};
+    for (gsize i = 0; i < G_N_ELEMENTS(cases); i++) {
+        char text[APP_AMOUNT_SIZE];
+        const char *bound = strstr(app_amount_write(cases[i].value, cases[i].error, text), "\u00b1 ");
+        assert_non_null(bound);
+        const double number = g_ascii_strtod(text, NULL), error = g_ascii_strtod(bound + strlen("\u00b1 "), NULL);
+        assert_true(fabs(number - cases[i].value) + cases[i].error <= error * (1 + 1e-12));
+        assert_string_equal(text, cases[i].text);
+    }
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(reads_numbers), cmocka_unit_test(refuses_the_rest),
-        cmocka_unit_test(writes_short),  cmocka_unit_test(writes_what_reads_back),
+        cmocka_unit_test(writes_short),  cmocka_unit_test(writes_amounts),
+        cmocka_unit_test(writes_what_reads_back),
         cmocka_unit_test(reads_lists),   cmocka_unit_test(names_the_fault_of_a_list),
         cmocka_unit_test(reads_pairs),   cmocka_unit_test(reads_yaml_lists),
     };

@@ -108,6 +108,55 @@ static void expect_pixels(const AppPicture *picture, const AppDisplay *display, 
 
 /* ---- cases ---- */
 
+/* A ball over a floor, each of which lights the other. */
+static void make_reflecting(AppDocument *document)
+{
+    set(document, "surfaces",
+        "[{type: rectangle, center: [0, 0, 0], size: [900, 900], material: {model: lambert, diffuse: 0.7, over_pi: true}},"
+        " {type: sphere, center: [0, 0, 400], radius: 150, material: {model: lambert, diffuse: 0.5, over_pi: true}}]");
+    set(document, "lights", "[{type: point, position: [-300, 0, 900], power: 20, attenuation: inverse-square}]");
+    set(document, "screen.resolution", "[40, 40]");
+    set(document, "reflections", "1");
+}
+
+static void expect_field(const AppPicture *picture, const AppDocument *document)
+{
+    AppShot *shot = shot_of(document, LUXEL_BRIGHTNESS);
+    assert_true(picture->shot->is_fine);
+    assert_memory_equal(luxel_field_single(picture->shot->field), luxel_field_single(shot->field),
+                        40 * 40 * sizeof(float));
+    app_shot_unref(shot);
+}
+
+/* Direct light comes first, and is called that; the last picture has all light. */
+static void shows_direct_light_first(void **state)
+{
+    (void)state;
+    Studio *studio = open_studio("report");
+    make_reflecting(studio->document);
+    AppPicture *last = picture_of(studio);
+    assert_null(last->faults);
+    assert_true(studio->pictures->len >= 2);
+    const AppPicture *direct = picture_at(studio, studio->pictures->len - 2);
+    assert_true(direct->shot->moment->is_direct && !last->shot->moment->is_direct);
+    assert_int_equal(direct->serial, last->serial);
+    expect_field(last, studio->document);
+    set(studio->document, "reflections", "none");
+    expect_field(direct, studio->document);
+    /* what is only painted anew, and what is compared, is all light */
+    set(studio->document, "reflections", "1");
+    picture_of(studio);
+    studio->wish.display.palette = "viridis";
+    const guint before = studio->pictures->len;
+    picture_of(studio);
+    studio->wish.pinned = last_picture(studio)->shot;
+    set(studio->document, "lights[0].power", "30");
+    picture_of(studio);
+    for (guint i = before; i < studio->pictures->len; i++)
+        assert_false(picture_at(studio, i)->shot->moment->is_direct);
+    close_studio(studio);
+}
+
 static void paints_what_is_computed(void **state)
 {
     (void)state;
@@ -441,6 +490,7 @@ static void stops_while_computing(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
+        cmocka_unit_test(shows_direct_light_first),
         cmocka_unit_test(paints_what_is_computed),       cmocka_unit_test(shows_the_newest),
         cmocka_unit_test(paints_anew_without_computing), cmocka_unit_test(fits_the_view),
         cmocka_unit_test(shows_one_light_alone),         cmocka_unit_test(tells_faults_and_goes_on),

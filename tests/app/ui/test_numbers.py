@@ -87,6 +87,40 @@ def reflected_light(tap, desk):
     tap.ok(wait("the bound", lambda: window.says(" %", "\u26a0")), "and stands beside the statistics")
 
 
+# A floor and a ball above it, each of which lights the other.
+BALL = """luxel: 1
+reflections: 1
+screen: {width: 1000, height: 1000, resolution: [20, 20]}
+observer: {z: 3000}
+surfaces:
+  - {type: rectangle, name: floor, center: [0, 0, 0], size: [900, 900],
+     material: {model: lambert, diffuse: 0.7, over_pi: true}}
+  - {type: sphere, name: ball, center: [0, 0, 400], radius: 150,
+     material: {model: lambert, diffuse: 0.5, over_pi: true}}
+lights: [{type: point, position: [-300, 0, 900], power: 20, attenuation: inverse-square}]
+points: [[400, 0]]
+"""
+
+
+def balance(tap, desk):
+    """Where the light stays: means and fluxes with their bounds, which hold the numbers of luxel stats."""
+    path = desk.path("ball.yaml")
+    with open(path, "w", encoding="utf-8") as file:
+        file.write(BALL)
+    window = desk.start(path).window()
+    window.press("Statistics", "tab")
+    told = json.loads(luxel("stats", path, "--json"))
+    for words, name in (("absorbed by surfaces", "absorbed"), ("difference, in truth 0", "difference"),
+                        ("1 floor, front", None)):
+        wait(words, lambda: words in window.labels())
+        value, error = map(float, window.labels()[window.labels().index(words) + 1].split(" \u00b1 "))
+        amount = told["balance"][name] if name else told["surfaces"][0]["irradiance"]
+        tap.ok(abs(value - amount["value"]) + amount["error"] <= error * 1.001, words, value, error, amount)
+    tap.ok(window.says("Mean irradiance of the surfaces, W/m\u00b2"), "with their unit")
+    tap.ok(not window.control("label", "Direct light; what surfaces reflect is being computed").has("showing")
+           if window.says("Direct light;") else True, "the picture has all light by then")
+
+
 BIN = re.compile(r"(\S+) … (\S+): (\d+) pixels?, (\S+) %")
 READ = re.compile(r"([xy]) = (\S+) mm: (\S+)\s*((?:\d+ \S+\s*)*)")
 
@@ -156,4 +190,4 @@ def histogram_is_read(tap, desk):
         tap.ok(wait(key, lambda i=index: reads(plot) == bins[i]), "%s goes to its bin" % key)
 
 
-trial(typed_and_set, statistics, reflected_light, sections_are_read, histogram_is_read)
+trial(typed_and_set, statistics, reflected_light, balance, sections_are_read, histogram_is_read)
