@@ -33,7 +33,8 @@ static void add_heading(GtkWidget *grid, int *row, char *text)
 static void add_amount(GtkWidget *grid, int *row, const char *words, const luxel_amount *amount)
 {
     char text[APP_AMOUNT_SIZE];
-    GtkWidget *name = gtk_label_new(words), *value = gtk_label_new(app_amount_write(amount->value, amount->error, text));
+    GtkWidget *name = gtk_label_new(words);
+    GtkWidget *value = gtk_label_new(app_amount_write(amount->value, amount->error, text));
     gtk_label_set_xalign(GTK_LABEL(name), 0);
     gtk_label_set_wrap(GTK_LABEL(name), TRUE);
     gtk_label_set_max_width_chars(GTK_LABEL(name), TEXT_COLUMNS / 2);

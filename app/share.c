@@ -8,7 +8,7 @@
 #include "lamp.h"
 #include "number.h"
 
-enum { HEIGHT = 15, BAR = 6, NUMBER_WIDTH = 58, PERCENT_WIDTH = 52, GAP = 4 };
+enum { HEIGHT = 15, BAR = 6, NUMBER_WIDTH = 58, PERCENT_WIDTH = 44, GAP = 4 };
 
 struct _AppShare {
     GtkWidget parent;
@@ -56,7 +56,7 @@ static void app_share_snapshot(GtkWidget *widget, GtkSnapshot *snapshot)
     const GdkRGBA fill = {(float)color[0], (float)color[1], (float)color[2], 1};
     gtk_snapshot_append_color(snapshot, &fill, &GRAPHENE_RECT_INIT(0, (HEIGHT - BAR) / 2.0f, (float)(bar * part), BAR));
     draw_text(widget, snapshot, app_number_round(self->share, 4, number), width - PERCENT_WIDTH - GAP);
-    g_snprintf(percent, sizeof percent, "%.1f %%", 100 * part);
+    g_snprintf(percent, sizeof percent, "%.*f %%", part < 0.9995 ? 1 : 0, 100 * part); /* "100.0 %" is too wide */
     draw_text(widget, snapshot, percent, width);
 }
 

@@ -11,7 +11,13 @@
 #include "stage_private.h"
 #include "touch.h"
 
-enum { MARGIN = 20, TITLE = 14, REACH = 14, LEAST_SIDE = 40, STILL = 4 /* within which a press with Ctrl or Shift is no drag */ };
+enum {
+    MARGIN = 20,
+    TITLE = 14,
+    REACH = 14,
+    LEAST_SIDE = 40,
+    STILL = 4 /* within which a press with Ctrl or Shift is no drag */
+};
 
 enum { SELECTED, HOVERED, TOGGLED, SIGNALS };
 static guint signals[SIGNALS];

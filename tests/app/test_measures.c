@@ -380,7 +380,8 @@ static void finds_the_balance(void **state)
     luxel_balance *balance;
     AppDocument *document = document_of_builtin("report");
     set(document, "surfaces",
-        "[{type: rectangle, center: [0, 0, 0], size: [900, 900], material: {model: lambert, diffuse: 0.7, over_pi: true}},"
+        "[{type: rectangle, center: [0, 0, 0], size: [900, 900],"
+        "  material: {model: lambert, diffuse: 0.7, over_pi: true}},"
         " {type: sphere, center: [0, 0, 400], radius: 150, material: {model: lambert, diffuse: 0.5, over_pi: true}}]");
     set(document, "lights", "[{type: point, position: [-300, 0, 900], power: 20, attenuation: inverse-square}]");
     set(document, "screen.resolution", "[40, 40]");

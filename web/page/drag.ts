@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Dragging: things follow the hand, the newest place wins, and one drag is one step of the history.
+// Dragging: things follow the hand, the newest place wins, and one drag is one step of the history, as all of its
+// changes have one mark, those too that come after the hand has let go.
 import type { Model, Thing } from './model';
 
 let drags = 0;
@@ -34,7 +35,6 @@ export class Drag {
 
     end() {
         this.isOver = true;
-        this.model.endStep();
     }
 }
 

@@ -3,6 +3,8 @@
 // the report, and the element for other pages.
 import { execFileSync } from 'node:child_process';
 import fs from 'node:fs';
+import os from 'node:os';
+import path from 'node:path';
 import { boxOf, dragBy, inside, opened, openScene, shot, until } from './hands.mjs';
 import { check, equal, test } from './tap.mjs';
 
@@ -177,6 +179,39 @@ async function reports(page, browser, tool) {
     await other.context().close();
 }
 
+/** A ball over a floor, each of which lights the other. */
+const REFLECTING = `luxel: 1
+reflections: 1
+screen: {width: 1000, height: 1000, resolution: [24, 24]}
+observer: {z: 3000}
+surfaces:
+  - {type: rectangle, center: [0, 0, 0], size: [900, 900], material: {model: lambert, diffuse: 0.7, over_pi: true}}
+  - {type: sphere, center: [0, 0, 400], radius: 150, material: {model: lambert, diffuse: 0.5, over_pi: true}}
+lights: [{type: point, position: [-300, 0, 900], power: 20, attenuation: inverse-square}]
+points: [[350, 0]]
+`;
+
+async function reportsReflections(page, browser, tool) {
+    await page.evaluate((text) => window.luxel.inside.open(text), REFLECTING);
+    await until(page, `model.wholeText === ${JSON.stringify(REFLECTING)} && model.picture?.text === model.wholeText`);
+    await until(page, 'model.picture.stride === 1');
+    const [download] = await Promise.all([
+        page.waitForEvent('download'),
+        page.getByLabel('Download').selectOption('.html'),
+    ]);
+    const other = await (await browser.newContext({ viewport: { width: 900, height: 900 } })).newPage();
+    await other.setContent(fs.readFileSync(await download.path(), 'utf8'));
+    const text = await other.locator('body').innerText();
+    const scene = path.join(fs.mkdtempSync(path.join(os.tmpdir(), 'luxel-')), 'ball.yaml');
+    fs.writeFileSync(scene, REFLECTING);
+    const [{ value }] = JSON.parse(execFileSync(tool, ['probe', scene, '--json']).toString()).points;
+    check(text.includes(String(Number(value.toPrecision(6))).slice(0, 7)), `${value} is not in it`);
+    const cells = await other.locator('tr', { hasText: 'reflections' }).first().locator('td').allInnerTexts();
+    equal(cells[0], 'reflections', 'the row of the parameter');
+    await shot(other, 'report-reflections');
+    await other.context().close();
+}
+
 /** A page of a course with two scenes; what the element shows, tells and takes. */
 export const COURSE = `<!doctype html><html lang="ru"><meta charset="utf-8"><title>Course</title>
 <script src="luxel-scene.js" defer></script>
@@ -245,6 +280,7 @@ export async function more(page, browser, url, tool) {
     await test('the dial: exposure and ends', () => turnsDial(page));
     await test('sections along any line, and of shares', () => cuts(page, tool));
     await test('the report', () => reports(page, browser, tool));
+    await test('a report of surfaces that light each other', () => reportsReflections(page, browser, tool));
     await test('scenes in a page of a course', () => embeds(browser, url));
 }
 

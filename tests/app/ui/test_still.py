@@ -1,9 +1,10 @@
 # SPDX-License-Identifier: MIT
-"""Stillness: while a hand drags, nothing moves under it, and the columns of the line at the edge stay where they are."""
+"""Stillness: nothing moves under a dragging hand, and the columns of the line at the edge stay where they are."""
 from desk import trial
 from waiting import wait
 
-ROLES = ("button", "toggle button", "checkbox", "combo box", "spin button", "entry", "image", "tab", "list", "list item")
+ROLES = ("button", "toggle button", "checkbox", "combo box", "spin button", "entry", "image", "tab", "list",
+         "list item")
 GAP = 8  # dots between columns, at the least
 GROUND = 8  # how far a dot of the ground may be from it
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Controls for fingers, as they are switched on under Appearance: nothing that can be pressed is smaller than 44 dots."""
+"""Controls for fingers, as they are switched on under Appearance: what can be pressed is 44 dots across at least."""
 from desk import trial
 from waiting import wait
 
