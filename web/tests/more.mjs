@@ -188,7 +188,7 @@ surfaces:
   - {type: rectangle, center: [0, 0, 0], size: [900, 900], material: {model: lambert, diffuse: 0.7, over_pi: true}}
   - {type: sphere, center: [0, 0, 400], radius: 150, material: {model: lambert, diffuse: 0.5, over_pi: true}}
 lights: [{type: point, position: [-300, 0, 900], power: 20, attenuation: inverse-square}]
-points: [[350, 0]]
+points: [[-350, 0]]
 `;
 
 async function reportsReflections(page, browser, tool) {
