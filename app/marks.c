@@ -61,12 +61,8 @@ static void label_light(const luxel_scene *scene, gsize i, AppMark *mark)
 
 static gboolean mark_light(const AppMoment *moment, gsize i, AppMark *mark)
 {
-    char key[64];
-    g_snprintf(key, sizeof key, "lights[%zu].enabled", i);
-    char *enabled = value_of(moment->scene, key);
     double direction[3];
-    *mark = (AppMark){.kind = APP_MARK_SOURCE, .index = i, .is_on = g_strcmp0(enabled, "false") != 0};
-    g_free(enabled);
+    *mark = (AppMark){.kind = APP_MARK_SOURCE, .index = i, .is_on = app_moment_is_on(moment, i)};
     label_light(moment->scene, i, mark);
     if (luxel_scene_light_place(moment->scene, i, mark->place_mm))
         return luxel_scene_project(moment->scene, mark->place_mm, mark->screen_mm);

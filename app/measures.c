@@ -68,6 +68,7 @@ static luxel_settings settings_of(const AppShot *shot, Kept *kept)
     settings.threads = 1;
     settings.progress = go_on;
     settings.progress_data = kept;
+    app_moment_light(shot->moment, &settings);
     return settings;
 }
 
@@ -142,9 +143,11 @@ static AppPoint read_point(Kept *kept, AppShot *shot, const luxel_settings *sett
 /* Takes off what the other shot has at the same place. */
 static void take_off(AppPoint *point, const AppShot *minus, const luxel_settings *settings)
 {
+    luxel_settings own = *settings;
     luxel_probe *probe;
     point->has_grey = FALSE;
-    if (luxel_probe_screen(minus->moment->scene, settings, point->x_mm, point->y_mm, NULL, &probe) != LUXEL_OK) {
+    app_moment_light(minus->moment, &own);
+    if (luxel_probe_screen(minus->moment->scene, &own, point->x_mm, point->y_mm, NULL, &probe) != LUXEL_OK) {
         point->has_value = point->has_pixel = FALSE;
         return;
     }
@@ -169,6 +172,7 @@ static void read_sources(const AppShot *shot, const luxel_settings *settings, Ap
     measures->sources = g_new0(AppSource, measures->source_count);
     irradiance.quantity = LUXEL_IRRADIANCE;
     irradiance.tolerance = 1e-6;
+    app_moment_light(shot->moment, &irradiance);
     if (luxel_scene_surface_place(scene, 0, center) == LUXEL_OK && luxel_scene_project(scene, center, screen))
         luxel_probe_screen(scene, &irradiance, screen[0], screen[1], NULL, &probe);
     for (gsize i = 0; i < measures->source_count; i++) {

@@ -181,6 +181,8 @@ static double greatest_irradiance(const AppDocument *document, gsize light)
     double greatest = 0;
     luxel_settings_init(&settings);
     settings.quantity = LUXEL_IRRADIANCE;
+    if (moment)
+        app_moment_light(moment, &settings);
     if (moment && luxel_scene_resolution(moment->scene, &columns, &rows) == LUXEL_OK) {
         settings.stride = MAX(MAX(columns, rows) / LOOK, 1);
         if (luxel_render(moment->scene, &settings, NULL, &field) == LUXEL_OK)

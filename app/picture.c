@@ -112,30 +112,14 @@ gboolean app_picture_value(const AppPicture *picture, guint column, guint row, d
     return TRUE;
 }
 
-/* Turns all lights but one off; whether that could be done. */
-static gboolean turn_off_others(luxel_scene *scene, gsize solo, luxel_diagnostics *faults)
-{
-    size_t count;
-    if (luxel_scene_list_size(scene, "lights", faults, &count) != LUXEL_OK)
-        return FALSE;
-    for (gsize i = 0; i < count; i++) {
-        char *assignment = g_strdup_printf("lights[%zu].enabled=%s", i, i == solo ? "true" : "false");
-        luxel_status status = luxel_scene_set(scene, assignment, faults);
-        g_free(assignment);
-        if (status != LUXEL_OK)
-            return FALSE;
-    }
-    return TRUE;
-}
-
 AppMoment *app_moment_new(luxel_scene *scene, guint64 serial, gssize solo, luxel_diagnostics *faults)
 {
-    if ((solo >= 0 && !turn_off_others(scene, (gsize)solo, faults)) || luxel_scene_commit(scene, faults) != LUXEL_OK) {
+    if (luxel_scene_commit(scene, faults) != LUXEL_OK) {
         luxel_scene_free(scene);
         return NULL;
     }
     AppMoment *moment = g_atomic_rc_box_new0(AppMoment);
-    *moment = (AppMoment){.scene = scene, .serial = serial, .solo = solo};
+    *moment = (AppMoment){.scene = scene, .serial = serial, .solo = solo, .only = (gsize)MAX(solo, 0)};
     return moment;
 }
 
@@ -155,6 +139,26 @@ static AppMoment *direct_moment(const AppWish *wish)
     if (moment)
         moment->is_direct = TRUE;
     return moment;
+}
+
+void app_moment_light(const AppMoment *moment, luxel_settings *settings)
+{
+    settings->lights = moment->solo >= 0 ? &moment->only : NULL;
+    settings->light_count = moment->only < luxel_scene_light_count(moment->scene) ? 1 : 0;
+}
+
+gboolean app_moment_is_on(const AppMoment *moment, gsize light)
+{
+    return moment->solo >= 0 ? moment->only == light : luxel_scene_light_enabled(moment->scene, light);
+}
+
+const char *app_moment_unit(const AppMoment *moment, luxel_quantity quantity)
+{
+    luxel_settings settings;
+    luxel_settings_init(&settings);
+    settings.quantity = quantity;
+    app_moment_light(moment, &settings);
+    return luxel_settings_unit(moment->scene, &settings);
 }
 
 /* ---- computing ---- */
@@ -209,6 +213,7 @@ static AppShot *compute(Work *work, AppRunner *runner, AppMoment *moment, guint 
     settings.stride = stride;
     settings.progress = watch;
     settings.progress_data = &watched;
+    app_moment_light(moment, &settings);
     if (!is_short) {
         g_atomic_int_set(&work->painter->started_ms, (int)milliseconds(watched.started));
         g_atomic_int_set(&work->painter->permille, 0);

@@ -20,7 +20,8 @@
 typedef struct AppMoment {
     luxel_scene *scene;
     guint64 serial;           /* of the document */
-    gssize solo;              /* the light that alone is on, or -1 */
+    gssize solo;              /* the light that alone is seen, or -1 */
+    gsize only;               /* that light */
     gboolean is_direct;       /* without the reflected light that the document's scene asks for */
     luxel_outlines *outlines; /* of its surfaces; the painter's, which makes them when they are wanted; NULL: none */
 } AppMoment;
@@ -91,5 +92,10 @@ gboolean app_painter_is_busy(AppPainter *painter);
 
 /* A moment made at once, in the calling thread, for files and tests; NULL: it has faults. */
 AppMoment *app_moment_new(luxel_scene *scene, guint64 serial, gssize solo, luxel_diagnostics *faults);
+/* Which lights are seen: sets the group of the settings, which point into the moment then. */
+void app_moment_light(const AppMoment *moment, luxel_settings *settings);
+gboolean app_moment_is_on(const AppMoment *moment, gsize light);
+/* The unit of a quantity by the light that is seen, not translated. */
+const char *app_moment_unit(const AppMoment *moment, luxel_quantity quantity);
 
 #endif

@@ -355,7 +355,7 @@ void app_sources_show(AppSources *self, const AppMeasures *measures, gboolean ph
         if (isfinite(source->irradiance))
             g_string_append_printf(text, "%sE %s %s", text->len ? "   " : "",
                                    app_number_round(source->irradiance, 4, irradiance),
-                                   gettext(luxel_scene_unit(measures->live->moment->scene, LUXEL_IRRADIANCE)));
+                                   gettext(app_moment_unit(measures->live->moment, LUXEL_IRRADIANCE)));
         app_source_row_set_gives(g_ptr_array_index(self->items, i), text->str);
         g_string_free(text, TRUE);
     }

@@ -208,11 +208,12 @@ static void add_turning(AppSpace *space, const luxel_scene *scene, const AppThin
     g_free(type);
 }
 
-static void add_lamp(AppSpace *space, const luxel_scene *scene, gsize index)
+static void add_lamp(AppSpace *space, const AppMoment *moment, gsize index)
 {
+    const luxel_scene *scene = moment->scene;
     char base[APP_KEY_SIZE];
     const char *name, *shape;
-    AppThing thing = {.kind = APP_THING_LAMP, .index = index, .is_on = luxel_scene_light_enabled(scene, index)};
+    AppThing thing = {.kind = APP_THING_LAMP, .index = index, .is_on = app_moment_is_on(moment, index)};
     if (!luxel_scene_light_place(scene, index, thing.at_mm) || !find_place(scene, index, base, &name, &shape))
         return;
     add_thing(space, &thing, base, name);
@@ -222,8 +223,9 @@ static void add_lamp(AppSpace *space, const luxel_scene *scene, gsize index)
 }
 
 /* What needs to know how far the scene reaches: cones, axes, distant light. */
-static void add_directions(AppSpace *space, const luxel_scene *scene, gsize lamps, double reach)
+static void add_directions(AppSpace *space, const AppMoment *moment, gsize lamps, double reach)
 {
+    const luxel_scene *scene = moment->scene;
     for (gsize i = 0; i < lamps; i++) {
         const AppThing lamp = g_array_index(space->things, AppThing, i);
         char base[APP_KEY_SIZE];
@@ -235,7 +237,7 @@ static void add_directions(AppSpace *space, const luxel_scene *scene, gsize lamp
     for (gsize i = 0; i < luxel_scene_light_count(scene); i++) {
         char base[APP_KEY_SIZE];
         double direction[3];
-        AppThing thing = {.kind = APP_THING_DIRECTION, .index = i, .is_on = luxel_scene_light_enabled(scene, i)};
+        AppThing thing = {.kind = APP_THING_DIRECTION, .index = i, .is_on = app_moment_is_on(moment, i)};
         if (strcmp(luxel_scene_light_type(scene, i), "distant") != 0 ||
             !luxel_scene_light_direction(scene, i, direction) ||
             luxel_scene_surface_place(scene, 0, thing.from_mm) != LUXEL_OK)
@@ -250,8 +252,9 @@ static void add_directions(AppSpace *space, const luxel_scene *scene, gsize lamp
 
 /* ---- all of it ---- */
 
-AppSpace *app_space_new(const luxel_scene *scene)
+AppSpace *app_space_new(const AppMoment *moment)
 {
+    const luxel_scene *scene = moment->scene;
     if (!scene || !luxel_scene_is_committed(scene))
         return NULL;
     AppSpace *space = g_new0(AppSpace, 1);
@@ -263,13 +266,13 @@ AppSpace *app_space_new(const luxel_scene *scene)
         space->high[k] = (double)-INFINITY;
     }
     for (gsize i = 0; i < MIN(luxel_scene_light_count(scene), APP_MOST_THINGS / 3); i++)
-        add_lamp(space, scene, i);
+        add_lamp(space, moment, i);
     const gsize lamps = space->things->len;
     for (gsize i = 0; i < MIN(luxel_scene_surface_count(scene), APP_MOST_THINGS / 3); i++)
         add_surface(space, scene, i);
     add_observer(space, scene);
     add_screen(space, scene);
-    add_directions(space, scene, lamps, reach_of(space));
+    add_directions(space, moment, lamps, reach_of(space));
     return space;
 }
 

@@ -7,6 +7,7 @@
 #define LUXEL_APP_SPACE_H
 
 #include "document.h"
+#include "picture.h"
 
 /* The two projections: from above on x and y, from the front on x and z. */
 typedef enum AppProjection { APP_PLAN, APP_ELEVATION, APP_PROJECTIONS } AppProjection;
@@ -60,7 +61,7 @@ typedef struct AppSpace {
 } AppSpace;
 
 /* The caller's; NULL: the scene is not committed. */
-AppSpace *app_space_new(const luxel_scene *scene);
+AppSpace *app_space_new(const AppMoment *moment);
 void app_space_free(AppSpace *space);
 
 /* The unit vector from a place to the observer, as the formula of the highlight has it. */

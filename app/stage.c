@@ -61,7 +61,7 @@ static void read_space(AppStage *self)
 {
     if (self->space || !self->moment || !gtk_widget_get_mapped(GTK_WIDGET(self)))
         return;
-    self->space = app_space_new(self->moment->scene);
+    self->space = app_space_new(self->moment);
     fit(self);
 }
 

@@ -60,6 +60,7 @@ static void explain(GTask *task, gpointer source, gpointer data, GCancellable *c
     luxel_settings_init(&settings);
     settings.quantity = luxel_field_quantity(place->shot->field);
     settings.threads = 1;
+    app_moment_light(place->shot->moment, &settings);
     if (luxel_explain(place->shot->moment->scene, &settings, place->x_mm, place->y_mm, &language, NULL, &document) !=
         LUXEL_OK) {
         g_task_return_pointer(task, NULL, NULL);

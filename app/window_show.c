@@ -187,7 +187,7 @@ static void add_difference(GString *text, const AppReading *reading)
     g_string_append_printf(text, "\tA %s   B %s   B − A %s %s", app_number_round(a->value, DIGITS, n[0]),
                            app_number_round(b->value, DIGITS, n[1]),
                            app_number_round(b->value - a->value, DIGITS, n[2]),
-                           gettext(luxel_scene_unit(reading->moment->scene, reading->quantity)));
+                           gettext(app_moment_unit(reading->moment, reading->quantity)));
 }
 
 static void add_value(GString *text, const AppReading *reading)
@@ -201,7 +201,7 @@ static void add_value(GString *text, const AppReading *reading)
     g_string_append_printf(text, "\tP (%s, %s, %s)\tN (%s, %s, %s)\t", n[0], n[1], n[2], n[3], n[4], n[5]);
     if (value->has_value)
         g_string_append_printf(text, "%s %s", app_number_round(value->value, DIGITS, n[6]),
-                               gettext(luxel_scene_unit(reading->moment->scene, reading->quantity)));
+                               gettext(app_moment_unit(reading->moment, reading->quantity)));
     else
         g_string_append(text, _("a source lies here"));
     if (reading->has_pixel)

@@ -131,7 +131,7 @@ static int print_json(const struct options *options, const struct loaded *loaded
     struct light_strengths lights = lights_measure(loaded->scene);
     json_open(&json, NULL, '{');
     json_text(&json, "quantity", options_quantity_name(options->settings.quantity));
-    json_text(&json, "unit", luxel_scene_unit(loaded->scene, options->settings.quantity));
+    json_text(&json, "unit", luxel_settings_unit(loaded->scene, &options->settings));
     json_open(&json, "points", '[');
     for (size_t i = 0; code == EXIT_DONE && i < point_count(options, loaded->scene); i++) {
         double point[2];

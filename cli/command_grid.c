@@ -27,6 +27,7 @@ static const luxel_use of_planes = {.screen = false};
 
 struct grids {
     const luxel_scene *scene;
+    const char *unit;
     luxel_grid **list;
     luxel_grid_extrema *extrema; /* on the planes of each */
     size_t count;
@@ -58,11 +59,14 @@ static luxel_status measure(const struct options *options, const struct loaded *
 {
     const size_t count = luxel_scene_grid_count(loaded->scene);
     luxel_settings settings = options->settings;
+    luxel_settings irradiance = settings;
     struct progress progress;
     struct share share = {.progress = &progress};
     luxel_status status = LUXEL_OK;
 
+    irradiance.quantity = LUXEL_IRRADIANCE;
     *grids = (struct grids){.scene = loaded->scene,
+                            .unit = luxel_settings_unit(loaded->scene, &irradiance),
                             .list = message_allocate(count, sizeof *grids->list),
                             .extrema = message_allocate(count, sizeof *grids->extrema)};
     for (size_t i = 0; i < count; i++)
@@ -199,7 +203,7 @@ static void print_json(const struct grids *grids)
 
     json_open(&json, NULL, '{');
     json_text(&json, "quantity", "irradiance");
-    json_text(&json, "unit", luxel_scene_unit(grids->scene, LUXEL_IRRADIANCE));
+    json_text(&json, "unit", grids->unit);
     json_open(&json, "grids", '[');
     for (size_t i = 0; i < grids->count; i++)
         write_grid(&json, grids->list[i], &grids->extrema[i]);
@@ -367,7 +371,7 @@ static void print_text(const struct grids *grids, const char *name)
 {
     text_print_escaped(stdout, name);
     printf(_(": %s in %s\n\n"), _(luxel_scene_quantity_word(grids->scene, LUXEL_IRRADIANCE)),
-           _(luxel_scene_unit(grids->scene, LUXEL_IRRADIANCE)));
+           _(grids->unit));
     for (size_t i = 0; i < grids->count; i++)
         print_grid(grids->list[i], &grids->extrema[i], i);
     result_print_conventions(grids->scene, &of_planes);

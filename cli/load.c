@@ -2,6 +2,7 @@
 /* Reads scenes from where the command line says, and reports all that is wrong with them in one go. */
 #include "load.h"
 
+#include <ctype.h>
 #include <errno.h>
 #include <stdlib.h>
 #include <string.h>
@@ -122,11 +123,13 @@ static int open_scene(const char *operand, bool builtin_first, struct loaded *lo
     return open_file(operand, builtin_first ? EXIT_USAGE : EXIT_FILE, loaded);
 }
 
-struct options load_options(const struct options *options, const luxel_scene *scene)
+struct options load_options(const struct options *options, const struct loaded *loaded)
 {
     struct options merged = *options;
 
-    if (!luxel_scene_settings(scene, &merged.settings))
+    merged.settings.lights = loaded->lights;
+    merged.settings.light_count = loaded->light_count;
+    if (!luxel_scene_settings(loaded->scene, &merged.settings))
         return merged;
     if (options_given(options, "quantity"))
         merged.settings.quantity = options->settings.quantity;
@@ -169,6 +172,57 @@ static int refuse_advice(const struct loaded *loaded)
     return EXIT_SCENE;
 }
 
+/* The light of this name, else of this number; the count of all where there is none. */
+static size_t find_light(const luxel_scene *scene, const char *word)
+{
+    const size_t count = luxel_scene_light_count(scene);
+    char *end;
+    unsigned long long number;
+
+    for (size_t i = 0; i < count; i++)
+        if (luxel_scene_light_name(scene, i) && strcmp(luxel_scene_light_name(scene, i), word) == 0)
+            return i;
+    if (!isdigit((unsigned char)*word))
+        return count;
+    number = strtoull(word, &end, 10);
+    return *end == '\0' && number < count ? (size_t)number : count;
+}
+
+static void refuse_light(const luxel_scene *scene, const char *word)
+{
+    const size_t count = luxel_scene_light_count(scene);
+    const char **names = message_allocate(count + 1, sizeof *names);
+    size_t named = 0;
+
+    for (size_t i = 0; i < count; i++)
+        if (luxel_scene_light_name(scene, i))
+            names[named++] = luxel_scene_light_name(scene, i);
+    message_error(_("--lights: the scene has no light \"%s\"; it has %zu, numbered from 0"), word, count);
+    message_did_you_mean(luxel_nearest_word(word, names, named));
+    free(names);
+}
+
+/* Finds the lights that --lights names. */
+static int choose_lights(const char *list, struct loaded *loaded)
+{
+    char *words = strdup(list), *rest = words, *word;
+    int code = EXIT_DONE;
+
+    loaded->lights = message_allocate(strlen(list) + 1, sizeof *loaded->lights);
+    while (words && (word = strsep(&rest, ",")) != NULL) {
+        const size_t light = find_light(loaded->scene, word);
+
+        if (light == luxel_scene_light_count(loaded->scene)) {
+            refuse_light(loaded->scene, word);
+            code = EXIT_USAGE;
+        } else {
+            loaded->lights[loaded->light_count++] = light;
+        }
+    }
+    free(words);
+    return code;
+}
+
 int load_scene(const struct options *options, bool builtin_first, struct loaded *loaded)
 {
     luxel_status status;
@@ -181,11 +235,14 @@ int load_scene(const struct options *options, bool builtin_first, struct loaded 
     status = change_and_commit(options, loaded);
     if (status != LUXEL_OK)
         return message_failure(status, loaded->diagnostics);
-    return options->strict ? refuse_advice(loaded) : EXIT_DONE;
+    if (options->lights)
+        code = choose_lights(options->lights, loaded);
+    return code == EXIT_DONE && options->strict ? refuse_advice(loaded) : code;
 }
 
 void load_clear(struct loaded *loaded)
 {
+    free(loaded->lights);
     luxel_scene_free(loaded->scene);
     luxel_diagnostics_free(loaded->diagnostics);
 }
@@ -196,7 +253,7 @@ int load_and(const struct options *options, int (*action)(const struct options *
     int code = load_scene(options, false, &loaded);
 
     if (code == EXIT_DONE) {
-        const struct options merged = load_options(options, loaded.scene);
+        const struct options merged = load_options(options, &loaded);
 
         code = action(&merged, &loaded);
     }

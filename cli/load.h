@@ -12,6 +12,7 @@
 struct loaded {
     luxel_scene *scene;             /* NULL if it could not even be read */
     const char *name;               /* as results show it */
+    size_t *lights, light_count;    /* of --lights; NULL: it was not given */
     luxel_diagnostics *diagnostics; /* everything that was found; with --strict the advice too */
 };
 
@@ -29,8 +30,8 @@ void load_clear(struct loaded *loaded);
  */
 int load_and(const struct options *options, int (*action)(const struct options *, const struct loaded *));
 
-/* The options as they count for this scene: a picture's own settings are the defaults of those not given. */
-struct options load_options(const struct options *options, const luxel_scene *scene);
+/* The options as they count for what was loaded: a picture's own settings are the defaults of those not given. */
+struct options load_options(const struct options *options, const struct loaded *loaded);
 
 /* Takes in standard input, a little more than 64 MB of it at most; the text is freed with free() in any case. */
 int load_standard_input(char **text, size_t *length);

@@ -79,6 +79,7 @@ struct options {
     double up[3];            /* of observers; 0 where none was given */
     unsigned material;       /* the surface whose material they have that lie on none; 0 where none was given */
     luxel_settings settings; /* its tolerance is 0 unless one was asked for */
+    const char *lights;      /* of --lights, names and numbers; NULL: it was not given */
     bool strict, json, quiet, list, dry_run, help, version;
     struct option_analysis analysis;
     struct option_drawing drawing;

@@ -183,6 +183,12 @@ static bool take_reflected_error(struct options *options, const char *argument)
     return false;
 }
 
+static bool take_lights(struct options *options, const char *argument)
+{
+    options->lights = argument;
+    return true;
+}
+
 static bool take_workers(struct options *options, const char *argument)
 {
     return argument_whole("--workers", argument, 1, 1024, &options->sweep.workers);
@@ -578,6 +584,9 @@ static const struct option_row rows[] = {
      .help =
          N_("error that reflected light may have, relative to the value of a probe or of a grid's cell, or to the "
             "maximum of a picture, above 0 and below 1; the default is 0.001; exit code 5 where it is not reached")},
+    {"lights", 0, N_("LIST"), PICTURES, SHARED, TAKES(take_lights),
+     .help = N_("the lights that alone give light, whether they are enabled or not: names, or numbers as of lights[0], "
+                "with commas between them")},
     {"strict", 0, NULL, SCENES, SHARED, SETS(strict), .help = N_("treat advice about the scene as an error")},
     {"json", 0, NULL, COMMAND_ANY, SHARED, SETS(json), .help = N_("print the results as one JSON object")},
     {"quiet", 'q', NULL, COMMAND_ANY, SHARED, SETS(quiet),

@@ -31,6 +31,10 @@ static int read_values(const char *path, struct picture *picture)
         message_error(_("%s holds values and no scene that -s could change"), path);
         return EXIT_USAGE;
     }
+    if (picture->options.lights) {
+        message_error(_("%s holds values and no scene whose lights --lights could choose"), path);
+        return EXIT_USAGE;
+    }
     status = luxel_field_read(path, picture->loaded.diagnostics, &picture->field);
     if (status != LUXEL_OK)
         return message_failure(status, picture->loaded.diagnostics);
@@ -51,7 +55,7 @@ int picture_open(const struct options *options, const char *operand, struct pict
     code = load_scene(&picture->options, false, &picture->loaded);
     if (code != EXIT_DONE)
         return code;
-    picture->options = load_options(&picture->options, picture->loaded.scene);
+    picture->options = load_options(&picture->options, &picture->loaded);
     work_begin(&work, &picture->options);
     status = luxel_render(picture->loaded.scene, &work.settings, picture->loaded.diagnostics, &picture->field);
     code = work_end(&work, status, picture->loaded.diagnostics);

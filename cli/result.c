@@ -61,7 +61,7 @@ const char *result_quantity_word(const struct result *result)
 
 const char *result_unit(const struct result *result)
 {
-    return luxel_scene_unit(result->scene, result->options->settings.quantity);
+    return luxel_settings_unit(result->scene, &result->options->settings);
 }
 
 /* Why a point of a surface has no value: a format for the number of the light. */

@@ -29,6 +29,13 @@ def exported(nm, library):
     return {name: node.lstrip("@") for name, _, node in symbols}
 
 
+def holds_kernels(nm, library):
+    """Whether kernels are in a library, by its own names; None where they were taken out of it."""
+    names = subprocess.run([nm, "--defined-only", "--format=posix", library], capture_output=True, text=True,
+                           check=True).stdout
+    return "lx_kernels_get" in names if "lx_" in names else None
+
+
 def soname(readelf, library):
     text = subprocess.run([readelf, "-d", library], capture_output=True, text=True, check=True).stdout
     match = re.search(r"\(?SONAME\)?.*\[(.*)\]", text)
@@ -102,6 +109,9 @@ def main():
     tap = Tap()
     for library in libraries:
         check(tap, library, soname(readelf, library.path), exported(nm, library.path))
+        if holds_kernels(nm, library.path) is not None:
+            tap.equal(holds_kernels(nm, library.path), library.name == "luxel",
+                      library.name + ": kernels are in libluxel alone")
     tap.finish()
 
 

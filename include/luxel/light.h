@@ -8,7 +8,7 @@
 #ifndef LUXEL_LIGHT_H
 #define LUXEL_LIGHT_H
 
-#include <luxel/scene.h>
+#include <luxel/render.h>
 
 #ifdef __cplusplus
 extern "C" {
@@ -59,6 +59,21 @@ LUXEL_API bool luxel_scene_light_place(const luxel_scene *scene, size_t i, doubl
  * short.
  */
 LUXEL_API bool luxel_scene_light_direction(const luxel_scene *scene, size_t i, double direction[3]);
+
+/* Which light there is, and how far it goes. */
+typedef struct luxel_reach {
+    bool has_ambient; /* light that is everywhere */
+    bool has_direct;  /* light that comes from somewhere */
+    double share;     /* of the pixels that show a surface: where some of has_direct arrives, shadows included */
+} luxel_reach;
+
+/*
+ * Finds where the light of a picture arrives: a question of geometry, whatever the values are, so the tail of a
+ * highlight behind the terminator counts for nothing.  The settings' group of lights counts; NULL: the defaults.
+ * Errors as luxel_render() lists them.
+ */
+LUXEL_API luxel_status luxel_find_reach(const luxel_scene *scene, const luxel_settings *settings,
+                                        luxel_diagnostics *diagnostics, luxel_reach *reach);
 
 #ifdef __cplusplus
 }

@@ -120,6 +120,12 @@ LUXEL_API void luxel_probe_free(luxel_probe *probe);
 LUXEL_API const char *luxel_scene_unit(const luxel_scene *scene, luxel_quantity quantity);
 
 /*
+ * The unit of what the settings compute of this scene: of their quantity, by the laws of the lights of their group
+ * alone, where they name one.  `settings` NULL: the defaults.
+ */
+LUXEL_API const char *luxel_settings_unit(const luxel_scene *scene, const luxel_settings *settings);
+
+/*
  * What a quantity is called in this scene: "brightness" or "irradiance" and, in photometric units, "luminance" or
  * "illuminance".
  */

@@ -35,6 +35,8 @@ typedef struct luxel_settings {
     bool minimum_reached; /* false; true: statistics tell the least value where light arrives, see luxel_statistics */
     luxel_progress progress; /* NULL: none */
     void *progress_data;     /* handed to `progress`; NULL */
+    const size_t *lights; /* NULL: the enabled ones give light; else those of this group, by index, and no others */
+    size_t light_count;   /* of the group: 0, and all is dark */
 } luxel_settings;
 
 /* Sets every member to its default, given above. */
@@ -63,8 +65,12 @@ LUXEL_API bool luxel_scene_settings(const luxel_scene *scene, luxel_settings *se
  * one where that is exact enough: no pixel is further than E times the larger of its value and a thousandth of the
  * picture's maximum from what the full sum gives, the rounding of `precision` aside.  Values of probes stay exact.
  *
- * LUXEL_ERROR_ARGUMENT: the scene is not committed, a setting is out of its range, the instruction set is
- * unknown or not of this machine.  LUXEL_ERROR_MEMORY: the picture would not fit (the message says how much
+ * With a group of lights the picture is that of the scene with these lights enabled and all others not, byte for byte,
+ * whatever the scene says; the scene is neither changed nor copied for it, and the field carries the scene that it is
+ * the picture of.  So what each light gives of a picture, of a grid or of a section, is asked group by group.
+ *
+ * LUXEL_ERROR_ARGUMENT: the scene is not committed, a setting is out of its range, there is no such light, the
+ * instruction set is unknown or not of this machine.  LUXEL_ERROR_MEMORY: the picture would not fit (the message says how much
  * it needs; luxel_render_files() writes it all the same).  LUXEL_ERROR_RANGE: a value is beyond the precision.
  * LUXEL_CANCELLED.
  */

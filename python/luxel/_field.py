@@ -161,7 +161,9 @@ class Field(_luxel.FieldHandle):
         return levels
 
     def _settings(self, threads: int, tolerance: Optional[float], progress: Optional[Progress]) -> Settings:
-        return settings(None, quantity=self.quantity, threads=threads, tolerance=tolerance, progress=progress)
+        made = getattr(self, "_made", None)
+        return settings(None, quantity=self.quantity, threads=threads, tolerance=tolerance, progress=progress,
+                        lights=made[9] if made else None)
 
     def _exact(self) -> "_luxel.SceneHandle":
         handle = _luxel.field_scene(self)

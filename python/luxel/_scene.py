@@ -18,7 +18,8 @@ from ._language import translate
 from ._pictures import Figure, drawing, look
 from ._probe import Probe, Probes, probes
 from ._results import Alternative, Judgement, Light, Mesh, Profile, Statistics, Vector, alternatives, statistics
-from ._settings import QUANTITIES, Carried, Progress, choice, point as _point, real, reals, settings, surface_index
+from ._settings import (QUANTITIES, Carried, Lights, Progress, choice, group, point as _point, real, reals, settings,
+                        surface_index)
 
 if TYPE_CHECKING:
     import numpy
@@ -273,7 +274,7 @@ class Scene:
     def render(self, *, quantity: Optional[str] = None, precision: Optional[str] = None, threads: int = 0,
                light_error: Optional[float] = None, reflected_error: Optional[float] = None, stride: int = 1,
                minimum_reached: bool = False, instruction_set: Optional[str] = None,
-               progress: Optional[Progress] = None) -> Field:
+               lights: Optional[Lights] = None, progress: Optional[Progress] = None) -> Field:
         """Computes the picture, with the interpreter's lock released; Ctrl-C ends it.
 
         `quantity`: "brightness" or "irradiance".  `precision`: "single" (float32, within 2e-6 of the maximum) or
@@ -282,33 +283,40 @@ class Scene:
         of what surfaces reflect, as a share of the maximum; `statistics` tell which was reached.  `progress` is called
         with the share done; where it returns False, the work ends with a LuxelError.  The same bytes for any number of
         threads.
+
+        `lights`: a name, an index or several: these alone give light, whether they are enabled or not, as everywhere
+        else that takes `lights`.  Pictures of groups that have each light once add up to that of all.
         """
         return made(self._handle, settings(self._carried, quantity, precision, threads, instruction_set, None,
-                                           light_error, stride, minimum_reached, progress, reflected_error))
+                                           light_error, stride, minimum_reached, progress, reflected_error,
+                                           self._group(lights)))
+
+    def _group(self, lights: Optional[Lights]) -> Optional[bytes]:
+        return None if lights is None else group(lights, [light.name for light in self.lights])
 
     def render_files(self, *paths: Path, bits: int = 8, quantity: Optional[str] = None,
                      precision: Optional[str] = None, threads: int = 0, light_error: Optional[float] = None,
                      reflected_error: Optional[float] = None, instruction_set: Optional[str] = None,
-                     progress: Optional[Progress] = None) -> Statistics:
+                     lights: Optional[Lights] = None, progress: Optional[Progress] = None) -> Statistics:
         """Computes the picture and writes it to files, row by row: it need not fit in memory."""
         how = settings(self._carried, quantity, precision, threads, instruction_set, None, light_error,
-                       progress=progress, reflected_error=reflected_error)
+                       progress=progress, reflected_error=reflected_error, lights=self._group(lights))
         return statistics(_luxel.render_files(self._handle, [os.fsencode(path) for path in paths], bits, how))
 
     # ---- exact values ----
 
     @overload
     def probe(self, points: Pair, *, quantity: Optional[str] = ..., tolerance: Optional[float] = ...,
-              reflected_error: Optional[float] = ..., threads: int = ...,
+              reflected_error: Optional[float] = ..., threads: int = ..., lights: Optional[Lights] = ...,
               progress: Optional[Progress] = ...) -> Probe: ...
 
     @overload
     def probe(self, points: "Union[None, Iterable[Pair], npt.NDArray[Any]]" = ..., *, quantity: Optional[str] = ...,
               tolerance: Optional[float] = ..., reflected_error: Optional[float] = ..., threads: int = ...,
-              progress: Optional[Progress] = ...) -> Probes: ...
+              lights: Optional[Lights] = ..., progress: Optional[Progress] = ...) -> Probes: ...
 
     def probe(self, points: Any = None, *, quantity: Optional[str] = None, tolerance: Optional[float] = None,
-              reflected_error: Optional[float] = None, threads: int = 0,
+              reflected_error: Optional[float] = None, threads: int = 0, lights: Optional[Lights] = None,
               progress: Optional[Progress] = None) -> Union[Probe, Probes]:
         """The exact values at points of the screen, x and y in mm, light by light, with bounds of their errors.
 
@@ -321,13 +329,13 @@ class Scene:
         is_one = len(shape) == 1 if shape is not None else (
             isinstance(points, (tuple, list)) and len(points) == 2 and not hasattr(points[0], "__len__"))
         found = self._probe(_flow.pairs([points] if is_one else points), quantity, tolerance, reflected_error, threads,
-                            progress)
+                            self._group(lights), progress)
         return found[0] if is_one else Probes(found)
 
     def probe_element(self, position_mm: Sequence[float], normal: Sequence[float], *,
                       view: Optional[Sequence[float]] = None, surface: int = 0, quantity: Optional[str] = None,
                       tolerance: Optional[float] = None, reflected_error: Optional[float] = None,
-                      threads: int = 0) -> Probe:
+                      threads: int = 0, lights: Optional[Lights] = None) -> Probe:
         """The exact value of a free surface element, with all that evaluate() leaves out.
 
         An element on a surface has its material, else that of the surface named; the view is the scene's or its own.
@@ -337,17 +345,18 @@ class Scene:
         place = reals("position_mm", position_mm, 3, triple) + reals("normal", normal, 3, triple)
         direction = None if view is None else reals("view", view, 3, triple)
         return self._probe([place + (direction, surface)], quantity, tolerance, reflected_error, threads,
-                           None)[0]
+                           self._group(lights), None)[0]
 
     def _probe(self, places: List[Any], quantity: Optional[str], tolerance: Optional[float],
-               reflected_error: Optional[float], threads: int, progress: Optional[Progress]) -> List[Probe]:
+               reflected_error: Optional[float], threads: int, lights: Optional[bytes],
+               progress: Optional[Progress]) -> List[Probe]:
         how = settings(self._carried, quantity, None, threads, None, tolerance, progress=progress,
-                       reflected_error=reflected_error)
-        return probes(_luxel.probe(self._handle, places, how), _luxel.scene_unit(self._handle, how[0])[0])
+                       reflected_error=reflected_error, lights=lights)
+        return probes(_luxel.probe(self._handle, places, how), _luxel.scene_unit(self._handle, how[0], lights)[0])
 
     def evaluate(self, places: "npt.ArrayLike", normals: "npt.ArrayLike", view: "Optional[npt.ArrayLike]" = None, *,
                  surface: int = 0, per_light: bool = False, quantity: Optional[str] = None,
-                 tolerance: Optional[float] = None, threads: int = 0,
+                 tolerance: Optional[float] = None, threads: int = 0, lights: Optional[Lights] = None,
                  out: "Optional[npt.NDArray[numpy.void]]" = None,
                  progress: Optional[Progress] = None) -> "npt.NDArray[numpy.void]":
         """The exact values of free surface elements: arrays (..., 3) of places in mm and of normals of any length.
@@ -381,14 +390,16 @@ class Scene:
         def rows(array: "Floats") -> "Floats":
             return numpy.broadcast_to(array, shape + (3,)).reshape(-1, 3)
 
-        how = settings(self._carried, quantity, None, threads, None, tolerance, progress=progress)
+        how = settings(self._carried, quantity, None, threads, None, tolerance, progress=progress,
+                       lights=self._group(lights))
         arrays = (rows(p), rows(n), None if v is None else rows(v), flat["value"], flat["error"],
                   flat["shares"] if per_light else None)
         _luxel.evaluate(self._handle, arrays, surface, how)
         return result
 
     def grid(self, name: Union[str, int] = 0, *, tolerance: Optional[float] = None,
-             reflected_error: Optional[float] = None, threads: int = 0, progress: Optional[Progress] = None) -> Grid:
+             reflected_error: Optional[float] = None, threads: int = 0, lights: Optional[Lights] = None,
+             progress: Optional[Progress] = None) -> Grid:
         """Measures a grid, by its name or index: the irradiance of its cells, average, extrema, uniformity, flux.
 
         KeyError, IndexError: there is no such grid; the message names those that there are.
@@ -398,7 +409,7 @@ class Scene:
         except ValueError as error:
             raise (KeyError if isinstance(name, str) else IndexError)(str(error)) from None
         how = settings(self._carried, None, None, threads, None, tolerance, progress=progress,
-                       reflected_error=reflected_error)
+                       reflected_error=reflected_error, lights=self._group(lights))
         return Grid(self, index, how)
 
     def balance(self, *, tolerance: Optional[float] = None, reflected_error: Optional[float] = None, threads: int = 0,
@@ -414,26 +425,27 @@ class Scene:
 
     def profile(self, start: Pair, end: Pair, samples: Optional[int] = None, *, arc: bool = False,
                 quantity: Optional[str] = None, tolerance: Optional[float] = None, threads: int = 0,
-                progress: Optional[Progress] = None) -> Profile:
+                lights: Optional[Lights] = None, progress: Optional[Progress] = None) -> Profile:
         """The exact values from one point of the screen to another, light by light, in mm.
 
         `arc`: along the great circle of a sphere through the two places that are seen there, by the angle in degrees.
         """
         count = samples if samples is not None else ARC_SAMPLES if arc else max(2, *self.resolution)
         path = (arc, *_point("start", start), *_point("end", end), count)
-        how = settings(self._carried, quantity, None, threads, None, tolerance, progress=progress)
+        how = settings(self._carried, quantity, None, threads, None, tolerance, progress=progress,
+                       lights=self._group(lights))
         return profile(_luxel.scene_profile(self._handle, path, how))
 
     def section(self, through: Pair = (0.0, 0.0), angle: float = 0.0, samples: Optional[int] = None, *,
                 quantity: Optional[str] = None, tolerance: Optional[float] = None, threads: int = 0,
-                progress: Optional[Progress] = None) -> Profile:
+                lights: Optional[Lights] = None, progress: Optional[Progress] = None) -> Profile:
         """The exact values along the line across the screen through a point.
 
         `angle` in degrees from the x axis, counter-clockwise: 0 horizontal, 90 vertical.
         """
         ends = _luxel.line_across(self._handle, *_point("through", through), real("angle", angle))
         return self.profile(ends[:2], ends[2:], samples, quantity=quantity, tolerance=tolerance, threads=threads,
-                            progress=progress)
+                            lights=lights, progress=progress)
 
     # ---- for people ----
 
@@ -477,7 +489,8 @@ class Scene:
                section: Union[None, str, Pair] = None, stacked: bool = False, title: Optional[str] = None,
                label: Optional[str] = None, width_mm: float = 160.0, dots_per_inch: float = 200.0,
                dark: bool = False, small_print: bool = True, quantity: Optional[str] = None,
-               precision: Optional[str] = None, threads: int = 0, progress: Optional[Progress] = None) -> Figure:
+               precision: Optional[str] = None, threads: int = 0, lights: Optional[Lights] = None,
+               progress: Optional[Progress] = None) -> Figure:
         """A figure in false colour with a bar, axes in mm, isophotes and marks, drawn when it is shown or saved.
 
         `bands`: "smooth", "bands", "contours" or "lines".  `section`: None, "center", "maximum" or a point.
@@ -491,7 +504,7 @@ class Scene:
             raise ValueError("section: %r: the figure of a grid has no sections" % (section,))
         if number and quantity not in (None, "irradiance"):
             raise ValueError("quantity: %r: a measuring grid has the irradiance" % quantity)
-        how = settings(self._carried, quantity, precision, threads, progress=progress)
+        how = settings(self._carried, quantity, precision, threads, progress=progress, lights=self._group(lights))
         return Figure(self.copy(), how, look(palette, low, high, logarithmic, bands, levels, extrema, points, section,
                                              stacked, title, label, width_mm, dots_per_inch, dark, small_print, number))
 

@@ -2,15 +2,19 @@
 """How something is computed: the words of the settings as the library's numbers."""
 from __future__ import annotations
 
-from typing import Any, Callable, Optional, SupportsFloat, SupportsIndex, Tuple, Type
+import struct
+from typing import (Any, Callable, Iterable, Optional, Sequence, SupportsFloat, SupportsIndex, Tuple, Type,
+                    Union)
 
 QUANTITIES = ("brightness", "irradiance")
 PRECISIONS = ("single", "double")
 
 #: Called at most 20 times a second with the share done, 0 to 1; returning False ends the work with a LuxelError.
 Progress = Callable[[float], Any]
-#: What luxel._luxel takes.
-Settings = Tuple[int, int, int, Optional[str], float, float, float, int, bool, Optional[Progress]]
+#: Lights of a scene: a name, an index, or several of them.
+Lights = Union[str, int, Iterable[Union[str, int]]]
+#: What luxel._luxel takes; the bytes are a group of lights, as group() packs it.
+Settings = Tuple[int, int, int, Optional[str], float, float, float, int, bool, Optional[bytes], Optional[Progress]]
 #: What a picture that carries its scene was made with: quantity, precision, tolerance, light_error.
 Carried = Tuple[int, int, float, float, float]
 
@@ -26,7 +30,8 @@ def choice(name: str, word: str, words: Tuple[str, ...]) -> int:
 def settings(carried: Optional[Carried], quantity: Optional[str] = None, precision: Optional[str] = None,
              threads: int = 0, instruction_set: Optional[str] = None, tolerance: Optional[float] = None,
              light_error: Optional[float] = None, stride: int = 1, minimum_reached: bool = False,
-             progress: Optional[Progress] = None, reflected_error: Optional[float] = None) -> Settings:
+             progress: Optional[Progress] = None, reflected_error: Optional[float] = None,
+             lights: Optional[bytes] = None) -> Settings:
     """The settings: what is not given is as the picture tells that the scene was read from, or the default."""
     default = carried or (0, 0, 0.0, 0.0, 0.0)
     return (default[0] if quantity is None else choice("quantity", quantity, QUANTITIES),
@@ -35,7 +40,25 @@ def settings(carried: Optional[Carried], quantity: Optional[str] = None, precisi
             default[2] if tolerance is None else real("tolerance", tolerance),
             default[3] if light_error is None else real("light_error", light_error),
             default[4] if reflected_error is None else real("reflected_error", reflected_error),
-            _count("stride", stride, "a whole number is expected, 1 for every pixel"), minimum_reached, progress)
+            _count("stride", stride, "a whole number is expected, 1 for every pixel"), minimum_reached, lights,
+            progress)
+
+
+def group(lights: Optional[Lights], names: Sequence[Optional[str]]) -> Optional[bytes]:
+    """A group of lights as the library takes it, native numbers in a row; `names` are those of all lights."""
+    if lights is None:
+        return None
+    found = []
+    for light in [lights] if isinstance(lights, (str, int)) else lights:
+        if isinstance(light, str):
+            if light not in names:
+                raise KeyError("lights: %r: %s" % (light, ", ".join(name for name in names if name)))
+            found.append(names.index(light))
+        elif 0 <= light < len(names):
+            found.append(int(light))
+        else:
+            raise IndexError("lights: %r: an index from 0 to below %d, or a name" % (light, len(names)))
+    return struct.pack("%dN" % len(found), *found)
 
 
 def _count(name: str, number: int, expected: str) -> int:

@@ -216,12 +216,20 @@ static PyObject *scene_unit(PyObject *module, PyObject *arguments)
 {
     PyObject *handle;
     int quantity;
+    const char *lights = NULL;
+    Py_ssize_t size = 0;
+    luxel_settings settings;
     const luxel_scene *scene;
 
-    if (!PyArg_ParseTuple(arguments, "Oi", &handle, &quantity) || !(scene = scene_of(module, handle)))
+    if (!PyArg_ParseTuple(arguments, "Oi|z#", &handle, &quantity, &lights, &size) ||
+        !(scene = scene_of(module, handle)))
         return NULL;
-    return Py_BuildValue("(ss)", luxel_scene_unit(scene, (luxel_quantity)quantity),
-                         luxel_scene_quantity_word(scene, (luxel_quantity)quantity));
+    luxel_settings_init(&settings);
+    settings.quantity = (luxel_quantity)quantity;
+    settings.lights = (const size_t *)(const void *)lights;
+    settings.light_count = (size_t)size / sizeof(size_t);
+    return Py_BuildValue("(ss)", luxel_settings_unit(scene, &settings),
+                         luxel_scene_quantity_word(scene, settings.quantity));
 }
 
 /* The settings that a scene from a picture was made with, else None. */
@@ -397,7 +405,7 @@ const PyMethodDef scene_functions[] = {
     FUNCTION("scene_points", scene_points, METH_O, "scene: SceneHandle, /", "List[Tuple[float, float]]"),
     FUNCTION("scene_resolution", scene_resolution, METH_O, "scene: SceneHandle, /", "Tuple[int, int]"),
     FUNCTION("scene_conventions", scene_conventions, METH_O, "scene: SceneHandle, /", "List[Tuple[str, str]]"),
-    FUNCTION("scene_unit", scene_unit, METH_VARARGS, "scene: SceneHandle, quantity: int, /", "Tuple[str, str]"),
+    FUNCTION("scene_unit", scene_unit, METH_VARARGS, "scene: SceneHandle, quantity: int, lights: Optional[bytes] = None, /", "Tuple[str, str]"),
     FUNCTION("scene_carried", scene_carried, METH_O, "scene: SceneHandle, /",
              "Optional[Tuple[int, int, float, float]]"),
     FUNCTION("scene_advice", scene_advice, METH_O, "scene: SceneHandle, /", "List[Tuple[Any, ...]]"),

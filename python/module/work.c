@@ -56,18 +56,22 @@ static bool ask(double done, void *data)
 bool work_begin(struct work *work, PyObject *settings)
 {
     int quantity, precision, reached;
+    const char *lights;
+    Py_ssize_t size;
     PyObject *progress;
 
     *work = (struct work){.share = 1};
     luxel_settings_init(&work->settings);
     if (!is_tuple(settings) ||
-        !PyArg_ParseTuple(settings, "iiIzdddIpO", &quantity, &precision, &work->settings.threads,
+        !PyArg_ParseTuple(settings, "iiIzdddIpz#O", &quantity, &precision, &work->settings.threads,
                           &work->settings.instruction_set, &work->settings.tolerance, &work->settings.light_error,
-                          &work->settings.reflected_error, &work->settings.stride, &reached, &progress))
+                          &work->settings.reflected_error, &work->settings.stride, &reached, &lights, &size, &progress))
         return false;
     work->settings.quantity = (luxel_quantity)quantity;
     work->settings.precision = (luxel_precision)precision;
     work->settings.minimum_reached = reached != 0;
+    work->settings.lights = (const size_t *)(const void *)lights; /* bytes begin where numbers may */
+    work->settings.light_count = (size_t)size / sizeof(size_t);
     work->settings.progress = ask;
     work->settings.progress_data = work;
     work->progress = progress == Py_None ? NULL : progress;

@@ -51,6 +51,7 @@ luxel_status luxel_evaluator_new(const luxel_scene *scene, const luxel_settings 
     made->reflected = session.reflected;
     made->reflected_at = session.reflected ? reflected_at : NULL;
     made->settings = session.settings;
+    made->settings.lights = NULL; /* the prepared scene knows them; the caller's list need not outlive this */
     made->kernels = session.kernels;
     made->prepared = session.prepared;
     if (status == LUXEL_OK)

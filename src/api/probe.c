@@ -22,7 +22,7 @@
 /* Probes with all that they point to: a single one is an array of one. */
 struct probes {
     luxel_light_share *shares; /* of all probes, one after the other */
-    luxel_light_share *named;  /* what each begins with: one for each enabled light, with its words */
+    luxel_light_share *named;  /* what each begins with: one for each light that is on, with its words */
     size_t named_count;
     char **surface_names; /* of all surfaces */
     size_t surface_count;
@@ -49,8 +49,8 @@ void luxel_probe_free(luxel_probe *probe)
         free_probes((struct probes *)(void *)((char *)probe - offsetof(struct probes, list)));
 }
 
-/* Copies the names of lights and surfaces; -1: memory ran out. */
-static int copy_names(const struct lx_scene_parameters *scene, struct probes *probes)
+/* Copies the names of surfaces and of lights that are on (NULL: none is); -1: memory ran out. */
+static int copy_names(const struct lx_scene_parameters *scene, const bool *on, struct probes *probes)
 {
     probes->named = lx_new_array(scene->lights.count, sizeof *probes->named);
     probes->surface_names = lx_new_array(scene->surfaces.count, sizeof *probes->surface_names);
@@ -59,7 +59,7 @@ static int copy_names(const struct lx_scene_parameters *scene, struct probes *pr
     for (size_t i = 0; i < scene->lights.count; i++) {
         const struct lx_item *item = &scene->lights.items[i];
         const struct lx_light_common *common = item->common;
-        if (!common->enabled)
+        if (!on || !on[i])
             continue;
         luxel_light_share *share = &probes->named[probes->named_count++];
         *share = (luxel_light_share){.light = i, .type = item->variant->name};
@@ -86,8 +86,8 @@ static luxel_status too_many(size_t count, double needed, double available, luxe
 }
 
 /* Room for the answers; what there is of it is to be freed whatever it returns. */
-static luxel_status new_probes(const struct lx_scene_parameters *scene, size_t count, luxel_diagnostics *diagnostics,
-                               struct probes **probes)
+static luxel_status new_probes(const struct lx_scene_parameters *scene, const bool *on, size_t count,
+                               luxel_diagnostics *diagnostics, struct probes **probes)
 {
     const double needed =
         (double)count * (double)(sizeof(luxel_probe) + scene->lights.count * sizeof(luxel_light_share));
@@ -96,7 +96,7 @@ static luxel_status new_probes(const struct lx_scene_parameters *scene, size_t c
         return too_many(count, needed, available, diagnostics);
     struct probes *made = lx_new_array(1, sizeof *made + count * sizeof *made->list);
     *probes = made;
-    if (!made || copy_names(scene, made) < 0)
+    if (!made || copy_names(scene, on, made) < 0)
         return lx_out_of_memory(diagnostics);
     made->shares = lx_new_array(count * made->named_count, sizeof *made->shares);
     if (!made->shares)
@@ -381,7 +381,7 @@ luxel_status luxel_probe_many(const luxel_scene *scene, const luxel_settings *se
     if (status == LUXEL_OK)
         status = check_places(lx_scene_parameters(scene), places, count, diagnostics);
     if (status == LUXEL_OK)
-        status = new_probes(lx_scene_parameters(scene), count, diagnostics, &probing.probes);
+        status = new_probes(lx_scene_parameters(scene), session.prepared.on, count, diagnostics, &probing.probes);
     if (status == LUXEL_OK) {
         control.progress = session.settings.progress;
         control.data = session.settings.progress_data;
@@ -413,6 +413,11 @@ luxel_status luxel_probe_element(const luxel_scene *scene, const luxel_settings 
 
 const char *luxel_scene_unit(const luxel_scene *scene, luxel_quantity quantity)
 {
-    return scene && luxel_scene_is_committed(scene) ? lx_unit_of_scene(lx_scene_parameters(scene), quantity)
+    return luxel_settings_unit(scene, &(luxel_settings){.quantity = quantity});
+}
+
+const char *luxel_settings_unit(const luxel_scene *scene, const luxel_settings *settings)
+{
+    return scene && luxel_scene_is_committed(scene) ? lx_unit_of_scene(lx_scene_parameters(scene), settings)
                                                     : "relative";
 }

@@ -1,6 +1,8 @@
 /* SPDX-License-Identifier: MIT */
-/* Which pixels of a row are asked whether light arrives at them, and what comes of it. */
+/* Which pixels of a row are asked whether light arrives at them, and what comes of it; and of how many it does. */
 #include "reaching.h"
+
+#include <luxel/light.h>
 
 #include <math.h>
 #include <stdlib.h>
@@ -120,4 +122,27 @@ void lx_reaching_row(struct lx_reaching *reaching, unsigned worker, const struct
             gathered->reached_column = i;
         }
     }
+}
+
+luxel_status luxel_find_reach(const luxel_scene *scene, const luxel_settings *settings, luxel_diagnostics *diagnostics,
+                              luxel_reach *reach)
+{
+    struct lx_session session;
+    struct lx_reach found;
+    luxel_status status = lx_session_begin(scene, settings, diagnostics, &session);
+    if (status != LUXEL_OK)
+        return status;
+    const struct lx_scene_parameters *parameters = lx_scene_parameters(scene);
+    double *x_mm = lx_new_column_places(&parameters->screen, 1), *y_mm = lx_new_row_places(&parameters->screen, 1);
+    status = lx_reach_open(&found, parameters, session.kernels, &session.settings);
+    *reach = (luxel_reach){.has_ambient = found.has_ambient, .has_direct = found.has_direct};
+    if (status == LUXEL_OK && (!x_mm || !y_mm))
+        status = LUXEL_ERROR_MEMORY;
+    if (status == LUXEL_OK)
+        status = lx_reach_share(&found, x_mm, parameters->screen.resolution[0], y_mm, parameters->screen.resolution[1],
+                                &reach->share);
+    lx_reach_clear(&found);
+    free(x_mm);
+    free(y_mm);
+    return status == LUXEL_ERROR_MEMORY ? lx_out_of_memory(diagnostics) : status;
 }

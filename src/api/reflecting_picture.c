@@ -133,7 +133,8 @@ static struct lx_reflected_key key_of(const struct lx_session *session)
     return (struct lx_reflected_key){.quantity = (int)settings->quantity,
                                      .error = lx_reflected_error_of(settings),
                                      .tolerance = session->prepared.tolerance,
-                                     .kernels = session->kernels};
+                                     .kernels = session->kernels,
+                                     .on = session->prepared.on};
 }
 
 struct lx_radiosity *lx_reflected_of_picture(const luxel_scene *scene, const struct lx_session *session)

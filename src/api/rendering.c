@@ -15,6 +15,7 @@
 #include "../base/diagnostics.h"
 #include "../base/memory.h"
 #include "../base/number.h"
+#include "../scene/lit.h"
 #include "../shade/effort.h"
 #include "reflecting.h"
 
@@ -209,7 +210,12 @@ static luxel_status keep_origin(const struct lx_session *session, const luxel_sc
         return lx_out_of_memory(diagnostics);
     if (!scene || settings->stride > 1 || lx_scene_is_ahead(scene))
         return LUXEL_OK;
-    field->scene = lx_scene_text_of(scene);
+    luxel_scene *lit;
+    const luxel_status status = lx_scene_lit(scene, settings, diagnostics, &lit);
+    if (status != LUXEL_OK)
+        return status;
+    field->scene = lx_scene_text_of(lit ? lit : scene);
+    luxel_scene_free(lit);
     return field->scene ? LUXEL_OK : lx_out_of_memory(diagnostics);
 }
 

@@ -6,6 +6,9 @@
 #include <string.h>
 
 #include "../base/diagnostics.h"
+#include "../base/number.h"
+#include "../scene/scene.h"
+#include "refuse.h"
 #include "session.h"
 
 enum { MAXIMUM_THREADS = 1024, MAXIMUM_STRIDE = 65536 };
@@ -56,6 +59,32 @@ static luxel_status check_settings(const luxel_settings *settings, luxel_diagnos
     return status;
 }
 
+/* Whether the lights of the group are there, and give light that may be reflected, if it is. */
+static luxel_status check_group(const struct lx_scene_parameters *scene, const luxel_settings *settings,
+                                luxel_diagnostics *diagnostics)
+{
+    luxel_status status = LUXEL_OK;
+    for (size_t i = 0; settings->lights && i < settings->light_count; i++) {
+        const size_t light = settings->lights[i];
+        char number[LX_NUMBER_SIZE], count[LX_NUMBER_SIZE], key[64];
+        if (light >= scene->lights.count) {
+            lx_report(diagnostics, LUXEL_SEVERITY_ERROR, NULL, LX_MSG_NO_SUCH_LIGHT,
+                      LX_ARGS(lx_write_number((double)light, number),
+                              lx_write_number((double)scene->lights.count, count)));
+            status = LUXEL_ERROR_ARGUMENT;
+            continue;
+        }
+        const char *law = lx_wants_reflections(scene) ? lx_foreign_law(&scene->lights.items[light]) : NULL;
+        if (law) {
+            snprintf(key, sizeof key, "lights[%zu].attenuation", light);
+            lx_report(diagnostics, LUXEL_SEVERITY_ERROR, NULL, LX_MSG_REFLECTS_BY_LAW, LX_ARGS(key, law));
+            lx_hint(diagnostics, LX_MSG_HINT_INVERSE_SQUARE, NULL);
+            status = LUXEL_ERROR_ARGUMENT;
+        }
+    }
+    return status;
+}
+
 static luxel_status choose_kernels(struct lx_session *session, luxel_diagnostics *diagnostics)
 {
     session->kernels = lx_kernels_choose(session->settings.instruction_set);
@@ -84,16 +113,17 @@ luxel_status lx_settings_check(const luxel_scene *scene, const luxel_settings *s
     luxel_settings_init(checked);
     if (settings)
         *checked = *settings;
-    return check_settings(checked, diagnostics);
+    const luxel_status status = check_settings(checked, diagnostics);
+    const luxel_status group = check_group(lx_scene_parameters(scene), checked, diagnostics);
+    return status == LUXEL_OK ? group : status;
 }
 
 luxel_status lx_session_prepare(const luxel_scene *scene, const luxel_settings *settings,
                                 luxel_diagnostics *diagnostics, struct lx_prepared *prepared)
 {
-    double tolerance = settings->tolerance > 0 ? settings->tolerance : LX_DEFAULT_TOLERANCE;
     struct lx_control control = {.rows = 1, .progress = settings->progress, .data = settings->progress_data};
     const struct lx_asking asking = {.control = &control, .is_caller = true};
-    if (lx_prepare(lx_scene_parameters(scene), tolerance, &asking, prepared) == 0)
+    if (lx_prepare(lx_scene_parameters(scene), settings, &asking, prepared) == 0)
         return LUXEL_OK;
     if (atomic_load(&control.stop))
         return LUXEL_CANCELLED;

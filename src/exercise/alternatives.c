@@ -13,6 +13,7 @@
 #include "../base/number.h"
 #include "../base/phrase.h"
 #include "../parameter/decode.h"
+#include "../scene/lit.h"
 #include "../scene/materials.h"
 #include "../shade/camera.h"
 
@@ -92,6 +93,8 @@ void lx_choices_clear(struct lx_choices *choices)
     for (size_t i = 0; i < choices->count; i++)
         free(choices->list[i].assignment);
     choices->count = 0;
+    luxel_scene_free(choices->lit);
+    choices->lit = NULL;
 }
 
 /* ---- what there is to choose ---- */
@@ -246,11 +249,16 @@ luxel_status lx_choices_find(const luxel_scene *scene, const luxel_settings *set
         lx_report(diagnostics, LUXEL_SEVERITY_ERROR, NULL, LX_MSG_NOT_COMMITTED, NULL);
         return LUXEL_ERROR_ARGUMENT;
     }
+    const luxel_status status = lx_scene_lit(scene, settings, diagnostics, &choices->lit);
+    if (status != LUXEL_OK)
+        return status;
+    if (choices->lit)
+        choices->scene = choices->lit;
     if (settings)
         choices->settings = *settings;
     else
         luxel_settings_init(&choices->settings);
-    const struct lx_scene_parameters *parameters = lx_scene_parameters(scene);
+    const struct lx_scene_parameters *parameters = lx_scene_parameters(choices->scene);
     if (lx_wants_reflections(parameters) && find_bounces(&parameters->reflections, choices) < 0)
         return lx_out_of_memory(diagnostics);
     for (size_t i = 0; i < LX_COUNT(places); i++)

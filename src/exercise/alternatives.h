@@ -26,6 +26,7 @@ struct lx_choice {
 
 struct lx_choices {
     const luxel_scene *scene;
+    luxel_scene *lit; /* that scene, where it was made for a group of lights; else NULL */
     luxel_settings settings;
     double x_mm, y_mm;
     struct lx_choice list[LX_MOST_CHOICES];

@@ -8,6 +8,7 @@
 #include "../base/diagnostics.h"
 #include "../base/number.h"
 #include "../base/phrase.h"
+#include "../scene/lit.h"
 #include "alternatives.h"
 #include "parameter_tables.h"
 
@@ -210,9 +211,7 @@ static luxel_status explain_value(const struct explaining *explaining, luxel_dia
     struct lx_prepared prepared;
     struct lx_element element;
     luxel_alternatives *alternatives = NULL;
-    double tolerance = explaining->settings && explaining->settings->tolerance > 0 ? explaining->settings->tolerance
-                                                                                   : LX_DEFAULT_TOLERANCE;
-    luxel_status status = lx_prepare(lx_scene_parameters(explaining->scene), tolerance, NULL, &prepared)
+    luxel_status status = lx_prepare(lx_scene_parameters(explaining->scene), explaining->settings, NULL, &prepared)
                               ? lx_out_of_memory(diagnostics)
                               : LUXEL_OK;
     if (status == LUXEL_OK)
@@ -253,15 +252,20 @@ luxel_status luxel_explain(const luxel_scene *scene, const luxel_settings *setti
                            const luxel_language *language, luxel_diagnostics *diagnostics, luxel_document **document)
 {
     luxel_probe *probe = NULL;
-    struct explaining explaining = {.scene = scene, .settings = settings};
+    luxel_scene *lit;
     luxel_status status = luxel_probe_screen(scene, settings, x_mm, y_mm, diagnostics, &probe);
     if (status != LUXEL_OK)
         return status;
-    explaining.probe = probe;
+    status = lx_scene_lit(scene, settings, diagnostics, &lit);
+    if (status != LUXEL_OK) {
+        luxel_probe_free(probe);
+        return status;
+    }
+    struct explaining explaining = {.scene = lit ? lit : scene, .settings = settings, .probe = probe};
     explaining.quantity = settings ? settings->quantity : LUXEL_BRIGHTNESS;
     explaining.document = lx_document_new(language);
     if (explaining.document) {
-        explaining.unit = lx_document_word(explaining.document, luxel_scene_unit(scene, explaining.quantity));
+        explaining.unit = lx_document_word(explaining.document, luxel_scene_unit(explaining.scene, explaining.quantity));
         add_title(&explaining);
         if (probe->has_value)
             status = explain_value(&explaining, diagnostics);
@@ -269,6 +273,7 @@ luxel_status luxel_explain(const luxel_scene *scene, const luxel_settings *setti
             explain_nothing(&explaining);
     }
     luxel_probe_free(probe);
+    luxel_scene_free(lit);
     if (status == LUXEL_OK && (!explaining.document || lx_document_failed(explaining.document)))
         status = lx_out_of_memory(diagnostics);
     if (status == LUXEL_OK)

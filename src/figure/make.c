@@ -10,6 +10,7 @@
 #include "../exercise/parameter_tables.h"
 #include "../parameter/decode.h"
 #include "../parameter/words.h"
+#include "../scene/lit.h"
 #include "labels.h"
 
 enum { SECTION_SAMPLES = 401, OUTLINE_STEPS = 360 };
@@ -265,9 +266,11 @@ luxel_status lx_figure_make(const luxel_scene *scene, const luxel_settings *sett
     }
     if (status != LUXEL_OK)
         return status;
-    made->copy = luxel_scene_copy(scene);
-    if (!made->copy)
-        return lx_out_of_memory(diagnostics);
+    status = lx_scene_lit(scene, settings, diagnostics, &made->copy);
+    if (status == LUXEL_OK && !made->copy && !(made->copy = luxel_scene_copy(scene)))
+        status = lx_out_of_memory(diagnostics);
+    if (status != LUXEL_OK)
+        return status;
     made->scene = lx_scene_parameters(made->copy);
     return compute(made, settings, diagnostics);
 }

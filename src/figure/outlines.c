@@ -64,41 +64,23 @@ static luxel_outlines *copy(const struct lx_figure *figure)
     return &whole->list;
 }
 
-/* What is seen at a place costs as much as its light, so the lights go out first. */
-static luxel_status prepare(const luxel_scene *scene, luxel_diagnostics *diagnostics, luxel_scene **dark,
-                            luxel_evaluator **evaluator)
-{
-    *evaluator = NULL;
-    *dark = luxel_scene_copy(scene);
-    if (!*dark)
-        return lx_out_of_memory(diagnostics);
-    luxel_status status = luxel_scene_set(*dark, "lights=[]", diagnostics);
-    if (status == LUXEL_OK)
-        status = luxel_scene_commit(*dark, diagnostics);
-    return status == LUXEL_OK ? luxel_evaluator_new(*dark, NULL, diagnostics, evaluator) : status;
-}
-
 luxel_status luxel_find_outlines(const luxel_scene *scene, luxel_diagnostics *diagnostics, luxel_outlines **outlines)
 {
-    luxel_scene *dark;
-    luxel_evaluator *evaluator;
+    static const size_t nobody[1];
+    luxel_settings dark; /* what is seen at a place costs as much as its light, so there is none */
+    luxel_evaluator *evaluator = NULL;
+    luxel_settings_init(&dark);
+    dark.lights = nobody;
     *outlines = NULL;
-    if (!scene || !luxel_scene_is_committed(scene)) {
-        lx_report(diagnostics, LUXEL_SEVERITY_ERROR, NULL, LX_MSG_NOT_COMMITTED, NULL);
-        return LUXEL_ERROR_ARGUMENT;
-    }
-    luxel_status status = prepare(scene, diagnostics, &dark, &evaluator);
+    luxel_status status = luxel_evaluator_new(scene, &dark, diagnostics, &evaluator);
     struct lx_figure *figure = status == LUXEL_OK ? lx_new_array(1, sizeof *figure) : NULL;
     if (figure) {
-        figure->copy = dark;
-        dark = NULL;
-        figure->scene = lx_scene_parameters(figure->copy);
+        figure->scene = lx_scene_parameters(scene);
         *outlines = lx_figure_outline(figure, evaluator, STEPS) == 0 ? copy(figure) : NULL;
         lx_figure_free(figure);
     }
     if (status == LUXEL_OK && !*outlines)
         status = lx_out_of_memory(diagnostics);
     luxel_evaluator_free(evaluator);
-    luxel_scene_free(dark);
     return status;
 }

@@ -10,6 +10,7 @@
 #include "../base/phrase.h"
 #include "../base/sink.h"
 #include "../exercise/explain.h"
+#include "../scene/lit.h"
 #include "../shade/prepared.h"
 #include "figure.h"
 #include "pages.h"
@@ -84,7 +85,7 @@ static luxel_status add_method(struct lx_report *report)
     struct lx_prepared prepared;
     luxel_status status = LUXEL_OK;
     lx_document_heading(report->document, 1, LX_N("Method"), NULL);
-    if (lx_prepare(report->parameters, LX_DEFAULT_TOLERANCE, NULL, &prepared) == 0)
+    if (lx_prepare(report->parameters, NULL, NULL, &prepared) == 0)
         lx_explain_model(report->document, &prepared, is_irradiance(report) ? LUXEL_IRRADIANCE : LUXEL_BRIGHTNESS);
     else
         status = lx_out_of_memory(report->diagnostics);
@@ -219,10 +220,15 @@ static luxel_status write_to(const struct lx_destination *destinations, size_t c
     const luxel_report_settings none = {0};
     struct lx_report report = {
         .scene = scene, .settings = settings, .texts = texts ? texts : &none, .diagnostics = diagnostics};
+    luxel_scene *lit = NULL;
     luxel_status status = check(destinations, count, scene, diagnostics);
+    if (status == LUXEL_OK)
+        status = lx_scene_lit(scene, settings, diagnostics, &lit);
     if (status != LUXEL_OK)
         return status;
-    report.parameters = lx_scene_parameters(scene);
+    if (lit)
+        report.scene = lit;
+    report.parameters = lx_scene_parameters(report.scene);
     status = build(&report);
     for (size_t i = 0, built = status == LUXEL_OK; i < count && built; i++) {
         const luxel_status one = write_as(&report, &destinations[i]);
@@ -230,6 +236,7 @@ static luxel_status write_to(const struct lx_destination *destinations, size_t c
         status = one == LUXEL_OK ? status : one;
     }
     lx_report_clear(&report);
+    luxel_scene_free(lit);
     return status;
 }
 

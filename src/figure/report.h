@@ -6,6 +6,7 @@
 #include <luxel/balance.h>
 #include <luxel/compare.h>
 #include <luxel/figure.h>
+#include <luxel/light.h>
 #include <luxel/probe.h>
 #include <luxel/version.h>
 
@@ -29,8 +30,7 @@ struct lx_report {
     luxel_extrema extrema;
     luxel_summary summary;
     luxel_statistics statistics;
-    bool has_ambient, has_direct; /* whether any light is ambient, or comes from somewhere */
-    double reached;               /* share of the surface's pixels where the latter arrives (shade/reach.h) */
+    luxel_reach reach;
     luxel_probe **probes;         /* of the scene's points */
     size_t probe_count;
     luxel_probe *peak;                /* at the maximum; NULL where there is none */

@@ -152,16 +152,16 @@ static void conclude_plateau(struct lx_report *report)
 static void conclude_reach(struct lx_report *report)
 {
     char share[LX_NUMBER_SIZE];
-    const struct lx_span reached = LX_PLAIN(percent(report->reached, share));
-    if (report->has_direct && report->has_ambient)
+    const struct lx_span reached = LX_PLAIN(percent(report->reach.share, share));
+    if (report->reach.has_direct && report->reach.has_ambient)
         lx_document_item(
             report->document,
             LX_N("Ambient light is everywhere; that of the other sources reaches {0} % of the surface that "
                  "is seen."),
             LX_SPANS(reached));
-    else if (report->has_direct)
+    else if (report->reach.has_direct)
         lx_document_item(report->document, LX_N("Light reaches {0} % of the surface that is seen."), LX_SPANS(reached));
-    else if (report->has_ambient)
+    else if (report->reach.has_ambient)
         lx_document_item(report->document, LX_N("All light is ambient: it is everywhere."), NULL);
     else
         lx_document_item(report->document, LX_N("No source shines."), NULL);

@@ -6,7 +6,6 @@
 #include "../base/diagnostics.h"
 #include "../base/memory.h"
 #include "../base/number.h"
-#include "../shade/reach.h"
 #include "figure.h"
 #include "report.h"
 
@@ -115,23 +114,6 @@ static luxel_status find_extrema(struct lx_report *report)
     return status;
 }
 
-/* What kinds of light there are, and how far those go that come from somewhere. */
-static luxel_status find_reach(struct lx_report *report)
-{
-    const luxel_settings settings = lx_whole_picture(report->settings);
-    struct lx_reach reach;
-    luxel_status status =
-        lx_reach_open(&reach, report->parameters, lx_kernels_choose(settings.instruction_set), &settings);
-    if (status == LUXEL_OK) {
-        report->has_ambient = reach.has_ambient;
-        report->has_direct = reach.has_direct;
-        status = lx_reach_share(&reach, luxel_field_x_mm(report->field), luxel_field_columns(report->field),
-                                luxel_field_y_mm(report->field), luxel_field_rows(report->field), &report->reached);
-    }
-    lx_reach_clear(&reach);
-    return status == LUXEL_ERROR_MEMORY ? lx_out_of_memory(report->diagnostics) : status;
-}
-
 luxel_status lx_report_compute(struct lx_report *report)
 {
     luxel_settings whole = lx_whole_picture(report->settings);
@@ -141,7 +123,7 @@ luxel_status lx_report_compute(struct lx_report *report)
         status = luxel_field_summary(report->field, NULL, report->diagnostics, &report->summary);
     if (status == LUXEL_OK) {
         report->statistics = *luxel_field_statistics(report->field);
-        status = find_reach(report);
+        status = luxel_find_reach(report->scene, report->settings, report->diagnostics, &report->reach);
     }
     if (status == LUXEL_OK)
         status = probe_points(report);

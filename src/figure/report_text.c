@@ -188,8 +188,8 @@ static void explain_minimum(struct lx_report *report)
 bool lx_report_has_tail(const struct lx_report *report)
 {
     const luxel_statistics *statistics = &report->statistics;
-    const bool was_sought = statistics->minimum_reached.exists || report->reached == 0;
-    return was_sought && !report->has_ambient && statistics->minimum.exists &&
+    const bool was_sought = statistics->minimum_reached.exists || report->reach.share == 0;
+    return was_sought && !report->reach.has_ambient && statistics->minimum.exists &&
            (!statistics->minimum_reached.exists || statistics->minimum.value < statistics->minimum_reached.value);
 }
 
@@ -218,11 +218,11 @@ static void add_statistics(struct lx_report *report)
     add_statistic(report, LX_N("mean"), summary->mean, NULL);
     add_statistic(report, LX_N("median"), summary->median, NULL);
     add_statistic(report, LX_N("standard deviation"), summary->standard_deviation, NULL);
-    if (report->has_direct)
+    if (report->reach.has_direct)
         add_statistic(report,
-                      report->has_ambient ? LX_N("share of the surface that light other than ambient reaches")
+                      report->reach.has_ambient ? LX_N("share of the surface that light other than ambient reaches")
                                           : LX_N("share of the surface that light reaches"),
-                      report->reached, NULL);
+                      report->reach.share, NULL);
     if (summary->has_evenness)
         add_statistic(report, LX_N("uniformity U0 = minimum of the pixels / mean"), summary->u0, NULL);
     explain_minimum(report);

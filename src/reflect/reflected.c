@@ -29,6 +29,7 @@ static void free_solution(struct lx_kept *kept)
     struct lx_radiosity *reflected = (struct lx_radiosity *)kept;
     for (size_t t = 0; t < reflected->tile_count; t++)
         lx_direct_clear(&reflected->tiles[t].direct);
+    free(reflected->on);
     free(reflected->faces);
     free(reflected->tiles);
     free(reflected->first_tile);
@@ -56,7 +57,8 @@ struct lx_radiosity *lx_reflected_of_kept(struct lx_kept *kept, const struct lx_
     struct lx_radiosity *reflected = (struct lx_radiosity *)kept;
     const struct lx_reflected_key *made = &reflected->key;
     const bool is_it = made->quantity == key->quantity && made->error == key->error &&
-                       made->tolerance == key->tolerance && made->kernels == key->kernels;
+                       made->tolerance == key->tolerance && made->kernels == key->kernels &&
+                       memcmp(made->on, key->on, reflected->light_count * sizeof *key->on) == 0;
     return is_it ? reflected : NULL;
 }
 
@@ -187,6 +189,8 @@ luxel_status lx_reflected_make(const struct lx_reflected_wish *wish, struct lx_r
     const struct lx_choice_or_whole *bounces = &wish->prepared->scene->reflections;
     *reflected = (struct lx_radiosity){
         .key = wish->key,
+        .on = lx_new_array(wish->prepared->scene->lights.count, sizeof *reflected->on),
+        .light_count = wish->prepared->scene->lights.count,
         .prepared = wish->prepared,
         .sampled = *wish->prepared,
         .error = wish->error,
@@ -198,7 +202,10 @@ luxel_status lx_reflected_make(const struct lx_reflected_wish *wish, struct lx_r
     reflected->sampled.tolerance = fmax(reflected->sampled.tolerance, SAMPLED * wish->error);
     reflected->sampling.world.prepared = &reflected->sampled;
     lx_kept_init(&reflected->kept, free_solution);
-    const luxel_status status = work(reflected, wish);
+    reflected->key.on = reflected->on;
+    if (reflected->on)
+        memcpy(reflected->on, wish->prepared->on, reflected->light_count * sizeof *reflected->on);
+    const luxel_status status = reflected->on ? work(reflected, wish) : LUXEL_ERROR_MEMORY;
     reflected->prepared = reflected->sampling.world.prepared = NULL;
     reflected->control = NULL;
     if (status != LUXEL_OK) {

@@ -25,6 +25,7 @@ struct lx_reflected_key {
     int quantity;
     double error, tolerance;
     const void *kernels;
+    const bool *on; /* which lights give light; in the key of a solution its own */
 };
 
 /* A place whose reflected light is wanted, and how large the error may be beside what is reflected: the direct

@@ -24,6 +24,8 @@ struct lx_shown_part {
 struct lx_radiosity {
     struct lx_kept kept;
     struct lx_reflected_key key;
+    bool *on; /* the key's */
+    size_t light_count;
     const struct lx_prepared *prepared; /* while it is made; */
     struct lx_prepared sampled;         /* likewise, with the tolerance that samples of direct light are good for */
     struct lx_sampling_direct sampling;

@@ -84,12 +84,8 @@ static void check_materials(struct lx_walk *walk, const luxel_scene *scene)
     }
 }
 
-/* The name of a light's law, where it has one that is not physical. */
-static const char *foreign_law(const struct lx_item *light)
+const char *lx_foreign_law(const struct lx_item *light)
 {
-    const struct lx_light_common *common = light->common;
-    if (!light->variant || !common->enabled)
-        return NULL;
     const struct lx_parameter *law = lx_find_parameter(light->variant->table, "attenuation");
     const char *word = law ? lx_chosen(law, light->parameters) : NULL;
     return word && strcmp(word, "inverse-square") != 0 ? word : NULL;
@@ -99,7 +95,9 @@ static void check_laws(struct lx_walk *walk, const luxel_scene *scene)
 {
     const struct lx_document *document = walk->document;
     for (size_t i = 0; i < scene->parameters.lights.count; i++) {
-        const char *law = foreign_law(&scene->parameters.lights.items[i]);
+        const struct lx_item *light = &scene->parameters.lights.items[i];
+        const bool is_on = light->variant && ((const struct lx_light_common *)light->common)->enabled;
+        const char *law = is_on ? lx_foreign_law(light) : NULL;
         if (!law)
             continue;
         struct descent descent = begin(document);

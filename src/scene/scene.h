@@ -95,6 +95,9 @@ extern const struct lx_table lx_scene_table;
 /* Whether a scene's numbers are ahead of its text (bind.h), so that its text does not repeat it. */
 bool lx_scene_is_ahead(const luxel_scene *scene);
 
+/* The name of the law that a light shines by, where that is no physical one; else NULL. */
+const char *lx_foreign_law(const struct lx_item *light);
+
 /* A place to keep what the surfaces of a committed scene reflect, for whoever asks next; NULL: there is none. */
 struct lx_kept_slot *lx_scene_reflected(const luxel_scene *scene);
 

@@ -9,6 +9,7 @@
 #include "../base/rows.h"
 #include "../light/carry.h"
 #include "../light/light.h"
+#include "../scene/lit.h"
 #include "among.h"
 #include "prepared.h"
 
@@ -17,14 +18,13 @@ enum { FEW_EMITTERS = 4096 };
 /* A point of a swarm takes so much. */
 enum { SWARM_BYTES = 64 };
 
-static int prepare_lights(const struct lx_list *lights, struct lx_emitters *emitters)
+static int prepare_lights(const struct lx_list *lights, const bool *on, struct lx_emitters *emitters)
 {
     for (size_t i = 0; i < lights->count; i++) {
         const struct lx_item *item = &lights->items[i];
-        const struct lx_light_common *common = item->common;
         const struct lx_light_kind *kind = (const struct lx_light_kind *)item->variant;
         emitters->light = i;
-        if (common->enabled && (!lx_asking_goes_on(emitters->asking) || kind->prepare(item->parameters, emitters)))
+        if (on[i] && (!lx_asking_goes_on(emitters->asking) || kind->prepare(item->parameters, emitters)))
             return -1;
     }
     return 0;
@@ -70,8 +70,8 @@ static void prepare_surface(const struct lx_scene_parameters *scene, size_t i, s
 }
 
 /* `room`: an empty list that knows how many emitters it may take. */
-static int prepare(const struct lx_scene_parameters *scene, double tolerance, const struct lx_emitters *room,
-                   struct lx_prepared *prepared)
+static int prepare(const struct lx_scene_parameters *scene, const luxel_settings *settings, double tolerance,
+                   const struct lx_emitters *room, struct lx_prepared *prepared)
 {
     const struct lx_list *surfaces = &scene->surfaces;
     *prepared = (struct lx_prepared){
@@ -79,23 +79,24 @@ static int prepare(const struct lx_scene_parameters *scene, double tolerance, co
         .camera = lx_camera_of(&scene->observer),
         .surfaces = lx_new_array(count_parts(surfaces), sizeof *prepared->surfaces),
         .authored = lx_new_array(surfaces->count, sizeof *prepared->authored),
+        .on = lx_lights_on(scene, settings),
         .emitters = *room,
         .tolerance = tolerance,
         .shadows_extended = scene->shadows == LX_SHADOWS_ALL,
         .shadows_on_free = scene->shadows != LX_SHADOWS_NONE,
     };
-    if (!prepared->surfaces || !prepared->authored)
+    if (!prepared->surfaces || !prepared->authored || !prepared->on)
         return -1;
     for (size_t i = 0; i < surfaces->count; i++)
         prepare_surface(scene, i, prepared);
     if (lx_among_make(prepared))
         return -1;
-    int failed = prepare_lights(&scene->lights, &prepared->emitters);
+    int failed = prepare_lights(&scene->lights, prepared->on, &prepared->emitters);
     prepared->emitters.asking = NULL;
     return failed;
 }
 
-int lx_prepare(const struct lx_scene_parameters *scene, double tolerance, const struct lx_asking *asking,
+int lx_prepare(const struct lx_scene_parameters *scene, const luxel_settings *settings, const struct lx_asking *asking,
                struct lx_prepared *prepared)
 {
     /* The usual scene has few, and need not ask for memory; besides the emitters, each surface has its constants, and
@@ -109,13 +110,14 @@ int lx_prepare(const struct lx_scene_parameters *scene, double tolerance, const 
         .each_in_swarms = (double)((placed + 1) * SWARM_BYTES + surfaces * others * sizeof(uint32_t)),
         .asking = asking,
     };
-    return prepare(scene, tolerance, &room, prepared);
+    const double tolerance = settings && settings->tolerance > 0 ? settings->tolerance : LX_DEFAULT_TOLERANCE;
+    return prepare(scene, settings, tolerance, &room, prepared);
 }
 
 int lx_prepare_few(const struct lx_scene_parameters *scene, double tolerance, size_t most, struct lx_prepared *prepared)
 {
     const struct lx_emitters room = {.most = most};
-    return prepare(scene, tolerance, &room, prepared);
+    return prepare(scene, NULL, tolerance, &room, prepared);
 }
 
 int lx_prepared_carry(const struct lx_prepared *prepared, const struct lx_asking *asking, struct lx_prepared *carried)
@@ -126,9 +128,11 @@ int lx_prepared_carry(const struct lx_prepared *prepared, const struct lx_asking
     carried->surfaces = lx_new_array(prepared->surface_count, sizeof *carried->surfaces);
     carried->authored = lx_new_array(prepared->scene->surfaces.count, sizeof *carried->authored);
     carried->boxes = (struct lx_boxes){.count = 0};
+    carried->on = lx_new_array(prepared->scene->lights.count, sizeof *carried->on);
     carried->emitters = (struct lx_emitters){0};
-    if (!carried->surfaces || !carried->authored)
+    if (!carried->surfaces || !carried->authored || !carried->on)
         return -1;
+    memcpy(carried->on, prepared->on, prepared->scene->lights.count * sizeof *carried->on);
     memcpy(carried->authored, prepared->authored, prepared->scene->surfaces.count * sizeof *carried->authored);
     for (size_t i = 0; i < prepared->surface_count; i++) {
         const struct lx_prepared_surface *surface = &prepared->surfaces[i];
@@ -165,6 +169,7 @@ void lx_prepared_clear(struct lx_prepared *prepared)
     free(prepared->surfaces);
     lx_boxes_clear(&prepared->boxes);
     free(prepared->authored);
+    free(prepared->on);
     lx_emitters_clear(&prepared->emitters);
     *prepared = (struct lx_prepared){0};
 }
@@ -228,19 +233,22 @@ static size_t count_over_pi(const struct lx_item *item)
     return count;
 }
 
-const char *lx_unit_of_scene(const struct lx_scene_parameters *scene, luxel_quantity quantity)
+const char *lx_unit_of_scene(const struct lx_scene_parameters *scene, const luxel_settings *settings)
 {
+    const luxel_quantity quantity = settings ? settings->quantity : LUXEL_BRIGHTNESS;
     const bool photometric = scene->units == LX_PHOTOMETRIC;
     struct lx_emitters emitters = {
         .most = FEW_EMITTERS, .each = sizeof(struct lx_emitter), .each_in_swarms = SWARM_BYTES};
+    bool *on = lx_lights_on(scene, settings);
     const char *unit = LX_N("relative");
     size_t over_pi = 0;
     for (size_t i = 0; i < scene->surfaces.count && quantity == LUXEL_BRIGHTNESS; i++)
         over_pi += count_over_pi(&scene->surfaces.items[i]);
-    if (prepare_lights(&scene->lights, &emitters) == 0)
+    if (on && prepare_lights(&scene->lights, on, &emitters) == 0)
         unit = quantity == LUXEL_IRRADIANCE
                    ? unit_of_irradiance(&emitters, photometric)
                    : unit_of_brightness(&emitters, photometric, over_pi, count_parts(&scene->surfaces));
     lx_emitters_clear(&emitters);
+    free(on);
     return unit;
 }

@@ -12,7 +12,7 @@
 #include "../surface/part.h"
 #include "boxes.h"
 #include "camera.h"
-#include <luxel/field.h>
+#include <luxel/render.h>
 
 /* Of probes where nothing else is asked for. */
 #define LX_DEFAULT_TOLERANCE 1e-9
@@ -43,7 +43,8 @@ struct lx_prepared {
     size_t surface_count;
     struct lx_boxes boxes; /* over many of them (among.h) */
     struct lx_authored_surface *authored;
-    struct lx_emitters emitters; /* of the enabled lights, in their order */
+    bool *on;                    /* which lights of the scene's list give light */
+    struct lx_emitters emitters; /* of those, in their order */
     double tolerance;            /* of integrals, relative to the value that they are a part of */
     bool shadows;                /* whether surfaces take light from each other */
     bool shadows_extended;       /* whether extended sources are hidden, too, as far as they are */
@@ -51,12 +52,13 @@ struct lx_prepared {
 };
 
 /*
- * 0, or -1 when memory ran out, or where it would not do for so many emitters (prepared->emitters.is_short), or where
- * the work is to stop.  Release with lx_prepared_clear() in any case.
+ * By the tolerance and the group of lights of the settings; NULL: the defaults.  0, or -1 when memory ran out, or where
+ * it would not do for so many emitters (prepared->emitters.is_short), or where the work is to stop.  Release with
+ * lx_prepared_clear() in any case.
  */
-int lx_prepare(const struct lx_scene_parameters *scene, double tolerance, const struct lx_asking *asking,
+int lx_prepare(const struct lx_scene_parameters *scene, const luxel_settings *settings, const struct lx_asking *asking,
                struct lx_prepared *prepared);
-/* The same of a scene that has at most so many emitters; else -1, and prepared->emitters.is_short. */
+/* The scene with its enabled lights, which has at most so many emitters; else -1, and prepared->emitters.is_short. */
 int lx_prepare_few(const struct lx_scene_parameters *scene, double tolerance, size_t most,
                    struct lx_prepared *prepared);
 /*
@@ -80,7 +82,7 @@ static inline size_t lx_prepared_index(const struct lx_prepared *prepared, size_
 
 /* The unit of a quantity in this scene, UTF-8, as the attenuation laws, over_pi and `units` make it. */
 const char *lx_unit_of(const struct lx_prepared *prepared, luxel_quantity quantity);
-/* The same of a committed scene; only its lights are prepared. */
-const char *lx_unit_of_scene(const struct lx_scene_parameters *scene, luxel_quantity quantity);
+/* The unit of what the settings compute of a committed scene (NULL: the defaults); only its lights are prepared. */
+const char *lx_unit_of_scene(const struct lx_scene_parameters *scene, const luxel_settings *settings);
 
 #endif

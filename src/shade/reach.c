@@ -56,8 +56,8 @@ luxel_status lx_reach_open(struct lx_reach *reach, const struct lx_scene_paramet
     *reach = (struct lx_reach){.plan = {.surfaces = NULL}};
     own.quantity = LUXEL_IRRADIANCE;
     own.precision = LUXEL_DOUBLE;
-    own.light_error = 0;
-    if (lx_prepare(scene, LX_DEFAULT_TOLERANCE, &asking, &reach->prepared) != 0)
+    own.light_error = own.tolerance = 0;
+    if (lx_prepare(scene, &own, &asking, &reach->prepared) != 0)
         return atomic_load(&control.stop) ? LUXEL_CANCELLED : LUXEL_ERROR_MEMORY;
     struct lx_emitters *emitters = &reach->prepared.emitters;
     reach->has_ambient = has_ambient_light(emitters);

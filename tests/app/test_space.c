@@ -11,7 +11,7 @@
 static AppThing thing_of(const AppDocument *document, AppThingKind kind, gsize index)
 {
     AppMoment *moment = moment_of(document);
-    AppSpace *space = app_space_new(moment->scene);
+    AppSpace *space = app_space_new(moment);
     AppThing found = {.kind = APP_THING_NONE};
     for (guint i = 0; i < space->things->len; i++) {
         const AppThing *thing = &g_array_index(space->things, AppThing, i);
@@ -101,7 +101,7 @@ static void test_everything_is_in_view(void **state)
     for (gsize scene = 0; luxel_builtin_scene_name(scene); scene++) {
         AppDocument *document = document_of_builtin(luxel_builtin_scene_name(scene));
         AppMoment *moment = moment_of(document);
-        AppSpace *space = app_space_new(moment->scene);
+        AppSpace *space = app_space_new(moment);
         assert_true(space->things->len > 1 && space->lines->len > 1);
         for (guint i = 0; i < space->things->len; i++)
             for (int k = 0; k < 3; k++) {
@@ -125,7 +125,7 @@ static void test_outlines(void **state)
     (void)state;
     AppDocument *document = document_of_builtin("report");
     AppMoment *moment = moment_of(document);
-    AppSpace *space = app_space_new(moment->scene);
+    AppSpace *space = app_space_new(moment);
     guint seen = 0;
     for (guint i = 0; i < space->lines->len; i++) {
         const AppLine *line = &g_array_index(space->lines, AppLine, i);
@@ -152,7 +152,7 @@ static void test_view(void **state)
     for (int i = 0; i < 2; i++) {
         double view[3];
         AppMoment *moment = moment_of(document);
-        AppSpace *space = app_space_new(moment->scene);
+        AppSpace *space = app_space_new(moment);
         app_space_view(space, (double[3]){300, 0, 1100}, view);
         assert_place(view, i ? -0.6 : 0, 0, i ? 0.8 : 1);
         app_space_free(space);

@@ -15,6 +15,31 @@ SUN = "lights=[{type: distant, direction: [0,0,-1], irradiance: 1}]"
 PLACE = "150,0,1259.8076211353316,0.5,0,0.8660254037844387"
 
 
+def lights(tap, tool):
+    """What some lights alone give is what the scene gives with these enabled and all others not."""
+    alone = ["-s", "lights[0].enabled=false", "-s", "lights[1].enabled=false"]
+    files = ["-q", "-s", "screen.resolution=[60,48]"]
+    tool.run("render", "three-lights", *files, "--lights", "rim", "-o", "a.png", "-o", "a.exr")
+    tool.run("render", "three-lights", *files, *alone, "-o", "b.png", "-o", "b.exr")
+    for name in ("a.png", "a.exr"):
+        points = [tool.run("probe", picture, "-p", "150,0", "--json").json()["points"][0]
+                  for picture in (name, "b" + name[1:])]
+        tap.ok(points[0] == points[1] and [light["index"] for light in points[0]["lights"]] == [2],
+               name + " carries the scene of this light alone", points[0])
+    for command in (["probe"], ["stats"], ["profile", "--csv"], ["isophotes", "--csv"], ["explain", "-p", "150,0"]):
+        chosen = tool.run(*command, "three-lights", "--lights", "2").out
+        tap.equal(chosen, tool.run(*command, "three-lights", *alone).out, " ".join(command) + ": the third one alone")
+    whole = tool.run("probe", "three-lights", "-p", "150,0", "--json").json()["points"][0]["value"]
+    parts = [tool.run("probe", "three-lights", "-p", "150,0", "--lights", words, "--json").json()["points"][0]["value"]
+             for words in ("key,2", "1")]
+    tap.near(sum(parts), whole, 1e-12, "names and numbers; groups add up")
+    wrong = tool.run("probe", "three-lights", "--lights", "0,rimm,7", code=2).err
+    tap.ok('no light "rimm"; it has 3' in wrong and 'no light "7"' in wrong and "mean rim?" in wrong, "no such lights", wrong)
+    tool.run("render", "-q", "-o", "v.npy")
+    values = tool.run("stats", "v.npy", "--lights", "0", code=2).err
+    tap.ok("v.npy holds values and no scene whose lights --lights could choose" in values, "values have none", values)
+
+
 def said(tap, tool):
     """What is printed of an element is what counted."""
     both = tool.run("probe", "-p", "150,0", "--at", PLACE, "--json").json()
@@ -162,4 +187,4 @@ def grid_flux(tap, tool):
     tap.equal(list(result.json()["conventions"]), ["units", "shadows", "attenuation", "pattern"], "conventions")
 
 
-run_tests(Tap(), said, tables, arrays, passed_over, refused, many, grid_flux)
+run_tests(Tap(), lights, said, tables, arrays, passed_over, refused, many, grid_flux)

@@ -33,6 +33,25 @@ def arguments(changes, settings):
     return found
 
 
+def test_lights(tap, tool):
+    """Groups of lights: what they give is what the scene with these lights enabled gives, in a pickle, too."""
+    scene = luxel.Scene("three-lights").changed({"screen.resolution": [50, 40]})
+    alone = scene.changed({"lights[0].enabled": False, "lights[1].enabled": False})
+    field, truth = scene.render(lights="rim"), alone.render()
+    tap.ok((numpy.asarray(field) == numpy.asarray(truth)).all(), "by name: the picture")
+    tap.ok((numpy.asarray(scene.render(lights=2)) == numpy.asarray(truth)).all(), "by number")
+    tap.ok((numpy.asarray(pickle.loads(pickle.dumps(field))) == numpy.asarray(truth)).all(), "a pickle")
+    tap.equal(field.extrema().maximum.value, truth.extrema().maximum.value, "extrema of the field are of its lights")
+    tap.equal(scene.probe((150, 0), lights=["rim"]).value, alone.probe((150, 0)).value, "a probe")
+    places = numpy.array([[0, 0, 1001.0], [100, 0, 1001]])
+    tap.equal(list(scene.evaluate(places, [0, 0, 1], lights=2)["value"]),
+              list(alone.evaluate(places, [0, 0, 1])["value"]), "elements")
+    tap.ok((scene.section(lights="rim").value == alone.section().value).all(), "a section")
+    tap.equal(scene.render(lights=[]).statistics.maximum.value, 0.0, "no light: dark")
+    tap.ok(raises(KeyError, scene.render, lights="none") and raises(IndexError, scene.render, lights=3),
+           "there are no such lights")
+
+
 def test_files(tap, tool):
     for name, changes, settings in WAYS:
         endings = [".png", ".npy", ".pfm", ".csv", ".exr"]
@@ -290,5 +309,5 @@ def test_overhead(tap, tool):
     tap.equal(field.scene_text, expected, "the text is that of the scene as it was rendered")
 
 
-run_tests(Tap(), test_overhead, test_tables, test_files, test_read, test_of, test_statistics, test_missed_bound,
-          test_extrema, test_lines, test_profiles, test_compare, test_xarray)
+run_tests(Tap(), test_overhead, test_lights, test_tables, test_files, test_read, test_of, test_statistics,
+          test_missed_bound, test_extrema, test_lines, test_profiles, test_compare, test_xarray)

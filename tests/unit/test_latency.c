@@ -161,7 +161,7 @@ static void asks_while_parts_are_cut(void **state)
         const struct lx_asking asking = {.control = &control, .is_caller = true};
         struct lx_prepared prepared;
         begin(0);
-        assert_int_equal(lx_prepare(lx_scene_parameters(scene), 1e-9, &asking, &prepared), 0);
+        assert_int_equal(lx_prepare(lx_scene_parameters(scene), NULL, &asking, &prepared), 0);
         assert_int_equal(prepared.emitters.count, PARTS);
         assert_null(prepared.emitters.asking); /* it would outlive the one who asks */
         lx_prepared_clear(&prepared);
@@ -170,7 +170,7 @@ static void asks_while_parts_are_cut(void **state)
         for (size_t at = 1; at <= all; at += 1 + at / 4) {
             control.stop = false;
             begin(at);
-            assert_int_equal(lx_prepare(lx_scene_parameters(scene), 1e-9, &asking, &prepared), -1);
+            assert_int_equal(lx_prepare(lx_scene_parameters(scene), NULL, &asking, &prepared), -1);
             assert_false(prepared.emitters.is_short);
             assert_int_equal(counted.asked, at);
             lx_prepared_clear(&prepared);
@@ -541,9 +541,9 @@ static void bodies_of_meshes_are_made_once(void **state)
     snprintf(light, sizeof light, "  - {type: volume, mesh: '%s', radiance: 3}\n", mesh);
     luxel_scene *scene = scene_with(light);
     struct lx_prepared one, other;
-    assert_int_equal(lx_prepare(lx_scene_parameters(scene), 1e-9, NULL, &one), 0);
+    assert_int_equal(lx_prepare(lx_scene_parameters(scene), NULL, NULL, &one), 0);
     set(scene, "surfaces[0].material.diffuse=0.25");
-    assert_int_equal(lx_prepare(lx_scene_parameters(scene), 1e-9, NULL, &other), 0);
+    assert_int_equal(lx_prepare(lx_scene_parameters(scene), NULL, NULL, &other), 0);
     assert_int_equal(one.emitters.items[0].type, LX_FACETS);
     assert_ptr_equal(one.emitters.items[0].facets, other.emitters.items[0].facets);
     luxel_scene_free(scene);
@@ -564,7 +564,7 @@ static void parts_in_a_swarm_shine_the_same(void **state)
         "  - {type: planar, rectangle: {center: [-100, 80, 2000], size: [200, 160]}, radiance: 3, parts: 32}\n"
         "  - {type: planar, rectangle: {center: [100, 80, 2000], size: [200, 160]}, radiance: 3, parts: 32}\n");
     struct lx_prepared prepared;
-    assert_int_equal(lx_prepare(lx_scene_parameters(swarm), 1e-9, NULL, &prepared), 0);
+    assert_int_equal(lx_prepare(lx_scene_parameters(swarm), NULL, NULL, &prepared), 0);
     assert_int_equal(prepared.emitters.swarm_count, 1);
     assert_int_equal(prepared.emitters.count, 64 * 64);
     assert_true(prepared.emitters.swarms[0].model.is_part);

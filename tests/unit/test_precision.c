@@ -28,7 +28,7 @@ static void plan_text(const char *text, struct planned *made)
 {
     if (load(text, NULL, &made->scene) != LUXEL_OK)
         fail_msg("not a good scene: %s", text);
-    assert_int_equal(lx_prepare(lx_scene_parameters(made->scene), LX_DEFAULT_TOLERANCE, NULL, &made->prepared), 0);
+    assert_int_equal(lx_prepare(lx_scene_parameters(made->scene), NULL, NULL, &made->prepared), 0);
     luxel_settings settings;
     luxel_settings_init(&settings);
     assert_int_equal(lx_plan_make(&made->prepared, lx_kernels_choose("generic"), &settings, &made->plan), LUXEL_OK);

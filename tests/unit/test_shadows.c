@@ -28,7 +28,8 @@ static struct stage staged(const char *text, double tolerance)
     if (load(text, diagnostics, &stage.scene) != LUXEL_OK)
         fail_msg("not a scene:\n%s", text);
     luxel_diagnostics_free(diagnostics);
-    assert_int_equal(lx_prepare(lx_scene_parameters(stage.scene), tolerance, NULL, &stage.prepared), 0);
+    const luxel_settings settings = {.tolerance = tolerance};
+    assert_int_equal(lx_prepare(lx_scene_parameters(stage.scene), &settings, NULL, &stage.prepared), 0);
     return stage;
 }
 

@@ -54,7 +54,7 @@ static size_t compare(const char *text, struct dice *dice, size_t many)
     size_t had = 0;
     if (load(text, NULL, &scene) != LUXEL_OK)
         fail_msg("not a scene:\n%s", text);
-    assert_int_equal(lx_prepare(lx_scene_parameters(scene), 1e-9, NULL, &prepared), 0);
+    assert_int_equal(lx_prepare(lx_scene_parameters(scene), NULL, NULL, &prepared), 0);
     const struct lx_emitter *emitter = &prepared.emitters.items[0];
     for (int i = 0; i < ELEMENTS; i++) {
         const struct lx_free_element asked = {.place_mm = {dice_uniform(dice, -60, 60), dice_uniform(dice, -60, 60), 0},
