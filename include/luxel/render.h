@@ -70,8 +70,8 @@ LUXEL_API bool luxel_scene_settings(const luxel_scene *scene, luxel_settings *se
  * the picture of.  So what each light gives of a picture, of a grid or of a section, is asked group by group.
  *
  * LUXEL_ERROR_ARGUMENT: the scene is not committed, a setting is out of its range, there is no such light, the
- * instruction set is unknown or not of this machine.  LUXEL_ERROR_MEMORY: the picture would not fit (the message says how much
- * it needs; luxel_render_files() writes it all the same).  LUXEL_ERROR_RANGE: a value is beyond the precision.
+ * instruction set is unknown or not of this machine.  LUXEL_ERROR_MEMORY: the picture would not fit (the message says
+ * how much it needs; luxel_render_files() writes it all the same).  LUXEL_ERROR_RANGE: a value is beyond the precision.
  * LUXEL_CANCELLED.
  */
 LUXEL_API luxel_status luxel_render(const luxel_scene *scene, const luxel_settings *settings,

@@ -248,7 +248,7 @@ class Scene:
 
     def unit(self, quantity: str = "brightness") -> str:
         """The unit of a quantity in this scene, such as "W/sr" or "relative"."""
-        return _luxel.scene_unit(self._handle, choice("quantity", quantity, QUANTITIES))[0]
+        return _luxel.scene_unit(self._handle, choice("quantity", quantity, QUANTITIES), None)[0]
 
     def project(self, position_mm: Sequence[float]) -> Optional[Pair]:
         """The point of the screen at which a place is seen; None where it is not in front of the observer."""

@@ -216,12 +216,12 @@ static PyObject *scene_unit(PyObject *module, PyObject *arguments)
 {
     PyObject *handle;
     int quantity;
-    const char *lights = NULL;
-    Py_ssize_t size = 0;
+    const char *lights;
+    Py_ssize_t size;
     luxel_settings settings;
     const luxel_scene *scene;
 
-    if (!PyArg_ParseTuple(arguments, "Oi|z#", &handle, &quantity, &lights, &size) ||
+    if (!PyArg_ParseTuple(arguments, "Oiz#", &handle, &quantity, &lights, &size) ||
         !(scene = scene_of(module, handle)))
         return NULL;
     luxel_settings_init(&settings);
@@ -405,7 +405,8 @@ const PyMethodDef scene_functions[] = {
     FUNCTION("scene_points", scene_points, METH_O, "scene: SceneHandle, /", "List[Tuple[float, float]]"),
     FUNCTION("scene_resolution", scene_resolution, METH_O, "scene: SceneHandle, /", "Tuple[int, int]"),
     FUNCTION("scene_conventions", scene_conventions, METH_O, "scene: SceneHandle, /", "List[Tuple[str, str]]"),
-    FUNCTION("scene_unit", scene_unit, METH_VARARGS, "scene: SceneHandle, quantity: int, lights: Optional[bytes] = None, /", "Tuple[str, str]"),
+    FUNCTION("scene_unit", scene_unit, METH_VARARGS, "scene: SceneHandle, quantity: int, lights: Optional[bytes], /",
+             "Tuple[str, str]"),
     FUNCTION("scene_carried", scene_carried, METH_O, "scene: SceneHandle, /",
              "Optional[Tuple[int, int, float, float]]"),
     FUNCTION("scene_advice", scene_advice, METH_O, "scene: SceneHandle, /", "List[Tuple[Any, ...]]"),

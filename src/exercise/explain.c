@@ -265,7 +265,7 @@ luxel_status luxel_explain(const luxel_scene *scene, const luxel_settings *setti
     explaining.quantity = settings ? settings->quantity : LUXEL_BRIGHTNESS;
     explaining.document = lx_document_new(language);
     if (explaining.document) {
-        explaining.unit = lx_document_word(explaining.document, luxel_scene_unit(explaining.scene, explaining.quantity));
+        explaining.unit = lx_document_word(explaining.document, luxel_settings_unit(scene, settings));
         add_title(&explaining);
         if (probe->has_value)
             status = explain_value(&explaining, diagnostics);

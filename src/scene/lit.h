@@ -16,8 +16,8 @@ bool *lx_lights_on(const struct lx_scene_parameters *scene, const luxel_settings
 
 /*
  * A committed copy of a committed scene in which the lights of the settings' group are enabled and no others; where
- * there is no group (NULL settings have none), or where it is those that are enabled anyway, *lit is NULL, and the scene
- * will do.  LUXEL_OK, or why that scene cannot be made, which is reported.
+ * there is no group (NULL settings have none), or where it is those that are enabled anyway, *lit is NULL, and the
+ * scene will do.  LUXEL_OK, or why that scene cannot be made, which is reported.
  */
 luxel_status lx_scene_lit(const luxel_scene *scene, const luxel_settings *settings, luxel_diagnostics *diagnostics,
                           luxel_scene **lit);
