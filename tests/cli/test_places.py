@@ -34,11 +34,11 @@ def lights(tap, tool):
     parts = [tool.run("probe", "three-lights", "-p", "150,0", "--lights", words, "--json").json()["points"][0]["value"]
              for words in ("key,2", "1")]
     tap.near(sum(parts), whole, 1e-12, "names and numbers; groups add up")
-    wrong = tool.run("probe", "three-lights", "--lights", "0,rimm,7", code=2).err
+    wrong = tool.run("probe", "three-lights", "--lights", "0,rimm,7").err
     tap.ok('no light "rimm"; it has 3' in wrong and 'no light "7"' in wrong and "mean rim?" in wrong, "no such lights",
            wrong)
     tool.run("render", "-q", "-o", "v.npy")
-    values = tool.run("stats", "v.npy", "--lights", "0", code=2).err
+    values = tool.run("stats", "v.npy", "--lights", "0").err
     tap.ok("v.npy holds values and no scene whose lights --lights could choose" in values, "values have none", values)
 
 
