@@ -141,18 +141,20 @@ static bool take_bits(struct options *options, const char *argument)
     return true;
 }
 
+/* A number above 0 and below 1. */
+static bool take_share(const char *option, const char *argument, double *share)
+{
+    if (!argument_number(option, argument, share))
+        return false;
+    if (*share > 0.0 && *share < 1.0)
+        return true;
+    message_error(_("%s %s: expected a number above 0 and below 1"), option, argument);
+    return false;
+}
+
 static bool take_tolerance(struct options *options, const char *argument)
 {
-    double value;
-
-    if (!argument_number("--tolerance", argument, &value))
-        return false;
-    if (value > 0.0 && value < 1.0) {
-        options->settings.tolerance = value;
-        return true;
-    }
-    message_error(_("--tolerance %s: expected a number above 0 and below 1"), argument);
-    return false;
+    return take_share("--tolerance", argument, &options->settings.tolerance);
 }
 
 static bool take_light_error(struct options *options, const char *argument)
@@ -171,16 +173,7 @@ static bool take_light_error(struct options *options, const char *argument)
 
 static bool take_reflected_error(struct options *options, const char *argument)
 {
-    double value;
-
-    if (!argument_number("--reflected-error", argument, &value))
-        return false;
-    if (value > 0.0 && value < 1.0) {
-        options->settings.reflected_error = value;
-        return true;
-    }
-    message_error(_("--reflected-error %s: expected a number above 0 and below 1"), argument);
-    return false;
+    return take_share("--reflected-error", argument, &options->settings.reflected_error);
 }
 
 static bool take_lights(struct options *options, const char *argument)
