@@ -9,6 +9,7 @@ import hashlib
 import json
 import math
 import random
+import re
 
 import mpmath
 import numpy
@@ -231,11 +232,13 @@ def own_frame(tap, tool):
             continue
         height = line.split("z: ")[1].split(",")[0].rstrip("}")
         more = line[line.index("z: ") + 3 + len(height):]
+        size = re.search(r"resolution: \[(\d+), (\d+)\]", text).groups()
+        small = ["-s", "screen.resolution=[%d, %d]" % tuple(int(side) // 4 for side in size)]
         hashes = []
         for words in line, "observer: {position: [0, 0, %s], target: [0, 0, 0]%s" % (height, more), \
                 "observer: {position: [0, 0, %s], target: [0, 0, 0], up: [0, 3, 1]%s" % (height, more):
             scene = text.replace(line, words)
-            result = tool.run("render", "-", "-q", "--json", *outputs, stdin=scene)
+            result = tool.run("render", "-", "-q", "--json", *small, *outputs, stdin=scene)
             probe = tool.run("probe", "-", "--json", "-p", "10,20", stdin=scene).json()["points"]
             answer = result.json()
             answer.pop("conventions", None)

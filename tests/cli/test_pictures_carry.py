@@ -140,8 +140,10 @@ def repeat(tap, tool, name, *arguments):
 
 def builtin_scenes(tap, tool):
     for name in (scene["name"] for scene in tool.run("scene", "--list", "--json").json()["scenes"]):
-        width, height = re.search(r"resolution: \[(\d+), (\d+)\]", tool.run("scene", name).out).groups()
-        small = ["-s", "screen.resolution=[%d, %d]" % (int(width) // 4, int(height) // 4)]
+        size = re.search(r"resolution: \[(\d+), (\d+)\]", tool.run("scene", name).out).groups()
+        width, height = int(size[0]), int(size[1])
+        part = next(part for part in (4, 5, 3, 2, 1) if width % part == height % part == 0)  # pixels stay square
+        small = ["-s", "screen.resolution=[%d, %d]" % (width // part, height // part)]
         repeat(tap, tool, name, name, *small)
         repeat(tap, tool, name + ", irradiance, double", name, "--quantity", "irradiance", "--precision", "double",
                *small)

@@ -286,9 +286,9 @@ def enclosure(surface, reflectance, lumens):
 
 def reflected_rows(page, scene, elements, places, exact):
     """A row for each element: what is reflected to it, and whether that is within the bound that is told."""
-    found = page.luxel.probe(scene, elements=elements)['points']
+    found = page.luxel.probe(scene, elements=elements, options=['--quantity', 'irradiance'])['points']
     for where, told, right in zip(places, found, exact):
-        value, error = told['reflected']['irradiance'], told['reflected']['error']
+        value, error = told['reflected']['value'], told['reflected']['error']
         off = abs(value - right)
         yield [where, figures(right, 8), figures(value, 5), power_above(error / value), power_above(off / right),
                'yes' if off <= error else 'NO']

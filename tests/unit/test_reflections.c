@@ -82,6 +82,18 @@ static void cube(void **state)
     }
 }
 
+/* 10 cm from a corner, where the light changes fast, of weak and strong reflection. */
+static void corners_of_a_cube(void **state)
+{
+    (void)state;
+    static const double truths[] = {7.4707868, 77.032300, 866.30617};
+    static const char *const rooms[] = {ROOM("0.1"), ROOM("0.5"), ROOM("0.9")};
+    for (int r = 0; r < 3; r++) {
+        const struct truth at = {{1900, 1900, -2000}, {0, 0, 1}, truths[r]};
+        expect(scene_of("all", rooms[r], "{type: point, position: [0, 0, 0], power: 10000}"), &at, 1, 1e-3);
+    }
+}
+
 static void furnace(void **state)
 {
     (void)state;
@@ -219,6 +231,7 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(cube),
+        cmocka_unit_test(corners_of_a_cube),
         cmocka_unit_test(furnace),
         cmocka_unit_test(integrating_sphere),
         cmocka_unit_test(concentric_spheres),
