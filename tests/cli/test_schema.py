@@ -195,7 +195,7 @@ def used_paths(up, value):
 def random_scenes(tap, tool):
     judges = Judges(tool)
     rng = random.Random(7)
-    made = [("scene %d" % i, good_scene(rng)) for i in range(60)]
+    made = [("scene %d" % i, good_scene(rng)) for i in range(120)]
     made += [("%s %d" % (kind, i), reference.random_case(rng, kind).scene) for kind in reference.KINDS
              for i in range(3)]
     made.append(("scene of a disk and a cylinder", {
