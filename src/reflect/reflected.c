@@ -145,7 +145,7 @@ bool lx_reflected_is_reached(const struct lx_radiosity *reflected, const struct 
 static bool refine(struct lx_radiosity *reflected, const struct lx_reflected_wish *wish, bool *failed)
 {
     const size_t count = reflected->tile_count;
-    if (count >= WORTH_A_ROUND * LX_MOST_TILES)
+    if ((double)count >= WORTH_A_ROUND * LX_MOST_TILES)
         return false;
     uint8_t *cuts = lx_new_array(count, sizeof *cuts);
     const int any = !cuts                   ? -1
