@@ -141,7 +141,7 @@ int sweep_check_begun(const struct sweep *sweep, const char *path)
     char *name = message_allocate(strlen(path) + sizeof "/" + sizeof manifest_name, 1);
     int failed;
 
-    sprintf(name, "%s/%s", path, manifest_name);
+    stpcpy(stpcpy(stpcpy(name, path), "/"), manifest_name);
     failed = access(name, F_OK) == 0 ? 0 : errno;
     free(name);
     if (failed == 0)
