@@ -80,7 +80,7 @@ typedef struct luxel_glare {
     double background_error;     /* bounds its error */
     bool reached;                /* whether reflected light reached its bound; see luxel_settings */
     size_t source_count;         /* of the next */
-    luxel_glare_source *sources; /* the lights that are enabled, in the order of the scene */
+    luxel_glare_source *sources; /* the lights that give light, in the order of the scene */
 } luxel_glare;
 
 /*

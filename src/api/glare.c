@@ -178,7 +178,7 @@ static luxel_status rate_light(struct rating *rating, size_t light, size_t *next
     return LUXEL_OK;
 }
 
-/* Reads the lights that are enabled; they come first, so that names can be freed. */
+/* Reads the lights of the group that gives light; they come first, so that names can be freed. */
 static luxel_status rate_lights(struct rating *rating)
 {
     const struct lx_list *lights = &rating->session->prepared.scene->lights;
@@ -191,7 +191,7 @@ static luxel_status rate_lights(struct rating *rating)
         return LUXEL_ERROR_MEMORY;
     for (size_t i = 0; i < lights->count && status == LUXEL_OK; i++) {
         const struct lx_light_common *common = lights->items[i].common;
-        if (!common->enabled)
+        if (!rating->session->prepared.on[i])
             continue;
         luxel_glare_source *source = &glare->sources[glare->source_count];
         *source = (luxel_glare_source){.light = i, .type = lights->items[i].variant->name};

@@ -316,6 +316,28 @@ static void expect_refused(luxel_scene *scene, size_t light, const char *id, con
     luxel_diagnostics_free(diagnostics);
 }
 
+static void glare_is_of_the_group(void **state)
+{
+    (void)state;
+    static const size_t group[] = {3, 4}; /* the last luminaire, and the light of the walls */
+    const luxel_sight sight = {.eye_mm = {0, 1200, 5300}, .view = {0, 0, -1}};
+    struct pair pair;
+    luxel_glare *found, *truth;
+    begin(&pair, "office", "screen.resolution=[600, 400]", group, 2);
+    assert_int_equal(luxel_rate_glare(pair.whole, &pair.settings, &sight, NULL, &found), LUXEL_OK);
+    assert_int_equal(luxel_rate_glare(pair.truth, &pair.plain, &sight, NULL, &truth), LUXEL_OK);
+    assert_true(truth->has_rating && found->has_rating);
+    assert_true(found->rating == truth->rating && found->background == truth->background);
+    assert_int_equal(found->source_count, 2);
+    for (size_t i = 0; i < 2; i++) {
+        assert_int_equal(found->sources[i].light, group[i]);
+        assert_true(found->sources[i].share == truth->sources[i].share);
+    }
+    luxel_glare_free(found);
+    luxel_glare_free(truth);
+    end(&pair);
+}
+
 static void refuses_wrong_groups(void **state)
 {
     (void)state;
@@ -336,6 +358,7 @@ int main(void)
         cmocka_unit_test(evaluators_keep_their_group),
         cmocka_unit_test(grids_and_texts_tell_of_the_group),
         cmocka_unit_test(reflections_are_of_the_group),
+        cmocka_unit_test(glare_is_of_the_group),
         cmocka_unit_test(refuses_wrong_groups),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
