@@ -41,7 +41,7 @@ static void window_came(GtkApplication *application, GtkWindow *window)
     dress(GTK_WIDGET(window), is_on(G_ACTION_MAP(application)));
 }
 
-/* What the user chose stays; else the screen decides, which may be plugged in at any time. */
+/* The user's choice stays; else the screen decides, which may be plugged in at any time. */
 static void seat_changed(GtkApplication *application)
 {
     GSettings *settings = g_object_get_data(G_OBJECT(application), KEY);

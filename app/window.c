@@ -74,7 +74,7 @@ AppShot *app_window_minus(const AppWindow *self)
     return self->picture && self->picture->side == APP_SIDE_DIFFERENCE ? self->picture->pinned : NULL;
 }
 
-/* Of direct light alone no numbers are told: they would be taken for those of the scene. */
+/* Numbers of direct light alone are not told: they would be taken for those of the scene. */
 void app_window_ask_numbers(AppWindow *self)
 {
     if (!app_window_shot(self) || app_window_shot(self)->moment->is_direct)

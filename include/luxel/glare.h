@@ -42,8 +42,8 @@ LUXEL_API double luxel_ugr_reflectance(size_t i, size_t part);
 typedef struct luxel_sight {
     double eye_mm[3]; /* where the eye is */
     double view[3];   /* the way it looks, of any length but 0 */
-    /* What is up to him, not along the view; all 0: the scene's observer.up, else (0, 0, 1), or (0, 1, 0) where he
-     * looks along that. */
+    /* The observer's upward direction, not along the view; all 0: the scene's observer.up, else (0, 0, 1), or (0, 1, 0)
+     * where the view is along that. */
     double up[3];
 } luxel_sight;
 

@@ -10,7 +10,7 @@
 #include "strided.h"
 #include "work.h"
 
-/* So many elements for each thread are handed to the library at once: they fit in its cache, and take long enough that
+/* Elements for each thread that are handed to the library at once: they fit in its cache, and take long enough that
  * beginning the threads does not count. */
 enum { PART = 4096, MOST_THREADS = 64 };
 

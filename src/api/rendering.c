@@ -191,7 +191,7 @@ static luxel_status too_large(const unsigned size[2], double needed, double avai
 }
 
 /*
- * What the field keeps of where it came from.  A scene that nobody wants (NULL) is left out, and that of a quick look,
+ * The field's record of where it came from.  A scene that nobody wants (NULL) is left out, and that of a quick look,
  * which is not its picture, or of a scene whose text is behind its numbers.
  */
 static luxel_status keep_origin(const struct lx_session *session, const luxel_scene *scene,

@@ -12,7 +12,7 @@ enum { LX_BETWEEN = 9 };
 /* Residuals may be larger between the places by this factor. */
 static const double LX_BETWEEN_FACTOR = 2;
 
-/* What the rules of integration leave, as a share of what arrives: of cells that are cut to size, and of the areas of
+/* Errors of the rules of integration, as a share of what arrives: of cells that are cut to size, and of the areas of
  * round tiles. */
 static const double LX_FLAT_RULE = 2e-8, LX_ROUND_RULE = 4e-7;
 

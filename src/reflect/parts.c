@@ -15,7 +15,7 @@
 
 /* No picture has many more parts. */
 enum { MOST_PARTS = 2400 };
-/* What arrives is smooth: between the nodes no more than that beyond the greatest of them. */
+/* Arriving light is smooth: between the nodes no more than that beyond the greatest of them. */
 static const double BEYOND = 1.1;
 
 /* Parts under way: from `first` on they are new. */

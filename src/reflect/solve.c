@@ -15,8 +15,8 @@
 const struct lx_fineness lx_fine = {.seen = 0.35, .rough = 0.2, .flat_part = 0.25, .round_part = 0.06};
 const struct lx_fineness lx_coarse = {.seen = 0.45, .rough = 0.25, .flat_part = 0.4, .round_part = 0.12};
 
-/* What solutions of the linear system may leave: of the light, where it counts as residual, beside the bound that is
- * wanted; of the slack, where it is added. */
+/* Rests that solutions of the linear system may leave: of the light, where it counts as residual, beside the bound that
+ * is wanted; of the slack, where it is added. */
 static const double LIGHT_REST = 1e-3, SLACK_REST = 1e-6;
 /* No more, whatever is wanted, and no less than numbers hold. */
 static const double MOST_REST = 1e-5, LEAST_REST = 1e-12;
