@@ -118,6 +118,12 @@ LUXEL_API size_t luxel_parameters_kind_count(const luxel_parameters *parameters)
 LUXEL_API const luxel_kind *luxel_parameters_kind(const luxel_parameters *parameters, size_t i);
 
 /*
+ * The English label of a choice, or of a kind's name, for forms, which callers translate: "inverse square" of
+ * "inverse-square"; scenes are written with the choice.  NULL: no key has such a choice.
+ */
+LUXEL_API const char *luxel_choice_label(const char *choice);
+
+/*
  * The JSON Schema (draft-07) of scene files, for editors: the keys with their types, ranges, defaults, meanings and
  * the rules between them.  What a schema cannot say is listed in its "$comment".  The text is the caller's: free it
  * with luxel_text_free().  LUXEL_ERROR_MEMORY.

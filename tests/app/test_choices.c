@@ -15,13 +15,13 @@ static void labels_every_choice(void **state)
         char **words = g_strsplit(parameter->choices ? parameter->choices : "", ", ", -1);
         for (gsize k = 0; words[k] && *words[k]; k++, count++)
             if (app_choice_label(words[k]) == words[k])
-                fail_msg("%s of %s has no label in app/choices.c", words[k], parameter->path);
+                fail_msg("%s of %s has no label in src/parameter/labels.c", words[k], parameter->path);
         g_strfreev(words);
     }
     for (gsize i = 0; i < luxel_parameters_kind_count(parameters); i++, count++) {
         char *name = g_strdup(luxel_parameters_kind(parameters, i)->name); /* equal literals may be one */
         if (app_choice_label(name) == name)
-            fail_msg("%s has no label in app/choices.c", name);
+            fail_msg("%s has no label in src/parameter/labels.c", name);
         g_free(name);
     }
     assert_true(count > 40);

@@ -1,7 +1,17 @@
 /* SPDX-License-Identifier: MIT */
 /* What the present scene holds, as the space view and the lists show it; keys and kinds; built-in scenes. */
+#include <stdio.h>
+#include <string.h>
+
 #include "answer.h"
 #include "core.h"
+
+/* A choice of a key, or the name of a kind, as people read it. */
+static void answer_label(const char *choice)
+{
+    const char *label = luxel_choice_label(choice);
+    answer_string(label ? page_translate(label, NULL) : choice);
+}
 
 static void answer_light(size_t i)
 {
@@ -9,6 +19,8 @@ static void answer_light(size_t i)
     answer_open('{');
     answer_key("type");
     answer_string(luxel_scene_light_type(core.scene, i));
+    answer_key("label");
+    answer_label(luxel_scene_light_type(core.scene, i));
     answer_key("name");
     answer_string(luxel_scene_light_name(core.scene, i));
     answer_key("enabled");
@@ -122,6 +134,20 @@ static void answer_interval(const char *key, const luxel_interval *interval)
     answer_close(']');
 }
 
+/* The labels of the choices "centers, nodes"; none of NULL. */
+static void answer_labels(const char *choices)
+{
+    char word[64];
+    answer_open('[');
+    for (const char *at = choices; at && *at;) {
+        const size_t length = strcspn(at, ",");
+        (void)snprintf(word, sizeof word, "%.*s", (int)length, at);
+        answer_label(word);
+        at += length + strspn(at + length, ", ");
+    }
+    answer_close(']');
+}
+
 static void answer_parameter(const luxel_parameter *parameter)
 {
     answer_open('{');
@@ -135,6 +161,8 @@ static void answer_parameter(const luxel_parameter *parameter)
     answer_number(parameter->count);
     answer_key("choices");
     answer_string(parameter->choices);
+    answer_key("labels");
+    answer_labels(parameter->choices);
     answer_key("unit");
     answer_string(parameter->unit);
     answer_key("photometric");
@@ -156,6 +184,8 @@ static void answer_kind(const luxel_kind *kind)
     answer_string(kind->list);
     answer_key("name");
     answer_string(kind->name);
+    answer_key("label");
+    answer_label(kind->name);
     answer_key("meaning");
     answer_string(kind->meaning);
     answer_key("example");

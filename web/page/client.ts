@@ -31,7 +31,7 @@ interface Asked {
 }
 
 // Pictures and values may take long, as where surfaces reflect light to each other.
-const LONG: (keyof Questions)[] = ['render', 'probe', 'table', 'section', 'sectionBetween', 'extrema', 'explain'];
+const LONG: (keyof Questions)[] = ['render', 'probe', 'table', 'section', 'sectionBetween', 'extrema', 'explain', 'balance'];
 const PATIENCE = 1500; // milliseconds that something urgent waits for them
 
 /** Why a question has no answer: its worker was ended for the sake of something urgent. */

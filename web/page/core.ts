@@ -43,8 +43,35 @@ export interface Probe {
     shares: number[];
 }
 
+/** A number and the bound of its error. */
+export type Amount = [number, number];
+
+export interface LitSide {
+    surface: number;
+    name: string | null;
+    part: string | null;
+    side: string | null; // null: goes without saying
+    irradiance: Amount;
+}
+
+/** Where the light of a scene stays whose surfaces reflect it. */
+export interface Balance {
+    unit: string;
+    flux_unit: string;
+    sides: LitSide[];
+    emitted?: Amount;
+    missed?: Amount;
+    arrives: Amount;
+    absorbed: Amount;
+    escaped: Amount;
+    pending?: Amount;
+    difference: Amount;
+    closes: boolean;
+}
+
 export interface LightFacts {
     type: string;
+    label: string; // the type as people read it
     name: string | null;
     enabled: boolean;
     place: number[] | null;
@@ -68,6 +95,7 @@ export interface Key {
     type: number;
     count: number;
     choices: string | null;
+    labels: string[]; // of the choices, as people read them
     unit: string;
     photometric: string;
     label: string;
@@ -79,6 +107,7 @@ export interface Key {
 export interface Kind {
     list: string;
     name: string;
+    label: string; // the name as people read it
     meaning: string;
     example: string | null;
 }
@@ -368,6 +397,11 @@ export class Core {
 
     summary(): Summary | null {
         return this.json(this.call.page_summary());
+    }
+
+    /** The balance of the flux; null: the scene has no reflected light. */
+    balance(): Balance | null {
+        return this.json(this.call.page_balance());
     }
 
     /** Across the whole screen, through a point at an angle. */

@@ -3,7 +3,7 @@
 // words, with its units and ranges.  What is typed becomes an assignment to the text.
 import type { Key, Kind } from './core';
 import { choice, h, lightColour } from './dom';
-import { CHOICE, NUMBER, NUMBERS, sceneKeys, TEXT, WHOLE, WHOLE_NUMBERS, YES_OR_NO } from './keys';
+import { CHOICE, CHOICE_OR_PAIR, CHOICE_OR_WHOLE, NUMBER, NUMBERS, sceneKeys, TEXT, WHOLE, WHOLE_NUMBERS, YES_OR_NO } from './keys';
 import type { Model } from './model';
 import { number, t, typedNumber } from './words';
 
@@ -121,7 +121,7 @@ export class Form {
     }
 
     private kindWords(list: string, type: string): string {
-        return this.kinds.find((kind) => kind.list === list && kind.name === type)?.name ?? type;
+        return this.kinds.find((kind) => kind.list === list && kind.name === type)?.label ?? type;
     }
 
     private remover(base: string) {
@@ -138,7 +138,7 @@ export class Form {
             t('Add'),
             [
                 ['', `${t('Add')}…`],
-                ...kinds.map(({ name, meaning }): [string, string] => [name, `${name}: ${meaning}`]),
+                ...kinds.map(({ name, label, meaning }): [string, string] => [name, `${label}: ${meaning}`]),
             ],
             '',
             (name) => {
@@ -197,17 +197,12 @@ export class Form {
                 return { inputs: [box], update: (value) => (box.checked = value === 'true') };
             }
             case CHOICE: {
-                const words = (key.choices ?? '').split(', ');
-                const select = h('select', {
-                    'aria-labelledby': name,
-                    onchange: () => select.value && this.choose(path, select.value),
-                });
-                select.append(
-                    h('option', { value: '' }, ''),
-                    ...words.map((word) => h('option', { value: word }, word)),
-                );
+                const select = this.choices(path, key, name, '');
                 return { inputs: [select], update: (value) => (select.value = value ?? '') };
             }
+            case CHOICE_OR_PAIR:
+            case CHOICE_OR_WHOLE:
+                return this.choiceOrNumbers(path, key, name);
             case NUMBER:
             case WHOLE:
                 return this.numberInputs(path, key, name);
@@ -228,6 +223,43 @@ export class Form {
                 };
             }
         }
+    }
+
+    // The choices by their labels, and a first entry of no choice.
+    private choices(path: string, key: Key, name: string, none: string) {
+        const words = (key.choices ?? '').split(', ');
+        const select = h('select', {
+            'aria-labelledby': name,
+            onchange: () => select.value && this.choose(path, select.value),
+        });
+        select.append(
+            h('option', { value: '' }, none),
+            ...words.map((word, i) => h('option', { value: word }, key.labels[i] ?? word)),
+        );
+        return select;
+    }
+
+    // The choices, and a field for numbers in their stead, as the scene's text has them: 3 or [0, 5].
+    private choiceOrNumbers(path: string, key: Key, name: string) {
+        const words = (key.choices ?? '').split(', ');
+        const select = this.choices(path, key, name, t('numbers…'));
+        const input = h('input', {
+            type: 'text',
+            'aria-labelledby': name,
+            onchange: () => input.value.trim() && this.set(path, input.value),
+        });
+        select.addEventListener('change', () => {
+            input.hidden = select.value !== '';
+            if (!input.hidden) input.focus();
+        });
+        const update = (value: string | null) => {
+            if (document.activeElement === input) return;
+            const isWord = value !== null && words.includes(value);
+            select.value = isWord ? value : '';
+            input.value = isWord ? '' : (value ?? '');
+            input.hidden = isWord;
+        };
+        return { inputs: [select, input], update };
     }
 
     private numberInputs(path: string, key: Key, name: string) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The page: what stands where, and what each control does.
 import './style.css';
+import { BalancePanel } from './balance';
 import type { Builtin, PictureFacts } from './core';
 import { hasVectors, Interrupted } from './client';
 import { scaleControls, sideControls } from './controls';
@@ -54,6 +55,7 @@ class Page {
     private readonly form = new Form(this.model);
     private readonly text = new TextEditor(this.model);
     private readonly probe = new ProbePanel(this.model, this.compare);
+    private readonly balance = new BalancePanel(this.model);
     private readonly files = new Files(this.model);
     private readonly gallery = new Gallery(this.model.client);
     private readonly embedding = new Embedding(this.model);
@@ -231,6 +233,7 @@ class Page {
                     this.section.controls(),
                     this.section.canvas,
                     this.table,
+                    this.balance.element,
                 ),
                 h(
                     'section',
@@ -435,6 +438,7 @@ class Page {
         this.dial.draw(scale);
         const facts = this.model.picture?.facts;
         if (facts) this.statistics.textContent = told(facts);
+        this.balance.refresh();
         this.app.dataset.stride = String(this.model.picture?.stride ?? 0);
     }
 

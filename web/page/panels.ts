@@ -8,7 +8,7 @@ import { currentLanguage, number, t } from './words';
 
 export function lightName(model: Model, index: number): string {
     const light = model.scene?.lights[index];
-    return `${index + 1} ${light?.name ?? light?.type ?? ''}`;
+    return `${index + 1} ${light?.name ?? light?.label ?? ''}`;
 }
 
 export class ProbePanel {

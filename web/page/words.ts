@@ -92,6 +92,11 @@ const RUSSIAN: Record<string, string> = {
     'Open the whole page': 'Открыть страницу целиком',
     mean: 'среднее',
     maximum: 'максимум',
+    'Mean irradiance of the surfaces': 'Средняя облучённость поверхностей',
+    'Mean illuminance of the surfaces': 'Средняя освещённость поверхностей',
+    'Balance of the flux': 'Баланс потока',
+    'It does not close within its bounds: some number above is wrong.':
+        'Баланс не сходится в пределах погрешностей: какое-то число выше неверно.',
     'reflected light within': 'отражённый свет с погрешностью до',
     'less exact than it should be': 'больше заданной',
     Messages: 'Сообщения',
@@ -104,6 +109,7 @@ const RUSSIAN: Record<string, string> = {
     'Luxel could not be loaded.': 'Не удалось загрузить Luxel.',
     'The link holds no scene that can be read.': 'В ссылке нет сцены, которую можно прочитать.',
     more: 'ещё',
+    'numbers…': 'числа…',
     Apply: 'Применить',
     mm: 'мм',
     'The core fails on this scene. Change it, or undo.':
@@ -136,6 +142,20 @@ export function number(value: number | null | undefined, digits = 5): string {
     const text =
         size >= 1e7 || size < 1e-4 ? value.toExponential(digits - 1) : String(Number(value.toPrecision(digits)));
     return (language === 'ru' ? text.replace('.', ',') : text).replace('-', '−');
+}
+
+/**
+ * A number with the bound of its error, "208.33 ± 0.086": no digits beyond those of the bound, which is rounded up and
+ * covers the rounding of the number.
+ */
+export function amount([value, error]: [number, number]): string {
+    const grainOf = (size: number) => 10 ** (Math.floor(Math.log10(size)) - 1);
+    const rounded = error > 0 ? Math.round(value / grainOf(error)) * grainOf(error) : value;
+    const shown = Number(rounded.toPrecision(7));
+    const whole = error + Math.abs(shown - value);
+    const grain = whole > 0 ? grainOf(whole) : 1;
+    const bound = Math.ceil((whole / grain) * (1 - 1e-12)) * grain;
+    return `${number(shown, 7)} ± ${number(bound, 2)}`;
 }
 
 /** What was typed as a number, with a point or a comma; null: it is none. */

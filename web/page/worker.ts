@@ -65,6 +65,7 @@ const questions = {
     section: (x: number, y: number, degrees: number, samples: number) => core.section(x, y, degrees, samples),
     sectionBetween: (from: number[], to: number[], samples: number) => core.sectionBetween(from, to, samples),
     summary: () => core.summary(),
+    balance: (text: string) => (open(text) ? core.balance() : null),
     version: () => core.version(),
     isophotes: (wanted: number, logarithmic: boolean) => core.isophotes(wanted, logarithmic),
     extrema: () => core.extrema(),

@@ -212,6 +212,34 @@ async function reportsReflections(page, browser, tool) {
     await other.context().close();
 }
 
+/** The balance of the flux is the tool's, comes by itself, in both languages, and goes where there is no reflected light. */
+async function balances(page, tool) {
+    await page.evaluate((text) => window.luxel.inside.open(text), REFLECTING);
+    await until(page, `model.picture?.text === ${JSON.stringify(REFLECTING)} && model.picture.stride === 1`);
+    const tables = page.locator('.balance:not(.old) table');
+    await tables.last().waitFor();
+    const scene = path.join(fs.mkdtempSync(path.join(os.tmpdir(), 'luxel-')), 'ball.yaml');
+    fs.writeFileSync(scene, REFLECTING);
+    const { surfaces, balance } = JSON.parse(execFileSync(tool, ['stats', scene, '--json']).toString());
+    const amounts = await tables.locator('td').allInnerTexts();
+    const fluxes = Object.values(balance).filter((each) => typeof each === 'object');
+    const truths = [...surfaces.map(({ irradiance }) => irradiance), ...fluxes];
+    equal(amounts.length, truths.length, 'numbers');
+    amounts.forEach((text, i) => {
+        const [value, error] = text.split(' ± ').map((number) => Number(number.replace('−', '-')));
+        // both are within their bounds of the truth; the page's bound covers its rounding, too
+        const near = Math.abs(value - truths[i].value) <= error + truths[i].error;
+        check(near && error < 1.2 * truths[i].error + 1e-6 * Math.abs(value), `${text}: ${JSON.stringify(truths[i])}`);
+    });
+    await shot(page, 'balance');
+    await page.getByLabel('Language').selectOption('ru');
+    await page.locator('.balance:not(.old) caption', { hasText: 'Баланс потока, Вт' }).waitFor();
+    await page.locator('.balance th', { hasText: 'излучают источники' }).waitFor();
+    await page.getByLabel('Язык').selectOption('en');
+    await openScene(page, 'report');
+    await page.locator('.balance').waitFor({ state: 'hidden' });
+}
+
 /** A page of a course with two scenes; what the element shows, tells and takes. */
 export const COURSE = `<!doctype html><html lang="ru"><meta charset="utf-8"><title>Course</title>
 <script src="luxel-scene.js" defer></script>
@@ -280,6 +308,7 @@ export async function more(page, browser, url, tool) {
     await test('the dial: exposure and ends', () => turnsDial(page));
     await test('sections along any line, and of shares', () => cuts(page, tool));
     await test('the report', () => reports(page, browser, tool));
+    await test('the balance of the flux', () => balances(page, tool));
     await test('a report of surfaces that light each other', () => reportsReflections(page, browser, tool));
     await test('scenes in a page of a course', () => embeds(browser, url));
 }

@@ -281,6 +281,12 @@ async function speaksRussian(page) {
     await inside(page, 'picture.moveProbe(150, 0)');
     await page.waitForFunction(() => document.querySelector('.value').textContent.startsWith('11,038'));
     await page.getByLabel(/^Сила/).first().waitFor();
+    // Choices are read in Russian; the text keeps their keys.
+    const law = page.getByLabel('Затухание').first();
+    await law.selectOption({ label: 'обратный квадрат' });
+    await until(page, "model.text.includes('attenuation: inverse-square')");
+    const latin = await page.locator('.form option, .form summary, .shares li').allTextContents();
+    equal(latin.filter((text) => /[a-z]{3}/.test(text.replace(/IES|EN/g, ''))), [], 'words that are not Russian');
     const field = page.getByLabel(/^Сила/).first();
     await field.fill('12,5');
     await field.press('Enter');
