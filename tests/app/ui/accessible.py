@@ -18,12 +18,17 @@ class Rejected(Exception):
     """A question that was not answered: the widget is gone, or cannot do this."""
 
 
-def call(connection, name, path, interface, method, parameters=None):
+def reply(connection, name, path, interface, method, parameters=None):
+    """What a question is answered with, packed."""
     try:
         return connection.call_sync(name, path, interface, method, parameters, None, Gio.DBusCallFlags.NONE, TIMEOUT_MS,
-                                    None).unpack()
+                                    None)
     except GLib.Error as fault:
         raise Rejected("%s.%s of %s: %s" % (interface, method, path, fault.message)) from None
+
+
+def call(*question):
+    return reply(*question).unpack()
 
 
 def connect(address):
@@ -113,19 +118,27 @@ class Widget:
         low, high = self.ask("Accessible", "GetState")[0]
         return bool((low | high << 32) >> STATES[state] & 1)
 
-    def all(self, role=None, name=None):
-        """Every widget in this one, in their order, of a role and of a name where they are given."""
-        for child in self.children():
-            try:
-                if (role is None or child.role == role) and (name is None or child.name == name):
-                    yield child
-                yield from child.all(role, name)
-            except Rejected:  # gone while it was looked at
-                continue
+    def seen(self, role=None, name=None, state=None):
+        """Every widget in this one, in their order, of a role, of a name and in a state where they are given, and the
+        name of each."""
+        snapshot = Snapshot(self)
+        for path in snapshot.below(self.path):
+            if name in (None, snapshot.names[path]) and (state is None or snapshot.states[path] >> STATES[state] & 1):
+                widget = Widget(self.bus, self.owner, path)
+                if role is None or snapshot.role(widget) == role:
+                    yield widget, snapshot.names[path]
 
-    def find(self, role=None, name=None):
+    def all(self, *which, **named):
+        """Every such widget."""
+        return (widget for widget, _name in self.seen(*which, **named))
+
+    def names(self, *which, **named):
+        """Their names."""
+        return [name for _widget, name in self.seen(*which, **named)]
+
+    def find(self, *which, **named):
         """The first of them, or None."""
-        return next(self.all(role, name), None)
+        return next(self.all(*which, **named), None)
 
     # ---- what it holds ----
 
@@ -151,3 +164,58 @@ class Widget:
 
     def act(self, index=0):
         assert self.ask("Action", "DoAction", "(i)", index)[0]
+
+
+class Snapshot:
+    """The widgets below one as they stand at one time.  What a program has told of once it tells of again all at once;
+    a question for each costs it, the bus and the reader ten times as much.  So only new widgets are asked for."""
+
+    roles = {}  # of all that were ever asked for: no widget changes its role, and no path is used again
+
+    def __init__(self, top):
+        self.top, self.asked = top, {}
+        self.take()
+        if list(self.below(top.path)) and self.asked:
+            self.take()
+
+    def take(self):
+        self.names, self.states, self.counts, self.pages, self.shown = {}, {}, {}, set(), {}
+        told = reply(self.top.bus, self.top.owner, "/org/a11y/atspi/cache", PREFIX + "Cache", "GetItems")
+        told = told.get_child_value(0)
+        # Field by field, as all of it would take Python long to unpack.
+        for field in (told.get_child_value(i).get_child_value for i in range(told.n_children())):
+            path = field(0).get_child_value(1).get_string()
+            low, high = (field(9).get_child_value(i).get_uint32() for i in range(2))
+            self.names[path], self.states[path] = field(6).get_string(), low | high << 32
+            self.counts[path] = field(4).get_int32()
+            if PREFIX + "Component" not in field(5).get_strv():
+                self.pages.add(path)
+            if self.states[path] >> STATES["visible"] & 1:
+                self.shown.setdefault(field(2).get_child_value(1).get_string(), []).append(
+                    (field(3).get_int32(), path))
+
+    def children(self, path):
+        children = [child for _index, child in sorted(self.shown.get(path, []))]
+        if len(children) == self.counts.get(path):
+            return children
+        if path not in self.asked:
+            try:
+                self.asked[path] = [child.path for child in Widget(self.top.bus, self.top.owner, path).children()]
+            except Rejected:  # gone while it was looked at
+                self.asked[path] = []
+        return self.asked[path]
+
+    def below(self, path):
+        """The path of every widget in one, in their order.  A page of a stack is none: what it holds stands for it."""
+        for child in self.children(path):
+            if child in self.names and child not in self.pages:
+                yield child
+            yield from self.below(child)
+
+    def role(self, widget):
+        if widget.path not in self.roles:
+            try:
+                self.roles[widget.path] = widget.role
+            except Rejected:  # gone while it was looked at
+                return None
+        return self.roles[widget.path]

@@ -113,7 +113,7 @@ def both_layouts(tap, desk):
 
 def focused(window):
     """The name of what has the keyboard."""
-    return next((part.name for part in window.widget.all() if part.has("focused")), None)
+    return next(iter(window.widget.names(state="focused")), None)
 
 
 def from_part_to_part(tap, desk):
@@ -148,7 +148,7 @@ def from_part_to_part(tap, desk):
 
 def pane(window):
     """Which pane has the keyboard, by where on the window it is."""
-    focus = next((part for part in window.widget.all() if part.has("focused")), None)
+    focus = window.widget.find(state="focused")
     left, picture = window.panel(), window.widget.find("image").area()
     x, y = focus.area()[:2]
     return ("scene" if x < left[0] + left[2] else "numbers" if x >= picture[0] + picture[2]

@@ -117,7 +117,7 @@ def shares(tap, desk):
 
     for color in ((230, 159, 0), (86, 180, 233)):
         tap.ok(wait("its colour", lambda: dots(color) > 40), "the list has a badge in the colour of the curve", color)
-    tap.equal([part.name for part in window.widget.find("list").all(None, "Share")], ["Share", "Share"],
+    tap.equal(window.widget.find("list").names(None, "Share"), ["Share", "Share"],
               "without a pointer there is no share")
     window.pointed(*window.pixel(0, 0))
     found = wait("the shares", lambda: [match for match in (SHARE.fullmatch(part.name) for part in

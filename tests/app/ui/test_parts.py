@@ -9,7 +9,7 @@ from waiting import wait
 def sliders(tap, desk):
     window = desk.start().window()
     before, values = window.save(), window.values()
-    tap.equal([part.name for part in window.widget.all("slider") if part.name.endswith(", slider")], [],
+    tap.equal([name for name in window.widget.names("slider") if name.endswith(", slider")], [],
               "no sliders stand in the way")
     slider = window.slider("Radius")
     x, y = window.place(slider)

@@ -72,7 +72,7 @@ class Window:
 
     def labels(self):
         """All texts that stand in it."""
-        return [label.name for label in self.widget.all("label")]
+        return self.widget.names("label")
 
     def says(self, *parts):
         """The first text that has all these parts."""
@@ -89,7 +89,7 @@ class Window:
 
     def sources(self):
         """The rows of the list of sources."""
-        return [item.name for item in self.widget.find("list").all("list item")]
+        return self.widget.find("list").names("list item")
 
     # ---- controls ----
 
