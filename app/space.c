@@ -121,7 +121,7 @@ void app_space_view(const AppSpace *space, const double place_mm[3], double view
 
 /* ---- surfaces and lamps ---- */
 
-static void add_surface(AppSpace *space, const luxel_scene *scene, gsize index)
+static void add_surface(AppSpace *space, const luxel_scene *scene, AppOutlines *outlines, gsize index)
 {
     char base[APP_KEY_SIZE];
     AppThing thing = {.kind = APP_THING_SURFACE, .index = index, .is_on = TRUE};
@@ -131,7 +131,10 @@ static void add_surface(AppSpace *space, const luxel_scene *scene, gsize index)
     if (app_space_numbers(scene, base, is_mesh ? "position" : "center", thing.at_mm, 3) == 3) {
         add_thing(space, &thing, base, is_mesh ? "position" : "center");
         app_space_include(space, thing.at_mm);
-        app_space_add_body(space, scene, &(AppBody){APP_LINE_SURFACE, index, base, type});
+        if (is_mesh)
+            app_space_add_mesh(space, scene, outlines, index);
+        else
+            app_space_add_body(space, scene, &(AppBody){APP_LINE_SURFACE, index, base, type});
     }
     g_free(type);
 }
@@ -252,7 +255,7 @@ static void add_directions(AppSpace *space, const AppMoment *moment, gsize lamps
 
 /* ---- all of it ---- */
 
-AppSpace *app_space_new(const AppMoment *moment)
+AppSpace *app_space_new(const AppMoment *moment, AppOutlines *outlines)
 {
     const luxel_scene *scene = moment->scene;
     if (!scene || !luxel_scene_is_committed(scene))
@@ -269,7 +272,7 @@ AppSpace *app_space_new(const AppMoment *moment)
         add_lamp(space, moment, i);
     const gsize lamps = space->things->len;
     for (gsize i = 0; i < MIN(luxel_scene_surface_count(scene), APP_MOST_THINGS / 3); i++)
-        add_surface(space, scene, i);
+        add_surface(space, scene, outlines, i);
     add_observer(space, scene);
     add_screen(space, scene);
     add_directions(space, moment, lamps, reach_of(space));

@@ -46,6 +46,7 @@ typedef struct AppLine {
     AppLineKind kind;
     gsize index;        /* of the surface or the light */
     gboolean closed;    /* the last place is joined to the first */
+    gboolean goes_on;   /* the next line goes with it around one area, as those around a hole do */
     guint projections;  /* in which it is drawn, a bit each */
     gsize first, count; /* of the places */
 } AppLine;
@@ -60,8 +61,10 @@ typedef struct AppSpace {
     gboolean is_sight_parallel; /* it is */
 } AppSpace;
 
-/* The caller's; NULL: the scene is not committed. */
-AppSpace *app_space_new(const AppMoment *moment);
+typedef struct AppOutlines AppOutlines; /* outlines.h */
+
+/* The caller's; NULL: the scene is not committed.  Silhouettes of meshes are taken from the outlines. */
+AppSpace *app_space_new(const AppMoment *moment, AppOutlines *outlines);
 void app_space_free(AppSpace *space);
 
 /* The unit vector from a place to the observer, as the formula of the highlight has it. */

@@ -5,6 +5,8 @@
 #include <math.h>
 #include <string.h>
 
+#include "outlines.h"
+
 enum { ROUND = 48 /* places of a circle */, MOST_CORNERS = 400 };
 static const double NORMAL = 0.25; /* of a flat body's size: the arrow of its normal */
 
@@ -179,44 +181,29 @@ static void add_box(AppSpace *space, const luxel_scene *scene, const AppBody *bo
     }
 }
 
-static void turn(double place[3], int axis, double degrees)
+void app_space_add_mesh(AppSpace *space, const luxel_scene *scene, AppOutlines *outlines, gsize index)
 {
-    const double c = cos(degrees * G_PI / 180), s = sin(degrees * G_PI / 180);
-    const int u = (axis + 1) % 3, v = (axis + 2) % 3;
-    const double turned[2] = {c * place[u] - s * place[v], s * place[u] + c * place[v]};
-    place[u] = turned[0];
-    place[v] = turned[1];
-}
-
-/* The box around a mesh along the axes of its file, turned as the mesh is. */
-static void add_mesh(AppSpace *space, const luxel_scene *scene, const AppBody *body)
-{
-    static const int order[][2] = {{-1, -1}, {1, -1}, {1, 1}, {-1, 1}};
-    luxel_mesh_survey survey;
-    bool is_mesh = false;
-    double center[3], angles[3] = {0}, places[2][4][3];
-    if (luxel_scene_surface_mesh(scene, body->index, &is_mesh, &survey) != LUXEL_OK || !is_mesh ||
-        luxel_scene_surface_place(scene, body->index, center) != LUXEL_OK)
-        return;
-    app_space_numbers(scene, body->base, "rotate", angles, 3);
-    for (int i = 0; i < 8; i++) {
-        double *place = places[i / 4][i % 4];
-        place[0] = order[i % 4][0] * survey.size_mm[0] / 2;
-        place[1] = order[i % 4][1] * survey.size_mm[1] / 2;
-        place[2] = (i < 4 ? -1 : 1) * survey.size_mm[2] / 2;
-        for (int k = 0; k < 3; k++)
-            turn(place, k, angles[k]);
-        for (int k = 0; k < 3; k++)
-            place[k] += center[k];
+    double then[3], now[3];
+    for (int i = 0; i < APP_PROJECTIONS; i++) {
+        const int up = app_projection_up((AppProjection)i);
+        const luxel_silhouette *silhouette = app_outlines_find(outlines, scene, index, (AppProjection)i, then, now);
+        for (gsize k = 0; silhouette && k < silhouette->count; k++) {
+            const luxel_silhouette_line *from = &silhouette->lines[k];
+            const AppLine line = {.kind = APP_LINE_SURFACE,
+                                  .index = index,
+                                  .closed = TRUE,
+                                  .goes_on = k + 1 < silhouette->count,
+                                  .projections = 1u << i};
+            double(*places)[3] = g_malloc_n(from->count, sizeof *places);
+            for (gsize m = 0; m < from->count; m++) {
+                memcpy(places[m], now, sizeof places[m]);
+                places[m][0] = now[0] + from->places_mm[m][0] - then[0];
+                places[m][up] = now[up] + from->places_mm[m][1] - then[up];
+            }
+            add_line_in(space, &line, (const double(*)[3])places, from->count);
+            g_free(places);
+        }
     }
-    for (int i = 0; i < 4; i++) {
-        double edge[2][3];
-        memcpy(edge[0], places[0][i], sizeof edge[0]);
-        memcpy(edge[1], places[1][i], sizeof edge[1]);
-        app_space_add_line(space, body->kind, body->index, FALSE, (const double(*)[3])edge, 2);
-    }
-    for (int i = 0; i < 2; i++)
-        app_space_add_line(space, body->kind, body->index, TRUE, (const double(*)[3])places[i], 4);
 }
 
 static void add_polygon(AppSpace *space, const luxel_scene *scene, const AppBody *body, const double center[3])
@@ -245,8 +232,6 @@ void app_space_add_body(AppSpace *space, const luxel_scene *scene, const AppBody
         add_round(space, scene, body, center);
     else if (strcmp(shape, "box") == 0 || strcmp(shape, "room") == 0)
         add_box(space, scene, body, center);
-    else if (strcmp(shape, "mesh") == 0)
-        add_mesh(space, scene, body);
     else if (strcmp(shape, "polygon") == 0)
         add_polygon(space, scene, body, center);
 }

@@ -61,7 +61,7 @@ static void read_space(AppStage *self)
 {
     if (self->space || !self->moment || !gtk_widget_get_mapped(GTK_WIDGET(self)))
         return;
-    self->space = app_space_new(self->moment);
+    self->space = app_space_new(self->moment, self->outlines);
     fit(self);
 }
 
@@ -347,6 +347,7 @@ static void app_stage_dispose(GObject *object)
 static void app_stage_finalize(GObject *object)
 {
     g_array_unref(APP_STAGE(object)->chosen);
+    app_outlines_free(APP_STAGE(object)->outlines);
     G_OBJECT_CLASS(app_stage_parent_class)->finalize(object);
 }
 
@@ -375,6 +376,7 @@ static void app_stage_init(AppStage *self)
     GtkGesture *drag = gtk_gesture_drag_new();
     self->selected = self->hovered = -1;
     self->chosen = g_array_new(FALSE, FALSE, sizeof(gsize));
+    self->outlines = app_outlines_new();
     gtk_widget_set_focusable(widget, TRUE);
     gtk_widget_set_hexpand(widget, TRUE);
     gtk_widget_set_vexpand(widget, TRUE);

@@ -88,6 +88,10 @@ static void draw_lines(const Sheet *sheet)
         }
         if (line->closed)
             cairo_close_path(sheet->cairo);
+        if (line->goes_on) {
+            cairo_new_sub_path(sheet->cairo);
+            continue;
+        }
         set_look(sheet, line);
         if (line->kind == APP_LINE_SURFACE && line->closed) {
             cairo_stroke_preserve(sheet->cairo);

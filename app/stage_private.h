@@ -3,6 +3,7 @@
 #ifndef LUXEL_APP_STAGE_PRIVATE_H
 #define LUXEL_APP_STAGE_PRIVATE_H
 
+#include "outlines.h"
 #include "stage.h"
 
 /* From millimetres to the widget: the horizontal is x in both projections. */
@@ -18,6 +19,7 @@ struct _AppStage {
     AppDocument *document;
     AppMoment *moment; /* NULL: none yet */
     AppSpace *space;   /* of it; NULL: not read off yet */
+    AppOutlines *outlines;
     AppStageMap map;
     gboolean is_held; /* something is dragged: the map stays */
     gboolean is_stale;

@@ -5,13 +5,30 @@
 #include <math.h>
 #include <string.h>
 
+#include "../../app/outlines.h"
 #include "scenes.h"
+
+static AppOutlines *outlines; /* of the group of tests */
+
+static int begin(void **state)
+{
+    (void)state;
+    outlines = app_outlines_new();
+    return 0;
+}
+
+static int end(void **state)
+{
+    (void)state;
+    g_clear_pointer(&outlines, app_outlines_free);
+    return 0;
+}
 
 /* A thing of a document's scene; fails where there is none. */
 static AppThing thing_of(const AppDocument *document, AppThingKind kind, gsize index)
 {
     AppMoment *moment = moment_of(document);
-    AppSpace *space = app_space_new(moment);
+    AppSpace *space = app_space_new(moment, outlines);
     AppThing found = {.kind = APP_THING_NONE};
     for (guint i = 0; i < space->things->len; i++) {
         const AppThing *thing = &g_array_index(space->things, AppThing, i);
@@ -101,7 +118,7 @@ static void test_everything_is_in_view(void **state)
     for (gsize scene = 0; luxel_builtin_scene_name(scene); scene++) {
         AppDocument *document = document_of_builtin(luxel_builtin_scene_name(scene));
         AppMoment *moment = moment_of(document);
-        AppSpace *space = app_space_new(moment);
+        AppSpace *space = app_space_new(moment, outlines);
         assert_true(space->things->len > 1 && space->lines->len > 1);
         for (guint i = 0; i < space->things->len; i++)
             for (int k = 0; k < 3; k++) {
@@ -125,7 +142,7 @@ static void test_outlines(void **state)
     (void)state;
     AppDocument *document = document_of_builtin("report");
     AppMoment *moment = moment_of(document);
-    AppSpace *space = app_space_new(moment);
+    AppSpace *space = app_space_new(moment, outlines);
     guint seen = 0;
     for (guint i = 0; i < space->lines->len; i++) {
         const AppLine *line = &g_array_index(space->lines, AppLine, i);
@@ -152,7 +169,7 @@ static void test_view(void **state)
     for (int i = 0; i < 2; i++) {
         double view[3];
         AppMoment *moment = moment_of(document);
-        AppSpace *space = app_space_new(moment);
+        AppSpace *space = app_space_new(moment, outlines);
         app_space_view(space, (double[3]){300, 0, 1100}, view);
         assert_place(view, i ? -0.6 : 0, 0, i ? 0.8 : 1);
         app_space_free(space);
@@ -169,5 +186,5 @@ int main(void)
         cmocka_unit_test(test_polygon), cmocka_unit_test(test_outlines), cmocka_unit_test(test_everything_is_in_view),
         cmocka_unit_test(test_view),
     };
-    return cmocka_run_group_tests(tests, NULL, NULL);
+    return cmocka_run_group_tests(tests, begin, end);
 }

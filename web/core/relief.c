@@ -29,9 +29,9 @@ static luxel_scene *lone_scene(const char *surface, const double center[3], doub
     luxel_scene *scene = NULL;
     if (!text)
         return NULL;
-    const int length = snprintf(text, room, form, side, side, pixels, pixels, center[0] + far * eye[0],
-                                center[1] + far * eye[1], center[2] + far * eye[2], center[0], center[1], center[2],
-                                up[0], up[1], up[2], surface);
+    const int length =
+        snprintf(text, room, form, side, side, pixels, pixels, center[0] + far * eye[0], center[1] + far * eye[1],
+                 center[2] + far * eye[2], center[0], center[1], center[2], up[0], up[1], up[2], surface);
     luxel_status status = luxel_scene_read_text(text, (size_t)length, "scene.yaml", fresh_diagnostics(), &scene);
     free(text);
     if (status == LUXEL_OK)

@@ -427,6 +427,11 @@ export class Core {
         return place ? new Uint8Array(this.memory.buffer as ArrayBuffer, place, pixels * pixels).slice() : null;
     }
 
+    /** What a mesh covers as seen from a side: closed lines, x, y, x, y, … in mm along right and up; null: no mesh. */
+    silhouette(surface: number, right: number[], up: number[]): number[][] | null {
+        return this.json<number[][]>(this.call.page_silhouette(surface, ...right, ...up));
+    }
+
     /** Where a place is seen on the screen, and its height above it. */
     project(place: number[]): number[] | null {
         return this.json<number[]>(this.call.page_project(place[0], place[1], place[2]));

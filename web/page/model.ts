@@ -35,6 +35,7 @@ export interface Shape {
     up?: number[];
     outline?: number[][];
     opening?: number; // of a spot, degrees from its axis
+    text?: string; // of a mesh: its mapping in the scene
 }
 
 export class Model {
@@ -285,7 +286,7 @@ export class Model {
         const [center, radius, size, height, axis, up, position] = await this.numbersOf(
             ['center', 'radius', 'size', 'height', 'axis', 'up', 'position'].map((key) => `${base}.${key}`),
         );
-        if (type === 'mesh') this.measureMesh(index, position ?? [0, 0, 0], things, shapes);
+        if (type === 'mesh') await this.measureMesh(index, position ?? [0, 0, 0], things, shapes);
         if (!center) return;
         things.push({ kind: 'surface', index, key: `${base}.center`, at: center });
         shapes.push({
@@ -302,10 +303,12 @@ export class Model {
     }
 
     // Of a mesh the page knows the ball around it; its form the space view asks for.
-    private measureMesh(index: number, position: number[], things: Thing[], shapes: Shape[]) {
+    private async measureMesh(index: number, position: number[], things: Thing[], shapes: Shape[]) {
         const ball = this.scene!.surfaces[index];
         things.push({ kind: 'surface', index, key: `surfaces[${index}].position`, at: position });
-        if (ball) shapes.push({ kind: 'surface', index, type: 'mesh', center: ball.center, radius: ball.reach });
+        const [text] = await this.client.ask('values', [`surfaces[${index}]`]);
+        const [center, radius] = [ball?.center, ball?.reach];
+        if (center) shapes.push({ kind: 'surface', index, type: 'mesh', center, radius, text: text ?? '' });
     }
 
     private async measureLight(index: number, things: Thing[], shapes: Shape[]) {

@@ -202,7 +202,7 @@ export class SpaceView {
         const { center, radius = 0, size, height = 0 } = shape;
         const [u, v, n] = basis(shape.axis ?? [0, 0, 1], shape.up);
         if (shape.outline) this.path(context, shape.outline, true);
-        else if (shape.type === 'mesh') this.drawMesh(context, shape.index, center, radius);
+        else if (shape.type === 'mesh') this.drawMesh(context, shape);
         else if (shape.type === 'sphere') this.drawSphere(context, center, radius);
         else if (shape.type === 'rectangle' && size) {
             const corner = (a: number, b: number) => along(center, u, (a * size[0]) / 2, v, (b * size[1]) / 2);
@@ -238,16 +238,36 @@ export class SpaceView {
     }
 
     // A mesh as it looks from this side; the ball around it until the core has told.
-    private drawMesh(context: CanvasRenderingContext2D, index: number, center: number[], radius: number) {
-        const [, up, eye] = this.axes();
-        const relief = this.reliefs.from(index, eye, up, styleColour('--text'));
-        if (!relief) {
+    private drawMesh(context: CanvasRenderingContext2D, { index, text, center, radius = 0 }: Shape) {
+        const [right, up, eye] = this.axes();
+        const of = [text, center, radius].join();
+        const { image, lines } = this.reliefs.from(index, of, { right, up, eye }, styleColour('--text'));
+        if (!image) {
             this.drawSphere(context, center, radius);
             return;
         }
         const side = this.reliefs.side(radius) * this.factor();
         const [x, y] = this.seen(center);
-        context.drawImage(relief, x - side / 2, y - side / 2, side, side);
+        context.drawImage(image, x - side / 2, y - side / 2, side, side);
+        if (lines) this.drawSilhouette(context, lines, right, up);
+    }
+
+    // Lines in mm along the vectors of the view.
+    private drawSilhouette(context: CanvasRenderingContext2D, lines: number[][], right: Place, up: Place) {
+        const { width, height } = this.canvas.getBoundingClientRect();
+        const factor = this.factor();
+        const middle = (axis: Place) => axis.reduce((sum, each, k) => sum + each * this.center[k], 0);
+        const [left, low] = [width / 2 - factor * middle(right), height / 2 + factor * middle(up)];
+        context.beginPath();
+        for (const line of lines) {
+            for (let i = 0; i < line.length; i += 2) {
+                const at: [number, number] = [left + factor * line[i], low - factor * line[i + 1]];
+                if (i) context.lineTo(...at);
+                else context.moveTo(...at);
+            }
+            context.closePath();
+        }
+        context.stroke();
     }
 
     private drawBox(context: CanvasRenderingContext2D, center: number[], size: number[]) {

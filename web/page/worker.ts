@@ -72,6 +72,8 @@ const questions = {
     values: (keys: string[]) => keys.map((key) => core.get(key)),
     relief: (text: string, surface: number, eye: number[], up: number[], pixels: number) =>
         open(text) ? core.relief(surface, eye, up, pixels) : null,
+    silhouette: (text: string, surface: number, right: number[], up: number[]) =>
+        open(text) ? core.silhouette(surface, right, up) : null,
     project: (places: number[][]) => places.map((place) => core.project(place)),
     unproject: (x: number, y: number, height: number) => core.unproject(x, y, height),
     edit: (text: string | Uint8Array, changes: Change[]) => {

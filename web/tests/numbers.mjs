@@ -146,7 +146,30 @@ function relief(core) {
     check(off <= 8, `${off} pixels of the outline from behind are not those from the front, mirrored`);
     check(top.some((each, i) => each !== front[i]), 'from above it looks as from the front');
     equal(core.relief(1, [0, 0, 1], [0, 1, 0], 64), null, 'of a surface that is not there');
+    silhouetted(core, front);
     check(core.picture && core.scene().surfaces.length === 1, 'the scene is another one');
+}
+
+/** The silhouette from a side goes around the pixels that are seen from there. */
+function silhouetted(core, seen) {
+    const [{ center, reach }] = core.scene().surfaces;
+    const lines = core.silhouette(0, [0, 1, 0], [0, 0, 1]);
+    equal(core.silhouette(1, [0, 1, 0], [0, 0, 1]), null, 'of a surface that is not there');
+    const middle = [center[1], center[2]];
+    let off = 0;
+    seen.forEach((isSeen, i) => {
+        const x = middle[0] + reach * 1.02 * ((2 * (i % 64) + 1) / 64 - 1);
+        const y = middle[1] - reach * 1.02 * ((2 * Math.floor(i / 64) + 1) / 64 - 1);
+        let within = 0;
+        for (const line of lines)
+            for (let k = 0; k < line.length; k += 2) {
+                const [ax, ay] = line.slice(k, k + 2);
+                const [bx, by] = [line[(k + 2) % line.length], line[(k + 3) % line.length]];
+                if (ay <= y !== by <= y && ax + ((bx - ax) * (y - ay)) / (by - ay) > x) within ^= 1;
+            }
+        off += within !== isSeen;
+    });
+    check(off <= 8, `${off} of ${seen.length} pixels lie on the wrong side of the silhouette`);
 }
 
 function judgeMistakes(core) {
