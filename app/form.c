@@ -225,11 +225,19 @@ static void menu_copy(GtkButton *button, Entry *entry)
     g_free(path);
 }
 
+/* Gives the key with this name instead. */
+static void change_key(const AppKeys *keys, const Entry *entry, const char *name, AppEdits *edits)
+{
+    const luxel_parameter *to = app_keys_beside(keys, entry->parameter, name);
+    if (to && app_keys_has(keys, to))
+        app_keys_switch(keys, entry->parameter, to, edits);
+}
+
 static void menu_switch(GtkButton *button, Switch *change)
 {
     AppEdits *edits = app_edits_new();
     Switch wanted = *change; /* which goes with the menu */
-    app_keys_switch(&wanted.entry->form->keys, wanted.entry->parameter, wanted.to, edits);
+    change_all(wanted.entry, change_key, strrchr(wanted.to->path, '.') + 1, edits);
     gtk_popover_popdown(GTK_POPOVER(gtk_widget_get_ancestor(GTK_WIDGET(button), GTK_TYPE_POPOVER)));
     apply(wanted.entry->form, edits, wanted.entry);
     app_edits_free(edits);

@@ -12,6 +12,7 @@
 #include "number.h"
 #include "row.h"
 #include "rules.h"
+#include "several.h"
 #include "source_row.h"
 #include "toolbar.h"
 
@@ -195,9 +196,8 @@ static void show_chosen(AppSources *self)
         if (light != self->chosen)
             g_array_append_val(others, light);
     }
-    char *several = g_strdup_printf(
-        ngettext("%u source is changed", "%u sources are changed together", others->len + 1), others->len + 1);
-    gtk_label_set_text(GTK_LABEL(self->several), others->len > 0 ? several : "");
+    char *several = app_several_tell(self->document, self->together);
+    gtk_label_set_text(GTK_LABEL(self->several), several ? several : "");
     gtk_widget_set_visible(self->several, others->len > 0);
     app_form_set_element(APP_FORM(self->form), self->chosen, type);
     app_form_set_others(APP_FORM(self->form), (const gsize *)(const void *)others->data, others->len);

@@ -175,7 +175,8 @@ class Snapshot:
     def __init__(self, top):
         self.top, self.asked = top, {}
         self.take()
-        if list(self.below(top.path)) and self.asked:
+        list(self.below(top.path))
+        if any(child not in self.names for children in self.asked.values() for child in children):
             self.take()
 
     def take(self):
@@ -195,9 +196,10 @@ class Snapshot:
                     (field(3).get_int32(), path))
 
     def children(self, path):
-        children = [child for _index, child in sorted(self.shown.get(path, []))]
-        if len(children) == self.counts.get(path):
-            return children
+        told = sorted(self.shown.get(path, []))
+        # Widgets that are hidden are told of as if they were seen: among several, one may stand for another.
+        if len(told) == self.counts.get(path) < 2 and all(index == 0 for index, _child in told):
+            return [child for _index, child in told]
         if path not in self.asked:
             try:
                 self.asked[path] = [child.path for child in Widget(self.top.bus, self.top.owner, path).children()]

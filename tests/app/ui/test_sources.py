@@ -144,8 +144,8 @@ def another_key(tap, desk):
     window = desk.start().window()
     window.act("source-add", "planar")
     wait("the planar source", lambda: len(kinds(window)) == 2)
-    given = [name for name in ("Intensity", "Radiance", "Power") if window.widget.find("spin button", name)][0]
-    other = "Power" if given != "Power" else "Radiance"
+    given, other = "Radiance", "Power"
+    wait("its form", lambda: window.widget.find("spin button", given))
     window.click(window.control("label", given), button=3)
     window.press("Give “%s” instead" % other)
     wait("the other row", lambda: window.widget.find("spin button", other))
@@ -212,6 +212,33 @@ def several_by_list(tap, desk):
     tap.ok(wait("five", lambda: len(lights(window)) == 5), "which is one step, too")
 
 
+def another_key_of_several(tap, desk):
+    """A key that is given instead of another is so of all chosen sources that have it, as one step."""
+    point = b"type: point, position: [%d, 0, 2000], intensity: %d, attenuation: none"
+    window = scene_of(desk, point % (-100, 3), b"type: distant, direction: [0, 0, -1], irradiance: 2", point % (100, 4))
+    wait("three", lambda: len(window.sources()) == 3)
+    before = window.save()
+    rows = list(window.widget.find("list").all("list item"))
+    window.click(rows[0])
+    wait("one", lambda: chosen(window) == [True, False, False])
+    desk.move(*window.place(rows[2]))
+    desk.hand("keydown", "ctrl", "click", "1", "keyup", "ctrl")
+    tap.ok(wait("two", lambda: window.says("2 sources") and not window.says("stands nowhere")),
+           "of two that stand somewhere no more is said")
+    desk.move(*window.place(rows[1]))
+    desk.hand("keydown", "ctrl", "click", "1", "keyup", "ctrl")
+    tap.ok(wait("all", lambda: window.says("3 sources") and window.says("stands nowhere")),
+           "of light from far away it is said that a drag leaves it")
+    desk.hand("keydown", "ctrl", "click", "1", "keyup", "ctrl")
+    wait("both", lambda: chosen(window) == [True, False, True])
+    window.click(window.control("label", "Intensity"), button=3)
+    window.press("Give “Power” instead")
+    tap.ok(wait("both", lambda: window.save().count(b"power:") == 2), "both have the other key", window.save())
+    tap.equal(window.save().count(b"intensity:"), 0, "and none the one of before")
+    window.act("undo")
+    tap.ok(wait("as before", lambda: window.save() == before), "in one step of undo")
+
+
 def several_by_marks(tap, desk):
     window = three_in_view(desk)
     before, start = window.save(), lights(window)
@@ -268,5 +295,5 @@ def several_at_once(tap, desk):
     tap.ok(wait("as before", lambda: window.save() == before), "in one step of undo, too")
 
 
-trial(other_type, another_key, list_of_sources, every_kind, names_of_quantities, on_off_alone, aimed,
-      several_by_list, several_by_marks, several_at_once)
+trial(other_type, another_key, another_key_of_several, list_of_sources, every_kind, names_of_quantities, on_off_alone,
+      aimed, several_by_list, several_by_marks, several_at_once)
