@@ -66,7 +66,7 @@ static gboolean look(const AppDocument *document, const gsize surfaces[2], doubl
     for (int i = 0; done && i < PLACES * PLACES; i++) {
         const double x = ((i % PLACES + 0.5) / PLACES - 0.5) * size[0];
         const double y = ((double)(i / PLACES) + 0.5) / PLACES - 0.5;
-        const luxel_value value = luxel_evaluate(evaluator, x, y * size[1], NULL);
+        const luxel_value value = luxel_trace(evaluator, x, y * size[1]);
         for (int k = 0; k < 2; k++)
             seen[k] += value.on_surface && value.surface == surfaces[k] ? 1.0 / (PLACES * PLACES) : 0;
     }

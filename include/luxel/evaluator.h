@@ -49,6 +49,12 @@ LUXEL_API luxel_quantity luxel_evaluator_quantity(const luxel_evaluator *evaluat
 LUXEL_API size_t luxel_evaluator_light_count(const luxel_evaluator *evaluator);
 
 /*
+ * The place that is seen through a screen point, which may lie off the screen.  Nothing is evaluated there, so it costs
+ * little: has_value is false.
+ */
+LUXEL_API luxel_value luxel_trace(const luxel_evaluator *evaluator, double x_mm, double y_mm);
+
+/*
  * The value seen through a screen point, which may lie off the screen.  `shares` NULL, or room for a number for each
  * light of the scene: what each gives of the value, 0 where there is none.
  */

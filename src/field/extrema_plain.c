@@ -11,6 +11,8 @@
 #include "field.h"
 
 /* The pixels to begin at, how often steps are halved, and how many steps are made at most. */
+static const double FIT = 0.1;        /* of the bend: how far neighbours may be off a parabola */
+static const double ROUNDING = 1e-14; /* of a value */
 enum { STARTS = 12, STARTS_COSTLY = 4, HALVINGS = 34, MOST_STEPS = 2000 };
 
 static const double ways[8][2] = {{1, 0}, {-1, 0}, {0, 1}, {0, -1}, {1, 1}, {-1, -1}, {1, -1}, {-1, 1}};
@@ -49,20 +51,63 @@ static bool next_start(const struct lx_hunt *hunt, const luxel_field *field, con
     return best > -HUGE_VAL;
 }
 
+/*
+ * What a parabola through a place and its eight neighbours says of the peak: how far it is, in steps, and how much
+ * higher.  False where no parabola fits them: at an edge, on a slope, or where rounding is all there is.
+ */
+static bool fit_peak(double here, const double around[8], double away[2], double *gain)
+{
+    const double slope[2] = {(around[0] - around[1]) / 2, (around[2] - around[3]) / 2};
+    const double bend[2] = {around[0] + around[1] - 2 * here, around[2] + around[3] - 2 * here};
+    const double twist = (around[4] + around[5] - around[6] - around[7]) / 4;
+    const double determinant = bend[0] * bend[1] - twist * twist;
+    if (!(bend[0] < 0 && bend[1] < 0 && determinant > 0))
+        return false;
+    for (int i = 4; i < 8; i++) {
+        const double fitted = here + slope[0] * ways[i][0] + slope[1] * ways[i][1] + (bend[0] + bend[1]) / 2 +
+                              twist * ways[i][0] * ways[i][1];
+        if (!(fabs(fitted - around[i]) <= FIT * fmin(-bend[0], -bend[1])))
+            return false;
+    }
+    away[0] = (twist * slope[1] - bend[1] * slope[0]) / determinant;
+    away[1] = (twist * slope[0] - bend[0] * slope[1]) / determinant;
+    *gain = (slope[0] * away[0] + slope[1] * away[1]) / 2;
+    return fabs(away[0]) <= 1 && fabs(away[1]) <= 1;
+}
+
+/* Steps as long as they lead up; then to the peak of the parabola, from where shorter ones suffice, or half as long. */
 static void climb(struct lx_hunt *hunt, struct found *here)
 {
     double step_mm = hunt->pixel_mm;
     for (int halvings = 0, steps = 0; halvings < HALVINGS && steps < MOST_STEPS && lx_hunt_goes_on(hunt); steps++) {
         struct found best = *here, next;
+        double around[8], away[2], gain;
         for (int i = 0; i < 8; i++) {
             const double at[2] = {here->at[0] + step_mm * ways[i][0], here->at[1] + step_mm * ways[i][1]};
-            if (look(hunt, at, &next) && hunt->sign * (next.value.value - best.value.value) > 0)
+            around[i] = (double)NAN;
+            if (!look(hunt, at, &next))
+                continue;
+            around[i] = hunt->sign * next.value.value;
+            if (around[i] > hunt->sign * best.value.value)
                 best = next;
         }
         const bool moved = best.at[0] != here->at[0] || best.at[1] != here->at[1];
-        *here = best;
-        halvings += !moved;
-        step_mm /= moved ? 1 : 2;
+        if (moved) {
+            *here = best;
+            continue;
+        }
+        if (!fit_peak(hunt->sign * here->value.value, around, away, &gain)) {
+            halvings++;
+            step_mm /= 2;
+            continue;
+        }
+        const double at[2] = {here->at[0] + step_mm * away[0], here->at[1] + step_mm * away[1]};
+        if (look(hunt, at, &next) && hunt->sign * (next.value.value - here->value.value) > 0)
+            *here = next;
+        if (gain <= ROUNDING * fabs(here->value.value))
+            return;
+        halvings += 4;
+        step_mm /= 16;
     }
 }
 
@@ -146,7 +191,6 @@ static luxel_peak_place place_of(const struct lx_hunt *hunt, const struct found 
 {
     const struct lx_screen *screen = &hunt->prepared->scene->screen;
     luxel_peak_place place = LUXEL_PEAK_INSIDE;
-    struct found next;
     for (int i = 0; i < 8; i++) {
         const double reach = 1e-6 * hunt->pixel_mm;
         const double at[2] = {peak->at[0] + reach * ways[i][0], peak->at[1] + reach * ways[i][1]};
@@ -154,7 +198,7 @@ static luxel_peak_place place_of(const struct lx_hunt *hunt, const struct found 
                             luxel_region_holds(hunt->region, at[0], at[1]);
         if (!inside)
             return LUXEL_PEAK_BORDER;
-        if (!look(hunt, at, &next) || surface_of(hunt, &next) != surface_of(hunt, peak))
+        if (!shows(hunt, at, surface_of(hunt, peak)))
             place = LUXEL_PEAK_LIMB;
     }
     return place;

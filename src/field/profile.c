@@ -146,8 +146,8 @@ static luxel_status find_arc(const struct luxel_evaluator *evaluator, const luxe
                              luxel_diagnostics *diagnostics, struct arc *arc)
 {
     const struct lx_prepared *prepared = &evaluator->prepared;
-    luxel_value ends[2] = {luxel_evaluate(evaluator, path->from_mm[0], path->from_mm[1], NULL),
-                           luxel_evaluate(evaluator, path->to_mm[0], path->to_mm[1], NULL)};
+    luxel_value ends[2] = {luxel_trace(evaluator, path->from_mm[0], path->from_mm[1]),
+                           luxel_trace(evaluator, path->to_mm[0], path->to_mm[1])};
     for (int i = 0; i < 2; i++)
         if (!ends[i].on_surface ||
             !lx_is_by_normal(prepared, lx_prepared_index(prepared, ends[i].surface, ends[i].part)))

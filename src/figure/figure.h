@@ -33,15 +33,23 @@ struct lx_plane {
     char *caption; /* what is read off the values */
 };
 
+/* The picture of a scene, and what tells of it between the pixels; of a measuring plane its field alone. */
+struct lx_rendered {
+    luxel_field *field;
+    luxel_evaluator *evaluator;
+    luxel_extrema extrema; /* none where they are not wanted */
+};
+
 struct lx_figure {
     luxel_figure_settings settings;
     const struct lx_scene_parameters *scene;
-    luxel_scene *copy; /* of the scene, which the rest points into */
-    luxel_field *field;
-    struct lx_plane *plane;   /* NULL: it shows the picture */
-    double size_mm[2];        /* of the map, whose middle is at (0, 0) */
-    struct lx_scale axes[2];  /* what is written along its sides, which may run downwards */
-    const char *axis_names[2]; /* English */
+    luxel_scene *copy;      /* of the scene, which the rest points into */
+    struct lx_rendered own; /* empty where it was given one */
+    const luxel_field *field;
+    struct lx_plane *plane;     /* NULL: it shows the picture */
+    double size_mm[2];          /* of the map, whose middle is at (0, 0) */
+    struct lx_scale axes[2];    /* what is written along its sides, which may run downwards */
+    const char *axis_names[2];  /* English */
     luxel_isophotes *isophotes; /* NULL: none are drawn */
     luxel_extrema extrema;
     double levels[LX_MOST_LEVELS];
@@ -63,10 +71,18 @@ struct lx_figure {
     char *section_titles[2];
 };
 
-/* Computes a figure; the scene is copied.  lx_figure_free() is due whatever it returns. */
+/* Renders the whole picture.  lx_rendered_clear() is due whatever it returns. */
+luxel_status lx_rendered_make(const luxel_scene *scene, const luxel_settings *settings, bool wants_extrema,
+                              luxel_diagnostics *diagnostics, struct lx_rendered *rendered);
+void lx_rendered_clear(struct lx_rendered *rendered);
+
+/*
+ * Computes a figure; the scene is copied.  `rendered`, unless it is NULL, is the scene's picture with its extrema, by
+ * the same settings, and must outlive the figure.  lx_figure_free() is due whatever it returns.
+ */
 luxel_status lx_figure_make(const luxel_scene *scene, const luxel_settings *settings,
-                            const luxel_figure_settings *wanted, luxel_diagnostics *diagnostics,
-                            struct lx_figure **figure);
+                            const luxel_figure_settings *wanted, const struct lx_rendered *rendered,
+                            luxel_diagnostics *diagnostics, struct lx_figure **figure);
 void lx_figure_free(struct lx_figure *figure);
 
 /* The settings (NULL: the defaults) for the whole picture, whatever stride they have. */

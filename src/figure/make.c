@@ -60,7 +60,7 @@ void lx_figure_free(struct lx_figure *figure)
         free(figure->section_titles[i]);
     lx_plane_free(figure->plane);
     luxel_isophotes_free(figure->isophotes);
-    luxel_field_free(figure->field);
+    lx_rendered_clear(&figure->own);
     luxel_scene_free(figure->copy);
     free(figure);
 }
@@ -203,18 +203,38 @@ luxel_settings lx_whole_picture(const luxel_settings *settings)
     return whole;
 }
 
-/* The picture with what tells of it between the pixels. */
-static luxel_status make_picture(struct lx_figure *figure, const luxel_settings *settings,
-                                 luxel_diagnostics *diagnostics, luxel_evaluator **evaluator)
+luxel_status lx_rendered_make(const luxel_scene *scene, const luxel_settings *settings, bool wants_extrema,
+                              luxel_diagnostics *diagnostics, struct lx_rendered *rendered)
 {
     const luxel_settings whole = lx_whole_picture(settings);
-    const struct lx_screen *screen = &figure->scene->screen;
-    luxel_status status = luxel_render(figure->copy, &whole, diagnostics, &figure->field);
+    luxel_status status = luxel_render(scene, &whole, diagnostics, &rendered->field);
     if (status == LUXEL_OK)
-        status = luxel_evaluator_new(figure->copy, settings, diagnostics, evaluator);
-    if (status == LUXEL_OK && wants_extrema(&figure->settings))
-        status = luxel_find_extrema(*evaluator, figure->field, NULL, diagnostics, &figure->extrema);
-    if (status == LUXEL_OK && lx_figure_outline(figure, *evaluator, OUTLINE_STEPS) < 0)
+        status = luxel_evaluator_new(scene, settings, diagnostics, &rendered->evaluator);
+    if (status == LUXEL_OK && wants_extrema)
+        status = luxel_find_extrema(rendered->evaluator, rendered->field, NULL, diagnostics, &rendered->extrema);
+    return status;
+}
+
+void lx_rendered_clear(struct lx_rendered *rendered)
+{
+    luxel_evaluator_free(rendered->evaluator);
+    luxel_field_free(rendered->field);
+}
+
+/* What the figure shows of its scene's picture. */
+static luxel_status show_picture(struct lx_figure *figure, const luxel_settings *settings,
+                                 const struct lx_rendered *rendered, luxel_diagnostics *diagnostics)
+{
+    const struct lx_screen *screen = &figure->scene->screen;
+    luxel_status status = LUXEL_OK;
+    if (!rendered) {
+        status = lx_rendered_make(figure->copy, settings, wants_extrema(&figure->settings), diagnostics, &figure->own);
+        rendered = &figure->own;
+    }
+    figure->field = rendered->field;
+    if (wants_extrema(&figure->settings))
+        figure->extrema = rendered->extrema;
+    if (status == LUXEL_OK && lx_figure_outline(figure, rendered->evaluator, OUTLINE_STEPS) < 0)
         status = lx_out_of_memory(diagnostics);
     figure->size_mm[0] = screen->width_mm, figure->size_mm[1] = screen->height_mm;
     for (int i = 0; i < 2; i++)
@@ -223,12 +243,13 @@ static luxel_status make_picture(struct lx_figure *figure, const luxel_settings 
     return status;
 }
 
-static luxel_status compute(struct lx_figure *figure, const luxel_settings *settings, luxel_diagnostics *diagnostics)
+static luxel_status compute(struct lx_figure *figure, const luxel_settings *settings,
+                            const struct lx_rendered *rendered, luxel_diagnostics *diagnostics)
 {
-    luxel_evaluator *evaluator = NULL;
     luxel_summary summary;
     luxel_status status = figure->settings.grid > 0 ? lx_figure_plane(figure, settings, diagnostics)
-                                                    : make_picture(figure, settings, diagnostics, &evaluator);
+                                                    : show_picture(figure, settings, rendered, diagnostics);
+    const luxel_evaluator *evaluator = rendered ? rendered->evaluator : figure->own.evaluator;
     if (status == LUXEL_OK)
         status = luxel_field_summary(figure->field, NULL, diagnostics, &summary);
     if (status == LUXEL_OK) {
@@ -244,13 +265,12 @@ static luxel_status compute(struct lx_figure *figure, const luxel_settings *sett
         status = make_sections(figure, evaluator, diagnostics);
     if (status == LUXEL_OK)
         status = lx_figure_texts(figure, diagnostics);
-    luxel_evaluator_free(evaluator);
     return status;
 }
 
 luxel_status lx_figure_make(const luxel_scene *scene, const luxel_settings *settings,
-                            const luxel_figure_settings *wanted, luxel_diagnostics *diagnostics,
-                            struct lx_figure **figure)
+                            const luxel_figure_settings *wanted, const struct lx_rendered *rendered,
+                            luxel_diagnostics *diagnostics, struct lx_figure **figure)
 {
     struct lx_figure *made = lx_new_array(1, sizeof *made);
     *figure = made;
@@ -272,5 +292,5 @@ luxel_status lx_figure_make(const luxel_scene *scene, const luxel_settings *sett
     if (status != LUXEL_OK)
         return status;
     made->scene = lx_scene_parameters(made->copy);
-    return compute(made, settings, diagnostics);
+    return compute(made, settings, rendered, diagnostics);
 }

@@ -116,7 +116,8 @@ static luxel_status add_picture(struct lx_report *report, const luxel_figure_set
     struct lx_figure *figure = NULL;
     unsigned char *bytes = NULL;
     size_t length = 0;
-    luxel_status status = lx_figure_make(report->scene, report->settings, settings, report->diagnostics, &figure);
+    luxel_status status =
+        lx_figure_make(report->scene, report->settings, settings, &report->rendered, report->diagnostics, &figure);
     if (status == LUXEL_OK)
         status = lx_figure_png(figure, report->diagnostics, &bytes, &length);
     if (status == LUXEL_OK) {
@@ -147,7 +148,7 @@ luxel_status lx_report_pictures(struct lx_report *report)
     settings.palette = report->texts->palette;
     settings.bands = LUXEL_CONTOURS;
     settings.points = settings.extrema = true;
-    settings.section = report->extrema.maximum.exists ? LUXEL_SECTION_MAXIMUM : LUXEL_SECTION_NONE;
+    settings.section = report->rendered.extrema.maximum.exists ? LUXEL_SECTION_MAXIMUM : LUXEL_SECTION_NONE;
     if (status == LUXEL_OK)
         status = add_picture(report, &settings);
     return status;
@@ -161,7 +162,7 @@ static luxel_status build(struct lx_report *report)
     report->document = lx_document_new(report->texts->language);
     if (!report->document)
         return lx_out_of_memory(report->diagnostics);
-    report->unit = lx_document_word(report->document, luxel_field_unit(report->field));
+    report->unit = lx_document_word(report->document, luxel_field_unit(report->rendered.field));
     add_title(report);
     lx_document_number(report->document);
     lx_report_task(report);

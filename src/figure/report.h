@@ -12,6 +12,7 @@
 
 #include "../document/document.h"
 #include "../scene/scene.h"
+#include "figure.h"
 
 /* How far from the maximum the value falls to half of it, along a line. */
 struct lx_report_width {
@@ -26,12 +27,11 @@ struct lx_report {
     const luxel_report_settings *texts;
     luxel_diagnostics *diagnostics;
     struct luxel_document *document;
-    luxel_field *field;
-    luxel_extrema extrema;
+    struct lx_rendered rendered;
     luxel_summary summary;
     luxel_statistics statistics;
     luxel_reach reach;
-    luxel_probe **probes;         /* of the scene's points */
+    luxel_probe *probes; /* of the scene's points */
     size_t probe_count;
     luxel_probe *peak;                /* at the maximum; NULL where there is none */
     struct lx_report_width widths[2]; /* along x, along y */

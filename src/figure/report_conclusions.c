@@ -25,7 +25,7 @@ static void conclude_peak(struct lx_report *report)
         [LUXEL_PEAK_JUMP] = LX_N("The {0} is greatest, {1} {2}, at {3} mm on the screen, the point {4} mm, where it "
                                  "jumps or has a kink."),
     };
-    const luxel_peak *peak = &report->extrema.maximum;
+    const luxel_peak *peak = &report->rendered.extrema.maximum;
     char value[LX_NUMBER_SIZE];
     struct lx_text place = {0}, position = {0};
     lx_report_add_place(&place, (const double[]){peak->x_mm, peak->y_mm}, 2);
@@ -107,7 +107,7 @@ static void conclude_pixels(struct lx_report *report)
     double largest = 0;
     size_t compared = 0, point = 0;
     for (size_t i = 0; i < report->probe_count; i++) {
-        const luxel_probe *probe = report->probes[i];
+        const luxel_probe *probe = &report->probes[i];
         if (!probe->has_value || !probe->has_pixel_value)
             continue;
         compared++;
@@ -125,17 +125,17 @@ static void conclude_pixels(struct lx_report *report)
         report->document,
         LX_N("In these points, a value taken from the pixel instead of the point itself is off by up to {0} {1} (at "
              "{2}): {3} % of the maximum. The pixels' own maximum is {4} % below the true one."),
-        LX_SPANS(
-            LX_PLAIN(lx_write_digits(largest, 3, difference)), LX_PLAIN(report->unit), LX_PLAIN(name.bytes),
-            LX_PLAIN(percent(largest / report->extrema.maximum.value, share)),
-            LX_PLAIN(percent(fmax(0, 1 - report->summary.maximum.value / report->extrema.maximum.value), maximum))));
+        LX_SPANS(LX_PLAIN(lx_write_digits(largest, 3, difference)), LX_PLAIN(report->unit), LX_PLAIN(name.bytes),
+                 LX_PLAIN(percent(largest / report->rendered.extrema.maximum.value, share)),
+                 LX_PLAIN(percent(fmax(0, 1 - report->summary.maximum.value / report->rendered.extrema.maximum.value),
+                                  maximum))));
     lx_text_clear(&name);
 }
 
 /* Where there is no peak: one value in a whole part, or none. */
 static void conclude_plateau(struct lx_report *report)
 {
-    const luxel_peak *greatest = &report->extrema.maximum;
+    const luxel_peak *greatest = &report->rendered.extrema.maximum;
     if (!greatest->exists)
         return;
     if (!(greatest->value > 0))

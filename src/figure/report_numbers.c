@@ -16,101 +16,119 @@ const char *lx_report_number(double value, char *buffer)
 
 void lx_report_clear(struct lx_report *report)
 {
-    for (size_t i = 0; i < report->probe_count; i++)
-        luxel_probe_free(report->probes[i]);
-    free(report->probes);
+    luxel_probe_free(report->probes);
     luxel_probe_free(report->peak);
     luxel_balance_free(report->balance);
-    luxel_field_free(report->field);
+    lx_rendered_clear(&report->rendered);
     luxel_document_free(report->document);
 }
 
 static luxel_status probe_points(struct lx_report *report)
 {
-    size_t count = luxel_scene_point_count(report->scene);
-    luxel_status status = LUXEL_OK;
-    report->probes = lx_new_array(count, sizeof *report->probes);
-    if (!report->probes)
+    const size_t count = luxel_scene_point_count(report->scene);
+    if (count == 0)
+        return LUXEL_OK;
+    luxel_place *places = lx_new_array(count, sizeof *places);
+    if (!places)
         return lx_out_of_memory(report->diagnostics);
-    while (status == LUXEL_OK && report->probe_count < count) {
-        double x, y;
-        luxel_scene_point(report->scene, report->probe_count, &x, &y);
-        status = luxel_probe_screen(report->scene, report->settings, x, y, report->diagnostics,
-                                    &report->probes[report->probe_count]);
-        report->probe_count += status == LUXEL_OK;
-    }
+    for (size_t i = 0; i < count; i++)
+        luxel_scene_point(report->scene, i, &places[i].screen_mm[0], &places[i].screen_mm[1]);
+    luxel_status status =
+        luxel_probe_many(report->scene, report->settings, places, count, report->diagnostics, &report->probes);
+    report->probe_count = status == LUXEL_OK ? count : 0;
+    free(places);
     return status;
 }
 
-/* Where on the way between two of its samples, of which the first is above half the maximum, a profile falls to it. */
-static double find_half(const luxel_evaluator *evaluator, const luxel_profile_sample *above,
-                        const luxel_profile_sample *below, double half)
+/* The way from the maximum along x or y to an edge of the screen. */
+struct way {
+    const luxel_evaluator *evaluator;
+    double from_mm[2], to_mm[2];
+};
+
+static luxel_place place_on(const struct way *way, double share)
 {
-    double low = 0, high = 1; /* of the way */
-    for (int i = 0; i < 50; i++) {
+    luxel_place place = {0};
+    for (int i = 0; i < 2; i++)
+        place.screen_mm[i] = way->from_mm[i] + share * (way->to_mm[i] - way->from_mm[i]);
+    return place;
+}
+
+static bool is_above(const luxel_value *value, double level)
+{
+    return value->has_value && value->value > level;
+}
+
+/* Where the values fall to a level between two shares of the way, of which the first is above it. */
+static double find_fall(const struct way *way, double level, double low, double high)
+{
+    enum { HALVINGS = 32 }; /* of a step, which is far below what is printed */
+    for (int i = 0; i < HALVINGS; i++) {
         const double middle = (low + high) / 2;
-        const luxel_value value = luxel_evaluate(evaluator, above->x_mm + middle * (below->x_mm - above->x_mm),
-                                                 above->y_mm + middle * (below->y_mm - above->y_mm), NULL);
-        if (value.on_surface && value.has_value && value.value > half)
+        const luxel_place place = place_on(way, middle);
+        const luxel_value value = luxel_evaluate_place(way->evaluator, &place, NULL);
+        if (is_above(&value, level))
             low = middle;
         else
             high = middle;
     }
-    return above->abscissa + high * (below->abscissa - above->abscissa);
+    return high;
 }
 
-/* Where a profile that begins at the maximum falls to half of it. */
-static bool half_width(const luxel_evaluator *evaluator, const luxel_profile *profile, double maximum, double *width)
+/*
+ * How far it is to where the value is first no more than a level; nowhere where the surface ends before.  As most ways
+ * are short, the steps are taken some at a time.
+ */
+static luxel_status measure_side(const struct way *way, double level, bool *exists, double *mm)
 {
-    for (size_t i = 1; i < profile->count; i++) {
-        const luxel_profile_sample *before = &profile->samples[i - 1], *sample = &profile->samples[i];
-        if (!before->has_value || !sample->has_value)
-            return false;
-        if (sample->value > maximum / 2)
-            continue;
-        *width = find_half(evaluator, before, sample, maximum / 2);
-        return true;
+    enum { STEPS = 256, AT_ONCE = 16 };
+    luxel_place places[AT_ONCE];
+    luxel_value values[AT_ONCE];
+    for (int first = 1; first <= STEPS; first += AT_ONCE) {
+        for (int i = 0; i < AT_ONCE; i++)
+            places[i] = place_on(way, (double)(first + i) / STEPS);
+        luxel_status status = luxel_evaluate_places(way->evaluator, places, AT_ONCE, values, NULL);
+        if (status != LUXEL_OK)
+            return status;
+        for (int i = 0; i < AT_ONCE; i++) {
+            if (is_above(&values[i], level))
+                continue;
+            *exists = values[i].has_value;
+            if (*exists)
+                *mm = hypot(way->to_mm[0] - way->from_mm[0], way->to_mm[1] - way->from_mm[1]) *
+                      find_fall(way, level, (double)(first + i - 1) / STEPS, (double)(first + i) / STEPS);
+            return LUXEL_OK;
+        }
     }
-    return false;
+    return LUXEL_OK;
 }
 
 /* To both sides of the maximum, along x or y, as far as the screen goes. */
-static luxel_status measure_width(const struct lx_report *report, const luxel_evaluator *evaluator, int axis,
-                                  struct lx_report_width *width)
+static luxel_status measure_width(const struct lx_report *report, int axis, struct lx_report_width *width)
 {
     const struct lx_screen *screen = &report->parameters->screen;
-    const luxel_peak *peak = &report->extrema.maximum;
-    double half = (axis == 0 ? screen->width_mm : screen->height_mm) / 2;
+    const luxel_peak *peak = &report->rendered.extrema.maximum;
+    const double half = (axis == 0 ? screen->width_mm : screen->height_mm) / 2;
     luxel_status status = LUXEL_OK;
     for (int side = 0; side < 2 && status == LUXEL_OK; side++) {
-        luxel_path path = {.from_mm = {peak->x_mm, peak->y_mm}, .to_mm = {peak->x_mm, peak->y_mm}, .samples = 257};
-        luxel_profile *profile = NULL;
-        path.to_mm[axis] = side == 0 ? -half : half;
-        if (fabs(path.to_mm[axis] - path.from_mm[axis]) <= 1e-9 * half)
-            continue;
-        status = luxel_find_profile(evaluator, &path, report->diagnostics, &profile);
-        if (status == LUXEL_OK)
-            width->exists[side] = half_width(evaluator, profile, peak->value, &width->mm[side]);
-        luxel_profile_free(profile);
+        struct way way = {report->rendered.evaluator, {peak->x_mm, peak->y_mm}, {peak->x_mm, peak->y_mm}};
+        way.to_mm[axis] = side == 0 ? -half : half;
+        if (fabs(way.to_mm[axis] - way.from_mm[axis]) > 1e-9 * half)
+            status = measure_side(&way, peak->value / 2, &width->exists[side], &width->mm[side]);
     }
     return status;
 }
 
-/* The true extrema, what the lights give at the maximum, and how quickly the value falls around it. */
-static luxel_status find_extrema(struct lx_report *report)
+/* What the lights give at the maximum, and how quickly the value falls around it. */
+static luxel_status look_at_maximum(struct lx_report *report)
 {
-    luxel_evaluator *evaluator = NULL;
-    luxel_status status = luxel_evaluator_new(report->scene, report->settings, report->diagnostics, &evaluator);
-    if (status == LUXEL_OK)
-        status = luxel_find_extrema(evaluator, report->field, NULL, report->diagnostics, &report->extrema);
-    const luxel_peak *peak = &report->extrema.maximum;
-    bool has_peak = status == LUXEL_OK && peak->exists && peak->value > 0 && peak->place != LUXEL_PEAK_PLATEAU;
-    if (has_peak)
-        status = luxel_probe_screen(report->scene, report->settings, peak->x_mm, peak->y_mm, report->diagnostics,
-                                    &report->peak);
-    for (int axis = 0; axis < 2 && has_peak && status == LUXEL_OK; axis++)
-        status = measure_width(report, evaluator, axis, &report->widths[axis]);
-    luxel_evaluator_free(evaluator);
+    const luxel_peak *peak = &report->rendered.extrema.maximum;
+    if (!peak->exists || !(peak->value > 0) || peak->place == LUXEL_PEAK_PLATEAU)
+        return LUXEL_OK;
+    luxel_status status =
+        luxel_probe_screen(report->scene, report->settings, peak->x_mm, peak->y_mm, report->diagnostics, &report->peak);
+    for (int axis = 0; axis < 2 && status == LUXEL_OK; axis++)
+        status = measure_width(report, axis, &report->widths[axis]);
     return status;
 }
 
@@ -118,17 +136,17 @@ luxel_status lx_report_compute(struct lx_report *report)
 {
     luxel_settings whole = lx_whole_picture(report->settings);
     whole.minimum_reached = true;
-    luxel_status status = luxel_render(report->scene, &whole, report->diagnostics, &report->field);
+    luxel_status status = lx_rendered_make(report->scene, &whole, true, report->diagnostics, &report->rendered);
     if (status == LUXEL_OK)
-        status = luxel_field_summary(report->field, NULL, report->diagnostics, &report->summary);
+        status = luxel_field_summary(report->rendered.field, NULL, report->diagnostics, &report->summary);
     if (status == LUXEL_OK) {
-        report->statistics = *luxel_field_statistics(report->field);
+        report->statistics = *luxel_field_statistics(report->rendered.field);
         status = luxel_find_reach(report->scene, report->settings, report->diagnostics, &report->reach);
     }
     if (status == LUXEL_OK)
         status = probe_points(report);
     if (status == LUXEL_OK)
-        status = find_extrema(report);
+        status = look_at_maximum(report);
     if (status == LUXEL_OK)
         status = luxel_find_balance(report->scene, report->settings, report->diagnostics, &report->balance);
     return status;

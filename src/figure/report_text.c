@@ -13,17 +13,18 @@
 
 const char *lx_report_quantity(const struct lx_report *report)
 {
-    return luxel_field_quantity_word(report->field);
+    return luxel_field_quantity_word(report->rendered.field);
 }
 
 const char *lx_report_choose(const struct lx_report *report, const char *const sentences[4])
 {
-    return lx_by_quantity(luxel_field_quantity(report->field), report->parameters->units == LX_PHOTOMETRIC, sentences);
+    return lx_by_quantity(luxel_field_quantity(report->rendered.field), report->parameters->units == LX_PHOTOMETRIC,
+                          sentences);
 }
 
 bool lx_report_is_irradiance(const struct lx_report *report)
 {
-    return luxel_field_quantity(report->field) == LUXEL_IRRADIANCE;
+    return luxel_field_quantity(report->rendered.field) == LUXEL_IRRADIANCE;
 }
 
 void lx_report_add_place(struct lx_text *text, const double *values, size_t count)
@@ -95,7 +96,7 @@ void lx_report_task(struct lx_report *report)
 
 static void add_probe(struct lx_report *report, size_t i)
 {
-    const luxel_probe *probe = report->probes[i];
+    const luxel_probe *probe = &report->probes[i];
     char value[LX_NUMBER_SIZE], error[LX_NUMBER_SIZE], pixel[LX_NUMBER_SIZE];
     struct lx_text name = {0}, place = {0};
     lx_text_printf(&name, "P%zu", i + 1);
@@ -150,7 +151,7 @@ static void add_statistic(struct lx_report *report, const char *english, double 
 /* The extrema of the exact function. */
 static void add_true_extrema(struct lx_report *report)
 {
-    const luxel_peak *greatest = &report->extrema.maximum, *least = &report->extrema.minimum;
+    const luxel_peak *greatest = &report->rendered.extrema.maximum, *least = &report->rendered.extrema.minimum;
     if (greatest->exists)
         add_statistic(report, LX_N("true maximum"), greatest->value,
                       greatest->place == LUXEL_PEAK_PLATEAU ? NULL : (const double[]){greatest->x_mm, greatest->y_mm});
@@ -221,7 +222,7 @@ static void add_statistics(struct lx_report *report)
     if (report->reach.has_direct)
         add_statistic(report,
                       report->reach.has_ambient ? LX_N("share of the surface that light other than ambient reaches")
-                                          : LX_N("share of the surface that light reaches"),
+                                                : LX_N("share of the surface that light reaches"),
                       report->reach.share, NULL);
     if (summary->has_evenness)
         add_statistic(report, LX_N("uniformity U0 = minimum of the pixels / mean"), summary->u0, NULL);

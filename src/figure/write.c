@@ -218,7 +218,7 @@ static luxel_status write_to(const struct lx_destination *destinations, size_t c
     for (size_t i = 0; i < count && status == LUXEL_OK; i++)
         status = luxel_check_figure_name(destinations[i].path, diagnostics);
     if (status == LUXEL_OK)
-        status = lx_figure_make(scene, settings, wanted, diagnostics, &figure);
+        status = lx_figure_make(scene, settings, wanted, NULL, diagnostics, &figure);
     if (status == LUXEL_OK) {
         const struct lx_sheet sheet = sheet_of(figure);
         for (size_t i = 0; i < count; i++) {

@@ -49,19 +49,26 @@ static void copy3(double to[3], const lx_bounded3 *from)
     to[2] = from->z.value;
 }
 
+/* The place of an element, without its value. */
+static luxel_value place_of(const struct lx_element *element)
+{
+    luxel_value place = {.on_surface = true};
+    if (element->own) {
+        place.surface = element->own->authored;
+        place.part = element->own->part;
+    }
+    copy3(place.position_mm, &element->place_mm);
+    copy3(place.normal, &element->normal);
+    return place;
+}
+
 luxel_value lx_evaluate_element(const struct luxel_evaluator *evaluator, const struct lx_element *element,
                                 double *shares)
 {
     const struct lx_prepared *prepared = &evaluator->prepared;
-    luxel_value result = {.on_surface = true, .has_value = true};
+    luxel_value result = place_of(element);
     lx_bounded total = lx_exact(0);
     size_t lights = prepared->scene->lights.count;
-    if (element->own) {
-        result.surface = element->own->authored;
-        result.part = element->own->part;
-    }
-    copy3(result.position_mm, &element->place_mm);
-    copy3(result.normal, &element->normal);
     if (shares)
         memset(shares, 0, lights * sizeof *shares);
     for (size_t next = 0; next < prepared->emitters.count;) {
@@ -71,7 +78,6 @@ luxel_value lx_evaluate_element(const struct luxel_evaluator *evaluator, const s
         if (!lx_light_share(prepared, element, light, &next, &share)) {
             if (shares)
                 memset(shares, 0, lights * sizeof *shares);
-            result.has_value = false;
             return result;
         }
         lx_bounded value = lx_share_value(&share, evaluator->settings.quantity);
@@ -82,9 +88,16 @@ luxel_value lx_evaluate_element(const struct luxel_evaluator *evaluator, const s
     if (evaluator->reflected_at)
         total = lx_add(total, lx_reflected_value(element->lobe, evaluator->settings.quantity,
                                                  evaluator->reflected_at(evaluator, element)));
+    result.has_value = true;
     result.value = total.value;
     result.error = lx_told_error(total);
     return result;
+}
+
+luxel_value luxel_trace(const luxel_evaluator *evaluator, double x_mm, double y_mm)
+{
+    struct lx_element element;
+    return lx_element_seen(&evaluator->prepared, x_mm, y_mm, &element) ? place_of(&element) : (luxel_value){0};
 }
 
 luxel_value luxel_evaluate(const luxel_evaluator *evaluator, double x_mm, double y_mm, double *shares)

@@ -97,6 +97,34 @@ static void test_light_on_element(void **state)
     luxel_scene_free(scene);
 }
 
+/* A trace is what an evaluation tells of its place, and has no value. */
+static void test_trace(void **state)
+{
+    (void)state;
+    static const char *const names[] = {"report", "desk", "sundial"};
+    for (size_t k = 0; k < sizeof names / sizeof names[0]; k++) {
+        luxel_scene *scene = builtin(names[k]);
+        luxel_evaluator *evaluator = evaluator_of(scene, LUXEL_BRIGHTNESS);
+        size_t met = 0;
+        for (int i = 0; i < 9; i++) {
+            const double x = 60 * (i % 3 - 1) + 1, y = 60 * (i / 3 - 1);
+            const luxel_value value = luxel_evaluate(evaluator, x, y, NULL);
+            luxel_value place = luxel_trace(evaluator, x, y);
+            assert_false(place.has_value);
+            assert_true(place.value == 0 && place.error == 0);
+            met += place.on_surface;
+            assert_true(place.on_surface == value.on_surface && place.surface == value.surface &&
+                        place.part == value.part);
+            assert_memory_equal(place.position_mm, value.position_mm, sizeof place.position_mm);
+            assert_memory_equal(place.normal, value.normal, sizeof place.normal);
+        }
+        assert_true(met > 0);
+        assert_true(k > 0 || !luxel_trace(evaluator, 301, 0).on_surface);
+        luxel_evaluator_free(evaluator);
+        luxel_scene_free(scene);
+    }
+}
+
 /* The sphere of the report: centre (0, 0, 1000), radius 300; through its front it is what the screen shows. */
 static void test_sphere(void **state)
 {
@@ -266,9 +294,10 @@ static void test_ambient(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_ambient), cmocka_unit_test(test_probes), cmocka_unit_test(test_light_on_element),
-        cmocka_unit_test(test_sphere),  cmocka_unit_test(test_places), cmocka_unit_test(test_places_cancelled),
-        cmocka_unit_test(test_refused),
+        cmocka_unit_test(test_ambient),          cmocka_unit_test(test_probes),
+        cmocka_unit_test(test_light_on_element), cmocka_unit_test(test_trace),
+        cmocka_unit_test(test_sphere),           cmocka_unit_test(test_places),
+        cmocka_unit_test(test_places_cancelled), cmocka_unit_test(test_refused),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
