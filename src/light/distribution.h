@@ -22,6 +22,7 @@
 
 #include "../base/frame.h"
 #include "../format/photometry.h"
+#include "distribution_even.h"
 #include "profile.h"
 
 /*
@@ -65,6 +66,7 @@ struct lx_distribution {
     struct lx_table_double table_double;
     struct lx_table_single table_single;
     void *room; /* of the kernels' lines */
+    struct lx_even_table even;
 };
 
 /* Makes it of a photometry, of which it becomes one more user; NULL: memory ran out.  Freed as lx_kept. */

@@ -20,6 +20,7 @@ static void clear(struct lx_distribution *made)
     free(made->polars);
     free(made->values);
     free(made->room);
+    lx_even_table_clear(&made->even);
     if (made->photometry)
         lx_kept_release((struct lx_kept *)&made->photometry->kept);
     free(made);
@@ -315,7 +316,8 @@ struct lx_distribution *lx_distribution_make(struct lx_photometry *photometry, l
     lx_kept_hold(&photometry->kept);
     made->photometry = photometry;
     made->interpolation = interpolation;
-    if (!make_grid(made) || luxel_photometry_measure(&photometry->shown, &figures) != LUXEL_OK || !make_tables(made)) {
+    if (!make_grid(made) || luxel_photometry_measure(&photometry->shown, &figures) != LUXEL_OK || !make_tables(made) ||
+        !lx_even_table_make(made, &made->even)) {
         clear(made);
         return NULL;
     }

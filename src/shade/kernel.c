@@ -44,6 +44,7 @@
 
 #include "kernel_facets.h"
 #include "kernel_polynomial.h"
+#include "kernel_tabled.h"
 #include "kernel_table.h"
 
 #include "kernel_real.h"
@@ -381,6 +382,8 @@ const struct lx_kernels TABLE_OF(LX_ISA) = {
     .round_all = round_all,
     .find_polynomial = find_polynomial,
     .spread_polynomial = spread_polynomial,
+    .spread_tabled = spread_tabled,
+    .find_angles = find_angles,
     .bound_smooth = bound_smooth,
     .bound_foot = bound_foot,
     .find_roots = find_roots,

@@ -21,6 +21,7 @@
 #include <stdint.h>
 
 #include "../base/rows.h"
+#include "../light/distribution_even.h"
 #include "../light/emitter.h"
 #include "../material/lobe.h"
 #include "../surface/shape.h"
@@ -231,6 +232,36 @@ typedef double lx_find_polynomial(const double (*series)[LX_LANES], unsigned nod
                                   struct lx_polynomial *polynomial);
 
 /*
+ * A luminaire over a square of pixels: what it would give if it shone with 1 in all directions, times g, which is what
+ * a cell of its table makes of two angles (light/distribution_even.h).  All three are polynomials, the angles in cells
+ * from the first one that the square sees; with `by_cosine` so is the cosine of the polar angle, less that of the
+ * middle, from which the share of a cell comes.
+ */
+enum { LX_MOST_LINES = 128 };
+struct lx_tabled {
+    struct lx_polynomial brightness, polar, azimuth, cosine;
+    unsigned size;            /* of the largest of them; terms beyond their own sizes are 0 */
+    bool is_axial, by_cosine; /* is_axial: there is no azimuth */
+    const lx_even_cell *cells;
+    int row; /* cells of an azimuth */
+    int first_polar, first_azimuth, polar_count, azimuth_count; /* cells that the square sees */
+    int turn; /* number of azimuths behind which they begin again */
+    float start[LX_MOST_LINES], per_step[LX_MOST_LINES]; /* of each cell: the cosine there, less that of the middle */
+};
+
+/* Adds the light of a luminaire to the square's first rows and columns, as lx_spread_polynomial() takes them. */
+typedef void lx_spread_tabled(const struct lx_tabled *tabled, unsigned rows, unsigned columns, float *values,
+                              size_t stride);
+
+/*
+ * Angles under which a luminaire at a place from the anchor sees the elements of a block: the polar angle, its cosine,
+ * and the azimuth from the one whose cosine and sine are in `ahead`, -pi to pi; NULL where they are not asked for.
+ */
+typedef void lx_find_angles(const struct lx_pointed *luminaire, const double place[3], const double ahead[2],
+                            const struct lx_block_double *block, size_t count, double *polar, double *cosine,
+                            double *azimuth);
+
+/*
  * How far a vector that depends on the place (x, y) on the screen may be from what it is in the middle of a square,
  * where x and y are complex numbers of some region around it (smooth.h): its real part by a change `first` that real
  * x and y could make as well, and by `second` besides; its imaginary part; and by `tile` within the square itself.
@@ -243,6 +274,9 @@ struct lx_leeway {
 struct lx_vicinity {
     double place[3], normal[3], view[3];
     double level; /* normal . place, which is the same everywhere */
+    /* how far a plate's place is from the middle where it moves along a line by a complex number, and along the other
+     * axis as within the square; infinite on what is no plate */
+    double straight;
     double slip;  /* what may not be analytic counts for so many times its largest value in the square */
     struct lx_leeway place_leeway, normal_leeway, view_leeway;
 };
@@ -379,6 +413,8 @@ struct lx_kernels {
     lx_round_all *round_all;
     lx_find_polynomial *find_polynomial;
     lx_spread_polynomial *spread_polynomial;
+    lx_spread_tabled *spread_tabled;
+    lx_find_angles *find_angles;
     lx_bound_smooth *bound_smooth;
     lx_bound_foot *bound_foot;
     lx_find_roots *find_roots;

@@ -223,3 +223,30 @@ static __attribute__((noinline)) void NAME(look_up)(const struct lx_pointed *lum
     }
     *g = NAME(greater)(NAME(darken)(&table->polar, polar, value), zero);
 }
+
+#if !LX_IS_SINGLE
+static void find_angles(const struct lx_pointed *luminaire, const double place[3], const double ahead[2],
+                        const struct lx_block_double *block, size_t count, double *polar, double *cosine,
+                        double *azimuth)
+{
+    const double(*frame)[3] = luminaire->frame_double;
+    const lanes_double zero = all_double(0);
+    for (size_t i = 0; i < count; i += LX_WIDTH_double) {
+        const lanes_double x = load_double(block->px + i) - place[0], y = load_double(block->py + i) - place[1],
+                           z = load_double(block->pz + i) - place[2];
+        lanes_double d[3];
+        for (int k = 0; k < 3; k++)
+            d[k] = frame[k][0] * x + frame[k][1] * y + frame[k][2] * z;
+        const lanes_double across = d[0] * d[0] + d[1] * d[1], beside = root_double(across);
+        const lanes_double r = root_double(across + d[2] * d[2]);
+        store_double(polar + i, angle_at_double(beside, d[2], r));
+        if (cosine)
+            store_double(cosine + i, d[2] * inverse_double(greater_double(r, all_double(1e-18))));
+        if (azimuth) {
+            const lanes_double along = d[0] * ahead[0] + d[1] * ahead[1], aside = d[1] * ahead[0] - d[0] * ahead[1];
+            const lanes_double turned = angle_at_double(magnitude_double(aside), along, beside);
+            store_double(azimuth + i, where_above_double(zero, aside, -turned, turned));
+        }
+    }
+}
+#endif

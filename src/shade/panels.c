@@ -15,8 +15,9 @@ enum { HALF_SIDE = LX_PANEL_SIDE / 2, QUARTERS = 4, SIDE_BY_SIDE = LX_BLOCK / LX
 /* Highlights of extended sources that are not smooth in squares of so many pixels are sampled at each of them. */
 enum { LEAST_SIDE = LX_PANEL_SIDE / 4 };
 
-/* What polynomials may be off by, of the picture's maximum. */
-static const double SHARE = 8e-7;
+/* What polynomials may be off by, of the picture's maximum; and what the roundings of luminaires may add up to besides.
+ * As these are independent they do not come together: a third of that sum is more than any picture has of it. */
+static const double SHARE = 8e-7, ROUNDINGS = 2.4e-6;
 
 struct lx_panels_memory {
     struct lx_fitting fitting;
@@ -103,7 +104,7 @@ static struct lx_square square_of(const struct job *job, unsigned row, unsigned 
 
 /* Fits polynomials to lights that are left over a square of pixels and puts them into the picture, or adds them to what
  * is there already.  False: there are none. */
-static bool fit_square(const struct job *job, unsigned row, unsigned column, const struct lx_square *square,
+static bool fit_lights(const struct job *job, unsigned row, unsigned column, const struct lx_square *square,
                        bool has_some, double *allowance)
 {
     const struct lx_plan *plan = job->plan;
@@ -117,6 +118,33 @@ static bool fit_square(const struct job *job, unsigned row, unsigned column, con
         plan->kernels->spread_polynomial(&fitting->polynomials[i], part.rows, part.columns, has_some || i > 0,
                                          job->canvas->values + index_of(job, row, column), job->canvas->stride);
     return true;
+}
+
+/* Adds luminaires that are left, to the light that is there already or to that of uniform sources.  False: there are
+ * none. */
+static bool fit_luminaires(const struct job *job, unsigned row, unsigned column, const struct lx_square *square,
+                           bool has_some, struct lx_allowance *allowance)
+{
+    const struct part part = part_of(job, row, column, square->side);
+    const struct lx_square_values to = {part.rows, part.columns, job->canvas->values + index_of(job, row, column),
+                                        job->canvas->stride};
+    if (square->surface->smooth.luminaires.count == 0 || !goes_on(job))
+        return false;
+    for (unsigned r = 0; r < part.rows && !has_some; r++)
+        for (unsigned i = 0; i < part.columns; i++)
+            to.values[r * to.stride + i] = (float)square->surface->uniform;
+    return lx_add_tabled(job->plan, &job->memory->fitting, job->shader, square, &to, allowance) > 0;
+}
+
+/* Puts all that polynomials do for of the lights that are left into the picture, or adds it to what is there already.
+ * False: there is nothing. */
+static bool fit_square(const struct job *job, unsigned row, unsigned column, const struct lx_square *square,
+                       bool has_some, struct lx_allowance *allowance)
+{
+    const bool are_all = square->surface->smooth.luminaires.count == square->surface->smooth.count;
+    memset(job->memory->fitting.is_faint, 0, sizeof job->memory->fitting.is_faint);
+    const bool has_lights = !are_all && fit_lights(job, row, column, square, has_some, &allowance->error);
+    return fit_luminaires(job, row, column, square, has_some || has_lights, allowance) || has_lights;
 }
 
 /* A polynomial is there only where all of a square shows the surface. */
@@ -169,7 +197,7 @@ static bool are_left(const struct job *job, const struct lx_square *square)
 /* Whether a quarter of a panel, some lights over which are left, shows a polynomial; *allowance: of the error.  The
  * panel `has_some` of the surface that it shows. */
 static bool shade_quarter(const struct job *job, unsigned row, unsigned column,
-                          const struct lx_planned_surface *has_some, double allowance)
+                          const struct lx_planned_surface *has_some, struct lx_allowance allowance)
 {
     struct lx_fitting *fitting = &job->memory->fitting;
     const struct lx_square square = square_of(job, row, column, HALF_SIDE);
@@ -197,7 +225,7 @@ static void shade_panel(const struct job *job, unsigned row, unsigned column, bo
     const double allowance = SHARE * job->plan->least_maximum, kept = allowance / 4; /* for its quarters */
     const struct lx_square square = square_of(job, row, column, LX_PANEL_SIDE);
     const bool is_smooth = square.surface && square.surface->smooth.pays;
-    double left_over = allowance - kept;
+    struct lx_allowance left_over = {allowance - kept, ROUNDINGS * job->plan->least_maximum};
     bool is_faint[QUARTERS] = {false}, has_some = false;
     if (is_smooth) {
         memset(fitting->is_left, 1, square.surface->smooth.count);
@@ -209,12 +237,13 @@ static void shade_panel(const struct job *job, unsigned row, unsigned column, bo
             return;
         }
     }
+    const struct lx_allowance for_quarters = {left_over.error + kept, left_over.rounding};
     for (unsigned q = 0; q < QUARTERS && goes_on(job); q++) {
         const unsigned top = row + q / 2 * HALF_SIDE, left = column + q % 2 * HALF_SIDE;
         const struct part part = part_of(job, top, left, HALF_SIDE);
         if (part.rows > 0 && part.columns > 0)
             is_plain[q] =
-                is_faint[q] || !shade_quarter(job, top, left, has_some ? square.surface : NULL, left_over + kept);
+                is_faint[q] || !shade_quarter(job, top, left, has_some ? square.surface : NULL, for_quarters);
     }
 }
 

@@ -489,6 +489,7 @@ static luxel_status plan_panels(struct lx_plan *plan, struct lx_control *control
     plan->has_gloss = plan->in_panels && has_gloss;
     lx_bases_make(plan->bases);
     lx_gloss_bases_make(plan->gloss_bases);
+    lx_table_bases_make(plan->table_bases);
     for (size_t s = 0; plan->in_panels && s < plan->surface_count && status == LUXEL_OK; s++) {
         struct lx_planned_surface *surface = &plan->surfaces[s];
         if (is_smooth(plan, surface))

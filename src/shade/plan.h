@@ -83,7 +83,7 @@ struct lx_plan {
     const struct lx_planned_surface *alone;
     bool at_once;   /* it is there, and has few lights of one kind, whose sum is the value */
     bool in_panels; /* the whole picture is shaded by panels (panels.h), with: */
-    struct lx_basis bases[LX_BASES], gloss_bases[LX_GLOSS_BASES];
+    struct lx_basis bases[LX_BASES], gloss_bases[LX_GLOSS_BASES], table_bases[LX_TABLE_BASES];
     bool has_gloss; /* highlights of extended sources have polynomials of their own */
     luxel_precision precision;
     double tolerance;             /* of the highlights of extended sources, relative to the picture's maximum */

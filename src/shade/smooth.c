@@ -121,7 +121,8 @@ luxel_status lx_smooth_make(const struct lx_planned_surface *surface, double rad
     smooth->count = lights->count + surface->shell_count;
     smooth->radius_mm = radius_mm;
     smooth->gains = lx_new_array(surface->shell_count, sizeof *smooth->gains);
-    if (!smooth->gains || (smooth->has_highlights && make_parts(surface, smooth)))
+    if (!smooth->gains || lx_luminaires_make(surface, &smooth->luminaires) ||
+        (smooth->has_highlights && make_parts(surface, smooth)))
         return LUXEL_ERROR_MEMORY;
     for (size_t s = 0; s < surface->shell_count; s++)
         smooth->gains[s] = gain_of(&surface->shells[s], surface->lobe_exact.diffuse);
@@ -133,6 +134,7 @@ void lx_smooth_clear(struct lx_smooth *smooth)
     lx_smooth_lights_clear(&smooth->lights);
     lx_smooth_lights_clear(&smooth->parts);
     lx_round_parts_clear(&smooth->round);
+    lx_luminaires_clear(&smooth->luminaires);
     free(smooth->gains);
     free(smooth->plain_parts.inner);
 }
@@ -160,9 +162,10 @@ int lx_fitting_make(const struct lx_plan *plan, struct lx_fitting *fitting)
         .part_sizes = lx_new_aligned(lx_padded(parts), sizeof *fitting->part_sizes),
         .turned = lx_new_aligned(1, sizeof *fitting->turned),
         .polynomials = lx_new_aligned(1 + LX_MOST_FOLDED, sizeof *fitting->polynomials),
+        .tabled = lx_new_aligned(1, sizeof *fitting->tabled),
     };
     if (!fitting->is_left || !fitting->sizes || !fitting->part_sizes || !fitting->turned || !fitting->polynomials ||
-        lx_round_lights_make(most_round, &fitting->round))
+        !fitting->tabled || lx_round_lights_make(most_round, &fitting->round))
         return -1;
     *fitting->turned = (struct lx_block_double){.vx = {0}};
     for (size_t b = 0; b < LX_BASES; b++)
@@ -178,6 +181,7 @@ void lx_fitting_clear(struct lx_fitting *fitting)
     lx_smooth_lights_clear(&fitting->round);
     free(fitting->turned);
     free(fitting->polynomials);
+    free(fitting->tabled);
 }
 
 /* How a light is taken. */
@@ -206,10 +210,11 @@ static double cost_of(const struct lx_square *square, unsigned nodes, size_t tak
     return (double)taken * nodes + (double)(left - taken) * (square->side * square->side / PIXELS_A_NODE) + further;
 }
 
-/* Whether something may stand between a part of a surface and a light of a run. */
-static bool may_be_blocked(const struct lx_plan *plan, const struct lx_planned_surface *surface,
-                           const struct lx_light_run *run, const struct lx_ball *part, const struct lx_ball *light)
+bool lx_light_may_be_blocked(const struct lx_plan *plan, const struct lx_planned_surface *surface,
+                             const struct lx_light_run *run, const struct lx_ball *part, const struct lx_ball *light)
 {
+    if (run->blocker_count == 0)
+        return false;
     const bool endless = run->kind == LX_DISTANT;
     const double *anchor = surface->shape.anchor_mm;
     const uint32_t *blockers = surface->blockers + run->blocker_first;
@@ -240,7 +245,7 @@ static void leave_shadows(const struct lx_plan *plan, struct lx_fitting *fitting
         const struct lx_smooth_lights *lights = &surface->smooth.lights;
         for (size_t i = run->first; run->blocker_count > 0 && i < run->first + run->count; i++) {
             const struct lx_ball light = {.center = {lights->x[i], lights->y[i], lights->z[i]}};
-            if (fitting->is_left[i] && may_be_blocked(plan, surface, run, &part, &light))
+            if (fitting->is_left[i] && lx_light_may_be_blocked(plan, surface, run, &part, &light))
                 fitting->sizes[i] = HUGE_VAL;
         }
     }

@@ -16,10 +16,13 @@
 #include "../base/rows.h"
 #include "sampling.h"
 #include "smooth_lights.h"
+#include "tabled.h"
 #include "vicinity.h"
 
 struct lx_plan;
 struct lx_planned_surface;
+struct lx_light_run;
+struct lx_ball;
 struct lx_shader_memory;
 struct lx_seen;
 
@@ -50,6 +53,7 @@ struct lx_smooth {
     struct lx_smooth_lights parts;       /* that highlights are of */
     struct lx_smooth_lights plain_parts; /* the same as if they shone as much in all directions */
     struct lx_round_parts round;
+    struct lx_luminaires luminaires;
     size_t count;     /* of lights and shells */
     double radius_mm; /* of the surface, as it looks on the screen */
 };
@@ -62,6 +66,10 @@ enum { LX_MOST_SMOOTH = 1 << 20 };
 luxel_status lx_smooth_make(const struct lx_planned_surface *surface, double radius_mm, const struct lx_asking *asking,
                             struct lx_smooth *smooth);
 void lx_smooth_clear(struct lx_smooth *smooth);
+
+/* Whether something may stand between a part of a surface and a light of a run. */
+bool lx_light_may_be_blocked(const struct lx_plan *plan, const struct lx_planned_surface *surface,
+                             const struct lx_light_run *run, const struct lx_ball *part, const struct lx_ball *light);
 
 /* Where in tiles of 4 x 4 the i-th node of row j stands, of a number on each axis that 4 divides. */
 static inline size_t lx_node_in_tiles(unsigned nodes, unsigned i, unsigned j)
@@ -86,6 +94,7 @@ struct lx_fitting {
     struct lx_smooth_lights round;  /* the round parts as the square sees them */
     struct lx_light_room room;      /* for lights that are not stored */
     struct lx_block_double *turned; /* room for elements */
+    struct lx_tabled *tabled;       /* room for a luminaire */
     struct lx_vicinity vicinity;    /* of the square and the basis that were last */
     /* of the square that was last: */
     struct lx_polynomial *polynomials;

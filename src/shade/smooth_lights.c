@@ -99,6 +99,20 @@ luxel_status lx_smooth_lights_make(const struct lx_lights *lights, const struct 
     return LUXEL_OK;
 }
 
+int lx_smooth_luminaires_make(const struct lx_lights *lights, const uint32_t *which, size_t count,
+                              struct lx_smooth_lights *made)
+{
+    struct lx_light_room room = {.of_singles = NULL};
+    if (make_room(count, made))
+        return -1;
+    for (size_t i = 0; i < lx_padded(count); i++) {
+        struct lx_light_double light = *lx_lights_double(lights, which[i < count ? i : count - 1], 1, &room);
+        light.luminaire = NULL;
+        set_light(&light, 0, made, i);
+    }
+    return 0;
+}
+
 /* ---- parts of extended sources ---- */
 
 static size_t count_patches(const struct lx_planned_surface *surface)

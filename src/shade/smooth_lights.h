@@ -24,6 +24,10 @@ luxel_status lx_smooth_lights_make(const struct lx_lights *lights, const struct 
                                    struct lx_smooth_lights *made);
 void lx_smooth_lights_clear(struct lx_smooth_lights *lights);
 
+/* The luminaires among lights, `count` of them in `which`, as if they shone evenly: 0, or -1 when memory ran out. */
+int lx_smooth_luminaires_make(const struct lx_lights *lights, const uint32_t *which, size_t count,
+                              struct lx_smooth_lights *made);
+
 /* Whether the highlights of all extended sources over a surface, of which there are some, are by the law 1/r^2, and few
  * enough to be cut into parts. */
 bool lx_has_smooth_highlights(const struct lx_planned_surface *surface);

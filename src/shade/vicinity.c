@@ -23,6 +23,7 @@ static const double LEAST_HEIGHT = 1e-2;
  */
 struct reach {
     double real, imaginary, tile;
+    double straight; /* of a number for one axis, and a real one within the square for the other */
 };
 
 static double root_of_sum(double a, double b)
@@ -250,6 +251,8 @@ static bool find_in_perspective(const struct lx_plan *plan, const struct lx_squa
     const struct pencil pencil = pencil_of(plan, square, at);
     const double back[3] = {-square->x_mm, -square->y_mm, pencil.h};
     const struct lx_leeway moves = {.first = reach.real, .imaginary = reach.imaginary, .tile = reach.tile};
+    if (pencil.bend == 0)
+        at->straight = farthest_by(&pencil, reach.straight);
     return leeway_in_perspective(&pencil, reach, &at->place_leeway) && leeway_of_view(back, &moves, at);
 }
 
@@ -258,6 +261,8 @@ static bool find_in_parallel(const struct lx_plan *plan, const struct lx_planned
 {
     const struct lx_shape *shape = &surface->shape;
     double observer[3], way[3];
+    if (lx_curvature(shape) == 0)
+        at->straight = reach.straight / at->normal[2];
     if (!(lx_curvature(shape) > 0 ? leeway_on_sphere(shape->radius_mm, at->place, reach, &at->place_leeway)
                                   : leeway_on_plate(at->normal, reach, &at->place_leeway)))
         return false;
@@ -277,8 +282,9 @@ bool lx_find_vicinity(const struct lx_plan *plan, const struct lx_square *square
         .real = root_of_sum((basis->reach + 1 / basis->reach) / 2, 1) * half,
         .imaginary = (basis->reach - 1 / basis->reach) / 2 * half,
         .tile = root_of_sum(square->half_mm[0], square->half_mm[1]),
+        .straight = ((basis->reach + 1 / basis->reach) / 2 + 1) * half,
     };
-    *at = (struct lx_vicinity){.view = {0, 0, 1}, .slip = basis->slip};
+    *at = (struct lx_vicinity){.view = {0, 0, 1}, .slip = basis->slip, .straight = HUGE_VAL};
     double depth;
     if (!meet(plan, square->surface, middle, square->y_mm, at->place, &depth) ||
         (lx_curvature(shape) == 0 && !shows_corners(plan, square)))
