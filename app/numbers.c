@@ -116,11 +116,13 @@ static GtkWidget *new_points(AppNumbers *self)
     gtk_widget_add_css_class(self->unit, "dim-label");
     gtk_label_set_wrap(GTK_LABEL(self->unit), TRUE);
     gtk_label_set_max_width_chars(GTK_LABEL(self->unit), TEXT_COLUMNS);
-    gtk_box_append(GTK_BOX(page), self->points);
+    /* the table may be wider than there is room for, the words below it never are */
+    gtk_scrolled_window_set_child(GTK_SCROLLED_WINDOW(scrolled), self->points);
+    gtk_scrolled_window_set_propagate_natural_height(GTK_SCROLLED_WINDOW(scrolled), TRUE);
+    gtk_box_append(GTK_BOX(page), scrolled);
     gtk_box_append(GTK_BOX(page), self->points_left);
     gtk_box_append(GTK_BOX(page), self->unit);
-    gtk_scrolled_window_set_child(GTK_SCROLLED_WINDOW(scrolled), page);
-    return scrolled;
+    return page;
 }
 
 /* ---- plots ---- */

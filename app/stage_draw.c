@@ -32,7 +32,7 @@ static void set_lamp(const Sheet *sheet, gsize light, double opacity)
     cairo_set_source_rgba(sheet->cairo, color[0], color[1], color[2], opacity);
 }
 
-/* A text with its middle at a place, or beginning there. */
+/* A text with its middle at a place, or beginning there, but not beyond the right edge. */
 static void draw_text(const Sheet *sheet, const char *text, double x, double y, gboolean centered)
 {
     PangoLayout *layout = gtk_widget_create_pango_layout(sheet->widget, text);
@@ -41,7 +41,8 @@ static void draw_text(const Sheet *sheet, const char *text, double x, double y, 
     pango_font_description_set_absolute_size(font, LETTERS * PANGO_SCALE);
     pango_layout_set_font_description(layout, font);
     pango_layout_get_pixel_size(layout, &width, &height);
-    cairo_move_to(sheet->cairo, x - (centered ? width / 2.0 : 0), y - (centered ? height / 2.0 : 0));
+    const double left = x - (centered ? width / 2.0 : 0), most = gtk_widget_get_width(sheet->widget) - width - 2;
+    cairo_move_to(sheet->cairo, MIN(left, most), y - (centered ? height / 2.0 : 0));
     pango_cairo_show_layout(sheet->cairo, layout);
     cairo_new_path(sheet->cairo);
     pango_font_description_free(font);

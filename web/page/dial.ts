@@ -121,6 +121,6 @@ export class Dial {
         }
         this.exposure.disabled = scale !== this.scale;
         if (document.activeElement !== this.exposure) this.exposure.value = String(scale.exposure);
-        this.told.textContent = `${scale.exposure > 0 ? '+' : ''}${number(scale.exposure, 3)} EV`;
+        this.told.textContent = `${scale.exposure > 0 ? '+' : ''}${number(scale.exposure, 3)} ${t('EV')}`;
     }
 }

@@ -203,11 +203,24 @@ export class SectionPanel {
         }
         context.textBaseline = 'top';
         context.textAlign = 'center';
+        const { name, from, to } = this.abscissa(length);
+        const told = `${t('Section')}, ${name}: ${number(from)} … ${number(to)} ${t('mm')}`;
+        if (this.canvas.getAttribute('aria-label') !== told) this.canvas.setAttribute('aria-label', told);
         for (const share of [0, 0.5, 1]) {
             const [cx, cy] = place(share * length, 0);
-            const unit = share === 1 ? ` ${t('mm')}` : '';
-            context.fillText(`${number(share * length, 3)}${unit}`, Math.min(width - 26, cx), cy + 4);
+            const at = number(Number((from + share * (to - from)).toPrecision(3)), 3);
+            const text = share === 1 ? `${name} = ${at} ${t('mm')}` : at;
+            const half = context.measureText(text).width / 2;
+            context.fillText(text, Math.min(width - half, cx), cy + 4);
         }
+    }
+
+    // A line along x or y is read by that, any other one by the way along it.
+    private abscissa(length: number): { name: string; from: number; to: number } {
+        const { from, to } = this.last!;
+        const along = [0, 1].find((axis) => Math.abs(to[1 - axis] - from[1 - axis]) < 1e-9 * length);
+        if (along === undefined) return { name: 's', from: 0, to: length };
+        return { name: 'xy'[along], from: from[along], to: to[along] };
     }
 
     // Where the probe is on the line, if it is near it.

@@ -73,6 +73,7 @@ const RUSSIAN: Record<string, string> = {
     Angle: 'Угол',
     'Fix the line': 'Закрепить линию',
     Exposure: 'Экспозиция',
+    EV: 'ст.',
     'Lower end of the scale': 'Нижний конец шкалы',
     'Upper end of the scale': 'Верхний конец шкалы',
     Compare: 'Сравнить',

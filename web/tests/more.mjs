@@ -112,12 +112,19 @@ async function cuts(page, tool) {
     await openScene(page, 'three-lights');
     await page.getByLabel('Angle').fill('90');
     await until(page, 'section.last && Math.abs(section.last.from[0] - section.last.to[0]) < 1e-9');
+    const axis = (text) =>
+        page.waitForFunction(
+            (text) => document.querySelector('canvas.section').getAttribute('aria-label') === text,
+            `Section, ${text} mm`,
+        );
+    await axis('y: −360 … 360');
     await page.getByLabel('Fix the line').check();
     for (const [name, value] of Object.entries({ 'x₁': '-100', 'y₁': '-50', 'x₂': '120', 'y₂': '80' })) {
         await page.getByLabel(`${name}, mm`).fill(value);
         await page.getByLabel(`${name}, mm`).press('Enter');
     }
     await until(page, 'section.last.to[0] === 120 && section.last.to[1] === 80 && section.last.from[1] === -50');
+    await axis('s: 0 … 255.54');
     await page.getByLabel('Curves').selectOption('shares');
     const row = await inside(page, 'section.last.rows[240]');
     const answer = JSON.parse(execFileSync(tool, ['probe', 'three-lights', '-p', '120,80', '--json']).toString());

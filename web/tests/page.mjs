@@ -336,6 +336,27 @@ async function onPhone(browser, url) {
     await page.context().close();
 }
 
+/** On small screens the header is one row, and fields show their numbers whole. */
+async function onSmallScreens(browser, url) {
+    for (const [language, width] of [
+        ['en', 1024],
+        ['ru', 1280],
+    ]) {
+        const page = await opened(browser, `${url}#lang=${language}`, { viewport: { width, height: 700 } });
+        await openScene(page, 'three-lights');
+        await page.locator('.form summary', { hasText: 'key' }).waitFor();
+        const height = await page.evaluate(() => document.querySelector('header').clientHeight);
+        check(height < 60, `the header is ${height} px high at ${width}`);
+        const clipped = await page.evaluate(() =>
+            [...document.querySelectorAll('.field input[type=text]')]
+                .filter((input) => input.clientWidth > 0 && input.scrollWidth > input.clientWidth)
+                .map(({ value }) => value),
+        );
+        equal(clipped, [], `what does not fit at ${width}`);
+        await page.context().close();
+    }
+}
+
 async function inDark(browser, url) {
     const page = await opened(browser, url, { colorScheme: 'dark', reducedMotion: 'reduce' });
     await accessible(page, 'dark');
@@ -439,6 +460,7 @@ export async function page(folder, tool) {
             'faults',
         ));
     await test('a phone, 390 px wide', () => onPhone(browser, url));
+    await test('small screens', () => onSmallScreens(browser, url));
     await test('dark', () => inDark(browser, url));
     await test('a single file, from the disk', () => single(browser, folder));
     await test('a browser without WebAssembly is told', () => withoutWasm(browser, url));

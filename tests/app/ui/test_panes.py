@@ -63,6 +63,13 @@ def picture_first(tap, desk, language):
     resize(desk, window, 1024, 700)
     tap.ok(wait("the share of the picture", lambda: share_of_picture(window) >= LEAST_SHARE),
            "%s: the picture has its share of a small window" % language, share_of_picture(window))
+    window.press({"en": "Points", "ru": "Точки"}[language], "tab")
+    beginning = {"en": "Values: ", "ru": "Величина: "}[language]
+    said = wait("what the values are", lambda: next((label for label in window.widget.all("label")
+                                                     if label.name.startswith(beginning) and label.area()[2]), None))
+    tap.ok(wait("room for it", lambda: said.area()[0] + said.area()[2] <= window.widget.area()[2]),
+           "%s: what is said below the table of points is not cut off" % language, said.area())
+    window.press({"en": "Plan", "ru": "План"}[language], "tab")
     before = window.picture_area()
     window.act("open-path", "/nowhere.yaml")
     wait("what is wrong", lambda: window.says("/nowhere.yaml"))
