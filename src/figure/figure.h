@@ -91,6 +91,9 @@ luxel_settings lx_whole_picture(const luxel_settings *settings);
 /* The plane of a grid: its values, the field between them, the lights before it, and its axes (plane.c). */
 luxel_status lx_figure_plane(struct lx_figure *figure, const luxel_settings *settings, luxel_diagnostics *diagnostics);
 void lx_plane_free(struct lx_plane *plane);
+/* Moves the isolux lines of a plane to the edges of its shadows (plane_lines.c). */
+luxel_status lx_plane_move_lines(struct lx_figure *figure, const luxel_settings *settings,
+                                 luxel_diagnostics *diagnostics);
 
 /* Whether an exact value takes an integral, of which thousands would take too long for a figure. */
 bool lx_figure_is_slow(const struct lx_figure *figure);

@@ -259,6 +259,8 @@ static luxel_status compute(struct lx_figure *figure, const luxel_settings *sett
     if (status == LUXEL_OK && figure->settings.bands != LUXEL_SMOOTH)
         status = luxel_find_isophotes(figure->field, lx_figure_is_slow(figure) ? NULL : evaluator, figure->levels,
                                       figure->level_count, diagnostics, &figure->isophotes);
+    if (status == LUXEL_OK && figure->plane && figure->isophotes)
+        status = lx_plane_move_lines(figure, settings, diagnostics);
     if (status == LUXEL_OK && lx_labels_prepare(figure) < 0)
         status = lx_out_of_memory(diagnostics);
     if (status == LUXEL_OK && figure->settings.section != LUXEL_SECTION_NONE)

@@ -200,6 +200,37 @@ def planes(tap, tool):
     tap.ok(tool.read("1.pdf") == tool.read("3.pdf"), "the same bytes for any number of threads")
 
 
+SHADOW = """luxel: 1
+units: photometric
+screen: {width: 3000, height: 3000, resolution: [300, 300]}
+observer: {z: 4000}
+surfaces:
+  - {type: rectangle, center: [0, 0, 0], size: [3000, 2000], material: {model: lambert, diffuse: 0.5}}
+  - {type: rectangle, center: [900, 0, 1000], size: [1800, 5000], up: [0.3, 1, 0], material: {model: lambert}}
+lights: [{type: point, position: [0, 0, 2000], intensity: 1000}]
+grids: [{name: floor, center: [0, 0, 0], size: [2000, 1000], n: [4, 2]}]
+"""
+
+
+def edges(tap, tool):
+    """An isolux line along the straight edge of a shadow is straight, and as steep as the edge that throws it."""
+    tool.write("shadow.yaml", SHADOW)
+    result = tool.run("figure", "shadow.yaml", "--grid", "floor", "--levels", "120,", "--no-points", "-o", "e.svg")
+    tap.equal((result.code, result.err), (0, ""), "the figure of a shadow's edge")
+    svg = tool.read("e.svg").decode()
+    paths = [[tuple(map(float, pair)) for pair in re.findall(r"[ML] ([-0-9.]+) ([-0-9.]+)", path)]
+             for path in re.findall(r'<path style="fill:none;[^>]* d="([^"]*)"', svg)]
+    lines = [path for path in paths if len(path) > 100]  # words have fewer corners
+    tap.equal(len(lines), 1, "one line of it")
+    for line in lines:
+        (x0, y0), (x1, y1) = line[0], line[-1]
+        length = math.hypot(x1 - x0, y1 - y0)
+        off = max(abs((x - x0) * (y1 - y0) - (y - y0) * (x1 - x0)) / length for x, y in line)
+        cell = length / len(line)  # about half a sample's
+        tap.ok(off < 0.05 * cell, "without teeth", off, cell)
+        tap.ok(abs(abs((x1 - x0) / (y1 - y0)) - 0.3) < 1e-3, "as steep as the edge", line[0], line[-1])
+
+
 REFUSED = [
     (["figure"], "needs a file"),
     (["figure", "-o", "f.bmp"], "known extensions: .png, .svg, .pdf"),
@@ -250,4 +281,4 @@ def reports(tap, tool):
 
 # reports on all scenes take as long as all else together
 run_tests(Tap(), *([reports] if "reports" in sys.argv[2:] else [
-    every_scene, numbers, thinned, titles, repeated, shapes, palettes, planes, refused]))
+    every_scene, numbers, thinned, titles, repeated, shapes, palettes, planes, edges, refused]))
