@@ -45,7 +45,7 @@ const AppExport *app_export_named(const char *name)
     return NULL;
 }
 
-char *app_faults_text(const luxel_diagnostics *faults)
+char *app_faults_text(const luxel_diagnostics *faults, const char *path)
 {
     GString *text = g_string_new(NULL);
     gsize shown = 0;
@@ -55,8 +55,12 @@ char *app_faults_text(const luxel_diagnostics *faults)
             continue;
         char *message = luxel_diagnostics_message(faults, i, language_translate, NULL);
         char *hint = luxel_diagnostics_hint(faults, i, language_translate, NULL);
-        g_string_append_printf(text, "%s%s%s%s", shown ? "\n" : "", message ? message : "", hint && *hint ? " – " : "",
-                               hint ? hint : "");
+        if (shown)
+            g_string_append(text, "\n");
+        if (path && entry->line) /* the path once is enough */
+            g_string_append_printf(text, "%s%s%u:%u: ", shown ? "" : path, shown ? "" : ":", entry->line,
+                                   entry->column);
+        g_string_append_printf(text, "%s%s%s", message ? message : "", hint && *hint ? " – " : "", hint ? hint : "");
         luxel_text_free(message);
         luxel_text_free(hint);
         shown++;
@@ -128,7 +132,7 @@ static void run(GTask *task, gpointer source, gpointer data, GCancellable *cance
         status = strcmp(work->how->name, "report") == 0         ? write_report(work, &settings, faults)
                  : g_str_has_prefix(work->how->name, "figure-") ? write_figure(work, &settings, faults)
                                                                 : write_field(work, &settings, faults);
-    char *text = status == LUXEL_OK ? NULL : app_faults_text(faults);
+    char *text = status == LUXEL_OK ? NULL : app_faults_text(faults, NULL);
     if (status != LUXEL_OK && !text)
         text = g_strdup(_("it could not be written"));
     luxel_diagnostics_free(faults);

@@ -33,7 +33,10 @@ void app_export(const AppExport *how, luxel_scene *scene, luxel_quantity quantit
                 const AppReport *report, const char *path,
                 void (*done)(const char *path, const char *fault, gpointer owner), GObject *owner);
 
-/* The first messages of a list with their hints, in the user's language, one to a line; the caller's; NULL: none. */
-char *app_faults_text(const luxel_diagnostics *faults);
+/*
+ * The first messages of a list with their hints, in the user's language, one to a line; those about a place in the file
+ * `path` (NULL: in none) begin with it.  The caller's; NULL: none.
+ */
+char *app_faults_text(const luxel_diagnostics *faults, const char *path);
 
 #endif

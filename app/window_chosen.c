@@ -122,7 +122,7 @@ static void add_mesh(AppWindow *self, const char *path)
         gtk_drop_down_set_selected(GTK_DROP_DOWN(self->surface_list), (guint)count);
         app_window_show_fault(self, NULL);
     } else {
-        char *text = app_faults_text(faults);
+        char *text = app_faults_text(faults, NULL);
         app_window_show_fault(self, text ? text : path);
         g_free(text);
     }
@@ -141,9 +141,9 @@ static void add_luminaire(AppWindow *self, const char *path)
         app_sources_add_luminaire(APP_SOURCES(self->sources), file);
         app_window_show_fault(self, NULL);
     } else {
-        char *text = app_faults_text(faults);
+        char *text = app_faults_text(faults, path);
         const luxel_diagnostic *first = luxel_diagnostics_get(faults, 0);
-        char *whole = first && first->line ? g_strdup_printf("%s:%u:%u: %s", path, first->line, first->column, text)
+        char *whole = first && first->line ? g_strdup(text)
                                            : g_strdup_printf("%s: %s", path, text ? text : _("it cannot be read"));
         app_window_show_fault(self, whole);
         g_free(whole);

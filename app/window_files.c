@@ -13,18 +13,6 @@ static AppApplication *application_of(AppWindow *self)
     return APP_APPLICATION(gtk_window_get_application(GTK_WINDOW(self)));
 }
 
-/* The first fault with where it is, as files have lines. */
-static char *fault_of_file(const luxel_diagnostics *faults, const char *path)
-{
-    char *text = app_faults_text(faults);
-    const luxel_diagnostic *first = luxel_diagnostics_get(faults, 0);
-    char *whole = first && first->line
-                      ? g_strdup_printf("%s:%u:%u: %s", path, first->line, first->column, text ? text : "")
-                      : g_strdup(text ? text : path);
-    g_free(text);
-    return whole;
-}
-
 gboolean app_window_open(AppWindow *self, const char *path)
 {
     luxel_diagnostics *faults = luxel_diagnostics_new();
@@ -33,10 +21,10 @@ gboolean app_window_open(AppWindow *self, const char *path)
         app_recent_add(path);
         app_window_show_fault(self, NULL);
     } else {
-        char *fault = fault_of_file(faults, path);
+        char *fault = app_faults_text(faults, path);
         const char *name = app_document_name(self->document);
-        char *text =
-            g_strdup_printf(_("%s\nThe file was not opened. Still shown: %s"), fault, *name ? name : _("a new scene"));
+        char *text = g_strdup_printf(_("%s\nThe file was not opened. Still shown: %s"), fault ? fault : path,
+                                     *name ? name : _("a new scene"));
         app_window_show_fault(self, text);
         g_free(fault);
         g_free(text);
@@ -47,8 +35,10 @@ gboolean app_window_open(AppWindow *self, const char *path)
 
 void app_window_open_builtin(AppWindow *self, const char *name)
 {
-    if (app_document_open_builtin(self->document, name, NULL))
+    if (app_document_open_builtin(self->document, name, NULL)) {
+        app_window_show_fault(self, NULL);
         return;
+    }
     /* TRANSLATORS: %s is a name, such as report */
     char *text = g_strdup_printf(_("there is no built-in scene “%s”"), name);
     app_window_show_fault(self, text);
@@ -161,7 +151,7 @@ static void new_action(GSimpleAction *action, GVariant *name, gpointer data)
         self = app_window_new(application_of(self));
         gtk_window_present(GTK_WINDOW(self));
     }
-    app_document_open_builtin(self->document, g_variant_get_string(name, NULL), NULL);
+    app_window_open_builtin(self, g_variant_get_string(name, NULL));
 }
 
 static void save_chosen(AppWindow *self, const char *path, const AppExport *how)
@@ -176,7 +166,7 @@ static void save_chosen(AppWindow *self, const char *path, const AppExport *how)
         app_window_show_fault(self, NULL);
         app_window_ask_picture(self);
     } else {
-        text = app_faults_text(faults);
+        text = app_faults_text(faults, NULL);
         app_window_show_fault(self, text ? text : _("it could not be written"));
     }
     g_free(text);
@@ -341,7 +331,7 @@ static void restore(GSimpleAction *action, GVariant *argument, gpointer data)
         g_ptr_array_remove_index(self->unsaved, 0);
         self->is_discarded = FALSE;
     } else {
-        char *text = app_faults_text(faults);
+        char *text = app_faults_text(faults, NULL);
         app_window_show_fault(self, text);
         g_free(text);
     }

@@ -57,6 +57,15 @@ def scenes_given(tap, desk):
     second.act("open-path", broken)
     said = wait("what is wrong with the scene", lambda: second.says("lamps"))
     tap.ok(said.startswith(broken + ":11:1: "), "so is a broken scene", said)
+    with open(broken, "wb") as file:
+        scene = luxel("scene", "report").replace(b"radius: 300", b"radius: -3")
+        file.write(scene.replace(b"type: point", b"type: pont"))
+    second.act("open-path", broken)
+    said = wait("both faults", lambda: second.says("radius", "pont"))
+    tap.ok(re.match(re.escape(broken) + r":\d+:\d+: .*radius.*\n\d+:\d+: .*pont", said), "each fault has its place",
+           said)
+    second.act("new", "spot")
+    tap.ok(wait("no fault", lambda: not second.says("pont")), "what is wrong goes when another scene is opened")
 
 
 def by_name(tap, desk):
