@@ -25,6 +25,7 @@
  */
 #include "facets.h"
 #include "facets_contour.h"
+#include "facets_plain.h"
 
 /* Bounds what a height over a face, a distance, a rounded corner are wrong by, relative to what they are made of. */
 static const double ROUNDING = 0x1p-92;
@@ -34,6 +35,9 @@ static const double MORE = 1 + 0x1p-40;
 
 /* A sum that is good to this is good enough; areas above SMALL go for some of all sides of the element. */
 static const double ENOUGH = 0x1p-50, SMALL = 0.5;
+
+/* An area in float64 that is as good as this needs no wide numbers. */
+static const double PLAIN = 0x1p-43;
 
 /* Bounds the area of what is above the horizon but for rounding, a square of roundings. */
 static const double UNSEEN = 0x1p-180;
@@ -252,22 +256,42 @@ static bool find_base(const struct view *view, struct lx_contour *contour)
     return false;
 }
 
+/* The way of the contour along an edge; false: the edge is no part of it. */
+static bool follow_edge(const struct view *view, const struct lx_edge *edge, unsigned *from, unsigned *to)
+{
+    const int weight = weight_of(view, edge);
+    /* As the element sees it a face's loop runs clockwise about the normal. */
+    *from = weight > 0 ? edge->to : edge->from;
+    *to = weight > 0 ? edge->from : edge->to;
+    return weight != 0;
+}
+
 /* Adds the edges to the contour, or, where `low` is given, to that. */
 static void add_edges(const struct view *view, struct lx_contour *contour, struct lx_low_area *low)
 {
     const struct lx_facets *facets = view->facets;
     for (size_t i = 0; i < facets->edge_count; i++) {
-        const struct lx_edge *edge = &facets->edges[i];
-        int weight = weight_of(view, edge);
-        if (weight == 0)
+        unsigned from, to;
+        if (!follow_edge(view, &facets->edges[i], &from, &to))
             continue;
-        /* As the element sees it a face's loop runs clockwise about the normal. */
-        unsigned from = weight > 0 ? edge->to : edge->from, to = weight > 0 ? edge->from : edge->to;
         if (low)
             lx_contour_add_low(contour, from, to, low);
         else
             lx_contour_add(contour, from, to, facets->corner_error_mm);
     }
+}
+
+/* The area within the contour by float64; an infinite bound where it does not lead to it. */
+static lx_bounded plain_area(const struct view *view, const double normal[3], double scale)
+{
+    const struct lx_facets *facets = view->facets;
+    struct lx_plain_contour contour = lx_plain_start(facets, view->place_mm, normal, scale);
+    for (size_t i = 0; i < facets->edge_count && contour.sum.error < HUGE_VAL; i++) {
+        unsigned from, to;
+        if (follow_edge(view, &facets->edges[i], &from, &to))
+            lx_plain_add(&contour, from, to);
+    }
+    return lx_scale(contour.sum, 0.5);
 }
 
 /* The area within the contour; what it cancels to is found in another way where it is low above the horizon. */
@@ -314,8 +338,11 @@ lx_bounded lx_facets_irradiance(const struct lx_facets *facets, lx_bounded3 plac
         double scale = ldexp(1, -ilogb(fmax(center_distance(&view), facets->radius_mm)));
         struct lx_contour contour =
             lx_contour_start(facets->corners_mm, view.place, lx_wide3_of(n), scale, fmax(distance, 0));
+        const lx_bounded plain = plain_area(&view, n, scale);
         double left = 0;
-        if (find_base(&view, &contour))
+        if (plain.error <= PLAIN * plain.value)
+            value = plain.value, left = plain.error;
+        else if (find_base(&view, &contour))
             value = area_of(&view, &contour, &left);
         error += left + LX_ROUNDING * value;
         error += UNSEEN;

@@ -14,6 +14,7 @@
 
 #include "light/facets.h"
 #include "light/facets_contour.h"
+#include "light/facets_plain.h"
 #include "light/gauss.h"
 #include "random_scenes.h"
 
@@ -150,6 +151,38 @@ static void contours(void **state)
         crossed += contour.crossed;
     }
     assert_true(seen > 3000 && crossed > 1000 && crossed < seen - 1000);
+}
+
+/* In float64, of all sizes, many of them slivers: within the bound of Lambert's sum, and good enough to be used where a
+ * triangle is above the horizon and no sliver. */
+static void plain_contours(void **state)
+{
+    struct randomness random = {.state = 7};
+    unsigned seen = 0, good = 0, wide = 0, good_of_wide = 0;
+    (void)state;
+    for (int i = 0; i < 4000; i++) {
+        const double lowest = i % 2 ? -0.4 : 0.2;
+        struct triangle triangle = random_triangle(&random, logarithmic(&random, 1e-6, 0.8), lowest, 0.5);
+        const double place[3] = {triangle.place.x.high, triangle.place.y.high, triangle.place.z.high};
+        const double normal[3] = {triangle.normal.x.high, triangle.normal.y.high, triangle.normal.z.high};
+        const struct lx_facets facets = {.corners_mm = triangle.corners};
+        struct lx_plain_contour contour = lx_plain_start(&facets, place, normal, i % 3 ? 1 : 0.25);
+        lx_wide3 left[MOST];
+        double size;
+        const int count = clip(triangle.ways, triangle.normal, left);
+        const lx_wide expected = lambert(left, count, triangle.normal, &size);
+        for (unsigned k = 0; k < CORNERS; k++)
+            lx_plain_add(&contour, k, (k + 1) % CORNERS);
+        assert_true(off(lx_wide_of(contour.sum.value), expected) <= contour.sum.error + 0x1p-94 * size ||
+                    !(contour.sum.error < HUGE_VAL));
+        const bool is_good = contour.sum.error <= 0x1p-43 * fabs(expected.high);
+        seen += count > 0;
+        good += is_good;
+        const bool is_wide = lowest > 0 && fabs(expected.high) > 0.02 * size * size;
+        wide += is_wide;
+        good_of_wide += is_wide && is_good;
+    }
+    assert_true(seen > 3000 && good < seen && wide > 200 && good_of_wide > 0.95 * wide);
 }
 
 /* By the integral of z^2, where all is low: 2^-64 of it is promised, and more is kept. */
@@ -291,8 +324,9 @@ static void nodes(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(contours),      cmocka_unit_test(low_contours),   cmocka_unit_test(long_edges),
-        cmocka_unit_test(wrong_corners), cmocka_unit_test(sides_of_faces), cmocka_unit_test(nodes),
+        cmocka_unit_test(contours),   cmocka_unit_test(plain_contours), cmocka_unit_test(low_contours),
+        cmocka_unit_test(long_edges), cmocka_unit_test(wrong_corners),  cmocka_unit_test(sides_of_faces),
+        cmocka_unit_test(nodes),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

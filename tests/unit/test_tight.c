@@ -20,6 +20,7 @@
 #include "extended_sources.h"
 #include "light/facets.h"
 #include "light/facets_contour.h"
+#include "light/facets_plain.h"
 #include "light/gauss.h"
 #include "light/rim.h"
 #include "material/lobe.h"
@@ -179,6 +180,8 @@ enum {
     ROUND_SUM,
     ROUND_SIZE,
     PANELS,
+    PLAIN_SUM,
+    PLAIN_ERROR,
     WITHIN
 };
 
@@ -190,6 +193,13 @@ WRAPPED(void, lx_contour_add, struct lx_contour *contour, unsigned from, unsigne
     add(&within[CONTOUR_SUM], contour->sum.high);
     add(&within[CONTOUR_ERROR], contour->error);
     add(&within[CORNERS_ERROR], contour->corners_error);
+}
+
+WRAPPED(void, lx_plain_add, struct lx_plain_contour *contour, unsigned from, unsigned to)
+{
+    REAL(lx_plain_add)(contour, from, to);
+    add(&within[PLAIN_SUM], contour->sum.value);
+    add(&within[PLAIN_ERROR], contour->sum.error);
 }
 
 WRAPPED(void, lx_contour_add_low, const struct lx_contour *contour, unsigned from, unsigned to, struct lx_low_area *low)
@@ -238,14 +248,15 @@ WRAPPED(double, lx_panel_end, double from, double to, const struct lx_pole poles
 }
 
 static const struct tally within_before[WITHIN] = {
-    {985, 0, 12674, -11.378257}, {985, 0, 12674, -69.363605}, {3901, 0, 9758, -69.111796}, {97, 0, 136, -79.950148},
-    {8, 0, 225, -114.028630},    {0, 0, 116, -53.596001},     {0, 0, 116, -31.750604},     {11, 0, 45, -51.577131},
-    {0, 0, 56, -31.683041},      {158, 0, 1425, -11.218991},  {158, 0, 1425, -1.198302},   {0, 0, 4466, -3.657577},
+    {985, 0, 5380, -19.089935}, {985, 0, 5380, -74.767876}, {2077, 0, 4288, -74.263902}, {97, 0, 136, -79.950148},
+    {8, 0, 225, -114.028630},   {0, 0, 116, -53.596001},    {0, 0, 116, -31.750604},     {11, 0, 45, -51.577131},
+    {0, 0, 56, -31.683041},     {158, 0, 1425, -11.218991}, {158, 0, 1425, -1.198302},   {0, 0, 4466, -3.657577},
+    {0, 0, 8908, -6.424834},    {0, 871, 8037, -37.019091},
 };
 
 static const struct tally closed_forms_before[SOURCES][2] = {
-    {{345, 0, 255, -14.330149}, {344, 0, 256, -32.795500}}, {{64, 0, 536, -12.309485}, {64, 0, 536, -31.518842}},
-    {{68, 0, 532, -11.570422}, {67, 0, 533, -30.877086}},   {{37, 0, 563, -11.294968}, {36, 0, 564, -30.798184}},
+    {{345, 0, 255, -14.330149}, {344, 0, 256, -32.403732}}, {{64, 0, 536, -12.309485}, {64, 0, 536, -31.266967}},
+    {{68, 0, 532, -11.570422}, {67, 0, 533, -30.566085}},   {{37, 0, 563, -11.294968}, {36, 0, 564, -30.539148}},
     {{340, 0, 260, -10.465157}, {338, 0, 262, -35.207720}}, {{49, 0, 551, -11.798876}, {48, 0, 552, -36.511803}},
     {{42, 0, 558, -11.279902}, {42, 0, 558, -34.885453}},
 };
