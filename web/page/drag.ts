@@ -20,6 +20,7 @@ export class Drag {
         this.next = place;
         if (this.busy) return;
         this.busy = true;
+        this.model.drags++;
         while (this.next) {
             const place = this.next;
             this.next = null;
@@ -29,8 +30,10 @@ export class Drag {
             const went = await this.model.moveThing(present ?? this.thing, place, this.mark).catch(() => false);
             // What was undone while the last movement was on its way stays undone.
             if (!went && this.isOver) this.next = null;
+            if (went && !this.isOver) await this.model.pictured();
         }
         this.busy = false;
+        this.model.drags--;
     }
 
     end() {

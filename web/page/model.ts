@@ -9,6 +9,7 @@ const OFTEN = 24; // milliseconds that a picture may take to follow the hand
 const SLOW = 200; // milliseconds from which on a second worker makes a picture
 const UNKNOWN = 8; // the stride of a scene's first picture
 const STRIDES = [1, 2, 4, 8, 16];
+const MOMENT = 100; // milliseconds that a drag waits for its picture
 const MOST_STEPS = 200; // of the history
 
 export type Topic = 'text' | 'scene' | 'picture' | 'geometry' | 'failure';
@@ -38,6 +39,65 @@ export interface Shape {
     text?: string; // of a mesh: its mapping in the scene
 }
 
+const HEAD_KEYS = ['screen.width', 'screen.height', 'observer.z', 'observer.position', 'observer.projection', 'units'];
+const SURFACE_KEYS = ['type', 'center', 'radius', 'size', 'height', 'axis', 'up', 'position'];
+const BODIES = ['rectangle', 'disk', 'box', 'sphere', 'cylinder'];
+const PLACE_KEYS = ['position', 'vertices', ...BODIES.map((body) => `${body}.center`)];
+const BODY_KEYS = ['aim', 'outer', 'radius', 'size', 'height'];
+
+/** Values of keys as the scene has them, in YAML. */
+class Values {
+    constructor(private readonly texts: Map<string, string | null>) {}
+
+    text(key: string): string | null {
+        return this.texts.get(key) ?? null;
+    }
+
+    /** The numbers of a value, or lists of them; null: it is something else. */
+    numbers(key: string): number[] | null {
+        try {
+            const numbers: unknown = JSON.parse(this.text(key) ?? 'null');
+            if (typeof numbers === 'number') return [numbers];
+            const isList = Array.isArray(numbers) && numbers.length > 0;
+            return isList && !numbers.flat().some((n) => typeof n !== 'number') ? (numbers as number[]) : null;
+        } catch {
+            return null;
+        }
+    }
+}
+
+/** Where a light's place and size are written. */
+interface Body {
+    base: string; // of the group of keys: "lights[0]", "lights[0].disk"
+    key?: string; // of its place
+    at?: number[];
+    type?: string; // as it is drawn, where that is not the light's own
+    outline?: number[][];
+}
+
+function bodyOf(base: string, values: Values): Body {
+    const position = values.numbers(`${base}.position`);
+    const outline = (values.numbers(`${base}.vertices`) as unknown as number[][] | null) ?? undefined;
+    if (position) return { base, key: `${base}.position`, at: position, outline };
+    for (const type of BODIES) {
+        const center = values.numbers(`${base}.${type}.center`);
+        const group = `${base}.${type}`;
+        if (center) return { base: group, key: `${group}.center`, at: center, type, outline };
+    }
+    return { base, type: 'polygon', outline };
+}
+
+function sizes(base: string, values: Values): Pick<Shape, 'radius' | 'size' | 'height' | 'axis' | 'up'> {
+    const numbers = (key: string) => values.numbers(`${base}.${key}`) ?? undefined;
+    return {
+        radius: numbers('radius')?.[0],
+        size: numbers('size'),
+        height: numbers('height')?.[0],
+        axis: numbers('axis'),
+        up: numbers('up'),
+    };
+}
+
 export class Model {
     readonly client = new Client();
     text = '';
@@ -47,6 +107,8 @@ export class Model {
     picture: Picture | null = null;
     irradiance = false;
     stale = false;
+    /** How many drags still change the scene: the last movement is taken after the hand has let go. */
+    drags = 0;
     things: Thing[] = [];
     shapes: Shape[] = [];
     screen: number[] = [1, 1]; // width and height in mm
@@ -66,13 +128,24 @@ export class Model {
     private wholeTime = 0; // milliseconds that a whole picture takes, by the last one
     private slow: Client | null = null;
     private pictureClient = this.client;
+    private awaiting: (() => void)[] = [];
     private failing = ''; // the text with which the core failed last
 
     listen(listener: (topic: Topic) => void) {
         this.listeners.push(listener);
     }
 
+    /** Waits for a picture of the present text, but no longer than a moment: so a drag asks for no more than is shown. */
+    pictured(): Promise<void> {
+        if (this.picture?.text === this.text) return Promise.resolve();
+        return new Promise((resolve) => {
+            this.awaiting.push(resolve);
+            setTimeout(resolve, MOMENT);
+        });
+    }
+
     private tell(topic: Topic) {
+        if (topic === 'picture' || this.stale) this.awaiting.splice(0).forEach((resolve) => resolve());
         for (const listener of this.listeners) listener(topic);
     }
 
@@ -240,131 +313,87 @@ export class Model {
         this.tell('scene');
     }
 
-    private async numbersOf(keys: string[]): Promise<(number[] | null)[]> {
+    private async valuesOf(keys: string[]): Promise<Values> {
         const values = await this.client.ask('values', keys);
-        return values.map((value) => {
-            try {
-                const numbers: unknown = JSON.parse(value ?? 'null');
-                if (typeof numbers === 'number') return [numbers];
-                return Array.isArray(numbers) &&
-                    numbers.length > 0 &&
-                    !numbers.flat().some((n) => typeof n !== 'number')
-                    ? numbers
-                    : null;
-            } catch {
-                return null;
-            }
-        });
+        return new Values(new Map(keys.map((key, i) => [key, values[i]])));
     }
 
-    /** Reads off the scene where its things stand. */
+    /** Reads off the scene where its things stand: in two questions, as each waits for the worker. */
     private async measure() {
         const scene = this.scene!;
-        const [width, height, z, position] = await this.numbersOf([
-            'screen.width',
-            'screen.height',
-            'observer.z',
-            'observer.position',
+        const bases = [
+            ...scene.surfaces.map((_, i): [string, string[]] => [`surfaces[${i}]`, SURFACE_KEYS]),
+            ...scene.lights.map((_, i): [string, string[]] => [`lights[${i}]`, PLACE_KEYS]),
+        ];
+        const meshes = scene.surfaces.map((_, i) => `surfaces[${i}]`);
+        const values = await this.valuesOf([
+            ...HEAD_KEYS,
+            ...meshes,
+            ...bases.flatMap(([base, keys]) => keys.map((key) => `${base}.${key}`)),
         ]);
-        const [projection, units] = await this.client.ask('values', ['observer.projection', 'units']);
-        this.photometric = units === 'photometric';
-        this.screen = [width?.[0] ?? 1, height?.[0] ?? 1];
-        const things: Thing[] = [];
-        const shapes: Shape[] = [];
-        const at = position ?? [0, 0, z?.[0] ?? 0];
-        this.observer = { position: at, perspective: projection === 'perspective' };
-        things.push({ kind: 'observer', index: 0, key: position ? 'observer.position' : 'observer.z', at });
-        for (let i = 0; i < scene.surfaces.length; i++) await this.measureSurface(i, things, shapes);
-        for (let i = 0; i < scene.lights.length; i++) await this.measureLight(i, things, shapes);
-        this.things = things;
-        this.shapes = shapes;
+        const bodies = scene.lights.map((_, i) => bodyOf(`lights[${i}]`, values));
+        const more = await this.valuesOf(bodies.flatMap(({ base }) => BODY_KEYS.map((key) => `${base}.${key}`)));
+        this.photometric = values.text('units') === 'photometric';
+        this.screen = ['width', 'height'].map((key) => values.numbers(`screen.${key}`)?.[0] ?? 1);
+        const position = values.numbers('observer.position');
+        const at = position ?? [0, 0, values.numbers('observer.z')?.[0] ?? 0];
+        this.observer = { position: at, perspective: values.text('observer.projection') === 'perspective' };
+        this.things = [{ kind: 'observer', index: 0, key: position ? 'observer.position' : 'observer.z', at }];
+        this.shapes = [];
+        scene.surfaces.forEach((_, i) => this.measureSurface(i, values));
+        bodies.forEach((body, i) => this.measureLight(i, body, more));
     }
 
-    private async measureSurface(index: number, things: Thing[], shapes: Shape[]) {
+    private measureSurface(index: number, values: Values) {
         const base = `surfaces[${index}]`;
-        const [type] = await this.client.ask('values', [`${base}.type`]);
-        const [center, radius, size, height, axis, up, position] = await this.numbersOf(
-            ['center', 'radius', 'size', 'height', 'axis', 'up', 'position'].map((key) => `${base}.${key}`),
-        );
-        if (type === 'mesh') await this.measureMesh(index, position ?? [0, 0, 0], things, shapes);
+        const type = values.text(`${base}.type`) ?? '';
+        const center = values.numbers(`${base}.center`);
+        if (type === 'mesh') this.measureMesh(index, values);
         if (!center) return;
-        things.push({ kind: 'surface', index, key: `${base}.center`, at: center });
-        shapes.push({
-            kind: 'surface',
-            index,
-            type: type ?? '',
-            center,
-            radius: radius?.[0],
-            size: size ?? undefined,
-            height: height?.[0],
-            axis: axis ?? undefined,
-            up: up ?? undefined,
-        });
+        this.things.push({ kind: 'surface', index, key: `${base}.center`, at: center });
+        this.shapes.push({ kind: 'surface', index, type, center, ...sizes(base, values) });
     }
 
     // Of a mesh the page knows the ball around it; its form the space view asks for.
-    private async measureMesh(index: number, position: number[], things: Thing[], shapes: Shape[]) {
+    private measureMesh(index: number, values: Values) {
+        const base = `surfaces[${index}]`;
         const ball = this.scene!.surfaces[index];
-        things.push({ kind: 'surface', index, key: `surfaces[${index}].position`, at: position });
-        const [text] = await this.client.ask('values', [`surfaces[${index}]`]);
-        const [center, radius] = [ball?.center, ball?.reach];
-        if (center) shapes.push({ kind: 'surface', index, type: 'mesh', center, radius, text: text ?? '' });
+        const at = values.numbers(`${base}.position`) ?? [0, 0, 0];
+        this.things.push({ kind: 'surface', index, key: `${base}.position`, at });
+        const text = values.text(base) ?? '';
+        if (ball)
+            this.shapes.push({ kind: 'surface', index, type: 'mesh', center: ball.center, radius: ball.reach, text });
     }
 
-    private async measureLight(index: number, things: Thing[], shapes: Shape[]) {
+    private measureLight(index: number, body: Body, values: Values) {
         const light = this.scene!.lights[index];
-        const base = `lights[${index}]`;
-        const [position, rectangle, disk, box, sphere, cylinder, vertices] = await this.numbersOf(
-            [
-                'position',
-                'rectangle.center',
-                'disk.center',
-                'box.center',
-                'sphere.center',
-                'cylinder.center',
-                'vertices',
-            ].map((key) => `${base}.${key}`),
-        );
-        const bodies: [string, number[] | null][] = [
-            ['rectangle', rectangle],
-            ['disk', disk],
-            ['box', box],
-            ['sphere', sphere],
-            ['cylinder', cylinder],
-        ];
-        const body = bodies.find(([, center]) => center);
-        if (position) things.push({ kind: 'light', index, key: `${base}.position`, at: position });
-        else if (body) things.push({ kind: 'light', index, key: `${base}.${body[0]}.center`, at: body[1]! });
-        else if (vertices && light.place)
-            things.push({ kind: 'light', index, key: `${base}.vertices`, at: light.place });
-        else if (light.type === 'distant' && light.direction) this.measureDistant(index, light.direction, things);
-        const aimBase = body && !position ? `${base}.${body[0]}` : base;
-        const [aim, opening, radius, size, height] = await this.numbersOf(
-            ['aim', 'outer', 'radius', 'size', 'height'].map((key) => `${aimBase}.${key}`),
-        );
-        if (aim && light.place) things.push({ kind: 'aim', index, key: `${aimBase}.aim`, at: aim, from: light.place });
-        const center = light.place;
-        if (!center) return;
-        shapes.push({
+        const { base, key, at } = body;
+        if (key && at) this.things.push({ kind: 'light', index, key, at });
+        else if (body.outline && light.place)
+            this.things.push({ kind: 'light', index, key: `${base}.vertices`, at: light.place });
+        else if (light.type === 'distant' && light.direction) this.measureDistant(index, light.direction);
+        if (!light.place) return;
+        const aim = values.numbers(`${base}.aim`);
+        if (aim) this.things.push({ kind: 'aim', index, key: `${base}.aim`, at: aim, from: light.place });
+        this.shapes.push({
             kind: 'light',
             index,
-            type: position ? light.type : (body?.[0] ?? 'polygon'),
-            center,
-            radius: radius?.[0],
-            size: size ?? undefined,
-            height: height?.[0],
+            type: body.type ?? light.type,
+            center: light.place,
+            ...sizes(base, values),
             axis: light.direction ?? undefined,
-            opening: opening?.[0],
-            outline: vertices ? (vertices as unknown as number[][]) : undefined,
+            up: undefined,
+            opening: values.numbers(`${base}.outer`)?.[0],
+            outline: body.outline,
         });
     }
 
     // Distant light comes from infinitely far; its handle stands a screen away from the first surface.
-    private measureDistant(index: number, direction: number[], things: Thing[]) {
+    private measureDistant(index: number, direction: number[]) {
         const target = this.scene!.surfaces[0]?.center ?? [0, 0, 0];
         const far = 1.2 * Math.max(...this.screen);
         const at = target.map((coordinate, axis) => coordinate - far * direction[axis]);
-        things.push({ kind: 'direction', index, key: `lights[${index}].direction`, at, from: target });
+        this.things.push({ kind: 'direction', index, key: `lights[${index}].direction`, at, from: target });
     }
 
     /** Moves a thing to a place of the scene. */

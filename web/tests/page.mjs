@@ -34,7 +34,7 @@ async function dragsInSpace(page) {
     await dragBy(page, await lampIn(page, 'space'), -60, 30);
     await until(page, `model.scene.lights[0].place[0] < ${before[0]} - 10 && model.scene.lights[0].place[1] < -10`);
     const follows = "model.text.includes(`position: [${model.scene.lights[0].place.join(', ')}]`)";
-    await until(page, `model.text === model.wholeText && ${follows}`);
+    await until(page, `model.drags === 0 && model.text === model.wholeText && ${follows}`);
     const after = await inside(page, 'model.scene.lights[0].place');
     equal(after[2], before[2], 'height in the plan');
     check((await inside(page, 'model.text')).startsWith('# The lab report'), 'comments are gone');
@@ -76,11 +76,31 @@ async function dragsQuickly(page) {
         await dragAtOnce(page);
         for (let k = 0; k < 40 && !(await inside(page, moved)); k++) await page.waitForTimeout(50);
     }
-    await until(page, `${moved} && model.text === model.wholeText`);
-    for (let last = ''; last !== (await inside(page, 'model.text')); await page.waitForTimeout(500))
-        last = await inside(page, 'model.text');
+    await until(page, `${moved} && model.drags === 0 && model.text === model.wholeText`);
     await page.getByRole('button', { name: 'Undo' }).click();
     await until(page, `model.text === ${JSON.stringify(before)}`);
+}
+
+/** Where things stand is asked in two questions, however many lights there are: each waits for the worker. */
+async function readsOffAtOnce(page) {
+    await openScene(page, 'all-sources');
+    const asked = await page.evaluate(async () => {
+        const { model } = window.luxel.inside;
+        const { post } = model.client;
+        const names = [];
+        model.client.post = function (name, ...values) {
+            names.push(name);
+            return post.call(this, name, ...values);
+        };
+        await model.measure();
+        model.client.post = post;
+        return names;
+    });
+    check(asked.filter((name) => name === 'values').length <= 4, `asked ${asked}`); // the form may ask, too
+    const kinds = await inside(page, "model.shapes.filter(({ kind }) => kind === 'light').map(({ type }) => type)");
+    check(['point', 'spot', 'rectangle', 'box'].every((kind) => kinds.includes(kind)), `lights are drawn as ${kinds}`);
+    const [distant] = await inside(page, "model.things.filter(({ kind }) => kind === 'direction')");
+    check(distant?.at.every(Number.isFinite), 'distant light cannot be taken');
 }
 
 async function dragsInPicture(page) {
@@ -435,6 +455,7 @@ export async function page(folder, tool) {
     await openScene(page, 'report');
     most = await inside(page, 'model.picture.facts.maximum.value');
     await test('a drag that is over before it is taken is one step', () => dragsQuickly(page));
+    await test('where things stand is read off at once', () => readsOffAtOnce(page));
     await test('a lamp is dragged in the picture at its height', () => dragsInPicture(page));
     await test('keys move what is selected and change the view', () => movesByKeys(page));
     await test('the probe shows the number of the tool and the shares', () => probes(page, tool));
