@@ -52,8 +52,8 @@ typedef struct luxel_silhouette_line {
 
 /* What of a plane a mesh covers: lines run counter-clockwise around that, and clockwise around holes in it. */
 typedef struct luxel_silhouette {
-    const luxel_silhouette_line *lines;
-    size_t count;
+    const luxel_silhouette_line *lines; /* count of them */
+    size_t count;                       /* of the lines */
 } luxel_silhouette;
 
 /*

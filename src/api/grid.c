@@ -352,7 +352,10 @@ static luxel_status reflect(const struct lx_session *session, const struct lx_me
     luxel_status status = places && irradiance ? LUXEL_OK : lx_out_of_memory(diagnostics);
     const size_t count = status == LUXEL_OK ? make_places(measuring, places) : 0;
     if (count > 0) {
-        const struct lx_reflecting reflecting = {.prepared = measuring->world.prepared,
+        const struct lx_reflected_key key = lx_reflected_key_of_plane(session, measuring->number);
+        const struct lx_reflecting reflecting = {.slot = measuring->slot,
+                                                 .key = &key,
+                                                 .prepared = measuring->world.prepared,
                                                  .kernels = measuring->world.kernels,
                                                  .settings = &session->settings,
                                                  .control = measuring->control,
@@ -437,6 +440,8 @@ luxel_status lx_measure_cells(const luxel_scene *scene, const luxel_settings *se
         status = LUXEL_ERROR_ARGUMENT;
     if (status == LUXEL_OK) {
         measuring.world.kernels = lx_element_kernels_of(session.kernels);
+        measuring.slot = lx_scene_reflected_on_plane(scene);
+        measuring.number = i;
         wanted = *asked;
         if (n)
             memcpy(wanted.n, n, sizeof wanted.n);

@@ -16,6 +16,7 @@
 #include "../shade/evaluate.h"
 #include "../shade/world.h"
 #include "grid.h"
+#include "reflecting.h"
 #include "refuse.h"
 #include "session.h"
 
@@ -53,20 +54,27 @@ static void place_of(const struct search *search, const double at[2], double pla
     place_mm[2] = search->cells.center_mm[2] + at[0] * across.z.value + at[1] * up.z.value;
 }
 
-/* What falls on some nodes, at most a batch of them. */
+/* The elements of some nodes, at most a batch of them. */
+static void place_nodes(const struct search *search, const struct node *nodes, unsigned count,
+                        struct lx_elements *elements)
+{
+    lx_elements_begin(elements, &search->lobe, true);
+    for (unsigned i = 0; i < count; i++) {
+        double place_mm[3];
+        place_of(search, nodes[i].at, place_mm);
+        lx_elements_append_place(elements, lx_exact3(place_mm), search->cells.normal, NULL);
+    }
+    lx_elements_end(elements);
+    lx_world_settle(&search->world, &(struct lx_settling){.has_normals = true}, elements);
+}
+
+/* What falls on them. */
 static void look(const struct search *search, struct node *nodes, unsigned count, bool is_caller)
 {
     const struct lx_asking asking = {.control = search->control, .is_caller = is_caller};
     struct lx_elements elements;
     struct lx_received received;
-    lx_elements_begin(&elements, &search->lobe, true);
-    for (unsigned i = 0; i < count; i++) {
-        double place_mm[3];
-        place_of(search, nodes[i].at, place_mm);
-        lx_elements_append_place(&elements, lx_exact3(place_mm), search->cells.normal, NULL);
-    }
-    lx_elements_end(&elements);
-    lx_world_settle(&search->world, &(struct lx_settling){.has_normals = true}, &elements);
+    place_nodes(search, nodes, count, &elements);
     lx_world_all_light(&search->world, &elements, LX_WANT_IRRADIANCE, &asking, &received);
     for (unsigned i = 0; i < count; i++) {
         nodes[i].value = (lx_bounded){received.irradiance.value[i], received.irradiance.error[i]};
@@ -196,33 +204,93 @@ static void settle(const struct search *search, const struct lx_prepared *prepar
     *best = settled;
 }
 
+static luxel_grid_peak peak_of(const struct search *search, const struct node *node)
+{
+    luxel_grid_peak peak = {.exists = node->has_value};
+    if (!node->has_value)
+        return peak;
+    peak.value = node->value.value;
+    peak.error = lx_told_error(node->value);
+    place_of(search, node->at, peak.position_mm);
+    memcpy(peak.on_plane_mm, node->at, sizeof peak.on_plane_mm);
+    return peak;
+}
+
 static luxel_grid_peak find_peak(const struct search *search, const struct lx_prepared *prepared, double sign)
 {
     struct node starts[STARTS], best = {.has_value = false};
     const unsigned count = find_starts(search, sign, starts);
-    luxel_grid_peak peak = {.exists = false};
     for (unsigned i = 0; i < count; i++) {
         climb(search, sign, &starts[i]);
         if (is_beyond(&starts[i], &best, sign))
             best = starts[i];
     }
-    if (!best.has_value)
-        return peak;
-    if (search->hasty.tolerance > prepared->tolerance)
+    if (best.has_value && search->hasty.tolerance > prepared->tolerance)
         settle(search, prepared, sign, &best);
-    peak.exists = true;
-    peak.value = best.value.value;
-    peak.error = lx_told_error(best.value);
-    place_of(search, best.at, peak.position_mm);
-    memcpy(peak.on_plane_mm, best.at, sizeof peak.on_plane_mm);
-    return peak;
+    return peak_of(search, &best);
 }
 
-static luxel_status run(const struct lx_session *session, const struct lx_grid *grid, struct search *search,
-                        luxel_diagnostics *diagnostics, luxel_grid_extrema *extrema)
+/* ---- with reflected light ---- */
+
+/* Adds what is reflected to the nodes of the lattice, by the solution that was found for the plane, if there is one. */
+static luxel_status add_reflected(const luxel_scene *scene, const struct lx_session *session, size_t grid,
+                                  struct search *search, luxel_diagnostics *diagnostics)
 {
+    const size_t count = (size_t)search->n[0] * search->n[1];
+    const struct lx_reflected_key key = lx_reflected_key_of_plane(session, grid);
+    struct lx_radiosity *kept = lx_reflected_of_plane(scene, session, grid);
+    struct lx_reflected_place *places = lx_new_array(count, sizeof *places);
+    lx_bounded *irradiance = lx_new_array(count, sizeof *irradiance);
+    luxel_status status = places && irradiance ? LUXEL_OK : lx_out_of_memory(diagnostics);
+    size_t made = 0;
+    for (size_t i = 0; i < count && status == LUXEL_OK; i++) {
+        struct lx_elements elements;
+        if (!search->nodes[i].has_value)
+            continue;
+        place_nodes(search, &search->nodes[i], 1, &elements);
+        const struct lx_element element = lx_elements_get(search->world.prepared, &elements, 0);
+        places[made].receiver = lx_receiver_of(search->world.prepared, &element);
+        places[made++].direct = search->nodes[i].value.value;
+    }
+    const struct lx_reflecting reflecting = {.prepared = search->world.prepared,
+                                             .kernels = search->world.kernels,
+                                             .settings = &session->settings,
+                                             .control = search->control,
+                                             .places = places,
+                                             .count = made,
+                                             .irradiance = irradiance,
+                                             .slot = lx_scene_reflected_on_plane(scene),
+                                             .key = &key};
+    if (status == LUXEL_OK && made > 0)
+        status = kept ? lx_ask_places(&reflecting, kept, diagnostics) : lx_reflect_places(&reflecting, diagnostics);
+    for (size_t i = 0, next = 0; i < count && status == LUXEL_OK; i++)
+        if (search->nodes[i].has_value)
+            search->nodes[i].value = lx_add(search->nodes[i].value, irradiance[next++]);
+    lx_reflected_free(kept);
+    free(places);
+    free(irradiance);
+    return status;
+}
+
+/* The node of the lattice that is furthest that way, the first in row order of equal ones. */
+static luxel_grid_peak furthest_node(const struct search *search, double sign)
+{
+    const struct node *best = search->nodes;
+    for (size_t i = 1; i < (size_t)search->n[0] * search->n[1]; i++)
+        if (is_beyond(&search->nodes[i], best, sign))
+            best = &search->nodes[i];
+    return peak_of(search, best);
+}
+
+/* ---- the plane ---- */
+
+static luxel_status run(const luxel_scene *scene, const struct lx_session *session, size_t i,
+                        const struct lx_grid *grid, struct search *search, luxel_diagnostics *diagnostics,
+                        luxel_grid_extrema *extrema)
+{
+    const bool reflects = lx_wants_reflections(session->prepared.scene);
     search->cells = lx_cells_of(grid);
-    search->is_costly = lx_world_batch(&search->world) < LX_BATCH;
+    search->is_costly = reflects || lx_world_batch(&search->world) < LX_BATCH;
     if (make_lattice(search) < 0)
         return lx_out_of_memory(diagnostics);
     struct lx_control control = {.rows = search->n[0] * search->n[1],
@@ -233,8 +301,16 @@ static luxel_status run(const struct lx_session *session, const struct lx_grid *
     search->control = &control;
     if (!lx_rows_run_part(&control, lx_thread_count(session->settings.threads, control.rows / 4 + 1), &part))
         return LUXEL_CANCELLED;
-    extrema->maximum = find_peak(search, &session->prepared, 1);
-    extrema->minimum = find_peak(search, &session->prepared, -1);
+    if (reflects) {
+        const luxel_status status = add_reflected(scene, session, i, search, diagnostics);
+        if (status != LUXEL_OK)
+            return status;
+        extrema->maximum = furthest_node(search, 1);
+        extrema->minimum = furthest_node(search, -1);
+    } else {
+        extrema->maximum = find_peak(search, &session->prepared, 1);
+        extrema->minimum = find_peak(search, &session->prepared, -1);
+    }
     return atomic_load(&control.stop) ? LUXEL_CANCELLED : LUXEL_OK;
 }
 
@@ -248,11 +324,12 @@ luxel_status luxel_find_grid_extrema(const luxel_scene *scene, const luxel_setti
     const struct lx_grid *grid = status == LUXEL_OK ? lx_asked_grid(scene, i, extrema, "extrema", diagnostics) : NULL;
     if (status == LUXEL_OK && !grid)
         status = LUXEL_ERROR_ARGUMENT;
-    if (status == LUXEL_OK && !lx_wants_reflections(session.prepared.scene)) {
+    if (status == LUXEL_OK) {
         search.world.kernels = lx_element_kernels_of(session.kernels);
         search.hasty = session.prepared;
-        search.hasty.tolerance = fmax(session.prepared.tolerance, WHILE_SEARCHING);
-        status = run(&session, grid, &search, diagnostics, &found);
+        if (!lx_wants_reflections(session.prepared.scene)) /* else nothing is asked again */
+            search.hasty.tolerance = fmax(session.prepared.tolerance, WHILE_SEARCHING);
+        status = run(scene, &session, i, grid, &search, diagnostics, &found);
     }
     free(search.nodes);
     lx_session_clear(&session);

@@ -17,6 +17,8 @@ struct lx_measuring {
     double *values, *errors;
     uint8_t *mask;
     bool values_alone; /* nothing is asked of the plane as a whole */
+    struct lx_kept_slot *slot; /* for what is reflected to the plane; NULL: it is not kept */
+    size_t number;             /* of the grid */
 };
 
 /* Measures all cells of its lattice, by the pool; false: it was cancelled. */

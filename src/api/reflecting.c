@@ -7,6 +7,9 @@
 #include "../base/diagnostics.h"
 #include "../base/memory.h"
 
+/* More threads than this are of no use. */
+enum { MOST_WORTH = 64 };
+
 bool lx_wants_reflections(const struct lx_scene_parameters *scene)
 {
     return scene->reflections.choice != LX_REFLECTIONS_NONE;
@@ -49,9 +52,16 @@ static luxel_status ask(const struct lx_reflecting *reflecting, const struct lx_
     return status;
 }
 
+luxel_status lx_ask_places(const struct lx_reflecting *reflecting, const struct lx_radiosity *reflected,
+                           luxel_diagnostics *diagnostics)
+{
+    const luxel_status status =
+        ask(reflecting, reflected, lx_thread_count(reflecting->settings->threads, MOST_WORTH));
+    return status == LUXEL_ERROR_MEMORY ? lx_out_of_memory(diagnostics) : status;
+}
+
 luxel_status lx_reflect_places(const struct lx_reflecting *reflecting, luxel_diagnostics *diagnostics)
 {
-    enum { MOST_WORTH = 64 };
     const unsigned threads = lx_thread_count(reflecting->settings->threads, MOST_WORTH);
     const struct lx_reflected_wish wish = {
         .prepared = reflecting->prepared,
@@ -59,6 +69,7 @@ luxel_status lx_reflect_places(const struct lx_reflecting *reflecting, luxel_dia
         .error = lx_reflected_error_of(reflecting->settings),
         .places = reflecting->places,
         .place_count = reflecting->count,
+        .key = reflecting->key ? *reflecting->key : (struct lx_reflected_key){0},
         .threads = threads,
         .control = reflecting->control,
     };
@@ -69,6 +80,8 @@ luxel_status lx_reflect_places(const struct lx_reflecting *reflecting, luxel_dia
     luxel_status status = picture ? LUXEL_OK : lx_reflected_make(&wish, &reflected);
     if (status == LUXEL_OK)
         status = ask(reflecting, picture ? picture : reflected, threads);
+    if (status == LUXEL_OK && reflected && reflecting->slot)
+        lx_kept_slot_put(reflecting->slot, lx_reflected_kept(reflected));
     lx_reflected_free(reflected);
     return status == LUXEL_ERROR_MEMORY ? lx_out_of_memory(diagnostics) : status;
 }

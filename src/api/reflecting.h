@@ -26,9 +26,20 @@ struct lx_reflecting {
     struct lx_control *control;
     const struct lx_reflected_place *places;
     size_t count;
-    lx_bounded *irradiance; /* of each place: set here */
+    lx_bounded *irradiance;             /* of each place: set here */
+    struct lx_kept_slot *slot;          /* where the solution is left for whoever asks next; NULL: nowhere */
+    const struct lx_reflected_key *key; /* and with what it was made */
 };
 luxel_status lx_reflect_places(const struct lx_reflecting *reflecting, luxel_diagnostics *diagnostics);
+
+/* Asks at places what a solution that was found tells, however large the errors are. */
+luxel_status lx_ask_places(const struct lx_reflecting *reflecting, const struct lx_radiosity *reflected,
+                           luxel_diagnostics *diagnostics);
+
+/* What a solution for the plane of the i-th grid is made with, and the one that the scene keeps, to be released; NULL:
+ * none. */
+struct lx_reflected_key lx_reflected_key_of_plane(const struct lx_session *session, size_t i);
+struct lx_radiosity *lx_reflected_of_plane(const luxel_scene *scene, const struct lx_session *session, size_t i);
 
 /*
  * Finds what surfaces reflect in the session's picture, if the scene wants light to be reflected: session->reflected,

@@ -143,6 +143,19 @@ struct lx_radiosity *lx_reflected_of_picture(const luxel_scene *scene, const str
     return find_kept(lx_scene_reflected(scene), &key);
 }
 
+struct lx_reflected_key lx_reflected_key_of_plane(const struct lx_session *session, size_t i)
+{
+    struct lx_reflected_key key = key_of(session);
+    key.quantity = -1 - (int)i; /* below those of pictures */
+    return key;
+}
+
+struct lx_radiosity *lx_reflected_of_plane(const luxel_scene *scene, const struct lx_session *session, size_t i)
+{
+    const struct lx_reflected_key key = lx_reflected_key_of_plane(session, i);
+    return find_kept(lx_scene_reflected_on_plane(scene), &key);
+}
+
 luxel_status lx_reflect_picture(const luxel_scene *scene, struct lx_session *session, luxel_diagnostics *diagnostics)
 {
     const luxel_settings *settings = &session->settings;

@@ -28,6 +28,7 @@ struct luxel_scene {
     char *folder;                   /* of the file that it was read from; NULL: none, or the current one */
     struct lx_kept_files kept;      /* what was read of the files that it names */
     struct lx_kept_slot *reflected; /* what its surfaces reflect, once that was found; NULL: nothing is */
+    struct lx_kept_slot *reflected_on_plane; /* likewise, for the measuring plane that was last */
 };
 
 /* The public list of the parameters of any table. */

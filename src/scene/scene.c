@@ -152,12 +152,18 @@ void lx_scene_uncommit(luxel_scene *scene)
     memset(&scene->parameters, 0, sizeof scene->parameters);
     scene->committed = scene->is_ahead = false;
     lx_kept_slot_free(scene->reflected);
-    scene->reflected = NULL;
+    lx_kept_slot_free(scene->reflected_on_plane);
+    scene->reflected = scene->reflected_on_plane = NULL;
 }
 
 struct lx_kept_slot *lx_scene_reflected(const luxel_scene *scene)
 {
     return scene->is_ahead ? NULL : scene->reflected;
+}
+
+struct lx_kept_slot *lx_scene_reflected_on_plane(const luxel_scene *scene)
+{
+    return scene->is_ahead ? NULL : scene->reflected_on_plane;
 }
 
 lx_node_id lx_scene_node(const luxel_scene *scene, const char *group, const char *key)
@@ -188,8 +194,10 @@ static luxel_status commit(luxel_scene *scene, luxel_diagnostics *diagnostics)
     }
     if (status == LUXEL_OK && lx_collect_conventions(scene) < 0)
         status = lx_out_of_memory(diagnostics);
-    if (status == LUXEL_OK && scene->parameters.reflections.choice != LX_REFLECTIONS_NONE)
+    if (status == LUXEL_OK && scene->parameters.reflections.choice != LX_REFLECTIONS_NONE) {
         scene->reflected = lx_kept_slot_new(); /* without it, it is found each time */
+        scene->reflected_on_plane = lx_kept_slot_new();
+    }
     if (status == LUXEL_OK)
         scene->committed = true;
     else

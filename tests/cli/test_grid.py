@@ -347,11 +347,22 @@ def extrema(tap, tool):
     wall = {"model": "lambert", "diffuse": 0.5, "over_pi": True}
     lit = scene([lamp], [plane], reflections=1, surfaces=[
         {"type": "sphere", "center": [0, 0, 900], "radius": 200, "material": wall}])
-    tap.equal(tool.run("grid", "-", "--json", stdin=lit).json()["grids"][0]["extrema"],
-              {"minimum": None, "maximum": None}, "not known with reflected light")
+    answer, = tool.run("grid", "-", "--json", "--reflected-error", "1e-4", stdin=lit).json()["grids"]
+    for name, sign in (("maximum", 1), ("minimum", -1)):
+        peak = answer["extrema"][name]
+        at = ",".join("%.17g" % number for number in (*peak["position"], 0, 0, 1))
+        probe, = tool.run("probe", "-", "--at", at, "--quantity", "irradiance", "--reflected-error", "1e-6", "--json",
+                          stdin=lit).json()["points"]
+        tap.ok(abs(peak["value"] - probe["value"]) <= peak["error"] + probe["error"] < 0.1 * probe["value"],
+               "with reflected light the %s is that of its place" % name, peak, probe)
+        tap.ok(sign * (peak["value"] - answer[name]["value"]) >= -peak["error"], "no less extreme than the points",
+               peak, answer[name])
+        steps = [(place + half) / half * n for place, half, n in zip(peak["position"], (1750, 1250), (4, 3))]
+        tap.ok(all(abs(step - round(step)) < 1e-9 for step in steps), "on the lattice of the cells", steps)
     for text, expected in ((lit, True), (scene([lamp], [plane]), False)):
         told = tool.run("grid", "-", stdin=text).out
-        tap.equal("with reflected light: no extrema, mean and flux of the whole plane" in told, expected, "is told")
+        tap.equal("reflected light: extrema of centres, sides and corners of cells; no mean, flux" in told, expected,
+                  "is told")
     told = " ".join(tool.run("grid", "-", stdin=scene([lamp], [plane])).out.split())
     tap.ok("maximum on the whole plane 250 ±" in told, "the text", told)
 
