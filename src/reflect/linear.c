@@ -10,71 +10,79 @@
 #include <string.h>
 
 #include "../base/memory.h"
+#include "solution.h"
 
 enum { MOST_STEPS = 120 };
 
 /* A product under way. */
 struct product {
     const struct lx_linear *linear;
-    const double *right;
-    const float *scaled; /* rho x */
+    const float *sent; /* rho x at the nodes of groups */
     double *sum;
 };
 
-static double row_of(const float *row, const float *x, size_t count)
+static double row_of(const struct lx_links *row, const float *sent)
 {
-    enum { LANES = 16 };
-    float sums[LANES] = {0};
     double total = 0;
-    size_t i = 0;
-    while (i + LANES <= count) {
-        const size_t end = i + 64 * LANES < count ? i + 64 * LANES : count;
-        for (; i + LANES <= end; i += LANES)
-            for (size_t k = 0; k < LANES; k++)
-                sums[k] += row[i + k] * x[i + k];
-        for (size_t k = 0; k < LANES; k++) {
-            total += (double)sums[k];
-            sums[k] = 0;
-        }
+    for (size_t i = 0; i < row->weight_count; i++) {
+        const struct lx_weights *weights = &row->weights[i];
+        const float *values = sent + (size_t)weights->group * LX_RULE_NODES;
+        float sums[4] = {0};
+        for (int q = 0; q < LX_RULE_NODES; q += 4)
+            for (int k = 0; k < 4; k++)
+                sums[k] += weights->of[q + k] * values[q + k];
+        total += (double)((sums[0] + sums[1]) + (sums[2] + sums[3]));
     }
-    for (; i < count; i++)
-        total += (double)(row[i] * x[i]);
     return total;
 }
 
 static void multiply_rows(void *data, unsigned worker, bool is_caller, unsigned first, unsigned last)
 {
     const struct product *product = data;
-    const size_t count = product->linear->count;
     (void)worker;
     (void)is_caller;
-    for (size_t i = first; i < last; i++)
-        product->sum[i] = (product->right ? product->right[i] : 0) +
-                          row_of(product->linear->matrix + i * count, product->scaled, count);
+    for (size_t i = first; i < last; i++) {
+        const struct lx_rows *rows = product->linear->reflected->tiles[i / LX_RULE_NODES].rows;
+        product->sum[i] = row_of(&rows->of[i % LX_RULE_NODES], product->sent);
+    }
+}
+
+/* rho x / scale at the nodes of groups; false: memory ran out. */
+static bool send(const struct lx_linear *linear, const double *x, double scale, float *sent)
+{
+    const size_t count = linear->reflected->group_count * LX_RULE_NODES;
+    double *tiles = lx_new_array(linear->count, sizeof *tiles), *groups = lx_new_array(count, sizeof *groups);
+    const bool has_room = tiles && groups;
+    for (size_t i = 0; i < linear->count && has_room; i++)
+        tiles[i] = linear->reflectance[i] * x[i] / scale;
+    if (has_room)
+        lx_groups_lift(linear->reflected, tiles, groups);
+    for (size_t i = 0; i < count && has_room; i++)
+        sent[i] = (float)groups[i];
+    free(tiles);
+    free(groups);
+    return has_room;
 }
 
 bool lx_linear_bounce(const struct lx_linear *linear, const double *right, const double *x, double *sum)
 {
-    float *scaled = lx_new_array(linear->count, sizeof *scaled);
+    float *sent = lx_new_array(linear->reflected->group_count * LX_RULE_NODES, sizeof *sent);
     double largest = 0;
-    if (!scaled)
-        return false;
     for (size_t i = 0; i < linear->count; i++)
         largest = fmax(largest, fabs(linear->reflectance[i] * x[i]));
     /* float32 numbers would not hold every strength of light */
     const double scale = largest > 0 ? ldexp(1, ilogb(largest)) : 1;
-    for (size_t i = 0; i < linear->count; i++)
-        scaled[i] = (float)(linear->reflectance[i] * x[i] / scale);
-    struct product product = {linear, NULL, scaled, sum};
+    struct product product = {linear, sent, sum};
     const struct lx_rows_part part = {.last = (unsigned)linear->count,
                                       .tile_rows = 64,
                                       .counts_itself = true,
                                       .work = multiply_rows,
                                       .data = &product};
-    const bool whole = lx_rows_run_part(linear->control, linear->threads, &part);
-    for (size_t i = 0; i < linear->count; i++)
+    const bool whole =
+        sent && send(linear, x, scale, sent) && lx_rows_run_part(linear->control, linear->threads, &part);
+    for (size_t i = 0; i < linear->count && whole; i++)
         sum[i] = scale * sum[i] + (right ? right[i] : 0);
-    free(scaled);
+    free(sent);
     return whole;
 }
 

@@ -10,11 +10,13 @@
 
 #include "../base/rows.h"
 
+struct lx_radiosity;
+
 struct lx_linear {
     size_t count;
-    const float *matrix;       /* row by row */
-    const double *reflectance; /* of each node */
-    double rest;               /* the share of the right side that a solution may leave */
+    const struct lx_radiosity *reflected; /* whose tiles have rows */
+    const double *reflectance;            /* of each node */
+    double rest;                          /* the share of the right side that a solution may leave */
     struct lx_control *control;
     unsigned threads;
 };

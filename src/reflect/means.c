@@ -12,6 +12,7 @@
 #include <stdlib.h>
 
 #include "../base/memory.h"
+#include "between.h"
 #include "solution.h"
 
 /* ---- one tile ---- */
@@ -134,7 +135,7 @@ bool lx_means_are_reached(const struct lx_radiosity *reflected, const struct lx_
 }
 
 /* Each tile counts by what it sends on, and by what it adds to its own side. */
-int lx_means_cut(const struct lx_radiosity *reflected, const struct lx_reflected_wish *wish, uint8_t *cuts)
+int lx_means_cut(const struct lx_radiosity *reflected, const struct lx_reflected_wish *wish, bool *cuts)
 {
     const size_t count = reflected->tile_count;
     double *scores = lx_new_array(count, sizeof *scores);
@@ -142,9 +143,9 @@ int lx_means_cut(const struct lx_radiosity *reflected, const struct lx_reflected
     for (size_t t = 0; scores && t < count; t++) {
         const struct lx_tile *tile = &reflected->tiles[t];
         scores[t] = (0.1 + reflected->faces[tile->face].reflectance) * lx_tile_area(tile) *
-                    (tile->residual[0] + tile->residual[1] + tile->direct_error);
+                    (lx_between_change(tile->residual) + tile->direct_error);
     }
-    const int any = scores ? lx_cut_greatest(reflected, scores, (LX_MOST_TILES - count) * 2 / 3 + 1, cuts) : -1;
+    const int any = scores ? lx_cut_greatest(reflected, scores, (reflected->most_tiles - count) * 2 / 3 + 1, cuts) : -1;
     free(scores);
     return any;
 }

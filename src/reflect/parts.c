@@ -18,7 +18,7 @@ enum { MOST_PARTS = 2400 };
 /* Arriving light is smooth: between the nodes no more than that beyond the greatest of them. */
 static const double BEYOND = 1.1;
 
-/* Parts under way: from `first` on they are new. */
+/* Parts under way: from `first` on they are to be filled. */
 struct showing {
     struct lx_radiosity *reflected;
     struct lx_veils *veils; /* of each worker */
@@ -34,47 +34,81 @@ static struct lx_shown_part *append(struct lx_radiosity *reflected)
     return part;
 }
 
-int lx_parts_make(struct lx_radiosity *reflected)
+void lx_parts_clear(struct lx_radiosity *reflected)
 {
-    reflected->part_count = 0;
-    for (size_t t = 0; t < reflected->tile_count; t++) {
-        const struct lx_tile *tile = &reflected->tiles[t];
-        struct lx_shown_part *part = append(reflected);
-        if (!part)
-            return -1;
-        part->tile = t;
-        part->window = tile->window;
-        part->own_error = tile->own_error;
-        part->error = tile->error;
-        part->worst = tile->worst;
-        memcpy(part->residual, tile->residual, sizeof part->residual);
-        memcpy(part->nodes, reflected->indirect + t * LX_RULE_NODES, sizeof part->nodes);
+    for (size_t p = 0; p < reflected->part_count; p++) {
+        lx_rows_free(reflected->parts[p].rows);
+        reflected->parts[p].rows = NULL;
     }
-    return 0;
+    reflected->part_count = 0;
+}
+
+static void show_tile(const struct lx_radiosity *reflected, size_t t, struct lx_shown_part *part)
+{
+    const struct lx_tile *tile = &reflected->tiles[t];
+    part->tile = t;
+    part->group = tile->group;
+    part->window = tile->window;
+    part->own_error = tile->own_error;
+    part->error = tile->error;
+    part->worst = tile->worst;
+    memcpy(part->residual, tile->residual, sizeof part->residual);
+    memcpy(part->nodes, reflected->indirect + t * LX_RULE_NODES, sizeof part->nodes);
+}
+
+/* Tiles that are still there keep the parts that they had. */
+static int keep_parts(struct lx_radiosity *reflected, struct lx_shown_part *old, size_t old_count)
+{
+    size_t *of_group = lx_new_array(reflected->group_count, sizeof *of_group), *was = NULL, was_capacity = 0;
+    int failed = of_group ? 0 : -1;
+    for (size_t p = old_count; p-- > 0 && !failed;) /* the first one of a group is all of it */
+        of_group[old[p].group] = p + 1;
+    for (size_t p = 0; p < reflected->part_count && !failed; p++) {
+        failed = lx_reserve(&was, &was_capacity, reflected->part_count, sizeof *was);
+        if (failed)
+            break;
+        if (p < reflected->tile_count)
+            was[p] = of_group[reflected->parts[p].group];
+        const struct lx_shown_part *before = was[p] > 0 ? &old[was[p] - 1] : NULL;
+        if (!before || before->count == 0)
+            continue;
+        const size_t tile = reflected->parts[p].tile, first = reflected->part_count;
+        reflected->parts[p].first = first;
+        reflected->parts[p].count = before->count;
+        for (unsigned i = 0; i < before->count && !failed; i++) {
+            struct lx_shown_part *part = append(reflected);
+            failed = !part || lx_reserve(&was, &was_capacity, reflected->part_count, sizeof *was) ? -1 : 0;
+            if (failed)
+                break;
+            *part = old[before->first + i];
+            old[before->first + i].rows = NULL;
+            part->tile = tile;
+            part->count = 0;
+            was[reflected->part_count - 1] = before->first + i + 1;
+        }
+    }
+    free(of_group);
+    free(was);
+    return failed;
 }
 
 /* ---- one more integral ---- */
-
-static struct lx_arrival arrival_at(const struct showing *showing, const struct lx_fineness *fineness,
-                                    const struct lx_receiver *receiver, const double *slack, struct lx_veils *veils)
-{
-    const struct lx_radiosity *reflected = showing->reflected;
-    return lx_gather(reflected, reflected->prepared, fineness, receiver, reflected->before, slack, veils, NULL);
-}
 
 /* As with tiles, coarse integrals at the nodes, and fine ones between them. */
 static void fill(const struct showing *showing, struct lx_veils *veils, struct lx_shown_part *part)
 {
     const struct lx_radiosity *reflected = showing->reflected;
-    const struct lx_matte_face *face = &reflected->faces[reflected->tiles[part->tile].face];
-    struct lx_receiver receiver = {.own = face->surface};
-    struct lx_tile_cell cell;
+    const uint32_t face = reflected->tiles[part->tile].face;
+    const struct lx_light light = {reflected->sent, reflected->sent_slack};
     double arrives = 0, received = 0, between[LX_BETWEEN];
-    lx_cell_make(face, &part->window, &cell);
+    struct lx_tile_cell cell;
+    lx_cell_make(&reflected->faces[face], &part->window, &cell);
+    if (lx_rows_find(reflected, face, &part->window, &cell, veils, &part->rows)) {
+        veils->failed = true;
+        return;
+    }
     for (int q = 0; q < LX_RULE_NODES; q++) {
-        memcpy(receiver.place_mm, cell.place_mm[q], sizeof receiver.place_mm);
-        memcpy(receiver.normal, cell.normal[q], sizeof receiver.normal);
-        const struct lx_arrival arrival = arrival_at(showing, &lx_coarse, &receiver, reflected->slack_before, veils);
+        const struct lx_arrival arrival = lx_links_sum(reflected, &part->rows->of[q], &light);
         part->nodes[q] = arrival.value;
         if (arrival.slack > arrives) {
             arrives = arrival.slack;
@@ -85,15 +119,12 @@ static void fill(const struct showing *showing, struct lx_veils *veils, struct l
     for (int p = 0; p < LX_BETWEEN; p++) {
         double at[2];
         lx_between_place(p, at);
-        lx_sheet_place(&face->sheet, part->window.middle[0] + at[0] * part->window.half[0],
-                       part->window.middle[1] + at[1] * part->window.half[1], receiver.place_mm, receiver.normal);
-        between[p] =
-            arrival_at(showing, &lx_fine, &receiver, NULL, veils).value - lx_rule_value(part->nodes, at[0], at[1]);
+        between[p] = lx_links_sum(reflected, &part->rows->of[LX_RULE_NODES + p], &light).value -
+                     lx_rule_value(part->nodes, at[0], at[1]);
     }
-    for (int way = 0; way < 2; way++)
-        part->residual[way] = lx_between_change(between, way);
-    part->own_error = LX_BETWEEN_FACTOR * lx_between_greatest(between) +
-                      (reflected->has_round_faces ? LX_ROUND_RULE : LX_FLAT_RULE) * received;
+    memset(part->residual, 0, sizeof part->residual);
+    lx_between_changes(between, part->residual);
+    part->own_error = LX_BETWEEN_FACTOR * lx_between_greatest(between) + reflected->rule * received;
     part->error = part->own_error + BEYOND * arrives;
 }
 
@@ -104,19 +135,59 @@ static void fill_parts(void *data, unsigned worker, bool is_caller, unsigned fir
         fill(showing, &showing->veils[worker], &showing->reflected->parts[showing->first + i]);
 }
 
+/* Fills parts from one on, with what arrives there now. */
+static luxel_status fill_from(struct lx_radiosity *reflected, size_t first)
+{
+    struct showing showing = {reflected, lx_new_array(reflected->threads, sizeof(struct lx_veils)), first};
+    const struct lx_rows_part part = {.last = (unsigned)(reflected->part_count - first),
+                                      .tile_rows = 1,
+                                      .counts_itself = true,
+                                      .work = fill_parts,
+                                      .data = &showing};
+    bool has_room = showing.veils;
+    const bool whole = has_room && (part.last == 0 || lx_rows_run_part(reflected->control, reflected->threads, &part));
+    for (size_t w = 0; showing.veils && w < reflected->threads; w++) {
+        has_room = has_room && !showing.veils[w].failed;
+        lx_veils_clear(&showing.veils[w]);
+    }
+    free(showing.veils);
+    return !has_room ? LUXEL_ERROR_MEMORY : whole ? LUXEL_OK : LUXEL_CANCELLED;
+}
+
+luxel_status lx_parts_make(struct lx_radiosity *reflected)
+{
+    struct lx_shown_part *old = reflected->parts;
+    const size_t old_count = reflected->part_count;
+    int failed = 0;
+    reflected->parts = NULL;
+    reflected->part_count = reflected->part_capacity = 0;
+    for (size_t t = 0; t < reflected->tile_count && !failed; t++) {
+        struct lx_shown_part *part = append(reflected);
+        failed = part ? 0 : -1;
+        if (part)
+            show_tile(reflected, t, part);
+    }
+    failed = failed || keep_parts(reflected, old, old_count);
+    for (size_t p = 0; p < old_count; p++)
+        lx_rows_free(old[p].rows);
+    free(old);
+    return failed ? LUXEL_ERROR_MEMORY : fill_from(reflected, reflected->tile_count);
+}
+
 /* ---- cutting ---- */
 
 static int cut(struct lx_radiosity *reflected, size_t p)
 {
-    const unsigned char cuts = lx_between_cuts(reflected->parts[p].residual);
-    const unsigned count = lx_window_parts(cuts);
+    const struct lx_cuts cuts = lx_between_cuts(reflected->parts[p].residual);
+    const unsigned count = lx_window_parts(&cuts);
     reflected->parts[p].first = reflected->part_count;
     for (unsigned i = 0; i < count; i++) {
         struct lx_shown_part *part = append(reflected);
         if (!part)
             return -1;
         part->tile = reflected->parts[p].tile;
-        part->window = lx_window_part(&reflected->parts[p].window, cuts, i);
+        part->group = reflected->parts[p].group;
+        part->window = lx_window_part(&reflected->parts[p].window, &cuts, i);
     }
     reflected->parts[p].count = count;
     return 0;
@@ -130,7 +201,8 @@ static int cut_some(struct lx_radiosity *reflected, const double *allowed)
     for (size_t p = 0; p < count && reflected->part_count < MOST_PARTS && !failed; p++) {
         const struct lx_shown_part *part = &reflected->parts[p];
         const double most = allowed[part->tile];
-        if (part->count == 0 && part->error > most && part->own_error > 0.25 * most)
+        const double arrives = part->error - part->own_error, little = arrives < most ? 0.25 * most : 0.5 * arrives;
+        if (part->count == 0 && part->error > most && part->own_error > little)
             failed = cut(reflected, p);
     }
     return failed;
@@ -139,25 +211,16 @@ static int cut_some(struct lx_radiosity *reflected, const double *allowed)
 luxel_status lx_parts_refine(struct lx_radiosity *reflected, const double *allowed)
 {
     enum { MOST_LEVELS = 8 };
-    struct showing showing = {reflected, lx_new_array(reflected->threads, sizeof(struct lx_veils)), 0};
-    bool has_room = showing.veils, whole = true, is_done = false;
-    for (int level = 0; level < MOST_LEVELS && has_room && whole && !is_done; level++) {
-        showing.first = reflected->part_count;
-        has_room = cut_some(reflected, allowed) == 0;
-        is_done = reflected->part_count == showing.first;
-        const struct lx_rows_part part = {.last = (unsigned)(reflected->part_count - showing.first),
-                                          .tile_rows = 1,
-                                          .counts_itself = true,
-                                          .work = fill_parts,
-                                          .data = &showing};
-        whole = !has_room || is_done || lx_rows_run_part(reflected->control, reflected->threads, &part);
+    luxel_status status = LUXEL_OK;
+    for (int level = 0; level < MOST_LEVELS && status == LUXEL_OK; level++) {
+        const size_t first = reflected->part_count;
+        if (cut_some(reflected, allowed))
+            return LUXEL_ERROR_MEMORY;
+        if (reflected->part_count == first)
+            break;
+        status = fill_from(reflected, first);
     }
-    for (size_t w = 0; showing.veils && w < reflected->threads; w++) {
-        has_room = has_room && !showing.veils[w].failed;
-        lx_veils_clear(&showing.veils[w]);
-    }
-    free(showing.veils);
-    return !has_room ? LUXEL_ERROR_MEMORY : whole ? LUXEL_OK : LUXEL_CANCELLED;
+    return status;
 }
 
 /* ---- asking ---- */
@@ -185,6 +248,17 @@ lx_bounded lx_parts_value(const struct lx_radiosity *reflected, size_t tile, con
     const double x = clamp((at[0] - part->window.middle[0]) / part->window.half[0]);
     const double y = clamp((at[1] - part->window.middle[1]) / part->window.half[1]);
     return (lx_bounded){fmax(lx_rule_value(part->nodes, x, y), 0), part->error};
+}
+
+double lx_parts_arriving(const struct lx_radiosity *reflected, const double *allowed)
+{
+    double greatest = 0;
+    for (size_t p = 0; p < reflected->part_count; p++) {
+        const struct lx_shown_part *part = &reflected->parts[p];
+        if (part->count == 0)
+            greatest = fmax(greatest, (part->error - part->own_error) / allowed[part->tile]);
+    }
+    return greatest;
 }
 
 bool lx_parts_are_below(const struct lx_radiosity *reflected, const double *allowed)
@@ -229,7 +303,7 @@ int lx_parts_worst(const struct lx_radiosity *reflected, const double *allowed, 
     for (size_t p = 0; p < reflected->part_count; p++) {
         const struct lx_shown_part *part = &reflected->parts[p];
         const double arrives = part->error - part->own_error, limit = allowed[part->tile];
-        if (part->count == 0 && arrives > share * limit)
+        if (part->count == 0 && part->error > limit && arrives > share * limit)
             worst[count++] = (struct worst){arrives / limit, p};
     }
     if (count > 1)

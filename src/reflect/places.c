@@ -9,15 +9,25 @@
 #include "refine.h"
 
 /* What the tiles add to the error of a place: residuals and weights. */
-static luxel_status weigh_place(const struct lx_radiosity *reflected, const struct lx_receiver *receiver, float *row,
-                                double *weights)
+static int weigh_place(const struct lx_radiosity *reflected, const struct lx_receiver *receiver, double *weights)
 {
     struct lx_veils veils = {0};
-    lx_gather(reflected, reflected->prepared, &lx_coarse, receiver, NULL, NULL, &veils, row);
+    struct lx_links links = {0};
+    lx_links_find(reflected, reflected->prepared, &reflected->coarse, receiver, &veils, &links);
+    for (size_t i = 0; i < links.weight_count && !links.failed; i++) {
+        const struct lx_group *group = &reflected->groups[links.weights[i].group];
+        double sum = 0, area = 0;
+        for (int q = 0; q < LX_RULE_NODES; q++) {
+            sum += fabs((double)links.weights[i].of[q]);
+            area += group->cell.area[q];
+        }
+        for (size_t t = group->first_tile; t < group->first_tile + group->tile_count; t++)
+            weights[t] += sum * lx_tile_area(&reflected->tiles[t]) / area;
+    }
+    const bool failed = links.failed || veils.failed;
+    lx_links_clear(&links);
     lx_veils_clear(&veils);
-    for (size_t i = 0; i < reflected->tile_count * LX_RULE_NODES; i++)
-        weights[i / LX_RULE_NODES] = fmax(weights[i / LX_RULE_NODES], 0) + fabs((double)row[i]);
-    return LUXEL_OK;
+    return failed ? -1 : 0;
 }
 
 bool lx_places_are_reached(const struct lx_radiosity *reflected, const struct lx_reflected_wish *wish)
@@ -46,7 +56,6 @@ int lx_weigh(const struct lx_radiosity *reflected, const struct lx_reflected_pla
 {
     enum { MOST_WEIGHED = 16 };
     const size_t tiles = reflected->tile_count;
-    float *row = lx_new_array(tiles * LX_RULE_NODES, sizeof *row);
     double *weights = lx_new_array(tiles, sizeof *weights), all = 0, reflecting = 0;
     const size_t step = count / MOST_WEIGHED + 1;
     for (size_t t = 0; t < tiles; t++) {
@@ -55,16 +64,15 @@ int lx_weigh(const struct lx_radiosity *reflected, const struct lx_reflected_pla
         reflecting += reflected->faces[reflected->tiles[t].face].reflectance * area;
     }
     const double bounces = fmax(reflecting / (all - reflecting), 1); /* after the last one that the places see */
-    for (size_t p = 0; row && weights && p < count; p += step)
-        weigh_place(reflected, &places[p].receiver, row, weights);
-    for (size_t t = 0; row && weights && t < tiles; t++) {
+    int failed = weights ? 0 : -1;
+    for (size_t p = 0; !failed && p < count; p += step)
+        failed = weigh_place(reflected, &places[p].receiver, weights);
+    for (size_t t = 0; !failed && t < tiles; t++) {
         const struct lx_tile *tile = &reflected->tiles[t];
         const double seen = weights[t] / (double)(count / step + 1), share = bounces * lx_tile_area(tile) / all;
         scores[t] = reflected->faces[tile->face].reflectance * (seen + share) *
-                    (tile->residual[0] + tile->residual[1] + tile->direct_error);
+                    (lx_between_change(tile->residual) + tile->direct_error);
     }
-    const int failed = row && weights ? 0 : -1;
-    free(row);
     free(weights);
     return failed;
 }
@@ -75,7 +83,8 @@ static int falling(const void *a, const void *b)
     return (x < y) - (x > y);
 }
 
-/* The score from which on tiles are cut: they are to hold most of the sum, but not to become too many. */
+/* The score from which on tiles are cut: they are to hold most of the sum, but not to become too many, nor too few to
+ * be worth a solution. */
 static double threshold_of(const double *scores, size_t count, size_t most)
 {
     const double most_of_it = 0.85;
@@ -86,7 +95,7 @@ static double threshold_of(const double *scores, size_t count, size_t most)
     qsort(sorted, count, sizeof *sorted, falling);
     for (size_t t = 0; t < count; t++)
         sum += sorted[t];
-    for (size_t t = 0; t < count && t < most && reached < most_of_it * sum; t++) {
+    for (size_t t = 0; t < count && t < most && (reached < most_of_it * sum || t < count / 16); t++) {
         reached += sorted[t];
         threshold = sorted[t];
     }
@@ -94,26 +103,26 @@ static double threshold_of(const double *scores, size_t count, size_t most)
     return threshold;
 }
 
-int lx_cut_greatest(const struct lx_radiosity *reflected, const double *scores, size_t most, uint8_t *cuts)
+int lx_cut_greatest(const struct lx_radiosity *reflected, const double *scores, size_t most, bool *cuts)
 {
     const double threshold = threshold_of(scores, reflected->tile_count, most);
     int any = threshold < 0 ? -1 : 0;
     for (size_t t = 0; t < reflected->tile_count && any >= 0; t++) {
         if (!(scores[t] >= threshold && scores[t] > 0))
             continue;
-        cuts[t] |= lx_between_cuts(reflected->tiles[t].residual);
+        cuts[t] = true;
         any = 1;
     }
     return any;
 }
 
-int lx_places_cut(const struct lx_radiosity *reflected, const struct lx_reflected_wish *wish, uint8_t *cuts)
+int lx_places_cut(const struct lx_radiosity *reflected, const struct lx_reflected_wish *wish, bool *cuts)
 {
     const size_t count = reflected->tile_count;
     double *scores = lx_new_array(count, sizeof *scores);
     const int any = !scores || lx_weigh(reflected, wish->places, wish->place_count, scores)
                         ? -1
-                        : lx_cut_greatest(reflected, scores, (LX_MOST_TILES - count) * 2 / 3 + 1, cuts);
+                        : lx_cut_greatest(reflected, scores, (reflected->most_tiles - count) * 2 / 3 + 1, cuts);
     free(scores);
     return any;
 }

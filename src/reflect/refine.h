@@ -8,6 +8,4 @@
 /* Solves on the tiles as they are.  LUXEL_OK, LUXEL_ERROR_MEMORY or LUXEL_CANCELLED. */
 luxel_status lx_reflected_solve(struct lx_radiosity *reflected);
 
-extern const struct lx_fineness lx_fine, lx_coarse;
-
 #endif

@@ -10,7 +10,7 @@
 #include "../surface/beside.h"
 #include "refine.h"
 
-enum { MOST_ROUNDS = 6, LEVELS = 6 };
+enum { MOST_ROUNDS = 10, LEVELS = 6 };
 
 /* With more tiles than this share of the most, too few are left for another round. */
 static const double WORTH_A_ROUND = 0.92;
@@ -19,8 +19,12 @@ static const double LITTLE = 5e-2;
 /* How exact integrals over sources are made that samples of direct light take, as a share of the bound that is wanted:
  * errors of samples count as errors of the direct light. */
 static const double SAMPLED = 1e-3;
-/* Samples are no finer for smaller bounds than this. */
+/* Samples and integrals are no finer for smaller bounds than this. */
 static const double LEAST_ERROR = 1e-5;
+/* The most tiles are so many, and more where few faces have to be asked for each: the work is about as much. */
+static const size_t MOST_TILES = 600, MOST_PAIRS = 5000;
+/* Errors of the rules of integration, as a share of what arrives and of the bound that is wanted. */
+static const double RULE = 2e-2;
 /* Errors of the last integral beside what two of them differ by. */
 static const double ROUNDING = 1e-7;
 
@@ -28,15 +32,19 @@ static void free_solution(struct lx_kept *kept)
 {
     struct lx_radiosity *reflected = (struct lx_radiosity *)kept;
     for (size_t t = 0; t < reflected->tile_count; t++)
-        lx_direct_clear(&reflected->tiles[t].direct);
+        lx_tile_clear(&reflected->tiles[t]);
+    lx_parts_clear(reflected);
     free(reflected->on);
     free(reflected->faces);
     free(reflected->tiles);
+    free(reflected->groups);
     free(reflected->first_tile);
     free(reflected->indirect);
     free(reflected->before);
     free(reflected->slack);
     free(reflected->slack_before);
+    free(reflected->sent);
+    free(reflected->sent_slack);
     free(reflected->seen);
     free(reflected->parts);
     free(reflected);
@@ -103,18 +111,19 @@ static luxel_status sample(struct lx_radiosity *reflected)
 /* First the nodes, which tell how much light there is, then all that counts. */
 static luxel_status light_up(struct lx_radiosity *reflected, double error)
 {
-    uint8_t *is_lit = lx_new_array(reflected->face_count, sizeof *is_lit);
+    bool *is_lit = lx_new_array(reflected->face_count, sizeof *is_lit);
     double flux = 0;
     luxel_status status = is_lit ? sample(reflected) : LUXEL_ERROR_MEMORY;
     for (size_t t = 0; t < reflected->tile_count && status == LUXEL_OK; t++)
         for (int q = 0; q < LX_RULE_NODES; q++) {
             const struct lx_tile *tile = &reflected->tiles[t];
             flux += tile->direct.nodes[q] * tile->cell.area[q];
-            is_lit[tile->face] |= tile->direct.nodes[q] > 0;
+            is_lit[tile->face] = is_lit[tile->face] || tile->direct.nodes[q] > 0;
         }
     if (status == LUXEL_OK && lx_tiling_drop(reflected, is_lit))
         status = LUXEL_ERROR_MEMORY;
     free(is_lit);
+    reflected->most_tiles = MOST_TILES + MOST_PAIRS / (reflected->face_count + 1);
     reflected->sampling.least_flux = LITTLE * fmax(error, LEAST_ERROR) * flux;
     return status == LUXEL_OK && flux > 0 ? sample(reflected) : status;
 }
@@ -125,11 +134,15 @@ static luxel_status light_up(struct lx_radiosity *reflected, double error)
 lx_bounded lx_reflected_at(const struct lx_radiosity *reflected, const struct lx_prepared *prepared,
                            const struct lx_receiver *receiver, struct lx_veils *veils)
 {
-    const struct lx_arrival fine =
-        lx_gather(reflected, prepared, &lx_fine, receiver, reflected->before, reflected->slack_before, veils, NULL);
-    const struct lx_arrival coarse =
-        lx_gather(reflected, prepared, &lx_coarse, receiver, reflected->before, NULL, veils, NULL);
-    return (lx_bounded){fine.value, fine.slack + fabs(fine.value - coarse.value) + ROUNDING * fabs(fine.value)};
+    const struct lx_light light = {reflected->sent, reflected->sent_slack};
+    struct lx_links links = {0};
+    lx_links_find(reflected, prepared, &reflected->fine, receiver, veils, &links);
+    const struct lx_arrival fine = lx_links_sum(reflected, &links, &light);
+    links.count = 0;
+    lx_links_find(reflected, prepared, &reflected->coarse, receiver, veils, &links);
+    const struct lx_arrival coarse = lx_links_sum(reflected, &links, &light);
+    lx_links_clear(&links);
+    return (lx_bounded){fine.value, fine.slack + fabs(fine.value - coarse.value) + reflected->rule * fabs(fine.value)};
 }
 
 /* ---- rounds of refinement ---- */
@@ -145,28 +158,32 @@ bool lx_reflected_is_reached(const struct lx_radiosity *reflected, const struct 
 static bool refine(struct lx_radiosity *reflected, const struct lx_reflected_wish *wish, bool *failed)
 {
     const size_t count = reflected->tile_count;
-    if ((double)count >= WORTH_A_ROUND * LX_MOST_TILES)
+    if ((double)count >= WORTH_A_ROUND * (double)reflected->most_tiles)
         return false;
-    uint8_t *cuts = lx_new_array(count, sizeof *cuts);
+    bool *cuts = lx_new_array(count, sizeof *cuts);
     const int any = !cuts                   ? -1
                     : wish->place_count > 0 ? lx_places_cut(reflected, wish, cuts)
                     : wish->spots           ? lx_spots_cut(reflected, wish, cuts)
                                             : lx_means_cut(reflected, wish, cuts);
-    *failed = any < 0 || (any > 0 && lx_tiling_cut(reflected, cuts));
+    *failed = any < 0 || (any > 0 && lx_groups_cut(reflected, cuts));
     free(cuts);
     return any > 0 && !*failed;
 }
 
 static luxel_status solve(struct lx_radiosity *reflected, const struct lx_reflected_wish *wish)
 {
-    luxel_status status = lx_reflected_solve(reflected);
-    if (status == LUXEL_OK && lx_parts_make(reflected))
-        status = LUXEL_ERROR_MEMORY;
+    luxel_status status = lx_groups_light(reflected) ? LUXEL_ERROR_MEMORY : lx_reflected_solve(reflected);
+    if (status == LUXEL_OK)
+        status = lx_parts_make(reflected);
     return status == LUXEL_OK && wish->spots ? lx_spots_show(reflected, wish, false) : status;
 }
 
-static luxel_status work(struct lx_radiosity *reflected, const struct lx_reflected_wish *wish)
+/* Bounds below what integrals can do are not striven for. */
+static luxel_status work(struct lx_radiosity *reflected, const struct lx_reflected_wish *wanted)
 {
+    struct lx_reflected_wish within_reach = *wanted;
+    within_reach.error = fmax(wanted->error, LEAST_ERROR);
+    const struct lx_reflected_wish *wish = &within_reach;
     luxel_status status = lx_tiling_make(reflected) ? LUXEL_ERROR_MEMORY : light_up(reflected, wish->error);
     for (int round = 0; status == LUXEL_OK; round++) {
         bool failed = false;
@@ -178,6 +195,39 @@ static luxel_status work(struct lx_radiosity *reflected, const struct lx_reflect
         status = sample(reflected);
     }
     return status;
+}
+
+/* How fine integrals are, by the bound that is wanted: the rule of 16 nodes errs by the 8th power of the size of cells,
+ * or by the 4th where what it is multiplied by is rough, as for groups, or cut, and outlines that cross round cells let
+ * it err about by the 2nd. */
+static void set_fineness(struct lx_radiosity *reflected)
+{
+    const double scale = fmin(fmax(reflected->error, LEAST_ERROR), 5e-3) / 1e-3;
+    const double second = sqrt(scale), fourth = sqrt(second), eighth = sqrt(fourth);
+    reflected->fine = (struct lx_fineness){.seen = 0.5 * eighth,
+                                           .rough = 0.2 * fourth,
+                                           .flat_part = 0.3 * fourth,
+                                           .round_part = fmin(0.1 * second, 0.2),
+                                           .group = 0.16 * fourth};
+    reflected->coarse = (struct lx_fineness){.seen = 0.6 * eighth,
+                                             .rough = 0.27 * fourth,
+                                             .flat_part = 0.42 * fourth,
+                                             .round_part = fmin(0.18 * second, 0.3),
+                                             .group = 0.26 * fourth};
+    reflected->rule = fmax(RULE * reflected->error, ROUNDING);
+}
+
+/* Rows are of use only while the solution is made. */
+static void forget_rows(struct lx_radiosity *reflected)
+{
+    for (size_t t = 0; t < reflected->tile_count; t++) {
+        lx_rows_free(reflected->tiles[t].rows);
+        reflected->tiles[t].rows = NULL;
+    }
+    for (size_t p = 0; p < reflected->part_count; p++) {
+        lx_rows_free(reflected->parts[p].rows);
+        reflected->parts[p].rows = NULL;
+    }
 }
 
 luxel_status lx_reflected_make(const struct lx_reflected_wish *wish, struct lx_radiosity **made)
@@ -199,6 +249,7 @@ luxel_status lx_reflected_make(const struct lx_reflected_wish *wish, struct lx_r
         .threads = wish->threads,
         .control = wish->control,
     };
+    set_fineness(reflected);
     reflected->sampled.tolerance = fmax(reflected->sampled.tolerance, SAMPLED * wish->error);
     reflected->sampling.world.prepared = &reflected->sampled;
     lx_kept_init(&reflected->kept, free_solution);
@@ -206,6 +257,7 @@ luxel_status lx_reflected_make(const struct lx_reflected_wish *wish, struct lx_r
     if (reflected->on)
         memcpy(reflected->on, wish->prepared->on, reflected->light_count * sizeof *reflected->on);
     const luxel_status status = reflected->on ? work(reflected, wish) : LUXEL_ERROR_MEMORY;
+    forget_rows(reflected);
     reflected->prepared = reflected->sampling.world.prepared = NULL;
     reflected->control = NULL;
     if (status != LUXEL_OK) {

@@ -4,21 +4,22 @@
 #define LX_REFLECT_SOLUTION_H
 
 #include "direct.h"
+#include "group.h"
+#include "links.h"
 #include "reflected.h"
 #include "transfer.h"
-
-/* No solution has many more tiles. */
-enum { LX_MOST_TILES = 560 };
 
 /* A part of a tile as pictures show it. */
 struct lx_shown_part {
     size_t tile;
+    uint32_t group; /* that is the tile */
     struct lx_window window;
-    size_t first;                         /* of the parts that it is cut into; */
-    unsigned count;                       /* 0: it is not */
-    double nodes[LX_RULE_NODES];          /* reflected irradiance */
-    double residual[2], own_error, error; /* as of tiles, */
-    unsigned worst;                       /* likewise */
+    size_t first;                            /* of the parts that it is cut into; */
+    unsigned count;                          /* 0: it is not */
+    double nodes[LX_RULE_NODES];             /* reflected irradiance */
+    double residual[2][2], own_error, error; /* as of tiles, */
+    unsigned worst;                          /* likewise */
+    struct lx_rows *rows;
 };
 
 struct lx_radiosity {
@@ -37,11 +38,17 @@ struct lx_radiosity {
     bool has_round_faces;  /* balls or tubes */
     struct lx_tile *tiles; /* face by face */
     size_t tile_count, tile_capacity;
+    size_t most_tiles; /* no solution has many more */
+    struct lx_group *groups;
+    size_t group_count, group_capacity;
     size_t *first_tile; /* of each face, and behind the last */
-    double *indirect;   /* reflected irradiance at the nodes, */
-    double *before;     /* with one bounce less, which is what is reflected */
-    double *slack;      /* bound of its error, and */
+    struct lx_fineness fine, coarse;
+    double rule;      /* errors of the rules of integration, as a share of what arrives */
+    double *indirect; /* reflected irradiance at the nodes, */
+    double *before;   /* with one bounce less, which is what is reflected */
+    double *slack;    /* bound of its error, and */
     double *slack_before;
+    double *sent, *sent_slack;   /* both of `before`, at the nodes of groups */
     struct lx_shown_part *parts; /* first one of each tile, which is all of it */
     size_t part_count, part_capacity;
     double *seen; /* the share of all ways from a node, by Lambert's law, that end on faces */
@@ -51,22 +58,24 @@ struct lx_radiosity {
 
 /* Faces and tiles of the scene at first, without light; 0, or -1 when memory ran out. */
 int lx_tiling_make(struct lx_radiosity *reflected);
-/* Cuts the tiles of which that is asked: bit 0 across s, bit 1 across t; 0, or -1. */
-int lx_tiling_cut(struct lx_radiosity *reflected, const uint8_t *cuts);
 /* Faces that have light or see another stay. */
-int lx_tiling_drop(struct lx_radiosity *reflected, const uint8_t *is_lit);
+int lx_tiling_drop(struct lx_radiosity *reflected, const bool *is_lit);
 /* Whether one face may send light to the other. */
 bool lx_faces_meet(const struct lx_matte_face *a, const struct lx_matte_face *b);
 
 /* For places: whether all of them have errors as small as wished; how much each tile matters, 0 or -1. */
 bool lx_places_are_reached(const struct lx_radiosity *reflected, const struct lx_reflected_wish *wish);
-/* Which tiles are to be cut for them, as lx_tiling_cut() has it; 1: some, 0: none, -1: memory ran out. */
-int lx_places_cut(const struct lx_radiosity *reflected, const struct lx_reflected_wish *wish, uint8_t *cuts);
+/* Which tiles are to be cut for them; 1: some, 0: none, -1: memory ran out. */
+int lx_places_cut(const struct lx_radiosity *reflected, const struct lx_reflected_wish *wish, bool *cuts);
 
-/* Parts of the solution as it is: first the tiles; 0, or -1. */
-int lx_parts_make(struct lx_radiosity *reflected);
+/* Parts of the solution as it is: first the tiles. */
+luxel_status lx_parts_make(struct lx_radiosity *reflected);
+/* Without any. */
+void lx_parts_clear(struct lx_radiosity *reflected);
 /* Cuts parts as long as they show more error than is allowed on each tile and this is their own. */
 luxel_status lx_parts_refine(struct lx_radiosity *reflected, const double *allowed);
+/* The greatest share of what is allowed that arrives anywhere. */
+double lx_parts_arriving(const struct lx_radiosity *reflected, const double *allowed);
 bool lx_parts_are_below(const struct lx_radiosity *reflected, const double *allowed);
 /* Sets places at which more error arrives than a share of what is allowed, the worst ones of them; how many, or -1. */
 int lx_parts_worst(const struct lx_radiosity *reflected, const double *allowed, double share, size_t most,
@@ -76,29 +85,19 @@ lx_bounded lx_parts_value(const struct lx_radiosity *reflected, size_t tile, con
 
 /* Likewise for what a picture shows. */
 bool lx_spots_are_reached(const struct lx_radiosity *reflected, const struct lx_reflected_wish *wish);
-int lx_spots_cut(const struct lx_radiosity *reflected, const struct lx_reflected_wish *wish, uint8_t *cuts);
+int lx_spots_cut(const struct lx_radiosity *reflected, const struct lx_reflected_wish *wish, bool *cuts);
 /* Parts for it, if what arrives of errors lets it be reached by them, or anyway. */
 luxel_status lx_spots_show(struct lx_radiosity *reflected, const struct lx_reflected_wish *wish, bool anyway);
 
 /* Likewise for the means of all sides. */
 bool lx_means_are_reached(const struct lx_radiosity *reflected, const struct lx_reflected_wish *wish);
-int lx_means_cut(const struct lx_radiosity *reflected, const struct lx_reflected_wish *wish, uint8_t *cuts);
+int lx_means_cut(const struct lx_radiosity *reflected, const struct lx_reflected_wish *wish, bool *cuts);
 
 /* Sets how much the residual of each tile matters: by what the places see of it, and by its share of all.  0, or -1. */
 int lx_weigh(const struct lx_radiosity *reflected, const struct lx_reflected_place *places, size_t count,
              double *scores);
 /* Marks the tiles with the greatest scores: most of their sum, but no more than `most` tiles.  As above. */
-int lx_cut_greatest(const struct lx_radiosity *reflected, const double *scores, size_t most, uint8_t *cuts);
+int lx_cut_greatest(const struct lx_radiosity *reflected, const double *scores, size_t most, bool *cuts);
 double lx_tile_area(const struct lx_tile *tile);
-
-/* Sums over all faces for a receiver. */
-struct lx_arrival {
-    double value, slack;
-    double seen; /* of all ways, how many end on faces */
-};
-/* `row`: NULL, or weights of all nodes.  What is sent: direct light alone where `indirect` is NULL. */
-struct lx_arrival lx_gather(const struct lx_radiosity *reflected, const struct lx_prepared *prepared,
-                            const struct lx_fineness *fineness, const struct lx_receiver *receiver,
-                            const double *indirect, const double *slack, struct lx_veils *veils, float *row);
 
 #endif

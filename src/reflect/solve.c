@@ -12,9 +12,6 @@
 #include "linear.h"
 #include "refine.h"
 
-const struct lx_fineness lx_fine = {.seen = 0.35, .rough = 0.2, .flat_part = 0.25, .round_part = 0.06};
-const struct lx_fineness lx_coarse = {.seen = 0.45, .rough = 0.25, .flat_part = 0.4, .round_part = 0.12};
-
 /* Rests that solutions of the linear system may leave: of the light, where it counts as residual, beside the bound that
  * is wanted; of the slack, where it is added. */
 static const double LIGHT_REST = 1e-3, SLACK_REST = 1e-6;
@@ -24,56 +21,48 @@ static const double MOST_REST = 1e-5, LEAST_REST = 1e-12;
 /* A solution under way. */
 struct solving {
     struct lx_radiosity *reflected;
-    float *matrix;
     double *reflectance, *direct, *residual; /* at the nodes */
     struct lx_veils *veils;                  /* of each worker */
     double *sampled;                         /* residuals at the places of each tile */
     double *sights;                          /* and what the share that ends on faces is beside the polynomial's */
-    const double *before, *after;            /* one bounce lies between them */
+    const double *before, *after;            /* one bounce lies between them; the first at the nodes of groups */
 };
 
-static struct lx_receiver node_of(const struct lx_radiosity *reflected, size_t i)
-{
-    const struct lx_tile *tile = &reflected->tiles[i / LX_RULE_NODES];
-    struct lx_receiver receiver = {.own = reflected->faces[tile->face].surface};
-    memcpy(receiver.place_mm, tile->cell.place_mm[i % LX_RULE_NODES], sizeof receiver.place_mm);
-    memcpy(receiver.normal, tile->cell.normal[i % LX_RULE_NODES], sizeof receiver.normal);
-    return receiver;
-}
-
-/* Rows of the matrix, and the first bounce. */
+/* Rows of the matrix and for the residual, tile by tile, and the first bounce. */
 static void make_rows(void *data, unsigned worker, bool is_caller, unsigned first, unsigned last)
 {
     struct solving *solving = data;
     struct lx_radiosity *reflected = solving->reflected;
-    const size_t count = reflected->tile_count * LX_RULE_NODES;
-    for (size_t i = first; i < last && lx_control_goes_on(reflected->control, is_caller); i++) {
-        const struct lx_receiver receiver = node_of(reflected, i);
-        const struct lx_arrival sent = lx_gather(reflected, reflected->prepared, &lx_coarse, &receiver, NULL, NULL,
-                                                 &solving->veils[worker], solving->matrix + i * count);
-        solving->direct[i] = sent.value;
-        reflected->seen[i] = sent.seen;
+    struct lx_veils *veils = &solving->veils[worker];
+    for (size_t t = first; t < last && lx_control_goes_on(reflected->control, is_caller); t++) {
+        struct lx_tile *tile = &reflected->tiles[t];
+        if (lx_rows_find(reflected, tile->face, &tile->window, &tile->cell, veils, &tile->rows)) {
+            veils->failed = true;
+            return;
+        }
+        for (size_t q = 0; q < LX_RULE_NODES; q++) {
+            const struct lx_arrival sent = lx_links_sum(reflected, &tile->rows->of[q], &(struct lx_light){0});
+            solving->direct[t * LX_RULE_NODES + q] = sent.value;
+            reflected->seen[t * LX_RULE_NODES + q] = sent.seen;
+        }
     }
 }
 
 static void find_residuals(void *data, unsigned worker, bool is_caller, unsigned first, unsigned last)
 {
     struct solving *solving = data;
-    struct lx_radiosity *reflected = solving->reflected;
-    for (size_t i = first; i < last && lx_control_goes_on(reflected->control, is_caller); i++) {
-        const struct lx_tile *tile = &reflected->tiles[i / LX_BETWEEN];
-        const struct lx_matte_face *face = &reflected->faces[tile->face];
-        struct lx_receiver receiver = {.own = face->surface};
-        double at[2];
-        lx_between_place((int)(i % LX_BETWEEN), at);
-        lx_sheet_place(&face->sheet, tile->window.middle[0] + at[0] * tile->window.half[0],
-                       tile->window.middle[1] + at[1] * tile->window.half[1], receiver.place_mm, receiver.normal);
-        const struct lx_arrival sent = lx_gather(reflected, reflected->prepared, &lx_fine, &receiver, solving->before,
-                                                 NULL, &solving->veils[worker], NULL);
-        const size_t nodes = i / LX_BETWEEN * LX_RULE_NODES;
-        solving->sampled[i] = sent.value - lx_rule_value(solving->after + nodes, at[0], at[1]);
-        solving->sights[i] = sent.seen - lx_rule_value(reflected->seen + nodes, at[0], at[1]);
-    }
+    const struct lx_radiosity *reflected = solving->reflected;
+    (void)worker;
+    for (size_t t = first; t < last && lx_control_goes_on(reflected->control, is_caller); t++)
+        for (int p = 0; p < LX_BETWEEN; p++) {
+            const struct lx_links *links = &reflected->tiles[t].rows->of[LX_RULE_NODES + p];
+            const struct lx_arrival sent = lx_links_sum(reflected, links, &(struct lx_light){solving->before, NULL});
+            const size_t nodes = t * LX_RULE_NODES, i = t * LX_BETWEEN + (size_t)p;
+            double at[2];
+            lx_between_place(p, at);
+            solving->sampled[i] = sent.value - lx_rule_value(solving->after + nodes, at[0], at[1]);
+            solving->sights[i] = sent.seen - lx_rule_value(reflected->seen + nodes, at[0], at[1]);
+        }
 }
 
 /* What the places of a tile tell. */
@@ -83,14 +72,13 @@ static void judge_tile(const struct solving *solving, size_t t)
     struct lx_tile *tile = &solving->reflected->tiles[t];
     const double mean = lx_between_mean(sampled);
     const size_t first = t * LX_RULE_NODES;
-    const double rule = solving->reflected->has_round_faces ? LX_ROUND_RULE : LX_FLAT_RULE;
+    const double rule = solving->reflected->rule;
     double received = 0;
-    for (int way = 0; way < 2; way++)
-        tile->residual[way] = fmax(tile->residual[way], lx_between_change(sampled, way));
     for (size_t i = first; i < first + LX_RULE_NODES; i++) {
         received = fmax(received, fabs(solving->after[i]));
         solving->residual[i] = fmax(solving->residual[i], LX_BETWEEN_FACTOR * mean + rule * fabs(solving->after[i]));
     }
+    lx_between_changes(sampled, tile->residual);
     tile->own_error = fmax(tile->own_error, LX_BETWEEN_FACTOR * lx_between_greatest(sampled) + rule * received);
     tile->seen_error = LX_BETWEEN_FACTOR * lx_between_mean(solving->sights + t * LX_BETWEEN) + rule;
 }
@@ -98,17 +86,17 @@ static void judge_tile(const struct solving *solving, size_t t)
 static bool run(const struct solving *solving, size_t count, lx_rows_work *work)
 {
     const struct lx_rows_part part = {
-        .last = (unsigned)count, .tile_rows = 4, .counts_itself = true, .work = work, .data = (void *)solving};
+        .last = (unsigned)count, .tile_rows = 1, .counts_itself = true, .work = work, .data = (void *)solving};
     return lx_rows_run_part(solving->reflected->control, solving->reflected->threads, &part);
 }
 
-/* The residual of one bounce, from *before to *after. */
+/* The residual of one bounce, from *before, at the nodes of groups, to *after. */
 static bool look_between(struct solving *solving, const double *before, const double *after)
 {
     const size_t tiles = solving->reflected->tile_count;
     solving->before = before;
     solving->after = after;
-    if (!run(solving, tiles * LX_BETWEEN, find_residuals))
+    if (!run(solving, tiles, find_residuals))
         return false;
     for (size_t t = 0; t < tiles; t++)
         judge_tile(solving, t);
@@ -139,7 +127,7 @@ static bool solve(const struct solving *solving, const double *right, double res
 {
     const struct lx_radiosity *reflected = solving->reflected;
     const struct lx_linear linear = {.count = reflected->tile_count * LX_RULE_NODES,
-                                     .matrix = solving->matrix,
+                                     .reflected = reflected,
                                      .reflectance = solving->reflectance,
                                      .rest = rest,
                                      .control = reflected->control,
@@ -176,7 +164,7 @@ static bool find_slack(struct solving *solving)
     const size_t count = reflected->tile_count * LX_RULE_NODES;
     double *unsure = lx_new_array(count, sizeof *unsure), *right = lx_new_array(count, sizeof *right);
     const struct lx_linear linear = {.count = count,
-                                     .matrix = solving->matrix,
+                                     .reflected = reflected,
                                      .reflectance = solving->reflectance,
                                      .control = reflected->control,
                                      .threads = reflected->threads};
@@ -211,23 +199,37 @@ static void bound_tiles(const struct solving *solving)
     }
 }
 
+/* Whether memory ran out. */
+static bool has_failed(const struct solving *solving)
+{
+    bool failed = false;
+    for (size_t w = 0; w < solving->reflected->threads; w++)
+        failed = failed || solving->veils[w].failed;
+    return failed;
+}
+
 static bool work(struct solving *solving)
 {
     struct lx_radiosity *reflected = solving->reflected;
     const size_t count = reflected->tile_count * LX_RULE_NODES;
     for (size_t i = 0; i < count; i++)
         solving->reflectance[i] = reflected->faces[reflected->tiles[i / LX_RULE_NODES].face].reflectance;
-    for (size_t t = 0; t < reflected->tile_count; t++)
-        reflected->tiles[t].residual[0] = reflected->tiles[t].residual[1] = reflected->tiles[t].own_error = 0;
+    for (size_t t = 0; t < reflected->tile_count; t++) {
+        memset(reflected->tiles[t].residual, 0, sizeof reflected->tiles[t].residual);
+        reflected->tiles[t].own_error = 0;
+    }
     const double rest = fmin(fmax(LIGHT_REST * reflected->error, LEAST_REST), MOST_REST);
-    if (!run(solving, count, make_rows) ||
-        !solve(solving, solving->direct, rest, reflected->before, reflected->indirect) ||
-        !look_between(solving, reflected->before, reflected->indirect))
+    if (!run(solving, reflected->tile_count, make_rows) || has_failed(solving) ||
+        !solve(solving, solving->direct, rest, reflected->before, reflected->indirect))
+        return false;
+    lx_groups_lift(reflected, reflected->before, reflected->sent);
+    if (!look_between(solving, reflected->sent, reflected->indirect))
         return false;
     if (reflected->bounces > 1 && !look_between(solving, NULL, solving->direct))
         return false;
     if (!find_slack(solving))
         return false;
+    lx_groups_lift(reflected, reflected->slack_before, reflected->sent_slack);
     bound_tiles(solving);
     return true;
 }
@@ -243,23 +245,23 @@ luxel_status lx_reflected_solve(struct lx_radiosity *reflected)
 {
     const size_t count = reflected->tile_count * LX_RULE_NODES, workers = reflected->threads;
     struct solving solving = {.reflected = reflected,
-                              .matrix = lx_new_aligned(count * count, sizeof(float)),
                               .reflectance = lx_new_array(count, sizeof(double)),
                               .direct = lx_new_array(count, sizeof(double)),
                               .residual = lx_new_array(count, sizeof(double)),
                               .veils = lx_new_array(workers, sizeof(struct lx_veils)),
                               .sampled = lx_new_array(reflected->tile_count * LX_BETWEEN, sizeof(double)),
                               .sights = lx_new_array(reflected->tile_count * LX_BETWEEN, sizeof(double))};
-    bool has_room = solving.matrix && solving.reflectance && solving.direct && solving.residual && solving.veils &&
-                    solving.sampled && solving.sights && !renew(&reflected->seen, count) &&
-                    !renew(&reflected->indirect, count) && !renew(&reflected->before, count) &&
-                    !renew(&reflected->slack, count) && !renew(&reflected->slack_before, count);
+    bool has_room = solving.reflectance && solving.direct && solving.residual && solving.veils && solving.sampled &&
+                    solving.sights && !renew(&reflected->seen, count) && !renew(&reflected->indirect, count) &&
+                    !renew(&reflected->before, count) && !renew(&reflected->slack, count) &&
+                    !renew(&reflected->slack_before, count) &&
+                    !renew(&reflected->sent, reflected->group_count * LX_RULE_NODES) &&
+                    !renew(&reflected->sent_slack, reflected->group_count * LX_RULE_NODES);
     bool whole = has_room && work(&solving);
     for (size_t w = 0; solving.veils && w < workers; w++) {
         has_room = has_room && !solving.veils[w].failed;
         lx_veils_clear(&solving.veils[w]);
     }
-    free(solving.matrix);
     free(solving.reflectance);
     free(solving.direct);
     free(solving.residual);

@@ -138,6 +138,10 @@ luxel_status lx_spots_show(struct lx_radiosity *reflected, const struct lx_refle
     double *allowed = find_allowed(reflected, wish);
     struct lx_reflected_place place;
     const int any = allowed ? lx_parts_worst(reflected, allowed, ARRIVES, 1, &place) : -1;
+    /* parts help no further than to what arrives */
+    const double least = any >= 0 && anyway ? fmax(lx_parts_arriving(reflected, allowed) / ARRIVES, 1) : 1;
+    for (size_t t = 0; any >= 0 && t < reflected->tile_count; t++)
+        allowed[t] *= least;
     const luxel_status status = any < 0              ? LUXEL_ERROR_MEMORY
                                 : any == 0 || anyway ? lx_parts_refine(reflected, allowed)
                                                      : LUXEL_OK;
@@ -146,10 +150,10 @@ luxel_status lx_spots_show(struct lx_radiosity *reflected, const struct lx_refle
 }
 
 /* Errors that a part has of its own are mended there; those that arrive at it, where they come from. */
-int lx_spots_cut(const struct lx_radiosity *reflected, const struct lx_reflected_wish *wish, uint8_t *cuts)
+int lx_spots_cut(const struct lx_radiosity *reflected, const struct lx_reflected_wish *wish, bool *cuts)
 {
     enum { MOST_WORST = 16 };
-    const size_t count = reflected->tile_count, most = (LX_MOST_TILES - count) / 3 + 1;
+    const size_t count = reflected->tile_count, most = (reflected->most_tiles - count) / 3 + 1;
     struct lx_reflected_place places[MOST_WORST];
     double *allowed = find_allowed(reflected, wish), *scores = lx_new_array(count, sizeof *scores);
     int any = allowed && scores ? lx_parts_worst(reflected, allowed, ARRIVES, MOST_WORST, places) : -1;

@@ -6,6 +6,8 @@
 #include <string.h>
 
 #include "../base/vector.h"
+#include "direct.h"
+#include "links.h"
 
 static double distance(const double a[3], const double b[3])
 {
@@ -32,19 +34,21 @@ static void bound_round(const struct lx_matte_face *face, const struct lx_window
 {
     const double room = 1.05;
     double normal[3], place[3];
-    lx_sheet_place(&face->sheet, window->middle[0], window->middle[1], cell->center_mm, normal);
+    struct lx_sheet_line lines[2][3];
+    for (int way = 0; way < 2; way++)
+        for (int k = 0; k < 3; k++)
+            lines[way][k] = lx_sheet_line(&face->sheet, way, window->middle[way] + (k - 1) * window->half[way]);
+    lx_sheet_cross(&face->sheet, &lines[0][1], &lines[1][1], cell->center_mm, normal);
     memset(cell->first_mm, 0, sizeof cell->first_mm);
     memset(cell->second_mm, 0, sizeof cell->second_mm);
     cell->radius_mm = cell->lengths_mm[0] = cell->lengths_mm[1] = 0;
     for (int i = 0; i < 9; i++) {
-        const int x = i % 3 - 1, y = i / 3 - 1;
-        lx_sheet_place(&face->sheet, window->middle[0] + x * window->half[0], window->middle[1] + y * window->half[1],
-                       place, normal);
+        lx_sheet_cross(&face->sheet, &lines[0][i % 3], &lines[1][i / 3], place, normal);
         const double away = distance(place, cell->center_mm);
         cell->radius_mm = fmax(cell->radius_mm, room * away);
-        if (y == 0)
+        if (i / 3 == 1)
             cell->lengths_mm[0] = fmax(cell->lengths_mm[0], away);
-        if (x == 0)
+        if (i % 3 == 1)
             cell->lengths_mm[1] = fmax(cell->lengths_mm[1], away);
     }
 }
@@ -79,13 +83,17 @@ static void scale_to_ball(const struct lx_matte_face *face, const struct lx_wind
 void lx_cell_nodes(const struct lx_matte_face *face, const struct lx_window *window, struct lx_tile_cell *cell)
 {
     const double share = window->half[0] * window->half[1];
+    struct lx_sheet_line lines[2][LX_ORDER];
+    for (int way = 0; way < 2; way++)
+        for (int k = 0; k < LX_ORDER; k++)
+            lines[way][k] =
+                lx_sheet_line(&face->sheet, way, window->middle[way] + window->half[way] * lx_rule_places[k]);
     for (int i = 0; i < LX_ORDER; i++)
         for (int j = 0; j < LX_ORDER; j++) {
             const int q = LX_ORDER * i + j;
-            const double s = window->middle[0] + window->half[0] * lx_rule_places[i];
-            const double t = window->middle[1] + window->half[1] * lx_rule_places[j];
-            cell->area[q] = share * lx_rule_weights[i] * lx_rule_weights[j] *
-                            lx_sheet_place(&face->sheet, s, t, cell->place_mm[q], cell->normal[q]);
+            cell->area[q] =
+                share * lx_rule_weights[i] * lx_rule_weights[j] *
+                lx_sheet_cross(&face->sheet, &lines[0][i], &lines[1][j], cell->place_mm[q], cell->normal[q]);
         }
     if (face->sheet.type == LX_SHEET_BALL)
         scale_to_ball(face, window, cell);
@@ -97,15 +105,21 @@ void lx_cell_make(const struct lx_matte_face *face, const struct lx_window *wind
     lx_cell_nodes(face, window, cell);
 }
 
+void lx_tile_clear(struct lx_tile *tile)
+{
+    lx_direct_clear(&tile->direct);
+    lx_rows_free(tile->rows);
+    tile->rows = NULL;
+}
+
 void lx_face_make(const struct lx_smooth_sheet *sheet, size_t surface, double reflectance, struct lx_matte_face *face)
 {
     const struct lx_window whole = {{0, 0}, {1, 1}};
-    struct lx_tile_cell cell;
     *face = (struct lx_matte_face){.sheet = *sheet, .surface = surface, .reflectance = reflectance};
     face->is_flat = sheet->type == LX_SHEET_PLATE || sheet->type == LX_SHEET_DISK;
-    lx_cell_bound(face, &whole, &cell);
-    memcpy(face->center_mm, cell.center_mm, sizeof face->center_mm);
-    face->radius_mm = cell.radius_mm;
+    lx_cell_bound(face, &whole, &face->cell);
+    memcpy(face->center_mm, face->cell.center_mm, sizeof face->center_mm);
+    face->radius_mm = face->cell.radius_mm;
     for (int k = 0; k < 2; k++)
-        face->size_mm[k] = 2 * cell.lengths_mm[k];
+        face->size_mm[k] = 2 * face->cell.lengths_mm[k];
 }

@@ -12,6 +12,14 @@
 #include "../surface/sheet.h"
 #include "rule.h"
 
+/* A window of a face in space.  Of a plate it is a parallelogram, center + x first + y second, x and y from -1 to 1. */
+struct lx_tile_cell {
+    double center_mm[3], radius_mm; /* a ball around it */
+    double first_mm[3], second_mm[3];
+    double lengths_mm[2]; /* about half its sides */
+    double place_mm[LX_RULE_NODES][3], normal[LX_RULE_NODES][3], area[LX_RULE_NODES];
+};
+
 /* A face reflects, on one side of a surface. */
 struct lx_matte_face {
     struct lx_smooth_sheet sheet;
@@ -19,15 +27,9 @@ struct lx_matte_face {
     double reflectance;
     double center_mm[3], radius_mm; /* a ball around it */
     double size_mm[2];              /* about how long it is along s and t */
+    struct lx_tile_cell cell;       /* bounds of all of it */
+    uint32_t group;                 /* all of it */
     bool is_flat;
-};
-
-/* A window of a face in space.  Of a plate it is a parallelogram, center + x first + y second, x and y from -1 to 1. */
-struct lx_tile_cell {
-    double center_mm[3], radius_mm; /* a ball around it */
-    double first_mm[3], second_mm[3];
-    double lengths_mm[2]; /* about half its sides */
-    double place_mm[LX_RULE_NODES][3], normal[LX_RULE_NODES][3], area[LX_RULE_NODES];
 };
 
 /* Direct light on a window: coefficients at the nodes that have the true integrals with all polynomials of the rule's
@@ -38,18 +40,21 @@ struct lx_direct {
 };
 
 struct lx_tile {
-    uint32_t face;
+    uint32_t face, group;
     struct lx_window window;
     struct lx_tile_cell cell;
     struct lx_direct direct;
     bool has_light;
     double direct_error; /* of the mean of the direct light that was sampled */
     double seen_error;   /* of the share of all ways from the tile that end on faces (lx_radiosity.seen), in the mean */
-    double residual[2];  /* the greatest of the solution's, off along s and along t */
-    double own_error;    /* what the polynomial of the solution may be off by itself, anywhere on the tile, */
-    double error;        /* and with the errors of what it receives: a bound */
-    unsigned worst;      /* the node that receives the most of these */
+    double residual[2][2]; /* changes of the solution's: along s and t, towards the low and the high edge */
+    double own_error;      /* what the polynomial of the solution may be off by itself, anywhere on the tile, */
+    double error;          /* and with the errors of what it receives: a bound */
+    unsigned worst;        /* the node that receives the most of these */
+    struct lx_rows *rows;  /* what its places receive, while the solution is made; NULL: not known */
 };
+
+void lx_tile_clear(struct lx_tile *tile);
 
 /* The bounds and nodes of a window. */
 void lx_cell_make(const struct lx_matte_face *face, const struct lx_window *window, struct lx_tile_cell *cell);

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /*
- * Tiles at first: graded towards the edges of each face, and towards the lines where other surfaces stand on it, where
- * the light that is reflected has kinks and jumps.
+ * Tiles at first.  The light that is reflected has kinks and jumps on a face where other surfaces stand on it, and
+ * changes fast where they come near: the face is cut along the outlines of these, and graded towards all edges.
  */
 #include <math.h>
 #include <stdlib.h>
@@ -12,110 +12,199 @@
 #include "between.h"
 #include "solution.h"
 
-enum { MOST_LINES = 64 };
-/* Cells along a face, or between lines of it, at first. */
-enum { MOST_CELLS = 4 };
+enum { MOST_MARKS = 64 };
 
-static int append_tile(struct lx_radiosity *reflected, uint32_t face, const struct lx_window *window)
+/* ---- marks ---- */
+
+/* Where another surface comes near to a face: a rectangle of its coordinates, or a line or a point. */
+struct marks {
+    int count;
+    double low[MOST_MARKS][2], high[MOST_MARKS][2];
+};
+
+/* Adds a mark, of which the face has but what lies on it. */
+static void add_mark(struct marks *marks, const double low[2], const double high[2])
 {
-    if (lx_reserve(&reflected->tiles, &reflected->tile_capacity, reflected->tile_count + 1, sizeof *reflected->tiles))
+    if (marks->count == MOST_MARKS)
+        return;
+    for (int k = 0; k < 2; k++) {
+        if (!(low[k] < 1 && high[k] > -1))
+            return;
+        marks->low[marks->count][k] = fmax(low[k], -1);
+        marks->high[marks->count][k] = fmin(high[k], 1);
+    }
+    marks->count++;
+}
+
+/* How high a place lies over a plate, and where on it. */
+static double stand(const struct lx_matte_face *plate, const double place_mm[3], double at[2])
+{
+    double from[3];
+    for (int i = 0; i < 3; i++)
+        from[i] = place_mm[i] - plate->sheet.center_mm[i];
+    lx_sheet_locate(&plate->sheet, place_mm, at);
+    return plate->sheet.turn * lx_dot(from, plate->sheet.axis);
+}
+
+/* The corners of a plate that are near to another one. */
+static void mark_plate(const struct lx_matte_face *face, const struct lx_matte_face *other, double least_mm,
+                       struct marks *marks)
+{
+    const double near = 0.15, limit = near * fmax(other->size_mm[0], other->size_mm[1]);
+    double low[2] = {HUGE_VAL, HUGE_VAL}, high[2] = {-HUGE_VAL, -HUGE_VAL};
+    for (int k = 0; k < 4; k++) {
+        double place[3], normal[3], at[2];
+        lx_sheet_place(&other->sheet, k & 1 ? 1 : -1, k & 2 ? 1 : -1, place, normal);
+        const double height = stand(face, place, at);
+        if (height < -least_mm || height > limit)
+            continue;
+        for (int i = 0; i < 2; i++) {
+            low[i] = fmin(low[i], at[i]);
+            high[i] = fmax(high[i], at[i]);
+        }
+    }
+    add_mark(marks, low, high);
+}
+
+/* What is round touches a plate at a point, if it is a ball, or along its outline. */
+static void mark_round(const struct lx_matte_face *face, const struct lx_matte_face *other, double least_mm,
+                       struct marks *marks)
+{
+    const struct lx_smooth_sheet *sheet = &other->sheet;
+    const double near = 0.3, radius = sheet->half_mm[0], along = fabs(lx_dot(sheet->axis, face->sheet.axis));
+    double at[2], low[2], high[2], reach = radius;
+    if (sheet->type != LX_SHEET_BALL)
+        reach =
+            radius * sqrt(fmax(1 - along * along, 0)) + (sheet->type == LX_SHEET_TUBE ? along * sheet->half_mm[1] : 0);
+    const double gap = stand(face, sheet->center_mm, at) - reach;
+    if (gap < -least_mm || gap > near * radius)
+        return;
+    for (int i = 0; i < 2; i++) {
+        const double beside = sheet->type == LX_SHEET_BALL ? 0 : radius / face->sheet.half_mm[i];
+        low[i] = at[i] - beside;
+        high[i] = at[i] + beside;
+    }
+    add_mark(marks, low, high);
+}
+
+static void find_marks(const struct lx_radiosity *reflected, const struct lx_matte_face *face, struct marks *marks)
+{
+    const double least_mm = 1e-9 * reflected->size_mm;
+    size_t last = SIZE_MAX;
+    marks->count = 0;
+    for (size_t f = 0; f < reflected->face_count && face->sheet.type == LX_SHEET_PLATE; f++) {
+        const struct lx_matte_face *other = &reflected->faces[f];
+        if (other->surface == face->surface || other->surface == last)
+            continue;
+        last = other->surface; /* one of its sheets tells for all */
+        if (other->sheet.type == LX_SHEET_PLATE)
+            mark_plate(face, other, least_mm, marks);
+        else
+            mark_round(face, other, least_mm, marks);
+    }
+}
+
+/* ---- cutting ---- */
+
+/* A face that is cut. */
+struct cutting {
+    struct lx_radiosity *reflected;
+    uint32_t face;
+    double scale_mm; /* of the largest faces */
+    struct marks marks;
+};
+
+/* Part i, low or high, of a window that is cut across direction `way`. */
+static struct lx_window part_of(const struct lx_window *window, int way, double at, int i)
+{
+    struct lx_window part = *window;
+    const double low = i ? at : window->middle[way] - window->half[way];
+    const double high = i ? window->middle[way] + window->half[way] : at;
+    part.middle[way] = (low + high) / 2;
+    part.half[way] = (high - low) / 2;
+    return part;
+}
+
+/* The line of a mark that cuts a window best: near to its middle.  False: no mark crosses it. */
+static bool find_line(const struct cutting *cutting, const struct lx_window *window, int *way, double *at)
+{
+    const struct marks *marks = &cutting->marks;
+    const double least = 1e-6;
+    double best = 1 - least;
+    for (int m = 0; m < marks->count; m++)
+        for (int k = 0; k < 4; k++) {
+            const int across = k & 1, along = 1 - across;
+            const double line = k & 2 ? marks->high[m][across] : marks->low[m][across];
+            const double off = fabs(line - window->middle[across]) / window->half[across];
+            const double overlap = fmin(marks->high[m][along], window->middle[along] + window->half[along]) -
+                                   fmax(marks->low[m][along], window->middle[along] - window->half[along]);
+            const bool is_line = marks->high[m][along] - marks->low[m][along] < least;
+            if (overlap < (is_line ? -least : least) || off >= best || (1 - off) * window->half[across] < least)
+                continue;
+            best = off;
+            *way = across;
+            *at = line;
+        }
+    return best < 1 - least;
+}
+
+/* Cells along a window, counted from its middle, which lie between lines that are graded towards the edges: of four
+ * each half is cut again, near to the edge, which is `edge`. */
+struct grading {
+    int cells[2], edge[2];
+};
+
+static int grade(const struct cutting *cutting, const struct lx_window *window, uint32_t parent, struct grading grading)
+{
+    const double beside = 0.75; /* where the outer part of a half begins, from -1 to 1 */
+    const uint32_t group = lx_group_add(cutting->reflected, cutting->face, parent, window);
+    const int way = grading.cells[1] > grading.cells[0], cells = grading.cells[way];
+    if (group == LX_NO_GROUP)
         return -1;
-    struct lx_tile *tile = &reflected->tiles[reflected->tile_count++];
-    *tile = (struct lx_tile){.face = face, .window = *window};
-    lx_cell_make(&reflected->faces[face], window, &tile->cell);
+    if (cells == 1)
+        return 0;
+    const double at = window->middle[way] + grading.edge[way] * beside * window->half[way];
+    for (int i = 0; i < 2; i++) {
+        const struct lx_window part = part_of(window, way, at, i);
+        struct grading next = grading;
+        next.cells[way] = cells / 2;
+        next.edge[way] = i ? 1 : -1;
+        if (grade(cutting, &part, group, next))
+            return -1;
+    }
     return 0;
 }
 
-/* ---- lines across a face ---- */
-
-struct lines {
-    int count;
-    double at[MOST_LINES];
-};
-
-static void add_line(struct lines *lines, double at)
+static int cut_window(const struct cutting *cutting, const struct lx_window *window, uint32_t parent)
 {
-    const double least = 1e-6;
-    for (int i = 0; i < lines->count; i++)
-        if (fabs(lines->at[i] - at) < least)
-            return;
-    if (lines->count < MOST_LINES && fabs(at) < 1 - least)
-        lines->at[lines->count++] = at;
-}
-
-static int compare(const void *a, const void *b)
-{
-    const double x = *(const double *)a, y = *(const double *)b;
-    return (x > y) - (x < y);
-}
-
-/* Where corners of other plates touch a plate, along direction `way`. */
-static void find_feet(const struct lx_radiosity *reflected, const struct lx_matte_face *face, int way,
-                      struct lines *lines)
-{
-    for (size_t f = 0; f < reflected->face_count; f++) {
-        const struct lx_matte_face *other = &reflected->faces[f];
-        if (face->sheet.type != LX_SHEET_PLATE || other->sheet.type != LX_SHEET_PLATE ||
-            other->surface == face->surface)
-            continue;
-        for (int k = 0; k < 4; k++) {
-            double place[3], normal[3], from[3], at[2];
-            lx_sheet_place(&other->sheet, k & 1 ? 1 : -1, k & 2 ? 1 : -1, place, normal);
-            for (int i = 0; i < 3; i++)
-                from[i] = place[i] - face->sheet.center_mm[i];
-            lx_sheet_locate(&face->sheet, place, at);
-            if (fabs(lx_dot(from, face->sheet.axis)) < 1e-9 * reflected->size_mm && fabs(at[1 - way]) < 1 + 1e-9)
-                add_line(lines, at[way]);
+    const struct lx_matte_face *face = &cutting->reflected->faces[cutting->face];
+    struct grading grading = {{1, 1}, {0, 0}};
+    int way = 0;
+    double at = 0;
+    if (!find_line(cutting, window, &way, &at)) {
+        for (int k = 0; k < 2; k++) {
+            const double length = window->half[k] * face->size_mm[k] / cutting->scale_mm;
+            grading.cells[k] = length > 0.5 && face->sheet.type == LX_SHEET_PLATE ? 4 : length > 0.15 ? 2 : 1;
         }
+        return grade(cutting, window, parent, grading);
     }
-}
-
-/* Cuts from one line to the next, graded towards both. */
-static void grade(double low, double high, int cells, struct lines *cuts)
-{
-    const double power = 3;
-    for (int i = 1; i < cells; i++) {
-        const double x = (double)i / cells;
-        const double at = x < 0.5 ? pow(2 * x, power) / 2 : 1 - pow(2 - 2 * x, power) / 2;
-        if (cuts->count < MOST_LINES)
-            cuts->at[cuts->count++] = low + at * (high - low);
+    const uint32_t group = lx_group_add(cutting->reflected, cutting->face, parent, window);
+    if (group == LX_NO_GROUP)
+        return -1;
+    for (int i = 0; i < 2; i++) {
+        const struct lx_window part = part_of(window, way, at, i);
+        if (cut_window(cutting, &part, group))
+            return -1;
     }
-}
-
-/* The cuts across a face along one of its directions, with both ends. */
-static void find_cuts(const struct lx_radiosity *reflected, const struct lx_matte_face *face, int way, double scale_mm,
-                      struct lines *cuts)
-{
-    struct lines lines = {0};
-    find_feet(reflected, face, way, &lines);
-    qsort(lines.at, (size_t)lines.count, sizeof *lines.at, compare);
-    *cuts = (struct lines){.count = 1, .at = {-1}};
-    for (int i = 0; i <= lines.count; i++) {
-        const double low = i == 0 ? -1 : lines.at[i - 1], high = i == lines.count ? 1 : lines.at[i];
-        const double length = (high - low) / 2 * face->size_mm[way] / scale_mm;
-        int cells = length > 0.5 ? MOST_CELLS : length > 0.12 ? 2 : 1;
-        if (face->sheet.type != LX_SHEET_PLATE && cells > 2)
-            cells = 2;
-        grade(low, high, cells, cuts);
-        if (cuts->count < MOST_LINES)
-            cuts->at[cuts->count++] = high;
-    }
-    cuts->at[cuts->count - 1] = 1;
+    return 0;
 }
 
 static int cut_face(struct lx_radiosity *reflected, uint32_t f, double scale_mm)
 {
-    struct lines across, upward;
-    find_cuts(reflected, &reflected->faces[f], 0, scale_mm, &across);
-    find_cuts(reflected, &reflected->faces[f], 1, scale_mm, &upward);
-    for (int i = 0; i + 1 < across.count; i++)
-        for (int j = 0; j + 1 < upward.count; j++) {
-            const struct lx_window window =
-                lx_window_of(across.at[i], across.at[i + 1], upward.at[j], upward.at[j + 1]);
-            if (append_tile(reflected, f, &window))
-                return -1;
-        }
-    return 0;
+    const struct lx_window whole = {{0, 0}, {1, 1}};
+    struct cutting cutting = {.reflected = reflected, .face = f, .scale_mm = scale_mm};
+    find_marks(reflected, &reflected->faces[f], &cutting.marks);
+    return cut_window(&cutting, &whole, LX_NO_GROUP);
 }
 
 /* ---- faces ---- */
@@ -157,21 +246,6 @@ bool lx_faces_meet(const struct lx_matte_face *a, const struct lx_matte_face *b)
     return !(b->is_flat && highest_over(b, a) <= least * (a->radius_mm + b->radius_mm));
 }
 
-static int index_tiles(struct lx_radiosity *reflected)
-{
-    size_t t = 0;
-    free(reflected->first_tile);
-    reflected->first_tile = lx_new_array(reflected->face_count + 1, sizeof *reflected->first_tile);
-    if (!reflected->first_tile)
-        return -1;
-    for (size_t f = 0; f <= reflected->face_count; f++) {
-        while (t < reflected->tile_count && reflected->tiles[t].face < f)
-            t++;
-        reflected->first_tile[f] = t;
-    }
-    return 0;
-}
-
 int lx_tiling_make(struct lx_radiosity *reflected)
 {
     const size_t surfaces = reflected->prepared->surface_count;
@@ -194,41 +268,12 @@ int lx_tiling_make(struct lx_radiosity *reflected)
     for (size_t f = 0; f < reflected->face_count; f++)
         if (cut_face(reflected, (uint32_t)f, sqrt(area)))
             return -1;
-    return index_tiles(reflected);
+    return lx_groups_number(reflected);
 }
 
-int lx_tiling_cut(struct lx_radiosity *reflected, const uint8_t *cuts)
+int lx_tiling_drop(struct lx_radiosity *reflected, const bool *is_lit)
 {
-    struct lx_tile *old = reflected->tiles;
-    const size_t count = reflected->tile_count;
-    int failed = 0;
-    reflected->tiles = NULL;
-    reflected->tile_count = reflected->tile_capacity = 0;
-    for (size_t t = 0; t < count; t++) {
-        struct lx_tile *tile = &old[t];
-        if (cuts[t] == 0) {
-            failed = failed || lx_reserve(&reflected->tiles, &reflected->tile_capacity, reflected->tile_count + 1,
-                                          sizeof *reflected->tiles);
-            if (!failed)
-                reflected->tiles[reflected->tile_count++] = *tile;
-            else
-                lx_direct_clear(&tile->direct);
-            continue;
-        }
-        lx_direct_clear(&tile->direct);
-        for (unsigned i = 0; i < lx_window_parts(cuts[t]) && !failed; i++) {
-            const struct lx_window part = lx_window_part(&tile->window, cuts[t], i);
-            failed = append_tile(reflected, tile->face, &part);
-        }
-    }
-    free(old);
-    return failed ? -1 : index_tiles(reflected);
-}
-
-int lx_tiling_drop(struct lx_radiosity *reflected, const uint8_t *is_lit)
-{
-    uint8_t *stays = lx_new_array(reflected->face_count, sizeof *stays);
-    size_t kept = 0, tile = 0;
+    bool *stays = lx_new_array(reflected->face_count, sizeof *stays);
     if (!stays)
         return -1;
     for (size_t f = 0; f < reflected->face_count; f++) {
@@ -236,20 +281,7 @@ int lx_tiling_drop(struct lx_radiosity *reflected, const uint8_t *is_lit)
         for (size_t g = 0; g < reflected->face_count && !stays[f]; g++)
             stays[f] = g != f && lx_faces_meet(&reflected->faces[f], &reflected->faces[g]);
     }
-    for (size_t f = 0; f < reflected->face_count; f++) {
-        for (size_t t = reflected->first_tile[f]; t < reflected->first_tile[f + 1]; t++) {
-            if (!stays[f]) {
-                lx_direct_clear(&reflected->tiles[t].direct);
-                continue;
-            }
-            reflected->tiles[tile] = reflected->tiles[t];
-            reflected->tiles[tile++].face = (uint32_t)kept;
-        }
-        if (stays[f])
-            reflected->faces[kept++] = reflected->faces[f];
-    }
+    const int failed = lx_groups_drop(reflected, stays);
     free(stays);
-    reflected->face_count = kept;
-    reflected->tile_count = tile;
-    return index_tiles(reflected);
+    return failed;
 }

@@ -11,14 +11,9 @@ enum { MOST_LEVELS = 60 };
 
 /* One tile and one receiver. */
 struct sending {
-    const struct lx_fineness *fineness;
-    const struct lx_receiver *receiver;
-    const struct lx_veils *veils;
-    const struct lx_matte_face *face;
+    const struct lx_transfer *of;
     const struct lx_tile *tile;
-    bool is_rough;   /* its direct light is known in more detail than by its polynomial */
-    double constant; /* the kernel inside of a sphere; 0: by its formula */
-    double least_mm; /* cells are not cut below this */
+    bool is_rough; /* its direct light is known in more detail than by its polynomial */
     struct lx_sent *sent;
 };
 
@@ -29,16 +24,26 @@ struct light_at {
     bool is_own;             /* the cell is that window */
 };
 
-static double kernel(const struct sending *sending, const double place_mm[3], const double normal[3])
+/* Without regard to which sides see each other: below 0 where one does not. */
+static double signed_kernel(const struct lx_transfer *transfer, const double place_mm[3], const double normal[3],
+                            bool *sees)
 {
-    const struct lx_receiver *receiver = sending->receiver;
+    const struct lx_receiver *receiver = transfer->receiver;
     double way[3];
-    if (sending->constant > 0)
-        return sending->constant;
     for (int i = 0; i < 3; i++)
         way[i] = place_mm[i] - receiver->place_mm[i];
     const double square = lx_dot(way, way), here = lx_dot(receiver->normal, way), there = -lx_dot(normal, way);
-    return here > 0 && there > 0 ? here * there / (M_PI * square * square) : 0;
+    *sees = here > 0 && there > 0;
+    return here * there / (M_PI * square * square);
+}
+
+static double kernel(const struct lx_transfer *transfer, const double place_mm[3], const double normal[3])
+{
+    bool sees;
+    if (transfer->constant > 0)
+        return transfer->constant;
+    const double value = signed_kernel(transfer, place_mm, normal, &sees);
+    return sees ? value : 0;
 }
 
 /* Coordinates of a place of the face in a window, from -1 to 1. */
@@ -69,13 +74,11 @@ static void add_weights(const struct lx_window *whole, const struct lx_window *w
     }
 }
 
-static void add_seen(const struct sending *sending, const struct lx_window *window, const struct lx_tile_cell *cell,
-                     const struct light_at *light)
+/* Adds what the light at the nodes of a cell weighs. */
+static void add_values(const struct sending *sending, const struct lx_window *window, const struct lx_tile_cell *cell,
+                       const struct light_at *light, const double values[LX_RULE_NODES])
 {
     struct lx_sent *sent = sending->sent;
-    double values[LX_RULE_NODES];
-    for (int q = 0; q < LX_RULE_NODES; q++)
-        values[q] = kernel(sending, cell->place_mm[q], cell->normal[q]) * cell->area[q];
     if (cell == &sending->tile->cell)
         for (int q = 0; q < LX_RULE_NODES; q++)
             sent->weights[q] += values[q];
@@ -94,116 +97,59 @@ static void add_seen(const struct sending *sending, const struct lx_window *wind
         sent->direct += weights[q] * light->direct->nodes[q];
 }
 
-/* ---- cells that are seen in part ---- */
-
-/* Adds one place, whose coordinates in the face are s, t, with a weight. */
-static void add_place(const struct sending *sending, const struct light_at *light, double s, double t, double weight)
+static void weigh_seen(const struct sending *sending, const struct lx_tile_cell *cell, double values[LX_RULE_NODES])
 {
-    const struct lx_window *whole = &sending->tile->window;
-    struct lx_sent *sent = sending->sent;
-    double across[LX_ORDER], upward[LX_ORDER];
-    lx_rule_basis(within(whole, 0, s), across);
-    lx_rule_basis(within(whole, 1, t), upward);
-    for (int i = 0; i < LX_ORDER; i++)
-        for (int j = 0; j < LX_ORDER; j++)
-            sent->weights[LX_ORDER * i + j] += weight * across[i] * upward[j];
-    if (sending->is_rough)
-        sent->direct +=
-            weight * lx_rule_value(light->direct->nodes, within(&light->window, 0, s), within(&light->window, 1, t));
+    for (int q = 0; q < LX_RULE_NODES; q++)
+        values[q] = kernel(sending->of, cell->place_mm[q], cell->normal[q]) * cell->area[q];
 }
 
-/* A place of a piece, by the coordinates of its cell. */
-static void add_sample(const struct sending *sending, const struct lx_window *window, const struct lx_tile_cell *cell,
-                       const struct light_at *light, const double at[2], double area)
+/* The kernel, as a polynomial on all of the cell, over what is seen.  False: that is too complicated. */
+static bool weigh_flat_part(const struct sending *sending, const struct lx_tile_cell *cell,
+                            double values[LX_RULE_NODES])
 {
-    double place[3];
-    for (int i = 0; i < 3; i++)
-        place[i] = cell->center_mm[i] + at[0] * cell->first_mm[i] + at[1] * cell->second_mm[i];
-    for (size_t v = 0; v < sending->veils->count; v++)
-        if (sending->veils->items[v].shape && !lx_veils_leave(sending->veils, place))
-            return;
-    const double weight = area * kernel(sending, place, cell->normal[0]);
-    add_place(sending, light, window->middle[0] + at[0] * window->half[0], window->middle[1] + at[1] * window->half[1],
-              weight);
+    const double area = cell->lengths_mm[0] * cell->lengths_mm[1];
+    bool sees;
+    if (!lx_veils_visible(sending->of->veils, cell, values))
+        return false;
+    for (int q = 0; q < LX_RULE_NODES; q++)
+        values[q] *= area * signed_kernel(sending->of, cell->place_mm[q], cell->normal[q], &sees);
+    return true;
 }
 
-/* A triangle of a piece, by Radon's rule of seven places, which is exact to the fifth degree: the middle, and two
- * triples, each near to the corners or to the sides. */
-static void add_triangle(const struct sending *sending, const struct lx_window *window, const struct lx_tile_cell *cell,
-                         const struct light_at *light, const double *const corners[3])
+static void weigh_nodes_in_part(const struct sending *sending, const struct lx_tile_cell *cell,
+                                double values[LX_RULE_NODES])
 {
-    const double *a = corners[0], *b = corners[1], *c = corners[2];
-    const double half = fabs((b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0])) / 2;
-    const double area = half * cell->lengths_mm[0] * cell->lengths_mm[1];
-    static const double shares[2] = {0.10128650732345633, 0.47014206410511505}; /* (6 -+ sqrt 15)/21 */
-    static const double weights[2] = {0.12593918054482717, 0.13239415278850619}; /* (155 -+ sqrt 15)/1200 */
-    const double sum[2] = {a[0] + b[0] + c[0], a[1] + b[1] + c[1]};
-    add_sample(sending, window, cell, light, (const double[]){sum[0] / 3, sum[1] / 3}, area * 9 / 40);
-    for (int k = 0; k < 6; k++) {
-        const double share = shares[k / 3];
-        double at[2];
-        for (int i = 0; i < 2; i++)
-            at[i] = share * sum[i] + (1 - 3 * share) * corners[k % 3][i];
-        add_sample(sending, window, cell, light, at, area * weights[k / 3]);
-    }
-}
-
-static bool add_flat_part(const struct sending *sending, const struct lx_window *window,
-                          const struct lx_tile_cell *cell, const struct light_at *light)
-{
-    struct lx_clipped pieces[LX_MOST_PIECES];
-    const int count = lx_veils_cut(sending->veils, cell, pieces);
-    for (int p = 0; p < count; p++)
-        for (unsigned k = 2; k < pieces[p].count; k++)
-            add_triangle(sending, window, cell, light,
-                         (const double *const[]){pieces[p].at[0], pieces[p].at[k - 1], pieces[p].at[k]});
-    return count >= 0;
-}
-
-static void add_nodes_in_part(const struct sending *sending, const struct lx_window *window,
-                              const struct lx_tile_cell *cell, const struct light_at *light)
-{
-    for (int q = 0; q < LX_RULE_NODES; q++) {
-        const double weight = kernel(sending, cell->place_mm[q], cell->normal[q]) * cell->area[q];
-        if (weight > 0 && lx_veils_leave(sending->veils, cell->place_mm[q]))
-            add_place(sending, light, window->middle[0] + window->half[0] * lx_rule_places[q / LX_ORDER],
-                      window->middle[1] + window->half[1] * lx_rule_places[q % LX_ORDER], weight);
-    }
+    weigh_seen(sending, cell, values);
+    for (int q = 0; q < LX_RULE_NODES; q++)
+        if (values[q] > 0 && !lx_veils_leave(sending->of->veils, cell->place_mm[q]))
+            values[q] = 0;
 }
 
 /* ---- the recursion ---- */
 
-static double distance_to(const struct sending *sending, const struct lx_tile_cell *cell)
+static double distance_to(const struct lx_transfer *transfer, const struct lx_tile_cell *cell)
 {
     double way[3];
     for (int i = 0; i < 3; i++)
-        way[i] = cell->center_mm[i] - sending->receiver->place_mm[i];
+        way[i] = cell->center_mm[i] - transfer->receiver->place_mm[i];
     return sqrt(lx_dot(way, way));
 }
 
 /* Whether a cell is small enough to be taken as it is. */
-static bool is_small(const struct sending *sending, const struct lx_tile_cell *cell, enum lx_outlook sight,
-                     bool is_rough)
+static bool is_small(const struct sending *sending, const struct lx_tile_cell *cell, double share)
 {
-    const struct lx_fineness *fineness = sending->fineness;
-    const bool is_plate = sending->face->sheet.type == LX_SHEET_PLATE;
-    if (cell->radius_mm <= sending->least_mm || (sight == LX_ALL_SEEN && sending->constant > 0))
-        return true;
-    const double share = sight == LX_ALL_SEEN ? (is_rough ? fineness->rough : fineness->seen)
-                         : is_plate           ? fineness->flat_part
-                                              : fineness->round_part;
-    return cell->radius_mm <= share * distance_to(sending, cell);
+    return cell->radius_mm <= sending->of->least_mm || cell->radius_mm <= share * distance_to(sending->of, cell);
 }
 
 static void send_cell(const struct sending *sending, const struct lx_window *window, struct lx_tile_cell *cell,
-                      const struct light_at *light, int level);
+                      const struct light_at *light, enum lx_outlook sight, int level);
 
 static void send_piece(const struct sending *sending, const struct lx_window *window, const struct light_at *light,
                        int level)
 {
     struct lx_tile_cell cell;
-    lx_cell_bound(sending->face, window, &cell);
-    send_cell(sending, window, &cell, light, level);
+    lx_cell_bound(sending->of->face, window, &cell);
+    send_cell(sending, window, &cell, light, lx_veils_look(sending->of->veils, &cell), level);
 }
 
 static void cut_cell(const struct sending *sending, const struct lx_window *window, const struct lx_tile_cell *cell,
@@ -223,49 +169,81 @@ static void cut_cell(const struct sending *sending, const struct lx_window *wind
     }
 }
 
-static void send_cell(const struct sending *sending, const struct lx_window *window, struct lx_tile_cell *cell,
-                      const struct light_at *light, int level)
+/* Where nothing but horizons hide it the integrand has no jump, only a kink. */
+static double part_share(const struct sending *sending, const struct lx_tile_cell *cell)
 {
-    const enum lx_outlook sight = lx_veils_look(sending->veils, cell);
+    const double smoother = 2.5;
+    return sending->of->fineness->round_part * (lx_veils_are_horizons(sending->of->veils, cell) ? smoother : 1);
+}
+
+static void send_cell(const struct sending *sending, const struct lx_window *window, struct lx_tile_cell *cell,
+                      const struct light_at *light, enum lx_outlook sight, int level)
+{
+    const struct lx_fineness *fineness = sending->of->fineness;
     const bool is_rough = light->is_own && light->direct->quarters;
+    const bool by_nodes = sight == LX_PART_SEEN && (sending->of->face->sheet.type != LX_SHEET_PLATE ||
+                                                    lx_veils_have_shapes(sending->of->veils, cell));
+    const double share = sight == LX_ALL_SEEN ? (is_rough ? fineness->rough : fineness->seen)
+                         : by_nodes           ? part_share(sending, cell)
+                                              : fineness->flat_part;
+    const bool has_levels = level < MOST_LEVELS;
+    double values[LX_RULE_NODES];
     if (sight == LX_NONE_SEEN)
         return;
-    if (level < MOST_LEVELS && !is_small(sending, cell, sight, is_rough)) {
+    if (has_levels && !(sight == LX_ALL_SEEN && sending->of->constant > 0) && !is_small(sending, cell, share)) {
         cut_cell(sending, window, cell, light, level);
         return;
     }
     if (cell != &sending->tile->cell)
-        lx_cell_nodes(sending->face, window, cell);
-    if (sight == LX_ALL_SEEN)
-        add_seen(sending, window, cell, light);
-    else if (sending->face->sheet.type != LX_SHEET_PLATE)
-        add_nodes_in_part(sending, window, cell, light);
-    else if (!add_flat_part(sending, window, cell, light)) {
-        if (level < MOST_LEVELS)
+        lx_cell_nodes(sending->of->face, window, cell);
+    if (sight == LX_ALL_SEEN) {
+        weigh_seen(sending, cell, values);
+    } else if (by_nodes) {
+        weigh_nodes_in_part(sending, cell, values);
+    } else if (!weigh_flat_part(sending, cell, values)) {
+        if (has_levels)
             cut_cell(sending, window, cell, light, level);
+        return;
     }
+    add_values(sending, window, cell, light, values);
 }
 
-void lx_transfer(const struct lx_fineness *fineness, const struct lx_receiver *receiver, const struct lx_veils *veils,
-                 const struct lx_matte_face *face, const struct lx_tile *tile, struct lx_sent *sent)
+struct lx_transfer lx_transfer_of(const struct lx_fineness *fineness, const struct lx_receiver *receiver,
+                                  const struct lx_veils *veils, const struct lx_matte_face *face)
 {
     const double radius = face->sheet.half_mm[0];
     const bool is_own = receiver->own == face->surface && !receiver->is_turned;
     const bool is_hollow = face->sheet.type == LX_SHEET_BALL && face->sheet.turn < 0;
-    const struct sending sending = {
+    return (struct lx_transfer){
         .fineness = fineness,
         .receiver = receiver,
         .veils = veils,
         .face = face,
-        .tile = tile,
-        .is_rough = tile->direct.quarters,
         .constant = is_own && is_hollow ? 1 / (4 * M_PI * radius * radius) : 0,
         .least_mm = is_own ? 1e-3 * face->radius_mm : 10 * veils->touch_mm,
-        .sent = sent,
     };
+}
+
+void lx_transfer(const struct lx_transfer *transfer, const struct lx_tile *tile, enum lx_outlook sight,
+                 struct lx_sent *sent)
+{
+    const struct sending sending = {.of = transfer, .tile = tile, .is_rough = tile->direct.quarters, .sent = sent};
     memset(sent, 0, sizeof *sent);
     send_cell(&sending, &tile->window, (struct lx_tile_cell *)&tile->cell,
-              &(struct light_at){&tile->direct, tile->window, true}, 0);
+              &(struct light_at){&tile->direct, tile->window, true}, sight, 0);
     for (int q = 0; q < LX_RULE_NODES && !sending.is_rough; q++)
         sent->direct += sent->weights[q] * tile->direct.nodes[q];
+}
+
+bool lx_transfer_group(const struct lx_transfer *transfer, const struct lx_group *group, struct lx_sent *sent)
+{
+    const struct lx_tile_cell *cell = &group->cell;
+    if (transfer->constant == 0 && cell->radius_mm > transfer->fineness->group * distance_to(transfer, cell))
+        return false;
+    sent->direct = 0;
+    for (int q = 0; q < LX_RULE_NODES; q++) {
+        sent->weights[q] = kernel(transfer, cell->place_mm[q], cell->normal[q]) * cell->area[q];
+        sent->direct += sent->weights[q] * group->direct[q];
+    }
+    return true;
 }

@@ -4,17 +4,19 @@
  * it, as weights of the tile's values at its nodes, and of the direct light, which is known in more detail, at once.
  *
  * Far cells that are wholly seen go by their nodes; others are cut, down to cells that are small against their
- * distance; of those what is seen is cut out exactly, where they are flat, else node by node.
+ * distance; of those what is seen is cut out exactly, where they are flat, else node by node.  Groups of tiles that are
+ * wholly seen and far go by their own nodes.
  */
 #ifndef LX_REFLECT_TRANSFER_H
 #define LX_REFLECT_TRANSFER_H
 
+#include "group.h"
 #include "veil.h"
 
 /* How small cells have to be, as shares of their distance: those that are seen, those whose direct light is rough, and
- * those seen in part, flat and round. */
+ * those seen in part, flat and round; groups. */
 struct lx_fineness {
-    double seen, rough, flat_part, round_part;
+    double seen, rough, flat_part, round_part, group;
 };
 
 struct lx_sent {
@@ -22,7 +24,23 @@ struct lx_sent {
     double direct;
 };
 
-void lx_transfer(const struct lx_fineness *fineness, const struct lx_receiver *receiver, const struct lx_veils *veils,
-                 const struct lx_matte_face *face, const struct lx_tile *tile, struct lx_sent *sent);
+/* One face and one receiver, for which the veils are set. */
+struct lx_transfer {
+    const struct lx_fineness *fineness;
+    const struct lx_receiver *receiver;
+    const struct lx_veils *veils;
+    const struct lx_matte_face *face;
+    double constant; /* the kernel inside of a sphere; 0: by its formula */
+    double least_mm; /* cells are not cut below this */
+};
+struct lx_transfer lx_transfer_of(const struct lx_fineness *fineness, const struct lx_receiver *receiver,
+                                  const struct lx_veils *veils, const struct lx_matte_face *face);
+
+/* A tile, of which it is known how it is seen. */
+void lx_transfer(const struct lx_transfer *transfer, const struct lx_tile *tile, enum lx_outlook sight,
+                 struct lx_sent *sent);
+
+/* A group that is wholly seen; false: it is too near. */
+bool lx_transfer_group(const struct lx_transfer *transfer, const struct lx_group *group, struct lx_sent *sent);
 
 #endif

@@ -10,7 +10,7 @@
 #include "../base/vector.h"
 
 /* Corners of what stands for a circle. */
-enum { ROUND = 32 };
+enum { ROUND = 16 };
 /* Ends of ways that are left out, as a share of them. */
 static const double ENDS = 1e-9;
 
@@ -52,6 +52,8 @@ static void add_half_space(struct lx_veils *veils, const double normal[3], const
 {
     begin_veil(veils);
     add_plane(veils, normal, through_mm);
+    if (!veils->failed)
+        veils->items[veils->count - 1].is_horizon = true;
 }
 
 /* What lies behind a convex polygon in a plane that has the place `height_mm` above itself. */
@@ -246,7 +248,8 @@ static void add_own(struct lx_veils *veils, const struct lx_prepared_surface *ow
     const double side = lx_dot(normal, receiver->normal) > 0 ? -1 : 1;
     for (int i = 0; i < 3; i++)
         normal[i] *= side;
-    add_half_space(veils, normal, receiver->place_mm);
+    begin_veil(veils);
+    add_plane(veils, normal, receiver->place_mm);
 }
 
 /* The shell of a tube, seen from outside, hides its inner side but for what the ends leave. */
@@ -272,7 +275,7 @@ static bool is_within(const struct lx_shape *shape, const struct lx_receiver *re
 }
 
 bool lx_veils_set(const struct lx_prepared *prepared, const struct lx_receiver *receiver,
-                  const struct lx_matte_face *face, double size_mm, struct lx_veils *veils)
+                  const struct lx_matte_face *face, size_t f, double size_mm, struct lx_veils *veils)
 {
     veils->count = veils->plane_count = 0;
     veils->touch_mm = 1e-10 * size_mm;
@@ -291,7 +294,11 @@ bool lx_veils_set(const struct lx_prepared *prepared, const struct lx_receiver *
         add_half_space(veils, below, receiver->place_mm);
     if (receiver->is_turned && receiver->own < prepared->surface_count)
         add_own(veils, &prepared->surfaces[receiver->own], receiver);
-    for (size_t s = 0; s < prepared->surface_count; s++) {
+    const struct lx_shafts *shafts = &veils->shafts;
+    const size_t first = shafts->first ? shafts->first[f] : 0;
+    const size_t last = shafts->first ? shafts->first[f + 1] : prepared->surface_count;
+    for (size_t i = first; i < last; i++) {
+        const size_t s = shafts->first ? shafts->surfaces[i] : i;
         const struct lx_prepared_surface *surface = &prepared->surfaces[s];
         if (s == face->surface) {
             if (!hides_itself(face, receiver))
@@ -311,12 +318,13 @@ void lx_veils_clear(struct lx_veils *veils)
 {
     free(veils->planes);
     free(veils->items);
+    lx_shafts_clear(&veils->shafts);
     *veils = (struct lx_veils){0};
 }
 
 /* ---- asking ---- */
 
-static enum lx_outlook look(const struct lx_veils *veils, const struct lx_veil *veil, const struct lx_tile_cell *cell)
+enum lx_outlook lx_veil_look(const struct lx_veils *veils, const struct lx_veil *veil, const struct lx_tile_cell *cell)
 {
     enum lx_outlook sight = LX_NONE_SEEN;
     if (veil->shape)
@@ -340,13 +348,29 @@ enum lx_outlook lx_veils_look(const struct lx_veils *veils, const struct lx_tile
 {
     enum lx_outlook sight = LX_ALL_SEEN;
     for (size_t i = 0; i < veils->count; i++) {
-        const enum lx_outlook one = look(veils, &veils->items[i], cell);
+        const enum lx_outlook one = lx_veil_look(veils, &veils->items[i], cell);
         if (one == LX_NONE_SEEN)
             return LX_NONE_SEEN;
         if (one == LX_PART_SEEN)
             sight = LX_PART_SEEN;
     }
     return sight;
+}
+
+bool lx_veils_have_shapes(const struct lx_veils *veils, const struct lx_tile_cell *cell)
+{
+    for (size_t i = 0; i < veils->count; i++)
+        if (veils->items[i].shape && lx_veil_look(veils, &veils->items[i], cell) != LX_ALL_SEEN)
+            return true;
+    return false;
+}
+
+bool lx_veils_are_horizons(const struct lx_veils *veils, const struct lx_tile_cell *cell)
+{
+    for (size_t i = 0; i < veils->count; i++)
+        if (!veils->items[i].is_horizon && lx_veil_look(veils, &veils->items[i], cell) != LX_ALL_SEEN)
+            return false;
+    return true;
 }
 
 static bool shape_takes(const struct lx_veils *veils, const struct lx_shape *shape, const double place_mm[3])
@@ -375,75 +399,4 @@ bool lx_veils_leave(const struct lx_veils *veils, const double place_mm[3])
             return false;
     }
     return true;
-}
-
-/* ---- cutting ---- */
-
-/* A linear function on the cell. */
-struct line {
-    double constant, x, y;
-};
-
-static double on_line(const struct line *line, const double at[2])
-{
-    return line->constant + line->x * at[0] + line->y * at[1];
-}
-
-/* The part of a piece where the line is positive, or not; one corner more at most. */
-static bool clip(const struct lx_clipped *piece, const struct line *line, bool positive, struct lx_clipped *part)
-{
-    const double sign = positive ? 1 : -1;
-    part->count = 0;
-    for (unsigned k = 0; k < piece->count; k++) {
-        const double *from = piece->at[k], *to = piece->at[(k + 1) % piece->count];
-        const double a = sign * on_line(line, from), b = sign * on_line(line, to);
-        if (part->count + 2 > LX_PIECE_CORNERS)
-            return false;
-        if (a >= 0)
-            memcpy(part->at[part->count++], from, sizeof *part->at);
-        if ((a > 0 && b < 0) || (a < 0 && b > 0)) {
-            double *at = part->at[part->count++];
-            for (int i = 0; i < 2; i++)
-                at[i] = from[i] + a / (a - b) * (to[i] - from[i]);
-        }
-    }
-    return true;
-}
-
-/* Takes a veil from one piece; what is left is appended.  False: too many pieces. */
-static bool take(const struct lx_veils *veils, const struct lx_veil *veil, const struct lx_tile_cell *cell,
-                 struct lx_clipped piece, struct lx_clipped *pieces, int *count)
-{
-    for (size_t k = veil->first; k < veil->first + veil->count && piece.count > 2; k++) {
-        const double *plane = veils->planes[k];
-        const struct line line = {lx_dot(plane, cell->center_mm) + plane[3], lx_dot(plane, cell->first_mm),
-                                  lx_dot(plane, cell->second_mm)};
-        struct lx_clipped outside, inside;
-        if (*count == LX_MOST_PIECES || !clip(&piece, &line, false, &outside) || !clip(&piece, &line, true, &inside))
-            return false;
-        if (outside.count > 2)
-            pieces[(*count)++] = outside;
-        piece = inside;
-    }
-    return true;
-}
-
-int lx_veils_cut(const struct lx_veils *veils, const struct lx_tile_cell *cell,
-                 struct lx_clipped pieces[LX_MOST_PIECES])
-{
-    struct lx_clipped left[LX_MOST_PIECES];
-    int count = 1;
-    pieces[0] = (struct lx_clipped){4, {{-1, -1}, {1, -1}, {1, 1}, {-1, 1}}};
-    for (size_t i = 0; i < veils->count; i++) {
-        const struct lx_veil *veil = &veils->items[i];
-        if (veil->shape || look(veils, veil, cell) == LX_ALL_SEEN)
-            continue;
-        int made = 0;
-        for (int k = 0; k < count; k++)
-            if (!take(veils, veil, cell, pieces[k], left, &made))
-                return -1;
-        memcpy(pieces, left, (size_t)made * sizeof *left);
-        count = made;
-    }
-    return count;
 }

@@ -7,6 +7,7 @@
 #ifndef LX_REFLECT_VEIL_H
 #define LX_REFLECT_VEIL_H
 
+#include "shaft.h"
 #include "tile.h"
 
 /* Where light is received. */
@@ -19,6 +20,7 @@ struct lx_receiver {
 struct lx_veil {
     size_t first, count;            /* planes */
     const struct lx_shape *shape;   /* instead of planes: by its own answer */
+    bool is_horizon;                /* at its border nothing arrives anyway: the kernel is 0 there */
     double center_mm[3], radius_mm; /* a ball around that */
 };
 
@@ -29,30 +31,30 @@ struct lx_veils {
     struct lx_veil *items;
     size_t count, capacity;
     double place_mm[3], touch_mm; /* of the receiver; what is below rounding */
+    struct lx_shafts shafts;      /* from what the receivers lie on */
     bool failed;                  /* memory ran out */
 };
 
 /* How a cell is seen. */
 enum lx_outlook { LX_ALL_SEEN, LX_NONE_SEEN, LX_PART_SEEN };
 
-/* Sets the veils before a face; false: nothing of it can be seen.  `size_mm`: of the scene. */
+/* Sets the veils before face f; false: nothing of it can be seen.  `size_mm`: of the scene. */
 bool lx_veils_set(const struct lx_prepared *prepared, const struct lx_receiver *receiver,
-                  const struct lx_matte_face *face, double size_mm, struct lx_veils *veils);
+                  const struct lx_matte_face *face, size_t f, double size_mm, struct lx_veils *veils);
 void lx_veils_clear(struct lx_veils *veils);
 
+enum lx_outlook lx_veil_look(const struct lx_veils *veils, const struct lx_veil *veil, const struct lx_tile_cell *cell);
 enum lx_outlook lx_veils_look(const struct lx_veils *veils, const struct lx_tile_cell *cell);
+
+/* Whether anything stands before a cell that is asked way by way; whether all that hides it in part are horizons. */
+bool lx_veils_have_shapes(const struct lx_veils *veils, const struct lx_tile_cell *cell);
+bool lx_veils_are_horizons(const struct lx_veils *veils, const struct lx_tile_cell *cell);
 
 /* Whether a single place of the face is seen. */
 bool lx_veils_leave(const struct lx_veils *veils, const double place_mm[3]);
 
-/* The pieces of a parallelogram that no veil of planes hides: convex polygons in its coordinates from -1 to 1. */
-enum { LX_PIECE_CORNERS = 24, LX_MOST_PIECES = 48 };
-struct lx_clipped {
-    unsigned count;
-    double at[LX_PIECE_CORNERS][2];
-};
-/* Returns how many; -1: too many. */
-int lx_veils_cut(const struct lx_veils *veils, const struct lx_tile_cell *cell,
-                 struct lx_clipped pieces[LX_MOST_PIECES]);
+/* Sets the integrals of the rule's polynomials, in coordinates from -1 to 1, over what no veil of planes hides of a
+ * parallelogram; false: there are too many. */
+bool lx_veils_visible(const struct lx_veils *veils, const struct lx_tile_cell *cell, double shares[LX_RULE_NODES]);
 
 #endif

@@ -98,29 +98,48 @@ static void turn(const struct lx_smooth_sheet *sheet, double a, double b, double
         normal[i] = sheet->turn * (a * sheet->across[i] + b * sheet->upward[i] + c * sheet->axis[i]);
 }
 
-double lx_sheet_place(const struct lx_smooth_sheet *sheet, double s, double t, double place_mm[3], double normal[3])
+struct lx_sheet_line lx_sheet_line(const struct lx_smooth_sheet *sheet, int way, double at)
 {
-    const double radius = sheet->half_mm[0], angle = sheet->middle + SECTOR * s;
+    struct lx_sheet_line line = {.at = at};
+    if (sheet->type == LX_SHEET_BALL) {
+        line.first = tan(M_PI / 4 * at);
+    } else if (sheet->type != LX_SHEET_PLATE && way == 0) {
+        line.first = cos(sheet->middle + SECTOR * at);
+        line.second = sin(sheet->middle + SECTOR * at);
+    }
+    return line;
+}
+
+double lx_sheet_cross(const struct lx_smooth_sheet *sheet, const struct lx_sheet_line *s, const struct lx_sheet_line *t,
+                      double place_mm[3], double normal[3])
+{
+    const double radius = sheet->half_mm[0];
     if (sheet->type == LX_SHEET_PLATE) {
-        lay(sheet, s * sheet->half_mm[0], t * sheet->half_mm[1], 0, place_mm);
+        lay(sheet, s->at * sheet->half_mm[0], t->at * sheet->half_mm[1], 0, place_mm);
         turn(sheet, 0, 0, 1, normal);
         return sheet->half_mm[0] * sheet->half_mm[1];
     }
     if (sheet->type == LX_SHEET_DISK) {
-        const double away = radius * (1 + t) / 2;
-        lay(sheet, away * cos(angle), away * sin(angle), 0, place_mm);
+        const double away = radius * (1 + t->at) / 2;
+        lay(sheet, away * s->first, away * s->second, 0, place_mm);
         turn(sheet, 0, 0, 1, normal);
         return away * SECTOR * radius / 2;
     }
     if (sheet->type == LX_SHEET_TUBE) {
-        lay(sheet, radius * cos(angle), radius * sin(angle), t * sheet->half_mm[1], place_mm);
-        turn(sheet, cos(angle), sin(angle), 0, normal);
+        lay(sheet, radius * s->first, radius * s->second, t->at * sheet->half_mm[1], place_mm);
+        turn(sheet, s->first, s->second, 0, normal);
         return radius * SECTOR * sheet->half_mm[1];
     }
-    const double x = tan(M_PI / 4 * s), y = tan(M_PI / 4 * t), square = 1 + x * x + y * y, length = sqrt(square);
+    const double x = s->first, y = t->first, square = 1 + x * x + y * y, length = sqrt(square);
     lay(sheet, radius * x / length, radius * y / length, radius / length, place_mm);
     turn(sheet, x / length, y / length, 1 / length, normal);
     return radius * radius * (M_PI / 4) * (M_PI / 4) * (1 + x * x) * (1 + y * y) / (square * length);
+}
+
+double lx_sheet_place(const struct lx_smooth_sheet *sheet, double s, double t, double place_mm[3], double normal[3])
+{
+    const struct lx_sheet_line across = lx_sheet_line(sheet, 0, s), upward = lx_sheet_line(sheet, 1, t);
+    return lx_sheet_cross(sheet, &across, &upward, place_mm, normal);
 }
 
 /* The solid angle of the rectangle from (0, 0, 1) to (x, y, 1), seen from 0. */

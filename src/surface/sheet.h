@@ -30,6 +30,14 @@ int lx_shape_sheets(const struct lx_shape *shape, struct lx_smooth_sheet sheets[
 /* The place, the unit normal and the area for each unit of s and t, in mm^2. */
 double lx_sheet_place(const struct lx_smooth_sheet *sheet, double s, double t, double place_mm[3], double normal[3]);
 
+/* What depends on one coordinate alone, for those who ask of many places that have it in common. */
+struct lx_sheet_line {
+    double at, first, second; /* of a ball its tangent; of other round sheets, along s, cosine and sine */
+};
+struct lx_sheet_line lx_sheet_line(const struct lx_smooth_sheet *sheet, int way, double at);
+double lx_sheet_cross(const struct lx_smooth_sheet *sheet, const struct lx_sheet_line *s, const struct lx_sheet_line *t,
+                      double place_mm[3], double normal[3]);
+
 /* The area of a part of a ball between coordinates, in closed form, mm^2. */
 double lx_sheet_ball_area(const struct lx_smooth_sheet *ball, const double low[2], const double high[2]);
 

@@ -1,0 +1,240 @@
+/* SPDX-License-Identifier: MIT */
+/* Finding links, and what they bring. */
+#include "links.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "../base/memory.h"
+#include "solution.h"
+
+/* Links of one receiver under way. */
+struct finding {
+    const struct lx_radiosity *reflected;
+    const struct lx_prepared *prepared;
+    const struct lx_receiver *receiver;
+    const struct lx_fineness *fineness;
+    struct lx_veils *veils;
+    const struct lx_links *old;
+    size_t next, next_weights; /* of the old ones */
+    struct lx_links *made;
+    struct lx_transfer transfer; /* of the face under way, once it is set */
+    bool is_set, is_seen;
+};
+
+/* ---- appending ---- */
+
+static void add_link(struct lx_links *links, uint32_t group, enum lx_link_kind kind)
+{
+    if (links->failed || lx_reserve(&links->items, &links->capacity, links->count + 1, sizeof *links->items))
+        links->failed = true;
+    else
+        links->items[links->count++] = (struct lx_link){group & 0x3fffffff, (unsigned)kind & 3};
+}
+
+static struct lx_weights *add_weights(struct lx_links *links)
+{
+    if (links->failed ||
+        lx_reserve(&links->weights, &links->weight_capacity, links->weight_count + 1, sizeof *links->weights)) {
+        links->failed = true;
+        return NULL;
+    }
+    return &links->weights[links->weight_count++];
+}
+
+static void add_sent(struct finding *finding, uint32_t group, enum lx_link_kind kind, const struct lx_sent *sent)
+{
+    struct lx_weights *weights = add_weights(finding->made);
+    add_link(finding->made, group, kind);
+    if (!weights)
+        return;
+    weights->group = group;
+    weights->direct = sent->direct;
+    for (int q = 0; q < LX_RULE_NODES; q++)
+        weights->of[q] = (float)sent->weights[q];
+}
+
+/* ---- one group ---- */
+
+/* Veils before the face, where anything of it has to be looked at. */
+static bool set_face(struct finding *finding, uint32_t f)
+{
+    const struct lx_matte_face *face = &finding->reflected->faces[f];
+    const struct lx_receiver *receiver = finding->receiver;
+    if (finding->is_set)
+        return finding->is_seen;
+    const bool is_own = face->surface == receiver->own && !receiver->is_turned;
+    finding->is_set = true;
+    finding->is_seen = !(is_own && (face->is_flat || face->sheet.turn > 0)) &&
+                       lx_veils_set(finding->prepared, receiver, face, f, finding->reflected->size_mm, finding->veils);
+    finding->transfer = lx_transfer_of(finding->fineness, receiver, finding->veils, face);
+    return finding->is_seen;
+}
+
+/* Looks at a group; false: at what is in it, one by one. */
+static bool look(struct finding *finding, uint32_t g)
+{
+    const struct lx_group *group = &finding->reflected->groups[g];
+    const enum lx_outlook sight =
+        set_face(finding, group->face) ? lx_veils_look(finding->veils, &group->cell) : LX_NONE_SEEN;
+    struct lx_sent sent;
+    if (sight == LX_NONE_SEEN) {
+        add_link(finding->made, g, LX_LINK_NONE);
+        return true;
+    }
+    if (sight == LX_ALL_SEEN && lx_transfer_group(&finding->transfer, group, &sent)) {
+        add_sent(finding, g, LX_LINK_FAR, &sent);
+        return true;
+    }
+    if (group->child != LX_NO_GROUP)
+        return false;
+    lx_transfer(&finding->transfer, &finding->reflected->tiles[group->first_tile], sight, &sent);
+    add_sent(finding, g, LX_LINK_NEAR, &sent);
+    return true;
+}
+
+/* Takes over what is known of a group, if that is still right; false: what is in it is to be asked. */
+static bool keep(struct finding *finding, uint32_t g)
+{
+    const struct lx_links *old = finding->old;
+    if (finding->next == old->count || old->items[finding->next].group != g)
+        return false;
+    const enum lx_link_kind kind = (enum lx_link_kind)old->items[finding->next++].kind;
+    if (kind == LX_LINK_NONE) {
+        add_link(finding->made, g, kind);
+        return true;
+    }
+    const struct lx_weights *known = &old->weights[finding->next_weights++];
+    if (kind == LX_LINK_NEAR && finding->reflected->groups[g].child != LX_NO_GROUP)
+        return false;
+    struct lx_weights *weights = add_weights(finding->made);
+    add_link(finding->made, g, kind);
+    if (weights)
+        *weights = *known;
+    return true;
+}
+
+/* Whether all old links are right: nothing of them was cut. */
+static bool is_up_to_date(const struct lx_radiosity *reflected, const struct lx_links *links)
+{
+    for (size_t i = 0; i < links->count; i++)
+        if (links->items[i].kind == LX_LINK_NEAR && reflected->groups[links->items[i].group].child != LX_NO_GROUP)
+            return false;
+    return links->count > 0;
+}
+
+void lx_links_find(const struct lx_radiosity *reflected, const struct lx_prepared *prepared,
+                   const struct lx_fineness *fineness, const struct lx_receiver *receiver, struct lx_veils *veils,
+                   struct lx_links *links)
+{
+    struct lx_links made = {.known = reflected->group_count};
+    struct finding finding = {.reflected = reflected,
+                              .prepared = prepared,
+                              .receiver = receiver,
+                              .fineness = fineness,
+                              .veils = veils,
+                              .old = links,
+                              .made = &made};
+    if (is_up_to_date(reflected, links))
+        return;
+    const size_t known = links->count > 0 ? links->known : 0;
+    for (size_t f = 0; f < reflected->face_count; f++) {
+        finding.is_set = false;
+        for (uint32_t g = reflected->faces[f].group; g != LX_NO_GROUP;) {
+            const bool is_done = g < known ? keep(&finding, g) : look(&finding, g);
+            g = is_done ? lx_group_after(reflected, g) : reflected->groups[g].child;
+        }
+    }
+    lx_links_clear(links);
+    *links = made;
+}
+
+void lx_links_clear(struct lx_links *links)
+{
+    free(links->items);
+    free(links->weights);
+    *links = (struct lx_links){0};
+}
+
+/* ---- sums ---- */
+
+static double product(const float weights[LX_RULE_NODES], const double values[LX_RULE_NODES])
+{
+    double sums[4] = {0};
+    for (int q = 0; q < LX_RULE_NODES; q += 4)
+        for (int k = 0; k < 4; k++)
+            sums[k] += (double)weights[q + k] * values[q + k];
+    return (sums[0] + sums[1]) + (sums[2] + sums[3]);
+}
+
+struct lx_arrival lx_links_sum(const struct lx_radiosity *reflected, const struct lx_links *links,
+                               const struct lx_light *light)
+{
+    struct lx_arrival sum = {0};
+    size_t w = 0;
+    for (size_t i = 0; i < links->count; i++) {
+        if (links->items[i].kind == LX_LINK_NONE)
+            continue;
+        const struct lx_weights *weights = &links->weights[w++];
+        const struct lx_group *group = &reflected->groups[weights->group];
+        const double reflectance = reflected->faces[group->face].reflectance;
+        const size_t nodes = (size_t)weights->group * LX_RULE_NODES;
+        const bool is_far = links->items[i].kind == LX_LINK_FAR;
+        double value = is_far ? product(weights->of, group->direct) : weights->direct;
+        double total = 0, area = 0, most = 0, slack = 0;
+        for (int q = 0; q < LX_RULE_NODES; q++) {
+            const double weight = fabs((double)weights->of[q]);
+            total += (double)weights->of[q];
+            if (light->slack) {
+                area += group->cell.area[q];
+                most = fmax(most, weight / group->cell.area[q]);
+                slack += weight * fabs(light->slack[nodes + (size_t)q]);
+            }
+        }
+        if (light->indirect)
+            value += product(weights->of, light->indirect + nodes);
+        sum.value += reflectance * value;
+        if (light->slack)
+            sum.slack += reflectance * (slack + group->unsure * (is_far ? most : total / area));
+        sum.seen += total;
+    }
+    return sum;
+}
+
+/* ---- rows ---- */
+
+int lx_rows_find(const struct lx_radiosity *reflected, uint32_t face, const struct lx_window *window,
+                 const struct lx_tile_cell *cell, struct lx_veils *veils, struct lx_rows **rows)
+{
+    const struct lx_smooth_sheet *sheet = &reflected->faces[face].sheet;
+    struct lx_receiver receiver = {.own = reflected->faces[face].surface};
+    if (!*rows && !(*rows = lx_new_array(1, sizeof **rows)))
+        return -1;
+    if (lx_shafts_set(reflected, cell, &veils->shafts))
+        return -1;
+    for (int r = 0; r < LX_ROWS; r++) {
+        const bool is_node = r < LX_RULE_NODES;
+        if (is_node) {
+            memcpy(receiver.place_mm, cell->place_mm[r], sizeof receiver.place_mm);
+            memcpy(receiver.normal, cell->normal[r], sizeof receiver.normal);
+        } else {
+            double at[2];
+            lx_between_place(r - LX_RULE_NODES, at);
+            lx_sheet_place(sheet, window->middle[0] + at[0] * window->half[0],
+                           window->middle[1] + at[1] * window->half[1], receiver.place_mm, receiver.normal);
+        }
+        lx_links_find(reflected, reflected->prepared, is_node ? &reflected->coarse : &reflected->fine, &receiver, veils,
+                      &(*rows)->of[r]);
+        if ((*rows)->of[r].failed || veils->failed)
+            return -1;
+    }
+    return 0;
+}
+
+void lx_rows_free(struct lx_rows *rows)
+{
+    for (int r = 0; rows && r < LX_ROWS; r++)
+        lx_links_clear(&rows->of[r]);
+    free(rows);
+}

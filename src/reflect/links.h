@@ -1,0 +1,67 @@
+/* SPDX-License-Identifier: MIT */
+/*
+ * Links: what a receiver sees of each group, in the order of the trees, and with which weights the values at the nodes
+ * of groups count in what it receives.  They stay right when tiles are cut, but for those of the tiles themselves that
+ * were near or hidden in part.
+ */
+#ifndef LX_REFLECT_LINKS_H
+#define LX_REFLECT_LINKS_H
+
+#include "between.h"
+#include "transfer.h"
+
+enum lx_link_kind { LX_LINK_NONE, LX_LINK_FAR, LX_LINK_NEAR }; /* nothing of it is seen, all of it from afar, else */
+
+struct lx_link {
+    uint32_t group : 30;
+    uint32_t kind : 2;
+};
+
+struct lx_weights {
+    uint32_t group;
+    float of[LX_RULE_NODES];
+    double direct; /* of a near group */
+};
+
+struct lx_links {
+    struct lx_link *items;
+    size_t count, capacity;
+    struct lx_weights *weights; /* of those that are seen, in their order */
+    size_t weight_count, weight_capacity;
+    size_t known; /* so many groups there were */
+    bool failed;  /* memory ran out */
+};
+
+/* What is sent beside direct light, and bounds of its error, at the nodes of groups; NULL: nothing. */
+struct lx_light {
+    const double *indirect, *slack;
+};
+
+/* Sums over all faces. */
+struct lx_arrival {
+    double value, slack;
+    double seen; /* of all ways, how many end on faces */
+};
+
+struct lx_radiosity;
+
+/* Brings links up to date: all of them, at first, of count 0. */
+void lx_links_find(const struct lx_radiosity *reflected, const struct lx_prepared *prepared,
+                   const struct lx_fineness *fineness, const struct lx_receiver *receiver, struct lx_veils *veils,
+                   struct lx_links *links);
+struct lx_arrival lx_links_sum(const struct lx_radiosity *reflected, const struct lx_links *links,
+                               const struct lx_light *light);
+void lx_links_clear(struct lx_links *links);
+
+/* Links of the places of a window: at the nodes of the rule, and finer ones between them. */
+enum { LX_ROWS = LX_RULE_NODES + LX_BETWEEN };
+struct lx_rows {
+    struct lx_links of[LX_ROWS];
+};
+
+/* Brings the rows of a window of a face up to date, whose cell it is; 0, or -1: memory ran out. */
+int lx_rows_find(const struct lx_radiosity *reflected, uint32_t face, const struct lx_window *window,
+                 const struct lx_tile_cell *cell, struct lx_veils *veils, struct lx_rows **rows);
+void lx_rows_free(struct lx_rows *rows);
+
+#endif

@@ -1,0 +1,146 @@
+/* SPDX-License-Identifier: MIT */
+/*
+ * What is seen of a parallelogram: integrals of the rule's polynomials over what no veil of planes hides.  Veils are
+ * convex, so what several of them hide of a convex polygon is told by polygons alone, by inclusion and exclusion; the
+ * integral over a polygon goes along its edges, by Green's theorem.
+ */
+#include <string.h>
+
+#include "../base/vector.h"
+#include "veil.h"
+
+enum { MOST_CORNERS = 48, MOST_VEILS = 10 };
+
+/* A convex polygon in coordinates of the cell, from -1 to 1. */
+struct polygon {
+    unsigned count;
+    double at[MOST_CORNERS][2];
+};
+
+/* A cell and what stands before it. */
+struct view {
+    const struct lx_veils *veils;
+    const struct lx_tile_cell *cell;
+    const struct lx_veil *before[MOST_VEILS];
+    unsigned count;
+    double *shares;
+};
+
+/* ---- integrals ---- */
+
+/* Integrals from 0 to x of the rule's four polynomials. */
+static void integrate_basis(double x, double integrals[LX_ORDER])
+{
+    const double outer = LX_RULE_OUTER, inner = LX_RULE_INNER, apart = outer * outer - inner * inner;
+    const double square = x * x, cube = x * (square / 3 - outer * outer),
+                 cube_within = x * (square / 3 - inner * inner);
+    const double even = square * (square / 4 - outer * outer / 2),
+                 even_within = square * (square / 4 - inner * inner / 2);
+    integrals[0] = (outer * cube_within - even_within) / (apart * 2 * outer);
+    integrals[1] = (even - inner * cube) / (apart * 2 * inner);
+    integrals[2] = (inner * cube + even) / (-apart * 2 * inner);
+    integrals[3] = (outer * cube_within + even_within) / (apart * 2 * outer);
+}
+
+/* Adds the integrals over a polygon, whose corners go counterclockwise. */
+static void add_polygon(const struct polygon *polygon, double sign, double shares[LX_RULE_NODES])
+{
+    for (unsigned k = 0; k < polygon->count; k++) {
+        const double *from = polygon->at[k], *to = polygon->at[k + 1 < polygon->count ? k + 1 : 0];
+        const double rise = sign * (to[1] - from[1]) / 2;
+        if (rise == 0)
+            continue;
+        for (int p = 0; p < LX_ORDER; p++) {
+            const double share = (1 + lx_rule_places[p]) / 2, weight = rise * lx_rule_weights[p];
+            double across[LX_ORDER], upward[LX_ORDER];
+            integrate_basis(from[0] + share * (to[0] - from[0]), across);
+            lx_rule_basis(from[1] + share * (to[1] - from[1]), upward);
+            for (int i = 0; i < LX_ORDER; i++)
+                for (int j = 0; j < LX_ORDER; j++)
+                    shares[LX_ORDER * i + j] += weight * across[i] * upward[j];
+        }
+    }
+}
+
+/* ---- polygons ---- */
+
+static void copy(const struct polygon *from, struct polygon *to)
+{
+    to->count = from->count;
+    memcpy(to->at, from->at, from->count * sizeof *from->at);
+}
+
+/* The part of a polygon that is on the hidden side of a plane; false: too many corners. */
+static bool clip(const struct lx_tile_cell *cell, const double plane[4], struct polygon *polygon)
+{
+    const double middle = lx_dot(plane, cell->center_mm) + plane[3];
+    const double x = lx_dot(plane, cell->first_mm), y = lx_dot(plane, cell->second_mm);
+    double over[MOST_CORNERS];
+    unsigned above = 0;
+    for (unsigned k = 0; k < polygon->count; k++) {
+        over[k] = middle + x * polygon->at[k][0] + y * polygon->at[k][1];
+        above += over[k] > 0;
+    }
+    if (above == polygon->count)
+        return true;
+    if (above == 0) {
+        polygon->count = 0;
+        return true;
+    }
+    struct polygon whole;
+    copy(polygon, &whole);
+    polygon->count = 0;
+    for (unsigned k = 0; k < whole.count; k++) {
+        const unsigned next = k + 1 < whole.count ? k + 1 : 0;
+        if (polygon->count + 2 > MOST_CORNERS)
+            return false;
+        if (over[k] > 0)
+            memcpy(polygon->at[polygon->count++], whole.at[k], sizeof *polygon->at);
+        if ((over[k] > 0) != (over[next] > 0)) {
+            const double share = over[k] / (over[k] - over[next]);
+            for (int i = 0; i < 2; i++)
+                polygon->at[polygon->count][i] = whole.at[k][i] + share * (whole.at[next][i] - whole.at[k][i]);
+            polygon->count++;
+        }
+    }
+    return true;
+}
+
+static bool hide(const struct view *view, const struct lx_veil *veil, struct polygon *polygon)
+{
+    for (size_t k = veil->first; k < veil->first + veil->count && polygon->count > 0; k++)
+        if (!clip(view->cell, view->veils->planes[k], polygon))
+            return false;
+    return true;
+}
+
+/* Adds what is left of a polygon by the veils from `first` on: the polygon, without what each of them hides of it that
+ * none of the next ones hides.  False: there are too many corners. */
+static bool add_visible(const struct view *view, const struct polygon *polygon, unsigned first, double sign)
+{
+    add_polygon(polygon, sign, view->shares);
+    for (unsigned v = first; v < view->count; v++) {
+        struct polygon hidden;
+        copy(polygon, &hidden);
+        if (!hide(view, view->before[v], &hidden))
+            return false;
+        if (hidden.count > 2 && !add_visible(view, &hidden, v + 1, -sign))
+            return false;
+    }
+    return true;
+}
+
+bool lx_veils_visible(const struct lx_veils *veils, const struct lx_tile_cell *cell, double shares[LX_RULE_NODES])
+{
+    const struct polygon whole = {4, {{-1, -1}, {1, -1}, {1, 1}, {-1, 1}}};
+    struct view view = {.veils = veils, .cell = cell, .shares = shares};
+    memset(shares, 0, LX_RULE_NODES * sizeof *shares);
+    for (size_t i = 0; i < veils->count; i++) {
+        if (veils->items[i].shape || lx_veil_look(veils, &veils->items[i], cell) == LX_ALL_SEEN)
+            continue;
+        if (view.count == MOST_VEILS)
+            return false;
+        view.before[view.count++] = &veils->items[i];
+    }
+    return add_visible(&view, &whole, 0, 1);
+}
