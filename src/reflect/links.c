@@ -124,6 +124,22 @@ static bool is_up_to_date(const struct lx_radiosity *reflected, const struct lx_
     return links->count > 0;
 }
 
+/* Gives back memory that is not needed; where that fails it stays. */
+static void trim(struct lx_links *links)
+{
+    struct lx_link *items = links->count > 0 ? realloc(links->items, links->count * sizeof *items) : NULL;
+    struct lx_weights *weights =
+        links->weight_count > 0 ? realloc(links->weights, links->weight_count * sizeof *weights) : NULL;
+    if (items) {
+        links->items = items;
+        links->capacity = links->count;
+    }
+    if (weights) {
+        links->weights = weights;
+        links->weight_capacity = links->weight_count;
+    }
+}
+
 void lx_links_find(const struct lx_radiosity *reflected, const struct lx_prepared *prepared,
                    const struct lx_fineness *fineness, const struct lx_receiver *receiver, struct lx_veils *veils,
                    struct lx_links *links)
@@ -147,6 +163,7 @@ void lx_links_find(const struct lx_radiosity *reflected, const struct lx_prepare
         }
     }
     lx_links_clear(links);
+    trim(&made);
     *links = made;
 }
 

@@ -15,6 +15,8 @@
 
 /* No picture has many more parts. */
 enum { MOST_PARTS = 2400 };
+/* Where there are more parts, their rows would take too much memory. */
+enum { MOST_WITH_ROWS = 800 };
 /* Arriving light is smooth: between the nodes no more than that beyond the greatest of them. */
 static const double BEYOND = 1.1;
 
@@ -121,6 +123,10 @@ static void fill(const struct showing *showing, struct lx_veils *veils, struct l
         lx_between_place(p, at);
         between[p] = lx_links_sum(reflected, &part->rows->of[LX_RULE_NODES + p], &light).value -
                      lx_rule_value(part->nodes, at[0], at[1]);
+    }
+    if (reflected->part_count > MOST_WITH_ROWS) {
+        lx_rows_free(part->rows);
+        part->rows = NULL;
     }
     memset(part->residual, 0, sizeof part->residual);
     lx_between_changes(between, part->residual);
