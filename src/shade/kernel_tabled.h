@@ -200,6 +200,14 @@ LX_LANE void spread_rows(const struct lx_tabled *tabled, int size, bool is_axial
     }
 }
 
+/* With LX_FEW_KERNELS one loop does for all, which takes less room for the same numbers. */
+#ifdef LX_FEW_KERNELS
+static void spread_tabled(const struct lx_tabled *tabled, unsigned rows, unsigned columns, float *values, size_t stride)
+{
+    const int size = (int)tabled->size;
+    spread_rows(tabled, size, tabled->is_axial, tabled->by_cosine, (int)rows, (int)columns, values, stride);
+}
+#else
 /* Functions of their own for each size: compilers take much longer for one that holds them all. */
 #define LX_SPREAD(size)                                                                                                \
     static __attribute__((noinline)) void spread_rows_##size(const struct lx_tabled *tabled, int rows, int columns,    \
@@ -231,3 +239,4 @@ static void spread_tabled(const struct lx_tabled *tabled, unsigned rows, unsigne
     else
         spread_rows_16(tabled, (int)rows, (int)columns, values, stride);
 }
+#endif
