@@ -197,8 +197,10 @@ class Snapshot:
 
     def children(self, path):
         told = sorted(self.shown.get(path, []))
-        # Widgets that are hidden are told of as if they were seen: among several, one may stand for another.
-        if len(told) == self.counts.get(path) < 2 and all(index == 0 for index, _child in told):
+        # A widget that is hidden from the first on is told of as visible, but has no place among those that are seen;
+        # what stands on a page of a stack has its place in the stack.
+        places = [index for index, _child in told]
+        if len(told) == self.counts.get(path) and (path in self.pages or places == list(range(len(told)))):
             return [child for _index, child in told]
         if path not in self.asked:
             try:
