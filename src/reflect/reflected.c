@@ -25,8 +25,9 @@ static const double LEAST_ERROR = 1e-5;
 static const size_t MOST_TILES = 600, MOST_PAIRS = 5000;
 /* Errors of the rules of integration, as a share of what arrives and of the bound that is wanted. */
 static const double RULE = 2e-2;
-/* Errors of the last integral beside what two of them differ by. */
-static const double ROUNDING = 1e-7;
+/* Errors of the last integral beside what two of them differ by; where round faces light: their light is sampled in
+ * windows whose errors have one sign where it bends one way, so that they do not cancel. */
+static const double ROUNDING = 1e-7, ROUND_RULE = 3e-5;
 
 static void free_solution(struct lx_kept *kept)
 {
@@ -178,6 +179,42 @@ static luxel_status solve(struct lx_radiosity *reflected, const struct lx_reflec
     return status == LUXEL_OK && wish->spots ? lx_spots_show(reflected, wish, false) : status;
 }
 
+/* What integrals may be wrong by, as a share of what arrives.  Inside a hollow ball that stands by itself there is
+ * nothing to integrate: all places see all in one way. */
+static double rule_of(const struct lx_radiosity *reflected)
+{
+    bool is_round = false, is_hollow = false, is_alone = true;
+    for (size_t f = 0; f < reflected->face_count; f++) {
+        const struct lx_matte_face *face = &reflected->faces[f];
+        is_round = is_round || !face->is_flat;
+        is_hollow = is_hollow || (face->sheet.type == LX_SHEET_BALL && face->sheet.turn < 0);
+        is_alone = is_alone && face->surface == reflected->faces[0].surface;
+    }
+    if (is_hollow && is_alone)
+        return ROUNDING;
+    return fmax(RULE * reflected->error, is_round ? ROUND_RULE : ROUNDING);
+}
+
+/* How fine integrals are, by the bound that is wanted: the rule of 16 nodes errs by the 8th power of the size of cells,
+ * or by the 4th where what it is multiplied by is rough, as for groups, or cut, and outlines that cross round cells let
+ * it err about by the 2nd. */
+static void set_fineness(struct lx_radiosity *reflected)
+{
+    const double scale = fmin(fmax(reflected->error, LEAST_ERROR), 1e-3) / 1e-3;
+    const double fourth = sqrt(sqrt(scale)), eighth = sqrt(fourth);
+    reflected->fine = (struct lx_fineness){.seen = 0.35 * eighth,
+                                           .rough = 0.2 * fourth,
+                                           .flat_part = 0.3 * fourth,
+                                           .round_part = 0.06 * fourth,
+                                           .group = 0.16 * fourth};
+    reflected->coarse = (struct lx_fineness){.seen = 0.45 * eighth,
+                                             .rough = 0.25 * fourth,
+                                             .flat_part = 0.42 * fourth,
+                                             .round_part = 0.12 * fourth,
+                                             .group = 0.26 * fourth};
+    reflected->rule = rule_of(reflected);
+}
+
 /* Bounds below what integrals can do are not striven for. */
 static luxel_status work(struct lx_radiosity *reflected, const struct lx_reflected_wish *wanted)
 {
@@ -185,6 +222,7 @@ static luxel_status work(struct lx_radiosity *reflected, const struct lx_reflect
     within_reach.error = fmax(wanted->error, LEAST_ERROR);
     const struct lx_reflected_wish *wish = &within_reach;
     luxel_status status = lx_tiling_make(reflected) ? LUXEL_ERROR_MEMORY : light_up(reflected, wish->error);
+    set_fineness(reflected);
     for (int round = 0; status == LUXEL_OK; round++) {
         bool failed = false;
         status = solve(reflected, wish);
@@ -195,26 +233,6 @@ static luxel_status work(struct lx_radiosity *reflected, const struct lx_reflect
         status = sample(reflected);
     }
     return status;
-}
-
-/* How fine integrals are, by the bound that is wanted: the rule of 16 nodes errs by the 8th power of the size of cells,
- * or by the 4th where what it is multiplied by is rough, as for groups, or cut, and outlines that cross round cells let
- * it err about by the 2nd. */
-static void set_fineness(struct lx_radiosity *reflected)
-{
-    const double scale = fmin(fmax(reflected->error, LEAST_ERROR), 5e-3) / 1e-3;
-    const double second = sqrt(scale), fourth = sqrt(second), eighth = sqrt(fourth);
-    reflected->fine = (struct lx_fineness){.seen = 0.5 * eighth,
-                                           .rough = 0.2 * fourth,
-                                           .flat_part = 0.3 * fourth,
-                                           .round_part = fmin(0.1 * second, 0.2),
-                                           .group = 0.16 * fourth};
-    reflected->coarse = (struct lx_fineness){.seen = 0.6 * eighth,
-                                             .rough = 0.27 * fourth,
-                                             .flat_part = 0.42 * fourth,
-                                             .round_part = fmin(0.18 * second, 0.3),
-                                             .group = 0.26 * fourth};
-    reflected->rule = fmax(RULE * reflected->error, ROUNDING);
 }
 
 /* Rows are of use only while the solution is made. */
@@ -249,7 +267,6 @@ luxel_status lx_reflected_make(const struct lx_reflected_wish *wish, struct lx_r
         .threads = wish->threads,
         .control = wish->control,
     };
-    set_fineness(reflected);
     reflected->sampled.tolerance = fmax(reflected->sampled.tolerance, SAMPLED * wish->error);
     reflected->sampling.world.prepared = &reflected->sampled;
     lx_kept_init(&reflected->kept, free_solution);

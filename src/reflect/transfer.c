@@ -127,18 +127,19 @@ static void weigh_nodes_in_part(const struct sending *sending, const struct lx_t
 
 /* ---- the recursion ---- */
 
-static double distance_to(const struct lx_transfer *transfer, const struct lx_tile_cell *cell)
+/* How far it is to where the kernel is another one. */
+static double scale_of(const struct lx_transfer *transfer, const struct lx_tile_cell *cell)
 {
     double way[3];
     for (int i = 0; i < 3; i++)
         way[i] = cell->center_mm[i] - transfer->receiver->place_mm[i];
-    return sqrt(lx_dot(way, way));
+    return fmin(sqrt(lx_dot(way, way)), transfer->turns_mm);
 }
 
 /* Whether a cell is small enough to be taken as it is. */
 static bool is_small(const struct sending *sending, const struct lx_tile_cell *cell, double share)
 {
-    return cell->radius_mm <= sending->of->least_mm || cell->radius_mm <= share * distance_to(sending->of, cell);
+    return cell->radius_mm <= sending->of->least_mm || cell->radius_mm <= share * scale_of(sending->of, cell);
 }
 
 static void send_cell(const struct sending *sending, const struct lx_window *window, struct lx_tile_cell *cell,
@@ -211,7 +212,9 @@ static void send_cell(const struct sending *sending, const struct lx_window *win
 struct lx_transfer lx_transfer_of(const struct lx_fineness *fineness, const struct lx_receiver *receiver,
                                   const struct lx_veils *veils, const struct lx_matte_face *face)
 {
+    const double turns = 2; /* radii */
     const double radius = face->sheet.half_mm[0];
+    const bool is_round = face->sheet.type == LX_SHEET_BALL || face->sheet.type == LX_SHEET_TUBE;
     const bool is_own = receiver->own == face->surface && !receiver->is_turned;
     const bool is_hollow = face->sheet.type == LX_SHEET_BALL && face->sheet.turn < 0;
     return (struct lx_transfer){
@@ -220,6 +223,7 @@ struct lx_transfer lx_transfer_of(const struct lx_fineness *fineness, const stru
         .veils = veils,
         .face = face,
         .constant = is_own && is_hollow ? 1 / (4 * M_PI * radius * radius) : 0,
+        .turns_mm = is_round ? turns * radius : HUGE_VAL,
         .least_mm = is_own ? 1e-3 * face->radius_mm : 10 * veils->touch_mm,
     };
 }
@@ -238,7 +242,7 @@ void lx_transfer(const struct lx_transfer *transfer, const struct lx_tile *tile,
 bool lx_transfer_group(const struct lx_transfer *transfer, const struct lx_group *group, struct lx_sent *sent)
 {
     const struct lx_tile_cell *cell = &group->cell;
-    if (transfer->constant == 0 && cell->radius_mm > transfer->fineness->group * distance_to(transfer, cell))
+    if (transfer->constant == 0 && cell->radius_mm > transfer->fineness->group * scale_of(transfer, cell))
         return false;
     sent->direct = 0;
     for (int q = 0; q < LX_RULE_NODES; q++) {

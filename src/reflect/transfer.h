@@ -13,8 +13,8 @@
 #include "group.h"
 #include "veil.h"
 
-/* How small cells have to be, as shares of their distance: those that are seen, those whose direct light is rough, and
- * those seen in part, flat and round; groups. */
+/* How small cells have to be, as shares of their distance, or of what normals turn within: those that are seen, those
+ * whose direct light is rough, and those seen in part, flat and round; groups. */
 struct lx_fineness {
     double seen, rough, flat_part, round_part, group;
 };
@@ -32,6 +32,7 @@ struct lx_transfer {
     const struct lx_matte_face *face;
     double constant; /* the kernel inside of a sphere; 0: by its formula */
     double least_mm; /* cells are not cut below this */
+    double turns_mm; /* within this normals turn, and with them the kernel, however far it is */
 };
 struct lx_transfer lx_transfer_of(const struct lx_fineness *fineness, const struct lx_receiver *receiver,
                                   const struct lx_veils *veils, const struct lx_matte_face *face);

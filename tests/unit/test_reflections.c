@@ -2,7 +2,7 @@
 /*
  * Reflected light against truths: the furnace (in any closed enclosure of one reflectance under uniform light, whatever
  * stands in it, E = E0/(1 - rho)), the integrating sphere, concentric spheres, points of a cube to eight digits, one
- * bounce over a plane; what is refused; the same digits for any number of threads.
+ * bounce over a plane and from a ball; what is refused; the same digits for any number of threads.
  */
 #include <math.h>
 #include <stdio.h>
@@ -162,6 +162,36 @@ static void one_bounce(void **state)
 }
 
 /* All that is wrong is told at once. */
+/* A ball under a lamp, of which half is lit: by 4000 x 8000 places of Gauss's rule on the ball.  From afar, where its
+ * normals turn more than the ways to it; from nearby; from its side. */
+static void one_ball(void **state)
+{
+    (void)state;
+    const struct truth at[] = {{{-1750, -1250, 0}, {0, 0, 1}, 0.03254623},
+                               {{250, 200, 650}, {0, 0, 1}, 0.53502687},
+                               {{60, 300, 900}, {-0.3, -1, 0.2}, 24.0646163},
+                               {{500, 0, 1000}, {-1, 0, 0}, 16.6339269}};
+    for (size_t i = 0; i < 4; i++)
+        for (double most = 1e-2; most > 5e-6; most /= 10) {
+            luxel_scene *scene = scene_of("1", "{type: sphere, center: [0, 0, 900], radius: 200, " MATERIAL("0.5") "}",
+                                          "{type: point, position: [137, 211, 2000], intensity: 1000}");
+            luxel_settings settings;
+            luxel_settings_init(&settings);
+            settings.quantity = LUXEL_IRRADIANCE;
+            settings.reflected_error = most;
+            luxel_probe *probe;
+            luxel_probe_element(scene, &settings, at[i].place, at[i].normal, NULL, &probe);
+            assert_true(probe->has_reflected);
+            const double off = fabs(probe->reflected_irradiance - at[i].irradiance);
+            if (!(off <= probe->reflected_error + 2e-7 * at[i].irradiance) ||
+                !(probe->reflected_error < 0.1 * at[i].irradiance))
+                fail_msg("place %zu at %g: %.10g instead of %.10g, bound %.2g", i, most, probe->reflected_irradiance,
+                         at[i].irradiance, probe->reflected_error);
+            luxel_probe_free(probe);
+            luxel_scene_free(scene);
+        }
+}
+
 static void refusals(void **state)
 {
     (void)state;
@@ -236,6 +266,7 @@ int main(void)
         cmocka_unit_test(integrating_sphere),
         cmocka_unit_test(concentric_spheres),
         cmocka_unit_test(one_bounce),
+        cmocka_unit_test(one_ball),
         cmocka_unit_test(refusals),
         cmocka_unit_test(explanations),
         cmocka_unit_test(threads),
