@@ -14,9 +14,10 @@ def number(value: Optional[float], digits: int = 9) -> str:
 
 
 def bounded(amount: Tuple[float, float]) -> str:
-    """A value with no digits beyond those of the bound of its error, and the bound of what is shown."""
+    """A value with no digits beyond those of its error's bound, 0 where all are, and the bound of what is shown."""
     value, error = amount
-    shown = "%.7g" % (round(value, 1 - floor(log10(error))) + 0.0 if error > 0 else value)
+    digits = 1 - floor(log10(error)) if error > 0 else 0
+    shown = "%.7g" % (0 if abs(value) < error / 10 else round(value, digits) + 0.0 if error > 0 else value)
     return "%s ± %.2g" % (shown, error + abs(float(shown) - value))
 
 

@@ -3,6 +3,8 @@
 
 The bus is asked directly, as libatspi keeps what it was once told and would have to be watched for what it missed.
 """
+import time
+
 try:
     from gi.repository import Gio, GLib
 except ImportError as missing:
@@ -12,6 +14,7 @@ PREFIX = "org.a11y.atspi."
 ROOT = "/org/a11y/atspi/accessible/root"
 STATES = {"checked": 4, "focused": 12, "pressed": 20, "selected": 23, "sensitive": 24, "visible": 30, "invalid": 0}
 TIMEOUT_MS = 20000
+PACE = 0.1  # seconds that a hand takes: what it did is under way before something is read or done
 
 
 class Rejected(Exception):
@@ -61,6 +64,7 @@ class Reader:
         values = [value if isinstance(value, GLib.Variant) else GLib.Variant("s", value) for value in parameters]
         call(self.session, "org.luxel.Luxel", path, "org.gtk.Actions", "Activate",
              GLib.Variant("(sava{sv})", (name, values, {})))
+        time.sleep(PACE)
 
     def state(self, path, name):
         """Whether an action is enabled, and its state (None: it has none)."""
@@ -164,11 +168,13 @@ class Widget:
 
     def act(self, index=0):
         assert self.ask("Action", "DoAction", "(i)", index)[0]
+        time.sleep(PACE)
 
 
 class Snapshot:
-    """The widgets below one as they stand at one time.  What a program has told of once it tells of again all at once;
-    a question for each costs it, the bus and the reader ten times as much.  So only new widgets are asked for."""
+    """The widgets below one as they stand at one time.  Of all widgets that a program has told of once it tells the
+    names, states and numbers of children at once; asking each costs it, the bus and the reader far more.  Which
+    children they are is asked for one by one, as those that were hidden from the first on are told of as seen."""
 
     roles = {}  # of all that were ever asked for: no widget changes its role, and no path is used again
 
@@ -180,7 +186,7 @@ class Snapshot:
             self.take()
 
     def take(self):
-        self.names, self.states, self.counts, self.pages, self.shown = {}, {}, {}, set(), {}
+        self.names, self.states, self.counts = {}, {}, {}
         told = reply(self.top.bus, self.top.owner, "/org/a11y/atspi/cache", PREFIX + "Cache", "GetItems")
         told = told.get_child_value(0)
         # Field by field, as all of it would take Python long to unpack.
@@ -189,19 +195,10 @@ class Snapshot:
             low, high = (field(9).get_child_value(i).get_uint32() for i in range(2))
             self.names[path], self.states[path] = field(6).get_string(), low | high << 32
             self.counts[path] = field(4).get_int32()
-            if PREFIX + "Component" not in field(5).get_strv():
-                self.pages.add(path)
-            if self.states[path] >> STATES["visible"] & 1:
-                self.shown.setdefault(field(2).get_child_value(1).get_string(), []).append(
-                    (field(3).get_int32(), path))
 
     def children(self, path):
-        told = sorted(self.shown.get(path, []))
-        # A widget that is hidden from the first on is told of as visible, but has no place among those that are seen;
-        # what stands on a page of a stack has its place in the stack.
-        places = [index for index, _child in told]
-        if len(told) == self.counts.get(path) and (path in self.pages or places == list(range(len(told)))):
-            return [child for _index, child in told]
+        if path != ROOT and self.counts.get(path) == 0:  # a program's root does not count its windows
+            return []
         if path not in self.asked:
             try:
                 self.asked[path] = [child.path for child in Widget(self.top.bus, self.top.owner, path).children()]
@@ -210,9 +207,9 @@ class Snapshot:
         return self.asked[path]
 
     def below(self, path):
-        """The path of every widget in one, in their order.  A page of a stack is none: what it holds stands for it."""
+        """The path of every widget in one, in their order."""
         for child in self.children(path):
-            if child in self.names and child not in self.pages:
+            if child in self.names:
                 yield child
             yield from self.below(child)
 

@@ -14,9 +14,10 @@ import signal
 import subprocess
 import sys
 import tempfile
+import time
 import traceback
 
-from accessible import Reader
+from accessible import PACE, Reader
 from tap import Tap
 from waiting import DEADLINE, wait
 from window import Window
@@ -137,9 +138,11 @@ class Desk:
 
     def key(self, *names):
         self.hand("key", "--clearmodifiers", *names)
+        time.sleep(PACE)
 
     def type(self, text):
         self.hand("type", "--delay", "5", "--", text)
+        time.sleep(PACE)
 
     def move(self, x, y):
         self.hand("mousemove", round(x), round(y))
@@ -147,6 +150,7 @@ class Desk:
     def click(self, x, y, button=1, count=1):
         self.move(x, y)
         self.hand("click", "--repeat", count, "--delay", 60, button)
+        time.sleep(PACE)
 
     def drag(self, start, end, steps=8, held=(), button=1):
         """Presses, moves in steps, and lets go; `held` are keys like alt."""
@@ -162,6 +166,7 @@ class Desk:
         for name in held[::-1]:
             words += ["keyup", name]
         self.hand(*words)
+        time.sleep(PACE)
 
     def copy(self, text):
         """Another program takes the clipboard with this text."""

@@ -129,9 +129,13 @@ def why(tap, desk):
     window.click(wait("a button", lambda: window.widget.find(None, "Why?")))
     tap.ok(wait("a hint", lambda: window.says("Rest with the pointer")), "before a place it says what to do")
     window.pointed(*window.pixel(60, 40))
+
+    def there():
+        where = re.search(r"x = (\S+), y = (\S+) mm", window.says("x = ", "y = ") or "")
+        return where and abs(float(where.group(1)) - 60) < 1 and abs(float(where.group(2)) - 40) < 1
+
+    tap.ok(wait("the place", there), "where it is")
     formula = wait("the formula", lambda: window.says("N · L = ", "B = B_d + Bₛ"))
-    where = re.search(r"x = (\S+), y = (\S+) mm", window.says("x = ", "y = "))
-    tap.ok(where and abs(float(where.group(1)) - 60) < 1 and abs(float(where.group(2)) - 40) < 1, "where it is", where)
     product = float(re.search(r"N · L = ([\d.]+)", formula).group(1))
     told = luxel("explain", "report", "-p", "60,40").decode()
     tap.ok(abs(product - float(re.search(r"N · L = ([\d.]+)", told).group(1))) < 0.01, "as luxel explain has it")
