@@ -20,7 +20,7 @@ enum { MOST_TEXT = 1 << 20, MOST_FILES = 3 };
 
 /* A scene with the files that it names, in a folder of their own. */
 struct stage {
-    char folder[40], files[MOST_FILES][64], *text;
+    char folder[40], files[MOST_FILES][96], *text;
     size_t file_count;
 };
 
