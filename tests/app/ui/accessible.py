@@ -21,17 +21,12 @@ class Rejected(Exception):
     """A question that was not answered: the widget is gone, or cannot do this."""
 
 
-def reply(connection, name, path, interface, method, parameters=None):
-    """What a question is answered with, packed."""
+def call(connection, name, path, interface, method, parameters=None):
     try:
         return connection.call_sync(name, path, interface, method, parameters, None, Gio.DBusCallFlags.NONE, TIMEOUT_MS,
-                                    None)
+                                    None).unpack()
     except GLib.Error as fault:
         raise Rejected("%s.%s of %s: %s" % (interface, method, path, fault.message)) from None
-
-
-def call(*question):
-    return reply(*question).unpack()
 
 
 def connect(address):
@@ -122,27 +117,24 @@ class Widget:
         low, high = self.ask("Accessible", "GetState")[0]
         return bool((low | high << 32) >> STATES[state] & 1)
 
-    def seen(self, role=None, name=None, state=None):
-        """Every widget in this one, in their order, of a role, of a name and in a state where they are given, and the
-        name of each."""
-        snapshot = Snapshot(self)
-        for path in snapshot.below(self.path):
-            if name in (None, snapshot.names[path]) and (state is None or snapshot.states[path] >> STATES[state] & 1):
-                widget = Widget(self.bus, self.owner, path)
-                if role is None or snapshot.role(widget) == role:
-                    yield widget, snapshot.names[path]
+    def all(self, role=None, name=None, state=None):
+        """Every widget in this one, in their order, of a role, of a name and in a state where they are given."""
+        for child in self.children():
+            try:
+                if (role is None or child.role == role) and (name is None or child.name == name) and (
+                        state is None or child.has(state)):
+                    yield child
+                yield from child.all(role, name, state)
+            except Rejected:  # gone while it was looked at
+                continue
 
-    def all(self, *which, **named):
-        """Every such widget."""
-        return (widget for widget, _name in self.seen(*which, **named))
-
-    def names(self, *which, **named):
+    def names(self, role=None, name=None, state=None):
         """Their names."""
-        return [name for _widget, name in self.seen(*which, **named)]
+        return [widget.name for widget in self.all(role, name, state)]
 
-    def find(self, *which, **named):
+    def find(self, role=None, name=None, state=None):
         """The first of them, or None."""
-        return next(self.all(*which, **named), None)
+        return next(self.all(role, name, state), None)
 
     # ---- what it holds ----
 
@@ -169,54 +161,3 @@ class Widget:
     def act(self, index=0):
         assert self.ask("Action", "DoAction", "(i)", index)[0]
         time.sleep(PACE)
-
-
-class Snapshot:
-    """The widgets below one as they stand at one time.  Of all widgets that a program has told of once it tells the
-    names, states and numbers of children at once; asking each costs it, the bus and the reader far more.  Which
-    children they are is asked for one by one, as those that were hidden from the first on are told of as seen."""
-
-    roles = {}  # of all that were ever asked for: no widget changes its role, and no path is used again
-
-    def __init__(self, top):
-        self.top, self.asked = top, {}
-        self.take()
-        list(self.below(top.path))
-        if any(child not in self.names for children in self.asked.values() for child in children):
-            self.take()
-
-    def take(self):
-        self.names, self.states, self.counts = {}, {}, {}
-        told = reply(self.top.bus, self.top.owner, "/org/a11y/atspi/cache", PREFIX + "Cache", "GetItems")
-        told = told.get_child_value(0)
-        # Field by field, as all of it would take Python long to unpack.
-        for field in (told.get_child_value(i).get_child_value for i in range(told.n_children())):
-            path = field(0).get_child_value(1).get_string()
-            low, high = (field(9).get_child_value(i).get_uint32() for i in range(2))
-            self.names[path], self.states[path] = field(6).get_string(), low | high << 32
-            self.counts[path] = field(4).get_int32()
-
-    def children(self, path):
-        if path != ROOT and self.counts.get(path) == 0:  # a program's root does not count its windows
-            return []
-        if path not in self.asked:
-            try:
-                self.asked[path] = [child.path for child in Widget(self.top.bus, self.top.owner, path).children()]
-            except Rejected:  # gone while it was looked at
-                self.asked[path] = []
-        return self.asked[path]
-
-    def below(self, path):
-        """The path of every widget in one, in their order."""
-        for child in self.children(path):
-            if child in self.names:
-                yield child
-            yield from self.below(child)
-
-    def role(self, widget):
-        if widget.path not in self.roles:
-            try:
-                self.roles[widget.path] = widget.role
-            except Rejected:  # gone while it was looked at
-                return None
-        return self.roles[widget.path]
