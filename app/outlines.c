@@ -6,7 +6,7 @@
 
 #include "number.h"
 
-/* What a silhouette depends on. */
+/* A mesh, as far as its silhouette depends on it. */
 typedef struct Mesh {
     double size_mm[3], volume_mm3, scale_mm, turn[3], radius_mm;
     gsize triangles, corners, edges;

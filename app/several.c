@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* What is said above the form of sources that are chosen together. */
+/* The words above the form of sources that are chosen together. */
 #include "several.h"
 
 #include "../front/words.h"

@@ -50,7 +50,7 @@ typedef struct luxel_silhouette_line {
     size_t count;                 /* of the places */
 } luxel_silhouette_line;
 
-/* What of a plane a mesh covers: lines run counter-clockwise around that, and clockwise around holes in it. */
+/* The part of a plane that a mesh covers: lines run counter-clockwise around it, and clockwise around holes in it. */
 typedef struct luxel_silhouette {
     const luxel_silhouette_line *lines; /* count of them */
     size_t count;                       /* of the lines */

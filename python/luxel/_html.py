@@ -16,8 +16,11 @@ def number(value: Optional[float], digits: int = 9) -> str:
 def bounded(amount: Tuple[float, float]) -> str:
     """A value with no digits beyond those of its error's bound, 0 where all are, and the bound of what is shown."""
     value, error = amount
-    digits = 1 - floor(log10(error)) if error > 0 else 0
-    shown = "%.7g" % (0 if abs(value) < error / 10 else round(value, digits) + 0.0 if error > 0 else value)
+    if error > 0:
+        told = 0.0 if abs(value) < error / 10 else round(value, 1 - floor(log10(error))) + 0.0
+    else:
+        told = value
+    shown = "%.7g" % told
     return "%s ± %.2g" % (shown, error + abs(float(shown) - value))
 
 

@@ -68,7 +68,7 @@ static void place_nodes(const struct search *search, const struct node *nodes, u
     lx_world_settle(&search->world, &(struct lx_settling){.has_normals = true}, elements);
 }
 
-/* What falls on them. */
+/* The irradiance of some nodes, at most a batch of them. */
 static void look(const struct search *search, struct node *nodes, unsigned count, bool is_caller)
 {
     const struct lx_asking asking = {.control = search->control, .is_caller = is_caller};

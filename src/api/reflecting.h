@@ -36,7 +36,7 @@ luxel_status lx_reflect_places(const struct lx_reflecting *reflecting, luxel_dia
 luxel_status lx_ask_places(const struct lx_reflecting *reflecting, const struct lx_radiosity *reflected,
                            luxel_diagnostics *diagnostics);
 
-/* What a solution for the plane of the i-th grid is made with, and the one that the scene keeps, to be released; NULL:
+/* The key of a solution for the plane of the i-th grid, and the solution that the scene keeps, to be released; NULL:
  * none. */
 struct lx_reflected_key lx_reflected_key_of_plane(const struct lx_session *session, size_t i);
 struct lx_radiosity *lx_reflected_of_plane(const luxel_scene *scene, const struct lx_session *session, size_t i);

@@ -52,8 +52,8 @@ static bool next_start(const struct lx_hunt *hunt, const luxel_field *field, con
 }
 
 /*
- * What a parabola through a place and its eight neighbours says of the peak: how far it is, in steps, and how much
- * higher.  False where no parabola fits them: at an edge, on a slope, or where rounding is all there is.
+ * The peak of a parabola through a place and its eight neighbours: how far it is, in steps, and how much higher.  False
+ * where no parabola fits them: at an edge, on a slope, or where rounding is all there is.
  */
 static bool fit_peak(double here, const double around[8], double away[2], double *gain)
 {

@@ -221,35 +221,34 @@ void lx_rendered_clear(struct lx_rendered *rendered)
     luxel_field_free(rendered->field);
 }
 
-/* What the figure shows of its scene's picture. */
-static luxel_status show_picture(struct lx_figure *figure, const luxel_settings *settings,
-                                 const struct lx_rendered *rendered, luxel_diagnostics *diagnostics)
+/* The outlines, extrema and axes of the scene's picture. */
+static luxel_status show_picture(struct lx_figure *figure, const struct lx_rendered *rendered,
+                                 luxel_diagnostics *diagnostics)
 {
     const struct lx_screen *screen = &figure->scene->screen;
-    luxel_status status = LUXEL_OK;
-    if (!rendered) {
-        status = lx_rendered_make(figure->copy, settings, wants_extrema(&figure->settings), diagnostics, &figure->own);
-        rendered = &figure->own;
-    }
-    figure->field = rendered->field;
     if (wants_extrema(&figure->settings))
         figure->extrema = rendered->extrema;
-    if (status == LUXEL_OK && lx_figure_outline(figure, rendered->evaluator, OUTLINE_STEPS) < 0)
-        status = lx_out_of_memory(diagnostics);
+    if (lx_figure_outline(figure, rendered->evaluator, OUTLINE_STEPS) < 0)
+        return lx_out_of_memory(diagnostics);
     figure->size_mm[0] = screen->width_mm, figure->size_mm[1] = screen->height_mm;
     for (int i = 0; i < 2; i++)
         figure->axes[i] = (struct lx_scale){.low = -figure->size_mm[i] / 2, .high = figure->size_mm[i] / 2};
     figure->axis_names[0] = LX_N("x, mm"), figure->axis_names[1] = LX_N("y, mm");
-    return status;
+    return LUXEL_OK;
 }
 
 static luxel_status compute(struct lx_figure *figure, const luxel_settings *settings,
                             const struct lx_rendered *rendered, luxel_diagnostics *diagnostics)
 {
+    const bool is_plane = figure->settings.grid > 0;
+    const struct lx_rendered *shown = rendered && !is_plane ? rendered : &figure->own;
     luxel_summary summary;
-    luxel_status status = figure->settings.grid > 0 ? lx_figure_plane(figure, settings, diagnostics)
-                                                    : show_picture(figure, settings, rendered, diagnostics);
-    const luxel_evaluator *evaluator = rendered ? rendered->evaluator : figure->own.evaluator;
+    luxel_status status = LUXEL_OK;
+    if (!is_plane && !rendered)
+        status = lx_rendered_make(figure->copy, settings, wants_extrema(&figure->settings), diagnostics, &figure->own);
+    if (status == LUXEL_OK)
+        status = is_plane ? lx_figure_plane(figure, settings, diagnostics) : show_picture(figure, shown, diagnostics);
+    figure->field = shown->field;
     if (status == LUXEL_OK)
         status = luxel_field_summary(figure->field, NULL, diagnostics, &summary);
     if (status == LUXEL_OK) {
@@ -257,14 +256,14 @@ static luxel_status compute(struct lx_figure *figure, const luxel_settings *sett
         choose_levels(figure);
     }
     if (status == LUXEL_OK && figure->settings.bands != LUXEL_SMOOTH)
-        status = luxel_find_isophotes(figure->field, lx_figure_is_slow(figure) ? NULL : evaluator, figure->levels,
-                                      figure->level_count, diagnostics, &figure->isophotes);
+        status = luxel_find_isophotes(figure->field, lx_figure_is_slow(figure) ? NULL : shown->evaluator,
+                                      figure->levels, figure->level_count, diagnostics, &figure->isophotes);
     if (status == LUXEL_OK && figure->plane && figure->isophotes)
         status = lx_plane_move_lines(figure, settings, diagnostics);
     if (status == LUXEL_OK && lx_labels_prepare(figure) < 0)
         status = lx_out_of_memory(diagnostics);
     if (status == LUXEL_OK && figure->settings.section != LUXEL_SECTION_NONE)
-        status = make_sections(figure, evaluator, diagnostics);
+        status = make_sections(figure, shown->evaluator, diagnostics);
     if (status == LUXEL_OK)
         status = lx_figure_texts(figure, diagnostics);
     return status;

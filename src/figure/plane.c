@@ -96,10 +96,8 @@ static luxel_status make_field(struct lx_figure *figure, const luxel_settings *s
     for (int i = 0; i < 2; i++)
         fine_n[i] = (unsigned)fmin(n[i] * (double)parts_of(grid->size_mm[i] / n[i], wanted_mm), 65536);
     fine.tolerance = fmax(fine.tolerance, FINE_TOLERANCE);
-    const luxel_status status = luxel_measure_field(figure->copy, &fine, figure->settings.grid - 1, fine_n[0],
-                                                    fine_n[1], diagnostics, &figure->own.field);
-    figure->field = figure->own.field;
-    return status;
+    return luxel_measure_field(figure->copy, &fine, figure->settings.grid - 1, fine_n[0], fine_n[1], diagnostics,
+                               &figure->own.field);
 }
 
 /* The whole plane, as the contour of what has colours. */

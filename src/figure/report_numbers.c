@@ -119,7 +119,7 @@ static luxel_status measure_width(const struct lx_report *report, int axis, stru
     return status;
 }
 
-/* What the lights give at the maximum, and how quickly the value falls around it. */
+/* Shares of the lights at the maximum, and how quickly the value falls around it. */
 static luxel_status look_at_maximum(struct lx_report *report)
 {
     const luxel_peak *peak = &report->rendered.extrema.maximum;

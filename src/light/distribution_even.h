@@ -29,7 +29,7 @@ struct lx_even_table {
     lx_even_cell *cells;                 /* by azimuth, then by polar angle; NULL: there is no such table */
 };
 
-/* What a function does in some cells: its greatest value, and by how much it changes in a cell along each angle. */
+/* The extent of a function in some cells: its greatest value, and by how much it changes in a cell along each angle. */
 struct lx_even_extent {
     double greatest, along, across;
 };

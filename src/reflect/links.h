@@ -32,7 +32,7 @@ struct lx_links {
     bool failed;  /* memory ran out */
 };
 
-/* What is sent beside direct light, and bounds of its error, at the nodes of groups; NULL: nothing. */
+/* Light that is sent beside direct light, and bounds of its error, at the nodes of groups; NULL: nothing. */
 struct lx_light {
     const double *indirect, *slack;
 };

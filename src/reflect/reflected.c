@@ -179,7 +179,7 @@ static luxel_status solve(struct lx_radiosity *reflected, const struct lx_reflec
     return status == LUXEL_OK && wish->spots ? lx_spots_show(reflected, wish, false) : status;
 }
 
-/* What integrals may be wrong by, as a share of what arrives.  Inside a hollow ball that stands by itself there is
+/* Errors of integrals, as a share of what arrives.  Inside a hollow ball that stands by itself there is
  * nothing to integrate: all places see all in one way. */
 static double rule_of(const struct lx_radiosity *reflected)
 {
@@ -195,9 +195,9 @@ static double rule_of(const struct lx_radiosity *reflected)
     return fmax(RULE * reflected->error, is_round ? ROUND_RULE : ROUNDING);
 }
 
-/* How fine integrals are, by the bound that is wanted: the rule of 16 nodes errs by the 8th power of the size of cells,
- * or by the 4th where what it is multiplied by is rough, as for groups, or cut, and outlines that cross round cells let
- * it err about by the 2nd. */
+/* How fine integrals are, by the bound that is wanted, and never coarser than a thousandth takes: the rule of 16 nodes
+ * errs by the 8th power of the size of cells, or by the 4th where what it is multiplied by is rough, as for groups, or
+ * cut. */
 static void set_fineness(struct lx_radiosity *reflected)
 {
     const double scale = fmin(fmax(reflected->error, LEAST_ERROR), 1e-3) / 1e-3;

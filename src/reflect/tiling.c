@@ -66,7 +66,7 @@ static void mark_plate(const struct lx_matte_face *face, const struct lx_matte_f
     add_mark(marks, low, high);
 }
 
-/* What is round touches a plate at a point, if it is a ball, or along its outline. */
+/* A ball touches a plate at a point, what else is round along its outline. */
 static void mark_round(const struct lx_matte_face *face, const struct lx_matte_face *other, double least_mm,
                        struct marks *marks)
 {

@@ -29,7 +29,7 @@ LX_LANE void follow_row(const float *terms, int size, const lanes_single at[ABRE
         sums[v] = sums[v] * at[v] + terms[i];
 }
 
-/* What all pixels of a square have in common: the cells that it sees, as numbers of vectors. */
+/* The cells that all pixels of a square have in common: those that it sees, as numbers of vectors. */
 struct tabled_cells {
     const lx_even_cell *cells;
     const float *start, *per_step;

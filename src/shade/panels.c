@@ -15,7 +15,7 @@ enum { HALF_SIDE = LX_PANEL_SIDE / 2, QUARTERS = 4, SIDE_BY_SIDE = LX_BLOCK / LX
 /* Highlights of extended sources that are not smooth in squares of so many pixels are sampled at each of them. */
 enum { LEAST_SIDE = LX_PANEL_SIDE / 4 };
 
-/* What polynomials may be off by, of the picture's maximum; and what the roundings of luminaires may add up to besides.
+/* Errors of polynomials, as shares of the picture's maximum; and what roundings of luminaires may add up to besides.
  * As these are independent they do not come together: a third of that sum is more than any picture has of it. */
 static const double SHARE = 8e-7, ROUNDINGS = 2.4e-6;
 

@@ -27,7 +27,7 @@ static const struct {
 /* How much of the distance from the axis a square and the ellipse around it may take: less than the root of 1/2. */
 static const double MOST_OF_DISTANCE = 0.7;
 
-/* What the four numbers of a cell, and what is made of them, may be off by: units in the last place of the greatest. */
+/* Errors of the four numbers of a cell and of what is made of them: units in the last place of the greatest. */
 static const double CELL_ROUNDINGS = 6;
 
 static const double unit = 5.9604644775390625e-08; /* 2^-24 */
@@ -94,7 +94,7 @@ struct sight {
     double cosine_most;                      /* and the cosine itself */
 };
 
-/* What a logarithm of 1 + z is at most, |z| <= q. */
+/* The greatest |log(1 + z)| where |z| <= q. */
 static double log_within(double q)
 {
     return q < 1 ? -log1p(-q) : HUGE_VAL;

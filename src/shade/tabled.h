@@ -35,7 +35,7 @@ void lx_table_bases_make(struct lx_basis *bases);
 int lx_luminaires_make(const struct lx_planned_surface *surface, struct lx_luminaires *made);
 void lx_luminaires_clear(struct lx_luminaires *luminaires);
 
-/* What luminaires over a square may be off by: as functions, and by roundings. */
+/* Errors that luminaires over a square may have: as functions, and by roundings. */
 struct lx_allowance {
     double error, rounding;
 };

@@ -30,7 +30,7 @@ int lx_shape_sheets(const struct lx_shape *shape, struct lx_smooth_sheet sheets[
 /* The place, the unit normal and the area for each unit of s and t, in mm^2. */
 double lx_sheet_place(const struct lx_smooth_sheet *sheet, double s, double t, double place_mm[3], double normal[3]);
 
-/* What depends on one coordinate alone, for those who ask of many places that have it in common. */
+/* The numbers that depend on one coordinate alone, for those who ask of many places that have it in common. */
 struct lx_sheet_line {
     double at, first, second; /* of a ball its tangent; of other round sheets, along s, cosine and sine */
 };

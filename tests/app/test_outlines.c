@@ -33,7 +33,7 @@ static double *line_of(const AppDocument *document, AppOutlines *outlines, AppPr
     return places;
 }
 
-/* What is kept from before stands where one that is found anew does. */
+/* A silhouette that is kept stands where one that is found anew does. */
 static void test_moving(void **state)
 {
     (void)state;
