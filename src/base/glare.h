@@ -10,4 +10,8 @@
  */
 double lx_position_index(double ahead, double aside, double above);
 
+/* The index by the table of CIE 117, which CIE 190 uses, linear between its places: up to a tenth off the fit.  NaN
+ * where the table has none. */
+double lx_position_index_of_table(double ahead, double aside, double above);
+
 #endif

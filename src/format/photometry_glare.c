@@ -22,7 +22,8 @@ static const double PI = 3.141592653589793;
 static const double DEGREE = 0.017453292519943295;
 
 enum { FLOOR, WALLS, CEILING, PARTS };
-enum { GREATEST_GAMMA = 85 }; /* luminaires that are seen under a greater one do not count */
+/* Luminaires count up to 85 degrees in whole degrees: CIE 190 has those 11.5 heights ahead, at 85.03. */
+static const double GREATEST_GAMMA = 85.5;
 
 static const unsigned char rooms[LUXEL_UGR_ROOMS][2] = {{2, 2}, {2, 3},  {2, 4},  {2, 6},  {2, 8},  {2, 12}, {4, 2},
                                                         {4, 3}, {4, 4},  {4, 6},  {4, 8},  {4, 12}, {8, 4},  {8, 6},
@@ -124,7 +125,7 @@ static double glare_sum(const luxel_photometry *photometry, const struct room *r
     for (size_t j = 0; j < room->along; j++)
         for (size_t i = 0; i < room->across; i++) {
             double ahead = ((double)j + 0.5) * spacing, aside = ((double)i + 0.5) * spacing - room->size[0] / 2;
-            double index = lx_position_index(ahead, aside, 1), way = hypot(ahead, aside);
+            double index = lx_position_index_of_table(ahead, aside, 1), way = hypot(ahead, aside);
             double gamma = atan(way) / DEGREE, turn = (is_endwise ? 90 : 0) - atan2(aside, ahead) / DEGREE;
             double direction[3];
             if (isnan(index) || gamma > GREATEST_GAMMA)

@@ -1,7 +1,10 @@
 # SPDX-License-Identifier: MIT
 """Unified glare rating of luminaires in standard rooms, against a calculation of its own: Lambertian flux on rectangles
-in closed form, form factors of walls one by one, bounces one by one, and the plain sum over the luminaires."""
+in closed form, form factors of walls one by one, bounces one by one, and the plain sum over the luminaires.  Only the
+numbers of the table of CIE 117 are read from the source; tests/unit/test_glare.c compares them with the fit."""
 import math
+import os
+import re
 
 from luminaires import HEAD
 from tap import Tap
@@ -24,12 +27,29 @@ def lambert(_, gamma):
     return 1000 * max(0, math.cos(math.radians(gamma)))
 
 
+def read_indices():
+    source = os.path.join(os.path.dirname(__file__), "..", "..", "src", "base", "glare.c")
+    with open(source, encoding="utf-8") as file:
+        rows = re.findall(r"^    \{([\d, ]+)\}", file.read(), re.MULTILINE)
+    return [[int(number) / 100 for number in row.split(",")] for row in rows]
+
+
+INDICES = read_indices()  # aside / ahead by above / ahead, in tenths; 0: none
+
+
 def index(ahead, aside, above):
-    """The position index."""
-    off = math.degrees(math.acos(ahead / math.sqrt(ahead ** 2 + aside ** 2 + above ** 2)))
-    tilt = math.degrees(math.atan(abs(aside) / above))
-    return math.exp((35.2 - .31889 * tilt - 1.22 * math.exp(-2 * tilt / 9)) * off / 1e3 +
-                    (21 + .26667 * tilt - .002963 * tilt ** 2) * off ** 2 / 1e5)
+    """The position index, linear along a row and then between two; None where the table has none."""
+    row, column = round(10 * abs(aside) / ahead, 9), round(10 * above / ahead, 9)
+    if row > 30 or column > 19:
+        return None
+
+    def along(numbers):
+        here, share = int(column), column % 1
+        used = numbers[here:here + (2 if share else 1)]
+        return None if 0 in used else used[0] + share * (used[-1] - used[0])
+
+    found = [along(numbers) for numbers in INDICES[int(row):math.ceil(row) + 1]]
+    return None if None in found else found[0] + row % 1 * (found[-1] - found[0])
 
 
 def on_corner(a, b):
@@ -77,11 +97,11 @@ def glare(x, y, spacing, intensity, area, turn):
         for j in range(round(y / spacing)):
             aside, ahead = (i + .5) * spacing - x / 2, (j + .5) * spacing
             gamma = math.degrees(math.atan(math.hypot(aside, ahead)))
-            if gamma > 85 or 1 > 1.9 * ahead or abs(aside) > 3 * ahead:
+            p = index(ahead, aside, 1)
+            if gamma > 85.5 or p is None:
                 continue
             c = turn + math.degrees(math.atan(abs(aside) / ahead)) * (-1 if turn else 1)
-            total += intensity(c, gamma) ** 2 / area(c, gamma) / (1 + aside ** 2 + ahead ** 2) / index(
-                ahead, aside, 1) ** 2
+            total += intensity(c, gamma) ** 2 / area(c, gamma) / (1 + aside ** 2 + ahead ** 2) / p ** 2
     return total
 
 
