@@ -8,10 +8,11 @@ from typing import TYPE_CHECKING, Any, Dict, List, NamedTuple, Optional, Tuple, 
 from . import _html, _luxel
 from ._arrays import floats, shared
 from ._errors import Diagnostic
+from ._glare import UgrTable, ugr_table
 from ._language import translate
 from ._pictures import Drawing, Path, drawing
 from ._results import Vector
-from ._settings import choice
+from ._settings import choice, real
 
 if TYPE_CHECKING:
     from ._arrays import Floats
@@ -155,6 +156,14 @@ class Photometry:
          spacing) = _luxel.photometry_measured(self._holder)
         return PhotometryFigures(flux, linear, lorl, dff, Greatest(*greatest), beam, field, tuple(beams), tuple(fields),
                                  tuple(code), dict(zip(indices, ratios)), tuple(spacing))
+
+    def ugr(self, spacing: float = 0.25) -> Optional[UgrTable]:
+        """The table of unified glare ratings in standard rooms by the method of CIE 190.
+
+        `spacing`: the distance of the luminaires over their height above the eye, 1, 1/2, 1/3 ... 1/8; catalogues have
+        0.25.  None for what has no luminance towards an observer: points, types A and B.
+        """
+        return ugr_table(_luxel.photometry_ugr(self._holder, real("spacing", spacing)))
 
     def intensity(self, plane: Any, angle: Any, interpolation: str = "angle") -> Any:
         """The intensity in cd at C (or a horizontal angle) and gamma (or a vertical one), in degrees.

@@ -157,6 +157,58 @@ static PyObject *measured(PyObject *module, PyObject *holder)
                          room_indices(), numbers(f.direct_ratios, LUXEL_ROOM_INDICES), numbers(f.spacing, 3));
 }
 
+/* ---- glare ---- */
+
+static PyObject *ugr_rooms(void)
+{
+    PyObject *list = PyList_New(0);
+
+    for (size_t i = 0; list && i < LUXEL_UGR_ROOMS; i++)
+        if (append(list, Py_BuildValue("(dd)", luxel_ugr_room(i, 0), luxel_ugr_room(i, 1))) < 0)
+            Py_CLEAR(list);
+    return list;
+}
+
+static PyObject *ugr_reflectances(void)
+{
+    PyObject *list = PyList_New(0);
+
+    for (size_t i = 0; list && i < LUXEL_UGR_REFLECTANCES; i++)
+        if (append(list, Py_BuildValue("(ddd)", luxel_ugr_reflectance(i, 0), luxel_ugr_reflectance(i, 1),
+                                       luxel_ugr_reflectance(i, 2))) < 0)
+            Py_CLEAR(list);
+    return list;
+}
+
+/* ugr(lamp, spacing): None where the luminaire has no luminance; else spacing, rooms, reflectances and all ratings. */
+static PyObject *ugr(PyObject *module, PyObject *arguments)
+{
+    PyObject *holder;
+    double spacing;
+    const luxel_photometry *lamp;
+    luxel_ugr_table table;
+    luxel_status status;
+
+    if (!PyArg_ParseTuple(arguments, "Od", &holder, &spacing) || !(lamp = photometry_of(module, holder)))
+        return NULL;
+    Py_BEGIN_ALLOW_THREADS
+    status = luxel_photometry_rate_glare(lamp, spacing, &table);
+    Py_END_ALLOW_THREADS
+    if (status == LUXEL_ERROR_MEMORY)
+        return PyErr_NoMemory();
+    if (status != LUXEL_OK)
+        return PyErr_Format(PyExc_ValueError, "spacing: 1, 1/2, 1/3 ... 1/8 is expected");
+    if (!table.exists)
+        return none();
+
+    PyObject *ratings = PyList_New(0);
+
+    for (size_t i = 0; ratings && i < 2 * LUXEL_UGR_ROOMS; i++)
+        if (append(ratings, numbers(table.ratings[i / 2][i % 2], LUXEL_UGR_REFLECTANCES)) < 0)
+            Py_CLEAR(ratings);
+    return ratings ? Py_BuildValue("(dNNN)", table.spacing, ugr_rooms(), ugr_reflectances(), ratings) : NULL;
+}
+
 /* ---- directions ---- */
 
 enum { MOST_ARRAYS = 3 };
@@ -295,6 +347,8 @@ const PyMethodDef photometry_functions[] = {
              "Tuple[Holder, List[Tuple[Any, ...]]]"),
     FUNCTION("photometry_about", about, METH_O, "luminaire: Holder, /", "Tuple[Any, ...]"),
     FUNCTION("photometry_measured", measured, METH_O, "luminaire: Holder, /", "Tuple[Any, ...]"),
+    FUNCTION("photometry_ugr", ugr, METH_VARARGS, "luminaire: Holder, spacing: float, /",
+             "Optional[Tuple[Any, ...]]"),
     FUNCTION("photometry_intensities", intensities, METH_VARARGS,
              "luminaire: Holder, interpolation: int, planes: Any, angles: Any, target: Any, /", "None"),
     FUNCTION("photometry_directions", directions, METH_VARARGS,
