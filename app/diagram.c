@@ -8,12 +8,13 @@
 #include "../front/language.h"
 #include "../front/words.h"
 #include "number.h"
+#include "ugr_table.h"
 
 enum { SIDE = 190, WIDTH_MM = 80, DOTS_PER_INCH = 190 };
 
 struct _AppDiagram {
     GtkBox parent;
-    GtkWidget *picture, *figures;
+    GtkWidget *picture, *figures, *ugr;
     char *shown; /* what is drawn: the path, its time and the ground; NULL: nothing */
 };
 
@@ -92,6 +93,7 @@ void app_diagram_show(AppDiagram *self, const char *path)
     char *figures = texture ? figures_of(photometry) : g_strdup("");
     gtk_picture_set_paintable(GTK_PICTURE(self->picture), GDK_PAINTABLE(texture));
     gtk_label_set_text(GTK_LABEL(self->figures), figures);
+    app_ugr_table_show(self->ugr, photometry);
     gtk_widget_set_visible(GTK_WIDGET(self), texture != NULL);
     g_clear_object(&texture);
     g_free(figures);
@@ -122,6 +124,8 @@ static void app_diagram_init(AppDiagram *self)
     gtk_widget_add_css_class(self->figures, "note");
     gtk_box_append(GTK_BOX(self), self->picture);
     gtk_box_append(GTK_BOX(self), self->figures);
+    self->ugr = app_ugr_table_new();
+    gtk_box_append(GTK_BOX(self), self->ugr);
 }
 
 GtkWidget *app_diagram_new(void)

@@ -1,5 +1,8 @@
 /* SPDX-License-Identifier: MIT */
-/* The polar diagram of a luminaire's file, as `luxel photometry -o` draws it, beside the form of the source. */
+/*
+ * The polar diagram of a luminaire's file, as `luxel photometry -o` draws it, beside the form of the source, with its
+ * flux, peak and beam, and its table of glare ratings.
+ */
 #ifndef LUXEL_APP_DIAGRAM_H
 #define LUXEL_APP_DIAGRAM_H
 

@@ -1,8 +1,10 @@
 # SPDX-License-Identifier: MIT
 """Meshes and photometry files come into the scene that is open, where they are seen; Undo takes them back."""
+import json
+
 from gi.repository import GLib
 
-from desk import trial
+from desk import luxel, trial
 from waiting import wait
 
 TETRAHEDRON = "v 0 0 0\nv 2 0 0\nv 0 2 0\nv 0 0 2\nf 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\n"
@@ -62,6 +64,14 @@ def luminaires(tap, desk):
            "a photometry file becomes a luminaire, aimed at the surface", text)
     tap.ok(wait("its diagram", diagram), "whose polar diagram stands in the form, with its flux, peak and beam")
     tap.ok(window.widget.find("image", "Polar diagram"), "and a name for those who do not see it")
+    tap.ok(not window.says("UGR "), "a point has no luminance, and no glare ratings")
+    window.act("undo")
+    wait("one source again", lambda: len(window.sources()) == 1)
+    window.act("take-path", write(desk, "panel.ies", LAMP.replace("2 0 0 0", "2 .6 .6 0")))
+    told = json.loads(luxel("photometry", desk.path("panel.ies"), "--json"))["ugr"]["rooms"]
+    room = next(room for room in told if (room["across"], room["along"]) == (4, 8))
+    line = "UGR %.1f crosswise, %.1f endwise" % (room["crosswise"][0], room["endwise"][0])
+    tap.ok(wait("its ratings", lambda: window.says(line)), "a panel's stand below its diagram: " + line)
     window.act("undo")
     wait("one source", lambda: len(window.sources()) == 1)
     tap.equal(window.save(), scene, "Undo takes it back")
