@@ -169,9 +169,10 @@ static luxel_status build(struct lx_report *report)
     status = add_method(report);
     if (status == LUXEL_OK)
         status = lx_report_pictures(report);
+    if (status == LUXEL_OK)
+        status = lx_report_results(report);
     if (status != LUXEL_OK)
         return status;
-    lx_report_results(report);
     lx_report_conclusions(report);
     lx_report_repetition(report);
     return lx_document_failed(report->document) ? lx_out_of_memory(report->diagnostics) : LUXEL_OK;

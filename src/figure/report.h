@@ -45,12 +45,15 @@ void lx_report_clear(struct lx_report *report);
 
 /* The sections, each with its heading; the first has the aim, too. */
 void lx_report_task(struct lx_report *report);
-void lx_report_results(struct lx_report *report);
+luxel_status lx_report_results(struct lx_report *report);
 void lx_report_conclusions(struct lx_report *report);
 void lx_report_repetition(struct lx_report *report);
 
 /* A part of the results, where surfaces reflect light. */
 void lx_report_balance(struct lx_report *report);
+
+/* A part of the results, where there are luminaires of files. */
+luxel_status lx_report_lamps(struct lx_report *report);
 
 /* The pictures: grey, false colour with isophotes, sections. */
 luxel_status lx_report_pictures(struct lx_report *report);

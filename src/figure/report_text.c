@@ -229,12 +229,13 @@ static void add_statistics(struct lx_report *report)
     explain_minimum(report);
 }
 
-void lx_report_results(struct lx_report *report)
+luxel_status lx_report_results(struct lx_report *report)
 {
     lx_document_heading(report->document, 1, LX_N("Results"), NULL);
     add_points(report);
     add_statistics(report);
     lx_report_balance(report);
+    return lx_report_lamps(report);
 }
 
 /* ---- repetition ---- */

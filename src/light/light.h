@@ -7,6 +7,8 @@
 #ifndef LX_LIGHT_LIGHT_H
 #define LX_LIGHT_LIGHT_H
 
+#include <luxel/photometry.h>
+
 #include "../format/mesh_survey.h"
 #include "../parameter/table.h"
 #include "emitter.h"
@@ -17,6 +19,8 @@ struct lx_light_kind {
     int (*prepare)(const void *parameters, struct lx_emitters *emitters);
     /* The greatest length of what shines as one point, 0 where it is one; NULL: so are all of them. */
     double (*opening_mm)(const void *parameters);
+    /* What the photometry file says that parameters name, and its name.  NULL: never. */
+    const luxel_photometry *(*photometry)(const void *parameters, const char **file);
     /* The mesh that parameters name, where they do.  NULL: never. */
     bool (*mesh)(const void *parameters, struct lx_mesh_use *use);
 };

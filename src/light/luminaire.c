@@ -359,6 +359,13 @@ static double opening_of(const void *parameters)
                : fmax(fmax(opening->width_mm, opening->length_mm), opening->height_mm);
 }
 
+static const luxel_photometry *photometry_of(const void *parameters, const char **file)
+{
+    const struct luminaire_parameters *luminaire = parameters;
+    *file = luminaire->file;
+    return &luminaire->distribution->photometry->shown;
+}
+
 const struct lx_light_kind lx_luminaire_kind = {
     .variant =
         {
@@ -368,4 +375,5 @@ const struct lx_light_kind lx_luminaire_kind = {
         },
     .prepare = prepare_luminaire,
     .opening_mm = opening_of,
+    .photometry = photometry_of,
 };

@@ -354,6 +354,27 @@ def title_page(tap, tool):
     tap.ok(few.code == 0 and "cover\">" not in html and html.count('class="byline"') == 2, "without them none")
 
 
+def lamps(tap, tool):
+    """Each file of luminaires that shine has a row, with the numbers of `luxel photometry`."""
+    head = "IESNA:LM-63-1995\n[MANUFAC] own\n[TEST] own\nTILT=NONE\n"
+    tool.write("panel.ies", head + "1 -1 1 3 3 1 2 .3 1.2 0\n1 1 10\n0 45 90\n0 45 90\n"
+               "900 600 40\n900 500 30\n900 400 9\n")
+    tool.write("spot.ies", head + "1 -1 1 3 1 1 2 0 0 0\n1 1 10\n0 45 90\n0\n1000 500 0\n")
+    lamp = "{type: luminaire, file: %s, position: [%d, 0, 2000], attenuation: none%s}"
+    lights = [lamp % ("panel.ies", 0, ", factor: 0.5"), lamp % ("spot.ies", 100, ""), lamp % ("panel.ies", 200, ""),
+              lamp % ("spot.ies", 300, ", enabled: false")]
+    table = rows(report(tool, *SMALL, "-s", "lights=[%s]" % ", ".join(lights)).split(" Luminaires\n")[1])
+    for name, count in (("panel.ies", 2), ("spot.ies", 1)):
+        about = tool.run("photometry", name, "--json").json()
+        room = next((room for room in about["ugr"]["rooms"] if (room["across"], room["along"]) == (4, 8)),
+                    None) if about["ugr"] else None
+        ratings = ["%.1f" % room[way][0] if room else "–" for way in ("crosswise", "endwise")]
+        tap.equal((table[name][0], table[name][3:]), (str(count), ratings), name + ": how many, and their glare")
+        tap.ok(near(table[name][1], about["flux"]["zone"], 1e-4) and
+               near(table[name][2], about["max"]["intensity"], 1e-4), name + ": flux and intensity", table)
+    tap.ok(" Luminaires\n" not in report(tool, *SMALL), "without luminaires there is no such table")
+
+
 def scene_on_one_page(tap, tool):
     """The scene's text is not torn where it fits a page, wherever the page begins."""
     for count in (1, 4, 8, 11, 14, 20, 26, 33, 40):
@@ -372,4 +393,4 @@ def scene_on_one_page(tap, tool):
 
 
 run_tests(Tap(), the_exercise, kinds_of_light, other_scenes, placed_observers, quantities, repetition, parameters,
-          every_row, title_page, scene_on_one_page)
+          every_row, title_page, lamps, scene_on_one_page)
