@@ -255,6 +255,44 @@ static void print_glare(const luxel_ugr_table *glare)
     text_table_print(table, stdout, 2);
 }
 
+/* One room with the light that its surfaces really reflect, below what the tabular method makes of it. */
+static void print_room(const struct luminaire *luminaire)
+{
+    const struct room_ratings *room = &luminaire->room;
+    const luxel_ugr_table *glare = &luminaire->glare;
+    const double *const tabular = glare->backgrounds[room->room];
+    const char *const names[] = {_("ceiling, %"),          _("walls, %"),
+                                 _("floor, %"),            _("background by the table, cd/m²"),
+                                 _("background, cd/m²"),   _("its error at most"),
+                                 _("crosswise, by the table"), _("crosswise"),
+                                 _("endwise, by the table"),   _("endwise"),
+                                 _("error at most")};
+    struct text_table *table = text_table_new("lrrrrr");
+    char cells[LUXEL_UGR_REFLECTANCES][TEXT_SIZE];
+    const char *row[1 + LUXEL_UGR_REFLECTANCES];
+
+    printf(_("\n  UGR in the room of %.3gH × %.3gH by the light that its walls really reflect, luminaires %.3g H "
+             "apart; backgrounds for H = 1 m\n\n"),
+           luxel_ugr_room(room->room, 0), luxel_ugr_room(room->room, 1), glare->spacing);
+    for (size_t line = 0; line < COUNT_OF(names); line++) {
+        row[0] = names[line];
+        for (size_t i = 0; i < LUXEL_UGR_REFLECTANCES; i++) {
+            const double numbers[] = {
+                line < 3 ? 100 * luxel_ugr_reflectance(i, line) : 0, 0, 0, tabular[i], room->background[i].value,
+                room->background[i].error, glare->ratings[room->room][0][i], room->ratings[0][i],
+                glare->ratings[room->room][1][i], room->ratings[1][i], room->errors[i]};
+
+            if (line < 3)
+                text_format(cells[i], "%.0f", numbers[0]);
+            else
+                text_format(cells[i], line < 5 ? "%.4g" : line == 5 || line == 10 ? "%.2g" : "%.2f", numbers[line]);
+            row[1 + i] = cells[i];
+        }
+        text_table_row(table, row);
+    }
+    text_table_print(table, stdout, 2);
+}
+
 static void print_warnings(const struct luminaire *luminaire)
 {
     char *warning;
@@ -294,6 +332,8 @@ static void print_text(const struct luminaire *luminaire)
     }
     if (luminaire->glare.exists)
         print_glare(&luminaire->glare);
+    if (luminaire->room.exists)
+        print_room(luminaire);
     print_warnings(luminaire);
 }
 
@@ -336,8 +376,12 @@ int luminaire_show(const struct options *options, luminaire_draw *draw)
     struct luminaire luminaire;
     int code = luminaire_open(options, &luminaire);
 
-    if (code == EXIT_DONE) {
-        code = write_outputs(options, &luminaire, draw);
+    if (code == EXIT_DONE)
+        code = room_rate(options, luminaire.photometry, &luminaire.glare, luminaire.figures.dff, &luminaire.room);
+    if (code == EXIT_DONE || code == EXIT_TOLERANCE) {
+        const int written = write_outputs(options, &luminaire, draw);
+
+        code = written == EXIT_DONE ? code : written;
         if (options->json)
             luminaire_print_json(&luminaire);
         else if (standard_output_is_free(options))
@@ -381,7 +425,7 @@ const struct command command_photometry = {
         "polar diagram or what --diagram names; or it is the same luminaire as LM-63-2002 (.ies) or EULUMDAT (.ldt)."),
     .examples = "luxel photometry lamp.ies\n"
                 "luxel photometry lamp.ldt --json\n"
-                "luxel photometry lamp.ldt --spacing 1\n"
+                "luxel photometry lamp.ldt --spacing 1 --room 4,8\n"
                 "luxel photometry lamp.ldt -o lamp.ies\n"
                 "luxel photometry lamp.ies -o polar.svg\n"
                 "luxel photometry lamp.ies -o cone.pdf --diagram cone",

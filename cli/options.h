@@ -54,6 +54,7 @@ struct option_drawing {
     double width_mm, dots_per_inch; /* 0: the default */
     size_t diagram;                 /* of luxel photometry, a luxel_diagram */
     double spacing;                 /* of the luminaires of its UGR table; 0: the default */
+    size_t room;                    /* of that table, to be rated with reflected light; 0: none, else 1 more */
 };
 
 /* Options of luxel sweep. */

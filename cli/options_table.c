@@ -12,6 +12,7 @@
 #include "cli.h"
 #include "message.h"
 #include "options.h"
+#include "photometry_room.h"
 #include "text.h"
 
 static const char *const quantity_words[] = {"brightness", "irradiance", "luminance", "illuminance", NULL};
@@ -372,21 +373,6 @@ static bool take_eye(struct options *options, const char *argument)
                        _("--eye %s: the direction of view VX,VY,VZ must not be zero"));
 }
 
-static bool take_spacing(struct options *options, const char *argument)
-{
-    double spacing, parts;
-
-    if (!argument_number("--spacing", argument, &spacing))
-        return false;
-    parts = spacing > 0 ? round(1 / spacing) : 0;
-    if (!(parts >= 1 && parts <= 8 && fabs(parts * spacing - 1) < 0.01)) {
-        message_error(_("--spacing is %s, expected 1 or its half, third ... eighth, such as 0.25"), argument);
-        return false;
-    }
-    options->drawing.spacing = 1 / parts;
-    return true;
-}
-
 static bool take_section(struct options *options, const char *argument)
 {
     options->drawing.section = argument ? argument : "center";
@@ -525,9 +511,12 @@ static const struct option_row rows[] = {
      .help =
          N_("what a figure shows: the polar diagram (default), cartesian, the intensity over gamma, or cone, the beam "
             "from 1 to 5 m away")},
-    {"spacing", 0, N_("RATIO"), COMMAND_PHOTOMETRY, TAKES(take_spacing),
+    {"spacing", 0, N_("RATIO"), COMMAND_PHOTOMETRY, TAKES(room_take_spacing),
      .help = N_("of the UGR table: between luminaires, over their height above the eye; 0.25 (default), as in "
                 "catalogues, or 1, as in CIE 190, or another part of it")},
+    {"room", 0, "X,Y", COMMAND_PHOTOMETRY, TAKES(room_take),
+     .help = N_("rate this room of the UGR table, X by Y heights, with the light that its surfaces really reflect, "
+                "too: seconds with --spacing 1, minutes with the default")},
     {"dark", 0, NULL, COMMAND_FIGURE | COMMAND_PHOTOMETRY, SETS(drawing.dark),
      .help = N_("light lines on a dark ground, for projectors")},
     {"width", 0, N_("MM"), COMMAND_FIGURE | COMMAND_PHOTOMETRY, TAKES(take_width),

@@ -6,12 +6,14 @@
 #include <luxel/luxel.h>
 
 #include "options.h"
+#include "photometry_room.h"
 
 struct luminaire {
     const char *name; /* as results show it */
     luxel_photometry *photometry;
     luxel_photometry_figures figures;
     luxel_ugr_table glare;
+    struct room_ratings room;
     luxel_diagnostics *diagnostics; /* its advice are the warnings */
 };
 

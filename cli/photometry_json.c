@@ -81,8 +81,34 @@ static void write_ratios(struct json *json, const luxel_photometry_figures *figu
 }
 
 /* The ratings; null: the luminaire has none. */
-static void write_glare(struct json *json, const luxel_ugr_table *glare)
+/* A room by the light that its walls really reflect. */
+static void write_room(struct json *json, const struct luminaire *luminaire)
 {
+    const struct room_ratings *room = &luminaire->room;
+
+    if (!room->exists)
+        return;
+    json_open(json, "room", '{');
+    json_number(json, "across", luxel_ugr_room(room->room, 0));
+    json_number(json, "along", luxel_ugr_room(room->room, 1));
+    json_numbers(json, "background_by_table", luminaire->glare.backgrounds[room->room], LUXEL_UGR_REFLECTANCES);
+    json_open(json, "background", '[');
+    for (size_t i = 0; i < LUXEL_UGR_REFLECTANCES; i++) {
+        json_open(json, NULL, '{');
+        json_number(json, "value", room->background[i].value);
+        json_number(json, "error", room->background[i].error);
+        json_close(json, '}');
+    }
+    json_close(json, ']');
+    json_numbers(json, "crosswise", room->ratings[0], LUXEL_UGR_REFLECTANCES);
+    json_numbers(json, "endwise", room->ratings[1], LUXEL_UGR_REFLECTANCES);
+    json_numbers(json, "error", room->errors, LUXEL_UGR_REFLECTANCES);
+    json_close(json, '}');
+}
+
+static void write_glare(struct json *json, const struct luminaire *luminaire)
+{
+    const luxel_ugr_table *glare = &luminaire->glare;
     static const char *const parts[] = {"ceiling", "walls", "floor"};
     static const char *const ways[] = {"crosswise", "endwise"};
 
@@ -110,6 +136,7 @@ static void write_glare(struct json *json, const luxel_ugr_table *glare)
         json_close(json, '}');
     }
     json_close(json, ']');
+    write_room(json, luminaire);
     json_close(json, '}');
 }
 
@@ -197,7 +224,7 @@ void luminaire_print_json(const struct luminaire *luminaire)
     json_numbers(&json, "field_angles", figures->field_sections_deg, 2);
     write_code(&json, figures);
     write_ratios(&json, figures);
-    write_glare(&json, &luminaire->glare);
+    write_glare(&json, luminaire);
     write_lamps(&json, photometry);
     write_tilt(&json, photometry);
     write_angles(&json, photometry);

@@ -24,6 +24,9 @@ typedef struct luxel_ugr_table {
     /* In each room, of luminaires crosswise [0], their C = 0 along the line of sight, and endwise [1], their C = 90
      * along it, for each triple of reflectances.  NaN: no luminaire is seen to shine, or its area is not seen. */
     double ratings[LUXEL_UGR_ROOMS][2][LUXEL_UGR_REFLECTANCES];
+    /* The luminance Lb of the background in cd/m², where the luminaires are 1 m above the eye; it falls with the square
+     * of that height. */
+    double backgrounds[LUXEL_UGR_ROOMS][LUXEL_UGR_REFLECTANCES];
 } luxel_ugr_table;
 
 /*

@@ -140,15 +140,16 @@ static double glare_sum(const luxel_photometry *photometry, const struct room *r
 }
 
 static bool rate_room(const luxel_photometry *photometry, const struct lx_polar_curve *curve, struct room *room,
-                      double ratings[2][LUXEL_UGR_REFLECTANCES])
+                      double ratings[2][LUXEL_UGR_REFLECTANCES], double backgrounds[LUXEL_UGR_REFLECTANCES])
 {
     if (!find_shares(room, curve))
         return false;
+    for (int k = 0; k < LUXEL_UGR_REFLECTANCES; k++)
+        backgrounds[k] = wall_light(room, reflectances[k]) * (double)(room->across * room->along) / PI;
     for (int is_endwise = 0; is_endwise < 2; is_endwise++) {
         double sum = glare_sum(photometry, room, is_endwise);
         for (int k = 0; k < LUXEL_UGR_REFLECTANCES; k++) {
-            double light = wall_light(room, reflectances[k]) * (double)(room->across * room->along);
-            double background = light / PI;
+            double background = backgrounds[k];
             ratings[is_endwise][k] =
                 isfinite(sum) && sum > 0 && background > 0 ? 8 * log10(0.25 / background * sum) : (double)NAN;
         }
@@ -171,7 +172,7 @@ luxel_status luxel_photometry_rate_glare(const luxel_photometry *photometry, dou
     for (size_t i = 0; i < LUXEL_UGR_ROOMS && is_done; i++) {
         struct room room = {
             (size_t)(rooms[i][0] * parts), (size_t)(rooms[i][1] * parts), {rooms[i][0], rooms[i][1]}, 1 / parts, {0}};
-        is_done = rate_room(photometry, &curve, &room, table->ratings[i]);
+        is_done = rate_room(photometry, &curve, &room, table->ratings[i], table->backgrounds[i]);
     }
     lx_polar_curve_clear(&curve);
     table->exists = is_done;

@@ -146,6 +146,78 @@ def rooms(tap, tool):
     tap.near(brighter[7]["endwise"][2] - about["ugr"]["rooms"][7]["endwise"][2], 8, 1e-9, "ten times the light")
 
 
+def patches(size, count):
+    """The middles, normals, areas and walls of count x count patches on each face of a box (0, 0, 0) to `size`."""
+    found = []
+    for axis in range(3):
+        u, v = (axis + 1) % 3, (axis + 2) % 3
+        for end in (0, 1):
+            normal = [0, 0, 0]
+            normal[axis] = 1 - 2 * end
+            for i in range(count):
+                for j in range(count):
+                    middle = [0, 0, 0]
+                    middle[axis] = end * size[axis]
+                    middle[u], middle[v] = (i + .5) / count * size[u], (j + .5) / count * size[v]
+                    found.append((middle, normal, size[u] * size[v] / count ** 2, 2 * axis + end))
+    return found
+
+
+def exact_background(size, lamps, reflectances, count=7):
+    """The mean indirect illuminance of the walls over pi under Lambertian lamps of 1000 cd, patch by patch: each pair
+    by its middles, and each row of factors made to add up to 1."""
+    found = patches(size, count)
+    rho = [reflectances[1]] * 4 + [reflectances[2], reflectances[0]]
+    rows, direct = [], []
+    for place, normal, _, face in found:
+        row = []
+        for other, axis, area, from_face in found:
+            way = [b - a for a, b in zip(place, other)]
+            squared = sum(x * x for x in way)
+            here, there = sum(a * b for a, b in zip(way, normal)), -sum(a * b for a, b in zip(way, axis))
+            row.append(0 if face == from_face else here * there * area / squared ** 2)
+        rows.append([x / sum(row) for x in row])
+        light = 0
+        for lamp in lamps:
+            way = [b - a for a, b in zip(place, lamp)]
+            squared = sum(x * x for x in way)
+            light += 1000 * max(0, way[2]) * max(0, sum(a * b for a, b in zip(way, normal))) / squared ** 2
+        direct.append(light)
+    light = direct
+    for _ in range(25):
+        sent = [rho[patch[3]] * x for patch, x in zip(found, light)]
+        light = [x + sum(a * b for a, b in zip(row, sent)) for x, row in zip(direct, rows)]
+    walls = [(patch[2], a - b) for patch, a, b in zip(found, light, direct) if patch[3] < 4]
+    return sum(a * b for a, b in walls) / sum(a for a, _ in walls) / math.pi
+
+
+def one_room(tap, tool):
+    tool.write("lamp.ies", lamp(lambert))
+    about = tool.run("photometry", "lamp.ies", "--json", "--spacing", "1", "--room", "2,2", "-q").json()["ugr"]
+    room, table = about["room"], about["rooms"][0]
+    tap.equal((room["across"], room["along"]), (2, 2), "the room")
+    lamps = [(x, y, 1) for x in (.5, 1.5) for y in (.5, 1.5)]
+    for i, reflectances in enumerate(REFLECTANCES):
+        light, told = room["background"][i], background(2, 2, 1, reflectances)
+        truth = exact_background((2, 2, 1), lamps, reflectances)
+        tap.near(room["background_by_table"][i], told, 1e-4, "the table's background")
+        tap.ok(abs(light["value"] - truth) < light["error"] + .01 * truth and light["error"] < .03 * truth,
+               "the background by reflections", light, truth)
+        for way in ("crosswise", "endwise"):
+            tap.near(room[way][i] - table[way][i], 8 * math.log10(told / light["value"]), 1e-2, way)
+        tap.near(room["error"][i], -8 * math.log10(1 - light["error"] / light["value"]), 1e-12, "its error")
+    lines = tool.run("photometry", "lamp.ies", "--spacing", "1", "--room", "2,2", "-q").out
+    tap.ok("2H × 2H by the light that its walls really reflect" in lines and "%.2f" % room["endwise"][0] in lines,
+           "text", lines[-900:])
+    tool.write("up.ies", HEAD + "1 -1 1 3 1 1 2 .4 .4 0\n1 1 10\n0 90 180\n0\n9 9 9\n")
+    tool.write("point.ies", lamp(lambert, "0 0 0"))
+    for name, room, word in (("lamp.ies", "3,3", "such as 4,8"), ("lamp.ies", "4", "--room"),
+                             ("up.ies", "4,8", "upwards"), ("point.ies", "4,8", "a point"),
+                             ("-", "4,8", "standard input")):
+        result = tool.run("photometry", name, "--room", room, stdin=lamp(lambert) if name == "-" else None)
+        tap.ok(result.code == 2 and word in result.err and not result.out, "%s, --room %s" % (name, room), result)
+
+
 def texts(tap, tool):
     tool.write("lamp.ies", lamp(lambert))
     table = tool.run("photometry", "lamp.ies", "--json").json()["ugr"]["rooms"]
@@ -166,4 +238,4 @@ def texts(tap, tool):
 
 
 if __name__ == "__main__":
-    run_tests(Tap(), rooms, texts)
+    run_tests(Tap(), rooms, one_room, texts)
