@@ -236,7 +236,7 @@ static double reflect_block(const struct lx_session *session, struct lx_seen *se
             if (!row->mask[pixel])
                 continue;
             element_of(session, &seen->block, s, k, place, normal);
-            const lx_bounded light = lx_reflected_on(session->reflected, s, place, normal, &near);
+            const lx_bounded light = lx_reflected_on(session->reflected, &session->prepared, s, place, normal, &near);
             add(session, row, pixel, share * light.value);
             error = fmax(error, share * light.error);
         }

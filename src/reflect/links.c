@@ -64,7 +64,7 @@ static bool set_face(struct finding *finding, uint32_t f)
     const struct lx_receiver *receiver = finding->receiver;
     if (finding->is_set)
         return finding->is_seen;
-    const bool is_own = face->surface == receiver->own && !receiver->is_turned;
+    const bool is_own = lx_receives_from_own(receiver, face);
     finding->is_set = true;
     finding->is_seen = !(is_own && (face->is_flat || face->sheet.turn > 0)) &&
                        lx_veils_set(finding->prepared, receiver, face, f, finding->reflected->size_mm, finding->veils);

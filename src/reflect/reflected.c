@@ -7,7 +7,9 @@
 #include <string.h>
 
 #include "../base/memory.h"
+#include "../base/vector.h"
 #include "../surface/beside.h"
+#include "../surface/mesh_faces.h"
 #include "refine.h"
 
 enum { MOST_ROUNDS = 10, LEVELS = 6 };
@@ -284,6 +286,19 @@ luxel_status lx_reflected_make(const struct lx_reflected_wish *wish, struct lx_r
     return status;
 }
 
+/* Reflected light falls on the triangles of a mesh as they are, whatever its smooth normals are. */
+static void turn_to_face(const struct lx_shape *mesh, struct lx_receiver *receiver)
+{
+    double offset[3], shading[3], normal[3];
+    for (int i = 0; i < 3; i++)
+        offset[i] = receiver->place_mm[i] - mesh->anchor_mm[i];
+    mesh->kind->normal(mesh, offset, shading);
+    const double facing = lx_dot(shading, receiver->normal);
+    receiver->is_turned = fabs(facing) < 1 - LX_SAME_NORMAL || !lx_mesh_face_normal(mesh, receiver->place_mm, normal);
+    for (int i = 0; i < 3 && !receiver->is_turned; i++)
+        receiver->normal[i] = facing < 0 ? -normal[i] : normal[i];
+}
+
 struct lx_receiver lx_receiver_of(const struct lx_prepared *prepared, const struct lx_element *element)
 {
     struct lx_receiver receiver = {
@@ -291,6 +306,10 @@ struct lx_receiver lx_receiver_of(const struct lx_prepared *prepared, const stru
         .normal = {element->normal.x.value, element->normal.y.value, element->normal.z.value},
         .own = element->own ? (size_t)(element->own - prepared->surfaces) : SIZE_MAX,
     };
-    receiver.is_turned = element->own && lx_shape_is_turned(&element->own->shape, element->place_mm, element->normal);
+    if (element->own && lx_mesh_count(&element->own->shape) > 0)
+        turn_to_face(&element->own->shape, &receiver);
+    else
+        receiver.is_turned =
+            element->own && lx_shape_is_turned(&element->own->shape, element->place_mm, element->normal);
     return receiver;
 }

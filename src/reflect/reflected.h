@@ -100,7 +100,7 @@ struct lx_light_balance lx_reflected_balance(const struct lx_radiosity *reflecte
  * The same on a surface, for many places: the polynomial of the tile there, with the bound that holds on all of it.
  * `near` is of the caller, 0 at first: places that follow each other are often on one tile.
  */
-lx_bounded lx_reflected_on(const struct lx_radiosity *reflected, size_t surface, const double place_mm[3],
-                           const double normal[3], size_t *near);
+lx_bounded lx_reflected_on(const struct lx_radiosity *reflected, const struct lx_prepared *prepared, size_t surface,
+                           const double place_mm[3], const double normal[3], size_t *near);
 
 #endif

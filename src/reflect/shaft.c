@@ -77,12 +77,17 @@ int lx_shafts_set(const struct lx_radiosity *reflected, const struct lx_tile_cel
     const double touch_mm = 1e-9 * reflected->size_mm;
     const struct box from = box_of(cell);
     size_t count = 0;
-    if (lx_reserve(&shafts->first, &shafts->face_capacity, reflected->face_count + 1, sizeof *shafts->first))
+    if (lx_reserve(&shafts->of, &shafts->face_capacity, reflected->face_count, sizeof *shafts->of))
         return -1;
     for (size_t f = 0; f < reflected->face_count; f++) {
         const struct lx_matte_face *face = &reflected->faces[f];
-        const struct box to = box_of(&face->cell);
-        shafts->first[f] = count;
+        const bool is_mesh = face->sheet.type == LX_SHEET_TRIANGLE; /* all of its triangles go together */
+        if (is_mesh && f > 0 && face->surface == reflected->faces[f - 1].surface) {
+            shafts->of[f] = shafts->of[f - 1];
+            continue;
+        }
+        const struct box to = is_mesh ? box_of_surface(&prepared->surfaces[face->surface]) : box_of(&face->cell);
+        shafts->of[f].first = count;
         if (lx_reserve(&shafts->surfaces, &shafts->capacity, count + prepared->surface_count, sizeof *shafts->surfaces))
             return -1;
         for (size_t s = 0; s < prepared->surface_count; s++) {
@@ -90,14 +95,14 @@ int lx_shafts_set(const struct lx_radiosity *reflected, const struct lx_tile_cel
             if (s == face->surface || !is_beyond(&from, &to, &box, touch_mm))
                 shafts->surfaces[count++] = (uint32_t)s;
         }
+        shafts->of[f].last = count;
     }
-    shafts->first[reflected->face_count] = count;
     return 0;
 }
 
 void lx_shafts_clear(struct lx_shafts *shafts)
 {
-    free(shafts->first);
+    free(shafts->of);
     free(shafts->surfaces);
     *shafts = (struct lx_shafts){0};
 }

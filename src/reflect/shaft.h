@@ -9,7 +9,9 @@
 #include "tile.h"
 
 struct lx_shafts {
-    size_t *first; /* of each face among the surfaces, and behind the last; NULL: all surfaces may stand anywhere */
+    struct lx_shaft_list {
+        size_t first, last; /* among the surfaces */
+    } *of; /* each face; NULL: all surfaces may stand anywhere */
     uint32_t *surfaces;
     size_t face_capacity, capacity;
 };

@@ -8,6 +8,7 @@
 
 #include "../base/memory.h"
 #include "../base/vector.h"
+#include "../surface/mesh_faces.h"
 #include "solution.h"
 
 /* How far beyond a face or a tile rounding may put a place of it, in its coordinates. */
@@ -28,6 +29,10 @@ static double beyond_face(const struct lx_matte_face *face, const double place_m
     if (face->is_flat) {
         if (sheet->turn * lx_dot(sheet->axis, normal) <= 0)
             return HUGE_VAL;
+        for (int i = 0; i < 3; i++)
+            there[i] = place_mm[i] - sheet->center_mm[i];
+        if (sheet->type == LX_SHEET_TRIANGLE && fabs(lx_dot(sheet->axis, there)) > BESIDE * face->radius_mm)
+            return HUGE_VAL;
         lx_sheet_locate(sheet, place_mm, at);
     } else {
         lx_sheet_locate(sheet, place_mm, at);
@@ -46,12 +51,37 @@ static double beyond_tile(const struct lx_tile *tile, const double at[2])
                 fabs(at[1] - tile->window.middle[1]) - tile->window.half[1]);
 }
 
-/* The tile of a place, and where on its face; SIZE_MAX: there is none. */
-static size_t find_tile(const struct lx_radiosity *reflected, size_t surface, const double place_mm[3],
+/* Faces by their surfaces, sides and triangles. */
+static int by_triangle(const void *key, const void *item)
+{
+    const struct lx_matte_face *a = key, *b = item;
+    if (a->surface != b->surface)
+        return a->surface < b->surface ? -1 : 1;
+    if (a->sheet.turn != b->sheet.turn)
+        return a->sheet.turn > b->sheet.turn ? -1 : 1;
+    return (a->triangle > b->triangle) - (a->triangle < b->triangle);
+}
+
+/* The face of a mesh on which a place lies, and where; SIZE_MAX: it was left out. */
+static size_t find_triangle(const struct lx_radiosity *reflected, const struct lx_shape *shape, size_t surface,
+                            const double place_mm[3], const double normal[3], double at[2])
+{
+    struct lx_matte_face key = {.surface = surface, .triangle = (uint32_t)lx_mesh_triangle_at(shape, place_mm)};
+    if (!lx_mesh_sheet(shape, key.triangle, &key.sheet))
+        return SIZE_MAX;
+    key.sheet.turn = lx_dot(key.sheet.axis, normal) < 0 ? -1 : 1;
+    lx_sheet_locate(&key.sheet, place_mm, at);
+    const struct lx_matte_face *found =
+        bsearch(&key, reflected->faces, reflected->face_count, sizeof *reflected->faces, by_triangle);
+    return found ? (size_t)(found - reflected->faces) : SIZE_MAX;
+}
+
+/* The face of a place, and where on it; SIZE_MAX: there is none. */
+static size_t find_face(const struct lx_radiosity *reflected, size_t surface, const double place_mm[3],
                         const double normal[3], double at[2])
 {
     double least = HUGE_VAL, trial[2];
-    size_t face = SIZE_MAX, found = SIZE_MAX;
+    size_t face = SIZE_MAX;
     for (size_t f = 0; f < reflected->face_count; f++) {
         if (reflected->faces[f].surface != surface)
             continue;
@@ -62,9 +92,20 @@ static size_t find_tile(const struct lx_radiosity *reflected, size_t surface, co
             at[0] = trial[0], at[1] = trial[1];
         }
     }
+    return face;
+}
+
+/* The tile of a place, and where on its face; SIZE_MAX: there is none. */
+static size_t find_tile(const struct lx_radiosity *reflected, const struct lx_prepared *prepared, size_t surface,
+                        const double place_mm[3], const double normal[3], double at[2])
+{
+    const struct lx_shape *shape = &prepared->surfaces[surface].shape;
+    const size_t face = lx_mesh_count(shape) > 0 ? find_triangle(reflected, shape, surface, place_mm, normal, at)
+                                                 : find_face(reflected, surface, place_mm, normal, at);
+    size_t found = SIZE_MAX;
+    double least = HUGE_VAL;
     if (face == SIZE_MAX)
         return SIZE_MAX;
-    least = HUGE_VAL;
     for (size_t t = reflected->first_tile[face]; t < reflected->first_tile[face + 1] && least > 0; t++) {
         const double beyond = beyond_tile(&reflected->tiles[t], at);
         if (beyond < least) {
@@ -85,21 +126,21 @@ static bool is_on(const struct lx_radiosity *reflected, size_t t, size_t surface
            beyond_tile(tile, at) < -STRICTLY;
 }
 
-static size_t tile_of(const struct lx_radiosity *reflected, size_t surface, const double place_mm[3],
-                      const double normal[3], size_t *near, double at[2])
+static size_t tile_of(const struct lx_radiosity *reflected, const struct lx_prepared *prepared, size_t surface,
+                      const double place_mm[3], const double normal[3], size_t *near, double at[2])
 {
     if (*near == 0 || !is_on(reflected, *near - 1, surface, place_mm, normal, at))
-        *near = find_tile(reflected, surface, place_mm, normal, at) + 1;
+        *near = find_tile(reflected, prepared, surface, place_mm, normal, at) + 1;
     return *near - 1;
 }
 
-lx_bounded lx_reflected_on(const struct lx_radiosity *reflected, size_t surface, const double place_mm[3],
-                           const double normal[3], size_t *near)
+lx_bounded lx_reflected_on(const struct lx_radiosity *reflected, const struct lx_prepared *prepared, size_t surface,
+                           const double place_mm[3], const double normal[3], size_t *near)
 {
     double at[2] = {0, 0};
     if (!reflected->indirect) /* there is no light */
         return lx_exact(0);
-    const size_t t = tile_of(reflected, surface, place_mm, normal, near, at);
+    const size_t t = tile_of(reflected, prepared, surface, place_mm, normal, near, at);
     if (t == SIZE_MAX)
         return lx_exact(0);
     return lx_parts_value(reflected, t, at);
@@ -115,7 +156,7 @@ static double *find_allowed(const struct lx_radiosity *reflected, const struct l
     size_t near = 0;
     for (size_t i = 0; allowed && i < wish->spot_count; i++) {
         const struct lx_reflected_spot *spot = &wish->spots[i];
-        const lx_bounded light = lx_reflected_on(reflected, spot->surface, spot->place_mm, spot->normal, &near);
+        const lx_bounded light = lx_reflected_on(reflected, wish->prepared, spot->surface, spot->place_mm, spot->normal, &near);
         maximum = fmax(maximum, spot->value + spot->share * light.value);
         if (near > 0)
             allowed[near - 1] = fmax(allowed[near - 1], spot->share);

@@ -26,6 +26,32 @@ static void bound_plate(const struct lx_matte_face *face, const struct lx_window
         cell->second_mm[i] = cell->lengths_mm[1] * sheet->upward[i];
     }
     cell->radius_mm = hypot(cell->lengths_mm[0], cell->lengths_mm[1]);
+    cell->narrow = 1;
+}
+
+/* Between two ways from the tip, and two lines along the side across from it. */
+static void bound_triangle(const struct lx_matte_face *face, const struct lx_window *window, struct lx_tile_cell *cell)
+{
+    const struct lx_smooth_sheet *sheet = &face->sheet;
+    const double inner = fmax(1 + window->middle[1] - window->half[1], 0) / 2;
+    const double outer = (1 + window->middle[1] + window->half[1]) / 2;
+    const double aslant = sheet->middle + window->middle[0] * sheet->half_mm[0];
+    const double across = outer * window->half[0] * sheet->half_mm[0];
+    double normal[3], squares[2] = {0, 0};
+    lx_sheet_place(sheet, window->middle[0], window->middle[1], cell->center_mm, normal);
+    for (int i = 0; i < 3; i++) {
+        cell->first_mm[i] = across * sheet->across[i];
+        cell->second_mm[i] =
+            (outer - inner) / 2 * (aslant * sheet->across[i] + 2 * sheet->half_mm[1] * sheet->upward[i]);
+        for (int k = 0; k < 2; k++) {
+            const double corner = cell->second_mm[i] + (k ? 1 : -1) * cell->first_mm[i];
+            squares[k] += corner * corner;
+        }
+    }
+    cell->lengths_mm[0] = across;
+    cell->lengths_mm[1] = sqrt(lx_dot(cell->second_mm, cell->second_mm));
+    cell->radius_mm = sqrt(fmax(squares[0], squares[1]));
+    cell->narrow = inner / outer;
 }
 
 /* Curved cells are within the ball around their middle that holds the corners and the middles of their edges, but for
@@ -41,6 +67,7 @@ static void bound_round(const struct lx_matte_face *face, const struct lx_window
     lx_sheet_cross(&face->sheet, &lines[0][1], &lines[1][1], cell->center_mm, normal);
     memset(cell->first_mm, 0, sizeof cell->first_mm);
     memset(cell->second_mm, 0, sizeof cell->second_mm);
+    cell->narrow = 1;
     cell->radius_mm = cell->lengths_mm[0] = cell->lengths_mm[1] = 0;
     for (int i = 0; i < 9; i++) {
         lx_sheet_cross(&face->sheet, &lines[0][i % 3], &lines[1][i / 3], place, normal);
@@ -57,6 +84,8 @@ void lx_cell_bound(const struct lx_matte_face *face, const struct lx_window *win
 {
     if (face->sheet.type == LX_SHEET_PLATE)
         bound_plate(face, window, cell);
+    else if (face->sheet.type == LX_SHEET_TRIANGLE)
+        bound_triangle(face, window, cell);
     else
         bound_round(face, window, cell);
 }
@@ -112,11 +141,40 @@ void lx_tile_clear(struct lx_tile *tile)
     tile->rows = NULL;
 }
 
+int lx_face_corners(const struct lx_matte_face *face, double corners_mm[4][3])
+{
+    const bool is_triangle = face->sheet.type == LX_SHEET_TRIANGLE;
+    const int count = is_triangle ? 3 : 4;
+    double normal[3];
+    for (int k = 0; k < count; k++)
+        lx_sheet_place(&face->sheet, k == 0 || k == 3 ? -1 : 1, (is_triangle ? k < 2 : k >= 2) ? 1 : -1, corners_mm[k],
+                       normal);
+    return count;
+}
+
+double lx_face_reach(const struct lx_matte_face *face, const double axis[3], const double from_mm[3])
+{
+    const struct lx_smooth_sheet *sheet = &face->sheet;
+    const double *center = face->is_flat ? sheet->center_mm : face->center_mm;
+    const double middle = lx_dot(axis, center) - lx_dot(axis, from_mm);
+    const double a = lx_dot(axis, sheet->across), b = lx_dot(axis, sheet->upward);
+    switch (sheet->type) {
+    case LX_SHEET_PLATE:
+        return middle + fabs(a) * sheet->half_mm[0] + fabs(b) * sheet->half_mm[1];
+    case LX_SHEET_TRIANGLE:
+        return middle + fmax(0, a * sheet->middle + fabs(a) * sheet->half_mm[0] + 2 * b * sheet->half_mm[1]);
+    case LX_SHEET_DISK:
+        return middle + sheet->half_mm[0] * hypot(a, b);
+    default:
+        return middle + face->radius_mm;
+    }
+}
+
 void lx_face_make(const struct lx_smooth_sheet *sheet, size_t surface, double reflectance, struct lx_matte_face *face)
 {
     const struct lx_window whole = {{0, 0}, {1, 1}};
     *face = (struct lx_matte_face){.sheet = *sheet, .surface = surface, .reflectance = reflectance};
-    face->is_flat = sheet->type == LX_SHEET_PLATE || sheet->type == LX_SHEET_DISK;
+    face->is_flat = lx_is_polygon(sheet->type) || sheet->type == LX_SHEET_DISK;
     lx_cell_bound(face, &whole, &face->cell);
     memcpy(face->center_mm, face->cell.center_mm, sizeof face->center_mm);
     face->radius_mm = face->cell.radius_mm;

@@ -12,10 +12,12 @@
 #include "../surface/sheet.h"
 #include "rule.h"
 
-/* A window of a face in space.  Of a plate it is a parallelogram, center + x first + y second, x and y from -1 to 1. */
+/* A window of a face in space.  Of a plate it is a parallelogram, center + x first + y second, x and y from -1 to 1; of
+ * a triangle the part of that in which |x| <= w(y), lx_cell_width().  Of what is round both vectors are 0. */
 struct lx_tile_cell {
     double center_mm[3], radius_mm; /* a ball around it */
     double first_mm[3], second_mm[3];
+    double narrow; /* w(-1); w(1) is 1 */
     double lengths_mm[2]; /* about half its sides */
     double place_mm[LX_RULE_NODES][3], normal[LX_RULE_NODES][3], area[LX_RULE_NODES];
 };
@@ -30,6 +32,7 @@ struct lx_matte_face {
     struct lx_tile_cell cell;       /* bounds of all of it */
     uint32_t group;                 /* all of it */
     bool is_flat;
+    uint32_t triangle; /* of a mesh */
 };
 
 /* Direct light on a window: coefficients at the nodes that have the true integrals with all polynomials of the rule's
@@ -61,6 +64,22 @@ void lx_cell_make(const struct lx_matte_face *face, const struct lx_window *wind
 /* The bounds alone, and the nodes of a cell that has bounds. */
 void lx_cell_bound(const struct lx_matte_face *face, const struct lx_window *window, struct lx_tile_cell *cell);
 void lx_cell_nodes(const struct lx_matte_face *face, const struct lx_window *window, struct lx_tile_cell *cell);
+
+static inline double lx_cell_width(const struct lx_tile_cell *cell, double y)
+{
+    return ((1 + y) + (1 - y) * cell->narrow) / 2;
+}
+
+/* Whether faces of a type have straight edges. */
+static inline bool lx_is_polygon(enum lx_sheet_type type)
+{
+    return type == LX_SHEET_PLATE || type == LX_SHEET_TRIANGLE;
+}
+
+/* The corners of a face with straight edges, in their order; how many. */
+int lx_face_corners(const struct lx_matte_face *face, double corners_mm[4][3]);
+/* How far beyond a place anything of the face is along a unit vector, at most. */
+double lx_face_reach(const struct lx_matte_face *face, const double axis[3], const double from_mm[3]);
 
 /* A face of a sheet. */
 void lx_face_make(const struct lx_smooth_sheet *sheet, size_t surface, double reflectance, struct lx_matte_face *face);

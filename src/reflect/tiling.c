@@ -9,6 +9,7 @@
 
 #include "../base/memory.h"
 #include "../base/vector.h"
+#include "../surface/mesh_faces.h"
 #include "between.h"
 #include "solution.h"
 
@@ -87,6 +88,28 @@ static void mark_round(const struct lx_matte_face *face, const struct lx_matte_f
     add_mark(marks, low, high);
 }
 
+/* The corners of a mesh that are near to a plate. */
+static void mark_mesh(const struct lx_radiosity *reflected, const struct lx_matte_face *face, size_t first,
+                      double least_mm, struct marks *marks)
+{
+    const double near = 0.05;
+    const size_t surface = reflected->faces[first].surface;
+    const double limit = near * reflected->prepared->surfaces[surface].shape.radius_mm;
+    double low[2] = {HUGE_VAL, HUGE_VAL}, high[2] = {-HUGE_VAL, -HUGE_VAL};
+    for (size_t f = first; f < reflected->face_count && reflected->faces[f].surface == surface; f++) {
+        double corners[4][3], at[2];
+        const int count = lx_face_corners(&reflected->faces[f], corners);
+        for (int c = 0; c < count; c++) {
+            const double height = stand(face, corners[c], at);
+            for (int i = 0; i < 2 && height >= -least_mm && height <= limit; i++) {
+                low[i] = fmin(low[i], at[i]);
+                high[i] = fmax(high[i], at[i]);
+            }
+        }
+    }
+    add_mark(marks, low, high);
+}
+
 static void find_marks(const struct lx_radiosity *reflected, const struct lx_matte_face *face, struct marks *marks)
 {
     const double least_mm = 1e-9 * reflected->size_mm;
@@ -97,7 +120,9 @@ static void find_marks(const struct lx_radiosity *reflected, const struct lx_mat
         if (other->surface == face->surface || other->surface == last)
             continue;
         last = other->surface; /* one of its sheets tells for all */
-        if (other->sheet.type == LX_SHEET_PLATE)
+        if (other->sheet.type == LX_SHEET_TRIANGLE)
+            mark_mesh(reflected, face, f, least_mm, marks);
+        else if (other->sheet.type == LX_SHEET_PLATE)
             mark_plate(face, other, least_mm, marks);
         else
             mark_round(face, other, least_mm, marks);
@@ -209,7 +234,24 @@ static int cut_face(struct lx_radiosity *reflected, uint32_t f, double scale_mm)
 
 /* ---- faces ---- */
 
-static int add_faces(struct lx_radiosity *reflected, size_t s)
+/* First all fronts of a mesh, then all backs. */
+static void add_triangles(struct lx_radiosity *reflected, size_t s)
+{
+    const struct lx_prepared_surface *surface = &reflected->prepared->surfaces[s];
+    const size_t count = lx_mesh_count(&surface->shape);
+    for (int side = 0; side < 2; side++)
+        for (size_t i = 0; i < count; i++) {
+            struct lx_smooth_sheet sheet;
+            if (!lx_mesh_sheet(&surface->shape, i, &sheet))
+                continue;
+            struct lx_matte_face *face = &reflected->faces[reflected->face_count++];
+            sheet.turn = side == 0 ? 1 : -1;
+            lx_face_make(&sheet, s, surface->material->diffuse, face);
+            face->triangle = (uint32_t)i;
+        }
+}
+
+static void add_faces(struct lx_radiosity *reflected, size_t s)
 {
     const struct lx_prepared_surface *surface = &reflected->prepared->surfaces[s];
     struct lx_smooth_sheet sheets[LX_MOST_SHEETS];
@@ -219,23 +261,17 @@ static int add_faces(struct lx_radiosity *reflected, size_t s)
         lx_face_make(&sheets[i], s, surface->material->diffuse, face);
         reflected->has_round_faces = reflected->has_round_faces || !face->is_flat;
     }
-    return 0;
+    add_triangles(reflected, s);
 }
 
 /* How far before the plane of a flat face anything of the other one is. */
 static double highest_over(const struct lx_matte_face *flat, const struct lx_matte_face *other)
 {
-    const struct lx_smooth_sheet *plane = &flat->sheet, *sheet = &other->sheet;
-    double from[3], reach = other->radius_mm;
-    const double *center = other->is_flat ? sheet->center_mm : other->center_mm;
-    if (other->is_flat) {
-        const double a = lx_dot(plane->axis, sheet->across), b = lx_dot(plane->axis, sheet->upward);
-        reach = sheet->type == LX_SHEET_PLATE ? fabs(a) * sheet->half_mm[0] + fabs(b) * sheet->half_mm[1]
-                                              : sheet->half_mm[0] * hypot(a, b);
-    }
+    const struct lx_smooth_sheet *plane = &flat->sheet;
+    double normal[3];
     for (int i = 0; i < 3; i++)
-        from[i] = center[i] - plane->center_mm[i];
-    return plane->turn * lx_dot(plane->axis, from) + reach;
+        normal[i] = plane->turn * plane->axis[i];
+    return lx_face_reach(other, normal, plane->center_mm);
 }
 
 bool lx_faces_meet(const struct lx_matte_face *a, const struct lx_matte_face *b)
@@ -249,8 +285,11 @@ bool lx_faces_meet(const struct lx_matte_face *a, const struct lx_matte_face *b)
 int lx_tiling_make(struct lx_radiosity *reflected)
 {
     const size_t surfaces = reflected->prepared->surface_count;
+    size_t most = surfaces * LX_MOST_SHEETS;
     double low[3] = {HUGE_VAL, HUGE_VAL, HUGE_VAL}, high[3] = {-HUGE_VAL, -HUGE_VAL, -HUGE_VAL}, square = 0, area = 0;
-    reflected->faces = lx_new_array(surfaces * LX_MOST_SHEETS, sizeof *reflected->faces);
+    for (size_t s = 0; s < surfaces; s++)
+        most += 2 * lx_mesh_count(&reflected->prepared->surfaces[s].shape);
+    reflected->faces = lx_new_array(most, sizeof *reflected->faces);
     if (!reflected->faces)
         return -1;
     for (size_t s = 0; s < surfaces; s++) {
@@ -271,6 +310,30 @@ int lx_tiling_make(struct lx_radiosity *reflected)
     return lx_groups_number(reflected);
 }
 
+/* Whether a face is of the inner side of a closed mesh. */
+static bool is_inner(const struct lx_radiosity *reflected, const struct lx_matte_face *face)
+{
+    const struct lx_shape *shape = &reflected->prepared->surfaces[face->surface].shape;
+    const struct lx_mesh_body *body = shape->body;
+    return face->sheet.type == LX_SHEET_TRIANGLE && body->encloses && (face->sheet.turn > 0) == body->looks_inwards;
+}
+
+/* The inner side of a closed mesh has no light unless something in it has. */
+static void darken_insides(const struct lx_radiosity *reflected, const bool *is_lit, bool *stays)
+{
+    for (size_t s = 0; s < reflected->prepared->surface_count; s++) {
+        const struct lx_shape *shape = &reflected->prepared->surfaces[s].shape;
+        bool has_light = lx_mesh_count(shape) == 0;
+        for (size_t f = 0; f < reflected->face_count && !has_light; f++) {
+            const struct lx_matte_face *face = &reflected->faces[f];
+            has_light = is_lit[f] && (face->surface == s ? is_inner(reflected, face)
+                                                         : lx_mesh_encloses(shape, face->cell.center_mm));
+        }
+        for (size_t f = 0; f < reflected->face_count && !has_light; f++)
+            stays[f] = stays[f] && !(reflected->faces[f].surface == s && is_inner(reflected, &reflected->faces[f]));
+    }
+}
+
 int lx_tiling_drop(struct lx_radiosity *reflected, const bool *is_lit)
 {
     bool *stays = lx_new_array(reflected->face_count, sizeof *stays);
@@ -281,6 +344,7 @@ int lx_tiling_drop(struct lx_radiosity *reflected, const bool *is_lit)
         for (size_t g = 0; g < reflected->face_count && !stays[f]; g++)
             stays[f] = g != f && lx_faces_meet(&reflected->faces[f], &reflected->faces[g]);
     }
+    darken_insides(reflected, is_lit, stays);
     const int failed = lx_groups_drop(reflected, stays);
     free(stays);
     return failed;

@@ -107,10 +107,12 @@ static void weigh_seen(const struct sending *sending, const struct lx_tile_cell 
 static bool weigh_flat_part(const struct sending *sending, const struct lx_tile_cell *cell,
                             double values[LX_RULE_NODES])
 {
-    const double area = cell->lengths_mm[0] * cell->lengths_mm[1];
+    double across[3];
     bool sees;
     if (!lx_veils_visible(sending->of->veils, cell, values))
         return false;
+    lx_cross(cell->first_mm, cell->second_mm, across);
+    const double area = sqrt(lx_dot(across, across));
     for (int q = 0; q < LX_RULE_NODES; q++)
         values[q] *= area * signed_kernel(sending->of, cell->place_mm[q], cell->normal[q], &sees);
     return true;
@@ -182,7 +184,7 @@ static void send_cell(const struct sending *sending, const struct lx_window *win
 {
     const struct lx_fineness *fineness = sending->of->fineness;
     const bool is_rough = light->is_own && light->direct->quarters;
-    const bool by_nodes = sight == LX_PART_SEEN && (sending->of->face->sheet.type != LX_SHEET_PLATE ||
+    const bool by_nodes = sight == LX_PART_SEEN && (!lx_is_polygon(sending->of->face->sheet.type) ||
                                                     lx_veils_have_shapes(sending->of->veils, cell));
     const double share = sight == LX_ALL_SEEN ? (is_rough ? fineness->rough : fineness->seen)
                          : by_nodes           ? part_share(sending, cell)
@@ -215,7 +217,7 @@ struct lx_transfer lx_transfer_of(const struct lx_fineness *fineness, const stru
     const double turns = 2; /* radii */
     const double radius = face->sheet.half_mm[0];
     const bool is_round = face->sheet.type == LX_SHEET_BALL || face->sheet.type == LX_SHEET_TUBE;
-    const bool is_own = receiver->own == face->surface && !receiver->is_turned;
+    const bool is_own = lx_receives_from_own(receiver, face);
     const bool is_hollow = face->sheet.type == LX_SHEET_BALL && face->sheet.turn < 0;
     return (struct lx_transfer){
         .fineness = fineness,

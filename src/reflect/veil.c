@@ -8,6 +8,7 @@
 
 #include "../base/memory.h"
 #include "../base/vector.h"
+#include "region.h"
 
 /* Corners of what stands for a circle. */
 enum { ROUND = 16 };
@@ -178,15 +179,35 @@ static bool is_aside(const struct lx_veils *veils, const struct lx_smooth_sheet 
 {
     const double height = height_over(veils, plate->axis, plate->center_mm);
     const double side = height > 0 ? 1 : -1;
-    double from[3], reach = face->radius_mm;
-    sub(face->center_mm, plate->center_mm, from);
-    if (face->is_flat) {
-        const double *half = face->sheet.half_mm;
-        const double a = lx_dot(plate->axis, face->sheet.across), b = lx_dot(plate->axis, face->sheet.upward);
-        reach = face->sheet.type == LX_SHEET_PLATE ? fabs(a) * half[0] + fabs(b) * half[1] : half[0] * hypot(a, b);
-        sub(face->sheet.center_mm, plate->center_mm, from);
+    const double back[3] = {-side * plate->axis[0], -side * plate->axis[1], -side * plate->axis[2]};
+    return lx_face_reach(face, back, plate->center_mm) <= veils->touch_mm;
+}
+
+/* A mesh hides what is behind its triangles: those that come between the place and the face, where these are few. */
+static void add_mesh(struct lx_veils *veils, const struct lx_shape *mesh, const struct lx_matte_face *face)
+{
+    enum { FEW = 12 };
+    uint32_t found[FEW];
+    struct lx_region region;
+    lx_region_before_face(veils, face, &region);
+    const size_t count = lx_mesh_within(mesh, (const double(*)[4])region.planes, region.count, FEW, found);
+    if (count > FEW) {
+        add_shape(veils, mesh);
+        return;
     }
-    return side * lx_dot(plate->axis, from) >= reach - veils->touch_mm;
+    for (size_t i = 0; i < count; i++) {
+        struct lx_smooth_sheet sheet;
+        double corners[3][3], middle[3];
+        if (!lx_mesh_sheet(mesh, found[i], &sheet))
+            continue;
+        const double height = height_over(veils, sheet.axis, sheet.center_mm);
+        if (fabs(height) <= veils->touch_mm || is_aside(veils, &sheet, face))
+            continue;
+        lx_mesh_corners(mesh, found[i], corners);
+        for (int k = 0; k < 3; k++)
+            middle[k] = (corners[0][k] + corners[1][k] + corners[2][k]) / 3;
+        add_polygon(veils, (const double(*)[3])corners, 3, sheet.axis, middle, height);
+    }
 }
 
 /* One other surface in the way; false: it hides all. */
@@ -197,6 +218,10 @@ static bool add_surface(struct lx_veils *veils, const struct lx_prepared_surface
     const struct lx_shape *shape = &surface->shape;
     if (!may_stand_before(veils, shape->anchor_mm, shape->radius_mm, face->center_mm, face->radius_mm))
         return true;
+    if (lx_mesh_count(shape) > 0) {
+        add_mesh(veils, shape, face);
+        return true;
+    }
     const bool is_flat_or_ball = lx_shape_sheets(shape, sheets) > 0 && sheets[0].type != LX_SHEET_TUBE;
     if (!is_flat_or_ball || (sheets[0].type == LX_SHEET_BALL && sheets[0].turn < 0)) {
         add_shape(veils, shape);
@@ -244,7 +269,8 @@ static void add_own(struct lx_veils *veils, const struct lx_prepared_surface *ow
     const double *anchor = own->shape.anchor_mm;
     double normal[3], offset[3];
     sub(receiver->place_mm, anchor, offset);
-    own->kind->normal(&own->shape, offset, normal);
+    if (lx_mesh_count(&own->shape) == 0 || !lx_mesh_face_normal(&own->shape, receiver->place_mm, normal))
+        own->kind->normal(&own->shape, offset, normal);
     const double side = lx_dot(normal, receiver->normal) > 0 ? -1 : 1;
     for (int i = 0; i < 3; i++)
         normal[i] *= side;
@@ -252,9 +278,11 @@ static void add_own(struct lx_veils *veils, const struct lx_prepared_surface *ow
     add_plane(veils, normal, receiver->place_mm);
 }
 
-/* The shell of a tube, seen from outside, hides its inner side but for what the ends leave. */
+/* The shell of a tube, seen from outside, hides its inner side but for what the ends leave; a mesh hides anything. */
 static bool hides_itself(const struct lx_matte_face *face, const struct lx_receiver *receiver)
 {
+    if (face->sheet.type == LX_SHEET_TRIANGLE)
+        return true;
     return face->sheet.type == LX_SHEET_TUBE && face->sheet.turn < 0 && face->surface != receiver->own;
 }
 
@@ -280,6 +308,7 @@ bool lx_veils_set(const struct lx_prepared *prepared, const struct lx_receiver *
     veils->count = veils->plane_count = 0;
     veils->touch_mm = 1e-10 * size_mm;
     memcpy(veils->place_mm, receiver->place_mm, sizeof veils->place_mm);
+    memcpy(veils->normal, receiver->normal, sizeof veils->normal);
     double below[3], from[3];
     for (int i = 0; i < 3; i++)
         below[i] = -receiver->normal[i];
@@ -287,7 +316,7 @@ bool lx_veils_set(const struct lx_prepared *prepared, const struct lx_receiver *
     if (lx_dot(from, receiver->normal) < -face->radius_mm || !add_turned(veils, face))
         return false;
     /* of what is hollow nothing is below a tangent plane of its inner side, and all is behind its outer one */
-    const bool is_own = face->surface == receiver->own && !receiver->is_turned;
+    const bool is_own = lx_receives_from_own(receiver, face);
     if (is_own && !is_within(&prepared->surfaces[receiver->own].shape, receiver))
         return false;
     if (!is_own)
@@ -295,15 +324,15 @@ bool lx_veils_set(const struct lx_prepared *prepared, const struct lx_receiver *
     if (receiver->is_turned && receiver->own < prepared->surface_count)
         add_own(veils, &prepared->surfaces[receiver->own], receiver);
     const struct lx_shafts *shafts = &veils->shafts;
-    const size_t first = shafts->first ? shafts->first[f] : 0;
-    const size_t last = shafts->first ? shafts->first[f + 1] : prepared->surface_count;
+    const size_t first = shafts->of ? shafts->of[f].first : 0;
+    const size_t last = shafts->of ? shafts->of[f].last : prepared->surface_count;
     for (size_t i = first; i < last; i++) {
-        const size_t s = shafts->first ? shafts->surfaces[i] : i;
+        const size_t s = shafts->of ? shafts->surfaces[i] : i;
         const struct lx_prepared_surface *surface = &prepared->surfaces[s];
         if (s == face->surface) {
             if (!hides_itself(face, receiver))
                 continue;
-        } else if (s == receiver->own) {
+        } else if (s == receiver->own && lx_mesh_count(&surface->shape) == 0) {
             if (is_within(&surface->shape, receiver))
                 add_shape(veils, &surface->shape);
             continue;
@@ -328,7 +357,8 @@ enum lx_outlook lx_veil_look(const struct lx_veils *veils, const struct lx_veil 
 {
     enum lx_outlook sight = LX_NONE_SEEN;
     if (veil->shape)
-        return may_stand_before(veils, veil->center_mm, veil->radius_mm, cell->center_mm, cell->radius_mm)
+        return may_stand_before(veils, veil->center_mm, veil->radius_mm, cell->center_mm, cell->radius_mm) &&
+                       !lx_region_is_free(veils, veil->shape, cell)
                    ? LX_PART_SEEN
                    : LX_ALL_SEEN;
     const bool is_round = lx_dot(cell->first_mm, cell->first_mm) == 0;

@@ -2,7 +2,8 @@
 /*
  * Veils: what of a face is hidden from a place.  A veil is the part of space where some linear functions are all
  * positive: behind the horizon of the place, turned away from it, or behind a surface that is convex as seen from
- * there; round outlines are polygons of as much area.  What is not convex is asked way by way.
+ * there; round outlines are polygons of as much area.  Triangles of a mesh are veils where few of them come between
+ * the place and the face; what is not convex, or of too many pieces, is asked way by way.
  */
 #ifndef LX_REFLECT_VEIL_H
 #define LX_REFLECT_VEIL_H
@@ -17,6 +18,12 @@ struct lx_receiver {
     bool is_turned;                /* its normal is not that of its surface there */
 };
 
+/* Whether a face is of the receiver's own smooth surface: faces of a mesh may see each other. */
+static inline bool lx_receives_from_own(const struct lx_receiver *receiver, const struct lx_matte_face *face)
+{
+    return face->surface == receiver->own && !receiver->is_turned && face->sheet.type != LX_SHEET_TRIANGLE;
+}
+
 struct lx_veil {
     size_t first, count;            /* planes */
     const struct lx_shape *shape;   /* instead of planes: by its own answer */
@@ -30,7 +37,7 @@ struct lx_veils {
     size_t plane_count, plane_capacity;
     struct lx_veil *items;
     size_t count, capacity;
-    double place_mm[3], touch_mm; /* of the receiver; what is below rounding */
+    double place_mm[3], normal[3], touch_mm; /* of the receiver; what is below rounding */
     struct lx_shafts shafts;      /* from what the receivers lie on */
     bool failed;                  /* memory ran out */
 };

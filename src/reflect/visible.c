@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /*
- * The part of a parallelogram that is seen: integrals of the rule's polynomials over it, where no veil of planes hides
+ * The part of a cell with straight edges that is seen: integrals of the rule's polynomials over it, where no veil of planes hides
  * it.  Veils are convex, so what several of them hide of a convex polygon is told by polygons alone, by inclusion and
  * exclusion; the integral over a polygon goes along its edges, by Green's theorem.
  */
@@ -42,19 +42,25 @@ static void integrate_basis(double x, double integrals[LX_ORDER])
     integrals[3] = (outer * cube_within + even_within) / (apart * 2 * outer);
 }
 
-/* Adds the integrals over a polygon, whose corners go counterclockwise. */
-static void add_polygon(const struct polygon *polygon, double sign, double shares[LX_RULE_NODES])
+/* Adds the integrals over a polygon, whose corners go counterclockwise; coordinates of the polynomials are shares of
+ * the cell's width. */
+static void add_polygon(const struct view *view, const struct polygon *polygon, double sign)
 {
+    double *const shares = view->shares;
     for (unsigned k = 0; k < polygon->count; k++) {
         const double *from = polygon->at[k], *to = polygon->at[k + 1 < polygon->count ? k + 1 : 0];
         const double rise = sign * (to[1] - from[1]) / 2;
         if (rise == 0)
             continue;
         for (int p = 0; p < LX_ORDER; p++) {
-            const double share = (1 + lx_rule_places[p]) / 2, weight = rise * lx_rule_weights[p];
+            const double share = (1 + lx_rule_places[p]) / 2;
+            const double x = from[0] + share * (to[0] - from[0]), y = from[1] + share * (to[1] - from[1]);
+            const double width = lx_cell_width(view->cell, y), weight = rise * lx_rule_weights[p] * width;
             double across[LX_ORDER], upward[LX_ORDER];
-            integrate_basis(from[0] + share * (to[0] - from[0]), across);
-            lx_rule_basis(from[1] + share * (to[1] - from[1]), upward);
+            if (!(width > 0)) /* at the tip */
+                continue;
+            integrate_basis(x / width, across);
+            lx_rule_basis(y, upward);
             for (int i = 0; i < LX_ORDER; i++)
                 for (int j = 0; j < LX_ORDER; j++)
                     shares[LX_ORDER * i + j] += weight * across[i] * upward[j];
@@ -118,7 +124,7 @@ static bool hide(const struct view *view, const struct lx_veil *veil, struct pol
  * none of the next ones hides.  False: there are too many corners. */
 static bool add_visible(const struct view *view, const struct polygon *polygon, unsigned first, double sign)
 {
-    add_polygon(polygon, sign, view->shares);
+    add_polygon(view, polygon, sign);
     for (unsigned v = first; v < view->count; v++) {
         struct polygon hidden;
         copy(polygon, &hidden);
@@ -132,7 +138,7 @@ static bool add_visible(const struct view *view, const struct polygon *polygon, 
 
 bool lx_veils_visible(const struct lx_veils *veils, const struct lx_tile_cell *cell, double shares[LX_RULE_NODES])
 {
-    const struct polygon whole = {4, {{-1, -1}, {1, -1}, {1, 1}, {-1, 1}}};
+    const struct polygon whole = {4, {{-cell->narrow, -1}, {cell->narrow, -1}, {1, 1}, {-1, 1}}};
     struct view view = {.veils = veils, .cell = cell, .shares = shares};
     memset(shares, 0, LX_RULE_NODES * sizeof *shares);
     for (size_t i = 0; i < veils->count; i++) {

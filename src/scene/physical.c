@@ -6,7 +6,7 @@
 #include <string.h>
 
 #include "../base/number.h"
-#include "../surface/sheet.h"
+#include "../surface/mesh_faces.h"
 #include "materials.h"
 #include "object.h"
 
@@ -111,25 +111,29 @@ static void check_laws(struct lx_walk *walk, const luxel_scene *scene)
     }
 }
 
-/* Surfaces whose reflected light is not known. */
-static void check_kinds(struct lx_walk *walk, const luxel_scene *scene)
+/* Meshes of more triangles than reflected light can be calculated of. */
+static void check_meshes(struct lx_walk *walk, const luxel_scene *scene)
 {
     const struct lx_list *surfaces = &scene->parameters.surfaces;
-    for (size_t i = 0; i < surfaces->count; i++) {
+    size_t sum = 0;
+    for (size_t i = 0; i < surfaces->count && sum <= LX_MOST_REFLECTING; i++) {
         const struct lx_surface_kind *kind = (const struct lx_surface_kind *)surfaces->items[i].variant;
-        struct lx_smooth_sheet sheets[LX_MOST_SHEETS];
-        if (kind->part_count > 0)
+        const struct lx_shape shape =
+            kind == &lx_mesh_kind ? lx_surface_shape(kind, surfaces->items[i].parameters) : (struct lx_shape){0};
+        char count[LX_NUMBER_SIZE], most[LX_NUMBER_SIZE];
+        if (!shape.body)
             continue;
-        const struct lx_shape shape = lx_surface_shape(kind, surfaces->items[i].parameters);
-        if (lx_shape_sheets(&shape, sheets) > 0)
+        sum += lx_mesh_count(&shape);
+        if (sum <= LX_MOST_REFLECTING)
             continue;
         struct descent descent = begin(walk->document);
-        struct lx_step list = {NULL, "surfaces", 0}, item = {&list, NULL, i}, step = {&item, "type", 0};
+        struct lx_step list = {NULL, "surfaces", 0}, item = {&list, NULL, i}, step = {&item, "file", 0};
         go_to_key(&descent, "surfaces");
         go_to_element(&descent, i);
-        go_to_key(&descent, "type");
+        go_to_key(&descent, "file");
         lx_walk_report(walk, LUXEL_SEVERITY_ERROR, lx_document_place(walk->document, descent.place), &step,
-                       LX_MSG_REFLECTS_NOT_YET, kind->variant.name, NULL);
+                       LX_MSG_REFLECTS_TOO_MANY, lx_write_number((double)sum, count),
+                       lx_write_number(LX_MOST_REFLECTING, most));
         lx_hint(walk->diagnostics, LX_MSG_HINT_REFLECTIONS_NONE, NULL);
     }
 }
@@ -140,7 +144,7 @@ void lx_validate_reflections(struct lx_walk *walk, const luxel_scene *scene)
         return;
     if (is_sound(&scene->parameters)) {
         check_materials(walk, scene);
-        check_kinds(walk, scene);
+        check_meshes(walk, scene);
     }
     check_laws(walk, scene);
 }

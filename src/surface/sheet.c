@@ -103,7 +103,7 @@ struct lx_sheet_line lx_sheet_line(const struct lx_smooth_sheet *sheet, int way,
     struct lx_sheet_line line = {.at = at};
     if (sheet->type == LX_SHEET_BALL) {
         line.first = tan(M_PI / 4 * at);
-    } else if (sheet->type != LX_SHEET_PLATE && way == 0) {
+    } else if ((sheet->type == LX_SHEET_DISK || sheet->type == LX_SHEET_TUBE) && way == 0) {
         line.first = cos(sheet->middle + SECTOR * at);
         line.second = sin(sheet->middle + SECTOR * at);
     }
@@ -118,6 +118,12 @@ double lx_sheet_cross(const struct lx_smooth_sheet *sheet, const struct lx_sheet
         lay(sheet, s->at * sheet->half_mm[0], t->at * sheet->half_mm[1], 0, place_mm);
         turn(sheet, 0, 0, 1, normal);
         return sheet->half_mm[0] * sheet->half_mm[1];
+    }
+    if (sheet->type == LX_SHEET_TRIANGLE) {
+        const double away = (1 + t->at) / 2;
+        lay(sheet, away * (sheet->middle + s->at * sheet->half_mm[0]), away * 2 * sheet->half_mm[1], 0, place_mm);
+        turn(sheet, 0, 0, 1, normal);
+        return away * sheet->half_mm[0] * sheet->half_mm[1];
     }
     if (sheet->type == LX_SHEET_DISK) {
         const double away = radius * (1 + t->at) / 2;
@@ -172,6 +178,10 @@ void lx_sheet_locate(const struct lx_smooth_sheet *sheet, const double place_mm[
         at[0] = a / sheet->half_mm[0];
         at[1] = b / sheet->half_mm[1];
         break;
+    case LX_SHEET_TRIANGLE:
+        at[0] = b > 0 ? (a * 2 * sheet->half_mm[1] / b - sheet->middle) / sheet->half_mm[0] : 0;
+        at[1] = b / sheet->half_mm[1] - 1;
+        break;
     case LX_SHEET_DISK:
         at[0] = along_sector(sheet, b, a);
         at[1] = 2 * hypot(a, b) / sheet->half_mm[0] - 1;
@@ -185,4 +195,28 @@ void lx_sheet_locate(const struct lx_smooth_sheet *sheet, const double place_mm[
         at[1] = c > 0 ? atan(b / c) * 4 / M_PI : 2;
         break;
     }
+}
+
+bool lx_sheet_of_triangle(const double corners_mm[3][3], struct lx_smooth_sheet *sheet)
+{
+    double sides[3][3], squares[3], from[3];
+    int longest = 0;
+    for (int c = 0; c < 3; c++) { /* side c is across from corner c */
+        for (int k = 0; k < 3; k++)
+            sides[c][k] = corners_mm[(c + 1) % 3][k] - corners_mm[(c + 2) % 3][k];
+        squares[c] = lx_dot(sides[c], sides[c]);
+        longest = squares[c] > squares[longest] ? c : longest;
+    }
+    *sheet = (struct lx_smooth_sheet){.type = LX_SHEET_TRIANGLE, .turn = 1};
+    memcpy(sheet->center_mm, corners_mm[longest], sizeof sheet->center_mm);
+    memcpy(sheet->across, sides[longest], sizeof sheet->across);
+    sheet->half_mm[0] = lx_normalize(sheet->across) / 2;
+    for (int k = 0; k < 3; k++)
+        from[k] = (corners_mm[(longest + 1) % 3][k] + corners_mm[(longest + 2) % 3][k]) / 2 - sheet->center_mm[k];
+    sheet->middle = lx_dot(from, sheet->across);
+    for (int k = 0; k < 3; k++)
+        sheet->upward[k] = from[k] - sheet->middle * sheet->across[k];
+    sheet->half_mm[1] = lx_normalize(sheet->upward) / 2;
+    lx_cross(sheet->across, sheet->upward, sheet->axis);
+    return sheet->half_mm[1] > 1e-9 * sheet->half_mm[0];
 }

@@ -2,7 +2,8 @@
 /*
  * Sheets: the sides of a surface cut into pieces, each with smooth coordinates s, t from -1 to 1, for whoever
  * integrates over surfaces.  A plate is one sheet on either side, a disk and the side of a cylinder four sectors, a
- * ball the six faces of a cube that is blown up, which leaves no pole.
+ * ball the six faces of a cube that is blown up, which leaves no pole; a mesh has a sheet on either side of each
+ * triangle (mesh_faces.h).
  */
 #ifndef LX_SURFACE_SHEET_H
 #define LX_SURFACE_SHEET_H
@@ -11,20 +12,21 @@
 
 #include "surface.h"
 
-enum lx_sheet_type { LX_SHEET_PLATE, LX_SHEET_DISK, LX_SHEET_TUBE, LX_SHEET_BALL };
+enum lx_sheet_type { LX_SHEET_PLATE, LX_SHEET_TRIANGLE, LX_SHEET_DISK, LX_SHEET_TUBE, LX_SHEET_BALL };
 
 struct lx_smooth_sheet {
     enum lx_sheet_type type;
     double turn; /* 1: the normal is along the axis, or away from the middle; -1: the other way */
-    double center_mm[3];
+    double center_mm[3];                  /* of a triangle the corner at t = -1 */
     double across[3], upward[3], axis[3]; /* unit, at right angles */
-    double half_mm[2];                    /* of a plate; radius, and of a tube half its height, of what is round */
-    double middle;                        /* the angle in the middle of a sector */
+    double half_mm[2]; /* of a plate; of a triangle the side at t = 1, and the height over it; of what is round the
+                        * radius, and of a tube half its height */
+    double middle;     /* the angle in the middle of a sector; how far the middle of a triangle's side is across */
 };
 
 enum { LX_MOST_SHEETS = 12 };
 
-/* The sheets of a shape; returns how many, 0: it cannot be cut into any. */
+/* The sheets of a shape; returns how many, 0: it is a mesh. */
 int lx_shape_sheets(const struct lx_shape *shape, struct lx_smooth_sheet sheets[LX_MOST_SHEETS]);
 
 /* The place, the unit normal and the area for each unit of s and t, in mm^2. */
@@ -43,5 +45,8 @@ double lx_sheet_ball_area(const struct lx_smooth_sheet *ball, const double low[2
 
 /* The coordinates of a place on the surface; they are beyond 1 or -1 where it is on another sheet. */
 void lx_sheet_locate(const struct lx_smooth_sheet *sheet, const double place_mm[3], double at[2]);
+
+/* A triangle, whose corners run counter-clockwise as seen from its front; false: it has no area. */
+bool lx_sheet_of_triangle(const double corners_mm[3][3], struct lx_smooth_sheet *sheet);
 
 #endif

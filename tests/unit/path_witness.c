@@ -44,6 +44,51 @@ void path_frame(const double axis[3], const double up[3], double across[3], doub
     cross(axis, across, upward);
 }
 
+struct path_thing path_triangle(const double corners[3][3], double reflectance)
+{
+    struct path_thing made = {.reflectance = reflectance, .is_triangle = 1};
+    double first[3], second[3], low[2] = {HUGE_VAL, HUGE_VAL}, high[2] = {-HUGE_VAL, -HUGE_VAL}, at[3][2];
+    for (int i = 0; i < 3; i++) {
+        first[i] = corners[1][i] - corners[0][i];
+        second[i] = corners[2][i] - corners[0][i];
+    }
+    cross(first, second, made.axis);
+    const double length = sqrt(dot(made.axis, made.axis)), along = sqrt(dot(first, first));
+    for (int i = 0; i < 3; i++) {
+        made.axis[i] /= length;
+        made.across[i] = first[i] / along;
+    }
+    cross(made.axis, made.across, made.upward);
+    for (int c = 0; c < 3; c++) {
+        at[c][0] = dot(corners[c], made.across);
+        at[c][1] = dot(corners[c], made.upward);
+        for (int k = 0; k < 2; k++) {
+            low[k] = fmin(low[k], at[c][k]);
+            high[k] = fmax(high[k], at[c][k]);
+        }
+    }
+    const double height = dot(corners[0], made.axis);
+    for (int i = 0; i < 3; i++)
+        made.center[i] = (low[0] + high[0]) / 2 * made.across[i] + (low[1] + high[1]) / 2 * made.upward[i] +
+                         height * made.axis[i];
+    for (int k = 0; k < 2; k++) {
+        made.half[k] = (high[k] - low[k]) / 2;
+        for (int c = 0; c < 3; c++)
+            made.corners[c][k] = at[c][k] - (low[k] + high[k]) / 2;
+    }
+    return made;
+}
+
+static int is_in_triangle(const struct path_thing *thing, double x, double y)
+{
+    int inside = 1;
+    for (int c = 0; c < 3; c++) {
+        const double *a = thing->corners[c], *b = thing->corners[(c + 1) % 3];
+        inside = inside && (b[0] - a[0]) * (y - a[1]) - (b[1] - a[1]) * (x - a[0]) >= 0;
+    }
+    return inside;
+}
+
 /* How far a ray goes to a thing; infinite: it misses. */
 static double way_to(const struct path_thing *thing, const double from[3], const double direction[3])
 {
@@ -63,9 +108,10 @@ static double way_to(const struct path_thing *thing, const double from[3], const
         return HUGE_VAL;
     for (int i = 0; i < 3; i++)
         hit[i] = offset[i] + way * direction[i];
-    return fabs(dot(hit, thing->across)) <= thing->half[0] && fabs(dot(hit, thing->upward)) <= thing->half[1]
-               ? way
-               : HUGE_VAL;
+    const double x = dot(hit, thing->across), y = dot(hit, thing->upward);
+    const int is_in = thing->is_triangle ? is_in_triangle(thing, x, y)
+                                         : fabs(x) <= thing->half[0] && fabs(y) <= thing->half[1];
+    return is_in ? way : HUGE_VAL;
 }
 
 /* The thing that a ray meets first, but not the one that it comes from if that is flat; NULL: none. */

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /*
- * A witness for reflected light, which shares nothing with the library: paths through a room of walls, plates and
- * balls, with an interval that assumes nothing of what they bring but its greatest possible value.
+ * A witness for reflected light, which shares nothing with the library: paths through a room of walls, plates,
+ * triangles and balls, with an interval that assumes nothing of what they bring but its greatest possible value.
  */
 #ifndef TESTS_UNIT_PATH_WITNESS_H
 #define TESTS_UNIT_PATH_WITNESS_H
@@ -9,12 +9,14 @@
 #include <stddef.h>
 #include <stdint.h>
 
-enum { MOST_THINGS = 64, MOST_LAMPS = 3 };
+enum { MOST_THINGS = 96, MOST_LAMPS = 3 };
 
-/* A rectangle, both sides of which reflect, or a ball (radius above 0). */
+/* A rectangle, both sides of which reflect, or a triangle in it, or a ball (radius above 0). */
 struct path_thing {
     double center[3], axis[3], across[3], upward[3], half[2]; /* metres; unit vectors */
     double radius, reflectance;
+    int is_triangle;
+    double corners[3][2]; /* of a triangle, from the centre, across and upward; counter-clockwise */
 };
 
 /* A point (intensity in candelas), or a rectangle that shines to the side of its axis (luminance in cd/m^2). */
@@ -36,6 +38,9 @@ struct path_interval {
 
 /* Directions that make a right-handed frame with a unit axis, the second as near to `up` as may be. */
 void path_frame(const double axis[3], const double up[3], double across[3], double upward[3]);
+
+/* A triangle of corners in metres. */
+struct path_thing path_triangle(const double corners[3][3], double reflectance);
 
 /* The reflected irradiance, by all bounces, of an element at a place with a unit normal. */
 struct path_interval path_reflected(const struct path_room *room, const double place[3], const double normal[3],

@@ -9,6 +9,7 @@
 
 #include "campaign.h"
 #include "path_witness.h"
+#include "place.h"
 #include "random_scenes.h"
 #include "scenes.h"
 
@@ -21,6 +22,7 @@ struct rooms {
     double half[3];
     char text[TEXT_SIZE];
     int length;
+    const char *mesh_path;
 };
 
 static void say(struct rooms *rooms, const char *format, ...) __attribute__((format(printf, 2, 3)));
@@ -136,6 +138,40 @@ static void add_ball(struct rooms *rooms, double reflectance)
     say(rooms, ", material: {model: lambert, diffuse: %.17g, over_pi: true}}\n", reflectance);
 }
 
+/* A closed body of eight triangles, at random no regular one, or as many loose triangles, in a file. */
+static void add_mesh(struct rooms *rooms, double reflectance)
+{
+    enum { FACES = 8 };
+    double corners[FACES][3][3], center[3], tips[6][3];
+    const bool is_body = pick(&rooms->random, 2);
+    FILE *file = fopen(rooms->mesh_path, "w");
+    assert_non_null(file);
+    random_place(rooms, 0.55, center);
+    for (int t = 0; t < 6; t++)
+        for (int i = 0; i < 3; i++)
+            tips[t][i] = center[i] + (t / 2 == i ? (t % 2 ? 1 : -1) * uniform(&rooms->random, 0.15, 0.5)
+                                                 : uniform(&rooms->random, -0.1, 0.1));
+    fprintf(file, "OFF\n%d %d 0\n", 3 * FACES, FACES);
+    for (int f = 0; f < FACES; f++)
+        for (int c = 0; c < 3; c++) {
+            /* an odd number of low tips turns the corners round */
+            const int turned = (f ^ f >> 1 ^ f >> 2) & 1, k = turned ? c : 2 - c;
+            for (int i = 0; i < 3; i++)
+                corners[f][c][i] =
+                    is_body ? tips[2 * k + (f >> k & 1)][i] : center[i] + uniform(&rooms->random, -0.5, 0.5);
+            fprintf(file, "%.17g %.17g %.17g\n", 1000 * corners[f][c][0], 1000 * corners[f][c][1],
+                    1000 * corners[f][c][2]);
+        }
+    for (int f = 0; f < FACES; f++) {
+        fprintf(file, "3 %d %d %d\n", 3 * f, 3 * f + 1, 3 * f + 2);
+        rooms->room.things[rooms->room.thing_count++] =
+            path_triangle((const double(*)[3])corners[f], reflectance);
+    }
+    assert_int_equal(fclose(file), 0);
+    say(rooms, "  - {type: mesh, file: '%s', material: {model: lambert, diffuse: %.17g, over_pi: true}}\n",
+        rooms->mesh_path, reflectance);
+}
+
 static void add_lamp(struct rooms *rooms)
 {
     struct path_lamp lamp = {0};
@@ -165,7 +201,7 @@ static void add_lamp(struct rooms *rooms)
 }
 
 /* A furnished room with one or two lamps. */
-static void furnish(struct rooms *rooms, int plates, int balls)
+static void furnish(struct rooms *rooms, int plates, int balls, bool has_mesh)
 {
     const double darkest = 0.1, brightest = uniform(&rooms->random, 0.3, 0.9);
     say(rooms, "luxel: 1\nunits: photometric\nreflections: all\nscreen: {width: 400, height: 400, resolution: [4, 4]}\n"
@@ -175,6 +211,8 @@ static void furnish(struct rooms *rooms, int plates, int balls)
         add_plate(rooms, uniform(&rooms->random, darkest, brightest));
     for (int i = 0; i < balls; i++)
         add_ball(rooms, uniform(&rooms->random, darkest, brightest));
+    if (has_mesh)
+        add_mesh(rooms, uniform(&rooms->random, darkest, brightest));
     say(rooms, "lights:\n");
     const int lamps = 1 + pick(&rooms->random, 2);
     for (int i = 0; i < lamps; i++)
@@ -220,16 +258,19 @@ static void judge(const struct rooms *rooms, const luxel_place *place, const lux
                  rooms->text);
 }
 
-static void try_room(int seed, size_t paths, int plates, int balls)
+static void try_room(const struct place *place, int seed, size_t paths, int plates, int balls, bool has_mesh)
 {
     static struct rooms rooms;
     rooms = (struct rooms){.random = {(uint64_t)seed * 7919 + 1}};
+    char path[64];
+    snprintf(path, sizeof path, "%s/mesh.off", place->folder);
+    rooms.mesh_path = path;
     luxel_place places[PLACES];
     luxel_probe *probes;
     luxel_scene *scene;
     luxel_settings settings;
     luxel_diagnostics *diagnostics = luxel_diagnostics_new();
-    furnish(&rooms, plates, balls);
+    furnish(&rooms, plates, balls, has_mesh);
     choose_places(&rooms, places);
     if (load(rooms.text, diagnostics, &scene) != LUXEL_OK)
         fail_msg("%s\n%s", luxel_diagnostics_message(diagnostics, 0, NULL, NULL), rooms.text);
@@ -247,13 +288,13 @@ static void try_room(int seed, size_t paths, int plates, int balls)
 /* Few and small rooms each time; a campaign tries more and fuller ones, with more paths. */
 static void random_rooms(void **state)
 {
-    (void)state;
-    enum { SMALL = 3 };
+    enum { SMALL = 5 };
     const int count = scenes_to_try(SMALL);
     for (int i = 0; i < count; i++) {
         struct randomness random = {(uint64_t)i + 77};
-        const int plates = i < SMALL ? i : pick(&random, pick(&random, 8) ? 9 : 45);
-        try_room(i, i < SMALL ? 20000 : 200000, plates, i < SMALL ? i == 1 : pick(&random, 3));
+        const int plates = i < SMALL ? i % 3 : pick(&random, pick(&random, 8) ? 9 : 45);
+        const bool has_mesh = i < SMALL ? i >= 3 : pick(&random, 2);
+        try_room(*state, i, i < SMALL ? 20000 : 200000, plates, i < SMALL ? i == 1 : pick(&random, 3), has_mesh);
     }
 }
 
@@ -275,6 +316,7 @@ static void witness(void **state)
 
 int main(void)
 {
-    const struct CMUnitTest tests[] = {cmocka_unit_test(witness), cmocka_unit_test(random_rooms)};
+    const struct CMUnitTest tests[] = {cmocka_unit_test(witness),
+                                       cmocka_unit_test_setup_teardown(random_rooms, make_place, remove_place)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -1,0 +1,117 @@
+/* SPDX-License-Identifier: MIT */
+/* Planes around the ways from a place to a face or a cell. */
+#include "region.h"
+
+#include <math.h>
+#include <string.h>
+
+#include "../base/vector.h"
+
+/* What lies on a plane, but for rounding, is not inside. */
+static void add_plane(struct lx_region *region, const double normal[3], const double through_mm[3], double touch_mm)
+{
+    const double length = sqrt(lx_dot(normal, normal));
+    if (!(length > 0))
+        return;
+    double *plane = region->planes[region->count++];
+    for (int i = 0; i < 3; i++)
+        plane[i] = normal[i] / length;
+    plane[3] = -lx_dot(plane, through_mm) - touch_mm;
+}
+
+/* Through the place and each edge of a polygon around `middle`. */
+static void add_pyramid(struct lx_region *region, const struct lx_veils *veils, const double (*corners)[3], int count,
+                        const double middle_mm[3])
+{
+    double from[3], to[3], inwards[3], edge[3];
+    for (int k = 0; k < count; k++) {
+        for (int i = 0; i < 3; i++) {
+            from[i] = corners[k][i] - veils->place_mm[i];
+            to[i] = corners[(k + 1) % count][i] - veils->place_mm[i];
+            inwards[i] = middle_mm[i] - veils->place_mm[i];
+        }
+        lx_cross(from, to, edge);
+        if (lx_dot(edge, inwards) < 0)
+            for (int i = 0; i < 3; i++)
+                edge[i] = -edge[i];
+        add_plane(region, edge, veils->place_mm, veils->touch_mm);
+    }
+}
+
+/* Four planes around a ball, and one behind it; inside of it there is no pyramid. */
+static void add_cone(struct lx_region *region, const struct lx_veils *veils, const double center_mm[3],
+                     double radius_mm)
+{
+    double way[3], sides[2][3], beyond[3], back[3];
+    for (int i = 0; i < 3; i++)
+        way[i] = center_mm[i] - veils->place_mm[i];
+    const double away = lx_normalize(way), sine = radius_mm / away;
+    if (!(sine < 1))
+        return;
+    const double other[3] = {fabs(way[0]) < 0.6, fabs(way[0]) >= 0.6, 0}, cosine = sqrt(1 - sine * sine);
+    lx_cross(way, other, sides[0]);
+    lx_normalize(sides[0]);
+    lx_cross(way, sides[0], sides[1]);
+    for (int k = 0; k < 4; k++) {
+        double inwards[3];
+        for (int i = 0; i < 3; i++)
+            inwards[i] = sine * way[i] + (k & 1 ? cosine : -cosine) * sides[k >> 1][i];
+        add_plane(region, inwards, veils->place_mm, -veils->touch_mm);
+    }
+    for (int i = 0; i < 3; i++) {
+        beyond[i] = center_mm[i] + radius_mm * way[i];
+        back[i] = -way[i];
+    }
+    add_plane(region, back, beyond, -veils->touch_mm);
+}
+
+static void begin(const struct lx_veils *veils, struct lx_region *region)
+{
+    region->count = 0;
+    add_plane(region, veils->normal, veils->place_mm, veils->touch_mm);
+}
+
+void lx_region_before_face(const struct lx_veils *veils, const struct lx_matte_face *face, struct lx_region *region)
+{
+    const struct lx_smooth_sheet *sheet = &face->sheet;
+    double corners[4][3], normal[3];
+    begin(veils, region);
+    for (int i = 0; i < 3; i++)
+        normal[i] = sheet->turn * sheet->axis[i];
+    if (face->is_flat)
+        add_plane(region, normal, sheet->center_mm, veils->touch_mm);
+    if (lx_is_polygon(sheet->type)) {
+        const int count = lx_face_corners(face, corners);
+        add_pyramid(region, veils, (const double(*)[3])corners, count, face->center_mm);
+    } else {
+        add_cone(region, veils, face->center_mm, face->radius_mm);
+    }
+}
+
+/* Cells with straight edges are parts of their parallelograms. */
+bool lx_region_is_free(const struct lx_veils *veils, const struct lx_shape *shape, const struct lx_tile_cell *cell)
+{
+    struct lx_region region;
+    uint32_t found;
+    double corners[4][3], normal[3], from[3];
+    if (lx_mesh_count(shape) == 0)
+        return false;
+    begin(veils, &region);
+    lx_cross(cell->first_mm, cell->second_mm, normal);
+    if (lx_dot(normal, normal) > 0) {
+        for (int i = 0; i < 3; i++)
+            from[i] = veils->place_mm[i] - cell->center_mm[i];
+        if (lx_dot(normal, from) < 0)
+            for (int i = 0; i < 3; i++)
+                normal[i] = -normal[i];
+        for (int k = 0; k < 4; k++)
+            for (int i = 0; i < 3; i++)
+                corners[k][i] = cell->center_mm[i] + (k == 0 || k == 3 ? -1 : 1) * cell->first_mm[i] +
+                                (k < 2 ? -1 : 1) * cell->second_mm[i];
+        add_plane(&region, normal, cell->center_mm, veils->touch_mm);
+        add_pyramid(&region, veils, (const double(*)[3])corners, 4, cell->center_mm);
+    } else {
+        add_cone(&region, veils, cell->center_mm, cell->radius_mm);
+    }
+    return lx_mesh_within(shape, (const double(*)[4])region.planes, region.count, 0, &found) == 0;
+}

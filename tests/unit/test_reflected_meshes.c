@@ -1,0 +1,281 @@
+/* SPDX-License-Identifier: MIT */
+/*
+ * Reflected light of meshes: as that of the plates and the ball that they stand for, as the furnace tells, and by the
+ * true faces, whatever the smooth normals; the balance of a closed mesh; and how many triangles are too many.
+ */
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+
+#include "place.h"
+#include "scenes.h"
+#include <luxel/balance.h>
+
+enum { TEXT_SIZE = 6000, PLACES = 4 };
+
+#define MATERIAL(rho) "material: {model: lambert, diffuse: " rho ", over_pi: true}"
+#define LAMP "{type: point, position: [300, 800, 1400], intensity: 500}"
+
+/* ---- meshes ---- */
+
+/* The eight corners of a box around the origin and its twelve triangles, which look outwards. */
+static void write_box(const char *path, const double half[3])
+{
+    static const int sides[6][4] = {{0, 2, 3, 1}, {4, 5, 7, 6}, {0, 1, 5, 4}, {2, 6, 7, 3}, {0, 4, 6, 2}, {1, 3, 7, 5}};
+    FILE *file = fopen(path, "w");
+    assert_non_null(file);
+    fprintf(file, "OFF\n8 12 0\n");
+    for (int c = 0; c < 8; c++)
+        fprintf(file, "%g %g %g\n", c & 1 ? half[0] : -half[0], c & 2 ? half[1] : -half[1], c & 4 ? half[2] : -half[2]);
+    for (int s = 0; s < 6; s++)
+        fprintf(file, "3 %d %d %d\n3 %d %d %d\n", sides[s][0], sides[s][1], sides[s][2], sides[s][0], sides[s][2],
+                sides[s][3]);
+    assert_int_equal(fclose(file), 0);
+}
+
+/* A ball of radius 1: each face of an octahedron in count^2 triangles, whose corners are on the ball. */
+static void write_ball(const char *path, int count)
+{
+    FILE *file = fopen(path, "w");
+    const int corners = (count + 1) * (count + 2) / 2;
+    assert_non_null(file);
+    fprintf(file, "OFF\n%d %d 0\n", 8 * corners, 8 * count * count);
+    for (int face = 0; face < 8; face++)
+        for (int i = 0; i <= count; i++)
+            for (int j = 0; j <= i; j++) {
+                const double x = count - i, y = i - j, z = j, length = sqrt(x * x + y * y + z * z);
+                fprintf(file, "%.17g %.17g %.17g\n", (face & 1 ? -x : x) / length, (face & 2 ? -y : y) / length,
+                        (face & 4 ? -z : z) / length);
+            }
+    for (int face = 0; face < 8; face++) {
+        const bool turned = (face ^ face >> 1 ^ face >> 2) & 1;
+        for (int i = 0; i < count; i++)
+            for (int j = 0; j <= 2 * i; j++) {
+                const int above = corners * face + i * (i + 1) / 2 + j / 2, below = above + i + 1;
+                const int a = above, b = j % 2 ? below + 1 : below, c = j % 2 ? above + 1 : below + 1;
+                fprintf(file, "3 %d %d %d\n", a, turned ? c : b, turned ? b : c);
+            }
+    }
+    assert_int_equal(fclose(file), 0);
+}
+
+/* ---- scenes ---- */
+
+static luxel_status try_scene(const char *reflections, const char *surfaces, const char *lights,
+                              luxel_diagnostics *diagnostics, luxel_scene **scene)
+{
+    char text[TEXT_SIZE];
+    const int length = snprintf(text, sizeof text,
+                                "luxel: 1\nunits: photometric\nreflections: %s\n"
+                                "screen: {width: 400, height: 400, resolution: [4, 4]}\nobserver: {z: 30000, "
+                                "projection: perspective}\nsurfaces: [%s]\nlights: [%s]\n",
+                                reflections, surfaces, lights);
+    assert_true(length > 0 && length < TEXT_SIZE);
+    return load(text, diagnostics, scene);
+}
+
+static luxel_scene *scene_of(const char *reflections, const char *surfaces, const char *lights)
+{
+    luxel_scene *scene;
+    luxel_diagnostics *diagnostics = luxel_diagnostics_new();
+    if (try_scene(reflections, surfaces, lights, diagnostics, &scene) != LUXEL_OK)
+        fail_msg("%s\n%s", luxel_diagnostics_message(diagnostics, 0, NULL, NULL), surfaces);
+    luxel_diagnostics_free(diagnostics);
+    return scene;
+}
+
+struct element {
+    double place[3], normal[3];
+};
+
+/* Reflected irradiances and their bounds, which are no more than `most` of the values. */
+static void probe(luxel_scene *scene, const struct element *elements, size_t count, double most, double values[PLACES],
+                  double errors[PLACES])
+{
+    luxel_settings settings;
+    luxel_settings_init(&settings);
+    settings.quantity = LUXEL_IRRADIANCE;
+    settings.reflected_error = most;
+    luxel_place places[PLACES] = {0};
+    luxel_probe *probes;
+    for (size_t i = 0; i < count; i++) {
+        places[i].is_element = true;
+        memcpy(places[i].position_mm, elements[i].place, sizeof places[i].position_mm);
+        memcpy(places[i].normal, elements[i].normal, sizeof places[i].normal);
+    }
+    assert_int_equal(luxel_probe_many(scene, &settings, places, count, NULL, &probes), LUXEL_OK);
+    for (size_t i = 0; i < count; i++) {
+        assert_true(probes[i].has_reflected && probes[i].reflected_reached);
+        assert_true(probes[i].reflected_error <= most * probes[i].value);
+        values[i] = probes[i].reflected_irradiance;
+        errors[i] = probes[i].reflected_error;
+    }
+    luxel_probe_free(probes);
+    luxel_scene_free(scene);
+}
+
+/* Two scenes have the same light, as far as both know it. */
+static void compare(const char *reflections, const char *surfaces, const char *others, const char *lights, double most,
+                    const struct element elements[PLACES])
+{
+    double values[2][PLACES], errors[2][PLACES];
+    probe(scene_of(reflections, surfaces, lights), elements, PLACES, most, values[0], errors[0]);
+    probe(scene_of(reflections, others, lights), elements, PLACES, most, values[1], errors[1]);
+    for (int i = 0; i < PLACES; i++)
+        if (!(fabs(values[0][i] - values[1][i]) <= errors[0][i] + errors[1][i]))
+            fail_msg("place %d: %.10g with %.2g, and %.10g with %.2g\n%s", i, values[0][i], errors[0][i], values[1][i],
+                     errors[1][i], surfaces);
+}
+
+static const char *path_of(void **state, const char *name)
+{
+    static char path[2][64];
+    static int next;
+    next = !next;
+    snprintf(path[next], sizeof path[next], "%s/%s", ((const struct place *)*state)->folder, name);
+    return path[next];
+}
+
+/* ---- tests ---- */
+
+#define ROOM "{type: room, center: [0, 0, 0], size: [5000, 3000, 4000], " MATERIAL("0.5") "}"
+
+static const struct element in_room[PLACES] = {{{0, -1500, 0}, {0, 1, 0}},
+                                               {{500, 300, 600}, {0, 0, 1}},
+                                               {{2400, -1400, -1900}, {-1, 0, 0}},
+                                               {{-2500, 100, 1990}, {1, 0, 0}}};
+
+/* Twelve triangles that are seen from inside. */
+static void test_room(void **state)
+{
+    const char *path = path_of(state, "room.off");
+    char surfaces[300];
+    write_box(path, (const double[]){2500, 1500, 2000});
+    snprintf(surfaces, sizeof surfaces, "{type: mesh, file: '%s', " MATERIAL("0.5") "}", path);
+    compare("all", surfaces, ROOM, LAMP, 3e-3, in_room);
+    compare("2", surfaces, ROOM, LAMP, 3e-3, in_room);
+}
+
+/* Two triangles aslant in a room; one bounce from them alone, over a floor. */
+static void test_plate(void **state)
+{
+    const char *path = path_of(state, "plate.off");
+    char surfaces[500], others[500];
+    put(path, "OFF\n4 1 0\n-300 -200 0\n300 -200 0\n300 200 0\n-300 200 0\n4 0 1 2 3\n");
+    const char *const before[] = {ROOM, "{type: rectangle, center: [0, -1500, 0], axis: [0, 1, 0.1], up: [0, 0, 1], "
+                                        "size: [100, 100], " MATERIAL("0.5") "}"};
+    static const struct element below[PLACES] = {{{500, -700, 100}, {0, 1, 0.2}},
+                                                 {{300, -500, 600}, {0, 0.6, -0.8}},
+                                                 {{700, -1200, -300}, {0, 1, 0}},
+                                                 {{0, 0, 0}, {1, 0, 0}}};
+    for (int s = 0; s < 2; s++) {
+        snprintf(surfaces, sizeof surfaces,
+                 "%s, {type: mesh, file: '%s', rotate: [30, 0, 0], position: [500, -200, 100], " MATERIAL("0.7") "}",
+                 before[s], path);
+        snprintf(others, sizeof others,
+                 "%s, {type: rectangle, size: [600, 400], center: [500, -200, 100], axis: [0, -0.5, "
+                 "0.86602540378443864676], up: [0, 0.86602540378443864676, 0.5], " MATERIAL("0.7") "}",
+                 before[s]);
+        if (s == 0)
+            compare("all", surfaces, others, LAMP, 1e-2, in_room);
+        else
+            compare("1", surfaces, others, "{type: point, position: [500, -1000, 900], intensity: 50}", 1e-2, below);
+    }
+}
+
+/* What a box hides: six plates with the same outlines. */
+static void test_box(void **state)
+{
+    const char *path = path_of(state, "box.off");
+    char surfaces[300];
+    write_box(path, (const double[]){300, 400, 500});
+    snprintf(surfaces, sizeof surfaces, ROOM ", {type: mesh, file: '%s', position: [500, -1000, 100], " MATERIAL("0.6") "}",
+             path);
+#define SIDE(size, center, axis, up)                                                                                   \
+    ", {type: rectangle, size: " size ", center: " center ", axis: " axis ", up: " up ", " MATERIAL("0.6") "}"
+    compare("all", surfaces,
+            ROOM SIDE("[600, 800]", "[500, -1000, 600]", "[0, 0, 1]", "[0, 1, 0]")
+                SIDE("[600, 800]", "[500, -1000, -400]", "[0, 0, 1]", "[0, 1, 0]")
+                    SIDE("[1000, 800]", "[200, -1000, 100]", "[-1, 0, 0]", "[0, 1, 0]")
+                        SIDE("[1000, 800]", "[800, -1000, 100]", "[-1, 0, 0]", "[0, 1, 0]")
+                            SIDE("[600, 1000]", "[500, -600, 100]", "[0, 1, 0]", "[0, 0, 1]")
+                                SIDE("[600, 1000]", "[500, -1400, 100]", "[0, 1, 0]", "[0, 0, 1]"),
+            LAMP, 2e-2, in_room);
+}
+
+/* In uniform light E_r = E0 rho/(1 - rho) everywhere in a closed mesh, on its faces and among them, whatever stands in
+ * it; of a lamp the mean is flux/(area (1 - rho)). */
+static void test_furnace(void **state)
+{
+    const char *path = path_of(state, "ball.off");
+    char mesh[200], surfaces[400];
+    static const struct element inside[PLACES] = {
+        {{600, 600, 700}, {0, -1, 0}}, {{0, 0, 0}, {0, 0, 1}}, {{-900, 700, 0}, {0.6, 0, -0.8}}, {{0, 0, -500}, {0, 0, 1}}};
+    double values[PLACES], errors[PLACES];
+    write_ball(path, 2);
+    snprintf(mesh, sizeof mesh,
+             "{type: mesh, file: '%s', scale: 2000, normals: smooth, crease: 80, " MATERIAL("0.6") "}", path);
+    snprintf(surfaces, sizeof surfaces, "%s, {type: sphere, center: [300, 200, -800], radius: 300, " MATERIAL("0.6") "}",
+             mesh);
+    probe(scene_of("all", surfaces, "{type: ambient, irradiance: 100}"), inside, PLACES, 5e-3, values, errors);
+    for (int i = 0; i < PLACES; i++)
+        if (!(fabs(values[i] - 150) <= errors[i]))
+            fail_msg("place %d: %.10g +- %.2g, not 150", i, values[i], errors[i]);
+    luxel_settings settings;
+    luxel_balance *balance;
+    luxel_settings_init(&settings);
+    settings.reflected_error = 1e-2;
+    luxel_scene *scene = scene_of("all", mesh, "{type: point, position: [200, 100, -300], intensity: 500}");
+    assert_int_equal(luxel_find_balance(scene, &settings, NULL, &balance), LUXEL_OK);
+    assert_true(balance->closes);
+    assert_int_equal(balance->side_count, 1);
+    const double flux = 4 * M_PI * 500, mean = flux / (balance->sides[0].area_m2 * (1 - 0.6));
+    assert_true(fabs(balance->sides[0].irradiance.value - mean) <= balance->sides[0].irradiance.error);
+    assert_true(fabs(balance->absorbed.value - flux) <= balance->absorbed.error);
+    luxel_balance_free(balance);
+    luxel_scene_free(scene);
+}
+
+/* Light from a ball to a place beside it: meshes tend to it as N^-2. */
+static void test_tends_to_the_ball(void **state)
+{
+    const struct element beside[] = {{{0, -1500, 300}, {0, 1, 0}}};
+    static const char lamp[] = "{type: point, position: [0, -2500, 2000], intensity: 500}";
+    double truth[PLACES], off[2], values[PLACES], errors[PLACES];
+    probe(scene_of("1", "{type: sphere, center: [0, 0, 0], radius: 600, " MATERIAL("0.8") "}", lamp),
+          beside, 1, 1e-4, truth, errors);
+    for (int i = 0; i < 2; i++) {
+        const char *path = path_of(state, "ball.off");
+        char surfaces[300];
+        write_ball(path, 3 << i);
+        snprintf(surfaces, sizeof surfaces, "{type: mesh, file: '%s', scale: 600, " MATERIAL("0.8") "}", path);
+        probe(scene_of("1", surfaces, lamp), beside, 1, 2e-3, values, errors);
+        off[i] = fabs(values[0] - truth[0]) / truth[0];
+    }
+    if (!(off[0] < 0.2 && off[1] < off[0] / 3 && off[1] > off[0] / 6))
+        fail_msg("off by %g and %g", off[0], off[1]);
+}
+
+/* The most triangles, and one mesh more. */
+static void test_too_many(void **state)
+{
+    const char *path = path_of(state, "ball.off");
+    char surfaces[400];
+    luxel_scene *scene;
+    luxel_diagnostics *diagnostics = luxel_diagnostics_new();
+    write_ball(path, 100);
+    snprintf(surfaces, sizeof surfaces, "{type: mesh, file: '%s', " MATERIAL("0.8") "}", path);
+    assert_int_equal(try_scene("none", surfaces, LAMP, diagnostics, &scene), LUXEL_OK);
+    luxel_scene_free(scene);
+    assert_int_equal(try_scene("all", surfaces, LAMP, diagnostics, &scene), LUXEL_ERROR_SCENE);
+    assert_non_null(strstr(luxel_diagnostics_message(diagnostics, 0, NULL, NULL), "80000 triangles"));
+    luxel_scene_free(scene);
+    luxel_diagnostics_free(diagnostics);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {CASE(room),    CASE(plate),           CASE(box),
+                                       CASE(furnace), CASE(tends_to_the_ball), CASE(too_many)};
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
