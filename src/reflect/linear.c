@@ -41,9 +41,12 @@ static void multiply_rows(void *data, unsigned worker, bool is_caller, unsigned 
     const struct product *product = data;
     (void)worker;
     (void)is_caller;
-    for (size_t i = first; i < last; i++) {
-        const struct lx_rows *rows = product->linear->reflected->tiles[i / LX_RULE_NODES].rows;
-        product->sum[i] = row_of(&rows->of[i % LX_RULE_NODES], product->sent);
+    for (size_t t = first; t < last; t++) {
+        const struct lx_rows *rows = product->linear->reflected->tiles[t].rows;
+        double *sum = product->sum + t * LX_RULE_NODES;
+        for (int q = 0; q < lx_rows_nodes(rows); q++)
+            sum[q] = row_of(&rows->of[q], product->sent);
+        lx_rows_spread(rows, sum);
     }
 }
 
@@ -73,8 +76,8 @@ bool lx_linear_bounce(const struct lx_linear *linear, const double *right, const
     /* float32 numbers would not hold every strength of light */
     const double scale = largest > 0 ? ldexp(1, ilogb(largest)) : 1;
     struct product product = {linear, sent, sum};
-    const struct lx_rows_part part = {.last = (unsigned)linear->count,
-                                      .tile_rows = 64,
+    const struct lx_rows_part part = {.last = (unsigned)linear->reflected->tile_count,
+                                      .tile_rows = 4,
                                       .counts_itself = true,
                                       .work = multiply_rows,
                                       .data = &product};

@@ -65,8 +65,9 @@ static bool set_face(struct finding *finding, uint32_t f)
     if (finding->is_set)
         return finding->is_seen;
     const bool is_own = lx_receives_from_own(receiver, face);
+    const struct lx_shafts *shafts = &finding->veils->shafts;
     finding->is_set = true;
-    finding->is_seen = !(is_own && (face->is_flat || face->sheet.turn > 0)) &&
+    finding->is_seen = !(shafts->of && shafts->of[f].is_none) && !(is_own && (face->is_flat || face->sheet.turn > 0)) &&
                        lx_veils_set(finding->prepared, receiver, face, f, finding->reflected->size_mm, finding->veils);
     finding->transfer = lx_transfer_of(finding->fineness, receiver, finding->veils, face);
     return finding->is_seen;
@@ -221,6 +222,35 @@ struct lx_arrival lx_links_sum(const struct lx_radiosity *reflected, const struc
 
 /* ---- rows ---- */
 
+/* Of a triangle: where shares of its corners are 2/3, 1/6, 1/6. */
+static const double linear_at[LX_LINEAR_NODES][2] = {{0, -1.0 / 3}, {-0.6, 2.0 / 3}, {0.6, 2.0 / 3}};
+/* The nearest place between the nodes that is asked: the corners, of which two lie together, and the middle. */
+static const int linear_between[LX_BETWEEN] = {1, 1, 1, 6, 4, 8, 6, 8, 8};
+
+static bool has_linear_row(int r)
+{
+    return r < LX_RULE_NODES ? r < LX_LINEAR_NODES : linear_between[r - LX_RULE_NODES] == r - LX_RULE_NODES;
+}
+
+void lx_rows_spread(const struct lx_rows *rows, double nodes[LX_RULE_NODES])
+{
+    if (!rows->is_linear)
+        return;
+    const double at[LX_LINEAR_NODES] = {nodes[0], nodes[1], nodes[2]};
+    for (int q = 0; q < LX_RULE_NODES; q++) {
+        const double away = (1 + lx_rule_places[q % LX_ORDER]) / 2, side = lx_rule_places[q / LX_ORDER];
+        const double shares[LX_LINEAR_NODES] = {1 - away, away * (1 - side) / 2, away * (1 + side) / 2};
+        nodes[q] = 0;
+        for (int k = 0; k < LX_LINEAR_NODES; k++)
+            nodes[q] += at[k] * (2 * shares[k] - 1.0 / 3);
+    }
+}
+
+const struct lx_links *lx_rows_between(const struct lx_rows *rows, int p)
+{
+    return &rows->of[LX_RULE_NODES + (rows->is_linear ? linear_between[p] : p)];
+}
+
 int lx_rows_find(const struct lx_radiosity *reflected, uint32_t face, const struct lx_window *window,
                  const struct lx_tile_cell *cell, struct lx_veils *veils, struct lx_rows **rows)
 {
@@ -228,11 +258,16 @@ int lx_rows_find(const struct lx_radiosity *reflected, uint32_t face, const stru
     struct lx_receiver receiver = {.own = reflected->faces[face].surface};
     if (!*rows && !(*rows = lx_new_array(1, sizeof **rows)))
         return -1;
+    (*rows)->is_linear = lx_is_linear(&reflected->faces[face], window);
     if (lx_shafts_set(reflected, cell, &veils->shafts))
         return -1;
     for (int r = 0; r < LX_ROWS; r++) {
         const bool is_node = r < LX_RULE_NODES;
-        if (is_node) {
+        if ((*rows)->is_linear && !has_linear_row(r))
+            continue;
+        if ((*rows)->is_linear && is_node) {
+            lx_sheet_place(sheet, linear_at[r][0], linear_at[r][1], receiver.place_mm, receiver.normal);
+        } else if (is_node) {
             memcpy(receiver.place_mm, cell->place_mm[r], sizeof receiver.place_mm);
             memcpy(receiver.normal, cell->normal[r], sizeof receiver.normal);
         } else {

@@ -53,11 +53,23 @@ struct lx_arrival lx_links_sum(const struct lx_radiosity *reflected, const struc
                                const struct lx_light *light);
 void lx_links_clear(struct lx_links *links);
 
-/* Links of the places of a window: at the nodes of the rule, and finer ones between them. */
-enum { LX_ROWS = LX_RULE_NODES + LX_BETWEEN };
+/* Links of the places of a window: at the nodes of the rule, and finer ones between them; where light is linear at
+ * three places in place of the nodes, and at the corners and in the middle. */
+enum { LX_ROWS = LX_RULE_NODES + LX_BETWEEN, LX_LINEAR_NODES = 3 };
 struct lx_rows {
+    bool is_linear;
     struct lx_links of[LX_ROWS];
 };
+
+/* How many rows stand for the nodes. */
+static inline int lx_rows_nodes(const struct lx_rows *rows)
+{
+    return rows->is_linear ? LX_LINEAR_NODES : LX_RULE_NODES;
+}
+/* Values at the nodes, of which the first lx_rows_nodes() are what arrives by the rows. */
+void lx_rows_spread(const struct lx_rows *rows, double nodes[LX_RULE_NODES]);
+/* The row of place p between the nodes. */
+const struct lx_links *lx_rows_between(const struct lx_rows *rows, int p);
 
 /* Brings the rows of a window of a face up to date, whose cell it is; 0, or -1: memory ran out. */
 int lx_rows_find(const struct lx_radiosity *reflected, uint32_t face, const struct lx_window *window,

@@ -109,7 +109,7 @@ static void fill(const struct showing *showing, struct lx_veils *veils, struct l
         veils->failed = true;
         return;
     }
-    for (int q = 0; q < LX_RULE_NODES; q++) {
+    for (int q = 0; q < lx_rows_nodes(part->rows); q++) {
         const struct lx_arrival arrival = lx_links_sum(reflected, &part->rows->of[q], &light);
         part->nodes[q] = arrival.value;
         if (arrival.slack > arrives) {
@@ -118,10 +118,11 @@ static void fill(const struct showing *showing, struct lx_veils *veils, struct l
         }
         received = fmax(received, fabs(arrival.value));
     }
+    lx_rows_spread(part->rows, part->nodes);
     for (int p = 0; p < LX_BETWEEN; p++) {
         double at[2];
         lx_between_place(p, at);
-        between[p] = lx_links_sum(reflected, &part->rows->of[LX_RULE_NODES + p], &light).value -
+        between[p] = lx_links_sum(reflected, lx_rows_between(part->rows, p), &light).value -
                      lx_rule_value(part->nodes, at[0], at[1]);
     }
     if (reflected->part_count > MOST_WITH_ROWS) {

@@ -127,6 +127,8 @@ static luxel_status light_up(struct lx_radiosity *reflected, double error)
         status = LUXEL_ERROR_MEMORY;
     free(is_lit);
     reflected->most_tiles = MOST_TILES + MOST_PAIRS / (reflected->face_count + 1);
+    for (size_t f = 0; f < reflected->face_count; f++)
+        reflected->most_tiles += reflected->faces[f].is_small;
     reflected->sampling.least_flux = LITTLE * fmax(error, LEAST_ERROR) * flux;
     return status == LUXEL_OK && flux > 0 ? sample(reflected) : status;
 }

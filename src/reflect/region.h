@@ -19,4 +19,10 @@ void lx_region_before_face(const struct lx_veils *veils, const struct lx_matte_f
 /* Whether no triangle of a mesh comes between the place and a cell, but for what `lx_region_before_face` leaves out. */
 bool lx_region_is_free(const struct lx_veils *veils, const struct lx_shape *shape, const struct lx_tile_cell *cell);
 
+/* Whether a cell with straight edges and a face of that kind see something of each other; and whether a mesh is not
+ * between any place of the one and any of the other, as far as that is told by the hull of both. */
+bool lx_cell_meets_face(const struct lx_tile_cell *cell, const struct lx_matte_face *face, double touch_mm);
+bool lx_hull_is_free(const struct lx_shape *mesh, const struct lx_tile_cell *cell, const struct lx_matte_face *face,
+                     double touch_mm);
+
 #endif

@@ -6,6 +6,7 @@
 #include <stdlib.h>
 
 #include "../base/memory.h"
+#include "region.h"
 #include "solution.h"
 
 /* The least and the greatest coordinates, of what is inside. */
@@ -71,31 +72,68 @@ static struct box box_of_surface(const struct lx_prepared_surface *surface)
     return box;
 }
 
+/* Surfaces that may stand between two boxes, of which one holds surface `own`. */
+static void list_between(const struct lx_prepared *prepared, const struct box *from, const struct box *to, size_t own,
+                         double touch_mm, struct lx_shafts *shafts, size_t *count)
+{
+    for (size_t s = 0; s < prepared->surface_count; s++) {
+        const struct box box = box_of_surface(&prepared->surfaces[s]);
+        if (s == own || !is_beyond(from, to, &box, touch_mm))
+            shafts->surfaces[(*count)++] = (uint32_t)s;
+    }
+}
+
+/* Leaves out the meshes that are not in the hull of a cell and a face. */
+static void leave_meshes_out(const struct lx_prepared *prepared, const struct lx_tile_cell *cell,
+                             const struct lx_matte_face *face, double touch_mm, struct lx_shafts *shafts, size_t first,
+                             size_t *count)
+{
+    size_t kept = first;
+    for (size_t i = first; i < *count; i++) {
+        const struct lx_shape *shape = &prepared->surfaces[shafts->surfaces[i]].shape;
+        if (lx_mesh_count(shape) == 0 || !lx_hull_is_free(shape, cell, face, touch_mm))
+            shafts->surfaces[kept++] = shafts->surfaces[i];
+    }
+    *count = kept;
+}
+
 int lx_shafts_set(const struct lx_radiosity *reflected, const struct lx_tile_cell *cell, struct lx_shafts *shafts)
 {
     const struct lx_prepared *prepared = reflected->prepared;
+    const size_t surfaces = prepared->surface_count;
     const double touch_mm = 1e-9 * reflected->size_mm;
+    const bool is_polygon = cell->first_mm[0] != 0 || cell->first_mm[1] != 0 || cell->first_mm[2] != 0;
     const struct box from = box_of(cell);
-    size_t count = 0;
+    size_t count = 0, mesh_first = 0, mesh_last = 0;
     if (lx_reserve(&shafts->of, &shafts->face_capacity, reflected->face_count, sizeof *shafts->of))
         return -1;
     for (size_t f = 0; f < reflected->face_count; f++) {
         const struct lx_matte_face *face = &reflected->faces[f];
-        const bool is_mesh = face->sheet.type == LX_SHEET_TRIANGLE; /* all of its triangles go together */
-        if (is_mesh && f > 0 && face->surface == reflected->faces[f - 1].surface) {
-            shafts->of[f] = shafts->of[f - 1];
-            continue;
-        }
-        const struct box to = is_mesh ? box_of_surface(&prepared->surfaces[face->surface]) : box_of(&face->cell);
-        shafts->of[f].first = count;
-        if (lx_reserve(&shafts->surfaces, &shafts->capacity, count + prepared->surface_count, sizeof *shafts->surfaces))
+        const bool has_hull = is_polygon && lx_is_polygon(face->sheet.type);
+        const bool is_mesh = face->sheet.type == LX_SHEET_TRIANGLE;
+        struct lx_shaft_list *list = &shafts->of[f];
+        if (lx_reserve(&shafts->surfaces, &shafts->capacity, count + 2 * surfaces, sizeof *shafts->surfaces))
             return -1;
-        for (size_t s = 0; s < prepared->surface_count; s++) {
-            const struct box box = box_of_surface(&prepared->surfaces[s]);
-            if (s == face->surface || !is_beyond(&from, &to, &box, touch_mm))
-                shafts->surfaces[count++] = (uint32_t)s;
+        if (is_mesh && (f == 0 || face->surface != reflected->faces[f - 1].surface)) {
+            /* all of its triangles go together; from here each takes what is in its own way */
+            const struct box to = box_of_surface(&prepared->surfaces[face->surface]);
+            mesh_first = count;
+            list_between(prepared, &from, &to, face->surface, touch_mm, shafts, &count);
+            mesh_last = count;
         }
-        shafts->of[f].last = count;
+        *list = (struct lx_shaft_list){count, count, has_hull && !lx_cell_meets_face(cell, face, touch_mm)};
+        if (list->is_none)
+            continue;
+        if (is_mesh) {
+            for (size_t i = mesh_first; i < mesh_last; i++)
+                shafts->surfaces[count++] = shafts->surfaces[i];
+        } else {
+            const struct box to = box_of(&face->cell);
+            list_between(prepared, &from, &to, face->surface, touch_mm, shafts, &count);
+        }
+        if (has_hull)
+            leave_meshes_out(prepared, cell, face, touch_mm, shafts, list->first, &count);
+        list->last = count;
     }
     return 0;
 }

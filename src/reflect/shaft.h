@@ -11,7 +11,8 @@
 struct lx_shafts {
     struct lx_shaft_list {
         size_t first, last; /* among the surfaces */
-    } *of; /* each face; NULL: all surfaces may stand anywhere */
+        bool is_none;       /* nothing of it is seen */
+    } * of;                 /* each face; NULL: all surfaces may stand anywhere */
     uint32_t *surfaces;
     size_t face_capacity, capacity;
 };

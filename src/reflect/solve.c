@@ -40,11 +40,14 @@ static void make_rows(void *data, unsigned worker, bool is_caller, unsigned firs
             veils->failed = true;
             return;
         }
-        for (size_t q = 0; q < LX_RULE_NODES; q++) {
+        double *direct = solving->direct + t * LX_RULE_NODES, *seen = reflected->seen + t * LX_RULE_NODES;
+        for (int q = 0; q < lx_rows_nodes(tile->rows); q++) {
             const struct lx_arrival sent = lx_links_sum(reflected, &tile->rows->of[q], &(struct lx_light){0});
-            solving->direct[t * LX_RULE_NODES + q] = sent.value;
-            reflected->seen[t * LX_RULE_NODES + q] = sent.seen;
+            direct[q] = sent.value;
+            seen[q] = sent.seen;
         }
+        lx_rows_spread(tile->rows, direct);
+        lx_rows_spread(tile->rows, seen);
     }
 }
 
@@ -55,7 +58,7 @@ static void find_residuals(void *data, unsigned worker, bool is_caller, unsigned
     (void)worker;
     for (size_t t = first; t < last && lx_control_goes_on(reflected->control, is_caller); t++)
         for (int p = 0; p < LX_BETWEEN; p++) {
-            const struct lx_links *links = &reflected->tiles[t].rows->of[LX_RULE_NODES + p];
+            const struct lx_links *links = lx_rows_between(reflected->tiles[t].rows, p);
             const struct lx_arrival sent = lx_links_sum(reflected, links, &(struct lx_light){solving->before, NULL});
             const size_t nodes = t * LX_RULE_NODES, i = t * LX_BETWEEN + (size_t)p;
             double at[2];

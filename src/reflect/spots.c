@@ -156,7 +156,8 @@ static double *find_allowed(const struct lx_radiosity *reflected, const struct l
     size_t near = 0;
     for (size_t i = 0; allowed && i < wish->spot_count; i++) {
         const struct lx_reflected_spot *spot = &wish->spots[i];
-        const lx_bounded light = lx_reflected_on(reflected, wish->prepared, spot->surface, spot->place_mm, spot->normal, &near);
+        const lx_bounded light =
+            lx_reflected_on(reflected, wish->prepared, spot->surface, spot->place_mm, spot->normal, &near);
         maximum = fmax(maximum, spot->value + spot->share * light.value);
         if (near > 0)
             allowed[near - 1] = fmax(allowed[near - 1], spot->share);

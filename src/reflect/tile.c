@@ -159,14 +159,11 @@ double lx_face_reach(const struct lx_matte_face *face, const double axis[3], con
     const double middle = lx_dot(axis, center) - lx_dot(axis, from_mm);
     const double a = lx_dot(axis, sheet->across), b = lx_dot(axis, sheet->upward);
     switch (sheet->type) {
-    case LX_SHEET_PLATE:
-        return middle + fabs(a) * sheet->half_mm[0] + fabs(b) * sheet->half_mm[1];
+    case LX_SHEET_PLATE: return middle + fabs(a) * sheet->half_mm[0] + fabs(b) * sheet->half_mm[1];
     case LX_SHEET_TRIANGLE:
         return middle + fmax(0, a * sheet->middle + fabs(a) * sheet->half_mm[0] + 2 * b * sheet->half_mm[1]);
-    case LX_SHEET_DISK:
-        return middle + sheet->half_mm[0] * hypot(a, b);
-    default:
-        return middle + face->radius_mm;
+    case LX_SHEET_DISK: return middle + sheet->half_mm[0] * hypot(a, b);
+    default: return middle + face->radius_mm;
     }
 }
 

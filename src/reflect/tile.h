@@ -17,7 +17,7 @@
 struct lx_tile_cell {
     double center_mm[3], radius_mm; /* a ball around it */
     double first_mm[3], second_mm[3];
-    double narrow; /* w(-1); w(1) is 1 */
+    double narrow;        /* w(-1); w(1) is 1 */
     double lengths_mm[2]; /* about half its sides */
     double place_mm[LX_RULE_NODES][3], normal[LX_RULE_NODES][3], area[LX_RULE_NODES];
 };
@@ -32,7 +32,8 @@ struct lx_matte_face {
     struct lx_tile_cell cell;       /* bounds of all of it */
     uint32_t group;                 /* all of it */
     bool is_flat;
-    uint32_t triangle; /* of a mesh */
+    uint32_t triangle; /* of a mesh, */
+    bool is_small;     /* which has many: reflected light is linear on it unless it is cut */
 };
 
 /* Direct light on a window: coefficients at the nodes that have the true integrals with all polynomials of the rule's
@@ -74,6 +75,12 @@ static inline double lx_cell_width(const struct lx_tile_cell *cell, double y)
 static inline bool lx_is_polygon(enum lx_sheet_type type)
 {
     return type == LX_SHEET_PLATE || type == LX_SHEET_TRIANGLE;
+}
+
+/* Whether light on a window of a face is a linear function. */
+static inline bool lx_is_linear(const struct lx_matte_face *face, const struct lx_window *window)
+{
+    return face->is_small && window->half[0] == 1 && window->half[1] == 1;
 }
 
 /* The corners of a face with straight edges, in their order; how many. */

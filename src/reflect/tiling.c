@@ -14,6 +14,8 @@
 #include "solution.h"
 
 enum { MOST_MARKS = 64 };
+/* So many triangles of a mesh are small. */
+enum { MANY = 150 };
 
 /* ---- marks ---- */
 
@@ -248,6 +250,7 @@ static void add_triangles(struct lx_radiosity *reflected, size_t s)
             sheet.turn = side == 0 ? 1 : -1;
             lx_face_make(&sheet, s, surface->material->diffuse, face);
             face->triangle = (uint32_t)i;
+            face->is_small = count > MANY;
         }
 }
 

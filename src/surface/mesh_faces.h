@@ -14,7 +14,7 @@
 extern const struct lx_surface_kind lx_mesh_kind;
 
 /* The most triangles that reflected light is calculated of, of all meshes together. */
-enum { LX_MOST_REFLECTING = 500 };
+enum { LX_MOST_REFLECTING = 2000 };
 
 /* How many triangles a shape has; 0: it is no mesh. */
 size_t lx_mesh_count(const struct lx_shape *shape);
@@ -28,7 +28,7 @@ size_t lx_mesh_triangle_at(const struct lx_shape *shape, const double place_mm[3
 
 /* Sets the triangles that may come to where p.x + p[3] > 0 for all planes p, a unit vector and a number; how many of
  * them, but no more than most + 1: there are too many. */
-enum { LX_REGION_PLANES = 8 };
+enum { LX_REGION_PLANES = 10 };
 size_t lx_mesh_within(const struct lx_shape *shape, const double (*planes)[4], unsigned count, size_t most,
                       uint32_t *found);
 

@@ -16,8 +16,8 @@ enum lx_sheet_type { LX_SHEET_PLATE, LX_SHEET_TRIANGLE, LX_SHEET_DISK, LX_SHEET_
 
 struct lx_smooth_sheet {
     enum lx_sheet_type type;
-    double turn; /* 1: the normal is along the axis, or away from the middle; -1: the other way */
-    double center_mm[3];                  /* of a triangle the corner at t = -1 */
+    double turn;         /* 1: the normal is along the axis, or away from the middle; -1: the other way */
+    double center_mm[3]; /* of a triangle the corner at t = -1 */
     double across[3], upward[3], axis[3]; /* unit, at right angles */
     double half_mm[2]; /* of a plate; of a triangle the side at t = 1, and the height over it; of what is round the
                         * radius, and of a tube half its height */

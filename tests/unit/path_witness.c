@@ -69,8 +69,8 @@ struct path_thing path_triangle(const double corners[3][3], double reflectance)
     }
     const double height = dot(corners[0], made.axis);
     for (int i = 0; i < 3; i++)
-        made.center[i] = (low[0] + high[0]) / 2 * made.across[i] + (low[1] + high[1]) / 2 * made.upward[i] +
-                         height * made.axis[i];
+        made.center[i] =
+            (low[0] + high[0]) / 2 * made.across[i] + (low[1] + high[1]) / 2 * made.upward[i] + height * made.axis[i];
     for (int k = 0; k < 2; k++) {
         made.half[k] = (high[k] - low[k]) / 2;
         for (int c = 0; c < 3; c++)
@@ -109,8 +109,8 @@ static double way_to(const struct path_thing *thing, const double from[3], const
     for (int i = 0; i < 3; i++)
         hit[i] = offset[i] + way * direction[i];
     const double x = dot(hit, thing->across), y = dot(hit, thing->upward);
-    const int is_in = thing->is_triangle ? is_in_triangle(thing, x, y)
-                                         : fabs(x) <= thing->half[0] && fabs(y) <= thing->half[1];
+    const int is_in =
+        thing->is_triangle ? is_in_triangle(thing, x, y) : fabs(x) <= thing->half[0] && fabs(y) <= thing->half[1];
     return is_in ? way : HUGE_VAL;
 }
 

@@ -189,8 +189,8 @@ static void test_box(void **state)
     const char *path = path_of(state, "box.off");
     char surfaces[300];
     write_box(path, (const double[]){300, 400, 500});
-    snprintf(surfaces, sizeof surfaces, ROOM ", {type: mesh, file: '%s', position: [500, -1000, 100], " MATERIAL("0.6") "}",
-             path);
+    snprintf(surfaces, sizeof surfaces,
+             ROOM ", {type: mesh, file: '%s', position: [500, -1000, 100], " MATERIAL("0.6") "}", path);
 #define SIDE(size, center, axis, up)                                                                                   \
     ", {type: rectangle, size: " size ", center: " center ", axis: " axis ", up: " up ", " MATERIAL("0.6") "}"
     compare("all", surfaces,
@@ -209,14 +209,16 @@ static void test_furnace(void **state)
 {
     const char *path = path_of(state, "ball.off");
     char mesh[200], surfaces[400];
-    static const struct element inside[PLACES] = {
-        {{600, 600, 700}, {0, -1, 0}}, {{0, 0, 0}, {0, 0, 1}}, {{-900, 700, 0}, {0.6, 0, -0.8}}, {{0, 0, -500}, {0, 0, 1}}};
+    static const struct element inside[PLACES] = {{{600, 600, 700}, {0, -1, 0}},
+                                                  {{0, 0, 0}, {0, 0, 1}},
+                                                  {{-900, 700, 0}, {0.6, 0, -0.8}},
+                                                  {{0, 0, -500}, {0, 0, 1}}};
     double values[PLACES], errors[PLACES];
     write_ball(path, 2);
     snprintf(mesh, sizeof mesh,
              "{type: mesh, file: '%s', scale: 2000, normals: smooth, crease: 80, " MATERIAL("0.6") "}", path);
-    snprintf(surfaces, sizeof surfaces, "%s, {type: sphere, center: [300, 200, -800], radius: 300, " MATERIAL("0.6") "}",
-             mesh);
+    snprintf(surfaces, sizeof surfaces,
+             "%s, {type: sphere, center: [300, 200, -800], radius: 300, " MATERIAL("0.6") "}", mesh);
     probe(scene_of("all", surfaces, "{type: ambient, irradiance: 100}"), inside, PLACES, 5e-3, values, errors);
     for (int i = 0; i < PLACES; i++)
         if (!(fabs(values[i] - 150) <= errors[i]))
@@ -242,8 +244,8 @@ static void test_tends_to_the_ball(void **state)
     const struct element beside[] = {{{0, -1500, 300}, {0, 1, 0}}};
     static const char lamp[] = "{type: point, position: [0, -2500, 2000], intensity: 500}";
     double truth[PLACES], off[2], values[PLACES], errors[PLACES];
-    probe(scene_of("1", "{type: sphere, center: [0, 0, 0], radius: 600, " MATERIAL("0.8") "}", lamp),
-          beside, 1, 1e-4, truth, errors);
+    probe(scene_of("1", "{type: sphere, center: [0, 0, 0], radius: 600, " MATERIAL("0.8") "}", lamp), beside, 1, 1e-4,
+          truth, errors);
     for (int i = 0; i < 2; i++) {
         const char *path = path_of(state, "ball.off");
         char surfaces[300];
@@ -275,7 +277,7 @@ static void test_too_many(void **state)
 
 int main(void)
 {
-    const struct CMUnitTest tests[] = {CASE(room),    CASE(plate),           CASE(box),
-                                       CASE(furnace), CASE(tends_to_the_ball), CASE(too_many)};
+    const struct CMUnitTest tests[] = {CASE(room),    CASE(plate), CASE(box), CASE(furnace), CASE(tends_to_the_ball),
+                                       CASE(too_many)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -164,8 +164,7 @@ static void add_mesh(struct rooms *rooms, double reflectance)
         }
     for (int f = 0; f < FACES; f++) {
         fprintf(file, "3 %d %d %d\n", 3 * f, 3 * f + 1, 3 * f + 2);
-        rooms->room.things[rooms->room.thing_count++] =
-            path_triangle((const double(*)[3])corners[f], reflectance);
+        rooms->room.things[rooms->room.thing_count++] = path_triangle((const double(*)[3])corners[f], reflectance);
     }
     assert_int_equal(fclose(file), 0);
     say(rooms, "  - {type: mesh, file: '%s', material: {model: lambert, diffuse: %.17g, over_pi: true}}\n",
