@@ -18,7 +18,8 @@ static lx_bounded reflected_at(const struct luxel_evaluator *evaluator, const st
     struct lx_veils veils = {0};
     size_t near = 0;
     if (element->own && !receiver.is_turned)
-        return lx_reflected_on(reflected, &evaluator->prepared, receiver.own, receiver.place_mm, receiver.normal, &near);
+        return lx_reflected_on(reflected, &evaluator->prepared, receiver.own, receiver.place_mm, receiver.normal,
+                               &near);
     const lx_bounded light = lx_reflected_at(reflected, &evaluator->prepared, &receiver, &veils);
     const bool failed = veils.failed;
     lx_veils_clear(&veils);

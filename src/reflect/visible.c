@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: MIT */
 /*
- * The part of a cell with straight edges that is seen: integrals of the rule's polynomials over it, where no veil of planes hides
- * it.  Veils are convex, so what several of them hide of a convex polygon is told by polygons alone, by inclusion and
- * exclusion; the integral over a polygon goes along its edges, by Green's theorem.
+ * The part of a cell with straight edges that is seen: integrals of the rule's polynomials over it, where no veil of
+ * planes hides it.  Veils are convex, so what several of them hide of a convex polygon is told by polygons alone, by
+ * inclusion and exclusion; the integral over a polygon goes along its edges, by Green's theorem.
  */
 #include <string.h>
 
