@@ -9,10 +9,12 @@
 #include <stdio.h>
 #include <stdlib.h>
 
+#include "../api/refuse.h"
 #include "../base/memory.h"
 #include "../base/number.h"
 #include "../light/extended.h"
 #include "../shade/prepared.h"
+#include "../surface/mesh_faces.h"
 
 enum {
     SAMPLES = 48,           /* along the shorter side of the screen */
@@ -23,9 +25,11 @@ enum {
     MOST_EXACT_SOURCES = 64 /* for the continuous maximum */
 };
 
-#define TOLERANCE 1e-2   /* of integrals: advice speaks of percents */
-#define EXACT_COST 1e5   /* of the continuous maximum on a surface, in pixels */
-#define SURFACE_COST 0.5 /* of a surface that may be seen, or stand in the light of a source, at a pixel in ns */
+#define TOLERANCE 1e-2    /* of integrals: advice speaks of percents */
+#define REFLECTED 2e-2    /* the bound of reflected light, of the maximum */
+#define TRIANGLE_COST 5e7 /* of a triangle that reflects, in ns */
+#define EXACT_COST 1e5    /* of the continuous maximum on a surface, in pixels */
+#define SURFACE_COST 0.5  /* of a surface that may be seen, or stand in the light of a source, at a pixel in ns */
 
 /* The cost at a pixel, in ns, of each of many surfaces that may hide parts of an extended source; so many are many. */
 #define PENUMBRA_COST 40
@@ -224,6 +228,20 @@ static luxel_status look(const luxel_evaluator *evaluator, const luxel_field *fi
 }
 
 /* `copy` is committed, with the scene's own screen. */
+/* What the triangles of meshes cost that send light on. */
+static double reflecting_cost(const struct lx_scene_parameters *scene)
+{
+    double sum = 0;
+    for (size_t i = 0; i < scene->surfaces.count && lx_wants_reflections(scene); i++) {
+        const struct lx_item *item = &scene->surfaces.items[i];
+        if (item->variant != &lx_mesh_kind.variant)
+            continue;
+        const struct lx_shape shape = lx_surface_shape(&lx_mesh_kind, item->parameters);
+        sum += TRIANGLE_COST * (double)lx_mesh_count(&shape);
+    }
+    return sum;
+}
+
 static luxel_status scout_copy(luxel_scene *copy, double *effort, struct lx_scout *scout)
 {
     const struct lx_scene_parameters *scene = lx_scene_parameters(copy);
@@ -239,6 +257,7 @@ static luxel_status scout_copy(luxel_scene *copy, double *effort, struct lx_scou
     scout->sample_mm = choose_step(scene);
     double pixels = scene->screen.width_mm / scout->sample_mm * (scene->screen.height_mm / scout->sample_mm);
     double cost = pixels * (sources.cost + SURFACE_COST * surfaces + 20) + (scout->is_coarse ? 0 : exact_cost);
+    cost += reflecting_cost(scene);
     scout->too_large = sources.too_many || cost > *effort;
     if (scout->too_large)
         return LUXEL_OK;
@@ -246,6 +265,7 @@ static luxel_status scout_copy(luxel_scene *copy, double *effort, struct lx_scou
     luxel_status status = coarsen(copy, scene, scout->sample_mm);
     luxel_settings_init(&settings);
     settings.tolerance = TOLERANCE;
+    settings.reflected_error = REFLECTED;
     if (status == LUXEL_OK)
         status = luxel_render(copy, &settings, NULL, &field);
     if (status == LUXEL_OK)

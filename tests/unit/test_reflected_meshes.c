@@ -275,9 +275,21 @@ static void test_too_many(void **state)
     luxel_diagnostics_free(diagnostics);
 }
 
+/* Advice does not wait for the light of many triangles: that would take minutes. */
+static void test_advice(void **state)
+{
+    const char *path = path_of(state, "ball.off");
+    char surfaces[400];
+    write_ball(path, 15);
+    snprintf(surfaces, sizeof surfaces, ROOM ", {type: mesh, file: '%s', scale: 500, " MATERIAL("0.8") "}", path);
+    luxel_scene *scene = scene_of("all", surfaces, LAMP);
+    assert_int_equal(luxel_scene_advise_peak(scene, NULL), LUXEL_OK);
+    luxel_scene_free(scene);
+}
+
 int main(void)
 {
-    const struct CMUnitTest tests[] = {CASE(room),    CASE(plate), CASE(box), CASE(furnace), CASE(tends_to_the_ball),
-                                       CASE(too_many)};
+    const struct CMUnitTest tests[] = {CASE(room),     CASE(plate), CASE(box), CASE(furnace), CASE(tends_to_the_ball),
+                                       CASE(too_many), CASE(advice)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
