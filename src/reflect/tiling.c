@@ -236,15 +236,18 @@ static int cut_face(struct lx_radiosity *reflected, uint32_t f, double scale_mm)
 
 /* ---- faces ---- */
 
-/* First all fronts of a mesh, then all backs. */
-static void add_triangles(struct lx_radiosity *reflected, size_t s)
+/* First all fronts of a mesh, then all backs; what is there twice, as both sides of a sheet often are, reflects once. */
+static int add_triangles(struct lx_radiosity *reflected, size_t s)
 {
     const struct lx_prepared_surface *surface = &reflected->prepared->surfaces[s];
     const size_t count = lx_mesh_count(&surface->shape);
+    bool *repeated = count > 0 ? lx_mesh_repeated(&surface->shape) : NULL;
+    if (!repeated)
+        return count > 0 ? -1 : 0;
     for (int side = 0; side < 2; side++)
         for (size_t i = 0; i < count; i++) {
             struct lx_smooth_sheet sheet;
-            if (!lx_mesh_sheet(&surface->shape, i, &sheet))
+            if (repeated[i] || !lx_mesh_sheet(&surface->shape, i, &sheet))
                 continue;
             struct lx_matte_face *face = &reflected->faces[reflected->face_count++];
             sheet.turn = side == 0 ? 1 : -1;
@@ -252,9 +255,11 @@ static void add_triangles(struct lx_radiosity *reflected, size_t s)
             face->triangle = (uint32_t)i;
             face->is_small = count > MANY;
         }
+    free(repeated);
+    return 0;
 }
 
-static void add_faces(struct lx_radiosity *reflected, size_t s)
+static int add_faces(struct lx_radiosity *reflected, size_t s)
 {
     const struct lx_prepared_surface *surface = &reflected->prepared->surfaces[s];
     struct lx_smooth_sheet sheets[LX_MOST_SHEETS];
@@ -264,7 +269,7 @@ static void add_faces(struct lx_radiosity *reflected, size_t s)
         lx_face_make(&sheets[i], s, surface->material->diffuse, face);
         reflected->has_round_faces = reflected->has_round_faces || !face->is_flat;
     }
-    add_triangles(reflected, s);
+    return add_triangles(reflected, s);
 }
 
 /* How far before the plane of a flat face anything of the other one is. */
@@ -296,7 +301,8 @@ int lx_tiling_make(struct lx_radiosity *reflected)
     if (!reflected->faces)
         return -1;
     for (size_t s = 0; s < surfaces; s++) {
-        add_faces(reflected, s);
+        if (add_faces(reflected, s))
+            return -1;
         for (int i = 0; i < 3; i++) {
             low[i] = fmin(low[i], reflected->prepared->surfaces[s].low_mm[i]);
             high[i] = fmax(high[i], reflected->prepared->surfaces[s].high_mm[i]);

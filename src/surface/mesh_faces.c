@@ -3,8 +3,10 @@
 #include "mesh_faces.h"
 
 #include <math.h>
+#include <stdlib.h>
 #include <string.h>
 
+#include "../base/memory.h"
 #include "../base/vector.h"
 #include "mesh_tree.h"
 
@@ -33,6 +35,48 @@ bool lx_mesh_sheet(const struct lx_shape *shape, size_t i, struct lx_smooth_shee
     double corners[3][3];
     lx_mesh_corners(shape, i, corners);
     return lx_sheet_of_triangle((const double(*)[3])corners, sheet);
+}
+
+/* The corners of a triangle in order, and where it stands. */
+struct trio {
+    uint32_t names[3], number;
+    size_t at;
+};
+
+static int by_names(const void *a, const void *b)
+{
+    const struct trio *x = a, *y = b;
+    for (int c = 0; c < 3; c++)
+        if (x->names[c] != y->names[c])
+            return x->names[c] < y->names[c] ? -1 : 1;
+    return (x->number > y->number) - (x->number < y->number);
+}
+
+bool *lx_mesh_repeated(const struct lx_shape *shape)
+{
+    const struct lx_mesh_tree *tree = tree_of(shape);
+    const size_t count = tree->triangle_count;
+    struct trio *trios = lx_new_array(count, sizeof *trios);
+    bool *repeated = lx_new_array(count, sizeof *repeated);
+    for (size_t t = 0; t < count && trios && repeated; t++) {
+        const uint32_t *names = tree->triangles[t].names;
+        const uint32_t low = names[0] < names[1] ? names[0] : names[1],
+                       high = names[0] < names[1] ? names[1] : names[0];
+        trios[t] = (struct trio){.number = tree->triangles[t].number, .at = t};
+        trios[t].names[0] = names[2] < low ? names[2] : low;
+        trios[t].names[1] = names[2] < low ? low : names[2] < high ? names[2] : high;
+        trios[t].names[2] = names[2] < high ? high : names[2];
+    }
+    if (trios && repeated) {
+        qsort(trios, count, sizeof *trios, by_names);
+        for (size_t t = 1; t < count; t++)
+            repeated[trios[t].at] = memcmp(trios[t].names, trios[t - 1].names, sizeof trios[t].names) == 0;
+    } else {
+        free(repeated);
+        repeated = NULL;
+    }
+    free(trios);
+    return repeated;
 }
 
 size_t lx_mesh_triangle_at(const struct lx_shape *shape, const double place_mm[3])

@@ -169,6 +169,8 @@ static void test_plate(void **state)
                                                  {{700, -1200, -300}, {0, 1, 0}},
                                                  {{0, 0, 0}, {1, 0, 0}}};
     for (int s = 0; s < 2; s++) {
+        if (s == 1) /* with both sides written down */
+            put(path, "OFF\n4 2 0\n-300 -200 0\n300 -200 0\n300 200 0\n-300 200 0\n4 0 1 2 3\n4 0 3 2 1\n");
         snprintf(surfaces, sizeof surfaces,
                  "%s, {type: mesh, file: '%s', rotate: [30, 0, 0], position: [500, -200, 100], " MATERIAL("0.7") "}",
                  before[s], path);
