@@ -236,7 +236,7 @@ static int cut_face(struct lx_radiosity *reflected, uint32_t f, double scale_mm)
 
 /* ---- faces ---- */
 
-/* First all fronts of a mesh, then all backs; what is there twice, as both sides of a sheet often are, reflects once. */
+/* First all fronts of a mesh, then all backs; what is there twice, as both sides of a sheet may be, reflects once. */
 static int add_triangles(struct lx_radiosity *reflected, size_t s)
 {
     const struct lx_prepared_surface *surface = &reflected->prepared->surfaces[s];

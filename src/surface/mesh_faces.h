@@ -23,8 +23,8 @@ size_t lx_mesh_count(const struct lx_shape *shape);
 bool lx_mesh_sheet(const struct lx_shape *shape, size_t i, struct lx_smooth_sheet *sheet);
 void lx_mesh_corners(const struct lx_shape *shape, size_t i, double corners_mm[3][3]);
 
-/* Which triangles are there once more, either way round, with a lower number in the file: an array to free, or NULL when
- * memory ran out. */
+/* Which triangles are there once more, either way round, with a lower number in the file: an array to free, or NULL
+ * when memory ran out. */
 bool *lx_mesh_repeated(const struct lx_shape *shape);
 
 /* The triangle that a place lies on, or the nearest one. */
