@@ -101,6 +101,21 @@ lx_bounded lx_pointed_value(const struct lx_pointed *pointed, lx_bounded3 toward
 double lx_pointed_plain(const struct lx_pointed *pointed, const double towards[3]);
 double lx_pointed_slope(const struct lx_pointed *pointed);
 
+/* A cell of the table, and a direction in it: those near by are found without arc tangents. */
+struct lx_kept_angle {
+    double angle, cosine, sine;
+    size_t cell;
+};
+
+struct lx_kept_cell {
+    bool is_set;
+    struct lx_kept_angle azimuth, polar;
+};
+
+/* The value of lx_pointed_plain() up to roundings, for directions of which many follow each other in one cell;
+ * zero-initialise `kept`. */
+double lx_pointed_near(const struct lx_pointed *pointed, const double towards[3], struct lx_kept_cell *kept);
+
 /* An arc of directions L = direction cos(tau) + pole sin(tau), both unit and at right angles. */
 struct lx_pointed_arc {
     double direction[3], pole[3];

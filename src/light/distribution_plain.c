@@ -41,30 +41,98 @@ static double polar_share(const struct lx_table_double *table, size_t j, double 
     return ((is_south ? -versine : versine) - table->polar.line[j]) * table->polar.per_step[j];
 }
 
-double lx_pointed_plain(const struct lx_pointed *pointed, const double towards[3])
+/* The value in a cell, of which `along` and `across` are behind. */
+static double blend(const struct lx_distribution *distribution, size_t i, size_t j, double across, double along)
 {
-    const struct lx_distribution *distribution = pointed->distribution;
-    const struct lx_table_double *table = &distribution->table_double;
-    double d[3];
+    const double *near = distribution->table_double.values + i * distribution->polar_count + j;
+    const double first = near[0] + along * (near[1] - near[0]);
+    if (distribution->table_double.is_axial)
+        return fmax(first, 0);
+    const double *far = near + distribution->polar_count;
+    const double second = far[0] + along * (far[1] - far[0]);
+    return fmax(first + across * (second - first), 0);
+}
+
+/* The direction in the table's frame. */
+static void turn_to_frame(const struct lx_pointed *pointed, const double towards[3], double d[3])
+{
     for (int i = 0; i < 3; i++)
         d[i] = -lx_dot(pointed->frame_double[i], towards);
+}
+
+/* Keeps an angle and the cell that it lies in. */
+static void keep(struct lx_kept_angle *kept, double angle, size_t cell)
+{
+    *kept = (struct lx_kept_angle){.angle = angle, .cosine = cos(angle), .sine = sin(angle), .cell = cell};
+}
+
+static double value_anywhere(const struct lx_distribution *distribution, const double d[3], struct lx_kept_cell *kept)
+{
+    const struct lx_table_double *table = &distribution->table_double;
     const double polar = atan2(sqrt(d[0] * d[0] + d[1] * d[1]), d[2]);
+    size_t i = 0;
+    double across = 0;
+    kept->is_set = false;
     if (polar < table->polar.dark_below || polar > table->polar.dark_above)
         return 0;
     const size_t j = cell_of(&table->polar, polar);
+    if (!table->is_axial) {
+        const double azimuth = azimuth_of(distribution, d);
+        if (azimuth < table->azimuth.dark_below || azimuth > table->azimuth.dark_above)
+            return 0;
+        i = cell_of(&table->azimuth, azimuth);
+        across = (azimuth - table->azimuth.line[i]) * table->azimuth.per_step[i];
+        keep(&kept->azimuth, azimuth, i);
+    }
+    keep(&kept->polar, polar, j);
+    kept->is_set = true;
+    return blend(distribution, i, j, across, polar_share(table, j, polar));
+}
+
+/* The angle whose sine and cosine these are, times `length`, next to one that was kept; false: it is not near. */
+static bool angle_near(const struct lx_kept_angle *kept, double sine, double cosine, double length, double *angle)
+{
+    static const double NEAR = 0.1; /* so far the series of the arc sine has all digits */
+    const double x = (sine * kept->cosine - cosine * kept->sine) / length, x2 = x * x;
+    if (!(fabs(x) < NEAR) || !(cosine * kept->cosine + sine * kept->sine > 0))
+        return false;
+    const double series =
+        1 + x2 * (1 / 6. +
+                  x2 * (3 / 40. +
+                        x2 * (15 / 336. +
+                              x2 * (105 / 3456. +
+                                    x2 * (945 / 42240. + x2 * (10395 / 599040. + x2 * (135135 / 9676800.)))))));
+    *angle = kept->angle + x * series;
+    return true;
+}
+
+double lx_pointed_near(const struct lx_pointed *pointed, const double towards[3], struct lx_kept_cell *kept)
+{
+    const struct lx_distribution *distribution = pointed->distribution;
+    const struct lx_table_double *table = &distribution->table_double;
+    double d[3], polar, azimuth, across = 0;
+    turn_to_frame(pointed, towards, d);
+    const double radius = sqrt(d[0] * d[0] + d[1] * d[1]);
+    const size_t i = kept->azimuth.cell, j = kept->polar.cell;
+    if (!kept->is_set || !angle_near(&kept->polar, radius, d[2], 1, &polar))
+        return value_anywhere(distribution, d, kept);
     const double along = polar_share(table, j, polar);
-    const double *near = table->values + j;
-    if (table->is_axial)
-        return fmax(near[0] + along * (near[1] - near[0]), 0);
-    const double azimuth = azimuth_of(distribution, d);
-    if (azimuth < table->azimuth.dark_below || azimuth > table->azimuth.dark_above)
-        return 0;
-    const size_t i = cell_of(&table->azimuth, azimuth);
-    near += i * distribution->polar_count;
-    const double *far = near + distribution->polar_count;
-    const double first = near[0] + along * (near[1] - near[0]), second = far[0] + along * (far[1] - far[0]);
-    const double across = (azimuth - table->azimuth.line[i]) * table->azimuth.per_step[i];
-    return fmax(first + across * (second - first), 0);
+    if (!table->is_axial) {
+        if (!angle_near(&kept->azimuth, d[1], d[0], radius, &azimuth))
+            return value_anywhere(distribution, d, kept);
+        across = (azimuth - table->azimuth.line[i]) * table->azimuth.per_step[i];
+    }
+    if (!(along >= 0 && along <= 1 && across >= 0 && across <= 1)) /* it lies in another cell */
+        return value_anywhere(distribution, d, kept);
+    return blend(distribution, table->is_axial ? 0 : i, j, across, along);
+}
+
+double lx_pointed_plain(const struct lx_pointed *pointed, const double towards[3])
+{
+    struct lx_kept_cell unused;
+    double d[3];
+    turn_to_frame(pointed, towards, d);
+    return value_anywhere(pointed->distribution, d, &unused);
 }
 
 double lx_pointed_slope(const struct lx_pointed *pointed)

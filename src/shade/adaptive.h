@@ -48,6 +48,7 @@ struct lx_integrand {
     void *data;
     /* The form alone; NULL: it never changes. */
     uint64_t (*form)(void *data, size_t interval, double x);
+    bool is_smooth; /* between the ends of the panels: then few points do, and no peak is looked for */
     bool is_coarse; /* with 3 and 7 points, for tolerances from some 1e-4 on */
 };
 

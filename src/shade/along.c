@@ -4,7 +4,6 @@
 #include <stdlib.h>
 
 #include "../base/memory.h"
-#include "../light/distribution.h"
 #include "along.h"
 
 enum { INNER_PANELS = 256, INNER_PANELS_OF_TABLE = INNER_PANELS + 2 * MOST_LINES };
@@ -75,7 +74,7 @@ static double lobe_log(const struct lx_problem *problem, const double towards[3]
  * Returns the factor of the integrand; *error: absolute, as turns of the direction change it, which is all that a
  * moved place does.
  */
-static double opening_at(const struct lx_problem *problem, const double towards[3], double tau, double distance_mm,
+static double opening_at(struct lx_problem *problem, const double towards[3], double tau, double distance_mm,
                          double incidence, double moved, double *error)
 {
     const struct lx_pointed *luminaire = problem->emitter->profile.luminaire;
@@ -85,7 +84,7 @@ static double opening_at(const struct lx_problem *problem, const double towards[
         area = (1 + law(problem->emitter, far) / law(problem->emitter, distance_mm)) / fmax(incidence, LEAST_INCIDENCE);
     }
     *error = area * (lx_pointed_slope(luminaire) * (moved + 8 * DBL_EPSILON) + 16 * DBL_EPSILON);
-    return area * lx_pointed_plain(luminaire, towards);
+    return area * lx_pointed_near(luminaire, towards, &problem->kept);
 }
 
 /* What is integrated at tau: f r^2 a cos(tau), relative to exp(top). */
@@ -371,12 +370,13 @@ static size_t find_lines(const struct lx_problem *problem, double *places)
     return lx_pointed_crossings(problem->emitter->profile.luminaire, &arc, MOST_LINES, places);
 }
 
-/* The panels of each interval. */
-static void start_panels(const struct lx_problem *problem, size_t count, struct lx_panels *panels)
+/* The panels of each interval; true: between their ends the integrand is analytic and has no peaks. */
+static bool start_panels(const struct lx_problem *problem, size_t count, struct lx_panels *panels)
 {
     double places[MOST_PLACES + MOST_LINES], cuts[MOST_PLACES + MOST_LINES + 1];
     size_t place_count = find_places(problem, &problem->arc, places);
-    place_count += find_lines(problem, places + place_count);
+    const size_t line_count = find_lines(problem, places + place_count);
+    place_count += line_count;
     for (size_t i = 0; i < count; i++) {
         const struct lx_stretch *interval = &problem->intervals[i];
         size_t cut_count = 0;
@@ -394,6 +394,7 @@ static void start_panels(const struct lx_problem *problem, size_t count, struct 
             from = cuts[k];
         }
     }
+    return lx_is_opening(problem->emitter) && !problem->lobe && line_count < MOST_LINES && !problem->arc.round;
 }
 
 /* Goes to the arc at t of a piece, and returns how many of its parts are seen; *slope: of the whole measure by t. */
@@ -444,10 +445,14 @@ static struct lx_point_value integrate_along(struct lx_problem *problem, size_t 
         intervals[i].from = whole ? 0 : to_variable(arc, intervals[i].from);
         intervals[i].to = whole ? arc->width : to_variable(arc, intervals[i].to);
     }
-    start_panels(problem, count, &panels);
+    const bool is_smooth = start_panels(problem, count, &panels);
     double share = 0.1 * problem->tolerance * (problem->known + problem->running);
     problem->wanted = slope > 0 ? share / (double)problem->piece_count / slope : 0;
-    struct lx_integrand integrand = {along, arc_target, problem, NULL, problem->is_coarse};
+    struct lx_integrand integrand = {.at = along,
+                                     .target = arc_target,
+                                     .data = problem,
+                                     .is_smooth = is_smooth,
+                                     .is_coarse = problem->is_coarse};
     struct lx_integral integral = lx_integrate_panels(&integrand, &panels);
     return (struct lx_point_value){.value = integral.value, .error = integral.error + integral.inherited};
 }

@@ -13,6 +13,7 @@
 #define LX_SHADE_ALONG_H
 
 #include "../base/rows.h"
+#include "../light/distribution.h"
 #include "../material/lobe.h"
 #include "adaptive.h"
 #include "crossings.h"
@@ -71,6 +72,7 @@ struct lx_problem {
     struct lx_arc arc;
     struct lx_stretch whole[MOST_INTERVALS];
     struct lx_stretch *intervals; /* those that are seen: whole or room */
+    struct lx_kept_cell kept;     /* of the luminaire's table, where the last direction lay */
     double wanted;                /* for it, absolutely */
     double doubt;                 /* for what obstacles may be off */
     uint64_t form;                /* which of them bound what is seen */

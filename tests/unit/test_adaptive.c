@@ -40,7 +40,7 @@ static double target(void *data, const struct lx_integral *integral)
 
 static struct lx_integral integrate(struct problem *problem, struct lx_panel *items, size_t count, size_t capacity)
 {
-    const struct lx_integrand integrand = {at, target, problem, NULL, false};
+    const struct lx_integrand integrand = {.at = at, .target = target, .data = problem};
     struct lx_panels panels = {items, count, capacity};
     return lx_integrate_panels(&integrand, &panels);
 }
@@ -222,6 +222,32 @@ static void hidden_peaks(void **state)
     }
 }
 
+/* -- smooth panels -- */
+
+static double lamp_like(const struct problem *problem, double x)
+{
+    return exp(-problem->parameter * x * x) * (2 - x);
+}
+
+/* Seven points for each panel, none at its ends; and the estimate covers what they miss. */
+static void smooth(void **state)
+{
+    (void)state;
+    for (double width = 0.05; width < 3; width *= 1.3) {
+        struct problem problem = {.of = lamp_like, .parameter = 1}, fine = problem;
+        struct lx_integrand integrand = {.at = at, .target = target, .data = &problem, .is_smooth = true};
+        struct lx_panel panel = {.from = -0.2, .to = -0.2 + width}, truth = panel;
+        struct lx_panels panels = {&panel, 1, 1}, exact = {&truth, 1, 1};
+        const struct lx_integral found = lx_integrate_panels(&integrand, &panels);
+        assert_int_equal(problem.calls, 7);
+        integrand = (struct lx_integrand){.at = at, .target = target, .data = &fine};
+        const double off = fabs(found.value - lx_integrate_panels(&integrand, &exact).value);
+        assert_true(off <= found.error + 1e-15);
+        assert_true(width > 0.1 || found.error < 1e-9);
+        assert_near(found.inherited, truth.inherited, 1e-9);
+    }
+}
+
 /* -- halving -- */
 
 static double square_root(const struct problem *problem, double x)
@@ -234,7 +260,7 @@ static void halving(void **state)
 {
     struct problem problem = {.of = square_root, .parameter = 3, .target = 1e-9};
     struct lx_panel items[MOST_PANELS] = {{.interval = 2, .from = 2, .to = 3}, {.interval = 0, .from = 1, .to = 2}};
-    const struct lx_integrand integrand = {at, target, &problem, NULL, false};
+    const struct lx_integrand integrand = {.at = at, .target = target, .data = &problem};
     struct lx_panels panels = {items, 2, MOST_PANELS};
     (void)state;
     struct lx_integral found = lx_integrate_panels(&integrand, &panels);
@@ -261,7 +287,7 @@ static void ends_of_halving(void **state)
     struct lx_panel items[MOST_PANELS] = {{.from = 1, .to = 2}};
     (void)state;
     /* no more room */
-    const struct lx_integrand integrand = {at, target, &problem, NULL, false};
+    const struct lx_integrand integrand = {.at = at, .target = target, .data = &problem};
     struct lx_panels panels = {items, 1, 5};
     lx_integrate_panels(&integrand, &panels);
     assert_int_equal(panels.count, 5);
@@ -285,8 +311,9 @@ static void ends_of_halving(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(powers),       cmocka_unit_test(other_panels), cmocka_unit_test(steep_places),
-        cmocka_unit_test(hidden_peaks), cmocka_unit_test(halving),      cmocka_unit_test(ends_of_halving),
+        cmocka_unit_test(powers),          cmocka_unit_test(other_panels), cmocka_unit_test(steep_places),
+        cmocka_unit_test(hidden_peaks),    cmocka_unit_test(smooth),       cmocka_unit_test(halving),
+        cmocka_unit_test(ends_of_halving),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -11,6 +11,7 @@
 #include "campaign.h"
 #include "random_scenes.h"
 #include "scenes.h"
+#include "light/distribution.h"
 #include "shade/plan.h"
 #include "shade/seen.h"
 #include "shade/shader.h"
@@ -286,11 +287,56 @@ static void random_squares(void **state)
     assert_true(tried.taken >= tried.lights / 3 && tried.worst > 0.01);
 }
 
+/* Directions that go a little way each, and at times far: through cells, across the poles, around. */
+static void walk(const struct lx_pointed *pointed, struct randomness *random)
+{
+    struct lx_kept_cell kept = {0};
+    double towards[3] = {1, 0, 0};
+    for (int step = 0; step < 400; step++) {
+        const double far = pick(random, 20) == 0 ? 2 : pick(random, 2) ? 0.1 : 0.005;
+        double length = 0;
+        for (int k = 0; k < 3; k++) {
+            towards[k] += uniform(random, -far, far);
+            length += towards[k] * towards[k];
+        }
+        for (int k = 0; k < 3; k++)
+            towards[k] /= sqrt(length);
+        const double value = lx_pointed_plain(pointed, towards), off = lx_pointed_slope(pointed) * 1e-13;
+        assert_true(fabs(lx_pointed_near(pointed, towards, &kept) - value) <= off + 1e-13);
+    }
+}
+
+static void near_directions(void **state)
+{
+    struct randomness random = {0x2545f4914f6cdd1du};
+    size_t walks = 0;
+    (void)state;
+    for (int i = 0; i < scenes_to_try(100); i++) {
+        struct stage stage;
+        luxel_scene *scene = NULL;
+        struct lx_prepared prepared;
+        open_stage(i, &stage);
+        assert_int_equal(load(stage.text, NULL, &scene), LUXEL_OK);
+        assert_int_equal(lx_prepare(lx_scene_parameters(scene), NULL, NULL, &prepared), 0);
+        for (size_t k = 0; k < prepared.emitters.count; k++) {
+            struct lx_emitter room;
+            const struct lx_emitter *emitter = lx_emitter_at(&prepared.emitters, k, &room);
+            if (emitter->profile.luminaire && walks++ < 1000)
+                walk(emitter->profile.luminaire, &random);
+        }
+        lx_prepared_clear(&prepared);
+        luxel_scene_free(scene);
+        close_stage(&stage);
+    }
+    assert_true(walks > 50);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(random_pictures),
         cmocka_unit_test(random_squares),
+        cmocka_unit_test(near_directions),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
