@@ -301,7 +301,7 @@ static const struct job jobs[] = {
     {find_extrema_of_irradiance, "spot", 40, NULL, {1189, 50, 1098, 5536}},
     {find_extrema_of_irradiance, "two-spheres", 40, NULL, {3294, 1731, 2217, 2948}},
     {find_extrema_of_irradiance, "desk", 40, NULL, {1992, 612, 2463, 12584}},
-    {find_extrema_of_irradiance, "window", 40, NULL, {1167, 58, 1214, 6398, 22781}},
+    {find_extrema_of_irradiance, "window", 40, NULL, {1159, 50, 1210, 6403, 18901}},
     {find_isophotes_of_irradiance, "desk", 40, NULL, {22728, 4821}},
     {find_isophotes_of_irradiance, "three-lights", 40, "observer.projection=perspective", {1903, 1903}},
     {find_isophotes_of_irradiance, "tube", 20, NULL, {5355, 1041, 0, 0, 113462}},
