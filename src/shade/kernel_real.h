@@ -209,6 +209,7 @@ LX_LANE void NAME(shine_of)(struct NAME(lx_exponent) exponent, const struct NAME
     const bool by_square = model == LX_BLINN_PHONG && exponent.value >= 2;
     const bool is_odd = by_square && exponent.whole % 2 == 1;
     NAME(lanes) cosine[LX_ABREAST], versine[LX_ABREAST], along[LX_ABREAST], square[LX_ABREAST];
+    LX_WRITTEN_OUT
     for (int i = 0; i < count; i++) {
         NAME(lanes) x = ray[i].x * ray[i].inverse + (at[i].vx - n_dot_l[i] * at[i].nx);
         NAME(lanes) y = ray[i].y * ray[i].inverse + (at[i].vy - n_dot_l[i] * at[i].ny);
@@ -244,10 +245,12 @@ LX_LANE void NAME(reflect)(struct NAME(lx_exponent) exponent, const struct NAME(
 {
     const NAME(lanes) zero = NAME(all)(0);
     NAME(lanes) n_dot_l[LX_ABREAST];
+    LX_WRITTEN_OUT
     for (int i = 0; i < count; i++)
         n_dot_l[i] = NAME(n_dot)(&at[i], &ray[i]);
     if (model != LX_LAMBERT)
         NAME(shine_of)(exponent, at, ray, n_dot_l, count, model, specular);
+    LX_WRITTEN_OUT
     for (int i = 0; i < count; i++) {
         diffuse[i] = NAME(greater)(n_dot_l[i], zero);
         if (model != LX_LAMBERT && highlight == LX_HIGHLIGHT_COSINE)
@@ -308,6 +311,7 @@ LX_LANE void NAME(sum_lights)(const struct NAME(work) * work, size_t start, int 
     struct NAME(ray) ray[LX_ABREAST];
     NAME(lanes) height[LX_ABREAST], diffuse[LX_ABREAST], specular[LX_ABREAST];
     NAME(lanes) total_diffuse[LX_ABREAST], total_specular[LX_ABREAST];
+    LX_WRITTEN_OUT
     for (int i = 0; i < count; i++) {
         const size_t next = start + (size_t)i * NAME(LX_WIDTH), last = work->count - NAME(LX_WIDTH);
         at[i] = NAME(elements_at)(work->block, work->exact, next < last ? next : last);
@@ -327,12 +331,14 @@ LX_LANE void NAME(sum_lights)(const struct NAME(work) * work, size_t start, int 
         for (int i = 0; i < count && highlight == LX_HIGHLIGHT_GATED; i++)
             height[i] = NAME(height)(light, exact, &at[i], &ray[i]);
         NAME(reflect)(lobe.exponent, at, ray, height, count, model, highlight, diffuse, specular);
+        LX_WRITTEN_OUT
         for (int i = 0; i < count; i++) {
             total_diffuse[i] += ray[i].e * diffuse[i];
             if (model != LX_LAMBERT)
                 total_specular[i] += ray[i].e * specular[i];
         }
     }
+    LX_WRITTEN_OUT
     for (int i = 0; i < count; i++) {
         /* in float32 S^2 = 1 - sine^2 may be a rounding below 0 */
         const NAME(lanes) glossy = LX_IS_SINGLE ? NAME(greater)(total_specular[i], zero) : total_specular[i];

@@ -44,6 +44,17 @@ enum { LX_ABREAST = 4, LX_FEWEST_ABREAST = LX_VECTOR_BYTES == 64 ? 2 : 1 };
 #endif
 #endif
 
+/*
+ * Before loops that compilers write out by themselves.  With LX_KEPT_LOOPS they are told to keep loops, which makes
+ * kernels smaller; in float32, which pictures wait for, these are written out still: kept, they cost an eighth.
+ */
+#undef LX_WRITTEN_OUT
+#if LX_IS_SINGLE && defined LX_KEPT_LOOPS
+#define LX_WRITTEN_OUT LX_UNROLLED
+#else
+#define LX_WRITTEN_OUT
+#endif
+
 typedef REAL NAME(lanes) __attribute__((vector_size(LX_VECTOR_BYTES)));
 typedef BITS NAME(lane_bits) __attribute__((vector_size(LX_VECTOR_BYTES)));
 
