@@ -205,8 +205,10 @@ export class Core {
             case 'getTempRet0':
                 return () => this.highBits;
             case 'clock_time_get':
-                return (_clock: number, _precision: bigint, at: number) => {
-                    this.view().setBigUint64(at, BigInt(Math.round(performance.now() * 1e6)), true);
+                // Clock 0 tells the time of day: by it files of the folder, which have no date, are old from the start.
+                return (clock: number, _precision: bigint, at: number) => {
+                    const milliseconds = clock === 0 ? Date.now() : performance.now();
+                    this.view().setBigUint64(at, BigInt(Math.round(milliseconds * 1000)) * 1000n, true);
                     return 0;
                 };
             case 'environ_sizes_get':
