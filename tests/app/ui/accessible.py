@@ -121,10 +121,11 @@ class Widget:
         """Every widget in this one, in their order, of a role, of a name and in a state where they are given."""
         for child in self.children():
             try:
-                if (role is None or child.role == role) and (name is None or child.name == name) and (
-                        state is None or child.has(state)):
+                kind = child.role if role else None
+                if kind == role and (name is None or child.name == name) and (state is None or child.has(state)):
                     yield child
-                yield from child.all(role, name, state)
+                if kind != "label":  # which holds no other widget
+                    yield from child.all(role, name, state)
             except Rejected:  # gone while it was looked at
                 continue
 

@@ -11,13 +11,13 @@ GROUND = 8  # how far a dot of the ground may be from it
 
 def layout(window):
     """Where everything is that has a place of its own: what can be pressed, the pictures, the lists."""
-    return [(role, widget.name, widget.area()) for role in ROLES for widget in window.widget.all(role)]
+    return [(role, widget.name, widget.area()) for widget in window.widget.all() for role in (widget.role,)
+            if role in ROLES]
 
 
 def line(window):
     """The label of the line at the edge, where the pointer is on a surface."""
-    return next((label for label in window.widget.all("label") if label.name.startswith("x ") and
-                 "\tP (" in label.name), None)
+    return next((label for label in window.edge() if label.name.startswith("x ") and "\tP (" in label.name), None)
 
 
 def strip(desk, window, label):

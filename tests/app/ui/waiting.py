@@ -5,7 +5,7 @@ import time
 from accessible import Rejected
 
 DEADLINE = 120  # seconds
-STEP = 0.05  # between two questions
+STEP = 0.05  # between two questions, or as long as the question took: who is asked has other work
 
 
 class Late(AssertionError):
@@ -16,13 +16,14 @@ def wait(what, question, deadline=DEADLINE):
     """Asks until the answer is true, and gives it."""
     end = time.monotonic() + deadline
     while True:
-        reason = ""
+        reason, start = "", time.monotonic()
         try:
             answer = question()
         except Rejected as gone:  # a widget that was there a moment ago
             answer, reason = None, str(gone)
         if answer:
             return answer
-        if time.monotonic() > end:
+        now = time.monotonic()
+        if now > end:
             raise Late("waited %g s in vain: %s %s" % (deadline, what, reason))
-        time.sleep(STEP)
+        time.sleep(max(STEP, now - start))

@@ -76,12 +76,13 @@ class Window:
 
     def says(self, *parts):
         """The first text that has all these parts."""
-        return next((text for text in self.labels() if all(part in text for part in parts)), None)
+        return next((text for text in (label.name for label in self.widget.all("label"))
+                     if all(part in text for part in parts)), None)
 
     def values(self):
         """The exact values of the points as they stand in the table, in their order."""
         found = {}
-        for text in self.labels():
+        for text in self.numbers():
             match = VALUE.fullmatch(text)
             if match:
                 found[int(match.group(1))] = match.group(2)
@@ -124,9 +125,28 @@ class Window:
             wait("the panel moves", lambda: widget.area()[1] != y)
         raise AssertionError("%r cannot be brought into view" % widget)
 
+    def panes(self):
+        """Scene, picture and numbers, from left to right: what is in one of them is sooner found there."""
+        scene, *_, right = self.widget.find("widget", "GtkPaned").children()
+        picture, *_, numbers = right.children()
+        return scene, picture, numbers
+
+    def numbers(self):
+        """All texts beside the picture."""
+        return self.panes()[2].names("label")
+
     def panel(self):
         """The area of the panel on the left in the window."""
-        return next(self.widget.all("widget", "GtkPaned")).children()[0].area()
+        return self.panes()[0].area()
+
+    def edge(self):
+        """The labels of the line at the lower edge."""
+        return self.widget.children()[0].children()[-1].all("label")
+
+    def place_said(self):
+        """The place under the pointer, in millimetres, as that line says it; None where it says none."""
+        return next((tuple(map(float, match.groups())) for match in (PLACE.match(label.name) for label in self.edge())
+                     if match), None)
 
     def edges(self):
         """The upper left corner of what areas are measured from, on the screen."""
@@ -154,7 +174,7 @@ class Window:
 
     def picture_area(self):
         """x, y, width, height on the screen."""
-        x, y, width, height = self.widget.find("image").area()
+        x, y, width, height = self.panes()[1].find("image").area()
         left, top = self.edges()
         return left + x, top + y, width, height
 
@@ -162,10 +182,9 @@ class Window:
         """Where on the scene's screen, in millimetres, a place of the screen is: what the line at the edge says."""
         area = self.picture_area()
         self.desk.move(area[0] + area[2] / 2, area[1] + area[3] + 20)  # off the picture
-        wait("no place", lambda: not any(PLACE.match(text) for text in self.labels()))
+        wait("no place", lambda: not self.place_said())
         self.desk.move(x, y)
-        return wait("the place under the pointer", lambda: next(
-            (tuple(map(float, match.groups())) for match in map(PLACE.match, self.labels()) if match), None))
+        return wait("the place under the pointer", self.place_said)
 
     def tooltip(self, x, y, beginning):
         """The tooltip at a place of the screen, one that begins so.  On a busy machine GTK loses the one it has
