@@ -13,7 +13,8 @@
 #ifndef LUXEL_BALANCE_H
 #define LUXEL_BALANCE_H
 
-#include <luxel/render.h>
+#include <luxel/scene.h>
+#include <luxel/settings.h>
 
 #ifdef __cplusplus
 extern "C" {

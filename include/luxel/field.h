@@ -14,22 +14,11 @@
 #include <stdint.h>
 
 #include <luxel/diagnostics.h>
+#include <luxel/settings.h>
 
 #ifdef __cplusplus
 extern "C" {
 #endif
-
-/* What is computed for each element of a surface. */
-typedef enum luxel_quantity {
-    LUXEL_BRIGHTNESS, /* sum of the lights' brightness by the material */
-    LUXEL_IRRADIANCE  /* sum of E_perp max(0, N.L) and ambient irradiance */
-} luxel_quantity;
-
-/* How exactly a picture is computed, and the type of its values. */
-typedef enum luxel_precision {
-    LUXEL_SINGLE, /* float32: within 2e-6 of the picture's maximum */
-    LUXEL_DOUBLE  /* float64: within 1e-11 of the picture's maximum */
-} luxel_precision;
 
 /* A computed picture; made by luxel_render() or luxel_field_read(), the caller's, freed with luxel_field_free(). */
 typedef struct luxel_field luxel_field;
@@ -120,7 +109,8 @@ LUXEL_API luxel_status luxel_field_write(const luxel_field *field, const char *p
 
 /* How a file is written, where its format leaves a choice; {0} is as luxel_field_write() does. */
 typedef struct luxel_output {
-    unsigned bits; /* of a grey level in .png: 8 or 16; 0: 8.  Other formats hold the values themselves */
+    unsigned bits;     /* of a grey level in .png: 8 or 16; 0: 8.  Other formats hold the values themselves */
+    void *reserved[4]; /* for later versions: NULL */
 } luxel_output;
 
 /*
@@ -177,7 +167,7 @@ typedef struct luxel_field_content {
     const double *x_mm;        /* the places of the columns, from the left, going up; NULL: not known, nor is y_mm */
     const double *y_mm;        /* the places of the rows, from the top, going down */
     const char *unit;          /* NULL: not known */
-    void *reserved[4];         /* NULL */
+    void *reserved[4];         /* for later versions: NULL */
 } luxel_field_content;
 
 /*

@@ -67,6 +67,7 @@ typedef struct luxel_figure_settings {
     bool small_print;         /* the parameters under the picture; true */
     const luxel_language *language; /* NULL: English */
     size_t grid; /* 0: the picture; else the plane of the scene's grid of this number, from 1 on; see below */
+    void *reserved[4]; /* for later versions: NULL */
 } luxel_figure_settings;
 
 /* Sets every member to its default, given above. */
@@ -126,6 +127,7 @@ typedef struct luxel_diagram_settings {
     double dots_per_inch;           /* of a PNG, 30 to 2400; 200 */
     bool dark;                      /* light lines on a dark ground; false */
     const luxel_language *language; /* NULL: English */
+    void *reserved[4];              /* for later versions: NULL */
 } luxel_diagram_settings;
 
 /* Sets every member to its default, given above. */
@@ -160,6 +162,7 @@ typedef struct luxel_report_settings {
     const char *teacher;            /* who checks it */
     const char *place;              /* the town, say */
     const char *aim;                /* of the work, a paragraph; NULL: to compute and show what is computed */
+    void *reserved[4];              /* for later versions: NULL */
 } luxel_report_settings;
 
 /*

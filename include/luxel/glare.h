@@ -9,7 +9,8 @@
 #define LUXEL_GLARE_H
 
 #include <luxel/photometry.h>
-#include <luxel/render.h>
+#include <luxel/scene.h>
+#include <luxel/settings.h>
 
 #ifdef __cplusplus
 extern "C" {

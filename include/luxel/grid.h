@@ -18,7 +18,9 @@
 #ifndef LUXEL_GRID_H
 #define LUXEL_GRID_H
 
-#include <luxel/render.h>
+#include <luxel/field.h>
+#include <luxel/scene.h>
+#include <luxel/settings.h>
 
 #ifdef __cplusplus
 extern "C" {

@@ -11,6 +11,7 @@
 #define LUXEL_ISOPHOTES_H
 
 #include <luxel/evaluator.h>
+#include <luxel/field.h>
 
 #ifdef __cplusplus
 extern "C" {

@@ -8,7 +8,8 @@
 #ifndef LUXEL_LIGHT_H
 #define LUXEL_LIGHT_H
 
-#include <luxel/render.h>
+#include <luxel/scene.h>
+#include <luxel/settings.h>
 
 #ifdef __cplusplus
 extern "C" {

@@ -35,6 +35,7 @@
 #include <luxel/profile.h>
 #include <luxel/render.h>
 #include <luxel/scene.h>
+#include <luxel/settings.h>
 #include <luxel/statistics.h>
 #include <luxel/status.h>
 #include <luxel/study.h>

@@ -8,7 +8,8 @@
 #ifndef LUXEL_PROBE_H
 #define LUXEL_PROBE_H
 
-#include <luxel/render.h>
+#include <luxel/scene.h>
+#include <luxel/settings.h>
 
 #ifdef __cplusplus
 extern "C" {

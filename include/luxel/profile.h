@@ -7,6 +7,7 @@
 #define LUXEL_PROFILE_H
 
 #include <luxel/evaluator.h>
+#include <luxel/field.h>
 
 #ifdef __cplusplus
 extern "C" {

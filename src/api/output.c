@@ -80,6 +80,8 @@ luxel_status lx_output_check(const char *path, const luxel_output *how, luxel_di
     luxel_status status = luxel_check_output_name(path, diagnostics);
     if (status == LUXEL_OK && bits != 0 && bits != 8 && bits != 16)
         status = lx_setting_out_of_range(diagnostics, "bits", bits, LX_N("8 or 16"));
+    if (status == LUXEL_OK && how)
+        status = lx_check_reserved(how->reserved, diagnostics);
     return status;
 }
 

@@ -56,7 +56,8 @@ static luxel_status check_settings(const luxel_settings *settings, luxel_diagnos
                                          LX_N("from 0 to below 1"));
     if (settings->stride > MAXIMUM_STRIDE)
         status = lx_setting_out_of_range(diagnostics, "stride", settings->stride, LX_N("0 to 65536"));
-    return status;
+    const luxel_status reserved = lx_check_reserved(settings->reserved, diagnostics);
+    return status == LUXEL_OK ? reserved : status;
 }
 
 /* Whether the lights of the group are there, and give light that may be reflected, if it is. */

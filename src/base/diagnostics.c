@@ -372,3 +372,12 @@ luxel_status lx_setting_out_of_range(luxel_diagnostics *diagnostics, const char 
               LX_ARGS(setting, lx_write_number(value, number), LX_TERM(range)));
     return LUXEL_ERROR_ARGUMENT;
 }
+
+luxel_status lx_check_reserved(void *const reserved[4], luxel_diagnostics *diagnostics)
+{
+    if (!reserved[0] && !reserved[1] && !reserved[2] && !reserved[3])
+        return LUXEL_OK;
+    lx_report(diagnostics, LUXEL_SEVERITY_ERROR, NULL, LX_MSG_RESERVED_NOT_NULL, NULL);
+    lx_hint(diagnostics, LX_MSG_HINT_INITIALIZE, NULL);
+    return LUXEL_ERROR_ARGUMENT;
+}

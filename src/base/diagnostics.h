@@ -67,4 +67,7 @@ luxel_status lx_out_of_memory(luxel_diagnostics *diagnostics);
 luxel_status lx_setting_out_of_range(luxel_diagnostics *diagnostics, const char *setting, double value,
                                      const char *range);
 
+/* Whether what a structure of the caller's has reserved for later versions is NULL; LUXEL_ERROR_ARGUMENT, reported. */
+luxel_status lx_check_reserved(void *const reserved[4], luxel_diagnostics *diagnostics);
+
 #endif

@@ -11,6 +11,7 @@
 
 #include <luxel/evaluator.h>
 #include <luxel/exercise.h>
+#include <luxel/render.h>
 
 #include "../base/diagnostics.h"
 #include "../base/memory.h"

@@ -135,7 +135,9 @@ static luxel_status check_settings(const luxel_diagram_settings *settings, luxel
         return lx_setting_out_of_range(diagnostics, "width_mm", settings->width_mm, LX_N("40 to 1000 mm"));
     if (!(settings->dots_per_inch >= 30 && settings->dots_per_inch <= 2400))
         return lx_setting_out_of_range(diagnostics, "dots_per_inch", settings->dots_per_inch, LX_N("30 to 2400"));
-    return settings->diagram <= LUXEL_DIAGRAM_CONE ? LUXEL_OK : LUXEL_ERROR_ARGUMENT;
+    if (settings->diagram > LUXEL_DIAGRAM_CONE)
+        return LUXEL_ERROR_ARGUMENT;
+    return lx_check_reserved(settings->reserved, diagnostics);
 }
 
 static luxel_status write_to(const struct lx_destination *destination, const luxel_photometry *photometry,

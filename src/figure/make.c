@@ -101,7 +101,7 @@ static luxel_status check_settings(const luxel_figure_settings *settings, luxel_
         lx_report(diagnostics, LUXEL_SEVERITY_ERROR, NULL, LX_MSG_BAD_LOG_RANGE, NULL);
         return LUXEL_ERROR_ARGUMENT;
     }
-    return LUXEL_OK;
+    return lx_check_reserved(settings->reserved, diagnostics);
 }
 
 /* ---- range and levels ---- */

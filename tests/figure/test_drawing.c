@@ -562,6 +562,27 @@ static void test_whole_pictures(void **state)
     luxel_scene_free(scene);
 }
 
+/* What is reserved for later versions must be NULL, so that programs of today stay right with them. */
+static void test_reserved(void **state)
+{
+    (void)state;
+    unsigned char *bytes = NULL;
+    size_t length;
+    luxel_scene *scene = NULL;
+    luxel_figure_settings figure;
+    luxel_report_settings report = {.reserved = {state}};
+    luxel_figure_settings_init(&figure);
+    figure.reserved[0] = state;
+    assert_int_equal(luxel_scene_open_builtin("report", NULL, &scene), LUXEL_OK);
+    assert_int_equal(luxel_scene_commit(scene, NULL), LUXEL_OK);
+    assert_int_equal(luxel_figure_write_memory(scene, NULL, &figure, "f.svg", NULL, &bytes, &length),
+                     LUXEL_ERROR_ARGUMENT);
+    assert_int_equal(luxel_report_write_memory(scene, NULL, &report, "r.md", NULL, &bytes, &length),
+                     LUXEL_ERROR_ARGUMENT);
+    assert_null(bytes);
+    luxel_scene_free(scene);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -569,6 +590,7 @@ int main(void)
         cmocka_unit_test(test_lines), cmocka_unit_test(test_stacked),        cmocka_unit_test(test_names),
         cmocka_unit_test(test_words), cmocka_unit_test(test_histogram),      cmocka_unit_test(test_refusals),
         cmocka_unit_test(test_sizes), cmocka_unit_test(test_whole_pictures), cmocka_unit_test(test_light_colors),
+        cmocka_unit_test(test_reserved),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

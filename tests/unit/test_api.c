@@ -68,6 +68,10 @@ static void test_refusals(void **state)
     expect_error(luxel_probe_screen(scene, &settings, 0, 0, diagnostics, &probe), LUXEL_ERROR_ARGUMENT, diagnostics,
                  "setting-out-of-range");
     luxel_settings_init(&settings);
+    settings.reserved[2] = &settings;
+    expect_error(luxel_render(scene, &settings, diagnostics, &field), LUXEL_ERROR_ARGUMENT, diagnostics,
+                 "reserved-not-null");
+    luxel_settings_init(&settings);
     settings.instruction_set = "z80";
     expect_error(luxel_render(scene, &settings, diagnostics, &field), LUXEL_ERROR_ARGUMENT, diagnostics,
                  "no-instruction-set");

@@ -264,6 +264,8 @@ static void test_bits(void **state)
     assert_int_equal(luxel_field_write_as(field, second, &(luxel_output){.bits = 4}, diagnostics),
                      LUXEL_ERROR_ARGUMENT);
     assert_string_equal(luxel_diagnostics_get(diagnostics, 0)->id, "setting-out-of-range");
+    assert_int_equal(luxel_field_write_as(field, second, &(luxel_output){.reserved = {files}}, diagnostics),
+                     LUXEL_ERROR_ARGUMENT);
     luxel_scene_free(scene);
     luxel_field_free(field);
     luxel_diagnostics_free(diagnostics);

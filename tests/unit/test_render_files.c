@@ -256,7 +256,7 @@ static void test_refused(void **state)
 
     expect_refusal(scene, NULL, NULL, LUXEL_ERROR_ARGUMENT, "missing-argument");
     expect_refusal(scene, (const char *const[]){good, bad}, NULL, LUXEL_ERROR_ARGUMENT, "unknown-ending");
-    expect_refusal(scene, (const char *const[]){good, full}, &(luxel_output){12}, LUXEL_ERROR_ARGUMENT,
+    expect_refusal(scene, (const char *const[]){good, full}, &(luxel_output){.bits = 12}, LUXEL_ERROR_ARGUMENT,
                    "setting-out-of-range");
     expect_refusal(bright, (const char *const[]){good, full}, NULL, LUXEL_ERROR_RANGE, "value-too-large");
     assert_false(exists(files, "good.npy"));

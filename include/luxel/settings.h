@@ -1,0 +1,65 @@
+/* SPDX-License-Identifier: MIT */
+/*
+ * Settings: how a scene is to be computed, whatever is asked of it: a picture, a probe, a grid.
+ *
+ * They are plain values of the caller, who makes them by luxel_settings_init() and so is ready for members of later
+ * versions, which take the place of what is reserved: a program need not be compiled anew for them.  This holds of
+ * every structure with such members; a function refuses one in which they are not NULL.
+ */
+#ifndef LUXEL_SETTINGS_H
+#define LUXEL_SETTINGS_H
+
+#include <stdbool.h>
+#include <stddef.h>
+
+#include <luxel/status.h>
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/* What is computed for each element of a surface. */
+typedef enum luxel_quantity {
+    LUXEL_BRIGHTNESS, /* sum of the lights' brightness by the material */
+    LUXEL_IRRADIANCE  /* sum of E_perp max(0, N.L) and ambient irradiance */
+} luxel_quantity;
+
+/* How exactly a picture is computed, and the type of its values. */
+typedef enum luxel_precision {
+    LUXEL_SINGLE, /* float32: within 2e-6 of the picture's maximum */
+    LUXEL_DOUBLE  /* float64: within 1e-11 of the picture's maximum */
+} luxel_precision;
+
+/*
+ * Called at most 4000 times a second from the calling thread with the share done, 0 to 1, so it should do little;
+ * returning false cancels the rendering, which then ends with LUXEL_CANCELLED, as a rule within a millisecond of when
+ * it first would have been false (docs/KERNELS.md tells what takes longer).
+ */
+typedef bool (*luxel_progress)(double done, void *data);
+
+/* How to compute; luxel_settings_init() sets the defaults, which the comments name. */
+typedef struct luxel_settings {
+    luxel_quantity quantity;     /* brightness */
+    luxel_precision precision;   /* single */
+    unsigned threads;            /* 0: as many as pay, one per processor at most; at most 1024 */
+    const char *instruction_set; /* NULL: what LUXEL_ISA says, else the best of this machine */
+    double tolerance;            /* of probes, relative; 0: 1e-9 where there is no closed form */
+    double light_error;          /* 0: each point is summed; else many are taken together: see luxel_render() */
+    double reflected_error;      /* of reflected light, relative to a probe's value or a picture's maximum; 0: 1e-3 */
+    unsigned stride;             /* 1 (0 too): every pixel; n, to 65536: each n-th column and row: see luxel_render() */
+    bool minimum_reached; /* false; true: statistics tell the least value where light arrives, see luxel_statistics */
+    luxel_progress progress; /* NULL: none */
+    void *progress_data;     /* handed to `progress`; NULL */
+    const size_t *lights; /* NULL: the enabled ones give light; else those of this group, by index, and no others */
+    size_t light_count;   /* of the group: 0, and all is dark */
+    void *reserved[4];    /* for later versions: NULL */
+} luxel_settings;
+
+/* Sets every member to its default, given above. */
+LUXEL_API void luxel_settings_init(luxel_settings *settings);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif
