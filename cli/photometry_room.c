@@ -61,7 +61,8 @@ bool room_take(struct options *options, const char *argument)
     options->drawing.room = 1 + room_find(size[0], size[1]);
     if (options->drawing.room <= LUXEL_UGR_ROOMS)
         return true;
-    message_error(_("--room is %s, expected a room of the UGR table, heights across and along, such as 4,8"), argument);
+    message_error(_("--room is %s, expected X,Y of a room of the UGR table: heights across and along, such as 4 and 8"),
+                  argument);
     return false;
 }
 

@@ -211,7 +211,7 @@ def one_room(tap, tool):
            "text", lines[-900:])
     tool.write("up.ies", HEAD + "1 -1 1 3 1 1 2 .4 .4 0\n1 1 10\n0 90 180\n0\n9 9 9\n")
     tool.write("point.ies", lamp(lambert, "0 0 0"))
-    for name, room, word in (("lamp.ies", "3,3", "such as 4,8"), ("lamp.ies", "4", "--room"),
+    for name, room, word in (("lamp.ies", "3,3", "such as 4 and 8"), ("lamp.ies", "4", "--room"),
                              ("up.ies", "4,8", "upwards"), ("point.ies", "4,8", "a point"),
                              ("-", "4,8", "standard input")):
         result = tool.run("photometry", name, "--room", room, stdin=lamp(lambert) if name == "-" else None)
