@@ -209,7 +209,7 @@ int lx_groups_light(struct lx_radiosity *reflected)
         memcpy(group->direct, groups + g * LX_RULE_NODES, sizeof group->direct);
         group->unsure = 0;
         for (size_t t = group->first_tile; t < group->first_tile + group->tile_count; t++)
-            group->unsure += reflected->tiles[t].direct_error * lx_tile_area(&reflected->tiles[t]);
+            group->unsure += lx_tile_unsure(&reflected->tiles[t]) * lx_tile_area(&reflected->tiles[t]);
     }
     free(tiles);
     free(groups);

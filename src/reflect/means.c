@@ -43,7 +43,7 @@ static struct tile_sum sum_tile(const struct lx_radiosity *reflected, size_t t)
         sum.before_error += area * reflected->slack_before[i];
         brightest = fmax(brightest, fabs(sent));
     }
-    sum.direct_error = sum.area * tile->direct_error;
+    sum.direct_error = sum.area * lx_tile_unsure(tile);
     sum.error += sum.direct_error;
     sum.before_error += sum.direct_error;
     sum.seen_error = sum.area * brightest * tile->seen_error;

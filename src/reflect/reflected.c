@@ -10,6 +10,7 @@
 #include "../base/vector.h"
 #include "../surface/beside.h"
 #include "../surface/mesh_faces.h"
+#include "overlap.h"
 #include "refine.h"
 
 enum { MOST_ROUNDS = 10, LEVELS = 6 };
@@ -91,6 +92,7 @@ static void sample_tiles(void *data, unsigned worker, bool is_caller, unsigned f
         struct lx_tile *tile = &reflected->tiles[t];
         if (tile->has_light)
             continue;
+        tile->is_overlaid = lx_overlap_is_on(reflected, tile);
         if (lx_direct_sample(&reflected->sampling, &reflected->faces[tile->face], &asking, tile))
             atomic_store(&sampling->failed, true);
         else

@@ -160,7 +160,13 @@ static void add_rest(const struct solving *solving, const double *right)
             reflected->slack_before[i] = reflected->slack[i] += rest;
 }
 
-/* The slack begins with the residual and with what is not known of the direct light, one bounce of it. */
+/* What may be too much of the reflected light at a node: all of it where another face lies on the tile. */
+static double doubt(const struct lx_radiosity *reflected, size_t i)
+{
+    return reflected->tiles[i / LX_RULE_NODES].is_overlaid ? fabs(reflected->indirect[i]) : 0;
+}
+
+/* The slack begins with the residual and with what is not known of what is sent on, one bounce of it. */
 static bool find_slack(struct solving *solving)
 {
     struct lx_radiosity *reflected = solving->reflected;
@@ -172,7 +178,7 @@ static bool find_slack(struct solving *solving)
                                      .control = reflected->control,
                                      .threads = reflected->threads};
     for (size_t i = 0; unsure && i < count; i++)
-        unsure[i] = reflected->tiles[i / LX_RULE_NODES].direct_error;
+        unsure[i] = lx_tile_unsure(&reflected->tiles[i / LX_RULE_NODES]) + doubt(reflected, i);
     const bool whole = unsure && right && lx_linear_bounce(&linear, solving->residual, unsure, right) &&
                        solve(solving, right, SLACK_REST, reflected->slack_before, reflected->slack);
     if (whole && reflected->bounces == 0)
@@ -232,8 +238,12 @@ static bool work(struct solving *solving)
         return false;
     if (!find_slack(solving))
         return false;
-    lx_groups_lift(reflected, reflected->slack_before, reflected->sent_slack);
     bound_tiles(solving);
+    for (size_t i = 0; i < count; i++) {
+        reflected->slack[i] += doubt(reflected, i);
+        reflected->slack_before[i] += doubt(reflected, i);
+    }
+    lx_groups_lift(reflected, reflected->slack_before, reflected->sent_slack);
     return true;
 }
 

@@ -178,3 +178,13 @@ void lx_face_make(const struct lx_smooth_sheet *sheet, size_t surface, double re
     for (int k = 0; k < 2; k++)
         face->size_mm[k] = 2 * face->cell.lengths_mm[k];
 }
+
+double lx_tile_unsure(const struct lx_tile *tile)
+{
+    double area = 0, light = 0;
+    for (int q = 0; q < LX_RULE_NODES && tile->is_overlaid; q++) {
+        area += tile->cell.area[q];
+        light += tile->cell.area[q] * fabs(tile->direct.nodes[q]);
+    }
+    return tile->direct_error + (area > 0 ? light / area : 0);
+}

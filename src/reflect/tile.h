@@ -32,6 +32,7 @@ struct lx_matte_face {
     struct lx_tile_cell cell;       /* bounds of all of it */
     uint32_t group;                 /* all of it */
     bool is_flat;
+    bool is_overlaid;  /* another one lies on it (overlap.h) */
     uint32_t triangle; /* of a mesh, */
     bool is_small;     /* which has many: reflected light is linear on it unless it is cut */
 };
@@ -49,6 +50,7 @@ struct lx_tile {
     struct lx_tile_cell cell;
     struct lx_direct direct;
     bool has_light;
+    bool is_overlaid;    /* another face lies on it (overlap.h) */
     double direct_error; /* of the mean of the direct light that was sampled */
     double seen_error;   /* of the share of all ways from the tile that end on faces (lx_radiosity.seen), in the mean */
     double residual[2][2]; /* changes of the solution's: along s and t, towards the low and the high edge */
@@ -59,6 +61,9 @@ struct lx_tile {
 };
 
 void lx_tile_clear(struct lx_tile *tile);
+
+/* What is not known of the direct light that a tile sends on, in the mean. */
+double lx_tile_unsure(const struct lx_tile *tile);
 
 /* The bounds and nodes of a window. */
 void lx_cell_make(const struct lx_matte_face *face, const struct lx_window *window, struct lx_tile_cell *cell);

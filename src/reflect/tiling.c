@@ -11,6 +11,7 @@
 #include "../base/vector.h"
 #include "../surface/mesh_faces.h"
 #include "between.h"
+#include "overlap.h"
 #include "solution.h"
 
 enum { MOST_MARKS = 64 };
@@ -313,6 +314,7 @@ int lx_tiling_make(struct lx_radiosity *reflected)
     reflected->size_mm = sqrt(square);
     for (size_t f = 0; f < reflected->face_count; f++)
         area = fmax(area, reflected->faces[f].size_mm[0] * reflected->faces[f].size_mm[1]);
+    lx_overlap_find(reflected);
     for (size_t f = 0; f < reflected->face_count; f++)
         if (cut_face(reflected, (uint32_t)f, sqrt(area)))
             return -1;
