@@ -63,14 +63,20 @@ def columns_stay(tap, desk):
     scale, x, y = window.map()
     desk.move(x, y)
     label = wait("the line at the edge", lambda: line(window))  # found once, as each look takes its time
-    inked, first = strip(desk, window, label)
-    texts, moved = {label.name}, []
+
+    def drawn(before=None):
+        """The line when it stands on the screen, which is later than it is told."""
+        seen = strip(desk, window, label)
+        return seen if seen[1] != before and len(starts(seen[0])) >= label.name.count("\t") else None
+
+    inked, first = wait("its ink", drawn)
+    texts, moved, ink = {label.name}, [], first
     columns = starts(inked)[-label.name.count("\t"):]
     tap.equal(len(columns), 5, "place, normal, value, grey level and sources are seen apart")
     for place in ((-83.4, 47.6), (61, -80), (-60, -90), (7, 103), (110, 3)):
         desk.move(x + place[0] * scale, y - place[1] * scale)
         wait("other numbers", lambda: label.name not in texts and "\tgrey" in label.name)
-        inked, ink = strip(desk, window, label)
+        inked, ink = wait("their ink", lambda last=ink: drawn(last))
         texts.add(label.name)
         for number, column in enumerate(columns):
             is_apart = not any(inked[column - 2:column - 1]) and any(inked[column:column + 4])
