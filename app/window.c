@@ -450,6 +450,8 @@ static void app_window_dispose(GObject *object)
     g_clear_handle_id(&self->progress_timer, g_source_remove);
     g_clear_handle_id(&self->pulse_timer, g_source_remove);
     g_clear_handle_id(&self->say_timer, g_source_remove);
+    for (int i = 0; i < 2; i++)
+        g_clear_pointer(&self->status_tabs[i], pango_tab_array_free);
     g_clear_pointer(&self->painter, app_painter_free);
     g_clear_pointer(&self->meter, app_meter_free);
     g_clear_pointer(&self->pointer, app_pointer_free);

@@ -53,6 +53,8 @@ struct _AppWindow {
     GtkWidget *direct_label; /* what the picture is, before reflected light has come */
     GtkWidget *stale_box, *stale_label, *repair_button, *repair_label;
     GtkWidget *status_label, *message_label, *zoom_label, *progress;
+    PangoTabArray *status_tabs[2]; /* of its columns: all, and without the normal, where there is no room for it */
+    int status_width;              /* of all columns with the sources' shares, dots */
     GMenu *builtin_menu, *recent_menu, *export_menu;
     /* made by hand */
     GtkWidget *screen_form, *surface_list, *surface_form, *material_form, *picture_form;

@@ -190,7 +190,7 @@ static void add_difference(GString *text, const AppReading *reading)
                            gettext(app_moment_unit(reading->moment, reading->quantity)));
 }
 
-static void add_value(GString *text, const AppReading *reading)
+static void add_value(GString *text, const AppReading *reading, gboolean is_short)
 {
     const luxel_value *value = &reading->value;
     char n[7][APP_NUMBER_SIZE];
@@ -198,7 +198,9 @@ static void add_value(GString *text, const AppReading *reading)
         app_number_place(value->position_mm[i], 1000, n[i]);
         app_number_round(value->normal[i], 3, n[3 + i]);
     }
-    g_string_append_printf(text, "\tP (%s, %s, %s)\tN (%s, %s, %s)\t", n[0], n[1], n[2], n[3], n[4], n[5]);
+    g_string_append_printf(text, "\tP (%s, %s, %s)\t", n[0], n[1], n[2]);
+    if (!is_short)
+        g_string_append_printf(text, "N (%s, %s, %s)\t", n[3], n[4], n[5]);
     if (value->has_value)
         g_string_append_printf(text, "%s %s", app_number_round(value->value, DIGITS, n[6]),
                                gettext(app_moment_unit(reading->moment, reading->quantity)));
@@ -219,29 +221,40 @@ static double shown_value(const AppReading *reading)
     return minus->on_surface && minus->has_value ? value->value - minus->value : (double)NAN;
 }
 
+enum { NORMAL = 2, COLUMNS = 5 }; /* of the line at the edge, before the sources' shares */
+
 /* Readings stand in columns, as wide as the widest of each that is usual, so that no number moves another. */
 void app_window_set_columns(AppWindow *self)
 {
     char *place = g_strdup_printf("x −000.00  y −000.00 %s  ", _("mm"));
     char *value = g_strdup_printf("0.000000e-00 %s  ", gettext("W/(sr·m²)")); /* the widest of the units */
     char *grey = g_strdup_printf("%s 255   ", _("grey"));
-    const char *const widest[] = {place, "P (−000.000, −000.000, 0000.000)  ", "N (−0.000, −0.000, −0.000)  ", value,
-                                  grey};
-    PangoTabArray *tabs = pango_tab_array_new(G_N_ELEMENTS(widest), TRUE);
+    char *shares = g_strdup_printf("%s 1: 0.0000, 2: 0.0000", _("sources"));
+    const char *const widest[COLUMNS + 1] = {
+        place, "P (−000.000, −000.000, 0000.000)  ", "N (−0.000, −0.000, −0.000)  ", value, grey, shares};
     PangoLayout *layout = gtk_widget_create_pango_layout(self->status_label, NULL);
-    int end = 0, width;
-    for (gsize i = 0; i < G_N_ELEMENTS(widest); i++) {
-        pango_layout_set_text(layout, widest[i], -1);
-        pango_layout_get_pixel_size(layout, &width, NULL);
-        end += width;
-        pango_tab_array_set_tab(tabs, (int)i, PANGO_TAB_LEFT, end);
+    int width;
+    for (int is_short = 0; is_short < 2; is_short++) {
+        PangoTabArray *tabs = pango_tab_array_new(COLUMNS - is_short, TRUE);
+        int end = 0, tab = 0;
+        for (int i = 0; i <= COLUMNS; i++) {
+            if (is_short && i == NORMAL)
+                continue;
+            pango_layout_set_text(layout, widest[i], -1);
+            pango_layout_get_pixel_size(layout, &width, NULL);
+            end += width;
+            if (i < COLUMNS)
+                pango_tab_array_set_tab(tabs, tab++, PANGO_TAB_LEFT, end);
+        }
+        self->status_tabs[is_short] = tabs;
+        if (!is_short)
+            self->status_width = end;
     }
-    gtk_label_set_tabs(GTK_LABEL(self->status_label), tabs);
-    pango_tab_array_free(tabs);
+    g_object_unref(layout);
+    g_free(shares);
     g_free(grey);
     g_free(value);
     g_free(place);
-    g_object_unref(layout);
 }
 
 void app_window_show_reading(const AppReading *reading, gpointer owner)
@@ -253,6 +266,9 @@ void app_window_show_reading(const AppReading *reading, gpointer owner)
     GString *text = g_string_new(NULL);
     const luxel_value *value = &reading->value;
     const gboolean pinned = self->picture && self->picture->side == APP_SIDE_PINNED;
+    /* Of several sources their shares are worth more than the normal, which Why? tells. */
+    const gboolean is_short =
+        reading->share_count > 1 && gtk_widget_get_width(self->status_label) < self->status_width;
     app_view_set_surface(self->view, value->on_surface ? (gssize)value->surface : -1);
     g_string_append_printf(text, "x %s  y %s %s%s", app_number_round(reading->x_mm, 5, n[0]),
                            app_number_round(reading->y_mm, 5, n[1]), _("mm"), pinned ? "   A:" : "");
@@ -261,7 +277,7 @@ void app_window_show_reading(const AppReading *reading, gpointer owner)
     else if (!value->on_surface)
         g_string_append_printf(text, "\t%s", _("off the surface"));
     else
-        add_value(text, reading);
+        add_value(text, reading, is_short);
     char *markup = g_markup_escape_text(text->str, -1);
     g_string_assign(text, markup);
     g_free(markup);
@@ -269,6 +285,7 @@ void app_window_show_reading(const AppReading *reading, gpointer owner)
         g_string_append_printf(text, "\t%s ", _("sources"));
         add_shares(text, reading);
     }
+    gtk_label_set_tabs(GTK_LABEL(self->status_label), self->status_tabs[is_short]);
     gtk_label_set_markup(GTK_LABEL(self->status_label), text->str);
     app_dial_set_needle(APP_DIAL(self->bar), shown_value(reading));
     app_sources_show_shares(APP_SOURCES(self->sources), reading);

@@ -87,4 +87,19 @@ def columns_stay(tap, desk):
     tap.equal(moved, [], "which begin where those of the others do")
 
 
-trial(drag_moves_nothing, columns_stay)
+def narrow(tap, desk):
+    """Where there is no room for all columns the normal goes, and the sources' shares stay."""
+    window = desk.start("three-lights").window()
+    for width, has_normal in ((1380, True), (1000, False), (1380, True)):
+        desk.hand("windowsize", "--sync", window.screen_id, width, 700)
+        wait("the size", lambda: abs(window.widget.area()[2] - width) < 80)
+
+        def told():
+            desk.move(*window.pixel(0, 0))
+            label = line(window)
+            return label and ("\tN (" in label.name) == has_normal and "\tsources 1: " in label.name
+
+        tap.ok(wait("the line", told), "%d dots: %s" % (width, "with the normal" if has_normal else "without"))
+
+
+trial(drag_moves_nothing, columns_stay, narrow)
