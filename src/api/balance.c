@@ -95,7 +95,8 @@ static int tell_sides(const struct lx_prepared *prepared, const struct lx_radios
 }
 
 /* Tells the bound that was missed, as a share of the greatest mean. */
-static void report_error(const luxel_balance *balance, luxel_diagnostics *diagnostics)
+static void report_error(const luxel_balance *balance, const struct lx_radiosity *reflected,
+                         const struct lx_prepared *prepared, luxel_diagnostics *diagnostics)
 {
     double error = 0, greatest = 0;
     char share[LX_NUMBER_SIZE];
@@ -105,6 +106,7 @@ static void report_error(const luxel_balance *balance, luxel_diagnostics *diagno
     }
     lx_report(diagnostics, LUXEL_SEVERITY_ADVICE, NULL, LX_MSG_BALANCE_ERROR,
               LX_ARGS(lx_write_digits(greatest > 0 ? error / greatest : 0, 2, share)));
+    lx_hint_overlap(reflected, prepared, diagnostics);
 }
 
 static luxel_status tell(const struct lx_session *session, const struct lx_reflected_wish *wish,
@@ -130,7 +132,7 @@ static luxel_status tell(const struct lx_session *session, const struct lx_refle
         return LUXEL_ERROR_MEMORY;
     }
     if (!balance->reached)
-        report_error(balance, diagnostics);
+        report_error(balance, reflected, &session->prepared, diagnostics);
     *made = balance;
     return LUXEL_OK;
 }

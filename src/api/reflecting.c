@@ -6,6 +6,7 @@
 
 #include "../base/diagnostics.h"
 #include "../base/memory.h"
+#include "../base/number.h"
 
 /* More threads than this are of no use. */
 enum { MOST_WORTH = 64 };
@@ -18,6 +19,18 @@ bool lx_wants_reflections(const struct lx_scene_parameters *scene)
 double lx_reflected_error_of(const luxel_settings *settings)
 {
     return settings->reflected_error > 0 ? settings->reflected_error : LX_DEFAULT_REFLECTED_ERROR;
+}
+
+void lx_hint_overlap(const struct lx_radiosity *reflected, const struct lx_prepared *prepared,
+                     luxel_diagnostics *diagnostics)
+{
+    size_t surfaces[2];
+    char first[LX_NUMBER_SIZE], second[LX_NUMBER_SIZE];
+    if (!lx_reflected_overlaps(reflected, surfaces))
+        return;
+    lx_write_number((double)prepared->surfaces[surfaces[0]].authored, first);
+    lx_write_number((double)prepared->surfaces[surfaces[1]].authored, second);
+    lx_hint(diagnostics, LX_MSG_HINT_ONE_PLANE, LX_ARGS(first, second));
 }
 
 /* Places that are asked, in parallel. */

@@ -14,6 +14,10 @@
 /* The bound that settings ask for. */
 double lx_reflected_error_of(const luxel_settings *settings);
 
+/* Hints at surfaces that lie on one another, where that keeps the bound that was just reported from being small. */
+void lx_hint_overlap(const struct lx_radiosity *reflected, const struct lx_prepared *prepared,
+                     luxel_diagnostics *diagnostics);
+
 /*
  * What is reflected to places, of which `reached` tells whether its error is as small as the settings ask for.  Solves
  * for them, and asks at each, in parallel.  LUXEL_OK, LUXEL_CANCELLED, LUXEL_ERROR_MEMORY, which is reported.

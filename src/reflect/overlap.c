@@ -93,11 +93,39 @@ void lx_overlap_find(struct lx_radiosity *reflected)
                 faces[f].is_overlaid = faces[g].is_overlaid = true;
 }
 
-bool lx_overlap_is_on(const struct lx_radiosity *reflected, const struct lx_tile *tile)
+const struct lx_matte_face *lx_overlap_on(const struct lx_radiosity *reflected, const struct lx_tile *tile)
 {
     const struct lx_matte_face *face = &reflected->faces[tile->face];
     for (size_t f = 0; f < reflected->face_count && face->is_overlaid; f++)
         if (reflected->faces[f].is_overlaid && lies_on(reflected, face, &tile->window, &reflected->faces[f]))
-            return true;
+            return &reflected->faces[f];
+    return NULL;
+}
+
+/* The greatest irradiance at the nodes of a tile. */
+static double brightest(const struct lx_radiosity *reflected, size_t t)
+{
+    double most = 0;
+    for (size_t q = 0; q < LX_RULE_NODES; q++)
+        most = fmax(most, reflected->tiles[t].direct.nodes[q] + reflected->indirect[t * LX_RULE_NODES + q]);
+    return most;
+}
+
+bool lx_reflected_overlaps(const struct lx_radiosity *reflected, size_t surfaces[2])
+{
+    const double least = 1e-3 * reflected->error; /* of the greatest anywhere */
+    double greatest = 0;
+    for (size_t t = 0; t < reflected->tile_count; t++)
+        greatest = fmax(greatest, brightest(reflected, t));
+    for (size_t t = 0; t < reflected->tile_count; t++) {
+        const struct lx_tile *tile = &reflected->tiles[t];
+        const bool has_light = tile->is_overlaid && brightest(reflected, t) > least * greatest;
+        const struct lx_matte_face *on = has_light ? lx_overlap_on(reflected, tile) : NULL;
+        if (!on)
+            continue;
+        surfaces[0] = reflected->faces[tile->face].surface;
+        surfaces[1] = on->surface;
+        return true;
+    }
     return false;
 }

@@ -12,7 +12,7 @@
 /* Finds the faces that others lie on. */
 void lx_overlap_find(struct lx_radiosity *reflected);
 
-/* Whether a tile of such a face has any of the others on it. */
-bool lx_overlap_is_on(const struct lx_radiosity *reflected, const struct lx_tile *tile);
+/* The face that lies on a tile; NULL: none does. */
+const struct lx_matte_face *lx_overlap_on(const struct lx_radiosity *reflected, const struct lx_tile *tile);
 
 #endif

@@ -14,6 +14,8 @@
 #include "refine.h"
 
 enum { MOST_ROUNDS = 10, LEVELS = 6 };
+/* Where faces lie on one another in the light the bound stays large, however small tiles are. */
+enum { FEW_ROUNDS = 2 };
 
 /* With more tiles than this share of the most, too few are left for another round. */
 static const double WORTH_A_ROUND = 0.92;
@@ -92,7 +94,7 @@ static void sample_tiles(void *data, unsigned worker, bool is_caller, unsigned f
         struct lx_tile *tile = &reflected->tiles[t];
         if (tile->has_light)
             continue;
-        tile->is_overlaid = lx_overlap_is_on(reflected, tile);
+        tile->is_overlaid = lx_overlap_on(reflected, tile) != NULL;
         if (lx_direct_sample(&reflected->sampling, &reflected->faces[tile->face], &asking, tile))
             atomic_store(&sampling->failed, true);
         else
@@ -231,10 +233,12 @@ static luxel_status work(struct lx_radiosity *reflected, const struct lx_reflect
     set_fineness(reflected);
     for (int round = 0; status == LUXEL_OK; round++) {
         bool failed = false;
+        size_t overlapping[2];
         status = solve(reflected, wish);
         if (status != LUXEL_OK || lx_reflected_is_reached(reflected, wish))
             return status;
-        if (round == MOST_ROUNDS || !refine(reflected, wish, &failed))
+        const int most = lx_reflected_overlaps(reflected, overlapping) ? FEW_ROUNDS : MOST_ROUNDS;
+        if (round == most || !refine(reflected, wish, &failed))
             return failed ? LUXEL_ERROR_MEMORY : wish->spots ? lx_spots_show(reflected, wish, true) : LUXEL_OK;
         status = sample(reflected);
     }

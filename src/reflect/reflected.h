@@ -96,6 +96,10 @@ size_t lx_reflected_most_sides(const struct lx_radiosity *reflected);
 size_t lx_reflected_sides(const struct lx_radiosity *reflected, struct lx_lit_side *sides);
 struct lx_light_balance lx_reflected_balance(const struct lx_radiosity *reflected);
 
+/* Two prepared surfaces, or one mesh twice, of which faces lie on one another in one plane and have light there, so
+ * that no bound is small (overlap.h); false: there are none. */
+bool lx_reflected_overlaps(const struct lx_radiosity *reflected, size_t surfaces[2]);
+
 /*
  * The same on a surface, for many places: the polynomial of the tile there, with the bound that holds on all of it.
  * `near` is of the caller, 0 at first: places that follow each other are often on one tile.
