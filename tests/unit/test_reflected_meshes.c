@@ -337,7 +337,9 @@ static void test_too_many(void **state)
     assert_int_equal(try_scene("none", surfaces, LAMP, diagnostics, &scene), LUXEL_OK);
     luxel_scene_free(scene);
     assert_int_equal(try_scene("all", surfaces, LAMP, diagnostics, &scene), LUXEL_ERROR_SCENE);
-    assert_non_null(strstr(luxel_diagnostics_message(diagnostics, 0, NULL, NULL), "80000 triangles"));
+    char *message = luxel_diagnostics_message(diagnostics, 0, NULL, NULL);
+    assert_non_null(strstr(message, "80000 triangles"));
+    luxel_text_free(message);
     luxel_scene_free(scene);
     luxel_diagnostics_free(diagnostics);
 }
