@@ -266,7 +266,7 @@ void app_window_show_reading(const AppReading *reading, gpointer owner)
     GString *text = g_string_new(NULL);
     const luxel_value *value = &reading->value;
     const gboolean pinned = self->picture && self->picture->side == APP_SIDE_PINNED;
-    /* Of several sources their shares are worth more than the normal, which Why? tells. */
+    /* The shares of several sources are worth more than the normal, which Why? tells. */
     const gboolean is_short =
         reading->share_count > 1 && gtk_widget_get_width(self->status_label) < self->status_width;
     app_view_set_surface(self->view, value->on_surface ? (gssize)value->surface : -1);

@@ -14,6 +14,7 @@
 
 #include "argument.h"
 #include "cli.h"
+#include "json.h"
 #include "message.h"
 #include "work.h"
 
@@ -22,7 +23,6 @@ enum { CEILING, WALLS, FLOOR };             /* as luxel_ugr_reflectance() counts
 static const double BELOW_CEILING_MM = 0.1; /* of the luminaires, which else lay on it */
 static const double MOST_UPWARDS = 0.3;     /* percent of the light: it changes the ratings by less than 0.05 */
 static const double WISHED = 0.01;          /* error of the reflected light, of the greatest mean irradiance */
-static const double PI = 3.141592653589793;
 
 /* The number of a room of so many heights; LUXEL_UGR_ROOMS: it is no standard room. */
 static size_t room_find(double across, double along)
@@ -68,18 +68,6 @@ bool room_take(struct options *options, const char *argument)
 
 /* ---- the room as a scene ---- */
 
-/* The text of a YAML string. */
-static void write_quoted(FILE *stream, const char *text)
-{
-    putc('"', stream);
-    for (; *text; text++) {
-        if (*text == '"' || *text == '\\')
-            putc('\\', stream);
-        putc(*text, stream);
-    }
-    putc('"', stream);
-}
-
 static void write_wall(FILE *stream, const char *name, double reflectance)
 {
     fprintf(stream, "%s: {model: lambert, over_pi: true, diffuse: %.17g}", name, reflectance);
@@ -102,7 +90,7 @@ static void write_scene(FILE *stream, const char *path, size_t room, double spac
     fprintf(stream, "}\nlights:\n");
     for (size_t i = 0; i < across * along; i++) {
         fprintf(stream, "  - {type: luminaire, file: ");
-        write_quoted(stream, path);
+        json_text(&(struct json){.stream = stream}, NULL, path); /* which is a string of YAML, too */
         fprintf(stream, ", position: [%.17g, %.17g, %.17g], c0: [0, 1, 0]}\n",
                 H_MM * (((double)(i % across) + 0.5) * spacing - x / 2),
                 H_MM * (((double)(i / across) + 0.5) * spacing - y / 2), H_MM - BELOW_CEILING_MM);
@@ -147,7 +135,7 @@ static luxel_amount background_of(const luxel_balance *balance)
         light.error += side->area_m2 * (side->irradiance.error + side->direct.error);
         area += side->area_m2;
     }
-    return (luxel_amount){light.value / area / PI, light.error / area / PI};
+    return (luxel_amount){light.value / area / M_PI, light.error / area / M_PI};
 }
 
 static int rate_triple(const struct options *options, const luxel_ugr_table *table, size_t triple,
@@ -160,7 +148,8 @@ static int rate_triple(const struct options *options, const luxel_ugr_table *tab
     luxel_status status = make_scene(options->operand, ratings->room, table->spacing, triple, diagnostics, &scene);
     int code;
 
-    luxel_diagnostics_clear(diagnostics);
+    if (status == LUXEL_OK)
+        luxel_diagnostics_clear(diagnostics); /* advice about such a scene */
     work_begin(&work, options);
     work.settings.reflected_error = WISHED;
     if (status == LUXEL_OK)

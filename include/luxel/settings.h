@@ -18,7 +18,7 @@
 extern "C" {
 #endif
 
-/* What is computed for each element of a surface. */
+/* The quantity that is computed for each element of a surface. */
 typedef enum luxel_quantity {
     LUXEL_BRIGHTNESS, /* sum of the lights' brightness by the material */
     LUXEL_IRRADIANCE  /* sum of E_perp max(0, N.L) and ambient irradiance */

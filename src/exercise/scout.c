@@ -227,8 +227,7 @@ static luxel_status look(const luxel_evaluator *evaluator, const luxel_field *fi
     return find_strongest(evaluator, &peak, &scout->strongest) ? LUXEL_ERROR_MEMORY : LUXEL_OK;
 }
 
-/* `copy` is committed, with the scene's own screen. */
-/* What the triangles of meshes cost that send light on. */
+/* The cost of the triangles of meshes, where they send light on. */
 static double reflecting_cost(const struct lx_scene_parameters *scene)
 {
     double sum = 0;
@@ -242,6 +241,7 @@ static double reflecting_cost(const struct lx_scene_parameters *scene)
     return sum;
 }
 
+/* `copy` is committed, with the scene's own screen. */
 static luxel_status scout_copy(luxel_scene *copy, double *effort, struct lx_scout *scout)
 {
     const struct lx_scene_parameters *scene = lx_scene_parameters(copy);

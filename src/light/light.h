@@ -19,7 +19,7 @@ struct lx_light_kind {
     int (*prepare)(const void *parameters, struct lx_emitters *emitters);
     /* The greatest length of what shines as one point, 0 where it is one; NULL: so are all of them. */
     double (*opening_mm)(const void *parameters);
-    /* What the photometry file says that parameters name, and its name.  NULL: never. */
+    /* The content of the photometry file that parameters name, and its name.  NULL: they name none. */
     const luxel_photometry *(*photometry)(const void *parameters, const char **file);
     /* The mesh that parameters name, where they do.  NULL: never. */
     bool (*mesh)(const void *parameters, struct lx_mesh_use *use);

@@ -222,7 +222,7 @@ struct lx_arrival lx_links_sum(const struct lx_radiosity *reflected, const struc
 
 /* ---- rows ---- */
 
-/* Of a triangle: where shares of its corners are 2/3, 1/6, 1/6. */
+/* Nodes of a triangle, where shares of its corners are 2/3, 1/6, 1/6. */
 static const double linear_at[LX_LINEAR_NODES][2] = {{0, -1.0 / 3}, {-0.6, 2.0 / 3}, {0.6, 2.0 / 3}};
 /* The nearest place between the nodes that is asked: the corners, of which two lie together, and the middle. */
 static const int linear_between[LX_BETWEEN] = {1, 1, 1, 6, 4, 8, 6, 8, 8};

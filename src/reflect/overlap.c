@@ -5,7 +5,7 @@
 #include "../base/vector.h"
 #include "overlap.h"
 
-/* So many corners has the outline of a window of a disk, whose arc is a few chords. */
+/* The outline of a window of a disk has the most corners: its arc is a few chords. */
 enum { ARC = 5, MOST_CORNERS = ARC + 2 };
 
 /* A convex polygon in the plane of its face. */

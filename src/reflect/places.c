@@ -43,14 +43,6 @@ bool lx_places_are_reached(const struct lx_radiosity *reflected, const struct lx
     return reached;
 }
 
-double lx_tile_area(const struct lx_tile *tile)
-{
-    double area = 0;
-    for (int q = 0; q < LX_RULE_NODES; q++)
-        area += tile->cell.area[q];
-    return area;
-}
-
 int lx_weigh(const struct lx_radiosity *reflected, const struct lx_reflected_place *places, size_t count,
              double *scores)
 {

@@ -7,7 +7,7 @@
 
 #include "../base/vector.h"
 
-/* What lies on a plane, but for rounding, is not inside. */
+/* A plane, on which, but for rounding, nothing is inside. */
 static void add_plane(struct lx_region *region, const double normal[3], const double through_mm[3], double touch_mm)
 {
     const double length = sqrt(lx_dot(normal, normal));

@@ -98,6 +98,5 @@ int lx_weigh(const struct lx_radiosity *reflected, const struct lx_reflected_pla
              double *scores);
 /* Marks the tiles with the greatest scores: most of their sum, but no more than `most` tiles.  As above. */
 int lx_cut_greatest(const struct lx_radiosity *reflected, const double *scores, size_t most, bool *cuts);
-double lx_tile_area(const struct lx_tile *tile);
 
 #endif

@@ -160,7 +160,7 @@ static void add_rest(const struct solving *solving, const double *right)
             reflected->slack_before[i] = reflected->slack[i] += rest;
 }
 
-/* What may be too much of the reflected light at a node: all of it where another face lies on the tile. */
+/* Reflected light at a node that may be too much: all of it where another face lies on the tile. */
 static double doubt(const struct lx_radiosity *reflected, size_t i)
 {
     return reflected->tiles[i / LX_RULE_NODES].is_overlaid ? fabs(reflected->indirect[i]) : 0;

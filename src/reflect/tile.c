@@ -179,12 +179,18 @@ void lx_face_make(const struct lx_smooth_sheet *sheet, size_t surface, double re
         face->size_mm[k] = 2 * face->cell.lengths_mm[k];
 }
 
+double lx_tile_area(const struct lx_tile *tile)
+{
+    double area = 0;
+    for (int q = 0; q < LX_RULE_NODES; q++)
+        area += tile->cell.area[q];
+    return area;
+}
+
 double lx_tile_unsure(const struct lx_tile *tile)
 {
-    double area = 0, light = 0;
-    for (int q = 0; q < LX_RULE_NODES && tile->is_overlaid; q++) {
-        area += tile->cell.area[q];
+    double light = 0;
+    for (int q = 0; q < LX_RULE_NODES && tile->is_overlaid; q++)
         light += tile->cell.area[q] * fabs(tile->direct.nodes[q]);
-    }
-    return tile->direct_error + (area > 0 ? light / area : 0);
+    return tile->direct_error + light / lx_tile_area(tile);
 }

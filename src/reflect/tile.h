@@ -62,7 +62,9 @@ struct lx_tile {
 
 void lx_tile_clear(struct lx_tile *tile);
 
-/* What is not known of the direct light that a tile sends on, in the mean. */
+double lx_tile_area(const struct lx_tile *tile);
+
+/* The error of the direct light that a tile sends on, in the mean. */
 double lx_tile_unsure(const struct lx_tile *tile);
 
 /* The bounds and nodes of a window. */

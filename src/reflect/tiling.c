@@ -15,7 +15,7 @@
 #include "solution.h"
 
 enum { MOST_MARKS = 64 };
-/* So many triangles of a mesh are small. */
+/* The number of triangles of a mesh from which on they are small. */
 enum { MANY = 150 };
 
 /* ---- marks ---- */
